@@ -1,0 +1,17 @@
+# Flags of this project's own builds. They never reach an installed package or a user's target.
+add_library(soms_options INTERFACE)
+target_compile_options(soms_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor
+  -Wold-style-cast -Woverloaded-virtual)
+if(SOMS_SANITIZE)
+  target_compile_options(soms_options INTERFACE
+    -fsanitize=${SOMS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(soms_options INTERFACE -fsanitize=${SOMS_SANITIZE})
+endif()
+set(SOMS_ASSERTIONS OFF)
+if(SOMS_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL "Debug")
+  set(SOMS_ASSERTIONS ON)
+endif()
+if(SOMS_ASSERTIONS)
+  target_compile_definitions(soms_options INTERFACE SOMS_ASSERTIONS=1)
+endif()

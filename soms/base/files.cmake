@@ -1,0 +1,15 @@
+set(SOMS_HEADERS
+  assert.h
+  box.h
+  error.h
+  hash.h
+  parallel.h
+  pose.h
+  random.h
+  vector.h
+)
+set(SOMS_SOURCES
+  error.cpp
+  parallel.cpp
+  pose.cpp
+)

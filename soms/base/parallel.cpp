@@ -1,0 +1,132 @@
+#include "soms/base/parallel.h"
+
+#include "soms/base/error.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#if SOMS_USE_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#else
+#include <exception>
+#endif
+
+namespace soms {
+
+namespace {
+
+int thread_count(const Parallel& parallel) {
+  if (parallel.threads > 0) {
+    return parallel.threads;
+  }
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+/// Counts finished chunks and passes the share on, one caller at a time.
+class Progress {
+ public:
+  Progress(const Parallel& parallel, std::size_t total) : parallel_(parallel), total_(total) {}
+
+  void finished_one() {
+    if (!parallel_.progress) {
+      return;
+    }
+    const std::scoped_lock lock(mutex_);
+    ++done_;
+    parallel_.progress(static_cast<double>(done_) / static_cast<double>(total_));
+  }
+
+ private:
+  const Parallel& parallel_;
+  std::size_t total_;
+  std::mutex mutex_;
+  std::size_t done_ = 0;
+};
+
+#if SOMS_USE_TBB
+
+void run_threads(int threads, std::size_t chunks, const std::function<void(std::size_t)>& body) {
+  tbb::task_arena arena(threads);
+  arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, chunks, 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t i = range.begin(); i != range.end(); ++i) {
+            body(i);
+          }
+        },
+        tbb::simple_partitioner());
+  });
+}
+
+#else
+
+void run_threads(int threads, std::size_t chunks, const std::function<void(std::size_t)>& body) {
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < chunks; i = next++) {
+      try {
+        body(i);
+      } catch (...) {
+        const std::scoped_lock lock(mutex);
+        if (!failure) {
+          failure = std::current_exception();
+        }
+        next = chunks;
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    const auto extra = std::min<std::size_t>(static_cast<std::size_t>(threads), chunks) - 1;
+    for (std::size_t i = 0; i < extra; ++i) {
+      helpers.emplace_back(work);
+    }
+    work();
+  }
+  if (failure) {
+    std::rethrow_exception(failure);
+  }
+}
+
+#endif
+
+}  // namespace
+
+void check_stop(const Parallel& parallel) {
+  if (parallel.stop.stop_requested()) {
+    throw Error(ErrorKind::cancelled, "stopped on request", "");
+  }
+}
+
+void for_each_chunk(std::size_t count, std::size_t chunk, const Parallel& parallel,
+                    const std::function<void(std::size_t begin, std::size_t end)>& body) {
+  if (count == 0) {
+    return;
+  }
+  chunk = std::max<std::size_t>(chunk, 1);
+  const std::size_t chunks = (count - 1) / chunk + 1;
+  Progress progress(parallel, chunks);
+  const auto run = [&](std::size_t i) {
+    check_stop(parallel);
+    const std::size_t begin = i * chunk;
+    body(begin, std::min(count, begin + chunk));
+    progress.finished_one();
+  };
+  const int threads = thread_count(parallel);
+  if (threads == 1 || chunks == 1) {
+    for (std::size_t i = 0; i < chunks; ++i) {
+      run(i);
+    }
+    return;
+  }
+  run_threads(threads, chunks, run);
+}
+
+}  // namespace soms

@@ -1,0 +1,120 @@
+#include "soms/base/pose.h"
+
+#include "soms/base/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace soms {
+
+namespace {
+
+constexpr double kRigidTolerance = 1e-6;
+
+std::string entry_name(int row, int column) {
+  if (column == 3) {
+    return std::string("t") + "xyz"[row];
+  }
+  return "r" + std::to_string(row) + std::to_string(column);
+}
+
+void check_finite(const Pose& pose) {
+  for (int i = 0; i < 12; ++i) {
+    if (!std::isfinite(pose.m[static_cast<std::size_t>(i)])) {
+      throw Error(ErrorKind::not_finite,
+                  "pose: entry " + entry_name(i / 4, i % 4) + " is not a finite number",
+                  "give twelve finite numbers");
+    }
+  }
+}
+
+}  // namespace
+
+Pose Pose::translation(double x, double y, double z) {
+  Pose pose;
+  pose.m[3] = x;
+  pose.m[7] = y;
+  pose.m[11] = z;
+  return pose;
+}
+
+Pose Pose::from_quaternion(double w, double x, double y, double z, const Vec3& t) {
+  const double norm = ((w * w + x * x) + y * y) + z * z;
+  if (!std::isfinite(norm)) {
+    throw Error(ErrorKind::not_finite, "pose: the quaternion has an entry that is not finite",
+                "give four finite numbers");
+  }
+  if (std::abs(norm - 1) > kRigidTolerance) {
+    throw Error(ErrorKind::not_rigid,
+                "pose: the quaternion's squared length is " + std::to_string(norm) + ", not 1",
+                "normalise the quaternion (qw qx qy qz)");
+  }
+  Pose pose;
+  pose.m = {1 - 2 * (y * y + z * z), 2 * (x * y - w * z),     2 * (x * z + w * y),     t.x,
+            2 * (x * y + w * z),     1 - 2 * (x * x + z * z), 2 * (y * z - w * x),     t.y,
+            2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y), t.z};
+  return pose;
+}
+
+Pose Pose::about_z(double angle, const Vec3& t) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  Pose pose;
+  pose.m = {c, -s, 0, t.x, s, c, 0, t.y, 0, 0, 1, t.z};
+  return pose;
+}
+
+Vec3 Pose::apply(const Vec3& v) const {
+  return {((m[0] * v.x + m[1] * v.y) + m[2] * v.z) + m[3],
+          ((m[4] * v.x + m[5] * v.y) + m[6] * v.z) + m[7],
+          ((m[8] * v.x + m[9] * v.y) + m[10] * v.z) + m[11]};
+}
+
+void check(const Pose& pose) {
+  check_finite(pose);
+  const auto& m = pose.m;
+  const auto at = [&](int row, int column) {
+    return m[static_cast<std::size_t>(4 * row + column)];
+  };
+  for (int i = 0; i < 3; ++i) {
+    for (int j = i; j < 3; ++j) {
+      const double gram = at(0, i) * at(0, j) + at(1, i) * at(1, j) + at(2, i) * at(2, j);
+      const double off = std::abs(gram - (i == j ? 1 : 0));
+      if (!(off <= kRigidTolerance)) {
+        throw Error(ErrorKind::not_rigid,
+                    "pose: entry " + std::to_string(i) + "," + std::to_string(j) +
+                        " of RtR - I is " + std::to_string(off) + ", above 1e-6",
+                    "give a rotation; scale belongs into the mesh (--scale)");
+      }
+    }
+  }
+  const double det = at(0, 0) * (at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1)) -
+                     at(0, 1) * (at(1, 0) * at(2, 2) - at(1, 2) * at(2, 0)) +
+                     at(0, 2) * (at(1, 0) * at(2, 1) - at(1, 1) * at(2, 0));
+  if (!(det > 0)) {
+    throw Error(ErrorKind::not_rigid, "pose: the matrix mirrors (its determinant is not positive)",
+                "give a rotation; mirror the mesh instead");
+  }
+}
+
+void check_range(const Pose& pose, const Box& box) {
+  if (box.empty()) {
+    return;
+  }
+  const auto reach = [&](std::size_t axis) {
+    return std::max(std::abs(box.lower[axis]), std::abs(box.upper[axis]));
+  };
+  for (std::size_t row = 0; row < 3; ++row) {
+    const double most = std::abs(pose.m[4 * row]) * reach(0) +
+                        std::abs(pose.m[4 * row + 1]) * reach(1) +
+                        std::abs(pose.m[4 * row + 2]) * reach(2) + std::abs(pose.m[4 * row + 3]);
+    if (!(most <= kMaxCoordinate)) {
+      throw Error(ErrorKind::out_of_range,
+                  std::string("pose: a moved vertex may exceed 2^300 along ") + "xyz"[row],
+                  "use coordinates of magnitude at most 2^300");
+    }
+  }
+}
+
+}  // namespace soms

@@ -1,0 +1,11 @@
+set(SOMS_HEADERS
+  defects.h
+  mesh.h
+  midpoint.h
+  orientation.h
+  triangle_overlap.h
+)
+set(SOMS_SOURCES
+  mesh.cpp
+  midpoint.cpp
+)

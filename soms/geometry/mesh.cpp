@@ -1,0 +1,174 @@
+#include "soms/geometry/mesh.h"
+
+#include "soms/base/error.h"
+#include "soms/base/hash.h"
+#include "soms/base/pose.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace soms {
+
+namespace {
+
+std::string place(const Mesh& mesh, const std::string& what) {
+  return (mesh.source.empty() ? std::string("mesh") : mesh.source) + ", " + what;
+}
+
+void check_counts(const Mesh& mesh) {
+  if (mesh.triangles.size() > kMaxPrimitives || mesh.vertices.size() > kMaxPrimitives) {
+    throw Error(ErrorKind::out_of_range,
+                place(mesh, std::to_string(mesh.triangles.size()) + " triangles and " +
+                                std::to_string(mesh.vertices.size()) + " vertices"),
+                "split the mesh: at most 2^31 - 1 of either");
+  }
+  if (!mesh.faces.empty() && mesh.faces.size() != mesh.triangles.size()) {
+    throw Error(ErrorKind::bad_file, place(mesh, "the face map has another length than triangles"),
+                "leave it empty or give one entry a triangle");
+  }
+  for (const Part& part : mesh.parts) {
+    if (std::uint64_t{part.first} + part.count > mesh.triangles.size() ||
+        (part.parent != Part::kNoParent && part.parent >= mesh.parts.size())) {
+      throw Error(ErrorKind::bad_file, place(mesh, "part \"" + part.name + "\" is out of range"),
+                  "give first and count within the triangles, and a parent that exists");
+    }
+  }
+}
+
+void check_corner(const Mesh& mesh, std::size_t triangle, const Vec3& v) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!std::isfinite(v[axis])) {
+      throw Error(ErrorKind::not_finite,
+                  place(mesh, "triangle " + std::to_string(triangle) + ": " + "xyz"[axis] +
+                                  " of a corner is not a finite number"),
+                  "repair or drop the triangle");
+    }
+    if (std::abs(v[axis]) > kMaxCoordinate) {
+      throw Error(ErrorKind::out_of_range,
+                  place(mesh, "triangle " + std::to_string(triangle) + ": " + "xyz"[axis] +
+                                  " of a corner exceeds 2^300"),
+                  "scale the mesh");
+    }
+  }
+}
+
+}  // namespace
+
+void check(const Mesh& mesh) {
+  check_counts(mesh);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (const std::uint32_t v : mesh.triangles[i]) {
+      if (v >= mesh.vertices.size()) {
+        throw Error(ErrorKind::bad_file,
+                    place(mesh, "triangle " + std::to_string(i) + ": vertex " + std::to_string(v) +
+                                    " of " + std::to_string(mesh.vertices.size())),
+                    "repair or drop the triangle");
+      }
+      check_corner(mesh, i, mesh.vertices[v]);
+    }
+  }
+}
+
+Box bounds(const Mesh& mesh) {
+  Box box;
+  for (const auto& t : mesh.triangles) {
+    for (const std::uint32_t v : t) {
+      box.grow(mesh.vertices[v]);
+    }
+  }
+  return box;
+}
+
+std::uint32_t part_of(const Mesh& mesh, TriangleId i) {
+  std::uint32_t best = Part::kNoParent;
+  for (std::uint32_t p = 0; p < mesh.parts.size(); ++p) {
+    const Part& part = mesh.parts[p];
+    if (i >= part.first && i - part.first < part.count &&
+        (best == Part::kNoParent || part.count <= mesh.parts[best].count)) {
+      best = p;
+    }
+  }
+  return best;
+}
+
+void append(Mesh& mesh, const Mesh& other) {
+  const std::size_t vertices = mesh.vertices.size();
+  const std::size_t triangles = mesh.triangles.size();
+  if (vertices + other.vertices.size() > kMaxPrimitives ||
+      triangles + other.triangles.size() > kMaxPrimitives) {
+    throw Error(ErrorKind::out_of_range, place(other, "too many triangles when joined"),
+                "join fewer models: at most 2^31 - 1 triangles and vertices together");
+  }
+  const auto whole = [](const Mesh& m) {
+    return Part{m.source, Part::kNoParent, 0, static_cast<std::uint32_t>(m.triangles.size())};
+  };
+  if (mesh.parts.empty() && triangles > 0) {
+    mesh.parts.push_back(whole(mesh));
+  }
+  const auto first_part = static_cast<std::uint32_t>(mesh.parts.size());
+  std::vector<Part> parts = other.parts;
+  if (parts.empty()) {
+    parts.push_back(whole(other));
+  }
+  for (Part& part : parts) {
+    part.first += static_cast<std::uint32_t>(triangles);
+    if (part.parent != Part::kNoParent) {
+      part.parent += first_part;
+    }
+    mesh.parts.push_back(std::move(part));
+  }
+  if (!mesh.faces.empty() || !other.faces.empty()) {
+    for (std::size_t i = mesh.faces.size(); i < triangles; ++i) {
+      mesh.faces.push_back(static_cast<std::uint32_t>(i));
+    }
+    for (std::size_t i = 0; i < other.triangles.size(); ++i) {
+      mesh.faces.push_back(other.faces.empty() ? static_cast<std::uint32_t>(i) : other.faces[i]);
+    }
+  }
+  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (auto t : other.triangles) {
+    for (auto& v : t) {
+      v += static_cast<std::uint32_t>(vertices);
+    }
+    mesh.triangles.push_back(t);
+  }
+}
+
+std::uint64_t corner_hash(const Mesh& mesh) {
+  Fnv1a hash;
+  for (const auto& t : mesh.triangles) {
+    for (const std::uint32_t v : t) {
+      const Vec3& p = mesh.vertices[v];
+      hash.add(p.x);
+      hash.add(p.y);
+      hash.add(p.z);
+    }
+  }
+  return hash.value();
+}
+
+Mesh transformed(Mesh mesh, double scale, UpAxis up) {
+  if (!(std::isfinite(scale) && scale > 0)) {
+    throw Error(ErrorKind::usage, "scale " + std::to_string(scale) + " is not a positive number",
+                "give a finite scale above 0");
+  }
+  for (Vec3& v : mesh.vertices) {
+    if (up == UpAxis::y) {
+      v = {v.x, -v.z, v.y};
+    } else if (up == UpAxis::x) {
+      v = {-v.z, v.y, v.x};
+    }
+    if (scale != 1) {
+      v = v * scale;
+    }
+  }
+  if (up == UpAxis::x || up == UpAxis::y) {
+    mesh.up = UpAxis::z;
+  }
+  if (mesh.unit > 0 && scale != 1) {
+    mesh.unit /= scale;
+  }
+  return mesh;
+}
+
+}  // namespace soms

@@ -1,0 +1,81 @@
+/// \file
+/// Triangle meshes as they were read: nothing welded, moved or dropped.
+#pragma once
+
+#include "soms/base/box.h"
+#include "soms/base/vector.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace soms {
+
+/// Number of a triangle in its mesh; fewer than 2^31.
+using TriangleId = std::uint32_t;
+
+/// Most triangles, and most vertices, that a mesh may have.
+inline constexpr std::uint64_t kMaxPrimitives = (std::uint64_t{1} << 31) - 1;
+
+/// A named, contiguous run of triangles: an object or group of the file.
+struct Part {
+  static constexpr std::uint32_t kNoParent = 0xffffffffU;
+
+  std::string name;
+  std::uint32_t parent = kNoParent;  ///< index of the enclosing part, or kNoParent
+  std::uint32_t first = 0;           ///< first triangle
+  std::uint32_t count = 0;           ///< number of triangles
+
+  [[nodiscard]] bool operator==(const Part&) const = default;
+};
+
+/// Up axis that a file states.
+enum class UpAxis { unknown, x, y, z };
+
+/// A triangle mesh. Triangle `i` is triangle `i` of the input; polygons of n corners gave n-2.
+struct Mesh {
+  std::vector<Vec3> vertices;                           ///< n points, as read
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< m x 3 indices into `vertices`
+  std::vector<Part> parts;                              ///< may be empty: one unnamed part
+  std::vector<std::uint32_t> faces;  ///< face of the file for each triangle; empty means identity
+  double unit = 0;                   ///< metres a unit when the file says so, else 0
+  UpAxis up = UpAxis::unknown;
+  std::string source;              ///< path of the file, or what generated it
+  std::vector<std::string> notes;  ///< things in the file that were reported, not applied
+
+  [[nodiscard]] bool operator==(const Mesh&) const = default;
+
+  /// Corners of triangle `i`, unmoved.
+  [[nodiscard]] Triangle triangle(TriangleId i) const {
+    const auto& t = triangles[i];
+    return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
+  }
+};
+
+/// Throws unless the mesh is fit for trees and queries: indices in range, counts below 2^31, every
+/// corner of every triangle finite and of magnitude at most 2^300, parts and faces consistent.
+/// \errors ErrorKind::not_finite, out_of_range, bad_file; names the first such triangle.
+void check(const Mesh& mesh);
+
+/// Bounds of the corners of all triangles (unused vertices do not count).
+[[nodiscard]] Box bounds(const Mesh& mesh);
+
+/// Part that triangle `i` belongs to: the innermost by position, or Part::kNoParent without parts.
+[[nodiscard]] std::uint32_t part_of(const Mesh& mesh, TriangleId i);
+
+/// Appends `other`, keeping its parts and faces; a mesh without parts becomes one part named by its
+/// source. Triangle i of `other` becomes triangle `mesh.triangles.size() + i`.
+/// \errors ErrorKind::out_of_range when the sum exceeds `kMaxPrimitives`.
+void append(Mesh& mesh, const Mesh& other);
+
+/// FNV-1a 64 over all corner coordinates, triangle by triangle, as little-endian doubles.
+[[nodiscard]] std::uint64_t corner_hash(const Mesh& mesh);
+
+/// A mesh with every vertex multiplied by `scale`, and turned from `up` to z up
+/// (y up: (x, y, z) becomes (x, -z, y); x up: (x, y, z) becomes (-z, y, x)); `unknown` and `z` do
+/// not turn. Turning only permutes and negates, so it rounds nothing.
+/// \errors ErrorKind::usage unless `scale` is finite and positive.
+[[nodiscard]] Mesh transformed(Mesh mesh, double scale, UpAxis up);
+
+}  // namespace soms

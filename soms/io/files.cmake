@@ -1,0 +1,7 @@
+set(SOMS_HEADERS
+  poses.h
+  read_mesh.h
+  write_mesh.h
+)
+set(SOMS_SOURCES
+)

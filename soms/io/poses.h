@@ -1,0 +1,45 @@
+/// \file
+/// Reading poses, one at a time or all.
+#pragma once
+
+#include "soms/base/pose.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soms {
+
+/// Pose from a command line: `x y z` or `x y z qw qx qy qz`, separated by blanks or commas.
+/// \errors  ErrorKind::usage, not_finite, not_rigid.
+[[nodiscard]] Pose parse_pose(std::string_view text);
+
+/// Poses of a CSV file with a header, `x,y,z,qw,qx,qy,qz` (the last four optional together) or
+/// `r00,r01,r02,tx,r10,r11,r12,ty,r20,r21,r22,tz`, read row by row: a million rows need no more
+/// memory than one.
+class PoseReader {
+ public:
+  /// \errors  ErrorKind::cannot_open, bad_file.
+  explicit PoseReader(const std::filesystem::path& path);
+  ~PoseReader();
+  PoseReader(PoseReader&&) noexcept;
+  PoseReader& operator=(PoseReader&&) noexcept;
+
+  /// The next pose, checked, or nothing at the end. Blank lines and lines that start with # are
+  /// skipped.
+  /// \errors  ErrorKind::bad_file, not_finite, not_rigid; the message names file and line.
+  [[nodiscard]] std::optional<Pose> next();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// All poses of a CSV file.
+[[nodiscard]] std::vector<Pose> read_poses(const std::filesystem::path& path);
+
+}  // namespace soms

@@ -1,0 +1,39 @@
+/// \file
+/// Reading models: the format is told by the content, then by the name.
+#pragma once
+
+#include "soms/base/parallel.h"
+#include "soms/geometry/mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace soms {
+
+/// Options of reading a model.
+struct ReadOptions {
+  /// Accept a model without triangles.
+  bool allow_empty = false;
+  /// Most bytes to allocate; 0 means 64 times the file's size plus 64 MiB.
+  std::uint64_t max_memory = 0;
+};
+
+/// Reads a PLY, 3DS, STL, OFF or OBJ model as stored, in double: nothing is welded, moved or lost,
+/// triangle i is triangle i of the file, a polygon of n corners gives n-2 triangles.
+///
+/// \errors  cannot_open (missing, unreadable, a directory), bad_file (names line or byte),
+///          empty_mesh, not_finite, out_of_range, unsupported (names the formats that are read),
+///          out_of_memory.
+/// \threads `parallel` gives progress and cancellation; reading is one thread.
+[[nodiscard]] Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options = {},
+                             const Parallel& parallel = {});
+
+/// The same from bytes in memory; `name` stands for the path in messages and tells the format where
+/// the content does not.
+[[nodiscard]] Mesh read_mesh(std::span<const std::byte> bytes, const std::string& name,
+                             const ReadOptions& options = {}, const Parallel& parallel = {});
+
+}  // namespace soms

@@ -1,0 +1,33 @@
+/// \file
+/// What every answer carries: how much of the question it covers, and what it cost.
+#pragma once
+
+#include <cstdint>
+
+namespace soms {
+
+/// How much of the question an answer covers.
+enum class Coverage {
+  complete,  ///< everything was decided
+  first,     ///< stopped at the first hit, as asked
+  cut,       ///< a limit or a deadline ended it; there may be more
+};
+
+/// Work done: deterministic counts for a given tree, layout and traversal, the same on every
+/// machine and, for complete answers, for any number of threads.
+struct Cost {
+  std::uint64_t node_tests = 0;      ///< pairs of boxes tested
+  std::uint64_t triangle_tests = 0;  ///< pairs of triangles decided (after their boxes overlapped)
+  std::uint64_t exact_tests = 0;     ///< of these, pairs that needed exact arithmetic
+
+  [[nodiscard]] bool operator==(const Cost&) const = default;
+
+  Cost& operator+=(const Cost& other) {
+    node_tests += other.node_tests;
+    triangle_tests += other.triangle_tests;
+    exact_tests += other.exact_tests;
+    return *this;
+  }
+};
+
+}  // namespace soms

@@ -1,0 +1,9 @@
+set(SOMS_HEADERS
+  answer.h
+  body.h
+  overlap.h
+  reference/overlap.h
+  traversal_options.h
+)
+set(SOMS_SOURCES
+)

@@ -1,0 +1,93 @@
+/// \file
+/// Which triangles of two bodies share a point? Surfaces only: a body wholly inside another
+/// overlaps nothing of it.
+#pragma once
+
+#include "soms/base/parallel.h"
+#include "soms/query/answer.h"
+#include "soms/query/body.h"
+#include "soms/query/traversal_options.h"
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace soms {
+
+/// A triangle of the first body and a triangle of the second that share a point.
+using TrianglePair = std::pair<TriangleId, TriangleId>;
+
+/// How much of an overlap is wanted.
+enum class OverlapMode {
+  all,    ///< every pair, sorted
+  any,    ///< stop at the first pair found; which one is not promised
+  first,  ///< the least pair by (i, j)
+};
+
+/// Options of an overlap query.
+struct OverlapOptions {
+  OverlapMode mode = OverlapMode::all;
+  /// Most pairs returned; more are cut, and the answer says so. The first found by one thread.
+  std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();
+  /// Ends the query with coverage `cut` when it passes.
+  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
+  /// The default walks the layout; a named traversal walks the canonical trees
+  /// (ShapeOptions::keep_tree).
+  TraversalOptions traversal = {};
+};
+
+/// Answer of an overlap query of two bodies.
+struct Overlap {
+  bool any = false;
+  std::vector<TrianglePair> pairs;  ///< sorted by first, then second; one pair in modes any, first
+  Coverage coverage = Coverage::complete;
+  Cost cost;
+
+  /// FNV-1a 64 over the sorted pairs as little-endian u32: two runs agree when their hashes do.
+  [[nodiscard]] std::uint64_t hash() const;
+};
+
+/// Pairs of triangles of `a` and `b` that share at least one point, decided exactly on the moved
+/// vertices (Pose::apply). Touching counts; a triangle without area is the segment or point it is.
+/// Symmetric: overlap(b, a) has the columns swapped. An empty mesh overlaps nothing.
+///
+/// Surfaces only: a car wholly inside a closed hall does not overlap its walls.
+///
+/// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose (checked in O(1)); usage for
+/// a
+///          named traversal without kept trees; cancelled.
+/// \cost    Typically logarithmic in the triangle counts plus linear in the answer.
+/// \threads Any number of callers; `parallel` splits one query.
+[[nodiscard]] Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options = {},
+                              const Parallel& parallel = {});
+
+/// Answers for a batch of poses: arrays, one entry a pose, pairs as values and offsets.
+struct OverlapBatch {
+  std::vector<std::uint8_t> any;       ///< n flags, 0 or 1
+  std::vector<Coverage> coverage;      ///< n
+  std::vector<std::uint64_t> offsets;  ///< n + 1; pairs of pose k are [offsets[k], offsets[k+1])
+  std::vector<TrianglePair> pairs;     ///< in modes any and first: the pair found, if any
+  Cost cost;                           ///< of all poses together
+
+  [[nodiscard]] std::size_t size() const { return any.size(); }
+
+  [[nodiscard]] std::span<const TrianglePair> pairs_of(std::size_t pose) const {
+    return std::span(pairs).subspan(offsets[pose], offsets[pose + 1] - offsets[pose]);
+  }
+};
+
+/// `overlap` of `mover` at each of `poses` with `fixed`; answers equal those of single queries,
+/// whatever the batch and the number of threads. `limit` counts for each pose.
+///
+/// \shape   `poses`: n; the answer's arrays are described there.
+/// \errors  As `overlap`; a pose at fault is named by its index.
+[[nodiscard]] OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses,
+                                   const Body& fixed, const OverlapOptions& options = {},
+                                   const Parallel& parallel = {});
+
+}  // namespace soms

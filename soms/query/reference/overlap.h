@@ -1,0 +1,22 @@
+/// \file
+/// The brute-force twin of `overlap`: every pair of triangles, no tree. What tests and `--verify`
+/// believe.
+#pragma once
+
+#include "soms/base/parallel.h"
+#include "soms/base/pose.h"
+#include "soms/geometry/mesh.h"
+#include "soms/query/overlap.h"
+
+#include <span>
+#include <vector>
+
+namespace soms::reference {
+
+/// All pairs of overlapping triangles by a linear scan with a closed box reject. Same meaning as
+/// `soms::overlap`, sorted; `cost.node_tests` counts box rejects tried.
+/// \cost    O(n m) box tests at worst; the boxes of `b` are swept once for each triangle of `a`.
+[[nodiscard]] Overlap overlap(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
+                              const Parallel& parallel = {});
+
+}  // namespace soms::reference

@@ -1,0 +1,46 @@
+/// \file
+/// Ways to walk two trees, by name. All give the same answers; they differ in work.
+#pragma once
+
+namespace soms {
+
+/// Traversals; `traversal/traversals.h` has the table of their names and functions.
+enum class Traversal {
+  fast,          ///< the product's default: the wide layout, margins proved, any pose
+  a_first,       ///< descend the first tree to its leaves, then the second
+  b_first,       ///< the mirror image
+  alternate,     ///< each in turn
+  larger,        ///< descend the node of greater model-space volume
+  simultaneous,  ///< descend both
+  ericson,       ///< generic recursion with a choice of the above (default larger)
+  larsson,       ///< alias of simultaneous, a reconstruction
+  e_node,        ///< E-Node: all child pairs are tested before any is entered
+  e_node_front,  ///< E-Node that starts from the last front (a session keeps it)
+};
+
+/// Which child pairs E-Node tests.
+enum class Descent { both, larger, cross, fewest };
+
+/// Order in which E-Node enters overlapping child pairs.
+enum class EntryOrder { tree, volume };
+
+/// How node boxes follow a pose.
+enum class BoxUpdate {
+  refit,  ///< recomputed from the moved vertices: exact bounds
+  rebox,  ///< bounds of the eight moved corners, widened outward: looser, cheaper
+};
+
+/// Options of a named traversal; ignored by `fast`.
+struct TraversalOptions {
+  Traversal traversal = Traversal::fast;
+  Descent descent = Descent::both;             ///< of E-Node
+  EntryOrder order = EntryOrder::tree;         ///< of E-Node
+  Traversal ericson_rule = Traversal::larger;  ///< descent rule of `ericson`
+  bool recursive = false;                      ///< baselines: recursion instead of a stack
+  bool prune = true;                           ///< false only to show its cost (fig. 4.35)
+  BoxUpdate update = BoxUpdate::refit;
+
+  [[nodiscard]] bool operator==(const TraversalOptions&) const = default;
+};
+
+}  // namespace soms

@@ -1,0 +1,5 @@
+set(SOMS_HEADERS
+  scene.h
+)
+set(SOMS_SOURCES
+)

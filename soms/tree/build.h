@@ -1,0 +1,24 @@
+/// \file
+/// From a mesh to its tree.
+#pragma once
+
+#include "soms/base/parallel.h"
+#include "soms/geometry/mesh.h"
+#include "soms/tree/build_options.h"
+#include "soms/tree/tree.h"
+
+namespace soms {
+
+/// Builds the canonical tree of a mesh top down. A function of mesh and options alone: the same
+/// bytes for any number of threads. An empty mesh gives an empty tree.
+///
+/// \pre     `check(mesh)` passes.
+/// \errors  ErrorKind::usage for options out of range; cancelled; out_of_memory is std::bad_alloc.
+/// \cost    O(n log n) for balanced splits. No recursion, so no depth limit; without a level limit
+/// a
+///          chain of one-sided splits may take O(n * depth) time.
+/// \source  thesis, chapter 4; Ericson 2005, section 6.2.1.
+[[nodiscard]] Tree build(const Mesh& mesh, const BuildOptions& options = {},
+                         const Parallel& parallel = {});
+
+}  // namespace soms

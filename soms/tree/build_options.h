@@ -1,0 +1,60 @@
+/// \file
+/// How a tree is built: the rule and the options that all rules share.
+#pragma once
+
+#include "soms/geometry/midpoint.h"
+
+#include <optional>
+
+namespace soms {
+
+/// Splitting rules; `rule/rules.h` has the table of their names and functions.
+enum class Rule {
+  object_median,   ///< equal counts on both sides
+  object_mean,     ///< plane at the mean of the midpoints
+  spatial_median,  ///< plane in the middle of the outer box
+  soms,            ///< Spatial Object Median Splitting: plane in the middle of the midpoints' box
+  sah,             ///< least surface area cost over 16 bins of the midpoints' box
+};
+
+/// Box whose longest axis is split.
+enum class AxisFrom {
+  outer,  ///< box of all corners
+  inner,  ///< box of the midpoints
+};
+
+/// What happens when a rule leaves one side empty.
+enum class EmptySide {
+  stop,           ///< the node becomes a leaf with all its triangles
+  next_axis,      ///< the other axes in order of extent, then as `stop`
+  object_median,  ///< object median on the first axis
+  chain,          ///< one child without triangles, the other with all; goes on to the last level
+};
+
+/// Options of a build. The defaults are the product's; `thesis_options` gives the thesis'.
+struct BuildOptions {
+  Rule rule = Rule::sah;
+  Midpoint midpoint = Midpoint::aabb;
+  int c_vertex = 2;  ///< corner that Midpoint::thesis calls C: 0, 1 or 2
+  /// Unset: inner for soms and sah, outer for the others.
+  std::optional<AxisFrom> axis_from = std::nullopt;
+  EmptySide empty_side = EmptySide::object_median;
+  /// Levels: nodes at depth level-1 are never divided. 0 means without limit.
+  int level = 0;
+  /// Number of the root's level, 1 or 0; with 0, level L means depths 0 to L.
+  int root_level = 1;
+  /// Nodes with at most this many triangles are leaves.
+  int per_leaf = 8;
+
+  [[nodiscard]] bool operator==(const BuildOptions&) const = default;
+};
+
+/// Options of the thesis for a rule: midpoint thesis, its own axis, empty side `stop`, one triangle
+/// a leaf, `level` levels (15 for its PLY objects, 13 for its urban scene). \source  design of the
+/// thesis: fig. 4.23, tables 5.3, 5.9.
+[[nodiscard]] BuildOptions thesis_options(Rule rule, int level = 15);
+
+/// Throws ErrorKind::usage unless every option is within its range; names the option.
+void check(const BuildOptions& options);
+
+}  // namespace soms

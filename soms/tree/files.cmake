@@ -1,0 +1,10 @@
+set(SOMS_HEADERS
+  build.h
+  build_options.h
+  check.h
+  shape.h
+  statistics.h
+  tree.h
+)
+set(SOMS_SOURCES
+)

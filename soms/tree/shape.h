@@ -1,0 +1,59 @@
+/// \file
+/// A mesh ready for queries: shared, immutable, cheap to copy.
+#pragma once
+
+#include "soms/base/parallel.h"
+#include "soms/geometry/mesh.h"
+#include "soms/tree/build_options.h"
+#include "soms/tree/tree.h"
+
+#include <memory>
+
+namespace soms {
+
+class WideTree;
+
+/// What a shape keeps beside its mesh.
+struct ShapeOptions {
+  BuildOptions build = {};
+  /// Keep the canonical tree, which the named traversals and the statistics need.
+  bool keep_tree = false;
+};
+
+/// A mesh and the layout that queries run on. Copies share both. A default shape is empty.
+class Shape {
+ public:
+  Shape();
+
+  /// Checks the mesh, builds its tree and converts it.
+  /// \errors  As `check(Mesh)` and `build`.
+  explicit Shape(Mesh mesh, const ShapeOptions& options = {}, const Parallel& parallel = {});
+  explicit Shape(std::shared_ptr<const Mesh> mesh, const ShapeOptions& options = {},
+                 const Parallel& parallel = {});
+
+  [[nodiscard]] const Mesh& mesh() const { return *mesh_; }
+
+  [[nodiscard]] const std::shared_ptr<const Mesh>& shared_mesh() const { return mesh_; }
+
+  /// Bounds of the mesh, unmoved; empty for an empty mesh.
+  [[nodiscard]] const Box& bounds() const { return bounds_; }
+
+  /// The canonical tree, or nullptr unless it was kept.
+  [[nodiscard]] const Tree* tree() const { return tree_.get(); }
+
+  [[nodiscard]] const WideTree& layout() const { return *layout_; }
+
+  [[nodiscard]] const BuildOptions& build_options() const { return build_options_; }
+
+  /// Bytes held: mesh, layout, and tree where kept.
+  [[nodiscard]] std::size_t memory() const;
+
+ private:
+  std::shared_ptr<const Mesh> mesh_;
+  std::shared_ptr<const Tree> tree_;
+  std::shared_ptr<const WideTree> layout_;
+  Box bounds_;
+  BuildOptions build_options_;
+};
+
+}  // namespace soms
