@@ -1,0 +1,51 @@
+# The two commands of the README, and what contributors run. Everything below them is CMake presets.
+JOBS ?= $(shell nproc)
+ARGS ?=
+
+.PHONY: help run test check asan tsan tidy bench format clean
+
+help:
+	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
+	@echo "make test    install what is missing, build, and run every test of the release build"
+	@echo "make check   make test, then the suite under ASan+UBSan and TSan, then clang-tidy"
+	@echo "make bench   soms beside its rivals, in one run"
+	@echo "make format  clang-format on every source"
+	@echo "make clean   remove build/"
+
+run:
+	@tools/install_packages.sh run
+	cmake --preset release -D SOMS_BUILD_TESTS=OFF
+	cmake --build --preset release -j $(JOBS) --target soms_command
+	build/release/bin/soms simulate $(ARGS)
+
+test:
+	@tools/install_packages.sh run test
+	cmake --preset release -D SOMS_BUILD_TESTS=ON
+	cmake --build --preset release -j $(JOBS)
+	ctest --preset release -j $(JOBS)
+
+# The suite once more, every access and every arithmetic step watched.
+asan tsan:
+	@tools/install_packages.sh run test
+	cmake --preset $@
+	cmake --build --preset $@ -j $(JOBS)
+	ctest --preset $@ -j $(JOBS)
+
+tidy:
+	@tools/install_packages.sh run test check
+	cmake --preset tidy
+	cmake --build --preset tidy -j $(JOBS)
+
+check: test asan tsan tidy
+
+bench:
+	@tools/install_packages.sh run bench
+	cmake --preset bench
+	cmake --build --preset bench -j $(JOBS)
+	build/bench/bin/peers
+
+format:
+	@git ls-files '*.h' '*.cpp' | xargs clang-format -i
+
+clean:
+	rm -rf build

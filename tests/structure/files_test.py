@@ -1,0 +1,52 @@
+"""Each room's files.cmake lists exactly the room's files, and the tree holds no stray words.
+
+A source that no list names is never built, so its faults are never seen; a listed test that is gone
+breaks the build. Also: no file of the repository promises later work or is overlong.
+"""
+import pathlib
+import re
+import sys
+
+MOST_LINES = {".h": 300, ".cpp": 520}
+PROMISE = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
+
+
+def listed(cmake):
+    text = re.sub(r"#.*", "", cmake.read_text(encoding="utf-8"))
+    return set(re.findall(r"[\w./-]+\.(?:h|cpp)\b", text))
+
+
+def faults(root):
+    for cmake in sorted((root / "soms").glob("*/files.cmake")):
+        room = cmake.parent
+        there = {str(f.relative_to(room)) for f in room.rglob("*") if f.suffix in {".h", ".cpp"}}
+        private = {f for f in there if f.endswith(".h") and "detail" in f.split("/")}
+        names = listed(cmake)
+        for name in sorted(there - names - private):
+            yield f"{cmake.relative_to(root)} does not list {name}"
+        for name in sorted(names & private):
+            yield f"{cmake.relative_to(root)} installs the private header {name}"
+    for folder in ("soms", "apps", "tests", "bench"):
+        for file in sorted((root / folder).rglob("*")):
+            if file.suffix not in MOST_LINES:
+                continue
+            text = file.read_text(encoding="utf-8")
+            if len(text.splitlines()) > MOST_LINES[file.suffix]:
+                yield f"{file.relative_to(root)} has {len(text.splitlines())} lines"
+            if PROMISE.search(text):
+                yield f"{file.relative_to(root)} promises later work"
+            if not text.isascii():
+                yield f"{file.relative_to(root)} is not ASCII"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    found = list(faults(root))
+    for line in found:
+        print(line)
+    print(f"{len(found)} faults")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
