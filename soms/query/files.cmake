@@ -3,6 +3,9 @@ set(SOMS_HEADERS
   body.h
   overlap.h
   reference/overlap.h
+  traversal/named_overlap.h
+  traversal/pair_traversal.h
+  traversal/posed_boxes.h
   traversal_options.h
 )
 set(SOMS_SOURCES

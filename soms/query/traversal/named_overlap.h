@@ -1,0 +1,45 @@
+/// \file
+/// Overlap of two bodies by a named traversal of their canonical trees.
+#pragma once
+
+#include "soms/base/parallel.h"
+#include "soms/query/body.h"
+#include "soms/query/overlap.h"
+
+#include <memory>
+
+namespace soms::detail {
+
+/// Overlap queries of two shapes by one named traversal, pose after pose: keeps the moved boxes of
+/// a body that stands still, and the front of Traversal::e_node_front.
+class NamedOverlap {
+ public:
+  /// \errors ErrorKind::usage without kept trees, for Traversal::fast, and for options that do not
+  ///         go together (`check(TraversalOptions)`).
+  NamedOverlap(const Shape& a, const Shape& b, const TraversalOptions& options);
+  ~NamedOverlap();
+  NamedOverlap(NamedOverlap&&) noexcept;
+  NamedOverlap& operator=(NamedOverlap&&) noexcept;
+
+  /// Answer at two poses, as `soms::overlap` defines it; `options.traversal` is not looked at.
+  /// A limit of N counts as cut only when an (N+1)-th pair was found.
+  ///
+  /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose; cancelled.
+  /// \cost    O(n) to move the boxes of a body whose pose changed, then the traversal. One thread:
+  ///          of `parallel` only `stop` is heeded.
+  /// \threads One caller at a time.
+  [[nodiscard]] Overlap operator()(const Pose& pose_a, const Pose& pose_b,
+                                   const OverlapOptions& options, const Parallel& parallel);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Overlap of two bodies by `options.traversal`; Traversal::e_node_front starts at the roots, since
+/// there is no last frame.
+/// \errors As NamedOverlap.
+[[nodiscard]] Overlap named_overlap(const Body& a, const Body& b, const OverlapOptions& options,
+                                    const Parallel& parallel);
+
+}  // namespace soms::detail
