@@ -6,6 +6,8 @@ set(SOMS_HEADERS
   triangle_overlap.h
 )
 set(SOMS_SOURCES
+  detail/orientation_exact.cpp
   mesh.cpp
   midpoint.cpp
+  orientation.cpp
 )
