@@ -1,0 +1,86 @@
+#include "apps/soms/console.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace soms::command {
+
+namespace {
+
+std::optional<std::chrono::steady_clock::time_point> deadline_of(const Shared& shared) {
+  if (!shared.timeout) {
+    return std::nullopt;
+  }
+  return std::chrono::steady_clock::now() +
+         std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+             std::chrono::duration<double>(*shared.timeout));
+}
+
+/// Private writable memory beyond the limit is refused by the system, which `new` reports.
+void limit_memory(std::uint64_t bytes) {
+  rlimit limit{};
+  if (bytes == 0 || ::getrlimit(RLIMIT_DATA, &limit) != 0) {
+    return;
+  }
+  limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
+  if (::setrlimit(RLIMIT_DATA, &limit) != 0) {
+    throw Error(ErrorKind::usage, "--max-memory: the system refuses the limit", "leave it out");
+  }
+}
+
+}  // namespace
+
+Console::Console(const Shared& shared)
+    : shared_(shared),
+      deadline_(deadline_of(shared)),
+      interrupts_(deadline_),
+      out_(1, "standard output"),
+      colored_(wants_color(1)) {
+  limit_memory(shared.max_memory);
+}
+
+void Console::print(std::string_view text) {
+  out_ << text;
+  if (!out_.good()) {
+    out_.finish();
+  }
+}
+
+void Console::flush() {
+  out_.finish();
+}
+
+void Console::note(std::string_view line) const {
+  if (!shared_.quiet) {
+    const std::string text = printable(line) + "\n";
+    (void)!::write(2, text.data(), text.size());
+  }
+}
+
+void Console::complain(std::string_view line) const {
+  print_error("soms", line);
+}
+
+bool Console::out_of_time() const {
+  return deadline_ && std::chrono::steady_clock::now() >= *deadline_;
+}
+
+Parallel Console::parallel() const {
+  return {.threads = shared_.threads, .stop = interrupts_.signalled(), .progress = {}};
+}
+
+Progress Console::progress(const std::string& doing) const {
+  return Progress(doing, !shared_.quiet && ::isatty(2) == 1);
+}
+
+void Console::throw_if_timed_out(const Error& error, const std::string& doing) const {
+  if (error.kind() == ErrorKind::cancelled && !interrupted()) {
+    throw Error(ErrorKind::timed_out, fmt::format("out of time while {}", doing),
+                "allow more by --timeout");
+  }
+}
+
+}  // namespace soms::command

@@ -1,0 +1,87 @@
+/// \file
+/// Where a verb's answers and remarks go, and how it is stopped.
+#pragma once
+
+#include "soms/base/error.h"
+#include "soms/base/parallel.h"
+
+#include "apps/soms/interrupts.h"
+#include "apps/soms/output.h"
+#include "apps/soms/progress.h"
+#include "apps/soms/shared.h"
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace soms::command {
+
+/// Answers on standard output, remarks and progress on standard error, Ctrl-C and --timeout as
+/// stop tokens.
+class Console {
+ public:
+  explicit Console(const Shared& shared);
+
+  [[nodiscard]] const Shared& shared() const { return shared_; }
+
+  /// Adds to the answers, which are written when there are many and by `flush`.
+  /// \errors ErrorKind::cannot_write; ClosedPipe.
+  void print(std::string_view text);
+
+  /// \errors As `print`.
+  void flush();
+
+  /// A line on standard error, unless --quiet.
+  void note(std::string_view line) const;
+
+  /// An error on standard error that does not end the program.
+  void complain(std::string_view line) const;
+
+  /// True if answers go to a terminal that shows colors.
+  [[nodiscard]] bool colored() const { return colored_; }
+
+  /// Passes with --timeout; for queries, which answer what they have by then.
+  [[nodiscard]] std::optional<std::chrono::steady_clock::time_point> deadline() const {
+    return deadline_;
+  }
+
+  /// True once Ctrl-C was pressed.
+  [[nodiscard]] bool interrupted() const { return interrupts_.signalled().stop_requested(); }
+
+  /// True once --timeout passed.
+  [[nodiscard]] bool out_of_time() const;
+
+  /// Threads of --threads, stopped by Ctrl-C alone.
+  [[nodiscard]] Parallel parallel() const;
+
+  /// A bar named `doing`, for work that reports by itself.
+  [[nodiscard]] Progress progress(const std::string& doing) const;
+
+  /// Runs `work(const Parallel&)` with a progress bar named `doing`; Ctrl-C and --timeout stop it.
+  /// \errors Those of `work`; ErrorKind::timed_out.
+  template <class Work>
+  auto run(const std::string& doing, const Work& work) const {
+    Progress bar = progress(doing);
+    Parallel limits = parallel();
+    limits.stop = interrupts_.stopped();
+    limits.progress = [&bar](double share) { bar.show(share); };
+    try {
+      return work(limits);
+    } catch (const Error& error) {
+      throw_if_timed_out(error, doing);
+      throw;
+    }
+  }
+
+ private:
+  void throw_if_timed_out(const Error& error, const std::string& doing) const;
+
+  Shared shared_;
+  std::optional<std::chrono::steady_clock::time_point> deadline_;
+  Interrupts interrupts_;
+  FileStream out_;
+  bool colored_;
+};
+
+}  // namespace soms::command

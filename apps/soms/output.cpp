@@ -1,0 +1,202 @@
+#include "apps/soms/output.h"
+
+#include "soms/base/error.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <memory>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace soms::command {
+
+namespace {
+
+constexpr int kStandardOutput = 1;
+
+[[noreturn]] void throw_cannot_write(const std::string& name, int error) {
+  if (error == EPIPE) {
+    throw ClosedPipe();
+  }
+  const char* remedy = "choose another place for the output";
+  if (error == ENOSPC || error == EDQUOT || error == EFBIG) {
+    remedy = "make room or choose another place";
+  }
+  throw Error(ErrorKind::cannot_write,
+              fmt::format("{}: cannot write: {}", name, std::generic_category().message(error)),
+              remedy);
+}
+
+bool is_special(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+         !std::filesystem::is_directory(status);
+}
+
+}  // namespace
+
+FileStream::Buffer::Buffer(int descriptor) : descriptor_(descriptor) {
+  setp(bytes_.data(), bytes_.data() + bytes_.size());
+}
+
+bool FileStream::Buffer::write_all(const char* text, std::size_t size) {
+  while (size > 0 && error_ == 0) {
+    const ssize_t written = ::write(descriptor_, text, size);
+    if (written < 0 && errno != EINTR) {
+      error_ = errno;
+    } else if (written > 0) {
+      text += written;
+      size -= static_cast<std::size_t>(written);
+    }
+  }
+  return error_ == 0;
+}
+
+int FileStream::Buffer::sync() {
+  const bool good = write_all(pbase(), static_cast<std::size_t>(pptr() - pbase()));
+  setp(bytes_.data(), bytes_.data() + bytes_.size());
+  return good ? 0 : -1;
+}
+
+FileStream::Buffer::int_type FileStream::Buffer::overflow(int_type c) {
+  if (sync() != 0) {
+    return traits_type::eof();
+  }
+  if (!traits_type::eq_int_type(c, traits_type::eof())) {
+    *pptr() = traits_type::to_char_type(c);
+    pbump(1);
+  }
+  return traits_type::not_eof(c);
+}
+
+std::streamsize FileStream::Buffer::xsputn(const char* text, std::streamsize size) {
+  if (size > epptr() - pptr() && sync() != 0) {
+    return 0;
+  }
+  if (size > epptr() - pptr()) {
+    return write_all(text, static_cast<std::size_t>(size)) ? size : 0;
+  }
+  std::copy_n(text, size, pptr());
+  pbump(static_cast<int>(size));
+  return size;
+}
+
+FileStream::FileStream(int descriptor, std::string name)
+    : std::ostream(nullptr), buffer_(descriptor), name_(std::move(name)) {
+  rdbuf(&buffer_);
+}
+
+void FileStream::finish() {
+  flush();
+  if (buffer_.error() != 0) {
+    throw_cannot_write(name_, buffer_.error());
+  }
+  if (!good()) {
+    throw Error(ErrorKind::cannot_write, name_ + ": cannot write",
+                "choose another place for the output");
+  }
+}
+
+OutputFile::OutputFile(const std::filesystem::path& path) : name_(path.string()) {
+  if (path == "-") {
+    name_ = "standard output";
+    descriptor_ = kStandardOutput;
+  } else if (is_special(path)) {
+    target_ = path;
+    open_directly();
+  } else {
+    std::error_code ignored;
+    const bool link = std::filesystem::is_symlink(path, ignored);
+    target_ = link ? std::filesystem::weakly_canonical(path, ignored) : path;
+    open_beside();
+  }
+  stream_ = std::make_unique<FileStream>(descriptor_, name_);
+}
+
+void OutputFile::open_directly() {
+  descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor_ < 0) {
+    throw_cannot_write(name_, errno);
+  }
+}
+
+void OutputFile::open_beside() {
+  if (target_.filename().empty() || std::filesystem::is_directory(target_)) {
+    throw_cannot_write(name_, EISDIR);
+  }
+
+  struct stat before {};
+
+  const bool exists = ::stat(target_.c_str(), &before) == 0;
+  if (exists && ::access(target_.c_str(), W_OK) != 0) {
+    throw_cannot_write(name_, errno);
+  }
+  for (int i = 0; descriptor_ < 0; ++i) {
+    beside_ = target_.parent_path() / fmt::format(".soms-{}-{}.part", ::getpid(), i);
+    descriptor_ = ::open(beside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno != EEXIST) {
+      throw_cannot_write(name_, errno);
+    }
+  }
+  if (exists) {
+    // The file keeps its permissions; where that is not allowed, those of a new file do.
+    (void)!::fchmod(descriptor_, before.st_mode & 07777);
+  }
+}
+
+void OutputFile::commit() {
+  stream_->finish();
+  if (descriptor_ == kStandardOutput) {
+    return;
+  }
+  if (::close(std::exchange(descriptor_, -1)) != 0) {
+    throw_cannot_write(name_, errno);
+  }
+  if (!beside_.empty()) {
+    if (::rename(beside_.c_str(), target_.c_str()) != 0) {
+      throw_cannot_write(name_, errno);
+    }
+    beside_.clear();
+  }
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ > kStandardOutput) {
+    ::close(descriptor_);
+  }
+  if (!beside_.empty()) {
+    ::unlink(beside_.c_str());
+  }
+}
+
+void print_error(std::string_view who, std::string_view message) {
+  const bool color = wants_color(2);
+  const std::string line = fmt::format("{}{}:{} {}\n", color ? "\x1b[1;31m" : "", who,
+                                       color ? "\x1b[0m" : "", printable(message));
+  (void)!::write(2, line.data(), line.size());
+}
+
+bool wants_color(int descriptor) {
+  const char* no_color = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  return ::isatty(descriptor) == 1 && (no_color == nullptr || *no_color == '\0') &&
+         terminal != nullptr && std::string_view(terminal) != "dumb";
+}
+
+std::string printable(std::string_view text) {
+  std::string result(text);
+  std::replace_if(
+      result.begin(), result.end(),
+      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+  return result;
+}
+
+}  // namespace soms::command

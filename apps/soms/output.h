@@ -1,0 +1,93 @@
+/// \file
+/// Writing: to a descriptor with errors that say why, and to files that appear whole or not at all.
+#pragma once
+
+#include <array>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+namespace soms::command {
+
+/// Thrown when the reader of a pipe went away: the program ends quietly.
+struct ClosedPipe : std::exception {
+  [[nodiscard]] const char* what() const noexcept override { return "closed pipe"; }
+};
+
+/// An output stream over a descriptor that remembers why a write failed.
+class FileStream : public std::ostream {
+ public:
+  /// `name` is used in messages. The descriptor is not closed.
+  FileStream(int descriptor, std::string name);
+
+  /// Writes out what is held back.
+  /// \errors ErrorKind::cannot_write, now or of any write before; ClosedPipe.
+  void finish();
+
+ private:
+  class Buffer : public std::streambuf {
+   public:
+    explicit Buffer(int descriptor);
+
+    [[nodiscard]] int error() const { return error_; }
+
+   protected:
+    int_type overflow(int_type c) override;
+    std::streamsize xsputn(const char* text, std::streamsize size) override;
+    int sync() override;
+
+   private:
+    bool write_all(const char* text, std::size_t size);
+
+    int descriptor_;
+    int error_ = 0;
+    std::array<char, 1 << 16> bytes_{};
+  };
+
+  Buffer buffer_;
+  std::string name_;
+};
+
+/// An output file that appears whole or not at all: written beside its place and renamed by
+/// `commit`. "-" is standard output. What is no regular file (a device, a pipe) is written
+/// directly.
+class OutputFile {
+ public:
+  /// \errors ErrorKind::cannot_write.
+  explicit OutputFile(const std::filesystem::path& path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  [[nodiscard]] std::ostream& stream() { return *stream_; }
+
+  /// Path as given, or "standard output".
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+  /// Makes the file appear. \errors ErrorKind::cannot_write; ClosedPipe.
+  void commit();
+
+ private:
+  void open_beside();
+  void open_directly();
+
+  std::string name_;
+  std::filesystem::path target_;  ///< symbolic links followed
+  std::filesystem::path beside_;  ///< empty when written directly
+  int descriptor_ = -1;
+  std::unique_ptr<FileStream> stream_;
+};
+
+/// Prints "WHO: MESSAGE" to standard error, in color on a terminal.
+void print_error(std::string_view who, std::string_view message);
+
+/// True if a descriptor is a terminal that understands colors, and NO_COLOR is unset.
+[[nodiscard]] bool wants_color(int descriptor);
+
+/// `text` with control characters replaced by '?', fit for a terminal.
+[[nodiscard]] std::string printable(std::string_view text);
+
+}  // namespace soms::command

@@ -1,0 +1,113 @@
+#include "apps/soms/parse.h"
+
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace soms::command {
+
+namespace {
+
+Error not_this(std::string_view option, std::string_view text, std::string remedy) {
+  return Error(ErrorKind::usage, fmt::format("{} {}", option, text), std::move(remedy));
+}
+
+/// The number at the start of `text`, and what follows it.
+template <class T>
+std::optional<std::pair<T, std::string_view>> leading_number(std::string_view text) {
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc()) {
+    return std::nullopt;
+  }
+  return std::pair(value, text.substr(static_cast<std::size_t>(end - text.data())));
+}
+
+}  // namespace
+
+std::uint64_t parse_count(std::string_view option, std::string_view text, std::uint64_t least,
+                          std::uint64_t most) {
+  const auto number = leading_number<std::uint64_t>(text);
+  if (!number || !number->second.empty() || number->first < least || number->first > most) {
+    const std::string range = most == std::numeric_limits<std::uint64_t>::max()
+                                  ? fmt::format("of at least {}", least)
+                                  : fmt::format("from {} to {}", least, most);
+    throw not_this(option, text, fmt::format("give a whole number {}", range));
+  }
+  return number->first;
+}
+
+double parse_number(std::string_view option, std::string_view text) {
+  const auto number = leading_number<double>(text);
+  if (!number || !number->second.empty() || !std::isfinite(number->first)) {
+    throw not_this(option, text, "give a finite number");
+  }
+  return number->first;
+}
+
+std::uint64_t parse_bytes(std::string_view option, std::string_view text) {
+  constexpr std::string_view kUnits = "KMGT";
+  const auto number = leading_number<std::uint64_t>(text);
+  std::size_t power = 0;
+  bool good = number && number->first > 0 && number->second.size() <= 1;
+  if (good && !number->second.empty()) {
+    power = kUnits.find(number->second[0]) + 1;
+    good = power != 0;  // npos + 1
+  }
+  if (!good || number->first > (std::numeric_limits<std::uint64_t>::max() >> (10 * power))) {
+    throw not_this(option, text, "give a number of bytes, or one with K, M, G or T");
+  }
+  return number->first << (10 * power);
+}
+
+CLI::Option* add_positive(CLI::App& app, const std::string& name, double& target,
+                          const std::string& text) {
+  return app
+      .add_option_function<std::string>(
+          name,
+          [name, &target](const std::string& value) {
+            target = parse_number(name, value);
+            if (target <= 0) {
+              throw not_this(name, value, "give a number greater than 0");
+            }
+          },
+          text)
+      ->option_text("X");
+}
+
+CLI::Option* add_seconds(CLI::App& app, const std::string& name, std::optional<double>& target,
+                         const std::string& text) {
+  return app
+      .add_option_function<std::string>(
+          name,
+          [name, &target](const std::string& value) {
+            target = parse_number(name, value);
+            if (*target < 0 || *target > 1e9) {
+              throw not_this(name, value, "give seconds from 0 to 1e9");
+            }
+          },
+          text)
+      ->option_text("SECONDS");
+}
+
+CLI::Option* add_bytes(CLI::App& app, const std::string& name, std::uint64_t& target,
+                       const std::string& text) {
+  return app
+      .add_option_function<std::string>(
+          name, [name, &target](const std::string& value) { target = parse_bytes(name, value); },
+          text)
+      ->option_text("SIZE");
+}
+
+Error unknown_choice(std::string_view option, std::string_view word,
+                     const std::vector<std::string>& names) {
+  const std::string near = nearest_word(word, names);
+  return not_this(
+      option, word,
+      fmt::format("{}choose one of {}", near.empty() ? "" : fmt::format("did you mean {}? ", near),
+                  fmt::join(names, ", ")));
+}
+
+}  // namespace soms::command

@@ -1,0 +1,97 @@
+/// \file
+/// Options with checked values: each error is one sentence that names the option.
+#pragma once
+
+#include "soms/base/error.h"
+
+#include "apps/soms/suggest.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace soms::command {
+
+/// A whole number in plain digits. \errors ErrorKind::usage naming `option` and the range.
+[[nodiscard]] std::uint64_t parse_count(std::string_view option, std::string_view text,
+                                        std::uint64_t least, std::uint64_t most);
+
+/// A finite number. \errors ErrorKind::usage naming `option`.
+[[nodiscard]] double parse_number(std::string_view option, std::string_view text);
+
+/// A size in bytes: digits, then nothing, K, M, G or T (powers of 1024). \errors ErrorKind::usage.
+[[nodiscard]] std::uint64_t parse_bytes(std::string_view option, std::string_view text);
+
+/// Adds an option that is a whole number from `least` to `most`.
+template <class T>
+CLI::Option* add_count(CLI::App& app, const std::string& name, T& target, std::uint64_t least,
+                       std::uint64_t most, const std::string& text) {
+  return app
+      .add_option_function<std::string>(
+          name,
+          [=, &target](const std::string& value) {
+            target = static_cast<T>(parse_count(name, value, least, most));
+          },
+          text)
+      ->option_text("N");
+}
+
+/// Adds an option that is a finite number greater than 0.
+CLI::Option* add_positive(CLI::App& app, const std::string& name, double& target,
+                          const std::string& text);
+
+/// Adds an option that is a number of seconds, 0 or more.
+CLI::Option* add_seconds(CLI::App& app, const std::string& name, std::optional<double>& target,
+                         const std::string& text);
+
+/// Adds an option that is a size in bytes.
+CLI::Option* add_bytes(CLI::App& app, const std::string& name, std::uint64_t& target,
+                       const std::string& text);
+
+/// Names and the values they stand for.
+template <class T>
+using Choices = std::vector<std::pair<std::string, T>>;
+
+/// The error of a word that is none of `names`: it lists them.
+[[nodiscard]] Error unknown_choice(std::string_view option, std::string_view word,
+                                   const std::vector<std::string>& names);
+
+/// The value a word stands for. \errors ErrorKind::usage listing the names.
+template <class T>
+[[nodiscard]] T parse_choice(std::string_view option, std::string_view word,
+                             const Choices<T>& choices) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : choices) {
+    if (name == word) {
+      return value;
+    }
+    names.push_back(name);
+  }
+  throw unknown_choice(option, word, names);
+}
+
+/// Adds an option that is one of a few words.
+template <class T, class Target>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target, Choices<T> choices,
+                        const std::string& text) {
+  std::string words;
+  for (const auto& choice : choices) {
+    words += (words.empty() ? "" : "|") + choice.first;
+  }
+  return app
+      .add_option_function<std::string>(
+          name,
+          [name, &target, choices = std::move(choices)](const std::string& value) {
+            target = parse_choice(name, value, choices);
+          },
+          fmt::format("{}: {}", text, words))
+      ->option_text("WORD");
+}
+
+}  // namespace soms::command

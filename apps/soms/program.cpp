@@ -1,0 +1,173 @@
+#include "apps/soms/program.h"
+
+#include "soms/base/error.h"
+
+#include "apps/soms/console.h"
+#include "apps/soms/output.h"
+#include "apps/soms/suggest.h"
+#include "apps/soms/verbs.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <new>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace soms::command {
+
+namespace {
+
+Error usage(std::string place, std::string remedy) {
+  return Error(ErrorKind::usage, std::move(place), std::move(remedy));
+}
+
+/// "did you mean ...?" or, with nothing near, where the right words are listed.
+std::string remedy_for(std::string_view word, const std::vector<std::string>& known,
+                       std::string_view list) {
+  const std::string near = nearest_word(word, known);
+  return near.empty() ? fmt::format("{} lists them", list)
+                      : fmt::format("did you mean {}? ({} lists them)", near, list);
+}
+
+std::string general_help() {
+  std::string text =
+      "soms: exact, fast answers to which triangles touch\n"
+      "Usage: soms VERB [OPTIONS] ...\n\nVerbs:\n";
+  for (const Verb& verb : verbs()) {
+    text += fmt::format("  {:<12}{}\n", verb.name, verb.question);
+  }
+  text +=
+      "\nsoms VERB --help tells a verb's options and shows an example that works.\n"
+      "soms --version tells the version.\n"
+      "\nAnswers go to standard output, everything else to standard error. Exit status:\n"
+      "  0 answered  1 a condition of --fail-if holds  2 usage  3 bad input\n"
+      "  4 not enough memory or time  5 could not write  6 --verify found a difference\n"
+      "  130 interrupted\n";
+  return text;
+}
+
+void print_plain(std::string_view text) {
+  FileStream out(1, "standard output");
+  out << text;
+  out.finish();
+}
+
+const Verb& find_verb(const std::string& word) {
+  const auto known = verbs();
+  const auto found =
+      std::find_if(known.begin(), known.end(), [&](const Verb& verb) { return verb.name == word; });
+  if (found != known.end()) {
+    return *found;
+  }
+  if (word.starts_with("-")) {
+    throw usage(fmt::format("{} stands before the verb", word),
+                "write soms VERB, then its options; soms --help lists the verbs");
+  }
+  std::vector<std::string> names;
+  for (const Verb& verb : known) {
+    names.emplace_back(verb.name);
+  }
+  throw usage(fmt::format("unknown verb {}", word), remedy_for(word, names, "soms --help"));
+}
+
+/// Throws if words were left over: options that the verb does not have, or too many names.
+void check_rest(const ParsedVerb& verb) {
+  const std::vector<std::string> rest = verb.app().remaining();
+  if (rest.empty()) {
+    return;
+  }
+  const auto option = std::find_if(rest.begin(), rest.end(), [](const std::string& word) {
+    return word.starts_with("-") && word != "--" && word != "-";
+  });
+  const std::string help = verb.app().get_name() + " --help";
+  if (option == rest.end()) {
+    throw usage(fmt::format("{} is one argument too many", rest.front()), "see " + help);
+  }
+  const std::string word = option->substr(0, option->find('='));
+  throw usage("unknown option " + word, remedy_for(word, verb.option_names(), help));
+}
+
+/// The parser's words for an option with too many values, or with none, in ours.
+Error mismatch(const CLI::ArgumentMismatch& error, const std::string& help) {
+  const std::string_view text = error.what();
+  const std::string option(text.substr(0, text.find(':')));
+  const bool twice = text.find("At Most") != std::string_view::npos;
+  return usage(option + (twice ? " is given more than once" : " needs a value"), "see " + help);
+}
+
+void parse(ParsedVerb& verb, const std::vector<std::string>& words) {
+  try {
+    verb.app().parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::Success&) {
+    throw;
+  } catch (const CLI::ArgumentMismatch& error) {
+    throw mismatch(error, verb.app().get_name() + " --help");
+  } catch (const CLI::ParseError& error) {
+    check_rest(verb);  // an unknown option says more than a missing argument
+    throw usage(error.what(), "see " + verb.app().get_name() + " --help");
+  }
+  check_rest(verb);
+}
+
+int run_verb(const Verb& entry, const std::vector<std::string>& words) {
+  ParsedVerb verb(entry);
+  try {
+    parse(verb, words);
+  } catch (const CLI::Success&) {
+    print_plain(verb.app().help());
+    return 0;
+  }
+  Console console(verb.shared());
+  const int status = verb.action()(console);
+  console.flush();
+  return status;
+}
+
+int run(const std::vector<std::string>& words) {
+  if (words.empty() || words[0] == "--help" || words[0] == "-h") {
+    print_plain(general_help());
+    return 0;
+  }
+  if (words[0] == "help") {
+    return words.size() == 1 ? run({}) : run_verb(find_verb(words[1]), {"--help"});
+  }
+  if (words[0] == "--version") {
+    print_plain("soms " SOMS_VERSION "\n");
+    return 0;
+  }
+  return run_verb(find_verb(words[0]), {words.begin() + 1, words.end()});
+}
+
+int fail(const std::vector<std::string>& words, std::string_view message, int status) {
+  const bool named = !words.empty() && std::any_of(verbs().begin(), verbs().end(), [&](auto& verb) {
+    return verb.name == words[0];
+  });
+  print_error(named ? "soms " + words[0] : "soms", message);
+  return status;
+}
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& words) {
+  // A reader that went away, or a limit on file sizes, shall be an error of write(), not a death.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    return run(words);
+  } catch (const ClosedPipe&) {
+    return 0;
+  } catch (const Error& error) {
+    return fail(words, error.what(), exit_code(error.kind()));
+  } catch (const std::bad_alloc&) {
+    return fail(words, "not enough memory; use a smaller model or a larger --max-memory", 4);
+  } catch (const std::system_error& error) {
+    return fail(words, fmt::format("the system refused: {}; try --threads 1", error.what()), 4);
+  }
+}
+
+}  // namespace soms::command

@@ -1,0 +1,25 @@
+/// \file
+/// Options that every verb has.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <optional>
+
+namespace soms::command {
+
+/// Values of the options that every verb has.
+struct Shared {
+  bool json = false;
+  bool quiet = false;
+  int threads = 0;  ///< 0: one for each processor
+  std::uint64_t seed = 1;
+  std::optional<double> timeout = std::nullopt;  ///< seconds
+  std::uint64_t max_memory = 0;                  ///< bytes; 0: no limit of ours
+};
+
+/// Adds --json, --quiet, --threads, --seed, --timeout and --max-memory.
+void add_shared_options(CLI::App& app, Shared& shared);
+
+}  // namespace soms::command

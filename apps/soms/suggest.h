@@ -1,0 +1,17 @@
+/// \file
+/// The word that was meant.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soms::command {
+
+/// The known word nearest to `word` by edit distance (insert, delete, replace, swap neighbors), or
+/// an empty string if none is within a third of its length, at least 1 and at most 3. A word that
+/// begins with `word` counts as near. Ties go to the first.
+[[nodiscard]] std::string nearest_word(std::string_view word,
+                                       const std::vector<std::string>& known);
+
+}  // namespace soms::command
