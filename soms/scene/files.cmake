@@ -2,4 +2,8 @@ set(SOMS_HEADERS
   scene.h
 )
 set(SOMS_SOURCES
+  detail/box_index.cpp
+  detail/moved_bounds.cpp
+  detail/moving_pairs.cpp
+  scene.cpp
 )

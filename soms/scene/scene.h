@@ -7,9 +7,9 @@
 #include "soms/query/body.h"
 #include "soms/query/overlap.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace soms {
@@ -44,8 +44,8 @@ struct StepReport {
   std::vector<MoverContact> movers;
   Coverage coverage = Coverage::complete;
   Cost cost;
-  std::uint64_t queries = 0;    ///< narrow-phase queries asked (one a candidate pair)
-  std::uint64_t box_pairs = 0;  ///< candidate pairs that the broad phase handed on
+  std::uint64_t queries = 0;    ///< narrow-phase queries asked: box pairs not to be ignored
+  std::uint64_t box_pairs = 0;  ///< pairs of bodies whose world boxes meet
 
   /// FNV-1a 64 over both lists as little-endian u32.
   [[nodiscard]] std::uint64_t hash() const;
@@ -70,6 +70,8 @@ class Scene {
 
   /// Adds a static body. \errors As `overlap` for its pose.
   EnvironmentId add_environment(Body body);
+
+  /// \errors  ErrorKind::usage for an id that is not there, here and below.
   void remove_environment(EnvironmentId id);
 
   /// Adds a mover. Movers that share a group are not compared with each other; group 0 is none.
@@ -82,13 +84,20 @@ class Scene {
   /// Mover `mover` is not compared with the part `part` of the environment.
   void ignore_environment(MoverId mover, EnvironmentId part);
 
-  /// \errors  ErrorKind::usage for an id that does not exist; as `overlap` for the pose.
+  /// \errors  ErrorKind::usage for an id that is not there; as `overlap` for the pose, with the
+  ///          mover named. The old pose stays then.
+  /// \cost    Constant: no tree is touched, nothing is allocated.
   void set_pose(MoverId id, const Pose& pose);
 
+  /// References last until a mover (a part) is added or removed.
   [[nodiscard]] const Body& mover(MoverId id) const;
   [[nodiscard]] const Body& environment(EnvironmentId id) const;
   [[nodiscard]] std::vector<MoverId> movers() const;              ///< ascending
   [[nodiscard]] std::vector<EnvironmentId> environments() const;  ///< ascending
+
+  /// Bytes held, bodies' shapes and names not counted: in proportion to the movers and parts that
+  /// are there and to the largest step so far, however many came and went.
+  [[nodiscard]] std::size_t memory() const;
 
   /// All overlaps at the present poses.
   /// \errors  ErrorKind::cancelled.
