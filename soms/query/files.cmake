@@ -3,10 +3,20 @@ set(SOMS_HEADERS
   body.h
   overlap.h
   reference/overlap.h
+  traversal/baselines.h
+  traversal/e_node.h
+  traversal/e_node_front.h
   traversal/named_overlap.h
   traversal/pair_traversal.h
   traversal/posed_boxes.h
+  traversal/traversals.h
   traversal_options.h
 )
 set(SOMS_SOURCES
+  traversal/baselines.cpp
+  traversal/e_node.cpp
+  traversal/e_node_front.cpp
+  traversal/named_overlap.cpp
+  traversal/posed_boxes.cpp
+  traversal/traversals.cpp
 )

@@ -1,0 +1,159 @@
+#include "soms/query/traversal/e_node.h"
+
+#include "soms/query/traversal/detail/e_node_step.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace soms::detail {
+
+namespace {
+
+/// What became of the tested child pairs of one pair.
+struct Outcome {
+  PairList enter;   ///< to be divided further
+  PairList report;  ///< overlapping pairs of leaves
+};
+
+/// Tests the child pairs of one pair.
+class Step {
+ public:
+  Step(Probe& probe, const TraversalOptions& options, std::vector<NodePair>* front)
+      : probe_(probe), options_(options), front_(front) {}
+
+  [[nodiscard]] Outcome operator()(NodePair p) {
+    const bool inner = !probe_.node_a(p.a).is_leaf() && !probe_.node_b(p.b).is_leaf();
+    if (options_.descent == Descent::fewest && inner) {
+      return {fewest(p), {}};
+    }
+    switch (options_.descent) {
+      case Descent::cross:
+        return inner ? tested(cross(p)) : tested(open_both(probe_, p));
+      case Descent::both:
+        return tested(open_both(probe_, p));
+      default:
+        return tested(child_pairs(probe_, p, Traversal::larger));
+    }
+  }
+
+ private:
+  [[nodiscard]] PairList survivors(const PairList& candidates) {
+    PairList out;
+    for (const NodePair p : candidates) {
+      if (probe_.test(p) || !options_.prune) {
+        out.add(p);
+      }
+    }
+    return out;
+  }
+
+  /// Pairs of the children that overlap the other node.
+  [[nodiscard]] PairList cross(NodePair p) {
+    PairList out;
+    const PairList of_a = survivors(open_a(probe_, p));
+    if (of_a.size() > 0) {
+      const PairList of_b = survivors(open_b(probe_, p));
+      for (const NodePair i : of_a) {
+        for (const NodePair j : of_b) {
+          out.add({i.a, j.b});
+        }
+      }
+    }
+    return out;
+  }
+
+  /// The shorter list of overlapping pairs, of opening the first node and of opening the second.
+  [[nodiscard]] PairList fewest(NodePair p) {
+    const PairList of_a = survivors(open_a(probe_, p));
+    if (of_a.size() == 0) {
+      return of_a;
+    }
+    const PairList of_b = survivors(open_b(probe_, p));
+    if (of_a.size() != of_b.size()) {
+      return of_a.size() < of_b.size() ? of_a : of_b;
+    }
+    return first_is_larger(probe_.node_a(p.a), probe_.node_b(p.b)) ? of_a : of_b;
+  }
+
+  [[nodiscard]] Outcome tested(const PairList& candidates) {
+    Outcome out;
+    for (const NodePair p : candidates) {
+      const bool hit = probe_.test(p);
+      const bool end = probe_.leaves(p);
+      if (end && hit) {
+        out.report.add(p);
+      } else if (!end && (hit || !options_.prune)) {
+        out.enter.add(p);
+      }
+      if (front_ != nullptr && (end || !hit)) {
+        front_->push_back(p);
+      }
+    }
+    return out;
+  }
+
+  Probe& probe_;
+  const TraversalOptions& options_;
+  std::vector<NodePair>* front_;
+};
+
+// Child pairs come in the order of their TreeIDs, so a stable sort leaves ties in that order.
+void sort_by_volume(const Probe& probe, PairList& pairs) {
+  std::stable_sort(pairs.begin(), pairs.end(), [&](NodePair left, NodePair right) {
+    return probe.shared_volume(left) > probe.shared_volume(right);
+  });
+}
+
+}  // namespace
+
+double Probe::shared_volume(NodePair p) const {
+  const Box& a = a_.boxes[p.a];
+  const Box& b = b_.boxes[p.b];
+  Box shared;
+  for (std::size_t k = 0; k < 3; ++k) {
+    shared.lower[k] = std::max(a.lower[k], b.lower[k]);
+    shared.upper[k] = std::min(a.upper[k], b.upper[k]);
+  }
+  return volume(shared);
+}
+
+void enter_all(Probe& probe, const TraversalOptions& options, std::vector<NodePair>& stack,
+               std::vector<NodePair>* front) {
+  Step step(probe, options, front);
+  while (!stack.empty() && !probe.stopped()) {
+    probe.note_stack(stack.size());
+    const NodePair p = stack.back();
+    stack.pop_back();
+    ++probe.counts.entered;
+    Outcome children = step(p);
+    if (options.order == EntryOrder::volume) {
+      sort_by_volume(probe, children.enter);
+      sort_by_volume(probe, children.report);
+    }
+    stack.insert(stack.end(), std::make_reverse_iterator(children.enter.end()),
+                 std::make_reverse_iterator(children.enter.begin()));
+    for (const NodePair pair : children.report) {
+      if (!probe.stopped()) {
+        probe.report(pair);
+      }
+    }
+  }
+}
+
+TraversalCounts e_node(const PosedTree& a, const PosedTree& b, const TraversalOptions& options,
+                       const TraversalVisitor& visitor, TraversalWorkspace& workspace) {
+  Probe probe(a, b, visitor);
+  const NodePair roots;
+  const bool hit = probe.test(roots);
+  if (probe.leaves(roots)) {
+    if (hit && !probe.stopped()) {
+      probe.report(roots);
+    }
+  } else if (hit || !options.prune) {
+    workspace.stack.assign(1, roots);
+    enter_all(probe, options, workspace.stack, nullptr);
+  }
+  return probe.counts;
+}
+
+}  // namespace soms::detail

@@ -1,0 +1,75 @@
+/// \file
+/// E-Node that starts each frame where the last one ended.
+#pragma once
+
+#include "soms/query/traversal/pair_traversal.h"
+#include "soms/query/traversal_options.h"
+
+#include <span>
+#include <vector>
+
+namespace soms {
+
+/// E-Node for two trees that move little from frame to frame.
+///
+/// Keeps the front of the last frame: the pairs where the descent ended, apart or two leaves. Every
+/// pair of leaves lies below exactly one of them, so a frame that starts from all of them misses
+/// nothing, wherever the trees went. Pairs that overlap are entered; where all child pairs of a
+/// pair are apart and so is the pair, it takes their place (one level a frame). The first frame
+/// starts at the roots. Reports come in another order than from the roots; the set is the same.
+///
+/// \threads One caller at a time.
+/// \source  thesis, fig. 5.9 by its caption; Li and Chen 1998 for incremental traversals.
+class EnodeFront {
+ public:
+  /// Trees must outlive the object.
+  /// \errors ErrorKind::usage unless `descent` is both or larger: what the others open depends on
+  ///         where the trees are, so a front of theirs could not be walked up.
+  EnodeFront(const Tree& a, const Tree& b, Descent descent = Descent::larger,
+             EntryOrder order = EntryOrder::tree);
+
+  /// The next frame: reports overlapping pairs of leaves, as `traverse` does.
+  ///
+  /// When the visitor stops or throws, later frames are still right: the front then holds pairs
+  /// that were not entered.
+  /// \shape  `boxes_a`, `boxes_b`: one world box a node of each tree.
+  /// \errors ErrorKind::usage for another number of boxes.
+  TraversalCounts next(std::span<const Box> boxes_a, std::span<const Box> boxes_b,
+                       const TraversalVisitor& visitor = {});
+
+  /// The front after the last frame; one pair, the roots, before the first. Empty with an empty
+  /// tree.
+  [[nodiscard]] std::span<const NodePair> front() const { return front_; }
+
+  /// Forgets the last frame: the next one starts at the roots.
+  void restart();
+
+ private:
+  /// Pairs of the last front that are apart, gathered by the pair they came from.
+  struct Family {
+    NodePair parent;
+    std::vector<NodePair> apart;
+  };
+
+  [[nodiscard]] NodePair parent(NodePair p) const;
+  [[nodiscard]] std::size_t child_count(NodePair p) const;
+
+  const Tree* a_;
+  const Tree* b_;
+  TraversalOptions options_;
+  std::vector<std::uint32_t> parents_a_;
+  std::vector<std::uint32_t> parents_b_;
+  std::vector<NodePair> front_;
+  std::vector<NodePair> stack_;
+};
+
+namespace detail {
+
+/// Traversal::e_node_front without a last frame: one frame from the roots.
+TraversalCounts e_node_front(const PosedTree& a, const PosedTree& b,
+                             const TraversalOptions& options, const TraversalVisitor& visitor,
+                             TraversalWorkspace& workspace);
+
+}  // namespace detail
+
+}  // namespace soms

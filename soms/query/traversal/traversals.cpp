@@ -1,0 +1,174 @@
+#include "soms/query/traversal/traversals.h"
+
+#include "soms/base/error.h"
+#include "soms/query/traversal/baselines.h"
+#include "soms/query/traversal/e_node.h"
+#include "soms/query/traversal/e_node_front.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace soms {
+
+namespace {
+
+constexpr std::array<TraversalRow, 10> kTraversals{{
+    {Traversal::fast, "fast", "fast", "the product's default: walks the wide layout", nullptr},
+    {Traversal::a_first, "a_first", "a-first", "opens the first tree, then the second",
+     detail::a_first},
+    {Traversal::b_first, "b_first", "b-first", "opens the second tree, then the first",
+     detail::b_first},
+    {Traversal::alternate, "alternate", "alternate", "opens the trees in turn", detail::alternate},
+    {Traversal::larger, "larger", "larger", "opens the node of greater volume", detail::larger},
+    {Traversal::simultaneous, "simultaneous", "simultaneous", "opens both nodes",
+     detail::simultaneous},
+    {Traversal::ericson, "ericson", "ericson", "generic, with the rule of any of the above",
+     detail::ericson},
+    {Traversal::larsson, "larsson", "larsson", "another name of simultaneous (reconstruction)",
+     detail::simultaneous},
+    {Traversal::e_node, "e_node", "e-node", "tests all child pairs before it enters any",
+     detail::e_node},
+    {Traversal::e_node_front, "e_node_front", "e-node-front",
+     "E-Node that starts where the last frame ended", detail::e_node_front},
+}};
+
+constexpr std::array<DescentRow, 4> kDescents{{
+    {Descent::both, "both", "child pairs of both nodes"},
+    {Descent::larger, "larger", "children of the node of greater volume"},
+    {Descent::cross, "cross", "pairs of the children that overlap the other node"},
+    {Descent::fewest, "fewest", "children of the node that leave fewer overlapping pairs"},
+}};
+
+template <class Rows>
+std::string names(const Rows& rows) {
+  std::string out;
+  for (const auto& row : rows) {
+    out += (out.empty() ? "" : ", ") + std::string(row.name);
+  }
+  return out;
+}
+
+template <class Rows>
+[[noreturn]] void fail_unknown(const std::string& place, const Rows& rows) {
+  throw Error(ErrorKind::usage, place, "use one of " + names(rows));
+}
+
+bool is_baseline(Traversal t) {
+  return t == Traversal::a_first || t == Traversal::b_first || t == Traversal::alternate ||
+         t == Traversal::larger || t == Traversal::simultaneous;
+}
+
+}  // namespace
+
+TraversalCounts& TraversalCounts::operator+=(const TraversalCounts& other) {
+  box_tests += other.box_tests;
+  entered += other.entered;
+  leaf_pairs += other.leaf_pairs;
+  triangle_pairs += other.triangle_pairs;
+  first_tests += other.first_tests;
+  max_stack = std::max(max_stack, other.max_stack);
+  return *this;
+}
+
+std::span<const TraversalRow> traversals() {
+  return kTraversals;
+}
+
+std::span<const DescentRow> descents() {
+  return kDescents;
+}
+
+const TraversalRow& row_of(Traversal traversal) {
+  const auto row = std::find_if(kTraversals.begin(), kTraversals.end(),
+                                [&](const TraversalRow& r) { return r.traversal == traversal; });
+  if (row == kTraversals.end()) {
+    fail_unknown("traversal " + std::to_string(static_cast<int>(traversal)) + " is unknown",
+                 kTraversals);
+  }
+  return *row;
+}
+
+const DescentRow& row_of(Descent descent) {
+  const auto row = std::find_if(kDescents.begin(), kDescents.end(),
+                                [&](const DescentRow& r) { return r.descent == descent; });
+  if (row == kDescents.end()) {
+    fail_unknown("descent " + std::to_string(static_cast<int>(descent)) + " is unknown", kDescents);
+  }
+  return *row;
+}
+
+Traversal traversal_named(std::string_view name) {
+  const auto row = std::find_if(kTraversals.begin(), kTraversals.end(), [&](const TraversalRow& r) {
+    return r.name == name || r.kebab_name == name;
+  });
+  if (row == kTraversals.end()) {
+    fail_unknown("traversal '" + std::string(name) + "' is unknown", kTraversals);
+  }
+  return row->traversal;
+}
+
+Descent descent_named(std::string_view name) {
+  const auto row = std::find_if(kDescents.begin(), kDescents.end(),
+                                [&](const DescentRow& r) { return r.name == name; });
+  if (row == kDescents.end()) {
+    fail_unknown("descent '" + std::string(name) + "' is unknown", kDescents);
+  }
+  return row->descent;
+}
+
+void check(const TraversalOptions& options) {
+  (void)row_of(options.traversal);
+  (void)row_of(options.descent);
+  if (options.traversal == Traversal::ericson && !is_baseline(options.ericson_rule)) {
+    throw Error(ErrorKind::usage,
+                "traversal ericson: '" + std::string(row_of(options.ericson_rule).name) +
+                    "' is not a rule of descent",
+                "use a_first, b_first, alternate, larger or simultaneous");
+  }
+  if (options.traversal == Traversal::e_node_front) {
+    if (options.descent != Descent::both && options.descent != Descent::larger) {
+      throw Error(ErrorKind::usage,
+                  "traversal e_node_front: a front of descent '" +
+                      std::string(row_of(options.descent).name) + "' cannot be kept",
+                  "use descent both or larger");
+    }
+    if (!options.prune) {
+      throw Error(ErrorKind::usage, "traversal e_node_front: a front is what pruning leaves",
+                  "leave `prune` on");
+    }
+  }
+}
+
+void detail::check_boxes(const PosedTree& a, const PosedTree& b) {
+  for (const PosedTree* posed : {&a, &b}) {
+    if (posed->tree == nullptr || posed->boxes.size() != posed->tree->nodes.size()) {
+      throw Error(ErrorKind::usage, "traversal: a tree without one box for each of its nodes",
+                  "give the boxes of this tree (PosedBoxes)");
+    }
+  }
+}
+
+TraversalCounts traverse(const PosedTree& a, const PosedTree& b, const TraversalOptions& options,
+                         const TraversalVisitor& visitor, TraversalWorkspace& workspace) {
+  check(options);
+  const TraversalRow& row = row_of(options.traversal);
+  if (row.function == nullptr) {
+    throw Error(ErrorKind::usage,
+                "traversal: '" + std::string(row.name) + "' does not walk canonical trees",
+                "name another traversal");
+  }
+  detail::check_boxes(a, b);
+  if (a.tree->nodes.empty() || b.tree->nodes.empty()) {
+    return {};
+  }
+  return row.function(a, b, options, visitor, workspace);
+}
+
+TraversalCounts traverse(const PosedTree& a, const PosedTree& b, const TraversalOptions& options,
+                         const TraversalVisitor& visitor) {
+  TraversalWorkspace workspace;
+  return traverse(a, b, options, visitor, workspace);
+}
+
+}  // namespace soms
