@@ -5,4 +5,5 @@ set(SOMS_HEADERS
   urban.h
 )
 set(SOMS_SOURCES
+  urban.cpp
 )
