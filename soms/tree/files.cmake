@@ -2,9 +2,25 @@ set(SOMS_HEADERS
   build.h
   build_options.h
   check.h
+  option_names.h
+  rule/rules.h
+  rule/split.h
   shape.h
   statistics.h
   tree.h
 )
 set(SOMS_SOURCES
+  build/divide.cpp
+  build/top_down.cpp
+  build_options.cpp
+  check.cpp
+  option_names.cpp
+  rule/object_mean.cpp
+  rule/object_median.cpp
+  rule/rules.cpp
+  rule/sah.cpp
+  rule/soms.cpp
+  rule/spatial_median.cpp
+  statistics.cpp
+  tree.cpp
 )

@@ -19,8 +19,21 @@ using TreeId = std::uint64_t;
 /// TreeId of nodes deeper than 63 levels, whose number needs more than 64 bits.
 inline constexpr TreeId kNoTreeId = ~TreeId{0};
 
-/// Depth of a node from its TreeId: floor(log2(id + 1)); the root has depth 0 and level 1.
+/// Greatest depth of a node that has a TreeId.
+inline constexpr int kMaxTreeIdDepth = 63;
+
+/// Depth of a node from its TreeId: floor(log2(id + 1)); the root has depth 0 and level 1, and
+/// kNoTreeId gives -1.
 [[nodiscard]] int depth_of(TreeId id);
+
+/// TreeId of a node's parent, (id - 1) / 2; kNoTreeId for the root and for kNoTreeId.
+[[nodiscard]] TreeId parent_of(TreeId id);
+
+/// TreeId of a node's left child, 2 * id + 1 (odd); kNoTreeId where it needs more than 64 bits.
+[[nodiscard]] TreeId left_child_of(TreeId id);
+
+/// TreeId of a node's right child, 2 * id + 2 (even); kNoTreeId where it needs more than 64 bits.
+[[nodiscard]] TreeId right_child_of(TreeId id);
 
 /// A node of the canonical tree.
 struct Node {

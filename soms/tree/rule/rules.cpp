@@ -1,0 +1,51 @@
+#include "soms/tree/rule/rules.h"
+
+#include "soms/base/error.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace soms {
+
+namespace {
+
+constexpr std::array<RuleEntry, 5> kRules{{
+    {Rule::object_median, "object_median", "object-median",
+     "equal counts on both sides, by midpoint", &rule::object_median, AxisFrom::outer},
+    {Rule::object_mean, "object_mean", "object-mean", "plane at the mean of the midpoints",
+     &rule::object_mean, AxisFrom::outer},
+    {Rule::spatial_median, "spatial_median", "spatial-median",
+     "plane in the middle of the outer box", &rule::spatial_median, AxisFrom::outer},
+    {Rule::soms, "soms", "soms", "plane in the middle of the midpoints' box (the thesis' rule)",
+     &rule::soms, AxisFrom::inner},
+    {Rule::sah, "sah", "sah", "least surface area cost over 16 bins of the midpoints' box",
+     &rule::sah, AxisFrom::inner},
+}};
+
+}  // namespace
+
+std::span<const RuleEntry> rules() {
+  return kRules;
+}
+
+const RuleEntry& entry(Rule rule) {
+  return kRules[static_cast<std::size_t>(rule)];
+}
+
+const RuleEntry& rule_named(std::string_view name) {
+  const auto* const row = std::find_if(kRules.begin(), kRules.end(), [&](const RuleEntry& e) {
+    return e.name == name || e.kebab == name;
+  });
+  if (row == kRules.end()) {
+    std::string names;
+    for (const RuleEntry& e : kRules) {
+      names += (names.empty() ? "" : ", ") + std::string(e.kebab);
+    }
+    throw Error(ErrorKind::usage, "no rule is named \"" + std::string(name) + "\"",
+                "choose one of " + names);
+  }
+  return *row;
+}
+
+}  // namespace soms
