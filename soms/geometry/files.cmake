@@ -6,8 +6,10 @@ set(SOMS_HEADERS
   triangle_overlap.h
 )
 set(SOMS_SOURCES
+  detail/flat_overlap.cpp
   detail/orientation_exact.cpp
   mesh.cpp
   midpoint.cpp
   orientation.cpp
+  triangle_overlap.cpp
 )
