@@ -10,7 +10,7 @@ set(SOMS_HEADERS
   tree.h
 )
 set(SOMS_SOURCES
-  build/divide.cpp
+  build/detail/divide.cpp
   build/top_down.cpp
   build_options.cpp
   check.cpp

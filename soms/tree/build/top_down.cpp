@@ -1,5 +1,5 @@
 #include "soms/tree/build.h"
-#include "soms/tree/build/divide.h"
+#include "soms/tree/build/detail/divide.h"
 
 #include <algorithm>
 #include <bit>

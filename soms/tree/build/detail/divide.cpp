@@ -1,4 +1,4 @@
-#include "soms/tree/build/divide.h"
+#include "soms/tree/build/detail/divide.h"
 
 #include "soms/tree/tree.h"
 
