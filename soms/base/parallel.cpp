@@ -9,6 +9,7 @@
 #include <vector>
 
 #if SOMS_USE_TBB
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #else
@@ -50,7 +51,10 @@ class Progress {
 #if SOMS_USE_TBB
 
 void run_threads(int threads, std::size_t chunks, const std::function<void(std::size_t)>& body) {
-  tbb::task_arena arena(threads);
+  // Asking for more than TBB allows would make it print a warning.
+  const auto allowed = static_cast<int>(
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  tbb::task_arena arena(std::min(threads, allowed));
   arena.execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, chunks, 1),

@@ -13,6 +13,7 @@ set(SOMS_HEADERS
   traversal_options.h
 )
 set(SOMS_SOURCES
+  reference/overlap.cpp
   traversal/baselines.cpp
   traversal/e_node.cpp
   traversal/e_node_front.cpp
