@@ -9,6 +9,7 @@ set(SOMS_HEADERS
   traversal/named_overlap.h
   traversal/pair_traversal.h
   traversal/posed_boxes.h
+  traversal/thesis_frames.h
   traversal/traversals.h
   traversal_options.h
 )
@@ -19,5 +20,6 @@ set(SOMS_SOURCES
   traversal/e_node_front.cpp
   traversal/named_overlap.cpp
   traversal/posed_boxes.cpp
+  traversal/thesis_frames.cpp
   traversal/traversals.cpp
 )

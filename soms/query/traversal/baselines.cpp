@@ -15,10 +15,7 @@ namespace {
 void walk(Probe& probe, Traversal rule, bool prune, std::vector<NodePair>& stack) {
   stack.assign(1, NodePair{});
   while (!stack.empty() && !probe.stopped()) {
-    probe.note_stack(stack.size());
-    const NodePair p = stack.back();
-    stack.pop_back();
-    ++probe.counts.entered;
+    const NodePair p = probe.pop(stack);
     const bool hit = probe.test(p);
     if (probe.stopped() || (!hit && prune)) {
       continue;
@@ -35,8 +32,7 @@ void walk(Probe& probe, Traversal rule, bool prune, std::vector<NodePair>& stack
 
 // Depth is at most that of both trees together, which `check_depth` has bounded.
 void recurse(Probe& probe, Traversal rule, bool prune, NodePair p, std::uint32_t nesting) {
-  probe.note_stack(nesting);
-  ++probe.counts.entered;
+  probe.enter(p, nesting);
   const bool hit = probe.test(p);
   if (probe.stopped() || (!hit && prune)) {
     return;

@@ -121,11 +121,7 @@ void enter_all(Probe& probe, const TraversalOptions& options, std::vector<NodePa
                std::vector<NodePair>* front) {
   Step step(probe, options, front);
   while (!stack.empty() && !probe.stopped()) {
-    probe.note_stack(stack.size());
-    const NodePair p = stack.back();
-    stack.pop_back();
-    ++probe.counts.entered;
-    Outcome children = step(p);
+    Outcome children = step(probe.pop(stack));
     if (options.order == EntryOrder::volume) {
       sort_by_volume(probe, children.enter);
       sort_by_volume(probe, children.report);

@@ -42,12 +42,16 @@ struct TraversalCounts {
   TraversalCounts& operator+=(const TraversalCounts& other);
 };
 
-/// What a traversal calls. Both may be empty.
+/// What a traversal calls; each may be empty.
 struct TraversalVisitor {
   /// A pair of leaves whose boxes overlap, each once, in the order found. False stops.
   std::function<bool(NodePair)> leaf_pair = {};
   /// Asked once in 1024 box tests, for deadlines and cancellation. False stops.
   std::function<bool()> keep_going = {};
+  /// Each pair of boxes tested, and whether they overlap: for pictures and tests.
+  std::function<void(NodePair, bool)> tested = {};
+  /// Each pair entered: for pictures and tests.
+  std::function<void(NodePair)> entered = {};
 };
 
 /// Memory that a traversal may reuse from call to call.

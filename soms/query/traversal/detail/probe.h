@@ -28,7 +28,26 @@ class Probe {
     if (visitor_.keep_going && counts.box_tests % kInterval == 0 && !visitor_.keep_going()) {
       stopped_ = true;
     }
-    return overlaps(a_.boxes[p.a], b_.boxes[p.b]);
+    const bool hit = overlaps(a_.boxes[p.a], b_.boxes[p.b]);
+    if (visitor_.tested) {
+      visitor_.tested(p, hit);
+    }
+    return hit;
+  }
+
+  /// Takes the last pair from the stack.
+  NodePair pop(std::vector<NodePair>& stack) {
+    counts.max_stack = std::max<std::uint64_t>(counts.max_stack, stack.size());
+    const NodePair p = stack.back();
+    stack.pop_back();
+    note_entry(p);
+    return p;
+  }
+
+  /// Enters a pair at a depth of nested calls.
+  void enter(NodePair p, std::uint64_t nesting) {
+    counts.max_stack = std::max(counts.max_stack, nesting);
+    note_entry(p);
   }
 
   /// Reports an overlapping pair of leaves.
@@ -42,10 +61,6 @@ class Probe {
     }
   }
 
-  void note_stack(std::size_t size) {
-    counts.max_stack = std::max<std::uint64_t>(counts.max_stack, size);
-  }
-
   /// The visitor asked to stop: nothing more may be reported.
   [[nodiscard]] bool stopped() const { return stopped_; }
 
@@ -56,6 +71,13 @@ class Probe {
 
  private:
   static constexpr std::uint64_t kInterval = 1024;
+
+  void note_entry(NodePair p) {
+    ++counts.entered;
+    if (visitor_.entered) {
+      visitor_.entered(p);
+    }
+  }
 
   const PosedTree& a_;
   const PosedTree& b_;

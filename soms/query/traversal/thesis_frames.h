@@ -1,0 +1,45 @@
+/// \file
+/// How the thesis moves one object past another: the orientation tests and the drive through a
+/// city, frame by frame.
+#pragma once
+
+#include "soms/base/box.h"
+#include "soms/base/vector.h"
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace soms {
+
+/// Side from which the moving object comes.
+enum class Approach { right, left, top, bottom };
+
+/// The four orientation tests, in the order of the thesis, by name.
+inline constexpr std::array<std::pair<Approach, std::string_view>, 4> kApproaches{
+    {{Approach::right, "right"},
+     {Approach::left, "left"},
+     {Approach::top, "top"},
+     {Approach::bottom, "bottom"}}};
+
+/// Offsets of the moving object in an orientation test: from +x to -x (`right`), from the up axis
+/// downwards (`top`), or the reverse. Frame k is off by (64 - k) / 32 of the width of `still` along
+/// that axis: an object of its size is clear of it before frame 32, touches it in frame 32, and is
+/// half inside in frame 48.
+///
+/// \shape  49 offsets, frames 0 to 48.
+/// \pre    `still` is not empty; `up` is 1 (y) or 2 (z).
+/// \source thesis, chapter 5 (right, left, top, bottom); widths and steps are a reconstruction.
+[[nodiscard]] std::vector<Vec3> orientation_test(const Box& still, Approach from,
+                                                 std::size_t up = 1);
+
+/// Offsets of an object that drives through a scene of 4 km by 4 km along y = 2000: frame k is at
+/// x = 20 k - 200. Made for the bunny turned z up and 500 times as large,
+/// `transformed(mesh, 500, UpAxis::y)`.
+/// \shape  221 offsets, frames 0 to 220.
+/// \source thesis, table 3.3 and fig. 3.9; the path is a reconstruction.
+[[nodiscard]] std::vector<Vec3> city_drive();
+
+}  // namespace soms
