@@ -30,7 +30,7 @@ const TraversalOptions& checked(const TraversalOptions& options) {
 const Tree& kept_tree(const Shape& shape, const TraversalOptions& options) {
   if (shape.tree() == nullptr) {
     throw Error(ErrorKind::usage,
-                "traversal " + std::string(row_of(options.traversal).name) +
+                "traversal " + std::string(entry(options.traversal).name) +
                     ": a shape without its canonical tree",
                 "make the shape with ShapeOptions{.keep_tree = true}, or use traversal fast");
   }

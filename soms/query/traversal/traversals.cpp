@@ -13,7 +13,7 @@ namespace soms {
 
 namespace {
 
-constexpr std::array<TraversalRow, 10> kTraversals{{
+constexpr std::array<TraversalEntry, 10> kTraversals{{
     {Traversal::fast, "fast", "fast", "the product's default: walks the wide layout", nullptr},
     {Traversal::a_first, "a_first", "a-first", "opens the first tree, then the second",
      detail::a_first},
@@ -33,25 +33,26 @@ constexpr std::array<TraversalRow, 10> kTraversals{{
      "E-Node that starts where the last frame ended", detail::e_node_front},
 }};
 
-constexpr std::array<DescentRow, 4> kDescents{{
-    {Descent::both, "both", "child pairs of both nodes"},
-    {Descent::larger, "larger", "children of the node of greater volume"},
-    {Descent::cross, "cross", "pairs of the children that overlap the other node"},
-    {Descent::fewest, "fewest", "children of the node that leave fewer overlapping pairs"},
+constexpr std::array<DescentEntry, 4> kDescents{{
+    {Descent::both, "both", "both", "child pairs of both nodes"},
+    {Descent::larger, "larger", "larger", "children of the node of greater volume"},
+    {Descent::cross, "cross", "cross", "pairs of the children that overlap the other node"},
+    {Descent::fewest, "fewest", "fewest",
+     "children of the node that leave fewer overlapping pairs"},
 }};
 
-template <class Rows>
-std::string names(const Rows& rows) {
-  std::string out;
-  for (const auto& row : rows) {
-    out += (out.empty() ? "" : ", ") + std::string(row.name);
+/// The entry for which `matches` holds. \errors ErrorKind::usage; lists the names.
+template <class Entries, class Matches>
+const auto& find(const Entries& entries, const std::string& what, const Matches& matches) {
+  const auto found = std::find_if(entries.begin(), entries.end(), matches);
+  if (found == entries.end()) {
+    std::string names;
+    for (const auto& e : entries) {
+      names += (names.empty() ? "" : ", ") + std::string(e.kebab);
+    }
+    throw Error(ErrorKind::usage, what + " is unknown", "use one of " + names);
   }
-  return out;
-}
-
-template <class Rows>
-[[noreturn]] void fail_unknown(const std::string& place, const Rows& rows) {
-  throw Error(ErrorKind::usage, place, "use one of " + names(rows));
+  return *found;
 }
 
 bool is_baseline(Traversal t) {
@@ -71,58 +72,40 @@ TraversalCounts& TraversalCounts::operator+=(const TraversalCounts& other) {
   return *this;
 }
 
-std::span<const TraversalRow> traversals() {
+std::span<const TraversalEntry> traversals() {
   return kTraversals;
 }
 
-std::span<const DescentRow> descents() {
+std::span<const DescentEntry> descents() {
   return kDescents;
 }
 
-const TraversalRow& row_of(Traversal traversal) {
-  const auto row = std::find_if(kTraversals.begin(), kTraversals.end(),
-                                [&](const TraversalRow& r) { return r.traversal == traversal; });
-  if (row == kTraversals.end()) {
-    fail_unknown("traversal " + std::to_string(static_cast<int>(traversal)) + " is unknown",
-                 kTraversals);
-  }
-  return *row;
+const TraversalEntry& entry(Traversal traversal) {
+  return find(kTraversals, "traversal " + std::to_string(static_cast<int>(traversal)),
+              [&](const TraversalEntry& e) { return e.traversal == traversal; });
 }
 
-const DescentRow& row_of(Descent descent) {
-  const auto row = std::find_if(kDescents.begin(), kDescents.end(),
-                                [&](const DescentRow& r) { return r.descent == descent; });
-  if (row == kDescents.end()) {
-    fail_unknown("descent " + std::to_string(static_cast<int>(descent)) + " is unknown", kDescents);
-  }
-  return *row;
+const DescentEntry& entry(Descent descent) {
+  return find(kDescents, "descent " + std::to_string(static_cast<int>(descent)),
+              [&](const DescentEntry& e) { return e.descent == descent; });
 }
 
-Traversal traversal_named(std::string_view name) {
-  const auto row = std::find_if(kTraversals.begin(), kTraversals.end(), [&](const TraversalRow& r) {
-    return r.name == name || r.kebab_name == name;
-  });
-  if (row == kTraversals.end()) {
-    fail_unknown("traversal '" + std::string(name) + "' is unknown", kTraversals);
-  }
-  return row->traversal;
+const TraversalEntry& traversal_named(std::string_view name) {
+  return find(kTraversals, "traversal '" + std::string(name) + "'",
+              [&](const TraversalEntry& e) { return e.name == name || e.kebab == name; });
 }
 
-Descent descent_named(std::string_view name) {
-  const auto row = std::find_if(kDescents.begin(), kDescents.end(),
-                                [&](const DescentRow& r) { return r.name == name; });
-  if (row == kDescents.end()) {
-    fail_unknown("descent '" + std::string(name) + "' is unknown", kDescents);
-  }
-  return row->descent;
+const DescentEntry& descent_named(std::string_view name) {
+  return find(kDescents, "descent '" + std::string(name) + "'",
+              [&](const DescentEntry& e) { return e.name == name || e.kebab == name; });
 }
 
 void check(const TraversalOptions& options) {
-  (void)row_of(options.traversal);
-  (void)row_of(options.descent);
+  (void)entry(options.traversal);
+  (void)entry(options.descent);
   if (options.traversal == Traversal::ericson && !is_baseline(options.ericson_rule)) {
     throw Error(ErrorKind::usage,
-                "traversal ericson: '" + std::string(row_of(options.ericson_rule).name) +
+                "traversal ericson: '" + std::string(entry(options.ericson_rule).name) +
                     "' is not a rule of descent",
                 "use a_first, b_first, alternate, larger or simultaneous");
   }
@@ -130,7 +113,7 @@ void check(const TraversalOptions& options) {
     if (options.descent != Descent::both && options.descent != Descent::larger) {
       throw Error(ErrorKind::usage,
                   "traversal e_node_front: a front of descent '" +
-                      std::string(row_of(options.descent).name) + "' cannot be kept",
+                      std::string(entry(options.descent).name) + "' cannot be kept",
                   "use descent both or larger");
     }
     if (!options.prune) {
@@ -152,17 +135,17 @@ void detail::check_boxes(const PosedTree& a, const PosedTree& b) {
 TraversalCounts traverse(const PosedTree& a, const PosedTree& b, const TraversalOptions& options,
                          const TraversalVisitor& visitor, TraversalWorkspace& workspace) {
   check(options);
-  const TraversalRow& row = row_of(options.traversal);
-  if (row.function == nullptr) {
+  const TraversalEntry& named = entry(options.traversal);
+  if (named.function == nullptr) {
     throw Error(ErrorKind::usage,
-                "traversal: '" + std::string(row.name) + "' does not walk canonical trees",
+                "traversal: '" + std::string(named.name) + "' does not walk canonical trees",
                 "name another traversal");
   }
   detail::check_boxes(a, b);
   if (a.tree->nodes.empty() || b.tree->nodes.empty()) {
     return {};
   }
-  return row.function(a, b, options, visitor, workspace);
+  return named.function(a, b, options, visitor, workspace);
 }
 
 TraversalCounts traverse(const PosedTree& a, const PosedTree& b, const TraversalOptions& options,

@@ -17,39 +17,42 @@ using TraversalFunction = TraversalCounts (*)(const PosedTree& a, const PosedTre
                                               const TraversalVisitor& visitor,
                                               TraversalWorkspace& workspace);
 
-/// A row of the table of traversals.
-struct TraversalRow {
+/// An entry of the table of traversals.
+struct TraversalEntry {
   Traversal traversal;
-  std::string_view name;        ///< snake_case: CSV, JSON, Python
-  std::string_view kebab_name;  ///< kebab-case: the command line
+  std::string_view name;   ///< snake_case: CSV, JSON, Python
+  std::string_view kebab;  ///< kebab-case: the command line
   std::string_view description;
   TraversalFunction function;  ///< nullptr for `fast`, which walks the layout, not the trees
 };
 
-/// A row of the table of E-Node's descents.
-struct DescentRow {
+/// An entry of the table of E-Node's descents.
+struct DescentEntry {
   Descent descent;
-  std::string_view name;  ///< one word: the same in snake and kebab case
+  std::string_view name;   ///< snake_case
+  std::string_view kebab;  ///< kebab-case
   std::string_view description;
 };
 
 /// All traversals, in the order of the enumeration.
-[[nodiscard]] std::span<const TraversalRow> traversals();
+[[nodiscard]] std::span<const TraversalEntry> traversals();
 
 /// All descents of E-Node, in the order of the enumeration.
-[[nodiscard]] std::span<const DescentRow> descents();
+[[nodiscard]] std::span<const DescentEntry> descents();
 
-/// The row of a traversal. \errors ErrorKind::usage for a value outside the enumeration.
-[[nodiscard]] const TraversalRow& row_of(Traversal traversal);
+/// The entry of a traversal. \errors ErrorKind::usage for a value outside the enumeration.
+[[nodiscard]] const TraversalEntry& entry(Traversal traversal);
 
-/// The row of a descent. \errors ErrorKind::usage for a value outside the enumeration.
-[[nodiscard]] const DescentRow& row_of(Descent descent);
+/// The entry of a descent. \errors ErrorKind::usage for a value outside the enumeration.
+[[nodiscard]] const DescentEntry& entry(Descent descent);
 
-/// The traversal of a snake or kebab name. \errors ErrorKind::usage; lists the names.
-[[nodiscard]] Traversal traversal_named(std::string_view name);
+/// The entry of the traversal with this name, in snake_case or kebab-case.
+/// \errors ErrorKind::usage, which lists the names.
+[[nodiscard]] const TraversalEntry& traversal_named(std::string_view name);
 
-/// The descent of a name. \errors ErrorKind::usage; lists the names.
-[[nodiscard]] Descent descent_named(std::string_view name);
+/// The entry of the descent with this name.
+/// \errors ErrorKind::usage, which lists the names.
+[[nodiscard]] const DescentEntry& descent_named(std::string_view name);
 
 /// Throws ErrorKind::usage unless the options go together: `ericson` with the rule of a baseline,
 /// the front with descent both or larger and with pruning. Values outside their enumerations fail.
