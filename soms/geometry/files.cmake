@@ -3,6 +3,7 @@ set(SOMS_HEADERS
   mesh.h
   midpoint.h
   orientation.h
+  polygon.h
   triangle_overlap.h
 )
 set(SOMS_SOURCES
@@ -11,5 +12,6 @@ set(SOMS_SOURCES
   mesh.cpp
   midpoint.cpp
   orientation.cpp
+  polygon.cpp
   triangle_overlap.cpp
 )

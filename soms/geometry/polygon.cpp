@@ -1,0 +1,191 @@
+#include "soms/geometry/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace soms {
+
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffffU;
+
+/// Newell normal of the corners relative to the first, scaled by a power of two so that products
+/// neither overflow nor vanish.
+Vec3 newell_normal(std::span<const Vec3> corners) {
+  double reach = 0;
+  for (const Vec3& p : corners) {
+    const Vec3 d = p - corners[0];
+    reach = std::max({reach, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+  }
+  if (reach == 0) {
+    return {};
+  }
+  const int exponent = -std::ilogb(reach);
+  const auto relative = [&](const Vec3& p) {
+    const Vec3 d = p - corners[0];
+    return Vec3{std::ldexp(d.x, exponent), std::ldexp(d.y, exponent), std::ldexp(d.z, exponent)};
+  };
+  Vec3 sum;
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    sum += cross(relative(corners[i]), relative(corners[i + 1]));
+  }
+  return sum;
+}
+
+}  // namespace
+
+void PolygonTriangulator::choose_plane() {
+  const Vec3 normal = newell_normal(corners_);
+  std::size_t axis = 2;
+  for (const std::size_t other : {std::size_t{0}, std::size_t{1}}) {
+    if (std::abs(normal[other]) > std::abs(normal[axis])) {
+      axis = other;
+    }
+  }
+  plane_ = axis == 2 ? Projection::xy : axis == 0 ? Projection::yz : Projection::zx;
+  first_axis_ = (axis + 1) % 3;
+  second_axis_ = (axis + 2) % 3;
+  reversed_ = normal[axis] < 0;
+}
+
+/// Turn of three corners, positive where it is the way of the normal.
+Sign PolygonTriangulator::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  return reversed_ ? orientation2d(corners_[c], corners_[b], corners_[a], plane_)
+                   : orientation2d(corners_[a], corners_[b], corners_[c], plane_);
+}
+
+bool PolygonTriangulator::is_fan() const {
+  bool positive = false;
+  bool negative = false;
+  const auto n = static_cast<std::uint32_t>(corners_.size());
+  for (std::uint32_t i = 1; i + 1 < n && !(positive && negative); ++i) {
+    const Sign sign = turn(0, i, i + 1);
+    positive = positive || sign == Sign::positive;
+    negative = negative || sign == Sign::negative;
+  }
+  return !(positive && negative);
+}
+
+/// True if `corner` lies in the closed triangle of `ear`, at none of its three positions.
+bool PolygonTriangulator::blocks(std::uint32_t corner, std::uint32_t ear) const {
+  const Link& link = ring_[ear];
+  if (corner == ear || corner == link.previous || corner == link.next) {
+    return false;
+  }
+  const std::array<std::uint32_t, 3> t = {link.previous, ear, link.next};
+  const Vec3& p = corners_[corner];
+  for (const std::size_t axis : {first_axis_, second_axis_}) {
+    const double a = corners_[t[0]][axis];
+    const double b = corners_[t[1]][axis];
+    const double c = corners_[t[2]][axis];
+    if (p[axis] < std::min({a, b, c}) || p[axis] > std::max({a, b, c})) {
+      return false;
+    }
+  }
+  for (const std::uint32_t i : t) {
+    if (p[first_axis_] == corners_[i][first_axis_] &&
+        p[second_axis_] == corners_[i][second_axis_]) {
+      return false;
+    }
+  }
+  return turn(t[0], t[1], corner) != Sign::negative && turn(t[1], t[2], corner) != Sign::negative &&
+         turn(t[2], t[0], corner) != Sign::negative;
+}
+
+void PolygonTriangulator::measure(std::uint32_t ear) {
+  Link& link = ring_[ear];
+  link.turn = turn(link.previous, ear, link.next);
+  link.blockers = 0;
+  if (link.turn == Sign::positive) {
+    for (std::uint32_t i = link.next; i != ear; i = ring_[i].next) {
+      link.blockers += blocks(i, ear) ? 1U : 0U;
+    }
+  }
+}
+
+void PolygonTriangulator::clip(std::uint32_t ear) {
+  const std::uint32_t previous = ring_[ear].previous;
+  const std::uint32_t next = ring_[ear].next;
+  triangles_.push_back({previous, ear, next});
+  for (std::uint32_t i = ring_[next].next; i != previous; i = ring_[i].next) {
+    if (ring_[i].turn == Sign::positive && ring_[i].blockers > 0 && blocks(ear, i)) {
+      --ring_[i].blockers;
+    }
+  }
+  ring_[previous].next = next;
+  ring_[next].previous = previous;
+  ring_[ear].clipped = true;
+  --left_;
+  measure(previous);
+  measure(next);
+}
+
+/// The first corner of the ring from `start` on that is an ear (`sign` positive) or that has no
+/// turn (`sign` zero), or kNone.
+std::uint32_t PolygonTriangulator::find(std::uint32_t start, Sign sign) const {
+  std::uint32_t i = start;
+  do {
+    if (ring_[i].turn == sign && ring_[i].blockers == 0) {
+      return i;
+    }
+    i = ring_[i].next;
+  } while (i != start);
+  return kNone;
+}
+
+void PolygonTriangulator::clip_ears() {
+  const auto n = static_cast<std::uint32_t>(corners_.size());
+  ring_.assign(n, {});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    ring_[i].previous = i == 0 ? n - 1 : i - 1;
+    ring_[i].next = i + 1 == n ? 0 : i + 1;
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    measure(i);
+  }
+  left_ = n;
+  std::uint32_t start = 0;
+  while (left_ > 3) {
+    std::uint32_t ear = find(start, Sign::positive);
+    if (ear == kNone) {
+      ear = find(start, Sign::zero);
+    }
+    if (ear == kNone) {
+      break;
+    }
+    start = ring_[ear].next;
+    clip(ear);
+  }
+  std::uint32_t first = 0;
+  while (ring_[first].clipped) {
+    ++first;
+  }
+  const std::uint32_t last = ring_[first].previous;
+  for (std::uint32_t i = ring_[first].next; i != last; i = ring_[i].next) {
+    triangles_.push_back({first, i, ring_[i].next});
+  }
+}
+
+std::span<const std::array<std::uint32_t, 3>> PolygonTriangulator::triangulate(
+    std::span<const Vec3> corners) {
+  corners_ = corners;
+  triangles_.clear();
+  if (corners.size() < 3) {
+    return {};
+  }
+  if (corners.size() == 3) {
+    triangles_.push_back({0, 1, 2});
+    return triangles_;
+  }
+  choose_plane();
+  if (is_fan()) {
+    for (std::uint32_t i = 1; i + 1 < corners.size(); ++i) {
+      triangles_.push_back({0, i, i + 1});
+    }
+  } else {
+    clip_ears();
+  }
+  return triangles_;
+}
+
+}  // namespace soms

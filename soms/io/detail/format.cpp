@@ -1,0 +1,114 @@
+#include "soms/io/detail/format.h"
+
+#include "soms/io/detail/ply.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+
+namespace soms::detail {
+
+namespace {
+
+bool is_ply(std::string_view bytes) {
+  return bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
+}
+
+constexpr std::array<ReadFormat, 1> kFormats = {{
+    {"PLY", ".ply", is_ply, read_ply},
+}};
+
+/// Content that is no model, or none that can be read here.
+struct Foreign {
+  std::string_view begin;
+  std::string_view what;
+  std::string_view remedy;
+};
+
+constexpr std::string_view kUnpack = "unpack it first";
+constexpr std::string_view kConvert = "convert it to one of the formats that are read";
+
+constexpr std::array<Foreign, 14> kForeign = {{
+    {"glTF", "a glTF file", kConvert},
+    {"{", "a JSON file", kConvert},
+    {"<!DOCTYPE", "a web page", "get the file that the page offers"},
+    {"<!doctype", "a web page", "get the file that the page offers"},
+    {"<html", "a web page", "get the file that the page offers"},
+    {"<", "an XML file", kConvert},
+    {"version https://git-lfs", "the pointer that Git LFS keeps in place of a file",
+     "fetch the file: git lfs pull"},
+    {"\x1f\x8b", "a gzip file", kUnpack},
+    {"PK\x03\x04", "a zip file", kUnpack},
+    {"\xfd"
+     "7zXZ",
+     "an xz file", kUnpack},
+    {"BZh", "a bzip2 file", kUnpack},
+    {"\x28\xb5\x2f\xfd", "a zstd file", kUnpack},
+    {"\xff\xfe", "text in UTF-16", "save it as ASCII or UTF-8"},
+    {"\xfe\xff", "text in UTF-16", "save it as ASCII or UTF-8"},
+}};
+
+/// The ending of a file name in lower case, with its point.
+std::string ending_of(std::string_view name) {
+  const std::size_t point = name.find_last_of("./\\");
+  if (point == std::string_view::npos || name[point] != '.') {
+    return {};
+  }
+  std::string ending(name.substr(point));
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+std::string format_list() {
+  std::string list;
+  for (const ReadFormat& format : kFormats) {
+    list += (list.empty() ? "" : ", ") + std::string(format.name);
+  }
+  return list;
+}
+
+[[noreturn]] void fail_unsupported(const Source& source, const std::string& what,
+                                   const std::string& remedy) {
+  source.fail(ErrorKind::unsupported, what, remedy + "; formats that are read: " + format_list());
+}
+
+}  // namespace
+
+const ReadFormat& identify(const Source& source) {
+  if (source.bytes.empty()) {
+    source.fail(ErrorKind::bad_file, "the file is empty", "get the file whole");
+  }
+  const auto by_content = std::find_if(kFormats.begin(), kFormats.end(), [&](const ReadFormat& f) {
+    return f.recognizes(source.bytes);
+  });
+  const std::string ending = ending_of(source.name);
+  const auto by_name = std::find_if(kFormats.begin(), kFormats.end(),
+                                    [&](const ReadFormat& f) { return f.ending == ending; });
+  if (by_content != kFormats.end()) {
+    if (by_name != kFormats.end() && by_name != by_content) {
+      source.fail(ErrorKind::bad_file,
+                  "the content is " + std::string(by_content->name) + ", the name says " +
+                      std::string(by_name->name),
+                  "rename the file to end with " + std::string(by_content->ending));
+    }
+    return *by_content;
+  }
+  const std::size_t begin =
+      std::min(source.bytes.find_first_not_of(" \t\r\n"), source.bytes.size());
+  for (const Foreign& foreign : kForeign) {
+    if (source.bytes.substr(begin).starts_with(foreign.begin)) {
+      fail_unsupported(source, std::string(foreign.what), std::string(foreign.remedy));
+    }
+  }
+  if (by_name == kFormats.end()) {
+    fail_unsupported(source,
+                     ending.empty() ? "a file of unknown format and without an ending"
+                                    : "format " + in_quotes(ending) + " is not read",
+                     std::string(kConvert));
+  }
+  return *by_name;
+}
+
+}  // namespace soms::detail

@@ -1,0 +1,93 @@
+#include "soms/io/detail/mesh_builder.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace soms::detail {
+
+namespace {
+
+/// Bytes a corner of a polygon that the triangulator and the copy of its corners take for a while.
+constexpr std::uint64_t kBytesPerCorner = 80;
+/// Smaller polygons' memory is lost in the allowance.
+constexpr std::size_t kLargePolygon = 4096;
+
+}  // namespace
+
+/// Makes the map triangle -> face of what was the identity so far.
+void MeshBuilder::map_faces() {
+  mapped_ = true;
+  reserve(mesh_.faces, mesh_.triangles.size());
+  for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
+    push(mesh_.faces, i);
+  }
+}
+
+void MeshBuilder::add_face(std::span<const std::uint32_t> corners) {
+  if (corners.size() == 3) {
+    add_triangle(corners[0], corners[1], corners[2]);
+    return;
+  }
+  if (!mapped_) {
+    map_faces();
+  }
+  if (corners.size() < 3) {
+    ++thin_faces_;
+    ++face_;
+    return;
+  }
+  const std::uint64_t extra =
+      corners.size() > kLargePolygon ? kBytesPerCorner * corners.size() : std::uint64_t{0};
+  if (!source_.budget.take(extra)) {
+    source_.fail_memory(extra);
+  }
+  corners_.clear();
+  for (const std::uint32_t v : corners) {
+    corners_.push_back(mesh_.vertices[v]);
+  }
+  for (const auto& [a, b, c] : triangulator_.triangulate(corners_)) {
+    push(mesh_.triangles, {corners[a], corners[b], corners[c]});
+    push(mesh_.faces, face_);
+  }
+  ++face_;
+  source_.budget.give_back(extra);
+}
+
+/// Closes the open part; one without triangles vanishes.
+void MeshBuilder::end_part() {
+  if (!mesh_.parts.empty()) {
+    Part& part = mesh_.parts.back();
+    part.count = static_cast<std::uint32_t>(mesh_.triangles.size()) - part.first;
+    if (part.count == 0) {
+      mesh_.parts.pop_back();
+    }
+  }
+}
+
+void MeshBuilder::begin_part(std::string_view name) {
+  end_part();
+  const auto first = static_cast<std::uint32_t>(mesh_.triangles.size());
+  // Triangles before the first name are a part without one.
+  if (mesh_.parts.empty() && first > 0) {
+    push(mesh_.parts, {"", Part::kNoParent, 0, first});
+  }
+  push(mesh_.parts, {std::string(name), Part::kNoParent, first, 0});
+}
+
+Mesh MeshBuilder::finish() {
+  end_part();
+  if (thin_faces_ > 0) {
+    note("faces with fewer than three corners, which gave no triangle: " +
+         std::to_string(thin_faces_));
+  }
+  if (mesh_.triangles.empty() && !source_.allow_empty) {
+    source_.fail(ErrorKind::empty_mesh,
+                 "no triangles (" + std::to_string(mesh_.vertices.size()) + " vertices)",
+                 "give a model with faces, or allow an empty one (allow_empty, --allow-empty)");
+  }
+  mesh_.source = source_.name;
+  return std::move(mesh_);
+}
+
+}  // namespace soms::detail

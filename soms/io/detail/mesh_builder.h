@@ -1,0 +1,104 @@
+/// \file
+/// A mesh that grows while a file is read, within the reader's memory.
+#pragma once
+
+#include "soms/geometry/mesh.h"
+#include "soms/geometry/polygon.h"
+#include "soms/io/detail/source.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace soms::detail {
+
+/// Collects vertices, faces and parts. Indices are checked by the reader, which knows the place.
+class MeshBuilder {
+ public:
+  explicit MeshBuilder(Source& source) : source_(source) {}
+
+  /// Room for exactly so many more; the counts have been checked against the file's size.
+  void reserve_vertices(std::uint64_t count) { reserve(mesh_.vertices, count); }
+
+  void reserve_triangles(std::uint64_t count) { reserve(mesh_.triangles, count); }
+
+  void add_vertex(const Vec3& v) { push(mesh_.vertices, v); }
+
+  /// A face of three corners.
+  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    push(mesh_.triangles, {a, b, c});
+    if (mapped_) [[unlikely]] {
+      push(mesh_.faces, face_);
+    }
+    ++face_;
+  }
+
+  /// A face of any number of corners: n-2 triangles; fewer than three corners give none, which is
+  /// noted in the mesh.
+  /// \errors ErrorKind::out_of_memory, out_of_range.
+  void add_face(std::span<const std::uint32_t> corners);
+
+  /// Begins a part that holds all triangles from here to the next one. Parts without triangles
+  /// vanish.
+  void begin_part(std::string_view name);
+
+  void note(std::string text) { mesh_.notes.push_back(std::move(text)); }
+
+  [[nodiscard]] const std::vector<Vec3>& vertices() const { return mesh_.vertices; }
+
+  [[nodiscard]] std::size_t triangle_count() const { return mesh_.triangles.size(); }
+
+  /// Vectors for readers that fill them in one go after reserving.
+  [[nodiscard]] std::vector<Vec3>& raw_vertices() { return mesh_.vertices; }
+
+  /// The mesh. \errors ErrorKind::empty_mesh.
+  [[nodiscard]] Mesh finish();
+
+ private:
+  template <class T>
+  void reserve(std::vector<T>& items, std::uint64_t more) {
+    const std::uint64_t wanted = items.size() + more;
+    if (wanted > items.capacity()) {
+      grow(items, wanted);
+    }
+  }
+
+  template <class T>
+  void push(std::vector<T>& items, const T& item) {
+    if (items.size() == items.capacity()) [[unlikely]] {
+      grow(items, std::max<std::uint64_t>(16, 2 * std::uint64_t{items.size()}));
+    }
+    items.push_back(item);
+  }
+
+  /// New memory is taken before the old is given back: the peak counts.
+  template <class T>
+  void grow(std::vector<T>& items, std::uint64_t capacity) {
+    if (items.size() >= kMaxPrimitives) {
+      source_.fail(ErrorKind::out_of_range, "more than 2^31 - 1 vertices or triangles",
+                   "split the model");
+    }
+    capacity = std::min(capacity, kMaxPrimitives);
+    if (!source_.budget.take(capacity * sizeof(T))) {
+      source_.fail_memory(capacity * sizeof(T));
+    }
+    const std::uint64_t old = items.capacity() * sizeof(T);
+    items.reserve(static_cast<std::size_t>(capacity));
+    source_.budget.give_back(old);
+  }
+
+  void map_faces();
+  void end_part();
+
+  Source& source_;
+  Mesh mesh_;
+  PolygonTriangulator triangulator_;
+  std::vector<Vec3> corners_;
+  std::uint32_t face_ = 0;
+  std::uint64_t thin_faces_ = 0;
+  bool mapped_ = false;
+};
+
+}  // namespace soms::detail

@@ -1,0 +1,114 @@
+#include "soms/io/detail/ply.h"
+
+#include "soms/io/detail/ply_binary.h"
+#include "soms/io/detail/ply_text.h"
+
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace soms::detail {
+
+namespace {
+
+const PlyElement* find_element(const Source& source, const PlyHeader& header,
+                               std::string_view name) {
+  const PlyElement* found = nullptr;
+  for (const PlyElement& element : header.elements) {
+    if (element.name == name) {
+      if (found != nullptr) {
+        source.fail(ErrorKind::bad_file, "element " + in_quotes(name) + " stands twice",
+                    "repair the header");
+      }
+      found = &element;
+    }
+  }
+  return found;
+}
+
+VertexColumns vertex_columns(const Source& source, const PlyElement& vertices) {
+  VertexColumns columns{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string_view name = std::string_view("xyz").substr(axis, 1);
+    const auto found = vertices.find(source, name);
+    if (!found) {
+      source.fail(ErrorKind::bad_file, "vertices have no property " + in_quotes(name),
+                  "give x, y and z");
+    }
+    if (vertices.properties[*found].is_list) {
+      source.fail(ErrorKind::bad_file, "the vertices' property " + in_quotes(name) + " is a list",
+                  "give one number");
+    }
+    columns[axis] = *found;
+  }
+  return columns;
+}
+
+/// The list of corners, under either of its usual names.
+std::size_t corner_column(const Source& source, const PlyElement& element) {
+  auto found = element.find(source, "vertex_indices");
+  const auto other = element.find(source, "vertex_index");
+  if (found && other) {
+    source.fail(ErrorKind::bad_file,
+                "element " + in_quotes(element.name) + " has both vertex_indices and vertex_index",
+                "keep one of them");
+  }
+  found = found ? found : other;
+  if (!found || !element.properties[*found].is_list) {
+    source.fail(
+        ErrorKind::bad_file,
+        "element " + in_quotes(element.name) + " has no list vertex_indices or vertex_index",
+        "add the corners of the faces");
+  }
+  return *found;
+}
+
+void read_corners(const Source& source, PlyBody& body, const PlyElement& element) {
+  const std::size_t column = corner_column(source, element);
+  if (element.name == "face") {
+    body.read_faces(element, column);
+  } else {
+    body.read_strips(element, column);
+  }
+}
+
+}  // namespace
+
+Mesh read_ply(Source& source) {
+  const PlyHeader header = read_ply_header(source);
+  const PlyElement* vertices = find_element(source, header, "vertex");
+  const PlyElement* faces = find_element(source, header, "face");
+  const PlyElement* strips = find_element(source, header, "tristrips");
+  if (vertices == nullptr) {
+    source.fail(ErrorKind::bad_file, "the header names no element vertex", "add the vertices");
+  }
+  const VertexColumns columns = vertex_columns(source, *vertices);
+  MeshBuilder builder(source);
+  const std::unique_ptr<PlyBody> body = header.format == PlyFormat::ascii
+                                            ? make_ply_text(source, builder, header)
+                                            : make_ply_binary(source, builder, header);
+  bool have_vertices = false;
+  // Faces before the vertices are passed, and read in order once the vertices are known.
+  std::vector<std::pair<const PlyElement*, std::size_t>> early;
+  for (const PlyElement& element : header.elements) {
+    if (&element == vertices) {
+      body->read_vertices(element, columns);
+      have_vertices = true;
+    } else if ((&element != faces && &element != strips) || element.count == 0) {
+      body->skip(element);
+    } else if (have_vertices && early.empty()) {
+      read_corners(source, *body, element);
+    } else {
+      early.emplace_back(&element, body->position());
+      body->skip(element);
+    }
+  }
+  for (const auto& [element, position] : early) {
+    body->go_to(position);
+    read_corners(source, *body, *element);
+  }
+  return builder.finish();
+}
+
+}  // namespace soms::detail

@@ -1,0 +1,243 @@
+#include "soms/io/detail/ply_text.h"
+
+#include "soms/io/detail/text.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace soms::detail {
+
+namespace {
+
+struct Range {
+  std::int64_t lower = 0;
+  std::int64_t upper = 0;
+};
+
+template <class T>
+constexpr Range range_of() {
+  return {std::numeric_limits<T>::lowest(), std::numeric_limits<T>::max()};
+}
+
+/// Values of a whole type.
+Range range(PlyType type) {
+  switch (type) {
+    case PlyType::int8:
+      return range_of<std::int8_t>();
+    case PlyType::uint8:
+      return range_of<std::uint8_t>();
+    case PlyType::int16:
+      return range_of<std::int16_t>();
+    case PlyType::uint16:
+      return range_of<std::uint16_t>();
+    case PlyType::int32:
+      return range_of<std::int32_t>();
+    default:
+      return range_of<std::uint32_t>();
+  }
+}
+
+/// Values are parted by blanks and line ends of any number; a row need not be a line.
+class PlyText final : public PlyBody {
+ public:
+  PlyText(Source& source, MeshBuilder& builder, std::size_t body)
+      : PlyBody(source, builder), scanner_(source, body) {}
+
+  [[nodiscard]] std::size_t position() const override { return scanner_.position(); }
+
+  void go_to(std::size_t position) override { scanner_ = TextScanner(source_, position); }
+
+  void skip(const PlyElement& element) override;
+  void read_vertices(const PlyElement& element, const VertexColumns& columns) override;
+  void read_faces(const PlyElement& element, std::size_t column) override;
+  void read_strips(const PlyElement& element, std::size_t column) override;
+
+ private:
+  void check_count(const PlyElement& element) const;
+  double read_number(const PlyProperty& property);
+  std::int64_t read_integer(const PlyProperty& property, PlyType type);
+  std::int64_t read_length(const PlyProperty& property);
+  void read_corners(const PlyProperty& property, std::int64_t least);
+  void pass(const PlyProperty& property);
+  void pass_word(const PlyProperty& property);
+
+  TextScanner scanner_;
+  std::vector<std::int64_t> corners_;
+  std::vector<std::uint32_t> face_;
+};
+
+/// Every value takes a character and, but for the last, a blank.
+void PlyText::check_count(const PlyElement& element) const {
+  const std::uint64_t row = 2 * std::uint64_t{element.properties.size()};
+  if (row > 0 && element.count > (std::uint64_t{scanner_.left()} + 1) / row) {
+    scanner_.fail(ErrorKind::bad_file,
+                  std::to_string(element.count) + " rows of element " + in_quotes(element.name) +
+                      " do not fit into the " + std::to_string(scanner_.left()) +
+                      " bytes that are left",
+                  "get the file whole, or repair it");
+  }
+}
+
+void PlyText::pass_word(const PlyProperty& property) {
+  if (scanner_.word().empty()) {
+    scanner_.fail(ErrorKind::bad_file,
+                  "the file ends where property " + in_quotes(property.name) + " should be",
+                  "get the file whole, or repair it");
+  }
+}
+
+std::int64_t PlyText::read_integer(const PlyProperty& property, PlyType type) {
+  scanner_.skip_space();
+  const TextScanner before = scanner_;
+  const std::int64_t value = scanner_.integer(property.name);
+  const Range allowed = range(type);
+  if (value < allowed.lower || value > allowed.upper) {
+    before.fail(ErrorKind::bad_file,
+                in_quotes(property.name) + " is " + std::to_string(value) + ", beyond its type",
+                "repair the file");
+  }
+  return value;
+}
+
+double PlyText::read_number(const PlyProperty& property) {
+  if (!is_floating(property.type)) {
+    return static_cast<double>(read_integer(property, property.type));
+  }
+  scanner_.skip_space();
+  return scanner_.number(
+      property.type == PlyType::float32 ? Precision::as_float : Precision::as_double,
+      property.name);
+}
+
+std::int64_t PlyText::read_length(const PlyProperty& property) {
+  scanner_.skip_space();
+  const TextScanner before = scanner_;
+  const std::int64_t length = read_integer(property, property.count_type);
+  if (length < 0 || static_cast<std::uint64_t>(length) > (scanner_.left() + 1) / 2) {
+    before.fail(ErrorKind::bad_file,
+                "list " + in_quotes(property.name) + " of length " + std::to_string(length) +
+                    " in the " + std::to_string(scanner_.left()) + " bytes that are left",
+                "get the file whole, or repair it");
+  }
+  return length;
+}
+
+void PlyText::pass(const PlyProperty& property) {
+  if (!property.is_list) {
+    pass_word(property);
+    return;
+  }
+  const std::int64_t length = read_length(property);
+  for (std::int64_t i = 0; i < length; ++i) {
+    pass_word(property);
+  }
+}
+
+void PlyText::skip(const PlyElement& element) {
+  check_count(element);
+  if (element.properties.empty()) {
+    return;
+  }
+  for (std::uint64_t row = 0; row < element.count; ++row) {
+    if (row % kRowsPerTick == 0) {
+      source_.tick(position());
+    }
+    for (const PlyProperty& property : element.properties) {
+      pass(property);
+    }
+  }
+}
+
+void PlyText::read_vertices(const PlyElement& element, const VertexColumns& columns) {
+  check_count(element);
+  builder_.reserve_vertices(element.count);
+  constexpr std::size_t kNoAxis = 3;
+  std::vector<std::size_t> axes(element.properties.size(), kNoAxis);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    axes[columns[axis]] = axis;
+  }
+  for (std::uint64_t row = 0; row < element.count; ++row) {
+    if (row % kRowsPerTick == 0) {
+      source_.tick(position());
+    }
+    Vec3 v;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      if (axes[i] == kNoAxis) {
+        pass(element.properties[i]);
+      } else {
+        v[axes[i]] = read_number(element.properties[i]);
+      }
+    }
+    if (!fit_for_mesh(v)) [[unlikely]] {
+      const CoordinateFault fault = describe_fault(v);
+      scanner_.fail(fault.kind, "vertex " + std::to_string(row) + ": " + fault.what, fault.remedy);
+    }
+    builder_.add_vertex(v);
+  }
+}
+
+/// Reads a list of vertex numbers, each at least `least` and below the number of vertices.
+void PlyText::read_corners(const PlyProperty& property, std::int64_t least) {
+  const std::int64_t length = read_length(property);
+  const auto vertices = static_cast<std::int64_t>(builder_.vertices().size());
+  corners_.clear();
+  for (std::int64_t i = 0; i < length; ++i) {
+    scanner_.skip_space();
+    const TextScanner before = scanner_;
+    const std::int64_t corner = scanner_.integer("a vertex number");
+    if (corner < least || corner >= vertices) [[unlikely]] {
+      before.fail(ErrorKind::bad_file,
+                  "vertex " + std::to_string(corner) + " of " + std::to_string(vertices),
+                  "repair or drop the face");
+    }
+    corners_.push_back(corner);
+  }
+}
+
+void PlyText::read_faces(const PlyElement& element, std::size_t column) {
+  check_count(element);
+  builder_.reserve_triangles(std::min(element.count, std::uint64_t{scanner_.left()} / 4));
+  for (std::uint64_t row = 0; row < element.count; ++row) {
+    if (row % kRowsPerTick == 0) {
+      source_.tick(position());
+    }
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      if (i == column) {
+        read_corners(element.properties[i], 0);
+      } else {
+        pass(element.properties[i]);
+      }
+    }
+    face_.assign(corners_.begin(), corners_.end());
+    builder_.add_face(face_);
+  }
+}
+
+void PlyText::read_strips(const PlyElement& element, std::size_t column) {
+  check_count(element);
+  for (std::uint64_t row = 0; row < element.count; ++row) {
+    source_.tick(position());
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      if (i != column) {
+        pass(element.properties[i]);
+        continue;
+      }
+      read_corners(element.properties[i], -1);
+      PlyStrip strip(builder_);
+      for (const std::int64_t corner : corners_) {
+        strip.add(corner);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<PlyBody> make_ply_text(Source& source, MeshBuilder& builder,
+                                       const PlyHeader& header) {
+  return std::make_unique<PlyText>(source, builder, header.body);
+}
+
+}  // namespace soms::detail

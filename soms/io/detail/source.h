@@ -1,0 +1,72 @@
+/// \file
+/// The bytes of one file while it is read, with its limits and the errors that name a place in it.
+#pragma once
+
+#include "soms/base/error.h"
+#include "soms/base/parallel.h"
+#include "soms/io/read_mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace soms::detail {
+
+/// Bytes that a reader may still allocate.
+class Budget {
+ public:
+  explicit Budget(std::uint64_t limit) : left_(limit) {}
+
+  /// False, and nothing taken, when fewer than `bytes` are left.
+  [[nodiscard]] bool take(std::uint64_t bytes) {
+    if (bytes > left_) {
+      return false;
+    }
+    left_ -= bytes;
+    return true;
+  }
+
+  void give_back(std::uint64_t bytes) { left_ += bytes; }
+
+ private:
+  std::uint64_t left_;
+};
+
+/// What every reader is given.
+struct Source {
+  std::string_view bytes;
+  std::size_t skipped = 0;  ///< bytes of the file before `bytes`: a byte order mark
+  std::string name;         ///< for messages and `Mesh::source`
+  bool allow_empty = false;
+  Budget budget{0};
+  const Parallel& parallel;
+
+  /// Reports progress and ends the reading if that was asked; called every few thousand items.
+  void tick(std::size_t position) const;
+
+  /// The limit of memory is reached.
+  [[noreturn]] void fail_memory(std::uint64_t wanted) const;
+
+  /// An error of the whole file.
+  [[noreturn]] void fail(ErrorKind kind, const std::string& what, const std::string& remedy) const;
+
+  /// An error in text: names the line of `position`, counted only now.
+  [[noreturn]] void fail_line(std::size_t position, ErrorKind kind, const std::string& what,
+                              const std::string& remedy) const;
+
+  /// An error in binary data: names the byte `position`.
+  [[noreturn]] void fail_byte(std::size_t position, ErrorKind kind, const std::string& what,
+                              const std::string& remedy) const;
+};
+
+/// Rows between two calls of `Source::tick`.
+inline constexpr std::size_t kRowsPerTick = 1 << 16;
+
+/// Number of the line, from 1, that holds `position`; lines end with LF, CRLF or CR.
+[[nodiscard]] std::size_t line_of(std::string_view bytes, std::size_t position);
+
+/// A word of a file made fit for a message: at most 40 characters, unprintable ones as '?'.
+[[nodiscard]] std::string in_quotes(std::string_view word);
+
+}  // namespace soms::detail

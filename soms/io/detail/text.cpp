@@ -1,0 +1,215 @@
+#include "soms/io/detail/text.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace soms::detail {
+
+namespace {
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// True if a number out of its type's range is too large, not too small: by the decimal exponent of
+/// its first digit that is not zero.
+bool exceeds(const char* begin, const char* end) {
+  const char* p = begin;
+  std::int64_t exponent = 0;
+  bool point = false;
+  bool found = false;
+  for (; p != end && *p != 'e' && *p != 'E'; ++p) {
+    if (*p == '.') {
+      point = true;
+    } else if (is_digit(*p)) {
+      found = found || *p != '0';
+      exponent += found && !point ? 1 : 0;
+      exponent -= !found && point ? 1 : 0;
+    }
+  }
+  if (p == end) {
+    return exponent > 0;
+  }
+  ++p;
+  const bool negative = p != end && *p == '-';
+  p += p != end && (*p == '-' || *p == '+') ? 1 : 0;
+  std::int64_t written = 0;
+  if (std::from_chars(p, end, written).ec != std::errc()) {
+    return !negative;
+  }
+  // Files are shorter than 2^60 digits, so the sum cannot overflow once this is bounded.
+  written = std::min(written, std::int64_t{1} << 61);
+  return exponent + (negative ? -written : written) > 0;
+}
+
+template <class T>
+ParsedNumber parse(const char* begin, const char* end) {
+  T value = 0;
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (error == std::errc()) {
+    return {static_cast<double>(value), stop, NumberStatus::good};
+  }
+  if (error != std::errc::result_out_of_range) {
+    return {};
+  }
+  if (exceeds(begin, stop)) {
+    return {0, stop, NumberStatus::too_large};
+  }
+  return {*begin == '-' ? -0.0 : 0.0, stop, NumberStatus::good};
+}
+
+}  // namespace
+
+void TextScanner::skip_blanks() {
+  while (at_ != end_ && is_blank(*at_)) {
+    ++at_;
+  }
+}
+
+void TextScanner::skip_space() {
+  while (at_ != end_ && (is_blank(*at_) || is_line_end(*at_))) {
+    ++at_;
+  }
+}
+
+void TextScanner::skip_line() {
+  while (at_ != end_ && !is_line_end(*at_)) {
+    ++at_;
+  }
+  if (at_ != end_) {
+    ++at_;
+  }
+}
+
+bool TextScanner::at_line_end() {
+  skip_blanks();
+  return at_ == end_ || is_line_end(*at_);
+}
+
+std::string_view TextScanner::peek() const {
+  const char* stop = at_;
+  while (stop != end_ && !is_blank(*stop) && !is_line_end(*stop)) {
+    ++stop;
+  }
+  return {at_, static_cast<std::size_t>(stop - at_)};
+}
+
+std::string_view TextScanner::word_in_line() {
+  skip_blanks();
+  const std::string_view found = peek();
+  at_ += found.size();
+  return found;
+}
+
+std::string_view TextScanner::word() {
+  skip_space();
+  return word_in_line();
+}
+
+std::string_view TextScanner::rest_of_line() {
+  skip_blanks();
+  const char* begin = at_;
+  while (at_ != end_ && !is_line_end(*at_)) {
+    ++at_;
+  }
+  const char* stop = at_;
+  while (stop != begin && is_blank(stop[-1])) {
+    --stop;
+  }
+  if (at_ != end_) {
+    ++at_;
+  }
+  return {begin, static_cast<std::size_t>(stop - begin)};
+}
+
+void TextScanner::fail_number(std::string_view what, std::string_view expected) const {
+  const std::string_view found = peek();
+  if (found.empty()) {
+    fail(ErrorKind::bad_file,
+         std::string(what) + " is missing: the " + (at_end() ? "file" : "line") + " ends",
+         "get the file whole, or repair it");
+  }
+  fail(ErrorKind::bad_file,
+       std::string(what) + " is " + in_quotes(found) + ", not " + std::string(expected),
+       "repair the file");
+}
+
+double TextScanner::number(Precision precision, std::string_view what) {
+  skip_blanks();
+  const ParsedNumber parsed = parse_number(at_, end_, precision);
+  const bool whole = parsed.status != NumberStatus::not_a_number &&
+                     (parsed.end == end_ || is_blank(*parsed.end) || is_line_end(*parsed.end));
+  if (!whole) {
+    fail_number(what, "a number");
+  }
+  if (parsed.status == NumberStatus::too_large) {
+    fail(ErrorKind::not_finite,
+         std::string(what) + " is " + in_quotes(peek()) + ", too large for a " +
+             (precision == Precision::as_float ? "float" : "double"),
+         "repair or scale the model");
+  }
+  at_ = parsed.end;
+  return parsed.value;
+}
+
+Vec3 TextScanner::vertex(Precision precision) {
+  Vec3 v;
+  v.x = number(precision, "x of a vertex");
+  v.y = number(precision, "y of a vertex");
+  v.z = number(precision, "z of a vertex");
+  if (!fit_for_mesh(v)) [[unlikely]] {
+    const CoordinateFault fault = describe_fault(v);
+    fail(fault.kind, fault.what, fault.remedy);
+  }
+  return v;
+}
+
+std::int64_t TextScanner::integer(std::string_view what) {
+  skip_blanks();
+  const char* begin = at_;
+  if (begin != end_ && *begin == '+' && begin + 1 != end_ && is_digit(begin[1])) {
+    ++begin;
+  }
+  std::int64_t value = 0;
+  const auto [stop, error] = std::from_chars(begin, end_, value);
+  if (error != std::errc() || (stop != end_ && !is_blank(*stop) && !is_line_end(*stop))) {
+    fail_number(what, "a whole number");
+  }
+  at_ = stop;
+  return value;
+}
+
+std::string_view take_word(std::string_view& line) {
+  std::size_t begin = 0;
+  while (begin < line.size() && is_blank(line[begin])) {
+    ++begin;
+  }
+  std::size_t end = begin;
+  while (end < line.size() && !is_blank(line[end])) {
+    ++end;
+  }
+  const std::string_view found = line.substr(begin, end - begin);
+  line.remove_prefix(end);
+  return found;
+}
+
+ParsedNumber parse_number(const char* begin, const char* end, Precision precision) {
+  if (begin != end && *begin == '+' && begin + 1 != end && begin[1] != '-') {
+    ++begin;
+  }
+  return precision == Precision::as_float ? parse<float>(begin, end) : parse<double>(begin, end);
+}
+
+CoordinateFault describe_fault(const Vec3& vertex) {
+  std::size_t axis = 0;
+  while (axis < 2 && std::abs(vertex[axis]) <= kMaxCoordinate) {
+    ++axis;
+  }
+  const std::string what = std::string(1, "xyz"[axis]) + " of a vertex ";
+  if (!std::isfinite(vertex[axis])) {
+    return {ErrorKind::not_finite, what + "is not a finite number", "repair or drop the vertex"};
+  }
+  return {ErrorKind::out_of_range, what + "exceeds 2^300", "scale the model"};
+}
+
+}  // namespace soms::detail

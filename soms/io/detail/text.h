@@ -1,0 +1,119 @@
+/// \file
+/// Words and numbers of a text file: no locale, no copies, nothing beyond the last byte.
+#pragma once
+
+#include "soms/base/pose.h"
+#include "soms/base/vector.h"
+#include "soms/io/detail/source.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace soms::detail {
+
+/// How the text of a number becomes a double.
+enum class Precision { as_double, as_float };
+
+/// Reads a text from front to back. Blanks are space, tab, VT and FF; lines end with LF or CR (a
+/// CRLF leaves an empty line behind, which nobody sees).
+class TextScanner {
+ public:
+  TextScanner(const Source& source, std::size_t position)
+      : source_(&source),
+        at_(source.bytes.data() + position),
+        end_(source.bytes.data() + source.bytes.size()) {}
+
+  [[nodiscard]] std::size_t position() const {
+    return static_cast<std::size_t>(at_ - source_->bytes.data());
+  }
+
+  /// Bytes that are left.
+  [[nodiscard]] std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
+
+  [[nodiscard]] bool at_end() const { return at_ == end_; }
+
+  /// Passes blanks.
+  void skip_blanks();
+  /// Passes blanks and line ends.
+  void skip_space();
+  /// Passes the rest of the line and its end.
+  void skip_line();
+  /// True if nothing but blanks is left in the line.
+  [[nodiscard]] bool at_line_end();
+
+  /// The next word of this line; empty at its end.
+  [[nodiscard]] std::string_view word_in_line();
+  /// The next word, over line ends; empty at the end of the file.
+  [[nodiscard]] std::string_view word();
+  /// The rest of the line without blanks around it; its end is passed.
+  [[nodiscard]] std::string_view rest_of_line();
+
+  /// The next number of this line. `what` names it in errors ("x of a vertex").
+  /// \errors ErrorKind::bad_file, not_finite (nan, inf, or too large for the type).
+  [[nodiscard]] double number(Precision precision, std::string_view what);
+
+  /// Three numbers of this line that are a vertex: finite and at most 2^300.
+  /// \errors ErrorKind::bad_file, not_finite, out_of_range.
+  [[nodiscard]] Vec3 vertex(Precision precision);
+
+  /// The next whole number of this line.
+  /// \errors ErrorKind::bad_file: a fraction, a word, the end of the line, beyond 64 bits.
+  [[nodiscard]] std::int64_t integer(std::string_view what);
+
+  [[noreturn]] void fail(ErrorKind kind, const std::string& what, const std::string& remedy) const {
+    source_->fail_line(position(), kind, what, remedy);
+  }
+
+ private:
+  [[nodiscard]] std::string_view peek() const;
+  [[noreturn]] void fail_number(std::string_view what, std::string_view expected) const;
+
+  const Source* source_;
+  const char* at_;
+  const char* end_;
+};
+
+[[nodiscard]] constexpr bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+[[nodiscard]] constexpr bool is_line_end(char c) {
+  return c == '\n' || c == '\r';
+}
+
+/// Takes the next word from the front of a line; empty at its end.
+[[nodiscard]] std::string_view take_word(std::string_view& line);
+
+/// Outcome of `parse_number`.
+enum class NumberStatus { good, not_a_number, too_large };
+
+struct ParsedNumber {
+  double value = 0;
+  const char* end = nullptr;  ///< behind the number's last character
+  NumberStatus status = NumberStatus::not_a_number;
+};
+
+/// The number at the front of `[begin, end)`: decimal, correctly rounded to the type; one too small
+/// becomes zero. A sign + is accepted; "nan" and "inf" are numbers.
+[[nodiscard]] ParsedNumber parse_number(const char* begin, const char* end, Precision precision);
+
+/// What is wrong with a vertex that is not fit for a mesh.
+struct CoordinateFault {
+  ErrorKind kind = ErrorKind::not_finite;
+  std::string what;
+  std::string remedy;
+};
+
+/// \pre `fit_for_mesh(vertex)` is false.
+[[nodiscard]] CoordinateFault describe_fault(const Vec3& vertex);
+
+/// True if all coordinates are finite and of magnitude at most 2^300.
+[[nodiscard]] inline bool fit_for_mesh(const Vec3& vertex) {
+  return std::abs(vertex.x) <= kMaxCoordinate && std::abs(vertex.y) <= kMaxCoordinate &&
+         std::abs(vertex.z) <= kMaxCoordinate;
+}
+
+}  // namespace soms::detail

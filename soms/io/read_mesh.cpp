@@ -1,0 +1,77 @@
+#include "soms/io/read_mesh.h"
+
+#include "soms/base/error.h"
+#include "soms/io/detail/file.h"
+#include "soms/io/detail/format.h"
+#include "soms/io/detail/source.h"
+
+#include <limits>
+#include <new>
+#include <string_view>
+
+namespace soms {
+
+namespace {
+
+constexpr std::uint64_t kAllowance = std::uint64_t{64} << 20;
+constexpr std::uint64_t kFactor = 64;
+
+std::uint64_t memory_limit(const ReadOptions& options, std::uint64_t size) {
+  if (options.max_memory > 0) {
+    return options.max_memory;
+  }
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  return size > (kMost - kAllowance) / kFactor ? kMost : kFactor * size + kAllowance;
+}
+
+/// Reads within `limit` bytes, of which `taken` are already used.
+Mesh read_bytes(std::string_view bytes, const std::string& name, std::uint64_t taken,
+                const ReadOptions& options, const Parallel& parallel) {
+  detail::Source source{.bytes = bytes,
+                        .name = name,
+                        .allow_empty = options.allow_empty,
+                        .budget = detail::Budget(memory_limit(options, bytes.size())),
+                        .parallel = parallel};
+  if (!source.budget.take(taken)) {
+    source.fail_memory(taken);
+  }
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (source.bytes.starts_with(kByteOrderMark)) {
+    source.skipped = kByteOrderMark.size();
+    source.bytes.remove_prefix(source.skipped);
+  }
+  Mesh mesh = detail::identify(source).read(source);
+  source.tick(source.bytes.size());
+  return mesh;
+}
+
+[[noreturn]] void fail_machine(const std::string& name) {
+  throw Error(ErrorKind::out_of_memory, name + ": this machine has too little free memory",
+              "free some, or use a smaller model");
+}
+
+}  // namespace
+
+Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options,
+               const Parallel& parallel) {
+  try {
+    check_stop(parallel);
+    const detail::FileBytes bytes = detail::read_file(path, options.max_memory);
+    return read_bytes(bytes.view(), path.string(), bytes.size, options, parallel);
+  } catch (const std::bad_alloc&) {
+    fail_machine(path.string());
+  }
+}
+
+Mesh read_mesh(std::span<const std::byte> bytes, const std::string& name,
+               const ReadOptions& options, const Parallel& parallel) {
+  try {
+    check_stop(parallel);
+    const auto* data = reinterpret_cast<const char*>(bytes.data());
+    return read_bytes({data, bytes.size()}, name, 0, options, parallel);
+  } catch (const std::bad_alloc&) {
+    fail_machine(name);
+  }
+}
+
+}  // namespace soms
