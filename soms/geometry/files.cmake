@@ -7,6 +7,7 @@ set(SOMS_HEADERS
   triangle_overlap.h
 )
 set(SOMS_SOURCES
+  defects.cpp
   detail/flat_overlap.cpp
   detail/orientation_exact.cpp
   mesh.cpp
