@@ -14,6 +14,11 @@ set(SOMS_HEADERS
   traversal_options.h
 )
 set(SOMS_SOURCES
+  detail/box_tests.cpp
+  detail/collector.cpp
+  detail/pair_walk.cpp
+  detail/relative_pose.cpp
+  overlap.cpp
   reference/overlap.cpp
   traversal/baselines.cpp
   traversal/e_node.cpp

@@ -2,6 +2,7 @@ set(SOMS_HEADERS
   build.h
   build_options.h
   check.h
+  layout/wide_tree.h
   option_names.h
   rule/rules.h
   rule/split.h
@@ -14,6 +15,7 @@ set(SOMS_SOURCES
   build/top_down.cpp
   build_options.cpp
   check.cpp
+  layout/wide_tree.cpp
   option_names.cpp
   rule/object_mean.cpp
   rule/object_median.cpp
@@ -21,6 +23,7 @@ set(SOMS_SOURCES
   rule/sah.cpp
   rule/soms.cpp
   rule/spatial_median.cpp
+  shape.cpp
   statistics.cpp
   tree.cpp
 )

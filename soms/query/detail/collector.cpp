@@ -1,0 +1,42 @@
+#include "soms/query/detail/collector.h"
+
+#include <algorithm>
+
+namespace soms::detail {
+
+void Watch::look() {
+  spent_ = 0;
+  check_stop(*parallel_);
+  late_ = late_ || (deadline_ && std::chrono::steady_clock::now() >= *deadline_);
+  over_ = done_ != nullptr && done_->load(std::memory_order_relaxed);
+}
+
+bool Collector::add(const TrianglePair& pair) {
+  if (mode_ == OverlapMode::first) {
+    if (!any_ || pair < least_) {
+      least_ = pair;
+    }
+    any_ = true;
+    return false;
+  }
+  any_ = true;
+  if (pairs_->size() - begin_ >= limit_) {
+    full_ = true;
+    return true;
+  }
+  pairs_->push_back(pair);
+  return mode_ == OverlapMode::any;
+}
+
+void Collector::finish() {
+  if (mode_ == OverlapMode::first && any_) {
+    if (limit_ == 0) {
+      full_ = true;
+    } else {
+      pairs_->push_back(least_);
+    }
+  }
+  std::sort(pairs_->begin() + static_cast<std::ptrdiff_t>(begin_), pairs_->end());
+}
+
+}  // namespace soms::detail

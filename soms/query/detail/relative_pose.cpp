@@ -1,0 +1,137 @@
+#include "soms/query/detail/relative_pose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace soms::detail {
+
+namespace {
+
+constexpr double kUnitRoundoff = 0x1p-53;
+
+float rounded_up(double x) {
+  const auto f = static_cast<float>(x);
+  return static_cast<double>(f) >= x ? f
+                                     : std::nextafter(f, std::numeric_limits<float>::infinity());
+}
+
+Matrix3 product(const Matrix3& a, const Matrix3& b) {
+  Matrix3 c = {};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      c[i][j] = (a[i][0] * b[0][j] + a[i][1] * b[1][j]) + a[i][2] * b[2][j];
+    }
+  }
+  return c;
+}
+
+/// Adjugate over determinant; for rotations to 1e-6 good to a few units in the last place.
+Matrix3 inverse_of(const Matrix3& r) {
+  Matrix3 adjugate = {};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t i1 = (i + 1) % 3;
+      const std::size_t i2 = (i + 2) % 3;
+      const std::size_t j1 = (j + 1) % 3;
+      const std::size_t j2 = (j + 2) % 3;
+      adjugate[j][i] = r[i1][j1] * r[i2][j2] - r[i1][j2] * r[i2][j1];
+    }
+  }
+  const double det =
+      (r[0][0] * adjugate[0][0] + r[0][1] * adjugate[1][0]) + r[0][2] * adjugate[2][0];
+  for (auto& row : adjugate) {
+    for (double& entry : row) {
+      entry /= det;
+    }
+  }
+  return adjugate;
+}
+
+double distance_from_identity(const Matrix3& m) {
+  double most = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      most = std::max(most, std::abs(m[i][j] - (i == j ? 1 : 0)));
+    }
+  }
+  return most;
+}
+
+/// Largest coordinate, and partial sum of one, that moving a vertex of `box` can give.
+double moved_reach(const Pose& pose, const Box& box) {
+  double most = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double sum = std::abs(pose.m[4 * k + 3]);
+    for (std::size_t j = 0; j < 3; ++j) {
+      sum += std::abs(pose.m[4 * k + j]) * std::max(std::abs(box.lower[j]), std::abs(box.upper[j]));
+    }
+    most = std::max(most, sum);
+  }
+  return most;
+}
+
+}  // namespace
+
+Matrix3 rotation(const Pose& pose) {
+  const auto& m = pose.m;
+  return {{{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}}};
+}
+
+Viewer::Viewer(const WideTree& t, const Pose& p)
+    : tree(&t),
+      pose(p),
+      inverse(inverse_of(rotation(p))),
+      residual(distance_from_identity(product(inverse, rotation(p)))),
+      reach(moved_reach(p, t.bounds())) {
+}
+
+RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const Viewer& y)
+    : matrix_(product(y.inverse, rotation(pose_x))), scale_(y.tree->scale()) {
+  const Vec3 between = pose_x.apply(x.origin()) - y.pose.apply(y.tree->origin());
+  for (std::size_t i = 0; i < 3; ++i) {
+    shift_[i] =
+        (y.inverse[i][0] * between.x + y.inverse[i][1] * between.y) + y.inverse[i][2] * between.z;
+    for (std::size_t j = 0; j < 3; ++j) {
+      rounded_[i][j] = static_cast<float>(matrix_[i][j]);
+      magnitude_[i][j] = std::abs(rounded_[i][j]);
+    }
+  }
+  Matrix3 transposed = {};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      transposed[i][j] = matrix_[j][i];
+    }
+  }
+  relative_ = rounded_up(0x1p-18 + distance_from_identity(product(transposed, matrix_)));
+  ratio_ = static_cast<float>(std::ldexp(1.0, y.tree->exponent() - x.exponent()));
+  const double reach = y.reach + moved_reach(pose_x, x.bounds());
+  const double slack = 2 * ((192 * kUnitRoundoff + 12 * y.residual) * reach + 0x1p-1064);
+  apart_ = roots_apart(x.nodes().front(), 1 / x.scale(), y.tree->nodes().front(),
+                       1 / y.tree->scale(), slack);
+  // Where rounding outweighs the body a thousandfold and more, every box meets every other.
+  if (slack * scale_ <= 0x1p60) {
+    slack_ = rounded_up(slack * scale_ + 0x1p-120);
+  } else {
+    slack_ = 0x1p100F;
+    scale_ = 0;
+  }
+}
+
+bool RelativePose::roots_apart(const WideNode& x, double unit_x, const WideNode& y, double unit_y,
+                               double slack) const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double turned =
+        (matrix_[i][0] * x.origin[0] + matrix_[i][1] * x.origin[1]) + matrix_[i][2] * x.origin[2];
+    double radius = static_cast<double>(y.own_half[i]) * unit_y + slack;
+    for (std::size_t j = 0; j < 3; ++j) {
+      radius += std::abs(matrix_[i][j]) * (static_cast<double>(x.own_half[j]) * unit_x);
+    }
+    if (std::abs((turned + shift_[i]) - y.origin[i]) > radius) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace soms::detail

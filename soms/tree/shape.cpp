@@ -1,0 +1,48 @@
+#include "soms/tree/shape.h"
+
+#include "soms/tree/build.h"
+#include "soms/tree/layout/wide_tree.h"
+
+#include <utility>
+
+namespace soms {
+
+namespace {
+
+std::size_t bytes_of(const Mesh& mesh) {
+  return mesh.vertices.capacity() * sizeof(Vec3) +
+         mesh.triangles.capacity() * sizeof(mesh.triangles[0]) +
+         mesh.faces.capacity() * sizeof(mesh.faces[0]) + mesh.parts.capacity() * sizeof(Part);
+}
+
+std::size_t bytes_of(const Tree& tree) {
+  return tree.nodes.capacity() * sizeof(Node) + tree.primitives.capacity() * sizeof(TriangleId);
+}
+
+}  // namespace
+
+Shape::Shape()
+    : mesh_(std::make_shared<const Mesh>()), layout_(std::make_shared<const WideTree>()) {
+}
+
+Shape::Shape(Mesh mesh, const ShapeOptions& options, const Parallel& parallel)
+    : Shape(std::make_shared<const Mesh>(std::move(mesh)), options, parallel) {
+}
+
+Shape::Shape(std::shared_ptr<const Mesh> mesh, const ShapeOptions& options,
+             const Parallel& parallel)
+    : mesh_(std::move(mesh)), build_options_(options.build) {
+  check(*mesh_);
+  auto tree = std::make_shared<const Tree>(build(*mesh_, options.build, parallel));
+  layout_ = std::make_shared<const WideTree>(*tree, *mesh_);
+  bounds_ = layout_->bounds();
+  if (options.keep_tree) {
+    tree_ = std::move(tree);
+  }
+}
+
+std::size_t Shape::memory() const {
+  return bytes_of(*mesh_) + layout_->memory() + (tree_ ? bytes_of(*tree_) : 0);
+}
+
+}  // namespace soms

@@ -1,0 +1,30 @@
+/// \file
+/// Inputs that try the default traversal: meshes of every awkward kind, poses of every allowed one.
+#pragma once
+
+#include "soms/base/pose.h"
+#include "soms/base/random.h"
+#include "soms/geometry/mesh.h"
+#include "soms/tree/build_options.h"
+
+namespace soms::test {
+
+/// A mesh of up to `most` triangles: soup, ball, plane, line, point, copies, or slivers.
+[[nodiscard]] Mesh awkward_mesh(Rng& rng, int most);
+
+/// The mesh with every vertex multiplied by `scale`, then shifted by `shift`.
+[[nodiscard]] Mesh placed(Mesh mesh, double scale, const Vec3& shift);
+
+/// A rotation: the identity, a quarter turn, or any, sometimes off orthonormal by up to 9e-7.
+[[nodiscard]] Pose awkward_rotation(Rng& rng);
+
+/// `rotation` with the shift that moves point `p` to `q`.
+[[nodiscard]] Pose moving(const Pose& rotation, const Vec3& p, const Vec3& q);
+
+/// Any rule, with leaves of 1, 4, 8 or 1000.
+[[nodiscard]] BuildOptions awkward_options(Rng& rng);
+
+/// A point drawn evenly from a box.
+[[nodiscard]] Vec3 point_in(Rng& rng, const Box& box);
+
+}  // namespace soms::test
