@@ -2,6 +2,7 @@ set(SOMS_HEADERS
   build.h
   build_options.h
   check.h
+  implicit.h
   layout/wide_tree.h
   option_names.h
   rule/rules.h
@@ -15,6 +16,7 @@ set(SOMS_SOURCES
   build/top_down.cpp
   build_options.cpp
   check.cpp
+  implicit.cpp
   layout/wide_tree.cpp
   option_names.cpp
   rule/object_mean.cpp

@@ -34,6 +34,22 @@ TreeId right_child_of(TreeId id) {
   return depth_of(id) < kMaxTreeIdDepth && id != kNoTreeId ? 2 * id + 2 : kNoTreeId;
 }
 
+const Node* find_node(const Tree& tree, TreeId id) {
+  if (tree.nodes.empty() || id == kNoTreeId) {
+    return nullptr;
+  }
+  // Below its leading one, id + 1 spells the way down: 0 is left, 1 is right.
+  const Node* node = tree.nodes.data();
+  for (int bit = depth_of(id) - 1; bit >= 0; --bit) {
+    if (node->is_leaf()) {
+      return nullptr;
+    }
+    const bool right = ((id + 1) >> static_cast<unsigned>(bit) & 1U) != 0;
+    node = &tree.nodes[right ? node->right : node->left];
+  }
+  return node;
+}
+
 std::uint64_t tree_hash(const Tree& tree) {
   Fnv1a hash;
   for (const Node& node : tree.nodes) {

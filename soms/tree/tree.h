@@ -67,7 +67,11 @@ struct Tree {
   }
 };
 
-/// FNV-1a 64 over all nodes and primitives: equal for equal trees on every machine.
+/// The node with this TreeId, or nullptr where the tree has none. O(depth).
+[[nodiscard]] const Node* find_node(const Tree& tree, TreeId id);
+
+/// FNV-1a 64 over all nodes and primitives: equal for equal trees on every machine; -0
+/// counts as 0.
 [[nodiscard]] std::uint64_t tree_hash(const Tree& tree);
 
 }  // namespace soms

@@ -212,6 +212,9 @@ class Builder {
     tree.primitives.resize(primitives_.size());
     std::transform(primitives_.begin(), primitives_.end(), tree.primitives.begin(),
                    [](const Primitive& p) { return p.id; });
+    if (parallel_.progress) {
+      parallel_.progress(1);
+    }
     return tree;
   }
 

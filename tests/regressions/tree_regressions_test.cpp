@@ -1,0 +1,171 @@
+// Faults that other tree builders had, asked of ours. R numbers are those of docs/regressions.
+#include "soms/base/error.h"
+#include "soms/tree/build.h"
+#include "soms/tree/check.h"
+#include "soms/tree/rule/rules.h"
+#include "soms/tree/statistics.h"
+
+#include "tests/support/support.h"
+
+#include <pthread.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace soms {
+namespace {
+
+void add(Mesh& mesh, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto v = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
+  mesh.triangles.push_back({v, v + 1, v + 2});
+}
+
+BuildOptions product(const RuleEntry& rule) {
+  BuildOptions options;
+  options.rule = rule.rule;
+  return options;
+}
+
+/// Builds by every rule with the product's options: whole, small leaves, shallow, linear memory.
+void expect_sound(const Mesh& mesh) {
+  for (const RuleEntry& rule : rules()) {
+    SCOPED_TRACE(rule.name);
+    const Tree tree = build(mesh, product(rule));
+    ASSERT_EQ(find_fault(tree, mesh), "");
+    const TreeStatistics s = statistics(tree, product(rule));
+    EXPECT_LT(s.depth, 64U);
+    EXPECT_LE(s.largest_leaf, 8U);
+    EXPECT_LE(s.nodes, 2 * mesh.triangles.size());
+  }
+}
+
+/// Runs `body` on a thread with a stack of 256 KiB.
+void on_small_stack(std::function<void()> body) {
+  pthread_attr_t attributes;
+  ASSERT_EQ(pthread_attr_init(&attributes), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, std::size_t{256} << 10), 0);
+  pthread_t thread{};
+  ASSERT_EQ(pthread_create(
+                &thread, &attributes,
+                [](void* f) -> void* {
+                  (*static_cast<std::function<void()>*>(f))();
+                  return nullptr;
+                },
+                &body),
+            0);
+  ASSERT_EQ(pthread_join(thread, nullptr), 0);
+  pthread_attr_destroy(&attributes);
+}
+
+// R75: equal centroids ended in endless recursion, or in leaves that overflowed their count.
+TEST(TreeRegressions, R75MillionCopiesOfOneTriangle) {
+  Mesh mesh;
+  mesh.vertices = {{1, 2, 3}, {4, 2, 3}, {1, 5, 3}};
+  mesh.triangles.assign(1000000, {0, 1, 2});
+  expect_sound(mesh);
+}
+
+TEST(TreeRegressions, R75HundredThousandConcentricTriangles) {
+  Mesh mesh;
+  for (int i = 1; i <= 100000; ++i) {
+    const double r = i;
+    add(mesh, {-r, -r, 0}, {r, -r, 0}, {0, r, 0});
+  }
+  expect_sound(mesh);
+}
+
+// R76: one triangle is split off at each level; stacks as deep as the tree ran over.
+TEST(TreeRegressions, R76TrianglesAtPowersOfTwoBuildOnASmallStack) {
+  Mesh mesh;
+  for (int k = 0; k <= 1000; ++k) {
+    const double s = std::ldexp(1.0, -k);
+    add(mesh, {s, 0, 0}, {s, s, 0}, {s, 0, s});
+  }
+  on_small_stack([&] {
+    expect_sound(mesh);
+    for (const RuleEntry& rule : rules()) {
+      SCOPED_TRACE(rule.name);
+      // Without a limit of levels or depth: the deepest trees there are.
+      const Tree tree = build(mesh, thesis_options(rule.rule, 0));
+      EXPECT_EQ(find_fault(tree, mesh), "");
+      const std::uint64_t depth = statistics(tree, thesis_options(rule.rule, 0)).depth;
+      EXPECT_TRUE(rule.rule != Rule::soms || depth > 500) << depth;
+    }
+  });
+}
+
+// Many triangles at each power of two: a builder that splits off one level at a time would look
+// at each triangle a thousand times.
+TEST(TreeRegressions, R76TwoHundredThousandTrianglesAtPowersOfTwoStayShallow) {
+  Mesh mesh;
+  for (int i = 0; i < 200000; ++i) {
+    const double s = std::ldexp(1.0, -(i % 1001));
+    add(mesh, {s, 0, 0}, {s, s, 0}, {s, 0, s});
+  }
+  expect_sound(mesh);
+}
+
+// R77: a NaN or an infinity ended in an endless loop, a crash or a wild tree.
+TEST(TreeRegressions, R77NotFiniteCornersAreNamedBeforeATreeIsBuilt) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity}) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      Mesh mesh;
+      for (int i = 0; i < 20; ++i) {
+        add(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+      }
+      mesh.vertices[3 * 17 + 1][axis] = bad;
+      try {
+        check(mesh);
+        ADD_FAILURE() << "accepted";
+      } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::not_finite);
+        EXPECT_NE(error.place().find("triangle 17"), std::string::npos) << error.what();
+      }
+    }
+  }
+}
+
+// R79: empty and tiny meshes crashed builders or made them loop.
+TEST(TreeRegressions, R79ZeroToEightTrianglesAndVerticesWithoutFaces) {
+  Mesh mesh;
+  mesh.vertices = {{1, 1, 1}, {9, 9, 9}};
+  for (int i = 0; i <= 8; ++i) {
+    SCOPED_TRACE(i);
+    expect_sound(mesh);
+    const Tree tree = build(mesh);
+    EXPECT_EQ(tree.nodes.empty(), i == 0);
+    for (const Node& node : tree.nodes) {
+      EXPECT_LT(node.bounds.upper.x, 9);  // the unused vertex does not count
+    }
+    add(mesh, {0.1 * i, 0, 0}, {0.1 * i + 1, 0, 0}, {0.1 * i, 1, 0});
+  }
+}
+
+// R80: duplicate or wrapped codes of positions lost nodes or their order.
+TEST(TreeRegressions, R80MillionPointsAndCoordinatesAtTheFarEnd) {
+  Rng rng(80);
+  Mesh mesh;
+  for (int i = 0; i < 1000000; ++i) {
+    const Vec3 p{std::floor(rng.uniform(0, 64)), std::floor(rng.uniform(0, 64)),
+                 std::floor(rng.uniform(0, 64))};
+    mesh.vertices.push_back(p);
+    const auto v = static_cast<std::uint32_t>(i);
+    mesh.triangles.push_back({v, v, v});
+  }
+  const Tree tree = build(mesh);
+  EXPECT_EQ(find_fault(tree, mesh), "");
+  Mesh far;
+  for (int i = 0; i < 5000; ++i) {
+    const double s = rng.below(2) == 0 ? 0x1p300 : -0x1p300;
+    add(far, {s, s, s}, {s, rng.uniform(-1, 1), s}, {s, s, std::nextafter(s, 0)});
+  }
+  check(far);
+  expect_sound(far);
+}
+
+}  // namespace
+}  // namespace soms

@@ -1,0 +1,231 @@
+#include "soms/base/error.h"
+#include "soms/tree/build.h"
+#include "soms/tree/check.h"
+#include "soms/tree/rule/rules.h"
+#include "soms/tree/statistics.h"
+
+#include "tests/tree/inputs.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+namespace soms {
+namespace {
+
+constexpr std::array<std::size_t, 7> kSizes{0, 1, 2, 3, 7, 64, 1000};
+constexpr std::array<EmptySide, 4> kEmptySides{EmptySide::stop, EmptySide::next_axis,
+                                               EmptySide::object_median, EmptySide::chain};
+
+/// Every combination of options that changes a tree, with a level limit.
+void for_each_options(const std::function<void(const BuildOptions&)>& body) {
+  for (const RuleEntry& rule : rules()) {
+    for (const Midpoint midpoint : {Midpoint::thesis, Midpoint::centroid, Midpoint::aabb}) {
+      for (const AxisFrom axis : {AxisFrom::outer, AxisFrom::inner}) {
+        for (const EmptySide empty : kEmptySides) {
+          BuildOptions options = thesis_options(rule.rule);
+          options.midpoint = midpoint;
+          options.axis_from = axis;
+          options.empty_side = empty;
+          body(options);
+        }
+      }
+    }
+  }
+}
+
+/// What must hold for any tree of the thesis' options, besides being whole.
+void expect_consistent(const Tree& tree, const Mesh& mesh, const BuildOptions& options) {
+  ASSERT_EQ(find_fault(tree, mesh), "");
+  const TreeStatistics s = statistics(tree, options);
+  EXPECT_LT(s.depth, 15U);
+  if (options.empty_side != EmptySide::chain) {
+    EXPECT_EQ(s.empty, 0U);
+    EXPECT_EQ(s.nodes + (mesh.triangles.empty() ? 0 : 1), 2 * s.leaves);
+  }
+  if (options.rule == Rule::object_median) {
+    EXPECT_LE(s.max_leaf_depth - s.min_leaf_depth, 1U);
+    EXPECT_EQ(s.undividable, 0U);
+  }
+  for (const Node& node : tree.nodes) {
+    const auto ids = tree.triangles_of(node);
+    if (node.is_leaf()) {
+      EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
+      const bool stopped = options.empty_side == EmptySide::stop && node.count > 1;
+      EXPECT_TRUE(!stopped || node.undividable || node.depth == 14);
+    }
+  }
+}
+
+TEST(Build, IsWholeForEveryRuleOptionSizeAndInput) {
+  for (const test::Input input : test::kInputs) {
+    for (const std::size_t size : kSizes) {
+      SCOPED_TRACE(test::name(input) + " " + std::to_string(size));
+      const Mesh mesh = test::make_input(input, size);
+      for_each_options([&](const BuildOptions& options) {
+        SCOPED_TRACE(entry(options.rule).name);
+        expect_consistent(build(mesh, options), mesh, options);
+      });
+    }
+  }
+}
+
+TEST(Build, WithProductOptionsEndsInLeavesOfAtMostEightAboveDepth64) {
+  for (const RuleEntry& rule : rules()) {
+    for (const test::Input input : test::kInputs) {
+      for (const std::size_t size : {std::size_t{9}, std::size_t{1000}, std::size_t{20000}}) {
+        SCOPED_TRACE(std::string(rule.name) + " " + test::name(input) + " " + std::to_string(size));
+        BuildOptions options;
+        options.rule = rule.rule;
+        const Mesh mesh = test::make_input(input, size);
+        const Tree tree = build(mesh, options);
+        ASSERT_EQ(find_fault(tree, mesh), "");
+        const TreeStatistics s = statistics(tree, options);
+        EXPECT_LE(s.largest_leaf, 8U);
+        EXPECT_LE(s.depth, 63U);
+        EXPECT_TRUE(std::none_of(tree.nodes.begin(), tree.nodes.end(),
+                                 [](const Node& n) { return n.id == kNoTreeId; }));
+      }
+    }
+  }
+}
+
+TEST(Build, GivesTheSameTreeForAnyNumberOfThreads) {
+  for (const RuleEntry& rule : rules()) {
+    for (const test::Input input : {test::Input::random, test::Input::huge_and_tiny,
+                                    test::Input::coplanar, test::Input::coincident}) {
+      SCOPED_TRACE(std::string(rule.name) + " " + test::name(input));
+      const Mesh mesh = test::make_input(input, 40000);
+      for (const bool thesis : {false, true}) {
+        BuildOptions options = thesis ? thesis_options(rule.rule) : BuildOptions{};
+        options.rule = rule.rule;
+        const Tree one = build(mesh, options);
+        const Tree two = build(mesh, options, {.threads = 2});
+        const Tree eight = build(mesh, options, {.threads = 8});
+        EXPECT_EQ(tree_hash(one), tree_hash(two));
+        EXPECT_TRUE(one == two && one == eight);
+      }
+    }
+  }
+}
+
+// The builder changes its way above 8192 triangles: both ways must give one tree.
+TEST(Build, OfALargeMeshContainsTheBuildOfEachHalf) {
+  const Mesh mesh = test::make_input(test::Input::random, 20000);
+  const BuildOptions options = thesis_options(Rule::soms, 20);
+  const Tree tree = build(mesh, options);
+  const Node& left = tree.nodes[tree.nodes[0].left];
+  Mesh half;
+  half.vertices = mesh.vertices;
+  for (const TriangleId id : tree.triangles_of(left)) {
+    half.triangles.push_back(mesh.triangles[id]);
+  }
+  // Ascending numbers keep the order of the triangles.
+  std::sort(half.triangles.begin(), half.triangles.end());
+  const Tree part = build(half, thesis_options(Rule::soms, 19));
+  ASSERT_EQ(part.nodes.size(), tree.nodes[0].right - 1);
+  for (std::size_t i = 0; i < part.nodes.size(); ++i) {
+    ASSERT_EQ(part.nodes[i].bounds, tree.nodes[i + 1].bounds);
+    ASSERT_EQ(part.nodes[i].count, tree.nodes[i + 1].count);
+    ASSERT_EQ(part.nodes[i].depth + 1, tree.nodes[i + 1].depth);
+  }
+}
+
+TEST(Build, PermutingTheTrianglesKeepsTheBoxes) {
+  Mesh mesh = test::make_input(test::Input::random, 500);
+  const BuildOptions options = thesis_options(Rule::soms, 24);
+  const Tree before = build(mesh, options);
+  std::reverse(mesh.triangles.begin(), mesh.triangles.end());
+  const Tree after = build(mesh, options);
+  ASSERT_EQ(before.nodes.size(), after.nodes.size());
+  for (std::size_t i = 0; i < before.nodes.size(); ++i) {
+    EXPECT_EQ(before.nodes[i].bounds, after.nodes[i].bounds);
+  }
+}
+
+TEST(Build, AboveDepth63HasNoIdsAndNoLimit) {
+  BuildOptions options = thesis_options(Rule::spatial_median, 0);
+  const Mesh mesh = test::make_input(test::Input::halving, 300);
+  const Tree tree = build(mesh, options);
+  EXPECT_EQ(find_fault(tree, mesh), "");
+  EXPECT_GT(statistics(tree, options).depth, 100U);
+  for (const Node& node : tree.nodes) {
+    EXPECT_EQ(node.id == kNoTreeId, node.depth > 63);
+  }
+}
+
+TEST(Build, EmptySidesFollowTheirPolicy) {
+  // All midpoints left of the middle on x, apart on y.
+  Mesh mesh;
+  for (const double y : {0.0, 10.0}) {
+    const auto v = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {{0, y, 0}, {0, y, 0}, {1, y, 0}});
+    mesh.triangles.push_back({v, v + 1, v + 2});
+  }
+  mesh.vertices.insert(mesh.vertices.end(), {{0, 4, 0}, {100, 4, 0}, {0, 4, 0}});
+  mesh.triangles.push_back({6, 7, 8});
+  BuildOptions options = thesis_options(Rule::spatial_median, 3);
+  EXPECT_EQ(build(mesh, options).nodes.size(), 1U);
+  EXPECT_TRUE(build(mesh, options).nodes[0].undividable);
+  options.empty_side = EmptySide::next_axis;
+  const Tree next = build(mesh, options);
+  EXPECT_FALSE(next.nodes[0].undividable);
+  EXPECT_EQ(next.nodes[1].count, 2U);  // y = 0 and 4 lie below the middle
+  options.empty_side = EmptySide::object_median;
+  const Tree halved = build(mesh, options);
+  EXPECT_TRUE(halved.nodes[0].undividable);
+  EXPECT_EQ(halved.nodes[1].count, 1U);
+  options.empty_side = EmptySide::chain;
+  const Tree chain = build(mesh, options);
+  EXPECT_TRUE(chain.nodes[0].undividable);
+  EXPECT_EQ(chain.nodes[1].count, 3U);
+  EXPECT_EQ(chain.nodes[chain.nodes[0].right].count, 0U);
+  EXPECT_TRUE(chain.nodes[chain.nodes[0].right].bounds.empty());
+}
+
+TEST(Build, CVertexTurnsTheCorners) {
+  const Mesh mesh = test::make_input(test::Input::random, 300);
+  for (const int c : {0, 1}) {
+    Mesh turned = mesh;
+    for (auto& t : turned.triangles) {
+      t = c == 0 ? std::array{t[1], t[2], t[0]} : std::array{t[2], t[0], t[1]};
+    }
+    BuildOptions options = thesis_options(Rule::soms);
+    const Tree expected = build(turned, options);
+    EXPECT_FALSE(build(mesh, options) == expected);
+    options.c_vertex = c;
+    EXPECT_TRUE(build(mesh, options) == expected);
+  }
+}
+
+TEST(Build, StopsOnRequestAndReportsProgressInOrder) {
+  const Mesh mesh = test::make_input(test::Input::random, 60000);
+  std::vector<double> shares;
+  const Parallel watched{.progress = [&](double share) { shares.push_back(share); }};
+  const Tree tree = build(mesh, {}, watched);
+  EXPECT_TRUE(tree == build(mesh));
+  ASSERT_GT(shares.size(), 5U);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_GT(shares.front(), 0);
+  EXPECT_EQ(shares.back(), 1);
+
+  std::stop_source source;
+  const Parallel stopped{.stop = source.get_token(), .progress = [&](double share) {
+                           if (share > 0.5) {
+                             source.request_stop();
+                           }
+                         }};
+  try {
+    static_cast<void>(build(mesh, {}, stopped));
+    ADD_FAILURE() << "went on";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::cancelled);
+  }
+  source.request_stop();
+  EXPECT_THROW(static_cast<void>(build(Mesh{}, {}, stopped)), Error);
+}
+
+}  // namespace
+}  // namespace soms
