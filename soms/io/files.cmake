@@ -7,11 +7,15 @@ set(SOMS_SOURCES
   detail/file.cpp
   detail/format.cpp
   detail/mesh_builder.cpp
+  detail/obj.cpp
+  detail/off.cpp
   detail/ply.cpp
   detail/ply_binary.cpp
   detail/ply_header.cpp
   detail/ply_text.cpp
   detail/source.cpp
+  detail/stl.cpp
   detail/text.cpp
+  detail/three_ds.cpp
   read_mesh.cpp
 )

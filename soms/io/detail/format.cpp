@@ -1,6 +1,10 @@
 #include "soms/io/detail/format.h"
 
+#include "soms/io/detail/obj.h"
+#include "soms/io/detail/off.h"
 #include "soms/io/detail/ply.h"
+#include "soms/io/detail/stl.h"
+#include "soms/io/detail/three_ds.h"
 
 #include <algorithm>
 #include <array>
@@ -15,8 +19,12 @@ bool is_ply(std::string_view bytes) {
   return bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
 }
 
-constexpr std::array<ReadFormat, 1> kFormats = {{
+constexpr std::array<ReadFormat, 5> kFormats = {{
     {"PLY", ".ply", is_ply, read_ply},
+    {"3DS", ".3ds", is_three_ds, read_three_ds},
+    {"STL", ".stl", is_stl, read_stl},
+    {"OFF", ".off", is_off, read_off},
+    {"OBJ", ".obj", is_obj, read_obj},
 }};
 
 /// Content that is no model, or none that can be read here.

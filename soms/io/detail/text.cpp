@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstring>
 
 namespace soms::detail {
 
@@ -60,9 +61,30 @@ ParsedNumber parse(const char* begin, const char* end) {
 
 }  // namespace
 
+TextScanner::TextScanner(const Source& source, std::size_t position, const TextStyle& style)
+    : source_(&source),
+      style_(style),
+      has_carriage_returns_(source.bytes.find('\r', position) != std::string_view::npos),
+      at_(source.bytes.data() + position),
+      end_(source.bytes.data() + source.bytes.size()) {
+}
+
+std::size_t TextScanner::line_end_at(const char* p) const {
+  if (p == end_ || !is_line_end(*p)) {
+    return 0;
+  }
+  return *p == '\r' && p + 1 != end_ && p[1] == '\n' ? 2 : 1;
+}
+
 void TextScanner::skip_blanks() {
-  while (at_ != end_ && is_blank(*at_)) {
-    ++at_;
+  while (at_ != end_) {
+    if (is_blank(*at_)) {
+      ++at_;
+    } else if (style_.continued && *at_ == '\\' && line_end_at(at_ + 1) > 0) {
+      at_ += 1 + line_end_at(at_ + 1);
+    } else {
+      return;
+    }
   }
 }
 
@@ -73,22 +95,38 @@ void TextScanner::skip_space() {
 }
 
 void TextScanner::skip_line() {
-  while (at_ != end_ && !is_line_end(*at_)) {
-    ++at_;
-  }
-  if (at_ != end_) {
-    ++at_;
+  const bool comment = at_comment();
+  while (at_ != end_) {
+    const char* begin = at_;
+    if (!has_carriage_returns_) {
+      const void* found = std::memchr(at_, '\n', left());
+      at_ = found == nullptr ? end_ : static_cast<const char*>(found);
+    } else {
+      at_ = std::find_if(at_, end_, is_line_end);
+    }
+    const bool joined = style_.continued && !comment && at_ != begin && at_[-1] == '\\';
+    at_ += line_end_at(at_);
+    if (!joined) {
+      return;
+    }
   }
 }
 
 bool TextScanner::at_line_end() {
   skip_blanks();
-  return at_ == end_ || is_line_end(*at_);
+  return at_ == end_ || is_line_end(*at_) || at_comment();
+}
+
+bool TextScanner::find_line() {
+  while (at_ != end_ && at_line_end()) {
+    skip_line();
+  }
+  return at_ != end_;
 }
 
 std::string_view TextScanner::peek() const {
   const char* stop = at_;
-  while (stop != end_ && !is_blank(*stop) && !is_line_end(*stop)) {
+  while (!parts(stop)) {
     ++stop;
   }
   return {at_, static_cast<std::size_t>(stop - at_)};
@@ -116,9 +154,7 @@ std::string_view TextScanner::rest_of_line() {
   while (stop != begin && is_blank(stop[-1])) {
     --stop;
   }
-  if (at_ != end_) {
-    ++at_;
-  }
+  at_ += line_end_at(at_);
   return {begin, static_cast<std::size_t>(stop - begin)};
 }
 
@@ -137,9 +173,7 @@ void TextScanner::fail_number(std::string_view what, std::string_view expected) 
 double TextScanner::number(Precision precision, std::string_view what) {
   skip_blanks();
   const ParsedNumber parsed = parse_number(at_, end_, precision);
-  const bool whole = parsed.status != NumberStatus::not_a_number &&
-                     (parsed.end == end_ || is_blank(*parsed.end) || is_line_end(*parsed.end));
-  if (!whole) {
+  if (parsed.status == NumberStatus::not_a_number || !parts(parsed.end)) {
     fail_number(what, "a number");
   }
   if (parsed.status == NumberStatus::too_large) {
@@ -172,10 +206,30 @@ std::int64_t TextScanner::integer(std::string_view what) {
   }
   std::int64_t value = 0;
   const auto [stop, error] = std::from_chars(begin, end_, value);
-  if (error != std::errc() || (stop != end_ && !is_blank(*stop) && !is_line_end(*stop))) {
+  if (error != std::errc() || !parts(stop)) {
     fail_number(what, "a whole number");
   }
   at_ = stop;
+  return value;
+}
+
+std::int64_t TextScanner::slashed_integer(std::string_view what) {
+  skip_blanks();
+  std::int64_t value = 0;
+  auto [p, error] = std::from_chars(at_, end_, value);
+  for (int slashes = 0; error == std::errc() && slashes < 2 && p != end_ && *p == '/'; ++slashes) {
+    ++p;
+    if (!parts(p) && *p != '/') {
+      std::int64_t passed = 0;
+      const auto next = std::from_chars(p, end_, passed);
+      p = next.ptr;
+      error = next.ec;
+    }
+  }
+  if (error != std::errc() || !parts(p)) {
+    fail_number(what, "a vertex number (v, v/vt, v//vn or v/vt/vn)");
+  }
+  at_ = p;
   return value;
 }
 

@@ -14,17 +14,28 @@
 
 namespace soms::detail {
 
+[[nodiscard]] constexpr bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+[[nodiscard]] constexpr bool is_line_end(char c) {
+  return c == '\n' || c == '\r';
+}
+
 /// How the text of a number becomes a double.
 enum class Precision { as_double, as_float };
 
-/// Reads a text from front to back. Blanks are space, tab, VT and FF; lines end with LF or CR (a
-/// CRLF leaves an empty line behind, which nobody sees).
+/// What a format makes of its text beyond blanks and line ends.
+struct TextStyle {
+  bool comments = false;   ///< a word that begins with # ends the line
+  bool continued = false;  ///< a backslash before a line end joins two lines
+};
+
+/// Reads a text from front to back. Blanks are space, tab, VT and FF; lines end with LF, CRLF or
+/// CR.
 class TextScanner {
  public:
-  TextScanner(const Source& source, std::size_t position)
-      : source_(&source),
-        at_(source.bytes.data() + position),
-        end_(source.bytes.data() + source.bytes.size()) {}
+  TextScanner(const Source& source, std::size_t position, const TextStyle& style = {});
 
   [[nodiscard]] std::size_t position() const {
     return static_cast<std::size_t>(at_ - source_->bytes.data());
@@ -41,14 +52,16 @@ class TextScanner {
   void skip_space();
   /// Passes the rest of the line and its end.
   void skip_line();
-  /// True if nothing but blanks is left in the line.
+  /// Passes blanks; true if nothing else but a comment is left in the line.
   [[nodiscard]] bool at_line_end();
+  /// Passes lines that are empty or comments; false at the end of the file.
+  [[nodiscard]] bool find_line();
 
   /// The next word of this line; empty at its end.
   [[nodiscard]] std::string_view word_in_line();
   /// The next word, over line ends; empty at the end of the file.
   [[nodiscard]] std::string_view word();
-  /// The rest of the line without blanks around it; its end is passed.
+  /// The rest of the line without blanks around it, comments included; its end is passed.
   [[nodiscard]] std::string_view rest_of_line();
 
   /// The next number of this line. `what` names it in errors ("x of a vertex").
@@ -63,26 +76,35 @@ class TextScanner {
   /// \errors ErrorKind::bad_file: a fraction, a word, the end of the line, beyond 64 bits.
   [[nodiscard]] std::int64_t integer(std::string_view what);
 
+  /// The next corner of a face in the manner of OBJ: a number, and up to two more behind slashes,
+  /// which are passed. \errors ErrorKind::bad_file.
+  [[nodiscard]] std::int64_t slashed_integer(std::string_view what);
+
   [[noreturn]] void fail(ErrorKind kind, const std::string& what, const std::string& remedy) const {
     source_->fail_line(position(), kind, what, remedy);
   }
 
  private:
+  /// Bytes of the line end at `p`, 0 if there is none.
+  [[nodiscard]] std::size_t line_end_at(const char* p) const;
+
+  /// True if a word ends before `p`.
+  [[nodiscard]] bool parts(const char* p) const {
+    return p == end_ || is_blank(*p) || is_line_end(*p) ||
+           (style_.continued && *p == '\\' && line_end_at(p + 1) > 0);
+  }
+
+  [[nodiscard]] bool at_comment() const { return style_.comments && at_ != end_ && *at_ == '#'; }
+
   [[nodiscard]] std::string_view peek() const;
   [[noreturn]] void fail_number(std::string_view what, std::string_view expected) const;
 
   const Source* source_;
+  TextStyle style_;
+  bool has_carriage_returns_;
   const char* at_;
   const char* end_;
 };
-
-[[nodiscard]] constexpr bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
-
-[[nodiscard]] constexpr bool is_line_end(char c) {
-  return c == '\n' || c == '\r';
-}
 
 /// Takes the next word from the front of a line; empty at its end.
 [[nodiscard]] std::string_view take_word(std::string_view& line);

@@ -1,0 +1,173 @@
+#include "soms/io/detail/stl.h"
+
+#include "soms/io/detail/little_endian.h"
+#include "soms/io/detail/mesh_builder.h"
+#include "soms/io/detail/text.h"
+
+#include <algorithm>
+#include <string>
+
+namespace soms::detail {
+
+namespace {
+
+constexpr std::size_t kHeader = 84;  // 80 bytes of anything and the count
+constexpr std::size_t kFacet = 50;   // normal, three corners, attribute
+
+bool equals(std::string_view word, std::string_view lower) {
+  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(),
+                    [](char c, char l) { return c == l || (c >= 'A' && c <= 'Z' && c + 32 == l); });
+}
+
+bool begins_with_solid(std::string_view bytes) {
+  const std::size_t begin = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
+  const std::string_view word = bytes.substr(begin, 5);
+  const std::size_t behind = begin + 5;
+  return equals(word, "solid") &&
+         (behind == bytes.size() || is_blank(bytes[behind]) || is_line_end(bytes[behind]));
+}
+
+/// The count's own size, without overflow: 2^32 facets are below 2^38 bytes.
+std::uint64_t stated_size(std::string_view bytes) {
+  return kHeader + kFacet * std::uint64_t{little_endian<std::uint32_t>(bytes, 80)};
+}
+
+bool is_binary_of_right_size(std::string_view bytes) {
+  return bytes.size() >= kHeader && bytes.size() == stated_size(bytes);
+}
+
+Mesh read_binary(Source& source) {
+  const std::string_view bytes = source.bytes;
+  if (bytes.size() < kHeader) {
+    source.fail(ErrorKind::bad_file,
+                std::to_string(bytes.size()) + " bytes are too few for an STL file",
+                "get the file whole");
+  }
+  const std::uint64_t count = little_endian<std::uint32_t>(bytes, 80);
+  const std::uint64_t held = (bytes.size() - kHeader) / kFacet;
+  // Fewer bytes than a facet behind the last are padding; more would be triangles lost.
+  if (count != held) {
+    source.fail_byte(
+        80, ErrorKind::bad_file,
+        std::to_string(count) + " triangles are stated, " + std::to_string(held) + " are there",
+        "get the file whole, or repair its count");
+  }
+  MeshBuilder builder(source);
+  builder.reserve_vertices(3 * count);
+  builder.reserve_triangles(count);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const std::size_t facet = kHeader + kFacet * i;
+    if (i % kRowsPerTick == 0) {
+      source.tick(facet);
+    }
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const std::size_t at = facet + 12 * (corner + 1);
+      const Vec3 v{little_endian<float>(bytes, at), little_endian<float>(bytes, at + 4),
+                   little_endian<float>(bytes, at + 8)};
+      if (!fit_for_mesh(v)) [[unlikely]] {
+        const CoordinateFault fault = describe_fault(v);
+        source.fail_byte(at, fault.kind, "triangle " + std::to_string(i) + ": " + fault.what,
+                         fault.remedy);
+      }
+      builder.add_vertex(v);
+    }
+    const auto first = static_cast<std::uint32_t>(3 * i);
+    builder.add_triangle(first, first + 1, first + 2);
+  }
+  return builder.finish();
+}
+
+class StlTextReader {
+ public:
+  explicit StlTextReader(Source& source) : source_(source), scanner_(source, 0), builder_(source) {}
+
+  Mesh read();
+
+ private:
+  void expect(std::string_view word);
+  void read_facet();
+  [[noreturn]] void fail_word(std::string_view found, std::string_view wanted) const;
+
+  Source& source_;
+  TextScanner scanner_;
+  MeshBuilder builder_;
+};
+
+void StlTextReader::fail_word(std::string_view found, std::string_view wanted) const {
+  scanner_.fail(ErrorKind::bad_file,
+                (found.empty() ? std::string("the file ends") : in_quotes(found) + " stands") +
+                    " where " + std::string(wanted) + " should be",
+                "get the file whole, or repair it");
+}
+
+void StlTextReader::expect(std::string_view wanted) {
+  const std::string_view found = scanner_.word();
+  if (!equals(found, wanted)) {
+    fail_word(found, wanted);
+  }
+}
+
+/// Behind the word facet. The normal is passed unread: some programs write "nan" there.
+void StlTextReader::read_facet() {
+  constexpr int kMostWords = 5;
+  std::string_view word = scanner_.word();
+  for (int i = 0; i < kMostWords && !equals(word, "outer"); ++i) {
+    word = scanner_.word();
+  }
+  if (!equals(word, "outer")) {
+    fail_word(word, "outer loop");
+  }
+  expect("loop");
+  const auto first = static_cast<std::uint32_t>(builder_.vertices().size());
+  for (int corner = 0; corner < 3; ++corner) {
+    expect("vertex");
+    builder_.add_vertex(scanner_.vertex(Precision::as_double));
+  }
+  expect("endloop");
+  expect("endfacet");
+  builder_.add_triangle(first, first + 1, first + 2);
+}
+
+Mesh StlTextReader::read() {
+  bool in_solid = false;
+  std::uint64_t facets = 0;
+  while (true) {
+    const std::string_view word = scanner_.word();
+    if (word.empty() && !in_solid) {
+      return builder_.finish();
+    }
+    if (in_solid && equals(word, "facet")) {
+      if (facets++ % kRowsPerTick == 0) {
+        source_.tick(scanner_.position());
+      }
+      read_facet();
+    } else if (in_solid && equals(word, "endsolid")) {
+      static_cast<void>(scanner_.rest_of_line());
+      in_solid = false;
+    } else if (!in_solid && equals(word, "solid")) {
+      builder_.begin_part(scanner_.rest_of_line());
+      in_solid = true;
+    } else {
+      fail_word(word, in_solid ? "facet or endsolid" : "solid");
+    }
+  }
+}
+
+}  // namespace
+
+bool is_stl(std::string_view bytes) {
+  return (is_binary_of_right_size(bytes) && bytes.size() > kHeader) || begins_with_solid(bytes);
+}
+
+Mesh read_stl(Source& source) {
+  // A binary file may begin with "solid" too; no text holds a zero byte in its first lines.
+  constexpr std::size_t kFirstBytes = 512;
+  const bool text = begins_with_solid(source.bytes) &&
+                    source.bytes.substr(0, kFirstBytes).find('\0') == std::string_view::npos;
+  if (is_binary_of_right_size(source.bytes) || !text) {
+    return read_binary(source);
+  }
+  return StlTextReader(source).read();
+}
+
+}  // namespace soms::detail

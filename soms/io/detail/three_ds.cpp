@@ -1,0 +1,217 @@
+#include "soms/io/detail/three_ds.h"
+
+#include "soms/io/detail/little_endian.h"
+#include "soms/io/detail/mesh_builder.h"
+#include "soms/io/detail/text.h"
+
+#include <array>
+#include <charconv>
+#include <optional>
+#include <string>
+
+namespace soms::detail {
+
+namespace {
+
+constexpr std::size_t kChunkHeader = 6;  // a 16-bit name, and a 32-bit length that counts itself
+
+enum ChunkName : std::uint16_t {
+  kMain = 0x4d4d,
+  kEditor = 0x3d3d,
+  kMasterScale = 0x0100,
+  kObject = 0x4000,
+  kTriangles = 0x4100,
+  kVertexList = 0x4110,
+  kFaceList = 0x4120,
+  kKeyframes = 0xb000,
+};
+
+/// A chunk's name, and its bytes without the header.
+struct Chunk {
+  std::uint16_t name = 0;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+
+  [[nodiscard]] std::size_t size() const { return end - begin; }
+};
+
+/// Chunks nest, but what is wanted stands at four known depths: one function for each, no
+/// recursion, whatever the file nests.
+class ThreeDsReader {
+ public:
+  explicit ThreeDsReader(Source& source) : source_(source), builder_(source) {}
+
+  Mesh read();
+
+ private:
+  [[noreturn]] void fail(std::size_t at, const std::string& what) const {
+    source_.fail_byte(at, ErrorKind::bad_file, what, "get the file whole, or repair it");
+  }
+
+  [[nodiscard]] Chunk chunk_at(std::size_t at, std::size_t end) const;
+
+  /// Calls `use` for each chunk in `[at, end)`.
+  template <class Use>
+  void for_each(std::size_t at, std::size_t end, const Use& use) const {
+    while (at != end) {
+      const Chunk chunk = chunk_at(at, end);
+      use(chunk);
+      at = chunk.end;
+    }
+  }
+
+  [[nodiscard]] std::uint16_t count_of(const Chunk& chunk, std::size_t item,
+                                       const char* what) const;
+  void read_master_scale(const Chunk& chunk);
+  void read_object(const Chunk& object);
+  void read_triangles(const Chunk& triangles, std::string_view name);
+  std::uint32_t read_vertices(const Chunk& chunk);
+  void read_faces(const Chunk& chunk, std::uint32_t first, std::uint32_t vertices);
+
+  Source& source_;
+  MeshBuilder builder_;
+};
+
+Chunk ThreeDsReader::chunk_at(std::size_t at, std::size_t end) const {
+  if (end - at < kChunkHeader) {
+    fail(at, "the header of a chunk is cut off");
+  }
+  const auto name = little_endian<std::uint16_t>(source_.bytes, at);
+  const auto length = little_endian<std::uint32_t>(source_.bytes, at + 2);
+  if (length < kChunkHeader || length > end - at) {
+    fail(at, "a chunk of length " + std::to_string(length) + " where " + std::to_string(end - at) +
+                 " bytes are left");
+  }
+  return {name, at + kChunkHeader, at + length};
+}
+
+/// The 16-bit count at the front of a chunk, checked against its size.
+std::uint16_t ThreeDsReader::count_of(const Chunk& chunk, std::size_t item,
+                                      const char* what) const {
+  if (chunk.size() < 2) {
+    fail(chunk.begin, std::string("the number of ") + what + " is cut off");
+  }
+  const auto count = little_endian<std::uint16_t>(source_.bytes, chunk.begin);
+  if (count * item > chunk.size() - 2) {
+    fail(chunk.begin, std::to_string(count) + " " + what + " in a chunk of " +
+                          std::to_string(chunk.size()) + " bytes");
+  }
+  return count;
+}
+
+void ThreeDsReader::read_master_scale(const Chunk& chunk) {
+  if (chunk.size() < sizeof(float)) {
+    fail(chunk.begin, "the master scale is cut off");
+  }
+  const auto scale = little_endian<float>(source_.bytes, chunk.begin);
+  if (scale != 1) {
+    std::array<char, 32> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), scale).ptr;
+    builder_.note("master scale " + std::string(text.data(), end) + " is not applied");
+  }
+}
+
+std::uint32_t ThreeDsReader::read_vertices(const Chunk& chunk) {
+  const std::uint16_t count = count_of(chunk, 12, "vertices");
+  for (std::uint16_t i = 0; i < count; ++i) {
+    const std::size_t at = chunk.begin + 2 + std::size_t{12} * i;
+    const Vec3 v{little_endian<float>(source_.bytes, at),
+                 little_endian<float>(source_.bytes, at + 4),
+                 little_endian<float>(source_.bytes, at + 8)};
+    if (!fit_for_mesh(v)) {
+      const CoordinateFault fault = describe_fault(v);
+      source_.fail_byte(at, fault.kind, fault.what, fault.remedy);
+    }
+    builder_.add_vertex(v);
+  }
+  return count;
+}
+
+void ThreeDsReader::read_faces(const Chunk& chunk, std::uint32_t first, std::uint32_t vertices) {
+  const std::uint16_t count = count_of(chunk, 8, "faces");
+  for (std::uint16_t i = 0; i < count; ++i) {
+    const std::size_t at = chunk.begin + 2 + std::size_t{8} * i;
+    std::array<std::uint32_t, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = little_endian<std::uint16_t>(source_.bytes, at + 2 * k);
+      if (corners[k] >= vertices) {
+        fail(at + 2 * k,
+             "vertex " + std::to_string(corners[k]) + " of " + std::to_string(vertices));
+      }
+    }
+    builder_.add_triangle(first + corners[0], first + corners[1], first + corners[2]);
+  }
+}
+
+void ThreeDsReader::read_triangles(const Chunk& triangles, std::string_view name) {
+  std::optional<Chunk> vertex_list;
+  std::optional<Chunk> face_list;
+  for_each(triangles.begin, triangles.end, [&](const Chunk& chunk) {
+    if (chunk.name == kVertexList || chunk.name == kFaceList) {
+      auto& list = chunk.name == kVertexList ? vertex_list : face_list;
+      if (list) {
+        fail(chunk.begin, "a second list of vertices or faces in object " + in_quotes(name));
+      }
+      list = chunk;
+    }
+  });
+  builder_.begin_part(name);
+  const auto first = static_cast<std::uint32_t>(builder_.vertices().size());
+  const std::uint32_t vertices = vertex_list ? read_vertices(*vertex_list) : 0;
+  if (face_list) {
+    read_faces(*face_list, first, vertices);
+  }
+}
+
+void ThreeDsReader::read_object(const Chunk& object) {
+  const std::string_view body = source_.bytes.substr(object.begin, object.size());
+  const std::size_t length = body.find('\0');
+  if (length == std::string_view::npos) {
+    fail(object.begin, "the name of an object does not end");
+  }
+  const std::string_view name = body.substr(0, length);
+  for_each(object.begin + length + 1, object.end, [&](const Chunk& chunk) {
+    if (chunk.name == kTriangles) {
+      read_triangles(chunk, name);
+    }
+  });
+}
+
+Mesh ThreeDsReader::read() {
+  const Chunk main = chunk_at(0, source_.bytes.size());
+  if (main.name != kMain) {
+    fail(0, "the file does not begin with the main chunk of 3DS");
+  }
+  bool has_keyframes = false;
+  for_each(main.begin, main.end, [&](const Chunk& part) {
+    has_keyframes = has_keyframes || part.name == kKeyframes;
+    if (part.name != kEditor) {
+      return;
+    }
+    for_each(part.begin, part.end, [&](const Chunk& chunk) {
+      source_.tick(chunk.begin);
+      if (chunk.name == kObject) {
+        read_object(chunk);
+      } else if (chunk.name == kMasterScale) {
+        read_master_scale(chunk);
+      }
+    });
+  });
+  if (has_keyframes) {
+    builder_.note("keyframes are not applied");
+  }
+  return builder_.finish();
+}
+
+}  // namespace
+
+bool is_three_ds(std::string_view bytes) {
+  return bytes.size() >= kChunkHeader && little_endian<std::uint16_t>(bytes, 0) == kMain &&
+         little_endian<std::uint32_t>(bytes, 2) == bytes.size();
+}
+
+Mesh read_three_ds(Source& source) {
+  return ThreeDsReader(source).read();
+}
+
+}  // namespace soms::detail
