@@ -1,5 +1,7 @@
 #include "soms/geometry/defects.h"
 
+#include "tests/support/truth.h"
+
 #include <gtest/gtest.h>
 
 #include <utility>
@@ -88,6 +90,18 @@ TEST(Defects, CountsDegenerateTrianglesExactlyAndLeavesTheirEdgesOut) {
   // The doubles nearest 1/3 and 2/3 do not add up to 1, so this one has area.
   mesh.triangles.push_back({1, 5, 2});
   EXPECT_EQ(find_defects(mesh).degenerate, 4U);
+}
+
+// The set calls meshes of segments and points open; without a proper triangle nothing is open.
+TEST(Defects, TellsClosedMeshesOfTheTruthSet) {
+  int closed = 0;
+  for (const auto& [name, expected] : test::truth_closed()) {
+    const Mesh& mesh = *test::truth_mesh(name);
+    const Defects defects = find_defects(mesh);
+    EXPECT_EQ(defects.closed(), expected || defects.degenerate == mesh.triangles.size()) << name;
+    closed += expected ? 1 : 0;
+  }
+  EXPECT_EQ(closed, 23);
 }
 
 }  // namespace

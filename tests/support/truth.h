@@ -40,6 +40,13 @@ struct TruthCase {
 /// A mesh of the set by name; null for models of others where SOMS_DATA is unset.
 [[nodiscard]] const Mesh* truth_mesh(std::string_view name);
 
+/// Whether a case needs a model of others, which only SOMS_DATA has.
+enum class Models { own, of_others };
+
+/// Every `stride`-th of the 3,780 cases on our own meshes or of the 840 on models of others; of the
+/// latter none where SOMS_DATA is unset.
+[[nodiscard]] std::vector<TruthCase> truth_cases(Models models, std::size_t stride = 1);
+
 /// Cases that can be run here, and how many need models of others that are absent.
 struct RunnableCases {
   std::vector<TruthCase> cases;
@@ -48,6 +55,10 @@ struct RunnableCases {
 
 /// Every `stride`-th case, less those without their meshes.
 [[nodiscard]] RunnableCases runnable_truth_cases(std::size_t stride = 1);
+
+/// Which meshes of the set are closed by its own count: every directed edge has its reverse. Names
+/// of own meshes only.
+[[nodiscard]] std::map<std::string, bool> truth_closed();
 
 /// A single pair of triangles.
 struct TruthTriangles {

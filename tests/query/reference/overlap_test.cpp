@@ -1,7 +1,11 @@
 #include "soms/query/reference/overlap.h"
 
 #include "soms/base/error.h"
+#include "soms/base/hash.h"
 #include "soms/base/random.h"
+
+#include "tests/support/support.h"
+#include "tests/support/truth.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 namespace soms {
@@ -125,6 +130,53 @@ TEST(ReferenceOverlap, StopsOnRequest) {
   source.request_stop();
   EXPECT_EQ(kind_thrown(square(0), {}, {.threads = 1, .stop = source.get_token(), .progress = {}}),
             ErrorKind::cancelled);
+}
+
+std::uint64_t hash_of(const std::vector<TrianglePair>& pairs) {
+  Fnv1a hash;
+  for (const auto& [i, j] : pairs) {
+    hash.add(i);
+    hash.add(j);
+  }
+  return hash.value();
+}
+
+void expect_truth(const test::TruthCase& c) {
+  SCOPED_TRACE("case " + std::to_string(c.number) + ", " + c.kind + ", " + c.mesh_a + " and " +
+               c.mesh_b);
+  const Overlap answer = reference::overlap(*test::truth_mesh(c.mesh_a), c.pose_a,
+                                            *test::truth_mesh(c.mesh_b), c.pose_b);
+  ASSERT_EQ(answer.any, c.overlap);
+  ASSERT_EQ(answer.pairs.size(), c.count);
+  ASSERT_EQ(hash_of(answer.pairs), c.hash);
+  if (c.listed) {
+    const auto& lists = test::truth_lists();
+    const auto list = lists.find(c.number);
+    ASSERT_EQ(answer.pairs, list == lists.end() ? std::vector<TrianglePair>{} : list->second);
+  }
+}
+
+// Each case was decided by two independent exact methods.
+TEST(ReferenceOverlap, AgreesWithTheTruthSet) {
+  const std::vector<test::TruthCase> cases = test::truth_cases(test::Models::own);
+  EXPECT_EQ(cases.size(), 3780U);
+  for (const test::TruthCase& c : cases) {
+    ASSERT_NO_FATAL_FAILURE(expect_truth(c));
+  }
+}
+
+TEST(ReferenceOverlap, AgreesWithTheTruthSetOnModelsOfOthers) {
+  SOMS_NEEDS_OUTSIDE_DATA("840 cases of the truth set");
+#if SOMS_ASSERTIONS
+  constexpr std::size_t kStride = 8;  // brute force in a slow build
+#else
+  constexpr std::size_t kStride = 1;
+#endif
+  const std::vector<test::TruthCase> cases = test::truth_cases(test::Models::of_others, kStride);
+  EXPECT_EQ(cases.size(), 840U / kStride);
+  for (const test::TruthCase& c : cases) {
+    ASSERT_NO_FATAL_FAILURE(expect_truth(c));
+  }
 }
 
 }  // namespace
