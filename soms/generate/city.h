@@ -13,25 +13,43 @@ namespace soms {
 
 /// Options of a generated city.
 struct CityOptions {
-  std::uint64_t triangles = 1'000'000;  ///< exactly this many; at least 1,000
-  double size = 4000;                   ///< side of the square, metres, centred on the origin
+  std::uint64_t triangles = 1'000'000;  ///< exactly this many; 1,000 to 100 million
+  double size = 4000;                   ///< side of the square, 200 to 100,000 metres
   std::uint64_t seed = 1;
 };
 
 /// A generated city: its mesh with parts (terrain, roads, buildings, furniture), and what movers
-/// need to stand in it.
+/// need to stand in it. `ground` and routes need no mesh: it may be moved out.
+///
+/// Streets run along the `street_lines` in both directions, level at each crossing and planar, at
+/// most 5 % steep, between crossings. A street has two lanes (within 5 m of its center line),
+/// parked vehicles (5 to 7.2 m) and sidewalks with lamps, trees, benches, signs and bins. Blocks
+/// between streets are never higher than their kerbs; buildings stand back from the street, but
+/// their balconies and ledges may reach 1.2 m over the sidewalk.
 struct City {
   Mesh mesh;
   double street_spacing = 0;  ///< distance between the center lines of parallel streets
   double street_width = 0;
   std::vector<double> street_lines;  ///< the same x and y coordinates for both directions
   CityOptions options;
+  std::vector<double> crossing_heights;  ///< of crossing (i, j) at i + j * street_lines.size()
+  std::uint32_t block_cells = 0;         ///< cells of terrain along a side of a block
 
   /// Height of the ground or road at a point of the square: the top of what a mover stands on.
+  /// Points beyond the square get the height of its nearest edge.
   [[nodiscard]] double ground(double x, double y) const;
 };
 
+/// A city of exactly `options.triangles` triangles, the same bits on every machine.
+///
+/// Parts: `terrain`, `roads`, `buildings` and `furniture` cover all triangles; each building and
+/// each piece of furniture is a part below them with its kind in its name. No triangle is without
+/// area; areas spread over seven decades. Of a million triangles (seed 1) 5.6 % are of 0.001 to
+/// 0.01 square metres, 31 % to 0.1, 29 % to 1, 8 % to 10, 13 % to 100, 13 % to 1,000 and 0.4 % (all
+/// road slabs) above; of 5,672 triangles 9 % are above 1,000 and 3 % above 10,000.
+///
 /// \errors  ErrorKind::usage for a count or size out of range; names the least.
+/// \cost    Linear: 0.05 s and 40 MB a million triangles.
 [[nodiscard]] City generate_city(const CityOptions& options = {});
 
 }  // namespace soms

@@ -5,5 +5,16 @@ set(SOMS_HEADERS
   urban.h
 )
 set(SOMS_SOURCES
+  city.cpp
+  city_routes.cpp
+  detail/buildings.cpp
+  detail/counts.cpp
+  detail/furniture.cpp
+  detail/ground.cpp
+  detail/refine.cpp
+  detail/solids.cpp
+  movers.cpp
+  routes.cpp
+  shapes.cpp
   urban.cpp
 )

@@ -18,21 +18,40 @@ struct Route {
   bool closed = false;
   double start = 0;  ///< metres along the route at time 0
   double speed = 0;  ///< metres a second
+  /// Distance between the two points of the mover that stay on the route, as axles do: the heading
+  /// turns smoothly at corners and slopes. 0: the heading of the present line.
+  double base = 0;
+  /// Metres along the route to each point, and to the first again if closed. Found anew by each
+  /// call of `at` while empty; `measure` fills it.
+  std::vector<double> marks = {};
 
-  /// Pose at a time in seconds: +x of the mover along the route, z up.
+  /// Fills `marks`; to be called again when points change.
+  void measure();
+
+  /// Metres from the first point to the last, and on to the first if closed.
+  [[nodiscard]] double length() const;
+
+  /// Pose at a time in seconds: +x of the mover along the route, z up. A route of one point, or of
+  /// none, stands still (at the origin).
   [[nodiscard]] Pose at(double seconds) const;
 };
 
 /// A drive of a mover along the streets of a city, following the ground. `clearance` is the height
 /// of the mover's origin above the ground. Deterministic in `seed`.
+///
+/// A closed loop of at most 5 by 5 blocks with quarter turns at crossings, on the right-hand side;
+/// movers slower than 3 m/s walk on the sidewalk. At time 0 it is near a crossing, where no
+/// furniture stands. The lane is drawn: most pass all that is parked, some do not.
 [[nodiscard]] Route street_route(const City& city, std::uint64_t seed, double speed,
                                  double clearance);
 
-/// A flight of a drone over and between the buildings.
+/// A flight of a drone over and between the buildings: a loop above the streets that climbs and
+/// sinks between `lowest` and `highest` metres above ground and cuts corners, some too closely.
 [[nodiscard]] Route flight_route(const City& city, std::uint64_t seed, double speed, double lowest,
                                  double highest);
 
-/// A straight horizontal line to and fro through `scene` at the height of `start`.
+/// A straight horizontal line to and fro through `scene` at the height of `start`, which is where
+/// it is at time 0.
 [[nodiscard]] Route straight_route(const Box& scene, const Vec3& start, std::uint64_t seed,
                                    double speed);
 

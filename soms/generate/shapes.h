@@ -5,23 +5,36 @@
 #include "soms/geometry/mesh.h"
 
 #include <cstdint>
+#include <string_view>
 
 namespace soms {
 
-/// (2,3) torus knot of tube radius 0.4 scaled to reach 1; exactly `triangles`, at least 12 and
-/// even. \errors  ErrorKind::usage naming the least and nearest possible count.
+/// (2,3) torus knot of tube radius 0.4 scaled to reach 1; exactly `triangles`, at least 18 and
+/// even: a closed tube has no other counts, and no tube is closed by fewer than 3 rings of 3
+/// points. The same bits on every machine. \errors  ErrorKind::usage naming the least and nearest
+/// possible count.
 [[nodiscard]] Mesh generate_knot(std::uint64_t triangles);
 
-/// UV sphere of radius 1 about the origin; exactly `triangles`, at least 8 and even.
-/// \errors  ErrorKind::usage.
+/// UV sphere of radius 1 about the origin; exactly `triangles`, at least 8 and even. The same bits
+/// on every machine.
+/// \errors  ErrorKind::usage naming the least and nearest possible count.
 [[nodiscard]] Mesh generate_sphere(std::uint64_t triangles);
 
 /// Kinds of movers that are generated.
 enum class MoverKind { car, person, drone };
 
-/// A mover in metres, z up, standing on z = 0 (drone: hovering about the origin), heading +x.
-/// Closed. Exactly `triangles`; 0 gives the default count (car 1,000, person 600, drone 308).
-/// \errors  ErrorKind::usage naming the least count.
+/// Name of a kind: car, person, drone.
+[[nodiscard]] std::string_view name(MoverKind kind);
+
+/// A mover in metres, z up, standing on z = 0 (drone: hovering about the origin), heading +x. Every
+/// part (wheel, arm, rotor) is a closed surface of its own. Exactly `triangles`, even; 0 gives the
+/// default count (car 1,000, person 600, drone 308).
+///
+/// \shape   car 4.5 x 1.98 x 1.45 m with its mirrors, person 0.4 x 0.63 x 1.75 m, drone 0.75 m
+/// across
+///          and 0.24 m high.
+/// \errors  ErrorKind::usage naming the least count (car 384, person 392, drone 244) and the
+///          nearest possible one.
 [[nodiscard]] Mesh generate_mover(MoverKind kind, std::uint64_t triangles = 0);
 
 }  // namespace soms

@@ -1,0 +1,197 @@
+#include "soms/generate/city.h"
+
+#include "soms/base/error.h"
+
+#include "tests/generate/closed.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+
+namespace soms {
+namespace {
+
+CityOptions options(std::uint64_t triangles, double size = 4000, std::uint64_t seed = 1) {
+  return {triangles, size, seed};
+}
+
+const Part& part_named(const Mesh& mesh, const std::string& name) {
+  for (const Part& part : mesh.parts) {
+    if (part.name == name) {
+      return part;
+    }
+  }
+  throw std::out_of_range(name);
+}
+
+std::string refusal(const CityOptions& bad) {
+  try {
+    (void)generate_city(bad);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::usage);
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(City, HasExactlyTheCountAskedFor) {
+  for (std::uint64_t n = 1000; n < 1040; ++n) {
+    EXPECT_EQ(generate_city(options(n)).mesh.triangles.size(), n);
+  }
+  for (const std::uint64_t n : {5'672U, 5'673U, 9'999U, 31'337U, 100'000U, 100'003U, 1'000'000U}) {
+    EXPECT_EQ(generate_city(options(n)).mesh.triangles.size(), n);
+  }
+  for (const double size : {200.0, 333.3, 1000.0, 20'000.0}) {
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+      EXPECT_EQ(generate_city(options(1000, size, seed)).mesh.triangles.size(), 1000U);
+      EXPECT_EQ(generate_city(options(7001, size, seed)).mesh.triangles.size(), 7001U);
+    }
+  }
+}
+
+TEST(City, IsTheSameBitsEverywhereAndDiffersBySeed) {
+  EXPECT_EQ(corner_hash(generate_city(options(5672)).mesh), 166492905859317658ULL);
+  EXPECT_EQ(corner_hash(generate_city(options(100'000)).mesh), 3709160881279135513ULL);
+  EXPECT_EQ(generate_city(options(5672)).mesh, generate_city(options(5672)).mesh);
+  EXPECT_NE(corner_hash(generate_city(options(5672)).mesh),
+            corner_hash(generate_city(options(5672, 4000, 2)).mesh));
+}
+
+TEST(City, IsSoundAndItsPartsCoverAllTriangles) {
+  for (const std::uint64_t n : {1'000U, 5'672U, 100'000U}) {
+    const Mesh mesh = generate_city(options(n)).mesh;
+    EXPECT_NO_THROW(check(mesh));
+    std::uint32_t next = 0;
+    std::vector<std::uint32_t> below(mesh.parts.size(), 0);
+    std::set<std::string> names;
+    for (const Part& part : mesh.parts) {
+      EXPECT_TRUE(names.insert(part.name).second) << part.name;
+      EXPECT_GT(part.count, 0U) << part.name;
+      if (part.parent == Part::kNoParent) {
+        EXPECT_EQ(part.first, next) << part.name;
+        next += part.count;
+      } else {
+        below[part.parent] += part.count;
+      }
+    }
+    EXPECT_EQ(next, n);
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+      EXPECT_TRUE(below[i] == 0 || below[i] == mesh.parts[i].count) << mesh.parts[i].name;
+    }
+    for (const char* name : {"terrain", "roads", "buildings", "furniture"}) {
+      EXPECT_NO_THROW((void)part_named(mesh, name));
+    }
+  }
+}
+
+TEST(City, HasNoTriangleWithoutAreaAndSizesOverSixDecades) {
+  const Mesh mesh = generate_city(options(1'000'000)).mesh;
+  EXPECT_EQ(test::flat_triangles(mesh), 0U);
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0;
+  std::size_t small = 0;
+  std::size_t large = 0;
+  for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
+    const double area = test::area(mesh.triangle(i));
+    least = std::min(least, area);
+    most = std::max(most, area);
+    small += area < 0.1 ? 1U : 0U;
+    large += area > 10 ? 1U : 0U;
+  }
+  EXPECT_GT(least, 1e-4);
+  EXPECT_LT(least, 2e-3);
+  EXPECT_GT(most, 1000);
+  // Neither end of the scale is an exception.
+  EXPECT_GT(small, 200'000U);
+  EXPECT_GT(large, 200'000U);
+}
+
+TEST(City, FillsItsSquare) {
+  for (const double size : {200.0, 4000.0}) {
+    const City city = generate_city(options(10'000, size));
+    const Box box = bounds(test::part_mesh(city.mesh, part_named(city.mesh, "roads")));
+    EXPECT_NEAR(box.lower.x, -size / 2, 1e-9);
+    EXPECT_NEAR(box.lower.y, -size / 2, 1e-9);
+    EXPECT_NEAR(box.upper.x, size / 2, 1e-9);
+    EXPECT_NEAR(box.upper.y, size / 2, 1e-9);
+    EXPECT_NEAR(city.street_lines.front(), -size / 2 + city.street_width / 2, 1e-9);
+    EXPECT_NEAR(city.street_lines.back(), size / 2 - city.street_width / 2, 1e-9);
+  }
+}
+
+/// Barycentric height of a triangle over a point inside it.
+Vec3 inside(const Triangle& t, double u, double v) {
+  return (1 - u - v) * t.a + u * t.b + v * t.c;
+}
+
+TEST(City, GroundIsTheHeightOfRoadsAndTerrain) {
+  for (const std::uint64_t n : {5'672U, 1'000'000U}) {
+    const City city = generate_city(options(n));
+    Rng rng(n);
+    for (const char* name : {"roads", "terrain"}) {
+      const Part& part = part_named(city.mesh, name);
+      for (std::uint32_t i = part.first; i < part.first + part.count; ++i) {
+        const double u = rng.unit();
+        const double v = rng.uniform(0, 1 - u);
+        const Vec3 p = inside(city.mesh.triangle(i), u, v);
+        ASSERT_NEAR(city.ground(p.x, p.y), p.z, 1e-9) << name << ' ' << i;
+      }
+    }
+  }
+}
+
+TEST(City, StreetsAreAtMostFivePercentSteepAndBlocksNoHigherThanTheirKerbs) {
+  const City city = generate_city(options(1'000'000));
+  const Part& roads = part_named(city.mesh, "roads");
+  for (std::uint32_t i = roads.first; i < roads.first + roads.count; ++i) {
+    const Triangle t = city.mesh.triangle(i);
+    const Vec3 normal = cross(t.b - t.a, t.c - t.a);
+    EXPECT_LE(std::hypot(normal.x, normal.y), 0.05 * std::abs(normal.z));
+    EXPECT_GT(normal.z, 0);
+  }
+  const double half = city.street_width / 2;
+  for (std::size_t i = 0; i + 1 < city.street_lines.size(); ++i) {
+    const double x = 0.5 * (city.street_lines[i] + city.street_lines[i + 1]);
+    const double y = 0.5 * (city.street_lines[3] + city.street_lines[4]);
+    const double west = city.ground(city.street_lines[i] + half, y);
+    const double east = city.ground(city.street_lines[i + 1] - half, y);
+    EXPECT_LT(city.ground(x, y), 0.5 * (west + east) - 0.1);
+  }
+}
+
+TEST(City, LaneStaysFreeOfBuildingsAndFurniture) {
+  const City city = generate_city(options(1'000'000));
+  const auto between_lines = [&](double c) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const double line : city.street_lines) {
+      nearest = std::min(nearest, std::abs(c - line));
+    }
+    return nearest;
+  };
+  for (const char* name : {"buildings", "furniture"}) {
+    const Part& part = part_named(city.mesh, name);
+    for (std::uint32_t i = part.first; i < part.first + part.count; ++i) {
+      const Triangle t = city.mesh.triangle(i);
+      for (const Vec3& v : {t.a, t.b, t.c}) {
+        ASSERT_GT(std::min(between_lines(v.x), between_lines(v.y)), 4.7) << name << ' ' << i;
+      }
+    }
+  }
+}
+
+TEST(City, NamesWhatIsOutOfRange) {
+  EXPECT_EQ(refusal(options(3)), "city of 3 triangles; the least is 1000");
+  EXPECT_EQ(refusal(options(999)), "city of 999 triangles; the least is 1000");
+  EXPECT_EQ(refusal(options(std::uint64_t{1} << 31)),
+            "city of 2147483648 triangles; the most is 100000000");
+  for (const double size : {0.0, -1.0, 199.0, 1e6, std::numeric_limits<double>::infinity(),
+                            std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_NE(refusal(options(1000, size)).find("200 to 100,000"), std::string::npos) << size;
+  }
+}
+
+}  // namespace
+}  // namespace soms
