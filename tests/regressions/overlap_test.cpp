@@ -1,0 +1,272 @@
+// Faults that users of other libraries reported, as far as they speak of overlap: one test a
+// report, each under all variations. An id is never used again.
+#include "soms/query/overlap.h"
+
+#include "soms/base/random.h"
+#include "soms/generate/shapes.h"
+#include "soms/geometry/triangle_overlap.h"
+#include "soms/query/reference/overlap.h"
+
+#include "tests/regressions/variations.h"
+#include "tests/support/bodies.h"
+#include "tests/support/support.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace soms {
+namespace {
+
+using test::box_body;
+using test::expect_overlap;
+using test::mapped;
+using test::overlap_under_variations;
+using test::soup_body;
+
+#if SOMS_ASSERTIONS
+constexpr bool kSlowBuild = true;
+#else
+constexpr bool kSlowBuild = false;
+#endif
+
+const Mesh& unit_box() {
+  static const Mesh box = box_body({0, 0, 0}, {1, 1, 1});
+  return box;
+}
+
+// Two walls on one axis overlap by 50 mm with all side faces flush.
+TEST(Regression, R01FlushWallsThatRunIntoEachOtherOverlap) {
+  expect_overlap(unit_box(), box_body({0.95, 0, 0}, {1.95, 1, 1}), true);
+  expect_overlap(unit_box(), box_body({0.95, 0.002, 0}, {1.95, 1.002, 1}), true);
+  // An L corner where one wall runs 0.05 too far.
+  expect_overlap(box_body({0, 0, 0}, {4.05, 0.2, 3}), box_body({4, 0, 0}, {4.2, 4, 3}), true);
+}
+
+// Sharing a face overlaps, and the least gap does not.
+TEST(Regression, R02AFaceSharedOrMissedByALeastGap) {
+  for (const double shift : {-0x1p-30, 0.0}) {
+    expect_overlap(unit_box(), box_body({1 + shift, 0, 0}, {2 + shift, 1, 1}), true);
+  }
+  expect_overlap(unit_box(), box_body({1 + 0x1p-30, 0, 0}, {2 + 0x1p-30, 1, 1}), false);
+}
+
+// The same members turned by a 3-4-5 rotation, exact after scaling by 5.
+TEST(Regression, R03SkewedMembersThatShareAFace) {
+  const auto turn = [](const Vec3& v) {
+    return Vec3{3 * v.x - 4 * v.y, 4 * v.x + 3 * v.y, 5 * v.z};
+  };
+  const Mesh first = mapped(unit_box(), turn);
+  for (const double shift : {0.0, -0x1p-20}) {
+    expect_overlap(first, mapped(box_body({1 + shift, 0, 0}, {2 + shift, 1, 1}), turn), true);
+  }
+  expect_overlap(first, mapped(box_body({1 + 0x1p-20, 0, 0}, {2 + 0x1p-20, 1, 1}), turn), false);
+}
+
+// A triangle without area is the point or segment it is, and no more.
+TEST(Regression, R04PointsAndSegmentsOverlapOnlyWhatTheyTouch) {
+  const Mesh box = box_body({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
+  const Vec3 away{5, 5, 5};
+  expect_overlap(box, soup_body({{away, away, away}}), false);
+  expect_overlap(box, soup_body({{away, {6, 6, 6}, {7, 7, 7}}}), false);
+  const Vec3 on{0.5, 0, 0};
+  expect_overlap(box, soup_body({{on, on, on}}), true);
+}
+
+/// Expects two triangles to be apart in all 72 orders and under all variations.
+void expect_apart(const Triangle& s, const Triangle& t) {
+  constexpr std::array<std::array<std::size_t, 3>, 6> kOrders{
+      {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
+  const std::array first{s.a, s.b, s.c};
+  const std::array second{t.a, t.b, t.c};
+  for (const auto& p : kOrders) {
+    for (const auto& q : kOrders) {
+      const Triangle u{first[p[0]], first[p[1]], first[p[2]]};
+      const Triangle v{second[q[0]], second[q[1]], second[q[2]]};
+      EXPECT_FALSE(triangles_overlap(u, v));
+      EXPECT_FALSE(triangles_overlap(v, u));
+    }
+  }
+  expect_overlap(soup_body({s}), soup_body({t}), false);
+}
+
+TEST(Regression, R05TheAnswerForTwoTrianglesHasNoOrder) {
+  expect_apart({{32.22699737548828, 1.2630000114440918, -11.8149995803833},
+                {31.316997528076172, 1.2630000114440918, -11.739999771118164},
+                {32.22699737548828, 1.2630000114440918, -11.739999771118164}},
+               {{31.316997528076172, 1.933000087738037, -7.585000038146973},
+                {31.316997528076172, -0.8669999837875366, -7.295000076293945},
+                {31.316997528076172, -0.8669999837875366, -7.585000038146973}});
+}
+
+// The first triangle is off its plane by 1e-16.
+TEST(Regression, R06NearlyAlignedTrianglesApartDoNotCross) {
+  expect_apart({{-0.29389262199401855, 0.40450850129127514, 0.4999999999999999},
+                {-0.4755282700061798, -0.1545085012912749, 0.5},
+                {0, 1.1102230246251565e-16, 0.5}},
+               {{-1.2246468525851679e-16, -0.5, 0.5},
+                {-0.4755282700061798, -0.5, 0.15450850129127502},
+                {0, -0.5, 0}});
+}
+
+TEST(Regression, R07ParallelTrianglesOverlapAtGapZeroOnly) {
+  const Mesh ground = soup_body({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
+  for (const double gap : {0x1p-40, 0x1p-30, 0x1p-20}) {
+    expect_overlap(ground, soup_body({{{0, 0, gap}, {1, 0, gap}, {0, 1, gap}}}), false);
+  }
+  expect_overlap(ground, ground, true);
+}
+
+/// A rotation drawn evenly, and a shift shorter than 0.4.
+Pose deep_pose(Rng& rng) {
+  while (true) {
+    const std::array q{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1),
+                       rng.uniform(-1, 1)};
+    const Vec3 shift{rng.uniform(-0.4, 0.4), rng.uniform(-0.4, 0.4), rng.uniform(-0.4, 0.4)};
+    const double n = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    if (n > 0.1 && n < 1 && dot(shift, shift) < 0.16) {
+      return Pose::from_quaternion(q[0] / n, q[1] / n, q[2] / n, q[3] / n, shift);
+    }
+  }
+}
+
+// Equal cubes cannot hold one another, so cubes this deep always cross.
+TEST(Regression, R08DeepCubesAlwaysOverlap) {
+  const std::size_t count = kSlowBuild ? 20000 : 1000000;
+  Rng rng(8);
+  std::vector<Pose> poses(count);
+  std::generate(poses.begin(), poses.end(), [&] { return deep_pose(rng); });
+  const Shape cube(box_body({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}));
+  OverlapOptions options;
+  options.mode = OverlapMode::any;
+  const OverlapBatch batch = overlap(cube, poses, Body(cube), options);
+  EXPECT_EQ(std::count(batch.any.begin(), batch.any.end(), 1), static_cast<long>(count));
+}
+
+// Cubes that kiss, the gap swept in units of the last place: the answer is the sign of the gap.
+TEST(Regression, R09KissingContactFollowsTheGapToTheLastBit) {
+  const Mesh wall = box_body({0, 0, 0}, {0.25, 0.25, 0.25});
+  const Mesh cube = box_body({-0.125, -0.125, -0.125}, {0.125, 0.125, 0.125});
+  test::for_each_case("regression/R09", 12, [&](Rng& rng) {
+    Pose pose = deep_pose(rng);
+    pose.m[3] = pose.m[7] = pose.m[11] = 0.125;
+    // The corner furthest back meets the middle of the wall's face x = 0.25.
+    Vec3 tip = pose.apply(cube.vertices[0]);
+    for (const Vec3& v : cube.vertices) {
+      const Vec3 moved = pose.apply(v);
+      tip = moved.x < tip.x ? moved : tip;
+    }
+    pose.m[3] += 0.25 - tip.x;
+    pose.m[7] += 0.125 - tip.y;
+    pose.m[11] += 0.125 - tip.z;
+    const double start = pose.m[3];
+    for (int ulps = -8; ulps <= 8; ++ulps) {
+      pose.m[3] = start + ulps * 0x1p-54;
+      const Mesh moved = mapped(cube, [&](const Vec3& v) { return pose.apply(v); });
+      const bool expected = bounds(moved).lower.x <= 0.25;
+      EXPECT_EQ(overlap(Body(cube, pose), Body(wall)).any, expected);
+      if (ulps % 4 == 0) {
+        expect_overlap(moved, wall, expected);
+      }
+    }
+  });
+}
+
+/// A rod of radius 0.2 about the y axis at height 0.5, from y = 0.1 to 1.9.
+Mesh rod() {
+  constexpr int kSides = 16;
+  std::vector<Triangle> triangles;
+  const auto rim = [](int i, double y) {
+    const double angle = 2 * 3.141592653589793 * (i % kSides) / kSides;
+    return Vec3{0.2 * std::cos(angle), y, 0.5 + 0.2 * std::sin(angle)};
+  };
+  for (int i = 0; i < kSides; ++i) {
+    triangles.push_back({rim(i, 0.1), rim(i, 1.9), rim(i + 1, 1.9)});
+    triangles.push_back({rim(i, 0.1), rim(i + 1, 1.9), rim(i + 1, 0.1)});
+    triangles.push_back({{0, 0.1, 0.5}, rim(i, 0.1), rim(i + 1, 0.1)});
+    triangles.push_back({{0, 1.9, 0.5}, rim(i + 1, 1.9), rim(i, 1.9)});
+  }
+  return soup_body(triangles);
+}
+
+TEST(Regression, R10ARodInAChannelIsClear) {
+  const Mesh channel = test::joined(
+      test::joined(box_body({-0.6, 0, 0}, {-0.5, 2, 1}), box_body({0.5, 0, 0}, {0.6, 2, 1})),
+      box_body({-0.6, 0, -0.1}, {0.6, 2, 0}));
+  expect_overlap(rod(), channel, false);
+  const Mesh leaning = mapped(rod(), [](const Vec3& v) { return v + Vec3{0.35, 0, 0}; });
+  expect_overlap(leaning, channel, true);
+}
+
+TEST(Regression, R11BoxesInOneRowAreApartWhenTheRootIsALeaf) {
+  expect_overlap(unit_box(), box_body({0, 10, 0}, {1, 11, 1}), false);
+}
+
+TEST(Regression, R12ASliverGivesNoGhostHit) {
+  const Mesh sliver = soup_body({{{14.5536213, 10.5973721, -0.0060005188},
+                                  {14.5536213, 10.5969315, -3.18638134},
+                                  {14.5536213, 10.5969315, -5.18637228}}});
+  const Vec3 start{14.831459, 8.1905508, -4.30825043};
+  const Vec3 way{-0.0988006592, 5.96e-8, 0.000732421875};
+  for (const double t : {0.0, 0.5, 1.0}) {
+    const Mesh ball =
+        mapped(generate_sphere(120), [&](const Vec3& v) { return 0.2 * v + (start + t * way); });
+    expect_overlap(sliver, ball, false);
+  }
+}
+
+TEST(Regression, R13SmallTrianglesAreKept) {
+  const Triangle small{{0.279280782, -0.467894495, 0.105353981},
+                       {0.280091137, -0.467545986, 0.104968153},
+                       {0.277769983, -0.46932292, 0.105590254}};
+  const Vec3 middle = (1.0 / 3) * (small.a + small.b + small.c);
+  const Mesh needle = soup_body({{middle - 0.01 * cross(small.b - small.a, small.c - small.a),
+                                  middle + Vec3{0.1, 0.2, 0.3}, middle + Vec3{-0.1, -0.2, -0.3}}});
+  EXPECT_EQ(overlap_under_variations(soup_body({small}), needle),
+            (std::vector<TrianglePair>{{0, 0}}));
+}
+
+TEST(Regression, R13ATinyKnotAnswersAsTheLargeOne) {
+  const Mesh knot = generate_knot(400);
+  const Pose pose = Pose::about_z(0.5, {0.25, 0.125, 0});
+  const Mesh turned = mapped(knot, [&](const Vec3& v) { return pose.apply(v); });
+  const auto pairs = overlap_under_variations(knot, turned);
+  EXPECT_GT(pairs.size(), 20U);
+  const auto tiny = [](const Vec3& v) { return v * 0x1p-60; };
+  EXPECT_EQ(overlap(Body(mapped(knot, tiny)), Body(mapped(turned, tiny))).pairs, pairs);
+}
+
+// Every triangle meets at least itself; the variations reorder the copy.
+TEST(Regression, R14ABodyAndItsCopyInOnePlace) {
+  const Mesh knot = generate_knot(120);
+  const auto pairs = overlap_under_variations(knot, knot);
+  for (TriangleId i = 0; i < 120; ++i) {
+    EXPECT_TRUE(std::binary_search(pairs.begin(), pairs.end(), TrianglePair(i, i)));
+  }
+}
+
+TEST(Regression, R15CoplanarSquaresOverlap) {
+  const Mesh square =
+      soup_body({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 0, 0}, {1, 1, 0}, {0, 1, 0}}});
+  const Mesh moved = mapped(square, [](const Vec3& v) { return v + Vec3{0.5, 0.5, 0}; });
+  EXPECT_EQ(overlap_under_variations(square, moved),
+            (std::vector<TrianglePair>{{0, 0}, {0, 1}, {1, 0}, {1, 1}}));
+}
+
+// Coplanar faces cut into many triangles: none in the middle of the face is left out.
+TEST(Regression, R16EveryPairOfTwoBoxesIsListed) {
+  for (const int cuts : {1, 4}) {
+    const Mesh large = box_body({-1, -1, -1}, {1, 1, 1}, cuts);
+    const Mesh small = box_body({-0.5, -0.5, 0.5}, {0.5, 0.5, 1.5}, cuts);
+    EXPECT_FALSE(overlap_under_variations(large, small).empty());
+    const Mesh standing = box_body({-0.5, -0.5, 1}, {0.5, 0.5, 2}, cuts);
+    EXPECT_FALSE(overlap_under_variations(large, standing).empty());
+  }
+}
+
+}  // namespace
+}  // namespace soms
