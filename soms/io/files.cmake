@@ -6,9 +6,12 @@ set(SOMS_HEADERS
 set(SOMS_SOURCES
   detail/file.cpp
   detail/format.cpp
+  detail/line_reader.cpp
   detail/mesh_builder.cpp
+  detail/mesh_writer.cpp
   detail/obj.cpp
   detail/off.cpp
+  detail/output.cpp
   detail/ply.cpp
   detail/ply_binary.cpp
   detail/ply_header.cpp
@@ -17,5 +20,7 @@ set(SOMS_SOURCES
   detail/stl.cpp
   detail/text.cpp
   detail/three_ds.cpp
+  poses.cpp
   read_mesh.cpp
+  write_mesh.cpp
 )

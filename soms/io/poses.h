@@ -20,7 +20,7 @@ namespace soms {
 
 /// Poses of a CSV file with a header, `x,y,z,qw,qx,qy,qz` (the last four optional together) or
 /// `r00,r01,r02,tx,r10,r11,r12,ty,r20,r21,r22,tz`, read row by row: a million rows need no more
-/// memory than one.
+/// memory than one. The columns may stand in any order.
 class PoseReader {
  public:
   /// \errors  ErrorKind::cannot_open, bad_file.

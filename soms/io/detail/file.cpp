@@ -18,22 +18,6 @@ namespace {
 
 constexpr std::uint64_t kMostOfPipe = std::uint64_t{1} << 32;
 
-/// Closes a file when it goes.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-
-  ~Descriptor() { close(fd_); }
-
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  [[nodiscard]] int get() const { return fd_; }
-
- private:
-  int fd_;
-};
-
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what,
                        const std::string& remedy) {
   throw Error(ErrorKind::cannot_open, path.string() + ": " + what, remedy);
@@ -54,20 +38,13 @@ class Descriptor {
 
 /// Reads up to `wanted` bytes; fewer only at the end.
 std::size_t read_up_to(const std::filesystem::path& path, int fd, char* to, std::size_t wanted) {
-  constexpr std::size_t kAtOnce = std::size_t{1} << 26;
   std::size_t done = 0;
   while (done < wanted) {
-    const ssize_t got = read(fd, to + done, std::min(wanted - done, kAtOnce));
-    if (got < 0 && errno == EINTR) {
-      continue;
-    }
-    if (got < 0) {
-      fail_system(path, errno);
-    }
+    const std::size_t got = read_some(path, fd, to + done, wanted - done);
     if (got == 0) {
       break;
     }
-    done += static_cast<std::size_t>(got);
+    done += got;
   }
   return done;
 }
@@ -94,20 +71,49 @@ FileBytes read_pipe(const std::filesystem::path& path, int fd, std::uint64_t mos
 
 }  // namespace
 
-FileBytes read_file(const std::filesystem::path& path, std::uint64_t most) {
+Descriptor::~Descriptor() {
+  close(fd_);
+}
+
+int open_for_reading(const std::filesystem::path& path) {
   const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd < 0) {
     fail_system(path, errno);
   }
-  const Descriptor file(fd);
+
+  struct stat status {};
+
+  const int code = fstat(fd, &status) == 0 ? 0 : errno;
+  if (code != 0 || S_ISDIR(status.st_mode)) {
+    close(fd);
+    if (code != 0) {
+      fail_system(path, code);
+    }
+    fail(path, "a folder, not a file", "name a file in it");
+  }
+  return fd;
+}
+
+std::size_t read_some(const std::filesystem::path& path, int fd, char* to, std::size_t wanted) {
+  constexpr std::size_t kAtOnce = std::size_t{1} << 26;
+  while (true) {
+    const ssize_t got = read(fd, to, std::min(wanted, kAtOnce));
+    if (got >= 0) {
+      return static_cast<std::size_t>(got);
+    }
+    if (errno != EINTR) {
+      fail_system(path, errno);
+    }
+  }
+}
+
+FileBytes read_file(const std::filesystem::path& path, std::uint64_t most) {
+  const Descriptor file(open_for_reading(path));
 
   struct stat status {};
 
   if (fstat(file.get(), &status) != 0) {
     fail_system(path, errno);
-  }
-  if (S_ISDIR(status.st_mode)) {
-    fail(path, "a folder, not a file", "name a file in it");
   }
   if (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode)) {
     return read_pipe(path, file.get(), most);

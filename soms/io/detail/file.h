@@ -10,6 +10,30 @@
 
 namespace soms::detail {
 
+/// A file that is closed when it goes.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+
+  ~Descriptor();
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  [[nodiscard]] int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+/// Opens a file or a pipe, no folder; the caller wraps it in a Descriptor.
+/// \errors ErrorKind::cannot_open.
+[[nodiscard]] int open_for_reading(const std::filesystem::path& path);
+
+/// Reads between 1 and `wanted` bytes; 0 only at the end.
+/// \errors ErrorKind::cannot_open.
+[[nodiscard]] std::size_t read_some(const std::filesystem::path& path, int fd, char* to,
+                                    std::size_t wanted);
+
 /// Bytes that were read, not cleared before.
 struct FileBytes {
   std::unique_ptr<char[]> data;

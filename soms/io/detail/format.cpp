@@ -1,5 +1,6 @@
 #include "soms/io/detail/format.h"
 
+#include "soms/io/detail/ending.h"
 #include "soms/io/detail/obj.h"
 #include "soms/io/detail/off.h"
 #include "soms/io/detail/ply.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 
 namespace soms::detail {
@@ -56,18 +56,6 @@ constexpr std::array<Foreign, 14> kForeign = {{
     {"\xff\xfe", "text in UTF-16", "save it as ASCII or UTF-8"},
     {"\xfe\xff", "text in UTF-16", "save it as ASCII or UTF-8"},
 }};
-
-/// The ending of a file name in lower case, with its point.
-std::string ending_of(std::string_view name) {
-  const std::size_t point = name.find_last_of("./\\");
-  if (point == std::string_view::npos || name[point] != '.') {
-    return {};
-  }
-  std::string ending(name.substr(point));
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
 
 std::string format_list() {
   std::string list;

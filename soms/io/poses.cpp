@@ -1,0 +1,207 @@
+#include "soms/io/poses.h"
+
+#include "soms/base/error.h"
+#include "soms/io/detail/line_reader.h"
+#include "soms/io/detail/source.h"
+#include "soms/io/detail/text.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+
+namespace soms {
+
+namespace {
+
+constexpr std::array<std::string_view, 7> kShiftAndTurn = {"x", "y", "z", "qw", "qx", "qy", "qz"};
+constexpr std::array<std::string_view, 12> kMatrix = {"r00", "r01", "r02", "tx",  "r10", "r11",
+                                                      "r12", "ty",  "r20", "r21", "r22", "tz"};
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && detail::is_blank(text.front())) {
+    text.remove_prefix(1);
+  }
+  while (!text.empty() && detail::is_blank(text.back())) {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+/// Cells of a line, without blanks around them.
+void split(std::string_view line, std::vector<std::string_view>& cells) {
+  cells.clear();
+  while (true) {
+    const std::size_t comma = line.find(',');
+    cells.push_back(trimmed(line.substr(0, comma)));
+    if (comma == std::string_view::npos) {
+      return;
+    }
+    line.remove_prefix(comma + 1);
+  }
+}
+
+/// A number that fills its cell. \errors `bad`, ErrorKind::not_finite.
+double number(std::string_view cell, std::string_view name, ErrorKind bad) {
+  const char* end = cell.data() + cell.size();
+  const detail::ParsedNumber parsed =
+      detail::parse_number(cell.data(), end, detail::Precision::as_double);
+  if (parsed.status == detail::NumberStatus::not_a_number || parsed.end != end) {
+    throw Error(bad, std::string(name) + " is " + detail::in_quotes(cell) + ", not a number",
+                "give a number such as 1.5 or -2e3");
+  }
+  if (parsed.status == detail::NumberStatus::too_large || !std::isfinite(parsed.value)) {
+    throw Error(ErrorKind::not_finite,
+                std::string(name) + " is " + detail::in_quotes(cell) + ", not a finite number",
+                "give a finite number");
+  }
+  return parsed.value;
+}
+
+/// A pose from 3 numbers (a shift), 7 (a shift and a quaternion) or 12 (a matrix), checked.
+Pose make_pose(std::span<const double> v) {
+  Pose pose;
+  if (v.size() == 3) {
+    pose = Pose::translation(v[0], v[1], v[2]);
+  } else if (v.size() == 7) {
+    pose = Pose::from_quaternion(v[3], v[4], v[5], v[6], {v[0], v[1], v[2]});
+  } else {
+    std::copy(v.begin(), v.end(), pose.m.begin());
+  }
+  check(pose);
+  return pose;
+}
+
+}  // namespace
+
+Pose parse_pose(std::string_view text) {
+  std::vector<double> numbers;
+  const std::string quoted = "pose " + detail::in_quotes(text);
+  const std::string remedy = "give \"x y z\" or \"x y z qw qx qy qz\"";
+  bool after_comma = true;
+  for (std::size_t at = 0; at < text.size();) {
+    if (text[at] == ',' && after_comma) {
+      throw Error(ErrorKind::usage, quoted + " has a comma without a number before it", remedy);
+    }
+    if (text[at] == ',' || detail::is_blank(text[at])) {
+      after_comma = after_comma || text[at] == ',';
+      ++at;
+      continue;
+    }
+    const std::size_t end = std::min(text.find_first_of(", \t\v\f", at), text.size());
+    if (numbers.size() == kShiftAndTurn.size()) {
+      throw Error(ErrorKind::usage, quoted + " has more than 7 numbers", remedy);
+    }
+    numbers.push_back(number(text.substr(at, end - at),
+                             "pose: " + std::string(kShiftAndTurn[numbers.size()]),
+                             ErrorKind::usage));
+    after_comma = false;
+    at = end;
+  }
+  if ((numbers.size() != 3 && numbers.size() != 7) || after_comma) {
+    throw Error(ErrorKind::usage, quoted + " has " + std::to_string(numbers.size()) + " numbers",
+                remedy);
+  }
+  return make_pose(numbers);
+}
+
+struct PoseReader::State {
+  explicit State(const std::filesystem::path& path) : lines(path) {}
+
+  detail::LineReader lines;
+  std::vector<std::string_view> cells;
+  std::vector<std::string_view> names;  ///< of the columns, in the file's order
+  std::vector<std::size_t> places;      ///< where a column's number goes
+  std::vector<double> numbers;
+
+  /// The next line that is not blank and no comment.
+  std::optional<std::string_view> next_line() {
+    while (const auto line = lines.next()) {
+      const std::string_view text = trimmed(*line);
+      if (!text.empty() && text[0] != '#') {
+        return text;
+      }
+    }
+    return std::nullopt;
+  }
+
+  [[noreturn]] void fail(ErrorKind kind, const std::string& what, const std::string& remedy) const {
+    throw Error(kind, lines.name() + ", line " + std::to_string(lines.number()) + ": " + what,
+                remedy);
+  }
+
+  void read_header();
+  bool take_columns(std::span<const std::string_view> wanted);
+};
+
+/// Takes the columns if the header names each of `wanted` once and nothing else, in any order.
+bool PoseReader::State::take_columns(std::span<const std::string_view> wanted) {
+  names.clear();
+  places.clear();
+  for (const std::string_view cell : cells) {
+    const auto found = std::find(wanted.begin(), wanted.end(), cell);
+    if (found == wanted.end() || std::find(names.begin(), names.end(), *found) != names.end()) {
+      return false;
+    }
+    names.push_back(*found);
+    places.push_back(static_cast<std::size_t>(found - wanted.begin()));
+  }
+  numbers.assign(wanted.size(), 0.0);
+  return names.size() == wanted.size();
+}
+
+void PoseReader::State::read_header() {
+  const std::string remedy =
+      "begin with x,y,z or x,y,z,qw,qx,qy,qz or r00,r01,r02,tx,r10,r11,r12,ty,r20,r21,r22,tz";
+  const auto line = next_line();
+  if (!line) {
+    throw Error(ErrorKind::bad_file, lines.name() + ": no header and no poses", remedy);
+  }
+  split(*line, cells);
+  if (!take_columns(std::span(kShiftAndTurn).first(3)) && !take_columns(kShiftAndTurn) &&
+      !take_columns(kMatrix)) {
+    fail(ErrorKind::bad_file, "the header " + detail::in_quotes(*line) + " is not known", remedy);
+  }
+}
+
+PoseReader::PoseReader(const std::filesystem::path& path) : state_(std::make_unique<State>(path)) {
+  state_->read_header();
+}
+
+PoseReader::~PoseReader() = default;
+PoseReader::PoseReader(PoseReader&&) noexcept = default;
+PoseReader& PoseReader::operator=(PoseReader&&) noexcept = default;
+
+std::optional<Pose> PoseReader::next() {
+  State& state = *state_;
+  const auto line = state.next_line();
+  if (!line) {
+    return std::nullopt;
+  }
+  split(*line, state.cells);
+  if (state.cells.size() != state.names.size()) {
+    state.fail(ErrorKind::bad_file,
+               std::to_string(state.cells.size()) + " numbers under a header of " +
+                   std::to_string(state.names.size()),
+               "give one number a column");
+  }
+  try {
+    for (std::size_t i = 0; i < state.cells.size(); ++i) {
+      state.numbers[state.places[i]] = number(state.cells[i], state.names[i], ErrorKind::bad_file);
+    }
+    return make_pose(state.numbers);
+  } catch (const Error& error) {
+    state.fail(error.kind(), error.place(), error.remedy());
+  }
+}
+
+std::vector<Pose> read_poses(const std::filesystem::path& path) {
+  PoseReader reader(path);
+  std::vector<Pose> poses;
+  while (const auto pose = reader.next()) {
+    poses.push_back(*pose);
+  }
+  return poses;
+}
+
+}  // namespace soms

@@ -1,0 +1,57 @@
+#include "soms/io/write_mesh.h"
+
+#include "soms/base/error.h"
+#include "soms/io/detail/ending.h"
+#include "soms/io/detail/mesh_writer.h"
+#include "soms/io/detail/output.h"
+
+#include <ostream>
+
+namespace soms {
+
+MeshFormat format_for(const std::filesystem::path& path) {
+  const std::string ending = detail::ending_of(path.string());
+  if (ending == ".ply") {
+    return MeshFormat::ply;
+  }
+  if (ending == ".obj") {
+    return MeshFormat::obj;
+  }
+  if (ending == ".stl") {
+    return MeshFormat::stl;
+  }
+  if (ending == ".off") {
+    return MeshFormat::off;
+  }
+  throw Error(ErrorKind::unsupported,
+              path.string() + ": the name does not end with a format that is written",
+              "end it with .ply, .obj, .stl or .off");
+}
+
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh, MeshFormat format,
+                const Parallel& parallel) {
+  detail::OutputFile file(path);
+  detail::Output output([&](std::string_view bytes) { file.write(bytes); });
+  detail::write_mesh(output, path.string(), mesh, format, parallel);
+  file.commit();
+}
+
+void write_mesh(std::ostream& out, const std::string& name, const Mesh& mesh, MeshFormat format,
+                const Parallel& parallel) {
+  const auto check_stream = [&] {
+    if (!out) {
+      throw Error(ErrorKind::cannot_write, name + ": the stream takes no more",
+                  "check that it is open and has room");
+    }
+  };
+  detail::Output output([&](std::string_view bytes) {
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    check_stream();
+  });
+  check_stream();
+  detail::write_mesh(output, name, mesh, format, parallel);
+  out.flush();
+  check_stream();
+}
+
+}  // namespace soms
