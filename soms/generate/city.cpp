@@ -42,7 +42,7 @@ City generate_city(const CityOptions& options) {
   const std::uint64_t blocks = city.street_lines.size() - 1;
   const std::uint64_t upper =
       options.triangles - detail::ground_triangles(blocks, city.block_cells);
-  const auto furniture = detail::plan_furniture(city, upper / 4);
+  const auto furniture = detail::plan_furniture(city, 2 * upper / 5);
   std::uint64_t walls = upper;
   for (const detail::Furniture& piece : furniture) {
     walls -= detail::furniture_triangles(piece.kind);

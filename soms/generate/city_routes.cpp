@@ -133,15 +133,16 @@ Route street_route(const City& city, std::uint64_t seed, double speed, double cl
   const double half = 0.5 * city.street_width;
   const bool walks = speed < kWalkBelow;
   Lane lane;
-  lane.offset = walks ? rng.uniform(7.7, 9.3) : rng.uniform(2.2, 4.25);
+  lane.offset = walks ? rng.uniform(7.5, 9.4) : rng.uniform(2.2, 4.6);
   // Arcs end within the level crossing.
   lane.right_turn = std::min(5.0, 0.95 * (half - lane.offset));
   lane.left_turn = walks ? lane.right_turn : lane.offset + 3;
   lane.level = half;
   const std::size_t first = rng.below(loop.size());
-  // Between 8 m before the crossing and 8 m after it there is no furniture.
+  // Up to 6 m before the level crossing and after it there is no furniture.
   Route route = follow(
-      city, loop, lane, [&](std::size_t) { return clearance; }, first, rng.uniform(-8, half));
+      city, loop, lane, [&](std::size_t) { return clearance; }, first,
+      rng.uniform(-3, walks ? 3 : half));
   route.speed = speed;
   route.base = walks ? 0.5 : 2.7;
   return route;
@@ -156,13 +157,13 @@ Route flight_route(const City& city, std::uint64_t seed, double speed, double lo
     h = rng.uniform(lowest, highest);
   }
   Lane lane;
-  lane.offset = rng.uniform(-9.2, 9.2);
+  lane.offset = rng.uniform(-12, 12);
   lane.right_turn = rng.uniform(4, 22);
   lane.left_turn = rng.uniform(4, 22);
   lane.level = 0.5 * city.street_width;
   const std::size_t first = rng.below(loop.size());
   Route route = follow(
-      city, loop, lane, [&](std::size_t k) { return heights[k]; }, first, rng.uniform(-30, 0));
+      city, loop, lane, [&](std::size_t k) { return heights[k]; }, first, rng.uniform(0, 10));
   route.speed = speed;
   route.base = 1;
   return route;

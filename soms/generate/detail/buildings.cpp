@@ -83,8 +83,8 @@ Outline bastion_outline(double reach, Rng& rng) {
 
 /// Outline, height of the walls; `reach` is half the lot.
 void draw_shape(Building& building, double reach, Rng& rng) {
-  const double x = rng.uniform(0.55, 0.9) * reach;
-  const double y = rng.uniform(0.55, 0.9) * reach;
+  const double x = rng.uniform(0.6, 0.96) * reach;
+  const double y = rng.uniform(0.6, 0.96) * reach;
   building.outline = rectangle(x, y);
   switch (building.kind) {
     case BuildingKind::block:
@@ -94,7 +94,7 @@ void draw_shape(Building& building, double reach, Rng& rng) {
       building.wall = rng.uniform(4.5, 9);
       break;
     case BuildingKind::tower:
-      building.outline = regular(5 + rng.below(8), rng.uniform(0.5, 0.85) * reach);
+      building.outline = regular(5 + rng.below(8), rng.uniform(0.55, 0.92) * reach);
       building.wall = rng.uniform(25, 70);
       break;
     case BuildingKind::corner: {
@@ -108,7 +108,7 @@ void draw_shape(Building& building, double reach, Rng& rng) {
       building.wall = rng.uniform(9, 22);
       break;
     case BuildingKind::bastion:
-      building.outline = bastion_outline(0.9 * reach, rng);
+      building.outline = bastion_outline(0.95 * reach, rng);
       building.wall = rng.uniform(5, 18);
       break;
   }
@@ -139,7 +139,7 @@ Building draw_building(const City& city, const Lots& lots, std::uint64_t lot) {
   building.index = lot;
   building.kind = draw_kind(rng);
   draw_shape(building, reach, rng);
-  const double free = 0.08 * reach;
+  const double free = 0.03 * reach;
   // One in five is turned, and smaller so that it stays within its lot.
   const bool turned = rng.unit() < 0.2;
   building.frame = upright({x + rng.uniform(-free, free), y + rng.uniform(-free, free), 0},

@@ -9,7 +9,7 @@ namespace soms::detail {
 
 namespace {
 
-constexpr double kClear = 12;          ///< metres without furniture beside a crossing
+constexpr double kClear = 6;           ///< metres without furniture beside a crossing
 constexpr double kBay = 8;             ///< least length of a bay: a van and room to spare
 constexpr std::uint64_t kBayKind = 5;  ///< tags of `rng_for`
 constexpr std::uint64_t kShapeKind = 6;
@@ -35,12 +35,12 @@ Bays bays_of(const City& city) {
 
 FurnitureKind draw_kind(Rng& rng) {
   const double r = rng.unit();
-  return r < 0.22   ? FurnitureKind::lamp
-         : r < 0.44 ? FurnitureKind::tree
-         : r < 0.54 ? FurnitureKind::bench
-         : r < 0.66 ? FurnitureKind::sign
-         : r < 0.74 ? FurnitureKind::bin
-         : r < 0.90 ? FurnitureKind::car
+  return r < 0.12   ? FurnitureKind::lamp
+         : r < 0.28 ? FurnitureKind::tree
+         : r < 0.34 ? FurnitureKind::bench
+         : r < 0.50 ? FurnitureKind::sign
+         : r < 0.62 ? FurnitureKind::bin
+         : r < 0.86 ? FurnitureKind::car
                     : FurnitureKind::van;
 }
 
@@ -49,7 +49,7 @@ double draw_offset(FurnitureKind kind, Rng& rng) {
   switch (kind) {
     case FurnitureKind::lamp:
     case FurnitureKind::sign:
-      return rng.uniform(7.3, 7.6);
+      return rng.uniform(7.45, 7.75);
     case FurnitureKind::car:
     case FurnitureKind::van:
       return rng.uniform(5.85, 6.25);
@@ -116,7 +116,7 @@ void add_sign(Mesh& mesh, const Frame& f, Rng& rng) {
 }
 
 void add_wheels(Mesh& mesh, const Frame& f, double axle, double track, double radius) {
-  const Outline rim = regular(8, radius);
+  const Outline rim = regular(6, radius);
   for (const double x : {axle, -axle}) {
     for (const double y : {track, -track}) {
       add_prism(mesh, crosswise(f.moved(x, y, radius)), rim, -0.1, 0.1);
@@ -195,9 +195,9 @@ std::uint64_t furniture_triangles(FurnitureKind kind) {
     case FurnitureKind::bin:
       return prism_triangles(8);
     case FurnitureKind::car:
-      return 24 + 4 * prism_triangles(8);
+      return 24 + 4 * prism_triangles(6);
     default:
-      return prism_triangles(5) + 4 * prism_triangles(8);
+      return prism_triangles(5) + 4 * prism_triangles(6);
   }
 }
 

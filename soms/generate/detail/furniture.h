@@ -23,7 +23,7 @@ struct Furniture {
 /// Triangles of a piece.
 [[nodiscard]] std::uint64_t furniture_triangles(FurnitureKind kind);
 
-/// Pieces in bays along the streets, 12 m clear of crossings, of at most `budget` triangles
+/// Pieces in bays along the streets, 6 m clear of crossings, of at most `budget` triangles
 /// together.
 [[nodiscard]] std::vector<Furniture> plan_furniture(const City& city, std::uint64_t budget);
 
