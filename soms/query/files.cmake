@@ -18,6 +18,7 @@ set(SOMS_SOURCES
   detail/collector.cpp
   detail/pair_walk.cpp
   detail/relative_pose.cpp
+  detail/triangle_tests.cpp
   overlap.cpp
   reference/overlap.cpp
   traversal/baselines.cpp

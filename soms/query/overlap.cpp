@@ -16,9 +16,9 @@ namespace {
 using detail::Collector;
 using detail::PairWalk;
 using detail::PlacePair;
+using detail::PlaceStack;
 using detail::RelativePose;
 using detail::Viewer;
-using detail::WalkMemory;
 using detail::WalkSide;
 using detail::Watch;
 
@@ -55,8 +55,8 @@ Coverage coverage_of(OverlapMode mode, const Collector& collector, bool late) {
 /// order.
 void run_parallel(const RelativePose& relative, const WalkSide& x, const WalkSide& y, bool swapped,
                   const OverlapOptions& options, const Parallel& parallel, Overlap& answer) {
-  WalkMemory memory;
-  PairWalk head(relative, x, y, swapped, memory);
+  PlaceStack stack;
+  PairWalk head(relative, x, y, swapped, stack);
   const std::vector<PlacePair> frontier = head.frontier(kFrontier);
   answer.cost = head.cost();
 
@@ -70,7 +70,7 @@ void run_parallel(const RelativePose& relative, const WalkSide& x, const WalkSid
   std::atomic<bool> done = false;
   for_each_chunk(frontier.size(), 1, parallel, [&](std::size_t begin, std::size_t) {
     Part& part = parts[begin];
-    WalkMemory own;
+    PlaceStack own;
     Watch watch(options, parallel, &done);
     PairWalk walk(relative, x, y, swapped, own);
     Collector collector(options.mode, options.limit, part.pairs);
@@ -111,11 +111,11 @@ struct Verdict {
 };
 
 Verdict run_single(const RelativePose& relative, const WalkSide& x, const WalkSide& y, bool swapped,
-                   const OverlapOptions& options, const Parallel& parallel, WalkMemory& memory,
+                   const OverlapOptions& options, const Parallel& parallel, PlaceStack& stack,
                    std::vector<TrianglePair>& pairs) {
   Watch watch(options, parallel);
   Collector collector(options.mode, options.limit, pairs);
-  PairWalk walk(relative, x, y, swapped, memory);
+  PairWalk walk(relative, x, y, swapped, stack);
   walk.run(collector, watch);
   collector.finish();
   return {collector.any(), coverage_of(options.mode, collector, watch.late()), walk.cost()};
@@ -147,7 +147,7 @@ struct Block {
 void run_block(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
                const OverlapOptions& options, const Parallel& parallel, Block& block,
                std::span<std::uint8_t> any, std::span<Coverage> coverage) {
-  WalkMemory memory;
+  PlaceStack stack;
   const bool mover_views = first_is_viewer(mover.layout(), fixed.shape.layout());
   const Viewer fixed_viewer(fixed.shape.layout(), fixed.pose);
   const WalkSide fixed_side{&fixed.shape, &fixed.pose};
@@ -158,11 +158,11 @@ void run_block(const Shape& mover, std::span<const Pose> poses, const Body& fixe
     if (mover_views) {
       const RelativePose relative(fixed.shape.layout(), fixed.pose,
                                   Viewer(mover.layout(), poses[k]));
-      verdict = run_single(relative, fixed_side, mover_side, true, options, parallel, memory,
-                           block.pairs);
+      verdict =
+          run_single(relative, fixed_side, mover_side, true, options, parallel, stack, block.pairs);
     } else {
       const RelativePose relative(mover.layout(), poses[k], fixed_viewer);
-      verdict = run_single(relative, mover_side, fixed_side, false, options, parallel, memory,
+      verdict = run_single(relative, mover_side, fixed_side, false, options, parallel, stack,
                            block.pairs);
     }
     any[k] = verdict.any ? 1 : 0;
@@ -223,9 +223,9 @@ Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options,
     run_parallel(relative, side_x, side_y, swapped, options, parallel, answer);
     return answer;
   }
-  WalkMemory memory;
+  PlaceStack stack;
   const Verdict verdict =
-      run_single(relative, side_x, side_y, swapped, options, parallel, memory, answer.pairs);
+      run_single(relative, side_x, side_y, swapped, options, parallel, stack, answer.pairs);
   answer.any = verdict.any;
   answer.coverage = verdict.coverage;
   answer.cost = verdict.cost;

@@ -1,5 +1,7 @@
 #include "soms/query/detail/box_tests.h"
 
+#include "soms/query/detail/lanes.h"
+
 #include <type_traits>
 
 namespace soms::detail {
@@ -80,64 +82,54 @@ M4 apart(const Intervals& a, const Intervals& b, M4 sum) {
 
 }  // namespace
 
-std::uint32_t one_against_four(const RelativePose& pose, const WideNode& x, const OneBox& box,
+std::uint32_t one_against_four(const Relation& relation, const std::array<float, 3>& half,
                                const WideNode& y) {
-  const NodePair pair(pose, x, y);
-  const Matrix3f& n = pose.matrix();
-  const Matrix3f& m = pose.magnitude();
+  const Matrix3f& n = relation.pose->matrix();
+  const Matrix3f& m = relation.pose->magnitude();
+  const float ratio = relation.pose->ratio();
   const FourBoxes four(y);
-  std::array<float, 3> center;
-  std::array<float, 3> half;
-  for (std::size_t i = 0; i < 3; ++i) {
-    center[i] = box.center[i] * pose.ratio();
-    half[i] = box.half[i] * pose.ratio();
-  }
+  const std::array<float, 3> h = {half[0] * ratio, half[1] * ratio, half[2] * ratio};
   std::array<F4, 3> gap;
   M4 sum = {};
   for (std::size_t i = 0; i < 3; ++i) {
-    const float to =
-        ((n[i][0] * center[0] + n[i][1] * center[1]) + n[i][2] * center[2]) + pair.offset[i];
-    const float radius =
-        ((m[i][0] * half[0] + m[i][1] * half[1]) + m[i][2] * half[2]) + pair.margin;
-    gap[i] = four.center[i] - to;
+    const float radius = ((m[i][0] * h[0] + m[i][1] * h[1]) + m[i][2] * h[2]) + relation.margin;
+    gap[i] = four.center[i] - relation.offset[i];
     sum |= abs(gap[i]) > four.half[i] + radius;
   }
   for (std::size_t j = 0; j < 3; ++j) {
     const F4 along = (gap[0] * n[0][j] + gap[1] * n[1][j]) + gap[2] * n[2][j];
     const F4 radius = (four.half[0] * m[0][j] + four.half[1] * m[1][j]) + four.half[2] * m[2][j];
-    sum |= abs(along) > radius + (half[j] + pair.margin);
+    sum |= abs(along) > radius + (h[j] + relation.margin);
   }
   return ~bits_of(sum) & lanes(y.count);
 }
 
-std::uint32_t four_against_one(const RelativePose& pose, const WideNode& x, const WideNode& y,
-                               const OneBox& box) {
-  const NodePair pair(pose, x, y);
-  const Matrix3f& n = pose.matrix();
-  const Matrix3f& m = pose.magnitude();
-  const FourBoxes four(x, pose.ratio());
+std::uint32_t four_against_one(const Relation& relation, const WideNode& x,
+                               const std::array<float, 3>& half) {
+  const Matrix3f& n = relation.pose->matrix();
+  const Matrix3f& m = relation.pose->magnitude();
+  const FourBoxes four(x, relation.pose->ratio());
   std::array<F4, 3> gap;
   M4 sum = {};
   for (std::size_t i = 0; i < 3; ++i) {
     gap[i] = ((four.center[0] * n[i][0] + four.center[1] * n[i][1]) + four.center[2] * n[i][2]) +
-             (pair.offset[i] - box.center[i]);
+             relation.offset[i];
     const F4 radius = (four.half[0] * m[i][0] + four.half[1] * m[i][1]) + four.half[2] * m[i][2];
-    sum |= abs(gap[i]) > radius + (box.half[i] + pair.margin);
+    sum |= abs(gap[i]) > radius + (half[i] + relation.margin);
   }
   for (std::size_t j = 0; j < 3; ++j) {
     const F4 along = (gap[0] * n[0][j] + gap[1] * n[1][j]) + gap[2] * n[2][j];
     const float radius =
-        ((m[0][j] * box.half[0] + m[1][j] * box.half[1]) + m[2][j] * box.half[2]) + pair.margin;
+        ((m[0][j] * half[0] + m[1][j] * half[1]) + m[2][j] * half[2]) + relation.margin;
     sum |= abs(along) > four.half[j] + radius;
   }
   return ~bits_of(sum) & lanes(x.count);
 }
 
-std::uint32_t four_against_four(const RelativePose& pose, const WideNode& x, const WideNode& y) {
-  const NodePair pair(pose, x, y);
-  const Matrix3f& n = pose.matrix();
-  const Matrix3f& m = pose.magnitude();
-  const FourBoxes fx(x, pose.ratio());
+std::uint32_t four_against_four(const Relation& relation, const WideNode& x, const WideNode& y) {
+  const Matrix3f& n = relation.pose->matrix();
+  const Matrix3f& m = relation.pose->magnitude();
+  const FourBoxes fx(x, relation.pose->ratio());
   const FourBoxes fy(y);
   std::array<F4, 3> center_x;
   std::array<F4, 3> radius_x;
@@ -146,15 +138,15 @@ std::uint32_t four_against_four(const RelativePose& pose, const WideNode& x, con
   std::array<F4, 3> away;
   for (std::size_t i = 0; i < 3; ++i) {
     center_x[i] = ((fx.center[0] * n[i][0] + fx.center[1] * n[i][1]) + fx.center[2] * n[i][2]) +
-                  pair.offset[i];
+                  relation.offset[i];
     radius_x[i] =
-        ((fx.half[0] * m[i][0] + fx.half[1] * m[i][1]) + fx.half[2] * m[i][2]) + pair.margin;
-    away[i] = fy.center[i] - pair.offset[i];
+        ((fx.half[0] * m[i][0] + fx.half[1] * m[i][1]) + fx.half[2] * m[i][2]) + relation.margin;
+    away[i] = fy.center[i] - relation.offset[i];
   }
   for (std::size_t j = 0; j < 3; ++j) {
     center_y[j] = (away[0] * n[0][j] + away[1] * n[1][j]) + away[2] * n[2][j];
     radius_y[j] =
-        ((fy.half[0] * m[0][j] + fy.half[1] * m[1][j]) + fy.half[2] * m[2][j]) + pair.margin;
+        ((fy.half[0] * m[0][j] + fy.half[1] * m[1][j]) + fy.half[2] * m[2][j]) + relation.margin;
   }
   const Intervals x_in_y(center_x, radius_x);
   const Intervals y_in_y(fy.center, fy.half);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -18,10 +19,17 @@ using F4 [[gnu::vector_size(16)]] = float;
 /// Four masks: all bits of a lane set, or none.
 using M4 [[gnu::vector_size(16)]] = std::int32_t;
 
-[[nodiscard]] inline F4 load(const std::array<float, 4>& from) {
+/// Lanes `first` to `first + 3` of a row.
+template <std::size_t N>
+[[nodiscard]] inline F4 load(const std::array<float, N>& from, std::size_t first = 0) {
   F4 v;
-  std::memcpy(&v, from.data(), sizeof v);
+  std::memcpy(&v, from.data() + first, sizeof v);
   return v;
+}
+
+template <std::size_t N>
+inline void store(F4 v, std::array<float, N>& to, std::size_t first) {
+  std::memcpy(to.data() + first, &v, sizeof v);
 }
 
 [[nodiscard]] inline F4 splat(float x) {
@@ -34,6 +42,26 @@ using M4 [[gnu::vector_size(16)]] = std::int32_t;
   bits &= 0x7fffffff;
   std::memcpy(&v, &bits, sizeof v);
   return v;
+}
+
+/// `a < b ? a : b` in each lane.
+[[nodiscard]] inline F4 min(F4 a, F4 b) {
+#if defined(__SSE2__)
+  return _mm_min_ps(a, b);
+#else
+  return F4{a[0] < b[0] ? a[0] : b[0], a[1] < b[1] ? a[1] : b[1], a[2] < b[2] ? a[2] : b[2],
+            a[3] < b[3] ? a[3] : b[3]};
+#endif
+}
+
+/// `a > b ? a : b` in each lane.
+[[nodiscard]] inline F4 max(F4 a, F4 b) {
+#if defined(__SSE2__)
+  return _mm_max_ps(a, b);
+#else
+  return F4{a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1], a[2] > b[2] ? a[2] : b[2],
+            a[3] > b[3] ? a[3] : b[3]};
+#endif
 }
 
 /// Lane k takes what lane (k + N) mod 4 held.
@@ -49,7 +77,11 @@ template <int N>
   std::memcpy(&lanes, &mask, sizeof lanes);
   return static_cast<std::uint32_t>(_mm_movemask_ps(lanes));
 #else
-  return (mask[0] & 1) | (mask[1] & 2) | (mask[2] & 4) | (mask[3] & 8);
+  std::uint32_t bits = 0;
+  for (int k = 0; k < 4; ++k) {
+    bits |= static_cast<std::uint32_t>(mask[k] != 0) << k;
+  }
+  return bits;
 #endif
 }
 

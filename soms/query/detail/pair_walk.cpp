@@ -1,6 +1,8 @@
 #include "soms/query/detail/pair_walk.h"
 
 #include "soms/geometry/triangle_overlap.h"
+#include "soms/query/detail/box_tests.h"
+#include "soms/query/detail/triangle_tests.h"
 
 #include <algorithm>
 
@@ -11,42 +13,43 @@ namespace {
 /// Both nodes are opened while neither is more than this much larger.
 constexpr float kSimilar = 2;
 
-float size_of(const WideNode& node) {
-  return std::max({node.own_half[0], node.own_half[1], node.own_half[2]});
+template <class Place>
+float size_of(const Place& place) {
+  return std::max({place.own_half[0], place.own_half[1], place.own_half[2]});
 }
 
-void move_leaf(const WideTree& tree, const WideLeaf& leaf, const WalkSide& side,
-               std::vector<MovedTriangle>& into) {
-  into.clear();
-  for (const TriangleId id : tree.triangles_of(leaf)) {
-    const Triangle t = side.shape->mesh().triangle(id);
-    const Triangle moved{side.pose->apply(t.a), side.pose->apply(t.b), side.pose->apply(t.c)};
-    into.push_back({moved, bounds(moved), id});
-  }
+template <class X, class Y>
+Relation relate(const RelativePose& relative, const X& x, const Y& y) {
+  return relative.between(x.origin, x.reach, y.origin, y.reach);
 }
 
-const WideLeaf& leaf_at(const WideTree& tree, std::uint32_t place, std::uint32_t& index) {
-  const std::uint32_t slot = place & ~WideNode::kLeafBit;
-  index = tree.nodes()[slot >> 2].child[slot & 3] & ~WideNode::kLeafBit;
-  return tree.leaves()[index];
+Triangle moved(const WalkSide& side, TriangleId id) {
+  const Triangle t = side.shape->mesh().triangle(id);
+  return {side.pose->apply(t.a), side.pose->apply(t.b), side.pose->apply(t.c)};
 }
 
 }  // namespace
 
+void PlaceStack::grow() {
+  if (far_.empty()) {
+    far_.assign(near_.begin(), near_.end());
+  }
+  far_.resize(2 * capacity_);
+  capacity_ = far_.size();
+  data_ = far_.data();
+}
+
 PairWalk::PairWalk(const RelativePose& relative, const WalkSide& x, const WalkSide& y, bool swapped,
-                   WalkMemory& memory)
+                   PlaceStack& stack)
     : relative_(relative),
       x_(x),
       y_(y),
-      tree_x_(x.shape->layout()),
-      tree_y_(y.shape->layout()),
+      nodes_x_(x.shape->layout().nodes().data()),
+      nodes_y_(y.shape->layout().nodes().data()),
+      blocks_x_(x.shape->layout().blocks().data()),
+      blocks_y_(y.shape->layout().blocks().data()),
       swapped_(swapped),
-      memory_(memory) {
-}
-
-std::uint32_t PairWalk::place_of(std::uint32_t node, const WideNode& wide, std::uint32_t lane) {
-  const std::uint32_t child = wide.child[lane];
-  return is_leaf(child) ? WideNode::kLeafBit | node << 2 | lane : child;
+      stack_(stack) {
 }
 
 void PairWalk::run(Collector& collector, Watch& watch) {
@@ -57,19 +60,16 @@ void PairWalk::run(Collector& collector, Watch& watch) {
 }
 
 void PairWalk::run(const PlacePair& from, Collector& collector, Watch& watch) {
-  auto& stack = memory_.stack;
-  stack.clear();
-  stack.push_back(from);
-  while (!stack.empty() && !watch.stopped()) {
-    const PlacePair pair = stack.back();
-    stack.pop_back();
+  stack_.clear();
+  stack_.push(from);
+  while (!stack_.empty() && !watch.spend(1)) {
+    const PlacePair pair = stack_.pop();
     if (is_leaf(pair.x) && is_leaf(pair.y)) {
-      if (leaves(pair, collector, watch)) {
+      if (blocks(pair, collector, watch)) {
         return;
       }
     } else {
-      open(pair, stack);
-      static_cast<void>(watch.spend(1));
+      open(pair);
     }
   }
 }
@@ -88,9 +88,13 @@ std::vector<PlacePair> PairWalk::frontier(std::size_t enough) {
     for (const PlacePair& pair : level) {
       if (is_leaf(pair.x) && is_leaf(pair.y)) {
         next.push_back(pair);
-      } else {
-        open(pair, next);
-        opened = true;
+        continue;
+      }
+      stack_.clear();
+      open(pair);
+      opened = true;
+      for (std::size_t i = 0; i < stack_.size(); ++i) {
+        next.push_back(stack_[i]);
       }
     }
     level.swap(next);
@@ -98,89 +102,138 @@ std::vector<PlacePair> PairWalk::frontier(std::size_t enough) {
   return level;
 }
 
-void PairWalk::open(const PlacePair& pair, std::vector<PlacePair>& into) {
+void PairWalk::push_children_x(const WideNode& x, std::uint32_t lanes, std::uint32_t y) {
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const std::uint32_t child = x.child[static_cast<std::size_t>(__builtin_ctz(lanes))];
+    stack_.push({child, y});
+    if (is_leaf(child)) {
+      for (std::uint32_t k = block_x(child).following; k > 0; --k) {
+        stack_.push({child + k, y});
+      }
+    }
+  }
+}
+
+void PairWalk::push_children_y(std::uint32_t x, const WideNode& y, std::uint32_t lanes) {
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const std::uint32_t child = y.child[static_cast<std::size_t>(__builtin_ctz(lanes))];
+    stack_.push({x, child});
+    if (is_leaf(child)) {
+      for (std::uint32_t k = block_y(child).following; k > 0; --k) {
+        stack_.push({x, child + k});
+      }
+    }
+  }
+}
+
+void PairWalk::open(const PlacePair& pair) {
   if (is_leaf(pair.x)) {
-    open_y(pair, into);
-    return;
-  }
-  if (is_leaf(pair.y)) {
-    open_x(pair, into);
-    return;
-  }
-  const float x = size_of(tree_x_.nodes()[pair.x]) * relative_.ratio();
-  const float y = size_of(tree_y_.nodes()[pair.y]);
-  if (x > kSimilar * y) {
-    open_x(pair, into);
-  } else if (y > kSimilar * x) {
-    open_y(pair, into);
+    open_y_at_block(pair);
+  } else if (is_leaf(pair.y)) {
+    open_x_at_block(pair);
   } else {
-    open_both(pair, into);
+    open_nodes(pair);
   }
 }
 
-void PairWalk::open_x(const PlacePair& pair, std::vector<PlacePair>& into) {
-  const WideNode& x = tree_x_.nodes()[pair.x];
-  const WideNode& y = tree_y_.nodes()[node_of(pair.y)];
-  const OneBox box = is_leaf(pair.y) ? OneBox::lane(y, pair.y & 3) : OneBox::whole(y);
-  const std::uint32_t meet = four_against_one(relative_, x, y, box);
+void PairWalk::open_x_at_block(const PlacePair& pair) {
+  const WideNode& x = node_x(pair.x);
+  const TriangleBlock& y = block_y(pair.y);
+  const Relation relation = relate(relative_, x, y);
+  if (2 * size_of(y) > size_of(x) * relative_.ratio()) {
+    cost_.node_tests += y.count;
+    if (box_against_y(relation, x.own_half, y) == 0) {
+      return;
+    }
+  }
   cost_.node_tests += x.count;
-  for (std::uint32_t k = 0; k < x.count; ++k) {
-    if ((meet >> k & 1) != 0) {
-      into.push_back({place_of(pair.x, x, k), pair.y});
-    }
-  }
+  push_children_x(x, four_against_one(relation, x, y.own_half), pair.y);
 }
 
-void PairWalk::open_y(const PlacePair& pair, std::vector<PlacePair>& into) {
-  const WideNode& x = tree_x_.nodes()[node_of(pair.x)];
-  const WideNode& y = tree_y_.nodes()[pair.y];
-  const OneBox box = is_leaf(pair.x) ? OneBox::lane(x, pair.x & 3) : OneBox::whole(x);
-  const std::uint32_t meet = one_against_four(relative_, x, box, y);
+void PairWalk::open_y_at_block(const PlacePair& pair) {
+  const TriangleBlock& x = block_x(pair.x);
+  const WideNode& y = node_y(pair.y);
+  const Relation relation = relate(relative_, x, y);
+  if (2 * size_of(x) * relative_.ratio() > size_of(y)) {
+    cost_.node_tests += x.count;
+    if (box_against_x(relation, x, y.own_half) == 0) {
+      return;
+    }
+  }
   cost_.node_tests += y.count;
-  for (std::uint32_t k = 0; k < y.count; ++k) {
-    if ((meet >> k & 1) != 0) {
-      into.push_back({pair.x, place_of(pair.y, y, k)});
-    }
-  }
+  push_children_y(pair.x, y, one_against_four(relation, x.own_half, y));
 }
 
-void PairWalk::open_both(const PlacePair& pair, std::vector<PlacePair>& into) {
-  const WideNode& x = tree_x_.nodes()[pair.x];
-  const WideNode& y = tree_y_.nodes()[pair.y];
-  std::uint32_t meet = four_against_four(relative_, x, y);
+void PairWalk::open_nodes(const PlacePair& pair) {
+  const WideNode& x = node_x(pair.x);
+  const WideNode& y = node_y(pair.y);
+  const Relation relation = relate(relative_, x, y);
+  const float size_x = size_of(x) * relative_.ratio();
+  const float size_y = size_of(y);
+  if (size_x > kSimilar * size_y) {
+    cost_.node_tests += x.count;
+    push_children_x(x, four_against_one(relation, x, y.own_half), pair.y);
+    return;
+  }
+  if (size_y > kSimilar * size_x) {
+    cost_.node_tests += y.count;
+    push_children_y(pair.x, y, one_against_four(relation, x.own_half, y));
+    return;
+  }
   cost_.node_tests += std::uint64_t{x.count} * y.count;
-  for (; meet != 0; meet &= meet - 1) {
+  for (std::uint32_t meet = four_against_four(relation, x, y); meet != 0; meet &= meet - 1) {
     const auto bit = static_cast<std::uint32_t>(__builtin_ctz(meet));
-    const std::uint32_t k = bit & 3;
-    into.push_back({place_of(pair.x, x, k), place_of(pair.y, y, (k + (bit >> 2)) & 3)});
+    push_children_y(x.child[bit & 3], y, 1U << ((bit + (bit >> 2)) & 3));
+    const std::uint32_t child = x.child[bit & 3];
+    if (is_leaf(child)) {
+      for (std::uint32_t k = block_x(child).following; k > 0; --k) {
+        push_children_y(child + k, y, 1U << ((bit + (bit >> 2)) & 3));
+      }
+    }
   }
 }
 
-bool PairWalk::leaves(const PlacePair& pair, Collector& collector, Watch& watch) {
-  std::uint32_t index_x = 0;
-  std::uint32_t index_y = 0;
-  const WideLeaf& leaf_x = leaf_at(tree_x_, pair.x, index_x);
-  const WideLeaf& leaf_y = leaf_at(tree_y_, pair.y, index_y);
-  if (index_x != moved_x_) {
-    move_leaf(tree_x_, leaf_x, x_, memory_.x);
-    moved_x_ = index_x;
+bool PairWalk::blocks(const PlacePair& pair, Collector& collector, Watch& watch) {
+  const TriangleBlock& x = block_x(pair.x);
+  const TriangleBlock& y = block_y(pair.y);
+  const Relation relation = relate(relative_, x, y);
+  cost_.node_tests += y.count;
+  const std::uint32_t lanes_y = box_against_y(relation, x.own_half, y);
+  if (lanes_y == 0) {
+    return false;
   }
-  if (index_y != moved_y_) {
-    move_leaf(tree_y_, leaf_y, y_, memory_.y);
-    moved_y_ = index_y;
+  cost_.node_tests += x.count;
+  std::uint32_t lanes_x = box_against_x(relation, x, y.own_half);
+  if (lanes_x == 0) {
+    return false;
   }
-  for (const MovedTriangle& s : memory_.x) {
-    for (const MovedTriangle& t : memory_.y) {
-      const TrianglePair ids = swapped_ ? TrianglePair{t.id, s.id} : TrianglePair{s.id, t.id};
-      if (!overlaps(s.box, t.box) || !collector.wants(ids)) {
-        continue;
-      }
-      ++cost_.triangle_tests;
-      if (triangles_overlap(s.triangle, t.triangle, &cost_.exact_tests) && collector.add(ids)) {
-        return true;
-      }
+  const BlockPair rows(relation, x, y);
+  for (; lanes_x != 0; lanes_x &= lanes_x - 1) {
+    const auto i = static_cast<std::uint32_t>(__builtin_ctz(lanes_x));
+    const std::uint32_t lanes = rows.row(i, lanes_y);
+    if (lanes != 0 && decide(x.id[i], y, lanes, collector)) {
+      return true;
     }
-    if (watch.spend(memory_.y.size())) {
+  }
+  return watch.spend(4);
+}
+
+bool PairWalk::decide(TriangleId i, const TriangleBlock& y, std::uint32_t lanes,
+                      Collector& collector) {
+  const Triangle s = moved(x_, i);
+  const Box box = bounds(s);
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const TriangleId j = y.id[static_cast<std::size_t>(__builtin_ctz(lanes))];
+    const TrianglePair ids = swapped_ ? TrianglePair{j, i} : TrianglePair{i, j};
+    if (!collector.wants(ids)) {
+      continue;
+    }
+    const Triangle t = moved(y_, j);
+    if (!overlaps(box, bounds(t))) {
+      continue;
+    }
+    ++cost_.triangle_tests;
+    if (triangles_overlap(s, t, &cost_.exact_tests) && collector.add(ids)) {
       return true;
     }
   }

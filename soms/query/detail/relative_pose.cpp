@@ -103,15 +103,15 @@ RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const Viewer& 
       transposed[i][j] = matrix_[j][i];
     }
   }
-  relative_ = rounded_up(0x1p-18 + distance_from_identity(product(transposed, matrix_)));
+  relative_ = rounded_up(0x1p-18 + 4 * distance_from_identity(product(transposed, matrix_)));
   ratio_ = static_cast<float>(std::ldexp(1.0, y.tree->exponent() - x.exponent()));
   const double reach = y.reach + moved_reach(pose_x, x.bounds());
   const double slack = 2 * ((192 * kUnitRoundoff + 12 * y.residual) * reach + 0x1p-1064);
   apart_ = roots_apart(x.nodes().front(), 1 / x.scale(), y.tree->nodes().front(),
                        1 / y.tree->scale(), slack);
   // Where rounding outweighs the body a thousandfold and more, every box meets every other.
-  if (slack * scale_ <= 0x1p60) {
-    slack_ = rounded_up(slack * scale_ + 0x1p-120);
+  if (slack * scale_ <= 0x1p40) {
+    slack_ = rounded_up(slack * scale_ + 0x1p-100);
   } else {
     slack_ = 0x1p100F;
     scale_ = 0;

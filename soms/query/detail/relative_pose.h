@@ -23,26 +23,35 @@
 ///      r itself is measured with an error of 3.01 u64:          10.5 r / u64  +   32
 /// and |X e| is at most 1.74 * 4.01 = 7. Offsets of nodes, N o_x + D - o_y in double, add
 /// 3.01 * 1.74 * 3.47 + 2 * 11.3 < 41; the test of the roots sums boxes of at most 10 V in four
-/// steps, 40 more. Together 174 + 10.5 r / u64; W = (192 u64 + 12 r) V + 2^-1064, where the last
+/// steps, 40 more; corners of blocks, first taken about the tree's origin, are off by 1.74 * 3.47
+/// and 3.47: 10 more. Together 184 + 10.5 r / u64; W = (192 u64 + 12 r) V + 2^-1064, where the last
 /// covers all products that underflow. `slack` is 2 W, since tests along x's axes see N^T z, whose
 /// entries are at most 1.74 W.
 ///
-/// Boxes of nodes. With u = o_x + p and v = o_y + q, d = N o_x + D - o_y:
+/// Places. With u = o_x + p and v = o_y + q, d = N o_x + D - o_y:
 ///   z = N p + d - q              bounds the gap along the axes of y by W, and
 ///   N^T z = p - N^T (q - d) + (N^T N - I) p  bounds that along the axes of x by
 ///   1.74 W + defect * |p|_1, `defect` being the largest entry of |N^T N - I|.
+/// Any vector n in y's axes is a direction too: n z is at most |n|_1 W, and for n in x's axes
+/// |n|_1 (1.74 W + defect |p|_1). So normals and edge products need no bound of their own, whatever
+/// the rounding they were computed with: only their products with corners do.
+///
 /// In float: S = reach_x + reach_y + |d|_1. A gap between centers carries the rounding of d, of
-/// entries of N, of three products and four sums: 7 * 2^-24 S; turned by N^T that is 1.74 times
-/// as much, and the turn adds 4 * 1.74; radii and the comparison add 7: below 27 * 2^-24 S a test.
-/// `relative` = 2^-18 + defect leaves more than a factor two.
-/// All floats stay below 2^66: boxes of y are below 2^61, those of x are scaled to y's units by a
-/// power of two that is at most 1, and |d| is bounded once the roots meet.
+/// entries of N, of three products and four sums, and of stored corners: 9 * 2^-24 S; turned by N^T
+/// that is 1.74 times as much, and the turn adds 4 * 1.74; radii and the comparison add 7: below
+/// 30 * 2^-24 S a test (times |n|_1 for a direction). Where -N^T d stands for d in x's axes,
+/// N N^T d - d is at most 3 defect |d|_1. `relative` = 2^-18 + 4 defect, 64 * 2^-24 and more,
+/// leaves a factor two. `slack` has 2^-100 added for what underflows in lengths; products of three
+/// lengths get 2^-140 more where they are compared. Nothing overflows: boxes of y are below 2^22,
+/// those of x are scaled to y's units by a power of two that is at most 1, d is at most 2^42 once
+/// the roots meet, and five factors stay in range.
 #pragma once
 
 #include "soms/base/pose.h"
 #include "soms/tree/layout/wide_tree.h"
 
 #include <array>
+#include <cmath>
 
 namespace soms::detail {
 
@@ -63,6 +72,15 @@ struct Viewer {
   double reach = 0;     // largest moved coordinate, bounded; V of the proof is a sum of two
 };
 
+class RelativePose;
+
+/// A place in tree x seen from one in tree y, in y's units: what a test of boxes needs.
+struct Relation {
+  const RelativePose* pose;
+  std::array<float, 3> offset;  ///< d of the proof
+  float margin;                 ///< gaps up to this may be rounding
+};
+
 /// Tree x seen in the axes of tree y.
 class RelativePose {
  public:
@@ -72,17 +90,6 @@ class RelativePose {
   /// The roots' boxes are surely apart: nothing overlaps, and nothing else may be asked.
   [[nodiscard]] bool apart() const { return apart_; }
 
-  /// Offset of x's node from y's in y's axes, in units of y's layout.
-  [[nodiscard]] std::array<float, 3> offset(const std::array<double, 3>& x,
-                                            const std::array<double, 3>& y) const {
-    std::array<float, 3> d;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double turned = (matrix_[i][0] * x[0] + matrix_[i][1] * x[1]) + matrix_[i][2] * x[2];
-      d[i] = static_cast<float>(((turned + shift_[i]) - y[i]) * scale_);
-    }
-    return d;
-  }
-
   /// N of the proof.
   [[nodiscard]] const Matrix3f& matrix() const { return rounded_; }
 
@@ -91,9 +98,19 @@ class RelativePose {
   /// Turns lengths of x's layout into those of y's.
   [[nodiscard]] float ratio() const { return ratio_; }
 
-  [[nodiscard]] float relative() const { return relative_; }
-
-  [[nodiscard]] float slack() const { return slack_; }
+  /// Offset d and margin of a pair of places, `reach_x` in units of x.
+  [[nodiscard]] Relation between(const std::array<double, 3>& x, float reach_x,
+                                 const std::array<double, 3>& y, float reach_y) const {
+    Relation relation{this, {}, 0};
+    float distance = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double turned = (matrix_[i][0] * x[0] + matrix_[i][1] * x[1]) + matrix_[i][2] * x[2];
+      relation.offset[i] = static_cast<float>(((turned + shift_[i]) - y[i]) * scale_);
+      distance += std::abs(relation.offset[i]);
+    }
+    relation.margin = relative_ * ((reach_x * ratio_ + reach_y) + distance) + slack_;
+    return relation;
+  }
 
  private:
   [[nodiscard]] bool roots_apart(const WideNode& x, double unit_x, const WideNode& y, double unit_y,

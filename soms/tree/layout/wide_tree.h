@@ -14,17 +14,17 @@
 
 namespace soms {
 
-/// Up to four boxes, side by side, with what lies in them. A box is `center +- half` about the
-/// node's own origin, which is a double relative to the tree's origin: so floats are as fine as the
-/// node is small, wherever the mesh lies. `center`, `half`, `own_half` and `reach` are in units of
-/// the layout, 2^exponent times the mesh's; `origin` is in the mesh's own.
+/// Up to four boxes, side by side, with what lies in them. A box is `center +- half` in the node's
+/// frame, about the node's origin, which is a double relative to the tree's origin: so floats are
+/// as fine as the node is small, wherever the mesh lies. Floats are in units of the layout,
+/// 2^exponent times the mesh's; `origin` is in the mesh's own.
 struct alignas(64) WideNode {
   static constexpr std::uint32_t kWidth = 4;
   static constexpr std::uint32_t kLeafBit = 0x80000000U;
 
   std::array<std::array<float, kWidth>, 3> center = {};  ///< axis, lane
   std::array<std::array<float, kWidth>, 3> half = {};
-  std::array<std::uint32_t, kWidth> child = {};  ///< a node; with kLeafBit a leaf
+  std::array<std::uint32_t, kWidth> child = {};  ///< a node; with kLeafBit a leaf's first block
   std::array<double, 3> origin = {};
   std::array<float, 3> own_half = {};  ///< box of all lanes, about the origin
   float reach = 0;                     ///< no point of a lane is farther off in the 1-norm
@@ -35,13 +35,24 @@ struct alignas(64) WideNode {
 
 static_assert(sizeof(WideNode) == 192 && alignof(WideNode) == 64, "three cache lines");
 
-/// Triangles of a leaf: a run of WideTree::primitives.
-struct WideLeaf {
-  std::uint32_t first = 0;
-  std::uint32_t count = 0;
+/// Up to eight triangles of a leaf, corners in float about the block's own origin, in units of the
+/// layout, along the mesh's axes. A leaf of more triangles is a run of blocks.
+struct alignas(64) TriangleBlock {
+  static constexpr std::uint32_t kWidth = 8;
 
-  [[nodiscard]] bool operator==(const WideLeaf&) const = default;
+  /// Row 3 * corner + axis, lane; rounded to nearest. Lanes not in use repeat the last triangle.
+  std::array<std::array<float, kWidth>, 9> corner = {};
+  std::array<TriangleId, kWidth> id = {};
+  std::array<double, 3> origin = {};
+  std::array<float, 3> own_half = {};  ///< box of all triangles, about the origin
+  float reach = 0;                     ///< no point is farther off in the 1-norm
+  std::uint32_t count = 0;             ///< triangles, the first lanes
+  std::uint32_t following = 0;         ///< blocks of the same leaf that follow this one
+
+  [[nodiscard]] bool operator==(const TriangleBlock&) const = default;
 };
+
+static_assert(sizeof(TriangleBlock) == 384 && alignof(TriangleBlock) == 64, "six cache lines");
 
 /// A canonical tree as queries walk it. Node 0 is the root; a mesh without triangles has no node.
 class WideTree {
@@ -49,18 +60,15 @@ class WideTree {
   WideTree() = default;
 
   /// Converts a tree of `mesh`. Children without triangles vanish; a node takes the place of its
-  /// children, the largest first, until it has four. Leaves stay as large as they are.
-  /// \errors ErrorKind::out_of_range beyond 2^29 nodes.
+  /// children, the largest first, until it has four. Leaves stay as large as they are, cut into
+  /// blocks.
+  /// \errors ErrorKind::out_of_range beyond 2^31 nodes or blocks.
   /// \cost   O(n) time; about 90 bytes a triangle with leaves of 8.
   WideTree(const Tree& tree, const Mesh& mesh);
 
   [[nodiscard]] std::span<const WideNode> nodes() const { return nodes_; }
 
-  [[nodiscard]] std::span<const WideLeaf> leaves() const { return leaves_; }
-
-  [[nodiscard]] std::span<const TriangleId> triangles_of(const WideLeaf& leaf) const {
-    return std::span(primitives_).subspan(leaf.first, leaf.count);
-  }
+  [[nodiscard]] std::span<const TriangleBlock> blocks() const { return blocks_; }
 
   /// Point of the mesh's frame that node origins are relative to.
   [[nodiscard]] const Vec3& origin() const { return origin_; }
@@ -81,8 +89,7 @@ class WideTree {
 
  private:
   std::vector<WideNode> nodes_;
-  std::vector<WideLeaf> leaves_;
-  std::vector<TriangleId> primitives_;
+  std::vector<TriangleBlock> blocks_;
   Vec3 origin_;
   Box bounds_;
   int exponent_ = 0;

@@ -1,0 +1,219 @@
+#include "soms/query/detail/triangle_tests.h"
+
+#include "soms/query/detail/lanes.h"
+
+#include <algorithm>
+
+namespace soms::detail {
+
+namespace {
+
+using Three = std::array<F4, 3>;
+
+/// Covers what underflows in a product of three lengths.
+constexpr float kLeastVolume = 0x1p-140F;
+
+F4 least(F4 a, F4 b, F4 c) {
+  return min(a, min(b, c));
+}
+
+F4 greatest(F4 a, F4 b, F4 c) {
+  return max(a, max(b, c));
+}
+
+Three cross(const Three& a, const Three& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+F4 dot(const Three& a, F4 x, F4 y, F4 z) {
+  return (a[0] * x + a[1] * y) + a[2] * z;
+}
+
+F4 sum_of_magnitudes(const Three& n) {
+  return (abs(n[0]) + abs(n[1])) + abs(n[2]);
+}
+
+Three normal_of(const std::array<F4, 9>& q) {
+  return cross({q[3] - q[0], q[4] - q[1], q[5] - q[2]}, {q[6] - q[0], q[7] - q[1], q[8] - q[2]});
+}
+
+/// A box seen from the triangles' frame: axis j of the box is column j of `axis`.
+struct SeenBox {
+  std::array<float, 3> center;
+  std::array<float, 3> half;
+  Matrix3f axis;
+  std::array<float, 3> radius;  // along the triangles' axes, margin included
+  float margin;
+
+  void finish() {
+    for (std::size_t i = 0; i < 3; ++i) {
+      radius[i] = ((std::abs(axis[i][0]) * half[0] + std::abs(axis[i][1]) * half[1]) +
+                   std::abs(axis[i][2]) * half[2]) +
+                  margin;
+    }
+  }
+};
+
+/// Four triangles, corners about the box's center.
+std::uint32_t apart(const SeenBox& box, const std::array<F4, 9>& q) {
+  M4 sum = {};
+  for (std::size_t i = 0; i < 3; ++i) {
+    sum |= (least(q[i], q[3 + i], q[6 + i]) > splat(box.radius[i])) |
+           (greatest(q[i], q[3 + i], q[6 + i]) < splat(-box.radius[i]));
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    const Three axis = {splat(box.axis[0][j]), splat(box.axis[1][j]), splat(box.axis[2][j])};
+    const F4 a = dot(axis, q[0], q[1], q[2]);
+    const F4 b = dot(axis, q[3], q[4], q[5]);
+    const F4 c = dot(axis, q[6], q[7], q[8]);
+    const float reach = box.half[j] + box.margin;
+    sum |= (least(a, b, c) > splat(reach)) | (greatest(a, b, c) < splat(-reach));
+  }
+  const std::uint32_t bits = bits_of(sum);
+  if (bits == 0xf) {
+    return bits;
+  }
+  const Three n = normal_of(q);
+  F4 reach = sum_of_magnitudes(n) * box.margin + kLeastVolume;
+  for (std::size_t j = 0; j < 3; ++j) {
+    reach +=
+        abs((n[0] * box.axis[0][j] + n[1] * box.axis[1][j]) + n[2] * box.axis[2][j]) * box.half[j];
+  }
+  const F4 a = dot(n, q[0], q[1], q[2]);
+  const F4 b = dot(n, q[3], q[4], q[5]);
+  const F4 c = dot(n, q[6], q[7], q[8]);
+  return bits | bits_of((least(a, b, c) > reach) | (greatest(a, b, c) < -reach));
+}
+
+std::uint32_t meeting(const SeenBox& box, const TriangleBlock& block, float ratio) {
+  std::uint32_t bits = 0;
+  for (std::uint32_t first = 0; first < block.count; first += 4) {
+    std::array<F4, 9> q;
+    for (std::size_t row = 0; row < 9; ++row) {
+      q[row] = load(block.corner[row], first) * ratio - box.center[row % 3];
+    }
+    bits |= (~apart(box, q) & 0xf) << first;
+  }
+  return bits & ((1U << block.count) - 1);
+}
+
+}  // namespace
+
+std::uint32_t box_against_y(const Relation& relation, const std::array<float, 3>& half_x,
+                            const TriangleBlock& y) {
+  const float ratio = relation.pose->ratio();
+  SeenBox box;
+  box.center = relation.offset;
+  box.half = {half_x[0] * ratio, half_x[1] * ratio, half_x[2] * ratio};
+  box.axis = relation.pose->matrix();
+  box.margin = relation.margin;
+  box.finish();
+  return meeting(box, y, 1);
+}
+
+std::uint32_t box_against_x(const Relation& relation, const TriangleBlock& x,
+                            const std::array<float, 3>& half_y) {
+  const Matrix3f& n = relation.pose->matrix();
+  const auto& d = relation.offset;
+  SeenBox box;
+  for (std::size_t j = 0; j < 3; ++j) {
+    box.center[j] = -((n[0][j] * d[0] + n[1][j] * d[1]) + n[2][j] * d[2]);
+    box.axis[j] = {n[0][j], n[1][j], n[2][j]};
+  }
+  box.half = half_y;
+  box.margin = relation.margin;
+  box.finish();
+  return meeting(box, x, relation.pose->ratio());
+}
+
+BlockPair::BlockPair(const Relation& relation, const TriangleBlock& x, const TriangleBlock& y)
+    : margin_(relation.margin), y_(y) {
+  const Matrix3f& n = relation.pose->matrix();
+  const float ratio = relation.pose->ratio();
+  for (std::uint32_t first = 0; first < x.count; first += 4) {
+    for (std::size_t corner = 0; corner < 9; corner += 3) {
+      const F4 px = load(x.corner[corner], first) * ratio;
+      const F4 py = load(x.corner[corner + 1], first) * ratio;
+      const F4 pz = load(x.corner[corner + 2], first) * ratio;
+      for (std::size_t i = 0; i < 3; ++i) {
+        store(((px * n[i][0] + py * n[i][1]) + pz * n[i][2]) + relation.offset[i], x_[corner + i],
+              first);
+      }
+    }
+  }
+  for (std::uint32_t first = 0; first < y.count; first += 4) {
+    std::array<F4, 9> q;
+    for (std::size_t row = 0; row < 9; ++row) {
+      q[row] = load(y.corner[row], first);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      store(least(q[i], q[3 + i], q[6 + i]) - margin_, y_lower_[i], first);
+      store(greatest(q[i], q[3 + i], q[6 + i]) + margin_, y_upper_[i], first);
+    }
+    const Three normal = normal_of(q);
+    const F4 a = dot(normal, q[0], q[1], q[2]);
+    const F4 b = dot(normal, q[3], q[4], q[5]);
+    const F4 c = dot(normal, q[6], q[7], q[8]);
+    const F4 give = sum_of_magnitudes(normal) * margin_ + kLeastVolume;
+    for (std::size_t i = 0; i < 3; ++i) {
+      store(normal[i], y_normal_[i], first);
+    }
+    store(least(a, b, c) - give, y_plane_[0], first);
+    store(greatest(a, b, c) + give, y_plane_[1], first);
+  }
+}
+
+std::uint32_t BlockPair::row(std::uint32_t i, std::uint32_t lanes) const {
+  std::array<float, 9> p;
+  for (std::size_t row = 0; row < 9; ++row) {
+    p[row] = x_[row][i];
+  }
+  std::array<float, 3> n;
+  float give = kLeastVolume;
+  float lower = 0;
+  float upper = 0;
+  {
+    const std::array<float, 3> e = {p[3] - p[0], p[4] - p[1], p[5] - p[2]};
+    const std::array<float, 3> f = {p[6] - p[0], p[7] - p[1], p[8] - p[2]};
+    n = {e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
+    give += ((std::abs(n[0]) + std::abs(n[1])) + std::abs(n[2])) * margin_;
+    const float a = (n[0] * p[0] + n[1] * p[1]) + n[2] * p[2];
+    const float b = (n[0] * p[3] + n[1] * p[4]) + n[2] * p[5];
+    const float c = (n[0] * p[6] + n[1] * p[7]) + n[2] * p[8];
+    lower = std::min({a, b, c}) - give;
+    upper = std::max({a, b, c}) + give;
+  }
+  std::uint32_t bits = 0;
+  for (std::uint32_t first = 0; first < y_.count; first += 4) {
+    if ((lanes >> first & 0xf) == 0) {
+      continue;
+    }
+    M4 sum = {};
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum |= (load(y_lower_[k], first) > splat(std::max({p[k], p[3 + k], p[6 + k]}))) |
+             (load(y_upper_[k], first) < splat(std::min({p[k], p[3 + k], p[6 + k]})));
+    }
+    const Three normal = {load(y_normal_[0], first), load(y_normal_[1], first),
+                          load(y_normal_[2], first)};
+    const F4 a = dot(normal, splat(p[0]), splat(p[1]), splat(p[2]));
+    const F4 b = dot(normal, splat(p[3]), splat(p[4]), splat(p[5]));
+    const F4 c = dot(normal, splat(p[6]), splat(p[7]), splat(p[8]));
+    sum |= (least(a, b, c) > load(y_plane_[1], first)) |
+           (greatest(a, b, c) < load(y_plane_[0], first));
+    if (bits_of(sum) != 0xf) {
+      const Three mine = {splat(n[0]), splat(n[1]), splat(n[2])};
+      const auto along = [&](std::size_t corner) {
+        return dot(mine, load(y_.corner[corner], first), load(y_.corner[corner + 1], first),
+                   load(y_.corner[corner + 2], first));
+      };
+      const F4 d = along(0);
+      const F4 e = along(3);
+      const F4 f = along(6);
+      sum |= (least(d, e, f) > splat(upper)) | (greatest(d, e, f) < splat(lower));
+    }
+    bits |= (~bits_of(sum) & 0xf) << first;
+  }
+  return bits & lanes;
+}
+
+}  // namespace soms::detail
