@@ -148,6 +148,8 @@ void run_block(const Shape& mover, std::span<const Pose> poses, const Body& fixe
                const OverlapOptions& options, const Parallel& parallel, Block& block,
                std::span<std::uint8_t> any, std::span<Coverage> coverage) {
   PlaceStack stack;
+  block.counts.reserve(poses.size());
+  block.pairs.reserve(poses.size());
   const bool mover_views = first_is_viewer(mover.layout(), fixed.shape.layout());
   const Viewer fixed_viewer(fixed.shape.layout(), fixed.pose);
   const WalkSide fixed_side{&fixed.shape, &fixed.pose};

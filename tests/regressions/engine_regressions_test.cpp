@@ -1,0 +1,176 @@
+// Faults that other libraries had with poses, moving bodies and far coordinates; numbers as in the
+// list of regressions.
+#include "soms/query/overlap.h"
+#include "soms/query/reference/overlap.h"
+
+#include "tests/query/overlap_inputs.h"
+#include "tests/support/support.h"
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+namespace {
+
+std::atomic<std::uint64_t> g_allocations = 0;
+
+void* counted(std::size_t size) {
+  ++g_allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+
+void* counted(std::size_t size, std::align_val_t alignment) {
+  ++g_allocations;
+  const auto unit = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(unit, (size + unit - 1) / unit * unit)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  return counted(size);
+}
+
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return counted(size, alignment);
+}
+
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
+
+namespace soms {
+namespace {
+
+/// The box from -half to half, each side cut into `n` x `n` squares.
+Mesh box(double half, int n) {
+  Mesh mesh;
+  for (int side = 0; side < 6; ++side) {
+    const auto axis = static_cast<std::size_t>(side / 2);
+    const auto corner = [&](int i, int j) {
+      Vec3 v;
+      v[axis] = side % 2 == 0 ? -half : half;
+      v[(axis + 1) % 3] = half * (2.0 * i / n - 1);
+      v[(axis + 2) % 3] = half * (2.0 * j / n - 1);
+      return v;
+    };
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) {
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), {corner(i, j), corner(i + 1, j),
+                                                   corner(i + 1, j + 1), corner(i, j + 1)});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+        mesh.triangles.push_back({first, first + 2, first + 3});
+      }
+    }
+  }
+  return mesh;
+}
+
+TEST(Regression, R70FindsABodyWhereItsPoseWasSetAfterItWasMade) {
+  Body mover{box(1, 3)};
+  const Body target{box(1, 3), Pose::translation(10, 0.25, 0.25)};
+  EXPECT_FALSE(overlap(mover, target).any);
+  mover.pose = Pose::translation(8.5, 0, 0);
+  EXPECT_TRUE(overlap(mover, target).any);
+  EXPECT_TRUE(overlap(target, mover, {.mode = OverlapMode::any}).any);
+  mover.pose = {};
+  EXPECT_FALSE(overlap(mover, target).any);
+}
+
+TEST(Regression, R73MovingABodyAllocatesNothing) {
+  const Shape shape(box(1, 64));
+  ASSERT_EQ(shape.mesh().triangles.size(), 49152U);
+  const Body fixed{box(1, 4)};
+  std::vector<Pose> poses;
+  for (int i = 0; i < 100000; ++i) {
+    poses.push_back(Pose::about_z(0.001 * i, {1.99 + 0.0005 * (i % 97), 0.3, 0.1}));
+  }
+  Body body(shape);
+  std::uint64_t apart = 0;
+  const std::uint64_t before = g_allocations;
+  for (std::size_t i = 0; i < 2000; ++i) {
+    body.pose = poses[i];
+    const Overlap answer = overlap(body, fixed, {.mode = OverlapMode::any});
+    apart += answer.any ? 0 : 1;
+  }
+  const std::uint64_t single = g_allocations - before;
+  // A hit is returned in a vector of one pair.
+  EXPECT_EQ(single, 2000 - apart);
+
+  const std::uint64_t start = g_allocations;
+  const OverlapBatch few =
+      overlap(shape, std::span(poses).first(1000), fixed, {.mode = OverlapMode::any});
+  const std::uint64_t of_few = g_allocations - start;
+  const OverlapBatch many = overlap(shape, poses, fixed, {.mode = OverlapMode::any});
+  const std::uint64_t of_many = g_allocations - start - of_few;
+  ASSERT_EQ(many.size(), 100000U);
+  // Blocks of poses allocate, not queries: 100 times the poses, at least 50 poses an allocation.
+  EXPECT_LT(of_many, 100000 / 50 + 100);
+  EXPECT_LT(of_few, 200U);
+}
+
+TEST(Regression, R81KeepsAMillimeterAtTenThousandKilometers) {
+  // Bodies 1e7 m out, apart or meeting by a millimeter: floats there are a meter apart.
+  const Vec3 far{1e7, -1e7, 5e6};
+  const Body wall{test::placed(box(1, 6), 1, far)};
+  const auto at = [&](double gap) {
+    return Body{test::placed(box(1, 6), 1, far + Vec3{2 + gap, 0.0005, 0.0005})};
+  };
+  EXPECT_FALSE(overlap(wall, at(0.001)).any);
+  EXPECT_TRUE(overlap(wall, at(-0.001)).any);
+  for (const double gap : {0.001, 0.0, -0.001}) {
+    const Body other = at(gap);
+    EXPECT_EQ(overlap(wall, other).pairs,
+              reference::overlap(wall.shape.mesh(), {}, other.shape.mesh(), {}).pairs);
+  }
+  test::for_each_case("regression/R81", 40, [&](Rng& rng) {
+    const Mesh a = test::placed(test::awkward_mesh(rng, 60), 0.001, far);
+    const Mesh b = test::placed(test::awkward_mesh(rng, 60), 0.001, far);
+    ASSERT_EQ(overlap(Body{a}, Body{b}).pairs, reference::overlap(a, {}, b, {}).pairs);
+  });
+}
+
+TEST(Regression, R82AnswersAlikeAtSurveyCoordinates) {
+  // Coordinates are multiples of 2^-20, so both offsets are exact and nothing may change.
+  test::for_each_case("regression/R82", 40, [](Rng& rng) {
+    const auto rounded = [](Mesh mesh) {
+      for (Vec3& v : mesh.vertices) {
+        v = {std::round(v.x * 0x1p20) * 0x1p-20, std::round(v.y * 0x1p20) * 0x1p-20,
+             std::round(v.z * 0x1p20) * 0x1p-20};
+      }
+      return mesh;
+    };
+    const Mesh a = rounded(test::awkward_mesh(rng, 80));
+    const Mesh b = rounded(test::awkward_mesh(rng, 80));
+    const Overlap near = overlap(Body{a}, Body{b});
+    for (const Vec3& offset : {Vec3{400000, 800000, 50}, Vec3{4027894, 307045, 4919474}}) {
+      const Overlap far =
+          overlap(Body{test::placed(a, 1, offset)}, Body{test::placed(b, 1, offset)});
+      ASSERT_EQ(far.pairs, near.pairs);
+    }
+  });
+}
+
+}  // namespace
+}  // namespace soms

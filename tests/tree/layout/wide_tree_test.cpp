@@ -1,0 +1,164 @@
+#include "soms/tree/layout/wide_tree.h"
+
+#include "soms/tree/build.h"
+
+#include "tests/support/support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace soms {
+namespace {
+
+/// Triangles of sizes and places that differ by many powers of two.
+Mesh scattered(Rng& rng, std::size_t triangles, double scale, double far) {
+  Mesh mesh;
+  for (std::size_t i = 0; i < triangles; ++i) {
+    const double size = scale * std::exp2(-rng.uniform(0, 20));
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const Vec3 at{rng.uniform(-scale, scale), rng.uniform(-scale, scale), far};
+    for (int corner = 0; corner < 3; ++corner) {
+      mesh.vertices.push_back(at + Vec3{size * rng.unit(), size * rng.unit(), size * rng.unit()});
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
+/// A coordinate in units of the layout about an origin; long double has 11 bits to spare.
+long double local(const WideTree& tree, const Vec3& v, const std::array<double, 3>& origin,
+                  std::size_t axis) {
+  const long double x = static_cast<long double>(v[axis]) - tree.origin()[axis] - origin[axis];
+  return std::ldexp(x, tree.exponent());
+}
+
+void expect_inside(const WideTree& tree, const WideNode& node, std::size_t lane, const Vec3& v) {
+  long double distance = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const long double x = local(tree, v, node.origin, axis);
+    ASSERT_LE(std::abs(x - node.center[axis][lane]), node.half[axis][lane]);
+    ASSERT_LE(std::abs(x), node.own_half[axis]);
+    distance += std::abs(x);
+  }
+  ASSERT_LE(distance, node.reach);
+}
+
+void expect_block_holds(const WideTree& tree, const Mesh& mesh, const TriangleBlock& block) {
+  ASSERT_GE(block.count, 1U);
+  ASSERT_LE(block.count, TriangleBlock::kWidth);
+  for (std::size_t k = 0; k < block.count; ++k) {
+    const Triangle t = mesh.triangle(block.id[k]);
+    std::size_t row = 0;
+    for (const Vec3* corner : {&t.a, &t.b, &t.c}) {
+      long double distance = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis, ++row) {
+        const long double x = local(tree, *corner, block.origin, axis);
+        ASSERT_LE(std::abs(x), block.own_half[axis]);
+        ASSERT_LE(std::abs(x - block.corner[row][k]), 0x1p-23L * block.reach);
+        distance += std::abs(x);
+      }
+      ASSERT_LE(distance, block.reach);
+    }
+  }
+}
+
+/// Every triangle is in one block, and inside every box above it.
+void expect_whole(const WideTree& tree, const Mesh& mesh) {
+  struct Open {
+    std::uint32_t node;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> above;  // node, lane
+  };
+
+  std::vector<int> seen(mesh.triangles.size(), 0);
+  std::size_t nodes = 0;
+  std::vector<Open> open{{0, {}}};
+  while (!open.empty()) {
+    const Open next = open.back();
+    open.pop_back();
+    ++nodes;
+    const WideNode& node = tree.nodes()[next.node];
+    ASSERT_GE(node.count, 1U);
+    ASSERT_LE(node.count, WideNode::kWidth);
+    for (std::uint32_t lane = 0; lane < node.count; ++lane) {
+      auto above = next.above;
+      above.emplace_back(next.node, lane);
+      const std::uint32_t child = node.child[lane];
+      if ((child & WideNode::kLeafBit) == 0) {
+        open.push_back({child, above});
+        continue;
+      }
+      const TriangleBlock* block = &tree.blocks()[child & ~WideNode::kLeafBit];
+      for (std::uint32_t left = block->following + 1; left > 0; --left, ++block) {
+        ASSERT_EQ(block->following, left - 1);
+        ASSERT_NO_FATAL_FAILURE(expect_block_holds(tree, mesh, *block));
+        for (std::size_t k = 0; k < block->count; ++k) {
+          ++seen[block->id[k]];
+          const Triangle t = mesh.triangle(block->id[k]);
+          for (const auto& [index, place] : above) {
+            for (const Vec3* corner : {&t.a, &t.b, &t.c}) {
+              ASSERT_NO_FATAL_FAILURE(expect_inside(tree, tree.nodes()[index], place, *corner));
+            }
+          }
+        }
+      }
+    }
+  }
+  ASSERT_EQ(nodes, tree.nodes().size());
+  ASSERT_TRUE(std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; }));
+}
+
+TEST(WideTree, HoldsEveryTriangleOnceAndInsideItsBoxes) {
+  test::for_each_case("wide_tree/holds", 120, [](Rng& rng) {
+    const double scale = std::exp2(rng.below(2) ? rng.uniform(-1000, 298) : 0);
+    const double far = rng.below(2) ? 0 : scale * 1e6;
+    const Mesh mesh = scattered(rng, 1 + rng.below(200), scale, std::min(far, 0x1p299));
+    BuildOptions options;
+    options.per_leaf = static_cast<int>(1 + rng.below(20));
+    options.rule = static_cast<Rule>(rng.below(5));
+    const WideTree tree(build(mesh, options), mesh);
+    ASSERT_NO_FATAL_FAILURE(expect_whole(tree, mesh));
+  });
+}
+
+TEST(WideTree, PassesOverNodesWithoutTriangles) {
+  Rng rng(3);
+  const Mesh mesh = scattered(rng, 60, 1, 0);
+  BuildOptions options = thesis_options(Rule::spatial_median, 30);
+  options.empty_side = EmptySide::chain;
+  ASSERT_NO_FATAL_FAILURE(expect_whole(WideTree(build(mesh, options), mesh), mesh));
+}
+
+TEST(WideTree, HoldsLeavesOfAnySizeAndIdenticalTriangles) {
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles.resize(1000, {0, 1, 2});
+  for (const EmptySide side : {EmptySide::stop, EmptySide::object_median}) {
+    BuildOptions options = thesis_options(Rule::soms);
+    options.empty_side = side;
+    ASSERT_NO_FATAL_FAILURE(expect_whole(WideTree(build(mesh, options), mesh), mesh));
+  }
+}
+
+TEST(WideTree, OfNothingHasNoNode) {
+  const WideTree tree(build({}), {});
+  EXPECT_TRUE(tree.nodes().empty());
+  EXPECT_TRUE(tree.blocks().empty());
+  EXPECT_TRUE(tree.bounds().empty());
+}
+
+TEST(WideTree, ScalesOnlyBodiesOfUnusualSize) {
+  Rng rng(5);
+  const auto exponent = [&](double scale) {
+    const Mesh mesh = scattered(rng, 5, scale, 0);
+    return WideTree(build(mesh), mesh).exponent();
+  };
+  EXPECT_EQ(exponent(1), 0);
+  EXPECT_EQ(exponent(1e5), 0);
+  EXPECT_EQ(exponent(1e-5), 0);
+  EXPECT_GT(exponent(1e-30), 80);
+  EXPECT_LT(exponent(1e30), -80);
+}
+
+}  // namespace
+}  // namespace soms

@@ -1,0 +1,64 @@
+#include "soms/tree/shape.h"
+
+#include "soms/base/error.h"
+#include "soms/tree/build.h"
+#include "soms/tree/layout/wide_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace soms {
+namespace {
+
+Mesh two_triangles() {
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 2}, {9, 9, 9}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+TEST(Shape, HoldsMeshAndBounds) {
+  const Shape shape(two_triangles());
+  EXPECT_EQ(shape.mesh(), two_triangles());
+  EXPECT_EQ(shape.bounds(), bounds(two_triangles()));
+  EXPECT_EQ(shape.layout().blocks().size(), 1U);
+  EXPECT_GE(shape.memory(), sizeof(WideNode) + sizeof(TriangleBlock) + 5 * sizeof(Vec3));
+}
+
+TEST(Shape, KeepsTheCanonicalTreeWhenAsked) {
+  EXPECT_EQ(Shape(two_triangles()).tree(), nullptr);
+  ShapeOptions options;
+  options.keep_tree = true;
+  options.build.rule = Rule::soms;
+  const Shape shape(two_triangles(), options);
+  ASSERT_NE(shape.tree(), nullptr);
+  EXPECT_EQ(*shape.tree(), build(two_triangles(), options.build));
+  EXPECT_EQ(shape.build_options(), options.build);
+}
+
+TEST(Shape, IsSharedByItsCopies) {
+  const Shape shape(two_triangles());
+  const Shape copy =
+      shape;  // NOLINT(performance-unnecessary-copy-initialization): the copy is the test
+  EXPECT_EQ(&copy.mesh(), &shape.mesh());
+  EXPECT_EQ(&copy.layout(), &shape.layout());
+}
+
+TEST(Shape, IsEmptyWithoutTriangles) {
+  EXPECT_TRUE(Shape().bounds().empty());
+  EXPECT_TRUE(Shape().layout().nodes().empty());
+  EXPECT_TRUE(Shape(Mesh{}).bounds().empty());
+}
+
+TEST(Shape, RefusesMeshesThatAreUnfit) {
+  Mesh mesh = two_triangles();
+  mesh.vertices[1].y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(Shape{mesh}, Error);
+  mesh = two_triangles();
+  mesh.triangles[1][0] = 5;
+  EXPECT_THROW(Shape{mesh}, Error);
+}
+
+}  // namespace
+}  // namespace soms
