@@ -2,11 +2,11 @@
 
 #include "soms/base/error.h"
 #include "soms/geometry/triangle_overlap.h"
+#include "soms/query/detail/collector.h"
 #include "soms/query/traversal/e_node_front.h"
 #include "soms/query/traversal/posed_boxes.h"
 #include "soms/query/traversal/traversals.h"
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,9 +14,6 @@
 namespace soms::detail {
 
 namespace {
-
-/// Pairs of triangles decided between two looks at the clock.
-constexpr std::uint64_t kInterval = 256;
 
 const TraversalOptions& checked(const TraversalOptions& options) {
   check(options);
@@ -44,23 +41,30 @@ struct MovedTriangle {
 };
 
 /// Decides the triangles of leaf pairs and gathers the answer of one query.
-class Gatherer {
+class Decider {
  public:
-  Gatherer(const PosedBoxes& a, const PosedBoxes& b, const OverlapOptions& options,
-           const Parallel& parallel, std::vector<MovedTriangle>& scratch)
-      : a_(a), b_(b), options_(options), parallel_(parallel), scratch_(scratch) {}
+  Decider(const PosedBoxes& a, const PosedBoxes& b, const OverlapOptions& options,
+          const Parallel& parallel, std::vector<MovedTriangle>& scratch)
+      : a_(a),
+        b_(b),
+        mode_(options.mode),
+        scratch_(scratch),
+        watch_(options, parallel),
+        collector_(options.mode, options.limit, answer_.pairs) {}
 
   /// False once nothing more is wanted.
-  [[nodiscard]] bool leaf_pair(const Node& leaf_a, const Node& leaf_b, NodePair pair) {
+  [[nodiscard]] bool leaf_pair(NodePair pair) {
+    const Tree& tree_a = *a_.view().tree;
+    const Tree& tree_b = *b_.view().tree;
     scratch_.clear();
-    for (const TriangleId j : b_.view().tree->triangles_of(leaf_b)) {
+    for (const TriangleId j : tree_b.triangles_of(tree_b.nodes[pair.b])) {
       const Triangle t = b_.triangle(j);
       const Box box = bounds(t);
       if (overlaps(a_.boxes()[pair.a], box)) {
         scratch_.push_back({j, t, box});
       }
     }
-    for (const TriangleId i : a_.view().tree->triangles_of(leaf_a)) {
+    for (const TriangleId i : tree_a.triangles_of(tree_a.nodes[pair.a])) {
       const Triangle s = a_.triangle(i);
       const Box box = bounds(s);
       for (const MovedTriangle& other : scratch_) {
@@ -72,22 +76,20 @@ class Gatherer {
     return true;
   }
 
-  /// False when the deadline has passed. \errors ErrorKind::cancelled.
-  [[nodiscard]] bool keep_going() {
-    check_stop(parallel_);
-    if (options_.deadline && std::chrono::steady_clock::now() >= *options_.deadline) {
-      answer_.coverage = Coverage::cut;
-      return false;
-    }
-    return true;
-  }
+  /// Counts work; false when the deadline has passed. \errors ErrorKind::cancelled.
+  [[nodiscard]] bool keep_going(std::uint64_t work) { return !watch_.spend(work); }
 
   [[nodiscard]] Overlap finish(std::uint64_t box_tests) {
+    collector_.finish();
+    answer_.any = collector_.any();
     answer_.cost.node_tests = box_tests;
-    std::sort(answer_.pairs.begin(), answer_.pairs.end());
-    if (answer_.any && options_.mode == OverlapMode::first &&
-        answer_.coverage == Coverage::complete) {
-      answer_.coverage = Coverage::first;
+    const bool found = mode_ != OverlapMode::all && answer_.any;
+    if (collector_.full()) {
+      answer_.coverage = Coverage::cut;
+    } else if (watch_.late()) {
+      answer_.coverage = mode_ == OverlapMode::any && found ? Coverage::first : Coverage::cut;
+    } else {
+      answer_.coverage = found ? Coverage::first : Coverage::complete;
     }
     return std::move(answer_);
   }
@@ -95,39 +97,23 @@ class Gatherer {
  private:
   [[nodiscard]] bool decide(TriangleId i, const Triangle& s, const MovedTriangle& other) {
     const TrianglePair pair{i, other.id};
-    const bool least_only = options_.mode == OverlapMode::first;
-    if (least_only && !answer_.pairs.empty() && pair > answer_.pairs.front()) {
+    if (!collector_.wants(pair)) {
       return true;
     }
-    if (++answer_.cost.triangle_tests % kInterval == 0 && !keep_going()) {
+    ++answer_.cost.triangle_tests;
+    if (triangles_overlap(s, other.corners, &answer_.cost.exact_tests) && collector_.add(pair)) {
       return false;
     }
-    if (!triangles_overlap(s, other.corners, &answer_.cost.exact_tests)) {
-      return true;
-    }
-    answer_.any = true;
-    if (least_only) {
-      answer_.pairs.assign(1, pair);
-      return true;
-    }
-    if (answer_.pairs.size() >= options_.limit) {
-      answer_.coverage = Coverage::cut;
-      return false;
-    }
-    answer_.pairs.push_back(pair);
-    if (options_.mode == OverlapMode::any) {
-      answer_.coverage = Coverage::first;
-      return false;
-    }
-    return true;
+    return keep_going(1);
   }
 
   const PosedBoxes& a_;
   const PosedBoxes& b_;
-  const OverlapOptions& options_;
-  const Parallel& parallel_;
+  OverlapMode mode_;
   std::vector<MovedTriangle>& scratch_;
   Overlap answer_;
+  Watch watch_;
+  Collector collector_;
 };
 
 }  // namespace
@@ -172,23 +158,19 @@ NamedOverlap& NamedOverlap::operator=(NamedOverlap&&) noexcept = default;
 Overlap NamedOverlap::operator()(const Pose& pose_a, const Pose& pose_b,
                                  const OverlapOptions& options, const Parallel& parallel) {
   State& state = *state_;
+  check_stop(parallel);
   check(pose_a);
   check(pose_b);
   check_range(pose_a, state.a.bounds());
   check_range(pose_b, state.b.bounds());
   state.posed_a.move(pose_a, state.options.update);
   state.posed_b.move(pose_b, state.options.update);
-  Gatherer gatherer(state.posed_a, state.posed_b, options, parallel, state.scratch);
-  std::uint64_t box_tests = 0;
-  if (gatherer.keep_going()) {
-    TraversalVisitor visitor;
-    visitor.leaf_pair = [&](NodePair p) {
-      return gatherer.leaf_pair(state.a.tree()->nodes[p.a], state.b.tree()->nodes[p.b], p);
-    };
-    visitor.keep_going = [&] { return gatherer.keep_going(); };
-    box_tests = state.walk(visitor).box_tests;
-  }
-  return gatherer.finish(box_tests);
+  Decider decider(state.posed_a, state.posed_b, options, parallel, state.scratch);
+  TraversalVisitor visitor;
+  visitor.leaf_pair = [&](NodePair p) { return decider.leaf_pair(p); };
+  visitor.keep_going = [&] { return decider.keep_going(kBoxTestsBetweenAsks); };
+  const bool late = !decider.keep_going(0);
+  return decider.finish(late ? 0 : state.walk(visitor).box_tests);
 }
 
 Overlap named_overlap(const Body& a, const Body& b, const OverlapOptions& options,

@@ -42,11 +42,14 @@ struct TraversalCounts {
   TraversalCounts& operator+=(const TraversalCounts& other);
 };
 
+/// Box tests between two calls of TraversalVisitor::keep_going.
+inline constexpr std::uint64_t kBoxTestsBetweenAsks = 1024;
+
 /// What a traversal calls; each may be empty.
 struct TraversalVisitor {
   /// A pair of leaves whose boxes overlap, each once, in the order found. False stops.
   std::function<bool(NodePair)> leaf_pair = {};
-  /// Asked once in 1024 box tests, for deadlines and cancellation. False stops.
+  /// Asked once in kBoxTestsBetweenAsks box tests, for deadlines and cancellation. False stops.
   std::function<bool()> keep_going = {};
   /// Each pair of boxes tested, and whether they overlap: for pictures and tests.
   std::function<void(NodePair, bool)> tested = {};

@@ -61,7 +61,7 @@ struct Moved {
 };
 
 TEST(PosedBoxes, RefitToTheBoundsOfTheMovedVertices) {
-  test::for_each_case("boxes/refit", 300, [](Rng& rng) {
+  test::for_each_case("boxes/refit", 3000, [](Rng& rng) {
     const Moved m(rng);
     PosedBoxes posed(m.mesh, m.tree);
     posed.move(m.pose);
@@ -73,7 +73,7 @@ TEST(PosedBoxes, RefitToTheBoundsOfTheMovedVertices) {
 }
 
 TEST(PosedBoxes, ShiftToTheSameNumbersAsRefit) {
-  test::for_each_case("boxes/shift", 300, [](Rng& rng) {
+  test::for_each_case("boxes/shift", 3000, [](Rng& rng) {
     const Moved m(rng);
     const Pose shift = Pose::translation(any_size(rng), m.pose.m[7], rng.uniform(-1e9, 1e9));
     PosedBoxes posed(m.mesh, m.tree);
@@ -101,7 +101,7 @@ Box corners(const Box& box, const Pose& pose) {
 }
 
 TEST(PosedBoxes, ReboxToTheEightMovedCornersAndHoldAllVertices) {
-  test::for_each_case("boxes/rebox", 300, [](Rng& rng) {
+  test::for_each_case("boxes/rebox", 3000, [](Rng& rng) {
     const Moved m(rng);
     PosedBoxes posed(m.mesh, m.tree);
     posed.move(m.pose, BoxUpdate::rebox);
@@ -119,7 +119,7 @@ TEST(PosedBoxes, ReboxToTheEightMovedCornersAndHoldAllVertices) {
 
 // Two thirds of the coordinate cancel, so the rounding of the products shows.
 TEST(PosedBoxes, ReboxHoldsVerticesThatCancel) {
-  test::for_each_case("boxes/cancel", 2000, [](Rng& rng) {
+  test::for_each_case("boxes/cancel", 20000, [](Rng& rng) {
     const double angle = rng.uniform(0, 7);
     Pose pose = Pose::about_z(angle);
     Mesh mesh = test::body(rng, test::Kind::random, 1);

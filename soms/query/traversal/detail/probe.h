@@ -25,7 +25,8 @@ class Probe {
   /// Tests the boxes of a pair.
   bool test(NodePair p) {
     ++counts.box_tests;
-    if (visitor_.keep_going && counts.box_tests % kInterval == 0 && !visitor_.keep_going()) {
+    if (visitor_.keep_going && counts.box_tests % kBoxTestsBetweenAsks == 0 &&
+        !visitor_.keep_going()) {
       stopped_ = true;
     }
     const bool hit = overlaps(a_.boxes[p.a], b_.boxes[p.b]);
@@ -70,8 +71,6 @@ class Probe {
   TraversalCounts counts;
 
  private:
-  static constexpr std::uint64_t kInterval = 1024;
-
   void note_entry(NodePair p) {
     ++counts.entered;
     if (visitor_.entered) {

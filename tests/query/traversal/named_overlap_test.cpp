@@ -1,0 +1,241 @@
+#include "soms/query/traversal/named_overlap.h"
+
+#include "soms/base/error.h"
+#include "soms/query/reference/overlap.h"
+#include "soms/query/traversal/traversals.h"
+#include "soms/tree/rule/rules.h"
+
+#include "tests/query/traversal/cases.h"
+#include "tests/support/support.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace soms {
+namespace {
+
+Shape shape(const Mesh& mesh, const BuildOptions& build) {
+  return Shape(mesh, {.build = build, .keep_tree = true});
+}
+
+/// Options of any rule that make trees of any kind, children without triangles included.
+BuildOptions any_tree(Rng& rng) {
+  BuildOptions options = thesis_options(rules()[rng.below(rules().size())].rule, 8);
+  options.empty_side = static_cast<EmptySide>(rng.below(4));
+  options.per_leaf = 1 + static_cast<int>(rng.below(4));
+  return options;
+}
+
+/// Every way to walk, with boxes moved either way.
+std::vector<TraversalOptions> ways() {
+  std::vector<TraversalOptions> out = test::every_way();
+  const std::size_t n = out.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    out.push_back(out[i]);
+    out.back().update = BoxUpdate::rebox;
+  }
+  return out;
+}
+
+/// Two random bodies and the truth about them.
+struct Case {
+  explicit Case(Rng& rng, std::size_t most = 25)
+      : kind(test::kKinds[rng.below(test::kKinds.size())]),
+        a(shape(test::body(rng, kind, 1 + rng.below(most)), any_tree(rng)), test::pose(rng, kind)),
+        b(shape(test::body(rng, kind, 1 + rng.below(most)), any_tree(rng)), test::pose(rng, kind)),
+        truth(reference::overlap(a.shape.mesh(), a.pose, b.shape.mesh(), b.pose)) {}
+
+  test::Kind kind;
+  Body a;
+  Body b;
+  Overlap truth;
+};
+
+TEST(NamedOverlap, EqualsBruteForceByEveryWay) {
+  const std::vector<TraversalOptions> all = ways();
+  test::for_each_case("named/answers", 60, [&](Rng& rng) {
+    const Case c(rng);
+    for (const TraversalOptions& way : all) {
+      const Overlap answer = overlap(c.a, c.b, {.traversal = way});
+      EXPECT_EQ(answer.pairs, c.truth.pairs) << test::describe(way);
+      EXPECT_EQ(answer.any, c.truth.any);
+      EXPECT_EQ(answer.coverage, Coverage::complete);
+      EXPECT_LE(answer.cost.triangle_tests, c.truth.cost.triangle_tests);
+      EXPECT_EQ(answer.cost.exact_tests, c.truth.cost.exact_tests) << test::describe(way);
+    }
+  });
+}
+
+TEST(NamedOverlap, SwapsColumnsWhenBodiesAreSwapped) {
+  test::for_each_case("named/swapped", 40, [](Rng& rng) {
+    const Case c(rng);
+    for (const TraversalOptions& way : test::every_way()) {
+      std::vector<TrianglePair> swapped;
+      for (const auto& [j, i] : overlap(c.b, c.a, {.traversal = way}).pairs) {
+        swapped.emplace_back(i, j);
+      }
+      std::sort(swapped.begin(), swapped.end());
+      EXPECT_EQ(swapped, c.truth.pairs) << test::describe(way);
+    }
+  });
+}
+
+TEST(NamedOverlap, StopsAtAnyHitAndFindsTheLeastPair) {
+  test::for_each_case("named/modes", 60, [](Rng& rng) {
+    const Case c(rng);
+    for (const TraversalOptions& way : test::every_way()) {
+      SCOPED_TRACE(test::describe(way));
+      const Overlap any = overlap(c.a, c.b, {.mode = OverlapMode::any, .traversal = way});
+      const Overlap first = overlap(c.a, c.b, {.mode = OverlapMode::first, .traversal = way});
+      EXPECT_EQ(any.any, c.truth.any);
+      EXPECT_EQ(first.any, c.truth.any);
+      const Coverage expected = c.truth.any ? Coverage::first : Coverage::complete;
+      EXPECT_EQ(any.coverage, expected);
+      EXPECT_EQ(first.coverage, expected);
+      ASSERT_EQ(any.pairs.size(), c.truth.any ? 1U : 0U);
+      ASSERT_EQ(first.pairs.size(), any.pairs.size());
+      if (c.truth.any) {
+        EXPECT_TRUE(std::binary_search(c.truth.pairs.begin(), c.truth.pairs.end(), any.pairs[0]));
+        EXPECT_EQ(first.pairs[0], c.truth.pairs[0]);
+      }
+    }
+  });
+}
+
+TEST(NamedOverlap, CutsAtTheLimitAndSaysSo) {
+  test::for_each_case("named/limit", 40, [](Rng& rng) {
+    const Case c(rng);
+    for (const TraversalOptions& way : test::every_way()) {
+      for (const std::uint64_t limit :
+           {std::uint64_t{0}, std::uint64_t{1}, rng.below(9), c.truth.pairs.size()}) {
+        const Overlap answer = overlap(c.a, c.b, {.limit = limit, .traversal = way});
+        const bool cut = limit < c.truth.pairs.size();
+        EXPECT_EQ(answer.pairs.size(), std::min<std::size_t>(limit, c.truth.pairs.size()));
+        EXPECT_EQ(answer.coverage, cut ? Coverage::cut : Coverage::complete);
+        EXPECT_EQ(answer.any, c.truth.any);
+        EXPECT_TRUE(std::includes(c.truth.pairs.begin(), c.truth.pairs.end(), answer.pairs.begin(),
+                                  answer.pairs.end()));
+      }
+    }
+  });
+}
+
+TEST(NamedOverlap, AnswersABatchAsSingleQueries) {
+  test::for_each_case("named/batch", 20, [](Rng& rng) {
+    const Case c(rng, 15);
+    std::vector<Pose> poses;
+    for (int i = 0; i < 6; ++i) {
+      poses.push_back(test::pose(rng, c.kind));
+    }
+    poses.push_back(poses.back());
+    for (const TraversalOptions& way : ways()) {
+      const OverlapBatch batch = overlap(c.a.shape, poses, c.b, {.traversal = way});
+      ASSERT_EQ(batch.size(), poses.size());
+      for (std::size_t k = 0; k < poses.size(); ++k) {
+        const Overlap twin =
+            reference::overlap(c.a.shape.mesh(), poses[k], c.b.shape.mesh(), c.b.pose);
+        const auto pairs = batch.pairs_of(k);
+        EXPECT_EQ(std::vector<TrianglePair>(pairs.begin(), pairs.end()), twin.pairs)
+            << test::describe(way) << ", pose " << k;
+      }
+    }
+  });
+}
+
+TEST(NamedOverlap, OfAnEmptyMeshIsEmpty) {
+  Rng rng(1);
+  const Body full(shape(test::body(rng, test::Kind::random, 5), {}));
+  const Body none(shape(Mesh{}, {}));
+  for (const TraversalOptions& way : ways()) {
+    EXPECT_FALSE(overlap(full, none, {.traversal = way}).any);
+    EXPECT_FALSE(overlap(none, full, {.traversal = way}).any);
+    EXPECT_EQ(overlap(none, none, {.traversal = way}).cost, Cost{});
+  }
+}
+
+ErrorKind kind_of(const Body& a, const Body& b, const TraversalOptions& way) {
+  try {
+    (void)overlap(a, b, {.traversal = way});
+  } catch (const Error& error) {
+    return error.kind();
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return ErrorKind::cancelled;
+}
+
+TEST(NamedOverlap, NeedsKeptTrees) {
+  Rng rng(1);
+  const Mesh mesh = test::body(rng, test::Kind::random, 5);
+  const Body kept(shape(mesh, {}));
+  const Body bare(mesh);
+  const TraversalOptions way{.traversal = Traversal::e_node};
+  EXPECT_EQ(kind_of(kept, bare, way), ErrorKind::usage);
+  EXPECT_EQ(kind_of(bare, kept, way), ErrorKind::usage);
+  EXPECT_THROW(detail::NamedOverlap(kept.shape, kept.shape, {}), Error);
+  try {
+    (void)overlap(bare, kept, {.traversal = way});
+  } catch (const Error& error) {
+    EXPECT_EQ(error.place(), "traversal e_node: a shape without its canonical tree");
+    EXPECT_EQ(error.remedy(),
+              "make the shape with ShapeOptions{.keep_tree = true}, or use traversal fast");
+  }
+}
+
+TEST(NamedOverlap, RefusesPosesAndOptionsThatMakeNoSense) {
+  Rng rng(1);
+  Body a(shape(test::body(rng, test::Kind::random, 5), {}));
+  const Body b = a;
+  EXPECT_EQ(kind_of(a, b, {.traversal = Traversal::e_node_front, .descent = Descent::cross}),
+            ErrorKind::usage);
+  const TraversalOptions way{.traversal = Traversal::larger};
+  a.pose.m[0] = 2;
+  EXPECT_EQ(kind_of(a, b, way), ErrorKind::not_rigid);
+  EXPECT_EQ(kind_of(b, a, way), ErrorKind::not_rigid);
+  a.pose = Pose::translation(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  EXPECT_EQ(kind_of(a, b, way), ErrorKind::not_finite);
+  a.pose = Pose::translation(0x1p301, 0, 0);
+  EXPECT_EQ(kind_of(b, a, way), ErrorKind::out_of_range);
+}
+
+TEST(NamedOverlap, IsCutByADeadlineAndEndedByAStop) {
+  Rng rng(1);
+  const Body body(shape(test::body(rng, test::Kind::coincident, 3000), {}));
+  std::stop_source source;
+  source.request_stop();
+  for (const Traversal traversal :
+       {Traversal::larger, Traversal::e_node, Traversal::e_node_front}) {
+    OverlapOptions options{.traversal = {.traversal = traversal}};
+    EXPECT_THROW((void)overlap(body, body, options, {.stop = source.get_token()}), Error);
+    options.deadline = std::chrono::steady_clock::now();
+    const Overlap late = overlap(body, body, options);
+    EXPECT_EQ(late.coverage, Coverage::cut);
+    EXPECT_EQ(late.cost, Cost{});
+    options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(20);
+    const auto start = std::chrono::steady_clock::now();
+    const Overlap cut = overlap(body, body, options);
+    EXPECT_EQ(cut.coverage, Coverage::cut);
+    EXPECT_GT(cut.cost.node_tests, 0U);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  }
+}
+
+TEST(NamedOverlap, KeepsBodiesThatGoOutOfScope) {
+  Rng rng(1);
+  const Mesh mesh = test::body(rng, test::Kind::random, 40);
+  const Overlap truth = reference::overlap(mesh, {}, mesh, {});
+  const auto session = [&] {
+    const Shape a = shape(mesh, {});
+    const Shape b = shape(mesh, {});
+    return detail::NamedOverlap(a, b, {.traversal = Traversal::e_node_front});
+  };
+  detail::NamedOverlap moved = session();
+  EXPECT_EQ(moved({}, {}, {}, {}).pairs, truth.pairs);
+  EXPECT_EQ(moved({}, {}, {}, {}).pairs, truth.pairs);
+}
+
+}  // namespace
+}  // namespace soms
