@@ -19,6 +19,7 @@ constexpr std::size_t kPrepareChunk = 16384;
 /// A node of the upper tree, above and including the roots of the subtrees.
 struct Upper {
   Node node;
+  Box inner;                            ///< bounds of the midpoints
   std::uint32_t subtree = Node::kNone;  ///< number of the subtree below, or kNone
 };
 
@@ -45,7 +46,7 @@ Node child(const Node& parent, bool right, std::uint32_t first, std::uint32_t co
 class Builder {
  public:
   Builder(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel)
-      : mesh_(mesh), parallel_(parallel), divider_(options) {}
+      : mesh_(mesh), parallel_(parallel), divider_(mesh, options) {}
 
   Tree run() {
     prepare();
@@ -57,18 +58,20 @@ class Builder {
  private:
   void prepare() {
     primitives_.resize(mesh_.triangles.size());
-    scratch_.resize(primitives_.size());
+    ids_.resize(primitives_.size());
+    std::vector<Box> inner((primitives_.size() - 1) / kPrepareChunk + 1);
     for_each_chunk(primitives_.size(), kPrepareChunk, within(parallel_, 0, 0.05),
                    [&](std::size_t begin, std::size_t end) {
-                     for (std::size_t i = begin; i < end; ++i) {
-                       primitives_[i] = divider_.primitive(mesh_, static_cast<TriangleId>(i));
-                     }
+                     inner[begin / kPrepareChunk] = divider_.prepare(begin, end, primitives_);
                    });
+    for (const Box& box : inner) {
+      inner_.grow(box);
+    }
   }
 
-  detail::Division divide(const Node& node) {
-    return divider_.divide(std::span(primitives_).subspan(node.first, node.count),
-                           std::span(scratch_).subspan(node.first, node.count), node.depth);
+  detail::Division divide(const Node& node, const Box& inner) {
+    return divider_.divide(std::span(primitives_).subspan(node.first, node.count), inner,
+                           node.depth);
   }
 
   /// Divides all nodes of more than kSubtreeTriangles, one depth after the other.
@@ -76,14 +79,15 @@ class Builder {
     Node root;
     root.id = 0;
     root.count = static_cast<std::uint32_t>(primitives_.size());
-    upper_.push_back({root});
+    upper_.push_back({root, inner_});
     std::vector<std::uint32_t> wave{0};
     while (!wave.empty()) {
       std::erase_if(wave, [&](std::uint32_t i) { return make_subtree(i); });
       std::vector<detail::Division> divisions(wave.size());
-      for_each_chunk(
-          wave.size(), 1, Parallel{parallel_.threads, parallel_.stop, {}},
-          [&](std::size_t k, std::size_t) { divisions[k] = divide(upper_[wave[k]].node); });
+      for_each_chunk(wave.size(), 1, Parallel{parallel_.threads, parallel_.stop, {}},
+                     [&](std::size_t k, std::size_t) {
+                       divisions[k] = divide(upper_[wave[k]].node, upper_[wave[k]].inner);
+                     });
       std::vector<std::uint32_t> next;
       for (std::size_t k = 0; k < wave.size(); ++k) {
         attach(wave[k], divisions[k], next);
@@ -115,42 +119,44 @@ class Builder {
         child(node, true, node.first + division.left_count, node.count - division.left_count);
     next.push_back(node.left);
     next.push_back(node.right);
-    upper_.push_back({left});
-    upper_.push_back({right});
+    upper_.push_back({left, division.left_inner});
+    upper_.push_back({right, division.right_inner});
   }
 
   void build_subtrees() {
-    std::vector<Node> roots(subtrees_.size());
+    std::vector<const Upper*> roots(subtrees_.size());
     for (const Upper& upper : upper_) {
       if (upper.subtree != Node::kNone) {
-        roots[upper.subtree] = upper.node;
+        roots[upper.subtree] = &upper;
       }
     }
     for_each_chunk(subtrees_.size(), 1, within(parallel_, 0.4, 0.95),
-                   [&](std::size_t k, std::size_t) { subtrees_[k] = build_subtree(roots[k]); });
+                   [&](std::size_t k, std::size_t) { subtrees_[k] = build_subtree(*roots[k]); });
   }
 
   /// A whole subtree in depth-first order; indices count from its root.
-  std::vector<Node> build_subtree(const Node& root) {
+  std::vector<Node> build_subtree(const Upper& root) {
     std::vector<Node> nodes;
 
     struct Open {
       Node node;
+      Box inner;
       std::uint32_t right_of;  ///< parent, for right children
     };
 
-    std::vector<Open> open{{root, Node::kNone}};
+    std::vector<Open> open{{root.node, root.inner, Node::kNone}};
     while (!open.empty()) {
-      const auto [start, right_of] = open.back();
+      const auto [start, inner, right_of] = open.back();
       open.pop_back();
       const auto i = static_cast<std::uint32_t>(nodes.size());
       Node& node = nodes.emplace_back(start);
-      const detail::Division division = divide(node);
+      const detail::Division division = divide(node, inner);
       node.undividable = division.undividable;
       if (division.divided) {
         const std::uint32_t count = division.left_count;
-        open.push_back({child(node, true, node.first + count, node.count - count), i});
-        open.push_back({child(node, false, node.first, count), Node::kNone});
+        open.push_back(
+            {child(node, true, node.first + count, node.count - count), division.right_inner, i});
+        open.push_back({child(node, false, node.first, count), division.left_inner, Node::kNone});
         node.left = i + 1;
       }
       if (right_of != Node::kNone) {
@@ -162,7 +168,7 @@ class Builder {
   }
 
   /// Children follow their parents, so the last node comes first.
-  void find_bounds(std::vector<Node>& nodes) const {
+  void find_bounds(std::vector<Node>& nodes) {
     for (std::size_t i = nodes.size(); i-- > 0;) {
       Node& node = nodes[i];
       if (node.is_leaf()) {
@@ -174,9 +180,15 @@ class Builder {
     }
   }
 
-  void bound_leaf(Node& node) const {
-    for (const Primitive& p : std::span(primitives_).subspan(node.first, node.count)) {
-      node.bounds.grow(p.bounds);
+  void bound_leaf(Node& node) {
+    const auto run = std::span(primitives_).subspan(node.first, node.count);
+    const auto ids = std::span(ids_).subspan(node.first, node.count);
+    std::transform(run.begin(), run.end(), ids.begin(), [](const Primitive& p) { return p.id; });
+    if (!std::is_sorted(ids.begin(), ids.end())) {
+      std::sort(ids.begin(), ids.end());
+    }
+    for (const TriangleId id : ids) {
+      node.bounds.grow(bounds(mesh_.triangle(id)));
     }
   }
 
@@ -209,9 +221,7 @@ class Builder {
                      }
                    });
     bound_upper(place, tree);
-    tree.primitives.resize(primitives_.size());
-    std::transform(primitives_.begin(), primitives_.end(), tree.primitives.begin(),
-                   [](const Primitive& p) { return p.id; });
+    tree.primitives = std::move(ids_);
     if (parallel_.progress) {
       parallel_.progress(1);
     }
@@ -241,7 +251,7 @@ class Builder {
     nodes = {};
   }
 
-  void bound_upper(const std::vector<std::uint32_t>& place, Tree& tree) const {
+  void bound_upper(const std::vector<std::uint32_t>& place, Tree& tree) {
     for (std::size_t i = upper_.size(); i-- > 0;) {
       if (upper_[i].subtree != Node::kNone) {
         continue;
@@ -260,7 +270,8 @@ class Builder {
   const Parallel& parallel_;
   detail::Divider divider_;
   std::vector<Primitive> primitives_;
-  std::vector<Primitive> scratch_;
+  std::vector<TriangleId> ids_;  ///< of each leaf in ascending order, once it is bounded
+  Box inner_;                    ///< bounds of all midpoints
   std::vector<Upper> upper_;
   std::vector<std::vector<Node>> subtrees_;
 };

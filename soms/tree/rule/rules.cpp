@@ -12,15 +12,16 @@ namespace {
 
 constexpr std::array<RuleEntry, 5> kRules{{
     {Rule::object_median, "object_median", "object-median",
-     "equal counts on both sides, by midpoint", &rule::object_median, AxisFrom::outer},
+     "equal counts on both sides, by midpoint", &rule::object_median, AxisFrom::outer, false,
+     false},
     {Rule::object_mean, "object_mean", "object-mean", "plane at the mean of the midpoints",
-     &rule::object_mean, AxisFrom::outer},
+     &rule::object_mean, AxisFrom::outer, false, true},
     {Rule::spatial_median, "spatial_median", "spatial-median",
-     "plane in the middle of the outer box", &rule::spatial_median, AxisFrom::outer},
+     "plane in the middle of the outer box", &rule::spatial_median, AxisFrom::outer, true, false},
     {Rule::soms, "soms", "soms", "plane in the middle of the midpoints' box (the thesis' rule)",
-     &rule::soms, AxisFrom::inner},
+     &rule::soms, AxisFrom::inner, false, false},
     {Rule::sah, "sah", "sah", "least surface area cost over 16 bins of the midpoints' box",
-     &rule::sah, AxisFrom::inner},
+     &rule::sah, AxisFrom::inner, false, false},
 }};
 
 }  // namespace

@@ -18,6 +18,8 @@ struct RuleEntry {
   std::string_view description;  ///< one line for help texts and pages
   RuleFunction split;
   AxisFrom axis_from;  ///< box whose longest axis is split unless the options say otherwise
+  bool needs_outer;    ///< it looks at SplitNode::outer
+  bool needs_order;    ///< it looks at primitives in ascending order of their numbers
 };
 
 /// All rules, in the order of `Rule`.
@@ -49,8 +51,8 @@ namespace rule {
 /// \source  thesis, section 4 (fig. 4.6).
 [[nodiscard]] Split soms(const SplitNode& node, std::size_t axis);
 
-/// Least surface area cost over 16 equal bins of the inner box on all three axes; `axis` only
-/// breaks ties. Fails only where all midpoints are equal.
+/// Plane of least surface area cost, of 15 equally spaced ones on each axis of the inner box; of
+/// equal costs the first on `axis`. Fails only where all midpoints are equal.
 /// \source  Goldsmith and Salmon 1987; Wald 2007, On fast construction of SAH-based bounding
 ///          volume hierarchies.
 [[nodiscard]] Split sah(const SplitNode& node, std::size_t axis);

@@ -5,24 +5,33 @@
 #include "soms/base/box.h"
 #include "soms/geometry/mesh.h"
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <span>
 
 namespace soms {
 
-/// A triangle as splitting rules see it.
-struct Primitive {
-  Box bounds;         ///< of its corners
-  Vec3 midpoint;      ///< the point that stands for it
-  TriangleId id = 0;  ///< its number in the mesh
+/// A triangle as splitting rules see it, in one cache line.
+struct alignas(64) Primitive {
+  /// The point that stands for it.
+  std::array<double, 3> midpoint = {};
+  /// Its number in the mesh.
+  TriangleId id = 0;
+  /// How far its box reaches below and above the midpoint, rounded to float, in units of
+  /// SplitNode::unit. Good for costs only; lane 3 is 0.
+  std::array<float, 4> below = {};
+  std::array<float, 4> above = {};
 };
+
+static_assert(sizeof(Primitive) == 64);
 
 /// A node that is to be divided.
 struct SplitNode {
-  std::span<const Primitive> primitives;  ///< at least 2, in ascending order of `id`
-  Box outer;                              ///< bounds of all corners
+  std::span<const Primitive> primitives;  ///< at least 2; their order is RuleEntry::needs_order's
   Box inner;                              ///< bounds of the midpoints
+  Box outer;                              ///< bounds of all corners, for rules that need them
+  double unit = 1;                        ///< a power of two near the size of the mesh
 };
 
 /// How a node is divided: left are the primitives whose midpoint on `axis` lies below `value`, and

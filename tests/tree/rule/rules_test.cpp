@@ -11,36 +11,50 @@
 namespace soms {
 namespace {
 
-/// Primitives that are intervals on the x axis, with the midpoint given.
+/// Primitives that are intervals on the x axis (and 0 to 1 on the others), with the midpoint given.
 struct Interval {
   double lower, upper, midpoint;
 };
 
-std::vector<Primitive> on_x(const std::vector<Interval>& intervals) {
+/// A node that keeps its primitives.
+struct TestNode {
   std::vector<Primitive> primitives;
-  for (const Interval& i : intervals) {
-    primitives.push_back({{{i.lower, 0, 0}, {i.upper, 1, 1}},
-                          {i.midpoint, 0.5, 0.5},
-                          static_cast<TriangleId>(primitives.size())});
+  SplitNode node;
+
+  void add(const Box& box, const Vec3& m) {
+    Primitive p;
+    p.midpoint = {m.x, m.y, m.z};
+    p.id = static_cast<TriangleId>(primitives.size());
+    for (std::size_t k = 0; k < 3; ++k) {
+      p.below[k] = static_cast<float>((m[k] - box.lower[k]) / node.unit);
+      p.above[k] = static_cast<float>((box.upper[k] - m[k]) / node.unit);
+    }
+    primitives.push_back(p);
+    node.inner.grow(m);
+    node.outer.grow(box);
   }
-  return primitives;
+};
+
+TestNode on_x(const std::vector<Interval>& intervals) {
+  TestNode result;
+  for (const Interval& i : intervals) {
+    result.add({{i.lower, 0, 0}, {i.upper, 1, 1}}, {i.midpoint, 0.5, 0.5});
+  }
+  return result;
 }
 
-SplitNode node_of(const std::vector<Primitive>& primitives) {
-  SplitNode node{primitives, {}, {}};
-  for (const Primitive& p : primitives) {
-    node.outer.grow(p.bounds);
-    node.inner.grow(p.midpoint);
-  }
-  return node;
+Split split(Rule rule, const TestNode& test, std::size_t axis = 0) {
+  SplitNode node = test.node;
+  node.primitives = test.primitives;
+  return entry(rule).split(node, axis);
 }
 
 /// Numbers of the primitives that go left, as digits.
-std::string left_of(Rule rule, const std::vector<Primitive>& primitives, std::size_t axis = 0) {
-  const Split split = entry(rule).split(node_of(primitives), axis);
+std::string left_of(Rule rule, const TestNode& test, std::size_t axis = 0) {
+  const Split found = split(rule, test, axis);
   std::string left;
-  for (const Primitive& p : primitives) {
-    if (split.is_left(p)) {
+  for (const Primitive& p : test.primitives) {
+    if (found.is_left(p)) {
       left += std::to_string(p.id);
     }
   }
@@ -52,10 +66,10 @@ const std::vector<Interval> kUneven{{0, 1, 0.5}, {1, 2, 1.5}, {2, 3, 2.5}, {3, 1
 
 TEST(Rules, EachPutsItsPlaneWhereItsDefinitionSays) {
   const auto primitives = on_x(kUneven);
-  EXPECT_EQ(entry(Rule::object_mean).split(node_of(primitives), 0).value, 44.5 / 4);
-  EXPECT_EQ(entry(Rule::spatial_median).split(node_of(primitives), 0).value, 50);
-  EXPECT_EQ(entry(Rule::soms).split(node_of(primitives), 0).value, 20.25);
-  const Split median = entry(Rule::object_median).split(node_of(primitives), 0);
+  EXPECT_EQ(split(Rule::object_mean, primitives).value, 44.5 / 4);
+  EXPECT_EQ(split(Rule::spatial_median, primitives).value, 50);
+  EXPECT_EQ(split(Rule::soms, primitives).value, 20.25);
+  const Split median = split(Rule::object_median, primitives);
   EXPECT_EQ(median.value, 2.5);
   EXPECT_EQ(median.id, 2U);
 }
@@ -102,24 +116,40 @@ TEST(Rules, AllButObjectMedianFailWhereAllMidpointsAreEqual) {
 
 TEST(Rules, SahSeparatesTheLargeFromTheSmallOnAnyAxis) {
   // Two clusters apart on y; a rule on the longest axis (x) would mix them.
-  std::vector<Primitive> primitives;
+  TestNode node;
   for (unsigned i = 0; i < 8; ++i) {
     const double x = 20.0 * (i / 2);
     const double y = i % 2 == 0 ? 0 : 50;
-    primitives.push_back({{{x, y, 0}, {x + 40, y + 1, 1}}, {x + 20, y + 0.5, 0.5}, i});
+    node.add({{x, y, 0}, {x + 40, y + 1, 1}}, {x + 20, y + 0.5, 0.5});
   }
-  EXPECT_EQ(left_of(Rule::sah, primitives, 0), "0246");
+  EXPECT_EQ(left_of(Rule::sah, node, 0), "0246");
 }
 
 TEST(Rules, SahIsSoundAtTheEndsOfTheRangeOfDoubles) {
   for (const double scale : {0x1p-1060, 0x1p-600, 0x1p-300, 1.0, 0x1p300}) {
     SCOPED_TRACE(scale);
-    std::vector<Primitive> primitives;
+    TestNode node;
+    node.node.unit = std::max(scale, 0x1p-1000);
     for (unsigned i = 0; i < 6; ++i) {
       const double x = scale * (i < 3 ? i : 100 + i);
-      primitives.push_back({{{x, 0, 0}, {x + scale, scale, scale}}, {x, 0, 0}, i});
+      node.add({{x, 0, 0}, {x + scale, scale, scale}}, {x, 0, 0});
     }
-    EXPECT_EQ(left_of(Rule::sah, primitives), "012");
+    EXPECT_EQ(left_of(Rule::sah, node), "012");
+  }
+}
+
+// Areas relative to the inner box overflow: the rule divides all the same.
+TEST(Rules, SahDividesHugeBoxesWithNearlyEqualMidpoints) {
+  for (const double size : {0x1p20, 0x1p60, 0x1p100, 0x1p290}) {
+    SCOPED_TRACE(size);
+    TestNode node;
+    node.node.unit = size;
+    for (unsigned i = 0; i < 6; ++i) {
+      node.add({{-size, -size, -size}, {size, size, size}}, {0x1p-40 * i, 0, 0x1p-200 * i});
+    }
+    const std::string left = left_of(Rule::sah, node);
+    EXPECT_FALSE(left.empty());
+    EXPECT_LT(left.size(), 6U);
   }
 }
 

@@ -4,42 +4,114 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 
 namespace soms::detail {
 
 namespace {
 
-/// Stable: both sides keep their order. Returns the number of primitives on the left.
-std::uint32_t partition(std::span<Primitive> run, std::span<Primitive> scratch,
-                        const Split& split) {
-  std::size_t left = 0;
-  std::size_t right = 0;
-  for (const Primitive& p : run) {
-    if (split.is_left(p)) {
-      run[left++] = p;
-    } else {
-      scratch[right++] = p;
+/// Bounds that grow by arrays, which compilers turn into vector instructions.
+struct Range {
+  std::array<double, 3> lower = filled(std::numeric_limits<double>::infinity());
+  std::array<double, 3> upper = filled(-std::numeric_limits<double>::infinity());
+
+  static constexpr std::array<double, 3> filled(double x) { return {x, x, x}; }
+
+  void grow(const std::array<double, 3>& p) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      lower[k] = p[k] < lower[k] ? p[k] : lower[k];
+      upper[k] = p[k] > upper[k] ? p[k] : upper[k];
     }
   }
-  std::copy_n(scratch.begin(), right, run.begin() + static_cast<std::ptrdiff_t>(left));
-  return static_cast<std::uint32_t>(left);
+
+  [[nodiscard]] Box box() const {
+    return {{lower[0], lower[1], lower[2]}, {upper[0], upper[1], upper[2]}};
+  }
+};
+
+Division division_of(std::size_t left, std::size_t count, const std::array<Range, 2>& inner) {
+  return {left > 0 && left < count, false, static_cast<std::uint32_t>(left), inner[0].box(),
+          inner[1].box()};
+}
+
+/// Swaps what lies on the wrong side; the order on each side is lost.
+Division partition_in_place(std::span<Primitive> run, const Split& split) {
+  std::array<Range, 2> inner;
+  std::size_t left = 0;
+  std::size_t right = run.size();
+  while (true) {
+    for (; left < right && split.is_left(run[left]); ++left) {
+      inner[0].grow(run[left].midpoint);
+    }
+    for (; left < right && !split.is_left(run[right - 1]); --right) {
+      inner[1].grow(run[right - 1].midpoint);
+    }
+    if (left == right) {
+      return division_of(left, run.size(), inner);
+    }
+    std::swap(run[left], run[right - 1]);
+  }
+}
+
+/// Both sides keep their order.
+Division partition_in_order(std::span<Primitive> run, const Split& split) {
+  std::array<Range, 2> inner;
+  std::vector<Primitive> right_side;
+  std::size_t left = 0;
+  for (const Primitive& p : run) {
+    if (split.is_left(p)) {
+      inner[0].grow(p.midpoint);
+      run[left++] = p;
+    } else {
+      inner[1].grow(p.midpoint);
+      right_side.push_back(p);
+    }
+  }
+  std::copy(right_side.begin(), right_side.end(), run.begin() + static_cast<std::ptrdiff_t>(left));
+  return division_of(left, run.size(), inner);
+}
+
+double largest(const Vec3& v) {
+  return std::max({v.x, v.y, v.z});
 }
 
 }  // namespace
 
-Divider::Divider(const BuildOptions& options)
-    : options_(options),
+Divider::Divider(const Mesh& mesh, const BuildOptions& options)
+    : mesh_(mesh),
+      options_(options),
       rule_(entry(options.rule).split),
       axis_from_(options.axis_from.value_or(entry(options.rule).axis_from)),
       last_depth_(options.level == 0
                       ? std::numeric_limits<std::uint32_t>::max()
                       : static_cast<std::uint32_t>(options.level - options.root_level)) {
+  const double size = largest(bounds(mesh).extent());
+  unit_ = size > 0 ? std::ldexp(1.0, std::ilogb(size)) : 1;
+  if (axis_from_ == AxisFrom::outer || entry(options.rule).needs_outer) {
+    bounds_.resize(mesh.triangles.size());
+  }
 }
 
-Primitive Divider::primitive(const Mesh& mesh, TriangleId i) const {
-  const Triangle t = mesh.triangle(i);
-  return {bounds(t), midpoint(t, options_.midpoint, options_.c_vertex), i};
+Box Divider::prepare(std::size_t begin, std::size_t end, std::span<Primitive> primitives) {
+  Range inner;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Triangle t = mesh_.triangle(static_cast<TriangleId>(i));
+    const Box box = bounds(t);
+    const Vec3 m = midpoint(t, options_.midpoint, options_.c_vertex);
+    Primitive& p = primitives[i];
+    p.midpoint = {m.x, m.y, m.z};
+    p.id = static_cast<TriangleId>(i);
+    for (std::size_t k = 0; k < 3; ++k) {
+      p.below[k] = static_cast<float>((m[k] - box.lower[k]) / unit_);
+      p.above[k] = static_cast<float>((box.upper[k] - m[k]) / unit_);
+    }
+    inner.grow(p.midpoint);
+    if (!bounds_.empty()) {
+      bounds_[i] = box;
+    }
+  }
+  return inner.box();
 }
 
 bool Divider::is_leaf(std::size_t count, std::uint32_t depth) const {
@@ -57,45 +129,54 @@ bool Divider::too_deep(std::size_t count, std::uint32_t depth) const {
 
 /// By decreasing extent; of equal ones x before y before z.
 std::array<std::size_t, 3> Divider::axes(const SplitNode& node) const {
-  const Vec3 extent = (axis_from_ == AxisFrom::inner ? node.inner : node.outer).extent();
+  const Vec3 v = (axis_from_ == AxisFrom::inner ? node.inner : node.outer).extent();
+  const std::array<double, 3> extent{v.x, v.y, v.z};
   std::array<std::size_t, 3> order{0, 1, 2};
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return extent[a] > extent[b]; });
+  const auto swap_if_less = [&](std::size_t i, std::size_t j) {
+    if (extent[order[i]] < extent[order[j]]) {
+      std::swap(order[i], order[j]);
+    }
+  };
+  swap_if_less(0, 1);
+  swap_if_less(1, 2);
+  swap_if_less(0, 1);
   return order;
 }
 
-Division Divider::divide(std::span<Primitive> run, std::span<Primitive> scratch,
-                         std::uint32_t depth) const {
+Division Divider::partition(std::span<Primitive> run, const Split& split) const {
+  return entry(options_.rule).needs_order ? partition_in_order(run, split)
+                                          : partition_in_place(run, split);
+}
+
+Division Divider::divide(std::span<Primitive> run, const Box& inner, std::uint32_t depth) const {
   if (is_leaf(run.size(), depth)) {
     return {};
   }
-  SplitNode node{run, {}, {}};
-  for (const Primitive& p : run) {
-    node.outer.grow(p.bounds);
-    node.inner.grow(p.midpoint);
-  }
-  const auto order = axes(node);
-  const auto halve = [&] { return partition(run, scratch, rule::object_median(node, order[0])); };
-  if (too_deep(run.size(), depth)) {
-    return {true, false, halve()};
-  }
-  const auto count = static_cast<std::uint32_t>(run.size());
-  const std::size_t tries = options_.empty_side == EmptySide::next_axis ? order.size() : 1;
-  std::uint32_t left = 0;
-  for (std::size_t k = 0; k < tries; ++k) {
-    left = partition(run, scratch, rule_(node, order[k]));
-    if (left > 0 && left < count) {
-      return {true, false, left};
+  SplitNode node{run, inner, {}, unit_};
+  if (!bounds_.empty()) {
+    for (const Primitive& p : run) {
+      node.outer.grow(bounds_[p.id]);
     }
   }
-  switch (options_.empty_side) {
-    case EmptySide::object_median:
-      return {true, true, halve()};
-    case EmptySide::chain:
-      return {true, true, left};
-    default:
-      return {false, true, 0};
+  const auto order = axes(node);
+  if (too_deep(run.size(), depth)) {
+    return partition(run, rule::object_median(node, order[0]));
   }
+  const std::size_t tries = options_.empty_side == EmptySide::next_axis ? order.size() : 1;
+  Division division;
+  for (std::size_t k = 0; k < tries && !division.divided; ++k) {
+    division = partition(run, rule_(node, order[k]));
+  }
+  if (division.divided) {
+    return division;
+  }
+  if (options_.empty_side == EmptySide::object_median) {
+    division = partition(run, rule::object_median(node, order[0]));
+  }
+  division.divided =
+      options_.empty_side == EmptySide::object_median || options_.empty_side == EmptySide::chain;
+  division.undividable = true;
+  return division;
 }
 
 }  // namespace soms::detail
