@@ -1,6 +1,7 @@
 #include "apps/soms/verbs.h"
 
 #include "apps/soms/completion.h"
+#include "apps/soms/simulate.h"
 
 #include <array>
 
@@ -10,6 +11,8 @@ namespace {
 
 constexpr std::array kVerbs{
     Verb{"completion", "words for the shell to complete", add_completion},
+    Verb{"simulate", "a city, movers on its streets, frame by frame: who touches what",
+         add_simulate},
 };
 
 }  // namespace

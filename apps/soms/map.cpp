@@ -1,0 +1,287 @@
+#include "apps/soms/map.h"
+
+#include "apps/soms/map_city.h"
+#include "apps/soms/map_marks.h"
+#include "apps/soms/outline.h"
+#include "apps/soms/simulate_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace soms::command {
+
+namespace {
+
+constexpr double kMapWidth = 900;
+constexpr double kMapHeight = 860;
+constexpr double kPanel = 300;
+constexpr double kMargin = 24;
+constexpr std::size_t kCityBudget = 200'000;
+/// Tracks and movers drawn at most; of more, every so many.
+constexpr std::size_t kMostDrawn = 2500;
+constexpr std::size_t kMostListed = 8;
+constexpr const char* kPaper = "#f3efe6";
+constexpr const char* kInk = "#2b2a28";
+constexpr const char* kContact = "#d1002f";
+
+/// Colors that the color-blind tell apart. \source Okabe and Ito 2008, Color Universal Design.
+constexpr std::array kModelColors{"#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9"};
+
+std::string color_of(std::size_t model) {
+  return kModelColors[model % kModelColors.size()];
+}
+
+/// Where points of the city lie on the page.
+struct Page {
+  Box area;
+  double scale = 1;  ///< pixels a metre
+  double width = 0;
+  double height = 0;
+
+  [[nodiscard]] double x(double at) const { return kMargin + (at - area.lower.x) * scale; }
+
+  [[nodiscard]] double y(double at) const { return kMargin + (area.upper.y - at) * scale; }
+};
+
+Page make_page(const World& world) {
+  Page page;
+  page.area = world.bounds;
+  const Vec3 extent = page.area.extent();
+  const double rim = std::max(0.02 * std::max(extent.x, extent.y), 0.5);
+  page.area.lower = page.area.lower - Vec3{rim, rim, 0};
+  page.area.upper = page.area.upper + Vec3{rim, rim, 0};
+  const Vec3 size = page.area.extent();
+  page.scale = std::min(kMapWidth / size.x, kMapHeight / size.y);
+  page.width = size.x * page.scale;
+  page.height = size.y * page.scale;
+  return page;
+}
+
+std::string text(double x, double y, double size, std::string_view words,
+                 std::string_view more = {}) {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{:g}\"{}{}>{}</text>\n", x, y,
+                     size, more.empty() ? "" : " ", more, xml_text(words));
+}
+
+void draw_city(std::ostream& out, const Page& page, const MapCity& city) {
+  const double unit = city.cell * page.scale;
+  out << fmt::format(
+      "<g transform=\"translate({:.2f} {:.2f}) scale({:.5f} -{:.5f})\" "
+      "fill-rule=\"evenodd\" stroke-width=\".6\">\n",
+      kMargin, kMargin + page.height, unit, unit);
+  for (const MapLayer& layer : city.layers) {
+    out << fmt::format("<path fill=\"{0}\" stroke=\"{0}\" d=\"{1}\"/>\n", layer.color, layer.path);
+  }
+  out << "</g>\n";
+}
+
+std::size_t stride_of(const World& world) {
+  return world.ways.size() / kMostDrawn + 1;
+}
+
+/// Tracks in tenths of a pixel, so that whole numbers do.
+void draw_tracks(std::ostream& out, const Page& page, const World& world, const Outcome& outcome) {
+  for (std::size_t model = 0; model < world.models.size(); ++model) {
+    PathWriter writer;
+    for (std::size_t k = 0; k < outcome.tracks.size(); k += stride_of(world)) {
+      if (world.ways[k].model != model) {
+        continue;
+      }
+      Loop line;
+      for (const Place& place : outcome.tracks[k]) {
+        line.push_back({static_cast<std::int32_t>(std::lround(10 * page.x(place.x))),
+                        static_cast<std::int32_t>(std::lround(10 * page.y(place.y)))});
+      }
+      writer.add(simplified_line(line, 5), false);
+    }
+    out << fmt::format(
+        "<path transform=\"scale(.1)\" fill=\"none\" stroke=\"{}\" "
+        "stroke-width=\"11\" stroke-opacity=\".55\" stroke-linejoin=\"round\" "
+        "d=\"{}\"/>\n",
+        color_of(model), writer.path());
+  }
+}
+
+const char* cap_of(const Model& model) {
+  return model.kind == Kind::car || model.kind == Kind::model ? "square" : "round";
+}
+
+/// Movers as dots where they were last, with a halo.
+void draw_movers(std::ostream& out, const Page& page, const World& world, const Outcome& outcome) {
+  out << "<defs>\n";
+  for (std::size_t model = 0; model < world.models.size(); ++model) {
+    std::string path;
+    for (std::size_t k = 0; k < outcome.tracks.size(); k += stride_of(world)) {
+      if (world.ways[k].model == model && !outcome.tracks[k].empty()) {
+        const Place& last = outcome.tracks[k].back();
+        path += fmt::format("M{:.0f} {:.0f}h1", 10 * page.x(last.x), 10 * page.y(last.y));
+      }
+    }
+    out << fmt::format(
+        "<path id=\"m{}\" transform=\"scale(.1)\" stroke-linecap=\"{}\" d=\"{}\"/>\n", model,
+        cap_of(world.models[model]), path);
+  }
+  out << "</defs>\n";
+  for (std::size_t model = 0; model < world.models.size(); ++model) {
+    for (const auto& [color, width] :
+         {std::pair(std::string("#fff"), 62), std::pair(color_of(model), 42)}) {
+      out << fmt::format("<use href=\"#m{}\" stroke=\"{}\" stroke-width=\"{}\"/>\n", model, color,
+                         width);
+    }
+  }
+}
+
+/// A filled disc with the number of a place in the list.
+std::string number_mark(double x, double y, std::size_t number) {
+  return fmt::format(
+             "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"8\" fill=\"{}\" stroke=\"#fff\" "
+             "stroke-width=\"1.2\"/>\n",
+             x, y, kContact) +
+         text(x, y + 4, 11, std::to_string(number),
+              "text-anchor=\"middle\" fill=\"#fff\" font-weight=\"700\"");
+}
+
+void draw_marks(std::ostream& out, const Page& page, const std::vector<Mark>& marks) {
+  out << fmt::format("<g fill=\"{}\" fill-opacity=\".35\" stroke=\"{}\" stroke-width=\"1.1\">\n",
+                     kContact, kContact);
+  for (const Mark& mark : marks) {
+    out << fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>\n", page.x(mark.x),
+                       page.y(mark.y), mark_radius(mark.contacts));
+  }
+  out << "</g>\n";
+  for (std::size_t k = 0; k < std::min(kMostListed, marks.size()); ++k) {
+    out << number_mark(page.x(marks[k].x), page.y(marks[k].y), k + 1);
+  }
+}
+
+/// Writes the panel beside the map, line by line downwards.
+class Panel {
+ public:
+  Panel(std::ostream& out, double left) : out_(out), left_(left) {}
+
+  void head(std::string_view words) {
+    y_ += 14;
+    out_ << text(left_, y_ += 16, 14, words, "font-weight=\"700\"");
+  }
+
+  void line(std::string_view words, double indent = 0) {
+    out_ << text(left_ + indent, y_ += 17, 12.5, words);
+  }
+
+  void title(std::string_view words) {
+    out_ << text(left_, y_ += 22, 22, words, "font-weight=\"700\"");
+    y_ += 4;
+  }
+
+  /// A line with a swatch, given as SVG around the origin.
+  void keyed(std::string_view swatch, std::string_view words) {
+    line(words, 24);
+    out_ << fmt::format("<g transform=\"translate({:.1f} {:.1f})\">{}</g>\n", left_ + 8, y_ - 4,
+                        swatch);
+  }
+
+ private:
+  std::ostream& out_;
+  double left_;
+  double y_ = kMargin - 6;
+};
+
+void write_movers(Panel& panel, const World& world) {
+  panel.head(fmt::format("{} movers and their tracks", grouped(world.ways.size())));
+  for (std::size_t model = 0; model < world.models.size(); ++model) {
+    const auto count = static_cast<std::uint64_t>(std::count_if(
+        world.ways.begin(), world.ways.end(), [&](const Way& way) { return way.model == model; }));
+    panel.keyed(fmt::format("<path d=\"M-8 0H8\" stroke=\"{0}\" stroke-opacity=\".55\" "
+                            "stroke-width=\"1.1\"/><path d=\"M0 0h.1\" stroke=\"{0}\" "
+                            "stroke-width=\"6\" stroke-linecap=\"{1}\"/>",
+                            color_of(model), cap_of(world.models[model])),
+                fmt::format("{} {}", grouped(count), shortened(world.models[model].name, 28)));
+  }
+  if (stride_of(world) > 1) {
+    panel.line(fmt::format("(one in {} is drawn)", stride_of(world)), 24);
+  }
+}
+
+void write_contacts(Panel& panel, const Outcome& outcome, const std::vector<Mark>& marks) {
+  const std::uint64_t all = outcome.contacts.contacts().size();
+  panel.head(all == 0 ? "No contact" : fmt::format("{} contacts", grouped(all)));
+  for (const std::uint64_t size : {1U, 10U, 100U}) {
+    if (!marks.empty() && marks.front().contacts >= size) {
+      panel.keyed(fmt::format("<circle r=\"{:.1f}\" fill=\"{}\" fill-opacity=\".35\" "
+                              "stroke=\"{}\" stroke-width=\"1.1\"/>",
+                              mark_radius(size), kContact, kContact),
+                  fmt::format("{} at one place", size));
+    }
+  }
+  if (marks.empty()) {
+    return;
+  }
+  panel.head("Most contacts, and what was touched");
+  for (std::size_t k = 0; k < std::min(kMostListed, marks.size()); ++k) {
+    panel.keyed(number_mark(0, 0, k + 1),
+                fmt::format("{} {}", grouped(marks[k].contacts), shortened(marks[k].most, 34)));
+  }
+}
+
+void draw_scale_bar(std::ostream& out, const Page& page) {
+  const double meters = round_length(0.22 * page.width / page.scale);
+  const double length = meters * page.scale;
+  const double y = kMargin + page.height + 22;
+  out << fmt::format(
+      "<path d=\"M{:.1f} {:.1f}v6h{:.1f}v-6\" fill=\"none\" stroke=\"{}\" "
+      "stroke-width=\"1.5\"/>\n",
+      kMargin, y - 6, length, kInk);
+  out << text(
+      kMargin + length + 8, y, 12.5,
+      meters >= 1000 ? fmt::format("{:g} km", meters / 1000) : fmt::format("{:g} m", meters));
+}
+
+}  // namespace
+
+void draw_map(std::ostream& out, const World& world, const Outcome& outcome) {
+  const Page page = make_page(world);
+  const MapCity city = outline_city(world, page.area, kCityBudget);
+  const std::vector<Mark> marks = find_marks(world, outcome, 13 / page.scale);
+  const double panel_left = kMargin + page.width + kMargin;
+  const double width = panel_left + kPanel;
+  const double height = std::max(page.height, 560.0) + 2 * kMargin + 16;
+  out << fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
+      "width=\"{0:.0f}\" height=\"{1:.0f}\" "
+      "font-family=\"Helvetica, Arial, sans-serif\" fill=\"{2}\">\n",
+      width, height, kInk);
+  out << fmt::format("<title>{}</title>\n", xml_text(world.title));
+  out << "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+  const std::string frame = fmt::format("x=\"{}\" y=\"{}\" width=\"{:.1f}\" height=\"{:.1f}\"",
+                                        kMargin, kMargin, page.width, page.height);
+  out << fmt::format("<clipPath id=\"map\"><rect {}/></clipPath>\n", frame);
+  out << fmt::format("<rect {} fill=\"{}\"/>\n<g clip-path=\"url(#map)\">\n", frame, kPaper);
+  draw_city(out, page, city);
+  draw_tracks(out, page, world, outcome);
+  draw_movers(out, page, world, outcome);
+  draw_marks(out, page, marks);
+  out << "</g>\n";
+  draw_scale_bar(out, page);
+  Panel panel(out, panel_left);
+  panel.title(shortened(world.title, 24));
+  panel.line(fmt::format("{} triangles, {} frames of 1/60 s", grouped(world.triangles),
+                         grouped(outcome.frames)));
+  write_movers(panel, world);
+  write_contacts(panel, outcome, marks);
+  panel.head("City, from above");
+  for (const MapLayer& layer : city.layers) {
+    panel.keyed(fmt::format("<rect x=\"-8\" y=\"-6\" width=\"16\" height=\"12\" fill=\"{}\" "
+                            "stroke=\"{}\" stroke-width=\".5\"/>",
+                            layer.color, kInk),
+                layer.legend);
+  }
+  panel.line("outlines are simplified");
+  out << "</svg>\n";
+}
+
+}  // namespace soms::command

@@ -1,0 +1,17 @@
+/// \file
+/// A picture of a simulation from above, as SVG.
+#pragma once
+
+#include "apps/soms/simulate_run.h"
+#include "apps/soms/simulate_world.h"
+
+#include <ostream>
+
+namespace soms::command {
+
+/// Draws the city, shaded by height above its ground and simplified so that the file stays below
+/// about 300 KB however many triangles there are; tracks and last places of the movers, their
+/// contacts, and a list of the worst places.
+void draw_map(std::ostream& out, const World& world, const Outcome& outcome);
+
+}  // namespace soms::command

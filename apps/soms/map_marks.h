@@ -1,0 +1,39 @@
+/// \file
+/// Contacts as marks on the map, and words fit for it.
+#pragma once
+
+#include "apps/soms/simulate_run.h"
+#include "apps/soms/simulate_world.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soms::command {
+
+/// Contacts that began near each other.
+struct Mark {
+  double x = 0;  ///< mean place of the movers
+  double y = 0;
+  std::uint64_t contacts = 0;
+  std::string most;  ///< what was touched most often here
+};
+
+/// Contacts gathered by squares of side `cell` metres: most contacts first.
+[[nodiscard]] std::vector<Mark> find_marks(const World& world, const Outcome& outcome, double cell);
+
+/// Radius of a mark in pixels: its area grows with the contacts, up to a limit.
+[[nodiscard]] double mark_radius(std::uint64_t contacts);
+
+/// A round length not above `meters`: 1, 2 or 5 times a power of ten.
+[[nodiscard]] double round_length(double meters);
+
+/// `words`, cut to about `most` bytes with "..." where longer.
+[[nodiscard]] std::string shortened(std::string_view words, std::size_t most);
+
+/// `words` as text of an XML file: markup escaped, what XML or UTF-8 forbids replaced by '?'.
+[[nodiscard]] std::string xml_text(std::string_view words);
+
+}  // namespace soms::command

@@ -1,0 +1,73 @@
+#include "apps/soms/parse.h"
+#include "apps/soms/simulate.h"
+
+#include <memory>
+
+namespace soms::command {
+
+namespace {
+
+constexpr std::uint64_t kMostMovers = 1'000'000;
+constexpr std::uint64_t kMostFrames = 1'000'000'000;
+
+const char* const kFooter =
+    "Without a city: an embedded one of 1,000,000 triangles. Movers follow its streets, drones "
+    "fly\n"
+    "above them; in a city from files they go to and fro on straight level lines at street "
+    "height.\n"
+    "They start free, drive on through whatever they touch, and 60 frames are one second. A "
+    "contact\n"
+    "is one mover and one triangle of the city, or two movers, from the first frame in which they\n"
+    "touch to the last. A route file is CSV: x,y,z are points of a line that is driven at "
+    "constant\n"
+    "speed; with qw,qx,qy,qz or as r00,...,tz each row is the pose of one frame.\n"
+    "Surfaces only: a mover wholly inside a closed building touches nothing.\n\n"
+    "Example:\n"
+    "  soms simulate --map city.svg\n"
+    "  soms simulate city.ply --mover van.3ds --count 500 --frames 600 --events contacts.csv";
+
+const Choices<UpAxis> kAxes{{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}};
+
+void add_models(CLI::App& app, SimulateOptions& options) {
+  app.add_option("CITY", options.cities, "models that stand still, in one frame of coordinates")
+      ->option_text("FILE...");
+  app.add_option("--mover", options.movers, "model that moves; may be given again")
+      ->option_text("FILE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--route", options.routes, "CSV file of points or poses; may be given again")
+      ->option_text("FILE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_positive(app, "--scale", options.scale, "factor on the city's coordinates");
+  add_choice<UpAxis>(app, "--up", options.up, kAxes, "up axis of the city");
+  add_positive(app, "--mover-scale", options.mover_scale, "factor on the movers' coordinates");
+  add_choice<UpAxis>(app, "--mover-up", options.mover_up, kAxes, "up axis of the movers");
+}
+
+}  // namespace
+
+Action add_simulate(CLI::App& app, Shared&) {
+  const auto options = std::make_shared<SimulateOptions>();
+  add_models(app, *options);
+  app.add_option_function<std::string>(
+         "--count",
+         [options](const std::string& value) {
+           options->count = parse_count("--count", value, 0, kMostMovers);
+         },
+         "movers (1000; one a route with --route)")
+      ->option_text("N");
+  add_count(app, "--frames", options->frames, 0, kMostFrames, "frames (600)");
+  app.add_flag("--verify", options->verify,
+               "check contacts, and a sample of free movers, by brute force");
+  app.add_option("--map", options->map, "draw the city, its movers and contacts as SVG")
+      ->option_text("FILE");
+  app.add_option("--events", options->events, "write begin and end of every contact as CSV")
+      ->option_text("FILE");
+  add_choice<bool>(app, "--fail-if", options->fail_if_contact,
+                   {{"overlap", true}, {"contact", true}}, "exit with 1 when something touched");
+  app.footer(kFooter);
+  return [options](Console& console) { return run_simulate(*options, console); };
+}
+
+}  // namespace soms::command

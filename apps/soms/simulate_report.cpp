@@ -1,0 +1,211 @@
+#include "apps/soms/simulate_report.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace soms::command {
+
+namespace {
+
+constexpr std::size_t kMostTouched = 5;
+
+std::string row(const std::string& name, const std::string& value) {
+  return fmt::format("{:<14}{}\n", name, value);
+}
+
+std::string plural(std::uint64_t n, const std::string& one) {
+  return fmt::format("{} {}{}", grouped(n), one, n == 1 ? "" : "s");
+}
+
+/// "1,000 (400 cars, 400 persons, 200 drones)", by model.
+std::string movers_of(const World& world) {
+  std::vector<std::uint64_t> counts(world.models.size(), 0);
+  for (const Way& way : world.ways) {
+    ++counts[way.model];
+  }
+  std::string kinds;
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    const Model& model = world.models[k];
+    kinds += fmt::format("{}{} {} of {} triangles", k == 0 ? "" : ", ", grouped(counts[k]),
+                         model.name, grouped(model.shape.mesh().triangles.size()));
+  }
+  std::string text = fmt::format("{} ({})", grouped(world.ways.size()), kinds);
+  if (world.ways.size() < world.asked) {
+    text += fmt::format("; {} asked for, no free place for the rest", grouped(world.asked));
+  }
+  return text;
+}
+
+std::string contacts_of(const World& world, const Outcome& outcome) {
+  const std::uint64_t all = outcome.contacts.contacts().size();
+  const std::uint64_t between = outcome.contacts.between_movers();
+  if (all == 0) {
+    return "none";
+  }
+  return fmt::format("{} ({} with triangles of the city, {} between movers) by {} of {} movers",
+                     grouped(all), grouped(all - between), grouped(between),
+                     grouped(outcome.contacts.movers()), grouped(world.ways.size()));
+}
+
+std::string frames_of(const Outcome& outcome, const SimulateOptions& options) {
+  std::string text = grouped(outcome.frames);
+  if (outcome.ending != Ending::whole) {
+    text += fmt::format(" of {}, {}", grouped(options.frames),
+                        outcome.ending == Ending::interrupted ? "interrupted" : "out of time");
+  }
+  text += fmt::format(" ({:.4g} s of simulated time)",
+                      static_cast<double>(outcome.frames) / kFramesASecond);
+  return text;
+}
+
+std::string touched_lines(const World& world, const Outcome& outcome) {
+  std::string lines;
+  for (const Touched& touched : outcome.contacts.most_touched(kMostTouched)) {
+    lines += row(
+        lines.empty() ? "most touched" : "",
+        fmt::format("triangle {} of {}: {} in {}", touched.triangle,
+                    part_name(world, touched.part, touched.triangle),
+                    plural(touched.contacts, "contact"), plural(touched.frames, "mover-frame")));
+  }
+  return lines;
+}
+
+const char* ending_name(Ending ending) {
+  return ending == Ending::whole ? "complete" : "cut";
+}
+
+double rounded(double value) {
+  return std::round(value * 100) / 100;
+}
+
+}  // namespace
+
+std::string grouped(std::uint64_t value) {
+  const std::string digits = std::to_string(value);
+  std::string text;
+  for (std::size_t k = 0; k < digits.size(); ++k) {
+    if (k > 0 && (digits.size() - k) % 3 == 0) {
+      text += ',';
+    }
+    text += digits[k];
+  }
+  return text;
+}
+
+std::string part_name(const World& world, EnvironmentId part, TriangleId triangle) {
+  const Mesh& mesh = world.city[part].shape.mesh();
+  const std::uint32_t inner = part_of(mesh, triangle);
+  if (inner == Part::kNoParent || mesh.parts[inner].name.empty()) {
+    return world.city[part].name;
+  }
+  return mesh.parts[inner].name;
+}
+
+std::string table_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
+  std::string text =
+      row("city", fmt::format("{}, {} triangles", world.title, grouped(world.triangles)));
+  text += row("built in", fmt::format("{:.0f} ms, after {:.0f} ms to {} it", world.build_ms,
+                                      world.read_ms, options.cities.empty() ? "make" : "read"));
+  text += row("movers", movers_of(world));
+  text += row("frames", frames_of(outcome, options));
+  text +=
+      row("speed", fmt::format("{:.0f} frames a second (worst {:.0f}), {} queries a second",
+                               outcome.median_fps(), outcome.worst_fps(),
+                               grouped(static_cast<std::uint64_t>(outcome.queries_a_second()))));
+  text += row("contacts", contacts_of(world, outcome));
+  text += touched_lines(world, outcome);
+  if (outcome.verified) {
+    const Verified& v = *outcome.verified;
+    text += row("verified", fmt::format("{} and {} by brute force, {} wrong",
+                                        plural(v.contacts, "touching pair"),
+                                        plural(v.free, "free mover"), grouped(v.wrong)));
+  }
+  if (options.map.empty()) {
+    text += row("look at it", "soms simulate ... --map city.svg draws the city and its contacts");
+  } else {
+    text += row("map", options.map);
+  }
+  if (!options.events.empty()) {
+    text += row("events", options.events);
+  }
+  return text;
+}
+
+std::string json_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
+  using nlohmann::ordered_json;
+  ordered_json json;
+  json["schema"] = "soms.simulate/1";
+  json["city"] = world.title;
+  json["triangles"] = world.triangles;
+  json["movers"] = world.ways.size();
+  json["movers_asked"] = world.asked;
+  json["frames"] = outcome.frames;
+  json["frames_asked"] = options.frames;
+  json["coverage"] = ending_name(outcome.ending);
+  json["interrupted"] = outcome.ending == Ending::interrupted;
+  json["fps"] = {{"median", rounded(outcome.median_fps())},
+                 {"worst", rounded(outcome.worst_fps())}};
+  json["build_ms"] = rounded(world.build_ms);
+  json["read_ms"] = rounded(world.read_ms);
+  json["queries"] = outcome.queries;
+  json["queries_a_second"] = std::round(outcome.queries_a_second());
+  json["contacts"] = outcome.contacts.contacts().size();
+  json["contacts_between_movers"] = outcome.contacts.between_movers();
+  json["hash"] = fmt::format("{:016x}", outcome.hash);
+  json["most_touched"] = ordered_json::array();
+  for (const Touched& touched : outcome.contacts.most_touched(kMostTouched)) {
+    json["most_touched"].push_back({{"city", world.city[touched.part].name},
+                                    {"part", part_name(world, touched.part, touched.triangle)},
+                                    {"triangle", touched.triangle},
+                                    {"contacts", touched.contacts},
+                                    {"mover_frames", touched.frames}});
+  }
+  if (outcome.verified) {
+    json["verified"] = {{"contacts", outcome.verified->contacts},
+                        {"free", outcome.verified->free},
+                        {"wrong", outcome.verified->wrong}};
+  }
+  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+namespace {
+
+/// A CSV field; quoted when it must be.
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char c : text) {
+    quoted += c;
+    if (c == '"') {
+      quoted += c;
+    }
+  }
+  return quoted + '"';
+}
+
+}  // namespace
+
+void write_events(std::ostream& out, const World& world, const Outcome& outcome) {
+  const auto model_name = [&](MoverId mover) {
+    return field(world.models[world.ways[mover].model].name);
+  };
+  out << "mover,model,touched,part,triangle,begin,end\n";
+  for (const Contact& contact : outcome.contacts.contacts()) {
+    out << contact.mover << ',' << model_name(contact.mover) << ',';
+    if (contact.part == Contact::kMover) {
+      out << "mover " << contact.other << ',' << model_name(contact.other) << ",,";
+    } else {
+      out << field(world.city[contact.part].name) << ','
+          << field(part_name(world, contact.part, contact.other)) << ',' << contact.other << ',';
+    }
+    out << contact.begin << ',' << contact.end << '\n';
+  }
+}
+
+}  // namespace soms::command

@@ -1,0 +1,33 @@
+/// \file
+/// What a simulation tells: a table for people, an object for programs, a list of contacts.
+#pragma once
+
+#include "apps/soms/simulate.h"
+#include "apps/soms/simulate_run.h"
+#include "apps/soms/simulate_world.h"
+
+#include <cstdint>
+#include <ostream>
+#include <string>
+
+namespace soms::command {
+
+/// A number with its thousands apart: 1,000,000.
+[[nodiscard]] std::string grouped(std::uint64_t value);
+
+/// The table that is read in ten seconds.
+[[nodiscard]] std::string table_of(const World& world, const Outcome& outcome,
+                                   const SimulateOptions& options);
+
+/// One line of JSON, schema soms.simulate/1.
+[[nodiscard]] std::string json_of(const World& world, const Outcome& outcome,
+                                  const SimulateOptions& options);
+
+/// CSV, a row a contact: mover, model, touched, part, triangle, begin, end. Frames count from 0;
+/// `end` is the last frame of touch.
+void write_events(std::ostream& out, const World& world, const Outcome& outcome);
+
+/// Name of the part of the city that a triangle belongs to; of its file where there is none.
+[[nodiscard]] std::string part_name(const World& world, EnvironmentId part, TriangleId triangle);
+
+}  // namespace soms::command

@@ -1,0 +1,161 @@
+#include "apps/soms/simulate_run.h"
+
+#include "soms/base/error.h"
+#include "soms/base/hash.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <utility>
+
+namespace soms::command {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Places remembered of each mover, about.
+constexpr std::uint64_t kPlacesOfATrack = 100;
+
+Scene make_scene(const World& world) {
+  Scene scene;
+  for (const Body& body : world.city) {
+    scene.add_environment(body);
+  }
+  for (const Way& way : world.ways) {
+    const Model& model = world.models[way.model];
+    scene.add_mover(Body(model.shape, way.at(0), model.name));
+  }
+  return scene;
+}
+
+Place place_of(const World& world, std::size_t mover, const Pose& pose) {
+  const Vec3 at = pose.apply(world.models[world.ways[mover].model].foot);
+  return {static_cast<float>(at.x), static_cast<float>(at.y)};
+}
+
+/// Poses of one frame, set and stepped; the time of both.
+StepReport run_frame(Scene& scene, const World& world, std::uint64_t frame,
+                     const Parallel& parallel, std::vector<Pose>& poses, float& seconds) {
+  const auto begin = Clock::now();
+  for (std::uint32_t k = 0; k < world.ways.size(); ++k) {
+    poses[k] = world.ways[k].at(frame);
+    scene.set_pose(k, poses[k]);
+  }
+  StepReport report = scene.step({}, parallel);
+  seconds = std::chrono::duration<float>(Clock::now() - begin).count();
+  return report;
+}
+
+class Run {
+ public:
+  Run(const World& world, const SimulateOptions& options, Console& console)
+      : world_(world),
+        options_(options),
+        console_(console),
+        scene_(make_scene(world)),
+        poses_(world.ways.size()),
+        pause_(std::max<std::uint64_t>(1, options.frames / kPlacesOfATrack)) {
+    outcome_.tracks.resize(world.ways.size());
+    if (options.verify) {
+      verifier_.emplace(world, console.shared().seed);
+    }
+  }
+
+  Outcome go() {
+    Progress bar = console_.progress("simulating");
+    Fnv1a hash;
+    for (std::uint64_t frame = 0; frame < options_.frames && !ended(); ++frame) {
+      try {
+        hash.add(run(frame));
+      } catch (const Error& error) {
+        if (error.kind() != ErrorKind::cancelled) {
+          throw;
+        }
+        outcome_.ending = Ending::interrupted;
+        break;
+      }
+      bar.show(static_cast<double>(frame + 1) / static_cast<double>(options_.frames));
+    }
+    outcome_.contacts.finish();
+    outcome_.hash = hash.value();
+    if (verifier_) {
+      outcome_.verified = verifier_->result();
+    }
+    return std::move(outcome_);
+  }
+
+ private:
+  bool ended() {
+    if (console_.interrupted()) {
+      outcome_.ending = Ending::interrupted;
+    } else if (console_.out_of_time()) {
+      outcome_.ending = Ending::timed_out;
+    }
+    return outcome_.ending != Ending::whole;
+  }
+
+  /// One frame, whole or (by an exception) not at all.
+  std::uint64_t run(std::uint64_t frame) {
+    float seconds = 0;
+    const Parallel parallel = console_.parallel();
+    const StepReport report = run_frame(scene_, world_, frame, parallel, poses_, seconds);
+    if (verifier_) {
+      verifier_->verify(report, poses_, parallel);
+    }
+    outcome_.contacts.add(report, frame);
+    outcome_.queries += report.queries;
+    outcome_.frame_seconds.push_back(seconds);
+    if (frame % pause_ == 0 || frame + 1 == options_.frames) {
+      for (std::size_t k = 0; k < poses_.size(); ++k) {
+        outcome_.tracks[k].push_back(place_of(world_, k, poses_[k]));
+      }
+    }
+    ++outcome_.frames;
+    return report.hash();
+  }
+
+  const World& world_;
+  const SimulateOptions& options_;
+  Console& console_;
+  Scene scene_;
+  std::vector<Pose> poses_;
+  std::uint64_t pause_;
+  std::optional<Verifier> verifier_;
+  Outcome outcome_;
+};
+
+double fps(double seconds) {
+  return seconds > 0 ? 1 / seconds : 0;
+}
+
+}  // namespace
+
+double Outcome::median_fps() const {
+  if (frame_seconds.empty()) {
+    return 0;
+  }
+  std::vector<float> sorted = frame_seconds;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  return fps(static_cast<double>(*middle));
+}
+
+double Outcome::worst_fps() const {
+  return frame_seconds.empty() ? 0
+                               : fps(static_cast<double>(*std::max_element(frame_seconds.begin(),
+                                                                           frame_seconds.end())));
+}
+
+double Outcome::queries_a_second() const {
+  const double all =
+      std::accumulate(frame_seconds.begin(), frame_seconds.end(), 0.0,
+                      [](double sum, float s) { return sum + static_cast<double>(s); });
+  return all > 0 ? static_cast<double>(queries) / all : 0;
+}
+
+Outcome run_frames(const World& world, const SimulateOptions& options, Console& console) {
+  return Run(world, options, console).go();
+}
+
+}  // namespace soms::command

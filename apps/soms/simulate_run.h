@@ -1,0 +1,47 @@
+/// \file
+/// The frames of a simulation, and what is remembered of them.
+#pragma once
+
+#include "soms/scene/scene.h"
+
+#include "apps/soms/console.h"
+#include "apps/soms/simulate_contacts.h"
+#include "apps/soms/simulate_verify.h"
+#include "apps/soms/simulate_world.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace soms::command {
+
+/// A place on the ground plan.
+struct Place {
+  float x = 0;
+  float y = 0;
+};
+
+/// How a simulation ended.
+enum class Ending { whole, timed_out, interrupted };
+
+/// What a simulation found.
+struct Outcome {
+  std::uint64_t frames = 0;          ///< done
+  std::vector<float> frame_seconds;  ///< poses, broad phase, narrow phase and report of each frame
+  std::uint64_t queries = 0;
+  std::uint64_t hash = 0;  ///< of all frames' reports, in order
+  ContactLog contacts;
+  std::optional<Verified> verified = std::nullopt;
+  std::vector<std::vector<Place>> tracks;  ///< where each mover was, at some hundred frames
+  Ending ending = Ending::whole;
+
+  [[nodiscard]] double median_fps() const;
+  [[nodiscard]] double worst_fps() const;
+  [[nodiscard]] double queries_a_second() const;
+};
+
+/// Runs the frames; Ctrl-C and --timeout end it with the frames done so far.
+[[nodiscard]] Outcome run_frames(const World& world, const SimulateOptions& options,
+                                 Console& console);
+
+}  // namespace soms::command

@@ -1,0 +1,249 @@
+#include "apps/soms/simulate_ways.h"
+
+#include "soms/base/error.h"
+#include "soms/base/random.h"
+#include "soms/io/poses.h"
+#include "soms/scene/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <utility>
+
+namespace soms::command {
+
+namespace {
+
+constexpr std::uint64_t kDefaultMovers = 1000;
+/// Rounds in which movers that stand in something are given another place.
+constexpr int kRounds = 64;
+/// Height of a mover's underside above the ground: no street is as level as a straight line.
+constexpr double kClearance = 0.3;
+constexpr std::size_t kGridCells = 2048;
+
+/// Another number for each mover and attempt.
+std::uint64_t seed_of(std::uint64_t seed, std::uint64_t mover, std::uint64_t attempt) {
+  Rng rng(seed * 0x9e3779b97f4a7c15ULL + mover);
+  return rng.next() + attempt * 0xd1342543de82ef95ULL;
+}
+
+/// Two in five are cars, two persons, one a drone; models from files take turns.
+std::size_t model_of(const World& world, std::uint64_t mover) {
+  if (world.models[0].kind == Kind::model) {
+    return mover % world.models.size();
+  }
+  constexpr std::size_t kTurns[] = {0, 1, 0, 1, 2};
+  return kTurns[mover % std::size(kTurns)];
+}
+
+Way street_way(const City& city, const Model& model, std::uint64_t seed) {
+  Way way;
+  if (model.kind == Kind::drone) {
+    way.route = flight_route(city, seed, model.speed, 8, 60);
+  } else {
+    way.route = street_route(city, seed, model.speed, kClearance);
+  }
+  return way;
+}
+
+/// Draws level lines through a city of which nothing is known but its triangles.
+class Lines {
+ public:
+  explicit Lines(const World& world) : grid_(world.bounds, kGridCells), box_(world.bounds) {
+    for (const Body& body : world.city) {
+      grid_.add(body.shape.mesh());
+    }
+    grid_.find_ground();
+    double reach = 0;
+    for (const Model& model : world.models) {
+      reach = std::max(reach, model.reach);
+    }
+    // Room around the city, so that there is a free place even where all is built up.
+    const Vec3 extent = box_.extent();
+    const double rim = 1.5 * reach + 0.02 * std::max(extent.x, extent.y) + 1;
+    box_.lower = box_.lower - Vec3{rim, rim, 0};
+    box_.upper = box_.upper + Vec3{rim, rim, 0};
+  }
+
+  [[nodiscard]] Way draw(const Model& model, std::uint64_t seed) const {
+    Rng rng(seed);
+    Vec3 start;
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+      start.x = rng.uniform(box_.lower.x, box_.upper.x);
+      start.y = rng.uniform(box_.lower.y, box_.upper.y);
+      const double level = grid_.standing(start.x, start.y, model.reach);
+      start.z = grid_.ground(start.x, start.y);
+      if (!std::isnan(level)) {
+        start.z = level;
+        break;
+      }
+    }
+    start.z += model.kind == Kind::drone ? rng.uniform(8, 60) : kClearance;
+    Way way;
+    way.route = straight_route(box_, start, rng.next(), model.speed);
+    return way;
+  }
+
+ private:
+  static constexpr int kAttempts = 200;
+
+  HeightGrid grid_;
+  Box box_;
+};
+
+/// Numbers of the movers of a scene that touch something; of two movers the later one.
+std::vector<bool> who_touches(Scene& scene, std::size_t movers, Console& console) {
+  const StepReport report = console.run("finding free places", [&](const Parallel& parallel) {
+    return scene.step({.mode = OverlapMode::any},
+                      {.threads = parallel.threads, .stop = parallel.stop, .progress = {}});
+  });
+  std::vector<bool> touches(movers, false);
+  for (const EnvironmentContact& contact : report.environment) {
+    touches[contact.mover] = true;
+  }
+  for (const MoverContact& contact : report.movers) {
+    touches[contact.b] = true;
+  }
+  return touches;
+}
+
+/// Moves whoever touches something to another way until all are free; gives up on the rest.
+void find_free_ways(World& world, const std::function<Way(std::uint64_t, std::uint64_t)>& draw,
+                    Console& console) {
+  Scene scene;
+  for (const Body& body : world.city) {
+    scene.add_environment(body);
+  }
+  for (std::uint64_t k = 0; k < world.asked; ++k) {
+    world.ways.push_back(draw(k, 0));
+    scene.add_mover(Body(world.models[world.ways[k].model].shape, world.ways[k].at(0)));
+  }
+  std::vector<bool> touches = who_touches(scene, world.ways.size(), console);
+  for (std::uint64_t round = 1; round < kRounds; ++round) {
+    if (std::find(touches.begin(), touches.end(), true) == touches.end()) {
+      return;
+    }
+    for (std::uint32_t k = 0; k < touches.size(); ++k) {
+      if (touches[k]) {
+        world.ways[k] = draw(k, round);
+        scene.set_pose(k, world.ways[k].at(0));
+      }
+    }
+    touches = who_touches(scene, world.ways.size(), console);
+  }
+  std::vector<Way> free;
+  for (std::size_t k = 0; k < touches.size(); ++k) {
+    if (!touches[k]) {
+      free.push_back(std::move(world.ways[k]));
+    }
+  }
+  world.ways = std::move(free);
+  if (world.ways.size() < world.asked) {
+    console.note(fmt::format("{} of {} movers found no free place and were left out",
+                             world.asked - world.ways.size(), world.asked));
+  }
+}
+
+/// True if a route file gives points alone, without rotations.
+bool holds_points(const std::string& path) {
+  std::ifstream in(path);
+  std::string line;
+  while (std::getline(in, line) && (line.empty() || line[0] == '#' || line == "\r")) {
+  }
+  return std::count(line.begin(), line.end(), ',') == 2;
+}
+
+/// Movers on a line of points start at equal distances.
+Way along_points(const std::vector<Pose>& rows, const Model& model, double share) {
+  Way way;
+  for (const Pose& pose : rows) {
+    way.route.points.push_back(pose.shift());
+  }
+  double length = 0;
+  for (std::size_t k = 1; k < way.route.points.size(); ++k) {
+    const Vec3 step = way.route.points[k] - way.route.points[k - 1];
+    length += std::sqrt(dot(step, step));
+  }
+  way.route.closed =
+      way.route.points.size() > 2 && way.route.points.front() == way.route.points.back();
+  way.route.start = share * length;
+  way.route.speed = model.speed;
+  return way;
+}
+
+void plan_given_ways(World& world, const SimulateOptions& options, Console& console) {
+  struct Given {
+    std::shared_ptr<const std::vector<Pose>> rows;
+    bool points = false;
+  };
+
+  std::vector<Given> given;
+  for (const std::string& path : options.routes) {
+    given.push_back(
+        {std::make_shared<const std::vector<Pose>>(read_poses(path)), holds_points(path)});
+    if (given.back().rows->empty()) {
+      throw Error(ErrorKind::bad_file, path + ": no row", "give at least one point or pose");
+    }
+    check_stop(console.parallel());
+  }
+  world.asked = options.count.value_or(std::max(given.size(), world.models.size()));
+  for (std::uint64_t k = 0; k < world.asked; ++k) {
+    const std::size_t which = k % given.size();
+    const std::uint64_t turn = k / given.size();
+    const std::uint64_t turns = (world.asked - which - 1) / given.size() + 1;
+    const Given& source = given[which];
+    const std::size_t model = model_of(world, k);
+    Way way;
+    if (source.points) {
+      way = along_points(*source.rows, world.models[model],
+                         static_cast<double>(turn) / static_cast<double>(turns));
+      way.foot = world.models[model].foot;
+    } else {
+      way.recorded = source.rows;
+      way.first = turn * source.rows->size() / turns;
+    }
+    way.model = model;
+    world.ways.push_back(std::move(way));
+  }
+}
+
+}  // namespace
+
+Pose Way::at(std::uint64_t frame) const {
+  if (recorded != nullptr) {
+    return (*recorded)[(first + frame) % recorded->size()];
+  }
+  Pose pose = route.at(static_cast<double>(frame) / kFramesASecond);
+  // The foot, not the origin of the file, stands on the route.
+  for (std::size_t row = 0; row < 3; ++row) {
+    const double* const r = &pose.m[4 * row];
+    pose.m[4 * row + 3] -= (r[0] * foot.x + r[1] * foot.y) + r[2] * foot.z;
+  }
+  return pose;
+}
+
+void plan_ways(World& world, const SimulateOptions& options, const City* city, Console& console) {
+  if (!options.routes.empty()) {
+    plan_given_ways(world, options, console);
+    return;
+  }
+  world.asked = options.count.value_or(kDefaultMovers);
+  const std::optional<Lines> lines = city == nullptr ? std::optional<Lines>(world) : std::nullopt;
+  find_free_ways(
+      world,
+      [&](std::uint64_t mover, std::uint64_t attempt) {
+        const std::size_t model = model_of(world, mover);
+        const std::uint64_t seed = seed_of(console.shared().seed, mover, attempt);
+        Way way = city == nullptr ? lines->draw(world.models[model], seed)
+                                  : street_way(*city, world.models[model], seed);
+        way.model = model;
+        way.foot = world.models[model].foot;
+        return way;
+      },
+      console);
+}
+
+}  // namespace soms::command

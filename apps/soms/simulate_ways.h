@@ -1,0 +1,19 @@
+/// \file
+/// Where movers start and where they go.
+#pragma once
+
+#include "soms/generate/city.h"
+
+#include "apps/soms/console.h"
+#include "apps/soms/simulate.h"
+#include "apps/soms/simulate_world.h"
+
+namespace soms::command {
+
+/// Gives `world` its ways: by --route as they stand there, else along the streets of `city`, else
+/// (null) on straight level lines. Except with --route every mover starts free: touching neither
+/// the city nor another mover, which is asked of the scene; who finds no room is left out with a
+/// note. Deterministic in --seed.
+void plan_ways(World& world, const SimulateOptions& options, const City* city, Console& console);
+
+}  // namespace soms::command
