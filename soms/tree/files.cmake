@@ -3,6 +3,7 @@ set(SOMS_HEADERS
   build_options.h
   check.h
   implicit.h
+  layout/orientation.h
   layout/wide_tree.h
   option_names.h
   rule/rules.h
@@ -17,6 +18,7 @@ set(SOMS_SOURCES
   build_options.cpp
   check.cpp
   implicit.cpp
+  layout/orientation.cpp
   layout/wide_tree.cpp
   option_names.cpp
   rule/object_mean.cpp

@@ -84,9 +84,9 @@ M4 apart(const Intervals& a, const Intervals& b, M4 sum) {
 
 std::uint32_t one_against_four(const Relation& relation, const std::array<float, 3>& half,
                                const WideNode& y) {
-  const Matrix3f& n = relation.pose->matrix();
-  const Matrix3f& m = relation.pose->magnitude();
-  const float ratio = relation.pose->ratio();
+  const auto& n = relation.turn->entry;
+  const auto& m = relation.turn->magnitude;
+  const float ratio = relation.ratio;
   const FourBoxes four(y);
   const std::array<float, 3> h = {half[0] * ratio, half[1] * ratio, half[2] * ratio};
   std::array<F4, 3> gap;
@@ -106,9 +106,9 @@ std::uint32_t one_against_four(const Relation& relation, const std::array<float,
 
 std::uint32_t four_against_one(const Relation& relation, const WideNode& x,
                                const std::array<float, 3>& half) {
-  const Matrix3f& n = relation.pose->matrix();
-  const Matrix3f& m = relation.pose->magnitude();
-  const FourBoxes four(x, relation.pose->ratio());
+  const auto& n = relation.turn->entry;
+  const auto& m = relation.turn->magnitude;
+  const FourBoxes four(x, relation.ratio);
   std::array<F4, 3> gap;
   M4 sum = {};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -127,9 +127,9 @@ std::uint32_t four_against_one(const Relation& relation, const WideNode& x,
 }
 
 std::uint32_t four_against_four(const Relation& relation, const WideNode& x, const WideNode& y) {
-  const Matrix3f& n = relation.pose->matrix();
-  const Matrix3f& m = relation.pose->magnitude();
-  const FourBoxes fx(x, relation.pose->ratio());
+  const auto& n = relation.turn->entry;
+  const auto& m = relation.turn->magnitude;
+  const FourBoxes fx(x, relation.ratio);
   const FourBoxes fy(y);
   std::array<F4, 3> center_x;
   std::array<F4, 3> radius_x;

@@ -18,11 +18,6 @@ float size_of(const Place& place) {
   return std::max({place.own_half[0], place.own_half[1], place.own_half[2]});
 }
 
-template <class X, class Y>
-Relation relate(const RelativePose& relative, const X& x, const Y& y) {
-  return relative.between(x.origin, x.reach, y.origin, y.reach);
-}
-
 Triangle moved(const WalkSide& side, TriangleId id) {
   const Triangle t = side.shape->mesh().triangle(id);
   return {side.pose->apply(t.a), side.pose->apply(t.b), side.pose->apply(t.c)};
@@ -139,8 +134,9 @@ void PairWalk::open(const PlacePair& pair) {
 void PairWalk::open_x_at_block(const PlacePair& pair) {
   const WideNode& x = node_x(pair.x);
   const TriangleBlock& y = block_y(pair.y);
-  const Relation relation = relate(relative_, x, y);
-  if (2 * size_of(y) > size_of(x) * relative_.ratio()) {
+  Relation relation;
+  relative_.relate(x, y, relation);
+  if (size_of(y) > size_of(x) * relative_.ratio()) {
     cost_.node_tests += y.count;
     if (box_against_y(relation, x.own_half, y) == 0) {
       return;
@@ -153,8 +149,9 @@ void PairWalk::open_x_at_block(const PlacePair& pair) {
 void PairWalk::open_y_at_block(const PlacePair& pair) {
   const TriangleBlock& x = block_x(pair.x);
   const WideNode& y = node_y(pair.y);
-  const Relation relation = relate(relative_, x, y);
-  if (2 * size_of(x) * relative_.ratio() > size_of(y)) {
+  Relation relation;
+  relative_.relate(x, y, relation);
+  if (size_of(x) * relative_.ratio() > size_of(y)) {
     cost_.node_tests += x.count;
     if (box_against_x(relation, x, y.own_half) == 0) {
       return;
@@ -167,7 +164,8 @@ void PairWalk::open_y_at_block(const PlacePair& pair) {
 void PairWalk::open_nodes(const PlacePair& pair) {
   const WideNode& x = node_x(pair.x);
   const WideNode& y = node_y(pair.y);
-  const Relation relation = relate(relative_, x, y);
+  Relation relation;
+  relative_.relate(x, y, relation);
   const float size_x = size_of(x) * relative_.ratio();
   const float size_y = size_of(y);
   if (size_x > kSimilar * size_y) {
@@ -196,7 +194,8 @@ void PairWalk::open_nodes(const PlacePair& pair) {
 bool PairWalk::blocks(const PlacePair& pair, Collector& collector, Watch& watch) {
   const TriangleBlock& x = block_x(pair.x);
   const TriangleBlock& y = block_y(pair.y);
-  const Relation relation = relate(relative_, x, y);
+  Relation relation;
+  relative_.relate(x, y, relation);
   cost_.node_tests += y.count;
   const std::uint32_t lanes_y = box_against_y(relation, x.own_half, y);
   if (lanes_y == 0) {

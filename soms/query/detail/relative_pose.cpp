@@ -1,5 +1,7 @@
 #include "soms/query/detail/relative_pose.h"
 
+#include "soms/query/detail/lanes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -93,8 +95,8 @@ RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const Viewer& 
     shift_[i] =
         (y.inverse[i][0] * between.x + y.inverse[i][1] * between.y) + y.inverse[i][2] * between.z;
     for (std::size_t j = 0; j < 3; ++j) {
-      rounded_[i][j] = static_cast<float>(matrix_[i][j]);
-      magnitude_[i][j] = std::abs(rounded_[i][j]);
+      turn_.entry[i][j] = static_cast<float>(matrix_[i][j]);
+      turn_.magnitude[i][j] = std::abs(turn_.entry[i][j]);
     }
   }
   Matrix3 transposed = {};
@@ -103,12 +105,11 @@ RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const Viewer& 
       transposed[i][j] = matrix_[j][i];
     }
   }
-  relative_ = rounded_up(0x1p-18 + 4 * distance_from_identity(product(transposed, matrix_)));
+  relative_ = rounded_up(0x1p-17 + 4 * distance_from_identity(product(transposed, matrix_)));
   ratio_ = static_cast<float>(std::ldexp(1.0, y.tree->exponent() - x.exponent()));
   const double reach = y.reach + moved_reach(pose_x, x.bounds());
   const double slack = 2 * ((192 * kUnitRoundoff + 12 * y.residual) * reach + 0x1p-1064);
-  apart_ = roots_apart(x.nodes().front(), 1 / x.scale(), y.tree->nodes().front(),
-                       1 / y.tree->scale(), slack);
+  apart_ = roots_apart(x.bounds(), y.tree->bounds(), slack);
   // Where rounding outweighs the body a thousandfold and more, every box meets every other.
   if (slack * scale_ <= 0x1p40) {
     slack_ = rounded_up(slack * scale_ + 0x1p-100);
@@ -118,16 +119,34 @@ RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const Viewer& 
   }
 }
 
-bool RelativePose::roots_apart(const WideNode& x, double unit_x, const WideNode& y, double unit_y,
-                               double slack) const {
+void RelativePose::turn(const layout::Axes& x, const layout::Axes& y, Relation& relation) const {
+  const F4 x0 = {x[0], x[1], x[2], 0};
+  const F4 x1 = {x[3], x[4], x[5], 0};
+  const F4 x2 = {x[6], x[7], x[8], 0};
+  // The offset rides in the fourth lane.
+  std::array<F4, 3> row;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double turned =
-        (matrix_[i][0] * x.origin[0] + matrix_[i][1] * x.origin[1]) + matrix_[i][2] * x.origin[2];
-    double radius = static_cast<double>(y.own_half[i]) * unit_y + slack;
-    for (std::size_t j = 0; j < 3; ++j) {
-      radius += std::abs(matrix_[i][j]) * (static_cast<double>(x.own_half[j]) * unit_x);
-    }
-    if (std::abs((turned + shift_[i]) - y.origin[i]) > radius) {
+    const auto& n = turn_.entry[i];
+    row[i] = ((x0 * n[0] + x1 * n[1]) + x2 * n[2]) + F4{0, 0, 0, relation.offset[i]};
+  }
+  relation.turn = &relation.own;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const F4 seen = (row[0] * y[i] + row[1] * y[3 + i]) + row[2] * y[6 + i];
+    relation.offset[i] = seen[3];
+    store(seen, relation.own.entry[i], 0);
+    store(abs(seen), relation.own.magnitude[i], 0);
+  }
+}
+
+bool RelativePose::roots_apart(const Box& x, const Box& y, double slack) const {
+  const Vec3 half_x = x.extent() * 0.5;
+  const Vec3 half_y = y.extent() * 0.5;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double radius =
+        ((std::abs(matrix_[i][0]) * half_x.x + std::abs(matrix_[i][1]) * half_x.y) +
+         std::abs(matrix_[i][2]) * half_x.z) +
+        half_y[i];
+    if (std::abs(shift_[i]) > radius + slack) {
       return true;
     }
   }

@@ -3,8 +3,8 @@
 ///
 /// The claim that every test rests on. Let `u` be a point of a triangle of tree x and `v` one of
 /// tree y, both relative to their trees' origins, such that the *moved and rounded* triangles share
-/// the moved point. Then z = N u + D - v has |z_i| <= W on every axis i of y, where N, D, W are
-/// `matrix`, `shift`, `slack` below (in the mesh's units). Proof.
+/// the moved point. Then z = N u + D - v has |z_i| <= W on every axis i of y, where N, D are
+/// `matrix_`, `shift_` below (in the mesh's units). Proof.
 ///
 /// Write R, t for a pose, O for a tree's origin, u64 = 2^-53, and V for the sum over both bodies of
 /// max_k (sum_j |R_kj| max|x_j| + |t_k|): no moved coordinate, and no partial sum of one, exceeds
@@ -21,7 +21,7 @@
 ///      and the product with X, 3.01 * 1.74:                                       22
 ///   X R_y is not I: three entries off by the measured `residual` r, times 3.47;
 ///      r itself is measured with an error of 3.01 u64:          10.5 r / u64  +   32
-/// and |X e| is at most 1.74 * 4.01 = 7. Offsets of nodes, N o_x + D - o_y in double, add
+/// and |X e| is at most 1.74 * 4.01 = 7. Offsets of places, N o_x + D - o_y in double, add
 /// 3.01 * 1.74 * 3.47 + 2 * 11.3 < 41; the test of the roots sums boxes of at most 10 V in four
 /// steps, 40 more; corners of blocks, first taken about the tree's origin, are off by 1.74 * 3.47
 /// and 3.47: 10 more. Together 184 + 10.5 r / u64; W = (192 u64 + 12 r) V + 2^-1064, where the last
@@ -36,15 +36,21 @@
 /// |n|_1 (1.74 W + defect |p|_1). So normals and edge products need no bound of their own, whatever
 /// the rounding they were computed with: only their products with corners do.
 ///
-/// In float: S = reach_x + reach_y + |d|_1. A gap between centers carries the rounding of d, of
-/// entries of N, of three products and four sums, and of stored corners: 9 * 2^-24 S; turned by N^T
-/// that is 1.74 times as much, and the turn adds 4 * 1.74; radii and the comparison add 7: below
-/// 30 * 2^-24 S a test (times |n|_1 for a direction). Where -N^T d stands for d in x's axes,
-/// N N^T d - d is at most 3 defect |d|_1. `relative` = 2^-18 + 4 defect, 64 * 2^-24 and more,
-/// leaves a factor two. `slack` has 2^-100 added for what underflows in lengths; products of three
-/// lengths get 2^-140 more where they are compared. Nothing overflows: boxes of y are below 2^22,
-/// those of x are scaled to y's units by a power of two that is at most 1, d is at most 2^42 once
-/// the roots meet, and five factors stay in range.
+/// Turned places. A place may have axes Q of its own, floats that are orthonormal to 2^-23: then
+/// p = Q_x a, q = Q_y b, and Q_y^T z = M a + Q_y^T d - Q_y^T Q_y b with M = Q_y^T N Q_x. That has
+/// the form above, with M for N and Q_y^T d for d, |Q_y^T z| <= 1.74 W, and 2^-23 |b|_1 more.
+///
+/// In float, in units of 2^-24 S with S = reach_x + reach_y + |d|_1: entries of M are off by 10 at
+/// most (two products of three), d by 7, stored corners by 4, Q_y^T Q_y by 2; three products and
+/// four sums add 5: a gap between centers is off by 28. Turned by M^T that is 1.74 times as much,
+/// and the turn adds 13 * 1.74; radii add 13, M^T M - I 8 more than `defect`, comparisons 7:
+/// below 100 a test (times |n|_1 for a direction). Where -M^T d stands for d in x's axes,
+/// M M^T d - d is at most 3 defect |d|_1 more. `relative` is 2^-17 + 4 defect: 128 and more.
+/// `slack` has 2^-100 added for what underflows in lengths; products of three or four lengths
+/// get 2^-140 more where they are compared.
+///
+/// Nothing overflows: boxes of y are below 2^22, those of x are scaled to y's units by a power of
+/// two that is at most 1, d is at most 2^42 once the roots meet, and five factors stay in range.
 #pragma once
 
 #include "soms/base/pose.h"
@@ -52,11 +58,11 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace soms::detail {
 
 using Matrix3 = std::array<std::array<double, 3>, 3>;
-using Matrix3f = std::array<std::array<float, 3>, 3>;
 
 /// Rotation of a pose.
 [[nodiscard]] Matrix3 rotation(const Pose& pose);
@@ -72,13 +78,25 @@ struct Viewer {
   double reach = 0;     // largest moved coordinate, bounded; V of the proof is a sum of two
 };
 
-class RelativePose;
+/// A 3 x 3 matrix in float, and the magnitudes of its entries; rows are padded to four.
+struct Turn {
+  alignas(16) std::array<std::array<float, 4>, 3> entry;
+  alignas(16) std::array<std::array<float, 4>, 3> magnitude;
+};
 
-/// A place in tree x seen from one in tree y, in y's units: what a test of boxes needs.
+/// A place in tree x seen from one in tree y, in y's units and along the places' axes: what tests
+/// of boxes need.
 struct Relation {
-  const RelativePose* pose;
-  std::array<float, 3> offset;  ///< d of the proof
-  float margin;                 ///< gaps up to this may be rounding
+  Relation() = default;
+  Relation(const Relation&) = delete;
+  Relation& operator=(const Relation&) = delete;
+  ~Relation() = default;
+
+  const Turn* turn;             // M of the proof
+  std::array<float, 3> offset;  // d of the proof
+  float margin;                 // gaps up to this may be rounding
+  float ratio;                  // turns lengths of x's layout into those of y's
+  Turn own;                     // where `turn` points unless both places have their mesh's axes
 };
 
 /// Tree x seen in the axes of tree y.
@@ -90,37 +108,37 @@ class RelativePose {
   /// The roots' boxes are surely apart: nothing overlaps, and nothing else may be asked.
   [[nodiscard]] bool apart() const { return apart_; }
 
-  /// N of the proof.
-  [[nodiscard]] const Matrix3f& matrix() const { return rounded_; }
-
-  [[nodiscard]] const Matrix3f& magnitude() const { return magnitude_; }
-
   /// Turns lengths of x's layout into those of y's.
   [[nodiscard]] float ratio() const { return ratio_; }
 
-  /// Offset d and margin of a pair of places, `reach_x` in units of x.
-  [[nodiscard]] Relation between(const std::array<double, 3>& x, float reach_x,
-                                 const std::array<double, 3>& y, float reach_y) const {
-    Relation relation{this, {}, 0};
-    float distance = 0;
+  /// Sees place `x`, a node or block of tree x, from place `y` of tree y.
+  template <class X, class Y>
+  void relate(const X& x, const Y& y, Relation& relation) const {
     for (std::size_t i = 0; i < 3; ++i) {
-      const double turned = (matrix_[i][0] * x[0] + matrix_[i][1] * x[1]) + matrix_[i][2] * x[2];
-      relation.offset[i] = static_cast<float>(((turned + shift_[i]) - y[i]) * scale_);
-      distance += std::abs(relation.offset[i]);
+      const double turned =
+          (matrix_[i][0] * x.origin[0] + matrix_[i][1] * x.origin[1]) + matrix_[i][2] * x.origin[2];
+      relation.offset[i] = static_cast<float>(((turned + shift_[i]) - y.origin[i]) * scale_);
     }
-    relation.margin = relative_ * ((reach_x * ratio_ + reach_y) + distance) + slack_;
-    return relation;
+    relation.turn = &turn_;
+    if ((x.turned | y.turned) != 0) {
+      turn(x.axes, y.axes, relation);
+    }
+    const auto& d = relation.offset;
+    const float distance = (std::abs(d[0]) + std::abs(d[1])) + std::abs(d[2]);
+    relation.margin = relative_ * ((x.reach * ratio_ + y.reach) + distance) + slack_;
+    relation.ratio = ratio_;
   }
 
  private:
-  [[nodiscard]] bool roots_apart(const WideNode& x, double unit_x, const WideNode& y, double unit_y,
-                                 double slack) const;
+  /// M and Q_y^T d for places with axes of their own.
+  void turn(const layout::Axes& x, const layout::Axes& y, Relation& relation) const;
+
+  [[nodiscard]] bool roots_apart(const Box& x, const Box& y, double slack) const;
 
   Matrix3 matrix_ = {};
   std::array<double, 3> shift_ = {};
   double scale_ = 1;
-  Matrix3f rounded_ = {};
-  Matrix3f magnitude_ = {};
+  Turn turn_ = {};  // N in float
   float ratio_ = 1;
   float relative_ = 0;
   float slack_ = 0;

@@ -10,8 +10,8 @@ namespace {
 
 using Three = std::array<F4, 3>;
 
-/// Covers what underflows in a product of three lengths.
-constexpr float kLeastVolume = 0x1p-140F;
+/// Covers what underflows in products of three or four lengths.
+constexpr float kLeastProduct = 0x1p-140F;
 
 F4 least(F4 a, F4 b, F4 c) {
   return min(a, min(b, c));
@@ -41,8 +41,8 @@ Three normal_of(const std::array<F4, 9>& q) {
 struct SeenBox {
   std::array<float, 3> center;
   std::array<float, 3> half;
-  Matrix3f axis;
-  std::array<float, 3> radius;  // along the triangles' axes, margin included
+  std::array<std::array<float, 4>, 3> axis;  // rows padded to four
+  std::array<float, 3> radius;               // along the triangles' axes, margin included
   float margin;
 
   void finish() {
@@ -54,8 +54,21 @@ struct SeenBox {
   }
 };
 
+/// Triangles that miss the box along their own directions `n`.
+M4 apart_along(const SeenBox& box, const std::array<F4, 9>& q, const Three& n) {
+  F4 reach = sum_of_magnitudes(n) * box.margin + kLeastProduct;
+  for (std::size_t j = 0; j < 3; ++j) {
+    reach +=
+        abs((n[0] * box.axis[0][j] + n[1] * box.axis[1][j]) + n[2] * box.axis[2][j]) * box.half[j];
+  }
+  const F4 a = dot(n, q[0], q[1], q[2]);
+  const F4 b = dot(n, q[3], q[4], q[5]);
+  const F4 c = dot(n, q[6], q[7], q[8]);
+  return (least(a, b, c) > reach) | (greatest(a, b, c) < -reach);
+}
+
 /// Four triangles, corners about the box's center.
-std::uint32_t apart(const SeenBox& box, const std::array<F4, 9>& q) {
+std::uint32_t apart(const SeenBox& box, const std::array<F4, 9>& q, bool small) {
   M4 sum = {};
   for (std::size_t i = 0; i < 3; ++i) {
     sum |= (least(q[i], q[3 + i], q[6 + i]) > splat(box.radius[i])) |
@@ -69,30 +82,33 @@ std::uint32_t apart(const SeenBox& box, const std::array<F4, 9>& q) {
     const float reach = box.half[j] + box.margin;
     sum |= (least(a, b, c) > splat(reach)) | (greatest(a, b, c) < splat(-reach));
   }
-  const std::uint32_t bits = bits_of(sum);
-  if (bits == 0xf) {
-    return bits;
+  if (bits_of(sum) == 0xf) {
+    return 0xf;
   }
   const Three n = normal_of(q);
-  F4 reach = sum_of_magnitudes(n) * box.margin + kLeastVolume;
-  for (std::size_t j = 0; j < 3; ++j) {
-    reach +=
-        abs((n[0] * box.axis[0][j] + n[1] * box.axis[1][j]) + n[2] * box.axis[2][j]) * box.half[j];
+  sum |= apart_along(box, q, n);
+  if (!small || bits_of(sum) == 0xf) {
+    return bits_of(sum);
   }
-  const F4 a = dot(n, q[0], q[1], q[2]);
-  const F4 b = dot(n, q[3], q[4], q[5]);
-  const F4 c = dot(n, q[6], q[7], q[8]);
-  return bits | bits_of((least(a, b, c) > reach) | (greatest(a, b, c) < -reach));
+  // Across the edges, in the triangles' planes: large triangles beside a small box.
+  for (std::size_t corner = 0; corner < 9; corner += 3) {
+    const std::size_t next = (corner + 3) % 9;
+    sum |= apart_along(
+        box, q,
+        cross(n, {q[next] - q[corner], q[next + 1] - q[corner + 1], q[next + 2] - q[corner + 2]}));
+  }
+  return bits_of(sum);
 }
 
 std::uint32_t meeting(const SeenBox& box, const TriangleBlock& block, float ratio) {
+  const bool small = 2 * std::max({box.half[0], box.half[1], box.half[2]}) < block.reach * ratio;
   std::uint32_t bits = 0;
   for (std::uint32_t first = 0; first < block.count; first += 4) {
     std::array<F4, 9> q;
     for (std::size_t row = 0; row < 9; ++row) {
       q[row] = load(block.corner[row], first) * ratio - box.center[row % 3];
     }
-    bits |= (~apart(box, q) & 0xf) << first;
+    bits |= (~apart(box, q, small) & 0xf) << first;
   }
   return bits & ((1U << block.count) - 1);
 }
@@ -101,11 +117,11 @@ std::uint32_t meeting(const SeenBox& box, const TriangleBlock& block, float rati
 
 std::uint32_t box_against_y(const Relation& relation, const std::array<float, 3>& half_x,
                             const TriangleBlock& y) {
-  const float ratio = relation.pose->ratio();
+  const float ratio = relation.ratio;
   SeenBox box;
   box.center = relation.offset;
   box.half = {half_x[0] * ratio, half_x[1] * ratio, half_x[2] * ratio};
-  box.axis = relation.pose->matrix();
+  box.axis = relation.turn->entry;
   box.margin = relation.margin;
   box.finish();
   return meeting(box, y, 1);
@@ -113,23 +129,23 @@ std::uint32_t box_against_y(const Relation& relation, const std::array<float, 3>
 
 std::uint32_t box_against_x(const Relation& relation, const TriangleBlock& x,
                             const std::array<float, 3>& half_y) {
-  const Matrix3f& n = relation.pose->matrix();
+  const auto& n = relation.turn->entry;
   const auto& d = relation.offset;
   SeenBox box;
   for (std::size_t j = 0; j < 3; ++j) {
     box.center[j] = -((n[0][j] * d[0] + n[1][j] * d[1]) + n[2][j] * d[2]);
-    box.axis[j] = {n[0][j], n[1][j], n[2][j]};
+    box.axis[j] = {n[0][j], n[1][j], n[2][j], 0};
   }
   box.half = half_y;
   box.margin = relation.margin;
   box.finish();
-  return meeting(box, x, relation.pose->ratio());
+  return meeting(box, x, relation.ratio);
 }
 
 BlockPair::BlockPair(const Relation& relation, const TriangleBlock& x, const TriangleBlock& y)
     : margin_(relation.margin), y_(y) {
-  const Matrix3f& n = relation.pose->matrix();
-  const float ratio = relation.pose->ratio();
+  const auto& n = relation.turn->entry;
+  const float ratio = relation.ratio;
   for (std::uint32_t first = 0; first < x.count; first += 4) {
     for (std::size_t corner = 0; corner < 9; corner += 3) {
       const F4 px = load(x.corner[corner], first) * ratio;
@@ -154,7 +170,7 @@ BlockPair::BlockPair(const Relation& relation, const TriangleBlock& x, const Tri
     const F4 a = dot(normal, q[0], q[1], q[2]);
     const F4 b = dot(normal, q[3], q[4], q[5]);
     const F4 c = dot(normal, q[6], q[7], q[8]);
-    const F4 give = sum_of_magnitudes(normal) * margin_ + kLeastVolume;
+    const F4 give = sum_of_magnitudes(normal) * margin_ + kLeastProduct;
     for (std::size_t i = 0; i < 3; ++i) {
       store(normal[i], y_normal_[i], first);
     }
@@ -169,7 +185,7 @@ std::uint32_t BlockPair::row(std::uint32_t i, std::uint32_t lanes) const {
     p[row] = x_[row][i];
   }
   std::array<float, 3> n;
-  float give = kLeastVolume;
+  float give = kLeastProduct;
   float lower = 0;
   float upper = 0;
   {

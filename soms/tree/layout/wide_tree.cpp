@@ -35,14 +35,29 @@ struct Frame {
   double scale;
   double size;  // longest side of the mesh's box, in units of the layout
 
-  [[nodiscard]] double middle(const Box& box, std::size_t axis) const {
-    return 0.5 * ((box.lower[axis] - origin[axis]) + (box.upper[axis] - origin[axis]));
+  [[nodiscard]] std::array<double, 3> middle(const Box& box) const {
+    const Vec3 lower = box.lower - origin;
+    const Vec3 upper = box.upper - origin;
+    return {0.5 * (lower.x + upper.x), 0.5 * (lower.y + upper.y), 0.5 * (lower.z + upper.z)};
   }
 
-  /// Covers the rounding that a number of magnitude `x` has seen on its way here: two subtractions,
-  /// u64 of the mesh's size (to the tree's origin) and u64 of itself (to the node's), then two sums
-  /// more; and 2^-130 for what underflows.
-  [[nodiscard]] double doubt(double x) const { return 0x1p-50 * x + 0x1p-51 * size + 0x1p-130; }
+  /// A point about a node's origin, in units of the layout.
+  [[nodiscard]] Vec3 local(const Vec3& v, const std::array<double, 3>& node) const {
+    return ((v - origin) - Vec3{node[0], node[1], node[2]}) * scale;
+  }
+
+  /// By how much a box of points about a node's origin gives way. A coordinate has seen two
+  /// subtractions, u64 of the mesh's size (to the tree's origin) and u64 of itself (to the node's),
+  /// a product with axes that adds 3 u64 of the 1-norm, and two sums more; 2^-130 is for what
+  /// underflows. Turned axes Q are orthonormal to 2^-23 only, so what Q^T gives is off the
+  /// coordinates a in Q a = v by 2^-23 of the 1-norm.
+  [[nodiscard]] double doubt(const Box& box, bool turned) const {
+    double norm = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      norm += std::max(std::abs(box.lower[k]), std::abs(box.upper[k]));
+    }
+    return (turned ? 0x1p-22 : 0x1p-49) * norm + 0x1p-50 * size + 0x1p-130;
+  }
 };
 
 /// Turns binary nodes into wide ones, the root first, without recursion.
@@ -86,6 +101,12 @@ class Widener {
     std::uint32_t binary;
     std::uint32_t wide;
   };
+
+  using Lanes = std::array<Box, WideNode::kWidth>;
+
+  /// Larger nodes keep the mesh's axes: what they hold is rarely flat, and looking costs O(n).
+  static constexpr std::uint32_t kMostTurned = 512;
+  static constexpr double kWorthTurning = 0.9;
 
   /// The node that stands for `i`: nodes with one child that holds triangles are passed over.
   [[nodiscard]] std::uint32_t without_empty(std::uint32_t i) const {
@@ -131,74 +152,131 @@ class Widener {
 
   [[nodiscard]] WideNode boxes(std::uint32_t binary,
                                const std::array<std::uint32_t, WideNode::kWidth>& slots,
-                               std::uint32_t count) const {
+                               std::uint32_t count) {
+    const Node& whole = tree_.nodes[binary];
     WideNode wide;
-    wide.count = count;
-    std::array<double, WideNode::kWidth> reach = {};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      wide.origin[axis] = frame_.middle(tree_.nodes[binary].bounds, axis);
-      double own = 0;
-      for (std::size_t k = 0; k < count; ++k) {
-        const Box& box = tree_.nodes[slots[k]].bounds;
-        const double lower = local(box.lower, wide.origin, axis);
-        const double upper = local(box.upper, wide.origin, axis);
-        const auto center = static_cast<float>(0.5 * (lower + upper));
-        const double half = std::max(upper - center, center - lower) +
-                            frame_.doubt(std::abs(lower) + std::abs(upper));
-        wide.center[axis][k] = center;
-        wide.half[axis][k] = rounded_up(half);
-        const double far = std::abs(center) + static_cast<double>(wide.half[axis][k]);
-        own = std::max(own, far);
-        reach[k] += far;
-      }
-      wide.own_half[axis] = rounded_up(own);
+    wide.count = static_cast<std::uint16_t>(count);
+    wide.origin = frame_.middle(whole.bounds);
+    Lanes lanes;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Box& box = tree_.nodes[slots[k]].bounds;
+      lanes[k] = {frame_.local(box.lower, wide.origin), frame_.local(box.upper, wide.origin)};
     }
-    // The 1-norm is a sum of three doubles with two roundings.
-    wide.reach = rounded_up(*std::max_element(reach.begin(), reach.end()) * (1 + 0x1p-50));
+    if (whole.count <= kMostTurned) {
+      gather_corners(tree_.triangles_of(whole), wide.origin);
+      const layout::Axes axes = layout::principal_axes(corners_);
+      Lanes turned;
+      for (std::size_t k = 0; k < count; ++k) {
+        const Node& node = tree_.nodes[slots[k]];
+        turned[k] = bounds_along(axes, node.first - whole.first, node.count);
+      }
+      if (total_area(turned) < kWorthTurning * total_area(lanes)) {
+        lanes = turned;
+        wide.axes = axes;
+        wide.turned = 1;
+      }
+    }
+    store(lanes, wide);
     return wide;
+  }
+
+  void store(const Lanes& lanes, WideNode& wide) const {
+    double reach = 0;
+    std::array<double, 3> own = {};
+    for (std::size_t k = 0; k < wide.count; ++k) {
+      const double give = frame_.doubt(lanes[k], wide.turned != 0);
+      double distance = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double lower = lanes[k].lower[axis];
+        const double upper = lanes[k].upper[axis];
+        const auto center = static_cast<float>(0.5 * (lower + upper));
+        wide.center[axis][k] = center;
+        wide.half[axis][k] = rounded_up(std::max(upper - center, center - lower) + give);
+        const double far = std::abs(center) + static_cast<double>(wide.half[axis][k]);
+        own[axis] = std::max(own[axis], far);
+        distance += far;
+      }
+      reach = std::max(reach, distance);
+    }
+    wide.own_half = {rounded_up(own[0]), rounded_up(own[1]), rounded_up(own[2])};
+    wide.reach = rounded_up(reach * (1 + 0x1p-50));  // the sum of three had two roundings
   }
 
   void add_leaf(const Node& leaf) {
     for (std::uint32_t done = 0; done < leaf.count; done += TriangleBlock::kWidth) {
       const std::uint32_t left = leaf.count - done;
-      TriangleBlock block;
-      block.count = std::min(left, TriangleBlock::kWidth);
-      block.following = (left - 1) / TriangleBlock::kWidth;
-      fill(tree_.triangles_of(leaf).subspan(done, block.count), block);
-      blocks_.push_back(block);
+      const std::uint32_t count = std::min(left, TriangleBlock::kWidth);
+      blocks_.push_back(block_of(tree_.triangles_of(leaf).subspan(done, count)));
+      blocks_.back().following = (left - 1) / TriangleBlock::kWidth;
     }
   }
 
-  void fill(std::span<const TriangleId> ids, TriangleBlock& block) const {
-    Box box;
+  [[nodiscard]] TriangleBlock block_of(std::span<const TriangleId> ids) {
+    TriangleBlock block;
+    block.count = static_cast<std::uint16_t>(ids.size());
+    Box whole;
     for (const TriangleId id : ids) {
-      box.grow(bounds(mesh_.triangle(id)));
+      whole.grow(bounds(mesh_.triangle(id)));
     }
+    block.origin = frame_.middle(whole);
+    gather_corners(ids, block.origin);
+    const auto count = static_cast<std::uint32_t>(ids.size());
+    Box box = bounds_along(layout::kMeshAxes, 0, count);
+    const layout::Axes axes = layout::principal_axes(corners_);
+    const Box turned = bounds_along(axes, 0, count);
+    if (half_area(turned) < kWorthTurning * half_area(box)) {
+      box = turned;
+      block.axes = axes;
+      block.turned = 1;
+    }
+    const double give = frame_.doubt(box, block.turned != 0);
     double reach = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      block.origin[axis] = frame_.middle(box, axis);
-      double own = 0;
-      for (std::size_t k = 0; k < TriangleBlock::kWidth; ++k) {
-        block.id[k] = ids[std::min<std::size_t>(k, ids.size() - 1)];
-        const Triangle t = mesh_.triangle(block.id[k]);
-        std::size_t row = axis;
-        for (const Vec3* corner : {&t.a, &t.b, &t.c}) {
-          const double x = local(*corner, block.origin, axis);
-          block.corner[row][k] = static_cast<float>(x);
-          own = std::max(own, std::abs(x) + frame_.doubt(std::abs(x)));
-          row += 3;
-        }
-      }
-      block.own_half[axis] = rounded_up(own);
+      block.own_half[axis] = rounded_up(std::max(-box.lower[axis], box.upper[axis]) + give);
       reach += static_cast<double>(block.own_half[axis]);
     }
     block.reach = rounded_up(reach * (1 + 0x1p-50));
+    for (std::size_t k = 0; k < TriangleBlock::kWidth; ++k) {
+      const std::size_t from = std::min<std::size_t>(k, ids.size() - 1);
+      block.id[k] = ids[from];
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const Vec3 v = layout::along(block.axes, corners_[3 * from + corner]);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          block.corner[3 * corner + axis][k] = static_cast<float>(v[axis]);
+        }
+      }
+    }
+    return block;
   }
 
-  /// A coordinate about a node's origin, in units of the layout.
-  [[nodiscard]] double local(const Vec3& v, const std::array<double, 3>& origin,
-                             std::size_t axis) const {
-    return ((v[axis] - frame_.origin[axis]) - origin[axis]) * frame_.scale;
+  /// Corners of triangles about an origin, three a triangle.
+  void gather_corners(std::span<const TriangleId> ids, const std::array<double, 3>& origin) {
+    corners_.clear();
+    for (const TriangleId id : ids) {
+      const Triangle t = mesh_.triangle(id);
+      for (const Vec3* corner : {&t.a, &t.b, &t.c}) {
+        corners_.push_back(frame_.local(*corner, origin));
+      }
+    }
+  }
+
+  /// Bounds along axes of `count` of the gathered triangles.
+  [[nodiscard]] Box bounds_along(const layout::Axes& axes, std::uint32_t first,
+                                 std::uint32_t count) const {
+    Box box;
+    for (const Vec3& v :
+         std::span(corners_).subspan(std::size_t{3} * first, std::size_t{3} * count)) {
+      box.grow(layout::along(axes, v));
+    }
+    return box;
+  }
+
+  static double total_area(const Lanes& lanes) {
+    double sum = 0;
+    for (const Box& box : lanes) {
+      sum += half_area(box);
+    }
+    return sum;
   }
 
   const Tree& tree_;
@@ -206,6 +284,7 @@ class Widener {
   const Frame& frame_;
   std::vector<WideNode>& nodes_;
   std::vector<TriangleBlock>& blocks_;
+  std::vector<Vec3> corners_;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "soms/base/box.h"
 #include "soms/geometry/mesh.h"
+#include "soms/tree/layout/orientation.h"
 #include "soms/tree/tree.h"
 
 #include <array>
@@ -28,7 +29,9 @@ struct alignas(64) WideNode {
   std::array<double, 3> origin = {};
   std::array<float, 3> own_half = {};  ///< box of all lanes, about the origin
   float reach = 0;                     ///< no point of a lane is farther off in the 1-norm
-  std::uint32_t count = 0;             ///< lanes in use, the first ones
+  layout::Axes axes = layout::kMeshAxes;
+  std::uint16_t count = 0;   ///< lanes in use, the first ones
+  std::uint16_t turned = 0;  ///< 1 unless `axes` are the mesh's
 
   [[nodiscard]] bool operator==(const WideNode&) const = default;
 };
@@ -36,7 +39,7 @@ struct alignas(64) WideNode {
 static_assert(sizeof(WideNode) == 192 && alignof(WideNode) == 64, "three cache lines");
 
 /// Up to eight triangles of a leaf, corners in float about the block's own origin, in units of the
-/// layout, along the mesh's axes. A leaf of more triangles is a run of blocks.
+/// layout, along axes of its own. A leaf of more triangles is a run of blocks.
 struct alignas(64) TriangleBlock {
   static constexpr std::uint32_t kWidth = 8;
 
@@ -46,13 +49,15 @@ struct alignas(64) TriangleBlock {
   std::array<double, 3> origin = {};
   std::array<float, 3> own_half = {};  ///< box of all triangles, about the origin
   float reach = 0;                     ///< no point is farther off in the 1-norm
-  std::uint32_t count = 0;             ///< triangles, the first lanes
-  std::uint32_t following = 0;         ///< blocks of the same leaf that follow this one
+  layout::Axes axes = layout::kMeshAxes;
+  std::uint16_t count = 0;      ///< triangles, the first lanes
+  std::uint16_t turned = 0;     ///< 1 unless `axes` are the mesh's
+  std::uint32_t following = 0;  ///< blocks of the same leaf that follow this one
 
   [[nodiscard]] bool operator==(const TriangleBlock&) const = default;
 };
 
-static_assert(sizeof(TriangleBlock) == 384 && alignof(TriangleBlock) == 64, "six cache lines");
+static_assert(sizeof(TriangleBlock) == 448 && alignof(TriangleBlock) == 64, "seven cache lines");
 
 /// A canonical tree as queries walk it. Node 0 is the root; a mesh without triangles has no node.
 class WideTree {
@@ -61,9 +66,10 @@ class WideTree {
 
   /// Converts a tree of `mesh`. Children without triangles vanish; a node takes the place of its
   /// children, the largest first, until it has four. Leaves stay as large as they are, cut into
-  /// blocks.
+  /// blocks. Small nodes and blocks take the principal axes of what they hold for their frame where
+  /// boxes get a tenth smaller by it.
   /// \errors ErrorKind::out_of_range beyond 2^31 nodes or blocks.
-  /// \cost   O(n) time; about 90 bytes a triangle with leaves of 8.
+  /// \cost   O(n) time; about 100 bytes a triangle with leaves of 8.
   WideTree(const Tree& tree, const Mesh& mesh);
 
   [[nodiscard]] std::span<const WideNode> nodes() const { return nodes_; }

@@ -5,6 +5,7 @@
 #include "tests/support/support.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -26,20 +27,42 @@ Mesh scattered(Rng& rng, std::size_t triangles, double scale, double far) {
   return mesh;
 }
 
-/// A coordinate in units of the layout about an origin; long double has 11 bits to spare.
-long double local(const WideTree& tree, const Vec3& v, const std::array<double, 3>& origin,
-                  std::size_t axis) {
-  const long double x = static_cast<long double>(v[axis]) - tree.origin()[axis] - origin[axis];
-  return std::ldexp(x, tree.exponent());
+using Point = std::array<long double, 3>;
+
+/// Coordinates a with Q a = v - origin, in units of the layout; long double has 11 bits to spare.
+/// The inverse of Q by cross products: whatever Q is, no rounding hides behind "orthonormal".
+Point local(const WideTree& tree, const Vec3& v, const std::array<double, 3>& origin,
+            const layout::Axes& q) {
+  Point x = {};
+  for (std::size_t i = 0; i < 3; ++i) {
+    x[i] =
+        std::ldexp(static_cast<long double>(v[i]) - tree.origin()[i] - origin[i], tree.exponent());
+  }
+  const auto entry = [&](std::size_t i, std::size_t j) {
+    return static_cast<long double>(q[3 * (i % 3) + j % 3]);
+  };
+  Point a = {};
+  long double det = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    det += entry(i, 0) * (entry(i + 1, 1) * entry(i + 2, 2) - entry(i + 1, 2) * entry(i + 2, 1));
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const long double cofactor =
+          entry(i + 1, j + 1) * entry(i + 2, j + 2) - entry(i + 1, j + 2) * entry(i + 2, j + 1);
+      a[j] += cofactor * x[i] / det;
+    }
+  }
+  return a;
 }
 
 void expect_inside(const WideTree& tree, const WideNode& node, std::size_t lane, const Vec3& v) {
+  const Point a = local(tree, v, node.origin, node.axes);
   long double distance = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const long double x = local(tree, v, node.origin, axis);
-    ASSERT_LE(std::abs(x - node.center[axis][lane]), node.half[axis][lane]);
-    ASSERT_LE(std::abs(x), node.own_half[axis]);
-    distance += std::abs(x);
+    ASSERT_LE(std::abs(a[axis] - node.center[axis][lane]), node.half[axis][lane]);
+    ASSERT_LE(std::abs(a[axis]), node.own_half[axis]);
+    distance += std::abs(a[axis]);
   }
   ASSERT_LE(distance, node.reach);
 }
@@ -51,12 +74,12 @@ void expect_block_holds(const WideTree& tree, const Mesh& mesh, const TriangleBl
     const Triangle t = mesh.triangle(block.id[k]);
     std::size_t row = 0;
     for (const Vec3* corner : {&t.a, &t.b, &t.c}) {
+      const Point a = local(tree, *corner, block.origin, block.axes);
       long double distance = 0;
       for (std::size_t axis = 0; axis < 3; ++axis, ++row) {
-        const long double x = local(tree, *corner, block.origin, axis);
-        ASSERT_LE(std::abs(x), block.own_half[axis]);
-        ASSERT_LE(std::abs(x - block.corner[row][k]), 0x1p-23L * block.reach);
-        distance += std::abs(x);
+        ASSERT_LE(std::abs(a[axis]), block.own_half[axis]);
+        ASSERT_LE(std::abs(a[axis] - block.corner[row][k]), 0x1p-22L * block.reach);
+        distance += std::abs(a[axis]);
       }
       ASSERT_LE(distance, block.reach);
     }
@@ -119,6 +142,33 @@ TEST(WideTree, HoldsEveryTriangleOnceAndInsideItsBoxes) {
     const WideTree tree(build(mesh, options), mesh);
     ASSERT_NO_FATAL_FAILURE(expect_whole(tree, mesh));
   });
+}
+
+TEST(WideTree, TurnsNodesOfSlantedSurfacesOnly) {
+  // A patch of 200 triangles in the plane x + y + z = 0, and the same in z = 0.
+  const auto patch = [](bool slanted) {
+    Mesh mesh;
+    Rng rng(9);
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 at{rng.uniform(-1, 1), rng.uniform(-1, 1), 0};
+      const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+      for (const Vec3& off : {Vec3{0, 0, 0}, Vec3{0.05, 0, 0}, Vec3{0, 0.05, 0}}) {
+        Vec3 v = at + off;
+        v.z = slanted ? -v.x - v.y : 0;
+        mesh.vertices.push_back(v);
+      }
+      mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    return WideTree(build(mesh), mesh);
+  };
+  const auto turned = [](const WideTree& tree) {
+    return std::count_if(tree.blocks().begin(), tree.blocks().end(),
+                         [](const TriangleBlock& block) { return block.turned != 0; });
+  };
+  const WideTree slanted = patch(true);
+  EXPECT_EQ(turned(slanted), static_cast<std::ptrdiff_t>(slanted.blocks().size()));
+  EXPECT_EQ(slanted.nodes()[0].turned, 1);
+  EXPECT_EQ(patch(false).nodes()[0].turned, 0);
 }
 
 TEST(WideTree, PassesOverNodesWithoutTriangles) {
