@@ -1,0 +1,172 @@
+// R76 of the reported faults: traversal stacks shorter than the tree. Every traversal walks trees a
+// thousand levels deep on a stack of 256 KiB.
+#include "soms/base/error.h"
+#include "soms/query/reference/overlap.h"
+#include "soms/query/traversal/e_node_front.h"
+#include "soms/query/traversal/named_overlap.h"
+#include "soms/query/traversal/posed_boxes.h"
+#include "soms/query/traversal/traversals.h"
+#include "soms/tree/build_options.h"
+
+#include "tests/query/traversal/cases.h"
+#include "tests/support/support.h"
+
+#include <pthread.h>
+
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <vector>
+
+namespace soms {
+namespace {
+
+/// Runs `body` on a thread with a stack of 256 KiB.
+void on_small_stack(std::function<void()> body) {
+  pthread_attr_t attributes;
+  ASSERT_EQ(pthread_attr_init(&attributes), 0);
+  ASSERT_EQ(pthread_attr_setstacksize(&attributes, std::size_t{256} << 10), 0);
+  pthread_t thread{};
+  const auto run = [](void* f) -> void* {
+    (*static_cast<std::function<void()>*>(f))();
+    return nullptr;
+  };
+  ASSERT_EQ(pthread_create(&thread, &attributes, run, &body), 0);
+  ASSERT_EQ(pthread_join(thread, nullptr), 0);
+  pthread_attr_destroy(&attributes);
+}
+
+/// Triangles at 2^-k, k = 0 to 1000, apart from each other; their boxes' volumes underflow to 0.
+Mesh powers_of_two() {
+  Mesh mesh;
+  for (int k = 0; k <= 1000; ++k) {
+    const double s = std::ldexp(1.0, -k);
+    const auto v = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(),
+                         {{s, 0, 0}, {1.25 * s, 0, 0}, {s, 0.25 * s, 0.25 * s}});
+    mesh.triangles.push_back({v, v + 1, v + 2});
+  }
+  return mesh;
+}
+
+/// A tree that splits one triangle off at each of its `depth` levels; the last leaf has the rest.
+Tree chain(const Mesh& mesh, std::uint32_t depth) {
+  Tree tree;
+  const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+  tree.primitives.resize(count);
+  std::iota(tree.primitives.begin(), tree.primitives.end(), TriangleId{0});
+  const auto add = [&](std::uint32_t first, std::uint32_t n, std::uint32_t at) {
+    Node node;
+    for (std::uint32_t i = first; i < first + n; ++i) {
+      node.bounds.grow(bounds(mesh.triangle(i)));
+    }
+    node.first = first;
+    node.count = n;
+    node.depth = at;
+    tree.nodes.push_back(node);
+    return static_cast<std::uint32_t>(tree.nodes.size() - 1);
+  };
+  std::uint32_t inner = add(0, count, 0);
+  for (std::uint32_t d = 1; d <= depth; ++d) {
+    tree.nodes[inner].left = add(d - 1, 1, d);
+    tree.nodes[inner].right = add(d, count - d, d);
+    inner = tree.nodes[inner].right;
+  }
+  return tree;
+}
+
+/// Poses of a body of `powers_of_two` in which it meets its twin at many scales, or not at all.
+std::vector<Pose> poses() {
+  const double tiny = std::ldexp(1.0, -500);
+  Pose turned;
+  turned.m = {0, -1, 0, tiny, 1, 0, 0, -tiny, 0, 0, 1, 0};
+  return {Pose::identity(), Pose::translation(tiny, 0, 0), Pose::translation(-0.25, 0, 0),
+          turned,           Pose::translation(8, 0, 0),    Pose::identity()};
+}
+
+TEST(Regression, R76EveryTraversalWalksAThousandLevelsOnASmallStack) {
+  const Mesh mesh = powers_of_two();
+  const Tree deep = chain(mesh, 1000);
+  ASSERT_EQ(deep.nodes.size(), 2001U);
+  PosedBoxes still(mesh, deep);
+  PosedBoxes moving(mesh, deep);
+  still.move({});
+  on_small_stack([&] {
+    for (const Pose& pose : poses()) {
+      moving.move(pose);
+      const auto truth = test::overlapping_leaves(moving.view(), still.view());
+      for (const TraversalOptions& way : test::every_way()) {
+        if (!way.recursive && way.prune) {
+          std::vector<NodePair> found;
+          traverse(moving.view(), still.view(), way, {.leaf_pair = [&](NodePair p) {
+                     found.push_back(p);
+                     return true;
+                   }});
+          EXPECT_EQ(test::sorted(found), truth) << test::describe(way);
+        }
+      }
+    }
+  });
+}
+
+TEST(Regression, R76FrontsFollowAThousandLevelsOnASmallStack) {
+  const Mesh mesh = powers_of_two();
+  const Tree deep = chain(mesh, 1000);
+  PosedBoxes still(mesh, deep);
+  PosedBoxes moving(mesh, deep);
+  still.move({});
+  on_small_stack([&] {
+    for (const Descent descent : {Descent::both, Descent::larger}) {
+      EnodeFront front(deep, deep, descent);
+      for (const Pose& pose : poses()) {
+        moving.move(pose);
+        const auto truth = test::overlapping_leaves(moving.view(), still.view());
+        EXPECT_EQ(front.next(moving.boxes(), still.boxes()).leaf_pairs, truth.size());
+      }
+    }
+  });
+}
+
+TEST(Regression, R76NamedOverlapsAreRightInDeepTreesOnASmallStack) {
+  const Shape deep(powers_of_two(), {.build = thesis_options(Rule::soms, 0), .keep_tree = true});
+  std::vector<Overlap> truth;
+  for (const Pose& pose : poses()) {
+    truth.push_back(reference::overlap(deep.mesh(), pose, deep.mesh(), {}));
+  }
+  EXPECT_EQ(truth[0].pairs.size(), 1001U);
+  EXPECT_GT(truth[1].pairs.size(), 0U);
+  on_small_stack([&] {
+    for (const TraversalOptions& way : test::every_way()) {
+      if (!way.recursive && way.prune) {
+        detail::NamedOverlap session(deep, deep, way);
+        for (std::size_t i = 0; i < truth.size(); ++i) {
+          EXPECT_EQ(session(poses()[i], {}, {}, {}).pairs, truth[i].pairs)
+              << test::describe(way) << ", pose " << i;
+        }
+      }
+    }
+  });
+}
+
+TEST(Regression, R76RecursionIsRefusedWhereItCouldOverflow) {
+  const Mesh mesh = powers_of_two();
+  const Tree deep = chain(mesh, kMaxRecursion / 2);
+  const Tree fits = chain(mesh, kMaxRecursion / 2 - 1);
+  PosedBoxes deep_boxes(mesh, deep);
+  PosedBoxes boxes(mesh, fits);
+  deep_boxes.move({});
+  boxes.move({});
+  const auto truth = test::overlapping_leaves(deep_boxes.view(), boxes.view());
+  on_small_stack([&] {
+    for (const TraversalOptions& way : test::every_way()) {
+      if (way.recursive) {
+        SCOPED_TRACE(test::describe(way));
+        EXPECT_EQ(traverse(deep_boxes.view(), boxes.view(), way).leaf_pairs, truth.size());
+        EXPECT_THROW(traverse(deep_boxes.view(), deep_boxes.view(), way), Error);
+      }
+    }
+  });
+}
+
+}  // namespace
+}  // namespace soms
