@@ -3,7 +3,9 @@
 #include "soms/query/traversal/detail/e_node_step.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <utility>
 
 namespace soms::detail {
 
@@ -97,11 +99,17 @@ class Step {
   std::vector<NodePair>* front_;
 };
 
-// Child pairs come in the order of their TreeIDs, so a stable sort leaves ties in that order.
+// By insertion: at most four pairs, and no memory. Child pairs come in the order of their TreeIDs
+// and equal volumes are not swapped, so ties stay in that order.
 void sort_by_volume(const Probe& probe, PairList& pairs) {
-  std::stable_sort(pairs.begin(), pairs.end(), [&](NodePair left, NodePair right) {
-    return probe.shared_volume(left) > probe.shared_volume(right);
-  });
+  std::array<double, 4> volumes{};
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    volumes[i] = probe.shared_volume(pairs[i]);
+    for (std::size_t k = i; k > 0 && volumes[k] > volumes[k - 1]; --k) {
+      std::swap(volumes[k], volumes[k - 1]);
+      std::swap(pairs.begin()[k], pairs.begin()[k - 1]);
+    }
+  }
 }
 
 }  // namespace
