@@ -12,6 +12,12 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+/// Passes a plus sign before a digit: from_chars takes none.
+const char* behind_plus(const char* begin, const char* end) {
+  return begin != end && *begin == '+' && begin + 1 != end && is_digit(begin[1]) ? begin + 1
+                                                                                 : begin;
+}
+
 /// True if a number out of its type's range is too large, not too small: by the decimal exponent of
 /// its first digit that is not zero.
 bool exceeds(const char* begin, const char* end) {
@@ -200,12 +206,8 @@ Vec3 TextScanner::vertex(Precision precision) {
 
 std::int64_t TextScanner::integer(std::string_view what) {
   skip_blanks();
-  const char* begin = at_;
-  if (begin != end_ && *begin == '+' && begin + 1 != end_ && is_digit(begin[1])) {
-    ++begin;
-  }
   std::int64_t value = 0;
-  const auto [stop, error] = std::from_chars(begin, end_, value);
+  const auto [stop, error] = std::from_chars(behind_plus(at_, end_), end_, value);
   if (error != std::errc() || !parts(stop)) {
     fail_number(what, "a whole number");
   }
@@ -216,7 +218,7 @@ std::int64_t TextScanner::integer(std::string_view what) {
 std::int64_t TextScanner::slashed_integer(std::string_view what) {
   skip_blanks();
   std::int64_t value = 0;
-  auto [p, error] = std::from_chars(at_, end_, value);
+  auto [p, error] = std::from_chars(behind_plus(at_, end_), end_, value);
   for (int slashes = 0; error == std::errc() && slashes < 2 && p != end_ && *p == '/'; ++slashes) {
     ++p;
     if (!parts(p) && *p != '/') {

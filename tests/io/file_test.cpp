@@ -1,0 +1,77 @@
+#include "soms/io/detail/file.h"
+
+#include "soms/base/error.h"
+
+#include "tests/io/files.h"
+#include "tests/support/support.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+#include <thread>
+
+namespace soms::test {
+namespace {
+
+void expect_not_read(const std::filesystem::path& path, ErrorKind kind, const std::string& words) {
+  expect_refused([&] { static_cast<void>(detail::read_file(path, 0)); }, kind, words);
+}
+
+TEST(ReadFile, NamesWhatCannotBeRead) {
+  const TemporaryFolder folder;
+  expect_not_read(folder.path() / "missing.ply", ErrorKind::cannot_open,
+                  "missing.ply: No such file");
+  expect_not_read(folder.path(), ErrorKind::cannot_open, "a folder, not a file");
+  expect_not_read("/dev/zero", ErrorKind::cannot_open, "a device, not a file");
+  expect_not_read("", ErrorKind::cannot_open, "No such file");
+  const std::filesystem::path locked = folder.path() / "locked.ply";
+  write_content(locked, "ply\n");
+  ASSERT_EQ(chmod(locked.c_str(), 0), 0);
+  if (geteuid() != 0) {  // the superuser may read everything
+    expect_not_read(locked, ErrorKind::cannot_open, "Permission denied");
+  }
+}
+
+TEST(ReadFile, ReadsAFileWhole) {
+  const TemporaryFolder folder;
+  std::string content(3 * 65536 + 1, '\0');
+  for (std::size_t i = 0; i < content.size(); ++i) {
+    content[i] = static_cast<char>(i * 7 % 251);
+  }
+  write_content(folder.path() / "file", content);
+  EXPECT_EQ(detail::read_file(folder.path() / "file", 0).view(), content);
+  EXPECT_EQ(detail::read_file(folder.path() / "file", content.size()).view(), content);
+  write_content(folder.path() / "empty", "");
+  EXPECT_EQ(detail::read_file(folder.path() / "empty", 0).view(), "");
+}
+
+TEST(ReadFile, KeepsToItsLimit) {
+  const TemporaryFolder folder;
+  write_content(folder.path() / "file", std::string(1000, 'x'));
+  expect_refused([&] { static_cast<void>(detail::read_file(folder.path() / "file", 999)); },
+                 ErrorKind::out_of_memory, "more than the 999 bytes");
+}
+
+/// Reads what a thread writes into a pipe.
+std::string through_pipe(const std::string& content, std::uint64_t most) {
+  const TemporaryFolder folder;
+  const std::filesystem::path pipe = folder.path() / "pipe";
+  EXPECT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] { write_content(pipe, content); });
+  const detail::FileBytes bytes = detail::read_file(pipe, most);
+  writer.join();
+  return std::string(bytes.view());
+}
+
+TEST(ReadFile, ReadsAPipeToItsEnd) {
+  const std::string content(300000, 'x');
+  EXPECT_EQ(through_pipe(content, 0), content);
+  EXPECT_EQ(through_pipe(content, 300001), content);
+  EXPECT_EQ(through_pipe("", 0), "");
+}
+
+}  // namespace
+}  // namespace soms::test

@@ -1,0 +1,101 @@
+#include "soms/io/detail/obj.h"
+
+#include "soms/base/error.h"
+#include "soms/io/read_mesh.h"
+
+#include "tests/io/files.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace soms::test {
+namespace {
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+const std::string kVertices = "v 0 0 0.1\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+TEST(Obj, CountsNegativeIndicesFromTheVerticesSoFar) {
+  const Mesh mesh =
+      read_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 9 9 9\nf -4 -1 1\n", "a.obj");
+  EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {0, 3, 0}}));
+  expect_refused("v 0 0 0\nf 1 1 -2\n", "a.obj", ErrorKind::bad_file, "line 2: vertex -2 of 1");
+}
+
+TEST(Obj, LetsAFaceNameVerticesBehindIt) {
+  EXPECT_EQ(read_text("f 1 2 3\n" + kVertices, "a.obj").triangles, (Triangles{{0, 1, 2}}));
+}
+
+TEST(Obj, PassesTextureAndNormalNumbers) {
+  const Mesh mesh = read_text(kVertices + "f 1/7 2/8/9 3//-1\nf 1/ 2// 4/1/\nf +1 2 3\n", "a.obj");
+  EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {0, 1, 3}, {0, 1, 2}}));
+  for (const std::string corner : {"3/", "3//", "3/1/2/3", "3/x", "3/1.5", "/3", "3x", "3/ /1"}) {
+    SCOPED_TRACE(corner);
+    const std::string text = kVertices + "f 1 2 " + corner + "\n";
+    if (corner == "3/" || corner == "3//") {
+      EXPECT_NO_THROW(static_cast<void>(read_text(text, "a.obj")));
+    } else {
+      expect_refused(text, "a.obj", ErrorKind::bad_file, "line 5: a corner is");
+    }
+  }
+}
+
+TEST(Obj, JoinsLinesAtABackslashWhateverTheLineEnd) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const std::string text = "v 0 \\" + end + " 0 0" + end + "v 1 0 0" + end + "v 1 1 0" + end +
+                             "v 0 1 0" + end + "f 1 2\\" + end + "3 \\" + end + "4" + end +
+                             "f 1 2 3" + end + "usemtl a\\" + end + "f 4 4 4" + end;
+    const Mesh mesh = read_text(text, "a.obj");
+    EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}, {0, 1, 2}}));
+    EXPECT_EQ(mesh.faces, (std::vector<std::uint32_t>{0, 0, 1}));
+  }
+}
+
+TEST(Obj, DoesNotJoinAtABackslashThatEndsAComment) {
+  const Mesh mesh =
+      read_text("# C:\\models\\\n" + kVertices + "f 1 2 3 # in C:\\\nf 1 3 4\n", "a.obj");
+  EXPECT_EQ(mesh.vertices.size(), 4U);
+  EXPECT_EQ(mesh.triangles.size(), 2U);
+}
+
+TEST(Obj, KeepsObjectsAndGroupsAsPartsInRuns) {
+  const Mesh mesh =
+      read_text(kVertices +
+                    "f 1 2 3\no car\ng body left\nf 1 2 3\nf 1 3 4\ng empty\ng\nf 1 2 3\n"
+                    "g body left\nf 1 2 4\n",
+                "a.obj");
+  const std::vector<Part> parts = {{"", Part::kNoParent, 0, 1},
+                                   {"body left", Part::kNoParent, 1, 2},
+                                   {"", Part::kNoParent, 3, 1},
+                                   {"body left", Part::kNoParent, 4, 1}};
+  EXPECT_EQ(mesh.parts, parts);
+  EXPECT_NO_THROW(check(mesh));
+}
+
+TEST(Obj, ReadsNumbersAsDoublesAndPassesColorsAndWeights) {
+  const Mesh mesh =
+      read_text("v 0.1 0 0 0.5 0.5 0.5\nv 1 0 0 1.0\nv 0 1e-320 0\nf 1 2 3\n", "a.obj");
+  EXPECT_EQ(mesh.vertices[0].x, 0.1);
+  EXPECT_EQ(mesh.vertices[1], (Vec3{1, 0, 0}));
+  EXPECT_EQ(mesh.vertices[2].y, 1e-320);
+}
+
+TEST(Obj, NotesWhatIsNotRead) {
+  const Mesh mesh = read_text(kVertices + "f 1 2 3\nl 1 2\np 1\ncurv 0 1 1 2\n", "a.obj");
+  EXPECT_EQ(mesh.notes,
+            (std::vector<std::string>{"lines and points, which are not triangles: 2",
+                                      "free-form curves and surfaces, which are not read: 1"}));
+}
+
+TEST(Obj, RefusesIndicesThatWrap) {
+  for (const std::string index : {"0", "5", "4294967297", "18446744073709551617",
+                                  "-18446744073709551615", "-9223372036854775808"}) {
+    expect_refused(kVertices + "f 1 2 " + index + "\n", "a.obj", ErrorKind::bad_file, "line 5");
+  }
+}
+
+}  // namespace
+}  // namespace soms::test

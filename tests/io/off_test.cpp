@@ -1,0 +1,68 @@
+#include "soms/io/detail/off.h"
+
+#include "soms/base/error.h"
+#include "soms/io/read_mesh.h"
+
+#include "tests/io/allocation.h"
+#include "tests/io/files.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace soms::test {
+namespace {
+
+const std::string kBody = "0 0 0.1\n1 0 0\n0 1 0\n3 0 1 2\n";
+
+TEST(Off, ReadsWhateverTheMagicWordPromisesBehindTheCoordinates) {
+  for (const std::string magic : {"OFF", "COFF", "NOFF", "STOFF", "CNOFF", "STCNOFF"}) {
+    SCOPED_TRACE(magic);
+    const Mesh mesh = read_text(
+        magic + "\n3 1 0\n0 0 .1 1 2 3 4\n1 0 0 9 9 9 # why\n0 1 0\n3 0 1 2 255 0 0\n", "a.off");
+    EXPECT_EQ(mesh.vertices[0].z, 0.1);
+    EXPECT_EQ(mesh.vertices[2], (Vec3{0, 1, 0}));
+    EXPECT_EQ(mesh.triangles.size(), 1U);
+  }
+}
+
+TEST(Off, TakesCountsFromAnyPlaceBehindTheMagicWord) {
+  for (const std::string head :
+       {"OFF\n3 1 3\n", "OFF 3 1 0\n", "3 1 0\n", "# a\n\nOFF # b\n# c\n3 1 # d\n",
+        "OFF\r\n3 1\r\n", "OFF\r3 1 0\r"}) {
+    SCOPED_TRACE(head);
+    EXPECT_EQ(read_text(head + kBody, "a.off").triangles.size(), 1U);
+  }
+}
+
+TEST(Off, RefusesARowThatIsCutShort) {
+  expect_refused("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "a.off", ErrorKind::bad_file,
+                 "line 4: z of a vertex is missing: the line ends");
+  expect_refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", "a.off", ErrorKind::bad_file,
+                 "line 6: a vertex number is missing: the line ends");
+}
+
+TEST(Off, RefusesTwoRowsInOneLine) {
+  expect_refused("OFF\n3 1 0\n0 0 0 1 0 0\n0 1 0\n3 0 1 2\n", "a.off", ErrorKind::bad_file,
+                 "the file ends where a face should be");
+}
+
+TEST(Off, RefusesHugeCountsBeforeAllocating) {
+  const AllocationWatch watch;
+  for (const std::string count : {"2147483648", "4294967299", "9223372036854775807"}) {
+    expect_refused("OFF\n" + count + " 1 0\n" + kBody, "a.off", ErrorKind::bad_file, "line 2");
+    expect_refused("OFF\n3 " + count + " 0\n" + kBody, "a.off", ErrorKind::bad_file, "line 2");
+  }
+  expect_refused("OFF\n3 18446744073709551617 0\n" + kBody, "a.off", ErrorKind::bad_file,
+                 "not a whole number");
+  EXPECT_LT(watch.peak(), std::uint64_t{1} << 20);
+}
+
+TEST(Off, NamesWhatIsNotRead) {
+  expect_refused("4OFF\n3 1 0\n" + kBody, "a.off", ErrorKind::unsupported, "three dimensions");
+  expect_refused("nOFF\n3\n3 1 0\n" + kBody, "a.off", ErrorKind::unsupported, "three dimensions");
+  expect_refused("OFF BINARY\n", "a.off", ErrorKind::unsupported, "binary OFF is not read");
+}
+
+}  // namespace
+}  // namespace soms::test

@@ -1,0 +1,136 @@
+#include "soms/io/read_mesh.h"
+
+#include "soms/base/error.h"
+
+#include "tests/io/allocation.h"
+#include "tests/io/files.h"
+#include "tests/support/support.h"
+
+#include <gtest/gtest.h>
+
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace soms::test {
+namespace {
+
+const std::string kPly =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0 1 0 0 0 1 0 3 0 1 2\n";
+
+TEST(ReadMesh, TellsTheFormatByContentThenByName) {
+  for (const std::string name : {"a.ply", "A.PLY", "a", "a.b/c", "a.dat", "model.ply.bak"}) {
+    EXPECT_EQ(read_text(kPly, name).triangles.size(), 1U) << name;
+  }
+  EXPECT_EQ(read_text("v 0 0 0\nf 1 1 1\n", "noname").triangles.size(), 1U);
+  EXPECT_EQ(read_text("OFF\n1 1 0\n0 0 0\n3 0 0 0\n", "noname").triangles.size(), 1U);
+  EXPECT_EQ(read_text("\xef\xbb\xbfsolid\nendsolid\n", "noname", {.allow_empty = true}), [] {
+    Mesh mesh;
+    mesh.source = "noname";
+    return mesh;
+  }());
+}
+
+TEST(ReadMesh, RefusesANameThatContradictsTheContent) {
+  expect_refused(kPly, "a.obj", ErrorKind::bad_file,
+                 "the content is PLY, the name says OBJ; rename the file to end with .ply");
+  expect_refused("OFF\n0 0 0\n", "a.stl", ErrorKind::bad_file,
+                 "the content is OFF, the name says STL");
+}
+
+TEST(ReadMesh, NamesWhatOtherContentIs) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"glTF....", "a glTF file"},
+      {" {\"asset\":", "a JSON file"},
+      {"<?xml version=", "an XML file"},
+      {"<!DOCTYPE html>", "a web page"},
+      {"version https://git-lfs.github.com", "git lfs pull"},
+      {"\x1f\x8b\x08", "a gzip file; unpack it first"},
+      {"PK\x03\x04", "a zip file"},
+      {"\xfd"
+       "7zXZ",
+       "an xz file"},
+      {"\xff\xfe"
+       "p",
+       "UTF-16"},
+      {"hello", "format \".xyz\" is not read"},
+  };
+  for (const auto& [content, words] : cases) {
+    expect_refused(content, "a.xyz", ErrorKind::unsupported, words);
+    expect_refused(content, "a.xyz", ErrorKind::unsupported, "PLY, 3DS, STL, OFF, OBJ");
+  }
+  expect_refused("hello", "a", ErrorKind::unsupported, "without an ending");
+}
+
+TEST(ReadMesh, IsNeverSilentlyEmpty) {
+  for (const std::string name : {"a.ply", "a.3ds", "a.stl", "a.off", "a.obj", "a"}) {
+    expect_refused("", name, ErrorKind::bad_file, "the file is empty");
+  }
+  expect_refused("v 0 0 0\n", "a.obj", ErrorKind::empty_mesh, "no triangles (1 vertices)");
+  const Mesh mesh = read_text("v 0 0 0\n", "a.obj", {.allow_empty = true});
+  EXPECT_EQ(mesh.vertices.size(), 1U);
+  EXPECT_TRUE(mesh.triangles.empty());
+}
+
+TEST(ReadMesh, KeepsToAStatedLimitOfMemory) {
+  std::string text;
+  for (int i = 0; i < 10000; ++i) {
+    text += "v 0 0 0\nf 1 1 1\n";
+  }
+  const AllocationWatch watch;
+  const auto refusal =
+      refusal_of([&] { static_cast<void>(read_text(text, "a.obj", {.max_memory = 200000})); });
+  ASSERT_TRUE(refusal);
+  EXPECT_EQ(refusal->kind, ErrorKind::out_of_memory);
+  EXPECT_NE(refusal->words.find("max_memory"), std::string::npos);
+  EXPECT_LE(watch.peak(), 200000U + 10000U);
+  EXPECT_EQ(read_text(text, "a.obj", {.max_memory = 2000000}).triangles.size(), 10000U);
+}
+
+TEST(ReadMesh, KeepsSmallFilesWithinTheBound) {
+  // What grows most for its bytes: empty groups, polygons of single bytes, tiny vertices.
+  std::string groups;
+  std::string faces = "v 0 0 0\n";
+  for (int i = 0; i < 300000; ++i) {
+    groups += "g\n";
+    faces += "g\nf 1 1 1\n";
+  }
+  std::string polygon =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uchar x\nproperty uchar y\n"
+      "property uchar z\nelement face 1\nproperty list uint uchar vertex_indices\nend_header\n";
+  polygon += std::string(3, '\0') + bytes_of(3000000, 4) + std::string(3000000, '\0');
+  for (const auto& [name, text] : {std::pair<std::string, std::string>("a.obj", groups),
+                                   {"b.obj", faces},
+                                   {"c.ply", polygon}}) {
+    SCOPED_TRACE(name);
+    const AllocationWatch watch;
+    static_cast<void>(refusal_of(
+        [&, &n = name, &t = text] { static_cast<void>(read_text(t, n, {.allow_empty = true})); }));
+    EXPECT_LE(watch.peak(), 64 * text.size() + (std::uint64_t{64} << 20));
+  }
+}
+
+TEST(ReadMesh, ReportsProgressAndStopsOnRequest) {
+  const std::filesystem::path path = test::data("formats/ascii.ply");
+  std::vector<double> shares;
+  static_cast<void>(
+      read_mesh(path, {}, {.progress = [&](double share) { shares.push_back(share); }}));
+  ASSERT_FALSE(shares.empty());
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_EQ(shares.back(), 1.0);
+  std::stop_source stop;
+  stop.request_stop();
+  expect_refused([&] { static_cast<void>(read_mesh(path, {}, {.stop = stop.get_token()})); },
+                 ErrorKind::cancelled, "stopped");
+}
+
+TEST(ReadMesh, GivesTheSameFromAFileAndFromMemory) {
+  const std::filesystem::path path = test::data("formats/polygons_le.ply");
+  EXPECT_EQ(read_mesh(path), read_text(content_of(path), path.string()));
+  EXPECT_EQ(read_mesh(path).source, path.string());
+}
+
+}  // namespace
+}  // namespace soms::test

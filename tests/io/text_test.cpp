@@ -1,0 +1,86 @@
+#include "soms/io/detail/text.h"
+
+#include "tests/support/support.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace soms::detail {
+namespace {
+
+ParsedNumber parse(const std::string& text, Precision precision = Precision::as_double) {
+  return parse_number(text.data(), text.data() + text.size(), precision);
+}
+
+TEST(ParseNumber, AgreesWithStrtodOnRandomNumbers) {
+  test::for_each_case("io/parse-number", 5000, [](Rng& rng) {
+    std::string text;
+    const std::uint64_t digits = 1 + rng.below(25);
+    for (std::uint64_t i = 0; i < digits; ++i) {
+      text += static_cast<char>('0' + rng.below(10));
+    }
+    text.insert(rng.below(text.size() + 1), 1, '.');
+    text += 'e';
+    text += std::to_string(static_cast<int>(rng.below(760)) - 400);
+    const double expected = std::strtod(text.c_str(), nullptr);
+    const ParsedNumber found = parse(text);
+    SCOPED_TRACE(text);
+    if (std::isinf(expected)) {
+      EXPECT_EQ(found.status, NumberStatus::too_large);
+    } else {
+      EXPECT_EQ(found.status, NumberStatus::good);
+      EXPECT_EQ(found.value, expected);
+    }
+    const float narrow = std::strtof(text.c_str(), nullptr);
+    const ParsedNumber single = parse(text, Precision::as_float);
+    EXPECT_EQ(single.status, std::isinf(narrow) ? NumberStatus::too_large : NumberStatus::good);
+    if (!std::isinf(narrow)) {
+      EXPECT_EQ(single.value, static_cast<double>(narrow));
+    }
+  });
+}
+
+TEST(ParseNumber, TakesTooSmallForZeroAndTooLargeForAnError) {
+  for (const std::string text :
+       {"1e-400", "0.0000001e-320", "1e-999999999999999999999", "2e-324"}) {
+    EXPECT_EQ(parse(text).status, NumberStatus::good) << text;
+    EXPECT_EQ(parse(text).value, 0.0) << text;
+    EXPECT_TRUE(std::signbit(parse(std::string("-").append(text)).value)) << text;
+  }
+  for (const std::string text :
+       {"1e309", "-1e400", "0.001e999", "1e999999999999999999999", "123456789e301"}) {
+    EXPECT_EQ(parse(text).status, NumberStatus::too_large) << text;
+  }
+  EXPECT_EQ(parse(std::string(400, '9')).status, NumberStatus::too_large);
+  EXPECT_EQ(parse(std::string("0.").append(400, '0').append(1, '1')).value, 0.0);
+}
+
+TEST(ParseNumber, KnowsWhatIsNoNumber) {
+  for (const std::string text : {"", "+", "-", ".", "e5", "+-1", "--1", "x"}) {
+    EXPECT_EQ(parse(text).status, NumberStatus::not_a_number) << text;
+  }
+  EXPECT_EQ(parse("+1.5").value, 1.5);
+  EXPECT_TRUE(std::isnan(parse("nan").value));
+  EXPECT_TRUE(std::isinf(parse("inf").value));
+}
+
+TEST(LineOf, CountsEveryKindOfLineEndOnce) {
+  EXPECT_EQ(line_of("a\nb\nc", 4), 3U);
+  EXPECT_EQ(line_of("a\r\nb\r\nc", 6), 3U);
+  EXPECT_EQ(line_of("a\rb\rc", 4), 3U);
+  EXPECT_EQ(line_of("", 0), 1U);
+  EXPECT_EQ(line_of("a\n", 99), 2U);
+}
+
+TEST(InQuotes, ShowsNothingUnprintableAndNothingLong) {
+  EXPECT_EQ(in_quotes("a b"), "\"a b\"");
+  EXPECT_EQ(in_quotes(std::string("\0\x1b\xff", 3)), "\"???\"");
+  EXPECT_EQ(in_quotes(std::string(100, 'a')).size(), 45U);
+}
+
+}  // namespace
+}  // namespace soms::detail
