@@ -63,7 +63,7 @@ void add_car(Mesh& mesh) {
   box(mesh, "bumper_rear", {-2.17, 0, 0.36}, {0.08, 0.84, 0.08});
 }
 
-/// 1.75 m tall, in mid step: head, hair, neck, trunk, arms with hands, legs with shoes.
+/// 1.75 m tall, in mid step: head, neck, trunk, arms with hands, legs with shoes.
 void add_person(Mesh& mesh) {
   ellipsoid(mesh, "head", {0.02, 0, 1.62}, {0.1, 0.085, 0.13}, 8, 5);
   part(mesh, "neck", [&] {

@@ -26,7 +26,7 @@ struct Grid {
 Grid grid_of(std::uint64_t pairs, double aspect, std::uint64_t least_columns,
              std::uint64_t least_rows) {
   const double ideal = std::sqrt(static_cast<double>(pairs) / aspect);
-  const auto wanted = std::max(least_columns, static_cast<std::uint64_t>(ideal + 0.5));
+  const auto wanted = std::max(least_columns, static_cast<std::uint64_t>(std::floor(ideal + 0.5)));
   for (std::uint64_t off = 0; off <= wanted / 3; ++off) {
     for (const std::uint64_t columns : {wanted + off, wanted - off}) {
       if (columns >= least_columns && pairs % columns == 0 && pairs / columns >= least_rows) {

@@ -297,16 +297,18 @@ std::vector<Building> plan_buildings(const City& city, std::uint64_t budget) {
     buildings.push_back(std::move(building));
   }
   // Details by height of the walls; what rounding leaves over moves on to the next building.
-  const double share = static_cast<double>(left / kDetail) / weight;
+  const std::uint64_t details = left / kDetail;
+  const double share = static_cast<double>(details) / weight;
   std::uint64_t given = 0;
   double passed = 0;
   for (Building& building : buildings) {
     passed += building.wall;
-    const auto until = std::min(left / kDetail, static_cast<std::uint64_t>(passed * share + 0.5));
+    const auto until =
+        std::min(details, static_cast<std::uint64_t>(std::floor(passed * share + 0.5)));
     building.details = until - given;
     given = until;
   }
-  buildings.back().details += left / kDetail - given;
+  buildings.back().details += details - given;
   return buildings;
 }
 

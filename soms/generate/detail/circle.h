@@ -17,7 +17,7 @@ struct OnCircle {
 /// order: mathematical libraries differ in the last bit, and golden meshes must not.
 [[nodiscard]] inline OnCircle on_circle(double turns) {
   const double whole = turns - std::floor(turns);
-  const int quarter = static_cast<int>(4 * whole + 0.5);
+  const int quarter = static_cast<int>(std::floor(4 * whole + 0.5));
   const double a = (whole - 0.25 * quarter) * 6.283185307179586;
   const double square = a * a;
   // Taylor's series for |a| at most pi / 4; the first term left out is below 2^-60.

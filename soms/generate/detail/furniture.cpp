@@ -187,7 +187,7 @@ std::uint64_t furniture_triangles(FurnitureKind kind) {
     case FurnitureKind::lamp:
       return prism_triangles(6) + 24;
     case FurnitureKind::tree:
-      return prism_triangles(5) + 2 * 7 * 3;
+      return prism_triangles(5) + 42;
     case FurnitureKind::bench:
       return 48;
     case FurnitureKind::sign:
