@@ -163,6 +163,10 @@ void HeightGrid::find_ground() {
     }
     begin = end;
   }
+  known_.clear();
+  for (const double ground : ground_) {
+    known_.push_back(std::isnan(ground) ? 0 : 1);
+  }
   if (std::all_of(ground_.begin(), ground_.end(), [](double g) { return std::isnan(g); })) {
     const double least = lowest_.empty() ? origin_.z : lowest_.front().second;
     std::fill(ground_.begin(), ground_.end(), least);
@@ -228,6 +232,17 @@ double HeightGrid::ground(double x, double y) const {
   const double t = v - std::floor(v);
   return (1 - t) * ((1 - s) * tile_ground(column, row) + s * tile_ground(column + 1, row)) +
          t * ((1 - s) * tile_ground(column, row + 1) + s * tile_ground(column + 1, row + 1));
+}
+
+bool HeightGrid::built_near(double x, double y) const {
+  const double column = (x - origin_.x) / tile_;
+  const double row = (y - origin_.y) / tile_;
+  if (!(column >= 0 && row >= 0 && column < static_cast<double>(tile_columns_) &&
+        row < static_cast<double>(tile_rows_))) {
+    return false;
+  }
+  return known_[static_cast<std::size_t>(row) * tile_columns_ + static_cast<std::size_t>(column)] !=
+         0;
 }
 
 double HeightGrid::height(std::size_t column, std::size_t row) const {

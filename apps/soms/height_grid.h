@@ -54,6 +54,9 @@ class HeightGrid {
   /// Estimated ground at a point, inside the area or beside it.
   [[nodiscard]] double ground(double x, double y) const;
 
+  /// True if the city has triangles around a point, within some tens of metres.
+  [[nodiscard]] bool built_near(double x, double y) const;
+
   /// Height that a mover of half width `reach` can stand on at (x, y), or NaN where a building or
   /// anything higher than a step is in the way.
   [[nodiscard]] double standing(double x, double y, double reach) const;
@@ -74,6 +77,7 @@ class HeightGrid {
   std::size_t tile_rows_ = 1;
   std::vector<std::pair<std::uint32_t, float>> lowest_;  ///< tile and height of every vertex
   std::vector<double> ground_;
+  std::vector<std::uint8_t> known_;  ///< tiles with vertices enough
 };
 
 }  // namespace soms::command

@@ -153,6 +153,9 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
   json["read_ms"] = rounded(world.read_ms);
   json["queries"] = outcome.queries;
   json["queries_a_second"] = std::round(outcome.queries_a_second());
+  json["cost"] = {{"node_tests", outcome.cost.node_tests},
+                  {"triangle_tests", outcome.cost.triangle_tests},
+                  {"exact_tests", outcome.cost.exact_tests}};
   json["contacts"] = outcome.contacts.contacts().size();
   json["contacts_between_movers"] = outcome.contacts.between_movers();
   json["hash"] = fmt::format("{:016x}", outcome.hash);

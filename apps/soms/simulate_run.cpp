@@ -105,6 +105,7 @@ class Run {
     }
     outcome_.contacts.add(report, frame);
     outcome_.queries += report.queries;
+    outcome_.cost += report.cost;
     outcome_.frame_seconds.push_back(seconds);
     if (frame % pause_ == 0 || frame + 1 == options_.frames) {
       for (std::size_t k = 0; k < poses_.size(); ++k) {

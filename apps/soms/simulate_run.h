@@ -29,6 +29,7 @@ struct Outcome {
   std::uint64_t frames = 0;          ///< done
   std::vector<float> frame_seconds;  ///< poses, broad phase, narrow phase and report of each frame
   std::uint64_t queries = 0;
+  Cost cost;
   std::uint64_t hash = 0;  ///< of all frames' reports, in order
   ContactLog contacts;
   std::optional<Verified> verified = std::nullopt;

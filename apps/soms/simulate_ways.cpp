@@ -74,12 +74,14 @@ class Lines {
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
       start.x = rng.uniform(box_.lower.x, box_.upper.x);
       start.y = rng.uniform(box_.lower.y, box_.upper.y);
-      const double level = grid_.standing(start.x, start.y, model.reach);
-      start.z = grid_.ground(start.x, start.y);
-      if (!std::isnan(level)) {
-        start.z = level;
+      start.z = grid_.standing(start.x, start.y, model.reach);
+      // In the city while there is room, at last anywhere.
+      if (!std::isnan(start.z) && (grid_.built_near(start.x, start.y) || attempt > kAttempts / 2)) {
         break;
       }
+    }
+    if (std::isnan(start.z)) {
+      start.z = grid_.ground(start.x, start.y);
     }
     start.z += model.kind == Kind::drone ? rng.uniform(8, 60) : kClearance;
     Way way;
