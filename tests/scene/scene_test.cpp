@@ -1,0 +1,331 @@
+#include "soms/scene/scene.h"
+
+#include "soms/base/error.h"
+#include "soms/query/reference/overlap.h"
+
+#include "tests/scene/random_bodies.h"
+#include "tests/support/support.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+namespace soms {
+
+namespace {
+
+constexpr Box kUnit{{0, 0, 0}, {1, 1, 1}};
+
+Shape box_shape(const Box& box = kUnit) {
+  return Shape(test::box_mesh(box));
+}
+
+Body body_at(const Shape& shape, double x, double y = 0, double z = 0) {
+  return Body(shape, Pose::translation(x, y, z));
+}
+
+/// The report by a scan of all pairs of bodies, each by brute force.
+StepReport scan(const Scene& scene) {
+  StepReport report;
+  const std::vector<MoverId> movers = scene.movers();
+  for (std::size_t a = 0; a < movers.size(); ++a) {
+    const Body& first = scene.mover(movers[a]);
+    for (const EnvironmentId part : scene.environments()) {
+      const Body& second = scene.environment(part);
+      for (const auto& [i, j] :
+           reference::overlap(first.shape.mesh(), first.pose, second.shape.mesh(), second.pose)
+               .pairs) {
+        report.environment.push_back({movers[a], part, i, j});
+      }
+    }
+    for (std::size_t b = a + 1; b < movers.size(); ++b) {
+      const Body& second = scene.mover(movers[b]);
+      for (const auto& [i, j] :
+           reference::overlap(first.shape.mesh(), first.pose, second.shape.mesh(), second.pose)
+               .pairs) {
+        report.movers.push_back({movers[a], movers[b], i, j});
+      }
+    }
+  }
+  return report;
+}
+
+/// A scene of many small bodies within `reach` of the origin.
+Scene random_scene(Rng& rng, double reach, std::uint64_t movers, std::uint64_t parts) {
+  Scene scene;
+  std::vector<Shape> shapes;
+  for (int k = 0; k < 4; ++k) {
+    shapes.emplace_back(test::random_mesh(rng));
+  }
+  shapes.emplace_back();  // an empty one
+  for (std::uint64_t k = 0; k < parts; ++k) {
+    scene.add_environment(Body(shapes[rng.below(shapes.size())], test::random_pose(rng, reach)));
+  }
+  for (std::uint64_t k = 0; k < movers; ++k) {
+    scene.add_mover(Body(shapes[rng.below(shapes.size())], test::random_pose(rng, reach)));
+  }
+  return scene;
+}
+
+TEST(Scene, TellsWhichTrianglesOfAMoverTouchWhichPart) {
+  Scene scene;
+  const EnvironmentId near = scene.add_environment(body_at(box_shape(), 0));
+  scene.add_environment(body_at(box_shape(), 10));
+  const MoverId mover = scene.add_mover(body_at(box_shape(), 0.5, 0.25, 0.25));
+  const StepReport report = scene.step();
+  ASSERT_FALSE(report.environment.empty());
+  for (const EnvironmentContact& contact : report.environment) {
+    EXPECT_EQ(contact.mover, mover);
+    EXPECT_EQ(contact.part, near);
+  }
+  EXPECT_EQ(report.queries, 1U);
+  EXPECT_EQ(report.coverage, Coverage::complete);
+  EXPECT_TRUE(report.movers.empty());
+}
+
+TEST(Scene, ReportsWhatAScanOfAllPairsReports) {
+  std::size_t contacts = 0;
+  test::for_each_case("scene/all-pairs", 60, [&](Rng& rng) {
+    Scene scene = random_scene(rng, rng.uniform(2, 14), rng.below(30), rng.below(20));
+    for (int step = 0; step < 3; ++step) {
+      const StepReport report = scene.step();
+      const StepReport expected = scan(scene);
+      ASSERT_EQ(report.environment, expected.environment);
+      ASSERT_EQ(report.movers, expected.movers);
+      contacts += report.environment.size() + report.movers.size();
+      for (const MoverId id : scene.movers()) {
+        scene.set_pose(id, test::random_pose(rng, 8));
+      }
+    }
+  });
+  EXPECT_GT(contacts, 10000U);
+}
+
+TEST(Scene, ReportsTheSameBytesForAnyNumberOfThreads) {
+  Rng rng(11);
+  Scene scene = random_scene(rng, 12, 400, 60);
+  const StepReport one = scene.step();
+  ASSERT_GT(one.environment.size() + one.movers.size(), 1000U);
+  for (const int threads : {2, 8}) {
+    for (const OverlapMode mode : {OverlapMode::all, OverlapMode::first}) {
+      const StepOptions options{.mode = mode};
+      const StepReport serial = scene.step(options);
+      const StepReport report = scene.step(options, Parallel{.threads = threads});
+      EXPECT_EQ(report.environment, serial.environment);
+      EXPECT_EQ(report.movers, serial.movers);
+      EXPECT_EQ(report.hash(), serial.hash());
+      EXPECT_EQ(report.queries, serial.queries);
+      EXPECT_EQ(report.box_pairs, serial.box_pairs);
+      if (mode == OverlapMode::all) {
+        EXPECT_EQ(report.cost, serial.cost);
+      }
+    }
+  }
+}
+
+TEST(Scene, SplitsALoneLargePairForManyThreadsAndReportsTheSame) {
+  Rng rng(12);
+  Mesh soup;
+  for (int k = 0; k < 60; ++k) {
+    append(soup, test::random_mesh(rng));
+  }
+  Scene scene;
+  scene.add_environment(Body(Shape(soup)));
+  scene.add_mover(body_at(Shape(soup), 1, 1, 1));
+  const StepReport one = scene.step();
+  const StepReport eight = scene.step({}, Parallel{.threads = 8});
+  EXPECT_GT(one.environment.size(), 1000U);
+  EXPECT_EQ(one.environment, eight.environment);
+  EXPECT_EQ(one.cost, eight.cost);
+}
+
+TEST(Scene, ModesAnyAndFirstGiveOnePairForEachPairOfBodies) {
+  test::for_each_case("scene/modes", 20, [](Rng& rng) {
+    Scene scene = random_scene(rng, 6, 20, 10);
+    const StepReport all = scene.step();
+    const StepReport first = scene.step({.mode = OverlapMode::first});
+    const StepReport any = scene.step({.mode = OverlapMode::any});
+    std::vector<EnvironmentContact> least = all.environment;
+    const auto same_bodies = [](const EnvironmentContact& a, const EnvironmentContact& b) {
+      return a.mover == b.mover && a.part == b.part;
+    };
+    least.erase(std::unique(least.begin(), least.end(), same_bodies), least.end());
+    EXPECT_EQ(first.environment, least);
+    ASSERT_EQ(any.environment.size(), least.size());
+    for (std::size_t k = 0; k < least.size(); ++k) {
+      EXPECT_TRUE(same_bodies(any.environment[k], least[k]));
+      EXPECT_TRUE(
+          std::binary_search(all.environment.begin(), all.environment.end(), any.environment[k]));
+    }
+    EXPECT_EQ(first.coverage, Coverage::first);
+    EXPECT_EQ(any.coverage, Coverage::first);
+  });
+}
+
+TEST(Scene, ComparesNoMoversWhenNotAsked) {
+  Scene scene;
+  scene.add_mover(body_at(box_shape(), 0));
+  scene.add_mover(body_at(box_shape(), 0.5));
+  EXPECT_FALSE(scene.step().movers.empty());
+  const StepReport report = scene.step({.mover_mover = false});
+  EXPECT_TRUE(report.movers.empty());
+  EXPECT_EQ(report.queries, 0U);
+}
+
+TEST(Scene, DoesNotComparePairsOfOneGroup) {
+  Scene scene;
+  const MoverId a = scene.add_mover(body_at(box_shape(), 0), 5);
+  const MoverId b = scene.add_mover(body_at(box_shape(), 0.25), 5);
+  const MoverId c = scene.add_mover(body_at(box_shape(), 0.5), 0);
+  const MoverId d = scene.add_mover(body_at(box_shape(), 0.75), 0);
+  std::set<std::pair<MoverId, MoverId>> met;
+  for (const MoverContact& contact : scene.step().movers) {
+    met.emplace(contact.a, contact.b);
+  }
+  EXPECT_EQ(met, (std::set<std::pair<MoverId, MoverId>>{{a, c}, {a, d}, {b, c}, {b, d}, {c, d}}));
+}
+
+TEST(Scene, IgnoresThePairsItWasToldTo) {
+  Scene scene;
+  const EnvironmentId wall = scene.add_environment(body_at(box_shape(), 0.1));
+  const EnvironmentId floor = scene.add_environment(body_at(box_shape(), 0.2));
+  const MoverId a = scene.add_mover(body_at(box_shape(), 0));
+  const MoverId b = scene.add_mover(body_at(box_shape(), 0.5));
+  scene.ignore(b, a);
+  scene.ignore(a, b);
+  scene.ignore_environment(a, wall);
+  const StepReport report = scene.step();
+  EXPECT_TRUE(report.movers.empty());
+  std::set<std::pair<MoverId, EnvironmentId>> met;
+  for (const EnvironmentContact& contact : report.environment) {
+    met.emplace(contact.mover, contact.part);
+  }
+  EXPECT_EQ(met, (std::set<std::pair<MoverId, EnvironmentId>>{{a, floor}, {b, wall}, {b, floor}}));
+  EXPECT_EQ(report.queries, 3U);
+  EXPECT_EQ(report.box_pairs, 5U);
+}
+
+TEST(Scene, ForgetsIgnoredPairsOfWhatWasRemoved) {
+  Scene scene;
+  const MoverId stays = scene.add_mover(body_at(box_shape(), 0));
+  const EnvironmentId wall = scene.add_environment(body_at(box_shape(), 0.1));
+  EXPECT_FALSE(scene.step().environment.empty());
+  for (int k = 0; k < 1000; ++k) {
+    const MoverId other = scene.add_mover(body_at(box_shape(), 0.5));
+    scene.ignore(stays, other);
+    scene.ignore_environment(other, wall);
+    const EnvironmentId part = scene.add_environment(body_at(box_shape(), 5));
+    scene.ignore_environment(stays, part);
+    scene.remove_mover(other);
+    scene.remove_environment(part);
+  }
+  EXPECT_LT(scene.memory(), 50000U);
+  scene.add_mover(body_at(box_shape(), 0.5));
+  EXPECT_FALSE(scene.step().movers.empty());
+}
+
+TEST(Scene, AddsAndRemovesBetweenSteps) {
+  test::for_each_case("scene/add-remove", 20, [](Rng& rng) {
+    Scene scene = random_scene(rng, 6, 10, 6);
+    const Shape shape(test::random_mesh(rng));
+    for (int k = 0; k < 12; ++k) {
+      const std::vector<MoverId> movers = scene.movers();
+      const std::vector<EnvironmentId> parts = scene.environments();
+      const std::uint64_t what = rng.below(4);
+      if (what == 0) {
+        scene.add_mover(Body(shape, test::random_pose(rng, 6)));
+      } else if (what == 1) {
+        scene.add_environment(Body(shape, test::random_pose(rng, 6)));
+      } else if (what == 2 && !movers.empty()) {
+        scene.remove_mover(movers[rng.below(movers.size())]);
+      } else if (!parts.empty()) {
+        scene.remove_environment(parts[rng.below(parts.size())]);
+      }
+      const StepReport report = scene.step();
+      const StepReport expected = scan(scene);
+      ASSERT_EQ(report.environment, expected.environment);
+      ASSERT_EQ(report.movers, expected.movers);
+    }
+  });
+}
+
+// The same bodies added in another order: the same contacts under the other numbers.
+TEST(Scene, DoesNotDependOnTheOrderOfAdding) {
+  test::for_each_case("scene/order", 20, [](Rng& rng) {
+    std::vector<Body> bodies;
+    for (int k = 0; k < 24; ++k) {
+      bodies.emplace_back(Shape(test::random_mesh(rng)), test::random_pose(rng, 5));
+    }
+    Scene scene;
+    Scene reversed;
+    const auto count = static_cast<std::uint32_t>(bodies.size());
+    for (std::uint32_t k = 0; k < count; ++k) {
+      scene.add_mover(bodies[k]);
+      reversed.add_mover(bodies[count - 1 - k]);
+    }
+    std::vector<MoverContact> renamed;
+    for (const MoverContact& contact : reversed.step().movers) {
+      renamed.push_back({count - 1 - contact.b, count - 1 - contact.a, contact.j, contact.i});
+    }
+    std::sort(renamed.begin(), renamed.end());
+    EXPECT_EQ(scene.step().movers, renamed);
+  });
+}
+
+TEST(Scene, NamesANumberThatIsNotThere) {
+  Scene scene;
+  const MoverId mover = scene.add_mover(body_at(box_shape(), 0));
+  const EnvironmentId part = scene.add_environment(body_at(box_shape(), 0));
+  scene.remove_mover(mover);
+  scene.remove_environment(part);
+  const auto refused = [](const auto& call) {
+    try {
+      call();
+    } catch (const Error& error) {
+      return error.kind() == ErrorKind::usage;
+    }
+    return false;
+  };
+  EXPECT_TRUE(refused([&] { scene.set_pose(mover, {}); }));
+  EXPECT_TRUE(refused([&] { static_cast<void>(scene.mover(mover)); }));
+  EXPECT_TRUE(refused([&] { static_cast<void>(scene.environment(part)); }));
+  EXPECT_TRUE(refused([&] { scene.remove_mover(mover); }));
+  EXPECT_TRUE(refused([&] { scene.remove_environment(part); }));
+  EXPECT_TRUE(refused([&] { scene.ignore_environment(mover, part); }));
+  const MoverId next = scene.add_mover(body_at(box_shape(), 0));
+  EXPECT_NE(next, mover);
+  EXPECT_TRUE(refused([&] { scene.ignore(next, next); }));
+  EXPECT_TRUE(refused([&] { scene.ignore(next, 77); }));
+}
+
+TEST(Scene, StopsWhenAskedAndGoesOnAfterwards) {
+  Rng rng(3);
+  Scene scene = random_scene(rng, 5, 50, 20);
+  const StepReport before = scene.step();
+  std::stop_source stop;
+  stop.request_stop();
+  try {
+    static_cast<void>(scene.step({}, Parallel{.threads = 2, .stop = stop.get_token()}));
+    FAIL() << "the step did not stop";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::cancelled);
+  }
+  EXPECT_EQ(scene.step().hash(), before.hash());
+}
+
+TEST(Scene, HashesBothLists) {
+  StepReport report;
+  EXPECT_EQ(report.hash(), 0xcbf29ce484222325ULL);
+  report.environment.push_back({1, 2, 3, 4});
+  const std::uint64_t one = report.hash();
+  EXPECT_NE(one, 0xcbf29ce484222325ULL);
+  report.movers.push_back({1, 2, 3, 4});
+  EXPECT_NE(report.hash(), one);
+}
+
+}  // namespace
+
+}  // namespace soms
