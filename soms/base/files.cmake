@@ -1,4 +1,5 @@
 set(SOMS_HEADERS
+  arithmetic.h
   assert.h
   box.h
   error.h
@@ -9,6 +10,7 @@ set(SOMS_HEADERS
   vector.h
 )
 set(SOMS_SOURCES
+  arithmetic.cpp
   error.cpp
   parallel.cpp
   pose.cpp

@@ -1,5 +1,6 @@
 #include "soms/base/pose.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 
 #include <algorithm>
@@ -72,6 +73,7 @@ Vec3 Pose::apply(const Vec3& v) const {
 }
 
 void check(const Pose& pose) {
+  check_arithmetic();
   check_finite(pose);
   const auto& m = pose.m;
   const auto at = [&](int row, int column) {
