@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace soms {
 
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffU;
+/// Large outlines take long; a request to stop is looked at once in so many ears.
+constexpr std::uint32_t kClipsPerCheck = 64;
 
 /// Newell normal of the corners relative to the first, scaled by a power of two so that products
 /// neither overflow nor vanish.
@@ -95,23 +98,39 @@ bool PolygonTriangulator::blocks(std::uint32_t corner, std::uint32_t ear) const 
 void PolygonTriangulator::measure(std::uint32_t ear) {
   Link& link = ring_[ear];
   link.turn = turn(link.previous, ear, link.next);
-  link.blockers = 0;
-  if (link.turn == Sign::positive) {
-    for (std::uint32_t i = link.next; i != ear; i = ring_[i].next) {
-      link.blockers += blocks(i, ear) ? 1U : 0U;
+  const double least = std::min({corners_[link.previous][first_axis_], corners_[ear][first_axis_],
+                                 corners_[link.next][first_axis_]});
+  const auto first = std::lower_bound(
+      order_.begin(), order_.end(), least,
+      [&](std::uint32_t i, double value) { return corners_[i][first_axis_] < value; });
+  link.cursor = static_cast<std::uint32_t>(first - order_.begin());
+}
+
+/// Looks for a corner that blocks, from where the last search for the same triangle stopped: what
+/// did not block does not begin to, so each triangle looks at each corner once.
+bool PolygonTriangulator::is_ear(std::uint32_t corner) {
+  Link& link = ring_[corner];
+  if (link.turn != Sign::positive) {
+    return false;
+  }
+  const double most = std::max({corners_[link.previous][first_axis_], corners_[corner][first_axis_],
+                                corners_[link.next][first_axis_]});
+  for (; link.cursor < order_.size(); ++link.cursor) {
+    const std::uint32_t other = order_[link.cursor];
+    if (corners_[other][first_axis_] > most) {
+      break;
+    }
+    if (!ring_[other].clipped && blocks(other, corner)) {
+      return false;
     }
   }
+  return true;
 }
 
 void PolygonTriangulator::clip(std::uint32_t ear) {
   const std::uint32_t previous = ring_[ear].previous;
   const std::uint32_t next = ring_[ear].next;
   triangles_.push_back({previous, ear, next});
-  for (std::uint32_t i = ring_[next].next; i != previous; i = ring_[i].next) {
-    if (ring_[i].turn == Sign::positive && ring_[i].blockers > 0 && blocks(ear, i)) {
-      --ring_[i].blockers;
-    }
-  }
   ring_[previous].next = next;
   ring_[next].previous = previous;
   ring_[ear].clipped = true;
@@ -120,12 +139,11 @@ void PolygonTriangulator::clip(std::uint32_t ear) {
   measure(next);
 }
 
-/// The first corner of the ring from `start` on that is an ear (`sign` positive) or that has no
-/// turn (`sign` zero), or kNone.
-std::uint32_t PolygonTriangulator::find(std::uint32_t start, Sign sign) const {
+/// The first ear of the ring from `start` on, or kNone.
+std::uint32_t PolygonTriangulator::find_ear(std::uint32_t start) {
   std::uint32_t i = start;
   do {
-    if (ring_[i].turn == sign && ring_[i].blockers == 0) {
+    if (is_ear(i)) {
       return i;
     }
     i = ring_[i].next;
@@ -133,8 +151,25 @@ std::uint32_t PolygonTriangulator::find(std::uint32_t start, Sign sign) const {
   return kNone;
 }
 
-void PolygonTriangulator::clip_ears() {
+/// The first corner without turn of the ring from `start` on, or kNone.
+std::uint32_t PolygonTriangulator::find_straight(std::uint32_t start) const {
+  std::uint32_t i = start;
+  do {
+    if (ring_[i].turn == Sign::zero) {
+      return i;
+    }
+    i = ring_[i].next;
+  } while (i != start);
+  return kNone;
+}
+
+void PolygonTriangulator::clip_ears(const Parallel& parallel) {
   const auto n = static_cast<std::uint32_t>(corners_.size());
+  order_.resize(n);
+  std::iota(order_.begin(), order_.end(), 0U);
+  std::stable_sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return corners_[a][first_axis_] < corners_[b][first_axis_];
+  });
   ring_.assign(n, {});
   for (std::uint32_t i = 0; i < n; ++i) {
     ring_[i].previous = i == 0 ? n - 1 : i - 1;
@@ -146,9 +181,12 @@ void PolygonTriangulator::clip_ears() {
   left_ = n;
   std::uint32_t start = 0;
   while (left_ > 3) {
-    std::uint32_t ear = find(start, Sign::positive);
+    if (left_ % kClipsPerCheck == 0) {
+      check_stop(parallel);
+    }
+    std::uint32_t ear = find_ear(start);
     if (ear == kNone) {
-      ear = find(start, Sign::zero);
+      ear = find_straight(start);
     }
     if (ear == kNone) {
       break;
@@ -167,7 +205,7 @@ void PolygonTriangulator::clip_ears() {
 }
 
 std::span<const std::array<std::uint32_t, 3>> PolygonTriangulator::triangulate(
-    std::span<const Vec3> corners) {
+    std::span<const Vec3> corners, const Parallel& parallel) {
   corners_ = corners;
   triangles_.clear();
   if (corners.size() < 3) {
@@ -183,7 +221,7 @@ std::span<const std::array<std::uint32_t, 3>> PolygonTriangulator::triangulate(
       triangles_.push_back({0, i, i + 1});
     }
   } else {
-    clip_ears();
+    clip_ears(parallel);
   }
   return triangles_;
 }

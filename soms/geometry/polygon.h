@@ -2,6 +2,7 @@
 /// Cutting a polygon into triangles, the same way on every machine.
 #pragma once
 
+#include "soms/base/parallel.h"
 #include "soms/base/vector.h"
 #include "soms/geometry/orientation.h"
 
@@ -29,19 +30,18 @@ class PolygonTriangulator {
   ///
   /// \shape   corners: n points in order around the polygon.
   /// \pre     Coordinates are finite and of magnitude at most 2^300; n below 2^32.
-  /// \errors  None but memory. Signs of areas and turns are exact.
+  /// \errors  ErrorKind::cancelled. Signs of areas and turns are exact.
   /// \cost    Linear for a fan, at most quadratic for ears.
   /// \threads One at a time for each object.
   [[nodiscard]] std::span<const std::array<std::uint32_t, 3>> triangulate(
-      std::span<const Vec3> corners);
+      std::span<const Vec3> corners, const Parallel& parallel = {});
 
  private:
   /// A corner of the ring that is left while ears are clipped.
   struct Link {
     std::uint32_t previous = 0;
     std::uint32_t next = 0;
-    std::uint32_t blockers =
-        0;  ///< corners in the closed triangle; counted where `turn` is positive
+    std::uint32_t cursor = 0;  ///< corners before this place of `order_` do not block
     Sign turn = Sign::zero;
     bool clipped = false;
   };
@@ -51,9 +51,11 @@ class PolygonTriangulator {
   [[nodiscard]] bool is_fan() const;
   [[nodiscard]] bool blocks(std::uint32_t corner, std::uint32_t ear) const;
   void measure(std::uint32_t ear);
+  [[nodiscard]] bool is_ear(std::uint32_t corner);
   void clip(std::uint32_t ear);
-  void clip_ears();
-  [[nodiscard]] std::uint32_t find(std::uint32_t start, Sign sign) const;
+  void clip_ears(const Parallel& parallel);
+  [[nodiscard]] std::uint32_t find_ear(std::uint32_t start);
+  [[nodiscard]] std::uint32_t find_straight(std::uint32_t start) const;
 
   std::span<const Vec3> corners_;
   std::size_t first_axis_ = 0;  ///< axes of the plane, first and second
@@ -61,6 +63,7 @@ class PolygonTriangulator {
   Projection plane_ = Projection::xy;
   bool reversed_ = false;  ///< the normal points down its axis
   std::vector<Link> ring_;
+  std::vector<std::uint32_t> order_;  ///< corners by their first coordinate in the plane
   std::uint32_t left_ = 0;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
 };

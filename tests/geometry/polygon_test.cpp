@@ -1,5 +1,7 @@
 #include "soms/geometry/polygon.h"
 
+#include "soms/base/error.h"
+
 #include "tests/support/support.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +12,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <stop_token>
 #include <vector>
 
 namespace soms {
@@ -186,6 +189,16 @@ TEST(Polygon, ScaleDoesNotChangeTheCut) {
       EXPECT_EQ(cut(scaled), expected) << scale;
     }
   });
+}
+
+TEST(Polygon, LargeOutlinesEndSoonAfterARequestToStop) {
+  Rng rng(3);
+  const std::vector<Vec3> corners = random_star(rng, 1000);
+  std::stop_source stop;
+  stop.request_stop();
+  PolygonTriangulator triangulator;
+  EXPECT_THROW(static_cast<void>(triangulator.triangulate(corners, {.stop = stop.get_token()})),
+               Error);
 }
 
 TEST(Polygon, LargeOutlinesTakeAtMostQuadraticTime) {

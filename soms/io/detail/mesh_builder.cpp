@@ -46,7 +46,7 @@ void MeshBuilder::add_face(std::span<const std::uint32_t> corners) {
   for (const std::uint32_t v : corners) {
     corners_.push_back(mesh_.vertices[v]);
   }
-  for (const auto& [a, b, c] : triangulator_.triangulate(corners_)) {
+  for (const auto& [a, b, c] : triangulator_.triangulate(corners_, source_.parallel)) {
     push(mesh_.triangles, {corners[a], corners[b], corners[c]});
     push(mesh_.faces, face_);
   }
