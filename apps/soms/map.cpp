@@ -192,7 +192,7 @@ class Panel {
 };
 
 void write_movers(Panel& panel, const World& world) {
-  panel.head(fmt::format("{} movers and their tracks", grouped(world.ways.size())));
+  panel.head(fmt::format("{} movers and their tracks", thousands(world.ways.size())));
   for (std::size_t model = 0; model < world.models.size(); ++model) {
     const auto count = static_cast<std::uint64_t>(std::count_if(
         world.ways.begin(), world.ways.end(), [&](const Way& way) { return way.model == model; }));
@@ -200,7 +200,7 @@ void write_movers(Panel& panel, const World& world) {
                             "stroke-width=\"1.1\"/><path d=\"M0 0h.1\" stroke=\"{0}\" "
                             "stroke-width=\"6\" stroke-linecap=\"{1}\"/>",
                             color_of(model), cap_of(world.models[model])),
-                fmt::format("{} {}", grouped(count), shortened(world.models[model].name, 28)));
+                fmt::format("{} {}", thousands(count), shortened(world.models[model].name, 28)));
   }
   if (stride_of(world) > 1) {
     panel.line(fmt::format("(one in {} is drawn)", stride_of(world)), 24);
@@ -209,7 +209,7 @@ void write_movers(Panel& panel, const World& world) {
 
 void write_contacts(Panel& panel, const Outcome& outcome, const std::vector<Mark>& marks) {
   const std::uint64_t all = outcome.contacts.contacts().size();
-  panel.head(all == 0 ? "No contact" : fmt::format("{} contacts", grouped(all)));
+  panel.head(all == 0 ? "No contact" : fmt::format("{} contacts", thousands(all)));
   for (const std::uint64_t size : {1U, 10U, 100U}) {
     if (!marks.empty() && marks.front().contacts >= size) {
       panel.keyed(fmt::format("<circle r=\"{:.1f}\" fill=\"{}\" fill-opacity=\".35\" "
@@ -224,7 +224,7 @@ void write_contacts(Panel& panel, const Outcome& outcome, const std::vector<Mark
   panel.head("Most contacts, and what was touched");
   for (std::size_t k = 0; k < std::min(kMostListed, marks.size()); ++k) {
     panel.keyed(number_mark(0, 0, k + 1),
-                fmt::format("{} {}", grouped(marks[k].contacts), shortened(marks[k].most, 34)));
+                fmt::format("{} {}", thousands(marks[k].contacts), shortened(marks[k].most, 34)));
   }
 }
 
@@ -269,8 +269,8 @@ void draw_map(std::ostream& out, const World& world, const Outcome& outcome) {
   draw_scale_bar(out, page);
   Panel panel(out, panel_left);
   panel.title(shortened(world.title, 24));
-  panel.line(fmt::format("{} triangles, {} frames of 1/60 s", grouped(world.triangles),
-                         grouped(outcome.frames)));
+  panel.line(fmt::format("{} triangles, {} frames of 1/60 s", thousands(world.triangles),
+                         thousands(outcome.frames)));
   write_movers(panel, world);
   write_contacts(panel, outcome, marks);
   panel.head("City, from above");

@@ -18,7 +18,7 @@ std::string row(const std::string& name, const std::string& value) {
 }
 
 std::string plural(std::uint64_t n, const std::string& one) {
-  return fmt::format("{} {}{}", grouped(n), one, n == 1 ? "" : "s");
+  return fmt::format("{} {}{}", thousands(n), one, n == 1 ? "" : "s");
 }
 
 /// "1,000 (400 cars, 400 persons, 200 drones)", by model.
@@ -30,12 +30,13 @@ std::string movers_of(const World& world) {
   std::string kinds;
   for (std::size_t k = 0; k < counts.size(); ++k) {
     const Model& model = world.models[k];
-    kinds += fmt::format("{}{} {} of {} triangles", k == 0 ? "" : ", ", grouped(counts[k]),
-                         model.name, grouped(model.shape.mesh().triangles.size()));
+    const std::string name = model.name + (model.kind == Kind::model || counts[k] == 1 ? "" : "s");
+    kinds += fmt::format("{}{} {} of {} triangles", k == 0 ? "" : ", ", thousands(counts[k]), name,
+                         thousands(model.shape.mesh().triangles.size()));
   }
-  std::string text = fmt::format("{} ({})", grouped(world.ways.size()), kinds);
+  std::string text = fmt::format("{} ({})", thousands(world.ways.size()), kinds);
   if (world.ways.size() < world.asked) {
-    text += fmt::format("; {} asked for, no free place for the rest", grouped(world.asked));
+    text += fmt::format("; {} asked for, no free place for the rest", thousands(world.asked));
   }
   return text;
 }
@@ -47,14 +48,14 @@ std::string contacts_of(const World& world, const Outcome& outcome) {
     return "none";
   }
   return fmt::format("{} ({} with triangles of the city, {} between movers) by {} of {} movers",
-                     grouped(all), grouped(all - between), grouped(between),
-                     grouped(outcome.contacts.movers()), grouped(world.ways.size()));
+                     thousands(all), thousands(all - between), thousands(between),
+                     thousands(outcome.contacts.movers()), thousands(world.ways.size()));
 }
 
 std::string frames_of(const Outcome& outcome, const SimulateOptions& options) {
-  std::string text = grouped(outcome.frames);
+  std::string text = thousands(outcome.frames);
   if (outcome.ending != Ending::whole) {
-    text += fmt::format(" of {}, {}", grouped(options.frames),
+    text += fmt::format(" of {}, {}", thousands(options.frames),
                         outcome.ending == Ending::interrupted ? "interrupted" : "out of time");
   }
   text += fmt::format(" ({:.4g} s of simulated time)",
@@ -84,7 +85,7 @@ double rounded(double value) {
 
 }  // namespace
 
-std::string grouped(std::uint64_t value) {
+std::string thousands(std::uint64_t value) {
   const std::string digits = std::to_string(value);
   std::string text;
   for (std::size_t k = 0; k < digits.size(); ++k) {
@@ -107,7 +108,7 @@ std::string part_name(const World& world, EnvironmentId part, TriangleId triangl
 
 std::string table_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
   std::string text =
-      row("city", fmt::format("{}, {} triangles", world.title, grouped(world.triangles)));
+      row("city", fmt::format("{}, {} triangles", world.title, thousands(world.triangles)));
   text += row("built in", fmt::format("{:.0f} ms, after {:.0f} ms to {} it", world.build_ms,
                                       world.read_ms, options.cities.empty() ? "make" : "read"));
   text += row("movers", movers_of(world));
@@ -115,14 +116,14 @@ std::string table_of(const World& world, const Outcome& outcome, const SimulateO
   text +=
       row("speed", fmt::format("{:.0f} frames a second (worst {:.0f}), {} queries a second",
                                outcome.median_fps(), outcome.worst_fps(),
-                               grouped(static_cast<std::uint64_t>(outcome.queries_a_second()))));
+                               thousands(static_cast<std::uint64_t>(outcome.queries_a_second()))));
   text += row("contacts", contacts_of(world, outcome));
   text += touched_lines(world, outcome);
   if (outcome.verified) {
     const Verified& v = *outcome.verified;
     text += row("verified", fmt::format("{} and {} by brute force, {} wrong",
                                         plural(v.contacts, "touching pair"),
-                                        plural(v.free, "free mover"), grouped(v.wrong)));
+                                        plural(v.free, "free mover"), thousands(v.wrong)));
   }
   if (options.map.empty()) {
     text += row("look at it", "soms simulate ... --map city.svg draws the city and its contacts");

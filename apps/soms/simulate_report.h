@@ -13,7 +13,7 @@
 namespace soms::command {
 
 /// A number with its thousands apart: 1,000,000.
-[[nodiscard]] std::string grouped(std::uint64_t value);
+[[nodiscard]] std::string thousands(std::uint64_t value);
 
 /// The table that is read in ten seconds.
 [[nodiscard]] std::string table_of(const World& world, const Outcome& outcome,
