@@ -16,10 +16,12 @@ set(SOMS_HEADERS
 set(SOMS_SOURCES
   detail/box_tests.cpp
   detail/collector.cpp
+  detail/overlap_query.cpp
   detail/pair_walk.cpp
   detail/relative_pose.cpp
   detail/triangle_tests.cpp
   overlap.cpp
+  overlap_batch.cpp
   reference/overlap.cpp
   traversal/baselines.cpp
   traversal/e_node.cpp

@@ -5,6 +5,7 @@
 #include "soms/query/detail/triangle_tests.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace soms::detail {
 
@@ -12,6 +13,9 @@ namespace {
 
 /// Both nodes are opened while neither is more than this much larger.
 constexpr float kSimilar = 2;
+
+/// Pairs worked on at once: enough to hide the wait for memory and for results.
+constexpr std::size_t kGroup = 2;
 
 template <class Place>
 float size_of(const Place& place) {
@@ -21,6 +25,19 @@ float size_of(const Place& place) {
 Triangle moved(const WalkSide& side, TriangleId id) {
   const Triangle t = side.shape->mesh().triangle(id);
   return {side.pose->apply(t.a), side.pose->apply(t.b), side.pose->apply(t.c)};
+}
+
+std::size_t lowest(std::uint32_t bits) {
+  return static_cast<std::size_t>(std::countr_zero(bits));
+}
+
+/// Starts to load what a pushed pair will look at first.
+void fetch(const void* place) {
+  constexpr std::size_t kLine = 64;
+  const auto* bytes = static_cast<const char*>(place);
+  for (std::size_t line = 0; line < sizeof(WideNode); line += kLine) {
+    __builtin_prefetch(bytes + line);
+  }
 }
 
 }  // namespace
@@ -35,7 +52,7 @@ void PlaceStack::grow() {
 }
 
 PairWalk::PairWalk(const RelativePose& relative, const WalkSide& x, const WalkSide& y, bool swapped,
-                   PlaceStack& stack)
+                   WalkMemory& memory)
     : relative_(relative),
       x_(x),
       y_(y),
@@ -44,29 +61,34 @@ PairWalk::PairWalk(const RelativePose& relative, const WalkSide& x, const WalkSi
       blocks_x_(x.shape->layout().blocks().data()),
       blocks_y_(y.shape->layout().blocks().data()),
       swapped_(swapped),
-      stack_(stack) {
+      memory_(memory) {
 }
 
-void PairWalk::run(Collector& collector, Watch& watch) {
+void PairWalk::start() {
   ++cost_.node_tests;
+  memory_.clear();
   if (!relative_.apart()) {
-    run({0, 0}, collector, watch);
+    push({0, 0});
   }
 }
 
-void PairWalk::run(const PlacePair& from, Collector& collector, Watch& watch) {
-  stack_.clear();
-  stack_.push(from);
-  while (!stack_.empty() && !watch.spend(1)) {
-    const PlacePair pair = stack_.pop();
-    if (is_leaf(pair.x) && is_leaf(pair.y)) {
-      if (blocks(pair, collector, watch)) {
-        return;
-      }
-    } else {
-      open(pair);
-    }
+void PairWalk::start(const PlacePair& from) {
+  memory_.clear();
+  push(from);
+}
+
+bool PairWalk::step(Collector& collector, Watch& watch) {
+  if (!memory_.blocks.empty()) {
+    return !decide_group(collector) && !watch.spend(8 * kGroup);
   }
+  if (!memory_.mixed.empty()) {
+    open_group<&PairWalk::test_mixed>(memory_.mixed);
+  } else if (!memory_.nodes.empty()) {
+    open_group<&PairWalk::test_nodes>(memory_.nodes);
+  } else {
+    return false;
+  }
+  return !watch.spend(kGroup);
 }
 
 std::vector<PlacePair> PairWalk::frontier(std::size_t enough) {
@@ -85,57 +107,98 @@ std::vector<PlacePair> PairWalk::frontier(std::size_t enough) {
         next.push_back(pair);
         continue;
       }
-      stack_.clear();
-      open(pair);
-      opened = true;
-      for (std::size_t i = 0; i < stack_.size(); ++i) {
-        next.push_back(stack_[i]);
+      memory_.clear();
+      Opening opening{pair, 0, Open::both};
+      is_leaf(pair.x) || is_leaf(pair.y) ? test_mixed(opening) : test_nodes(opening);
+      push_meeting(opening);
+      for (const PlaceStack* stack : {&memory_.blocks, &memory_.mixed, &memory_.nodes}) {
+        next.insert(next.end(), stack->begin(), stack->end());
       }
+      opened = true;
     }
     level.swap(next);
   }
   return level;
 }
 
-void PairWalk::push_children_x(const WideNode& x, std::uint32_t lanes, std::uint32_t y) {
-  for (; lanes != 0; lanes &= lanes - 1) {
-    const std::uint32_t child = x.child[static_cast<std::size_t>(__builtin_ctz(lanes))];
-    stack_.push({child, y});
-    if (is_leaf(child)) {
-      for (std::uint32_t k = block_x(child).following; k > 0; --k) {
-        stack_.push({child + k, y});
-      }
+void PairWalk::push(const PlacePair& pair) {
+  const bool leaf_x = is_leaf(pair.x);
+  const bool leaf_y = is_leaf(pair.y);
+  leaf_x ? fetch(&block_x(pair.x)) : fetch(&node_x(pair.x));
+  leaf_y ? fetch(&block_y(pair.y)) : fetch(&node_y(pair.y));
+  PlaceStack& stack = leaf_x && leaf_y   ? memory_.blocks
+                      : leaf_x || leaf_y ? memory_.mixed
+                                         : memory_.nodes;
+  stack.push(pair);
+}
+
+void PairWalk::push_children(std::uint32_t child_x, std::uint32_t child_y) {
+  const PlacePair first{child_x & ~WideNode::kRunBit, child_y & ~WideNode::kRunBit};
+  if (first.x == child_x && first.y == child_y) {
+    push(first);
+    return;
+  }
+  const std::uint32_t more_x = first.x == child_x ? 0 : block_x(first.x).following;
+  const std::uint32_t more_y = first.y == child_y ? 0 : block_y(first.y).following;
+  for (std::uint32_t i = 0; i <= more_x; ++i) {
+    for (std::uint32_t j = 0; j <= more_y; ++j) {
+      push({first.x + i, first.y + j});
     }
   }
 }
 
-void PairWalk::push_children_y(std::uint32_t x, const WideNode& y, std::uint32_t lanes) {
-  for (; lanes != 0; lanes &= lanes - 1) {
-    const std::uint32_t child = y.child[static_cast<std::size_t>(__builtin_ctz(lanes))];
-    stack_.push({x, child});
-    if (is_leaf(child)) {
-      for (std::uint32_t k = block_y(child).following; k > 0; --k) {
-        stack_.push({x, child + k});
-      }
+void PairWalk::push_meeting(const Opening& opening) {
+  const PlacePair& pair = opening.pair;
+  for (std::uint32_t meet = opening.meet; meet != 0; meet &= meet - 1) {
+    const std::size_t bit = lowest(meet);
+    if (opening.open == Open::both) {
+      push_children(node_x(pair.x).child[bit & 3], node_y(pair.y).child[(bit + (bit >> 2)) & 3]);
+    } else if (opening.open == Open::x) {
+      push_children(node_x(pair.x).child[bit], pair.y);
+    } else {
+      push_children(pair.x, node_y(pair.y).child[bit]);
     }
   }
 }
 
-void PairWalk::open(const PlacePair& pair) {
-  if (is_leaf(pair.x)) {
-    open_y_at_block(pair);
-  } else if (is_leaf(pair.y)) {
-    open_x_at_block(pair);
-  } else {
-    open_nodes(pair);
+template <void (PairWalk::*Test)(PairWalk::Opening&)>
+void PairWalk::open_group(PlaceStack& stack) {
+  std::array<Opening, kGroup> group;
+  const std::size_t count = std::min(kGroup, stack.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    group[i].pair = stack.pop();
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    (this->*Test)(group[i]);
+  }
+  for (std::size_t i = count; i > 0; --i) {
+    push_meeting(group[i - 1]);
   }
 }
 
-void PairWalk::open_x_at_block(const PlacePair& pair) {
-  const WideNode& x = node_x(pair.x);
-  const TriangleBlock& y = block_y(pair.y);
+void PairWalk::test_mixed(Opening& opening) {
   Relation relation;
+  if (is_leaf(opening.pair.x)) {
+    const TriangleBlock& x = block_x(opening.pair.x);
+    const WideNode& y = node_y(opening.pair.y);
+    relative_.relate(x, y, relation);
+    opening.open = Open::y;
+    opening.meet = 0;
+    if (size_of(x) * relative_.ratio() > size_of(y)) {
+      cost_.node_tests += x.count;
+      if (box_against_x(relation, x, y.own_half) == 0) {
+        return;
+      }
+    }
+    cost_.node_tests += y.count;
+    opening.meet = one_against_four(relation, x.own_half, y);
+    return;
+  }
+  const WideNode& x = node_x(opening.pair.x);
+  const TriangleBlock& y = block_y(opening.pair.y);
   relative_.relate(x, y, relation);
+  opening.open = Open::x;
+  opening.meet = 0;
   if (size_of(y) > size_of(x) * relative_.ratio()) {
     cost_.node_tests += y.count;
     if (box_against_y(relation, x.own_half, y) == 0) {
@@ -143,64 +206,56 @@ void PairWalk::open_x_at_block(const PlacePair& pair) {
     }
   }
   cost_.node_tests += x.count;
-  push_children_x(x, four_against_one(relation, x, y.own_half), pair.y);
+  opening.meet = four_against_one(relation, x, y.own_half);
 }
 
-void PairWalk::open_y_at_block(const PlacePair& pair) {
-  const TriangleBlock& x = block_x(pair.x);
-  const WideNode& y = node_y(pair.y);
-  Relation relation;
-  relative_.relate(x, y, relation);
-  if (size_of(x) * relative_.ratio() > size_of(y)) {
-    cost_.node_tests += x.count;
-    if (box_against_x(relation, x, y.own_half) == 0) {
-      return;
-    }
-  }
-  cost_.node_tests += y.count;
-  push_children_y(pair.x, y, one_against_four(relation, x.own_half, y));
-}
-
-void PairWalk::open_nodes(const PlacePair& pair) {
-  const WideNode& x = node_x(pair.x);
-  const WideNode& y = node_y(pair.y);
+void PairWalk::test_nodes(Opening& opening) {
+  const WideNode& x = node_x(opening.pair.x);
+  const WideNode& y = node_y(opening.pair.y);
   Relation relation;
   relative_.relate(x, y, relation);
   const float size_x = size_of(x) * relative_.ratio();
   const float size_y = size_of(y);
   if (size_x > kSimilar * size_y) {
+    opening.open = Open::x;
+    opening.meet = four_against_one(relation, x, y.own_half);
     cost_.node_tests += x.count;
-    push_children_x(x, four_against_one(relation, x, y.own_half), pair.y);
-    return;
-  }
-  if (size_y > kSimilar * size_x) {
+  } else if (size_y > kSimilar * size_x) {
+    opening.open = Open::y;
+    opening.meet = one_against_four(relation, x.own_half, y);
     cost_.node_tests += y.count;
-    push_children_y(pair.x, y, one_against_four(relation, x.own_half, y));
-    return;
-  }
-  cost_.node_tests += std::uint64_t{x.count} * y.count;
-  for (std::uint32_t meet = four_against_four(relation, x, y); meet != 0; meet &= meet - 1) {
-    const auto bit = static_cast<std::uint32_t>(__builtin_ctz(meet));
-    push_children_y(x.child[bit & 3], y, 1U << ((bit + (bit >> 2)) & 3));
-    const std::uint32_t child = x.child[bit & 3];
-    if (is_leaf(child)) {
-      for (std::uint32_t k = block_x(child).following; k > 0; --k) {
-        push_children_y(child + k, y, 1U << ((bit + (bit >> 2)) & 3));
-      }
-    }
+  } else {
+    opening.open = Open::both;
+    opening.meet = four_against_four(relation, x, y);
+    cost_.node_tests += std::uint64_t{x.count} * y.count;
   }
 }
 
-bool PairWalk::blocks(const PlacePair& pair, Collector& collector, Watch& watch) {
+bool PairWalk::decide_group(Collector& collector) {
+  std::array<PlacePair, kGroup> group;
+  std::array<Relation, kGroup> relations;
+  std::array<std::uint32_t, kGroup> lanes;
+  const std::size_t count = std::min(kGroup, memory_.blocks.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    group[i] = memory_.blocks.pop();
+    const TriangleBlock& x = block_x(group[i].x);
+    const TriangleBlock& y = block_y(group[i].y);
+    relative_.relate(x, y, relations[i]);
+    cost_.node_tests += y.count;
+    lanes[i] = box_against_y(relations[i], x.own_half, y);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (lanes[i] != 0 && decide(group[i], relations[i], lanes[i], collector)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool PairWalk::decide(const PlacePair& pair, const Relation& relation, std::uint32_t lanes_y,
+                      Collector& collector) {
   const TriangleBlock& x = block_x(pair.x);
   const TriangleBlock& y = block_y(pair.y);
-  Relation relation;
-  relative_.relate(x, y, relation);
-  cost_.node_tests += y.count;
-  const std::uint32_t lanes_y = box_against_y(relation, x.own_half, y);
-  if (lanes_y == 0) {
-    return false;
-  }
   cost_.node_tests += x.count;
   std::uint32_t lanes_x = box_against_x(relation, x, y.own_half);
   if (lanes_x == 0) {
@@ -208,13 +263,13 @@ bool PairWalk::blocks(const PlacePair& pair, Collector& collector, Watch& watch)
   }
   const BlockPair rows(relation, x, y);
   for (; lanes_x != 0; lanes_x &= lanes_x - 1) {
-    const auto i = static_cast<std::uint32_t>(__builtin_ctz(lanes_x));
+    const auto i = static_cast<std::uint32_t>(lowest(lanes_x));
     const std::uint32_t lanes = rows.row(i, lanes_y);
     if (lanes != 0 && decide(x.id[i], y, lanes, collector)) {
       return true;
     }
   }
-  return watch.spend(4);
+  return false;
 }
 
 bool PairWalk::decide(TriangleId i, const TriangleBlock& y, std::uint32_t lanes,
@@ -222,7 +277,7 @@ bool PairWalk::decide(TriangleId i, const TriangleBlock& y, std::uint32_t lanes,
   const Triangle s = moved(x_, i);
   const Box box = bounds(s);
   for (; lanes != 0; lanes &= lanes - 1) {
-    const TriangleId j = y.id[static_cast<std::size_t>(__builtin_ctz(lanes))];
+    const TriangleId j = y.id[lowest(lanes)];
     const TrianglePair ids = swapped_ ? TrianglePair{j, i} : TrianglePair{i, j};
     if (!collector.wants(ids)) {
       continue;

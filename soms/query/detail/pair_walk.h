@@ -43,10 +43,12 @@ class PlaceStack {
 
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  [[nodiscard]] const PlacePair& operator[](std::size_t i) const { return data_[i]; }
+  [[nodiscard]] const PlacePair* begin() const { return data_; }
+
+  [[nodiscard]] const PlacePair* end() const { return data_ + size_; }
 
  private:
-  static constexpr std::size_t kNear = 256;
+  static constexpr std::size_t kNear = 128;
 
   void grow();
 
@@ -55,6 +57,19 @@ class PlaceStack {
   PlacePair* data_ = nullptr;
   std::size_t size_ = 0;
   std::size_t capacity_ = kNear;
+};
+
+/// Pairs still to be opened or decided, by kind, so that several of a kind are worked on at once.
+struct WalkMemory {
+  PlaceStack nodes;   // two nodes
+  PlaceStack mixed;   // a node and a block
+  PlaceStack blocks;  // two blocks
+
+  void clear() {
+    nodes.clear();
+    mixed.clear();
+    blocks.clear();
+  }
 };
 
 /// A shape at a pose, as one side of a walk.
@@ -67,13 +82,22 @@ struct WalkSide {
 class PairWalk {
  public:
   PairWalk(const RelativePose& relative, const WalkSide& x, const WalkSide& y, bool swapped,
-           PlaceStack& stack);
+           WalkMemory& memory);
 
-  /// Walks from the roots.
-  void run(Collector& collector, Watch& watch);
+  /// Begins at the roots.
+  void start();
 
-  /// Walks from one pair of places.
-  void run(const PlacePair& from, Collector& collector, Watch& watch);
+  /// Begins at a pair of places.
+  void start(const PlacePair& from);
+
+  /// Works on a few pairs; false when the walk is over.
+  [[nodiscard]] bool step(Collector& collector, Watch& watch);
+
+  /// Steps until the walk is over.
+  void run(Collector& collector, Watch& watch) {
+    while (step(collector, watch)) {
+    }
+  }
 
   /// Opens pairs in order, level by level, until there are `enough` or only blocks are left: the
   /// same pairs whatever the number of threads.
@@ -96,16 +120,33 @@ class PairWalk {
     return blocks_y_[place & ~WideNode::kLeafBit];
   }
 
-  /// Puts the pairs below `pair` that may meet on the stack.
-  void open(const PlacePair& pair);
-  void open_nodes(const PlacePair& pair);
-  void open_x_at_block(const PlacePair& pair);
-  void open_y_at_block(const PlacePair& pair);
-  void push_children_x(const WideNode& x, std::uint32_t lanes, std::uint32_t y);
-  void push_children_y(std::uint32_t x, const WideNode& y, std::uint32_t lanes);
+  /// Which sides of a pair are opened.
+  enum class Open : std::uint8_t { x, y, both };
 
-  /// Decides all triangles of two blocks; true when the walk is to stop.
-  [[nodiscard]] bool blocks(const PlacePair& pair, Collector& collector, Watch& watch);
+  /// A pair and what of it meets: lanes of x, of y, or pairs of lanes as `four_against_four` says.
+  struct Opening {
+    PlacePair pair;
+    std::uint32_t meet;
+    Open open;
+  };
+
+  void push(const PlacePair& pair);
+
+  /// Takes up to `kGroup` pairs off a stack, tests them all, then pushes what meets: tests of one
+  /// pair wait for memory and for each other, tests of several do not.
+  template <void (PairWalk::*Test)(Opening&)>
+  void open_group(PlaceStack& stack);
+  void test_nodes(Opening& opening);
+  void test_mixed(Opening& opening);
+  void push_meeting(const Opening& opening);
+  void push_children(std::uint32_t child_x, std::uint32_t child_y);
+
+  /// Decides up to `kGroup` pairs of blocks; true when the walk is to stop.
+  [[nodiscard]] bool decide_group(Collector& collector);
+
+  /// Decides all triangles of two blocks.
+  [[nodiscard]] bool decide(const PlacePair& pair, const Relation& relation, std::uint32_t lanes_y,
+                            Collector& collector);
 
   /// Decides one triangle of x against those of y in `lanes`.
   [[nodiscard]] bool decide(TriangleId i, const TriangleBlock& y, std::uint32_t lanes,
@@ -119,7 +160,7 @@ class PairWalk {
   const TriangleBlock* blocks_x_;
   const TriangleBlock* blocks_y_;
   bool swapped_;
-  PlaceStack& stack_;
+  WalkMemory& memory_;
   Cost cost_;
 };
 

@@ -80,7 +80,8 @@ class Widener {
       for (std::uint32_t k = 0; k < count; ++k) {
         const Node& below = tree_.nodes[slots[k]];
         if (below.is_leaf()) {
-          node.child[k] = WideNode::kLeafBit | static_cast<std::uint32_t>(blocks_.size());
+          node.child[k] = WideNode::kLeafBit | static_cast<std::uint32_t>(blocks_.size()) |
+                          (below.count > TriangleBlock::kWidth ? WideNode::kRunBit : 0);
           add_leaf(below);
         } else {
           node.child[k] = static_cast<std::uint32_t>(nodes_.size());
@@ -88,8 +89,8 @@ class Widener {
           nodes_.emplace_back();
         }
       }
-      if (std::max(nodes_.size(), blocks_.size()) >= WideNode::kLeafBit) {
-        throw Error(ErrorKind::out_of_range, "the layout has 2^31 nodes or blocks",
+      if (std::max(nodes_.size(), blocks_.size()) >= WideNode::kRunBit) {
+        throw Error(ErrorKind::out_of_range, "the layout has 2^30 nodes or blocks",
                     "allow more triangles in a leaf");
       }
       nodes_[next.wide] = node;

@@ -18,14 +18,16 @@ namespace soms {
 /// Up to four boxes, side by side, with what lies in them. A box is `center +- half` in the node's
 /// frame, about the node's origin, which is a double relative to the tree's origin: so floats are
 /// as fine as the node is small, wherever the mesh lies. Floats are in units of the layout,
-/// 2^exponent times the mesh's; `origin` is in the mesh's own.
+/// 2^exponent times the mesh's; `origin` is in the mesh's own. A leaf of several blocks has kRunBit
+/// in its parent's lane.
 struct alignas(64) WideNode {
   static constexpr std::uint32_t kWidth = 4;
   static constexpr std::uint32_t kLeafBit = 0x80000000U;
+  static constexpr std::uint32_t kRunBit = 0x40000000U;
 
   std::array<std::array<float, kWidth>, 3> center = {};  ///< axis, lane
   std::array<std::array<float, kWidth>, 3> half = {};
-  std::array<std::uint32_t, kWidth> child = {};  ///< a node; with kLeafBit a leaf's first block
+  std::array<std::uint32_t, kWidth> child = {};  ///< a node, or kLeafBit with a leaf's first block
   std::array<double, 3> origin = {};
   std::array<float, 3> own_half = {};  ///< box of all lanes, about the origin
   float reach = 0;                     ///< no point of a lane is farther off in the 1-norm
@@ -68,7 +70,7 @@ class WideTree {
   /// children, the largest first, until it has four. Leaves stay as large as they are, cut into
   /// blocks. Small nodes and blocks take the principal axes of what they hold for their frame where
   /// boxes get a tenth smaller by it.
-  /// \errors ErrorKind::out_of_range beyond 2^31 nodes or blocks.
+  /// \errors ErrorKind::out_of_range beyond 2^30 nodes or blocks.
   /// \cost   O(n) time; about 100 bytes a triangle with leaves of 8.
   WideTree(const Tree& tree, const Mesh& mesh);
 

@@ -111,7 +111,9 @@ void expect_whole(const WideTree& tree, const Mesh& mesh) {
         open.push_back({child, above});
         continue;
       }
-      const TriangleBlock* block = &tree.blocks()[child & ~WideNode::kLeafBit];
+      const TriangleBlock* block =
+          &tree.blocks()[child & ~(WideNode::kLeafBit | WideNode::kRunBit)];
+      ASSERT_EQ((child & WideNode::kRunBit) != 0, block->following > 0);
       for (std::uint32_t left = block->following + 1; left > 0; --left, ++block) {
         ASSERT_EQ(block->following, left - 1);
         ASSERT_NO_FATAL_FAILURE(expect_block_holds(tree, mesh, *block));

@@ -1,0 +1,213 @@
+#include "soms/base/error.h"
+#include "soms/query/detail/overlap_query.h"
+#include "soms/query/detail/pair_walk.h"
+#include "soms/query/overlap.h"
+#include "soms/query/traversal/named_overlap.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace soms {
+
+namespace {
+
+using detail::Collector;
+using detail::PairWalk;
+using detail::RelativePose;
+using detail::Viewer;
+using detail::WalkMemory;
+using detail::WalkSide;
+using detail::Watch;
+
+/// Poses that a thread takes at a time.
+constexpr std::size_t kBlock = 256;
+/// Queries in flight: while one waits for memory, others work.
+constexpr std::size_t kFlights = 8;
+
+/// Checks all poses of a batch; an error names the first one at fault.
+void check_poses(std::span<const Pose> poses, const Shape& shape) {
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    try {
+      detail::check_pose(poses[i], shape);
+    } catch (const Error& error) {
+      throw Error(error.kind(), "pose " + std::to_string(i) + ": " + error.place(), error.remedy());
+    }
+  }
+}
+
+/// What is asked of every pose.
+struct Question {
+  const Shape& mover;
+  std::span<const Pose> poses;
+  const Body& fixed;
+  const OverlapOptions& options;
+  const Parallel& parallel;
+};
+
+/// What the poses of one block gave: pairs in the order in which queries ended.
+struct Block {
+  std::vector<TrianglePair> pairs;
+  std::vector<std::array<std::uint64_t, 2>> runs;  // begin and end of each pose's pairs
+  Cost cost;
+};
+
+/// A query in flight.
+struct Flight {
+  std::optional<RelativePose> relative;
+  std::optional<PairWalk> walk;
+  std::optional<Collector> collector;
+  std::optional<Watch> watch;
+  WalkMemory memory;
+  std::vector<TrianglePair> pairs;
+  std::size_t pose = 0;
+};
+
+/// Asks about a block of poses, several queries in flight. Each takes the steps that it would take
+/// alone, so answers and costs do not depend on its neighbors.
+class BlockRun {
+ public:
+  BlockRun(const Question& question, OverlapBatch& batch, Block& block, std::size_t begin,
+           std::size_t end)
+      : question_(question),
+        mover_views_(
+            detail::first_is_viewer(question.mover.layout(), question.fixed.shape.layout())),
+        fixed_viewer_(question.fixed.shape.layout(), question.fixed.pose),
+        batch_(batch),
+        block_(block),
+        begin_(begin),
+        next_(begin),
+        end_(end) {
+    block_.runs.resize(end - begin);
+    block_.pairs.reserve(end - begin);
+  }
+
+  void run() {
+    const auto flights = std::make_unique<std::array<Flight, kFlights>>();
+    std::array<Flight*, kFlights> open = {};
+    std::size_t count = 0;
+    while (count < kFlights && next_ < end_) {
+      open[count] = &(*flights)[count];
+      take_off(*open[count]);
+      ++count;
+    }
+    while (count > 0) {
+      for (std::size_t i = 0; i < count; ++i) {
+        Flight& flight = *open[i];
+        if (flight.walk->step(*flight.collector, *flight.watch)) {
+          continue;
+        }
+        land(flight);
+        if (next_ < end_) {
+          take_off(flight);
+        } else {
+          open[i] = open[--count];
+          --i;
+        }
+      }
+    }
+  }
+
+ private:
+  void take_off(Flight& flight) {
+    flight.pose = next_++;
+    const Pose& pose = question_.poses[flight.pose];
+    const Body& fixed = question_.fixed;
+    const WalkSide mover_side{&question_.mover, &pose};
+    const WalkSide fixed_side{&fixed.shape, &fixed.pose};
+    if (mover_views_) {
+      flight.relative.emplace(fixed.shape.layout(), fixed.pose,
+                              Viewer(question_.mover.layout(), pose));
+    } else {
+      flight.relative.emplace(question_.mover.layout(), pose, fixed_viewer_);
+    }
+    flight.pairs.clear();
+    flight.collector.emplace(question_.options.mode, question_.options.limit, flight.pairs);
+    flight.watch.emplace(question_.options, question_.parallel);
+    flight.walk.emplace(*flight.relative, mover_views_ ? fixed_side : mover_side,
+                        mover_views_ ? mover_side : fixed_side, mover_views_, flight.memory);
+    flight.walk->start();
+  }
+
+  void land(Flight& flight) {
+    flight.collector->finish();
+    batch_.any[flight.pose] = flight.collector->any() ? 1 : 0;
+    batch_.coverage[flight.pose] =
+        coverage_of(question_.options.mode, *flight.collector, flight.watch->late());
+    const std::uint64_t first = block_.pairs.size();
+    block_.pairs.insert(block_.pairs.end(), flight.pairs.begin(), flight.pairs.end());
+    block_.runs[flight.pose - begin_] = {first, block_.pairs.size()};
+    block_.cost += flight.walk->cost();
+  }
+
+  const Question& question_;
+  bool mover_views_;
+  Viewer fixed_viewer_;
+  OverlapBatch& batch_;
+  Block& block_;
+  std::size_t begin_;
+  std::size_t next_;
+  std::size_t end_;
+};
+
+/// Puts the blocks' pairs into the batch, in the order of poses.
+void join(const std::vector<Block>& blocks, OverlapBatch& batch) {
+  std::size_t total = 0;
+  for (const Block& block : blocks) {
+    total += block.pairs.size();
+  }
+  batch.pairs.reserve(total);
+  std::size_t pose = 0;
+  for (const Block& block : blocks) {
+    batch.cost += block.cost;
+    for (const auto& [begin, end] : block.runs) {
+      batch.pairs.insert(batch.pairs.end(),
+                         block.pairs.begin() + static_cast<std::ptrdiff_t>(begin),
+                         block.pairs.begin() + static_cast<std::ptrdiff_t>(end));
+      batch.offsets[++pose] = batch.pairs.size();
+    }
+  }
+}
+
+OverlapBatch named_batch(const Question& question) {
+  OverlapBatch batch;
+  detail::NamedOverlap ask(question.mover, question.fixed.shape, question.options.traversal);
+  batch.offsets.push_back(0);
+  for (const Pose& pose : question.poses) {
+    const Overlap answer = ask(pose, question.fixed.pose, question.options, question.parallel);
+    batch.any.push_back(answer.any ? 1 : 0);
+    batch.coverage.push_back(answer.coverage);
+    batch.pairs.insert(batch.pairs.end(), answer.pairs.begin(), answer.pairs.end());
+    batch.offsets.push_back(batch.pairs.size());
+    batch.cost += answer.cost;
+  }
+  return batch;
+}
+
+}  // namespace
+
+OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
+                     const OverlapOptions& options, const Parallel& parallel) {
+  check_poses(poses, mover);
+  detail::check_pose(fixed.pose, fixed.shape);
+  const Question question{mover, poses, fixed, options, parallel};
+  if (options.traversal.traversal != Traversal::fast) {
+    return named_batch(question);
+  }
+  OverlapBatch batch;
+  batch.any.assign(poses.size(), 0);
+  batch.coverage.assign(poses.size(), Coverage::complete);
+  batch.offsets.assign(poses.size() + 1, 0);
+  if (poses.empty() || detail::is_empty(mover) || detail::is_empty(fixed.shape)) {
+    return batch;
+  }
+  std::vector<Block> blocks((poses.size() - 1) / kBlock + 1);
+  for_each_chunk(poses.size(), kBlock, parallel, [&](std::size_t begin, std::size_t end) {
+    BlockRun(question, batch, blocks[begin / kBlock], begin, end).run();
+  });
+  join(blocks, batch);
+  return batch;
+}
+
+}  // namespace soms
