@@ -81,17 +81,23 @@ class Step {
     Outcome out;
     for (const NodePair p : candidates) {
       const bool hit = probe_.test(p);
-      const bool end = probe_.leaves(p);
-      if (end && hit) {
-        out.report.add(p);
-      } else if (!end && (hit || !options_.prune)) {
+      if (!hit && options_.prune) {
+        stay(p);
+      } else if (!probe_.leaves(p)) {
         out.enter.add(p);
-      }
-      if (front_ != nullptr && (end || !hit)) {
-        front_->push_back(p);
+      } else if (hit) {
+        out.report.add(p);
+        stay(p);
       }
     }
     return out;
+  }
+
+  /// The descent ends at `p`.
+  void stay(NodePair p) {
+    if (front_ != nullptr) {
+      front_->push_back(p);
+    }
   }
 
   Probe& probe_;
@@ -115,8 +121,8 @@ void sort_by_volume(const Probe& probe, PairList& pairs) {
 }  // namespace
 
 double Probe::shared_volume(NodePair p) const {
-  const Box& a = a_.boxes[p.a];
-  const Box& b = b_.boxes[p.b];
+  const Box& a = boxes_a_[p.a];
+  const Box& b = boxes_b_[p.b];
   Box shared;
   for (std::size_t k = 0; k < 3; ++k) {
     shared.lower[k] = std::max(a.lower[k], b.lower[k]);

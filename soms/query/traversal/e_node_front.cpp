@@ -6,7 +6,7 @@
 #include "soms/query/traversal/traversals.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <bit>
 
 namespace soms {
 
@@ -69,34 +69,42 @@ std::size_t EnodeFront::child_count(NodePair p) const {
   return options_.descent == Descent::both && both_inner ? 4 : 2;
 }
 
-TraversalCounts EnodeFront::next(std::span<const Box> boxes_a, std::span<const Box> boxes_b,
-                                 const TraversalVisitor& visitor) {
-  const PosedTree a{a_, boxes_a};
-  const PosedTree b{b_, boxes_b};
-  detail::check_boxes(a, b);
-  detail::Probe probe(a, b, visitor);
-  std::vector<NodePair> next_front;
-  next_front.reserve(front_.size());
-  std::vector<Family> families;  // in order of first appearance
-  std::unordered_map<std::uint64_t, std::size_t> family_of;
+void EnodeFront::Families::clear(std::size_t most) {
+  list_.clear();
+  const unsigned bits = std::max(4U, static_cast<unsigned>(std::bit_width(2 * most)));
+  shift_ = 64 - bits;
+  slots_.assign(std::size_t{1} << bits, Node::kNone);
+}
+
+void EnodeFront::Families::add(NodePair parent, NodePair apart) {
+  const std::uint64_t key = std::uint64_t{parent.a} << 32 | parent.b;
+  std::size_t slot = (key * 0x9e3779b97f4a7c15ULL) >> shift_;  // Fibonacci hashing
+  while (slots_[slot] != Node::kNone && !(list_[slots_[slot]].parent == parent)) {
+    slot = (slot + 1) & (slots_.size() - 1);
+  }
+  if (slots_[slot] == Node::kNone) {
+    slots_[slot] = static_cast<std::uint32_t>(list_.size());
+    list_.push_back({parent});
+  }
+  Family& family = list_[slots_[slot]];
+  family.apart[family.count++] = apart;
+}
+
+// Apart: to its family. Two leaves: reported, and kept. Else: to the stack, the first on top.
+void EnodeFront::test_front(detail::Probe& probe) {
   stack_.clear();
+  families_.clear(front_.size());
   std::size_t done = 0;
   for (; done < front_.size() && !probe.stopped(); ++done) {
     const NodePair p = front_[done];
     if (!probe.test(p)) {
       if (is_root(p)) {
-        next_front.push_back(p);
-        continue;
+        next_front_.push_back(p);
+      } else {
+        families_.add(parent(p), p);
       }
-      const NodePair up = parent(p);
-      const auto [at, fresh] =
-          family_of.try_emplace(std::uint64_t{up.a} << 32 | up.b, families.size());
-      if (fresh) {
-        families.push_back({up, {}});
-      }
-      families[at->second].apart.push_back(p);
     } else if (probe.leaves(p)) {
-      next_front.push_back(p);
+      next_front_.push_back(p);
       if (!probe.stopped()) {
         probe.report(p);
       }
@@ -105,21 +113,37 @@ TraversalCounts EnodeFront::next(std::span<const Box> boxes_a, std::span<const B
     }
   }
   std::reverse(stack_.begin(), stack_.end());
-  detail::enter_all(probe, options_, stack_, &next_front);
-  for (const Family& family : families) {
-    const bool rises = !probe.stopped() && family.apart.size() == child_count(family.parent) &&
-                       !probe.test(family.parent);
-    if (rises) {
-      next_front.push_back(family.parent);
+  // Only where the visitor stopped: what was not looked at stays.
+  next_front_.insert(next_front_.end(), front_.begin() + static_cast<std::ptrdiff_t>(done),
+                     front_.end());
+}
+
+// A parent takes the place of its child pairs where all of them are apart and so is the parent.
+void EnodeFront::rise(detail::Probe& probe) {
+  for (const Family& family : families_.list()) {
+    if (!probe.stopped() && family.count == child_count(family.parent) &&
+        !probe.test(family.parent)) {
+      next_front_.push_back(family.parent);
     } else {
-      next_front.insert(next_front.end(), family.apart.begin(), family.apart.end());
+      next_front_.insert(next_front_.end(), family.apart.begin(),
+                         family.apart.begin() + static_cast<std::ptrdiff_t>(family.count));
     }
   }
-  // Only where the visitor stopped: what was not looked at, or not entered, stays in the front.
-  next_front.insert(next_front.end(), stack_.rbegin(), stack_.rend());
-  next_front.insert(next_front.end(), front_.begin() + static_cast<std::ptrdiff_t>(done),
-                    front_.end());
-  front_.swap(next_front);
+}
+
+TraversalCounts EnodeFront::next(std::span<const Box> boxes_a, std::span<const Box> boxes_b,
+                                 const TraversalVisitor& visitor) {
+  const PosedTree a{a_, boxes_a};
+  const PosedTree b{b_, boxes_b};
+  detail::check_boxes(a, b);
+  detail::Probe probe(a, b, visitor);
+  next_front_.clear();
+  test_front(probe);
+  detail::enter_all(probe, options_, stack_, &next_front_);
+  rise(probe);
+  // Only where the visitor stopped: what was tested and not entered stays.
+  next_front_.insert(next_front_.end(), stack_.rbegin(), stack_.rend());
+  front_.swap(next_front_);
   return probe.counts;
 }
 

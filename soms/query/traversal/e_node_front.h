@@ -5,10 +5,16 @@
 #include "soms/query/traversal/pair_traversal.h"
 #include "soms/query/traversal_options.h"
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
 namespace soms {
+
+namespace detail {
+class Probe;
+}  // namespace detail
 
 /// E-Node for two trees that move little from frame to frame.
 ///
@@ -48,11 +54,28 @@ class EnodeFront {
   /// Pairs of the last front that are apart, gathered by the pair they came from.
   struct Family {
     NodePair parent;
-    std::vector<NodePair> apart;
+    std::array<NodePair, 4> apart{};
+    std::size_t count = 0;
+  };
+
+  /// Families by parent, in order of first appearance; the memory stays from frame to frame.
+  class Families {
+   public:
+    void clear(std::size_t most);
+    void add(NodePair parent, NodePair apart);
+
+    [[nodiscard]] const std::vector<Family>& list() const { return list_; }
+
+   private:
+    std::vector<Family> list_;
+    std::vector<std::uint32_t> slots_;  ///< open addressing: index in `list_`, or kNone
+    unsigned shift_ = 0;
   };
 
   [[nodiscard]] NodePair parent(NodePair p) const;
   [[nodiscard]] std::size_t child_count(NodePair p) const;
+  void test_front(detail::Probe& probe);
+  void rise(detail::Probe& probe);
 
   const Tree* a_;
   const Tree* b_;
@@ -60,7 +83,9 @@ class EnodeFront {
   std::vector<std::uint32_t> parents_a_;
   std::vector<std::uint32_t> parents_b_;
   std::vector<NodePair> front_;
+  std::vector<NodePair> next_front_;
   std::vector<NodePair> stack_;
+  Families families_;
 };
 
 namespace detail {

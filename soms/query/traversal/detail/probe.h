@@ -5,6 +5,7 @@
 #include "soms/query/traversal/pair_traversal.h"
 
 #include <algorithm>
+#include <span>
 
 namespace soms::detail {
 
@@ -12,11 +13,15 @@ namespace soms::detail {
 class Probe {
  public:
   Probe(const PosedTree& a, const PosedTree& b, const TraversalVisitor& visitor)
-      : a_(a), b_(b), visitor_(visitor) {}
+      : nodes_a_(a.tree->nodes),
+        nodes_b_(b.tree->nodes),
+        boxes_a_(a.boxes),
+        boxes_b_(b.boxes),
+        visitor_(visitor) {}
 
-  [[nodiscard]] const Node& node_a(std::uint32_t i) const { return a_.tree->nodes[i]; }
+  [[nodiscard]] const Node& node_a(std::uint32_t i) const { return nodes_a_[i]; }
 
-  [[nodiscard]] const Node& node_b(std::uint32_t i) const { return b_.tree->nodes[i]; }
+  [[nodiscard]] const Node& node_b(std::uint32_t i) const { return nodes_b_[i]; }
 
   [[nodiscard]] bool leaves(NodePair p) const {
     return node_a(p.a).is_leaf() && node_b(p.b).is_leaf();
@@ -29,7 +34,7 @@ class Probe {
         !visitor_.keep_going()) {
       stopped_ = true;
     }
-    const bool hit = overlaps(a_.boxes[p.a], b_.boxes[p.b]);
+    const bool hit = overlaps(boxes_a_[p.a], boxes_b_[p.b]);
     if (visitor_.tested) {
       visitor_.tested(p, hit);
     }
@@ -78,8 +83,10 @@ class Probe {
     }
   }
 
-  const PosedTree& a_;
-  const PosedTree& b_;
+  std::span<const Node> nodes_a_;
+  std::span<const Node> nodes_b_;
+  std::span<const Box> boxes_a_;
+  std::span<const Box> boxes_b_;
   const TraversalVisitor& visitor_;
   bool stopped_ = false;
 };
