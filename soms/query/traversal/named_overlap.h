@@ -22,7 +22,8 @@ class NamedOverlap {
   NamedOverlap& operator=(NamedOverlap&&) noexcept;
 
   /// Answer at two poses, as `soms::overlap` defines it; `options.traversal` is not looked at.
-  /// A limit of N counts as cut only when an (N+1)-th pair was found.
+  /// A limit of N counts as cut only when an (N+1)-th pair was found; which N are returned follows
+  /// the traversal's order, with a front also the frames before.
   ///
   /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose; cancelled.
   /// \cost    O(n) to move the boxes of a body whose pose changed, then the traversal. One thread:

@@ -10,7 +10,10 @@
 #include "tests/support/support.h"
 #include "tests/tree/models.h"
 
+#include <array>
+#include <fstream>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -140,6 +143,40 @@ TEST(GoldenRows, AreAllAskedFor) {
     rows += algorithms.size();
   }
   EXPECT_EQ(rows, 225U);  // 4 rules x 4 approaches x 9 algorithms + 3 scenes x 3 rules x 9
+}
+
+/// Cells of the rows of docs/traversals.md whose first cell names an algorithm.
+std::map<std::string, std::vector<std::string>> page_rows() {
+  std::map<std::string, std::vector<std::string>> rows;
+  std::ifstream page(test::data("../../docs/traversals.md"));
+  for (std::string line; std::getline(page, line);) {
+    std::vector<std::string> cells;
+    std::istringstream in(line);
+    for (std::string cell; std::getline(in, cell, '|');) {
+      cells.push_back(cell.size() < 2 ? cell : cell.substr(1, cell.size() - 2));
+    }
+    if (cells.size() == 6 && cells[2].find(" / ") != std::string::npos) {
+      rows[cells[1]] = {cells.begin() + 2, cells.end()};
+    }
+  }
+  return rows;
+}
+
+TEST(GoldenRows, AreWhatThePageOfTraversalsShows) {
+  const std::array<Drive, 4> columns{{{"bunny", "soms", "right"},
+                                      {"u_mixed", "soms", "drive"},
+                                      {"u_boxes", "soms", "drive"},
+                                      {"u_plain", "soms", "drive"}}};
+  const auto golden = golden_rows();
+  std::map<std::string, std::vector<std::string>> expected;
+  for (const Drive& column : columns) {
+    for (const auto& [algorithm, sums] : golden.at(column)) {
+      std::ostringstream cell;
+      cell << sums[3] << " / " << sums[4] << " / " << sums[7];
+      expected[algorithm].push_back(cell.str());
+    }
+  }
+  EXPECT_EQ(page_rows(), expected);
 }
 
 }  // namespace
