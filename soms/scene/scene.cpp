@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -36,11 +37,22 @@ struct Candidate {
   std::uint32_t other = 0;
 };
 
+/// Candidates of one chunk that ask about the same shape and the same other body: asked together.
+struct Batch {
+  const WideTree* layout = nullptr;
+  std::uint32_t other = 0;
+  std::vector<std::uint32_t> candidates;
+  std::vector<Pose> poses;
+  OverlapBatch answers;
+};
+
 /// What one chunk of candidates found; its memory is kept from step to step.
 template <typename Contact>
 struct Found {
   std::vector<Contact> contacts;
   Cost cost;
+  std::vector<Batch> batches;
+  std::vector<std::span<const TrianglePair>> answers;
 };
 
 template <typename Contact>
@@ -54,7 +66,10 @@ std::size_t memory_of(const std::vector<Found<Contact>>& found) {
 
 /// Candidates that one thread takes at a time. A constant, so that results join the same way for
 /// any number of threads.
-constexpr std::size_t kChunk = 32;
+constexpr std::size_t kChunk = 64;
+
+/// Fewer candidates than this are each worth all threads.
+constexpr std::size_t kFew = 4;
 
 bool holds(const std::vector<std::uint32_t>& sorted, std::uint32_t id) {
   return std::binary_search(sorted.begin(), sorted.end(), id);
@@ -100,6 +115,73 @@ void collect_boxes(const Residents& residents, std::vector<Box>& boxes) {
   }
 }
 
+/// The batches of `candidates`, in the order in which each begins. `memory` is reused.
+std::span<Batch> gather(std::span<const Candidate> candidates, const Residents& movers,
+                        std::vector<Batch>& memory) {
+  std::size_t count = 0;
+  for (std::uint32_t k = 0; k < candidates.size(); ++k) {
+    const Body& body = movers.places()[candidates[k].mover].value.body;
+    const WideTree* const layout = &body.shape.layout();
+    std::size_t at = 0;
+    while (at < count && (memory[at].layout != layout || memory[at].other != candidates[k].other)) {
+      ++at;
+    }
+    if (at == count) {
+      if (++count > memory.size()) {
+        memory.emplace_back();
+      }
+      memory[at].layout = layout;
+      memory[at].other = candidates[k].other;
+      memory[at].candidates.clear();
+      memory[at].poses.clear();
+    }
+    memory[at].candidates.push_back(k);
+    memory[at].poses.push_back(body.pose);
+  }
+  return std::span(memory).first(count);
+}
+
+/// Asks the narrow phase some candidates and appends what it finds to `found`, in their order.
+template <typename Contact>
+void ask_one_by_one(std::span<const Candidate> candidates, const Residents& movers,
+                    const Residents& others, const OverlapOptions& options,
+                    const Parallel& parallel, Found<Contact>& found) {
+  for (const Candidate& candidate : candidates) {
+    const auto& a = movers.places()[candidate.mover];
+    const auto& b = others.places()[candidate.other];
+    const Overlap answer = overlap(a.value.body, b.value.body, options, parallel);
+    for (const auto& [i, j] : answer.pairs) {
+      found.contacts.push_back({a.id, b.id, i, j});
+    }
+    found.cost += answer.cost;
+  }
+}
+
+/// The same by batches, which is faster where movers share shapes.
+template <typename Contact>
+void ask_together(std::span<const Candidate> candidates, const Residents& movers,
+                  const Residents& others, const OverlapOptions& options, const Parallel& parallel,
+                  Found<Contact>& found) {
+  const std::span<Batch> batches = gather(candidates, movers, found.batches);
+  found.answers.resize(candidates.size());
+  for (Batch& batch : batches) {
+    const Shape& shape = movers.places()[candidates[batch.candidates[0]].mover].value.body.shape;
+    const Body& other = others.places()[batch.other].value.body;
+    batch.answers = overlap(shape, batch.poses, other, options, parallel);
+    found.cost += batch.answers.cost;
+    for (std::size_t p = 0; p < batch.candidates.size(); ++p) {
+      found.answers[batch.candidates[p]] = batch.answers.pairs_of(p);
+    }
+  }
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    const MoverId a = movers.places()[candidates[k].mover].id;
+    const std::uint32_t b = others.places()[candidates[k].other].id;
+    for (const auto& [i, j] : found.answers[k]) {
+      found.contacts.push_back({a, b, i, j});
+    }
+  }
+}
+
 /// Asks the narrow phase all candidates and appends what it finds to `contacts`, in their order.
 template <typename Contact>
 void ask(const std::vector<Candidate>& candidates, const Residents& movers, const Residents& others,
@@ -109,22 +191,20 @@ void ask(const std::vector<Candidate>& candidates, const Residents& movers, cons
   if (found.size() < chunks) {
     found.resize(chunks);
   }
-  const Parallel silent{parallel.threads, parallel.stop, {}};
   // A lone pair of large meshes is split inside; many pairs are shared out.
-  const Parallel inside = candidates.size() < 4 ? silent : Parallel{1, parallel.stop, {}};
-  for_each_chunk(candidates.size(), kChunk, silent, [&](std::size_t begin, std::size_t end) {
+  const bool lone = candidates.size() < kFew;
+  const Parallel shared{lone ? 1 : parallel.threads, parallel.stop, {}};
+  const Parallel inside{lone ? parallel.threads : 1, parallel.stop, {}};
+  const OverlapOptions options{.mode = mode};
+  for_each_chunk(candidates.size(), kChunk, shared, [&](std::size_t begin, std::size_t end) {
     Found<Contact>& mine = found[begin / kChunk];
     mine.contacts.clear();
     mine.cost = {};
-    for (std::size_t k = begin; k < end; ++k) {
-      const auto& a = movers.places()[candidates[k].mover];
-      const auto& b = others.places()[candidates[k].other];
-      const Overlap answer =
-          overlap(a.value.body, b.value.body, OverlapOptions{.mode = mode}, inside);
-      for (const auto& [i, j] : answer.pairs) {
-        mine.contacts.push_back({a.id, b.id, i, j});
-      }
-      mine.cost += answer.cost;
+    const std::span part = std::span(candidates).subspan(begin, end - begin);
+    if (lone) {
+      ask_one_by_one(part, movers, others, options, inside, mine);
+    } else {
+      ask_together(part, movers, others, options, inside, mine);
     }
   });
   for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
