@@ -202,7 +202,7 @@ void vary_batch(const Mesh& a, const Mesh& b, const Pairs& expected) {
 }  // namespace
 
 std::vector<TrianglePair> overlap_under_variations(const Mesh& a, const Mesh& b) {
-  const Pairs expected = reference::overlap(a, {}, b, {}).pairs;
+  Pairs expected = reference::overlap(a, {}, b, {}).pairs;
   expect_pairs(Body(a), Body(b), expected, "as given");
   vary_vertices(a, b, expected);
   vary_order(a, b, expected);
