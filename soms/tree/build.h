@@ -14,9 +14,11 @@ namespace soms {
 ///
 /// \pre     `check(mesh)` passes.
 /// \errors  ErrorKind::usage for options out of range; cancelled; out_of_memory is std::bad_alloc.
-/// \cost    O(n log n) for balanced splits. No recursion, so no depth limit; without a level limit
-/// a
-///          chain of one-sided splits may take O(n * depth) time.
+/// \cost    O(n log n) for balanced splits, and 72 bytes a triangle while it runs. No recursion.
+///          With no level limit and EmptySide::object_median (the defaults) nodes are halved by
+///          count where else a chain of one-sided splits would lead below depth 63: at most 63
+///          passes, and every node has a TreeId. Other options follow the rule wherever it leads,
+///          which may take O(n * depth) time.
 /// \source  thesis, chapter 4; Ericson 2005, section 6.2.1.
 [[nodiscard]] Tree build(const Mesh& mesh, const BuildOptions& options = {},
                          const Parallel& parallel = {});

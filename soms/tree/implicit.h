@@ -48,6 +48,7 @@ inline constexpr int kMaxImplicitLevel = 24;
 
 /// The same nodes in 2^level - 1 slots.
 ///
+/// \pre     `tree` is whole (`find_fault`).
 /// \errors  ErrorKind::usage unless `level` is 1 to kMaxImplicitLevel and the tree has at most that
 ///          many levels.
 /// \cost    O(2^level) time and memory.

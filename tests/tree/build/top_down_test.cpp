@@ -1,4 +1,5 @@
 #include "soms/base/error.h"
+#include "soms/generate/urban.h"
 #include "soms/tree/build.h"
 #include "soms/tree/check.h"
 #include "soms/tree/rule/rules.h"
@@ -198,6 +199,26 @@ TEST(Build, CVertexTurnsTheCorners) {
     options.c_vertex = c;
     EXPECT_TRUE(build(mesh, options) == expected);
   }
+}
+
+TEST(Build, OfTheDefaultRuleIsTheCheapestByArea) {
+  for (const UrbanScene scene : {UrbanScene::mixed, UrbanScene::boxes, UrbanScene::plain}) {
+    const Mesh mesh = generate_urban(scene);
+    SCOPED_TRACE(mesh.source);
+    const double best = sah_cost(build(mesh));
+    for (const RuleEntry& rule : rules()) {
+      BuildOptions options;
+      options.rule = rule.rule;
+      EXPECT_LE(best, sah_cost(build(mesh, options))) << rule.name;
+    }
+  }
+}
+
+// Costs are compared in float: the tree is the same on every machine all the same.
+TEST(Build, OfTheDefaultRuleIsTheSameEverywhere) {
+  EXPECT_EQ(tree_hash(build(generate_urban(UrbanScene::mixed))), 0x5c6bf671d37050d2ULL);
+  EXPECT_EQ(tree_hash(build(generate_urban(UrbanScene::boxes))), 0x429ed80286c92830ULL);
+  EXPECT_EQ(tree_hash(build(generate_urban(UrbanScene::plain))), 0x36b55c9fb5fbd206ULL);
 }
 
 TEST(Build, StopsOnRequestAndReportsProgressInOrder) {
