@@ -76,11 +76,9 @@ Progress Console::progress(const std::string& doing) const {
   return Progress(doing, !shared_.quiet && ::isatty(2) == 1);
 }
 
-void Console::throw_if_timed_out(const Error& error, const std::string& doing) const {
-  if (error.kind() == ErrorKind::cancelled && !interrupted()) {
-    throw Error(ErrorKind::timed_out, fmt::format("out of time while {}", doing),
-                "allow more by --timeout");
-  }
+void Console::throw_out_of_time(const std::string& doing) {
+  throw Error(ErrorKind::timed_out, fmt::format("out of time while {}", doing),
+              "allow more by --timeout");
 }
 
 }  // namespace soms::command

@@ -62,6 +62,9 @@ class Console {
   /// \errors Those of `work`; ErrorKind::timed_out.
   template <class Work>
   auto run(const std::string& doing, const Work& work) const {
+    if (out_of_time()) {
+      throw_out_of_time(doing);
+    }
     Progress bar = progress(doing);
     Parallel limits = parallel();
     limits.stop = interrupts_.stopped();
@@ -69,13 +72,15 @@ class Console {
     try {
       return work(limits);
     } catch (const Error& error) {
-      throw_if_timed_out(error, doing);
+      if (error.kind() == ErrorKind::cancelled && !interrupted()) {
+        throw_out_of_time(doing);
+      }
       throw;
     }
   }
 
  private:
-  void throw_if_timed_out(const Error& error, const std::string& doing) const;
+  [[noreturn]] static void throw_out_of_time(const std::string& doing);
 
   Shared shared_;
   std::optional<std::chrono::steady_clock::time_point> deadline_;

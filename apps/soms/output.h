@@ -67,6 +67,9 @@ class OutputFile {
   /// Path as given, or "standard output".
   [[nodiscard]] const std::string& name() const { return name_; }
 
+  /// Throws if something could not be written so far. \errors As `commit`.
+  void check() { stream_->finish(); }
+
   /// Makes the file appear. \errors ErrorKind::cannot_write; ClosedPipe.
   void commit();
 

@@ -1,5 +1,6 @@
 #include "apps/soms/parse.h"
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <charconv>
@@ -99,6 +100,22 @@ CLI::Option* add_bytes(CLI::App& app, const std::string& name, std::uint64_t& ta
           name, [name, &target](const std::string& value) { target = parse_bytes(name, value); },
           text)
       ->option_text("SIZE");
+}
+
+std::string word_list(const std::vector<std::string>& words) {
+  constexpr std::size_t kWidth = 64;
+  std::string text;
+  std::size_t begin = 0;
+  for (const std::string& word : words) {
+    if (text.size() - begin + word.size() > kWidth) {
+      text += "|\n";
+      begin = text.size();
+    } else if (!text.empty()) {
+      text += "|";
+    }
+    text += word;
+  }
+  return text;
 }
 
 Error unknown_choice(std::string_view option, std::string_view word,

@@ -7,7 +7,6 @@
 #include "apps/soms/suggest.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include <cstdint>
 #include <optional>
@@ -58,6 +57,9 @@ CLI::Option* add_bytes(CLI::App& app, const std::string& name, std::uint64_t& ta
 template <class T>
 using Choices = std::vector<std::pair<std::string, T>>;
 
+/// "one|two|three", on several lines if it is long.
+[[nodiscard]] std::string word_list(const std::vector<std::string>& words);
+
 /// The error of a word that is none of `names`: it lists them.
 [[nodiscard]] Error unknown_choice(std::string_view option, std::string_view word,
                                    const std::vector<std::string>& names);
@@ -80,9 +82,9 @@ template <class T>
 template <class T, class Target>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target, Choices<T> choices,
                         const std::string& text) {
-  std::string words;
+  std::vector<std::string> words;
   for (const auto& choice : choices) {
-    words += (words.empty() ? "" : "|") + choice.first;
+    words.push_back(choice.first);
   }
   return app
       .add_option_function<std::string>(
@@ -90,7 +92,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target, 
           [name, &target, choices = std::move(choices)](const std::string& value) {
             target = parse_choice(name, value, choices);
           },
-          fmt::format("{}: {}", text, words))
+          text + ": " + word_list(words))
       ->option_text("WORD");
 }
 

@@ -72,7 +72,8 @@ const Verb& find_verb(const std::string& word) {
   for (const Verb& verb : known) {
     names.emplace_back(verb.name);
   }
-  throw usage(fmt::format("unknown verb {}", word), remedy_for(word, names, "soms --help"));
+  throw usage(fmt::format("unknown verb {}", word.empty() ? "\"\"" : word),
+              remedy_for(word, names, "soms --help"));
 }
 
 /// Throws if words were left over: options that the verb does not have, or too many names.
@@ -119,7 +120,7 @@ int run_verb(const Verb& entry, const std::vector<std::string>& words) {
   try {
     parse(verb, words);
   } catch (const CLI::Success&) {
-    print_plain(verb.app().help());
+    print_plain(verb.help());
     return 0;
   }
   Console console(verb.shared());
@@ -162,7 +163,8 @@ int run_program(const std::vector<std::string>& words) {
   } catch (const ClosedPipe&) {
     return 0;
   } catch (const Error& error) {
-    return fail(words, error.what(), exit_code(error.kind()));
+    const bool bare = error.kind() == ErrorKind::cancelled && error.remedy().empty();
+    return fail(words, bare ? "interrupted" : error.what(), exit_code(error.kind()));
   } catch (const std::bad_alloc&) {
     return fail(words, "not enough memory; use a smaller model or a larger --max-memory", 4);
   } catch (const std::system_error& error) {

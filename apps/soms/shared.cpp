@@ -5,7 +5,7 @@
 namespace soms::command {
 
 void add_shared_options(CLI::App& app, Shared& shared) {
-  const char* const group = "Shared options";
+  const char* const group = kSharedGroup;
   app.add_flag("--json", shared.json, "answers as JSON, for programs")->group(group);
   app.add_flag("-q,--quiet", shared.quiet, "nothing on standard error but errors")->group(group);
   add_count(app, "--threads", shared.threads, 0, 1024, "threads to use; 0: all processors")

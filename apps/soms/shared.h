@@ -9,6 +9,9 @@
 
 namespace soms::command {
 
+/// Heading of the options that every verb has.
+inline constexpr const char* kSharedGroup = "Shared options";
+
 /// Values of the options that every verb has.
 struct Shared {
   bool json = false;

@@ -45,6 +45,9 @@ class ParsedVerb {
 
   [[nodiscard]] const Action& action() const { return action_; }
 
+  /// The text of --help.
+  [[nodiscard]] std::string help() const;
+
   /// Every name of every option, with its dashes.
   [[nodiscard]] std::vector<std::string> option_names() const;
 

@@ -1,0 +1,54 @@
+#include "apps/soms/convert.h"
+
+#include "apps/soms/console.h"
+#include "apps/soms/json.h"
+#include "apps/soms/text.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace soms::command {
+
+Action add_convert(CLI::App& app, Shared&) {
+  const auto options = std::make_shared<ConvertOptions>();
+  app.add_option("IN", options->input, "model to read; - is standard input")
+      ->required()
+      ->type_name("");
+  app.add_option("OUT", options->output.path, "model to write; - is standard output")
+      ->required()
+      ->type_name("");
+  add_format(app, options->output);
+  add_model_options(app, options->model, "--scale", "--up", "the model");
+  add_allow_empty(app, options->model);
+  app.footer(
+      "Triangles and vertices keep their numbers and their values; binary STL rounds to floats.\n\n"
+      "Example:\n"
+      "  soms generate sphere --triangles 800 -o ball.ply\n"
+      "  soms convert ball.ply ball.obj --scale 2");
+  return [options](Console& console) { return run_convert(*options, console); };
+}
+
+int run_convert(const ConvertOptions& options, Console& console) {
+  check(options.output, console);
+  const MeshFormat format = format_of(options.output);
+  const Mesh mesh = read_model(options.input, options.model, console);
+  for (const std::string& note : mesh.notes) {
+    console.note(fmt::format("{}: {}", options.input, note));
+  }
+  write_model(mesh, options.output, console);
+  if (console.shared().json) {
+    console.print(json_line({{"schema", "soms.convert/1"},
+                             {"from", options.input},
+                             {"file", options.output.path},
+                             {"format", format_name(format)},
+                             {"triangles", mesh.triangles.size()},
+                             {"vertices", mesh.vertices.size()}}));
+  } else {
+    console.note(
+        fmt::format("{}: {}", options.output.path, counted(mesh.triangles.size(), "triangle")));
+  }
+  return 0;
+}
+
+}  // namespace soms::command

@@ -1,0 +1,23 @@
+/// \file
+/// The verb `convert`: reads any model, writes PLY, OBJ, STL or OFF.
+#pragma once
+
+#include "apps/soms/model_output.h"
+#include "apps/soms/models.h"
+#include "apps/soms/verbs.h"
+
+#include <string>
+
+namespace soms::command {
+
+/// Options of the verb `convert`.
+struct ConvertOptions {
+  std::string input;
+  ModelOptions model;
+  ModelOutput output;
+};
+
+[[nodiscard]] Action add_convert(CLI::App& app, Shared& shared);
+[[nodiscard]] int run_convert(const ConvertOptions& options, Console& console);
+
+}  // namespace soms::command

@@ -1,0 +1,141 @@
+#include "apps/soms/generate.h"
+
+#include "soms/base/error.h"
+#include "soms/generate/city.h"
+#include "soms/generate/shapes.h"
+#include "soms/generate/urban.h"
+
+#include "apps/soms/console.h"
+#include "apps/soms/json.h"
+#include "apps/soms/parse.h"
+#include "apps/soms/text.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+
+namespace soms::command {
+
+namespace {
+
+constexpr std::uint64_t kShapeTriangles = 10'000;
+
+std::uint64_t or_default(std::uint64_t triangles, std::uint64_t standard) {
+  return triangles == 0 ? standard : triangles;
+}
+
+Mesh make_knot(std::uint64_t triangles, std::uint64_t) {
+  return generate_knot(or_default(triangles, kShapeTriangles));
+}
+
+Mesh make_sphere(std::uint64_t triangles, std::uint64_t) {
+  return generate_sphere(or_default(triangles, kShapeTriangles));
+}
+
+Mesh make_city(std::uint64_t triangles, std::uint64_t seed) {
+  CityOptions options;
+  options.triangles = or_default(triangles, options.triangles);
+  options.seed = seed;
+  return generate_city(options).mesh;
+}
+
+template <MoverKind kind>
+Mesh make_mover(std::uint64_t triangles, std::uint64_t) {
+  return generate_mover(kind, triangles);
+}
+
+template <UrbanScene scene>
+Mesh make_urban(std::uint64_t triangles, std::uint64_t) {
+  Mesh mesh = generate_urban(scene);
+  if (triangles != 0 && triangles != mesh.triangles.size()) {
+    throw Error(ErrorKind::usage,
+                fmt::format("{} triangles: this scene has {}", triangles, mesh.triangles.size()),
+                "leave --triangles out");
+  }
+  return mesh;
+}
+
+constexpr std::array kKinds{
+    GenerateKind{"knot", "a torus knot, closed", make_knot},
+    GenerateKind{"sphere", "a sphere of radius 1, closed", make_sphere},
+    GenerateKind{"city", "hills, streets and buildings, 4 km by 4 km", make_city},
+    GenerateKind{"car", "a car, closed", make_mover<MoverKind::car>},
+    GenerateKind{"person", "a person, closed", make_mover<MoverKind::person>},
+    GenerateKind{"drone", "a drone, closed", make_mover<MoverKind::drone>},
+    GenerateKind{"urban-mixed", "5,672 triangles: terrain, long roads, buildings, signs",
+                 make_urban<UrbanScene::mixed>},
+    GenerateKind{"urban-boxes", "5,672 triangles: four quarters of boxes",
+                 make_urban<UrbanScene::boxes>},
+    GenerateKind{"urban-plain", "5,672 triangles: boxes, none of them large",
+                 make_urban<UrbanScene::plain>},
+};
+
+std::string help_of_kinds() {
+  std::string text = "Kinds:\n";
+  for (const GenerateKind& kind : kKinds) {
+    text += fmt::format("  {:<28}{}\n", kind.name, kind.text);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::span<const GenerateKind> generate_kinds() {
+  return kKinds;
+}
+
+Action add_generate(CLI::App& app, Shared&) {
+  const auto options = std::make_shared<GenerateOptions>();
+  app.add_option_function<std::string>(
+         "KIND",
+         [options](const std::string& word) {
+           Choices<const GenerateKind*> choices;
+           for (const GenerateKind& kind : kKinds) {
+             choices.emplace_back(kind.name, &kind);
+           }
+           options->kind = parse_choice("KIND", word, choices);
+         },
+         "what to make; see below")
+      ->required()
+      ->type_name("");
+  add_count(app, "--triangles", options->triangles, 1, kMaxPrimitives, "exactly so many triangles");
+  app.add_option("-o,--output", options->output.path,
+                 "file to write: .ply, .obj, .stl or .off; - is standard output")
+      ->required()
+      ->option_text("FILE");
+  add_format(app, options->output);
+  app.footer(help_of_kinds() +
+             "\nThe same options and --seed give the same bytes everywhere.\n\nExample:\n"
+             "  soms generate city --triangles 20000 --seed 7 -o city.ply");
+  return [options](Console& console) { return run_generate(*options, console); };
+}
+
+int run_generate(const GenerateOptions& options, Console& console) {
+  check(options.output, console);
+  const MeshFormat format = format_of(options.output);
+  const std::uint64_t seed = console.shared().seed;
+  Mesh mesh;
+  try {
+    mesh = options.kind->make(options.triangles, seed);
+  } catch (const Error& error) {
+    throw Error(error.kind(), fmt::format("{}: {}", options.kind->name, error.place()),
+                error.remedy());
+  }
+  write_model(mesh, options.output, console);
+  if (console.shared().json) {
+    console.print(json_line({{"schema", "soms.generate/1"},
+                             {"kind", options.kind->name},
+                             {"file", options.output.path},
+                             {"format", format_name(format)},
+                             {"triangles", mesh.triangles.size()},
+                             {"vertices", mesh.vertices.size()},
+                             {"seed", seed}}));
+  } else {
+    console.note(
+        fmt::format("{}: {}", options.output.path, counted(mesh.triangles.size(), "triangle")));
+  }
+  return 0;
+}
+
+}  // namespace soms::command

@@ -1,0 +1,275 @@
+#include "apps/soms/info.h"
+
+#include "soms/geometry/defects.h"
+#include "soms/tree/build.h"
+#include "soms/tree/rule/rules.h"
+#include "soms/tree/statistics.h"
+
+#include "apps/soms/console.h"
+#include "apps/soms/json.h"
+#include "apps/soms/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <string_view>
+
+namespace soms::command {
+
+namespace {
+
+/// A tree of the model by one rule.
+struct RuleReport {
+  std::string_view rule;
+  std::uint64_t levels = 0;
+  TreeStatistics counts;
+  double sah = 0;
+  double build_ms = 0;
+};
+
+/// All that is told of a model.
+struct ModelReport {
+  std::string file;
+  Mesh mesh;
+  Defects defects;
+  std::vector<RuleReport> trees;
+};
+
+RuleReport measure_tree(const Mesh& mesh, const BuildOptions& options, const Console& console) {
+  RuleReport report;
+  report.rule = entry(options.rule).kebab;
+  const auto begin = std::chrono::steady_clock::now();
+  const Tree tree =
+      console.run(fmt::format("building the tree of {} by {}", mesh.source, report.rule),
+                  [&](const Parallel& parallel) { return build(mesh, options, parallel); });
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
+  report.build_ms = time.count();
+  report.counts = statistics(tree, options);
+  report.levels = tree.nodes.empty() ? 0 : report.counts.depth + 1;
+  report.sah = sah_cost(tree);
+  return report;
+}
+
+ModelReport examine(const std::string& file, const InfoOptions& options, const Console& console) {
+  ModelReport report;
+  report.file = file;
+  report.mesh = read_model(file, options.model, console);
+  check(report.mesh);
+  report.defects = find_defects(report.mesh);
+  if (!options.trees) {
+    return report;
+  }
+  for (const auto& row : rules()) {
+    if (options.every_rule || row.rule == options.build.rule) {
+      BuildOptions build = options.build;
+      build.rule = row.rule;
+      report.trees.push_back(measure_tree(report.mesh, build, console));
+    }
+  }
+  return report;
+}
+
+const char* axis_name(UpAxis up) {
+  switch (up) {
+    case UpAxis::x:
+      return "x";
+    case UpAxis::y:
+      return "y";
+    case UpAxis::z:
+      return "z";
+    case UpAxis::unknown:
+      break;
+  }
+  return nullptr;
+}
+
+Json to_json(const Defects& d) {
+  return {{"degenerate", d.degenerate},
+          {"duplicate", d.duplicate},
+          {"open_edges", d.open_edges},
+          {"non_manifold_edges", d.non_manifold_edges},
+          {"flipped_edges", d.flipped_edges},
+          {"unused_vertices", d.unused_vertices},
+          {"closed", d.closed()}};
+}
+
+Json to_json(const RuleReport& r) {
+  return {{"rule", r.rule},
+          {"levels", r.levels},
+          {"nodes", r.counts.nodes},
+          {"leaves", r.counts.leaves},
+          {"one", r.counts.one},
+          {"lt5", r.counts.lt5},
+          {"balanced_level", r.counts.balanced_level},
+          {"largest_leaf", r.counts.largest_leaf},
+          {"sah", r.sah},
+          {"build_ms", r.build_ms}};
+}
+
+Json to_json(const ModelReport& report) {
+  const Mesh& mesh = report.mesh;
+  Json parts = Json::array();
+  for (const Part& part : mesh.parts) {
+    const Json parent = part.parent == Part::kNoParent ? Json() : Json(part.parent);
+    parts.push_back(
+        {{"name", part.name}, {"parent", parent}, {"first", part.first}, {"count", part.count}});
+  }
+  Json trees = Json::array();
+  for (const RuleReport& tree : report.trees) {
+    trees.push_back(to_json(tree));
+  }
+  const char* const up = axis_name(mesh.up);
+  return {{"schema", "soms.info/1"},
+          {"file", report.file},
+          {"triangles", mesh.triangles.size()},
+          {"vertices", mesh.vertices.size()},
+          {"bounds", json_box(bounds(mesh))},
+          {"unit", mesh.unit == 0 ? Json() : Json(mesh.unit)},
+          {"up", up == nullptr ? Json() : Json(up)},
+          {"parts", parts},
+          {"notes", mesh.notes},
+          {"defects", to_json(report.defects)},
+          {"trees", trees}};
+}
+
+std::string describe(const Box& box) {
+  if (box.empty()) {
+    return "empty";
+  }
+  return fmt::format("({}, {}, {}) to ({}, {}, {})", box.lower.x, box.lower.y, box.lower.z,
+                     box.upper.x, box.upper.y, box.upper.z);
+}
+
+std::string describe(const Defects& d) {
+  std::string text;
+  const auto add = [&](std::uint64_t number, const char* noun) {
+    if (number != 0) {
+      text += (text.empty() ? "" : ", ") + counted(number, noun);
+    }
+  };
+  add(d.degenerate, "triangle");
+  if (d.degenerate != 0) {
+    text += " without area";
+  }
+  add(d.duplicate, "duplicate triangle");
+  add(d.open_edges, "open edge");
+  add(d.non_manifold_edges, "non-manifold edge");
+  add(d.flipped_edges, "flipped edge");
+  if (d.unused_vertices != 0) {
+    text += fmt::format("{}{} unused vert{}", text.empty() ? "" : ", ",
+                        with_commas(d.unused_vertices), d.unused_vertices == 1 ? "ex" : "ices");
+  }
+  const char* const closed = d.closed() ? "closed" : "not closed";
+  return text.empty() ? fmt::format("none; {}", closed) : fmt::format("{}; {}", text, closed);
+}
+
+std::string describe_parts(const Mesh& mesh) {
+  constexpr std::size_t kShown = 8;
+  if (mesh.parts.empty()) {
+    return "none named";
+  }
+  std::string text = with_commas(mesh.parts.size()) + ":";
+  for (std::size_t i = 0; i < std::min(kShown, mesh.parts.size()); ++i) {
+    text += fmt::format("{} {} ({})", i == 0 ? "" : ",", printable(mesh.parts[i].name),
+                        with_commas(mesh.parts[i].count));
+  }
+  return mesh.parts.size() > kShown ? text + ", ... (--json lists all)" : text;
+}
+
+std::string to_text(const ModelReport& report, const InfoOptions& options) {
+  const Mesh& mesh = report.mesh;
+  std::string text = printable(report.file) + "\n";
+  const auto line = [&](const char* name, const std::string& value) {
+    text += fmt::format("  {:<11}{}\n", name, value);
+  };
+  line("triangles", with_commas(mesh.triangles.size()));
+  line("vertices", with_commas(mesh.vertices.size()));
+  line("bounds", describe(bounds(mesh)));
+  if (mesh.unit != 0) {
+    line("unit", fmt::format("{} m", mesh.unit));
+  }
+  if (mesh.up != UpAxis::unknown) {
+    line("up axis", axis_name(mesh.up));
+  }
+  line("parts", describe_parts(mesh));
+  line("defects", describe(report.defects));
+  for (const std::string& note : mesh.notes) {
+    line("note", printable(note));
+  }
+  if (!report.trees.empty()) {
+    text += fmt::format("  trees with at most {} a leaf\n",
+                        counted(static_cast<std::uint64_t>(options.build.per_leaf), "triangle"));
+    text += fmt::format("    {:<15}{:>7}{:>13}{:>13}{:>10}{:>10}{:>11}\n", "rule", "levels",
+                        "leaves", "single", "balanced", "SAH", "build ms");
+  }
+  for (const RuleReport& r : report.trees) {
+    text += fmt::format("    {:<15}{:>7}{:>13}{:>13}{:>10}{:>10.2f}{:>11.2f}\n", r.rule, r.levels,
+                        with_commas(r.counts.leaves), with_commas(r.counts.one),
+                        r.counts.balanced_level, r.sah, r.build_ms);
+  }
+  return text;
+}
+
+/// True if other files may still be told about after this error.
+bool concerns_one_file(ErrorKind kind) {
+  return kind != ErrorKind::cancelled && kind != ErrorKind::timed_out &&
+         kind != ErrorKind::cannot_write && kind != ErrorKind::usage;
+}
+
+/// Tells about one file; returns the exit status of its error, or 0.
+int tell(const std::string& file, const InfoOptions& options, Console& console) {
+  const bool json = console.shared().json;
+  try {
+    const ModelReport report = examine(file, options, console);
+    console.print(json ? json_line(to_json(report)) : to_text(report, options));
+    console.flush();
+    return 0;
+  } catch (const Error& error) {
+    if (!concerns_one_file(error.kind())) {
+      throw;
+    }
+    if (json) {
+      console.print(
+          json_line({{"schema", "soms.info/1"},
+                     {"file", file},
+                     {"error", {{"kind", name(error.kind())}, {"message", error.what()}}}}));
+    }
+    console.flush();
+    print_error("soms info", error.what());
+    return exit_code(error.kind());
+  }
+}
+
+}  // namespace
+
+Action add_info(CLI::App& app, Shared&) {
+  const auto options = std::make_shared<InfoOptions>();
+  app.add_option("FILE", options->files, "models; - is standard input")->required()->type_name("");
+  app.add_flag_callback(
+      "--no-trees", [options] { options->trees = false; },
+      "leave out the trees, which take the most time");
+  add_model_options(app, options->model, "--scale", "--up", "the models");
+  add_allow_empty(app, options->model);
+  add_build_options(app, options->build);
+  app.footer(
+      "Trees are built by every rule, or by the one that --rule names.\n\nExample:\n"
+      "  soms generate knot --triangles 2000 -o knot.ply\n"
+      "  soms info knot.ply");
+  return [options, &app](Console& console) {
+    options->every_rule = app.count("--rule") == 0;
+    check(options->build);
+    return run_info(*options, console);
+  };
+}
+
+int run_info(const InfoOptions& options, Console& console) {
+  int status = 0;
+  for (const std::string& file : options.files) {
+    status = std::max(status, tell(file, options, console));
+  }
+  return status;
+}
+
+}  // namespace soms::command

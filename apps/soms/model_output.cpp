@@ -1,0 +1,86 @@
+#include "apps/soms/model_output.h"
+
+#include "soms/base/error.h"
+
+#include "apps/soms/console.h"
+#include "apps/soms/parse.h"
+#include "apps/soms/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace soms::command {
+
+namespace {
+
+const Choices<MeshFormat>& formats() {
+  static const Choices<MeshFormat> choices{
+      {"ply", MeshFormat::ply}, {"ply-ascii", MeshFormat::ply_ascii}, {"obj", MeshFormat::obj},
+      {"stl", MeshFormat::stl}, {"stl-ascii", MeshFormat::stl_ascii}, {"off", MeshFormat::off}};
+  return choices;
+}
+
+/// Vertices that binary STL, which holds floats, does not keep exactly.
+std::uint64_t count_rounded(const Mesh& mesh) {
+  const auto rounds = [](double x) { return static_cast<double>(static_cast<float>(x)) != x; };
+  return static_cast<std::uint64_t>(
+      std::count_if(mesh.vertices.begin(), mesh.vertices.end(),
+                    [&](const Vec3& v) { return rounds(v.x) || rounds(v.y) || rounds(v.z); }));
+}
+
+}  // namespace
+
+void add_format(CLI::App& app, ModelOutput& output) {
+  add_choice<MeshFormat>(app, "--format", output.format, formats(),
+                         "how it is written, if not as the name says");
+}
+
+MeshFormat format_of(const ModelOutput& output) {
+  if (output.format) {
+    return *output.format;
+  }
+  return output.path == "-" ? MeshFormat::ply : format_for(output.path);
+}
+
+void check(const ModelOutput& output, const Console& console) {
+  if (output.path.empty()) {
+    throw Error(ErrorKind::usage, "the name of the output is empty", "give a file");
+  }
+  if (output.path == "-" && console.shared().json) {
+    throw Error(ErrorKind::usage, "--json and the model cannot both go to standard output",
+                "write the model to a file");
+  }
+}
+
+void write_model(const Mesh& mesh, const ModelOutput& output, const Console& console) {
+  const MeshFormat format = format_of(output);
+  OutputFile file(output.path);
+  console.run("writing " + file.name(), [&](const Parallel& parallel) {
+    try {
+      write_mesh(file.stream(), file.name(), mesh, format, parallel);
+    } catch (const Error& error) {
+      if (error.kind() == ErrorKind::cannot_write) {
+        file.check();  // knows the reason
+      }
+      throw;
+    }
+  });
+  file.commit();
+  const std::uint64_t rounded = format == MeshFormat::stl ? count_rounded(mesh) : 0;
+  if (rounded != 0) {
+    console.note(fmt::format("{}: binary STL holds floats: {} of {} vertices were rounded",
+                             file.name(), with_commas(rounded), with_commas(mesh.vertices.size())));
+  }
+}
+
+std::string format_name(MeshFormat format) {
+  for (const auto& [name, value] : formats()) {
+    if (value == format) {
+      return name;
+    }
+  }
+  return {};
+}
+
+}  // namespace soms::command

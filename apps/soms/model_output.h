@@ -1,0 +1,40 @@
+/// \file
+/// Writing a model where -o or OUT says, whole or not at all.
+#pragma once
+
+#include "soms/geometry/mesh.h"
+#include "soms/io/write_mesh.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+
+namespace soms::command {
+
+class Console;
+
+/// Where a model goes, and how.
+struct ModelOutput {
+  std::string path;                  ///< "-" is standard output
+  std::optional<MeshFormat> format;  ///< unset: by the name, PLY for "-"
+};
+
+/// Adds --format.
+void add_format(CLI::App& app, ModelOutput& output);
+
+/// The format to write. \errors ErrorKind::unsupported, naming the endings that are offered.
+[[nodiscard]] MeshFormat format_of(const ModelOutput& output);
+
+/// Throws ErrorKind::usage if there is no name, or if --json and the model would share standard
+/// output.
+void check(const ModelOutput& output, const Console& console);
+
+/// Writes the model; tells of coordinates that STL rounds.
+/// \errors As `write_mesh`; ClosedPipe.
+void write_model(const Mesh& mesh, const ModelOutput& output, const Console& console);
+
+/// Kebab-case name of a format.
+[[nodiscard]] std::string format_name(MeshFormat format);
+
+}  // namespace soms::command

@@ -1,0 +1,116 @@
+#include "apps/soms/models.h"
+
+#include "soms/io/read_mesh.h"
+#include "soms/query/traversal/traversals.h"
+#include "soms/tree/rule/rules.h"
+
+#include "apps/soms/console.h"
+#include "apps/soms/parse.h"
+
+#include <utility>
+#include <vector>
+
+namespace soms::command {
+
+namespace {
+
+const char* const kTreeGroup = "Trees (answers do not depend on these)";
+
+Choices<Rule> rule_choices() {
+  Choices<Rule> choices;
+  for (const auto& row : rules()) {
+    choices.emplace_back(row.kebab, row.rule);
+  }
+  return choices;
+}
+
+Choices<Traversal> traversal_choices() {
+  Choices<Traversal> choices{{"default", Traversal::fast}};
+  for (const auto& row : traversals()) {
+    choices.emplace_back(row.kebab, row.traversal);
+  }
+  return choices;
+}
+
+Choices<Descent> descent_choices() {
+  Choices<Descent> choices;
+  for (const auto& row : descents()) {
+    choices.emplace_back(row.kebab, row.descent);
+  }
+  return choices;
+}
+
+}  // namespace
+
+void add_model_options(CLI::App& app, ModelOptions& options, const std::string& scale_name,
+                       const std::string& up_name, const std::string& whose) {
+  const char* const group = "Models";
+  add_positive(app, scale_name, options.scale, "multiply the coordinates of " + whose)
+      ->group(group);
+  add_choice<UpAxis>(app, up_name, options.up,
+                     {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}},
+                     "axis that is up in " + whose + "; turned to z")
+      ->group(group);
+}
+
+void add_allow_empty(CLI::App& app, ModelOptions& options) {
+  app.add_flag("--allow-empty", options.allow_empty, "accept a model without triangles")
+      ->group("Models");
+}
+
+void add_build_options(CLI::App& app, BuildOptions& options) {
+  const auto grouped = [](CLI::Option* option) { option->group(kTreeGroup); };
+  grouped(add_choice<Rule>(app, "--rule", options.rule, rule_choices(), "splitting rule"));
+  grouped(add_count(app, "--levels", options.level, 0, 1'000'000, "most levels; 0: no limit"));
+  grouped(add_count(app, "--leaf", options.per_leaf, 1, 1'000'000'000,
+                    "nodes of at most N triangles are leaves"));
+  grouped(add_choice<Midpoint>(
+      app, "--midpoint", options.midpoint,
+      {{"thesis", Midpoint::thesis}, {"centroid", Midpoint::centroid}, {"aabb", Midpoint::aabb}},
+      "point that stands for a triangle"));
+  grouped(add_choice<AxisFrom>(app, "--axis-from", options.axis_from,
+                               {{"outer", AxisFrom::outer}, {"inner", AxisFrom::inner}},
+                               "box whose longest axis is split"));
+  grouped(add_choice<EmptySide>(app, "--empty-side", options.empty_side,
+                                {{"stop", EmptySide::stop},
+                                 {"next-axis", EmptySide::next_axis},
+                                 {"object-median", EmptySide::object_median},
+                                 {"chain", EmptySide::chain}},
+                                "when one side is empty"));
+  grouped(add_count(app, "--root-level", options.root_level, 0, 1, "number of the root's level"));
+  grouped(add_count(app, "--c-vertex", options.c_vertex, 0, 2,
+                    "corner that --midpoint thesis calls C"));
+}
+
+void add_traversal_options(CLI::App& app, TraversalOptions& options) {
+  add_choice<Traversal>(app, "--traversal", options.traversal, traversal_choices(),
+                        "way to walk the trees")
+      ->group(kTreeGroup);
+  add_choice<Descent>(app, "--descent", options.descent, descent_choices(), "descent of E-Node")
+      ->group(kTreeGroup);
+}
+
+Mesh read_model(const std::string& path, const ModelOptions& options, const Console& console) {
+  const ReadOptions read{.allow_empty = options.allow_empty,
+                         .max_memory = console.shared().max_memory};
+  Mesh mesh = console.run("reading " + printable(path), [&](const Parallel& parallel) {
+    return read_mesh(path == "-" ? "/dev/stdin" : path, read, parallel);
+  });
+  if (options.scale == 1 && options.up == UpAxis::unknown) {
+    return mesh;
+  }
+  return transformed(std::move(mesh), options.scale, options.up);
+}
+
+Shape build_shape(Mesh mesh, const ShapeOptions& options, const Console& console) {
+  const std::string doing = "building the tree of " + printable(mesh.source);
+  return console.run(
+      doing, [&](const Parallel& parallel) { return Shape(std::move(mesh), options, parallel); });
+}
+
+std::string part_name(const Mesh& mesh, TriangleId i) {
+  const std::uint32_t part = part_of(mesh, i);
+  return part == Part::kNoParent ? std::string() : printable(mesh.parts[part].name);
+}
+
+}  // namespace soms::command

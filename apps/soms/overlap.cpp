@@ -1,0 +1,339 @@
+#include "apps/soms/overlap.h"
+
+#include "soms/query/reference/overlap.h"
+
+#include "apps/soms/console.h"
+#include "apps/soms/overlap_report.h"
+#include "apps/soms/parse.h"
+#include "apps/soms/pose_source.h"
+#include "apps/soms/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace soms::command {
+
+namespace {
+
+constexpr int kConditionHolds = 1;
+constexpr int kOutOfTime = 4;
+constexpr int kDifference = 6;
+
+using PosePair = std::pair<Pose, Pose>;
+
+/// True if `answer` is what brute force allows for the question.
+bool agrees(const Overlap& answer, const Overlap& truth, OverlapMode mode) {
+  if (answer.coverage == Coverage::cut) {
+    return answer.any == !answer.pairs.empty() && (truth.any || !answer.any) &&
+           std::includes(truth.pairs.begin(), truth.pairs.end(), answer.pairs.begin(),
+                         answer.pairs.end());
+  }
+  if (answer.any != truth.any) {
+    return false;
+  }
+  switch (mode) {
+    case OverlapMode::all:
+      return answer.pairs == truth.pairs;
+    case OverlapMode::first:
+      return !truth.any || answer.pairs == std::vector{truth.pairs.front()};
+    case OverlapMode::any:
+      break;
+  }
+  return !truth.any ||
+         (answer.pairs.size() == 1 &&
+          std::binary_search(truth.pairs.begin(), truth.pairs.end(), answer.pairs.front()));
+}
+
+/// How many poses to read and answer at once: as many as take about a tenth of a second, so that
+/// memory stays bounded, answers come steadily and Ctrl-C loses little.
+class BlockSize {
+ public:
+  [[nodiscard]] std::size_t value() const { return value_; }
+
+  void learn(std::chrono::steady_clock::duration time, std::uint64_t pairs) {
+    if (time > std::chrono::milliseconds(200) || pairs > kMostPairs) {
+      value_ = std::max<std::size_t>(1, value_ / 2);
+    } else if (time < std::chrono::milliseconds(50) && 4 * pairs < kMostPairs) {
+      value_ = std::min<std::size_t>(kMost, 2 * value_);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kMost = 4096;
+  static constexpr std::uint64_t kMostPairs = 1'000'000;
+  std::size_t value_ = 1;
+};
+
+/// Answers the rows of poses in blocks and prints each block's answers in order.
+class OverlapRun {
+ public:
+  OverlapRun(const OverlapVerbOptions& options, Console& console)
+      : options_(options),
+        console_(console),
+        poses_(source("--pose", options.pose_a), source("--pose-b", options.pose_b)),
+        a_(load(options.a, options.model_a)),
+        b_(load(options.b, options.model_b)),
+        report_{.a = a_.mesh(),
+                .b = b_.mesh(),
+                .mode = options.query.mode,
+                .list_pairs = options.list_pairs,
+                .single = poses_.is_single(),
+                .verified = options.verify},
+        bar_(console.progress("overlap")) {
+    options_.query.deadline = console.deadline();
+  }
+
+  int run() {
+    try {
+      answer_all();
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::cancelled) {
+        throw;
+      }
+      console_.flush();
+      throw Error(error.kind(), "interrupted", answered() + " answered");
+    }
+    print_totals(report_, totals_, console_);
+    console_.flush();
+    if (error_) {
+      std::rethrow_exception(error_);
+    }
+    return status();
+  }
+
+ private:
+  static PoseSource source(const std::string& option, const std::optional<std::string>& text) {
+    return text ? PoseSource(option, *text) : PoseSource();
+  }
+
+  Shape load(const std::string& path, const ModelOptions& model) {
+    const bool named = options_.query.traversal.traversal != Traversal::fast;
+    return build_shape(read_model(path, model, console_),
+                       {.build = options_.build, .keep_tree = named}, console_);
+  }
+
+  void answer_all() {
+    BlockSize size;
+    while (!over_) {
+      const auto begin = std::chrono::steady_clock::now();
+      read_block(size.value());
+      const std::uint64_t pairs = answer_block();
+      print_block();
+      size.learn(std::chrono::steady_clock::now() - begin, pairs);
+    }
+  }
+
+  [[nodiscard]] std::string answered() const {
+    return fmt::format("{} {}", counted(totals_.poses, "pose"), totals_.poses == 1 ? "is" : "are");
+  }
+
+  /// A faulty row ends the reading; the rows before it are answered first.
+  void read_block(std::size_t size) {
+    block_.clear();
+    try {
+      while (block_.size() < size) {
+        const std::optional<PosePair> row = poses_.next();
+        if (!row) {
+          over_ = true;
+          return;
+        }
+        block_.push_back(*row);
+      }
+    } catch (const Error&) {
+      error_ = std::current_exception();
+      over_ = true;
+    }
+  }
+
+  Overlap answer_row(Body& a, Body& b, std::size_t k, const Parallel& parallel) const {
+    a.pose = block_[k].first;
+    b.pose = block_[k].second;
+    try {
+      return overlap(a, b, options_.query, parallel);
+    } catch (const Error& error) {
+      if (report_.single || error.kind() == ErrorKind::cancelled) {
+        throw;
+      }
+      throw Error(error.kind(), fmt::format("pose {}: {}", totals_.poses + k, error.place()),
+                  error.remedy());
+    }
+  }
+
+  /// One pose uses the threads inside its query, several share them out.
+  std::uint64_t answer_block() {
+    answers_.assign(block_.size(), {});
+    Parallel parallel = console_.parallel();
+    if (block_.size() == 1) {
+      parallel.progress = [this](double share) { show_progress(share); };
+      Body a(a_);
+      Body b(b_);
+      answers_[0] = answer_row(a, b, 0, parallel);
+    } else {
+      for_each_chunk(block_.size(), kChunk, parallel, [&](std::size_t begin, std::size_t end) {
+        Body a(a_);
+        Body b(b_);
+        for (std::size_t k = begin; k < end; ++k) {
+          answers_[k] = answer_row(a, b, k, {.stop = parallel.stop});
+        }
+      });
+    }
+    std::uint64_t pairs = 0;
+    for (const Overlap& answer : answers_) {
+      pairs += answer.pairs.size();
+    }
+    return pairs;
+  }
+
+  void show_progress(double share) {
+    if (report_.single) {
+      bar_.show(share);
+    } else {
+      bar_.show(counted(totals_.poses, "pose"));
+    }
+  }
+
+  void print_block() {
+    for (std::size_t k = 0; k < answers_.size(); ++k) {
+      const bool right = !options_.verify || verify(k);
+      print_answer(report_, totals_.poses, answers_[k], right, console_);
+      totals_.add(answers_[k]);
+      if (ended_by_time(answers_[k])) {
+        console_.note(fmt::format("out of time after {}", counted(totals_.poses, "pose")));
+        over_ = true;
+        break;
+      }
+    }
+    console_.flush();
+    show_progress(0);
+  }
+
+  [[nodiscard]] bool ended_by_time(const Overlap& answer) const {
+    return answer.coverage == Coverage::cut && answer.pairs.size() < options_.query.limit &&
+           console_.out_of_time();
+  }
+
+  /// True if brute force agrees.
+  bool verify(std::size_t k) {
+    const Overlap truth = console_.run("verifying", [&](const Parallel& parallel) {
+      return reference::overlap(a_.mesh(), block_[k].first, b_.mesh(), block_[k].second, parallel);
+    });
+    const bool right = agrees(answers_[k], truth, options_.query.mode);
+    if (!right) {
+      ++totals_.wrong;
+      print_error("soms overlap",
+                  fmt::format("pose {}: brute force finds {}, the answer has {}", totals_.poses,
+                              counted(truth.pairs.size(), "pair"), answers_[k].pairs.size()));
+    }
+    return right;
+  }
+
+  [[nodiscard]] int status() const {
+    if (totals_.wrong != 0) {
+      return kDifference;
+    }
+    if (options_.fail_if_overlap && totals_.overlapping != 0) {
+      return kConditionHolds;
+    }
+    // "Not found" is no proof of "free" when time ran out.
+    return options_.fail_if_overlap && totals_.undecided != 0 ? kOutOfTime : 0;
+  }
+
+  static constexpr std::size_t kChunk = 8;
+
+  OverlapVerbOptions options_;
+  Console& console_;
+  PosePairs poses_;
+  Shape a_;
+  Shape b_;
+  OverlapReport report_;
+  Progress bar_;
+  std::vector<PosePair> block_;
+  std::vector<Overlap> answers_;
+  OverlapTotals totals_;
+  std::exception_ptr error_;
+  bool over_ = false;
+};
+
+void add_questions(CLI::App& app, OverlapVerbOptions& options) {
+  const char* const group = "Question";
+  app.add_option("--pose", options.pose_a,
+                 "moves A: \"x y z [qw qx qy qz]\", or a CSV file, one row a pose")
+      ->option_text("POSE")
+      ->group(group);
+  app.add_option("--pose-b", options.pose_b, "moves B in the same way")
+      ->option_text("POSE")
+      ->group(group);
+  OverlapMode& mode = options.query.mode;
+  const auto asks = [&](const std::string& name, OverlapMode value, const std::string& text) {
+    return app
+        .add_flag_callback(
+            name, [&mode, value] { mode = value; }, text)
+        ->group(group);
+  };
+  CLI::Option* all = asks("--all", OverlapMode::all, "every pair (the default)");
+  CLI::Option* any = asks("--any", OverlapMode::any, "stop at the first pair found, whichever");
+  CLI::Option* first = asks("--first", OverlapMode::first, "the least pair");
+  any->excludes(all)->excludes(first);
+  first->excludes(all);
+  add_count(app, "--limit", options.query.limit, 1, std::numeric_limits<std::uint64_t>::max(),
+            "stop a pose after N pairs")
+      ->excludes(any)
+      ->excludes(first)
+      ->group(group);
+  app.add_flag_callback(
+         "--no-pairs", [&options] { options.list_pairs = false; },
+         "count the pairs, do not list them")
+      ->group(group);
+  add_choice<bool>(app, "--fail-if", options.fail_if_overlap, {{"overlap", true}},
+                   "exit with 1 if it holds")
+      ->group(group);
+  app.add_flag("--verify", options.verify, "compare with brute force; exit with 6 if they differ")
+      ->group(group);
+}
+
+}  // namespace
+
+Action add_overlap(CLI::App& app, Shared&) {
+  const auto options = std::make_shared<OverlapVerbOptions>();
+  app.add_option("A", options->a, "first model; - is standard input")->required()->type_name("");
+  app.add_option("B", options->b, "second model")->required()->type_name("");
+  add_questions(app, *options);
+  add_model_options(app, options->model_a, "--scale", "--up", "A");
+  add_model_options(app, options->model_b, "--scale-b", "--up-b", "B");
+  app.add_flag("--allow-empty", options->model_a.allow_empty, "accept models without triangles")
+      ->group("Models");
+  add_build_options(app, options->build);
+  add_traversal_options(app, options->query.traversal);
+  app.footer(
+      "Touching counts: corners and edges belong to their triangles. Surfaces only: a body wholly\n"
+      "inside another overlaps nothing of it.\n\nExample:\n"
+      "  soms generate knot --triangles 2000 -o knot.ply\n"
+      "  soms generate sphere --triangles 800 -o ball.off\n"
+      "  soms overlap knot.ply ball.off --pose \"0.5 0 0\"");
+  return [options](Console& console) {
+    options->model_b.allow_empty = options->model_a.allow_empty;
+    check(options->build);
+    return run_overlap(*options, console);
+  };
+}
+
+int run_overlap(const OverlapVerbOptions& options, Console& console) {
+  const std::array<std::optional<std::string>, 4> inputs{options.a, options.b, options.pose_a,
+                                                         options.pose_b};
+  if (std::count(inputs.begin(), inputs.end(), "-") > 1) {
+    throw Error(ErrorKind::usage, "standard input is named twice", "give one of them as a file");
+  }
+  return OverlapRun(options, console).run();
+}
+
+}  // namespace soms::command

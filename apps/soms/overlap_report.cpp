@@ -1,0 +1,160 @@
+#include "apps/soms/overlap_report.h"
+
+#include "apps/soms/console.h"
+#include "apps/soms/models.h"
+#include "apps/soms/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+namespace soms::command {
+
+namespace {
+
+constexpr std::size_t kListed = 20;                   // pairs that a person may want to read
+constexpr std::size_t kPiece = std::size_t{1} << 16;  // bytes handed on at once
+
+std::string_view coverage_name(Coverage coverage) {
+  switch (coverage) {
+    case Coverage::complete:
+      return "complete";
+    case Coverage::first:
+      return "first";
+    case Coverage::cut:
+      break;
+  }
+  return "cut";
+}
+
+bool is_undecided(const Overlap& answer) {
+  return answer.coverage == Coverage::cut && !answer.any;
+}
+
+void print_pairs_as_json(const std::vector<TrianglePair>& pairs, Console& console) {
+  std::string piece = ",\"pairs\":[";
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const char* const format = k == 0 ? "[{},{}]" : ",[{},{}]";
+    fmt::format_to(std::back_inserter(piece), fmt::runtime(format), pairs[k].first,
+                   pairs[k].second);
+    if (piece.size() > kPiece) {
+      console.print(piece);
+      piece.clear();
+    }
+  }
+  console.print(piece + "]");
+}
+
+void print_json(const OverlapReport& report, std::uint64_t pose, const Overlap& answer, bool right,
+                Console& console) {
+  const char* const overlap = is_undecided(answer) ? "null" : answer.any ? "true" : "false";
+  std::string text =
+      fmt::format("{{\"schema\":\"soms.overlap/1\",\"pose\":{},\"overlap\":{}", pose, overlap);
+  // Which pair --any finds is not promised, so its number and hash would say nothing.
+  if (report.mode != OverlapMode::any) {
+    text += fmt::format(",\"count\":{},\"hash\":\"{:016x}\"", answer.pairs.size(), answer.hash());
+  }
+  text += fmt::format(
+      ",\"coverage\":\"{}\",\"cost\":{{\"node_tests\":{},\"triangle_tests\":{},"
+      "\"exact_tests\":{}}}",
+      coverage_name(answer.coverage), answer.cost.node_tests, answer.cost.triangle_tests,
+      answer.cost.exact_tests);
+  if (report.verified) {
+    text += right ? ",\"verified\":true" : ",\"verified\":false";
+  }
+  console.print(text);
+  if (report.list_pairs) {
+    print_pairs_as_json(answer.pairs, console);
+  }
+  console.print("}\n");
+}
+
+std::string triangle_name(const Mesh& mesh, TriangleId i) {
+  const std::string part = part_name(mesh, i);
+  return part.empty() ? fmt::format("{}", i) : fmt::format("{} ({})", i, part);
+}
+
+std::string summary(const OverlapReport& report, const Overlap& answer) {
+  if (is_undecided(answer)) {
+    return "undecided: out of time";
+  }
+  if (!answer.any) {
+    return report.single
+               ? "no triangles overlap (surfaces only: a body wholly inside the other is not seen)"
+               : "no overlap";
+  }
+  if (report.mode != OverlapMode::all) {
+    const auto& [i, j] = answer.pairs.front();
+    return fmt::format("overlap: triangle {} of {} and {} of {}", triangle_name(report.a, i),
+                       printable(report.a.source), triangle_name(report.b, j),
+                       printable(report.b.source));
+  }
+  const bool one = answer.pairs.size() == 1;
+  return fmt::format("{}{} of triangles overlap{}",
+                     answer.coverage == Coverage::cut ? "at least " : "",
+                     counted(answer.pairs.size(), "pair"), one ? "s" : "");
+}
+
+void print_text(const OverlapReport& report, std::uint64_t pose, const Overlap& answer,
+                Console& console) {
+  const bool strong = console.colored() && answer.any;
+  console.print(fmt::format("{}{}{}{}\n", report.single ? "" : fmt::format("pose {}: ", pose),
+                            strong ? "\x1b[1m" : "", summary(report, answer),
+                            strong ? "\x1b[0m" : ""));
+  if (!report.single || !report.list_pairs || report.mode != OverlapMode::all) {
+    return;
+  }
+  const std::size_t listed = std::min(kListed, answer.pairs.size());
+  if (listed > 0) {
+    console.print(fmt::format("  triangle of {} and triangle of {}:\n", printable(report.a.source),
+                              printable(report.b.source)));
+  }
+  for (std::size_t k = 0; k < listed; ++k) {
+    const auto& [i, j] = answer.pairs[k];
+    console.print(
+        fmt::format("  {} and {}\n", triangle_name(report.a, i), triangle_name(report.b, j)));
+  }
+  if (listed < answer.pairs.size()) {
+    console.print(fmt::format("  and {} more: --json lists all\n",
+                              with_commas(answer.pairs.size() - listed)));
+  }
+}
+
+}  // namespace
+
+void OverlapTotals::add(const Overlap& answer) {
+  ++poses;
+  overlapping += answer.any ? 1U : 0U;
+  undecided += is_undecided(answer) ? 1U : 0U;
+}
+
+void print_answer(const OverlapReport& report, std::uint64_t pose, const Overlap& answer,
+                  bool right, Console& console) {
+  if (console.shared().json) {
+    print_json(report, pose, answer, right, console);
+  } else {
+    print_text(report, pose, answer, console);
+  }
+}
+
+void print_totals(const OverlapReport& report, const OverlapTotals& totals, Console& console) {
+  if (console.shared().json) {
+    return;
+  }
+  if (!report.single) {
+    console.print(fmt::format(
+        "{}: {} with overlap, {} without{}\n", counted(totals.poses, "pose"),
+        with_commas(totals.overlapping),
+        with_commas(totals.poses - totals.overlapping - totals.undecided),
+        totals.undecided == 0 ? "" : fmt::format(", {} undecided", with_commas(totals.undecided))));
+  }
+  if (report.verified) {
+    console.print(fmt::format("verified by brute force: {} of {} equal\n",
+                              with_commas(totals.poses - totals.wrong),
+                              counted(totals.poses, "answer")));
+  }
+}
+
+}  // namespace soms::command

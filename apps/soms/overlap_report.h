@@ -1,0 +1,42 @@
+/// \file
+/// Answers of the verb `overlap` as text and as JSON Lines.
+#pragma once
+
+#include "soms/query/overlap.h"
+
+#include <cstdint>
+#include <string>
+
+namespace soms::command {
+
+class Console;
+
+/// What is told of the answer of one pose, and how.
+struct OverlapReport {
+  const Mesh& a;
+  const Mesh& b;
+  OverlapMode mode = OverlapMode::all;
+  bool list_pairs = true;
+  bool single = true;     ///< one pose: pairs are listed; else a line a pose
+  bool verified = false;  ///< compared with brute force
+};
+
+/// Totals over all poses.
+struct OverlapTotals {
+  std::uint64_t poses = 0;
+  std::uint64_t overlapping = 0;
+  std::uint64_t undecided = 0;  ///< cut before any pair was found
+  std::uint64_t wrong = 0;      ///< differ from brute force
+
+  void add(const Overlap& answer);
+};
+
+/// Prints the answer of pose number `pose`: JSON with --json, text without. `right` says whether
+/// brute force agrees, where it was asked.
+void print_answer(const OverlapReport& report, std::uint64_t pose, const Overlap& answer,
+                  bool right, Console& console);
+
+/// Prints a line over all poses, where there may be several and no JSON is asked for.
+void print_totals(const OverlapReport& report, const OverlapTotals& totals, Console& console);
+
+}  // namespace soms::command

@@ -1,0 +1,97 @@
+#include "apps/soms/pose_source.h"
+
+#include "soms/base/error.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <filesystem>
+#include <string_view>
+
+namespace soms::command {
+
+namespace {
+
+/// True if the first word is a number (or nan, inf): then the text is meant as a pose.
+bool looks_like_pose(std::string_view text) {
+  constexpr std::string_view kSpace = " \t,";
+  const std::size_t begin = text.find_first_not_of(kSpace);
+  if (begin == std::string_view::npos) {
+    return true;
+  }
+  text.remove_prefix(begin);
+  std::string_view word = text.substr(0, text.find_first_of(kSpace));
+  if (word.starts_with('+')) {
+    word.remove_prefix(1);
+  }
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error != std::errc::invalid_argument && end == word.data() + word.size();
+}
+
+}  // namespace
+
+PoseSource::PoseSource(const std::string& option, const std::string& text) : name_(text) {
+  std::error_code ignored;
+  if (text != "-" && looks_like_pose(text) && !std::filesystem::exists(text, ignored)) {
+    try {
+      constant_ = parse_pose(text);
+    } catch (const Error& error) {
+      throw Error(error.kind(), option + ": " + error.place(), error.remedy());
+    }
+    return;
+  }
+  reader_.emplace(text == "-" ? "/dev/stdin" : text);
+  first_ = reader_->next();
+  if (!first_) {
+    return;
+  }
+  try {
+    second_ = reader_->next();
+  } catch (const Error&) {
+    error_ = std::current_exception();
+    return;
+  }
+  if (!second_) {
+    constant_ = first_;
+  }
+}
+
+std::optional<Pose> PoseSource::next() {
+  if (constant_) {
+    return constant_;
+  }
+  if (first_) {
+    return std::exchange(first_, std::nullopt);
+  }
+  if (error_) {
+    std::rethrow_exception(error_);
+  }
+  if (second_) {
+    return std::exchange(second_, std::nullopt);
+  }
+  return reader_->next();
+}
+
+std::optional<std::pair<Pose, Pose>> PosePairs::next() {
+  if (is_single() && rows_ == 1) {
+    return std::nullopt;
+  }
+  const std::optional<Pose> a = a_.next();
+  const std::optional<Pose> b = b_.next();
+  if (a && b) {
+    ++rows_;
+    return std::pair(*a, *b);
+  }
+  if ((a && !a_.is_constant()) || (b && !b_.is_constant())) {
+    const PoseSource& shorter = a ? b_ : a_;
+    const PoseSource& longer = a ? a_ : b_;
+    throw Error(
+        ErrorKind::bad_file,
+        fmt::format("{}: ends after {} poses, {} goes on", shorter.name(), rows_, longer.name()),
+        "give files of equal length, or a single pose for one of them");
+  }
+  return std::nullopt;
+}
+
+}  // namespace soms::command
