@@ -72,6 +72,9 @@ class Decider {
           return false;
         }
       }
+      if (!keep_going(scratch_.size())) {  // leaves may be as large as the mesh
+        return false;
+      }
     }
     return true;
   }

@@ -117,9 +117,9 @@ INSTANTIATE_TEST_SUITE_P(Traversal, OrientationTest,
                          testing::Values("object_median", "object_mean", "spatial_median", "soms"),
                          [](const auto& test) { return std::string(test.param); });
 
-class CityDrive : public testing::TestWithParam<std::tuple<std::size_t, const char*>> {};
+class GoldenCityDrive : public testing::TestWithParam<std::tuple<std::size_t, const char*>> {};
 
-TEST_P(CityDrive, CountsAreThoseOfTheIndependentImplementation) {
+TEST_P(GoldenCityDrive, CountsAreThoseOfTheIndependentImplementation) {
   SOMS_NEEDS_OUTSIDE_DATA("9 rows of thesis_traversal.csv (the mover is the bunny)");
   const auto& [scene, rule] = GetParam();
   const test::GoldenModel& city = test::kGoldenModels[scene];
@@ -128,7 +128,7 @@ TEST_P(CityDrive, CountsAreThoseOfTheIndependentImplementation) {
               model(transformed(bunny, 500, UpAxis::y), rule, 15), city_drive());
 }
 
-INSTANTIATE_TEST_SUITE_P(Traversal, CityDrive,
+INSTANTIATE_TEST_SUITE_P(Traversal, GoldenCityDrive,
                          testing::Combine(testing::Values(1, 2, 3),
                                           testing::Values("object_median", "spatial_median",
                                                           "soms")),

@@ -223,6 +223,25 @@ TEST(NamedOverlap, IsCutByADeadlineAndEndedByAStop) {
   }
 }
 
+// Both trees are one leaf of 20,000 triangles whose boxes are apart, so no triangles are decided
+// and one box test of nodes is made: the clock must be looked at within the leaf pair.
+TEST(NamedOverlap, IsCutByADeadlineWithinAPairOfLeaves) {
+  Mesh mesh;
+  for (std::uint32_t i = 0; i < 20000; ++i) {
+    const double x = i;
+    mesh.vertices.insert(mesh.vertices.end(), {{x, 0, 0}, {x + 0.25, 0, 0}, {x, 1, 0}});
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const Body body(shape(mesh, thesis_options(Rule::soms, 1)));
+  Body other = body;
+  other.pose = Pose::translation(0.5, 0, 0);
+  OverlapOptions options{.traversal = {.traversal = Traversal::larger}};
+  options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(20);
+  const Overlap cut = overlap(body, other, options);
+  EXPECT_EQ(cut.coverage, Coverage::cut);
+  EXPECT_EQ(cut.cost, (Cost{1, 0, 0}));
+}
+
 TEST(NamedOverlap, KeepsBodiesThatGoOutOfScope) {
   Rng rng(1);
   const Mesh mesh = test::body(rng, test::Kind::random, 40);
