@@ -24,7 +24,9 @@ const char* const kFooter =
     "Surfaces only: a mover wholly inside a closed building touches nothing.\n\n"
     "Example:\n"
     "  soms simulate --map city.svg\n"
-    "  soms simulate city.ply --mover van.3ds --count 500 --frames 600 --events contacts.csv";
+    "  soms generate city --triangles 20000 -o town.ply\n"
+    "  soms generate car -o car.ply\n"
+    "  soms simulate town.ply --mover car.ply --count 50 --frames 60 --events contacts.csv";
 
 const Choices<UpAxis> kAxes{{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}};
 

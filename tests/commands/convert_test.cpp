@@ -1,0 +1,110 @@
+#include "tests/commands/run.h"
+
+namespace soms::test {
+namespace {
+
+Json info(const std::string& path) {
+  const RunResult result = soms_run({"info", path, "--no-trees", "--json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  return json_lines(result.out).at(0);
+}
+
+TEST(Convert, KeepsTrianglesAndBoundsThroughEveryFormat) {
+  const TemporaryFolder folder;
+  const std::string input = test::data("truth/meshes/terrain.ply").string();
+  const Json before = info(input);
+  for (const char* name : {"a.ply", "a.obj", "a.off"}) {
+    const std::string output = (folder.path() / name).string();
+    const RunResult result = soms_run({"convert", input, output});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json after = info(output);
+    for (const char* key : {"triangles", "vertices", "bounds", "defects"}) {
+      EXPECT_EQ(after.at(key), before.at(key)) << name << " " << key;
+    }
+  }
+}
+
+TEST(Convert, WritesTheSameAnswersIntoEveryFormat) {
+  const TemporaryFolder folder;
+  const std::string input = test::data("truth/meshes/torus.ply").string();
+  const auto hash = [&](const std::string& path) {
+    const RunResult result = soms_run({"overlap", path, path, "--pose", "0.25 0 0", "--json"});
+    return json_lines(result.out).at(0).at("hash");
+  };
+  for (const char* format : {"ply", "ply-ascii", "obj", "off"}) {
+    const std::string output = (folder.path() / "copy").string();
+    ASSERT_EQ(soms_run({"convert", input, output, "--format", format}).status, 0);
+    const std::string named = output + "." + std::string(format).substr(0, 3);
+    std::filesystem::rename(output, named);
+    EXPECT_EQ(hash(named), hash(input)) << format;
+  }
+}
+
+TEST(Convert, TellsThatStlRounds) {
+  const TemporaryFolder folder;
+  write_text(folder.path() / "a.off", triangle_off("0.1 0 0", "1 0 0", "0 1 0"));
+  const std::string input = (folder.path() / "a.off").string();
+  const std::string output = (folder.path() / "a.stl").string();
+  const RunResult result = soms_run({"convert", input, output});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.err.find("1 of 3 vertices were rounded"), std::string::npos) << result.err;
+  EXPECT_EQ(soms_run({"convert", input, output, "--quiet"}).err, "");
+  EXPECT_EQ(soms_run({"convert", input, (folder.path() / "a.ply").string()}).err.find("rounded"),
+            std::string::npos);
+}
+
+TEST(Convert, ScalesAndTurns) {
+  const TemporaryFolder folder;
+  write_text(folder.path() / "a.off", triangle_off("1 2 3", "1 0 0", "0 1 0"));
+  const std::string output = (folder.path() / "b.off").string();
+  ASSERT_EQ(
+      soms_run({"convert", (folder.path() / "a.off").string(), output, "--scale", "2", "--up", "y"})
+          .status,
+      0);
+  // y up: (x, y, z) becomes (x, -z, y).
+  EXPECT_EQ(info(output).at("bounds"), Json::parse("[[0,-6,0],[2,0,4]]"));
+}
+
+TEST(Convert, ReadsStandardInputAndWritesStandardOutput) {
+  const std::string text = triangle_off("0 0 0", "1 0 0", "0 1 0");
+  const RunResult result = soms_run({"convert", "-", "-", "--format", "obj"}, text);
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("v 1 0 0"), std::string::npos) << result.out;
+  EXPECT_EQ(soms_run({"convert", "-", "-", "--json"}, text).status, 2);
+}
+
+TEST(Convert, MayReplaceItsInput) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "a.off").string();
+  write_text(path, triangle_off("0 0 0", "1 0 0", "0 1 0"));
+  ASSERT_EQ(soms_run({"convert", path, path, "--scale", "4"}).status, 0);
+  EXPECT_EQ(info(path).at("bounds"), Json::parse("[[0,0,0],[4,4,0]]"));
+}
+
+TEST(Convert, RefusesAnEmptyModelUnlessItIsAccepted) {
+  const TemporaryFolder folder;
+  const std::string input = test::data("nasty/no_faces.ply").string();
+  const std::string output = (folder.path() / "a.ply").string();
+  const RunResult refused = soms_run({"convert", input, output});
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_NE(refused.err.find("no_faces.ply"), std::string::npos) << refused.err;
+  EXPECT_TRUE(files_in(folder.path()).empty());
+  EXPECT_EQ(soms_run({"convert", input, output, "--allow-empty"}).status, 0);
+}
+
+TEST(Convert, SaysWhatItWroteAsJson) {
+  const TemporaryFolder folder;
+  write_text(folder.path() / "a.off", triangle_off("0 0 0", "1 0 0", "0 1 0"));
+  const std::string input = (folder.path() / "a.off").string();
+  const std::string output = (folder.path() / "b.ply").string();
+  EXPECT_EQ(json_lines(soms_run({"convert", input, output, "--json"}).out).at(0),
+            (Json{{"schema", "soms.convert/1"},
+                  {"from", input},
+                  {"file", output},
+                  {"format", "ply"},
+                  {"triangles", 1},
+                  {"vertices", 3}}));
+}
+
+}  // namespace
+}  // namespace soms::test

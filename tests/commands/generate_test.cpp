@@ -1,0 +1,119 @@
+#include "tests/commands/run.h"
+
+namespace soms::test {
+namespace {
+
+std::string generate(const TemporaryFolder& folder, const std::string& kind,
+                     const std::string& triangles, const std::string& name) {
+  const std::string path = (folder.path() / name).string();
+  std::vector<std::string> words{"generate", kind, "-o", path};
+  if (!triangles.empty()) {
+    words.insert(words.end(), {"--triangles", triangles});
+  }
+  const RunResult result = soms_run(words);
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.out, "");
+  return path;
+}
+
+std::uint64_t triangles_of(const std::string& path) {
+  const RunResult result = soms_run({"info", path, "--no-trees", "--json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  return json_lines(result.out).at(0).at("triangles");
+}
+
+TEST(Generate, MakesExactlyTheTrianglesAskedFor) {
+  const TemporaryFolder folder;
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"knot", "18"},   {"knot", "2000"},  {"sphere", "8"}, {"sphere", "1002"},
+      {"city", "1000"}, {"city", "20011"}, {"car", "1500"}, {"urban-mixed", "5672"}};
+  for (const auto& [kind, triangles] : cases) {
+    EXPECT_EQ(triangles_of(generate(folder, kind, triangles, "model.ply")), std::stoul(triangles))
+        << kind;
+  }
+}
+
+TEST(Generate, HasItsOwnNumberForEveryKind) {
+  const TemporaryFolder folder;
+  const std::vector<std::pair<std::string, std::uint64_t>> cases{
+      {"knot", 10'000}, {"sphere", 10'000},    {"car", 1000},         {"person", 600},
+      {"drone", 308},   {"urban-mixed", 5672}, {"urban-boxes", 5672}, {"urban-plain", 5672}};
+  for (const auto& [kind, triangles] : cases) {
+    EXPECT_EQ(triangles_of(generate(folder, kind, "", "model.ply")), triangles) << kind;
+  }
+}
+
+TEST(Generate, WritesTheSameBytesForTheSameSeedAndOthersForAnother) {
+  const TemporaryFolder folder;
+  const auto city = [&](const std::string& seed, const std::string& threads) {
+    return soms_run({"generate", "city", "--triangles", "3000", "--seed", seed, "--threads",
+                     threads, "-o", "-"})
+        .out;
+  };
+  EXPECT_EQ(city("5", "1"), city("5", "3"));
+  EXPECT_NE(city("5", "1"), city("6", "1"));
+}
+
+TEST(Generate, WritesTheFormatOfTheNameOrOfTheOption) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(read_text(generate(folder, "sphere", "80", "a.off")).starts_with("OFF"));
+  EXPECT_TRUE(read_text(generate(folder, "sphere", "80", "a.PLY")).starts_with("ply"));
+  const std::string path = (folder.path() / "model.txt").string();
+  ASSERT_EQ(soms_run({"generate", "sphere", "--format", "stl-ascii", "-o", path}).status, 0);
+  EXPECT_TRUE(read_text(path).starts_with("solid"));
+  const RunResult unknown = soms_run({"generate", "sphere", "-o", path});
+  EXPECT_EQ(unknown.status, 3);
+  EXPECT_NE(unknown.err.find(".ply"), std::string::npos) << unknown.err;
+}
+
+TEST(Generate, WritesPlyToStandardOutput) {
+  const RunResult result = soms_run({"generate", "sphere", "--triangles", "80", "-o", "-"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_TRUE(result.out.starts_with("ply"));
+  const RunResult info = soms_run({"info", "-", "--json", "--no-trees"}, result.out);
+  EXPECT_EQ(json_lines(info.out).at(0).at("triangles"), 80);
+}
+
+TEST(Generate, SaysWhatItMadeAsJson) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "ball.obj").string();
+  const RunResult result =
+      soms_run({"generate", "sphere", "--triangles", "80", "--json", "-o", path});
+  EXPECT_EQ(json_lines(result.out).at(0), (Json{{"schema", "soms.generate/1"},
+                                                {"kind", "sphere"},
+                                                {"file", path},
+                                                {"format", "obj"},
+                                                {"triangles", 80},
+                                                {"vertices", 42},
+                                                {"seed", 1}}));
+  EXPECT_EQ(soms_run({"generate", "sphere", "--json", "-o", "-"}).status, 2);
+}
+
+TEST(Generate, RefusesCountsThatAKindCannotHave) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "model.ply").string();
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"city", "3"},          {"city", "999"}, {"knot", "16"},
+      {"knot", "13"},         {"sphere", "7"}, {"car", "1"},
+      {"urban-mixed", "100"}, {"city", "0"},   {"city", "-5"},
+      {"city", "2147483648"}, {"city", "1e6"}, {"knot", "99999999999999999999"}};
+  for (const auto& [kind, triangles] : cases) {
+    const RunResult result = soms_run({"generate", kind, "--triangles", triangles, "-o", path});
+    EXPECT_EQ(result.status, 2) << kind << " " << triangles << ": " << result.err;
+    EXPECT_TRUE(result.err.starts_with("soms generate: ")) << result.err;
+    EXPECT_TRUE(files_in(folder.path()).empty());
+  }
+}
+
+TEST(Generate, WantsAKindAndAPlace) {
+  EXPECT_NE(soms_run({"generate", "-o", "a.ply"}).err.find("KIND is required"), std::string::npos);
+  EXPECT_NE(soms_run({"generate", "sphere"}).err.find("--output is required"), std::string::npos);
+  const RunResult unknown = soms_run({"generate", "spere", "-o", "a.ply"});
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("did you mean sphere? choose one of knot, sphere, city"),
+            std::string::npos)
+      << unknown.err;
+}
+
+}  // namespace
+}  // namespace soms::test

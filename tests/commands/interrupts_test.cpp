@@ -1,0 +1,68 @@
+#include "tests/commands/run.h"
+
+#include <unistd.h>
+
+#include <csignal>
+
+namespace soms::test {
+namespace {
+
+std::string box() {
+  return test::data("truth/meshes/box2.ply").string();
+}
+
+std::string many_poses(const TemporaryFolder& folder) {
+  std::string rows = "x,y,z\n";
+  for (int i = 0; i < 3'000'000; ++i) {
+    rows += "0.5,0,0\n";
+  }
+  const std::string path = (folder.path() / "poses.csv").string();
+  write_text(path, rows);
+  return path;
+}
+
+TEST(Interrupts, EndWithWhatIsDone) {
+  const TemporaryFolder folder;
+  const std::string poses = many_poses(folder);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    Child child({command().string(), "overlap", box(), box(), "--pose", poses, "--json"},
+                folder.path());
+    ASSERT_TRUE(child.wait_for_output(100'000));
+    child.send(signal);
+    const RunResult result = child.wait();
+    EXPECT_EQ(result.status, 130) << result.err;
+    EXPECT_EQ(result.out.back(), '\n');
+    const std::vector<Json> answers = json_lines(result.out);  // every line is whole
+    EXPECT_LT(answers.size(), 3'000'000U);
+    for (std::size_t k = 0; k < answers.size(); ++k) {
+      ASSERT_EQ(answers[k].at("pose"), k);
+      ASSERT_EQ(answers[k].at("coverage"), "complete");
+    }
+    EXPECT_NE(result.err.find("soms overlap: "), std::string::npos);
+    EXPECT_NE(result.err.find("poses are answered"), std::string::npos) << result.err;
+  }
+}
+
+TEST(Interrupts, LeaveNoPartOfAFile) {
+  const TemporaryFolder folder;
+  const TemporaryFolder target;
+  Child child({command().string(), "generate", "knot", "--triangles", "40000000", "-o",
+               (target.path() / "knot.obj").string()},
+              folder.path());
+  while (files_in(target.path()).empty()) {
+    usleep(2000);
+  }
+  child.send(SIGINT);
+  EXPECT_EQ(child.wait().status, 130);
+  EXPECT_TRUE(files_in(target.path()).empty());
+}
+
+TEST(Interrupts, RespectIgnoredSignals) {
+  const RunResult result = shell(
+      "trap '' INT; $soms generate sphere --triangles 200000 -o "
+      "/dev/null --format obj & sleep 0.05; kill -INT $!; wait $!");
+  EXPECT_EQ(result.status, 0) << result.err;
+}
+
+}  // namespace
+}  // namespace soms::test

@@ -1,0 +1,125 @@
+#include "tests/commands/run.h"
+
+#include <sys/stat.h>
+
+namespace soms::test {
+namespace {
+
+TEST(Output, FailsWhenTheDiskIsFull) {
+  const std::string box = test::data("truth/meshes/box2.ply").string();
+  const std::vector<std::string> lines{"$soms generate sphere -o /dev/full",
+                                       "$soms generate sphere -o - > /dev/full",
+                                       "$soms info '" + box + "' > /dev/full",
+                                       "$soms overlap '" + box + "' '" + box + "' > /dev/full",
+                                       "$soms --help > /dev/full",
+                                       "$soms overlap --help > /dev/full",
+                                       "$soms completion bash > /dev/full"};
+  for (std::string line : lines) {
+    if (line.find("generate sphere -o /dev") != std::string::npos) {
+      line += " --format ply";
+    }
+    const RunResult result = shell(line);
+    EXPECT_EQ(result.status, 5) << line << ": " << result.err;
+    EXPECT_NE(result.err.find("No space left on device"), std::string::npos) << result.err;
+  }
+}
+
+TEST(Output, LeavesNothingBehindWhenAFileMayNotGrow) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "big.ply").string();
+  const RunResult result =
+      shell("ulimit -f 8; $soms generate sphere --triangles 100000 -o '" + path + "'");
+  EXPECT_EQ(result.status, 5) << result.err;
+  EXPECT_NE(result.err.find("File too large"), std::string::npos) << result.err;
+  EXPECT_TRUE(files_in(folder.path()).empty());
+}
+
+TEST(Output, KeepsTheOldFileWhenTheNewOneFails) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "model.ply").string();
+  write_text(path, "old");
+  EXPECT_EQ(shell("ulimit -f 8; $soms generate sphere --triangles 100000 -o '" + path + "'").status,
+            5);
+  EXPECT_EQ(read_text(path), "old");
+  EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{"model.ply"});
+}
+
+TEST(Output, ReplacesAFileAndKeepsItsPermissions) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "model.ply").string();
+  write_text(path, "old");
+  ASSERT_EQ(chmod(path.c_str(), 0640), 0);
+  ASSERT_EQ(soms_run({"generate", "sphere", "-o", path}).status, 0);
+
+  struct stat status {};
+
+  ASSERT_EQ(stat(path.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777U, 0640U);
+  EXPECT_TRUE(read_text(path).starts_with("ply"));
+}
+
+TEST(Output, FollowsASymbolicLink) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "far");
+  const auto target = folder.path() / "far" / "model.ply";
+  const auto link = folder.path() / "link.ply";
+  write_text(target, "old");
+  std::filesystem::create_symlink(target, link);
+  ASSERT_EQ(soms_run({"generate", "sphere", "-o", link.string()}).status, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_TRUE(read_text(target).starts_with("ply"));
+}
+
+TEST(Output, NamesThePlaceThatCannotBeWritten) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "folder.ply");
+  const std::vector<std::string> places{"/proc/soms.ply", (folder.path() / "folder.ply").string(),
+                                        (folder.path() / "no" / "such" / "place.ply").string()};
+  for (const std::string& place : places) {
+    const RunResult result = soms_run({"generate", "sphere", "-o", place});
+    EXPECT_EQ(result.status, 5) << result.err;
+    EXPECT_NE(result.err.find(place), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("; "), std::string::npos) << result.err;
+  }
+  EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{"folder.ply"});
+}
+
+TEST(Output, EndsQuietlyWhenThePipeIsClosed) {
+  const TemporaryFolder folder;
+  const std::string status = (folder.path() / "status").string();
+  const std::string poses = (folder.path() / "poses.csv").string();
+  std::string rows = "x,y,z\n";
+  for (int i = 0; i < 20'000; ++i) {
+    rows += "0.5,0,0\n";
+  }
+  write_text(poses, rows);
+  const std::string box = test::data("truth/meshes/box2.ply").string();
+  const std::vector<std::string> lines{
+      "$soms overlap '" + box + "' '" + box + "' --json --pose '" + poses + "'",
+      "$soms generate sphere --triangles 400000 -o -",
+      "$soms convert '" + box + "' - --format obj"};
+  for (const std::string& line : lines) {
+    const RunResult result =
+        shell("{ sleep 0.05; " + line + "; echo $? > '" + status + "'; } | head -c 0");
+    EXPECT_EQ(read_text(status), "0\n") << line;
+    EXPECT_EQ(result.err, "") << line;
+  }
+}
+
+TEST(Output, ShowsNeitherColorNorProgressWhereThereIsNoTerminal) {
+  const RunResult result = soms_run({"info", "missing.ply"});
+  EXPECT_EQ(result.err.find('\x1b'), std::string::npos);
+}
+
+TEST(Output, AcceptsNamesWithSpacesAndRelativePaths) {
+  const TemporaryFolder folder;
+  const RunResult result =
+      shell("cd '" + folder.path().string() +
+            "' && mkdir 'a b' && $soms generate sphere -o 'a b/my ball.off' -q && cd 'a b' && "
+            "$soms info './my ball.off' --json --no-trees && $soms convert 'my ball.off' ../c.obj");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(files_in(folder.path()), (std::vector<std::string>{"a b", "c.obj"}));
+}
+
+}  // namespace
+}  // namespace soms::test

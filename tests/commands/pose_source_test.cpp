@@ -1,0 +1,122 @@
+#include "tests/commands/run.h"
+
+#include <algorithm>
+
+namespace soms::test {
+namespace {
+
+std::string box() {
+  return test::data("truth/meshes/box2.ply").string();
+}
+
+/// Runs `overlap` of two boxes with pose files of these texts; an empty text is no option.
+RunResult with_rows(const TemporaryFolder& folder, const std::string& a, const std::string& b) {
+  std::vector<std::string> words{"overlap", box(), box(), "--json", "--no-pairs"};
+  const auto add = [&](const char* option, const char* name, const std::string& text) {
+    if (!text.empty()) {
+      write_text(folder.path() / name, text);
+      words.insert(words.end(), {option, (folder.path() / name).string()});
+    }
+  };
+  add("--pose", "a.csv", a);
+  add("--pose-b", "b.csv", b);
+  return soms_run(words);
+}
+
+std::vector<bool> overlaps(const RunResult& result) {
+  EXPECT_EQ(result.status, 0) << result.err;
+  std::vector<bool> found;
+  for (const Json& answer : json_lines(result.out)) {
+    EXPECT_EQ(answer.at("pose"), found.size());
+    found.push_back(answer.at("overlap"));
+  }
+  return found;
+}
+
+TEST(PoseSource, ReadsRowsOfBothFilesSideBySide) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(overlaps(with_rows(folder, "x,y,z\n0,0,0\n10,0,0\n20,0,0\n",
+                               "x,y,z\n0,0,0\n10,0,0\n0,0,0\n")),
+            (std::vector{true, true, false}));
+}
+
+TEST(PoseSource, ASingleRowServesAll) {
+  const TemporaryFolder folder;
+  const std::vector expected{true, false, true};
+  const std::string three = "x,y,z\n0,0,0\n10,0,0\n0.5,0,0\n";
+  EXPECT_EQ(overlaps(with_rows(folder, three, "x,y,z\n0.25,0,0\n")), expected);
+  EXPECT_EQ(overlaps(with_rows(folder, "x,y,z\n0.25,0,0\n", three)), expected);
+  EXPECT_EQ(overlaps(with_rows(folder, three, "")), expected);
+  EXPECT_EQ(overlaps(with_rows(folder, "", three)), expected);
+  EXPECT_EQ(overlaps(with_rows(folder, "x,y,z\n10,0,0\n", "x,y,z\n10,0,0\n")), std::vector{true});
+}
+
+TEST(PoseSource, RefusesFilesOfUnequalLength) {
+  const TemporaryFolder folder;
+  const RunResult result =
+      with_rows(folder, "x,y,z\n0,0,0\n1,0,0\n2,0,0\n", "x,y,z\n0,0,0\n1,0,0\n");
+  EXPECT_EQ(result.status, 3);
+  EXPECT_EQ(json_lines(result.out).size(), 2U);
+  EXPECT_NE(result.err.find("b.csv: ends after 2 poses"), std::string::npos) << result.err;
+}
+
+TEST(PoseSource, AnswersNothingForNoRows) {
+  const TemporaryFolder folder;
+  const RunResult result = with_rows(folder, "x,y,z\n", "");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.out, "");
+}
+
+TEST(PoseSource, NamesFileAndLineOfAPoseThatIsNotRigid) {
+  const TemporaryFolder folder;
+  const RunResult result = with_rows(
+      folder, "x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n0,0,0,1,0,0,0\n0,0,0,1,1,0,0\n0,0,0,1,0,0,0\n",
+      "");
+  EXPECT_EQ(result.status, 3);
+  EXPECT_EQ(json_lines(result.out).size(), 2U);  // the rows before are answered
+  EXPECT_NE(result.err.find("a.csv"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("4"), std::string::npos) << result.err;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1);
+}
+
+TEST(PoseSource, NamesTheFileOfEveryOtherFault) {
+  const TemporaryFolder folder;
+  for (const char* text : {"x,y,z\nnan,0,0\n", "x,y,z\n1,2\n", "x,y\n1,2\n", "1,2,3\n",
+                           "x,y,z\n1,two,3\n", "x,y,z\n0,0,0\n0,0,0\n1,2,3,4\n"}) {
+    const RunResult result = with_rows(folder, text, "");
+    EXPECT_EQ(result.status, 3) << text;
+    EXPECT_NE(result.err.find("a.csv"), std::string::npos) << result.err;
+  }
+}
+
+TEST(PoseSource, TakesAPoseFromTheCommandLine) {
+  const auto status = [](const std::string& pose) {
+    return soms_run({"overlap", box(), box(), "--pose", pose});
+  };
+  EXPECT_EQ(status("1 2 3").status, 0);
+  EXPECT_EQ(status("-1,-2,-3").status, 0);
+  EXPECT_EQ(status("1 2 3 1 0 0 0").status, 0);
+  for (const char* pose : {"1 2", "1 2 3 4", "nan 0 0", "1 2 3 1 1 0 0", "1e999 0 0", ""}) {
+    if (*pose == '\0') {
+      continue;
+    }
+    const RunResult result = status(pose);
+    EXPECT_NE(result.status, 0) << pose;
+    EXPECT_NE(result.err.find("--pose"), std::string::npos) << result.err;
+  }
+}
+
+TEST(PoseSource, ReadsPosesFromStandardInput) {
+  const RunResult result =
+      soms_run({"overlap", box(), box(), "--pose", "-", "--json"}, "x,y,z\n0,0,0\n9,0,0\n");
+  EXPECT_EQ(overlaps(result), (std::vector{true, false}));
+}
+
+TEST(PoseSource, NamesAFileThatIsMissing) {
+  const RunResult result = soms_run({"overlap", box(), box(), "--pose", "my poses.csv"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_NE(result.err.find("my poses.csv"), std::string::npos) << result.err;
+}
+
+}  // namespace
+}  // namespace soms::test

@@ -1,0 +1,196 @@
+#include "tests/commands/run.h"
+
+#include <regex>
+#include <sstream>
+
+namespace soms::test {
+namespace {
+
+using testing::Test;
+
+std::vector<std::string> verb_names() {
+  std::vector<std::string> names;
+  std::istringstream help(soms_run({"--help"}).out);
+  bool inside = false;
+  for (std::string line; std::getline(help, line);) {
+    if (line == "Verbs:") {
+      inside = true;
+    } else if (line.empty()) {
+      inside = false;
+    } else if (inside) {
+      names.push_back(line.substr(2, line.find(' ', 2) - 2));
+    }
+  }
+  return names;
+}
+
+/// The lines of a help text that follow "Example:" and begin with "  soms".
+std::vector<std::string> examples(const std::string& help) {
+  std::vector<std::string> lines;
+  std::istringstream in(help.substr(std::min(help.size(), help.find("Example:"))));
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("  soms ")) {
+      lines.push_back(line.substr(7));
+    }
+  }
+  return lines;
+}
+
+TEST(Program, TellsItsVersionAndItsVerbs) {
+  EXPECT_EQ(soms_run({"--version"}).out, "soms " SOMS_VERSION "\n");
+  const RunResult help = soms_run({"--help"});
+  EXPECT_EQ(help.status, 0);
+  EXPECT_EQ(help.err, "");
+  EXPECT_EQ(soms_run({}).out, help.out);
+  EXPECT_EQ(soms_run({"help"}).out, help.out);
+  for (const char* verb : {"completion", "convert", "generate", "info", "overlap"}) {
+    EXPECT_NE(help.out.find(std::string("  ") + verb + " "), std::string::npos) << verb;
+  }
+}
+
+TEST(Program, SuggestsTheVerbThatWasMeant) {
+  const RunResult result = soms_run({"ovrelap", "a", "b"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err,
+            "soms: unknown verb ovrelap; did you mean overlap? (soms --help lists them)\n");
+  EXPECT_NE(soms_run({"xyzzy"}).err.find("unknown verb xyzzy; soms --help lists them"),
+            std::string::npos);
+}
+
+TEST(Program, SuggestsTheOptionThatWasMeant) {
+  const RunResult result = soms_run({"overlap", "a.ply", "b.ply", "--jsno"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("soms overlap: unknown option --jsno; did you mean --json?"),
+            std::string::npos)
+      << result.err;
+}
+
+TEST(Program, NamesAnUnknownOptionBeforeAMissingArgument) {
+  EXPECT_NE(
+      soms_run({"overlap", "--frist"}).err.find("unknown option --frist; did you mean --first?"),
+      std::string::npos);
+}
+
+TEST(Program, WantsTheVerbFirst) {
+  const RunResult result = soms_run({"--json", "overlap"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("--json stands before the verb"), std::string::npos);
+}
+
+TEST(Program, SaysWhatIsMissingOrTooMuch) {
+  EXPECT_NE(soms_run({"overlap", "a.ply"}).err.find("B is required"), std::string::npos);
+  EXPECT_NE(soms_run({"overlap", "a", "b", "c"}).err.find("c is one argument too many"),
+            std::string::npos);
+  EXPECT_NE(soms_run({"info", "a", "--threads"}).err.find("--threads needs a value"),
+            std::string::npos);
+  EXPECT_NE(soms_run({"info", "a", "--threads", "1", "--threads", "2"})
+                .err.find("--threads is given more than once"),
+            std::string::npos);
+}
+
+TEST(Program, RefusesNumbersThatMakeNoSenseAndNamesTheOption) {
+  const std::vector<std::pair<std::string, std::string>> cases{{"--threads", "-1"},
+                                                               {"--threads", "4294967297"},
+                                                               {"--threads", "2x"},
+                                                               {"--threads", ""},
+                                                               {"--threads", "1e3"},
+                                                               {"--threads", "nan"},
+                                                               {"--seed", "-1"},
+                                                               {"--seed", "18446744073709551616"},
+                                                               {"--timeout", "-1"},
+                                                               {"--timeout", "nan"},
+                                                               {"--timeout", "inf"},
+                                                               {"--max-memory", "0"},
+                                                               {"--max-memory", "-5"},
+                                                               {"--max-memory", "5X"},
+                                                               {"--max-memory", "99999999999T"},
+                                                               {"--leaf", "0"},
+                                                               {"--leaf", "2147483648"},
+                                                               {"--levels", "-3"},
+                                                               {"--c-vertex", "3"},
+                                                               {"--root-level", "2"},
+                                                               {"--scale", "0"},
+                                                               {"--scale", "-1"},
+                                                               {"--scale", "nan"},
+                                                               {"--scale", "1,5"},
+                                                               {"--limit", "0"},
+                                                               {"--limit", "-7"}};
+  for (const auto& [option, value] : cases) {
+    const RunResult result = soms_run({"overlap", "a.ply", "b.ply", option, value});
+    EXPECT_EQ(result.status, 2) << option << " " << value << ": " << result.err;
+    EXPECT_NE(result.err.find("soms overlap: " + option), std::string::npos) << result.err;
+    EXPECT_EQ(result.out, "");
+  }
+}
+
+TEST(Program, ListsTheWordsOfAChoice) {
+  const RunResult rule = soms_run({"overlap", "a", "b", "--rule", "shah"});
+  EXPECT_EQ(rule.status, 2);
+  EXPECT_NE(rule.err.find("--rule shah; did you mean sah? choose one of object-median"),
+            std::string::npos)
+      << rule.err;
+  const RunResult traversal = soms_run({"overlap", "a", "b", "--traversal", "zig-zag"});
+  EXPECT_EQ(traversal.status, 2);
+  EXPECT_NE(traversal.err.find("e-node"), std::string::npos) << traversal.err;
+}
+
+TEST(Program, DoesNotTranslateNumbersByTheLocale) {
+  const RunResult result = shell("LC_ALL=de_DE.UTF-8 $soms overlap a b --scale 1.5");
+  EXPECT_EQ(result.status, 3) << result.err;  // no file "a": the number was understood
+}
+
+TEST(Program, EveryVerbsExampleWorks) {
+  const std::vector<std::string> verbs = verb_names();
+  ASSERT_GE(verbs.size(), 5U);
+  for (const std::string& verb : verbs) {
+    const RunResult help = soms_run({verb, "--help"});
+    EXPECT_EQ(help.status, 0);
+    EXPECT_EQ(soms_run({"help", verb}).out, help.out);
+    const std::vector<std::string> lines = examples(help.out);
+    EXPECT_FALSE(lines.empty()) << verb << " shows no example";
+    const TemporaryFolder folder;
+    for (const std::string& line : lines) {
+      std::string there = "cd '";
+      there += folder.path().string();
+      const RunResult result = shell(there + "' && $soms " + line);
+      EXPECT_EQ(result.status, 0) << line << "\n" << result.err;
+    }
+  }
+}
+
+TEST(Program, EveryHelpFitsAScreen) {
+  for (const std::string& verb : verb_names()) {
+    std::istringstream help(soms_run({verb, "--help"}).out);
+    for (std::string line; std::getline(help, line);) {
+      EXPECT_LE(line.size(), 120U) << verb << ": " << line;
+    }
+  }
+}
+
+TEST(Program, EveryOptionIsOnThePageOfTheCommand) {
+  const std::string page = read_text(std::string(SOMS_DOCS) + "/commands.md");
+  ASSERT_FALSE(page.empty());
+  const std::regex option("--[a-z][a-z-]*");
+  for (const std::string& verb : verb_names()) {
+    const std::size_t begin = page.find("\n## " + verb + "\n");
+    ASSERT_NE(begin, std::string::npos) << "no section for " << verb;
+    const std::size_t end = page.find("\n## ", begin + 1);
+    const std::string section = page.substr(begin, end - begin);
+    const std::size_t shared = page.find("\n## Shared options\n");
+    ASSERT_NE(shared, std::string::npos);
+    const std::string common = page.substr(shared, page.find("\n## ", shared + 1) - shared);
+    const std::string help = soms_run({verb, "--help"}).out;
+    const std::string listed = help.substr(0, help.find("Example:"));
+    for (std::sregex_iterator it(listed.begin(), listed.end(), option), last; it != last; ++it) {
+      std::string quoted = "`";
+      quoted += it->str();
+      EXPECT_TRUE(section.find(quoted) != std::string::npos ||
+                  common.find(quoted) != std::string::npos)
+          << it->str() << " of " << verb << " is not in docs/commands.md";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace soms::test

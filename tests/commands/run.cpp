@@ -1,0 +1,134 @@
+#include "tests/commands/run.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+
+namespace soms::test {
+
+namespace {
+
+void redirect(const std::filesystem::path& path, int target) {
+  const int fd = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  if (fd < 0 || dup2(fd, target) < 0) {
+    _exit(126);
+  }
+}
+
+}  // namespace
+
+RunResult soms_run(std::vector<std::string> words, const std::string& input) {
+  words.insert(words.begin(), command().string());
+  return run_program(words, input);
+}
+
+RunResult shell(const std::string& line) {
+  return run_program({"sh", "-c", "soms='" + command().string() + "'; " + line});
+}
+
+std::vector<Json> json_lines(const std::string& text) {
+  std::vector<Json> values;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    values.push_back(Json::parse(line));
+  }
+  return values;
+}
+
+Child::Child(const std::vector<std::string>& words, const std::filesystem::path& folder)
+    : folder_(folder) {
+  std::filesystem::remove(folder / "out");
+  std::filesystem::remove(folder / "err");
+  pid_ = fork();
+  if (pid_ < 0) {
+    throw std::runtime_error("cannot fork");
+  }
+  if (pid_ == 0) {
+    std::signal(SIGINT, SIG_DFL);
+    redirect(folder / "out", STDOUT_FILENO);
+    redirect(folder / "err", STDERR_FILENO);
+    std::vector<char*> argv;
+    for (const std::string& word : words) {
+      argv.push_back(const_cast<char*>(word.c_str()));
+    }
+    argv.push_back(nullptr);
+    execvp(argv[0], argv.data());
+    _exit(127);
+  }
+}
+
+void Child::send(int signal) const {
+  kill(pid_, signal);
+}
+
+bool Child::reap(int flags) {
+  if (!ended_) {
+    rusage usage{};
+    ended_ = wait4(pid_, &status_, flags, &usage) == pid_;
+    max_resident_ = usage.ru_maxrss;
+  }
+  return ended_;
+}
+
+bool Child::wait_for_output(std::uintmax_t size) {
+  for (;;) {
+    std::error_code ignored;
+    const std::uintmax_t now = std::filesystem::file_size(folder_ / "out", ignored);
+    if (!ignored && now >= size) {
+      return true;
+    }
+    if (reap(WNOHANG)) {
+      return false;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+RunResult Child::wait() {
+  reap(0);
+  RunResult result;
+  result.status = WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_);
+  result.out = read_text(folder_ / "out");
+  result.err = read_text(folder_ / "err");
+  return result;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+std::vector<std::string> files_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string triangle_off(const std::string& a, const std::string& b, const std::string& c) {
+  std::string text = "OFF\n3 1 0\n";
+  for (const std::string& corner : {a, b, c}) {
+    text += corner + "\n";
+  }
+  return text + "3 0 1 2\n";
+}
+
+}  // namespace soms::test

@@ -1,0 +1,66 @@
+/// \file
+/// Runs the built command and takes its answers apart.
+#pragma once
+
+#include "tests/support/support.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace soms::test {
+
+using Json = nlohmann::json;
+
+/// Runs `soms` with these words.
+[[nodiscard]] RunResult soms_run(std::vector<std::string> words, const std::string& input = {});
+
+/// Runs a line of the shell; `$soms` is the command.
+[[nodiscard]] RunResult shell(const std::string& line);
+
+/// The objects of JSON Lines.
+[[nodiscard]] std::vector<Json> json_lines(const std::string& text);
+
+/// A child that is running, and what it needed in the end.
+class Child {
+ public:
+  /// Starts `words` with standard output and error in files of `folder`.
+  Child(const std::vector<std::string>& words, const std::filesystem::path& folder);
+
+  void send(int signal) const;
+
+  /// Waits until standard output holds `size` bytes; false if the child ended before.
+  [[nodiscard]] bool wait_for_output(std::uintmax_t size);
+
+  /// Waits for the end. The status is as in RunResult.
+  RunResult wait();
+
+  /// Most resident memory in KiB; after `wait`.
+  [[nodiscard]] long max_resident() const { return max_resident_; }
+
+ private:
+  bool reap(int flags);
+
+  std::filesystem::path folder_;
+  int pid_ = -1;
+  bool ended_ = false;
+  int status_ = 0;
+  long max_resident_ = 0;
+};
+
+/// Content of a file.
+[[nodiscard]] std::string read_text(const std::filesystem::path& path);
+
+void write_text(const std::filesystem::path& path, const std::string& text);
+
+/// Files of a folder, hidden ones too, sorted by name.
+[[nodiscard]] std::vector<std::string> files_in(const std::filesystem::path& folder);
+
+/// An OFF file of one triangle with these corners ("x y z").
+[[nodiscard]] std::string triangle_off(const std::string& a, const std::string& b,
+                                       const std::string& c);
+
+}  // namespace soms::test
