@@ -47,7 +47,7 @@ void single(benchmark::State& state, OverlapMode mode) {
   Body car(p.car);
   Cost cost;
   std::int64_t queries = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     for (const Pose& pose : p.poses) {
       car.pose = pose;
       const Overlap answer = overlap(car, p.world, {.mode = mode});
@@ -71,7 +71,7 @@ void overlap_batch(benchmark::State& state) {
   const Place& p = place(state);
   Cost cost;
   std::int64_t queries = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const OverlapBatch batch = overlap(p.car, p.poses, p.world, {.mode = OverlapMode::any});
     cost += batch.cost;
     benchmark::DoNotOptimize(batch.any.data());
@@ -83,7 +83,7 @@ void overlap_batch(benchmark::State& state) {
 void build_shape(benchmark::State& state) {
   const Place& p = place(state);
   const auto mesh = p.world.shape.shared_mesh();
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const Shape shape(mesh);
     benchmark::DoNotOptimize(&shape.layout());
   }
@@ -91,7 +91,7 @@ void build_shape(benchmark::State& state) {
 }
 
 void generate(benchmark::State& state) {
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const City city = generate_city({.triangles = static_cast<std::uint64_t>(state.range(0))});
     benchmark::DoNotOptimize(city.mesh.triangles.data());
   }

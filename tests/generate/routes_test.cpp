@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace soms {
 namespace {
@@ -21,6 +22,15 @@ void expect_rigid(const Pose& pose) {
 
 Vec3 forward(const Pose& pose) {
   return {pose.m[0], pose.m[4], pose.m[8]};
+}
+
+/// Times from `begin` to before `end`.
+std::vector<double> times(double begin, double end, double step) {
+  std::vector<double> all;
+  for (int i = 0; begin + i * step < end; ++i) {
+    all.push_back(begin + i * step);
+  }
+  return all;
 }
 
 double distance(const Vec3& a, const Vec3& b) {
@@ -60,7 +70,7 @@ TEST(Route, StandsStillWithoutLength) {
 TEST(Route, AxlesStayOnTheRouteAndSmoothTheTurn) {
   const Route corner{{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}, false, 0, 1, 2};
   double last = 0;
-  for (double t = 1; t < 19; t += 0.05) {
+  for (const double t : times(1, 19, 0.05)) {
     const Pose pose = corner.at(t);
     expect_rigid(pose);
     const double yaw = std::atan2(pose.m[4], pose.m[0]);
@@ -75,7 +85,7 @@ TEST(Route, MarksChangeNoPose) {
   Route measured = street_route(city, 3, 12, 0.12);
   Route plain = measured;
   plain.marks.clear();
-  for (double t = 0; t < 100; t += 7.3) {
+  for (const double t : times(0, 100, 7.3)) {
     EXPECT_EQ(measured.at(t), plain.at(t));
   }
   EXPECT_EQ(measured.length(), plain.length());
@@ -84,7 +94,7 @@ TEST(Route, MarksChangeNoPose) {
 /// Least height of any vertex of a mover above the ground over the first `seconds` of its route.
 double least_clearance(const City& city, const Mesh& mover, const Route& route, double seconds) {
   double least = std::numeric_limits<double>::infinity();
-  for (double t = 0; t < seconds; t += 0.23) {
+  for (const double t : times(0, seconds, 0.23)) {
     const Pose pose = route.at(t);
     for (const Vec3& v : mover.vertices) {
       const Vec3 p = pose.apply(v);
@@ -120,7 +130,7 @@ TEST(StreetRoute, CarNeverTouchesRoadsOrTerrainByBruteForce) {
       city.mesh.triangles.begin() + city.mesh.parts[0].count + city.mesh.parts[1].count);
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const Route route = street_route(city, seed, 14, 0.12);
-    for (double t = 0; t < 120; t += 2.7) {
+    for (const double t : times(0, 120, 2.7)) {
       ASSERT_FALSE(reference::overlap(car, route.at(t), ground, {}).any) << seed << ' ' << t;
     }
   }
@@ -133,7 +143,7 @@ TEST(StreetRoute, StaysInItsLaneAndTurnsSmoothly) {
       const Route route = street_route(city, seed, speed, 0.12);
       EXPECT_TRUE(route.closed);
       Pose last = route.at(-0.02);
-      for (double t = 0; t < 40; t += 0.02) {
+      for (const double t : times(0, 40, 0.02)) {
         const Pose pose = route.at(t);
         const Vec3 p = pose.shift();
         ASSERT_NEAR(distance(p, last.shift()), 0.02 * speed, 0.012 * speed) << seed << ' ' << t;
@@ -171,7 +181,7 @@ TEST(FlightRoute, StaysBetweenItsHeightsAboveTheStreets) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const Route route = flight_route(city, seed, 9, 5, 40);
     EXPECT_TRUE(route.closed);
-    for (double t = 0; t < 60; t += 0.5) {
+    for (const double t : times(0, 60, 0.5)) {
       const Pose pose = route.at(t);
       expect_rigid(pose);
       const Vec3 p = pose.shift();
@@ -189,7 +199,7 @@ TEST(StraightRoute, StartsWhereAskedAndStaysInTheBox) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const Route route = straight_route(scene, {10, 5, 2}, seed, 8);
     EXPECT_NEAR(distance(route.at(0).shift(), {10, 5, 2}), 0, 1e-9);
-    for (double t = 0; t < 80; t += 1.7) {
+    for (const double t : times(0, 80, 1.7)) {
       const Pose pose = route.at(t);
       expect_rigid(pose);
       const Vec3 p = pose.shift();
