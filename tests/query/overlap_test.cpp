@@ -207,6 +207,25 @@ TEST(Overlap, AnswersABatchAsItAnswersSingleQueries) {
   });
 }
 
+TEST(Overlap, WalksAMillionIdenticalTrianglesInOneLeaf) {
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles.resize(1000000, {0, 1, 2});
+  const Body many{Shape(mesh, {thesis_options(Rule::soms)})};
+  EXPECT_TRUE(overlap(many, many, {.mode = OverlapMode::any}).any);
+  const Overlap some = overlap(many, many, {.limit = 1000});
+  EXPECT_EQ(some.pairs.size(), 1000U);
+  EXPECT_EQ(some.coverage, Coverage::cut);
+  mesh.triangles.resize(1);
+  const Body one{mesh};
+  const Overlap all = overlap(many, one);
+  ASSERT_EQ(all.pairs.size(), 1000000U);
+  EXPECT_EQ(all.pairs.back(), TrianglePair(999999, 0));
+  EXPECT_EQ(overlap(one, many, {}, {.threads = 2}).pairs.size(), 1000000U);
+  const auto soon = std::chrono::steady_clock::now() + std::chrono::milliseconds(20);
+  EXPECT_EQ(overlap(many, many, {.deadline = soon}).coverage, Coverage::cut);
+}
+
 TEST(Overlap, OfAnEmptyMeshIsEmpty) {
   const Body nothing;
   Mesh mesh;

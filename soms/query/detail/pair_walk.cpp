@@ -77,50 +77,6 @@ void PairWalk::start(const PlacePair& from) {
   push(from);
 }
 
-bool PairWalk::step(Collector& collector, Watch& watch) {
-  if (!memory_.blocks.empty()) {
-    return !decide_group(collector) && !watch.spend(8 * kGroup);
-  }
-  if (!memory_.mixed.empty()) {
-    open_group<&PairWalk::test_mixed>(memory_.mixed);
-  } else if (!memory_.nodes.empty()) {
-    open_group<&PairWalk::test_nodes>(memory_.nodes);
-  } else {
-    return false;
-  }
-  return !watch.spend(kGroup);
-}
-
-std::vector<PlacePair> PairWalk::frontier(std::size_t enough) {
-  ++cost_.node_tests;
-  if (relative_.apart()) {
-    return {};
-  }
-  std::vector<PlacePair> level{{0, 0}};
-  std::vector<PlacePair> next;
-  bool opened = true;
-  while (opened && level.size() < enough) {
-    next.clear();
-    opened = false;
-    for (const PlacePair& pair : level) {
-      if (is_leaf(pair.x) && is_leaf(pair.y)) {
-        next.push_back(pair);
-        continue;
-      }
-      memory_.clear();
-      Opening opening{pair, 0, Open::both};
-      is_leaf(pair.x) || is_leaf(pair.y) ? test_mixed(opening) : test_nodes(opening);
-      push_meeting(opening);
-      for (const PlaceStack* stack : {&memory_.blocks, &memory_.mixed, &memory_.nodes}) {
-        next.insert(next.end(), stack->begin(), stack->end());
-      }
-      opened = true;
-    }
-    level.swap(next);
-  }
-  return level;
-}
-
 void PairWalk::push(const PlacePair& pair) {
   const bool leaf_x = is_leaf(pair.x);
   const bool leaf_y = is_leaf(pair.y);
@@ -132,19 +88,18 @@ void PairWalk::push(const PlacePair& pair) {
   stack.push(pair);
 }
 
-void PairWalk::push_children(std::uint32_t child_x, std::uint32_t child_y) {
-  const PlacePair first{child_x & ~WideNode::kRunBit, child_y & ~WideNode::kRunBit};
-  if (first.x == child_x && first.y == child_y) {
-    push(first);
-    return;
+PlacePair PairWalk::take(PlaceStack& stack) {
+  const PlacePair pair = stack.pop();
+  const PlacePair here{is_run(pair.x) ? pair.x & ~WideNode::kRunBit : pair.x,
+                       is_run(pair.y) ? pair.y & ~WideNode::kRunBit : pair.y};
+  // Row by row: only the head of a row, whose y is still a run too, goes on to the next row.
+  if (is_run(pair.x) && block_x(here.x).following > 0) {
+    stack.push({pair.x + 1, pair.y});
   }
-  const std::uint32_t more_x = first.x == child_x ? 0 : block_x(first.x).following;
-  const std::uint32_t more_y = first.y == child_y ? 0 : block_y(first.y).following;
-  for (std::uint32_t i = 0; i <= more_x; ++i) {
-    for (std::uint32_t j = 0; j <= more_y; ++j) {
-      push({first.x + i, first.y + j});
-    }
+  if (is_run(pair.y) && block_y(here.y).following > 0) {
+    stack.push({here.x, pair.y + 1});
   }
+  return here;
 }
 
 void PairWalk::push_meeting(const Opening& opening) {
@@ -152,11 +107,11 @@ void PairWalk::push_meeting(const Opening& opening) {
   for (std::uint32_t meet = opening.meet; meet != 0; meet &= meet - 1) {
     const std::size_t bit = lowest(meet);
     if (opening.open == Open::both) {
-      push_children(node_x(pair.x).child[bit & 3], node_y(pair.y).child[(bit + (bit >> 2)) & 3]);
+      push({node_x(pair.x).child[bit & 3], node_y(pair.y).child[(bit + (bit >> 2)) & 3]});
     } else if (opening.open == Open::x) {
-      push_children(node_x(pair.x).child[bit], pair.y);
+      push({node_x(pair.x).child[bit], pair.y});
     } else {
-      push_children(pair.x, node_y(pair.y).child[bit]);
+      push({pair.x, node_y(pair.y).child[bit]});
     }
   }
 }
@@ -166,7 +121,7 @@ void PairWalk::open_group(PlaceStack& stack) {
   std::array<Opening, kGroup> group;
   const std::size_t count = std::min(kGroup, stack.size());
   for (std::size_t i = 0; i < count; ++i) {
-    group[i].pair = stack.pop();
+    group[i].pair = take(stack);
   }
   for (std::size_t i = 0; i < count; ++i) {
     (this->*Test)(group[i]);
@@ -231,13 +186,57 @@ void PairWalk::test_nodes(Opening& opening) {
   }
 }
 
+bool PairWalk::step(Collector& collector, Watch& watch) {
+  if (!memory_.blocks.empty()) {
+    return !decide_group(collector) && !watch.spend(8 * kGroup);
+  }
+  if (!memory_.mixed.empty()) {
+    open_group<&PairWalk::test_mixed>(memory_.mixed);
+  } else if (!memory_.nodes.empty()) {
+    open_group<&PairWalk::test_nodes>(memory_.nodes);
+  } else {
+    return false;
+  }
+  return !watch.spend(kGroup);
+}
+
+std::vector<PlacePair> PairWalk::frontier(std::size_t enough) {
+  ++cost_.node_tests;
+  if (relative_.apart()) {
+    return {};
+  }
+  std::vector<PlacePair> level{{0, 0}};
+  std::vector<PlacePair> next;
+  bool opened = true;
+  while (opened && level.size() < enough) {
+    next.clear();
+    opened = false;
+    for (const PlacePair& pair : level) {
+      if (is_leaf(pair.x) && is_leaf(pair.y)) {
+        next.push_back(pair);
+        continue;
+      }
+      memory_.clear();
+      push(pair);
+      memory_.mixed.empty() ? open_group<&PairWalk::test_nodes>(memory_.nodes)
+                            : open_group<&PairWalk::test_mixed>(memory_.mixed);
+      for (const PlaceStack* stack : {&memory_.blocks, &memory_.mixed, &memory_.nodes}) {
+        next.insert(next.end(), stack->begin(), stack->end());
+      }
+      opened = true;
+    }
+    level.swap(next);
+  }
+  return level;
+}
+
 bool PairWalk::decide_group(Collector& collector) {
   std::array<PlacePair, kGroup> group;
   std::array<Relation, kGroup> relations;
   std::array<std::uint32_t, kGroup> lanes;
   const std::size_t count = std::min(kGroup, memory_.blocks.size());
   for (std::size_t i = 0; i < count; ++i) {
-    group[i] = memory_.blocks.pop();
+    group[i] = take(memory_.blocks);
     const TriangleBlock& x = block_x(group[i].x);
     const TriangleBlock& y = block_y(group[i].y);
     relative_.relate(x, y, relations[i]);

@@ -13,7 +13,8 @@
 
 namespace soms::detail {
 
-/// A pair of places in two trees: nodes, or blocks of triangles (with WideNode::kLeafBit).
+/// A pair of places in two trees: nodes, or blocks of triangles (WideNode::kLeafBit), or blocks
+/// with those that follow in their leaves (WideNode::kRunBit too).
 struct PlacePair {
   std::uint32_t x;
   std::uint32_t y;
@@ -108,16 +109,20 @@ class PairWalk {
  private:
   static bool is_leaf(std::uint32_t place) { return (place & WideNode::kLeafBit) != 0; }
 
+  static bool is_run(std::uint32_t place) {
+    return is_leaf(place) && (place & WideNode::kRunBit) != 0;
+  }
+
   [[nodiscard]] const WideNode& node_x(std::uint32_t place) const { return nodes_x_[place]; }
 
   [[nodiscard]] const WideNode& node_y(std::uint32_t place) const { return nodes_y_[place]; }
 
   [[nodiscard]] const TriangleBlock& block_x(std::uint32_t place) const {
-    return blocks_x_[place & ~WideNode::kLeafBit];
+    return blocks_x_[place & ~(WideNode::kLeafBit | WideNode::kRunBit)];
   }
 
   [[nodiscard]] const TriangleBlock& block_y(std::uint32_t place) const {
-    return blocks_y_[place & ~WideNode::kLeafBit];
+    return blocks_y_[place & ~(WideNode::kLeafBit | WideNode::kRunBit)];
   }
 
   /// Which sides of a pair are opened.
@@ -132,6 +137,9 @@ class PairWalk {
 
   void push(const PlacePair& pair);
 
+  /// Pops a pair. Of a run of blocks it gives the first and leaves the rest on the stack.
+  [[nodiscard]] PlacePair take(PlaceStack& stack);
+
   /// Takes up to `kGroup` pairs off a stack, tests them all, then pushes what meets: tests of one
   /// pair wait for memory and for each other, tests of several do not.
   template <void (PairWalk::*Test)(Opening&)>
@@ -139,7 +147,6 @@ class PairWalk {
   void test_nodes(Opening& opening);
   void test_mixed(Opening& opening);
   void push_meeting(const Opening& opening);
-  void push_children(std::uint32_t child_x, std::uint32_t child_y);
 
   /// Decides up to `kGroup` pairs of blocks; true when the walk is to stop.
   [[nodiscard]] bool decide_group(Collector& collector);
