@@ -119,8 +119,10 @@ int run_generate(const GenerateOptions& options, Console& console) {
   try {
     mesh = options.kind->make(options.triangles, seed);
   } catch (const Error& error) {
-    throw Error(error.kind(), fmt::format("{}: {}", options.kind->name, error.place()),
-                error.remedy());
+    const std::string place = error.kind() == ErrorKind::usage && options.triangles != 0
+                                  ? fmt::format("--triangles {}", options.triangles)
+                                  : std::string(options.kind->name);
+    throw Error(error.kind(), fmt::format("{}: {}", place, error.place()), error.remedy());
   }
   write_model(mesh, options.output, console);
   if (console.shared().json) {

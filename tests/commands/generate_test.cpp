@@ -100,7 +100,7 @@ TEST(Generate, RefusesCountsThatAKindCannotHave) {
   for (const auto& [kind, triangles] : cases) {
     const RunResult result = soms_run({"generate", kind, "--triangles", triangles, "-o", path});
     EXPECT_EQ(result.status, 2) << kind << " " << triangles << ": " << result.err;
-    EXPECT_TRUE(result.err.starts_with("soms generate: ")) << result.err;
+    EXPECT_TRUE(result.err.starts_with("soms generate: --triangles " + triangles)) << result.err;
     EXPECT_TRUE(files_in(folder.path()).empty());
   }
 }

@@ -2,6 +2,8 @@
 
 #include <sys/stat.h>
 
+#include <cstdlib>
+
 namespace soms::test {
 namespace {
 
@@ -109,6 +111,16 @@ TEST(Output, EndsQuietlyWhenThePipeIsClosed) {
 TEST(Output, ShowsNeitherColorNorProgressWhereThereIsNoTerminal) {
   const RunResult result = soms_run({"info", "missing.ply"});
   EXPECT_EQ(result.err.find('\x1b'), std::string::npos);
+}
+
+TEST(Output, ShowsColorOnATerminalUnlessToldNotTo) {
+  const RunResult colored = soms_on_terminal({"info", "missing.ply"});
+  EXPECT_EQ(colored.status, 3);
+  EXPECT_TRUE(colored.out.starts_with("\x1b[1;31msoms info:\x1b[0m missing.ply")) << colored.out;
+  setenv("NO_COLOR", "1", 1);
+  const RunResult plain = soms_on_terminal({"info", "missing.ply"});
+  unsetenv("NO_COLOR");
+  EXPECT_TRUE(plain.out.starts_with("soms info: missing.ply")) << plain.out;
 }
 
 TEST(Output, AcceptsNamesWithSpacesAndRelativePaths) {

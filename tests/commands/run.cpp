@@ -1,13 +1,16 @@
 #include "tests/commands/run.h"
 
 #include <fcntl.h>
+#include <pty.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -25,11 +28,46 @@ void redirect(const std::filesystem::path& path, int target) {
   }
 }
 
+[[noreturn]] void exec_words(const std::vector<std::string>& words) {
+  std::vector<char*> argv;
+  for (const std::string& word : words) {
+    argv.push_back(const_cast<char*>(word.c_str()));
+  }
+  argv.push_back(nullptr);
+  execvp(argv[0], argv.data());
+  _exit(127);
+}
+
 }  // namespace
 
 RunResult soms_run(std::vector<std::string> words, const std::string& input) {
   words.insert(words.begin(), command().string());
   return run_program(words, input);
+}
+
+RunResult soms_on_terminal(std::vector<std::string> words) {
+  words.insert(words.begin(), command().string());
+  int terminal = -1;
+  const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
+  if (child < 0) {
+    throw std::runtime_error("cannot fork");
+  }
+  if (child == 0) {
+    setenv("TERM", "xterm", 1);
+    exec_words(words);
+  }
+  RunResult result;
+  std::array<char, 4096> bytes{};
+  // Reading fails when the child has closed the terminal.
+  for (ssize_t got = 1; got > 0;) {
+    got = read(terminal, bytes.data(), bytes.size());
+    result.out.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+  }
+  close(terminal);
+  int status = 0;
+  waitpid(child, &status, 0);
+  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return result;
 }
 
 RunResult shell(const std::string& line) {
@@ -57,13 +95,7 @@ Child::Child(const std::vector<std::string>& words, const std::filesystem::path&
     std::signal(SIGINT, SIG_DFL);
     redirect(folder / "out", STDOUT_FILENO);
     redirect(folder / "err", STDERR_FILENO);
-    std::vector<char*> argv;
-    for (const std::string& word : words) {
-      argv.push_back(const_cast<char*>(word.c_str()));
-    }
-    argv.push_back(nullptr);
-    execvp(argv[0], argv.data());
-    _exit(127);
+    exec_words(words);
   }
 }
 

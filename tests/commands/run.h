@@ -18,6 +18,9 @@ using Json = nlohmann::json;
 /// Runs `soms` with these words.
 [[nodiscard]] RunResult soms_run(std::vector<std::string> words, const std::string& input = {});
 
+/// Runs `soms` on a terminal of its own; what it shows, on either stream, is `out`.
+[[nodiscard]] RunResult soms_on_terminal(std::vector<std::string> words);
+
 /// Runs a line of the shell; `$soms` is the command.
 [[nodiscard]] RunResult shell(const std::string& line);
 
