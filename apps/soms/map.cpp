@@ -191,6 +191,12 @@ class Panel {
   double y_ = kMargin - 6;
 };
 
+/// "400 cars"; a file's name is left as it is.
+std::string counted_models(std::uint64_t count, const Model& model) {
+  const bool plural = model.kind != Kind::model && count != 1;
+  return thousands(count) + " " + shortened(model.name, 28) + (plural ? "s" : "");
+}
+
 void write_movers(Panel& panel, const World& world) {
   panel.head(fmt::format("{} movers and their tracks", thousands(world.ways.size())));
   for (std::size_t model = 0; model < world.models.size(); ++model) {
@@ -200,7 +206,7 @@ void write_movers(Panel& panel, const World& world) {
                             "stroke-width=\"1.1\"/><path d=\"M0 0h.1\" stroke=\"{0}\" "
                             "stroke-width=\"6\" stroke-linecap=\"{1}\"/>",
                             color_of(model), cap_of(world.models[model])),
-                fmt::format("{} {}", thousands(count), shortened(world.models[model].name, 28)));
+                counted_models(count, world.models[model]));
   }
   if (stride_of(world) > 1) {
     panel.line(fmt::format("(one in {} is drawn)", stride_of(world)), 24);
@@ -223,8 +229,8 @@ void write_contacts(Panel& panel, const Outcome& outcome, const std::vector<Mark
   }
   panel.head("Most contacts, and what was touched");
   for (std::size_t k = 0; k < std::min(kMostListed, marks.size()); ++k) {
-    panel.keyed(number_mark(0, 0, k + 1),
-                fmt::format("{} {}", thousands(marks[k].contacts), shortened(marks[k].most, 34)));
+    panel.keyed(number_mark(0, 0, k + 1), fmt::format("{} at {}", thousands(marks[k].contacts),
+                                                      shortened(marks[k].most, 32)));
   }
 }
 

@@ -20,6 +20,8 @@ namespace {
 constexpr std::uint64_t kDefaultMovers = 1000;
 /// Rounds in which movers that stand in something are given another place.
 constexpr int kRounds = 64;
+/// Rounds without progress by a tenth after which the place is full.
+constexpr int kPatience = 3;
 /// Height of a mover's underside above the ground: no street is as level as a straight line.
 constexpr double kClearance = 0.3;
 constexpr std::size_t kGridCells = 2048;
@@ -124,10 +126,9 @@ void find_free_ways(World& world, const std::function<Way(std::uint64_t, std::ui
     scene.add_mover(Body(world.models[world.ways[k].model].shape, world.ways[k].at(0)));
   }
   std::vector<bool> touches = who_touches(scene, world.ways.size(), console);
-  for (std::uint64_t round = 1; round < kRounds; ++round) {
-    if (std::find(touches.begin(), touches.end(), true) == touches.end()) {
-      return;
-    }
+  auto left = std::count(touches.begin(), touches.end(), true);
+  int idle = 0;
+  for (std::uint64_t round = 1; left > 0 && round < kRounds && idle < kPatience; ++round) {
     for (std::uint32_t k = 0; k < touches.size(); ++k) {
       if (touches[k]) {
         world.ways[k] = draw(k, round);
@@ -135,6 +136,8 @@ void find_free_ways(World& world, const std::function<Way(std::uint64_t, std::ui
       }
     }
     touches = who_touches(scene, world.ways.size(), console);
+    const auto before = std::exchange(left, std::count(touches.begin(), touches.end(), true));
+    idle = 10 * left > 9 * before ? idle + 1 : 0;
   }
   std::vector<Way> free;
   for (std::size_t k = 0; k < touches.size(); ++k) {
