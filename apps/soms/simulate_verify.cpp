@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace soms::command {
 
@@ -133,11 +135,52 @@ void Verifier::scan_city(std::span<Subject> subjects, const std::vector<Pose>& p
   }
 }
 
+/// True if the spheres about two movers' boxes are apart by a good margin for rounding.
+bool Verifier::far_apart(MoverId a, MoverId b, const std::vector<Pose>& poses) const {
+  const auto sphere = [&](MoverId mover) {
+    const Box box = world_.models[world_.ways[mover].model].shape.bounds();
+    const Vec3 extent = box.extent();
+    return std::pair(poses[mover].apply(box.center()), 0.51 * std::sqrt(dot(extent, extent)));
+  };
+  const auto [from, reach_from] = sphere(a);
+  const auto [to, reach_to] = sphere(b);
+  const Vec3 way = to - from;
+  const double rounding = 1e-12 * (std::sqrt(dot(from, from)) + std::sqrt(dot(to, to)));
+  return std::sqrt(dot(way, way)) > 1.01 * (reach_from + reach_to) + rounding;
+}
+
+/// Touching triangles of two movers: a scan of each for what lies in the other's box, then all
+/// pairs of these.
+std::vector<TrianglePair> Verifier::pairs_of(MoverId a, MoverId b,
+                                             const std::vector<Pose>& poses) const {
+  const auto near_to = [&](MoverId mover, const Box& box) {
+    Near near;
+    const Mesh& whole = mesh(mover);
+    for (TriangleId i = 0; i < whole.triangles.size(); ++i) {
+      const Triangle t = whole.triangle(i);
+      const Pose& pose = poses[mover];
+      if (overlaps(bounds(Triangle{pose.apply(t.a), pose.apply(t.b), pose.apply(t.c)}), box)) {
+        near.triangles.push_back(i);
+      }
+    }
+    return near;
+  };
+  const Near near_a = near_to(a, moved_box(b, poses));
+  const Near near_b = near_to(b, moved_box(a, poses));
+  std::vector<TrianglePair> pairs;
+  for (const auto& [i, j] :
+       reference::overlap(near_a.mesh_of(mesh(a)), poses[a], near_b.mesh_of(mesh(b)), poses[b])
+           .pairs) {
+    pairs.emplace_back(near_a.triangles[i], near_b.triangles[j]);
+  }
+  return pairs;
+}
+
 bool Verifier::is_free_of_movers(MoverId mover, const std::vector<Pose>& poses) const {
   const Box box = moved_box(mover, poses);
   for (MoverId other = 0; other < poses.size(); ++other) {
-    if (other != mover && overlaps(box, moved_box(other, poses)) &&
-        reference::overlap(mesh(mover), poses[mover], mesh(other), poses[other]).any) {
+    if (other != mover && !far_apart(mover, other, poses) &&
+        overlaps(box, moved_box(other, poses)) && !pairs_of(mover, other, poses).empty()) {
       return false;
     }
   }
@@ -161,8 +204,7 @@ void Verifier::verify_movers(const StepReport& report, const std::vector<Pose>& 
   for_each_chunk(runs.size(), 1, parallel, [&](std::size_t k, std::size_t) {
     const auto [begin, end] = runs[k];
     const MoverContact& first = all[begin];
-    const auto pairs =
-        reference::overlap(mesh(first.a), poses[first.a], mesh(first.b), poses[first.b]).pairs;
+    const auto pairs = pairs_of(first.a, first.b, poses);
     bool right = pairs.size() == end - begin;
     for (std::size_t p = 0; right && p < pairs.size(); ++p) {
       right = all[begin + p] == MoverContact{first.a, first.b, pairs[p].first, pairs[p].second};

@@ -54,6 +54,9 @@ class Verifier {
   void verify_movers(const StepReport& report, const std::vector<Pose>& poses,
                      const Parallel& parallel);
   [[nodiscard]] bool is_free_of_movers(MoverId mover, const std::vector<Pose>& poses) const;
+  [[nodiscard]] std::vector<TrianglePair> pairs_of(MoverId a, MoverId b,
+                                                   const std::vector<Pose>& poses) const;
+  [[nodiscard]] bool far_apart(MoverId a, MoverId b, const std::vector<Pose>& poses) const;
   [[nodiscard]] Box moved_box(MoverId mover, const std::vector<Pose>& poses) const;
   [[nodiscard]] const Mesh& mesh(MoverId mover) const;
 
