@@ -51,10 +51,13 @@ Pose Pose::from_quaternion(double w, double x, double y, double z, const Vec3& t
                 "pose: the quaternion's squared length is " + std::to_string(norm) + ", not 1",
                 "normalise the quaternion (qw qx qy qz)");
   }
+  // Twice the inverse of the squared length instead of 2: a quaternion written with six digits is
+  // off length 1 by less than the tolerance, and still gives a rotation to the last bits.
+  const double s = 2 / norm;
   Pose pose;
-  pose.m = {1 - 2 * (y * y + z * z), 2 * (x * y - w * z),     2 * (x * z + w * y),     t.x,
-            2 * (x * y + w * z),     1 - 2 * (x * x + z * z), 2 * (y * z - w * x),     t.y,
-            2 * (x * z - w * y),     2 * (y * z + w * x),     1 - 2 * (x * x + y * y), t.z};
+  pose.m = {1 - s * (y * y + z * z), s * (x * y - w * z),     s * (x * z + w * y),     t.x,
+            s * (x * y + w * z),     1 - s * (x * x + z * z), s * (y * z - w * x),     t.y,
+            s * (x * z - w * y),     s * (y * z + w * x),     1 - s * (x * x + y * y), t.z};
   return pose;
 }
 

@@ -20,10 +20,11 @@ struct Pose {
 
   [[nodiscard]] static Pose translation(double x, double y, double z);
 
-  /// Rotation by the quaternion `(w, x, y, z)`, then the shift `t`. Not normalised: refused when
-  /// |q|^2 is off 1 by more than 1e-6. Entries are `1 - 2*(y*y + z*z)`, `2*(x*y - w*z)` and so on,
-  /// evaluated as written in pose.cpp, so the matrix is the same bits everywhere.
-  /// \errors ErrorKind::not_rigid, ErrorKind::not_finite.
+  /// Rotation by the quaternion `(w, x, y, z)`, then the shift `t`. Refused when |q|^2 is off 1 by
+  /// more than 1e-6. With n = ((w*w + x*x) + y*y) + z*z and s = 2 / n, entries are
+  /// `1 - s*(y*y + z*z)`, `s*(x*y - w*z)` and so on, evaluated as written in pose.cpp, so the
+  /// matrix is the same bits everywhere and passes `check`. \errors ErrorKind::not_rigid,
+  /// ErrorKind::not_finite.
   [[nodiscard]] static Pose from_quaternion(double w, double x, double y, double z,
                                             const Vec3& t = {});
 

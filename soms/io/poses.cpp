@@ -68,17 +68,7 @@ Pose make_pose(std::span<const double> v) {
   } else {
     std::copy(v.begin(), v.end(), pose.m.begin());
   }
-  try {
-    check(pose);
-  } catch (const Error& error) {
-    // Squaring makes a quaternion's error up to four times larger in its matrix.
-    if (v.size() != 7 || error.kind() != ErrorKind::not_rigid) {
-      throw;
-    }
-    throw Error(ErrorKind::not_rigid,
-                "pose: the quaternion is not close enough to length 1 for a rotation",
-                "give it with 8 digits or more");
-  }
+  check(pose);
   return pose;
 }
 

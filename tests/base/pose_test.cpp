@@ -96,8 +96,18 @@ TEST(Pose, FromQuaternionTurnsByTheWrittenFormula) {
   EXPECT_EQ(turn.apply({1, 2, 3}), (Vec3{3, 1, 2}));
   const double w = 0.6;
   const double z = 0.8;
-  EXPECT_EQ(Pose::from_quaternion(w, 0, 0, z).m[0], 1 - 2 * (z * z));
-  EXPECT_EQ(Pose::from_quaternion(w, 0, 0, z).m[4], 2 * (w * z));
+  const double s = 2 / (w * w + z * z);
+  EXPECT_EQ(Pose::from_quaternion(w, 0, 0, z).m[0], 1 - s * (z * z));
+  EXPECT_EQ(Pose::from_quaternion(w, 0, 0, z).m[4], s * (w * z));
+}
+
+TEST(Pose, FromQuaternionGivesARotationForEveryLengthItAccepts) {
+  check(Pose::from_quaternion(0.707107, 0, 0, 0.707107));
+  for (const double length : {1 - 4.9e-7, 1 + 4.9e-7}) {
+    const double q = 0.5 * length;
+    check(Pose::from_quaternion(q, q, q, q));
+    check(Pose::from_quaternion(0, 0, length, 0));
+  }
 }
 
 TEST(Pose, FromQuaternionRefusesOtherLengths) {
