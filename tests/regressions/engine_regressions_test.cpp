@@ -103,6 +103,7 @@ TEST(Regression, R73MovingABodyAllocatesNothing) {
   ASSERT_EQ(shape.mesh().triangles.size(), 49152U);
   const Body fixed{box(1, 4)};
   std::vector<Pose> poses;
+  poses.reserve(100000);
   for (int i = 0; i < 100000; ++i) {
     poses.push_back(Pose::about_z(0.001 * i, {1.99 + 0.0005 * (i % 97), 0.3, 0.1}));
   }
