@@ -4,8 +4,8 @@
 #include "soms/geometry/mesh.h"
 #include "soms/io/read_mesh.h"
 
-#include "tests/io/allocation.h"
 #include "tests/io/files.h"
+#include "tests/support/allocation.h"
 #include "tests/support/support.h"
 
 #include <gtest/gtest.h>

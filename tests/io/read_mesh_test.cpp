@@ -2,8 +2,8 @@
 
 #include "soms/base/error.h"
 
-#include "tests/io/allocation.h"
 #include "tests/io/files.h"
+#include "tests/support/allocation.h"
 #include "tests/support/support.h"
 
 #include <gtest/gtest.h>

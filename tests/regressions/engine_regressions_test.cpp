@@ -4,60 +4,11 @@
 #include "soms/query/reference/overlap.h"
 
 #include "tests/query/overlap_inputs.h"
+#include "tests/support/allocation.h"
 #include "tests/support/support.h"
 
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 #include <vector>
-
-namespace {
-
-std::atomic<std::uint64_t> g_allocations = 0;
-
-void* counted(std::size_t size) {
-  ++g_allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) {
-    return memory;
-  }
-  throw std::bad_alloc();
-}
-
-void* counted(std::size_t size, std::align_val_t alignment) {
-  ++g_allocations;
-  const auto unit = static_cast<std::size_t>(alignment);
-  if (void* memory = std::aligned_alloc(unit, (size + unit - 1) / unit * unit)) {
-    return memory;
-  }
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  return counted(size);
-}
-
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  return counted(size, alignment);
-}
-
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-
-void operator delete(void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
-}
 
 namespace soms {
 namespace {
@@ -109,22 +60,22 @@ TEST(Regression, R73MovingABodyAllocatesNothing) {
   }
   Body body(shape);
   std::uint64_t apart = 0;
-  const std::uint64_t before = g_allocations;
+  const test::AllocationWatch singly;
   for (std::size_t i = 0; i < 2000; ++i) {
     body.pose = poses[i];
     const Overlap answer = overlap(body, fixed, {.mode = OverlapMode::any});
     apart += answer.any ? 0 : 1;
   }
-  const std::uint64_t single = g_allocations - before;
+  const std::uint64_t single = singly.count();
   // A hit is returned in a vector of one pair.
   EXPECT_EQ(single, 2000 - apart);
 
-  const std::uint64_t start = g_allocations;
+  const test::AllocationWatch batched;
   const OverlapBatch few =
       overlap(shape, std::span(poses).first(1000), fixed, {.mode = OverlapMode::any});
-  const std::uint64_t of_few = g_allocations - start;
+  const std::uint64_t of_few = batched.count();
   const OverlapBatch many = overlap(shape, poses, fixed, {.mode = OverlapMode::any});
-  const std::uint64_t of_many = g_allocations - start - of_few;
+  const std::uint64_t of_many = batched.count() - of_few;
   ASSERT_EQ(many.size(), 100000U);
   // Blocks of poses allocate, not queries.
   EXPECT_LT(of_many, 100000 / 10);
