@@ -9,32 +9,15 @@
 #include "soms/tree/build_options.h"
 
 #include "tests/query/traversal/cases.h"
+#include "tests/support/small_stack.h"
 #include "tests/support/support.h"
 
-#include <pthread.h>
-
 #include <cmath>
-#include <functional>
 #include <numeric>
 #include <vector>
 
 namespace soms {
 namespace {
-
-/// Runs `body` on a thread with a stack of 256 KiB.
-void on_small_stack(std::function<void()> body) {
-  pthread_attr_t attributes;
-  ASSERT_EQ(pthread_attr_init(&attributes), 0);
-  ASSERT_EQ(pthread_attr_setstacksize(&attributes, std::size_t{256} << 10), 0);
-  pthread_t thread{};
-  const auto run = [](void* f) -> void* {
-    (*static_cast<std::function<void()>*>(f))();
-    return nullptr;
-  };
-  ASSERT_EQ(pthread_create(&thread, &attributes, run, &body), 0);
-  ASSERT_EQ(pthread_join(thread, nullptr), 0);
-  pthread_attr_destroy(&attributes);
-}
 
 /// Triangles at 2^-k, k = 0 to 1000, apart from each other; their boxes' volumes underflow to 0.
 Mesh powers_of_two() {
@@ -91,7 +74,7 @@ TEST(Regression, R76EveryTraversalWalksAThousandLevelsOnASmallStack) {
   PosedBoxes still(mesh, deep);
   PosedBoxes moving(mesh, deep);
   still.move({});
-  on_small_stack([&] {
+  test::on_small_stack([&] {
     for (const Pose& pose : poses()) {
       moving.move(pose);
       const auto truth = test::overlapping_leaves(moving.view(), still.view());
@@ -115,7 +98,7 @@ TEST(Regression, R76FrontsFollowAThousandLevelsOnASmallStack) {
   PosedBoxes still(mesh, deep);
   PosedBoxes moving(mesh, deep);
   still.move({});
-  on_small_stack([&] {
+  test::on_small_stack([&] {
     for (const Descent descent : {Descent::both, Descent::larger}) {
       EnodeFront front(deep, deep, descent);
       for (const Pose& pose : poses()) {
@@ -135,7 +118,7 @@ TEST(Regression, R76NamedOverlapsAreRightInDeepTreesOnASmallStack) {
   }
   EXPECT_EQ(truth[0].pairs.size(), 1001U);
   EXPECT_GT(truth[1].pairs.size(), 0U);
-  on_small_stack([&] {
+  test::on_small_stack([&] {
     for (const TraversalOptions& way : test::every_way()) {
       if (!way.recursive && way.prune) {
         detail::NamedOverlap session(deep, deep, way);
@@ -157,7 +140,7 @@ TEST(Regression, R76RecursionIsRefusedWhereItCouldOverflow) {
   deep_boxes.move({});
   boxes.move({});
   const auto truth = test::overlapping_leaves(deep_boxes.view(), boxes.view());
-  on_small_stack([&] {
+  test::on_small_stack([&] {
     for (const TraversalOptions& way : test::every_way()) {
       if (way.recursive) {
         SCOPED_TRACE(test::describe(way));

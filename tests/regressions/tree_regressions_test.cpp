@@ -5,13 +5,11 @@
 #include "soms/tree/rule/rules.h"
 #include "soms/tree/statistics.h"
 
+#include "tests/support/small_stack.h"
 #include "tests/support/support.h"
-
-#include <pthread.h>
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace soms {
@@ -42,24 +40,6 @@ void expect_sound(const Mesh& mesh) {
   }
 }
 
-/// Runs `body` on a thread with a stack of 256 KiB.
-void on_small_stack(std::function<void()> body) {
-  pthread_attr_t attributes;
-  ASSERT_EQ(pthread_attr_init(&attributes), 0);
-  ASSERT_EQ(pthread_attr_setstacksize(&attributes, std::size_t{256} << 10), 0);
-  pthread_t thread{};
-  ASSERT_EQ(pthread_create(
-                &thread, &attributes,
-                [](void* f) -> void* {
-                  (*static_cast<std::function<void()>*>(f))();
-                  return nullptr;
-                },
-                &body),
-            0);
-  ASSERT_EQ(pthread_join(thread, nullptr), 0);
-  pthread_attr_destroy(&attributes);
-}
-
 // R75: equal centroids ended in endless recursion, or in leaves that overflowed their count.
 TEST(TreeRegressions, R75MillionCopiesOfOneTriangle) {
   Mesh mesh;
@@ -84,7 +64,7 @@ TEST(TreeRegressions, R76TrianglesAtPowersOfTwoBuildOnASmallStack) {
     const double s = std::ldexp(1.0, -k);
     add(mesh, {s, 0, 0}, {s, s, 0}, {s, 0, s});
   }
-  on_small_stack([&] {
+  test::on_small_stack([&] {
     expect_sound(mesh);
     for (const RuleEntry& rule : rules()) {
       SCOPED_TRACE(rule.name);
