@@ -9,6 +9,7 @@
 
 #include "tests/regressions/variations.h"
 #include "tests/support/bodies.h"
+#include "tests/support/slow_build.h"
 #include "tests/support/support.h"
 
 #include <gtest/gtest.h>
@@ -27,12 +28,6 @@ using test::expect_overlap;
 using test::mapped;
 using test::overlap_under_variations;
 using test::soup_body;
-
-#if SOMS_ASSERTIONS
-constexpr bool kSlowBuild = true;
-#else
-constexpr bool kSlowBuild = false;
-#endif
 
 const Mesh& unit_box() {
   static const Mesh box = box_body({0, 0, 0}, {1, 1, 1});
@@ -136,7 +131,7 @@ Pose deep_pose(Rng& rng) {
 
 // Equal cubes cannot hold one another, so cubes this deep always cross.
 TEST(Regression, R08DeepCubesAlwaysOverlap) {
-  const std::size_t count = kSlowBuild ? 20000 : 1000000;
+  const std::size_t count = test::kSlowBuild ? 20000 : 1000000;
   Rng rng(8);
   std::vector<Pose> poses(count);
   std::generate(poses.begin(), poses.end(), [&] { return deep_pose(rng); });

@@ -4,6 +4,7 @@
 #include "soms/base/hash.h"
 #include "soms/base/random.h"
 
+#include "tests/support/slow_build.h"
 #include "tests/support/support.h"
 #include "tests/support/truth.h"
 
@@ -167,11 +168,7 @@ TEST(ReferenceOverlap, AgreesWithTheTruthSet) {
 
 TEST(ReferenceOverlap, AgreesWithTheTruthSetOnModelsOfOthers) {
   SOMS_NEEDS_OUTSIDE_DATA("840 cases of the truth set");
-#if SOMS_ASSERTIONS
-  constexpr std::size_t kStride = 8;  // brute force in a slow build
-#else
-  constexpr std::size_t kStride = 1;
-#endif
+  constexpr std::size_t kStride = test::kSlowBuild ? 8 : 1;  // brute force
   const std::vector<test::TruthCase> cases = test::truth_cases(test::Models::of_others, kStride);
   EXPECT_EQ(cases.size(), 840U / kStride);
   for (const test::TruthCase& c : cases) {
