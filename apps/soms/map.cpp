@@ -3,7 +3,7 @@
 #include "apps/soms/map_city.h"
 #include "apps/soms/map_marks.h"
 #include "apps/soms/outline.h"
-#include "apps/soms/simulate_report.h"
+#include "apps/soms/text.h"
 
 #include <fmt/format.h>
 
@@ -194,11 +194,11 @@ class Panel {
 /// "400 cars"; a file's name is left as it is.
 std::string counted_models(std::uint64_t count, const Model& model) {
   const bool plural = model.kind != Kind::model && count != 1;
-  return thousands(count) + " " + shortened(model.name, 28) + (plural ? "s" : "");
+  return with_commas(count) + " " + shortened(model.name, 28) + (plural ? "s" : "");
 }
 
 void write_movers(Panel& panel, const World& world) {
-  panel.head(fmt::format("{} movers and their tracks", thousands(world.ways.size())));
+  panel.head(fmt::format("{} movers and their tracks", with_commas(world.ways.size())));
   for (std::size_t model = 0; model < world.models.size(); ++model) {
     const auto count = static_cast<std::uint64_t>(std::count_if(
         world.ways.begin(), world.ways.end(), [&](const Way& way) { return way.model == model; }));
@@ -215,7 +215,7 @@ void write_movers(Panel& panel, const World& world) {
 
 void write_contacts(Panel& panel, const Outcome& outcome, const std::vector<Mark>& marks) {
   const std::uint64_t all = outcome.contacts.contacts().size();
-  panel.head(all == 0 ? "No contact" : fmt::format("{} contacts", thousands(all)));
+  panel.head(all == 0 ? "No contact" : fmt::format("{} contacts", with_commas(all)));
   for (const std::uint64_t size : {1U, 10U, 100U}) {
     if (!marks.empty() && marks.front().contacts >= size) {
       panel.keyed(fmt::format("<circle r=\"{:.1f}\" fill=\"{}\" fill-opacity=\".35\" "
@@ -229,7 +229,7 @@ void write_contacts(Panel& panel, const Outcome& outcome, const std::vector<Mark
   }
   panel.head("Most contacts, and what was touched");
   for (std::size_t k = 0; k < std::min(kMostListed, marks.size()); ++k) {
-    panel.keyed(number_mark(0, 0, k + 1), fmt::format("{} at {}", thousands(marks[k].contacts),
+    panel.keyed(number_mark(0, 0, k + 1), fmt::format("{} at {}", with_commas(marks[k].contacts),
                                                       shortened(marks[k].most, 32)));
   }
 }
@@ -275,8 +275,8 @@ void draw_map(std::ostream& out, const World& world, const Outcome& outcome) {
   draw_scale_bar(out, page);
   Panel panel(out, panel_left);
   panel.title(shortened(world.title, 24));
-  panel.line(fmt::format("{} triangles, {} frames of 1/60 s", thousands(world.triangles),
-                         thousands(outcome.frames)));
+  panel.line(fmt::format("{} triangles, {} frames of 1/60 s", with_commas(world.triangles),
+                         with_commas(outcome.frames)));
   write_movers(panel, world);
   write_contacts(panel, outcome, marks);
   panel.head("City, from above");

@@ -110,7 +110,7 @@ Shape build_shape(Mesh mesh, const ShapeOptions& options, const Console& console
 
 std::string part_name(const Mesh& mesh, TriangleId i) {
   const std::uint32_t part = part_of(mesh, i);
-  return part == Part::kNoParent ? std::string() : printable(mesh.parts[part].name);
+  return part == Part::kNoParent ? std::string() : mesh.parts[part].name;
 }
 
 }  // namespace soms::command

@@ -44,7 +44,7 @@ void add_traversal_options(CLI::App& app, TraversalOptions& options);
 /// \errors As `Shape`; ErrorKind::timed_out.
 [[nodiscard]] Shape build_shape(Mesh mesh, const ShapeOptions& options, const Console& console);
 
-/// The part that triangle `i` belongs to, fit for a terminal; empty where the file names none.
+/// The part that triangle `i` belongs to, as the file calls it; empty where it names none.
 [[nodiscard]] std::string part_name(const Mesh& mesh, TriangleId i);
 
 }  // namespace soms::command

@@ -73,7 +73,7 @@ void print_json(const OverlapReport& report, std::uint64_t pose, const Overlap& 
 
 std::string triangle_name(const Mesh& mesh, TriangleId i) {
   const std::string part = part_name(mesh, i);
-  return part.empty() ? fmt::format("{}", i) : fmt::format("{} ({})", i, part);
+  return part.empty() ? fmt::format("{}", i) : fmt::format("{} ({})", i, printable(part));
 }
 
 std::string summary(const OverlapReport& report, const Overlap& answer) {

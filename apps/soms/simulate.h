@@ -2,8 +2,7 @@
 /// The verb `simulate`: a city, movers on its streets, frame by frame: who touches what, when.
 #pragma once
 
-#include "soms/geometry/mesh.h"
-
+#include "apps/soms/models.h"
 #include "apps/soms/verbs.h"
 
 #include <cstdint>
@@ -20,10 +19,8 @@ struct SimulateOptions {
   std::vector<std::string> routes = {};
   std::optional<std::uint64_t> count = std::nullopt;
   std::uint64_t frames = 600;
-  double scale = 1;
-  double mover_scale = 1;
-  UpAxis up = UpAxis::unknown;  ///< unknown: what the file says
-  UpAxis mover_up = UpAxis::unknown;
+  ModelOptions city_model = {};   ///< an unknown axis is what the file says
+  ModelOptions mover_model = {};  ///< likewise
   bool verify = false;
   std::string map = {};     ///< empty: none
   std::string events = {};  ///< empty: none

@@ -28,8 +28,6 @@ const char* const kFooter =
     "  soms generate car -o car.ply\n"
     "  soms simulate town.ply --mover car.ply --count 50 --frames 60 --events contacts.csv";
 
-const Choices<UpAxis> kAxes{{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}};
-
 void add_models(CLI::App& app, SimulateOptions& options) {
   app.add_option("CITY", options.cities, "models that stand still, in one frame of coordinates")
       ->option_text("FILE...");
@@ -41,10 +39,8 @@ void add_models(CLI::App& app, SimulateOptions& options) {
       ->option_text("FILE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  add_positive(app, "--scale", options.scale, "factor on the city's coordinates");
-  add_choice<UpAxis>(app, "--up", options.up, kAxes, "up axis of the city");
-  add_positive(app, "--mover-scale", options.mover_scale, "factor on the movers' coordinates");
-  add_choice<UpAxis>(app, "--mover-up", options.mover_up, kAxes, "up axis of the movers");
+  add_model_options(app, options.city_model, "--scale", "--up", "the city");
+  add_model_options(app, options.mover_model, "--mover-scale", "--mover-up", "the movers");
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 #include "apps/soms/simulate_report.h"
 
+#include "apps/soms/models.h"
+#include "apps/soms/text.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace soms::command {
 
@@ -14,11 +16,7 @@ namespace {
 constexpr std::size_t kMostTouched = 5;
 
 std::string row(const std::string& name, const std::string& value) {
-  return fmt::format("{:<14}{}\n", name, value);
-}
-
-std::string plural(std::uint64_t n, const std::string& one) {
-  return fmt::format("{} {}{}", thousands(n), one, n == 1 ? "" : "s");
+  return fmt::format("{:<14}{}\n", name, printable(value));
 }
 
 /// "1,000 (400 cars, 400 persons, 200 drones)", by model.
@@ -31,12 +29,12 @@ std::string movers_of(const World& world) {
   for (std::size_t k = 0; k < counts.size(); ++k) {
     const Model& model = world.models[k];
     const std::string name = model.name + (model.kind == Kind::model || counts[k] == 1 ? "" : "s");
-    kinds += fmt::format("{}{} {} of {} triangles", k == 0 ? "" : ", ", thousands(counts[k]), name,
-                         thousands(model.shape.mesh().triangles.size()));
+    kinds += fmt::format("{}{} {} of {} triangles", k == 0 ? "" : ", ", with_commas(counts[k]),
+                         name, with_commas(model.shape.mesh().triangles.size()));
   }
-  std::string text = fmt::format("{} ({})", thousands(world.ways.size()), kinds);
+  std::string text = fmt::format("{} ({})", with_commas(world.ways.size()), kinds);
   if (world.ways.size() < world.asked) {
-    text += fmt::format("; {} asked for, no free place for the rest", thousands(world.asked));
+    text += fmt::format("; {} asked for, no free place for the rest", with_commas(world.asked));
   }
   return text;
 }
@@ -48,14 +46,14 @@ std::string contacts_of(const World& world, const Outcome& outcome) {
     return "none";
   }
   return fmt::format("{} ({} with triangles of the city, {} between movers) by {} of {} movers",
-                     thousands(all), thousands(all - between), thousands(between),
-                     thousands(outcome.contacts.movers()), thousands(world.ways.size()));
+                     with_commas(all), with_commas(all - between), with_commas(between),
+                     with_commas(outcome.contacts.movers()), with_commas(world.ways.size()));
 }
 
 std::string frames_of(const Outcome& outcome, const SimulateOptions& options) {
-  std::string text = thousands(outcome.frames);
+  std::string text = with_commas(outcome.frames);
   if (outcome.ending != Ending::whole) {
-    text += fmt::format(" of {}, {}", thousands(options.frames),
+    text += fmt::format(" of {}, {}", with_commas(options.frames),
                         outcome.ending == Ending::interrupted ? "interrupted" : "out of time");
   }
   text += fmt::format(" ({:.4g} s of simulated time)",
@@ -70,7 +68,7 @@ std::string touched_lines(const World& world, const Outcome& outcome) {
         lines.empty() ? "most touched" : "",
         fmt::format("triangle {} of {}: {} in {}", touched.triangle,
                     part_name(world, touched.part, touched.triangle),
-                    plural(touched.contacts, "contact"), plural(touched.frames, "mover-frame")));
+                    counted(touched.contacts, "contact"), counted(touched.frames, "mover-frame")));
   }
   return lines;
 }
@@ -85,45 +83,30 @@ double rounded(double value) {
 
 }  // namespace
 
-std::string thousands(std::uint64_t value) {
-  const std::string digits = std::to_string(value);
-  std::string text;
-  for (std::size_t k = 0; k < digits.size(); ++k) {
-    if (k > 0 && (digits.size() - k) % 3 == 0) {
-      text += ',';
-    }
-    text += digits[k];
-  }
-  return text;
-}
-
 std::string part_name(const World& world, EnvironmentId part, TriangleId triangle) {
-  const Mesh& mesh = world.city[part].shape.mesh();
-  const std::uint32_t inner = part_of(mesh, triangle);
-  if (inner == Part::kNoParent || mesh.parts[inner].name.empty()) {
-    return world.city[part].name;
-  }
-  return mesh.parts[inner].name;
+  const Body& body = world.city[part];
+  const std::string name = part_name(body.shape.mesh(), triangle);
+  return name.empty() ? body.name : name;
 }
 
 std::string table_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
   std::string text =
-      row("city", fmt::format("{}, {} triangles", world.title, thousands(world.triangles)));
+      row("city", fmt::format("{}, {} triangles", world.title, with_commas(world.triangles)));
   text += row("built in", fmt::format("{:.0f} ms, after {:.0f} ms to {} it", world.build_ms,
                                       world.read_ms, options.cities.empty() ? "make" : "read"));
   text += row("movers", movers_of(world));
   text += row("frames", frames_of(outcome, options));
-  text +=
-      row("speed", fmt::format("{:.0f} frames a second (worst {:.0f}), {} queries a second",
-                               outcome.median_fps(), outcome.worst_fps(),
-                               thousands(static_cast<std::uint64_t>(outcome.queries_a_second()))));
+  text += row("speed",
+              fmt::format("{:.0f} frames a second (worst {:.0f}), {} queries a second",
+                          outcome.median_fps(), outcome.worst_fps(),
+                          with_commas(static_cast<std::uint64_t>(outcome.queries_a_second()))));
   text += row("contacts", contacts_of(world, outcome));
   text += touched_lines(world, outcome);
   if (outcome.verified) {
     const Verified& v = *outcome.verified;
     text += row("verified", fmt::format("{} and {} by brute force, {} wrong",
-                                        plural(v.contacts, "touching pair"),
-                                        plural(v.free, "free mover"), thousands(v.wrong)));
+                                        counted(v.contacts, "touching pair"),
+                                        counted(v.free, "free mover"), with_commas(v.wrong)));
   }
   if (options.map.empty()) {
     text += row("look at it", "soms simulate ... --map city.svg draws the city and its contacts");

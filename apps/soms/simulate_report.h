@@ -6,14 +6,10 @@
 #include "apps/soms/simulate_run.h"
 #include "apps/soms/simulate_world.h"
 
-#include <cstdint>
 #include <ostream>
 #include <string>
 
 namespace soms::command {
-
-/// A number with its thousands apart: 1,000,000.
-[[nodiscard]] std::string thousands(std::uint64_t value);
 
 /// The table that is read in ten seconds.
 [[nodiscard]] std::string table_of(const World& world, const Outcome& outcome,

@@ -3,8 +3,8 @@
 #include "soms/base/error.h"
 #include "soms/generate/city.h"
 #include "soms/generate/shapes.h"
-#include "soms/io/read_mesh.h"
 
+#include "apps/soms/models.h"
 #include "apps/soms/simulate_ways.h"
 
 #include <fmt/format.h>
@@ -24,24 +24,17 @@ double milliseconds_since(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
-const char* axis_name(UpAxis axis) {
-  return axis == UpAxis::x ? "x" : axis == UpAxis::y ? "y" : "z";
-}
-
-Mesh read_model(const std::string& path, double scale, UpAxis up, const std::string& option,
-                Console& console) {
-  const ReadOptions options{.allow_empty = false, .max_memory = console.shared().max_memory};
-  Mesh mesh = console.run("reading " + short_name(path), [&](const Parallel& parallel) {
-    return read_mesh(path, options, parallel);
-  });
-  if (up == UpAxis::unknown && (mesh.up == UpAxis::x || mesh.up == UpAxis::y)) {
-    up = mesh.up;
-    console.note(fmt::format("{}: its up axis is {}; turned to z ({} z leaves it)", path,
-                             axis_name(up), option));
+/// Reads a model and turns the up axis that its file states to z, unless `option` named one.
+Mesh read_upright(const std::string& path, const ModelOptions& options, const std::string& option,
+                  Console& console) {
+  Mesh mesh = read_model(path, options, console);
+  if (options.up != UpAxis::unknown || (mesh.up != UpAxis::x && mesh.up != UpAxis::y)) {
+    return mesh;
   }
-  return scale == 1 && (up == UpAxis::unknown || up == UpAxis::z)
-             ? mesh
-             : transformed(std::move(mesh), scale, up);
+  console.note(fmt::format("{}: its up axis is {}; turned to z ({} z leaves it)", path,
+                           mesh.up == UpAxis::x ? "x" : "y", option));
+  const UpAxis up = mesh.up;
+  return transformed(std::move(mesh), 1, up);
 }
 
 /// A car is as fast as a town allows; what comes from files is taken for one.
@@ -73,15 +66,14 @@ std::vector<Model> load_models(const SimulateOptions& options, Console& console)
     for (const auto& [kind, shape, name] : {std::tuple(Kind::car, MoverKind::car, "car"),
                                             std::tuple(Kind::person, MoverKind::person, "person"),
                                             std::tuple(Kind::drone, MoverKind::drone, "drone")}) {
-      models.push_back(
-          make_model(transformed(generate_mover(shape), options.mover_scale, options.mover_up),
-                     name, kind, console));
+      models.push_back(make_model(
+          transformed(generate_mover(shape), options.mover_model.scale, options.mover_model.up),
+          name, kind, console));
     }
   }
   for (const std::string& path : options.movers) {
-    models.push_back(
-        make_model(read_model(path, options.mover_scale, options.mover_up, "--mover-up", console),
-                   short_name(path), Kind::model, console));
+    models.push_back(make_model(read_upright(path, options.mover_model, "--mover-up", console),
+                                short_name(path), Kind::model, console));
     const Model& model = models.back();
     const double size = std::max(2 * model.reach, model.height);
     if (size > 30 || size < 0.05) {
@@ -110,7 +102,7 @@ std::optional<City> load_city(World& world, const SimulateOptions& options, Cons
     Mesh mesh = std::exchange(city.mesh, {});
     world.read_ms = milliseconds_since(begin);
     world.title = "embedded city";
-    if (options.scale != 1 || options.up != UpAxis::unknown) {
+    if (options.city_model.scale != 1 || options.city_model.up != UpAxis::unknown) {
       throw Error(ErrorKind::usage, "--scale and --up are for a city from files",
                   "name a city, or leave them out");
     }
@@ -119,7 +111,7 @@ std::optional<City> load_city(World& world, const SimulateOptions& options, Cons
   }
   for (const std::string& path : options.cities) {
     const auto start = Clock::now();
-    Mesh mesh = read_model(path, options.scale, options.up, "--up", console);
+    Mesh mesh = read_upright(path, options.city_model, "--up", console);
     world.read_ms += milliseconds_since(start);
     world.title += (world.title.empty() ? "" : " + ") + short_name(path);
     add_to_city(world, std::move(mesh), short_name(path), console);
