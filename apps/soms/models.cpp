@@ -25,7 +25,7 @@ Choices<Rule> rule_choices() {
 }
 
 Choices<Traversal> traversal_choices() {
-  Choices<Traversal> choices{{"default", Traversal::fast}};
+  Choices<Traversal> choices{{"default", traversal_named("default").traversal}};
   for (const auto& row : traversals()) {
     choices.emplace_back(row.kebab, row.traversal);
   }

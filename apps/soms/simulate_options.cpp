@@ -29,7 +29,8 @@ const char* const kFooter =
     "  soms simulate town.ply --mover car.ply --count 50 --frames 60 --events contacts.csv";
 
 void add_models(CLI::App& app, SimulateOptions& options) {
-  app.add_option("CITY", options.cities, "models that stand still, in one frame of coordinates")
+  app.add_option("CITY", options.cities,
+                 "models that stand still, in one frame of coordinates; - is standard input")
       ->option_text("FILE...");
   app.add_option("--mover", options.movers, "model that moves; may be given again")
       ->option_text("FILE")

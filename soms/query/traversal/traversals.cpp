@@ -91,8 +91,10 @@ const DescentEntry& entry(Descent descent) {
 }
 
 const TraversalEntry& traversal_named(std::string_view name) {
-  return find(kTraversals, "traversal '" + std::string(name) + "'",
-              [&](const TraversalEntry& e) { return e.name == name || e.kebab == name; });
+  return find(kTraversals, "traversal '" + std::string(name) + "'", [&](const TraversalEntry& e) {
+    return e.name == name || e.kebab == name ||
+           (e.traversal == TraversalOptions{}.traversal && name == "default");
+  });
 }
 
 const DescentEntry& descent_named(std::string_view name) {

@@ -46,7 +46,8 @@ struct DescentEntry {
 /// The entry of a descent. \errors ErrorKind::usage for a value outside the enumeration.
 [[nodiscard]] const DescentEntry& entry(Descent descent);
 
-/// The entry of the traversal with this name, in snake_case or kebab-case.
+/// The entry of the traversal with this name, in snake_case or kebab-case. "default" is
+/// the one that TraversalOptions start with.
 /// \errors ErrorKind::usage, which lists the names.
 [[nodiscard]] const TraversalEntry& traversal_named(std::string_view name);
 

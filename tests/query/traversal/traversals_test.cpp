@@ -293,6 +293,7 @@ TEST(TraversalTable, HasEachTraversalUnderBothSpellings) {
     EXPECT_FALSE(e.description.empty());
   }
   EXPECT_EQ(traversals().back().traversal, Traversal::e_node_front);
+  EXPECT_EQ(traversal_named("default").traversal, TraversalOptions{}.traversal);
   EXPECT_EQ(descents().size(), 4U);
   for (const DescentEntry& e : descents()) {
     EXPECT_EQ(descent_named(e.name).descent, e.descent);
