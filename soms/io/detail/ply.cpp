@@ -75,6 +75,18 @@ void read_corners(const Source& source, PlyBody& body, const PlyElement& element
 
 }  // namespace
 
+void PlyBody::read_strips(const PlyElement& element, std::size_t column) {
+  check_count(element);
+  for (std::uint64_t row = 0; row < element.count; ++row) {
+    source_.tick(position());
+    read_row(element, column, -1);
+    PlyStrip strip(builder_);
+    for (const std::int64_t corner : corners_) {
+      strip.add(corner);
+    }
+  }
+}
+
 Mesh read_ply(Source& source) {
   const PlyHeader header = read_ply_header(source);
   const PlyElement* vertices = find_element(source, header, "vertex");

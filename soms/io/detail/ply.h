@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace soms::detail {
 
@@ -37,11 +38,17 @@ class PlyBody {
   /// A face for each row: the list in `column`.
   virtual void read_faces(const PlyElement& element, std::size_t column) = 0;
   /// Triangle strips, parted by -1, in the list in `column`.
-  virtual void read_strips(const PlyElement& element, std::size_t column) = 0;
+  void read_strips(const PlyElement& element, std::size_t column);
 
  protected:
+  /// Fails unless the element's rows, at their least, fit into what is left.
+  virtual void check_count(const PlyElement& element) const = 0;
+  /// Reads a row; `corners_` becomes its list in `column`: vertex numbers, each at least `least`.
+  virtual void read_row(const PlyElement& element, std::size_t column, std::int64_t least) = 0;
+
   Source& source_;
   MeshBuilder& builder_;
+  std::vector<std::int64_t> corners_;
 };
 
 /// A triangle strip that is fed corner by corner; -1 begins anew.

@@ -84,7 +84,6 @@ class PlyBinary final : public PlyBody {
   void skip(const PlyElement& element) override;
   void read_vertices(const PlyElement& element, const VertexColumns& columns) override;
   void read_faces(const PlyElement& element, std::size_t column) override;
-  void read_strips(const PlyElement& element, std::size_t column) override;
 
  private:
   [[noreturn]] void fail(std::size_t at, const std::string& what) const {
@@ -95,7 +94,8 @@ class PlyBinary final : public PlyBody {
 
   [[nodiscard]] const char* here() const { return source_.bytes.data() + at_; }
 
-  void check_count(const PlyElement& element) const;
+  void check_count(const PlyElement& element) const override;
+  void read_row(const PlyElement& element, std::size_t column, std::int64_t least) override;
 
   /// Passes the property, or fails where the file ends. A list's length and first byte.
   struct List {
@@ -112,7 +112,6 @@ class PlyBinary final : public PlyBody {
   void read_corners(const PlyProperty& property, const List& list, std::int64_t least);
 
   std::size_t at_;
-  std::vector<std::int64_t> corners_;
   std::vector<std::uint32_t> face_;
 };
 
@@ -301,6 +300,17 @@ void PlyBinary<Swap>::read_plain_faces(const PlyElement& element) {
 }
 
 template <bool Swap>
+void PlyBinary<Swap>::read_row(const PlyElement& element, std::size_t column, std::int64_t least) {
+  for (std::size_t i = 0; i < element.properties.size(); ++i) {
+    if (i == column) {
+      read_corners(element.properties[i], pass_list(element.properties[i]), least);
+    } else {
+      pass(element.properties[i]);
+    }
+  }
+}
+
+template <bool Swap>
 void PlyBinary<Swap>::read_faces(const PlyElement& element, std::size_t column) {
   check_count(element);
   builder_.reserve_triangles(std::min(element.count, std::uint64_t{left()} / 4));
@@ -314,34 +324,9 @@ void PlyBinary<Swap>::read_faces(const PlyElement& element, std::size_t column) 
     if (row % kRowsPerTick == 0) {
       source_.tick(at_);
     }
-    for (std::size_t i = 0; i < element.properties.size(); ++i) {
-      if (i == column) {
-        read_corners(corners, pass_list(corners), 0);
-      } else {
-        pass(element.properties[i]);
-      }
-    }
+    read_row(element, column, 0);
     face_.assign(corners_.begin(), corners_.end());
     builder_.add_face(face_);
-  }
-}
-
-template <bool Swap>
-void PlyBinary<Swap>::read_strips(const PlyElement& element, std::size_t column) {
-  check_count(element);
-  for (std::uint64_t row = 0; row < element.count; ++row) {
-    source_.tick(at_);
-    for (std::size_t i = 0; i < element.properties.size(); ++i) {
-      if (i != column) {
-        pass(element.properties[i]);
-        continue;
-      }
-      read_corners(element.properties[i], pass_list(element.properties[i]), -1);
-      PlyStrip strip(builder_);
-      for (const std::int64_t corner : corners_) {
-        strip.add(corner);
-      }
-    }
   }
 }
 

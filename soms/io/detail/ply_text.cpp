@@ -52,10 +52,10 @@ class PlyText final : public PlyBody {
   void skip(const PlyElement& element) override;
   void read_vertices(const PlyElement& element, const VertexColumns& columns) override;
   void read_faces(const PlyElement& element, std::size_t column) override;
-  void read_strips(const PlyElement& element, std::size_t column) override;
 
  private:
-  void check_count(const PlyElement& element) const;
+  void check_count(const PlyElement& element) const override;
+  void read_row(const PlyElement& element, std::size_t column, std::int64_t least) override;
   double read_number(const PlyProperty& property);
   std::int64_t read_integer(const PlyProperty& property, PlyType type);
   std::int64_t read_length(const PlyProperty& property);
@@ -64,7 +64,6 @@ class PlyText final : public PlyBody {
   void pass_word(const PlyProperty& property);
 
   TextScanner scanner_;
-  std::vector<std::int64_t> corners_;
   std::vector<std::uint32_t> face_;
 };
 
@@ -196,6 +195,16 @@ void PlyText::read_corners(const PlyProperty& property, std::int64_t least) {
   }
 }
 
+void PlyText::read_row(const PlyElement& element, std::size_t column, std::int64_t least) {
+  for (std::size_t i = 0; i < element.properties.size(); ++i) {
+    if (i == column) {
+      read_corners(element.properties[i], least);
+    } else {
+      pass(element.properties[i]);
+    }
+  }
+}
+
 void PlyText::read_faces(const PlyElement& element, std::size_t column) {
   check_count(element);
   builder_.reserve_triangles(std::min(element.count, std::uint64_t{scanner_.left()} / 4));
@@ -203,33 +212,9 @@ void PlyText::read_faces(const PlyElement& element, std::size_t column) {
     if (row % kRowsPerTick == 0) {
       source_.tick(position());
     }
-    for (std::size_t i = 0; i < element.properties.size(); ++i) {
-      if (i == column) {
-        read_corners(element.properties[i], 0);
-      } else {
-        pass(element.properties[i]);
-      }
-    }
+    read_row(element, column, 0);
     face_.assign(corners_.begin(), corners_.end());
     builder_.add_face(face_);
-  }
-}
-
-void PlyText::read_strips(const PlyElement& element, std::size_t column) {
-  check_count(element);
-  for (std::uint64_t row = 0; row < element.count; ++row) {
-    source_.tick(position());
-    for (std::size_t i = 0; i < element.properties.size(); ++i) {
-      if (i != column) {
-        pass(element.properties[i]);
-        continue;
-      }
-      read_corners(element.properties[i], -1);
-      PlyStrip strip(builder_);
-      for (const std::int64_t corner : corners_) {
-        strip.add(corner);
-      }
-    }
   }
 }
 
