@@ -11,6 +11,10 @@ namespace {
 constexpr int kWakeUp = SIGUSR1;  // ends the waiting thread
 constexpr int kInterrupted = 130;
 
+/// A signal sooner after the first is the same request: `timeout` signals its child, then its
+/// process group.
+constexpr std::chrono::milliseconds kSameRequest(500);
+
 bool is_ignored(int signal) {
   struct sigaction action {};
 
@@ -58,13 +62,17 @@ int Interrupts::next_signal() {
 }
 
 void Interrupts::wait() {
+  std::chrono::steady_clock::time_point first_signal;
   while (!over_) {
     const int signal = next_signal();
     if (over_ || signal == kWakeUp) {
       continue;
     }
     if (signal > 0) {
-      if (!signalled_.request_stop()) {
+      const auto now = std::chrono::steady_clock::now();
+      if (signalled_.request_stop()) {
+        first_signal = now;
+      } else if (now - first_signal >= kSameRequest) {
         _exit(kInterrupted);  // asked twice: the first request is being worked on
       }
       stopped_.request_stop();

@@ -14,8 +14,8 @@
 namespace soms::command {
 
 /// While it lives, SIGINT, SIGTERM and SIGHUP (unless they are ignored, as under nohup) request a
-/// stop, and a second one ends the program at once. A thread waits for them, so no handler runs in
-/// the middle of anything. Make it before any other thread.
+/// stop, and one half a second or more after the first ends the program at once. A thread waits for
+/// them, so no handler runs in the middle of anything. Make it before any other thread.
 class Interrupts {
  public:
   explicit Interrupts(std::optional<std::chrono::steady_clock::time_point> deadline);

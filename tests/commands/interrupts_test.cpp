@@ -43,6 +43,34 @@ TEST(Interrupts, EndWithWhatIsDone) {
   }
 }
 
+TEST(Interrupts, TwiceAtOnceAreOne) {
+  // As `timeout` sends them: to the command, then to the whole process group.
+  const TemporaryFolder folder;
+  const std::string poses = many_poses(folder);
+  for (const int second : {SIGTERM, SIGINT}) {
+    Child child({command().string(), "overlap", box(), box(), "--pose", poses, "--json"},
+                folder.path());
+    ASSERT_TRUE(child.wait_for_output(100'000));
+    child.send(SIGTERM);
+    usleep(100);
+    child.send(second);
+    const RunResult result = child.wait();
+    EXPECT_EQ(result.status, 130) << result.err;
+    EXPECT_EQ(result.out.back(), '\n');
+    EXPECT_FALSE(json_lines(result.out).empty());  // every line is whole
+    EXPECT_NE(result.err.find("poses are answered"), std::string::npos) << result.err;
+  }
+}
+
+TEST(Interrupts, EndAtOnceWhenAskedAgainLater) {
+  // Nothing reads the pipe, so the first request cannot be finished.
+  const RunResult result = shell(
+      "d=$(mktemp -d); mkfifo $d/pipe; exec 3<>$d/pipe; "
+      "$soms generate sphere --triangles 100000 --format obj -o $d/pipe & "
+      "sleep 0.5; kill -TERM $!; sleep 0.8; kill -TERM $!; wait $!; s=$?; rm -r $d; exit $s");
+  EXPECT_EQ(result.status, 130) << result.err;
+}
+
 TEST(Interrupts, LeaveNoPartOfAFile) {
   const TemporaryFolder folder;
   const TemporaryFolder target;
