@@ -73,7 +73,7 @@ std::vector<Loop> outline(const std::vector<std::uint8_t>& inside, std::size_t c
     while (edges[start] != 0) {
       Loop loop;
       unsigned direction = 0;
-      while ((edges[start] >> direction & 1U) == 0) {
+      while ((unsigned{edges[start]} >> direction & 1U) == 0) {
         ++direction;
       }
       GridPoint at{static_cast<std::int32_t>(start % (columns + 1)),
@@ -85,8 +85,9 @@ std::vector<Loop> outline(const std::vector<std::uint8_t>& inside, std::size_t c
         // Left first: two cells that meet in a corner alone get a loop each.
         if (before < 4) {
           const std::array<unsigned, 3> turns{(before + 1) % 4, before, (before + 3) % 4};
-          const auto next = std::find_if(turns.begin(), turns.end(),
-                                         [&](unsigned d) { return (bits >> d & 1U) != 0; });
+          const auto next = std::find_if(turns.begin(), turns.end(), [&](unsigned d) {
+            return (unsigned{bits} >> d & 1U) != 0;
+          });
           if (next == turns.end()) {
             break;
           }
