@@ -84,7 +84,7 @@ HeightGrid::HeightGrid(const Box& area, std::size_t cells) {
   };
   columns_ = count(extent.x, cell_);
   rows_ = count(extent.y, cell_);
-  tops_.assign(columns_ * rows_, std::numeric_limits<float>::lowest());
+  tops_.assign(columns_ * rows_, std::numeric_limits<double>::lowest());
   surfaces_.assign(columns_ * rows_, Surface::nothing);
   tile_ = std::max({kLeastTile, longer / kMostTiles, cell_});
   tile_columns_ = count(extent.x, tile_);
@@ -103,8 +103,7 @@ void HeightGrid::add(const Mesh& mesh) {
       };
       const std::uint32_t column = tile(corner.x, origin_.x, tile_columns_);
       const std::uint32_t row = tile(corner.y, origin_.y, tile_rows_);
-      lowest_.emplace_back(row * static_cast<std::uint32_t>(tile_columns_) + column,
-                           static_cast<float>(corner.z));
+      lowest_.emplace_back(row * static_cast<std::uint32_t>(tile_columns_) + column, corner.z);
     }
   }
 }
@@ -135,7 +134,7 @@ void HeightGrid::add(const Triangle& t, Surface surface) {
     for (std::size_t column = cell_of(at[0].x, origin_.x, columns_); column < last; ++column) {
       const double x = origin_.x + (static_cast<double>(column) + 0.5) * cell_;
       const double share = width > 0 ? std::clamp((x - at[0].x) / width, 0.0, 1.0) : 0;
-      const auto z = static_cast<float>(at[0].z + share * (at[1].z - at[0].z));
+      const double z = at[0].z + share * (at[1].z - at[0].z);
       const std::size_t k = row * columns_ + column;
       if (z > tops_[k]) {
         tops_[k] = z;
@@ -151,7 +150,7 @@ void HeightGrid::find_ground() {
   std::sort(lowest_.begin(), lowest_.end());
   const auto quantile = [&](std::size_t begin, std::size_t end) {
     const auto skip = static_cast<std::size_t>(kBelowGround * static_cast<double>(end - begin));
-    return static_cast<double>(lowest_[begin + skip].second);
+    return lowest_[begin + skip].second;
   };
   for (std::size_t begin = 0; begin < lowest_.size();) {
     std::size_t end = begin;
@@ -272,10 +271,10 @@ double HeightGrid::standing(double x, double y, double reach) const {
       if (surfaces_[k] == Surface::nothing) {
         continue;
       }
-      if (static_cast<double>(tops_[k]) > limit) {
+      if (tops_[k] > limit) {
         return std::numeric_limits<double>::quiet_NaN();
       }
-      level = std::max(level, static_cast<double>(tops_[k]));
+      level = std::max(level, tops_[k]);
     }
   }
   return level;

@@ -70,12 +70,12 @@ class HeightGrid {
   double cell_ = 1;
   std::size_t columns_ = 1;
   std::size_t rows_ = 1;
-  std::vector<float> tops_;
+  std::vector<double> tops_;
   std::vector<Surface> surfaces_;
   double tile_ = 1;  ///< side of the squares in which the ground is sought
   std::size_t tile_columns_ = 1;
   std::size_t tile_rows_ = 1;
-  std::vector<std::pair<std::uint32_t, float>> lowest_;  ///< tile and height of every vertex
+  std::vector<std::pair<std::uint32_t, double>> lowest_;  ///< tile and height of every vertex
   std::vector<double> ground_;
   std::vector<std::uint8_t> known_;  ///< tiles with vertices enough
 };
