@@ -42,7 +42,7 @@ bench:
 	@tools/install_packages.sh run bench
 	cmake --preset bench
 	cmake --build --preset bench -j $(JOBS)
-	build/bench/bin/peers
+	build/bench/bench/peers/peers --out build/bench/peers
 
 format:
 	@git ls-files '*.h' '*.cpp' | xargs clang-format -i
