@@ -30,6 +30,14 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return above[b.size()];
 }
 
+std::string lower(std::string_view word) {
+  std::string result(word);
+  std::transform(result.begin(), result.end(), result.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return result;
+}
+
 }  // namespace
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {
@@ -37,11 +45,17 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
   if (word.size() > 64) {
     return {};
   }
+  // Of one or two letters, every other such word is near.
+  if (word.size() <= 2) {
+    const auto same = std::find_if(known.begin(), known.end(), [&](const std::string& candidate) {
+      return lower(candidate) == lower(word);
+    });
+    return same == known.end() ? std::string() : *same;
+  }
   std::size_t best = std::clamp<std::size_t>(word.size() / 3, 1, 3) + 1;
   std::string answer;
   for (const std::string& candidate : known) {
-    const bool begins = word.size() >= 3 && candidate.starts_with(word);
-    const std::size_t distance = begins ? 1 : edit_distance(word, candidate);
+    const std::size_t distance = candidate.starts_with(word) ? 1 : edit_distance(word, candidate);
     if (distance < best) {
       best = distance;
       answer = candidate;

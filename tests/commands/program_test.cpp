@@ -66,6 +66,18 @@ TEST(Program, SuggestsTheOptionThatWasMeant) {
       << result.err;
 }
 
+TEST(Program, SuggestsNothingForAShortWordUnlessItsCaseDiffers) {
+  const RunResult same = soms_run({"info", "a.ply", "--up", "Z"});
+  EXPECT_EQ(same.status, 2);
+  EXPECT_NE(same.err.find("did you mean z?"), std::string::npos) << same.err;
+  for (const std::string word : {"w", "xy", ""}) {
+    const RunResult other = soms_run({"info", "a.ply", "--up", word});
+    EXPECT_EQ(other.status, 2);
+    EXPECT_EQ(other.err.find("did you mean"), std::string::npos) << other.err;
+    EXPECT_NE(other.err.find("choose one of x, y, z"), std::string::npos) << other.err;
+  }
+}
+
 TEST(Program, NamesAnUnknownOptionBeforeAMissingArgument) {
   EXPECT_NE(
       soms_run({"overlap", "--frist"}).err.find("unknown option --frist; did you mean --first?"),
