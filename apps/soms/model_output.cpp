@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 namespace soms::command {
 
@@ -40,7 +42,19 @@ MeshFormat format_of(const ModelOutput& output) {
   if (output.format) {
     return *output.format;
   }
-  return output.path == "-" ? MeshFormat::ply : format_for(output.path);
+  if (output.path == "-") {
+    return MeshFormat::ply;
+  }
+  try {
+    return format_for(output.path);
+  } catch (const Error& error) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(output.path, ignored)) {
+      throw Error(ErrorKind::usage, output.path + ": this is a folder",
+                  "give the name of a file in it");
+    }
+    throw Error(ErrorKind::usage, error.place(), error.remedy());  // the name is an argument
+  }
 }
 
 void check(const ModelOutput& output, const Console& console) {

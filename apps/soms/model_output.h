@@ -23,7 +23,8 @@ struct ModelOutput {
 /// Adds --format.
 void add_format(CLI::App& app, ModelOutput& output);
 
-/// The format to write. \errors ErrorKind::unsupported, naming the endings that are offered.
+/// The format to write. \errors ErrorKind::usage for a folder, and for an unknown ending, naming
+/// those that are offered.
 [[nodiscard]] MeshFormat format_of(const ModelOutput& output);
 
 /// Throws ErrorKind::usage if there is no name, or if --json and the model would share standard

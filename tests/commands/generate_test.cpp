@@ -62,7 +62,7 @@ TEST(Generate, WritesTheFormatOfTheNameOrOfTheOption) {
   ASSERT_EQ(soms_run({"generate", "sphere", "--format", "stl-ascii", "-o", path}).status, 0);
   EXPECT_TRUE(read_text(path).starts_with("solid"));
   const RunResult unknown = soms_run({"generate", "sphere", "-o", path});
-  EXPECT_EQ(unknown.status, 3);
+  EXPECT_EQ(unknown.status, 2);
   EXPECT_NE(unknown.err.find(".ply"), std::string::npos) << unknown.err;
 }
 

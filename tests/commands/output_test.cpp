@@ -86,6 +86,25 @@ TEST(Output, NamesThePlaceThatCannotBeWritten) {
   EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{"folder.ply"});
 }
 
+TEST(Output, AnUnknownEndingIsWrongUsage) {
+  const TemporaryFolder folder;
+  const std::string box = test::data("truth/meshes/box2.ply").string();
+  for (const std::string name : {"x.xyz", "x", "x.3ds"}) {
+    const std::string path = (folder.path() / name).string();
+    for (const auto& words : {std::vector<std::string>{"generate", "sphere", "-o", path},
+                              std::vector<std::string>{"convert", box, path}}) {
+      const RunResult result = soms_run(words);
+      EXPECT_EQ(result.status, 2) << result.err;
+      EXPECT_NE(result.err.find(path + ": the name does not end with"), std::string::npos)
+          << result.err;
+    }
+  }
+  const RunResult place = soms_run({"convert", box, folder.path().string()});
+  EXPECT_EQ(place.status, 2) << place.err;
+  EXPECT_NE(place.err.find(": this is a folder; "), std::string::npos) << place.err;
+  EXPECT_TRUE(files_in(folder.path()).empty());
+}
+
 TEST(Output, EndsQuietlyWhenThePipeIsClosed) {
   const TemporaryFolder folder;
   const std::string status = (folder.path() / "status").string();
