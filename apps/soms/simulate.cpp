@@ -1,5 +1,7 @@
 #include "apps/soms/simulate.h"
 
+#include "soms/base/error.h"
+
 #include "apps/soms/console.h"
 #include "apps/soms/map.h"
 #include "apps/soms/output.h"
@@ -7,7 +9,14 @@
 #include "apps/soms/simulate_run.h"
 #include "apps/soms/simulate_world.h"
 
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 namespace soms::command {
 
@@ -16,6 +25,47 @@ namespace {
 constexpr int kHolds = 1;
 constexpr int kDiffers = 6;
 constexpr int kInterrupted = 130;
+
+using Named = std::pair<const char*, std::string>;  ///< an option and its file
+
+std::filesystem::path real_path(const std::string& path) {
+  std::error_code failed;
+  const std::filesystem::path real =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(path), failed);
+  return failed ? std::filesystem::path(path) : real;
+}
+
+/// Throws ErrorKind::usage if an output would mix with the table or overwrite another file of ours.
+void check_outputs(const SimulateOptions& options) {
+  std::vector<Named> taken;
+  for (const std::string& path : options.cities) {
+    taken.emplace_back("CITY", path);
+  }
+  for (const std::string& path : options.movers) {
+    taken.emplace_back("--mover", path);
+  }
+  for (const std::string& path : options.routes) {
+    taken.emplace_back("--route", path);
+  }
+  for (const Named& output : {Named("--events", options.events), Named("--map", options.map)}) {
+    const auto& [name, path] = output;
+    if (path.empty() || path == "/dev/null") {
+      continue;
+    }
+    if (path == "-" || path == "/dev/stdout") {
+      throw Error(ErrorKind::usage,
+                  fmt::format("{} {}: standard output holds the table", name, path), "give a file");
+    }
+    for (const auto& [other, other_path] : taken) {
+      if (other_path != "-" && real_path(path) == real_path(other_path)) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("{} {}: {} names the same file", name, path, other),
+                    "give another file");
+      }
+    }
+    taken.push_back(output);
+  }
+}
 
 void open(std::optional<OutputFile>& file, const std::string& path) {
   if (!path.empty()) {
@@ -36,6 +86,7 @@ int status_of(const Outcome& outcome, const SimulateOptions& options) {
 }  // namespace
 
 int run_simulate(const SimulateOptions& options, Console& console) {
+  check_outputs(options);
   // Places that cannot be written to are told before the work, not after it.
   std::optional<OutputFile> events;
   std::optional<OutputFile> map;

@@ -89,6 +89,31 @@ json answer(std::vector<std::string> words) {
   return json::parse(result.out);
 }
 
+TEST(Simulate, RefusesToOverwriteItsOwnFiles) {
+  const Town town;
+  const std::string before = read_text(town.path());
+  const std::string same = town.beside("./m.svg");
+  const auto refused = [&](std::vector<std::string> words, const std::string& text) {
+    words.insert(words.end(), {"--frames", "1", "--count", "1"});
+    const test::RunResult result = simulate(words);
+    EXPECT_EQ(result.status, 2) << result.err;
+    EXPECT_NE(result.err.find(text), std::string::npos) << result.err;
+  };
+  refused({town.path(), "--map", town.beside("m.svg"), "--events", same},
+          "m.svg: --events names the same file");
+  refused({town.path(), "--map", town.path()}, "town.off: CITY names the same file");
+  refused({town.path(), "--mover", "a.ply", "--events", "./a.ply"}, "--mover names");
+  refused({town.path(), "--route", "r.csv", "--events", "r.csv"}, "--route names");
+  refused({town.path(), "--map", "-"}, "standard output holds the table; give a file");
+  refused({town.path(), "--events", "/dev/stdout", "--json"}, "standard output holds the table");
+  EXPECT_EQ(read_text(town.path()), before);
+  EXPECT_EQ(town.files(), 1U);
+  EXPECT_EQ(simulate({town.path(), "--frames", "1", "--count", "1", "--map", "/dev/null",
+                      "--events", "/dev/null"})
+                .status,
+            0);
+}
+
 TEST(Simulate, RunsTheEmbeddedCityWithAThousandMoversAndIsConfirmedByBruteForce) {
   const json object = answer({"--frames", "12", "--verify"});
   EXPECT_EQ(object["schema"], "soms.simulate/1");
