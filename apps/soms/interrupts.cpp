@@ -49,7 +49,10 @@ Interrupts::~Interrupts() {
   over_ = true;
   pthread_kill(thread_.native_handle(), kWakeUp);
   thread_.join();
-  pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr);
+  // Once asked, the program is on its way out: a repeated signal must not cut its last words short.
+  if (!signalled_.stop_requested()) {
+    pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr);
+  }
 }
 
 int Interrupts::next_signal() {
