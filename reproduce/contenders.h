@@ -1,0 +1,28 @@
+/// \file
+/// The builds that are compared: the rules of the thesis with its options, and the library's beside
+/// them.
+#pragma once
+
+#include "soms/tree/build_options.h"
+
+#include <string>
+#include <vector>
+
+namespace soms::reproduce {
+
+/// A build to compare.
+struct Contender {
+  std::string name;        ///< snake_case, as in the tables: "soms", "sah"
+  std::string title;       ///< for legends: "SOMS"
+  bool of_thesis = false;  ///< one of the four rules of the thesis
+  BuildOptions options = {};
+};
+
+/// Object median, object mean, spatial median and SOMS with the thesis' options, in this order.
+[[nodiscard]] std::vector<Contender> thesis_rules(int level);
+
+/// The rules of the thesis, then SAH to the same level with one triangle a leaf, then the builds
+/// that the library itself would use, with their own options (no limit of levels).
+[[nodiscard]] std::vector<Contender> all_builds(int level);
+
+}  // namespace soms::reproduce

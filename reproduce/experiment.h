@@ -1,0 +1,54 @@
+/// \file
+/// The table of experiments: one for each table and figure of the thesis, and those that go beyond.
+#pragma once
+
+#include "soms/base/parallel.h"
+
+#include "reproduce/models.h"
+#include "reproduce/result.h"
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace soms::reproduce {
+
+/// What an experiment gets.
+struct Context {
+  const Models& models;
+  /// Fewer repetitions and smaller sweeps; counts of the thesis' own tables are the same.
+  bool quick = false;
+  /// One thread for all that is timed; `stop` and `progress` (0 to 1 of this experiment) are heeded.
+  Parallel parallel = {};
+
+  /// `whole` repetitions, or a tenth of them (at least 5) in a quick run.
+  [[nodiscard]] int repetitions(int whole) const;
+};
+
+/// Part of the report that an experiment belongs to.
+enum class Chapter {
+  thesis,  ///< a table or figure of the thesis
+  beyond,  ///< what we add
+};
+
+/// A row of the table of experiments.
+struct Experiment {
+  std::string_view item;   ///< "table-5.3", "figure-5.2", or a word of our own: "spread"
+  std::string_view title;  ///< of the thesis' caption, in our words
+  Chapter chapter = Chapter::thesis;
+  Needs needs = {};
+  int weight = 1;  ///< share of a whole run's time, for the progress bar
+  /// \errors ErrorKind::cancelled.
+  Result (*run)(const Context& context) = nullptr;
+};
+
+/// All experiments, in the order of the report.
+[[nodiscard]] std::span<const Experiment> experiments();
+
+/// The experiments that words name: an item ("table-5.3"), a number ("5.3": the table and the
+/// figure), or "thesis" and "beyond". Each once, in the order of the report; all if `words` is
+/// empty. \errors ErrorKind::usage, which lists the items.
+[[nodiscard]] std::vector<const Experiment*> experiments_named(
+    std::span<const std::string_view> words);
+
+}  // namespace soms::reproduce

@@ -1,0 +1,75 @@
+/// \file
+/// A run of experiments, whole or interrupted, and the files it makes.
+#pragma once
+
+#include "reproduce/experiment.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soms::reproduce {
+
+/// The machine and the build, as the page shows them.
+struct Machine {
+  std::string processor;
+  std::string system;
+  std::string compiler;
+  std::string version;  ///< of soms
+  int processors = 0;
+};
+
+/// This machine and this build.
+[[nodiscard]] Machine this_machine();
+
+/// An experiment that ran.
+struct Entry {
+  const Experiment* experiment = nullptr;
+  Result result = {};
+  double seconds = 0;
+};
+
+/// All of a run.
+struct Report {
+  Machine machine = {};
+  std::string date;  ///< UTC, ISO 8601
+  bool quick = false;
+  Models models = {};
+  std::vector<Entry> entries = {};
+  std::vector<const Experiment*> missing = {};  ///< not run: the run was interrupted
+};
+
+/// How a run goes.
+struct RunOptions {
+  std::filesystem::path models = {};  ///< folder of models; empty for stand-ins
+  std::vector<const Experiment*> experiments = {};
+  bool quick = false;
+};
+
+/// What a run calls.
+struct RunVisitor {
+  /// A file that is to appear whole under the output folder: its name there and its bytes.
+  std::function<void(const std::filesystem::path& name, std::string_view bytes)> write = {};
+  /// The experiment that runs now and the share of the whole run that is done.
+  std::function<void(const Experiment& now, double share)> progress = {};
+};
+
+/// Runs experiments one after the other and writes each one's files as soon as it ends, then the
+/// page and the list of files. A stop request ends it early: what is written is whole, and the page
+/// names what is missing. \errors Those of find_models but cancelled; those of `visitor`.
+Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel& parallel = {});
+
+/// The page: one self-contained HTML document without scripts or anything from a network.
+[[nodiscard]] std::string page(const Report& report);
+
+/// The list of files as JSON, schema "soms.reproduce/1": for each its experiment, and which columns
+/// of a table, or whether a figure, differ from run to run.
+[[nodiscard]] std::string manifest(const Report& report);
+
+/// "tables/ID.csv" and "figures/ID.svg".
+[[nodiscard]] std::filesystem::path file_of(const Table& table);
+[[nodiscard]] std::filesystem::path file_of(const Figure& figure);
+
+}  // namespace soms::reproduce

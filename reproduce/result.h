@@ -1,0 +1,82 @@
+/// \file
+/// What an experiment finds: tables, figures, verdicts on claims of the thesis, remarks.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace soms::reproduce {
+
+/// A cell of a table: empty (not applicable), words, a count, or a measured number.
+using Cell = std::variant<std::monostate, std::string, std::int64_t, double>;
+
+/// What a column holds, which decides whether two runs agree on it to the byte.
+enum class ColumnKind {
+  counted,  ///< words and numbers that are the same in every run on every machine
+  timed,    ///< times and what follows from them: differ from run to run
+};
+
+/// A column of a table.
+struct Column {
+  std::string name;                       ///< snake_case, as in the CSV's first line
+  std::string unit = {};                  ///< "ms", "%", ...; empty for none
+  ColumnKind kind = ColumnKind::counted;  ///< `timed` columns are masked where runs are compared
+};
+
+/// A table, written as <id>.csv.
+struct Table {
+  std::string id;       ///< snake_case, unique in a run: "table_5_3"
+  std::string caption;  ///< one sentence: what is in it, with the options that hold for all rows
+  std::vector<Column> columns = {};
+  std::vector<std::vector<Cell>> rows = {};  ///< each as long as `columns`
+};
+
+/// A drawing, written as <id>.svg.
+struct Figure {
+  std::string id;        ///< snake_case, unique in a run: "figure_5_2"
+  std::string caption;   ///< one sentence, with what the reader should see
+  std::string svg;       ///< a whole SVG document
+  bool timed = false;    ///< true if it shows times, so that runs differ
+  std::string alt = {};  ///< what it shows, in words for who cannot see it; the caption if empty
+};
+
+/// How a claim of the thesis stands after the run.
+enum class Verdict {
+  holds,               ///< as stated
+  holds_under_options, ///< with some of the options that the thesis leaves open
+  does_not_hold,       ///< contradicted by what was measured
+  cannot_be_checked,   ///< what it was measured on is not available
+};
+
+/// A claim of the thesis beside what was measured.
+struct Finding {
+  std::string claim;     ///< in our words: "AABB tree of 948 triangles: 8 % faster than ..."
+  std::string source;    ///< where the thesis says so: "abstract", "table 5.9 by its caption"
+  std::string measured;  ///< with figures of this run
+  Verdict verdict = Verdict::cannot_be_checked;
+  std::string reason;    ///< why this verdict, in one to three sentences
+  bool timed = false;    ///< true if `measured` holds times
+};
+
+/// All that one experiment found.
+struct Result {
+  std::vector<Table> tables = {};
+  std::vector<Figure> figures = {};
+  std::vector<Finding> findings = {};
+  std::vector<std::string> remarks = {};  ///< sentences for the page, in order
+};
+
+/// "holds", "holds under options", "does not hold", "cannot be checked".
+[[nodiscard]] std::string_view name(Verdict verdict);
+
+/// The table as CSV (RFC 4180): a line of column names, units in brackets where there are any, then
+/// the rows. Numbers of double are written with six significant digits, "." as the mark.
+[[nodiscard]] std::string to_csv(const Table& table);
+
+/// A cell as the page shows it: counts with thousands separated by commas, measured numbers with
+/// three significant digits.
+[[nodiscard]] std::string to_text(const Cell& cell);
+
+}  // namespace soms::reproduce

@@ -1,0 +1,37 @@
+/// \file
+/// Repeated timing, as medians with their spread.
+#pragma once
+
+#include "soms/base/parallel.h"
+
+#include <functional>
+
+namespace soms::reproduce {
+
+/// Milliseconds of repeated runs.
+struct Timing {
+  double median = 0;
+  double lower_quartile = 0;
+  double upper_quartile = 0;
+  double mean = 0;
+  double min = 0;
+  double max = 0;
+  double deviation = 0;  ///< standard deviation
+  int repetitions = 0;
+};
+
+/// Order statistics of samples in milliseconds. \pre not empty.
+[[nodiscard]] Timing summarize(std::vector<double> milliseconds);
+
+/// Runs `work` `warm_up` times unmeasured, then `repetitions` times by a monotonic clock.
+/// \errors ErrorKind::cancelled between runs; those of `work`.
+[[nodiscard]] Timing time_repeatedly(int repetitions, const Parallel& parallel,
+                                     const std::function<void()>& work, int warm_up = 10);
+
+/// Times several works in turn, round by round, so that a change of the machine's speed meets all
+/// alike. \shape one Timing a work.
+[[nodiscard]] std::vector<Timing> time_in_turn(int repetitions, const Parallel& parallel,
+                                               std::span<const std::function<void()>> works,
+                                               int warm_up = 10);
+
+}  // namespace soms::reproduce
