@@ -16,8 +16,8 @@ namespace soms::reproduce {
 
 /// A model and where it came from.
 struct Model {
-  std::string name;       ///< as in the golden tables: "bunny", "u_mixed"; of a user's file its stem
-  std::string title;      ///< for people: "Stanford bunny (bun_zipper_res4.ply)"
+  std::string name;   ///< as in the golden tables: "bunny", "u_mixed"; of a user's file its stem
+  std::string title;  ///< for people: "Stanford bunny (bun_zipper_res4.ply)"
   std::string file = {};  ///< name of the file it was read from, without folder; empty if generated
   bool stand_in = false;  ///< not the model of the thesis but one made or put in its place
   std::string trouble = {};  ///< why the file of this model was not used; empty if all is well
@@ -35,6 +35,8 @@ struct Models {
   std::vector<Model> scenes = {};
   /// Real cities of today, by size; may be empty.
   std::vector<Model> cities = {};
+  /// Sentences about files that were not used and that no model's `trouble` tells of.
+  std::vector<std::string> remarks = {};
 };
 
 /// Which models an experiment looks at.
@@ -47,7 +49,7 @@ struct Needs {
 /// Finds the models. Looks in `folder` and its subfolders `ply`, `3ds` and `cities`; an empty path
 /// means that all are generated. A file that is missing or cannot be read is named in
 /// Model::trouble and a stand-in takes its place.
-/// \errors ErrorKind::cannot_read if `folder` is given and is no folder; cancelled.
+/// \errors ErrorKind::cannot_open if `folder` is given and is no folder; cancelled.
 [[nodiscard]] Models find_models(const std::filesystem::path& folder, Needs needs,
                                  const Parallel& parallel = {});
 
