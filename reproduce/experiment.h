@@ -18,7 +18,8 @@ struct Context {
   const Models& models;
   /// Fewer repetitions and smaller sweeps; counts of the thesis' own tables are the same.
   bool quick = false;
-  /// One thread for all that is timed; `stop` and `progress` (0 to 1 of this experiment) are heeded.
+  /// One thread for all that is timed; `stop` and `progress` (0 to 1 of this experiment) are
+  /// heeded.
   Parallel parallel = {};
 
   /// `whole` repetitions, or a tenth of them (at least 5) in a quick run.

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -44,10 +45,10 @@ struct Figure {
 
 /// How a claim of the thesis stands after the run.
 enum class Verdict {
-  holds,               ///< as stated
-  holds_under_options, ///< with some of the options that the thesis leaves open
-  does_not_hold,       ///< contradicted by what was measured
-  cannot_be_checked,   ///< what it was measured on is not available
+  holds,                ///< as stated
+  holds_under_options,  ///< with some of the options that the thesis leaves open
+  does_not_hold,        ///< contradicted by what was measured
+  cannot_be_checked,    ///< what it was measured on is not available
 };
 
 /// A claim of the thesis beside what was measured.
@@ -56,8 +57,8 @@ struct Finding {
   std::string source;    ///< where the thesis says so: "abstract", "table 5.9 by its caption"
   std::string measured;  ///< with figures of this run
   Verdict verdict = Verdict::cannot_be_checked;
-  std::string reason;    ///< why this verdict, in one to three sentences
-  bool timed = false;    ///< true if `measured` holds times
+  std::string reason;  ///< why this verdict, in one to three sentences
+  bool timed = false;  ///< true if `measured` holds times
 };
 
 /// All that one experiment found.

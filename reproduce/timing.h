@@ -5,6 +5,8 @@
 #include "soms/base/parallel.h"
 
 #include <functional>
+#include <span>
+#include <vector>
 
 namespace soms::reproduce {
 

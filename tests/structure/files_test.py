@@ -26,7 +26,7 @@ def faults(root):
             yield f"{cmake.relative_to(root)} does not list {name}"
         for name in sorted(names & private):
             yield f"{cmake.relative_to(root)} installs the private header {name}"
-    for folder in ("soms", "apps", "tests", "bench"):
+    for folder in ("soms", "apps", "reproduce", "tests", "bench"):
         for file in sorted((root / folder).rglob("*")):
             if file.suffix not in MOST_LINES:
                 continue

@@ -1,0 +1,109 @@
+#include "reproduce/report.h"
+
+#include "soms/base/error.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+namespace soms::reproduce {
+
+namespace {
+
+Needs all_needs(std::span<const Experiment* const> experiments) {
+  Needs needs;
+  for (const Experiment* experiment : experiments) {
+    needs.objects |= experiment->needs.objects;
+    needs.scenes |= experiment->needs.scenes;
+    needs.cities |= experiment->needs.cities;
+  }
+  return needs;
+}
+
+std::string now() {
+  const std::time_t seconds =
+      std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(seconds));
+}
+
+void write_files(const Result& result, const RunVisitor& visitor) {
+  for (const Table& table : result.tables) {
+    visitor.write(file_of(table), to_csv(table));
+  }
+  for (const Figure& figure : result.figures) {
+    visitor.write(file_of(figure), figure.svg);
+  }
+}
+
+/// Runs experiments one by one and knows the share of all that is done.
+class Runner {
+ public:
+  Runner(const RunOptions& options, const RunVisitor& visitor, const Parallel& parallel)
+      : options_(options), visitor_(visitor), parallel_(parallel) {
+    for (const Experiment* experiment : options.experiments) {
+      all_ += experiment->weight;
+    }
+  }
+
+  Entry operator()(const Experiment& experiment, const Models& models) {
+    Context context{.models = models, .quick = options_.quick, .parallel = parallel_};
+    context.parallel.progress = [&](double share) { show(experiment, share); };
+    show(experiment, 0);
+    const auto start = std::chrono::steady_clock::now();
+    Entry entry{.experiment = &experiment, .result = experiment.run(context)};
+    const auto end = std::chrono::steady_clock::now();
+    entry.seconds = std::chrono::duration<double>(end - start).count();
+    done_ += experiment.weight;
+    return entry;
+  }
+
+ private:
+  void show(const Experiment& experiment, double share) const {
+    if (visitor_.progress) {
+      visitor_.progress(experiment, (done_ + share * experiment.weight) / std::max(1, all_));
+    }
+  }
+
+  const RunOptions& options_;
+  const RunVisitor& visitor_;
+  const Parallel& parallel_;
+  int all_ = 0;
+  int done_ = 0;
+};
+
+}  // namespace
+
+std::filesystem::path file_of(const Table& table) {
+  return std::filesystem::path("tables") / (table.id + ".csv");
+}
+
+std::filesystem::path file_of(const Figure& figure) {
+  return std::filesystem::path("figures") / (figure.id + ".svg");
+}
+
+Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel& parallel) {
+  Report report{.machine = this_machine(), .date = now(), .quick = options.quick};
+  report.missing = options.experiments;
+  try {
+    report.models = find_models(options.models, all_needs(options.experiments), parallel);
+    Runner runner(options, visitor, parallel);
+    while (!report.missing.empty()) {
+      check_stop(parallel);
+      report.entries.push_back(runner(*report.missing.front(), report.models));
+      report.missing.erase(report.missing.begin());
+      write_files(report.entries.back().result, visitor);
+    }
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::cancelled) {
+      throw;
+    }
+  }
+  visitor.write("index.html", page(report));
+  visitor.write("run.json", manifest(report));
+  return report;
+}
+
+}  // namespace soms::reproduce

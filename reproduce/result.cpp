@@ -1,0 +1,102 @@
+#include "reproduce/result.h"
+
+#include <fmt/format.h>
+
+namespace soms::reproduce {
+
+namespace {
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) {
+    return text;
+  }
+  std::string result = "\"";
+  for (const char c : text) {
+    result += c;
+    if (c == '"') {
+      result += c;
+    }
+  }
+  return result + "\"";
+}
+
+struct CsvCell {
+  std::string operator()(std::monostate) const { return {}; }
+
+  std::string operator()(const std::string& text) const { return quoted(text); }
+
+  std::string operator()(std::int64_t count) const { return std::to_string(count); }
+
+  std::string operator()(double number) const { return fmt::format("{:.6g}", number); }
+};
+
+std::string with_commas(std::int64_t count) {
+  std::string digits = std::to_string(count);
+  const std::size_t first = count < 0 ? 1 : 0;
+  for (std::size_t at = digits.size(); at > first + 3;) {
+    at -= 3;
+    digits.insert(at, 1, ',');
+  }
+  return digits;
+}
+
+/// Three significant digits, but never a count's digits lost: 12345.6 is 12,346.
+std::string three_digits(double number) {
+  if (number >= 1000 && number < 1e15) {
+    return with_commas(static_cast<std::int64_t>(number + 0.5));
+  }
+  return fmt::format("{:.3g}", number);
+}
+
+struct PageCell {
+  std::string operator()(std::monostate) const { return {}; }
+
+  std::string operator()(const std::string& text) const { return text; }
+
+  std::string operator()(std::int64_t count) const { return with_commas(count); }
+
+  std::string operator()(double number) const { return three_digits(number); }
+};
+
+std::string csv_line(const std::vector<std::string>& cells) {
+  return fmt::format("{}\n", fmt::join(cells, ","));
+}
+
+}  // namespace
+
+std::string_view name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::holds:
+      return "holds";
+    case Verdict::holds_under_options:
+      return "holds under options";
+    case Verdict::does_not_hold:
+      return "does not hold";
+    case Verdict::cannot_be_checked:
+      break;
+  }
+  return "cannot be checked";
+}
+
+std::string to_csv(const Table& table) {
+  std::vector<std::string> cells;
+  for (const Column& column : table.columns) {
+    cells.push_back(
+        quoted(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]"));
+  }
+  std::string text = csv_line(cells);
+  for (const std::vector<Cell>& row : table.rows) {
+    cells.clear();
+    for (const Cell& cell : row) {
+      cells.push_back(std::visit(CsvCell{}, cell));
+    }
+    text += csv_line(cells);
+  }
+  return text;
+}
+
+std::string to_text(const Cell& cell) {
+  return std::visit(PageCell{}, cell);
+}
+
+}  // namespace soms::reproduce

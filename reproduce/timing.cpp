@@ -1,0 +1,71 @@
+#include "reproduce/timing.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+namespace soms::reproduce {
+
+namespace {
+
+/// Value at a share of ascending samples, between neighbors in proportion.
+double quantile(const std::vector<double>& ascending, double share) {
+  const double at = share * static_cast<double>(ascending.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const std::size_t above = std::min(below + 1, ascending.size() - 1);
+  return std::lerp(ascending[below], ascending[above], at - static_cast<double>(below));
+}
+
+double milliseconds_of(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
+}
+
+}  // namespace
+
+Timing summarize(std::vector<double> milliseconds) {
+  std::sort(milliseconds.begin(), milliseconds.end());
+  const auto count = static_cast<double>(milliseconds.size());
+  const double mean = std::accumulate(milliseconds.begin(), milliseconds.end(), 0.0) / count;
+  double squares = 0;
+  for (const double sample : milliseconds) {
+    squares += (sample - mean) * (sample - mean);
+  }
+  return {.median = quantile(milliseconds, 0.5),
+          .lower_quartile = quantile(milliseconds, 0.25),
+          .upper_quartile = quantile(milliseconds, 0.75),
+          .mean = mean,
+          .min = milliseconds.front(),
+          .max = milliseconds.back(),
+          .deviation = milliseconds.size() < 2 ? 0 : std::sqrt(squares / (count - 1)),
+          .repetitions = static_cast<int>(milliseconds.size())};
+}
+
+Timing time_repeatedly(int repetitions, const Parallel& parallel, const std::function<void()>& work,
+                       int warm_up) {
+  return time_in_turn(repetitions, parallel, std::span(&work, 1), warm_up).front();
+}
+
+std::vector<Timing> time_in_turn(int repetitions, const Parallel& parallel,
+                                 std::span<const std::function<void()>> works, int warm_up) {
+  std::vector<std::vector<double>> samples(works.size());
+  for (int round = -warm_up; round < repetitions; ++round) {
+    for (std::size_t i = 0; i < works.size(); ++i) {
+      check_stop(parallel);
+      const double sample = milliseconds_of(works[i]);
+      if (round >= 0) {
+        samples[i].push_back(sample);
+      }
+    }
+  }
+  std::vector<Timing> timings;
+  for (std::vector<double>& of_one : samples) {
+    timings.push_back(summarize(std::move(of_one)));
+  }
+  return timings;
+}
+
+}  // namespace soms::reproduce

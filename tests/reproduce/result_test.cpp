@@ -1,0 +1,36 @@
+#include "reproduce/result.h"
+
+#include <gtest/gtest.h>
+
+namespace soms::reproduce {
+namespace {
+
+TEST(Result, TableBecomesCsvWithUnitsAndQuotes) {
+  const Table table{.id = "t",
+                    .caption = "c",
+                    .columns = {{"rule"}, {"nodes"}, {"time", "ms", ColumnKind::timed}},
+                    .rows = {{"a \"b\", c", std::int64_t{1234567}, 0.125},
+                             {std::monostate{}, std::int64_t{-1}, 1234567.0}}};
+  EXPECT_EQ(to_csv(table),
+            "rule,nodes,time [ms]\n\"a \"\"b\"\", c\",1234567,0.125\n,-1,1.23457e+06\n");
+}
+
+TEST(Result, CellsAreReadable) {
+  EXPECT_EQ(to_text(std::monostate{}), "");
+  EXPECT_EQ(to_text(std::string("soms")), "soms");
+  EXPECT_EQ(to_text(std::int64_t{999}), "999");
+  EXPECT_EQ(to_text(std::int64_t{1000}), "1,000");
+  EXPECT_EQ(to_text(std::int64_t{-1234567}), "-1,234,567");
+  EXPECT_EQ(to_text(0.0123456), "0.0123");
+  EXPECT_EQ(to_text(12345.6), "12,346");
+}
+
+TEST(Result, VerdictsHaveNames) {
+  EXPECT_EQ(name(Verdict::holds), "holds");
+  EXPECT_EQ(name(Verdict::holds_under_options), "holds under options");
+  EXPECT_EQ(name(Verdict::does_not_hold), "does not hold");
+  EXPECT_EQ(name(Verdict::cannot_be_checked), "cannot be checked");
+}
+
+}  // namespace
+}  // namespace soms::reproduce

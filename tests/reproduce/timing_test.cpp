@@ -1,0 +1,56 @@
+#include "reproduce/timing.h"
+
+#include "soms/base/error.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <stop_token>
+#include <string>
+#include <tuple>
+
+namespace soms::reproduce {
+namespace {
+
+TEST(Timing, SummarizesByOrderStatistics) {
+  const Timing timing = summarize({4, 1, 3, 2, 10});
+  EXPECT_EQ(timing.median, 3);
+  EXPECT_EQ(timing.lower_quartile, 2);
+  EXPECT_EQ(timing.upper_quartile, 4);
+  EXPECT_EQ(timing.mean, 4);
+  EXPECT_EQ(timing.min, 1);
+  EXPECT_EQ(timing.max, 10);
+  EXPECT_NEAR(timing.deviation, 3.5355339, 1e-6);
+  EXPECT_EQ(timing.repetitions, 5);
+}
+
+TEST(Timing, OneSampleHasNoSpread) {
+  const Timing timing = summarize({7});
+  EXPECT_EQ(timing.median, 7);
+  EXPECT_EQ(timing.upper_quartile, 7);
+  EXPECT_EQ(timing.deviation, 0);
+}
+
+TEST(Timing, WorksAreRunInTurnAfterTheWarmUp) {
+  std::string order;
+  const std::array<std::function<void()>, 2> works{[&] { order += 'a'; }, [&] { order += 'b'; }};
+  const std::vector<Timing> timings = time_in_turn(3, {}, works, 2);
+  EXPECT_EQ(order, "ababababab");
+  ASSERT_EQ(timings.size(), 2U);
+  EXPECT_EQ(timings[0].repetitions, 3);
+}
+
+TEST(Timing, StopRequestEndsIt) {
+  std::stop_source source;
+  int runs = 0;
+  const auto work = [&] {
+    if (++runs == 3) {
+      source.request_stop();
+    }
+  };
+  EXPECT_THROW(std::ignore = time_repeatedly(100, {.stop = source.get_token()}, work, 0), Error);
+  EXPECT_EQ(runs, 3);
+}
+
+}  // namespace
+}  // namespace soms::reproduce
