@@ -133,11 +133,9 @@ struct NamedOverlap::State {
     }
   }
 
-  TraversalCounts walk(const TraversalVisitor& visitor) {
-    if (front) {
-      return front->next(posed_a.boxes(), posed_b.boxes(), visitor);
-    }
-    return traverse(posed_a.view(), posed_b.view(), options, visitor, workspace);
+  void walk(const TraversalVisitor& visitor) {
+    counts = front ? front->next(posed_a.boxes(), posed_b.boxes(), visitor)
+                   : traverse(posed_a.view(), posed_b.view(), options, visitor, workspace);
   }
 
   Shape a;
@@ -148,6 +146,7 @@ struct NamedOverlap::State {
   std::optional<EnodeFront> front;
   TraversalWorkspace workspace;
   std::vector<MovedTriangle> scratch;
+  TraversalCounts counts;
 };
 
 NamedOverlap::NamedOverlap(const Shape& a, const Shape& b, const TraversalOptions& options)
@@ -162,18 +161,30 @@ Overlap NamedOverlap::operator()(const Pose& pose_a, const Pose& pose_b,
                                  const OverlapOptions& options, const Parallel& parallel) {
   State& state = *state_;
   check_stop(parallel);
+  move(pose_a, pose_b);
+  Decider decider(state.posed_a, state.posed_b, options, parallel, state.scratch);
+  TraversalVisitor visitor;
+  visitor.leaf_pair = [&](NodePair p) { return decider.leaf_pair(p); };
+  visitor.keep_going = [&] { return decider.keep_going(kBoxTestsBetweenAsks); };
+  state.counts = {};
+  if (decider.keep_going(0)) {
+    state.walk(visitor);
+  }
+  return decider.finish(state.counts.box_tests);
+}
+
+void NamedOverlap::move(const Pose& pose_a, const Pose& pose_b) {
+  State& state = *state_;
   check(pose_a);
   check(pose_b);
   check_range(pose_a, state.a.bounds());
   check_range(pose_b, state.b.bounds());
   state.posed_a.move(pose_a, state.options.update);
   state.posed_b.move(pose_b, state.options.update);
-  Decider decider(state.posed_a, state.posed_b, options, parallel, state.scratch);
-  TraversalVisitor visitor;
-  visitor.leaf_pair = [&](NodePair p) { return decider.leaf_pair(p); };
-  visitor.keep_going = [&] { return decider.keep_going(kBoxTestsBetweenAsks); };
-  const bool late = !decider.keep_going(0);
-  return decider.finish(late ? 0 : state.walk(visitor).box_tests);
+}
+
+const TraversalCounts& NamedOverlap::counts() const {
+  return state_->counts;
 }
 
 Overlap named_overlap(const Body& a, const Body& b, const OverlapOptions& options,

@@ -5,6 +5,7 @@
 #include "soms/base/parallel.h"
 #include "soms/query/body.h"
 #include "soms/query/overlap.h"
+#include "soms/query/traversal/pair_traversal.h"
 
 #include <memory>
 
@@ -31,6 +32,14 @@ class NamedOverlap {
   /// \threads One caller at a time.
   [[nodiscard]] Overlap operator()(const Pose& pose_a, const Pose& pose_b,
                                    const OverlapOptions& options, const Parallel& parallel);
+
+  /// Moves both bodies now: a query at the same poses that follows finds them moved. For who times
+  /// the two apart.
+  /// \errors ErrorKind::not_rigid, not_finite, out_of_range for a pose.
+  void move(const Pose& pose_a, const Pose& pose_b);
+
+  /// Work of the walk of the last query; zeros before the first.
+  [[nodiscard]] const TraversalCounts& counts() const;
 
  private:
   struct State;

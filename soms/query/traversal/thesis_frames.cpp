@@ -2,12 +2,29 @@
 
 namespace soms {
 
+ApproachLine approach_line(Approach from, std::size_t up) {
+  const double front = up == 1 ? 1 : -1;
+  switch (from) {
+    case Approach::right:
+      return {0, 1};
+    case Approach::left:
+      return {0, -1};
+    case Approach::top:
+      return {up, 1};
+    case Approach::bottom:
+      return {up, -1};
+    case Approach::front:
+      return {3 - up, front};
+    default:
+      return {3 - up, -front};
+  }
+}
+
 std::vector<Vec3> orientation_test(const Box& still, Approach from, std::size_t up) {
-  const std::size_t axis = from == Approach::right || from == Approach::left ? 0 : up;
-  const double sign = from == Approach::right || from == Approach::top ? 1 : -1;
+  const auto [axis, side] = approach_line(from, up);
   std::vector<Vec3> out(49);
   for (std::size_t k = 0; k < out.size(); ++k) {
-    out[k][axis] = sign * ((64 - static_cast<double>(k)) / 32) * still.extent()[axis];
+    out[k][axis] = side * ((64 - static_cast<double>(k)) / 32) * still.extent()[axis];
   }
   return out;
 }

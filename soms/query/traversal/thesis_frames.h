@@ -15,7 +15,7 @@
 namespace soms {
 
 /// Side from which the moving object comes.
-enum class Approach { right, left, top, bottom };
+enum class Approach { right, left, top, bottom, front, back };
 
 /// The four orientation tests, in the order of the thesis, by name.
 inline constexpr std::array<std::pair<Approach, std::string_view>, 4> kApproaches{
@@ -24,14 +24,37 @@ inline constexpr std::array<std::pair<Approach, std::string_view>, 4> kApproache
      {Approach::top, "top"},
      {Approach::bottom, "bottom"}}};
 
+/// The four, and the two along the third axis, which the thesis has not.
+inline constexpr std::array<std::pair<Approach, std::string_view>, 6> kAllApproaches{
+    {kApproaches[0],
+     kApproaches[1],
+     kApproaches[2],
+     kApproaches[3],
+     {Approach::front, "front"},
+     {Approach::back, "back"}}};
+
+/// Axis along which an object comes (0 x, 1 y, 2 z) and the side it comes from: 1 or -1.
+struct ApproachLine {
+  std::size_t axis = 0;
+  double side = 1;
+
+  [[nodiscard]] bool operator==(const ApproachLine&) const = default;
+};
+
+/// Line of an approach. Front is where one stands who has +x at the right hand and the up axis
+/// overhead: +z with y up, -y with z up.
+/// \pre `up` is 1 (y) or 2 (z).
+[[nodiscard]] ApproachLine approach_line(Approach from, std::size_t up = 1);
+
 /// Offsets of the moving object in an orientation test: from +x to -x (`right`), from the up axis
-/// downwards (`top`), or the reverse. Frame k is off by (64 - k) / 32 of the width of `still` along
-/// that axis: an object of its size is clear of it before frame 32, touches it in frame 32, and is
-/// half inside in frame 48.
+/// downwards (`top`), from the viewer away (`front`), or the reverse. Frame k is off by
+/// (64 - k) / 32 of the width of `still` along that axis: an object of its size is clear of it
+/// before frame 32, touches it in frame 32, and is half inside in frame 48.
 ///
 /// \shape  49 offsets, frames 0 to 48.
 /// \pre    `still` is not empty; `up` is 1 (y) or 2 (z).
-/// \source thesis, chapter 5 (right, left, top, bottom); widths and steps are a reconstruction.
+/// \source thesis, chapter 5 (right, left, top, bottom); widths and steps are a reconstruction,
+///         front and back an addition.
 [[nodiscard]] std::vector<Vec3> orientation_test(const Box& still, Approach from,
                                                  std::size_t up = 1);
 

@@ -2,6 +2,7 @@
 
 #include "soms/base/error.h"
 #include "soms/query/reference/overlap.h"
+#include "soms/query/traversal/posed_boxes.h"
 #include "soms/query/traversal/traversals.h"
 #include "soms/tree/rule/rules.h"
 
@@ -66,6 +67,37 @@ TEST(NamedOverlap, EqualsBruteForceByEveryWay) {
       EXPECT_EQ(answer.coverage, Coverage::complete);
       EXPECT_LE(answer.cost.triangle_tests, c.truth.cost.triangle_tests);
       EXPECT_EQ(answer.cost.exact_tests, c.truth.cost.exact_tests) << test::describe(way);
+    }
+  });
+}
+
+TEST(NamedOverlap, AnswersTheSameWhenMovedBefore) {
+  test::for_each_case("named/moved", 20, [](Rng& rng) {
+    const Case c(rng);
+    for (const TraversalOptions& way : ways()) {
+      detail::NamedOverlap at_once(c.a.shape, c.b.shape, way);
+      detail::NamedOverlap in_steps(c.a.shape, c.b.shape, way);
+      in_steps.move(c.a.pose, c.b.pose);
+      EXPECT_EQ(in_steps.counts(), TraversalCounts{});
+      EXPECT_EQ(in_steps(c.a.pose, c.b.pose, {}, {}).pairs,
+                at_once(c.a.pose, c.b.pose, {}, {}).pairs);
+      EXPECT_EQ(in_steps.counts(), at_once.counts()) << test::describe(way);
+    }
+  });
+}
+
+TEST(NamedOverlap, TellsTheCountsOfItsWalk) {
+  test::for_each_case("named/counts", 20, [](Rng& rng) {
+    const Case c(rng);
+    PosedBoxes a(c.a.shape.mesh(), *c.a.shape.tree());
+    PosedBoxes b(c.b.shape.mesh(), *c.b.shape.tree());
+    a.move(c.a.pose);
+    b.move(c.b.pose);
+    for (const TraversalOptions& way : test::every_way()) {
+      detail::NamedOverlap session(c.a.shape, c.b.shape, way);
+      const Overlap answer = session(c.a.pose, c.b.pose, {}, {});
+      EXPECT_EQ(session.counts(), traverse(a.view(), b.view(), way)) << test::describe(way);
+      EXPECT_EQ(session.counts().box_tests, answer.cost.node_tests);
     }
   });
 }

@@ -12,7 +12,7 @@ Box moved(const Vec3& by) {
 }
 
 TEST(OrientationTests, ComeFromTheirSideTouchAndEndHalfInside) {
-  for (const auto& [from, name] : kApproaches) {
+  for (const auto& [from, name] : kAllApproaches) {
     const auto offsets = orientation_test(kStill, from);
     ASSERT_EQ(offsets.size(), 49U) << name;
     EXPECT_FALSE(overlaps(kStill, moved(offsets[31]))) << name;
@@ -23,6 +23,33 @@ TEST(OrientationTests, ComeFromTheirSideTouchAndEndHalfInside) {
   EXPECT_EQ(orientation_test(kStill, Approach::top)[48], (Vec3{0, 2, 0}));
   EXPECT_EQ(orientation_test(kStill, Approach::bottom)[48], (Vec3{0, -2, 0}));
   EXPECT_EQ(orientation_test(kStill, Approach::top, 2)[32], (Vec3{0, 0, 8}));
+  EXPECT_EQ(orientation_test(kStill, Approach::front)[0], (Vec3{0, 0, 16}));
+  EXPECT_EQ(orientation_test(kStill, Approach::back)[48], (Vec3{0, 0, -4}));
+  EXPECT_EQ(orientation_test(kStill, Approach::front, 2)[32], (Vec3{0, -4, 0}));
+}
+
+TEST(OrientationTests, ComeFromOppositeSidesAlongEachAxis) {
+  for (const std::size_t up : {1U, 2U}) {
+    for (std::size_t i = 0; i < kAllApproaches.size(); i += 2) {
+      const ApproachLine one = approach_line(kAllApproaches[i].first, up);
+      const ApproachLine other = approach_line(kAllApproaches[i + 1].first, up);
+      EXPECT_EQ(one, (ApproachLine{other.axis, -other.side}));
+    }
+  }
+  EXPECT_EQ(approach_line(Approach::front, 1), (ApproachLine{2, 1}));
+  EXPECT_EQ(approach_line(Approach::top, 2), (ApproachLine{2, 1}));
+}
+
+// As `transformed` turns y up to z up: (x, y, z) becomes (x, -z, y).
+TEST(OrientationTests, TurnWithTheObject) {
+  for (const auto& [from, name] : kAllApproaches) {
+    const ApproachLine line = approach_line(from, 1);
+    Vec3 direction;
+    direction[line.axis] = line.side;
+    const Vec3 turned{direction.x, -direction.z, direction.y};
+    const ApproachLine turned_line = approach_line(from, 2);
+    EXPECT_EQ(turned[turned_line.axis], turned_line.side) << name;
+  }
 }
 
 TEST(CityDrive, GoesAlongTheMiddleOfTheCity) {
