@@ -1,5 +1,5 @@
 /// \file
-/// The verb `convert`: reads any model, writes PLY, OBJ, STL or OFF.
+/// The verb `convert`: reads any model, writes PLY, 3DS, STL, OFF or OBJ.
 #pragma once
 
 #include "apps/soms/model_output.h"

@@ -101,7 +101,7 @@ Action add_generate(CLI::App& app, Shared&) {
       ->type_name("");
   add_count(app, "--triangles", options->triangles, 1, kMaxPrimitives, "exactly so many triangles");
   app.add_option("-o,--output", options->output.path,
-                 "file to write: .ply, .obj, .stl or .off; - is standard output")
+                 "file to write: .ply, .3ds, .stl, .off or .obj; - is standard output")
       ->required()
       ->option_text("FILE");
   add_format(app, options->output);

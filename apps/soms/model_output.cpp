@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
 namespace soms::command {
@@ -18,12 +19,25 @@ namespace {
 
 const Choices<MeshFormat>& formats() {
   static const Choices<MeshFormat> choices{
-      {"ply", MeshFormat::ply}, {"ply-ascii", MeshFormat::ply_ascii}, {"obj", MeshFormat::obj},
-      {"stl", MeshFormat::stl}, {"stl-ascii", MeshFormat::stl_ascii}, {"off", MeshFormat::off}};
+      {"ply", MeshFormat::ply},     {"ply-ascii", MeshFormat::ply_ascii}, {"obj", MeshFormat::obj},
+      {"stl", MeshFormat::stl},     {"stl-ascii", MeshFormat::stl_ascii}, {"off", MeshFormat::off},
+      {"3ds", MeshFormat::three_ds}};
   return choices;
 }
 
-/// Vertices that binary STL, which holds floats, does not keep exactly.
+/// What holds floats only, as said in messages; empty for formats that keep doubles.
+std::string_view float_format(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::stl:
+      return "binary STL";
+    case MeshFormat::three_ds:
+      return "3DS";
+    default:
+      return {};
+  }
+}
+
+/// Vertices that a format which holds floats does not keep exactly.
 std::uint64_t count_rounded(const Mesh& mesh) {
   const auto rounds = [](double x) { return static_cast<double>(static_cast<float>(x)) != x; };
   return static_cast<std::uint64_t>(
@@ -81,10 +95,11 @@ void write_model(const Mesh& mesh, const ModelOutput& output, const Console& con
     }
   });
   file.commit();
-  const std::uint64_t rounded = format == MeshFormat::stl ? count_rounded(mesh) : 0;
+  const std::string_view floats = float_format(format);
+  const std::uint64_t rounded = floats.empty() ? 0 : count_rounded(mesh);
   if (rounded != 0) {
-    console.note(fmt::format("{}: binary STL holds floats: {} of {} vertices were rounded",
-                             file.name(), with_commas(rounded), with_commas(mesh.vertices.size())));
+    console.note(fmt::format("{}: {} holds floats: {} of {} vertices were rounded", file.name(),
+                             floats, with_commas(rounded), with_commas(mesh.vertices.size())));
   }
 }
 

@@ -31,7 +31,7 @@ void add_format(CLI::App& app, ModelOutput& output);
 /// output.
 void check(const ModelOutput& output, const Console& console);
 
-/// Writes the model; tells of coordinates that STL rounds.
+/// Writes the model; tells of coordinates that STL and 3DS round.
 /// \errors As `write_mesh`; ClosedPipe.
 void write_model(const Mesh& mesh, const ModelOutput& output, const Console& console);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array kVerbs{
     Verb{"completion", "words for the shell to complete", add_completion},
-    Verb{"convert", "read any model, write PLY, OBJ, STL or OFF", add_convert},
+    Verb{"convert", "read any model, write PLY, 3DS, STL, OFF or OBJ", add_convert},
     Verb{"generate", "make a model of an exact number of triangles", add_generate},
     Verb{"info", "triangles, bounds, parts, defects and trees of models", add_info},
     Verb{"overlap", "which triangles of two models share a point", add_overlap},

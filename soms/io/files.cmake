@@ -12,6 +12,7 @@ set(SOMS_SOURCES
   detail/obj.cpp
   detail/off.cpp
   detail/output.cpp
+  detail/part_runs.cpp
   detail/ply.cpp
   detail/ply_binary.cpp
   detail/ply_header.cpp
@@ -20,6 +21,7 @@ set(SOMS_SOURCES
   detail/stl.cpp
   detail/text.cpp
   detail/three_ds.cpp
+  detail/three_ds_writer.cpp
   poses.cpp
   read_mesh.cpp
   write_mesh.cpp

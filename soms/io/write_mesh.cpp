@@ -23,9 +23,12 @@ MeshFormat format_for(const std::filesystem::path& path) {
   if (ending == ".off") {
     return MeshFormat::off;
   }
+  if (ending == ".3ds") {
+    return MeshFormat::three_ds;
+  }
   throw Error(ErrorKind::unsupported,
               path.string() + ": the name does not end with a format that is written",
-              "end it with .ply, .obj, .stl or .off");
+              "end it with .ply, .3ds, .stl, .off or .obj");
 }
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh, MeshFormat format,

@@ -1,5 +1,5 @@
 /// \file
-/// Writing models: PLY, OBJ, STL, OFF.
+/// Writing models: PLY, 3DS, STL, OFF, OBJ.
 #pragma once
 
 #include "soms/base/parallel.h"
@@ -12,16 +12,19 @@
 namespace soms {
 
 /// Formats that can be written.
-enum class MeshFormat { ply, ply_ascii, obj, stl, stl_ascii, off };
+enum class MeshFormat { ply, ply_ascii, obj, stl, stl_ascii, off, three_ds };
 
-/// Format for a file name by its ending (.ply, .obj, .stl, .off; any case).
+/// Format for a file name by its ending (.ply, .3ds, .stl, .off, .obj; any case).
 /// \errors  ErrorKind::unsupported naming the endings that are offered.
 [[nodiscard]] MeshFormat format_for(const std::filesystem::path& path);
 
 /// Writes a mesh; the file appears whole or not at all (written beside, then renamed). PLY, OBJ and
-/// OFF are read back equal in vertices and triangles (doubles are kept); binary STL holds floats.
-/// \errors  ErrorKind::cannot_write, out_of_range (a coordinate that a float cannot hold),
-/// cancelled.
+/// OFF are read back equal in vertices and triangles (doubles are kept); binary STL and 3DS hold
+/// floats. 3DS is read back with the same triangles in the same order, in objects of at most 65,535
+/// vertices and faces, whose names are cut to ten characters and made unique.
+/// \errors  What `check` says of the mesh; ErrorKind::cannot_write, not_finite, out_of_range (a
+///          coordinate that a float cannot hold, more than the 4 GiB that 3DS has room for),
+///          cancelled.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh, MeshFormat format,
                 const Parallel& parallel = {});
 

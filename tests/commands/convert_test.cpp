@@ -31,7 +31,7 @@ TEST(Convert, WritesTheSameAnswersIntoEveryFormat) {
     const RunResult result = soms_run({"overlap", path, path, "--pose", "0.25 0 0", "--json"});
     return json_lines(result.out).at(0).at("hash");
   };
-  for (const char* format : {"ply", "ply-ascii", "obj", "off"}) {
+  for (const char* format : {"ply", "ply-ascii", "obj", "off", "3ds"}) {
     const std::string output = (folder.path() / "copy").string();
     ASSERT_EQ(soms_run({"convert", input, output, "--format", format}).status, 0);
     const std::string named = output + "." + std::string(format).substr(0, 3);
@@ -40,15 +40,18 @@ TEST(Convert, WritesTheSameAnswersIntoEveryFormat) {
   }
 }
 
-TEST(Convert, TellsThatStlRounds) {
+TEST(Convert, TellsThatStlAnd3dsRound) {
   const TemporaryFolder folder;
   write_text(folder.path() / "a.off", triangle_off("0.1 0 0", "1 0 0", "0 1 0"));
   const std::string input = (folder.path() / "a.off").string();
-  const std::string output = (folder.path() / "a.stl").string();
-  const RunResult result = soms_run({"convert", input, output});
-  EXPECT_EQ(result.status, 0);
-  EXPECT_NE(result.err.find("1 of 3 vertices were rounded"), std::string::npos) << result.err;
-  EXPECT_EQ(soms_run({"convert", input, output, "--quiet"}).err, "");
+  for (const auto& [name, words] : {std::pair("a.stl", "binary STL holds floats: 1 of 3 vertices"),
+                                    std::pair("a.3ds", "3DS holds floats: 1 of 3 vertices")}) {
+    const std::string output = (folder.path() / name).string();
+    const RunResult result = soms_run({"convert", input, output});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+    EXPECT_EQ(soms_run({"convert", input, output, "--quiet"}).err, "");
+  }
   EXPECT_EQ(soms_run({"convert", input, (folder.path() / "a.ply").string()}).err.find("rounded"),
             std::string::npos);
 }

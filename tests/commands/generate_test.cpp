@@ -58,6 +58,8 @@ TEST(Generate, WritesTheFormatOfTheNameOrOfTheOption) {
   const TemporaryFolder folder;
   EXPECT_TRUE(read_text(generate(folder, "sphere", "80", "a.off")).starts_with("OFF"));
   EXPECT_TRUE(read_text(generate(folder, "sphere", "80", "a.PLY")).starts_with("ply"));
+  EXPECT_TRUE(read_text(generate(folder, "sphere", "80", "a.3ds")).starts_with("MM"));
+  EXPECT_EQ(triangles_of((folder.path() / "a.3ds").string()), 80U);
   const std::string path = (folder.path() / "model.txt").string();
   ASSERT_EQ(soms_run({"generate", "sphere", "--format", "stl-ascii", "-o", path}).status, 0);
   EXPECT_TRUE(read_text(path).starts_with("solid"));

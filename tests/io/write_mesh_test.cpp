@@ -240,9 +240,10 @@ TEST(FormatFor, GoesByTheEnding) {
   EXPECT_EQ(format_for("a.b/c.OBJ"), MeshFormat::obj);
   EXPECT_EQ(format_for("a.Stl"), MeshFormat::stl);
   EXPECT_EQ(format_for("a.off"), MeshFormat::off);
+  EXPECT_EQ(format_for("a.3DS"), MeshFormat::three_ds);
   for (const std::string name : {"a", "a.ply/b", "a.glb", ""}) {
     expect_refused([&] { static_cast<void>(format_for(name)); }, ErrorKind::unsupported,
-                   "end it with .ply, .obj, .stl or .off");
+                   "end it with .ply, .3ds, .stl, .off or .obj");
   }
 }
 

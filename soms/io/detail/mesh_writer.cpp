@@ -1,76 +1,20 @@
 #include "soms/io/detail/mesh_writer.h"
 
 #include "soms/base/error.h"
+#include "soms/io/detail/part_runs.h"
+#include "soms/io/detail/three_ds_writer.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
-#include <set>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace soms::detail {
 
 namespace {
-
-/// A run of triangles that have one innermost part.
-struct Run {
-  std::size_t first = 0;
-  std::uint32_t part = Part::kNoParent;
-};
-
-/// Runs of all triangles in order; parts may nest.
-std::vector<Run> runs_of(const Mesh& mesh) {
-  struct Event {
-    std::size_t triangle = 0;
-    std::uint32_t part = 0;
-    bool begins = false;
-  };
-
-  std::vector<Event> events;
-  for (std::uint32_t p = 0; p < mesh.parts.size(); ++p) {
-    const Part& part = mesh.parts[p];
-    if (part.count > 0) {
-      events.push_back({part.first, p, true});
-      events.push_back({std::size_t{part.first} + part.count, p, false});
-    }
-  }
-  std::stable_sort(events.begin(), events.end(),
-                   [](const Event& a, const Event& b) { return a.triangle < b.triangle; });
-  // The innermost part is the one with the fewest triangles, the later one where two are equal.
-  const auto rank = [&](std::uint32_t p) {
-    return std::pair(mesh.parts[p].count, std::numeric_limits<std::uint32_t>::max() - p);
-  };
-  std::set<std::pair<std::uint32_t, std::uint32_t>> open;
-  std::vector<Run> runs;
-  if (!mesh.triangles.empty()) {
-    runs.push_back({0, Part::kNoParent});
-  }
-  for (std::size_t i = 0; i < events.size();) {
-    const std::size_t triangle = events[i].triangle;
-    for (; i < events.size() && events[i].triangle == triangle; ++i) {
-      if (events[i].begins) {
-        open.insert(rank(events[i].part));
-      } else {
-        open.erase(rank(events[i].part));
-      }
-    }
-    const std::uint32_t part =
-        open.empty() ? Part::kNoParent
-                     : std::numeric_limits<std::uint32_t>::max() - open.begin()->second;
-    if (triangle == 0) {
-      runs.clear();
-    }
-    if (triangle < mesh.triangles.size()) {
-      runs.push_back({triangle, part});
-    }
-  }
-  return runs;
-}
 
 /// A part's name, fit for the rest of a line.
 std::string line_name(const Mesh& mesh, std::uint32_t part) {
@@ -213,7 +157,7 @@ void MeshWriter::off() {
 
 void MeshWriter::obj() {
   put_vertices("v ");
-  const std::vector<Run> runs = runs_of(mesh_);
+  const std::vector<PartRun> runs = part_runs(mesh_);
   auto run = runs.begin();
   each(mesh_.triangles.size(), 0.5, 1, [&](std::size_t i) {
     if (run != runs.end() && run->first == i) {
@@ -294,11 +238,11 @@ void MeshWriter::put_facet(std::size_t triangle) {
 }
 
 void MeshWriter::stl_text() {
-  std::vector<Run> runs = runs_of(mesh_);
+  std::vector<PartRun> runs = part_runs(mesh_);
   if (runs.empty()) {
     runs.push_back({});
   }
-  const auto line = [&](std::string_view word, const Run& run) {
+  const auto line = [&](std::string_view word, const PartRun& run) {
     const std::string name = line_name(mesh_, run.part);
     output_.put(word);
     output_.put(name.empty() ? "" : " ");
@@ -343,6 +287,9 @@ void write_mesh(Output& output, const std::string& name, const Mesh& mesh, MeshF
       break;
     case MeshFormat::off:
       writer.off();
+      break;
+    case MeshFormat::three_ds:
+      write_three_ds(output, name, mesh, parallel);
       break;
   }
   output.flush();

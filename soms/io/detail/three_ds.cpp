@@ -3,6 +3,7 @@
 #include "soms/io/detail/little_endian.h"
 #include "soms/io/detail/mesh_builder.h"
 #include "soms/io/detail/text.h"
+#include "soms/io/detail/three_ds_chunks.h"
 
 #include <array>
 #include <charconv>
@@ -12,19 +13,6 @@
 namespace soms::detail {
 
 namespace {
-
-constexpr std::size_t kChunkHeader = 6;  // a 16-bit name, and a 32-bit length that counts itself
-
-enum ChunkName : std::uint16_t {
-  kMain = 0x4d4d,
-  kEditor = 0x3d3d,
-  kMasterScale = 0x0100,
-  kObject = 0x4000,
-  kTriangles = 0x4100,
-  kVertexList = 0x4110,
-  kFaceList = 0x4120,
-  kKeyframes = 0xb000,
-};
 
 /// A chunk's name, and its bytes without the header.
 struct Chunk {
@@ -73,16 +61,16 @@ class ThreeDsReader {
 };
 
 Chunk ThreeDsReader::chunk_at(std::size_t at, std::size_t end) const {
-  if (end - at < kChunkHeader) {
+  if (end - at < three_ds::kChunkHeader) {
     fail(at, "the header of a chunk is cut off");
   }
   const auto name = little_endian<std::uint16_t>(source_.bytes, at);
   const auto length = little_endian<std::uint32_t>(source_.bytes, at + 2);
-  if (length < kChunkHeader || length > end - at) {
+  if (length < three_ds::kChunkHeader || length > end - at) {
     fail(at, "a chunk of length " + std::to_string(length) + " where " + std::to_string(end - at) +
                  " bytes are left");
   }
-  return {name, at + kChunkHeader, at + length};
+  return {name, at + three_ds::kChunkHeader, at + length};
 }
 
 /// The 16-bit count at the front of a chunk, checked against its size.
@@ -147,8 +135,8 @@ void ThreeDsReader::read_triangles(const Chunk& triangles, std::string_view name
   std::optional<Chunk> vertex_list;
   std::optional<Chunk> face_list;
   for_each(triangles.begin, triangles.end, [&](const Chunk& chunk) {
-    if (chunk.name == kVertexList || chunk.name == kFaceList) {
-      auto& list = chunk.name == kVertexList ? vertex_list : face_list;
+    if (chunk.name == three_ds::kVertexList || chunk.name == three_ds::kFaceList) {
+      auto& list = chunk.name == three_ds::kVertexList ? vertex_list : face_list;
       if (list) {
         fail(chunk.begin, "a second list of vertices or faces in object " + in_quotes(name));
       }
@@ -171,7 +159,7 @@ void ThreeDsReader::read_object(const Chunk& object) {
   }
   const std::string_view name = body.substr(0, length);
   for_each(object.begin + length + 1, object.end, [&](const Chunk& chunk) {
-    if (chunk.name == kTriangles) {
+    if (chunk.name == three_ds::kTriangles) {
       read_triangles(chunk, name);
     }
   });
@@ -179,20 +167,20 @@ void ThreeDsReader::read_object(const Chunk& object) {
 
 Mesh ThreeDsReader::read() {
   const Chunk main = chunk_at(0, source_.bytes.size());
-  if (main.name != kMain) {
+  if (main.name != three_ds::kMain) {
     fail(0, "the file does not begin with the main chunk of 3DS");
   }
   bool has_keyframes = false;
   for_each(main.begin, main.end, [&](const Chunk& part) {
-    has_keyframes = has_keyframes || part.name == kKeyframes;
-    if (part.name != kEditor) {
+    has_keyframes = has_keyframes || part.name == three_ds::kKeyframes;
+    if (part.name != three_ds::kEditor) {
       return;
     }
     for_each(part.begin, part.end, [&](const Chunk& chunk) {
       source_.tick(chunk.begin);
-      if (chunk.name == kObject) {
+      if (chunk.name == three_ds::kObject) {
         read_object(chunk);
-      } else if (chunk.name == kMasterScale) {
+      } else if (chunk.name == three_ds::kMasterScale) {
         read_master_scale(chunk);
       }
     });
@@ -206,7 +194,8 @@ Mesh ThreeDsReader::read() {
 }  // namespace
 
 bool is_three_ds(std::string_view bytes) {
-  return bytes.size() >= kChunkHeader && little_endian<std::uint16_t>(bytes, 0) == kMain &&
+  return bytes.size() >= three_ds::kChunkHeader &&
+         little_endian<std::uint16_t>(bytes, 0) == three_ds::kMain &&
          little_endian<std::uint32_t>(bytes, 2) == bytes.size();
 }
 
