@@ -17,9 +17,8 @@ constexpr float kSimilar = 2;
 /// Pairs worked on at once: enough to hide the wait for memory and for results.
 constexpr std::size_t kGroup = 2;
 
-template <class Place>
-float size_of(const Place& place) {
-  return std::max({place.own_half[0], place.own_half[1], place.own_half[2]});
+float longest(const std::array<float, 3>& half) {
+  return std::max({half[0], half[1], half[2]});
 }
 
 Triangle moved(const WalkSide& side, TriangleId id) {
@@ -139,9 +138,9 @@ void PairWalk::test_mixed(Opening& opening) {
     relative_.relate(x, y, relation);
     opening.open = Open::y;
     opening.meet = 0;
-    if (size_of(x) * relative_.ratio() > size_of(y)) {
+    if (longest(x.own_half) * relative_.ratio() > longest(y.own_half())) {
       cost_.node_tests += x.count;
-      if (box_against_x(relation, x, y.own_half) == 0) {
+      if (box_against_x(relation, x, y.own_half()) == 0) {
         return;
       }
     }
@@ -154,9 +153,9 @@ void PairWalk::test_mixed(Opening& opening) {
   relative_.relate(x, y, relation);
   opening.open = Open::x;
   opening.meet = 0;
-  if (size_of(y) > size_of(x) * relative_.ratio()) {
+  if (longest(y.own_half) > longest(x.own_half()) * relative_.ratio()) {
     cost_.node_tests += y.count;
-    if (box_against_y(relation, x.own_half, y) == 0) {
+    if (box_against_y(relation, x.own_half(), y) == 0) {
       return;
     }
   }
@@ -169,15 +168,15 @@ void PairWalk::test_nodes(Opening& opening) {
   const WideNode& y = node_y(opening.pair.y);
   Relation relation;
   relative_.relate(x, y, relation);
-  const float size_x = size_of(x) * relative_.ratio();
-  const float size_y = size_of(y);
+  const float size_x = longest(x.own_half()) * relative_.ratio();
+  const float size_y = longest(y.own_half());
   if (size_x > kSimilar * size_y) {
     opening.open = Open::x;
-    opening.meet = four_against_one(relation, x, y.own_half);
+    opening.meet = four_against_one(relation, x, y.own_half());
     cost_.node_tests += x.count;
   } else if (size_y > kSimilar * size_x) {
     opening.open = Open::y;
-    opening.meet = one_against_four(relation, x.own_half, y);
+    opening.meet = one_against_four(relation, x.own_half(), y);
     cost_.node_tests += y.count;
   } else {
     opening.open = Open::both;

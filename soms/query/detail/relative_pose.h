@@ -78,6 +78,23 @@ struct Viewer {
   double reach = 0;     // largest moved coordinate, bounded; V of the proof is a sum of two
 };
 
+/// Whether a place has axes of its own, and which; blocks have the mesh's.
+inline bool is_turned(const WideNode& node) {
+  return node.turned != 0;
+}
+
+inline bool is_turned(const TriangleBlock&) {
+  return false;
+}
+
+inline layout::Axes axes_of(const WideNode& node) {
+  return node.axes();
+}
+
+inline layout::Axes axes_of(const TriangleBlock&) {
+  return layout::kMeshAxes;
+}
+
 /// A 3 x 3 matrix in float, and the magnitudes of its entries; rows are padded to four.
 struct Turn {
   alignas(16) std::array<std::array<float, 4>, 3> entry;
@@ -120,8 +137,8 @@ class RelativePose {
       relation.offset[i] = static_cast<float>(((turned + shift_[i]) - y.origin[i]) * scale_);
     }
     relation.turn = &turn_;
-    if ((x.turned | y.turned) != 0) {
-      turn(x.axes, y.axes, relation);
+    if (is_turned(x) || is_turned(y)) {
+      turn(axes_of(x), axes_of(y), relation);
     }
     const auto& d = relation.offset;
     const float distance = (std::abs(d[0]) + std::abs(d[1])) + std::abs(d[2]);

@@ -22,7 +22,7 @@ int exponent_for(double size) {
   return std::min(kMostExponent, -std::ilogb(size));
 }
 
-/// Least float not below `x`, for 0 <= x < 2^127.
+/// Least float not below `x`, for |x| < 2^127.
 float rounded_up(double x) {
   const auto f = static_cast<float>(x);
   return static_cast<double>(f) >= x ? f
@@ -82,6 +82,7 @@ class Widener {
         if (below.is_leaf()) {
           node.child[k] = WideNode::kLeafBit | static_cast<std::uint32_t>(blocks_.size()) |
                           (below.count > TriangleBlock::kWidth ? WideNode::kRunBit : 0);
+          node.leaves = static_cast<std::uint8_t>(node.leaves | 1U << k);
           add_leaf(below);
         } else {
           node.child[k] = static_cast<std::uint32_t>(nodes_.size());
@@ -89,8 +90,8 @@ class Widener {
           nodes_.emplace_back();
         }
       }
-      if (std::max(nodes_.size(), blocks_.size()) >= WideNode::kRunBit) {
-        throw Error(ErrorKind::out_of_range, "the layout has 2^30 nodes or blocks",
+      if (std::max(nodes_.size(), blocks_.size()) >= WideNode::kMost) {
+        throw Error(ErrorKind::out_of_range, "the layout has 2^28 nodes or blocks",
                     "allow more triangles in a leaf");
       }
       nodes_[next.wide] = node;
@@ -156,7 +157,7 @@ class Widener {
                                std::uint32_t count) {
     const Node& whole = tree_.nodes[binary];
     WideNode wide;
-    wide.count = static_cast<std::uint16_t>(count);
+    wide.count = static_cast<std::uint8_t>(count);
     wide.origin = frame_.middle(whole.bounds);
     Lanes lanes;
     for (std::size_t k = 0; k < count; ++k) {
@@ -173,7 +174,9 @@ class Widener {
       }
       if (total_area(turned) < kWorthTurning * total_area(lanes)) {
         lanes = turned;
-        wide.axes = axes;
+        for (std::size_t k = 0; k < axes.size(); ++k) {
+          wide.row[k / 3][k % 3] = axes[k];
+        }
         wide.turned = 1;
       }
     }
@@ -199,7 +202,9 @@ class Widener {
       }
       reach = std::max(reach, distance);
     }
-    wide.own_half = {rounded_up(own[0]), rounded_up(own[1]), rounded_up(own[2])};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      wide.row[axis][3] = rounded_up(own[axis]);
+    }
     wide.reach = rounded_up(reach * (1 + 0x1p-50));  // the sum of three had two roundings
   }
 
@@ -208,46 +213,64 @@ class Widener {
       const std::uint32_t left = leaf.count - done;
       const std::uint32_t count = std::min(left, TriangleBlock::kWidth);
       blocks_.push_back(block_of(tree_.triangles_of(leaf).subspan(done, count)));
-      blocks_.back().following = (left - 1) / TriangleBlock::kWidth;
+      blocks_.back().following = (left - 1) / TriangleBlock::kWidth & (WideNode::kMost - 1);
     }
   }
 
   [[nodiscard]] TriangleBlock block_of(std::span<const TriangleId> ids) {
     TriangleBlock block;
-    block.count = static_cast<std::uint16_t>(ids.size());
+    block.count = static_cast<std::uint32_t>(ids.size()) & 0xf;
     Box whole;
     for (const TriangleId id : ids) {
       whole.grow(bounds(mesh_.triangle(id)));
     }
     block.origin = frame_.middle(whole);
     gather_corners(ids, block.origin);
-    const auto count = static_cast<std::uint32_t>(ids.size());
-    Box box = bounds_along(layout::kMeshAxes, 0, count);
-    const layout::Axes axes = layout::principal_axes(corners_);
-    const Box turned = bounds_along(axes, 0, count);
-    if (half_area(turned) < kWorthTurning * half_area(box)) {
-      box = turned;
-      block.axes = axes;
-      block.turned = 1;
-    }
-    const double give = frame_.doubt(box, block.turned != 0);
+    const Box box = bounds_along(layout::kMeshAxes, 0, static_cast<std::uint32_t>(ids.size()));
+    const double give = frame_.doubt(box, false);
     double reach = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       block.own_half[axis] = rounded_up(std::max(-box.lower[axis], box.upper[axis]) + give);
       reach += static_cast<double>(block.own_half[axis]);
     }
     block.reach = rounded_up(reach * (1 + 0x1p-50));
+    store_slab(give, block);
     for (std::size_t k = 0; k < TriangleBlock::kWidth; ++k) {
       const std::size_t from = std::min<std::size_t>(k, ids.size() - 1);
       block.id[k] = ids[from];
       for (std::size_t corner = 0; corner < 3; ++corner) {
-        const Vec3 v = layout::along(block.axes, corners_[3 * from + corner]);
+        const Vec3& v = corners_[3 * from + corner];
         for (std::size_t axis = 0; axis < 3; ++axis) {
           block.corner[3 * corner + axis][k] = static_cast<float>(v[axis]);
         }
       }
     }
     return block;
+  }
+
+  /// Mean normal of the gathered triangles, and their interval on it. Coordinates are in doubt by
+  /// `give`, which is more than the products with the normal, of 1-norm below 1.74, can add.
+  void store_slab(double give, TriangleBlock& block) const {
+    Vec3 sum;
+    for (std::size_t k = 0; k < corners_.size(); k += 3) {
+      sum += cross(corners_[k + 1] - corners_[k], corners_[k + 2] - corners_[k]);
+    }
+    // Divided by its largest entry first, so that no square underflows.
+    const double most = std::max({std::abs(sum.x), std::abs(sum.y), std::abs(sum.z)});
+    const Vec3 n = most > 0 ? Vec3{sum.x / most, sum.y / most, sum.z / most} : Vec3{0, 0, 1};
+    const double length = std::sqrt(dot(n, n));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      block.normal[axis] = static_cast<float>(n[axis] / length);
+    }
+    const Vec3 rounded{block.normal[0], block.normal[1], block.normal[2]};
+    double lower = std::numeric_limits<double>::infinity();
+    double upper = -lower;
+    for (const Vec3& v : corners_) {
+      lower = std::min(lower, dot(rounded, v));
+      upper = std::max(upper, dot(rounded, v));
+    }
+    block.lower = -rounded_up(3 * give - lower);
+    block.upper = rounded_up(3 * give + upper);
   }
 
   /// Corners of triangles about an origin, three a triangle.

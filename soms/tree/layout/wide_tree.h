@@ -24,16 +24,26 @@ struct alignas(64) WideNode {
   static constexpr std::uint32_t kWidth = 4;
   static constexpr std::uint32_t kLeafBit = 0x80000000U;
   static constexpr std::uint32_t kRunBit = 0x40000000U;
+  static constexpr std::uint32_t kMost = 0x10000000U;  ///< nodes and blocks are fewer than this
 
   std::array<std::array<float, kWidth>, 3> center = {};  ///< axis, lane
   std::array<std::array<float, kWidth>, 3> half = {};
+  /// Row i of the frame's axes; its fourth entry is half side i of a box of all lanes, about the
+  /// origin.
+  std::array<std::array<float, 4>, 3> row = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
   std::array<std::uint32_t, kWidth> child = {};  ///< a node, or kLeafBit with a leaf's first block
   std::array<double, 3> origin = {};
-  std::array<float, 3> own_half = {};  ///< box of all lanes, about the origin
-  float reach = 0;                     ///< no point of a lane is farther off in the 1-norm
-  layout::Axes axes = layout::kMeshAxes;
-  std::uint16_t count = 0;   ///< lanes in use, the first ones
-  std::uint16_t turned = 0;  ///< 1 unless `axes` are the mesh's
+  float reach = 0;          ///< no point of a lane is farther off in the 1-norm
+  std::uint8_t count = 0;   ///< lanes in use, the first ones
+  std::uint8_t leaves = 0;  ///< bit k: lane k is a leaf
+  std::uint8_t turned = 0;  ///< 1 unless the axes are the mesh's
+
+  [[nodiscard]] std::array<float, 3> own_half() const { return {row[0][3], row[1][3], row[2][3]}; }
+
+  [[nodiscard]] layout::Axes axes() const {
+    return {row[0][0], row[0][1], row[0][2], row[1][0], row[1][1],
+            row[1][2], row[2][0], row[2][1], row[2][2]};
+  }
 
   [[nodiscard]] bool operator==(const WideNode&) const = default;
 };
@@ -41,7 +51,7 @@ struct alignas(64) WideNode {
 static_assert(sizeof(WideNode) == 192 && alignof(WideNode) == 64, "three cache lines");
 
 /// Up to eight triangles of a leaf, corners in float about the block's own origin, in units of the
-/// layout, along axes of its own. A leaf of more triangles is a run of blocks.
+/// layout, along the mesh's axes. A leaf of more triangles is a run of blocks.
 struct alignas(64) TriangleBlock {
   static constexpr std::uint32_t kWidth = 8;
 
@@ -51,15 +61,18 @@ struct alignas(64) TriangleBlock {
   std::array<double, 3> origin = {};
   std::array<float, 3> own_half = {};  ///< box of all triangles, about the origin
   float reach = 0;                     ///< no point is farther off in the 1-norm
-  layout::Axes axes = layout::kMeshAxes;
-  std::uint16_t count = 0;      ///< triangles, the first lanes
-  std::uint16_t turned = 0;     ///< 1 unless `axes` are the mesh's
-  std::uint32_t following = 0;  ///< blocks of the same leaf that follow this one
+  /// All points v have lower <= normal v <= upper. The normal is of length 1 to 2^-22; it is the
+  /// triangles' mean normal where they have one, as what touches no leaf mostly passes beside it.
+  std::array<float, 3> normal = {};
+  float lower = 0;
+  float upper = 0;
+  std::uint32_t count : 4 = 0;       ///< triangles, the first lanes
+  std::uint32_t following : 28 = 0;  ///< blocks of the same leaf that follow this one
 
   [[nodiscard]] bool operator==(const TriangleBlock&) const = default;
 };
 
-static_assert(sizeof(TriangleBlock) == 448 && alignof(TriangleBlock) == 64, "seven cache lines");
+static_assert(sizeof(TriangleBlock) == 384 && alignof(TriangleBlock) == 64, "six cache lines");
 
 /// A canonical tree as queries walk it. Node 0 is the root; a mesh without triangles has no node.
 class WideTree {
@@ -68,10 +81,9 @@ class WideTree {
 
   /// Converts a tree of `mesh`. Children without triangles vanish; a node takes the place of its
   /// children, the largest first, until it has four. Leaves stay as large as they are, cut into
-  /// blocks. Small nodes and blocks take the principal axes of what they hold for their frame where
-  /// boxes get a tenth smaller by it.
-  /// \errors ErrorKind::out_of_range beyond 2^30 nodes or blocks.
-  /// \cost   O(n) time; about 100 bytes a triangle with leaves of 8.
+  /// blocks. Small nodes take the principal axes of what they hold for their frame where boxes get
+  /// a tenth smaller by it. \errors ErrorKind::out_of_range beyond 2^28 nodes or blocks. \cost O(n)
+  /// time; about 100 bytes a triangle with leaves of 8.
   WideTree(const Tree& tree, const Mesh& mesh);
 
   [[nodiscard]] std::span<const WideNode> nodes() const { return nodes_; }

@@ -57,11 +57,11 @@ Point local(const WideTree& tree, const Vec3& v, const std::array<double, 3>& or
 }
 
 void expect_inside(const WideTree& tree, const WideNode& node, std::size_t lane, const Vec3& v) {
-  const Point a = local(tree, v, node.origin, node.axes);
+  const Point a = local(tree, v, node.origin, node.axes());
   long double distance = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     ASSERT_LE(std::abs(a[axis] - node.center[axis][lane]), node.half[axis][lane]);
-    ASSERT_LE(std::abs(a[axis]), node.own_half[axis]);
+    ASSERT_LE(std::abs(a[axis]), node.own_half()[axis]);
     distance += std::abs(a[axis]);
   }
   ASSERT_LE(distance, node.reach);
@@ -70,18 +70,27 @@ void expect_inside(const WideTree& tree, const WideNode& node, std::size_t lane,
 void expect_block_holds(const WideTree& tree, const Mesh& mesh, const TriangleBlock& block) {
   ASSERT_GE(block.count, 1U);
   ASSERT_LE(block.count, TriangleBlock::kWidth);
+  long double square = 0;
+  for (const float entry : block.normal) {
+    square += static_cast<long double>(entry) * entry;
+  }
+  ASSERT_NEAR(static_cast<double>(std::sqrt(square)), 1, 0x1p-22);
   for (std::size_t k = 0; k < block.count; ++k) {
     const Triangle t = mesh.triangle(block.id[k]);
     std::size_t row = 0;
     for (const Vec3* corner : {&t.a, &t.b, &t.c}) {
-      const Point a = local(tree, *corner, block.origin, block.axes);
+      const Point a = local(tree, *corner, block.origin, layout::kMeshAxes);
       long double distance = 0;
+      long double along = 0;
       for (std::size_t axis = 0; axis < 3; ++axis, ++row) {
         ASSERT_LE(std::abs(a[axis]), block.own_half[axis]);
         ASSERT_LE(std::abs(a[axis] - block.corner[row][k]), 0x1p-22L * block.reach);
         distance += std::abs(a[axis]);
+        along += a[axis] * block.normal[axis];
       }
       ASSERT_LE(distance, block.reach);
+      ASSERT_LE(block.lower, along);
+      ASSERT_LE(along, block.upper);
     }
   }
 }
@@ -108,12 +117,14 @@ void expect_whole(const WideTree& tree, const Mesh& mesh) {
       above.emplace_back(next.node, lane);
       const std::uint32_t child = node.child[lane];
       if ((child & WideNode::kLeafBit) == 0) {
+        ASSERT_EQ(node.leaves & 1U << lane, 0U);
         open.push_back({child, above});
         continue;
       }
       const TriangleBlock* block =
           &tree.blocks()[child & ~(WideNode::kLeafBit | WideNode::kRunBit)];
       ASSERT_EQ((child & WideNode::kRunBit) != 0, block->following > 0);
+      ASSERT_NE(node.leaves & 1U << lane, 0U);
       for (std::uint32_t left = block->following + 1; left > 0; --left, ++block) {
         ASSERT_EQ(block->following, left - 1);
         ASSERT_NO_FATAL_FAILURE(expect_block_holds(tree, mesh, *block));
@@ -146,7 +157,7 @@ TEST(WideTree, HoldsEveryTriangleOnceAndInsideItsBoxes) {
   });
 }
 
-TEST(WideTree, TurnsNodesOfSlantedSurfacesOnly) {
+TEST(WideTree, TurnsNodesOfSlantedSurfacesOnlyAndFlatLeavesFillNoSlab) {
   // A patch of 200 triangles in the plane x + y + z = 0, and the same in z = 0.
   const auto patch = [](bool slanted) {
     Mesh mesh;
@@ -163,14 +174,15 @@ TEST(WideTree, TurnsNodesOfSlantedSurfacesOnly) {
     }
     return WideTree(build(mesh), mesh);
   };
-  const auto turned = [](const WideTree& tree) {
-    return std::count_if(tree.blocks().begin(), tree.blocks().end(),
-                         [](const TriangleBlock& block) { return block.turned != 0; });
-  };
   const WideTree slanted = patch(true);
-  EXPECT_EQ(turned(slanted), static_cast<std::ptrdiff_t>(slanted.blocks().size()));
+  const WideTree level = patch(false);
   EXPECT_EQ(slanted.nodes()[0].turned, 1);
-  EXPECT_EQ(patch(false).nodes()[0].turned, 0);
+  EXPECT_EQ(level.nodes()[0].turned, 0);
+  for (const WideTree* tree : {&slanted, &level}) {
+    for (const TriangleBlock& block : tree->blocks()) {
+      EXPECT_LT(block.upper - block.lower, 1e-6F);
+    }
+  }
 }
 
 TEST(WideTree, PassesOverNodesWithoutTriangles) {
