@@ -1,5 +1,7 @@
 #include "apps/soms/map.h"
 
+#include "soms/base/text.h"
+
 #include "apps/soms/map_city.h"
 #include "apps/soms/map_marks.h"
 #include "apps/soms/outline.h"

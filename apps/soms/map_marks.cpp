@@ -1,5 +1,7 @@
 #include "apps/soms/map_marks.h"
 
+#include "soms/base/text.h"
+
 #include "apps/soms/simulate_report.h"
 
 #include <algorithm>
@@ -10,26 +12,6 @@
 namespace soms::command {
 
 namespace {
-
-/// Bytes of the UTF-8 character that begins at `at`; 0 if none does.
-std::size_t character_at(std::string_view words, std::size_t at) {
-  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(words[k]); };
-  const unsigned char first = byte(at);
-  const std::size_t size = first < 0x80                    ? 1
-                           : first >= 0xc2 && first < 0xe0 ? 2
-                           : (first & 0xf0U) == 0xe0       ? 3
-                           : first >= 0xf0 && first < 0xf5 ? 4
-                                                           : 0;
-  if (size == 0 || at + size > words.size()) {
-    return 0;
-  }
-  for (std::size_t k = 1; k < size; ++k) {
-    if ((byte(at + k) & 0xc0U) != 0x80) {
-      return 0;
-    }
-  }
-  return size;
-}
 
 std::string touched_name(const World& world, const Contact& contact) {
   if (contact.part == Contact::kMover) {
@@ -103,36 +85,12 @@ std::string shortened(std::string_view words, std::size_t most) {
   }
   std::size_t end = 0;
   for (std::size_t size = 1; end < words.size() && size > 0 && end + size <= most; end += size) {
-    size = std::max<std::size_t>(1, character_at(words, end));
+    size = std::max<std::size_t>(1, utf8_character(words, end));
     if (end + size > most) {
       break;
     }
   }
   return std::string(words.substr(0, end)) + "...";
-}
-
-std::string xml_text(std::string_view words) {
-  std::string text;
-  for (std::size_t at = 0; at < words.size();) {
-    const std::size_t size = character_at(words, at);
-    const char c = words[at];
-    if (size == 0 || (size == 1 && static_cast<unsigned char>(c) < 0x20) || c == 0x7f) {
-      text += '?';
-      ++at;
-      continue;
-    }
-    if (c == '&') {
-      text += "&amp;";
-    } else if (c == '<') {
-      text += "&lt;";
-    } else if (c == '>') {
-      text += "&gt;";
-    } else {
-      text += words.substr(at, size);
-    }
-    at += size;
-  }
-  return text;
 }
 
 }  // namespace soms::command

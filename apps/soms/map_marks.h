@@ -33,7 +33,4 @@ struct Mark {
 /// `words`, cut to about `most` bytes with "..." where longer.
 [[nodiscard]] std::string shortened(std::string_view words, std::size_t most);
 
-/// `words` as text of an XML file: markup escaped, what XML or UTF-8 forbids replaced by '?'.
-[[nodiscard]] std::string xml_text(std::string_view words);
-
 }  // namespace soms::command

@@ -7,6 +7,7 @@ set(SOMS_HEADERS
   parallel.h
   pose.h
   random.h
+  text.h
   vector.h
 )
 set(SOMS_SOURCES
@@ -14,4 +15,5 @@ set(SOMS_SOURCES
   error.cpp
   parallel.cpp
   pose.cpp
+  text.cpp
 )
