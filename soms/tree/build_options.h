@@ -15,6 +15,7 @@ enum class Rule {
   spatial_median,  ///< plane in the middle of the outer box
   soms,            ///< Spatial Object Median Splitting: plane in the middle of the midpoints' box
   sah,             ///< least surface area cost over 16 bins of the midpoints' box
+  soms_sah,        ///< as soms where triangles are small against the node, else as sah
 };
 
 /// Box whose longest axis is split.
@@ -36,7 +37,7 @@ struct BuildOptions {
   Rule rule = Rule::sah;
   Midpoint midpoint = Midpoint::aabb;
   int c_vertex = 2;  ///< corner that Midpoint::thesis calls C: 0, 1 or 2
-  /// Unset: inner for soms and sah, outer for the others.
+  /// Unset: inner for soms, sah and soms_sah, outer for the others.
   std::optional<AxisFrom> axis_from = std::nullopt;
   EmptySide empty_side = EmptySide::object_median;
   /// Levels: nodes at depth level-1 are never divided. 0 means without limit.

@@ -26,6 +26,7 @@ set(SOMS_SOURCES
   rule/rules.cpp
   rule/sah.cpp
   rule/soms.cpp
+  rule/soms_sah.cpp
   rule/spatial_median.cpp
   shape.cpp
   statistics.cpp

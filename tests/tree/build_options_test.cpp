@@ -2,6 +2,7 @@
 
 #include "soms/base/error.h"
 #include "soms/tree/build.h"
+#include "soms/tree/rule/rules.h"
 
 #include "tests/support/support.h"
 
@@ -16,8 +17,8 @@ TEST(BuildOptions, DefaultsAndThesisOptionsAreInRange) {
   EXPECT_EQ(BuildOptions{}.level, 0);
   EXPECT_EQ(BuildOptions{}.per_leaf, 8);
   EXPECT_EQ(BuildOptions{}.empty_side, EmptySide::object_median);
-  for (const Rule rule :
-       {Rule::object_median, Rule::object_mean, Rule::spatial_median, Rule::soms, Rule::sah}) {
+  for (const Rule rule : {Rule::object_median, Rule::object_mean, Rule::spatial_median, Rule::soms,
+                          Rule::sah, Rule::soms_sah}) {
     const BuildOptions options = thesis_options(rule);
     EXPECT_NO_THROW(check(options));
     EXPECT_EQ(options.rule, rule);
@@ -39,7 +40,7 @@ TEST(BuildOptions, RefusesEachOptionOutOfRangeAndNamesIt) {
   };
 
   const std::vector<Case> cases{
-      {"rule", [](BuildOptions& o) { o.rule = static_cast<Rule>(5); }},
+      {"rule", [](BuildOptions& o) { o.rule = static_cast<Rule>(rules().size()); }},
       {"midpoint", [](BuildOptions& o) { o.midpoint = static_cast<Midpoint>(-1); }},
       {"axis_from", [](BuildOptions& o) { o.axis_from = static_cast<AxisFrom>(2); }},
       {"empty_side", [](BuildOptions& o) { o.empty_side = static_cast<EmptySide>(4); }},

@@ -10,7 +10,7 @@ namespace soms {
 
 namespace {
 
-constexpr std::array<RuleEntry, 5> kRules{{
+constexpr std::array<RuleEntry, 6> kRules{{
     {Rule::object_median, "object_median", "object-median",
      "equal counts on both sides, by midpoint", &rule::object_median, AxisFrom::outer, false,
      false},
@@ -22,6 +22,9 @@ constexpr std::array<RuleEntry, 5> kRules{{
      &rule::soms, AxisFrom::inner, false, false},
     {Rule::sah, "sah", "sah", "least surface area cost over 16 bins of the midpoints' box",
      &rule::sah, AxisFrom::inner, false, false},
+    {Rule::soms_sah, "soms_sah", "soms-sah",
+     "as soms where triangles are small against the node, else as sah", &rule::soms_sah,
+     AxisFrom::inner, false, false},
 }};
 
 }  // namespace

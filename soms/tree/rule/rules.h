@@ -57,5 +57,10 @@ namespace rule {
 ///          volume hierarchies.
 [[nodiscard]] Split sah(const SplitNode& node, std::size_t axis);
 
+/// SOMS with a second look where its plane is poor: as `soms`, unless the box of a primitive is
+/// wider on `axis` than half the inner box, then as `sah`. Fails only where all midpoints are
+/// equal, or agree on `axis` and no primitive has a width there.
+[[nodiscard]] Split soms_sah(const SplitNode& node, std::size_t axis);
+
 }  // namespace rule
 }  // namespace soms

@@ -201,7 +201,23 @@ TEST(Build, CVertexTurnsTheCorners) {
   }
 }
 
-TEST(Build, OfTheDefaultRuleIsTheCheapestByArea) {
+// Its plane costs little where triangles are alike, and what SAH saves where they are not is kept.
+TEST(Build, OfSomsSahIsNeverWorseThanSomsAndMuchBetterWhereTrianglesAreUnlike) {
+  const auto cost = [](const Mesh& mesh, Rule rule) {
+    BuildOptions options;
+    options.rule = rule;
+    return sah_cost(build(mesh, options));
+  };
+  for (const UrbanScene scene : {UrbanScene::mixed, UrbanScene::boxes, UrbanScene::plain}) {
+    const Mesh mesh = generate_urban(scene);
+    SCOPED_TRACE(mesh.source);
+    EXPECT_LE(cost(mesh, Rule::soms_sah), cost(mesh, Rule::soms));
+  }
+  const Mesh mixed = generate_urban(UrbanScene::mixed);
+  EXPECT_LT(cost(mixed, Rule::soms_sah), 0.7 * cost(mixed, Rule::soms));
+}
+
+TEST(Build, OfTheDefaultRuleIsTheCheapestByAreaToAHundredth) {
   for (const UrbanScene scene : {UrbanScene::mixed, UrbanScene::boxes, UrbanScene::plain}) {
     const Mesh mesh = generate_urban(scene);
     SCOPED_TRACE(mesh.source);
@@ -209,7 +225,7 @@ TEST(Build, OfTheDefaultRuleIsTheCheapestByArea) {
     for (const RuleEntry& rule : rules()) {
       BuildOptions options;
       options.rule = rule.rule;
-      EXPECT_LE(best, sah_cost(build(mesh, options))) << rule.name;
+      EXPECT_LE(best, 1.01 * sah_cost(build(mesh, options))) << rule.name;
     }
   }
 }

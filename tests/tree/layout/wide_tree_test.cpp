@@ -1,6 +1,7 @@
 #include "soms/tree/layout/wide_tree.h"
 
 #include "soms/tree/build.h"
+#include "soms/tree/rule/rules.h"
 
 #include "tests/support/support.h"
 
@@ -151,7 +152,7 @@ TEST(WideTree, HoldsEveryTriangleOnceAndInsideItsBoxes) {
     const Mesh mesh = scattered(rng, 1 + rng.below(200), scale, std::min(far, 0x1p299));
     BuildOptions options;
     options.per_leaf = static_cast<int>(1 + rng.below(20));
-    options.rule = static_cast<Rule>(rng.below(5));
+    options.rule = static_cast<Rule>(rng.below(rules().size()));
     const WideTree tree(build(mesh, options), mesh);
     ASSERT_NO_FATAL_FAILURE(expect_whole(tree, mesh));
   });

@@ -153,8 +153,36 @@ TEST(Rules, SahDividesHugeBoxesWithNearlyEqualMidpoints) {
   }
 }
 
+TEST(Rules, SomsSahIsSomsWhereTrianglesAreSmallAgainstTheNode) {
+  const auto primitives =
+      on_x({{0, 1, 0.5}, {1, 2, 1.5}, {2, 3, 2.5}, {8, 9, 8.5}, {20, 21, 20.5}});
+  EXPECT_EQ(split(Rule::soms, primitives).value, 10.5);
+  EXPECT_EQ(split(Rule::soms_sah, primitives).value, 10.5);
+  EXPECT_NE(split(Rule::sah, primitives).value, 10.5);
+}
+
+TEST(Rules, SomsSahIsSahWhereATriangleIsWiderThanHalfTheInnerBox) {
+  const auto row = [](double width) {
+    return on_x({{0, 1, 0}, {1, 2, 1}, {2, 3, 2}, {8, 8 + width, 8}, {20, 21, 20}});
+  };
+  EXPECT_EQ(split(Rule::soms_sah, row(10)).value, split(Rule::soms, row(10)).value);
+  EXPECT_EQ(split(Rule::soms_sah, row(10.5)).value, split(Rule::sah, row(10.5)).value);
+  EXPECT_NE(split(Rule::soms, row(10.5)).value, split(Rule::sah, row(10.5)).value);
+}
+
+// The width counts on the axis alone: a triangle wide elsewhere is not cut by the plane.
+TEST(Rules, SomsSahLooksAtWidthsOnTheAxisItSplits) {
+  TestNode node;
+  for (unsigned i = 0; i < 5; ++i) {
+    const double x = i * i;
+    node.add({{x, 0, 0}, {x + 1, 100, 1}}, {x + 0.5, 50, 0.5});
+  }
+  EXPECT_EQ(split(Rule::soms_sah, node, 0).value, split(Rule::soms, node, 0).value);
+  EXPECT_NE(split(Rule::sah, node, 0).value, split(Rule::soms, node, 0).value);
+}
+
 TEST(Rules, AreFoundByBothSpellingsOfTheirNames) {
-  EXPECT_EQ(rules().size(), 5U);
+  EXPECT_EQ(rules().size(), 6U);
   for (const RuleEntry& e : rules()) {
     EXPECT_EQ(&entry(e.rule), &e);
     EXPECT_EQ(&rule_named(e.name), &e);
@@ -171,7 +199,7 @@ TEST(Rules, UnknownNamesListTheKnownOnes) {
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::usage);
     EXPECT_EQ(error.remedy(),
-              "choose one of object-median, object-mean, spatial-median, soms, sah");
+              "choose one of object-median, object-mean, spatial-median, soms, sah, soms-sah");
   }
 }
 
