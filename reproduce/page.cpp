@@ -1,0 +1,374 @@
+#include "soms/base/text.h"
+
+#include "reproduce/page_style.h"
+#include "reproduce/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace soms::reproduce {
+
+namespace {
+
+/// Tables with more rows are folded; of still longer ones the page shows the first rows.
+constexpr std::size_t kFoldedFrom = 24;
+constexpr std::size_t kMostRows = 400;
+
+constexpr std::array kVerdicts{Verdict::holds, Verdict::holds_under_options, Verdict::does_not_hold,
+                               Verdict::cannot_be_checked};
+/// For each verdict a sign, so that color is not all that tells them apart.
+constexpr std::array<std::string_view, 4> kSigns{"&#10003;", "&#8776;", "&#10007;", "?"};
+constexpr std::array<std::string_view, 4> kClasses{"holds", "holds_under_options", "does_not_hold",
+                                                   "cannot_be_checked"};
+
+std::string counted(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", to_text(static_cast<std::int64_t>(count)), noun,
+                     count == 1 ? "" : "s");
+}
+
+std::string badge(Verdict verdict) {
+  const auto k = static_cast<std::size_t>(verdict);
+  return fmt::format("<span class=\"badge {}\">{} {}</span>", kClasses[k], kSigns[k],
+                     name(verdict));
+}
+
+/// Words as a sentence: with a stop at the end.
+std::string sentence(std::string words) {
+  if (!words.empty() && words.back() != '.') {
+    words += '.';
+  }
+  return words;
+}
+
+/// "table-5.3" as people write it: "Table 5.3".
+std::string spoken(std::string_view item) {
+  std::string words(item);
+  std::replace(words.begin(), words.end(), '-', ' ');
+  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') {
+    words[0] = static_cast<char>(words[0] - 'a' + 'A');
+  }
+  return words;
+}
+
+/// A drawing as part of the page: what precedes its root is dropped, and its ids, if any, are made
+/// the figure's own.
+std::string inlined(const Figure& figure) {
+  std::string svg = figure.svg.substr(std::min(figure.svg.find("<svg"), figure.svg.size()));
+  for (const std::string_view key : {" id=\"", "url(#", "href=\"#"}) {
+    const std::string own = "f-" + figure.id + "-";
+    for (std::size_t at = svg.find(key); at != std::string::npos; at = svg.find(key, at)) {
+      at += key.size();
+      svg.insert(at, own);
+    }
+  }
+  return svg;
+}
+
+/// Writes the page section by section.
+class Page {
+ public:
+  explicit Page(const Report& report) : report_(report) {}
+
+  std::string write() {
+    head();
+    how_it_was_run();
+    models();
+    claims();
+    contents();
+    chapter(Chapter::thesis, "The thesis, item by item");
+    chapter(Chapter::beyond, "Beyond the thesis");
+    out_ += "</main>\n</body>\n</html>\n";
+    return std::move(out_);
+  }
+
+ private:
+  template <typename... Values>
+  void put(fmt::format_string<Values...> form, Values&&... values) {
+    fmt::format_to(std::back_inserter(out_), form, std::forward<Values>(values)...);
+  }
+
+  void head() {
+    put("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<title>SOMS: the thesis, reproduced</title>\n<link rel=\"icon\" href=\"data:,\">\n"
+        "<style>{}</style>\n</head>\n<body>\n<main>\n<h1>SOMS: the thesis, reproduced</h1>\n",
+        kPageStyle);
+    put("<p class=\"lead\">Tables and figures of <cite>Spatial object median rules in bounding-"
+        "volume hierarchies for complex environments</cite> (Hamzah Asyrani bin Sulaiman, master's "
+        "thesis, Universiti Teknologi Malaysia, 2010), run again by the program <code>soms</code>, "
+        "and each claim of the thesis beside what was measured.</p>\n");
+    put("<p><strong>SOMS in today's terms</strong> is midpoint splitting of the box of the "
+        "triangles' midpoints: a node is cut in the middle of that box, across its longest axis. "
+        "Renderers know the same plane as the <em>middle</em> of the <em>centroid bounds</em>. "
+        "What is particular to the thesis is the midpoint: halfway between corner C and the middle "
+        "of A and B, which is not the centroid and depends on the order of the corners. It cuts "
+        "wherever two midpoints differ, so it never needs a fallback where spatial median, which "
+        "cuts the box of the triangles themselves, gets stuck.</p>\n");
+  }
+
+  void how_it_was_run() {
+    const Machine& machine = report_.machine;
+    put("<dl class=\"run\">\n");
+    const auto row = [&](std::string_view what, std::string_view value) {
+      put("<dt>{}</dt><dd>{}</dd>\n", what, xml_text(value));
+    };
+    row("Run", report_.date);
+    row("Options", report_.quick ? "quick: fewer repetitions and smaller sweeps" : "whole");
+    row("Program", fmt::format("soms {}", machine.version));
+    row("Processor", fmt::format("{} ({}; what is timed uses one)", machine.processor,
+                                 counted(static_cast<std::size_t>(std::max(0, machine.processors)),
+                                         "processor")));
+    row("System", machine.system);
+    row("Compiler", machine.compiler);
+    put("</dl>\n");
+    if (report_.quick) {
+      put("<p class=\"warn\"><strong>Quick run.</strong> Counts of the thesis' own tables are "
+          "those "
+          "of a whole run; times are medians of few repetitions.</p>\n");
+    }
+    if (!report_.missing.empty()) {
+      put("<p class=\"warn\"><strong>This run was interrupted.</strong> {} of {} did not run:",
+          report_.missing.size(),
+          counted(report_.missing.size() + report_.entries.size(), "experiment"));
+      for (const Experiment* experiment : report_.missing) {
+        put(" <a href=\"#item-{0}\">{0}</a>{1}", xml_text(experiment->item),
+            experiment == report_.missing.back() ? "." : ",");
+      }
+      put("</p>\n");
+    }
+    put("<p class=\"note\">Beside this page lie a CSV file of each table, an SVG file of each "
+        "figure and <a href=\"run.json\">run.json</a>, which lists them.</p>\n");
+  }
+
+  void models() {
+    const std::size_t count =
+        report_.models.objects.size() + report_.models.scenes.size() + report_.models.cities.size();
+    if (count == 0) {
+      return;
+    }
+    put("<h2 id=\"models\">Models</h2>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
+        "aria-label=\"Models\">\n<table>\n<thead><tr><th>model</th><th>from</th>"
+        "<th class=\"number\">vertices</th><th class=\"number\">triangles</th>"
+        "<th>hash of the corners</th><th>to be known</th></tr></thead>\n<tbody>\n");
+    for (const auto* kind :
+         {&report_.models.objects, &report_.models.scenes, &report_.models.cities}) {
+      for (const Model& model : *kind) {
+        put_model(model);
+      }
+    }
+    put("</tbody>\n</table>\n</div>\n");
+  }
+
+  void put_model(const Model& model) {
+    put("<tr><td>{}</td><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>"
+        "<td><code>{:016x}</code></td><td>{}{}{}</td></tr>\n",
+        xml_text(model.title.empty() ? model.name : model.title),
+        model.file.empty() ? "generated" : xml_text(model.file),
+        to_text(static_cast<std::int64_t>(model.mesh->vertices.size())),
+        to_text(static_cast<std::int64_t>(model.mesh->triangles.size())), model.hash,
+        model.stand_in ? "<span class=\"mark\">stand-in</span> not the model of the thesis" : "",
+        model.stand_in && !model.trouble.empty() ? "<br>" : "",
+        model.trouble.empty() ? std::string()
+                              : "<span class=\"mark\">trouble</span> " + xml_text(model.trouble));
+  }
+
+  void claims() {
+    std::array<std::size_t, 4> counts = {};
+    std::size_t all = 0;
+    for (const Entry& entry : report_.entries) {
+      for (const Finding& finding : entry.result.findings) {
+        ++counts[static_cast<std::size_t>(finding.verdict)];
+        ++all;
+      }
+    }
+    put("<h2 id=\"claims\">What the thesis claims, and what was measured</h2>\n");
+    if (all == 0) {
+      put("<p>None of the experiments of this run looks at a claim of the thesis.</p>\n");
+      return;
+    }
+    put("<p>{}:", counted(all, "claim"));
+    std::string_view comma;
+    for (const Verdict verdict : kVerdicts) {
+      const std::size_t count = counts[static_cast<std::size_t>(verdict)];
+      if (count > 0) {
+        put("{} {} {}", comma, count, badge(verdict));
+        comma = ",";
+      }
+    }
+    put(".</p>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Claims\">\n"
+        "<table class=\"claims\">\n<thead><tr><th>claim</th><th>measured here</th><th>verdict</th>"
+        "<th>reason</th></tr></thead>\n<tbody>\n");
+    for (const Entry& entry : report_.entries) {
+      for (const Finding& finding : entry.result.findings) {
+        put("<tr><td>{} <span class=\"faint\">({})</span></td><td{}>{}</td>"
+            "<td class=\"verdict\">{}<br><a href=\"#item-{}\">{}</a></td><td>{}</td></tr>\n",
+            xml_text(finding.claim), xml_text(finding.source),
+            finding.timed ? " class=\"timed\"" : "", xml_text(finding.measured),
+            badge(finding.verdict), xml_text(entry.experiment->item),
+            xml_text(spoken(entry.experiment->item)), xml_text(finding.reason));
+      }
+    }
+    put("</tbody>\n</table>\n</div>\n<p class=\"note\">In italics: what holds times, which differ "
+        "from run to run and from machine to machine. Times of the thesis' machine of 2009 are "
+        "compared as ratios only.</p>\n");
+  }
+
+  [[nodiscard]] bool has(Chapter which) const {
+    return std::any_of(report_.entries.begin(), report_.entries.end(),
+                       [&](const Entry& e) { return e.experiment->chapter == which; }) ||
+           std::any_of(report_.missing.begin(), report_.missing.end(),
+                       [&](const Experiment* e) { return e->chapter == which; });
+  }
+
+  void contents() {
+    put("<h2 id=\"contents\">Contents</h2>\n<nav aria-label=\"Contents\">\n");
+    for (const Chapter which : {Chapter::thesis, Chapter::beyond}) {
+      if (!has(which)) {
+        continue;
+      }
+      put("<b>{}</b>\n<ul>\n",
+          which == Chapter::thesis ? "Tables and figures of the thesis" : "Beyond the thesis");
+      const auto row = [&](const Experiment& experiment, std::string_view mark) {
+        if (experiment.chapter == which) {
+          put("<li><a href=\"#item-{}\">{}</a>: {}{}</li>\n", xml_text(experiment.item),
+              xml_text(spoken(experiment.item)), xml_text(experiment.title), mark);
+        }
+      };
+      for (const Entry& entry : report_.entries) {
+        row(*entry.experiment, "");
+      }
+      for (const Experiment* experiment : report_.missing) {
+        row(*experiment, " <span class=\"mark\">not run</span>");
+      }
+      put("</ul>\n");
+    }
+    put("</nav>\n");
+  }
+
+  void chapter(Chapter which, std::string_view title) {
+    if (!has(which)) {
+      return;
+    }
+    put("<h2>{}</h2>\n", title);
+    for (const Entry& entry : report_.entries) {
+      if (entry.experiment->chapter == which) {
+        put_entry(entry);
+      }
+    }
+    for (const Experiment* experiment : report_.missing) {
+      if (experiment->chapter == which) {
+        heading(*experiment);
+        put("<p class=\"warn\">Not run: the run was interrupted before. "
+            "<code>soms reproduce --item {}</code> runs it alone.</p>\n</section>\n",
+            xml_text(experiment->item));
+      }
+    }
+  }
+
+  void heading(const Experiment& experiment) {
+    put("<section id=\"item-{0}\">\n<h3>{1}. {2}</h3>\n", xml_text(experiment.item),
+        xml_text(spoken(experiment.item)), xml_text(experiment.title));
+  }
+
+  void put_entry(const Entry& entry) {
+    heading(*entry.experiment);
+    put("<p class=\"note\"><code>soms reproduce --item {}</code> ran {:.2g} s</p>\n",
+        xml_text(entry.experiment->item), entry.seconds);
+    for (const Figure& figure : entry.result.figures) {
+      put_figure(figure);
+    }
+    for (const std::string& remark : entry.result.remarks) {
+      put("<p>{}</p>\n", xml_text(remark));
+    }
+    for (const Table& table : entry.result.tables) {
+      put_table(table);
+    }
+    for (const Finding& finding : entry.result.findings) {
+      put("<p>{} {} <span class=\"faint\">Measured: {}</span></p>\n", badge(finding.verdict),
+          xml_text(sentence(finding.claim)), xml_text(sentence(finding.measured)));
+    }
+    put("</section>\n");
+  }
+
+  void put_figure(const Figure& figure) {
+    const std::string file = xml_text(file_of(figure).generic_string());
+    put("<figure id=\"f-{}\">\n<div class=\"picture\" tabindex=\"0\" role=\"img\" "
+        "aria-label=\"{}\">\n{}</div>\n<figcaption>{} {}<a href=\"{}\">SVG</a></figcaption>\n"
+        "</figure>\n",
+        xml_text(figure.id), xml_text(figure.alt.empty() ? figure.caption : figure.alt),
+        inlined(figure), xml_text(figure.caption),
+        figure.timed ? "<em>Times: differ from run to run.</em> " : "", file);
+  }
+
+  void put_table(const Table& table) {
+    const bool folded = table.rows.size() > kFoldedFrom;
+    if (folded) {
+      put("<details>\n<summary>{} <span class=\"faint\">({})</span></summary>\n",
+          xml_text(table.caption), counted(table.rows.size(), "row"));
+    }
+    put("<div class=\"scroll{}\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">\n"
+        "<table id=\"t-{}\">\n",
+        folded ? " tall" : "", xml_text(table.caption), xml_text(table.id));
+    if (!folded) {
+      put("<caption>{}</caption>\n", xml_text(table.caption));
+    }
+    std::vector<std::string> classes;
+    put("<thead><tr>");
+    for (std::size_t k = 0; k < table.columns.size(); ++k) {
+      classes.push_back(class_of(table, k));
+      put("<th{}>{}</th>", classes[k], title_of(table.columns[k]));
+    }
+    put("</tr></thead>\n<tbody>\n");
+    const std::size_t shown = std::min(table.rows.size(), kMostRows);
+    for (std::size_t row = 0; row < shown; ++row) {
+      put("<tr>");
+      for (std::size_t k = 0; k < table.rows[row].size(); ++k) {
+        put("<td{}>{}</td>", k < classes.size() ? classes[k] : std::string(),
+            xml_text(to_text(table.rows[row][k])));
+      }
+      put("</tr>\n");
+    }
+    put("</tbody>\n</table>\n</div>\n<p class=\"note\">");
+    if (shown < table.rows.size()) {
+      put("The first {} of {}; all are in the ", to_text(static_cast<std::int64_t>(shown)),
+          counted(table.rows.size(), "row"));
+    }
+    put("<a href=\"{}\">CSV</a></p>\n{}", xml_text(file_of(table).generic_string()),
+        folded ? "</details>\n" : "");
+  }
+
+  [[nodiscard]] static std::string title_of(const Column& column) {
+    std::string words = column.name;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    words = xml_text(words);
+    return column.unit.empty() ? words
+                               : fmt::format("{} <span>[{}]</span>", words, xml_text(column.unit));
+  }
+
+  /// Attribute of a column's cells: numbers stand right, times lean.
+  [[nodiscard]] static std::string class_of(const Table& table, std::size_t column) {
+    const bool words = std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
+      return column < row.size() && std::holds_alternative<std::string>(row[column]);
+    });
+    const bool timed = table.columns[column].kind == ColumnKind::timed;
+    if (words && !timed) {
+      return {};
+    }
+    return fmt::format(" class=\"{}{}{}\"", words ? "" : "number", !words && timed ? " " : "",
+                       timed ? "timed" : "");
+  }
+
+  const Report& report_;
+  std::string out_;
+};
+
+}  // namespace
+
+std::string page(const Report& report) {
+  return Page(report).write();
+}
+
+}  // namespace soms::reproduce

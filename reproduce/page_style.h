@@ -1,0 +1,70 @@
+/// \file
+/// How the page looks: one style sheet, light and dark, for screens of any width and for paper.
+#pragma once
+
+#include <string_view>
+
+namespace soms::reproduce {
+
+inline constexpr std::string_view kPageStyle = R"css(
+:root{color-scheme:light dark;--paper:#fff;--ink:#1d1f21;--faint:#55595e;--line:#d9d8d4;
+--soft:#f5f4f0;--link:#00599c;--good:#0b6e4f;--part:#8a5a00;--bad:#a83200;--open:#55595e;
+--warn:#fff4d6;--warn-line:#e0b84c}
+@media screen and (prefers-color-scheme:dark){:root{--paper:#15181c;--ink:#ecebe8;--faint:#b4b8bd;
+--line:#363b42;--soft:#1e2227;--link:#7cc4f5;--good:#4fcf9f;--part:#f0b84a;--bad:#ff9a70;
+--open:#b4b8bd;--warn:#33290f;--warn-line:#8a6d1f}}
+*{box-sizing:border-box}
+html{-webkit-text-size-adjust:100%}
+body{margin:0 auto;max-width:66rem;padding:1rem 1.25rem 4rem;background:var(--paper);
+color:var(--ink);font:1rem/1.5 system-ui,-apple-system,"Segoe UI",Helvetica,Arial,sans-serif}
+h1{font-size:1.9rem;line-height:1.2;margin:1rem 0 .5rem}
+h2{font-size:1.4rem;line-height:1.25;margin:3rem 0 .5rem;padding-top:.75rem;
+border-top:2px solid var(--line)}
+h3{font-size:1.12rem;line-height:1.3;margin:2.5rem 0 .5rem}
+p,ul,dl{max-width:46rem}
+a{color:var(--link)}
+.lead{font-size:1.08rem}
+.note,figcaption,caption,.faint{color:var(--faint)}
+.note{font-size:.9rem}
+.warn{background:var(--warn);border-left:4px solid var(--warn-line);padding:.6rem .9rem;
+margin:1rem 0;max-width:none}
+dl.run{display:grid;grid-template-columns:max-content 1fr;gap:.2rem 1rem;margin:1rem 0}
+dl.run dt{color:var(--faint)}
+dl.run dd{margin:0;overflow-wrap:anywhere}
+.scroll{overflow-x:auto;margin:.5rem 0 .25rem}
+.scroll.tall{max-height:32rem;overflow-y:auto;border-bottom:1px solid var(--line)}
+table{border-collapse:collapse;font-size:.9rem;line-height:1.35}
+caption{caption-side:top;text-align:left;padding:.25rem 0 .5rem;max-width:46rem}
+th,td{padding:.3rem .7rem;text-align:left;vertical-align:top;border-bottom:1px solid var(--line)}
+th:first-child,td:first-child{padding-left:.25rem}
+thead th{position:sticky;top:0;background:var(--paper);border-bottom:2px solid var(--line);
+vertical-align:bottom}
+.scroll th span{font-weight:400;color:var(--faint)}
+th.number,td.number{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
+th.timed,td.timed{font-style:italic}
+table.claims{width:100%}
+table.claims td{min-width:9rem}
+table.claims td.verdict{min-width:0}
+table.claims tbody tr:nth-child(even){background:var(--soft)}
+.badge{display:inline-block;border:1.5px solid currentColor;border-radius:1rem;
+padding:.05rem .6rem;font-size:.85rem;font-weight:600;white-space:nowrap}
+.holds{color:var(--good)}.holds_under_options{color:var(--part)}
+.does_not_hold{color:var(--bad)}.cannot_be_checked{color:var(--open)}
+.mark{display:inline-block;border:1px dashed var(--warn-line);background:var(--warn);
+border-radius:.3rem;padding:0 .4rem;font-size:.82rem;white-space:nowrap}
+nav ul{list-style:none;padding:0;columns:22rem;column-gap:2rem;max-width:none;margin:.3rem 0 1rem}
+nav li{break-inside:avoid;padding:.12rem 0}
+nav b{font-weight:600}
+figure{margin:1.25rem 0 1.75rem}
+figure .picture{overflow-x:auto;border:1px solid var(--line);border-radius:.4rem;
+max-width:60rem}
+figure svg{display:block;width:100%;min-width:36rem;height:auto}
+figcaption{max-width:46rem;padding-top:.5rem;font-size:.95rem}
+details{margin:.75rem 0}
+summary{cursor:pointer;color:var(--link)}
+@media print{body{max-width:none;font-size:10pt;padding:0}h2,h3{break-after:avoid}
+figure,tr{break-inside:avoid}.scroll,.scroll.tall,figure .picture{overflow:visible;
+max-height:none}figure svg{min-width:0}thead th{position:static}}
+)css";
+
+}  // namespace soms::reproduce
