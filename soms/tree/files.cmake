@@ -4,6 +4,7 @@ set(SOMS_HEADERS
   check.h
   implicit.h
   layout/orientation.h
+  layout/pages.h
   layout/wide_tree.h
   option_names.h
   rule/rules.h
@@ -18,8 +19,12 @@ set(SOMS_SOURCES
   build_options.cpp
   check.cpp
   implicit.cpp
+  layout/block.cpp
+  layout/lay_out.cpp
   layout/orientation.cpp
+  layout/pages.cpp
   layout/wide_tree.cpp
+  layout/widen.cpp
   option_names.cpp
   rule/object_mean.cpp
   rule/object_median.cpp

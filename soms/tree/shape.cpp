@@ -34,7 +34,7 @@ Shape::Shape(std::shared_ptr<const Mesh> mesh, const ShapeOptions& options,
     : mesh_(std::move(mesh)), build_options_(options.build) {
   check(*mesh_);
   auto tree = std::make_shared<const Tree>(build(*mesh_, options.build, parallel));
-  layout_ = std::make_shared<const WideTree>(*tree, *mesh_);
+  layout_ = std::make_shared<const WideTree>(*tree, *mesh_, parallel);
   bounds_ = layout_->bounds();
   if (options.keep_tree) {
     tree_ = std::move(tree);

@@ -3,15 +3,16 @@
 #pragma once
 
 #include "soms/base/box.h"
+#include "soms/base/parallel.h"
 #include "soms/geometry/mesh.h"
 #include "soms/tree/layout/orientation.h"
+#include "soms/tree/layout/pages.h"
 #include "soms/tree/tree.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace soms {
 
@@ -74,6 +75,10 @@ struct alignas(64) TriangleBlock {
 
 static_assert(sizeof(TriangleBlock) == 384 && alignof(TriangleBlock) == 64, "six cache lines");
 
+namespace layout {
+struct Parts;
+}
+
 /// A canonical tree as queries walk it. Node 0 is the root; a mesh without triangles has no node.
 class WideTree {
  public:
@@ -82,9 +87,13 @@ class WideTree {
   /// Converts a tree of `mesh`. Children without triangles vanish; a node takes the place of its
   /// children, the largest first, until it has four. Leaves stay as large as they are, cut into
   /// blocks. Small nodes take the principal axes of what they hold for their frame where boxes get
-  /// a tenth smaller by it. \errors ErrorKind::out_of_range beyond 2^28 nodes or blocks. \cost O(n)
-  /// time; about 100 bytes a triangle with leaves of 8.
-  WideTree(const Tree& tree, const Mesh& mesh);
+  /// a tenth smaller by it. The same bytes for any number of threads.
+  /// \errors ErrorKind::out_of_range beyond 2^28 nodes or blocks; cancelled.
+  /// \cost   O(n) time; about 80 bytes a triangle with leaves of 8.
+  WideTree(const Tree& tree, const Mesh& mesh, const Parallel& parallel = {});
+
+  /// The same from a tree that was never put together; it must not be empty.
+  WideTree(const layout::Parts& tree, const Mesh& mesh, const Parallel& parallel = {});
 
   [[nodiscard]] std::span<const WideNode> nodes() const { return nodes_; }
 
@@ -108,8 +117,8 @@ class WideTree {
   [[nodiscard]] bool operator==(const WideTree&) const = default;
 
  private:
-  std::vector<WideNode> nodes_;
-  std::vector<TriangleBlock> blocks_;
+  layout::Pages<WideNode> nodes_;
+  layout::Pages<TriangleBlock> blocks_;
   Vec3 origin_;
   Box bounds_;
   int exponent_ = 0;

@@ -205,6 +205,34 @@ TEST(WideTree, HoldsLeavesOfAnySizeAndIdenticalTriangles) {
   }
 }
 
+// Beyond 8192 triangles a tree is laid out in parts.
+TEST(WideTree, InPartsIsWholeAndTheSameForAnyNumberOfThreads) {
+  Rng rng(17);
+  const Mesh mesh = scattered(rng, 30'000, 1, 0);
+  for (const EmptySide side : {EmptySide::object_median, EmptySide::stop, EmptySide::chain}) {
+    BuildOptions options;
+    options.empty_side = side;
+    options.level = side == EmptySide::chain ? 30 : 0;
+    options.rule = side == EmptySide::chain ? Rule::spatial_median : Rule::sah;
+    const Tree tree = build(mesh, options);
+    const WideTree one(tree, mesh);
+    ASSERT_NO_FATAL_FAILURE(expect_whole(one, mesh));
+    for (const int threads : {2, 3, 8}) {
+      EXPECT_EQ(WideTree(tree, mesh, Parallel{threads, {}, {}}), one) << threads;
+    }
+  }
+}
+
+// Twins cannot be divided: one node above the parts keeps more triangles than a part may have.
+TEST(WideTree, HoldsALeafLargerThanAPart) {
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {8, 0, 0}, {9, 0, 0}, {8, 1, 0}};
+  mesh.triangles.resize(20'000, {0, 1, 2});
+  mesh.triangles.resize(30'000, {3, 4, 5});
+  BuildOptions options = thesis_options(Rule::soms);
+  ASSERT_NO_FATAL_FAILURE(expect_whole(WideTree(build(mesh, options), mesh), mesh));
+}
+
 TEST(WideTree, OfNothingHasNoNode) {
   const WideTree tree(build({}), {});
   EXPECT_TRUE(tree.nodes().empty());

@@ -1,0 +1,347 @@
+// Building beside Embree: how long every rule takes from mesh to Shape, what its tree costs a
+// query, what it weighs, and how well two threads build. One process; contestants in a turning
+// order.
+#include "soms/query/overlap.h"
+#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/rule/rules.h"
+
+#include "bench/peers/core/timing.h"
+#include "bench/peers/scenarios/scene.h"
+#include "bench/peers/scenarios/solids.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#if SOMS_BENCH_EMBREE
+#include <embree3/rtcore.h>
+#endif
+
+namespace soms::bench {
+namespace {
+
+/// A mesh of a million triangles, a mover, and poses at which both are asked.
+struct Place {
+  std::string name;
+  std::shared_ptr<const Mesh> mesh;
+  FloatMesh floats;  ///< the same for Embree
+  std::shared_ptr<const Mesh> mover;
+  bool own_twin = false;  ///< the mover is the mesh itself, built the same way
+  std::vector<PoseSet> sets;
+};
+
+std::shared_ptr<const Mesh> wide_mesh(const FloatMesh& from) {
+  Mesh mesh;
+  mesh.vertices.reserve(from.vertices.size());
+  for (const auto& v : from.vertices) {
+    mesh.vertices.push_back(wide(v));
+  }
+  mesh.triangles = from.triangles;
+  return std::make_shared<const Mesh>(std::move(mesh));
+}
+
+Pose shifted(Pose pose, const Vec3& t) {
+  pose.m[3] = t.x;
+  pose.m[7] = t.y;
+  pose.m[11] = t.z;
+  return pose;
+}
+
+/// Turned at random, slid in until both touch, and out again by 0.001 of their reach.
+Pose near_miss(Body& knot, const Body& twin, Rng& rng) {
+  const Pose turned = random_rotation(rng, {});
+  const Vec3 direction = random_direction(rng);
+  const auto touches = [&](double s) {
+    knot.pose = shifted(turned, s * direction);
+    return overlap(knot, twin, {.mode = OverlapMode::any}).any;
+  };
+  double apart = 2.5;
+  double touching = apart;
+  while (touching > -2.5 && !touches(touching)) {
+    apart = touching;
+    touching -= 0.05;
+  }
+  while (apart - touching > 1e-5) {
+    const double middle = 0.5 * (apart + touching);
+    (touches(middle) ? touching : apart) = middle;
+  }
+  return shifted(turned, (apart + 0.001) * direction);
+}
+
+Place knot_place() {
+  Place place{"knot 1M", {}, torus_knot(2500, 200), {}, true, {{"random", {}}, {"near", {}}}};
+  place.mesh = wide_mesh(place.floats);
+  place.mover = place.mesh;
+  Rng rng(11);
+  for (std::size_t i = 0; i < kPoses; ++i) {
+    const Pose turned = random_rotation(rng, {});
+    place.sets[0].poses.push_back(shifted(turned, rng.uniform(1.0, 1.9) * random_direction(rng)));
+  }
+  constexpr std::size_t kNear = 200;
+  const Body twin{Shape(place.mesh)};
+  Body knot = twin;
+  for (std::size_t i = 0; i < kNear; ++i) {
+    place.sets[1].poses.push_back(near_miss(knot, twin, rng));
+  }
+  return place;
+}
+
+Place city_place() {
+  Scene scene = city_car_scene(1'000'000);
+  return {"city 1M", wide_mesh(scene.fixed), scene.fixed, wide_mesh(scene.mover),
+          false,     std::move(scene.sets)};
+}
+
+/// Something that turns the mesh of a place into a tree; what it made is dropped at once.
+struct Contestant {
+  std::string name;
+  std::function<void(const Place&)> build;
+};
+
+#if SOMS_BENCH_EMBREE
+void add_embree(std::vector<Contestant>& contestants) {
+  const std::shared_ptr<RTCDeviceTy> device(rtcNewDevice("threads=1,set_affinity=0"),
+                                            [](RTCDevice d) { rtcReleaseDevice(d); });
+  const auto add = [&](const char* name, RTCBuildQuality quality) {
+    contestants.push_back(
+        {name, [device, quality](const Place& place) {
+           const RTCScene scene = rtcNewScene(device.get());
+           rtcSetSceneBuildQuality(scene, quality);
+           const RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+           rtcSetGeometryBuildQuality(geometry, quality);
+           const auto& v = place.floats.vertices;
+           const auto& t = place.floats.triangles;
+           rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                      v.data(), 0, sizeof v[0], v.size());
+           rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                      t.data(), 0, sizeof t[0], t.size());
+           rtcCommitGeometry(geometry);
+           rtcAttachGeometry(scene, geometry);
+           rtcReleaseGeometry(geometry);
+           rtcCommitScene(scene);
+           rtcReleaseScene(scene);
+         }});
+  };
+  add("embree-low", RTC_BUILD_QUALITY_LOW);
+  add("embree-medium", RTC_BUILD_QUALITY_MEDIUM);
+}
+#endif
+
+std::vector<Contestant> contestants_of(const std::vector<const RuleEntry*>& chosen) {
+  std::vector<Contestant> contestants;
+  for (const RuleEntry* e : chosen) {
+    ShapeOptions options;
+    options.build.rule = e->rule;
+    contestants.push_back({std::string(e->kebab), [options](const Place& place) {
+                             const Shape shape(place.mesh, options);
+                           }});
+  }
+#if SOMS_BENCH_EMBREE
+  add_embree(contestants);
+#endif
+  return contestants;
+}
+
+double median(std::vector<double> v) {
+  std::sort(v.begin(), v.end());
+  return v[v.size() / 2];
+}
+
+/// Passes in a turning order; the median of each. A first pass warms all and is not counted.
+std::vector<double> race_builds(const std::vector<Contestant>& contestants, const Place& place,
+                                int passes) {
+  std::vector<std::vector<double>> seconds(contestants.size());
+  for (int p = -1; p < passes; ++p) {
+    for (std::size_t k = 0; k < contestants.size(); ++k) {
+      const std::size_t i = (k + static_cast<std::size_t>(p + 1)) % contestants.size();
+      const double start = processor_seconds();
+      contestants[i].build(place);
+      if (p >= 0) {
+        seconds[i].push_back(processor_seconds() - start);
+      }
+    }
+  }
+  std::vector<double> medians;
+  std::transform(seconds.begin(), seconds.end(), std::back_inserter(medians), median);
+  return medians;
+}
+
+/// Asks every pose of a set of trees by each rule, in turn.
+void race_queries(const std::vector<const RuleEntry*>& chosen, const Place& place, int passes) {
+  struct Tree {
+    Body mover;
+    Body fixed;
+  };
+
+  std::vector<Tree> trees;
+  for (const RuleEntry* e : chosen) {
+    ShapeOptions options;
+    options.build.rule = e->rule;
+    const Shape fixed(place.mesh, options);
+    const Shape mover = place.own_twin ? fixed : Shape(place.mover, options);
+    trees.push_back({Body(mover), Body(fixed)});
+    const auto n = static_cast<double>(place.mesh->triangles.size());
+    const WideTree& layout = fixed.layout();
+    std::printf("%-16s %6.1f bytes a triangle in all, layout %6.1f; %5.2f triangles a block\n",
+                e->kebab.data(), static_cast<double>(fixed.memory()) / n,
+                static_cast<double>(layout.memory()) / n,
+                n / static_cast<double>(layout.blocks().size()));
+  }
+  for (const PoseSet& set : place.sets) {
+    std::vector<std::vector<double>> seconds(trees.size());
+    std::vector<Cost> costs(trees.size());
+    std::vector<std::size_t> hits(trees.size());
+    for (int p = -1; p < passes; ++p) {
+      for (std::size_t k = 0; k < trees.size(); ++k) {
+        const std::size_t i = (k + static_cast<std::size_t>(p + 1)) % trees.size();
+        const double start = processor_seconds();
+        for (const Pose& pose : set.poses) {
+          trees[i].mover.pose = pose;
+          const Overlap answer =
+              overlap(trees[i].mover, trees[i].fixed, {.mode = OverlapMode::any});
+          if (p < 0) {
+            costs[i] += answer.cost;
+            hits[i] += answer.any ? 1 : 0;
+          }
+        }
+        if (p >= 0) {
+          seconds[i].push_back(processor_seconds() - start);
+        }
+      }
+    }
+    const auto n = static_cast<double>(set.poses.size());
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+      std::printf("%-16s any %-9s %8.3f us  %9.1f node tests  %8.1f triangle tests  %zu hits\n",
+                  chosen[i]->kebab.data(), set.name.c_str(), 1e6 * median(seconds[i]) / n,
+                  static_cast<double>(costs[i].node_tests) / n,
+                  static_cast<double>(costs[i].triangle_tests) / n, hits[i]);
+    }
+  }
+}
+
+double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// A loop that needs nothing but the processor.
+void spin() {
+  volatile double out = 0;
+  double x = 1;
+  for (int i = 0; i < 100'000'000; ++i) {
+    x = x * 0.999999 + 1e-6;
+  }
+  out = x;
+  static_cast<void>(out);
+}
+
+/// Wall time of one thread over that of two, in turn with a plain loop that shows what is there.
+void race_threads(const std::vector<const RuleEntry*>& chosen, const Place& place, int passes) {
+  std::vector<double> loop;
+  std::vector<std::vector<double>> gains(chosen.size());
+  for (int p = 0; p < passes; ++p) {
+    double start = wall_seconds();
+    spin();
+    spin();
+    const double one = wall_seconds() - start;
+    start = wall_seconds();
+    {
+      const std::jthread other(spin);
+      spin();
+    }
+    loop.push_back(one / (wall_seconds() - start));
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      ShapeOptions options;
+      options.build.rule = chosen[i]->rule;
+      std::array<double, 3> seconds = {};
+      for (int threads = 1; threads <= 2; ++threads) {
+        start = wall_seconds();
+        const Shape shape(place.mesh, options, Parallel{threads, {}, {}});
+        seconds[static_cast<std::size_t>(threads)] = wall_seconds() - start;
+      }
+      gains[i].push_back(seconds[1] / seconds[2]);
+    }
+  }
+  std::printf("two threads: a plain loop %.2f", median(loop));
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    std::printf(", %s %.2f", chosen[i]->kebab.data(), median(gains[i]));
+  }
+  std::printf(" times one\n");
+}
+
+int number(std::string_view text) {
+  int value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+void run(int argc, char** argv) {
+  int passes = 7;
+  bool builds = true;
+  bool queries = true;
+  bool threads = false;
+  std::string_view only;
+  std::vector<const RuleEntry*> chosen;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view arg = argv[i];
+    if (arg == "--passes" && i + 1 < argc) {
+      passes = std::max(1, number(argv[++i]));
+    } else if (arg == "--only" && i + 1 < argc) {
+      only = argv[++i];
+    } else if (arg == "--no-queries") {
+      queries = false;
+    } else if (arg == "--no-builds") {
+      builds = false;
+    } else if (arg == "--threads") {
+      threads = true;
+    } else {
+      chosen.push_back(&rule_named(arg));
+    }
+  }
+  if (chosen.empty()) {
+    for (const RuleEntry& e : rules()) {
+      chosen.push_back(&e);
+    }
+  }
+  const auto contestants = contestants_of(chosen);
+  for (const auto& make : {&knot_place, &city_place}) {
+    if (!only.empty() && only != (make == &knot_place ? "knot" : "city")) {
+      continue;
+    }
+    const Place place = make();
+    std::printf("== %s, %zu triangles\n", place.name.c_str(), place.mesh->triangles.size());
+    if (builds) {
+      const auto seconds = race_builds(contestants, place, passes);
+      for (std::size_t i = 0; i < contestants.size(); ++i) {
+        std::printf("%-16s %7.1f ms\n", contestants[i].name.c_str(), 1e3 * seconds[i]);
+      }
+    }
+    if (queries) {
+      race_queries(chosen, place, passes);
+    }
+    if (threads) {
+      race_threads(chosen, place, passes);
+    }
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+}  // namespace soms::bench
+
+// build_bench [RULE...] [--passes N] [--only knot|city] [--no-builds] [--no-queries] [--threads]
+int main(int argc, char** argv) {
+  try {
+    soms::bench::run(argc, argv);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "%s\n", e.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,16 @@
+/// \file
+/// A leaf's triangles side by side.
+#pragma once
+
+#include "soms/tree/layout/frame.h"
+#include "soms/tree/layout/orientation.h"
+#include "soms/tree/layout/wide_tree.h"
+
+namespace soms::layout {
+
+/// Fills a block with 1 to 8 triangles; `following` is left to the caller. Returns how the corners
+/// lie about the block's origin, in units of the layout.
+Moments make_block(const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame,
+                   TriangleBlock& block);
+
+}  // namespace soms::layout

@@ -1,0 +1,276 @@
+#include "soms/tree/layout/widen.h"
+
+#include "soms/base/error.h"
+#include "soms/tree/layout/block.h"
+#include "soms/tree/layout/lay_out.h"
+
+namespace soms::layout {
+
+namespace {
+
+using Slots = std::array<std::uint32_t, WideNode::kWidth>;
+
+/// Opens the node of greatest area, of those that `opens` allows, until there are four. `children`
+/// gives both places below one.
+template <class Opens, class Bounds, class Children>
+std::uint32_t gather(Slots& slots, const Opens& opens, const Bounds& bounds,
+                     const Children& children) {
+  std::array<double, WideNode::kWidth> area = {};
+  const auto look = [&](std::uint32_t k) {
+    area[k] = opens(slots[k]) ? half_area(bounds(slots[k])) : -1;
+  };
+  std::uint32_t count = 1;
+  look(0);
+  while (count < WideNode::kWidth) {
+    const auto best = static_cast<std::uint32_t>(
+        std::max_element(area.begin(), area.begin() + count) - area.begin());
+    if (!(area[best] >= 0)) {
+      break;
+    }
+    const auto [left, right] = children(slots[best]);
+    slots[best] = left;
+    slots[count] = right;
+    look(best);
+    look(count);
+    ++count;
+  }
+  return count;
+}
+
+/// Nodes with one child that holds triangles are passed over.
+std::uint32_t without_empty(const Part& part, std::uint32_t i) {
+  while (!part.nodes[i].is_leaf()) {
+    const Node& node = part.nodes[i];
+    if (part.left_of(node).count == 0) {
+      i = node.right - part.first;
+    } else if (part.right_of(node).count == 0) {
+      i = node.left - part.first;
+    } else {
+      break;
+    }
+  }
+  return i;
+}
+
+std::uint32_t without_empty(const std::vector<UpperNode>& upper, std::uint32_t i) {
+  while (upper[i].part == Node::kNone) {
+    if (upper[upper[i].left].count == 0) {
+      i = upper[i].right;
+    } else if (upper[upper[i].right].count == 0) {
+      i = upper[i].left;
+    } else {
+      break;
+    }
+  }
+  return i;
+}
+
+std::uint32_t blocks_for(std::uint32_t triangles) {
+  return (triangles + TriangleBlock::kWidth - 1) / TriangleBlock::kWidth;
+}
+
+/// Children follow their parents, so the last node comes first.
+void find_block_ends(const Part& part, PartPlan& plan) {
+  for (std::size_t i = plan.nodes.size(); i-- > 0;) {
+    WidePlan& wide = plan.nodes[i];
+    wide.end_block = wide.first_block;
+    for (std::uint32_t k = 0; k < wide.count; ++k) {
+      const Node& below = part.nodes[wide.slots[k]];
+      const std::uint32_t end = below.is_leaf() ? wide.child[k] + blocks_for(below.count)
+                                                : plan.nodes[wide.child[k]].end_block;
+      wide.end_block = std::max(wide.end_block, end);
+    }
+  }
+}
+
+/// Which nodes of a part become which wide ones. `alone`: it is the whole tree, and needs a node.
+PartPlan plan_part(const Part& part, bool alone) {
+  PartPlan plan;
+  plan.root = without_empty(part, 0);
+  const Node& root = part.nodes[plan.root];
+  if (root.is_leaf() && !alone) {
+    plan.blocks = blocks_for(root.count);
+    return plan;
+  }
+  std::vector<std::uint32_t> open{0};
+  plan.nodes.push_back({plan.root, 0, {}, {}, 0, 0});
+  while (!open.empty()) {
+    const std::uint32_t at = open.back();
+    open.pop_back();
+    WidePlan wide = plan.nodes[at];
+    Slots slots{wide.binary};
+    wide.count = gather(
+        slots, [&](std::uint32_t i) { return !part.nodes[i].is_leaf(); },
+        [&](std::uint32_t i) -> const Box& { return part.nodes[i].bounds; },
+        [&](std::uint32_t i) {
+          const Node& node = part.nodes[i];
+          return std::pair{without_empty(part, node.left - part.first),
+                           without_empty(part, node.right - part.first)};
+        });
+    wide.slots = slots;
+    wide.first_block = plan.blocks;
+    for (std::uint32_t k = 0; k < wide.count; ++k) {
+      const Node& below = part.nodes[slots[k]];
+      if (below.is_leaf()) {
+        wide.child[k] = plan.blocks;
+        plan.blocks += blocks_for(below.count);
+      } else {
+        wide.child[k] = static_cast<std::uint32_t>(plan.nodes.size());
+        open.push_back(wide.child[k]);
+        plan.nodes.push_back({slots[k], 0, {}, {}, 0, 0});
+      }
+    }
+    plan.nodes[at] = wide;
+  }
+  find_block_ends(part, plan);
+  return plan;
+}
+
+/// A wide node above the parts.
+struct UpperWide {
+  std::uint32_t binary;
+  std::uint32_t count;
+  Slots slots;
+  Slots child;  ///< of slots that begin no part
+};
+
+/// Where everything goes.
+struct Plan {
+  std::vector<UpperWide> upper;
+  std::vector<std::uint32_t> order;  ///< parts in the order of their places in the layout
+};
+
+Plan plan_upper(const std::vector<UpperNode>& upper) {
+  Plan plan;
+  const std::uint32_t root = without_empty(upper, 0);
+  if (upper[root].part != Node::kNone) {
+    plan.order.push_back(upper[root].part);
+    return plan;
+  }
+  std::vector<std::uint32_t> open{0};
+  plan.upper.push_back({root, 0, {}, {}});
+  while (!open.empty()) {
+    const std::uint32_t at = open.back();
+    open.pop_back();
+    UpperWide wide = plan.upper[at];
+    wide.slots[0] = wide.binary;
+    wide.count = gather(
+        wide.slots, [&](std::uint32_t i) { return upper[i].part == Node::kNone; },
+        [&](std::uint32_t i) -> const Box& { return upper[i].bounds; },
+        [&](std::uint32_t i) {
+          return std::pair{without_empty(upper, upper[i].left),
+                           without_empty(upper, upper[i].right)};
+        });
+    for (std::uint32_t k = 0; k < wide.count; ++k) {
+      const UpperNode& below = upper[wide.slots[k]];
+      if (below.part != Node::kNone) {
+        plan.order.push_back(below.part);
+      } else {
+        wide.child[k] = static_cast<std::uint32_t>(plan.upper.size());
+        open.push_back(wide.child[k]);
+        plan.upper.push_back({wide.slots[k], 0, {}, {}});
+      }
+    }
+    plan.upper[at] = wide;
+  }
+  return plan;
+}
+
+/// Lanes of an upper node: boxes along the mesh's axes, and what lies in them.
+WideNode upper_node(const UpperWide& wide, const Parts& tree, const std::vector<PartPlan>& plans,
+                    const Frame& frame) {
+  WideNode node;
+  node.count = static_cast<std::uint8_t>(wide.count);
+  node.origin = frame.middle(tree.upper[wide.binary].bounds);
+  Lanes lanes;
+  for (std::uint32_t k = 0; k < wide.count; ++k) {
+    const UpperNode& below = tree.upper[wide.slots[k]];
+    lanes.box[k] = {frame.local(below.bounds.lower, node.origin),
+                    frame.local(below.bounds.upper, node.origin)};
+    lanes.give[k] = frame.doubt(norm_of(lanes.box[k]), false);
+    if (below.part == Node::kNone) {
+      node.child[k] = wide.child[k];
+      continue;
+    }
+    const PartPlan& plan = plans[below.part];
+    const std::uint32_t count = tree.parts[below.part].nodes[plan.root].count;
+    if (plan.nodes.empty()) {
+      set_leaf(node, k, plan.block_base, count);
+    } else {
+      node.child[k] = plan.node_base;
+    }
+  }
+  store(lanes, node);
+  return node;
+}
+
+}  // namespace
+
+Parts parts_of(const Tree& tree) {
+  Parts result;
+  result.primitives = tree.primitives;
+  const std::span<const Node> nodes(tree.nodes);
+
+  struct Open {
+    std::uint32_t binary;
+    std::uint32_t upper;
+    std::uint32_t end;  // nodes of this one and below lie before it
+  };
+
+  std::vector<Open> open{{0, 0, static_cast<std::uint32_t>(nodes.size())}};
+  result.upper.emplace_back();
+  while (!open.empty()) {
+    const Open next = open.back();
+    open.pop_back();
+    const Node& node = nodes[next.binary];
+    UpperNode upper{node.bounds, node.count, Node::kNone, Node::kNone, Node::kNone};
+    if (node.count <= kPartTriangles || node.is_leaf()) {
+      upper.part = static_cast<std::uint32_t>(result.parts.size());
+      result.parts.push_back({nodes.subspan(next.binary, next.end - next.binary), next.binary});
+    } else {
+      upper.left = static_cast<std::uint32_t>(result.upper.size());
+      upper.right = upper.left + 1;
+      open.push_back({node.right, upper.right, next.end});
+      open.push_back({node.left, upper.left, node.right});
+      result.upper.resize(result.upper.size() + 2);
+    }
+    result.upper[next.upper] = upper;
+  }
+  return result;
+}
+
+void widen(const Parts& tree, const Mesh& mesh, const Frame& frame, const Parallel& parallel,
+           Pages<WideNode>& nodes, Pages<TriangleBlock>& blocks) {
+  const Plan plan = plan_upper(tree.upper);
+  std::vector<PartPlan> plans(tree.parts.size());
+  const Parallel silent{parallel.threads, parallel.stop, {}};
+  for_each_chunk(plan.order.size(), 1, silent, [&](std::size_t k, std::size_t) {
+    const std::uint32_t part = plan.order[k];
+    plans[part] = plan_part(tree.parts[part], plan.upper.empty());
+  });
+  std::uint64_t node_count = plan.upper.size();
+  std::uint64_t block_count = 0;
+  for (const std::uint32_t part : plan.order) {
+    plans[part].node_base = static_cast<std::uint32_t>(node_count);
+    plans[part].block_base = static_cast<std::uint32_t>(block_count);
+    node_count += plans[part].nodes.size();
+    block_count += plans[part].blocks;
+    if (std::max(node_count, block_count) >= WideNode::kMost) {
+      throw Error(ErrorKind::out_of_range, "the layout has 2^28 nodes or blocks",
+                  "allow more triangles in a leaf");
+    }
+  }
+  nodes.resize(node_count);
+  blocks.resize(block_count);
+  for (std::size_t k = 0; k < plan.upper.size(); ++k) {
+    nodes[k] = upper_node(plan.upper[k], tree, plans, frame);
+  }
+  for_each_chunk(plan.order.size(), 1, parallel, [&](std::size_t k, std::size_t) {
+    const PartPlan& p = plans[plan.order[k]];
+    lay_out(tree.parts[plan.order[k]], p, tree.primitives, mesh, frame,
+            std::span(nodes).subspan(p.node_base, p.nodes.size()),
+            std::span(blocks).subspan(p.block_base, p.blocks));
+  });
+}
+
+}  // namespace soms::layout
