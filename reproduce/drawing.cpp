@@ -25,9 +25,9 @@ constexpr double kKeyRow = 24;
 /// Rim of a panel's picture, so that lines and dots at its edge are whole.
 constexpr double kRim = 8;
 constexpr double kLongestSide = 90;
-constexpr int kShades = 12;
+constexpr int kShades = 14;
 /// Bytes that a facet takes, at most, in the paths of a panel.
-constexpr std::size_t kFacetBytes = 26;
+constexpr std::size_t kFacetBytes = 36;
 
 struct Rgb {
   int red;
@@ -47,14 +47,15 @@ Rgb rgb_of(int color) {
   return {all >> 16, (all >> 8) & 255, all & 255};
 }
 
-/// A shade as three hexadecimal digits, which save bytes where there are many.
+/// A color in one of few brightnesses, so that neighbors often share a path.
 std::string shade_of(int color, double brightness) {
-  const double light = std::round(brightness * kShades) / kShades;
+  const double light = 1.08 * std::round(brightness * kShades) / kShades;
   const Rgb rgb = rgb_of(color);
-  const auto digit = [&](int channel) {
-    return std::clamp(static_cast<int>(std::lround(light * 1.08 * channel / 17)), 0, 15);
+  const auto channel = [&](int value) {
+    return std::min(static_cast<int>(std::lround(light * value)), 255);
   };
-  return fmt::format("#{:x}{:x}{:x}", digit(rgb.red), digit(rgb.green), digit(rgb.blue));
+  return fmt::format("#{:02x}{:02x}{:02x}", channel(rgb.red), channel(rgb.green),
+                     channel(rgb.blue));
 }
 
 std::string fill_attributes(int color) {
@@ -349,12 +350,12 @@ class Board {
 
   /// Facets of one shade that follow each other share a path; tenths of pixels make whole numbers.
   void write_facets(const std::vector<Facet>& facets) {
-    const bool dense = facets.size() > 3000;
+    const bool dense = facets.size() > 1500;
     svg_.open_group(
         fmt::format("transform=\"translate({}) scale(.1)\" stroke=\"#000\" "
                     "stroke-opacity=\"{}\" stroke-width=\"{}\" "
                     "stroke-linejoin=\"round\"",
-                    pixels(origin_), dense ? ".25" : ".4", dense ? 3 : 5));
+                    pixels(origin_), dense ? ".2" : ".35", dense ? 3 : 5));
     std::string shade;
     std::string d;
     const auto flush = [&] {
