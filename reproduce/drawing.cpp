@@ -1,6 +1,7 @@
 #include "reproduce/drawing.h"
 
 #include "reproduce/axis.h"
+#include "reproduce/facet_paths.h"
 #include "reproduce/projection.h"
 #include "reproduce/svg.h"
 
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
 namespace soms::reproduce {
 
@@ -25,38 +25,8 @@ constexpr double kKeyRow = 24;
 /// Rim of a panel's picture, so that lines and dots at its edge are whole.
 constexpr double kRim = 8;
 constexpr double kLongestSide = 90;
-constexpr int kShades = 14;
 /// Bytes that a facet takes, at most, in the paths of a panel.
-constexpr std::size_t kFacetBytes = 36;
-
-struct Rgb {
-  int red;
-  int green;
-  int blue;
-};
-
-Rgb rgb_of(int color) {
-  if (color == kClay) {
-    return {216, 206, 190};
-  }
-  if (color == kHighlight) {
-    return {226, 30, 45};
-  }
-  const std::string hex(series_color(static_cast<std::size_t>(color)).substr(1));
-  const int all = static_cast<int>(std::strtol(hex.c_str(), nullptr, 16));
-  return {all >> 16, (all >> 8) & 255, all & 255};
-}
-
-/// A color in one of few brightnesses, so that neighbors often share a path.
-std::string shade_of(int color, double brightness) {
-  const double light = 1.08 * std::round(brightness * kShades) / kShades;
-  const Rgb rgb = rgb_of(color);
-  const auto channel = [&](int value) {
-    return std::min(static_cast<int>(std::lround(light * value)), 255);
-  };
-  return fmt::format("#{:02x}{:02x}{:02x}", channel(rgb.red), channel(rgb.green),
-                     channel(rgb.blue));
-}
+constexpr std::size_t kFacetBytes = 27;
 
 std::string fill_attributes(int color) {
   if (color >= 0) {
@@ -348,7 +318,6 @@ class Board {
     write_facets(facets);
   }
 
-  /// Facets of one shade that follow each other share a path; tenths of pixels make whole numbers.
   void write_facets(const std::vector<Facet>& facets) {
     const bool dense = facets.size() > 1500;
     svg_.open_group(
@@ -356,26 +325,9 @@ class Board {
                     "stroke-opacity=\"{}\" stroke-width=\"{}\" "
                     "stroke-linejoin=\"round\"",
                     pixels(origin_), dense ? ".2" : ".35", dense ? 3 : 5));
-    std::string shade;
-    std::string d;
-    const auto flush = [&] {
-      if (!d.empty()) {
-        svg_.path(d, fmt::format("fill=\"{}\"", shade));
-      }
-      d.clear();
-    };
-    for (const Facet& facet : facets) {
-      const std::string next = shade_of(facet.color, facet.brightness);
-      if (next != shade) {
-        flush();
-        shade = next;
-      }
-      const auto tenth = [](double value) { return std::lround(10 * value); };
-      const auto& [a, b, c] = facet.corners;
-      d += fmt::format("M{} {}l{} {} {} {}z", tenth(a.x), tenth(a.y), tenth(b.x) - tenth(a.x),
-                       tenth(b.y) - tenth(a.y), tenth(c.x) - tenth(b.x), tenth(c.y) - tenth(b.y));
+    for (const FacetPath& path : facet_paths(facets)) {
+      svg_.path(path.data, fmt::format("fill=\"{}\"", path.fill));
     }
-    flush();
     svg_.close_group();
   }
 
