@@ -7,6 +7,8 @@
 #include "apps/soms/console.h"
 #include "apps/soms/parse.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 #include <vector>
 
@@ -60,26 +62,29 @@ void add_allow_empty(CLI::App& app, ModelOptions& options) {
 
 void add_build_options(CLI::App& app, BuildOptions& options) {
   const auto grouped = [](CLI::Option* option) { option->group(kTreeGroup); };
-  grouped(add_choice<Rule>(app, "--rule", options.rule, rule_choices(), "splitting rule"));
-  grouped(add_count(app, "--levels", options.level, 0, 1'000'000, "most levels; 0: no limit"));
+  grouped(add_choice<Rule>(app, "--rule", options.rule, rule_choices(),
+                           fmt::format("splitting rule ({})", entry(options.rule).kebab)));
+  grouped(add_count(app, "--levels", options.level, 0, 64,
+                    fmt::format("most levels; 0: no limit ({})", options.level)));
   grouped(add_count(app, "--leaf", options.per_leaf, 1, 1'000'000'000,
-                    "nodes of at most N triangles are leaves"));
+                    fmt::format("nodes of at most N triangles are leaves ({})", options.per_leaf)));
   grouped(add_choice<Midpoint>(
       app, "--midpoint", options.midpoint,
       {{"thesis", Midpoint::thesis}, {"centroid", Midpoint::centroid}, {"aabb", Midpoint::aabb}},
-      "point that stands for a triangle"));
+      "point that stands for a triangle (aabb)"));
   grouped(add_choice<AxisFrom>(app, "--axis-from", options.axis_from,
                                {{"outer", AxisFrom::outer}, {"inner", AxisFrom::inner}},
-                               "box whose longest axis is split"));
+                               "box whose longest axis is split (the rule's own)"));
   grouped(add_choice<EmptySide>(app, "--empty-side", options.empty_side,
                                 {{"stop", EmptySide::stop},
                                  {"next-axis", EmptySide::next_axis},
                                  {"object-median", EmptySide::object_median},
                                  {"chain", EmptySide::chain}},
-                                "when one side is empty"));
-  grouped(add_count(app, "--root-level", options.root_level, 0, 1, "number of the root's level"));
+                                "when one side is empty (object-median)"));
+  grouped(
+      add_count(app, "--root-level", options.root_level, 0, 1, "number of the root's level (1)"));
   grouped(add_count(app, "--c-vertex", options.c_vertex, 0, 2,
-                    "corner that --midpoint thesis calls C"));
+                    "corner that --midpoint thesis calls C (2)"));
 }
 
 void add_traversal_options(CLI::App& app, TraversalOptions& options) {

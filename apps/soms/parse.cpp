@@ -52,13 +52,14 @@ std::uint64_t parse_bytes(std::string_view option, std::string_view text) {
   constexpr std::string_view kUnits = "KMGT";
   const auto number = leading_number<std::uint64_t>(text);
   std::size_t power = 0;
-  bool good = number && number->first > 0 && number->second.size() <= 1;
+  bool good = number && number->first > 0;
   if (good && !number->second.empty()) {
+    const std::string_view rest = number->second.substr(1);
     power = kUnits.find(number->second[0]) + 1;
-    good = power != 0;  // npos + 1
+    good = power != 0 && (rest.empty() || rest == "B" || rest == "iB");  // npos + 1 is 0
   }
   if (!good || number->first > (std::numeric_limits<std::uint64_t>::max() >> (10 * power))) {
-    throw not_this(option, text, "give a number of bytes, or one with K, M, G or T");
+    throw not_this(option, text, "give a number of bytes, or one with K, M, G or T, as 500M");
   }
   return number->first << (10 * power);
 }

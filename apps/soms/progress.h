@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <string>
+#include <utility>
 
 namespace soms::command {
 
@@ -15,6 +16,9 @@ class Progress {
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
+
+  /// Names what is done from here on.
+  void rename(std::string doing) { doing_ = std::move(doing); }
 
   /// Shows a share from 0 to 1 as a bar.
   void show(double share);

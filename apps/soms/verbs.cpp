@@ -5,6 +5,7 @@
 #include "apps/soms/generate.h"
 #include "apps/soms/info.h"
 #include "apps/soms/overlap.h"
+#include "apps/soms/reproduce.h"
 #include "apps/soms/simulate.h"
 
 #include <array>
@@ -19,6 +20,7 @@ constexpr std::array kVerbs{
     Verb{"generate", "make a model of an exact number of triangles", add_generate},
     Verb{"info", "triangles, bounds, parts, defects and trees of models", add_info},
     Verb{"overlap", "which triangles of two models share a point", add_overlap},
+    Verb{"reproduce", "the experiments of the thesis: tables, figures and a page", add_reproduce},
     Verb{"simulate", "a city, movers on its streets, frame by frame: who touches what",
          add_simulate},
 };

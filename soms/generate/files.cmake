@@ -2,7 +2,6 @@ set(SOMS_HEADERS
   city.h
   routes.h
   shapes.h
-  spread.h
   urban.h
 )
 set(SOMS_SOURCES
@@ -17,6 +16,5 @@ set(SOMS_SOURCES
   movers.cpp
   routes.cpp
   shapes.cpp
-  spread.cpp
   urban.cpp
 )

@@ -12,7 +12,6 @@ set(SOMS_HEADERS
   shape.h
   statistics.h
   tree.h
-  visits.h
 )
 set(SOMS_SOURCES
   build/detail/divide.cpp
@@ -37,5 +36,4 @@ set(SOMS_SOURCES
   shape.cpp
   statistics.cpp
   tree.cpp
-  visits.cpp
 )

@@ -274,7 +274,7 @@ TEST(OverlapVerb, NeedsNoMoreMemoryForManyPosesThanForFew) {
 
 TEST(OverlapVerb, StopsAtAMemoryLimit) {
   const RunResult result = soms_run({"generate", "knot", "--triangles", "50000000", "-o",
-                                     "/dev/null", "--format", "ply", "--max-memory", "200M"});
+                                     "/dev/null", "--format", "ply", "--max-memory", "200MB"});
   EXPECT_EQ(result.status, 4) << result.err;
   EXPECT_NE(result.err.find("memory"), std::string::npos) << result.err;
 }

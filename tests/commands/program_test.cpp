@@ -102,32 +102,21 @@ TEST(Program, SaysWhatIsMissingOrTooMuch) {
 }
 
 TEST(Program, RefusesNumbersThatMakeNoSenseAndNamesTheOption) {
-  const std::vector<std::pair<std::string, std::string>> cases{{"--threads", "-1"},
-                                                               {"--threads", "4294967297"},
-                                                               {"--threads", "2x"},
-                                                               {"--threads", ""},
-                                                               {"--threads", "1e3"},
-                                                               {"--threads", "nan"},
-                                                               {"--seed", "-1"},
-                                                               {"--seed", "18446744073709551616"},
-                                                               {"--timeout", "-1"},
-                                                               {"--timeout", "nan"},
-                                                               {"--timeout", "inf"},
-                                                               {"--max-memory", "0"},
-                                                               {"--max-memory", "-5"},
-                                                               {"--max-memory", "5X"},
-                                                               {"--max-memory", "99999999999T"},
-                                                               {"--leaf", "0"},
-                                                               {"--leaf", "2147483648"},
-                                                               {"--levels", "-3"},
-                                                               {"--c-vertex", "3"},
-                                                               {"--root-level", "2"},
-                                                               {"--scale", "0"},
-                                                               {"--scale", "-1"},
-                                                               {"--scale", "nan"},
-                                                               {"--scale", "1,5"},
-                                                               {"--limit", "0"},
-                                                               {"--limit", "-7"}};
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"--threads", "-1"},     {"--threads", "4294967297"},
+      {"--threads", "2x"},     {"--threads", ""},
+      {"--threads", "1e3"},    {"--threads", "nan"},
+      {"--seed", "-1"},        {"--seed", "18446744073709551616"},
+      {"--timeout", "-1"},     {"--timeout", "nan"},
+      {"--timeout", "inf"},    {"--max-memory", "0"},
+      {"--max-memory", "-5"},  {"--max-memory", "5X"},
+      {"--max-memory", "5MX"}, {"--max-memory", "99999999999T"},
+      {"--leaf", "0"},         {"--leaf", "2147483648"},
+      {"--levels", "-3"},      {"--levels", "1000"},
+      {"--c-vertex", "3"},     {"--root-level", "2"},
+      {"--scale", "0"},        {"--scale", "-1"},
+      {"--scale", "nan"},      {"--scale", "1,5"},
+      {"--limit", "0"},        {"--limit", "-7"}};
   for (const auto& [option, value] : cases) {
     const RunResult result = soms_run({"overlap", "a.ply", "b.ply", option, value});
     EXPECT_EQ(result.status, 2) << option << " " << value << ": " << result.err;

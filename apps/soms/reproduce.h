@@ -1,0 +1,25 @@
+/// \file
+/// `soms reproduce`: the experiments of the thesis as tables, figures and a page.
+#pragma once
+
+#include "apps/soms/verbs.h"
+
+#include <string>
+#include <vector>
+
+namespace soms::command {
+
+struct ReproduceOptions {
+  std::string models;              ///< folder; empty: stand-ins
+  std::vector<std::string> items;  ///< empty: all
+  std::string output = "soms-thesis";
+  bool quick = false;
+};
+
+Action add_reproduce(CLI::App& app, Shared& shared);
+
+/// Runs the experiments. Status 130 if it was interrupted, 4 if time ran out; what is written by
+/// then is whole.
+int run_reproduce(const ReproduceOptions& options, Console& console);
+
+}  // namespace soms::command

@@ -1,0 +1,173 @@
+#include "tests/commands/run.h"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace soms::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Names, relative to the folder, of all files below it.
+std::set<std::string> files_below(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) {
+      names.insert(entry.path().lexically_relative(folder).generic_string());
+    }
+  }
+  return names;
+}
+
+RunResult reproduce(const fs::path& folder, std::vector<std::string> words) {
+  words.insert(words.begin(), {"reproduce", "--quick", "-o", folder.string()});
+  return soms_run(std::move(words));
+}
+
+Json run_json(const fs::path& folder) {
+  return Json::parse(read_text(folder / "run.json"));
+}
+
+/// What a run wrote, without times: for a table its lines with the timed columns cut out, for a
+/// figure all of it unless it shows times.
+std::map<std::string, std::string> untimed(const fs::path& folder) {
+  std::map<std::string, std::string> kept;
+  for (const Json& item : run_json(folder).at("items")) {
+    for (const Json& file : item.at("files")) {
+      const auto name = file.at("file").get<std::string>();
+      const std::string text = read_text(folder / name);
+      if (!file.contains("timed_columns")) {
+        kept[name] = file.at("timed").get<bool>() ? "" : text;
+        continue;
+      }
+      const auto timed = file.at("timed_columns").get<std::set<std::size_t>>();
+      std::istringstream lines(text);
+      for (std::string line; std::getline(lines, line);) {
+        if (line.find('"') != std::string::npos) {
+          kept[name] += line + "\n";  // no cell with a comma stands beside a time in these items
+          continue;
+        }
+        std::istringstream cells(line);
+        std::size_t column = 0;
+        for (std::string cell; std::getline(cells, cell, ',');) {
+          kept[name] += timed.contains(column++) ? "," : cell + ",";
+        }
+        kept[name] += "\n";
+      }
+    }
+  }
+  return kept;
+}
+
+TEST(Reproduce, WritesTablesFiguresPageAndListOfFiles) {
+  const TemporaryFolder folder;
+  const RunResult result = reproduce(folder.path(), {"--item", "3.1,5.3", "--json"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Json run = run_json(folder.path());
+  EXPECT_EQ(run, Json::parse(result.out));
+  EXPECT_EQ(run.at("schema"), "soms.reproduce/1");
+  EXPECT_TRUE(run.at("quick").get<bool>());
+  EXPECT_TRUE(run.at("not_run").empty());
+  std::set<std::string> listed{"index.html", "run.json"};
+  for (const Json& item : run.at("items")) {
+    for (const Json& file : item.at("files")) {
+      listed.insert(file.at("file").get<std::string>());
+    }
+  }
+  EXPECT_TRUE(listed.contains("tables/table_5_3.csv"));
+  EXPECT_TRUE(listed.contains("figures/figure_5_3.svg"));
+  EXPECT_EQ(files_below(folder.path()), listed);
+}
+
+TEST(Reproduce, TwoRunsAgreeOnAllButTimes) {
+  const TemporaryFolder one;
+  const TemporaryFolder two;
+  const std::string items = "3.1,3.2,3.3,3.8,4.2,4.30,5.3,5.9,5.10,5.11";
+  ASSERT_EQ(reproduce(one.path(), {"--item", items}).status, 0);
+  ASSERT_EQ(reproduce(two.path(), {"--item", items}).status, 0);
+  EXPECT_EQ(files_below(one.path()), files_below(two.path()));
+  EXPECT_EQ(untimed(one.path()), untimed(two.path()));
+}
+
+TEST(Reproduce, SaysWhichModelsAreStandIns) {
+  const TemporaryFolder folder;
+  const RunResult result = reproduce(folder.path(), {"--item", "table-3.1"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Json run = run_json(folder.path());
+  for (const Json& model : run.at("models").at("objects")) {
+    EXPECT_TRUE(model.at("stand_in").get<bool>());
+    EXPECT_NE(model.at("title").get<std::string>().find("stand-in"), std::string::npos) << model;
+  }
+}
+
+TEST(Reproduce, NamesAModelThatCannotBeRead) {
+  const TemporaryFolder folder;
+  const TemporaryFolder models;
+  write_text(models.path() / "bun_zipper_res4.ply", "ply\nthis is no model\n");
+  const RunResult result =
+      reproduce(folder.path(), {"--item", "table-3.1", "--models", models.path().string()});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.err.find("bun_zipper_res4.ply"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("venus.ply"), std::string::npos) << result.err;
+  const Json bunny = run_json(folder.path()).at("models").at("objects").at(0);
+  EXPECT_EQ(bunny.at("name"), "bunny");
+  EXPECT_TRUE(bunny.at("stand_in").get<bool>());
+  EXPECT_NE(bunny.at("trouble").get<std::string>().find("bun_zipper_res4.ply"), std::string::npos);
+  EXPECT_NE(read_text(folder.path() / "index.html").find("bun_zipper_res4.ply"), std::string::npos);
+}
+
+TEST(Reproduce, InterruptLeavesWholeFilesAndSaysWhatIsMissing) {
+  const TemporaryFolder streams;
+  const TemporaryFolder folder;
+  Child child({command().string(), "reproduce", "-o", folder.path().string()}, streams.path());
+  while (!fs::exists(folder.path() / "tables" / "table_3_1.csv")) {
+    usleep(2000);
+  }
+  child.send(SIGINT);
+  const RunResult result = child.wait();
+  EXPECT_EQ(result.status, 130) << result.err;
+  const Json run = run_json(folder.path());
+  EXPECT_FALSE(run.at("not_run").empty());
+  EXPECT_NE(result.err.find("ended early"), std::string::npos) << result.err;
+  std::set<std::string> listed{"index.html", "run.json"};
+  for (const Json& item : run.at("items")) {
+    for (const Json& file : item.at("files")) {
+      listed.insert(file.at("file").get<std::string>());
+    }
+  }
+  EXPECT_EQ(files_below(folder.path()), listed);  // no part of a file
+  const std::string page = read_text(folder.path() / "index.html");
+  EXPECT_NE(page.find("</html>"), std::string::npos);
+  EXPECT_NE(page.find(run.at("not_run").at(0).get<std::string>()), std::string::npos);
+}
+
+TEST(Reproduce, UnknownItemIsAUsageErrorThatListsThem) {
+  const TemporaryFolder folder;
+  const RunResult result = reproduce(folder.path(), {"--item", "5.99"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("--item: '5.99' is no item"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("table-5.3"), std::string::npos) << result.err;
+}
+
+TEST(Reproduce, FolderThatCannotBeMadeIsTold) {
+  const TemporaryFolder folder;
+  write_text(folder.path() / "file", "x");
+  const RunResult result = reproduce(folder.path() / "file", {"--item", "table-3.1"});
+  EXPECT_EQ(result.status, 5) << result.err;
+  EXPECT_EQ(read_text(folder.path() / "file"), "x");
+}
+
+TEST(Reproduce, FolderOfModelsThatIsMissingIsTold) {
+  const TemporaryFolder folder;
+  const RunResult result = reproduce(
+      folder.path(), {"--item", "table-3.1", "--models", (folder.path() / "none").string()});
+  EXPECT_EQ(result.status, 3) << result.err;
+  EXPECT_NE(result.err.find("none"), std::string::npos) << result.err;
+}
+
+}  // namespace
+}  // namespace soms::test
