@@ -2,6 +2,8 @@ set(SOMS_HEADERS
   city.h
   routes.h
   shapes.h
+  statue.h
+  teapot.h
   urban.h
 )
 set(SOMS_SOURCES
@@ -16,5 +18,7 @@ set(SOMS_SOURCES
   movers.cpp
   routes.cpp
   shapes.cpp
+  statue.cpp
+  teapot.cpp
   urban.cpp
 )
