@@ -8,8 +8,6 @@
 #include "soms/generate/city.h"
 #include "soms/generate/routes.h"
 #include "soms/generate/shapes.h"
-#include "soms/generate/statue.h"
-#include "soms/generate/teapot.h"
 #include "soms/generate/urban.h"
 #include "soms/geometry/defects.h"
 #include "soms/geometry/mesh.h"

@@ -2,8 +2,6 @@ set(SOMS_HEADERS
   city.h
   routes.h
   shapes.h
-  statue.h
-  teapot.h
   urban.h
 )
 set(SOMS_SOURCES
@@ -18,7 +16,5 @@ set(SOMS_SOURCES
   movers.cpp
   routes.cpp
   shapes.cpp
-  statue.cpp
-  teapot.cpp
   urban.cpp
 )

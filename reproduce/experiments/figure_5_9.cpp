@@ -1,0 +1,293 @@
+// E-Node explained: in which order it tests and enters pairs, beside the simultaneous walk, drawn
+// from runs on two small trees.
+#include "soms/query/traversal/posed_boxes.h"
+#include "soms/query/traversal/traversals.h"
+#include "soms/tree/build.h"
+
+#include "reproduce/experiments/experiments.h"
+#include "reproduce/side_view.h"
+#include "reproduce/walk_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+namespace soms::reproduce {
+
+namespace {
+
+/// Right triangles of a size with their right angles at points of the plane.
+Mesh toy(const std::vector<Vec3>& corners, double size) {
+  Mesh mesh;
+  for (const Vec3& corner : corners) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(),
+                         {corner, corner + Vec3{size, 0, 0}, corner + Vec3{0, size, 0}});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
+/// Two bodies of four triangles each, that overlap in the middle.
+struct Toy {
+  Toy()
+      : mesh_a(toy({{0, 0, 0}, {0.4, 2.6, 0}, {3.2, 2.2, 0}, {4, 0.4, 0}}, 1.6)),
+        mesh_b(toy({{4.6, 1.2, 0}, {4.3, 3.2, 0}, {7.4, 3.6, 0}, {7.8, 0.6, 0}}, 1.6)),
+        tree_a(build(mesh_a, thesis_options(Rule::soms))),
+        tree_b(build(mesh_b, thesis_options(Rule::soms))),
+        boxes_a(mesh_a, tree_a),
+        boxes_b(mesh_b, tree_b) {
+    boxes_a.move(Pose::identity());
+    boxes_b.move(Pose::identity());
+  }
+
+  Mesh mesh_a;
+  Mesh mesh_b;
+  Tree tree_a;
+  Tree tree_b;
+  PosedBoxes boxes_a;
+  PosedBoxes boxes_b;
+};
+
+/// What happened to a pair of nodes, by number of the step; 0 where it did not.
+struct Story {
+  NodePair pair;
+  std::size_t tested = 0;
+  std::size_t entered = 0;
+  std::size_t reported = 0;
+  bool overlap = false;
+  std::size_t parent = 0;  ///< index of the pair it came from; its own for the roots
+};
+
+struct Event {
+  std::string what;
+  NodePair pair;
+  std::string outcome;
+};
+
+/// A walk as it went.
+struct Course {
+  std::string name;
+  std::vector<Story> stories = {};
+  std::vector<Event> events = {};
+  TraversalCounts counts = {};
+};
+
+/// Writes down what a walk does. Both walks open both nodes, so the parent of a pair is the pair of
+/// the parents.
+class Recorder {
+ public:
+  explicit Recorder(const Toy& toy) : toy_(toy) {}
+
+  Course record(const std::string& name, const TraversalOptions& options) {
+    Course course{.name = name};
+    TraversalVisitor visitor;
+    visitor.tested = [&](NodePair p, bool overlap) {
+      Story& story = at(course, p);
+      story.tested = ++tests_;
+      story.overlap = overlap;
+      course.events.push_back({"test", p, overlap ? "overlap" : "apart"});
+    };
+    visitor.entered = [&](NodePair p) {
+      at(course, p).entered = ++entries_;
+      course.events.push_back({"enter", p, ""});
+    };
+    visitor.leaf_pair = [&](NodePair p) {
+      at(course, p).reported = ++reports_;
+      course.events.push_back({"report", p, fmt::format("after {} tests", tests_)});
+      return true;
+    };
+    course.counts = traverse(toy_.boxes_a.view(), toy_.boxes_b.view(), options, visitor);
+    for (Story& story : course.stories) {
+      story.parent = index_.at(key(parent(story.pair)));
+    }
+    return course;
+  }
+
+ private:
+  using Key = std::pair<std::uint32_t, std::uint32_t>;
+
+  static Key key(NodePair p) { return {p.a, p.b}; }
+
+  Story& at(Course& course, NodePair p) {
+    const auto [place, added] = index_.try_emplace(key(p), course.stories.size());
+    if (added) {
+      course.stories.push_back({p});
+    }
+    return course.stories[place->second];
+  }
+
+  /// Index of the parent of a node at the deeper side, else the node itself.
+  static std::uint32_t up(const Tree& tree, std::uint32_t node) {
+    const TreeId id = parent_of(tree.nodes[node].id);
+    return id == kNoTreeId ? node
+                           : static_cast<std::uint32_t>(find_node(tree, id) - tree.nodes.data());
+  }
+
+  [[nodiscard]] NodePair parent(NodePair p) const {
+    const std::uint32_t depth_a = toy_.tree_a.nodes[p.a].depth;
+    const std::uint32_t depth_b = toy_.tree_b.nodes[p.b].depth;
+    return {depth_a >= depth_b ? up(toy_.tree_a, p.a) : p.a,
+            depth_b >= depth_a ? up(toy_.tree_b, p.b) : p.b};
+  }
+
+  const Toy& toy_;
+  std::map<Key, std::size_t> index_;
+  std::size_t tests_ = 0;
+  std::size_t entries_ = 0;
+  std::size_t reports_ = 0;
+};
+
+/// "1|2": TreeIDs of the still node and the moving node.
+std::string words(const Toy& toy, NodePair p) {
+  return fmt::format("{}|{}", toy.tree_a.nodes[p.a].id, toy.tree_b.nodes[p.b].id);
+}
+
+void draw_bodies(Svg& svg, const Toy& toy) {
+  Box shown = toy.boxes_a.boxes().front();
+  shown.grow(toy.boxes_b.boxes().front());
+  const SideView view(Side::front, shown, {{40, 70}, 880, 210});
+  const auto draw_one = [&](const Mesh& mesh, const Tree& tree, std::size_t color) {
+    const auto paint = series_color(color);
+    svg.path(view.facing(mesh, {}),
+             fmt::format("class=\"f{0}\" fill=\"{1}\" fill-opacity=\"0.35\"", color, paint));
+    for (const Node& node : tree.nodes) {
+      svg.path(view.box(node.bounds),
+               fmt::format("class=\"s{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{}", color,
+                           paint, node.depth == 0 ? "2" : "1.2",
+                           node.is_leaf() ? "" : " stroke-dasharray=\"6 4\""));
+    }
+    for (const Node& node : tree.nodes) {
+      const Spot corner = view({node.bounds.lower.x, node.bounds.upper.y, 0});
+      svg.text({corner.x + 4, corner.y + 14}, std::to_string(node.id),
+               {.size = 13, .bold = node.is_leaf(), .haloed = true});
+    }
+  };
+  draw_one(toy.mesh_a, toy.tree_a, 0);
+  draw_one(toy.mesh_b, toy.tree_b, 1);
+}
+
+/// Places of the pairs on the page: a row for each depth, under their parents.
+std::vector<Spot> places(const Course& course, double top) {
+  constexpr double kLeft = 30;
+  constexpr double kWidth = 900;
+  constexpr double kRow = 82;
+  std::vector<std::vector<std::size_t>> children(course.stories.size());
+  std::vector<Spot> spots(course.stories.size());
+  for (std::size_t i = 1; i < course.stories.size(); ++i) {
+    children[course.stories[i].parent].push_back(i);
+  }
+  for (auto& family : children) {
+    std::sort(family.begin(), family.end(), [&](std::size_t one, std::size_t other) {
+      const NodePair p = course.stories[one].pair;
+      const NodePair q = course.stories[other].pair;
+      return std::pair(p.a, p.b) < std::pair(q.a, q.b);
+    });
+  }
+  spots[0] = {kLeft + kWidth / 2, top};
+  std::vector<std::size_t> row = children[0];
+  for (double y = top + kRow; !row.empty(); y += kRow) {
+    std::vector<std::size_t> next;
+    const double step = kWidth / static_cast<double>(row.size());
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      spots[row[i]] = {kLeft + step * (static_cast<double>(i) + 0.5), y};
+      next.insert(next.end(), children[row[i]].begin(), children[row[i]].end());
+    }
+    row = std::move(next);
+  }
+  return spots;
+}
+
+void draw_pair(Svg& svg, const Toy& toy, const Story& story, Spot at) {
+  const std::string_view look =
+      story.reported > 0 ? "fill=\"#d55e00\" class=\"f1\" stroke=\"#d55e00\" stroke-width=\"2\""
+      : story.overlap
+          ? "fill=\"#fff\" class=\"paper s0\" stroke=\"#0072b2\" stroke-width=\"2.5\""
+          : "fill=\"#fff\" class=\"paper axis\" stroke=\"#9aa0a6\" stroke-width=\"1.2\" "
+            "stroke-dasharray=\"3 3\"";
+  svg.circle(at, 16, look);
+  svg.text({at.x, at.y + 4}, words(toy, story.pair), {.size = 12, .anchor = Anchor::middle});
+  svg.text({at.x + 14, at.y - 14}, fmt::format("{}", story.tested),
+           {.size = 14, .bold = true, .haloed = true});
+  if (story.entered > 0) {
+    svg.text({at.x - 16, at.y - 14}, fmt::format("e{}", story.entered),
+             {.size = 12, .anchor = Anchor::end, .faint = true, .haloed = true});
+  }
+}
+
+void draw_course(Svg& svg, const Toy& toy, const Course& course, double top) {
+  svg.text({30, top}, course.name, {.size = 16, .bold = true});
+  svg.text({30, top + 22}, fmt::format("{} tests, {} pairs entered,", course.counts.box_tests,
+                                       course.counts.entered));
+  svg.text({30, top + 42},
+           fmt::format("first overlap of leaves after {} tests", course.counts.first_tests));
+  const std::vector<Spot> spots = places(course, top + 30);
+  for (std::size_t i = 1; i < course.stories.size(); ++i) {
+    svg.line(spots[course.stories[i].parent], spots[i],
+             "class=\"grid\" stroke=\"#c8ccd0\" stroke-width=\"1.2\"");
+  }
+  for (std::size_t i = 0; i < course.stories.size(); ++i) {
+    draw_pair(svg, toy, course.stories[i], spots[i]);
+  }
+}
+
+Figure drawing(const Toy& toy, const std::array<Course, 2>& courses) {
+  const std::string title = "E-Node tests a whole family before it enters any of it";
+  Svg svg(960, 830, title);
+  svg.text({30, 30}, title, {.size = 18, .bold = true});
+  svg.text({30, 52},
+           "Two bodies, their boxes and TreeIDs (blue: still, orange: moving; dashed: inner nodes)",
+           {.size = 13, .faint = true});
+  draw_bodies(svg, toy);
+  draw_course(svg, toy, courses[0], 320);
+  draw_course(svg, toy, courses[1], 560);
+  svg.lines(
+      {30, 802},
+      {"Circles: pairs of nodes, still|moving. Tests are numbered at the right of the circles, "
+       "entries (e) at the left.",
+       "Ring: boxes overlap; dashed: apart; filled: two leaves that overlap."},
+      {.size = 13, .faint = true});
+  return {.id = "figure_5_9",
+          .caption =
+              "E-Node beside the simultaneous walk on two trees of four triangles, drawn "
+              "from runs: the same tests in another order, fewer pairs entered.",
+          .svg = svg.document()};
+}
+
+Table event_table(const Toy& toy, const std::array<Course, 2>& courses) {
+  Table table{.id = "figure_5_9_steps",
+              .caption =
+                  "Both walks step by step on the small trees; pairs are TreeIDs of the "
+                  "still and the moving node.",
+              .columns = {{"algorithm"}, {"step"}, {"what"}, {"pair"}, {"outcome"}}};
+  for (const Course& course : courses) {
+    for (std::size_t i = 0; i < course.events.size(); ++i) {
+      const Event& event = course.events[i];
+      table.rows.push_back(
+          {course.name, count_cell(i + 1), event.what, words(toy, event.pair), event.outcome});
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+Result figure_5_9(const Context& context) {
+  check_stop(context.parallel);
+  const Toy toy;
+  const std::array courses{
+      Recorder(toy).record("simultaneous", {.traversal = Traversal::simultaneous}),
+      Recorder(toy).record("E-Node", {.traversal = Traversal::e_node})};
+  require(courses[0].counts.leaf_pairs == courses[1].counts.leaf_pairs,
+          "E-Node and the simultaneous walk on the small trees");
+  return {.tables = {event_table(toy, courses)},
+          .figures = {drawing(toy, courses)},
+          .remarks = {"The thesis names E-Node (\"Earlier Node detection\") in captions without "
+                      "pseudo code. Our reconstruction: all child pairs of a pair are tested "
+                      "before any is entered, and a pair is entered only if its boxes overlap."}};
+}
+
+}  // namespace soms::reproduce

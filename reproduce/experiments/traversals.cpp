@@ -1,0 +1,267 @@
+// Every walk of canonical trees and the library's own on the same trips: counts, times, and answers
+// that must be the same everywhere.
+#include "reproduce/chart.h"
+#include "reproduce/experiments/experiments.h"
+#include "reproduce/walk_match.h"
+#include "reproduce/walk_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace soms::reproduce {
+
+namespace {
+
+Table empty_table() {
+  Table table{.id = "traversals",
+              .caption =
+                  "Every walk on every trip: counts summed over the frames, answers compared, "
+                  "and microseconds a frame: of the walk alone, and of a whole frame with "
+                  "moving the boxes and testing the triangles.",
+              .columns = {{"static"},
+                          {"moving"},
+                          {"rule"},
+                          {"test"},
+                          {"algorithm"},
+                          {"frames"},
+                          {"root_overlap_frames"},
+                          {"hit_frames"}}};
+  add_count_columns(table);
+  for (const char* const name :
+       {"triangle_tests", "contacts", "equal_frames", "brute_force_frames"}) {
+    table.columns.push_back({name});
+  }
+  table.columns.push_back({"walk", "us", ColumnKind::timed});
+  table.columns.push_back({"frame_time", "us", ColumnKind::timed});
+  return table;
+}
+
+double microseconds_a_frame(double milliseconds, const Trip& trip) {
+  return 1000 * milliseconds / static_cast<double>(trip.offsets.size());
+}
+
+/// Microseconds of a whole frame by a walk.
+Cell frame_time(const WalkMatch& match, const WalkOutcome& outcome) {
+  if (!match.other_time) {
+    return {};
+  }
+  return number_cell(microseconds_a_frame(*match.other_time + outcome.time.median, match.trip));
+}
+
+void add_rows(Table& table, const WalkTruth& truth, const WalkMatch& match) {
+  for (const WalkOutcome& outcome : match.outcomes) {
+    const Totals& sum = outcome.sum;
+    std::vector<Cell> row{match.trip.still, match.trip.moving, match.trip.rule, match.trip.test,
+                          outcome.walk.name};
+    for (const std::uint64_t count : {sum.frames, sum.root_overlap_frames, sum.hit_frames}) {
+      row.push_back(count_cell(count));
+    }
+    add_count_cells(row, sum.counts);
+    row.push_back(match.answers ? count_cell(match.answers->triangle_tests) : Cell{});
+    row.push_back(match.answers ? count_cell(match.answers->contacts) : Cell{});
+    row.push_back(count_cell(sum.frames));
+    row.push_back(count_cell(truth.checked.size()));
+    row.push_back(number_cell(microseconds_a_frame(outcome.time.median, match.trip)));
+    row.push_back(frame_time(match, outcome));
+    table.rows.push_back(std::move(row));
+  }
+}
+
+/// The library's own way: its boxes and its triangle tests; it has no pairs of leaves to tell.
+void add_fast_row(Table& table, const WalkTruth& truth) {
+  std::uint64_t contacts = 0;
+  for (const auto& of_frame : truth.contacts) {
+    contacts += of_frame.size();
+  }
+  std::vector<Cell> row{truth.trip.still, truth.trip.moving, truth.trip.rule, truth.trip.test,
+                        word_cell("fast")};
+  row.push_back(count_cell(truth.trip.offsets.size()));
+  row.resize(8);
+  row.push_back(count_cell(truth.cost.node_tests));
+  row.resize(14);
+  row.push_back(count_cell(truth.cost.triangle_tests));
+  row.push_back(count_cell(contacts));
+  row.push_back(count_cell(truth.contacts.size()));
+  row.push_back(count_cell(truth.checked.size()));
+  row.emplace_back();
+  row.push_back(number_cell(microseconds_a_frame(truth.time.median, truth.trip)));
+  table.rows.push_back(std::move(row));
+}
+
+/// A test and its trips by every build.
+struct Test {
+  WalkTruth truth;
+  std::vector<WalkMatch> matches;
+
+  [[nodiscard]] const WalkMatch& soms() const {
+    return *std::find_if(matches.begin(), matches.end(),
+                         [](const WalkMatch& match) { return match.trip.rule == "soms"; });
+  }
+};
+
+/// Walks that the charts show: those in the order of the tree, and the library's own.
+std::vector<std::string> charted_walks() {
+  std::vector<std::string> names;
+  for (const Walk& walk : all_walks()) {
+    if (walk.options.order == EntryOrder::tree) {
+      names.push_back(walk.name);
+    }
+  }
+  names.emplace_back("fast");
+  return names;
+}
+
+/// Bars of the charted walks in the drives and one approach, on SOMS trees.
+template <class Own, class Number>
+BarChart chart(const std::vector<Test>& tests, const Own& own, const Number& number) {
+  BarChart chart;
+  chart.y_scale = Scale::log;
+  chart.groups = charted_walks();
+  for (const Test& test : tests) {
+    const WalkMatch& match = test.soms();
+    if (match.trip.test != "drive" && match.trip.test != "right") {
+      continue;
+    }
+    Bars bars{.name = fmt::format("{}, {}", match.trip.still, match.trip.test)};
+    for (const std::string& name : chart.groups) {
+      bars.values.push_back(name == "fast" ? own(test.truth) : number(match, match.outcome(name)));
+    }
+    chart.bars.push_back(std::move(bars));
+  }
+  return chart;
+}
+
+Figure box_test_figure(const std::vector<Test>& tests) {
+  BarChart bars = chart(
+      tests,
+      [](const WalkTruth& truth) {
+        return static_cast<double>(std::max<std::uint64_t>(1, truth.cost.node_tests));
+      },
+      [](const WalkMatch&, const WalkOutcome& outcome) {
+        return static_cast<double>(outcome.sum.counts.box_tests);
+      });
+  bars.title = "Box tests of a trip, by walk";
+  bars.y_label = "box tests";
+  return {.id = "traversals_box_tests",
+          .caption =
+              "Box tests of whole trips on SOMS trees (fast: on the library's own trees). For "
+              "a small object in a city it decides which node is opened: b_first and the "
+              "simultaneous walks pay for boxes far from the object.",
+          .svg = draw(bars)};
+}
+
+Figure time_figure(const std::vector<Test>& tests) {
+  BarChart bars = chart(
+      tests,
+      [](const WalkTruth& truth) { return microseconds_a_frame(truth.time.median, truth.trip); },
+      [](const WalkMatch& match, const WalkOutcome& outcome) {
+        const Cell cell = frame_time(match, outcome);
+        const double* const time = std::get_if<double>(&cell);
+        return time == nullptr ? std::numeric_limits<double>::quiet_NaN() : *time;
+      });
+  bars.title = "Time of a whole frame, by walk";
+  bars.y_label = "us a frame";
+  return {.id = "traversals_time",
+          .caption =
+              "Microseconds of a whole frame on SOMS trees: moving the boxes, the walk, the "
+              "triangle tests (fast: the library's own query, which moves no boxes).",
+          .svg = draw(bars),
+          .timed = true};
+}
+
+std::uint64_t box_tests(const WalkMatch& match, std::string_view walk) {
+  return match.outcome(walk).sum.counts.box_tests;
+}
+
+/// Least and greatest ratio of the box tests of two walks in the drives on SOMS trees.
+std::string ratio_in_drives(const std::vector<Test>& tests, std::string_view one,
+                            std::string_view other) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0;
+  for (const Test& test : tests) {
+    if (test.truth.trip.test == "drive") {
+      const double ratio =
+          static_cast<double>(box_tests(test.soms(), one)) /
+          static_cast<double>(std::max<std::uint64_t>(1, box_tests(test.soms(), other)));
+      least = std::min(least, ratio);
+      most = std::max(most, ratio);
+    }
+  }
+  return fmt::format("{:.2f} to {:.2f}", least, most);
+}
+
+std::vector<std::string> remarks(const Context& context, const std::vector<Test>& tests) {
+  std::vector<std::string> words{object_remark(context.models.objects.front())};
+  const std::vector<std::string> scenes = scene_remarks(context.models.scenes);
+  words.insert(words.end(), scenes.begin(), scenes.end());
+  words.push_back(
+      "In every frame all walks on a tree report the same pairs of overlapping leaves, and the "
+      "contacts of triangles are those of the library's own query; in the frames counted under "
+      "brute_force_frames every walk was also compared with all pairs of triangles. A difference "
+      "would have ended the run.");
+  if (!scenes.empty()) {
+    words.push_back(fmt::format(
+        "Drives on SOMS trees, box tests against larger: simultaneous {} times, b_first {} times, "
+        "enode_fewest {} times, enode_start {} times.",
+        ratio_in_drives(tests, "simultaneous", "larger"),
+        ratio_in_drives(tests, "b_first", "larger"),
+        ratio_in_drives(tests, "enode_fewest", "larger"),
+        ratio_in_drives(tests, "enode_start", "larger")));
+  }
+  words.push_back(
+      "The time of a whole frame is the walk's own and, the same for all walks on a tree, that of "
+      "moving the boxes and testing the triangles, measured with walk larger. A tree with larger "
+      "leaves makes fewer box tests and more triangle tests: compare whole frames.");
+  if (context.quick) {
+    words.push_back(
+        "Quick run: left out are four of the six approaches, E-Node in the order of shared "
+        "volumes, "
+        "and the triangles of trips whose leaves hold over 20 million pairs of them.");
+  }
+  return words;
+}
+
+std::vector<WalkTest> courses(const Context& context) {
+  std::vector<WalkTest> list;
+  for (const auto& [from, name] : kAllApproaches) {
+    if (!context.quick || from == Approach::right || from == Approach::top) {
+      list.push_back({nullptr, from});
+    }
+  }
+  for (const Model& scene : context.models.scenes) {
+    list.push_back({&scene});
+  }
+  return list;
+}
+
+}  // namespace
+
+Result traversals(const Context& context) {
+  const std::vector<Contender> of_object = all_builds(kObjectLevel);
+  const std::vector<Contender> of_scene = all_builds(kSceneLevel);
+  const std::vector<WalkTest> list = courses(context);
+  Steps steps(context.parallel, list.size() * of_object.size());
+  Result result{.tables = {empty_table()}};
+  std::vector<Test> tests;
+  for (const WalkTest& course : list) {
+    Test test{truth_of(context, course), {}};
+    for (std::size_t i = 0; i < of_object.size(); ++i) {
+      if (of_object[i].of_thesis || of_object[i].name == "sah") {
+        WalkMatch match = match_of(context, course, of_scene[i], of_object[i], test.truth);
+        add_rows(result.tables[0], test.truth, match);
+        test.matches.push_back(std::move(match));
+      }
+      steps.done();
+    }
+    add_fast_row(result.tables[0], test.truth);
+    tests.push_back(std::move(test));
+  }
+  result.figures = {box_test_figure(tests), time_figure(tests)};
+  result.remarks = remarks(context, tests);
+  return result;
+}
+
+}  // namespace soms::reproduce

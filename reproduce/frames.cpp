@@ -1,0 +1,275 @@
+#include "reproduce/frames.h"
+
+#include "soms/query/traversal/named_overlap.h"
+#include "soms/query/traversal/traversals.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <utility>
+
+namespace soms::reproduce {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds(Clock::time_point from, Clock::time_point to) {
+  return std::chrono::duration<double, std::milli>(to - from).count();
+}
+
+Shape shape_of(std::shared_ptr<const Mesh> mesh, const Contender& build) {
+  return Shape(std::move(mesh), {.build = build.options, .keep_tree = true});
+}
+
+Walk e_node_walk(std::string name, Descent descent, EntryOrder order) {
+  return {std::move(name), {.traversal = Traversal::e_node, .descent = descent, .order = order}};
+}
+
+Walk front_walk(std::string name, Descent descent, EntryOrder order) {
+  return {std::move(name),
+          {.traversal = Traversal::e_node_front, .descent = descent, .order = order}};
+}
+
+std::vector<Timing> summarized(std::vector<std::vector<double>> samples) {
+  std::vector<Timing> timings;
+  timings.reserve(samples.size());
+  for (std::vector<double>& of_one : samples) {
+    timings.push_back(summarize(std::move(of_one)));
+  }
+  return timings;
+}
+
+/// Samples of the frames of one walk, one a repetition.
+struct FrameSamples {
+  std::vector<std::vector<double>> collision;
+  std::vector<std::vector<double>> frame;
+};
+
+/// A query of a trip whose still body was moved before.
+detail::NamedOverlap query_of(const Trip& trip, const Walk& walk) {
+  detail::NamedOverlap query(trip.a, trip.b, walk.options);
+  query.move(Pose::identity(), Pose::identity());
+  return query;
+}
+
+void time_trip(const Trip& trip, const Walk& walk, const Parallel& parallel,
+               FrameSamples& samples) {
+  detail::NamedOverlap query = query_of(trip, walk);
+  for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
+    const Pose pose = trip.pose(k);
+    const auto start = Clock::now();
+    query.move(Pose::identity(), pose);
+    const auto moved = Clock::now();
+    const Overlap answer = query(Pose::identity(), pose, {}, parallel);
+    const auto end = Clock::now();
+    samples.collision[k].push_back(milliseconds(moved, end));
+    samples.frame[k].push_back(milliseconds(start, end));
+  }
+}
+
+double time_walk(const Trip& trip, const Walk& walk, const Parallel& parallel) {
+  LeafWalk leaves(trip, walk.options);
+  double sum = 0;
+  for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
+    check_stop(parallel);
+    leaves.move(k);
+    const auto start = Clock::now();
+    (void)leaves.walk();
+    sum += milliseconds(start, Clock::now());
+  }
+  return sum;
+}
+
+}  // namespace
+
+Trip orientation_trip(const Model& object, Approach from, const Contender& build) {
+  const auto named = std::find_if(kAllApproaches.begin(), kAllApproaches.end(),
+                                  [&](const auto& entry) { return entry.first == from; });
+  Trip trip{.still = object.name,
+            .moving = object.name,
+            .test = std::string(named->second),
+            .rule = build.name,
+            .a = shape_of(object.mesh, build)};
+  trip.b = trip.a;
+  trip.offsets = orientation_test(trip.a.bounds(), from);
+  return trip;
+}
+
+Trip drive_trip(const Model& scene, const Model& object, const Contender& build_of_scene,
+                const Contender& build_of_object) {
+  auto mover = std::make_shared<const Mesh>(transformed(*object.mesh, kDriveScale, UpAxis::y));
+  return {.still = scene.name,
+          .moving = object.name + std::to_string(static_cast<int>(kDriveScale)),
+          .test = "drive",
+          .rule = build_of_scene.name,
+          .a = shape_of(scene.mesh, build_of_scene),
+          .b = shape_of(std::move(mover), build_of_object),
+          .offsets = city_drive()};
+}
+
+std::vector<Walk> all_walks() {
+  std::vector<Walk> walks;
+  for (const Traversal baseline : {Traversal::a_first, Traversal::b_first, Traversal::alternate,
+                                   Traversal::larger, Traversal::simultaneous}) {
+    walks.push_back({std::string(entry(baseline).name), {.traversal = baseline}});
+  }
+  for (const DescentEntry& descent : descents()) {
+    const std::string name = "enode_" + std::string(descent.name);
+    walks.push_back(e_node_walk(name, descent.descent, EntryOrder::tree));
+    walks.push_back(e_node_walk(name + "_volume", descent.descent, EntryOrder::volume));
+  }
+  walks.push_back(front_walk("enode_start", Descent::larger, EntryOrder::tree));
+  walks.push_back(front_walk("enode_start_volume", Descent::larger, EntryOrder::volume));
+  walks.push_back(front_walk("enode_start_both", Descent::both, EntryOrder::tree));
+  walks.push_back(front_walk("enode_start_both_volume", Descent::both, EntryOrder::volume));
+  return walks;
+}
+
+Walk walk_named(std::string_view name) {
+  const std::vector<Walk> walks = all_walks();
+  return *std::find_if(walks.begin(), walks.end(),
+                       [&](const Walk& walk) { return walk.name == name; });
+}
+
+void Totals::add(const Frame& frame) {
+  ++frames;
+  root_overlap_frames += frame.roots_overlap ? 1U : 0U;
+  hit_frames += frame.counts.leaf_pairs > 0 ? 1U : 0U;
+  counts += frame.counts;
+  triangle_tests += frame.triangle_tests;
+  contacts += frame.contacts.size();
+}
+
+Totals totals(std::span<const Frame> frames) {
+  Totals sum;
+  for (const Frame& frame : frames) {
+    sum.add(frame);
+  }
+  return sum;
+}
+
+LeafWalk::LeafWalk(const Trip& trip, const TraversalOptions& options)
+    : trip_(&trip),
+      options_(options),
+      a_(trip.a.mesh(), *trip.a.tree()),
+      b_(trip.b.mesh(), *trip.b.tree()) {
+  a_.move(Pose::identity());
+  if (options.traversal == Traversal::e_node_front) {
+    front_.emplace(*trip.a.tree(), *trip.b.tree(), options.descent, options.order);
+  }
+}
+
+void LeafWalk::move(std::size_t frame) {
+  b_.move(trip_->pose(frame));
+}
+
+TraversalCounts LeafWalk::walk(const TraversalVisitor& visitor) {
+  return front_ ? front_->next(a_.boxes(), b_.boxes(), visitor)
+                : traverse(a_.view(), b_.view(), options_, visitor, workspace_);
+}
+
+bool LeafWalk::roots_overlap() const {
+  return !a_.boxes().empty() && !b_.boxes().empty() &&
+         overlaps(a_.boxes().front(), b_.boxes().front());
+}
+
+std::vector<Frame> walk_frames(const Trip& trip, const Walk& walk, const Parallel& parallel,
+                               LeafPairs* pairs) {
+  LeafWalk leaves(trip, walk.options);
+  std::vector<Frame> frames(trip.offsets.size());
+  if (pairs != nullptr) {
+    pairs->assign(frames.size(), {});
+  }
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    check_stop(parallel);
+    leaves.move(k);
+    TraversalVisitor visitor;
+    if (pairs != nullptr) {
+      visitor.leaf_pair = [&found = (*pairs)[k]](NodePair p) {
+        found.push_back(p);
+        return true;
+      };
+    }
+    frames[k].counts = leaves.walk(visitor);
+    frames[k].roots_overlap = leaves.roots_overlap();
+    if (pairs != nullptr) {
+      std::sort((*pairs)[k].begin(), (*pairs)[k].end(), [](NodePair left, NodePair right) {
+        return std::pair(left.a, left.b) < std::pair(right.a, right.b);
+      });
+    }
+  }
+  return frames;
+}
+
+std::vector<Frame> answer_frames(const Trip& trip, const Walk& walk, const Parallel& parallel) {
+  detail::NamedOverlap query(trip.a, trip.b, walk.options);
+  std::vector<Frame> frames(trip.offsets.size());
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    Overlap answer = query(Pose::identity(), trip.pose(k), {}, parallel);
+    Box moved = trip.b.bounds();
+    moved.lower += trip.offsets[k];
+    moved.upper += trip.offsets[k];
+    frames[k] = {overlaps(trip.a.bounds(), moved), query.counts(), answer.cost.triangle_tests,
+                 std::move(answer.pairs)};
+  }
+  return frames;
+}
+
+std::vector<FrameTimes> time_frames(const Trip& trip, std::span<const Walk> walks, int repetitions,
+                                    const Parallel& parallel) {
+  const std::vector<std::vector<double>> none(trip.offsets.size());
+  FrameSamples warm_up{none, none};
+  std::vector<FrameSamples> samples(walks.size(), warm_up);
+  for (const Walk& walk : walks) {
+    time_trip(trip, walk, parallel, warm_up);
+  }
+  for (int round = 0; round < repetitions; ++round) {
+    for (std::size_t i = 0; i < walks.size(); ++i) {
+      time_trip(trip, walks[i], parallel, samples[i]);
+    }
+  }
+  std::vector<FrameTimes> times;
+  for (FrameSamples& of_walk : samples) {
+    times.push_back(
+        {summarized(std::move(of_walk.collision)), summarized(std::move(of_walk.frame))});
+  }
+  return times;
+}
+
+Timing time_beside_walk(const Trip& trip, const Walk& walk, int repetitions,
+                        const Parallel& parallel) {
+  std::vector<double> samples;
+  for (int round = 0; round < repetitions; ++round) {
+    detail::NamedOverlap query = query_of(trip, walk);
+    LeafWalk leaves(trip, walk.options);
+    double sum = 0;
+    for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
+      const auto start = Clock::now();
+      (void)query(Pose::identity(), trip.pose(k), {}, parallel);
+      const auto end = Clock::now();
+      leaves.move(k);
+      const auto start_of_walk = Clock::now();
+      (void)leaves.walk();
+      sum += milliseconds(start, end) - milliseconds(start_of_walk, Clock::now());
+    }
+    samples.push_back(sum);
+  }
+  return summarize(std::move(samples));
+}
+
+std::vector<Timing> time_walks(const Trip& trip, std::span<const Walk> walks, int repetitions,
+                               const Parallel& parallel) {
+  std::vector<std::vector<double>> samples(walks.size());
+  for (int round = -1; round < repetitions; ++round) {  // the first warms up
+    for (std::size_t i = 0; i < walks.size(); ++i) {
+      const double sample = time_walk(trip, walks[i], parallel);
+      if (round >= 0) {
+        samples[i].push_back(sample);
+      }
+    }
+  }
+  return summarized(std::move(samples));
+}
+
+}  // namespace soms::reproduce
