@@ -30,9 +30,9 @@ struct Callout {
 
 /// Lines over a numeric axis.
 struct LineChart {
-  std::string title;
-  std::string x_label;
-  std::string y_label;
+  std::string title = {};
+  std::string x_label = {};
+  std::string y_label = {};
   Scale x_scale = Scale::linear;
   Scale y_scale = Scale::linear;
   std::vector<Line> lines = {};
@@ -50,8 +50,8 @@ struct Bars {
 
 /// Bars side by side in groups.
 struct BarChart {
-  std::string title;
-  std::string y_label;
+  std::string title = {};
+  std::string y_label = {};
   Scale y_scale = Scale::linear;
   std::vector<std::string> groups = {};
   std::vector<Bars> bars = {};

@@ -8,6 +8,7 @@
 #include "soms/generate/city.h"
 #include "soms/generate/routes.h"
 #include "soms/generate/shapes.h"
+#include "soms/generate/spread.h"
 #include "soms/generate/urban.h"
 #include "soms/geometry/defects.h"
 #include "soms/geometry/mesh.h"
@@ -21,3 +22,4 @@
 #include "soms/tree/build.h"
 #include "soms/tree/shape.h"
 #include "soms/tree/statistics.h"
+#include "soms/tree/visits.h"

@@ -2,6 +2,7 @@ set(SOMS_HEADERS
   city.h
   routes.h
   shapes.h
+  spread.h
   urban.h
 )
 set(SOMS_SOURCES
@@ -16,5 +17,6 @@ set(SOMS_SOURCES
   movers.cpp
   routes.cpp
   shapes.cpp
+  spread.cpp
   urban.cpp
 )

@@ -12,6 +12,7 @@ set(SOMS_HEADERS
   shape.h
   statistics.h
   tree.h
+  visits.h
 )
 set(SOMS_SOURCES
   build/detail/divide.cpp
@@ -36,4 +37,5 @@ set(SOMS_SOURCES
   shape.cpp
   statistics.cpp
   tree.cpp
+  visits.cpp
 )

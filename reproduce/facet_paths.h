@@ -1,0 +1,26 @@
+/// \file
+/// Facets as few SVG paths: those of one color share a path wherever the order of painting allows.
+#pragma once
+
+#include "reproduce/projection.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace soms::reproduce {
+
+/// A path of facets of one color, in tenths of pixels.
+struct FacetPath {
+  std::string fill;
+  std::string data;
+};
+
+/// Facets in painter's order as paths in painter's order.
+[[nodiscard]] std::vector<FacetPath> facet_paths(std::span<const Facet> facets);
+
+/// Fill of a drawn color in one of few brightnesses, as #rrggbb.
+[[nodiscard]] std::string shade_of(int color, double brightness);
+
+}  // namespace soms::reproduce
