@@ -1,0 +1,42 @@
+/// \file
+/// Builds that are timed, as rows of tables and bars of charts.
+#pragma once
+
+#include "reproduce/counts.h"
+#include "reproduce/steps.h"
+#include "reproduce/timing.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace soms::reproduce {
+
+/// A build, what it counted and how long it took.
+struct TimedBuild {
+  Counted counted = {};
+  Timing timing = {};
+};
+
+/// Steps that `time_builds` takes: the repetitions and the warm-up before them.
+[[nodiscard]] std::size_t rounds(int repetitions);
+
+/// Times builds of a model's tree in turn: from the triangles in memory to the finished tree, the
+/// midpoints included, on one thread. \errors ErrorKind::cancelled.
+[[nodiscard]] std::vector<TimedBuild> time_builds(const Model& model,
+                                                  std::span<const Contender> contenders,
+                                                  int repetitions, Steps& steps);
+
+/// A row for each build: what was built, its nodes and the number of builds; then, timed, median,
+/// quartiles, mean, least time and standard deviation in ms, mean and median time for a node in us,
+/// and by how much the median is above that of spatial median at the same level (builds without a
+/// limit: at the greatest level that was timed; empty where it was not timed).
+[[nodiscard]] Table time_table(std::string id, std::string caption,
+                               std::span<const TimedBuild> builds);
+
+/// The build of a rule of the thesis on a model at a level; nullptr if it was not timed.
+[[nodiscard]] const TimedBuild* find_build(std::span<const TimedBuild> builds, const Model& model,
+                                           Rule rule, int level);
+
+}  // namespace soms::reproduce
