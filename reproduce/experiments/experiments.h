@@ -6,8 +6,43 @@
 
 namespace soms::reproduce {
 
-/// Objects of the thesis: vertices and faces of each PLY file. \source thesis, table 3.1.
+/// Objects and urban scenes: what their files hold. \source thesis, tables 3.1 and 3.3.
 [[nodiscard]] Result table_3_1(const Context& context);
+[[nodiscard]] Result table_3_3(const Context& context);
+
+/// Build times of all builds of a model at one level: the objects at the balanced level of spatial
+/// median and of SOMS, the urban scenes at that of spatial median and at level 7; the time for a
+/// node at the greatest level; the urban scenes at level 12.
+/// \source  thesis, figures 5.2 to 5.5, tables 5.1, 5.6 and 5.8.
+[[nodiscard]] Result figure_5_2(const Context& context);
+[[nodiscard]] Result figure_5_3(const Context& context);
+[[nodiscard]] Result table_5_1(const Context& context);
+[[nodiscard]] Result figure_5_4(const Context& context);
+[[nodiscard]] Result figure_5_5(const Context& context);
+[[nodiscard]] Result table_5_6(const Context& context);
+[[nodiscard]] Result table_5_8(const Context& context);
+
+/// Share of the build time by level, objects and urban scenes. \source thesis, tables 5.2 and 5.7.
+[[nodiscard]] Result table_5_2(const Context& context);
+[[nodiscard]] Result table_5_7(const Context& context);
+
+/// Nodes with one triangle, objects and urban scenes. \source thesis, tables 5.3 and 5.9.
+[[nodiscard]] Result table_5_3(const Context& context);
+[[nodiscard]] Result table_5_9(const Context& context);
+
+/// Leaves with fewer than five triangles. \source thesis, tables 5.4 and 5.10.
+[[nodiscard]] Result table_5_4(const Context& context);
+[[nodiscard]] Result table_5_10(const Context& context);
+
+/// Nodes that cannot be divided. \source thesis, tables 5.5 and 5.11.
+[[nodiscard]] Result table_5_5(const Context& context);
+[[nodiscard]] Result table_5_11(const Context& context);
+
+/// The effect of each option that the thesis leaves open, on the first object and the scenes.
+[[nodiscard]] Result options(const Context& context);
+
+/// Which rule balances best, on objects and scenes. \source thesis, abstract.
+[[nodiscard]] Result balance(const Context& context);
 
 /// The orientation tests: axis and direction of each. \source thesis, table 3.2.
 [[nodiscard]] Result table_3_2(const Context& context);

@@ -1,0 +1,282 @@
+// Figures 5.2 to 5.5 and tables 5.1, 5.6 and 5.8: how long a build takes.
+#include "reproduce/build_times.h"
+#include "reproduce/chart.h"
+#include "reproduce/experiments/experiments.h"
+#include "reproduce/grouped_bars.h"
+#include "reproduce/steps.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace soms::reproduce {
+
+namespace {
+
+/// What the bars of a chart show.
+enum class Unit { milliseconds, per_node, per_thousand_triangles };
+
+/// What one of these experiments varies.
+struct Task {
+  std::string id;
+  std::string caption;  ///< how the level is chosen
+  std::string title;    ///< of the chart
+  std::span<const Model> models;
+  int repetitions = 0;
+  Unit unit = Unit::milliseconds;
+};
+
+std::string_view label_of(Unit unit) {
+  switch (unit) {
+    case Unit::per_node:
+      return "us for a node";
+    case Unit::per_thousand_triangles:
+      return "us for 1,000 triangles";
+    case Unit::milliseconds:
+      break;
+  }
+  return "ms";
+}
+
+/// What a millisecond of this build counts in the unit of the chart.
+double factor(const Counted& counted, Unit unit) {
+  switch (unit) {
+    case Unit::per_node:
+      return 1e3 / static_cast<double>(counted.counts.nodes);
+    case Unit::per_thousand_triangles:
+      return 1e6 / static_cast<double>(counted.model->mesh->triangles.size());
+    case Unit::milliseconds:
+      break;
+  }
+  return 1;
+}
+
+/// Builds of one model at one level: a group of bars.
+std::vector<Datum> data_of(std::span<const TimedBuild> builds, Unit unit) {
+  std::vector<Datum> data;
+  const Counted& first = builds.front().counted;
+  const std::string group =
+      fmt::format("{}, level {}", label_of(*first.model), first.contender.options.level);
+  for (const TimedBuild& one : builds) {
+    const double f = factor(one.counted, unit);
+    const Timing& t = one.timing;
+    data.push_back({group, one.counted.contender.title, f * t.median, f * t.lower_quartile,
+                    f * t.upper_quartile});
+  }
+  return data;
+}
+
+/// Times all builds of each model at the level that `level_of` gives. Fills in table and chart.
+std::vector<TimedBuild> run(const Task& task, const Context& context,
+                            int (*level_of)(const Model&, const Parallel&), Result& result) {
+  Steps steps(context.parallel, task.models.size() * rounds(task.repetitions));
+  std::vector<TimedBuild> all;
+  std::vector<Datum> data;
+  for (const Model& model : task.models) {
+    const std::vector<Contender> contenders = all_builds(level_of(model, steps.quiet()));
+    const std::vector<TimedBuild> builds = time_builds(model, contenders, task.repetitions, steps);
+    const std::vector<Datum> of_model = data_of(builds, task.unit);
+    data.insert(data.end(), of_model.begin(), of_model.end());
+    all.insert(all.end(), builds.begin(), builds.end());
+  }
+  const std::string caption = task.caption + note_on_stand_ins(task.models);
+  result.tables.push_back(time_table(task.id, caption, all));
+  result.figures.push_back(
+      {.id = task.id,
+       .caption = caption + " Bars are medians, whiskers quartiles; the library's own builds have "
+                            "no limit of levels.",
+       .svg = draw(grouped_bars(task.title, std::string(label_of(task.unit)), data)),
+       .timed = true});
+  return all;
+}
+
+template <Rule rule, int level>
+int balanced_level_of(const Model& model, const Parallel& parallel) {
+  for (const Contender& contender : thesis_rules(level)) {
+    if (contender.options.rule == rule) {
+      return balanced_level(model, contender, parallel);
+    }
+  }
+  return level;
+}
+
+template <int level>
+int fixed_level(const Model& /*model*/, const Parallel& /*parallel*/) {
+  return level;
+}
+
+/// By how much SOMS is faster than spatial median, in percent of spatial median's time.
+double gain(const TimedBuild& soms, const TimedBuild& spatial) {
+  return 100 * (1 - soms.timing.median / spatial.timing.median);
+}
+
+std::string compare(const TimedBuild& soms, const TimedBuild& spatial) {
+  const double faster = gain(soms, spatial);
+  return fmt::format(
+      "level {}: SOMS {:.3g} ms ({} nodes), spatial median {:.3g} ms ({} nodes), so "
+      "SOMS is {:.1f} % {}",
+      soms.counted.contender.options.level, soms.timing.median, soms.counted.counts.nodes,
+      spatial.timing.median, spatial.counted.counts.nodes, std::abs(faster),
+      faster >= 0 ? "faster" : "slower");
+}
+
+/// Both rules on the object of 948 triangles, at SOMS' balanced level and at the greatest.
+Finding eight_percent(const Model& bunny, std::span<const TimedBuild> at_balanced,
+                      std::span<const TimedBuild> at_greatest) {
+  Finding finding{.claim =
+                      "The tree of 948 triangles is built 8 % faster by SOMS than by spatial "
+                      "median",
+                  .source = "abstract",
+                  .timed = true};
+  const int level = at_balanced.front().counted.contender.options.level;
+  const TimedBuild& soms = *find_build(at_balanced, bunny, Rule::soms, level);
+  const TimedBuild& spatial = *find_build(at_balanced, bunny, Rule::spatial_median, level);
+  const TimedBuild& deep_soms = *find_build(at_greatest, bunny, Rule::soms, kObjectLevel);
+  const TimedBuild& deep_spatial =
+      *find_build(at_greatest, bunny, Rule::spatial_median, kObjectLevel);
+  finding.measured = compare(soms, spatial) + "; " + compare(deep_soms, deep_spatial);
+  constexpr std::string_view why =
+      "SOMS needs the box of a node's midpoints, which dividing its parent gives; spatial median "
+      "must know the outer box of a node before it can divide it.";
+  if (bunny.stand_in) {
+    finding.reason = "The object of the thesis was not given; a stand-in was timed.";
+  } else if (gain(soms, spatial) >= 8) {
+    finding.verdict = Verdict::holds;
+    finding.reason =
+        fmt::format("At SOMS' balanced level, as in figure 5.3, on this machine. {}", why);
+  } else if (gain(deep_soms, deep_spatial) >= 8) {
+    finding.verdict = Verdict::holds_under_options;
+    finding.reason = fmt::format(
+        "At level {}, but not at SOMS' balanced level, on this machine. {}", kObjectLevel, why);
+  } else {
+    finding.verdict = Verdict::does_not_hold;
+    finding.reason = fmt::format(
+        "Neither at SOMS' balanced level nor at level {}, on this machine.", kObjectLevel);
+  }
+  return finding;
+}
+
+Finding forty_three_milliseconds(const Model& bunny, std::span<const TimedBuild> builds) {
+  const TimedBuild& soms =
+      *find_build(builds, bunny, Rule::soms, builds.front().counted.contender.options.level);
+  const double ms = soms.timing.mean;
+  return {.claim = "SOMS builds the tree of 948 triangles in 43 ms",
+          .source = "abstract",
+          .measured = fmt::format("{}: {:.3g} ms on average, {:.0f} times less", label_of(bunny),
+                                  ms, 43 / ms),
+          .verdict = Verdict::cannot_be_checked,
+          .reason = "A time of a program and a machine of 2009, neither of which is available.",
+          .timed = true};
+}
+
+Finding balanced_at_seven(std::span<const Model> scenes, const Parallel& parallel) {
+  Finding finding{.claim = "The balanced level of SOMS on the urban scene is 7",
+                  .source = "figure 5.5 by its caption"};
+  bool all_seven = !scenes.empty();
+  for (const Model& scene : scenes) {
+    const int level = balanced_level_of<Rule::soms, kSceneLevel>(scene, parallel);
+    finding.measured +=
+        fmt::format("{}{} {}", finding.measured.empty() ? "" : ", ", label_of(scene), level);
+    all_seven = all_seven && level == 7;
+  }
+  finding.reason = all_seven ? "Every scene agrees, but the thesis' own is not available."
+                             : "The thesis' scene is not available, and it does not define the "
+                               "balanced level; here it is the greatest level of which every node "
+                               "exists and holds a triangle. Level 7 is taken as given.";
+  return finding;
+}
+
+}  // namespace
+
+Result figure_5_2(const Context& context) {
+  Result result;
+  run({.id = "figure_5_2",
+       .caption = "Build time, every object at the balanced level of spatial median.",
+       .title = "Build time at the balanced level of spatial median",
+       .models = context.models.objects,
+       .repetitions = context.repetitions(1000),
+       .unit = Unit::per_thousand_triangles},
+      context, balanced_level_of<Rule::spatial_median, kObjectLevel>, result);
+  return result;
+}
+
+Result figure_5_3(const Context& context) {
+  Result result;
+  const std::vector<TimedBuild> builds =
+      run({.id = "figure_5_3",
+           .caption = "Build time, every object at the balanced level of SOMS.",
+           .title = "Build time at the balanced level of SOMS",
+           .models = context.models.objects,
+           .repetitions = context.repetitions(1000),
+           .unit = Unit::per_thousand_triangles},
+          context, balanced_level_of<Rule::soms, kObjectLevel>, result);
+  const Model& bunny = context.models.objects.front();
+  Steps rest({1, context.parallel.stop, {}}, 0);
+  const std::vector<TimedBuild> deep =
+      time_builds(bunny, thesis_rules(kObjectLevel), context.repetitions(1000), rest);
+  result.findings = {eight_percent(bunny, builds, deep), forty_three_milliseconds(bunny, builds)};
+  return result;
+}
+
+Result table_5_1(const Context& context) {
+  Result result;
+  run({.id = "table_5_1",
+       .caption =
+           fmt::format("Build time and time for a node of the objects at level {}.", kObjectLevel),
+       .title = fmt::format("Build time for a node, objects at level {}", kObjectLevel),
+       .models = context.models.objects,
+       .repetitions = context.repetitions(100),
+       .unit = Unit::per_node},
+      context, fixed_level<kObjectLevel>, result);
+  return result;
+}
+
+Result figure_5_4(const Context& context) {
+  Result result;
+  run({.id = "figure_5_4",
+       .caption = "Build time, every urban scene at the balanced level of spatial median.",
+       .title = "Urban scenes at the balanced level of spatial median",
+       .models = context.models.scenes,
+       .repetitions = context.repetitions(1000)},
+      context, balanced_level_of<Rule::spatial_median, kSceneLevel>, result);
+  return result;
+}
+
+Result figure_5_5(const Context& context) {
+  Result result;
+  run({.id = "figure_5_5",
+       .caption = "Build time of the urban scenes at level 7.",
+       .title = "Urban scenes at level 7",
+       .models = context.models.scenes,
+       .repetitions = context.repetitions(1000)},
+      context, fixed_level<7>, result);
+  result.findings = {balanced_at_seven(context.models.scenes, {1, context.parallel.stop, {}})};
+  return result;
+}
+
+Result table_5_6(const Context& context) {
+  Result result;
+  run({.id = "table_5_6",
+       .caption = fmt::format("Build time and time for a node of the urban scenes at level {}.",
+                              kSceneLevel),
+       .title = fmt::format("Build time for a node, urban scenes at level {}", kSceneLevel),
+       .models = context.models.scenes,
+       .repetitions = context.repetitions(100),
+       .unit = Unit::per_node},
+      context, fixed_level<kSceneLevel>, result);
+  return result;
+}
+
+Result table_5_8(const Context& context) {
+  Result result;
+  run({.id = "table_5_8",
+       .caption = "Build time of the urban scenes at level 12.",
+       .title = "Urban scenes at level 12",
+       .models = context.models.scenes,
+       .repetitions = context.repetitions(100)},
+      context, fixed_level<12>, result);
+  return result;
+}
+
+}  // namespace soms::reproduce

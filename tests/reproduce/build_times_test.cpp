@@ -1,0 +1,141 @@
+#include "reproduce/build_times.h"
+
+#include "soms/generate/shapes.h"
+
+#include "reproduce/experiments/experiments.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <memory>
+#include <string>
+
+namespace soms::reproduce {
+namespace {
+
+Model model_of(std::string name, Mesh mesh) {
+  Model model;
+  model.title = name;
+  model.name = std::move(name);
+  model.stand_in = true;
+  model.mesh = std::make_shared<const Mesh>(std::move(mesh));
+  return model;
+}
+
+Models small_models() {
+  Models models;
+  models.objects.push_back(model_of("knot", generate_knot(120)));
+  models.objects.push_back(model_of("ball", generate_sphere(80)));
+  models.scenes.push_back(model_of("town", generate_sphere(200)));
+  return models;
+}
+
+constexpr std::array kTimed{figure_5_2, table_5_1, table_5_2, figure_5_3, figure_5_4,
+                            figure_5_5, table_5_6, table_5_7, table_5_8};
+
+/// The table as CSV with an empty cell for each time.
+std::string counted_part(Table table) {
+  for (std::vector<Cell>& row : table.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (table.columns[i].kind == ColumnKind::timed) {
+        row[i] = Cell{};
+      }
+    }
+  }
+  return to_csv(table);
+}
+
+TEST(BuildTimes, TimesAreMarkedAndTheRestIsTheSameInTwoRuns) {
+  const Models models = small_models();
+  const Context context{.models = models, .quick = true};
+  for (const auto run : kTimed) {
+    const Result first = run(context);
+    const Result second = run(context);
+    ASSERT_EQ(first.tables.size(), 1U);
+    const Table& table = first.tables.front();
+    EXPECT_EQ(counted_part(table), counted_part(second.tables.at(0)));
+    std::size_t timed = 0;
+    for (const Column& column : table.columns) {
+      const bool is_time = column.unit == "ms" || column.unit == "us" || column.unit == "%";
+      EXPECT_EQ(is_time, column.kind == ColumnKind::timed) << table.id << " " << column.name;
+      timed += is_time ? 1U : 0U;
+    }
+    EXPECT_GE(timed, 5U) << table.id;
+    ASSERT_FALSE(first.figures.empty());
+    for (const Figure& figure : first.figures) {
+      EXPECT_TRUE(figure.timed) << figure.id;
+    }
+  }
+}
+
+TEST(BuildTimes, ShareOfTheGreatestLevelIsTheWholeAndLevelsAddUp) {
+  const Models models = small_models();
+  const Table table = table_5_2({.models = models, .quick = true}).tables.front();
+  const std::size_t up_to = table.columns.size() - 1;
+  double sum = 0;
+  std::size_t whole = 0;
+  for (const std::vector<Cell>& row : table.rows) {
+    if (std::get<std::string>(row[0]) == "knot" && std::get<std::string>(row[3]) == "soms") {
+      sum += std::get<double>(row[up_to - 1]);
+      EXPECT_NEAR(sum, std::get<double>(row[up_to]), 1e-6);
+    }
+    if (std::get<std::int64_t>(row[7]) == kObjectLevel) {
+      EXPECT_DOUBLE_EQ(std::get<double>(row[up_to]), 100);
+      ++whole;
+    }
+  }
+  EXPECT_NEAR(sum, 100, 1e-6);
+  EXPECT_EQ(whole, 2U * 5);  // two objects, the rules of the thesis and SAH
+}
+
+TEST(BuildTimes, PercentageIsAgainstSpatialMedianOfTheSameModelAndLevel) {
+  const Model model = model_of("ball", generate_sphere(80));
+  const auto build_of = [&](Rule rule, int level, double ms) {
+    Contender contender{"rule", "rule", level > 0, thesis_options(rule, level)};
+    TimedBuild build{{&model, contender, {}}, {}};
+    build.counted.counts.nodes = 10;
+    build.timing.median = ms;
+    build.timing.mean = 2 * ms;
+    return build;
+  };
+  const std::array builds{build_of(Rule::spatial_median, 5, 1), build_of(Rule::soms, 5, 0.9),
+                          build_of(Rule::spatial_median, 6, 2), build_of(Rule::soms, 6, 3),
+                          build_of(Rule::soms, 4, 1),           build_of(Rule::sah, 0, 4)};
+  const Table table = time_table("t", "T", builds);
+  const auto above = [&](std::size_t row) { return table.rows[row].back(); };
+  EXPECT_DOUBLE_EQ(std::get<double>(above(0)), 0);
+  EXPECT_NEAR(std::get<double>(above(1)), -10, 1e-9);
+  EXPECT_NEAR(std::get<double>(above(3)), 50, 1e-9);
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(above(4)));
+  EXPECT_NEAR(std::get<double>(above(5)), 100, 1e-9);  // to the greatest level timed
+  const std::size_t per_node = table.columns.size() - 3;
+  EXPECT_DOUBLE_EQ(std::get<double>(table.rows[0][per_node]), 200);  // 2 ms over 10 nodes, in us
+}
+
+TEST(BuildTimes, ClaimOfEightPercentCannotBeCheckedOnAStandIn) {
+  const Models models = small_models();
+  const Result result = figure_5_3({.models = models, .quick = true});
+  ASSERT_EQ(result.findings.size(), 2U);
+  for (const Finding& finding : result.findings) {
+    EXPECT_EQ(finding.verdict, Verdict::cannot_be_checked);
+    EXPECT_TRUE(finding.timed);
+    EXPECT_FALSE(finding.measured.empty());
+  }
+}
+
+TEST(BuildTimes, ProgressEndsAtOne) {
+  const Models models = small_models();
+  Context context{.models = models, .quick = true};
+  double last = 0;
+  bool ascends = true;
+  context.parallel.progress = [&](double share) {
+    ascends = ascends && share >= last;
+    last = share;
+  };
+  static_cast<void>(figure_5_4(context));
+  EXPECT_TRUE(ascends);
+  EXPECT_DOUBLE_EQ(last, 1);
+}
+
+}  // namespace
+}  // namespace soms::reproduce

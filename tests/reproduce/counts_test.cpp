@@ -1,0 +1,290 @@
+// Every count that the experiments show, against thesis_counts.csv, which an independent
+// implementation wrote.
+#include "reproduce/counts.h"
+
+#include "soms/base/error.h"
+#include "soms/generate/shapes.h"
+#include "soms/tree/option_names.h"
+
+#include "reproduce/experiments/experiments.h"
+#include "tests/support/support.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace soms::reproduce {
+namespace {
+
+constexpr std::array<std::string_view, 6> kKey{"model",     "rule",       "midpoint",
+                                               "axis_from", "empty_side", "level"};
+
+/// Numbers by the names of their columns.
+using Counts = std::map<std::string, std::string>;
+using Golden = std::map<std::string, Counts>;
+
+Golden read_golden() {
+  const auto lines = test::read_csv(test::data("thesis/thesis_counts.csv"));
+  Golden golden;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    Counts row;
+    for (std::size_t k = 0; k < lines[i].size(); ++k) {
+      row[lines[0][k]] = lines[i][k];
+    }
+    std::string key;
+    for (const std::string_view name : kKey) {
+      key += row.at(std::string(name)) + ",";
+    }
+    golden[key] = row;
+  }
+  return golden;
+}
+
+const Golden& golden() {
+  static const Golden rows = read_golden();
+  return rows;
+}
+
+std::string words(const Cell& cell) {
+  if (const auto* const count = std::get_if<std::int64_t>(&cell)) {
+    return std::to_string(*count);
+  }
+  const auto* const text = std::get_if<std::string>(&cell);
+  return text == nullptr ? "" : *text;
+}
+
+Counts named_cells(const Table& table, const std::vector<Cell>& row) {
+  Counts cells;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    cells[table.columns[i].name] = words(row[i]);
+  }
+  return cells;
+}
+
+/// Key of the golden row that has these counts; rows with other options have none.
+std::string key_of(Counts cells) {
+  if (cells.contains("c_vertex") && cells["midpoint"] == "thesis" && cells["c_vertex"] != "2") {
+    return "";
+  }
+  if (cells.contains("root_level") && cells["root_level"] == "0") {
+    cells["level"] = std::to_string(std::stoi(cells["level"]) + 1);
+  }
+  cells.try_emplace("midpoint", "thesis");
+  std::string key;
+  for (const std::string_view name : kKey) {
+    key += cells[std::string(name)] + ",";
+  }
+  return key;
+}
+
+/// How many rows of a table were compared with golden ones.
+std::size_t compare_with_golden(const Table& table) {
+  std::size_t compared = 0;
+  for (const std::vector<Cell>& row : table.rows) {
+    Counts cells = named_cells(table, row);
+    const auto found = golden().find(key_of(cells));
+    if (found == golden().end()) {
+      continue;
+    }
+    cells.erase("level");
+    for (const auto& [name, value] : cells) {
+      if (const auto expected = found->second.find(name); expected != found->second.end()) {
+        EXPECT_EQ(value, expected->second) << table.id << " " << found->first << " " << name;
+      }
+    }
+    ++compared;
+  }
+  return compared;
+}
+
+Models scenes_only() {
+  return find_models({}, {.scenes = true});
+}
+
+Models original_models() {
+  return find_models(*test::outside_data(""), {.objects = true, .scenes = true});
+}
+
+/// A model of a few triangles, for what does not depend on which model it is.
+Model small_model(std::string name, Mesh mesh, bool stand_in) {
+  Model model;
+  model.title = name + " for a test";
+  model.name = std::move(name);
+  model.file = stand_in ? "" : model.name + ".ply";
+  model.stand_in = stand_in;
+  model.hash = corner_hash(mesh);
+  model.mesh = std::make_shared<const Mesh>(std::move(mesh));
+  return model;
+}
+
+TEST(Counts, TablesOfTheScenesShowTheGoldenCounts) {
+  const Models models = scenes_only();
+  ASSERT_EQ(models.scenes.size(), 3U);
+  for (const auto run : {table_5_9, table_5_10, table_5_11}) {
+    const Result result = run({.models = models});
+    ASSERT_EQ(result.tables.size(), 1U);
+    // Object median, and object mean, spatial median and SOMS on two axes with each policy.
+    EXPECT_EQ(compare_with_golden(result.tables.front()), 3U * (1 + 4 * 4));
+  }
+}
+
+TEST(Counts, TablesOfTheObjectsShowTheGoldenCounts) {
+  SOMS_NEEDS_OUTSIDE_DATA("tables 5.3 to 5.5 of four objects");
+  const Models models = original_models();
+  ASSERT_EQ(models.objects.size(), 4U);
+  const Context context{.models = models};
+  EXPECT_EQ(compare_with_golden(table_5_3(context).tables.front()), 4U * (1 + 4 * 3));
+  EXPECT_EQ(compare_with_golden(table_5_4(context).tables.front()), 4U * 15 * 4);
+  EXPECT_EQ(compare_with_golden(table_5_5(context).tables.front()), 4U * 15 * (1 + 3 * 2));
+}
+
+TEST(Counts, OptionsAndBalanceShowTheGoldenCounts) {
+  SOMS_NEEDS_OUTSIDE_DATA("options and balance of the objects and scenes");
+  const Models models = original_models();
+  const Result balanced = balance({.models = models});
+  EXPECT_EQ(compare_with_golden(balanced.tables.front()), 7U * (1 + 3 * 2));
+  const Result varied = options({.models = models});
+  // Two rules, with each of 24 combinations and with the root at level 0.
+  EXPECT_EQ(compare_with_golden(varied.tables.at(1)), 4U * 2 * (24 + 1));
+}
+
+TEST(Counts, ClaimOfTwentySixPercentHoldsAtBestUnderOptions) {
+  const Models models = scenes_only();
+  const Result result = table_5_9({.models = models});
+  ASSERT_EQ(result.findings.size(), 1U);
+  const Finding& finding = result.findings.front();
+  EXPECT_EQ(finding.verdict, Verdict::holds_under_options);
+  for (const char* const part : {"+26.4 % on u_plain (stand-in), empty side next_axis, outer axis",
+                                 "+22.3 % on u_plain", "scene is not available"}) {
+    EXPECT_NE(finding.reason.find(part), std::string::npos) << part << " in " << finding.reason;
+  }
+  EXPECT_NE(finding.measured.find("1893 to 288 (+557 %)"), std::string::npos) << finding.measured;
+}
+
+TEST(Counts, ClaimOfTwentySixPercentCannotBeCheckedOnScenesThatAreFarFromIt) {
+  Models models;
+  models.scenes.push_back(small_model("sphere", generate_sphere(200), false));
+  EXPECT_EQ(table_5_9({.models = models}).findings.front().verdict, Verdict::cannot_be_checked);
+}
+
+TEST(Counts, SomsIsMoreBalancedThanSpatialMedianOnSomeModelsOnly) {
+  SOMS_NEEDS_OUTSIDE_DATA("the verdict on balance");
+  const Models models = original_models();
+  const Result result = balance({.models = models});
+  ASSERT_EQ(result.findings.size(), 1U);
+  EXPECT_EQ(result.findings.front().verdict, Verdict::holds_under_options);
+  EXPECT_NE(result.findings.front().reason.find("higher on 4, equal on 1, lower on 2 of 7"),
+            std::string::npos)
+      << result.findings.front().reason;
+  EXPECT_NE(result.remarks.front().find("higher on 0, equal on 0, lower on 7 of 7"),
+            std::string::npos)
+      << result.remarks.front();
+}
+
+TEST(Counts, StandInsAreNamedInCaptionsAndRows) {
+  const Models models = find_models({}, {.objects = true, .scenes = true});
+  for (const auto run : {table_5_3, table_5_9, balance}) {
+    const Result result = run({.models = models});
+    for (const Table& table : result.tables) {
+      EXPECT_NE(table.caption.find("Stand-ins: "), std::string::npos) << table.caption;
+      for (const std::vector<Cell>& row : table.rows) {
+        EXPECT_EQ(named_cells(table, row)["origin"], "stand-in");
+      }
+    }
+    for (const Figure& figure : result.figures) {
+      EXPECT_NE(figure.svg.find("(stand-in)"), std::string::npos) << figure.id;
+    }
+  }
+  for (const auto run : {table_3_1, table_3_3, table_5_3}) {
+    EXPECT_EQ(run({.models = models}).findings.front().verdict, Verdict::cannot_be_checked);
+  }
+}
+
+TEST(Counts, ModelsOfFilesAreNoStandIns) {
+  Models models;
+  models.objects.push_back(small_model("ball", generate_sphere(80), false));
+  const Table table = table_5_3({.models = models}).tables.front();
+  EXPECT_EQ(table.caption.find("Stand-ins"), std::string::npos) << table.caption;
+  EXPECT_EQ(named_cells(table, table.rows.front())["origin"], "ball.ply");
+}
+
+TEST(Counts, EmptyModelHasARowAndNoShare) {
+  Models models;
+  models.scenes.push_back(small_model("nothing", Mesh{}, true));
+  for (const auto run : {table_5_9, table_5_10, table_5_11}) {
+    const Result result = run({.models = models});
+    EXPECT_EQ(named_cells(result.tables.front(), result.tables.front().rows.front())["triangles"],
+              "0");
+  }
+  const Model& nothing = models.scenes.front();
+  EXPECT_EQ(balanced_level(nothing, thesis_rules(3).front(), {}), 1);
+}
+
+TEST(Counts, TwoRunsAreTheSameBytes) {
+  Models models = scenes_only();
+  models.objects.push_back(small_model("knot", generate_knot(300), true));
+  for (const auto run : {table_3_1, table_3_3, table_5_3, table_5_4, table_5_5, table_5_9,
+                         table_5_10, table_5_11, options, balance}) {
+    const Result first = run({.models = models});
+    const Result second = run({.models = models, .quick = true});
+    ASSERT_EQ(first.tables.size(), second.tables.size());
+    for (std::size_t i = 0; i < first.tables.size(); ++i) {
+      EXPECT_EQ(to_csv(first.tables[i]), to_csv(second.tables[i]));
+      for (const Column& column : first.tables[i].columns) {
+        EXPECT_EQ(column.kind, ColumnKind::counted) << first.tables[i].id << " " << column.name;
+      }
+    }
+    for (std::size_t i = 0; i < first.figures.size(); ++i) {
+      EXPECT_EQ(first.figures[i].svg, second.figures.at(i).svg);
+      EXPECT_FALSE(first.figures[i].timed);
+    }
+    for (std::size_t i = 0; i < first.findings.size(); ++i) {
+      EXPECT_EQ(first.findings[i].measured, second.findings.at(i).measured);
+      EXPECT_FALSE(first.findings[i].timed);
+    }
+    EXPECT_EQ(first.remarks, second.remarks);
+  }
+}
+
+TEST(Counts, EveryLevelIsThereOnceAndBuildsWithoutLimitAtTheEnd) {
+  const std::vector<Contender> contenders = at_every_level(3, all_builds);
+  const std::size_t unlimited = static_cast<std::size_t>(
+      std::count_if(contenders.begin(), contenders.end(),
+                    [](const Contender& one) { return one.options.level == 0; }));
+  const std::size_t builds = all_builds(1).size();
+  EXPECT_EQ(contenders.size(), 3 * (builds - unlimited) + unlimited);
+  EXPECT_GE(unlimited, 1U);
+  EXPECT_EQ(contenders.front().options.level, 1);
+  EXPECT_EQ(contenders.back().options.level, 0);
+}
+
+TEST(Counts, TitleTellsOfAnOptionThatChangedOnly) {
+  const Contender soms = thesis_rules(7).back();
+  EXPECT_EQ(with(soms, EmptySide::stop).title, soms.title);
+  EXPECT_EQ(with(soms, AxisFrom::inner).title, soms.title);
+  EXPECT_EQ(with(soms, EmptySide::next_axis).title, soms.title + ", next axis");
+  EXPECT_EQ(with(soms, AxisFrom::outer).title, soms.title + ", outer axis");
+  EXPECT_TRUE(has_usual_options(soms));
+  EXPECT_FALSE(has_usual_options(with(soms, AxisFrom::outer)));
+}
+
+TEST(Counts, ComparisonFromNoneHasNoPercentage) {
+  EXPECT_EQ(compare(904, 423), "904 to 423 (+114 %)");
+  EXPECT_EQ(compare(5, 0), "5 to 0");
+}
+
+TEST(Counts, StopRequestEndsTheCounting) {
+  const Models models = scenes_only();
+  std::stop_source stop;
+  stop.request_stop();
+  Context context{.models = models};
+  context.parallel.stop = stop.get_token();
+  for (const auto run : {table_5_9, figure_5_4, table_5_7}) {
+    EXPECT_THROW(static_cast<void>(run(context)), Error);
+  }
+}
+
+}  // namespace
+}  // namespace soms::reproduce
