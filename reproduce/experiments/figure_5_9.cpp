@@ -146,10 +146,22 @@ std::string words(const Toy& toy, NodePair p) {
   return fmt::format("{}|{}", toy.tree_a.nodes[p.a].id, toy.tree_b.nodes[p.b].id);
 }
 
+/// Boxes share corners, so each depth has its own: roots above the box, leaves in the upper left,
+/// what is between in the lower right.
+Spot label_place(const SideView& view, const Node& node) {
+  const Spot upper_left = view({node.bounds.lower.x, node.bounds.upper.y, 0});
+  const Spot lower_right = view({node.bounds.upper.x, node.bounds.lower.y, 0});
+  if (node.depth == 0) {
+    return {(upper_left.x + lower_right.x) / 2, upper_left.y - 5};
+  }
+  return node.is_leaf() ? Spot{upper_left.x + 4, upper_left.y + 14}
+                        : Spot{lower_right.x - 13, lower_right.y - 5};
+}
+
 void draw_bodies(Svg& svg, const Toy& toy) {
   Box shown = toy.boxes_a.boxes().front();
   shown.grow(toy.boxes_b.boxes().front());
-  const SideView view(Side::front, shown, {{40, 70}, 880, 210});
+  const SideView view(Side::front, shown, {{40, 76}, 880, 206});
   const auto draw_one = [&](const Mesh& mesh, const Tree& tree, std::size_t color) {
     const auto paint = series_color(color);
     svg.path(view.facing(mesh, {}),
@@ -161,8 +173,7 @@ void draw_bodies(Svg& svg, const Toy& toy) {
                            node.is_leaf() ? "" : " stroke-dasharray=\"6 4\""));
     }
     for (const Node& node : tree.nodes) {
-      const Spot corner = view({node.bounds.lower.x, node.bounds.upper.y, 0});
-      svg.text({corner.x + 4, corner.y + 14}, std::to_string(node.id),
+      svg.text(label_place(view, node), std::to_string(node.id),
                {.size = 13, .bold = node.is_leaf(), .haloed = true});
     }
   };
