@@ -71,6 +71,13 @@ std::vector<double> medians_where_roots_overlap(std::span<const Timing> timings,
   return medians;
 }
 
+std::string id_word(std::string_view name, std::size_t number) {
+  const bool fit = std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+  });
+  return fit ? std::string(name) : fmt::format("model{}", number);
+}
+
 double mean_of(std::span<const double> numbers) {
   return numbers.empty() ? 0
                          : std::accumulate(numbers.begin(), numbers.end(), 0.0) /

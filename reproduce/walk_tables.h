@@ -48,6 +48,9 @@ void add_statistics_cells(std::vector<Cell>& row, const std::vector<double>& num
 [[nodiscard]] std::vector<double> medians_where_roots_overlap(std::span<const Timing> timings,
                                                               std::span<const Frame> frames);
 
+/// A model's name where it may be part of an id (snake_case), else "modelN" by its number.
+[[nodiscard]] std::string id_word(std::string_view name, std::size_t number);
+
 /// Mean of numbers; 0 of none.
 [[nodiscard]] double mean_of(std::span<const double> numbers);
 

@@ -42,6 +42,9 @@ struct Match {
 
   [[nodiscard]] Totals sum(std::size_t walk) const { return totals(frames[walk]); }
 
+  /// The bodies come near each other at all.
+  [[nodiscard]] bool meets() const { return sum(larsson).root_overlap_frames > 0; }
+
   /// Mean milliseconds of a frame with root overlap, collision only.
   [[nodiscard]] double mean_time(std::size_t walk) const {
     return mean_of(medians_where_roots_overlap(times[walk].collision, frames[walk]));
@@ -313,14 +316,17 @@ Result figure_5_10(const Context& context) {
   }
   Result result;
   result.tables = {sum_table(matches), frame_table(matches)};
+  result.remarks = remarks(context, matches);
+  // A scene of the user's may lie off the path of the drive: then there is nothing to compare.
+  std::erase_if(matches, [](const Match& match) { return !match.meets(); });
   for (const Match& match : matches) {
     if (match.trip.rule == "soms" && (match.trip.test == "drive" || match.trip.test == "right")) {
+      const std::string still = id_word(match.trip.still, result.figures.size());
       result.figures.push_back(
-          chart(fmt::format("figure_5_10_{}_{}", match.trip.still, match.trip.test), match));
+          chart(fmt::format("figure_5_10_{}_{}", still, match.trip.test), match));
     }
   }
   result.findings = {claim_of_time(matches), claim_of_earlier(matches), claim_of_faster(matches)};
-  result.remarks = remarks(context, matches);
   return result;
 }
 

@@ -303,7 +303,8 @@ std::vector<std::string> remarks(const Context& context, const std::vector<Ride>
           fmt::format("All four rules give the same contacts in every frame. Fewest box tests: {} "
                       "({}), most: {} ({}); larger leaves make fewer box tests and more triangle "
                       "tests, so compare times.",
-                      least->build.title, box_tests(*least), most->build.title, box_tests(*most)),
+                      least->build.title, to_text(count_cell(box_tests(*least))), most->build.title,
+                      to_text(count_cell(box_tests(*most)))),
           "Drawing is off in all times: no viewer takes part in this run. A frame is moving the "
           "boxes, walking the trees and testing the triangles."};
 }

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <set>
 #include <stop_token>
 #include <string>
@@ -130,6 +131,30 @@ TEST(WalkTables, SayWhatAStandInIs) {
     ASSERT_FALSE(result.remarks.empty());
     EXPECT_NE(result.remarks[0].find("stand-in"), std::string::npos) << item;
   }
+}
+
+// A user's scene may be anywhere and have any name.
+TEST(WalksOfScenes, DoWithASceneOffThePathOfTheDrive) {
+  Models models = small_models();
+  Mesh away = *models.scenes[0].mesh;
+  for (Vec3& v : away.vertices) {
+    v += {0, 90000, 0};
+  }
+  models.scenes[0].mesh = std::make_shared<const Mesh>(std::move(away));
+  models.scenes[0].name = "My <city>";
+  const Result result = run_quick("figure-5.10", models);
+  const Table& table = table_of(result, "figure_5_10");
+  EXPECT_EQ(cell(table, table.rows.size() - 1, "root_overlap_frames"), "0");
+  EXPECT_EQ(result.figures.size(), 1U);
+  for (const Finding& finding : result.findings) {
+    EXPECT_EQ(finding.measured.find("nan"), std::string::npos) << finding.measured;
+  }
+  EXPECT_EQ(run_quick("traversals", models).figures.size(), 2U);
+}
+
+TEST(WalkTables, NameFiguresAfterModelsWhoseNamesFit) {
+  EXPECT_EQ(id_word("u_mixed", 3), "u_mixed");
+  EXPECT_EQ(id_word("My city", 3), "model3");
 }
 
 TEST(Traversals, FindTheContactsOfBruteForceInEveryFrame) {
