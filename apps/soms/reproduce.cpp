@@ -103,16 +103,17 @@ reproduce::Report run_experiments(const ReproduceOptions& options, const Console
   });
 }
 
+/// The verdicts, a line each; what was measured, and why, is on the page.
 std::string summary(const reproduce::Report& report, const ReproduceOptions& options) {
   std::string text;
   for (const reproduce::Entry& entry : report.entries) {
     for (const reproduce::Finding& finding : entry.result.findings) {
-      text += fmt::format("{:<19} {} ({})\n{:<19} measured: {}\n", name(finding.verdict),
-                          finding.claim, finding.source, "", finding.measured);
+      text += fmt::format("{:<20}{:<13}{}\n", name(finding.verdict), entry.experiment->item,
+                          finding.claim);
     }
   }
-  text += fmt::format("{} of {} written to {}\n", report.entries.size(),
-                      counted(report.entries.size() + report.missing.size(), "item"),
+  const std::size_t items = report.entries.size() + report.missing.size();
+  text += fmt::format("{} of {} written; see {}\n", report.entries.size(), counted(items, "item"),
                       (fs::path(options.output) / "index.html").string());
   return text;
 }
