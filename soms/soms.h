@@ -9,6 +9,8 @@
 #include "soms/generate/routes.h"
 #include "soms/generate/shapes.h"
 #include "soms/generate/spread.h"
+#include "soms/generate/statue.h"
+#include "soms/generate/teapot.h"
 #include "soms/generate/urban.h"
 #include "soms/geometry/defects.h"
 #include "soms/geometry/mesh.h"

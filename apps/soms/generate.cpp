@@ -3,6 +3,8 @@
 #include "soms/base/error.h"
 #include "soms/generate/city.h"
 #include "soms/generate/shapes.h"
+#include "soms/generate/statue.h"
+#include "soms/generate/teapot.h"
 #include "soms/generate/urban.h"
 
 #include "apps/soms/console.h"
@@ -20,6 +22,8 @@ namespace soms::command {
 namespace {
 
 constexpr std::uint64_t kShapeTriangles = 10'000;
+constexpr std::uint64_t kStatueTriangles = 948;  // as many as the bunny of the thesis
+constexpr std::uint32_t kTeapotSubdivisions = 10;
 
 std::uint64_t or_default(std::uint64_t triangles, std::uint64_t standard) {
   return triangles == 0 ? standard : triangles;
@@ -31,6 +35,30 @@ Mesh make_knot(std::uint64_t triangles, std::uint64_t) {
 
 Mesh make_sphere(std::uint64_t triangles, std::uint64_t) {
   return generate_sphere(or_default(triangles, kShapeTriangles));
+}
+
+Mesh make_statue(std::uint64_t triangles, std::uint64_t) {
+  return generate_statue(or_default(triangles, kStatueTriangles));
+}
+
+Mesh make_teapot(std::uint64_t triangles, std::uint64_t) {
+  if (triangles == 0) {
+    return generate_teapot(kTeapotSubdivisions);
+  }
+  std::uint32_t n = kLeastTeapotSubdivisions;
+  while (n < kMostTeapotSubdivisions && teapot_triangles(n) < triangles) {
+    ++n;
+  }
+  const std::uint64_t found = teapot_triangles(n);
+  if (found == triangles) {
+    return generate_teapot(n);
+  }
+  const bool between = n > kLeastTeapotSubdivisions && triangles < found;
+  throw Error(ErrorKind::usage,
+              fmt::format("a teapot has 64 n^2 - 8 n triangles, n from {} to {}",
+                          kLeastTeapotSubdivisions, kMostTeapotSubdivisions),
+              between ? fmt::format("take {} or {}", teapot_triangles(n - 1), found)
+                      : fmt::format("take {}", found));
 }
 
 Mesh make_city(std::uint64_t triangles, std::uint64_t seed) {
@@ -59,6 +87,8 @@ Mesh make_urban(std::uint64_t triangles, std::uint64_t) {
 constexpr std::array kKinds{
     GenerateKind{"knot", "a torus knot, closed", make_knot},
     GenerateKind{"sphere", "a sphere of radius 1, closed", make_sphere},
+    GenerateKind{"statue", "a bust on a plinth, closed, of unlike triangles", make_statue},
+    GenerateKind{"teapot", "Newell's teapot; 64 n^2 - 8 n triangles, not closed", make_teapot},
     GenerateKind{"city", "hills, streets and buildings, 4 km by 4 km", make_city},
     GenerateKind{"car", "a car, closed", make_mover<MoverKind::car>},
     GenerateKind{"person", "a person, closed", make_mover<MoverKind::person>},

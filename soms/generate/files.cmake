@@ -3,6 +3,8 @@ set(SOMS_HEADERS
   routes.h
   shapes.h
   spread.h
+  statue.h
+  teapot.h
   urban.h
 )
 set(SOMS_SOURCES
@@ -18,5 +20,7 @@ set(SOMS_SOURCES
   routes.cpp
   shapes.cpp
   spread.cpp
+  statue.cpp
+  teapot.cpp
   urban.cpp
 )

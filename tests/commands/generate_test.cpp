@@ -36,11 +36,26 @@ TEST(Generate, MakesExactlyTheTrianglesAskedFor) {
 TEST(Generate, HasItsOwnNumberForEveryKind) {
   const TemporaryFolder folder;
   const std::vector<std::pair<std::string, std::uint64_t>> cases{
-      {"knot", 10'000}, {"sphere", 10'000},    {"car", 1000},         {"person", 600},
-      {"drone", 308},   {"urban-mixed", 5672}, {"urban-boxes", 5672}, {"urban-plain", 5672}};
+      {"knot", 10'000},      {"sphere", 10'000},   {"statue", 948}, {"teapot", 6320},
+      {"car", 1000},         {"person", 600},      {"drone", 308},  {"urban-mixed", 5672},
+      {"urban-boxes", 5672}, {"urban-plain", 5672}};
   for (const auto& [kind, triangles] : cases) {
     EXPECT_EQ(triangles_of(generate(folder, kind, "", "model.ply")), triangles) << kind;
   }
+}
+
+TEST(Generate, NamesTheNearestCountsOfATeapot) {
+  const auto words = [](const char* triangles) {
+    const RunResult result =
+        soms_run({"generate", "teapot", "--triangles", triangles, "-o", "/nowhere/teapot.ply"});
+    EXPECT_EQ(result.status, 2);
+    return result.err;
+  };
+  EXPECT_NE(words("6000").find("--triangles 6000: a teapot has 64 n^2 - 8 n triangles"),
+            std::string::npos);
+  EXPECT_NE(words("6000").find("take 5112 or 6320"), std::string::npos);
+  EXPECT_NE(words("3").find("take 240\n"), std::string::npos);
+  EXPECT_NE(words("5000000").find("take 4192256\n"), std::string::npos);
 }
 
 TEST(Generate, WritesTheSameBytesForTheSameSeedAndOthersForAnother) {
@@ -112,7 +127,7 @@ TEST(Generate, WantsAKindAndAPlace) {
   EXPECT_NE(soms_run({"generate", "sphere"}).err.find("--output is required"), std::string::npos);
   const RunResult unknown = soms_run({"generate", "spere", "-o", "a.ply"});
   EXPECT_EQ(unknown.status, 2);
-  EXPECT_NE(unknown.err.find("did you mean sphere? choose one of knot, sphere, city"),
+  EXPECT_NE(unknown.err.find("did you mean sphere? choose one of knot, sphere, statue"),
             std::string::npos)
       << unknown.err;
 }
