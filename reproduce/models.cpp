@@ -1,14 +1,17 @@
 #include "reproduce/models.h"
 
 #include "soms/base/error.h"
-#include "soms/generate/shapes.h"
 #include "soms/generate/urban.h"
 #include "soms/io/read_mesh.h"
+#include "soms/io/write_mesh.h"
+
+#include "reproduce/stand_ins.h"
 
 #include <algorithm>
 #include <array>
 #include <set>
-#include <string_view>
+#include <span>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -23,26 +26,29 @@ struct KnownObject {
   std::string_view name;
   std::string_view title;
   std::string_view file;
+  std::uint64_t hash = 0;  ///< of the model that the golden tables were made with
   std::string_view stand_in;
-  Mesh (*make)();
+  Mesh (*make)() = nullptr;
 };
 
-/// The last two are both called teapot; one is enough.
+constexpr std::string_view kSmallTeapot = "teapot_1177";
+constexpr std::string_view kTeapot = "teapot";
+
 constexpr std::array<KnownObject, 4> kObjects = {{
-    {"bunny", "Stanford bunny", "bun_zipper_res4.ply", "a knot of 948 triangles",
-     [] { return generate_knot(948); }},
-    {"venus", "Venus", "venus.ply", "a knot of 1,416 triangles",
-     [] { return generate_knot(1416); }},
-    {"teapot_1177", "Teapot of 1,177 vertices", "teapot_1177.ply", "a sphere of 2,256 triangles",
-     [] { return generate_sphere(2256); }},
-    {"teapot", "Teapot", "teapot.ply", "a sphere of 6,320 triangles",
-     [] { return generate_sphere(6320); }},
+    {"bunny", "Stanford bunny", "bun_zipper_res4.ply", 0x23e1390559ce62edULL,
+     "a generated statue of 948 triangles", stand_in_bunny},
+    {"venus", "Venus", "venus.ply", 0xb4c5b8d4374d26cdULL, "a generated statue of 1,416 triangles",
+     stand_in_venus},
+    {kSmallTeapot, "Teapot of 1,177 vertices", "teapot_1177.ply", 0x443d997a2f94d83aULL,
+     "generated from Newell's patches", stand_in_small_teapot},
+    {kTeapot, "Teapot", "teapot.ply", 0x3d13e5f55250fafcULL, "generated from Newell's patches",
+     stand_in_teapot},
 }};
 
 struct KnownScene {
   std::string_view name;
   std::string_view title;
-  UrbanScene scene;
+  UrbanScene scene = UrbanScene::mixed;
 };
 
 constexpr std::array<KnownScene, 3> kScenes = {{
@@ -51,19 +57,33 @@ constexpr std::array<KnownScene, 3> kScenes = {{
     {"u_plain", "U-plain", UrbanScene::plain},
 }};
 
-std::string lower(std::string text) {
-  for (char& c : text) {
-    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+std::string words(std::initializer_list<std::string_view> parts) {
+  std::string text;
+  for (const std::string_view part : parts) {
+    text += part;
   }
   return text;
 }
 
-bool is_file(const fs::path& path) {
-  std::error_code error;
-  return fs::exists(path, error) && !fs::is_directory(path, error);
+bool ends_with(const fs::path& path, std::string_view ending) {
+  std::string found = path.extension().string();
+  for (char& c : found) {
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return found == ending;
 }
 
-/// Finds models and counts what it has done, for progress.
+bool is_object(const fs::path& path) {
+  return std::any_of(kObjects.begin(), kObjects.end(), [&](const KnownObject& object) {
+    return path.filename().string() == object.file;
+  });
+}
+
+void set_mesh(Model& model, Mesh mesh) {
+  model.hash = corner_hash(mesh);
+  model.mesh = std::make_shared<const Mesh>(std::move(mesh));
+}
+
 class Finder {
  public:
   Finder(const fs::path& folder, const Parallel& parallel) : folder_(folder), parallel_(parallel) {}
@@ -71,53 +91,74 @@ class Finder {
   Models find(Needs needs);
 
  private:
-  /// Fills in mesh and hash. An empty answer, or why it was not possible.
+  /// Fills in mesh, hash and file. An empty answer, or why it was not possible.
   std::string read(const fs::path& path, Model& model);
-  void make(Mesh mesh, Model& model);
-  /// The file in the folder or its subfolder `ply`; empty if there is none.
+  /// Where the file of an object is; empty if it is missing.
   [[nodiscard]] fs::path place_of(std::string_view file) const;
   Model object(const KnownObject& known);
-  [[nodiscard]] std::vector<fs::path> files_in(const fs::path& folder,
-                                               std::string_view ending) const;
+  void find_objects();
+  /// Files of a folder by their ending, sorted.
+  [[nodiscard]] std::vector<fs::path> files_in(const fs::path& folder, std::string_view ending);
+  /// The file's stem, numbered if a model has that name.
   std::string unused_name(const fs::path& path);
   /// Those that can be read; `trouble` tells of the others.
   std::vector<Model> read_all(const std::vector<fs::path>& files, std::string& trouble);
+  [[nodiscard]] std::vector<fs::path> scene_files();
   Model generated_scene(const KnownScene& known);
+  void find_scenes(const std::vector<fs::path>& files);
+  [[nodiscard]] std::vector<fs::path> city_files();
+  void find_cities(const std::vector<fs::path>& files);
+  [[nodiscard]] Parallel for_one() const;
   void step();
-  void find_objects();
-  void find_scenes();
-  void find_cities();
 
   const fs::path& folder_;
   const Parallel& parallel_;
   Models models_;
   std::set<std::string> names_;
   std::size_t done_ = 0;
+  std::size_t all_ = 1;
 };
 
-void Finder::make(Mesh mesh, Model& model) {
-  model.hash = corner_hash(mesh);
-  model.mesh = std::make_shared<const Mesh>(std::move(mesh));
+/// For the work on one model: its progress is a part of the whole.
+Parallel Finder::for_one() const {
+  Parallel one;
+  one.threads = parallel_.threads;
+  one.stop = parallel_.stop;
+  if (parallel_.progress) {
+    one.progress = [this](double share) {
+      parallel_.progress(
+          std::min(1.0, (static_cast<double>(done_) + share) / static_cast<double>(all_)));
+    };
+  }
+  return one;
+}
+
+void Finder::step() {
+  ++done_;
+  check_stop(parallel_);
 }
 
 std::string Finder::read(const fs::path& path, Model& model) {
-  Parallel quiet;
-  quiet.stop = parallel_.stop;
   try {
-    make(read_mesh(path, {}, quiet), model);
-    model.file = path.filename().string();
-    return {};
+    set_mesh(model, read_mesh(path, {}, for_one()));
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::cancelled) {
       throw;
     }
     return error.what();
   }
+  model.file = path.filename().string();
+  std::error_code error;
+  const std::uintmax_t bytes = fs::file_size(path, error);
+  model.bytes = error ? 0 : bytes;
+  return {};
 }
 
 fs::path Finder::place_of(std::string_view file) const {
   for (const fs::path& place : {folder_ / file, folder_ / "ply" / file}) {
-    if (is_file(place)) {
+    std::error_code error;
+    // A link that leads nowhere counts: the reader then tells of it.
+    if (fs::exists(fs::symlink_status(place, error))) {
       return place;
     }
   }
@@ -127,18 +168,22 @@ fs::path Finder::place_of(std::string_view file) const {
 Model Finder::object(const KnownObject& known) {
   Model model;
   model.name = known.name;
-  model.title = std::string(known.title) + " (" + std::string(known.file) + ")";
+  model.title = words({known.title, " (", known.file, ")"});
   if (folder_.empty()) {
     model.trouble = "no folder of models was given";
   } else if (const fs::path place = place_of(known.file); place.empty()) {
-    model.trouble = std::string(known.file) + " is not in " + folder_.string();
+    model.trouble = words({known.file, " is not in ", folder_.string(), " or its folder ply"});
   } else {
     model.trouble = read(place, model);
+    if (model.trouble.empty() && model.hash != known.hash) {
+      models_.remarks.push_back(words({place.string(), " has other triangles than the ", known.file,
+                                       " that is known: its counts need not be the golden ones"}));
+    }
   }
   if (!model.mesh) {
     model.stand_in = true;
-    model.title = std::string(known.title) + " (stand-in: " + std::string(known.stand_in) + ")";
-    make(known.make(), model);
+    model.title = words({known.title, " (stand-in: ", known.stand_in, ")"});
+    set_mesh(model, known.make());
   }
   return model;
 }
@@ -147,27 +192,32 @@ void Finder::find_objects() {
   bool has_teapot = false;
   for (const KnownObject& known : kObjects) {
     const bool given = !folder_.empty() && !place_of(known.file).empty();
-    const bool teapot = known.title.starts_with("Teapot");
-    // Two files are known as the teapot: one that is missing is none when the other is there, and
-    // one stand-in is enough.
-    if (!teapot || given || (known.name == "teapot" && !has_teapot)) {
+    // Two files are known as the teapot: one that is missing is not missed when the other is there,
+    // and one stand-in is enough.
+    const bool wanted =
+        known.name == kTeapot ? given || !has_teapot : given || known.name != kSmallTeapot;
+    if (wanted) {
       models_.objects.push_back(object(known));
-      step();
-      has_teapot = has_teapot || teapot;
+      has_teapot = has_teapot || known.name == kSmallTeapot;
     }
+    step();
   }
 }
 
-std::vector<fs::path> Finder::files_in(const fs::path& folder, std::string_view ending) const {
+std::vector<fs::path> Finder::files_in(const fs::path& folder, std::string_view ending) {
   std::vector<fs::path> files;
   std::error_code error;
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-    const std::string name = it->path().filename().string();
-    const bool known = std::any_of(kObjects.begin(), kObjects.end(),
-                                   [&](const KnownObject& object) { return object.file == name; });
-    if (!known && lower(it->path().extension().string()) == ending && is_file(it->path())) {
-      files.push_back(it->path());
+  if (!fs::is_directory(folder, error)) {
+    return files;
+  }
+  fs::directory_iterator at(folder, error);
+  for (const fs::directory_iterator end; !error && at != end; at.increment(error)) {
+    if (ends_with(at->path(), ending)) {
+      files.push_back(at->path());
     }
+  }
+  if (error) {
+    models_.remarks.push_back(words({folder.string(), ": ", error.message()}));
   }
   std::sort(files.begin(), files.end());
   return files;
@@ -199,44 +249,73 @@ std::vector<Model> Finder::read_all(const std::vector<fs::path>& files, std::str
   return models;
 }
 
+std::vector<fs::path> Finder::scene_files() {
+  if (folder_.empty()) {
+    return {};
+  }
+  std::vector<fs::path> files = files_in(folder_, ".3ds");
+  const std::vector<fs::path> more = files_in(folder_ / "scenes", ".3ds");
+  files.insert(files.end(), more.begin(), more.end());
+  const fs::path beside = folder_ / "3ds";
+  const std::size_t others = files.empty() ? files_in(beside, ".3ds").size() : 0;
+  if (others != 0) {
+    models_.remarks.push_back(words({beside.string(), ": its .3ds files (", std::to_string(others),
+                                     ") were not taken as scenes; scenes are those in ",
+                                     folder_.string(), " and its folder scenes"}));
+  }
+  return files;
+}
+
+std::string to_three_ds(const Mesh& mesh) {
+  std::ostringstream out;
+  write_mesh(out, "scene.3ds", mesh, MeshFormat::three_ds);
+  return std::move(out).str();
+}
+
 Model Finder::generated_scene(const KnownScene& known) {
+  const Mesh made = generate_urban(known.scene);
+  const std::string file = to_three_ds(made);
   Model model;
-  model.name = known.name;
-  model.title = std::string(known.title) + " (stand-in, generated)";
+  model.name = unused_name(known.name);
+  model.title = words({known.title, " (stand-in: generated, written as .3ds and read back)"});
   model.stand_in = true;
-  make(generate_urban(known.scene), model);
-  step();
+  model.bytes = file.size();
+  Mesh mesh = read_mesh(std::as_bytes(std::span(file)), words({known.name, ".3ds"}), {}, for_one());
+  mesh.up = made.up;  // 3DS keeps neither
+  mesh.unit = made.unit;
+  set_mesh(model, std::move(mesh));
   return model;
 }
 
-void Finder::find_scenes() {
-  std::vector<fs::path> files;
-  if (!folder_.empty()) {
-    files = files_in(folder_, ".3ds");
-    const std::vector<fs::path> more = files_in(folder_ / "scenes", ".3ds");
-    files.insert(files.end(), more.begin(), more.end());
-  }
+void Finder::find_scenes(const std::vector<fs::path>& files) {
   std::string trouble;
   models_.scenes = read_all(files, trouble);
   if (!models_.scenes.empty() && trouble.empty()) {
     return;
   }
-  // One generated scene is enough beside scenes of the user.
+  // Beside scenes of the user one is enough.
   const std::size_t wanted = models_.scenes.empty() ? kScenes.size() : 1;
   for (std::size_t i = 0; i < wanted; ++i) {
     models_.scenes.push_back(generated_scene(kScenes[i]));
     models_.scenes.back().trouble = trouble;
+    step();
   }
 }
 
-void Finder::find_cities() {
+std::vector<fs::path> Finder::city_files() {
   if (folder_.empty()) {
-    return;
+    return {};
   }
   std::error_code error;
   const bool apart = fs::is_directory(folder_ / "cities", error);
+  std::vector<fs::path> files = files_in(apart ? folder_ / "cities" : folder_, ".ply");
+  files.erase(std::remove_if(files.begin(), files.end(), is_object), files.end());
+  return files;
+}
+
+void Finder::find_cities(const std::vector<fs::path>& files) {
   std::string trouble;
-  models_.cities = read_all(files_in(apart ? folder_ / "cities" : folder_, ".ply"), trouble);
+  models_.cities = read_all(files, trouble);
   if (!trouble.empty()) {
     models_.remarks.push_back("cities that were not used: " + trouble);
   }
@@ -246,35 +325,29 @@ void Finder::find_cities() {
                    });
 }
 
-void Finder::step() {
-  check_stop(parallel_);
-  ++done_;
-  if (parallel_.progress) {
-    parallel_.progress(static_cast<double>(done_) / static_cast<double>(done_ + 1));
-  }
-}
-
 Models Finder::find(Needs needs) {
   std::error_code error;
   if (!folder_.empty() && !fs::is_directory(folder_, error)) {
-    throw Error(ErrorKind::cannot_open, folder_.string() + ": no folder of models",
+    throw Error(ErrorKind::cannot_open,
+                words({folder_.string(), error ? ": " + error.message() : ": this is no folder"}),
                 "name the folder that the models are in");
   }
   check_stop(parallel_);
   for (const KnownObject& known : kObjects) {
     names_.emplace(known.name);
   }
-  for (const KnownScene& known : kScenes) {
-    names_.emplace(known.name);
-  }
+  const std::vector<fs::path> scenes = needs.scenes ? scene_files() : std::vector<fs::path>();
+  const std::vector<fs::path> cities = needs.cities ? city_files() : std::vector<fs::path>();
+  all_ = (needs.objects ? kObjects.size() : 0) +
+         (needs.scenes ? scenes.size() + kScenes.size() : 0) + cities.size() + 1;
   if (needs.objects) {
     find_objects();
   }
   if (needs.scenes) {
-    find_scenes();
+    find_scenes(scenes);
   }
   if (needs.cities) {
-    find_cities();
+    find_cities(cities);
   }
   if (parallel_.progress) {
     parallel_.progress(1);
@@ -286,6 +359,10 @@ Models Finder::find(Needs needs) {
 
 Models find_models(const fs::path& folder, Needs needs, const Parallel& parallel) {
   return Finder(folder, parallel).find(needs);
+}
+
+std::string scene_file(const Model& scene) {
+  return to_three_ds(*scene.mesh);
 }
 
 }  // namespace soms::reproduce
