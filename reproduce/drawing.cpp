@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace soms::reproduce {
 
@@ -27,6 +28,9 @@ constexpr double kRim = 8;
 constexpr double kLongestSide = 90;
 /// Bytes that a facet takes, at most, in the paths of a panel.
 constexpr std::size_t kFacetBytes = 27;
+constexpr std::size_t kBoxBytes = 300;
+/// With more boxes their hidden edges only confuse.
+constexpr std::size_t kMostHiddenEdges = 16;
 
 std::string fill_attributes(int color) {
   if (color >= 0) {
@@ -58,19 +62,20 @@ struct Frame {
     bottom = std::max(bottom, seen.y);
   }
 
+  void take(const Projection& projection, const Box& box) {
+    for (const Vec3& corner : corners(box)) {
+      take(projection.see(corner));
+    }
+  }
+
   [[nodiscard]] double width() const { return std::max(right - left, 1e-300); }
 
   [[nodiscard]] double height() const { return std::max(bottom - top, 0.0); }
 };
 
-Frame frame_of(const Drawing& drawing, const Projection& projection) {
+Frame frame_of(std::span<const Panel> panels, const Projection& projection) {
   Frame frame;
-  const auto take_box = [&](const Box& box) {
-    for (const Vec3& corner : corners(box)) {
-      frame.take(projection.see(corner));
-    }
-  };
-  for (const Panel& panel : drawing.panels) {
+  for (const Panel& panel : panels) {
     for (const DrawnMesh& drawn : panel.meshes) {
       for (const auto& triangle : drawn.mesh->triangles) {
         for (const std::uint32_t vertex : triangle) {
@@ -80,8 +85,11 @@ Frame frame_of(const Drawing& drawing, const Projection& projection) {
     }
     for (const DrawnBox& drawn : panel.boxes) {
       if (!drawn.box.empty()) {
-        take_box(drawn.box);
+        frame.take(projection, drawn.box);
       }
+    }
+    for (const DrawnPlane& plane : panel.planes) {
+      frame.take(projection, plane.within);
     }
     for (const DrawnPoint& point : panel.points) {
       frame.take(projection.see(point.at));
@@ -90,18 +98,28 @@ Frame frame_of(const Drawing& drawing, const Projection& projection) {
   return frame.left > frame.right ? Frame{0, 0, 1, 1} : frame;
 }
 
+/// What each panel shows: the same part of the page for all, or each its own.
+std::vector<Frame> frames_of(const Drawing& drawing, const Projection& projection) {
+  if (drawing.same_scale) {
+    return std::vector<Frame>(drawing.panels.size(), frame_of(drawing.panels, projection));
+  }
+  std::vector<Frame> frames;
+  for (const Panel& panel : drawing.panels) {
+    frames.push_back(frame_of({&panel, 1}, projection));
+  }
+  return frames;
+}
+
 /// Places panels on the page and draws them.
 class Board {
  public:
   explicit Board(const Drawing& drawing)
       : drawing_(drawing),
         projection_(drawing.view),
-        frame_(frame_of(drawing, projection_)),
+        frames_(frames_of(drawing, projection_)),
         columns_(std::max(1, std::min(drawing.columns, static_cast<int>(drawing.panels.size())))),
         panel_width_((kWidth - 2 * kMargin - kGap * (columns_ - 1)) / columns_),
-        scale_(std::min(panel_width_ - 2 * kRim, kTallest * (frame_.width() / frame_.height())) /
-               frame_.width()),
-        picture_height_(frame_.height() * scale_ + 2 * kRim),
+        picture_height_(tallest() + 2 * kRim),
         title_(wrapped(drawing.title, 1.07 * kTitleSize, kWidth - 2 * kMargin)),
         svg_(kWidth, page_height(), drawing.title) {}
 
@@ -116,6 +134,20 @@ class Board {
 
  private:
   static constexpr double kTallest = 560;
+
+  /// Pixels a unit.
+  [[nodiscard]] double scale_of(const Frame& frame) const {
+    return std::min(panel_width_ - 2 * kRim, kTallest * (frame.width() / frame.height())) /
+           frame.width();
+  }
+
+  [[nodiscard]] double tallest() const {
+    double height = 0;
+    for (const Frame& frame : frames_) {
+      height = std::max(height, frame.height() * scale_of(frame));
+    }
+    return height;
+  }
 
   [[nodiscard]] double title_height() const {
     const auto lines = static_cast<double>(title_.size());
@@ -218,13 +250,8 @@ class Board {
   /// Place on the page of what is seen, in the panel that is being drawn.
   [[nodiscard]] Seen place(const Vec3& point) const {
     const Seen seen = projection_.see(point);
-    return {(seen.x - frame_.left) * scale_ + kRim + indent(),
-            (seen.y - frame_.top) * scale_ + kRim, seen.depth * scale_};
-  }
-
-  /// Narrow pictures stand in the middle of their panel.
-  [[nodiscard]] double indent() const {
-    return (panel_width_ - 2 * kRim - frame_.width() * scale_) / 2;
+    return {(seen.x - frame_.left) * scale_ + indent_.x, (seen.y - frame_.top) * scale_ + indent_.y,
+            seen.depth * scale_};
   }
 
   [[nodiscard]] Spot spot(const Vec3& point) const {
@@ -241,6 +268,11 @@ class Board {
       svg_.lines({left, top + kTextSize}, title_lines(panel), {.size = kTextSize, .bold = true});
     }
     origin_ = {left, top + row.above};
+    frame_ = frames_[number];
+    scale_ = scale_of(frame_);
+    // Small pictures stand in the middle of their panel.
+    indent_ = {(panel_width_ - frame_.width() * scale_) / 2,
+               (picture_height_ - frame_.height() * scale_) / 2};
     for (const DrawnPlane& plane : panel.planes) {
       draw_plane(plane);
     }
@@ -298,7 +330,9 @@ class Board {
       cut_long(facets, kLongestSide);
     }
     keep_visible(facets, panel_width_, picture_height_);
-    const std::size_t most = drawing_.budget / drawing_.panels.size() / kFacetBytes;
+    const std::size_t share = drawing_.budget / drawing_.panels.size();
+    const std::size_t boxes = std::min(share / 2, kBoxBytes * panel.boxes.size());
+    const std::size_t most = (share - boxes) / kFacetBytes;
     if (facets.size() > most) {
       std::vector<std::uint32_t> samples;
       for (const Facet& facet : facets) {
@@ -347,19 +381,22 @@ class Board {
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](const DrawnBox* a, const DrawnBox* b) { return depth(a) > depth(b); });
-    const double width = order.size() > 16 ? 1.4 : 2;
+    const double width = order.size() > 40 ? 0.9 : order.size() > 12 ? 1.3 : 2;
+    svg_.open_group(
+        fmt::format("fill=\"none\" stroke-width=\"{}\" stroke-linejoin=\"round\"", pixels(width)));
     for (const DrawnBox* drawn : order) {
       const double share = farthest > nearest && !projection_.flat()
                                ? (depth(drawn) - nearest) / (farthest - nearest)
                                : 0;
       draw_box(*drawn,
-               fmt::format("fill=\"none\" {} stroke-width=\"{}\" stroke-opacity=\"{:.2f}\" "
-                           "stroke-linejoin=\"round\"",
-                           stroke_attributes(drawn->color), pixels(width), 0.95 - 0.5 * share));
+               fmt::format("{} stroke-opacity=\"{:.2f}\"", stroke_attributes(drawn->color),
+                           0.95 - 0.5 * share),
+               order.size() <= kMostHiddenEdges);
     }
+    svg_.close_group();
   }
 
-  void draw_box(const DrawnBox& drawn, const std::string& attributes) {
+  void draw_box(const DrawnBox& drawn, const std::string& attributes, bool with_hidden) {
     const std::array<Vec3, 8> all = corners(drawn.box);
     const std::string_view dashes = drawn.dashed ? " stroke-dasharray=\"5 4\"" : "";
     if (projection_.flat()) {
@@ -386,19 +423,24 @@ class Board {
       }
     }
     svg_.path(front.data(), fmt::format("{}{}", attributes, dashes));
-    svg_.path(hidden.data(), fmt::format("{} stroke-dasharray=\"2 4\"", attributes));
+    if (with_hidden) {
+      svg_.path(hidden.data(), fmt::format("{} stroke-dasharray=\"2 4\"", attributes));
+    }
   }
 
   const Drawing& drawing_;
   Projection projection_;
-  Frame frame_;
+  std::vector<Frame> frames_;
   int columns_;
   double panel_width_;
-  double scale_;
   double picture_height_;
   std::vector<std::string> title_;
   Svg svg_;
+  // Of the panel that is being drawn:
   Spot origin_;
+  Frame frame_;
+  double scale_ = 1;
+  Spot indent_;
 };
 
 }  // namespace

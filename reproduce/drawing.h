@@ -1,5 +1,5 @@
 /// \file
-/// Pictures of meshes and boxes, seen from one side: panels of one drawing share view and scale.
+/// Pictures of meshes and boxes: the panels of one drawing are seen from one side.
 #pragma once
 
 #include "soms/base/box.h"
@@ -81,6 +81,7 @@ struct Drawing {
   std::string title = {};
   View view = {};
   int columns = 2;
+  bool same_scale = true;  ///< else each panel's picture is as large as fits
   std::vector<Key> keys = {};
   std::vector<Panel> panels = {};
   /// Bytes that the SVG should not pass. What is hidden is never written; where that is not enough

@@ -275,8 +275,10 @@ class Page {
 
   void put_entry(const Entry& entry) {
     heading(*entry.experiment);
-    put("<p class=\"note\"><code>soms reproduce --item {}</code> ran {:.2g} s</p>\n",
-        xml_text(entry.experiment->item), entry.seconds);
+    put("<p class=\"note\"><code>soms reproduce --item {}</code> ran {}</p>\n",
+        xml_text(entry.experiment->item),
+        entry.seconds < 0.1 ? std::string("less than 0.1 s")
+                            : fmt::format("{:.1f} s", entry.seconds));
     for (const Figure& figure : entry.result.figures) {
       put_figure(figure);
     }

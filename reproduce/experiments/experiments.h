@@ -47,11 +47,35 @@ namespace soms::reproduce {
 /// The orientation tests: axis and direction of each. \source thesis, table 3.2.
 [[nodiscard]] Result table_3_2(const Context& context);
 
+/// The objects, drawn. \source thesis, figure 3.7.
+[[nodiscard]] Result figure_3_7(const Context& context);
+
 /// The object and from where its like comes at it. \source thesis, figure 3.8.
 [[nodiscard]] Result figure_3_8(const Context& context);
 
+/// The urban scenes, drawn. \source thesis, figure 3.9.
+[[nodiscard]] Result figure_3_9(const Context& context);
+
+/// Each rule's plane on small sets: object median, object mean, the boxes that count, spatial
+/// median, SOMS, and all rules in space. \source thesis, figures 4.2 to 4.7.
+[[nodiscard]] Result figure_4_2(const Context& context);
+[[nodiscard]] Result figure_4_3(const Context& context);
+[[nodiscard]] Result figure_4_4(const Context& context);
+[[nodiscard]] Result figure_4_5(const Context& context);
+[[nodiscard]] Result figure_4_6(const Context& context);
+[[nodiscard]] Result figure_4_7(const Context& context);
+
+/// The bunny's tree at levels 1, 3, 5 and 6, for each rule. \source thesis, figure 4.30.
+[[nodiscard]] Result figure_4_30(const Context& context);
+
 /// What pruning saves, in counts and as a picture. \source thesis, figure 4.35.
 [[nodiscard]] Result figure_4_35(const Context& context);
+
+/// The city's tree at levels 1, 3, 5 and 7. \source thesis, figures 4.41 to 4.44.
+[[nodiscard]] Result figure_4_41(const Context& context);
+[[nodiscard]] Result figure_4_42(const Context& context);
+[[nodiscard]] Result figure_4_43(const Context& context);
+[[nodiscard]] Result figure_4_44(const Context& context);
 
 /// The tests right, left and top by the generic traversal, frame by frame. \source thesis, figures
 /// 5.6, 5.7 and 5.8.

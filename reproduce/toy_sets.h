@@ -1,0 +1,45 @@
+/// \file
+/// Small hand-made sets of triangles that show what each splitting rule does, and where it fails.
+#pragma once
+
+#include "soms/geometry/mesh.h"
+#include "soms/tree/build_options.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace soms::reproduce {
+
+/// A few triangles and what they are to show.
+struct ToySet {
+  std::string name;   ///< snake_case, as in tables
+  std::string title;  ///< for people
+  Mesh mesh;
+};
+
+/// Sets in the plane z = 0: triangles alike, one that is much larger than the others, midpoints
+/// that all agree, midpoints that agree on the longest axis of the outer box.
+[[nodiscard]] std::vector<ToySet> flat_toy_sets();
+
+/// Small houses on a large ground triangle, z up.
+[[nodiscard]] ToySet solid_toy_set();
+
+/// A rule at work on all triangles of a mesh.
+struct ToySplit {
+  std::vector<Vec3> midpoints;  ///< of each triangle, as in the thesis
+  Box inner;
+  Box outer;
+  std::size_t axis = 0;
+  double plane = 0;             ///< what lies below on the axis goes left
+  std::vector<bool> left = {};  ///< for each triangle
+  std::size_t left_count = 0;
+
+  /// Whether both sides have triangles.
+  [[nodiscard]] bool divides() const { return left_count > 0 && left_count < left.size(); }
+};
+
+/// Divides a mesh as the root of a tree with `thesis_options(rule)`. \pre two triangles or more.
+[[nodiscard]] ToySplit split_toy(const Mesh& mesh, Rule rule);
+
+}  // namespace soms::reproduce
