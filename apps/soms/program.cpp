@@ -14,6 +14,7 @@
 #include <csignal>
 #include <exception>
 #include <new>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -167,6 +168,9 @@ int run_program(const std::vector<std::string>& words) {
     return fail(words, bare ? "interrupted" : error.what(), exit_code(error.kind()));
   } catch (const std::bad_alloc&) {
     return fail(words, "not enough memory; use a smaller model or a larger --max-memory", 4);
+  } catch (const std::logic_error& error) {
+    // A fault of ours, such as two ways to one answer that differ: told as --verify tells it.
+    return fail(words, fmt::format("internal error: {}", error.what()), 6);
   } catch (const std::system_error& error) {
     return fail(words, fmt::format("the system refused: {}; try --threads 1", error.what()), 4);
   }
