@@ -233,12 +233,16 @@ bool has_usual_options(const Contender& contender) {
   return !contender.of_thesis || options == thesis_options(options.rule, options.level);
 }
 
+std::string words(std::uint64_t value) {
+  return to_text(Cell{static_cast<std::int64_t>(value)});
+}
+
 std::string compare(std::uint64_t value, std::uint64_t base) {
   if (base == 0) {
-    return fmt::format("{} to 0", value);
+    return fmt::format("{} to 0", words(value));
   }
   const double more = 100 * (static_cast<double>(value) / static_cast<double>(base) - 1);
-  return fmt::format("{} to {} ({:+.0f} %)", value, base, more);
+  return fmt::format("{} to {} ({:+.0f} %)", words(value), words(base), more);
 }
 
 std::string label_of(const Model& model) {

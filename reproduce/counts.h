@@ -86,6 +86,9 @@ struct Counted {
 /// True for builds of the thesis with its options, and for all builds that are not of the thesis.
 [[nodiscard]] bool has_usual_options(const Contender& contender);
 
+/// A number with thousands apart: "5,672", for sentences.
+[[nodiscard]] std::string words(std::uint64_t value);
+
 /// "904 to 423 (+114 %)", for sentences.
 [[nodiscard]] std::string compare(std::uint64_t value, std::uint64_t base);
 

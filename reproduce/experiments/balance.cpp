@@ -48,8 +48,8 @@ Score score_against(Rule rule, EmptySide policy, std::span<const Task> tasks,
     const std::uint64_t soms = balanced(counts, task, Rule::soms, policy);
     const std::uint64_t other = balanced(counts, task, rule, policy);
     ++(soms > other ? score.higher : soms == other ? score.equal : score.lower);
-    score.text += fmt::format("{}{} {} to {}", score.text.empty() ? "" : ", ",
-                              label_of(*task.model), soms, other);
+    score.text +=
+        fmt::format("{}{} {} to {}", score.text.empty() ? "" : ", ", task.model->name, soms, other);
   }
   return score;
 }
@@ -59,15 +59,16 @@ std::string words(const Score& score) {
                      score.lower);
 }
 
-Finding against_spatial_median(std::span<const Task> tasks, std::span<const Counted> counts) {
+Finding against_spatial_median(std::span<const Task> tasks, std::span<const Counted> counts,
+                               const std::string& note) {
   Finding finding{.claim = "SOMS makes a more balanced tree than spatial median",
                   .source = "abstract; figure 4.2 by its caption"};
   int higher = 0;
   int all = 0;
+  finding.measured = "Balanced level, SOMS to spatial median.";
   for (const EmptySide policy : kPolicies) {
     const Score score = score_against(Rule::spatial_median, policy, tasks, counts);
-    finding.measured += fmt::format("{}balanced level with empty side {}: {}",
-                                    finding.measured.empty() ? "" : "; ", name(policy), score.text);
+    finding.measured += fmt::format(" Empty side {}: {}.", name(policy), score.text);
     finding.reason += fmt::format(
         "{}With empty side {} the balanced level of SOMS is {} of {} "
         "models.",
@@ -75,6 +76,7 @@ Finding against_spatial_median(std::span<const Task> tasks, std::span<const Coun
     higher += score.higher;
     all += score.higher + score.equal + score.lower;
   }
+  finding.measured += note;
   finding.verdict = higher == all ? Verdict::holds
                     : higher > 0  ? Verdict::holds_under_options
                                   : Verdict::does_not_hold;
@@ -141,7 +143,7 @@ Result balance(const Context& context) {
                        "Balanced level with the thesis' options: higher is more balanced." + note,
                    .svg = bars_of("Balanced level", "level", with_usual_options(counts),
                                   balanced_level)}},
-      .findings = {against_spatial_median(tasks, counts)},
+      .findings = {against_spatial_median(tasks, counts, note)},
       .remarks = {against_object_rules(tasks, counts), leaf_depths(tasks, counts),
                   "In today's terms SOMS is midpoint splitting of the bounds of the centroids, the "
                   "\"middle\" of PBRT, with an unusual centroid: it divides wherever two midpoints "

@@ -66,8 +66,8 @@ Gain gain_by(EmptySide policy, std::span<const Model> objects, std::span<const C
         one_of(counts, model, options_of(Rule::spatial_median, kObjectLevel, policy));
     gain.objects += model.stand_in ? 0 : 1;
     gain.more += !model.stand_in && soms > spatial ? 1 : 0;
-    gain.text += fmt::format("{}{} {}", gain.text.empty() ? "" : ", ", label_of(model),
-                             compare(soms, spatial));
+    gain.text +=
+        fmt::format("{}{} {}", gain.text.empty() ? "" : ", ", model.name, compare(soms, spatial));
   }
   return gain;
 }
@@ -78,16 +78,17 @@ Finding more_single_triangles(std::span<const Model> objects, std::span<const Co
   int own = 0;
   std::size_t policies = 0;
   std::string where;
+  finding.measured = fmt::format("SOMS to spatial median at level {}.", kObjectLevel);
   for (const EmptySide policy : kPolicies) {
     const Gain gain = gain_by(policy, objects, counts);
-    finding.measured += fmt::format("{}empty side {}: {}", finding.measured.empty() ? "" : "; ",
-                                    name(policy), gain.text);
+    finding.measured += fmt::format(" Empty side {}: {}.", name(policy), gain.text);
     own = gain.objects;
     if (gain.more == gain.objects) {
       where += fmt::format("{}{}", where.empty() ? "" : ", ", name(policy));
       ++policies;
     }
   }
+  finding.measured += note_on_stand_ins(objects);
   if (own == 0) {
     finding.reason = "No object of the thesis was given; stand-ins were counted.";
   } else if (policies == kPolicies.size()) {
@@ -126,7 +127,7 @@ std::vector<Candidate> candidates(std::span<const Model> scenes, std::span<const
         const auto soms = static_cast<double>(one_of(counts, scene, options));
         if (spatial > 0) {
           result.push_back(
-              {fmt::format("{}, empty side {}, {} axis", label_of(scene), name(policy), name(axis)),
+              {fmt::format("{}, empty side {}, {} axis", scene.name, name(policy), name(axis)),
                100 * (soms / spatial - 1)});
         }
       }
@@ -136,17 +137,18 @@ std::vector<Candidate> candidates(std::span<const Model> scenes, std::span<const
 }
 
 std::string counts_by_policy(std::span<const Model> scenes, std::span<const Counted> counts) {
-  std::string text;
+  std::string text = fmt::format("SOMS to spatial median at level {}.", kSceneLevel);
   for (const EmptySide policy : kPolicies) {
-    text += fmt::format("{}empty side {}:", text.empty() ? "" : "; ", name(policy));
+    text += fmt::format(" Empty side {}:", name(policy));
     for (const Model& scene : scenes) {
       text += fmt::format(
-          "{} {} {}", &scene == scenes.data() ? "" : ",", label_of(scene),
+          "{} {} {}", &scene == scenes.data() ? "" : ",", scene.name,
           compare(one_of(counts, scene, options_of(Rule::soms, kSceneLevel, policy)),
                   one_of(counts, scene, options_of(Rule::spatial_median, kSceneLevel, policy))));
     }
+    text += ".";
   }
-  return text;
+  return text + note_on_stand_ins(scenes);
 }
 
 /// The scene of the thesis is not available, so this can at best hold under options.

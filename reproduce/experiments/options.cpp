@@ -171,9 +171,9 @@ std::string range_of_gain(const Model& model, std::span<const Effect> effects) {
       std::minmax_element(of_model.begin(), of_model.end(),
                           [&](const Effect* a, const Effect* b) { return gain(a) < gain(b); });
   return fmt::format(
-      "On {} SOMS makes between {:+.0f} % ({} {}) and {:+.0f} % ({} {}) leaves with one triangle "
-      "against spatial median, one option changed at a time.",
-      label_of(model), gain(*least), (*least)->change->option, (*least)->change->value, gain(*most),
+      "On {} SOMS makes {:+.0f} % ({} {}) to {:+.0f} % ({} {}) more leaves with one triangle than "
+      "spatial median, where that makes any, one option changed at a time.",
+      model.name, gain(*least), (*least)->change->option, (*least)->change->value, gain(*most),
       (*most)->change->option, (*most)->change->value);
 }
 
@@ -182,7 +182,7 @@ std::string box_center_trap(std::span<const Effect> effects) {
   std::string names;
   for (const Effect& effect : effects) {
     if (effect.change->value == "aabb" && effect.soms.counts.one == 0) {
-      names += fmt::format("{}{}", names.empty() ? "" : ", ", label_of(*effect.model));
+      names += fmt::format("{}{}", names.empty() ? "" : ", ", effect.model->name);
     }
   }
   return names.empty() ? ""

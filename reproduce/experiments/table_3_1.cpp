@@ -60,8 +60,9 @@ Finding number_of_triangles(std::string claim, std::span<const Model> models,
       stand_ins += fmt::format("{}{}", stand_ins.empty() ? "" : ", ", label_of(model));
     }
   }
-  finding.measured = stand_ins.empty() ? fmt::format("no model of {} triangles", triangles)
-                                       : fmt::format("{} triangles: {}", triangles, stand_ins);
+  finding.measured = stand_ins.empty()
+                         ? fmt::format("no model of {} triangles", words(triangles))
+                         : fmt::format("{} triangles: {}", words(triangles), stand_ins);
   if (original_of(models, triangles) != nullptr) {
     finding.verdict = Verdict::holds;
     finding.reason = "A model that was given has exactly this count.";

@@ -57,12 +57,11 @@ Stuck stuck_nodes(const Model& model, const BuildOptions& options, const Paralle
   return stuck;
 }
 
-std::string words(const Stuck& stuck) {
+std::string words_of(const Stuck& stuck) {
   if (stuck.nodes == 0) {
     return "none";
   }
-  return fmt::format("{} nodes of up to {} triangles, {} of them with different midpoints",
-                     stuck.nodes, stuck.largest, stuck.with_different_midpoints);
+  return fmt::format("{} of up to {} triangles", words(stuck.nodes), words(stuck.largest));
 }
 
 /// SOMS is to go on where spatial median stops.
@@ -71,16 +70,19 @@ Finding goes_on(std::span<const Model> models, int level, const Parallel& parall
                       "SOMS goes on dividing triangles of unlike size where spatial median "
                       "stops, without a second rule",
                   .source = "abstract; figure 4.3 by its caption"};
-  bool stops_only_at_points = true;
+  std::uint64_t different = 0;
   for (const Model& model : models) {
     const Stuck soms = stuck_nodes(model, thesis_options(Rule::soms, level), parallel);
     const Stuck spatial = stuck_nodes(model, thesis_options(Rule::spatial_median, level), parallel);
-    finding.measured += fmt::format("{}{}: spatial median cannot divide {}; SOMS {}",
-                                    finding.measured.empty() ? "" : ". ", label_of(model),
-                                    words(spatial), words(soms));
-    stops_only_at_points = stops_only_at_points && soms.with_different_midpoints == 0;
+    finding.measured +=
+        fmt::format("{}: {} to {}. ", model.name, words_of(soms), words_of(spatial));
+    different += soms.with_different_midpoints;
   }
-  if (stops_only_at_points) {
+  finding.measured = fmt::format(
+      "Undividable nodes, SOMS to spatial median. {}Of SOMS' nodes {} hold "
+      "triangles of different midpoints.{}",
+      finding.measured, different, note_on_stand_ins(models));
+  if (different == 0) {
     finding.verdict = Verdict::holds;
     finding.reason = fmt::format(
         "At level {} with empty side stop, on all models here: SOMS with the axis of the inner box "
