@@ -8,7 +8,7 @@ help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
 	@echo "make test    install what is missing, build, and run every test of the release build"
 	@echo "make check   make test, then the suite under ASan+UBSan and TSan, then clang-tidy"
-	@echo "make bench   soms beside its rivals, in one run"
+	@echo "make bench   soms beside its rivals, in one run (ARGS=--quick: a few minutes)"
 	@echo "make format  clang-format on every source"
 	@echo "make clean   remove build/"
 
@@ -38,11 +38,13 @@ tidy:
 
 check: test asan tsan tidy
 
+# Rivals that cannot be installed are left out. A quick run: ARGS=--quick; soms-bench --help tells more.
 bench:
 	@tools/install_packages.sh run bench
+	-@tools/install_packages.sh peers
 	cmake --preset bench
 	cmake --build --preset bench -j $(JOBS)
-	build/bench/bench/peers/peers --out build/bench/peers
+	build/bench/bin/soms-bench $(ARGS)
 
 format:
 	@git ls-files '*.h' '*.cpp' | xargs clang-format -i

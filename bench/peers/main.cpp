@@ -1,107 +1,127 @@
 // Asks every contestant the same, lets the judge compare the answers, and writes one table.
 #include "soms/base/error.h"
 
-#include "bench/peers/contestants/contestant.h"
-#include "bench/peers/core/judge.h"
-#include "bench/peers/core/report.h"
-#include "bench/peers/core/timing.h"
+#include "bench/peers/contestants/modules.h"
+#include "bench/peers/core/machine.h"
+#include "bench/peers/core/tables.h"
 #include "bench/peers/options.h"
-#include "bench/peers/scenarios/scene.h"
+#include "bench/peers/scenarios/catalog.h"
 
 #include <algorithm>
-#include <functional>
+#include <exception>
 #include <iostream>
 
 namespace soms::bench {
 
 namespace {
 
-/// A scene that can be made, and its size.
-struct Offer {
-  const char* name;
-  std::uint64_t triangles;
-  Scene (*make)(std::uint64_t);
-};
+constexpr int kWrongAnswer = 6;
 
-constexpr Offer kOffers[] = {
-    {"city-car", 5'672, city_car_scene},
-    {"city-car", 100'000, city_car_scene},
-    {"city-car", 1'000'000, city_car_scene},
-    {"city-drone", 5'672, city_drone_scene},
-    {"city-drone", 100'000, city_drone_scene},
-    {"city-drone", 1'000'000, city_drone_scene},
-    {"streets", 5'672, street_scene},
-    {"streets", 1'000'000, street_scene},
-    {"knot", 1'000, knot_scene},
-    {"knot", 10'000, knot_scene},
-    {"knot", 100'000, knot_scene},
-};
-
-Roster roster() {
-  Roster all;
-#if SOMS_BENCH_FCL
-  soms_bench_fcl(all);
-#endif
-  add_soms(all);
-  return all;
-}
-
-void run(const Scene& scene, const Roster& all, const Options& options, std::vector<Cell>& cells) {
-  std::vector<std::unique_ptr<Match>> matches;
-  std::vector<double> builds;
-  for (const auto& contestant : all) {
-    const double start = processor_seconds();
-    matches.push_back(contestant->prepare(scene.mover, scene.fixed));
-    builds.push_back(processor_seconds() - start);
-  }
-  for (const PoseSet& set : scene.sets) {
-    std::vector<std::vector<std::uint8_t>> answers;
-    const auto timings = race(matches, set.poses, options.passes, answers);
-    const auto verdicts = judge(scene.mover, scene.fixed, set.poses, answers, options.judge);
-    Cell cell{scene.name,
-              set.name,
-              scene.fixed.triangles.size(),
-              scene.mover.triangles.size(),
-              set.poses.size(),
-              0,
-              {}};
-    cell.touching =
-        static_cast<std::size_t>(std::count(answers.back().begin(), answers.back().end(), 1));
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      cell.entries.push_back({all[k]->name(), builds[k], timings[k], verdicts[k]});
-      for (const std::size_t pose : verdicts[k].wrong_poses) {
-        std::cerr << scene.name << ' ' << set.name << ", pose " << pose << ": " << all[k]->name()
-                  << " is wrong\n";
-      }
-      std::cerr << scene.name << ' ' << cell.triangles << ' ' << set.name << ", " << all[k]->name()
-                << ": " << 1e6 * timings[k].median << " us, " << ratio(cell, all[k]->name())
-                << " times the fastest FCL\n";
+Roster contestants(const Options& options) {
+  Roster roster;
+  const std::vector<std::string> faults = add_modules(roster, module_folder());
+  if (!options.quiet) {
+    for (const std::string& fault : faults) {
+      std::cerr << "soms-bench: a rival is left out: " << fault << '\n';
     }
-    cells.push_back(std::move(cell));
-  }
-}
-
-int run_all(const Options& options) {
-  const Roster all = roster();
-  std::vector<Cell> cells;
-  if (!options.city.empty()) {
-    run(file_scene(options.city, options.mover), all, options, cells);
-  } else {
-    for (const Offer& offer : kOffers) {
-      const bool wanted = std::count(options.scenes.begin(), options.scenes.end(), offer.name) > 0;
-      if (wanted && offer.triangles <= options.most) {
-        run(offer.make(offer.triangles), all, options, cells);
-      }
+    if (roster.empty()) {
+      std::cerr << "soms-bench: no rival is here (" << module_folder().string()
+                << "); docs/bench.md says how to build them\n";
     }
   }
-  write_csv(options.out + ".csv", cells);
-  write_markdown(options.out + ".md", cells, options.passes);
-  const bool sound = std::all_of(cells.begin(), cells.end(), [](const Cell& cell) {
-    return std::all_of(cell.entries.begin(), cell.entries.end(), [](const Entry& e) {
-      return !e.contestant.starts_with("soms") || e.verdict.wrong == 0;
-    });
+  add_soms(roster);
+  return roster;
+}
+
+void tell(const Cell& cell) {
+  const Entry* rival = best_rival(cell);
+  std::cerr << name(cell.job) << ' ' << cell.scene << ' ' << cell.set << ' ' << cell.triangles;
+  if (rival != nullptr) {
+    std::cerr << ": " << rival->contestant << ' ' << 1e6 * rival->timing.median << " us";
+  }
+  for (const Entry& e : cell.entries) {
+    if (is_ours(e.contestant)) {
+      const auto reached = ratio(cell, e.contestant);
+      std::cerr << "; " << e.contestant << ' ' << 1e6 * e.timing.median << " us";
+      if (reached) {
+        std::cerr << ", " << *reached << " times";
+      }
+    }
+    if (e.verdict.wrong != 0) {
+      std::cerr << "; " << e.contestant << " is wrong in " << e.verdict.wrong << " of "
+                << e.verdict.checked;
+    }
+  }
+  std::cerr << '\n';
+}
+
+std::string selection(const Options& options) {
+  std::string text = options.quick ? "quick" : "whole";
+  for (const std::string& scene : options.scenes) {
+    text += ", scenes " + scene;
+  }
+  for (const std::string& contestant : options.run.contestants) {
+    text += ", contestants " + contestant;
+  }
+  return text + ", from " + std::to_string(options.least) + " to " + std::to_string(options.most) +
+         " triangles";
+}
+
+std::vector<Offer> chosen(const Options& options) {
+  std::vector<Offer> offers = catalog(options.data);
+  std::erase_if(offers, [&](const Offer& offer) {
+    const bool named = options.scenes.empty() ||
+                       std::any_of(options.scenes.begin(), options.scenes.end(),
+                                   [&](const auto& name) { return offer.scene.starts_with(name); });
+    const bool sized = offer.triangles == 0 ||
+                       (offer.triangles >= options.least && offer.triangles <= options.most);
+    return !named || !sized || (options.quick && !offer.quick);
   });
-  return sound ? 0 : 6;
+  return offers;
+}
+
+int run_catalog(const Options& options, const RunFacts& facts) {
+  const Roster roster = contestants(options);
+  std::filesystem::create_directories(options.out);
+  std::vector<Cell> cells;
+  for (const Offer& offer : chosen(options)) {
+    run_scene(offer.make(), roster, options.run, [&](Cell cell) {
+      if (!options.quiet) {
+        tell(cell);
+      }
+      cells.push_back(std::move(cell));
+      write_csv(options.out / "peers.csv", cells);
+      write_markdown(options.out / "peers.md", cells, facts);
+    });
+  }
+  return sound(cells) ? 0 : kWrongAnswer;
+}
+
+int run_files(const Options& options, const RunFacts& facts) {
+  const Roster roster = contestants(options);
+  const Scene scene = own_files_scene(options.files[0], options.files[1], options.poses,
+                                      options.random, options.seed);
+  std::vector<Cell> cells;
+  run_scene(scene, roster, options.run, [&](Cell cell) { cells.push_back(std::move(cell)); });
+  (options.json ? print_json : print_times)(std::cout, cells);
+  if (!options.out.empty()) {
+    std::filesystem::create_directories(options.out);
+    write_csv(options.out / "peers.csv", cells);
+    write_markdown(options.out / "peers.md", cells, facts);
+  }
+  return sound(cells) ? 0 : kWrongAnswer;
+}
+
+int run(const Options& options) {
+  if (options.list) {
+    for (const Offer& offer : chosen(options)) {
+      std::cout << offer.scene << (offer.triangles == 0 ? "" : " ")
+                << (offer.triangles == 0 ? "" : std::to_string(offer.triangles)) << '\n';
+    }
+    return 0;
+  }
+  const RunFacts facts{isa(), pin(options.cpu), options.run.race.rounds, selection(options)};
+  return options.files.empty() ? run_catalog(options, facts) : run_files(options, facts);
 }
 
 }  // namespace
@@ -111,9 +131,12 @@ int run_all(const Options& options) {
 int main(int argc, char** argv) {
   try {
     const auto options = soms::bench::parse(argc, argv);
-    return options ? soms::bench::run_all(*options) : 0;
+    return options ? soms::bench::run(*options) : 0;
   } catch (const soms::Error& error) {
-    std::cerr << "peers: " << error.what() << '\n';
+    std::cerr << "soms-bench: " << error.what() << '\n';
     return soms::exit_code(error.kind());
+  } catch (const std::exception& error) {
+    std::cerr << "soms-bench: " << error.what() << '\n';
+    return 4;
   }
 }

@@ -1,8 +1,12 @@
 #include "bench/peers/options.h"
 
 #include "soms/base/error.h"
+#include "soms/io/poses.h"
+
+#include "bench/peers/core/machine.h"
 
 #include <charconv>
+#include <cstdlib>
 #include <iostream>
 #include <sstream>
 #include <string_view>
@@ -11,26 +15,41 @@ namespace soms::bench {
 
 namespace {
 
-constexpr const char* kHelp = R"(peers: soms and its rivals, asked the same in one process.
+constexpr const char* kHelp = R"(soms-bench: soms and its rivals, asked the same in one process.
+Usage: soms-bench [OPTIONS]        generated scenes, models and cities
+       soms-bench A B [OPTIONS]    two meshes of your own: A moves, B stands still
 
-  --scenes LIST   of city-car,city-drone,streets,knot (default: all)
-  --most N        leave out scenes of more than N triangles (default 1000000)
-  --passes N      timed passes of each contestant (default 7)
-  --judge N       triangle pairs that brute force may look at in a set (default 2e9)
-  --city FILE     with --mover FILE: these models instead of the scenes
-  --mover FILE
-  --out PREFIX    writes PREFIX.csv and PREFIX.md (default peers)
+  --quick           a few minutes: fewer scenes and rounds
+  --jobs LIST       of any,all,still,broad (default: all of them)
+  --scenes LIST     scenes whose names begin so, such as twins-knot,city,real
+  --sets LIST       pose sets, such as random,near-0.001
+  --least N         leave out scenes of fewer than N triangles or boxes (default 0)
+  --most N          leave out scenes of more (default 5000000)
+  --contestants LIST  whose names begin so, such as soms,fcl
+  --rounds N        timed rounds of each contestant (default 7, quick 3)
+  --budget SECONDS  processor time of one pass of the best rival (default 0.1, quick 0.03)
+  --judge N         triangles of the mover that the judge looks at in a set (default 5e6)
+  --cpu N           processor to run on (default: the last)
+  --data FOLDER     models and cities (default: SOMS_DATA; without, they are left out)
+  --out FOLDER      for peers.csv and peers.md (default: bench/results/<machine>_<isa>; with A B:
+                    none)
+  --list            the scenes that would run
+  --pose POSE       of A: "x y z [qw qx qy qz]" or a CSV file
+  --random N        random poses of A about B's box (default 1000)
+  --seed N          of the random poses (default 1)
+  --json            with A B: JSON Lines
+  --quiet           nothing on standard error but errors
 
-Example: taskset -c 1 peers --scenes city-car --out results/peers
+Example: soms-bench --quick --scenes twins-knot --most 10000 --out results
 )";
 
 template <class Number>
-Number number(std::string_view option, std::string_view text) {
+Number number(std::string_view option, std::string_view text, Number least) {
   Number value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !(value > 0)) {
+  if (error != std::errc{} || end != text.data() + text.size() || !(value >= least)) {
     throw Error(ErrorKind::usage, std::string(option) + " " + std::string(text),
-                "give a positive number");
+                "give a number that makes sense there; soms-bench --help");
   }
   return value;
 }
@@ -44,23 +63,101 @@ std::vector<std::string> split(const std::string& list) {
   return words;
 }
 
+std::vector<Job> jobs(const std::string& list) {
+  std::vector<Job> chosen;
+  for (const std::string& word : split(list)) {
+    bool known = false;
+    for (const Job job : RunOptions{}.jobs) {
+      if (word == name(job)) {
+        chosen.push_back(job);
+        known = true;
+      }
+    }
+    if (!known) {
+      throw Error(ErrorKind::usage, "--jobs " + word, "choose from any, all, still, broad");
+    }
+  }
+  return chosen;
+}
+
+std::vector<Pose> poses(const std::string& text) {
+  std::error_code ignored;
+  if (text == "-") {
+    return read_poses("/dev/stdin");
+  }
+  return std::filesystem::exists(text, ignored) ? read_poses(text)
+                                                : std::vector<Pose>{parse_pose(text)};
+}
+
+/// Options of the run itself; false for another one.
+bool set_run(RunOptions& run, std::string_view option, const std::string& value) {
+  if (option == "--jobs") {
+    run.jobs = jobs(value);
+  } else if (option == "--sets") {
+    run.sets = split(value);
+  } else if (option == "--contestants") {
+    run.contestants = split(value);
+  } else if (option == "--rounds") {
+    run.race.rounds = number<int>(option, value, 1);
+  } else if (option == "--budget") {
+    run.race.budget = number<double>(option, value, 1e-6);
+  } else if (option == "--judge") {
+    run.judge = number<double>(option, value, 1);
+  } else {
+    return false;
+  }
+  return true;
+}
+
 void set(Options& options, std::string_view option, const std::string& value) {
+  if (set_run(options.run, option, value)) {
+    return;
+  }
   if (option == "--scenes") {
     options.scenes = split(value);
+  } else if (option == "--least") {
+    options.least = number<std::uint64_t>(option, value, 0);
   } else if (option == "--most") {
-    options.most = number<std::uint64_t>(option, value);
-  } else if (option == "--passes") {
-    options.passes = number<int>(option, value);
-  } else if (option == "--judge") {
-    options.judge = number<double>(option, value);
-  } else if (option == "--city") {
-    options.city = value;
-  } else if (option == "--mover") {
-    options.mover = value;
+    options.most = number<std::uint64_t>(option, value, 1);
+  } else if (option == "--cpu") {
+    options.cpu = number<int>(option, value, 0);
+  } else if (option == "--data") {
+    options.data = value;
   } else if (option == "--out") {
     options.out = value;
+  } else if (option == "--pose") {
+    options.poses = poses(value);
+  } else if (option == "--random") {
+    options.random = number<std::size_t>(option, value, 1);
+  } else if (option == "--seed") {
+    options.seed = number<std::uint64_t>(option, value, 0);
   } else {
-    throw Error(ErrorKind::usage, std::string(option), "peers --help lists the options");
+    throw Error(ErrorKind::usage, "unknown option " + std::string(option),
+                "soms-bench --help lists them");
+  }
+}
+
+bool set_flag(Options& options, std::string_view word) {
+  if (word == "--quick") {
+    options.quick = true;
+  } else if (word == "--list") {
+    options.list = true;
+  } else if (word == "--json") {
+    options.json = true;
+  } else if (word == "--quiet") {
+    options.quiet = true;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void finish(Options& options) {
+  if (!options.files.empty() && options.files.size() != 2) {
+    throw Error(ErrorKind::usage, "one mesh alone", "give two files, or none for the scenes");
+  }
+  if (options.out.empty() && options.files.empty()) {
+    options.out = std::filesystem::path("bench") / "results" / machine_folder();
   }
 }
 
@@ -68,20 +165,31 @@ void set(Options& options, std::string_view option, const std::string& value) {
 
 std::optional<Options> parse(int argc, char** argv) {
   Options options;
-  for (int i = 1; i < argc; i += 2) {
-    const std::string option = argv[i];
-    if (option == "--help") {
+  const char* folder = std::getenv("SOMS_DATA");
+  options.data = folder == nullptr ? "" : folder;
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  for (const std::string& word : words) {
+    if (word == "--help" || word == "-h") {
       std::cout << kHelp;
       return std::nullopt;
     }
-    if (i + 1 == argc) {
-      throw Error(ErrorKind::usage, option, "give it a value");
+    if (word == "--quick") {  // first: what is said besides wins
+      options.run.race = {.rounds = 3, .budget = 0.03, .least_pass = 0.01};
+      options.run.judge = 1e6;
     }
-    set(options, option, argv[i + 1]);
   }
-  if (options.city.empty() != options.mover.empty()) {
-    throw Error(ErrorKind::usage, "--city and --mover", "give both or neither");
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (!words[i].starts_with("--")) {
+      options.files.push_back(words[i]);
+    } else if (!set_flag(options, words[i])) {
+      if (i + 1 == words.size()) {
+        throw Error(ErrorKind::usage, words[i] + " needs a value", "soms-bench --help lists them");
+      }
+      set(options, words[i], words[i + 1]);
+      ++i;
+    }
   }
+  finish(options);
   return options;
 }
 

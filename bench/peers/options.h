@@ -2,7 +2,10 @@
 /// The referee's command line.
 #pragma once
 
+#include "bench/peers/run.h"
+
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,17 +13,25 @@
 namespace soms::bench {
 
 struct Options {
-  std::vector<std::string> scenes{"city-car", "city-drone", "streets", "knot"};
-  std::uint64_t most = 1'000'000;  ///< larger scenes are left out
-  int passes = 7;
-  double judge = 2e9;  ///< pairs of triangles that brute force may look at in a set
-  std::string out = "peers";
-  std::string city;
-  std::string mover;
+  RunOptions run;
+  bool quick = false;
+  bool list = false;
+  bool json = false;
+  bool quiet = false;
+  std::vector<std::string> scenes;  ///< names or beginnings of names; empty: all
+  std::uint64_t least = 0;          ///< smaller scenes are left out
+  std::uint64_t most = 5'000'000;   ///< larger scenes are left out
+  int cpu = -1;                     ///< processor to run on; -1: the last
+  std::filesystem::path data;       ///< models and cities; default SOMS_DATA
+  std::filesystem::path out;        ///< folder of the results
+  std::vector<std::string> files;   ///< two meshes of the user's own, or none
+  std::vector<Pose> poses;          ///< of the first of them
+  std::size_t random = 1000;        ///< poses, where none are given
+  std::uint64_t seed = 1;
 };
 
 /// Nothing when help was asked for; it was printed.
-/// \errors  ErrorKind::usage.
+/// \errors  ErrorKind::usage; as `parse_pose` and `read_poses`.
 [[nodiscard]] std::optional<Options> parse(int argc, char** argv);
 
 }  // namespace soms::bench

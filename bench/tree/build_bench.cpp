@@ -5,7 +5,7 @@
 #include "soms/tree/layout/wide_tree.h"
 #include "soms/tree/rule/rules.h"
 
-#include "bench/peers/core/timing.h"
+#include "bench/peers/core/machine.h"
 #include "bench/peers/scenarios/scene.h"
 #include "bench/peers/scenarios/solids.h"
 

@@ -45,7 +45,10 @@
 
 // clang-format off: utility.h must come before BVH_model.h, which uses its fit().
 #define extern
+#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
+#include <fcl/broadphase/broadphase_dynamic_AABB_tree_array.h>
 #include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/box.h>
 #include <fcl/math/bv/utility.h>
 #include <fcl/narrowphase/detail/traversal/collision/mesh_collision_traversal_node.h>
 #include <fcl/narrowphase/detail/traversal/collision_node.h>
@@ -95,6 +98,24 @@ inline int BVNodeBase::rightChild() const {
 namespace detail {
 
 inline BVHFrontNode::BVHFrontNode(int left_, int right_) : left(left_), right(right_), valid(true) {
+}
+
+/// Spreads the lowest `bits` bits of x to every third place.
+inline std::uint64_t spread_bits(std::uint64_t x, unsigned bits) {
+  std::uint64_t spread = 0;
+  for (unsigned i = 0; i < bits; ++i) {
+    spread |= ((x >> i) & 1U) << (3 * i);
+  }
+  return spread;
+}
+
+inline uint32 morton_code(uint32 x, uint32 y, uint32 z) {
+  return static_cast<uint32>(spread_bits(x, 10) | spread_bits(y, 10) << 1 |
+                             spread_bits(z, 10) << 2);
+}
+
+inline uint64 morton_code60(uint32 x, uint32 y, uint32 z) {
+  return spread_bits(x, 20) | spread_bits(y, 20) << 1 | spread_bits(z, 20) << 2;
 }
 
 // No query here keeps a front list; the null check must stay.

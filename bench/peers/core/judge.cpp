@@ -1,75 +1,181 @@
 #include "bench/peers/core/judge.h"
 
-#include "soms/query/reference/overlap.h"
-
-#include "bench/peers/scenarios/solids.h"
+#include "soms/geometry/triangle_overlap.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
 
 namespace soms::bench {
 
 namespace {
 
-Mesh widened(const FloatMesh& mesh) {
-  Mesh result;
-  for (const auto& v : mesh.vertices) {
-    result.vertices.push_back(wide(v));
-  }
-  result.triangles = mesh.triangles;
-  return result;
+constexpr double kMostCells = 512;  // of one triangle; larger ones are asked by all
+
+Triangle moved(const Pose& pose, const Triangle& t) {
+  return {pose.apply(t.a), pose.apply(t.b), pose.apply(t.c)};
 }
 
-/// The triangles whose boxes meet `region`: all that could touch what lies in it.
-Mesh within(const Mesh& mesh, const Box& region) {
-  Mesh result;
-  for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
-    const Triangle t = mesh.triangle(i);
-    if (overlaps(bounds(t), region)) {
-      const auto first = static_cast<std::uint32_t>(result.vertices.size());
-      result.vertices.insert(result.vertices.end(), {t.a, t.b, t.c});
-      result.triangles.push_back({first, first + 1, first + 2});
+/// One and a half times the mean longest side of the triangles' boxes.
+double cell_side(std::span<const Box> boxes) {
+  double sum = 0;
+  for (const Box& box : boxes) {
+    const Vec3 e = box.extent();
+    sum += std::max({e.x, e.y, e.z});
+  }
+  const double mean = boxes.empty() ? 1 : sum / static_cast<double>(boxes.size());
+  return mean > 0 ? 1.5 * mean : 1;
+}
+
+bool differ(std::span<const std::vector<std::uint64_t>> answers, std::size_t question) {
+  const std::vector<std::uint64_t>* first = nullptr;
+  for (const auto& a : answers) {
+    if (question < a.size()) {
+      if (first != nullptr && a[question] != (*first)[question]) {
+        return true;
+      }
+      first = &a;
     }
   }
-  return result;
+  return false;
 }
 
-bool touches(const Mesh& mover, const Pose& pose, const Mesh& fixed) {
-  Mesh moved = mover;
-  Box region;
-  for (Vec3& v : moved.vertices) {
-    v = pose.apply(v);
-    region.grow(v);
+void compare(std::vector<Verdict>& verdicts, std::span<const std::vector<std::uint64_t>> answers,
+             std::size_t question, std::uint64_t truth) {
+  for (std::size_t k = 0; k < answers.size(); ++k) {
+    if (question < answers[k].size()) {
+      ++verdicts[k].checked;
+      if (answers[k][question] != truth) {
+        ++verdicts[k].wrong;
+        verdicts[k].wrong_questions.push_back(question);
+      }
+    }
   }
-  return reference::overlap(moved, {}, within(fixed, region), {}).any;
+}
+
+std::size_t longest(std::span<const std::vector<std::uint64_t>> answers) {
+  std::size_t n = 0;
+  for (const auto& a : answers) {
+    n = std::max(n, a.size());
+  }
+  return n;
+}
+
+/// Overlapping pairs of boxes, by a sweep along x.
+std::uint64_t count_pairs(std::vector<FloatBox> boxes) {
+  std::sort(boxes.begin(), boxes.end(),
+            [](const FloatBox& a, const FloatBox& b) { return a.lower[0] < b.lower[0]; });
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t j = i + 1; j < boxes.size() && boxes[j].lower[0] <= boxes[i].upper[0]; ++j) {
+      count += overlaps(boxes[i], boxes[j]) ? 1U : 0U;
+    }
+  }
+  return count;
 }
 
 }  // namespace
 
-std::vector<Verdict> judge(const FloatMesh& mover, const FloatMesh& fixed,
-                           std::span<const Pose> poses,
-                           std::span<const std::vector<std::uint8_t>> answers, double budget) {
-  const Mesh moving = widened(mover);
-  const Mesh still = widened(fixed);
-  // Bodies of like size share much of their boxes; a small mover meets little of a large scene.
-  const auto m = static_cast<double>(moving.triangles.size());
-  const auto n = static_cast<double>(still.triangles.size());
-  const double each = n > 4 * m ? 20 * n : m * n;
-  const auto most = static_cast<std::size_t>(std::max(1.0, budget / each));
-  const std::size_t stride = std::max<std::size_t>(1, poses.size() / most);
-  std::vector<Verdict> verdicts(answers.size());
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const bool differ = std::any_of(answers.begin(), answers.end(),
-                                    [&](const auto& a) { return a[i] != answers[0][i]; });
-    if (!differ && i % stride != 0) {
+std::size_t PairCounter::CellHash::operator()(const Cell& c) const {
+  std::uint64_t h = static_cast<std::uint64_t>(c.x) * 0x9e3779b97f4a7c15ULL;
+  h = (h ^ (h >> 29)) + static_cast<std::uint64_t>(c.y) * 0xbf58476d1ce4e5b9ULL;
+  h = (h ^ (h >> 31)) + static_cast<std::uint64_t>(c.z) * 0x94d049bb133111ebULL;
+  return h ^ (h >> 30);
+}
+
+PairCounter::Cell PairCounter::cell_of(const Vec3& p) const {
+  const auto index = [this](double v, double lower) {
+    return static_cast<std::int64_t>(std::floor((v - lower) / side_));
+  };
+  return {index(p.x, bounds_.lower.x), index(p.y, bounds_.lower.y), index(p.z, bounds_.lower.z)};
+}
+
+template <class Visit>
+void PairCounter::each_cell(const Box& box, const Visit& visit) const {
+  const Cell from = cell_of(box.lower);
+  const Cell to = cell_of(box.upper);
+  for (std::int64_t x = from.x; x <= to.x; ++x) {
+    for (std::int64_t y = from.y; y <= to.y; ++y) {
+      for (std::int64_t z = from.z; z <= to.z; ++z) {
+        visit(Cell{x, y, z});
+      }
+    }
+  }
+}
+
+PairCounter::PairCounter(const FloatMesh& mover, const FloatMesh& fixed)
+    : mover_(mover), fixed_(fixed) {
+  for (std::size_t i = 0; i < fixed_.triangles.size(); ++i) {
+    boxes_.push_back(bounds(fixed_.triangle(i)));
+    bounds_.grow(boxes_.back());
+  }
+  side_ = cell_side(boxes_);
+  for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
+    const Vec3 e = boxes_[i].extent();
+    if ((e.x / side_ + 1) * (e.y / side_ + 1) * (e.z / side_ + 1) > kMostCells) {
+      large_.push_back(i);
+    } else {
+      each_cell(boxes_[i], [&](const Cell& cell) { cells_[cell].push_back(i); });
+    }
+  }
+}
+
+std::uint64_t PairCounter::count(const Pose& pose, bool any) const {
+  std::uint64_t found = 0;
+  std::vector<std::uint32_t> near;
+  for (std::size_t i = 0; i < mover_.triangles.size() && !(any && found != 0); ++i) {
+    const Triangle t = moved(pose, mover_.triangle(i));
+    const Box box = bounds(t);
+    if (!overlaps(box, bounds_)) {
       continue;
     }
-    const std::uint8_t truth = touches(moving, poses[i], still) ? 1 : 0;
-    for (std::size_t k = 0; k < answers.size(); ++k) {
-      ++verdicts[k].checked;
-      if (answers[k][i] != truth) {
-        ++verdicts[k].wrong;
-        verdicts[k].wrong_poses.push_back(i);
+    // Only cells within the fixed body's bounds hold anything.
+    const Box inside{
+        {std::max(box.lower.x, bounds_.lower.x), std::max(box.lower.y, bounds_.lower.y),
+         std::max(box.lower.z, bounds_.lower.z)},
+        {std::min(box.upper.x, bounds_.upper.x), std::min(box.upper.y, bounds_.upper.y),
+         std::min(box.upper.z, bounds_.upper.z)}};
+    near = large_;
+    each_cell(inside, [&](const Cell& cell) {
+      const auto there = cells_.find(cell);
+      if (there != cells_.end()) {
+        near.insert(near.end(), there->second.begin(), there->second.end());
       }
+    });
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    for (const std::uint32_t k : near) {
+      if (overlaps(box, boxes_[k]) && triangles_overlap(t, fixed_.triangle(k))) {
+        ++found;
+      }
+    }
+  }
+  return any ? std::min<std::uint64_t>(found, 1) : found;
+}
+
+std::vector<Verdict> judge(const PairCounter& counter, Job job, std::span<const Pose> poses,
+                           std::span<const std::vector<std::uint64_t>> answers, double budget) {
+  const std::size_t n = longest(answers);
+  const auto each = static_cast<double>(std::max<std::size_t>(1, counter.mover_triangles()));
+  const auto most = static_cast<std::size_t>(std::max(1.0, budget / each));
+  const std::size_t stride = std::max<std::size_t>(1, (n + most - 1) / most);
+  std::vector<Verdict> verdicts(answers.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i % stride == 0 || differ(answers, i)) {
+      compare(verdicts, answers, i, counter.count(poses[i], job == Job::any));
+    }
+  }
+  return verdicts;
+}
+
+std::vector<Verdict> judge(std::span<const std::vector<FloatBox>> frames,
+                           std::span<const std::vector<std::uint64_t>> answers) {
+  const std::size_t n = longest(answers);
+  std::vector<Verdict> verdicts(answers.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i == 0 || i == n / 2 || i + 1 == n || differ(answers, i)) {
+      compare(verdicts, answers, i, count_pairs(frames[i]));
     }
   }
   return verdicts;

@@ -1,45 +1,63 @@
 /// \file
-/// The results: CSV for machines, Markdown for people.
+/// Results of a run: cells, and which ratio may be told.
 #pragma once
 
+#include "bench/peers/core/goals.h"
 #include "bench/peers/core/judge.h"
-#include "bench/peers/core/timing.h"
+#include "bench/peers/core/race.h"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace soms::bench {
 
-/// One contestant's figures.
+/// One contestant's figures in a cell.
 struct Entry {
   std::string contestant;
+  std::string version;
   double build = 0;  ///< seconds to prepare both bodies
+  double bytes = 0;  ///< held afterwards, for each triangle of both
+  bool keeps_tree = false;
+  std::size_t answered = 0;  ///< questions
   Timing timing;
   Verdict verdict;
 };
 
-/// One set of poses in one scene, all contestants.
+/// One job on one set of one scene, all contestants.
 struct Cell {
+  Job job = Job::any;
   std::string scene;
   std::string set;
-  std::size_t triangles = 0;  ///< of the body that stands still
-  std::size_t mover = 0;      ///< triangles of the mover
-  std::size_t poses = 0;
-  std::size_t touching = 0;
+  std::uint64_t triangles = 0;  ///< of the fixed body, or boxes
+  std::uint64_t mover = 0;      ///< triangles of the mover
+  std::size_t questions = 0;    ///< asked of all
+  std::uint64_t sum = 0;        ///< of the answers: touching poses, or pairs
   std::vector<Entry> entries;
 };
 
-/// A contestant wrong in more than this share of the checked poses is not ranked.
+/// A rival wrong in more than this share of the checked answers is not ranked; soms must have none.
 inline constexpr double kMostWrong = 0.02;
 
-/// Median time of the fastest ranked entry whose name starts with `family`; 0 if there is none.
-[[nodiscard]] double fastest(const Cell& cell, const std::string& family);
+[[nodiscard]] std::string name(Job job);
 
-/// How many times faster than the fastest FCL a contestant is: 0 where there is no FCL, where
-/// either is not ranked, or where soms gave a single wrong answer.
-[[nodiscard]] double ratio(const Cell& cell, const std::string& contestant);
+/// What one answer is about: a pose or a frame.
+[[nodiscard]] std::string question(Job job);
 
-void write_csv(const std::string& path, const std::vector<Cell>& cells);
-void write_markdown(const std::string& path, const std::vector<Cell>& cells, int passes);
+/// False for a contestant whose time counts for nothing: too many wrong answers, or fewer questions
+/// than the others.
+[[nodiscard]] bool ranked(const Cell& cell, const Entry& entry);
+
+/// The fastest ranked rival, or null where there is none.
+[[nodiscard]] const Entry* best_rival(const Cell& cell, Against against = Against::all);
+
+/// How many times as fast as the best rival a contestant is; nothing where there is none or where
+/// the contestant's own time counts for nothing: a ratio at a wrong answer is void.
+[[nodiscard]] std::optional<double> ratio(const Cell& cell, const std::string& contestant,
+                                          Against against = Against::all);
+
+/// True if soms gave no wrong answer in any cell.
+[[nodiscard]] bool sound(const std::vector<Cell>& cells);
 
 }  // namespace soms::bench

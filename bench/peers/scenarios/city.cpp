@@ -153,9 +153,11 @@ std::uint32_t cells_for(std::uint64_t triangles) {
       return 128;
     case 1'000'000:
       return 400;
+    case 5'000'000:
+      return 1000;
     default:
       throw Error(ErrorKind::usage, "city of " + std::to_string(triangles) + " triangles",
-                  "the referee's sizes are 5672, 100000 and 1000000");
+                  "the referee's sizes are 5672, 100000, 1000000 and 5000000");
   }
 }
 
@@ -250,7 +252,7 @@ Pose car_at(const BoxCity& city, const Spot& spot) {
 
 Scene city_car_scene(std::uint64_t triangles) {
   const BoxCity city = make_city(triangles);
-  Scene scene{"city-car", referee_car(), city.mesh, {{"car", {}}, {"car-path", {}}}};
+  Scene scene{"city-car", referee_car(), city.mesh, {{"car", {}, true}, {"car-path", {}}}};
   Rng rng(21);
   for (std::size_t i = 0; i < kPoses; ++i) {
     const bool wall = rng.unit() < 0.15;

@@ -1,12 +1,14 @@
 /// \file
-/// What contestants are asked about: two meshes and sets of poses. All seeded.
+/// What contestants are asked about: two meshes and sets of poses, or boxes that move. All seeded.
 #pragma once
 
 #include "soms/base/random.h"
+#include "soms/geometry/mesh.h"
 
 #include "bench/peers/contestants/contestant.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,36 +17,66 @@ namespace soms::bench {
 struct PoseSet {
   std::string name;
   std::vector<Pose> poses;
+  bool all = false;       ///< ask for all pairs, too
+  std::size_t still = 0;  ///< so many poses are asked of bodies that stand still, too
 };
 
-/// One mover, one body that stands still, and where the mover is in each query.
+/// Frames of one crowd of boxes.
+struct CrowdSet {
+  std::string name;
+  std::vector<std::vector<FloatBox>> frames;
+};
+
+/// One mover, one body that stands still, and where the mover is in each query; or crowds.
 struct Scene {
   std::string name;
   FloatMesh mover;
   FloatMesh fixed;
   std::vector<PoseSet> sets;
+  std::vector<CrowdSet> crowds = {};
 };
 
 inline constexpr std::size_t kPoses = 1000;
 
-/// A (2,3) torus knot against its twin: `random`, any rotation, centers 1.0 to 1.9 apart, where
-/// about half touch; `near`, slid in along a random line until 0.001 more would touch.
+/// `twins-knot`: a (2,3) torus knot of reach 1 against its twin at the origin. `random`: any
+/// rotation, centers 1.0 to 1.9 apart, where about half touch; `near-0.001`, `near-0.01`: slid
+/// together until that distance is left, to 2 %; `deep`: centers within 0.2.
 [[nodiscard]] Scene knot_scene(std::uint64_t triangles);
 
-/// The referee's city, 4 km of hills, streets 16 m wide every 100 m, boxes; a car of 1,000
-/// triangles 0.1 m above the highest ground under it: `car` anywhere on the streets, 15 % beside a
-/// wall from 0.1 m inside to 0.3 m off; `car-path` one drive of 0.2 m a pose with turns.
+/// `twins-<model>`: a model of a file, scaled to reach 1 about the middle of its box, likewise.
+[[nodiscard]] Scene model_scene(const std::filesystem::path& file);
+
+/// `city-car`: the referee's city, 4 km of hills, streets 16 m wide every 100 m, boxes; a car of
+/// 1,000 triangles 0.1 m above the highest ground under it: `car` anywhere on the streets, 15 %
+/// beside a wall from 0.1 m inside to 0.3 m off; `car-path` one drive of 0.2 m a pose with turns.
 [[nodiscard]] Scene city_car_scene(std::uint64_t triangles);
 
-/// The same city and a drone of 308 triangles, 2 to 40 m up, any rotation, 15 % beside a wall; and
-/// one flight, `drone-path`.
+/// `city-drone`: the same city and a drone of 308 triangles, 2 to 40 m up, any rotation, 15 %
+/// beside a wall; and one flight, `drone-path`.
 [[nodiscard]] Scene city_drone_scene(std::uint64_t triangles);
 
-/// The city of `soms generate` and its car on its street routes: 50 cars, 20 poses each, half a
-/// second apart. Its road slabs are large and slope under the car.
+/// `streets`: the city of `soms generate` and its car on its street routes: 50 cars, 20 poses each,
+/// half a second apart. Its road slabs are large and slope under the car.
 [[nodiscard]] Scene street_scene(std::uint64_t triangles);
 
-/// Meshes from files: 1,000 random places, each on the lowest surface there and 0.1 m above it.
-[[nodiscard]] Scene file_scene(const std::string& city, const std::string& mover);
+/// `real-<city>`: a city of a file and a mover of another. `street`: 1,000 random places on the
+/// lowest surface, 0.1 m above it; `grazing`: from there forward until it touches and up to 0.05 m
+/// on; `near`: forward until 0.01 m more would touch.
+[[nodiscard]] Scene real_city_scene(const std::filesystem::path& city,
+                                    const std::filesystem::path& mover);
+
+/// `crowd`: boxes, 20 frames at 60 a second, up to 20 m/s. `spread`: sides of 1 to 4.5 m in 4 km x
+/// 4 km x 100 m; `dense`: the same where each meets about ten others; `mixed`: sides of 1 to 200 m,
+/// most of them small, 100 boxes to the hectare.
+[[nodiscard]] Scene crowd_scene(std::uint64_t boxes);
+
+/// `own`: two meshes of files. Both are moved to float coordinates about their middles, which the
+/// poses make up for; without poses, `random` ones that put A anywhere about B's box.
+[[nodiscard]] Scene own_files_scene(const std::filesystem::path& a, const std::filesystem::path& b,
+                                    const std::vector<Pose>& poses, std::size_t random,
+                                    std::uint64_t seed);
+
+/// Reads a mesh; `middle` is taken off each vertex before it is rounded to floats.
+[[nodiscard]] FloatMesh float_mesh(const Mesh& mesh, const Vec3& middle, double scale = 1);
 
 }  // namespace soms::bench

@@ -1,0 +1,73 @@
+#include "bench/peers/core/goals.h"
+
+#include <array>
+#include <limits>
+#include <string_view>
+
+namespace soms::bench {
+
+namespace {
+
+constexpr std::uint64_t kAnySize = std::numeric_limits<std::uint64_t>::max();
+
+struct Row {
+  Job job;
+  std::string_view scene;  // a beginning of its name
+  std::string_view set;    // a beginning of its name
+  std::uint64_t most;      // triangles; the first row that fits counts
+  std::string_view contestant;
+  double times;
+  Against against = Against::all;
+};
+
+constexpr std::array kRows{
+    Row{Job::any, "twins", "random", kAnySize, "soms", 5},
+    Row{Job::any, "twins", "deep", kAnySize, "soms", 5},
+    Row{Job::any, "twins", "near", 10'000, "soms", 6},
+    Row{Job::any, "twins", "near", 100'000, "soms", 4.5},
+    Row{Job::any, "twins", "near", kAnySize, "soms", 4},
+    Row{Job::any, "city-car", "", kAnySize, "soms", 5},
+    Row{Job::any, "real", "", kAnySize, "soms", 5},
+    Row{Job::any, "city-drone", "drone-path", kAnySize, "soms", 2},
+    Row{Job::any, "city-drone", "drone", kAnySize, "soms", 3},
+    Row{Job::any, "twins", "random", kAnySize, "soms-batch", 8},
+    Row{Job::any, "twins", "near-0.001", 10'000, "soms-batch", 8},
+    Row{Job::any, "twins", "near-0.001", 100'000, "soms-batch", 6},
+    Row{Job::any, "twins", "near-0.001", kAnySize, "soms-batch", 5},
+    Row{Job::any, "city-car", "car", kAnySize, "soms-batch", 8},
+    Row{Job::any, "city-drone", "drone", kAnySize, "soms-batch", 4},
+    Row{Job::all, "twins", "random", kAnySize, "soms", 6},
+    Row{Job::all, "twins", "deep", kAnySize, "soms", 4},
+    Row{Job::all, "city-car", "car", kAnySize, "soms", 5},
+    Row{Job::still, "", "", kAnySize, "soms", 4},
+    Row{Job::broad, "", "", kAnySize, "soms", 2, Against::keeps_tree},
+    Row{Job::broad, "", "", kAnySize, "soms", 5, Against::from_scratch},
+};
+
+bool fits(const Row& row, Job job, const std::string& scene, const std::string& set,
+          std::uint64_t triangles) {
+  // The goals of batches name sets of unlike poses, not paths.
+  const bool path = set.ends_with("-path") && row.contestant == "soms-batch";
+  return row.job == job && scene.starts_with(row.scene) && set.starts_with(row.set) &&
+         triangles <= row.most && !path;
+}
+
+}  // namespace
+
+std::vector<Goal> goals_of(Job job, const std::string& scene, const std::string& set,
+                           std::uint64_t triangles, const std::string& isa) {
+  const double share = isa == "avx512" ? 1 : 0.5;
+  std::vector<Goal> goals;
+  for (const Row& row : kRows) {
+    bool first = true;
+    for (const Goal& goal : goals) {
+      first = first && (goal.contestant != row.contestant || goal.against != row.against);
+    }
+    if (first && fits(row, job, scene, set, triangles)) {
+      goals.push_back({std::string(row.contestant), share * row.times, row.against});
+    }
+  }
+  return goals;
+}
+
+}  // namespace soms::bench

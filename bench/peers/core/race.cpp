@@ -1,0 +1,93 @@
+#include "bench/peers/core/race.h"
+
+#include "bench/peers/core/machine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace soms::bench {
+
+namespace {
+
+constexpr std::size_t kFirstQuestions = 8;
+constexpr std::size_t kFewestQuestions = 20;
+constexpr double kSlow = 3;  // times the pass of the fastest rival, or the budget
+constexpr int kSlowRounds = 3;
+
+double run(const Lane& lane, std::span<std::uint64_t> answers, std::size_t repeats) {
+  const double start = processor_seconds();
+  for (std::size_t i = 0; i < repeats; ++i) {
+    lane.run(answers);
+  }
+  return (processor_seconds() - start) / static_cast<double>(repeats * answers.size());
+}
+
+/// Seconds an answer, roughly: the second of two passes over the first questions.
+double rough(const Lane& lane, std::size_t questions) {
+  std::vector<std::uint64_t> answers(std::min(questions, kFirstQuestions));
+  run(lane, answers, 1);
+  return std::max(1e-9, run(lane, answers, 1));
+}
+
+std::size_t affordable(double seconds, double each) {
+  return static_cast<std::size_t>(std::clamp(seconds / each, 1.0, 1e9));
+}
+
+/// Seconds an answer of the fastest rival; of the fastest at all where there is none.
+double pace_of(std::span<const Lane> lanes, std::span<const double> each) {
+  double fastest = std::numeric_limits<double>::infinity();
+  double rival = fastest;
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    fastest = std::min(fastest, each[i]);
+    if (!is_ours(lanes[i].contestant)) {
+      rival = std::min(rival, each[i]);
+    }
+  }
+  return std::isfinite(rival) ? rival : fastest;
+}
+
+}  // namespace
+
+bool is_ours(const std::string& contestant) {
+  return contestant == "soms" || contestant.starts_with("soms-");
+}
+
+std::vector<Outcome> race(std::span<const Lane> lanes, std::size_t questions,
+                          const RaceOptions& options) {
+  std::vector<double> each;
+  for (const Lane& lane : lanes) {
+    each.push_back(rough(lane, questions));
+  }
+  const double pace = pace_of(lanes, each);
+  const std::size_t common =
+      std::min(questions, std::max(kFewestQuestions, affordable(options.budget, pace)));
+  const double most = kSlow * std::max(options.budget, pace * static_cast<double>(common));
+  std::vector<Outcome> outcomes(lanes.size());
+  std::vector<std::size_t> repeats(lanes.size());
+  std::vector<std::vector<double>> seconds(lanes.size());
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    const std::size_t done = std::min(common, affordable(most, each[i]));
+    outcomes[i].answers.resize(done);
+    const double pass =
+        run(lanes[i], outcomes[i].answers, 1) * static_cast<double>(std::max<std::size_t>(1, done));
+    repeats[i] = static_cast<std::size_t>(
+        std::ceil(std::clamp(options.least_pass / std::max(pass, 1e-9), 1.0, 1e4)));
+  }
+  for (int round = 0; round < options.rounds; ++round) {
+    for (std::size_t k = 0; k < lanes.size(); ++k) {
+      const std::size_t i = (k + static_cast<std::size_t>(round)) % lanes.size();
+      if (outcomes[i].answers.size() == common || round < kSlowRounds) {
+        std::vector<std::uint64_t> again(outcomes[i].answers.size());
+        seconds[i].push_back(run(lanes[i], again, repeats[i]));
+      }
+    }
+  }
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    std::sort(seconds[i].begin(), seconds[i].end());
+    outcomes[i].timing = {seconds[i][seconds[i].size() / 2], seconds[i].front(), seconds[i].back()};
+  }
+  return outcomes;
+}
+
+}  // namespace soms::bench

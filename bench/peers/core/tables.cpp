@@ -1,0 +1,251 @@
+#include "bench/peers/core/tables.h"
+
+#include "soms/base/error.h"
+
+#include "bench/peers/core/machine.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iomanip>
+#include <set>
+#include <sstream>
+
+namespace soms::bench {
+
+namespace {
+
+std::string fixed(double value, int digits) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << value;
+  return text.str();
+}
+
+/// Three digits that matter, in microseconds.
+std::string micro(double seconds) {
+  const double us = 1e6 * seconds;
+  return fixed(us, us < 1 ? 3 : us < 10 ? 2 : us < 100 ? 1 : 0);
+}
+
+std::string times(const std::optional<double>& value) {
+  return value ? fixed(*value, 2) : "void";
+}
+
+std::string where(const Cell& cell) {
+  return "| " + name(cell.job) + " | " + cell.scene + " | " + cell.set + " | " +
+         std::to_string(cell.triangles);
+}
+
+const Entry* entry_of(const Cell& cell, const std::string& contestant) {
+  const auto found = std::find_if(cell.entries.begin(), cell.entries.end(),
+                                  [&](const Entry& e) { return e.contestant == contestant; });
+  return found == cell.entries.end() ? nullptr : &*found;
+}
+
+std::string verdict(const std::optional<double>& reached, double goal) {
+  if (!reached) {
+    return "void";
+  }
+  return *reached >= goal ? "met" : "missed: " + fixed(100 * *reached / goal, 0) + " % of it";
+}
+
+std::string kind(Against against) {
+  return against == Against::keeps_tree     ? " (keeps its tree)"
+         : against == Against::from_scratch ? " (from scratch)"
+                                            : "";
+}
+
+/// A row of the first table: soms in one manner against the best rival of a kind.
+void goal_row(std::ostream& out, const Cell& cell, const Goal& goal) {
+  const Entry* own = entry_of(cell, goal.contestant);
+  const Entry* rival = best_rival(cell, goal.against);
+  if (rival == nullptr) {
+    return;
+  }
+  out << where(cell) << " | " << rival->contestant << kind(goal.against) << " | "
+      << micro(rival->timing.median) << " | ";
+  if (own == nullptr) {
+    out << "no soms | | | " << (goal.times > 0 ? fixed(goal.times, 1) : "") << " | |\n";
+    return;
+  }
+  const auto reached = ratio(cell, goal.contestant, goal.against);
+  out << goal.contestant << " | " << micro(own->timing.median) << " | " << times(reached) << " | "
+      << (goal.times > 0 ? fixed(goal.times, 1) + " | " + verdict(reached, goal.times) : " | ")
+      << " |\n";
+}
+
+void goals(std::ostream& out, const std::vector<Cell>& cells, const std::string& isa) {
+  out << "## soms against the best rival\n\nMicroseconds of processor time an answer. The goal is "
+         "the ratio aimed at"
+      << (isa == "avx512" ? "" : " (half, without AVX-512)")
+      << "; `void`: a wrong answer was given.\n\n"
+         "| job | scene | set | triangles | best rival | its us | soms | us | ratio | goal | |\n"
+         "|---|---|---|---:|---|---:|---|---:|---:|---:|---|\n";
+  for (const Cell& cell : cells) {
+    std::vector<Goal> wanted = goals_of(cell.job, cell.scene, cell.set, cell.triangles, isa);
+    for (const Entry& entry : cell.entries) {
+      const bool named = std::any_of(wanted.begin(), wanted.end(), [&](const Goal& g) {
+        return g.contestant == entry.contestant;
+      });
+      if (is_ours(entry.contestant) && !named) {
+        wanted.push_back({entry.contestant, 0});
+      }
+    }
+    for (const Goal& goal : wanted) {
+      goal_row(out, cell, goal);
+    }
+  }
+}
+
+std::string mark(const Cell& cell, const Entry& entry) {
+  if (entry.verdict.wrong != 0) {
+    return " wrong in " + std::to_string(entry.verdict.wrong) + " of " +
+           std::to_string(entry.verdict.checked) + (ranked(cell, entry) ? "" : ": void");
+  }
+  return entry.answered == cell.questions ? "" : " first " + std::to_string(entry.answered);
+}
+
+void builds(std::ostream& out, const std::vector<Cell>& cells) {
+  out << "\n## Building and memory\n\nBoth bodies, ready to be asked; bytes for each triangle of "
+         "both, own copies of the meshes included. Goal of soms: "
+      << fixed(kMostBytes, 0)
+      << " bytes.\n\n| scene | triangles | contestant | build ms | bytes a triangle | |\n"
+         "|---|---:|---|---:|---:|---|\n";
+  std::set<std::string> told;
+  for (const Cell& cell : cells) {
+    for (const Entry& e : cell.entries) {
+      const std::string row =
+          "| " + cell.scene + " | " + std::to_string(cell.triangles) + " | " + e.contestant + " | ";
+      if (cell.job != Job::any || !told.insert(row).second) {
+        continue;
+      }
+      out << row << fixed(1e3 * e.build, e.build < 0.1 ? 2 : 0) << " | " << fixed(e.bytes, 0)
+          << " | "
+          << (!is_ours(e.contestant)  ? ""
+              : e.bytes <= kMostBytes ? "met"
+                                      : "missed by " + fixed(e.bytes - kMostBytes, 0))
+          << " |\n";
+    }
+  }
+}
+
+void wrong_answers(std::ostream& out, const std::vector<Cell>& cells) {
+  out << "\n## Wrong answers\n\nThe judge decided, of each set, every question on which two "
+         "contestants differ and a spread of the others. A rival that is wrong in more than 2 % is "
+         "not ranked; a ratio of soms is void at a single wrong answer.\n\n";
+  bool none = true;
+  for (const Cell& cell : cells) {
+    for (const Entry& e : cell.entries) {
+      if (e.verdict.wrong != 0) {
+        none = false;
+        out << "- " << name(cell.job) << ", " << cell.scene << ' ' << cell.set << ' '
+            << cell.triangles << ": " << e.contestant << " is wrong in " << e.verdict.wrong
+            << " of " << e.verdict.checked << ", first at " << question(cell.job) << ' '
+            << e.verdict.wrong_questions.front() << '\n';
+      }
+    }
+  }
+  out << (none ? "None.\n" : "");
+}
+
+void versions(std::ostream& out, const std::vector<Cell>& cells) {
+  std::set<std::string> all;
+  for (const Cell& cell : cells) {
+    for (const Entry& e : cell.entries) {
+      all.insert(e.contestant.substr(0, e.contestant.find('-')) + " " + e.version);
+    }
+  }
+  std::string list;
+  for (const std::string& version : all) {
+    list += (list.empty() ? "" : ", ") + version;
+  }
+  out << "- Versions: " << list << ".\n";
+}
+
+std::ofstream open(const std::filesystem::path& path) {
+  std::ofstream out(path);
+  if (!out) {
+    throw Error(ErrorKind::cannot_write, path.string(), "choose a folder that can be written to");
+  }
+  return out;
+}
+
+void close(std::ofstream& out, const std::filesystem::path& path) {
+  out.flush();
+  if (!out) {
+    throw Error(ErrorKind::cannot_write, path.string(), "free some space");
+  }
+}
+
+}  // namespace
+
+void write_csv(const std::filesystem::path& path, const std::vector<Cell>& cells) {
+  std::ofstream out = open(path);
+  out << "job,scene,set,triangles,mover_triangles,questions,sum,contestant,version,build_s,"
+         "bytes_a_triangle,answered,median_us,least_us,most_us,checked,wrong,ratio\n";
+  for (const Cell& cell : cells) {
+    for (const Entry& e : cell.entries) {
+      const auto reached = ratio(cell, e.contestant);
+      out << name(cell.job) << ',' << cell.scene << ',' << cell.set << ',' << cell.triangles << ','
+          << cell.mover << ',' << cell.questions << ',' << cell.sum << ',' << e.contestant << ','
+          << e.version << ',' << fixed(e.build, 6) << ',' << fixed(e.bytes, 1) << ',' << e.answered
+          << ',' << fixed(1e6 * e.timing.median, 4) << ',' << fixed(1e6 * e.timing.least, 4) << ','
+          << fixed(1e6 * e.timing.most, 4) << ',' << e.verdict.checked << ',' << e.verdict.wrong
+          << ',' << (reached ? fixed(*reached, 3) : "") << '\n';
+    }
+  }
+  close(out, path);
+}
+
+void print_times(std::ostream& out, const std::vector<Cell>& cells) {
+  out << "| job | scene | set | triangles | asked | sum | contestant | us (least - most) | ratio | "
+         "checked | |\n|---|---|---|---:|---:|---:|---|---:|---:|---:|---|\n";
+  for (const Cell& cell : cells) {
+    for (const Entry& e : cell.entries) {
+      const auto reached = ratio(cell, e.contestant);
+      const std::string told = best_rival(cell) == nullptr ? "" : times(reached);
+      out << where(cell) << " | " << cell.questions << " | " << cell.sum << " | " << e.contestant
+          << " | " << micro(e.timing.median) << " (" << micro(e.timing.least) << " - "
+          << micro(e.timing.most) << ") | " << (e.answered == cell.questions ? told : "") << " | "
+          << e.verdict.checked << " |" << mark(cell, e) << " |\n";
+    }
+  }
+}
+
+void write_markdown(const std::filesystem::path& path, const std::vector<Cell>& cells,
+                    const RunFacts& facts) {
+  std::ofstream out = open(path);
+  out << "# soms and its rivals, " << today() << "\n\n- Machine: " << processor() << "; soms on "
+      << facts.isa << "; one thread"
+      << (facts.processor < 0 ? "" : ", bound to processor " + std::to_string(facts.processor))
+      << ".\n- Compiler: " << SOMS_BENCH_COMPILER << ", " << SOMS_BENCH_BUILD
+      << "; rivals' code of this build with -march=native besides.\n";
+  versions(out, cells);
+  out << "- Selection: " << facts.selection << "; median of " << facts.rounds
+      << " rounds in turn, processor time.\n\n";
+  goals(out, cells, facts.isa);
+  out << "\n## Every contestant\n\n`sum`: of the answers, touching poses or pairs. `ratio`: the "
+         "best rival's time over this one's. `first n`: too slow for the whole set, not "
+         "ranked.\n\n";
+  print_times(out, cells);
+  builds(out, cells);
+  wrong_answers(out, cells);
+  close(out, path);
+}
+
+void print_json(std::ostream& out, const std::vector<Cell>& cells) {
+  for (const Cell& cell : cells) {
+    for (const Entry& e : cell.entries) {
+      const auto reached = ratio(cell, e.contestant);
+      out << R"({"schema":"soms.bench/1","job":")" << name(cell.job) << R"(","set":")" << cell.set
+          << R"(","contestant":")" << e.contestant << R"(","version":")" << e.version
+          << R"(","asked":)" << cell.questions << R"(,"answered":)" << e.answered << R"(,"sum":)"
+          << cell.sum << R"(,"median_us":)" << fixed(1e6 * e.timing.median, 4) << R"(,"least_us":)"
+          << fixed(1e6 * e.timing.least, 4) << R"(,"most_us":)" << fixed(1e6 * e.timing.most, 4)
+          << R"(,"build_ms":)" << fixed(1e3 * e.build, 4) << R"(,"bytes_a_triangle":)"
+          << fixed(e.bytes, 1) << R"(,"checked":)" << e.verdict.checked << R"(,"wrong":)"
+          << e.verdict.wrong << R"(,"ratio":)" << (reached ? fixed(*reached, 3) : "null") << "}\n";
+    }
+  }
+}
+
+}  // namespace soms::bench

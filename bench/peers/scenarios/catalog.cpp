@@ -1,0 +1,70 @@
+#include "bench/peers/scenarios/catalog.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace soms::bench {
+
+namespace {
+
+struct Generated {
+  const char* name;
+  std::uint64_t triangles;
+  bool quick;
+  Scene (*make)(std::uint64_t);
+};
+
+constexpr std::array kGenerated{
+    Generated{"twins-knot", 1'000, true, knot_scene},
+    Generated{"twins-knot", 10'000, true, knot_scene},
+    Generated{"twins-knot", 100'000, true, knot_scene},
+    Generated{"twins-knot", 1'000'000, false, knot_scene},
+    Generated{"city-car", 5'672, true, city_car_scene},
+    Generated{"city-car", 100'000, false, city_car_scene},
+    Generated{"city-car", 1'000'000, true, city_car_scene},
+    Generated{"city-car", 5'000'000, false, city_car_scene},
+    Generated{"city-drone", 5'672, true, city_drone_scene},
+    Generated{"city-drone", 100'000, false, city_drone_scene},
+    Generated{"city-drone", 1'000'000, true, city_drone_scene},
+    Generated{"city-drone", 5'000'000, false, city_drone_scene},
+    Generated{"streets", 5'672, false, street_scene},
+    Generated{"streets", 1'000'000, false, street_scene},
+};
+
+constexpr std::array<std::string_view, 7> kModels{
+    "bun_zipper", "igea", "cow", "galleon", "teapot", "beethoven", "big_porsche"};
+constexpr std::array<std::string_view, 6> kCities{"rotterdam", "new_york_south", "new_york_mid",
+                                                  "lyon",      "delft",          "berlin_sample"};
+
+}  // namespace
+
+std::vector<Offer> catalog(const std::filesystem::path& data) {
+  std::vector<Offer> offers;
+  for (const Generated& g : kGenerated) {
+    offers.push_back({g.name, g.triangles, g.quick, [g] { return g.make(g.triangles); }});
+  }
+  const auto add = [&](const std::string& scene, const std::filesystem::path& file, bool quick,
+                       std::function<Scene()> make) {
+    if (!data.empty() && std::filesystem::exists(file)) {
+      offers.push_back({scene, 0, quick, std::move(make)});
+    }
+  };
+  for (const std::string_view model : kModels) {
+    const auto file = data / "ply" / (std::string(model) + ".ply");
+    add("twins-" + std::string(model), file, model == kModels[0],
+        [file] { return model_scene(file); });
+  }
+  for (const std::string_view city : kCities) {
+    const auto file = data / "cities" / (std::string(city) + ".ply");
+    const auto mover = data / "3ds" / "car_disim.3ds";
+    add("real-" + std::string(city), file, city == kCities[0],
+        [file, mover] { return real_city_scene(file, mover); });
+  }
+  for (const std::uint64_t boxes : {std::uint64_t{10'000}, std::uint64_t{100'000}}) {
+    offers.push_back({"crowd", boxes, boxes == 10'000, [boxes] { return crowd_scene(boxes); }});
+  }
+  return offers;
+}
+
+}  // namespace soms::bench

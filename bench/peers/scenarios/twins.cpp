@@ -1,0 +1,160 @@
+// A body against its twin, at any angle.
+#include "soms/base/error.h"
+#include "soms/io/read_mesh.h"
+#include "soms/query/overlap.h"
+
+#include "bench/peers/scenarios/gap.h"
+#include "bench/peers/scenarios/scene.h"
+#include "bench/peers/scenarios/solids.h"
+
+#include <optional>
+
+namespace soms::bench {
+
+namespace {
+
+FloatMesh knot_of(std::uint64_t triangles) {
+  switch (triangles) {
+    case 1'000:
+      return torus_knot(50, 10);
+    case 10'000:
+      return torus_knot(250, 20);
+    case 100'000:
+      return torus_knot(625, 80);
+    case 1'000'000:
+      return torus_knot(2500, 200);
+    default:
+      throw Error(ErrorKind::usage, "knot of " + std::to_string(triangles) + " triangles",
+                  "the referee's sizes are 1000, 10000, 100000 and 1000000");
+  }
+}
+
+Pose shifted(Pose pose, const Vec3& t) {
+  pose.m[3] = t.x;
+  pose.m[7] = t.y;
+  pose.m[11] = t.z;
+  return pose;
+}
+
+/// Finds poses that leave a gap. Sliding stops where soms finds the first touch; the distance that
+/// is left is then measured by a tree of the referee's own, and the judge decides every answer.
+class NearMisses {
+ public:
+  explicit NearMisses(const FloatMesh& mesh) : tree_(mesh), twin_(widened(mesh)), body_(twin_) {}
+
+  /// `count` poses at which the bodies are `gap` apart, to 2 %.
+  [[nodiscard]] std::vector<Pose> find(double gap, std::size_t count) {
+    Rng rng(13);
+    std::vector<Pose> poses;
+    while (poses.size() < count) {
+      const Pose turned = random_rotation(rng, {});
+      const Vec3 direction = random_direction(rng);
+      const std::optional<Pose> pose = slide(turned, direction, gap);
+      if (pose) {
+        poses.push_back(*pose);
+      }
+    }
+    return poses;
+  }
+
+ private:
+  static Mesh widened(const FloatMesh& mesh) {
+    Mesh result;
+    for (const auto& v : mesh.vertices) {
+      result.vertices.push_back(wide(v));
+    }
+    result.triangles = mesh.triangles;
+    return result;
+  }
+
+  bool touches(const Pose& pose) {
+    body_.pose = pose;
+    return overlap(body_, twin_, {.mode = OverlapMode::any}).any;
+  }
+
+  /// Distance at `s` along the line: 0 where the bodies touch, 2 gaps where it is more, any value
+  /// below where it is too small by more than may be.
+  double distance(const Pose& turned, const Vec3& direction, double s, double gap) {
+    const Pose pose = shifted(turned, s * direction);
+    return touches(pose) ? 0 : tree_.distance(tree_, pose, 2 * gap, 0.98 * gap);
+  }
+
+  /// In along the line until it touches, then out until the distance is right.
+  std::optional<Pose> slide(const Pose& turned, const Vec3& direction, double gap) {
+    double touching = 2.5;
+    while (touching > -2.5 && !touches(shifted(turned, touching * direction))) {
+      touching -= 0.05;
+    }
+    double close = touching;
+    double apart = touching + gap;
+    while (apart < 2.5 && distance(turned, direction, apart, gap) < gap) {
+      close = apart;
+      apart += apart - touching;
+    }
+    for (int i = 0; i < 40 && touching > -2.5; ++i) {
+      const double middle = 0.5 * (close + apart);
+      const double left = distance(turned, direction, middle, gap);
+      if (std::abs(left - gap) < 0.02 * gap) {
+        return shifted(turned, middle * direction);
+      }
+      (left < gap ? close : apart) = middle;
+    }
+    return std::nullopt;
+  }
+
+  GapTree tree_;
+  Body twin_;
+  Body body_;
+};
+
+/// Fewer where a distance takes long.
+std::size_t near_misses(std::size_t triangles) {
+  return triangles > 200'000 ? 200 : triangles > 20'000 ? 500 : kPoses;
+}
+
+Scene twins(const std::string& name, FloatMesh mesh) {
+  const std::size_t n = mesh.triangles.size();
+  const bool middling = n >= 10'000 && n <= 100'000;
+  Scene scene{"twins-" + name, mesh, std::move(mesh), {}};
+  PoseSet random{"random", {}, true, middling ? std::size_t{8} : std::size_t{0}};
+  PoseSet deep{"deep", {}, true};
+  Rng rng(11);
+  Rng deep_rng(12);
+  for (std::size_t i = 0; i < kPoses; ++i) {
+    const Pose turned = random_rotation(rng, {});
+    random.poses.push_back(shifted(turned, rng.uniform(1.0, 1.9) * random_direction(rng)));
+    const Pose inside = random_rotation(deep_rng, {});
+    deep.poses.push_back(shifted(inside, deep_rng.uniform(0, 0.2) * random_direction(deep_rng)));
+  }
+  NearMisses misses(scene.fixed);
+  scene.sets = {std::move(random),
+                std::move(deep),
+                {"near-0.001", misses.find(0.001, near_misses(n))},
+                {"near-0.01", misses.find(0.01, near_misses(n))}};
+  return scene;
+}
+
+}  // namespace
+
+Scene knot_scene(std::uint64_t triangles) {
+  return twins("knot", knot_of(triangles));
+}
+
+Scene model_scene(const std::filesystem::path& file) {
+  const Mesh mesh = read_mesh(file);
+  Box box;
+  for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
+    box.grow(bounds(mesh.triangle(i)));
+  }
+  double reach = 0;
+  for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle t = mesh.triangle(i);
+    for (const Vec3& v : {t.a, t.b, t.c}) {
+      const Vec3 d = v - box.center();
+      reach = std::max(reach, std::sqrt(dot(d, d)));
+    }
+  }
+  return twins(file.stem().string(), float_mesh(mesh, box.center(), 1 / reach));
+}
+
+}  // namespace soms::bench

@@ -1,0 +1,51 @@
+#include "bench/peers/core/goals.h"
+
+#include <gtest/gtest.h>
+
+namespace soms::bench {
+namespace {
+
+double goal(const std::vector<Goal>& goals, const std::string& contestant) {
+  for (const Goal& g : goals) {
+    if (g.contestant == contestant) {
+      return g.times;
+    }
+  }
+  return 0;
+}
+
+TEST(Goals, DependOnTheSizeOfNearMisses) {
+  for (const auto& [triangles, any, batch] :
+       {std::tuple{10'000, 6.0, 8.0}, {100'000, 4.5, 6.0}, {1'000'000, 4.0, 5.0}}) {
+    const auto goals = goals_of(Job::any, "twins-knot", "near-0.001",
+                                static_cast<std::uint64_t>(triangles), "avx512");
+    EXPECT_EQ(goal(goals, "soms"), any) << triangles;
+    EXPECT_EQ(goal(goals, "soms-batch"), batch) << triangles;
+  }
+}
+
+TEST(Goals, AreHalfWithoutTheWidestInstructions) {
+  EXPECT_EQ(goal(goals_of(Job::any, "city-car", "car", 5'672, "avx2"), "soms"), 2.5);
+}
+
+TEST(Goals, TellAFlightFromPlacesInTheStreets) {
+  EXPECT_EQ(goal(goals_of(Job::any, "city-drone", "drone", 5'672, "avx512"), "soms"), 3);
+  EXPECT_EQ(goal(goals_of(Job::any, "city-drone", "drone-path", 5'672, "avx512"), "soms"), 2);
+  EXPECT_EQ(goal(goals_of(Job::any, "city-drone", "drone-path", 5'672, "avx512"), "soms-batch"), 0);
+}
+
+TEST(Goals, OfTheBroadPhaseDifferByWhatARivalKeeps) {
+  const auto goals = goals_of(Job::broad, "crowd", "dense", 10'000, "avx512");
+  ASSERT_EQ(goals.size(), 2U);
+  EXPECT_EQ(goals[0].against, Against::keeps_tree);
+  EXPECT_EQ(goals[0].times, 2);
+  EXPECT_EQ(goals[1].against, Against::from_scratch);
+  EXPECT_EQ(goals[1].times, 5);
+}
+
+TEST(Goals, AreNoneForAJobThatNoneWasSetFor) {
+  EXPECT_TRUE(goals_of(Job::any, "streets", "routes", 5'672, "avx512").empty());
+}
+
+}  // namespace
+}  // namespace soms::bench

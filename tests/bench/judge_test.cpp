@@ -1,0 +1,103 @@
+#include "bench/peers/core/judge.h"
+
+#include "soms/query/reference/overlap.h"
+
+#include "bench/peers/scenarios/solids.h"
+#include "tests/support/support.h"
+
+namespace soms::bench {
+namespace {
+
+Mesh widened(const FloatMesh& mesh) {
+  Mesh result;
+  for (const auto& v : mesh.vertices) {
+    result.vertices.push_back(wide(v));
+  }
+  result.triangles = mesh.triangles;
+  return result;
+}
+
+/// Small boxes on a floor of two triangles, which are large beside a cell of the grid.
+FloatMesh yard() {
+  FloatMesh mesh{{{-500, -500, 0}, {500, -500, 0}, {0, 700, 0}}, {{0, 1, 2}}};
+  for (int i = 0; i < 40; ++i) {
+    append(mesh, box({0.3 * i - 6, 0.1 * i, 0.1}, {0.1, 0.1, 0.1}, 0.3 * i));
+  }
+  return mesh;
+}
+
+TEST(PairCounter, CountsWhatBruteForceCounts) {
+  const FloatMesh knot = torus_knot(25, 8);
+  const FloatMesh floor = yard();
+  const PairCounter twins(knot, knot);
+  const PairCounter on_floor(knot, floor);
+  std::uint64_t pairs = 0;
+  test::for_each_case("bench/pair-counter", 60, [&](Rng& rng) {
+    const Pose pose = random_rotation(rng, rng.uniform(0, 1.6) * random_direction(rng));
+    const std::uint64_t near =
+        reference::overlap(widened(knot), pose, widened(knot), {}).pairs.size();
+    EXPECT_EQ(twins.count(pose, false), near);
+    EXPECT_EQ(twins.count(pose, true), near == 0 ? 0U : 1U);
+    const std::uint64_t far =
+        reference::overlap(widened(knot), pose, widened(floor), {}).pairs.size();
+    EXPECT_EQ(on_floor.count(pose, false), far);
+    pairs += near + far;
+  });
+  EXPECT_GT(pairs, 1000U);
+}
+
+TEST(PairCounter, CountsTouchingPairs) {
+  const FloatMesh cube = box({0, 0, 0}, {1, 1, 1});
+  const PairCounter counter(cube, cube);
+  const Pose beside = Pose::translation(2, 0, 0);
+  EXPECT_EQ(counter.count(beside, false),
+            reference::overlap(widened(cube), beside, widened(cube), {}).pairs.size());
+  EXPECT_GT(counter.count(beside, false), 0U);
+  EXPECT_EQ(counter.count(Pose::translation(2.001, 0, 0), false), 0U);
+}
+
+TEST(Judge, LooksAtEveryQuestionOnWhichTwoDifferHoweverLittleItMayLookAt) {
+  const FloatMesh cube = box({0, 0, 0}, {1, 1, 1});
+  const PairCounter counter(cube, cube);
+  std::vector<Pose> poses;
+  for (int i = 0; i < 100; ++i) {
+    poses.push_back(Pose::translation(0.05 * i, 0, 0));
+  }
+  std::vector<std::vector<std::uint64_t>> answers(3, std::vector<std::uint64_t>(100));
+  for (std::size_t i = 0; i < 100; ++i) {
+    answers[0][i] = answers[1][i] = i <= 40 ? 1 : 0;
+  }
+  answers[2].assign(answers[0].begin(), answers[0].begin() + 60);
+  answers[1][77] = 1;
+  answers[2][13] = 0;
+  const auto verdicts = judge(counter, Job::any, poses, answers, 1);
+  EXPECT_EQ(verdicts[0].wrong, 0U);
+  EXPECT_EQ(verdicts[0].checked, 3U);
+  EXPECT_EQ(verdicts[1].wrong_questions, std::vector<std::size_t>{77});
+  EXPECT_EQ(verdicts[2].wrong_questions, std::vector<std::size_t>{13});
+  EXPECT_EQ(verdicts[2].checked, 2U);
+}
+
+TEST(Judge, FindsAFaultThatAllShareWhereItMayLook) {
+  const FloatMesh cube = box({0, 0, 0}, {1, 1, 1});
+  const PairCounter counter(cube, cube);
+  const std::vector<Pose> poses(5, Pose::translation(0.5, 0, 0));
+  const std::vector<std::vector<std::uint64_t>> answers(2, std::vector<std::uint64_t>(5, 0));
+  const auto verdicts = judge(counter, Job::any, poses, answers, 1e6);
+  EXPECT_EQ(verdicts[0].wrong, 5U);
+  EXPECT_EQ(verdicts[1].wrong, 5U);
+}
+
+TEST(Judge, CountsBoxesThatOverlapOrTouch) {
+  const FloatBox a{{0, 0, 0}, {1, 1, 1}};
+  const FloatBox b{{1, 1, 1}, {2, 2, 2}};
+  const FloatBox c{{0, 3, 0}, {2, 4, 2}};
+  const std::vector<std::vector<FloatBox>> frames{{a, b, c}, {a, a, b}};
+  const std::vector<std::vector<std::uint64_t>> answers{{1, 3}, {1, 2}};
+  const auto verdicts = judge(frames, answers);
+  EXPECT_EQ(verdicts[0].wrong, 0U);
+  EXPECT_EQ(verdicts[1].wrong_questions, std::vector<std::size_t>{1});
+}
+
+}  // namespace
+}  // namespace soms::bench

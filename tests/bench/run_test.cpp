@@ -1,0 +1,165 @@
+// Contestants that lie must not win: their ratios are void, and the table says so.
+#include "bench/peers/run.h"
+
+#include "bench/peers/core/tables.h"
+#include "bench/peers/scenarios/solids.h"
+#include "tests/support/support.h"
+
+#include <fstream>
+#include <sstream>
+
+namespace soms::bench {
+namespace {
+
+/// Right answers but at the poses `lies`, and quicker the fewer of them it works out.
+class FakeMatch final : public Match {
+ public:
+  FakeMatch(const FloatMesh& mover, const FloatMesh& fixed, std::size_t lies)
+      : counter_(mover, fixed), lies_(lies) {}
+
+  void answer(Job job, std::span<const Pose> poses, std::span<std::uint64_t> answers) override {
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const bool lie = i < lies_;
+      answers[i] = counter_.count(poses[i], job == Job::any);
+      answers[i] = lie ? (answers[i] == 0 ? 1 : answers[i] - 1) : answers[i];
+    }
+  }
+
+ private:
+  PairCounter counter_;
+  std::size_t lies_;
+};
+
+class Fake final : public Contestant {
+ public:
+  Fake(std::string name, std::size_t lies) : name_(std::move(name)), lies_(lies) {}
+
+  [[nodiscard]] std::string name() const override { return name_; }
+
+  [[nodiscard]] std::string version() const override { return "0"; }
+
+  [[nodiscard]] bool does(Job job) const override { return job == Job::any || job == Job::all; }
+
+  [[nodiscard]] std::unique_ptr<Match> prepare(const FloatMesh& mover,
+                                               const FloatMesh& fixed) const override {
+    return std::make_unique<FakeMatch>(mover, fixed, lies_);
+  }
+
+ private:
+  std::string name_;
+  std::size_t lies_;
+};
+
+constexpr std::size_t kQuestions = 100;
+
+Scene cubes() {
+  const FloatMesh cube = box({0, 0, 0}, {1, 1, 1});
+  Scene scene{"cubes", cube, cube, {{"row", {}, true}}};
+  for (std::size_t i = 0; i < kQuestions; ++i) {
+    scene.sets[0].poses.push_back(Pose::translation(0.04 * static_cast<double>(i), 0.1, 0.2));
+  }
+  return scene;
+}
+
+std::vector<Cell> run_fakes(const std::vector<std::pair<std::string, std::size_t>>& fakes,
+                            double judge = 1e6) {
+  Roster roster;
+  for (const auto& [name, lies] : fakes) {
+    roster.push_back(std::make_unique<Fake>(name, lies));
+  }
+  RunOptions options;
+  options.race = {.rounds = 1, .budget = 10, .least_pass = 0};
+  options.judge = judge;
+  std::vector<Cell> cells;
+  run_scene(cubes(), roster, options, [&](Cell cell) { cells.push_back(std::move(cell)); });
+  return cells;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+TEST(RunScene, RanksContestantsThatTellTheTruth) {
+  const auto cells = run_fakes({{"rival", 0}, {"soms", 0}});
+  ASSERT_EQ(cells.size(), 2U);
+  for (const Cell& cell : cells) {
+    EXPECT_EQ(cell.questions, kQuestions);
+    EXPECT_EQ(cell.entries[1].verdict.checked, kQuestions);
+    EXPECT_TRUE(ratio(cell, "soms").has_value());
+    EXPECT_GT(cell.sum, 10U);
+  }
+  EXPECT_TRUE(sound(cells));
+}
+
+TEST(RunScene, VoidsTheRatioOfSomsAtOneWrongAnswer) {
+  for (const double judge : {1e6, 1.0}) {
+    const auto cells = run_fakes({{"rival", 0}, {"soms", 1}, {"soms-batch", 0}}, judge);
+    for (const Cell& cell : cells) {
+      EXPECT_EQ(cell.entries[1].verdict.wrong_questions, std::vector<std::size_t>{0});
+      EXPECT_FALSE(ratio(cell, "soms").has_value());
+      EXPECT_TRUE(ratio(cell, "soms-batch").has_value());
+    }
+    EXPECT_FALSE(sound(cells));
+  }
+}
+
+TEST(RunScene, CatchesALieThatAllTell) {
+  const auto cells = run_fakes({{"rival", 5}, {"soms", 5}});
+  for (const Cell& cell : cells) {
+    EXPECT_EQ(cell.entries[1].verdict.wrong, 5U);
+    EXPECT_FALSE(ratio(cell, "soms").has_value());
+    EXPECT_EQ(best_rival(cell), nullptr);
+  }
+}
+
+TEST(RunScene, DoesNotRankARivalThatIsWrongOften) {
+  const auto cells = run_fakes({{"liar", 3}, {"rounder", 2}, {"soms", 0}});
+  for (const Cell& cell : cells) {
+    EXPECT_FALSE(ranked(cell, cell.entries[0]));
+    EXPECT_TRUE(ranked(cell, cell.entries[1]));
+    ASSERT_NE(best_rival(cell), nullptr);
+    EXPECT_EQ(best_rival(cell)->contestant, "rounder");
+  }
+  EXPECT_TRUE(sound(cells));
+}
+
+TEST(RunScene, SaysSoInItsTables) {
+  const auto cells = run_fakes({{"rival", 0}, {"soms", 1}});
+  const test::TemporaryFolder folder;
+  write_markdown(folder.path() / "a.md", cells, {});
+  write_csv(folder.path() / "a.csv", cells);
+  const std::string page = text_of(folder.path() / "a.md");
+  EXPECT_NE(page.find("| void |"), std::string::npos) << page;
+  EXPECT_NE(page.find("soms is wrong in 1 of 100, first at pose 0"), std::string::npos) << page;
+  EXPECT_NE(page.find("wrong in 1 of 100: void"), std::string::npos) << page;
+  const auto rows = test::read_csv(folder.path() / "a.csv");
+  ASSERT_EQ(rows.size(), 5U);
+  EXPECT_EQ(rows[0].back(), "ratio");
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i].back().empty(), rows[i][7] == "soms") << i;
+  }
+  std::ostringstream json;
+  print_json(json, cells);
+  EXPECT_NE(json.str().find("\"wrong\":1,\"ratio\":null"), std::string::npos);
+}
+
+TEST(RunScene, ComparesSomsWithBruteForceInEveryJob) {
+  Roster roster;
+  add_soms(roster);
+  RunOptions options;
+  options.race = {.rounds = 1, .budget = 1, .least_pass = 0};
+  Scene scene = cubes();
+  scene.sets[0].still = 3;
+  std::vector<Cell> cells;
+  run_scene(scene, roster, options, [&](Cell cell) { cells.push_back(std::move(cell)); });
+  ASSERT_EQ(cells.size(), 3U);
+  EXPECT_EQ(cells[2].job, Job::still);
+  EXPECT_EQ(cells[2].questions, 3U);
+  EXPECT_TRUE(sound(cells));
+}
+
+}  // namespace
+}  // namespace soms::bench
