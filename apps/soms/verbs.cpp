@@ -1,5 +1,6 @@
 #include "apps/soms/verbs.h"
 
+#include "apps/soms/bench.h"
 #include "apps/soms/completion.h"
 #include "apps/soms/convert.h"
 #include "apps/soms/generate.h"
@@ -15,6 +16,7 @@ namespace soms::command {
 namespace {
 
 constexpr std::array kVerbs{
+    Verb{"bench", "soms and the installed rivals on two models of yours", add_bench},
     Verb{"completion", "words for the shell to complete", add_completion},
     Verb{"convert", "read any model, write PLY, 3DS, STL, OFF or OBJ", add_convert},
     Verb{"generate", "make a model of an exact number of triangles", add_generate},

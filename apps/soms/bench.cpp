@@ -1,0 +1,111 @@
+#include "apps/soms/bench.h"
+
+#include "soms/base/error.h"
+
+#include "apps/soms/child.h"
+#include "apps/soms/console.h"
+#include "apps/soms/parse.h"
+
+#include <CLI/CLI.hpp>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <memory>
+#include <system_error>
+#include <vector>
+
+namespace soms::command {
+
+namespace {
+
+constexpr const char* kRemedy =
+    "build it (cmake --preset bench && cmake --build --preset bench), or name it by SOMS_BENCH; "
+    "docs/bench.md tells more";
+
+bool runs(const std::filesystem::path& program) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(program, ignored) && ::access(program.c_str(), X_OK) == 0;
+}
+
+}  // namespace
+
+std::filesystem::path bench_program() {
+  const char* named = std::getenv("SOMS_BENCH");
+  if (named != nullptr && *named != '\0') {
+    if (!runs(named)) {
+      throw Error(ErrorKind::unsupported, std::string("SOMS_BENCH names no program: ") + named,
+                  kRemedy);
+    }
+    return named;
+  }
+  std::error_code unknown;
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
+  for (const auto& program :
+       {folder / "soms-bench", folder.parent_path() / "libexec" / "soms" / "soms-bench"}) {
+    if (runs(program)) {
+      return program;
+    }
+  }
+  throw Error(ErrorKind::unsupported, "the program soms-bench is not installed", kRemedy);
+}
+
+Action add_bench(CLI::App& app, Shared&) {
+  const auto options = std::make_shared<BenchOptions>();
+  const char* const group = "Question";
+  app.add_option("A", options->a, "the model that is moved")->required()->type_name("");
+  app.add_option("B", options->b, "the model that stands still")->required()->type_name("");
+  CLI::Option* pose =
+      app.add_option("--pose", options->pose, "moves A: \"x y z [qw qx qy qz]\", or a CSV file")
+          ->option_text("POSE")
+          ->group(group);
+  add_count(app, "--random", options->random, 1, 1'000'000,
+            "random poses of A about B's box (default 1000)")
+      ->excludes(pose)
+      ->group(group);
+  add_choice<std::string>(app, "--ask", options->jobs,
+                          {{"any", "any"}, {"all", "all"}, {"both", "any,all"}},
+                          "does A touch B, how many pairs of triangles touch, or both")
+      ->group(group);
+  add_count(app, "--rounds", options->rounds, 1, 1000, "timed rounds in turn (default 7)")
+      ->group(group);
+  app.add_option("--out", options->out, "writes peers.csv and peers.md into a folder, too")
+      ->option_text("FOLDER")
+      ->group(group);
+  app.footer(
+      "Runs soms-bench, which races soms with every rival that is installed, on one thread bound\n"
+      "to a processor. Vertices are rounded to floats first, the same for all. Answers are\n"
+      "compared before a time counts: a ratio at a wrong answer is void.\n\nExample:\n"
+      "  soms generate knot --triangles 2000 -o knot.ply\n"
+      "  soms generate sphere --triangles 800 -o ball.off\n"
+      "  soms bench knot.ply ball.off --random 100 --rounds 3");
+  return [options](Console& console) { return run_bench(*options, console); };
+}
+
+int run_bench(const BenchOptions& options, Console& console) {
+  const Shared& shared = console.shared();
+  std::vector<std::string> words{options.a, options.b, "--jobs", options.jobs};
+  const auto add = [&](const std::string& name, const std::string& value) {
+    words.push_back(name);
+    words.push_back(value);
+  };
+  add("--rounds", std::to_string(options.rounds));
+  add("--seed", std::to_string(shared.seed));
+  if (options.pose) {
+    add("--pose", *options.pose);
+  } else {
+    add("--random", std::to_string(options.random));
+  }
+  if (!options.out.empty()) {
+    add("--out", options.out);
+  }
+  if (shared.json) {
+    words.emplace_back("--json");
+  }
+  if (shared.quiet) {
+    words.emplace_back("--quiet");
+  }
+  return run_child(bench_program(), words, console);
+}
+
+}  // namespace soms::command

@@ -1,0 +1,34 @@
+/// \file
+/// The verb `bench`: soms and the rivals that are installed, on the user's own two models. It runs
+/// a program of its own, soms-bench, so that the command never links a rival.
+#pragma once
+
+#include "apps/soms/verbs.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace soms::command {
+
+/// Options of the verb `bench`.
+struct BenchOptions {
+  std::string a;
+  std::string b;
+  std::optional<std::string> pose;  ///< unset: random ones
+  std::uint64_t random = 1000;
+  std::uint64_t rounds = 7;
+  std::string jobs = "any,all";
+  std::string out;  ///< folder; empty: none
+};
+
+[[nodiscard]] Action add_bench(CLI::App& app, Shared& shared);
+[[nodiscard]] int run_bench(const BenchOptions& options, Console& console);
+
+/// The program soms-bench: the file that SOMS_BENCH names, else the one beside the command, else
+/// libexec/soms/soms-bench under its prefix.
+/// \errors ErrorKind::unsupported where there is none; the remedy says how to get it.
+[[nodiscard]] std::filesystem::path bench_program();
+
+}  // namespace soms::command

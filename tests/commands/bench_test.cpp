@@ -1,0 +1,107 @@
+#include "tests/commands/run.h"
+
+#include <cstdlib>
+
+namespace soms::test {
+namespace {
+
+const char* const kQuick = " --random 50 --rounds 1 --threads 1";
+
+TEST(Bench, SaysHowToGetTheProgramWhereItIsMissing) {
+  const TemporaryFolder folder;
+  std::filesystem::copy_file(command(), folder.path() / "soms");
+  const RunResult alone = run_program(
+      {"env", "-u", "SOMS_BENCH", (folder.path() / "soms").string(), "bench", "a.ply", "b.ply"});
+  EXPECT_EQ(alone.status, 3);
+  EXPECT_EQ(alone.out, "");
+  EXPECT_NE(alone.err.find("soms bench: the program soms-bench is not installed; build it (cmake "
+                           "--preset bench"),
+            std::string::npos)
+      << alone.err;
+  const RunResult named = shell("SOMS_BENCH=/nowhere/soms-bench $soms bench a.ply b.ply");
+  EXPECT_EQ(named.status, 3);
+  EXPECT_NE(named.err.find("SOMS_BENCH names no program: /nowhere/soms-bench"), std::string::npos)
+      << named.err;
+}
+
+TEST(Bench, FindsTheProgramInLibexecOfItsPrefix) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "bin");
+  std::filesystem::create_directories(folder.path() / "libexec/soms");
+  std::filesystem::copy_file(command(), folder.path() / "bin/soms");
+  const auto program = folder.path() / "libexec/soms/soms-bench";
+  write_text(program, "#!/bin/sh\necho \"$@\"\nexit 6\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const RunResult result =
+      run_program({"env", "-u", "SOMS_BENCH", (folder.path() / "bin/soms").string(), "bench",
+                   "a.ply", "b.ply", "--pose", "1 2 3", "--ask", "all", "--json"});
+  EXPECT_EQ(result.status, 6);
+  EXPECT_EQ(result.out, "a.ply b.ply --jobs all --rounds 7 --seed 1 --pose 1 2 3 --json\n");
+}
+
+TEST(Bench, EndsTheProgramWhenTimeIsOver) {
+  const TemporaryFolder folder;
+  const auto program = folder.path() / "slow";
+  write_text(program, "#!/bin/sh\nexec sleep 100\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const RunResult result =
+      shell("SOMS_BENCH='" + program.string() + "' $soms bench a.ply b.ply --timeout 0.1");
+  EXPECT_EQ(result.status, 4);
+  EXPECT_NE(result.err.find("out of time while slow ran"), std::string::npos) << result.err;
+}
+
+TEST(Bench, ComparesAnswersAndTimesOfTwoFiles) {
+  const std::string a = test::data("truth/meshes/torus.ply").string();
+  const std::string b = test::data("truth/meshes/terrain.ply").string();
+  const RunResult result = shell("$soms bench '" + a + "' '" + b + "' --json" + kQuick);
+  ASSERT_EQ(result.status, 0) << result.err;
+  std::vector<std::string> ours;
+  for (const Json& row : json_lines(result.out)) {
+    EXPECT_EQ(row.at("schema"), "soms.bench/1");
+    EXPECT_EQ(row.at("asked"), 50) << row;
+    EXPECT_GT(row.at("median_us"), 0) << row;
+    const std::string contestant = row.at("contestant");
+    if (contestant.starts_with("soms")) {
+      EXPECT_EQ(row.at("wrong"), 0) << row;
+      EXPECT_EQ(row.at("checked"), 50) << row;
+      ours.push_back(contestant + " " + row.at("job").get<std::string>());
+    }
+  }
+  EXPECT_EQ(ours, (std::vector<std::string>{"soms any", "soms-batch any", "soms all"}));
+}
+
+TEST(Bench, CountsWhatOverlapCounts) {
+  const std::string a = test::data("truth/meshes/torus.ply").string();
+  const RunResult bench = soms_run(
+      {"bench", a, a, "--pose", "0.25 0 0", "--ask", "all", "--rounds", "1", "--json", "--quiet"});
+  ASSERT_EQ(bench.status, 0) << bench.err;
+  const RunResult overlap = soms_run({"overlap", a, a, "--pose", "0.25 0 0", "--json"});
+  for (const Json& row : json_lines(bench.out)) {
+    if (row.at("contestant") == "soms") {
+      EXPECT_EQ(row.at("sum"), json_lines(overlap.out).at(0).at("count"));
+    }
+  }
+}
+
+TEST(Bench, PrintsATableForPeopleAndWritesItsFiles) {
+  const TemporaryFolder folder;
+  const std::string a = test::data("truth/meshes/torus.ply").string();
+  const RunResult result = shell("$soms bench '" + a + "' '" + a + "' --out '" +
+                                 folder.path().string() + "/new/results'" + kQuick);
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("| any | own | random |"), std::string::npos) << result.out;
+  EXPECT_EQ(files_in(folder.path() / "new/results"),
+            (std::vector<std::string>{"peers.csv", "peers.md"}));
+}
+
+TEST(Bench, PassesOnWhatTheProgramComplainsAbout) {
+  const std::string a = test::data("truth/meshes/torus.ply").string();
+  const RunResult missing = soms_run({"bench", a, "/nowhere/b.ply"});
+  EXPECT_EQ(missing.status, 3);
+  EXPECT_NE(missing.err.find("/nowhere/b.ply"), std::string::npos) << missing.err;
+  const RunResult pose = soms_run({"bench", a, a, "--pose", "1 2"});
+  EXPECT_EQ(pose.status, 2) << pose.err;
+}
+
+}  // namespace
+}  // namespace soms::test
