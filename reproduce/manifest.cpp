@@ -79,7 +79,9 @@ std::string manifest(const Report& report) {
                   {"models",
                    {{"objects", models_of(report.models.objects)},
                     {"scenes", models_of(report.models.scenes)},
-                    {"cities", models_of(report.models.cities)}}},
+                    {"cities", models_of(report.models.cities)},
+                    {"remarks", report.models.remarks},
+                    {"files", report.model_files}}},
                   {"items", items},
                   {"not_run", missing}};
   return json.dump(2) + "\n";

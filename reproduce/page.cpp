@@ -160,6 +160,9 @@ class Page {
       }
     }
     put("</tbody>\n</table>\n</div>\n");
+    for (const std::string& remark : report_.models.remarks) {
+      put("<p class=\"note\">{}</p>\n", xml_text(remark));
+    }
   }
 
   void put_model(const Model& model) {

@@ -38,6 +38,15 @@ void write_files(const Result& result, const RunVisitor& visitor) {
   }
 }
 
+void write_scenes(Report& report, const RunVisitor& visitor) {
+  for (const Model& scene : report.models.scenes) {
+    if (scene.stand_in) {
+      report.model_files.push_back(fmt::format("scenes/{}.3ds", scene.name));
+      visitor.write(report.model_files.back(), scene_file(scene));
+    }
+  }
+}
+
 /// Runs experiments one by one and knows the share of all that is done.
 class Runner {
  public:
@@ -89,6 +98,7 @@ Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel&
   report.missing = options.experiments;
   try {
     report.models = find_models(options.models, all_needs(options.experiments), parallel);
+    write_scenes(report, visitor);
     Runner runner(options, visitor, parallel);
     while (!report.missing.empty()) {
       check_stop(parallel);

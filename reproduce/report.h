@@ -37,6 +37,7 @@ struct Report {
   std::string date;  ///< UTC, ISO 8601
   bool quick = false;
   Models models = {};
+  std::vector<std::string> model_files = {};  ///< generated scenes as written: "scenes/u_mixed.3ds"
   std::vector<Entry> entries = {};
   std::vector<const Experiment*> missing = {};  ///< not run: the run was interrupted
 };
@@ -56,9 +57,10 @@ struct RunVisitor {
   std::function<void(const Experiment& now, double share)> progress = {};
 };
 
-/// Runs experiments one after the other and writes each one's files as soon as it ends, then the
-/// page and the list of files. A stop request ends it early: what is written is whole, and the page
-/// names what is missing. \errors Those of find_models but cancelled; those of `visitor`.
+/// Writes the generated scenes as scenes/NAME.3ds, runs experiments one after the other and writes
+/// each one's files as soon as it ends, then the page and the list of files. A stop request ends it
+/// early: what is written is whole, and the page names what is missing. \errors Those of
+/// find_models but cancelled; those of `visitor`.
 Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel& parallel = {});
 
 /// The page: one self-contained HTML document without scripts or anything from a network.

@@ -123,9 +123,7 @@ std::string summary(const reproduce::Report& report, const ReproduceOptions& opt
 Action add_reproduce(CLI::App& app, Shared&) {
   const auto options = std::make_shared<ReproduceOptions>();
   app.add_option("--models", options->models,
-                 "folder with the thesis' models: bun_zipper_res4.ply, venus.ply,\n"
-                 "teapot.ply, teapot_1177.ply, scenes as .3ds, cities as .ply;\n"
-                 "what is missing is generated")
+                 "folder of the thesis' models; what is missing is generated; see below")
       ->option_text("DIR");
   app.add_option("--item", options->items,
                  "only these, with commas between: table-5.3, figure-5.2,\n"
@@ -135,11 +133,11 @@ Action add_reproduce(CLI::App& app, Shared&) {
                  "folder to write; made if missing (default: soms-thesis)")
       ->option_text("DIR");
   app.add_flag("--quick", options->quick, "a tenth of the repetitions, smaller sweeps");
-  app.footer(help_of_items() +
-             "\nWrites DIR/index.html, a page of all that was found, tables/*.csv, figures/*.svg\n"
-             "and run.json. Counts are the same in every run; times are of this machine.\n"
-             "\nExample (without --item: everything, in about 15 minutes; with --quick in 2):\n"
-             "  soms reproduce --quick --item 5.3,5.9 -o thesis");
+  app.footer(std::string(reproduce::kModelsHelp) + "\n" + help_of_items() +
+             "\nWrites DIR/index.html, a page of all that was found, tables/*.csv, figures/*.svg,\n"
+             "scenes/*.3ds and run.json. Counts are the same in every run; times are of this\n"
+             "machine. Everything takes some minutes, with --quick less than two.\n"
+             "\nExample:\n  soms reproduce --quick --item 5.3,5.9 -o thesis");
   return [options](Console& console) { return run_reproduce(*options, console); };
 }
 
@@ -151,7 +149,9 @@ int run_reproduce(const ReproduceOptions& options, Console& console) {
   } else {
     tell_models(report.models.objects, console);
     tell_models(report.models.scenes, console);
-    tell_models(report.models.cities, console);
+  }
+  for (const std::string& remark : report.models.remarks) {
+    console.note(remark);
   }
   console.print(console.shared().json ? reproduce::manifest(report) : summary(report, options));
   if (report.missing.empty()) {

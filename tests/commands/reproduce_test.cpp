@@ -139,6 +139,9 @@ TEST(Reproduce, InterruptLeavesWholeFilesAndSaysWhatIsMissing) {
       listed.insert(file.at("file").get<std::string>());
     }
   }
+  for (const Json& file : run.at("models").at("files")) {
+    listed.insert(file.get<std::string>());
+  }
   EXPECT_EQ(files_below(folder.path()), listed);  // no part of a file
   const std::string page = read_text(folder.path() / "index.html");
   EXPECT_NE(page.find("</html>"), std::string::npos);
