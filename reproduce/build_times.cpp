@@ -16,7 +16,10 @@ constexpr std::array<std::string_view, 9> kBuilt{"model",      "origin",   "tria
                                                  "rule",       "midpoint", "axis_from",
                                                  "empty_side", "level",    "nodes"};
 
-constexpr int kWarmUp = 10;
+/// Builds before those that count.
+int warm_up(int repetitions) {
+  return std::min(10, repetitions);
+}
 
 /// What a build is compared with: spatial median at its level, or at the greatest level timed.
 const TimedBuild* base_of(const TimedBuild& one, std::span<const TimedBuild> builds) {
@@ -47,8 +50,19 @@ Cell above(const TimedBuild& one, const TimedBuild* base) {
 
 }  // namespace
 
+int repetitions(const Context& context, int whole, const Model& model) {
+  constexpr std::size_t large = 10'000;
+  const int usual = context.repetitions(whole);
+  const std::size_t triangles = model.mesh->triangles.size();
+  if (triangles <= large) {
+    return usual;
+  }
+  const auto fewer = static_cast<std::size_t>(usual) * large / triangles;
+  return std::min(usual, std::max(5, static_cast<int>(fewer)));
+}
+
 std::size_t rounds(int repetitions) {
-  return static_cast<std::size_t>(repetitions + kWarmUp);
+  return static_cast<std::size_t>(repetitions + warm_up(repetitions));
 }
 
 std::vector<TimedBuild> time_builds(const Model& model, std::span<const Contender> contenders,
@@ -66,7 +80,7 @@ std::vector<TimedBuild> time_builds(const Model& model, std::span<const Contende
     });
   }
   works.emplace_back([&steps] { steps.done_one(); });
-  const std::vector<Timing> timings = time_in_turn(repetitions, quiet, works, kWarmUp);
+  const std::vector<Timing> timings = time_in_turn(repetitions, quiet, works, warm_up(repetitions));
   for (std::size_t i = 0; i < builds.size(); ++i) {
     builds[i].timing = timings[i];
   }

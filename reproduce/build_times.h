@@ -3,6 +3,7 @@
 #pragma once
 
 #include "reproduce/counts.h"
+#include "reproduce/experiment.h"
 #include "reproduce/steps.h"
 #include "reproduce/timing.h"
 
@@ -18,6 +19,10 @@ struct TimedBuild {
   Counted counted = {};
   Timing timing = {};
 };
+
+/// `context.repetitions(whole)`, and in proportion fewer (at least 5) for models of more than
+/// 10,000 triangles, which are larger than the thesis': so a city of the user's ends too.
+[[nodiscard]] int repetitions(const Context& context, int whole, const Model& model);
 
 /// Steps that `time_builds` takes: the repetitions and the warm-up before them.
 [[nodiscard]] std::size_t rounds(int repetitions);

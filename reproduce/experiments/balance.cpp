@@ -77,6 +77,9 @@ Finding against_spatial_median(std::span<const Task> tasks, std::span<const Coun
     all += score.higher + score.equal + score.lower;
   }
   finding.measured += note;
+  if (higher > 0 && higher < all) {
+    finding.reason += " It is a matter of the model, not of the rule alone.";
+  }
   finding.verdict = higher == all ? Verdict::holds
                     : higher > 0  ? Verdict::holds_under_options
                                   : Verdict::does_not_hold;

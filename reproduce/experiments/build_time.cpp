@@ -23,7 +23,7 @@ struct Task {
   std::string caption;  ///< how the level is chosen
   std::string title;    ///< of the chart
   std::span<const Model> models;
-  int repetitions = 0;
+  int repetitions = 0;  ///< in a whole run
   Unit unit = Unit::milliseconds;
 };
 
@@ -70,12 +70,17 @@ std::vector<Datum> data_of(std::span<const TimedBuild> builds, Unit unit) {
 /// Times all builds of each model at the level that `level_of` gives. Fills in table and chart.
 std::vector<TimedBuild> run(const Task& task, const Context& context,
                             int (*level_of)(const Model&, const Parallel&), Result& result) {
-  Steps steps(context.parallel, task.models.size() * rounds(task.repetitions));
+  std::size_t count = 0;
+  for (const Model& model : task.models) {
+    count += rounds(repetitions(context, task.repetitions, model));
+  }
+  Steps steps(context.parallel, count);
   std::vector<TimedBuild> all;
   std::vector<Datum> data;
   for (const Model& model : task.models) {
     const std::vector<Contender> contenders = all_builds(level_of(model, steps.quiet()));
-    const std::vector<TimedBuild> builds = time_builds(model, contenders, task.repetitions, steps);
+    const std::vector<TimedBuild> builds =
+        time_builds(model, contenders, repetitions(context, task.repetitions, model), steps);
     const std::vector<Datum> of_model = data_of(builds, task.unit);
     data.insert(data.end(), of_model.begin(), of_model.end());
     all.insert(all.end(), builds.begin(), builds.end());
@@ -198,7 +203,7 @@ Result figure_5_2(const Context& context) {
        .caption = "Build time, every object at the balanced level of spatial median.",
        .title = "Build time at the balanced level of spatial median",
        .models = context.models.objects,
-       .repetitions = context.repetitions(1000),
+       .repetitions = 1000,
        .unit = Unit::per_thousand_triangles},
       context, balanced_level_of<Rule::spatial_median, kObjectLevel>, result);
   return result;
@@ -211,7 +216,7 @@ Result figure_5_3(const Context& context) {
            .caption = "Build time, every object at the balanced level of SOMS.",
            .title = "Build time at the balanced level of SOMS",
            .models = context.models.objects,
-           .repetitions = context.repetitions(1000),
+           .repetitions = 1000,
            .unit = Unit::per_thousand_triangles},
           context, balanced_level_of<Rule::soms, kObjectLevel>, result);
   const Model& bunny = context.models.objects.front();
@@ -229,7 +234,7 @@ Result table_5_1(const Context& context) {
            fmt::format("Build time and time for a node of the objects at level {}.", kObjectLevel),
        .title = fmt::format("Build time for a node, objects at level {}", kObjectLevel),
        .models = context.models.objects,
-       .repetitions = context.repetitions(100),
+       .repetitions = 100,
        .unit = Unit::per_node},
       context, fixed_level<kObjectLevel>, result);
   return result;
@@ -241,7 +246,7 @@ Result figure_5_4(const Context& context) {
        .caption = "Build time, every urban scene at the balanced level of spatial median.",
        .title = "Urban scenes at the balanced level of spatial median",
        .models = context.models.scenes,
-       .repetitions = context.repetitions(1000)},
+       .repetitions = 1000},
       context, balanced_level_of<Rule::spatial_median, kSceneLevel>, result);
   return result;
 }
@@ -252,7 +257,7 @@ Result figure_5_5(const Context& context) {
        .caption = "Build time of the urban scenes at level 7.",
        .title = "Urban scenes at level 7",
        .models = context.models.scenes,
-       .repetitions = context.repetitions(1000)},
+       .repetitions = 1000},
       context, fixed_level<7>, result);
   result.findings = {balanced_at_seven(context.models.scenes, {1, context.parallel.stop, {}})};
   return result;
@@ -265,7 +270,7 @@ Result table_5_6(const Context& context) {
                               kSceneLevel),
        .title = fmt::format("Build time for a node, urban scenes at level {}", kSceneLevel),
        .models = context.models.scenes,
-       .repetitions = context.repetitions(100),
+       .repetitions = 100,
        .unit = Unit::per_node},
       context, fixed_level<kSceneLevel>, result);
   return result;
@@ -277,7 +282,7 @@ Result table_5_8(const Context& context) {
        .caption = "Build time of the urban scenes at level 12.",
        .title = "Urban scenes at level 12",
        .models = context.models.scenes,
-       .repetitions = context.repetitions(100)},
+       .repetitions = 100},
       context, fixed_level<12>, result);
   return result;
 }

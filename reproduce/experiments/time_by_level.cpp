@@ -74,7 +74,7 @@ LineChart chart_of(const Model& model, std::span<const TimedBuild> builds,
 
 Result by_level(const Context& context, const std::string& id, std::span<const Model> models,
                 int greatest) {
-  const int repetitions = context.repetitions(100);
+  constexpr int whole = 100;
   const std::vector<Contender> contenders = at_every_level(greatest, limited_builds);
   const std::string caption = fmt::format(
       "Build time by greatest level; percentages are of the median at level {}: of_level is what "
@@ -88,9 +88,14 @@ Result by_level(const Context& context, const std::string& id, std::span<const M
   table.columns.push_back({"of_level", "%", ColumnKind::timed});
   table.columns.push_back({"up_to_level", "%", ColumnKind::timed});
   Result result;
-  Steps steps(context.parallel, models.size() * rounds(repetitions));
+  std::size_t count = 0;
   for (const Model& model : models) {
-    const std::vector<TimedBuild> builds = time_builds(model, contenders, repetitions, steps);
+    count += rounds(repetitions(context, whole, model));
+  }
+  Steps steps(context.parallel, count);
+  for (const Model& model : models) {
+    const std::vector<TimedBuild> builds =
+        time_builds(model, contenders, repetitions(context, whole, model), steps);
     add_rows(table, builds, greatest);
     result.figures.push_back(
         {.id = fmt::format("{}_{}", id, result.figures.size() + 1),

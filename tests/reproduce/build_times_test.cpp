@@ -127,6 +127,19 @@ TEST(BuildTimes, ClaimOfEightPercentCannotBeCheckedOnAStandIn) {
   }
 }
 
+TEST(BuildTimes, LargeModelsAreBuiltFewerTimes) {
+  const Models models;
+  const Context whole{.models = models};
+  const Context quick{.models = models, .quick = true};
+  const Model small = model_of("small", generate_sphere(80));
+  const Model large = model_of("large", generate_knot(40'000));
+  EXPECT_EQ(repetitions(whole, 1000, small), 1000);
+  EXPECT_EQ(repetitions(whole, 1000, large), 250);
+  EXPECT_EQ(repetitions(quick, 1000, large), 25);
+  EXPECT_EQ(repetitions(quick, 100, large), 5);
+  EXPECT_EQ(repetitions(whole, 3, large), 3);
+}
+
 TEST(BuildTimes, ProgressEndsAtOne) {
   const Models models = small_models();
   Context context{.models = models, .quick = true};
