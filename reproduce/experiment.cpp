@@ -14,6 +14,7 @@ namespace soms::reproduce {
 namespace {
 
 constexpr Needs kNothing{};
+constexpr Needs kCities{.cities = true};
 constexpr Needs kObjects{.objects = true};
 constexpr Needs kScenes{.scenes = true};
 constexpr Needs kObjectsAndScenes{.objects = true, .scenes = true};
@@ -102,6 +103,11 @@ constexpr std::array kExperiments{
                balance},
     Experiment{"options", "What each option that the thesis leaves open changes", Chapter::beyond,
                kObjectsAndScenes, 1, options},
+    Experiment{"modern", "The models and scenes by modern measures", Chapter::beyond,
+               kObjectsAndScenes, 20, modern},
+    Experiment{"cities", "Real cities by modern measures", Chapter::beyond, kCities, 60, cities},
+    Experiment{"spread", "Rules against the spread of triangle sizes", Chapter::beyond, kNothing,
+               20, spread},
 };
 
 bool is_named(const Experiment& experiment, std::string_view word) {

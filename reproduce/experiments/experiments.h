@@ -97,4 +97,14 @@ namespace soms::reproduce {
 /// Every walk of two trees on the orientation tests and the city drives.
 [[nodiscard]] Result traversals(const Context& context);
 
+/// The thesis' models and scenes by modern measures: SAH cost, expected and measured visits,
+/// memory, build rate, exact queries; every rule with the thesis' options and with the product's.
+[[nodiscard]] Result modern(const Context& context);
+
+/// The same on real cities; on a generated one where none is given.
+[[nodiscard]] Result cities(const Context& context);
+
+/// Rules against the spread of triangle sizes, in a scene where nothing else changes.
+[[nodiscard]] Result spread(const Context& context);
+
 }  // namespace soms::reproduce
