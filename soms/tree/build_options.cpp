@@ -33,7 +33,7 @@ BuildOptions thesis_options(Rule rule, int level) {
 }
 
 void check(const BuildOptions& options) {
-  require(within(options.rule, Rule::soms_sah), "rule is none of the named ones", "name a rule");
+  require(within(options.rule, Rule::quality), "rule is none of the named ones", "name a rule");
   require(within(options.midpoint, Midpoint::aabb), "midpoint is none of the named ones",
           "use thesis, centroid or aabb");
   require(!options.axis_from || within(*options.axis_from, AxisFrom::inner),

@@ -16,6 +16,8 @@ enum class Rule {
   soms,            ///< Spatial Object Median Splitting: plane in the middle of the midpoints' box
   sah,             ///< least surface area cost over 16 bins of the midpoints' box
   soms_sah,        ///< as soms where triangles are small against the node, else as sah
+  fast,            ///< SOMS with a second look, on boxes in float: builds fastest
+  quality,         ///< SAH by blocks of leaves, on boxes in float: the fewest boxes opened
 };
 
 /// Box whose longest axis is split.

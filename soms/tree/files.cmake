@@ -15,7 +15,11 @@ set(SOMS_HEADERS
   visits.h
 )
 set(SOMS_SOURCES
+  build/detail/by_reference.cpp
+  build/detail/cells.cpp
   build/detail/divide.cpp
+  build/detail/forest.cpp
+  build/detail/reference.cpp
   build/top_down.cpp
   build_options.cpp
   check.cpp

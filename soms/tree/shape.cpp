@@ -33,12 +33,13 @@ Shape::Shape(std::shared_ptr<const Mesh> mesh, const ShapeOptions& options,
              const Parallel& parallel)
     : mesh_(std::move(mesh)), build_options_(options.build) {
   check(*mesh_);
-  auto tree = std::make_shared<const Tree>(build(*mesh_, options.build, parallel));
-  layout_ = std::make_shared<const WideTree>(*tree, *mesh_, parallel);
-  bounds_ = layout_->bounds();
   if (options.keep_tree) {
-    tree_ = std::move(tree);
+    tree_ = std::make_shared<const Tree>(build(*mesh_, options.build, parallel));
+    layout_ = std::make_shared<const WideTree>(*tree_, *mesh_, parallel);
+  } else {
+    layout_ = std::make_shared<const WideTree>(build_wide(*mesh_, options.build, parallel));
   }
+  bounds_ = layout_->bounds();
 }
 
 std::size_t Shape::memory() const {

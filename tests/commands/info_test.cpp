@@ -37,7 +37,7 @@ TEST(Info, BuildsATreeByEveryRule) {
     EXPECT_GE(tree.at("build_ms").get<double>(), 0);
   }
   EXPECT_EQ(rules, (std::vector<std::string>{"object-median", "object-mean", "spatial-median",
-                                             "soms", "sah", "soms-sah"}));
+                                             "soms", "sah", "soms-sah", "fast", "quality"}));
 }
 
 // The bunny of the thesis at 15 levels: golden counts of the design, soms and thesis options.

@@ -1,5 +1,8 @@
 #include "soms/tree/build.h"
+#include "soms/tree/build/detail/by_reference.h"
 #include "soms/tree/build/detail/divide.h"
+#include "soms/tree/layout/pages.h"
+#include "soms/tree/layout/wide_tree.h"
 
 #include <algorithm>
 #include <bit>
@@ -9,56 +12,31 @@ namespace soms {
 
 namespace {
 
-/// Nodes with more triangles are divided wave by wave, nodes in parallel; the others become
-/// subtrees, each built by one thread. A constant, so that it cannot depend on the threads.
-constexpr std::uint32_t kSubtreeTriangles = 8192;
+using detail::child_of;
+using detail::Forest;
+using detail::Upper;
+using detail::within;
 
 /// Triangles that one chunk of the first pass prepares.
 constexpr std::size_t kPrepareChunk = 16384;
-
-/// A node of the upper tree, above and including the roots of the subtrees.
-struct Upper {
-  Node node;
-  Box inner;                            ///< bounds of the midpoints
-  std::uint32_t subtree = Node::kNone;  ///< number of the subtree below, or kNone
-};
-
-/// `parallel` with progress mapped to a part of the whole.
-Parallel within(const Parallel& parallel, double from, double to) {
-  Parallel part{parallel.threads, parallel.stop, {}};
-  if (parallel.progress) {
-    part.progress = [&parallel, from, to](double share) {
-      parallel.progress(from + (to - from) * share);
-    };
-  }
-  return part;
-}
-
-Node child(const Node& parent, bool right, std::uint32_t first, std::uint32_t count) {
-  Node node;
-  node.id = right ? right_child_of(parent.id) : left_child_of(parent.id);
-  node.first = first;
-  node.count = count;
-  node.depth = parent.depth + 1;
-  return node;
-}
 
 class Builder {
  public:
   Builder(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel)
       : mesh_(mesh), parallel_(parallel), divider_(mesh, options) {}
 
-  Tree run() {
+  Forest run() {
     prepare();
     divide_upper();
     build_subtrees();
-    return join();
+    detail::find_upper_bounds(forest_);
+    return std::move(forest_);
   }
 
  private:
   void prepare() {
     primitives_.resize(mesh_.triangles.size());
-    ids_.resize(primitives_.size());
+    forest_.ids.resize(primitives_.size());
     std::vector<Box> inner((primitives_.size() - 1) / kPrepareChunk + 1);
     for_each_chunk(primitives_.size(), kPrepareChunk, within(parallel_, 0, 0.05),
                    [&](std::size_t begin, std::size_t end) {
@@ -79,14 +57,15 @@ class Builder {
     Node root;
     root.id = 0;
     root.count = static_cast<std::uint32_t>(primitives_.size());
-    upper_.push_back({root, inner_});
+    forest_.upper.push_back({root});
+    inner_of_.push_back(inner_);
     std::vector<std::uint32_t> wave{0};
     while (!wave.empty()) {
       std::erase_if(wave, [&](std::uint32_t i) { return make_subtree(i); });
       std::vector<detail::Division> divisions(wave.size());
       for_each_chunk(wave.size(), 1, Parallel{parallel_.threads, parallel_.stop, {}},
                      [&](std::size_t k, std::size_t) {
-                       divisions[k] = divide(upper_[wave[k]].node, upper_[wave[k]].inner);
+                       divisions[k] = divide(forest_.upper[wave[k]].node, inner_of_[wave[k]]);
                      });
       std::vector<std::uint32_t> next;
       for (std::size_t k = 0; k < wave.size(); ++k) {
@@ -98,44 +77,52 @@ class Builder {
 
   /// True if upper node `i` is small enough to be built whole by one thread.
   bool make_subtree(std::uint32_t i) {
-    if (upper_[i].node.count > kSubtreeTriangles) {
+    if (forest_.upper[i].node.count > detail::kSubtreeTriangles) {
       return false;
     }
-    upper_[i].subtree = static_cast<std::uint32_t>(subtrees_.size());
-    subtrees_.emplace_back();
+    begin_subtree(i);
     return true;
   }
 
+  void begin_subtree(std::uint32_t i) {
+    forest_.upper[i].subtree = static_cast<std::uint32_t>(forest_.subtrees.size());
+    forest_.subtrees.emplace_back();
+  }
+
   void attach(std::uint32_t i, const detail::Division& division, std::vector<std::uint32_t>& next) {
-    Node& node = upper_[i].node;
-    node.undividable = division.undividable;
     if (!division.divided) {
+      begin_subtree(i);  // of one node
       return;
     }
-    node.left = static_cast<std::uint32_t>(upper_.size());
+    Node& node = forest_.upper[i].node;
+    node.undividable = division.undividable;
+    node.left = static_cast<std::uint32_t>(forest_.upper.size());
     node.right = node.left + 1;
-    const Node left = child(node, false, node.first, division.left_count);
+    const Node left = child_of(node, false, node.first, division.left_count);
     const Node right =
-        child(node, true, node.first + division.left_count, node.count - division.left_count);
+        child_of(node, true, node.first + division.left_count, node.count - division.left_count);
     next.push_back(node.left);
     next.push_back(node.right);
-    upper_.push_back({left, division.left_inner});
-    upper_.push_back({right, division.right_inner});
+    forest_.upper.push_back({left});
+    forest_.upper.push_back({right});
+    inner_of_.push_back(division.left_inner);
+    inner_of_.push_back(division.right_inner);
   }
 
   void build_subtrees() {
-    std::vector<const Upper*> roots(subtrees_.size());
-    for (const Upper& upper : upper_) {
-      if (upper.subtree != Node::kNone) {
-        roots[upper.subtree] = &upper;
+    std::vector<std::uint32_t> roots(forest_.subtrees.size());
+    for (std::uint32_t i = 0; i < forest_.upper.size(); ++i) {
+      if (forest_.upper[i].subtree != Node::kNone) {
+        roots[forest_.upper[i].subtree] = i;
       }
     }
-    for_each_chunk(subtrees_.size(), 1, within(parallel_, 0.4, 0.95),
-                   [&](std::size_t k, std::size_t) { subtrees_[k] = build_subtree(*roots[k]); });
+    for_each_chunk(roots.size(), 1, within(parallel_, 0.4, 0.95), [&](std::size_t k, std::size_t) {
+      forest_.subtrees[k] = build_subtree(forest_.upper[roots[k]].node, inner_of_[roots[k]]);
+    });
   }
 
   /// A whole subtree in depth-first order; indices count from its root.
-  std::vector<Node> build_subtree(const Upper& root) {
+  std::vector<Node> build_subtree(const Node& root, const Box& root_inner) {
     std::vector<Node> nodes;
 
     struct Open {
@@ -144,7 +131,7 @@ class Builder {
       std::uint32_t right_of;  ///< parent, for right children
     };
 
-    std::vector<Open> open{{root.node, root.inner, Node::kNone}};
+    std::vector<Open> open{{root, root_inner, Node::kNone}};
     while (!open.empty()) {
       const auto [start, inner, right_of] = open.back();
       open.pop_back();
@@ -154,127 +141,36 @@ class Builder {
       node.undividable = division.undividable;
       if (division.divided) {
         const std::uint32_t count = division.left_count;
+        open.push_back({child_of(node, true, node.first + count, node.count - count),
+                        division.right_inner, i});
         open.push_back(
-            {child(node, true, node.first + count, node.count - count), division.right_inner, i});
-        open.push_back({child(node, false, node.first, count), division.left_inner, Node::kNone});
+            {child_of(node, false, node.first, count), division.left_inner, Node::kNone});
         node.left = i + 1;
       }
       if (right_of != Node::kNone) {
         nodes[right_of].right = i;
       }
     }
-    find_bounds(nodes);
+    const auto run = std::span(primitives_).subspan(root.first, root.count);
+    std::transform(run.begin(), run.end(), forest_.ids.begin() + root.first,
+                   [](const Primitive& p) { return p.id; });
+    detail::find_bounds(nodes, mesh_, forest_.ids);
     return nodes;
-  }
-
-  /// Children follow their parents, so the last node comes first.
-  void find_bounds(std::vector<Node>& nodes) {
-    for (std::size_t i = nodes.size(); i-- > 0;) {
-      Node& node = nodes[i];
-      if (node.is_leaf()) {
-        bound_leaf(node);
-      } else {
-        node.bounds = nodes[node.left].bounds;
-        node.bounds.grow(nodes[node.right].bounds);
-      }
-    }
-  }
-
-  void bound_leaf(Node& node) {
-    const auto run = std::span(primitives_).subspan(node.first, node.count);
-    const auto ids = std::span(ids_).subspan(node.first, node.count);
-    std::transform(run.begin(), run.end(), ids.begin(), [](const Primitive& p) { return p.id; });
-    if (!std::is_sorted(ids.begin(), ids.end())) {
-      std::sort(ids.begin(), ids.end());
-    }
-    for (const TriangleId id : ids) {
-      node.bounds.grow(bounds(mesh_.triangle(id)));
-    }
-  }
-
-  /// Upper tree and subtrees in depth-first order.
-  Tree join() {
-    Tree tree;
-    std::vector<std::uint32_t> place(upper_.size());
-    std::uint32_t size = 0;
-    std::vector<std::uint32_t> open{0};
-    while (!open.empty()) {
-      const std::uint32_t i = open.back();
-      const Upper& upper = upper_[i];
-      open.pop_back();
-      place[i] = size;
-      if (upper.subtree != Node::kNone) {
-        size += static_cast<std::uint32_t>(subtrees_[upper.subtree].size());
-      } else {
-        ++size;
-      }
-      if (!upper.node.is_leaf()) {
-        open.push_back(upper.node.right);
-        open.push_back(upper.node.left);
-      }
-    }
-    tree.nodes.resize(size);
-    for_each_chunk(upper_.size(), 64, Parallel{parallel_.threads, parallel_.stop, {}},
-                   [&](std::size_t begin, std::size_t end) {
-                     for (std::size_t i = begin; i < end; ++i) {
-                       copy(upper_[i], place, place[i], tree);
-                     }
-                   });
-    bound_upper(place, tree);
-    tree.primitives = std::move(ids_);
-    if (parallel_.progress) {
-      parallel_.progress(1);
-    }
-    return tree;
-  }
-
-  void copy(const Upper& upper, const std::vector<std::uint32_t>& place, std::uint32_t at,
-            Tree& tree) {
-    if (upper.subtree == Node::kNone) {
-      Node& node = tree.nodes[at];
-      node = upper.node;
-      if (!node.is_leaf()) {
-        node.left = place[node.left];
-        node.right = place[node.right];
-      }
-      return;
-    }
-    std::vector<Node>& nodes = subtrees_[upper.subtree];
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      Node& node = tree.nodes[at + k];
-      node = nodes[k];
-      if (!node.is_leaf()) {
-        node.left += at;
-        node.right += at;
-      }
-    }
-    nodes = {};
-  }
-
-  void bound_upper(const std::vector<std::uint32_t>& place, Tree& tree) {
-    for (std::size_t i = upper_.size(); i-- > 0;) {
-      if (upper_[i].subtree != Node::kNone) {
-        continue;
-      }
-      Node& node = tree.nodes[place[i]];
-      if (node.is_leaf()) {
-        bound_leaf(node);
-      } else {
-        node.bounds = tree.nodes[node.left].bounds;
-        node.bounds.grow(tree.nodes[node.right].bounds);
-      }
-    }
   }
 
   const Mesh& mesh_;
   const Parallel& parallel_;
   detail::Divider divider_;
-  std::vector<Primitive> primitives_;
-  std::vector<TriangleId> ids_;  ///< of each leaf in ascending order, once it is bounded
-  Box inner_;                    ///< bounds of all midpoints
-  std::vector<Upper> upper_;
-  std::vector<std::vector<Node>> subtrees_;
+  layout::Pages<Primitive> primitives_;
+  Box inner_;                  ///< bounds of all midpoints
+  std::vector<Box> inner_of_;  ///< the same for each upper node
+  Forest forest_;
 };
+
+Forest grow(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel) {
+  return entry(options.rule).in_float ? detail::grow_by_reference(mesh, options, parallel)
+                                      : Builder(mesh, options, parallel).run();
+}
 
 }  // namespace
 
@@ -284,7 +180,21 @@ Tree build(const Mesh& mesh, const BuildOptions& options, const Parallel& parall
   if (mesh.triangles.empty()) {
     return {};
   }
-  return Builder(mesh, options, parallel).run();
+  Tree tree = detail::join(grow(mesh, options, parallel), parallel);
+  if (parallel.progress) {
+    parallel.progress(1);
+  }
+  return tree;
+}
+
+WideTree build_wide(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel) {
+  check(options);
+  check_stop(parallel);
+  if (mesh.triangles.empty()) {
+    return {};
+  }
+  const Forest forest = grow(mesh, options, within(parallel, 0, 0.7));
+  return WideTree(detail::parts_of(forest), mesh, within(parallel, 0.7, 1));
 }
 
 }  // namespace soms

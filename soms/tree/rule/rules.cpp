@@ -10,21 +10,27 @@ namespace soms {
 
 namespace {
 
-constexpr std::array<RuleEntry, 6> kRules{{
+constexpr std::array<RuleEntry, 8> kRules{{
     {Rule::object_median, "object_median", "object-median",
-     "equal counts on both sides, by midpoint", &rule::object_median, AxisFrom::outer, false,
+     "equal counts on both sides, by midpoint", &rule::object_median, AxisFrom::outer, false, false,
      false},
     {Rule::object_mean, "object_mean", "object-mean", "plane at the mean of the midpoints",
-     &rule::object_mean, AxisFrom::outer, false, true},
+     &rule::object_mean, AxisFrom::outer, false, true, false},
     {Rule::spatial_median, "spatial_median", "spatial-median",
-     "plane in the middle of the outer box", &rule::spatial_median, AxisFrom::outer, true, false},
+     "plane in the middle of the outer box", &rule::spatial_median, AxisFrom::outer, true, false,
+     false},
     {Rule::soms, "soms", "soms", "plane in the middle of the midpoints' box (the thesis' rule)",
-     &rule::soms, AxisFrom::inner, false, false},
+     &rule::soms, AxisFrom::inner, false, false, false},
     {Rule::sah, "sah", "sah", "least surface area cost over 16 bins of the midpoints' box",
-     &rule::sah, AxisFrom::inner, false, false},
+     &rule::sah, AxisFrom::inner, false, false, false},
     {Rule::soms_sah, "soms_sah", "soms-sah",
      "as soms where triangles are small against the node, else as sah", &rule::soms_sah,
-     AxisFrom::inner, false, false},
+     AxisFrom::inner, false, false, false},
+    {Rule::fast, "fast", "fast", "as soms-sah, by boxes in float: builds fastest", &rule::soms_sah,
+     AxisFrom::inner, false, false, true},
+    {Rule::quality, "quality", "quality",
+     "as sah, by boxes in float and blocks of leaves: opens the fewest boxes", &rule::sah,
+     AxisFrom::inner, false, false, true},
 }};
 
 }  // namespace

@@ -20,6 +20,9 @@ struct RuleEntry {
   AxisFrom axis_from;  ///< box whose longest axis is split unless the options say otherwise
   bool needs_outer;    ///< it looks at SplitNode::outer
   bool needs_order;    ///< it looks at primitives in ascending order of their numbers
+  /// Trees are made by a builder of their own, from boxes in float, which divides nearly as `split`
+  /// would; midpoint, axis_from and empty_side have no effect.
+  bool in_float;
 };
 
 /// All rules, in the order of `Rule`.

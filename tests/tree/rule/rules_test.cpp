@@ -182,7 +182,7 @@ TEST(Rules, SomsSahLooksAtWidthsOnTheAxisItSplits) {
 }
 
 TEST(Rules, AreFoundByBothSpellingsOfTheirNames) {
-  EXPECT_EQ(rules().size(), 6U);
+  EXPECT_EQ(rules().size(), 8U);
   for (const RuleEntry& e : rules()) {
     EXPECT_EQ(&entry(e.rule), &e);
     EXPECT_EQ(&rule_named(e.name), &e);
@@ -199,7 +199,7 @@ TEST(Rules, UnknownNamesListTheKnownOnes) {
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::usage);
     EXPECT_EQ(error.remedy(),
-              "choose one of object-median, object-mean, spatial-median, soms, sah, soms-sah");
+              "choose one of object-median, object-mean, spatial-median, soms, sah, soms-sah, fast, quality");
   }
 }
 

@@ -99,13 +99,14 @@ Box Divider::prepare(std::size_t begin, std::size_t end, std::span<Primitive> pr
     const Triangle t = mesh_.triangle(static_cast<TriangleId>(i));
     const Box box = bounds(t);
     const Vec3 m = midpoint(t, options_.midpoint, options_.c_vertex);
-    Primitive& p = primitives[i];
+    Primitive p;
     p.midpoint = {m.x, m.y, m.z};
     p.id = static_cast<TriangleId>(i);
     for (std::size_t k = 0; k < 3; ++k) {
       p.below[k] = static_cast<float>((m[k] - box.lower[k]) / unit_);
       p.above[k] = static_cast<float>((box.upper[k] - m[k]) / unit_);
     }
+    primitives[i] = p;
     inner.grow(p.midpoint);
     if (!bounds_.empty()) {
       bounds_[i] = box;

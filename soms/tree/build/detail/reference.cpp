@@ -1,0 +1,243 @@
+#include "soms/tree/build/detail/reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace soms::detail {
+
+namespace {
+
+using lanes::Box4;
+using lanes::F4;
+
+/// Nodes with at most this many triangles are divided between any two of them.
+constexpr std::uint32_t kSweep = 16;
+
+/// Where the widest triangle is wider than this share of the box of the middles, the plane in the
+/// middle cuts it: a second look is due (docs/decisions/0008).
+constexpr float kWideShare = 0.5F;
+
+constexpr std::size_t kBins = 16;
+
+std::size_t longest(F4 v) {
+  const std::size_t xy = v[1] > v[0] ? 1 : 0;
+  return v[2] > v[xy] ? 2 : xy;
+}
+
+Box4 box_of(const Reference& r) {
+  const F4 middle = r.point();
+  const F4 half = r.reach();
+  return {middle - half, middle + half};
+}
+
+/// Blocks of a leaf's triangles: what a query pays for.
+float cost_of(float area, std::uint32_t count, std::uint32_t per_leaf) {
+  return area * static_cast<float>((count + per_leaf - 1) / per_leaf);
+}
+
+struct Bin {
+  Box4 box;
+  std::uint32_t count = 0;
+};
+
+using Bins = std::array<std::array<Bin, kBins>, 3>;
+
+}  // namespace
+
+ReferenceFrame frame_of(const Box& box) {
+  const Vec3 extent = box.extent();
+  const double size = std::max({extent.x, extent.y, extent.z});
+  return {box.center(), size > 0 ? std::ldexp(1.0, std::min(1000, -std::ilogb(size))) : 1};
+}
+
+// Where middles are much closer than triangles are large: areas of such boxes are still floats.
+constexpr double kMostHalf = 0x1p40;
+
+Reference reference_of(const Mesh& mesh, TriangleId id, const ReferenceFrame& frame) {
+  const auto& corners = mesh.triangles[id];
+  const Vec3& a = mesh.vertices[corners[0]];
+  const Vec3& b = mesh.vertices[corners[1]];
+  const Vec3& c = mesh.vertices[corners[2]];
+  Reference r;
+  r.id = id;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double ab_low = a[k] < b[k] ? a[k] : b[k];
+    const double ab_high = a[k] < b[k] ? b[k] : a[k];
+    const double lower = (ab_low < c[k] ? ab_low : c[k]) - frame.origin[k];
+    const double upper = (ab_high < c[k] ? c[k] : ab_high) - frame.origin[k];
+    r.middle[k] = static_cast<float>((lower + upper) * (0.5 * frame.scale));
+    r.half[k] = static_cast<float>(std::min((upper - lower) * (0.5 * frame.scale), kMostHalf));
+  }
+  return r;
+}
+
+ReferenceDivider::ReferenceDivider(const BuildOptions& options)
+    : per_leaf_(static_cast<std::uint32_t>(options.per_leaf)),
+      quality_(options.rule == Rule::quality) {
+}
+
+Halves ReferenceDivider::halve(std::span<const Reference> all, const Crowd& run) {
+  Halves halves;
+  halves.even = true;
+  halves.left.first = run.first;
+  halves.right.first = run.first + run.count / 2;
+  for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+    (i < halves.right.first ? halves.left : halves.right).add(all[i]);
+  }
+  return halves;
+}
+
+Halves ReferenceDivider::divide(std::span<Reference> all, const Crowd& run) {
+  const F4 extent = run.middles.upper - run.middles.lower;
+  const std::size_t axis = longest(extent);
+  if (!(extent[axis] > 0)) {
+    return halve(all, run);
+  }
+  if (run.count <= kSweep) {
+    return sweep(all, run);
+  }
+  Plane plane;
+  if (quality_ || 2 * run.widest[axis] > kWideShare * extent[axis]) {
+    plane = cheapest_plane(all.subspan(run.first, run.count), run);
+  }
+  if (!plane.found) {
+    const float lower = run.middles.lower[axis];
+    const float upper = run.middles.upper[axis];
+    const float middle = 0.5F * (lower + upper);
+    plane = {axis, middle > lower ? middle : upper, true};
+  }
+  return cut(all, run, plane);
+}
+
+/// Least sum of area times blocks over the bounds of bins on all axes.
+ReferenceDivider::Plane ReferenceDivider::cheapest_plane(std::span<const Reference> run,
+                                                         const Crowd& crowd) const {
+  Bins bins;
+  const F4 lower = crowd.middles.lower;
+  const F4 extent = crowd.middles.upper - lower;
+  F4 scale = lanes::splat(0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    // Bins of an axis too short for them would be subnormal or none.
+    scale[k] = extent[k] > 0x1p-100F ? static_cast<float>(kBins) * (1 - 0x1p-20F) / extent[k] : 0;
+  }
+  for (const Reference& r : run) {
+    const F4 place = (r.point() - lower) * scale;
+    const Box4 box = box_of(r);
+    for (std::size_t k = 0; k < 3; ++k) {
+      Bin& bin = bins[k][static_cast<std::size_t>(static_cast<std::int32_t>(place[k]))];
+      bin.box.grow(box);
+      ++bin.count;
+    }
+  }
+  Plane best;
+  float least = std::numeric_limits<float>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!(scale[k] > 0)) {
+      continue;
+    }
+    std::array<float, kBins> right;
+    Box4 box;
+    std::uint32_t count = 0;
+    for (std::size_t i = kBins - 1; i > 0; --i) {
+      box.grow(bins[k][i].box);
+      count += bins[k][i].count;
+      right[i] = count > 0 ? cost_of(box.half_area(), count, per_leaf_) : 0;
+    }
+    box = Box4{};
+    count = 0;
+    for (std::size_t i = 1; i < kBins; ++i) {
+      box.grow(bins[k][i - 1].box);
+      count += bins[k][i - 1].count;
+      if (count == 0 || count == crowd.count) {
+        continue;
+      }
+      const float cost = cost_of(box.half_area(), count, per_leaf_) + right[i];
+      if (cost < least) {
+        least = cost;
+        // The first place of bin i, so that what was counted right goes right, but for rounding.
+        best = {k, lower[k] + static_cast<float>(i) / scale[k], true};
+      }
+    }
+  }
+  if (best.found) {
+    // Above the least middle and not above the greatest: no side is empty.
+    const float low = crowd.middles.lower[best.axis];
+    best.value = best.value > low ? std::min(best.value, crowd.middles.upper[best.axis])
+                                  : crowd.middles.upper[best.axis];
+  }
+  return best;
+}
+
+/// Left is what lies below the plane. Each reference is written to both sides, and one counts.
+Halves ReferenceDivider::cut(std::span<Reference> all, const Crowd& run, const Plane& plane) {
+  if (right_.size() < run.count) {
+    right_.resize(run.count);
+  }
+  Reference* left = all.data() + run.first;
+  Reference* right = right_.data();
+  std::array<Crowd, 2> sides;
+  const Reference* const end = left + run.count;
+  for (const Reference* from = left; from < end; ++from) {
+    const Reference r = *from;
+    const std::size_t side = r.middle[plane.axis] < plane.value ? 0 : 1;
+    sides[side].add(r);
+    *left = r;
+    *right = r;
+    left += 1 - side;
+    right += side;
+  }
+  std::copy(right_.data(), right, left);
+  sides[0].first = run.first;
+  sides[1].first = run.first + sides[0].count;
+  return {sides[0], sides[1], false};
+}
+
+/// The cheapest of all cuts between neighbours, on all axes. There are at most kSweep references.
+Halves ReferenceDivider::sweep(std::span<Reference> all, const Crowd& run) {
+  const std::uint32_t n = run.count;
+  const auto refs = all.subspan(run.first, n);
+  std::array<std::uint8_t, kSweep> best_order = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                 8, 9, 10, 11, 12, 13, 14, 15};
+  std::uint32_t best_left = n / 2;
+  float least = std::numeric_limits<float>::infinity();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::array<std::uint8_t, kSweep> order = {};
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const float key = refs[i].middle[axis];
+      std::uint32_t at = i;
+      for (; at > 0 && key < refs[order[at - 1]].middle[axis]; --at) {
+        order[at] = order[at - 1];
+      }
+      order[at] = static_cast<std::uint8_t>(i);
+    }
+    std::array<float, kSweep> right = {};
+    Box4 box;
+    for (std::uint32_t i = n - 1; i > 0; --i) {
+      box.grow(box_of(refs[order[i]]));
+      right[i] = cost_of(box.half_area(), n - i, per_leaf_);
+    }
+    box = Box4{};
+    for (std::uint32_t i = 1; i < n; ++i) {
+      box.grow(box_of(refs[order[i - 1]]));
+      const float cost = cost_of(box.half_area(), i, per_leaf_) + right[i];
+      if (cost < least) {
+        least = cost;
+        best_left = i;
+        best_order = order;
+      }
+    }
+  }
+  std::array<Reference, kSweep> sorted;
+  Halves halves;
+  halves.left.first = run.first;
+  halves.right.first = run.first + best_left;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    sorted[i] = refs[best_order[i]];
+    (i < best_left ? halves.left : halves.right).add(sorted[i]);
+  }
+  std::copy(sorted.begin(), sorted.begin() + n, refs.begin());
+  return halves;
+}
+
+}  // namespace soms::detail

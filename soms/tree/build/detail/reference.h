@@ -1,0 +1,91 @@
+/// \file
+/// Triangles as boxes in float, and how a run of them is divided in two.
+#pragma once
+
+#include "soms/geometry/mesh.h"
+#include "soms/tree/build_options.h"
+#include "soms/tree/lanes.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace soms::detail {
+
+/// A triangle's box, relative to a place and in a unit near the size of what is divided: good for
+/// choosing splits, never for bounds.
+struct alignas(32) Reference {
+  std::array<float, 3> middle;
+  TriangleId id;
+  std::array<float, 3> half;
+  float zero = 0;
+
+  /// Lane 3 is 0: an id would be a subnormal number there, and slow to add.
+  [[nodiscard]] lanes::F4 point() const { return lanes::first_three(lanes::load(this)); }
+
+  [[nodiscard]] lanes::F4 reach() const { return lanes::load(half.data()); }
+};
+
+static_assert(sizeof(Reference) == 32);
+
+/// Place and unit of references.
+struct ReferenceFrame {
+  Vec3 origin;
+  double scale = 1;
+};
+
+/// The frame in which a box fills the cube from -1 to 1.
+[[nodiscard]] ReferenceFrame frame_of(const Box& box);
+
+[[nodiscard]] Reference reference_of(const Mesh& mesh, TriangleId id, const ReferenceFrame& frame);
+
+/// A run of references: their number, the box of their middles and their widest halves.
+struct Crowd {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  lanes::Box4 middles;
+  lanes::F4 widest = lanes::splat(0);
+
+  void add(const Reference& r) {
+    middles.grow(r.point());
+    widest = lanes::max(widest, r.reach());
+    ++count;
+  }
+};
+
+/// Two runs that make up a third; `even` if all middles were one point and the run was halved.
+struct Halves {
+  Crowd left;
+  Crowd right;
+  bool even = false;
+};
+
+/// Divides runs of references in place; the order on both sides is kept.
+class ReferenceDivider {
+ public:
+  explicit ReferenceDivider(const BuildOptions& options);
+
+  /// \pre At least two references.
+  [[nodiscard]] Halves divide(std::span<Reference> all, const Crowd& run);
+
+  /// Equal counts as they lie, where nothing else may be done.
+  [[nodiscard]] static Halves halve(std::span<const Reference> all, const Crowd& run);
+
+ private:
+  struct Plane {
+    std::size_t axis = 0;
+    float value = 0;
+    bool found = false;
+  };
+
+  [[nodiscard]] Plane cheapest_plane(std::span<const Reference> run, const Crowd& crowd) const;
+  [[nodiscard]] Halves cut(std::span<Reference> all, const Crowd& run, const Plane& plane);
+  [[nodiscard]] Halves sweep(std::span<Reference> all, const Crowd& run);
+
+  std::uint32_t per_leaf_;
+  bool quality_;
+  std::vector<Reference> right_;
+};
+
+}  // namespace soms::detail

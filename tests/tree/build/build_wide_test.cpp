@@ -1,0 +1,103 @@
+#include "soms/base/error.h"
+#include "soms/tree/build.h"
+#include "soms/tree/check.h"
+#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/rule/rules.h"
+
+#include "tests/support/support.h"
+#include "tests/tree/inputs.h"
+
+#include <cmath>
+#include <string>
+
+namespace soms {
+namespace {
+
+/// A mesh in several parts, larger than any other here.
+constexpr std::size_t kMany = 12'000;
+
+BuildOptions product(const RuleEntry& rule) {
+  BuildOptions options;
+  options.rule = rule.rule;
+  return options;
+}
+
+TEST(BuildWide, EqualsBuildingAndConvertingForEveryRuleSizeAndInput) {
+  for (const RuleEntry& rule : rules()) {
+    for (const test::Input input : test::kInputs) {
+      for (const std::size_t size :
+           {std::size_t{0}, std::size_t{1}, std::size_t{9}, std::size_t{1000}, kMany}) {
+        SCOPED_TRACE(std::string(rule.name) + " " + test::name(input) + " " + std::to_string(size));
+        const Mesh mesh = test::make_input(input, size);
+        for (const BuildOptions& options : {product(rule), thesis_options(rule.rule, 12)}) {
+          EXPECT_TRUE(build_wide(mesh, options) == WideTree(build(mesh, options), mesh));
+        }
+      }
+    }
+  }
+}
+
+TEST(BuildWide, GivesTheSameBytesForAnyNumberOfThreads) {
+  for (const RuleEntry& rule : rules()) {
+    for (const test::Input input :
+         {test::Input::random, test::Input::huge_and_tiny, test::Input::coincident}) {
+      SCOPED_TRACE(std::string(rule.name) + " " + test::name(input));
+      const Mesh mesh = test::make_input(input, kMany);
+      const WideTree one = build_wide(mesh, product(rule));
+      for (const int threads : {2, 3, 8}) {
+        EXPECT_TRUE(build_wide(mesh, product(rule), Parallel{threads, {}, {}}) == one) << threads;
+      }
+    }
+  }
+}
+
+TEST(BuildWide, StopsOnRequestAndReportsItsWholeWay) {
+  const Mesh mesh = test::make_input(test::Input::random, kMany);
+  for (const RuleEntry& rule : rules()) {
+    std::stop_source source;
+    source.request_stop();
+    EXPECT_THROW(build_wide(mesh, product(rule), Parallel{2, source.get_token(), {}}), Error);
+    double last = 0;
+    const WideTree tree = build_wide(mesh, product(rule), Parallel{2, {}, [&](double share) {
+                                                                     EXPECT_GE(share, last);
+                                                                     last = share;
+                                                                   }});
+    EXPECT_EQ(last, 1) << rule.name;
+  }
+}
+
+/// Triangles of a grid of boxes, one triangle over all of them, and a nest of tiny ones in one
+/// spot.
+Mesh uneven(double least, double greatest) {
+  Mesh mesh;
+  Rng rng(5);
+  const auto add = [&](const Vec3& at, double size) {
+    const auto v = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(),
+                         {at, at + Vec3{size, 0, size * rng.unit()}, at + Vec3{0, size, 0}});
+    mesh.triangles.push_back({v, v + 1, v + 2});
+  };
+  for (int i = 0; i < 12'000; ++i) {
+    add({rng.uniform(0, 1), rng.uniform(0, 1), 0}, 0.001);
+    add(Vec3{rng.unit(), rng.unit(), rng.unit()} * least, least / 100);
+  }
+  add({0, 0, 0}, 1);
+  add({0, 0, 0}, greatest);
+  return mesh;
+}
+
+// All the tiny ones lie in one cell of any grid, and in one float of the largest.
+TEST(BuildWide, DividesATinyNestBesideATriangleAsLargeAsAll) {
+  for (const auto& [least, greatest] : {std::pair{1e-3, 1.0}, {1e-12, 1e12}, {0x1p-300, 0x1p290}}) {
+    const Mesh mesh = uneven(least, greatest);
+    for (const RuleEntry& rule : rules()) {
+      SCOPED_TRACE(std::string(rule.name) + " " + std::to_string(least));
+      const Tree tree = build(mesh, product(rule));
+      EXPECT_EQ(find_fault(tree, mesh), "");
+      EXPECT_TRUE(build_wide(mesh, product(rule)) == WideTree(tree, mesh));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace soms
