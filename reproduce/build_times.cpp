@@ -12,9 +12,11 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> kBuilt{"model",      "origin",   "triangles",
-                                                 "rule",       "midpoint", "axis_from",
-                                                 "empty_side", "level",    "nodes"};
+constexpr std::array<std::string_view, 4> kBuilt{"model", "rule", "level", "nodes"};
+
+/// Last, so that a reader meets the times before them.
+constexpr std::array<std::string_view, 5> kOptions{"triangles", "origin", "midpoint", "axis_from",
+                                                   "empty_side"};
 
 /// Builds before those that count.
 int warm_up(int repetitions) {
@@ -97,6 +99,8 @@ Table time_table(std::string id, std::string caption, std::span<const TimedBuild
   table.columns.push_back({"mean_per_node", "us", ColumnKind::timed});
   table.columns.push_back({"median_per_node", "us", ColumnKind::timed});
   table.columns.push_back({"above_spatial_median", "%", ColumnKind::timed});
+  const std::vector<Column> last = columns_of(kOptions);
+  table.columns.insert(table.columns.end(), last.begin(), last.end());
   for (const TimedBuild& one : builds) {
     const Timing& t = one.timing;
     std::vector<Cell> row = cells_of(one.counted, kBuilt);
@@ -108,6 +112,8 @@ Table time_table(std::string id, std::string caption, std::span<const TimedBuild
     row.push_back(per_node(one, t.mean));
     row.push_back(per_node(one, t.median));
     row.push_back(above(one, base_of(one, builds)));
+    const std::vector<Cell> options = cells_of(one.counted, kOptions);
+    row.insert(row.end(), options.begin(), options.end());
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -14,9 +14,11 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> kBuilt{"model",      "origin",   "triangles",
-                                                 "rule",       "midpoint", "axis_from",
-                                                 "empty_side", "level",    "nodes"};
+constexpr std::array<std::string_view, 4> kBuilt{"model", "rule", "level", "nodes"};
+
+/// Last, so that a reader meets the times before them.
+constexpr std::array<std::string_view, 5> kOptions{"triangles", "origin", "midpoint", "axis_from",
+                                                   "empty_side"};
 
 /// The rules of the thesis and SAH: those that a greatest level limits.
 std::vector<Contender> limited_builds(int level) {
@@ -48,6 +50,8 @@ void add_rows(Table& table, std::span<const TimedBuild> builds, int greatest) {
           100 * (one.timing.median - before) / whole, 100 * one.timing.median / whole}) {
       row.emplace_back(value);
     }
+    const std::vector<Cell> options = cells_of(one.counted, kOptions);
+    row.insert(row.end(), options.begin(), options.end());
     table.rows.push_back(std::move(row));
   }
 }
@@ -87,6 +91,8 @@ Result by_level(const Context& context, const std::string& id, std::span<const M
   }
   table.columns.push_back({"of_level", "%", ColumnKind::timed});
   table.columns.push_back({"up_to_level", "%", ColumnKind::timed});
+  const std::vector<Column> last = columns_of(kOptions);
+  table.columns.insert(table.columns.end(), last.begin(), last.end());
   Result result;
   std::size_t count = 0;
   for (const Model& model : models) {
