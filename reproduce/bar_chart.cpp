@@ -19,7 +19,7 @@ constexpr double kPlotHeight = 320;
 constexpr double kTextSize = 14;
 constexpr double kValueSize = 13;
 constexpr double kLegendRow = 24;
-constexpr double kThinnest = 12;
+constexpr double kThickest = 64;
 constexpr double kLyingBar = 19;
 constexpr double kMostNameWidth = 210;
 constexpr std::string_view kGrid = "class=\"grid\" stroke=\"#e3e3e0\" stroke-width=\"1\"";
@@ -71,7 +71,7 @@ Axis axis_of(const BarChart& chart) {
       {log ? low * 0.8 : low, !log && low == high ? 1 : high, chart.y_scale, true, false, 6});
 }
 
-/// Bars stand where all names fit below them, else they lie.
+/// Bars stand where all names fit below them and all values above, else they lie.
 class BarDrawing {
  public:
   explicit BarDrawing(const BarChart& chart)
@@ -110,8 +110,13 @@ class BarDrawing {
 
   [[nodiscard]] bool fits_standing() const {
     const double slot = (kChartWidth - 90) / groups();
-    if (slot < kThinnest * series() + 8) {
-      return false;
+    const double thickness = std::min((slot - 12) / series(), kThickest);
+    for (const Bars& bars : chart_.bars) {
+      for (const double value : bars.values) {
+        if (std::isfinite(value) && text_width(value_label(value), kValueSize) > thickness) {
+          return false;
+        }
+      }
     }
     return std::all_of(chart_.groups.begin(), chart_.groups.end(), [&](const std::string& name) {
       const std::vector<std::string> lines = wrapped(name, kTextSize, slot - 6);
@@ -156,7 +161,10 @@ class BarDrawing {
 
   [[nodiscard]] Plot make_plot() const {
     Plot plot;
-    plot.top = heading_.height() + legend_height() + (lying_ || chart_.y_label.empty() ? 8 : 30);
+    plot.top = heading_.height() + legend_height() +
+               (lying_                   ? 8
+                : chart_.y_label.empty() ? 20
+                                         : 42);
     double labels = 0;
     if (lying_) {
       for (const std::string& name : chart_.groups) {
@@ -197,7 +205,7 @@ class BarDrawing {
   [[nodiscard]] double slot() const { return (lying_ ? plot_.height : plot_.width) / groups(); }
 
   [[nodiscard]] double thickness() const {
-    return std::min((slot() - 12) / series(), lying_ ? kLyingBar : 64.0);
+    return std::min((slot() - 12) / series(), lying_ ? kLyingBar : kThickest);
   }
 
   /// Middle of a bar across its length.
@@ -224,7 +232,7 @@ class BarDrawing {
 
   void draw_axis() {
     if (!lying_) {
-      svg_.text({kChartMargin, plot_.top - 12}, chart_.y_label,
+      svg_.text({kChartMargin, plot_.top - 24}, chart_.y_label,
                 {.size = kLabelSize, .faint = true});
     }
     for (const Tick& tick : axis_.ticks()) {
@@ -304,7 +312,7 @@ class BarDrawing {
     const std::string words = value_label(value);
     if (lying_) {
       svg_.text({std::max(tip, from) + 6, middle + 4.5}, words, {.size = kValueSize});
-    } else if (text_width(words, kValueSize) <= thickness() + 4) {
+    } else {
       svg_.text({middle, value < 0 ? tip + 15 : tip - 5}, words,
                 {.size = kValueSize, .anchor = Anchor::middle, .haloed = true});
     }

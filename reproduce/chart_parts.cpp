@@ -36,7 +36,7 @@ double distance(Spot at, Spot corner, double width, double height) {
 }  // namespace
 
 Heading::Heading(std::string_view title_words, std::string_view label_words)
-    : title(wrapped(title_words, 1.07 * kTitleSize, kChartWidth - 2 * kChartMargin)),
+    : title(wrapped(title_words, kTitleSize, kChartWidth - 2 * kChartMargin, true)),
       label(label_words) {
 }
 

@@ -26,8 +26,7 @@ constexpr double kKeyRow = 24;
 /// Rim of a panel's picture, so that lines and dots at its edge are whole.
 constexpr double kRim = 8;
 constexpr double kLongestSide = 90;
-/// Bytes that a facet takes, at most, in the paths of a panel.
-constexpr std::size_t kFacetBytes = 27;
+/// Bytes that a box takes, about.
 constexpr std::size_t kBoxBytes = 300;
 /// With more boxes their hidden edges only confuse.
 constexpr std::size_t kMostHiddenEdges = 16;
@@ -120,7 +119,7 @@ class Board {
         columns_(std::max(1, std::min(drawing.columns, static_cast<int>(drawing.panels.size())))),
         panel_width_((kWidth - 2 * kMargin - kGap * (columns_ - 1)) / columns_),
         picture_height_(tallest() + 2 * kRim),
-        title_(wrapped(drawing.title, 1.07 * kTitleSize, kWidth - 2 * kMargin)),
+        title_(wrapped(drawing.title, kTitleSize, kWidth - 2 * kMargin, true)),
         svg_(kWidth, page_height(), drawing.title) {}
 
   std::string draw() {
@@ -158,7 +157,7 @@ class Board {
     std::vector<Spot> spots;
     Spot next{kMargin, title_height()};
     for (const Key& key : drawing_.keys) {
-      const double width = text_width(key.words, kTextSize) + 46;
+      const double width = text_width(key.words, kTextSize) + 40;
       if (next.x > kMargin && next.x + width > kWidth - kMargin) {
         next = {kMargin, next.y + kKeyRow};
       }
@@ -173,7 +172,7 @@ class Board {
   }
 
   [[nodiscard]] std::vector<std::string> title_lines(const Panel& panel) const {
-    return wrapped(panel.title, 1.07 * kTextSize, panel_width_);
+    return wrapped(panel.title, kTextSize, panel_width_, true);
   }
 
   [[nodiscard]] std::vector<std::string> note_lines(const Panel& panel) const {
@@ -332,35 +331,31 @@ class Board {
     keep_visible(facets, panel_width_, picture_height_);
     const std::size_t share = drawing_.budget / drawing_.panels.size();
     const std::size_t boxes = std::min(share / 2, kBoxBytes * panel.boxes.size());
-    const std::size_t most = (share - boxes) / kFacetBytes;
-    if (facets.size() > most) {
-      std::vector<std::uint32_t> samples;
-      for (const Facet& facet : facets) {
-        samples.push_back(facet.samples);
-      }
-      std::nth_element(samples.begin(), samples.end() - static_cast<std::ptrdiff_t>(most),
-                       samples.end());
-      const std::uint32_t least = samples[samples.size() - most];
-      const std::size_t all = facets.size();
-      std::erase_if(facets, [&](const Facet& facet) { return facet.samples <= least; });
+    const std::size_t all = facets.size();
+    const FittedPaths fitted = paths_within(std::move(facets), share - boxes);
+    write_paths(fitted);
+    if (fitted.drawn < all) {
       svg_.text({origin_.x, origin_.y + picture_height_ - 2},
                 fmt::format("{} of {} visible pieces drawn",
-                            number_label(static_cast<double>(facets.size())),
+                            number_label(static_cast<double>(fitted.drawn)),
                             number_label(static_cast<double>(all))),
                 {.size = 11, .faint = true, .haloed = true});
     }
-    write_facets(facets);
   }
 
-  void write_facets(const std::vector<Facet>& facets) {
-    const bool dense = facets.size() > 1500;
+  void write_paths(const FittedPaths& fitted) {
+    const bool dense = fitted.drawn > 1500;
     svg_.open_group(
         fmt::format("transform=\"translate({}) scale(.1)\" stroke=\"#000\" "
                     "stroke-opacity=\"{}\" stroke-width=\"{}\" "
                     "stroke-linejoin=\"round\"",
                     pixels(origin_), dense ? ".2" : ".35", dense ? 3 : 5));
-    for (const FacetPath& path : facet_paths(facets)) {
-      svg_.path(path.data, fmt::format("fill=\"{}\"", path.fill));
+    for (const FacetPath& path : fitted.paths) {
+      std::string look = fmt::format("fill=\"{}\"", path.fill);
+      if (!path.outlined) {
+        look += fmt::format(" stroke=\"{}\" stroke-opacity=\"1\"", path.fill);
+      }
+      svg_.path(path.data, look);
     }
     svg_.close_group();
   }

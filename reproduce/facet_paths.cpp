@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
+#include <utility>
 
 namespace soms::reproduce {
 
@@ -71,6 +73,32 @@ void append_facet(std::string& data, const Facet& facet) {
   data += 'z';
 }
 
+/// Bytes of paths as they are written, attributes included.
+std::size_t bytes_of(std::span<const FacetPath> paths) {
+  std::size_t bytes = 0;
+  for (const FacetPath& path : paths) {
+    bytes += path.data.size() + (path.outlined ? 32 : 66);
+  }
+  return bytes;
+}
+
+/// Keeps the `count` facets that show most, in their order.
+void keep_most(std::vector<Facet>& facets, std::size_t count) {
+  std::vector<std::size_t> order(facets.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return facets[a].samples > facets[b].samples;
+  });
+  order.resize(count);
+  std::sort(order.begin(), order.end());
+  std::vector<Facet> kept;
+  kept.reserve(count);
+  for (const std::size_t k : order) {
+    kept.push_back(facets[k]);
+  }
+  facets = std::move(kept);
+}
+
 }  // namespace
 
 std::string shade_of(int color, double brightness) {
@@ -91,7 +119,7 @@ std::vector<FacetPath> facet_paths(std::span<const Facet> facets) {
     const Extent extent = extent_of(facet);
     std::size_t at = paths.size();
     for (std::size_t k = paths.size(); k-- > 0 && paths.size() - k <= kReach;) {
-      if (paths[k].fill == fill) {
+      if (paths[k].fill == fill && paths[k].outlined == facet.whole) {
         at = k;
         break;
       }
@@ -101,13 +129,25 @@ std::vector<FacetPath> facet_paths(std::span<const Facet> facets) {
       }
     }
     if (at == paths.size()) {
-      paths.push_back({std::move(fill), {}});
+      paths.push_back({std::move(fill), {}, facet.whole});
       covered.emplace_back();
     }
     append_facet(paths[at].data, facet);
     covered[at].push_back(extent);
   }
   return paths;
+}
+
+FittedPaths paths_within(std::vector<Facet> facets, std::size_t bytes) {
+  for (;;) {
+    std::vector<FacetPath> paths = facet_paths(facets);
+    const std::size_t size = bytes_of(paths);
+    if (size <= bytes || facets.empty()) {
+      return {std::move(paths), facets.size()};
+    }
+    const double share = 0.98 * static_cast<double>(bytes) / static_cast<double>(size);
+    keep_most(facets, static_cast<std::size_t>(share * static_cast<double>(facets.size())));
+  }
 }
 
 }  // namespace soms::reproduce

@@ -15,10 +15,20 @@ namespace soms::reproduce {
 struct FacetPath {
   std::string fill;
   std::string data;
+  bool outlined = true;  ///< edges of triangles, not cuts through one
 };
 
 /// Facets in painter's order as paths in painter's order.
 [[nodiscard]] std::vector<FacetPath> facet_paths(std::span<const Facet> facets);
+
+/// Paths of as many facets as were asked for.
+struct FittedPaths {
+  std::vector<FacetPath> paths;
+  std::size_t drawn = 0;  ///< facets in them
+};
+
+/// The same within about so many bytes: of too many facets those that show least are left out.
+[[nodiscard]] FittedPaths paths_within(std::vector<Facet> facets, std::size_t bytes);
 
 /// Fill of a drawn color in one of few brightnesses, as #rrggbb.
 [[nodiscard]] std::string shade_of(int color, double brightness);

@@ -16,6 +16,8 @@ namespace {
 /// Tables with more rows are folded; of still longer ones the page shows the first rows.
 constexpr std::size_t kFoldedFrom = 24;
 constexpr std::size_t kMostRows = 400;
+/// Bytes of words that stay on one line.
+constexpr std::size_t kShortWords = 24;
 
 constexpr std::array kVerdicts{Verdict::holds, Verdict::holds_under_options, Verdict::does_not_hold,
                                Verdict::cannot_be_checked};
@@ -353,17 +355,18 @@ class Page {
                                : fmt::format("{} <span>[{}]</span>", words, xml_text(column.unit));
   }
 
-  /// Attribute of a column's cells: numbers stand right, times lean.
+  /// Attribute of a column's cells: numbers stand right, times lean, short words do not wrap.
   [[nodiscard]] static std::string class_of(const Table& table, std::size_t column) {
-    const bool words = std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
-      return column < row.size() && std::holds_alternative<std::string>(row[column]);
-    });
-    const bool timed = table.columns[column].kind == ColumnKind::timed;
-    if (words && !timed) {
-      return {};
+    std::size_t longest = 0;
+    for (const std::vector<Cell>& row : table.rows) {
+      const auto* words = column < row.size() ? std::get_if<std::string>(&row[column]) : nullptr;
+      longest = words == nullptr ? longest : std::max(longest, words->size());
     }
-    return fmt::format(" class=\"{}{}{}\"", words ? "" : "number", !words && timed ? " " : "",
-                       timed ? "timed" : "");
+    std::string names = longest == 0 ? "number" : longest <= kShortWords ? "short" : "";
+    if (table.columns[column].kind == ColumnKind::timed) {
+      names += names.empty() ? "timed" : " timed";
+    }
+    return names.empty() ? names : fmt::format(" class=\"{}\"", names);
   }
 
   const Report& report_;

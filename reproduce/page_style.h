@@ -41,6 +41,7 @@ thead th{position:sticky;top:0;background:var(--paper);border-bottom:2px solid v
 vertical-align:bottom}
 .scroll th span{font-weight:400;color:var(--faint)}
 th.number,td.number{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
+td.short{white-space:nowrap}
 th.timed,td.timed{font-style:italic}
 table.claims{width:100%}
 table.claims td{min-width:9rem}

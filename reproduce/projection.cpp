@@ -158,6 +158,7 @@ void cut_long(std::vector<Facet>& facets, double pixels) {
       if (!(longest > pixels)) {
         break;
       }
+      facets[k].whole = false;
       Facet half = facets[k];
       const Seen cut = middle(half.corners[side], half.corners[(side + 1) % 3]);
       facets[k].corners[(side + 1) % 3] = cut;

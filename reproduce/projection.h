@@ -48,6 +48,7 @@ struct Facet {
   std::array<Seen, 3> corners = {};
   int color = kClay;
   double brightness = 1;
+  bool whole = true;          ///< false for a piece of a facet that was cut: its edges are no edges
   std::uint32_t samples = 0;  ///< of four a pixel, how many show it
 
   [[nodiscard]] double farthest() const;

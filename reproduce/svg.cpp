@@ -37,6 +37,7 @@ constexpr std::array<std::uint16_t, 95> kWidths{
 
 /// The widest of the fonts that may stand in for the first choice.
 constexpr double kWidestFont = 1.13;
+constexpr double kBold = 1.15;
 
 constexpr std::array<std::string_view, 3> kAnchors{"start", "middle", "end"};
 
@@ -145,10 +146,10 @@ double text_width(std::string_view words, double size, bool bold) {
     thousandths += c >= 32 && c < 127 ? kWidths[c - 32U] : 700;
     at += std::max<std::size_t>(1, utf8_character(words, at));
   }
-  return thousandths / 1000 * size * kWidestFont * (bold ? 1.07 : 1.0);
+  return thousandths / 1000 * size * kWidestFont * (bold ? kBold : 1.0);
 }
 
-std::vector<std::string> wrapped(std::string_view words, double size, double width) {
+std::vector<std::string> wrapped(std::string_view words, double size, double width, bool bold) {
   std::vector<std::string> lines(1);
   while (!words.empty()) {
     const std::size_t end = std::min(words.find(' '), words.size());
@@ -157,7 +158,7 @@ std::vector<std::string> wrapped(std::string_view words, double size, double wid
     std::string& last = lines.back();
     if (last.empty()) {
       last = word;
-    } else if (text_width(last + " " + word, size) <= width) {
+    } else if (text_width(last + " " + word, size, bold) <= width) {
       last += " " + word;
     } else {
       lines.push_back(word);

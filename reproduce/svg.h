@@ -97,6 +97,7 @@ class PathData {
 [[nodiscard]] double text_width(std::string_view words, double size, bool bold = false);
 
 /// `words` broken at spaces into lines of at most `width` (a longer word keeps its own line).
-[[nodiscard]] std::vector<std::string> wrapped(std::string_view words, double size, double width);
+[[nodiscard]] std::vector<std::string> wrapped(std::string_view words, double size, double width,
+                                               bool bold = false);
 
 }  // namespace soms::reproduce

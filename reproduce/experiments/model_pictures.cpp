@@ -33,7 +33,8 @@ Figure models_figure(const std::string& id, const std::string& title, const std:
 
 Result figure_3_7(const Context& context) {
   return {
-      .figures = {models_figure("figure_3_7", "The objects", "The objects, each at its own scale.",
+      .figures = {models_figure("figure_3_7", "The objects",
+                                "The objects as they are stored, y upwards, each at its own scale.",
                                 context.models.objects, UpAxis::y, 2)}};
 }
 

@@ -40,8 +40,8 @@ std::vector<Key> keys(bool sides) {
            {KeyKind::plane, kPlane, "plane"}};
   }
   all.push_back({KeyKind::point, kMidpoint, "midpoint"});
-  all.push_back({KeyKind::box, kOuter, "outer box (corners)"});
-  all.push_back({KeyKind::dashed_box, kInner, "inner box (midpoints)"});
+  all.push_back({KeyKind::box, kOuter, "outer box"});
+  all.push_back({KeyKind::dashed_box, kInner, "inner box, of midpoints"});
   return all;
 }
 

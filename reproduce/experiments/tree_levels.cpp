@@ -36,6 +36,11 @@ void add_row(Table& table, const Model& model, const Contender& rule, int level,
                         count.ended, count.fewest, count.most});
 }
 
+/// The title without what stands in brackets.
+std::string short_title(const Model& model) {
+  return model.title.substr(0, model.title.find(" ("));
+}
+
 /// Spatial median and SOMS on each scene, their boxes at one level side by side.
 Result scene_trees(const Context& context, const std::string& number, int level) {
   std::vector<Contender> rules = thesis_rules(kSceneLevel);
@@ -55,8 +60,8 @@ Result scene_trees(const Context& context, const std::string& number, int level)
     for (const Contender& rule : rules) {
       check_stop(context.parallel);
       const Tree tree = build(*model.mesh, rule.options);
-      drawing.panels.push_back(
-          level_panel(*model.mesh, tree, level, fmt::format("{}, {}", model.title, rule.title)));
+      drawing.panels.push_back(level_panel(*model.mesh, tree, level,
+                                           fmt::format("{}, {}", short_title(model), rule.title)));
       alt += fmt::format("{}: {}. ", drawing.panels.back().title, drawing.panels.back().note);
       add_row(table, model, rule, level, count_level(tree, level));
       done += 0.5 / static_cast<double>(context.models.scenes.size());
