@@ -14,8 +14,12 @@ set(SOMS_HEADERS
   traversal_options.h
 )
 set(SOMS_SOURCES
-  detail/box_tests.cpp
   detail/collector.cpp
+  detail/kernels/avx2.cpp
+  detail/kernels/avx512.cpp
+  detail/kernels/instruction_set.cpp
+  detail/kernels/scalar.cpp
+  detail/kernels/sse4.cpp
   detail/overlap_query.cpp
   detail/pair_walk.cpp
   detail/relative_pose.cpp

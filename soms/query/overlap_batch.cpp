@@ -18,13 +18,14 @@ using detail::PairWalk;
 using detail::RelativePose;
 using detail::Viewer;
 using detail::WalkMemory;
+using detail::WalkRound;
 using detail::WalkSide;
 using detail::Watch;
 
 /// Poses that a thread takes at a time.
 constexpr std::size_t kBlock = 256;
 /// Queries in flight: while one waits for memory, others work.
-constexpr std::size_t kFlights = 8;
+constexpr std::size_t kFlights = detail::WalkRound::kWalks;
 
 /// Checks all poses of a batch; an error names the first one at fault.
 void check_poses(std::span<const Pose> poses, const Shape& shape) {
@@ -62,6 +63,7 @@ struct Flight {
   WalkMemory memory;
   std::vector<TrianglePair> pairs;
   std::size_t pose = 0;
+  bool over = false;
 };
 
 /// Asks about a block of poses, several queries in flight. Each takes the steps that it would take
@@ -92,10 +94,13 @@ class BlockRun {
       take_off(*open[count]);
       ++count;
     }
+    WalkRound round;
     while (count > 0) {
-      for (std::size_t i = 0; i < count; ++i) {
+      round.clear();
+      for (std::size_t i = 0; i < count;) {
         Flight& flight = *open[i];
-        if (flight.walk->step(*flight.collector, *flight.watch)) {
+        if (!flight.over && flight.walk->gather(round)) {
+          ++i;
           continue;
         }
         land(flight);
@@ -103,8 +108,12 @@ class BlockRun {
           take_off(flight);
         } else {
           open[i] = open[--count];
-          --i;
         }
+      }
+      PairWalk::test(round);
+      for (std::size_t i = 0; i < count; ++i) {
+        Flight& flight = *open[i];
+        flight.over = !flight.walk->take_up(round, *flight.collector, *flight.watch);
       }
     }
   }
@@ -128,6 +137,7 @@ class BlockRun {
     flight.walk.emplace(*flight.relative, mover_views_ ? fixed_side : mover_side,
                         mover_views_ ? mover_side : fixed_side, mover_views_, flight.memory);
     flight.walk->start();
+    flight.over = false;
   }
 
   void land(Flight& flight) {

@@ -1,7 +1,7 @@
 #include "soms/query/detail/pair_walk.h"
 
 #include "soms/geometry/triangle_overlap.h"
-#include "soms/query/detail/box_tests.h"
+#include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/triangle_tests.h"
 
 #include <algorithm>
@@ -14,8 +14,13 @@ namespace {
 /// Both nodes are opened while neither is more than this much larger.
 constexpr float kSimilar = 2;
 
-/// Pairs worked on at once: enough to hide the wait for memory and for results.
-constexpr std::size_t kGroup = 2;
+/// Pairs opened at once. Where bodies touch, a hit is mostly found within few pairs, and what was
+/// opened beside the way to it is lost; a walk that has gone on for long opens everything anyway.
+std::size_t group_of(std::size_t opened) {
+  return opened < 24 ? 2 : opened < 48 ? 4 : WalkRound::kEach;
+}
+
+constexpr std::uint32_t kIndexShift = 3;  // of a code: see NodeTask
 
 float longest(const std::array<float, 3>& half) {
   return std::max({half[0], half[1], half[2]});
@@ -30,24 +35,64 @@ std::size_t lowest(std::uint32_t bits) {
   return static_cast<std::size_t>(std::countr_zero(bits));
 }
 
-/// Starts to load what a pushed pair will look at first.
-void fetch(const void* place) {
+bool is_lane(std::uint32_t code) {
+  return (code & NodeTask::kLane) != 0;
+}
+
+std::uint32_t lane_of(std::uint32_t code) {
+  return code & 3;
+}
+
+/// What a code means, without a branch that nobody could foresee.
+struct CodeTable {
+  struct Entry {
+    std::uint8_t lanes = 0;
+    std::uint8_t number = 0;
+  };
+
+  std::array<std::array<Entry, 8>, 5> entries = {};  // by the node's lanes and the code's last bits
+
+  constexpr CodeTable() {
+    for (std::uint32_t count = 0; count < 5; ++count) {
+      for (std::uint32_t bits = 0; bits < 8; ++bits) {
+        const bool lane = (bits & NodeTask::kLane) != 0;
+        const std::uint32_t lanes = lane ? 1U << (bits & 3) : (1U << count) - 1;
+        entries[count][bits] = {static_cast<std::uint8_t>(lanes),
+                                static_cast<std::uint8_t>(lane ? 1 : count)};
+      }
+    }
+  }
+};
+
+constexpr CodeTable kCodes;
+
+/// Code of a node's child.
+std::uint32_t code_of(const WideNode& node, std::uint32_t own, std::uint32_t lane) {
+  return (node.leaves >> lane & 1U) != 0 ? own | NodeTask::kLane | lane
+                                         : node.child[lane] << kIndexShift;
+}
+
+/// Starts to load what will be looked at soon.
+template <class Place>
+void fetch(const Place& place) {
   constexpr std::size_t kLine = 64;
-  const auto* bytes = static_cast<const char*>(place);
-  for (std::size_t line = 0; line < sizeof(WideNode); line += kLine) {
+  const auto* bytes = reinterpret_cast<const char*>(&place);
+  for (std::size_t line = 0; line < sizeof(Place); line += kLine) {
     __builtin_prefetch(bytes + line);
   }
 }
 
 }  // namespace
 
-void PlaceStack::grow() {
-  if (far_.empty()) {
-    far_.assign(near_.begin(), near_.end());
-  }
-  far_.resize(2 * capacity_);
-  capacity_ = far_.size();
-  data_ = far_.data();
+void PairList::grow(std::size_t least) {
+  const std::size_t capacity = std::max(least, 2 * capacity_);
+  std::vector<std::uint32_t> larger(2 * capacity);
+  std::copy_n(x_, size_, larger.begin());
+  std::copy_n(y_, size_, larger.begin() + static_cast<std::ptrdiff_t>(capacity));
+  far_.swap(larger);
+  x_ = far_.data();
+  y_ = far_.data() + capacity;
+  capacity_ = capacity;
 }
 
 PairWalk::PairWalk(const RelativePose& relative, const WalkSide& x, const WalkSide& y, bool swapped,
@@ -67,136 +112,173 @@ void PairWalk::start() {
   ++cost_.node_tests;
   memory_.clear();
   if (!relative_.apart()) {
-    push({0, 0});
+    memory_.codes.push({0, 0});
   }
 }
 
 void PairWalk::start(const PlacePair& from) {
   memory_.clear();
-  push(from);
+  (from.blocks() ? memory_.blocks : memory_.codes).push(from);
 }
 
-void PairWalk::push(const PlacePair& pair) {
-  const bool leaf_x = is_leaf(pair.x);
-  const bool leaf_y = is_leaf(pair.y);
-  leaf_x ? fetch(&block_x(pair.x)) : fetch(&node_x(pair.x));
-  leaf_y ? fetch(&block_y(pair.y)) : fetch(&node_y(pair.y));
-  PlaceStack& stack = leaf_x && leaf_y   ? memory_.blocks
-                      : leaf_x || leaf_y ? memory_.mixed
-                                         : memory_.nodes;
-  stack.push(pair);
-}
-
-PlacePair PairWalk::take(PlaceStack& stack) {
-  const PlacePair pair = stack.pop();
-  const PlacePair here{is_run(pair.x) ? pair.x & ~WideNode::kRunBit : pair.x,
-                       is_run(pair.y) ? pair.y & ~WideNode::kRunBit : pair.y};
-  // Row by row: only the head of a row, whose y is still a run too, goes on to the next row.
-  if (is_run(pair.x) && block_x(here.x).following > 0) {
-    stack.push({pair.x + 1, pair.y});
-  }
-  if (is_run(pair.y) && block_y(here.y).following > 0) {
-    stack.push({here.x, pair.y + 1});
-  }
-  return here;
-}
-
-void PairWalk::push_meeting(const Opening& opening) {
-  const PlacePair& pair = opening.pair;
-  for (std::uint32_t meet = opening.meet; meet != 0; meet &= meet - 1) {
-    const std::size_t bit = lowest(meet);
-    if (opening.open == Open::both) {
-      push({node_x(pair.x).child[bit & 3], node_y(pair.y).child[(bit + (bit >> 2)) & 3]});
-    } else if (opening.open == Open::x) {
-      push({node_x(pair.x).child[bit], pair.y});
+void PairWalk::push(const NodeTask& task) {
+  const bool opens_x = task.opens_x();
+  for (std::uint32_t meet = task.pairs; meet != 0; meet &= meet - 1) {
+    const auto lane = static_cast<std::uint32_t>(lowest(meet));
+    if (opens_x) {
+      const std::uint32_t code = code_of(*task.x, task.code_x, lane);
+      memory_.codes.push({code, task.code_y});
+      fetch(nodes_x_[code >> kIndexShift]);
     } else {
-      push({pair.x, node_y(pair.y).child[bit]});
+      const std::uint32_t code = code_of(*task.y, task.code_y, lane);
+      memory_.codes.push({task.code_x, code});
+      fetch(nodes_y_[code >> kIndexShift]);
     }
   }
 }
 
-template <void (PairWalk::*Test)(PairWalk::Opening&)>
-void PairWalk::open_group(PlaceStack& stack) {
-  std::array<Opening, kGroup> group;
-  const std::size_t count = std::min(kGroup, stack.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    group[i].pair = take(stack);
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    (this->*Test)(group[i]);
-  }
-  for (std::size_t i = count; i > 0; --i) {
-    push_meeting(group[i - 1]);
-  }
-}
-
-void PairWalk::test_mixed(Opening& opening) {
+bool PairWalk::large_leaf_meets(const PlacePair& pair, const WideNode& x, const WideNode& y) {
   Relation relation;
-  if (is_leaf(opening.pair.x)) {
-    const TriangleBlock& x = block_x(opening.pair.x);
-    const WideNode& y = node_y(opening.pair.y);
-    relative_.relate(x, y, relation);
-    opening.open = Open::y;
-    opening.meet = 0;
-    if (longest(x.own_half) * relative_.ratio() > longest(y.own_half())) {
-      cost_.node_tests += x.count;
-      if (box_against_x(relation, x, y.own_half()) == 0) {
-        return;
+  if (is_lane(pair.x)) {
+    const std::uint32_t lane = lane_of(pair.x);
+    const float size = longest({x.half[0][lane], x.half[1][lane], x.half[2][lane]});
+    if (size * relative_.ratio() <= y.reach) {
+      return true;
+    }
+    for (const TriangleBlock* block = &block_x(x.child[lane]);; ++block) {
+      relative_.relate(*block, y, relation);
+      cost_.node_tests += block->count;
+      if (box_against_x(relation, *block, y.own_half()) != 0) {
+        return true;
+      }
+      if (block->following == 0) {
+        return false;
       }
     }
-    cost_.node_tests += y.count;
-    opening.meet = one_against_four(relation, x.own_half, y);
-    return;
   }
-  const WideNode& x = node_x(opening.pair.x);
-  const TriangleBlock& y = block_y(opening.pair.y);
-  relative_.relate(x, y, relation);
-  opening.open = Open::x;
-  opening.meet = 0;
-  if (longest(y.own_half) > longest(x.own_half()) * relative_.ratio()) {
-    cost_.node_tests += y.count;
-    if (box_against_y(relation, x.own_half(), y) == 0) {
-      return;
+  const std::uint32_t lane = lane_of(pair.y);
+  const float size = longest({y.half[0][lane], y.half[1][lane], y.half[2][lane]});
+  if (size <= x.reach * relative_.ratio()) {
+    return true;
+  }
+  for (const TriangleBlock* block = &block_y(y.child[lane]);; ++block) {
+    relative_.relate(x, *block, relation);
+    cost_.node_tests += block->count;
+    if (box_against_y(relation, x.own_half(), *block) != 0) {
+      return true;
+    }
+    if (block->following == 0) {
+      return false;
     }
   }
-  cost_.node_tests += x.count;
-  opening.meet = four_against_one(relation, x, y.own_half);
 }
 
-void PairWalk::test_nodes(Opening& opening) {
-  const WideNode& x = node_x(opening.pair.x);
-  const WideNode& y = node_y(opening.pair.y);
-  Relation relation;
-  relative_.relate(x, y, relation);
-  const float size_x = longest(x.own_half()) * relative_.ratio();
-  const float size_y = longest(y.own_half());
-  if (size_x > kSimilar * size_y) {
-    opening.open = Open::x;
-    opening.meet = four_against_one(relation, x, y.own_half());
-    cost_.node_tests += x.count;
-  } else if (size_y > kSimilar * size_x) {
-    opening.open = Open::y;
-    opening.meet = one_against_four(relation, x.own_half(), y);
-    cost_.node_tests += y.count;
-  } else {
-    opening.open = Open::both;
-    opening.meet = four_against_four(relation, x, y);
-    cost_.node_tests += std::uint64_t{x.count} * y.count;
+void PairWalk::gather_nodes(WalkRound& round) {
+  PairList& codes = memory_.codes;
+  std::array<PlacePair, WalkRound::kEach> group;
+  const std::size_t taken = std::min(group_of(opened_), codes.size());
+  opened_ += taken;
+  for (std::size_t i = 0; i < taken; ++i) {
+    group[i] = codes.pop();
+  }
+  // The first one's children end on top.
+  for (std::size_t i = taken; i > 0; --i) {
+    const PlacePair& pair = group[i - 1];
+    const WideNode& x = nodes_x_[pair.x >> kIndexShift];
+    const WideNode& y = nodes_y_[pair.y >> kIndexShift];
+    if (is_lane(pair.x | pair.y)) {
+      if (!large_leaf_meets(pair, x, y)) {
+        continue;
+      }
+    } else {
+      const float size_x = x.reach * relative_.ratio();
+      if (size_x > kSimilar * y.reach || y.reach > kSimilar * size_x) {
+        const std::uint32_t count = size_x > y.reach ? x.count : y.count;
+        cost_.node_tests += count;
+        round.larger[round.larger_count++] = {&relative_.numbers(), &x, &y, pair.x, pair.y,
+                                              (1U << count) - 1};
+        continue;
+      }
+    }
+    const CodeTable::Entry& in_x = kCodes.entries[x.count][pair.x & 7];
+    const CodeTable::Entry& in_y = kCodes.entries[y.count][pair.y & 7];
+    cost_.node_tests += std::uint64_t{in_x.number} * in_y.number;
+    round.nodes[round.node_count++] = {
+        &relative_.numbers(), &x,           &y,
+        pair.x & ~7U,         pair.y & ~7U, kLanePairs.bits[in_x.lanes][in_y.lanes]};
   }
 }
 
-bool PairWalk::step(Collector& collector, Watch& watch) {
+void PairWalk::append(std::span<const NodeTask> tasks) {
+  PairList& codes = memory_.codes;
+  PairList& blocks = memory_.blocks;
+  constexpr std::size_t kMost = 16;
+  codes.reserve(kMost * (tasks.size() + 1));
+  blocks.reserve(kMost * (tasks.size() + 1));
+  PairSink sink{codes.end_x(), codes.end_y(), blocks.end_x(), blocks.end_y()};
+  kernels().append(tasks.data(), tasks.size(), sink);
+  codes.add(sink.codes);
+  blocks.add(sink.blocks);
+  const std::size_t next = std::min(group_of(opened_), sink.codes);
+  for (std::size_t i = codes.size() - next; i < codes.size(); ++i) {
+    const PlacePair pair = codes.at(i);
+    fetch(nodes_x_[pair.x >> kIndexShift]);
+    fetch(nodes_y_[pair.y >> kIndexShift]);
+  }
+  for (std::size_t i = blocks.size() - sink.blocks; i < blocks.size(); ++i) {
+    const PlacePair pair = blocks.at(i);
+    fetch(block_x(pair.x));
+    fetch(block_y(pair.y));
+  }
+}
+
+bool PairWalk::gather(WalkRound& round) {
+  node_begin_ = round.node_count;
+  larger_begin_ = round.larger_count;
+  block_begin_ = round.block_count;
   if (!memory_.blocks.empty()) {
-    return !decide_group(collector) && !watch.spend(8 * kGroup);
-  }
-  if (!memory_.mixed.empty()) {
-    open_group<&PairWalk::test_mixed>(memory_.mixed);
-  } else if (!memory_.nodes.empty()) {
-    open_group<&PairWalk::test_nodes>(memory_.nodes);
+    gather_blocks(round);
+  } else if (!memory_.codes.empty()) {
+    gather_nodes(round);
   } else {
     return false;
   }
-  return !watch.spend(kGroup);
+  node_count_ = round.node_count - node_begin_;
+  larger_count_ = round.larger_count - larger_begin_;
+  block_count_ = round.block_count - block_begin_;
+  return true;
+}
+
+void PairWalk::test(WalkRound& round) {
+  const Kernels& kernels = detail::kernels();
+  kernels.test_nodes(round.nodes.data(), round.node_count);
+  kernels.test_larger(round.larger.data(), round.larger_count);
+  kernels.test_slabs(round.blocks.data(), round.block_count);
+}
+
+bool PairWalk::take_up(const WalkRound& round, Collector& collector, Watch& watch) {
+  for (std::size_t i = 0; i < larger_count_; ++i) {
+    push(round.larger[larger_begin_ + i]);
+  }
+  if (node_count_ != 0) {
+    append(std::span(round.nodes).subspan(node_begin_, node_count_));
+  }
+  if (block_count_ != 0 &&
+      decide(std::span(round.blocks).subspan(block_begin_, block_count_), collector)) {
+    return false;
+  }
+  return !watch.spend(1 + node_count_ + larger_count_ + 2 * block_count_);
+}
+
+void PairWalk::run(Collector& collector, Watch& watch) {
+  WalkRound round;
+  while (gather(round)) {
+    test(round);
+    if (!take_up(round, collector, watch)) {
+      return;
+    }
+    round.clear();
+  }
 }
 
 std::vector<PlacePair> PairWalk::frontier(std::size_t enough) {
@@ -211,16 +293,22 @@ std::vector<PlacePair> PairWalk::frontier(std::size_t enough) {
     next.clear();
     opened = false;
     for (const PlacePair& pair : level) {
-      if (is_leaf(pair.x) && is_leaf(pair.y)) {
+      if (pair.blocks()) {
         next.push_back(pair);
         continue;
       }
-      memory_.clear();
-      push(pair);
-      memory_.mixed.empty() ? open_group<&PairWalk::test_nodes>(memory_.nodes)
-                            : open_group<&PairWalk::test_mixed>(memory_.mixed);
-      for (const PlaceStack* stack : {&memory_.blocks, &memory_.mixed, &memory_.nodes}) {
-        next.insert(next.end(), stack->begin(), stack->end());
+      start(pair);
+      WalkRound round;
+      gather_nodes(round);
+      test(round);
+      for (std::size_t i = 0; i < round.larger_count; ++i) {
+        push(round.larger[i]);
+      }
+      append(std::span(round.nodes).first(round.node_count));
+      for (const PairList* list : {&memory_.blocks, &memory_.codes}) {
+        for (std::size_t i = 0; i < list->size(); ++i) {
+          next.push_back(list->at(i));
+        }
       }
       opened = true;
     }
@@ -229,42 +317,53 @@ std::vector<PlacePair> PairWalk::frontier(std::size_t enough) {
   return level;
 }
 
-bool PairWalk::decide_group(Collector& collector) {
-  std::array<PlacePair, kGroup> group;
-  std::array<Relation, kGroup> relations;
-  std::array<std::uint32_t, kGroup> lanes;
-  const std::size_t count = std::min(kGroup, memory_.blocks.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    group[i] = take(memory_.blocks);
-    const TriangleBlock& x = block_x(group[i].x);
-    const TriangleBlock& y = block_y(group[i].y);
-    relative_.relate(x, y, relations[i]);
-    cost_.node_tests += y.count;
-    lanes[i] = box_against_y(relations[i], x.own_half, y);
+PlacePair PairWalk::take_blocks() {
+  constexpr std::uint32_t kRun = WideNode::kRunBit;
+  const PlacePair pair = memory_.blocks.pop();
+  const PlacePair here{pair.x & ~kRun, pair.y & ~kRun};
+  // Row by row: only the head of a row, whose y is still a run too, goes on to the next row.
+  if ((pair.x & kRun) != 0 && block_x(here.x).following > 0) {
+    memory_.blocks.push({pair.x + 1, pair.y});
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (lanes[i] != 0 && decide(group[i], relations[i], lanes[i], collector)) {
+  if ((pair.y & kRun) != 0 && block_y(here.y).following > 0) {
+    memory_.blocks.push({here.x, pair.y + 1});
+  }
+  return here;
+}
+
+void PairWalk::gather_blocks(WalkRound& round) {
+  for (std::size_t i = 0; i < WalkRound::kEach && !memory_.blocks.empty(); ++i) {
+    const PlacePair pair = take_blocks();
+    BlockTask& task = round.blocks[round.block_count++];
+    task.pose = &relative_.numbers();
+    task.x = &block_x(pair.x);
+    task.y = &block_y(pair.y);
+    cost_.node_tests += task.x->count + task.y->count;
+  }
+}
+
+bool PairWalk::decide(std::span<const BlockTask> tasks, Collector& collector) {
+  for (const BlockTask& task : tasks) {
+    if (task.lanes_x == 0 || task.lanes_y == 0) {
+      continue;
+    }
+    cost_.node_tests += task.x->count;
+    const std::uint64_t rows = kernels().test_triangles(task);
+    if (rows != 0 && decide(task, rows, collector)) {
       return true;
     }
   }
   return false;
 }
 
-bool PairWalk::decide(const PlacePair& pair, const Relation& relation, std::uint32_t lanes_y,
-                      Collector& collector) {
-  const TriangleBlock& x = block_x(pair.x);
-  const TriangleBlock& y = block_y(pair.y);
-  cost_.node_tests += x.count;
-  std::uint32_t lanes_x = box_against_x(relation, x, y.own_half);
-  if (lanes_x == 0) {
-    return false;
-  }
-  const BlockPair rows(relation, x, y);
-  for (; lanes_x != 0; lanes_x &= lanes_x - 1) {
-    const auto i = static_cast<std::uint32_t>(lowest(lanes_x));
-    const std::uint32_t lanes = rows.row(i, lanes_y);
-    if (lanes != 0 && decide(x.id[i], y, lanes, collector)) {
+bool PairWalk::decide(const BlockTask& task, std::uint64_t rows, Collector& collector) {
+  for (std::size_t i = 0; rows >> (8 * i) != 0; ++i) {
+    const auto lanes = static_cast<std::uint32_t>(rows >> (8 * i) & 0xff);
+    if (lanes != 0 && decide(task.x->id[i], *task.y, lanes, collector)) {
       return true;
+    }
+    if (i == TriangleBlock::kWidth - 1) {
+      break;
     }
   }
   return false;

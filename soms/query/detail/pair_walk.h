@@ -1,75 +1,110 @@
 /// \file
-/// The default traversal: two wide trees walked together, with a stack that grows.
+/// The default traversal: two wide trees walked together, with lists of pairs that grow.
 #pragma once
 
 #include "soms/query/answer.h"
 #include "soms/query/detail/collector.h"
+#include "soms/query/detail/kernels/kernels.h"
 #include "soms/query/detail/relative_pose.h"
 #include "soms/tree/shape.h"
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace soms::detail {
 
-/// A pair of places in two trees: nodes, or blocks of triangles (WideNode::kLeafBit), or blocks
-/// with those that follow in their leaves (WideNode::kRunBit too).
+/// A pair of places in two trees: codes of which one at least is a node (see NodeTask), or words of
+/// WideNode::child that are leaves both.
 struct PlacePair {
   std::uint32_t x;
   std::uint32_t y;
+
+  [[nodiscard]] bool blocks() const { return (x & WideNode::kLeafBit) != 0; }
 };
 
-/// A stack that allocates only when it outgrows what it has.
-class PlaceStack {
+/// A stack of pairs that allocates only when it outgrows what it has.
+class PairList {
  public:
-  PlaceStack() { data_ = near_.data(); }
-
-  PlaceStack(const PlaceStack&) = delete;
-  PlaceStack& operator=(const PlaceStack&) = delete;
-  ~PlaceStack() = default;
+  PairList() = default;
+  PairList(const PairList&) = delete;
+  PairList& operator=(const PairList&) = delete;
+  ~PairList() = default;
 
   [[nodiscard]] bool empty() const { return size_ == 0; }
+
+  [[nodiscard]] std::size_t size() const { return size_; }
 
   void clear() { size_ = 0; }
 
   void push(const PlacePair& pair) {
-    if (size_ == capacity_) {
-      grow();
-    }
-    data_[size_++] = pair;
+    reserve(1);
+    x_[size_] = pair.x;
+    y_[size_++] = pair.y;
   }
 
-  PlacePair pop() { return data_[--size_]; }
+  PlacePair pop() {
+    --size_;
+    return {x_[size_], y_[size_]};
+  }
 
-  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] PlacePair at(std::size_t i) const { return {x_[i], y_[i]}; }
 
-  [[nodiscard]] const PlacePair* begin() const { return data_; }
+  /// Makes room for `more` pairs at `end_x` and `end_y`, which `add` then counts.
+  void reserve(std::size_t more) {
+    if (size_ + more > capacity_) {
+      grow(size_ + more);
+    }
+  }
 
-  [[nodiscard]] const PlacePair* end() const { return data_ + size_; }
+  [[nodiscard]] std::uint32_t* end_x() { return x_ + size_; }
+
+  [[nodiscard]] std::uint32_t* end_y() { return y_ + size_; }
+
+  void add(std::size_t count) { size_ += count; }
 
  private:
-  static constexpr std::size_t kNear = 128;
+  static constexpr std::size_t kNear = 256;
 
-  void grow();
+  void grow(std::size_t least);
 
-  std::array<PlacePair, kNear> near_;
-  std::vector<PlacePair> far_;
-  PlacePair* data_ = nullptr;
+  std::array<std::uint32_t, 2 * kNear> near_;
+  std::vector<std::uint32_t> far_;
+  std::uint32_t* x_ = near_.data();
+  std::uint32_t* y_ = near_.data() + kNear;
   std::size_t size_ = 0;
   std::size_t capacity_ = kNear;
 };
 
-/// Pairs still to be opened or decided, by kind, so that several of a kind are worked on at once.
+/// Pairs still to be opened or decided.
 struct WalkMemory {
-  PlaceStack nodes;   // two nodes
-  PlaceStack mixed;   // a node and a block
-  PlaceStack blocks;  // two blocks
+  PairList codes;
+  PairList blocks;
 
   void clear() {
-    nodes.clear();
-    mixed.clear();
+    codes.clear();
     blocks.clear();
+  }
+};
+
+/// What walks have in hand: tests of several pairs, of one walk or of several, are made together,
+/// as one alone waits for memory and for its own results.
+struct WalkRound {
+  static constexpr std::size_t kWalks = 4;  ///< most walks of a round
+  static constexpr std::size_t kEach = 8;   ///< most tests of each kind of a walk
+
+  std::array<NodeTask, kWalks * kEach> nodes;   // both nodes are opened
+  std::array<NodeTask, kWalks * kEach> larger;  // the larger one is
+  std::array<BlockTask, kWalks * kEach> blocks;
+  std::size_t node_count = 0;
+  std::size_t larger_count = 0;
+  std::size_t block_count = 0;
+
+  void clear() {
+    node_count = 0;
+    larger_count = 0;
+    block_count = 0;
   }
 };
 
@@ -91,14 +126,17 @@ class PairWalk {
   /// Begins at a pair of places.
   void start(const PlacePair& from);
 
-  /// Works on a few pairs; false when the walk is over.
-  [[nodiscard]] bool step(Collector& collector, Watch& watch);
+  /// Puts the next tests into the round; false when the walk is over.
+  [[nodiscard]] bool gather(WalkRound& round);
 
-  /// Steps until the walk is over.
-  void run(Collector& collector, Watch& watch) {
-    while (step(collector, watch)) {
-    }
-  }
+  /// Takes up what the tests of the round said; false when the walk is over.
+  [[nodiscard]] bool take_up(const WalkRound& round, Collector& collector, Watch& watch);
+
+  /// Makes the tests of a round.
+  static void test(WalkRound& round);
+
+  /// Walks until the end, alone.
+  void run(Collector& collector, Watch& watch);
 
   /// Opens pairs in order, level by level, until there are `enough` or only blocks are left: the
   /// same pairs whatever the number of threads.
@@ -107,53 +145,34 @@ class PairWalk {
   [[nodiscard]] const Cost& cost() const { return cost_; }
 
  private:
-  static bool is_leaf(std::uint32_t place) { return (place & WideNode::kLeafBit) != 0; }
-
-  static bool is_run(std::uint32_t place) {
-    return is_leaf(place) && (place & WideNode::kRunBit) != 0;
+  [[nodiscard]] const TriangleBlock& block_x(std::uint32_t word) const {
+    return blocks_x_[word & (WideNode::kMost - 1)];
   }
 
-  [[nodiscard]] const WideNode& node_x(std::uint32_t place) const { return nodes_x_[place]; }
-
-  [[nodiscard]] const WideNode& node_y(std::uint32_t place) const { return nodes_y_[place]; }
-
-  [[nodiscard]] const TriangleBlock& block_x(std::uint32_t place) const {
-    return blocks_x_[place & ~(WideNode::kLeafBit | WideNode::kRunBit)];
+  [[nodiscard]] const TriangleBlock& block_y(std::uint32_t word) const {
+    return blocks_y_[word & (WideNode::kMost - 1)];
   }
 
-  [[nodiscard]] const TriangleBlock& block_y(std::uint32_t place) const {
-    return blocks_y_[place & ~(WideNode::kLeafBit | WideNode::kRunBit)];
-  }
+  void gather_nodes(WalkRound& round);
+  void gather_blocks(WalkRound& round);
 
-  /// Which sides of a pair are opened.
-  enum class Open : std::uint8_t { x, y, both };
+  /// Appends what met to the lists.
+  void append(std::span<const NodeTask> tasks);
 
-  /// A pair and what of it meets: lanes of x, of y, or pairs of lanes as `four_against_four` says.
-  struct Opening {
-    PlacePair pair;
-    std::uint32_t meet;
-    Open open;
-  };
+  /// Pushes the lanes of the larger node that met.
+  void push(const NodeTask& task);
 
-  void push(const PlacePair& pair);
+  /// False if a leaf that is larger than a node has no triangle near it.
+  [[nodiscard]] bool large_leaf_meets(const PlacePair& pair, const WideNode& x, const WideNode& y);
 
-  /// Pops a pair. Of a run of blocks it gives the first and leaves the rest on the stack.
-  [[nodiscard]] PlacePair take(PlaceStack& stack);
+  /// Pops a pair of blocks. Of a run of blocks it gives the first and leaves the rest.
+  [[nodiscard]] PlacePair take_blocks();
 
-  /// Takes up to `kGroup` pairs off a stack, tests them all, then pushes what meets: tests of one
-  /// pair wait for memory and for each other, tests of several do not.
-  template <void (PairWalk::*Test)(Opening&)>
-  void open_group(PlaceStack& stack);
-  void test_nodes(Opening& opening);
-  void test_mixed(Opening& opening);
-  void push_meeting(const Opening& opening);
+  /// Decides pairs of blocks that may meet; true when the walk is to stop.
+  [[nodiscard]] bool decide(std::span<const BlockTask> tasks, Collector& collector);
 
-  /// Decides up to `kGroup` pairs of blocks; true when the walk is to stop.
-  [[nodiscard]] bool decide_group(Collector& collector);
-
-  /// Decides all triangles of two blocks.
-  [[nodiscard]] bool decide(const PlacePair& pair, const Relation& relation, std::uint32_t lanes_y,
-                            Collector& collector);
+  /// Decides triangles of two blocks: those of y in byte i of `rows` with triangle i of x.
+  [[nodiscard]] bool decide(const BlockTask& task, std::uint64_t rows, Collector& collector);
 
   /// Decides one triangle of x against those of y in `lanes`.
   [[nodiscard]] bool decide(TriangleId i, const TriangleBlock& y, std::uint32_t lanes,
@@ -169,6 +188,13 @@ class PairWalk {
   bool swapped_;
   WalkMemory& memory_;
   Cost cost_;
+  std::size_t opened_ = 0;      // pairs so far
+  std::size_t node_begin_ = 0;  // this walk's tests of the round
+  std::size_t node_count_ = 0;
+  std::size_t larger_begin_ = 0;
+  std::size_t larger_count_ = 0;
+  std::size_t block_begin_ = 0;
+  std::size_t block_count_ = 0;
 };
 
 }  // namespace soms::detail

@@ -89,13 +89,18 @@ Viewer::Viewer(const WideTree& t, const Pose& p)
 }
 
 RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const Viewer& y)
-    : matrix_(product(y.inverse, rotation(pose_x))), scale_(y.tree->scale()) {
+    : matrix_(product(y.inverse, rotation(pose_x))) {
+  numbers_.scale = y.tree->scale();
   const Vec3 between = pose_x.apply(x.origin()) - y.pose.apply(y.tree->origin());
   for (std::size_t i = 0; i < 3; ++i) {
-    shift_[i] =
+    numbers_.shift[i] =
         (y.inverse[i][0] * between.x + y.inverse[i][1] * between.y) + y.inverse[i][2] * between.z;
     for (std::size_t j = 0; j < 3; ++j) {
-      turn_.entry[i][j] = static_cast<float>(matrix_[i][j]);
+      numbers_.column[j][i] = matrix_[i][j];
+      numbers_.rows[4 * i + j] = static_cast<float>(matrix_[i][j]);
+      numbers_.magnitudes[4 * i + j] = std::abs(numbers_.n(i, j));
+      numbers_.columns[4 * j + i] = numbers_.n(i, j);
+      turn_.entry[i][j] = numbers_.n(i, j);
       turn_.magnitude[i][j] = std::abs(turn_.entry[i][j]);
     }
   }
@@ -105,17 +110,18 @@ RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const Viewer& 
       transposed[i][j] = matrix_[j][i];
     }
   }
-  relative_ = rounded_up(0x1p-17 + 4 * distance_from_identity(product(transposed, matrix_)));
-  ratio_ = static_cast<float>(std::ldexp(1.0, y.tree->exponent() - x.exponent()));
+  numbers_.relative =
+      rounded_up(0x1p-17 + 4 * distance_from_identity(product(transposed, matrix_)));
+  numbers_.ratio = static_cast<float>(std::ldexp(1.0, y.tree->exponent() - x.exponent()));
   const double reach = y.reach + moved_reach(pose_x, x.bounds());
   const double slack = 2 * ((192 * kUnitRoundoff + 12 * y.residual) * reach + 0x1p-1064);
   apart_ = roots_apart(x.bounds(), y.tree->bounds(), slack);
   // Where rounding outweighs the body a thousandfold and more, every box meets every other.
-  if (slack * scale_ <= 0x1p40) {
-    slack_ = rounded_up(slack * scale_ + 0x1p-100);
+  if (slack * numbers_.scale <= 0x1p40) {
+    numbers_.slack = rounded_up(slack * numbers_.scale + 0x1p-100);
   } else {
-    slack_ = 0x1p100F;
-    scale_ = 0;
+    numbers_.slack = 0x1p100F;
+    numbers_.scale = 0;
   }
 }
 
@@ -146,7 +152,7 @@ bool RelativePose::roots_apart(const Box& x, const Box& y, double slack) const {
         ((std::abs(matrix_[i][0]) * half_x.x + std::abs(matrix_[i][1]) * half_x.y) +
          std::abs(matrix_[i][2]) * half_x.z) +
         half_y[i];
-    if (std::abs(shift_[i]) > radius + slack) {
+    if (std::abs(numbers_.shift[i]) > radius + slack) {
       return true;
     }
   }

@@ -1,0 +1,174 @@
+// AVX-512: a register holds three axes times four boxes, axis i in its 128-bit block i.
+#include "soms/query/detail/kernels/instruction_set.h"
+
+#if defined(__x86_64__)
+#include "soms/query/detail/kernels/target.h"
+
+#include <immintrin.h>
+
+#include <bit>
+#include <cmath>
+
+#if !defined(__clang__)
+// The compiler's own header sets registers to themselves to leave them undefined.
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+
+SOMS_TARGET_BEGIN("avx512f,avx512vl,avx512dq,avx512bw,avx2,bmi,bmi2,popcnt")
+
+namespace soms::detail::avx512 {
+
+namespace {
+
+#include "soms/query/detail/kernels/lanes_x86.h"
+//
+#include "soms/query/detail/kernels/lanes_avx512.h"
+//
+#include "soms/query/detail/kernels/offset_avx.h"
+//
+#include "soms/query/detail/kernels/nodes.h"
+//
+#include "soms/query/detail/kernels/triangles.h"
+
+inline __m512 four(const std::array<float, 4>& from) {
+  return _mm512_broadcast_f32x4(_mm_load_ps(from.data()));
+}
+
+inline __m512 product(__m512 a, __m512 b) {
+  return _mm512_mul_ps(a, b);
+}
+
+/// `(a b + c d) + e f`.
+inline __m512 sum(__m512 a, __m512 b, __m512 c, __m512 d, __m512 e, __m512 f) {
+  return _mm512_add_ps(_mm512_add_ps(product(a, b), product(c, d)), product(e, f));
+}
+
+/// Block i takes lane `4 i + k` everywhere.
+template <int K>
+inline __m512 spread_rows(__m512 m) {
+  return _mm512_permute_ps(m, K * 0x55);
+}
+
+/// Block j takes lane `4 I + j` everywhere.
+template <int I>
+inline __m512 spread_columns(__m512 m) {
+  const __m512i from =
+      _mm512_setr_epi32(4 * I, 4 * I, 4 * I, 4 * I, 4 * I + 1, 4 * I + 1, 4 * I + 1, 4 * I + 1,
+                        4 * I + 2, 4 * I + 2, 4 * I + 2, 4 * I + 2, 0, 0, 0, 0);
+  return _mm512_permutexvar_ps(from, m);
+}
+
+/// Everywhere what one lane holds.
+template <int Lane>
+inline __m512 spread(__m512 m) {
+  return _mm512_permutexvar_ps(_mm512_set1_epi32(Lane), m);
+}
+
+/// Lane k of each block takes what lane (k + R) mod 4 held.
+template <int R>
+inline __m512 turn(__m512 m) {
+  constexpr int kFrom = (R & 3) | ((R + 1) & 3) << 2 | ((R + 2) & 3) << 4 | ((R + 3) & 3) << 6;
+  return _mm512_permute_ps(m, kFrom);
+}
+
+/// Intervals of four boxes on three axes.
+struct Spans {
+  Spans(__m512 center, __m512 radius)
+      : lower(_mm512_sub_ps(center, radius)), upper(_mm512_add_ps(center, radius)) {}
+
+  __m512 lower;
+  __m512 upper;
+};
+
+/// Bit 4 i + k unless axis i parts lane k of `a` from lane (k + R) mod 4 of `b`, or of `c` and `d`.
+template <int R>
+inline std::uint64_t meet(const Spans& a, const Spans& b, const Spans& c, const Spans& d) {
+  __mmask16 q = 0x0fff;
+  q = _mm512_mask_cmp_ps_mask(q, a.lower, turn<R>(b.upper), _CMP_NGT_UQ);
+  q = _mm512_mask_cmp_ps_mask(q, turn<R>(b.lower), a.upper, _CMP_NGT_UQ);
+  q = _mm512_mask_cmp_ps_mask(q, c.lower, turn<R>(d.upper), _CMP_NGT_UQ);
+  q = _mm512_mask_cmp_ps_mask(q, turn<R>(d.lower), c.upper, _CMP_NGT_UQ);
+  return q;
+}
+
+/// See nodes.h; the same sums in the same order.
+inline std::uint32_t test_pair(const PoseNumbers& pose, const WideNode& x, const WideNode& y) {
+  const __m128 shift = offset_of(pose, x.origin, y.origin).v;
+  const __m512 n = _mm512_load_ps(pose.rows.data());
+  const __m512 half_turned = _mm512_mask_permutexvar_ps(
+      sum(four(x.row[0]), spread_rows<0>(n), four(x.row[1]), spread_rows<1>(n), four(x.row[2]),
+          spread_rows<2>(n)),
+      0x0888, _mm512_setr_epi32(0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 0),
+      _mm512_castps128_ps512(shift));
+  const __m512 rows_y = _mm512_loadu_ps(y.row[0].data());
+  const __m512 m =
+      sum(_mm512_shuffle_f32x4(half_turned, half_turned, 0), spread_columns<0>(rows_y),
+          _mm512_shuffle_f32x4(half_turned, half_turned, 0x55), spread_columns<1>(rows_y),
+          _mm512_shuffle_f32x4(half_turned, half_turned, 0xaa), spread_columns<2>(rows_y));
+  const __m512 a = _mm512_abs_ps(m);
+  const __m512 distance =
+      _mm512_add_ps(_mm512_add_ps(_mm512_abs_ps(spread<3>(m)), _mm512_abs_ps(spread<7>(m))),
+                    _mm512_abs_ps(spread<11>(m)));
+  const __m512 reach = _mm512_set1_ps(x.reach * pose.ratio + y.reach);
+  const __m512 margin =
+      _mm512_add_ps(product(_mm512_set1_ps(pose.relative), _mm512_add_ps(reach, distance)),
+                    _mm512_set1_ps(pose.slack));
+  const __m512 ratio = _mm512_set1_ps(pose.ratio);
+  const __m512 seen_x = _mm512_add_ps(
+      sum(product(four(x.center[0]), ratio), spread_rows<0>(m), product(four(x.center[1]), ratio),
+          spread_rows<1>(m), product(four(x.center[2]), ratio), spread_rows<2>(m)),
+      spread_rows<3>(m));
+  const __m512 radius_x = _mm512_add_ps(
+      sum(product(four(x.half[0]), ratio), spread_rows<0>(a), product(four(x.half[1]), ratio),
+          spread_rows<1>(a), product(four(x.half[2]), ratio), spread_rows<2>(a)),
+      margin);
+  const __m512 seen_y = sum(_mm512_sub_ps(four(y.center[0]), spread<3>(m)), spread_columns<0>(m),
+                            _mm512_sub_ps(four(y.center[1]), spread<7>(m)), spread_columns<1>(m),
+                            _mm512_sub_ps(four(y.center[2]), spread<11>(m)), spread_columns<2>(m));
+  const __m512 radius_y =
+      _mm512_add_ps(sum(four(y.half[0]), spread_columns<0>(a), four(y.half[1]),
+                        spread_columns<1>(a), four(y.half[2]), spread_columns<2>(a)),
+                    margin);
+  // Fourth blocks hold whatever follows in a node; their bits are left out.
+  const Spans x_in_y(seen_x, radius_x);
+  const Spans y_in_y(_mm512_loadu_ps(y.center[0].data()), _mm512_loadu_ps(y.half[0].data()));
+  const Spans x_in_x(product(_mm512_loadu_ps(x.center[0].data()), ratio),
+                     product(_mm512_loadu_ps(x.half[0].data()), ratio));
+  const Spans y_in_x(seen_y, radius_y);
+  const std::uint64_t all =
+      meet<0>(x_in_y, y_in_y, x_in_x, y_in_x) | meet<1>(x_in_y, y_in_y, x_in_x, y_in_x) << 16 |
+      meet<2>(x_in_y, y_in_y, x_in_x, y_in_x) << 32 | meet<3>(x_in_y, y_in_y, x_in_x, y_in_x) << 48;
+  return static_cast<std::uint32_t>(_pext_u64(all & all >> 4 & all >> 8, 0x000f000f000f000fULL));
+}
+
+void test_nodes(NodeTask* tasks, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    tasks[i].pairs &= test_pair(*tasks[i].pose, *tasks[i].x, *tasks[i].y);
+  }
+}
+
+/// Appends pairs of lanes, rotation by rotation; returns how many.
+inline std::size_t put_all(std::uint32_t pairs, __m128i x, __m128i y, std::uint32_t* to_x,
+                           std::uint32_t* to_y) {
+  const __m512i from = _mm512_setr_epi32(0, 1, 2, 3, 1, 2, 3, 0, 2, 3, 0, 1, 3, 0, 1, 2);
+  const auto set = static_cast<__mmask16>(pairs);
+  _mm512_storeu_si512(to_x, _mm512_maskz_compress_epi32(set, _mm512_broadcast_i32x4(x)));
+  _mm512_storeu_si512(to_y, _mm512_maskz_compress_epi32(
+                                set, _mm512_permutexvar_epi32(from, _mm512_castsi128_si512(y))));
+  return static_cast<std::size_t>(std::popcount(pairs));
+}
+
+#include "soms/query/detail/kernels/append_x86.h"
+
+}  // namespace
+
+const Kernels& kernels() {
+  static constexpr Kernels kTable{"avx512", test_nodes, test_larger,
+                                  append,   test_slabs, test_triangles};
+  return kTable;
+}
+
+}  // namespace soms::detail::avx512
+
+SOMS_TARGET_END
+#endif

@@ -1,0 +1,128 @@
+/// \file
+/// The tests of boxes and triangles that a walk lives on, once for each instruction set. All give
+/// the same bits: every lane is a float, each product and each sum is rounded by itself, in the
+/// same order. A bit that is not set means surely apart; relative_pose.h proves the margins.
+#pragma once
+
+#include "soms/tree/layout/wide_tree.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace soms::detail {
+
+/// What kernels need to know of a relative pose: N, D and the margins of relative_pose.h.
+struct alignas(64) PoseNumbers {
+  alignas(64) std::array<float, 16> rows = {};  ///< of N in float, padded by zeros
+  std::array<float, 16> magnitudes = {};        ///< of their entries
+  std::array<float, 16> columns = {};           ///< the rows of its transpose
+  /// Columns of N, and D, in double; padded by zeros.
+  std::array<std::array<double, 4>, 3> column = {};
+  std::array<double, 4> shift = {};
+  double scale = 1;    ///< turns the mesh's units into those of y's layout
+  float ratio = 1;     ///< turns lengths of x's layout into those of y's
+  float relative = 0;  ///< margin for each unit of size
+  float slack = 0;     ///< margin for the poses' rounding
+
+  [[nodiscard]] float n(std::size_t i, std::size_t j) const { return rows[4 * i + j]; }
+
+  /// From the origin of a place in y to that of one in x, in y's units and axes.
+  [[nodiscard]] std::array<float, 3> offset(const std::array<double, 3>& x,
+                                            const std::array<double, 3>& y) const {
+    std::array<float, 3> d = {};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double turned = (column[0][i] * x[0] + column[1][i] * x[1]) + column[2][i] * x[2];
+      d[i] = static_cast<float>(((turned + shift[i]) - y[i]) * scale);
+    }
+    return d;
+  }
+};
+
+/// A node of x against a node of y. A place that is still to be opened is called by a code: eight
+/// times a node's index, or that of its parent with kLane and the lane for a leaf.
+struct NodeTask {
+  static constexpr std::uint32_t kLane = 4;
+
+  const PoseNumbers* pose;
+  const WideNode* x;
+  const WideNode* y;
+  std::uint32_t code_x;  ///< of the nodes themselves
+  std::uint32_t code_y;
+  std::uint32_t pairs;  ///< in: wanted, bit 4 r + k for lane k of x and lane (k + r) mod 4 of y;
+                        ///< out: those that meet; where one node is opened alone, its lanes
+
+  /// x is the larger node.
+  [[nodiscard]] bool opens_x() const { return x->reach * pose->ratio > y->reach; }
+};
+
+/// A block of x against a block of y.
+struct BlockTask {
+  const PoseNumbers* pose;
+  const TriangleBlock* x;
+  const TriangleBlock* y;
+  std::array<float, 3> offset;  ///< out, with what follows
+  float margin;
+  std::uint32_t lanes_x;  ///< triangles that may meet the other block's slab; 0: blocks are apart
+  std::uint32_t lanes_y;
+};
+
+/// Lists of pairs that kernels append to; there is room for 16 more pairs of each kind and task.
+struct PairSink {
+  std::uint32_t* codes_x;
+  std::uint32_t* codes_y;
+  std::uint32_t* blocks_x;  ///< words of WideNode::child
+  std::uint32_t* blocks_y;
+  std::size_t codes = 0;  ///< appended so far
+  std::size_t blocks = 0;
+};
+
+/// One instruction set's tests.
+struct Kernels {
+  const char* name;
+
+  /// Tests pairs of lanes of nodes on six axes, the three of each; keeps those that meet.
+  void (*test_nodes)(NodeTask* tasks, std::size_t count);
+
+  /// Tests the lanes of the larger node against the other's box of all lanes; keeps those that
+  /// meet.
+  void (*test_larger)(NodeTask* tasks, std::size_t count);
+
+  /// Appends what is set in `pairs` to the sink.
+  void (*append)(const NodeTask* tasks, std::size_t count, PairSink& sink);
+
+  /// Tests the triangles of each block against the slab of the other's.
+  void (*test_slabs)(BlockTask* tasks, std::size_t count);
+
+  /// Triangles of two blocks that passed the slabs, by boxes, planes and edges: bit k of byte i for
+  /// lane i of x and lane k of y.
+  std::uint64_t (*test_triangles)(const BlockTask& task);
+};
+
+/// Where rotation r pairs lanes k of `x` with lanes (k + r) mod 4 of `y`.
+constexpr std::uint32_t pairs_of_lanes(std::uint32_t x, std::uint32_t y) {
+  std::uint32_t bits = 0;
+  for (std::uint32_t r = 0; r < 4; ++r) {
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      bits |= (x >> k & y >> (k + r) % 4 & 1U) << (4 * r + k);
+    }
+  }
+  return bits;
+}
+
+/// `pairs_of_lanes` for all sets of lanes.
+struct LanePairs {
+  std::array<std::array<std::uint16_t, 16>, 16> bits = {};
+
+  constexpr LanePairs() {
+    for (std::uint32_t x = 0; x < 16; ++x) {
+      for (std::uint32_t y = 0; y < 16; ++y) {
+        bits[x][y] = static_cast<std::uint16_t>(pairs_of_lanes(x, y));
+      }
+    }
+  }
+};
+
+inline constexpr LanePairs kLanePairs;
+
+}  // namespace soms::detail

@@ -1,0 +1,117 @@
+// Kernels of nodes, for any kind of four lanes F4. Included once for each instruction set, inside
+// its namespace and after its F4; so it has no include guard and includes nothing.
+
+/// M and d of relative_pose.h, and the margin.
+struct Seen {
+  Seen(const PoseNumbers& pose, const WideNode& x, const WideNode& y) {
+    offset_of(pose, x.origin, y.origin).store(d.data());
+    // Most large nodes have the mesh's axes: with those, the products would change nothing.
+    if ((x.turned | y.turned) != 0) {
+      turn(pose, x, y);
+    } else {
+      m = pose.rows.data();
+      a = pose.magnitudes.data();
+    }
+    const float distance = (std::abs(d[0]) + std::abs(d[1])) + std::abs(d[2]);
+    margin = pose.relative * ((x.reach * pose.ratio + y.reach) + distance) + pose.slack;
+  }
+
+  Seen(const Seen&) = delete;
+  Seen& operator=(const Seen&) = delete;
+  ~Seen() = default;
+
+  void turn(const PoseNumbers& pose, const WideNode& x, const WideNode& y) {
+    std::array<F4, 3> half_turned;  // the offset rides in the fourth lane
+    for (std::size_t i = 0; i < 3; ++i) {
+      half_turned[i] = with_last((F4::load(x.row[0].data()) * F4(pose.n(i, 0)) +
+                                  F4::load(x.row[1].data()) * F4(pose.n(i, 1))) +
+                                     F4::load(x.row[2].data()) * F4(pose.n(i, 2)),
+                                 d[i]);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const F4 row = (half_turned[0] * F4(y.row[0][i]) + half_turned[1] * F4(y.row[1][i])) +
+                     half_turned[2] * F4(y.row[2][i]);
+      row.store(own.data() + 4 * i);
+      abs(row).store(own_magnitudes.data() + 4 * i);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      d[i] = own[4 * i + 3];
+    }
+    m = own.data();
+    a = own_magnitudes.data();
+  }
+
+  const float* m;  // rows of four
+  const float* a;  // their magnitudes
+  std::array<float, 4> d;
+  float margin;
+  std::array<float, 12> own;
+  std::array<float, 12> own_magnitudes;
+};
+
+/// x's box of all lanes against the boxes of y.
+inline std::uint32_t one_against_four(const PoseNumbers& pose, const WideNode& x,
+                                      const WideNode& y) {
+  const Seen seen(pose, x, y);
+  const float* const m = seen.m;
+  const float* const a = seen.a;
+  const std::array<float, 3> h = {x.row[0][3] * pose.ratio, x.row[1][3] * pose.ratio,
+                                  x.row[2][3] * pose.ratio};
+  std::array<F4, 3> gap;
+  std::array<F4, 3> half;
+  M4 sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const float radius =
+        ((a[4 * i] * h[0] + a[4 * i + 1] * h[1]) + a[4 * i + 2] * h[2]) + seen.margin;
+    half[i] = F4::load(y.half[i].data());
+    gap[i] = F4::load(y.center[i].data()) - F4(seen.d[i]);
+    const M4 apart = abs(gap[i]) > half[i] + F4(radius);
+    sum = i == 0 ? apart : sum | apart;
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    const F4 along = (gap[0] * F4(m[j]) + gap[1] * F4(m[4 + j])) + gap[2] * F4(m[8 + j]);
+    const F4 radius = (half[0] * F4(a[j]) + half[1] * F4(a[4 + j])) + half[2] * F4(a[8 + j]);
+    sum = sum | (abs(along) > radius + F4(h[j] + seen.margin));
+  }
+  return ~bits(sum);
+}
+
+/// The boxes of x against y's box of all lanes.
+inline std::uint32_t four_against_one(const PoseNumbers& pose, const WideNode& x,
+                                      const WideNode& y) {
+  const Seen seen(pose, x, y);
+  const float* const m = seen.m;
+  const float* const a = seen.a;
+  const std::array<float, 3> h = {y.row[0][3], y.row[1][3], y.row[2][3]};
+  std::array<F4, 3> center;
+  std::array<F4, 3> half;
+  for (std::size_t i = 0; i < 3; ++i) {
+    center[i] = F4::load(x.center[i].data()) * F4(pose.ratio);
+    half[i] = F4::load(x.half[i].data()) * F4(pose.ratio);
+  }
+  std::array<F4, 3> gap;
+  M4 sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    gap[i] =
+        ((center[0] * F4(m[4 * i]) + center[1] * F4(m[4 * i + 1])) + center[2] * F4(m[4 * i + 2])) +
+        F4(seen.d[i]);
+    const F4 radius =
+        (half[0] * F4(a[4 * i]) + half[1] * F4(a[4 * i + 1])) + half[2] * F4(a[4 * i + 2]);
+    const M4 apart = abs(gap[i]) > radius + F4(h[i] + seen.margin);
+    sum = i == 0 ? apart : sum | apart;
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    const F4 along = (gap[0] * F4(m[j]) + gap[1] * F4(m[4 + j])) + gap[2] * F4(m[8 + j]);
+    const float radius = ((a[j] * h[0] + a[4 + j] * h[1]) + a[8 + j] * h[2]) + seen.margin;
+    sum = sum | (abs(along) > half[j] + F4(radius));
+  }
+  return ~bits(sum);
+}
+
+void test_larger(NodeTask* tasks, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const NodeTask& task = tasks[i];
+    tasks[i].pairs &= task.opens_x() ? four_against_one(*task.pose, *task.x, *task.y)
+                                     : one_against_four(*task.pose, *task.x, *task.y);
+  }
+}

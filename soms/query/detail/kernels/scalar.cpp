@@ -1,0 +1,136 @@
+// The twin of all other kernels: plain floats in arrays.
+#include "soms/query/detail/kernels/instruction_set.h"
+
+#include <bit>
+#include <cmath>
+
+namespace soms::detail::scalar {
+
+namespace {
+
+struct M4 {
+  std::uint32_t set;
+};
+
+inline M4 operator|(M4 a, M4 b) {
+  return {a.set | b.set};
+}
+
+inline std::uint32_t bits(M4 m) {
+  return m.set;
+}
+
+struct F4 {
+  F4() = default;
+
+  explicit F4(float x) : v{x, x, x, x} {}
+
+  static F4 load(const float* from) {
+    F4 a;
+    for (std::size_t k = 0; k < 4; ++k) {
+      a.v[k] = from[k];
+    }
+    return a;
+  }
+
+  void store(float* to) const {
+    for (std::size_t k = 0; k < 4; ++k) {
+      to[k] = v[k];
+    }
+  }
+
+  std::array<float, 4> v;
+};
+
+template <class Of>
+F4 each(Of of) {
+  F4 c;
+  for (std::size_t k = 0; k < 4; ++k) {
+    c.v[k] = of(k);
+  }
+  return c;
+}
+
+F4 operator+(F4 a, F4 b) {
+  return each([&](std::size_t k) { return a.v[k] + b.v[k]; });
+}
+
+F4 operator-(F4 a, F4 b) {
+  return each([&](std::size_t k) { return a.v[k] - b.v[k]; });
+}
+
+F4 operator*(F4 a, F4 b) {
+  return each([&](std::size_t k) { return a.v[k] * b.v[k]; });
+}
+
+M4 operator>(F4 a, F4 b) {
+  std::uint32_t set = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    set |= static_cast<std::uint32_t>(a.v[k] > b.v[k]) << k;
+  }
+  return {set};
+}
+
+F4 min(F4 a, F4 b) {
+  return each([&](std::size_t k) { return a.v[k] < b.v[k] ? a.v[k] : b.v[k]; });
+}
+
+F4 max(F4 a, F4 b) {
+  return each([&](std::size_t k) { return a.v[k] > b.v[k] ? a.v[k] : b.v[k]; });
+}
+
+F4 abs(F4 a) {
+  return each([&](std::size_t k) { return std::abs(a.v[k]); });
+}
+
+/// Lane k takes what lane (k + R) mod 4 held.
+template <int R>
+F4 rotate(F4 a) {
+  return each([&](std::size_t k) { return a.v[(k + R) % 4]; });
+}
+
+F4 with_last(F4 a, float x) {
+  a.v[3] = x;
+  return a;
+}
+
+#include "soms/query/detail/kernels/lanes_pair.h"
+//
+#include "soms/query/detail/kernels/offset.h"
+//
+#include "soms/query/detail/kernels/nodes.h"
+//
+#include "soms/query/detail/kernels/node_pairs.h"
+#include "soms/query/detail/kernels/triangles.h"
+
+std::uint32_t code_of(const WideNode& node, std::uint32_t own, std::uint32_t lane) {
+  return (node.leaves >> lane & 1U) != 0 ? own + NodeTask::kLane + lane : node.child[lane] << 3;
+}
+
+void append(const NodeTask* tasks, std::size_t count, PairSink& sink) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const NodeTask& task = tasks[i];
+    for (std::uint32_t left = task.pairs; left != 0; left &= left - 1) {
+      const auto bit = static_cast<std::uint32_t>(std::countr_zero(left));
+      const std::uint32_t x = bit & 3;
+      const std::uint32_t y = (bit + (bit >> 2)) & 3;
+      if ((task.x->leaves >> x & task.y->leaves >> y & 1U) != 0) {
+        sink.blocks_x[sink.blocks] = task.x->child[x];
+        sink.blocks_y[sink.blocks++] = task.y->child[y];
+      } else {
+        sink.codes_x[sink.codes] = code_of(*task.x, task.code_x, x);
+        sink.codes_y[sink.codes++] = code_of(*task.y, task.code_y, y);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+const Kernels& kernels() {
+  static constexpr Kernels kTable{"scalar", test_nodes, test_larger,
+                                  append,   test_slabs, test_triangles};
+  return kTable;
+}
+
+}  // namespace soms::detail::scalar

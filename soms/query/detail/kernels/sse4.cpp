@@ -1,0 +1,43 @@
+// SSE4.1: four lanes.
+#include "soms/query/detail/kernels/instruction_set.h"
+
+#if defined(__x86_64__)
+#include "soms/query/detail/kernels/target.h"
+
+#include <immintrin.h>
+
+#include <bit>
+#include <cmath>
+
+SOMS_TARGET_BEGIN("sse4.1,popcnt")
+
+namespace soms::detail::sse4 {
+
+namespace {
+
+#include "soms/query/detail/kernels/lanes_x86.h"
+#include "soms/query/detail/kernels/pack_x86.h"
+//
+#include "soms/query/detail/kernels/append_x86.h"
+//
+#include "soms/query/detail/kernels/lanes_pair.h"
+//
+#include "soms/query/detail/kernels/offset.h"
+//
+#include "soms/query/detail/kernels/nodes.h"
+//
+#include "soms/query/detail/kernels/node_pairs.h"
+#include "soms/query/detail/kernels/triangles.h"
+
+}  // namespace
+
+const Kernels& kernels() {
+  static constexpr Kernels kTable{"sse4", test_nodes, test_larger,
+                                  append, test_slabs, test_triangles};
+  return kTable;
+}
+
+}  // namespace soms::detail::sse4
+
+SOMS_TARGET_END
+#endif

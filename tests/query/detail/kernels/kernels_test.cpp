@@ -1,0 +1,172 @@
+#include "soms/query/detail/kernels/kernels.h"
+
+#include "soms/base/error.h"
+#include "soms/query/detail/kernels/instruction_set.h"
+#include "soms/query/detail/relative_pose.h"
+#include "soms/tree/shape.h"
+
+#include "tests/support/support.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace soms::detail {
+namespace {
+
+/// Triangles of many sizes on a bent surface: some nodes are turned, some are not.
+Mesh surface(Rng& rng, std::size_t triangles, double scale) {
+  Mesh mesh;
+  for (std::size_t i = 0; i < triangles; ++i) {
+    const double u = rng.uniform(-2, 2);
+    const double v = rng.uniform(-1, 1);
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const double size = std::exp2(-rng.uniform(2, 8));
+    for (int corner = 0; corner < 3; ++corner) {
+      const double s = u + rng.uniform(-size, size);
+      const double t = v + rng.uniform(-size, size);
+      mesh.vertices.push_back(scale * Vec3{s, t + 0.5 * s, std::sin(s) + 0.2 * t * t});
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
+Pose random_pose(Rng& rng, double reach) {
+  const auto part = [&] { return rng.uniform(-1, 1); };
+  const std::array<double, 4> q{part() + 1.5, part(), part(), part()};
+  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  return Pose::from_quaternion(q[0] / length, q[1] / length, q[2] / length, q[3] / length,
+                               {reach * part(), reach * part(), reach * part()});
+}
+
+/// Two shapes close to each other, the one in whose axes a pair is seen first.
+struct Pair {
+  explicit Pair(Rng& rng)
+      : viewer(surface(rng, 1 + rng.below(300), 1)),
+        other(surface(rng, 1 + rng.below(300), rng.below(3) == 0 ? 0x1p-30 : 0.5)) {
+    relative.emplace(other.layout(), random_pose(rng, 1.5),
+                     Viewer(viewer.layout(), random_pose(rng, 0)));
+  }
+
+  Shape viewer;
+  Shape other;
+  std::optional<RelativePose> relative;
+};
+
+template <class Of>
+const auto& pick(Rng& rng, const Of& of) {
+  return of[rng.below(of.size())];
+}
+
+TEST(Kernels, GiveTheSameBitsOnEveryInstructionSet) {
+  const std::vector<const Kernels*> all = kernels_here();
+  std::size_t met = 0;
+  std::size_t parted = 0;
+  test::for_each_case("kernels/same", 200, [&](Rng& rng) {
+    const Pair pair(rng);
+    const WideTree& x = pair.other.layout();
+    const WideTree& y = pair.viewer.layout();
+    for (int repeat = 0; repeat < 40; ++repeat) {
+      const auto index_x = static_cast<std::uint32_t>(rng.below(x.nodes().size()));
+      const auto index_y = static_cast<std::uint32_t>(rng.below(y.nodes().size()));
+      const WideNode& node_x = x.nodes()[index_x];
+      const WideNode& node_y = y.nodes()[index_y];
+      const std::uint32_t lanes =
+          kLanePairs.bits[(1U << node_x.count) - 1][(1U << node_y.count) - 1];
+      const NodeTask task{
+          &pair.relative->numbers(), &node_x, &node_y, index_x << 3, index_y << 3, lanes};
+      const BlockTask blocks{
+          &pair.relative->numbers(), &pick(rng, x.blocks()), &pick(rng, y.blocks()), {}, 0, 0, 0};
+      NodeTask nodes_here = task;
+      NodeTask larger_here = task;
+      larger_here.pairs = (1U << (task.opens_x() ? node_x : node_y).count) - 1;
+      const NodeTask larger = larger_here;
+      BlockTask blocks_here = blocks;
+      all[0]->test_nodes(&nodes_here, 1);
+      all[0]->test_larger(&larger_here, 1);
+      all[0]->test_slabs(&blocks_here, 1);
+      const std::uint64_t rows = all[0]->test_triangles(blocks_here);
+      met += nodes_here.pairs != 0 ? 1 : 0;
+      parted += nodes_here.pairs != lanes ? 1 : 0;
+      for (const Kernels* kernels : all) {
+        NodeTask nodes_there = task;
+        NodeTask larger_there = larger;
+        BlockTask blocks_there = blocks;
+        kernels->test_nodes(&nodes_there, 1);
+        kernels->test_larger(&larger_there, 1);
+        kernels->test_slabs(&blocks_there, 1);
+        ASSERT_EQ(nodes_there.pairs, nodes_here.pairs) << kernels->name;
+        ASSERT_EQ(larger_there.pairs, larger_here.pairs) << kernels->name;
+        ASSERT_EQ(blocks_there.offset, blocks_here.offset) << kernels->name;
+        ASSERT_EQ(blocks_there.margin, blocks_here.margin) << kernels->name;
+        ASSERT_EQ(blocks_there.lanes_x, blocks_here.lanes_x) << kernels->name;
+        ASSERT_EQ(blocks_there.lanes_y, blocks_here.lanes_y) << kernels->name;
+        ASSERT_EQ(kernels->test_triangles(blocks_here), rows) << kernels->name;
+      }
+    }
+  });
+  EXPECT_GT(met, 100U);
+  EXPECT_GT(parted, 100U);
+}
+
+TEST(Kernels, AppendTheSamePairsInTheSameOrder) {
+  test::for_each_case("kernels/append", 200, [](Rng& rng) {
+    const Pair pair(rng);
+    std::vector<NodeTask> tasks;
+    for (std::size_t i = 0; i < 1 + rng.below(8); ++i) {
+      const auto index_x =
+          static_cast<std::uint32_t>(rng.below(pair.other.layout().nodes().size()));
+      const auto index_y =
+          static_cast<std::uint32_t>(rng.below(pair.viewer.layout().nodes().size()));
+      const WideNode& x = pair.other.layout().nodes()[index_x];
+      const WideNode& y = pair.viewer.layout().nodes()[index_y];
+      const std::uint32_t lanes = kLanePairs.bits[(1U << x.count) - 1][(1U << y.count) - 1];
+      tasks.push_back({&pair.relative->numbers(), &x, &y, index_x << 3, index_y << 3,
+                       lanes & static_cast<std::uint32_t>(rng.below(0x10000))});
+    }
+    const auto appended = [&](const Kernels& kernels) {
+      std::array<std::vector<std::uint32_t>, 4> lists;
+      for (auto& list : lists) {
+        list.resize(16 * (tasks.size() + 1));
+      }
+      PairSink sink{lists[0].data(), lists[1].data(), lists[2].data(), lists[3].data()};
+      kernels.append(tasks.data(), tasks.size(), sink);
+      lists[0].resize(sink.codes);
+      lists[1].resize(sink.codes);
+      lists[2].resize(sink.blocks);
+      lists[3].resize(sink.blocks);
+      return lists;
+    };
+    for (const Kernels* kernels : kernels_here()) {
+      ASSERT_EQ(appended(*kernels), appended(scalar::kernels())) << kernels->name;
+    }
+  });
+}
+
+TEST(Kernels, AreFoundByNameOrRefusedWithWhatIsThere) {
+  for (const Kernels* kernels : kernels_here()) {
+    EXPECT_EQ(&kernels_named(kernels->name), kernels);
+  }
+  const auto kind = [](std::string_view name) {
+    try {
+      static_cast<void>(kernels_named(name));
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("scalar"), std::string::npos);
+      return error.kind();
+    }
+    return ErrorKind::cancelled;
+  };
+  EXPECT_EQ(kind("mmx"), ErrorKind::usage);
+  EXPECT_EQ(kind("AVX2"), ErrorKind::usage);
+#if defined(__x86_64__)
+  EXPECT_EQ(kind("neon"), ErrorKind::unsupported);
+#else
+  EXPECT_EQ(kind("avx2"), ErrorKind::unsupported);
+#endif
+}
+
+}  // namespace
+}  // namespace soms::detail
