@@ -109,6 +109,18 @@ class Page {
         "of A and B, which is not the centroid and depends on the order of the corners. It cuts "
         "wherever two midpoints differ, so it never needs a fallback where spatial median, which "
         "cuts the box of the triangles themselves, gets stuck.</p>\n");
+    put("<p><strong>Two things follow without any run.</strong> Object median gives half of the "
+        "triangles to each side, so no rule balances better{}. And E-Node, as it is reconstructed "
+        "here, tests the same pairs of boxes as a walk that descends both trees at once, in "
+        "another order{}: what it can save is entering pairs, not testing them.</p>\n",
+        reference("balance"), reference("figure-5.10"));
+  }
+
+  /// " (Figure 5.10)" as a link, where the run has this item.
+  [[nodiscard]] std::string reference(std::string_view item) const {
+    const bool there = std::any_of(report_.entries.begin(), report_.entries.end(),
+                                   [&](const Entry& e) { return e.experiment->item == item; });
+    return there ? fmt::format(" (<a href=\"#item-{}\">{}</a>)", item, spoken(item)) : "";
   }
 
   void how_it_was_run() {
