@@ -63,6 +63,11 @@ figure svg{display:block;width:100%;min-width:36rem;height:auto}
 figcaption{max-width:46rem;padding-top:.5rem;font-size:.95rem}
 details{margin:.75rem 0}
 summary{cursor:pointer;color:var(--link)}
+.scroll td:first-child{min-width:7rem}
+@media (max-width:40rem){table.claims,table.claims tbody,table.claims tr,table.claims td
+{display:block}table.claims thead{display:none}table.claims tr{padding:.6rem 0}
+table.claims td{border:0;padding:.15rem .25rem}table.claims td:first-child{font-weight:600}
+table.claims td:nth-child(2)::before{content:"Measured: ";color:var(--faint)}}
 @media print{body{max-width:none;font-size:10pt;padding:0}h2,h3{break-after:avoid}
 figure,tr{break-inside:avoid}.scroll,.scroll.tall,figure .picture{overflow:visible;
 max-height:none}figure svg{min-width:0}thead th{position:static}}
