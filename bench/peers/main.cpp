@@ -75,7 +75,7 @@ std::vector<Offer> chosen(const Options& options) {
                                    [&](const auto& name) { return offer.scene.starts_with(name); });
     const bool sized = offer.triangles == 0 ||
                        (offer.triangles >= options.least && offer.triangles <= options.most);
-    return !named || !sized || (options.quick && !offer.quick);
+    return !named || !sized || (options.quick && options.scenes.empty() && !offer.quick);
   });
   return offers;
 }

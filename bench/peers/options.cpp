@@ -19,7 +19,7 @@ constexpr const char* kHelp = R"(soms-bench: soms and its rivals, asked the same
 Usage: soms-bench [OPTIONS]        generated scenes, models and cities
        soms-bench A B [OPTIONS]    two meshes of your own: A moves, B stands still
 
-  --quick           a few minutes: fewer scenes and rounds
+  --quick           a few minutes: fewer scenes, unless they are named, and rounds
   --jobs LIST       of any,all,still,broad (default: all of them)
   --scenes LIST     scenes whose names begin so, such as twins-knot,city,real
   --sets LIST       pose sets, such as random,near-0.001

@@ -99,5 +99,26 @@ TEST(Judge, CountsBoxesThatOverlapOrTouch) {
   EXPECT_EQ(verdicts[1].wrong_questions, std::vector<std::size_t>{1});
 }
 
+TEST(Judge, CountsBoxesOfAllSizesAsEveryPairAskedAloneDoes) {
+  test::for_each_case("bench/boxes", 20, [](Rng& rng) {
+    std::vector<FloatBox> boxes;
+    for (int i = 0; i < 200; ++i) {
+      const double side = rng.below(20) == 0 ? 30 : 1;
+      const Vec3 lower{rng.uniform(-9, 9), rng.uniform(-9, 9), rng.uniform(-2, 2)};
+      const Vec3 extent{side * rng.unit(), side * rng.unit(), rng.unit()};
+      boxes.push_back({narrow(lower), narrow(lower + extent)});
+    }
+    std::uint64_t pairs = 0;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        pairs += overlaps(boxes[i], boxes[j]) ? 1U : 0U;
+      }
+    }
+    const std::vector<std::vector<FloatBox>> frames{boxes};
+    EXPECT_EQ(judge(frames, std::vector<std::vector<std::uint64_t>>{{pairs}})[0].wrong, 0U);
+    EXPECT_EQ(judge(frames, std::vector<std::vector<std::uint64_t>>{{pairs + 1}})[0].wrong, 1U);
+  });
+}
+
 }  // namespace
 }  // namespace soms::bench

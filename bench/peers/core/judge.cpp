@@ -62,14 +62,38 @@ std::size_t longest(std::span<const std::vector<std::uint64_t>> answers) {
   return n;
 }
 
-/// Overlapping pairs of boxes, by a sweep along x.
-std::uint64_t count_pairs(std::vector<FloatBox> boxes) {
-  std::sort(boxes.begin(), boxes.end(),
-            [](const FloatBox& a, const FloatBox& b) { return a.lower[0] < b.lower[0]; });
+/// Twice the mean side along y: the width of a strip.
+double strip_width(std::span<const FloatBox> boxes) {
+  double sum = 0;
+  for (const FloatBox& b : boxes) {
+    sum += static_cast<double>(b.upper[1]) - b.lower[1];
+  }
+  const double width = boxes.empty() ? 1 : 2 * sum / static_cast<double>(boxes.size());
+  return width > 0 ? width : 1;
+}
+
+/// Overlapping pairs of boxes: a sweep along x in each strip of y that a box reaches into. A pair
+/// is counted in the strip where its common part begins.
+std::uint64_t count_pairs(std::span<const FloatBox> boxes) {
+  const double width = strip_width(boxes);
+  const auto strip_of = [width](float y) {
+    return static_cast<std::int64_t>(std::floor(static_cast<double>(y) / width));
+  };
+  std::unordered_map<std::int64_t, std::vector<FloatBox>> strips;
+  for (const FloatBox& b : boxes) {
+    for (std::int64_t k = strip_of(b.lower[1]); k <= strip_of(b.upper[1]); ++k) {
+      strips[k].push_back(b);
+    }
+  }
   std::uint64_t count = 0;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    for (std::size_t j = i + 1; j < boxes.size() && boxes[j].lower[0] <= boxes[i].upper[0]; ++j) {
-      count += overlaps(boxes[i], boxes[j]) ? 1U : 0U;
+  for (auto& [k, strip] : strips) {
+    std::sort(strip.begin(), strip.end(),
+              [](const FloatBox& a, const FloatBox& b) { return a.lower[0] < b.lower[0]; });
+    for (std::size_t i = 0; i < strip.size(); ++i) {
+      for (std::size_t j = i + 1; j < strip.size() && strip[j].lower[0] <= strip[i].upper[0]; ++j) {
+        const bool here = strip_of(std::max(strip[i].lower[1], strip[j].lower[1])) == k;
+        count += here && overlaps(strip[i], strip[j]) ? 1U : 0U;
+      }
     }
   }
   return count;
