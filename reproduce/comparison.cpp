@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace soms::reproduce {
@@ -99,16 +100,20 @@ OverlapBatch ask(const Workload& workload, const Shape& shape, OverlapMode mode,
   return overlap(workload.mover, workload.poses, Body(shape), {.mode = mode}, parallel);
 }
 
-void time_builds(std::vector<Measured>& measured, const Mesh& mesh, int repetitions,
-                 const Parallel& parallel) {
+void time_builds(std::vector<Measured>& measured, const std::shared_ptr<const Mesh>& mesh,
+                 int repetitions, const Parallel& parallel) {
   std::vector<std::function<void()>> works;
   for (const Measured& m : measured) {
     works.emplace_back(
-        [&mesh, &m, &parallel] { static_cast<void>(build(mesh, m.build.build, parallel)); });
+        [&mesh, &m, &parallel] { static_cast<void>(build(*mesh, m.build.build, parallel)); });
+    works.emplace_back([&mesh, &m, &parallel] {
+      static_cast<void>(Shape(mesh, ShapeOptions{.build = m.build.build}, parallel));
+    });
   }
   const std::vector<Timing> timings = time_in_turn(repetitions, parallel, works, 1);
   for (std::size_t i = 0; i < measured.size(); ++i) {
-    measured[i].build_ms = timings[i];
+    measured[i].build_ms = timings[2 * i];
+    measured[i].shape_ms = timings[2 * i + 1];
   }
 }
 
@@ -190,7 +195,7 @@ Compared compare(const Model& model, std::span<const ComparedBuild> builds,
     m.hits = static_cast<std::uint64_t>(std::count(all.any.begin(), all.any.end(), 1));
     m.pairs = all.pairs.size();
   }
-  time_builds(compared.builds, *model.mesh, repetitions, alone);
+  time_builds(compared.builds, model.mesh, repetitions, alone);
   time_queries(compared.builds, shapes, workload, repetitions, alone);
   return compared;
 }

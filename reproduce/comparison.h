@@ -78,6 +78,7 @@ struct Measured {
   Cost any = {};            ///< of all poses, mode `any`
   Cost all = {};            ///< of all poses, mode `all`
   Timing build_ms = {};     ///< of the canonical tree
+  Timing shape_ms = {};     ///< from the mesh to what queries run on
   Timing any_ms = {};       ///< of all poses as one batch
   Timing all_ms = {};
 };

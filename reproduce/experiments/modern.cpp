@@ -54,7 +54,7 @@ Result compare_all(const std::string& prefix, const std::vector<Case>& cases,
       large.push_back(c.model->title);
     }
     if (size > 0) {
-      const int repetitions = context.quick || size > kLarge / 4 ? 3 : 7;
+      const int repetitions = size > kLarge / 4 ? 3 : context.quick ? 9 : 15;
       all.push_back(compare(*c.model, compared_builds(c.level, size > kLarge),
                             workload_for(c, context.quick), repetitions, context.parallel));
     }
