@@ -208,6 +208,9 @@ Excess excess(std::span<const Compared> models, std::string_view rule) {
 }
 
 std::string sentence(std::string_view title, const Excess& e) {
+  if (e.where_least == e.where_greatest) {
+    return fmt::format("{} looks at {:+.0f} % ({}) against SAH.", title, e.least, e.where_least);
+  }
   return fmt::format("{} looks at {:+.0f} % ({}) to {:+.0f} % ({}) against SAH.", title, e.least,
                      e.where_least, e.greatest, e.where_greatest);
 }
