@@ -21,12 +21,10 @@ std::vector<Contender> thesis_rules(int level) {
 
 std::vector<Contender> all_builds(int level) {
   std::vector<Contender> builds = thesis_rules(level);
-  BuildOptions sah;
-  sah.rule = Rule::sah;
-  sah.level = level;
-  sah.per_leaf = 1;
-  builds.push_back({"sah", "SAH", false, sah});
+  builds.push_back(
+      {"sah", "SAH", false, BuildOptions{.rule = Rule::sah, .level = level, .per_leaf = 1}});
   builds.push_back({"default", "library's default", false, BuildOptions{}});
+  builds.push_back({"fast", "library's fastest", false, BuildOptions{.rule = Rule::fast}});
   return builds;
 }
 

@@ -199,7 +199,8 @@ TEST(Rules, UnknownNamesListTheKnownOnes) {
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::usage);
     EXPECT_EQ(error.remedy(),
-              "choose one of object-median, object-mean, spatial-median, soms, sah, soms-sah, fast, quality");
+              "choose one of object-median, object-mean, spatial-median, soms, sah, soms-sah, "
+              "fast, quality");
   }
 }
 
