@@ -72,6 +72,7 @@ struct OverlapBatch {
   std::vector<Coverage> coverage;      ///< n
   std::vector<std::uint64_t> offsets;  ///< n + 1; pairs of pose k are [offsets[k], offsets[k+1])
   std::vector<TrianglePair> pairs;     ///< in modes any and first: the pair found, if any
+  std::vector<Cost> costs;             ///< n
   Cost cost;                           ///< of all poses together
 
   [[nodiscard]] std::size_t size() const { return any.size(); }
@@ -81,8 +82,8 @@ struct OverlapBatch {
   }
 };
 
-/// `overlap` of `mover` at each of `poses` with `fixed`; answers equal those of single queries,
-/// whatever the batch and the number of threads. `limit` counts for each pose.
+/// `overlap` of `mover` at each of `poses` with `fixed`; answers and costs equal those of single
+/// queries, whatever the batch and the number of threads. `limit` counts for each pose.
 ///
 /// \shape   `poses`: n; the answer's arrays are described there.
 /// \errors  As `overlap`; a pose at fault is named by its index.

@@ -51,7 +51,6 @@ struct Question {
 struct Block {
   std::vector<TrianglePair> pairs;
   std::vector<std::array<std::uint64_t, 2>> runs;  // begin and end of each pose's pairs
-  Cost cost;
 };
 
 /// A query in flight.
@@ -148,7 +147,7 @@ class BlockRun {
     const std::uint64_t first = block_.pairs.size();
     block_.pairs.insert(block_.pairs.end(), flight.pairs.begin(), flight.pairs.end());
     block_.runs[flight.pose - begin_] = {first, block_.pairs.size()};
-    block_.cost += flight.walk->cost();
+    batch_.costs[flight.pose] = flight.walk->cost();
   }
 
   const Question& question_;
@@ -168,9 +167,11 @@ void join(const std::vector<Block>& blocks, OverlapBatch& batch) {
     total += block.pairs.size();
   }
   batch.pairs.reserve(total);
+  for (const Cost& cost : batch.costs) {
+    batch.cost += cost;
+  }
   std::size_t pose = 0;
   for (const Block& block : blocks) {
-    batch.cost += block.cost;
     for (const auto& [begin, end] : block.runs) {
       batch.pairs.insert(batch.pairs.end(),
                          block.pairs.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -190,6 +191,7 @@ OverlapBatch named_batch(const Question& question) {
     batch.coverage.push_back(answer.coverage);
     batch.pairs.insert(batch.pairs.end(), answer.pairs.begin(), answer.pairs.end());
     batch.offsets.push_back(batch.pairs.size());
+    batch.costs.push_back(answer.cost);
     batch.cost += answer.cost;
   }
   return batch;
@@ -208,6 +210,7 @@ OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses, const Body
   OverlapBatch batch;
   batch.any.assign(poses.size(), 0);
   batch.coverage.assign(poses.size(), Coverage::complete);
+  batch.costs.assign(poses.size(), {});
   batch.offsets.assign(poses.size() + 1, 0);
   if (poses.empty() || detail::is_empty(mover) || detail::is_empty(fixed.shape)) {
     return batch;
