@@ -20,6 +20,7 @@
 #include "soms/io/read_mesh.h"
 #include "soms/io/write_mesh.h"
 #include "soms/query/overlap.h"
+#include "soms/scene/broad_phase.h"
 #include "soms/scene/scene.h"
 #include "soms/tree/build.h"
 #include "soms/tree/shape.h"

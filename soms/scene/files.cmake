@@ -1,9 +1,16 @@
 set(SOMS_HEADERS
+  broad_phase.h
+  reference/broad_phase.h
   scene.h
 )
 set(SOMS_SOURCES
+  broad_phase.cpp
   detail/box_index.cpp
+  detail/columns.cpp
+  detail/float_box.cpp
   detail/moved_bounds.cpp
-  detail/moving_pairs.cpp
+  detail/pace.cpp
+  detail/pair_rows.cpp
+  reference/broad_phase.cpp
   scene.cpp
 )

@@ -2,10 +2,10 @@
 
 #include "soms/base/error.h"
 #include "soms/base/hash.h"
+#include "soms/scene/broad_phase.h"
 #include "soms/scene/detail/box_index.h"
 #include "soms/scene/detail/id_list.h"
 #include "soms/scene/detail/moved_bounds.h"
-#include "soms/scene/detail/moving_pairs.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -220,7 +220,7 @@ struct Scene::State {
   Residents parts{"part of the environment"};
   bool parts_changed = false;
   detail::BoxIndex part_index;
-  detail::MovingPairs moving_pairs;
+  BroadPhase broad_phase;
 
   // Memory of a step, kept for the next.
   std::vector<Box> boxes;
@@ -269,7 +269,7 @@ void Scene::State::find_mover_candidates(StepReport& report) {
   candidates.clear();
   const auto& places = movers.places();
   collect_boxes(movers, boxes);
-  const auto pairs = moving_pairs.find(boxes);
+  const auto pairs = broad_phase.find(boxes);
   report.box_pairs += pairs.size();
   for (const auto& [a, b] : pairs) {
     const Resident& first = places[a].value;
@@ -354,7 +354,7 @@ std::size_t Scene::memory() const {
   };
   const State& state = *state_;
   return sizeof(State) + of(state.movers) + of(state.parts) + state.part_index.memory() +
-         state.moving_pairs.memory() + detail::bytes(state.boxes) + detail::bytes(state.met) +
+         state.broad_phase.memory() + detail::bytes(state.boxes) + detail::bytes(state.met) +
          detail::bytes(state.candidates) + memory_of(state.found_environment) +
          memory_of(state.found_movers);
 }

@@ -1,56 +1,78 @@
 #include "soms/scene/detail/box_index.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace soms::detail {
 
 namespace {
 
-/// Spreads the low 10 bits of `v` to every third bit.
-std::uint32_t spread(std::uint32_t v) {
-  v = (v | (v << 16)) & 0x030000ffU;
-  v = (v | (v << 8)) & 0x0300f00fU;
-  v = (v | (v << 4)) & 0x030c30c3U;
-  return (v | (v << 2)) & 0x09249249U;
+constexpr unsigned kRankBits = 19;
+constexpr int kClasses = 64;
+
+/// Spreads the low 21 bits of `v` to every third bit.
+std::uint64_t spread(std::uint64_t v) {
+  v = (v | (v << 32)) & 0x001f00000000ffffULL;
+  v = (v | (v << 16)) & 0x001f0000ff0000ffULL;
+  v = (v | (v << 8)) & 0x100f00f00f00f00fULL;
+  v = (v | (v << 4)) & 0x10c30c30c30c30c3ULL;
+  return (v | (v << 2)) & 0x1249249249249249ULL;
 }
 
-/// Place on the Morton curve of 1024 cells a side over `all`.
-std::uint32_t place(const Vec3& center, const Box& all) {
-  std::uint32_t code = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double extent = all.upper[axis] - all.lower[axis];
-    const double share = extent > 0 ? (center[axis] - all.lower[axis]) / extent : 0;
-    const auto cell = static_cast<std::uint32_t>(std::clamp(share, 0.0, 1.0) * 1023);
-    code |= spread(cell) << axis;
-  }
-  return code;
+/// Which power of two the longest side reaches.
+int exponent(const Box& box) {
+  const Vec3 extent = box.extent();
+  const double longest = std::max({extent.x, extent.y, extent.z});
+  return longest > 0 ? std::ilogb(longest) : std::numeric_limits<double>::min_exponent - 53;
 }
 
 }  // namespace
+
+/// Keys: the class of size first, so that no small box lies in a group with a large one; then the
+/// place on a Morton curve over ranks along the axes instead of coordinates, so that boxes far away
+/// do not crowd the others into one cell.
+void BoxIndex::make_keys(std::span<const Box> boxes) {
+  keys_.clear();
+  int largest = std::numeric_limits<int>::min();
+  for (std::uint32_t k = 0; k < boxes.size(); ++k) {
+    if (!boxes[k].empty()) {
+      keys_.emplace_back(0, k);
+      largest = std::max(largest, exponent(boxes[k]));
+    }
+  }
+  for (auto& [key, k] : keys_) {
+    const int smaller = std::min(largest - exponent(boxes[k]), kClasses - 1);
+    key = static_cast<std::uint64_t>(smaller) << (3 * kRankBits);
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    ranks_.clear();
+    for (std::uint32_t place = 0; place < keys_.size(); ++place) {
+      ranks_.emplace_back(boxes[keys_[place].second].center()[axis], place);
+    }
+    std::sort(ranks_.begin(), ranks_.end());
+    std::uint64_t rank = 0;
+    for (std::size_t k = 0; k < ranks_.size(); ++k) {
+      if (k > 0 && ranks_[k].first > ranks_[k - 1].first) {
+        rank = k;
+      }
+      keys_[ranks_[k].second].first |= spread((rank << kRankBits) / ranks_.size()) << axis;
+    }
+  }
+  std::sort(keys_.begin(), keys_.end());
+}
 
 void BoxIndex::build(std::span<const Box> boxes) {
   order_.clear();
   bounds_.clear();
   levels_.clear();
-  keys_.clear();
-  Box all;
-  for (const Box& box : boxes) {
-    if (!box.empty()) {
-      all.grow(box);
-    }
-  }
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
-    if (!boxes[k].empty()) {
-      keys_.push_back((std::uint64_t{place(boxes[k].center(), all)} << 32) | k);
-    }
-  }
+  make_keys(boxes);
   if (keys_.empty()) {
     return;
   }
-  std::sort(keys_.begin(), keys_.end());
-  for (const std::uint64_t key : keys_) {
-    order_.push_back(static_cast<std::uint32_t>(key));
-    bounds_.push_back(boxes[order_.back()]);
+  for (const auto& [key, k] : keys_) {
+    order_.push_back(k);
+    bounds_.push_back(boxes[k]);
   }
   levels_.push_back({0, order_.size()});
   while (levels_.back().count > 1) {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace soms::detail {
@@ -18,9 +19,9 @@ template <typename Value>
   return values.capacity() * sizeof(Value);
 }
 
-/// An immutable tree without pointers: the boxes in the order of a space-filling curve, bounds over
-/// groups of eight, over groups of eight of those, and so on. Its depth depends on the number of
-/// boxes alone, so no arrangement of boxes makes it deep.
+/// An immutable tree without pointers: the boxes by size and along a space-filling curve, bounds
+/// over groups of eight, over groups of eight of those, and so on. Its depth depends on the number
+/// of boxes alone, so no arrangement of boxes makes it deep.
 class BoxIndex {
  public:
   /// Replaces the content. Box `k` is called `k` in answers; empty boxes meet nothing.
@@ -32,7 +33,7 @@ class BoxIndex {
   void query(const Box& box, Found&& found) const;
 
   [[nodiscard]] std::size_t memory() const {
-    return bytes(order_) + bytes(bounds_) + bytes(levels_) + bytes(keys_);
+    return bytes(order_) + bytes(bounds_) + bytes(levels_) + bytes(keys_) + bytes(ranks_);
   }
 
  private:
@@ -49,10 +50,15 @@ class BoxIndex {
     std::uint32_t number = 0;  ///< in its level
   };
 
+  void make_keys(std::span<const Box> boxes);
+
   std::vector<std::uint32_t> order_;  ///< names of the boxes of level 0
   std::vector<Box> bounds_;           ///< level 0, then the levels above it
   std::vector<Level> levels_;
-  std::vector<std::uint64_t> keys_;  ///< scratch of `build`
+
+  // Scratch of `build`: boxes with their keys; places of boxes with their coordinates.
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys_;
+  std::vector<std::pair<double, std::uint32_t>> ranks_;
 };
 
 template <typename Found>

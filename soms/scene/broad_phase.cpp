@@ -1,0 +1,279 @@
+#include "soms/scene/broad_phase.h"
+
+#include "soms/base/error.h"
+#include "soms/scene/detail/box_index.h"
+#include "soms/scene/detail/columns.h"
+#include "soms/scene/detail/float_box.h"
+#include "soms/scene/detail/pace.h"
+#include "soms/scene/detail/pair_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace soms {
+
+namespace {
+
+using detail::FloatBox;
+
+/// Boxes that left their larger boxes are compared one by one with all others as long as that costs
+/// less than a part of starting anew.
+constexpr std::uint64_t kComparedForWork = 8;
+/// Calls without a grid once the boxes did not suit one, at most.
+constexpr std::uint32_t kMostCallsWithoutGrid = 64;
+/// A larger box grows by no more than this many boxes.
+constexpr float kMostGrowth = 2;
+/// Sides above this, in widths of the crowd, do not count.
+constexpr float kLongest = 1e30F;
+/// Growth to all sides, as a part of the way ahead.
+constexpr float kAside = 0.25F;
+
+/// As `overlaps`, without a branch: whether pairs that are near meet cannot be foretold.
+bool meeting(const Box& a, const Box& b) {
+  const auto at_most = [](double x, double y) { return static_cast<unsigned>(x <= y); };
+  return (at_most(a.lower.x, b.upper.x) & at_most(b.lower.x, a.upper.x) &
+          at_most(a.lower.y, b.upper.y) & at_most(b.lower.y, a.upper.y) &
+          at_most(a.lower.z, b.upper.z) & at_most(b.lower.z, a.upper.z)) != 0;
+}
+
+/// Way of both ends of a box in one call.
+struct Way {
+  std::array<float, 3> lower{};
+  std::array<float, 3> upper{};
+  float farthest = 0;
+};
+
+Way way_of(const Box& from, const Box& to, double scale) {
+  Way way;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    way.lower[axis] = static_cast<float>((to.lower[axis] - from.lower[axis]) * scale);
+    way.upper[axis] = static_cast<float>((to.upper[axis] - from.upper[axis]) * scale);
+    way.farthest = std::max({way.farthest, std::abs(way.lower[axis]), std::abs(way.upper[axis])});
+  }
+  return way;
+}
+
+/// Nothing for a box beyond the range of floats, so that no sum of growth overflows.
+float longest_side(const FloatBox& box) {
+  const float side = std::max(
+      {box.upper[0] - box.lower[0], box.upper[1] - box.lower[1], box.upper[2] - box.lower[2]});
+  return side < kLongest ? side : 0;
+}
+
+/// `box` made larger for `calls` more calls of such ways, by at most `most`.
+FloatBox grown(const FloatBox& box, const Way& way, float calls, float aside, float most) {
+  FloatBox large = box;
+  const float margin = aside * std::min(calls * way.farthest, most);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    large.lower[axis] += std::clamp(calls * way.lower[axis], -most, 0.0F) - margin;
+    large.upper[axis] += std::clamp(calls * way.upper[axis], 0.0F, most) + margin;
+  }
+  return large;
+}
+
+}  // namespace
+
+struct BroadPhase::State {
+  detail::FloatMap map;
+  detail::Columns columns;
+  detail::BoxIndex index;
+  detail::PairRows rows;  ///< pairs of `large`, or without a grid of the boxes themselves
+  detail::Pace pace;
+  bool has_grid = false;
+  std::uint32_t calls_without_grid = 0;  ///< in a row, to come
+  std::uint32_t next_without_grid = 1;
+  float usual_side = 0;
+
+  std::vector<Box> base;        ///< the boxes when all was made anew
+  std::vector<FloatBox> large;  ///< hold their boxes as floats
+  std::vector<std::uint32_t> escaped;
+  std::vector<std::uint8_t> is_escaped;
+  std::vector<std::uint64_t> pairs;  ///< scratch
+  std::vector<BoxPair> answer;
+
+  [[nodiscard]] bool keep(std::span<const Box> boxes);
+  void catch_escaped(std::span<const Box> boxes);
+  void start_anew(std::span<const Box> boxes);
+  void enlarge(std::span<const Box> boxes);
+  void ask_index(std::span<const Box> boxes);
+  std::span<const BoxPair> decide(std::span<const Box> boxes);
+};
+
+/// \returns whether `rows` still hold all pairs, after some work if need be.
+bool BroadPhase::State::keep(std::span<const Box> boxes) {
+  if (!has_grid || base.size() != boxes.size()) {
+    return false;
+  }
+  pace.pass();
+  const std::uint64_t most = kComparedForWork * columns.work() / (boxes.size() + 1) + 1;
+  escaped.clear();
+  for (std::uint32_t k = 0; k < boxes.size(); ++k) {
+    // All boxes hold an empty one, and `kNoBox` holds none but that.
+    if (!detail::holds(large[k], map(boxes[k]))) {
+      escaped.push_back(k);
+      if (escaped.size() > most) {
+        return false;
+      }
+    }
+  }
+  if (!escaped.empty()) {
+    catch_escaped(boxes);
+  }
+  return true;
+}
+
+/// Gives the escaped new large boxes, and `rows` their pairs.
+void BroadPhase::State::catch_escaped(std::span<const Box> boxes) {
+  const auto age = static_cast<double>(pace.age());
+  for (const std::uint32_t k : escaped) {
+    const FloatBox now = map(boxes[k]);
+    const Way way = way_of(base[k].empty() ? boxes[k] : base[k], boxes[k], map.scale / age);
+    large[k] = grown(now, way, static_cast<float>(pace.calls()), 1,
+                     kMostGrowth * (usual_side + longest_side(now)));
+    base[k] = base[k].empty() ? boxes[k] : base[k];
+    is_escaped[k] = 1;
+  }
+  pairs.clear();
+  for (std::uint32_t a = 0; a < rows.rows(); ++a) {
+    const auto row = rows.row(a);
+    if (row.empty() || is_escaped[a] != 0) {
+      continue;
+    }
+    for (const std::uint32_t b : row) {
+      if (is_escaped[b] == 0) {
+        pairs.push_back(std::uint64_t{a} << 32 | b);
+      }
+    }
+  }
+  for (const std::uint32_t a : escaped) {
+    for (std::uint32_t b = 0; b < large.size(); ++b) {
+      if (a != b && detail::meet(large[a], large[b]) && (a < b || is_escaped[b] == 0)) {
+        pairs.push_back(std::uint64_t{std::min(a, b)} << 32 | std::max(a, b));
+      }
+    }
+  }
+  for (const std::uint32_t k : escaped) {
+    is_escaped[k] = 0;
+  }
+  rows.assign(boxes.size(), pairs);
+  pace.spend(escaped.size() * boxes.size() / 25 + rows.size() / 5);
+}
+
+/// Larger boxes for all, each along the way that its box took since all was made anew.
+void BroadPhase::State::enlarge(std::span<const Box> boxes) {
+  const bool knows_ways = base.size() == boxes.size() && pace.age() > 0;
+  const double scale = map.scale / static_cast<double>(std::max<std::uint64_t>(1, pace.age()));
+  large.resize(boxes.size());
+  is_escaped.assign(boxes.size(), 0);
+  double sides = 0;
+  double speeds = 0;
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    large[k] = boxes[k].empty() ? detail::kNoBox : map(boxes[k]);
+    if (!boxes[k].empty()) {
+      sides += static_cast<double>(longest_side(large[k]));
+      if (knows_ways && !base[k].empty()) {
+        speeds += static_cast<double>(way_of(base[k], boxes[k], scale).farthest);
+      }
+    }
+  }
+  const double count = std::max(1.0, static_cast<double>(boxes.size()));
+  usual_side = static_cast<float>(sides / count);
+  const std::uint32_t calls = knows_ways ? pace.next(speeds / count) : 0;
+  for (std::size_t k = 0; k < boxes.size() && calls > 0; ++k) {
+    if (!boxes[k].empty() && !base[k].empty()) {
+      large[k] = grown(large[k], way_of(base[k], boxes[k], scale), static_cast<float>(calls),
+                       kAside, kMostGrowth * (usual_side + longest_side(large[k])));
+    }
+  }
+}
+
+void BroadPhase::State::start_anew(std::span<const Box> boxes) {
+  has_grid = false;
+  if (calls_without_grid > 0) {
+    --calls_without_grid;
+    ask_index(boxes);
+    return;
+  }
+  map = detail::FloatMap::of(boxes);
+  enlarge(boxes);
+  base.assign(boxes.begin(), boxes.end());
+  if (const auto found = columns.find(large)) {
+    has_grid = true;
+    next_without_grid = 1;
+    rows.assign(boxes.size(), *found);
+    pace.start(columns.work(), rows.size());
+    return;
+  }
+  calls_without_grid = next_without_grid;
+  next_without_grid = std::min(2 * next_without_grid, kMostCallsWithoutGrid);
+  pace = {};
+  ask_index(boxes);
+}
+
+/// The pairs of the boxes themselves, wherever they lie and however large they are.
+void BroadPhase::State::ask_index(std::span<const Box> boxes) {
+  index.build(boxes);
+  pairs.clear();
+  for (std::uint32_t a = 0; a < boxes.size(); ++a) {
+    if (!boxes[a].empty()) {
+      index.query(boxes[a], [&](std::uint32_t b) {
+        if (a < b) {
+          pairs.push_back(std::uint64_t{a} << 32 | b);
+        }
+      });
+    }
+  }
+  rows.assign(boxes.size(), pairs);
+}
+
+/// Those pairs of `rows` that do meet.
+std::span<const BoxPair> BroadPhase::State::decide(std::span<const Box> boxes) {
+  if (answer.size() <= rows.size()) {
+    answer.resize(rows.size() + 1);
+  }
+  std::size_t found = 0;
+  for (std::uint32_t a = 0; a < boxes.size(); ++a) {
+    const Box& box = boxes[a];
+    for (const std::uint32_t b : rows.row(a)) {
+      answer[found] = {a, b};
+      found += meeting(box, boxes[b]) ? 1U : 0U;
+    }
+  }
+  return std::span(answer).first(found);
+}
+
+BroadPhase::BroadPhase() : state_(std::make_unique<State>()) {
+}
+
+BroadPhase::~BroadPhase() = default;
+BroadPhase::BroadPhase(BroadPhase&&) noexcept = default;
+BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
+
+std::span<const BoxPair> BroadPhase::find(std::span<const Box> boxes) {
+  if (boxes.size() > detail::Columns::kMostBoxes) {
+    throw Error(ErrorKind::out_of_range,
+                "broad phase: " + std::to_string(boxes.size()) + " boxes are above 2^30",
+                "ask about fewer at a time");
+  }
+  if (!state_->keep(boxes)) {
+    state_->start_anew(boxes);
+  }
+  return state_->decide(boxes);
+}
+
+void BroadPhase::forget() {
+  state_->has_grid = false;
+  state_->base.clear();
+}
+
+std::size_t BroadPhase::memory() const {
+  const State& state = *state_;
+  return sizeof(State) + state.columns.memory() + state.index.memory() + state.rows.memory() +
+         detail::bytes(state.base) + detail::bytes(state.large) + detail::bytes(state.escaped) +
+         detail::bytes(state.is_escaped) + detail::bytes(state.pairs) + detail::bytes(state.answer);
+}
+
+}  // namespace soms
