@@ -22,6 +22,7 @@ pid_t start(const std::filesystem::path& program, const std::vector<std::string>
   std::vector<std::string> copies(words);
   copies.insert(copies.begin(), program.string());
   std::vector<char*> argv;
+  argv.reserve(copies.size() + 1);
   for (std::string& word : copies) {
     argv.push_back(word.data());
   }

@@ -117,7 +117,9 @@ FloatMesh placed(const FloatMesh& mesh, const Pose& pose) {
 void run_still(const Scene& scene, const PoseSet& set, const Roster& roster,
                const RunOptions& options, const Sink& sink) {
   std::vector<FloatMesh> movers;
-  for (std::size_t i = 0; i < std::min(set.still, set.poses.size()); ++i) {
+  const std::size_t poses = std::min(set.still, set.poses.size());
+  movers.reserve(poses);
+  for (std::size_t i = 0; i < poses; ++i) {
     movers.push_back(placed(scene.mover, set.poses[i]));
   }
   std::vector<Ready> ready;
@@ -127,6 +129,7 @@ void run_still(const Scene& scene, const PoseSet& set, const Roster& roster,
       ready.push_back(prepare(*contestant, movers, scene.fixed));
     }
   }
+  lanes.reserve(ready.size());
   for (const Ready& r : ready) {
     lanes.push_back({r.contestant->name(), [&r](std::span<std::uint64_t> answers) {
                        const Pose here;

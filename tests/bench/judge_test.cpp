@@ -60,6 +60,7 @@ TEST(Judge, LooksAtEveryQuestionOnWhichTwoDifferHoweverLittleItMayLookAt) {
   const FloatMesh cube = box({0, 0, 0}, {1, 1, 1});
   const PairCounter counter(cube, cube);
   std::vector<Pose> poses;
+  poses.reserve(100);
   for (int i = 0; i < 100; ++i) {
     poses.push_back(Pose::translation(0.05 * i, 0, 0));
   }

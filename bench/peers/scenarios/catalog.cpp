@@ -41,6 +41,7 @@ constexpr std::array<std::string_view, 6> kCities{"rotterdam", "new_york_south",
 
 std::vector<Offer> catalog(const std::filesystem::path& data) {
   std::vector<Offer> offers;
+  offers.reserve(kGenerated.size() + kModels.size() + kCities.size() + 2);
   for (const Generated& g : kGenerated) {
     offers.push_back({g.name, g.triangles, g.quick, [g] { return g.make(g.triangles); }});
   }
