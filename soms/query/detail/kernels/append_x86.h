@@ -14,7 +14,7 @@ inline __m128i words_of(const WideNode& node) {
   return _mm_loadu_si128(reinterpret_cast<const __m128i*>(node.child.data()));
 }
 
-void append(const NodeTask* tasks, std::size_t count, PairSink& sink) {
+inline void append(const NodeTask* tasks, std::size_t count, PairSink& sink) {
   for (std::size_t i = 0; i < count; ++i) {
     const NodeTask& task = tasks[i];
     const std::uint32_t leaves = task.pairs & kLanePairs.bits[task.x->leaves][task.y->leaves];

@@ -62,7 +62,7 @@ inline std::uint32_t test_pair(const PoseNumbers& pose, const WideNode& x, const
            bits(apart<3>(x_in_y, y_in_y) | apart<3>(x_in_x, y_in_x)) << 12);
 }
 
-void test_nodes(NodeTask* tasks, std::size_t count) {
+inline void test_nodes(NodeTask* tasks, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     tasks[i].pairs &= test_pair(*tasks[i].pose, *tasks[i].x, *tasks[i].y);
   }

@@ -108,7 +108,7 @@ inline std::uint32_t four_against_one(const PoseNumbers& pose, const WideNode& x
   return ~bits(sum);
 }
 
-void test_larger(NodeTask* tasks, std::size_t count) {
+inline void test_larger(NodeTask* tasks, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const NodeTask& task = tasks[i];
     tasks[i].pairs &= task.opens_x() ? four_against_one(*task.pose, *task.x, *task.y)

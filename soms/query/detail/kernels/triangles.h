@@ -4,7 +4,7 @@
 using Three = std::array<F8, 3>;
 
 /// Covers what underflows in products of three or four lengths.
-constexpr float kLeastProduct = 0x1p-140F;
+inline constexpr float kLeastProduct = 0x1p-140F;
 
 inline F8 least(F8 a, F8 b, F8 c) {
   return min(a, min(b, c));
@@ -97,7 +97,7 @@ inline void test_slab(BlockTask& task) {
                  ((1U << x.count) - 1);
 }
 
-void test_slabs(BlockTask* tasks, std::size_t count) {
+inline void test_slabs(BlockTask* tasks, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     test_slab(tasks[i]);
   }
@@ -160,7 +160,7 @@ inline M8 apart_by_edges(const Corners& p, const Corners& q, float margin) {
   return miss;
 }
 
-std::uint64_t test_triangles(const BlockTask& task) {
+inline std::uint64_t test_triangles(const BlockTask& task) {
   const Moved moved(task);
   const Corners q = corners_of(*task.y);
   const float margin = task.margin;
