@@ -9,6 +9,7 @@ set(SOMS_SOURCES
   detail/columns.cpp
   detail/float_box.cpp
   detail/moved_bounds.cpp
+  detail/narrow_phase.cpp
   detail/pace.cpp
   detail/pair_rows.cpp
   reference/broad_phase.cpp

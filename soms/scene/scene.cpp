@@ -6,6 +6,7 @@
 #include "soms/scene/detail/box_index.h"
 #include "soms/scene/detail/id_list.h"
 #include "soms/scene/detail/moved_bounds.h"
+#include "soms/scene/detail/narrow_phase.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -31,45 +32,11 @@ struct Resident {
 
 using Residents = detail::IdList<Resident>;
 
-/// A question for the narrow phase, by places in the lists.
+/// A pair of bodies, by places in the lists.
 struct Candidate {
   std::uint32_t mover = 0;
   std::uint32_t other = 0;
 };
-
-/// Candidates of one chunk that ask about the same shape and the same other body: asked together.
-struct Batch {
-  const WideTree* layout = nullptr;
-  std::uint32_t other = 0;
-  std::vector<std::uint32_t> candidates;
-  std::vector<Pose> poses;
-  OverlapBatch answers;
-};
-
-/// What one chunk of candidates found; its memory is kept from step to step.
-template <typename Contact>
-struct Found {
-  std::vector<Contact> contacts;
-  Cost cost;
-  std::vector<Batch> batches;
-  std::vector<std::span<const TrianglePair>> answers;
-};
-
-template <typename Contact>
-std::size_t memory_of(const std::vector<Found<Contact>>& found) {
-  std::size_t size = detail::bytes(found);
-  for (const Found<Contact>& chunk : found) {
-    size += detail::bytes(chunk.contacts);
-  }
-  return size;
-}
-
-/// Candidates that one thread takes at a time. A constant, so that results join the same way for
-/// any number of threads.
-constexpr std::size_t kChunk = 64;
-
-/// Fewer candidates than this are each worth all threads.
-constexpr std::size_t kFew = 4;
 
 bool holds(const std::vector<std::uint32_t>& sorted, std::uint32_t id) {
   return std::binary_search(sorted.begin(), sorted.end(), id);
@@ -115,104 +82,6 @@ void collect_boxes(const Residents& residents, std::vector<Box>& boxes) {
   }
 }
 
-/// The batches of `candidates`, in the order in which each begins. `memory` is reused.
-std::span<Batch> gather(std::span<const Candidate> candidates, const Residents& movers,
-                        std::vector<Batch>& memory) {
-  std::size_t count = 0;
-  for (std::uint32_t k = 0; k < candidates.size(); ++k) {
-    const Body& body = movers.places()[candidates[k].mover].value.body;
-    const WideTree* const layout = &body.shape.layout();
-    std::size_t at = 0;
-    while (at < count && (memory[at].layout != layout || memory[at].other != candidates[k].other)) {
-      ++at;
-    }
-    if (at == count) {
-      if (++count > memory.size()) {
-        memory.emplace_back();
-      }
-      memory[at].layout = layout;
-      memory[at].other = candidates[k].other;
-      memory[at].candidates.clear();
-      memory[at].poses.clear();
-    }
-    memory[at].candidates.push_back(k);
-    memory[at].poses.push_back(body.pose);
-  }
-  return std::span(memory).first(count);
-}
-
-/// Asks the narrow phase some candidates and appends what it finds to `found`, in their order.
-template <typename Contact>
-void ask_one_by_one(std::span<const Candidate> candidates, const Residents& movers,
-                    const Residents& others, const OverlapOptions& options,
-                    const Parallel& parallel, Found<Contact>& found) {
-  for (const Candidate& candidate : candidates) {
-    const auto& a = movers.places()[candidate.mover];
-    const auto& b = others.places()[candidate.other];
-    const Overlap answer = overlap(a.value.body, b.value.body, options, parallel);
-    for (const auto& [i, j] : answer.pairs) {
-      found.contacts.push_back({a.id, b.id, i, j});
-    }
-    found.cost += answer.cost;
-  }
-}
-
-/// The same by batches, which is faster where movers share shapes.
-template <typename Contact>
-void ask_together(std::span<const Candidate> candidates, const Residents& movers,
-                  const Residents& others, const OverlapOptions& options, const Parallel& parallel,
-                  Found<Contact>& found) {
-  const std::span<Batch> batches = gather(candidates, movers, found.batches);
-  found.answers.resize(candidates.size());
-  for (Batch& batch : batches) {
-    const Shape& shape = movers.places()[candidates[batch.candidates[0]].mover].value.body.shape;
-    const Body& other = others.places()[batch.other].value.body;
-    batch.answers = overlap(shape, batch.poses, other, options, parallel);
-    found.cost += batch.answers.cost;
-    for (std::size_t p = 0; p < batch.candidates.size(); ++p) {
-      found.answers[batch.candidates[p]] = batch.answers.pairs_of(p);
-    }
-  }
-  for (std::size_t k = 0; k < candidates.size(); ++k) {
-    const MoverId a = movers.places()[candidates[k].mover].id;
-    const std::uint32_t b = others.places()[candidates[k].other].id;
-    for (const auto& [i, j] : found.answers[k]) {
-      found.contacts.push_back({a, b, i, j});
-    }
-  }
-}
-
-/// Asks the narrow phase all candidates and appends what it finds to `contacts`, in their order.
-template <typename Contact>
-void ask(const std::vector<Candidate>& candidates, const Residents& movers, const Residents& others,
-         OverlapMode mode, const Parallel& parallel, std::vector<Found<Contact>>& found,
-         std::vector<Contact>& contacts, Cost& cost) {
-  const std::size_t chunks = (candidates.size() + kChunk - 1) / kChunk;
-  if (found.size() < chunks) {
-    found.resize(chunks);
-  }
-  // A lone pair of large meshes is split inside; many pairs are shared out.
-  const bool lone = candidates.size() < kFew;
-  const Parallel shared{lone ? 1 : parallel.threads, parallel.stop, {}};
-  const Parallel inside{lone ? parallel.threads : 1, parallel.stop, {}};
-  const OverlapOptions options{.mode = mode};
-  for_each_chunk(candidates.size(), kChunk, shared, [&](std::size_t begin, std::size_t end) {
-    Found<Contact>& mine = found[begin / kChunk];
-    mine.contacts.clear();
-    mine.cost = {};
-    const std::span part = std::span(candidates).subspan(begin, end - begin);
-    if (lone) {
-      ask_one_by_one(part, movers, others, options, inside, mine);
-    } else {
-      ask_together(part, movers, others, options, inside, mine);
-    }
-  });
-  for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-    contacts.insert(contacts.end(), found[chunk].contacts.begin(), found[chunk].contacts.end());
-    cost += found[chunk].cost;
-  }
-}
-
 }  // namespace
 
 struct Scene::State {
@@ -226,12 +95,15 @@ struct Scene::State {
   std::vector<Box> boxes;
   std::vector<std::uint32_t> met;
   std::vector<Candidate> candidates;
-  std::vector<Found<EnvironmentContact>> found_environment;
-  std::vector<Found<MoverContact>> found_movers;
-
+  std::vector<detail::Question> questions;
+  detail::NarrowPhase environment;
+  detail::NarrowPhase mutual;
   void refresh_index();
   void find_environment_candidates(StepReport& report);
   void find_mover_candidates(StepReport& report);
+  template <typename Contact>
+  void ask(detail::NarrowPhase& narrow_phase, const Residents& others, OverlapMode mode,
+           const Parallel& parallel, std::vector<Contact>& contacts, Cost& cost);
 };
 
 /// The environment seldom changes: its structure is made when a step first needs it.
@@ -279,6 +151,25 @@ void Scene::State::find_mover_candidates(StepReport& report) {
     }
   }
   report.queries += candidates.size();
+}
+
+/// Asks about all candidates and appends what touches to `contacts`, in their order.
+template <typename Contact>
+void Scene::State::ask(detail::NarrowPhase& narrow_phase, const Residents& others, OverlapMode mode,
+                       const Parallel& parallel, std::vector<Contact>& contacts, Cost& cost) {
+  questions.clear();
+  for (const Candidate& candidate : candidates) {
+    questions.push_back({&movers.places()[candidate.mover].value.body,
+                         &others.places()[candidate.other].value.body});
+  }
+  cost += narrow_phase.ask(questions, mode, parallel);
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    const MoverId a = movers.places()[candidates[k].mover].id;
+    const std::uint32_t b = others.places()[candidates[k].other].id;
+    for (const auto& [i, j] : narrow_phase.pairs_of(k)) {
+      contacts.push_back({a, b, i, j});
+    }
+  }
 }
 
 Scene::Scene() : state_(std::make_unique<State>()) {
@@ -355,8 +246,8 @@ std::size_t Scene::memory() const {
   const State& state = *state_;
   return sizeof(State) + of(state.movers) + of(state.parts) + state.part_index.memory() +
          state.broad_phase.memory() + detail::bytes(state.boxes) + detail::bytes(state.met) +
-         detail::bytes(state.candidates) + memory_of(state.found_environment) +
-         memory_of(state.found_movers);
+         detail::bytes(state.candidates) + detail::bytes(state.questions) +
+         state.environment.memory() + state.mutual.memory();
 }
 
 const Body& Scene::mover(MoverId id) const {
@@ -382,12 +273,14 @@ StepReport Scene::step(const StepOptions& options, const Parallel& parallel) {
   check_stop(parallel);
   state.refresh_index();
   state.find_environment_candidates(report);
-  ask(state.candidates, state.movers, state.parts, options.mode, parallel, state.found_environment,
-      report.environment, report.cost);
+  state.ask(state.environment, state.parts, options.mode, parallel, report.environment,
+            report.cost);
   if (options.mover_mover) {
+    if (!options.coherent) {
+      state.broad_phase.forget();
+    }
     state.find_mover_candidates(report);
-    ask(state.candidates, state.movers, state.movers, options.mode, parallel, state.found_movers,
-        report.movers, report.cost);
+    state.ask(state.mutual, state.movers, options.mode, parallel, report.movers, report.cost);
   }
   return report;
 }

@@ -56,6 +56,8 @@ struct StepOptions {
   /// all: every pair of triangles; any: one pair for each pair of bodies; first: the least such.
   OverlapMode mode = OverlapMode::all;
   bool mover_mover = true;
+  /// Use what the steps before left (see `BroadPhase`); the answers are the same without.
+  bool coherent = true;
 };
 
 /// A static environment of meshes and movers that share shapes. Poses are set through the scene, so

@@ -1,0 +1,70 @@
+/// \file
+/// Many pairs of bodies asked in one go.
+#pragma once
+
+#include "soms/base/parallel.h"
+#include "soms/query/body.h"
+#include "soms/query/overlap.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace soms::detail {
+
+/// Which triangles of two bodies touch? Bodies stay where they are until it is answered.
+struct Question {
+  const Body* mover = nullptr;
+  const Body* other = nullptr;
+};
+
+/// Brings questions about the same shape together, asks them as batches on the threads given, and
+/// hands out the answers in the order of the questions. Keeps its memory from call to call.
+class NarrowPhase {
+ public:
+  /// Answers depend on each question alone. \errors ErrorKind::cancelled.
+  Cost ask(std::span<const Question> questions, OverlapMode mode, const Parallel& parallel);
+
+  /// Pairs of question `k` of the last call.
+  [[nodiscard]] std::span<const TrianglePair> pairs_of(std::size_t k) const;
+
+  [[nodiscard]] std::size_t memory() const;
+
+ private:
+  /// Questions of one chunk about the same shape and the same other body.
+  struct Batch {
+    const WideTree* layout = nullptr;
+    const Body* other = nullptr;
+    std::vector<std::uint32_t> questions;
+    std::vector<Pose> poses;
+    OverlapBatch answers;
+  };
+
+  /// One chunk of questions and its answers.
+  struct Chunk {
+    std::vector<Batch> batches;
+    std::vector<Overlap> alone;
+    std::vector<std::span<const TrianglePair>> answers;  ///< of each question
+    Cost cost;
+  };
+
+  void order_by_shape(std::span<const Question> questions);
+  [[nodiscard]] static std::span<Batch> gather(std::span<const Question> questions,
+                                               std::vector<Batch>& memory);
+  static void ask_one_by_one(std::span<const Question> questions, const OverlapOptions& options,
+                             const Parallel& parallel, Chunk& chunk);
+  static void ask_together(std::span<const Question> questions, const OverlapOptions& options,
+                           const Parallel& parallel, Chunk& chunk);
+
+  std::unordered_map<const WideTree*, std::uint32_t> numbers_;  ///< of shapes, as they come
+  std::vector<std::uint32_t> shapes_;                           ///< of each question
+  std::vector<std::uint32_t> ends_;    ///< of each shape's questions in the order of asking
+  std::vector<std::uint32_t> places_;  ///< of each question in that order
+  std::vector<Question> asked_;        ///< the questions in that order
+  std::size_t chunk_ = 1;              ///< questions of a chunk
+  std::vector<Chunk> chunks_;
+};
+
+}  // namespace soms::detail
