@@ -1,0 +1,141 @@
+// Steps of a scene: 1,000 cars on the streets of a city of a million triangles, 60 frames a second.
+// With what the steps before left against from nothing, in turns, by processor time; then two
+// threads against one by the clock, beside a plain loop that needs no memory.
+#include "soms/base/hash.h"
+#include "soms/base/parallel.h"
+#include "soms/generate/city.h"
+#include "soms/generate/routes.h"
+#include "soms/generate/shapes.h"
+#include "soms/scene/scene.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace soms::bench {
+namespace {
+
+constexpr std::uint32_t kCars = 1000;
+constexpr int kFrames = 240;
+
+double processor_seconds() {
+  std::timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double clock_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// Two scenes of the same bodies, and where the cars drive.
+struct Traffic {
+  Scene kept;
+  Scene anew;
+  std::vector<Route> routes;
+
+  Traffic() {
+    City city = generate_city(CityOptions{});
+    const Shape car(generate_mover(MoverKind::car));
+    for (std::uint32_t k = 0; k < kCars; ++k) {
+      routes.push_back(street_route(city, k + 1, 8 + k % 7, 0.1));
+      routes.back().base = 2.6;
+      routes.back().measure();
+    }
+    const Body fixed{Shape(std::move(city.mesh))};
+    for (Scene* const scene : {&kept, &anew}) {
+      scene->add_environment(fixed);
+      for (const Route& route : routes) {
+        scene->add_mover(Body(car, route.at(0)));
+      }
+    }
+  }
+
+  void drive(Scene& scene, int frame) const {
+    for (MoverId id = 0; id < kCars; ++id) {
+      scene.set_pose(id, routes[id].at(frame / 60.0));
+    }
+  }
+};
+
+void compare_coherence(Traffic& traffic, const StepOptions& options, const char* name) {
+  StepOptions anew = options;
+  anew.coherent = false;
+  std::vector<double> kept_seconds;
+  std::vector<double> anew_seconds;
+  Fnv1a kept_hash;
+  Fnv1a anew_hash;
+  for (int frame = 0; frame < kFrames; ++frame) {
+    traffic.drive(traffic.kept, frame);
+    traffic.drive(traffic.anew, frame);
+    for (int turn = 0; turn < 2; ++turn) {
+      const bool is_kept = (turn + frame) % 2 == 0;
+      const double begin = processor_seconds();
+      const StepReport report = is_kept ? traffic.kept.step(options) : traffic.anew.step(anew);
+      (is_kept ? kept_seconds : anew_seconds).push_back(processor_seconds() - begin);
+      (is_kept ? kept_hash : anew_hash).add(report.hash());
+    }
+  }
+  const double k = median(kept_seconds);
+  const double a = median(anew_seconds);
+  std::printf("%-24s %8.3f ms kept %8.3f ms from nothing: ratio %.2f, answers %s (%016llx)\n", name,
+              1e3 * k, 1e3 * a, a / k,
+              kept_hash.value() == anew_hash.value() ? "the same" : "DIFFER",
+              static_cast<unsigned long long>(kept_hash.value()));
+}
+
+/// Seconds of `body` on one thread and on two, the better of some runs in turn.
+template <typename Body>
+void compare_threads(const char* name, const Body& body) {
+  double one = 1e9;
+  double two = 1e9;
+  for (int run = 0; run < 5; ++run) {
+    double begin = clock_seconds();
+    body(Parallel{.threads = 1});
+    one = std::min(one, clock_seconds() - begin);
+    begin = clock_seconds();
+    body(Parallel{.threads = 2});
+    two = std::min(two, clock_seconds() - begin);
+  }
+  std::printf("%-24s %8.1f ms one thread %8.1f ms two threads: ratio %.2f\n", name, 1e3 * one,
+              1e3 * two, one / two);
+}
+
+void plain_loop(const Parallel& parallel) {
+  for_each_chunk(64, 1, parallel, [](std::size_t begin, std::size_t) {
+    volatile double sink = 0;
+    double sum = static_cast<double>(begin);
+    for (int k = 0; k < 200000; ++k) {
+      sum = sum * 0.999 + 1;
+    }
+    sink = sum;
+    static_cast<void>(sink);
+  });
+}
+
+}  // namespace
+}  // namespace soms::bench
+
+int main() {
+  using namespace soms;
+  const auto traffic = std::make_unique<bench::Traffic>();
+  bench::compare_coherence(*traffic, {}, "all pairs");
+  bench::compare_coherence(*traffic, {.mode = OverlapMode::any}, "any pair");
+  bench::compare_threads("plain loop", bench::plain_loop);
+  bench::compare_threads("60 steps", [&](const Parallel& parallel) {
+    for (int frame = 0; frame < 60; ++frame) {
+      traffic->drive(traffic->kept, frame);
+      static_cast<void>(traffic->kept.step({}, parallel));
+    }
+  });
+  return 0;
+}
