@@ -3,6 +3,7 @@
 #include "soms/geometry/defects.h"
 #include "soms/tree/build.h"
 #include "soms/tree/rule/rules.h"
+#include "soms/tree/shape.h"
 #include "soms/tree/statistics.h"
 
 #include "apps/soms/console.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 namespace soms::command {
@@ -34,6 +36,8 @@ struct ModelReport {
   std::string file;
   Mesh mesh;
   Defects defects;
+  /// Of a shape by the default options, its mesh included; unless trees are left out.
+  std::optional<std::size_t> bytes_ready = std::nullopt;
   std::vector<RuleReport> trees;
 };
 
@@ -52,6 +56,15 @@ RuleReport measure_tree(const Mesh& mesh, const BuildOptions& options, const Con
   return report;
 }
 
+/// Bytes of the model ready to query.
+std::size_t measure_shape(const Mesh& mesh, const Console& console) {
+  const std::shared_ptr<const Mesh> not_owned(std::shared_ptr<const Mesh>(), &mesh);
+  return console
+      .run(fmt::format("preparing {}", mesh.source),
+           [&](const Parallel& parallel) { return Shape(not_owned, {}, parallel); })
+      .memory();
+}
+
 ModelReport examine(const std::string& file, const InfoOptions& options, const Console& console) {
   ModelReport report;
   report.file = file;
@@ -61,6 +74,7 @@ ModelReport examine(const std::string& file, const InfoOptions& options, const C
   if (!options.trees) {
     return report;
   }
+  report.bytes_ready = measure_shape(report.mesh, console);
   for (const auto& row : rules()) {
     if (options.every_rule || row.rule == options.build.rule) {
       BuildOptions build = options.build;
@@ -128,6 +142,7 @@ Json to_json(const ModelReport& report) {
           {"bounds", json_box(bounds(mesh))},
           {"unit", mesh.unit == 0 ? Json() : Json(mesh.unit)},
           {"up", up == nullptr ? Json() : Json(up)},
+          {"bytes_ready", report.bytes_ready ? Json(*report.bytes_ready) : Json()},
           {"parts", parts},
           {"notes", mesh.notes},
           {"defects", to_json(report.defects)},
@@ -197,6 +212,11 @@ std::string to_text(const ModelReport& report, const InfoOptions& options) {
   line("defects", describe(report.defects));
   for (const std::string& note : mesh.notes) {
     line("note", printable(note));
+  }
+  if (report.bytes_ready && !mesh.triangles.empty()) {
+    line("memory", fmt::format("{:.1f} bytes a triangle, ready to query",
+                               static_cast<double>(*report.bytes_ready) /
+                                   static_cast<double>(mesh.triangles.size())));
   }
   if (!report.trees.empty()) {
     text += fmt::format("  trees with at most {} a leaf\n",

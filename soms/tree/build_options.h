@@ -36,7 +36,7 @@ enum class EmptySide {
 
 /// Options of a build. The defaults are the product's; `thesis_options` gives the thesis'.
 struct BuildOptions {
-  Rule rule = Rule::sah;
+  Rule rule = Rule::fast;
   Midpoint midpoint = Midpoint::aabb;
   int c_vertex = 2;  ///< corner that Midpoint::thesis calls C: 0, 1 or 2
   /// Unset: inner for soms, sah and soms_sah, outer for the others.

@@ -3,9 +3,15 @@ set(SOMS_HEADERS
   build_options.h
   check.h
   implicit.h
+  lanes.h
+  layout/block.h
+  layout/fetch.h
+  layout/frame.h
+  layout/lay_out.h
   layout/orientation.h
   layout/pages.h
   layout/wide_tree.h
+  layout/widen.h
   option_names.h
   rule/rules.h
   rule/split.h

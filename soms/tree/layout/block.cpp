@@ -82,12 +82,17 @@ std::array<double, 3> center(const Frame& frame, Rows& rows, TriangleBlock& bloc
   return far;
 }
 
-double sum(const Row& row, std::size_t count) {
-  double s = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    s += row[k];
+/// Sum of the lanes in use.
+double sum(Row v, std::size_t count) {
+  for (std::size_t k = count; k < kLanes; ++k) {
+    v[k] = 0;
   }
-  return s;
+  for (std::size_t half = kLanes / 2; half > 0; half /= 2) {
+    for (std::size_t k = 0; k < half; ++k) {
+      v[k] += v[k + half];
+    }
+  }
+  return v[0];
 }
 
 Moments moments_of(const Rows& rows, std::size_t count) {
@@ -115,9 +120,10 @@ Moments moments_of(const Rows& rows, std::size_t count) {
     m.square[axis] = sum(square, count);
     m.product[axis] = sum(product, count);
     m.normal[(axis + 2) % 3] = sum(normal, count);
-    for (std::size_t k = 0; k < count; ++k) {
-      m.area += std::abs(normal[k]);
+    for (double& x : normal) {
+      x = std::abs(x);
     }
+    m.area += sum(normal, count);
   }
   return m;
 }

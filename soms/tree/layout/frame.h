@@ -6,16 +6,21 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 
 namespace soms::layout {
 
 /// Least float not below `x`, for |x| < 2^127.
 [[nodiscard]] inline float rounded_up(double x) {
   const auto f = static_cast<float>(x);
-  return static_cast<double>(f) >= x ? f
-                                     : std::nextafter(f, std::numeric_limits<float>::infinity());
+  if (static_cast<double>(f) >= x) {
+    return f;
+  }
+  // The next float up: its bits count away from zero.
+  const auto bits = std::bit_cast<std::int32_t>(f);
+  return std::bit_cast<float>(bits + (f >= 0 ? 1 : -1));
 }
 
 /// Place and unit that the floats of a layout are relative to.

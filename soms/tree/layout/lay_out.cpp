@@ -1,10 +1,16 @@
 #include "soms/tree/layout/lay_out.h"
 
+#include "soms/tree/lanes.h"
 #include "soms/tree/layout/block.h"
+#include "soms/tree/layout/fetch.h"
+
+#include <limits>
 
 namespace soms::layout {
 
 namespace {
+
+using lanes::F4;
 
 /// Larger nodes keep the mesh's axes: what they hold is rarely flat.
 constexpr std::uint32_t kMostTurned = 512;
@@ -12,28 +18,24 @@ constexpr std::uint32_t kMostTurned = 512;
 /// Boxes along other axes are taken where they have less than this share of the area.
 constexpr double kWorthTurning = 0.9;
 
-constexpr std::size_t kLanes = TriangleBlock::kWidth;
-
-using FloatRow = std::array<float, kLanes>;
-
-/// Bounds of points in float, eight at a time, and the farthest 1-norm that went into them.
+/// Bounds of points in float, four at a time, and the farthest 1-norm that went into them.
 struct Bounds {
-  std::array<FloatRow, 3> lower;
-  std::array<FloatRow, 3> upper;
+  std::array<F4, 3> lower;
+  std::array<F4, 3> upper;
   double norm = 0;
 
   Bounds() {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      lower[axis].fill(std::numeric_limits<float>::infinity());
-      upper[axis].fill(-std::numeric_limits<float>::infinity());
-    }
+    lower.fill(lanes::splat(std::numeric_limits<float>::infinity()));
+    upper.fill(lanes::splat(-std::numeric_limits<float>::infinity()));
   }
 
   [[nodiscard]] Box box() const {
     Box box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.lower[axis] = *std::min_element(lower[axis].begin(), lower[axis].end());
-      box.upper[axis] = *std::max_element(upper[axis].begin(), upper[axis].end());
+      const F4 low = lower[axis];
+      const F4 high = upper[axis];
+      box.lower[axis] = std::min(std::min(low[0], low[1]), std::min(low[2], low[3]));
+      box.upper[axis] = std::max(std::max(high[0], high[1]), std::max(high[2], high[3]));
     }
     return box;
   }
@@ -56,21 +58,24 @@ struct View {
   void bound(const TriangleBlock& block, Bounds& bounds) const {
     const Vec3 place = along(axes, offset(block.origin));
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float x = axes[axis];
-      const float y = axes[3 + axis];
-      const float z = axes[6 + axis];
-      const auto at = static_cast<float>(place[axis]);
-      FloatRow& lower = bounds.lower[axis];
-      FloatRow& upper = bounds.upper[axis];
+      const F4 x = lanes::splat(axes[axis]);
+      const F4 y = lanes::splat(axes[3 + axis]);
+      const F4 z = lanes::splat(axes[6 + axis]);
+      const F4 at = lanes::splat(static_cast<float>(place[axis]));
+      F4 lower = bounds.lower[axis];
+      F4 upper = bounds.upper[axis];
       for (std::size_t c = 0; c < 9; c += 3) {
-        for (std::size_t k = 0; k < kLanes; ++k) {
-          const float v =
-              ((x * block.corner[c][k] + y * block.corner[c + 1][k]) + z * block.corner[c + 2][k]) +
+        for (std::size_t k = 0; k < TriangleBlock::kWidth; k += 4) {
+          const F4 v =
+              ((x * lanes::load(&block.corner[c][k]) + y * lanes::load(&block.corner[c + 1][k])) +
+               z * lanes::load(&block.corner[c + 2][k])) +
               at;
-          lower[k] = v < lower[k] ? v : lower[k];
-          upper[k] = v > upper[k] ? v : upper[k];
+          lower = lanes::min(lower, v);
+          upper = lanes::max(upper, v);
         }
       }
+      bounds.lower[axis] = lower;
+      bounds.upper[axis] = upper;
     }
     bounds.norm = std::max(bounds.norm, std::abs(place.x) + std::abs(place.y) + std::abs(place.z) +
                                             static_cast<double>(block.reach));
@@ -90,21 +95,12 @@ class Writer {
         frame_(frame),
         nodes_(nodes),
         blocks_(blocks),
-        block_moments_(blocks.size()),
         node_moments_(nodes.size()) {}
 
   void run() {
+    fetch();
     if (plan_.nodes.empty()) {
-      write_leaf(part_.nodes[plan_.root], 0);
-      return;
-    }
-    for (const WidePlan& wide : plan_.nodes) {
-      for (std::uint32_t k = 0; k < wide.count; ++k) {
-        const Node& below = part_.nodes[wide.slots[k]];
-        if (below.is_leaf()) {
-          write_leaf(below, wide.child[k]);
-        }
-      }
+      static_cast<void>(write_leaf(part_.nodes[plan_.root], 0, {}));
     }
     for (std::size_t i = plan_.nodes.size(); i-- > 0;) {
       nodes_[i] = make_node(i);
@@ -112,14 +108,24 @@ class Writer {
   }
 
  private:
-  void write_leaf(const Node& leaf, std::uint32_t block) {
+  /// Brings all corners of the part into the caches, many at a time.
+  void fetch() const {
+    const Node& root = part_.nodes.front();
+    fetch_corners(mesh_, primitives_.subspan(root.first, root.count));
+  }
+
+  /// Returns the moments of the leaf's triangles as seen from a place in units of the layout.
+  Moments write_leaf(const Node& leaf, std::uint32_t block, const View& view) {
+    Moments moments;
     for (std::uint32_t done = 0; done < leaf.count; done += TriangleBlock::kWidth, ++block) {
       const std::uint32_t left = leaf.count - done;
       const auto ids =
           primitives_.subspan(leaf.first + done, std::min(left, TriangleBlock::kWidth));
-      block_moments_[block] = make_block(mesh_, ids, frame_, blocks_[block]);
+      const Moments own = make_block(mesh_, ids, frame_, blocks_[block]);
+      moments.add(own, view.offset(blocks_[block].origin));
       blocks_[block].following = (left - 1) / TriangleBlock::kWidth & (WideNode::kMost - 1);
     }
+    return moments;
   }
 
   [[nodiscard]] WideNode make_node(std::size_t i) {
@@ -128,41 +134,33 @@ class Writer {
     WideNode node;
     node.count = static_cast<std::uint8_t>(plan.count);
     node.origin = frame_.middle(whole.bounds);
-    Lanes lanes;
+    const View view{kMeshAxes, node.origin, frame_.scale};
+    Moments& moments = node_moments_[i];
+    Lanes plain;
     for (std::size_t k = 0; k < plan.count; ++k) {
       const Node& below = part_.nodes[plan.slots[k]];
-      lanes.box[k] = {frame_.local(below.bounds.lower, node.origin),
+      plain.box[k] = {frame_.local(below.bounds.lower, node.origin),
                       frame_.local(below.bounds.upper, node.origin)};
-      lanes.give[k] = frame_.doubt(norm_of(lanes.box[k]), false);
+      plain.give[k] = frame_.doubt(norm_of(plain.box[k]), false);
       if (below.is_leaf()) {
         set_leaf(node, static_cast<std::uint32_t>(k), plan_.block_base + plan.child[k],
                  below.count);
+        moments.add(write_leaf(below, plan.child[k], view), {});
       } else {
         node.child[k] = plan_.node_base + plan.child[k];
-      }
-    }
-    if (whole.count <= kMostTurned) {
-      turn_if_smaller(i, lanes, node);
-    }
-    store(lanes, node);
-    return node;
-  }
-
-  void turn_if_smaller(std::size_t i, Lanes& lanes, WideNode& node) {
-    const WidePlan& plan = plan_.nodes[i];
-    View view{kMeshAxes, node.origin, frame_.scale};
-    Moments& moments = node_moments_[i];
-    for (std::size_t k = 0; k < plan.count; ++k) {
-      const Node& below = part_.nodes[plan.slots[k]];
-      if (below.is_leaf()) {
-        for (std::uint32_t b = plan.child[k]; b < end_of_lane(plan, k); ++b) {
-          moments.add(block_moments_[b], view.offset(blocks_[b].origin));
-        }
-      } else {
         moments.add(node_moments_[plan.child[k]], view.offset(nodes_[plan.child[k]].origin));
       }
     }
-    view.axes = axes_of(moments);
+    if (whole.count <= kMostTurned) {
+      turn_if_smaller(i, plain, node);
+    }
+    store(plain, node);
+    return node;
+  }
+
+  void turn_if_smaller(std::size_t i, Lanes& plain, WideNode& node) {
+    const WidePlan& plan = plan_.nodes[i];
+    const View view{axes_of(node_moments_[i]), node.origin, frame_.scale};
     if (view.axes == kMeshAxes) {
       return;
     }
@@ -176,11 +174,11 @@ class Writer {
       }
       turned.box[k] = bounds.box();
       turned.give[k] = frame_.doubt(norm_of(turned.box[k]), true) + 0x1p-18 * bounds.norm;
-      before += half_area(lanes.box[k]);
+      before += half_area(plain.box[k]);
       after += half_area(turned.box[k]);
     }
     if (after < kWorthTurning * before) {
-      lanes = turned;
+      plain = turned;
       for (std::size_t k = 0; k < view.axes.size(); ++k) {
         node.row[k / 3][k % 3] = view.axes[k];
       }
@@ -206,8 +204,7 @@ class Writer {
   const Frame& frame_;
   std::span<WideNode> nodes_;
   std::span<TriangleBlock> blocks_;
-  std::vector<Moments> block_moments_;
-  std::vector<Moments> node_moments_;  ///< about the nodes' origins; of small nodes only
+  std::vector<Moments> node_moments_;  ///< about the nodes' origins
 };
 
 }  // namespace

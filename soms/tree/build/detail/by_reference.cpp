@@ -23,7 +23,7 @@ class ByReference {
   Forest run() {
     Cells sorted = sort_into_cells(mesh_, parallel_);
     forest_.ids.resize(mesh_.triangles.size());
-    references_.resize(mesh_.triangles.size());
+    references_ = std::move(sorted.spare);
     divide_upper(sorted);
     gather(sorted);
     sorted = {};

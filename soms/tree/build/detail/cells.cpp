@@ -1,5 +1,7 @@
 #include "soms/tree/build/detail/cells.h"
 
+#include "soms/tree/layout/widen.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -153,6 +155,68 @@ struct Bin {
   std::uint32_t count = 0;
 };
 
+/// Cells by where their middles lie, on each axis.
+struct Histogram {
+  std::array<std::array<Bin, kBins>, 3> bins;
+  F4 lower;                    ///< twice the least middle
+  F4 scale = lanes::splat(0);  ///< to bins; 0 where all middles agree
+  std::uint32_t triangles = 0;
+
+  explicit Histogram(std::span<const Cell> cells) {
+    Box4 middles;
+    for (const Cell& cell : cells) {
+      middles.grow(cell.box.lower + cell.box.upper);
+    }
+    lower = middles.lower;
+    const F4 extent = middles.upper - lower;
+    for (std::size_t k = 0; k < 3; ++k) {
+      scale[k] = extent[k] > 0x1p-100F ? static_cast<float>(kBins) * (1 - 0x1p-20F) / extent[k] : 0;
+    }
+    for (const Cell& cell : cells) {
+      triangles += cell.crowd.count;
+      for (std::size_t k = 0; k < 3; ++k) {
+        Bin& bin = bins[k][bin_of(cell, k)];
+        bin.box.grow(cell.box);
+        bin.count += cell.crowd.count;
+      }
+    }
+  }
+
+  [[nodiscard]] std::size_t bin_of(const Cell& cell, std::size_t axis) const {
+    const F4 place = (cell.box.lower + cell.box.upper - lower) * scale;
+    return static_cast<std::size_t>(static_cast<std::int32_t>(place[axis]));
+  }
+};
+
+struct Candidate {
+  float cost = std::numeric_limits<float>::infinity();
+  std::size_t axis = 0;
+  std::size_t first_right = 0;  ///< a bin; 0 when nothing was found
+};
+
+/// The cheapest bound between bins of an axis that beats `best`.
+void improve(Candidate& best, const Histogram& h, std::size_t axis) {
+  const auto& bins = h.bins[axis];
+  std::array<float, kBins> right;
+  Box4 box;
+  std::uint32_t count = 0;
+  for (std::size_t i = kBins - 1; i > 0; --i) {
+    box.grow(bins[i].box);
+    count += bins[i].count;
+    right[i] = count > 0 ? box.half_area() * static_cast<float>(count) : 0;
+  }
+  box = Box4{};
+  count = 0;
+  for (std::size_t i = 1; i < kBins; ++i) {
+    box.grow(bins[i - 1].box);
+    count += bins[i - 1].count;
+    const float cost = box.half_area() * static_cast<float>(count) + right[i];
+    if (count > 0 && count < h.triangles && cost < best.cost) {
+      best = {cost, axis, i};
+    }
+  }
+}
+
 }  // namespace
 
 Cells sort_into_cells(const Mesh& mesh, const Parallel& parallel) {
@@ -174,66 +238,34 @@ Cells sort_into_cells(const Mesh& mesh, const Parallel& parallel) {
   for (const Crowd& crowd : crowds) {
     all.middles.grow(crowd.middles);
   }
+  if (count <= layout::kPartTriangles) {
+    Cells whole;
+    whole.cells.emplace_back();
+    for (const Reference& r : references) {
+      add(whole.cells.back(), r);
+    }
+    whole.references = std::move(references);
+    whole.spare.resize(count);
+    return whole;
+  }
   const Grid grid(all, count);
-  Cells result{scattered(references, grid, quiet), {}};
+  Cells result{scattered(references, grid, quiet), {}, {}};
+  result.spare = std::move(references);
   result.cells = cells_of(result.references, grid);
   return result;
 }
 
 std::size_t divide_cells(std::span<Cell> cells) {
-  Box4 middles;
-  for (const Cell& cell : cells) {
-    middles.grow(cell.box.lower + cell.box.upper);
-  }
-  std::array<std::array<Bin, kBins>, 3> bins;
-  const F4 extent = middles.upper - middles.lower;
-  F4 scale = lanes::splat(0);
-  std::uint32_t total = 0;
+  const Histogram h(cells);
+  Candidate best;
   for (std::size_t k = 0; k < 3; ++k) {
-    scale[k] = extent[k] > 0x1p-100F ? static_cast<float>(kBins) * (1 - 0x1p-20F) / extent[k] : 0;
+    improve(best, h, k);
   }
-  const auto bin_of = [&](const Cell& cell) {
-    return (cell.box.lower + cell.box.upper - middles.lower) * scale;
-  };
-  for (const Cell& cell : cells) {
-    const F4 place = bin_of(cell);
-    total += cell.crowd.count;
-    for (std::size_t k = 0; k < 3; ++k) {
-      Bin& bin = bins[k][static_cast<std::size_t>(static_cast<std::int32_t>(place[k]))];
-      bin.box.grow(cell.box);
-      bin.count += cell.crowd.count;
-    }
-  }
-  float least = std::numeric_limits<float>::infinity();
-  std::size_t axis = 0;
-  std::size_t first_right = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    std::array<float, kBins> right;
-    Box4 box;
-    std::uint32_t count = 0;
-    for (std::size_t i = kBins - 1; i > 0; --i) {
-      box.grow(bins[k][i].box);
-      count += bins[k][i].count;
-      right[i] = count > 0 ? box.half_area() * static_cast<float>(count) : 0;
-    }
-    box = Box4{};
-    count = 0;
-    for (std::size_t i = 1; i < kBins; ++i) {
-      box.grow(bins[k][i - 1].box);
-      count += bins[k][i - 1].count;
-      const float cost = box.half_area() * static_cast<float>(count) + right[i];
-      if (count > 0 && count < total && cost < least) {
-        least = cost;
-        axis = k;
-        first_right = i;
-      }
-    }
-  }
-  if (first_right == 0) {
+  if (best.first_right == 0) {
     return cells.size() / 2;  // all middles are one
   }
   const auto middle = std::stable_partition(cells.begin(), cells.end(), [&](const Cell& cell) {
-    return static_cast<std::size_t>(static_cast<std::int32_t>(bin_of(cell)[axis])) < first_right;
+    return h.bin_of(cell, best.axis) < best.first_right;
   });
   return static_cast<std::size_t>(middle - cells.begin());
 }

@@ -19,10 +19,12 @@ struct Cell {
 
 struct Cells {
   layout::Pages<Reference> references;
+  layout::Pages<Reference> spare;  ///< as many, of no meaning: memory that is at hand
   std::vector<Cell> cells;
 };
 
-/// Makes references of all triangles and sorts them by cell. The same for any number of threads.
+/// Makes references of all triangles and sorts them by cell; what fits a subtree is one cell. The
+/// same for any number of threads.
 [[nodiscard]] Cells sort_into_cells(const Mesh& mesh, const Parallel& parallel);
 
 /// Brings the cells of the left side to the front by the cheapest plane of area times triangles;

@@ -1,24 +1,12 @@
 #include "soms/tree/build/detail/forest.h"
 
+#include "soms/tree/layout/fetch.h"
+
 #include <algorithm>
 
 namespace soms::detail {
 
 namespace {
-
-/// Brings what the bounds of the next triangles need into the caches.
-void fetch(const Mesh& mesh, std::span<const TriangleId> ids, std::size_t i) {
-  constexpr std::size_t kCornersAhead = 16;
-  constexpr std::size_t kIndicesAhead = 40;
-  if (i + kIndicesAhead < ids.size()) {
-    __builtin_prefetch(&mesh.triangles[ids[i + kIndicesAhead]]);
-  }
-  if (i + kCornersAhead < ids.size()) {
-    for (const std::uint32_t corner : mesh.triangles[ids[i + kCornersAhead]]) {
-      __builtin_prefetch(&mesh.vertices[corner]);
-    }
-  }
-}
 
 void bound_leaf(Node& leaf, const Mesh& mesh, std::span<TriangleId> ids) {
   const auto run = ids.subspan(leaf.first, leaf.count);
@@ -64,10 +52,7 @@ Parallel within(const Parallel& parallel, double from, double to) {
 }
 
 void find_bounds(std::span<Node> subtree, const Mesh& mesh, std::span<TriangleId> ids) {
-  const auto run = ids.subspan(subtree.front().first, subtree.front().count);
-  for (std::size_t i = 0; i < run.size(); ++i) {
-    fetch(mesh, run, i);
-  }
+  layout::fetch_corners(mesh, ids.subspan(subtree.front().first, subtree.front().count));
   // Children follow their parents, so the last node comes first.
   for (std::size_t i = subtree.size(); i-- > 0;) {
     Node& node = subtree[i];
