@@ -97,7 +97,8 @@ struct BroadPhase::State {
   [[nodiscard]] bool keep(std::span<const Box> boxes);
   void catch_escaped(std::span<const Box> boxes);
   void start_anew(std::span<const Box> boxes);
-  void enlarge(std::span<const Box> boxes);
+  void take_as_they_are(std::span<const Box> boxes);
+  bool enlarge(std::span<const Box> boxes);
   void ask_index(std::span<const Box> boxes);
   std::span<const BoxPair> decide(std::span<const Box> boxes);
 };
@@ -162,16 +163,23 @@ void BroadPhase::State::catch_escaped(std::span<const Box> boxes) {
   pace.spend(escaped.size() * boxes.size() / 25 + rows.size() / 5);
 }
 
-/// Larger boxes for all, each along the way that its box took since all was made anew.
-void BroadPhase::State::enlarge(std::span<const Box> boxes) {
+void BroadPhase::State::take_as_they_are(std::span<const Box> boxes) {
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    large[k] = boxes[k].empty() ? detail::kNoBox : map(boxes[k]);
+  }
+}
+
+/// Larger boxes for all, each along the way that its box took since all was made anew. \returns
+/// false if all are as they are.
+bool BroadPhase::State::enlarge(std::span<const Box> boxes) {
   const bool knows_ways = base.size() == boxes.size() && pace.age() > 0;
   const double scale = map.scale / static_cast<double>(std::max<std::uint64_t>(1, pace.age()));
   large.resize(boxes.size());
   is_escaped.assign(boxes.size(), 0);
+  take_as_they_are(boxes);
   double sides = 0;
   double speeds = 0;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
-    large[k] = boxes[k].empty() ? detail::kNoBox : map(boxes[k]);
     if (!boxes[k].empty()) {
       sides += static_cast<double>(longest_side(large[k]));
       if (knows_ways && !base[k].empty()) {
@@ -188,6 +196,7 @@ void BroadPhase::State::enlarge(std::span<const Box> boxes) {
                        kAside, kMostGrowth * (usual_side + longest_side(large[k])));
     }
   }
+  return calls > 0;
 }
 
 void BroadPhase::State::start_anew(std::span<const Box> boxes) {
@@ -198,9 +207,15 @@ void BroadPhase::State::start_anew(std::span<const Box> boxes) {
     return;
   }
   map = detail::FloatMap::of(boxes);
-  enlarge(boxes);
+  const bool enlarged = enlarge(boxes);
+  auto found = columns.find(large);
+  if (!found && enlarged) {
+    pace.look_less_far();
+    take_as_they_are(boxes);
+    found = columns.find(large);
+  }
   base.assign(boxes.begin(), boxes.end());
-  if (const auto found = columns.find(large)) {
+  if (found) {
     has_grid = true;
     next_without_grid = 1;
     rows.assign(boxes.size(), *found);

@@ -43,6 +43,15 @@ TEST(Pace, TrustsNoWaysOfAJump) {
   EXPECT_GT(pace.next(1), 0U);
 }
 
+TEST(Pace, LooksLessFarWhenBoxesBecameTooLarge) {
+  detail::Pace pace;
+  pace.start(1000, 0);
+  pace.pass();
+  const std::uint32_t calls = pace.next(1);
+  pace.look_less_far();
+  EXPECT_LT(pace.next(1), calls);
+}
+
 }  // namespace
 
 }  // namespace soms

@@ -43,6 +43,22 @@ class SomsMatch final : public Match {
   bool batch_;
 };
 
+class SomsCrowd final : public Crowd {
+ public:
+  std::uint64_t step(std::span<const FloatBox> boxes) override {
+    boxes_.clear();
+    for (const FloatBox& box : boxes) {
+      boxes_.push_back(
+          {{box.lower[0], box.lower[1], box.lower[2]}, {box.upper[0], box.upper[1], box.upper[2]}});
+    }
+    return phase_.find(boxes_).size();
+  }
+
+ private:
+  std::vector<Box> boxes_;
+  BroadPhase phase_;
+};
+
 class Soms final : public Contestant {
  public:
   explicit Soms(bool batch) : batch_(batch) {}
@@ -51,8 +67,12 @@ class Soms final : public Contestant {
 
   [[nodiscard]] std::string version() const override { return SOMS_VERSION; }
 
-  [[nodiscard]] bool does(Job job) const override {
-    return job == Job::any || (!batch_ && job != Job::broad);
+  [[nodiscard]] bool does(Job job) const override { return job == Job::any || !batch_; }
+
+  [[nodiscard]] bool keeps_tree() const override { return true; }
+
+  [[nodiscard]] std::unique_ptr<Crowd> crowd(std::span<const FloatBox> /*boxes*/) const override {
+    return std::make_unique<SomsCrowd>();
   }
 
   [[nodiscard]] std::unique_ptr<Match> prepare(const FloatMesh& mover,

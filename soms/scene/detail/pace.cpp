@@ -52,6 +52,13 @@ std::uint32_t Pace::next(double speed) {
   return calls_;
 }
 
+void Pace::look_less_far() {
+  at_ = at_ > 2 ? at_ - 2 : 0;
+  up_ = false;
+  last_cost_ = 0;
+  calls_ = 0;
+}
+
 void Pace::start(std::uint64_t work, std::uint64_t pairs) {
   age_ = 0;
   spent_ = work;

@@ -28,6 +28,9 @@ class Pace {
   /// Calls to make boxes larger for when all is made anew; `speed` is how far boxes moved a call.
   [[nodiscard]] std::uint32_t next(double speed);
 
+  /// The boxes became too large for a grid.
+  void look_less_far();
+
   /// All was made anew by `work`, in entries of a grid, and `pairs` pairs are kept.
   void start(std::uint64_t work, std::uint64_t pairs);
 
@@ -35,7 +38,7 @@ class Pace {
   static constexpr std::array<std::uint32_t, 13> kLengths{0,  1,  2,  3,  4,  6, 8,
                                                           12, 16, 24, 32, 48, 64};
 
-  std::size_t at_ = 4;  ///< in kLengths
+  std::size_t at_ = 3;  ///< in kLengths
   bool up_ = true;
   std::uint32_t rest_ = 0;  ///< times to stay at length 0
   std::uint32_t calls_ = 0;
