@@ -3,15 +3,9 @@ set(SOMS_HEADERS
   build_options.h
   check.h
   implicit.h
-  lanes.h
-  layout/block.h
-  layout/fetch.h
-  layout/frame.h
-  layout/lay_out.h
   layout/orientation.h
   layout/pages.h
   layout/wide_tree.h
-  layout/widen.h
   option_names.h
   rule/rules.h
   rule/split.h
@@ -30,12 +24,12 @@ set(SOMS_SOURCES
   build_options.cpp
   check.cpp
   implicit.cpp
-  layout/block.cpp
-  layout/lay_out.cpp
+  layout/detail/block.cpp
+  layout/detail/lay_out.cpp
   layout/orientation.cpp
   layout/pages.cpp
   layout/wide_tree.cpp
-  layout/widen.cpp
+  layout/detail/widen.cpp
   option_names.cpp
   rule/object_mean.cpp
   rule/object_median.cpp

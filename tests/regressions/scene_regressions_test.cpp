@@ -97,7 +97,9 @@ TEST(SceneRegressions, R73MovesALargeBodyWithoutWorkOnItsTree) {
   scene.add_environment(Body(body, Pose::translation(1000, 0, 0)));
   const MoverId mover = scene.add_mover(Body(body));
   EXPECT_TRUE(scene.step().environment.empty());
-  const std::size_t memory = scene.memory();
+  scene.set_pose(mover, Pose::translation(0, 1, 2));
+  EXPECT_TRUE(scene.step().environment.empty());
+  const std::size_t memory = scene.memory();  // of a scene that has moved
   std::uint64_t nodes = 0;
   for (int k = 0; k < 100'000; ++k) {
     scene.set_pose(mover, Pose::translation(0.001 * k, 1, 2));

@@ -1,6 +1,6 @@
 #include "soms/tree/layout/wide_tree.h"
 
-#include "soms/tree/layout/widen.h"
+#include "soms/tree/layout/detail/widen.h"
 
 #include <algorithm>
 #include <cmath>

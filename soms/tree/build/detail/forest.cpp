@@ -1,6 +1,6 @@
 #include "soms/tree/build/detail/forest.h"
 
-#include "soms/tree/layout/fetch.h"
+#include "soms/tree/layout/detail/fetch.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/base/parallel.h"
-#include "soms/tree/layout/widen.h"
+#include "soms/tree/layout/detail/widen.h"
 #include "soms/tree/tree.h"
 
 #include <span>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "soms/geometry/mesh.h"
+#include "soms/tree/build/detail/lanes.h"
 #include "soms/tree/build_options.h"
-#include "soms/tree/lanes.h"
 
 #include <array>
 #include <cstdint>

@@ -1,8 +1,8 @@
-#include "soms/tree/layout/lay_out.h"
+#include "soms/tree/layout/detail/lay_out.h"
 
-#include "soms/tree/lanes.h"
-#include "soms/tree/layout/block.h"
-#include "soms/tree/layout/fetch.h"
+#include "soms/tree/build/detail/lanes.h"
+#include "soms/tree/layout/detail/block.h"
+#include "soms/tree/layout/detail/fetch.h"
 
 #include <limits>
 

@@ -2,7 +2,7 @@
 /// A leaf's triangles side by side.
 #pragma once
 
-#include "soms/tree/layout/frame.h"
+#include "soms/tree/layout/detail/frame.h"
 #include "soms/tree/layout/orientation.h"
 #include "soms/tree/layout/wide_tree.h"
 

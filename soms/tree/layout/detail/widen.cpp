@@ -1,8 +1,8 @@
-#include "soms/tree/layout/widen.h"
+#include "soms/tree/layout/detail/widen.h"
 
 #include "soms/base/error.h"
-#include "soms/tree/layout/block.h"
-#include "soms/tree/layout/lay_out.h"
+#include "soms/tree/layout/detail/block.h"
+#include "soms/tree/layout/detail/lay_out.h"
 
 namespace soms::layout {
 

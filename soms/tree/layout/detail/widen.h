@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/base/parallel.h"
-#include "soms/tree/layout/frame.h"
+#include "soms/tree/layout/detail/frame.h"
 #include "soms/tree/layout/wide_tree.h"
 
 #include <span>

@@ -1,4 +1,4 @@
-#include "soms/tree/layout/block.h"
+#include "soms/tree/layout/detail/block.h"
 
 namespace soms::layout {
 

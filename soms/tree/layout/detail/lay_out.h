@@ -2,7 +2,7 @@
 /// Writing the nodes and blocks of one part once their places are known.
 #pragma once
 
-#include "soms/tree/layout/widen.h"
+#include "soms/tree/layout/detail/widen.h"
 
 namespace soms::layout {
 
