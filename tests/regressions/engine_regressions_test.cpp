@@ -60,7 +60,7 @@ TEST(Regression, R73MovingABodyAllocatesNothing) {
   }
   Body body(shape);
   std::uint64_t apart = 0;
-  EXPECT_FALSE(overlap(Body(box(1, 1)), Body(box(1, 1), Pose::translation(9, 0, 0))).any);
+  EXPECT_TRUE(overlap(Body(box(1, 1)), Body(box(1, 1))).any);
   const test::AllocationWatch singly;  // the kernels were chosen by the query before
   for (std::size_t i = 0; i < 2000; ++i) {
     body.pose = poses[i];
