@@ -35,9 +35,18 @@ Mesh alike() {
 Mesh one_large() {
   Mesh mesh;
   // C is near, A and B are far: the midpoint lies left of the middle of the box.
-  add(mesh, {{24, 0, 0}, {8, 1, 0}, {0, 6, 0}});
+  add(mesh, {{8, 1, 0}, {24, 0, 0}, {0, 6, 0}});
   for (const double x : {1.0, 3.0, 5.0}) {
     add(mesh, around(x, 3, 1.4, 2));
+  }
+  return mesh;
+}
+
+Mesh each_larger() {
+  Mesh mesh;
+  // The midpoint of the largest lies at two fifths of its width, before the middle of the box.
+  for (const double size : {16.0, 8.0, 4.0, 2.0, 1.0}) {
+    add(mesh, {{0.6 * size, 0, 0}, {size, 0, 0}, {0, 0.4 * size, 0}});
   }
   return mesh;
 }
@@ -72,9 +81,23 @@ void add_tent(Mesh& mesh, double x, double y, double height) {
 
 std::vector<ToySet> flat_toy_sets() {
   return {{"alike", "Triangles alike", alike()},
-          {"one_large", "One triangle much larger", one_large()},
-          {"one_midpoint", "All midpoints equal", one_midpoint()},
+          {"one_large", "One triangle much larger", one_large(), true},
+          {"each_larger", "Each twice as large", each_larger(), true},
+          {"one_midpoint", "All midpoints equal", one_midpoint(), true},
           {"same_on_long_axis", "Midpoints equal on the long axis", same_on_long_axis()}};
+}
+
+ToySet grid_toy_set() {
+  Mesh mesh;
+  add(mesh, {{20, -2, 0}, {28, 2, 0}, {6, 2, 0}});  // its midpoint is (15, 1)
+  for (const double y : {1.0, 4.0}) {
+    for (const double x : {1.0, 3.0, 5.0, 7.0, 9.0, 11.0, 13.0, 15.0}) {
+      if (x < 15 || y > 1) {
+        add(mesh, around(x, y, 1.5, 1.5));
+      }
+    }
+  }
+  return {"grid", "Fifteen small triangles and a large one", std::move(mesh), true};
 }
 
 ToySet solid_toy_set() {
@@ -85,7 +108,7 @@ ToySet solid_toy_set() {
   add_tent(mesh, 5, 3, 2);
   add_tent(mesh, 6, 6.5, 4);
   add_tent(mesh, 9.5, 4.5, 2.5);
-  return {"houses", "Four houses on a large ground triangle", std::move(mesh)};
+  return {"houses", "Four houses on a large ground triangle", std::move(mesh), true};
 }
 
 ToySplit split_toy(const Mesh& mesh, Rule rule) {

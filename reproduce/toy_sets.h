@@ -16,11 +16,16 @@ struct ToySet {
   std::string name;   ///< snake_case, as in tables
   std::string title;  ///< for people
   Mesh mesh;
+  bool unlike = false;  ///< whether its triangles are of unlike size
 };
 
-/// Sets in the plane z = 0: triangles alike, one that is much larger than the others, midpoints
-/// that all agree, midpoints that agree on the longest axis of the outer box.
+/// Sets in the plane z = 0: triangles alike, one that is much larger than the others, each twice as
+/// large as the one before, midpoints that all agree, midpoints that agree on the longest axis of
+/// the outer box.
 [[nodiscard]] std::vector<ToySet> flat_toy_sets();
+
+/// Fifteen small triangles and a large one, in the plane z = 0; the midpoints are a regular grid.
+[[nodiscard]] ToySet grid_toy_set();
 
 /// Small houses on a large ground triangle, z up.
 [[nodiscard]] ToySet solid_toy_set();

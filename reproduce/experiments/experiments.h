@@ -53,11 +53,13 @@ namespace soms::reproduce {
 /// The object and from where its like comes at it. \source thesis, figure 3.8.
 [[nodiscard]] Result figure_3_8(const Context& context);
 
-/// The urban scenes, drawn. \source thesis, figure 3.9.
+/// The urban scenes beside the object that moves through them. \source thesis, figure 3.9.
 [[nodiscard]] Result figure_3_9(const Context& context);
 
-/// Each rule's plane on small sets: object median, object mean, the boxes that count, spatial
-/// median, SOMS, and all rules in space. \source thesis, figures 4.2 to 4.7.
+/// Small sets: the planes of the common rules, levels of trees, where spatial median fails, the
+/// boxes that count, SOMS in pseudo code, its plane, and all rules in space.
+/// \source  thesis, figures 4.1 to 4.7.
+[[nodiscard]] Result figure_4_1(const Context& context);
 [[nodiscard]] Result figure_4_2(const Context& context);
 [[nodiscard]] Result figure_4_3(const Context& context);
 [[nodiscard]] Result figure_4_4(const Context& context);
@@ -71,7 +73,8 @@ namespace soms::reproduce {
 /// What pruning saves, in counts and as a picture. \source thesis, figure 4.35.
 [[nodiscard]] Result figure_4_35(const Context& context);
 
-/// The city's tree at levels 1, 3, 5 and 7. \source thesis, figures 4.41 to 4.44.
+/// The city whole and as it is loaded, its way through a 3DS file, and its tree level by level.
+/// \source  thesis, figures 4.41 to 4.44.
 [[nodiscard]] Result figure_4_41(const Context& context);
 [[nodiscard]] Result figure_4_42(const Context& context);
 [[nodiscard]] Result figure_4_43(const Context& context);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace soms::reproduce {
@@ -31,6 +33,36 @@ TEST(ToySets, HaveTheMidpointsTheyAreMadeFor) {
   EXPECT_EQ(large.midpoints.front(), (Vec3{8, 3.25, 0}));
   const ToySplit one = split_toy(flat("one_midpoint"), Rule::soms);
   EXPECT_EQ(one.inner.lower, one.inner.upper);
+}
+
+/// Area of the largest triangle over that of the smallest.
+double spread_of(const Mesh& mesh) {
+  double least = 1e300;
+  double most = 0;
+  for (TriangleId id = 0; id < mesh.triangles.size(); ++id) {
+    const Triangle t = mesh.triangle(id);
+    const Vec3 normal = cross(t.b - t.a, t.c - t.a);
+    least = std::min(least, dot(normal, normal));
+    most = std::max(most, dot(normal, normal));
+  }
+  return std::sqrt(most / least);
+}
+
+TEST(ToySets, AreMarkedUnlikeWhereTheLargestTriangleIsAtLeastFourTimesTheSmallest) {
+  std::vector<ToySet> sets = flat_toy_sets();
+  sets.push_back(grid_toy_set());
+  sets.push_back(solid_toy_set());
+  for (const ToySet& set : sets) {
+    EXPECT_EQ(spread_of(set.mesh) >= 4, set.unlike) << set.name;
+  }
+}
+
+TEST(ToySets, TheGridHasItsMidpointsInTwoRowsOfEight) {
+  const ToySplit split = split_toy(grid_toy_set().mesh, Rule::soms);
+  EXPECT_EQ(split.midpoints.size(), 16U);
+  EXPECT_EQ(split.midpoints.front(), (Vec3{15, 1, 0}));
+  EXPECT_EQ(split.inner, (Box{{1, 1, 0}, {15, 4, 0}}));
+  EXPECT_EQ(split.left_count, 8U);
 }
 
 TEST(ToySets, ObjectMedianHalvesByCountEverywhere) {
@@ -66,6 +98,8 @@ TEST(ToySets, SpatialMedianHalvesTheOuterBoxAndFailsBesideOneLargeTriangle) {
   EXPECT_EQ(large.plane, 12);
   EXPECT_EQ(large.left_count, 4U);
   EXPECT_FALSE(large.divides());
+  EXPECT_EQ(split_toy(flat("each_larger"), Rule::spatial_median).plane, 8);
+  EXPECT_FALSE(split_toy(flat("each_larger"), Rule::spatial_median).divides());
   EXPECT_FALSE(split_toy(flat("one_midpoint"), Rule::spatial_median).divides());
   EXPECT_FALSE(split_toy(flat("same_on_long_axis"), Rule::spatial_median).divides());
 }
