@@ -2,6 +2,8 @@
 
 #include "soms/tree/build.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -17,6 +19,9 @@ constexpr std::array<std::string_view, 4> kBuilt{"model", "rule", "level", "node
 /// Last, so that a reader meets the times before them.
 constexpr std::array<std::string_view, 5> kOptions{"triangles", "origin", "midpoint", "axis_from",
                                                    "empty_side"};
+
+/// Models of more triangles are larger than the thesis' and are built less often.
+constexpr std::size_t kLarge = 10'000;
 
 /// Builds before those that count.
 int warm_up(int repetitions) {
@@ -53,14 +58,30 @@ Cell above(const TimedBuild& one, const TimedBuild* base) {
 }  // namespace
 
 int repetitions(const Context& context, int whole, const Model& model) {
-  constexpr std::size_t large = 10'000;
   const int usual = context.repetitions(whole);
   const std::size_t triangles = model.mesh->triangles.size();
-  if (triangles <= large) {
+  if (triangles <= kLarge) {
     return usual;
   }
-  const auto fewer = static_cast<std::size_t>(usual) * large / triangles;
+  const auto fewer = static_cast<std::size_t>(usual) * kLarge / triangles;
   return std::min(usual, std::max(5, static_cast<int>(fewer)));
+}
+
+std::string words_on_repetitions(const Context& context, int whole, RepetitionsOf whose,
+                                 std::span<const Model> models) {
+  const int usual = context.repetitions(whole);
+  const bool fewer = std::any_of(models.begin(), models.end(), [](const Model& model) {
+    return model.mesh->triangles.size() > kLarge;
+  });
+  const auto number = [](int count) { return words(static_cast<std::uint64_t>(count)); };
+  return fmt::format(
+      " Each tree is built {} times{}, {}{}.", number(usual),
+      usual == whole ? "" : fmt::format(" ({} in a whole run)", number(whole)),
+      whose == RepetitionsOf::thesis ? "the number of the thesis' caption"
+                                     : "a number of ours, for the thesis' caption names none",
+      fewer ? fmt::format("; of a model of more than {} triangles fewer times, see column builds",
+                          words(kLarge))
+            : "");
 }
 
 std::size_t rounds(int repetitions) {

@@ -24,6 +24,14 @@ struct TimedBuild {
 /// 10,000 triangles, which are larger than the thesis': so a city of the user's ends too.
 [[nodiscard]] int repetitions(const Context& context, int whole, const Model& model);
 
+/// Whose a number of repetitions is.
+enum class RepetitionsOf { thesis, ours };
+
+/// " Each tree is built 100 times (1,000 in a whole run), ...": how often `time_builds` builds each
+/// tree of these models, whose number that is, and that large models get fewer, if one is.
+[[nodiscard]] std::string words_on_repetitions(const Context& context, int whole,
+                                               RepetitionsOf whose, std::span<const Model> models);
+
 /// Steps that `time_builds` takes: the repetitions and the warm-up before them.
 [[nodiscard]] std::size_t rounds(int repetitions);
 

@@ -6,6 +6,7 @@
 #include "soms/tree/build_options.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace soms::reproduce {
@@ -17,6 +18,11 @@ struct Contender {
   bool of_thesis = false;  ///< one of the four rules of the thesis
   BuildOptions options = {};
 };
+
+/// What `thesis_options` sets, for captions of tables and charts that have no columns for it.
+inline constexpr std::string_view kThesisOptions =
+    " Rules of the thesis with the thesis' options: midpoint thesis, axis of the outer box (SOMS: "
+    "inner), empty side stop, C = 2.";
 
 /// Object median, object mean, spatial median and SOMS with the thesis' options, in this order.
 [[nodiscard]] std::vector<Contender> thesis_rules(int level);

@@ -82,8 +82,9 @@ Result by_level(const Context& context, const std::string& id, std::span<const M
   const std::vector<Contender> contenders = at_every_level(greatest, limited_builds);
   const std::string caption = fmt::format(
       "Build time by greatest level; percentages are of the median at level {}: of_level is what "
-      "the level adds to the one before, up_to_level all so far.{}",
-      greatest, note_on_stand_ins(models));
+      "the level adds to the one before, up_to_level all so far.{}{}{}",
+      greatest, words_on_repetitions(context, whole, RepetitionsOf::ours, models), kThesisOptions,
+      note_on_stand_ins(models));
   Table table{.id = id, .caption = caption, .columns = columns_of(kBuilt)};
   table.columns.push_back({"builds"});
   for (const char* const name : {"median", "lower_quartile", "upper_quartile"}) {
@@ -105,8 +106,8 @@ Result by_level(const Context& context, const std::string& id, std::span<const M
     add_rows(table, builds, greatest);
     result.figures.push_back(
         {.id = fmt::format("{}_{}", id, result.figures.size() + 1),
-         .caption = fmt::format("Build time of {} by greatest level, medians and quartiles.",
-                                label_of(model)),
+         .caption = fmt::format("Build time of {} by greatest level, medians and quartiles.{}",
+                                label_of(model), kThesisOptions),
          .svg = draw(chart_of(model, builds, limited_builds(greatest))),
          .timed = true});
   }

@@ -2,6 +2,7 @@
 
 #include "soms/generate/shapes.h"
 
+#include "reproduce/build_claims.h"
 #include "reproduce/experiments/experiments.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace soms::reproduce {
 namespace {
@@ -137,6 +139,89 @@ TEST(BuildTimes, ClaimOfEightPercentCannotBeCheckedOnAStandIn) {
     EXPECT_TRUE(finding.timed);
     EXPECT_FALSE(finding.measured.empty());
   }
+}
+
+/// SOMS in `soms` ms at a level, spatial median in 1 ms.
+BuildPair pair_of(const Model& model, int level, double soms) {
+  BuildPair pair;
+  pair.soms.counted = {&model, {"soms", "SOMS", true, thesis_options(Rule::soms, level)}, {}};
+  pair.soms.timing.median = soms;
+  pair.spatial_median.counted = {
+      &model,
+      {"spatial_median", "spatial median", true, thesis_options(Rule::spatial_median, level)},
+      {}};
+  pair.spatial_median.timing.median = 1;
+  return pair;
+}
+
+TEST(BuildTimes, ClaimOfEightPercentHoldsOnlyIfItDoesAtBothLevels) {
+  Mesh mesh = generate_sphere(20);
+  mesh.triangles.assign(948, mesh.triangles.front());
+  Model given = model_of("given", mesh);
+  given.stand_in = false;
+  const auto verdict = [&](double at_balanced, double at_greatest) {
+    return eight_percent(pair_of(given, 6, at_balanced), pair_of(given, 15, at_greatest));
+  };
+  EXPECT_EQ(verdict(0.90, 0.91).verdict, Verdict::holds);
+  EXPECT_EQ(verdict(0.93, 1.10).verdict, Verdict::does_not_hold);
+  const Finding balanced_only = verdict(0.90, 0.98);
+  EXPECT_EQ(balanced_only.verdict, Verdict::holds_under_options);
+  EXPECT_NE(balanced_only.reason.find("balanced level, 6, but not at level 15"), std::string::npos)
+      << balanced_only.reason;
+  const Finding greatest_only = verdict(0.98, 0.90);
+  EXPECT_EQ(greatest_only.verdict, Verdict::holds_under_options);
+  EXPECT_NE(greatest_only.reason.find("at level 15, but not at SOMS' balanced level, 6"),
+            std::string::npos)
+      << greatest_only.reason;
+}
+
+TEST(BuildTimes, ClaimsOf948TrianglesSayWhyAnotherObjectCannotShowThem) {
+  Model other = model_of("other", generate_sphere(80));
+  Model stand_in = other;
+  other.stand_in = false;
+  const std::string count = std::to_string(other.mesh->triangles.size());
+  for (const auto& [model, part] : {std::pair<const Model*, std::string>{&other, count},
+                                    {&stand_in, std::string("a stand-in was timed")}}) {
+    const Finding percent = eight_percent(pair_of(*model, 6, 0.5), pair_of(*model, 15, 0.5));
+    const Finding time = forty_three_milliseconds(pair_of(*model, 6, 0.5).soms);
+    for (const Finding& finding : {percent, time}) {
+      EXPECT_EQ(finding.verdict, Verdict::cannot_be_checked);
+      EXPECT_NE(finding.reason.find(part), std::string::npos) << finding.reason;
+    }
+  }
+}
+
+TEST(BuildTimes, CaptionsTellOptionsAndWhoseTheRepetitionsAre) {
+  const Models models = small_models();
+  const Context context{.models = models, .quick = true};
+  for (const auto run : kTimed) {
+    const Result result = run(context);
+    const std::string& caption = result.tables.front().caption;
+    const std::string& id = result.tables.front().id;
+    EXPECT_NE(caption.find(kThesisOptions), std::string::npos) << caption;
+    const bool of_thesis = id == "figure_5_4" || id == "figure_5_5" || id == "table_5_8";
+    EXPECT_EQ(caption.find("a number of ours") == std::string::npos, of_thesis) << caption;
+    const bool average = of_thesis || id == "figure_5_2" || id == "figure_5_3";
+    EXPECT_EQ(result.figures.front().caption.find("caption says average") != std::string::npos,
+              average)
+        << result.figures.front().caption;
+    for (const Figure& figure : result.figures) {
+      EXPECT_NE(figure.caption.find(kThesisOptions), std::string::npos) << figure.id;
+    }
+  }
+}
+
+TEST(BuildTimes, WordsOnRepetitionsTellOfQuickRunsAndLargeModels) {
+  const Models models;
+  const std::array small{model_of("small", generate_sphere(80))};
+  const std::array large{model_of("large", generate_knot(40'000))};
+  EXPECT_EQ(words_on_repetitions({.models = models}, 1000, RepetitionsOf::thesis, small),
+            " Each tree is built 1,000 times, the number of the thesis' caption.");
+  EXPECT_EQ(
+      words_on_repetitions({.models = models, .quick = true}, 100, RepetitionsOf::ours, large),
+      " Each tree is built 10 times (100 in a whole run), a number of ours, for the thesis' "
+      "caption "
+      "names none; of a model of more than 10,000 triangles fewer times, see column builds.");
 }
 
 TEST(BuildTimes, LargeModelsAreBuiltFewerTimes) {
