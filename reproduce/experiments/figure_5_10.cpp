@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace soms::reproduce {
@@ -19,6 +21,9 @@ constexpr double kClaimedMilliseconds = 0.2;
 
 /// A difference in time that repeated runs of one program may show.
 constexpr double kNoise = 0.03;
+
+/// So many times the box tests matter more than the order in which they are made.
+constexpr double kFarMore = 2;
 
 /// Larsson's traversal is taken to be the simultaneous one; E-Node opens the same nodes; the third
 /// is E-Node as it suits a small object in a city.
@@ -33,6 +38,10 @@ std::array<Walk, compared> compared_walks() {
 constexpr std::array<std::string_view, compared> kTitles{"Larsson's DFS (simultaneous)", "E-Node",
                                                          "E-Node, larger node first"};
 
+double ratio(std::uint64_t one, std::uint64_t other) {
+  return static_cast<double>(one) / static_cast<double>(std::max<std::uint64_t>(1, other));
+}
+
 /// A trip by all walks.
 struct Match {
   Trip trip;
@@ -44,6 +53,20 @@ struct Match {
 
   /// The bodies come near each other at all.
   [[nodiscard]] bool meets() const { return sum(larsson).root_overlap_frames > 0; }
+
+  [[nodiscard]] bool is_drive() const { return trip.test == "drive"; }
+
+  /// How many times the box tests of E-Node that opens the larger node Larsson's DFS makes.
+  [[nodiscard]] double tests_over_larger() const {
+    return ratio(sum(larsson).counts.box_tests, sum(e_node_larger).counts.box_tests);
+  }
+
+  /// The median over the frames with root overlap of E-Node's time to Larsson's, frame by frame: a
+  /// frame in which the machine did something else does not decide.
+  [[nodiscard]] double e_node_share() const {
+    return median_ratio_where_roots_overlap(times[e_node].collision, times[larsson].collision,
+                                            frames[larsson]);
+  }
 
   /// Mean milliseconds of a frame with root overlap, collision only.
   [[nodiscard]] double mean_time(std::size_t walk) const {
@@ -85,9 +108,8 @@ void run(Match& match, const Context& context) {
                       match.trip.moving, match.trip.still, k, walks[i].name, walks[larsson].name));
     }
   }
-  const bool drive = match.trip.test == "drive";
-  match.times =
-      time_frames(match.trip, walks, context.repetitions(drive ? 20 : 50), context.parallel);
+  match.times = time_frames(match.trip, walks, context.repetitions(match.is_drive() ? 20 : 50),
+                            context.parallel);
 }
 
 std::vector<Cell> name_cells(const Match& match, std::size_t walk) {
@@ -101,8 +123,9 @@ Table sum_table(const std::vector<Match>& matches) {
   Table table{.id = "figure_5_10",
               .caption = fmt::format("E-Node against Larsson's DFS: counts summed over all frames, "
                                      "and milliseconds of collision detection over the frames in "
-                                     "which the roots overlap (trees of level {}, scenes {}).",
-                                     kObjectLevel, kSceneLevel),
+                                     "which the roots overlap (trees of level {}, scenes {}); the "
+                                     "numbers of repetitions are ours.{}",
+                                     kObjectLevel, kSceneLevel, kThesisOptions),
               .columns = kNameColumns};
   for (const char* const name : {"frames", "root_overlap_frames", "hit_frames"}) {
     table.columns.push_back({name});
@@ -132,9 +155,10 @@ Table sum_table(const std::vector<Match>& matches) {
 
 Table frame_table(const std::vector<Match>& matches) {
   Table table{.id = "figure_5_10_frames",
-              .caption =
-                  "E-Node against Larsson's DFS, every frame on SOMS trees; times are medians "
-                  "of collision detection.",
+              .caption = fmt::format(
+                  "E-Node against Larsson's DFS, every frame on SOMS trees (level {}, scenes {}); "
+                  "times are medians of collision detection.{}",
+                  kObjectLevel, kSceneLevel, kThesisOptions),
               .columns = kNameColumns};
   table.columns.push_back({"frame"});
   table.columns.push_back({"root_overlap"});
@@ -180,8 +204,14 @@ Figure chart(const std::string& id, const Match& match) {
   return {.id = id,
           .caption = fmt::format("Milliseconds of collision detection by frame, {} past {} on {} "
                                  "trees: E-Node follows Larsson's DFS, for it makes the same box "
-                                 "tests; what it opens decides.",
-                                 match.trip.moving, match.trip.still, match.title),
+                                 "tests{}.{}",
+                                 match.trip.moving, match.trip.still, match.title,
+                                 match.is_drive() && match.tests_over_larger() >= kFarMore
+                                     ? fmt::format("; opening the larger node first makes {:.1f} "
+                                                   "times fewer",
+                                                   match.tests_over_larger())
+                                     : "",
+                                 kThesisOptions),
           .svg = draw(chart),
           .timed = true};
 }
@@ -199,27 +229,45 @@ std::pair<double, double> range(const std::vector<Match>& matches, const Number&
   return {least, most};
 }
 
-double ratio(std::uint64_t one, std::uint64_t other) {
-  return static_cast<double>(one) / static_cast<double>(std::max<std::uint64_t>(1, other));
-}
-
-Finding claim_of_time(const std::vector<Match>& matches) {
+/// "0.0123 to 0.0456 ms": mean milliseconds of E-Node over trips.
+std::string times_of(const std::vector<Match>& matches) {
   const auto [least, most] =
       range(matches, [](const Match& match) { return match.mean_time(e_node); });
-  const std::string how = most <= kClaimedMilliseconds    ? "below the claim in every test"
-                          : least <= kClaimedMilliseconds ? "below the claim in some tests only"
-                                                          : "above the claim in every test";
-  return {
+  return fmt::format("{:.3g} to {:.3g} ms", least, most);
+}
+
+/// The claim is about the urban scene with SOMS' tree.
+Finding claim_of_time(const std::vector<Match>& matches) {
+  std::vector<Match> drives;
+  std::vector<Match> others;
+  for (const Match& match : matches) {
+    (match.is_drive() && match.trip.rule == "soms" ? drives : others).push_back(match);
+  }
+  Finding finding{
       .claim = "E-Node detects the overlap of a moving and a static object in 0.2 ms on average",
       .source = "abstract",
-      .measured = fmt::format("{:.3f} to {:.3f} ms on average over the frames with root "
-                              "overlap, by test and tree",
-                              least, most),
       .verdict = Verdict::cannot_be_checked,
-      .reason = fmt::format("The figure belongs to a machine of 2009 and to a scene that is not "
-                            "available. On this machine and our scenes it is {}.",
-                            how),
       .timed = true};
+  finding.reason = "The figure belongs to a machine of 2009 and to a scene that is not available.";
+  if (drives.empty()) {
+    finding.measured = "no drive on SOMS trees in which the bodies come near each other";
+  } else {
+    const auto [least, most] =
+        range(drives, [](const Match& match) { return match.mean_time(e_node); });
+    finding.measured = fmt::format(
+        "{} on average over the frames with root overlap, by drive through a scene on SOMS trees",
+        times_of(drives));
+    finding.reason += fmt::format(" On this machine it is {} drive through our scenes.",
+                                  most <= kClaimedMilliseconds    ? "below the claim in every"
+                                  : least <= kClaimedMilliseconds ? "below the claim in some, but "
+                                                                    "not every"
+                                                                  : "above the claim in every");
+  }
+  if (!others.empty()) {
+    finding.measured += fmt::format("; {} in the orientation tests and the drives on other trees",
+                                    times_of(others));
+  }
+  return finding;
 }
 
 Finding claim_of_earlier(const std::vector<Match>& matches) {
@@ -238,7 +286,7 @@ Finding claim_of_earlier(const std::vector<Match>& matches) {
   });
   return {
       .claim = "Earlier Node detection: E-Node finds overlapping nodes earlier than Larsson's DFS",
-      .source = "section 4.5.2 and figure 5.10 by their captions",
+      .source = "section 5.5 (E-Node) by its heading",
       .measured = fmt::format(
           "of {} trips: as many box tests in {}; first overlapping leaves after fewer tests in "
           "{}, after more in {}; {:.1f} to {:.1f} times fewer pairs entered",
@@ -253,52 +301,58 @@ Finding claim_of_earlier(const std::vector<Match>& matches) {
           "reconstruction."};
 }
 
+/// Least and greatest number of times that Larsson's DFS makes the box tests of E-Node that opens
+/// the larger node, in the drives; nothing where there are none.
+std::optional<std::pair<double, double>> range_in_drives(const std::vector<Match>& matches) {
+  std::vector<Match> drives;
+  std::copy_if(matches.begin(), matches.end(), std::back_inserter(drives),
+               [](const Match& match) { return match.is_drive(); });
+  if (drives.empty()) {
+    return std::nullopt;
+  }
+  return range(drives, [](const Match& match) { return match.tests_over_larger(); });
+}
+
 Finding claim_of_faster(const std::vector<Match>& matches) {
   std::size_t faster = 0;
   std::size_t slower = 0;
   for (const Match& match : matches) {
-    const double share = match.mean_time(e_node) / match.mean_time(larsson);
+    const double share = match.e_node_share();
     faster += share < 1 - kNoise ? 1U : 0U;
     slower += share > 1 + kNoise ? 1U : 0U;
   }
-  const auto [least, most] = range(matches, [](const Match& match) {
-    return match.mean_time(e_node) / match.mean_time(larsson);
-  });
-  return {.claim = "E-Node is faster than Larsson's DFS",
-          .source = "figure 5.10 by its caption",
-          .measured = fmt::format("{:.2f} to {:.2f} times the time of Larsson's DFS; of {} trips "
-                                  "faster in {}, slower in {} (by more than {:.0f} %)",
-                                  least, most, matches.size(), faster, slower, 100 * kNoise),
-          .verdict = faster == matches.size() ? Verdict::holds
-                     : faster > slower        ? Verdict::holds_under_options
-                                              : Verdict::does_not_hold,
-          .reason =
-              "The box tests are the same in number, so any gain is in the overhead of "
-              "entering pairs; which node is opened matters far more.",
-          .timed = true};
+  const auto [least, most] =
+      range(matches, [](const Match& match) { return match.e_node_share(); });
+  const auto in_drives = range_in_drives(matches);
+  return {
+      .claim = "E-Node is faster than Larsson's DFS",
+      .source = "abstract (\"more efficient and faster\"); the comparison: caption of figure 5.10",
+      .measured = fmt::format("{:.2f} to {:.2f} times the time of Larsson's DFS in the median "
+                              "frame with root overlap; of {} trips faster in {}, slower in {} "
+                              "(by more than {:.0f} %)",
+                              least, most, matches.size(), faster, slower, 100 * kNoise),
+      .verdict = faster == matches.size() ? Verdict::holds
+                 : faster > slower        ? Verdict::holds_under_options
+                                          : Verdict::does_not_hold,
+      .reason = fmt::format(
+          "The box tests are the same in number, so any gain is in the overhead of entering "
+          "pairs{}.",
+          in_drives && in_drives->first >= kFarMore
+              ? "; in the drives, which node is opened matters far more"
+              : ""),
+      .timed = true};
 }
 
 std::vector<std::string> remarks(const Context& context, const std::vector<Match>& matches) {
   std::vector<std::string> words{object_remark(context.models.objects.front())};
   const std::vector<std::string> scenes = scene_remarks(context.models.scenes);
   words.insert(words.end(), scenes.begin(), scenes.end());
-  std::vector<Match const*> drives;
-  double least = std::numeric_limits<double>::infinity();
-  double most = 0;
-  for (const Match& match : matches) {
-    if (match.trip.test == "drive") {
-      const double times =
-          ratio(match.sum(larsson).counts.box_tests, match.sum(e_node_larger).counts.box_tests);
-      least = std::min(least, times);
-      most = std::max(most, times);
-    }
-  }
-  if (most > 0) {
+  if (const auto times = range_in_drives(matches)) {
     words.push_back(
         fmt::format("A small object in a city: opening both nodes at once, as Larsson's "
                     "DFS and E-Node do, costs {:.1f} to {:.1f} times the box tests of "
                     "E-Node that opens the larger node.",
-                    least, most));
+                    times->first, times->second));
   }
   words.push_back(
       "Larsson's DFS is named in captions only; we take it to be the simultaneous walk.");
@@ -326,7 +380,9 @@ Result figure_5_10(const Context& context) {
           chart(fmt::format("figure_5_10_{}_{}", still, match.trip.test), match));
     }
   }
-  result.findings = {claim_of_time(matches), claim_of_earlier(matches), claim_of_faster(matches)};
+  if (!matches.empty()) {
+    result.findings = {claim_of_time(matches), claim_of_earlier(matches), claim_of_faster(matches)};
+  }
   return result;
 }
 

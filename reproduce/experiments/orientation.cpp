@@ -70,20 +70,21 @@ std::string first_overlap(const Ride& ride, std::size_t frame) {
 }
 
 Table frame_table(const std::string& id, const std::vector<Ride>& rides) {
-  Table table{.id = id + "_frames",
-              .caption = fmt::format(
-                  "Test {}: every frame by the generic traversal, trees of level {}; times are "
-                  "medians, drawing off.",
-                  rides[0].trip.test, kObjectLevel),
-              .columns = {{"rule"},
-                          {"frame"},
-                          {"offset"},
-                          {"root_overlap"},
-                          {"first_overlap"},
-                          {"drawing"},
-                          {"collision", "ms", ColumnKind::timed},
-                          {"frame_time", "ms", ColumnKind::timed},
-                          {"fps", "", ColumnKind::timed}}};
+  Table table{
+      .id = id + "_frames",
+      .caption = fmt::format(
+          "Test {}: every frame by the generic traversal, trees of level {}; times are "
+          "medians of {} repetitions (the number is ours), drawing off.{}",
+          rides[0].trip.test, kObjectLevel, rides[0].times.frame[0].repetitions, kThesisOptions),
+      .columns = {{"rule"},
+                  {"frame"},
+                  {"offset"},
+                  {"root_overlap"},
+                  {"first_overlap"},
+                  {"drawing"},
+                  {"collision", "ms", ColumnKind::timed},
+                  {"frame_time", "ms", ColumnKind::timed},
+                  {"fps", "", ColumnKind::timed}}};
   add_count_columns(table);
   table.columns.push_back({"triangle_tests"});
   table.columns.push_back({"contacts"});
@@ -113,8 +114,8 @@ Table frame_table(const std::string& id, const std::vector<Ride>& rides) {
 Table count_table(const std::string& id, const std::vector<Ride>& rides) {
   Table table{.id = id + "_counts",
               .caption = fmt::format("Test {}: counts of the generic traversal, summed over all "
-                                     "frames (max_stack: the greatest).",
-                                     rides[0].trip.test),
+                                     "frames (max_stack: the greatest), trees of level {}.{}",
+                                     rides[0].trip.test, kObjectLevel, kThesisOptions),
               .columns = {{"rule"},
                           {"frames"},
                           {"root_overlap_frames"},
@@ -143,12 +144,14 @@ Table count_table(const std::string& id, const std::vector<Ride>& rides) {
 }
 
 Table time_table(const std::string& id, const std::vector<Ride>& rides) {
-  Table table{.id = id + "_times",
-              .caption = fmt::format(
-                  "Test {}: milliseconds and frames a second over the frames in which the roots "
-                  "overlap, each frame by its median of {} repetitions, drawing off.",
-                  rides[0].trip.test, rides[0].times.frame[0].repetitions),
-              .columns = {{"rule"}, {"quantity"}}};
+  Table table{
+      .id = id + "_times",
+      .caption = fmt::format(
+          "Test {}: milliseconds and frames a second over the frames in which the roots "
+          "overlap, each frame by its median of {} repetitions (the number is ours), drawing "
+          "off; trees of level {}.{}",
+          rides[0].trip.test, rides[0].times.frame[0].repetitions, kObjectLevel, kThesisOptions),
+      .columns = {{"rule"}, {"quantity"}}};
   add_statistics_columns(table);
   for (const Ride& ride : rides) {
     const auto collision = medians_where_roots_overlap(ride.times.collision, ride.frames);
@@ -202,8 +205,8 @@ Figure box_test_figure(const std::string& id, const std::vector<Ride>& rides) {
   return {.id = id + "_box_tests",
           .caption = fmt::format(
               "Test {}: box tests of the generic traversal by frame; one until the roots touch, "
-              "then more the deeper the object comes in.",
-              rides[0].trip.test),
+              "then more the deeper the object comes in.{}",
+              rides[0].trip.test, kThesisOptions),
           .svg = draw(chart)};
 }
 
@@ -213,13 +216,13 @@ Figure time_figure(const std::string& id, const std::vector<Ride>& rides) {
   chart.title = fmt::format("Time of collision detection by frame, object coming from the {}",
                             rides[0].trip.test);
   chart.y_label = "ms a frame, collision only";
-  return {
-      .id = id,
-      .caption = fmt::format("Test {}: milliseconds of collision detection by frame, medians of "
-                             "{} repetitions.",
-                             rides[0].trip.test, rides[0].times.frame[0].repetitions),
-      .svg = draw(chart),
-      .timed = true};
+  return {.id = id,
+          .caption =
+              fmt::format("Test {}: milliseconds of collision detection by frame, medians of "
+                          "{} repetitions (the number is ours).{}",
+                          rides[0].trip.test, rides[0].times.frame[0].repetitions, kThesisOptions),
+          .svg = draw(chart),
+          .timed = true};
 }
 
 /// One frame: both bodies, and the triangles that touch in red.

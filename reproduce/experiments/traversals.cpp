@@ -17,10 +17,12 @@ namespace {
 
 Table empty_table() {
   Table table{.id = "traversals",
-              .caption =
+              .caption = fmt::format(
                   "Every walk on every trip: counts summed over the frames, answers compared, "
                   "and microseconds a frame: of the walk alone, and of a whole frame with "
-                  "moving the boxes and testing the triangles.",
+                  "moving the boxes and testing the triangles. Trees of level {}, scenes {} (fast: "
+                  "the library's own).{}",
+                  kObjectLevel, kSceneLevel, kThesisOptions),
               .columns = {{"static"},
                           {"moving"},
                           {"rule"},
@@ -149,7 +151,8 @@ Figure box_test_figure(const std::vector<Test>& tests) {
           .caption =
               "Box tests of whole trips on SOMS trees (fast: on the library's own trees). For "
               "a small object in a city it decides which node is opened: b_first and the "
-              "simultaneous walks pay for boxes far from the object.",
+              "simultaneous walks pay for boxes far from the object." +
+              std::string(kThesisOptions),
           .svg = draw(bars)};
 }
 
@@ -167,7 +170,8 @@ Figure time_figure(const std::vector<Test>& tests) {
   return {.id = "traversals_time",
           .caption =
               "Microseconds of a whole frame on SOMS trees: moving the boxes, the walk, the "
-              "triangle tests (fast: the library's own query, which moves no boxes).",
+              "triangle tests (fast: the library's own query, which moves no boxes)." +
+              std::string(kThesisOptions),
           .svg = draw(bars),
           .timed = true};
 }

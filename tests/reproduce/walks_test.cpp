@@ -152,6 +152,57 @@ TEST(WalksOfScenes, DoWithASceneOffThePathOfTheDrive) {
   EXPECT_EQ(run_quick("traversals", models).figures.size(), 2U);
 }
 
+TEST(WalkTables, OneDisturbedFrameDoesNotMoveTheMedianRatio) {
+  std::vector<Timing> one(4);
+  std::vector<Timing> other(4);
+  std::vector<Frame> frames(4);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    one[k].median = 0.9;
+    other[k].median = 1;
+    frames[k].roots_overlap = k > 0;
+  }
+  one[1].median = 4;
+  EXPECT_DOUBLE_EQ(median_ratio_where_roots_overlap(one, other, frames), 0.9);
+  EXPECT_DOUBLE_EQ(median_ratio_where_roots_overlap({}, {}, {}), 1);
+}
+
+TEST(Figure510, ClaimsNameTheirSourcesAndTheUrbanSceneIsApart) {
+  const Result result = run_quick("figure-5.10", small_models());
+  ASSERT_EQ(result.findings.size(), 3U);
+  const auto has = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  EXPECT_TRUE(has(result.findings[0].measured, "scene on SOMS trees; "))
+      << result.findings[0].measured;
+  EXPECT_TRUE(has(result.findings[0].measured, "in the orientation tests"));
+  EXPECT_EQ(result.findings[1].source, "section 5.5 (E-Node) by its heading");
+  EXPECT_EQ(result.findings[2].source.find("abstract"), 0U);
+  EXPECT_TRUE(has(result.findings[2].measured, "median frame"));
+  // On two equal objects it hardly matters which node is opened.
+  for (const Figure& figure : result.figures) {
+    EXPECT_FALSE(has(figure.id, "right") && has(figure.caption, "larger node")) << figure.caption;
+  }
+}
+
+TEST(Figure510, WithoutADriveThatMeetsTheUrbanClaimHasNoNumber) {
+  Models models = small_models();
+  models.scenes.clear();
+  const Result result = run_quick("figure-5.10", models);
+  EXPECT_EQ(result.findings.at(0).measured.find("no drive on SOMS trees"), 0U)
+      << result.findings[0].measured;
+  EXPECT_EQ(result.findings.at(2).reason.find("drives"), std::string::npos);
+}
+
+TEST(WalkTables, CaptionsTellTheOptionsOfTheTrees) {
+  const Models models = small_models();
+  for (const std::string_view item :
+       {"figure-5.6", "orientation-back", "figure-5.10", "traversals"}) {
+    for (const Table& table : run_quick(item, models).tables) {
+      EXPECT_NE(table.caption.find(kThesisOptions), std::string::npos) << table.id;
+    }
+  }
+}
+
 TEST(WalkTables, NameFiguresAfterModelsWhoseNamesFit) {
   EXPECT_EQ(id_word("u_mixed", 3), "u_mixed");
   EXPECT_EQ(id_word("My city", 3), "model3");
