@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 namespace soms::reproduce {
@@ -36,11 +35,6 @@ double lt5_percent(const Counted& counted) {
 
 double lt5(const Counted& counted) {
   return static_cast<double>(counted.counts.lt5);
-}
-
-double largest_leaf(const Counted& counted) {
-  const std::uint64_t count = counted.counts.largest_leaf;
-  return count == 0 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(count);
 }
 
 double balanced_level(const Counted& counted) {

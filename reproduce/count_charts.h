@@ -22,9 +22,6 @@ using CountValue = double (*)(const Counted&);
 /// Leaves with fewer than five triangles.
 [[nodiscard]] double lt5(const Counted& counted);
 
-/// Triangles of the largest leaf; no number for an empty tree.
-[[nodiscard]] double largest_leaf(const Counted& counted);
-
 /// Balanced level.
 [[nodiscard]] double balanced_level(const Counted& counted);
 

@@ -229,8 +229,8 @@ class Page {
       }
     }
     put("</tbody>\n</table>\n</div>\n<p class=\"note\">In italics: what holds times, which differ "
-        "from run to run and from machine to machine. Times of the thesis' machine of 2009 are "
-        "compared as ratios only.</p>\n");
+        "from run to run and from machine to machine. Times of the thesis' machine of 2009 stand "
+        "beside ours where the thesis states one; no verdict follows from that.</p>\n");
   }
 
   [[nodiscard]] bool has(Chapter which) const {

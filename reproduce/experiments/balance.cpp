@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -65,7 +66,11 @@ Finding against_spatial_median(std::span<const Task> tasks, std::span<const Coun
                   .source = "abstract; figure 4.2 by its caption"};
   int higher = 0;
   int all = 0;
-  finding.measured = "Balanced level, SOMS to spatial median.";
+  const auto stand_ins = std::count_if(tasks.begin(), tasks.end(),
+                                       [](const Task& task) { return task.model->stand_in; });
+  finding.measured =
+      fmt::format("Balanced level, SOMS to spatial median, on {} models, {} of them stand-ins.",
+                  tasks.size(), stand_ins);
   for (const EmptySide policy : kPolicies) {
     const Score score = score_against(Rule::spatial_median, policy, tasks, counts);
     finding.measured += fmt::format(" Empty side {}: {}.", name(policy), score.text);

@@ -1,4 +1,4 @@
-// What each option that the thesis leaves open does to the counts.
+// What options that the thesis leaves open do to the counts of spatial median and SOMS.
 #include "soms/tree/option_names.h"
 
 #include "reproduce/count_charts.h"
@@ -17,10 +17,11 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::array<std::string_view, 18> kColumns{
-    "model",     "origin",     "triangles",   "rule",  "midpoint",     "c_vertex",
-    "axis_from", "empty_side", "root_level",  "level", "nodes",        "leaves",
-    "one",       "lt5",        "undividable", "empty", "largest_leaf", "balanced_level"};
+constexpr std::array<std::string_view, 19> kColumns{
+    "model",       "origin",    "triangles",    "rule",          "midpoint",
+    "c_vertex",    "axis_from", "empty_side",   "root_level",    "level",
+    "per_leaf",    "nodes",     "leaves",       "one",           "lt5",
+    "undividable", "empty",     "largest_leaf", "balanced_level"};
 
 /// One option with a value other than the thesis'.
 struct Change {
@@ -42,7 +43,15 @@ constexpr std::array kChanges{
            [](BuildOptions& o) { o.empty_side = EmptySide::object_median; }},
     Change{"empty_side", "chain", [](BuildOptions& o) { o.empty_side = EmptySide::chain; }},
     Change{"root_level", "0", [](BuildOptions& o) { o.root_level = 0; }},
+    Change{"per_leaf", "2", [](BuildOptions& o) { o.per_leaf = 2; }},
+    Change{"per_leaf", "5", [](BuildOptions& o) { o.per_leaf = 5; }},
 };
+
+/// Options that no combination has.
+bool stands_alone(const Change& change) {
+  return change.option == "c_vertex" || change.option == "root_level" ||
+         change.option == "per_leaf";
+}
 
 /// Spatial median and SOMS, which the thesis compares.
 std::vector<Contender> both(int level) {
@@ -75,7 +84,7 @@ std::vector<Contender> combinations(int level) {
       }
     }
     for (const Change& change : kChanges) {
-      if (change.option == "c_vertex" || change.option == "root_level") {
+      if (stands_alone(change)) {
         result.push_back(changed(rule, change));
       }
     }
@@ -110,10 +119,12 @@ std::vector<Cell> row_of(const Effect& effect) {
 
 Table effect_table(std::span<const Effect> effects, const std::string& note) {
   Table table{.id = "options_one_by_one",
-              .caption =
-                  "Each option changed alone, the others as in the thesis: nodes with one "
-                  "triangle, nodes that cannot be divided and balanced level of both rules." +
-                  note,
+              .caption = fmt::format(
+                  "Each option changed alone, the others as in the thesis, one triangle a "
+                  "leaf among them: nodes with one triangle, nodes that cannot be "
+                  "divided and balanced level of both rules. Objects at level {}, "
+                  "scenes at {}.{}",
+                  kObjectLevel, kSceneLevel, note),
               .columns = {{"model"},
                           {"option"},
                           {"value"},
@@ -219,8 +230,8 @@ Result options(const Context& context) {
   note += note_on_stand_ins(context.models.scenes);
   Result result{.tables = {effect_table(effects, note),
                            count_table("options",
-                                       "Every combination of midpoint, axis and empty side, and "
-                                       "vertex C and root level alone." +
+                                       "Every combination of midpoint, axis and empty side; vertex "
+                                       "C, root level and leaf size (per_leaf) one at a time." +
                                            note,
                                        kColumns, counts)},
                 .figures = {chart_of(*models.front().first, effects)}};

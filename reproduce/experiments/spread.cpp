@@ -183,16 +183,23 @@ Figure figure_of(const std::vector<Step>& steps) {
           .svg = draw(chart)};
 }
 
+/// "1 % fewer boxes", of a ratio of boxes looked at.
+std::string more_or_fewer(double ratio) {
+  const long percent = std::lround(100 * (ratio - 1));
+  return percent == 0
+             ? "as many boxes"
+             : fmt::format("{} % {} boxes", std::abs(percent), percent > 0 ? "more" : "fewer");
+}
+
 /// Where SOMS stands against another build over the sweep.
 std::string against(const std::vector<Step>& steps, std::size_t other) {
   const std::size_t soms = index_of("soms");
   const auto percent = [&](const Step& step) {
     const double ratio = step.points[soms].looks() / step.points[other].looks();
-    return static_cast<int>(std::lround(100 * (ratio - 1)));
+    return more_or_fewer(ratio);
   };
   return fmt::format(
-      "Against {} SOMS looks at {:+} % where all triangles are alike, and at {:+} % "
-      "over {} decades.",
+      "Against {} SOMS looks at {} where all triangles are alike, and at {} over {} decades.",
       kContestants[other].title, percent(steps.front()), percent(steps.back()),
       steps.back().decades);
 }
@@ -219,11 +226,9 @@ Finding early_stop(const std::vector<Step>& steps) {
       .verdict = stops && goes_on ? Verdict::holds : Verdict::does_not_hold,
       .reason = fmt::format(
           "Under `stop`, with nothing but sizes changed. Under `next_axis` spatial median goes "
-          "on as well and looks at {:+} % against SOMS at the same spread.",
-          static_cast<int>(std::lround(
-              100 * (steps.back().points[index_of("spatial_median", "next_axis")].looks() /
-                         steps.back().points[soms].looks() -
-                     1))))};
+          "on as well and, against SOMS, looks at {} at the same spread.",
+          more_or_fewer(steps.back().points[index_of("spatial_median", "next_axis")].looks() /
+                        steps.back().points[soms].looks()))};
 }
 
 }  // namespace

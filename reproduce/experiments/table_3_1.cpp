@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <filesystem>
-#include <system_error>
 
 namespace soms::reproduce {
 
@@ -16,11 +14,13 @@ Cell integer(std::uint64_t value) {
   return static_cast<std::int64_t>(value);
 }
 
-/// Bytes of the file that a model was read from; empty where there is none any more.
-Cell bytes_of(const Model& model) {
-  std::error_code error;
-  const std::uintmax_t bytes = std::filesystem::file_size(model.mesh->source, error);
-  return model.file.empty() || error ? Cell{} : integer(bytes);
+/// The file that a model was read from, of a generated scene the one that the run writes; empty
+/// where there is none.
+Cell file_of(const Model& model) {
+  if (model.file.empty() && model.bytes > 0) {
+    return fmt::format("scenes/{}.3ds", model.name);
+  }
+  return model.file.empty() ? Cell{} : Cell{model.file};
 }
 
 Table specification(std::string id, std::string caption, std::span<const Model> models) {
@@ -41,8 +41,8 @@ Table specification(std::string id, std::string caption, std::span<const Model> 
   for (const Model& model : models) {
     const Mesh& mesh = *model.mesh;
     const Vec3 width = bounds(mesh).upper - bounds(mesh).lower;
-    table.rows.push_back({model.name, model.title, model.file.empty() ? Cell{} : Cell{model.file},
-                          model.stand_in ? "yes" : "no", bytes_of(model),
+    table.rows.push_back({model.name, model.title, file_of(model), model.stand_in ? "yes" : "no",
+                          model.bytes == 0 ? Cell{} : integer(model.bytes),
                           integer(mesh.parts.empty() ? 1 : mesh.parts.size()),
                           integer(mesh.vertices.size()), integer(mesh.triangles.size()), width.x,
                           width.y, width.z, fmt::format("{:016x}", model.hash)});

@@ -68,6 +68,9 @@ std::string key_of(Counts cells) {
   if (cells.contains("c_vertex") && cells["midpoint"] == "thesis" && cells["c_vertex"] != "2") {
     return "";
   }
+  if (cells.contains("per_leaf") && cells["per_leaf"] != "1") {
+    return "";
+  }
   if (cells.contains("root_level") && cells["root_level"] == "0") {
     cells["level"] = std::to_string(std::stoi(cells["level"]) + 1);
   }
@@ -176,6 +179,98 @@ TEST(Counts, ClaimOfTwentySixPercentHoldsAtBestUnderOptions) {
   }
   EXPECT_NE(finding.measured.find("u_plain 1,893 to 288 (+557 %)"), std::string::npos)
       << finding.measured;
+}
+
+TEST(Counts, ClaimOfTwentySixPercentSaysOverWhatItWasSought) {
+  const Models models = scenes_only();
+  const std::string reason = table_5_9({.models = models}).findings.front().reason;
+  for (const char* const part :
+       {"Over empty side and SOMS' axis, the other options as in the thesis",
+        "item options shows the others", "among these: "}) {
+    EXPECT_NE(reason.find(part), std::string::npos) << part << " in " << reason;
+  }
+  EXPECT_EQ(reason.find("all options"), std::string::npos) << reason;
+}
+
+TEST(Counts, GoingOnIsShownOnlyWhereSpatialMedianStops) {
+  // One triangle, and many at the same place: no rule stops at triangles that a plane could part.
+  Mesh pile = generate_sphere(20);
+  pile.triangles.assign(200, pile.triangles.front());
+  Mesh one = pile;
+  one.triangles.resize(1);
+  for (const Mesh& mesh : {one, pile}) {
+    Models models;
+    models.objects.push_back(small_model("same", mesh, false));
+    models.scenes = models.objects;
+    for (const auto run : {table_5_5, table_5_11}) {
+      const Finding finding = run({.models = models}).findings.front();
+      EXPECT_EQ(finding.verdict, Verdict::cannot_be_checked) << finding.measured;
+      EXPECT_NE(finding.reason.find("nothing where SOMS could go on"), std::string::npos);
+    }
+  }
+  const Models scenes = scenes_only();
+  const Finding on_stand_ins = table_5_11({.models = scenes}).findings.front();
+  EXPECT_EQ(on_stand_ins.verdict, Verdict::holds);
+  EXPECT_NE(on_stand_ins.reason.find("on stand-ins only"), std::string::npos);
+  Models given = scenes;
+  given.scenes.front().stand_in = false;
+  const Finding on_a_given_one = table_5_11({.models = given}).findings.front();
+  EXPECT_EQ(on_a_given_one.verdict, Verdict::holds);
+  EXPECT_EQ(on_a_given_one.reason.find("stand-ins"), std::string::npos);
+}
+
+TEST(Counts, BalanceSaysHowManyModelsAreStandIns) {
+  Models models = scenes_only();
+  models.objects.push_back(small_model("ball", generate_sphere(80), false));
+  const std::string measured = balance({.models = models}).findings.front().measured;
+  EXPECT_NE(measured.find("on 4 models, 3 of them stand-ins"), std::string::npos) << measured;
+}
+
+TEST(Counts, GeneratedScenesHaveTheirFileAndItsBytes) {
+  const Models models = scenes_only();
+  const Table table = table_3_3({.models = models}).tables.front();
+  ASSERT_EQ(table.rows.size(), models.scenes.size());
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    Counts cells = named_cells(table, table.rows[i]);
+    EXPECT_EQ(cells["file"], "scenes/" + models.scenes[i].name + ".3ds");
+    EXPECT_EQ(cells["bytes"], std::to_string(scene_file(models.scenes[i]).size()));
+  }
+}
+
+TEST(Counts, OptionsVaryTheSizeOfLeavesToo) {
+  const Models models = find_models({}, {.objects = true, .scenes = true});
+  const Result result = options({.models = models});
+  std::map<std::string, std::size_t> rows;
+  for (const std::vector<Cell>& row : result.tables.at(1).rows) {
+    ++rows[named_cells(result.tables[1], row)["per_leaf"]];
+  }
+  const std::size_t per_value = 2 * (1 + models.scenes.size());
+  EXPECT_EQ(rows["2"], per_value);
+  EXPECT_EQ(rows["5"], per_value);
+  EXPECT_EQ(rows["1"], per_value * (24 + 3));
+  for (const std::vector<Cell>& row : result.tables.at(0).rows) {
+    Counts cells = named_cells(result.tables[0], row);
+    if (cells["option"] == "per_leaf") {
+      EXPECT_TRUE(cells["value"] == "2" || cells["value"] == "5") << cells["value"];
+    }
+  }
+}
+
+TEST(Counts, SharedCaptionTellsTheOptionsOfTheThesis) {
+  for (const Rule rule :
+       {Rule::object_median, Rule::object_mean, Rule::spatial_median, Rule::soms}) {
+    const BuildOptions options = thesis_options(rule);
+    EXPECT_EQ(options.midpoint, Midpoint::thesis);
+    EXPECT_EQ(options.empty_side, EmptySide::stop);
+    EXPECT_EQ(options.c_vertex, 2);
+    Table table = count_table("t", "T", std::array<std::string_view, 1>{"axis_from"},
+                              std::array{Counted{nullptr, {"r", "R", true, options}, {}}});
+    EXPECT_EQ(words(table.rows[0][0]), rule == Rule::soms ? "inner" : "outer");
+  }
+  for (const char* const part :
+       {"midpoint thesis", "outer box (SOMS: inner)", "empty side stop", "C = 2"}) {
+    EXPECT_NE(kThesisOptions.find(part), std::string_view::npos) << part;
+  }
 }
 
 TEST(Counts, ClaimOfTwentySixPercentCannotBeCheckedOnOtherScenes) {
