@@ -139,6 +139,11 @@ void Finder::step() {
 }
 
 std::string Finder::read(const fs::path& path, Model& model) {
+  std::error_code unknown;
+  const fs::file_status status = fs::status(path, unknown);
+  if (fs::is_fifo(status) || fs::is_socket(status)) {
+    return words({path.string(), ": this is no file"});  // opening it would wait for a writer
+  }
   try {
     set_mesh(model, read_mesh(path, {}, for_one()));
   } catch (const Error& error) {
@@ -331,6 +336,13 @@ Models Finder::find(Needs needs) {
     throw Error(ErrorKind::cannot_open,
                 words({folder_.string(), error ? ": " + error.message() : ": this is no folder"}),
                 "name the folder that the models are in");
+  }
+  if (!folder_.empty()) {
+    const fs::directory_iterator listed(folder_, error);
+    if (error) {
+      throw Error(ErrorKind::cannot_open, words({folder_.string(), ": ", error.message()}),
+                  "make the folder readable");
+    }
   }
   check_stop(parallel_);
   for (const KnownObject& known : kObjects) {

@@ -98,6 +98,9 @@ Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel&
   report.missing = options.experiments;
   try {
     report.models = find_models(options.models, all_needs(options.experiments), parallel);
+    if (visitor.found) {
+      visitor.found(report.models);
+    }
     write_scenes(report, visitor);
     Runner runner(options, visitor, parallel);
     while (!report.missing.empty()) {

@@ -51,6 +51,8 @@ struct RunOptions {
 
 /// What a run calls.
 struct RunVisitor {
+  /// The models, before the first experiment; may be empty.
+  std::function<void(const Models& models)> found = {};
   /// A file that is to appear whole under the output folder: its name there and its bytes.
   std::function<void(const std::filesystem::path& name, std::string_view bytes)> write = {};
   /// The experiment that runs now and the share of the whole run that is done.

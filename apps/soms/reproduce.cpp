@@ -9,8 +9,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string_view>
 #include <system_error>
 
@@ -33,22 +35,26 @@ std::string help_of_items() {
 
 /// The words of --item, which may hold several with commas between.
 std::vector<std::string_view> words_of(const std::vector<std::string>& items) {
+  constexpr std::string_view kBetween = ", ";
   std::vector<std::string_view> words;
-  for (std::string_view rest : items) {
-    while (!rest.empty()) {
-      const std::string_view word = rest.substr(0, rest.find(','));
-      rest.remove_prefix(std::min(rest.size(), word.size() + 1));
-      if (!word.empty()) {
-        words.push_back(word);
-      }
+  for (const std::string_view item : items) {
+    std::size_t begin = item.find_first_not_of(kBetween);
+    while (begin != std::string_view::npos) {
+      const std::size_t end = std::min(item.size(), item.find_first_of(kBetween, begin));
+      words.push_back(item.substr(begin, end - begin));
+      begin = item.find_first_not_of(kBetween, end);
     }
   }
   return words;
 }
 
 std::vector<const reproduce::Experiment*> chosen(const ReproduceOptions& options) {
+  const std::vector<std::string_view> words = words_of(options.items);
+  if (words.empty() && !options.items.empty()) {
+    throw Error(ErrorKind::usage, "--item: no item is named", "leave it out to run everything");
+  }
   try {
-    return reproduce::experiments_named(words_of(options.items));
+    return reproduce::experiments_named(words);
   } catch (const Error& error) {
     throw Error(error.kind(), "--item: " + error.place(), error.remedy());
   }
@@ -71,31 +77,41 @@ void write_whole(const fs::path& path, std::string_view bytes) {
   file.commit();
 }
 
-/// Names each model that another one stands in for, with the reason.
-void tell_models(const std::vector<reproduce::Model>& models, const Console& console) {
-  for (const reproduce::Model& model : models) {
-    if (!model.trouble.empty()) {
-      console.complain(
-          fmt::format("{}: {}; in its place: {}", model.name, model.trouble, model.title));
+/// Names each model that another one stands in for, with the reason, and files that were not used.
+void tell_models(const reproduce::Models& models, const ReproduceOptions& options,
+                 const Console& console) {
+  if (options.models.empty()) {
+    console.note("no --models: generated stand-ins take the place of the thesis' models");
+    return;
+  }
+  std::set<std::string> told;  // of a broken scene in place of all three
+  for (const auto* const kind : {&models.objects, &models.scenes}) {
+    for (const reproduce::Model& model : *kind) {
+      if (!model.trouble.empty() && told.insert(model.trouble).second) {
+        console.complain(
+            fmt::format("{}: {}; in its place: {}", model.name, model.trouble, model.title));
+      }
     }
+  }
+  for (const std::string& remark : models.remarks) {
+    console.complain(remark);
   }
 }
 
-reproduce::Report run_experiments(const ReproduceOptions& options, const Console& console) {
+reproduce::Report run_experiments(const ReproduceOptions& options, const reproduce::RunOptions& run,
+                                  const Console& console) {
   const fs::path folder = options.output;
   Progress bar = console.progress("reproducing");
-  const reproduce::RunVisitor visitor{.write =
-                                          [&](const fs::path& name, std::string_view bytes) {
-                                            make_folder((folder / name).parent_path());
-                                            write_whole(folder / name, bytes);
-                                          },
-                                      .progress =
-                                          [&](const reproduce::Experiment& now, double share) {
-                                            bar.rename(fmt::format("{:<18}", now.item));
-                                            bar.show(share);
-                                          }};
-  const reproduce::RunOptions run{
-      .models = options.models, .experiments = chosen(options), .quick = options.quick};
+  reproduce::RunVisitor visitor;
+  visitor.found = [&](const reproduce::Models& models) { tell_models(models, options, console); };
+  visitor.write = [&](const fs::path& name, std::string_view bytes) {
+    make_folder((folder / name).parent_path());
+    write_whole(folder / name, bytes);
+  };
+  visitor.progress = [&](const reproduce::Experiment& now, double share) {
+    bar.rename(fmt::format("{:<18}", now.item));
+    bar.show(share);
+  };
   return console.run("reproducing", [&](const Parallel& limits) {
     Parallel one_thread = limits;
     one_thread.threads = 1;
@@ -122,8 +138,16 @@ std::string summary(const reproduce::Report& report, const ReproduceOptions& opt
 
 Action add_reproduce(CLI::App& app, Shared&) {
   const auto options = std::make_shared<ReproduceOptions>();
-  app.add_option("--models", options->models,
-                 "folder of the thesis' models; what is missing is generated; see below")
+  app.add_option_function<std::string>(
+         "--models",
+         [options](const std::string& folder) {
+           if (folder.empty()) {
+             throw Error(ErrorKind::usage, "--models: the name is empty",
+                         "name a folder, or leave it out");
+           }
+           options->models = folder;
+         },
+         "folder of the thesis' models; what is missing is generated; see below")
       ->option_text("DIR");
   app.add_option("--item", options->items,
                  "only these, with commas between: table-5.3, figure-5.2,\n"
@@ -142,17 +166,10 @@ Action add_reproduce(CLI::App& app, Shared&) {
 }
 
 int run_reproduce(const ReproduceOptions& options, Console& console) {
+  const reproduce::RunOptions run{
+      .models = options.models, .experiments = chosen(options), .quick = options.quick};
   make_folder(options.output);
-  const reproduce::Report report = run_experiments(options, console);
-  if (options.models.empty()) {
-    console.note("no --models: generated stand-ins take the place of the thesis' models");
-  } else {
-    tell_models(report.models.objects, console);
-    tell_models(report.models.scenes, console);
-  }
-  for (const std::string& remark : report.models.remarks) {
-    console.note(remark);
-  }
+  const reproduce::Report report = run_experiments(options, run, console);
   console.print(console.shared().json ? reproduce::manifest(report) : summary(report, options));
   if (report.missing.empty()) {
     return 0;

@@ -1,5 +1,6 @@
 #include "tests/commands/run.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -154,6 +155,33 @@ TEST(Reproduce, UnknownItemIsAUsageErrorThatListsThem) {
   EXPECT_EQ(result.status, 2);
   EXPECT_NE(result.err.find("--item: '5.99' is no item"), std::string::npos) << result.err;
   EXPECT_NE(result.err.find("table-5.3"), std::string::npos) << result.err;
+}
+
+TEST(Reproduce, WordsThatNameNothingAreUsageErrorsAndMakeNoFolder) {
+  const TemporaryFolder folder;
+  const std::filesystem::path out = folder.path() / "out";
+  for (const std::string items : {"", ",", " , "}) {
+    const RunResult result = reproduce(out, {"--item", items});
+    EXPECT_EQ(result.status, 2) << result.err;
+    EXPECT_NE(result.err.find("--item: no item is named"), std::string::npos) << result.err;
+  }
+  EXPECT_EQ(reproduce(out, {"--item", "nothing"}).status, 2);
+  EXPECT_EQ(reproduce(out, {"--item", "table-3.1", "--models", ""}).status, 2);
+  EXPECT_FALSE(fs::exists(out));
+  EXPECT_EQ(reproduce(out, {"--item", "table-3.1, table-3.2"}).status, 0);
+}
+
+TEST(Reproduce, DoesNotWaitForAPipeNamedLikeAModel) {
+  const TemporaryFolder folder;
+  const TemporaryFolder models;
+  for (const char* const name : {"venus.ply", "city.3ds"}) {
+    ASSERT_EQ(mkfifo((models.path() / name).c_str(), 0600), 0);
+  }
+  const RunResult result =
+      reproduce(folder.path(), {"--item", "3.1,3.3", "--models", models.path().string()});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("venus.ply: this is no file"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("city.3ds: this is no file"), std::string::npos) << result.err;
 }
 
 TEST(Reproduce, FolderThatCannotBeMadeIsTold) {
