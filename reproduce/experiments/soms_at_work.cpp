@@ -140,7 +140,7 @@ Result figure_4_2(const Context&) {
   result.tables = {std::move(table)};
   result.remarks = {
       "The set is made by hand to show what is meant. Which rule keeps more levels balanced on "
-      "models stands in the item `balance`."};
+      "models stands in the item balance."};
   return result;
 }
 
