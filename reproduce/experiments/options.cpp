@@ -182,8 +182,8 @@ std::string range_of_gain(const Model& model, std::span<const Effect> effects) {
       std::minmax_element(of_model.begin(), of_model.end(),
                           [&](const Effect* a, const Effect* b) { return gain(a) < gain(b); });
   return fmt::format(
-      "On {} SOMS makes {:+.0f} % ({} {}) to {:+.0f} % ({} {}) more leaves with one triangle than "
-      "spatial median, where that makes any, one option changed at a time.",
+      "On {} SOMS' leaves with one triangle are {:+.0f} % ({} {}) to {:+.0f} % ({} {}) against "
+      "spatial median's, where that makes any, one option changed at a time.",
       model.name, gain(*least), (*least)->change->option, (*least)->change->value, gain(*most),
       (*most)->change->option, (*most)->change->value);
 }
