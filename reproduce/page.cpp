@@ -95,13 +95,19 @@ class Page {
   void head() {
     put("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<title>SOMS: the thesis, reproduced</title>\n<link rel=\"icon\" href=\"data:,\">\n"
-        "<style>{}</style>\n</head>\n<body>\n<main>\n<h1>SOMS: the thesis, reproduced</h1>\n",
+        "<title>SOMS: the experiments of the thesis, run again</title>\n<link rel=\"icon\" "
+        "href=\"data:,\">\n"
+        "<style>{}</style>\n</head>\n<body>\n<main>\n<h1>SOMS: the experiments of the thesis, run "
+        "again</h1>\n",
         kPageStyle);
     put("<p class=\"lead\">Tables and figures of <cite>Spatial object median rules in bounding-"
         "volume hierarchies for complex environments</cite> (Hamzah Asyrani bin Sulaiman, master's "
         "thesis, Universiti Teknologi Malaysia, 2010), run again by the program <code>soms</code>, "
-        "and each claim of the thesis beside what was measured.</p>\n");
+        "and each claim of the thesis beside what was measured.</p>\n<p class=\"note\">Only its "
+        "abstract, lists of contents, tables and figures, and first chapter are public: the "
+        "numbers "
+        "of its tables are not known here, and what they leave open is an option with a "
+        "name.</p>\n");
     put("<p><strong>SOMS in today's terms</strong> is midpoint splitting of the box of the "
         "triangles' midpoints: a node is cut in the middle of that box, across its longest axis. "
         "Renderers know the same plane as the <em>middle</em> of the <em>centroid bounds</em>. "

@@ -8,9 +8,11 @@
 #include "apps/soms/verbs.h"
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <exception>
 #include <new>
@@ -50,6 +52,16 @@ std::string general_help() {
       "  4 not enough memory or time  5 could not write  6 --verify found a difference\n"
       "  130 interrupted\n";
   return text;
+}
+
+/// Takes the places of standard streams that are closed, so that no file gets them: what is written
+/// there fails, as it must.
+void hold_standard_streams() {
+  for (const int descriptor : {0, 1, 2}) {
+    if (::fcntl(descriptor, F_GETFD) == -1 && errno == EBADF) {
+      (void)::open("/dev/null", O_RDONLY | O_CLOEXEC);  // the lowest that is free
+    }
+  }
 }
 
 void print_plain(std::string_view text) {
@@ -156,6 +168,7 @@ int fail(const std::vector<std::string>& words, std::string_view message, int st
 }  // namespace
 
 int run_program(const std::vector<std::string>& words) {
+  hold_standard_streams();
   // A reader that went away, or a limit on file sizes, shall be an error of write(), not a death.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);

@@ -184,6 +184,14 @@ TEST(Reproduce, DoesNotWaitForAPipeNamedLikeAModel) {
   EXPECT_NE(result.err.find("city.3ds: this is no file"), std::string::npos) << result.err;
 }
 
+TEST(Reproduce, ClosedStandardOutputIsAnErrorAndNoFileGetsTheWords) {
+  const TemporaryFolder folder;
+  const RunResult result =
+      shell("$soms reproduce --quick --item table-3.1 -o '" + folder.path().string() + "' >&-");
+  EXPECT_EQ(result.status, 5) << result.err;
+  EXPECT_EQ(read_text(folder.path() / "index.html").find("items written"), std::string::npos);
+}
+
 TEST(Reproduce, FolderThatCannotBeMadeIsTold) {
   const TemporaryFolder folder;
   write_text(folder.path() / "file", "x");
