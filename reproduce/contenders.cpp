@@ -24,7 +24,6 @@ std::vector<Contender> all_builds(int level) {
   builds.push_back(
       {"sah", "SAH", false, BuildOptions{.rule = Rule::sah, .level = level, .per_leaf = 1}});
   builds.push_back({"default", "library's default", false, BuildOptions{}});
-  builds.push_back({"fast", "library's fastest", false, BuildOptions{.rule = Rule::fast}});
   return builds;
 }
 

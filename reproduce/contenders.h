@@ -27,8 +27,8 @@ inline constexpr std::string_view kThesisOptions =
 /// Object median, object mean, spatial median and SOMS with the thesis' options, in this order.
 [[nodiscard]] std::vector<Contender> thesis_rules(int level);
 
-/// The rules of the thesis, then SAH to the same level with one triangle a leaf, then the builds
-/// that the library itself would use, with their own options (no limit of levels).
+/// The rules of the thesis, then SAH to the same level with one triangle a leaf, then the build
+/// that the library itself uses, its fastest, with its own options (no limit of levels).
 [[nodiscard]] std::vector<Contender> all_builds(int level);
 
 }  // namespace soms::reproduce
