@@ -1,4 +1,5 @@
 #include "tests/commands/run.h"
+#include "tests/support/slow_build.h"
 
 #include <fmt/format.h>
 
@@ -104,6 +105,9 @@ TEST(ReproduceDocs, EveryItemIsOnThePage) {
 
 TEST(ReproduceDocs, TableOfRulesInTheReadmeIsWhatARunWrites) {
   SOMS_NEEDS_OUTSIDE_DATA("the README's table of rules: it needs the bunny");
+  if (kSlowBuild) {
+    GTEST_SKIP() << "the same comparison runs in the release build; here it takes minutes";
+  }
   const TemporaryFolder folder;
   const RunResult result = soms_run({"reproduce", "--quick", "--item", "5.3,5.9,modern", "--models",
                                      outside_data("")->string(), "-o", folder.path().string()});

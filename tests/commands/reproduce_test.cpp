@@ -37,7 +37,8 @@ Json run_json(const fs::path& folder) {
 /// figure all of it unless it shows times.
 std::map<std::string, std::string> untimed(const fs::path& folder) {
   std::map<std::string, std::string> kept;
-  for (const Json& item : run_json(folder).at("items")) {
+  const Json run = run_json(folder);
+  for (const Json& item : run.at("items")) {
     for (const Json& file : item.at("files")) {
       const auto name = file.at("file").get<std::string>();
       const std::string text = read_text(folder / name);
