@@ -190,7 +190,7 @@ TEST(Reproduce, ClosedStandardOutputIsAnErrorAndNoFileGetsTheWords) {
   const RunResult result =
       shell("$soms reproduce --quick --item table-3.1 -o '" + folder.path().string() + "' >&-");
   EXPECT_EQ(result.status, 5) << result.err;
-  EXPECT_EQ(read_text(folder.path() / "index.html").find("items written"), std::string::npos);
+  EXPECT_EQ(read_text(folder.path() / "index.html").find("written; see"), std::string::npos);
 }
 
 TEST(Reproduce, FolderThatCannotBeMadeIsTold) {
