@@ -20,6 +20,7 @@ set(SOMS_SOURCES
   detail/kernels/instruction_set.cpp
   detail/kernels/scalar.cpp
   detail/kernels/sse4.cpp
+  detail/leaf_pairs.cpp
   detail/overlap_query.cpp
   detail/pair_walk.cpp
   detail/relative_pose.cpp

@@ -1,6 +1,5 @@
 #include "soms/query/detail/pair_walk.h"
 
-#include "soms/geometry/triangle_overlap.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/triangle_tests.h"
 
@@ -24,11 +23,6 @@ constexpr std::uint32_t kIndexShift = 3;  // of a code: see NodeTask
 
 float longest(const std::array<float, 3>& half) {
   return std::max({half[0], half[1], half[2]});
-}
-
-Triangle moved(const WalkSide& side, TriangleId id) {
-  const Triangle t = side.shape->mesh().triangle(id);
-  return {side.pose->apply(t.a), side.pose->apply(t.b), side.pose->apply(t.c)};
 }
 
 std::size_t lowest(std::uint32_t bits) {
@@ -98,13 +92,11 @@ void PairList::grow(std::size_t least) {
 PairWalk::PairWalk(const RelativePose& relative, const WalkSide& x, const WalkSide& y, bool swapped,
                    WalkMemory& memory)
     : relative_(relative),
-      x_(x),
-      y_(y),
+      leaves_(x, y, swapped),
       nodes_x_(x.shape->layout().nodes().data()),
       nodes_y_(y.shape->layout().nodes().data()),
       blocks_x_(x.shape->layout().blocks().data()),
       blocks_y_(y.shape->layout().blocks().data()),
-      swapped_(swapped),
       memory_(memory) {
 }
 
@@ -264,7 +256,8 @@ bool PairWalk::take_up(const WalkRound& round, Collector& collector, Watch& watc
     append(std::span(round.nodes).subspan(node_begin_, node_count_));
   }
   if (block_count_ != 0 &&
-      decide(std::span(round.blocks).subspan(block_begin_, block_count_), collector)) {
+      leaves_.decide(std::span(round.blocks).subspan(block_begin_, block_count_), collector,
+                     cost_)) {
     return false;
   }
   return !watch.spend(1 + node_count_ + larger_count_ + 2 * block_count_);
@@ -340,55 +333,6 @@ void PairWalk::gather_blocks(WalkRound& round) {
     task.y = &block_y(pair.y);
     cost_.node_tests += task.x->count + task.y->count;
   }
-}
-
-bool PairWalk::decide(std::span<const BlockTask> tasks, Collector& collector) {
-  for (const BlockTask& task : tasks) {
-    if (task.lanes_x == 0 || task.lanes_y == 0) {
-      continue;
-    }
-    cost_.node_tests += task.x->count;
-    const std::uint64_t rows = kernels().test_triangles(task);
-    if (rows != 0 && decide(task, rows, collector)) {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool PairWalk::decide(const BlockTask& task, std::uint64_t rows, Collector& collector) {
-  for (std::size_t i = 0; rows >> (8 * i) != 0; ++i) {
-    const auto lanes = static_cast<std::uint32_t>(rows >> (8 * i) & 0xff);
-    if (lanes != 0 && decide(task.x->id[i], *task.y, lanes, collector)) {
-      return true;
-    }
-    if (i == TriangleBlock::kWidth - 1) {
-      break;
-    }
-  }
-  return false;
-}
-
-bool PairWalk::decide(TriangleId i, const TriangleBlock& y, std::uint32_t lanes,
-                      Collector& collector) {
-  const Triangle s = moved(x_, i);
-  const Box box = bounds(s);
-  for (; lanes != 0; lanes &= lanes - 1) {
-    const TriangleId j = y.id[lowest(lanes)];
-    const TrianglePair ids = swapped_ ? TrianglePair{j, i} : TrianglePair{i, j};
-    if (!collector.wants(ids)) {
-      continue;
-    }
-    const Triangle t = moved(y_, j);
-    if (!overlaps(box, bounds(t))) {
-      continue;
-    }
-    ++cost_.triangle_tests;
-    if (triangles_overlap(s, t, &cost_.exact_tests) && collector.add(ids)) {
-      return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace soms::detail

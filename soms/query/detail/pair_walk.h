@@ -5,8 +5,8 @@
 #include "soms/query/answer.h"
 #include "soms/query/detail/collector.h"
 #include "soms/query/detail/kernels/kernels.h"
+#include "soms/query/detail/leaf_pairs.h"
 #include "soms/query/detail/relative_pose.h"
-#include "soms/tree/shape.h"
 
 #include <array>
 #include <cstdint>
@@ -108,12 +108,6 @@ struct WalkRound {
   }
 };
 
-/// A shape at a pose, as one side of a walk.
-struct WalkSide {
-  const Shape* shape;
-  const Pose* pose;
-};
-
 /// One query. Sides x and y are the caller's a and b, or b and a when `swapped`.
 class PairWalk {
  public:
@@ -168,24 +162,12 @@ class PairWalk {
   /// Pops a pair of blocks. Of a run of blocks it gives the first and leaves the rest.
   [[nodiscard]] PlacePair take_blocks();
 
-  /// Decides pairs of blocks that may meet; true when the walk is to stop.
-  [[nodiscard]] bool decide(std::span<const BlockTask> tasks, Collector& collector);
-
-  /// Decides triangles of two blocks: those of y in byte i of `rows` with triangle i of x.
-  [[nodiscard]] bool decide(const BlockTask& task, std::uint64_t rows, Collector& collector);
-
-  /// Decides one triangle of x against those of y in `lanes`.
-  [[nodiscard]] bool decide(TriangleId i, const TriangleBlock& y, std::uint32_t lanes,
-                            Collector& collector);
-
   const RelativePose& relative_;
-  WalkSide x_;
-  WalkSide y_;
+  LeafPairs leaves_;
   const WideNode* nodes_x_;
   const WideNode* nodes_y_;
   const TriangleBlock* blocks_x_;
   const TriangleBlock* blocks_y_;
-  bool swapped_;
   WalkMemory& memory_;
   Cost cost_;
   std::size_t opened_ = 0;      // pairs so far
