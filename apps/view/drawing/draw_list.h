@@ -1,0 +1,140 @@
+/// \file
+/// What to draw, as plain data in world coordinates: no OpenGL, no questions of collision.
+#pragma once
+
+#include "soms/base/box.h"
+#include "soms/base/pose.h"
+#include "soms/base/vector.h"
+#include "soms/geometry/mesh.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace soms::view {
+
+/// Color in sRGB; `a` below 255 is translucent.
+struct Color {
+  std::uint8_t r = 255;
+  std::uint8_t g = 255;
+  std::uint8_t b = 255;
+  std::uint8_t a = 255;
+
+  [[nodiscard]] bool operator==(const Color&) const = default;
+};
+
+/// `color` with another opacity.
+[[nodiscard]] constexpr Color with_alpha(Color color, std::uint8_t a) {
+  color.a = a;
+  return color;
+}
+
+/// A mesh that instances share. Renderers upload it once for each pair of key and version, cut into
+/// tiles, and drop it when a list no longer names its key.
+struct DrawMesh {
+  std::uint64_t key = 0;      ///< who it is, unique among the meshes of a list
+  std::uint64_t version = 0;  ///< raised whenever geometry or colors change
+  std::shared_ptr<const Mesh> mesh = {};
+  /// One color a triangle, or none: then each instance gives its own.
+  std::shared_ptr<const std::vector<Color>> colors = {};
+};
+
+/// How a surface is drawn.
+enum class SurfaceStyle : std::uint8_t {
+  solid,  ///< shaded faces
+  wire,   ///< edges of triangles only
+  both,   ///< faces with their edges upon them
+};
+
+/// One placed copy of a mesh.
+struct Instance {
+  std::uint32_t mesh = 0;  ///< index into `DrawList::meshes`
+  Pose pose = {};
+  Color color{190, 190, 190, 255};  ///< used where the mesh has no colors; `a` holds in any case
+  SurfaceStyle style = SurfaceStyle::solid;
+  bool highlighted = false;  ///< drawn brighter, as the chosen one
+};
+
+/// A triangle in world coordinates, drawn just above the surface that it lies in.
+struct TriangleMark {
+  Triangle corners = {};
+  Color color{213, 94, 0, 255};
+  bool on_top = false;  ///< seen through everything
+};
+
+struct BoxItem {
+  Box box = {};
+  Color color{0, 114, 178, 255};
+};
+
+enum class BoxStyle : std::uint8_t {
+  wire,   ///< twelve edges
+  solid,  ///< six faces
+  both,   ///< six faces and twelve edges; a translucent color makes only the faces translucent
+};
+
+/// Boxes of one body, in its coordinates. A group whose key is not 0 is uploaded once for each pair
+/// of key and version.
+struct BoxGroup {
+  std::uint64_t key = 0;
+  std::uint64_t version = 0;
+  Pose pose = {};
+  BoxStyle style = BoxStyle::wire;
+  float width = 1;      ///< of edges, in pixels
+  bool on_top = false;  ///< seen through everything
+  std::vector<BoxItem> boxes = {};
+};
+
+struct Line {
+  Vec3 a = {};
+  Vec3 b = {};
+  Color color{0, 0, 0, 255};
+  float width = 1;      ///< in pixels
+  bool on_top = false;  ///< seen through everything
+};
+
+struct Point {
+  Vec3 at = {};
+  Color color{0, 0, 0, 255};
+  float diameter = 6;   ///< in pixels
+  bool on_top = false;  ///< seen through everything
+};
+
+/// Fills the picture before anything is drawn; from lower to upper edge.
+struct Background {
+  Color lower{238, 240, 243, 255};
+  Color upper{206, 214, 224, 255};
+};
+
+/// A sun without shadows.
+struct Light {
+  Vec3 toward{-0.4, -0.7, 1};  ///< from the scene to the light; any length but 0
+  float ambient = 0.5F;        ///< share of the light that comes from everywhere, 0 to 1
+};
+
+/// One picture. Order within each list does not matter, except that later marks, lines and points
+/// lie over earlier ones of equal depth.
+struct DrawList {
+  std::vector<DrawMesh> meshes = {};
+  std::vector<Instance> instances = {};
+  std::vector<TriangleMark> marks = {};
+  std::vector<BoxGroup> box_groups = {};
+  std::vector<Line> lines = {};
+  std::vector<Point> points = {};
+  Background background;
+  Light light;
+};
+
+/// Bounds of everything in the list, in world coordinates; empty for an empty list.
+/// \pre Every instance names a mesh of the list, and no mesh is null.
+/// \cost O(vertices) of the shared meshes; ask once a scene, not once a frame.
+[[nodiscard]] Box bounds(const DrawList& list);
+
+/// Bounds of a box that was moved by a pose; empty for an empty box.
+[[nodiscard]] Box moved(const Pose& pose, const Box& box);
+
+/// Throws unless every index is in range and every mesh is there.
+/// \errors ErrorKind::usage names the first fault.
+void check(const DrawList& list);
+
+}  // namespace soms::view

@@ -1,0 +1,15 @@
+set(SOMS_VIEW_HEADERS
+  camera.h
+  draw_list.h
+  palette.h
+  picture.h
+  recording_renderer.h
+  renderer.h
+)
+set(SOMS_VIEW_SOURCES
+  camera.cpp
+  draw_list.cpp
+  palette.cpp
+  picture.cpp
+  recording_renderer.cpp
+)

@@ -1,0 +1,72 @@
+#include "apps/view/drawing/picture.h"
+
+#include "soms/base/error.h"
+
+#include "tests/support/support.h"
+
+#include <fstream>
+
+namespace soms::view {
+namespace {
+
+Picture noise(Rng& rng, Size size, bool opaque) {
+  Picture picture = filled(size, {0, 0, 0, 255});
+  for (std::size_t i = 0; i < picture.bytes.size(); ++i) {
+    if (i % 4 != 3 || !opaque) {
+      picture.bytes[i] = static_cast<std::uint8_t>(rng.below(256));
+    }
+  }
+  return picture;
+}
+
+TEST(Picture, ComesBackFromItsFile) {
+  test::for_each_case("picture/png", 20, [](Rng& rng) {
+    const Size size{static_cast<int>(1 + rng.below(40)), static_cast<int>(1 + rng.below(40))};
+    const Picture picture = noise(rng, size, rng.below(2) == 0);
+    EXPECT_EQ(from_png(to_png(picture)), picture);
+  });
+}
+
+TEST(Picture, IsWrittenWholeOrNotAtAll) {
+  const test::TemporaryFolder folder;
+  const Picture picture = filled({3, 2}, {1, 2, 3, 255});
+  write_png(picture, folder.path() / "a.png");
+  EXPECT_EQ(read_png(folder.path() / "a.png"), picture);
+  EXPECT_THROW(write_png(picture, folder.path() / "missing" / "a.png"), Error);
+  EXPECT_THROW(write_png(picture, folder.path()), Error);
+  EXPECT_THROW(write_png(Picture{}, folder.path() / "b.png"), Error);
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    ++files;
+  }
+  EXPECT_EQ(files, 1U) << "nothing half written stays behind";
+}
+
+TEST(Picture, RefusesWhatIsNoPng) {
+  EXPECT_THROW((void)from_png("not a picture"), Error);
+  EXPECT_THROW((void)from_png(""), Error);
+  const std::string whole = to_png(filled({30, 30}, {9, 9, 9, 255}));
+  for (std::size_t cut = 0; cut + 16 < whole.size(); ++cut) {
+    EXPECT_THROW((void)from_png(std::string_view(whole).substr(0, cut)), Error) << cut;
+  }
+  EXPECT_THROW((void)read_png("/nowhere/a.png"), Error);
+}
+
+TEST(Picture, CountsColorsAndDifferences) {
+  Picture a = filled({4, 4}, {10, 20, 30, 255});
+  EXPECT_EQ(count_near(a, {12, 18, 30, 255}, 2), 16U);
+  EXPECT_EQ(count_near(a, {13, 18, 30, 255}, 2), 0U);
+  Picture b = a;
+  b.bytes[0] = 20;
+  const PictureDifference d = difference(a, b, 5);
+  EXPECT_EQ(d.largest, 10);
+  EXPECT_EQ(d.beyond, 1U);
+  EXPECT_NEAR(d.mean, 10.0 / 64, 1e-12);
+  EXPECT_EQ(difference(a, a, 0).largest, 0);
+  EXPECT_THROW((void)difference(a, filled({4, 5}, {}), 0), Error);
+  EXPECT_EQ(b.at(0, 0), (Color{20, 20, 30, 255}));
+  EXPECT_EQ(b.at(3, 3), (Color{10, 20, 30, 255}));
+}
+
+}  // namespace
+}  // namespace soms::view
