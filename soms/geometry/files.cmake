@@ -1,4 +1,5 @@
 set(SOMS_HEADERS
+  crossing_segment.h
   defects.h
   mesh.h
   midpoint.h
@@ -7,6 +8,7 @@ set(SOMS_HEADERS
   triangle_overlap.h
 )
 set(SOMS_SOURCES
+  crossing_segment.cpp
   defects.cpp
   detail/flat_overlap.cpp
   detail/orientation_exact.cpp

@@ -1,0 +1,32 @@
+/// \file
+/// From a scene and what is to be shown of it to a draw list.
+#pragma once
+
+#include "apps/view/drawing/draw_list.h"
+#include "apps/view/scene/view_options.h"
+#include "apps/view/scene/view_scene.h"
+
+#include <cstdint>
+
+namespace soms::view {
+
+/// How much of what there is a draw list holds.
+struct ShownCounts {
+  std::uint64_t contacts = 0;
+  std::uint64_t contacts_drawn = 0;
+  std::uint64_t boxes = 0;
+  std::uint64_t boxes_drawn = 0;
+};
+
+/// The picture of a scene. Meshes are shared and keep their keys and versions from call to call;
+/// only instances, marks and the boxes of a traversal are made anew. Builds the trees that
+/// `options` need when they are shown for the first time.
+/// \errors ErrorKind::usage for a body that is not there, a level below 1, and tree options out of
+///         range.
+/// \cost   O(bodies + contacts drawn + boxes drawn).
+[[nodiscard]] DrawList make_draw_list(ViewScene& scene, const ViewOptions& options);
+
+/// Counts of the list that `make_draw_list` makes of the same scene and options.
+[[nodiscard]] ShownCounts shown(ViewScene& scene, const ViewOptions& options);
+
+}  // namespace soms::view

@@ -1,0 +1,35 @@
+/// \file
+/// What a scene is made of: bodies that stand and bodies that move, with the ways they go.
+#pragma once
+
+#include "soms/base/pose.h"
+#include "soms/query/body.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace soms::view {
+
+/// Frames of a second of simulated time.
+inline constexpr double kFramesASecond = 60;
+
+/// Pose of a mover at a frame; an empty one leaves the mover where its body stands.
+using Motion = std::function<Pose(std::uint64_t frame)>;
+
+/// A body that moves. Its pose is that of frame 0 where `motion` is empty.
+struct MovingBody {
+  Body body;
+  Motion motion = {};
+};
+
+/// A scene before its first frame: plain values, made by `load.h` or by hand.
+struct SceneContent {
+  std::string title;  ///< name of the city or model
+  std::vector<Body> city;
+  std::vector<MovingBody> movers;
+  std::vector<std::string> notes;  ///< what the reader should know of how it was made
+};
+
+}  // namespace soms::view

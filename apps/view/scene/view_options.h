@@ -1,0 +1,99 @@
+/// \file
+/// What of a scene is shown, and how. Plain values, right for most as they are.
+#pragma once
+
+#include "soms/query/traversal_options.h"
+#include "soms/tree/build_options.h"
+
+#include "apps/view/drawing/draw_list.h"
+#include "apps/view/drawing/palette.h"
+#include "apps/view/scene/touch.h"
+
+#include <cstddef>
+#include <optional>
+
+namespace soms::view {
+
+/// How the city's surfaces are colored.
+enum class CityColors : std::uint8_t {
+  by_building,  ///< by part; without parts by connected pieces; without these by place
+  plain,        ///< all alike, so that marks stand out
+};
+
+/// The trees that are shown and walked: how they are built, and how two of them are traversed. The
+/// answers of the scene do not depend on them.
+struct TreeChoice {
+  BuildOptions build{.rule = Rule::soms};
+  TraversalOptions traversal{.traversal = Traversal::e_node, .descent = Descent::larger};
+
+  [[nodiscard]] bool operator==(const TreeChoice&) const = default;
+};
+
+/// Boxes of one level of a body's tree (thesis, figs. 4.28 to 4.30).
+struct LevelBoxes {
+  BodyRef body;
+  int level = 1;             ///< 1 is the root alone
+  bool leaves_above = true;  ///< also the leaves of levels above, which hold the other triangles
+  BoxStyle style = BoxStyle::wire;
+
+  [[nodiscard]] bool operator==(const LevelBoxes&) const = default;
+};
+
+/// Boxes that the last traversal of the chosen pair looked at (thesis, fig. 4.35).
+struct WalkBoxes {
+  bool visited = true;  ///< nodes that were opened
+  bool pruned = true;   ///< nodes that were apart from all they were tested against
+  bool found = true;    ///< leaves of the pairs found
+  bool city = true;     ///< boxes of the pair's first tree
+  bool mover = true;    ///< boxes of the pair's second tree
+
+  [[nodiscard]] bool operator==(const WalkBoxes&) const = default;
+};
+
+/// What is shown of contacts.
+struct ContactMarks {
+  bool triangles = true;    ///< touching triangles in red
+  bool parts = false;       ///< the parts they belong to, in a paler red
+  bool segments = true;     ///< where they cross: segments, points, outlines of common areas
+  bool lines = false;       ///< from the middle of each touching mover to its contacts
+  bool on_top = false;      ///< seen through everything
+  std::size_t most = 2000;  ///< most contacts drawn; `shown` says how many there are
+  std::size_t most_of_parts = 20000;  ///< most triangles of parts drawn
+
+  [[nodiscard]] bool operator==(const ContactMarks&) const = default;
+};
+
+/// Colors of marks. The default ones are told apart by people who see fewer colors.
+struct ViewColors {
+  Color contact = palette::kContact;
+  Color part = {240, 150, 130, 255};
+  Color segment = palette::kYellow;
+  Color line = palette::kPurple;
+  Color level = palette::kBlue;
+  Color leaf_above = palette::kSkyBlue;
+  Color visited = palette::kBlue;
+  Color pruned = {150, 150, 150, 255};
+  Color found = palette::kOrange;
+  Color plain_city = {205, 205, 200, 255};
+
+  [[nodiscard]] bool operator==(const ViewColors&) const = default;
+};
+
+/// What is shown.
+struct ViewOptions {
+  bool city = true;
+  bool movers = true;
+  SurfaceStyle city_style = SurfaceStyle::solid;
+  SurfaceStyle mover_style = SurfaceStyle::solid;
+  CityColors city_colors = CityColors::by_building;
+  TreeChoice trees;
+  std::optional<LevelBoxes> level;  ///< nothing: no boxes of a level
+  std::optional<WalkBoxes> walk;    ///< nothing: no boxes of a traversal
+  ContactMarks contacts;
+  std::optional<BodyRef> highlighted;  ///< drawn brighter
+  std::optional<Touch> chosen;         ///< a contact drawn through everything
+  std::size_t most_boxes = 50'000;     ///< of a level or a traversal; the largest are drawn
+  ViewColors colors;
+};
+
+}  // namespace soms::view

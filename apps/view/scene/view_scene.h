@@ -1,0 +1,162 @@
+/// \file
+/// A scene that is looked at: bodies, their contacts, time, and what the hand moves.
+#pragma once
+
+#include "soms/base/parallel.h"
+#include "soms/scene/scene.h"
+#include "soms/tree/statistics.h"
+
+#include "apps/view/drawing/camera.h"
+#include "apps/view/drawing/draw_list.h"
+#include "apps/view/scene/explain.h"
+#include "apps/view/scene/scene_content.h"
+#include "apps/view/scene/touch.h"
+#include "apps/view/scene/view_options.h"
+#include "apps/view/scene/walk.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soms::view {
+
+/// Where a ray meets a scene first.
+struct Picked {
+  BodyRef body;
+  TriangleId triangle = 0;
+  std::uint32_t face = 0;                   ///< of the file
+  std::uint32_t part = Part::kNoParent;     ///< part of the mesh
+  std::string part_name;                    ///< empty where the file names none
+  std::array<std::uint32_t, 3> vertices{};  ///< numbers of the corners in the mesh
+  Triangle corners;                         ///< where they are
+  Vec3 point;
+  double distance = 0;         ///< from the ray's origin
+  std::vector<Touch> touches;  ///< contacts of this triangle
+  std::string explanation;     ///< some lines for people
+};
+
+/// Numbers for panels.
+struct SceneStatistics {
+  std::uint64_t bodies = 0;
+  std::uint64_t triangles = 0;  ///< of the city once, of movers each
+  std::uint64_t frame = 0;
+  std::uint64_t contacts = 0;            ///< touching pairs of triangles
+  std::uint64_t touching_movers = 0;     ///< movers that touch anything
+  std::uint64_t queries = 0;             ///< of the last step
+  std::uint64_t box_pairs = 0;           ///< of the last step
+  Cost cost;                             ///< of the last step
+  double step_milliseconds = 0;          ///< the last step: poses, broad and narrow phase
+  std::string_view rule;                 ///< of the trees that are shown
+  std::string_view traversal;            ///< of the pair
+  std::optional<TreeStatistics> tree_a;  ///< of the pair's first body, where its tree was built
+  std::optional<TreeStatistics> tree_b;
+  std::optional<TraversalCounts> walk;  ///< of the pair, where it was walked
+  double walk_milliseconds = 0;
+  bool walk_cut = false;
+};
+
+/// A scene that is looked at. Contacts are always those of the present poses: whatever moves a body
+/// asks the scene again.
+///
+/// Time: `step` brings the movers to the next frame of their motions, of an orientation test or of
+/// a recording. A mover that is held stays where the hand put it.
+/// The pair: a body of the city or a mover, and a mover, whose trees are shown and walked.
+/// \threads One caller at a time; uses the threads of `Parallel`.
+class ViewScene {
+ public:
+  /// Finds the contacts of frame 0. \errors As `Scene` for poses; ErrorKind::cancelled.
+  explicit ViewScene(SceneContent content, const Parallel& parallel = {});
+  ~ViewScene();
+  ViewScene(ViewScene&&) noexcept;
+  ViewScene& operator=(ViewScene&&) noexcept;
+
+  [[nodiscard]] const std::string& title() const;
+  [[nodiscard]] const std::vector<std::string>& notes() const;
+  [[nodiscard]] std::uint32_t city_parts() const;
+  [[nodiscard]] std::uint32_t movers() const;
+
+  /// \pre `body` is there. The reference lasts until a body is added.
+  [[nodiscard]] const Body& body(BodyRef body) const;
+
+  /// World bounds of a body at its present pose: moved corners of its box, an upper bound.
+  [[nodiscard]] Box bounds(BodyRef body) const;
+
+  /// World bounds of the city, or of everything where there is no city.
+  [[nodiscard]] Box bounds() const;
+
+  /// Adds a body, such as a dropped file; the other contacts are found again.
+  BodyRef add_city(Body body);
+  BodyRef add_mover(MovingBody mover);
+
+  /// Frame that is shown, from 0.
+  [[nodiscard]] std::uint64_t frame() const;
+
+  /// Frames there are: of a running test; nothing where time does not end.
+  [[nodiscard]] std::optional<std::uint64_t> frames() const;
+
+  /// The next frame; a test begins again after its last one. \errors ErrorKind::cancelled.
+  void step();
+
+  /// Any frame; beyond the last one the last.
+  void go_to(std::uint64_t frame);
+
+  /// Places a mover by hand and finds its contacts. It is held from then on.
+  /// \errors As `Scene::set_pose`; the old pose stays then.
+  void set_pose(std::uint32_t mover, const Pose& pose);
+  void hold(std::uint32_t mover);
+  void release(std::uint32_t mover);  ///< it goes on along its motion with the next step
+  [[nodiscard]] bool held(std::uint32_t mover) const;
+
+  /// The two bodies whose trees are shown: the second is a mover. Nothing without movers.
+  [[nodiscard]] std::optional<std::pair<BodyRef, BodyRef>> pair() const;
+  /// \errors ErrorKind::usage unless both are there, differ, and `b` is a mover.
+  void set_pair(BodyRef a, BodyRef b);
+
+  /// Sends the pair's mover through an orientation test, from its frame 0.
+  /// \errors ErrorKind::usage for an unknown name, and without a pair.
+  void start_test(std::string_view name, std::size_t up = 2);
+  void end_test();
+  [[nodiscard]] std::optional<std::string_view> test() const;
+
+  /// All contacts at the present poses, sorted.
+  [[nodiscard]] const std::vector<Touch>& contacts() const;
+
+  /// World corners of a triangle at its body's present pose.
+  [[nodiscard]] Triangle triangle(BodyRef body, TriangleId i) const;
+
+  /// What two touching triangles have in common.
+  [[nodiscard]] Crossing crossing(const Touch& touch) const;
+
+  /// Why a pair of triangles touches or does not.
+  [[nodiscard]] Explanation explain(const Touch& pair) const;
+
+  /// The first triangle that a ray meets, exact on the ray's segment within the scene's bounds.
+  [[nodiscard]] std::optional<Picked> pick(const Ray& ray) const;
+
+  /// Changes how trees are built and walked. Trees are built when they are needed.
+  /// \errors ErrorKind::usage for options out of range.
+  void set_trees(const TreeChoice& choice);
+  [[nodiscard]] const TreeChoice& trees() const;
+
+  /// The tree of a body by the present choice; built on the first call, shared by equal meshes.
+  [[nodiscard]] const Tree& tree(BodyRef body);
+
+  /// The pair's traversal at the present poses; made again only after a change. An empty walk
+  /// without a pair and by Traversal::fast. `world_boxes` are the boxes that it tests.
+  [[nodiscard]] const Walk& walk();
+  [[nodiscard]] std::span<const Box> world_boxes(BodyRef body);
+
+  [[nodiscard]] SceneStatistics statistics() const;
+
+ private:
+  friend class SceneDrawing;
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace soms::view

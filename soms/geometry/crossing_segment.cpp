@@ -1,0 +1,276 @@
+#include "soms/geometry/crossing_segment.h"
+
+#include "soms/base/box.h"
+#include "soms/geometry/detail/double_double.h"
+#include "soms/geometry/orientation.h"
+#include "soms/geometry/triangle_overlap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace soms {
+
+namespace {
+
+using detail::DoubleDouble;
+using detail::WideVector;
+using Corners = std::array<Vec3, 3>;
+using Signs = std::array<Sign, 3>;
+
+Corners corners_of(const Triangle& t) {
+  return {t.a, t.b, t.c};
+}
+
+Signs signs_of(const Triangle& plane, const Triangle& t) {
+  return {orientation(plane.a, plane.b, plane.c, t.a), orientation(plane.a, plane.b, plane.c, t.b),
+          orientation(plane.a, plane.b, plane.c, t.c)};
+}
+
+bool has_zero(const Signs& signs) {
+  return std::find(signs.begin(), signs.end(), Sign::zero) != signs.end();
+}
+
+bool has_area(const Triangle& t) {
+  return orientation2d(t.a, t.b, t.c, Projection::xy) != Sign::zero ||
+         orientation2d(t.a, t.b, t.c, Projection::yz) != Sign::zero ||
+         orientation2d(t.a, t.b, t.c, Projection::zx) != Sign::zero;
+}
+
+bool opposite(Sign a, Sign b) {
+  return a != b && a != Sign::zero && b != Sign::zero;
+}
+
+double length(const Vec3& v) {
+  return std::hypot(v.x, v.y, v.z);
+}
+
+/// Lengths of a pair of triangles: what it is measured in, and what is too near to tell apart.
+struct Measure {
+  double scale;  ///< power of two that brings the extent near 1
+  double merge;
+
+  Measure(const Triangle& s, const Triangle& t) {
+    Box box = bounds(s);
+    box.grow(bounds(t));
+    const Vec3 e = box.extent();
+    const double extent = std::max(std::max(e.x, e.y), e.z);
+    double most = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      most = std::max(most, std::max(std::abs(box.lower[k]), std::abs(box.upper[k])));
+    }
+    scale = extent > 0 ? std::exp2(std::clamp(-std::ilogb(extent), -1000, 1000)) : 1;
+    merge = 1e-13 * extent + 4 * std::numeric_limits<double>::epsilon() * most;
+  }
+};
+
+/// Point between `p` and `q` where a linear quantity that is `at_p` and `at_q`, of opposite signs,
+/// vanishes.
+Vec3 zero_between(const Vec3& p, const DoubleDouble& at_p, const Vec3& q,
+                  const DoubleDouble& at_q) {
+  const double share = at_p.high / (at_p - at_q).high;
+  // A share that rounding spoiled is brought back to the edge; the common point is on it.
+  const double u = share >= 0 ? std::min(share, 1.0) : 0.5;
+  return u <= 0.5 ? p + u * (q - p) : q + (1 - u) * (p - q);
+}
+
+/// Where edge `p`, `q` goes through the plane of `t`. \pre They are on opposite sides.
+Vec3 through_plane(const Vec3& p, const Vec3& q, const Triangle& t, const Measure& measure) {
+  const WideVector normal = detail::cross(detail::difference(t.b, t.a, measure.scale),
+                                          detail::difference(t.c, t.a, measure.scale));
+  return zero_between(p, detail::dot(normal, detail::difference(p, t.a, measure.scale)), q,
+                      detail::dot(normal, detail::difference(q, t.a, measure.scale)));
+}
+
+/// The two points where edges of `s` go through the plane of `t`.
+/// \pre No sign is zero, and not all are equal.
+std::pair<Vec3, Vec3> piece(const Triangle& s, const Signs& signs, const Triangle& t,
+                            const Measure& measure) {
+  const Corners c = corners_of(s);
+  const std::size_t tip = signs[1] == signs[2] ? 0 : signs[0] == signs[2] ? 1 : 2;
+  return {through_plane(c[tip], c[(tip + 1) % 3], t, measure),
+          through_plane(c[tip], c[(tip + 2) % 3], t, measure)};
+}
+
+Crossing segment(const Vec3& a, const Vec3& b, const Measure& measure) {
+  Crossing result;
+  if (length(b - a) <= measure.merge) {
+    result.corners[0] = a;
+    result.count = 1;
+  } else {
+    result.corners[0] = a;
+    result.corners[1] = b;
+    result.count = 2;
+  }
+  return result;
+}
+
+/// General position: both triangles cut the common line of their planes in a piece each.
+Crossing common_piece(std::pair<Vec3, Vec3> p, std::pair<Vec3, Vec3> q, const Measure& measure) {
+  const Vec3 along_p = p.second - p.first;
+  const Vec3 along_q = q.second - q.first;
+  const Vec3 along = (length(along_p) >= length(along_q) ? along_p : along_q) * measure.scale;
+  const Vec3 origin = p.first;
+  const auto place = [&](const Vec3& v) { return dot((v - origin) * measure.scale, along); };
+  const auto sorted = [&](std::pair<Vec3, Vec3>& ends) {
+    if (place(ends.first) > place(ends.second)) {
+      std::swap(ends.first, ends.second);
+    }
+  };
+  sorted(p);
+  sorted(q);
+  const Vec3 begin = place(p.first) >= place(q.first) ? p.first : q.first;
+  const Vec3 end = place(p.second) <= place(q.second) ? p.second : q.second;
+  if (place(begin) > place(end)) {  // they touch in a point, but for rounding
+    return segment(begin, begin, measure);
+  }
+  return segment(begin, end, measure);
+}
+
+bool touch(const Vec3& p, const Triangle& t) {
+  return triangles_overlap({p, p, p}, t);
+}
+
+/// The point in which two segments cross that touch; nothing if they are parallel: then ends of
+/// theirs are what they have in common.
+std::optional<Vec3> cross_point(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b,
+                                const Measure& measure) {
+  // Heights of p and q over the line a b, in the coordinate plane where they differ most.
+  const WideVector line = detail::difference(b, a, measure.scale);
+  const WideVector at_p = detail::cross(line, detail::difference(p, a, measure.scale));
+  const WideVector at_q = detail::cross(line, detail::difference(q, a, measure.scale));
+  const DoubleDouble* best_p = nullptr;
+  const DoubleDouble* best_q = nullptr;
+  double most = 0;
+  for (const auto axis : {&WideVector::x, &WideVector::y, &WideVector::z}) {
+    const double change = std::abs((at_p.*axis - at_q.*axis).high);
+    if (change > most) {
+      most = change;
+      best_p = &(at_p.*axis);
+      best_q = &(at_q.*axis);
+    }
+  }
+  if (best_p == nullptr) {
+    return std::nullopt;
+  }
+  return zero_between(p, *best_p, q, *best_q);
+}
+
+/// Points that are corners of the common set: corners of one in the other, edges of one through the
+/// other, edges that cross. Which there are is decided exactly.
+std::vector<Vec3> common_corners(const Triangle& s, const Signs& s_signs, const Triangle& t,
+                                 const Signs& t_signs, const Measure& measure) {
+  std::vector<Vec3> found;
+  const auto inside = [&found](const Triangle& of, const Triangle& other) {
+    for (const Vec3& p : corners_of(of)) {
+      if (touch(p, other)) {
+        found.push_back(p);
+      }
+    }
+  };
+  const auto through = [&](const Triangle& of, const Signs& signs, const Triangle& other) {
+    const Corners c = corners_of(of);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t k = (i + 1) % 3;
+      if (opposite(signs[i], signs[k]) && triangles_overlap({c[i], c[k], c[k]}, other)) {
+        found.push_back(through_plane(c[i], c[k], other, measure));
+      }
+    }
+  };
+  inside(s, t);
+  inside(t, s);
+  through(s, s_signs, t);
+  through(t, t_signs, s);
+  const Corners c = corners_of(s);
+  const Corners d = corners_of(t);
+  for (std::size_t i = 0; i < 9; ++i) {
+    const Vec3& p = c[i / 3];
+    const Vec3& q = c[(i / 3 + 1) % 3];
+    const Vec3& a = d[i % 3];
+    const Vec3& b = d[(i % 3 + 1) % 3];
+    if (p != q && a != b && triangles_overlap({p, q, q}, {a, b, b})) {
+      if (const auto point = cross_point(p, q, a, b, measure)) {
+        found.push_back(*point);
+      }
+    }
+  }
+  return found;
+}
+
+/// The points without those that are too near to another.
+std::vector<Vec3> distinct(const std::vector<Vec3>& points, const Measure& measure) {
+  std::vector<Vec3> kept;
+  for (const Vec3& p : points) {
+    const bool known = std::any_of(kept.begin(), kept.end(),
+                                   [&](const Vec3& k) { return length(p - k) <= measure.merge; });
+    if (!known) {
+      kept.push_back(p);
+    }
+  }
+  return kept;
+}
+
+Crossing farthest(const std::vector<Vec3>& points, const Measure& measure) {
+  std::pair<Vec3, Vec3> ends{points[0], points[0]};
+  double most = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = i + 1; k < points.size(); ++k) {
+      const double d = length(points[k] - points[i]);
+      if (d > most) {
+        most = d;
+        ends = {points[i], points[k]};
+      }
+    }
+  }
+  return segment(ends.first, ends.second, measure);
+}
+
+/// Corners of a convex outline in the plane of `t`, in order around it.
+Crossing outline(std::vector<Vec3> points, const Triangle& t, const Measure& measure) {
+  const Vec3 u = (t.b - t.a) * measure.scale;
+  const Vec3 n = cross(u, (t.c - t.a) * measure.scale);
+  if (length(n) == 0) {
+    return farthest(points, measure);
+  }
+  Vec3 middle;
+  for (const Vec3& p : points) {
+    middle += p * (1 / static_cast<double>(points.size()));
+  }
+  const Vec3 v = cross(n, u) * (1 / length(n));
+  const auto angle = [&](const Vec3& p) {
+    const Vec3 w = (p - middle) * measure.scale;
+    return std::atan2(dot(w, v), dot(w, u));
+  };
+  std::sort(points.begin(), points.end(),
+            [&](const Vec3& p, const Vec3& q) { return angle(p) < angle(q); });
+  Crossing result;
+  result.count = std::min(points.size(), result.corners.size());
+  std::copy_n(points.begin(), result.count, result.corners.begin());
+  return result;
+}
+
+}  // namespace
+
+Crossing crossing(const Triangle& s, const Triangle& t) {
+  if (!triangles_overlap(s, t)) {
+    return {};
+  }
+  const Measure measure(s, t);
+  const Signs s_signs = signs_of(t, s);
+  const Signs t_signs = signs_of(s, t);
+  if (!has_zero(s_signs) && !has_zero(t_signs)) {
+    return common_piece(piece(s, s_signs, t, measure), piece(t, t_signs, s, measure), measure);
+  }
+  const std::vector<Vec3> points =
+      distinct(common_corners(s, s_signs, t, t_signs, measure), measure);
+  const bool in_one_plane = s_signs == Signs{} && t_signs == Signs{};
+  if (points.size() > 2 && in_one_plane && has_area(s) && has_area(t)) {
+    return outline(points, s, measure);
+  }
+  return farthest(points, measure);
+}
+
+}  // namespace soms
