@@ -2,12 +2,12 @@
 JOBS ?= $(shell nproc)
 ARGS ?=
 
-.PHONY: help run test check asan tsan tidy bench format clean
+.PHONY: help run test check asan tsan tidy arm64 bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
 	@echo "make test    install what is missing, build, and run every test of the release build"
-	@echo "make check   make test, then the suite under ASan+UBSan and TSan, then clang-tidy"
+	@echo "make check   make test, then the suite under ASan+UBSan and TSan, clang-tidy, 64-bit ARM"
 	@echo "make bench   soms beside its rivals, in one run (ARGS=--quick: a few minutes)"
 	@echo "make format  clang-format on every source"
 	@echo "make clean   remove build/"
@@ -36,7 +36,15 @@ tidy:
 	cmake --preset tidy
 	cmake --build --preset tidy -j $(JOBS)
 
-check: test asan tsan tidy
+# Queries with NEON kernels, cross-compiled and run by qemu.
+arm64:
+	@tools/install_packages.sh arm64
+	cmake -G Ninja -S tests/arm64 -B build/arm64 -D CMAKE_BUILD_TYPE=Release \
+	  -D CMAKE_TOOLCHAIN_FILE=$(CURDIR)/cmake/arm64.cmake
+	cmake --build build/arm64 -j $(JOBS)
+	ctest --test-dir build/arm64 --output-on-failure
+
+check: test asan tsan tidy arm64
 
 # Rivals that cannot be installed are left out. A quick run: ARGS=--quick; soms-bench --help tells more.
 bench:

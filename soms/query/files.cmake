@@ -18,6 +18,7 @@ set(SOMS_SOURCES
   detail/kernels/avx2.cpp
   detail/kernels/avx512.cpp
   detail/kernels/instruction_set.cpp
+  detail/kernels/neon.cpp
   detail/kernels/scalar.cpp
   detail/kernels/sse4.cpp
   detail/leaf_pairs.cpp

@@ -29,6 +29,8 @@ std::vector<const Kernels*> kernels_here() {
       __builtin_cpu_supports("bmi2")) {
     here.push_back(&avx512::kernels());
   }
+#elif defined(__aarch64__)
+  here.push_back(&neon::kernels());
 #endif
   return here;
 }

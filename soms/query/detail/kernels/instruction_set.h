@@ -13,8 +13,7 @@ namespace soms::detail {
 /// Kernels that this build has and this processor runs, the plainest first.
 [[nodiscard]] std::vector<const Kernels*> kernels_here();
 
-/// Kernels by name, of scalar, sse4, avx2, avx512; neon is a name kept
-/// for processors of another kind.
+/// Kernels by name, of scalar, sse4, avx2, avx512 and neon.
 /// \errors  ErrorKind::usage for an unknown name, unsupported for what this processor lacks.
 [[nodiscard]] const Kernels& kernels_named(std::string_view name);
 
@@ -39,6 +38,10 @@ namespace avx2 {
 namespace avx512 {
 [[nodiscard]] const Kernels& kernels();
 }  // namespace avx512
+#elif defined(__aarch64__)
+namespace neon {
+[[nodiscard]] const Kernels& kernels();
+}  // namespace neon
 #endif
 
 }  // namespace soms::detail

@@ -94,6 +94,8 @@ F4 with_last(F4 a, float x) {
   return a;
 }
 
+#include "soms/query/detail/kernels/append_plain.h"
+//
 #include "soms/query/detail/kernels/lanes_pair.h"
 //
 #include "soms/query/detail/kernels/offset.h"
@@ -102,28 +104,6 @@ F4 with_last(F4 a, float x) {
 //
 #include "soms/query/detail/kernels/node_pairs.h"
 #include "soms/query/detail/kernels/triangles.h"
-
-std::uint32_t code_of(const WideNode& node, std::uint32_t own, std::uint32_t lane) {
-  return (node.leaves >> lane & 1U) != 0 ? own + NodeTask::kLane + lane : node.child[lane] << 3;
-}
-
-void append(const NodeTask* tasks, std::size_t count, PairSink& sink) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const NodeTask& task = tasks[i];
-    for (std::uint32_t left = task.pairs; left != 0; left &= left - 1) {
-      const auto bit = static_cast<std::uint32_t>(std::countr_zero(left));
-      const std::uint32_t x = bit & 3;
-      const std::uint32_t y = (bit + (bit >> 2)) & 3;
-      if ((task.x->leaves >> x & task.y->leaves >> y & 1U) != 0) {
-        sink.blocks_x[sink.blocks] = task.x->child[x];
-        sink.blocks_y[sink.blocks++] = task.y->child[y];
-      } else {
-        sink.codes_x[sink.codes] = code_of(*task.x, task.code_x, x);
-        sink.codes_y[sink.codes++] = code_of(*task.y, task.code_y, y);
-      }
-    }
-  }
-}
 
 }  // namespace
 

@@ -1,0 +1,36 @@
+// NEON of 64-bit ARM: four lanes.
+#include "soms/query/detail/kernels/instruction_set.h"
+
+#if defined(__aarch64__)
+#include <arm_neon.h>
+
+#include <bit>
+#include <cmath>
+
+namespace soms::detail::neon {
+
+namespace {
+
+#include "soms/query/detail/kernels/lanes_neon.h"
+//
+#include "soms/query/detail/kernels/append_plain.h"
+//
+#include "soms/query/detail/kernels/lanes_pair.h"
+//
+#include "soms/query/detail/kernels/offset.h"
+//
+#include "soms/query/detail/kernels/nodes.h"
+//
+#include "soms/query/detail/kernels/node_pairs.h"
+#include "soms/query/detail/kernels/triangles.h"
+
+}  // namespace
+
+const Kernels& kernels() {
+  static constexpr Kernels kTable{"neon", test_nodes, test_larger,
+                                  append, test_slabs, test_triangles};
+  return kTable;
+}
+
+}  // namespace soms::detail::neon
+#endif
