@@ -3,8 +3,8 @@
 #include "soms/base/error.h"
 
 #include "apps/soms/child.h"
-#include "apps/soms/console.h"
-#include "apps/soms/parse.h"
+#include "apps/support/console.h"
+#include "apps/support/parse.h"
 
 #include <CLI/CLI.hpp>
 #include <unistd.h>

@@ -3,7 +3,7 @@
 /// a program of its own, soms-bench, so that the command never links a rival.
 #pragma once
 
-#include "apps/soms/verbs.h"
+#include "apps/support/verb.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -2,7 +2,7 @@
 
 #include "soms/base/error.h"
 
-#include "apps/soms/console.h"
+#include "apps/support/console.h"
 
 #include <spawn.h>
 #include <sys/wait.h>

@@ -1,7 +1,8 @@
 #include "apps/soms/completion.h"
 
-#include "apps/soms/console.h"
-#include "apps/soms/parse.h"
+#include "apps/soms/verbs.h"
+#include "apps/support/console.h"
+#include "apps/support/parse.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -25,7 +26,7 @@ std::string bash_script() {
   std::string cases;
   for (const Verb& verb : verbs()) {
     cases += fmt::format("    {}) words=\"{}\" ;;\n", verb.name,
-                         fmt::join(ParsedVerb(verb).option_names(), " "));
+                         fmt::join(ParsedVerb("soms", verb).option_names(), " "));
   }
   return fmt::format(
       "_soms() {{\n"
@@ -49,7 +50,7 @@ std::string fish_script() {
   for (const Verb& verb : verbs()) {
     text += fmt::format("complete -c soms -n __fish_use_subcommand -a {} -d '{}'\n", verb.name,
                         verb.question);
-    for (const std::string& option : ParsedVerb(verb).option_names()) {
+    for (const std::string& option : ParsedVerb("soms", verb).option_names()) {
       const bool is_long = option.starts_with("--");
       text += fmt::format("complete -c soms -n '__fish_seen_subcommand_from {}' -{} {}\n",
                           verb.name, is_long ? "l" : "s", option.substr(is_long ? 2 : 1));

@@ -2,7 +2,7 @@
 /// The verb `completion`: a script that lets a shell complete verbs and options.
 #pragma once
 
-#include "apps/soms/verbs.h"
+#include "apps/support/verb.h"
 
 namespace soms::command {
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "apps/soms/model_output.h"
-#include "apps/soms/models.h"
-#include "apps/soms/verbs.h"
+#include "apps/support/models.h"
+#include "apps/support/verb.h"
 
 #include <string>
 

@@ -7,10 +7,10 @@
 #include "soms/generate/teapot.h"
 #include "soms/generate/urban.h"
 
-#include "apps/soms/console.h"
-#include "apps/soms/json.h"
-#include "apps/soms/parse.h"
-#include "apps/soms/text.h"
+#include "apps/support/console.h"
+#include "apps/support/json.h"
+#include "apps/support/parse.h"
+#include "apps/support/text.h"
 
 #include <fmt/format.h>
 

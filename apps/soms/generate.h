@@ -5,7 +5,7 @@
 #include "soms/geometry/mesh.h"
 
 #include "apps/soms/model_output.h"
-#include "apps/soms/verbs.h"
+#include "apps/support/verb.h"
 
 #include <cstdint>
 #include <span>

@@ -6,9 +6,9 @@
 #include "soms/tree/shape.h"
 #include "soms/tree/statistics.h"
 
-#include "apps/soms/console.h"
-#include "apps/soms/json.h"
-#include "apps/soms/text.h"
+#include "apps/support/console.h"
+#include "apps/support/json.h"
+#include "apps/support/text.h"
 
 #include <fmt/format.h>
 

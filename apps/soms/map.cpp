@@ -5,7 +5,7 @@
 #include "apps/soms/map_city.h"
 #include "apps/soms/map_marks.h"
 #include "apps/soms/outline.h"
-#include "apps/soms/text.h"
+#include "apps/support/text.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "apps/soms/map_city.h"
 
-#include "apps/soms/height_grid.h"
 #include "apps/soms/map_marks.h"
 #include "apps/soms/outline.h"
+#include "apps/support/height_grid.h"
 
 #include <fmt/format.h>
 

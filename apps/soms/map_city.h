@@ -4,7 +4,7 @@
 
 #include "soms/base/box.h"
 
-#include "apps/soms/simulate_world.h"
+#include "apps/support/world.h"
 
 #include <cstddef>
 #include <string>

@@ -2,8 +2,6 @@
 
 #include "soms/base/text.h"
 
-#include "apps/soms/simulate_report.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "apps/soms/simulate_run.h"
-#include "apps/soms/simulate_world.h"
+#include "apps/support/world.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,9 +2,9 @@
 
 #include "soms/base/error.h"
 
-#include "apps/soms/console.h"
-#include "apps/soms/parse.h"
-#include "apps/soms/text.h"
+#include "apps/support/console.h"
+#include "apps/support/parse.h"
+#include "apps/support/text.h"
 
 #include <fmt/format.h>
 

@@ -2,11 +2,11 @@
 
 #include "soms/query/reference/overlap.h"
 
-#include "apps/soms/console.h"
 #include "apps/soms/overlap_report.h"
-#include "apps/soms/parse.h"
-#include "apps/soms/pose_source.h"
-#include "apps/soms/text.h"
+#include "apps/support/console.h"
+#include "apps/support/parse.h"
+#include "apps/support/pose_source.h"
+#include "apps/support/text.h"
 
 #include <fmt/format.h>
 

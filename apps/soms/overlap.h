@@ -4,8 +4,8 @@
 
 #include "soms/query/overlap.h"
 
-#include "apps/soms/models.h"
-#include "apps/soms/verbs.h"
+#include "apps/support/models.h"
+#include "apps/support/verb.h"
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 #include "apps/soms/overlap_report.h"
 
-#include "apps/soms/console.h"
-#include "apps/soms/models.h"
-#include "apps/soms/text.h"
+#include "apps/support/console.h"
+#include "apps/support/models.h"
+#include "apps/support/text.h"
 
 #include <fmt/format.h>
 

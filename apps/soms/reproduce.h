@@ -2,7 +2,7 @@
 /// `soms reproduce`: the experiments of the thesis as tables, figures and a page.
 #pragma once
 
-#include "apps/soms/verbs.h"
+#include "apps/support/verb.h"
 
 #include <string>
 #include <vector>

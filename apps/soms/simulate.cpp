@@ -2,12 +2,12 @@
 
 #include "soms/base/error.h"
 
-#include "apps/soms/console.h"
 #include "apps/soms/map.h"
-#include "apps/soms/output.h"
 #include "apps/soms/simulate_report.h"
 #include "apps/soms/simulate_run.h"
-#include "apps/soms/simulate_world.h"
+#include "apps/support/console.h"
+#include "apps/support/output.h"
+#include "apps/support/world.h"
 
 #include <fmt/format.h>
 
@@ -38,13 +38,13 @@ std::filesystem::path real_path(const std::string& path) {
 /// Throws ErrorKind::usage if an output would mix with the table or overwrite another file of ours.
 void check_outputs(const SimulateOptions& options) {
   std::vector<Named> taken;
-  for (const std::string& path : options.cities) {
+  for (const std::string& path : options.world.cities) {
     taken.emplace_back("CITY", path);
   }
-  for (const std::string& path : options.movers) {
+  for (const std::string& path : options.world.movers) {
     taken.emplace_back("--mover", path);
   }
-  for (const std::string& path : options.routes) {
+  for (const std::string& path : options.world.routes) {
     taken.emplace_back("--route", path);
   }
   for (const Named& output : {Named("--events", options.events), Named("--map", options.map)}) {
@@ -92,7 +92,7 @@ int run_simulate(const SimulateOptions& options, Console& console) {
   std::optional<OutputFile> map;
   open(events, options.events);
   open(map, options.map);
-  const World world = load_world(options, console);
+  const World world = load_world(options.world, console);
   const Outcome outcome = run_frames(world, options, console);
   if (events) {
     write_events(events->stream(), world, outcome);

@@ -1,5 +1,5 @@
-#include "apps/soms/parse.h"
 #include "apps/soms/simulate.h"
+#include "apps/support/parse.h"
 
 #include <memory>
 
@@ -7,7 +7,6 @@ namespace soms::command {
 
 namespace {
 
-constexpr std::uint64_t kMostMovers = 1'000'000;
 constexpr std::uint64_t kMostFrames = 1'000'000'000;
 
 const char* const kFooter =
@@ -28,34 +27,11 @@ const char* const kFooter =
     "  soms generate car -o car.ply\n"
     "  soms simulate town.ply --mover car.ply --count 50 --frames 60 --events contacts.csv";
 
-void add_models(CLI::App& app, SimulateOptions& options) {
-  app.add_option("CITY", options.cities,
-                 "models that stand still, in one frame of coordinates; - is standard input")
-      ->option_text("FILE...");
-  app.add_option("--mover", options.movers, "model that moves; may be given again")
-      ->option_text("FILE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  app.add_option("--route", options.routes, "CSV file of points or poses; may be given again")
-      ->option_text("FILE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  add_model_options(app, options.city_model, "--scale", "--up", "the city");
-  add_model_options(app, options.mover_model, "--mover-scale", "--mover-up", "the movers");
-}
-
 }  // namespace
 
 Action add_simulate(CLI::App& app, Shared&) {
   const auto options = std::make_shared<SimulateOptions>();
-  add_models(app, *options);
-  app.add_option_function<std::string>(
-         "--count",
-         [options](const std::string& value) {
-           options->count = parse_count("--count", value, 0, kMostMovers);
-         },
-         "movers (1000; one a route with --route)")
-      ->option_text("N");
+  add_world_options(app, options->world);
   add_count(app, "--frames", options->frames, 0, kMostFrames, "frames (600)");
   app.add_flag("--verify", options->verify,
                "check contacts, and a sample of free movers, by brute force");

@@ -1,7 +1,7 @@
 #include "apps/soms/simulate_report.h"
 
-#include "apps/soms/models.h"
-#include "apps/soms/text.h"
+#include "apps/support/models.h"
+#include "apps/support/text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -83,17 +83,12 @@ double rounded(double value) {
 
 }  // namespace
 
-std::string part_name(const World& world, EnvironmentId part, TriangleId triangle) {
-  const Body& body = world.city[part];
-  const std::string name = part_name(body.shape.mesh(), triangle);
-  return name.empty() ? body.name : name;
-}
-
 std::string table_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
   std::string text =
       row("city", fmt::format("{}, {} triangles", world.title, with_commas(world.triangles)));
-  text += row("built in", fmt::format("{:.0f} ms, after {:.0f} ms to {} it", world.build_ms,
-                                      world.read_ms, options.cities.empty() ? "make" : "read"));
+  text +=
+      row("built in", fmt::format("{:.0f} ms, after {:.0f} ms to {} it", world.build_ms,
+                                  world.read_ms, options.world.cities.empty() ? "make" : "read"));
   text += row("movers", movers_of(world));
   text += row("frames", frames_of(outcome, options));
   text += row("speed",

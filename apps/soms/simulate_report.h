@@ -4,7 +4,7 @@
 
 #include "apps/soms/simulate.h"
 #include "apps/soms/simulate_run.h"
-#include "apps/soms/simulate_world.h"
+#include "apps/support/world.h"
 
 #include <ostream>
 #include <string>
@@ -22,8 +22,5 @@ namespace soms::command {
 /// CSV, a row a contact: mover, model, touched, part, triangle, begin, end. Frames count from 0;
 /// `end` is the last frame of touch.
 void write_events(std::ostream& out, const World& world, const Outcome& outcome);
-
-/// Name of the part of the city that a triangle belongs to; of its file where there is none.
-[[nodiscard]] std::string part_name(const World& world, EnvironmentId part, TriangleId triangle);
 
 }  // namespace soms::command

@@ -17,18 +17,6 @@ using Clock = std::chrono::steady_clock;
 /// Places remembered of each mover, about.
 constexpr std::uint64_t kPlacesOfATrack = 100;
 
-Scene make_scene(const World& world) {
-  Scene scene;
-  for (const Body& body : world.city) {
-    scene.add_environment(body);
-  }
-  for (const Way& way : world.ways) {
-    const Model& model = world.models[way.model];
-    scene.add_mover(Body(model.shape, way.at(0), model.name));
-  }
-  return scene;
-}
-
 Place place_of(const World& world, std::size_t mover, const Pose& pose) {
   const Vec3 at = pose.apply(world.models[world.ways[mover].model].foot);
   return {static_cast<float>(at.x), static_cast<float>(at.y)};

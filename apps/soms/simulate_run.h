@@ -4,10 +4,11 @@
 
 #include "soms/scene/scene.h"
 
-#include "apps/soms/console.h"
+#include "apps/soms/simulate.h"
 #include "apps/soms/simulate_contacts.h"
 #include "apps/soms/simulate_verify.h"
-#include "apps/soms/simulate_world.h"
+#include "apps/support/console.h"
+#include "apps/support/world.h"
 
 #include <cstdint>
 #include <optional>

@@ -6,7 +6,7 @@
 #include "soms/base/random.h"
 #include "soms/scene/scene.h"
 
-#include "apps/soms/simulate_world.h"
+#include "apps/support/world.h"
 
 #include <array>
 #include <cstdint>

@@ -2,59 +2,13 @@
 /// The verbs of the command, one row each.
 #pragma once
 
-#include "apps/soms/shared.h"
+#include "apps/support/verb.h"
 
-#include <CLI/CLI.hpp>
-
-#include <functional>
 #include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace soms::command {
 
-class Console;
-
-/// What a parsed verb does; returns the exit status.
-using Action = std::function<int(Console&)>;
-
-/// A verb: `add` gives the parser its options and returns what to do once they are parsed.
-struct Verb {
-  std::string_view name;
-  std::string_view question;  ///< one line of `soms --help`
-  Action (*add)(CLI::App& app, Shared& shared);
-};
-
 /// All verbs, sorted by name.
 [[nodiscard]] std::span<const Verb> verbs();
-
-/// A verb's parser with the values that it fills. The shared options are added after the verb's
-/// own.
-class ParsedVerb {
- public:
-  explicit ParsedVerb(const Verb& verb);
-  ParsedVerb(const ParsedVerb&) = delete;
-  ParsedVerb& operator=(const ParsedVerb&) = delete;
-
-  [[nodiscard]] CLI::App& app() { return app_; }
-
-  [[nodiscard]] const CLI::App& app() const { return app_; }
-
-  [[nodiscard]] const Shared& shared() const { return shared_; }
-
-  [[nodiscard]] const Action& action() const { return action_; }
-
-  /// The text of --help.
-  [[nodiscard]] std::string help() const;
-
-  /// Every name of every option, with its dashes.
-  [[nodiscard]] std::vector<std::string> option_names() const;
-
- private:
-  CLI::App app_;
-  Shared shared_;
-  Action action_;
-};
 
 }  // namespace soms::command

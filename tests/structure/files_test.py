@@ -1,4 +1,4 @@
-"""Each room's files.cmake lists exactly the room's files, and the tree holds no stray words.
+"""Each files.cmake lists exactly the files of its folder, and the tree holds no stray words.
 
 A source that no list names is never built, so its faults are never seen; a listed test that is gone
 breaks the build. Also: no file of the repository promises later work or is overlong.
@@ -17,7 +17,7 @@ def listed(cmake):
 
 
 def faults(root):
-    for cmake in sorted((root / "soms").glob("*/files.cmake")):
+    for cmake in sorted([*root.glob("soms/*/files.cmake"), *root.glob("apps/**/files.cmake")]):
         room = cmake.parent
         there = {str(f.relative_to(room)) for f in room.rglob("*") if f.suffix in {".h", ".cpp"}}
         private = {f for f in there if f.endswith(".h") and "detail" in f.split("/")}

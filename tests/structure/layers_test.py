@@ -1,4 +1,7 @@
-"""Every include in soms/ points to its own layer or a lower one, and to no program or test."""
+"""Every include in soms/ points to its own layer or a lower one, and to no program or test.
+
+Programs see the library and apps/support, never each other; the viewer's rooms see lower ones only.
+"""
 import pathlib
 import re
 import sys
@@ -12,6 +15,8 @@ MAY_INCLUDE = {
     "io": {"base", "geometry", "io"},
     "generate": {"base", "geometry", "generate"},
 }
+PROGRAMS = {"support": {"support"}, "soms": {"soms", "support"}, "view": {"view", "support"}}
+VIEW_ROOMS = ["drawing", "scene", "control", "window", "verbs"]  # the lowest first
 FOREIGN = re.compile(r"^(GL/|GLFW|epoxy|imgui|CLI/|nlohmann/)")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
@@ -40,10 +45,34 @@ def breaches(root):
                 yield f"{inside} shows {name} in a header"
 
 
+def program_breaches(root):
+    for file in sorted((root / "apps").rglob("*")):
+        if file.suffix not in {".h", ".cpp"}:
+            continue
+        inside = file.relative_to(root)
+        program, room = inside.parts[1], inside.parts[2]
+        for _, name in INCLUDE.findall(file.read_text(encoding="utf-8")):
+            parts = name.split("/")
+            if parts[0] in {"tests", "bench"} or "detail" in parts[:-1] and parts[0] == "soms":
+                yield f"{inside} includes {name}"
+            elif program != "view" and re.match(r"^(GL/|GLFW|epoxy|EGL|imgui|glm/)", name):
+                yield f"{inside} includes {name}"
+            if parts[0] != "apps":
+                continue
+            if parts[1] not in PROGRAMS[program]:
+                yield f"{inside} includes {name}: {program} may not see {parts[1]}"
+            elif program == "view" and room == "drawing" and parts[1] == "support":
+                yield f"{inside} includes {name}: drawing knows nothing of models"
+            elif parts[1] == "view" and room in VIEW_ROOMS and parts[2] in VIEW_ROOMS:
+                if VIEW_ROOMS.index(parts[2]) > VIEW_ROOMS.index(room):
+                    yield f"{inside} includes {name}: {room} may not see {parts[2]}"
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
-    files = [f for f in (root / "soms").rglob("*") if f.suffix in {".h", ".cpp"}]
-    found = list(breaches(root))
+    files = [f for folder in ("soms", "apps") for f in (root / folder).rglob("*")
+             if f.suffix in {".h", ".cpp"}]
+    found = [*breaches(root), *program_breaches(root)]
     for line in found:
         print(line)
     print(f"{len(files)} files, {len(found)} breaches")

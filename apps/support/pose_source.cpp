@@ -1,4 +1,4 @@
-#include "apps/soms/pose_source.h"
+#include "apps/support/pose_source.h"
 
 #include "soms/base/error.h"
 

@@ -1,6 +1,6 @@
-#include "apps/soms/shared.h"
+#include "apps/support/shared.h"
 
-#include "apps/soms/parse.h"
+#include "apps/support/parse.h"
 
 namespace soms::command {
 

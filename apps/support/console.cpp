@@ -1,4 +1,4 @@
-#include "apps/soms/console.h"
+#include "apps/support/console.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>

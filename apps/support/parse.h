@@ -4,7 +4,7 @@
 
 #include "soms/base/error.h"
 
-#include "apps/soms/suggest.h"
+#include "apps/support/suggest.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,4 +1,4 @@
-#include "apps/soms/text.h"
+#include "apps/support/text.h"
 
 namespace soms::command {
 

@@ -6,10 +6,10 @@
 #include "soms/base/pose.h"
 #include "soms/generate/routes.h"
 #include "soms/query/body.h"
+#include "soms/scene/scene.h"
 
-#include "apps/soms/console.h"
-#include "apps/soms/height_grid.h"
-#include "apps/soms/simulate.h"
+#include "apps/support/console.h"
+#include "apps/support/world_options.h"
 
 #include <cstdint>
 #include <memory>
@@ -18,6 +18,9 @@
 #include <vector>
 
 namespace soms::command {
+
+/// Frames of a second of simulated time.
+inline constexpr double kFramesASecond = 60;
 
 /// Kinds of movers; files that are given count as `model`.
 enum class Kind : std::uint8_t { car, person, drone, model };
@@ -59,7 +62,13 @@ struct World {
 
 /// Reads or generates everything and finds free places for the movers.
 /// \errors As reading; ErrorKind::usage for a route without rows.
-[[nodiscard]] World load_world(const SimulateOptions& options, Console& console);
+[[nodiscard]] World load_world(const WorldOptions& options, Console& console);
+
+/// The city and all movers at their places of frame 0; movers are numbered as their ways.
+[[nodiscard]] Scene make_scene(const World& world);
+
+/// Name of the part of the city that a triangle belongs to; of its file where there is none.
+[[nodiscard]] std::string part_name(const World& world, EnvironmentId part, TriangleId triangle);
 
 /// Name of a file without folder and ending.
 [[nodiscard]] std::string short_name(const std::string& path);

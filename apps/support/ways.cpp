@@ -1,9 +1,11 @@
-#include "apps/soms/simulate_ways.h"
+#include "apps/support/ways.h"
 
 #include "soms/base/error.h"
 #include "soms/base/random.h"
 #include "soms/io/poses.h"
 #include "soms/scene/scene.h"
+
+#include "apps/support/height_grid.h"
 
 #include <fmt/format.h>
 
@@ -179,7 +181,7 @@ Way along_points(const std::vector<Pose>& rows, const Model& model, double share
   return way;
 }
 
-void plan_given_ways(World& world, const SimulateOptions& options, Console& console) {
+void plan_given_ways(World& world, const WorldOptions& options, Console& console) {
   struct Given {
     std::shared_ptr<const std::vector<Pose>> rows;
     bool points = false;
@@ -230,7 +232,7 @@ Pose Way::at(std::uint64_t frame) const {
   return pose;
 }
 
-void plan_ways(World& world, const SimulateOptions& options, const City* city, Console& console) {
+void plan_ways(World& world, const WorldOptions& options, const City* city, Console& console) {
   if (!options.routes.empty()) {
     plan_given_ways(world, options, console);
     return;

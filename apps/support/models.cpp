@@ -1,11 +1,11 @@
-#include "apps/soms/models.h"
+#include "apps/support/models.h"
 
 #include "soms/io/read_mesh.h"
 #include "soms/query/traversal/traversals.h"
 #include "soms/tree/rule/rules.h"
 
-#include "apps/soms/console.h"
-#include "apps/soms/parse.h"
+#include "apps/support/console.h"
+#include "apps/support/parse.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "apps/soms/parse.h"
+#include "apps/support/parse.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,11 +1,11 @@
-#include "apps/soms/simulate_world.h"
+#include "apps/support/world.h"
 
 #include "soms/base/error.h"
 #include "soms/generate/city.h"
 #include "soms/generate/shapes.h"
 
-#include "apps/soms/models.h"
-#include "apps/soms/simulate_ways.h"
+#include "apps/support/models.h"
+#include "apps/support/ways.h"
 
 #include <fmt/format.h>
 
@@ -60,7 +60,7 @@ Model make_model(Mesh mesh, std::string name, Kind kind, Console& console) {
   return model;
 }
 
-std::vector<Model> load_models(const SimulateOptions& options, Console& console) {
+std::vector<Model> load_models(const WorldOptions& options, Console& console) {
   std::vector<Model> models;
   if (options.movers.empty()) {
     for (const auto& [kind, shape, name] : {std::tuple(Kind::car, MoverKind::car, "car"),
@@ -95,7 +95,7 @@ void add_to_city(World& world, Mesh mesh, const std::string& name, Console& cons
   world.city.emplace_back(std::move(shape), Pose{}, name);
 }
 
-std::optional<City> load_city(World& world, const SimulateOptions& options, Console& console) {
+std::optional<City> load_city(World& world, const WorldOptions& options, Console& console) {
   const auto begin = Clock::now();
   if (options.cities.empty()) {
     City city = generate_city();
@@ -126,7 +126,25 @@ std::string short_name(const std::string& path) {
   return stem.empty() ? path : stem;
 }
 
-World load_world(const SimulateOptions& options, Console& console) {
+Scene make_scene(const World& world) {
+  Scene scene;
+  for (const Body& body : world.city) {
+    scene.add_environment(body);
+  }
+  for (const Way& way : world.ways) {
+    const Model& model = world.models[way.model];
+    scene.add_mover(Body(model.shape, way.at(0), model.name));
+  }
+  return scene;
+}
+
+std::string part_name(const World& world, EnvironmentId part, TriangleId triangle) {
+  const Body& body = world.city[part];
+  const std::string name = part_name(body.shape.mesh(), triangle);
+  return name.empty() ? body.name : name;
+}
+
+World load_world(const WorldOptions& options, Console& console) {
   World world;
   world.models = load_models(options, console);
   const std::optional<City> city = load_city(world, options, console);

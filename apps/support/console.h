@@ -5,10 +5,10 @@
 #include "soms/base/error.h"
 #include "soms/base/parallel.h"
 
-#include "apps/soms/interrupts.h"
-#include "apps/soms/output.h"
-#include "apps/soms/progress.h"
-#include "apps/soms/shared.h"
+#include "apps/support/interrupts.h"
+#include "apps/support/output.h"
+#include "apps/support/progress.h"
+#include "apps/support/shared.h"
 
 #include <chrono>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "apps/soms/json.h"
+#include "apps/support/json.h"
 
 namespace soms::command {
 

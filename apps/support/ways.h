@@ -4,9 +4,8 @@
 
 #include "soms/generate/city.h"
 
-#include "apps/soms/console.h"
-#include "apps/soms/simulate.h"
-#include "apps/soms/simulate_world.h"
+#include "apps/support/console.h"
+#include "apps/support/world.h"
 
 namespace soms::command {
 
@@ -14,6 +13,6 @@ namespace soms::command {
 /// (null) on straight level lines. Except with --route every mover starts free: touching neither
 /// the city nor another mover, which is asked of the scene; who finds no room is left out with a
 /// note. Deterministic in --seed.
-void plan_ways(World& world, const SimulateOptions& options, const City* city, Console& console);
+void plan_ways(World& world, const WorldOptions& options, const City* city, Console& console);
 
 }  // namespace soms::command

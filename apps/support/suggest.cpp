@@ -1,4 +1,4 @@
-#include "apps/soms/suggest.h"
+#include "apps/support/suggest.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "apps/soms/output.h"
+#include "apps/support/output.h"
 
 #include "soms/base/error.h"
 

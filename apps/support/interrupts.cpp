@@ -1,4 +1,4 @@
-#include "apps/soms/interrupts.h"
+#include "apps/support/interrupts.h"
 
 #include <unistd.h>
 

@@ -1,11 +1,10 @@
-#include "apps/soms/program.h"
+#include "apps/support/program.h"
 
 #include "soms/base/error.h"
 
-#include "apps/soms/console.h"
-#include "apps/soms/output.h"
-#include "apps/soms/suggest.h"
-#include "apps/soms/verbs.h"
+#include "apps/support/console.h"
+#include "apps/support/output.h"
+#include "apps/support/suggest.h"
 
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
@@ -37,16 +36,17 @@ std::string remedy_for(std::string_view word, const std::vector<std::string>& kn
                       : fmt::format("did you mean {}? ({} lists them)", near, list);
 }
 
-std::string general_help() {
-  std::string text =
-      "soms: exact, fast answers to which triangles touch\n"
-      "Usage: soms VERB [OPTIONS] ...\n\nVerbs:\n";
-  for (const Verb& verb : verbs()) {
+std::string general_help(const Program& program) {
+  std::string text = fmt::format("{0}: {1}\nUsage: {0} VERB [OPTIONS] ...\n\nVerbs:\n",
+                                 program.name, program.summary);
+  for (const Verb& verb : program.verbs) {
     text += fmt::format("  {:<12}{}\n", verb.name, verb.question);
   }
+  text += fmt::format(
+      "\n{0} VERB --help tells a verb's options and shows an example that works.\n"
+      "{0} --version tells the version.\n",
+      program.name);
   text +=
-      "\nsoms VERB --help tells a verb's options and shows an example that works.\n"
-      "soms --version tells the version.\n"
       "\nAnswers go to standard output, everything else to standard error. Exit status:\n"
       "  0 answered  1 a condition of --fail-if holds  2 usage  3 bad input\n"
       "  4 not enough memory or time  5 could not write  6 --verify found a difference\n"
@@ -70,23 +70,24 @@ void print_plain(std::string_view text) {
   out.finish();
 }
 
-const Verb& find_verb(const std::string& word) {
-  const auto known = verbs();
+const Verb& find_verb(const Program& program, const std::string& word) {
+  const auto known = program.verbs;
   const auto found =
       std::find_if(known.begin(), known.end(), [&](const Verb& verb) { return verb.name == word; });
   if (found != known.end()) {
     return *found;
   }
   if (word.starts_with("-")) {
-    throw usage(fmt::format("{} stands before the verb", word),
-                "write soms VERB, then its options; soms --help lists the verbs");
+    throw usage(
+        fmt::format("{} stands before the verb", word),
+        fmt::format("write {0} VERB, then its options; {0} --help lists the verbs", program.name));
   }
   std::vector<std::string> names;
   for (const Verb& verb : known) {
     names.emplace_back(verb.name);
   }
   throw usage(fmt::format("unknown verb {}", word.empty() ? "\"\"" : word),
-              remedy_for(word, names, "soms --help"));
+              remedy_for(word, names, fmt::format("{} --help", program.name)));
 }
 
 /// Throws if words were left over: options that the verb does not have, or too many names.
@@ -128,8 +129,8 @@ void parse(ParsedVerb& verb, const std::vector<std::string>& words) {
   check_rest(verb);
 }
 
-int run_verb(const Verb& entry, const std::vector<std::string>& words) {
-  ParsedVerb verb(entry);
+int run_verb(const Program& program, const Verb& entry, const std::vector<std::string>& words) {
+  ParsedVerb verb(program.name, entry);
   try {
     parse(verb, words);
   } catch (const CLI::Success&) {
@@ -142,50 +143,55 @@ int run_verb(const Verb& entry, const std::vector<std::string>& words) {
   return status;
 }
 
-int run(const std::vector<std::string>& words) {
+int run(const Program& program, const std::vector<std::string>& words) {
   if (words.empty() || words[0] == "--help" || words[0] == "-h") {
-    print_plain(general_help());
+    print_plain(general_help(program));
     return 0;
   }
   if (words[0] == "help") {
-    return words.size() == 1 ? run({}) : run_verb(find_verb(words[1]), {"--help"});
+    return words.size() == 1 ? run(program, {})
+                             : run_verb(program, find_verb(program, words[1]), {"--help"});
   }
   if (words[0] == "--version") {
-    print_plain("soms " SOMS_VERSION "\n");
+    print_plain(fmt::format("{} {}\n", program.name, SOMS_VERSION));
     return 0;
   }
-  return run_verb(find_verb(words[0]), {words.begin() + 1, words.end()});
+  return run_verb(program, find_verb(program, words[0]), {words.begin() + 1, words.end()});
 }
 
-int fail(const std::vector<std::string>& words, std::string_view message, int status) {
-  const bool named = !words.empty() && std::any_of(verbs().begin(), verbs().end(), [&](auto& verb) {
-    return verb.name == words[0];
-  });
-  print_error(named ? "soms " + words[0] : "soms", message);
+int fail(const Program& program, const std::vector<std::string>& words, std::string_view message,
+         int status) {
+  const bool named =
+      !words.empty() && std::any_of(program.verbs.begin(), program.verbs.end(),
+                                    [&](auto& verb) { return verb.name == words[0]; });
+  print_error(named ? fmt::format("{} {}", program.name, words[0]) : std::string(program.name),
+              message);
   return status;
 }
 
 }  // namespace
 
-int run_program(const std::vector<std::string>& words) {
+int run_program(const Program& program, const std::vector<std::string>& words) {
   hold_standard_streams();
   // A reader that went away, or a limit on file sizes, shall be an error of write(), not a death.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   try {
-    return run(words);
+    return run(program, words);
   } catch (const ClosedPipe&) {
     return 0;
   } catch (const Error& error) {
     const bool bare = error.kind() == ErrorKind::cancelled && error.remedy().empty();
-    return fail(words, bare ? "interrupted" : error.what(), exit_code(error.kind()));
+    return fail(program, words, bare ? "interrupted" : error.what(), exit_code(error.kind()));
   } catch (const std::bad_alloc&) {
-    return fail(words, "not enough memory; use a smaller model or a larger --max-memory", 4);
+    return fail(program, words, "not enough memory; use a smaller model or a larger --max-memory",
+                4);
   } catch (const std::logic_error& error) {
     // A fault of ours, such as two ways to one answer that differ: told as --verify tells it.
-    return fail(words, fmt::format("internal error: {}", error.what()), 6);
+    return fail(program, words, fmt::format("internal error: {}", error.what()), 6);
   } catch (const std::system_error& error) {
-    return fail(words, fmt::format("the system refused: {}; try --threads 1", error.what()), 4);
+    return fail(program, words,
+                fmt::format("the system refused: {}; try --threads 1", error.what()), 4);
   }
 }
 

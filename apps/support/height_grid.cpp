@@ -1,4 +1,4 @@
-#include "apps/soms/height_grid.h"
+#include "apps/support/height_grid.h"
 
 #include <algorithm>
 #include <array>

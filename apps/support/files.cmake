@@ -1,0 +1,36 @@
+set(SOMS_SUPPORT_FILES
+  console.cpp
+  console.h
+  height_grid.cpp
+  height_grid.h
+  interrupts.cpp
+  interrupts.h
+  json.cpp
+  json.h
+  models.cpp
+  models.h
+  output.cpp
+  output.h
+  parse.cpp
+  parse.h
+  pose_source.cpp
+  pose_source.h
+  program.cpp
+  program.h
+  progress.cpp
+  progress.h
+  shared.cpp
+  shared.h
+  suggest.cpp
+  suggest.h
+  text.cpp
+  text.h
+  verb.cpp
+  verb.h
+  ways.cpp
+  ways.h
+  world.cpp
+  world.h
+  world_options.cpp
+  world_options.h
+)

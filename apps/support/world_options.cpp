@@ -1,0 +1,36 @@
+#include "apps/support/world_options.h"
+
+#include "apps/support/parse.h"
+
+namespace soms::command {
+
+namespace {
+
+constexpr std::uint64_t kMostMovers = 1'000'000;
+
+}  // namespace
+
+void add_world_options(CLI::App& app, WorldOptions& options) {
+  app.add_option("CITY", options.cities,
+                 "models that stand still, in one frame of coordinates; - is standard input")
+      ->option_text("FILE...");
+  app.add_option("--mover", options.movers, "model that moves; may be given again")
+      ->option_text("FILE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--route", options.routes, "CSV file of points or poses; may be given again")
+      ->option_text("FILE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_model_options(app, options.city_model, "--scale", "--up", "the city");
+  add_model_options(app, options.mover_model, "--mover-scale", "--mover-up", "the movers");
+  app.add_option_function<std::string>(
+         "--count",
+         [&options](const std::string& value) {
+           options.count = parse_count("--count", value, 0, kMostMovers);
+         },
+         "movers (1000; one a route with --route)")
+      ->option_text("N");
+}
+
+}  // namespace soms::command

@@ -1,0 +1,29 @@
+/// \file
+/// Options that say what a simulation starts from.
+#pragma once
+
+#include "apps/support/models.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace soms::command {
+
+/// City, movers and their ways, as named on the command line.
+struct WorldOptions {
+  std::vector<std::string> cities = {};  ///< none: the embedded city
+  std::vector<std::string> movers = {};  ///< none: generated cars, persons and drones
+  std::vector<std::string> routes = {};
+  std::optional<std::uint64_t> count = std::nullopt;
+  ModelOptions city_model = {};   ///< an unknown axis is what the file says
+  ModelOptions mover_model = {};  ///< likewise
+};
+
+/// Adds CITY, --mover, --route, --count, --scale, --up, --mover-scale and --mover-up.
+void add_world_options(CLI::App& app, WorldOptions& options);
+
+}  // namespace soms::command
