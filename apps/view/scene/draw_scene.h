@@ -6,7 +6,9 @@
 #include "apps/view/scene/view_options.h"
 #include "apps/view/scene/view_scene.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace soms::view {
 
@@ -25,6 +27,9 @@ struct ShownCounts {
 ///         range.
 /// \cost   O(bodies + contacts drawn + boxes drawn).
 [[nodiscard]] DrawList make_draw_list(ViewScene& scene, const ViewOptions& options);
+
+/// At most `most` of the scene's contacts, spread evenly over their sorted list.
+[[nodiscard]] std::vector<Touch> drawn_contacts(const ViewScene& scene, std::size_t most);
 
 /// Counts of the list that `make_draw_list` makes of the same scene and options.
 [[nodiscard]] ShownCounts shown(ViewScene& scene, const ViewOptions& options);

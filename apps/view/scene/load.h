@@ -1,25 +1,26 @@
 /// \file
-/// Scenes from files, from the command line's options, and by generation.
+/// Scenes from simulations, from two models, and from a dropped file.
 #pragma once
 
 #include "soms/base/parallel.h"
-#include "soms/geometry/mesh.h"
+#include "soms/query/body.h"
 
+#include "apps/support/world.h"
 #include "apps/view/scene/scene_content.h"
 
 #include <filesystem>
-#include <memory>
 
 namespace soms::view {
 
-/// Two bodies for the thesis' tests: `moving` comes at `still`, both where their files put them.
-[[nodiscard]] SceneContent two_bodies(std::shared_ptr<const Mesh> still,
-                                      std::shared_ptr<const Mesh> moving,
-                                      const Parallel& parallel = {});
+/// The city and the movers of a simulation, whose ways are their motions.
+[[nodiscard]] SceneContent content_of(command::World world);
 
-/// A mover from a file that was dropped, at its own place, turned to z up where the file states
-/// another axis. \errors As `read_mesh`.
-[[nodiscard]] MovingBody read_mover(const std::filesystem::path& path,
-                                    const Parallel& parallel = {});
+/// Two bodies for the orientation tests: `moving` comes at `still`.
+[[nodiscard]] SceneContent two_bodies(Body still, Body moving);
+
+/// A body from a file that was dropped: where the file puts it, turned to z up where the file
+/// states another axis, named after the file.
+/// \errors As `read_mesh` and `Shape`.
+[[nodiscard]] Body read_body(const std::filesystem::path& path, const Parallel& parallel = {});
 
 }  // namespace soms::view

@@ -9,6 +9,7 @@
 #include "apps/view/drawing/camera.h"
 #include "apps/view/drawing/draw_list.h"
 #include "apps/view/scene/explain.h"
+#include "apps/view/scene/mesh_facts.h"
 #include "apps/view/scene/scene_content.h"
 #include "apps/view/scene/touch.h"
 #include "apps/view/scene/view_options.h"
@@ -21,6 +22,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace soms::view {
@@ -83,7 +85,7 @@ class ViewScene {
   /// \pre `body` is there. The reference lasts until a body is added.
   [[nodiscard]] const Body& body(BodyRef body) const;
 
-  /// World bounds of a body at its present pose: moved corners of its box, an upper bound.
+  /// World bounds of a body at its present pose: those of its moved box, so not tight.
   [[nodiscard]] Box bounds(BodyRef body) const;
 
   /// World bounds of the city, or of everything where there is no city.
@@ -143,18 +145,28 @@ class ViewScene {
   void set_trees(const TreeChoice& choice);
   [[nodiscard]] const TreeChoice& trees() const;
 
+  /// Goes up whenever trees are built in another way.
+  [[nodiscard]] std::uint64_t trees_version() const;
+
   /// The tree of a body by the present choice; built on the first call, shared by equal meshes.
   [[nodiscard]] const Tree& tree(BodyRef body);
 
   /// The pair's traversal at the present poses; made again only after a change. An empty walk
   /// without a pair and by Traversal::fast. `world_boxes` are the boxes that it tests.
   [[nodiscard]] const Walk& walk();
+
+  /// Goes up with each new walk.
+  [[nodiscard]] std::uint64_t walk_version() const;
+
+  /// Boxes of the nodes of a body's tree at its present pose, as the traversals test them.
   [[nodiscard]] std::span<const Box> world_boxes(BodyRef body);
+
+  /// Keys, colors and parts of the meshes.
+  [[nodiscard]] MeshFactsStore& mesh_facts();
 
   [[nodiscard]] SceneStatistics statistics() const;
 
  private:
-  friend class SceneDrawing;
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -1,0 +1,210 @@
+#include "apps/view/scene/draw_scene.h"
+
+#include "soms/base/error.h"
+
+#include "apps/view/scene/shown_boxes.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+namespace soms::view {
+
+namespace {
+
+/// Makes one draw list.
+class Drawing {
+ public:
+  Drawing(ViewScene& scene, const ViewOptions& options) : scene_(scene), options_(options) {}
+
+  DrawList draw() {
+    scene_.set_trees(options_.trees);
+    add_bodies();
+    add_boxes();
+    add_contacts();
+    return std::move(list_);
+  }
+
+ private:
+  /// Index of a body's mesh in the list. A mesh of many bodies is named once.
+  std::uint32_t mesh_of(const Body& body, bool by_building) {
+    const auto& mesh = body.shape.shared_mesh();
+    const auto [entry, added] = meshes_.try_emplace(
+        std::pair(mesh.get(), by_building), static_cast<std::uint32_t>(list_.meshes.size()));
+    if (added) {
+      MeshFactsStore& facts = scene_.mesh_facts();
+      DrawMesh drawn;
+      drawn.key = 2 * facts.of(mesh).key + (by_building ? 1U : 0U);
+      drawn.mesh = mesh;
+      if (by_building) {
+        drawn.colors = facts.building_colors(mesh);
+      }
+      list_.meshes.push_back(std::move(drawn));
+    }
+    return entry->second;
+  }
+
+  void add_body(BodyRef ref, Color color, SurfaceStyle style, bool by_building) {
+    const Body& body = scene_.body(ref);
+    if (body.shape.mesh().triangles.empty()) {
+      return;
+    }
+    list_.instances.push_back(
+        {mesh_of(body, by_building), body.pose, color, style, options_.highlighted == ref});
+  }
+
+  void add_bodies() {
+    const bool by_building = options_.city_colors == CityColors::by_building;
+    for (std::uint32_t k = 0; options_.city && k < scene_.city_parts(); ++k) {
+      add_body(city_part(k), options_.colors.plain_city, options_.city_style, by_building);
+    }
+    for (std::uint32_t k = 0; options_.movers && k < scene_.movers(); ++k) {
+      const auto& mesh = scene_.body(mover(k)).shape.shared_mesh();
+      // Movers of one kind look alike.
+      const auto kind = kinds_.try_emplace(mesh.get(), kinds_.size()).first->second;
+      add_body(mover(k), mover_color(kind), options_.mover_style, false);
+    }
+  }
+
+  void add_boxes() {
+    for (BoxGroup& group : shown_boxes(scene_, options_).groups) {
+      list_.box_groups.push_back(std::move(group));
+    }
+  }
+
+  void add_mark(BodyRef body, TriangleId i, Color color, bool on_top) {
+    list_.marks.push_back({scene_.triangle(body, i), color, on_top});
+  }
+
+  /// The triangles of the contacts that are drawn, each once.
+  void add_triangles(const std::vector<Touch>& touches) {
+    std::vector<std::pair<BodyRef, TriangleId>> touching;
+    for (const Touch& touch : touches) {
+      touching.emplace_back(touch.a, touch.i);
+      touching.emplace_back(touch.b, touch.j);
+    }
+    std::sort(touching.begin(), touching.end());
+    touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+    for (const auto& [body, i] : touching) {
+      add_mark(body, i, options_.colors.contact, options_.contacts.on_top);
+    }
+  }
+
+  /// The innermost parts that the contacts belong to. They are laid under the red triangles.
+  void add_parts(const std::vector<Touch>& touches) {
+    std::vector<std::pair<BodyRef, std::uint32_t>> parts;
+    const auto note = [&](BodyRef body, TriangleId i) {
+      const auto& mesh = scene_.body(body).shape.shared_mesh();
+      const std::uint32_t part = scene_.mesh_facts().parts(mesh)[i];
+      if (part != Part::kNoParent) {
+        parts.emplace_back(body, part);
+      }
+    };
+    for (const Touch& touch : touches) {
+      note(touch.a, touch.i);
+      note(touch.b, touch.j);
+    }
+    std::sort(parts.begin(), parts.end());
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    std::size_t left = options_.contacts.most_of_parts;
+    for (const auto& [body, number] : parts) {
+      const Part& part = scene_.body(body).shape.mesh().parts[number];
+      if (part.count > left) {
+        continue;
+      }
+      left -= part.count;
+      for (std::uint32_t k = 0; k < part.count; ++k) {
+        add_mark(body, part.first + k, options_.colors.part, options_.contacts.on_top);
+      }
+    }
+  }
+
+  void add_crossing(const Touch& touch, Color color, float width, bool on_top) {
+    const Crossing crossing = scene_.crossing(touch);
+    const auto p = crossing.points();
+    if (p.size() == 1) {
+      list_.points.push_back({p[0], color, 3 * width, on_top});
+    }
+    for (std::size_t k = 0; p.size() > 1 && k < (p.size() == 2 ? 1 : p.size()); ++k) {
+      list_.lines.push_back({p[k], p[(k + 1) % p.size()], color, width, on_top});
+    }
+  }
+
+  /// A line from the middle of the mover to what it touches.
+  void add_line(const Touch& touch) {
+    const Crossing crossing = scene_.crossing(touch);
+    if (!crossing.empty()) {
+      list_.lines.push_back({scene_.bounds(touch.a).center(), crossing.corners[0],
+                             options_.colors.line, 1, options_.contacts.on_top});
+    }
+  }
+
+  void add_contacts() {
+    const ContactMarks& marks = options_.contacts;
+    const std::vector<Touch> touches = drawn_contacts(scene_, marks.most);
+    if (marks.parts) {
+      add_parts(touches);
+    }
+    if (marks.triangles) {
+      add_triangles(touches);
+    }
+    for (const Touch& touch : touches) {
+      if (marks.segments) {
+        add_crossing(touch, options_.colors.segment, 2, marks.on_top);
+      }
+      if (marks.lines) {
+        add_line(touch);
+      }
+    }
+    if (options_.chosen) {
+      add_chosen(*options_.chosen);
+    }
+  }
+
+  void add_chosen(const Touch& touch) {
+    add_mark(touch.a, touch.i, with_alpha(options_.colors.contact, 170), true);
+    add_mark(touch.b, touch.j, with_alpha(options_.colors.contact, 170), true);
+    add_crossing(touch, options_.colors.segment, 4, true);
+  }
+
+  ViewScene& scene_;
+  const ViewOptions& options_;
+  DrawList list_;
+  std::map<std::pair<const Mesh*, bool>, std::uint32_t> meshes_;
+  std::map<const Mesh*, std::size_t> kinds_;
+};
+
+}  // namespace
+
+std::vector<Touch> drawn_contacts(const ViewScene& scene, std::size_t most) {
+  const std::vector<Touch>& all = scene.contacts();
+  if (all.size() <= most) {
+    return all;
+  }
+  // Evenly over the sorted list, so that every place keeps some.
+  std::vector<Touch> some;
+  some.reserve(most);
+  for (std::size_t k = 0; k < most; ++k) {
+    some.push_back(all[k * all.size() / most]);
+  }
+  return some;
+}
+
+DrawList make_draw_list(ViewScene& scene, const ViewOptions& options) {
+  return Drawing(scene, options).draw();
+}
+
+ShownCounts shown(ViewScene& scene, const ViewOptions& options) {
+  scene.set_trees(options.trees);
+  const ShownBoxes boxes = shown_boxes(scene, options);
+  ShownCounts counts;
+  counts.contacts = scene.contacts().size();
+  counts.contacts_drawn = std::min<std::uint64_t>(counts.contacts, options.contacts.most);
+  counts.boxes = boxes.boxes;
+  for (const BoxGroup& group : boxes.groups) {
+    counts.boxes_drawn += group.boxes.size();
+  }
+  return counts;
+}
+
+}  // namespace soms::view

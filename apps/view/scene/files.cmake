@@ -1,0 +1,28 @@
+set(SOMS_VIEW_HEADERS
+  draw_scene.h
+  explain.h
+  load.h
+  mesh_facts.h
+  orientation_menu.h
+  scene_colors.h
+  scene_content.h
+  shown_boxes.h
+  touch.h
+  tree_store.h
+  view_options.h
+  view_scene.h
+  walk.h
+)
+set(SOMS_VIEW_SOURCES
+  draw_scene.cpp
+  explain.cpp
+  load.cpp
+  mesh_facts.cpp
+  orientation_menu.cpp
+  pick.cpp
+  scene_colors.cpp
+  shown_boxes.cpp
+  tree_store.cpp
+  view_scene.cpp
+  walk.cpp
+)

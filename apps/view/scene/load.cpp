@@ -1,0 +1,44 @@
+#include "apps/view/scene/load.h"
+
+#include "soms/io/read_mesh.h"
+
+#include <memory>
+#include <utility>
+
+namespace soms::view {
+
+SceneContent content_of(command::World world) {
+  SceneContent content;
+  content.title = std::move(world.title);
+  content.city = std::move(world.city);
+  for (command::Way& way : world.ways) {
+    const command::Model& model = world.models[way.model];
+    const auto shared = std::make_shared<const command::Way>(std::move(way));
+    content.movers.push_back({Body(model.shape, shared->at(0), model.name),
+                              [shared](std::uint64_t frame) { return shared->at(frame); }});
+  }
+  if (content.movers.size() < world.asked) {
+    content.notes.push_back(std::to_string(world.asked - content.movers.size()) +
+                            " movers found no free place and were left out");
+  }
+  return content;
+}
+
+SceneContent two_bodies(Body still, Body moving) {
+  SceneContent content;
+  content.title = still.name;
+  content.city.push_back(std::move(still));
+  content.movers.push_back({std::move(moving), {}});
+  return content;
+}
+
+Body read_body(const std::filesystem::path& path, const Parallel& parallel) {
+  Mesh mesh = read_mesh(path, {}, parallel);
+  const UpAxis up = mesh.up;
+  if (up == UpAxis::x || up == UpAxis::y) {
+    mesh = transformed(std::move(mesh), 1, up);
+  }
+  return Body(Shape(std::move(mesh), {}, parallel), {}, command::short_name(path.string()));
+}
+
+}  // namespace soms::view

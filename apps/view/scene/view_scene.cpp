@@ -1,0 +1,427 @@
+#include "apps/view/scene/view_scene.h"
+
+#include "soms/base/error.h"
+#include "soms/query/traversal/traversals.h"
+#include "soms/tree/rule/rules.h"
+
+#include "apps/view/scene/orientation_menu.h"
+#include "apps/view/scene/tree_store.h"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+
+namespace soms::view {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+/// A mover of the scene and who moves it.
+struct Mover {
+  MoverId id = 0;
+  Motion motion;
+  bool held = false;
+};
+
+/// An orientation test that runs.
+struct RunningTest {
+  std::string_view name;
+  std::uint32_t mover = 0;
+  std::vector<Pose> poses;
+};
+
+/// What a walk depends on.
+struct WalkKey {
+  std::pair<BodyRef, BodyRef> pair;
+  Pose pose_a;
+  Pose pose_b;
+
+  [[nodiscard]] bool operator==(const WalkKey&) const = default;
+};
+
+}  // namespace
+
+struct ViewScene::State {
+  std::string title;
+  std::vector<std::string> notes;
+  Parallel parallel;
+  Scene scene;
+  std::vector<EnvironmentId> city;
+  std::vector<Mover> movers;
+  Box city_bounds;
+  std::uint64_t triangles = 0;
+
+  std::uint64_t frame = 0;
+  std::optional<RunningTest> test;
+  std::optional<std::pair<BodyRef, BodyRef>> pair;
+
+  StepReport report;
+  std::vector<Touch> touches;
+  double step_milliseconds = 0;
+
+  TreeChoice choice;
+  TreeStore trees;
+  std::uint64_t trees_version = 0;
+  Walk walk;
+  std::optional<WalkKey> walk_key;
+  std::uint64_t walk_version = 0;
+  MeshFactsStore facts;
+
+  void add_city(Body body) {
+    triangles += body.shape.mesh().triangles.size();
+    city_bounds.grow(moved(body.pose, body.shape.bounds()));
+    city.push_back(scene.add_environment(std::move(body)));
+  }
+
+  void add_mover(MovingBody mover) {
+    triangles += mover.body.shape.mesh().triangles.size();
+    if (mover.motion) {
+      mover.body.pose = mover.motion(frame);
+    }
+    movers.push_back({scene.add_mover(std::move(mover.body)), std::move(mover.motion), false});
+  }
+
+  void choose_pair() {
+    if (!pair && !movers.empty() && !city.empty()) {
+      pair.emplace(city_part(0), mover(0));
+    } else if (!pair && movers.size() > 1) {
+      pair.emplace(mover(0), mover(1));
+    }
+  }
+
+  /// Brings movers to the present frame.
+  void place_movers() {
+    for (std::uint32_t k = 0; k < movers.size(); ++k) {
+      if (test && test->mover == k) {
+        scene.set_pose(movers[k].id, test->poses[frame]);
+      } else if (movers[k].motion && !movers[k].held) {
+        scene.set_pose(movers[k].id, movers[k].motion(frame));
+      }
+    }
+  }
+
+  void find_contacts() {
+    report = scene.step({}, parallel);
+    touches.clear();
+    for (const EnvironmentContact& c : report.environment) {
+      touches.push_back({mover(c.mover), city_part(c.part), c.i, c.j});
+    }
+    for (const MoverContact& c : report.movers) {
+      touches.push_back({mover(c.a), mover(c.b), c.i, c.j});
+    }
+    std::sort(touches.begin(), touches.end());
+  }
+
+  void show_frame() {
+    const auto begin = Clock::now();
+    place_movers();
+    find_contacts();
+    step_milliseconds = milliseconds_since(begin);
+  }
+
+  [[nodiscard]] const Body& body(BodyRef ref) const {
+    return ref.role == Role::city ? scene.environment(city[ref.index])
+                                  : scene.mover(movers[ref.index].id);
+  }
+
+  void check_mover(std::uint32_t index) const {
+    if (index >= movers.size()) {
+      throw Error(ErrorKind::usage, "no mover " + std::to_string(index),
+                  "there are " + std::to_string(movers.size()));
+    }
+  }
+
+  void check_body(BodyRef ref) const {
+    if (ref.role == Role::mover) {
+      check_mover(ref.index);
+    } else if (ref.index >= city.size()) {
+      throw Error(ErrorKind::usage, "no city part " + std::to_string(ref.index),
+                  "there are " + std::to_string(city.size()));
+    }
+  }
+};
+
+ViewScene::ViewScene(SceneContent content, const Parallel& parallel)
+    : state_(std::make_unique<State>()) {
+  State& s = *state_;
+  s.title = std::move(content.title);
+  s.notes = std::move(content.notes);
+  s.parallel.threads = parallel.threads;
+  s.parallel.stop = parallel.stop;
+  for (Body& body : content.city) {
+    s.add_city(std::move(body));
+  }
+  for (MovingBody& mover : content.movers) {
+    s.add_mover(std::move(mover));
+  }
+  s.choose_pair();
+  s.show_frame();
+}
+
+ViewScene::~ViewScene() = default;
+ViewScene::ViewScene(ViewScene&&) noexcept = default;
+ViewScene& ViewScene::operator=(ViewScene&&) noexcept = default;
+
+const std::string& ViewScene::title() const {
+  return state_->title;
+}
+
+const std::vector<std::string>& ViewScene::notes() const {
+  return state_->notes;
+}
+
+std::uint32_t ViewScene::city_parts() const {
+  return static_cast<std::uint32_t>(state_->city.size());
+}
+
+std::uint32_t ViewScene::movers() const {
+  return static_cast<std::uint32_t>(state_->movers.size());
+}
+
+const Body& ViewScene::body(BodyRef body) const {
+  return state_->body(body);
+}
+
+Box ViewScene::bounds(BodyRef ref) const {
+  const Body& b = body(ref);
+  return moved(b.pose, b.shape.bounds());
+}
+
+Box ViewScene::bounds() const {
+  Box box = state_->city_bounds;
+  if (box.empty()) {
+    for (std::uint32_t k = 0; k < movers(); ++k) {
+      box.grow(bounds(mover(k)));
+    }
+  }
+  return box;
+}
+
+BodyRef ViewScene::add_city(Body body) {
+  state_->add_city(std::move(body));
+  state_->choose_pair();
+  state_->show_frame();
+  return city_part(city_parts() - 1);
+}
+
+BodyRef ViewScene::add_mover(MovingBody mover_body) {
+  state_->add_mover(std::move(mover_body));
+  state_->choose_pair();
+  state_->show_frame();
+  return mover(movers() - 1);
+}
+
+std::uint64_t ViewScene::frame() const {
+  return state_->frame;
+}
+
+std::optional<std::uint64_t> ViewScene::frames() const {
+  return state_->test ? std::optional<std::uint64_t>(state_->test->poses.size()) : std::nullopt;
+}
+
+void ViewScene::step() {
+  const auto last = frames();
+  go_to(last && state_->frame + 1 >= *last ? 0 : state_->frame + 1);
+}
+
+void ViewScene::go_to(std::uint64_t frame) {
+  const auto count = frames();
+  state_->frame = count ? std::min(frame, *count - 1) : frame;
+  state_->show_frame();
+}
+
+void ViewScene::set_pose(std::uint32_t mover, const Pose& pose) {
+  State& s = *state_;
+  s.check_mover(mover);
+  const auto begin = Clock::now();
+  s.scene.set_pose(s.movers[mover].id, pose);
+  hold(mover);
+  s.find_contacts();
+  s.step_milliseconds = milliseconds_since(begin);
+}
+
+void ViewScene::hold(std::uint32_t mover) {
+  state_->check_mover(mover);
+  state_->movers[mover].held = true;
+  if (state_->test && state_->test->mover == mover) {
+    state_->test.reset();
+  }
+}
+
+void ViewScene::release(std::uint32_t mover) {
+  state_->check_mover(mover);
+  state_->movers[mover].held = false;
+}
+
+bool ViewScene::held(std::uint32_t mover) const {
+  state_->check_mover(mover);
+  return state_->movers[mover].held;
+}
+
+std::optional<std::pair<BodyRef, BodyRef>> ViewScene::pair() const {
+  return state_->pair;
+}
+
+void ViewScene::set_pair(BodyRef a, BodyRef b) {
+  state_->check_body(a);
+  state_->check_body(b);
+  if (b.role != Role::mover || a == b) {
+    throw Error(ErrorKind::usage, "a pair needs a mover second, and two bodies",
+                "name a mover that is not the first body");
+  }
+  end_test();
+  state_->pair.emplace(a, b);
+}
+
+void ViewScene::start_test(std::string_view name, std::size_t up) {
+  State& s = *state_;
+  if (!s.pair) {
+    throw Error(ErrorKind::usage, "an orientation test needs two bodies", "add a mover");
+  }
+  const auto [a, b] = *s.pair;
+  const auto tests = orientation_tests();
+  std::vector<Pose> poses = orientation_poses(name, bounds(a), body(b).shape.bounds(), up);
+  const auto entry = std::find_if(tests.begin(), tests.end(),
+                                  [name](const OrientationTest& t) { return t.name == name; });
+  s.test.emplace(RunningTest{entry->name, b.index, std::move(poses)});
+  s.movers[b.index].held = false;
+  go_to(0);
+}
+
+void ViewScene::end_test() {
+  if (state_->test) {
+    hold(state_->test->mover);
+  }
+}
+
+std::optional<std::string_view> ViewScene::test() const {
+  return state_->test ? std::optional(state_->test->name) : std::nullopt;
+}
+
+const std::vector<Touch>& ViewScene::contacts() const {
+  return state_->touches;
+}
+
+Triangle ViewScene::triangle(BodyRef ref, TriangleId i) const {
+  const Body& b = body(ref);
+  const Triangle t = b.shape.mesh().triangle(i);
+  return {b.pose.apply(t.a), b.pose.apply(t.b), b.pose.apply(t.c)};
+}
+
+Crossing ViewScene::crossing(const Touch& touch) const {
+  return soms::crossing(triangle(touch.a, touch.i), triangle(touch.b, touch.j));
+}
+
+Explanation ViewScene::explain(const Touch& pair) const {
+  return view::explain(triangle(pair.a, pair.i), triangle(pair.b, pair.j));
+}
+
+void ViewScene::set_trees(const TreeChoice& choice) {
+  check(choice.build);
+  check(choice.traversal);
+  State& s = *state_;
+  if (s.choice.build != choice.build) {
+    s.trees.clear();
+    ++s.trees_version;
+  }
+  if (s.choice != choice) {
+    s.walk_key.reset();
+    s.walk = {};
+  }
+  s.choice = choice;
+}
+
+const TreeChoice& ViewScene::trees() const {
+  return state_->choice;
+}
+
+std::uint64_t ViewScene::trees_version() const {
+  return state_->trees_version;
+}
+
+const Tree& ViewScene::tree(BodyRef body) {
+  State& s = *state_;
+  s.check_body(body);
+  return s.trees.tree(s.body(body).shape.shared_mesh(), s.choice.build, s.parallel);
+}
+
+std::span<const Box> ViewScene::world_boxes(BodyRef body) {
+  State& s = *state_;
+  s.check_body(body);
+  return s.trees.boxes(body, s.body(body), s.choice.build, s.choice.traversal.update, s.parallel)
+      .boxes();
+}
+
+const Walk& ViewScene::walk() {
+  State& s = *state_;
+  if (!s.pair || s.choice.traversal.traversal == Traversal::fast) {
+    s.walk = {};
+    return s.walk;
+  }
+  const auto [a, b] = *s.pair;
+  const WalkKey key{*s.pair, body(a).pose, body(b).pose};
+  if (s.walk_key == key) {
+    return s.walk;
+  }
+  // Asked for once before, since the second body's boxes may push out the first one's.
+  (void)world_boxes(a);
+  const std::span<const Box> boxes_b = world_boxes(b);
+  const std::span<const Box> boxes_a = world_boxes(a);
+  s.walk = watch({&tree(a), boxes_a}, {&tree(b), boxes_b}, s.choice.traversal);
+  s.walk_key = key;
+  ++s.walk_version;
+  return s.walk;
+}
+
+std::uint64_t ViewScene::walk_version() const {
+  return state_->walk_version;
+}
+
+MeshFactsStore& ViewScene::mesh_facts() {
+  return state_->facts;
+}
+
+SceneStatistics ViewScene::statistics() const {
+  const State& s = *state_;
+  SceneStatistics out;
+  out.bodies = s.city.size() + s.movers.size();
+  out.triangles = s.triangles;
+  out.frame = s.frame;
+  out.contacts = s.touches.size();
+  std::set<std::uint32_t> touching;
+  for (const Touch& touch : s.touches) {
+    touching.insert(touch.a.index);
+    if (touch.b.role == Role::mover) {
+      touching.insert(touch.b.index);
+    }
+  }
+  out.touching_movers = touching.size();
+  out.queries = s.report.queries;
+  out.box_pairs = s.report.box_pairs;
+  out.cost = s.report.cost;
+  out.step_milliseconds = s.step_milliseconds;
+  out.rule = entry(s.choice.build.rule).name;
+  out.traversal = entry(s.choice.traversal.traversal).name;
+  if (s.pair) {
+    const auto tree_counts = [&](BodyRef ref) -> std::optional<TreeStatistics> {
+      const Tree* tree = s.trees.find(s.body(ref).shape.mesh());
+      return tree == nullptr ? std::nullopt
+                             : std::optional(soms::statistics(*tree, s.choice.build));
+    };
+    out.tree_a = tree_counts(s.pair->first);
+    out.tree_b = tree_counts(s.pair->second);
+  }
+  if (s.walk_key) {
+    out.walk = s.walk.counts;
+    out.walk_milliseconds = s.walk.milliseconds;
+    out.walk_cut = s.walk.cut;
+  }
+  return out;
+}
+
+}  // namespace soms::view
