@@ -1,0 +1,66 @@
+/// \file
+/// What drags, wheel turns and flying keys do to the camera in each mode.
+#pragma once
+
+#include "soms/base/box.h"
+
+#include "apps/view/control/view_state.h"
+#include "apps/view/drawing/camera.h"
+
+#include <optional>
+
+namespace soms::view {
+
+/// What a drag of the mouse does to the camera.
+enum class CameraDrag { turn, pan, dolly };
+
+/// The camera after the mouse moved by `dx`, `dy` pixels (down is positive) with a button held.
+/// Orbiting and following, `turn` goes about the target; flying, it looks around.
+[[nodiscard]] Camera dragged(const Camera& camera, CameraMode mode, CameraDrag drag, double dx,
+                             double dy, Size size);
+
+/// The camera after `notches` of the wheel away from the user, with the cursor at `pixel`: what
+/// lies under the cursor stays there. `under` is the point that is seen there; without one the
+/// plane through the target takes its place. Flying, the camera goes forward instead.
+[[nodiscard]] Camera wheeled(const Camera& camera, CameraMode mode, double notches,
+                             PixelPoint pixel, Size size, std::optional<Vec3> under);
+
+/// Keys that fly, while they are held.
+struct FlyKeys {
+  bool forward = false;
+  bool backward = false;
+  bool left = false;
+  bool right = false;
+  bool fast = false;
+
+  [[nodiscard]] bool any() const { return forward || backward || left || right; }
+};
+
+/// The camera after flying for some seconds through a scene of this size; fast is five times that.
+[[nodiscard]] Camera flown(const Camera& camera, const FlyKeys& keys, double seconds,
+                           double scene_size);
+
+/// The camera that sees all of `box` from a side.
+[[nodiscard]] Camera seen_from(const Box& box, Side side, Size size, double field_of_view);
+
+/// A short glide from one camera to another, so that the eye can follow.
+class CameraFlight {
+ public:
+  CameraFlight(const Camera& from, const Camera& to) : from_(from), to_(to) {}
+
+  /// The camera `seconds` later; at the end exactly the goal.
+  [[nodiscard]] Camera after(double seconds);
+
+  [[nodiscard]] bool over() const { return elapsed_ >= kSeconds; }
+
+  [[nodiscard]] const Camera& goal() const { return to_; }
+
+  static constexpr double kSeconds = 0.3;
+
+ private:
+  Camera from_;
+  Camera to_;
+  double elapsed_ = 0;
+};
+
+}  // namespace soms::view

@@ -1,0 +1,415 @@
+#include "apps/view/control/panels.h"
+
+#include "soms/query/traversal/traversals.h"
+#include "soms/tree/rule/rules.h"
+
+#include "apps/view/control/help.h"
+#include "apps/view/control/imgui_input.h"
+#include "apps/view/scene/orientation_menu.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace soms::view {
+
+namespace {
+
+constexpr float kSidebar = 19.5F;  ///< width in heights of a line of text
+constexpr float kPicked = 24.0F;
+
+std::vector<std::string_view> rule_names() {
+  std::vector<std::string_view> names;
+  for (const RuleEntry& rule : rules()) {
+    names.push_back(rule.kebab);
+  }
+  return names;
+}
+
+std::vector<std::string_view> traversal_names() {
+  std::vector<std::string_view> names;
+  for (const TraversalEntry& traversal : traversals()) {
+    names.push_back(traversal.kebab);
+  }
+  return names;
+}
+
+/// 1234567 as "1,234,567".
+std::string grouped(std::uint64_t value) {
+  std::string text = std::to_string(value);
+  for (std::size_t i = text.size(); i > 3;) {
+    i -= 3;
+    text.insert(i, 1, ',');
+  }
+  return text;
+}
+
+void row(const char* label, const std::string& value) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(label);
+  ImGui::TableNextColumn();
+  const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(value.c_str()).x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(free, 0.0F));
+  ImGui::TextUnformatted(value.c_str());
+}
+
+bool begin_rows(const char* name) {
+  return ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingStretchProp);
+}
+
+void help_cells(const HelpLine& line) {
+  ImGui::TableNextColumn();
+  if (line.text.empty()) {
+    ImGui::TextDisabled("%s", line.keys.c_str());
+  } else {
+    ImGui::TextUnformatted(line.keys.c_str());
+  }
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(line.text.c_str());
+}
+
+/// What a click means, done as its key would be.
+void on_press(bool pressed, ViewState& state, Action action) {
+  if (pressed) {
+    apply(state, action);
+  }
+}
+
+}  // namespace
+
+void Panels::draw(Session& session, const FrameTimes& times, const DrawStatistics& drawn) {
+  widgets_.begin_frame();
+  axis_letters(session);
+  if (session.state().panels) {
+    menu_bar(session);
+    sidebar(session, times, drawn);
+    picked_panel(session);
+  }
+  message_line(session);
+  help(session.state());
+}
+
+void Panels::menu_bar(Session& session) {
+  if (!ImGui::BeginMainMenuBar()) {
+    return;
+  }
+  ViewState& state = session.state();
+  const auto item = [&](const char* label, Action action, bool ticked = false) {
+    on_press(widgets_.menu_item(label, ticked, action), state, action);
+  };
+  if (widgets_.begin_menu("File")) {
+    item("Save picture", Action::screenshot);
+    item("Full screen", Action::fullscreen);
+    item("Quit", Action::quit);
+    ImGui::EndMenu();
+  }
+  if (widgets_.begin_menu("Camera")) {
+    item("See all", Action::reset_camera);
+    item("Go to what is picked", Action::focus);
+    item("Front", Action::view_front);
+    item("Right", Action::view_right);
+    item("Above", Action::view_top);
+    item("Corner", Action::view_corner);
+    ImGui::Separator();
+    for (const CameraMode mode : {CameraMode::orbit, CameraMode::fly, CameraMode::follow}) {
+      const bool possible = mode != CameraMode::follow || state.limits.movers > 0;
+      if (possible && widgets_.menu_item(name(mode), state.camera == mode)) {
+        state.camera = mode;
+      }
+    }
+    ImGui::EndMenu();
+  }
+  if (widgets_.begin_menu("Orientation test")) {
+    if (widgets_.menu_item("none", !state.orientation_test)) {
+      set_orientation_test(state, std::nullopt);
+    }
+    const auto tests = orientation_tests();
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+      const std::string label(tests[i].title);
+      if (state.limits.has_object &&
+          widgets_.menu_item(label.c_str(), state.orientation_test == i)) {
+        set_orientation_test(state, i);
+      }
+    }
+    ImGui::EndMenu();
+  }
+  if (widgets_.begin_menu("Help")) {
+    item("Keys", Action::help, state.help);
+    ImGui::EndMenu();
+  }
+  ImGui::TextDisabled("  %s", session.facts().name.c_str());
+  ImGui::EndMainMenuBar();
+}
+
+void Panels::sidebar(Session& session, const FrameTimes& times, const DrawStatistics& drawn) {
+  const float top = ImGui::GetFrameHeight();
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos(ImVec2(0, top));
+  ImGui::SetNextWindowSize(ImVec2(kSidebar * ImGui::GetFontSize(), display.y - top));
+  const auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavInputs;
+  if (ImGui::Begin("soms", nullptr, flags)) {
+    ImGui::PushItemWidth(0.52F * kSidebar * ImGui::GetFontSize());
+    time_panel(session);
+    tree_panel(session.state());
+    show_panel(session.state());
+    counts_panel(session.facts(), session.state());
+    frame_panel(times, drawn);
+    ImGui::PopItemWidth();
+  }
+  ImGui::End();
+}
+
+void Panels::time_panel(Session& session) {
+  if (!widgets_.heading("Time")) {
+    return;
+  }
+  ViewState& state = session.state();
+  const float width = 4.2F * ImGui::GetFontSize();
+  on_press(widgets_.button(state.paused ? "Run###run" : "Pause###run", Action::pause, width), state,
+           Action::pause);
+  ImGui::SameLine();
+  on_press(widgets_.button("Step", Action::step, width), state, Action::step);
+  if (state.limits.can_seek) {
+    ImGui::SameLine();
+    on_press(widgets_.button("Back", Action::step_back, width), state, Action::step_back);
+  }
+  ImGui::SameLine();
+  on_press(widgets_.button("Start", Action::first_frame, width), state, Action::first_frame);
+  widgets_.slide_factor("Speed", state.speed, kSlowest, kFastest, Action::faster);
+  if (state.limits.can_seek && state.limits.frames > 1) {
+    std::uint64_t frame = state.frame;
+    if (widgets_.slide_frame("Frame", frame, state.limits.frames - 1)) {
+      state.requests.seek = frame;
+    }
+  } else {
+    ImGui::Text("frame %s", grouped(state.frame).c_str());
+  }
+}
+
+void Panels::tree_panel(ViewState& state) {
+  if (!widgets_.heading("Tree and traversal")) {
+    return;
+  }
+  int rule = static_cast<int>(state.rule);
+  if (widgets_.choose("Rule", rule, rule_names(), Action::rule_next)) {
+    state.rule = static_cast<Rule>(rule);
+  }
+  int traversal = static_cast<int>(state.traversal);
+  if (widgets_.choose("Traversal", traversal, traversal_names(), Action::traversal_next)) {
+    state.traversal = static_cast<Traversal>(traversal);
+  }
+  if (state.limits.has_object) {
+    if (widgets_.radio("City", state.tree_of == TreeOf::city, Action::tree_of)) {
+      apply(state, Action::tree_of);
+    }
+    ImGui::SameLine();
+    if (widgets_.radio("Object", state.tree_of == TreeOf::mover, Action::tree_of)) {
+      apply(state, Action::tree_of);
+    }
+    ImGui::SameLine();
+  }
+  widgets_.check("Boxes", state.shown.tree_boxes, Action::tree_boxes);
+  if (widgets_.slide("Level", state.level, 1, levels(state), Action::level_down)) {
+    state.shown.tree_boxes = true;
+  }
+}
+
+void Panels::show_panel(ViewState& state) {
+  if (!widgets_.heading("Show")) {
+    return;
+  }
+  if (!ImGui::BeginTable("show", 2, ImGuiTableFlags_SizingStretchSame)) {
+    return;
+  }
+  Shown& shown = state.shown;
+  const auto cell = [&](const char* label, bool& flag, Action action) {
+    ImGui::TableNextColumn();
+    widgets_.check(label, flag, action);
+  };
+  cell("Touching", shown.contact_triangles, Action::contact_triangles);
+  cell("Visited", shown.visited, Action::visited);
+  cell("Crossings", shown.crossing_segments, Action::crossing_segments);
+  cell("Pruned", shown.pruned, Action::pruned);
+  cell("Lines", shown.contact_lines, Action::contact_lines);
+  cell("Found", shown.found, Action::found);
+  cell("Movers", shown.movers, Action::movers);
+  cell("Pruning", state.prune, Action::pruning);
+  cell("Edges", shown.edges, Action::edges);
+  cell("Handles", shown.gizmo, Action::gizmo);
+  ImGui::EndTable();
+}
+
+void Panels::counts_panel(const Facts& facts, const ViewState& state) {
+  if (!widgets_.heading("Counts") || !begin_rows("counts")) {
+    return;
+  }
+  row("Triangles", grouped(facts.triangles));
+  row("Movers", grouped(facts.movers));
+  row("Movers that touch", grouped(facts.bodies));
+  row("Triangle pairs that touch", grouped(facts.contacts));
+  row("Box tests", grouped(facts.cost.node_tests));
+  row("Triangle tests", grouped(facts.cost.triangle_tests));
+  row("Exact tests", grouped(facts.cost.exact_tests));
+  if (state.limits.has_object) {
+    row("Boxes visited", grouped(facts.visited));
+    row("Boxes pruned", grouped(facts.pruned));
+    row("Boxes found", grouped(facts.found));
+  }
+  ImGui::EndTable();
+}
+
+void Panels::frame_panel(const FrameTimes& times, const DrawStatistics& drawn) {
+  if (!widgets_.heading("Drawing")) {
+    return;
+  }
+  const double rate = times.frames_a_second();
+  if (rate > 0) {
+    ImGui::Text("%.1f ms a frame, %.0f FPS", times.last(), rate);
+  } else {
+    ImGui::Text("%.1f ms a frame, at rest", times.last());
+  }
+  const auto graph = times.graph();
+  const auto top = static_cast<float>(std::max(times.greatest(), 1.0));
+  ImGui::PlotLines("##ms", graph.data(), static_cast<int>(graph.size()), 0, nullptr, 0, top,
+                   ImVec2(-1, 2.6F * ImGui::GetFontSize()));
+  ImGui::Text("%s draw calls, %s triangles", grouped(drawn.draw_calls).c_str(),
+              grouped(drawn.triangles).c_str());
+  if (drawn.triangles_left > 0) {
+    ImGui::Text("%s more when still", grouped(drawn.triangles_left).c_str());
+  }
+}
+
+void Panels::picked_panel(Session& session) {
+  if (!session.picked()) {
+    return;
+  }
+  const PickedFacts& picked = *session.picked();
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float width = kPicked * ImGui::GetFontSize();
+  const float top = ImGui::GetFrameHeight();
+  ImGui::SetNextWindowPos(ImVec2(display.x - width, top));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, display.y - 2 * top));
+  const auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavInputs;
+  if (ImGui::Begin("picked", nullptr, flags)) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(picked.title.c_str());
+    ImGui::Separator();
+    if (begin_rows("numbers")) {
+      for (const auto& [label, value] : picked.numbers) {
+        row(label.c_str(), value);
+      }
+      ImGui::EndTable();
+    }
+    for (const std::string& sentence : picked.why) {
+      ImGui::TextWrapped("%s", sentence.c_str());
+    }
+    ImGui::PopTextWrapPos();
+    ViewState& state = session.state();
+    on_press(widgets_.button("Go there", Action::focus), state, Action::focus);
+    ImGui::SameLine();
+    if (widgets_.button("Close")) {
+      state.requests.deselect = true;
+    }
+  }
+  ImGui::End();
+}
+
+void Panels::message_line(const Session& session) {
+  const std::string& text = session.message().empty() ? session.facts().note : session.message();
+  if (text.empty() || (session.message().empty() && !session.state().panels)) {
+    return;
+  }
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float left = session.state().panels ? kSidebar * ImGui::GetFontSize() : 0;
+  ImGui::SetNextWindowPos(ImVec2(left, display.y), ImGuiCond_Always, ImVec2(0, 1));
+  ImGui::SetNextWindowSize(ImVec2(display.x - left, 0));
+  ImGui::SetNextWindowBgAlpha(0.85F);
+  const auto flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing;
+  if (ImGui::Begin("message", nullptr, flags)) {
+    ImGui::TextWrapped("%s", text.c_str());
+  }
+  ImGui::End();
+}
+
+void Panels::help(ViewState& state) {
+  if (!state.help) {
+    return;
+  }
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float line = ImGui::GetFontSize();
+  ImGui::SetNextWindowPos(ImVec2(display.x / 2, display.y / 2), ImGuiCond_Always,
+                          ImVec2(0.5F, 0.5F));
+  ImGui::SetNextWindowSize(
+      ImVec2(std::min(62 * line, display.x - 2 * line), std::min(38 * line, display.y - 2 * line)));
+  const auto flags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize |
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoNavInputs;
+  if (ImGui::Begin("Keys and mouse", &state.help, flags) &&
+      ImGui::BeginTable("keys", 4, ImGuiTableFlags_SizingFixedFit)) {
+    // Two columns of rows, each filled from top to bottom.
+    const std::vector<HelpLine> lines = help_lines();
+    const std::size_t half = (lines.size() + 1) / 2;
+    for (std::size_t i = 0; i < half; ++i) {
+      ImGui::TableNextRow();
+      for (const std::size_t at : {i, i + half}) {
+        if (at >= lines.size()) {
+          break;
+        }
+        help_cells(lines[at]);
+      }
+    }
+    ImGui::EndTable();
+  }
+  ImGui::End();
+}
+
+void Panels::axis_letters(const Session& session) {
+  const auto gizmo = session.gizmo();
+  if (!gizmo) {
+    return;
+  }
+  constexpr std::array<const char*, 3> letters{"x", "y", "z"};
+  const auto ends = tips(*gizmo);
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (const auto seen = project(session.camera(), session.window(), ends[i])) {
+      const ImVec2 half = ImGui::CalcTextSize(letters[i]);
+      const ImVec2 at(static_cast<float>(seen->pixel.x) - half.x / 2,
+                      static_cast<float>(seen->pixel.y) - half.y / 2);
+      ImGui::GetBackgroundDrawList()->AddText(at, IM_COL32(20, 20, 20, 255), letters[i]);
+    }
+  }
+}
+
+void set_style(double scale) {
+  ImGui::StyleColorsLight();
+  ImGuiStyle& style = ImGui::GetStyle();
+  style.WindowRounding = 0;
+  style.FrameRounding = 3;
+  style.WindowBorderSize = 1;
+  style.WindowPadding = ImVec2(7, 6);
+  style.ItemSpacing = ImVec2(6, 3);
+  style.FramePadding = ImVec2(5, 2);
+  style.Colors[ImGuiCol_WindowBg] = ImVec4(0.97F, 0.97F, 0.98F, 0.96F);
+  style.Colors[ImGuiCol_TextDisabled] = ImVec4(0.30F, 0.34F, 0.40F, 1);
+  style.Colors[ImGuiCol_PlotLines] = ImVec4(0, 0.35F, 0.60F, 1);
+  style.ScaleAllSizes(static_cast<float>(scale));
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // the viewer leaves no files where it was started
+  io.LogFilename = nullptr;
+}
+
+Captured captured() {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool open =
+      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  return {io.WantCaptureMouse, io.WantTextInput || open};
+}
+
+}  // namespace soms::view

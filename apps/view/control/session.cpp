@@ -1,0 +1,436 @@
+#include "apps/view/control/session.h"
+
+#include "soms/base/error.h"
+
+#include "apps/view/control/action.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <type_traits>
+#include <variant>
+
+namespace soms::view {
+
+namespace {
+
+constexpr double kTremble = 4;         ///< pixels within which a press is a click
+constexpr double kDoubleClick = 0.35;  ///< seconds
+constexpr double kHandleSlack = 7;     ///< pixels
+constexpr double kGizmoPixels = 90;    ///< length of an arrow
+constexpr double kStepOfObject = 0.1;  ///< keyboard step in sizes of the object
+constexpr double kTurnOfObject = std::numbers::pi / 36;
+constexpr double kLongestTick = 0.25;  ///< a longer one was a rest: nothing leaps after it
+constexpr double kFollowDistance = 3;  ///< times what would fill the picture
+
+double apart(PixelPoint a, PixelPoint b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+/// The direction among +x, -x, +y, -y that is nearest to a vector.
+Vec3 level_axis(const Vec3& v) {
+  if (std::abs(v.x) >= std::abs(v.y)) {
+    return {v.x < 0 ? -1.0 : 1.0, 0, 0};
+  }
+  return {0, v.y < 0 ? -1.0 : 1.0, 0};
+}
+
+CameraDrag kind_of(const MouseDown& event) {
+  switch (event.button) {
+    case MouseButton::left:
+      return event.shift || event.control ? CameraDrag::pan : CameraDrag::turn;
+    case MouseButton::middle:
+      return CameraDrag::pan;
+    case MouseButton::right:
+      return CameraDrag::dolly;
+  }
+  return CameraDrag::turn;
+}
+
+Box usable(const Box& box) {
+  return box.empty() ? Box{{-1, -1, -1}, {1, 1, 1}} : box;
+}
+
+}  // namespace
+
+template <typename Task>
+void Session::guarded(Task&& task) {
+  try {
+    task();
+    message_.clear();
+  } catch (const Error& error) {
+    message_ = error.what();
+  }
+  changed_ = true;
+}
+
+Session::Session(Subject& subject, Size window) : subject_(subject), window_(window) {
+  choice_ = choice(state_);
+  guarded([&] { subject_.choose(state_); });
+  refresh();
+  camera_ = seen_from(usable(facts_.bounds), Side::corner, window_, camera_.field_of_view);
+}
+
+void Session::resize(Size window) {
+  window_ = window;
+}
+
+void Session::refresh() {
+  facts_ = subject_.facts(state_);
+  state_.limits = facts_.limits;
+  state_.frame = facts_.frame;
+  clamp(state_);
+}
+
+void Session::handle(const Captured& captured) {
+  std::vector<InputEvent> events;
+  events.swap(events_);
+  std::optional<PixelPoint> moved;
+  for (const InputEvent& event : events) {
+    // Only the last of several moves counts: each would ask for all contacts anew.
+    if (const auto* const move = std::get_if<MouseMove>(&event)) {
+      moved = move->at;
+      continue;
+    }
+    if (moved) {
+      drag_to(*moved);
+      moved.reset();
+    }
+    std::visit(
+        [&](const auto& e) {
+          using Event = std::decay_t<decltype(e)>;
+          if constexpr (std::is_same_v<Event, KeyDown>) {
+            if (!captured.keys) {
+              take(e);
+            }
+          } else if constexpr (std::is_same_v<Event, MouseDown> || std::is_same_v<Event, Wheel>) {
+            if (!captured.mouse) {
+              take(e);
+            }
+          } else if constexpr (std::is_same_v<Event, FocusLost>) {
+            release_all();
+          } else if constexpr (std::is_same_v<Event, FileDropped>) {
+            state_.requests.open.push_back(e.path);
+          } else if constexpr (!std::is_same_v<Event, MouseMove>) {
+            take(e);
+          }
+        },
+        event);
+  }
+  if (moved) {
+    drag_to(*moved);
+    cursor_ = moved;
+  }
+  if (captured.mouse) {
+    cursor_.reset();
+  }
+}
+
+void Session::take(const KeyDown& event) {
+  if (state_.camera == CameraMode::fly && !event.press.control) {
+    set_fly_key(event.press.key, true);
+    fly_.fast = event.press.shift;
+  }
+  if (event.press.key == Key::escape && drag_) {
+    const Pose start = drag_->start();
+    drag_.reset();
+    guarded([&] { subject_.place_object(start); });
+    return;
+  }
+  const auto action = action_of(event.press);
+  if (!action || (event.repeat && !repeats(*action))) {
+    return;
+  }
+  apply(state_, *action);
+  // Held keys come faster than frames: each counts.
+  if (state_.requests.move != ObjectMove{}) {
+    move_object(state_.requests.move);
+    state_.requests.move = {};
+  }
+}
+
+void Session::take(const KeyUp& event) {
+  set_fly_key(event.key, false);
+}
+
+void Session::set_fly_key(Key key, bool down) {
+  if (key == key_of('W')) {
+    fly_.forward = down;
+  } else if (key == key_of('S')) {
+    fly_.backward = down;
+  } else if (key == key_of('A')) {
+    fly_.left = down;
+  } else if (key == key_of('D')) {
+    fly_.right = down;
+  }
+}
+
+void Session::release_all() {
+  fly_ = {};
+  press_.reset();
+  drag_.reset();
+}
+
+void Session::take(const MouseDown& event) {
+  cursor_ = event.at;
+  if (press_ || drag_) {
+    return;  // a second button of a drag
+  }
+  if (event.button == MouseButton::left && !event.shift && !event.control) {
+    if (const auto handle = handle_in_use()) {
+      drag_.emplace(*gizmo(), *handle, *facts_.object, ray_through(camera_, window_, event.at));
+      return;
+    }
+    const bool twice =
+        click_ && event.time - click_time_ <= kDoubleClick && apart(*click_, event.at) <= kTremble;
+    click_ = twice ? std::nullopt : std::optional(event.at);
+    click_time_ = event.time;
+    if (twice) {
+      set_pivot(event.at);
+      return;
+    }
+  }
+  flight_.reset();
+  press_ = Press{event.button, event.at, event.at, kind_of(event)};
+}
+
+void Session::take(const MouseUp& event) {
+  drag_to(event.at);
+  if (drag_ && event.button == MouseButton::left) {
+    drag_.reset();
+  }
+  if (press_ && press_->button == event.button) {
+    const bool click = !press_->dragging && event.button == MouseButton::left;
+    press_.reset();
+    if (click) {
+      pick(event.at);
+    }
+  }
+}
+
+void Session::take(const Wheel& event) {
+  flight_.reset();
+  const auto under = subject_.pick(ray_through(camera_, window_, event.at));
+  camera_ = wheeled(camera_, state_.camera, event.notches, event.at, window_,
+                    under ? std::optional(under->point) : std::nullopt);
+}
+
+void Session::drag_to(PixelPoint at) {
+  if (drag_) {
+    const Pose pose = drag_->dragged(ray_through(camera_, window_, at));
+    if (facts_.object != pose) {
+      guarded([&] { subject_.place_object(pose); });
+      facts_.object = pose;
+    }
+    return;
+  }
+  if (!press_) {
+    return;
+  }
+  if (!press_->dragging && apart(at, press_->from) <= kTremble) {
+    return;
+  }
+  press_->dragging = true;
+  camera_ = dragged(camera_, state_.camera, press_->kind, at.x - press_->last.x,
+                    at.y - press_->last.y, window_);
+  press_->last = at;
+}
+
+void Session::pick(PixelPoint at) {
+  picked_ = subject_.pick(ray_through(camera_, window_, at));
+  state_.selected = picked_.has_value();
+  if (picked_) {
+    subject_.select(*picked_);
+  } else {
+    subject_.deselect();
+  }
+  changed_ = true;
+}
+
+void Session::set_pivot(PixelPoint at) {
+  if (const auto under = subject_.pick(ray_through(camera_, window_, at))) {
+    go(pivoted(camera_, under->point));
+  }
+}
+
+void Session::tick(double seconds) {
+  const double passed = std::min(seconds, kLongestTick);
+  do_time_requests();
+  do_requests();
+  if (choice_ != choice(state_)) {
+    choice_ = choice(state_);
+    guarded([&] { subject_.choose(state_); });
+  }
+  if (state_.paused) {
+    playback_.reset();
+  } else if (const int frames = playback_.due(passed, state_.speed); frames > 0) {
+    guarded([&] { subject_.advance(frames); });
+  }
+  const auto before = facts_.followed;
+  refresh();
+  follow(before);
+  do_camera_requests();
+  if (fly_.any() && state_.camera == CameraMode::fly) {
+    camera_ = view::flown(camera_, fly_, passed, state_.limits.scene_size);
+  }
+  if (flight_) {
+    camera_ = flight_->after(passed);
+    if (flight_->over()) {
+      flight_.reset();
+    }
+  }
+}
+
+void Session::do_time_requests() {
+  Requests& wishes = state_.requests;
+  if (wishes.restart) {
+    wishes.restart = false;
+    guarded([&] { subject_.restart(); });
+  }
+  if (wishes.seek) {
+    const std::uint64_t frame = *wishes.seek;
+    wishes.seek.reset();
+    guarded([&] { subject_.seek(frame); });
+  }
+  if (wishes.steps != 0) {
+    const int steps = wishes.steps;
+    wishes.steps = 0;
+    guarded([&] { subject_.advance(steps); });
+  }
+}
+
+void Session::do_requests() {
+  Requests& wishes = state_.requests;
+  if (wishes.deselect) {
+    wishes.deselect = false;
+    picked_.reset();
+    state_.selected = false;
+    subject_.deselect();
+    changed_ = true;
+  }
+  if (wishes.move != ObjectMove{}) {
+    move_object(wishes.move);
+    wishes.move = {};
+  }
+  if (wishes.object_home) {
+    wishes.object_home = false;
+    guarded([&] { subject_.object_home(); });
+  }
+  if (!wishes.open.empty()) {
+    const auto paths = std::move(wishes.open);
+    wishes.open.clear();
+    guarded([&] {
+      for (const std::string& path : paths) {
+        subject_.open(path);
+      }
+    });
+    wishes.fit_all = message_.empty();
+  }
+}
+
+void Session::do_camera_requests() {
+  Requests& wishes = state_.requests;
+  const Box all = usable(facts_.bounds);
+  if (wishes.fit_all) {
+    wishes.fit_all = false;
+    go(seen_from(all, Side::corner, window_, camera_.field_of_view));
+  }
+  if (wishes.look_from) {
+    go(seen_from(all, *wishes.look_from, window_, camera_.field_of_view));
+    wishes.look_from.reset();
+  }
+  if (wishes.fit_object) {
+    wishes.fit_object = false;
+    const Box box = picked_ ? picked_->bounds : facts_.object_bounds;
+    if (!box.empty()) {
+      const Camera near = fitted(box, camera_.eye - camera_.target, window_, camera_.field_of_view);
+      go(dollied(near, kFollowDistance));
+    }
+  }
+}
+
+void Session::start_following() {
+  const Pose& pose = *facts_.followed;
+  const Vec3 back{-pose.m[0], -pose.m[4], 0.5};
+  const Camera near = fitted(usable(facts_.followed_bounds), back, window_, camera_.field_of_view);
+  camera_ = dollied(near, kFollowDistance);
+  flight_.reset();
+}
+
+void Session::follow(const std::optional<Pose>& before) {
+  const bool begins = state_.camera == CameraMode::follow &&
+                      (mode_before_ != CameraMode::follow || followed_before_ != state_.followed);
+  mode_before_ = state_.camera;
+  followed_before_ = state_.followed;
+  if (state_.camera != CameraMode::follow || !facts_.followed) {
+    return;
+  }
+  if (begins) {
+    start_following();
+  } else if (before && *before != *facts_.followed) {
+    camera_ = followed(camera_, *before, *facts_.followed);
+  }
+}
+
+void Session::move_object(const ObjectMove& move) {
+  if (!facts_.object || drag_) {
+    return;
+  }
+  const CameraFrame axes = frame(camera_);
+  // Seen from above, "away" is where the picture's upper edge lies.
+  const Vec3 ahead = level_axis(std::abs(axes.forward.z) > 0.8 ? axes.up : axes.forward);
+  const Vec3 right{ahead.y, -ahead.x, 0};
+  const double step = kStepOfObject * state_.limits.object_size * move.scale;
+  const Vec3 offset =
+      right * (step * move.right) + ahead * (step * move.forward) + Vec3{0, 0, step * move.up};
+  Pose pose = shifted(*facts_.object, offset);
+  if (move.turn != 0) {
+    pose = turned_about(pose, facts_.object_bounds.center(), kTurnOfObject * move.turn);
+  }
+  guarded([&] { subject_.place_object(pose); });
+  facts_ = subject_.facts(state_);
+}
+
+std::optional<Gizmo> Session::gizmo() const {
+  if (!state_.shown.gizmo || !facts_.object || facts_.object_bounds.empty()) {
+    return std::nullopt;
+  }
+  return gizmo_at(camera_, window_, facts_.object_bounds.center(), kGizmoPixels);
+}
+
+std::optional<Handle> Session::handle_in_use() const {
+  if (drag_) {
+    return drag_->handle();
+  }
+  const auto handles = gizmo();
+  if (!handles || !cursor_ || press_) {
+    return std::nullopt;
+  }
+  return handle_at(*handles, camera_, window_, *cursor_, kHandleSlack);
+}
+
+const DrawList& Session::picture() {
+  if (changed_) {
+    list_ = subject_.draw_list(state_);
+    scene_lines_ = list_.lines.size();
+    scene_marks_ = list_.marks.size();
+    changed_ = false;
+  }
+  list_.lines.resize(scene_lines_);
+  list_.marks.resize(scene_marks_);
+  if (const auto handles = gizmo()) {
+    draw(*handles, handle_in_use(), list_);
+  }
+  return list_;
+}
+
+bool Session::animating() const {
+  return !state_.paused || flight_.has_value() ||
+         (fly_.any() && state_.camera == CameraMode::fly) || !events_.empty();
+}
+
+bool Session::moving() const {
+  return animating() || drag_.has_value() || (press_ && press_->dragging);
+}
+
+}  // namespace soms::view

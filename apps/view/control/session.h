@@ -1,0 +1,142 @@
+/// \file
+/// The viewer without a window: events in, state, camera and draw list out.
+#pragma once
+
+#include "soms/base/pose.h"
+
+#include "apps/view/control/camera_moves.h"
+#include "apps/view/control/gizmo.h"
+#include "apps/view/control/input_event.h"
+#include "apps/view/control/playback.h"
+#include "apps/view/control/subject.h"
+#include "apps/view/control/view_state.h"
+#include "apps/view/drawing/camera.h"
+#include "apps/view/drawing/draw_list.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace soms::view {
+
+/// What the panels keep for themselves in this frame.
+struct Captured {
+  bool mouse = false;
+  bool keys = false;
+};
+
+/// One run of the viewer. In each frame: `push` events, `handle` them, `tick`, draw the panels
+/// (they change `state()`), draw `picture()` from `camera()`.
+class Session {
+ public:
+  /// Looks at all of the subject. The subject must outlive the session.
+  Session(Subject& subject, Size window);
+
+  void resize(Size window);
+
+  /// Keeps an event for `handle`.
+  void push(InputEvent event) { events_.push_back(std::move(event)); }
+
+  /// Does what the events say. What the panels captured is not for us, but a drag goes on over
+  /// them.
+  void handle(const Captured& captured);
+
+  /// Fulfils requests, lets time pass, moves the camera. Errors become `message`.
+  void tick(double seconds);
+
+  [[nodiscard]] ViewState& state() { return state_; }
+
+  [[nodiscard]] const ViewState& state() const { return state_; }
+
+  [[nodiscard]] const Camera& camera() const { return camera_; }
+
+  [[nodiscard]] const Facts& facts() const { return facts_; }
+
+  [[nodiscard]] const std::optional<PickedFacts>& picked() const { return picked_; }
+
+  [[nodiscard]] Size window() const { return window_; }
+
+  /// The last error in words; empty: none. It goes with the next action that works.
+  [[nodiscard]] const std::string& message() const { return message_; }
+
+  void set_message(std::string text) { message_ = std::move(text); }
+
+  void set_camera(const Camera& camera) { camera_ = camera; }
+
+  /// The picture with the gizmo. Made anew only after a change.
+  [[nodiscard]] const DrawList& picture();
+
+  /// The gizmo, where it is shown.
+  [[nodiscard]] std::optional<Gizmo> gizmo() const;
+
+  /// The handle that is dragged, or under the cursor.
+  [[nodiscard]] std::optional<Handle> handle_in_use() const;
+
+  /// True while something moves by itself: frames are wanted without an event.
+  [[nodiscard]] bool animating() const;
+
+  /// True while the picture changes from frame to frame, also by the hand.
+  [[nodiscard]] bool moving() const;
+
+ private:
+  struct Press {
+    MouseButton button = MouseButton::left;
+    PixelPoint from;  ///< where it began
+    PixelPoint last;  ///< where the camera was last moved for it
+    CameraDrag kind = CameraDrag::turn;
+    bool dragging = false;  ///< moved farther than a click's tremble
+  };
+
+  void take(const KeyDown& event);
+  void take(const KeyUp& event);
+  void take(const MouseDown& event);
+  void take(const MouseUp& event);
+  void take(const Wheel& event);
+  void release_all();
+  void set_fly_key(Key key, bool down);
+  void drag_to(PixelPoint at);
+  void pick(PixelPoint at);
+  void set_pivot(PixelPoint at);
+
+  void do_requests();
+  void do_camera_requests();
+  void do_time_requests();
+  void move_object(const ObjectMove& move);
+  void refresh();
+
+  void go(const Camera& goal) { flight_ = CameraFlight(camera_, goal); }
+
+  void start_following();
+  void follow(const std::optional<Pose>& before);
+  template <typename Task>
+  void guarded(Task&& task);
+
+  Subject& subject_;
+  Size window_;
+  ViewState state_;
+  Camera camera_;
+  Facts facts_;
+  std::optional<PickedFacts> picked_;
+  std::string message_;
+  std::vector<InputEvent> events_;
+  std::optional<Press> press_;
+  std::optional<GizmoDrag> drag_;
+  std::optional<CameraFlight> flight_;
+  std::optional<PixelPoint> cursor_;  ///< nothing while over a panel
+  std::optional<PixelPoint> click_;   ///< the press before, for double clicks
+  double click_time_ = 0;
+  FlyKeys fly_;
+  Playback playback_;
+  CameraMode mode_before_ = CameraMode::orbit;
+  std::uint64_t followed_before_ = 0;
+  Choice choice_;        ///< that the subject was told
+  bool changed_ = true;  ///< the list is to be made anew
+  DrawList list_;
+  std::size_t scene_lines_ = 0;  ///< of the list; what follows is the gizmo's
+  std::size_t scene_marks_ = 0;
+};
+
+}  // namespace soms::view

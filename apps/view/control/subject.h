@@ -1,0 +1,98 @@
+/// \file
+/// What the controls need to know of the thing shown, and what they may ask of it.
+#pragma once
+
+#include "soms/base/box.h"
+#include "soms/base/pose.h"
+#include "soms/query/answer.h"
+
+#include "apps/view/control/view_state.h"
+#include "apps/view/drawing/camera.h"
+#include "apps/view/drawing/draw_list.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace soms::view {
+
+/// Something that was clicked on, in words and numbers.
+struct PickedFacts {
+  std::string title;                                         ///< "triangle 4711 of city.ply"
+  std::vector<std::pair<std::string, std::string>> numbers;  ///< label and value, in order
+  std::vector<std::string> why;                              ///< sentences: why it was decided so
+  Vec3 point;                                                ///< where it was hit
+  Box bounds;                                                ///< of what was picked, in the world
+
+  [[nodiscard]] bool operator==(const PickedFacts&) const = default;
+};
+
+/// Numbers for the panels: of the last step, and of the thing as a whole.
+struct Facts {
+  std::string name;  ///< of what is shown, for the title
+  std::string note;  ///< one line that the user should know; empty: none
+  std::uint64_t triangles = 0;
+  std::uint64_t movers = 0;
+  std::uint64_t frame = 0;     ///< that is shown
+  std::uint64_t contacts = 0;  ///< pairs of triangles that touch
+  std::uint64_t bodies = 0;    ///< movers that touch something
+  std::uint64_t visited = 0;   ///< boxes, or pairs of boxes, of the last traversal
+  std::uint64_t pruned = 0;
+  std::uint64_t found = 0;
+  Cost cost;
+  double collision_ms = 0;  ///< time of the last step's collision alone
+  Limits limits;
+  Box bounds;                    ///< of all that is shown
+  std::optional<Pose> object;    ///< of what is moved by hand
+  Box object_bounds;             ///< in the world
+  std::optional<Pose> followed;  ///< of the mover that the camera follows
+  Box followed_bounds;           ///< in the world
+};
+
+/// The thing shown. Kept by one thread.
+class Subject {
+ public:
+  virtual ~Subject() = default;
+
+  /// Brings rule, traversal, pruning and test of orientation to what the state says, and counts
+  /// contacts anew where that matters. May take as long as a build.
+  /// \errors  As the library's builds and queries.
+  virtual void choose(const ViewState& state) = 0;
+
+  /// Numbers as of now.
+  [[nodiscard]] virtual Facts facts(const ViewState& state) const = 0;
+
+  /// Goes on by frames; backward (a negative number) only where `Limits::can_seek`.
+  virtual void advance(int frames) = 0;
+
+  /// To a frame. \pre Limits::can_seek.
+  virtual void seek(std::uint64_t frame) = 0;
+
+  /// Back to the first frame.
+  virtual void restart() = 0;
+
+  /// Puts the object somewhere and counts its contacts. \pre Limits::has_object.
+  virtual void place_object(const Pose& pose) = 0;
+
+  /// Puts the object back to where it was at first. \pre Limits::has_object.
+  virtual void object_home() = 0;
+
+  /// What is seen first along a ray: a contact, or a triangle of any body.
+  [[nodiscard]] virtual std::optional<PickedFacts> pick(const Ray& ray) const = 0;
+
+  /// Draws what was picked brighter.
+  virtual void select(const PickedFacts& picked) = 0;
+
+  /// No longer.
+  virtual void deselect() = 0;
+
+  /// Shows another model. \errors As `read_mesh`; what was shown before stays then.
+  virtual void open(const std::string& path) = 0;
+
+  /// The picture without the gizmo.
+  [[nodiscard]] virtual DrawList draw_list(const ViewState& state) = 0;
+};
+
+}  // namespace soms::view

@@ -1,0 +1,121 @@
+/// \file
+/// A thing to show that is not there: a box-like city, one object, 100 frames. It remembers what it
+/// was asked.
+#pragma once
+
+#include "soms/base/error.h"
+
+#include "apps/view/control/subject.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace soms::view {
+
+/// The city fills [-100, 100] x [-100, 100] x [0, 50], the object is a cube of side 4 about its
+/// pose. A ray that looks down meets the ground z = 0.
+class MockSubject final : public Subject {
+ public:
+  void choose(const ViewState& state) override {
+    ++chosen;
+    last_choice = choice(state);
+  }
+
+  [[nodiscard]] Facts facts(const ViewState& state) const override {
+    Facts facts;
+    facts.name = "mock city";
+    facts.note = note;
+    facts.triangles = 1'234'567;
+    facts.movers = 3;
+    facts.frame = frame;
+    facts.contacts = 42;
+    facts.limits = {7, 5, frames, 3, can_seek, has_object, 4, 200};
+    facts.bounds = {{-100, -100, 0}, {100, 100, 50}};
+    if (has_object) {
+      facts.object = object;
+      const Vec3 at = object.shift();
+      facts.object_bounds = {at - Vec3{2, 2, 2}, at + Vec3{2, 2, 2}};
+    }
+    const Vec3 at{static_cast<double>(frame), 10.0 * static_cast<double>(state.followed), 1};
+    facts.followed = Pose::translation(at.x, at.y, at.z);
+    facts.followed_bounds = {at - Vec3{2, 1, 1}, at + Vec3{2, 1, 1}};
+    return facts;
+  }
+
+  void advance(int count) override {
+    advanced += count;
+    const auto next = static_cast<std::int64_t>(frame) + count;
+    frame = static_cast<std::uint64_t>(std::max<std::int64_t>(next, 0));
+  }
+
+  void seek(std::uint64_t to) override { frame = to; }
+
+  void restart() override {
+    frame = 0;
+    ++restarts;
+  }
+
+  void place_object(const Pose& pose) override {
+    object = pose;
+    ++placed;
+  }
+
+  void object_home() override { object = Pose::translation(0, 0, 10); }
+
+  [[nodiscard]] std::optional<PickedFacts> pick(const Ray& ray) const override {
+    if (ray.direction.z > -1e-3) {
+      return std::nullopt;
+    }
+    const Vec3 at = ray.origin + ray.direction * (-ray.origin.z / ray.direction.z);
+    if (std::max(std::abs(at.x), std::abs(at.y)) > 100) {
+      return std::nullopt;
+    }
+    PickedFacts picked;
+    picked.title = "triangle 4711 of mock city";
+    picked.numbers = {{"part", "ground"}, {"vertices", "1, 2, 3"}};
+    picked.why = {"Its plane is crossed by two edges of the other."};
+    picked.point = at;
+    picked.bounds = {at - Vec3{1, 1, 0}, at + Vec3{1, 1, 0}};
+    return picked;
+  }
+
+  void select(const PickedFacts& picked) override { selected = picked.title; }
+
+  void deselect() override { selected.clear(); }
+
+  void open(const std::string& path) override {
+    if (path == "broken.ply") {
+      throw Error(ErrorKind::bad_file, "broken.ply, line 3: no vertices", "repair the file");
+    }
+    opened.push_back(path);
+  }
+
+  [[nodiscard]] DrawList draw_list(const ViewState&) override {
+    ++lists;
+    DrawList list;
+    list.lines.push_back({{0, 0, 0}, {1, 0, 0}});
+    return list;
+  }
+
+  std::uint64_t frame = 0;
+  std::uint64_t frames = 100;
+  bool can_seek = true;
+  bool has_object = true;
+  Pose object = Pose::translation(0, 0, 10);
+  std::string note;
+
+  int chosen = 0;
+  Choice last_choice;
+  int advanced = 0;
+  int restarts = 0;
+  int placed = 0;
+  int lists = 0;
+  std::string selected;
+  std::vector<std::string> opened;
+};
+
+}  // namespace soms::view
