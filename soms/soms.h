@@ -24,6 +24,7 @@
 #include "soms/scene/broad_phase.h"
 #include "soms/scene/scene.h"
 #include "soms/tree/build.h"
+#include "soms/tree/refit.h"
 #include "soms/tree/shape.h"
 #include "soms/tree/statistics.h"
 #include "soms/tree/visits.h"

@@ -3,6 +3,7 @@
 // order.
 #include "soms/query/overlap.h"
 #include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/refit.h"
 #include "soms/tree/rule/rules.h"
 
 #include "bench/peers/core/machine.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <memory>
@@ -274,6 +276,62 @@ void race_threads(const std::vector<const RuleEntry*>& chosen, const Place& plac
   std::printf(" times one\n");
 }
 
+/// The knot or city turned about the z axis by an angle that grows along x, so that all of it
+/// bends.
+std::shared_ptr<const Mesh> twisted(const Mesh& mesh, double turns) {
+  Mesh moved = mesh;
+  const double rate = turns * 2 * std::acos(-1.0) / bounds(mesh).extent().x;
+  for (Vec3& v : moved.vertices) {
+    const double s = std::sin(rate * v.x);
+    const double c = std::cos(rate * v.x);
+    v = {v.x, c * v.y - s * v.z, s * v.y + c * v.z};
+  }
+  return std::make_shared<const Mesh>(std::move(moved));
+}
+
+double seconds_of(const std::function<void()>& action, int passes) {
+  std::vector<double> seconds;
+  for (int p = -1; p < passes; ++p) {
+    const double start = processor_seconds();
+    action();
+    if (p >= 0) {
+      seconds.push_back(processor_seconds() - start);
+    }
+  }
+  return median(seconds);
+}
+
+double node_tests(const Shape& fixed, const Place& place, const PoseSet& set) {
+  const Shape mover = place.own_twin ? fixed : Shape(place.mover);
+  const OverlapBatch answer = overlap(mover, set.poses, Body(fixed), {.mode = OverlapMode::any});
+  return static_cast<double>(answer.cost.node_tests) / static_cast<double>(set.poses.size());
+}
+
+/// Refit against a new build, and what queries pay on each, at growing deformations.
+void race_refit(const std::vector<const RuleEntry*>& chosen, const Place& place, int passes) {
+  for (const RuleEntry* e : chosen) {
+    ShapeOptions options;
+    options.build.rule = e->rule;
+    const Shape shape(place.mesh, options);
+    for (const double turns : {0.0, 0.01, 0.03, 0.1, 0.3, 1.0}) {
+      const auto mesh = twisted(*place.mesh, turns);
+      const Shape moved = refit(shape, mesh);
+      const Shape anew(mesh, options);
+      std::printf("%-16s %5.2f turns: decline %5.2f; node tests refitted / new", e->kebab.data(),
+                  turns, moved.decline());
+      for (const PoseSet& set : place.sets) {
+        std::printf("  %s %.2f", set.name.c_str(),
+                    node_tests(moved, place, set) / node_tests(anew, place, set));
+      }
+      std::printf("\n");
+    }
+    const double build = seconds_of([&] { const Shape anew(place.mesh, options); }, passes);
+    const double again = seconds_of([&] { const Shape moved = refit(shape, place.mesh); }, passes);
+    std::printf("%-16s build %.1f ms, refit %.1f ms: %.2f of it\n", e->kebab.data(), 1e3 * build,
+                1e3 * again, again / build);
+  }
+}
+
 int number(std::string_view text) {
   int value = 0;
   std::from_chars(text.data(), text.data() + text.size(), value);
@@ -285,6 +343,7 @@ void run(int argc, char** argv) {
   bool builds = true;
   bool queries = true;
   bool threads = false;
+  bool refits = false;
   std::string_view only;
   std::vector<const RuleEntry*> chosen;
   for (int i = 1; i < argc; ++i) {
@@ -299,6 +358,8 @@ void run(int argc, char** argv) {
       builds = false;
     } else if (arg == "--threads") {
       threads = true;
+    } else if (arg == "--refit") {
+      refits = true;
     } else {
       chosen.push_back(&rule_named(arg));
     }
@@ -327,6 +388,9 @@ void run(int argc, char** argv) {
     if (threads) {
       race_threads(chosen, place, passes);
     }
+    if (refits) {
+      race_refit(chosen, place, passes);
+    }
     std::fflush(stdout);
   }
 }
@@ -335,6 +399,7 @@ void run(int argc, char** argv) {
 }  // namespace soms::bench
 
 // build_bench [RULE...] [--passes N] [--only knot|city] [--no-builds] [--no-queries] [--threads]
+// [--refit]
 int main(int argc, char** argv) {
   try {
     soms::bench::run(argc, argv);

@@ -7,6 +7,7 @@ set(SOMS_HEADERS
   layout/pages.h
   layout/wide_tree.h
   option_names.h
+  refit.h
   rule/rules.h
   rule/split.h
   shape.h
@@ -24,6 +25,7 @@ set(SOMS_SOURCES
   build_options.cpp
   check.cpp
   implicit.cpp
+  layout/detail/again.cpp
   layout/detail/block.cpp
   layout/detail/lay_out.cpp
   layout/orientation.cpp
@@ -31,6 +33,7 @@ set(SOMS_SOURCES
   layout/wide_tree.cpp
   layout/detail/widen.cpp
   option_names.cpp
+  refit.cpp
   rule/object_mean.cpp
   rule/object_median.cpp
   rule/rules.cpp

@@ -45,15 +45,24 @@ class Shape {
 
   [[nodiscard]] const BuildOptions& build_options() const { return build_options_; }
 
+  /// How far the tree has fallen behind: 1 as built; after `refit` the area of its boxes for each
+  /// unit of the triangles' area, over what it was as built. See `build_is_due`.
+  [[nodiscard]] double decline() const { return decline_; }
+
   /// Bytes held: mesh, layout, and tree where kept.
   [[nodiscard]] std::size_t memory() const;
 
  private:
+  friend Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh,
+                     const Parallel& parallel);
+
   std::shared_ptr<const Mesh> mesh_;
   std::shared_ptr<const Tree> tree_;
   std::shared_ptr<const WideTree> layout_;
   Box bounds_;
   BuildOptions build_options_;
+  double looseness_ = 0;  ///< of the layout as built; 0 before the first refit
+  double decline_ = 1;
 };
 
 }  // namespace soms

@@ -1,7 +1,9 @@
 // Faults that other tree builders had, asked of ours. R numbers are those of docs/regressions.
 #include "soms/base/error.h"
+#include "soms/query/overlap.h"
 #include "soms/tree/build.h"
 #include "soms/tree/check.h"
+#include "soms/tree/refit.h"
 #include "soms/tree/rule/rules.h"
 #include "soms/tree/statistics.h"
 
@@ -41,6 +43,32 @@ void expect_sound(const Mesh& mesh) {
     EXPECT_LT(s.depth, 64U);
     EXPECT_LE(s.largest_leaf, 8U);
     EXPECT_LE(s.nodes, 2 * mesh.triangles.size());
+  }
+}
+
+// R71: a body was stretched, and its outer boxes stayed as they were.
+TEST(TreeRegressions, R71AStretchedBoxIsFoundWhereItNowReaches) {
+  const auto cube = [](double size) {
+    Mesh mesh;
+    for (int i = 0; i < 8; ++i) {
+      mesh.vertices.push_back({i & 1 ? size : 0, i & 2 ? 1.0 : 0, i & 4 ? 1.0 : 0});
+    }
+    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    return mesh;
+  };
+  for (const RuleEntry& rule : rules()) {
+    SCOPED_TRACE(rule.name);
+    ShapeOptions options{product(rule), true};
+    options.build.per_leaf = 1;
+    const Shape shape(cube(1), options);
+    const Body other{Shape(cube(1)), Pose::translation(8, 0.5, 0.5)};
+    ASSERT_FALSE(overlap(Body{shape}, other).any);
+    const Body stretched{refit(shape, cube(10).vertices)};
+    EXPECT_TRUE(overlap(stretched, other).any);
+    EXPECT_EQ(overlap(stretched, other).pairs, overlap(Body{Shape(cube(10))}, other).pairs);
+    EXPECT_EQ(find_fault(*stretched.shape.tree(), stretched.shape.mesh()), "");
+    EXPECT_EQ(stretched.shape.bounds().upper.x, 10);
   }
 }
 

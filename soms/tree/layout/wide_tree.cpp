@@ -1,9 +1,12 @@
 #include "soms/tree/layout/wide_tree.h"
 
+#include "soms/tree/layout/detail/again.h"
 #include "soms/tree/layout/detail/widen.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace soms {
 
@@ -21,6 +24,57 @@ int exponent_for(double size) {
   return std::min(kMostExponent, -std::ilogb(size));
 }
 
+/// Half the area of a node's lanes.
+double area_of_boxes(const WideNode& node) {
+  double sum = 0;
+  for (std::size_t k = 0; k < node.count; ++k) {
+    const double x = node.half[0][k];
+    const double y = node.half[1][k];
+    const double z = node.half[2][k];
+    sum += (x * y + y * z) + z * x;
+  }
+  return 4 * sum;
+}
+
+double area_of_triangles(const TriangleBlock& block) {
+  constexpr std::size_t kLanes = TriangleBlock::kWidth;
+  const auto& q = block.corner;
+  std::array<float, kLanes> area;
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    const float ux = q[3][k] - q[0][k];
+    const float uy = q[4][k] - q[1][k];
+    const float uz = q[5][k] - q[2][k];
+    const float vx = q[6][k] - q[0][k];
+    const float vy = q[7][k] - q[1][k];
+    const float vz = q[8][k] - q[2][k];
+    const float x = uy * vz - uz * vy;
+    const float y = uz * vx - ux * vz;
+    const float z = ux * vy - uy * vx;
+    area[k] = std::sqrt((x * x + y * y) + z * z);
+  }
+  double sum = 0;
+  for (std::size_t k = 0; k < block.count; ++k) {
+    sum += static_cast<double>(area[k]);
+  }
+  return 0.5 * sum;
+}
+
+/// Sum over all places, in chunks whose sums are added in order.
+template <class Place>
+double sum_of(std::span<const Place> places, double (*area)(const Place&),
+              const Parallel& parallel) {
+  constexpr std::size_t kChunk = 4096;
+  std::vector<double> sums((places.size() + kChunk - 1) / kChunk, 0.0);
+  for_each_chunk(places.size(), kChunk, parallel, [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (const Place& place : places.subspan(begin, end - begin)) {
+      sum += area(place);
+    }
+    sums[begin / kChunk] = sum;
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
 }  // namespace
 
 WideTree::WideTree(const Tree& tree, const Mesh& mesh, const Parallel& parallel) {
@@ -31,12 +85,34 @@ WideTree::WideTree(const Tree& tree, const Mesh& mesh, const Parallel& parallel)
 
 WideTree::WideTree(const layout::Parts& tree, const Mesh& mesh, const Parallel& parallel)
     : bounds_(tree.upper.front().bounds) {
+  const double size = settle();
+  layout::widen(tree, mesh, {origin_, scale_, size}, parallel, nodes_, blocks_);
+}
+
+WideTree::WideTree(const WideTree& tree, const Mesh& mesh, const Parallel& parallel) {
+  if (!tree.nodes_.empty()) {
+    bounds_ = layout::bounds_of(mesh, parallel);
+    const double size = settle();
+    nodes_.resize(tree.nodes_.size());
+    blocks_.resize(tree.blocks_.size());
+    layout::lay_out_anew(tree, mesh, {origin_, scale_, size}, parallel, nodes_, blocks_);
+  }
+}
+
+double WideTree::settle() {
   origin_ = bounds_.center();
   const Vec3 extent = bounds_.extent();
   const double size = std::max({extent.x, extent.y, extent.z});
   exponent_ = exponent_for(size);
   scale_ = std::ldexp(1.0, exponent_);
-  layout::widen(tree, mesh, {origin_, scale_, size * scale_}, parallel, nodes_, blocks_);
+  return size * scale_;
+}
+
+double WideTree::looseness(const Parallel& parallel) const {
+  const Parallel silent{parallel.threads, parallel.stop, {}};
+  const double boxes = sum_of<WideNode>(nodes_, &area_of_boxes, silent);
+  const double triangles = sum_of<TriangleBlock>(blocks_, &area_of_triangles, silent);
+  return triangles > 0 ? boxes / triangles : 0;
 }
 
 std::size_t WideTree::memory() const {

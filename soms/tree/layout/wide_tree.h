@@ -95,6 +95,13 @@ class WideTree {
   /// The same from a tree that was never put together; it must not be empty.
   WideTree(const layout::Parts& tree, const Mesh& mesh, const Parallel& parallel = {});
 
+  /// The same nodes and leaves over a mesh whose vertices were moved; its triangles must be the
+  /// same. Boxes, places and frames are made as for a new tree: where no vertex moved, the bytes
+  /// are those of `tree`. The same for any number of threads.
+  /// \errors cancelled.
+  /// \cost   O(n) time.
+  WideTree(const WideTree& tree, const Mesh& mesh, const Parallel& parallel = {});
+
   [[nodiscard]] std::span<const WideNode> nodes() const { return nodes_; }
 
   [[nodiscard]] std::span<const TriangleBlock> blocks() const { return blocks_; }
@@ -114,9 +121,17 @@ class WideTree {
 
   [[nodiscard]] std::size_t memory() const;
 
+  /// Area of all boxes over the area of the triangles: how much room a query finds to enter in
+  /// vain. It grows when vertices move away from those beside them. 0 where triangles have no area.
+  /// \cost O(n)
+  [[nodiscard]] double looseness(const Parallel& parallel = {}) const;
+
   [[nodiscard]] bool operator==(const WideTree&) const = default;
 
  private:
+  /// Takes place and unit from the bounds; returns the longest side in that unit.
+  [[nodiscard]] double settle();
+
   layout::Pages<WideNode> nodes_;
   layout::Pages<TriangleBlock> blocks_;
   Vec3 origin_;

@@ -1,5 +1,6 @@
 #include "soms/tree/build/detail/cells.h"
 
+#include "soms/tree/layout/detail/again.h"
 #include "soms/tree/layout/detail/widen.h"
 
 #include <algorithm>
@@ -23,25 +24,6 @@ constexpr int kMostBits = 6;
 
 Parallel silent(const Parallel& parallel) {
   return {parallel.threads, parallel.stop, {}};
-}
-
-Box bounds_of(const Mesh& mesh, const Parallel& parallel) {
-  const std::size_t count = mesh.triangles.size();
-  std::vector<Box> boxes((count - 1) / kChunk + 1);
-  for_each_chunk(count, kChunk, parallel, [&](std::size_t begin, std::size_t end) {
-    Box box;
-    for (std::size_t i = begin; i < end; ++i) {
-      for (const std::uint32_t corner : mesh.triangles[i]) {
-        box.grow(mesh.vertices[corner]);
-      }
-    }
-    boxes[begin / kChunk] = box;
-  });
-  Box box;
-  for (const Box& b : boxes) {
-    box.grow(b);
-  }
-  return box;
 }
 
 /// Two zeros before each of six bits.
@@ -221,7 +203,7 @@ void improve(Candidate& best, const Histogram& h, std::size_t axis) {
 
 Cells sort_into_cells(const Mesh& mesh, const Parallel& parallel) {
   const Parallel quiet = silent(parallel);
-  const ReferenceFrame frame = frame_of(bounds_of(mesh, quiet));
+  const ReferenceFrame frame = frame_of(layout::bounds_of(mesh, quiet));
   const std::size_t count = mesh.triangles.size();
   layout::Pages<Reference> references;
   references.resize(count);

@@ -232,6 +232,17 @@ void store(const Lanes& lanes, WideNode& node) {
   node.reach = rounded_up(reach * (1 + 0x1p-50));  // the sum of three had two roundings
 }
 
+void store_upper(const Box& whole, std::span<const Box> boxes, const Frame& frame, WideNode& node) {
+  node.origin = frame.middle(whole);
+  Lanes lanes;
+  for (std::size_t k = 0; k < node.count; ++k) {
+    lanes.box[k] = {frame.local(boxes[k].lower, node.origin),
+                    frame.local(boxes[k].upper, node.origin)};
+    lanes.give[k] = frame.doubt(norm_of(lanes.box[k]), false);
+  }
+  store(lanes, node);
+}
+
 void lay_out(const Part& part, const PartPlan& plan, std::span<const TriangleId> primitives,
              const Mesh& mesh, const Frame& frame, std::span<WideNode> nodes,
              std::span<TriangleBlock> blocks) {

@@ -34,6 +34,15 @@ struct Lanes {
 /// Rounds lanes outward into a node whose count, origin and axes are set.
 void store(const Lanes& lanes, WideNode& node);
 
+/// Places a node above the parts, of which `node.count` is set: boxes along the mesh's axes about
+/// the middle of all of them, `whole`.
+void store_upper(const Box& whole, std::span<const Box> boxes, const Frame& frame, WideNode& node);
+
+/// Blocks of a leaf.
+[[nodiscard]] inline std::uint32_t blocks_for(std::uint32_t triangles) {
+  return (triangles + TriangleBlock::kWidth - 1) / TriangleBlock::kWidth;
+}
+
 /// Makes lane `k` a leaf of `triangles`.
 inline void set_leaf(WideNode& node, std::uint32_t k, std::uint32_t block,
                      std::uint32_t triangles) {

@@ -65,10 +65,6 @@ std::uint32_t without_empty(const std::vector<UpperNode>& upper, std::uint32_t i
   return i;
 }
 
-std::uint32_t blocks_for(std::uint32_t triangles) {
-  return (triangles + TriangleBlock::kWidth - 1) / TriangleBlock::kWidth;
-}
-
 /// Children follow their parents, so the last node comes first.
 void find_block_ends(const Part& part, PartPlan& plan) {
   for (std::size_t i = plan.nodes.size(); i-- > 0;) {
@@ -181,13 +177,10 @@ WideNode upper_node(const UpperWide& wide, const Parts& tree, const std::vector<
                     const Frame& frame) {
   WideNode node;
   node.count = static_cast<std::uint8_t>(wide.count);
-  node.origin = frame.middle(tree.upper[wide.binary].bounds);
-  Lanes lanes;
+  std::array<Box, WideNode::kWidth> boxes;
   for (std::uint32_t k = 0; k < wide.count; ++k) {
     const UpperNode& below = tree.upper[wide.slots[k]];
-    lanes.box[k] = {frame.local(below.bounds.lower, node.origin),
-                    frame.local(below.bounds.upper, node.origin)};
-    lanes.give[k] = frame.doubt(norm_of(lanes.box[k]), false);
+    boxes[k] = below.bounds;
     if (below.part == Node::kNone) {
       node.child[k] = wide.child[k];
       continue;
@@ -200,7 +193,7 @@ WideNode upper_node(const UpperWide& wide, const Parts& tree, const std::vector<
       node.child[k] = plan.node_base;
     }
   }
-  store(lanes, node);
+  store_upper(tree.upper[wide.binary].bounds, boxes, frame, node);
   return node;
 }
 

@@ -1,0 +1,108 @@
+#include "soms/tree/refit.h"
+
+#include "soms/base/error.h"
+#include "soms/tree/layout/detail/fetch.h"
+#include "soms/tree/layout/detail/widen.h"
+#include "soms/tree/layout/wide_tree.h"
+
+#include <string>
+#include <utility>
+
+namespace soms {
+
+namespace {
+
+void expect_as_many(std::size_t now, std::size_t before, const std::string& what) {
+  if (now != before) {
+    throw Error(
+        ErrorKind::usage,
+        "refit: " + std::to_string(now) + " " + what + " in place of " + std::to_string(before),
+        "build a new shape");
+  }
+}
+
+/// Boxes of `nodes`, the first of which is number `first` of the tree; the last node comes first.
+void bound_part(std::span<Node> nodes, std::uint32_t first, std::span<const TriangleId> primitives,
+                const Mesh& mesh) {
+  const Node& root = nodes.front();
+  layout::fetch_corners(mesh, primitives.subspan(root.first, root.count));
+  for (std::size_t i = nodes.size(); i-- > 0;) {
+    Node& node = nodes[i];
+    node.bounds = {};
+    if (node.is_leaf()) {
+      for (const TriangleId id : primitives.subspan(node.first, node.count)) {
+        node.bounds.grow(bounds(mesh.triangle(id)));
+      }
+    } else {
+      node.bounds.grow(nodes[node.left - first].bounds);
+      node.bounds.grow(nodes[node.right - first].bounds);
+    }
+  }
+}
+
+}  // namespace
+
+Tree refit(const Tree& tree, const Mesh& mesh, const Parallel& parallel) {
+  expect_as_many(mesh.triangles.size(), tree.primitives.size(), "triangles");
+  check(mesh);
+  check_stop(parallel);
+  Tree moved = tree;
+  if (moved.nodes.empty()) {
+    return moved;
+  }
+  const layout::Parts parts = layout::parts_of(tree);
+  for_each_chunk(parts.parts.size(), 1, parallel, [&](std::size_t k, std::size_t) {
+    const layout::Part& part = parts.parts[k];
+    bound_part(std::span(moved.nodes).subspan(part.first, part.nodes.size()), part.first,
+               moved.primitives, mesh);
+  });
+  // Upper nodes are those of more triangles that have children; their children follow them.
+  for (std::size_t i = moved.nodes.size(); i-- > 0;) {
+    Node& node = moved.nodes[i];
+    if (node.count > layout::kPartTriangles && !node.is_leaf()) {
+      node.bounds = moved.nodes[node.left].bounds;
+      node.bounds.grow(moved.nodes[node.right].bounds);
+    }
+  }
+  return moved;
+}
+
+Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh, const Parallel& parallel) {
+  expect_as_many(mesh->vertices.size(), shape.mesh().vertices.size(), "vertices");
+  expect_as_many(mesh->triangles.size(), shape.mesh().triangles.size(), "triangles");
+  if (mesh->triangles != shape.mesh().triangles) {
+    throw Error(ErrorKind::usage, "refit: other triangles than the shape's", "build a new shape");
+  }
+  check(*mesh);
+  check_stop(parallel);
+  Shape moved = shape;
+  moved.mesh_ = std::move(mesh);
+  moved.layout_ = std::make_shared<const WideTree>(shape.layout(), *moved.mesh_, parallel);
+  if (shape.tree_) {
+    moved.tree_ = std::make_shared<const Tree>(
+        refit(*shape.tree_, *moved.mesh_, Parallel{parallel.threads, parallel.stop, {}}));
+  }
+  moved.bounds_ = moved.layout_->bounds();
+  if (moved.looseness_ == 0) {
+    moved.looseness_ = shape.layout().looseness(parallel);
+  }
+  const double now = moved.layout_->looseness(parallel);
+  moved.decline_ = now > 0 && moved.looseness_ > 0 ? now / moved.looseness_ : 1;
+  return moved;
+}
+
+Shape refit(const Shape& shape, std::vector<Vec3> vertices, const Parallel& parallel) {
+  expect_as_many(vertices.size(), shape.mesh().vertices.size(), "vertices");
+  auto mesh = std::make_shared<Mesh>();
+  mesh->triangles = shape.mesh().triangles;
+  mesh->parts = shape.mesh().parts;
+  mesh->faces = shape.mesh().faces;
+  mesh->unit = shape.mesh().unit;
+  mesh->up = shape.mesh().up;
+  mesh->source = shape.mesh().source;
+  mesh->notes = shape.mesh().notes;
+  mesh->vertices = std::move(vertices);
+  return refit(shape, std::shared_ptr<const Mesh>(std::move(mesh)), parallel);
+}
+
+}  // namespace soms
