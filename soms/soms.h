@@ -22,6 +22,8 @@
 #include "soms/io/write_mesh.h"
 #include "soms/query/overlap.h"
 #include "soms/scene/broad_phase.h"
+#include "soms/scene/recording.h"
+#include "soms/scene/replay.h"
 #include "soms/scene/scene.h"
 #include "soms/tree/build.h"
 #include "soms/tree/refit.h"

@@ -1,6 +1,8 @@
 set(SOMS_HEADERS
   broad_phase.h
+  recording.h
   reference/broad_phase.h
+  replay.h
   scene.h
 )
 set(SOMS_SOURCES
@@ -12,6 +14,9 @@ set(SOMS_SOURCES
   detail/narrow_phase.cpp
   detail/pace.cpp
   detail/pair_rows.cpp
+  detail/recording_reader.cpp
+  recording.cpp
   reference/broad_phase.cpp
+  replay.cpp
   scene.cpp
 )

@@ -1,0 +1,74 @@
+/// \file
+/// The bytes that writer and reader of recordings agree on; docs/recording.md describes them.
+#pragma once
+
+#include "soms/base/hash.h"
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace soms::detail {
+
+/// First bytes of a file: no text begins so, and a transfer as text breaks them.
+inline constexpr std::string_view kRecordingMagic{"\x89SOMS\r\n\x1a", 8};
+inline constexpr std::uint32_t kRecordingVersion = 1;
+inline constexpr std::size_t kFileHeadSize = 16;   ///< magic, version, check
+inline constexpr std::size_t kChunkHeadSize = 32;  ///< tag, frames, first frame, length, check
+inline constexpr std::size_t kCheckSize = 8;       ///< behind a chunk's content
+
+/// A chunk is written when it holds so many bytes or frames.
+inline constexpr std::size_t kChunkBytes = std::size_t{1} << 20;
+inline constexpr std::uint32_t kChunkFrames = 64;
+
+inline constexpr std::string_view kHeadTag = "HEAD";
+inline constexpr std::string_view kFramesTag = "FRAM";
+inline constexpr std::string_view kEndTag = "DONE";
+
+/// What a chunk says of itself.
+struct ChunkHead {
+  std::array<char, 4> tag{};
+  std::uint32_t frames = 0;
+  std::uint64_t first = 0;   ///< number of its first frame
+  std::uint64_t length = 0;  ///< bytes of its content
+
+  [[nodiscard]] bool is(std::string_view name) const {
+    return std::string_view(tag.data(), tag.size()) == name;
+  }
+};
+
+/// Appends an unsigned number, the least byte first.
+template <class T>
+void put(std::string& bytes, T value) {
+  for (std::size_t k = 0; k < sizeof(T); ++k) {
+    bytes += static_cast<char>(static_cast<unsigned char>(value >> (8 * k)));
+  }
+}
+
+inline void put(std::string& bytes, double value) {
+  put(bytes, std::bit_cast<std::uint64_t>(value));
+}
+
+/// The unsigned number at the start of `bytes`.
+template <class T>
+[[nodiscard]] T get(const char* bytes) {
+  T value = 0;
+  for (std::size_t k = 0; k < sizeof(T); ++k) {
+    value = static_cast<T>(
+        value | static_cast<T>(static_cast<T>(static_cast<unsigned char>(bytes[k])) << (8 * k)));
+  }
+  return value;
+}
+
+[[nodiscard]] inline std::uint64_t hash_of(std::string_view bytes) {
+  Fnv1a hash;
+  for (const char byte : bytes) {
+    hash.add_byte(static_cast<std::uint8_t>(byte));
+  }
+  return hash.value();
+}
+
+}  // namespace soms::detail

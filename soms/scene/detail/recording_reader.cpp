@@ -1,0 +1,301 @@
+#include "soms/scene/detail/recording_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace soms::detail {
+
+namespace {
+
+constexpr std::size_t kBuffer = std::size_t{1} << 16;
+/// Least bytes of a mesh: lengths of two texts, two small numbers, seven large ones.
+constexpr std::size_t kLeastMesh = 4 + 1 + 1 + 4 + 7 * 8;
+constexpr std::size_t kContact = 16;
+
+Pose read_pose(ChunkContent& content) {
+  Pose pose;
+  for (double& entry : pose.m) {
+    entry = content.real();
+  }
+  return pose;
+}
+
+void check_pose(const ChunkContent& content, const Pose& pose) {
+  try {
+    check(pose);
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::unsupported) {
+      throw;
+    }
+    throw content.fault("a pose that is none: " + error.place());
+  }
+}
+
+double read_positive(ChunkContent& content, const char* what) {
+  const double value = content.real();
+  if (!std::isfinite(value) || value <= 0) {
+    throw content.fault(std::string(what) + " that is not positive");
+  }
+  return value;
+}
+
+template <class T>
+T read_choice(ChunkContent& content, T last, const char* what) {
+  const auto value = content.number<std::uint8_t>();
+  if (value > static_cast<std::uint8_t>(last)) {
+    throw content.fault("an unknown " + std::string(what));
+  }
+  return static_cast<T>(value);
+}
+
+RecordedMesh read_mesh(ChunkContent& content) {
+  RecordedMesh mesh;
+  mesh.name = content.text();
+  mesh.origin = read_choice(content, RecordedMesh::Origin::mover, "origin");
+  mesh.up = read_choice(content, UpAxis::z, "axis");
+  mesh.source = content.text();
+  mesh.file_size = content.number<std::uint64_t>();
+  mesh.scale = read_positive(content, "a scale");
+  mesh.city_triangles = content.number<std::uint64_t>();
+  mesh.city_size = content.real();
+  mesh.city_seed = content.number<std::uint64_t>();
+  mesh.triangles = content.number<std::uint64_t>();
+  mesh.hash = content.number<std::uint64_t>();
+  if (!std::isfinite(mesh.city_size)) {
+    throw content.fault("a city of no size");
+  }
+  if (mesh.triangles > kMaxPrimitives) {
+    throw content.fault("a mesh of " + std::to_string(mesh.triangles) + " triangles");
+  }
+  return mesh;
+}
+
+/// Contacts in strictly ascending order, each of what there is.
+template <class Contact, class Check>
+void read_contacts(ChunkContent& content, std::vector<Contact>& contacts, const Check& exists) {
+  const auto count = content.count<std::uint64_t>(kContact);
+  contacts.clear();
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const auto first = content.number<std::uint32_t>();
+    const auto second = content.number<std::uint32_t>();
+    const auto i = content.number<std::uint32_t>();
+    const auto j = content.number<std::uint32_t>();
+    const Contact contact{first, second, i, j};
+    if (!exists(contact)) {
+      throw content.fault("a contact of what is not there");
+    }
+    if (!contacts.empty() && !(contacts.back() < contact)) {
+      throw content.fault("contacts that are not sorted");
+    }
+    contacts.push_back(contact);
+  }
+}
+
+}  // namespace
+
+RecordingBytes::RecordingBytes(std::unique_ptr<std::istream> in, std::string name)
+    : in_(std::move(in)), name_(std::move(name)) {
+  in_->seekg(0, std::ios::end);
+  const std::istream::pos_type end = in_->tellg();
+  if (!*in_ || end < 0) {
+    throw Error(ErrorKind::cannot_open, name_ + ": cannot be read from any place",
+                "give a recording as a file");
+  }
+  size_ = static_cast<std::uint64_t>(end);
+  seek(0);
+}
+
+void RecordingBytes::seek(std::uint64_t position) {
+  in_->clear();
+  in_->seekg(static_cast<std::istream::off_type>(position));
+  position_ = position;
+}
+
+void RecordingBytes::read(char* to, std::size_t count) {
+  if (!in_->read(to, static_cast<std::streamsize>(count))) {
+    throw cut();
+  }
+  position_ += count;
+}
+
+Error RecordingBytes::fault(std::uint64_t byte, const std::string& what) const {
+  return Error(ErrorKind::bad_file, name_ + ", byte " + std::to_string(byte) + ": " + what,
+               "record it anew; frames before this place are whole");
+}
+
+Error RecordingBytes::cut() const {
+  return fault(size_, "the recording is cut off here");
+}
+
+ChunkContent::ChunkContent(RecordingBytes& bytes, std::uint64_t length)
+    : bytes_(&bytes),
+      unread_(length),
+      buffer_(static_cast<std::size_t>(std::min<std::uint64_t>(kBuffer, length))) {
+}
+
+/// Keeps what is left in the buffer and fills the rest of it.
+void ChunkContent::refill() {
+  std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(at_),
+            buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
+  end_ -= at_;
+  at_ = 0;
+  const auto count =
+      static_cast<std::size_t>(std::min<std::uint64_t>(unread_, buffer_.size() - end_));
+  bytes_->read(buffer_.data() + end_, count);
+  for (std::size_t k = 0; k < count; ++k) {
+    hash_.add_byte(static_cast<std::uint8_t>(buffer_[end_ + k]));
+  }
+  end_ += count;
+  unread_ -= count;
+}
+
+const char* ChunkContent::take(std::size_t count) {
+  if (count > left()) {
+    throw fault("more than the chunk holds");
+  }
+  if (count > end_ - at_) {
+    refill();
+  }
+  return buffer_.data() + std::exchange(at_, at_ + count);
+}
+
+std::string ChunkContent::text() {
+  std::string text;
+  for (auto length = count<std::uint32_t>(1); length > 0;) {
+    const auto some = static_cast<std::uint32_t>(
+        std::min<std::size_t>(length, std::max<std::size_t>(end_ - at_, 1)));
+    text.append(take(some), some);
+    length -= some;
+  }
+  return text;
+}
+
+Error ChunkContent::fault(const std::string& what) const {
+  return bytes_->fault(bytes_->position() - (end_ - at_), what);
+}
+
+bool ChunkContent::is_unaltered() {
+  while (left() > 0) {
+    at_ = end_;
+    refill();
+  }
+  std::array<char, kCheckSize> check{};
+  bytes_->read(check.data(), check.size());
+  return get<std::uint64_t>(check.data()) == hash_.value();
+}
+
+void read_file_head(RecordingBytes& bytes) {
+  std::array<char, kFileHeadSize> head{};
+  const std::size_t there = std::min<std::uint64_t>(head.size(), bytes.size());
+  bytes.read(head.data(), there);
+  const std::string_view text(head.data(), there);
+  const std::string_view magic = text.substr(0, kRecordingMagic.size());
+  if (magic != kRecordingMagic.substr(0, magic.size()) || magic.empty()) {
+    throw Error(ErrorKind::bad_file, bytes.fault(0, "no recording of soms").place(),
+                "give a file that soms simulate --record wrote");
+  }
+  if (there < head.size()) {
+    throw bytes.cut();
+  }
+  if (get<std::uint32_t>(head.data() + 12) !=
+      static_cast<std::uint32_t>(hash_of(text.substr(0, 12)))) {
+    throw bytes.fault(8, "the version was altered");
+  }
+  const auto version = get<std::uint32_t>(head.data() + 8);
+  if (version != kRecordingVersion) {
+    throw Error(
+        ErrorKind::unsupported,
+        bytes.fault(8, "a recording of version " + std::to_string(version)).place(),
+        "this soms reads version " + std::to_string(kRecordingVersion) + ": take a newer one");
+  }
+}
+
+ChunkHead read_chunk_head(RecordingBytes& bytes) {
+  const std::uint64_t begin = bytes.position();
+  if (bytes.size() - begin < kChunkHeadSize) {
+    throw bytes.cut();
+  }
+  std::array<char, kChunkHeadSize> raw{};
+  bytes.read(raw.data(), raw.size());
+  if (get<std::uint64_t>(raw.data() + 24) != hash_of({raw.data(), 24})) {
+    throw bytes.fault(begin, "the head of a chunk was altered");
+  }
+  ChunkHead head;
+  std::copy_n(raw.begin(), head.tag.size(), head.tag.begin());
+  head.frames = get<std::uint32_t>(raw.data() + 4);
+  head.first = get<std::uint64_t>(raw.data() + 8);
+  head.length = get<std::uint64_t>(raw.data() + 16);
+  const std::uint64_t left = bytes.size() - bytes.position();
+  if (left < kCheckSize || head.length > left - kCheckSize) {
+    throw bytes.cut();
+  }
+  return head;
+}
+
+RecordingHead read_head(ChunkContent& content) {
+  RecordingHead head;
+  head.title = content.text();
+  head.frames_a_second = read_positive(content, "a frame rate");
+  head.frames_asked = content.number<std::uint64_t>();
+  const auto bodies = content.count<std::uint32_t>(kLeastMesh + sizeof(Pose));
+  for (std::uint32_t k = 0; k < bodies; ++k) {
+    RecordedMesh mesh = read_mesh(content);
+    const Pose pose = read_pose(content);
+    check_pose(content, pose);
+    head.environment.push_back({std::move(mesh), pose});
+  }
+  const auto models = content.count<std::uint32_t>(kLeastMesh);
+  for (std::uint32_t k = 0; k < models; ++k) {
+    head.models.push_back(read_mesh(content));
+  }
+  const auto movers = content.count<std::uint32_t>(4);
+  for (std::uint32_t k = 0; k < movers; ++k) {
+    head.movers.push_back(content.number<std::uint32_t>());
+    if (head.movers.back() >= models) {
+      throw content.fault("mover " + std::to_string(k) + " is of no model");
+    }
+  }
+  return head;
+}
+
+void read_frame(ChunkContent& content, const RecordingHead& head, RecordedFrame& frame) {
+  for (Pose& pose : frame.poses) {
+    const auto changed = content.number<std::uint16_t>();
+    if (changed >> pose.m.size() != 0) {
+      throw content.fault("a pose of more than twelve entries");
+    }
+    for (std::size_t k = 0; k < pose.m.size(); ++k) {
+      if ((changed >> k & 1) != 0) {
+        pose.m[k] = content.real();
+      }
+    }
+    if (changed != 0) {
+      check_pose(content, pose);
+    }
+  }
+  const std::size_t movers = head.movers.size();
+  const auto triangles_of = [&](MoverId mover) {
+    return head.models[head.movers[mover]].triangles;
+  };
+  read_contacts(content, frame.environment, [&](const EnvironmentContact& c) {
+    return c.mover < movers && c.part < head.environment.size() && c.i < triangles_of(c.mover) &&
+           c.j < head.environment[c.part].mesh.triangles;
+  });
+  read_contacts(content, frame.movers, [&](const MoverContact& c) {
+    return c.a < c.b && c.b < movers && c.i < triangles_of(c.a) && c.j < triangles_of(c.b);
+  });
+}
+
+RecordingEnd read_end(ChunkContent& content, std::uint64_t frames) {
+  RecordingEnd end;
+  end.ending = read_choice(content, RecordingEnding::interrupted, "ending");
+  end.frames = frames;
+  end.environment_contacts = content.number<std::uint64_t>();
+  end.mover_contacts = content.number<std::uint64_t>();
+  end.hash = content.number<std::uint64_t>();
+  return end;
+}
+
+}  // namespace soms::detail

@@ -1,0 +1,203 @@
+#include "soms/scene/recording.h"
+
+#include "soms/base/error.h"
+#include "soms/scene/detail/recording_format.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+namespace soms {
+
+namespace {
+
+using detail::put;
+
+void put_text(std::string& bytes, const std::string& text) {
+  put(bytes, static_cast<std::uint32_t>(text.size()));
+  bytes += text;
+}
+
+void put_mesh(std::string& bytes, const RecordedMesh& mesh) {
+  put_text(bytes, mesh.name);
+  put(bytes, static_cast<std::uint8_t>(mesh.origin));
+  put(bytes, static_cast<std::uint8_t>(mesh.up));
+  put_text(bytes, mesh.source);
+  put(bytes, mesh.file_size);
+  put(bytes, mesh.scale);
+  put(bytes, mesh.city_triangles);
+  put(bytes, mesh.city_size);
+  put(bytes, mesh.city_seed);
+  put(bytes, mesh.triangles);
+  put(bytes, mesh.hash);
+}
+
+std::string bytes_of(const RecordingHead& head) {
+  std::string bytes;
+  put_text(bytes, head.title);
+  put(bytes, head.frames_a_second);
+  put(bytes, head.frames_asked);
+  put(bytes, static_cast<std::uint32_t>(head.environment.size()));
+  for (const RecordedBody& body : head.environment) {
+    put_mesh(bytes, body.mesh);
+    for (const double entry : body.pose.m) {
+      put(bytes, entry);
+    }
+  }
+  put(bytes, static_cast<std::uint32_t>(head.models.size()));
+  for (const RecordedMesh& mesh : head.models) {
+    put_mesh(bytes, mesh);
+  }
+  put(bytes, static_cast<std::uint32_t>(head.movers.size()));
+  for (const std::uint32_t model : head.movers) {
+    put(bytes, model);
+  }
+  return bytes;
+}
+
+std::string file_head() {
+  std::string bytes(detail::kRecordingMagic);
+  put(bytes, detail::kRecordingVersion);
+  put(bytes, static_cast<std::uint32_t>(detail::hash_of(bytes)));
+  return bytes;
+}
+
+std::string chunk_head(std::string_view tag, std::uint32_t frames, std::uint64_t first,
+                       std::uint64_t length) {
+  std::string bytes(tag);
+  put(bytes, frames);
+  put(bytes, first);
+  put(bytes, length);
+  put(bytes, detail::hash_of(bytes));
+  return bytes;
+}
+
+/// The entries in which a pose differs from the one before, bit by bit.
+void put_pose(std::string& bytes, const Pose& pose, const Pose& before) {
+  std::uint16_t changed = 0;
+  for (std::size_t k = 0; k < pose.m.size(); ++k) {
+    if (std::bit_cast<std::uint64_t>(pose.m[k]) != std::bit_cast<std::uint64_t>(before.m[k])) {
+      changed = static_cast<std::uint16_t>(changed | (1U << k));
+    }
+  }
+  put(bytes, changed);
+  for (std::size_t k = 0; k < pose.m.size(); ++k) {
+    if ((changed >> k & 1U) != 0) {
+      put(bytes, pose.m[k]);
+    }
+  }
+}
+
+template <class Contact>
+void put_contact(std::string& bytes, std::uint32_t first, std::uint32_t second,
+                 const Contact& contact) {
+  put(bytes, first);
+  put(bytes, second);
+  put(bytes, contact.i);
+  put(bytes, contact.j);
+}
+
+void check(const RecordingHead& head) {
+  const auto refuse = [](const char* what) {
+    throw Error(ErrorKind::usage, std::string("recording: ") + what, "give one that can be");
+  };
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
+  if (!positive(head.frames_a_second)) {
+    refuse("a frame rate that is not positive");
+  }
+  const auto scaled = [&](const RecordedMesh& mesh) { return positive(mesh.scale); };
+  if (!std::all_of(head.models.begin(), head.models.end(), scaled) ||
+      !std::all_of(head.environment.begin(), head.environment.end(),
+                   [&](const RecordedBody& body) { return scaled(body.mesh); })) {
+    refuse("a scale that is not positive");
+  }
+  if (std::any_of(head.movers.begin(), head.movers.end(),
+                  [&](std::uint32_t model) { return model >= head.models.size(); })) {
+    refuse("a mover of no model");
+  }
+}
+
+}  // namespace
+
+RecordingWriter::RecordingWriter(std::ostream& out, RecordingHead head) : out_(out) {
+  check(head);
+  before_.resize(head.movers.size());
+  const std::string content = bytes_of(head);
+  write(file_head());
+  write(chunk_head(detail::kHeadTag, 0, 0, content.size()));
+  write(content);
+  std::string sum;
+  put(sum, detail::hash_of(content));
+  write(sum);
+}
+
+void RecordingWriter::write(const std::string& bytes) {
+  if (!out_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
+    throw Error(ErrorKind::cannot_write, "recording: cannot write",
+                "make room or choose another place");
+  }
+}
+
+void RecordingWriter::add(std::span<const Pose> poses, const StepReport& report) {
+  if (poses.size() != before_.size()) {
+    throw Error(ErrorKind::usage,
+                "recording: " + std::to_string(poses.size()) + " poses of " +
+                    std::to_string(before_.size()) + " movers",
+                "give the pose of each mover");
+  }
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    put_pose(chunk_, poses[k], before_[k]);
+    before_[k] = poses[k];
+  }
+  put(chunk_, static_cast<std::uint64_t>(report.environment.size()));
+  for (const EnvironmentContact& contact : report.environment) {
+    put_contact(chunk_, contact.mover, contact.part, contact);
+  }
+  put(chunk_, static_cast<std::uint64_t>(report.movers.size()));
+  for (const MoverContact& contact : report.movers) {
+    put_contact(chunk_, contact.a, contact.b, contact);
+  }
+  ++chunk_frames_;
+  ++end_.frames;
+  end_.environment_contacts += report.environment.size();
+  end_.mover_contacts += report.movers.size();
+  hash_.add(report.hash());
+  end_.hash = hash_.value();
+  if (chunk_.size() >= detail::kChunkBytes || chunk_frames_ >= detail::kChunkFrames) {
+    flush();
+  }
+}
+
+void RecordingWriter::flush() {
+  if (chunk_frames_ == 0) {
+    return;
+  }
+  write(chunk_head(detail::kFramesTag, chunk_frames_, end_.frames - chunk_frames_, chunk_.size()));
+  put(chunk_, detail::hash_of(chunk_));
+  write(chunk_);
+  chunk_.clear();
+  chunk_frames_ = 0;
+  std::fill(before_.begin(), before_.end(), Pose{});
+}
+
+void RecordingWriter::finish(RecordingEnding ending) {
+  flush();
+  end_.ending = ending;
+  end_.hash = hash_.value();
+  std::string content;
+  put(content, static_cast<std::uint8_t>(ending));
+  put(content, end_.environment_contacts);
+  put(content, end_.mover_contacts);
+  put(content, end_.hash);
+  write(chunk_head(detail::kEndTag, 0, end_.frames, content.size()));
+  put(content, detail::hash_of(content));
+  write(content);
+  if (!out_.flush()) {
+    throw Error(ErrorKind::cannot_write, "recording: cannot write",
+                "make room or choose another place");
+  }
+}
+
+}  // namespace soms

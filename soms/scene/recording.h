@@ -1,0 +1,120 @@
+/// \file
+/// Writing down what happens in a scene, frame by frame; `replay.h` reads it. The bytes are
+/// described in docs/recording.md.
+#pragma once
+
+#include "soms/base/hash.h"
+#include "soms/base/pose.h"
+#include "soms/geometry/mesh.h"
+#include "soms/scene/scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <ostream>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace soms {
+
+/// How to come by a mesh again, and how to tell that it is the same.
+struct RecordedMesh {
+  enum class Origin : std::uint8_t {
+    file,   ///< read from `source`
+    city,   ///< made by `generate_city` of `city_triangles`, `city_size`, `city_seed`
+    mover,  ///< made by `generate_mover`; `source` is car, person or drone
+  };
+
+  std::string name;  ///< as the body is called
+  Origin origin = Origin::file;
+  std::string source;           ///< path of the file as it was given, or what was made
+  std::uint64_t file_size = 0;  ///< bytes; 0 where there is no file
+  double scale = 1;             ///< coordinates were multiplied by this
+  UpAxis up = UpAxis::unknown;  ///< and turned to z from this axis; unknown: not turned
+  std::uint64_t city_triangles = 0;
+  double city_size = 0;
+  std::uint64_t city_seed = 0;
+  std::uint64_t triangles = 0;  ///< of the mesh
+  std::uint64_t hash = 0;       ///< `corner_hash` of the mesh, scaled and turned
+
+  [[nodiscard]] bool operator==(const RecordedMesh&) const = default;
+};
+
+/// A body that stands still; part k of the environment is body k.
+struct RecordedBody {
+  RecordedMesh mesh;
+  Pose pose;
+
+  [[nodiscard]] bool operator==(const RecordedBody&) const = default;
+};
+
+/// What a recording starts with: all that a player needs besides frames.
+struct RecordingHead {
+  std::string title;
+  double frames_a_second = 60;
+  std::uint64_t frames_asked = 0;
+  std::vector<RecordedBody> environment;
+  std::vector<RecordedMesh> models;
+  std::vector<std::uint32_t> movers;  ///< model of each mover; mover k is the k-th
+
+  [[nodiscard]] bool operator==(const RecordingHead&) const = default;
+};
+
+/// One frame: where the movers are, and what they touch.
+struct RecordedFrame {
+  std::vector<Pose> poses;                      ///< of each mover
+  std::vector<EnvironmentContact> environment;  ///< sorted, as in StepReport
+  std::vector<MoverContact> movers;             ///< sorted, as in StepReport
+
+  [[nodiscard]] bool operator==(const RecordedFrame&) const = default;
+};
+
+/// How a recording came to its end.
+enum class RecordingEnding : std::uint8_t { complete, timed_out, interrupted };
+
+/// What a whole recording ends with.
+struct RecordingEnd {
+  RecordingEnding ending = RecordingEnding::complete;
+  std::uint64_t frames = 0;
+  std::uint64_t environment_contacts = 0;  ///< triangle pairs, summed over frames
+  std::uint64_t mover_contacts = 0;        ///< likewise
+  std::uint64_t hash =
+      0;  ///< FNV-1a 64 over `StepReport::hash` of each frame, as little-endian u64
+
+  [[nodiscard]] bool operator==(const RecordingEnd&) const = default;
+};
+
+/// Writes a recording to a stream as it happens. Frames gather until a chunk is full (1 MiB or 64
+/// frames) and are then written with their checksum, so that memory does not grow with frames. A
+/// recording that was not finished is a cut file, which plays up to its last whole chunk.
+class RecordingWriter {
+ public:
+  /// Writes the head. `out` must live as long as the writer.
+  /// \errors ErrorKind::usage for a mover of no model, and for numbers that no recording can have
+  ///         (a scale or frame rate that is not positive); cannot_write.
+  RecordingWriter(std::ostream& out, RecordingHead head);
+
+  /// Adds the next frame.
+  /// \pre     `report` is of the bodies that the head names: movers 0 to n-1.
+  /// \errors  ErrorKind::usage where there are not as many poses as movers; cannot_write.
+  void add(std::span<const Pose> poses, const StepReport& report);
+
+  /// Writes what is held back, and the end. Call it once, last. \errors ErrorKind::cannot_write.
+  void finish(RecordingEnding ending);
+
+  /// What the recording holds so far.
+  [[nodiscard]] const RecordingEnd& so_far() const { return end_; }
+
+ private:
+  void flush();
+  void write(const std::string& bytes);
+
+  std::ostream& out_;
+  std::vector<Pose> before_;  ///< poses of the frame before in this chunk
+  std::string chunk_;
+  std::uint32_t chunk_frames_ = 0;
+  RecordingEnd end_;
+  Fnv1a hash_;
+};
+
+}  // namespace soms

@@ -1,0 +1,184 @@
+#include "soms/scene/recording.h"
+
+#include "soms/base/error.h"
+
+#include "tests/scene/recordings.h"
+#include "tests/support/allocation.h"
+#include "tests/support/support.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <streambuf>
+#include <string>
+#include <vector>
+
+namespace soms {
+
+namespace {
+
+/// Swallows bytes and counts them.
+class Counter : public std::streambuf {
+ public:
+  std::uint64_t bytes = 0;
+
+ protected:
+  std::streamsize xsputn(const char*, std::streamsize count) override {
+    bytes += static_cast<std::uint64_t>(count);
+    return count;
+  }
+
+  int_type overflow(int_type c) override {
+    ++bytes;
+    return c;
+  }
+};
+
+/// Takes no byte after the first `room`.
+class FullDisk : public std::streambuf {
+ public:
+  explicit FullDisk(std::streamsize room) : room_(room) {}
+
+ protected:
+  std::streamsize xsputn(const char*, std::streamsize count) override {
+    room_ -= count;
+    return room_ < 0 ? 0 : count;
+  }
+
+ private:
+  std::streamsize room_;
+};
+
+RecordingHead head_of_one_mover() {
+  RecordingHead head;
+  head.models.resize(1);
+  head.models[0].triangles = 10;
+  head.movers = {0};
+  return head;
+}
+
+TEST(Recording, GivesBackEveryBitOfHeadPosesAndContacts) {
+  std::size_t contacts = 0;
+  test::for_each_case("recording/round-trip", 20, [&](Rng& rng) {
+    const test::Recorded recorded =
+        test::record_scene(rng, rng.below(6), rng.below(200), RecordingEnding::interrupted);
+    Replay replay = test::replay_of(recorded.bytes);
+    ASSERT_FALSE(replay.fault()) << replay.fault()->what();
+    EXPECT_EQ(replay.head(), recorded.head);
+    EXPECT_EQ(test::frames_of(replay), recorded.frames);
+    ASSERT_TRUE(replay.end());
+    EXPECT_EQ(*replay.end(), recorded.end);
+    EXPECT_EQ(replay.end()->ending, RecordingEnding::interrupted);
+    contacts += recorded.end.environment_contacts + recorded.end.mover_contacts;
+  });
+  EXPECT_GT(contacts, 1000U);
+}
+
+TEST(Recording, KeepsTheSignOfZeroInAPose) {
+  RecordingHead head = head_of_one_mover();
+  std::ostringstream out;
+  RecordingWriter writer(out, head);
+  Pose pose;
+  pose.m[3] = -0.0;
+  writer.add(std::vector<Pose>{pose}, {});
+  pose.m[3] = 0.0;
+  writer.add(std::vector<Pose>{pose}, {});
+  writer.finish(RecordingEnding::complete);
+  Replay replay = test::replay_of(out.str());
+  EXPECT_TRUE(std::signbit(replay.frame(0).poses[0].m[3]));
+  EXPECT_FALSE(std::signbit(replay.frame(1).poses[0].m[3]));
+}
+
+TEST(Recording, TellsTheHashOfAllReports) {
+  Rng rng(7);
+  const test::Recorded recorded = test::record_scene(rng, 5, 100);
+  Fnv1a hash;
+  std::uint64_t environment = 0;
+  for (const RecordedFrame& frame : recorded.frames) {
+    StepReport report;
+    report.environment = frame.environment;
+    report.movers = frame.movers;
+    hash.add(report.hash());
+    environment += frame.environment.size();
+  }
+  EXPECT_EQ(recorded.end.hash, hash.value());
+  EXPECT_EQ(recorded.end.environment_contacts, environment);
+  EXPECT_EQ(recorded.end.frames, 100U);
+}
+
+TEST(Recording, TakesNoMoreMemoryForAHundredThousandFrames) {
+  Counter counter;
+  std::ostream out(&counter);
+  const test::AllocationWatch watch;
+  RecordingWriter writer(out, head_of_one_mover());
+  std::vector<Pose> poses(1);
+  for (int frame = 0; frame < 100'000; ++frame) {
+    poses[0] = Pose::translation(frame, 0, 0);
+    writer.add(poses, {});
+  }
+  writer.finish(RecordingEnding::complete);
+  EXPECT_LT(watch.peak(), 64'000U);
+  // A shift in x alone: 2 + 8 bytes, 16 for two counts of contacts, and a 64th of a chunk's frame.
+  EXPECT_LT(counter.bytes, 2'800'000U);
+}
+
+TEST(Recording, PlaysAHundredThousandFramesInBoundedMemory) {
+  std::ostringstream out;
+  RecordingWriter writer(out, head_of_one_mover());
+  std::vector<Pose> poses(1);
+  for (int frame = 0; frame < 100'000; ++frame) {
+    poses[0] = Pose::translation(frame, 0, 0);
+    writer.add(poses, {});
+  }
+  writer.finish(RecordingEnding::complete);
+  auto in = std::make_unique<std::istringstream>(out.str());
+  const test::AllocationWatch watch;
+  Replay replay(std::move(in), "long");
+  for (const std::uint64_t frame : {99'999U, 0U, 64U, 63U, 50'000U, 50'001U, 49'999U}) {
+    EXPECT_EQ(replay.frame(frame).poses[0], Pose::translation(static_cast<double>(frame), 0, 0));
+  }
+  EXPECT_LT(watch.peak(), 300'000U);
+}
+
+TEST(Recording, RefusesWhatNoRecordingCanHold) {
+  const auto refuses = [](const RecordingHead& head) {
+    std::ostringstream out;
+    try {
+      const RecordingWriter writer(out, head);
+    } catch (const Error& error) {
+      return error.kind() == ErrorKind::usage && out.str().empty();
+    }
+    return false;
+  };
+  RecordingHead head = head_of_one_mover();
+  EXPECT_FALSE(refuses(head));
+  head.movers = {1};
+  EXPECT_TRUE(refuses(head));
+  head = head_of_one_mover();
+  head.frames_a_second = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(refuses(head));
+  head = head_of_one_mover();
+  head.models[0].scale = 0;
+  EXPECT_TRUE(refuses(head));
+  std::ostringstream out;
+  RecordingWriter writer(out, head_of_one_mover());
+  EXPECT_THROW(writer.add({}, {}), Error);
+}
+
+TEST(Recording, TellsAFullDisk) {
+  FullDisk disk(1000);
+  std::ostream out(&disk);
+  RecordingWriter writer(out, head_of_one_mover());
+  try {
+    for (int frame = 0; frame < 1000; ++frame) {
+      writer.add(std::vector<Pose>(1), {});
+    }
+    FAIL() << "nothing was told";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::cannot_write);
+  }
+}
+
+}  // namespace
+
+}  // namespace soms

@@ -1,0 +1,121 @@
+#include "tests/scene/recordings.h"
+
+#include "tests/scene/random_bodies.h"
+
+#include <memory>
+#include <sstream>
+
+namespace soms::test {
+
+namespace {
+
+RecordedMesh recorded(const Mesh& mesh, const std::string& name) {
+  RecordedMesh result;
+  result.name = name;
+  result.source = "models/" + name + ".ply";
+  result.file_size = 1234;
+  result.scale = 0.5;
+  result.up = UpAxis::y;
+  result.triangles = mesh.triangles.size();
+  result.hash = corner_hash(mesh);
+  return result;
+}
+
+}  // namespace
+
+Recorded record_scene(Rng& rng, std::uint64_t movers, std::uint64_t frames,
+                      RecordingEnding ending) {
+  Recorded result;
+  Scene scene;
+  result.head.title = "test";
+  result.head.frames_asked = frames;
+  std::vector<Shape> shapes;
+  for (int k = 0; k < 3; ++k) {
+    shapes.emplace_back(random_mesh(rng));
+    const std::string name = "model " + std::to_string(k);
+    result.head.models.push_back(recorded(shapes.back().mesh(), name));
+    const Pose pose = random_pose(rng, 3);
+    scene.add_environment(Body(shapes.back(), pose));
+    result.head.environment.push_back({result.head.models.back(), pose});
+  }
+  for (std::uint64_t k = 0; k < movers; ++k) {
+    result.head.movers.push_back(static_cast<std::uint32_t>(rng.below(shapes.size())));
+    scene.add_mover(Body(shapes[result.head.movers.back()]));
+  }
+  std::ostringstream out;
+  RecordingWriter writer(out, result.head);
+  std::vector<Pose> poses(movers);
+  for (std::uint64_t frame = 0; frame < frames; ++frame) {
+    for (MoverId k = 0; k < movers; ++k) {
+      if (frame == 0 || rng.below(3) != 0) {
+        poses[k] = random_pose(rng, 4);
+      }
+      scene.set_pose(k, poses[k]);
+    }
+    StepReport report = scene.step();
+    writer.add(poses, report);
+    result.frames.push_back({poses, std::move(report.environment), std::move(report.movers)});
+  }
+  writer.finish(ending);
+  result.end = writer.so_far();
+  result.bytes = out.str();
+  return result;
+}
+
+Recorded record_drive() {
+  constexpr std::uint64_t kFrames = 66;
+  Recorded result;
+  result.head.title = "drive";
+  result.head.models.resize(1);
+  result.head.models[0].name = "car";
+  result.head.models[0].triangles = 100;
+  result.head.environment = {{result.head.models[0], Pose::translation(1, 2, 3)}};
+  result.head.movers = {0, 0};
+  std::ostringstream out;
+  RecordingWriter writer(out, result.head);
+  for (std::uint64_t frame = 0; frame < kFrames; ++frame) {
+    RecordedFrame now;
+    now.poses = {Pose::translation(static_cast<double>(frame / 4), 0, 0), Pose{}};
+    StepReport report;
+    if (frame % 7 == 6) {
+      report.environment = {{0, 0, static_cast<TriangleId>(frame), 5}, {1, 0, 2, 3}};
+      report.movers = {{0, 1, 99, 7}};
+    }
+    now.environment = report.environment;
+    now.movers = report.movers;
+    writer.add(now.poses, report);
+    result.frames.push_back(std::move(now));
+  }
+  writer.finish(RecordingEnding::complete);
+  result.end = writer.so_far();
+  result.bytes = out.str();
+  return result;
+}
+
+Recorded record_nothing(std::uint64_t frames) {
+  Recorded result;
+  result.frames.resize(frames);
+  std::ostringstream out;
+  RecordingWriter writer(out, result.head);
+  for (std::uint64_t frame = 0; frame < frames; ++frame) {
+    writer.add({}, {});
+  }
+  writer.finish(RecordingEnding::complete);
+  result.end = writer.so_far();
+  result.bytes = out.str();
+  return result;
+}
+
+Replay replay_of(const std::string& bytes) {
+  return Replay(std::make_unique<std::istringstream>(bytes), "run");
+}
+
+std::vector<RecordedFrame> frames_of(Replay& replay) {
+  std::vector<RecordedFrame> frames;
+  for (std::uint64_t i = 0; i < replay.frames(); ++i) {
+    frames.push_back(replay.frame(i));
+  }
+  return frames;
+}
+
+}  // namespace soms::test
