@@ -22,16 +22,8 @@ Box moved(const Pose& pose, const Box& box) {
   return {center - reach, center + reach};
 }
 
-Box bounds(const DrawList& list) {
-  std::vector<Box> boxes;
-  boxes.reserve(list.meshes.size());
-  for (const DrawMesh& mesh : list.meshes) {
-    boxes.push_back(bounds(*mesh.mesh));
-  }
+Box bounds_beside_meshes(const DrawList& list) {
   Box all;
-  for (const Instance& instance : list.instances) {
-    all.grow(moved(instance.pose, boxes[instance.mesh]));
-  }
   for (const TriangleMark& mark : list.marks) {
     all.grow(bounds(mark.corners));
   }
@@ -46,6 +38,19 @@ Box bounds(const DrawList& list) {
   }
   for (const Point& point : list.points) {
     all.grow(point.at);
+  }
+  return all;
+}
+
+Box bounds(const DrawList& list) {
+  std::vector<Box> boxes;
+  boxes.reserve(list.meshes.size());
+  for (const DrawMesh& mesh : list.meshes) {
+    boxes.push_back(bounds(*mesh.mesh));
+  }
+  Box all = bounds_beside_meshes(list);
+  for (const Instance& instance : list.instances) {
+    all.grow(moved(instance.pose, boxes[instance.mesh]));
   }
   return all;
 }

@@ -130,6 +130,9 @@ struct DrawList {
 /// \cost O(vertices) of the shared meshes; ask once a scene, not once a frame.
 [[nodiscard]] Box bounds(const DrawList& list);
 
+/// Bounds of marks, boxes, lines and points; empty where there are none.
+[[nodiscard]] Box bounds_beside_meshes(const DrawList& list);
+
 /// Bounds of a box that was moved by a pose; empty for an empty box.
 [[nodiscard]] Box moved(const Pose& pose, const Box& box);
 

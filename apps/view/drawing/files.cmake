@@ -1,15 +1,37 @@
 set(SOMS_VIEW_HEADERS
   camera.h
   draw_list.h
+  gl_boxes.h
+  gl_objects.h
+  gl_renderer.h
+  gl_shaders.h
+  gl_strokes.h
+  gl_surfaces.h
+  gl_target.h
+  gl_view.h
+  headless_context.h
   palette.h
   picture.h
   recording_renderer.h
   renderer.h
+  tiles.h
+  visibility.h
 )
 set(SOMS_VIEW_SOURCES
   camera.cpp
   draw_list.cpp
+  gl_boxes.cpp
+  gl_objects.cpp
+  gl_renderer.cpp
+  gl_shaders.cpp
+  gl_strokes.cpp
+  gl_surfaces.cpp
+  gl_target.cpp
+  gl_view.cpp
+  headless_context.cpp
   palette.cpp
   picture.cpp
   recording_renderer.cpp
+  tiles.cpp
+  visibility.cpp
 )

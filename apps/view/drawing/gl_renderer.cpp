@@ -1,0 +1,183 @@
+#include "apps/view/drawing/gl_renderer.h"
+
+#include "soms/base/error.h"
+
+#include "apps/view/drawing/gl_boxes.h"
+#include "apps/view/drawing/gl_objects.h"
+#include "apps/view/drawing/gl_shaders.h"
+#include "apps/view/drawing/gl_strokes.h"
+#include "apps/view/drawing/gl_surfaces.h"
+#include "apps/view/drawing/gl_target.h"
+#include "apps/view/drawing/gl_view.h"
+
+#include <epoxy/gl.h>
+
+#include <array>
+#include <span>
+
+namespace soms::view {
+
+namespace {
+
+constexpr int kLeastVersion = 33;
+
+std::string words(GLenum what) {
+  const GLubyte* text = glGetString(what);
+  return text == nullptr ? "unknown" : reinterpret_cast<const char*>(text);
+}
+
+void check_version() {
+  const int version = epoxy_gl_version();
+  if (version < kLeastVersion || !epoxy_is_desktop_gl()) {
+    throw Error(ErrorKind::cannot_write,
+                "OpenGL: " + words(GL_RENDERER) + " offers version " + words(GL_VERSION) +
+                    ", and 3.3 is needed",
+                "update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1");
+  }
+}
+
+DepthMode depth_mode() {
+  return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control")
+             ? DepthMode::reversed
+             : DepthMode::plain;
+}
+
+std::array<float, 4> parts_of(Color c) {
+  return {static_cast<float>(c.r) / 255, static_cast<float>(c.g) / 255,
+          static_cast<float>(c.b) / 255, 1};
+}
+
+}  // namespace
+
+struct GlRenderer::Parts {
+  Parts() : background("background", shader::kBackgroundVertex, shader::kBackgroundFragment) {}
+
+  // Reversed depths need no bounds: precision is the same wherever the range begins.
+  [[nodiscard]] DepthRange depths(const DrawList& list, const Camera& camera) const {
+    if (mode == DepthMode::plain) {
+      Box all = bounds_beside_meshes(list);
+      all.grow(surfaces.bounds(list));
+      return depth_range(camera, all);
+    }
+    const double reach = distance_to_target(camera);
+    return reach > 0 ? DepthRange{reach * 2e-3, reach * 1e3} : depth_range(camera, Box{});
+  }
+
+  void draw_background(const Background& colors) {
+    glDisable(GL_DEPTH_TEST);
+    background.use();
+    background.set("lower", std::span<const float, 4>(parts_of(colors.lower)));
+    background.set("upper", std::span<const float, 4>(parts_of(colors.upper)));
+    nothing.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    ++statistics.draw_calls;
+    glEnable(GL_DEPTH_TEST);
+  }
+
+  void set_state() const {
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glEnable(GL_MULTISAMPLE);
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    if (mode == DepthMode::reversed) {
+      glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+      glClearDepth(0);
+      glDepthFunc(GL_GEQUAL);
+    } else {
+      glClearDepth(1);
+      glDepthFunc(GL_LEQUAL);
+    }
+    glClear(GL_DEPTH_BUFFER_BIT);
+  }
+
+  // Leaves the context as others, such as a panel's renderer, expect it.
+  void reset_state() const {
+    glBindVertexArray(0);
+    glUseProgram(0);
+    glDisable(GL_DEPTH_TEST);
+    if (mode == DepthMode::reversed) {
+      glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+      glClearDepth(1);
+      glDepthFunc(GL_LESS);
+    }
+  }
+
+  void draw_layer(const DrawList& list, const GlView& view, bool on_top) {
+    boxes.draw_solid(list, view, on_top, statistics);
+    surfaces.draw_marks(list, view, on_top, statistics);
+    strokes.draw(list, view, on_top, statistics);
+    boxes.draw_translucent(list, view, on_top, statistics);
+  }
+
+  DepthMode mode = depth_mode();
+  GlTarget target;
+  GlProgram background;
+  GlVertexArray nothing;
+  GlSurfaces surfaces;
+  GlBoxes boxes;
+  GlStrokes strokes;
+  DrawStatistics statistics;
+  bool drawn = false;
+};
+
+GlRenderer::GlRenderer() {
+  check_version();
+  parts_ = std::make_unique<Parts>();
+}
+
+GlRenderer::~GlRenderer() = default;
+
+void GlRenderer::draw(const DrawList& list, const Camera& camera, Size size,
+                      const DrawOptions& options) {
+  check(list);
+  Parts& p = *parts_;
+  p.drawn = false;
+  p.statistics = {};
+  p.target.begin(size, options.samples);
+  p.surfaces.bring(list, p.statistics);
+  p.boxes.bring(list, p.statistics);
+  const GlView view = gl_view(camera, size, list.light, p.depths(list, camera), p.mode);
+  p.surfaces.choose(list, camera, size, view, options, p.statistics);
+  p.statistics.marks = list.marks.size();
+  p.set_state();
+  p.draw_background(list.background);
+  p.surfaces.draw_solid(view, p.statistics);
+  p.draw_layer(list, view, false);
+  p.surfaces.draw_translucent(view, p.statistics);
+  glDisable(GL_DEPTH_TEST);
+  p.draw_layer(list, view, true);
+  p.reset_state();
+  p.target.finish();
+  check_device("drawing a frame");
+  p.drawn = true;
+}
+
+void GlRenderer::present() {
+  if (parts_->drawn) {
+    parts_->target.present();
+  }
+}
+
+Picture GlRenderer::read_pixels() {
+  if (!parts_->drawn) {
+    throw Error(ErrorKind::usage, "picture: nothing was drawn yet", "draw a frame first");
+  }
+  return parts_->target.read();
+}
+
+DrawStatistics GlRenderer::statistics() const {
+  return parts_->statistics;
+}
+
+std::string GlRenderer::device() {
+  return words(GL_RENDERER) + ", OpenGL " + words(GL_VERSION);
+}
+
+}  // namespace soms::view

@@ -1,0 +1,195 @@
+#include "apps/view/drawing/gl_shaders.h"
+
+namespace soms::view::shader {
+
+const char* const kSurfaceVertex = R"(#version 330 core
+layout(location = 0) in vec3 at;
+layout(location = 1) in vec4 paint;
+layout(location = 2) in vec4 row0;
+layout(location = 3) in vec4 row1;
+layout(location = 4) in vec4 row2;
+layout(location = 5) in vec4 tint;
+layout(location = 6) in vec2 use;  // x: 1 for the tint instead of the paint; y: brighter
+uniform mat4 clip;
+uniform float lift;
+out vec3 seen;
+out vec4 color;
+void main() {
+  vec4 p = vec4(at, 1.0);
+  seen = vec3(dot(row0, p), dot(row1, p), dot(row2, p));
+  vec3 own = mix(paint.rgb, tint.rgb, use.x);
+  color = vec4(mix(own, vec3(1.0), use.y), tint.a);
+  gl_Position = clip * vec4(seen * lift, 1.0);
+}
+)";
+
+const char* const kSurfaceFragment = R"(#version 330 core
+in vec3 seen;
+in vec4 color;
+uniform vec3 toward;
+uniform float ambient;
+uniform float flatness;  // 1: the plain color
+uniform float shade;     // factor of the color, for edges upon faces
+out vec4 pixel;
+void main() {
+  vec3 n = cross(dFdx(seen), dFdy(seen));
+  float size = length(n);
+  n = size > 0.0 ? n / size : -normalize(seen);
+  n = dot(n, seen) > 0.0 ? -n : n;  // both sides of a triangle are lit
+  float sun = 0.5 + 0.5 * dot(n, toward);
+  float light = mix(ambient + (1.0 - ambient) * sun * 1.1, 1.0, flatness);
+  pixel = vec4(color.rgb * light * shade, color.a);
+}
+)";
+
+const char* const kBoxVertex = R"(#version 330 core
+layout(location = 0) in vec3 middle;
+layout(location = 1) in vec3 reach;
+layout(location = 2) in vec4 paint;
+uniform mat4 clip;
+uniform float lift;
+uniform vec4 row0;
+uniform vec4 row1;
+uniform vec4 row2;
+out vec3 seen;
+out vec4 color;
+const int kCorner[36] = int[36](0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                                2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5);
+void main() {
+  int c = kCorner[gl_VertexID];
+  vec3 side = vec3((c & 1) * 2 - 1, (c & 2) - 1, (c & 4) / 2 - 1);
+  vec4 p = vec4(middle + side * reach, 1.0);
+  seen = vec3(dot(row0, p), dot(row1, p), dot(row2, p));
+  color = paint;
+  gl_Position = clip * vec4(seen * lift, 1.0);
+}
+)";
+
+// A stroke is a rectangle of constant width in the picture about a segment that is first cut at the
+// nearest w, since beyond it the division by w is meaningless. Its border lies beside the segment
+// and must clear a slanted surface that holds the segment, so wide strokes are brought nearer.
+const char* const kStrokeHead = R"(#version 330 core
+uniform mat4 clip;
+uniform float lift;
+uniform float nearest;
+uniform float slope;  // width of a pixel at distance 1
+uniform vec2 half_size;
+out vec4 color;
+void stroke(vec3 from, vec3 to, int corner, float width) {
+  float nearer = lift - 0.75 * width * slope;
+  vec4 a = clip * vec4(from * nearer, 1.0);
+  vec4 b = clip * vec4(to * nearer, 1.0);
+  if (a.w < nearest && b.w < nearest) {
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+    return;
+  }
+  vec4 cut_a = a.w < nearest ? mix(a, b, (nearest - a.w) / (b.w - a.w)) : a;
+  vec4 cut_b = b.w < nearest ? mix(b, a, (nearest - b.w) / (a.w - b.w)) : b;
+  vec2 along = (cut_b.xy / cut_b.w - cut_a.xy / cut_a.w) * half_size;
+  float size = length(along);
+  along = size > 1e-6 ? along / size : vec2(1.0, 0.0);
+  vec2 across = vec2(-along.y, along.x);
+  vec4 end = (corner & 2) == 0 ? cut_a : cut_b;
+  float out_of = (corner & 2) == 0 ? -0.5 : 0.5;
+  float side = (corner & 1) == 0 ? -0.5 : 0.5;
+  vec2 shift = (across * side + along * out_of * 0.9) * width / half_size;
+  gl_Position = vec4(end.xy + shift * end.w, end.zw);
+}
+)";
+
+const char* const kLineVertex = R"(
+layout(location = 0) in vec3 from;
+layout(location = 1) in vec3 to;
+layout(location = 2) in vec4 paint;
+layout(location = 3) in float width;
+void main() {
+  color = paint;
+  stroke(from, to, gl_VertexID, width);
+}
+)";
+
+const char* const kEdgeVertex = R"(
+layout(location = 0) in vec3 middle;
+layout(location = 1) in vec3 reach;
+layout(location = 2) in vec4 paint;
+uniform vec4 row0;
+uniform vec4 row1;
+uniform vec4 row2;
+uniform float width;
+uniform float least_alpha;
+const int kCorner[6] = int[6](0, 1, 2, 2, 1, 3);
+vec3 place(vec3 side) {
+  vec4 p = vec4(middle + side * reach, 1.0);
+  return vec3(dot(row0, p), dot(row1, p), dot(row2, p));
+}
+void main() {
+  int edge = gl_VertexID / 6;
+  int axis = edge / 4;
+  vec2 other = vec2((edge & 1) * 2 - 1, (edge & 2) - 1);
+  vec3 from = axis == 0 ? vec3(-1.0, other) : axis == 1 ? vec3(other.x, -1.0, other.y)
+                                                        : vec3(other, -1.0);
+  vec3 to = axis == 0 ? vec3(1.0, other) : axis == 1 ? vec3(other.x, 1.0, other.y)
+                                                      : vec3(other, 1.0);
+  color = vec4(paint.rgb, max(paint.a, least_alpha));
+  stroke(place(from), place(to), kCorner[gl_VertexID % 6], width);
+}
+)";
+
+const char* const kStrokeFragment = R"(#version 330 core
+in vec4 color;
+out vec4 pixel;
+void main() { pixel = color; }
+)";
+
+const char* const kPointVertex = R"(#version 330 core
+layout(location = 0) in vec3 at;
+layout(location = 1) in vec4 paint;
+layout(location = 2) in float diameter;
+uniform mat4 clip;
+uniform float lift;
+uniform float slope;
+uniform vec2 half_size;
+out vec4 color;
+out vec2 offset;  // in pixels from the middle
+flat out float radius;
+void main() {
+  vec4 p = clip * vec4(at * (lift - 0.5 * diameter * slope), 1.0);
+  vec2 corner = vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID & 2) - 1);
+  radius = 0.5 * diameter;
+  offset = corner * (radius + 1.0);
+  color = paint;
+  gl_Position = vec4(p.xy + offset / half_size * p.w, p.zw);
+}
+)";
+
+const char* const kPointFragment = R"(#version 330 core
+in vec4 color;
+in vec2 offset;
+flat in float radius;
+out vec4 pixel;
+void main() {
+  float inside = radius - length(offset);
+  float cover = clamp(inside + 0.5, 0.0, 1.0);
+  if (cover <= 0.0) {
+    discard;
+  }
+  // A dark rim sets large points off from any ground.
+  float rim = radius > 3.0 ? clamp(1.7 - inside, 0.0, 1.0) : 0.0;
+  pixel = vec4(mix(color.rgb, vec3(0.1), rim), color.a * cover);
+}
+)";
+
+const char* const kBackgroundVertex = R"(#version 330 core
+uniform vec4 lower;
+uniform vec4 upper;
+out vec4 color;
+void main() {
+  vec2 corner = vec2((gl_VertexID & 1) * 4 - 1, (gl_VertexID & 2) * 2 - 1);
+  color = mix(lower, upper, corner.y * 0.5 + 0.5);
+  gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+
+const char* const kBackgroundFragment = kStrokeFragment;
+
+}  // namespace soms::view::shader

@@ -1,0 +1,192 @@
+#include "apps/view/drawing/gl_surfaces.h"
+
+#include "apps/view/drawing/gl_shaders.h"
+
+#include <epoxy/gl.h>
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace soms::view {
+
+namespace {
+
+struct MarkVertex {
+  std::array<float, 3> at;
+  Color color;
+};
+
+// Edges of triangles upon their faces are this much darker.
+constexpr float kEdgeShade = 0.55F;
+
+const void* index_offset(std::uint32_t triangle) {
+  const std::size_t bytes = std::size_t{12} * triangle;
+  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): its interface
+}
+
+}  // namespace
+
+GlSurfaces::GlSurfaces() : program_("surface", shader::kSurfaceVertex, shader::kSurfaceFragment) {
+  marks_reading_.floats(0, 3, marks_, sizeof(MarkVertex), offsetof(MarkVertex, at), 0);
+  marks_reading_.color(1, marks_, sizeof(MarkVertex), offsetof(MarkVertex, color), 0);
+}
+
+void GlSurfaces::upload(const DrawMesh& mesh, OnDevice& place) {
+  TiledMesh cut = cut_in_tiles(
+      *mesh.mesh, mesh.colors == nullptr ? std::span<const Color>{} : std::span(*mesh.colors));
+  place.version = mesh.version;
+  place.vertices.fill(std::as_bytes(std::span(cut.vertices)));
+  place.indices.fill(std::as_bytes(std::span(cut.indices)));
+  check_device("bringing a mesh of " + std::to_string(mesh.mesh->triangles.size()) +
+               " triangles to the device");
+  place.reading.floats(0, 3, place.vertices, sizeof(TileVertex), offsetof(TileVertex, x), 0);
+  place.reading.color(1, place.vertices, sizeof(TileVertex), offsetof(TileVertex, color), 0);
+  place.reading.indices(place.indices);
+  place.tiles = std::move(cut.tiles);
+  place.filled = true;
+}
+
+void GlSurfaces::bring(const DrawList& list, DrawStatistics& statistics) {
+  std::map<std::uint64_t, OnDevice> kept;
+  of_list_.clear();
+  calls_.clear();
+  for (const DrawMesh& mesh : list.meshes) {
+    const auto old = meshes_.find(mesh.key);
+    const auto at = old == meshes_.end() ? kept.try_emplace(mesh.key).first
+                                         : kept.insert(meshes_.extract(old)).position;
+    OnDevice& place = at->second;
+    if (!place.filled || place.version != mesh.version) {
+      upload(mesh, place);
+      ++statistics.uploads;
+    }
+    of_list_.push_back(&place);
+  }
+  meshes_ = std::move(kept);
+}
+
+Box GlSurfaces::bounds(const DrawList& list) const {
+  Box all;
+  for (const Instance& instance : list.instances) {
+    for (const Tile& tile : of_list_[instance.mesh]->tiles) {
+      all.grow(moved(instance.pose, tile.bounds));
+    }
+  }
+  return all;
+}
+
+void GlSurfaces::choose(const DrawList& list, const Camera& camera, Size size, const GlView& view,
+                        const DrawOptions& options, DrawStatistics& statistics) {
+  std::vector<std::span<const Tile>> tiles;
+  for (const OnDevice* place : of_list_) {
+    tiles.emplace_back(place->tiles);
+  }
+  const Visible visible = choose_tiles(list, tiles, camera, size, options.most_triangles);
+  statistics.tiles = visible.tiles;
+  statistics.tiles_drawn = visible.tiles_drawn;
+  statistics.triangles = visible.triangles;
+  statistics.triangles_left = visible.triangles_left;
+  statistics.instances = list.instances.size();
+  std::vector<Row> rows;
+  calls_.clear();
+  for (const TileGroup& group : visible.groups) {
+    const Tile& tile = tiles[group.mesh][group.tile];
+    Call call{of_list_[group.mesh],  group.pass, false, tile.first, group.triangles, rows.size(),
+              group.instances.size()};
+    const bool plain = list.meshes[group.mesh].colors == nullptr;
+    for (const std::uint32_t i : group.instances) {
+      const Instance& instance = list.instances[i];
+      call.edges = call.edges || instance.style == SurfaceStyle::both;
+      rows.push_back({relative_rows(view, instance.pose, tile.origin, tile.scale), instance.color,
+                      plain ? 1.0F : 0.0F, instance.highlighted ? 0.45F : 0.0F});
+    }
+    calls_.push_back(call);
+  }
+  rows_.stream(std::as_bytes(std::span(rows)));
+}
+
+void GlSurfaces::begin(const GlView& view, float flatness, float shade, float lift) const {
+  program_.use();
+  program_.set("clip", std::span(view.clip));
+  program_.set("toward", std::span(view.toward));
+  program_.set("ambient", view.ambient);
+  program_.set("flatness", flatness);
+  program_.set("shade", shade);
+  program_.set("lift", lift);
+}
+
+void GlSurfaces::issue(const Call& call, DrawStatistics& statistics) const {
+  const std::size_t start = call.row * sizeof(Row);
+  const GlVertexArray& reading = call.mesh->reading;
+  for (unsigned r = 0; r < 3; ++r) {
+    reading.floats(2 + r, 4, rows_, sizeof(Row), start + offsetof(Row, rows) + 16 * r, 1);
+  }
+  reading.color(5, rows_, sizeof(Row), start + offsetof(Row, tint), 1);
+  reading.floats(6, 2, rows_, sizeof(Row), start + offsetof(Row, plain), 1);
+  glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(3 * call.triangles), GL_UNSIGNED_INT,
+                          index_offset(call.first), static_cast<GLsizei>(call.copies));
+  ++statistics.draw_calls;
+}
+
+void GlSurfaces::draw_solid(const GlView& view, DrawStatistics& statistics) const {
+  begin(view, 0, 1, 1);
+  for (const Call& call : calls_) {
+    if (call.pass == Pass::solid) {
+      issue(call, statistics);
+    }
+  }
+  begin(view, 0.6F, kEdgeShade, view.lift);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  for (const Call& call : calls_) {
+    if (call.pass == Pass::wire || call.edges) {
+      issue(call, statistics);
+    }
+  }
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+void GlSurfaces::draw_translucent(const GlView& view, DrawStatistics& statistics) const {
+  begin(view, 0, 1, 1);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  for (const Call& call : calls_) {
+    if (call.pass == Pass::translucent) {
+      issue(call, statistics);
+    }
+  }
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_FALSE);
+  for (const Call& call : calls_) {
+    if (call.pass == Pass::translucent) {
+      issue(call, statistics);
+    }
+  }
+  glDepthMask(GL_TRUE);
+}
+
+void GlSurfaces::draw_marks(const DrawList& list, const GlView& view, bool on_top,
+                            DrawStatistics& statistics) const {
+  std::vector<MarkVertex> corners;
+  for (const TriangleMark& mark : list.marks) {
+    if (mark.on_top == on_top) {
+      for (const Vec3& p : {mark.corners.a, mark.corners.b, mark.corners.c}) {
+        corners.push_back({view.relative(p), mark.color});
+      }
+    }
+  }
+  if (corners.empty()) {
+    return;
+  }
+  marks_.stream(std::as_bytes(std::span(corners)));
+  begin(view, 0.75F, 1, view.lift);
+  marks_reading_.bind();
+  glVertexAttrib4f(2, 1, 0, 0, 0);
+  glVertexAttrib4f(3, 0, 1, 0, 0);
+  glVertexAttrib4f(4, 0, 0, 1, 0);
+  glVertexAttrib4f(5, 1, 1, 1, 1);
+  glVertexAttrib2f(6, 0, 0);
+  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
+  ++statistics.draw_calls;
+}
+
+}  // namespace soms::view

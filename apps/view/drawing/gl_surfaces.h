@@ -1,0 +1,86 @@
+/// \file
+/// Meshes on the device and the passes that draw their instances. Private to the renderer.
+#pragma once
+
+#include "apps/view/drawing/gl_objects.h"
+#include "apps/view/drawing/gl_view.h"
+#include "apps/view/drawing/renderer.h"
+#include "apps/view/drawing/tiles.h"
+#include "apps/view/drawing/visibility.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace soms::view {
+
+class GlSurfaces {
+ public:
+  GlSurfaces();
+
+  /// Brings new and changed meshes to the device and drops those that the list no longer names.
+  /// \errors ErrorKind::out_of_memory.
+  void bring(const DrawList& list, DrawStatistics& statistics);
+
+  /// Bounds of all instances. \pre After `bring`.
+  [[nodiscard]] Box bounds(const DrawList& list) const;
+
+  /// Chooses what is drawn and places it. \pre After `bring`.
+  void choose(const DrawList& list, const Camera& camera, Size size, const GlView& view,
+              const DrawOptions& options, DrawStatistics& statistics);
+
+  /// Opaque faces, then edges of triangles.
+  void draw_solid(const GlView& view, DrawStatistics& statistics) const;
+
+  /// Translucent faces: of each pixel the nearest one only, so that a hull looks like glass.
+  void draw_translucent(const GlView& view, DrawStatistics& statistics) const;
+
+  /// Marked triangles, those on top or those that surfaces may hide.
+  void draw_marks(const DrawList& list, const GlView& view, bool on_top,
+                  DrawStatistics& statistics) const;
+
+ private:
+  struct OnDevice {
+    std::uint64_t version = 0;
+    bool filled = false;
+    GlBuffer vertices;
+    GlBuffer indices;
+    GlVertexArray reading;
+    std::vector<Tile> tiles;
+  };
+
+  /// What one row of an instance takes.
+  struct Row {
+    std::array<float, 12> rows;
+    Color tint;
+    float plain;
+    float brighter;
+  };
+
+  /// A draw call to come.
+  struct Call {
+    const OnDevice* mesh;
+    Pass pass;
+    bool edges;  ///< drawn once more, as edges
+    std::uint32_t first;
+    std::uint32_t triangles;
+    std::size_t row;
+    std::size_t copies;
+  };
+
+  static void upload(const DrawMesh& mesh, OnDevice& place);
+  void begin(const GlView& view, float flatness, float shade, float lift) const;
+  void issue(const Call& call, DrawStatistics& statistics) const;
+
+  GlProgram program_;
+  std::map<std::uint64_t, OnDevice> meshes_;
+  std::vector<const OnDevice*> of_list_;  ///< of each mesh of the list
+  GlBuffer rows_;
+  std::vector<Call> calls_;
+  mutable GlBuffer marks_;
+  GlVertexArray marks_reading_;
+};
+
+}  // namespace soms::view

@@ -1,0 +1,137 @@
+#include "apps/view/drawing/gl_target.h"
+
+#include "soms/base/error.h"
+
+#include "apps/view/drawing/gl_objects.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <string>
+
+namespace soms::view {
+
+namespace {
+
+int limit(GLenum what) {
+  GLint value = 0;
+  glGetIntegerv(what, &value);
+  return value;
+}
+
+unsigned make_store(Size size, int samples, GLenum format) {
+  unsigned id = 0;
+  glGenRenderbuffers(1, &id);
+  glBindRenderbuffer(GL_RENDERBUFFER, id);
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, format, size.width,
+                                   size.height);
+  return id;
+}
+
+unsigned make_frame(unsigned color, unsigned depth) {
+  unsigned id = 0;
+  glGenFramebuffers(1, &id);
+  glBindFramebuffer(GL_FRAMEBUFFER, id);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
+  if (depth != 0) {
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
+  }
+  return id;
+}
+
+}  // namespace
+
+GlTarget::~GlTarget() {
+  release();
+}
+
+void GlTarget::release() {
+  glDeleteFramebuffers(1, &frame_);
+  glDeleteFramebuffers(1, &smooth_frame_);
+  glDeleteRenderbuffers(1, &color_);
+  glDeleteRenderbuffers(1, &depth_);
+  glDeleteRenderbuffers(1, &smooth_color_);
+  frame_ = smooth_frame_ = color_ = depth_ = smooth_color_ = 0;
+  size_ = {0, 0};
+}
+
+void GlTarget::make(Size size, int samples) {
+  color_ = make_store(size, samples, GL_RGBA8);
+  depth_ = make_store(size, samples, GL_DEPTH_COMPONENT32F);
+  frame_ = make_frame(color_, depth_);
+  bool whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  if (samples > 1) {
+    smooth_color_ = make_store(size, 1, GL_RGBA8);
+    smooth_frame_ = make_frame(smooth_color_, 0);
+    whole = whole && glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  }
+  check_device("making a picture of " + std::to_string(size.width) + "x" +
+               std::to_string(size.height));
+  if (!whole) {
+    throw Error(ErrorKind::unsupported, "OpenGL: the driver cannot draw to a picture of this kind",
+                "choose a smaller size, or set LIBGL_ALWAYS_SOFTWARE=1");
+  }
+}
+
+void GlTarget::begin(Size size, int samples) {
+  const int largest = std::min(limit(GL_MAX_RENDERBUFFER_SIZE), 1 << 15);
+  if (size.width < 1 || size.height < 1 || size.width > largest || size.height > largest) {
+    throw Error(
+        ErrorKind::usage,
+        "picture: a size of " + std::to_string(size.width) + "x" + std::to_string(size.height),
+        "give a width and a height from 1 to " + std::to_string(largest));
+  }
+  const int possible = std::clamp(samples, 1, std::max(limit(GL_MAX_SAMPLES), 1));
+  if (!(size == size_) || possible != samples_) {
+    release();
+    try {
+      make(size, possible);
+    } catch (...) {
+      release();
+      throw;
+    }
+    size_ = size;
+    samples_ = possible;
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, frame_);
+  glViewport(0, 0, size.width, size.height);
+}
+
+void GlTarget::finish() {
+  if (smooth_frame_ != 0) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, smooth_frame_);
+    glBlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size_.width, size_.height,
+                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+Picture GlTarget::read() const {
+  Picture picture = filled(size_, {});
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, smooth_frame_ != 0 ? smooth_frame_ : frame_);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE, picture.bytes.data());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  check_device("reading a picture");
+  // OpenGL's first row is the lowest.
+  const std::ptrdiff_t row = std::ptrdiff_t{4} * size_.width;
+  for (std::ptrdiff_t y = 0; y < size_.height / 2; ++y) {
+    const auto upper = picture.bytes.begin() + y * row;
+    std::swap_ranges(upper, upper + row, picture.bytes.end() - (y + 1) * row);
+  }
+  for (std::size_t i = 3; i < picture.bytes.size(); i += 4) {
+    picture.bytes[i] = 255;  // what was drawn translucent has an opaque ground
+  }
+  return picture;
+}
+
+void GlTarget::present() const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, smooth_frame_ != 0 ? smooth_frame_ : frame_);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size_.width, size_.height,
+                    GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+}  // namespace soms::view

@@ -1,0 +1,44 @@
+/// \file
+/// Where frames are drawn: a picture on the device with depths, smoothed on request. Private to the
+/// renderer.
+#pragma once
+
+#include "apps/view/drawing/camera.h"
+#include "apps/view/drawing/picture.h"
+
+namespace soms::view {
+
+class GlTarget {
+ public:
+  GlTarget() = default;
+  ~GlTarget();
+  GlTarget(const GlTarget&) = delete;
+  GlTarget& operator=(const GlTarget&) = delete;
+
+  /// Makes the target current and its viewport whole. Keeps what it has where size and samples
+  /// stay. \errors ErrorKind::usage beyond the device's largest picture; ErrorKind::out_of_memory.
+  void begin(Size size, int samples);
+
+  /// Averages the samples.
+  void finish();
+
+  /// \pre After `finish`.
+  [[nodiscard]] Picture read() const;
+
+  /// Copies to the frame buffer of the window. \pre After `finish`.
+  void present() const;
+
+ private:
+  void release();
+  void make(Size size, int samples);
+
+  Size size_{0, 0};
+  int samples_ = 0;
+  unsigned frame_ = 0;  ///< drawn into
+  unsigned color_ = 0;
+  unsigned depth_ = 0;
+  unsigned smooth_frame_ = 0;  ///< averaged; 0 with one sample
+  unsigned smooth_color_ = 0;
+};
+
+}  // namespace soms::view

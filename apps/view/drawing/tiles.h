@@ -1,0 +1,53 @@
+/// \file
+/// Meshes cut in tiles for drawing: small floats about an origin of their own, so that nothing
+/// shakes at map coordinates, and short runs of triangles that can be left out one by one.
+#pragma once
+
+#include "apps/view/drawing/draw_list.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace soms::view {
+
+/// A corner as the device gets it: `origin + scale * (x, y, z)` of its tile.
+struct TileVertex {
+  float x = 0;  ///< -1 to 1
+  float y = 0;
+  float z = 0;
+  Color color;
+};
+
+/// A run of triangles that lie together.
+struct Tile {
+  Box bounds;
+  Vec3 origin;              ///< center of `bounds`
+  double scale = 1;         ///< half the longest side of `bounds`, or 1 where that is 0
+  std::uint32_t first = 0;  ///< first triangle
+  std::uint32_t count = 0;  ///< triangles, the large ones first
+};
+
+struct TiledMesh {
+  std::vector<TileVertex> vertices;
+  std::vector<std::uint32_t> indices;  ///< 3 a triangle, into `vertices`
+  std::vector<Tile> tiles;
+};
+
+/// How finely to cut.
+struct TileOptions {
+  std::uint32_t triangles = 16384;  ///< a tile of a small mesh has no more
+  std::uint32_t most_tiles = 128;   ///< no mesh has more; its tiles are larger instead
+};
+
+/// Cuts a mesh at medians of its triangles' centers. Each triangle is in one tile; within a tile
+/// triangles come in classes of size, each class at most four times as long as the next, so that a
+/// first part of a tile shows most of it.
+///
+/// \shape `colors`: one a triangle, or empty.
+/// \pre The mesh passes `check(Mesh)`.
+/// \cost O(n log tiles).
+[[nodiscard]] TiledMesh cut_in_tiles(const Mesh& mesh, std::span<const Color> colors,
+                                     const TileOptions& options = {});
+
+}  // namespace soms::view

@@ -1,0 +1,138 @@
+#include "apps/view/drawing/visibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+namespace soms::view {
+
+namespace {
+
+// How large a box looks: pixels squared, at most the picture.
+double seen_area(const Camera& camera, Size size, const Box& box, double depth) {
+  const Vec3 e = box.extent();
+  const double side = std::sqrt(dot(e, e));
+  const double pixel = length_of_pixel(camera, size, std::max(depth, side * 0.5));
+  const double across = pixel > 0 ? side / pixel : 0;
+  const double whole = static_cast<double>(size.width) * static_cast<double>(size.height);
+  return std::clamp(across * across, 1e-6, whole);
+}
+
+// Shares the triangles that may be drawn among groups: each gets in proportion to how large it
+// looks, and none more than it has.
+void share(Visible& visible, const std::vector<double>& areas, std::uint64_t most) {
+  std::vector<std::size_t> order(visible.groups.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto need = [&](std::size_t i) { return visible.groups[i].triangles / areas[i]; };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(need(a), a) < std::pair(need(b), b);
+  });
+  const auto copies = [&](std::size_t i) {
+    return static_cast<double>(visible.groups[i].instances.size());
+  };
+  double weight = 0;
+  for (const std::size_t i : order) {
+    weight += areas[i] * copies(i);
+  }
+  double left = static_cast<double>(most);
+  for (const std::size_t i : order) {
+    TileGroup& group = visible.groups[i];
+    const double part = weight > 0 ? left * areas[i] / weight : 0;
+    weight -= areas[i] * copies(i);
+    group.triangles = static_cast<std::uint32_t>(
+        std::clamp(std::floor(part), 0.0, static_cast<double>(group.triangles)));
+    left -= group.triangles * copies(i);
+  }
+}
+
+}  // namespace
+
+Frustum frustum(const Camera& camera, Size size) {
+  const CameraFrame f = frame(camera);
+  const double tall = std::tan(camera.field_of_view / 2);
+  const double wide = tall * size.width / size.height;
+  return {camera.eye,
+          f.forward,
+          {f.forward * wide + f.right, f.forward * wide - f.right, f.forward * tall + f.up,
+           f.forward * tall - f.up}};
+}
+
+bool sees(const Frustum& f, const Box& box) {
+  if (box.empty()) {
+    return false;
+  }
+  const Vec3 center = box.center() - f.eye;
+  const Vec3 half = box.extent() * 0.5;
+  const auto reaches = [&](const Vec3& n) {
+    const double reach = std::abs(n.x) * half.x + std::abs(n.y) * half.y + std::abs(n.z) * half.z;
+    const double slack = 1e-9 * (reach + std::abs(dot(n, center)));
+    return dot(n, center) + reach + slack >= 0;
+  };
+  return reaches(f.forward) && std::all_of(f.inward.begin(), f.inward.end(), reaches);
+}
+
+Pass pass_of(const Instance& instance) {
+  if (instance.style == SurfaceStyle::wire) {
+    return Pass::wire;
+  }
+  return instance.color.a < 255 ? Pass::translucent : Pass::solid;
+}
+
+Visible choose_tiles(const DrawList& list, std::span<const std::span<const Tile>> tiles,
+                     const Camera& camera, Size size, std::uint64_t most_triangles) {
+  Visible visible;
+  const Frustum view = frustum(camera, size);
+  std::map<std::tuple<Pass, std::uint32_t, std::uint32_t>, std::size_t> group_of;
+  std::vector<double> areas;
+  for (std::uint32_t i = 0; i < list.instances.size(); ++i) {
+    const Instance& instance = list.instances[i];
+    const Pass pass = pass_of(instance);
+    const auto mine = tiles[instance.mesh];
+    visible.tiles += mine.size();
+    for (std::uint32_t t = 0; t < mine.size(); ++t) {
+      const Box box = moved(instance.pose, mine[t].bounds);
+      if (!sees(view, box)) {
+        continue;
+      }
+      const auto [at, fresh] =
+          group_of.try_emplace({pass, instance.mesh, t}, visible.groups.size());
+      if (fresh) {
+        visible.groups.push_back(
+            {instance.mesh, t, pass, {}, mine[t].count, std::numeric_limits<double>::infinity()});
+        areas.push_back(0);
+      }
+      TileGroup& group = visible.groups[at->second];
+      const double depth = dot(box.center() - view.eye, view.forward);
+      group.instances.push_back(i);
+      group.depth = std::min(group.depth, depth);
+      areas[at->second] += seen_area(camera, size, box, depth);
+    }
+  }
+  std::uint64_t seen = 0;
+  for (std::size_t g = 0; g < visible.groups.size(); ++g) {
+    const TileGroup& group = visible.groups[g];
+    areas[g] /= static_cast<double>(group.instances.size());
+    seen += std::uint64_t{group.triangles} * group.instances.size();
+    visible.tiles_drawn += group.instances.size();
+  }
+  if (seen > most_triangles) {
+    share(visible, areas, most_triangles);
+  }
+  for (const TileGroup& group : visible.groups) {
+    visible.triangles += std::uint64_t{group.triangles} * group.instances.size();
+    visible.tiles_drawn -= group.triangles == 0 ? group.instances.size() : 0;
+  }
+  visible.triangles_left = seen - visible.triangles;
+  std::erase_if(visible.groups, [](const TileGroup& group) { return group.triangles == 0; });
+  std::sort(visible.groups.begin(), visible.groups.end(),
+            [](const TileGroup& a, const TileGroup& b) {
+              return std::tuple(a.pass, a.depth, a.mesh, a.tile) <
+                     std::tuple(b.pass, b.depth, b.mesh, b.tile);
+            });
+  return visible;
+}
+
+}  // namespace soms::view

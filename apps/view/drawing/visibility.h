@@ -1,0 +1,59 @@
+/// \file
+/// Which tiles of which instances are drawn, and how much of each.
+#pragma once
+
+#include "apps/view/drawing/camera.h"
+#include "apps/view/drawing/draw_list.h"
+#include "apps/view/drawing/tiles.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace soms::view {
+
+/// The half spaces that a camera sees, through the eye. There is no far plane.
+struct Frustum {
+  Vec3 eye;
+  Vec3 forward;
+  std::array<Vec3, 4> inward;  ///< normals of the four sides, pointing inside
+};
+
+[[nodiscard]] Frustum frustum(const Camera& camera, Size size);
+
+/// False only if no point of the box can be seen.
+[[nodiscard]] bool sees(const Frustum& f, const Box& box);
+
+/// In which pass an instance is drawn.
+enum class Pass : std::uint8_t { solid, wire, translucent };
+
+[[nodiscard]] Pass pass_of(const Instance& instance);
+
+/// One tile and those instances in which it is drawn: one draw call.
+struct TileGroup {
+  std::uint32_t mesh = 0;
+  std::uint32_t tile = 0;
+  Pass pass = Pass::solid;
+  std::vector<std::uint32_t> instances;
+  std::uint32_t triangles = 0;  ///< how many of the tile, the large ones first
+  double depth = 0;             ///< of the nearest instance
+};
+
+struct Visible {
+  std::vector<TileGroup> groups;  ///< by pass, then from near to far
+  std::uint64_t tiles = 0;        ///< of all instances
+  std::uint64_t tiles_drawn = 0;
+  std::uint64_t triangles = 0;       ///< drawn
+  std::uint64_t triangles_left = 0;  ///< seen, and left out to stay within `most_triangles`
+};
+
+/// Chooses what is drawn. Where more triangles are seen than `most_triangles`, each tile gives up
+/// its small ones, the more the smaller the tile looks.
+///
+/// \shape `tiles`: those of each mesh of the list.
+[[nodiscard]] Visible choose_tiles(const DrawList& list,
+                                   std::span<const std::span<const Tile>> tiles,
+                                   const Camera& camera, Size size, std::uint64_t most_triangles);
+
+}  // namespace soms::view

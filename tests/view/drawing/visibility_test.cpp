@@ -1,0 +1,100 @@
+#include "apps/view/drawing/visibility.h"
+
+#include "apps/view/drawing/renderer.h"
+#include "tests/support/support.h"
+#include "tests/view/drawing/gl_support.h"
+
+namespace soms::view {
+namespace {
+
+using test_drawing::before_origin;
+
+Box box_at(const Vec3& p, double half) {
+  return {p - Vec3{half, half, half}, p + Vec3{half, half, half}};
+}
+
+TEST(Frustum, SeesEveryBoxWithAPointInThePicture) {
+  test::for_each_case("visibility/sees", 1000, [](Rng& rng) {
+    const auto point = [&] {
+      return Vec3{rng.uniform(-9, 9), rng.uniform(-9, 9), rng.uniform(-9, 9)};
+    };
+    const Camera camera{point(), point(), {0, 0, 1}, rng.uniform(0.3, 1.5)};
+    const Size size{320, 200};
+    const Vec3 p = point();
+    const auto seen = project(camera, size, p);
+    if (seen && seen->pixel.x >= 0 && seen->pixel.x <= size.width && seen->pixel.y >= 0 &&
+        seen->pixel.y <= size.height) {
+      EXPECT_TRUE(sees(frustum(camera, size), box_at(p, rng.uniform(0, 3))));
+    }
+  });
+}
+
+TEST(Frustum, DoesNotSeeWhatIsBehindOrBeside) {
+  const Frustum view = frustum(before_origin(), {100, 100});
+  EXPECT_TRUE(sees(view, box_at({0, 0, 0}, 1)));
+  EXPECT_FALSE(sees(view, box_at({0, -20, 0}, 1)));
+  EXPECT_FALSE(sees(view, box_at({50, 0, 0}, 1)));
+  EXPECT_FALSE(sees(view, box_at({0, 0, -50}, 1)));
+  EXPECT_FALSE(sees(view, Box{}));
+  EXPECT_TRUE(sees(view, box_at({0, -10, 0}, 1))) << "the eye is inside";
+}
+
+DrawList instances(std::size_t n, double apart) {
+  DrawList list = test_drawing::list_of(test_drawing::wall(0, -1, -1, 1, 1));
+  for (std::size_t i = 1; i < n; ++i) {
+    list.instances.push_back(
+        {.mesh = 0, .pose = Pose::translation(0, apart * static_cast<double>(i), 0)});
+  }
+  return list;
+}
+
+TEST(ChooseTiles, GathersInstancesOfAMeshInOneCall) {
+  const DrawList list = instances(50, 1);
+  const TiledMesh cut = cut_in_tiles(*list.meshes[0].mesh, {});
+  const std::vector<std::span<const Tile>> tiles{cut.tiles};
+  const Visible all = choose_tiles(list, tiles, before_origin(), {64, 64}, 1000);
+  ASSERT_EQ(all.groups.size(), 1U);
+  EXPECT_EQ(all.groups[0].instances.size(), 50U);
+  EXPECT_EQ(all.triangles, 100U);
+  EXPECT_EQ(all.triangles_left, 0U);
+  EXPECT_EQ(all.tiles_drawn, 50U);
+  const Visible behind = choose_tiles(instances(50, -100), tiles, before_origin(), {64, 64}, 1000);
+  EXPECT_EQ(behind.tiles, 50U);
+  EXPECT_EQ(behind.tiles_drawn, 1U);
+}
+
+TEST(ChooseTiles, KeepsTheBudgetAndGivesMoreToWhatLooksLarge) {
+  const Mesh mesh = test_drawing::blocks(40);
+  const TiledMesh cut = cut_in_tiles(mesh, {}, {.triangles = 1000});
+  const std::vector<std::span<const Tile>> tiles{cut.tiles};
+  const DrawList list = test_drawing::list_of(mesh);
+  const Camera camera{{0, -450, 60}, {0, 0, 0}, {0, 0, 1}, 0.9};
+  const std::uint64_t whole =
+      choose_tiles(list, tiles, camera, {640, 360}, DrawOptions::kAll).triangles;
+  for (const std::uint64_t budget : {std::uint64_t{0}, std::uint64_t{100}, whole / 3, whole}) {
+    const Visible some = choose_tiles(list, tiles, camera, {640, 360}, budget);
+    EXPECT_LE(some.triangles, budget);
+    EXPECT_GE(some.triangles + 2 * cut.tiles.size(), std::min(budget, whole));
+    EXPECT_EQ(some.triangles + some.triangles_left, whole);
+  }
+  const Visible third = choose_tiles(list, tiles, camera, {640, 360}, whole / 3);
+  ASSERT_GT(third.groups.size(), 2U);
+  EXPECT_GT(third.groups.front().triangles, third.groups.back().triangles)
+      << "groups come from near to far";
+}
+
+TEST(ChooseTiles, PutsEachInstanceInItsPass) {
+  DrawList list = instances(3, 1);
+  list.instances[1].color.a = 100;
+  list.instances[2].style = SurfaceStyle::wire;
+  const TiledMesh cut = cut_in_tiles(*list.meshes[0].mesh, {});
+  const std::vector<std::span<const Tile>> tiles{cut.tiles};
+  const Visible all = choose_tiles(list, tiles, before_origin(), {64, 64}, 1000);
+  ASSERT_EQ(all.groups.size(), 3U);
+  EXPECT_EQ(all.groups[0].pass, Pass::solid);
+  EXPECT_EQ(all.groups[1].pass, Pass::wire);
+  EXPECT_EQ(all.groups[2].pass, Pass::translucent);
+}
+
+}  // namespace
+}  // namespace soms::view
