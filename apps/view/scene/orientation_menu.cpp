@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/query/traversal/thesis_frames.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -30,12 +31,13 @@ std::vector<Pose> drive(const Box& still, const Box& moving, const Vec3& to_midd
   constexpr std::size_t kFrames = 221;
   const Vec3 extent = still.extent();
   const std::size_t side = 3 - up;
+  // The thesis' way: 5 % of the scene's length before it and behind it; more for a long object.
+  const double margin = std::max(0.05 * extent.x, moving.extent().x);
   std::vector<Pose> poses;
   for (std::size_t k = 0; k < kFrames; ++k) {
-    // As the thesis' drive: 5 % of the way before the scene, and as much behind it.
-    const double share = (20 * static_cast<double>(k) - 200) / 4000;
+    const double share = static_cast<double>(k) / static_cast<double>(kFrames - 1);
     Vec3 by;
-    by[0] = still.lower.x + share * extent.x - moving.center().x;
+    by[0] = still.lower.x - margin + share * (extent.x + 2 * margin) - moving.center().x;
     by[side] = to_middle[side];
     by[up] = still.lower[up] - 0.01 * extent[up] - moving.lower[up];
     poses.push_back(shifted(by));

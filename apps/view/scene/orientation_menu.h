@@ -27,7 +27,7 @@ struct OrientationTest {
 ///
 /// Both start with their middles in one point, so that equal models coincide as in the thesis; the
 /// offsets are those of `orientation_test`. The drive crosses `still` along x through its middle in
-/// 221 frames, its underside a hundredth of the height below that of `still`.
+/// 221 frames, from clear to clear, its underside a hundredth of the height below that of `still`.
 ///
 /// \pre     Neither box is empty; `up` is 1 (y) or 2 (z).
 /// \errors  ErrorKind::usage for an unknown name, which lists the names.

@@ -3,7 +3,7 @@
 #include "apps/view/drawing/palette.h"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <numeric>
 
 namespace soms::view {
@@ -19,6 +19,37 @@ std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t v) {
     v = parent[v];
   }
   return v;
+}
+
+std::uint64_t hash_of(const Vec3& v) {
+  std::uint64_t hash = 0;
+  for (const double x : {v.x + 0.0, v.y + 0.0, v.z + 0.0}) {  // -0 and 0 are one
+    hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15ULL;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+
+/// The first vertex at the place of each: many files repeat vertices for each face.
+std::vector<std::uint32_t> first_at_place(const std::vector<Vec3>& vertices) {
+  const std::size_t slots = std::bit_ceil(2 * vertices.size() + 1);
+  std::vector<std::uint32_t> table(slots, Part::kNoParent);
+  std::vector<std::uint32_t> first(vertices.size());
+  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+    first[v] = v;
+    if (!(vertices[v] == vertices[v])) {
+      continue;  // not a number, which a vertex of no triangle may be
+    }
+    std::size_t slot = hash_of(vertices[v]) & (slots - 1);
+    while (table[slot] != Part::kNoParent && !(vertices[table[slot]] == vertices[v])) {
+      slot = (slot + 1) & (slots - 1);
+    }
+    if (table[slot] == Part::kNoParent) {
+      table[slot] = v;
+    }
+    first[v] = table[slot];
+  }
+  return first;
 }
 
 std::vector<std::uint32_t> cells_of_triangles(const Mesh& mesh) {
@@ -60,8 +91,7 @@ std::vector<std::uint32_t> parts_of_triangles(const Mesh& mesh) {
 }
 
 std::vector<std::uint32_t> pieces_of_triangles(const Mesh& mesh) {
-  std::vector<std::uint32_t> parent(mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0U);
+  std::vector<std::uint32_t> parent = first_at_place(mesh.vertices);
   for (const auto& t : mesh.triangles) {
     const std::uint32_t a = root_of(parent, t[0]);
     parent[root_of(parent, t[1])] = a;

@@ -16,11 +16,11 @@ namespace soms::view {
 [[nodiscard]] std::vector<std::uint32_t> parts_of_triangles(const Mesh& mesh);
 
 /// Connected pieces of a mesh, numbered by their first triangle: triangles are connected when they
-/// share a vertex by number. \cost Nearly linear.
+/// share a vertex, by number or by place. \cost Nearly linear.
 [[nodiscard]] std::vector<std::uint32_t> pieces_of_triangles(const Mesh& mesh);
 
 /// One color a triangle: by innermost part; without parts by connected piece; where pieces are too
-/// small to be buildings, since the file shares no vertices, by place on a coarse grid.
+/// small to be buildings, as loose triangles are, by place on a coarse grid.
 [[nodiscard]] std::vector<Color> colors_by_building(const Mesh& mesh);
 
 }  // namespace soms::view

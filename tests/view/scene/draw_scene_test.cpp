@@ -81,5 +81,120 @@ TEST(DrawScene, DrawsNothingRedWhereNothingTouches) {
   EXPECT_EQ(list.instances[1].pose, Pose::translation(5, 0, 0));
 }
 
+TEST(DrawScene, KeepsKeysAndMeshesFromFrameToFrame) {
+  ViewScene scene = cubes();
+  const DrawList before = make_draw_list(scene, {});
+  scene.set_pose(0, Pose::translation(1, 0, 0));
+  const DrawList after = make_draw_list(scene, {});
+  ASSERT_EQ(before.meshes.size(), after.meshes.size());
+  for (std::size_t k = 0; k < before.meshes.size(); ++k) {
+    EXPECT_EQ(before.meshes[k].key, after.meshes[k].key);
+    EXPECT_EQ(before.meshes[k].version, after.meshes[k].version);
+    EXPECT_EQ(before.meshes[k].mesh.get(), after.meshes[k].mesh.get());
+    EXPECT_EQ(before.meshes[k].colors.get(), after.meshes[k].colors.get());
+  }
+}
+
+TEST(DrawScene, NamesAMeshOfManyMoversOnce) {
+  SceneContent content;
+  const Shape block(test::box_body({0, 0, 0}, {1, 1, 1}));
+  for (int k = 0; k < 100; ++k) {
+    content.movers.push_back({Body(block, Pose::translation(3 * k, 0, 0)), {}});
+  }
+  ViewScene scene(std::move(content));
+  const DrawList list = make_draw_list(scene, {});
+  EXPECT_EQ(list.meshes.size(), 1U);
+  EXPECT_EQ(list.instances.size(), 100U);
+  EXPECT_EQ(list.instances[7].color, list.instances[8].color);
+}
+
+TEST(DrawScene, DrawsSegmentsWhereTrianglesCross) {
+  ViewScene scene = cubes();
+  scene.set_pose(0, Pose::about_z(0.3, {0.9, 0.4, 0.7}));
+  ViewOptions options;
+  options.contacts.triangles = false;
+  const DrawList list = make_draw_list(scene, options);
+  EXPECT_TRUE(list.marks.empty());
+  std::size_t segments = 0;
+  for (const Touch& touch : scene.contacts()) {
+    segments += scene.crossing(touch).count == 2 ? 1U : 0U;
+  }
+  EXPECT_GT(segments, 4U);
+  EXPECT_EQ(list.lines.size(), segments);
+  options.contacts.lines = true;
+  EXPECT_EQ(make_draw_list(scene, options).lines.size(), segments + scene.contacts().size());
+}
+
+TEST(DrawScene, MarksThePartsThatTouch) {
+  Mesh house =
+      test::joined(test::box_body({0, 0, 0}, {4, 4, 1}), test::box_body({0, 0, 1.5}, {4, 4, 3}));
+  house.parts = {{"floor", Part::kNoParent, 0, 12}, {"upper", Part::kNoParent, 12, 12}};
+  ViewScene scene(two_bodies(Body(std::move(house)), box_at({0, 0, 0}, {1, 1, 1}, "block", 1)));
+  scene.set_pose(0, Pose::translation(-0.5, 1, 1.75));
+  ViewOptions options;
+  options.contacts.parts = true;
+  options.contacts.triangles = false;
+  const DrawList list = make_draw_list(scene, options);
+  EXPECT_EQ(list.marks.size(), 12U);  // the upper floor; the block has no parts
+  for (TriangleId i = 0; i < 24; ++i) {
+    EXPECT_EQ(count(list.marks, scene.triangle(city_part(0), i)), i < 12 ? 0U : 1U);
+  }
+  options.contacts.most_of_parts = 11;
+  EXPECT_TRUE(make_draw_list(scene, options).marks.empty());
+}
+
+TEST(DrawScene, BoundsWhatManyContactsDraw) {
+  ViewScene scene(two_bodies(box_at({0, 0, 0}, {2, 2, 2}, "still", 12),
+                             box_at({0, 0, 0}, {2, 2, 2}, "moving", 12)));
+  ASSERT_GT(scene.contacts().size(), 5000U);
+  ViewOptions options;
+  options.contacts.most = 300;
+  const DrawList list = make_draw_list(scene, options);
+  EXPECT_LE(list.marks.size(), 600U);
+  EXPECT_LE(list.lines.size(), 1800U);
+  const ShownCounts counts = shown(scene, options);
+  EXPECT_EQ(counts.contacts, scene.contacts().size());
+  EXPECT_EQ(counts.contacts_drawn, 300U);
+  const std::vector<Touch> some = drawn_contacts(scene, 300);
+  EXPECT_EQ(some.size(), 300U);
+  EXPECT_TRUE(std::is_sorted(some.begin(), some.end()));
+  EXPECT_EQ(std::set<Touch>(some.begin(), some.end()).size(), 300U);
+}
+
+TEST(DrawScene, HidesWhatIsNotWanted) {
+  ViewScene scene = cubes();
+  ViewOptions options;
+  options.city = false;
+  EXPECT_EQ(make_draw_list(scene, options).instances.size(), 1U);
+  options.movers = false;
+  EXPECT_TRUE(make_draw_list(scene, options).instances.empty());
+}
+
+TEST(DrawScene, ShowsTheChosenThroughEverything) {
+  ViewScene scene = cubes();
+  scene.set_pose(0, Pose::translation(1, 1, 1));
+  ViewOptions options;
+  options.chosen = scene.contacts().front();
+  options.highlighted = mover(0);
+  options.contacts.triangles = false;
+  options.contacts.segments = false;
+  const DrawList list = make_draw_list(scene, options);
+  ASSERT_EQ(list.marks.size(), 2U);
+  EXPECT_TRUE(list.marks[0].on_top && list.marks[1].on_top);
+  EXPECT_FALSE(list.instances[0].highlighted);
+  EXPECT_TRUE(list.instances[1].highlighted);
+}
+
+TEST(DrawScene, ColorsTheCityByBuildingOrPlain) {
+  ViewScene scene = cubes();
+  ViewOptions options;
+  const DrawList colored = make_draw_list(scene, options);
+  ASSERT_NE(colored.meshes[0].colors, nullptr);
+  options.city_colors = CityColors::plain;
+  const DrawList plain = make_draw_list(scene, options);
+  EXPECT_EQ(plain.meshes[0].colors, nullptr);
+  EXPECT_NE(plain.meshes[0].key, colored.meshes[0].key);
+}
+
 }  // namespace
 }  // namespace soms::view
