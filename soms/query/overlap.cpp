@@ -32,8 +32,8 @@ struct Sides {
         y{swapped ? &a.shape : &b.shape, swapped ? &a.pose : &b.pose},
         relative(x.shape->layout(), *x.pose, Viewer(y.shape->layout(), *y.pose)) {}
 
-  [[nodiscard]] PairWalk walk(WalkMemory& memory) const {
-    return {relative, x, y, swapped, memory};
+  [[nodiscard]] PairWalk walk(const OverlapOptions& options, WalkMemory& memory) const {
+    return {relative, x, y, swapped, options.mode, memory};
   }
 
   bool swapped;
@@ -70,7 +70,7 @@ void join(const std::vector<Part>& parts, const OverlapOptions& options, Overlap
 void run_parallel(const Sides& sides, const OverlapOptions& options, const Parallel& parallel,
                   Overlap& answer) {
   WalkMemory memory;
-  PairWalk head = sides.walk(memory);
+  PairWalk head = sides.walk(options, memory);
   const std::vector<PlacePair> frontier = head.frontier(kFrontier);
   answer.cost = head.cost();
   std::vector<Part> parts(frontier.size());
@@ -82,7 +82,7 @@ void run_parallel(const Sides& sides, const OverlapOptions& options, const Paral
     Part& part = parts[begin];
     WalkMemory own;
     Watch watch(options, parallel, &done);
-    PairWalk walk = sides.walk(own);
+    PairWalk walk = sides.walk(options, own);
     Collector collector(options.mode, options.limit, part.pairs);
     walk.start(frontier[begin]);
     walk.run(collector, watch);
@@ -101,7 +101,7 @@ void run_single(const Sides& sides, const OverlapOptions& options, const Paralle
                 Overlap& answer) {
   WalkMemory memory;
   Watch watch(options, parallel);
-  PairWalk walk = sides.walk(memory);
+  PairWalk walk = sides.walk(options, memory);
   Collector collector(options.mode, options.limit, answer.pairs);
   walk.start();
   walk.run(collector, watch);

@@ -1,4 +1,5 @@
 #include "soms/base/error.h"
+#include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/overlap_query.h"
 #include "soms/query/detail/pair_walk.h"
 #include "soms/query/overlap.h"
@@ -93,6 +94,7 @@ class BlockRun {
       take_off(*open[count]);
       ++count;
     }
+    const detail::Kernels& kernels = detail::kernels();
     WalkRound round;
     while (count > 0) {
       round.clear();
@@ -109,7 +111,7 @@ class BlockRun {
           open[i] = open[--count];
         }
       }
-      PairWalk::test(round);
+      PairWalk::test(kernels, round);
       for (std::size_t i = 0; i < count; ++i) {
         Flight& flight = *open[i];
         flight.over = !flight.walk->take_up(round, *flight.collector, *flight.watch);
@@ -134,7 +136,8 @@ class BlockRun {
     flight.collector.emplace(question_.options.mode, question_.options.limit, flight.pairs);
     flight.watch.emplace(question_.options, question_.parallel);
     flight.walk.emplace(*flight.relative, mover_views_ ? fixed_side : mover_side,
-                        mover_views_ ? mover_side : fixed_side, mover_views_, flight.memory);
+                        mover_views_ ? mover_side : fixed_side, mover_views_,
+                        question_.options.mode, flight.memory);
     flight.walk->start();
     flight.over = false;
   }

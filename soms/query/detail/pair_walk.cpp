@@ -19,6 +19,10 @@ std::size_t group_of(std::size_t opened) {
   return opened < 24 ? 2 : opened < 48 ? 4 : WalkRound::kEach;
 }
 
+/// Pairs opened with the nearest of their children first. It halves the way to a hit; a walk that
+/// has found none by then mostly finds none.
+constexpr std::size_t kOrdered = 24;
+
 constexpr std::uint32_t kIndexShift = 3;  // of a code: see NodeTask
 
 float longest(const std::array<float, 3>& half) {
@@ -90,13 +94,15 @@ void PairList::grow(std::size_t least) {
 }
 
 PairWalk::PairWalk(const RelativePose& relative, const WalkSide& x, const WalkSide& y, bool swapped,
-                   WalkMemory& memory)
+                   OverlapMode mode, WalkMemory& memory)
     : relative_(relative),
       leaves_(x, y, swapped),
       nodes_x_(x.shape->layout().nodes().data()),
       nodes_y_(y.shape->layout().nodes().data()),
       blocks_x_(x.shape->layout().blocks().data()),
       blocks_y_(y.shape->layout().blocks().data()),
+      kernels_(kernels()),
+      nearest_first_(mode == OverlapMode::any),
       memory_(memory) {
 }
 
@@ -167,38 +173,38 @@ bool PairWalk::large_leaf_meets(const PlacePair& pair, const WideNode& x, const 
 
 void PairWalk::gather_nodes(WalkRound& round) {
   PairList& codes = memory_.codes;
-  std::array<PlacePair, WalkRound::kEach> group;
   const std::size_t taken = std::min(group_of(opened_), codes.size());
+  const std::uint32_t order = nearest_first_ && opened_ < kOrdered ? 1 : 0;
   opened_ += taken;
-  for (std::size_t i = 0; i < taken; ++i) {
-    group[i] = codes.pop();
-  }
-  // The first one's children end on top.
-  for (std::size_t i = taken; i > 0; --i) {
-    const PlacePair& pair = group[i - 1];
+  codes.drop(taken);
+  const PoseNumbers& numbers = relative_.numbers();
+  NodeTask* next = round.nodes.data() + round.node_count;
+  // What was on top comes last, so that its children end on top.
+  for (std::size_t i = codes.size(); i < codes.size() + taken; ++i) {
+    const PlacePair pair = codes.at(i);
     const WideNode& x = nodes_x_[pair.x >> kIndexShift];
     const WideNode& y = nodes_y_[pair.y >> kIndexShift];
-    if (is_lane(pair.x | pair.y)) {
-      if (!large_leaf_meets(pair, x, y)) {
-        continue;
-      }
-    } else {
-      const float size_x = x.reach * relative_.ratio();
-      if (size_x > kSimilar * y.reach || y.reach > kSimilar * size_x) {
+    const float size_x = x.reach * numbers.ratio;
+    if (size_x > kSimilar * y.reach || y.reach > kSimilar * size_x) {
+      if (!is_lane(pair.x | pair.y)) {
         const std::uint32_t count = size_x > y.reach ? x.count : y.count;
         cost_.node_tests += count;
-        round.larger[round.larger_count++] = {&relative_.numbers(), &x, &y, pair.x, pair.y,
-                                              (1U << count) - 1};
+        round.larger[round.larger_count++] = {&numbers,          &x, &y, pair.x, pair.y,
+                                              (1U << count) - 1, 0,  0};
+        continue;
+      }
+      if (!large_leaf_meets(pair, x, y)) {
         continue;
       }
     }
     const CodeTable::Entry& in_x = kCodes.entries[x.count][pair.x & 7];
     const CodeTable::Entry& in_y = kCodes.entries[y.count][pair.y & 7];
     cost_.node_tests += std::uint64_t{in_x.number} * in_y.number;
-    round.nodes[round.node_count++] = {
-        &relative_.numbers(), &x,           &y,
-        pair.x & ~7U,         pair.y & ~7U, kLanePairs.bits[in_x.lanes][in_y.lanes]};
+    *next++ = {
+        &numbers, &x, &y, pair.x & ~7U, pair.y & ~7U, kLanePairs.bits[in_x.lanes][in_y.lanes],
+        order,    0};
   }
+  round.node_count = static_cast<std::size_t>(next - round.nodes.data());
 }
 
 void PairWalk::append(std::span<const NodeTask> tasks) {
@@ -208,10 +214,10 @@ void PairWalk::append(std::span<const NodeTask> tasks) {
   codes.reserve(kMost * (tasks.size() + 1));
   blocks.reserve(kMost * (tasks.size() + 1));
   PairSink sink{codes.end_x(), codes.end_y(), blocks.end_x(), blocks.end_y()};
-  kernels().append(tasks.data(), tasks.size(), sink);
+  kernels_.append(tasks.data(), tasks.size(), sink);
   codes.add(sink.codes);
   blocks.add(sink.blocks);
-  const std::size_t next = std::min(group_of(opened_), sink.codes);
+  const std::size_t next = std::min(group_of(opened_), codes.size());
   for (std::size_t i = codes.size() - next; i < codes.size(); ++i) {
     const PlacePair pair = codes.at(i);
     fetch(nodes_x_[pair.x >> kIndexShift]);
@@ -241,8 +247,7 @@ bool PairWalk::gather(WalkRound& round) {
   return true;
 }
 
-void PairWalk::test(WalkRound& round) {
-  const Kernels& kernels = detail::kernels();
+void PairWalk::test(const Kernels& kernels, WalkRound& round) {
   kernels.test_nodes(round.nodes.data(), round.node_count);
   kernels.test_larger(round.larger.data(), round.larger_count);
   kernels.test_slabs(round.blocks.data(), round.block_count);
@@ -266,7 +271,7 @@ bool PairWalk::take_up(const WalkRound& round, Collector& collector, Watch& watc
 void PairWalk::run(Collector& collector, Watch& watch) {
   WalkRound round;
   while (gather(round)) {
-    test(round);
+    test(kernels_, round);
     if (!take_up(round, collector, watch)) {
       return;
     }
@@ -293,7 +298,7 @@ std::vector<PlacePair> PairWalk::frontier(std::size_t enough) {
       start(pair);
       WalkRound round;
       gather_nodes(round);
-      test(round);
+      test(kernels_, round);
       for (std::size_t i = 0; i < round.larger_count; ++i) {
         push(round.larger[i]);
       }

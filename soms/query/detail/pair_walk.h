@@ -49,6 +49,9 @@ class PairList {
     return {x_[size_], y_[size_]};
   }
 
+  /// Takes the last `count` pairs off; `at` still has them until something is added.
+  void drop(std::size_t count) { size_ -= count; }
+
   [[nodiscard]] PlacePair at(std::size_t i) const { return {x_[i], y_[i]}; }
 
   /// Makes room for `more` pairs at `end_x` and `end_y`, which `add` then counts.
@@ -112,7 +115,7 @@ struct WalkRound {
 class PairWalk {
  public:
   PairWalk(const RelativePose& relative, const WalkSide& x, const WalkSide& y, bool swapped,
-           WalkMemory& memory);
+           OverlapMode mode, WalkMemory& memory);
 
   /// Begins at the roots.
   void start();
@@ -127,7 +130,7 @@ class PairWalk {
   [[nodiscard]] bool take_up(const WalkRound& round, Collector& collector, Watch& watch);
 
   /// Makes the tests of a round.
-  static void test(WalkRound& round);
+  static void test(const Kernels& kernels, WalkRound& round);
 
   /// Walks until the end, alone.
   void run(Collector& collector, Watch& watch);
@@ -168,6 +171,8 @@ class PairWalk {
   const WideNode* nodes_y_;
   const TriangleBlock* blocks_x_;
   const TriangleBlock* blocks_y_;
+  const Kernels& kernels_;
+  bool nearest_first_;
   WalkMemory& memory_;
   Cost cost_;
   std::size_t opened_ = 0;      // pairs so far

@@ -111,7 +111,7 @@ RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const Viewer& 
     }
   }
   numbers_.relative =
-      rounded_up(0x1p-17 + 4 * distance_from_identity(product(transposed, matrix_)));
+      rounded_up(2.75 * (0x1p-17 + 4 * distance_from_identity(product(transposed, matrix_))));
   numbers_.ratio = static_cast<float>(std::ldexp(1.0, y.tree->exponent() - x.exponent()));
   const double reach = y.reach + moved_reach(pose_x, x.bounds());
   const double slack = 2 * ((192 * kUnitRoundoff + 12 * y.residual) * reach + 0x1p-1064);

@@ -45,7 +45,14 @@
 /// four sums add 5: a gap between centers is off by 28. Turned by M^T that is 1.74 times as much,
 /// and the turn adds 13 * 1.74; radii add 13, M^T M - I 8 more than `defect`, comparisons 7:
 /// below 100 a test (times |n|_1 for a direction). Where -M^T d stands for d in x's axes,
-/// M M^T d - d is at most 3 defect |d|_1 more. `relative` is 2^-17 + 4 defect: 128 and more.
+/// M M^T d - d is at most 3 defect |d|_1 more. A margin of (2^-17 + 4 defect) S is 128 and more.
+///
+/// No offset is needed for S: where the places share a point, d = z - N p + q, so |d|_1 is at most
+/// 3 W and sqrt(3) (1 + 1e-5) (|p|_2 + |q|_2), in turned axes too, and S at most 2.733 (reach_x +
+/// reach_y) + 3 W. `relative` is 2.75 (2^-17 + 4 defect) a unit of reach_x + reach_y, which covers
+/// the sum's rounding; what 3 W adds, below 1e-4 W, the slack has left over (1.74 of 2 W are used).
+/// Where S is more, the places share nothing, and "apart" is true however it was found.
+///
 /// `slack` has 2^-100 added for what underflows in lengths; products of three or four lengths
 /// get 2^-140 more where they are compared.
 ///
@@ -152,10 +159,7 @@ class RelativePose {
     if (is_turned(x) || is_turned(y)) {
       turn(axes_of(x), axes_of(y), relation);
     }
-    const auto& d = relation.offset;
-    const float distance = (std::abs(d[0]) + std::abs(d[1])) + std::abs(d[2]);
-    relation.margin =
-        numbers_.relative * ((x.reach * numbers_.ratio + y.reach) + distance) + numbers_.slack;
+    relation.margin = numbers_.relative * (x.reach * numbers_.ratio + y.reach) + numbers_.slack;
     relation.ratio = numbers_.ratio;
   }
 

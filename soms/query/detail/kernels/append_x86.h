@@ -17,10 +17,15 @@ inline __m128i words_of(const WideNode& node) {
 inline void append(const NodeTask* tasks, std::size_t count, PairSink& sink) {
   for (std::size_t i = 0; i < count; ++i) {
     const NodeTask& task = tasks[i];
-    const std::uint32_t leaves = task.pairs & kLanePairs.bits[task.x->leaves][task.y->leaves];
-    sink.codes += put_all(task.pairs & ~leaves, codes_of(*task.x, task.code_x),
-                          codes_of(*task.y, task.code_y), sink.codes_x + sink.codes,
-                          sink.codes_y + sink.codes);
+    const std::uint32_t codes = task.codes();
+    const std::size_t count_here =
+        put_all(codes, codes_of(*task.x, task.code_x), codes_of(*task.y, task.code_y),
+                sink.codes_x + sink.codes, sink.codes_y + sink.codes);
+    if (task.order != 0) {
+      put_last(sink, static_cast<std::size_t>(std::popcount(codes & task.below)), count_here);
+    }
+    sink.codes += count_here;
+    const std::uint32_t leaves = task.pairs ^ codes;
     if (leaves != 0) {
       sink.blocks += put_all(leaves, words_of(*task.x), words_of(*task.y),
                              sink.blocks_x + sink.blocks, sink.blocks_y + sink.blocks);

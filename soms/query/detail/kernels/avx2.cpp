@@ -79,7 +79,8 @@ inline F8 sum(const Three& a, F8 m0, F8 m1, F8 m2) {
 }
 
 /// See nodes.h; the same sums in the same order.
-inline std::uint32_t test_pair(const PoseNumbers& pose, const WideNode& x, const WideNode& y) {
+inline std::uint32_t test_pair(const PoseNumbers& pose, const WideNode& x, const WideNode& y,
+                               Centers* centers) {
   const __m128 shift = offset_of(pose, x.origin, y.origin).v;
   std::array<F4, 3> half_turned;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -91,15 +92,12 @@ inline std::uint32_t test_pair(const PoseNumbers& pose, const WideNode& x, const
   half_turned[1].v = _mm_insert_ps(half_turned[1].v, shift, 0x70);
   half_turned[2].v = _mm_insert_ps(half_turned[2].v, shift, 0xb0);
   alignas(16) std::array<std::array<float, 4>, 3> m;
-  F4 magnitudes(0.0F);
   for (std::size_t i = 0; i < 3; ++i) {
     const F4 seen = (half_turned[0] * F4(y.row[0][i]) + half_turned[1] * F4(y.row[1][i])) +
                     half_turned[2] * F4(y.row[2][i]);
     seen.store(m[i].data());
-    magnitudes = i == 0 ? abs(seen) : magnitudes + abs(seen);
   }
-  const float distance = _mm_cvtss_f32(_mm_shuffle_ps(magnitudes.v, magnitudes.v, 0xff));
-  const float margin = pose.relative * ((x.reach * pose.ratio + y.reach) + distance) + pose.slack;
+  const float margin = pose.relative * (x.reach * pose.ratio + y.reach) + pose.slack;
   const F8 sign = beside(0.0F, -0.0F);
   std::array<Three, 3> entry;  // beside its magnitude
   Three boxes_x;
@@ -119,13 +117,24 @@ inline std::uint32_t test_pair(const PoseNumbers& pose, const WideNode& x, const
     const F8 seen_y = sum(away, entry[0][i], entry[1][i], entry[2][i]) + beside(0.0F, margin);
     apart.add(seen_x.v, boxes_y[i].v);
     apart.add(boxes_x[i].v, seen_y.v);
+    if (centers != nullptr) {
+      centers->x[i] = F4(_mm256_castps256_ps128(seen_x.v));
+      centers->y[i] = F4(_mm256_castps256_ps128(boxes_y[i].v));
+    }
   }
   return ~apart.bits();
 }
 
 void test_nodes(NodeTask* tasks, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
-    tasks[i].pairs &= test_pair(*tasks[i].pose, *tasks[i].x, *tasks[i].y);
+    NodeTask& task = tasks[i];
+    if (task.order == 0) {
+      task.pairs &= test_pair(*task.pose, *task.x, *task.y, nullptr);
+    } else {
+      Centers centers;
+      task.pairs &= test_pair(*task.pose, *task.x, *task.y, &centers);
+      task.below = below_nearest(centers, task.codes());
+    }
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #if !defined(__clang__)
 // The compiler's own header sets registers to themselves to leave them undefined.
@@ -91,8 +92,54 @@ inline std::uint64_t meet(const Spans& a, const Spans& b, const Spans& c, const 
   return q;
 }
 
+/// A node's numbers in the units of the other's layout: mostly they are already.
+template <bool Scaled>
+inline __m512 scaled(__m512 v, __m512 ratio) {
+  return Scaled ? product(v, ratio) : v;
+}
+
+/// Squares of what lies between centers on each axis, one rotation in each.
+struct Squares {
+  __m512 r0;
+  __m512 r1;
+  __m512 r2;
+  __m512 r3;
+};
+
+template <int R>
+inline __m512 square(__m512 x, __m512 y) {
+  const __m512 between = _mm512_sub_ps(x, turn<R>(y));
+  return _mm512_maskz_mul_ps(0x0fff, between, between);
+}
+
+/// Axes 0 and 2 of two rotations, and axis 1 of them.
+inline __m512 two_axes(__m512 a, __m512 b) {
+  return _mm512_add_ps(_mm512_shuffle_f32x4(a, b, 0x44), _mm512_shuffle_f32x4(a, b, 0xee));
+}
+
+/// See `below_nearest` of nodes.h.
+inline std::uint32_t below_nearest(const Squares& s, std::uint32_t pairs) {
+  const __m512 low = two_axes(s.r0, s.r1);
+  const __m512 high = two_axes(s.r2, s.r3);
+  const __m512 distance =
+      _mm512_add_ps(_mm512_shuffle_f32x4(low, high, 0x88), _mm512_shuffle_f32x4(low, high, 0xdd));
+  const auto set = static_cast<__mmask16>(pairs);
+  const __m512 candidates =
+      _mm512_mask_mov_ps(_mm512_set1_ps(std::numeric_limits<float>::infinity()), set, distance);
+  __m512 least = _mm512_min_ps(candidates, _mm512_shuffle_f32x4(candidates, candidates, 0x4e));
+  least = _mm512_min_ps(least, _mm512_shuffle_f32x4(least, least, 0xb1));
+  least = _mm512_min_ps(least, _mm512_permute_ps(least, 0x4e));
+  least = _mm512_min_ps(least, _mm512_permute_ps(least, 0xb1));
+  const std::uint32_t nearest = _mm512_mask_cmp_ps_mask(set, distance, least, _CMP_EQ_OQ);
+  return (nearest & (0 - nearest)) - 1;
+}
+
 /// See nodes.h; the same sums in the same order.
-inline std::uint32_t test_pair(const PoseNumbers& pose, const WideNode& x, const WideNode& y) {
+template <bool Scaled, bool Ordered>
+inline void test_task(NodeTask& task) {
+  const PoseNumbers& pose = *task.pose;
+  const WideNode& x = *task.x;
+  const WideNode& y = *task.y;
   const __m128 shift = offset_of(pose, x.origin, y.origin).v;
   const __m512 n = _mm512_load_ps(pose.rows.data());
   const __m512 half_turned = _mm512_mask_permutexvar_ps(
@@ -106,22 +153,22 @@ inline std::uint32_t test_pair(const PoseNumbers& pose, const WideNode& x, const
           _mm512_shuffle_f32x4(half_turned, half_turned, 0x55), spread_columns<1>(rows_y),
           _mm512_shuffle_f32x4(half_turned, half_turned, 0xaa), spread_columns<2>(rows_y));
   const __m512 a = _mm512_abs_ps(m);
-  const __m512 distance =
-      _mm512_add_ps(_mm512_add_ps(_mm512_abs_ps(spread<3>(m)), _mm512_abs_ps(spread<7>(m))),
-                    _mm512_abs_ps(spread<11>(m)));
-  const __m512 reach = _mm512_set1_ps(x.reach * pose.ratio + y.reach);
-  const __m512 margin =
-      _mm512_add_ps(product(_mm512_set1_ps(pose.relative), _mm512_add_ps(reach, distance)),
-                    _mm512_set1_ps(pose.slack));
   const __m512 ratio = _mm512_set1_ps(pose.ratio);
-  const __m512 seen_x = _mm512_add_ps(
-      sum(product(four(x.center[0]), ratio), spread_rows<0>(m), product(four(x.center[1]), ratio),
-          spread_rows<1>(m), product(four(x.center[2]), ratio), spread_rows<2>(m)),
-      spread_rows<3>(m));
-  const __m512 radius_x = _mm512_add_ps(
-      sum(product(four(x.half[0]), ratio), spread_rows<0>(a), product(four(x.half[1]), ratio),
-          spread_rows<1>(a), product(four(x.half[2]), ratio), spread_rows<2>(a)),
-      margin);
+  const __m512 margin = _mm512_add_ps(
+      product(
+          _mm512_set1_ps(pose.relative),
+          _mm512_add_ps(scaled<Scaled>(_mm512_set1_ps(x.reach), ratio), _mm512_set1_ps(y.reach))),
+      _mm512_set1_ps(pose.slack));
+  const __m512 seen_x =
+      _mm512_add_ps(sum(scaled<Scaled>(four(x.center[0]), ratio), spread_rows<0>(m),
+                        scaled<Scaled>(four(x.center[1]), ratio), spread_rows<1>(m),
+                        scaled<Scaled>(four(x.center[2]), ratio), spread_rows<2>(m)),
+                    spread_rows<3>(m));
+  const __m512 radius_x =
+      _mm512_add_ps(sum(scaled<Scaled>(four(x.half[0]), ratio), spread_rows<0>(a),
+                        scaled<Scaled>(four(x.half[1]), ratio), spread_rows<1>(a),
+                        scaled<Scaled>(four(x.half[2]), ratio), spread_rows<2>(a)),
+                    margin);
   const __m512 seen_y = sum(_mm512_sub_ps(four(y.center[0]), spread<3>(m)), spread_columns<0>(m),
                             _mm512_sub_ps(four(y.center[1]), spread<7>(m)), spread_columns<1>(m),
                             _mm512_sub_ps(four(y.center[2]), spread<11>(m)), spread_columns<2>(m));
@@ -129,21 +176,39 @@ inline std::uint32_t test_pair(const PoseNumbers& pose, const WideNode& x, const
       _mm512_add_ps(sum(four(y.half[0]), spread_columns<0>(a), four(y.half[1]),
                         spread_columns<1>(a), four(y.half[2]), spread_columns<2>(a)),
                     margin);
+  const __m512 center_y = _mm512_loadu_ps(y.center[0].data());
   // Fourth blocks hold whatever follows in a node; their bits are left out.
   const Spans x_in_y(seen_x, radius_x);
-  const Spans y_in_y(_mm512_loadu_ps(y.center[0].data()), _mm512_loadu_ps(y.half[0].data()));
-  const Spans x_in_x(product(_mm512_loadu_ps(x.center[0].data()), ratio),
-                     product(_mm512_loadu_ps(x.half[0].data()), ratio));
+  const Spans y_in_y(center_y, _mm512_loadu_ps(y.half[0].data()));
+  const Spans x_in_x(scaled<Scaled>(_mm512_loadu_ps(x.center[0].data()), ratio),
+                     scaled<Scaled>(_mm512_loadu_ps(x.half[0].data()), ratio));
   const Spans y_in_x(seen_y, radius_y);
   const std::uint64_t all =
       meet<0>(x_in_y, y_in_y, x_in_x, y_in_x) | meet<1>(x_in_y, y_in_y, x_in_x, y_in_x) << 16 |
       meet<2>(x_in_y, y_in_y, x_in_x, y_in_x) << 32 | meet<3>(x_in_y, y_in_y, x_in_x, y_in_x) << 48;
-  return static_cast<std::uint32_t>(_pext_u64(all & all >> 4 & all >> 8, 0x000f000f000f000fULL));
+  task.pairs &=
+      static_cast<std::uint32_t>(_pext_u64(all & all >> 4 & all >> 8, 0x000f000f000f000fULL));
+  if (Ordered) {
+    task.below = below_nearest({square<0>(seen_x, center_y), square<1>(seen_x, center_y),
+                                square<2>(seen_x, center_y), square<3>(seen_x, center_y)},
+                               task.codes());
+  }
+}
+
+template <bool Scaled>
+void test_each(NodeTask* tasks, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (tasks[i].order != 0) {
+      test_task<Scaled, true>(tasks[i]);
+    } else {
+      test_task<Scaled, false>(tasks[i]);
+    }
+  }
 }
 
 void test_nodes(NodeTask* tasks, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    tasks[i].pairs &= test_pair(*tasks[i].pose, *tasks[i].x, *tasks[i].y);
+  if (count != 0) {
+    (tasks[0].pose->ratio == 1 ? test_each<false> : test_each<true>)(tasks, count);
   }
 }
 

@@ -22,7 +22,7 @@ struct alignas(64) PoseNumbers {
   std::array<double, 4> shift = {};
   double scale = 1;    ///< turns the mesh's units into those of y's layout
   float ratio = 1;     ///< turns lengths of x's layout into those of y's
-  float relative = 0;  ///< margin for each unit of size
+  float relative = 0;  ///< margin for each unit of the places' reach
   float slack = 0;     ///< margin for the poses' rounding
 
   [[nodiscard]] float n(std::size_t i, std::size_t j) const { return rows[4 * i + j]; }
@@ -51,6 +51,11 @@ struct NodeTask {
   std::uint32_t code_y;
   std::uint32_t pairs;  ///< in: wanted, bit 4 r + k for lane k of x and lane (k + r) mod 4 of y;
                         ///< out: those that meet; where one node is opened alone, its lanes
+  std::uint32_t order;  ///< in: 1 if the nearest of the pairs that go on as codes is to end on top
+  std::uint32_t below;  ///< out, where `order` is 1: all bits below the nearest pair's
+
+  /// Pairs of which one at least is a node.
+  [[nodiscard]] inline std::uint32_t codes() const;
 
   /// x is the larger node.
   [[nodiscard]] bool opens_x() const { return x->reach * pose->ratio > y->reach; }
@@ -76,6 +81,16 @@ struct PairSink {
   std::size_t codes = 0;  ///< appended so far
   std::size_t blocks = 0;
 };
+
+/// Brings pair `which` of the `count` pairs of codes that follow in the sink to their end.
+inline void put_last(const PairSink& sink, std::size_t which, std::size_t count) {
+  const std::size_t last = count - (count != 0 ? 1 : 0);
+  for (std::uint32_t* list : {sink.codes_x + sink.codes, sink.codes_y + sink.codes}) {
+    const std::uint32_t nearest = list[which];
+    list[which] = list[last];
+    list[last] = nearest;
+  }
+}
 
 /// One instruction set's tests.
 struct Kernels {
@@ -124,5 +139,9 @@ struct LanePairs {
 };
 
 inline constexpr LanePairs kLanePairs;
+
+inline std::uint32_t NodeTask::codes() const {
+  return pairs & ~std::uint32_t{kLanePairs.bits[x->leaves][y->leaves]};
+}
 
 }  // namespace soms::detail

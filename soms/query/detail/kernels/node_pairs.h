@@ -23,7 +23,8 @@ inline M4 apart(const Intervals& a, const Intervals& b) {
   return sum;
 }
 
-inline std::uint32_t test_pair(const PoseNumbers& pose, const WideNode& x, const WideNode& y) {
+inline std::uint32_t test_pair(const PoseNumbers& pose, const WideNode& x, const WideNode& y,
+                               Centers* centers) {
   const Seen seen(pose, x, y);
   const float* const m = seen.m;
   const float* const a = seen.a;
@@ -52,6 +53,9 @@ inline std::uint32_t test_pair(const PoseNumbers& pose, const WideNode& x, const
     seen_y[i] = (away[0] * F4(m[i]) + away[1] * F4(m[4 + i])) + away[2] * F4(m[8 + i]);
     radius_y[i] = ((hy[0] * F4(a[i]) + hy[1] * F4(a[4 + i])) + hy[2] * F4(a[8 + i])) + margin;
   }
+  if (centers != nullptr) {
+    *centers = {seen_x, cy};
+  }
   const Intervals x_in_y(seen_x, radius_x);
   const Intervals y_in_y(cy, hy);
   const Intervals x_in_x(cx, hx);
@@ -64,6 +68,13 @@ inline std::uint32_t test_pair(const PoseNumbers& pose, const WideNode& x, const
 
 inline void test_nodes(NodeTask* tasks, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
-    tasks[i].pairs &= test_pair(*tasks[i].pose, *tasks[i].x, *tasks[i].y);
+    NodeTask& task = tasks[i];
+    if (task.order == 0) {
+      task.pairs &= test_pair(*task.pose, *task.x, *task.y, nullptr);
+    } else {
+      Centers centers;
+      task.pairs &= test_pair(*task.pose, *task.x, *task.y, &centers);
+      task.below = below_nearest(centers, task.codes());
+    }
   }
 }

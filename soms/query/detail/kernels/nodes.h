@@ -12,8 +12,7 @@ struct Seen {
       m = pose.rows.data();
       a = pose.magnitudes.data();
     }
-    const float distance = (std::abs(d[0]) + std::abs(d[1])) + std::abs(d[2]);
-    margin = pose.relative * ((x.reach * pose.ratio + y.reach) + distance) + pose.slack;
+    margin = pose.relative * (x.reach * pose.ratio + y.reach) + pose.slack;
   }
 
   Seen(const Seen&) = delete;
@@ -48,6 +47,42 @@ struct Seen {
   std::array<float, 12> own;
   std::array<float, 12> own_magnitudes;
 };
+
+/// Centers of the boxes of two nodes, in one node's axes.
+struct Centers {
+  std::array<F4, 3> x;
+  std::array<F4, 3> y;
+};
+
+/// Squares of the distances between centers of x and, turned by `R` lanes, of y.
+template <int R>
+inline F4 distances(const Centers& c) {
+  std::array<F4, 3> square;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const F4 between = c.x[i] - rotate<R>(c.y[i]);
+    square[i] = between * between;
+  }
+  return (square[0] + square[2]) + square[1];
+}
+
+/// See NodeTask::below; all bits where no pair is set.
+inline std::uint32_t below_nearest(const Centers& centers, std::uint32_t pairs) {
+  std::array<float, 16> distance;
+  distances<0>(centers).store(distance.data());
+  distances<1>(centers).store(distance.data() + 4);
+  distances<2>(centers).store(distance.data() + 8);
+  distances<3>(centers).store(distance.data() + 12);
+  std::uint32_t nearest = pairs & (0 - pairs);
+  float least = distance[static_cast<std::size_t>(std::countr_zero(pairs | 0x8000))];
+  for (std::uint32_t left = pairs; left != 0; left &= left - 1) {
+    const float here = distance[static_cast<std::size_t>(std::countr_zero(left))];
+    if (here < least) {
+      least = here;
+      nearest = left & (0 - left);
+    }
+  }
+  return nearest - 1;
+}
 
 /// x's box of all lanes against the boxes of y.
 inline std::uint32_t one_against_four(const PoseNumbers& pose, const WideNode& x,

@@ -77,8 +77,7 @@ inline void test_slab(BlockTask& task) {
   const float ratio = pose.ratio;
   const F4 offset = offset_of(pose, x.origin, y.origin);
   const Row d = stored(offset);
-  const float distance = (std::abs(d[0]) + std::abs(d[1])) + std::abs(d[2]);
-  const float margin = pose.relative * ((x.reach * ratio + y.reach) + distance) + pose.slack;
+  const float margin = pose.relative * (x.reach * ratio + y.reach) + pose.slack;
   const F4 normal_x = sum_of(pose.columns, x.normal);  // in y's axes
   const F4 normal_y = sum_of(pose.rows, y.normal);     // in x's
   const Row nx = stored(normal_x);

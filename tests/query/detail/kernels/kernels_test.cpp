@@ -8,6 +8,7 @@
 #include "tests/support/support.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -76,8 +77,14 @@ TEST(Kernels, GiveTheSameBitsOnEveryInstructionSet) {
       const WideNode& node_y = y.nodes()[index_y];
       const std::uint32_t lanes =
           kLanePairs.bits[(1U << node_x.count) - 1][(1U << node_y.count) - 1];
-      const NodeTask task{
-          &pair.relative->numbers(), &node_x, &node_y, index_x << 3, index_y << 3, lanes};
+      const NodeTask task{&pair.relative->numbers(),
+                          &node_x,
+                          &node_y,
+                          index_x << 3,
+                          index_y << 3,
+                          lanes,
+                          static_cast<std::uint32_t>(rng.below(2)),
+                          0};
       const BlockTask blocks{
           &pair.relative->numbers(), &pick(rng, x.blocks()), &pick(rng, y.blocks()), {}, 0, 0, 0};
       NodeTask nodes_here = task;
@@ -99,6 +106,7 @@ TEST(Kernels, GiveTheSameBitsOnEveryInstructionSet) {
         kernels->test_larger(&larger_there, 1);
         kernels->test_slabs(&blocks_there, 1);
         ASSERT_EQ(nodes_there.pairs, nodes_here.pairs) << kernels->name;
+        ASSERT_EQ(nodes_there.below, nodes_here.below) << kernels->name;
         ASSERT_EQ(larger_there.pairs, larger_here.pairs) << kernels->name;
         ASSERT_EQ(blocks_there.offset, blocks_here.offset) << kernels->name;
         ASSERT_EQ(blocks_there.margin, blocks_here.margin) << kernels->name;
@@ -110,6 +118,51 @@ TEST(Kernels, GiveTheSameBitsOnEveryInstructionSet) {
   });
   EXPECT_GT(met, 100U);
   EXPECT_GT(parted, 100U);
+}
+
+// The distance is taken anew in double, in the mesh's axes instead of the node's.
+TEST(Kernels, FindTheNearestPairThatMeets) {
+  std::size_t found = 0;
+  test::for_each_case("kernels/nearest", 200, [&](Rng& rng) {
+    const Pair pair(rng);
+    const WideNode& x = pair.other.layout().nodes()[0];
+    const WideNode& y = pair.viewer.layout().nodes()[0];
+    const PoseNumbers& pose = pair.relative->numbers();
+    const std::uint32_t lanes = kLanePairs.bits[(1U << x.count) - 1][(1U << y.count) - 1];
+    NodeTask task{&pose, &x, &y, 0, 0, lanes, 1, 0};
+    kernels().test_nodes(&task, 1);
+    if (task.codes() == 0) {
+      return;
+    }
+    const std::array<float, 3> offset = pose.offset(x.origin, y.origin);
+    const auto center = [](const WideNode& node, std::size_t lane, std::size_t axis) {
+      double sum = 0;
+      for (std::size_t j = 0; j < 3; ++j) {
+        sum += double{node.row[axis][j]} * double{node.center[j][lane]};
+      }
+      return sum;
+    };
+    const auto distance = [&](std::uint32_t bit) {
+      double sum = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        double between = double{offset[axis]} - center(y, (bit + (bit >> 2)) & 3, axis);
+        for (std::size_t k = 0; k < 3; ++k) {
+          between += double{pose.n(axis, k)} * double{pose.ratio} * center(x, bit & 3, k);
+        }
+        sum += between * between;
+      }
+      return sum;
+    };
+    const auto nearest = static_cast<std::uint32_t>(std::popcount(task.below));
+    ASSERT_NE(task.codes() >> nearest & 1U, 0U);
+    for (std::uint32_t bit = 0; bit < 16; ++bit) {
+      if ((task.codes() >> bit & 1U) != 0) {
+        ++found;
+        EXPECT_LE(distance(nearest), distance(bit) * (1 + 1e-4) + 1e-9);
+      }
+    }
+  });
+  EXPECT_GT(found, 200U);
 }
 
 TEST(Kernels, AppendTheSamePairsInTheSameOrder) {
@@ -125,7 +178,14 @@ TEST(Kernels, AppendTheSamePairsInTheSameOrder) {
       const WideNode& y = pair.viewer.layout().nodes()[index_y];
       const std::uint32_t lanes = kLanePairs.bits[(1U << x.count) - 1][(1U << y.count) - 1];
       tasks.push_back({&pair.relative->numbers(), &x, &y, index_x << 3, index_y << 3,
-                       lanes & static_cast<std::uint32_t>(rng.below(0x10000))});
+                       lanes & static_cast<std::uint32_t>(rng.below(0x10000)),
+                       static_cast<std::uint32_t>(rng.below(2)), ~0U});
+      // Any of the pairs may be the nearest.
+      std::uint32_t left = tasks.back().codes();
+      while ((left & (left - 1)) != 0 && rng.below(3) != 0) {
+        left &= left - 1;
+      }
+      tasks.back().below = (left & (0 - left)) - 1;
     }
     const auto appended = [&](const Kernels& kernels) {
       std::array<std::vector<std::uint32_t>, 4> lists;
