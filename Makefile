@@ -2,12 +2,13 @@
 JOBS ?= $(shell nproc)
 ARGS ?=
 
-.PHONY: help run test check asan tsan tidy arm64 bench format clean
+.PHONY: help run test check asan tsan tidy arm64 fuzz bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
 	@echo "make test    install what is missing, build, and run every test of the release build"
 	@echo "make check   make test, then the suite under ASan+UBSan and TSan, clang-tidy, 64-bit ARM"
+	@echo "make fuzz    every fuzzer for a minute (FUZZ_SECONDS=600)"
 	@echo "make bench   soms beside its rivals, in one run (ARGS=--quick: a few minutes)"
 	@echo "make format  clang-format on every source"
 	@echo "make clean   remove build/"
@@ -43,6 +44,18 @@ arm64:
 	  -D CMAKE_TOOLCHAIN_FILE=$(CURDIR)/cmake/arm64.cmake
 	cmake --build build/arm64 -j $(JOBS)
 	ctest --test-dir build/arm64 --output-on-failure
+
+# Each fuzzer for FUZZ_SECONDS, on the inputs that it found before; build/fuzz/corpus keeps them.
+FUZZ_SECONDS ?= 60
+fuzz:
+	@tools/install_packages.sh run check
+	cmake --preset fuzz
+	cmake --build --preset fuzz -j $(JOBS)
+	@for fuzzer in build/fuzz/tests/fuzz/*_fuzz; do \
+	  corpus=build/fuzz/corpus/$$(basename $$fuzzer); mkdir -p $$corpus; \
+	  echo "$$fuzzer $$corpus"; \
+	  $$fuzzer -max_total_time=$(FUZZ_SECONDS) -timeout=20 -print_final_stats=1 \
+	    -artifact_prefix=$$corpus- $$corpus || exit 1; done
 
 check: test asan tsan tidy arm64
 

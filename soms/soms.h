@@ -12,6 +12,7 @@
 #include "soms/generate/statue.h"
 #include "soms/generate/teapot.h"
 #include "soms/generate/urban.h"
+#include "soms/geometry/counts.h"
 #include "soms/geometry/crossing_segment.h"
 #include "soms/geometry/defects.h"
 #include "soms/geometry/mesh.h"

@@ -1,5 +1,6 @@
 set(SOMS_HEADERS
   crossing_segment.h
+  counts.h
   defects.h
   mesh.h
   midpoint.h
@@ -9,6 +10,7 @@ set(SOMS_HEADERS
 )
 set(SOMS_SOURCES
   crossing_segment.cpp
+  counts.cpp
   defects.cpp
   detail/flat_overlap.cpp
   detail/orientation_exact.cpp

@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/base/hash.h"
 #include "soms/base/pose.h"
+#include "soms/geometry/counts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +16,7 @@ std::string place(const Mesh& mesh, const std::string& what) {
   return (mesh.source.empty() ? std::string("mesh") : mesh.source) + ", " + what;
 }
 
-void check_counts(const Mesh& mesh) {
-  if (mesh.triangles.size() > kMaxPrimitives || mesh.vertices.size() > kMaxPrimitives) {
-    throw Error(ErrorKind::out_of_range,
-                place(mesh, std::to_string(mesh.triangles.size()) + " triangles and " +
-                                std::to_string(mesh.vertices.size()) + " vertices"),
-                "split the mesh: at most 2^31 - 1 of either");
-  }
+void check_tables(const Mesh& mesh) {
   if (!mesh.faces.empty() && mesh.faces.size() != mesh.triangles.size()) {
     throw Error(ErrorKind::bad_file, place(mesh, "the face map has another length than triangles"),
                 "leave it empty or give one entry a triangle");
@@ -55,7 +50,9 @@ void check_corner(const Mesh& mesh, std::size_t triangle, const Vec3& v) {
 }  // namespace
 
 void check(const Mesh& mesh) {
-  check_counts(mesh);
+  check_counts(mesh.vertices.size(), mesh.triangles.size(),
+               mesh.source.empty() ? "mesh" : mesh.source);
+  check_tables(mesh);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     for (const std::uint32_t v : mesh.triangles[i]) {
       if (v >= mesh.vertices.size()) {
