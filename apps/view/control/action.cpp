@@ -28,7 +28,7 @@ constexpr std::string_view kTree = "Tree and traversal";
 constexpr std::string_view kShow = "Show";
 constexpr std::string_view kObject = "Move the object";
 
-constexpr std::array<ActionRow, 57> kActions{{
+constexpr std::array<ActionRow, 59> kActions{{
     {Action::help, key('H'), {Key::f1}, kGeneral, "this help"},
     {Action::back, {Key::escape}, {}, kGeneral, "close the help, drop what is picked, then quit"},
     {Action::quit, control('Q'), {}, kGeneral, "quit"},
@@ -72,6 +72,8 @@ constexpr std::array<ActionRow, 57> kActions{{
     {Action::contact_triangles, key('X'), {}, kShow, "triangles that touch"},
     {Action::crossing_segments, key('G'), {}, kShow, "segments in which they cross"},
     {Action::contact_lines, key('L'), {}, kShow, "lines from bodies to contacts"},
+    {Action::contact_parts, key('J'), {}, kShow, "parts that touch"},
+    {Action::contacts_on_top, key('I'), {}, kShow, "contacts seen through everything"},
     {Action::edges, key('E'), {}, kShow, "edges of triangles"},
     {Action::movers, key('Y'), {}, kShow, "movers"},
     {Action::gizmo, key('K'), {}, kShow, "handles of the object"},
@@ -299,6 +301,10 @@ bool* shown_flag(ViewState& state, Action action) {
       return &state.shown.crossing_segments;
     case Action::contact_lines:
       return &state.shown.contact_lines;
+    case Action::contact_parts:
+      return &state.shown.contact_parts;
+    case Action::contacts_on_top:
+      return &state.shown.contacts_on_top;
     case Action::edges:
       return &state.shown.edges;
     case Action::movers:

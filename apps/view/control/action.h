@@ -54,6 +54,8 @@ enum class Action {
   contact_triangles,
   crossing_segments,
   contact_lines,
+  contact_parts,
+  contacts_on_top,
   edges,
   movers,
   gizmo,

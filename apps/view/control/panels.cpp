@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <string_view>
 
 namespace soms::view {
@@ -43,6 +45,12 @@ std::string grouped(std::uint64_t value) {
     text.insert(i, 1, ',');
   }
   return text;
+}
+
+std::string milliseconds(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g ms", value);
+  return text.data();
 }
 
 void row(const char* label, const std::string& value) {
@@ -156,7 +164,7 @@ void Panels::sidebar(Session& session, const FrameTimes& times, const DrawStatis
     time_panel(session);
     tree_panel(session.state());
     show_panel(session.state());
-    counts_panel(session.facts(), session.state());
+    counts_panel(session.facts());
     frame_panel(times, drawn);
     ImGui::PopItemWidth();
   }
@@ -236,6 +244,8 @@ void Panels::show_panel(ViewState& state) {
   cell("Pruned", shown.pruned, Action::pruned);
   cell("Lines", shown.contact_lines, Action::contact_lines);
   cell("Found", shown.found, Action::found);
+  cell("Parts", shown.contact_parts, Action::contact_parts);
+  cell("On top", shown.contacts_on_top, Action::contacts_on_top);
   cell("Movers", shown.movers, Action::movers);
   cell("Pruning", state.prune, Action::pruning);
   cell("Edges", shown.edges, Action::edges);
@@ -243,7 +253,7 @@ void Panels::show_panel(ViewState& state) {
   ImGui::EndTable();
 }
 
-void Panels::counts_panel(const Facts& facts, const ViewState& state) {
+void Panels::counts_panel(const Facts& facts) {
   if (!widgets_.heading("Counts") || !begin_rows("counts")) {
     return;
   }
@@ -251,13 +261,14 @@ void Panels::counts_panel(const Facts& facts, const ViewState& state) {
   row("Movers", grouped(facts.movers));
   row("Movers that touch", grouped(facts.bodies));
   row("Triangle pairs that touch", grouped(facts.contacts));
+  row("Collision", milliseconds(facts.collision_ms));
   row("Box tests", grouped(facts.cost.node_tests));
   row("Triangle tests", grouped(facts.cost.triangle_tests));
   row("Exact tests", grouped(facts.cost.exact_tests));
-  if (state.limits.has_object) {
-    row("Boxes visited", grouped(facts.visited));
-    row("Boxes pruned", grouped(facts.pruned));
-    row("Boxes found", grouped(facts.found));
+  if (facts.walked) {
+    row("Box pairs entered", grouped(facts.visited));
+    row("Box pairs pruned", grouped(facts.pruned));
+    row("Leaf pairs found", grouped(facts.found));
   }
   ImGui::EndTable();
 }
@@ -273,7 +284,7 @@ void Panels::frame_panel(const FrameTimes& times, const DrawStatistics& drawn) {
     ImGui::Text("%.1f ms a frame, at rest", times.last());
   }
   const auto graph = times.graph();
-  const auto top = static_cast<float>(std::max(times.greatest(), 1.0));
+  const auto top = static_cast<float>(1.1 * std::max(times.greatest(), 1.0));
   ImGui::PlotLines("##ms", graph.data(), static_cast<int>(graph.size()), 0, nullptr, 0, top,
                    ImVec2(-1, 2.6F * ImGui::GetFontSize()));
   ImGui::Text("%s draw calls, %s triangles", grouped(drawn.draw_calls).c_str(),
@@ -392,15 +403,20 @@ void set_style(double scale) {
   ImGuiStyle& style = ImGui::GetStyle();
   style.WindowRounding = 0;
   style.FrameRounding = 3;
+  style.FrameBorderSize = 1;  // white boxes on a light ground
   style.WindowBorderSize = 1;
   style.WindowPadding = ImVec2(7, 6);
   style.ItemSpacing = ImVec2(6, 3);
   style.FramePadding = ImVec2(5, 2);
   style.Colors[ImGuiCol_WindowBg] = ImVec4(0.97F, 0.97F, 0.98F, 0.96F);
+  style.Colors[ImGuiCol_Border] = ImVec4(0.55F, 0.60F, 0.66F, 0.80F);
   style.Colors[ImGuiCol_TextDisabled] = ImVec4(0.30F, 0.34F, 0.40F, 1);
   style.Colors[ImGuiCol_PlotLines] = ImVec4(0, 0.35F, 0.60F, 1);
   style.ScaleAllSizes(static_cast<float>(scale));
   ImGuiIO& io = ImGui::GetIO();
+  ImFontConfig font;
+  font.SizePixels = static_cast<float>(std::floor(13 * scale));
+  io.Fonts->AddFontDefault(&font);
   io.IniFilename = nullptr;  // the viewer leaves no files where it was started
   io.LogFilename = nullptr;
 }

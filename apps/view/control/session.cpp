@@ -79,6 +79,8 @@ void Session::refresh() {
   facts_ = subject_.facts(state_);
   state_.limits = facts_.limits;
   state_.frame = facts_.frame;
+  state_.orientation_test = facts_.orientation_test;
+  choice_.orientation_test = facts_.orientation_test;
   clamp(state_);
 }
 
@@ -240,7 +242,7 @@ void Session::pick(PixelPoint at) {
   picked_ = subject_.pick(ray_through(camera_, window_, at));
   state_.selected = picked_.has_value();
   if (picked_) {
-    subject_.select(*picked_);
+    subject_.select();
   } else {
     subject_.deselect();
   }
@@ -411,10 +413,15 @@ std::optional<Handle> Session::handle_in_use() const {
 
 const DrawList& Session::picture() {
   if (changed_) {
-    list_ = subject_.draw_list(state_);
-    scene_lines_ = list_.lines.size();
-    scene_marks_ = list_.marks.size();
+    try {
+      list_ = subject_.draw_list(state_);
+      scene_lines_ = list_.lines.size();
+      scene_marks_ = list_.marks.size();
+    } catch (const Error& error) {
+      message_ = error.what();  // the picture of before stays
+    }
     changed_ = false;
+    ++version_;
   }
   list_.lines.resize(scene_lines_);
   list_.marks.resize(scene_marks_);

@@ -69,6 +69,9 @@ class Session {
   /// The picture with the gizmo. Made anew only after a change.
   [[nodiscard]] const DrawList& picture();
 
+  /// Goes up whenever `picture` made the list anew; the gizmo alone does not count.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
+
   /// The gizmo, where it is shown.
   [[nodiscard]] std::optional<Gizmo> gizmo() const;
 
@@ -135,6 +138,7 @@ class Session {
   Choice choice_;        ///< that the subject was told
   bool changed_ = true;  ///< the list is to be made anew
   DrawList list_;
+  std::uint64_t version_ = 0;
   std::size_t scene_lines_ = 0;  ///< of the list; what follows is the gizmo's
   std::size_t scene_marks_ = 0;
 };

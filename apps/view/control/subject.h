@@ -10,6 +10,7 @@
 #include "apps/view/drawing/camera.h"
 #include "apps/view/drawing/draw_list.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -38,17 +39,19 @@ struct Facts {
   std::uint64_t frame = 0;     ///< that is shown
   std::uint64_t contacts = 0;  ///< pairs of triangles that touch
   std::uint64_t bodies = 0;    ///< movers that touch something
+  bool walked = false;         ///< the next three were counted
   std::uint64_t visited = 0;   ///< boxes, or pairs of boxes, of the last traversal
   std::uint64_t pruned = 0;
   std::uint64_t found = 0;
   Cost cost;
   double collision_ms = 0;  ///< time of the last step's collision alone
   Limits limits;
-  Box bounds;                    ///< of all that is shown
-  std::optional<Pose> object;    ///< of what is moved by hand
-  Box object_bounds;             ///< in the world
-  std::optional<Pose> followed;  ///< of the mover that the camera follows
-  Box followed_bounds;           ///< in the world
+  std::optional<std::size_t> orientation_test;  ///< that runs; moving the object by hand ends it
+  Box bounds;                                   ///< of all that is shown
+  std::optional<Pose> object;                   ///< of what is moved by hand
+  Box object_bounds;                            ///< in the world
+  std::optional<Pose> followed;                 ///< of the mover that the camera follows
+  Box followed_bounds;                          ///< in the world
 };
 
 /// The thing shown. Kept by one thread.
@@ -80,12 +83,12 @@ class Subject {
   virtual void object_home() = 0;
 
   /// What is seen first along a ray: a contact, or a triangle of any body.
-  [[nodiscard]] virtual std::optional<PickedFacts> pick(const Ray& ray) const = 0;
+  [[nodiscard]] virtual std::optional<PickedFacts> pick(const Ray& ray) = 0;
 
-  /// Draws what was picked brighter.
-  virtual void select(const PickedFacts& picked) = 0;
+  /// Draws what the last `pick` gave brighter. A mover becomes the object that is moved by hand.
+  virtual void select() = 0;
 
-  /// No longer.
+  /// Draws nothing brighter any more.
   virtual void deselect() = 0;
 
   /// Shows another model. \errors As `read_mesh`; what was shown before stays then.

@@ -35,6 +35,8 @@ struct Shown {
   bool contact_triangles = true;  ///< triangles that touch, in red
   bool crossing_segments = true;  ///< where they cross
   bool contact_lines = false;     ///< from each body to its contacts
+  bool contact_parts = false;     ///< the whole parts that touch, in a paler red
+  bool contacts_on_top = false;   ///< contacts seen through everything
   bool edges = false;             ///< edges of all triangles
   bool movers = true;
   bool gizmo = true;  ///< the handles of the object that is moved by hand
@@ -88,7 +90,7 @@ struct ViewState {
   bool paused = false;
   double speed = 1;         ///< frames for each frame of real time
   std::uint64_t frame = 0;  ///< of the simulation, the test or the recording
-  Rule rule = Rule::fast;
+  Rule rule = Rule::soms;
   Traversal traversal = Traversal::e_node;
   bool prune = true;  ///< false only to show what pruning saves (thesis, fig. 4.35)
   TreeOf tree_of = TreeOf::city;

@@ -77,6 +77,8 @@ std::vector<std::pair<Action, Check>> expectations() {
       {Action::contact_triangles, [](S s) { return !s.shown.contact_triangles; }},
       {Action::crossing_segments, [](S s) { return !s.shown.crossing_segments; }},
       {Action::contact_lines, [](S s) { return s.shown.contact_lines; }},
+      {Action::contact_parts, [](S s) { return s.shown.contact_parts; }},
+      {Action::contacts_on_top, [](S s) { return s.shown.contacts_on_top; }},
       {Action::edges, [](S s) { return s.shown.edges; }},
       {Action::movers, [](S s) { return !s.shown.movers; }},
       {Action::gizmo, [](S s) { return !s.shown.gizmo; }},

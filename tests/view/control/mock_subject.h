@@ -33,6 +33,8 @@ class MockSubject final : public Subject {
     facts.movers = 3;
     facts.frame = frame;
     facts.contacts = 42;
+    facts.orientation_test = last_choice.orientation_test;
+    facts.walked = true;
     facts.limits = {7, 5, frames, 3, can_seek, has_object, 4, 200};
     facts.bounds = {{-100, -100, 0}, {100, 100, 50}};
     if (has_object) {
@@ -61,12 +63,13 @@ class MockSubject final : public Subject {
 
   void place_object(const Pose& pose) override {
     object = pose;
+    last_choice.orientation_test.reset();
     ++placed;
   }
 
   void object_home() override { object = Pose::translation(0, 0, 10); }
 
-  [[nodiscard]] std::optional<PickedFacts> pick(const Ray& ray) const override {
+  [[nodiscard]] std::optional<PickedFacts> pick(const Ray& ray) override {
     if (ray.direction.z > -1e-3) {
       return std::nullopt;
     }
@@ -80,10 +83,11 @@ class MockSubject final : public Subject {
     picked.why = {"Its plane is crossed by two edges of the other."};
     picked.point = at;
     picked.bounds = {at - Vec3{1, 1, 0}, at + Vec3{1, 1, 0}};
+    last_pick = picked.title;
     return picked;
   }
 
-  void select(const PickedFacts& picked) override { selected = picked.title; }
+  void select() override { selected = last_pick; }
 
   void deselect() override { selected.clear(); }
 
@@ -96,6 +100,9 @@ class MockSubject final : public Subject {
 
   [[nodiscard]] DrawList draw_list(const ViewState&) override {
     ++lists;
+    if (refuse_to_draw) {
+      throw Error(ErrorKind::usage, "no front without pruning", "switch pruning on");
+    }
     DrawList list;
     list.lines.push_back({{0, 0, 0}, {1, 0, 0}});
     return list;
@@ -114,6 +121,8 @@ class MockSubject final : public Subject {
   int restarts = 0;
   int placed = 0;
   int lists = 0;
+  bool refuse_to_draw = false;
+  std::string last_pick;
   std::string selected;
   std::vector<std::string> opened;
 };

@@ -100,6 +100,8 @@ TEST_F(PanelsTest, EachSwitchFlipsWhatItSaysAndFlipsItBack) {
       {"Pruned", [&] { return state().shown.pruned; }},
       {"Found", [&] { return state().shown.found; }},
       {"Pruning", [&] { return state().prune; }},
+      {"Parts", [&] { return state().shown.contact_parts; }},
+      {"On top", [&] { return state().shown.contacts_on_top; }},
       {"Handles", [&] { return state().shown.gizmo; }},
       {"Boxes", [&] { return state().shown.tree_boxes; }},
   };

@@ -275,6 +275,16 @@ TEST_F(SessionTest, TellsTheSubjectWhatWasChosenOnceAChange) {
   EXPECT_EQ(subject_.last_choice.orientation_test, 0U);
 }
 
+TEST_F(SessionTest, MovingTheObjectByHandEndsTheTest) {
+  press(Action::orientation_next);
+  EXPECT_EQ(session_.state().orientation_test, 0U);
+  const int before = subject_.chosen;
+  press(Action::object_up);
+  EXPECT_FALSE(session_.state().orientation_test);
+  frame();
+  EXPECT_EQ(subject_.chosen, before);
+}
+
 TEST_F(SessionTest, FollowsAMoverAndTheNext) {
   press(Action::next_mover);
   const Vec3 to_mover = session_.camera().target - session_.facts().followed->shift();
@@ -353,6 +363,20 @@ TEST_F(SessionTest, TheSubjectsListIsMadeAnewOnlyAfterAChange) {
   EXPECT_EQ(subject_.lists, before + 1);
   press(Action::gizmo);
   EXPECT_EQ(session_.picture().lines.size(), 1U);
+}
+
+TEST_F(SessionTest, KeepsThePictureWhenTheSubjectRefusesToDraw) {
+  const std::size_t lines = session_.picture().lines.size();
+  subject_.refuse_to_draw = true;
+  press(Action::pruning);
+  EXPECT_EQ(session_.picture().lines.size(), lines);
+  EXPECT_EQ(session_.message(), "no front without pruning; switch pruning on");
+  subject_.refuse_to_draw = false;
+  press(Action::pruning);
+  const std::uint64_t before = session_.version();
+  (void)session_.picture();
+  EXPECT_EQ(session_.version(), before + 1);
+  EXPECT_TRUE(session_.message().empty());
 }
 
 TEST_F(SessionTest, HasNoGizmoWithoutAnObject) {

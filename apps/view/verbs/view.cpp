@@ -1,0 +1,87 @@
+#include "apps/view/verbs/view.h"
+
+#include "soms/base/error.h"
+
+#include "apps/support/console.h"
+#include "apps/support/parse.h"
+#include "apps/support/world.h"
+#include "apps/view/scene/load.h"
+#include "apps/view/window/app_window.h"
+#include "apps/view/window/scene_subject.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace soms::view {
+
+namespace {
+
+constexpr std::uint64_t kLeastSide = 320;
+constexpr std::uint64_t kMostSide = 16'384;
+constexpr std::uint64_t kMostFrames = 1'000'000'000;
+
+const char* const kFooter =
+    "Without a city: an embedded one of 1,000,000 triangles, with cars, persons and drones. H in\n"
+    "the window shows all keys. The left button turns the view, the middle one shifts it, the\n"
+    "wheel goes nearer to what lies under the cursor; a click picks a triangle, and the handles\n"
+    "move the object. A model file that is dropped on the window is added to the scene.\n\n"
+    "Example:\n"
+    "  soms generate city --triangles 20000 -o town.ply\n"
+    "  soms generate car -o car.ply\n"
+    "  soms view town.ply --mover car.ply --count 20";
+
+Size parse_size(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) {
+    throw Error(ErrorKind::usage, "--size " + text, "write width and height, as 1280x720");
+  }
+  const auto side = [](const std::string& digits) {
+    return static_cast<int>(command::parse_count("--size", digits, kLeastSide, kMostSide));
+  };
+  return {side(text.substr(0, cross)), side(text.substr(cross + 1))};
+}
+
+}  // namespace
+
+command::Action add_view(CLI::App& app, command::Shared&) {
+  const auto options = std::make_shared<ViewVerbOptions>();
+  command::add_world_options(app, options->world);
+  app.add_option_function<std::string>(
+         "--size", [options](const std::string& text) { options->viewer.size = parse_size(text); },
+         "width and height of the window (1280x720)")
+      ->option_text("WxH");
+  app.add_flag("--paused", options->viewer.paused, "stand still at the first frame");
+  app.add_flag_callback(
+      "--no-panels", [options] { options->viewer.panels = false; }, "begin without panels");
+  app.add_option("--screenshot", options->viewer.screenshot,
+                 "save the last frame of --frames as PNG")
+      ->option_text("FILE");
+  app.add_option_function<std::string>(
+         "--frames",
+         [options](const std::string& text) {
+           options->viewer.frames = command::parse_count("--frames", text, 1, kMostFrames);
+         },
+         "end after so many frames, each a sixtieth of a second")
+      ->option_text("N");
+  app.footer(kFooter);
+  return [options](command::Console& console) { return run_view(*options, console); };
+}
+
+int run_view(const ViewVerbOptions& options, command::Console& console) {
+  if (!options.viewer.screenshot.empty() && !options.viewer.frames) {
+    throw Error(ErrorKind::usage, "--screenshot needs --frames",
+                "add --frames 1, or press F12 in the window");
+  }
+  AppWindow::require_display();
+  SceneContent content = content_of(command::load_world(options.world, console));
+  SceneSubject subject(std::move(content), console.parallel());
+  run_viewer(subject, options.viewer, console.parallel().stop);
+  if (console.interrupted()) {
+    throw Error(ErrorKind::cancelled, "interrupted", "");
+  }
+  return 0;
+}
+
+}  // namespace soms::view

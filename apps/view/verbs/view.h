@@ -1,0 +1,23 @@
+/// \file
+/// The verb `view`: a window on a city and what moves in it.
+#pragma once
+
+#include "apps/support/verb.h"
+#include "apps/support/world_options.h"
+#include "apps/view/window/viewer.h"
+
+namespace soms::view {
+
+/// Options of the verb `view`.
+struct ViewVerbOptions {
+  command::WorldOptions world;
+  ViewerOptions viewer;
+};
+
+/// Adds the options and returns what opens the window.
+[[nodiscard]] command::Action add_view(CLI::App& app, command::Shared& shared);
+
+/// \errors As `load_world` and `run_viewer`.
+[[nodiscard]] int run_view(const ViewVerbOptions& options, command::Console& console);
+
+}  // namespace soms::view

@@ -1,0 +1,333 @@
+#include "apps/view/window/scene_subject.h"
+
+#include "apps/view/scene/draw_scene.h"
+#include "apps/view/scene/load.h"
+#include "apps/view/scene/orientation_menu.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+namespace soms::view {
+
+namespace {
+
+/// Levels that can be asked for before a tree is built and its depth is known.
+constexpr int kLevelsUnknown = 32;
+/// Contacts of a picked triangle that are explained.
+constexpr std::size_t kExplained = 3;
+
+double greatest_side(const Box& box) {
+  if (box.empty()) {
+    return 1;
+  }
+  const Vec3 extent = box.extent();
+  return std::max({extent.x, extent.y, extent.z});
+}
+
+std::vector<bool> motions_of(const SceneContent& content) {
+  std::vector<bool> moves;
+  for (const MovingBody& mover : content.movers) {
+    moves.push_back(static_cast<bool>(mover.motion));
+  }
+  return moves;
+}
+
+std::string in_words(const Vec3& v) {
+  return fmt::format("{:.9g}, {:.9g}, {:.9g}", v.x, v.y, v.z);
+}
+
+std::string body_in_words(const ViewScene& scene, BodyRef ref) {
+  const std::string& name = scene.body(ref).name;
+  return ref.role == Role::city ? name : fmt::format("{} (mover {})", name, ref.index);
+}
+
+std::vector<std::string> reasons(const ViewScene& scene, const Picked& picked) {
+  if (picked.touches.empty()) {
+    return {"It touches nothing."};
+  }
+  std::vector<std::string> sentences;
+  for (std::size_t k = 0; k < std::min(kExplained, picked.touches.size()); ++k) {
+    const Touch& touch = picked.touches[k];
+    const bool first = touch.a == picked.body && touch.i == picked.triangle;
+    sentences.push_back(fmt::format("With triangle {} of {}: {}", first ? touch.j : touch.i,
+                                    body_in_words(scene, first ? touch.b : touch.a),
+                                    scene.explain(touch).text));
+  }
+  if (picked.touches.size() > kExplained) {
+    sentences.push_back(fmt::format("And with {} more.", picked.touches.size() - kExplained));
+  }
+  return sentences;
+}
+
+}  // namespace
+
+TreeChoice trees_of(const ViewState& state) {
+  TreeChoice trees;
+  trees.build.rule = state.rule;
+  trees.traversal.traversal = state.traversal;
+  trees.traversal.prune = state.prune;
+  return trees;
+}
+
+ViewOptions options_of(const ViewState& state) {
+  const Shown& shown = state.shown;
+  ViewOptions options;
+  options.movers = shown.movers;
+  options.city_style = shown.edges ? SurfaceStyle::both : SurfaceStyle::solid;
+  options.mover_style = options.city_style;
+  options.trees = trees_of(state);
+  if (shown.visited || shown.pruned || shown.found) {
+    options.walk = WalkBoxes{shown.visited, shown.pruned, shown.found};
+  }
+  options.contacts.triangles = shown.contact_triangles;
+  options.contacts.parts = shown.contact_parts;
+  options.contacts.segments = shown.crossing_segments;
+  options.contacts.lines = shown.contact_lines;
+  options.contacts.on_top = shown.contacts_on_top;
+  return options;
+}
+
+SceneSubject::SceneSubject(SceneContent content, const Parallel& parallel,
+                           std::optional<std::uint64_t> frames)
+    : has_motion_(motions_of(content)),
+      parallel_(parallel),
+      frames_(frames),
+      scene_(std::move(content), parallel) {
+}
+
+std::optional<std::uint64_t> SceneSubject::frames() const {
+  return test_ ? scene_.frames() : frames_;
+}
+
+std::optional<std::uint32_t> SceneSubject::object() const {
+  const auto pair = scene_.pair();
+  return pair ? std::optional(pair->second.index) : std::nullopt;
+}
+
+std::optional<BodyRef> SceneSubject::tree_body(TreeOf tree) const {
+  if (const auto pair = scene_.pair()) {
+    return tree == TreeOf::city ? pair->first : pair->second;
+  }
+  if (scene_.city_parts() > 0) {
+    return city_part(0);
+  }
+  return scene_.movers() > 0 ? std::optional(mover(0)) : std::nullopt;
+}
+
+const SceneStatistics& SceneSubject::statistics() const {
+  if (!statistics_) {
+    statistics_ = scene_.statistics();
+  }
+  return *statistics_;
+}
+
+int SceneSubject::levels_of(TreeOf tree) const {
+  const auto& known = tree == TreeOf::city ? statistics().tree_a : statistics().tree_b;
+  return known ? static_cast<int>(known->depth) + 1 : kLevelsUnknown;
+}
+
+Limits SceneSubject::limits() const {
+  Limits limits;
+  limits.city_levels = levels_of(TreeOf::city);
+  limits.mover_levels = levels_of(TreeOf::mover);
+  limits.frames = frames().value_or(0);
+  limits.movers = scene_.movers();
+  limits.can_seek = true;
+  limits.scene_size = greatest_side(scene_.bounds());
+  if (const auto held = object()) {
+    limits.has_object = true;
+    limits.object_size = greatest_side(scene_.body(mover(*held)).shape.bounds());
+  }
+  return limits;
+}
+
+void SceneSubject::choose(const ViewState& state) {
+  changed();
+  scene_.set_trees(trees_of(state));
+  if (state.orientation_test != test_) {
+    start_test(state.orientation_test);
+  }
+}
+
+void SceneSubject::start_test(const std::optional<std::size_t>& row) {
+  if (row) {
+    scene_.start_test(orientation_tests()[*row].name);
+  } else {
+    scene_.end_test();
+  }
+  test_ = row;
+}
+
+Facts SceneSubject::facts(const ViewState& state) const {
+  const SceneStatistics& now = statistics();
+  Facts facts;
+  facts.name = scene_.title();
+  for (const std::string& note : scene_.notes()) {
+    facts.note += facts.note.empty() ? note : "; " + note;
+  }
+  facts.triangles = now.triangles;
+  facts.movers = scene_.movers();
+  facts.frame = now.frame;
+  facts.contacts = now.contacts;
+  facts.bodies = now.touching_movers;
+  facts.cost = now.cost;
+  facts.collision_ms = now.step_milliseconds;
+  facts.limits = limits();
+  facts.orientation_test = test_;
+  facts.bounds = scene_.bounds();
+  if (const auto held = object()) {
+    facts.object = scene_.body(mover(*held)).pose;
+    facts.object_bounds = scene_.bounds(mover(*held));
+    facts.bounds.grow(facts.object_bounds);
+  }
+  if (state.followed < scene_.movers()) {
+    const BodyRef followed = mover(static_cast<std::uint32_t>(state.followed));
+    facts.followed = scene_.body(followed).pose;
+    facts.followed_bounds = scene_.bounds(followed);
+  }
+  if (now.walk) {
+    facts.walked = true;
+    facts.visited = now.walk->entered;
+    facts.pruned = now.walk->box_tests - std::min(now.walk->box_tests, now.walk->entered);
+    facts.found = now.walk->leaf_pairs;
+  }
+  return facts;
+}
+
+void SceneSubject::advance(int count) {
+  changed();
+  const std::uint64_t now = scene_.frame();
+  if (count < 0) {
+    const auto back = static_cast<std::uint64_t>(-static_cast<std::int64_t>(count));
+    scene_.go_to(now - std::min(now, back));
+    return;
+  }
+  const std::uint64_t next = now + static_cast<std::uint64_t>(count);
+  const auto end = frames();
+  scene_.go_to(end && *end > 0 ? next % *end : next);
+}
+
+void SceneSubject::seek(std::uint64_t frame) {
+  changed();
+  scene_.go_to(frame);
+}
+
+void SceneSubject::restart() {
+  seek(0);
+}
+
+void SceneSubject::place_object(const Pose& pose) {
+  if (const auto held = object()) {
+    home_.try_emplace(*held, scene_.body(mover(*held)).pose);
+    changed();
+    scene_.set_pose(*held, pose);
+    if (!scene_.test()) {
+      test_.reset();
+    }
+  }
+}
+
+void SceneSubject::object_home() {
+  const auto held = object();
+  const auto home = held ? home_.find(*held) : home_.end();
+  if (home == home_.end()) {
+    return;
+  }
+  changed();
+  if (has_motion_[*held]) {
+    scene_.release(*held);
+    scene_.go_to(scene_.frame());
+  } else {
+    scene_.set_pose(*held, home->second);
+  }
+  home_.erase(home);
+}
+
+std::optional<PickedFacts> SceneSubject::pick(const Ray& ray) {
+  seen_ = scene_.pick(ray);
+  if (!seen_) {
+    return std::nullopt;
+  }
+  const Picked& picked = *seen_;
+  PickedFacts facts;
+  facts.title =
+      fmt::format("triangle {} of {}", picked.triangle, body_in_words(scene_, picked.body));
+  if (!picked.part_name.empty()) {
+    facts.numbers.emplace_back("part", picked.part_name);
+  }
+  facts.numbers.emplace_back("face of the file", std::to_string(picked.face));
+  facts.numbers.emplace_back("vertices", fmt::format("{}, {}, {}", picked.vertices[0],
+                                                     picked.vertices[1], picked.vertices[2]));
+  facts.numbers.emplace_back("a", in_words(picked.corners.a));
+  facts.numbers.emplace_back("b", in_words(picked.corners.b));
+  facts.numbers.emplace_back("c", in_words(picked.corners.c));
+  facts.numbers.emplace_back("point", in_words(picked.point));
+  facts.numbers.emplace_back("distance", fmt::format("{:.6g}", picked.distance));
+  facts.numbers.emplace_back("touches", std::to_string(picked.touches.size()));
+  facts.why = reasons(scene_, picked);
+  facts.point = picked.point;
+  facts.bounds = bounds(picked.corners);
+  return facts;
+}
+
+void SceneSubject::select() {
+  selected_ = seen_;
+  const auto pair = scene_.pair();
+  if (selected_ && pair && selected_->body.role == Role::mover && selected_->body != pair->second &&
+      selected_->body != pair->first) {
+    changed();
+    scene_.set_pair(pair->first, selected_->body);
+    test_.reset();
+  }
+}
+
+void SceneSubject::deselect() {
+  selected_.reset();
+}
+
+void SceneSubject::open(const std::string& path) {
+  Body body = read_body(path, parallel_);
+  changed();
+  const bool first = scene_.city_parts() == 0 && scene_.movers() == 0;
+  if (first) {
+    scene_.add_city(std::move(body));
+    return;
+  }
+  const BodyRef added = scene_.add_mover({std::move(body), {}});
+  has_motion_.push_back(false);
+  if (const auto pair = scene_.pair(); pair && pair->second != added) {
+    scene_.set_pair(pair->first, added);
+  }
+}
+
+DrawList SceneSubject::draw_list(const ViewState& state) {
+  ViewOptions options = options_of(state);
+  if (state.shown.tree_boxes) {
+    if (const auto body = tree_body(state.tree_of)) {
+      options.level = LevelBoxes{*body, state.level};
+    }
+  }
+  if (selected_) {
+    if (selected_->body.role == Role::mover) {
+      options.highlighted = selected_->body;
+    }
+    if (!selected_->touches.empty()) {
+      options.chosen = selected_->touches.front();
+    }
+  }
+  DrawList list = make_draw_list(scene_, options);
+  if (selected_) {
+    const Triangle corners = scene_.triangle(selected_->body, selected_->triangle);
+    for (const auto& [from, to] : {std::pair(corners.a, corners.b), std::pair(corners.b, corners.c),
+                                   std::pair(corners.c, corners.a)}) {
+      list.lines.push_back({from, to, palette::kBlack, 3, true});
+    }
+  }
+  changed();
+  return list;
+}
+
+}  // namespace soms::view

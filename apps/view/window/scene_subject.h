@@ -1,0 +1,70 @@
+/// \file
+/// A scene as the controls see it.
+#pragma once
+
+#include "apps/view/control/subject.h"
+#include "apps/view/scene/scene_content.h"
+#include "apps/view/scene/view_options.h"
+#include "apps/view/scene/view_scene.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace soms::view {
+
+/// Brings the words of `Subject` to a `ViewScene`. The object that is moved by hand is the second
+/// body of the scene's pair; picking a mover makes it that.
+class SceneSubject final : public Subject {
+ public:
+  /// `frames` is given where time ends, as in a recording: after the last frame comes the first.
+  explicit SceneSubject(SceneContent content, const Parallel& parallel = {},
+                        std::optional<std::uint64_t> frames = std::nullopt);
+
+  void choose(const ViewState& state) override;
+  [[nodiscard]] Facts facts(const ViewState& state) const override;
+  void advance(int frames) override;
+  void seek(std::uint64_t frame) override;
+  void restart() override;
+  void place_object(const Pose& pose) override;
+  void object_home() override;
+  [[nodiscard]] std::optional<PickedFacts> pick(const Ray& ray) override;
+  void select() override;
+  void deselect() override;
+  void open(const std::string& path) override;
+  [[nodiscard]] DrawList draw_list(const ViewState& state) override;
+
+  [[nodiscard]] const ViewScene& scene() const { return scene_; }
+
+ private:
+  [[nodiscard]] std::optional<std::uint64_t> frames() const;
+  [[nodiscard]] std::optional<std::uint32_t> object() const;
+  [[nodiscard]] std::optional<BodyRef> tree_body(TreeOf tree) const;
+  [[nodiscard]] int levels_of(TreeOf tree) const;
+  [[nodiscard]] Limits limits() const;
+  [[nodiscard]] const SceneStatistics& statistics() const;
+
+  void changed() { statistics_.reset(); }
+
+  void start_test(const std::optional<std::size_t>& row);
+
+  std::vector<bool> has_motion_;  ///< of each mover
+  Parallel parallel_;
+  std::optional<std::uint64_t> frames_;
+  ViewScene scene_;
+  std::optional<std::size_t> test_;
+  std::optional<Picked> seen_;                         ///< by the last `pick`
+  std::optional<Picked> selected_;                     ///< drawn brighter
+  std::map<std::uint32_t, Pose> home_;                 ///< where movers were that the hand moved
+  mutable std::optional<SceneStatistics> statistics_;  ///< counts whole trees: kept till a change
+};
+
+/// What the controls' choices mean for a picture of the scene.
+[[nodiscard]] ViewOptions options_of(const ViewState& state);
+
+/// The trees and the traversal of the controls' choices.
+[[nodiscard]] TreeChoice trees_of(const ViewState& state);
+
+}  // namespace soms::view

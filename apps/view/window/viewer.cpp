@@ -1,0 +1,200 @@
+#include "apps/view/window/viewer.h"
+
+#include "soms/base/error.h"
+
+#include "apps/view/control/detail.h"
+#include "apps/view/control/frame_times.h"
+#include "apps/view/control/panels.h"
+#include "apps/view/drawing/gl_renderer.h"
+#include "apps/view/drawing/picture.h"
+#include "apps/view/window/app_window.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <stop_token>
+#include <utility>
+
+namespace soms::view {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kFrame = 1.0 / 60;
+/// Seconds after the last motion before all triangles are drawn again.
+constexpr double kRest = 0.25;
+/// Frames after an event: the panels answer to the mouse one frame late.
+constexpr int kEcho = 3;
+
+double seconds_between(Clock::time_point from, Clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+/// What the picture of the scene depends on.
+struct Drawn {
+  std::uint64_t version = 0;
+  Camera camera;
+  Size size{0, 0};
+  std::optional<Handle> handle;
+  std::uint64_t most_triangles = 0;
+  int samples = 0;
+
+  [[nodiscard]] bool operator==(const Drawn&) const = default;
+};
+
+/// The first free name of a picture in the present folder.
+std::filesystem::path free_name() {
+  for (int i = 1;; ++i) {
+    const std::filesystem::path path = "soms-view-" + std::to_string(i) + ".png";
+    if (!std::filesystem::exists(path)) {
+      return path;
+    }
+  }
+}
+
+class Loop {
+ public:
+  Loop(Subject& subject, const ViewerOptions& options)
+      : options_(options), window_("soms view", options.size), session_(subject, window_.size()) {
+    session_.state().paused = options.paused;
+    session_.state().panels = options.panels;
+    window_.set_title("soms view: " + session_.facts().name);
+  }
+
+  void run(const std::stop_token& stop) {
+    const std::stop_callback wake(stop, [] { AppWindow::wake(); });
+    while (!over(stop)) {
+      window_.wait(patience());
+      take_events();
+      const Size pixels = window_.pixels();
+      if (due_ > 0 && pixels.width > 0 && pixels.height > 0) {
+        frame(pixels);
+        --due_;
+      } else {
+        due_ = 0;  // an icon, or nothing to draw
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] bool over(const std::stop_token& stop) const {
+    return stop.stop_requested() || window_.close_asked() || session_.state().requests.quit ||
+           (options_.frames && drawn_frames_ >= *options_.frames);
+  }
+
+  /// Seconds to wait for events; negative: until one comes.
+  [[nodiscard]] double patience() const {
+    if (options_.frames) {
+      return 0;
+    }
+    if (due_ > 0 || session_.animating()) {
+      return std::max(0.0, kFrame - seconds_between(last_, Clock::now()));
+    }
+    return coarse_ ? kRest : -1;
+  }
+
+  void take_events() {
+    bool touched = false;
+    for (InputEvent& event : window_.take_events(touched)) {
+      session_.push(std::move(event));
+    }
+    if (touched) {
+      due_ = kEcho;
+    }
+    if (session_.animating() || options_.frames || (coarse_ && rested())) {
+      due_ = std::max(due_, 1);
+    }
+  }
+
+  [[nodiscard]] bool rested() const { return seconds_between(moved_, Clock::now()) >= kRest; }
+
+  void frame(Size pixels) {
+    const Clock::time_point begin = Clock::now();
+    const double passed = seconds_between(std::exchange(last_, begin), begin);
+    session_.resize(window_.size());
+    window_.begin_panels();
+    session_.handle(captured());
+    session_.tick(options_.frames ? kFrame : passed);
+    do_window_requests();
+    panels_.draw(session_, times_, renderer_.statistics());
+    draw_scene(pixels, begin);
+    renderer_.present();
+    window_.end_panels();
+    window_.finish();
+    ++drawn_frames_;
+    take_pictures();
+    times_.add(1000 * seconds_between(begin, Clock::now()), passed);
+    window_.show();
+  }
+
+  /// Draws the scene, unless the picture of before still holds.
+  void draw_scene(Size pixels, Clock::time_point begin) {
+    if (session_.moving()) {
+      moved_ = begin;
+    }
+    const bool careful = options_.frames.has_value();
+    const DrawList& list = session_.picture();
+    const DrawOptions options = detail_.options(!careful && !rested(), session_.facts().triangles);
+    const Drawn now{session_.version(),       session_.camera(),      pixels,
+                    session_.handle_in_use(), options.most_triangles, options.samples};
+    coarse_ = options.most_triangles != DrawOptions::kAll;
+    if (now == drawn_) {
+      return;
+    }
+    const Clock::time_point start = Clock::now();
+    renderer_.draw(list, session_.camera(), pixels, options);
+    window_.finish();
+    drawn_ = now;
+    const DrawStatistics statistics = renderer_.statistics();
+    if (statistics.uploads == 0) {  // else most of the time went into bringing meshes there
+      detail_.add(1000 * seconds_between(start, Clock::now()), statistics.triangles);
+    }
+  }
+
+  void do_window_requests() {
+    Requests& wishes = session_.state().requests;
+    if (std::exchange(wishes.fullscreen, false)) {
+      window_.toggle_fullscreen();
+    }
+  }
+
+  /// Reads the frame where a picture is wanted.
+  void take_pictures() {
+    if (std::exchange(session_.state().requests.screenshot, false)) {
+      const std::filesystem::path path = free_name();
+      try {
+        write_png(window_.read_pixels(), path);
+        session_.set_message("saved " + path.string());
+      } catch (const Error& error) {
+        session_.set_message(error.what());
+      }
+      due_ = std::max(due_, 2);
+    }
+    if (options_.frames && drawn_frames_ >= *options_.frames && !options_.screenshot.empty()) {
+      write_png(window_.read_pixels(), options_.screenshot);
+    }
+  }
+
+  ViewerOptions options_;
+  AppWindow window_;
+  GlRenderer renderer_;
+  Session session_;
+  Panels panels_;
+  FrameTimes times_;
+  Detail detail_;
+  Drawn drawn_;
+  Clock::time_point last_ = Clock::now();
+  Clock::time_point moved_ = Clock::now() - std::chrono::hours(1);
+  bool coarse_ = false;  ///< the last picture left triangles out
+  int due_ = kEcho;
+  std::uint64_t drawn_frames_ = 0;
+};
+
+}  // namespace
+
+void run_viewer(Subject& subject, const ViewerOptions& options, const std::stop_token& stop) {
+  Loop(subject, options).run(stop);
+}
+
+}  // namespace soms::view

@@ -1,0 +1,30 @@
+/// \file
+/// The loop of the viewer: a window, a session, a renderer.
+#pragma once
+
+#include "apps/view/control/session.h"
+#include "apps/view/control/subject.h"
+#include "apps/view/drawing/camera.h"
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+namespace soms::view {
+
+/// How the viewer starts and, for scripts, how it ends.
+struct ViewerOptions {
+  Size size{1280, 720};
+  bool paused = false;
+  bool panels = true;
+  std::string screenshot;               ///< PNG of the last frame; empty: none
+  std::optional<std::uint64_t> frames;  ///< end after as many; each is a sixtieth of a second then
+};
+
+/// Shows the subject until the window is closed, the user quits, or a stop is asked. Draws only
+/// when something changed or runs, and at most about 60 times a second. \errors As `AppWindow`,
+/// `GlRenderer` and `write_png`.
+void run_viewer(Subject& subject, const ViewerOptions& options, const std::stop_token& stop);
+
+}  // namespace soms::view

@@ -1,0 +1,273 @@
+#include "apps/view/window/scene_subject.h"
+
+#include "soms/base/error.h"
+#include "soms/io/write_mesh.h"
+
+#include "apps/view/control/session.h"
+#include "apps/view/scene/load.h"
+#include "apps/view/scene/orientation_menu.h"
+#include "tests/support/bodies.h"
+#include "tests/support/support.h"
+
+#include <cmath>
+#include <utility>
+
+namespace soms::view {
+namespace {
+
+Body named(const Mesh& mesh, const Pose& pose, std::string name) {
+  Body body(Shape(mesh), pose);
+  body.name = std::move(name);
+  return body;
+}
+
+/// A block of 20 x 20 x 10 on the ground and a cube of side 2 beside it.
+SceneContent block_and_cube() {
+  return two_bodies(
+      named(test::box_body({-10, -10, 0}, {10, 10, 10}, 8), {}, "block"),
+      named(test::box_body({-1, -1, -1}, {1, 1, 1}, 2), Pose::translation(20, 0, 5), "cube"));
+}
+
+/// As before, but a second cube drives along x and there are two more frames than it needs.
+SceneContent with_traffic() {
+  SceneContent content = block_and_cube();
+  content.movers.push_back(
+      {named(test::box_body({-1, -1, -1}, {1, 1, 1}), Pose::translation(0, -20, 1), "car"),
+       [](std::uint64_t frame) { return Pose::translation(static_cast<double>(frame), -20, 1); }});
+  return content;
+}
+
+Ray down(double x, double y) {
+  return {{x, y, 100}, {0, 0, -1}};
+}
+
+TEST(SceneSubject, TellsWhatThereIs) {
+  const SceneSubject subject(block_and_cube());
+  const Facts facts = subject.facts({});
+  EXPECT_EQ(facts.name, "block");
+  EXPECT_EQ(facts.triangles, 768U + 48U);
+  EXPECT_EQ(facts.movers, 1U);
+  EXPECT_EQ(facts.contacts, 0U);
+  EXPECT_TRUE(facts.limits.has_object);
+  EXPECT_EQ(facts.limits.object_size, 2);
+  EXPECT_EQ(facts.object, Pose::translation(20, 0, 5));
+  EXPECT_EQ(facts.object_bounds, (Box{{19, -1, 4}, {21, 1, 6}}));
+  EXPECT_TRUE(facts.bounds.contains(facts.object_bounds));
+}
+
+TEST(SceneSubject, MovingTheObjectIntoTheBlockGivesContactsAndRedTrianglesAndHomeNone) {
+  SceneSubject subject(block_and_cube());
+  EXPECT_TRUE(subject.draw_list({}).marks.empty());
+  subject.place_object(Pose::translation(10, 0, 5));
+  EXPECT_GT(subject.facts({}).contacts, 0U);
+  EXPECT_EQ(subject.facts({}).bodies, 1U);
+  EXPECT_FALSE(subject.draw_list({}).marks.empty());
+  ViewState without;
+  without.shown.contact_triangles = false;
+  EXPECT_TRUE(subject.draw_list(without).marks.empty());
+  subject.object_home();
+  EXPECT_EQ(subject.facts({}).contacts, 0U);
+  EXPECT_EQ(subject.facts({}).object, Pose::translation(20, 0, 5));
+}
+
+TEST(SceneSubject, ASessionDragsTheObjectIntoTheBlock) {
+  SceneSubject subject(block_and_cube());
+  Session session(subject, {1280, 720});
+  session.state().paused = true;
+  const auto pixel = [&](const Vec3& p) {
+    return project(session.camera(), {1280, 720}, p)->pixel;
+  };
+  const Gizmo gizmo = *session.gizmo();
+  const Vec3 grip = gizmo.center + Vec3{0.7 * gizmo.size, 0, 0};
+  session.push(MouseMove{pixel(grip)});
+  session.push(MouseDown{MouseButton::left, pixel(grip)});
+  session.push(MouseMove{pixel(grip - Vec3{10, 0, 0})});
+  session.handle({});
+  session.tick(0.01);
+  EXPECT_NEAR(session.facts().object->shift().x, 10, 1e-6);
+  EXPECT_GT(session.facts().contacts, 0U);
+  EXPECT_FALSE(session.picture().marks.empty());
+}
+
+TEST(SceneSubject, LevelsAreThoseOfTheTreeOnceItIsShown) {
+  SceneSubject subject(block_and_cube());
+  ViewState state;
+  state.shown.tree_boxes = true;
+  for (const TreeOf tree : {TreeOf::city, TreeOf::mover}) {
+    state.tree_of = tree;
+    state.level = 1;
+    const DrawList root = subject.draw_list(state);
+    ASSERT_EQ(root.box_groups.size(), 1U);
+    EXPECT_EQ(root.box_groups[0].boxes.size(), 1U);
+    state.level = 3;
+    EXPECT_EQ(subject.draw_list(state).box_groups[0].boxes.size(), 4U);
+  }
+  const Limits limits = subject.facts(state).limits;
+  EXPECT_GE(limits.city_levels, 7);
+  EXPECT_LT(limits.city_levels, 20);
+  EXPECT_GE(limits.mover_levels, 3);
+  EXPECT_LT(limits.mover_levels, limits.city_levels);
+}
+
+TEST(SceneSubject, TreeOfTheCityIsShownWithoutMoversToo) {
+  SceneContent content;
+  content.title = "block";
+  content.city.push_back(named(test::box_body({-1, -1, 0}, {1, 1, 1}, 4), {}, "block"));
+  SceneSubject subject(std::move(content));
+  ViewState state;
+  state.shown.tree_boxes = true;
+  EXPECT_EQ(subject.draw_list(state).box_groups.size(), 1U);
+  EXPECT_FALSE(subject.facts(state).limits.has_object);
+  EXPECT_FALSE(subject.facts(state).object);
+}
+
+TEST(SceneSubject, EachRuleAndTraversalCanBeShown) {
+  SceneSubject subject(block_and_cube());
+  subject.place_object(Pose::translation(10, 0, 5));
+  const std::uint64_t contacts = subject.facts({}).contacts;
+  ViewState state;
+  state.shown.visited = state.shown.pruned = state.shown.found = true;
+  for (int rule = 0; rule <= static_cast<int>(Rule::quality); ++rule) {
+    state.rule = static_cast<Rule>(rule);
+    subject.choose(state);
+    EXPECT_FALSE(subject.draw_list(state).box_groups.empty()) << rule;
+  }
+  for (int traversal = 1; traversal <= static_cast<int>(Traversal::e_node_front); ++traversal) {
+    state.traversal = static_cast<Traversal>(traversal);
+    subject.choose(state);
+    EXPECT_FALSE(subject.draw_list(state).box_groups.empty()) << traversal;
+    EXPECT_TRUE(subject.facts(state).walked);
+    EXPECT_EQ(subject.facts(state).contacts, contacts);
+  }
+}
+
+TEST(SceneSubject, WithoutPruningMoreBoxesAreEntered) {
+  SceneSubject subject(block_and_cube());
+  subject.place_object(Pose::translation(10, 0, 5));
+  ViewState state;
+  state.shown.visited = true;
+  subject.choose(state);
+  (void)subject.draw_list(state);
+  const std::uint64_t pruned = subject.facts(state).visited;
+  state.prune = false;
+  subject.choose(state);
+  (void)subject.draw_list(state);
+  EXPECT_GT(subject.facts(state).visited, pruned);
+}
+
+TEST(SceneSubject, TestsOfOrientationRunRoundAndEndByHand) {
+  SceneSubject subject(block_and_cube());
+  ViewState state;
+  for (std::size_t row = 0; row < orientation_tests().size(); ++row) {
+    state.orientation_test = row;
+    subject.choose(state);
+    const Facts begin = subject.facts(state);
+    EXPECT_EQ(begin.orientation_test, row);
+    EXPECT_EQ(begin.frame, 0U);
+    ASSERT_GT(begin.limits.frames, 40U);
+    if (orientation_tests()[row].name != "drive") {  // which begins where a cube touches already
+      EXPECT_EQ(begin.contacts, 0U) << orientation_tests()[row].name;
+    }
+    subject.seek(begin.limits.frames * 97 / 100);
+    const Facts late = subject.facts(state);
+    EXPECT_NE(late.object, begin.object);
+    subject.seek(begin.limits.frames - 1);
+    subject.advance(1);
+    EXPECT_EQ(subject.facts(state).frame, 0U);
+    subject.advance(-1);
+    EXPECT_EQ(subject.facts(state).frame, 0U);
+  }
+  subject.place_object(Pose::translation(0, 0, 50));
+  EXPECT_FALSE(subject.facts(state).orientation_test);
+  EXPECT_EQ(subject.facts(state).limits.frames, 0U);
+}
+
+TEST(SceneSubject, TimeGoesOnAndBackAndRound) {
+  SceneSubject endless(with_traffic());
+  ViewState state;
+  state.followed = 1;
+  endless.advance(7);
+  EXPECT_EQ(endless.facts(state).frame, 7U);
+  EXPECT_EQ(endless.facts(state).followed->shift().x, 7);
+  endless.advance(-3);
+  EXPECT_EQ(endless.facts(state).frame, 4U);
+  endless.restart();
+  EXPECT_EQ(endless.facts(state).frame, 0U);
+
+  SceneSubject recording(with_traffic(), {}, 10);
+  EXPECT_EQ(recording.facts(state).limits.frames, 10U);
+  recording.advance(9);
+  EXPECT_EQ(recording.facts(state).frame, 9U);
+  recording.advance(2);
+  EXPECT_EQ(recording.facts(state).frame, 1U);
+}
+
+TEST(SceneSubject, PicksWithNumbersAndReasons) {
+  SceneSubject subject(block_and_cube());
+  EXPECT_FALSE(subject.pick(down(500, 500)));
+  const auto top = subject.pick(down(-4.9, -4.6));
+  ASSERT_TRUE(top);
+  EXPECT_NE(top->title.find("of block"), std::string::npos);
+  EXPECT_NEAR(top->point.z, 10, 1e-9);
+  EXPECT_EQ(top->why, std::vector<std::string>{"It touches nothing."});
+  EXPECT_EQ(top->numbers.back(), (std::pair<std::string, std::string>{"touches", "0"}));
+
+  subject.place_object(Pose::translation(0, 0, 10.5));
+  const auto side = subject.pick({{0.3, -50, 10.2}, {0, 1, 0}});
+  ASSERT_TRUE(side);
+  EXPECT_NE(side->title.find("cube (mover 0)"), std::string::npos);
+  ASSERT_FALSE(side->why.empty());
+  EXPECT_NE(side->why[0].find("of block: "), std::string::npos);
+}
+
+TEST(SceneSubject, PickingAMoverMakesItTheObject) {
+  SceneSubject subject(with_traffic());
+  EXPECT_EQ(subject.facts({}).object, Pose::translation(20, 0, 5));
+  ASSERT_TRUE(subject.pick(down(0.2, -20.3)));
+  subject.select();
+  EXPECT_EQ(subject.facts({}).object, Pose::translation(0, -20, 1));
+  const DrawList chosen = subject.draw_list({});
+  subject.deselect();
+  EXPECT_LT(subject.draw_list({}).lines.size(), chosen.lines.size());
+}
+
+TEST(SceneSubject, ACarThatTheHandMovedGoesOnAlongItsWayFromHome) {
+  SceneSubject subject(with_traffic());
+  ASSERT_TRUE(subject.pick(down(0.2, -20.3)));
+  subject.select();
+  subject.place_object(Pose::translation(0, 0, 40));
+  subject.advance(5);
+  EXPECT_EQ(subject.facts({}).object, Pose::translation(0, 0, 40));
+  subject.object_home();
+  EXPECT_EQ(subject.facts({}).object, Pose::translation(5, -20, 1));
+}
+
+TEST(SceneSubject, OpensADroppedModelAsTheNewObjectAndRefusesABrokenOne) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "van.ply";
+  write_mesh(path, test::box_body({30, 0, 0}, {33, 2, 2}), MeshFormat::ply);
+  SceneSubject subject(block_and_cube());
+  subject.open(path.string());
+  EXPECT_EQ(subject.facts({}).movers, 2U);
+  EXPECT_EQ(subject.facts({}).object_bounds, (Box{{30, 0, 0}, {33, 2, 2}}));
+  EXPECT_THROW(subject.open((folder.path() / "nothing.ply").string()), Error);
+  EXPECT_EQ(subject.facts({}).movers, 2U);
+}
+
+TEST(SceneSubject, AnEmptySceneCanBeShownAndFilled) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "block.ply";
+  write_mesh(path, test::box_body({-1, -1, 0}, {1, 1, 1}), MeshFormat::ply);
+  SceneSubject subject(SceneContent{});
+  Session session(subject, {640, 480});
+  EXPECT_TRUE(session.picture().instances.empty());
+  EXPECT_FALSE(subject.pick(down(0, 0)));
+  session.push(FileDropped{path.string()});
+  session.handle({});
+  session.tick(0.01);
+  EXPECT_TRUE(session.message().empty()) << session.message();
+  EXPECT_EQ(session.picture().instances.size(), 1U);
+}
+
+}  // namespace
+}  // namespace soms::view
