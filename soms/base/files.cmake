@@ -4,6 +4,7 @@ set(SOMS_HEADERS
   box.h
   error.h
   hash.h
+  lanes.h
   parallel.h
   pose.h
   random.h

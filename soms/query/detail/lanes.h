@@ -3,6 +3,8 @@
 /// a float is, on every target.
 #pragma once
 
+#include "soms/base/lanes.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -14,8 +16,11 @@
 
 namespace soms::detail {
 
-/// Four floats.
-using F4 [[gnu::vector_size(16)]] = float;
+using lanes::F4;
+using lanes::max;
+using lanes::min;
+using lanes::splat;
+
 /// Four masks: all bits of a lane set, or none.
 using M4 [[gnu::vector_size(16)]] = std::int32_t;
 
@@ -32,36 +37,12 @@ inline void store(F4 v, std::array<float, N>& to, std::size_t first) {
   std::memcpy(to.data() + first, &v, sizeof v);
 }
 
-[[nodiscard]] inline F4 splat(float x) {
-  return F4{x, x, x, x};
-}
-
 [[nodiscard]] inline F4 abs(F4 v) {
   M4 bits;
   std::memcpy(&bits, &v, sizeof bits);
   bits &= 0x7fffffff;
   std::memcpy(&v, &bits, sizeof v);
   return v;
-}
-
-/// `a < b ? a : b` in each lane.
-[[nodiscard]] inline F4 min(F4 a, F4 b) {
-#if defined(__SSE2__)
-  return _mm_min_ps(a, b);
-#else
-  return F4{a[0] < b[0] ? a[0] : b[0], a[1] < b[1] ? a[1] : b[1], a[2] < b[2] ? a[2] : b[2],
-            a[3] < b[3] ? a[3] : b[3]};
-#endif
-}
-
-/// `a > b ? a : b` in each lane.
-[[nodiscard]] inline F4 max(F4 a, F4 b) {
-#if defined(__SSE2__)
-  return _mm_max_ps(a, b);
-#else
-  return F4{a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1], a[2] > b[2] ? a[2] : b[2],
-            a[3] > b[3] ? a[3] : b[3]};
-#endif
 }
 
 /// Lane k takes what lane (k + N) mod 4 held.

@@ -1,24 +1,13 @@
 /// \file
-/// Four floats side by side, in the compilers' own vector types, for builders and layouts.
+/// Points and boxes in four lanes, for builders and layouts: x, y, z and something that is ignored.
 #pragma once
 
-#include <array>
-#include <cstddef>
+#include "soms/base/lanes.h"
+
 #include <cstdint>
 #include <cstring>
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
-
 namespace soms::lanes {
-
-/// Four floats; builders keep x, y, z and something that they ignore.
-using F4 [[gnu::vector_size(16)]] = float;
-
-[[nodiscard]] inline F4 splat(float x) {
-  return F4{x, x, x, x};
-}
 
 /// Four floats from any address that holds 16 bytes.
 [[nodiscard]] inline F4 load(const void* from) {
@@ -35,26 +24,6 @@ using F4 [[gnu::vector_size(16)]] = float;
   bits &= Bits{-1, -1, -1, 0};
   std::memcpy(&v, &bits, sizeof v);
   return v;
-}
-
-/// `a < b ? a : b` in each lane.
-[[nodiscard]] inline F4 min(F4 a, F4 b) {
-#if defined(__SSE2__)
-  return _mm_min_ps(a, b);
-#else
-  return F4{a[0] < b[0] ? a[0] : b[0], a[1] < b[1] ? a[1] : b[1], a[2] < b[2] ? a[2] : b[2],
-            a[3] < b[3] ? a[3] : b[3]};
-#endif
-}
-
-/// `a > b ? a : b` in each lane.
-[[nodiscard]] inline F4 max(F4 a, F4 b) {
-#if defined(__SSE2__)
-  return _mm_max_ps(a, b);
-#else
-  return F4{a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1], a[2] > b[2] ? a[2] : b[2],
-            a[3] > b[3] ? a[3] : b[3]};
-#endif
 }
 
 /// A box in the first three lanes; empty at first.
