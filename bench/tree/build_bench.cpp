@@ -175,26 +175,44 @@ std::vector<double> race_builds(const std::vector<Contestant>& contestants, cons
   return medians;
 }
 
-/// Asks every pose of a set of trees by each rule, in turn.
-void race_queries(const std::vector<const RuleEntry*>& chosen, const Place& place, int passes) {
+/// The trees of a rule that queries are asked of.
+struct Kept {
+  std::string name;
+  ShapeOptions options;
+};
+
+std::vector<Kept> kept_of(const std::vector<const RuleEntry*>& chosen, bool compact) {
+  std::vector<Kept> all;
+  for (const RuleEntry* e : chosen) {
+    ShapeOptions options;
+    options.build.rule = e->rule;
+    all.push_back({std::string(e->kebab), options});
+    if (compact) {
+      options.layout = Layout::compact;
+      all.push_back({std::string(e->kebab) + ", compact", options});
+    }
+  }
+  return all;
+}
+
+/// Asks every pose of a set of each tree, in turn.
+void race_queries(const std::vector<Kept>& chosen, const Place& place, int passes) {
   struct Tree {
     Body mover;
     Body fixed;
   };
 
   std::vector<Tree> trees;
-  for (const RuleEntry* e : chosen) {
-    ShapeOptions options;
-    options.build.rule = e->rule;
-    const Shape fixed(place.mesh, options);
-    const Shape mover = place.own_twin ? fixed : Shape(place.mover, options);
+  for (const Kept& kept : chosen) {
+    const Shape fixed(place.mesh, kept.options);
+    const Shape mover = place.own_twin ? fixed : Shape(place.mover, kept.options);
     trees.push_back({Body(mover), Body(fixed)});
     const auto n = static_cast<double>(place.mesh->triangles.size());
     const WideTree& layout = fixed.layout();
     std::printf("%-16s %6.1f bytes a triangle in all, layout %6.1f; %5.2f triangles a block\n",
-                e->kebab.data(), static_cast<double>(fixed.memory()) / n,
+                kept.name.c_str(), static_cast<double>(fixed.memory()) / n,
                 static_cast<double>(layout.memory()) / n,
-                n / static_cast<double>(layout.blocks().size()));
+                n / static_cast<double>(layout.expanded(*place.mesh).blocks().size()));
   }
   for (const PoseSet& set : place.sets) {
     std::vector<std::vector<double>> seconds(trees.size());
@@ -221,7 +239,7 @@ void race_queries(const std::vector<const RuleEntry*>& chosen, const Place& plac
     const auto n = static_cast<double>(set.poses.size());
     for (std::size_t i = 0; i < trees.size(); ++i) {
       std::printf("%-16s any %-9s %8.3f us  %9.1f node tests  %8.1f triangle tests  %zu hits\n",
-                  chosen[i]->kebab.data(), set.name.c_str(), 1e6 * median(seconds[i]) / n,
+                  chosen[i].name.c_str(), set.name.c_str(), 1e6 * median(seconds[i]) / n,
                   static_cast<double>(costs[i].node_tests) / n,
                   static_cast<double>(costs[i].triangle_tests) / n, hits[i]);
     }
@@ -344,6 +362,7 @@ void run(int argc, char** argv) {
   bool queries = true;
   bool threads = false;
   bool refits = false;
+  bool compact = false;
   std::string_view only;
   std::vector<const RuleEntry*> chosen;
   for (int i = 1; i < argc; ++i) {
@@ -358,6 +377,8 @@ void run(int argc, char** argv) {
       builds = false;
     } else if (arg == "--threads") {
       threads = true;
+    } else if (arg == "--compact") {
+      compact = true;
     } else if (arg == "--refit") {
       refits = true;
     } else {
@@ -383,7 +404,7 @@ void run(int argc, char** argv) {
       }
     }
     if (queries) {
-      race_queries(chosen, place, passes);
+      race_queries(kept_of(chosen, compact), place, passes);
     }
     if (threads) {
       race_threads(chosen, place, passes);
@@ -399,7 +420,7 @@ void run(int argc, char** argv) {
 }  // namespace soms::bench
 
 // build_bench [RULE...] [--passes N] [--only knot|city] [--no-builds] [--no-queries] [--threads]
-// [--refit]
+// [--refit] [--compact]
 int main(int argc, char** argv) {
   try {
     soms::bench::run(argc, argv);

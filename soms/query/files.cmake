@@ -15,6 +15,7 @@ set(SOMS_HEADERS
 )
 set(SOMS_SOURCES
   detail/collector.cpp
+  detail/compact_walk.cpp
   detail/kernels/avx2.cpp
   detail/kernels/avx512.cpp
   detail/kernels/instruction_set.cpp

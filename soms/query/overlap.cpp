@@ -1,6 +1,7 @@
 #include "soms/query/overlap.h"
 
 #include "soms/base/hash.h"
+#include "soms/query/detail/compact_walk.h"
 #include "soms/query/detail/overlap_query.h"
 #include "soms/query/detail/pair_walk.h"
 #include "soms/query/traversal/named_overlap.h"
@@ -111,6 +112,19 @@ void run_single(const Sides& sides, const OverlapOptions& options, const Paralle
   answer.cost = walk.cost();
 }
 
+/// One query of which one side at least is compact: always on the caller's thread.
+void run_compact(const Sides& sides, const OverlapOptions& options, const Parallel& parallel,
+                 Overlap& answer) {
+  Watch watch(options, parallel);
+  detail::CompactWalk walk(sides.relative, sides.x, sides.y, sides.swapped);
+  Collector collector(options.mode, options.limit, answer.pairs);
+  walk.run(collector, watch);
+  collector.finish();
+  answer.any = collector.any();
+  answer.coverage = coverage_of(options.mode, collector, watch.late());
+  answer.cost = walk.cost();
+}
+
 }  // namespace
 
 std::uint64_t Overlap::hash() const {
@@ -137,7 +151,9 @@ Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options,
   const Sides sides(a, b);
   // The first pairs in the order of one thread are best found by one thread.
   const bool limited = options.limit != std::numeric_limits<std::uint64_t>::max();
-  if (parallel.threads != 1 && !limited) {
+  if (detail::any_compact(a.shape, b.shape)) {
+    run_compact(sides, options, parallel, answer);
+  } else if (parallel.threads != 1 && !limited) {
     run_parallel(sides, options, parallel, answer);
   } else {
     run_single(sides, options, parallel, answer);

@@ -184,18 +184,41 @@ void join(const std::vector<Block>& blocks, OverlapBatch& batch) {
   }
 }
 
+/// Adds a pose's answer; poses come in order.
+void add(const Overlap& answer, OverlapBatch& batch) {
+  batch.any.push_back(answer.any ? 1 : 0);
+  batch.coverage.push_back(answer.coverage);
+  batch.pairs.insert(batch.pairs.end(), answer.pairs.begin(), answer.pairs.end());
+  batch.offsets.push_back(batch.pairs.size());
+  batch.costs.push_back(answer.cost);
+  batch.cost += answer.cost;
+}
+
+/// Poses one by one: what compact layouts write out is of no use to other queries.
+OverlapBatch compact_batch(const Question& question) {
+  std::vector<Overlap> answers(question.poses.size());
+  for_each_chunk(answers.size(), kBlock, question.parallel,
+                 [&](std::size_t begin, std::size_t end) {
+                   const Parallel alone{1, question.parallel.stop, {}};
+                   for (std::size_t i = begin; i < end; ++i) {
+                     answers[i] = overlap(Body{question.mover, question.poses[i]}, question.fixed,
+                                          question.options, alone);
+                   }
+                 });
+  OverlapBatch batch;
+  batch.offsets.push_back(0);
+  for (const Overlap& answer : answers) {
+    add(answer, batch);
+  }
+  return batch;
+}
+
 OverlapBatch named_batch(const Question& question) {
   OverlapBatch batch;
   detail::NamedOverlap ask(question.mover, question.fixed.shape, question.options.traversal);
   batch.offsets.push_back(0);
   for (const Pose& pose : question.poses) {
-    const Overlap answer = ask(pose, question.fixed.pose, question.options, question.parallel);
-    batch.any.push_back(answer.any ? 1 : 0);
-    batch.coverage.push_back(answer.coverage);
-    batch.pairs.insert(batch.pairs.end(), answer.pairs.begin(), answer.pairs.end());
-    batch.offsets.push_back(batch.pairs.size());
-    batch.costs.push_back(answer.cost);
-    batch.cost += answer.cost;
+    add(ask(pose, question.fixed.pose, question.options, question.parallel), batch);
   }
   return batch;
 }
@@ -209,6 +232,9 @@ OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses, const Body
   const Question question{mover, poses, fixed, options, parallel};
   if (options.traversal.traversal != Traversal::fast) {
     return named_batch(question);
+  }
+  if (detail::any_compact(mover, fixed.shape)) {
+    return compact_batch(question);
   }
   OverlapBatch batch;
   batch.any.assign(poses.size(), 0);

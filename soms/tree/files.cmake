@@ -3,6 +3,7 @@ set(SOMS_HEADERS
   build_options.h
   check.h
   implicit.h
+  layout/compact_node.h
   layout/orientation.h
   layout/pages.h
   layout/wide_tree.h
@@ -25,6 +26,8 @@ set(SOMS_SOURCES
   build_options.cpp
   check.cpp
   implicit.cpp
+  layout/compact.cpp
+  layout/compact_node.cpp
   layout/detail/again.cpp
   layout/detail/block.cpp
   layout/detail/lay_out.cpp

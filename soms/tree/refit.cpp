@@ -84,9 +84,9 @@ Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh, const Parallel
   }
   moved.bounds_ = moved.layout_->bounds();
   if (moved.looseness_ == 0) {
-    moved.looseness_ = shape.layout().looseness(parallel);
+    moved.looseness_ = shape.layout().looseness(shape.mesh(), parallel);
   }
-  const double now = moved.layout_->looseness(parallel);
+  const double now = moved.layout_->looseness(*moved.mesh_, parallel);
   moved.decline_ = now > 0 && moved.looseness_ > 0 ? now / moved.looseness_ : 1;
   return moved;
 }

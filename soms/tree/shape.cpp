@@ -39,6 +39,9 @@ Shape::Shape(std::shared_ptr<const Mesh> mesh, const ShapeOptions& options,
   } else {
     layout_ = std::make_shared<const WideTree>(build_wide(*mesh_, options.build, parallel));
   }
+  if (options.layout == Layout::compact) {
+    layout_ = std::make_shared<const WideTree>(layout_->compacted(parallel));
+  }
   bounds_ = layout_->bounds();
 }
 

@@ -13,11 +13,19 @@ namespace soms {
 
 class WideTree;
 
+/// How the tree that queries walk is kept.
+enum class Layout {
+  wide,     ///< for speed: boxes and corners in float, 70 to 80 bytes a triangle
+  compact,  ///< for memory: boxes in bytes, corners read from the mesh; about 12 bytes a triangle
+};
+
 /// What a shape keeps beside its mesh.
 struct ShapeOptions {
   BuildOptions build = {};
   /// Keep the canonical tree, which the named traversals and the statistics need.
   bool keep_tree = false;
+  /// Answers are the same with each.
+  Layout layout = Layout::wide;
 };
 
 /// A mesh and the layout that queries run on. Copies share both. A default shape is empty.

@@ -142,6 +142,9 @@ void vary_machinery(const Mesh& a, const Mesh& b, const Pairs& expected) {
       options.build.per_leaf = leaf;
       expect_pairs(Body(Shape(a, options)), Body(Shape(b, options)), expected,
                    std::string(rule.name) + ", leaves of " + std::to_string(leaf));
+      options.layout = Layout::compact;
+      expect_pairs(Body(Shape(a, options)), Body(Shape(b, options)), expected,
+                   std::string(rule.name) + ", compact, leaves of " + std::to_string(leaf));
     }
   }
   ShapeOptions kept;

@@ -16,7 +16,11 @@ bool first_is_viewer(const WideTree& a, const WideTree& b) {
 }
 
 bool is_empty(const Shape& shape) {
-  return shape.layout().nodes().empty();
+  return shape.layout().empty();
+}
+
+bool any_compact(const Shape& a, const Shape& b) {
+  return a.layout().compact() != nullptr || b.layout().compact() != nullptr;
 }
 
 void check_pose(const Pose& pose, const Shape& shape) {

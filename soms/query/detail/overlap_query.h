@@ -13,6 +13,9 @@ namespace soms::detail {
 
 [[nodiscard]] bool is_empty(const Shape& shape);
 
+/// One of two shapes at least is compact.
+[[nodiscard]] bool any_compact(const Shape& a, const Shape& b);
+
 /// Throws unless the pose is rigid and keeps the shape within range.
 void check_pose(const Pose& pose, const Shape& shape);
 

@@ -1,5 +1,6 @@
 #include "soms/tree/layout/wide_tree.h"
 
+#include "soms/tree/layout/compact_node.h"
 #include "soms/tree/layout/detail/again.h"
 #include "soms/tree/layout/detail/widen.h"
 
@@ -90,7 +91,9 @@ WideTree::WideTree(const layout::Parts& tree, const Mesh& mesh, const Parallel& 
 }
 
 WideTree::WideTree(const WideTree& tree, const Mesh& mesh, const Parallel& parallel) {
-  if (!tree.nodes_.empty()) {
+  if (tree.compact_) {
+    *this = WideTree(tree.expanded(mesh, parallel), mesh, parallel).compacted(parallel);
+  } else if (!tree.nodes_.empty()) {
     bounds_ = layout::bounds_of(mesh, parallel);
     const double size = settle();
     nodes_.resize(tree.nodes_.size());
@@ -108,7 +111,10 @@ double WideTree::settle() {
   return size * scale_;
 }
 
-double WideTree::looseness(const Parallel& parallel) const {
+double WideTree::looseness(const Mesh& mesh, const Parallel& parallel) const {
+  if (compact_) {
+    return expanded(mesh, parallel).looseness(mesh, parallel);
+  }
   const Parallel silent{parallel.threads, parallel.stop, {}};
   const double boxes = sum_of<WideNode>(nodes_, &area_of_boxes, silent);
   const double triangles = sum_of<TriangleBlock>(blocks_, &area_of_triangles, silent);
@@ -117,7 +123,10 @@ double WideTree::looseness(const Parallel& parallel) const {
 
 std::size_t WideTree::memory() const {
   return sizeof *this + nodes_.capacity() * sizeof(WideNode) +
-         blocks_.capacity() * sizeof(TriangleBlock);
+         blocks_.capacity() * sizeof(TriangleBlock) +
+         (compact_ ? sizeof *compact_ + compact_->nodes.capacity() * sizeof(CompactNode) +
+                         compact_->ids.capacity() * sizeof(std::uint32_t)
+                   : 0);
 }
 
 }  // namespace soms

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 namespace soms {
@@ -79,6 +80,17 @@ namespace layout {
 struct Parts;
 }
 
+struct CompactNode;
+
+/// The least that a tree can be kept as: its nodes with boxes in bytes, and the triangles of its
+/// leaves one after the other. The last one of each leaf has kLast.
+struct CompactParts {
+  static constexpr std::uint32_t kLast = 0x80000000U;
+
+  layout::Pages<CompactNode> nodes;
+  layout::Pages<std::uint32_t> ids;
+};
+
 /// A canonical tree as queries walk it. Node 0 is the root; a mesh without triangles has no node.
 class WideTree {
  public:
@@ -102,9 +114,30 @@ class WideTree {
   /// \cost   O(n) time.
   WideTree(const WideTree& tree, const Mesh& mesh, const Parallel& parallel = {});
 
+  /// The same tree in a third of the memory: nodes in bytes, and no blocks. Boxes grow by up to a
+  /// 127th of their node, and blocks are made again whenever they are read.
+  /// \errors ErrorKind::out_of_range beyond 2^28 triangles; cancelled.
+  /// \cost   O(n) time
+  [[nodiscard]] WideTree compacted(const Parallel& parallel = {}) const;
+
+  /// A compact tree with its nodes and blocks written out: the tree that was compacted, but for its
+  /// boxes' sizes. `mesh` is the tree's.
+  [[nodiscard]] WideTree expanded(const Mesh& mesh, const Parallel& parallel = {}) const;
+
+  [[nodiscard]] bool empty() const { return nodes_.empty() && !compact_; }
+
+  /// What a compact tree is made of, nullptr in others.
+  [[nodiscard]] const CompactParts* compact() const { return compact_.get(); }
+
+  /// Nodes and blocks; none where the tree is compact.
   [[nodiscard]] std::span<const WideNode> nodes() const { return nodes_; }
 
   [[nodiscard]] std::span<const TriangleBlock> blocks() const { return blocks_; }
+
+  /// The block that begins at entry `first` of `CompactParts::ids`. Where `following` is 1 the leaf
+  /// goes on kWidth entries later.
+  /// \pre The tree is compact; `mesh` is its mesh.
+  void read_block(std::uint32_t first, const Mesh& mesh, TriangleBlock& block) const;
 
   /// Point of the mesh's frame that node origins are relative to.
   [[nodiscard]] const Vec3& origin() const { return origin_; }
@@ -123,10 +156,10 @@ class WideTree {
 
   /// Area of all boxes over the area of the triangles: how much room a query finds to enter in
   /// vain. It grows when vertices move away from those beside them. 0 where triangles have no area.
-  /// \cost O(n)
-  [[nodiscard]] double looseness(const Parallel& parallel = {}) const;
+  /// `mesh` is the tree's. \cost O(n)
+  [[nodiscard]] double looseness(const Mesh& mesh, const Parallel& parallel = {}) const;
 
-  [[nodiscard]] bool operator==(const WideTree&) const = default;
+  [[nodiscard]] bool operator==(const WideTree& other) const;
 
  private:
   /// Takes place and unit from the bounds; returns the longest side in that unit.
@@ -134,6 +167,7 @@ class WideTree {
 
   layout::Pages<WideNode> nodes_;
   layout::Pages<TriangleBlock> blocks_;
+  std::shared_ptr<const CompactParts> compact_;
   Vec3 origin_;
   Box bounds_;
   int exponent_ = 0;
