@@ -1,5 +1,6 @@
 #include "apps/view/scene/load.h"
 
+#include "soms/base/error.h"
 #include "soms/io/read_mesh.h"
 
 #include <memory>
@@ -21,6 +22,24 @@ SceneContent content_of(command::World world) {
     content.notes.push_back(std::to_string(world.asked - content.movers.size()) +
                             " movers found no free place and were left out");
   }
+  return content;
+}
+
+SceneContent content_of(command::World world, Replay recording) {
+  const RecordingHead& head = recording.head();
+  if (head.movers.size() != world.ways.size() || head.environment.size() != world.city.size()) {
+    throw Error(ErrorKind::usage, "a recording of other bodies",
+                "load the world by the recording's head");
+  }
+  SceneContent content = content_of(std::move(world));
+  for (MovingBody& mover : content.movers) {
+    mover.motion = {};
+  }
+  if (recording.fault()) {
+    content.notes.push_back("only " + std::to_string(recording.frames()) +
+                            " frames are whole: " + recording.fault()->what());
+  }
+  content.recording = std::make_shared<Replay>(std::move(recording));
   return content;
 }
 

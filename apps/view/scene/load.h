@@ -4,6 +4,7 @@
 
 #include "soms/base/parallel.h"
 #include "soms/query/body.h"
+#include "soms/scene/replay.h"
 
 #include "apps/support/world.h"
 #include "apps/view/scene/scene_content.h"
@@ -14,6 +15,11 @@ namespace soms::view {
 
 /// The city and the movers of a simulation, whose ways are their motions.
 [[nodiscard]] SceneContent content_of(command::World world);
+
+/// The bodies of a recording (`command::load_recorded_world`) and its frames. Where the file is cut
+/// off or altered, the frames before that place, and a note that says so.
+/// \errors ErrorKind::usage where `world` has not the recording's bodies.
+[[nodiscard]] SceneContent content_of(command::World world, Replay recording);
 
 /// Two bodies for the orientation tests: `moving` comes at `still`.
 [[nodiscard]] SceneContent two_bodies(Body still, Body moving);

@@ -4,9 +4,11 @@
 
 #include "soms/base/pose.h"
 #include "soms/query/body.h"
+#include "soms/scene/replay.h"
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,8 @@ struct SceneContent {
   std::vector<Body> city;
   std::vector<MovingBody> movers;
   std::vector<std::string> notes;  ///< what the reader should know of how it was made
+  /// Frames that are played: poses of the movers in their order, and contacts. Null: none.
+  std::shared_ptr<Replay> recording = nullptr;
 };
 
 }  // namespace soms::view

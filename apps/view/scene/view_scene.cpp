@@ -58,6 +58,7 @@ struct ViewScene::State {
 
   std::uint64_t frame = 0;
   std::optional<RunningTest> test;
+  std::shared_ptr<Replay> recording;
   std::optional<std::pair<BodyRef, BodyRef>> pair;
 
   StepReport report;
@@ -94,11 +95,37 @@ struct ViewScene::State {
     }
   }
 
+  [[nodiscard]] std::optional<std::uint64_t> frames() const {
+    return test        ? std::optional<std::uint64_t>(test->poses.size())
+           : recording ? std::optional(recording->frames())
+                       : std::nullopt;
+  }
+
+  /// The bodies are those that were recorded, all where they were.
+  [[nodiscard]] bool as_recorded() const {
+    return recording != nullptr && frame < recording->frames() && !test &&
+           city.size() == recording->head().environment.size() &&
+           movers.size() == recording->head().movers.size() &&
+           std::none_of(movers.begin(), movers.end(), [](const Mover& m) { return m.held; });
+  }
+
+  /// Pose of a mover in the recording at the present frame.
+  [[nodiscard]] const Pose* recorded_pose(std::uint32_t k) const {
+    if (recording == nullptr || frame >= recording->frames()) {
+      return nullptr;
+    }
+    const RecordedFrame& shown = recording->frame(frame);
+    return k < shown.poses.size() ? &shown.poses[k] : nullptr;
+  }
+
   /// Brings movers to the present frame.
   void place_movers() {
     for (std::uint32_t k = 0; k < movers.size(); ++k) {
+      const Pose* recorded = recorded_pose(k);
       if (test && test->mover == k) {
         scene.set_pose(movers[k].id, test->poses[frame]);
+      } else if (recorded != nullptr && !movers[k].held) {
+        scene.set_pose(movers[k].id, *recorded);
       } else if (movers[k].motion && !movers[k].held) {
         scene.set_pose(movers[k].id, movers[k].motion(frame));
       }
@@ -106,7 +133,14 @@ struct ViewScene::State {
   }
 
   void find_contacts() {
-    report = scene.step({}, parallel);
+    if (as_recorded()) {
+      const RecordedFrame& shown = recording->frame(frame);
+      report = {};
+      report.environment = shown.environment;
+      report.movers = shown.movers;
+    } else {
+      report = scene.step({}, parallel);
+    }
     touches.clear();
     for (const EnvironmentContact& c : report.environment) {
       touches.push_back({mover(c.mover), city_part(c.part), c.i, c.j});
@@ -158,6 +192,9 @@ ViewScene::ViewScene(SceneContent content, const Parallel& parallel)
   }
   for (MovingBody& mover : content.movers) {
     s.add_mover(std::move(mover));
+  }
+  if (content.recording != nullptr && content.recording->frames() > 0) {
+    s.recording = std::move(content.recording);
   }
   s.choose_pair();
   s.show_frame();
@@ -221,7 +258,7 @@ std::uint64_t ViewScene::frame() const {
 }
 
 std::optional<std::uint64_t> ViewScene::frames() const {
-  return state_->test ? std::optional<std::uint64_t>(state_->test->poses.size()) : std::nullopt;
+  return state_->frames();
 }
 
 void ViewScene::step() {
@@ -233,6 +270,10 @@ void ViewScene::go_to(std::uint64_t frame) {
   const auto count = frames();
   state_->frame = count ? std::min(frame, *count - 1) : frame;
   state_->show_frame();
+}
+
+bool ViewScene::replaying() const {
+  return state_->as_recorded();
 }
 
 void ViewScene::set_pose(std::uint32_t mover, const Pose& pose) {

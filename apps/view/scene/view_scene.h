@@ -98,14 +98,18 @@ class ViewScene {
   /// Frame that is shown, from 0.
   [[nodiscard]] std::uint64_t frame() const;
 
-  /// Frames there are: of a running test; nothing where time does not end.
+  /// Frames there are: of a running test or a recording; nothing where time does not end.
   [[nodiscard]] std::optional<std::uint64_t> frames() const;
 
-  /// The next frame; a test begins again after its last one. \errors ErrorKind::cancelled.
+  /// The next frame; a test or recording begins again after its last one.
+  /// \errors ErrorKind::cancelled; as `Replay::frame`.
   void step();
 
   /// Any frame; beyond the last one the last.
   void go_to(std::uint64_t frame);
+
+  /// True while contacts are those of the recording: nothing was held, tested or added.
+  [[nodiscard]] bool replaying() const;
 
   /// Places a mover by hand and finds its contacts. It is held from then on.
   /// \errors As `Scene::set_pose`; the old pose stays then.

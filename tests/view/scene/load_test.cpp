@@ -2,12 +2,17 @@
 
 #include "soms/base/error.h"
 #include "soms/io/write_mesh.h"
+#include "soms/scene/recording.h"
 
 #include "apps/view/scene/view_scene.h"
 #include "tests/support/bodies.h"
 #include "tests/support/support.h"
 
 #include <gtest/gtest.h>
+
+#include <memory>
+#include <sstream>
+#include <vector>
 
 namespace soms::view {
 namespace {
@@ -34,6 +39,100 @@ TEST(Load, MakesTheMotionsOfASimulation) {
     EXPECT_EQ(scene.body(mover(k)).shape.shared_mesh(),
               world.models[world.ways[k].model].shape.shared_mesh());
   }
+}
+
+/// A block that drives at a wall and through it, recorded for `frames` frames.
+struct Recorded {
+  command::World world;
+  std::string bytes;
+
+  explicit Recorded(std::uint64_t frames) {
+    world.title = "wall";
+    world.city.emplace_back(test::box_body({3, -5, 0}, {4, 5, 5}));
+    command::Model model;
+    model.shape = Shape(test::box_body({0, 0, 0}, {1, 1, 1}));
+    model.name = "block";
+    world.models.push_back(std::move(model));
+    world.ways.emplace_back();
+    std::ostringstream out;
+    RecordingHead head;
+    head.title = "wall";
+    head.environment.emplace_back();
+    head.environment[0].mesh.triangles = world.city[0].shape.mesh().triangles.size();
+    head.models.emplace_back();
+    head.models[0].triangles = world.models[0].shape.mesh().triangles.size();
+    head.movers = {0};
+    RecordingWriter writer(out, head);
+    Scene scene;
+    scene.add_environment(world.city[0]);
+    scene.add_mover(Body(world.models[0].shape));
+    for (std::uint64_t k = 0; k < frames; ++k) {
+      const std::vector<Pose> poses{Pose::translation(0.5 * static_cast<double>(k), 0, 1)};
+      scene.set_pose(0, poses[0]);
+      writer.add(poses, scene.step());
+    }
+    writer.finish(RecordingEnding::complete);
+    bytes = out.str();
+  }
+
+  [[nodiscard]] ViewScene open(const std::string& with) const {
+    return ViewScene(content_of(world, Replay(std::make_unique<std::istringstream>(with), "test")));
+  }
+};
+
+TEST(Load, PlaysARecording) {
+  const Recorded recorded(12);
+  ViewScene scene = recorded.open(recorded.bytes);
+  EXPECT_EQ(scene.frames(), 12U);
+  std::size_t touching = 0;
+  for (std::uint64_t k = 0; k < 12; ++k) {
+    EXPECT_TRUE(scene.replaying());
+    EXPECT_EQ(scene.body(mover(0)).pose, Pose::translation(0.5 * static_cast<double>(k), 0, 1));
+    const Overlap asked = overlap(scene.body(mover(0)), scene.body(city_part(0)));
+    ASSERT_EQ(scene.contacts().size(), asked.pairs.size());
+    for (std::size_t n = 0; n < asked.pairs.size(); ++n) {
+      EXPECT_EQ(scene.contacts()[n],
+                (Touch{mover(0), city_part(0), asked.pairs[n].first, asked.pairs[n].second}));
+    }
+    touching += asked.any ? 1U : 0U;
+    scene.step();
+  }
+  EXPECT_EQ(touching, 5U);
+  EXPECT_EQ(scene.frame(), 0U);
+  scene.go_to(7);
+  EXPECT_EQ(scene.body(mover(0)).pose, Pose::translation(3.5, 0, 1));
+}
+
+TEST(Load, AsksAnewWhereTheHandMovesARecordedMover) {
+  const Recorded recorded(12);
+  ViewScene scene = recorded.open(recorded.bytes);
+  scene.set_pose(0, Pose::translation(2.5, 1, 1));
+  EXPECT_FALSE(scene.replaying());
+  EXPECT_FALSE(scene.contacts().empty());
+  scene.step();
+  EXPECT_EQ(scene.body(mover(0)).pose, Pose::translation(2.5, 1, 1));
+  scene.release(0);
+  scene.step();
+  EXPECT_TRUE(scene.replaying());
+  EXPECT_EQ(scene.body(mover(0)).pose, Pose::translation(1, 0, 1));
+}
+
+TEST(Load, PlaysWhatIsWholeOfADamagedRecording) {
+  const Recorded recorded(100);
+  std::string damaged = recorded.bytes;
+  damaged.resize(damaged.size() - 40);
+  ViewScene scene = recorded.open(damaged);
+  ASSERT_TRUE(scene.frames().has_value());
+  EXPECT_LE(*scene.frames(), 100U);
+  EXPECT_GE(*scene.frames(), 64U);
+  ASSERT_EQ(scene.notes().size(), 1U);
+  EXPECT_NE(scene.notes()[0].find("frames are whole"), std::string::npos);
+}
+
+TEST(Load, RefusesARecordingOfOtherBodies) {
+  Recorded recorded(3);
+  recorded.world.ways.emplace_back();
+  EXPECT_THROW((void)recorded.open(recorded.bytes), Error);
 }
 
 TEST(Load, ReadsADroppedFile) {
