@@ -12,6 +12,15 @@ namespace soms::view {
 
 namespace {
 
+/// One of four tints of a color, so that movers of one kind that touch are told apart.
+Color tint(Color color, std::uint32_t mover) {
+  const int share = static_cast<int>((mover * 2654435761U >> 16U) % 4U) * 14;
+  const auto lighter = [share](std::uint8_t c) {
+    return static_cast<std::uint8_t>(c + (255 - c) * share / 100);
+  };
+  return {lighter(color.r), lighter(color.g), lighter(color.b), color.a};
+}
+
 /// Makes one draw list.
 class Drawing {
  public:
@@ -60,9 +69,9 @@ class Drawing {
     }
     for (std::uint32_t k = 0; options_.movers && k < scene_.movers(); ++k) {
       const auto& mesh = scene_.body(mover(k)).shape.shared_mesh();
-      // Movers of one kind look alike.
+      // Movers of one kind have one hue.
       const auto kind = kinds_.try_emplace(mesh.get(), kinds_.size()).first->second;
-      add_body(mover(k), mover_color(kind), options_.mover_style, false);
+      add_body(mover(k), tint(mover_color(kind), k), options_.mover_style, false);
     }
   }
 

@@ -11,10 +11,10 @@ namespace soms::view {
 
 namespace {
 
-/// Keys of the groups; meshes have theirs apart.
+/// Keys of the groups, three for each tree of a walk; meshes have theirs apart.
 constexpr std::uint64_t kLevelKey = 1;
 constexpr std::uint64_t kFirstWalkKey = 2;
-constexpr std::uint64_t kSecondWalkKey = 3;
+constexpr std::uint64_t kSecondWalkKey = 5;
 
 void add(Fnv1a& hash, Color color) {
   hash.add_byte(color.r);
@@ -93,21 +93,25 @@ void add_walk(ViewScene& scene, const ViewOptions& options, bool first, ShownBox
   }
   const std::vector<Fate>& fates = first ? walk.a : walk.b;
   const auto boxes = scene.world_boxes(first ? scene.pair()->first : scene.pair()->second);
-  BoxGroup group;
-  group.key = first ? kFirstWalkKey : kSecondWalkKey;
-  group.version = version_of_walk(scene, options);
-  // Found ones last, so that they lie over the others.
+  // Found ones last and thicker, so that they show among the others.
+  std::uint64_t key = first ? kFirstWalkKey : kSecondWalkKey;
   for (const auto& [fate, show, color] :
        {std::tuple(Fate::pruned, wanted.pruned, options.colors.pruned),
         std::tuple(Fate::visited, wanted.visited, options.colors.visited),
         std::tuple(Fate::found, wanted.found, options.colors.found)}) {
+    BoxGroup group;
+    group.key = key++;
+    group.version = version_of_walk(scene, options);
+    group.width = fate == Fate::found ? 2 : 1;
     for (std::size_t n = 0; show && n < fates.size(); ++n) {
       if (fates[n] == fate && !boxes[n].empty()) {
         group.boxes.push_back({boxes[n], color});
       }
     }
+    if (show) {
+      add_group(out, std::move(group), options.most_boxes);
+    }
   }
-  add_group(out, std::move(group), options.most_boxes);
 }
 
 }  // namespace

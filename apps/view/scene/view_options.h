@@ -71,7 +71,7 @@ struct ViewColors {
   Color line = palette::kPurple;
   Color level = palette::kBlue;
   Color leaf_above = palette::kSkyBlue;
-  Color visited = palette::kBlue;
+  Color visited = {40, 44, 66, 255};
   Color pruned = {150, 150, 150, 255};
   Color found = palette::kOrange;
   Color plain_city = {205, 205, 200, 255};

@@ -91,19 +91,28 @@ TEST(ShownBoxes, OfATraversalAreTheBoxesThatItTested) {
     options.trees.traversal = {.traversal = traversal};
     scene.set_trees(options.trees);
     const ShownBoxes shown = shown_boxes(scene, options);
-    ASSERT_EQ(shown.groups.size(), 2U);
+    ASSERT_EQ(shown.groups.size(), 6U);
     const Walk& walk = scene.walk();
     for (const bool first : {true, false}) {
-      const FateCounts fates = count_fates(first ? walk.a : walk.b);
-      const auto& boxes = shown.groups[first ? 0 : 1].boxes;
-      const auto with = [&](Color color) {
-        return static_cast<std::uint64_t>(std::count_if(
-            boxes.begin(), boxes.end(), [&](const BoxItem& b) { return b.color == color; }));
+      const std::vector<Fate>& fates = first ? walk.a : walk.b;
+      const auto boxes = scene.world_boxes(first ? city_part(0) : mover(0));
+      const std::size_t group = first ? 0 : 3;
+      const auto expect_boxes = [&](std::size_t k, Fate fate, Color color) {
+        std::vector<Box> expected;
+        for (std::size_t n = 0; n < fates.size(); ++n) {
+          if (fates[n] == fate) {
+            expected.push_back(boxes[n]);
+          }
+        }
+        ASSERT_EQ(shown.groups[group + k].boxes.size(), expected.size());
+        for (std::size_t n = 0; n < expected.size(); ++n) {
+          EXPECT_EQ(shown.groups[group + k].boxes[n].box, expected[n]);
+          EXPECT_EQ(shown.groups[group + k].boxes[n].color, color);
+        }
       };
-      EXPECT_EQ(with(options.colors.found), fates.found);
-      EXPECT_EQ(with(options.colors.visited), fates.visited);
-      EXPECT_EQ(with(options.colors.pruned), fates.pruned);
-      EXPECT_EQ(boxes.size(), fates.found + fates.visited + fates.pruned);
+      expect_boxes(0, Fate::pruned, options.colors.pruned);
+      expect_boxes(1, Fate::visited, options.colors.visited);
+      expect_boxes(2, Fate::found, options.colors.found);
     }
     EXPECT_EQ(scene.statistics().walk, walk.counts);
   }
