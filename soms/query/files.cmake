@@ -23,7 +23,9 @@ set(SOMS_SOURCES
   detail/kernels/scalar.cpp
   detail/kernels/sse4.cpp
   detail/leaf_pairs.cpp
+  detail/lone_box.cpp
   detail/overlap_query.cpp
+  detail/pair_list.cpp
   detail/pair_walk.cpp
   detail/relative_pose.cpp
   detail/triangle_tests.cpp

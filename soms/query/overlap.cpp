@@ -33,7 +33,7 @@ struct Sides {
         y{swapped ? &a.shape : &b.shape, swapped ? &a.pose : &b.pose},
         relative(x.shape->layout(), *x.pose, Viewer(y.shape->layout(), *y.pose)) {}
 
-  [[nodiscard]] PairWalk walk(const OverlapOptions& options, WalkMemory& memory) const {
+  [[nodiscard]] PairWalk walk(const OverlapOptions& options, WalkMemory& memory) {
     return {relative, x, y, swapped, options.mode, memory};
   }
 
@@ -68,7 +68,7 @@ void join(const std::vector<Part>& parts, const OverlapOptions& options, Overlap
 }
 
 /// One query on several threads.
-void run_parallel(const Sides& sides, const OverlapOptions& options, const Parallel& parallel,
+void run_parallel(Sides& sides, const OverlapOptions& options, const Parallel& parallel,
                   Overlap& answer) {
   WalkMemory memory;
   PairWalk head = sides.walk(options, memory);
@@ -98,7 +98,7 @@ void run_parallel(const Sides& sides, const OverlapOptions& options, const Paral
 }
 
 /// One query on the caller's thread.
-void run_single(const Sides& sides, const OverlapOptions& options, const Parallel& parallel,
+void run_single(Sides& sides, const OverlapOptions& options, const Parallel& parallel,
                 Overlap& answer) {
   WalkMemory memory;
   Watch watch(options, parallel);
@@ -113,9 +113,10 @@ void run_single(const Sides& sides, const OverlapOptions& options, const Paralle
 }
 
 /// One query of which one side at least is compact: always on the caller's thread.
-void run_compact(const Sides& sides, const OverlapOptions& options, const Parallel& parallel,
+void run_compact(Sides& sides, const OverlapOptions& options, const Parallel& parallel,
                  Overlap& answer) {
   Watch watch(options, parallel);
+  sides.relative.prepare();
   detail::CompactWalk walk(sides.relative, sides.x, sides.y, sides.swapped);
   Collector collector(options.mode, options.limit, answer.pairs);
   walk.run(collector, watch);
@@ -148,7 +149,7 @@ Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options,
   if (detail::is_empty(a.shape) || detail::is_empty(b.shape)) {
     return answer;
   }
-  const Sides sides(a, b);
+  Sides sides(a, b);
   // The first pairs in the order of one thread are best found by one thread.
   const bool limited = options.limit != std::numeric_limits<std::uint64_t>::max();
   if (detail::any_compact(a.shape, b.shape)) {

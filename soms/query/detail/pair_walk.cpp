@@ -1,6 +1,7 @@
 #include "soms/query/detail/pair_walk.h"
 
 #include "soms/query/detail/kernels/instruction_set.h"
+#include "soms/query/detail/lone_box.h"
 #include "soms/query/detail/triangle_tests.h"
 
 #include <algorithm>
@@ -82,18 +83,7 @@ void fetch(const Place& place) {
 
 }  // namespace
 
-void PairList::grow(std::size_t least) {
-  const std::size_t capacity = std::max(least, 2 * capacity_);
-  std::vector<std::uint32_t> larger(2 * capacity);
-  std::copy_n(x_, size_, larger.begin());
-  std::copy_n(y_, size_, larger.begin() + static_cast<std::ptrdiff_t>(capacity));
-  far_.swap(larger);
-  x_ = far_.data();
-  y_ = far_.data() + capacity;
-  capacity_ = capacity;
-}
-
-PairWalk::PairWalk(const RelativePose& relative, const WalkSide& x, const WalkSide& y, bool swapped,
+PairWalk::PairWalk(RelativePose& relative, const WalkSide& x, const WalkSide& y, bool swapped,
                    OverlapMode mode, WalkMemory& memory)
     : relative_(relative),
       leaves_(x, y, swapped),
@@ -109,8 +99,17 @@ PairWalk::PairWalk(const RelativePose& relative, const WalkSide& x, const WalkSi
 void PairWalk::start() {
   ++cost_.node_tests;
   memory_.clear();
-  if (!relative_.apart()) {
+  if (relative_.apart()) {
+    return;
+  }
+  const LoneBox box = relative_.lone_box();
+  if (box.pays(nodes_y_[0])) {
+    box.descend(nodes_y_, memory_.blocks, memory_.codes, cost_);
+  } else {
     memory_.codes.push({0, 0});
+  }
+  if (!memory_.codes.empty()) {
+    relative_.prepare();
   }
 }
 
@@ -280,11 +279,11 @@ void PairWalk::run(Collector& collector, Watch& watch) {
 }
 
 std::vector<PlacePair> PairWalk::frontier(std::size_t enough) {
-  ++cost_.node_tests;
-  if (relative_.apart()) {
-    return {};
+  start();
+  std::vector<PlacePair> level;
+  for (std::size_t i = 0; i < memory_.codes.size(); ++i) {
+    level.push_back(memory_.codes.at(i));
   }
-  std::vector<PlacePair> level{{0, 0}};
   std::vector<PlacePair> next;
   bool opened = true;
   while (opened && level.size() < enough) {

@@ -6,6 +6,7 @@
 #include "soms/query/detail/collector.h"
 #include "soms/query/detail/kernels/kernels.h"
 #include "soms/query/detail/leaf_pairs.h"
+#include "soms/query/detail/pair_list.h"
 #include "soms/query/detail/relative_pose.h"
 
 #include <array>
@@ -14,71 +15,6 @@
 #include <vector>
 
 namespace soms::detail {
-
-/// A pair of places in two trees: codes of which one at least is a node (see NodeTask), or words of
-/// WideNode::child that are leaves both.
-struct PlacePair {
-  std::uint32_t x;
-  std::uint32_t y;
-
-  [[nodiscard]] bool blocks() const { return (x & WideNode::kLeafBit) != 0; }
-};
-
-/// A stack of pairs that allocates only when it outgrows what it has.
-class PairList {
- public:
-  PairList() = default;
-  PairList(const PairList&) = delete;
-  PairList& operator=(const PairList&) = delete;
-  ~PairList() = default;
-
-  [[nodiscard]] bool empty() const { return size_ == 0; }
-
-  [[nodiscard]] std::size_t size() const { return size_; }
-
-  void clear() { size_ = 0; }
-
-  void push(const PlacePair& pair) {
-    reserve(1);
-    x_[size_] = pair.x;
-    y_[size_++] = pair.y;
-  }
-
-  PlacePair pop() {
-    --size_;
-    return {x_[size_], y_[size_]};
-  }
-
-  /// Takes the last `count` pairs off; `at` still has them until something is added.
-  void drop(std::size_t count) { size_ -= count; }
-
-  [[nodiscard]] PlacePair at(std::size_t i) const { return {x_[i], y_[i]}; }
-
-  /// Makes room for `more` pairs at `end_x` and `end_y`, which `add` then counts.
-  void reserve(std::size_t more) {
-    if (size_ + more > capacity_) {
-      grow(size_ + more);
-    }
-  }
-
-  [[nodiscard]] std::uint32_t* end_x() { return x_ + size_; }
-
-  [[nodiscard]] std::uint32_t* end_y() { return y_ + size_; }
-
-  void add(std::size_t count) { size_ += count; }
-
- private:
-  static constexpr std::size_t kNear = 256;
-
-  void grow(std::size_t least);
-
-  std::array<std::uint32_t, 2 * kNear> near_;
-  std::vector<std::uint32_t> far_;
-  std::uint32_t* x_ = near_.data();
-  std::uint32_t* y_ = near_.data() + kNear;
-  std::size_t size_ = 0;
-  std::size_t capacity_ = kNear;
-};
 
 /// Pairs still to be opened or decided.
 struct WalkMemory {
@@ -114,10 +50,10 @@ struct WalkRound {
 /// One query. Sides x and y are the caller's a and b, or b and a when `swapped`.
 class PairWalk {
  public:
-  PairWalk(const RelativePose& relative, const WalkSide& x, const WalkSide& y, bool swapped,
+  PairWalk(RelativePose& relative, const WalkSide& x, const WalkSide& y, bool swapped,
            OverlapMode mode, WalkMemory& memory);
 
-  /// Begins at the roots.
+  /// Begins at the roots, or below that of y where x is small beside it.
   void start();
 
   /// Begins at a pair of places.
@@ -165,7 +101,7 @@ class PairWalk {
   /// Pops a pair of blocks. Of a run of blocks it gives the first and leaves the rest.
   [[nodiscard]] PlacePair take_blocks();
 
-  const RelativePose& relative_;
+  RelativePose& relative_;
   LeafPairs leaves_;
   const WideNode* nodes_x_;
   const WideNode* nodes_y_;

@@ -4,18 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace soms::detail {
 
 namespace {
 
 constexpr double kUnitRoundoff = 0x1p-53;
+constexpr Matrix3 kIdentity = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
+/// At least `x`, which is normal as a float and not negative.
 float rounded_up(double x) {
-  const auto f = static_cast<float>(x);
-  return static_cast<double>(f) >= x ? f
-                                     : std::nextafter(f, std::numeric_limits<float>::infinity());
+  return static_cast<float>(x * (1 + 0x1p-22));
 }
 
 Matrix3 product(const Matrix3& a, const Matrix3& b) {
@@ -81,20 +80,37 @@ Matrix3 rotation(const Pose& pose) {
 }
 
 Viewer::Viewer(const WideTree& t, const Pose& p)
-    : tree(&t),
-      pose(p),
-      inverse(inverse_of(rotation(p))),
-      residual(distance_from_identity(product(inverse, rotation(p)))),
-      reach(moved_reach(p, t.bounds())) {
+    : tree(&t), pose(p), inverse(rotation(p)), reach(moved_reach(p, t.bounds())) {
+  turned = inverse != kIdentity;
+  if (turned) {
+    inverse = inverse_of(rotation(p));
+    residual = distance_from_identity(product(inverse, rotation(p)));
+  }
 }
 
 RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const Viewer& y)
-    : matrix_(product(y.inverse, rotation(pose_x))) {
+    : matrix_(y.turned ? product(y.inverse, rotation(pose_x)) : rotation(pose_x)),
+      exponents_(y.tree->exponent() - x.exponent()) {
   numbers_.scale = y.tree->scale();
   const Vec3 between = pose_x.apply(x.origin()) - y.pose.apply(y.tree->origin());
   for (std::size_t i = 0; i < 3; ++i) {
     numbers_.shift[i] =
         (y.inverse[i][0] * between.x + y.inverse[i][1] * between.y) + y.inverse[i][2] * between.z;
+  }
+  const double reach = y.reach + moved_reach(pose_x, x.bounds());
+  const double slack = 2 * ((192 * kUnitRoundoff + 12 * y.residual) * reach + 0x1p-1064);
+  apart_ = roots_apart(x.bounds(), y.tree->bounds(), slack);
+  // Where rounding outweighs the body a thousandfold and more, every box meets every other.
+  if (slack * numbers_.scale <= 0x1p40) {
+    numbers_.slack = rounded_up(slack * numbers_.scale + 0x1p-100);
+  } else {
+    numbers_.slack = 0x1p100F;
+    numbers_.scale = 0;
+  }
+}
+
+void RelativePose::prepare() {
+  for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       numbers_.column[j][i] = matrix_[i][j];
       numbers_.rows[4 * i + j] = static_cast<float>(matrix_[i][j]);
@@ -112,17 +128,20 @@ RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const Viewer& 
   }
   numbers_.relative =
       rounded_up(2.75 * (0x1p-17 + 4 * distance_from_identity(product(transposed, matrix_))));
-  numbers_.ratio = static_cast<float>(std::ldexp(1.0, y.tree->exponent() - x.exponent()));
-  const double reach = y.reach + moved_reach(pose_x, x.bounds());
-  const double slack = 2 * ((192 * kUnitRoundoff + 12 * y.residual) * reach + 0x1p-1064);
-  apart_ = roots_apart(x.bounds(), y.tree->bounds(), slack);
-  // Where rounding outweighs the body a thousandfold and more, every box meets every other.
-  if (slack * numbers_.scale <= 0x1p40) {
-    numbers_.slack = rounded_up(slack * numbers_.scale + 0x1p-100);
-  } else {
-    numbers_.slack = 0x1p100F;
-    numbers_.scale = 0;
+  numbers_.ratio = static_cast<float>(std::ldexp(1.0, exponents_));
+}
+
+LoneBox RelativePose::lone_box() const {
+  LoneBox box = {};
+  box.scale = numbers_.scale;
+  box.slack = numbers_.slack;
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.center[i] = numbers_.shift[i];
+    box.half[i] = static_cast<float>(half_seen_[i] * box.scale);
   }
+  box.size = std::max({box.half[0], box.half[1], box.half[2]});
+  box.sum = (box.half[0] + box.half[1]) + box.half[2];
+  return box;
 }
 
 void RelativePose::turn(const layout::Axes& x, const layout::Axes& y, Relation& relation) const {
@@ -144,19 +163,16 @@ void RelativePose::turn(const layout::Axes& x, const layout::Axes& y, Relation& 
   }
 }
 
-bool RelativePose::roots_apart(const Box& x, const Box& y, double slack) const {
+bool RelativePose::roots_apart(const Box& x, const Box& y, double slack) {
   const Vec3 half_x = x.extent() * 0.5;
   const Vec3 half_y = y.extent() * 0.5;
+  bool apart = false;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double radius =
-        ((std::abs(matrix_[i][0]) * half_x.x + std::abs(matrix_[i][1]) * half_x.y) +
-         std::abs(matrix_[i][2]) * half_x.z) +
-        half_y[i];
-    if (std::abs(numbers_.shift[i]) > radius + slack) {
-      return true;
-    }
+    half_seen_[i] = (std::abs(matrix_[i][0]) * half_x.x + std::abs(matrix_[i][1]) * half_x.y) +
+                    std::abs(matrix_[i][2]) * half_x.z;
+    apart = apart || std::abs(numbers_.shift[i]) > (half_seen_[i] + half_y[i]) + slack;
   }
-  return false;
+  return apart;
 }
 
 }  // namespace soms::detail

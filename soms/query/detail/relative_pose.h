@@ -75,6 +75,7 @@
 
 #include "soms/base/pose.h"
 #include "soms/query/detail/kernels/kernels.h"
+#include "soms/query/detail/lone_box.h"
 #include "soms/tree/layout/wide_tree.h"
 
 #include <array>
@@ -94,6 +95,7 @@ struct Viewer {
 
   const WideTree* tree;
   Pose pose;
+  bool turned = false;  // false: the rotation is the identity, to the bit
   Matrix3 inverse;      // of the rotation, as computed
   double residual = 0;  // largest entry of |inverse * rotation - I|
   double reach = 0;     // largest moved coordinate, bounded; V of the proof is a sum of two
@@ -143,6 +145,12 @@ class RelativePose {
   /// \pre  Both trees have a node; x.exponent() >= y.exponent(); the poses passed their checks.
   RelativePose(const WideTree& x, const Pose& pose_x, const Viewer& y);
 
+  /// Makes `numbers` and `relate` ready, which cost more than most queries of a small body.
+  void prepare();
+
+  /// All of x as one box.
+  [[nodiscard]] LoneBox lone_box() const;
+
   /// The roots' boxes are surely apart: nothing overlaps, and nothing else may be asked.
   [[nodiscard]] bool apart() const { return apart_; }
 
@@ -167,11 +175,13 @@ class RelativePose {
   /// M and Q_y^T d for places with axes of their own.
   void turn(const layout::Axes& x, const layout::Axes& y, Relation& relation) const;
 
-  [[nodiscard]] bool roots_apart(const Box& x, const Box& y, double slack) const;
+  [[nodiscard]] bool roots_apart(const Box& x, const Box& y, double slack);
 
   PoseNumbers numbers_;
   Matrix3 matrix_ = {};
-  Turn turn_ = {};  // N in float
+  int exponents_ = 0;                     // by which the units of the layouts differ
+  std::array<double, 3> half_seen_ = {};  // of x's box along y's axes
+  Turn turn_ = {};                        // N in float
   bool apart_ = false;
 };
 

@@ -50,6 +50,7 @@ struct Pair {
         other(surface(rng, 1 + rng.below(300), rng.below(3) == 0 ? 0x1p-30 : 0.5)) {
     relative.emplace(other.layout(), random_pose(rng, 1.5),
                      Viewer(viewer.layout(), random_pose(rng, 0)));
+    relative->prepare();
   }
 
   Shape viewer;

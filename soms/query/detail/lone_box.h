@@ -1,0 +1,42 @@
+/// \file
+/// A body that is small beside another one goes down the other's tree as one box first: most of
+/// its queries end there, before anything is made ready for pairs of nodes.
+///
+/// Proof. In the terms of relative_pose.h, a point u of x lies in x's box, whose center is the
+/// tree's origin, so |(N u)_i| <= r_i, the sum of |N_ij| times half side j. With v = o + q of an
+/// unturned node of y, |q_i - c_i| <= h_i for the box of its lane, z_i = (D - o)_i + (N u)_i - q_i
+/// gives |c_i - (D - o)_i| <= h_i + r_i + W. In float, in units of 2^-24 T, T = r_0 + r_1 + r_2 +
+/// the node's reach: D - o is rounded once (1), the difference of centers (1), r_i (1) and two sums
+/// (2); what the doubles lose is in the slack. The margin is 2^-19 T, 32 of them, and the slack.
+#pragma once
+
+#include "soms/query/answer.h"
+#include "soms/query/detail/pair_list.h"
+#include "soms/tree/layout/wide_tree.h"
+
+#include <array>
+
+namespace soms::detail {
+
+/// The box of all of x, along the axes of y's tree and in the units of its layout.
+struct LoneBox {
+  std::array<double, 3> center;  ///< relative to y's origin, in the mesh's units
+  std::array<float, 3> half;
+  float size;  ///< longest of `half`
+  float sum;   ///< all of them
+  float slack;
+  double scale;  ///< turns the mesh's units into those of the layout
+
+  /// Whether the box is so small beside a tree that it should go down alone.
+  [[nodiscard]] bool pays(const WideNode& root) const;
+
+  /// Appends the places of y that the box may meet, as partners of x's root: leaves, turned nodes,
+  /// and nodes about as large as the box. `stack` is empty before and after.
+  void descend(const WideNode* nodes, PairList& stack, PairList& seeds, Cost& cost) const;
+
+ private:
+  /// Lanes of an unturned node whose boxes may meet this one.
+  [[nodiscard]] std::uint32_t meets(const WideNode& node) const;
+};
+
+}  // namespace soms::detail
