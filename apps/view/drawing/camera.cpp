@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace soms::view {
@@ -188,6 +189,41 @@ Camera fitted(const Box& box, const Vec3& toward_eye, Size size, double field_of
   constexpr double kMargin = 1.04;
   camera.eye = camera.target + back * (reach > 0 ? reach * kMargin : 1);
   return camera;
+}
+
+Camera framed(const Camera& camera, std::span<const Vec3> points, Size size) {
+  if (points.empty()) {
+    return camera;
+  }
+  // In the camera's directions about the first point: each side of the picture bounds where the eye
+  // may be by a plane, and the eye is best where opposite planes meet.
+  const CameraFrame f = frame(camera);
+  constexpr double kMargin = 0.97;
+  constexpr double kLeastClearance = 0.05;
+  const double tall = slope(camera) * kMargin;
+  const double wide = tall * size.width / std::max(size.height, 1);
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  double right = kNone, left = kNone, upper = kNone, lower = kNone, far = kNone, near = -kNone;
+  for (const Vec3& point : points) {
+    const Vec3 p = point - points[0];
+    const double x = dot(p, f.right), y = dot(p, f.up), depth = dot(p, f.forward);
+    right = std::max(right, x - wide * depth);
+    left = std::max(left, -x - wide * depth);
+    upper = std::max(upper, y - tall * depth);
+    lower = std::max(lower, -y - tall * depth);
+    far = std::max(far, depth);
+    near = std::min(near, depth);
+  }
+  // A wide view could put the eye upon the nearest point.
+  const double clear = kLeastClearance * (far - near) - near;
+  const double back = std::max({(right + left) / (2 * wide), (upper + lower) / (2 * tall), clear});
+  const double middle = (near + far) / 2;
+  const double reach = middle + back > 0 ? middle + back : distance_to_target(camera);
+  Camera result = camera;
+  result.target = points[0] + f.right * ((right - left) / 2) + f.up * ((upper - lower) / 2) +
+                  f.forward * middle;
+  result.eye = result.target - f.forward * reach;
+  return result;
 }
 
 Ray ray_through(const Camera& camera, Size size, PixelPoint pixel) {

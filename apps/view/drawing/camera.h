@@ -7,6 +7,7 @@
 #include "soms/base/vector.h"
 
 #include <optional>
+#include <span>
 
 namespace soms::view {
 
@@ -102,6 +103,10 @@ struct Projection {
 /// An empty or point-like box is seen from distance 1.
 [[nodiscard]] Camera fitted(const Box& box, const Vec3& toward_eye, Size size,
                             double field_of_view = 0.8);
+
+/// The camera moved without turning so that all `points` are seen as large as fits. The target
+/// keeps their middle depth. Without points, or where they are one, only the place changes.
+[[nodiscard]] Camera framed(const Camera& camera, std::span<const Vec3> points, Size size);
 
 /// The half line of points that are seen at `pixel`.
 [[nodiscard]] Ray ray_through(const Camera& camera, Size size, PixelPoint pixel);

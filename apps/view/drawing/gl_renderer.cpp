@@ -12,6 +12,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -50,7 +51,9 @@ std::array<float, 4> parts_of(Color c) {
 }  // namespace
 
 struct GlRenderer::Parts {
-  Parts() : background("background", shader::kBackgroundVertex, shader::kBackgroundFragment) {}
+  Parts()
+      : background("background", shader::kBackgroundVertex, shader::kBackgroundFragment),
+        relief("relief", shader::kBackgroundVertex, shader::kReliefFragment) {}
 
   // Reversed depths need no bounds: precision is the same wherever the range begins.
   [[nodiscard]] DepthRange depths(const DrawList& list, const Camera& camera) const {
@@ -72,6 +75,24 @@ struct GlRenderer::Parts {
     glDrawArrays(GL_TRIANGLES, 0, 3);
     ++statistics.draw_calls;
     glEnable(GL_DEPTH_TEST);
+  }
+
+  // Multiplies what was drawn by factors from its depths.
+  void draw_relief(Size size) {
+    const unsigned depths = target.depths();
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, depths);
+    glDisable(GL_DEPTH_TEST);
+    glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+    relief.use();
+    relief.set("reversed", mode == DepthMode::reversed ? 1.0F : 0.0F);
+    relief.set("reach", std::max(2.0F, static_cast<float>(size.height) / 200));
+    nothing.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    ++statistics.draw_calls;
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glEnable(GL_DEPTH_TEST);
+    glBindTexture(GL_TEXTURE_2D, 0);
   }
 
   void set_state() const {
@@ -119,6 +140,7 @@ struct GlRenderer::Parts {
   DepthMode mode = depth_mode();
   GlTarget target;
   GlProgram background;
+  GlProgram relief;
   GlVertexArray nothing;
   GlSurfaces surfaces;
   GlBoxes boxes;
@@ -149,6 +171,9 @@ void GlRenderer::draw(const DrawList& list, const Camera& camera, Size size,
   p.set_state();
   p.draw_background(list.background);
   p.surfaces.draw_solid(view, p.statistics);
+  if (options.relief && p.statistics.triangles > 0) {
+    p.draw_relief(size);
+  }
   p.draw_layer(list, view, false);
   p.surfaces.draw_translucent(view, p.statistics);
   glDisable(GL_DEPTH_TEST);

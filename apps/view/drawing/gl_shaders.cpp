@@ -192,4 +192,43 @@ void main() {
 
 const char* const kBackgroundFragment = kStrokeFragment;
 
+// The inverse of the distance is a linear function of the place in the picture on any plane, and is
+// affine in the depth, so its second differences are 0 but at creases and steps: whatever the slant
+// of a surface, only these are darkened.
+const char* const kReliefFragment = R"(#version 330 core
+uniform sampler2D depths;
+uniform float reversed;
+uniform float reach;  // in pixels
+out vec4 pixel;
+ivec2 last;
+float inverse_distance(ivec2 at) {
+  float d = texelFetch(depths, clamp(at, ivec2(0), last), 0).r;
+  return reversed > 0.5 ? d : 1.0 - d;
+}
+void main() {
+  last = textureSize(depths, 0) - 1;
+  ivec2 here = ivec2(gl_FragCoord.xy);
+  float middle = inverse_distance(here);
+  if (middle <= 0.0) {
+    discard;
+  }
+  float dark = 0.0;
+  for (int ring = 1; ring <= 2; ++ring) {
+    float r = ring == 1 ? max(1.0, 0.4 * reach) : reach;
+    ivec2 x = ivec2(int(r + 0.5), 0);
+    ivec2 d = ivec2(int(0.7 * r + 0.5));
+    ivec2 e = ivec2(d.x, -d.y);
+    float sum = 0.0;
+    sum += max(0.0, inverse_distance(here + x) + inverse_distance(here - x) - 2.0 * middle);
+    sum += max(0.0, inverse_distance(here + x.yx) + inverse_distance(here - x.yx) - 2.0 * middle);
+    sum += max(0.0, inverse_distance(here + d) + inverse_distance(here - d) - 2.0 * middle);
+    sum += max(0.0, inverse_distance(here + e) + inverse_distance(here - e) - 2.0 * middle);
+    dark += sum / middle;
+  }
+  // A step of a tenth of the distance counts almost whole.
+  float shade = 1.0 - 0.4 * (1.0 - exp(-dark * 12.0));
+  pixel = vec4(vec3(shade), 1.0);
+}
+)";
+
 }  // namespace soms::view::shader

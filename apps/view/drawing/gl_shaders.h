@@ -23,4 +23,7 @@ extern const char* const kPointFragment;
 extern const char* const kBackgroundVertex;
 extern const char* const kBackgroundFragment;
 
+/// Factors by which surfaces are darkened, from their depths; with kBackgroundVertex.
+extern const char* const kReliefFragment;
+
 }  // namespace soms::view::shader

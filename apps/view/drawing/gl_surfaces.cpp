@@ -178,7 +178,7 @@ void GlSurfaces::draw_marks(const DrawList& list, const GlView& view, bool on_to
     return;
   }
   marks_.stream(std::as_bytes(std::span(corners)));
-  begin(view, 0.75F, 1, view.lift);
+  begin(view, 0.55F, 1, view.lift);
   marks_reading_.bind();
   glVertexAttrib4f(2, 1, 0, 0, 0);
   glVertexAttrib4f(3, 0, 1, 0, 0);

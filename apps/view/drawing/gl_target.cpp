@@ -51,7 +51,10 @@ void GlTarget::release() {
   glDeleteRenderbuffers(1, &color_);
   glDeleteRenderbuffers(1, &depth_);
   glDeleteRenderbuffers(1, &smooth_color_);
+  glDeleteFramebuffers(1, &depth_frame_);
+  glDeleteTextures(1, &depth_texture_);
   frame_ = smooth_frame_ = color_ = depth_ = smooth_color_ = 0;
+  depth_frame_ = depth_texture_ = 0;
   size_ = {0, 0};
 }
 
@@ -95,6 +98,28 @@ void GlTarget::begin(Size size, int samples) {
   }
   glBindFramebuffer(GL_FRAMEBUFFER, frame_);
   glViewport(0, 0, size.width, size.height);
+}
+
+unsigned GlTarget::depths() {
+  if (depth_texture_ == 0) {
+    glGenTextures(1, &depth_texture_);
+    glBindTexture(GL_TEXTURE_2D, depth_texture_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, size_.width, size_.height, 0,
+                 GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glGenFramebuffers(1, &depth_frame_);
+    glBindFramebuffer(GL_FRAMEBUFFER, depth_frame_);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_texture_, 0);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+  }
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, depth_frame_);
+  glBlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size_.width, size_.height,
+                    GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, frame_);
+  return depth_texture_;
 }
 
 void GlTarget::finish() {

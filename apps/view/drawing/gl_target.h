@@ -19,6 +19,9 @@ class GlTarget {
   /// stay. \errors ErrorKind::usage beyond the device's largest picture; ErrorKind::out_of_memory.
   void begin(Size size, int samples);
 
+  /// A texture of the depths drawn so far, one a pixel. The target stays current.
+  [[nodiscard]] unsigned depths();
+
   /// Averages the samples.
   void finish();
 
@@ -39,6 +42,8 @@ class GlTarget {
   unsigned depth_ = 0;
   unsigned smooth_frame_ = 0;  ///< averaged; 0 with one sample
   unsigned smooth_color_ = 0;
+  unsigned depth_frame_ = 0;  ///< one depth a pixel, made when it is first asked for
+  unsigned depth_texture_ = 0;
 };
 
 }  // namespace soms::view

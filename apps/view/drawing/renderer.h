@@ -15,10 +15,13 @@ namespace soms::view {
 struct DrawOptions {
   static constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
 
-  /// Most triangles of meshes: where there are more, the tiles that look smallest are left out.
-  /// While the camera moves a program sets some 200,000, and `kAll` when it stands still.
+  /// Most triangles of meshes: where there are more, small ones are left out, the more of a tile
+  /// the smaller it looks. While the camera moves a program sets some 200,000, and `kAll` when it
+  /// stands still.
   std::uint64_t most_triangles = kAll;
   int samples = 4;  ///< for each pixel: 1 is fast, 4 and 8 make smooth edges
+  bool relief =
+      true;  ///< darken creases and what lies behind an edge; takes a pass over the picture
 };
 
 /// What the last frame took.

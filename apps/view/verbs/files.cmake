@@ -1,9 +1,15 @@
 # The verbs of soms-view: their options, and what they do.
 set(SOMS_VIEW_HEADERS
+  render.h
+  render_camera.h
+  render_scene.h
   verbs.h
   view.h
 )
 set(SOMS_VIEW_SOURCES
+  render.cpp
+  render_camera.cpp
+  render_scene.cpp
   verbs.cpp
   view.cpp
 )

@@ -1,5 +1,6 @@
 #include "apps/view/verbs/verbs.h"
 
+#include "apps/view/verbs/render.h"
 #include "apps/view/verbs/view.h"
 
 #include <array>
@@ -7,7 +8,8 @@
 namespace soms::view {
 
 std::span<const command::Verb> verbs() {
-  static constexpr std::array<command::Verb, 1> kVerbs{{
+  static constexpr std::array<command::Verb, 2> kVerbs{{
+      {"render", "a picture of a scene and its contacts, without a screen", add_render},
       {"view", "fly through a city and see what touches what, and why", add_view},
   }};
   return kVerbs;

@@ -2,8 +2,10 @@
 
 #include "tests/support/support.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace soms::view {
 namespace {
@@ -172,6 +174,41 @@ TEST(Camera, FitsABoxSoThatAllCornersShowAndOneIsNearAnEdge) {
     EXPECT_LT(nearest_edge, 0.2);
   });
   EXPECT_NEAR(distance_to_target(fitted({}, {0, -1, 0}, {10, 10})), 1, 1e-12);
+}
+
+TEST(Camera, FramesPointsSoThatAllShowAndOppositeEdgesAreMet) {
+  test::for_each_case("camera/frame points", 300, [](Rng& rng) {
+    const Camera camera = random_camera(rng);
+    const Size size{static_cast<int>(rng.uniform(100, 1000)),
+                    static_cast<int>(rng.uniform(100, 1000))};
+    const Vec3 far = random_point(rng, 1e5);
+    std::vector<Vec3> points;
+    for (int i = 0; i < 50; ++i) {
+      points.push_back(far + random_point(rng, 100));
+    }
+    const Camera found = framed(camera, points, size);
+    expect_near(frame(found).forward, frame(camera).forward, 1e-6);
+    double left = 1, right = 1, upper = 1, lower = 1, nearest = 1e9;
+    for (const Vec3& p : points) {
+      const auto seen = project(found, size, p);
+      ASSERT_TRUE(seen.has_value());
+      nearest = std::min(nearest, seen->depth);
+      left = std::min(left, seen->pixel.x / size.width);
+      right = std::min(right, 1 - seen->pixel.x / size.width);
+      upper = std::min(upper, seen->pixel.y / size.height);
+      lower = std::min(lower, 1 - seen->pixel.y / size.height);
+    }
+    EXPECT_GE(std::min({left, right, upper, lower}), 0);
+    if (nearest > 20) {
+      EXPECT_LE(std::min(std::max(left, right), std::max(upper, lower)), 0.02)
+          << "two edges are met";
+    }
+  });
+  const Camera camera;
+  EXPECT_EQ(framed(camera, {}, {10, 10}), camera);
+  const std::vector<Vec3> one{{5, 5, 5}};
+  expect_near(framed(camera, one, {10, 10}).target, {5, 5, 5});
+  EXPECT_NEAR(distance_to_target(framed(camera, one, {10, 10})), distance_to_target(camera), 1e-9);
 }
 
 TEST(Camera, DepthRangeHoldsWhatIsInFront) {

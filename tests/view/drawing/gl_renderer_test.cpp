@@ -223,6 +223,23 @@ TEST(GlRenderer, ShowsMostOfASceneWithASmallPartOfItsTriangles) {
   EXPECT_GT(covered(part), 0.6 * covered(whole));
 }
 
+TEST(GlRenderer, DarkensCreasesAndStepsButNoPlaneHoweverSlanted) {
+  SOMS_NEEDS_GL(drawing);
+  const Camera slanted{{-6, -10, 5}, {0, 0, 0}, {0, 0, 1}, 0.8};
+  const auto darker = [&](Mesh mesh, std::uint64_t key) {
+    DrawList list = on_ground(list_of(std::move(mesh)));
+    list.meshes[0].key = key;
+    const Picture flat =
+        drawn(*drawing.renderer, list, slanted, kSmall, {.samples = 1, .relief = false});
+    const Picture relief = drawn(*drawing.renderer, list, slanted);
+    return difference(flat, relief, 2).beyond;
+  };
+  EXPECT_EQ(darker(wall(0, -3, -3, 3, 3), 1), 0U);
+  Mesh step = wall(0, -3, -3, 3, 3);
+  append(step, wall(-2, -1, -1, 1, 1));
+  EXPECT_GT(darker(step, 2), 30U);
+}
+
 TEST(GlRenderer, SmoothsEdgesWithMoreSamples) {
   SOMS_NEEDS_GL(drawing);
   DrawList list = on_ground({});

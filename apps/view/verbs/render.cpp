@@ -1,0 +1,190 @@
+#include "apps/view/verbs/render.h"
+
+#include "soms/base/error.h"
+
+#include "apps/support/console.h"
+#include "apps/support/json.h"
+#include "apps/support/output.h"
+#include "apps/support/parse.h"
+#include "apps/support/text.h"
+#include "apps/view/drawing/gl_renderer.h"
+#include "apps/view/drawing/headless_context.h"
+#include "apps/view/scene/draw_scene.h"
+#include "apps/view/verbs/render_scene.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+#include <utility>
+
+namespace soms::view {
+
+namespace {
+
+constexpr int kMostSide = 16'384;
+constexpr std::size_t kMostContacts = 1'000'000;
+constexpr std::uint8_t kGlass = 70;  // opacity of --see-through
+constexpr std::uint8_t kBoxFaces = 60;
+
+const char* const kFooter =
+    "Without a city: an embedded one of 1,000,000 triangles, with cars, persons and drones. A\n"
+    "city from files has movers only where --mover, --route or --count ask for them. Touching\n"
+    "triangles are red. A camera is scene, contact or mover:N, a side (north, southwest, top,\n"
+    "or bearing:elevation in degrees) and a zoom, in any order, as in contact,45:30,2x; or six\n"
+    "numbers, where the eye is and what it looks at.\n\n"
+    "Example:\n"
+    "  soms generate city --triangles 20000 -o town.ply\n"
+    "  soms render town.ply -o town.png --size 960x540";
+
+void add_picture_options(CLI::App& app, RenderOptions& options) {
+  app.add_option("-o,--output", options.output, "picture to write, PNG; - is standard output")
+      ->required()
+      ->option_text("FILE");
+  app.add_option_function<std::string>(
+         "--size", [&options](const std::string& text) { options.size = parse_picture_size(text); },
+         "width and height in pixels (1920x1080)")
+      ->option_text("WxH");
+  app.add_option_function<std::string>(
+         "--camera", [&options](const std::string& text) { options.camera = parse_camera(text); },
+         "where from, see below (scene,215:30)")
+      ->option_text("WORDS");
+  app.add_flag("--center", options.center,
+               "numbers of --camera count from the middle of the scene");
+  command::add_count(app, "--samples", options.samples, 1, 16,
+                     "samples a pixel; more make smoother edges (4)");
+}
+
+void add_content_options(CLI::App& app, RenderOptions& options) {
+  app.add_option("--pose", options.pose,
+                 "where the mover stands: \"x y z [qw qx qy qz]\", or a CSV file of poses")
+      ->option_text("POSE");
+  command::add_count(app, "--frame", options.frame, 0, 1'000'000'000,
+                     "frame of the simulation, a sixtieth of a second each (0)");
+  command::add_count(app, "--level", options.level, 1, 1000,
+                     "boxes of this level of the tree, the root being 1");
+  command::add_choice<LevelOf>(app, "--level-of", options.level_of,
+                               {{"city", LevelOf::city}, {"mover", LevelOf::mover}},
+                               "whose tree (city)");
+  command::add_choice<BoxStyle>(
+      app, "--boxes", options.boxes,
+      {{"wire", BoxStyle::wire}, {"solid", BoxStyle::solid}, {"both", BoxStyle::both}},
+      "edges, faces, or both (wire)");
+  app.add_flag("--walk", options.walk,
+               "boxes that --traversal visited, pruned and found, of the city and the mover");
+  command::add_choice<CityColors>(
+      app, "--colors", options.shown.city_colors,
+      {{"building", CityColors::by_building}, {"plain", CityColors::plain}},
+      "of the city (building)");
+  app.add_flag("--see-through", options.see_through, "draw the city as glass");
+  app.add_flag("--edges",
+               [&options](std::int64_t) {
+                 options.shown.city_style = SurfaceStyle::both;
+                 options.shown.mover_style = SurfaceStyle::both;
+               })
+      ->description("draw the edges of triangles, too");
+  app.add_flag("--contacts-on-top", options.shown.contacts.on_top,
+               "show contacts through what hides them");
+  command::add_build_options(app, options.shown.trees.build);
+  command::add_traversal_options(app, options.shown.trees.traversal);
+}
+
+ViewOptions what_is_shown(const RenderOptions& options, const ViewScene& scene) {
+  ViewOptions shown = options.shown;
+  shown.contacts.most = kMostContacts;
+  if (options.see_through) {
+    shown.colors.plain_city.a = kGlass;
+  }
+  if (options.boxes != BoxStyle::wire) {
+    shown.colors.level.a = kBoxFaces;
+    shown.colors.leaf_above.a = kBoxFaces;
+  }
+  const bool of_mover = options.level_of == LevelOf::mover;
+  if (options.level) {
+    if ((of_mover ? scene.movers() : scene.city_parts()) == 0) {
+      throw Error(ErrorKind::usage, "--level: there is no mover", "give a --mover");
+    }
+    shown.level = LevelBoxes{.body = of_mover ? mover(0) : city_part(0),
+                             .level = *options.level,
+                             .style = options.boxes};
+  }
+  if (options.walk) {
+    if (!scene.pair()) {
+      throw Error(ErrorKind::usage, "--walk: there is no mover", "give a --mover");
+    }
+    shown.walk = WalkBoxes{};
+  }
+  return shown;
+}
+
+void report(const RenderOptions& options, const ViewScene& scene, const GlRenderer& renderer,
+            command::Console& console) {
+  const DrawStatistics drawn = renderer.statistics();
+  const SceneStatistics facts = scene.statistics();
+  if (!console.shared().json || options.output == "-") {
+    console.note(fmt::format("{}: {}x{}, {}, {}, drawn by {}", options.output, options.size.width,
+                             options.size.height, command::counted(facts.triangles, "triangle"),
+                             command::counted(facts.contacts, "contact"), GlRenderer::device()));
+    return;
+  }
+  console.print(command::json_line({{"schema", "soms.render/1"},
+                                    {"file", options.output},
+                                    {"width", options.size.width},
+                                    {"height", options.size.height},
+                                    {"frame", scene.frame()},
+                                    {"triangles", facts.triangles},
+                                    {"movers", scene.movers()},
+                                    {"contacts", facts.contacts},
+                                    {"boxes", drawn.boxes},
+                                    {"draw_calls", drawn.draw_calls},
+                                    {"device", GlRenderer::device()}}));
+}
+
+}  // namespace
+
+Size parse_picture_size(const std::string& text) {
+  Size size;
+  const std::size_t cross = text.find('x');
+  const auto read = [&](std::size_t from, std::size_t to, int& side) {
+    const char* const end = text.data() + to;
+    const auto result = std::from_chars(text.data() + from, end, side);
+    return result.ec == std::errc{} && result.ptr == end && side >= 1 && side <= kMostSide;
+  };
+  if (cross == std::string::npos || !read(0, cross, size.width) ||
+      !read(cross + 1, text.size(), size.height)) {
+    throw Error(ErrorKind::usage, "--size " + text,
+                "write width and height in pixels, from 1 to 16384, as 1920x1080");
+  }
+  return size;
+}
+
+command::Action add_render(CLI::App& app, command::Shared&) {
+  const auto options = std::make_shared<RenderOptions>();
+  command::add_world_options(app, options->world);
+  add_picture_options(app, *options);
+  add_content_options(app, *options);
+  app.footer(kFooter);
+  return [options](command::Console& console) { return run_render(*options, console); };
+}
+
+int run_render(const RenderOptions& options, command::Console& console) {
+  // What may be missing is asked for first, before models are read for minutes.
+  const HeadlessContext context;
+  GlRenderer renderer;
+  command::OutputFile file(options.output);
+  ViewScene scene(load_content(options.world, options.pose, console), console.parallel());
+  for (const std::string& note : scene.notes()) {
+    console.note(note);
+  }
+  scene.go_to(options.frame);
+  const Vec3 origin = options.center ? scene_bounds(scene).center() : Vec3{};
+  const Camera camera = place_camera(options.camera, scene, options.size, origin);
+  const DrawList list = make_draw_list(scene, what_is_shown(options, scene));
+  renderer.draw(list, camera, options.size, {.samples = options.samples});
+  file.stream() << to_png(renderer.read_pixels());
+  file.commit();
+  report(options, scene, renderer, console);
+  return 0;
+}
+
+}  // namespace soms::view

@@ -1,0 +1,270 @@
+#include "apps/view/verbs/render_camera.h"
+
+#include "soms/base/error.h"
+
+#include "apps/support/parse.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+namespace soms::view {
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr const char* kRemedy =
+    "write for example scene,southwest,1.5x or contact or \"0 -50 20 0 0 0\"; see --help";
+
+struct Side {
+  std::string_view name;
+  double bearing;
+  double elevation;
+};
+
+constexpr std::array kSides{
+    Side{"north", 0, 20},       Side{"northeast", 45, 30},  Side{"east", 90, 20},
+    Side{"southeast", 135, 30}, Side{"south", 180, 20},     Side{"southwest", 225, 30},
+    Side{"west", 270, 20},      Side{"northwest", 315, 30}, Side{"top", 180, 90},
+};
+
+[[noreturn]] void refuse(const std::string& word) {
+  throw Error(ErrorKind::usage, fmt::format("--camera: {}", word), kRemedy);
+}
+
+std::vector<std::string> words_of(std::string text) {
+  std::replace(text.begin(), text.end(), ',', ' ');
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) {
+    words.push_back(word);
+  }
+  return words;
+}
+
+double number(const std::string& text) {
+  return command::parse_number("--camera", text);
+}
+
+bool starts_a_number(const std::string& word) {
+  return word.find_first_not_of("+-.0123456789") != 0;
+}
+
+bool read_side(const std::string& word, CameraChoice& choice) {
+  for (const Side& side : kSides) {
+    if (side.name == word) {
+      choice.bearing = side.bearing;
+      choice.elevation = side.elevation;
+      choice.free_side = false;
+      return true;
+    }
+  }
+  const std::size_t colon = word.find(':');
+  if (colon == std::string::npos || !starts_a_number(word)) {
+    return false;
+  }
+  choice.bearing = number(word.substr(0, colon));
+  choice.elevation = number(word.substr(colon + 1));
+  choice.free_side = false;
+  if (std::abs(choice.elevation) > 90) {
+    refuse(word + ": an elevation beyond 90 degrees");
+  }
+  return true;
+}
+
+bool read_subject(const std::string& word, CameraChoice& choice) {
+  if (word == "scene") {
+    choice.subject = CameraChoice::Subject::scene;
+  } else if (word == "contact") {
+    choice.subject = CameraChoice::Subject::contact;
+  } else if (word == "mover" || word.starts_with("mover:")) {
+    choice.subject = CameraChoice::Subject::mover;
+    choice.mover = word == "mover" ? 0
+                                   : static_cast<std::uint32_t>(command::parse_count(
+                                         "--camera mover", word.substr(6), 0, 0xfffffffe));
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool read_zoom(const std::string& word, CameraChoice& choice) {
+  if (!starts_a_number(word) || !word.ends_with('x')) {
+    return false;
+  }
+  choice.zoom = number(word.substr(0, word.size() - 1));
+  if (!(choice.zoom > 0)) {
+    refuse(word + ": a zoom of 0 or less");
+  }
+  return true;
+}
+
+Vec3 toward_eye(double bearing, double elevation) {
+  const double level = std::cos(elevation * kDegree);
+  return {level * std::sin(bearing * kDegree), level * std::cos(bearing * kDegree),
+          std::sin(elevation * kDegree)};
+}
+
+double length(const Vec3& v) {
+  return std::sqrt(dot(v, v));
+}
+
+/// What a camera looks at: the part that must not be hidden, and what shall be in the picture.
+struct Aim {
+  Vec3 point;
+  Box around;
+  BodyRef body;
+};
+
+Aim aim_at_mover(std::uint32_t number, const ViewScene& scene) {
+  if (number >= scene.movers()) {
+    throw Error(ErrorKind::usage,
+                fmt::format("--camera mover:{}: the scene has {} movers", number, scene.movers()),
+                "count movers from 0, or ask for more with --count");
+  }
+  const Box box = scene.bounds(mover(number));
+  return {box.center(), box, mover(number)};
+}
+
+Aim aim_at_contact(const ViewScene& scene) {
+  std::map<BodyRef, std::size_t> counts;
+  for (const Touch& touch : scene.contacts()) {
+    ++counts[touch.a];
+  }
+  if (counts.empty()) {
+    throw Error(ErrorKind::usage, "--camera contact: nothing touches in this frame",
+                "choose another --frame, or leave out contact");
+  }
+  const auto most =
+      std::max_element(counts.begin(), counts.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  Box touching;
+  for (const Touch& touch : scene.contacts()) {
+    if (touch.a == most->first) {
+      touching.grow(bounds(scene.triangle(touch.a, touch.i)));
+    }
+  }
+  return {touching.center(), scene.bounds(most->first), most->first};
+}
+
+/// A camera on the subject's surroundings, from the first side where nothing stands between.
+Camera aimed(const CameraChoice& choice, const Aim& aim, const ViewScene& scene, Size size) {
+  const Vec3 e = aim.around.extent() * 0.5;
+  const Box wide{aim.around.center() - e * 2, aim.around.center() + e * 2};
+  const auto from = [&](double bearing, double elevation) {
+    return dollied(fitted(wide, toward_eye(bearing, elevation), size), 1 / choice.zoom);
+  };
+  Camera best = from(choice.bearing, choice.elevation);
+  double clearest = -1;
+  for (const double elevation : {25.0, 45.0, 65.0}) {
+    for (int turn = 0; choice.free_side && turn < 8; ++turn) {
+      const Camera camera = from(choice.bearing + 45 * turn, elevation);
+      const Vec3 way = aim.point - camera.eye;
+      const double whole = length(way);
+      const auto first = scene.pick({camera.eye, way * (1 / whole)});
+      const double seen = first ? std::min(first->distance / whole, 1.0) : 1;
+      if (!first || first->body == aim.body || seen > 0.98) {
+        return camera;
+      }
+      if (seen > clearest) {
+        clearest = seen;
+        best = camera;
+      }
+    }
+  }
+  return best;
+}
+
+/// Points that show how far a scene reaches: corners of triangles, evenly chosen where there are
+/// many, and those of the movers' boxes.
+std::vector<Vec3> sample_of(const ViewScene& scene) {
+  constexpr std::size_t kMost = 200'000;
+  std::vector<Vec3> points;
+  const auto add_box = [&](const Box& box) {
+    for (int i = 0; i < 8 && !box.empty(); ++i) {
+      points.push_back({(i & 1) != 0 ? box.upper.x : box.lower.x,
+                        (i & 2) != 0 ? box.upper.y : box.lower.y,
+                        (i & 4) != 0 ? box.upper.z : box.lower.z});
+    }
+  };
+  for (std::uint32_t k = 0; k < scene.city_parts(); ++k) {
+    const Body& body = scene.body(city_part(k));
+    const auto& triangles = body.shape.mesh().triangles;
+    const std::size_t step = triangles.size() / kMost + 1;
+    for (std::size_t i = 0; i < triangles.size(); i += step) {
+      for (const std::uint32_t v : triangles[i]) {
+        points.push_back(body.pose.apply(body.shape.mesh().vertices[v]));
+      }
+    }
+  }
+  for (std::uint32_t k = 0; k < scene.movers(); ++k) {
+    add_box(scene.bounds(mover(k)));
+  }
+  return points;
+}
+
+}  // namespace
+
+CameraChoice parse_camera(const std::string& text) {
+  CameraChoice choice;
+  const std::vector<std::string> words = words_of(text);
+  if (words.empty()) {
+    refuse("no words");
+  }
+  const bool plain = std::all_of(words.begin(), words.end(), [](const std::string& word) {
+    return starts_a_number(word) && !word.ends_with('x') && word.find(':') == std::string::npos;
+  });
+  if (plain) {
+    if (words.size() != 6) {
+      refuse(fmt::format("{} numbers instead of 6", words.size()));
+    }
+    choice.subject = CameraChoice::Subject::place;
+    choice.eye = {number(words[0]), number(words[1]), number(words[2])};
+    choice.target = {number(words[3]), number(words[4]), number(words[5])};
+    if (choice.eye == choice.target) {
+      refuse("the eye is where it looks");
+    }
+    return choice;
+  }
+  for (const std::string& word : words) {
+    if (!read_side(word, choice) && !read_subject(word, choice) && !read_zoom(word, choice)) {
+      refuse(fmt::format("{} is no subject, side or zoom", word));
+    }
+  }
+  return choice;
+}
+
+Box scene_bounds(const ViewScene& scene) {
+  Box box = scene.bounds();
+  for (std::uint32_t k = 0; k < scene.movers(); ++k) {
+    box.grow(scene.bounds(mover(k)));
+  }
+  return box;
+}
+
+Camera place_camera(const CameraChoice& choice, const ViewScene& scene, Size size,
+                    const Vec3& origin) {
+  switch (choice.subject) {
+    case CameraChoice::Subject::place:
+      return {choice.eye + origin, choice.target + origin};
+    case CameraChoice::Subject::mover:
+      return aimed(choice, aim_at_mover(choice.mover, scene), scene, size);
+    case CameraChoice::Subject::contact:
+      return aimed(choice, aim_at_contact(scene), scene, size);
+    case CameraChoice::Subject::scene:
+      break;
+  }
+  const Vec3 back = toward_eye(choice.bearing, choice.elevation);
+  const Camera whole = fitted(scene_bounds(scene), back, size);
+  return dollied(framed(whole, sample_of(scene), size), 1 / choice.zoom);
+}
+
+}  // namespace soms::view

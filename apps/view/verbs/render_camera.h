@@ -1,0 +1,47 @@
+/// \file
+/// Cameras named on the command line.
+#pragma once
+
+#include "apps/view/drawing/camera.h"
+#include "apps/view/scene/view_scene.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace soms::view {
+
+/// Where a picture is taken from: a side of a box, or a place.
+struct CameraChoice {
+  enum class Subject : std::uint8_t {
+    scene,    ///< all of it
+    mover,    ///< one mover
+    contact,  ///< the contacts of the mover that touches most
+    place,    ///< `eye` and `target`
+  };
+
+  Subject subject = Subject::scene;
+  std::uint32_t mover = 0;
+  double bearing = 215;   ///< of the eye from the subject, degrees from north (+y) to east (+x)
+  double elevation = 30;  ///< of the eye, degrees above the horizon
+  bool free_side = true;  ///< for movers and contacts: look for a side with nothing between
+  double zoom = 1;        ///< above 1 goes nearer
+  Vec3 eye = {};
+  Vec3 target = {};
+};
+
+/// Reads a camera: `SUBJECT[,SIDE][,ZOOM]` in any order, or six numbers. A subject is scene,
+/// contact, or mover and its number (mover:3); a side is north, northeast and so on, top, or
+/// bearing:elevation in degrees; a zoom is a factor with an x (2x). Six numbers are the eye and
+/// what it looks at. \errors ErrorKind::usage.
+[[nodiscard]] CameraChoice parse_camera(const std::string& text);
+
+/// The camera for a picture of a scene. Six numbers count from `origin`.
+/// \errors ErrorKind::usage for a mover that is not there, and for contacts where there are none.
+[[nodiscard]] Camera place_camera(const CameraChoice& choice, const ViewScene& scene, Size size,
+                                  const Vec3& origin);
+
+/// Bounds of all bodies of a scene.
+[[nodiscard]] Box scene_bounds(const ViewScene& scene);
+
+}  // namespace soms::view

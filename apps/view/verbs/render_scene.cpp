@@ -1,0 +1,57 @@
+#include "apps/view/verbs/render_scene.h"
+
+#include "soms/base/error.h"
+
+#include "apps/support/pose_source.h"
+#include "apps/support/world.h"
+#include "apps/view/scene/load.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace soms::view {
+
+namespace {
+
+SceneContent placed(command::WorldOptions options, const std::string& pose,
+                    command::Console& console) {
+  if (options.movers.size() != 1 || !options.routes.empty() || options.count) {
+    throw Error(ErrorKind::usage, "--pose places the one model of --mover",
+                "give one --mover, and neither --route nor --count");
+  }
+  command::PoseSource poses("--pose", pose);
+  options.count = 0;
+  command::World world = command::load_world(options, console);
+  const command::Model model = world.models.front();
+  world.ways.clear();
+  SceneContent content = content_of(std::move(world));
+  const bool single = poses.is_constant();
+  while (const auto at = poses.next()) {
+    if (content.movers.size() == kMostPoses) {
+      throw Error(ErrorKind::usage, fmt::format("--pose {}: more than {} poses", pose, kMostPoses),
+                  "draw fewer at a time");
+    }
+    content.movers.push_back({Body(model.shape, *at, model.name), {}});
+    if (single) {
+      break;
+    }
+  }
+  return content;
+}
+
+}  // namespace
+
+SceneContent load_content(command::WorldOptions options, const std::string& pose,
+                          command::Console& console) {
+  if (!pose.empty()) {
+    return placed(std::move(options), pose, console);
+  }
+  if (!options.cities.empty() && options.movers.empty() && options.routes.empty() &&
+      !options.count) {
+    options.count = 0;
+  }
+  return content_of(command::load_world(options, console));
+}
+
+}  // namespace soms::view

@@ -1,0 +1,23 @@
+/// \file
+/// The scene of a picture, as named on the command line.
+#pragma once
+
+#include "apps/support/console.h"
+#include "apps/support/world_options.h"
+#include "apps/view/scene/scene_content.h"
+
+#include <string>
+
+namespace soms::view {
+
+/// Most poses of --pose that are drawn.
+inline constexpr std::size_t kMostPoses = 100'000;
+
+/// Reads what the options name. A city from files has no movers unless they are asked for. With
+/// `pose` the one model of --mover stands at each of its poses instead of going its way.
+/// \errors As `command::load_world` and `PoseSource`; ErrorKind::usage for poses with no mover or
+///         with several.
+[[nodiscard]] SceneContent load_content(command::WorldOptions options, const std::string& pose,
+                                        command::Console& console);
+
+}  // namespace soms::view

@@ -1,0 +1,77 @@
+#include "apps/view/verbs/render_camera.h"
+
+#include "soms/base/error.h"
+#include "soms/generate/shapes.h"
+
+#include "apps/view/scene/load.h"
+#include "tests/support/support.h"
+
+#include <cmath>
+
+namespace soms::view {
+namespace {
+
+ViewScene two_spheres(double apart) {
+  const Body still(generate_sphere(200));
+  return ViewScene(two_bodies(still, Body(still.shape, Pose::translation(apart, 0, 0))));
+}
+
+TEST(ParseCamera, TakesSubjectSideAndZoomInAnyOrder) {
+  const CameraChoice a = parse_camera("2x,mover:3,north");
+  EXPECT_EQ(a.subject, CameraChoice::Subject::mover);
+  EXPECT_EQ(a.mover, 3U);
+  EXPECT_EQ(a.bearing, 0);
+  EXPECT_EQ(a.zoom, 2);
+  EXPECT_FALSE(a.free_side);
+  const CameraChoice b = parse_camera("contact 120.5:-10");
+  EXPECT_EQ(b.subject, CameraChoice::Subject::contact);
+  EXPECT_EQ(b.bearing, 120.5);
+  EXPECT_EQ(b.elevation, -10);
+  EXPECT_TRUE(parse_camera("contact").free_side);
+  const CameraChoice c = parse_camera("-1 2 3.5 4 5 6e0");
+  EXPECT_EQ(c.subject, CameraChoice::Subject::place);
+  EXPECT_EQ(c.eye, (Vec3{-1, 2, 3.5}));
+  EXPECT_EQ(c.target, (Vec3{4, 5, 6}));
+}
+
+TEST(ParseCamera, RefusesWhatMakesNoSense) {
+  for (const char* text : {"", " , ", "1 2 3", "1 2 3 1 2 3", "nowhere", "0x", "-2x", "10:91",
+                           "mover:x", "10:", "1 2 3 4 5 nan"}) {
+    EXPECT_THROW((void)parse_camera(text), Error) << text;
+  }
+}
+
+TEST(PlaceCamera, SeesTheSceneFromTheNamedSide) {
+  const ViewScene scene = two_spheres(5);
+  const Size size{300, 200};
+  const Camera north = place_camera(parse_camera("north"), scene, size, {});
+  EXPECT_GT(north.eye.y, 2);
+  const Camera east = place_camera(parse_camera("90:0"), scene, size, {});
+  EXPECT_GT(east.eye.x, 5);
+  EXPECT_NEAR(frame(east).forward.x, -1, 1e-6);
+  const Box all = scene_bounds(scene);
+  EXPECT_GT(all.upper.x, 5.5);
+  for (const Vec3& p : {all.lower, all.upper}) {
+    const auto seen = project(north, size, p);
+    ASSERT_TRUE(seen.has_value());
+    EXPECT_GE(seen->pixel.x, -0.05 * size.width);
+    EXPECT_LE(seen->pixel.x, 1.05 * size.width);
+  }
+  const Camera nearer = place_camera(parse_camera("north,2x"), scene, size, {});
+  EXPECT_NEAR(distance_to_target(nearer), distance_to_target(north) / 2, 1e-9);
+  const Camera placed =
+      place_camera(parse_camera("0 -9 0 0 0 0"), scene, size, Vec3{100, 200, 300});
+  EXPECT_EQ(placed.eye, (Vec3{100, 191, 300}));
+}
+
+TEST(PlaceCamera, FindsAFreeSideOfTheContact) {
+  const ViewScene scene = two_spheres(1);
+  ASSERT_FALSE(scene.contacts().empty());
+  const Camera camera = place_camera(parse_camera("contact"), scene, {300, 200}, {});
+  EXPECT_GT(distance_to_target(camera), 1);
+  EXPECT_THROW((void)place_camera(parse_camera("contact"), two_spheres(50), {300, 200}, {}), Error);
+  EXPECT_THROW((void)place_camera(parse_camera("mover:1"), scene, {300, 200}, {}), Error);
+}
+
+}  // namespace
+}  // namespace soms::view

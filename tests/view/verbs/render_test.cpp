@@ -1,0 +1,200 @@
+#include "apps/view/verbs/render.h"
+
+#include "soms/base/error.h"
+#include "soms/generate/shapes.h"
+#include "soms/io/write_mesh.h"
+
+#include "apps/view/drawing/headless_context.h"
+#include "apps/view/drawing/picture.h"
+#include "tests/support/support.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace soms::view {
+namespace {
+
+bool can_draw() {
+  try {
+    const HeadlessContext context;
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+#define SOMS_NEEDS_EGL()                                                      \
+  if (!can_draw()) {                                                          \
+    GTEST_SKIP() << "nothing is drawn here without EGL, so this is untested"; \
+  }                                                                           \
+  static_assert(true)
+
+test::RunResult render(std::vector<std::string> words) {
+  words.insert(words.begin(), {SOMS_VIEW_COMMAND, "render"});
+  return test::run_program(words);
+}
+
+std::size_t count_red(const Picture& picture) {
+  std::size_t count = 0;
+  for (int y = 0; y < picture.size.height; ++y) {
+    for (int x = 0; x < picture.size.width; ++x) {
+      const Color c = picture.at(x, y);
+      count += c.r > 130 && c.g < 90 && c.b < 90 ? 1U : 0U;
+    }
+  }
+  return count;
+}
+
+std::size_t files_in(const std::filesystem::path& folder) {
+  std::size_t count = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) {
+    ++count;
+  }
+  return count;
+}
+
+/// A folder with a ball of 800 triangles and radius about 1.
+class Render : public testing::Test {
+ protected:
+  void SetUp() override {
+    ball_ = (folder_.path() / "ball.ply").string();
+    write_mesh(ball_, generate_sphere(800), MeshFormat::ply);
+    picture_ = (folder_.path() / "out.png").string();
+  }
+
+  test::TemporaryFolder folder_;
+  std::string ball_;
+  std::string picture_;
+};
+
+TEST_F(Render, WritesAPictureOfTheSizeAskedFor) {
+  SOMS_NEEDS_EGL();
+  const test::RunResult result = render({ball_, "-o", picture_, "--size", "200x100"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("200x100, 800 triangles, 0 contacts"), std::string::npos) << result.err;
+  const Picture picture = read_png(picture_);
+  EXPECT_EQ(picture.size, (Size{200, 100}));
+  EXPECT_GT(picture.at(100, 50).r, picture.at(100, 50).b) << "the ball in the middle";
+  EXPECT_LT(picture.at(5, 5).r, picture.at(5, 5).b) << "the sky beside it";
+}
+
+TEST_F(Render, ShowsRedWhereBodiesTouchAndNoneWhereTheyDoNot) {
+  SOMS_NEEDS_EGL();
+  const auto red = [&](const char* pose) {
+    const test::RunResult result = render(
+        {ball_, "--mover", ball_, "--pose", pose, "-o", picture_, "--size", "300x200", "--json"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    const bool touches = result.out.find("\"contacts\":0,") == std::string::npos;
+    return std::pair(touches, count_red(read_png(picture_)));
+  };
+  const auto [apart_touches, apart] = red("5 0 0");
+  EXPECT_FALSE(apart_touches);
+  EXPECT_EQ(apart, 0U);
+  const auto [touches, touching] = red("1.2 0 0");
+  EXPECT_TRUE(touches);
+  EXPECT_GT(touching, 50U);
+}
+
+TEST_F(Render, DrawsOneMoverForEachPoseOfAFile) {
+  SOMS_NEEDS_EGL();
+  const std::string poses = (folder_.path() / "poses.csv").string();
+  std::ofstream(poses) << "x,y,z,qw,qx,qy,qz\n5,0,0,1,0,0,0\n-5,0,0,1,0,0,0\n1.2,0,0,1,0,0,0\n";
+  const test::RunResult result = render(
+      {ball_, "--mover", ball_, "--pose", poses, "-o", picture_, "--size", "90x60", "--json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("\"movers\":3"), std::string::npos) << result.out;
+}
+
+TEST_F(Render, DrawsTheTreeByLevelAndTheBoxesOfATraversal) {
+  SOMS_NEEDS_EGL();
+  const auto boxes = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {ball_, "-o", picture_, "--size", "90x60", "--json"});
+    const test::RunResult result = render(words);
+    EXPECT_EQ(result.status, 0) << result.err;
+    const std::size_t at = result.out.find("\"boxes\":");
+    return at == std::string::npos ? -1 : std::atoi(result.out.c_str() + at + 8);
+  };
+  EXPECT_EQ(boxes({}), 0);
+  EXPECT_EQ(boxes({"--level", "1"}), 1);
+  EXPECT_EQ(boxes({"--level", "4"}), 8);
+  EXPECT_EQ(boxes({"--level", "4", "--boxes", "both"}), 8);
+  EXPECT_GT(boxes({"--mover", ball_, "--pose", "1 0 0", "--walk"}), 10);
+}
+
+TEST_F(Render, WritesToStandardOutput) {
+  SOMS_NEEDS_EGL();
+  const test::RunResult result = render({ball_, "-o", "-", "--size", "20x10", "--quiet"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(from_png(result.out).size, (Size{20, 10}));
+}
+
+TEST_F(Render, TellsFaultsInOneSentenceAndLeavesNoFile) {
+  SOMS_NEEDS_EGL();
+  const std::string empty = (folder_.path() / "empty.ply").string();
+  std::ofstream(empty) << "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\n"
+                          "property float y\nproperty float z\nelement face 0\n"
+                          "property list uchar int vertex_indices\nend_header\n";
+
+  struct Case {
+    std::vector<std::string> words;
+    int status;
+  };
+
+  const std::vector<Case> cases{
+      {{"nothing.ply", "-o", picture_}, 3},
+      {{empty, "-o", picture_}, 3},
+      {{ball_}, 2},
+      {{ball_, "-o", picture_, "--size", "0x5"}, 2},
+      {{ball_, "-o", picture_, "--size", "99999x5"}, 2},
+      {{ball_, "-o", picture_, "--camera", "nowhere"}, 2},
+      {{ball_, "-o", picture_, "--camera", "contact"}, 2},
+      {{ball_, "-o", picture_, "--walk"}, 2},
+      {{ball_, "-o", picture_, "--pose", "1 0 0"}, 2},
+      {{ball_, "-o", picture_, "--level", "0"}, 2},
+      {{ball_, "-o", (folder_.path() / "missing" / "out.png").string()}, 5},
+  };
+  for (const Case& c : cases) {
+    const test::RunResult result = render(c.words);
+    EXPECT_EQ(result.status, c.status) << result.err;
+    EXPECT_EQ(result.err.rfind("soms-view render: ", 0), 0U) << result.err;
+    EXPECT_EQ(result.err.find('\n'), result.err.size() - 1) << result.err;
+    EXPECT_TRUE(result.out.empty());
+  }
+  EXPECT_EQ(files_in(folder_.path()), 2U) << "the two models alone";
+}
+
+TEST_F(Render, SaysWhatIsMissingWhereNothingCanBeDrawn) {
+  // The dispatcher of EGL finds no driver where its list of them is a file that is not there.
+  ASSERT_EQ(::setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent.json", 1), 0);
+  const test::RunResult result = render({ball_, "-o", picture_});
+  ASSERT_EQ(::unsetenv("__EGL_VENDOR_LIBRARY_FILENAMES"), 0);
+  EXPECT_EQ(result.status, 5) << result.err;
+  EXPECT_NE(result.err.find("soms-view render: EGL: "), std::string::npos) << result.err;
+  EXPECT_EQ(files_in(folder_.path()), 1U);
+}
+
+TEST_F(Render, RefusesADriverWithoutOpenGl33) {
+  SOMS_NEEDS_EGL();
+  ASSERT_EQ(::setenv("MESA_GL_VERSION_OVERRIDE", "2.1", 1), 0);
+  const bool mesa = !can_draw();
+  const test::RunResult result = render({ball_, "-o", picture_});
+  ASSERT_EQ(::unsetenv("MESA_GL_VERSION_OVERRIDE"), 0);
+  if (!mesa) {
+    GTEST_SKIP() << "the driver here is not Mesa's, whose version can be lowered";
+  }
+  EXPECT_EQ(result.status, 5) << result.err;
+  EXPECT_NE(result.err.find("3.3"), std::string::npos) << result.err;
+}
+
+TEST(PictureSize, IsTwoNumbersAndAnX) {
+  EXPECT_EQ(parse_picture_size("640x480"), (Size{640, 480}));
+  for (const char* text : {"", "640", "x", "640x", "x480", "640x480x2", "0x1", "-1x5", "1.5x2"}) {
+    EXPECT_THROW((void)parse_picture_size(text), Error) << text;
+  }
+}
+
+}  // namespace
+}  // namespace soms::view
