@@ -49,6 +49,25 @@ double distance_along(const Ray& ray, const Triangle& segment, const Triangle& t
   return least;
 }
 
+/// Tangent of the angle at which a ray's origin sees a point beside the ray; infinity behind it.
+double slope(const Ray& ray, const Vec3& p) {
+  const Vec3 d = p - ray.origin;
+  const double ahead = dot(d, ray.direction);
+  const Vec3 beside = d - ray.direction * ahead;
+  return ahead > 0 ? std::hypot(beside.x, beside.y, beside.z) / ahead
+                   : std::numeric_limits<double>::infinity();
+}
+
+/// The least slope of the points of a segment: where a ray passes it, or at an end.
+double slope(const Ray& ray, const Vec3& a, const Vec3& b) {
+  const auto flat = [&](const Vec3& v) { return v - ray.direction * dot(v, ray.direction); };
+  const Vec3 from = flat(a - ray.origin);
+  const Vec3 along = flat(b - a);
+  const double square = dot(along, along);
+  const double share = square > 0 ? std::clamp(-dot(from, along) / square, 0.0, 1.0) : 0;
+  return std::min({slope(ray, a), slope(ray, b), slope(ray, a + (b - a) * share)});
+}
+
 std::string name_of(const ViewScene& scene, BodyRef ref) {
   const std::string& name = scene.body(ref).name;
   return ref.role == Role::city ? name : fmt::format("{} (mover {})", name, ref.index);
@@ -129,6 +148,23 @@ std::optional<Picked> ViewScene::pick(const Ray& ray) const {
     }
   }
   best->explanation = describe(*this, *best);
+  return best;
+}
+
+std::optional<Touch> ViewScene::pick_contact(const Ray& ray, double angle) const {
+  double least = std::tan(angle);
+  std::optional<Touch> best;
+  for (const Touch& touch : contacts()) {
+    const Crossing common = crossing(touch);
+    const auto p = common.points();
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      const double seen = slope(ray, p[k], p[(k + 1) % p.size()]);
+      if (seen < least) {
+        least = seen;
+        best = touch;
+      }
+    }
+  }
   return best;
 }
 

@@ -17,13 +17,14 @@ const Tree& TreeStore::tree(const std::shared_ptr<const Mesh>& mesh, const Build
   if (known != trees_.end()) {
     return *known->second.tree;
   }
-  Kept kept{mesh, std::make_unique<const Tree>(build(*mesh, options, parallel))};
+  Kept kept{mesh, std::make_unique<const Tree>(build(*mesh, options, parallel)), {}};
+  kept.statistics = soms::statistics(*kept.tree, options);
   return *trees_.emplace(mesh.get(), std::move(kept)).first->second.tree;
 }
 
-const Tree* TreeStore::find(const Mesh& mesh) const {
+const TreeStatistics* TreeStore::statistics(const Mesh& mesh) const {
   const auto known = trees_.find(&mesh);
-  return known == trees_.end() ? nullptr : known->second.tree.get();
+  return known == trees_.end() ? nullptr : &known->second.statistics;
 }
 
 const PosedBoxes& TreeStore::boxes(BodyRef ref, const Body& body, const BuildOptions& options,

@@ -6,6 +6,7 @@
 #include "soms/query/body.h"
 #include "soms/query/traversal/posed_boxes.h"
 #include "soms/tree/build_options.h"
+#include "soms/tree/statistics.h"
 #include "soms/tree/tree.h"
 
 #include "apps/view/scene/touch.h"
@@ -22,8 +23,8 @@ class TreeStore {
   [[nodiscard]] const Tree& tree(const std::shared_ptr<const Mesh>& mesh,
                                  const BuildOptions& options, const Parallel& parallel);
 
-  /// The tree where it was built, else nullptr.
-  [[nodiscard]] const Tree* find(const Mesh& mesh) const;
+  /// Counts of the tree where it was built, else nullptr.
+  [[nodiscard]] const TreeStatistics* statistics(const Mesh& mesh) const;
 
   /// The tree's boxes at the pose of the body.
   [[nodiscard]] const PosedBoxes& boxes(BodyRef ref, const Body& body, const BuildOptions& options,
@@ -35,6 +36,7 @@ class TreeStore {
   struct Kept {
     std::shared_ptr<const Mesh> mesh;
     std::unique_ptr<const Tree> tree;
+    TreeStatistics statistics;
   };
 
   std::map<const Mesh*, Kept> trees_;

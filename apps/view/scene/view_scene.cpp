@@ -325,6 +325,10 @@ void ViewScene::start_test(std::string_view name, std::size_t up) {
     throw Error(ErrorKind::usage, "an orientation test needs two bodies", "add a mover");
   }
   const auto [a, b] = *s.pair;
+  if (bounds(a).empty() || bounds(b).empty()) {
+    throw Error(ErrorKind::usage, "an orientation test of a model without triangles",
+                "choose another pair");
+  }
   const auto tests = orientation_tests();
   std::vector<Pose> poses = orientation_poses(name, bounds(a), body(b).shape.bounds(), up);
   const auto entry = std::find_if(tests.begin(), tests.end(),
@@ -450,9 +454,8 @@ SceneStatistics ViewScene::statistics() const {
   out.traversal = entry(s.choice.traversal.traversal).name;
   if (s.pair) {
     const auto tree_counts = [&](BodyRef ref) -> std::optional<TreeStatistics> {
-      const Tree* tree = s.trees.find(s.body(ref).shape.mesh());
-      return tree == nullptr ? std::nullopt
-                             : std::optional(soms::statistics(*tree, s.choice.build));
+      const TreeStatistics* counts = s.trees.statistics(s.body(ref).shape.mesh());
+      return counts == nullptr ? std::nullopt : std::optional(*counts);
     };
     out.tree_a = tree_counts(s.pair->first);
     out.tree_b = tree_counts(s.pair->second);

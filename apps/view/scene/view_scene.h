@@ -124,7 +124,7 @@ class ViewScene {
   void set_pair(BodyRef a, BodyRef b);
 
   /// Sends the pair's mover through an orientation test, from its frame 0.
-  /// \errors ErrorKind::usage for an unknown name, and without a pair.
+  /// \errors ErrorKind::usage for an unknown name, without a pair, and for an empty model.
   void start_test(std::string_view name, std::size_t up = 2);
   void end_test();
   [[nodiscard]] std::optional<std::string_view> test() const;
@@ -143,6 +143,10 @@ class ViewScene {
 
   /// The first triangle that a ray meets, exact on the ray's segment within the scene's bounds.
   [[nodiscard]] std::optional<Picked> pick(const Ray& ray) const;
+
+  /// The contact that is seen nearest to a ray, if it is seen less than `angle` radians off; hidden
+  /// ones count. \cost O(contacts).
+  [[nodiscard]] std::optional<Touch> pick_contact(const Ray& ray, double angle) const;
 
   /// Changes how trees are built and walked. Trees are built when they are needed.
   /// \errors ErrorKind::usage for options out of range.

@@ -132,5 +132,40 @@ TEST(Pick, FindsNothingInAnEmptyScene) {
   EXPECT_FALSE(ViewScene(SceneContent{}).pick({{0, 0, 0}, {0, 0, 1}}).has_value());
 }
 
+/// Least tangent of the angle between a ray and 10,001 points along the outline of a crossing.
+double sampled_slope(const Ray& ray, const Crossing& crossing) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < crossing.count; ++k) {
+    const Vec3 a = crossing.corners[k];
+    const Vec3 along = crossing.corners[(k + 1) % crossing.count] - a;
+    for (int n = 0; n <= 10'000; ++n) {
+      const Vec3 d = a + along * (n / 10'000.0) - ray.origin;
+      const double ahead = dot(d, ray.direction);
+      const Vec3 beside = d - ray.direction * ahead;
+      least = std::min(least, std::sqrt(dot(beside, beside)) / ahead);
+    }
+  }
+  return least;
+}
+
+TEST(Pick, FindsTheContactThatIsSeenNearestToTheRay) {
+  ViewScene scene(two_bodies(Body(generate_knot(600)), Body(generate_sphere(200))));
+  scene.set_pose(0, Pose::about_z(0.7, {0.8, 0.3, 0.4}));
+  ASSERT_GT(scene.contacts().size(), 20U);
+  const Vec3 eye{6, -7, 5};
+  for (const Touch& touch : scene.contacts()) {
+    const Crossing crossing = scene.crossing(touch);
+    const Vec3 middle = (crossing.corners[0] + crossing.corners[crossing.count - 1]) * 0.5;
+    const Vec3 d = middle - eye;
+    const Ray ray{eye, d * (1 / std::sqrt(dot(d, d)))};
+    const std::optional<Touch> found = scene.pick_contact(ray, 0.01);
+    ASSERT_TRUE(found.has_value());
+    // Another may lie behind it on the ray, but none is farther off.
+    EXPECT_LT(sampled_slope(ray, scene.crossing(*found)), 1e-5);
+    EXPECT_FALSE(scene.pick_contact({eye, ray.direction * -1.0}, 0.01).has_value());
+  }
+  EXPECT_FALSE(scene.pick_contact({{50, 50, 50}, {0, 0, 1}}, 0.01).has_value());
+}
+
 }  // namespace
 }  // namespace soms::view

@@ -202,5 +202,16 @@ TEST(ViewScene, IsExactFarFromTheOrigin) {
   }
 }
 
+TEST(ViewScene, ShowsModelsWithoutTriangles) {
+  ViewScene scene(two_bodies(Body(Mesh{}), Body(Mesh{})));
+  EXPECT_TRUE(scene.contacts().empty());
+  EXPECT_TRUE(scene.bounds().empty());
+  EXPECT_TRUE(scene.walk().a.empty());
+  EXPECT_EQ(scene.tree(city_part(0)).nodes.size(), 0U);
+  EXPECT_FALSE(scene.pick({{0, 0, 0}, {0, 0, 1}}).has_value());
+  EXPECT_THROW(scene.start_test("left"), Error);
+  scene.step();
+}
+
 }  // namespace
 }  // namespace soms::view
