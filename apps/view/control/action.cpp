@@ -30,19 +30,19 @@ constexpr std::string_view kObject = "Move the object";
 
 constexpr std::array<ActionRow, 59> kActions{{
     {Action::help, key('H'), {Key::f1}, kGeneral, "this help"},
-    {Action::back, {Key::escape}, {}, kGeneral, "close the help, drop what is picked, then quit"},
+    {Action::back, {Key::escape}, {}, kGeneral, "close the help, deselect, quit"},
     {Action::quit, control('Q'), {}, kGeneral, "quit"},
     {Action::panels, {Key::tab}, {}, kGeneral, "panels on or off"},
     {Action::fullscreen, {Key::f11}, {}, kGeneral, "full screen on or off"},
     {Action::screenshot, {Key::f12}, {}, kGeneral, "save the picture as PNG"},
 
     {Action::pause, key(' '), {}, kTime, "run or pause"},
-    {Action::step, key('.'), {}, kTime, "pause, and one frame on"},
-    {Action::step_back, key(','), {}, kTime, "pause, and one frame back (tests, recordings)"},
+    {Action::step, key('.'), {}, kTime, "pause, one frame on"},
+    {Action::step_back, key(','), {}, kTime, "pause, one frame back"},
     {Action::faster, key('='), shift('='), kTime, "twice as fast"},
     {Action::slower, key('-'), {}, kTime, "half as fast"},
     {Action::first_frame, {Key::home}, {}, kTime, "to the first frame"},
-    {Action::last_frame, {Key::end}, {}, kTime, "to the last frame (tests, recordings)"},
+    {Action::last_frame, {Key::end}, {}, kTime, "to the last frame"},
 
     {Action::reset_camera, {Key::enter}, {}, kCamera, "see all"},
     {Action::view_front, key('1'), {}, kCamera, "from the front"},
@@ -52,7 +52,7 @@ constexpr std::array<ActionRow, 59> kActions{{
     {Action::camera_mode, key('C'), {}, kCamera, "orbit, fly (W A S D), follow a mover"},
     {Action::next_mover, key('M'), {}, kCamera, "follow the next mover"},
     {Action::previous_mover, shift('M'), {}, kCamera, "follow the mover before"},
-    {Action::focus, key('F'), {}, kCamera, "go to what is picked, or to the object"},
+    {Action::focus, key('F'), {}, kCamera, "go to what is picked"},
 
     {Action::rule_next, key('R'), {}, kTree, "next rule"},
     {Action::rule_previous, shift('R'), {}, kTree, "rule before"},
@@ -384,6 +384,10 @@ bool repeats(Action action) {
          (action >= Action::object_right && action <= Action::object_turn_right);
 }
 
+bool is_fine(Action action) {
+  return action >= Action::object_right_fine && action <= Action::object_down_fine;
+}
+
 void apply(ViewState& state, Action action) {
   if (apply_general(state, action) || apply_camera(state, action) || apply_tree(state, action)) {
     return;
@@ -406,6 +410,7 @@ void set_orientation_test(ViewState& state, std::optional<std::size_t> row) {
   state.orientation_test = row;
   state.paused = false;
   state.frame = 0;
+  state.requests.fit_all = row.has_value();
 }
 
 }  // namespace soms::view

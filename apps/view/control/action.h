@@ -97,12 +97,15 @@ struct ActionRow {
 /// True if holding the key does it again and again.
 [[nodiscard]] bool repeats(Action action);
 
+/// True for a move by a tenth of a step: the key of the whole step with Shift.
+[[nodiscard]] bool is_fine(Action action);
+
 /// Does an action. What the state alone cannot do (the window, the camera, the simulation) is left
 /// in `requests`.
 void apply(ViewState& state, Action action);
 
-/// Starts a test of orientation, a row of `orientation_tests`, from its first frame and running;
-/// without a row it leaves the one that runs.
+/// Starts a test of orientation, a row of `orientation_tests`, from its first frame, running and in
+/// view; without a row it leaves the one that runs.
 void set_orientation_test(ViewState& state, std::optional<std::size_t> row);
 
 }  // namespace soms::view

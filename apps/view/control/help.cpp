@@ -9,7 +9,8 @@ namespace soms::view {
 std::vector<HelpLine> help_lines() {
   std::vector<HelpLine> lines{{"Mouse", ""},
                               {"left drag", "turn (fly: look around)"},
-                              {"Shift+left, middle drag", "shift"},
+                              {"Shift+left drag", "shift"},
+                              {"middle drag", "shift"},
                               {"right drag, wheel", "nearer and farther"},
                               {"click", "pick a triangle or contact"},
                               {"double click", "set the pivot"},
@@ -21,8 +22,12 @@ std::vector<HelpLine> help_lines() {
       group = row.group;
       lines.push_back({std::string(group), ""});
     }
+    if (is_fine(row.action)) {
+      continue;
+    }
     lines.push_back({keys_of(row.action), std::string(row.help)});
   }
+  lines.push_back({"Shift+arrows", "a tenth as far, also Shift+PgUp, PgDn"});
   return lines;
 }
 

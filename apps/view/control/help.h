@@ -13,7 +13,7 @@ struct HelpLine {
   std::string text;
 };
 
-/// What the mouse does, then the table of actions by groups.
+/// What the mouse does, then the table of actions by groups; fine moves in one line.
 [[nodiscard]] std::vector<HelpLine> help_lines();
 
 }  // namespace soms::view

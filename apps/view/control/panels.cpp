@@ -18,8 +18,9 @@ namespace soms::view {
 
 namespace {
 
+const ImVec4 kHeading(0, 0.30F, 0.55F, 1);
 constexpr float kSidebar = 19.5F;  ///< width in heights of a line of text
-constexpr float kPicked = 24.0F;
+constexpr float kPicked = 27.0F;
 
 std::vector<std::string_view> rule_names() {
   std::vector<std::string_view> names;
@@ -64,13 +65,18 @@ void row(const char* label, const std::string& value) {
 }
 
 bool begin_rows(const char* name) {
-  return ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingStretchProp);
+  if (!ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit)) {
+    return false;
+  }
+  ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthFixed);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+  return true;
 }
 
 void help_cells(const HelpLine& line) {
   ImGui::TableNextColumn();
   if (line.text.empty()) {
-    ImGui::TextDisabled("%s", line.keys.c_str());
+    ImGui::TextColored(kHeading, "%s", line.keys.c_str());
   } else {
     ImGui::TextUnformatted(line.keys.c_str());
   }
@@ -176,7 +182,9 @@ void Panels::time_panel(Session& session) {
     return;
   }
   ViewState& state = session.state();
-  const float width = 4.2F * ImGui::GetFontSize();
+  const float buttons = state.limits.can_seek ? 4 : 3;
+  const float gaps = (buttons - 1) * ImGui::GetStyle().ItemSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - gaps) / buttons;
   on_press(widgets_.button(state.paused ? "Run###run" : "Pause###run", Action::pause, width), state,
            Action::pause);
   ImGui::SameLine();
@@ -259,8 +267,8 @@ void Panels::counts_panel(const Facts& facts) {
   }
   row("Triangles", grouped(facts.triangles));
   row("Movers", grouped(facts.movers));
-  row("Movers that touch", grouped(facts.bodies));
-  row("Triangle pairs that touch", grouped(facts.contacts));
+  row("Touching movers", grouped(facts.bodies));
+  row("Touching pairs", grouped(facts.contacts));
   row("Collision", milliseconds(facts.collision_ms));
   row("Box tests", grouped(facts.cost.node_tests));
   row("Triangle tests", grouped(facts.cost.triangle_tests));
@@ -286,7 +294,7 @@ void Panels::frame_panel(const FrameTimes& times, const DrawStatistics& drawn) {
   const auto graph = times.graph();
   const auto top = static_cast<float>(1.1 * std::max(times.greatest(), 1.0));
   ImGui::PlotLines("##ms", graph.data(), static_cast<int>(graph.size()), 0, nullptr, 0, top,
-                   ImVec2(-1, 2.6F * ImGui::GetFontSize()));
+                   ImVec2(ImGui::GetContentRegionAvail().x, 2.6F * ImGui::GetFontSize()));
   ImGui::Text("%s draw calls, %s triangles", grouped(drawn.draw_calls).c_str(),
               grouped(drawn.triangles).c_str());
   if (drawn.triangles_left > 0) {
@@ -308,8 +316,7 @@ void Panels::picked_panel(Session& session) {
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavInputs;
   if (ImGui::Begin("picked", nullptr, flags)) {
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(picked.title.c_str());
+    ImGui::TextWrapped("%s", picked.title.c_str());
     ImGui::Separator();
     if (begin_rows("numbers")) {
       for (const auto& [label, value] : picked.numbers) {
@@ -320,7 +327,6 @@ void Panels::picked_panel(Session& session) {
     for (const std::string& sentence : picked.why) {
       ImGui::TextWrapped("%s", sentence.c_str());
     }
-    ImGui::PopTextWrapPos();
     ViewState& state = session.state();
     on_press(widgets_.button("Go there", Action::focus), state, Action::focus);
     ImGui::SameLine();
@@ -358,7 +364,9 @@ void Panels::help(ViewState& state) {
   ImGui::SetNextWindowPos(ImVec2(display.x / 2, display.y / 2), ImGuiCond_Always,
                           ImVec2(0.5F, 0.5F));
   ImGui::SetNextWindowSize(
-      ImVec2(std::min(62 * line, display.x - 2 * line), std::min(38 * line, display.y - 2 * line)));
+      ImVec2(std::min(64 * line, display.x - line), std::min(41 * line, display.y - line)));
+  ImGui::SetNextWindowBgAlpha(1);
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(0.5F * line, 0.02F * line));
   const auto flags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoNavInputs;
@@ -366,19 +374,19 @@ void Panels::help(ViewState& state) {
       ImGui::BeginTable("keys", 4, ImGuiTableFlags_SizingFixedFit)) {
     // Two columns of rows, each filled from top to bottom.
     const std::vector<HelpLine> lines = help_lines();
-    const std::size_t half = (lines.size() + 1) / 2;
-    for (std::size_t i = 0; i < half; ++i) {
+    std::size_t half = (lines.size() + 1) / 2;
+    while (half > 1 && lines[half - 1].text.empty()) {
+      --half;  // a heading goes with what it heads
+    }
+    for (std::size_t i = 0; i < std::max(half, lines.size() - half); ++i) {
       ImGui::TableNextRow();
-      for (const std::size_t at : {i, i + half}) {
-        if (at >= lines.size()) {
-          break;
-        }
-        help_cells(lines[at]);
-      }
+      help_cells(i < half ? lines[i] : HelpLine{});
+      help_cells(half + i < lines.size() ? lines[half + i] : HelpLine{});
     }
     ImGui::EndTable();
   }
   ImGui::End();
+  ImGui::PopStyleVar();
 }
 
 void Panels::axis_letters(const Session& session) {

@@ -258,7 +258,7 @@ std::optional<PickedFacts> SceneSubject::pick(const Ray& ray) {
   if (!picked.part_name.empty()) {
     facts.numbers.emplace_back("part", picked.part_name);
   }
-  facts.numbers.emplace_back("face of the file", std::to_string(picked.face));
+  facts.numbers.emplace_back("face", std::to_string(picked.face));
   facts.numbers.emplace_back("vertices", fmt::format("{}, {}, {}", picked.vertices[0],
                                                      picked.vertices[1], picked.vertices[2]));
   facts.numbers.emplace_back("a", in_words(picked.corners.a));

@@ -1,0 +1,179 @@
+// The real viewer in a real window, on a display of its own: Xvfb, with xdotool at the keys.
+#include "soms/io/write_mesh.h"
+
+#include "apps/view/control/session.h"
+#include "apps/view/drawing/palette.h"
+#include "apps/view/drawing/picture.h"
+#include "apps/view/scene/load.h"
+#include "apps/view/window/scene_subject.h"
+#include "tests/support/bodies.h"
+#include "tests/support/support.h"
+#include "tests/view/window/display.h"
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <string>
+#include <thread>
+
+namespace soms::view {
+namespace {
+
+using view::test::Display;
+using view::test::RunningProgram;
+
+constexpr Size kSize{960, 540};
+
+/// Pixels in the red of contacts, as light and smoothing leave it.
+std::size_t red_pixels(const Picture& picture) {
+  return count_near(picture, palette::kContact, 40);
+}
+
+class ViewerTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!Display::possible()) {
+      GTEST_SKIP() << "Xvfb or xdotool is missing: install the packages of section view";
+    }
+    write_mesh(folder_.path() / "block.ply", soms::test::box_body({-10, -10, 0}, {10, 10, 10}, 4),
+               MeshFormat::ply);
+    write_mesh(folder_.path() / "cube.ply", soms::test::box_body({-3, -3, -3}, {3, 3, 3}, 4),
+               MeshFormat::ply);
+    std::ofstream(folder_.path() / "still.csv") << "x,y,z,qw,qx,qy,qz\n20,0,5,1,0,0,0\n";
+  }
+
+  std::vector<std::string> words() const {
+    return {SOMS_VIEW_COMMAND, "view",   path("block.ply"), "--mover", path("cube.ply"), "--route",
+            path("still.csv"), "--size", "960x540",         "--paused"};
+  }
+
+  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+
+  /// Waits for a picture that F12 saves, and takes it away.
+  Picture picture(const Display& display) {
+    display.type({"key", "F12"});
+    const auto file = folder_.path() / "soms-view-1.png";
+    for (int i = 0; i < 600 && !std::filesystem::exists(file); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    const Picture read = read_png(file);
+    std::filesystem::remove(file);
+    return read;
+  }
+
+  soms::test::TemporaryFolder folder_;
+};
+
+/// The scene as the viewer has it, to know where on the screen things are.
+SceneSubject twin() {
+  Body block(Shape(soms::test::box_body({-10, -10, 0}, {10, 10, 10}, 4)));
+  Body cube(Shape(soms::test::box_body({-3, -3, -3}, {3, 3, 3}, 4)), Pose::translation(20, 0, 5));
+  return SceneSubject(two_bodies(std::move(block), std::move(cube)));
+}
+
+TEST_F(ViewerTest, KeysActAndADragIntoTheBuildingTurnsPixelsRed) {
+  const Display display;
+  RunningProgram viewer(words(), folder_.path(), display.name());
+  ASSERT_TRUE(display.wait_for_window("soms view")) << viewer.errors();
+
+  const Picture before = picture(display);
+  EXPECT_EQ(before.size, kSize);
+  EXPECT_EQ(red_pixels(before), 0U);
+
+  display.type({"key", "Tab"});  // panels off: the picture changes on its left
+  const Picture bare = picture(display);
+  EXPECT_GT(difference(before, bare, 20).beyond, 20'000U);
+  EXPECT_EQ(red_pixels(bare), 0U);
+
+  SceneSubject subject = twin();
+  Session session(subject, kSize);
+  const auto pixel = [&](const Vec3& p) { return project(session.camera(), kSize, p)->pixel; };
+  const Gizmo gizmo = *session.gizmo();
+  const Vec3 grip = gizmo.center + Vec3{0.7 * gizmo.size, 0, 0};
+  display.drag(pixel(grip), pixel(grip - Vec3{9, 0, 0}));
+  const Picture after = picture(display);
+  EXPECT_GT(red_pixels(after), 200U);
+
+  display.type({"key", "BackSpace"});  // the object back home
+  EXPECT_EQ(red_pixels(picture(display)), 0U);
+
+  display.type({"key", "ctrl+q"});
+  EXPECT_EQ(viewer.wait(), 0) << viewer.errors();
+  EXPECT_EQ(viewer.errors(), "");
+}
+
+TEST_F(ViewerTest, RestsWhenPaused) {
+  const Display display;
+  RunningProgram viewer(words(), folder_.path(), display.name());
+  ASSERT_TRUE(display.wait_for_window("soms view")) << viewer.errors();
+  (void)picture(display);
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  const double before = viewer.processor_seconds();
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  EXPECT_LE(viewer.processor_seconds() - before, 0.1);
+}
+
+TEST_F(ViewerTest, CtrlCEndsCleanlyAlsoWhenItRests) {
+  const Display display;
+  RunningProgram viewer(words(), folder_.path(), display.name());
+  ASSERT_TRUE(display.wait_for_window("soms view")) << viewer.errors();
+  (void)picture(display);
+  viewer.signal(SIGINT);
+  EXPECT_EQ(viewer.wait(), 130);
+  EXPECT_EQ(viewer.errors(), "soms-view view: interrupted\n");
+}
+
+TEST_F(ViewerTest, ALostDisplayIsOneSentenceAndStatus5) {
+  Display display;
+  RunningProgram viewer(words(), folder_.path(), display.name());
+  ASSERT_TRUE(display.wait_for_window("soms view")) << viewer.errors();
+  (void)picture(display);
+  display.end();
+  EXPECT_EQ(viewer.wait(), 5);
+  EXPECT_EQ(viewer.errors(),
+            "soms-view: the display was lost; start the viewer again when it is back\n");
+}
+
+TEST_F(ViewerTest, FramesAndScreenshotServeScripts) {
+  const Display display;
+  std::vector<std::string> all = words();
+  for (const char* const word : {"--frames", "3", "--screenshot", "end.png"}) {
+    all.emplace_back(word);
+  }
+  RunningProgram viewer(all, folder_.path(), display.name());
+  EXPECT_EQ(viewer.wait(), 0) << viewer.errors();
+  EXPECT_EQ(read_png(folder_.path() / "end.png").size, kSize);
+}
+
+TEST_F(ViewerTest, NoDisplayIsOneSentenceAndStatus5) {
+  RunningProgram viewer(words(), folder_.path(), "");
+  EXPECT_EQ(viewer.wait(), 5);
+  const std::string errors = viewer.errors();
+  EXPECT_EQ(errors.rfind("soms-view view: no display to open a window on", 0), 0U) << errors;
+  EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1);
+}
+
+TEST_F(ViewerTest, AContextBelow33IsOneSentenceAndStatus5) {
+  const Display display;
+  RunningProgram viewer(words(), folder_.path(), display.name(),
+                        {"MESA_GL_VERSION_OVERRIDE=3.1", "MESA_GLSL_VERSION_OVERRIDE=140"});
+  EXPECT_EQ(viewer.wait(), 5);
+  const std::string errors = viewer.errors();
+  EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
+}
+
+TEST_F(ViewerTest, WrongOptionsAreUsage) {
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--size", "12"},
+                                                {"--size", "10x10"},
+                                                {"--frames", "0"},
+                                                {"--screenshot", "a.png"}}) {
+    std::vector<std::string> all = words();
+    all.insert(all.end(), wrong.begin(), wrong.end());
+    RunningProgram viewer(all, folder_.path(), "");
+    EXPECT_EQ(viewer.wait(), 2) << wrong[0] << viewer.errors();
+  }
+}
+
+}  // namespace
+}  // namespace soms::view
