@@ -66,6 +66,9 @@ class Collector {
 
   [[nodiscard]] bool any() const { return any_; }
 
+  /// The first pair found ends the traversal.
+  [[nodiscard]] bool one() const { return mode_ == OverlapMode::any; }
+
   /// More pairs exist than the limit lets through.
   [[nodiscard]] bool full() const { return full_; }
 

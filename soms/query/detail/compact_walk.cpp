@@ -73,6 +73,7 @@ void CompactWalk::run(Collector& collector, Watch& watch) {
       return;
     }
   }
+  static_cast<void>(leaves_.decide({}, true, collector, cost_));
 }
 
 bool CompactWalk::open(const Pair& pair, Collector& collector) {
@@ -158,7 +159,7 @@ bool CompactWalk::decide(std::uint32_t word_x, std::uint32_t word_y, Collector& 
       task.y = &y_.block(word);
       cost_.node_tests += task.x->count + task.y->count;
       kernels().test_slabs(&task, 1);
-      if (leaves_.decide({&task, 1}, collector, cost_)) {
+      if (leaves_.decide({&task, 1}, false, collector, cost_)) {
         return true;
       }
       if (task.y->following == 0) {

@@ -46,7 +46,7 @@ class SideReader {
 class CompactWalk {
  public:
   CompactWalk(const RelativePose& relative, const WalkSide& x, const WalkSide& y, bool swapped)
-      : relative_(relative), leaves_(x, y, swapped), x_(*x.shape), y_(*y.shape) {}
+      : relative_(relative), leaves_(x, y, swapped, queue_), x_(*x.shape), y_(*y.shape) {}
 
   /// Walks until the end.
   void run(Collector& collector, Watch& watch);
@@ -70,6 +70,7 @@ class CompactWalk {
   [[nodiscard]] bool decide(std::uint32_t word_x, std::uint32_t word_y, Collector& collector);
 
   const RelativePose& relative_;
+  LeafQueue queue_;
   LeafPairs leaves_;
   SideReader x_;
   SideReader y_;

@@ -1,8 +1,8 @@
 #include "soms/query/detail/leaf_pairs.h"
 
 #include "soms/geometry/triangle_overlap.h"
-#include "soms/query/detail/kernels/instruction_set.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace soms::detail {
@@ -16,54 +16,80 @@ Triangle moved(const WalkSide& side, TriangleId id) {
 
 }  // namespace
 
-bool LeafPairs::decide(std::span<const BlockTask> tasks, Collector& collector, Cost& cost) {
+void LeafQueue::add(const Kernels& kernels, const BlockTask& task) {
+  TriangleSlot& slot = slots_[slots_used_];
+  std::uint64_t pairs = kernels.test_boxes(task, slot);
+  if (pairs == 0) {
+    return;
+  }
+  constexpr std::uint32_t kToY = sizeof(TriangleSlot::Corners) / sizeof(float);
+  const auto begin = static_cast<std::uint32_t>(slots_used_ * kSlotFloats);
+  const auto number = static_cast<std::uint32_t>(slots_used_ << 6);
+  // The smaller triangle comes first: floats decide more pairs so.
+  const bool swap = task.x->reach * task.pose->ratio > task.y->reach;
+  std::uint32_t* const x = swap ? second_.data() : first_.data();
+  std::uint32_t* const y = swap ? first_.data() : second_.data();
+  for (; pairs != 0; pairs &= pairs - 1) {
+    const auto bit = static_cast<std::uint32_t>(std::countr_zero(pairs));
+    x[size_] = begin + (bit >> 3);
+    y[size_] = begin + kToY + (bit & 7);
+    pair_[size_++] = static_cast<std::uint16_t>(number | bit);
+  }
+  ++slots_used_;
+}
+
+Verdicts LeafQueue::judge(const Kernels& kernels, std::size_t begin) {
+  const std::size_t count = std::min(kJudged, size_ - begin);
+  std::fill(first_.begin() + size_, first_.begin() + size_ + (kJudged - count), first_[begin]);
+  std::fill(second_.begin() + size_, second_.begin() + size_ + (kJudged - count), second_[begin]);
+  return kernels.judge(slots_.data(), first_.data() + begin, second_.data() + begin, count);
+}
+
+bool LeafPairs::decide(std::span<const BlockTask> tasks, bool last, Collector& collector,
+                       Cost& cost) {
   for (const BlockTask& task : tasks) {
     if (task.lanes_x == 0 || task.lanes_y == 0) {
       continue;
     }
     cost.node_tests += task.x->count;
-    const std::uint64_t rows = kernels().test_triangles(task);
-    if (rows != 0 && decide(task, rows, collector, cost)) {
+    if (queue_->full() && decide_queue(collector, cost)) {
       return true;
     }
+    queue_->add(*kernels_, task);
   }
+  return (last || collector.one()) && decide_queue(collector, cost);
+}
+
+bool LeafPairs::decide_queue(Collector& collector, Cost& cost) {
+  for (std::size_t begin = 0; begin < queue_->size(); begin += kJudged) {
+    const Verdicts verdicts = queue_->judge(*kernels_, begin);
+    for (std::uint32_t hit = verdicts.hit; hit != 0; hit &= hit - 1) {
+      ++cost.triangle_tests;
+      const auto lane = static_cast<std::size_t>(std::countr_zero(hit));
+      if (collector.add(ordered(queue_->ids(begin + lane)))) {
+        return true;
+      }
+    }
+    for (std::uint32_t open = verdicts.open; open != 0; open &= open - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(open));
+      const TrianglePair ids = queue_->ids(begin + lane);
+      if (collector.wants(ordered(ids)) && overlap(ids, cost) && collector.add(ordered(ids))) {
+        return true;
+      }
+    }
+  }
+  queue_->clear();
   return false;
 }
 
-bool LeafPairs::decide(const BlockTask& task, std::uint64_t rows, Collector& collector,
-                       Cost& cost) {
-  for (std::size_t i = 0; rows >> (8 * i) != 0; ++i) {
-    const auto lanes = static_cast<std::uint32_t>(rows >> (8 * i) & 0xff);
-    if (lanes != 0 && decide(task.x->id[i], *task.y, lanes, collector, cost)) {
-      return true;
-    }
-    if (i == TriangleBlock::kWidth - 1) {
-      break;
-    }
+bool LeafPairs::overlap(const TrianglePair& ids, Cost& cost) const {
+  const Triangle s = moved(x_, ids.first);
+  const Triangle t = moved(y_, ids.second);
+  if (!overlaps(bounds(s), bounds(t))) {
+    return false;
   }
-  return false;
-}
-
-bool LeafPairs::decide(TriangleId i, const TriangleBlock& y, std::uint32_t lanes,
-                       Collector& collector, Cost& cost) {
-  const Triangle s = moved(x_, i);
-  const Box box = bounds(s);
-  for (; lanes != 0; lanes &= lanes - 1) {
-    const TriangleId j = y.id[static_cast<std::size_t>(std::countr_zero(lanes))];
-    const TrianglePair ids = swapped_ ? TrianglePair{j, i} : TrianglePair{i, j};
-    if (!collector.wants(ids)) {
-      continue;
-    }
-    const Triangle t = moved(y_, j);
-    if (!overlaps(box, bounds(t))) {
-      continue;
-    }
-    ++cost.triangle_tests;
-    if (triangles_overlap(s, t, &cost.exact_tests) && collector.add(ids)) {
-      return true;
-    }
-  }
-  return false;
+  ++cost.triangle_tests;
+  return triangles_overlap(s, t, &cost.exact_tests);
 }
 
 }  // namespace soms::detail

@@ -86,7 +86,7 @@ void fetch(const Place& place) {
 PairWalk::PairWalk(RelativePose& relative, const WalkSide& x, const WalkSide& y, bool swapped,
                    OverlapMode mode, WalkMemory& memory)
     : relative_(relative),
-      leaves_(x, y, swapped),
+      leaves_(x, y, swapped, memory.leaves),
       nodes_x_(x.shape->layout().nodes().data()),
       nodes_y_(y.shape->layout().nodes().data()),
       blocks_x_(x.shape->layout().blocks().data()),
@@ -259,8 +259,9 @@ bool PairWalk::take_up(const WalkRound& round, Collector& collector, Watch& watc
   if (node_count_ != 0) {
     append(std::span(round.nodes).subspan(node_begin_, node_count_));
   }
-  if (block_count_ != 0 &&
-      leaves_.decide(std::span(round.blocks).subspan(block_begin_, block_count_), collector,
+  const bool last = memory_.codes.empty() && memory_.blocks.empty();
+  if ((block_count_ != 0 || last) &&
+      leaves_.decide(std::span(round.blocks).subspan(block_begin_, block_count_), last, collector,
                      cost_)) {
     return false;
   }

@@ -20,10 +20,12 @@ namespace soms::detail {
 struct WalkMemory {
   PairList codes;
   PairList blocks;
+  LeafQueue leaves;
 
   void clear() {
     codes.clear();
     blocks.clear();
+    leaves.clear();
   }
 };
 

@@ -64,10 +64,8 @@
 /// against x, N^T n is off by 4.01 an entry, which adds 4.01 |p|_1 in place of the 7 and defect.
 /// Both stay below the margin of a test of boxes.
 ///
-/// Triangles. Corners of x moved in float are off by 4.1 |p|_1 and 2 for d and the sum, corners of
-/// y by 1. A direction n, a normal or a product of edges, is the float vector that it is; its
-/// products with corners are off by 3 |n|_1 S on each side, the sum of its magnitudes by 2: below
-/// 20 |n|_1 S, where the margin gives 128 |n|_1 S.
+/// Triangles. Corners of x moved in float are off by 6.1 S at most, corners of y by 1: boxes of
+/// triangles give way by more. What is sure beyond boxes: kernels/triangle_pairs.h.
 ///
 /// Nothing overflows: boxes of y are below 2^22, those of x are scaled to y's units by a power of
 /// two that is at most 1, d is at most 2^42 once the roots meet, and five factors stay in range.

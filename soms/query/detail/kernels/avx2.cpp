@@ -27,6 +27,8 @@ namespace {
 #include "soms/query/detail/kernels/nodes.h"
 //
 #include "soms/query/detail/kernels/triangles.h"
+//
+#include "soms/query/detail/kernels/triangle_pairs.h"
 
 /// Pairs of lanes, rotations 0 and 1 and rotations 2 and 3, that some axis parts.
 struct Apart {
@@ -141,8 +143,8 @@ void test_nodes(NodeTask* tasks, std::size_t count) {
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"avx2", test_nodes, test_larger,
-                                  append, test_slabs, test_triangles};
+  static constexpr Kernels kTable{"avx2",     test_nodes, test_larger, append,
+                                  test_slabs, test_boxes, judge};
   return kTable;
 }
 

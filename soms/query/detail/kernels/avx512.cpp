@@ -13,6 +13,7 @@
 #if !defined(__clang__)
 // The compiler's own header sets registers to themselves to leave them undefined.
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wuninitialized"
 #endif
 
 SOMS_TARGET_BEGIN("avx512f,avx512vl,avx512dq,avx512bw,avx2,bmi,bmi2,popcnt")
@@ -24,12 +25,15 @@ namespace {
 #include "soms/query/detail/kernels/lanes_x86.h"
 //
 #include "soms/query/detail/kernels/lanes_avx512.h"
+#include "soms/query/detail/kernels/lanes_wide_avx512.h"
 //
 #include "soms/query/detail/kernels/offset_avx.h"
 //
 #include "soms/query/detail/kernels/nodes.h"
 //
 #include "soms/query/detail/kernels/triangles.h"
+//
+#include "soms/query/detail/kernels/triangle_pairs.h"
 
 inline __m512 four(const std::array<float, 4>& from) {
   return _mm512_broadcast_f32x4(_mm_load_ps(from.data()));
@@ -242,8 +246,8 @@ inline std::size_t put_all(std::uint32_t pairs, __m128i x, __m128i y, std::uint3
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"avx512", test_nodes, test_larger,
-                                  append,   test_slabs, test_triangles};
+  static constexpr Kernels kTable{"avx512",   test_nodes, test_larger, append,
+                                  test_slabs, test_boxes, judge};
   return kTable;
 }
 

@@ -72,6 +72,31 @@ struct BlockTask {
   std::uint32_t lanes_y;
 };
 
+/// Triangles of two blocks in y's axes, about the origin of y's place: floats that are each off the
+/// moved and rounded corners by at most `error` (triangle_pairs.h).
+struct alignas(64) TriangleSlot {
+  static constexpr std::size_t kErrorRow = 9;
+  using Corners = std::array<std::array<float, TriangleBlock::kWidth>, kErrorRow + 1>;
+
+  Corners x;  ///< row 3 * corner + axis, lane; the last row is the error, the same in all lanes
+  Corners y;
+  std::array<TriangleId, TriangleBlock::kWidth> id_x;
+  std::array<TriangleId, TriangleBlock::kWidth> id_y;
+};
+
+/// Floats from a lane of one slot to that of the next.
+inline constexpr std::size_t kSlotFloats = sizeof(TriangleSlot) / sizeof(float);
+
+/// Most pairs of triangles that are judged at once.
+inline constexpr std::size_t kJudged = 16;
+
+/// Pairs of triangles, one a bit: surely overlapping, and those that floats cannot decide. All
+/// others are surely apart.
+struct Verdicts {
+  std::uint32_t hit;
+  std::uint32_t open;
+};
+
 /// Lists of pairs that kernels append to; there is room for 16 more pairs of each kind and task.
 struct PairSink {
   std::uint32_t* codes_x;
@@ -109,9 +134,14 @@ struct Kernels {
   /// Tests the triangles of each block against the slab of the other's.
   void (*test_slabs)(BlockTask* tasks, std::size_t count);
 
-  /// Triangles of two blocks that passed the slabs, by boxes, planes and edges: bit k of byte i for
-  /// lane i of x and lane k of y.
-  std::uint64_t (*test_triangles)(const BlockTask& task);
+  /// Triangles of two blocks that passed the slabs, by their boxes: bit k of byte i for lane i of x
+  /// and lane k of y. Fills the slot unless there is none.
+  std::uint64_t (*test_boxes)(const BlockTask& task, TriangleSlot& slot);
+
+  /// Judges `count` pairs of triangles, at most kJudged. Each list has kJudged places in the slots,
+  /// counted in floats from the first one's x; those from `count` on may be any in use.
+  Verdicts (*judge)(const TriangleSlot* slots, const std::uint32_t* first,
+                    const std::uint32_t* second, std::size_t count);
 };
 
 /// Where rotation r pairs lanes k of `x` with lanes (k + r) mod 4 of `y`.

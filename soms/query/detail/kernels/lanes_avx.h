@@ -8,6 +8,14 @@ inline M8 operator|(M8 a, M8 b) {
   return {_mm256_or_ps(a.v, b.v)};
 }
 
+inline M8 operator&(M8 a, M8 b) {
+  return {_mm256_and_ps(a.v, b.v)};
+}
+
+inline M8 operator^(M8 a, M8 b) {
+  return {_mm256_xor_ps(a.v, b.v)};
+}
+
 inline std::uint32_t bits(M8 m) {
   return static_cast<std::uint32_t>(_mm256_movemask_ps(m.v));
 }
@@ -20,6 +28,11 @@ struct F8 {
   explicit F8(float x) : v(_mm256_set1_ps(x)) {}
 
   static F8 load(const float* from) { return F8(_mm256_loadu_ps(from)); }
+
+  static F8 gather(const float* from, const std::uint32_t* at) {
+    return F8(_mm256_i32gather_ps(from, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at)),
+                                  sizeof(float)));
+  }
 
   void store(float* to) const { _mm256_storeu_ps(to, v); }
 
@@ -53,3 +66,11 @@ inline F8 max(F8 a, F8 b) {
 inline F8 abs(F8 a) {
   return F8(_mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.v));
 }
+
+inline F8 select(M8 where, F8 a, F8 b) {
+  return F8(_mm256_blendv_ps(b.v, a.v, where.v));
+}
+
+/// The most lanes that are worked on at once.
+using Wide = F8;
+using WideMask = M8;

@@ -8,6 +8,14 @@ inline M4 operator|(M4 a, M4 b) {
   return {vorrq_u32(a.v, b.v)};
 }
 
+inline M4 operator&(M4 a, M4 b) {
+  return {vandq_u32(a.v, b.v)};
+}
+
+inline M4 operator^(M4 a, M4 b) {
+  return {veorq_u32(a.v, b.v)};
+}
+
 inline std::uint32_t bits(M4 m) {
   const uint32x4_t weights = {1, 2, 4, 8};
   return vaddvq_u32(vandq_u32(m.v, weights));
@@ -21,6 +29,10 @@ struct F4 {
   explicit F4(float x) : v(vdupq_n_f32(x)) {}
 
   static F4 load(const float* from) { return F4(vld1q_f32(from)); }
+
+  static F4 gather(const float* from, const std::uint32_t* at) {
+    return F4(float32x4_t{from[at[0]], from[at[1]], from[at[2]], from[at[3]]});
+  }
 
   void store(float* to) const { vst1q_f32(to, v); }
 
@@ -54,6 +66,10 @@ inline F4 max(F4 a, F4 b) {
 
 inline F4 abs(F4 a) {
   return F4(vabsq_f32(a.v));
+}
+
+inline F4 select(M4 where, F4 a, F4 b) {
+  return F4(vbslq_f32(where.v, a.v, b.v));
 }
 
 /// Lane k takes what lane (k + R) mod 4 held.

@@ -9,6 +9,14 @@ inline M8 operator|(M8 a, M8 b) {
   return {a.low | b.low, a.high | b.high};
 }
 
+inline M8 operator&(M8 a, M8 b) {
+  return {a.low & b.low, a.high & b.high};
+}
+
+inline M8 operator^(M8 a, M8 b) {
+  return {a.low ^ b.low, a.high ^ b.high};
+}
+
 inline std::uint32_t bits(M8 m) {
   return bits(m.low) | bits(m.high) << 4;
 }
@@ -21,6 +29,10 @@ struct F8 {
   explicit F8(float x) : low(x), high(x) {}
 
   static F8 load(const float* from) { return {F4::load(from), F4::load(from + 4)}; }
+
+  static F8 gather(const float* from, const std::uint32_t* at) {
+    return {F4::gather(from, at), F4::gather(from, at + 4)};
+  }
 
   void store(float* to) const {
     low.store(to);
@@ -58,3 +70,11 @@ inline F8 max(F8 a, F8 b) {
 inline F8 abs(F8 a) {
   return {abs(a.low), abs(a.high)};
 }
+
+inline F8 select(M8 where, F8 a, F8 b) {
+  return {select(where.low, a.low, b.low), select(where.high, a.high, b.high)};
+}
+
+/// The most lanes that are worked on at once.
+using Wide = F8;
+using WideMask = M8;

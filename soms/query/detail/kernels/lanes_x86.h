@@ -9,6 +9,14 @@ inline M4 operator|(M4 a, M4 b) {
   return {_mm_or_ps(a.v, b.v)};
 }
 
+inline M4 operator&(M4 a, M4 b) {
+  return {_mm_and_ps(a.v, b.v)};
+}
+
+inline M4 operator^(M4 a, M4 b) {
+  return {_mm_xor_ps(a.v, b.v)};
+}
+
 inline std::uint32_t bits(M4 m) {
   return static_cast<std::uint32_t>(_mm_movemask_ps(m.v));
 }
@@ -21,6 +29,10 @@ struct F4 {
   explicit F4(float x) : v(_mm_set1_ps(x)) {}
 
   static F4 load(const float* from) { return F4(_mm_loadu_ps(from)); }
+
+  static F4 gather(const float* from, const std::uint32_t* at) {
+    return F4(_mm_setr_ps(from[at[0]], from[at[1]], from[at[2]], from[at[3]]));
+  }
 
   void store(float* to) const { _mm_storeu_ps(to, v); }
 
@@ -53,6 +65,10 @@ inline F4 max(F4 a, F4 b) {
 
 inline F4 abs(F4 a) {
   return F4(_mm_andnot_ps(_mm_set1_ps(-0.0F), a.v));
+}
+
+inline F4 select(M4 where, F4 a, F4 b) {
+  return F4(_mm_blendv_ps(b.v, a.v, where.v));
 }
 
 /// Lane k takes what lane (k + R) mod 4 held.

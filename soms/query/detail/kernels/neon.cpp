@@ -23,12 +23,14 @@ namespace {
 //
 #include "soms/query/detail/kernels/node_pairs.h"
 #include "soms/query/detail/kernels/triangles.h"
+//
+#include "soms/query/detail/kernels/triangle_pairs.h"
 
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"neon", test_nodes, test_larger,
-                                  append, test_slabs, test_triangles};
+  static constexpr Kernels kTable{"neon",     test_nodes, test_larger, append,
+                                  test_slabs, test_boxes, judge};
   return kTable;
 }
 

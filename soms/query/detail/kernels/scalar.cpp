@@ -16,6 +16,14 @@ inline M4 operator|(M4 a, M4 b) {
   return {a.set | b.set};
 }
 
+inline M4 operator&(M4 a, M4 b) {
+  return {a.set & b.set};
+}
+
+inline M4 operator^(M4 a, M4 b) {
+  return {a.set ^ b.set};
+}
+
 inline std::uint32_t bits(M4 m) {
   return m.set;
 }
@@ -29,6 +37,14 @@ struct F4 {
     F4 a;
     for (std::size_t k = 0; k < 4; ++k) {
       a.v[k] = from[k];
+    }
+    return a;
+  }
+
+  static F4 gather(const float* from, const std::uint32_t* at) {
+    F4 a;
+    for (std::size_t k = 0; k < 4; ++k) {
+      a.v[k] = from[at[k]];
     }
     return a;
   }
@@ -83,6 +99,10 @@ F4 abs(F4 a) {
   return each([&](std::size_t k) { return std::abs(a.v[k]); });
 }
 
+F4 select(M4 where, F4 a, F4 b) {
+  return each([&](std::size_t k) { return (where.set >> k & 1U) != 0 ? a.v[k] : b.v[k]; });
+}
+
 /// Lane k takes what lane (k + R) mod 4 held.
 template <int R>
 F4 rotate(F4 a) {
@@ -104,12 +124,14 @@ F4 with_last(F4 a, float x) {
 //
 #include "soms/query/detail/kernels/node_pairs.h"
 #include "soms/query/detail/kernels/triangles.h"
+//
+#include "soms/query/detail/kernels/triangle_pairs.h"
 
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"scalar", test_nodes, test_larger,
-                                  append,   test_slabs, test_triangles};
+  static constexpr Kernels kTable{"scalar",   test_nodes, test_larger, append,
+                                  test_slabs, test_boxes, judge};
   return kTable;
 }
 

@@ -1,33 +1,24 @@
 // Kernels of blocks, for any kind of eight lanes F8. Included once for each instruction set, inside
 // its namespace and after its F8; so it has no include guard and includes nothing.
 
-using Three = std::array<F8, 3>;
+/// Three coordinates in lanes F.
+template <class F>
+using Coordinates = std::array<F, 3>;
+using Three = Coordinates<F8>;
 
-/// Covers what underflows in products of three or four lengths.
-inline constexpr float kLeastProduct = 0x1p-140F;
-
-inline F8 least(F8 a, F8 b, F8 c) {
+template <class F>
+inline F least(F a, F b, F c) {
   return min(a, min(b, c));
 }
 
-inline F8 greatest(F8 a, F8 b, F8 c) {
+template <class F>
+inline F greatest(F a, F b, F c) {
   return max(a, max(b, c));
 }
 
-inline F8 dot(const Three& a, const Three& b) {
+template <class F>
+inline F dot(const Coordinates<F>& a, const Coordinates<F>& b) {
   return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
-}
-
-inline Three cross(const Three& a, const Three& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-inline Three minus(const Three& a, const Three& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-inline F8 sum_of_magnitudes(const Three& n) {
-  return (abs(n[0]) + abs(n[1])) + abs(n[2]);
 }
 
 template <std::size_t N>
@@ -50,9 +41,9 @@ inline Corners corners_of(const TriangleBlock& block) {
 
 /// Triangles of which some point lies between `lower` and `upper` on `direction`.
 inline std::uint32_t between(const Corners& q, const Three& direction, float lower, float upper) {
-  const F8 a = dot(direction, q[0]);
-  const F8 b = dot(direction, q[1]);
-  const F8 c = dot(direction, q[2]);
+  const F8 a = dot<F8>(direction, q[0]);
+  const F8 b = dot<F8>(direction, q[1]);
+  const F8 c = dot<F8>(direction, q[2]);
   return ~bits((least(a, b, c) > F8(upper)) | (F8(lower) > greatest(a, b, c)));
 }
 
@@ -63,6 +54,8 @@ inline F4 sum_of(const std::array<float, 16>& m, const std::array<float, 3>& v) 
 }
 
 using Row = std::array<float, 4>;
+
+using Row8 = std::array<float, 8>;
 
 inline Row stored(F4 v) {
   Row row;
@@ -102,97 +95,66 @@ inline void test_slabs(BlockTask* tasks, std::size_t count) {
   }
 }
 
-/// Triangles `q` that miss triangle `p`, the same in all lanes, along `n`.
-inline M8 apart_along(const Three& n, const Corners& p, const Corners& q, float margin) {
-  const F8 a = dot(n, p[0]);
-  const F8 b = dot(n, p[1]);
-  const F8 c = dot(n, p[2]);
-  const F8 d = dot(n, q[0]);
-  const F8 e = dot(n, q[1]);
-  const F8 f = dot(n, q[2]);
-  const F8 give = sum_of_magnitudes(n) * F8(margin) + F8(kLeastProduct);
-  return (least(a, b, c) > greatest(d, e, f) + give) | (least(d, e, f) > greatest(a, b, c) + give);
+/// What corners may be off by; triangle_pairs.h proves it.
+inline float error_of(const BlockTask& task) {
+  const auto& d = task.offset;
+  const float distance = (std::abs(d[0]) + std::abs(d[1])) + std::abs(d[2]);
+  const float reach = task.x->reach * task.pose->ratio + task.y->reach;
+  return (reach + distance) * 0x1p-21F + task.pose->slack * 0x1p-1F;
 }
 
-/// Corners of x's triangles in y's axes, and their boxes: row, lane.
-struct Moved {
-  explicit Moved(const BlockTask& task) {
-    const PoseNumbers& pose = *task.pose;
-    const Corners own = corners_of(*task.x);
-    const F8 ratio(pose.ratio);
-    Corners seen;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Three v = {own[k][0] * ratio, own[k][1] * ratio, own[k][2] * ratio};
-      for (std::size_t i = 0; i < 3; ++i) {
-        seen[k][i] =
-            dot({F8(pose.n(i, 0)), F8(pose.n(i, 1)), F8(pose.n(i, 2))}, v) + F8(task.offset[i]);
-        seen[k][i].store(corner[3 * k + i].data());
-      }
-    }
+/// Moves the corners of x into the slot; gives their boxes, for each axis the rows of lower and
+/// upper ends.
+inline std::array<Row8, 6> move_corners(const BlockTask& task, TriangleSlot& slot) {
+  const PoseNumbers& pose = *task.pose;
+  const Corners own = corners_of(*task.x);
+  const F8 ratio(pose.ratio);
+  Corners seen;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Three v = {own[k][0] * ratio, own[k][1] * ratio, own[k][2] * ratio};
     for (std::size_t i = 0; i < 3; ++i) {
-      least(seen[0][i], seen[1][i], seen[2][i]).store(lower[i].data());
-      greatest(seen[0][i], seen[1][i], seen[2][i]).store(upper[i].data());
+      seen[k][i] =
+          dot<F8>({F8(pose.n(i, 0)), F8(pose.n(i, 1)), F8(pose.n(i, 2))}, v) + F8(task.offset[i]);
+      seen[k][i].store(slot.x[3 * k + i].data());
     }
   }
-
-  [[nodiscard]] Corners lane(std::size_t k) const {
-    Corners p;
-    for (std::size_t row = 0; row < 9; ++row) {
-      p[row / 3][row % 3] = F8(corner[row][k]);
-    }
-    return p;
+  std::array<Row8, 6> box;
+  for (std::size_t i = 0; i < 3; ++i) {
+    least(seen[0][i], seen[1][i], seen[2][i]).store(box[2 * i].data());
+    greatest(seen[0][i], seen[1][i], seen[2][i]).store(box[2 * i + 1].data());
   }
-
-  alignas(32) std::array<std::array<float, 8>, 9> corner;
-  alignas(32) std::array<std::array<float, 8>, 3> lower;
-  alignas(32) std::array<std::array<float, 8>, 3> upper;
-};
-
-/// Triangles `q` that miss `p` along a product of two edges.
-inline M8 apart_by_edges(const Corners& p, const Corners& q, float margin) {
-  M8 miss = apart_along(cross(minus(p[1], p[0]), minus(q[1], q[0])), p, q, margin);
-  for (std::size_t k = 1; k < 9; ++k) {
-    const Three edge = minus(p[(k / 3 + 1) % 3], p[k / 3]);
-    const Three other = minus(q[(k % 3 + 1) % 3], q[k % 3]);
-    miss = miss | apart_along(cross(edge, other), p, q, margin);
-  }
-  return miss;
+  return box;
 }
 
-inline std::uint64_t test_triangles(const BlockTask& task) {
-  const Moved moved(task);
+inline std::uint64_t test_boxes(const BlockTask& task, TriangleSlot& slot) {
+  const std::array<Row8, 6> box = move_corners(task, slot);
   const Corners q = corners_of(*task.y);
-  const float margin = task.margin;
-  const Three normal = cross(minus(q[1], q[0]), minus(q[2], q[0]));
+  const F8 margin(task.margin);
   Three lower;
   Three upper;
   for (std::size_t i = 0; i < 3; ++i) {
-    lower[i] = least(q[0][i], q[1][i], q[2][i]) - F8(margin);
-    upper[i] = greatest(q[0][i], q[1][i], q[2][i]) + F8(margin);
+    lower[i] = least(q[0][i], q[1][i], q[2][i]) - margin;
+    upper[i] = greatest(q[0][i], q[1][i], q[2][i]) + margin;
   }
   std::uint64_t rows = 0;
   for (std::uint32_t left = task.lanes_x; left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
-    M8 miss = (lower[0] > F8(moved.upper[0][i])) | (F8(moved.lower[0][i]) > upper[0]);
+    M8 miss = (lower[0] > F8(box[1][i])) | (F8(box[0][i]) > upper[0]);
     for (std::size_t axis = 1; axis < 3; ++axis) {
-      miss = miss | (lower[axis] > F8(moved.upper[axis][i])) |
-             (F8(moved.lower[axis][i]) > upper[axis]);
+      miss = miss | (lower[axis] > F8(box[2 * axis + 1][i])) | (F8(box[2 * axis][i]) > upper[axis]);
     }
-    std::uint32_t meet = ~bits(miss) & task.lanes_y;
-    if (meet == 0) {
-      continue;
-    }
-    const Corners p = moved.lane(i);
-    meet &= ~bits(apart_along(normal, p, q, margin));
-    if (meet == 0) {
-      continue;
-    }
-    meet &= ~bits(apart_along(cross(minus(p[1], p[0]), minus(p[2], p[0])), p, q, margin));
-    if (meet == 0) {
-      continue;
-    }
-    meet &= ~bits(apart_by_edges(p, q, margin));
-    rows |= std::uint64_t{meet} << (8 * i);
+    rows |= std::uint64_t{~bits(miss) & task.lanes_y} << (8 * i);
   }
+  if (rows == 0) {
+    return 0;
+  }
+  const F8 error(error_of(task));
+  for (std::size_t row = 0; row < 9; ++row) {
+    q[row / 3][row % 3].store(slot.y[row].data());
+  }
+  error.store(slot.x[TriangleSlot::kErrorRow].data());
+  error.store(slot.y[TriangleSlot::kErrorRow].data());
+  slot.id_x = task.x->id;
+  slot.id_y = task.y->id;
   return rows;
 }

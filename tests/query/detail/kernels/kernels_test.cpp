@@ -96,7 +96,8 @@ TEST(Kernels, GiveTheSameBitsOnEveryInstructionSet) {
       all[0]->test_nodes(&nodes_here, 1);
       all[0]->test_larger(&larger_here, 1);
       all[0]->test_slabs(&blocks_here, 1);
-      const std::uint64_t rows = all[0]->test_triangles(blocks_here);
+      TriangleSlot slot_here;
+      const std::uint64_t rows = all[0]->test_boxes(blocks_here, slot_here);
       met += nodes_here.pairs != 0 ? 1 : 0;
       parted += nodes_here.pairs != lanes ? 1 : 0;
       for (const Kernels* kernels : all) {
@@ -113,7 +114,8 @@ TEST(Kernels, GiveTheSameBitsOnEveryInstructionSet) {
         ASSERT_EQ(blocks_there.margin, blocks_here.margin) << kernels->name;
         ASSERT_EQ(blocks_there.lanes_x, blocks_here.lanes_x) << kernels->name;
         ASSERT_EQ(blocks_there.lanes_y, blocks_here.lanes_y) << kernels->name;
-        ASSERT_EQ(kernels->test_triangles(blocks_here), rows) << kernels->name;
+        TriangleSlot slot_there;
+        ASSERT_EQ(kernels->test_boxes(blocks_here, slot_there), rows) << kernels->name;
       }
     }
   });
