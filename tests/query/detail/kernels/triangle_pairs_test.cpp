@@ -169,7 +169,8 @@ void judge_bodies(const Near& near, Tally& tally) {
   if (x.exponent() < y.exponent()) {
     return;
   }
-  const RelativePose relative(x, near.pose_a, Viewer(y, near.pose_b));
+  RelativePose relative(x, near.pose_a, Viewer(y, near.pose_b));
+  relative.prepare();
   for (const TriangleBlock& block_x : x.blocks()) {
     for (const TriangleBlock& block_y : y.blocks()) {
       BlockTask task{&relative.numbers(), &block_x, &block_y, {}, 0, 0, 0};
