@@ -4,8 +4,7 @@
 
 #include "apps/support/console.h"
 #include "apps/support/parse.h"
-#include "apps/support/world.h"
-#include "apps/view/scene/load.h"
+#include "apps/view/verbs/render_scene.h"
 #include "apps/view/window/app_window.h"
 #include "apps/view/window/scene_subject.h"
 
@@ -23,10 +22,12 @@ constexpr std::uint64_t kMostSide = 16'384;
 constexpr std::uint64_t kMostFrames = 1'000'000'000;
 
 const char* const kFooter =
-    "Without a city: an embedded one of 1,000,000 triangles, with cars, persons and drones. H in\n"
-    "the window shows all keys. The left button turns the view, the middle one shifts it, the\n"
-    "wheel goes nearer to what lies under the cursor; a click picks a triangle, and the handles\n"
-    "move the object. A model file that is dropped on the window is added to the scene.\n\n"
+    "Without a city: an embedded one of 1,000,000 triangles, with cars, persons and drones. A "
+    "city\n"
+    "from files has movers only where --mover, --route or --count ask for them. H in the window\n"
+    "shows all keys. The left button turns the view, the middle one shifts it, the wheel goes\n"
+    "nearer to what lies under the cursor; a click picks a triangle, and the handles move the\n"
+    "object. A model file that is dropped on the window is added to the scene.\n\n"
     "Example:\n"
     "  soms generate city --triangles 20000 -o town.ply\n"
     "  soms generate car -o car.ply\n"
@@ -48,6 +49,9 @@ Size parse_size(const std::string& text) {
 command::Action add_view(CLI::App& app, command::Shared&) {
   const auto options = std::make_shared<ViewVerbOptions>();
   command::add_world_options(app, options->world);
+  app.add_option("--pose", options->pose,
+                 "where the mover stands: \"x y z [qw qx qy qz]\", or a CSV file of poses")
+      ->option_text("POSE");
   app.add_option_function<std::string>(
          "--size", [options](const std::string& text) { options->viewer.size = parse_size(text); },
          "width and height of the window (1280x720)")
@@ -75,7 +79,7 @@ int run_view(const ViewVerbOptions& options, command::Console& console) {
                 "add --frames 1, or press F12 in the window");
   }
   AppWindow::require_display();
-  SceneContent content = content_of(command::load_world(options.world, console));
+  SceneContent content = load_content(options.world, options.pose, console);
   SceneSubject subject(std::move(content), console.parallel());
   run_viewer(subject, options.viewer, console.parallel().stop);
   if (console.interrupted()) {

@@ -6,11 +6,14 @@
 #include "apps/support/world_options.h"
 #include "apps/view/window/viewer.h"
 
+#include <string>
+
 namespace soms::view {
 
 /// Options of the verb `view`.
 struct ViewVerbOptions {
   command::WorldOptions world;
+  std::string pose;  ///< of --pose; empty: none
   ViewerOptions viewer;
 };
 

@@ -16,6 +16,8 @@ namespace {
 
 /// Levels that can be asked for before a tree is built and its depth is known.
 constexpr int kLevelsUnknown = 32;
+/// Half the angle, in radians, within which a contact is picked: some five pixels.
+constexpr double kContactAngle = 0.008;
 /// Contacts of a picked triangle that are explained.
 constexpr std::size_t kExplained = 3;
 
@@ -30,7 +32,7 @@ double greatest_side(const Box& box) {
 std::vector<bool> motions_of(const SceneContent& content) {
   std::vector<bool> moves;
   for (const MovingBody& mover : content.movers) {
-    moves.push_back(static_cast<bool>(mover.motion));
+    moves.push_back(mover.motion || content.recording);
   }
   return moves;
 }
@@ -42,6 +44,12 @@ std::string in_words(const Vec3& v) {
 std::string body_in_words(const ViewScene& scene, BodyRef ref) {
   const std::string& name = scene.body(ref).name;
   return ref.role == Role::city ? name : fmt::format("{} (mover {})", name, ref.index);
+}
+
+void add_corners(const Triangle& corners, PickedFacts& facts) {
+  facts.numbers.emplace_back("a", in_words(corners.a));
+  facts.numbers.emplace_back("b", in_words(corners.b));
+  facts.numbers.emplace_back("c", in_words(corners.c));
 }
 
 std::vector<std::string> reasons(const ViewScene& scene, const Picked& picked) {
@@ -90,16 +98,8 @@ ViewOptions options_of(const ViewState& state) {
   return options;
 }
 
-SceneSubject::SceneSubject(SceneContent content, const Parallel& parallel,
-                           std::optional<std::uint64_t> frames)
-    : has_motion_(motions_of(content)),
-      parallel_(parallel),
-      frames_(frames),
-      scene_(std::move(content), parallel) {
-}
-
-std::optional<std::uint64_t> SceneSubject::frames() const {
-  return test_ ? scene_.frames() : frames_;
+SceneSubject::SceneSubject(SceneContent content, const Parallel& parallel)
+    : has_motion_(motions_of(content)), parallel_(parallel), scene_(std::move(content), parallel) {
 }
 
 std::optional<std::uint32_t> SceneSubject::object() const {
@@ -125,6 +125,9 @@ const SceneStatistics& SceneSubject::statistics() const {
 }
 
 int SceneSubject::levels_of(TreeOf tree) const {
+  if (lone_levels_ && !scene_.pair()) {
+    return *lone_levels_;
+  }
   const auto& known = tree == TreeOf::city ? statistics().tree_a : statistics().tree_b;
   return known ? static_cast<int>(known->depth) + 1 : kLevelsUnknown;
 }
@@ -133,7 +136,7 @@ Limits SceneSubject::limits() const {
   Limits limits;
   limits.city_levels = levels_of(TreeOf::city);
   limits.mover_levels = levels_of(TreeOf::mover);
-  limits.frames = frames().value_or(0);
+  limits.frames = scene_.frames().value_or(0);
   limits.movers = scene_.movers();
   limits.can_seek = true;
   limits.scene_size = greatest_side(scene_.bounds());
@@ -146,6 +149,8 @@ Limits SceneSubject::limits() const {
 
 void SceneSubject::choose(const ViewState& state) {
   changed();
+  lone_levels_.reset();
+  through_ = state.shown.contacts_on_top;
   scene_.set_trees(trees_of(state));
   if (state.orientation_test != test_) {
     start_test(state.orientation_test);
@@ -206,7 +211,7 @@ void SceneSubject::advance(int count) {
     return;
   }
   const std::uint64_t next = now + static_cast<std::uint64_t>(count);
-  const auto end = frames();
+  const auto end = scene_.frames();
   scene_.go_to(end && *end > 0 ? next % *end : next);
 }
 
@@ -247,11 +252,23 @@ void SceneSubject::object_home() {
 }
 
 std::optional<PickedFacts> SceneSubject::pick(const Ray& ray) {
-  seen_ = scene_.pick(ray);
-  if (!seen_) {
+  const auto picked = scene_.pick(ray);
+  if (through_ || !picked) {
+    if (const auto touch = scene_.pick_contact(ray, kContactAngle)) {
+      seen_ = Chosen{touch->a, touch->i, touch};
+      return contact_facts(*touch);
+    }
+  }
+  if (!picked) {
+    seen_.reset();
     return std::nullopt;
   }
-  const Picked& picked = *seen_;
+  seen_ = Chosen{picked->body, picked->triangle,
+                 picked->touches.empty() ? std::nullopt : std::optional(picked->touches.front())};
+  return triangle_facts(*picked);
+}
+
+PickedFacts SceneSubject::triangle_facts(const Picked& picked) const {
   PickedFacts facts;
   facts.title =
       fmt::format("triangle {} of {}", picked.triangle, body_in_words(scene_, picked.body));
@@ -261,15 +278,34 @@ std::optional<PickedFacts> SceneSubject::pick(const Ray& ray) {
   facts.numbers.emplace_back("face", std::to_string(picked.face));
   facts.numbers.emplace_back("vertices", fmt::format("{}, {}, {}", picked.vertices[0],
                                                      picked.vertices[1], picked.vertices[2]));
-  facts.numbers.emplace_back("a", in_words(picked.corners.a));
-  facts.numbers.emplace_back("b", in_words(picked.corners.b));
-  facts.numbers.emplace_back("c", in_words(picked.corners.c));
+  add_corners(picked.corners, facts);
   facts.numbers.emplace_back("point", in_words(picked.point));
   facts.numbers.emplace_back("distance", fmt::format("{:.6g}", picked.distance));
   facts.numbers.emplace_back("touches", std::to_string(picked.touches.size()));
   facts.why = reasons(scene_, picked);
   facts.point = picked.point;
   facts.bounds = bounds(picked.corners);
+  return facts;
+}
+
+PickedFacts SceneSubject::contact_facts(const Touch& touch) const {
+  PickedFacts facts;
+  facts.title =
+      fmt::format("contact of triangle {} of {} and triangle {} of {}", touch.i,
+                  body_in_words(scene_, touch.a), touch.j, body_in_words(scene_, touch.b));
+  const Explanation why = scene_.explain(touch);
+  facts.numbers.emplace_back("kind", std::string(name(why.kind)));
+  facts.numbers.emplace_back("decided by", std::string(name(why.stage)));
+  facts.numbers.emplace_back("arithmetic", why.exact_arithmetic ? "exact" : "plain doubles");
+  for (const Vec3& point : why.crossing.points()) {
+    facts.numbers.emplace_back("common", in_words(point));
+    facts.bounds.grow(point);
+  }
+  facts.why = {why.text};
+  if (facts.bounds.empty()) {
+    facts.bounds = bounds(scene_.triangle(touch.a, touch.i));
+  }
+  facts.point = facts.bounds.center();
   return facts;
 }
 
@@ -280,6 +316,7 @@ void SceneSubject::select() {
       selected_->body != pair->first) {
     changed();
     scene_.set_pair(pair->first, selected_->body);
+    scene_.end_test();
     test_.reset();
   }
 }
@@ -303,20 +340,28 @@ void SceneSubject::open(const std::string& path) {
   }
 }
 
+bool SceneSubject::touching(const std::optional<Touch>& touch) const {
+  const auto& all = scene_.contacts();
+  return touch && std::binary_search(all.begin(), all.end(), *touch);
+}
+
 DrawList SceneSubject::draw_list(const ViewState& state) {
   ViewOptions options = options_of(state);
   if (state.shown.tree_boxes) {
     if (const auto body = tree_body(state.tree_of)) {
       options.level = LevelBoxes{*body, state.level};
+      if (!scene_.pair() && !lone_levels_) {
+        scene_.set_trees(options.trees);
+        const TreeStatistics tree = soms::statistics(scene_.tree(*body), options.trees.build);
+        lone_levels_ = static_cast<int>(tree.depth) + 1;
+      }
     }
   }
   if (selected_) {
     if (selected_->body.role == Role::mover) {
       options.highlighted = selected_->body;
     }
-    if (!selected_->touches.empty()) {
-      options.chosen = selected_->touches.front();
-    }
+    options.chosen = touching(selected_->touch) ? selected_->touch : std::nullopt;
   }
   DrawList list = make_draw_list(scene_, options);
   if (selected_) {

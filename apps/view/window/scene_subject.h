@@ -19,9 +19,7 @@ namespace soms::view {
 /// body of the scene's pair; picking a mover makes it that.
 class SceneSubject final : public Subject {
  public:
-  /// `frames` is given where time ends, as in a recording: after the last frame comes the first.
-  explicit SceneSubject(SceneContent content, const Parallel& parallel = {},
-                        std::optional<std::uint64_t> frames = std::nullopt);
+  explicit SceneSubject(SceneContent content, const Parallel& parallel = {});
 
   void choose(const ViewState& state) override;
   [[nodiscard]] Facts facts(const ViewState& state) const override;
@@ -36,15 +34,24 @@ class SceneSubject final : public Subject {
   void open(const std::string& path) override;
   [[nodiscard]] DrawList draw_list(const ViewState& state) override;
 
-  [[nodiscard]] const ViewScene& scene() const { return scene_; }
-
  private:
-  [[nodiscard]] std::optional<std::uint64_t> frames() const;
+  /// What a click chose: a triangle, and with it or alone a contact.
+  struct Chosen {
+    BodyRef body;
+    TriangleId triangle = 0;
+    std::optional<Touch> touch;
+  };
+
+  [[nodiscard]] PickedFacts triangle_facts(const Picked& picked) const;
+  [[nodiscard]] PickedFacts contact_facts(const Touch& touch) const;
   [[nodiscard]] std::optional<std::uint32_t> object() const;
   [[nodiscard]] std::optional<BodyRef> tree_body(TreeOf tree) const;
   [[nodiscard]] int levels_of(TreeOf tree) const;
   [[nodiscard]] Limits limits() const;
   [[nodiscard]] const SceneStatistics& statistics() const;
+
+  /// True while the contact still is one.
+  [[nodiscard]] bool touching(const std::optional<Touch>& touch) const;
 
   void changed() { statistics_.reset(); }
 
@@ -52,12 +59,13 @@ class SceneSubject final : public Subject {
 
   std::vector<bool> has_motion_;  ///< of each mover
   Parallel parallel_;
-  std::optional<std::uint64_t> frames_;
   ViewScene scene_;
   std::optional<std::size_t> test_;
-  std::optional<Picked> seen_;                         ///< by the last `pick`
-  std::optional<Picked> selected_;                     ///< drawn brighter
-  std::map<std::uint32_t, Pose> home_;                 ///< where movers were that the hand moved
+  bool through_ = false;                ///< contacts are seen, and picked, through everything
+  std::optional<int> lone_levels_;      ///< of the city's tree, where there is no pair
+  std::optional<Chosen> seen_;          ///< by the last `pick`
+  std::optional<Chosen> selected_;      ///< drawn brighter
+  std::map<std::uint32_t, Pose> home_;  ///< where movers were that the hand moved
   mutable std::optional<SceneStatistics> statistics_;  ///< counts whole trees: kept till a change
 };
 

@@ -117,6 +117,8 @@ TEST(SceneSubject, TreeOfTheCityIsShownWithoutMoversToo) {
   ViewState state;
   state.shown.tree_boxes = true;
   EXPECT_EQ(subject.draw_list(state).box_groups.size(), 1U);
+  EXPECT_GT(subject.facts(state).limits.city_levels, 3);
+  EXPECT_LT(subject.facts(state).limits.city_levels, 15);
   EXPECT_FALSE(subject.facts(state).limits.has_object);
   EXPECT_FALSE(subject.facts(state).object);
 }
@@ -193,13 +195,6 @@ TEST(SceneSubject, TimeGoesOnAndBackAndRound) {
   EXPECT_EQ(endless.facts(state).frame, 4U);
   endless.restart();
   EXPECT_EQ(endless.facts(state).frame, 0U);
-
-  SceneSubject recording(with_traffic(), {}, 10);
-  EXPECT_EQ(recording.facts(state).limits.frames, 10U);
-  recording.advance(9);
-  EXPECT_EQ(recording.facts(state).frame, 9U);
-  recording.advance(2);
-  EXPECT_EQ(recording.facts(state).frame, 1U);
 }
 
 TEST(SceneSubject, PicksWithNumbersAndReasons) {
@@ -218,6 +213,35 @@ TEST(SceneSubject, PicksWithNumbersAndReasons) {
   EXPECT_NE(side->title.find("cube (mover 0)"), std::string::npos);
   ASSERT_FALSE(side->why.empty());
   EXPECT_NE(side->why[0].find("of block: "), std::string::npos);
+}
+
+TEST(SceneSubject, PicksContactsThroughEverythingWhereTheyAreSeenSo) {
+  SceneSubject subject(block_and_cube());
+  subject.place_object(Pose::translation(0, 0, 0.3));  // through the floor, inside the block
+  ViewState state;
+  ASSERT_GT(subject.facts(state).contacts, 0U);
+  const Ray at_contact{{1, 0.3, 100}, {0, 0, -1}};
+  EXPECT_EQ(subject.pick(at_contact)->title.rfind("contact", 0), std::string::npos);
+  state.shown.contacts_on_top = true;
+  subject.choose(state);
+  const auto contact = subject.pick(at_contact);
+  ASSERT_TRUE(contact);
+  EXPECT_EQ(contact->title.rfind("contact of triangle", 0), 0U) << contact->title;
+  EXPECT_NEAR(contact->point.z, 0, 1);
+  ASSERT_EQ(contact->why.size(), 1U);
+  subject.select();
+  EXPECT_FALSE(subject.draw_list(state).lines.empty());
+}
+
+TEST(SceneSubject, AChosenContactThatIsNoMoreIsNotDrawn) {
+  SceneSubject subject(block_and_cube());
+  subject.place_object(Pose::translation(0, 0, 10.5));
+  ASSERT_TRUE(subject.pick({{0.3, -50, 10.2}, {0, 1, 0}}));
+  subject.select();
+  (void)subject.draw_list({});
+  subject.place_object(Pose::translation(0, 0, 40));
+  EXPECT_NO_THROW((void)subject.draw_list({}));
+  EXPECT_TRUE(subject.draw_list({}).marks.empty());
 }
 
 TEST(SceneSubject, PickingAMoverMakesItTheObject) {
