@@ -5,6 +5,7 @@
 #include "soms/query/overlap.h"
 #include "soms/query/traversal/named_overlap.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -25,8 +26,15 @@ using detail::Watch;
 
 /// Poses that a thread takes at a time.
 constexpr std::size_t kBlock = 256;
-/// Queries in flight: while one waits for memory, others work.
-constexpr std::size_t kFlights = detail::WalkRound::kWalks;
+/// Where both trees are larger than what a core has close at hand, queries wait for memory.
+constexpr std::size_t kClose = std::size_t{2} << 20;
+
+/// Queries in flight: while one waits for memory, others work. Where none has to wait, they would
+/// only be in each other's way.
+std::size_t flights_of(const Shape& a, const Shape& b) {
+  return std::min(a.layout().memory(), b.layout().memory()) > kClose ? detail::WalkRound::kWalks
+                                                                     : 1;
+}
 
 /// Checks all poses of a batch; an error names the first one at fault.
 void check_poses(std::span<const Pose> poses, const Shape& shape) {
@@ -86,11 +94,12 @@ class BlockRun {
   }
 
   void run() {
-    const auto flights = std::make_unique<std::array<Flight, kFlights>>();
-    std::array<Flight*, kFlights> open = {};
+    const std::size_t most = flights_of(question_.mover, question_.fixed.shape);
+    const auto flights = std::make_unique_for_overwrite<Flight[]>(most);
+    std::array<Flight*, WalkRound::kWalks> open = {};
     std::size_t count = 0;
-    while (count < kFlights && next_ < end_) {
-      open[count] = &(*flights)[count];
+    while (count < most && next_ < end_) {
+      open[count] = &flights[count];
       take_off(*open[count]);
       ++count;
     }
