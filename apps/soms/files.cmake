@@ -33,6 +33,8 @@ set(SOMS_COMMAND_FILES
   simulate_contacts.cpp
   simulate_contacts.h
   simulate_options.cpp
+  simulate_record.cpp
+  simulate_record.h
   simulate_report.cpp
   simulate_report.h
   simulate_run.cpp

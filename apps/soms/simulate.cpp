@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 
 #include "apps/soms/map.h"
+#include "apps/soms/simulate_record.h"
 #include "apps/soms/simulate_report.h"
 #include "apps/soms/simulate_run.h"
 #include "apps/support/console.h"
@@ -11,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -47,7 +49,8 @@ void check_outputs(const SimulateOptions& options) {
   for (const std::string& path : options.world.routes) {
     taken.emplace_back("--route", path);
   }
-  for (const Named& output : {Named("--events", options.events), Named("--map", options.map)}) {
+  for (const Named& output : {Named("--events", options.events), Named("--map", options.map),
+                              Named("--record", options.record)}) {
     const auto& [name, path] = output;
     if (path.empty() || path == "/dev/null") {
       continue;
@@ -65,6 +68,29 @@ void check_outputs(const SimulateOptions& options) {
     }
     taken.push_back(output);
   }
+}
+
+/// Throws ErrorKind::usage for a recording of models that nobody could find again.
+void check_recording(const SimulateOptions& options) {
+  const WorldOptions& world = options.world;
+  for (const auto* const files : {&world.cities, &world.movers}) {
+    if (!options.record.empty() && std::find(files->begin(), files->end(), "-") != files->end()) {
+      throw Error(ErrorKind::usage, "--record with a model from standard input",
+                  "give the model as a file, which a player can find again");
+    }
+  }
+}
+
+RecordingEnding ending_of(const Outcome& outcome) {
+  switch (outcome.ending) {
+    case Ending::whole:
+      return RecordingEnding::complete;
+    case Ending::timed_out:
+      return RecordingEnding::timed_out;
+    case Ending::interrupted:
+      break;
+  }
+  return RecordingEnding::interrupted;
 }
 
 void open(std::optional<OutputFile>& file, const std::string& path) {
@@ -87,13 +113,23 @@ int status_of(const Outcome& outcome, const SimulateOptions& options) {
 
 int run_simulate(const SimulateOptions& options, Console& console) {
   check_outputs(options);
+  check_recording(options);
   // Places that cannot be written to are told before the work, not after it.
   std::optional<OutputFile> events;
   std::optional<OutputFile> map;
   open(events, options.events);
   open(map, options.map);
+  std::optional<OutputFile> record;
+  open(record, options.record);
   const World world = load_world(options.world, console);
-  const Outcome outcome = run_frames(world, options, console);
+  std::optional<Recorder> recorder;
+  if (record) {
+    recorder.emplace(*record, world, options.frames);
+  }
+  const Outcome outcome = run_frames(world, options, console, recorder ? &*recorder : nullptr);
+  if (recorder) {
+    recorder->finish(ending_of(outcome));
+  }
   if (events) {
     write_events(events->stream(), world, outcome);
     events->commit();

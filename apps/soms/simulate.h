@@ -17,6 +17,7 @@ struct SimulateOptions {
   bool verify = false;
   std::string map = {};     ///< empty: none
   std::string events = {};  ///< empty: none
+  std::string record = {};  ///< empty: none
   bool fail_if_contact = false;
 };
 

@@ -32,6 +32,7 @@ const char* const kFooter =
 Action add_simulate(CLI::App& app, Shared&) {
   const auto options = std::make_shared<SimulateOptions>();
   add_world_options(app, options->world);
+  add_world_tree_options(app, options->world);
   add_count(app, "--frames", options->frames, 0, kMostFrames, "frames (600)");
   app.add_flag("--verify", options->verify,
                "check contacts, and a sample of free movers, by brute force");
@@ -39,10 +40,16 @@ Action add_simulate(CLI::App& app, Shared&) {
       ->option_text("FILE");
   app.add_option("--events", options->events, "write begin and end of every contact as CSV")
       ->option_text("FILE");
+  app.add_option("--record", options->record,
+                 "write poses and contacts of every frame, to be played by soms view")
+      ->option_text("FILE");
   add_choice<bool>(app, "--fail-if", options->fail_if_contact,
                    {{"overlap", true}, {"contact", true}}, "exit with 1 when something touched");
   app.footer(kFooter);
-  return [options](Console& console) { return run_simulate(*options, console); };
+  return [options](Console& console) {
+    check(options->world.build);
+    return run_simulate(*options, console);
+  };
 }
 
 }  // namespace soms::command

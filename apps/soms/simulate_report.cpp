@@ -111,6 +111,9 @@ std::string table_of(const World& world, const Outcome& outcome, const SimulateO
   if (!options.events.empty()) {
     text += row("events", options.events);
   }
+  if (!options.record.empty()) {
+    text += row("recording", options.record);
+  }
   return text;
 }
 

@@ -23,24 +23,25 @@ Place place_of(const World& world, std::size_t mover, const Pose& pose) {
 }
 
 /// Poses of one frame, set and stepped; the time of both.
-StepReport run_frame(Scene& scene, const World& world, std::uint64_t frame,
+StepReport run_frame(Scene& scene, const World& world, std::uint64_t frame, const StepOptions& step,
                      const Parallel& parallel, std::vector<Pose>& poses, float& seconds) {
   const auto begin = Clock::now();
   for (std::uint32_t k = 0; k < world.ways.size(); ++k) {
     poses[k] = world.ways[k].at(frame);
     scene.set_pose(k, poses[k]);
   }
-  StepReport report = scene.step({}, parallel);
+  StepReport report = scene.step(step, parallel);
   seconds = std::chrono::duration<float>(Clock::now() - begin).count();
   return report;
 }
 
 class Run {
  public:
-  Run(const World& world, const SimulateOptions& options, Console& console)
+  Run(const World& world, const SimulateOptions& options, Console& console, Recorder* recorder)
       : world_(world),
         options_(options),
         console_(console),
+        recorder_(recorder),
         scene_(make_scene(world)),
         poses_(world.ways.size()),
         pause_(std::max<std::uint64_t>(1, options.frames / kPlacesOfATrack)) {
@@ -87,9 +88,13 @@ class Run {
   std::uint64_t run(std::uint64_t frame) {
     float seconds = 0;
     const Parallel parallel = console_.parallel();
-    const StepReport report = run_frame(scene_, world_, frame, parallel, poses_, seconds);
+    const StepReport report = run_frame(
+        scene_, world_, frame, {.traversal = options_.world.traversal}, parallel, poses_, seconds);
     if (verifier_) {
       verifier_->verify(report, poses_, parallel);
+    }
+    if (recorder_ != nullptr) {
+      recorder_->add(poses_, report);
     }
     outcome_.contacts.add(report, frame);
     outcome_.queries += report.queries;
@@ -107,6 +112,7 @@ class Run {
   const World& world_;
   const SimulateOptions& options_;
   Console& console_;
+  Recorder* recorder_;
   Scene scene_;
   std::vector<Pose> poses_;
   std::uint64_t pause_;
@@ -143,8 +149,9 @@ double Outcome::queries_a_second() const {
   return all > 0 ? static_cast<double>(queries) / all : 0;
 }
 
-Outcome run_frames(const World& world, const SimulateOptions& options, Console& console) {
-  return Run(world, options, console).go();
+Outcome run_frames(const World& world, const SimulateOptions& options, Console& console,
+                   Recorder* recorder) {
+  return Run(world, options, console, recorder).go();
 }
 
 }  // namespace soms::command

@@ -6,6 +6,7 @@
 
 #include "apps/soms/simulate.h"
 #include "apps/soms/simulate_contacts.h"
+#include "apps/soms/simulate_record.h"
 #include "apps/soms/simulate_verify.h"
 #include "apps/support/console.h"
 #include "apps/support/world.h"
@@ -42,8 +43,9 @@ struct Outcome {
   [[nodiscard]] double queries_a_second() const;
 };
 
-/// Runs the frames; Ctrl-C and --timeout end it with the frames done so far.
+/// Runs the frames; Ctrl-C and --timeout end it with the frames done so far. `recorder` may be
+/// null.
 [[nodiscard]] Outcome run_frames(const World& world, const SimulateOptions& options,
-                                 Console& console);
+                                 Console& console, Recorder* recorder);
 
 }  // namespace soms::command

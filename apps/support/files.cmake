@@ -19,6 +19,8 @@ set(SOMS_SUPPORT_FILES
   program.h
   progress.cpp
   progress.h
+  recorded_world.cpp
+  recorded_world.h
   shared.cpp
   shared.h
   suggest.cpp

@@ -24,17 +24,39 @@ double milliseconds_since(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
+/// A mesh and how to come by it again.
+struct Upright {
+  Mesh mesh;
+  RecordedMesh origin;
+};
+
 /// Reads a model and turns the up axis that its file states to z, unless `option` named one.
-Mesh read_upright(const std::string& path, const ModelOptions& options, const std::string& option,
-                  Console& console) {
-  Mesh mesh = read_model(path, options, console);
-  if (options.up != UpAxis::unknown || (mesh.up != UpAxis::x && mesh.up != UpAxis::y)) {
-    return mesh;
+Upright read_upright(const std::string& path, const ModelOptions& options,
+                     const std::string& option, Console& console) {
+  Upright model{
+      .mesh = read_model(path, options, console),
+      .origin = {
+          .name = short_name(path), .source = path, .scale = options.scale, .up = options.up}};
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+  model.origin.file_size = unknown ? 0 : size;
+  const UpAxis up = model.mesh.up;
+  if (options.up == UpAxis::unknown && (up == UpAxis::x || up == UpAxis::y)) {
+    console.note(fmt::format("{}: its up axis is {}; turned to z ({} z leaves it)", path,
+                             up == UpAxis::x ? "x" : "y", option));
+    model.mesh = transformed(std::move(model.mesh), 1, up);
+    model.origin.up = up;
   }
-  console.note(fmt::format("{}: its up axis is {}; turned to z ({} z leaves it)", path,
-                           mesh.up == UpAxis::x ? "x" : "y", option));
-  const UpAxis up = mesh.up;
-  return transformed(std::move(mesh), 1, up);
+  return model;
+}
+
+Shape build_named(Mesh mesh, const std::string& name, const WorldOptions& options,
+                  Console& console) {
+  const bool walks_trees = options.traversal.traversal != Traversal::fast;
+  const ShapeOptions shape{.build = options.build, .keep_tree = options.keep_trees || walks_trees};
+  return console.run("building " + name, [&](const Parallel& parallel) {
+    return Shape(std::move(mesh), shape, parallel);
+  });
 }
 
 /// A car is as fast as a town allows; what comes from files is taken for one.
@@ -43,37 +65,29 @@ double speed_of(Kind kind) {
   return kind == Kind::person ? 1.4 : kind == Kind::drone ? 10 : kTown;
 }
 
-Model make_model(Mesh mesh, std::string name, Kind kind, Console& console) {
-  Model model;
-  model.shape = console.run("building " + name, [&](const Parallel& parallel) {
-    return Shape(std::move(mesh), {}, parallel);
-  });
-  model.name = std::move(name);
-  model.kind = kind;
-  const Box& box = model.shape.bounds();
-  const Vec3 extent = box.extent();
-  const Vec3 center = box.center();
-  model.foot = {center.x, center.y, box.lower.z};
-  model.reach = 0.5 * std::hypot(extent.x, extent.y);
-  model.height = extent.z;
-  model.speed = speed_of(kind);
-  return model;
-}
-
 std::vector<Model> load_models(const WorldOptions& options, Console& console) {
   std::vector<Model> models;
   if (options.movers.empty()) {
     for (const auto& [kind, shape, name] : {std::tuple(Kind::car, MoverKind::car, "car"),
                                             std::tuple(Kind::person, MoverKind::person, "person"),
                                             std::tuple(Kind::drone, MoverKind::drone, "drone")}) {
-      models.push_back(make_model(
-          transformed(generate_mover(shape), options.mover_model.scale, options.mover_model.up),
-          name, kind, console));
+      const ModelOptions& changes = options.mover_model;
+      Mesh mesh = transformed(generate_mover(shape), changes.scale, changes.up);
+      models.push_back(
+          make_model(build_named(std::move(mesh), name, options, console), name, kind));
+      models.back().origin = {.name = name,
+                              .origin = RecordedMesh::Origin::mover,
+                              .source = name,
+                              .scale = changes.scale,
+                              .up = changes.up};
     }
   }
   for (const std::string& path : options.movers) {
-    models.push_back(make_model(read_upright(path, options.mover_model, "--mover-up", console),
-                                short_name(path), Kind::model, console));
+    Upright read = read_upright(path, options.mover_model, "--mover-up", console);
+    const std::string name = short_name(path);
+    models.push_back(
+        make_model(build_named(std::move(read.mesh), name, options, console), name, Kind::model));
+    models.back().origin = std::move(read.origin);
     const Model& model = models.back();
     const double size = std::max(2 * model.reach, model.height);
     if (size > 30 || size < 0.05) {
@@ -84,15 +98,12 @@ std::vector<Model> load_models(const WorldOptions& options, Console& console) {
   return models;
 }
 
-void add_to_city(World& world, Mesh mesh, const std::string& name, Console& console) {
+void build_into_city(World& world, Upright model, const WorldOptions& options, Console& console) {
   const auto begin = Clock::now();
-  Shape shape = console.run("building " + name, [&](const Parallel& parallel) {
-    return Shape(std::move(mesh), {}, parallel);
-  });
+  Shape shape = build_named(std::move(model.mesh), model.origin.name, options, console);
   world.build_ms += milliseconds_since(begin);
-  world.triangles += shape.mesh().triangles.size();
-  world.bounds.grow(shape.bounds());
-  world.city.emplace_back(std::move(shape), Pose{}, name);
+  Body body(std::move(shape), Pose{}, model.origin.name);
+  add_to_city(world, std::move(body), std::move(model.origin));
 }
 
 std::optional<City> load_city(World& world, const WorldOptions& options, Console& console) {
@@ -106,20 +117,50 @@ std::optional<City> load_city(World& world, const WorldOptions& options, Console
       throw Error(ErrorKind::usage, "--scale and --up are for a city from files",
                   "name a city, or leave them out");
     }
-    add_to_city(world, std::move(mesh), world.title, console);
+    build_into_city(world,
+                    {std::move(mesh),
+                     {.name = world.title,
+                      .origin = RecordedMesh::Origin::city,
+                      .source = "city",
+                      .city_triangles = city.options.triangles,
+                      .city_size = city.options.size,
+                      .city_seed = city.options.seed}},
+                    options, console);
     return city;
   }
   for (const std::string& path : options.cities) {
     const auto start = Clock::now();
-    Mesh mesh = read_upright(path, options.city_model, "--up", console);
+    Upright model = read_upright(path, options.city_model, "--up", console);
     world.read_ms += milliseconds_since(start);
     world.title += (world.title.empty() ? "" : " + ") + short_name(path);
-    add_to_city(world, std::move(mesh), short_name(path), console);
+    build_into_city(world, std::move(model), options, console);
   }
   return std::nullopt;
 }
 
 }  // namespace
+
+void add_to_city(World& world, Body body, RecordedMesh origin) {
+  world.triangles += body.shape.mesh().triangles.size();
+  world.bounds.grow(body.shape.bounds());
+  world.city.push_back(std::move(body));
+  world.origins.push_back(std::move(origin));
+}
+
+Model make_model(Shape shape, std::string name, Kind kind) {
+  Model model;
+  model.shape = std::move(shape);
+  model.name = std::move(name);
+  model.kind = kind;
+  const Box& box = model.shape.bounds();
+  const Vec3 extent = box.extent();
+  const Vec3 center = box.center();
+  model.foot = {center.x, center.y, box.lower.z};
+  model.reach = 0.5 * std::hypot(extent.x, extent.y);
+  model.height = extent.z;
+  model.speed = speed_of(kind);
+  return model;
+}
 
 std::string short_name(const std::string& path) {
   const std::string stem = std::filesystem::path(path).stem().string();

@@ -6,6 +6,7 @@
 #include "soms/base/pose.h"
 #include "soms/generate/routes.h"
 #include "soms/query/body.h"
+#include "soms/scene/recording.h"
 #include "soms/scene/scene.h"
 
 #include "apps/support/console.h"
@@ -34,6 +35,7 @@ struct Model {
   double reach = 0;   ///< half the diagonal of its ground plan
   double height = 0;  ///< of its box
   double speed = 0;   ///< metres a second
+  RecordedMesh origin = {};  ///< how to come by it again; without triangles and hash
 };
 
 /// The way of one mover: a route that its foot follows, or recorded poses, one a frame.
@@ -51,6 +53,7 @@ struct Way {
 struct World {
   std::string title;  ///< name of the city
   std::vector<Body> city;
+  std::vector<RecordedMesh> origins;  ///< of each body of the city; without triangles and hash
   std::vector<Model> models;
   std::vector<Way> ways;
   Box bounds;  ///< of the city
@@ -63,6 +66,12 @@ struct World {
 /// Reads or generates everything and finds free places for the movers.
 /// \errors As reading; ErrorKind::usage for a route without rows.
 [[nodiscard]] World load_world(const WorldOptions& options, Console& console);
+
+/// Adds a body to the city; its bounds and triangles count from here on.
+void add_to_city(World& world, Body body, RecordedMesh origin);
+
+/// A model of a shape, with what follows from its box and kind.
+[[nodiscard]] Model make_model(Shape shape, std::string name, Kind kind);
 
 /// The city and all movers at their places of frame 0; movers are numbered as their ways.
 [[nodiscard]] Scene make_scene(const World& world);

@@ -33,4 +33,9 @@ void add_world_options(CLI::App& app, WorldOptions& options) {
       ->option_text("N");
 }
 
+void add_world_tree_options(CLI::App& app, WorldOptions& options) {
+  add_build_options(app, options.build);
+  add_traversal_options(app, options.traversal);
+}
+
 }  // namespace soms::command

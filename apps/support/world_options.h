@@ -21,9 +21,15 @@ struct WorldOptions {
   std::optional<std::uint64_t> count = std::nullopt;
   ModelOptions city_model = {};   ///< an unknown axis is what the file says
   ModelOptions mover_model = {};  ///< likewise
+  BuildOptions build = {};
+  TraversalOptions traversal = {};
+  bool keep_trees = false;  ///< keep canonical trees, even if the traversal needs none
 };
 
 /// Adds CITY, --mover, --route, --count, --scale, --up, --mover-scale and --mover-up.
 void add_world_options(CLI::App& app, WorldOptions& options);
+
+/// Adds the options of the bodies' trees and of ways to walk them.
+void add_world_tree_options(CLI::App& app, WorldOptions& options);
 
 }  // namespace soms::command

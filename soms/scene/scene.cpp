@@ -102,8 +102,9 @@ struct Scene::State {
   void find_environment_candidates(StepReport& report);
   void find_mover_candidates(StepReport& report);
   template <typename Contact>
-  void ask(detail::NarrowPhase& narrow_phase, const Residents& others, OverlapMode mode,
-           const Parallel& parallel, std::vector<Contact>& contacts, Cost& cost);
+  void ask(detail::NarrowPhase& narrow_phase, const Residents& others,
+           const OverlapOptions& options, const Parallel& parallel, std::vector<Contact>& contacts,
+           Cost& cost);
 };
 
 /// The environment seldom changes: its structure is made when a step first needs it.
@@ -155,14 +156,15 @@ void Scene::State::find_mover_candidates(StepReport& report) {
 
 /// Asks about all candidates and appends what touches to `contacts`, in their order.
 template <typename Contact>
-void Scene::State::ask(detail::NarrowPhase& narrow_phase, const Residents& others, OverlapMode mode,
-                       const Parallel& parallel, std::vector<Contact>& contacts, Cost& cost) {
+void Scene::State::ask(detail::NarrowPhase& narrow_phase, const Residents& others,
+                       const OverlapOptions& options, const Parallel& parallel,
+                       std::vector<Contact>& contacts, Cost& cost) {
   questions.clear();
   for (const Candidate& candidate : candidates) {
     questions.push_back({&movers.places()[candidate.mover].value.body,
                          &others.places()[candidate.other].value.body});
   }
-  cost += narrow_phase.ask(questions, mode, parallel);
+  cost += narrow_phase.ask(questions, options, parallel);
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     const MoverId a = movers.places()[candidates[k].mover].id;
     const std::uint32_t b = others.places()[candidates[k].other].id;
@@ -270,17 +272,17 @@ StepReport Scene::step(const StepOptions& options, const Parallel& parallel) {
   State& state = *state_;
   StepReport report;
   report.coverage = options.mode == OverlapMode::all ? Coverage::complete : Coverage::first;
+  const OverlapOptions asked{.mode = options.mode, .traversal = options.traversal};
   check_stop(parallel);
   state.refresh_index();
   state.find_environment_candidates(report);
-  state.ask(state.environment, state.parts, options.mode, parallel, report.environment,
-            report.cost);
+  state.ask(state.environment, state.parts, asked, parallel, report.environment, report.cost);
   if (options.mover_mover) {
     if (!options.coherent) {
       state.broad_phase.forget();
     }
     state.find_mover_candidates(report);
-    state.ask(state.mutual, state.movers, options.mode, parallel, report.movers, report.cost);
+    state.ask(state.mutual, state.movers, asked, parallel, report.movers, report.cost);
   }
   return report;
 }

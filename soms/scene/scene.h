@@ -58,6 +58,8 @@ struct StepOptions {
   bool mover_mover = true;
   /// Use what the steps before left (see `BroadPhase`); the answers are the same without.
   bool coherent = true;
+  /// As of OverlapOptions: named ones need shapes that keep their trees.
+  TraversalOptions traversal = {};
 };
 
 /// A static environment of meshes and movers that share shapes. Poses are set through the scene, so
@@ -102,7 +104,7 @@ class Scene {
   [[nodiscard]] std::size_t memory() const;
 
   /// All overlaps at the present poses.
-  /// \errors  ErrorKind::cancelled.
+  /// \errors  ErrorKind::cancelled; usage for a named traversal without kept trees.
   [[nodiscard]] StepReport step(const StepOptions& options = {}, const Parallel& parallel = {});
 
  private:

@@ -361,6 +361,37 @@ TEST(Simulate, EndsInACityOfAnySize) {
   EXPECT_EQ(object["frames"], 2);
 }
 
+TEST(Simulate, AnswersTheSameForEveryTreeAndTraversal) {
+  const Town town;
+  const auto hash_with = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {town.path(), "--count", "30", "--frames", "40"});
+    const json object = answer(words);
+    EXPECT_GT(object["contacts"], 0);
+    return object["hash"].get<std::string>() + " " + std::to_string(object["contacts"].get<int>());
+  };
+  const std::string plain = hash_with({});
+  for (const char* rule :
+       {"object-median", "object-mean", "spatial-median", "soms", "sah", "soms-sah", "quality"}) {
+    EXPECT_EQ(hash_with({"--rule", rule}), plain) << rule;
+  }
+  for (const char* traversal : {"a-first", "b-first", "alternate", "larger", "simultaneous",
+                                "ericson", "larsson", "e-node", "e-node-front"}) {
+    EXPECT_EQ(hash_with({"--traversal", traversal}), plain) << traversal;
+  }
+  EXPECT_EQ(hash_with({"--traversal", "e-node", "--descent", "cross"}), plain);
+  EXPECT_EQ(hash_with({"--rule", "soms", "--midpoint", "thesis", "--empty-side", "stop", "--leaf",
+                       "1", "--levels", "15"}),
+            plain);
+}
+
+TEST(Simulate, NamesTheCityWhoseTriangleIsTouched) {
+  const Town town;
+  for (const json& touched :
+       answer({town.path(), "--count", "30", "--frames", "40"})["most_touched"]) {
+    EXPECT_EQ(touched["city"], "town");
+  }
+}
+
 TEST(Simulate, ConfirmsRealCitiesByBruteForce) {
   SOMS_NEEDS_OUTSIDE_DATA("13 cities of others with a car and a van");
   std::size_t cities = 0;

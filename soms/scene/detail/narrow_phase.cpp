@@ -106,7 +106,7 @@ void NarrowPhase::ask_together(std::span<const Question> questions, const Overla
   }
 }
 
-Cost NarrowPhase::ask(std::span<const Question> questions, OverlapMode mode,
+Cost NarrowPhase::ask(std::span<const Question> questions, const OverlapOptions& options,
                       const Parallel& parallel) {
   order_by_shape(questions);
   chunk_ = chunk_of(questions.size());
@@ -118,7 +118,6 @@ Cost NarrowPhase::ask(std::span<const Question> questions, OverlapMode mode,
   const bool few = questions.size() < kFew;
   const Parallel shared{few ? 1 : parallel.threads, parallel.stop, {}};
   const Parallel inside{few ? parallel.threads : 1, parallel.stop, {}};
-  const OverlapOptions options{.mode = mode};
   for_each_chunk(questions.size(), chunk_, shared, [&](std::size_t begin, std::size_t end) {
     Chunk& chunk = chunks_[begin / chunk_];
     chunk.answers.clear();

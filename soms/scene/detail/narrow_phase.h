@@ -24,8 +24,9 @@ struct Question {
 /// hands out the answers in the order of the questions. Keeps its memory from call to call.
 class NarrowPhase {
  public:
-  /// Answers depend on each question alone. \errors ErrorKind::cancelled.
-  Cost ask(std::span<const Question> questions, OverlapMode mode, const Parallel& parallel);
+  /// Answers depend on each question alone. \errors As `overlap`.
+  Cost ask(std::span<const Question> questions, const OverlapOptions& options,
+           const Parallel& parallel);
 
   /// Pairs of question `k` of the last call.
   [[nodiscard]] std::span<const TrianglePair> pairs_of(std::size_t k) const;

@@ -1,0 +1,138 @@
+#include "apps/support/recorded_world.h"
+
+#include "soms/base/error.h"
+#include "soms/generate/city.h"
+#include "soms/generate/shapes.h"
+
+#include "apps/support/models.h"
+#include "apps/support/text.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <system_error>
+#include <utility>
+
+namespace soms::command {
+
+namespace {
+
+RecordedMesh with_mesh(RecordedMesh origin, const Mesh& mesh) {
+  origin.triangles = mesh.triangles.size();
+  origin.hash = corner_hash(mesh);
+  return origin;
+}
+
+/// The first place where the file is; its path as it was given where it is at none.
+std::filesystem::path find_file(const std::string& source, const std::filesystem::path& recording) {
+  const std::filesystem::path given(source);
+  const std::filesystem::path folder = recording.parent_path();
+  for (const auto& path : {given, folder / given, folder / given.filename()}) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(path, ignored)) {
+      return path;
+    }
+  }
+  return given;
+}
+
+Kind kind_named(const RecordedMesh& recorded) {
+  if (recorded.origin != RecordedMesh::Origin::mover) {
+    return Kind::model;
+  }
+  return recorded.source == "person"  ? Kind::person
+         : recorded.source == "drone" ? Kind::drone
+                                      : Kind::car;
+}
+
+MoverKind mover_named(const RecordedMesh& recorded) {
+  constexpr std::array kKinds{std::pair("car", MoverKind::car),
+                              std::pair("person", MoverKind::person),
+                              std::pair("drone", MoverKind::drone)};
+  for (const auto& [name, kind] : kKinds) {
+    if (recorded.source == name) {
+      return kind;
+    }
+  }
+  throw Error(ErrorKind::bad_file, fmt::format("the recording names a mover {}", recorded.source),
+              "movers are car, person and drone");
+}
+
+Mesh find_mesh(const RecordedMesh& recorded, const std::filesystem::path& recording,
+               Console& console) {
+  switch (recorded.origin) {
+    case RecordedMesh::Origin::city:
+      return transformed(generate_city({.triangles = recorded.city_triangles,
+                                        .size = recorded.city_size,
+                                        .seed = recorded.city_seed})
+                             .mesh,
+                         recorded.scale, recorded.up);
+    case RecordedMesh::Origin::mover:
+      return transformed(generate_mover(mover_named(recorded)), recorded.scale, recorded.up);
+    case RecordedMesh::Origin::file:
+      break;
+  }
+  return read_model(find_file(recorded.source, recording).string(),
+                    {.scale = recorded.scale, .up = recorded.up, .allow_empty = true}, console);
+}
+
+/// The mesh that was recorded, to the last bit of its corners.
+Shape find_shape(const RecordedMesh& recorded, const std::filesystem::path& recording,
+                 const WorldOptions& how, Console& console) {
+  Mesh mesh = find_mesh(recorded, recording, console);
+  const RecordedMesh found = with_mesh(recorded, mesh);
+  if (found != recorded) {
+    throw Error(ErrorKind::bad_file,
+                fmt::format("{}: not the model that was recorded: {}, hash {:016x}; then {}, hash "
+                            "{:016x}",
+                            recorded.source, counted(found.triangles, "triangle"), found.hash,
+                            counted(recorded.triangles, "triangle"), recorded.hash),
+                "bring back the old one beside the recording, or record anew");
+  }
+  const bool walks_trees = how.traversal.traversal != Traversal::fast;
+  return build_shape(std::move(mesh),
+                     {.build = how.build, .keep_tree = how.keep_trees || walks_trees}, console);
+}
+
+}  // namespace
+
+RecordingHead recording_head(const World& world, std::uint64_t frames) {
+  RecordingHead head;
+  head.title = world.title;
+  head.frames_a_second = kFramesASecond;
+  head.frames_asked = frames;
+  for (std::size_t k = 0; k < world.city.size(); ++k) {
+    const Body& body = world.city[k];
+    head.environment.push_back({with_mesh(world.origins[k], body.shape.mesh()), body.pose});
+  }
+  for (const Model& model : world.models) {
+    head.models.push_back(with_mesh(model.origin, model.shape.mesh()));
+  }
+  for (const Way& way : world.ways) {
+    head.movers.push_back(static_cast<std::uint32_t>(way.model));
+  }
+  return head;
+}
+
+World load_recorded_world(const RecordingHead& head, const std::filesystem::path& recording,
+                          const WorldOptions& how, Console& console) {
+  World world;
+  world.title = head.title;
+  for (const RecordedBody& body : head.environment) {
+    add_to_city(world,
+                Body(find_shape(body.mesh, recording, how, console), body.pose, body.mesh.name),
+                body.mesh);
+  }
+  for (const RecordedMesh& mesh : head.models) {
+    world.models.push_back(
+        make_model(find_shape(mesh, recording, how, console), mesh.name, kind_named(mesh)));
+    world.models.back().origin = mesh;
+  }
+  for (const std::uint32_t model : head.movers) {
+    world.ways.emplace_back().model = model;
+  }
+  world.asked = world.ways.size();
+  return world;
+}
+
+}  // namespace soms::command
