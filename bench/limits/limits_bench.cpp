@@ -58,11 +58,14 @@ void use(const Value& value) {
 double hot_node_test(const Shape& shape) {
   constexpr std::size_t kTasks = 16;
   const auto nodes = shape.layout().nodes();
-  const detail::RelativePose relative(shape.layout(), Pose::about_z(0.3, {0.1, 0, 0}),
-                                      detail::Viewer(shape.layout(), {}));
-  std::array<detail::NodeTask, kTasks> tasks;
+  detail::RelativePose relative(shape.layout(), Pose::about_z(0.3, {0.1, 0, 0}),
+                                detail::Viewer(shape.layout(), {}));
+  relative.prepare();
+  std::array<detail::NodeTask, kTasks> tasks = {};
   for (std::size_t i = 0; i < kTasks; ++i) {
-    tasks[i] = {&relative.numbers(), &nodes[i], &nodes[2 * i + 1], 0, 0, 0};
+    tasks[i].pose = &relative.numbers();
+    tasks[i].x = &nodes[i];
+    tasks[i].y = &nodes[2 * i + 1];
   }
   constexpr int kRepeats = 20000;
   const double all = seconds([&] {
