@@ -6,11 +6,15 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace soms::view {
 
 namespace {
+
+/// Diameter of the dots of touching movers, in pixels.
+constexpr float kSpot = 7;
 
 /// One of four tints of a color, so that movers of one kind that touch are told apart.
 Color tint(Color color, std::uint32_t mover) {
@@ -148,6 +152,18 @@ class Drawing {
     }
   }
 
+  /// A dot for each touching mover, at its first contact: a city shows from afar where it is hit.
+  void add_spots() {
+    std::optional<BodyRef> last;
+    for (const Touch& touch : scene_.contacts()) {
+      if (touch.a != last) {
+        last = touch.a;
+        const Crossing crossing = scene_.crossing(touch);
+        list_.points.push_back({crossing.corners[0], options_.colors.contact, kSpot, true});
+      }
+    }
+  }
+
   void add_contacts() {
     const ContactMarks& marks = options_.contacts;
     const std::vector<Touch> touches = drawn_contacts(scene_, marks.most);
@@ -164,6 +180,9 @@ class Drawing {
       if (marks.lines) {
         add_line(touch);
       }
+    }
+    if (marks.spots) {
+      add_spots();
     }
     if (options_.chosen) {
       add_chosen(*options_.chosen);

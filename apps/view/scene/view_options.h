@@ -56,6 +56,7 @@ struct ContactMarks {
   bool parts = false;       ///< the parts they belong to, in a paler red
   bool segments = true;     ///< where they cross: segments, points, outlines of common areas
   bool lines = false;       ///< from the middle of each touching mover to its contacts
+  bool spots = false;       ///< a dot where a mover touches (of two, the first), however far it is
   bool on_top = false;      ///< seen through everything
   std::size_t most = 2000;  ///< most contacts drawn; `shown` says how many there are
   std::size_t most_of_parts = 20000;  ///< most triangles of parts drawn

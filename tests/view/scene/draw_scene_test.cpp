@@ -130,6 +130,30 @@ TEST(DrawScene, DrawsSegmentsWhereTrianglesCross) {
   EXPECT_EQ(make_draw_list(scene, options).lines.size(), segments + scene.contacts().size());
 }
 
+TEST(DrawScene, PutsOneSpotOnEachMoverThatTouches) {
+  SceneContent content;
+  content.city.push_back(box_at({0, -1, 0}, {100, 1, 1}, "wall"));
+  const Shape block(test::box_body({0, 0, 0}, {1, 1, 1}));
+  for (int k = 0; k < 20; ++k) {
+    // Every other one stands in the wall.
+    content.movers.push_back({Body(block, Pose::translation(5 * k, k % 2 == 0 ? 0 : 9, 0.5)), {}});
+  }
+  ViewScene scene(std::move(content));
+  ViewOptions options;
+  options.contacts.triangles = false;
+  options.contacts.segments = false;
+  EXPECT_TRUE(make_draw_list(scene, options).points.empty());
+  options.contacts.spots = true;
+  const DrawList list = make_draw_list(scene, options);
+  ASSERT_EQ(list.points.size(), 10U);
+  EXPECT_EQ(list.points.size(), scene.statistics().touching_movers);
+  for (std::size_t k = 0; k < list.points.size(); ++k) {
+    const Box box = scene.bounds(mover(static_cast<std::uint32_t>(2 * k)));
+    EXPECT_TRUE(box.contains({list.points[k].at, list.points[k].at}));
+    EXPECT_EQ(list.points[k].color, options.colors.contact);
+  }
+}
+
 TEST(DrawScene, MarksThePartsThatTouch) {
   Mesh house =
       test::joined(test::box_body({0, 0, 0}, {4, 4, 1}), test::box_body({0, 0, 1.5}, {4, 4, 3}));
