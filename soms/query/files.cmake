@@ -26,6 +26,7 @@ set(SOMS_SOURCES
   detail/lone_box.cpp
   detail/overlap_query.cpp
   detail/pair_list.cpp
+  detail/pair_sort.cpp
   detail/pair_walk.cpp
   detail/relative_pose.cpp
   detail/triangle_tests.cpp

@@ -1,6 +1,8 @@
 #include "soms/query/detail/collector.h"
 
-#include <algorithm>
+#include "soms/query/detail/pair_sort.h"
+
+#include <span>
 
 namespace soms::detail {
 
@@ -36,7 +38,7 @@ void Collector::finish() {
       pairs_->push_back(least_);
     }
   }
-  std::sort(pairs_->begin() + static_cast<std::ptrdiff_t>(begin_), pairs_->end());
+  sort_pairs(std::span(*pairs_).subspan(begin_));
 }
 
 }  // namespace soms::detail
