@@ -219,8 +219,24 @@ Camera framed(const Camera& camera, std::span<const Vec3> points, Size size) {
   const double back = std::max({(right + left) / (2 * wide), (upper + lower) / (2 * tall), clear});
   const double middle = (near + far) / 2;
   const double reach = middle + back > 0 ? middle + back : distance_to_target(camera);
+  // Where a direction has room to spare, it is shared in the picture: half beside either edge.
+  const auto centered = [&](const Vec3& direction, double low, double high) {
+    for (int i = 0; i < 30; ++i) {
+      const double at = (low + high) / 2;
+      double least = std::numeric_limits<double>::infinity(), most = -least;
+      for (const Vec3& point : points) {
+        const Vec3 p = point - points[0];
+        const double seen = (dot(p, direction) - at) / (dot(p, f.forward) + back);
+        least = std::min(least, seen);
+        most = std::max(most, seen);
+      }
+      (least + most > 0 ? low : high) = at;
+    }
+    return (low + high) / 2;
+  };
   Camera result = camera;
-  result.target = points[0] + f.right * ((right - left) / 2) + f.up * ((upper - lower) / 2) +
+  result.target = points[0] + f.right * centered(f.right, right - wide * back, wide * back - left) +
+                  f.up * centered(f.up, upper - tall * back, tall * back - lower) +
                   f.forward * middle;
   result.eye = result.target - f.forward * reach;
   return result;

@@ -178,7 +178,9 @@ int run_render(const RenderOptions& options, command::Console& console) {
   }
   scene.go_to(options.frame);
   const Vec3 origin = options.center ? scene_bounds(scene).center() : Vec3{};
-  const Camera camera = place_camera(options.camera, scene, options.size, origin);
+  CameraChoice choice = options.camera;
+  choice.boxes = options.level || options.walk;
+  const Camera camera = place_camera(choice, scene, options.size, origin);
   const DrawList list = make_draw_list(scene, what_is_shown(options, scene));
   renderer.draw(list, camera, options.size, {.samples = options.samples});
   file.stream() << to_png(renderer.read_pixels());

@@ -134,58 +134,83 @@ Aim aim_at_mover(std::uint32_t number, const ViewScene& scene) {
   return {box.center(), box, mover(number)};
 }
 
-Aim aim_at_contact(const ViewScene& scene) {
-  std::map<BodyRef, std::size_t> counts;
+/// Movers that touch anything, those with most contacts first.
+std::vector<Aim> aims_at_contacts(const ViewScene& scene) {
+  constexpr std::size_t kMost = 40;
+  std::map<BodyRef, std::pair<std::size_t, Box>> touching;
   for (const Touch& touch : scene.contacts()) {
-    ++counts[touch.a];
+    auto& [count, box] = touching[touch.a];
+    ++count;
+    box.grow(bounds(scene.triangle(touch.a, touch.i)));
   }
-  if (counts.empty()) {
+  if (touching.empty()) {
     throw Error(ErrorKind::usage, "--camera contact: nothing touches in this frame",
                 "choose another --frame, or leave out contact");
   }
-  const auto most =
-      std::max_element(counts.begin(), counts.end(),
-                       [](const auto& a, const auto& b) { return a.second < b.second; });
-  Box touching;
-  for (const Touch& touch : scene.contacts()) {
-    if (touch.a == most->first) {
-      touching.grow(bounds(scene.triangle(touch.a, touch.i)));
-    }
+  std::vector<std::pair<std::size_t, BodyRef>> order;
+  for (const auto& [body, facts] : touching) {
+    order.emplace_back(facts.first, body);
   }
-  return {touching.center(), scene.bounds(most->first), most->first};
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<Aim> aims;
+  for (std::size_t i = 0; i < std::min(order.size(), kMost); ++i) {
+    const BodyRef body = order[i].second;
+    aims.push_back({touching[body].second.center(), scene.bounds(body), body});
+  }
+  return aims;
 }
 
+/// A camera, and which part of the way to its subject is free, 0 to 1.
+struct Aimed {
+  Camera camera;
+  double free = 0;
+};
+
 /// A camera on the subject's surroundings, from the first side where nothing stands between.
-Camera aimed(const CameraChoice& choice, const Aim& aim, const ViewScene& scene, Size size) {
+Aimed aimed(const CameraChoice& choice, const Aim& aim, const ViewScene& scene, Size size) {
   const Vec3 e = aim.around.extent() * 0.5;
   const Box wide{aim.around.center() - e * 2, aim.around.center() + e * 2};
   const auto from = [&](double bearing, double elevation) {
     return dollied(fitted(wide, toward_eye(bearing, elevation), size), 1 / choice.zoom);
   };
-  Camera best = from(choice.bearing, choice.elevation);
-  double clearest = -1;
+  Aimed best{from(choice.bearing, choice.elevation), choice.free_side ? -1.0 : 1.0};
   for (const double elevation : {25.0, 45.0, 65.0}) {
     for (int turn = 0; choice.free_side && turn < 8; ++turn) {
       const Camera camera = from(choice.bearing + 45 * turn, elevation);
       const Vec3 way = aim.point - camera.eye;
       const double whole = length(way);
       const auto first = scene.pick({camera.eye, way * (1 / whole)});
-      const double seen = first ? std::min(first->distance / whole, 1.0) : 1;
-      if (!first || first->body == aim.body || seen > 0.98) {
-        return camera;
+      if (!first || first->body == aim.body || first->distance > 0.98 * whole) {
+        return {camera, 1};
       }
-      if (seen > clearest) {
-        clearest = seen;
-        best = camera;
+      if (first->distance > best.free * whole) {
+        best = {camera, first->distance / whole};
       }
     }
   }
   return best;
 }
 
+/// The mover with most contacts of those that can be seen; of all where none can.
+Camera at_contact(const CameraChoice& choice, const ViewScene& scene, Size size) {
+  Aimed best;
+  best.free = -2;
+  for (const Aim& aim : aims_at_contacts(scene)) {
+    const Aimed here = aimed(choice, aim, scene, size);
+    if (here.free > best.free) {
+      best = here;
+    }
+    if (best.free >= 1) {
+      break;
+    }
+  }
+  return best.camera;
+}
+
 /// Points that show how far a scene reaches: corners of triangles, evenly chosen where there are
-/// many, and those of the movers' boxes.
-std::vector<Vec3> sample_of(const ViewScene& scene) {
+/// many, or of the boxes of the city's trees, and those of the movers' boxes.
+std::vector<Vec3> sample_of(const ViewScene& scene, bool boxes) {
   constexpr std::size_t kMost = 200'000;
   std::vector<Vec3> points;
   const auto add_box = [&](const Box& box) {
@@ -196,6 +221,10 @@ std::vector<Vec3> sample_of(const ViewScene& scene) {
     }
   };
   for (std::uint32_t k = 0; k < scene.city_parts(); ++k) {
+    if (boxes) {
+      add_box(scene.bounds(city_part(k)));
+      continue;
+    }
     const Body& body = scene.body(city_part(k));
     const auto& triangles = body.shape.mesh().triangles;
     const std::size_t step = triangles.size() / kMost + 1;
@@ -256,15 +285,15 @@ Camera place_camera(const CameraChoice& choice, const ViewScene& scene, Size siz
     case CameraChoice::Subject::place:
       return {choice.eye + origin, choice.target + origin};
     case CameraChoice::Subject::mover:
-      return aimed(choice, aim_at_mover(choice.mover, scene), scene, size);
+      return aimed(choice, aim_at_mover(choice.mover, scene), scene, size).camera;
     case CameraChoice::Subject::contact:
-      return aimed(choice, aim_at_contact(scene), scene, size);
+      return at_contact(choice, scene, size);
     case CameraChoice::Subject::scene:
       break;
   }
   const Vec3 back = toward_eye(choice.bearing, choice.elevation);
   const Camera whole = fitted(scene_bounds(scene), back, size);
-  return dollied(framed(whole, sample_of(scene), size), 1 / choice.zoom);
+  return dollied(framed(whole, sample_of(scene, choice.boxes), size), 1 / choice.zoom);
 }
 
 }  // namespace soms::view

@@ -16,7 +16,7 @@ struct CameraChoice {
   enum class Subject : std::uint8_t {
     scene,    ///< all of it
     mover,    ///< one mover
-    contact,  ///< the contacts of the mover that touches most
+    contact,  ///< the mover with most contacts that can be seen
     place,    ///< `eye` and `target`
   };
 
@@ -26,6 +26,7 @@ struct CameraChoice {
   double elevation = 30;  ///< of the eye, degrees above the horizon
   bool free_side = true;  ///< for movers and contacts: look for a side with nothing between
   double zoom = 1;        ///< above 1 goes nearer
+  bool boxes = false;     ///< for scenes: the bodies' boxes shall fit, not only their triangles
   Vec3 eye = {};
   Vec3 target = {};
 };
