@@ -1,6 +1,6 @@
 """Every include in soms/ points to its own layer or a lower one, and to no program or test.
 
-Programs see the library and apps/support, never each other; the viewer's rooms see lower ones only.
+Programs see the library, apps/support and (the command) apps/report, never each other; the viewer's rooms see lower ones only.
 """
 import pathlib
 import re
@@ -15,7 +15,8 @@ MAY_INCLUDE = {
     "io": {"base", "geometry", "io"},
     "generate": {"base", "geometry", "generate"},
 }
-PROGRAMS = {"support": {"support"}, "soms": {"soms", "support"}, "view": {"view", "support"}}
+PROGRAMS = {"support": {"support"}, "report": {"report"}, "soms": {"soms", "support", "report"},
+            "view": {"view", "support"}}
 VIEW_ROOMS = ["drawing", "scene", "control", "window", "verbs"]  # the lowest first
 FOREIGN = re.compile(r"^(GL/|GLFW|epoxy|imgui|CLI/|nlohmann/)")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)

@@ -1,0 +1,17 @@
+# Makes a C++ source of the script: pieces of at most 8,000 bytes, which every compiler accepts.
+file(READ ${ASSET} text)
+if(text MATCHES "\\)asset\"")
+  message(FATAL_ERROR "${ASSET} holds the end mark of our string literals")
+endif()
+string(LENGTH "${text}" length)
+set(source "#include \"apps/report/asset.h\"\n\n#include <array>\n\nnamespace soms::report {\n\n")
+string(APPEND source "namespace {\n\nconstexpr std::array kPieces{\n")
+set(at 0)
+while(at LESS length)
+  string(SUBSTRING "${text}" ${at} 8000 piece)
+  string(APPEND source "    std::string_view(R\"asset(${piece})asset\"),\n")
+  math(EXPR at "${at} + 8000")
+endwhile()
+string(APPEND source "};\n\n}  // namespace\n\nstd::span<const std::string_view> script() {\n"
+  "  return kPieces;\n}\n\n}  // namespace soms::report\n")
+file(WRITE ${SOURCE} "${source}")

@@ -1,0 +1,20 @@
+set(SOMS_REPORT_FILES
+  asset.h
+  base64.cpp
+  base64.h
+  drawn_mesh.cpp
+  drawn_mesh.h
+  page.cpp
+  page.h
+  page_style.h
+  placing.cpp
+  placing.h
+  scene.cpp
+  scene.h
+  scene_data.cpp
+  scene_data.h
+  script_text.cpp
+  script_text.h
+  time_line.cpp
+  time_line.h
+)

@@ -1,0 +1,155 @@
+#include "apps/report/page.h"
+
+#include "soms/base/text.h"
+
+#include "apps/report/asset.h"
+#include "apps/report/page_style.h"
+#include "apps/report/time_line.h"
+#include "reproduce/page_style.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace soms::report {
+
+namespace {
+
+/// Nothing is fetched, whatever a model's name or a script tries.
+constexpr std::string_view kPolicy =
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: "
+    "blob:";
+
+constexpr std::string_view kView = R"html(<section id="view">
+<h2>The scene</h2>
+<noscript><p class="warn">Scripts are switched off: the scene is not drawn. Figures and pictures below
+are whole.</p></noscript>
+<div id="look" hidden>
+<div id="stage">
+<canvas id="canvas" tabindex="0" role="application" aria-label="The scene with its contacts; arrow keys
+turn it, plus and minus come closer and go away, N and P go to the next and the previous contact"></canvas>
+<p id="trouble" class="warn" role="alert" hidden></p>
+<div id="tools"><button id="whole" type="button">Whole scene</button>
+<button id="above" type="button">From above</button></div>
+<details id="keys"><summary>Keys</summary><div>Drag: turn. Right button, or two fingers: move. Wheel,
+after a click into the picture: closer, away. A press on a spot: its contact. Arrows: turn, with Shift
+move. + and -: closer, away. Home: the whole scene. N, P: next and previous contact. Space: play,
+pause.</div></details>
+</div>
+<div id="side">
+<div class="row"><input id="find" type="search" placeholder="Find a name, part or triangle"
+aria-label="Find contacts by name, part or number of a triangle" autocomplete="off">
+<select id="order" aria-label="Order of the contacts"><option value="begin">by begin</option>
+<option value="length">longest first</option><option value="mover">by who touches</option>
+<option value="touched">by what is touched</option></select>
+<label><input id="now" type="checkbox"> only now</label></div>
+<p id="count" role="status"></p>
+<div id="list" role="listbox" tabindex="0" aria-label="Contacts"><div id="rows"
+role="presentation"></div></div>
+<div class="row"><button id="previous" type="button">Previous</button>
+<button id="next" type="button">Next</button></div>
+</div>
+<p id="picked" role="status" aria-live="polite"></p>
+<div id="time"><button id="play" type="button">Play</button>
+<input id="step" type="range" min="0" max="0" step="1" value="0" aria-label="Time">
+<output id="moment" for="step"></output></div>
+<p class="note"><span class="key moves"></span>moves <span class="key touch"></span>touches now
+<span class="key was"></span>touches at another time</p>
+<p id="drawn" class="note"></p>
+</div>
+</section>
+)html";
+
+/// Writes one page.
+class Writer {
+ public:
+  Writer(std::ostream& out, const Page& page, const SceneLimits& limits)
+      : out_(out), page_(page), limits_(limits) {}
+
+  Shown write() {
+    head();
+    facts();
+    out_ << kView;
+    line_of_time();
+    plots();
+    notes();
+    out_ << "</main>\n";
+    const Shown shown = write_scene(out_, page_.scene, limits_);
+    out_ << "<script>";
+    for (const std::string_view piece : script()) {
+      out_ << piece;
+    }
+    out_ << "</script>\n</body>\n</html>\n";
+    return shown;
+  }
+
+ private:
+  void head() {
+    const std::string title = xml_text(page_.title);
+    out_ << fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<title>{}</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>{}{}</style>\n</head>\n"
+        "<body>\n<main>\n<h1>{}</h1>\n",
+        kPolicy, title, reproduce::kPageStyle, kViewStyle, title);
+    if (!page_.lead.empty()) {
+      out_ << fmt::format("<p class=\"lead\">{}</p>\n", xml_text(page_.lead));
+    }
+  }
+
+  void facts() {
+    out_ << "<section id=\"figures\">\n<dl class=\"facts\">\n";
+    for (const Fact& fact : page_.facts) {
+      out_ << fmt::format("<dt>{}</dt><dd>{}</dd>\n", xml_text(fact.name), xml_text(fact.value));
+    }
+    out_ << "</dl>\n</section>\n";
+  }
+
+  void figure(const Plot& plot) {
+    out_ << fmt::format(
+        "<figure>\n<div class=\"picture\" tabindex=\"0\">\n{}</div>\n"
+        "<figcaption>{}</figcaption>\n</figure>\n",
+        plot.svg.substr(std::min(plot.svg.find("<svg"), plot.svg.size())), xml_text(plot.caption));
+  }
+
+  void line_of_time() {
+    const std::string svg = time_line(page_.scene);
+    if (!svg.empty()) {
+      out_ << "<section id=\"time-line\">\n<h2>Time line</h2>\n";
+      figure({.svg = svg,
+              .caption = "The contacts of those who touch something for longest. A press on a bar "
+                         "shows its contact in the scene."});
+      out_ << "</section>\n";
+    }
+  }
+
+  void plots() {
+    if (page_.plots.empty()) {
+      return;
+    }
+    out_ << "<section>\n<h2>Plots</h2>\n<div id=\"plots\">\n";
+    for (const Plot& plot : page_.plots) {
+      figure(plot);
+    }
+    out_ << "</div>\n</section>\n";
+  }
+
+  void notes() {
+    for (const std::string& note : page_.notes) {
+      out_ << fmt::format("<p class=\"note\">{}</p>\n", xml_text(note));
+    }
+  }
+
+  std::ostream& out_;
+  const Page& page_;
+  const SceneLimits& limits_;
+};
+
+}  // namespace
+
+Shown write_page(std::ostream& out, const Page& page, const SceneLimits& limits) {
+  return Writer(out, page, limits).write();
+}
+
+}  // namespace soms::report

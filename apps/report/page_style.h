@@ -1,0 +1,73 @@
+/// \file
+/// How the view of a scene looks; the rest of the page looks as reproduce/page_style.h says.
+#pragma once
+
+#include <string_view>
+
+namespace soms::report {
+
+inline constexpr std::string_view kViewStyle = R"css(
+body{max-width:84rem}
+[hidden]{display:none!important}
+dl.facts{display:grid;grid-template-columns:max-content 1fr;gap:.2rem 1rem;margin:1rem 0;
+max-width:60rem}
+dl.facts dt{color:var(--faint)}
+dl.facts dd{margin:0;overflow-wrap:anywhere}
+h1,.lead,#picked,.note{overflow-wrap:anywhere}
+#look{display:grid;grid-template-columns:minmax(0,1fr) 24rem;gap:.75rem 1rem;align-items:stretch}
+#stage{position:relative;min-height:26rem;height:min(40rem,72vh);border:1px solid var(--line);
+border-radius:.4rem;overflow:hidden}
+#canvas{display:block;width:100%;height:100%}
+#canvas:focus-visible,#list:focus-visible{outline:3px solid var(--link);outline-offset:-3px}
+#trouble{position:absolute;inset:0;margin:0;padding:2rem;background:var(--warn);max-width:none}
+#tools{position:absolute;top:.5rem;left:.5rem;display:flex;flex-wrap:wrap;gap:.4rem}
+#keys{position:absolute;right:.5rem;bottom:.5rem;max-width:min(24rem,90%);margin:0}
+#keys summary{text-align:right;text-shadow:0 0 3px var(--paper)}
+#keys div{background:var(--paper);border:1px solid var(--line);border-radius:.4rem;
+padding:.5rem .75rem;font-size:.9rem}
+#look button,#look input,#look select{font:inherit;color:inherit;background:var(--paper);
+border:1px solid var(--faint);border-radius:.35rem;padding:.25rem .6rem;min-height:2.25rem}
+#look button{cursor:pointer}
+#look button:hover{background:var(--soft)}
+#side{display:flex;flex-direction:column;gap:.4rem;min-width:0;height:min(40rem,72vh);
+min-height:26rem}
+#side .row{display:flex;flex-wrap:wrap;gap:.4rem;align-items:center}
+#find{flex:1 1 100%;min-width:0}
+#order{flex:1 1 8rem;min-width:0}
+#side label{white-space:nowrap;font-size:.9rem}
+#look input[type=checkbox]{min-height:0;vertical-align:middle}
+#count{margin:0;font-size:.9rem;color:var(--faint)}
+#list{position:relative;flex:1;min-height:0;overflow-y:auto;border:1px solid var(--line);
+border-radius:.4rem}
+#rows{position:relative}
+.contact{position:absolute;left:0;right:0;height:56px;padding:.2rem .6rem;cursor:pointer;
+border-bottom:1px solid var(--line);border-left:4px solid transparent;overflow:hidden;
+font-size:.88rem;line-height:1.35}
+.contact:hover{background:var(--soft)}
+.contact.lasts{border-left-color:#d55e00}
+.contact[aria-selected=true]{background:var(--soft);box-shadow:inset 0 0 0 2px var(--link)}
+.contact b,.contact .what{display:block;white-space:nowrap;overflow:hidden;text-overflow:ellipsis}
+.contact b{font-weight:600}
+.contact .what{color:var(--faint)}
+.contact .when{position:relative;display:block;height:5px;margin-top:3px;background:var(--line);
+border-radius:3px;overflow:hidden}
+.contact .when i{position:absolute;top:0;bottom:0;min-width:3px;background:#d55e00}
+#time{grid-column:1/-1;display:flex;flex-wrap:wrap;align-items:center;gap:.5rem .75rem}
+#step{flex:1 1 12rem;min-width:0;padding:0!important;accent-color:#d55e00}
+#moment{font-variant-numeric:tabular-nums;min-width:11rem}
+#picked{grid-column:1/-1;margin:0;min-height:1.5rem;max-width:none;font-weight:600}
+#look .note{grid-column:1/-1;margin:0;max-width:none}
+.key{display:inline-block;width:.8em;height:.8em;border-radius:.2em;vertical-align:-.05em;
+margin:0 .3em 0 .6em}
+.key.moves{background:#0072b2}.key.touch{background:#d55e00}.key.was{background:#e6a36f}
+@media screen and (prefers-color-scheme:dark){.key.moves{background:#56b4e9}
+.key.touch{background:#ff7a1a}.key.was{background:#a8683a}}
+#plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,34rem),1fr));gap:0 1.5rem}
+#plots figure{min-width:0}
+@media (max-width:60rem){#look{grid-template-columns:minmax(0,1fr)}#stage{height:60vh;
+min-height:18rem}#side{height:24rem;min-height:0}dl.facts{grid-template-columns:minmax(0,1fr);
+gap:0}dl.facts dd{margin-bottom:.4rem}}
+@media print{#look{display:none}}
+)css";
+
+}  // namespace soms::report

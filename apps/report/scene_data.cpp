@@ -1,0 +1,370 @@
+#include "apps/report/scene_data.h"
+
+#include "apps/report/base64.h"
+#include "apps/report/drawn_mesh.h"
+#include "apps/report/placing.h"
+#include "apps/report/script_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace soms::report {
+
+namespace {
+
+constexpr std::size_t kLongestName = 200;
+constexpr std::uint32_t kNone = 0xffffffffU;
+/// Scenes of other sizes are scaled by a power of two, so that floats hold them.
+constexpr double kSmallest = 1e-3;
+constexpr double kLargest = 1e7;
+/// So many times the size of the triangles that touch is worth seeing around them.
+constexpr double kAround = 6;
+/// Of the whole scene no more than this share: a contact is something to fly to.
+constexpr double kShareOfScene = 0.1;
+constexpr std::uint64_t kBytesOfPose = 28;
+
+std::uint32_t short_number(std::uint64_t value) {
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(value, kNone));
+}
+
+/// Numbers of words, each word once.
+class Names {
+ public:
+  std::uint32_t number(const std::string& name) {
+    if (name.empty()) {
+      return kNone;
+    }
+    const auto [at, added] =
+        numbers_.try_emplace(name, static_cast<std::uint32_t>(numbers_.size()));
+    if (added) {
+      list_ +=
+          fmt::format("{}{}", list_.empty() ? "" : ",", script_text(shortened(name, kLongestName)));
+    }
+    return at->second;
+  }
+
+  [[nodiscard]] const std::string& list() const { return list_; }
+
+ private:
+  std::unordered_map<std::string, std::uint32_t> numbers_;
+  std::string list_;
+};
+
+template <typename Values, typename Text>
+std::string list_of(const Values& values, const Text& text) {
+  std::string list = "[";
+  for (const auto& value : values) {
+    list += fmt::format("{}{}", list.size() == 1 ? "" : ",", text(value));
+  }
+  return list + "]";
+}
+
+/// Writes one scene.
+class Writer {
+ public:
+  Writer(std::ostream& out, const Scene& scene, const SceneLimits& limits)
+      : out_(out), scene_(scene), limits_(limits) {
+    bodies_ = chosen_bodies(scene, limits.bodies);
+    number_.assign(scene.bodies.size(), kNone);
+    for (std::uint32_t k = 0; k < bodies_.size(); ++k) {
+      number_[bodies_[k]] = k;
+      moving_ += scene.bodies[bodies_[k]].moves ? 1U : 0U;
+    }
+    for (const SceneModel& model : scene.models) {
+      bounds_.push_back(soms::bounds(*model.mesh));
+    }
+    steps_ = scene.steps.kept;
+    if (steps_.empty()) {
+      const std::uint64_t room =
+          limits.pose_bytes / (kBytesOfPose * std::max<std::uint64_t>(1, moving_));
+      steps_ = spread_steps(scene.steps.count, std::max<std::uint64_t>(2, room));
+    }
+    set_frame();
+  }
+
+  Shown write() {
+    count_contacts();
+    write_models();
+    write_poses();
+    write_contacts();
+    write_pairs();
+    write_json();
+    return shown_;
+  }
+
+ private:
+  [[nodiscard]] const Box& bounds_of(std::uint32_t body) const {
+    return bounds_[scene_.bodies[body].model];
+  }
+
+  /// Origin and scale.
+  void set_frame() {
+    for (const std::uint32_t body : bodies_) {
+      const bool moves = scene_.bodies[body].moves;
+      for (const std::uint64_t step : steps_) {
+        box_.grow(moved(bounds_of(body), scene_.pose(body, step)));
+        if (!moves) {
+          break;
+        }
+      }
+    }
+    if (box_.empty()) {
+      return;
+    }
+    origin_ = box_.center();
+    const double size = length(box_.extent());
+    if (size > 0 && (size < kSmallest || size > kLargest)) {
+      scale_ = std::exp2(std::clamp(-std::floor(std::log2(size)), -1000.0, 1000.0));
+    }
+  }
+
+  [[nodiscard]] Vec3 place(const Vec3& at) const { return (at - origin_) * scale_; }
+
+  void count_contacts() {
+    shown_.contacts = std::min(scene_.contacts.size(), limits_.contacts);
+    shown_.contacts_in_all = scene_.contacts_in_all;
+    for (std::size_t k = 0; k < shown_.contacts; ++k) {
+      const std::size_t kept = std::min({scene_.contacts[k].pairs.size(), limits_.pairs_of_contact,
+                                         limits_.pairs - static_cast<std::size_t>(pairs_)});
+      first_pair_.push_back(pairs_);
+      pairs_ += kept;
+    }
+    first_pair_.push_back(pairs_);
+  }
+
+  [[nodiscard]] std::uint64_t pairs_of(std::size_t contact) const {
+    return first_pair_[contact + 1] - first_pair_[contact];
+  }
+
+  [[nodiscard]] Triangle triangle(std::uint32_t body, TriangleId i, const Pose& pose) const {
+    return moved(scene_.models[scene_.bodies[body].model].mesh->triangle(i), pose);
+  }
+
+  /// Where to look at a contact, and how much around it is worth seeing.
+  struct View {
+    Vec3 focus;
+    double reach = 0;
+  };
+
+  [[nodiscard]] View view(const SceneContact& contact) const {
+    const Pose pose_a = scene_.pose(contact.a, contact.begin);
+    View view{.focus = pose_a.apply(bounds_of(contact.a).center()),
+              .reach = std::min({0.5 * length(bounds_of(contact.a).extent()),
+                                 0.5 * length(bounds_of(contact.b).extent()),
+                                 kShareOfScene * length(box_.extent())})};
+    if (contact.pairs.empty()) {
+      return view;
+    }
+    const auto& [i, j] = contact.pairs.front();
+    const Box a = box_of(triangle(contact.a, i, pose_a));
+    const Box b = box_of(triangle(contact.b, j, scene_.pose(contact.b, contact.begin)));
+    Box common;
+    common.lower = {std::max(a.lower.x, b.lower.x), std::max(a.lower.y, b.lower.y),
+                    std::max(a.lower.z, b.lower.z)};
+    common.upper = {std::min(a.upper.x, b.upper.x), std::min(a.upper.y, b.upper.y),
+                    std::min(a.upper.z, b.upper.z)};
+    view.focus = common.center();
+    const double size = std::max(length(a.extent()), length(b.extent()));
+    if (size > 0) {
+      view.reach = std::min(view.reach, kAround * size);
+    }
+    return view;
+  }
+
+  /// Places in the coordinates of a model that stands still and that contacts are at.
+  [[nodiscard]] Detail detail_of(std::size_t model) const {
+    Detail detail;
+    for (std::size_t k = 0; k < shown_.contacts; ++k) {
+      const SceneContact& contact = scene_.contacts[k];
+      const SceneBody& body = scene_.bodies[contact.b];
+      if (body.model == model && !body.moves) {
+        const View at = view(contact);
+        detail.points.push_back(moved_back(at.focus, scene_.pose(contact.b, contact.begin)));
+        detail.radius = std::max(detail.radius, at.reach);
+      }
+    }
+    return detail;
+  }
+
+  void open(std::string_view id) {
+    out_ << fmt::format("<script type=\"text/plain\" id=\"soms-{}\">", id);
+  }
+
+  void close() { out_ << "</script>\n"; }
+
+  void write_models() {
+    const std::vector<std::uint64_t> shares = shared_out(scene_, bodies_, limits_);
+    std::uint64_t all = 0;
+    for (const std::uint64_t share : shares) {
+      all += share;
+    }
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      const DrawLimits limits{
+          .triangles = shares[k],
+          .bytes = static_cast<std::uint64_t>(
+              static_cast<double>(limits_.mesh_bytes) * static_cast<double>(shares[k]) /
+              static_cast<double>(std::max<std::uint64_t>(1, all)))};
+      const DrawnMesh mesh = drawn(*scene_.models[k].mesh, scale_, limits, detail_of(k));
+      middles_.push_back(mesh.middle);
+      shown_.triangles += mesh.triangles();
+      shown_.triangles_in_all += mesh.all;
+      models_ += fmt::format("{}{{\"name\":{},\"triangles\":{},\"drawn\":{},\"vertices\":{}}}",
+                             k == 0 ? "" : ",",
+                             script_text(shortened(scene_.models[k].name, kLongestName)), mesh.all,
+                             mesh.triangles(), mesh.vertices.size() / 3);
+      open(fmt::format("model-{}", k));
+      Base64Writer data(out_);
+      for (const float value : mesh.vertices) {
+        data.put(value);
+      }
+      for (const std::uint32_t value : mesh.indices) {
+        data.put(value);
+      }
+      data.finish();
+      close();
+    }
+  }
+
+  void put(Base64Writer& data, const Vec3& at) const {
+    for (const double value : {at.x, at.y, at.z}) {
+      data.put(static_cast<float>(value));
+    }
+  }
+
+  /// Place of the middle of the body's model, and its turning.
+  void put_pose(Base64Writer& data, std::uint32_t body, std::uint64_t step) const {
+    const Pose pose = scene_.pose(body, step);
+    put(data, place(pose.apply(middles_[scene_.bodies[body].model])));
+    for (const double part : quaternion(pose)) {
+      data.put(static_cast<float>(part));
+    }
+  }
+
+  void write_poses() {
+    open("still");
+    Base64Writer still(out_);
+    for (const std::uint32_t body : bodies_) {
+      if (!scene_.bodies[body].moves) {
+        put_pose(still, body, 0);
+      }
+    }
+    still.finish();
+    close();
+    open("poses");
+    Base64Writer data(out_);
+    for (const std::uint64_t step : steps_) {
+      for (const std::uint32_t body : bodies_) {
+        if (scene_.bodies[body].moves) {
+          put_pose(data, body, step);
+        }
+      }
+    }
+    data.finish();
+    close();
+    shown_.bodies = bodies_.size();
+    shown_.bodies_in_all = scene_.bodies.size();
+    shown_.steps = steps_.size();
+    shown_.steps_in_all = scene_.steps.count;
+  }
+
+  void write_contacts() {
+    open("contacts");
+    Base64Writer data(out_);
+    for (std::size_t k = 0; k < shown_.contacts; ++k) {
+      const SceneContact& contact = scene_.contacts[k];
+      for (const std::uint32_t value :
+           {number_[contact.a], number_[contact.b], parts_.number(contact.part_a),
+            parts_.number(contact.part_b), short_number(contact.begin), short_number(contact.end),
+            short_number(contact.pairs_in_all), short_number(first_pair_[k]),
+            short_number(pairs_of(k))}) {
+        data.put(value);
+      }
+      const View at = view(contact);
+      put(data, place(at.focus));
+      data.put(static_cast<float>(at.reach * scale_));
+      put_pose(data, contact.a, contact.begin);
+      put_pose(data, contact.b, contact.begin);
+    }
+    data.finish();
+    close();
+  }
+
+  void write_pairs() {
+    open("pairs");
+    Base64Writer data(out_);
+    for (std::size_t k = 0; k < shown_.contacts; ++k) {
+      const SceneContact& contact = scene_.contacts[k];
+      const Pose pose_a = scene_.pose(contact.a, contact.begin);
+      const Pose pose_b = scene_.pose(contact.b, contact.begin);
+      for (std::size_t n = 0; n < pairs_of(k); ++n) {
+        const auto& [i, j] = contact.pairs[n];
+        data.put(i);
+        data.put(j);
+        for (const Triangle& t : {triangle(contact.a, i, pose_a), triangle(contact.b, j, pose_b)}) {
+          put(data, place(t.a));
+          put(data, place(t.b));
+          put(data, place(t.c));
+        }
+      }
+    }
+    data.finish();
+    close();
+  }
+
+  static std::string numbers(const Vec3& v) { return fmt::format("[{},{},{}]", v.x, v.y, v.z); }
+
+  void write_json() {
+    const Vec3 half = box_.empty() ? Vec3{} : (box_.extent() * (0.5 * scale_));
+    out_ << "<script type=\"application/json\" id=\"soms-scene\">{\"schema\":\"soms.scene/1\"";
+    out_ << fmt::format(",\"up\":\"{}\",\"origin\":{},\"scale\":{},\"half\":{}",
+                        scene_.y_is_up ? 'y' : 'z', numbers(origin_), scale_, numbers(half));
+    out_ << ",\"models\":[" << models_ << "]";
+    const auto body = [&](std::uint32_t k) -> const SceneBody& { return scene_.bodies[k]; };
+    out_ << ",\"bodies\":{\"model\":" << list_of(bodies_, [&](auto k) { return body(k).model; })
+         << ",\"moves\":" << list_of(bodies_, [&](auto k) { return body(k).moves ? 1 : 0; })
+         << ",\"names\":" << list_of(bodies_, [&](auto k) {
+              return script_text(shortened(body(k).name, kLongestName));
+            });
+    out_ << fmt::format(",\"all\":{}}}", shown_.bodies_in_all);
+    out_ << fmt::format(
+                ",\"steps\":{{\"count\":{},\"noun\":{},\"second\":{},\"smooth\":{},\"kept\":",
+                scene_.steps.count, script_text(scene_.steps.noun), scene_.steps.a_second,
+                scene_.steps.smooth)
+         << list_of(steps_, [](auto step) { return step; }) << "}";
+    out_ << fmt::format(",\"contacts\":{{\"listed\":{},\"all\":{},\"pairs\":{}}},\"parts\":[",
+                        shown_.contacts, shown_.contacts_in_all, pairs_)
+         << parts_.list() << "]}</script>\n";
+  }
+
+  std::ostream& out_;
+  const Scene& scene_;
+  const SceneLimits& limits_;
+  std::vector<std::uint32_t> bodies_;  ///< drawn
+  std::vector<std::uint32_t> number_;  ///< of each body among those drawn
+  std::uint64_t moving_ = 0;
+  std::vector<Box> bounds_;  ///< of the models
+  std::vector<std::uint64_t> steps_;
+  Box box_;
+  Vec3 origin_;
+  double scale_ = 1;
+  std::uint64_t pairs_ = 0;
+  std::vector<std::uint64_t> first_pair_;
+  std::string models_;
+  std::vector<Vec3> middles_;
+  Names parts_;
+  Shown shown_;
+};
+
+}  // namespace
+
+Shown write_scene(std::ostream& out, const Scene& scene, const SceneLimits& limits) {
+  return Writer(out, scene, limits).write();
+}
+
+}  // namespace soms::report

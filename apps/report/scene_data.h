@@ -1,0 +1,32 @@
+/// \file
+/// A scene as blocks of data in an HTML page.
+#pragma once
+
+#include "apps/report/scene.h"
+
+#include <cstdint>
+#include <ostream>
+
+namespace soms::report {
+
+/// What of a scene found room in the page.
+struct Shown {
+  std::uint64_t triangles = 0;
+  std::uint64_t triangles_in_all = 0;
+  std::uint64_t bodies = 0;
+  std::uint64_t bodies_in_all = 0;
+  std::uint64_t contacts = 0;
+  std::uint64_t contacts_in_all = 0;
+  std::uint64_t steps = 0;
+  std::uint64_t steps_in_all = 0;
+
+  [[nodiscard]] bool operator==(const Shown&) const = default;
+};
+
+/// Writes script elements that hold the scene: one of JSON, "soms-scene", schema soms.scene/1, and
+/// one of base64 for each model, for the poses and for the contacts. Lengths are floats around an
+/// origin near the scene; docs/report.md describes them.
+/// \errors Those of `scene.pose`.
+Shown write_scene(std::ostream& out, const Scene& scene, const SceneLimits& limits = {});
+
+}  // namespace soms::report

@@ -1,0 +1,48 @@
+#include "apps/report/script_text.h"
+
+#include "soms/base/text.h"
+
+#include <nlohmann/json.hpp>
+
+namespace soms::report {
+
+std::string script_text(std::string_view words) {
+  using nlohmann::json;
+  // ASCII only: U+2028 and its like, which some readers take for ends of lines, are escaped too.
+  const std::string text = json(words).dump(-1, ' ', true, json::error_handler_t::replace);
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char c : text) {
+    switch (c) {
+      case '<':
+        safe += "\\u003c";
+        break;
+      case '>':
+        safe += "\\u003e";
+        break;
+      case '&':
+        safe += "\\u0026";
+        break;
+      default:
+        safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string shortened(std::string_view words, std::size_t most) {
+  if (words.size() <= most) {
+    return std::string(words);
+  }
+  std::size_t end = 0;
+  while (end < words.size()) {
+    const std::size_t size = std::max<std::size_t>(1, utf8_character(words, end));
+    if (end + size > most) {
+      break;
+    }
+    end += size;
+  }
+  return std::string(words.substr(0, end)) + "...";
+}
+
+}  // namespace soms::report

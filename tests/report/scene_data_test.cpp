@@ -1,0 +1,230 @@
+#include "apps/report/scene_data.h"
+
+#include "soms/generate/shapes.h"
+
+#include "tests/report/reading.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <sstream>
+
+namespace soms::report {
+
+namespace {
+
+constexpr std::size_t kWordsOfContact = 27;
+constexpr std::size_t kWordsOfPair = 20;
+
+Mesh triangle_mesh(const Vec3& a, const Vec3& b, const Vec3& c) {
+  Mesh mesh;
+  mesh.vertices = {a, b, c};
+  mesh.triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+/// A ground of one triangle at map coordinates, and a needle that moves east over it, a meter a
+/// step, and touches it from step 3 to 5.
+class Field {
+ public:
+  Field() {
+    scene.models = {{&ground, "ground"}, {&needle, "needle"}};
+    scene.bodies = {{0, "field", false}, {1, "needle 1", true}};
+    scene.contacts = {{.a = 1,
+                       .b = 0,
+                       .part_b = "turf",
+                       .begin = 3,
+                       .end = 5,
+                       .pairs = {{0, 0}},
+                       .pairs_in_all = 1}};
+    scene.contacts_in_all = 1;
+    scene.steps = {.count = 9, .noun = "frame", .a_second = 60};
+    scene.pose = [](std::uint32_t body, std::uint64_t step) {
+      return body == 0 ? Pose::identity()
+                       : Pose::translation(1'000'004 + static_cast<double>(step), 2'000'001, 400);
+    };
+  }
+
+  /// The data as the page holds it; `shown` is told.
+  std::string write(const SceneLimits& limits = {}) {
+    std::ostringstream out;
+    shown = write_scene(out, scene, limits);
+    return out.str();
+  }
+
+  Mesh ground = triangle_mesh({1'000'000, 2'000'000, 400}, {1'000'100, 2'000'000, 400},
+                              {1'000'000, 2'000'050, 400});
+  Mesh needle = triangle_mesh({0, 0, -1}, {0, 0, 1}, {0.5, 0, 1});
+  Scene scene;
+  Shown shown;
+};
+
+TEST(SceneData, TellsCountsAndNames) {
+  Field field;
+  const std::string page = field.write();
+  const auto json = test::scene_of(page);
+  EXPECT_EQ(json["schema"], "soms.scene/1");
+  EXPECT_EQ(json["models"][0]["name"], "ground");
+  EXPECT_EQ(json["models"][0]["triangles"], 1);
+  EXPECT_EQ(json["bodies"]["names"], (std::vector<std::string>{"field", "needle 1"}));
+  EXPECT_EQ(json["bodies"]["moves"], (std::vector<int>{0, 1}));
+  EXPECT_EQ(json["steps"]["count"], 9);
+  EXPECT_EQ(json["steps"]["kept"].size(), 9U);
+  EXPECT_EQ(json["contacts"]["listed"], 1);
+  EXPECT_EQ(json["contacts"]["all"], 1);
+  EXPECT_EQ(json["parts"], std::vector<std::string>{"turf"});
+  EXPECT_EQ(field.shown, (Shown{.triangles = 2,
+                                .triangles_in_all = 2,
+                                .bodies = 2,
+                                .bodies_in_all = 2,
+                                .contacts = 1,
+                                .contacts_in_all = 1,
+                                .steps = 9,
+                                .steps_in_all = 9}));
+}
+
+TEST(SceneData, DoesNotShakeAtMapCoordinates) {
+  Field field;
+  const std::string page = field.write();
+  const auto json = test::scene_of(page);
+  const double east = json["origin"][0].get<double>();
+  const std::vector<float> poses = test::floats_of(test::element(page, "poses"));
+  ASSERT_EQ(poses.size(), 7U * 9U);
+  const double middle = bounds(field.needle).center().x;
+  for (std::size_t step = 0; step < 9; ++step) {
+    const double at = east + static_cast<double>(poses[7 * step]);
+    EXPECT_NEAR(at, 1'000'004 + static_cast<double>(step) + middle, 1e-5);
+    EXPECT_EQ(poses[7 * step + 6], 1.0F);  // not turned
+  }
+  const std::vector<float> ground = test::floats_of(test::element(page, "model-0"));
+  const std::vector<float> still = test::floats_of(test::element(page, "still"));
+  EXPECT_NEAR(east + static_cast<double>(still[0]) + static_cast<double>(ground[0]), 1'000'000,
+              1e-5);
+}
+
+TEST(SceneData, PlacesAContactWhereItIs) {
+  Field field;
+  const std::string page = field.write();
+  const auto json = test::scene_of(page);
+  const std::vector<std::uint32_t> words = test::words_of(test::element(page, "contacts"));
+  const std::vector<float> floats = test::floats_of(test::element(page, "contacts"));
+  ASSERT_EQ(words.size(), kWordsOfContact);
+  const std::vector<std::uint32_t> head(words.begin(), words.begin() + 9);
+  EXPECT_EQ(head, (std::vector<std::uint32_t>{1, 0, 0xffffffff, 0, 3, 5, 1, 0, 1}));
+  const double x = json["origin"][0].get<double>() + static_cast<double>(floats[9]);
+  const double z = json["origin"][2].get<double>() + static_cast<double>(floats[11]);
+  EXPECT_NEAR(x, 1'000'007.25, 1e-4);
+  EXPECT_NEAR(z, 400, 1e-4);
+  EXPECT_GT(floats[12], 0.5F);  // the reach, of the needle
+  EXPECT_LT(floats[12], 2.0F);
+  const std::vector<float> pairs = test::floats_of(test::element(page, "pairs"));
+  ASSERT_EQ(pairs.size(), kWordsOfPair);
+  const double tip = json["origin"][2].get<double>() + static_cast<double>(pairs[4]);
+  EXPECT_NEAR(tip, 399, 1e-4);
+}
+
+TEST(SceneData, KeepsWithinItsLimits) {
+  Field field;
+  const SceneContact contact = field.scene.contacts.front();
+  field.scene.contacts.assign(50, contact);
+  field.scene.contacts_in_all = 70;
+  field.scene.steps.count = 1000;
+  const std::string page = field.write({.pose_bytes = 280, .contacts = 30, .pairs = 20});
+  const auto json = test::scene_of(page);
+  EXPECT_EQ(field.shown.contacts, 30U);
+  EXPECT_EQ(field.shown.contacts_in_all, 70U);
+  EXPECT_EQ(field.shown.steps, 10U);
+  EXPECT_EQ(field.shown.steps_in_all, 1000U);
+  EXPECT_EQ(test::words_of(test::element(page, "contacts")).size(), 30 * kWordsOfContact);
+  EXPECT_EQ(test::words_of(test::element(page, "pairs")).size(), 20 * kWordsOfPair);
+  EXPECT_EQ(json["contacts"]["pairs"], 20);
+  EXPECT_EQ(json["steps"]["kept"].back(), 999);
+}
+
+TEST(SceneData, StaysBelowTwentyMegabytes) {
+  Field field;
+  field.ground = generate_knot(900'000);
+  field.needle = generate_knot(50'000);
+  field.scene.bodies.resize(60'000, {1, std::string(40, 'n'), true});
+  field.scene.pose = [](std::uint32_t, std::uint64_t) { return Pose(); };
+  SceneContact contact = field.scene.contacts.front();
+  contact.pairs.assign(40, {0, 0});
+  contact.part_b = std::string(150, 'p');
+  for (std::uint32_t k = 0; k < 30'000; ++k) {
+    contact.part_a = "part " + std::to_string(k);
+    field.scene.contacts.push_back(contact);
+  }
+  field.scene.steps.count = 100'000;
+  const std::string page = field.write();
+  EXPECT_LT(page.size() + 700'000, 20'000'000U);
+  EXPECT_LE(field.shown.triangles, 300'000U);
+  EXPECT_GE(field.shown.triangles, 50'000U);
+  EXPECT_EQ(field.shown.triangles_in_all, 950'000U);
+  EXPECT_EQ(field.shown.bodies, 20'000U);
+}
+
+TEST(SceneData, ScalesWhatFloatsCannotHold) {
+  Field field;
+  for (Mesh* mesh : {&field.ground, &field.needle}) {
+    for (Vec3& v : mesh->vertices) {
+      v = v * 0x1p200;
+    }
+  }
+  field.scene.pose = [](std::uint32_t, std::uint64_t) { return Pose(); };
+  const std::string page = field.write();
+  EXPECT_LT(test::scene_of(page)["scale"].get<double>(), 0x1p-200);
+  for (const float value : test::floats_of(test::element(page, "pairs"))) {
+    EXPECT_TRUE(std::isfinite(value));
+  }
+}
+
+TEST(SceneData, TurnsAsThePoseDoes) {
+  const double half = std::sqrt(0.5);
+  const std::vector<std::array<double, 4>> turns{{1, 0, 0, 0}, {half, 0, 0, half},
+                                                 {0, 1, 0, 0}, {0, 0, 1, 0},
+                                                 {0, 0, 0, 1}, {0.5, -0.5, 0.5, 0.5}};
+  for (const auto& [w, x, y, z] : turns) {
+    Field field;
+    field.scene.steps = {};
+    field.scene.contacts.clear();
+    const Pose pose = Pose::from_quaternion(w, x, y, z, {1'000'000, 2'000'000, 400});
+    field.scene.pose = [&](std::uint32_t body, std::uint64_t) { return body == 0 ? Pose() : pose; };
+    const std::vector<float> q = test::floats_of(test::element(field.write(), "poses"));
+    ASSERT_EQ(q.size(), 7U);
+    const double same = static_cast<double>(q[3]) * x + static_cast<double>(q[4]) * y +
+                        static_cast<double>(q[5]) * z + static_cast<double>(q[6]) * w;
+    EXPECT_NEAR(std::abs(same), 1, 1e-6);
+  }
+}
+
+TEST(SceneData, TakesASceneOfNothing) {
+  std::ostringstream out;
+  const Mesh none;
+  Scene scene;
+  scene.models = {{&none, "nothing"}};
+  scene.bodies = {{0, "nothing", false}};
+  scene.pose = [](std::uint32_t, std::uint64_t) { return Pose(); };
+  EXPECT_EQ(write_scene(out, scene).triangles, 0U);
+  EXPECT_EQ(test::scene_of(out.str())["contacts"]["all"], 0);
+}
+
+TEST(SceneData, EscapesNames) {
+  Field field;
+  const std::string bad = "</script><script>alert(1)</script>\"\\\n";
+  field.scene.models[0].name = bad;
+  field.scene.bodies[0].name = bad;
+  field.scene.contacts[0].part_b = bad;
+  field.scene.steps.noun = bad;
+  const std::string page = field.write();
+  EXPECT_EQ(page.find("alert(1)</"), std::string::npos);
+  const auto json = test::scene_of(page);
+  EXPECT_EQ(json["models"][0]["name"], bad);
+  EXPECT_EQ(json["bodies"]["names"][0], bad);
+  EXPECT_EQ(json["parts"][0], bad);
+  EXPECT_EQ(json["steps"]["noun"], bad);
+}
+
+}  // namespace
+
+}  // namespace soms::report

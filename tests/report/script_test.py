@@ -1,0 +1,61 @@
+"""The script of the report page, apps/report/web/dist/report.js, is what its sources make.
+
+`hash`: the sources have not changed since it was made. `rebuild`: making it again gives the same
+bytes; skipped where node or the packages (`npm ci`) are missing.
+"""
+import hashlib
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+SKIPPED = 77
+MAKE = "cd apps/report/web && npm ci && npm run build"
+
+
+def hash_of_sources(web):
+    """As build.mjs has it."""
+    names = ["build.mjs", "package-lock.json", "package.json",
+             *sorted(f"src/{file.name}" for file in (web / "src").iterdir())]
+    digest = hashlib.sha256()
+    for name in names:
+        digest.update(name.encode() + b"\0" + (web / name).read_bytes() + b"\0")
+    return digest.hexdigest()
+
+
+def check_hash(web):
+    head = (web / "dist/report.js").read_text(encoding="ascii")[:1000]
+    wanted = hash_of_sources(web)
+    if f"sha256 {wanted} " not in head:
+        print(f"the sources changed (sha256 {wanted}); make the script again: {MAKE}")
+        return 1
+    return 0
+
+
+def check_rebuild(web):
+    node = shutil.which("node")
+    if node is None or not (web / "node_modules/esbuild").is_dir() \
+            or not (web / "node_modules/three").is_dir():
+        print(f"skipped: node or its packages are not installed ({MAKE})")
+        return SKIPPED
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([node, web / "build.mjs", folder], check=True)
+        for name in ("report.js", "LICENSE.three"):
+            if (pathlib.Path(folder) / name).read_bytes() != (web / "dist" / name).read_bytes():
+                print(f"dist/{name} is not what the sources make: {MAKE}")
+                return 1
+    return 0
+
+
+def main():
+    check, web = sys.argv[1], pathlib.Path(sys.argv[2])
+    lock = (web / "package-lock.json").read_text(encoding="ascii")
+    if "resolved" in lock or "://" in lock:
+        print("package-lock.json names the host of a registry")
+        return 1
+    return {"hash": check_hash, "rebuild": check_rebuild}[check](web)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
