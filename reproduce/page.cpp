@@ -55,6 +55,21 @@ std::string spoken(std::string_view item) {
   return words;
 }
 
+/// Bytes as a part of an address.
+std::string percent_encoded(std::string_view bytes) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.~,:;/()+*=";
+  std::string address;
+  for (const char c : bytes) {
+    if (kPlain.find(c) != std::string_view::npos) {
+      address += c;
+    } else {
+      address += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+  }
+  return address;
+}
+
 /// A drawing as part of the page: what precedes its root is dropped, and its ids, if any, are made
 /// the figure's own.
 std::string inlined(const Figure& figure) {
@@ -72,7 +87,7 @@ std::string inlined(const Figure& figure) {
 /// Writes the page section by section.
 class Page {
  public:
-  explicit Page(const Report& report) : report_(report) {}
+  Page(const Report& report, PageFiles files) : report_(report), files_(files) {}
 
   std::string write() {
     head();
@@ -159,8 +174,13 @@ class Page {
       }
       put("</p>\n");
     }
-    put("<p class=\"note\">Beside this page lie a CSV file of each table, an SVG file of each "
-        "figure and <a href=\"run.json\">run.json</a>, which lists them.</p>\n");
+    if (files_ == PageFiles::inside) {
+      put("<p class=\"note\">This page needs no other file: a link below each table gives it as "
+          "CSV.</p>\n");
+    } else {
+      put("<p class=\"note\">Beside this page lie a CSV file of each table, an SVG file of each "
+          "figure and <a href=\"run.json\">run.json</a>, which lists them.</p>\n");
+    }
   }
 
   void models() {
@@ -319,13 +339,16 @@ class Page {
   }
 
   void put_figure(const Figure& figure) {
-    const std::string file = xml_text(file_of(figure).generic_string());
+    const std::string link =
+        files_ == PageFiles::inside
+            ? std::string()
+            : fmt::format("<a href=\"{}\">SVG</a>", xml_text(file_of(figure).generic_string()));
     put("<figure id=\"f-{}\">\n<div class=\"picture\" tabindex=\"0\" role=\"img\" "
-        "aria-label=\"{}\">\n{}</div>\n<figcaption>{} {}<a href=\"{}\">SVG</a></figcaption>\n"
+        "aria-label=\"{}\">\n{}</div>\n<figcaption>{} {}{}</figcaption>\n"
         "</figure>\n",
         xml_text(figure.id), xml_text(figure.alt.empty() ? figure.caption : figure.alt),
         inlined(figure), xml_text(figure.caption),
-        figure.timed ? "<em>Times: differ from run to run.</em> " : "", file);
+        figure.timed ? "<em>Times: differ from run to run.</em> " : "", link);
   }
 
   void put_table(const Table& table) {
@@ -361,8 +384,13 @@ class Page {
       put("The first {} of {}; all are in the ", to_text(static_cast<std::int64_t>(shown)),
           counted(table.rows.size(), "row"));
     }
-    put("<a href=\"{}\">CSV</a></p>\n{}", xml_text(file_of(table).generic_string()),
-        folded ? "</details>\n" : "");
+    if (files_ == PageFiles::inside) {
+      put("<a href=\"data:text/csv;charset=utf-8,{}\" download=\"{}.csv\">CSV</a>",
+          percent_encoded(to_csv(table)), xml_text(table.id));
+    } else {
+      put("<a href=\"{}\">CSV</a>", xml_text(file_of(table).generic_string()));
+    }
+    put("</p>\n{}", folded ? "</details>\n" : "");
   }
 
   [[nodiscard]] static std::string title_of(const Column& column) {
@@ -388,13 +416,14 @@ class Page {
   }
 
   const Report& report_;
+  PageFiles files_;
   std::string out_;
 };
 
 }  // namespace
 
-std::string page(const Report& report) {
-  return Page(report).write();
+std::string page(const Report& report, PageFiles files) {
+  return Page(report, files).write();
 }
 
 }  // namespace soms::reproduce

@@ -65,8 +65,14 @@ struct RunVisitor {
 /// find_models but cancelled; those of `visitor`.
 Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel& parallel = {});
 
-/// The page: one self-contained HTML document without scripts or anything from a network.
-[[nodiscard]] std::string page(const Report& report);
+/// Where the reader of the page finds tables as CSV and the list of files.
+enum class PageFiles {
+  beside,  ///< as files in the folder of the page
+  inside,  ///< in the page itself, which then needs no folder
+};
+
+/// The page: one HTML document without scripts or anything from a network.
+[[nodiscard]] std::string page(const Report& report, PageFiles files = PageFiles::beside);
 
 /// The list of files as JSON, schema "soms.reproduce/1": for each its experiment, and which columns
 /// of a table, or whether a figure, differ from run to run.

@@ -24,8 +24,12 @@ set(SOMS_COMMAND_FILES
   outline.h
   overlap.cpp
   overlap.h
+  overlap_page.cpp
+  overlap_page.h
   overlap_report.cpp
   overlap_report.h
+  page_plots.cpp
+  page_plots.h
   reproduce.cpp
   reproduce.h
   simulate.cpp
@@ -33,6 +37,8 @@ set(SOMS_COMMAND_FILES
   simulate_contacts.cpp
   simulate_contacts.h
   simulate_options.cpp
+  simulate_page.cpp
+  simulate_page.h
   simulate_record.cpp
   simulate_record.h
   simulate_report.cpp

@@ -2,11 +2,14 @@
 
 #include "soms/query/reference/overlap.h"
 
+#include "apps/soms/overlap_page.h"
 #include "apps/soms/overlap_report.h"
 #include "apps/support/console.h"
+#include "apps/support/output.h"
 #include "apps/support/parse.h"
 #include "apps/support/pose_source.h"
 #include "apps/support/text.h"
+#include "apps/support/world.h"
 
 #include <fmt/format.h>
 
@@ -80,6 +83,7 @@ class OverlapRun {
   OverlapRun(const OverlapVerbOptions& options, Console& console)
       : options_(options),
         console_(console),
+        page_file_(open_page(options.report)),
         poses_(source("--pose", options.pose_a), source("--pose-b", options.pose_b)),
         a_(load(options.a, options.model_a)),
         b_(load(options.b, options.model_b)),
@@ -91,6 +95,9 @@ class OverlapRun {
                 .verified = options.verify},
         bar_(console.progress("overlap")) {
     options_.query.deadline = console.deadline();
+    if (page_file_) {
+      page_.emplace(a_.mesh(), short_name(options.a), b_.mesh(), short_name(options.b));
+    }
   }
 
   int run() {
@@ -108,12 +115,21 @@ class OverlapRun {
     if (error_) {
       std::rethrow_exception(error_);
     }
+    if (page_) {
+      page_->write(page_file_->stream(), report_, totals_);
+      page_file_->commit();
+    }
     return status();
   }
 
  private:
   static PoseSource source(const std::string& option, const std::optional<std::string>& text) {
     return text ? PoseSource(option, *text) : PoseSource();
+  }
+
+  /// A place that cannot be written to is told before the work, not after it.
+  static std::unique_ptr<OutputFile> open_page(const std::string& path) {
+    return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
   }
 
   Shape load(const std::string& path, const ModelOptions& model) {
@@ -245,6 +261,9 @@ class OverlapRun {
       const bool right = !options_.verify || verify(k);
       print_answer(report_, totals_.poses, answers_[k], right, console_);
       totals_.add(answers_[k]);
+      if (page_) {
+        page_->add(block_[k].first, block_[k].second, answers_[k]);
+      }
       if (ended_by_time(answers_[k])) {
         console_.note(fmt::format("out of time after {}", counted(totals_.poses, "pose")));
         over_ = true;
@@ -290,6 +309,7 @@ class OverlapRun {
 
   OverlapVerbOptions options_;
   Console& console_;
+  std::unique_ptr<OutputFile> page_file_;
   PosePairs poses_;
   Shape a_;
   Shape b_;
@@ -298,6 +318,7 @@ class OverlapRun {
   std::vector<PosePair> block_;
   std::vector<Overlap> answers_;
   OverlapTotals totals_;
+  std::optional<OverlapPage> page_;
   std::exception_ptr error_;
   bool over_ = false;
 };
@@ -335,6 +356,10 @@ void add_questions(CLI::App& app, OverlapVerbOptions& options) {
   add_choice<bool>(app, "--fail-if", options.fail_if_overlap, {{"overlap", true}},
                    "exit with 1 if it holds")
       ->group(group);
+  app.add_option("--report", options.report,
+                 "write a page with figures, plots and the overlap to fly to")
+      ->option_text("FILE")
+      ->group(group);
   app.add_flag("--verify", options.verify, "compare with brute force; exit with 6 if they differ")
       ->group(group);
 }
@@ -371,6 +396,11 @@ int run_overlap(const OverlapVerbOptions& options, Console& console) {
   if (std::count(inputs.begin(), inputs.end(), "-") > 1) {
     throw Error(ErrorKind::usage, "standard input is named twice", "give one of them as a file");
   }
+  check_outputs({{"A", options.a},
+                 {"B", options.b},
+                 {"--pose", options.pose_a.value_or("")},
+                 {"--pose-b", options.pose_b.value_or("")}},
+                {{"--report", options.report}});
   return OverlapRun(options, console).run();
 }
 

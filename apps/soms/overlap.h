@@ -25,6 +25,7 @@ struct OverlapVerbOptions {
   bool list_pairs = true;
   bool fail_if_overlap = false;
   bool verify = false;
+  std::string report = {};  ///< empty: none
 };
 
 [[nodiscard]] Action add_overlap(CLI::App& app, Shared& shared);

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -156,6 +157,9 @@ Action add_reproduce(CLI::App& app, Shared&) {
   app.add_option("-o,--output", options->output,
                  "folder to write; made if missing (default: soms-thesis)")
       ->option_text("DIR");
+  app.add_option("--report", options->report,
+                 "write the page as one file that needs no folder, too")
+      ->option_text("FILE");
   app.add_flag("--quick", options->quick, "a tenth of the repetitions, smaller sweeps");
   app.footer(std::string(reproduce::kModelsHelp) + "\n" + help_of_items() +
              "\nWrites DIR/index.html, a page of all that was found, tables/*.csv, figures/*.svg,\n"
@@ -168,8 +172,17 @@ Action add_reproduce(CLI::App& app, Shared&) {
 int run_reproduce(const ReproduceOptions& options, Console& console) {
   const reproduce::RunOptions run{
       .models = options.models, .experiments = chosen(options), .quick = options.quick};
+  check_outputs({}, {{"--report", options.report}});
   make_folder(options.output);
+  std::optional<OutputFile> page;
+  if (!options.report.empty()) {
+    page.emplace(options.report);
+  }
   const reproduce::Report report = run_experiments(options, run, console);
+  if (page) {
+    page->stream() << reproduce::page(report, reproduce::PageFiles::inside);
+    page->commit();
+  }
   console.print(console.shared().json ? reproduce::manifest(report) : summary(report, options));
   if (report.missing.empty()) {
     return 0;

@@ -14,6 +14,7 @@ struct ReproduceOptions {
   std::vector<std::string> items;  ///< empty: all
   std::string output = "soms-thesis";
   bool quick = false;
+  std::string report = {};  ///< empty: none
 };
 
 Action add_reproduce(CLI::App& app, Shared& shared);

@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 
 #include "apps/soms/map.h"
+#include "apps/soms/simulate_page.h"
 #include "apps/soms/simulate_record.h"
 #include "apps/soms/simulate_report.h"
 #include "apps/soms/simulate_run.h"
@@ -10,13 +11,9 @@
 #include "apps/support/output.h"
 #include "apps/support/world.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -28,18 +25,8 @@ constexpr int kHolds = 1;
 constexpr int kDiffers = 6;
 constexpr int kInterrupted = 130;
 
-using Named = std::pair<const char*, std::string>;  ///< an option and its file
-
-std::filesystem::path real_path(const std::string& path) {
-  std::error_code failed;
-  const std::filesystem::path real =
-      std::filesystem::weakly_canonical(std::filesystem::absolute(path), failed);
-  return failed ? std::filesystem::path(path) : real;
-}
-
-/// Throws ErrorKind::usage if an output would mix with the table or overwrite another file of ours.
-void check_outputs(const SimulateOptions& options) {
-  std::vector<Named> taken;
+void check_files(const SimulateOptions& options) {
+  NamedFiles taken;
   for (const std::string& path : options.world.cities) {
     taken.emplace_back("CITY", path);
   }
@@ -49,25 +36,10 @@ void check_outputs(const SimulateOptions& options) {
   for (const std::string& path : options.world.routes) {
     taken.emplace_back("--route", path);
   }
-  for (const Named& output : {Named("--events", options.events), Named("--map", options.map),
-                              Named("--record", options.record)}) {
-    const auto& [name, path] = output;
-    if (path.empty() || path == "/dev/null") {
-      continue;
-    }
-    if (path == "-" || path == "/dev/stdout") {
-      throw Error(ErrorKind::usage,
-                  fmt::format("{} {}: standard output holds the table", name, path), "give a file");
-    }
-    for (const auto& [other, other_path] : taken) {
-      if (other_path != "-" && real_path(path) == real_path(other_path)) {
-        throw Error(ErrorKind::usage,
-                    fmt::format("{} {}: {} names the same file", name, path, other),
-                    "give another file");
-      }
-    }
-    taken.push_back(output);
-  }
+  check_outputs(std::move(taken), {{"--events", options.events},
+                                   {"--map", options.map},
+                                   {"--report", options.report},
+                                   {"--record", options.record}});
 }
 
 /// Throws ErrorKind::usage for a recording of models that nobody could find again.
@@ -112,14 +84,16 @@ int status_of(const Outcome& outcome, const SimulateOptions& options) {
 }  // namespace
 
 int run_simulate(const SimulateOptions& options, Console& console) {
-  check_outputs(options);
+  check_files(options);
   check_recording(options);
   // Places that cannot be written to are told before the work, not after it.
   std::optional<OutputFile> events;
   std::optional<OutputFile> map;
+  std::optional<OutputFile> page;
+  std::optional<OutputFile> record;
   open(events, options.events);
   open(map, options.map);
-  std::optional<OutputFile> record;
+  open(page, options.report);
   open(record, options.record);
   const World world = load_world(options.world, console);
   std::optional<Recorder> recorder;
@@ -137,6 +111,10 @@ int run_simulate(const SimulateOptions& options, Console& console) {
   if (map) {
     draw_map(map->stream(), world, outcome);
     map->commit();
+  }
+  if (page) {
+    write_page(page->stream(), world, outcome, options);
+    page->commit();
   }
   console.print(console.shared().json ? json_of(world, outcome, options)
                                       : table_of(world, outcome, options));

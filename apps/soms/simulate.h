@@ -18,6 +18,7 @@ struct SimulateOptions {
   std::string map = {};     ///< empty: none
   std::string events = {};  ///< empty: none
   std::string record = {};  ///< empty: none
+  std::string report = {};  ///< empty: none
   bool fail_if_contact = false;
 };
 

@@ -38,6 +38,9 @@ Action add_simulate(CLI::App& app, Shared&) {
                "check contacts, and a sample of free movers, by brute force");
   app.add_option("--map", options->map, "draw the city, its movers and contacts as SVG")
       ->option_text("FILE");
+  app.add_option("--report", options->report,
+                 "write a page with figures, a time line and the scene to fly through")
+      ->option_text("FILE");
   app.add_option("--events", options->events, "write begin and end of every contact as CSV")
       ->option_text("FILE");
   app.add_option("--record", options->record,

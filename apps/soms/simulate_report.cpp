@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace soms::command {
 
@@ -61,16 +62,15 @@ std::string frames_of(const Outcome& outcome, const SimulateOptions& options) {
   return text;
 }
 
-std::string touched_lines(const World& world, const Outcome& outcome) {
-  std::string lines;
+void add_most_touched(Figures& figures, const World& world, const Outcome& outcome) {
+  std::string name = "most touched";
   for (const Touched& touched : outcome.contacts.most_touched(kMostTouched)) {
-    lines += row(
-        lines.empty() ? "most touched" : "",
+    figures.emplace_back(
+        std::exchange(name, ""),
         fmt::format("triangle {} of {}: {} in {}", touched.triangle,
                     part_name(world, touched.part, touched.triangle),
                     counted(touched.contacts, "contact"), counted(touched.frames, "mover-frame")));
   }
-  return lines;
 }
 
 const char* ending_name(Ending ending) {
@@ -83,33 +83,44 @@ double rounded(double value) {
 
 }  // namespace
 
-std::string table_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
-  std::string text =
-      row("city", fmt::format("{}, {} triangles", world.title, with_commas(world.triangles)));
-  text +=
-      row("built in", fmt::format("{:.0f} ms, after {:.0f} ms to {} it", world.build_ms,
-                                  world.read_ms, options.world.cities.empty() ? "make" : "read"));
-  text += row("movers", movers_of(world));
-  text += row("frames", frames_of(outcome, options));
-  text += row("speed",
-              fmt::format("{:.0f} frames a second (worst {:.0f}), {} queries a second",
-                          outcome.median_fps(), outcome.worst_fps(),
-                          with_commas(static_cast<std::uint64_t>(outcome.queries_a_second()))));
-  text += row("contacts", contacts_of(world, outcome));
-  text += touched_lines(world, outcome);
+Figures figures_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
+  Figures figures;
+  figures.emplace_back("city",
+                       fmt::format("{}, {} triangles", world.title, with_commas(world.triangles)));
+  figures.emplace_back(
+      "built in", fmt::format("{:.0f} ms, after {:.0f} ms to {} it", world.build_ms, world.read_ms,
+                              options.world.cities.empty() ? "make" : "read"));
+  figures.emplace_back("movers", movers_of(world));
+  figures.emplace_back("frames", frames_of(outcome, options));
+  figures.emplace_back(
+      "speed", fmt::format("{:.0f} frames a second (worst {:.0f}), {} queries a second",
+                           outcome.median_fps(), outcome.worst_fps(),
+                           with_commas(static_cast<std::uint64_t>(outcome.queries_a_second()))));
+  figures.emplace_back("contacts", contacts_of(world, outcome));
+  add_most_touched(figures, world, outcome);
   if (outcome.verified) {
     const Verified& v = *outcome.verified;
-    text += row("verified", fmt::format("{} and {} by brute force, {} wrong",
-                                        counted(v.contacts, "touching pair"),
-                                        counted(v.free, "free mover"), with_commas(v.wrong)));
+    figures.emplace_back(
+        "verified",
+        fmt::format("{} and {} by brute force, {} wrong", counted(v.contacts, "touching pair"),
+                    counted(v.free, "free mover"), with_commas(v.wrong)));
   }
-  if (options.map.empty()) {
+  return figures;
+}
+
+std::string table_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
+  std::string text;
+  for (const auto& [name, value] : figures_of(world, outcome, options)) {
+    text += row(name, value);
+  }
+  if (options.map.empty() && options.report.empty()) {
     text += row("look at it", "soms simulate ... --map city.svg draws the city and its contacts");
-  } else {
-    text += row("map", options.map);
   }
-  if (!options.events.empty()) {
-    text += row("events", options.events);
+  for (const auto& [name, path] : {Figure("map", options.map), Figure("report", options.report),
+                                   Figure("events", options.events)}) {
+    if (!path.empty()) {
+      text += row(name, path);
+    }
   }
   if (!options.record.empty()) {
     text += row("recording", options.record);

@@ -8,8 +8,18 @@
 
 #include <ostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace soms::command {
+
+/// A name and what is told; an empty name goes on with the one before.
+using Figure = std::pair<std::string, std::string>;
+using Figures = std::vector<Figure>;
+
+/// What a simulation found, line by line.
+[[nodiscard]] Figures figures_of(const World& world, const Outcome& outcome,
+                                 const SimulateOptions& options);
 
 /// The table that is read in ten seconds.
 [[nodiscard]] std::string table_of(const World& world, const Outcome& outcome,

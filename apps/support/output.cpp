@@ -41,6 +41,15 @@ bool is_special(const std::filesystem::path& path) {
          !std::filesystem::is_directory(status);
 }
 
+std::filesystem::path real_path(const std::string& path) {
+  std::error_code failed;
+  std::filesystem::path real = std::filesystem::absolute(path, failed);
+  if (!failed) {
+    real = std::filesystem::weakly_canonical(real, failed);
+  }
+  return failed ? std::filesystem::path(path) : real;
+}
+
 }  // namespace
 
 FileStream::Buffer::Buffer(int descriptor) : descriptor_(descriptor) {
@@ -174,6 +183,27 @@ OutputFile::~OutputFile() {
   }
   if (!beside_.empty()) {
     ::unlink(beside_.c_str());
+  }
+}
+
+void check_outputs(NamedFiles taken, const NamedFiles& outputs) {
+  for (const auto& output : outputs) {
+    const auto& [name, path] = output;
+    if (path.empty() || path == "/dev/null") {
+      continue;
+    }
+    if (path == "-" || path == "/dev/stdout") {
+      throw Error(ErrorKind::usage,
+                  fmt::format("{} {}: standard output holds the table", name, path), "give a file");
+    }
+    for (const auto& [other, other_path] : taken) {
+      if (other_path != "-" && !other_path.empty() && real_path(path) == real_path(other_path)) {
+        throw Error(ErrorKind::usage,
+                    fmt::format("{} {}: {} names the same file", name, path, other),
+                    "give another file");
+      }
+    }
+    taken.push_back(output);
   }
 }
 

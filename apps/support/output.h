@@ -9,6 +9,8 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace soms::command {
 
@@ -83,6 +85,14 @@ class OutputFile {
   int descriptor_ = -1;
   std::unique_ptr<FileStream> stream_;
 };
+
+/// Options, or their meanings, with the files that they name.
+using NamedFiles = std::vector<std::pair<std::string, std::string>>;
+
+/// Throws if one of `outputs` is standard output, which holds the answers, or overwrites a file
+/// that is read (`taken`) or another output. Empty names and /dev/null are passed over. \errors
+/// ErrorKind::usage.
+void check_outputs(NamedFiles taken, const NamedFiles& outputs);
 
 /// Prints "WHO: MESSAGE" to standard error, in color on a terminal.
 void print_error(std::string_view who, std::string_view message);

@@ -1,0 +1,74 @@
+/// \file
+/// The page of overlap answers: what `--report` writes.
+#pragma once
+
+#include "soms/base/pose.h"
+#include "soms/query/overlap.h"
+
+#include "apps/report/page.h"
+#include "apps/soms/overlap_report.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace soms::command {
+
+/// Remembers answers as they come, however many: figures of all; poses, and pairs of triangles, of
+/// as many as a page has room for.
+class OverlapPage {
+ public:
+  /// Meshes must stay; `name_a` and `name_b` are their files.
+  OverlapPage(const Mesh& a, std::string name_a, const Mesh& b, std::string name_b);
+
+  /// Adds the answer of the next pose.
+  void add(const Pose& a, const Pose& b, const Overlap& answer);
+
+  /// Writes the page of the answers so far.
+  void write(std::ostream& out, const OverlapReport& report, const OverlapTotals& totals) const;
+
+ private:
+  struct Touching {
+    std::uint64_t pose = 0;
+    std::vector<TrianglePair> pairs;  ///< the first
+  };
+
+  struct Poses {
+    Pose a;
+    Pose b;
+  };
+
+  void follow(const Pose& a, const Pose& b);
+  void count_pairs(const Overlap& answer);
+  void remember(const Pose& a, const Pose& b, const Overlap& answer);
+  void thin_out();
+  [[nodiscard]] report::Scene scene() const;
+  [[nodiscard]] std::vector<report::Plot> plots() const;
+  [[nodiscard]] std::vector<report::Fact> facts(const OverlapReport& report,
+                                                const OverlapTotals& totals) const;
+
+  const Mesh& a_;
+  const Mesh& b_;
+  std::string name_a_;
+  std::string name_b_;
+  std::uint64_t poses_ = 0;
+  std::uint64_t pairs_ = 0;
+  bool cut_ = false;
+  Cost cost_;
+  std::map<std::uint64_t, Poses> track_;  ///< every so many poses
+  std::uint64_t pause_ = 1;               ///< between them
+  std::vector<Touching> touching_;
+  std::map<std::uint64_t, Poses> placed_;  ///< poses of `touching_`
+  std::size_t held_ = 0;                   ///< pairs of `touching_`
+  std::size_t most_pairs_;                 ///< of a pose in `touching_`
+  std::uint64_t touching_pause_ = 1;
+  std::vector<std::uint64_t> counts_;  ///< pairs: the most of each few poses
+  std::uint64_t poses_of_count_ = 1;
+  std::vector<std::uint64_t> parts_a_;  ///< pairs of each part
+  std::vector<std::uint64_t> parts_b_;
+};
+
+}  // namespace soms::command

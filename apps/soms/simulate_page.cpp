@@ -1,0 +1,217 @@
+#include "apps/soms/simulate_page.h"
+
+#include "soms/query/overlap.h"
+
+#include "apps/report/page.h"
+#include "apps/soms/page_plots.h"
+#include "apps/soms/simulate_report.h"
+#include "apps/support/models.h"
+#include "apps/support/text.h"
+#include "reproduce/chart.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace soms::command {
+
+namespace {
+
+constexpr std::size_t kMostBars = 8;
+
+/// Bodies of the page's scene: those of the city, then the movers.
+std::uint32_t body_of(const World& world, MoverId mover) {
+  return static_cast<std::uint32_t>(world.city.size()) + mover;
+}
+
+Body mover_at(const World& world, MoverId mover, std::uint64_t frame) {
+  return Body(world.models[world.ways[mover].model].shape, world.ways[mover].at(frame));
+}
+
+/// Pairs of triangles of a contact in its first frame, asked again: a log of all would be long.
+std::vector<TrianglePair> pairs_of(const World& world, const Contact& contact) {
+  const Body mover = mover_at(world, contact.mover, contact.begin);
+  if (contact.part == Contact::kMover) {
+    return overlap(mover, mover_at(world, contact.other, contact.begin)).pairs;
+  }
+  const Triangle t = world.city[contact.part].shape.mesh().triangle(contact.other);
+  Mesh one;
+  one.vertices = {t.a, t.b, t.c};
+  one.triangles = {{0, 1, 2}};
+  std::vector<TrianglePair> pairs = overlap(mover, Body(std::move(one))).pairs;
+  for (TrianglePair& pair : pairs) {
+    pair.second = contact.other;
+  }
+  return pairs;
+}
+
+report::SceneContact contact_of(const World& world, const Contact& contact) {
+  const bool between = contact.part == Contact::kMover;
+  report::SceneContact shown{.a = body_of(world, contact.mover),
+                             .b = between ? body_of(world, contact.other) : contact.part,
+                             .begin = contact.begin,
+                             .end = contact.end,
+                             .pairs = pairs_of(world, contact)};
+  shown.pairs_in_all = shown.pairs.size();
+  if (!shown.pairs.empty()) {
+    const auto& [i, j] = shown.pairs.front();
+    const auto part_of_mover = [&](MoverId mover, TriangleId triangle) {
+      return part_name(world.models[world.ways[mover].model].shape.mesh(), triangle);
+    };
+    shown.part_a = part_of_mover(contact.mover, i);
+    shown.part_b = between ? part_of_mover(contact.other, j) : part_name(world, contact.part, j);
+  }
+  return shown;
+}
+
+void add_bodies(report::Scene& scene, const World& world) {
+  for (const Body& body : world.city) {
+    scene.bodies.push_back({.model = scene.models.size(), .name = body.name, .moves = false});
+    scene.models.push_back({&body.shape.mesh(), body.name});
+  }
+  const std::size_t first = scene.models.size();
+  for (const Model& model : world.models) {
+    scene.models.push_back({&model.shape.mesh(), model.name});
+  }
+  for (std::size_t k = 0; k < world.ways.size(); ++k) {
+    const std::size_t model = world.ways[k].model;
+    scene.bodies.push_back({.model = first + model,
+                            .name = fmt::format("{} {}", world.models[model].name, k),
+                            .moves = true});
+  }
+}
+
+report::Scene scene_of(const World& world, const Outcome& outcome) {
+  report::Scene scene;
+  add_bodies(scene, world);
+  const std::vector<Contact>& contacts = outcome.contacts.contacts();
+  std::vector<report::Span> spans;
+  spans.reserve(contacts.size());
+  for (const Contact& contact : contacts) {
+    spans.push_back({contact.begin, contact.end});
+  }
+  for (const std::size_t k : report::longest(spans, report::SceneLimits().contacts)) {
+    scene.contacts.push_back(contact_of(world, contacts[k]));
+  }
+  scene.contacts_in_all = contacts.size();
+  scene.steps = {.count = std::max<std::uint64_t>(1, outcome.frames),
+                 .noun = "frame",
+                 .a_second = kFramesASecond};
+  scene.pose = [&world](std::uint32_t body, std::uint64_t frame) {
+    return body < world.city.size() ? world.city[body].pose
+                                    : world.ways[body - world.city.size()].at(frame);
+  };
+  return scene;
+}
+
+/// How many contacts last in each frame.
+report::Plot contacts_by_frame(const Outcome& outcome) {
+  std::vector<std::int64_t> with_city(outcome.frames + 1, 0);
+  std::vector<std::int64_t> between = with_city;
+  for (const Contact& contact : outcome.contacts.contacts()) {
+    std::vector<std::int64_t>& changes = contact.part == Contact::kMover ? between : with_city;
+    ++changes[contact.begin];
+    --changes[contact.end + 1];
+  }
+  reproduce::LineChart chart{.title = "Contacts in each frame",
+                             .x_label = "frame",
+                             .y_label = "contacts",
+                             .markers = false};
+  std::size_t width = 1;
+  for (auto& [name, changes] :
+       {std::pair("with the city", &with_city), std::pair("between movers", &between)}) {
+    for (std::size_t k = 1; k < changes->size(); ++k) {
+      (*changes)[k] += (*changes)[k - 1];
+    }
+    Binned bins =
+        binned(outcome.frames, [&](std::uint64_t k) { return static_cast<double>((*changes)[k]); });
+    width = bins.width;
+    chart.lines.push_back({.name = name, .x = std::move(bins.x), .y = std::move(bins.most)});
+  }
+  return plot(reproduce::draw(chart),
+              width == 1 ? "Contacts that last in each frame."
+                         : fmt::format("Contacts that last: the most in {} frames.", width));
+}
+
+report::Plot time_by_frame(const Outcome& outcome) {
+  Binned bins = binned(outcome.frames, [&](std::uint64_t k) {
+    return 1000 * static_cast<double>(outcome.frame_seconds[k]);
+  });
+  reproduce::LineChart chart{.title = "Time of each frame",
+                             .x_label = "frame",
+                             .y_label = "milliseconds",
+                             .markers = false};
+  if (bins.width > 1) {
+    chart.lines.push_back({.name = "mean", .x = bins.x, .y = std::move(bins.mean)});
+  }
+  chart.lines.push_back({.name = bins.width > 1 ? "slowest" : "frame",
+                         .x = std::move(bins.x),
+                         .y = std::move(bins.most)});
+  return plot(reproduce::draw(chart),
+              fmt::format("Poses, broad phase, narrow phase and report{}. Times differ from run to "
+                          "run.",
+                          bins.width == 1 ? "" : fmt::format(", of {} frames each", bins.width)));
+}
+
+std::vector<report::Plot> plots_of(const World& world, const Outcome& outcome) {
+  std::vector<report::Plot> plots;
+  if (outcome.frames > 1) {
+    plots.push_back(contacts_by_frame(outcome));
+    plots.push_back(time_by_frame(outcome));
+  }
+  std::map<std::string, double> parts;
+  std::map<std::string, double> models;
+  for (const Contact& contact : outcome.contacts.contacts()) {
+    ++models[world.models[world.ways[contact.mover].model].name];
+    if (contact.part != Contact::kMover) {
+      ++parts[part_name(world, contact.part, contact.other)];
+    }
+  }
+  for (const auto& [counts, title, caption] :
+       {std::tuple(&parts, "Parts of the city by contacts",
+                   "The parts that were touched most: contacts of each, a mover and a triangle."),
+        std::tuple(&models, "Models by contacts", "Contacts by the model that moves.")}) {
+    for (report::Plot& bars :
+         bars_of({counts->begin(), counts->end()}, kMostBars, title, "contacts", caption)) {
+      plots.push_back(std::move(bars));
+    }
+  }
+  return plots;
+}
+
+}  // namespace
+
+void write_page(std::ostream& out, const World& world, const Outcome& outcome,
+                const SimulateOptions& options) {
+  report::Page page{
+      .title = fmt::format("{} and {}", world.title, counted(world.ways.size(), "mover")),
+      .lead = fmt::format("What touches what, and when: {} in {}, decided exactly, triangle by "
+                          "triangle.",
+                          counted(outcome.contacts.contacts().size(), "contact"),
+                          counted(outcome.frames, "frame")),
+      .facts = {},
+      .plots = {},
+      .notes = {}};
+  for (const auto& [name, value] : figures_of(world, outcome, options)) {
+    if (name.empty()) {
+      page.facts.back().value += "; " + value;
+    } else {
+      page.facts.push_back({name, value});
+    }
+  }
+  if (outcome.ending != Ending::whole) {
+    page.notes.emplace_back("This run ended early; the page shows the frames that were done.");
+  }
+  page.notes.emplace_back(
+      "A contact is one mover and one triangle of the city, or two movers, from the first frame in "
+      "which they touch to the last in a row. Surfaces only: a mover wholly inside a closed "
+      "building touches nothing. The picture may be simplified; the answers never are.");
+  page.plots = plots_of(world, outcome);
+  page.scene = scene_of(world, outcome);
+  report::write_page(out, page);
+}
+
+}  // namespace soms::command

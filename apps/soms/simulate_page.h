@@ -1,0 +1,17 @@
+/// \file
+/// The page of a simulation: what `--report` writes.
+#pragma once
+
+#include "apps/soms/simulate.h"
+#include "apps/soms/simulate_run.h"
+#include "apps/support/world.h"
+
+#include <ostream>
+
+namespace soms::command {
+
+/// Writes one HTML file with figures, plots, the time line and the scene with its contacts.
+void write_page(std::ostream& out, const World& world, const Outcome& outcome,
+                const SimulateOptions& options);
+
+}  // namespace soms::command

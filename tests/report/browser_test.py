@@ -1,0 +1,439 @@
+"""Report pages, opened in Chromium from a file: drawn, searched, flown through, by mouse and by keys.
+
+Needs Chromium, its driver and Selenium (section test of packages.txt); where one is missing the test
+says so and is skipped. WebGL is drawn by software.
+"""
+import io
+import json
+import os
+import pathlib
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import zlib
+
+SKIPPED = 77
+PHONE = (390, 800)
+DESK = (1200, 900)
+PATIENCE = 60  # seconds; software draws slowly where the machine is busy
+
+
+def skip(why):
+    print(f"skipped: {why}; the packages of section test in packages.txt bring it")
+    sys.exit(SKIPPED)
+
+
+def start_browser(folder, webgl):
+    chromium = shutil.which("chromium") or shutil.which("chromium-browser")
+    driver = shutil.which("chromedriver")
+    if chromium is None or driver is None:
+        skip("Chromium or its driver is not installed")
+    try:
+        from selenium import webdriver
+        from selenium.webdriver.chrome.service import Service
+    except ImportError:
+        skip("Selenium for Python is not installed")
+    options = webdriver.ChromeOptions()
+    options.binary_location = chromium
+    drawing = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
+    # As root Chromium runs without its sandbox only; containers have little shared memory.
+    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--no-first-run",
+                     "--disable-background-networking", "--hide-scrollbars",
+                     f"--user-data-dir={folder / ('profile' + str(webgl))}",
+                     *(drawing if webgl else ["--disable-gpu", "--disable-3d-apis"])):
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    os.environ["HOME"] = str(folder)
+    return webdriver.Chrome(options=options, service=Service(executable_path=driver))
+
+
+def pixels(png):
+    """Rows of (red, green, blue) of a PNG as Chromium writes it: 8 bits, no interlace."""
+    data = io.BytesIO(png)
+    data.read(8)
+    packed = b""
+    while True:
+        size, kind = struct.unpack(">I4s", data.read(8))
+        chunk = data.read(size)
+        data.read(4)
+        if kind == b"IHDR":
+            width, height, depth, color, _, _, interlace = struct.unpack(">IIBBBBB", chunk)
+            assert depth == 8 and color in (2, 6) and interlace == 0
+        elif kind == b"IDAT":
+            packed += chunk
+        elif kind == b"IEND":
+            break
+    step = 3 if color == 2 else 4
+    raw = zlib.decompress(packed)
+    before = bytearray(width * step)
+    rows = []
+    for y in range(height):
+        at = y * (width * step + 1)
+        row = unfiltered(raw[at], bytearray(raw[at + 1:at + 1 + width * step]), before, step)
+        rows.append([tuple(row[x:x + 3]) for x in range(0, len(row), step)])
+        before = row
+    return rows
+
+
+def unfiltered(kind, row, before, step):
+    for x, value in enumerate(row):
+        left = row[x - step] if x >= step else 0
+        up = before[x]
+        corner = before[x - step] if x >= step else 0
+        if kind == 1:
+            value += left
+        elif kind == 2:
+            value += up
+        elif kind == 3:
+            value += (left + up) // 2
+        elif kind == 4:
+            guess = left + up - corner
+            value += min((left, up, corner), key=lambda p: abs(guess - p))
+        row[x] = value & 255
+    return row
+
+
+class Look:
+    """A page that is open."""
+
+    def __init__(self, browser, page, size, scheme="light", mark=""):
+        self.browser = browser
+        browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [
+            {"name": "prefers-color-scheme", "value": scheme}]})
+        browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": size[0], "height": size[1], "deviceScaleFactor": 1, "mobile": size == PHONE})
+        browser.get("about:blank")
+        browser.get(page.as_uri() + mark)
+        self.wait("return Boolean(window.soms)")
+        self.run("document.getElementById('look').scrollIntoView()")
+
+    def run(self, script, *arguments):
+        return self.browser.execute_script(script, *arguments)
+
+    def wait(self, script):
+        """True once the script says so; false if it never does."""
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            if self.run(script):
+                return True
+            time.sleep(0.05)
+        return False
+
+    def element(self, name):
+        return self.browser.find_element("id", name)
+
+    def soms(self, what):
+        return self.run(f"return soms.{what}")
+
+    def landed(self):
+        return self.wait("return !soms.flying()")
+
+    def canvas(self):
+        """Pixels of the picture, once it is drawn and stands still."""
+        self.landed()
+        self.browser.execute_async_script(
+            "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(done));")
+        return pixels(self.element("canvas").screenshot_as_png)
+
+    def is_wide(self):
+        return self.run("return document.documentElement.scrollWidth"
+                        " > document.documentElement.clientWidth")
+
+
+def colors(rows):
+    return len({color for row in rows for color in row})
+
+
+def count(rows, accept):
+    return sum(accept(*color) for row in rows for color in row)
+
+
+def is_vermilion(red, green, blue):
+    return red > 150 and 50 < green < 150 and blue < 70 and red > 1.5 * green
+
+
+def away(a, b):
+    return sum((x - y) ** 2 for x, y in zip(a, b)) ** 0.5
+
+
+def first_sight_faults(page, answer):
+    if colors(page.canvas()) < 20:
+        yield "the canvas is blank"
+    if page.soms("contacts") != answer["contacts"]:
+        yield f"{page.soms('contacts')} contacts on the page, {answer['contacts']} in the answer"
+    if page.soms("calls()") > 60:
+        yield f"{page.soms('calls()')} draw calls"
+    if not page.element("drawn").text.startswith("Drawn: "):
+        yield "nothing says what is drawn"
+    if page.run("return document.querySelectorAll('figure svg').length") < 3:
+        yield "plots are missing"
+
+
+def click_faults(page):
+    """A press on a row: the camera flies there, the triangles light up, time is the contact's."""
+    before = page.soms("camera()")
+    row = page.browser.find_elements("css selector", ".contact")[2]
+    k = int(row.get_attribute("data-contact"))
+    row.click()
+    page.landed()
+    after, target = page.soms("camera()"), page.soms("target()")
+    if away(before, after) < 1:
+        yield f"the camera stayed where it was: {before}, {after}"
+    if away(target, page.soms(f"focus({k})")) > 1e-3:
+        yield f"the camera looks at {target}, the contact is at {page.soms(f'focus({k})')}"
+    if away(after, target) > 60:
+        yield f"the camera is {away(after, target)} away from the contact"
+    if page.soms("chosen()") != k:
+        yield "the contact is not chosen"
+    if count(page.canvas(), is_vermilion) < 30:
+        yield "no triangle of the contact is seen"
+    words = page.element("picked").text
+    if "touches" not in words or "triangle" not in words:
+        yield f"the contact is not told: '{words}'"
+    if page.run("return location.hash") != f"#contact={k}":
+        yield "the address does not name the contact"
+
+
+def search_faults(page):
+    find = page.element("find")
+    find.send_keys("CAR house_6")
+    some = page.run("return Number(document.getElementById('rows').style.height.replace('px', ''))")
+    shown = page.run("return [...document.querySelectorAll('.contact')].map(e => e.textContent)")
+    if not 0 < some < 56 * page.soms("contacts"):
+        yield f"a search finds {some / 56} of {page.soms('contacts')} contacts"
+    if not all("car" in text and "house_6" in text for text in shown):
+        yield f"a search for 'CAR house_6' shows {shown}"
+    find.clear()
+    find.send_keys("</script><b>")
+    if page.element("count").text[:2] != "0 ":
+        yield f"a search for nonsense finds: {page.element('count').text}"
+    find.clear()
+    find.send_keys(" ")
+
+
+def key_faults(page):
+    """Everything by keys alone."""
+    keys = {"left": "\ue012", "down": "\ue015", "home": "\ue011"}
+    page.element("list").send_keys(keys["home"])
+    page.landed()
+    first = page.soms("chosen()")
+    page.element("list").send_keys(keys["down"])
+    page.landed()
+    if page.soms("chosen()") == first:
+        yield "the arrow keys do not walk through the list"
+    canvas = page.element("canvas")
+    for key in (keys["left"], keys["down"], "+", "-", keys["home"]):
+        before = page.soms("camera()")
+        canvas.send_keys(key)
+        page.landed()
+        if away(before, page.soms("camera()")) < 1e-4:
+            yield f"key {key!r} does not move the camera"
+    chosen = page.soms("chosen()")
+    canvas.send_keys("n")
+    page.landed()
+    if page.soms("chosen()") == chosen:
+        yield "key N does not go to the next contact"
+
+
+def time_faults(page):
+    page.run("document.getElementById('whole').click()")
+    still = page.canvas()
+    page.element("step").send_keys("\ue010")  # End
+    if page.soms("step()") != 59:
+        yield f"the slider's end is step {page.soms('step()')}"
+    if page.canvas() == still:
+        yield "nothing moved from the first to the last frame"
+    page.run("document.getElementById('play').click()")
+    if not page.wait("return soms.step() < 59 && soms.step() > 3"):
+        yield "it does not play"
+    page.run("document.getElementById('play').click()")
+    stopped = page.soms("step()")
+    time.sleep(0.2)
+    if page.soms("step()") != stopped:
+        yield "it does not pause"
+
+
+def pick_faults(page):
+    """A press on a spot in the picture, and on a bar of the time line."""
+    page.run("document.getElementById('above').click()")
+    page.landed()
+    page.run("""
+      const canvas = document.getElementById('canvas');
+      const frame = canvas.getBoundingClientRect();
+      let found = false;
+      for (let y = 4; y < frame.height && !found; y += 4) {
+        for (let x = 4; x < frame.width && !found; x += 4) {
+          const at = {clientX: frame.left + x, clientY: frame.top + y, bubbles: true, pointerId: 1};
+          const before = soms.chosen();
+          canvas.dispatchEvent(new PointerEvent('pointerdown', at));
+          canvas.dispatchEvent(new PointerEvent('pointerup', at));
+          found = soms.chosen() !== before;
+        }
+      }""")
+    if not page.landed() or page.soms("chosen()") < 0:
+        yield "no spot can be pressed"
+    bars = page.browser.find_elements("css selector", "#time-line [data-contact]")
+    k = int(bars[-1].get_attribute("data-contact"))
+    page.run("arguments[0].dispatchEvent(new MouseEvent('click', {bubbles: true}))", bars[-1])
+    page.landed()
+    if page.soms("chosen()") != k:
+        yield "a press on the time line does not choose its contact"
+
+
+def scheme_faults(browser, file):
+    papers = {}
+    for scheme in ("light", "dark"):
+        page = Look(browser, file, DESK, scheme)
+        papers[scheme] = sum(page.canvas()[5][-5])
+        ink, paper = page.run("const s = getComputedStyle(document.body);"
+                              "return [s.color, s.backgroundColor]")
+        if ink == paper:
+            yield f"{scheme}: {ink} on {paper}"
+    if papers["dark"] >= papers["light"]:
+        yield f"the picture is as bright in the dark: {papers}"
+    page = Look(browser, file, PHONE)
+    if page.is_wide():
+        yield "390 pixels: the page scrolls sideways"
+    if colors(page.canvas()) < 20:
+        yield "390 pixels: the canvas is blank"
+    for name in ("canvas", "find", "list", "step", "play", "next"):
+        box = page.run("const r = document.getElementById(arguments[0]).getBoundingClientRect();"
+                       "return [r.left, r.right, r.width, r.height]", name)
+        if box[0] < 0 or box[1] > PHONE[0] or box[2] < 30 or box[3] < 10:
+            yield f"390 pixels: {name} is at {box}"
+    linked = Look(browser, file, DESK, mark="#contact=1")
+    if not linked.wait("return soms.chosen() === 1"):
+        yield "an address that names a contact does not show it"
+
+
+def log_faults(browser):
+    for entry in browser.get_log("browser"):
+        # Software pictures are read back by this test itself, which the driver finds slow.
+        if "GPU stall due to ReadPixels" not in entry["message"]:
+            yield f"console: {entry['level']} {entry['message']}"
+    for entry in browser.get_log("performance"):
+        message = json.loads(entry["message"])["message"]
+        if message["method"] == "Network.requestWillBeSent":
+            address = message["params"]["request"]["url"]
+            if not address.startswith(("file:", "data:", "about:", "chrome:", "blob:")):
+                yield f"asked for {address}"
+
+
+def simulate_faults(browser, file, answer):
+    page = Look(browser, file, DESK)
+    for look in (lambda: first_sight_faults(page, answer), lambda: click_faults(page),
+                 lambda: search_faults(page), lambda: key_faults(page), lambda: time_faults(page),
+                 lambda: pick_faults(page)):
+        yield from look()
+    yield from scheme_faults(browser, file)
+    yield from log_faults(browser)
+
+
+def plain_faults(folder, file):
+    """Without WebGL: figures, list and time line are there, and it is said what is not."""
+    browser = start_browser(folder, False)
+    try:
+        page = Look(browser, file, DESK)
+        words = page.element("trouble").text
+        if "WebGL" not in words:
+            yield f"without WebGL it says: '{words}'"
+        row = page.browser.find_elements("css selector", ".contact")[0]
+        row.click()
+        if "touches" not in page.element("picked").text:
+            yield "without WebGL a contact cannot be chosen"
+        if page.run("return document.querySelectorAll('figure svg').length") < 3:
+            yield "without WebGL plots are missing"
+        yield from log_faults(browser)
+    finally:
+        browser.quit()
+
+
+def town(folder):
+    """A ground of 200 m with nine houses, whose names try to break out."""
+    path = folder / "to<b>wn&.obj"
+    lines = ["v 0 0 0", "v 200 0 0", "v 200 200 0", "v 0 200 0", "o ground", "f 1 2 3", "f 1 3 4"]
+    for k in range(9):
+        x, y, base = 20 + 60 * (k % 3), 20 + 60 * (k // 3), 5 + 8 * k
+        for corner in range(8):
+            lines.append(f"v {x + 40 * (corner & 1)} {y + 20 * (corner & 2)} {(8 + k) * (corner // 4)}")
+        lines.append(f"o house_{k}</script><img>")
+        for face in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2),
+                     (1, 3, 7, 5)):
+            a, b, c, d = (base + corner for corner in face)
+            lines += [f"f {a} {b} {c}", f"f {a} {c} {d}"]
+    path.write_text("\n".join(lines) + "\n", encoding="ascii")
+    return path
+
+
+def overlap_faults(browser, soms, folder):
+    """Two knots, at one pose and at a row of poses."""
+    for name, triangles in (("knot", 2000), ("ball", 800)):
+        subprocess.run([soms, "generate", "knot" if name == "knot" else "sphere", "--triangles",
+                        str(triangles), "-o", folder / f"{name}.ply", "--quiet"], check=True,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    poses = folder / "poses.csv"
+    poses.write_text("x,y,z\n" + "".join(f"{k / 20},0,0\n" for k in range(60)), encoding="ascii")
+    for pose in ("0.5 0 0", str(poses)):
+        file = folder / "overlap.html"
+        run = subprocess.run([soms, "overlap", folder / "knot.ply", folder / "ball.ply", "--pose",
+                              pose, "--report", file, "--json", "--no-pairs"], check=True,
+                             capture_output=True, text=True)
+        pairs = sum(json.loads(line)["count"] for line in run.stdout.splitlines())
+        page = Look(browser, file, DESK)
+        if page.soms("contacts") != min(pairs, 10000) or pairs == 0:
+            yield f"overlap: {page.soms('contacts')} contacts of {pairs}"
+        if colors(page.canvas()) < 20:
+            yield "overlap: the canvas is blank"
+        before = page.soms("camera()")
+        page.browser.find_elements("css selector", ".contact")[0].click()
+        page.landed()
+        if away(before, page.soms("camera()")) < 0.1:
+            yield "overlap: the camera stayed where it was"
+        if count(page.canvas(), is_vermilion) < 30:
+            yield "overlap: no triangle of the contact is seen"
+    yield from log_faults(browser)
+
+
+def reproduce_faults(browser, soms, folder):
+    file = folder / "thesis.html"
+    subprocess.run([soms, "reproduce", "--quick", "--quiet", "--item", "5.3", "-o", folder / "out",
+                    "--report", file], check=True, stdout=subprocess.DEVNULL)
+    browser.get(file.as_uri())
+    links = browser.execute_script(
+        "return [...document.querySelectorAll('a')].map(a => a.getAttribute('href'))")
+    for link in links:
+        if not link.startswith(("#", "data:")):
+            yield f"reproduce: a link leads to {link}"
+    if not any(link.startswith("data:text/csv") for link in links):
+        yield "reproduce: no table can be taken along"
+    yield from log_faults(browser)
+
+
+def main():
+    soms = sys.argv[1]
+    found = []
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        browser = start_browser(folder, True)
+        try:
+            file = folder / "city.html"
+            run = subprocess.run([soms, "simulate", town(folder), "--count", "60", "--frames", "60",
+                                  "--report", file, "--json"], check=True, capture_output=True,
+                                 text=True)
+            found += simulate_faults(browser, file, json.loads(run.stdout))
+            found += overlap_faults(browser, soms, folder)
+            found += reproduce_faults(browser, soms, folder)
+        finally:
+            browser.quit()
+        found += plain_faults(folder, file)
+    for line in found:
+        print(line)
+    print(f"{len(found)} faults")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
