@@ -47,12 +47,35 @@ void check_corner(const Mesh& mesh, std::size_t triangle, const Vec3& v) {
   }
 }
 
+/// True if every index is in range and every vertex, used or not, may be a corner: two passes in
+/// order, while corners lie anywhere.
+bool surely_fit(const Mesh& mesh) {
+  std::uint32_t most = 0;
+  for (const auto& t : mesh.triangles) {
+    most = std::max({most, t[0], t[1], t[2]});
+  }
+  if (!mesh.triangles.empty() && most >= mesh.vertices.size()) {
+    return false;
+  }
+  int bad = 0;
+  for (const Vec3& v : mesh.vertices) {
+    // False for what is not a number, too.
+    bad |= std::abs(v.x) <= kMaxCoordinate ? 0 : 1;
+    bad |= std::abs(v.y) <= kMaxCoordinate ? 0 : 1;
+    bad |= std::abs(v.z) <= kMaxCoordinate ? 0 : 1;
+  }
+  return bad == 0;
+}
+
 }  // namespace
 
 void check(const Mesh& mesh) {
   check_counts(mesh.vertices.size(), mesh.triangles.size(),
                mesh.source.empty() ? "mesh" : mesh.source);
   check_tables(mesh);
+  if (surely_fit(mesh)) {
+    return;
+  }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     for (const std::uint32_t v : mesh.triangles[i]) {
       if (v >= mesh.vertices.size()) {

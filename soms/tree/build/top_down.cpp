@@ -1,6 +1,7 @@
 #include "soms/tree/build.h"
 #include "soms/tree/build/detail/by_reference.h"
 #include "soms/tree/build/detail/divide.h"
+#include "soms/tree/layout/detail/again.h"
 #include "soms/tree/layout/pages.h"
 #include "soms/tree/layout/wide_tree.h"
 
@@ -29,7 +30,7 @@ class Builder {
     prepare();
     divide_upper();
     build_subtrees();
-    detail::find_upper_bounds(forest_);
+    forest_.bounds = layout::bounds_of(mesh_, parallel_);
     return std::move(forest_);
   }
 
@@ -154,7 +155,6 @@ class Builder {
     const auto run = std::span(primitives_).subspan(root.first, root.count);
     std::transform(run.begin(), run.end(), forest_.ids.begin() + root.first,
                    [](const Primitive& p) { return p.id; });
-    detail::find_bounds(nodes, mesh_, forest_.ids);
     return nodes;
   }
 
@@ -180,7 +180,9 @@ Tree build(const Mesh& mesh, const BuildOptions& options, const Parallel& parall
   if (mesh.triangles.empty()) {
     return {};
   }
-  Tree tree = detail::join(grow(mesh, options, parallel), parallel);
+  Forest forest = grow(mesh, options, within(parallel, 0, 0.9));
+  detail::finish(forest, mesh, within(parallel, 0.9, 1));
+  Tree tree = detail::join(std::move(forest), parallel);
   if (parallel.progress) {
     parallel.progress(1);
   }
@@ -193,8 +195,8 @@ WideTree build_wide(const Mesh& mesh, const BuildOptions& options, const Paralle
   if (mesh.triangles.empty()) {
     return {};
   }
-  const Forest forest = grow(mesh, options, within(parallel, 0, 0.7));
-  return WideTree(detail::parts_of(forest), mesh, within(parallel, 0.7, 1));
+  Forest forest = grow(mesh, options, within(parallel, 0, 0.6));
+  return WideTree(detail::parts_of(forest, mesh), mesh, within(parallel, 0.6, 1));
 }
 
 }  // namespace soms

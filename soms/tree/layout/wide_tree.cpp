@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace soms {
@@ -84,10 +85,10 @@ WideTree::WideTree(const Tree& tree, const Mesh& mesh, const Parallel& parallel)
   }
 }
 
-WideTree::WideTree(const layout::Parts& tree, const Mesh& mesh, const Parallel& parallel)
-    : bounds_(tree.upper.front().bounds) {
+WideTree::WideTree(layout::Parts tree, const Mesh& mesh, const Parallel& parallel)
+    : bounds_(tree.bounds) {
   const double size = settle();
-  layout::widen(tree, mesh, {origin_, scale_, size}, parallel, nodes_, blocks_);
+  layout::widen(std::move(tree), mesh, {origin_, scale_, size}, parallel, nodes_, blocks_);
 }
 
 WideTree::WideTree(const WideTree& tree, const Mesh& mesh, const Parallel& parallel) {

@@ -245,8 +245,8 @@ TEST(Build, OfRulesThatCompareCostsIsTheSameEverywhere) {
   EXPECT_EQ(hash(Rule::sah, UrbanScene::plain), 0x36b55c9fb5fbd206ULL);
   EXPECT_EQ(hash(Rule::fast, UrbanScene::mixed), 0xe4de7e8ad8c3bc43ULL);
   EXPECT_EQ(hash(Rule::fast, UrbanScene::plain), 0x517afcea558ff299ULL);
-  EXPECT_EQ(hash(Rule::quality, UrbanScene::mixed), 0x3a128802ecf3f1adULL);
-  EXPECT_EQ(hash(Rule::quality, UrbanScene::plain), 0x2c14b957f04fe739ULL);
+  EXPECT_EQ(hash(Rule::quality, UrbanScene::mixed), 0x2b6933ad9465be82ULL);
+  EXPECT_EQ(hash(Rule::quality, UrbanScene::plain), 0x67083c156f2f8b56ULL);
 }
 
 TEST(Build, StopsOnRequestAndReportsProgressInOrder) {

@@ -23,13 +23,13 @@ class ByReference {
   Forest run() {
     Cells sorted = sort_into_cells(mesh_, parallel_);
     forest_.ids.resize(mesh_.triangles.size());
+    forest_.bounds = sorted.bounds;
     references_ = std::move(sorted.spare);
     divide_upper(sorted);
     gather(sorted);
     sorted = {};
     divide_large();
     build_subtrees();
-    find_upper_bounds(forest_);
     return std::move(forest_);
   }
 
@@ -191,7 +191,6 @@ class ByReference {
     for (std::uint32_t k = root.first; k < root.first + root.count; ++k) {
       forest_.ids[k] = references_[k].id;
     }
-    find_bounds(nodes, mesh_, forest_.ids);
     return nodes;
   }
 

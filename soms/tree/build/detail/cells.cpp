@@ -15,7 +15,7 @@ using lanes::Box4;
 using lanes::F4;
 
 constexpr std::size_t kChunk = 32768;
-constexpr std::size_t kBins = 16;
+constexpr std::size_t kBins = 32;
 
 /// Cells along the longest side are a power of two, such that a surface has about this many
 /// triangles in each cell that it passes.
@@ -203,7 +203,8 @@ void improve(Candidate& best, const Histogram& h, std::size_t axis) {
 
 Cells sort_into_cells(const Mesh& mesh, const Parallel& parallel) {
   const Parallel quiet = silent(parallel);
-  const ReferenceFrame frame = frame_of(layout::bounds_of(mesh, quiet));
+  const Box bounds = layout::bounds_of(mesh, quiet);
+  const ReferenceFrame frame = frame_of(bounds);
   const std::size_t count = mesh.triangles.size();
   layout::Pages<Reference> references;
   references.resize(count);
@@ -222,6 +223,7 @@ Cells sort_into_cells(const Mesh& mesh, const Parallel& parallel) {
   }
   if (count <= layout::kPartTriangles) {
     Cells whole;
+    whole.bounds = bounds;
     whole.cells.emplace_back();
     for (const Reference& r : references) {
       add(whole.cells.back(), r);
@@ -231,7 +233,7 @@ Cells sort_into_cells(const Mesh& mesh, const Parallel& parallel) {
     return whole;
   }
   const Grid grid(all, count);
-  Cells result{scattered(references, grid, quiet), {}, {}};
+  Cells result{bounds, scattered(references, grid, quiet), {}, {}};
   result.spare = std::move(references);
   result.cells = cells_of(result.references, grid);
   return result;

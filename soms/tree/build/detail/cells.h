@@ -18,6 +18,7 @@ struct Cell {
 };
 
 struct Cells {
+  Box bounds;  ///< of the mesh
   layout::Pages<Reference> references;
   layout::Pages<Reference> spare;  ///< as many, of no meaning: memory that is at hand
   std::vector<Cell> cells;

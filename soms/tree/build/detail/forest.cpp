@@ -65,7 +65,10 @@ void find_bounds(std::span<Node> subtree, const Mesh& mesh, std::span<TriangleId
   }
 }
 
-void find_upper_bounds(Forest& forest) {
+void finish(Forest& forest, const Mesh& mesh, const Parallel& parallel) {
+  for_each_chunk(forest.subtrees.size(), 1, parallel, [&](std::size_t k, std::size_t) {
+    find_bounds(forest.subtrees[k], mesh, forest.ids);
+  });
   for (std::size_t i = forest.upper.size(); i-- > 0;) {
     Upper& upper = forest.upper[i];
     if (upper.subtree != Node::kNone) {
@@ -114,13 +117,17 @@ Tree join(Forest forest, const Parallel& parallel) {
   return tree;
 }
 
-layout::Parts parts_of(const Forest& forest) {
+layout::Parts parts_of(Forest& forest, const Mesh& mesh) {
   layout::Parts result;
+  result.bounds = forest.bounds;
+  result.prepare = [&forest, &mesh](std::size_t part) {
+    find_bounds(forest.subtrees[part], mesh, forest.ids);
+  };
   result.primitives = forest.ids;
   result.upper.reserve(forest.upper.size());
   for (const Upper& upper : forest.upper) {
     const Node& node = upper.node;
-    result.upper.push_back({node.bounds, node.count, node.left, node.right, upper.subtree});
+    result.upper.push_back({{}, node.count, node.left, node.right, upper.subtree});
   }
   result.parts.reserve(forest.subtrees.size());
   for (const std::vector<Node>& subtree : forest.subtrees) {

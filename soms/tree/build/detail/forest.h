@@ -22,11 +22,13 @@ struct Upper {
 };
 
 /// Upper node 0 is the root. A subtree begins at each node of at most kSubtreeTriangles, or without
-/// children, below none such; its nodes are in depth-first order and count from its root.
+/// children, below none such; its nodes are in depth-first order and count from its root. Builders
+/// leave boxes, and the order of ids in a leaf, to whoever looks at them first.
 struct Forest {
+  Box bounds;  ///< of the mesh
   std::vector<Upper> upper;
   std::vector<std::vector<Node>> subtrees;
-  std::vector<TriangleId> ids;  ///< of each leaf in ascending order
+  std::vector<TriangleId> ids;
 };
 
 /// A child with its place and count; bounds are found later.
@@ -40,13 +42,13 @@ struct Forest {
 /// each leaf.
 void find_bounds(std::span<Node> subtree, const Mesh& mesh, std::span<TriangleId> ids);
 
-/// Bounds of the upper nodes, from those of the subtrees.
-void find_upper_bounds(Forest& forest);
+/// All bounds, and ids in ascending order in each leaf.
+void finish(Forest& forest, const Mesh& mesh, const Parallel& parallel);
 
 /// One tree in depth-first order.
 [[nodiscard]] Tree join(Forest forest, const Parallel& parallel);
 
-/// The forest as layouts take it; it must outlive them.
-[[nodiscard]] layout::Parts parts_of(const Forest& forest);
+/// The forest as layouts take it, which find its bounds; both must outlive them.
+[[nodiscard]] layout::Parts parts_of(Forest& forest, const Mesh& mesh);
 
 }  // namespace soms::detail

@@ -42,7 +42,8 @@ struct Box4 {
 
   [[nodiscard]] float half_area() const {
     const F4 d = upper - lower;
-    return d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
+    const F4 product = d * __builtin_shufflevector(d, d, 1, 2, 0, 3);
+    return (product[0] + product[1]) + product[2];
   }
 };
 

@@ -11,14 +11,13 @@ namespace {
 using lanes::Box4;
 using lanes::F4;
 
-/// Nodes with at most this many triangles are divided between any two of them.
-constexpr std::uint32_t kSweep = 16;
-
 /// Where the widest triangle is wider than this share of the box of the middles, the plane in the
 /// middle cuts it: a second look is due (docs/decisions/0008).
 constexpr float kWideShare = 0.5F;
 
-constexpr std::size_t kBins = 16;
+/// Bins of a look at all planes; the quality builder takes the most for runs that are worth it.
+constexpr std::size_t kFewBins = 16;
+constexpr std::uint32_t kManyBinsFrom = 256;
 
 std::size_t longest(F4 v) {
   const std::size_t xy = v[1] > v[0] ? 1 : 0;
@@ -36,12 +35,46 @@ float cost_of(float area, std::uint32_t count, std::uint32_t per_leaf) {
   return area * static_cast<float>((count + per_leaf - 1) / per_leaf);
 }
 
-struct Bin {
-  Box4 box;
-  std::uint32_t count = 0;
-};
+Crowd crowd_of(std::span<const Reference> all, std::uint32_t first, std::uint32_t count) {
+  Crowd crowd;
+  crowd.first = first;
+  for (const Reference& r : all.subspan(first, count)) {
+    crowd.add(r);
+  }
+  return crowd;
+}
 
-using Bins = std::array<std::array<Bin, kBins>, 3>;
+/// Most references that are divided between any two of them.
+constexpr std::uint32_t kSweep = ReferenceDivider::kSweep;
+
+using Order = std::array<std::uint8_t, kSweep>;
+using M4 [[gnu::vector_size(16)]] = std::int32_t;
+
+/// References by their middles on an axis, equal ones as they lie: each is put where as many are
+/// before it as are less, which takes no branch that depends on them.
+Order order_of(std::span<const Reference> refs, std::size_t axis) {
+  const std::size_t n = refs.size();
+  alignas(16) std::array<float, kSweep> key;
+  key.fill(std::numeric_limits<float>::infinity());
+  for (std::size_t i = 0; i < n; ++i) {
+    key[i] = refs[i].middle[axis];
+  }
+  Order order = {};
+  for (std::size_t i = 0; i < n; ++i) {
+    const F4 own = lanes::splat(key[i]);
+    const auto place = static_cast<std::int32_t>(i);
+    M4 lane = {0, 1, 2, 3};
+    M4 before = {};
+    for (std::size_t first = 0; first < n; first += 4) {
+      const F4 other = lanes::load(&key[first]);
+      before += (other < own) | ((other == own) & (lane < place));
+      lane += 4;
+    }
+    order[static_cast<std::size_t>(-((before[0] + before[1]) + (before[2] + before[3])))] =
+        static_cast<std::uint8_t>(i);
+  }
+  return order;
+}
 
 }  // namespace
 
@@ -75,6 +108,9 @@ Reference reference_of(const Mesh& mesh, TriangleId id, const ReferenceFrame& fr
 ReferenceDivider::ReferenceDivider(const BuildOptions& options)
     : per_leaf_(static_cast<std::uint32_t>(options.per_leaf)),
       quality_(options.rule == Rule::quality) {
+  for (std::uint32_t count = 0; count < blocks_.size(); ++count) {
+    blocks_[count] = cost_of(1, count, per_leaf_);
+  }
 }
 
 Halves ReferenceDivider::halve(std::span<const Reference> all, const Crowd& run) {
@@ -112,14 +148,19 @@ Halves ReferenceDivider::divide(std::span<Reference> all, const Crowd& run) {
 
 /// Least sum of area times blocks over the bounds of bins on all axes.
 ReferenceDivider::Plane ReferenceDivider::cheapest_plane(std::span<const Reference> run,
-                                                         const Crowd& crowd) const {
-  Bins bins;
+                                                         const Crowd& crowd) {
+  const std::size_t count_of_bins = quality_ && crowd.count >= kManyBinsFrom ? kMostBins : kFewBins;
   const F4 lower = crowd.middles.lower;
   const F4 extent = crowd.middles.upper - lower;
   F4 scale = lanes::splat(0);
   for (std::size_t k = 0; k < 3; ++k) {
     // Bins of an axis too short for them would be subnormal or none.
-    scale[k] = extent[k] > 0x1p-100F ? static_cast<float>(kBins) * (1 - 0x1p-20F) / extent[k] : 0;
+    scale[k] =
+        extent[k] > 0x1p-100F ? static_cast<float>(count_of_bins) * (1 - 0x1p-20F) / extent[k] : 0;
+  }
+  auto& bins = bins_;
+  for (auto& axis : bins) {
+    std::fill_n(axis.begin(), count_of_bins, Bin{});
   }
   for (const Reference& r : run) {
     const F4 place = (r.point() - lower) * scale;
@@ -136,17 +177,17 @@ ReferenceDivider::Plane ReferenceDivider::cheapest_plane(std::span<const Referen
     if (!(scale[k] > 0)) {
       continue;
     }
-    std::array<float, kBins> right;
+    std::array<float, kMostBins> right;
     Box4 box;
     std::uint32_t count = 0;
-    for (std::size_t i = kBins - 1; i > 0; --i) {
+    for (std::size_t i = count_of_bins - 1; i > 0; --i) {
       box.grow(bins[k][i].box);
       count += bins[k][i].count;
       right[i] = count > 0 ? cost_of(box.half_area(), count, per_leaf_) : 0;
     }
     box = Box4{};
     count = 0;
-    for (std::size_t i = 1; i < kBins; ++i) {
+    for (std::size_t i = 1; i < count_of_bins; ++i) {
       box.grow(bins[k][i - 1].box);
       count += bins[k][i - 1].count;
       if (count == 0 || count == crowd.count) {
@@ -176,51 +217,44 @@ Halves ReferenceDivider::cut(std::span<Reference> all, const Crowd& run, const P
   }
   Reference* left = all.data() + run.first;
   Reference* right = right_.data();
-  std::array<Crowd, 2> sides;
   const Reference* const end = left + run.count;
   for (const Reference* from = left; from < end; ++from) {
     const Reference r = *from;
     const std::size_t side = r.middle[plane.axis] < plane.value ? 0 : 1;
-    sides[side].add(r);
     *left = r;
     *right = r;
     left += 1 - side;
     right += side;
   }
   std::copy(right_.data(), right, left);
-  sides[0].first = run.first;
-  sides[1].first = run.first + sides[0].count;
-  return {sides[0], sides[1], false};
+  const auto left_count = static_cast<std::uint32_t>(run.count - (right - right_.data()));
+  return {crowd_of(all, run.first, left_count),
+          crowd_of(all, run.first + left_count, run.count - left_count), false};
 }
 
-/// The cheapest of all cuts between neighbours, on all axes. There are at most kSweep references.
+/// The cheapest of all cuts between neighbors, on all axes. There are at most kSweep references.
 Halves ReferenceDivider::sweep(std::span<Reference> all, const Crowd& run) {
   const std::uint32_t n = run.count;
   const auto refs = all.subspan(run.first, n);
-  std::array<std::uint8_t, kSweep> best_order = {0, 1, 2,  3,  4,  5,  6,  7,
-                                                 8, 9, 10, 11, 12, 13, 14, 15};
+  std::array<Box4, kSweep> boxes;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    boxes[i] = box_of(refs[i]);
+  }
+  Order best_order = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
   std::uint32_t best_left = n / 2;
   float least = std::numeric_limits<float>::infinity();
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::array<std::uint8_t, kSweep> order = {};
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const float key = refs[i].middle[axis];
-      std::uint32_t at = i;
-      for (; at > 0 && key < refs[order[at - 1]].middle[axis]; --at) {
-        order[at] = order[at - 1];
-      }
-      order[at] = static_cast<std::uint8_t>(i);
-    }
-    std::array<float, kSweep> right = {};
+    const Order order = order_of(refs, axis);
+    std::array<float, kSweep> right;
     Box4 box;
     for (std::uint32_t i = n - 1; i > 0; --i) {
-      box.grow(box_of(refs[order[i]]));
-      right[i] = cost_of(box.half_area(), n - i, per_leaf_);
+      box.grow(boxes[order[i]]);
+      right[i] = box.half_area() * blocks_[n - i];
     }
     box = Box4{};
     for (std::uint32_t i = 1; i < n; ++i) {
-      box.grow(box_of(refs[order[i - 1]]));
-      const float cost = cost_of(box.half_area(), i, per_leaf_) + right[i];
+      box.grow(boxes[order[i - 1]]);
+      const float cost = box.half_area() * blocks_[i] + right[i];
       if (cost < least) {
         least = cost;
         best_left = i;
@@ -229,15 +263,12 @@ Halves ReferenceDivider::sweep(std::span<Reference> all, const Crowd& run) {
     }
   }
   std::array<Reference, kSweep> sorted;
-  Halves halves;
-  halves.left.first = run.first;
-  halves.right.first = run.first + best_left;
   for (std::uint32_t i = 0; i < n; ++i) {
     sorted[i] = refs[best_order[i]];
-    (i < best_left ? halves.left : halves.right).add(sorted[i]);
   }
   std::copy(sorted.begin(), sorted.begin() + n, refs.begin());
-  return halves;
+  return {crowd_of(all, run.first, best_left), crowd_of(all, run.first + best_left, n - best_left),
+          false};
 }
 
 }  // namespace soms::detail

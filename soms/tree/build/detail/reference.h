@@ -64,6 +64,9 @@ struct Halves {
 /// Divides runs of references in place; the order on both sides is kept.
 class ReferenceDivider {
  public:
+  /// Nodes with at most this many triangles are divided between any two of them.
+  static constexpr std::uint32_t kSweep = 16;
+
   explicit ReferenceDivider(const BuildOptions& options);
 
   /// \pre At least two references.
@@ -73,18 +76,27 @@ class ReferenceDivider {
   [[nodiscard]] static Halves halve(std::span<const Reference> all, const Crowd& run);
 
  private:
+  static constexpr std::size_t kMostBins = 32;
+
+  struct Bin {
+    lanes::Box4 box;
+    std::uint32_t count = 0;
+  };
+
   struct Plane {
     std::size_t axis = 0;
     float value = 0;
     bool found = false;
   };
 
-  [[nodiscard]] Plane cheapest_plane(std::span<const Reference> run, const Crowd& crowd) const;
+  [[nodiscard]] Plane cheapest_plane(std::span<const Reference> run, const Crowd& crowd);
   [[nodiscard]] Halves cut(std::span<Reference> all, const Crowd& run, const Plane& plane);
   [[nodiscard]] Halves sweep(std::span<Reference> all, const Crowd& run);
 
   std::uint32_t per_leaf_;
   bool quality_;
+  std::array<float, kSweep + 1> blocks_ = {};  ///< that so many triangles fill
+  std::array<std::array<Bin, kMostBins>, 3> bins_;
   std::vector<Reference> right_;
 };
 

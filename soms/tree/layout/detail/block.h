@@ -13,4 +13,8 @@ namespace soms::layout {
 Moments make_block(const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame,
                    TriangleBlock& block);
 
+/// The same bytes by the instructions that every processor has.
+Moments make_block_plainly(const Mesh& mesh, std::span<const TriangleId> ids, const Frame& frame,
+                           TriangleBlock& block);
+
 }  // namespace soms::layout

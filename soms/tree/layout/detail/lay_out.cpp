@@ -2,7 +2,6 @@
 
 #include "soms/tree/build/detail/lanes.h"
 #include "soms/tree/layout/detail/block.h"
-#include "soms/tree/layout/detail/fetch.h"
 
 #include <limits>
 
@@ -98,7 +97,6 @@ class Writer {
         node_moments_(nodes.size()) {}
 
   void run() {
-    fetch();
     if (plan_.nodes.empty()) {
       static_cast<void>(write_leaf(part_.nodes[plan_.root], 0, {}));
     }
@@ -108,12 +106,6 @@ class Writer {
   }
 
  private:
-  /// Brings all corners of the part into the caches, many at a time.
-  void fetch() const {
-    const Node& root = part_.nodes.front();
-    fetch_corners(mesh_, primitives_.subspan(root.first, root.count));
-  }
-
   /// Returns the moments of the leaf's triangles as seen from a place in units of the layout.
   Moments write_leaf(const Node& leaf, std::uint32_t block, const View& view) {
     Moments moments;

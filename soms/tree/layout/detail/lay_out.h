@@ -51,7 +51,8 @@ inline void set_leaf(WideNode& node, std::uint32_t k, std::uint32_t block,
   node.leaves = static_cast<std::uint8_t>(node.leaves | 1U << k);
 }
 
-/// Writes a part's blocks and nodes.
+/// Writes a part's blocks and nodes; its corners had better be in the caches. Child nodes count
+/// from `plan.node_base`.
 void lay_out(const Part& part, const PartPlan& plan, std::span<const TriangleId> primitives,
              const Mesh& mesh, const Frame& frame, std::span<WideNode> nodes,
              std::span<TriangleBlock> blocks);

@@ -1,7 +1,7 @@
 #include "soms/tree/layout/detail/widen.h"
 
 #include "soms/base/error.h"
-#include "soms/tree/layout/detail/block.h"
+#include "soms/tree/layout/detail/fetch.h"
 #include "soms/tree/layout/detail/lay_out.h"
 
 namespace soms::layout {
@@ -80,13 +80,12 @@ void find_block_ends(const Part& part, PartPlan& plan) {
 }
 
 /// Which nodes of a part become which wide ones. `alone`: it is the whole tree, and needs a node.
-PartPlan plan_part(const Part& part, bool alone) {
-  PartPlan plan;
+void plan_part(const Part& part, bool alone, PartPlan& plan) {
   plan.root = without_empty(part, 0);
   const Node& root = part.nodes[plan.root];
   if (root.is_leaf() && !alone) {
     plan.blocks = blocks_for(root.count);
-    return plan;
+    return;
   }
   std::vector<std::uint32_t> open{0};
   plan.nodes.push_back({plan.root, 0, {}, {}, 0, 0});
@@ -119,7 +118,6 @@ PartPlan plan_part(const Part& part, bool alone) {
     plan.nodes[at] = wide;
   }
   find_block_ends(part, plan);
-  return plan;
 }
 
 /// A wide node above the parts.
@@ -130,25 +128,49 @@ struct UpperWide {
   Slots child;  ///< of slots that begin no part
 };
 
-/// Where everything goes.
-struct Plan {
-  std::vector<UpperWide> upper;
-  std::vector<std::uint32_t> order;  ///< parts in the order of their places in the layout
-};
+/// Parts that hold triangles, from left to right.
+std::vector<std::uint32_t> order_of(const std::vector<UpperNode>& upper) {
+  std::vector<std::uint32_t> order;
+  std::vector<std::uint32_t> open{0};
+  while (!open.empty()) {
+    const UpperNode& node = upper[open.back()];
+    open.pop_back();
+    if (node.part == Node::kNone) {
+      open.push_back(node.right);
+      open.push_back(node.left);
+    } else if (node.count > 0) {
+      order.push_back(node.part);
+    }
+  }
+  return order;
+}
 
-Plan plan_upper(const std::vector<UpperNode>& upper) {
-  Plan plan;
+/// Bounds of the upper nodes from those of the parts.
+void find_bounds(Parts& tree) {
+  for (std::size_t i = tree.upper.size(); i-- > 0;) {
+    UpperNode& node = tree.upper[i];
+    if (node.part != Node::kNone) {
+      node.bounds = tree.parts[node.part].nodes.front().bounds;
+    } else {
+      node.bounds = tree.upper[node.left].bounds;
+      node.bounds.grow(tree.upper[node.right].bounds);
+    }
+  }
+}
+
+/// Which upper nodes become which wide ones; none where all is one part.
+std::vector<UpperWide> plan_upper(const std::vector<UpperNode>& upper) {
+  std::vector<UpperWide> plan;
   const std::uint32_t root = without_empty(upper, 0);
   if (upper[root].part != Node::kNone) {
-    plan.order.push_back(upper[root].part);
     return plan;
   }
   std::vector<std::uint32_t> open{0};
-  plan.upper.push_back({root, 0, {}, {}});
+  plan.push_back({root, 0, {}, {}});
   while (!open.empty()) {
     const std::uint32_t at = open.back();
     open.pop_back();
-    UpperWide wide = plan.upper[at];
+    UpperWide wide = plan[at];
     wide.slots[0] = wide.binary;
     wide.count = gather(
         wide.slots, [&](std::uint32_t i) { return upper[i].part == Node::kNone; },
@@ -159,15 +181,13 @@ Plan plan_upper(const std::vector<UpperNode>& upper) {
         });
     for (std::uint32_t k = 0; k < wide.count; ++k) {
       const UpperNode& below = upper[wide.slots[k]];
-      if (below.part != Node::kNone) {
-        plan.order.push_back(below.part);
-      } else {
-        wide.child[k] = static_cast<std::uint32_t>(plan.upper.size());
+      if (below.part == Node::kNone) {
+        wide.child[k] = static_cast<std::uint32_t>(plan.size());
         open.push_back(wide.child[k]);
-        plan.upper.push_back({wide.slots[k], 0, {}, {}});
+        plan.push_back({wide.slots[k], 0, {}, {}});
       }
     }
-    plan.upper[at] = wide;
+    plan[at] = wide;
   }
   return plan;
 }
@@ -197,10 +217,43 @@ WideNode upper_node(const UpperWide& wide, const Parts& tree, const std::vector<
   return node;
 }
 
+std::uint64_t blocks_of(const Part& part) {
+  std::uint64_t blocks = 0;
+  for (const Node& node : part.nodes) {
+    blocks += node.is_leaf() ? blocks_for(node.count) : 0;
+  }
+  return blocks;
+}
+
+void check_count(std::uint64_t count) {
+  if (count >= WideNode::kMost) {
+    throw Error(ErrorKind::out_of_range, "the layout has 2^28 nodes or blocks",
+                "allow more triangles in a leaf");
+  }
+}
+
+/// Brings all corners of the part into the caches, many at a time.
+void fetch(const Part& part, std::span<const TriangleId> primitives, const Mesh& mesh) {
+  const Node& root = part.nodes.front();
+  fetch_corners(mesh, primitives.subspan(root.first, root.count));
+}
+
+/// Moves a part's nodes to their place, from which they count.
+void move_to(Pages<WideNode>& waiting, std::uint32_t base, WideNode* place) {
+  for (WideNode& node : waiting) {
+    for (std::size_t k = 0; k < node.count; ++k) {
+      node.child[k] += (node.leaves >> k & 1U) != 0 ? 0 : base;
+    }
+    *place++ = node;
+  }
+  waiting = {};
+}
+
 }  // namespace
 
 Parts parts_of(const Tree& tree) {
   Parts result;
+  result.bounds = tree.nodes.front().bounds;
   result.primitives = tree.primitives;
   const std::span<const Node> nodes(tree.nodes);
 
@@ -232,38 +285,50 @@ Parts parts_of(const Tree& tree) {
   return result;
 }
 
-void widen(const Parts& tree, const Mesh& mesh, const Frame& frame, const Parallel& parallel,
+void widen(Parts tree, const Mesh& mesh, const Frame& frame, const Parallel& parallel,
            Pages<WideNode>& nodes, Pages<TriangleBlock>& blocks) {
-  const Plan plan = plan_upper(tree.upper);
+  const std::vector<std::uint32_t> order = order_of(tree.upper);
   std::vector<PartPlan> plans(tree.parts.size());
-  const Parallel silent{parallel.threads, parallel.stop, {}};
-  for_each_chunk(plan.order.size(), 1, silent, [&](std::size_t k, std::size_t) {
-    const std::uint32_t part = plan.order[k];
-    plans[part] = plan_part(tree.parts[part], plan.upper.empty());
-  });
-  std::uint64_t node_count = plan.upper.size();
-  std::uint64_t block_count = 0;
-  for (const std::uint32_t part : plan.order) {
-    plans[part].node_base = static_cast<std::uint32_t>(node_count);
-    plans[part].block_base = static_cast<std::uint32_t>(block_count);
-    node_count += plans[part].nodes.size();
-    block_count += plans[part].blocks;
-    if (std::max(node_count, block_count) >= WideNode::kMost) {
-      throw Error(ErrorKind::out_of_range, "the layout has 2^28 nodes or blocks",
-                  "allow more triangles in a leaf");
+  std::uint64_t count = 0;
+  for (const std::uint32_t part : order) {
+    plans[part].block_base = static_cast<std::uint32_t>(count);
+    count += blocks_of(tree.parts[part]);
+    check_count(count);
+  }
+  blocks.resize(count);
+  // Nodes wait beside: how many there are is known only with the boxes.
+  std::vector<Pages<WideNode>> waiting(tree.parts.size());
+  const bool alone = tree.upper[without_empty(tree.upper, 0)].part != Node::kNone;
+  for_each_chunk(order.size(), 1, parallel, [&](std::size_t k, std::size_t) {
+    const std::uint32_t part = order[k];
+    if (tree.prepare) {
+      tree.prepare(part);
+    } else {
+      fetch(tree.parts[part], tree.primitives, mesh);
     }
-  }
-  nodes.resize(node_count);
-  blocks.resize(block_count);
-  for (std::size_t k = 0; k < plan.upper.size(); ++k) {
-    nodes[k] = upper_node(plan.upper[k], tree, plans, frame);
-  }
-  for_each_chunk(plan.order.size(), 1, parallel, [&](std::size_t k, std::size_t) {
-    const PartPlan& p = plans[plan.order[k]];
-    lay_out(tree.parts[plan.order[k]], p, tree.primitives, mesh, frame,
-            std::span(nodes).subspan(p.node_base, p.nodes.size()),
-            std::span(blocks).subspan(p.block_base, p.blocks));
+    plan_part(tree.parts[part], alone, plans[part]);
+    const PartPlan& plan = plans[part];
+    waiting[part].resize(plan.nodes.size());
+    lay_out(tree.parts[part], plan, tree.primitives, mesh, frame, waiting[part],
+            std::span(blocks).subspan(plan.block_base, plan.blocks));
   });
+  find_bounds(tree);
+  const std::vector<UpperWide> upper = plan_upper(tree.upper);
+  count = upper.size();
+  for (const std::uint32_t part : order) {
+    plans[part].node_base = static_cast<std::uint32_t>(count);
+    count += waiting[part].size();
+    check_count(count);
+  }
+  nodes.resize(count);
+  for (std::size_t k = 0; k < upper.size(); ++k) {
+    nodes[k] = upper_node(upper[k], tree, plans, frame);
+  }
+  for_each_chunk(order.size(), 1, {parallel.threads, parallel.stop, {}},
+                 [&](std::size_t k, std::size_t) {
+                   const std::uint32_t base = plans[order[k]].node_base;
+                   move_to(waiting[order[k]], base, nodes.data() + base);
+                 });
 }
 
 }  // namespace soms::layout
