@@ -1,31 +1,41 @@
 #include "apps/view/control/detail.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace soms::view {
 
 namespace {
 
-constexpr double kNewest = 0.3;            ///< weight of the newest frame
-constexpr std::uint64_t kTooFew = 10'000;  ///< below, a frame's time says nothing of triangles
+constexpr double kSlack = 0.2;        ///< of the goal, within which nothing changes
+constexpr double kMostCut = 0.5;      ///< in one frame
+constexpr double kMostGrowth = 1.5;   ///< in one frame
+constexpr double kClearlyFast = 0.1;  ///< of the goal: smooth edges surely fit too
 
 }  // namespace
 
-void Detail::add(double ms, std::uint64_t triangles) {
-  if (triangles < kTooFew) {
+void Detail::add(double ms, std::uint64_t triangles, const DrawOptions& options) {
+  if (options.samples > 1) {
+    slow_ = ms > kGoalMs;
     return;
   }
-  const double now = ms / static_cast<double>(triangles);
-  ms_a_triangle_ = ms_a_triangle_ > 0 ? (1 - kNewest) * ms_a_triangle_ + kNewest * now : now;
+  if (std::abs(ms / kGoalMs - 1) > kSlack) {
+    const double factor = std::clamp(kGoalMs / std::max(ms, 1e-3), kMostCut, kMostGrowth);
+    granted_ = std::max(
+        static_cast<std::uint64_t>(factor * static_cast<double>(triangles)), kLeast);
+  }
+  if (options.most_triangles == DrawOptions::kAll && ms < kClearlyFast * kGoalMs) {
+    slow_ = false;
+  }
 }
 
 DrawOptions Detail::options(bool moving, std::uint64_t triangles) const {
-  const double whole = ms_a_triangle_ * static_cast<double>(triangles);
-  if (!moving || whole <= kGoalMs) {
+  if (!moving || !slow_) {
     return {};
   }
-  const double fits = kGoalMs / ms_a_triangle_;
-  return {.most_triangles = std::max(static_cast<std::uint64_t>(fits), kLeast), .samples = 1};
+  return {.most_triangles = granted_ < triangles ? granted_ : DrawOptions::kAll,
+          .samples = 1,
+          .relief = false};
 }
 
 }  // namespace soms::view

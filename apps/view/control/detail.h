@@ -8,21 +8,24 @@
 
 namespace soms::view {
 
-/// Learns from the frames drawn what a triangle costs, and grants as many as fit the time.
+/// Learns from the frames drawn, and lets a moving picture have as many triangles as fit the time.
+/// Smooth edges and relief go first, triangles second. A time is not in proportion to triangles (filling costs
+/// too), so the count is steered, not computed.
 class Detail {
  public:
-  static constexpr double kGoalMs = 50;  ///< of drawing a frame while moving
+  static constexpr double kGoalMs = 70;  ///< of drawing a frame while moving
   static constexpr std::uint64_t kLeast = 100'000;
 
-  /// A frame that drew so many triangles took so long.
-  void add(double ms, std::uint64_t triangles);
+  /// A frame with these options drew so many triangles in so long.
+  void add(double ms, std::uint64_t triangles, const DrawOptions& options);
 
-  /// Everything when still; when moving what fits the goal, with fewer samples where that is not
-  /// everything.
+  /// Everything when still, and when moving where that fits; else one sample a pixel, no
+  /// relief, and the triangles granted. `triangles` is how many there are.
   [[nodiscard]] DrawOptions options(bool moving, std::uint64_t triangles) const;
 
  private:
-  double ms_a_triangle_ = 0;
+  bool slow_ = false;  ///< a whole frame with smooth edges is too much
+  std::uint64_t granted_ = DrawOptions::kAll;
 };
 
 }  // namespace soms::view

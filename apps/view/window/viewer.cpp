@@ -130,7 +130,7 @@ class Loop {
 
   /// Draws the scene, unless the picture of before still holds.
   void draw_scene(Size pixels, Clock::time_point begin) {
-    if (session_.moving()) {
+    if (session_.moving() || session_.handle_in_use() != drawn_.handle) {
       moved_ = begin;
     }
     const bool careful = options_.frames.has_value();
@@ -138,7 +138,7 @@ class Loop {
     const DrawOptions options = detail_.options(!careful && !rested(), session_.facts().triangles);
     const Drawn now{session_.version(),       session_.camera(),      pixels,
                     session_.handle_in_use(), options.most_triangles, options.samples};
-    coarse_ = options.most_triangles != DrawOptions::kAll;
+    coarse_ = options.samples == 1;
     if (now == drawn_) {
       return;
     }
@@ -148,7 +148,7 @@ class Loop {
     drawn_ = now;
     const DrawStatistics statistics = renderer_.statistics();
     if (statistics.uploads == 0) {  // else most of the time went into bringing meshes there
-      detail_.add(1000 * seconds_between(start, Clock::now()), statistics.triangles);
+      detail_.add(1000 * seconds_between(start, Clock::now()), statistics.triangles, options);
     }
   }
 
@@ -186,7 +186,7 @@ class Loop {
   Drawn drawn_;
   Clock::time_point last_ = Clock::now();
   Clock::time_point moved_ = Clock::now() - std::chrono::hours(1);
-  bool coarse_ = false;  ///< the last picture left triangles out
+  bool coarse_ = false;  ///< the last picture was a quick one
   int due_ = kEcho;
   std::uint64_t drawn_frames_ = 0;
 };

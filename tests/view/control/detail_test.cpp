@@ -2,44 +2,85 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace soms::view {
 namespace {
 
+constexpr std::uint64_t kCity = 1'000'000;
+
+/// A device: fixed time for filling (by samples) and time for each million triangles.
+struct Device {
+  double fill = 0;
+  double million = 0;
+
+  [[nodiscard]] double ms(const DrawOptions& options, std::uint64_t triangles) const {
+    return fill * options.samples + million * static_cast<double>(triangles) / 1e6;
+  }
+};
+
+/// Draws frames of a moving city; the options after them.
+DrawOptions after_frames(Detail& detail, const Device& device, int frames) {
+  for (int i = 0; i < frames; ++i) {
+    const DrawOptions options = detail.options(true, kCity);
+    const std::uint64_t drawn = std::min(kCity, options.most_triangles);
+    detail.add(device.ms(options, drawn), drawn, options);
+  }
+  return detail.options(true, kCity);
+}
+
 TEST(Detail, DrawsEverythingBeforeAnyFrameWasTimed) {
-  EXPECT_EQ(Detail().options(true, 10'000'000).most_triangles, DrawOptions::kAll);
+  EXPECT_EQ(Detail().options(true, kCity).most_triangles, DrawOptions::kAll);
+  EXPECT_EQ(Detail().options(true, kCity).samples, DrawOptions{}.samples);
 }
 
-TEST(Detail, DrawsEverythingWhenStillHoweverSlow) {
+TEST(Detail, DrawsEverythingWithSmoothEdgesWhenStillHoweverSlow) {
   Detail detail;
-  detail.add(4000, 1'000'000);
-  EXPECT_EQ(detail.options(false, 1'000'000).most_triangles, DrawOptions::kAll);
-  EXPECT_EQ(detail.options(false, 1'000'000).samples, DrawOptions{}.samples);
+  (void)after_frames(detail, {100, 4000}, 20);
+  EXPECT_EQ(detail.options(false, kCity).most_triangles, DrawOptions::kAll);
+  EXPECT_EQ(detail.options(false, kCity).samples, DrawOptions{}.samples);
 }
 
-TEST(Detail, DrawsWhatFitsTheGoalWhileMoving) {
+TEST(Detail, DrawsEverythingOnAFastDevice) {
   Detail detail;
-  detail.add(200, 1'000'000);
-  const DrawOptions options = detail.options(true, 1'000'000);
-  EXPECT_EQ(options.most_triangles, 250'000U);
+  const DrawOptions options = after_frames(detail, {0.5, 8}, 20);
+  EXPECT_EQ(options.most_triangles, DrawOptions::kAll);
+  EXPECT_EQ(options.samples, DrawOptions{}.samples);
+}
+
+TEST(Detail, GivesUpSmoothEdgesBeforeTriangles) {
+  Detail detail;
+  const DrawOptions options = after_frames(detail, {18, 40}, 20);  // 112 ms smooth, 58 without
+  EXPECT_EQ(options.most_triangles, DrawOptions::kAll);
   EXPECT_EQ(options.samples, 1);
 }
 
-TEST(Detail, DrawsEverythingWhileMovingOnAFastDevice) {
-  Detail detail;
-  detail.add(10, 1'000'000);
-  EXPECT_EQ(detail.options(true, 1'000'000).most_triangles, DrawOptions::kAll);
+TEST(Detail, SteersToTheGoalWithTrianglesAndStaysThere) {
+  for (const Device device : {Device{10, 200}, Device{30, 300}, Device{1, 500}}) {
+    Detail detail;
+    for (int i = 0; i < 20; ++i) {
+      (void)after_frames(detail, device, 1);
+    }
+    for (int i = 0; i < 20; ++i) {
+      const DrawOptions options = after_frames(detail, device, 1);
+      EXPECT_EQ(options.samples, 1);
+      const double ms = device.ms(options, options.most_triangles);
+      EXPECT_NEAR(ms, Detail::kGoalMs, 0.25 * Detail::kGoalMs);
+    }
+  }
 }
 
 TEST(Detail, NeverDrawsLessThanAUsefulCount) {
   Detail detail;
-  detail.add(60'000, 1'000'000);
-  EXPECT_EQ(detail.options(true, 1'000'000).most_triangles, Detail::kLeast);
+  EXPECT_EQ(after_frames(detail, {500, 5000}, 30).most_triangles, Detail::kLeast);
 }
 
-TEST(Detail, LearnsNothingFromFramesOfFewTriangles) {
+TEST(Detail, ComesBackWhenTheDeviceIsFreeAgain) {
   Detail detail;
-  detail.add(500, 12);
-  EXPECT_EQ(detail.options(true, 1'000'000).most_triangles, DrawOptions::kAll);
+  (void)after_frames(detail, {50, 1000}, 20);
+  const DrawOptions options = after_frames(detail, {0.5, 4}, 30);
+  EXPECT_EQ(options.most_triangles, DrawOptions::kAll);
+  EXPECT_EQ(options.samples, DrawOptions{}.samples);
 }
 
 }  // namespace
