@@ -21,8 +21,8 @@ void Detail::add(double ms, std::uint64_t triangles, const DrawOptions& options)
   }
   if (std::abs(ms / kGoalMs - 1) > kSlack) {
     const double factor = std::clamp(kGoalMs / std::max(ms, 1e-3), kMostCut, kMostGrowth);
-    granted_ = std::max(
-        static_cast<std::uint64_t>(factor * static_cast<double>(triangles)), kLeast);
+    granted_ =
+        std::max(static_cast<std::uint64_t>(factor * static_cast<double>(triangles)), kLeast);
   }
   if (options.most_triangles == DrawOptions::kAll && ms < kClearlyFast * kGoalMs) {
     slow_ = false;

@@ -9,8 +9,8 @@
 namespace soms::view {
 
 /// Learns from the frames drawn, and lets a moving picture have as many triangles as fit the time.
-/// Smooth edges and relief go first, triangles second. A time is not in proportion to triangles (filling costs
-/// too), so the count is steered, not computed.
+/// Smooth edges and relief go first, triangles second. A time is not in proportion to triangles
+/// (filling costs too), so the count is steered, not computed.
 class Detail {
  public:
   static constexpr double kGoalMs = 70;  ///< of drawing a frame while moving
