@@ -3,6 +3,8 @@
 #include "soms/base/error.h"
 #include "soms/io/read_mesh.h"
 
+#include "apps/support/recorded_world.h"
+
 #include <memory>
 #include <utility>
 
@@ -40,6 +42,22 @@ SceneContent content_of(command::World world, Replay recording) {
                             " frames are whole: " + recording.fault()->what());
   }
   content.recording = std::make_shared<Replay>(std::move(recording));
+  return content;
+}
+
+SceneContent load_recording(const std::filesystem::path& path, const command::WorldOptions& options,
+                            command::Console& console) {
+  if (!options.movers.empty() || !options.routes.empty() || options.count) {
+    throw Error(ErrorKind::usage, path.string() + ": a recording has its own movers",
+                "leave out --mover, --route and --count");
+  }
+  Replay recording = console.run("reading " + path.string(),
+                                 [&](const Parallel& parallel) { return Replay(path, parallel); });
+  command::World world = command::load_recorded_world(recording.head(), path, options, console);
+  SceneContent content = content_of(std::move(world), std::move(recording));
+  for (const std::string& note : content.notes) {
+    console.note(path.string() + ": " + note);
+  }
   return content;
 }
 

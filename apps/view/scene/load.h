@@ -21,6 +21,13 @@ namespace soms::view {
 /// \errors ErrorKind::usage where `world` has not the recording's bodies.
 [[nodiscard]] SceneContent content_of(command::World world, Replay recording);
 
+/// A recording from its file, with the models that it names.
+/// \errors As `Replay` and `command::load_recorded_world`; ErrorKind::usage where `options` ask for
+///         movers or routes: a recording has its own.
+[[nodiscard]] SceneContent load_recording(const std::filesystem::path& path,
+                                          const command::WorldOptions& options,
+                                          command::Console& console);
+
 /// Two bodies for the orientation tests: `moving` comes at `still`.
 [[nodiscard]] SceneContent two_bodies(Body still, Body moving);
 

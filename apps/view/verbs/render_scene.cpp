@@ -1,6 +1,7 @@
 #include "apps/view/verbs/render_scene.h"
 
 #include "soms/base/error.h"
+#include "soms/scene/replay.h"
 
 #include "apps/support/pose_source.h"
 #include "apps/support/world.h"
@@ -44,6 +45,9 @@ SceneContent placed(command::WorldOptions options, const std::string& pose,
 
 SceneContent load_content(command::WorldOptions options, const std::string& pose,
                           command::Console& console) {
+  if (pose.empty() && options.cities.size() == 1 && is_recording(options.cities[0])) {
+    return load_recording(options.cities[0], options, console);
+  }
   if (!pose.empty()) {
     return placed(std::move(options), pose, console);
   }

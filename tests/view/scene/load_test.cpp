@@ -4,12 +4,14 @@
 #include "soms/io/write_mesh.h"
 #include "soms/scene/recording.h"
 
+#include "apps/support/recorded_world.h"
 #include "apps/view/scene/view_scene.h"
 #include "tests/support/bodies.h"
 #include "tests/support/support.h"
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <memory>
 #include <sstream>
 #include <vector>
@@ -127,6 +129,45 @@ TEST(Load, PlaysWhatIsWholeOfADamagedRecording) {
   EXPECT_GE(*scene.frames(), 64U);
   ASSERT_EQ(scene.notes().size(), 1U);
   EXPECT_NE(scene.notes()[0].find("frames are whole"), std::string::npos);
+}
+
+TEST(Load, FindsTheModelsOfARecording) {
+  command::Shared shared;
+  shared.quiet = true;
+  command::Console console(shared);
+  test::TemporaryFolder folder;
+  const std::string city = (folder.path() / "city.ply").string();
+  write_mesh(city, test::box_body({0, 0, 0}, {50, 50, 10}, 4), MeshFormat::ply);
+  command::WorldOptions options;
+  options.cities = {city};
+  options.count = 3;
+  const command::World world = command::load_world(options, console);
+  const auto path = folder.path() / "drive.recording";
+  Scene scene = command::make_scene(world);
+  {
+    std::ofstream out(path, std::ios::binary);
+    RecordingWriter writer(out, command::recording_head(world, 20));
+    for (std::uint64_t frame = 0; frame < 20; ++frame) {
+      std::vector<Pose> poses;
+      for (std::uint32_t k = 0; k < world.ways.size(); ++k) {
+        poses.push_back(world.ways[k].at(frame));
+        scene.set_pose(k, poses.back());
+      }
+      writer.add(poses, scene.step());
+    }
+    writer.finish(RecordingEnding::complete);
+  }
+  ViewScene shown(load_recording(path, {}, console));
+  EXPECT_TRUE(shown.replaying());
+  EXPECT_EQ(shown.frames(), 20U);
+  ASSERT_EQ(shown.movers(), world.ways.size());
+  shown.go_to(13);
+  for (std::uint32_t k = 0; k < shown.movers(); ++k) {
+    EXPECT_EQ(shown.body(mover(k)).pose, world.ways[k].at(13));
+  }
+  EXPECT_TRUE(shown.notes().empty());
+  EXPECT_THROW((void)load_recording(path, options, console), Error);
+  EXPECT_THROW((void)load_recording(city, {}, console), Error);
 }
 
 TEST(Load, RefusesARecordingOfOtherBodies) {
