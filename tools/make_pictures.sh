@@ -27,7 +27,7 @@ draw() {
 data=${SOMS_DATA:-/nonexistent}
 
 draw city_contact --frame 60 --camera contact,0.7x --size 1200x675
-draw city_above --frame 60 --camera contact,215:40,0.06x --size 960x540
+draw city_above --frame 60 --spots --camera contact,215:40,0.06x --size 960x540
 
 for level in 1 3 5 6; do
   draw "bunny_level_$level" "$data/ply/bun_zipper.ply" --up y --level $level --rule soms \

@@ -85,6 +85,8 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
       ->description("draw the edges of triangles, too");
   app.add_flag("--contacts-on-top", options.shown.contacts.on_top,
                "show contacts through what hides them");
+  app.add_flag("--spots", options.shown.contacts.spots,
+               "a dot where a mover touches, however far it is");
   command::add_build_options(app, options.shown.trees.build);
   command::add_traversal_options(app, options.shown.trees.traversal);
 }

@@ -189,6 +189,20 @@ TEST_F(Render, RefusesADriverWithoutOpenGl33) {
   EXPECT_NE(result.err.find("3.3"), std::string::npos) << result.err;
 }
 
+TEST_F(Render, MarksContactsByDotsThatShowFromAfar) {
+  SOMS_NEEDS_EGL();
+  const auto red = [&](std::vector<std::string> words) {
+    // From 4 km, where a triangle of the ball is smaller than a pixel.
+    words.insert(words.begin(), {ball_, "--mover", ball_, "--pose", "1.2 0 0", "-o", picture_,
+                                 "--size", "300x200", "--camera", "0 -4000 0 0 0 0"});
+    const test::RunResult result = render(words);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return count_red(read_png(picture_));
+  };
+  EXPECT_EQ(red({}), 0U);
+  EXPECT_GT(red({"--spots"}), 10U);
+}
+
 TEST(PictureSize, IsTwoNumbersAndAnX) {
   EXPECT_EQ(parse_picture_size("640x480"), (Size{640, 480}));
   for (const char* text : {"", "640", "x", "640x", "x480", "640x480x2", "0x1", "-1x5", "1.5x2"}) {
