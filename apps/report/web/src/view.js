@@ -178,7 +178,7 @@ export class View {
       edges: new THREE.LineSegments(new THREE.BufferGeometry(), line()),
     }));
     this.chosenParts.forEach(({ mesh, edges }, side) => {
-      mesh.renderOrder = ALWAYS_SEEN + 1 + side;
+      mesh.renderOrder = ALWAYS_SEEN + 2 - side; // what is touched is often the larger: below
       edges.renderOrder = ALWAYS_SEEN + 3;
       mesh.frustumCulled = edges.frustumCulled = false;
       mesh.visible = edges.visible = false;
