@@ -18,7 +18,7 @@ Parallel silent(const Parallel& parallel) {
 }
 
 bool is_leaf(std::uint8_t leaves, std::size_t k) {
-  return (leaves >> k & 1U) != 0;
+  return (std::uint32_t{leaves} >> k & 1U) != 0;
 }
 
 /// A leaf's word with another place in it.
