@@ -13,7 +13,7 @@ void Watch::look() {
   over_ = done_ != nullptr && done_->load(std::memory_order_relaxed);
 }
 
-bool Collector::add(const TrianglePair& pair) {
+bool Collector::add_to_few(const TrianglePair& pair) {
   if (mode_ == OverlapMode::first) {
     if (!any_ || pair < least_) {
       least_ = pair;

@@ -62,7 +62,14 @@ class Collector {
   }
 
   /// Adds a pair; true when the traversal is to stop.
-  [[nodiscard]] bool add(const TrianglePair& pair);
+  [[nodiscard]] bool add(const TrianglePair& pair) {
+    if (mode_ != OverlapMode::all || pairs_->size() - begin_ >= limit_) {
+      return add_to_few(pair);
+    }
+    any_ = true;
+    pairs_->push_back(pair);
+    return false;
+  }
 
   [[nodiscard]] bool any() const { return any_; }
 
@@ -76,6 +83,8 @@ class Collector {
   void finish();
 
  private:
+  [[nodiscard]] bool add_to_few(const TrianglePair& pair);
+
   OverlapMode mode_;
   std::uint64_t limit_;
   std::vector<TrianglePair>* pairs_;
