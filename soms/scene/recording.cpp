@@ -84,7 +84,7 @@ void put_pose(std::string& bytes, const Pose& pose, const Pose& before) {
   }
   put(bytes, changed);
   for (std::size_t k = 0; k < pose.m.size(); ++k) {
-    if ((changed >> k & 1U) != 0) {
+    if ((std::uint32_t{changed} >> k & 1U) != 0) {
       put(bytes, pose.m[k]);
     }
   }

@@ -44,7 +44,7 @@ Below below_leaf(const WideTree& tree, std::uint32_t child) {
 }
 
 bool is_leaf(const WideNode& node, std::size_t k) {
-  return (node.leaves >> k & 1U) != 0;
+  return (std::uint32_t{node.leaves} >> k & 1U) != 0;
 }
 
 /// Children follow their parents, so the last node comes first.

@@ -242,7 +242,7 @@ void fetch(const Part& part, std::span<const TriangleId> primitives, const Mesh&
 void move_to(Pages<WideNode>& waiting, std::uint32_t base, WideNode* place) {
   for (WideNode& node : waiting) {
     for (std::size_t k = 0; k < node.count; ++k) {
-      node.child[k] += (node.leaves >> k & 1U) != 0 ? 0 : base;
+      node.child[k] += (std::uint32_t{node.leaves} >> k & 1U) != 0 ? 0 : base;
     }
     *place++ = node;
   }
