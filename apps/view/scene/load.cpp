@@ -37,6 +37,9 @@ SceneContent content_of(command::World world, Replay recording) {
   for (MovingBody& mover : content.movers) {
     mover.motion = {};
   }
+  if (recording.frames() == 0) {
+    content.movers.clear();  // nobody knows where they were
+  }
   if (recording.fault()) {
     content.notes.push_back("only " + std::to_string(recording.frames()) +
                             " frames are whole: " + recording.fault()->what());
@@ -54,11 +57,7 @@ SceneContent load_recording(const std::filesystem::path& path, const command::Wo
   Replay recording = console.run("reading " + path.string(),
                                  [&](const Parallel& parallel) { return Replay(path, parallel); });
   command::World world = command::load_recorded_world(recording.head(), path, options, console);
-  SceneContent content = content_of(std::move(world), std::move(recording));
-  for (const std::string& note : content.notes) {
-    console.note(path.string() + ": " + note);
-  }
-  return content;
+  return content_of(std::move(world), std::move(recording));
 }
 
 SceneContent two_bodies(Body still, Body moving) {

@@ -131,6 +131,16 @@ TEST(Load, PlaysWhatIsWholeOfADamagedRecording) {
   EXPECT_NE(scene.notes()[0].find("frames are whole"), std::string::npos);
 }
 
+TEST(Load, LeavesOutMoversWhereNoFrameIsWhole) {
+  const Recorded recorded(3);
+  ViewScene scene = recorded.open(recorded.bytes.substr(0, recorded.bytes.size() - 150));
+  EXPECT_EQ(scene.movers(), 0U);
+  EXPECT_EQ(scene.city_parts(), 1U);
+  EXPECT_FALSE(scene.frames().has_value());
+  ASSERT_EQ(scene.notes().size(), 1U);
+  EXPECT_NE(scene.notes()[0].find("only 0 frames"), std::string::npos);
+}
+
 TEST(Load, FindsTheModelsOfARecording) {
   command::Shared shared;
   shared.quiet = true;
