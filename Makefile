@@ -1,11 +1,12 @@
-# The two commands of the README, and what contributors run. Everything below them is CMake presets.
+# The commands of the README, and what contributors run. Everything below them is CMake presets.
 JOBS ?= $(shell nproc)
 ARGS ?=
 
-.PHONY: help run test check asan tsan tidy arm64 fuzz bench format clean
+.PHONY: help run view test check asan tsan tidy arm64 fuzz bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
+	@echo "make view    install what is missing, build, and open the viewer on the embedded city"
 	@echo "make test    install what is missing, build, and run every test of the release build"
 	@echo "make check   make test, then the suite under ASan+UBSan and TSan, clang-tidy, 64-bit ARM"
 	@echo "make fuzz    every fuzzer for a minute (FUZZ_SECONDS=600)"
@@ -19,15 +20,21 @@ run:
 	cmake --build --preset release -j $(JOBS) --target soms_command
 	build/release/bin/soms simulate $(ARGS)
 
+view:
+	@tools/install_packages.sh run view
+	cmake --preset release -D SOMS_BUILD_TESTS=OFF
+	cmake --build --preset release -j $(JOBS) --target soms_command soms_view_command
+	build/release/bin/soms view $(ARGS)
+
 test:
-	@tools/install_packages.sh run test
+	@tools/install_packages.sh run view test
 	cmake --preset release -D SOMS_BUILD_TESTS=ON
 	cmake --build --preset release -j $(JOBS)
 	ctest --preset release -j $(JOBS)
 
 # The suite once more, every access and every arithmetic step watched.
 asan tsan:
-	@tools/install_packages.sh run test
+	@tools/install_packages.sh run view test
 	cmake --preset $@
 	cmake --build --preset $@ -j $(JOBS)
 	ctest --preset $@ -j $(JOBS)

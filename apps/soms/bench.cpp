@@ -7,47 +7,18 @@
 #include "apps/support/parse.h"
 
 #include <CLI/CLI.hpp>
-#include <unistd.h>
 
-#include <array>
-#include <cstdlib>
 #include <memory>
-#include <system_error>
 #include <vector>
 
 namespace soms::command {
 
-namespace {
-
-constexpr const char* kRemedy =
-    "build it (cmake --preset bench && cmake --build --preset bench), or name it by SOMS_BENCH; "
-    "docs/bench.md tells more";
-
-bool runs(const std::filesystem::path& program) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(program, ignored) && ::access(program.c_str(), X_OK) == 0;
-}
-
-}  // namespace
-
 std::filesystem::path bench_program() {
-  const char* named = std::getenv("SOMS_BENCH");
-  if (named != nullptr && *named != '\0') {
-    if (!runs(named)) {
-      throw Error(ErrorKind::unsupported, std::string("SOMS_BENCH names no program: ") + named,
-                  kRemedy);
-    }
-    return named;
-  }
-  std::error_code unknown;
-  const auto folder = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
-  for (const auto& program :
-       {folder / "soms-bench", folder.parent_path() / "libexec" / "soms" / "soms-bench"}) {
-    if (runs(program)) {
-      return program;
-    }
-  }
-  throw Error(ErrorKind::unsupported, "the program soms-bench is not installed", kRemedy);
+  return find_program(
+      {.name = "soms-bench",
+       .variable = "SOMS_BENCH",
+       .remedy = "build it (cmake --preset bench && cmake --build --preset bench), or name it by "
+                 "SOMS_BENCH; docs/bench.md tells more"});
 }
 
 Action add_bench(CLI::App& app, Shared&) {

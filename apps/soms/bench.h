@@ -26,9 +26,7 @@ struct BenchOptions {
 [[nodiscard]] Action add_bench(CLI::App& app, Shared& shared);
 [[nodiscard]] int run_bench(const BenchOptions& options, Console& console);
 
-/// The program soms-bench: the file that SOMS_BENCH names, else the one beside the command, else
-/// libexec/soms/soms-bench under its prefix.
-/// \errors ErrorKind::unsupported where there is none; the remedy says how to get it.
+/// The program soms-bench, sought as `find_program` does. \errors As there.
 [[nodiscard]] std::filesystem::path bench_program();
 
 }  // namespace soms::command

@@ -8,25 +8,69 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <sstream>
+#include <system_error>
 #include <thread>
 
 namespace soms::command {
 
 namespace {
 
-/// Starts a child to which signals mean what they usually do.
-pid_t start(const std::filesystem::path& program, const std::vector<std::string>& words) {
-  std::vector<std::string> copies(words);
-  copies.insert(copies.begin(), program.string());
-  std::vector<char*> argv;
-  argv.reserve(copies.size() + 1);
-  for (std::string& word : copies) {
-    argv.push_back(word.data());
+bool runs(const std::filesystem::path& program) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(program, ignored) && ::access(program.c_str(), X_OK) == 0;
+}
+
+/// Folders where a program may lie, the nearest first.
+std::vector<std::filesystem::path> folders() {
+  std::error_code unknown;
+  const auto beside = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
+  std::vector<std::filesystem::path> all{beside, beside.parent_path() / "libexec" / "soms"};
+  const char* const path = std::getenv("PATH");
+  std::istringstream rest(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(rest, folder, ':');) {
+    if (!folder.empty()) {
+      all.emplace_back(folder);
+    }
   }
-  argv.push_back(nullptr);
+  return all;
+}
+
+/// Words as a program takes them; pointers last as long as the object.
+class Arguments {
+ public:
+  Arguments(const std::string& first, const std::vector<std::string>& words) : words_(words) {
+    words_.insert(words_.begin(), first);
+    for (std::string& word : words_) {
+      pointers_.push_back(word.data());
+    }
+    pointers_.push_back(nullptr);
+  }
+
+  [[nodiscard]] char* const* get() { return pointers_.data(); }
+
+ private:
+  std::vector<std::string> words_;
+  std::vector<char*> pointers_;
+};
+
+Error not_started(const std::filesystem::path& program, int fault) {
+  return Error(ErrorKind::unsupported,
+               program.string() + " cannot be started: " + std::strerror(fault),
+               "build or install it anew");
+}
+
+/// Starts a child to which signals mean what they usually do.
+pid_t start(const std::filesystem::path& program, const std::vector<std::string>& words,
+            const std::string& called, const posix_spawn_file_actions_t* files) {
+  Arguments arguments(called.empty() ? program.string() : called, words);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t none;
@@ -40,25 +84,81 @@ pid_t start(const std::filesystem::path& program, const std::vector<std::string>
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   pid_t child = -1;
   const int fault =
-      posix_spawn(&child, program.c_str(), nullptr, &attributes, argv.data(), environ);
+      posix_spawn(&child, program.c_str(), files, &attributes, arguments.get(), environ);
   posix_spawnattr_destroy(&attributes);
   if (fault != 0) {
-    throw Error(ErrorKind::unsupported,
-                program.string() + " cannot be started: " + std::strerror(fault),
-                "build or install it anew");
+    throw not_started(program, fault);
   }
   return child;
 }
 
 }  // namespace
 
+std::filesystem::path find_program(const ChildProgram& program) {
+  const char* const named = std::getenv(program.variable.c_str());
+  if (named != nullptr && *named != '\0') {
+    if (!runs(named)) {
+      throw Error(ErrorKind::unsupported, program.variable + " names no program: " + named,
+                  program.remedy);
+    }
+    return named;
+  }
+  for (const std::filesystem::path& folder : folders()) {
+    if (runs(folder / program.name)) {
+      return folder / program.name;
+    }
+  }
+  throw Error(ErrorKind::unsupported, "the program " + program.name + " is not installed",
+              program.remedy);
+}
+
+void become(const std::filesystem::path& program, const std::string& called,
+            const std::vector<std::string>& words) {
+  std::signal(SIGPIPE, SIG_DFL);
+  std::signal(SIGXFSZ, SIG_DFL);
+  Arguments arguments(called, words);
+  ::execv(program.c_str(), arguments.get());
+  throw not_started(program, errno);
+}
+
+std::string output_of(const std::filesystem::path& program, const std::vector<std::string>& words) {
+  std::array<int, 2> ends{};
+  if (::pipe(ends.data()) != 0) {
+    return {};
+  }
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_adddup2(&files, ends[1], 1);
+  posix_spawn_file_actions_addclose(&files, ends[0]);
+  posix_spawn_file_actions_addclose(&files, ends[1]);
+  std::string text;
+  pid_t child = -1;
+  try {
+    child = start(program, words, {}, &files);
+  } catch (const Error&) {
+    child = -1;
+  }
+  posix_spawn_file_actions_destroy(&files);
+  ::close(ends[1]);
+  std::array<char, 4096> bytes{};
+  for (ssize_t got = 1; child > 0 && got > 0;) {
+    got = ::read(ends[0], bytes.data(), bytes.size());
+    text.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+  }
+  ::close(ends[0]);
+  if (child > 0) {
+    ::waitpid(child, nullptr, 0);
+  }
+  return text;
+}
+
 int run_child(const std::filesystem::path& program, const std::vector<std::string>& words,
-              const Console& console) {
-  const pid_t child = start(program, words);
+              const Console& console, const ChildOptions& options) {
+  const pid_t child = start(program, words, options.called, nullptr);
   int status = 0;
   bool ending = false;
   while (::waitpid(child, &status, WNOHANG) == 0) {
-    if (!ending && (console.interrupted() || console.out_of_time())) {
+    if (!ending && (console.interrupted() || (options.timed && console.out_of_time()))) {
       ::kill(child, SIGTERM);
       ending = true;
     }

@@ -10,10 +10,38 @@ namespace soms::command {
 
 class Console;
 
+/// A program of soms and how it is come by.
+struct ChildProgram {
+  std::string name;      ///< of its file
+  std::string variable;  ///< of the environment, which names another file
+  std::string remedy;    ///< what to do where it is missing
+};
+
+/// Its file: the one that the variable names, else the one beside the command, else
+/// libexec/soms/NAME under the command's prefix, else the first on PATH.
+/// \errors ErrorKind::unsupported where there is none.
+[[nodiscard]] std::filesystem::path find_program(const ChildProgram& program);
+
+/// How a child is run.
+struct ChildOptions {
+  std::string called = {};  ///< its first argument; empty: its path
+  bool timed = true;        ///< --timeout ends it
+};
+
 /// Runs `program` with `words`, on the command's own standard input, output and error, and waits.
 /// Returns its exit status, 128 + n where signal n ended it. Ctrl-C and --timeout end it.
 /// \errors ErrorKind::unsupported where it cannot be started; ErrorKind::timed_out; cancelled.
 [[nodiscard]] int run_child(const std::filesystem::path& program,
-                            const std::vector<std::string>& words, const Console& console);
+                            const std::vector<std::string>& words, const Console& console,
+                            const ChildOptions& options = {});
+
+/// Becomes `program`, called by a name. Returns only by an exception.
+/// \errors ErrorKind::unsupported where it cannot be started.
+[[noreturn]] void become(const std::filesystem::path& program, const std::string& called,
+                         const std::vector<std::string>& words);
+
+/// What `program` says on standard output; empty where it cannot be started.
+[[nodiscard]] std::string output_of(const std::filesystem::path& program,
+                                    const std::vector<std::string>& words);
 
 }  // namespace soms::command

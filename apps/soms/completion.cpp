@@ -1,6 +1,7 @@
 #include "apps/soms/completion.h"
 
 #include "apps/soms/verbs.h"
+#include "apps/soms/viewer.h"
 #include "apps/support/console.h"
 #include "apps/support/parse.h"
 
@@ -21,12 +22,17 @@ std::vector<std::string> verb_names() {
   return names;
 }
 
+std::vector<std::string> option_names(const Verb& verb) {
+  return verb.pass_on != nullptr ? viewer_option_names(verb.name)
+                                 : ParsedVerb("soms", verb).option_names();
+}
+
 /// Works in zsh too, by its emulation of bash's completion.
 std::string bash_script() {
   std::string cases;
   for (const Verb& verb : verbs()) {
-    cases += fmt::format("    {}) words=\"{}\" ;;\n", verb.name,
-                         fmt::join(ParsedVerb("soms", verb).option_names(), " "));
+    cases +=
+        fmt::format("    {}) words=\"{}\" ;;\n", verb.name, fmt::join(option_names(verb), " "));
   }
   return fmt::format(
       "_soms() {{\n"
@@ -50,7 +56,7 @@ std::string fish_script() {
   for (const Verb& verb : verbs()) {
     text += fmt::format("complete -c soms -n __fish_use_subcommand -a {} -d '{}'\n", verb.name,
                         verb.question);
-    for (const std::string& option : ParsedVerb("soms", verb).option_names()) {
+    for (const std::string& option : option_names(verb)) {
       const bool is_long = option.starts_with("--");
       text += fmt::format("complete -c soms -n '__fish_seen_subcommand_from {}' -{} {}\n",
                           verb.name, is_long ? "l" : "s", option.substr(is_long ? 2 : 1));

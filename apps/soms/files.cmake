@@ -39,6 +39,8 @@ set(SOMS_COMMAND_FILES
   simulate_options.cpp
   simulate_page.cpp
   simulate_page.h
+  simulate_picture.cpp
+  simulate_picture.h
   simulate_record.cpp
   simulate_record.h
   simulate_report.cpp
@@ -49,4 +51,6 @@ set(SOMS_COMMAND_FILES
   simulate_verify.h
   verbs.cpp
   verbs.h
+  viewer.cpp
+  viewer.h
 )

@@ -4,9 +4,11 @@
 
 #include "apps/soms/map.h"
 #include "apps/soms/simulate_page.h"
+#include "apps/soms/simulate_picture.h"
 #include "apps/soms/simulate_record.h"
 #include "apps/soms/simulate_report.h"
 #include "apps/soms/simulate_run.h"
+#include "apps/soms/viewer.h"
 #include "apps/support/console.h"
 #include "apps/support/output.h"
 #include "apps/support/world.h"
@@ -39,15 +41,18 @@ void check_files(const SimulateOptions& options) {
   check_outputs(std::move(taken), {{"--events", options.events},
                                    {"--map", options.map},
                                    {"--report", options.report},
-                                   {"--record", options.record}});
+                                   {"--record", options.record},
+                                   {"--picture", options.picture}});
 }
 
 /// Throws ErrorKind::usage for a recording of models that nobody could find again.
 void check_recording(const SimulateOptions& options) {
   const WorldOptions& world = options.world;
   for (const auto* const files : {&world.cities, &world.movers}) {
-    if (!options.record.empty() && std::find(files->begin(), files->end(), "-") != files->end()) {
-      throw Error(ErrorKind::usage, "--record with a model from standard input",
+    if ((!options.record.empty() || !options.picture.empty()) &&
+        std::find(files->begin(), files->end(), "-") != files->end()) {
+      throw Error(ErrorKind::usage,
+                  "--record and --picture cannot name a model from standard input",
                   "give the model as a file, which a player can find again");
     }
   }
@@ -81,11 +86,29 @@ int status_of(const Outcome& outcome, const SimulateOptions& options) {
   return options.fail_if_contact && !outcome.contacts.contacts().empty() ? kHolds : 0;
 }
 
+/// A window instead of an answer.
+int run_window(const SimulateOptions& options, const Console& console) {
+  const bool answers = options.verify || options.fail_if_contact || console.shared().json;
+  if (answers || !options.report.empty() || !options.map.empty() || !options.events.empty() ||
+      !options.record.empty() || !options.picture.empty()) {
+    throw Error(ErrorKind::usage, "--view with another output", "--view shows and writes nothing");
+  }
+  std::vector<std::string> more;
+  if (options.frames_given) {
+    more = {"--frames", std::to_string(options.frames)};
+  }
+  return show_world(options.world, more, console);
+}
+
 }  // namespace
 
 int run_simulate(const SimulateOptions& options, Console& console) {
+  if (options.view) {
+    return run_window(options, console);
+  }
   check_files(options);
   check_recording(options);
+  const Picture picture(options);
   // Places that cannot be written to are told before the work, not after it.
   std::optional<OutputFile> events;
   std::optional<OutputFile> map;
@@ -94,7 +117,7 @@ int run_simulate(const SimulateOptions& options, Console& console) {
   open(events, options.events);
   open(map, options.map);
   open(page, options.report);
-  open(record, options.record);
+  open(record, picture.recording());
   const World world = load_world(options.world, console);
   std::optional<Recorder> recorder;
   if (record) {
@@ -116,9 +139,14 @@ int run_simulate(const SimulateOptions& options, Console& console) {
     write_page(page->stream(), world, outcome, options);
     page->commit();
   }
-  console.print(console.shared().json ? json_of(world, outcome, options)
-                                      : table_of(world, outcome, options));
-  return status_of(outcome, options);
+  const int drawn = picture.draw(outcome, console);
+  SimulateOptions told = options;
+  if (drawn != 0) {
+    told.picture.clear();  // there is none
+  }
+  console.print(console.shared().json ? json_of(world, outcome, told)
+                                      : table_of(world, outcome, told));
+  return drawn != 0 ? drawn : status_of(outcome, options);
 }
 
 }  // namespace soms::command

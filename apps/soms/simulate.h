@@ -6,6 +6,7 @@
 #include "apps/support/world_options.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace soms::command {
@@ -19,6 +20,10 @@ struct SimulateOptions {
   std::string events = {};  ///< empty: none
   std::string record = {};  ///< empty: none
   std::string report = {};  ///< empty: none
+  bool view = false;        ///< in a window, instead of all else
+  bool frames_given = false;
+  std::string picture = {};                                   ///< empty: none
+  std::optional<std::uint64_t> picture_frame = std::nullopt;  ///< unset: the last
   bool fail_if_contact = false;
 };
 

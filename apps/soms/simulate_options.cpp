@@ -33,7 +33,8 @@ Action add_simulate(CLI::App& app, Shared&) {
   const auto options = std::make_shared<SimulateOptions>();
   add_world_options(app, options->world);
   add_world_tree_options(app, options->world);
-  add_count(app, "--frames", options->frames, 0, kMostFrames, "frames (600)");
+  const CLI::Option* frames =
+      add_count(app, "--frames", options->frames, 0, kMostFrames, "frames (600)");
   app.add_flag("--verify", options->verify,
                "check contacts, and a sample of free movers, by brute force");
   app.add_option("--map", options->map, "draw the city, its movers and contacts as SVG")
@@ -46,10 +47,21 @@ Action add_simulate(CLI::App& app, Shared&) {
   app.add_option("--record", options->record,
                  "write poses and contacts of every frame, to be played by soms view")
       ->option_text("FILE");
+  app.add_flag("--view", options->view, "show it in a window instead of answering");
+  app.add_option("--picture", options->picture, "draw the last frame and its contacts as PNG")
+      ->option_text("FILE");
+  app.add_option_function<std::string>(
+         "--picture-frame",
+         [options](const std::string& value) {
+           options->picture_frame = parse_count("--picture-frame", value, 0, kMostFrames);
+         },
+         "draw this frame instead, counted from 0")
+      ->option_text("N");
   add_choice<bool>(app, "--fail-if", options->fail_if_contact,
                    {{"overlap", true}, {"contact", true}}, "exit with 1 when something touched");
   app.footer(kFooter);
-  return [options](Console& console) {
+  return [options, frames](Console& console) {
+    options->frames_given = frames->count() > 0;
     check(options->world.build);
     return run_simulate(*options, console);
   };

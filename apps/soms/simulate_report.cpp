@@ -125,6 +125,9 @@ std::string table_of(const World& world, const Outcome& outcome, const SimulateO
   if (!options.record.empty()) {
     text += row("recording", options.record);
   }
+  if (!options.picture.empty()) {
+    text += row("picture", options.picture);
+  }
   return text;
 }
 

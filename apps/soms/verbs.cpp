@@ -8,6 +8,7 @@
 #include "apps/soms/overlap.h"
 #include "apps/soms/reproduce.h"
 #include "apps/soms/simulate.h"
+#include "apps/soms/viewer.h"
 
 #include <array>
 
@@ -22,9 +23,12 @@ constexpr std::array kVerbs{
     Verb{"generate", "make a model of an exact number of triangles", add_generate},
     Verb{"info", "triangles, bounds, parts, defects and trees of models", add_info},
     Verb{"overlap", "which triangles of two models share a point", add_overlap},
+    Verb{"render", "draw a city, movers and contacts into a picture, without a screen", nullptr,
+         pass_to_viewer},
     Verb{"reproduce", "the experiments of the thesis: tables, figures and a page", add_reproduce},
     Verb{"simulate", "a city, movers on its streets, frame by frame: who touches what",
          add_simulate},
+    Verb{"view", "fly through a city and see what touches what, and why", nullptr, pass_to_viewer},
 };
 
 }  // namespace

@@ -130,6 +130,9 @@ void parse(ParsedVerb& verb, const std::vector<std::string>& words) {
 }
 
 int run_verb(const Program& program, const Verb& entry, const std::vector<std::string>& words) {
+  if (entry.pass_on != nullptr) {
+    return entry.pass_on(entry.name, words);
+  }
   ParsedVerb verb(program.name, entry);
   try {
     parse(verb, words);

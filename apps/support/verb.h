@@ -23,6 +23,8 @@ struct Verb {
   std::string_view name;
   std::string_view question;  ///< one line of the program's --help
   Action (*add)(CLI::App& app, Shared& shared);
+  /// Set for a verb of another program, whose `add` is null: hands it the words after the verb.
+  int (*pass_on)(std::string_view verb, const std::vector<std::string>& words) = nullptr;
 };
 
 /// A verb's parser with the values that it fills. The shared options are added after the verb's

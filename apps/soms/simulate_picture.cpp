@@ -1,0 +1,75 @@
+#include "apps/soms/simulate_picture.h"
+
+#include "soms/base/error.h"
+
+#include "apps/soms/viewer.h"
+#include "apps/support/output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+
+namespace soms::command {
+
+namespace {
+
+std::filesystem::path make_folder() {
+  std::error_code unknown;
+  std::filesystem::path base = std::filesystem::temp_directory_path(unknown);
+  std::string pattern = ((unknown ? std::filesystem::path("/tmp") : base) / "soms-XXXXXX").string();
+  if (::mkdtemp(pattern.data()) == nullptr) {
+    throw Error(ErrorKind::cannot_write, pattern + ": no room for a recording",
+                "name another folder by TMPDIR");
+  }
+  return pattern;
+}
+
+}  // namespace
+
+Picture::Picture(const SimulateOptions& options) : options_(options), recording_(options.record) {
+  if (options.picture.empty()) {
+    if (options.picture_frame) {
+      throw Error(ErrorKind::usage, "--picture-frame without --picture", "give --picture FILE");
+    }
+    return;
+  }
+  if (options.frames == 0 || options.picture_frame.value_or(0) >= options.frames) {
+    throw Error(ErrorKind::usage,
+                fmt::format("--picture of frame {} of {}", options.picture_frame.value_or(0),
+                            options.frames),
+                "frames count from 0");
+  }
+  (void)viewer_program();
+  { const OutputFile probe(options.picture); }
+  std::error_code ignored;
+  const auto there = std::filesystem::status(recording_, ignored).type();
+  if (recording_.empty() || (there != std::filesystem::file_type::regular &&
+                             there != std::filesystem::file_type::not_found)) {
+    folder_ = make_folder();
+    recording_ = (folder_ / "run.somsrec").string();
+  }
+}
+
+Picture::~Picture() {
+  if (!folder_.empty()) {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+}
+
+int Picture::draw(const Outcome& outcome, const Console& console) const {
+  if (options_.picture.empty()) {
+    return 0;
+  }
+  if (outcome.frames == 0 || outcome.ending == Ending::interrupted) {
+    console.note("no picture: interrupted");
+    return 0;
+  }
+  const std::uint64_t frame =
+      std::min(options_.picture_frame.value_or(outcome.frames - 1), outcome.frames - 1);
+  return draw_frame(recording_, frame, options_.picture, console);
+}
+
+}  // namespace soms::command

@@ -1,0 +1,35 @@
+/// \file
+/// `simulate --picture`: a frame drawn by soms-view from a recording.
+#pragma once
+
+#include "apps/soms/simulate.h"
+#include "apps/soms/simulate_run.h"
+
+#include <filesystem>
+#include <string>
+
+namespace soms::command {
+
+/// The recording that a picture is drawn from: that of --record, or one that goes with the object.
+class Picture {
+ public:
+  /// Nothing where no picture is asked for. \errors ErrorKind::usage for a frame that will not be;
+  /// unsupported where soms-view is missing; cannot_write where no picture can be.
+  explicit Picture(const SimulateOptions& options);
+  ~Picture();
+  Picture(const Picture&) = delete;
+  Picture& operator=(const Picture&) = delete;
+
+  /// The file to record to; empty where nothing is.
+  [[nodiscard]] const std::string& recording() const { return recording_; }
+
+  /// Draws the picture if one is asked for; returns soms-view's exit status, else 0.
+  [[nodiscard]] int draw(const Outcome& outcome, const Console& console) const;
+
+ private:
+  const SimulateOptions& options_;
+  std::filesystem::path folder_;  ///< ours; empty: none
+  std::string recording_;
+};
+
+}  // namespace soms::command
