@@ -73,5 +73,32 @@ TEST(OverlapNasty, EqualsItsTwinOnEveryFile) {
   EXPECT_EQ(files, 46U);
 }
 
+/// Two parallel triangles in tiny corners of larger layouts: their determinants are 513 times the
+/// least float, which is above the bounds that cover underflow by less than they lose.
+TEST(OverlapNasty, ParallelTrianglesWhoseDeterminantsUnderflowStayApart) {
+  Mesh a;
+  a.vertices = {{-0x1.882c57435ab2ap-48, -0x1.4b3e2d212dae4p-47, -0x1.c153f908ad4p-57},
+                {0x1.902e9f60a08p-51, -0x1.ccea1e875aaeap-47, 0x1.20e695175e3fcp-48},
+                {-0x1.434f4decfd7c8p-49, -0x1.8424f1192f219p-48, 0x1.652b37ed4ea7ep-47},
+                {0x1.1419e563bdaacp-54, 0x1.03ee860b9e444p-54, -0x1.79630a2ce8d9bp-55}};
+  a.triangles = {{0, 1, 2}, {3, 3, 3}};
+  Mesh b;
+  b.vertices = {{0x1.1fc0a8b2333bfp-50, 0x1.025b3ee7c6958p-49, 0x1.1b358fa67910ap-48},
+                {0x1.5be908b6d8ea6p-48, -0x1.3d766d3aa7bbap-47, -0x1.6d8f5d6c2e973p-48},
+                {-0x1.905a351a57ea6p-48, 0x1.8650ba2b89998p-47, 0x1.e98a2b34344dap-48},
+                {-0x1.b3b8de0167518p-48, -0x1.9a346b8a55c3bp-48, 0x1.29c826076fbbcp-48},
+                {0x1.028f5c28f5c29p-21, 0x1.028f5c28f5c29p-21, 0x1.028f5c28f5c29p-21},
+                {0x1.1c6a7ef9db22ep-21, 0x1.028f5c28f5c29p-21, 0x1.028f5c28f5c29p-21},
+                {0x1.028f5c28f5c29p-21, 0x1.1c6a7ef9db22ep-21, 0x1.028f5c28f5c29p-21},
+                {-0x1.d16872b020c4ap-22, -0x1.d16872b020c4ap-22, -0x1.d16872b020c4ap-22},
+                {-0x1.9db22d0e56042p-22, -0x1.d16872b020c4ap-22, -0x1.d16872b020c4ap-22},
+                {-0x1.d16872b020c4ap-22, -0x1.9db22d0e56042p-22, -0x1.d16872b020c4ap-22}};
+  b.triangles = {{0, 1, 2}, {3, 3, 3}, {4, 5, 6}, {7, 8, 9}};
+  ShapeOptions options;
+  options.build.per_leaf = 2;
+  EXPECT_FALSE(overlap(Body(Shape(a, options)), Body(Shape(b, options))).any);
+  ASSERT_NO_FATAL_FAILURE(expect_equals_twin(Body(Shape(a, options)), Body(Shape(b, options))));
+}
+
 }  // namespace
 }  // namespace soms

@@ -36,10 +36,17 @@
 // T < 1; else e >= 2^-23 T, as T <= 4 S + 8 e, and the rest of the bounds covers it. The last
 // products lose less than 2^-147, bounds themselves less than 2^-145: 2^-140 is added to each.
 // Overflow leaves a bound infinite, which nothing exceeds.
+//
+// Tips. A facet turns about the corner that is alone on its side, so it must not be sure that all
+// corners are on one side unless the planes part them as directions too. Those need more than the
+// margin, 5 e |n_b| < 30.1 e L_b^2, and the greatest n_b.g, which is 0 but for rounding: n_b's own
+// 12 u L_b^3, the product's 18 u L_b^3, with u L_b <= e / 4, and 2^-146 for underflow. Together
+// that is below 38 e L_b^2 + 2^-140 + 2^-146: sides are sure only above 50 e l_b T + 2^-139.
 
 using Vectors = Coordinates<Wide>;
 
 inline constexpr float kLeastProduct = 0x1p-140F;
+inline constexpr float kLeastSide = 0x1p-139F;
 inline constexpr std::size_t kWide = sizeof(Wide) / sizeof(float);
 
 inline Vectors cross(const Vectors& a, const Vectors& b) {
@@ -172,9 +179,9 @@ inline Verdicts judge_wide(const float* slots, const std::uint32_t* first,
   const Wide length_a = a.longest + Wide(2.0F) * error;
   const Wide length_b = b.longest + Wide(2.0F) * error;
   const Wide lever = error * ((largest(w) + length_a) + length_b);
-  const Wide least_bound(kLeastProduct);
-  const Sides sides_a(on_b.of, Wide(50.0F) * lever * length_b + least_bound);
-  const Sides sides_b(on_a.of, Wide(50.0F) * lever * length_a + least_bound);
+  const Wide least_side(kLeastSide);
+  const Sides sides_a(on_b.of, Wide(50.0F) * lever * length_b + least_side);
+  const Sides sides_b(on_a.of, Wide(50.0F) * lever * length_a + least_side);
   const Turned p = sides_a.turn(a);
   const Turned q = sides_b.turn(b);
   // Guigue and Devillers: with both tips above, the intervals on the planes' common line meet if
@@ -183,7 +190,7 @@ inline Verdicts judge_wide(const float* slots, const std::uint32_t* first,
   const Vectors between = minus(q.tip, p.tip);
   const Vectors left = cross(minus(select(turned_over, q.right, q.left), q.tip), between);
   const Vectors right = cross(minus(select(turned_over, q.left, q.right), q.tip), between);
-  const Wide bound = Wide(65.0F) * lever * length_a + least_bound;
+  const Wide bound = Wide(65.0F) * lever * length_a + Wide(kLeastProduct);
   const Turning at_left(minus(p.left, p.tip), left, error, bound);
   const Turning at_right(minus(p.right, p.tip), right, error, bound);
   const std::uint32_t below = bits(sides_b.most_above);  // tips of b
