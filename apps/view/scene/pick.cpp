@@ -39,7 +39,8 @@ double reach(const Vec3& p, const Box& box) {
 /// Nearest common point of the ray's segment and a triangle that it meets.
 double distance_along(const Ray& ray, const Triangle& segment, const Triangle& t, Vec3& point) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Vec3& p : crossing(segment, t).points()) {
+  const Crossing common = crossing(segment, t);  // outlives the loop over its points
+  for (const Vec3& p : common.points()) {
     const double d = dot(p - ray.origin, ray.direction);
     if (d < least) {
       least = d;
