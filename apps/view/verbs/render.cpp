@@ -142,6 +142,17 @@ void report(const RenderOptions& options, const ViewScene& scene, const GlRender
                                     {"device", GlRenderer::device()}}));
 }
 
+/// \errors ErrorKind::usage for a frame behind the last one of a recording.
+void check_frame(std::uint64_t frame, const ViewScene& scene) {
+  const std::optional<std::uint64_t> frames = scene.frames();
+  if (frame > 0 && frames && frame >= *frames) {
+    throw Error(ErrorKind::usage, fmt::format("--frame {}", frame),
+                *frames == 0
+                    ? std::string("the recording has no frame")
+                    : fmt::format("the recording has frames from 0 to {} only", *frames - 1));
+  }
+}
+
 }  // namespace
 
 Size parse_picture_size(const std::string& text) {
@@ -178,6 +189,7 @@ int run_render(const RenderOptions& options, command::Console& console) {
   for (const std::string& note : scene.notes()) {
     console.note(note);
   }
+  check_frame(options.frame, scene);
   scene.go_to(options.frame);
   const Vec3 origin = options.center ? scene_bounds(scene).center() : Vec3{};
   CameraChoice choice = options.camera;

@@ -2,7 +2,10 @@
 
 #include "soms/base/error.h"
 #include "soms/generate/shapes.h"
+#include "soms/io/read_mesh.h"
 #include "soms/io/write_mesh.h"
+#include "soms/scene/recording.h"
+#include "soms/scene/replay.h"
 
 #include "apps/view/drawing/headless_context.h"
 #include "apps/view/drawing/picture.h"
@@ -164,6 +167,33 @@ TEST_F(Render, TellsFaultsInOneSentenceAndLeavesNoFile) {
     EXPECT_TRUE(result.out.empty());
   }
   EXPECT_EQ(files_in(folder_.path()), 2U) << "the two models alone";
+}
+
+TEST_F(Render, DrawsFramesThatARecordingHasAndRefusesOthers) {
+  SOMS_NEEDS_EGL();
+  RecordingHead head;
+  head.environment.emplace_back();
+  RecordedMesh& ball = head.environment[0].mesh;
+  ball.source = ball_;
+  ball.file_size = std::filesystem::file_size(ball_);
+  const Mesh mesh = read_mesh(ball_);
+  ball.triangles = mesh.triangles.size();
+  ball.hash = corner_hash(mesh);
+  const std::string recording = (folder_.path() / "run.somsrec").string();
+  {
+    std::ofstream out(recording, std::ios::binary);
+    RecordingWriter writer(out, head);
+    writer.add({}, {});
+    writer.add({}, {});
+    writer.finish(RecordingEnding::complete);
+  }
+  EXPECT_EQ(render({recording, "-o", picture_, "--frame", "1"}).status, 0);
+  std::filesystem::remove(picture_);
+  const test::RunResult behind = render({recording, "-o", picture_, "--frame", "2"});
+  EXPECT_EQ(behind.status, 2);
+  EXPECT_NE(behind.err.find("the recording has frames from 0 to 1 only"), std::string::npos)
+      << behind.err;
+  EXPECT_FALSE(std::filesystem::exists(picture_));
 }
 
 TEST_F(Render, SaysWhatIsMissingWhereNothingCanBeDrawn) {
