@@ -72,6 +72,13 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
       "edges, faces, or both (wire)");
   app.add_flag("--walk", options.walk,
                "boxes that --traversal visited, pruned and found, of the city and the mover");
+  app.add_flag_callback(
+      "--no-prune", [&options] { options.shown.trees.traversal.prune = false; },
+      "of --walk: go on into boxes that are apart, to see what pruning saves");
+  app.add_option("--test", options.test,
+                 "send the mover through an orientation test (right, left, top, bottom, front,\n"
+                 "back, drive); --frame goes to a frame of it")
+      ->option_text("NAME");
   command::add_choice<CityColors>(
       app, "--colors", options.shown.city_colors,
       {{"building", CityColors::by_building}, {"plain", CityColors::plain}},
@@ -142,14 +149,29 @@ void report(const RenderOptions& options, const ViewScene& scene, const GlRender
                                     {"device", GlRenderer::device()}}));
 }
 
-/// \errors ErrorKind::usage for a frame behind the last one of a recording.
+/// What the options name. What was left out is told on the way.
+SceneContent load(const RenderOptions& options, command::Console& console) {
+  if (!options.test.empty() && (!options.pose.empty() || options.world.movers.size() != 1)) {
+    throw Error(ErrorKind::usage, "--test moves the one model of --mover",
+                "give one --mover, and no --pose");
+  }
+  SceneContent content =
+      load_content(options.world, options.test.empty() ? options.pose : "0 0 0", console);
+  if (content.recording) {
+    for (const std::string& note : content.notes) {
+      console.note(note);
+    }
+  }
+  return content;
+}
+
+/// \errors ErrorKind::usage for a frame behind the last one of a recording or test.
 void check_frame(std::uint64_t frame, const ViewScene& scene) {
   const std::optional<std::uint64_t> frames = scene.frames();
   if (frame > 0 && frames && frame >= *frames) {
     throw Error(ErrorKind::usage, fmt::format("--frame {}", frame),
-                *frames == 0
-                    ? std::string("the recording has no frame")
-                    : fmt::format("the recording has frames from 0 to {} only", *frames - 1));
+                *frames == 0 ? std::string("there is no frame")
+                             : fmt::format("there are frames from 0 to {} only", *frames - 1));
   }
 }
 
@@ -185,9 +207,9 @@ int run_render(const RenderOptions& options, command::Console& console) {
   const HeadlessContext context;
   GlRenderer renderer;
   command::OutputFile file(options.output);
-  ViewScene scene(load_content(options.world, options.pose, console), console.parallel());
-  for (const std::string& note : scene.notes()) {
-    console.note(note);
+  ViewScene scene(load(options, console), console.parallel());
+  if (!options.test.empty()) {
+    scene.start_test(options.test);
   }
   check_frame(options.frame, scene);
   scene.go_to(options.frame);

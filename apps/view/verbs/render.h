@@ -21,6 +21,7 @@ struct RenderOptions {
   command::WorldOptions world = {};
   std::string output = {};  ///< "-" is standard output
   std::string pose = {};
+  std::string test = {};  ///< name of an orientation test, or empty
   std::uint64_t frame = 0;
   Size size{1920, 1080};
   CameraChoice camera = {};

@@ -124,7 +124,22 @@ TEST_F(Render, DrawsTheTreeByLevelAndTheBoxesOfATraversal) {
   EXPECT_EQ(boxes({"--level", "1"}), 1);
   EXPECT_EQ(boxes({"--level", "4"}), 8);
   EXPECT_EQ(boxes({"--level", "4", "--boxes", "both"}), 8);
-  EXPECT_GT(boxes({"--mover", ball_, "--pose", "1 0 0", "--walk"}), 10);
+  const int pruned = boxes({"--mover", ball_, "--pose", "1 0 0", "--walk"});
+  EXPECT_GT(pruned, 10);
+  EXPECT_GT(boxes({"--mover", ball_, "--pose", "1 0 0", "--walk", "--no-prune"}), pruned);
+}
+
+TEST_F(Render, DrawsAFrameOfAnOrientationTest) {
+  SOMS_NEEDS_EGL();
+  const auto contacts = [&](const char* frame) {
+    const test::RunResult result = render({ball_, "-o", picture_, "--size", "90x60", "--json",
+                                           "--mover", ball_, "--test", "drive", "--frame", frame});
+    EXPECT_EQ(result.status, 0) << result.err;
+    const std::size_t at = result.out.find("\"contacts\":");
+    return at == std::string::npos ? -1 : std::atoi(result.out.c_str() + at + 11);
+  };
+  EXPECT_EQ(contacts("0"), 0);
+  EXPECT_GT(contacts("100"), 0);
 }
 
 TEST_F(Render, WritesToStandardOutput) {
@@ -155,6 +170,9 @@ TEST_F(Render, TellsFaultsInOneSentenceAndLeavesNoFile) {
       {{ball_, "-o", picture_, "--camera", "nowhere"}, 2},
       {{ball_, "-o", picture_, "--camera", "contact"}, 2},
       {{ball_, "-o", picture_, "--walk"}, 2},
+      {{ball_, "-o", picture_, "--test", "top"}, 2},
+      {{ball_, "-o", picture_, "--mover", ball_, "--test", "sideways"}, 2},
+      {{ball_, "-o", picture_, "--mover", ball_, "--test", "top", "--frame", "99999"}, 2},
       {{ball_, "-o", picture_, "--pose", "1 0 0"}, 2},
       {{ball_, "-o", picture_, "--level", "0"}, 2},
       {{ball_, "-o", (folder_.path() / "missing" / "out.png").string()}, 5},
@@ -191,8 +209,7 @@ TEST_F(Render, DrawsFramesThatARecordingHasAndRefusesOthers) {
   std::filesystem::remove(picture_);
   const test::RunResult behind = render({recording, "-o", picture_, "--frame", "2"});
   EXPECT_EQ(behind.status, 2);
-  EXPECT_NE(behind.err.find("the recording has frames from 0 to 1 only"), std::string::npos)
-      << behind.err;
+  EXPECT_NE(behind.err.find("there are frames from 0 to 1 only"), std::string::npos) << behind.err;
   EXPECT_FALSE(std::filesystem::exists(picture_));
 }
 
