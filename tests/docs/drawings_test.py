@@ -1,0 +1,59 @@
+"""The drawings of docs/meaning.md are what tools/draw_terms.py draws, and say what soms answers.
+
+usage: drawings_test.py ROOT COMMAND
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+
+def off(triangles):
+    corners = [" ".join(repr(float(x)) for x in p) for t in triangles for p in t]
+    faces = [f"3 {3 * k} {3 * k + 1} {3 * k + 2}" for k in range(len(triangles))]
+    return "\n".join(["OFF", f"{len(corners)} {len(faces)} 0", *corners, *faces, ""])
+
+
+def answer(command, folder, a, b):
+    """What soms says of two lists of triangles."""
+    for name, triangles in (("a.off", a), ("b.off", b)):
+        (folder / name).write_text(off(triangles), encoding="utf-8")
+    return json.loads(subprocess.run(
+        [command, "overlap", folder / "a.off", folder / "b.off", "--json", "--verify"],
+        check=True, capture_output=True, text=True).stdout)
+
+
+def faults(root, command, folder):
+    sys.dont_write_bytecode = True
+    sys.path.insert(0, str(root / "tools"))
+    import draw_terms
+    page = (root / "docs/meaning.md").read_text(encoding="utf-8")
+    committed = root / "docs/pictures/terms"
+    for name, draw in draw_terms.DRAWINGS.items():
+        if (committed / f"{name}.svg").read_text(encoding="utf-8") != draw():
+            yield f"{name}.svg is not what tools/draw_terms.py draws"
+        if f"](pictures/terms/{name}.svg)" not in page:
+            yield f"docs/meaning.md does not show {name}.svg"
+    extra = {f.stem for f in committed.iterdir()} - set(draw_terms.DRAWINGS)
+    if extra:
+        yield f"drawings that nothing draws: {sorted(extra)}"
+    for name, scenes in draw_terms.SCENES.items():
+        for title, a, b, overlaps in scenes:
+            said = answer(command, folder, a, b)
+            if said["overlap"] != overlaps or not said["verified"]:
+                yield f"{name}, {title}: drawn as {overlaps}, soms says {said}"
+            if said["hash"] != draw_terms.fnv(draw_terms.bytes_of(said["pairs"])):
+                yield f"{name}, {title}: soms hashes otherwise: {said}"
+
+
+def main():
+    root, command = pathlib.Path(sys.argv[1]), sys.argv[2]
+    with tempfile.TemporaryDirectory() as place:
+        found = list(faults(root, command, pathlib.Path(place)))
+    print(*found, f"{len(found)} faults", sep="\n")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
