@@ -13,6 +13,7 @@ set(SOMS_SOURCES
   counts.cpp
   defects.cpp
   detail/flat_overlap.cpp
+  detail/joined.cpp
   detail/orientation_exact.cpp
   mesh.cpp
   midpoint.cpp

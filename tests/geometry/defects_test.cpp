@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <utility>
+#include <vector>
 
 namespace soms {
 namespace {
@@ -32,7 +33,10 @@ TEST(Defects, JoinsVerticesByPositionWhateverTheSignOfZero) {
     }
     mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
-  EXPECT_EQ(find_defects(mesh), Defects{});
+  const Defects defects = find_defects(mesh);
+  EXPECT_TRUE(defects.closed());
+  EXPECT_EQ(defects.repeated_vertices, 8U);
+  EXPECT_EQ(defects.by_index, (EdgeCounts{12, 0, 0}));
 }
 
 TEST(Defects, CountsOpenEdgesOfAHole) {
@@ -69,7 +73,23 @@ TEST(Defects, CountsDuplicatesInAnyOrderOfCorners) {
   mesh.triangles.push_back({1, 2, 3});
   const Defects defects = find_defects(mesh);
   EXPECT_EQ(defects.duplicate, 2U);
+  EXPECT_EQ(defects.doubled, 1U);  // (3, 2, 1) turns against (1, 2, 3)
+  EXPECT_EQ(defects.places.duplicate, (std::vector<TriangleCopy>{{4, 2}, {5, 2}}));
+  EXPECT_EQ(defects.places.doubled, (std::vector<TriangleCopy>{{4, 2}}));
   EXPECT_EQ(defects.non_manifold_edges, 3U);
+}
+
+TEST(Defects, NamesWhereTheyAre) {
+  Mesh mesh = tetrahedron();
+  std::swap(mesh.triangles[1][0], mesh.triangles[1][1]);
+  mesh.parts = {{"base", Part::kNoParent, 0, 1}, {"rest", Part::kNoParent, 1, 3}};
+  mesh.vertices.push_back({7, 7, 7});
+  const Defects defects = find_defects(mesh);
+  // Triangle 1 is (1, 0, 3): its edges run as those of 0, 3 and 2.
+  EXPECT_EQ(defects.places.flipped_edges,
+            (std::vector<EdgePlace>{{0, 2, 1, 2}, {1, 1, 3, 2}, {1, 2, 2, 2}}));
+  EXPECT_EQ(defects.places.unused_vertices, (std::vector<std::uint32_t>{4}));
+  EXPECT_EQ(defects.parts, (std::vector<EdgeCounts>{{3, 0, 0}, {3, 0, 2}}));
 }
 
 TEST(Defects, CountsDegenerateTrianglesExactlyAndLeavesTheirEdgesOut) {
@@ -85,6 +105,9 @@ TEST(Defects, CountsDegenerateTrianglesExactlyAndLeavesTheirEdgesOut) {
   mesh.triangles.push_back({6, 7, 8});
   const Defects defects = find_defects(mesh);
   EXPECT_EQ(defects.degenerate, 4U);
+  EXPECT_EQ(defects.repeated_corner, 2U);
+  EXPECT_EQ(defects.places.repeated_corner, (std::vector<TriangleId>{5, 6}));
+  EXPECT_EQ(defects.places.collinear, (std::vector<TriangleId>{4, 7}));
   EXPECT_EQ(defects.unused_vertices, 1U);
   EXPECT_TRUE(defects.closed());
   // The doubles nearest 1/3 and 2/3 do not add up to 1, so this one has area.
