@@ -11,6 +11,8 @@ set(SOMS_COMMAND_FILES
   generate.h
   info.cpp
   info.h
+  info_defects.cpp
+  info_defects.h
   main.cpp
   map.cpp
   map.h

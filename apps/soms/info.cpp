@@ -6,14 +6,17 @@
 #include "soms/tree/shape.h"
 #include "soms/tree/statistics.h"
 
+#include "apps/soms/info_defects.h"
 #include "apps/support/console.h"
 #include "apps/support/json.h"
+#include "apps/support/parse.h"
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -70,7 +73,10 @@ ModelReport examine(const std::string& file, const InfoOptions& options, const C
   report.file = file;
   report.mesh = read_model(file, options.model, console);
   check(report.mesh);
-  report.defects = find_defects(report.mesh);
+  report.defects =
+      console.run("looking for defects of " + printable(file), [&](const Parallel& parallel) {
+        return find_defects(report.mesh, {.places = options.places}, parallel);
+      });
   if (!options.trees) {
     return report;
   }
@@ -99,16 +105,6 @@ const char* axis_name(UpAxis up) {
   return nullptr;
 }
 
-Json to_json(const Defects& d) {
-  return {{"degenerate", d.degenerate},
-          {"duplicate", d.duplicate},
-          {"open_edges", d.open_edges},
-          {"non_manifold_edges", d.non_manifold_edges},
-          {"flipped_edges", d.flipped_edges},
-          {"unused_vertices", d.unused_vertices},
-          {"closed", d.closed()}};
-}
-
 Json to_json(const RuleReport& r) {
   return {{"rule", r.rule},
           {"levels", r.levels},
@@ -125,10 +121,15 @@ Json to_json(const RuleReport& r) {
 Json to_json(const ModelReport& report) {
   const Mesh& mesh = report.mesh;
   Json parts = Json::array();
-  for (const Part& part : mesh.parts) {
+  for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+    const Part& part = mesh.parts[i];
     const Json parent = part.parent == Part::kNoParent ? Json() : Json(part.parent);
-    parts.push_back(
-        {{"name", part.name}, {"parent", parent}, {"first", part.first}, {"count", part.count}});
+    const std::string closed = describe_part(mesh, report.defects, i);
+    parts.push_back({{"name", part.name},
+                     {"parent", parent},
+                     {"first", part.first},
+                     {"count", part.count},
+                     {"closed", closed.empty() ? Json() : Json(closed == "closed")}});
   }
   Json trees = Json::array();
   for (const RuleReport& tree : report.trees) {
@@ -145,7 +146,8 @@ Json to_json(const ModelReport& report) {
           {"bytes_ready", report.bytes_ready ? Json(*report.bytes_ready) : Json()},
           {"parts", parts},
           {"notes", mesh.notes},
-          {"defects", to_json(report.defects)},
+          {"defects", defect_counts(report.defects)},
+          {"places", defect_places(mesh, report.defects)},
           {"trees", trees}};
 }
 
@@ -157,79 +159,80 @@ std::string describe(const Box& box) {
                      box.upper.x, box.upper.y, box.upper.z);
 }
 
-std::string describe(const Defects& d) {
-  std::string text;
-  const auto add = [&](std::uint64_t number, const char* noun) {
-    if (number != 0) {
-      text += (text.empty() ? "" : ", ") + counted(number, noun);
-    }
-  };
-  add(d.degenerate, "triangle");
-  if (d.degenerate != 0) {
-    text += " without area";
-  }
-  add(d.duplicate, "duplicate triangle");
-  add(d.open_edges, "open edge");
-  add(d.non_manifold_edges, "non-manifold edge");
-  add(d.flipped_edges, "flipped edge");
-  if (d.unused_vertices != 0) {
-    text += fmt::format("{}{} unused vert{}", text.empty() ? "" : ", ",
-                        with_commas(d.unused_vertices), d.unused_vertices == 1 ? "ex" : "ices");
-  }
-  const char* const closed = d.closed() ? "closed" : "not closed";
-  return text.empty() ? fmt::format("none; {}", closed) : fmt::format("{}; {}", text, closed);
-}
-
-std::string describe_parts(const Mesh& mesh) {
+std::string describe_parts(const Mesh& mesh, const Defects& defects) {
   constexpr std::size_t kShown = 8;
   if (mesh.parts.empty()) {
     return "none named";
   }
   std::string text = with_commas(mesh.parts.size()) + ":";
   for (std::size_t i = 0; i < std::min(kShown, mesh.parts.size()); ++i) {
-    text += fmt::format("{} {} ({})", i == 0 ? "" : ",", printable(mesh.parts[i].name),
-                        with_commas(mesh.parts[i].count));
+    const std::string closed = describe_part(mesh, defects, i);
+    text += fmt::format("{} {} ({}{}{})", i == 0 ? "" : ",", printable(mesh.parts[i].name),
+                        with_commas(mesh.parts[i].count), closed.empty() ? "" : ", ", closed);
   }
   return mesh.parts.size() > kShown ? text + ", ... (--json lists all)" : text;
 }
 
-std::string to_text(const ModelReport& report, const InfoOptions& options) {
+void add_line(std::string& text, const char* name, const std::string& value) {
+  text += fmt::format("  {:<11}{}\n", name, value);
+}
+
+/// What is told of the model itself.
+std::string describe_model(const ModelReport& report) {
   const Mesh& mesh = report.mesh;
   std::string text = printable(report.file) + "\n";
-  const auto line = [&](const char* name, const std::string& value) {
-    text += fmt::format("  {:<11}{}\n", name, value);
-  };
-  line("triangles", with_commas(mesh.triangles.size()));
-  line("vertices", with_commas(mesh.vertices.size()));
-  line("bounds", describe(bounds(mesh)));
+  add_line(text, "triangles", with_commas(mesh.triangles.size()));
+  add_line(text, "vertices", with_commas(mesh.vertices.size()));
+  add_line(text, "bounds", describe(bounds(mesh)));
   if (mesh.unit != 0) {
-    line("unit", fmt::format("{} m", mesh.unit));
+    add_line(text, "unit", fmt::format("{} m", mesh.unit));
   }
   if (mesh.up != UpAxis::unknown) {
-    line("up axis", axis_name(mesh.up));
+    add_line(text, "up axis", axis_name(mesh.up));
   }
-  line("parts", describe_parts(mesh));
-  line("defects", describe(report.defects));
+  add_line(text, "parts", describe_parts(mesh, report.defects));
+  add_line(text, "defects", describe_defects(report.defects));
+  if (report.defects.repeated_vertices != 0) {
+    add_line(text, "joined", describe_joining(mesh, report.defects));
+  }
   for (const std::string& note : mesh.notes) {
-    line("note", printable(note));
+    add_line(text, "note", printable(note));
   }
   if (report.bytes_ready && !mesh.triangles.empty()) {
-    line("memory", fmt::format("{:.1f} bytes a triangle, ready to query",
-                               static_cast<double>(*report.bytes_ready) /
-                                   static_cast<double>(mesh.triangles.size())));
+    add_line(text, "memory",
+             fmt::format("{:.1f} bytes a triangle, ready to query",
+                         static_cast<double>(*report.bytes_ready) /
+                             static_cast<double>(mesh.triangles.size())));
   }
-  if (!report.trees.empty()) {
-    text += fmt::format("  trees with at most {} a leaf\n",
-                        counted(static_cast<std::uint64_t>(options.build.per_leaf), "triangle"));
-    text += fmt::format("    {:<15}{:>7}{:>13}{:>13}{:>10}{:>10}{:>11}\n", "rule", "levels",
-                        "leaves", "single", "balanced", "SAH", "build ms");
+  return text;
+}
+
+std::string describe_trees(const ModelReport& report, const InfoOptions& options) {
+  if (report.trees.empty()) {
+    return {};
   }
+  std::string text =
+      fmt::format("  trees with at most {} a leaf\n",
+                  counted(static_cast<std::uint64_t>(options.build.per_leaf), "triangle"));
+  text += fmt::format("    {:<15}{:>7}{:>13}{:>13}{:>10}{:>10}{:>11}\n", "rule", "levels", "leaves",
+                      "single", "balanced", "SAH", "build ms");
   for (const RuleReport& r : report.trees) {
     text += fmt::format("    {:<15}{:>7}{:>13}{:>13}{:>10}{:>10.2f}{:>11.2f}\n", r.rule, r.levels,
                         with_commas(r.counts.leaves), with_commas(r.counts.one),
                         r.counts.balanced_level, r.sah, r.build_ms);
   }
   return text;
+}
+
+void print(const ModelReport& report, const InfoOptions& options, Console& console) {
+  if (console.shared().json) {
+    console.print(json_line(to_json(report)));
+  } else {
+    console.print(describe_model(report));
+    print_places(report.mesh, report.defects, console);
+    console.print(describe_trees(report, options));
+  }
+  console.flush();
 }
 
 /// True if other files may still be told about after this error.
@@ -243,8 +246,7 @@ int tell(const std::string& file, const InfoOptions& options, Console& console) 
   const bool json = console.shared().json;
   try {
     const ModelReport report = examine(file, options, console);
-    console.print(json ? json_line(to_json(report)) : to_text(report, options));
-    console.flush();
+    print(report, options, console);
     return 0;
   } catch (const Error& error) {
     if (!concerns_one_file(error.kind())) {
@@ -262,6 +264,17 @@ int tell(const std::string& file, const InfoOptions& options, Console& console) 
   }
 }
 
+std::size_t parse_places(const std::string& text) {
+  if (text == "all") {
+    return std::numeric_limits<std::size_t>::max();
+  }
+  if (text.empty() ||
+      !std::all_of(text.begin(), text.end(), [](char c) { return '0' <= c && c <= '9'; })) {
+    throw Error(ErrorKind::usage, "--list " + text, "give a whole number, or all");
+  }
+  return parse_count("--list", text, 0, kMaxPrimitives);
+}
+
 }  // namespace
 
 Action add_info(CLI::App& app, Shared&) {
@@ -270,6 +283,11 @@ Action add_info(CLI::App& app, Shared&) {
   app.add_flag_callback(
       "--no-trees", [options] { options->trees = false; },
       "leave out the trees, which take the most time");
+  app.add_option_function<std::string>(
+         "--list", [options](const std::string& text) { options->places = parse_places(text); },
+         fmt::format("name the first N places of each kind of defect, or all ({})",
+                     options->places))
+      ->option_text("N");
   add_model_options(app, options->model, "--scale", "--up", "the models");
   add_allow_empty(app, options->model);
   add_build_options(app, options->build);

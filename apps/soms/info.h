@@ -7,7 +7,7 @@
 #include "apps/support/models.h"
 #include "apps/support/verb.h"
 
-#include <optional>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,6 +21,7 @@ struct InfoOptions {
   BuildOptions build{.per_leaf = 1};
   bool every_rule = true;
   bool trees = true;
+  std::size_t places = 10;  ///< most places of each kind of defect to name
 };
 
 [[nodiscard]] Action add_info(CLI::App& app, Shared& shared);

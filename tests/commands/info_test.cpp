@@ -1,5 +1,8 @@
 #include "tests/commands/run.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace soms::test {
 namespace {
 
@@ -17,7 +20,8 @@ TEST(Info, TellsCountsBoundsAndDefects) {
   EXPECT_EQ(box.at("vertices"), 8);
   EXPECT_EQ(box.at("bounds"), Json::parse("[[-1,-1,-1],[1,1,1]]"));
   EXPECT_EQ(box.at("defects"), Json::parse(R"({"degenerate":0,"duplicate":0,"open_edges":0,
-      "non_manifold_edges":0,"flipped_edges":0,"unused_vertices":0,"closed":true})"));
+      "non_manifold_edges":0,"flipped_edges":0,"unused_vertices":0,"closed":true,"repeated_corner":0,
+      "collinear":0,"doubled":0,"repeated_vertices":0,"closed_by_index":true})"));
   EXPECT_EQ(box.at("trees"), Json::array());
   const Json same = info({test::data("nasty/two_triangles_same.ply").string(), "--no-trees"});
   EXPECT_EQ(same.at("defects").at("duplicate"), 1);
@@ -64,6 +68,85 @@ TEST(Info, TellsPartsInJsonAndInText) {
   EXPECT_NE(text.out.find(report.at("parts").at(0).at("name").get<std::string>()),
             std::string::npos);
   EXPECT_NE(text.out.find("object-median"), std::string::npos);
+}
+
+/// What stands between the first and second, third and fourth, ... line of three backticks.
+std::vector<std::string> blocks_of(const std::string& page) {
+  std::vector<std::string> blocks;
+  for (std::size_t at = page.find("```\n"); at != std::string::npos;) {
+    const std::size_t end = page.find("```\n", at + 4);
+    blocks.push_back(page.substr(at + 4, end - at - 4));
+    at = page.find("```\n", end + 4);
+  }
+  return blocks;
+}
+
+TEST(Info, NamesTheDefectsOfItsPage) {
+  const std::vector<std::string> blocks = blocks_of(read_text(std::string(SOMS_DOCS) + "/info.md"));
+  ASSERT_EQ(blocks.size(), 2U);
+  const TemporaryFolder folder;
+  write_text(folder.path() / "box.off", blocks[0]);
+  const RunResult result =
+      shell("cd " + folder.path().string() + " && $soms info box.off --no-trees");
+  EXPECT_EQ(result.out, blocks[1]);
+}
+
+TEST(Info, NamesPlacesAsManyAsAreAsked) {
+  const std::string path = test::data("nasty/zero_area_mixed.ply").string();
+  for (const auto& [words, most] : std::vector<std::pair<std::vector<std::string>, std::size_t>>{
+           {{}, 10}, {{"--list", "0"}, 0}, {{"--list", "2"}, 2}, {{"--list", "all"}, 100000}}) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), {path, "--no-trees"});
+    const Json report = info(all);
+    EXPECT_EQ(report.at("places").size(), 9U);
+    for (const auto& [kind, places] : report.at("places").items()) {
+      const auto count = report.at("defects").at(kind).get<std::size_t>();
+      EXPECT_EQ(places.size(), std::min(count, most)) << kind;
+    }
+    EXPECT_GT(report.at("defects").at("duplicate").get<std::size_t>(), 10U);
+  }
+  EXPECT_EQ(soms_run({"info", path, "--list", "some"}).status, 2);
+}
+
+TEST(Info, NamesPlacesByTriangleFacePartAndPoint) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "parts.obj").string();
+  write_text(path,
+             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 0 0 0\n"
+             "o plate\nf 1 2 3 4\no fin\nf 6 2 5\nf 1 2 5\n");
+  const Json report = info({path, "--no-trees"});
+  const Json& places = report.at("places");
+  EXPECT_EQ(places.at("duplicate"), Json::parse(R"([{"triangle":3,"original":2,"face":2,"part":1,
+      "vertices":[0,1,4],"points":[[0,0,0],[1,0,0],[0,0,1]]}])"));
+  EXPECT_EQ(places.at("non_manifold_edges"), Json::parse(R"([{"triangle":0,"other":2,"uses":3,
+      "face":0,"part":0,"vertices":[0,1],"points":[[0,0,0],[1,0,0]]}])"));
+  EXPECT_EQ(places.at("repeated_vertices"),
+            Json::parse(R"([{"vertex":5,"original":0,"points":[[0,0,0]]}])"));
+  EXPECT_EQ(places.at("open_edges").at(0).at("other"), nullptr);
+  EXPECT_EQ(report.at("parts").at(0).at("closed"), false);
+  const RunResult text = soms_run({"info", path, "--no-trees"});
+  EXPECT_NE(text.out.find(
+                "triangle 0: vertex 0 (0, 0, 0) to vertex 1 (1, 0, 0); 3 triangles; part plate\n"),
+            std::string::npos)
+      << text.out;
+  EXPECT_NE(
+      text.out.find("by position: 1 of 6 vertices repeat an earlier one; by number not closed"),
+      std::string::npos);
+}
+
+TEST(Info, TellsWhichPartsAreClosed) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "parts.obj").string();
+  write_text(path,
+             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no whole\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
+             "o sheet\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 5 6 7\n");
+  const Json report = info({path, "--no-trees"});
+  EXPECT_EQ(report.at("parts").at(0).at("closed"), true);
+  EXPECT_EQ(report.at("parts").at(1).at("closed"), false);
+  EXPECT_EQ(report.at("defects").at("closed"), false);
+  EXPECT_NE(
+      soms_run({"info", path, "--no-trees"}).out.find("2: whole (4, closed), sheet (1, open)"),
+      std::string::npos);
 }
 
 TEST(Info, GoesOnAfterABadFile) {

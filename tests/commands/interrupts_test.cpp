@@ -85,6 +85,25 @@ TEST(Interrupts, LeaveNoPartOfAFile) {
   EXPECT_TRUE(files_in(target.path()).empty());
 }
 
+// Reports of the models before the interrupted one are whole.
+TEST(Interrupts, EndAReportOfDefects) {
+  const TemporaryFolder folder;
+  const std::string large = (folder.path() / "large.ply").string();
+  ASSERT_EQ(soms_run({"generate", "knot", "--triangles", "1000000", "-o", large}).status, 0);
+  const TemporaryFolder outputs;
+  std::vector<std::string> words = {command().string(), "info", "--json", "--no-trees", box()};
+  words.insert(words.end(), 20, large);
+  Child child(words, outputs.path());
+  ASSERT_TRUE(child.wait_for_output(100));
+  usleep(100'000);
+  child.send(SIGINT);
+  const RunResult result = child.wait();
+  EXPECT_EQ(result.status, 130) << result.err;
+  const std::vector<Json> reports = json_lines(result.out);
+  EXPECT_EQ(reports.at(0).at("triangles"), 12);
+  EXPECT_LT(reports.size(), 21U);
+}
+
 TEST(Interrupts, RespectIgnoredSignals) {
   const RunResult result = shell(
       "trap '' INT; $soms generate sphere --triangles 200000 -o "

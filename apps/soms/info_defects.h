@@ -1,0 +1,37 @@
+/// \file
+/// What `info` tells of a model's defects: how many of each kind, and where the first ones are.
+#pragma once
+
+#include "soms/geometry/defects.h"
+#include "soms/geometry/mesh.h"
+
+#include "apps/support/json.h"
+
+#include <cstddef>
+#include <string>
+
+namespace soms::command {
+
+class Console;
+
+/// The counts, as the member `defects` of the JSON.
+[[nodiscard]] Json defect_counts(const Defects& defects);
+
+/// The places, as the member `places` of the JSON: a list for each kind.
+[[nodiscard]] Json defect_places(const Mesh& mesh, const Defects& defects);
+
+/// The counts in one line.
+[[nodiscard]] std::string describe_defects(const Defects& defects);
+
+/// How vertices are joined, in one line; empty if no two are in one place.
+[[nodiscard]] std::string describe_joining(const Mesh& mesh, const Defects& defects);
+
+/// Whether part number `part` is closed by itself: "closed", "open", or empty where that is unknown
+/// or the part holds no triangle.
+[[nodiscard]] std::string describe_part(const Mesh& mesh, const Defects& defects, std::size_t part);
+
+/// Prints the places, a paragraph for each kind that there is.
+/// \errors ErrorKind::cancelled; those of Console::print.
+void print_places(const Mesh& mesh, const Defects& defects, Console& console);
+
+}  // namespace soms::command
