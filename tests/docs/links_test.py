@@ -1,0 +1,55 @@
+"""Links of the repository's pages lead somewhere, and pictures say in words what they show.
+
+usage: links_test.py ROOT
+"""
+import pathlib
+import re
+import sys
+
+LINK = re.compile(r"(!?)\[((?:[^\[\]]|!\[[^\]]*\]\([^)]*\))*)\]\(([^)\s]+)\)")
+LEAST_WORDS = 3  # of what is said of a picture
+
+
+def prose(text):
+    """The text without what is shown as code."""
+    return re.sub(r"`[^`\n]*`", "", re.sub(r"^```.*?^```", "", text, flags=re.DOTALL | re.MULTILINE))
+
+
+def anchors(page):
+    """Names that a link may give to the headings of a page."""
+    text = re.sub(r"^```.*?^```", "", page.read_text(encoding="utf-8"),
+                  flags=re.DOTALL | re.MULTILINE)
+    found = set()
+    for heading in re.findall(r"^#+ (.+)$", text, re.MULTILINE):
+        words = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).lower()
+        found.add(re.sub(r"[^\w\- ]", "", words).replace(" ", "-"))
+    return found
+
+
+def faults(root, page):
+    for picture, words, target in LINK.findall(prose(page.read_text(encoding="utf-8"))):
+        name = f"{page.relative_to(root)}: {target}"
+        if picture and len(words.split()) < LEAST_WORDS:
+            yield f"{name} is shown without words"
+        if re.match(r"[a-z]+:", target):
+            continue
+        path, _, anchor = target.partition("#")
+        file = (page.parent / path).resolve() if path else page
+        if not file.exists() or root not in file.parents:
+            yield f"{name} is not there"
+        elif anchor and file.suffix == ".md" and anchor not in anchors(file):
+            yield f"{name}: no such heading"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1]).resolve()
+    pages = [*root.glob("*.md"), *(p for folder in ("docs", "bench", "tests", "apps")
+                                   for p in root.glob(f"{folder}/**/*.md")
+                                   if "node_modules" not in p.parts)]
+    found = [fault for page in sorted(pages) for fault in faults(root, page)]
+    print(*found, f"{len(pages)} pages, {len(found)} faults", sep="\n")
+    return 1 if found or not pages else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
