@@ -24,14 +24,18 @@ std::uint64_t memory_limit(const ReadOptions& options, std::uint64_t size) {
   return size > (kMost - kAllowance) / kFactor ? kMost : kFactor * size + kAllowance;
 }
 
-/// Reads within `limit` bytes, of which `taken` are already used.
-Mesh read_bytes(std::string_view bytes, const std::string& name, std::uint64_t taken,
+/// Whose memory the bytes of a file are.
+enum class Owner { caller, us };
+
+Mesh read_bytes(std::string_view bytes, const std::string& name, Owner owner,
                 const ReadOptions& options, const Parallel& parallel) {
   detail::Source source{.bytes = bytes,
                         .name = name,
                         .allow_empty = options.allow_empty,
                         .budget = detail::Budget(memory_limit(options, bytes.size())),
-                        .parallel = parallel};
+                        .parallel = parallel,
+                        .forgettable = owner == Owner::us};
+  const std::uint64_t taken = owner == Owner::us ? bytes.size() : 0;
   if (!source.budget.take(taken)) {
     source.fail_memory(taken);
   }
@@ -57,7 +61,7 @@ Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options,
   try {
     check_stop(parallel);
     const detail::FileBytes bytes = detail::read_file(path, options.max_memory);
-    return read_bytes(bytes.view(), path.string(), bytes.size, options, parallel);
+    return read_bytes(bytes.view(), path.string(), Owner::us, options, parallel);
   } catch (const std::bad_alloc&) {
     fail_machine(path.string());
   }
@@ -68,7 +72,7 @@ Mesh read_mesh(std::span<const std::byte> bytes, const std::string& name,
   try {
     check_stop(parallel);
     const auto* data = reinterpret_cast<const char*>(bytes.data());
-    return read_bytes({data, bytes.size()}, name, 0, options, parallel);
+    return read_bytes({data, bytes.size()}, name, Owner::caller, options, parallel);
   } catch (const std::bad_alloc&) {
     fail_machine(name);
   }

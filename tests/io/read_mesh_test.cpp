@@ -8,8 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace soms::test {
@@ -130,6 +132,57 @@ TEST(ReadMesh, GivesTheSameFromAFileAndFromMemory) {
   const std::filesystem::path path = test::data("formats/polygons_le.ply");
   EXPECT_EQ(read_mesh(path), read_text(content_of(path), path.string()));
   EXPECT_EQ(read_mesh(path).source, path.string());
+}
+
+/// Texts of more rows than are read between two calls that give memory back.
+std::vector<std::pair<std::string, std::string>> long_texts() {
+  constexpr std::size_t kRows = 150000;
+  const auto rows = [](const std::string& row) {
+    std::string text;
+    for (std::size_t i = 0; i < kRows; ++i) {
+      text += row;
+    }
+    return text;
+  };
+  const std::string count = std::to_string(kRows);
+  const std::string header = "ply\nformat ascii 1.0\nelement ";
+  const std::string vertices = "vertex " + count +
+                               "\nproperty float x\nproperty float y\nproperty float z\n"
+                               "element ";
+  const std::string faces = "face " + count + "\nproperty list uchar int vertex_indices\n";
+  return {
+      {"a.ply", header + vertices + faces + "end_header\n" + rows("0.5 1 2\n") + rows("3 0 1 2\n")},
+      {"first.ply", header + faces + "element " + vertices + "spare 0\nend_header\n" +
+                        rows("3 0 1 2\r\n") + rows("0.5 1 2\r\n")},
+      {"a.obj", rows("v 0.5 1 2\n") + rows("f 1 2 3\n")},
+      {"a.off", "OFF\r" + count + " " + count + " 0\r" + rows("0.5 1 2\r") + rows("3 0 1 2\r")},
+      {"a.stl", "solid s\n" +
+                    rows("facet normal 0 0 0\nouter loop\nvertex 1 2 3\nvertex 1 2 4\n"
+                         "vertex 1 3 4\nendloop\nendfacet\n") +
+                    "endsolid\n"},
+  };
+}
+
+// From a file, text that was passed is given back while the rest is read.
+TEST(ReadMesh, GivesTheSameFromALongFileAndFromMemoryAndNamesTheSameLine) {
+  const TemporaryFolder folder;
+  for (const auto& [name, text] : long_texts()) {
+    SCOPED_TRACE(name);
+    const std::filesystem::path path = folder.path() / name;
+    write_content(path, text);
+    const Mesh mesh = read_mesh(path);
+    EXPECT_EQ(mesh.triangles.size(), 150000U);
+    EXPECT_EQ(mesh, read_text(text, path.string()));
+    std::string broken = text;
+    broken[broken.size() - 5] = '?';
+    write_content(path, broken);
+    const auto from_file = refusal_of([&] { static_cast<void>(read_mesh(path)); });
+    const auto from_memory =
+        refusal_of([&] { static_cast<void>(read_text(broken, path.string())); });
+    ASSERT_TRUE(from_file && from_memory);
+    EXPECT_EQ(from_file->words, from_memory->words);
+    EXPECT_NE(from_file->words.find(", line "), std::string::npos) << from_file->words;
+  }
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 #include "soms/io/detail/text.h"
 
+#include "tests/io/files.h"
 #include "tests/support/support.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -68,12 +71,39 @@ TEST(ParseNumber, KnowsWhatIsNoNumber) {
   EXPECT_TRUE(std::isinf(parse("inf").value));
 }
 
-TEST(LineOf, CountsEveryKindOfLineEndOnce) {
-  EXPECT_EQ(line_of("a\nb\nc", 4), 3U);
-  EXPECT_EQ(line_of("a\r\nb\r\nc", 6), 3U);
-  EXPECT_EQ(line_of("a\rb\rc", 4), 3U);
-  EXPECT_EQ(line_of("", 0), 1U);
-  EXPECT_EQ(line_of("a\n", 99), 2U);
+TEST(CountLineEnds, CountsEveryKindOfLineEndOnce) {
+  EXPECT_EQ(count_line_ends("a\nb\nc", 0, 4), 2U);
+  EXPECT_EQ(count_line_ends("a\r\nb\r\nc", 0, 6), 2U);
+  EXPECT_EQ(count_line_ends("a\r\nb\r\nc", 0, 5), 1U);
+  EXPECT_EQ(count_line_ends("a\r\nb\r\nc", 2, 6), 2U);
+  EXPECT_EQ(count_line_ends("a\rb\rc", 0, 4), 2U);
+  EXPECT_EQ(count_line_ends("a\r", 0, 2), 1U);
+  EXPECT_EQ(count_line_ends("", 0, 0), 0U);
+}
+
+TEST(Forget, GivesBackPagesThatWerePassedAndNoOthers) {
+  constexpr std::size_t kSize = std::size_t{4} << 20;
+  constexpr std::size_t kHeader = 10000;
+  std::string bytes(kSize, 'x');
+  for (std::size_t i = 99; i < kSize; i += 100) {
+    bytes[i] = '\n';
+  }
+  const std::string whole = bytes;
+  const Parallel parallel;
+  Source source{.bytes = bytes, .name = "text", .parallel = parallel, .forgettable = true};
+  source.kept = kHeader;
+  source.forget(1000);  // too little to be worth a call
+  EXPECT_EQ(bytes, whole);
+  for (const std::size_t position : {kSize / 2 + 12345, kSize - 321}) {
+    source.forget(position);
+    EXPECT_EQ(source.forgotten_line_ends, position / 100);
+    EXPECT_EQ(bytes.substr(0, kHeader), whole.substr(0, kHeader));
+    EXPECT_EQ(bytes.substr(position), whole.substr(position));
+    const auto lost = std::count(bytes.begin(), bytes.end(), '\0');
+    EXPECT_GT(static_cast<std::size_t>(lost), position - kHeader - 20000);
+  }
+  test::expect_refused([&] { source.fail_line(kSize - 1, ErrorKind::bad_file, "bad", "mend"); },
+                       ErrorKind::bad_file, "text, line 41944: bad");
 }
 
 TEST(InQuotes, ShowsNothingUnprintableAndNothingLong) {

@@ -67,6 +67,7 @@ void ObjReader::read_faces() {
   for (std::uint64_t line = 0; scanner.find_line(); ++line) {
     if (line % kRowsPerTick == 0) {
       source_.tick((source_.bytes.size() + scanner.position()) / 2);
+      source_.forget(scanner.position());
     }
     const std::string_view keyword = scanner.word_in_line();
     if (keyword == "v") {

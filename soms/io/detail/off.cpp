@@ -91,6 +91,7 @@ void OffReader::read_vertices(std::uint64_t count) {
   for (std::uint64_t row = 0; row < count; ++row) {
     if (row % kRowsPerTick == 0) {
       source_.tick(scanner_.position());
+      source_.forget(scanner_.position());
     }
     find_row("a vertex");
     builder_.add_vertex(scanner_.vertex(Precision::as_double));
@@ -125,6 +126,7 @@ void OffReader::read_faces(std::uint64_t count) {
   for (std::uint64_t row = 0; row < count; ++row) {
     if (row % kRowsPerTick == 0) {
       source_.tick(scanner_.position());
+      source_.forget(scanner_.position());
     }
     find_row("a face");
     read_face();

@@ -89,6 +89,7 @@ void PlyBody::read_strips(const PlyElement& element, std::size_t column) {
 
 Mesh read_ply(Source& source) {
   const PlyHeader header = read_ply_header(source);
+  source.kept = header.body;  // names of elements and properties lie there
   const PlyElement* vertices = find_element(source, header, "vertex");
   const PlyElement* faces = find_element(source, header, "face");
   const PlyElement* strips = find_element(source, header, "tristrips");
@@ -112,6 +113,7 @@ Mesh read_ply(Source& source) {
     } else if (have_vertices && early.empty()) {
       read_corners(source, *body, element);
     } else {
+      source.forgettable = false;
       early.emplace_back(&element, body->position());
       body->skip(element);
     }

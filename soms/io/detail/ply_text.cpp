@@ -160,6 +160,7 @@ void PlyText::read_vertices(const PlyElement& element, const VertexColumns& colu
   for (std::uint64_t row = 0; row < element.count; ++row) {
     if (row % kRowsPerTick == 0) {
       source_.tick(position());
+      source_.forget(position());
     }
     Vec3 v;
     for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -211,6 +212,7 @@ void PlyText::read_faces(const PlyElement& element, std::size_t column) {
   for (std::uint64_t row = 0; row < element.count; ++row) {
     if (row % kRowsPerTick == 0) {
       source_.tick(position());
+      source_.forget(position());
     }
     read_row(element, column, 0);
     face_.assign(corners_.begin(), corners_.end());

@@ -1,6 +1,10 @@
 #include "soms/io/detail/source.h"
 
+#include <sys/mman.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdint>
 
 namespace soms::detail {
 
@@ -9,6 +13,24 @@ void Source::tick(std::size_t position) const {
   if (parallel.progress && !bytes.empty()) {
     parallel.progress(static_cast<double>(position) / static_cast<double>(bytes.size()));
   }
+}
+
+void Source::forget(std::size_t position) {
+  constexpr std::size_t kAtOnce = std::size_t{1} << 20;
+  if (!forgettable || position < forgotten + kAtOnce) {
+    return;
+  }
+  forgotten_line_ends += count_line_ends(bytes, forgotten, position);
+  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  const auto begin = reinterpret_cast<std::uintptr_t>(bytes.data());
+  // Whole pages: bytes beside them belong to others, or are still to be read.
+  const std::uintptr_t first =
+      std::max((begin + kept + page - 1) / page, (begin + forgotten) / page);
+  const std::uintptr_t behind = (begin + position) / page;
+  if (behind > first) {
+    madvise(reinterpret_cast<void*>(first * page), (behind - first) * page, MADV_DONTNEED);
+  }
+  forgotten = position;
 }
 
 void Source::fail_memory(std::uint64_t wanted) const {
@@ -23,8 +45,9 @@ void Source::fail(ErrorKind kind, const std::string& what, const std::string& re
 
 void Source::fail_line(std::size_t position, ErrorKind kind, const std::string& what,
                        const std::string& remedy) const {
-  throw Error(kind, name + ", line " + std::to_string(line_of(bytes, position)) + ": " + what,
-              remedy);
+  const std::size_t end = std::min(position, bytes.size());
+  const std::size_t line = 1 + forgotten_line_ends + count_line_ends(bytes, forgotten, end);
+  throw Error(kind, name + ", line " + std::to_string(line) + ": " + what, remedy);
 }
 
 void Source::fail_byte(std::size_t position, ErrorKind kind, const std::string& what,
@@ -32,14 +55,32 @@ void Source::fail_byte(std::size_t position, ErrorKind kind, const std::string& 
   throw Error(kind, name + ", byte " + std::to_string(position + skipped) + ": " + what, remedy);
 }
 
-std::size_t line_of(std::string_view bytes, std::size_t position) {
-  std::size_t line = 1;
-  const std::size_t end = std::min(position, bytes.size());
-  for (std::size_t i = 0; i < end; ++i) {
-    const bool pair = bytes[i] == '\r' && i + 1 < bytes.size() && bytes[i + 1] == '\n';
-    line += bytes[i] == '\n' || (bytes[i] == '\r' && !pair) ? 1U : 0U;
+namespace {
+
+/// As std::count, but in steps of which a processor counts many at once.
+std::size_t count_of(char wanted, std::string_view text) {
+  constexpr std::size_t kStep = 128;
+  std::size_t count = 0;
+  for (; text.size() >= kStep; text.remove_prefix(kStep)) {
+    std::uint8_t here = 0;
+    for (std::size_t i = 0; i < kStep; ++i) {
+      here = static_cast<std::uint8_t>(here + (text[i] == wanted ? 1 : 0));
+    }
+    count += here;
   }
-  return line;
+  return count + static_cast<std::size_t>(std::count(text.begin(), text.end(), wanted));
+}
+
+}  // namespace
+
+std::size_t count_line_ends(std::string_view bytes, std::size_t begin, std::size_t end) {
+  const std::string_view part = bytes.substr(begin, end - begin);
+  std::size_t count = count_of('\n', part);
+  for (std::size_t i = part.find('\r'); i != std::string_view::npos; i = part.find('\r', i + 1)) {
+    const std::size_t next = begin + i + 1;
+    count += next == bytes.size() || bytes[next] != '\n' ? 1U : 0U;
+  }
+  return count;
 }
 
 std::string in_quotes(std::string_view word) {

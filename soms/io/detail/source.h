@@ -41,9 +41,18 @@ struct Source {
   bool allow_empty = false;
   Budget budget{0};
   const Parallel& parallel;
+  /// `bytes` is memory of our own, and each reader may lose what it has passed for good.
+  bool forgettable = false;
+  std::size_t kept = 0;                 ///< bytes at the front that are not lost: a header
+  std::size_t forgotten = 0;            ///< bytes that were passed for good
+  std::size_t forgotten_line_ends = 0;  ///< among them
 
   /// Reports progress and ends the reading if that was asked; called every few thousand items.
   void tick(std::size_t position) const;
+
+  /// Gives the memory of the bytes before `position` back, which nobody reads again: a text is
+  /// larger than its mesh, and would else stay beside it to the end.
+  void forget(std::size_t position);
 
   /// The limit of memory is reached.
   [[noreturn]] void fail_memory(std::uint64_t wanted) const;
@@ -63,8 +72,9 @@ struct Source {
 /// Rows between two calls of `Source::tick`.
 inline constexpr std::size_t kRowsPerTick = 1 << 16;
 
-/// Number of the line, from 1, that holds `position`; lines end with LF, CRLF or CR.
-[[nodiscard]] std::size_t line_of(std::string_view bytes, std::size_t position);
+/// Line ends in `[begin, end)` of a text: LF, CRLF or CR; CRLF counts where its LF is.
+[[nodiscard]] std::size_t count_line_ends(std::string_view bytes, std::size_t begin,
+                                          std::size_t end);
 
 /// A word of a file made fit for a message: at most 40 characters, unprintable ones as '?'.
 [[nodiscard]] std::string in_quotes(std::string_view word);

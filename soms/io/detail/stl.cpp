@@ -139,6 +139,7 @@ Mesh StlTextReader::read() {
     if (in_solid && equals(word, "facet")) {
       if (facets++ % kRowsPerTick == 0) {
         source_.tick(scanner_.position());
+        source_.forget(scanner_.position());
       }
       read_facet();
     } else if (in_solid && equals(word, "endsolid")) {
