@@ -52,17 +52,14 @@ arm64:
 	cmake --build build/arm64 -j $(JOBS)
 	ctest --test-dir build/arm64 --output-on-failure
 
-# Each fuzzer for FUZZ_SECONDS, on the inputs that it found before; build/fuzz/corpus keeps them.
+# Each fuzzer for FUZZ_SECONDS, on its seeds and the inputs that it found before; build/fuzz/corpus
+# keeps them, build/fuzz/results.csv counts. tests/fuzz/README.md tells more.
 FUZZ_SECONDS ?= 60
 fuzz:
-	@tools/install_packages.sh run check
+	@tools/install_packages.sh run test check
 	cmake --preset fuzz
 	cmake --build --preset fuzz -j $(JOBS)
-	@for fuzzer in build/fuzz/tests/fuzz/*_fuzz; do \
-	  corpus=build/fuzz/corpus/$$(basename $$fuzzer); mkdir -p $$corpus; \
-	  echo "$$fuzzer $$corpus"; \
-	  $$fuzzer -max_total_time=$(FUZZ_SECONDS) -timeout=20 -print_final_stats=1 \
-	    -artifact_prefix=$$corpus- $$corpus || exit 1; done
+	@tools/run_fuzzers.py --seconds $(FUZZ_SECONDS)
 
 check: test asan tsan tidy arm64
 

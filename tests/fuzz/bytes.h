@@ -2,10 +2,12 @@
 /// Reads a fuzzer's input as numbers. A spent input gives zeros, so every input means something.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 namespace soms::fuzz {
 
@@ -26,6 +28,22 @@ class Bytes {
 
   /// In [0, n), by one byte; n at most 256.
   std::uint32_t below(std::uint32_t n) { return byte() % n; }
+
+  std::uint64_t eight() {
+    std::uint64_t bits = 0;
+    for (int i = 0; i < 8; ++i) {
+      bits = bits << 8 | byte();
+    }
+    return bits;
+  }
+
+  /// Any double at all.
+  double any_double() { return std::bit_cast<double>(eight()); }
+
+  /// All that is left, as text.
+  [[nodiscard]] std::string_view rest() const {
+    return {reinterpret_cast<const char*>(rest_.data()), rest_.size()};
+  }
 
   /// In [-1, 1], by three bytes: a multiple of 2^-23.
   double fraction() {

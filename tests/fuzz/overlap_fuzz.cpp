@@ -1,15 +1,20 @@
-// Two random trees, two random poses: every way to ask for their overlap against brute force.
+// Two random trees by any rule, in either layout, as built or refitted, at random poses: every way
+// to ask for their overlap against brute force.
 #include "soms/query/overlap.h"
 #include "soms/query/reference/overlap.h"
 #include "soms/query/traversal/traversals.h"
+#include "soms/tree/check.h"
+#include "soms/tree/refit.h"
 #include "soms/tree/rule/rules.h"
 #include "soms/tree/shape.h"
 
 #include "tests/fuzz/bytes.h"
+#include "tests/fuzz/poses.h"
 #include "tests/fuzz/require.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace soms {
@@ -57,34 +62,13 @@ Mesh mesh_of(Bytes& bytes, const Grid& grid) {
   return mesh;
 }
 
-Pose pose_of(Bytes& bytes, const Grid& grid) {
-  const std::uint32_t kind = bytes.below(4);
-  if (kind == 0) {
-    return {};
-  }
-  const double x = grid.unit * (kind == 1 ? bytes.below(9) : 8 * bytes.fraction());
-  const double y = grid.unit * (kind == 1 ? bytes.below(9) : 8 * bytes.fraction());
-  const Vec3 shift{x, y, grid.unit * bytes.fraction()};
-  if (kind < 3) {
-    return Pose::translation(shift.x, shift.y, shift.z);
-  }
-  std::array<double, 4> q = {bytes.fraction(), bytes.fraction(), bytes.fraction(),
-                             bytes.fraction()};
-  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-  if (length < 0x1p-20) {
-    q = {1, 0, 0, 0};
-  } else {
-    std::for_each(q.begin(), q.end(), [&](double& part) { part /= length; });
-  }
-  return Pose::from_quaternion(q[0], q[1], q[2], q[3], shift);
-}
-
 ShapeOptions options_of(Bytes& bytes) {
   ShapeOptions options;
   const auto table = rules();
   options.build.rule = table[bytes.below(static_cast<std::uint32_t>(table.size()))].rule;
   options.build.per_leaf = static_cast<int>(1 + bytes.below(16));
   options.build.level = static_cast<int>(bytes.below(3) == 0 ? 1 + bytes.below(7) : 0);
+  options.layout = bytes.below(3) == 0 ? Layout::compact : Layout::wide;
   options.keep_tree = true;
   return options;
 }
@@ -127,16 +111,34 @@ void check_batch(const Shape& mover, const std::vector<Pose>& poses, const Body&
   }
 }
 
+/// The shape of a mesh. One in two was built for vertices at other places, and then refitted.
+Shape shape_of(const Mesh& mesh, const Grid& grid, Bytes& bytes) {
+  const ShapeOptions options = options_of(bytes);
+  if (bytes.below(2) == 0) {
+    return Shape(mesh, options);
+  }
+  Mesh before = mesh;
+  for (Vec3& v : before.vertices) {
+    (bytes.below(2) == 0 ? v.x : v.z) = grid.coordinate(bytes);
+  }
+  Shape refitted = refit(Shape(std::move(before), options), mesh.vertices);
+  require(refitted.mesh() == mesh, "the mesh of a refitted shape");
+  return refitted;
+}
+
 void check_input(Bytes& bytes) {
   const Grid grid(bytes);
   const Mesh first = mesh_of(bytes, grid);
   const Mesh second = mesh_of(bytes, grid);
-  const Shape a(first, options_of(bytes));
-  const Shape b(second, options_of(bytes));
-  const Body fixed(b, pose_of(bytes, grid));
+  const Shape a = shape_of(first, grid, bytes);
+  const Shape b = shape_of(second, grid, bytes);
+  for (const Shape* shape : {&a, &b}) {
+    require(find_fault(*shape->tree(), shape->mesh()).empty(), "a whole tree");
+  }
+  const Body fixed(b, fuzz::pose_of(bytes, grid.unit));
   std::vector<Pose> poses;
   for (std::uint32_t k = 0, count = 1 + bytes.below(6); k < count; ++k) {
-    poses.push_back(pose_of(bytes, grid));
+    poses.push_back(fuzz::pose_of(bytes, grid.unit));
   }
   for (const Pose& pose : poses) {
     const Overlap truth = reference::overlap(first, pose, second, fixed.pose);
