@@ -70,13 +70,13 @@ TEST(Info, TellsPartsInJsonAndInText) {
   EXPECT_NE(text.out.find("object-median"), std::string::npos);
 }
 
-/// What stands between the first and second, third and fourth, ... line of three backticks.
+/// The blocks of a page that are fenced as text.
 std::vector<std::string> blocks_of(const std::string& page) {
+  const std::string fence = "```text\n";
   std::vector<std::string> blocks;
-  for (std::size_t at = page.find("```\n"); at != std::string::npos;) {
-    const std::size_t end = page.find("```\n", at + 4);
-    blocks.push_back(page.substr(at + 4, end - at - 4));
-    at = page.find("```\n", end + 4);
+  for (std::size_t at = page.find(fence); at != std::string::npos; at = page.find(fence, at)) {
+    at += fence.size();
+    blocks.push_back(page.substr(at, page.find("```\n", at) - at));
   }
   return blocks;
 }
