@@ -1,5 +1,6 @@
 #include "soms/base/parallel.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 
 #include <algorithm>
@@ -118,6 +119,7 @@ void for_each_chunk(std::size_t count, std::size_t chunk, const Parallel& parall
   const std::size_t chunks = (count - 1) / chunk + 1;
   Progress progress(parallel, chunks);
   const auto run = [&](std::size_t i) {
+    const PlainArithmetic plain;  // a thread of the pool may have been made with other settings
     check_stop(parallel);
     const std::size_t begin = i * chunk;
     body(begin, std::min(count, begin + chunk));

@@ -41,6 +41,7 @@ Pose Pose::translation(double x, double y, double z) {
 }
 
 Pose Pose::from_quaternion(double w, double x, double y, double z, const Vec3& t) {
+  const PlainArithmetic plain;
   const double norm = ((w * w + x * x) + y * y) + z * z;
   if (!std::isfinite(norm)) {
     throw Error(ErrorKind::not_finite, "pose: the quaternion has an entry that is not finite",
@@ -62,6 +63,7 @@ Pose Pose::from_quaternion(double w, double x, double y, double z, const Vec3& t
 }
 
 Pose Pose::about_z(double angle, const Vec3& t) {
+  const PlainArithmetic plain;
   const double c = std::cos(angle);
   const double s = std::sin(angle);
   Pose pose;
@@ -76,7 +78,7 @@ Vec3 Pose::apply(const Vec3& v) const {
 }
 
 void check(const Pose& pose) {
-  check_arithmetic();
+  const PlainArithmetic plain;
   check_finite(pose);
   const auto& m = pose.m;
   const auto at = [&](int row, int column) {
@@ -104,6 +106,7 @@ void check(const Pose& pose) {
 }
 
 void check_range(const Pose& pose, const Box& box) {
+  const PlainArithmetic plain;
   if (box.empty()) {
     return;
   }

@@ -44,7 +44,7 @@ inline constexpr double kMaxCoordinate = 0x1p300;
 
 /// Throws unless the pose is finite and rigid: |RtR - I| at most 1e-6 in every entry, det R > 0.
 /// \errors ErrorKind::not_finite, ErrorKind::not_rigid; the message names the entry that is off.
-///         ErrorKind::unsupported where `check_arithmetic` fails.
+///         ErrorKind::unsupported where there is no `PlainArithmetic`.
 void check(const Pose& pose);
 
 /// Throws unless every vertex of a mesh with bounds `box` stays within `kMaxCoordinate` when moved:

@@ -1,5 +1,6 @@
 #include "soms/generate/city.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/assert.h"
 #include "soms/base/error.h"
 #include "soms/generate/detail/buildings.h"
@@ -35,6 +36,7 @@ void check_options(const CityOptions& options) {
 }  // namespace
 
 City generate_city(const CityOptions& options) {
+  const PlainArithmetic plain;
   check_options(options);
   City city;
   city.options = options;

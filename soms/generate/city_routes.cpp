@@ -1,3 +1,4 @@
+#include "soms/base/arithmetic.h"
 #include "soms/generate/detail/circle.h"
 #include "soms/generate/detail/ground.h"
 #include "soms/generate/routes.h"
@@ -128,6 +129,7 @@ Route follow(const City& city, const std::vector<Crossing>& loop, const Lane& la
 }  // namespace
 
 Route street_route(const City& city, std::uint64_t seed, double speed, double clearance) {
+  const PlainArithmetic plain;
   Rng rng(seed);
   const auto loop = draw_loop(city, rng);
   const double half = 0.5 * city.street_width;
@@ -150,6 +152,7 @@ Route street_route(const City& city, std::uint64_t seed, double speed, double cl
 
 Route flight_route(const City& city, std::uint64_t seed, double speed, double lowest,
                    double highest) {
+  const PlainArithmetic plain;
   Rng rng(seed);
   const auto loop = draw_loop(city, rng);
   std::vector<double> heights(loop.size());

@@ -1,3 +1,4 @@
+#include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/generate/detail/counts.h"
 #include "soms/generate/detail/refine.h"
@@ -145,6 +146,7 @@ std::string_view name(MoverKind kind) {
 }
 
 Mesh generate_mover(MoverKind kind, std::uint64_t triangles) {
+  const PlainArithmetic plain;
   const Blueprint plan = blueprint(kind);
   const std::uint64_t wanted = triangles == 0 ? plan.usual : triangles;
   detail::check_closed_count(std::string(name(kind)), wanted, plan.least);

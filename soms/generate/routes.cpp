@@ -1,5 +1,6 @@
 #include "soms/generate/routes.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/generate/detail/circle.h"
 
 #include <algorithm>
@@ -66,16 +67,19 @@ Pose heading(const Vec3& point, const Vec3& direction) {
 }  // namespace
 
 void Route::measure() {
+  const PlainArithmetic plain;
   marks = marks_of(*this);
 }
 
 double Route::length() const {
+  const PlainArithmetic plain;
   const std::vector<double> found = marks.empty() ? marks_of(*this) : std::vector<double>{};
   const std::vector<double>& all = marks.empty() ? found : marks;
   return all.empty() ? 0 : all.back();
 }
 
 Pose Route::at(double seconds) const {
+  const PlainArithmetic plain;
   if (points.empty()) {
     return {};
   }
@@ -109,6 +113,7 @@ Pose Route::at(double seconds) const {
 }
 
 Route straight_route(const Box& scene, const Vec3& start, std::uint64_t seed, double speed) {
+  const PlainArithmetic plain;
   Rng rng(seed);
   const detail::OnCircle turn = detail::on_circle(rng.unit());
   Route route;

@@ -1,5 +1,6 @@
 #include "soms/generate/shapes.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/generate/detail/circle.h"
 #include "soms/generate/detail/counts.h"
 #include "soms/generate/detail/solids.h"
@@ -101,6 +102,7 @@ void add_knot_vertices(Mesh& mesh, const Grid& grid) {
 }  // namespace
 
 Mesh generate_knot(std::uint64_t triangles) {
+  const PlainArithmetic plain;
   detail::check_closed_count("knot", triangles, 18);
   const Grid grid = grid_of(triangles / 2, 8, 3, 3);
   Mesh mesh;
@@ -125,6 +127,7 @@ Mesh generate_knot(std::uint64_t triangles) {
 }
 
 Mesh generate_sphere(std::uint64_t triangles) {
+  const PlainArithmetic plain;
   detail::check_closed_count("sphere", triangles, 8);
   const std::uint64_t pairs = triangles / 2;
   // A single ring has no quads to split; with so few triangles it needs none.

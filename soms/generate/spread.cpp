@@ -1,5 +1,6 @@
 #include "soms/generate/spread.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/base/random.h"
 #include "soms/generate/detail/circle.h"
@@ -92,6 +93,7 @@ void add_triangle(Mesh& mesh, const Vec3& center, double edge, Rng& rng) {
 }  // namespace
 
 Mesh generate_spread(const SpreadOptions& options) {
+  const PlainArithmetic plain;
   check(options);
   Rng rng(options.seed);
   const std::vector<double> edges = relative_edges(options, rng);

@@ -1,5 +1,6 @@
 #include "soms/generate/statue.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/random.h"
 #include "soms/generate/detail/counts.h"
 #include "soms/generate/detail/solids.h"
@@ -262,6 +263,7 @@ Mesh Surface::finish() {
 }  // namespace
 
 Mesh generate_statue(std::uint64_t triangles) {
+  const PlainArithmetic plain;
   detail::check_closed_count("statue", triangles, 8);
   Surface surface;
   while (surface.size() < triangles) {

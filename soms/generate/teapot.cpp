@@ -1,5 +1,6 @@
 #include "soms/generate/teapot.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/generate/detail/solids.h"
 
@@ -201,6 +202,7 @@ Mesh Teapot::finish() {
 }  // namespace
 
 Mesh generate_teapot(std::uint32_t subdivisions) {
+  const PlainArithmetic plain;
   if (subdivisions < kLeastTeapotSubdivisions || subdivisions > kMostTeapotSubdivisions) {
     throw Error(ErrorKind::usage, "teapot of " + std::to_string(subdivisions) + " subdivisions",
                 "take " + std::to_string(kLeastTeapotSubdivisions) + " to " +

@@ -1,5 +1,7 @@
 #include "soms/generate/urban.h"
 
+#include "soms/base/arithmetic.h"
+
 #include <array>
 #include <cstdint>
 #include <map>
@@ -249,6 +251,7 @@ Mesh urban_mixed() {
 }  // namespace
 
 Mesh generate_urban(UrbanScene scene) {
+  const PlainArithmetic plain;
   switch (scene) {
     case UrbanScene::mixed:
       return urban_mixed();

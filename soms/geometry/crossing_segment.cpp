@@ -1,5 +1,6 @@
 #include "soms/geometry/crossing_segment.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/box.h"
 #include "soms/geometry/detail/double_double.h"
 #include "soms/geometry/orientation.h"
@@ -255,6 +256,7 @@ Crossing outline(std::vector<Vec3> points, const Triangle& t, const Measure& mea
 }  // namespace
 
 Crossing crossing(const Triangle& s, const Triangle& t) {
+  const PlainArithmetic plain;
   if (!triangles_overlap(s, t)) {
     return {};
   }

@@ -1,5 +1,6 @@
 #include "soms/geometry/defects.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/geometry/detail/buckets.h"
 #include "soms/geometry/detail/joined.h"
 #include "soms/geometry/orientation.h"
@@ -270,6 +271,7 @@ std::vector<EdgeCounts> count_parts(const Mesh& mesh, const Names& names,
 }  // namespace
 
 Defects find_defects(const Mesh& mesh, const DefectOptions& options, const Parallel& parallel) {
+  const PlainArithmetic plain;
   Defects defects;
   const std::uint64_t vertices = mesh.vertices.size();
   const std::uint64_t triangles = mesh.triangles.size();

@@ -1,5 +1,6 @@
 #include "soms/geometry/mesh.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/base/hash.h"
 #include "soms/base/pose.h"
@@ -70,6 +71,7 @@ bool surely_fit(const Mesh& mesh) {
 }  // namespace
 
 void check(const Mesh& mesh) {
+  const PlainArithmetic plain;
   check_counts(mesh.vertices.size(), mesh.triangles.size(),
                mesh.source.empty() ? "mesh" : mesh.source);
   check_tables(mesh);
@@ -90,6 +92,7 @@ void check(const Mesh& mesh) {
 }
 
 Box bounds(const Mesh& mesh) {
+  const PlainArithmetic plain;
   Box box;
   for (const auto& t : mesh.triangles) {
     for (const std::uint32_t v : t) {
@@ -168,6 +171,7 @@ std::uint64_t corner_hash(const Mesh& mesh) {
 }
 
 Mesh transformed(Mesh mesh, double scale, UpAxis up) {
+  const PlainArithmetic plain;
   if (!(std::isfinite(scale) && scale > 0)) {
     throw Error(ErrorKind::usage, "scale " + std::to_string(scale) + " is not a positive number",
                 "give a finite scale above 0");

@@ -1,5 +1,6 @@
 #include "soms/geometry/triangle_overlap.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/geometry/detail/flat_overlap.h"
 #include "soms/geometry/detail/predicates.h"
 
@@ -137,6 +138,7 @@ bool decide_overlap(const Triangle& s, const Sides& s_sides, const Triangle& t,
 }  // namespace
 
 bool triangles_overlap(const Triangle& s, const Triangle& t, std::uint64_t* exact_tests) {
+  const PlainArithmetic plain;
   const Sides s_sides = sides_of(t, s);
   if (s_sides.apart()) {
     return false;

@@ -1,5 +1,6 @@
 #include "soms/io/poses.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/io/detail/line_reader.h"
 #include "soms/io/detail/source.h"
@@ -75,6 +76,7 @@ Pose make_pose(std::span<const double> v) {
 }  // namespace
 
 Pose parse_pose(std::string_view text) {
+  const PlainArithmetic plain;
   std::vector<double> numbers;
   const std::string quoted = "pose " + detail::in_quotes(text);
   const std::string remedy = "give \"x y z\" or \"x y z qw qx qy qz\"";
@@ -173,6 +175,7 @@ PoseReader::PoseReader(PoseReader&&) noexcept = default;
 PoseReader& PoseReader::operator=(PoseReader&&) noexcept = default;
 
 std::optional<Pose> PoseReader::next() {
+  const PlainArithmetic plain;
   State& state = *state_;
   const auto line = state.next_line();
   if (!line) {

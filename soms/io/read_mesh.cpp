@@ -1,5 +1,6 @@
 #include "soms/io/read_mesh.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/io/detail/file.h"
 #include "soms/io/detail/format.h"
@@ -29,6 +30,7 @@ enum class Owner { caller, us };
 
 Mesh read_bytes(std::string_view bytes, const std::string& name, Owner owner,
                 const ReadOptions& options, const Parallel& parallel) {
+  const PlainArithmetic plain;
   detail::Source source{.bytes = bytes,
                         .name = name,
                         .allow_empty = options.allow_empty,

@@ -1,5 +1,6 @@
 #include "soms/io/write_mesh.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/io/detail/ending.h"
 #include "soms/io/detail/mesh_writer.h"
@@ -33,6 +34,7 @@ MeshFormat format_for(const std::filesystem::path& path) {
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh, MeshFormat format,
                 const Parallel& parallel) {
+  const PlainArithmetic plain;
   detail::OutputFile file(path);
   detail::Output output([&](std::string_view bytes) { file.write(bytes); });
   detail::write_mesh(output, path.string(), mesh, format, parallel);
@@ -41,6 +43,7 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh, MeshFormat 
 
 void write_mesh(std::ostream& out, const std::string& name, const Mesh& mesh, MeshFormat format,
                 const Parallel& parallel) {
+  const PlainArithmetic plain;
   const auto check_stream = [&] {
     if (!out) {
       throw Error(ErrorKind::cannot_write, name + ": the stream takes no more",

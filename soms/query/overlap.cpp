@@ -1,5 +1,6 @@
 #include "soms/query/overlap.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/hash.h"
 #include "soms/query/detail/compact_walk.h"
 #include "soms/query/detail/overlap_query.h"
@@ -139,6 +140,7 @@ std::uint64_t Overlap::hash() const {
 
 Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options,
                 const Parallel& parallel) {
+  const PlainArithmetic plain;
   if (options.traversal.traversal != Traversal::fast) {
     return detail::named_overlap(a, b, options, parallel);
   }

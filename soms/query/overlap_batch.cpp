@@ -1,3 +1,4 @@
+#include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/overlap_query.h"
@@ -236,6 +237,7 @@ OverlapBatch named_batch(const Question& question) {
 
 OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
                      const OverlapOptions& options, const Parallel& parallel) {
+  const PlainArithmetic plain;
   check_poses(poses, mover);
   detail::check_pose(fixed.pose, fixed.shape);
   const Question question{mover, poses, fixed, options, parallel};

@@ -1,5 +1,6 @@
 #include "soms/scene/broad_phase.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/scene/detail/box_index.h"
 #include "soms/scene/detail/columns.h"
@@ -268,6 +269,7 @@ BroadPhase::BroadPhase(BroadPhase&&) noexcept = default;
 BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
 
 std::span<const BoxPair> BroadPhase::find(std::span<const Box> boxes) {
+  const PlainArithmetic plain;
   if (boxes.size() > detail::Columns::kMostBoxes) {
     throw Error(ErrorKind::out_of_range,
                 "broad phase: " + std::to_string(boxes.size()) + " boxes are above 2^30",

@@ -1,5 +1,6 @@
 #include "soms/scene/scene.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/base/hash.h"
 #include "soms/scene/broad_phase.h"
@@ -182,6 +183,7 @@ Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 
 EnvironmentId Scene::add_environment(Body body) {
+  const PlainArithmetic plain;
   const Box box = place(body, body.pose, "new part of the environment");
   state_->parts_changed = true;
   return state_->parts.add({std::move(body), box, 0, {}, {}});
@@ -196,6 +198,7 @@ void Scene::remove_environment(EnvironmentId id) {
 }
 
 MoverId Scene::add_mover(Body body, std::uint32_t group) {
+  const PlainArithmetic plain;
   const Box box = place(body, body.pose, "new mover");
   return state_->movers.add({std::move(body), box, group, {}, {}});
 }
@@ -230,6 +233,7 @@ void Scene::ignore_environment(MoverId mover, EnvironmentId part) {
 }
 
 void Scene::set_pose(MoverId id, const Pose& pose) {
+  const PlainArithmetic plain;
   Resident& resident = state_->movers.at(id);
   resident.box = place(resident.body, pose, "mover", id);
   resident.body.pose = pose;
@@ -269,6 +273,7 @@ std::vector<EnvironmentId> Scene::environments() const {
 }
 
 StepReport Scene::step(const StepOptions& options, const Parallel& parallel) {
+  const PlainArithmetic plain;
   State& state = *state_;
   StepReport report;
   report.coverage = options.mode == OverlapMode::all ? Coverage::complete : Coverage::first;

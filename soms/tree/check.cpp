@@ -1,5 +1,7 @@
 #include "soms/tree/check.h"
 
+#include "soms/base/arithmetic.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <string>
@@ -89,6 +91,7 @@ std::string fault_of_nodes(const Tree& tree, const Mesh& mesh) {
 }  // namespace
 
 std::string find_fault(const Tree& tree, const Mesh& mesh) {
+  const PlainArithmetic plain;
   const std::size_t count = mesh.triangles.size();
   if (tree.primitives.size() != count) {
     return std::to_string(tree.primitives.size()) + " primitives for " + std::to_string(count) +

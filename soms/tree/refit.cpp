@@ -1,5 +1,6 @@
 #include "soms/tree/refit.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/tree/layout/detail/fetch.h"
 #include "soms/tree/layout/detail/widen.h"
@@ -43,6 +44,7 @@ void bound_part(std::span<Node> nodes, std::uint32_t first, std::span<const Tria
 }  // namespace
 
 Tree refit(const Tree& tree, const Mesh& mesh, const Parallel& parallel) {
+  const PlainArithmetic plain;
   expect_as_many(mesh.triangles.size(), tree.primitives.size(), "triangles");
   check(mesh);
   check_stop(parallel);
@@ -68,6 +70,7 @@ Tree refit(const Tree& tree, const Mesh& mesh, const Parallel& parallel) {
 }
 
 Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh, const Parallel& parallel) {
+  const PlainArithmetic plain;
   expect_as_many(mesh->vertices.size(), shape.mesh().vertices.size(), "vertices");
   expect_as_many(mesh->triangles.size(), shape.mesh().triangles.size(), "triangles");
   if (mesh->triangles != shape.mesh().triangles) {

@@ -1,5 +1,7 @@
 #include "soms/tree/statistics.h"
 
+#include "soms/base/arithmetic.h"
+
 #include <algorithm>
 #include <limits>
 #include <vector>
@@ -53,6 +55,7 @@ TreeStatistics statistics(const Tree& tree, const BuildOptions& options) {
 }
 
 double sah_cost(const Tree& tree, double triangle_cost) {
+  const PlainArithmetic plain;
   if (tree.nodes.empty()) {
     return 0;
   }

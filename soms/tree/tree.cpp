@@ -1,5 +1,6 @@
 #include "soms/tree/tree.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/hash.h"
 
 #include <bit>
@@ -51,6 +52,7 @@ const Node* find_node(const Tree& tree, TreeId id) {
 }
 
 std::uint64_t tree_hash(const Tree& tree) {
+  const PlainArithmetic plain;
   Fnv1a hash;
   for (const Node& node : tree.nodes) {
     add(hash, node.bounds.lower);

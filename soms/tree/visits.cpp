@@ -1,5 +1,6 @@
 #include "soms/tree/visits.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 
 #include <cmath>
@@ -35,6 +36,7 @@ double share(const Box& node, const Box& root, const Vec3& size) {
 }  // namespace
 
 Visits count_visits(const Tree& tree, const Box& query) {
+  const PlainArithmetic plain;
   Visits visits;
   std::vector<std::uint32_t> open;
   if (!tree.nodes.empty()) {
@@ -59,6 +61,7 @@ Visits count_visits(const Tree& tree, const Box& query) {
 }
 
 ExpectedVisits expected_visits(const Tree& tree, const Vec3& size) {
+  const PlainArithmetic plain;
   check_size(size);
   ExpectedVisits expected;
   for (const Node& node : tree.nodes) {

@@ -1,57 +1,95 @@
 #include "soms/base/arithmetic.h"
 
 #include "soms/base/error.h"
+#include "soms/base/parallel.h"
 #include "soms/base/pose.h"
+
+#include "tests/support/host_arithmetic.h"
 
 #include <gtest/gtest.h>
 
-#include <cfenv>
-#include <functional>
-
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
+#include <atomic>
+#include <limits>
+#include <stdexcept>
 
 namespace soms {
 namespace {
 
-void expect_unsupported(const std::function<void()>& call) {
+using test::HostArithmetic;
+
+bool is_plain() {
   try {
-    call();
-    ADD_FAILURE() << "accepted";
+    check_arithmetic();
+    return true;
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::unsupported);
+    return false;
   }
 }
 
 TEST(Arithmetic, AcceptsThePlainKind) {
   EXPECT_NO_THROW(check_arithmetic());
-  EXPECT_NO_THROW(check(Pose{}));
 }
 
-TEST(Arithmetic, RefusesOtherRoundings) {
-  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
-    std::fesetround(mode);
-    expect_unsupported(check_arithmetic);
-    expect_unsupported([] { check(Pose{}); });
-    std::fesetround(FE_TONEAREST);
+TEST(Arithmetic, RefusesOtherKinds) {
+  for (const test::HostMode& mode : test::host_modes()) {
+    const HostArithmetic host(mode);
+    EXPECT_EQ(is_plain(), mode.name == "traps") << mode.name;
   }
-  EXPECT_NO_THROW(check_arithmetic());
 }
 
-#if defined(__SSE2__)
-TEST(Arithmetic, RefusesFlushingToZero) {
-  constexpr unsigned kFlushToZero = 0x8000;
-  constexpr unsigned kDenormalsAreZero = 0x0040;
-  const unsigned plain = _mm_getcsr();
-  for (const unsigned bits : {kFlushToZero, kDenormalsAreZero, kFlushToZero | kDenormalsAreZero}) {
-    _mm_setcsr(plain | bits);
-    expect_unsupported(check_arithmetic);
-    _mm_setcsr(plain);
+TEST(Arithmetic, IsPlainWhileAskedAndTheHostsAgainAfterwards) {
+  for (const test::HostMode& mode : test::host_modes()) {
+    const HostArithmetic host(mode);
+    const unsigned long found = test::arithmetic_settings();
+    {
+      const PlainArithmetic plain;
+      EXPECT_TRUE(is_plain()) << mode.name;
+      const PlainArithmetic again;
+      EXPECT_TRUE(is_plain()) << mode.name;
+    }
+    EXPECT_EQ(test::arithmetic_settings(), found) << mode.name;
+    EXPECT_THROW(
+        {
+          const PlainArithmetic plain;
+          throw std::runtime_error("");
+        },
+        std::runtime_error);
+    EXPECT_EQ(test::arithmetic_settings(), found) << mode.name;
   }
-  EXPECT_NO_THROW(check_arithmetic());
 }
-#endif
+
+TEST(Arithmetic, TrapsNothingWhereTheHostTraps) {
+  for (const test::HostMode& mode : test::host_modes()) {
+    const HostArithmetic host(mode);
+    const PlainArithmetic plain;
+    volatile double most = std::numeric_limits<double>::max();
+    volatile double zero = 0;
+    EXPECT_EQ(most * most, std::numeric_limits<double>::infinity());
+    EXPECT_NE(zero / zero, zero / zero);
+  }
+}
+
+TEST(Arithmetic, IsPlainInEveryThread) {
+  for (const test::HostMode& mode : test::host_modes()) {
+    const HostArithmetic host(mode);
+    std::atomic<int> others = 0;
+    for_each_chunk(200, 1, Parallel{8, {}, {}},
+                   [&](std::size_t, std::size_t) { others += is_plain() ? 0 : 1; });
+    EXPECT_EQ(others, 0) << mode.name;
+  }
+}
+
+TEST(Arithmetic, PosesAreTheSameUnderEverySetting) {
+  const Pose plain = Pose::from_quaternion(0.8, 0.36, 0.48, 0, {1, 2, 3});
+  const Pose turned = Pose::about_z(0.1);
+  for (const test::HostMode& mode : test::host_modes()) {
+    const HostArithmetic host(mode);
+    EXPECT_EQ(Pose::from_quaternion(0.8, 0.36, 0.48, 0, {1, 2, 3}), plain) << mode.name;
+    EXPECT_EQ(Pose::about_z(0.1), turned) << mode.name;
+    EXPECT_NO_THROW(check(plain)) << mode.name;
+  }
+}
 
 }  // namespace
 }  // namespace soms

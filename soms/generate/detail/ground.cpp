@@ -1,5 +1,6 @@
 #include "soms/generate/detail/ground.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/generate/detail/circle.h"
 #include "soms/generate/detail/solids.h"
 
@@ -193,6 +194,7 @@ void add_roads(City& city) {
 namespace soms {
 
 double City::ground(double x, double y) const {
+  const PlainArithmetic plain;
   const std::size_t i = detail::line_below(*this, x);
   const std::size_t j = detail::line_below(*this, y);
   const double s = detail::share_between(*this, x, i);

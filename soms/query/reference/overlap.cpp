@@ -1,5 +1,6 @@
 #include "soms/query/reference/overlap.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/geometry/triangle_overlap.h"
 
 #include <algorithm>
@@ -101,6 +102,7 @@ Overlap scan(const std::vector<Triangle>& a, std::size_t begin, std::size_t end,
 
 Overlap overlap(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
                 const Parallel& parallel) {
+  const PlainArithmetic plain;
   const std::vector<Triangle> first = moved_triangles(a, pose_a);
   const std::vector<Triangle> second = moved_triangles(b, pose_b);
   const BoxArrays boxes(second);

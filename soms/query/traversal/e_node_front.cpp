@@ -1,5 +1,6 @@
 #include "soms/query/traversal/e_node_front.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/query/traversal/detail/child_pairs.h"
 #include "soms/query/traversal/detail/e_node_step.h"
 #include "soms/query/traversal/detail/probe.h"
@@ -133,6 +134,7 @@ void EnodeFront::rise(detail::Probe& probe) {
 
 TraversalCounts EnodeFront::next(std::span<const Box> boxes_a, std::span<const Box> boxes_b,
                                  const TraversalVisitor& visitor) {
+  const PlainArithmetic plain;
   const PosedTree a{a_, boxes_a};
   const PosedTree b{b_, boxes_b};
   detail::check_boxes(a, b);

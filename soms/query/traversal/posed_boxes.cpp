@@ -1,5 +1,7 @@
 #include "soms/query/traversal/posed_boxes.h"
 
+#include "soms/base/arithmetic.h"
+
 #include <cmath>
 #include <limits>
 
@@ -38,6 +40,7 @@ PosedBoxes::PosedBoxes(const Mesh& mesh, const Tree& tree) : mesh_(&mesh), tree_
 }
 
 void PosedBoxes::move(const Pose& pose, BoxUpdate update) {
+  const PlainArithmetic plain;
   if (pose_ == pose && update_ == update) {
     return;
   }

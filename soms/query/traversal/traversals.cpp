@@ -1,5 +1,6 @@
 #include "soms/query/traversal/traversals.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/query/traversal/baselines.h"
 #include "soms/query/traversal/e_node.h"
@@ -136,6 +137,7 @@ void detail::check_boxes(const PosedTree& a, const PosedTree& b) {
 
 TraversalCounts traverse(const PosedTree& a, const PosedTree& b, const TraversalOptions& options,
                          const TraversalVisitor& visitor, TraversalWorkspace& workspace) {
+  const PlainArithmetic plain;
   check(options);
   const TraversalEntry& named = entry(options.traversal);
   if (named.function == nullptr) {

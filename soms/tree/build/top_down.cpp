@@ -1,3 +1,4 @@
+#include "soms/base/arithmetic.h"
 #include "soms/tree/build.h"
 #include "soms/tree/build/detail/by_reference.h"
 #include "soms/tree/build/detail/divide.h"
@@ -175,6 +176,7 @@ Forest grow(const Mesh& mesh, const BuildOptions& options, const Parallel& paral
 }  // namespace
 
 Tree build(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel) {
+  const PlainArithmetic plain;
   check(options);
   check_stop(parallel);
   if (mesh.triangles.empty()) {
@@ -190,6 +192,7 @@ Tree build(const Mesh& mesh, const BuildOptions& options, const Parallel& parall
 }
 
 WideTree build_wide(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel) {
+  const PlainArithmetic plain;
   check(options);
   check_stop(parallel);
   if (mesh.triangles.empty()) {

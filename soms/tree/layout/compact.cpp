@@ -1,3 +1,4 @@
+#include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/tree/layout/compact_node.h"
 #include "soms/tree/layout/detail/block.h"
@@ -79,6 +80,7 @@ bool WideTree::operator==(const WideTree& other) const {
 }
 
 WideTree WideTree::compacted(const Parallel& parallel) const {
+  const PlainArithmetic plain;
   WideTree result;
   result.origin_ = origin_;
   result.bounds_ = bounds_;
@@ -119,6 +121,7 @@ WideTree WideTree::compacted(const Parallel& parallel) const {
 }
 
 WideTree WideTree::expanded(const Mesh& mesh, const Parallel& parallel) const {
+  const PlainArithmetic plain;
   if (!compact_) {
     return *this;
   }

@@ -1,5 +1,6 @@
 #include "soms/tree/layout/wide_tree.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/tree/layout/compact_node.h"
 #include "soms/tree/layout/detail/again.h"
 #include "soms/tree/layout/detail/widen.h"
@@ -87,11 +88,13 @@ WideTree::WideTree(const Tree& tree, const Mesh& mesh, const Parallel& parallel)
 
 WideTree::WideTree(layout::Parts tree, const Mesh& mesh, const Parallel& parallel)
     : bounds_(tree.bounds) {
+  const PlainArithmetic plain;
   const double size = settle();
   layout::widen(std::move(tree), mesh, {origin_, scale_, size}, parallel, nodes_, blocks_);
 }
 
 WideTree::WideTree(const WideTree& tree, const Mesh& mesh, const Parallel& parallel) {
+  const PlainArithmetic plain;
   if (tree.compact_) {
     *this = WideTree(tree.expanded(mesh, parallel), mesh, parallel).compacted(parallel);
   } else if (!tree.nodes_.empty()) {
@@ -113,6 +116,7 @@ double WideTree::settle() {
 }
 
 double WideTree::looseness(const Mesh& mesh, const Parallel& parallel) const {
+  const PlainArithmetic plain;
   if (compact_) {
     return expanded(mesh, parallel).looseness(mesh, parallel);
   }
