@@ -2,7 +2,7 @@
 JOBS ?= $(shell nproc)
 ARGS ?=
 
-.PHONY: help run view test check asan tsan tidy arm64 fuzz bench format clean
+.PHONY: help run view test check asan tsan tidy arm64 determinism fuzz bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
@@ -52,6 +52,11 @@ arm64:
 	cmake --build build/arm64 -j $(JOBS)
 	ctest --test-dir build/arm64 --output-on-failure
 
+# The golden answers, by each compiler with each optimization.
+determinism:
+	@tools/install_packages.sh run check
+	tests/determinism/run.sh build/determinism $(JOBS)
+
 # Each fuzzer for FUZZ_SECONDS, on its seeds and the inputs that it found before; build/fuzz/corpus
 # keeps them, build/fuzz/results.csv counts. tests/fuzz/README.md tells more.
 FUZZ_SECONDS ?= 60
@@ -61,7 +66,7 @@ fuzz:
 	cmake --build --preset fuzz -j $(JOBS)
 	@tools/run_fuzzers.py --seconds $(FUZZ_SECONDS)
 
-check: test asan tsan tidy arm64
+check: test asan tsan tidy arm64 determinism
 
 # Rivals that cannot be installed are left out. A quick run: ARGS=--quick; soms-bench --help tells more.
 bench:

@@ -1,0 +1,98 @@
+/// \file
+/// Hashes of what the library makes and answers: equal on every machine, compiler, optimization,
+/// instruction set and number of threads.
+#pragma once
+
+#include "soms/base/hash.h"
+#include "soms/base/parallel.h"
+#include "soms/base/pose.h"
+#include "soms/geometry/mesh.h"
+#include "soms/query/overlap.h"
+#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/shape.h"
+
+#include <bit>
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace soms::golden {
+
+/// Names of what was hashed, with the hashes.
+using Rows = std::map<std::string, std::uint64_t>;
+
+template <class T>
+concept Scalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+
+template <class T>
+concept Range = requires(const T& range) {
+  range.begin();
+};
+
+/// A hash of values, one after the other.
+class Hash {
+ public:
+  template <Scalar T>
+  Hash& operator<<(T value) {
+    if constexpr (std::is_same_v<T, float>) {
+      hash_.add(std::bit_cast<std::uint32_t>(value));
+    } else if constexpr (std::is_same_v<T, double>) {
+      hash_.add(value);
+    } else {
+      hash_.add(static_cast<std::uint64_t>(value));
+    }
+    return *this;
+  }
+
+  Hash& operator<<(std::string_view text);
+  Hash& operator<<(const Vec3& v);
+  Hash& operator<<(const Box& box);
+  Hash& operator<<(const Pose& pose);
+  Hash& operator<<(const Cost& cost);
+  Hash& operator<<(const TrianglePair& pair);
+  Hash& operator<<(const Mesh& mesh);
+  Hash& operator<<(const Overlap& answer);
+  Hash& operator<<(const WideTree& tree);
+
+  template <Range T>
+  Hash& operator<<(const T& range) {
+    for (const auto& value : range) {
+      *this << value;
+    }
+    return *this;
+  }
+
+  [[nodiscard]] std::uint64_t value() const { return hash_.value(); }
+
+ private:
+  Fnv1a hash_;
+};
+
+/// What rows are made from that this program calculates itself.
+struct Inputs {
+  explicit Inputs(std::filesystem::path data);
+
+  std::filesystem::path data;          ///< tests/data
+  std::vector<Vec3> points;            ///< nearly in one plane, four by four, at all scales
+  std::vector<Triangle> triangles;     ///< two by two, on a small lattice and beside it
+  std::vector<Pose> poses;             ///< near enough for the models to touch
+  std::map<std::string, Mesh> models;  ///< small ones, of all scales
+  Mesh bent;                           ///< models["ring"], moved unevenly
+};
+
+/// All rows. Calls of the library only: what the host's settings would spoil stands in `Inputs`.
+[[nodiscard]] Rows all_rows(const Inputs& inputs, int threads);
+
+/// The parts of `all_rows`.
+void add_geometry(const Inputs& inputs, Rows& rows);
+void add_files(const Inputs& inputs, Rows& rows);
+void add_trees(const Inputs& inputs, const Parallel& parallel, Rows& rows);
+void add_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows);
+void add_scene(const Parallel& parallel, Rows& rows);
+
+}  // namespace soms::golden

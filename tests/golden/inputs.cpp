@@ -1,0 +1,135 @@
+#include "soms/base/random.h"
+#include "soms/generate/shapes.h"
+#include "soms/io/read_mesh.h"
+#include "soms/tree/layout/compact_node.h"
+
+#include "tests/golden/golden.h"
+
+#include <cmath>
+#include <utility>
+
+namespace soms::golden {
+
+Hash& Hash::operator<<(std::string_view text) {
+  for (const char c : text) {
+    hash_.add_byte(static_cast<std::uint8_t>(c));
+  }
+  return *this << text.size();
+}
+
+Hash& Hash::operator<<(const Vec3& v) {
+  return *this << v.x << v.y << v.z;
+}
+
+Hash& Hash::operator<<(const Box& box) {
+  return *this << box.lower << box.upper;
+}
+
+Hash& Hash::operator<<(const Pose& pose) {
+  return *this << pose.m;
+}
+
+Hash& Hash::operator<<(const Cost& cost) {
+  return *this << cost.node_tests << cost.triangle_tests << cost.exact_tests;
+}
+
+Hash& Hash::operator<<(const TrianglePair& pair) {
+  return *this << pair.first << pair.second;
+}
+
+Hash& Hash::operator<<(const Mesh& mesh) {
+  return *this << mesh.vertices << mesh.triangles << mesh.faces;
+}
+
+Hash& Hash::operator<<(const Overlap& answer) {
+  return *this << answer.any << answer.hash() << answer.coverage << answer.cost;
+}
+
+Hash& Hash::operator<<(const WideTree& tree) {
+  for (const WideNode& node : tree.nodes()) {
+    *this << node.center << node.half << node.row << node.child << node.origin << node.reach
+          << node.count << node.leaves << node.turned;
+  }
+  for (const TriangleBlock& block : tree.blocks()) {
+    *this << block.corner << block.id << block.origin << block.own_half << block.reach
+          << block.normal << block.lower << block.upper << static_cast<std::uint32_t>(block.count)
+          << static_cast<std::uint32_t>(block.following);
+  }
+  if (const CompactParts* parts = tree.compact()) {
+    for (const CompactNode& node : parts->nodes) {
+      *this << node.lower << node.upper << node.step << node.child << node.origin << node.axes
+            << node.reach << node.count << node.leaves << node.turned;
+    }
+    *this << parts->ids;
+  }
+  return *this << tree.bounds() << tree.exponent();
+}
+
+namespace {
+
+Mesh scaled(Mesh mesh, int exponent) {
+  for (Vec3& v : mesh.vertices) {
+    v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+  }
+  return mesh;
+}
+
+/// Corners of a lattice, some of them moved by a bit or by a subnormal number.
+Vec3 lattice_point(Rng& rng) {
+  Vec3 v;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    v[axis] = static_cast<double>(rng.below(4));
+    const std::uint64_t kind = rng.below(8);
+    v[axis] += kind == 0 ? 0x1p-52 : kind == 1 ? -0x1p-53 : 0;
+    v[axis] = kind == 2 && v[axis] == 0 ? 0x1p-1074 : v[axis];
+  }
+  return v;
+}
+
+/// Four points nearly in one plane, of a size between 2^-360 and 2^290.
+void add_near_coplanar(Rng& rng, std::vector<Vec3>& points) {
+  const double scale = std::ldexp(1.0, static_cast<int>(rng.below(650)) - 360);
+  for (int i = 0; i < 4; ++i) {
+    const double x = rng.uniform(-1, 1);
+    const double y = rng.uniform(-1, 1);
+    const double off = rng.below(2) == 0 ? 0 : std::ldexp(rng.uniform(-1, 1), -52);
+    points.push_back({scale * x, scale * y, scale * ((x + 0.5 * y) + off)});
+  }
+}
+
+std::vector<Pose> near_poses() {
+  return {Pose(),
+          Pose::translation(0.25, 0.125, 0),
+          Pose::translation(0x1p-1050, 0, 0),
+          Pose::from_quaternion(0.8, 0.36, 0.48, 0, {0.1, 0.2, 0.3}),
+          Pose::from_quaternion(0, 0, 0.6, 0.8, {-0.4, 0.1, 0.7}),
+          Pose::from_quaternion(0.5, -0.5, 0.5, 0.5)};
+}
+
+}  // namespace
+
+Inputs::Inputs(std::filesystem::path folder) : data(std::move(folder)), poses(near_poses()) {
+  Rng rng(12);
+  for (int i = 0; i < 1000; ++i) {
+    add_near_coplanar(rng, points);
+  }
+  for (int i = 0; i < 1600; ++i) {
+    triangles.push_back({lattice_point(rng), lattice_point(rng), lattice_point(rng)});
+  }
+  const auto truth = [&](const char* name) {
+    return read_mesh(data / "truth" / "meshes" / (std::string(name) + ".ply"));
+  };
+  models = {{"ring", truth("ring")},       {"soup", truth("soup")},
+            {"slivers", truth("slivers")}, {"degen", truth("degen")},
+            {"needles", truth("needles")}, {"star", truth("star")},
+            {"knot", generate_knot(240)}};
+  // Corners keep all or only some of their bits as subnormal numbers.
+  models["subnormal"] = scaled(models["knot"], -1055);
+  models["huge"] = scaled(models["knot"], 295);
+  bent = models["ring"];
+  for (Vec3& v : bent.vertices) {
+    v = {v.x + 0.1 * v.y * v.y, 1.25 * v.y, v.z - 0.2 * v.x};
+  }
+}
+
+}  // namespace soms::golden
