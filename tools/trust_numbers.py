@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+"""Counts what docs/trust.md speaks of, from the files that the tests read, and writes its tables.
+
+usage: tools/trust_numbers.py           write the tables anew
+       tools/trust_numbers.py --check   end with 1 if they are not what would be written
+"""
+import collections
+import csv
+import lzma
+import pathlib
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+DATA = ROOT / "tests/data"
+PAGE = ROOT / "docs/trust.md"
+ENDINGS = {"glb": "gltf"}
+
+
+def rows(path):
+    opened = lzma.open(path, "rt", encoding="utf-8") if path.suffix == ".xz" else open(
+        path, newline="", encoding="utf-8")
+    with opened as file:
+        return list(csv.DictReader(file))
+
+
+def by_ending(files):
+    """Numbers of files by the ending of their names, the greatest first: "ply 99, stl 21, ..."."""
+    counts = collections.Counter()
+    for file in files:
+        ending = pathlib.PurePath(file.removesuffix(".xz")).suffix[1:].lower()
+        counts[ENDINGS.get(ending, ending) or "none"] += 1
+    many = {name: n for name, n in counts.items() if n > 2}
+    rest = sum(counts.values()) - sum(many.values())
+    told = [f"{name} {n}" for name, n in sorted(many.items(), key=lambda item: (-item[1], item[0]))]
+    return ", ".join(told + ([f"others {rest}"] if rest else []))
+
+
+def truth():
+    own = {mesh["mesh"] for mesh in rows(DATA / "truth/meshes.csv")
+           if mesh["file"].startswith("meshes/")}
+    cases = rows(DATA / "truth/cases.csv.xz")
+    touching = sum(case["overlap"] == "1" for case in cases)
+    inside = sum(case["solid"] in {"a_in_b", "b_in_a", "both"} for case in cases)
+    here = sum(case["meshA"] in own and case["meshB"] in own for case in cases)
+    yield ("truth cases: posed pairs of meshes", len(cases),
+           f"{touching:,} overlap, {inside} contain without touching; {here:,} use meshes of this "
+           "repository, the others need `SOMS_DATA`")
+    total = next(row for row in rows(DATA / "truth/stats.csv") if row["kind"] == "all")
+    yield ("triangle pairs in them, decided by two exact methods", int(total["box_pairs"]),
+           f"{int(total['overlaps']):,} overlap")
+    single = collections.Counter(row["kind"] for row in rows(DATA / "truth/tritri.csv.xz"))
+    kinds = ", ".join(f"{kind} {n:,}" for kind, n in sorted(single.items()))
+    yield "single pairs of triangles", sum(single.values()), kinds
+
+
+def files():
+    bad = rows(DATA / "bad/EXPECTED.csv")
+    said = collections.Counter("error" if row["expectation"] == "error" else "mesh" if
+                               row["expectation"].startswith("mesh") else "either" for row in bad)
+    yield ("broken or hostile files", len(bad),
+           f"{said['error']} must be an error, {said['mesh']} a mesh of a stated size, "
+           f"{said['either']} either; {by_ending(row['file'] for row in bad)}")
+    formats = rows(DATA / "formats/FORMATS.csv")
+    yield ("encodings of one mesh", len(formats), by_ending(row["file"] for row in formats))
+    nasty = rows(DATA / "nasty/EXPECTED.csv")
+    yield ("valid files of hard geometry", len(nasty), by_ending(row["file"] for row in nasty))
+
+
+def thesis():
+    for name, what in (("counts", "trees of the thesis"), ("traversal", "traversals of the thesis")):
+        table = rows(DATA / f"thesis/thesis_{name}.csv")
+        yield f"rows of counts: {what}", len(table), f"{len(table[0])} columns each"
+
+
+def counted():
+    yield "| what | how many | of these |"
+    yield "|---|---:|---|"
+    for part in (truth, files, thesis):
+        for what, number, note in part():
+            yield f"| {what} | {number:,} | {note} |"
+
+
+def fuzzed():
+    yield "| fuzzer | inputs | minutes | found, mended and tested |"
+    yield "|---|---:|---:|---:|"
+    runs = rows(ROOT / "tests/fuzz/RESULTS.csv")
+    for run in runs:
+        yield (f"| `{run['target']}` | {int(run['inputs']):,} | {int(run['seconds']) / 60:,.0f} | "
+               f"{run['found']} |")
+    inputs, seconds, found = (sum(int(run[k]) for run in runs) for k in ("inputs", "seconds", "found"))
+    yield f"| all | {inputs:,} | {seconds / 60:,.0f} | {found} |"
+
+
+TABLES = {"counted": counted, "fuzzed": fuzzed}
+
+
+def written(text):
+    for name, table in TABLES.items():
+        marks = f"<!-- {name}: written by tools/trust_numbers.py -->\n", f"<!-- end of {name} -->"
+        before, rest = text.split(marks[0])
+        after = rest.split(marks[1], 1)[1]
+        text = before + marks[0] + "\n" + "\n".join(table()) + "\n\n" + marks[1] + after
+    return text
+
+
+def missing_in_readme():
+    """Totals that README's paragraph should name and does not."""
+    section = (ROOT / "README.md").read_text(encoding="utf-8").split("## How far to trust it")[1]
+    named = ("truth cases", "single pairs", "broken")
+    return [what for part in (truth, files) for what, number, _ in part()
+            if what.startswith(named) and f"{number:,}" not in section.split("\n## ")[0]]
+
+
+def main():
+    text = PAGE.read_text(encoding="utf-8")
+    new = written(text)
+    if sys.argv[1:] == ["--check"]:
+        if new != text:
+            print("docs/trust.md does not hold today's numbers: run tools/trust_numbers.py")
+            return 1
+        if missing_in_readme():
+            print("README.md has another number of:", *missing_in_readme(), sep="\n  ")
+            return 1
+    else:
+        PAGE.write_text(new, encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
