@@ -72,10 +72,18 @@ def thesis():
         yield f"rows of counts: {what}", len(table), f"{len(table[0])} columns each"
 
 
+def golden():
+    kept = collections.Counter(row["what"].split()[0] for row in
+                               rows(ROOT / "tests/golden/answers.csv"))
+    yield ("hashes that every build must give", sum(kept.values()),
+           f"{kept['tree']} of trees, {kept['read'] + kept['write']} of files read and written, "
+           "the others of answers, scenes and generated models")
+
+
 def counted():
     yield "| what | how many | of these |"
     yield "|---|---:|---|"
-    for part in (truth, files, thesis):
+    for part in (truth, files, thesis, golden):
         for what, number, note in part():
             yield f"| {what} | {number:,} | {note} |"
 
