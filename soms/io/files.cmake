@@ -4,6 +4,11 @@ set(SOMS_HEADERS
   write_mesh.h
 )
 set(SOMS_SOURCES
+  detail/collada.cpp
+  detail/collada_document.cpp
+  detail/collada_geometry.cpp
+  detail/collada_scene.cpp
+  detail/collada_transform.cpp
   detail/file.cpp
   detail/format.cpp
   detail/line_reader.cpp

@@ -21,9 +21,9 @@ struct ReadOptions {
   std::uint64_t max_memory = 0;
 };
 
-/// Reads a PLY, 3DS, STL, OFF or OBJ model as stored, in double: nothing is welded, moved or lost,
-/// triangle i is triangle i of the file, a polygon of n corners gives n-2 triangles. The mesh
-/// passes `check`. What each reader accepts stands in docs/formats.md.
+/// Reads a PLY, 3DS, STL, OFF, OBJ or COLLADA model as stored, in double: nothing is welded, moved
+/// or lost, triangle i is triangle i of the file, a polygon of n corners gives n-2 triangles. The
+/// mesh passes `check`. What each reader accepts stands in docs/formats.md.
 ///
 /// \errors  cannot_open (missing, unreadable, a directory), bad_file (names line or byte),
 ///          empty_mesh, not_finite, out_of_range, unsupported (names the formats that are read),

@@ -59,7 +59,8 @@ std::vector<std::vector<std::string>> rows_of(std::string_view file, std::size_t
 }
 
 bool is_read(const std::string& file) {
-  for (const std::string_view ending : {".ply", ".3ds", ".3DS", ".stl", ".STL", ".off", ".obj"}) {
+  for (const std::string_view ending :
+       {".ply", ".3ds", ".3DS", ".stl", ".STL", ".off", ".obj", ".dae"}) {
     if (std::string_view(file).ends_with(ending)) {
       return true;
     }

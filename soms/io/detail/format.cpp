@@ -1,5 +1,6 @@
 #include "soms/io/detail/format.h"
 
+#include "soms/io/detail/collada.h"
 #include "soms/io/detail/ending.h"
 #include "soms/io/detail/obj.h"
 #include "soms/io/detail/off.h"
@@ -19,13 +20,16 @@ bool is_ply(std::string_view bytes) {
   return bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
 }
 
-constexpr std::array<ReadFormat, 5> kFormats = {{
+constexpr auto kFormats = std::to_array<ReadFormat>({
     {"PLY", ".ply", is_ply, read_ply},
     {"3DS", ".3ds", is_three_ds, read_three_ds},
     {"STL", ".stl", is_stl, read_stl},
     {"OFF", ".off", is_off, read_off},
     {"OBJ", ".obj", is_obj, read_obj},
-}};
+#ifdef SOMS_USE_PUGIXML
+    {"COLLADA", ".dae", is_collada, read_collada},
+#endif
+});
 
 /// Content that is no model, or none that can be read here.
 struct Foreign {

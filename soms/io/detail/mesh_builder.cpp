@@ -54,6 +54,24 @@ void MeshBuilder::add_face(std::span<const std::uint32_t> corners) {
   source_.budget.give_back(extra);
 }
 
+void MeshBuilder::add_instance(const Mesh& mesh, std::uint32_t first, std::uint32_t faces,
+                               bool turned) {
+  if (face_ + std::uint64_t{faces} > kMaxPrimitives) {
+    source_.fail(ErrorKind::out_of_range, "more than 2^31 - 1 faces", "split the model");
+  }
+  if (!mapped_ && (!mesh.faces.empty() || faces != mesh.triangles.size())) {
+    map_faces();
+  }
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    push(mesh_.triangles, {first + a, first + (turned ? c : b), first + (turned ? b : c)});
+    if (mapped_) {
+      push(mesh_.faces, face_ + (mesh.faces.empty() ? i : mesh.faces[i]));
+    }
+  }
+  face_ += faces;
+}
+
 /// Closes the open part; one without triangles vanishes.
 void MeshBuilder::end_part() {
   if (!mesh_.parts.empty()) {

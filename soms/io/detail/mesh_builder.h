@@ -40,6 +40,11 @@ class MeshBuilder {
   /// \errors ErrorKind::out_of_memory, out_of_range.
   void add_face(std::span<const std::uint32_t> corners);
 
+  /// The triangles of `mesh` once more, on vertices from `first` on and in faces of their own, as
+  /// many as `faces`; `turned` ones go around the other way.
+  /// \errors ErrorKind::out_of_memory, out_of_range.
+  void add_instance(const Mesh& mesh, std::uint32_t first, std::uint32_t faces, bool turned);
+
   /// Begins a part that holds all triangles from here to the next one. Parts without triangles
   /// vanish.
   void begin_part(std::string_view name);
@@ -49,6 +54,9 @@ class MeshBuilder {
   [[nodiscard]] const std::vector<Vec3>& vertices() const { return mesh_.vertices; }
 
   [[nodiscard]] std::size_t triangle_count() const { return mesh_.triangles.size(); }
+
+  /// Faces so far, those that gave no triangle too.
+  [[nodiscard]] std::uint32_t face_count() const { return face_; }
 
   /// Vectors for readers that fill them in one go after reserving.
   [[nodiscard]] std::vector<Vec3>& raw_vertices() { return mesh_.vertices; }

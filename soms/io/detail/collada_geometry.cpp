@@ -1,0 +1,370 @@
+#include "soms/io/detail/collada_geometry.h"
+
+#include "soms/io/detail/mesh_builder.h"
+#include "soms/io/detail/text.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soms::detail {
+
+namespace {
+
+constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+
+/// Where x, y and z of each vertex lie in an array of numbers.
+struct Accessor {
+  std::uint64_t count = 0;
+  std::uint64_t offset = 0;
+  std::uint64_t stride = 1;
+  std::array<std::uint64_t, 3> columns{};
+};
+
+/// How the numbers of <p> make corners.
+struct Layout {
+  std::uint64_t stride = 0;            ///< numbers a corner; 0 without inputs
+  std::uint64_t vertex = 0;            ///< which of them is the vertex
+  std::optional<std::uint64_t> count;  ///< faces, strips or fans, where stated
+};
+
+class GeometryReader {
+ public:
+  explicit GeometryReader(ColladaDocument& document)
+      : document_(document), builder_(document.source()) {}
+
+  ColladaGeometry read(pugi::xml_node geometry);
+
+ private:
+  void read_mesh(pugi::xml_node mesh);
+  void read_faces(pugi::xml_node element, std::string_view name);
+  void read_vertices();
+  [[nodiscard]] Accessor read_accessor(pugi::xml_node source, pugi::xml_node element);
+  void read_positions(const Accessor& accessor, pugi::xml_node array);
+  [[nodiscard]] Layout read_layout(pugi::xml_node element);
+  void read_corners(pugi::xml_node p, const Layout& layout);
+  void read_triangles(pugi::xml_node element, const Layout& layout);
+  void read_polylist(pugi::xml_node element, const Layout& layout);
+  void read_each_p(pugi::xml_node element, const Layout& layout, std::string_view name);
+  void expect_count(pugi::xml_node element, const Layout& layout, std::uint64_t found) const;
+
+  ColladaDocument& document_;
+  MeshBuilder builder_;
+  ColladaGeometry geometry_;
+  pugi::xml_node mesh_;
+  pugi::xml_node vertices_;  ///< of the mesh, once its positions are read
+  std::vector<std::uint32_t> corners_;
+};
+
+/// The columns of x, y and z: by their names, or the three that have one.
+Accessor GeometryReader::read_accessor(pugi::xml_node source, pugi::xml_node element) {
+  Accessor accessor;
+  accessor.count = document_.whole_number(element, "count", 0);
+  accessor.offset = document_.whole_number(element, "offset", 0);
+  accessor.stride = document_.whole_number(element, "stride", 1);
+  std::array<std::uint64_t, 3> by_name = {kMost, kMost, kMost};
+  std::uint64_t named = 0;
+  std::uint64_t column = 0;
+  for (const pugi::xml_node param : element.children("param")) {
+    const std::string_view name = param.attribute("name").value();
+    if (name == "X" || name == "Y" || name == "Z") {
+      by_name[static_cast<std::size_t>(name[0] - 'X')] = column;
+    }
+    if (!name.empty()) {
+      if (named < 3) {
+        accessor.columns[named] = column;
+      }
+      ++named;
+    }
+    ++column;
+  }
+  if (std::count(by_name.begin(), by_name.end(), kMost) == 0) {
+    accessor.columns = by_name;
+  } else if (named != 3) {
+    document_.fail(element, "the positions in " + describe(source) + " have " +
+                                std::to_string(named) + " named coordinates, not X, Y and Z");
+  }
+  if (accessor.stride < column) {
+    document_.fail(element, "the positions in " + describe(source) + " have " +
+                                std::to_string(column) + " columns and a stride of " +
+                                std::to_string(accessor.stride));
+  }
+  return accessor;
+}
+
+/// The positions of the mesh: <vertices> names a source, its accessor an array beside it.
+void GeometryReader::read_vertices() {
+  const pugi::xml_node input = vertices_.find_child_by_attribute("input", "semantic", "POSITION");
+  if (!input) {
+    document_.fail(vertices_, describe(vertices_) + " names no POSITION");
+  }
+  const pugi::xml_node source = document_.referred_child(input, "source", mesh_);
+  const pugi::xml_node element = source.child("technique_common").child("accessor");
+  if (!element) {
+    document_.fail(source, describe(source) + " has no accessor");
+  }
+  const Accessor accessor = read_accessor(source, element);
+  const pugi::xml_node array = document_.referred_child(element, "source", source);
+  read_positions(accessor, array);
+}
+
+void GeometryReader::read_positions(const Accessor& accessor, pugi::xml_node array) {
+  ColladaWords words(document_, array);
+  const std::uint64_t stated = document_.whole_number(array, "count", kMost);
+  const std::uint64_t last = *std::max_element(accessor.columns.begin(), accessor.columns.end());
+  if (accessor.count > words.most_left()) {
+    document_.fail(array, std::to_string(accessor.count) + " vertices are stated, " +
+                              describe(array) + " has room for fewer numbers");
+  }
+  builder_.reserve_vertices(accessor.count);
+  Vec3 vertex;
+  std::uint64_t index = 0;
+  std::uint64_t column = 0;
+  for (; !words.at_end(); ++index) {
+    if (index % kRowsPerTick == 0) {
+      document_.tick(array);
+    }
+    const double value = words.number();
+    if (index < accessor.offset || builder_.vertices().size() == accessor.count) {
+      continue;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (column == accessor.columns[axis]) {
+        vertex[axis] = value;
+      }
+    }
+    if (column == last) {
+      if (!fit_for_mesh(vertex)) {
+        const CoordinateFault fault = describe_fault(vertex);
+        words.fail(fault.kind, fault.what, fault.remedy);
+      }
+      builder_.add_vertex(vertex);
+    }
+    column = column + 1 == accessor.stride ? 0 : column + 1;
+  }
+  if (stated != kMost && stated != index) {
+    document_.fail(array, describe(array) + " states " + std::to_string(stated) + " numbers and " +
+                              "holds " + std::to_string(index));
+  }
+  if (builder_.vertices().size() != accessor.count) {
+    document_.fail(array, std::to_string(accessor.count) + " vertices are stated, " +
+                              describe(array) + " holds " +
+                              std::to_string(builder_.vertices().size()));
+  }
+}
+
+/// \errors ErrorKind::bad_file: no VERTEX, two of them, or one that is not of this mesh.
+Layout GeometryReader::read_layout(pugi::xml_node element) {
+  Layout layout;
+  if (element.attribute("count")) {
+    layout.count = document_.whole_number(element, "count", 0);
+  }
+  pugi::xml_node vertex;
+  for (const pugi::xml_node input : element.children("input")) {
+    if (!input.attribute("offset")) {
+      document_.fail(input, "an <input> of " + describe(element) + " has no offset");
+    }
+    const std::uint64_t offset = document_.whole_number(input, "offset", 0);
+    if (offset == kMost) {
+      document_.fail(input, "an <input> of " + describe(element) + " has too large an offset");
+    }
+    layout.stride = std::max(layout.stride, offset + 1);
+    if (std::string_view(input.attribute("semantic").value()) == "VERTEX") {
+      if (vertex) {
+        document_.fail(input, describe(element) + " has two inputs VERTEX");
+      }
+      vertex = input;
+      layout.vertex = offset;
+    }
+  }
+  // A list of no faces needs no inputs.
+  if (!vertex) {
+    if (element.child("p") || layout.count.value_or(0) > 0) {
+      document_.fail(element, describe(element) + " has no input VERTEX");
+    }
+    return layout;
+  }
+  const pugi::xml_node vertices = document_.referred_child(vertex, "source", mesh_);
+  if (std::string_view(vertices.name()) != "vertices") {
+    document_.fail(vertex, "VERTEX refers to " + describe(vertices) + ", not to <vertices>");
+  }
+  if (vertices_ && vertices_ != vertices) {
+    document_.fail(vertices, "a second <vertices> in one mesh");
+  }
+  if (!vertices_) {
+    vertices_ = vertices;
+    read_vertices();
+  }
+  return layout;
+}
+
+/// The corners in one <p>; the other numbers of a corner are checked to be numbers.
+void GeometryReader::read_corners(pugi::xml_node p, const Layout& layout) {
+  ColladaWords words(document_, p);
+  corners_.clear();
+  const std::uint64_t room = words.most_left() / layout.stride + 1;
+  if (room > corners_.capacity()) {
+    document_.take((room - corners_.capacity()) * sizeof(corners_[0]));
+    corners_.reserve(room);
+  }
+  const std::uint64_t vertices = builder_.vertices().size();
+  std::uint64_t column = 0;
+  for (std::size_t i = 0; !words.at_end(); ++i) {
+    if (i % kRowsPerTick == kRowsPerTick - 1) {
+      document_.tick(p);
+    }
+    const std::uint64_t value = words.whole_number();
+    if (column == layout.vertex) {
+      if (value >= vertices) {
+        words.fail(ErrorKind::bad_file,
+                   "vertex " + std::to_string(value) + " of " + std::to_string(vertices),
+                   kRepairFile);
+      }
+      corners_.push_back(static_cast<std::uint32_t>(value));
+    }
+    column = column + 1 == layout.stride ? 0 : column + 1;
+  }
+  if (column != 0) {
+    document_.fail(p, "<p> ends amid a corner of " + std::to_string(layout.stride) + " numbers");
+  }
+}
+
+void GeometryReader::expect_count(pugi::xml_node element, const Layout& layout,
+                                  std::uint64_t found) const {
+  if (layout.count && *layout.count != found) {
+    document_.fail(element, describe(element) + " states " + std::to_string(*layout.count) +
+                                " and holds " + std::to_string(found));
+  }
+}
+
+void GeometryReader::read_triangles(pugi::xml_node element, const Layout& layout) {
+  std::uint64_t found = 0;
+  for (const pugi::xml_node p : element.children("p")) {
+    read_corners(p, layout);
+    if (corners_.size() % 3 != 0) {
+      document_.fail(p, std::to_string(corners_.size()) + " corners make no whole triangles");
+    }
+    for (std::size_t i = 0; i < corners_.size(); i += 3) {
+      builder_.add_triangle(corners_[i], corners_[i + 1], corners_[i + 2]);
+    }
+    found += corners_.size() / 3;
+  }
+  expect_count(element, layout, found);
+}
+
+void GeometryReader::read_polylist(pugi::xml_node element, const Layout& layout) {
+  const pugi::xml_node p = element.child("p");
+  if (p.next_sibling("p")) {
+    document_.fail(p.next_sibling("p"), "a second <p> in " + describe(element));
+  }
+  corners_.clear();
+  if (p) {
+    read_corners(p, layout);
+  }
+  ColladaWords sizes(document_, element.child("vcount"));
+  std::size_t begin = 0;
+  std::uint64_t found = 0;
+  for (; !sizes.at_end(); ++found) {
+    if (found % kRowsPerTick == kRowsPerTick - 1) {
+      document_.tick(element);
+    }
+    const std::uint64_t size = sizes.whole_number();
+    if (size > corners_.size() - begin) {
+      sizes.fail(ErrorKind::bad_file,
+                 "polygon " + std::to_string(found) + " has " + std::to_string(size) +
+                     " corners where <p> has " + std::to_string(corners_.size() - begin) + " left",
+                 kRepairFile);
+    }
+    builder_.add_face(std::span(corners_).subspan(begin, static_cast<std::size_t>(size)));
+    begin += static_cast<std::size_t>(size);
+  }
+  if (begin != corners_.size()) {
+    document_.fail(p, "<p> has " + std::to_string(corners_.size() - begin) +
+                          " corners more than <vcount> tells");
+  }
+  expect_count(element, layout, found);
+}
+
+/// Polygons, strips or fans: one for each <p>.
+void GeometryReader::read_each_p(pugi::xml_node element, const Layout& layout,
+                                 std::string_view name) {
+  if (const pugi::xml_node holes = element.child("ph")) {
+    document_.fail(holes, "a polygon with holes is not read",
+                   "cut polygons with holes into triangles when exporting", ErrorKind::unsupported);
+  }
+  std::uint64_t found = 0;
+  for (const pugi::xml_node p : element.children("p")) {
+    if (++found % kRowsPerTick == 0) {
+      document_.tick(p);
+    }
+    read_corners(p, layout);
+    if (name == "polygons" || corners_.size() < 3) {
+      builder_.add_face(corners_);
+      continue;
+    }
+    for (std::size_t i = 2; i < corners_.size(); ++i) {
+      if (name == "trifans") {
+        builder_.add_triangle(corners_[0], corners_[i - 1], corners_[i]);
+      } else if (i % 2 == 0) {
+        builder_.add_triangle(corners_[i - 2], corners_[i - 1], corners_[i]);
+      } else {
+        builder_.add_triangle(corners_[i - 1], corners_[i - 2], corners_[i]);
+      }
+    }
+  }
+  expect_count(element, layout, found);
+}
+
+void GeometryReader::read_faces(pugi::xml_node element, std::string_view name) {
+  document_.tick(element);
+  const Layout layout = read_layout(element);
+  if (name == "triangles") {
+    read_triangles(element, layout);
+  } else if (name == "polylist") {
+    read_polylist(element, layout);
+  } else {
+    read_each_p(element, layout, name);
+  }
+}
+
+void GeometryReader::read_mesh(pugi::xml_node mesh) {
+  mesh_ = mesh;
+  for (const pugi::xml_node child : mesh.children()) {
+    const std::string_view name = child.name();
+    if (name == "lines" || name == "linestrips") {
+      geometry_.lines += std::min(document_.whole_number(child, "count", 1), kMaxPrimitives);
+    } else if (name == "triangles" || name == "polylist" || name == "polygons" ||
+               name == "tristrips" || name == "trifans") {
+      read_faces(child, name);
+    }
+  }
+}
+
+ColladaGeometry GeometryReader::read(pugi::xml_node geometry) {
+  for (const pugi::xml_node child : geometry.children()) {
+    const std::string_view name = child.name();
+    if (name == "mesh" || (name == "convex_mesh" && !child.attribute("convex_hull_of"))) {
+      if (mesh_) {
+        document_.fail(child, "a second mesh in " + describe(geometry));
+      }
+      read_mesh(child);
+    } else if (name == "spline" || name == "brep" || name == "convex_mesh") {
+      ++geometry_.curved;
+    }
+  }
+  geometry_.faces = builder_.face_count();
+  geometry_.mesh = builder_.finish();
+  return std::move(geometry_);
+}
+
+}  // namespace
+
+ColladaGeometry read_geometry(ColladaDocument& document, pugi::xml_node geometry) {
+  return GeometryReader(document).read(geometry);
+}
+
+}  // namespace soms::detail

@@ -1,0 +1,302 @@
+#include "soms/io/detail/collada_scene.h"
+
+#include "soms/io/detail/collada_geometry.h"
+#include "soms/io/detail/collada_transform.h"
+#include "soms/io/detail/text.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace soms::detail {
+
+namespace {
+
+/// Elements of a scene that are looked at, beyond those of the file and those that may come with
+/// each triangle: a chain of n nodes that each name the next twice shows 2^n, of nothing perhaps.
+constexpr std::uint64_t kMostElements = std::uint64_t{1} << 20;
+constexpr std::uint64_t kElementsPerTriangle = 64;
+/// Of what a node takes while it is open.
+constexpr std::uint64_t kBytesOfSetEntry = 64;
+
+/// What is counted and told in the notes of the mesh.
+struct Untold {
+  std::uint64_t lines = 0;
+  std::uint64_t curved = 0;
+  std::uint64_t thin = 0;
+  std::uint64_t skins = 0;
+  std::uint64_t morphs = 0;
+  bool nested_asset = false;
+};
+
+/// A node whose children are looked at.
+struct Frame {
+  pugi::xml_node node;
+  pugi::xml_node next;                   ///< child to be looked at next
+  Affine transform;                      ///< from the node to the scene
+  std::uint32_t part = Part::kNoParent;  ///< innermost part around its triangles
+  bool begins_part = false;
+  bool several = false;  ///< it shows more than one geometry
+};
+
+/// Nodes nest and name each other: one stack, no recursion, whatever the file nests.
+class SceneReader {
+ public:
+  SceneReader(ColladaDocument& document, MeshBuilder& builder)
+      : document_(document), builder_(builder) {}
+
+  void show_scene(pugi::xml_node scene);
+  void show_all_geometries();
+  void write_notes();
+
+  [[nodiscard]] std::vector<Part>& parts() { return parts_; }
+
+ private:
+  void enter(pugi::xml_node node);
+  void leave();
+  void look_at(pugi::xml_node element);
+  void show_controller(pugi::xml_node instance);
+  void show(pugi::xml_node geometry, const Affine& transform, pugi::xml_node instance);
+  [[nodiscard]] const ColladaGeometry& geometry_of(pugi::xml_node element);
+  void count_element(pugi::xml_node element);
+  void note_asset(pugi::xml_node owner);
+  [[nodiscard]] std::uint32_t begin_part(std::string_view name);
+  void end_part(std::uint32_t part);
+
+  ColladaDocument& document_;
+  MeshBuilder& builder_;
+  std::vector<Frame> stack_;
+  std::set<const void*> open_;  ///< the nodes on the stack
+  std::map<const void*, ColladaGeometry> geometries_;
+  std::vector<Part> parts_;
+  Untold untold_;
+  std::uint64_t elements_ = 0;
+};
+
+std::uint64_t bytes_of_part(std::string_view name) {
+  return 2 * sizeof(Part) + name.size();
+}
+
+bool shows_several(pugi::xml_node node) {
+  std::size_t shown = 0;
+  for (const pugi::xml_node child : node.children()) {
+    const std::string_view name = child.name();
+    if (name == "instance_geometry" || name == "instance_controller") {
+      ++shown;
+    }
+  }
+  return shown > 1;
+}
+
+std::uint64_t faces_with_triangles(const Mesh& mesh) {
+  std::uint64_t count = mesh.triangles.empty() ? 0 : 1;
+  for (std::size_t i = 1; i < mesh.triangles.size(); ++i) {
+    if (mesh.faces.empty() || mesh.faces[i] != mesh.faces[i - 1]) {
+      ++count;
+    }
+  }
+  return count;
+}
+
+void SceneReader::count_element(pugi::xml_node element) {
+  ++elements_;
+  if (elements_ % kRowsPerTick == 0) {
+    document_.tick(element);
+  }
+  // The elements of a file are fewer than its bytes.
+  if (elements_ > document_.source().bytes.size() + kMostElements +
+                      kElementsPerTriangle * builder_.triangle_count()) {
+    document_.fail(element, "nodes that show other nodes many times over make this scene too large",
+                   "export it without <instance_node>, or split it", ErrorKind::out_of_range);
+  }
+}
+
+void SceneReader::note_asset(pugi::xml_node owner) {
+  const pugi::xml_node asset = owner.child("asset");
+  untold_.nested_asset = untold_.nested_asset || asset.child("unit") || asset.child("up_axis");
+}
+
+std::uint32_t SceneReader::begin_part(std::string_view name) {
+  document_.take(bytes_of_part(name));
+  const auto first = static_cast<std::uint32_t>(builder_.triangle_count());
+  const std::uint32_t parent = stack_.empty() ? Part::kNoParent : stack_.back().part;
+  parts_.push_back({std::string(name), parent, first, 0});
+  return static_cast<std::uint32_t>(parts_.size() - 1);
+}
+
+/// A part without triangles has no filled parts in it either, so it is the last one and vanishes.
+void SceneReader::end_part(std::uint32_t part) {
+  Part& ended = parts_[part];
+  ended.count = static_cast<std::uint32_t>(builder_.triangle_count()) - ended.first;
+  if (ended.count == 0) {
+    document_.source().budget.give_back(bytes_of_part(ended.name));
+    parts_.pop_back();
+  }
+}
+
+void SceneReader::enter(pugi::xml_node node) {
+  if (!open_.insert(node.internal_object()).second) {
+    document_.fail(node, describe(node) + " shows itself, by <instance_node>");
+  }
+  document_.take(2 * sizeof(Frame) + kBytesOfSetEntry);
+  note_asset(node);
+  Frame frame;
+  frame.node = node;
+  frame.next = node.first_child();
+  frame.transform = read_transforms(document_, node);
+  frame.several = shows_several(node);
+  if (!stack_.empty()) {
+    frame.transform = stack_.back().transform * frame.transform;
+    frame.part = stack_.back().part;
+    const std::string_view name = label_of(node);
+    if (!name.empty()) {
+      frame.part = begin_part(name);
+      frame.begins_part = true;
+    }
+  }
+  stack_.push_back(frame);
+}
+
+void SceneReader::leave() {
+  const Frame& frame = stack_.back();
+  if (frame.begins_part) {
+    end_part(frame.part);
+  }
+  open_.erase(frame.node.internal_object());
+  document_.source().budget.give_back(2 * sizeof(Frame) + kBytesOfSetEntry);
+  stack_.pop_back();
+}
+
+const ColladaGeometry& SceneReader::geometry_of(pugi::xml_node element) {
+  const auto found = geometries_.find(element.internal_object());
+  if (found != geometries_.end()) {
+    return found->second;
+  }
+  document_.take(2 * sizeof(ColladaGeometry));
+  note_asset(element);
+  ColladaGeometry geometry = read_geometry(document_, element);
+  untold_.lines += geometry.lines;
+  untold_.curved += geometry.curved;
+  untold_.thin += geometry.faces - faces_with_triangles(geometry.mesh);
+  return geometries_.emplace(element.internal_object(), std::move(geometry)).first->second;
+}
+
+void SceneReader::show(pugi::xml_node element, const Affine& transform, pugi::xml_node instance) {
+  const ColladaGeometry& geometry = geometry_of(element);
+  // One part a node is enough, unless it has no name or shows several geometries.
+  const bool named = !label_of(element).empty() &&
+                     (stack_.empty() || stack_.back().several || !stack_.back().begins_part);
+  const std::uint32_t part = named ? begin_part(label_of(element)) : Part::kNoParent;
+  const auto first = static_cast<std::uint32_t>(builder_.vertices().size());
+  const bool moved = transform != Affine{};
+  for (const Vec3& stored : geometry.mesh.vertices) {
+    const Vec3 v = moved ? transform.apply(stored) : stored;
+    if (!fit_for_mesh(v)) {
+      const CoordinateFault fault = describe_fault(v);
+      document_.fail(instance, describe(element) + " under its transforms: " + fault.what,
+                     fault.remedy, fault.kind);
+    }
+    builder_.add_vertex(v);
+  }
+  builder_.add_instance(geometry.mesh, first, geometry.faces, transform.mirrors());
+  if (named) {
+    end_part(part);
+  }
+}
+
+/// A skin in the shape that it was bound in, which stands in the scene's axes whatever the node's
+/// transforms are; a morph in its base shape.
+void SceneReader::show_controller(pugi::xml_node instance) {
+  pugi::xml_node controller = document_.referred(instance, "url", "controller");
+  Affine transform = stack_.back().transform;
+  if (const pugi::xml_node skin = controller.child("skin")) {
+    ++untold_.skins;
+    const pugi::xml_node matrix = skin.child("bind_shape_matrix");
+    transform = matrix ? read_matrix(document_, matrix) : Affine{};
+    show(document_.referred(skin, "source", "geometry"), transform, instance);
+    return;
+  }
+  const pugi::xml_node morph = controller.child("morph");
+  if (!morph) {
+    document_.fail(controller, describe(controller) + " is neither a skin nor a morph");
+  }
+  ++untold_.morphs;
+  show(document_.referred(morph, "source", "geometry"), transform, instance);
+}
+
+void SceneReader::look_at(pugi::xml_node element) {
+  count_element(element);
+  const std::string_view name = element.name();
+  if (name == "node") {
+    enter(element);
+  } else if (name == "instance_node") {
+    enter(document_.referred(element, "url", "node"));
+  } else if (name == "instance_geometry") {
+    show(document_.referred(element, "url", "geometry"), stack_.back().transform, element);
+  } else if (name == "instance_controller") {
+    show_controller(element);
+  }
+}
+
+void SceneReader::show_scene(pugi::xml_node scene) {
+  enter(scene);
+  while (!stack_.empty()) {
+    Frame& frame = stack_.back();
+    if (!frame.next) {
+      leave();
+      continue;
+    }
+    const pugi::xml_node element = std::exchange(frame.next, frame.next.next_sibling());
+    look_at(element);
+  }
+}
+
+/// A file without a scene is a library: each geometry once, where it is stored.
+void SceneReader::show_all_geometries() {
+  builder_.note("there is no scene: every geometry is shown once");
+  for (const pugi::xml_node library : document_.root().children("library_geometries")) {
+    for (const pugi::xml_node geometry : library.children("geometry")) {
+      show(geometry, Affine{}, geometry);
+    }
+  }
+}
+
+void SceneReader::write_notes() {
+  const auto tell = [&](std::uint64_t count, const char* what) {
+    if (count > 0) {
+      builder_.note(what + std::to_string(count));
+    }
+  };
+  tell(untold_.thin, "faces with fewer than three corners, which gave no triangle: ");
+  tell(untold_.lines, "lines, which are not triangles: ");
+  tell(untold_.curved, "splines, curved surfaces and hulls, which are not read: ");
+  tell(untold_.skins, "skins shown in the shape they were bound in: ");
+  tell(untold_.morphs, "morphs shown in their base shape: ");
+  tell(
+      document_.count_of("geometry") - std::min(document_.count_of("geometry"), geometries_.size()),
+      "geometries that the scene does not show: ");
+  if (untold_.nested_asset) {
+    builder_.note("a unit or up axis of a part of the file is not applied");
+  }
+  if (document_.root().child("library_animations")) {
+    builder_.note("animations are not applied");
+  }
+}
+
+}  // namespace
+
+std::vector<Part> show_scene(ColladaDocument& document, pugi::xml_node scene,
+                             MeshBuilder& builder) {
+  SceneReader reader(document, builder);
+  if (scene) {
+    reader.show_scene(scene);
+  } else {
+    reader.show_all_geometries();
+  }
+  reader.write_notes();
+  return std::move(reader.parts());
+}
+
+}  // namespace soms::detail
