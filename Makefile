@@ -2,7 +2,7 @@
 JOBS ?= $(shell nproc)
 ARGS ?=
 
-.PHONY: help run view test check asan tsan tidy arm64 determinism fuzz bench format clean
+.PHONY: help run view test large check asan tsan tidy arm64 determinism fuzz bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
@@ -66,7 +66,11 @@ fuzz:
 	cmake --build --preset fuzz -j $(JOBS)
 	@tools/run_fuzzers.py --seconds $(FUZZ_SECONDS)
 
-check: test asan tsan tidy arm64 determinism
+# What takes too long for every run of the suite: builds of 5 million triangles.
+large: test
+	SOMS_TEST_LARGE=1 ctest --preset release -R FiveMillion
+
+check: test large asan tsan tidy arm64 determinism
 
 # Rivals that cannot be installed are left out. A quick run: ARGS=--quick; soms-bench --help tells more.
 bench:
