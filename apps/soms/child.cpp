@@ -121,7 +121,8 @@ void become(const std::filesystem::path& program, const std::string& called,
   throw not_started(program, errno);
 }
 
-std::string output_of(const std::filesystem::path& program, const std::vector<std::string>& words) {
+std::string output_of(const std::filesystem::path& program, const std::vector<std::string>& words,
+                      const std::string& called) {
   std::array<int, 2> ends{};
   if (::pipe(ends.data()) != 0) {
     return {};
@@ -134,7 +135,7 @@ std::string output_of(const std::filesystem::path& program, const std::vector<st
   std::string text;
   pid_t child = -1;
   try {
-    child = start(program, words, {}, &files);
+    child = start(program, words, called, &files);
   } catch (const Error&) {
     child = -1;
   }

@@ -40,8 +40,10 @@ struct ChildOptions {
 [[noreturn]] void become(const std::filesystem::path& program, const std::string& called,
                          const std::vector<std::string>& words);
 
-/// What `program` says on standard output; empty where it cannot be started.
+/// What `program`, called by a name (empty: its path), says on standard output; empty where it
+/// cannot be started.
 [[nodiscard]] std::string output_of(const std::filesystem::path& program,
-                                    const std::vector<std::string>& words);
+                                    const std::vector<std::string>& words,
+                                    const std::string& called = {});
 
 }  // namespace soms::command

@@ -14,6 +14,10 @@ set(SOMS_COMMAND_FILES
   info_defects.cpp
   info_defects.h
   main.cpp
+  man.cpp
+  man.h
+  man_page.cpp
+  man_page.h
   map.cpp
   map.h
   map_city.cpp

@@ -2,8 +2,5 @@
 #include "apps/support/program.h"
 
 int main(int argc, char** argv) {
-  const soms::command::Program program{.name = "soms",
-                                       .summary = "exact, fast answers to which triangles touch",
-                                       .verbs = soms::command::verbs()};
-  return soms::command::run_program(program, {argv + 1, argv + argc});
+  return soms::command::run_program(soms::command::program(), {argv + 1, argv + argc});
 }

@@ -5,6 +5,7 @@
 #include "apps/soms/convert.h"
 #include "apps/soms/generate.h"
 #include "apps/soms/info.h"
+#include "apps/soms/man.h"
 #include "apps/soms/overlap.h"
 #include "apps/soms/reproduce.h"
 #include "apps/soms/simulate.h"
@@ -22,6 +23,7 @@ constexpr std::array kVerbs{
     Verb{"convert", "read any model, write PLY, 3DS, STL, OFF or OBJ", add_convert},
     Verb{"generate", "make a model of an exact number of triangles", add_generate},
     Verb{"info", "triangles, bounds, parts, defects and trees of models", add_info},
+    Verb{"man", "the manual: a page for the command and each verb", add_man},
     Verb{"overlap", "which triangles of two models share a point", add_overlap},
     Verb{"render", "draw a city, movers and contacts into a picture, without a screen", nullptr,
          pass_to_viewer},
@@ -35,6 +37,11 @@ constexpr std::array kVerbs{
 
 std::span<const Verb> verbs() {
   return kVerbs;
+}
+
+Program program() {
+  return {
+      .name = "soms", .summary = "exact, fast answers to which triangles touch", .verbs = verbs()};
 }
 
 }  // namespace soms::command

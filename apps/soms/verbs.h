@@ -2,6 +2,7 @@
 /// The verbs of the command, one row each.
 #pragma once
 
+#include "apps/support/program.h"
 #include "apps/support/verb.h"
 
 #include <span>
@@ -10,5 +11,8 @@ namespace soms::command {
 
 /// All verbs, sorted by name.
 [[nodiscard]] std::span<const Verb> verbs();
+
+/// The command itself.
+[[nodiscard]] Program program();
 
 }  // namespace soms::command

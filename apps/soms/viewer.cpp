@@ -45,13 +45,16 @@ int pass_to_viewer(std::string_view verb, const std::vector<std::string>& words)
   become(viewer_program(), "soms", all);
 }
 
-std::vector<std::string> viewer_option_names(std::string_view verb) {
-  std::string help;
+std::string viewer_help(std::string_view verb) {
   try {
-    help = output_of(viewer_program(), {std::string(verb), "--help"});
+    return output_of(viewer_program(), {std::string(verb), "--help"}, "soms");
   } catch (const Error&) {
     return {};
   }
+}
+
+std::vector<std::string> viewer_option_names(std::string_view verb) {
+  const std::string help = viewer_help(verb);
   // Options stand at the beginning of a line of the help: "  -o,--output FILE".
   static const std::regex kNames("\n  (?:(-[a-z]),)?(--[a-z][a-z-]*)");
   std::vector<std::string> names;

@@ -22,6 +22,9 @@ namespace soms::command {
 /// Becomes soms-view with this verb and these words. \errors As `viewer_program`, `become`.
 [[nodiscard]] int pass_to_viewer(std::string_view verb, const std::vector<std::string>& words);
 
+/// What --help says of a verb of soms-view; empty where the program is missing.
+[[nodiscard]] std::string viewer_help(std::string_view verb);
+
 /// Names of the options of a verb of soms-view; none where the program is missing.
 [[nodiscard]] std::vector<std::string> viewer_option_names(std::string_view verb);
 

@@ -36,24 +36,6 @@ std::string remedy_for(std::string_view word, const std::vector<std::string>& kn
                       : fmt::format("did you mean {}? ({} lists them)", near, list);
 }
 
-std::string general_help(const Program& program) {
-  std::string text = fmt::format("{0}: {1}\nUsage: {0} VERB [OPTIONS] ...\n\nVerbs:\n",
-                                 program.name, program.summary);
-  for (const Verb& verb : program.verbs) {
-    text += fmt::format("  {:<12}{}\n", verb.name, verb.question);
-  }
-  text += fmt::format(
-      "\n{0} VERB --help tells a verb's options and shows an example that works.\n"
-      "{0} --version tells the version.\n",
-      program.name);
-  text +=
-      "\nAnswers go to standard output, everything else to standard error. Exit status:\n"
-      "  0 answered  1 a condition of --fail-if holds  2 usage  3 bad input\n"
-      "  4 not enough memory or time  5 could not write  6 --verify found a difference\n"
-      "  130 interrupted\n";
-  return text;
-}
-
 /// Takes the places of standard streams that are closed, so that no file gets them: what is written
 /// there fails, as it must.
 void hold_standard_streams() {
@@ -148,7 +130,7 @@ int run_verb(const Program& program, const Verb& entry, const std::vector<std::s
 
 int run(const Program& program, const std::vector<std::string>& words) {
   if (words.empty() || words[0] == "--help" || words[0] == "-h") {
-    print_plain(general_help(program));
+    print_plain(help_of(program));
     return 0;
   }
   if (words[0] == "help") {
@@ -173,6 +155,24 @@ int fail(const Program& program, const std::vector<std::string>& words, std::str
 }
 
 }  // namespace
+
+std::string help_of(const Program& program) {
+  std::string text = fmt::format("{0}: {1}\nUsage: {0} VERB [OPTIONS] ...\n\nVerbs:\n",
+                                 program.name, program.summary);
+  for (const Verb& verb : program.verbs) {
+    text += fmt::format("  {:<12}{}\n", verb.name, verb.question);
+  }
+  text += fmt::format(
+      "\n{0} VERB --help tells a verb's options and shows an example that works.\n"
+      "{0} --version tells the version.\n",
+      program.name);
+  text +=
+      "\nAnswers go to standard output, everything else to standard error. Exit status:\n"
+      "  0 answered  1 a condition of --fail-if holds  2 usage  3 bad input\n"
+      "  4 not enough memory or time  5 could not write  6 --verify found a difference\n"
+      "  130 interrupted\n";
+  return text;
+}
 
 int run_program(const Program& program, const std::vector<std::string>& words) {
   hold_standard_streams();

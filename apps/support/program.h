@@ -18,6 +18,9 @@ struct Program {
   std::span<const Verb> verbs;  ///< sorted by name
 };
 
+/// The text of --help.
+[[nodiscard]] std::string help_of(const Program& program);
+
 /// Runs one command line (`words`, without the program's name) and returns its exit status: 0
 /// answered, 1 a condition of --fail-if holds, 2 usage, 3 bad input, 4 not enough memory or time, 5
 /// could not write, 6 --verify found a difference, 130 interrupted.

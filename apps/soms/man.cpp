@@ -1,0 +1,97 @@
+#include "apps/soms/man.h"
+
+#include "apps/soms/man_page.h"
+#include "apps/soms/verbs.h"
+#include "apps/soms/viewer.h"
+#include "apps/support/console.h"
+#include "apps/support/parse.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace soms::command {
+
+namespace {
+
+std::string page_of_command() {
+  const std::string help = help_of(program());
+  ManPage page{.name = "soms", .version = SOMS_VERSION, .help = help, .see_also = {}};
+  for (const Verb& verb : verbs()) {
+    page.see_also.push_back(fmt::format("soms-{}", verb.name));
+  }
+  return roff(page);
+}
+
+/// Empty for a verb of soms-view where that program is missing.
+std::string page_of(const Verb& verb) {
+  const std::string help =
+      verb.pass_on != nullptr ? viewer_help(verb.name) : ParsedVerb("soms", verb).help();
+  return help.empty() ? help
+                      : roff({.name = fmt::format("soms-{}", verb.name),
+                              .version = SOMS_VERSION,
+                              .help = help,
+                              .see_also = {"soms"}});
+}
+
+void write_page(const std::string& folder, const std::string& name, const std::string& text) {
+  OutputFile file(std::filesystem::path(folder) / (name + ".1"));
+  file.stream() << text;
+  file.commit();
+}
+
+void write_all(const std::string& folder, const Console& console) {
+  write_page(folder, "soms", page_of_command());
+  for (const Verb& verb : verbs()) {
+    const std::string text = page_of(verb);
+    if (text.empty()) {
+      console.note(fmt::format("soms-{}.1 is left out: soms-view is not installed", verb.name));
+    } else {
+      write_page(folder, fmt::format("soms-{}", verb.name), text);
+    }
+  }
+}
+
+const Verb& verb_named(const std::string& word) {
+  Choices<const Verb*> choices;
+  for (const Verb& verb : verbs()) {
+    choices.emplace_back(verb.name, &verb);
+  }
+  return *parse_choice("VERB", word, choices);
+}
+
+}  // namespace
+
+Action add_man(CLI::App& app, Shared&) {
+  const auto options = std::make_shared<ManOptions>();
+  app.add_option("VERB", options->verb, "whose page; without one, that of soms itself")
+      ->type_name("");
+  app.add_option("--output", options->folder, "write all pages into a folder that exists instead")
+      ->option_text("FOLDER");
+  app.footer(
+      "Pages are in the language of man (roff) and say what --help says. An installed soms has\n"
+      "them where man looks: man soms-overlap.\n\n"
+      "Example:\n"
+      "  soms man overlap > soms-overlap.1");
+  return [options](Console& console) { return run_man(*options, console); };
+}
+
+int run_man(const ManOptions& options, Console& console) {
+  if (!options.folder.empty()) {
+    write_all(options.folder, console);
+    return 0;
+  }
+  if (options.verb.empty()) {
+    console.print(page_of_command());
+    return 0;
+  }
+  const std::string text = page_of(verb_named(options.verb));
+  if (text.empty()) {
+    (void)viewer_program();  // says what is missing
+  }
+  console.print(text);
+  return 0;
+}
+
+}  // namespace soms::command
