@@ -1,13 +1,86 @@
-# What an installed soms is: headers, library, command, and a package that find_package(soms) finds.
+# What an installed soms is: headers, library, programs, manual, and packages that find_package(soms)
+# and pkg-config find. Static and shared library may be installed to one place, by a build of each: a
+# kind brings its own targets, and soms-config.cmake chooses.
 include(CMakePackageConfigHelpers)
+set(kind static)
+set(requires_key Requires)  # whoever links an archive links what it needs
+if(SOMS_SHARED)
+  set(kind shared)
+  set(requires_key Requires.private)
+endif()
+set(SOMS_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/soms)
+
 install(TARGETS soms EXPORT soms_targets
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(EXPORT soms_targets FILE soms_targets.cmake NAMESPACE soms:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/soms)
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development
+  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+install(EXPORT soms_targets FILE soms_${kind}_targets.cmake NAMESPACE soms::
+  DESTINATION ${SOMS_CMAKE_DIR} COMPONENT development)
+
+set(dependencies Threads)
+if(NOT SOMS_SHARED)
+  list(APPEND dependencies ${SOMS_LINKED_PACKAGES})
+endif()
+list(TRANSFORM dependencies REPLACE ".+" "find_dependency(\\0)")
+list(JOIN dependencies "\n" dependencies)
+configure_file(cmake/soms_kind.cmake.in soms_${kind}.cmake @ONLY)
 configure_package_config_file(cmake/soms-config.cmake.in soms-config.cmake
-  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/soms)
+  INSTALL_DESTINATION ${SOMS_CMAKE_DIR})
 write_basic_package_version_file(soms-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/soms-config.cmake
-              ${CMAKE_CURRENT_BINARY_DIR}/soms-config-version.cmake
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/soms)
+install(FILES ${PROJECT_BINARY_DIR}/soms-config.cmake
+              ${PROJECT_BINARY_DIR}/soms-config-version.cmake
+              ${PROJECT_BINARY_DIR}/soms_${kind}.cmake
+  DESTINATION ${SOMS_CMAKE_DIR} COMPONENT development)
+
+# The folders of soms.pc are told from its own place on, so that what is installed can be moved.
+set(pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+set(pc_prefix ${CMAKE_INSTALL_PREFIX})
+if(NOT IS_ABSOLUTE ${CMAKE_INSTALL_LIBDIR})
+  file(RELATIVE_PATH up /${pc_dir} /)
+  string(REGEX REPLACE "/$" "" up ${up})
+  set(pc_prefix "\${pcfiledir}/${up}")
+endif()
+cmake_path(APPEND pc_libdir "\${prefix}" ${CMAKE_INSTALL_LIBDIR})
+cmake_path(APPEND pc_includedir "\${prefix}" ${CMAKE_INSTALL_INCLUDEDIR})
+list(JOIN SOMS_LINKED_MODULES ", " modules)
+configure_file(cmake/soms.pc.in soms.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/soms.pc DESTINATION ${pc_dir} COMPONENT development)
+
+# soms_install_program(<target> <folder> <component>): a program that finds the shared library from
+# its own place.
+function(soms_install_program target folder component)
+  if(NOT TARGET ${target})
+    return()
+  endif()
+  if(SOMS_SHARED AND NOT IS_ABSOLUTE ${CMAKE_INSTALL_LIBDIR})
+    file(RELATIVE_PATH libraries /${folder} /${CMAKE_INSTALL_LIBDIR})
+    set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries}")
+  endif()
+  install(TARGETS ${target} RUNTIME DESTINATION ${folder} COMPONENT ${component})
+endfunction()
+if(NOT TARGET soms_command)
+  return()
+endif()
+soms_install_program(soms_command ${CMAKE_INSTALL_BINDIR} command)
+soms_install_program(soms_view_command ${CMAKE_INSTALL_LIBEXECDIR}/soms view)
+
+# Pages of the manual and words for the shell, as the command tells them.
+if(NOT CMAKE_CROSSCOMPILING)
+  set(made ${PROJECT_BINARY_DIR}/manual)
+  add_custom_command(OUTPUT ${made}/soms.1 ${made}/soms.bash ${made}/soms.fish
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${made}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${made}
+    COMMAND soms_command man --quiet --output ${made}
+    COMMAND soms_command completion bash > ${made}/soms.bash
+    COMMAND soms_command completion fish > ${made}/soms.fish
+    DEPENDS soms_command $<$<TARGET_EXISTS:soms_view_command>:soms_view_command> VERBATIM)
+  add_custom_target(soms_manual ALL DEPENDS ${made}/soms.1 ${made}/soms.bash ${made}/soms.fish)
+  install(DIRECTORY ${made}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT command
+    FILES_MATCHING PATTERN *.1)
+  install(FILES ${made}/soms.bash COMPONENT command RENAME soms
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${made}/soms.fish COMPONENT command
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+endif()
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)

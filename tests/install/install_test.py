@@ -1,55 +1,46 @@
 """The README's ten lines build against an installed soms and say what the command says.
 
-Installs the build into a scratch prefix, extracts the first C++ block of README.md, builds it with
-find_package(soms), and runs it on a generated city and car that are placed to touch.
+    install_test.py SOURCE BUILD COMPILER [FLAG...]
+
+Installs the build into a scratch prefix, moves it elsewhere, and builds the first C++ block of
+README.md there with find_package(soms); without flags (those of a sanitizer) with pkg-config, too.
+The programs beside the command, the manual and the words for the shell are found there.
 """
 import pathlib
-import re
-import subprocess
 import sys
 import tempfile
 
-
-def run(*arguments, **options):
-    done = subprocess.run([str(a) for a in arguments], check=False, capture_output=True, text=True,
-                          **options)
-    if done.returncode != 0:
-        print(done.stdout[-3000:], done.stderr[-3000:])
-        sys.exit(f"{arguments[0]} {arguments[1]}: exit {done.returncode}")
-    return done.stdout
+from outside import Models, by_cmake, by_pkg_config, install, readme_program, run
 
 
-def first_cpp_block(readme):
-    found = re.search(r"```cpp\n(.*?)```", readme.read_text(encoding="utf-8"), re.DOTALL)
-    if found is None:
-        sys.exit("README.md has no C++ block")
-    return found.group(1)
+def check_command(prefix, build):
+    """What the command needs lies under its own prefix; nothing else of the system is asked."""
+    soms = prefix / "bin/soms"
+    if (build / "bin/soms-view").exists():
+        said = run(soms, "view", "--help", env={"PATH": "/nowhere"})
+        if "Usage: soms view" not in said:
+            sys.exit("soms view --help does not come from soms-view")
+    for name in ("man/man1/soms.1", "man/man1/soms-overlap.1",
+                 "bash-completion/completions/soms", "doc/soms/README.md"):
+        if not (prefix / "share" / name).exists():
+            sys.exit(f"share/{name} is not installed")
 
 
 def main():
     source, build, compiler = map(pathlib.Path, sys.argv[1:4])
+    flags = " ".join(sys.argv[4:])
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        run("cmake", "--install", build, "--prefix", folder / "prefix")
-        program = first_cpp_block(source / "README.md")
-        (folder / "example.cpp").write_text(program, encoding="utf-8")
-        run("cmake", "-S", source / "tests/install/consumer", "-B", folder / "build", "-G", "Ninja",
-            f"-DCMAKE_PREFIX_PATH={folder / 'prefix'}", f"-DCMAKE_CXX_COMPILER={compiler}",
-            f"-DCMAKE_CXX_FLAGS={' '.join(sys.argv[4:])}",
-            f"-DCONSUMER_SOURCE={folder / 'example.cpp'}")
-        run("cmake", "--build", folder / "build")
-
-        soms = folder / "prefix/bin/soms"
-        run(soms, "generate", "city", "--triangles", "5672", "-o", "city.ply", cwd=folder)
-        run(soms, "generate", "car", "-o", "car.ply", cwd=folder)
-        said = run(folder / "build/consumer", cwd=folder)
-        shift = re.search(r"translation\(([^)]*)\)", program).group(1).replace(",", " ")
-        command = run(soms, "overlap", "car.ply", "city.ply", "--pose", shift, "--json", cwd=folder)
-        count = int(re.search(r'"count":(\d+)', command).group(1))
-        lines = [line for line in said.splitlines() if " touches " in line]
-        if len(lines) != count:
-            sys.exit(f"the program names {len(lines)} pairs, the command {count}")
-        print(f"the README's program builds and runs: {count} pairs")
+        prefix = install(build, folder / "moved")
+        check_command(prefix, build)
+        program = readme_program(source)
+        models = Models(folder, prefix / "bin/soms", program)
+        models.check("find_package(soms)", *by_cmake(
+            folder / "cmake", program, compiler, f"-DCMAKE_PREFIX_PATH={prefix}",
+            f"-DCMAKE_CXX_FLAGS={flags}"))
+        if not flags:
+            models.check("pkg-config soms", *by_pkg_config(
+                folder / "pkg-config", program, compiler, prefix))
 
 
 if __name__ == "__main__":
