@@ -2,13 +2,14 @@
 JOBS ?= $(shell nproc)
 ARGS ?=
 
-.PHONY: help run view test large check asan tsan tidy arm64 determinism fuzz bench format clean
+.PHONY: help run view test large check asan tsan tidy arm64 determinism packages bare fuzz bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
 	@echo "make view    install what is missing, build, and open the viewer on the embedded city"
 	@echo "make test    install what is missing, build, and run every test of the release build"
-	@echo "make check   make test, then the suite under ASan+UBSan and TSan, clang-tidy, 64-bit ARM"
+	@echo "make check   make test, then the suite under ASan+UBSan and TSan, clang-tidy, 64-bit ARM,"
+	@echo "             packages, and the README's commands on a bare Debian"
 	@echo "make fuzz    every fuzzer for a minute (FUZZ_SECONDS=600)"
 	@echo "make bench   soms beside its rivals, in one run (ARGS=--quick: a few minutes)"
 	@echo "make format  clang-format on every source"
@@ -57,6 +58,23 @@ determinism:
 	@tools/install_packages.sh run check
 	tests/determinism/run.sh build/determinism $(JOBS)
 
+# The installed library as outside programs see it, static and shared, the Debian packages, and the
+# command on a processor without any vector extension. The packages stay in build/package.
+packages:
+	@tools/install_packages.sh run view test packages
+	cmake --preset release -D SOMS_BUILD_TESTS=ON
+	cmake --build --preset release -j $(JOBS) --target soms soms_command soms_manual
+	cmake --preset package
+	cmake --build --preset package -j $(JOBS)
+	ctest --preset release -R R99
+	python3 tests/install/packages_test.py . build/release build/package c++ clang++
+	python3 tests/install/deb_test.py . build/package build/bare
+
+# Both commands of the README on a Debian that has nothing but git and make.
+bare:
+	@tools/install_packages.sh bare
+	python3 tests/install/bare_debian_test.py . build/bare || [ $$? -eq 77 ]
+
 # Each fuzzer for FUZZ_SECONDS, on its seeds and the inputs that it found before; build/fuzz/corpus
 # keeps them, build/fuzz/results.csv counts. tests/fuzz/README.md tells more.
 FUZZ_SECONDS ?= 60
@@ -70,7 +88,7 @@ fuzz:
 large: test
 	SOMS_TEST_LARGE=1 ctest --preset release -R FiveMillion
 
-check: test large asan tsan tidy arm64 determinism
+check: test large asan tsan tidy arm64 determinism packages bare
 
 # Rivals that cannot be installed are left out. A quick run: ARGS=--quick; soms-bench --help tells more.
 bench:
