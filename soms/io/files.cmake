@@ -4,6 +4,8 @@ set(SOMS_HEADERS
   write_mesh.h
 )
 set(SOMS_SOURCES
+  detail/affine.cpp
+  detail/base64.cpp
   detail/collada.cpp
   detail/collada_document.cpp
   detail/collada_geometry.cpp
@@ -11,6 +13,12 @@ set(SOMS_SOURCES
   detail/collada_transform.cpp
   detail/file.cpp
   detail/format.cpp
+  detail/gltf.cpp
+  detail/gltf_accessor.cpp
+  detail/gltf_buffers.cpp
+  detail/gltf_json.cpp
+  detail/gltf_meshes.cpp
+  detail/gltf_scene.cpp
   detail/line_reader.cpp
   detail/mesh_builder.cpp
   detail/mesh_writer.cpp

@@ -8,7 +8,10 @@
 
 #include <limits>
 #include <new>
+#include <optional>
 #include <string_view>
+#include <system_error>
+#include <utility>
 
 namespace soms {
 
@@ -25,16 +28,28 @@ std::uint64_t memory_limit(const ReadOptions& options, std::uint64_t size) {
   return size > (kMost - kAllowance) / kFactor ? kMost : kFactor * size + kAllowance;
 }
 
+/// Where to look for files that a model names: a pipe or a device has no folder of its own.
+std::optional<std::filesystem::path> folder_of(const std::filesystem::path& path) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(path, unknown)) {
+    return std::nullopt;
+  }
+  return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+}
+
 /// Whose memory the bytes of a file are.
 enum class Owner { caller, us };
 
 Mesh read_bytes(std::string_view bytes, const std::string& name, Owner owner,
-                const ReadOptions& options, const Parallel& parallel) {
+                std::optional<std::filesystem::path> folder, const ReadOptions& options,
+                const Parallel& parallel) {
   const PlainArithmetic plain;
   detail::Source source{.bytes = bytes,
                         .name = name,
                         .allow_empty = options.allow_empty,
+                        .folder = std::move(folder),
                         .budget = detail::Budget(memory_limit(options, bytes.size())),
+                        .memory_per_byte = options.max_memory > 0 ? 0 : kFactor,
                         .parallel = parallel,
                         .forgettable = owner == Owner::us};
   const std::uint64_t taken = owner == Owner::us ? bytes.size() : 0;
@@ -63,7 +78,7 @@ Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options,
   try {
     check_stop(parallel);
     const detail::FileBytes bytes = detail::read_file(path, options.max_memory);
-    return read_bytes(bytes.view(), path.string(), Owner::us, options, parallel);
+    return read_bytes(bytes.view(), path.string(), Owner::us, folder_of(path), options, parallel);
   } catch (const std::bad_alloc&) {
     fail_machine(path.string());
   }
@@ -74,7 +89,7 @@ Mesh read_mesh(std::span<const std::byte> bytes, const std::string& name,
   try {
     check_stop(parallel);
     const auto* data = reinterpret_cast<const char*>(bytes.data());
-    return read_bytes({data, bytes.size()}, name, Owner::caller, options, parallel);
+    return read_bytes({data, bytes.size()}, name, Owner::caller, std::nullopt, options, parallel);
   } catch (const std::bad_alloc&) {
     fail_machine(name);
   }

@@ -21,9 +21,11 @@ struct ReadOptions {
   std::uint64_t max_memory = 0;
 };
 
-/// Reads a PLY, 3DS, STL, OFF, OBJ or COLLADA model as stored, in double: nothing is welded, moved
-/// or lost, triangle i is triangle i of the file, a polygon of n corners gives n-2 triangles. The
-/// mesh passes `check`. What each reader accepts stands in docs/formats.md.
+/// Reads a PLY, 3DS, STL, OFF, OBJ, glTF, GLB or COLLADA model as stored, in double: nothing is
+/// welded, moved or lost but by the nodes of a scene, triangle i is triangle i of the file, a
+/// polygon of n corners gives n-2 triangles. The mesh passes `check`. What each reader accepts
+/// stands in docs/formats.md. A glTF model alone opens other files: those in its folder that it
+/// names.
 ///
 /// \errors  cannot_open (missing, unreadable, a directory), bad_file (names line or byte),
 ///          empty_mesh, not_finite, out_of_range, unsupported (names the formats that are read),

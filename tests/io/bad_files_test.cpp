@@ -114,7 +114,7 @@ TEST(BadFiles, OfFormatsThatAreNotReadNameTheFormatsThatAre) {
     ++tried;
     SCOPED_TRACE(row[0]);
     expect_refused([&] { static_cast<void>(read_mesh(path)); }, ErrorKind::unsupported,
-                   "PLY, 3DS, STL, OFF, OBJ");
+                   "PLY, 3DS, STL, OFF, OBJ, GLB, glTF");
   }
   EXPECT_GE(tried, 1);
 }

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <fstream>
 #include <span>
@@ -59,13 +61,10 @@ std::vector<std::vector<std::string>> rows_of(std::string_view file, std::size_t
 }
 
 bool is_read(const std::string& file) {
-  for (const std::string_view ending :
-       {".ply", ".3ds", ".3DS", ".stl", ".STL", ".off", ".obj", ".dae"}) {
-    if (std::string_view(file).ends_with(ending)) {
-      return true;
-    }
-  }
-  return false;
+  constexpr std::array<std::string_view, 10> kEndings = {".ply", ".3ds", ".3DS", ".stl",  ".STL",
+                                                         ".off", ".obj", ".glb", ".gltf", ".dae"};
+  return std::any_of(kEndings.begin(), kEndings.end(),
+                     [&](std::string_view ending) { return file.ends_with(ending); });
 }
 
 std::string bytes_of(std::uint64_t value, std::size_t count) {

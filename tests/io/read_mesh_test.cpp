@@ -44,8 +44,7 @@ TEST(ReadMesh, RefusesANameThatContradictsTheContent) {
 
 TEST(ReadMesh, NamesWhatOtherContentIs) {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"glTF....", "a glTF file"},
-      {" {\"asset\":", "a JSON file"},
+      {" {\"type\":", "a JSON file"},
       {"<?xml version=", "an XML file"},
       {"<!DOCTYPE html>", "a web page"},
       {"version https://git-lfs.github.com", "git lfs pull"},
@@ -61,13 +60,14 @@ TEST(ReadMesh, NamesWhatOtherContentIs) {
   };
   for (const auto& [content, words] : cases) {
     expect_refused(content, "a.xyz", ErrorKind::unsupported, words);
-    expect_refused(content, "a.xyz", ErrorKind::unsupported, "PLY, 3DS, STL, OFF, OBJ");
+    expect_refused(content, "a.xyz", ErrorKind::unsupported, "PLY, 3DS, STL, OFF, OBJ, GLB, glTF");
   }
   expect_refused("hello", "a", ErrorKind::unsupported, "without an ending");
 }
 
 TEST(ReadMesh, IsNeverSilentlyEmpty) {
-  for (const std::string name : {"a.ply", "a.3ds", "a.stl", "a.off", "a.obj", "a"}) {
+  for (const std::string name :
+       {"a.ply", "a.3ds", "a.stl", "a.off", "a.obj", "a.glb", "a.gltf", "a"}) {
     expect_refused("", name, ErrorKind::bad_file, "the file is empty");
   }
   expect_refused("v 0 0 0\n", "a.obj", ErrorKind::empty_mesh, "no triangles (1 vertices)");

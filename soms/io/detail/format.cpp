@@ -2,6 +2,7 @@
 
 #include "soms/io/detail/collada.h"
 #include "soms/io/detail/ending.h"
+#include "soms/io/detail/gltf.h"
 #include "soms/io/detail/obj.h"
 #include "soms/io/detail/off.h"
 #include "soms/io/detail/ply.h"
@@ -26,6 +27,8 @@ constexpr auto kFormats = std::to_array<ReadFormat>({
     {"STL", ".stl", is_stl, read_stl},
     {"OFF", ".off", is_off, read_off},
     {"OBJ", ".obj", is_obj, read_obj},
+    {"GLB", ".glb", is_glb, read_glb},
+    {"glTF", ".gltf", is_gltf, read_gltf},
 #ifdef SOMS_USE_PUGIXML
     {"COLLADA", ".dae", is_collada, read_collada},
 #endif
@@ -36,14 +39,15 @@ struct Foreign {
   std::string_view begin;
   std::string_view what;
   std::string_view remedy;
+  /// Ending of a format that begins so too, and whose reader knows better what is wrong.
+  std::string_view unless = {};
 };
 
 constexpr std::string_view kUnpack = "unpack it first";
 constexpr std::string_view kConvert = "convert it to one of the formats that are read";
 
-constexpr std::array<Foreign, 14> kForeign = {{
-    {"glTF", "a glTF file", kConvert},
-    {"{", "a JSON file", kConvert},
+constexpr std::array<Foreign, 13> kForeign = {{
+    {"{", "a JSON file", kConvert, ".gltf"},
     {"<!DOCTYPE", "a web page", "get the file that the page offers"},
     {"<!doctype", "a web page", "get the file that the page offers"},
     {"<html", "a web page", "get the file that the page offers"},
@@ -98,7 +102,8 @@ const ReadFormat& identify(const Source& source) {
   const std::size_t begin =
       std::min(source.bytes.find_first_not_of(" \t\r\n"), source.bytes.size());
   for (const Foreign& foreign : kForeign) {
-    if (source.bytes.substr(begin).starts_with(foreign.begin)) {
+    if (source.bytes.substr(begin).starts_with(foreign.begin) &&
+        (ending.empty() || ending != foreign.unless)) {
       fail_unsupported(source, std::string(foreign.what), std::string(foreign.remedy));
     }
   }

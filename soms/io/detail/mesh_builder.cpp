@@ -72,29 +72,39 @@ void MeshBuilder::add_instance(const Mesh& mesh, std::uint32_t first, std::uint3
   face_ += faces;
 }
 
-/// Closes the open part; one without triangles vanishes.
-void MeshBuilder::end_part() {
-  if (!mesh_.parts.empty()) {
-    Part& part = mesh_.parts.back();
-    part.count = static_cast<std::uint32_t>(mesh_.triangles.size()) - part.first;
-    if (part.count == 0) {
-      mesh_.parts.pop_back();
-    }
+void MeshBuilder::open_part(std::string_view name) {
+  const std::uint32_t parent = open_parts_.empty() ? Part::kNoParent : open_parts_.back();
+  const auto first = static_cast<std::uint32_t>(mesh_.triangles.size());
+  push(open_parts_, static_cast<std::uint32_t>(mesh_.parts.size()));
+  push(mesh_.parts, {std::string(name), parent, first, 0});
+}
+
+void MeshBuilder::close_part() {
+  Part& part = mesh_.parts[open_parts_.back()];
+  part.count = static_cast<std::uint32_t>(mesh_.triangles.size()) - part.first;
+  // Parts within it have no triangles either, so they are gone and this is the last.
+  if (part.count == 0) {
+    mesh_.parts.pop_back();
   }
+  open_parts_.pop_back();
 }
 
 void MeshBuilder::begin_part(std::string_view name) {
-  end_part();
+  if (!open_parts_.empty()) {
+    close_part();
+  }
   const auto first = static_cast<std::uint32_t>(mesh_.triangles.size());
   // Triangles before the first name are a part without one.
   if (mesh_.parts.empty() && first > 0) {
     push(mesh_.parts, {"", Part::kNoParent, 0, first});
   }
-  push(mesh_.parts, {std::string(name), Part::kNoParent, first, 0});
+  open_part(name);
 }
 
 Mesh MeshBuilder::finish() {
-  end_part();
+  while (!open_parts_.empty()) {
+    close_part();
+  }
   if (thin_faces_ > 0) {
     note("faces with fewer than three corners, which gave no triangle: " +
          std::to_string(thin_faces_));

@@ -49,6 +49,13 @@ class MeshBuilder {
   /// vanish.
   void begin_part(std::string_view name);
 
+  /// Opens a part within the one that was opened last and is not closed yet. Formats whose parts
+  /// nest use this and `close_part` in place of `begin_part`.
+  void open_part(std::string_view name);
+
+  /// Closes the part that was opened last; one without triangles vanishes.
+  void close_part();
+
   void note(std::string text) { mesh_.notes.push_back(std::move(text)); }
 
   [[nodiscard]] const std::vector<Vec3>& vertices() const { return mesh_.vertices; }
@@ -98,12 +105,12 @@ class MeshBuilder {
   }
 
   void map_faces();
-  void end_part();
 
   Source& source_;
   Mesh mesh_;
   PolygonTriangulator triangulator_;
   std::vector<Vec3> corners_;
+  std::vector<std::uint32_t> open_parts_;  ///< from the outermost to the innermost
   std::uint32_t face_ = 0;
   std::uint64_t thin_faces_ = 0;
   bool mapped_ = false;

@@ -8,6 +8,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -39,7 +41,11 @@ struct Source {
   std::size_t skipped = 0;  ///< bytes of the file before `bytes`: a byte order mark
   std::string name;         ///< for messages and `Mesh::source`
   bool allow_empty = false;
+  /// Folder of the file, in which files that it names are looked for; none for bytes in memory.
+  std::optional<std::filesystem::path> folder = {};
   Budget budget{0};
+  /// Bytes of memory that each byte of such a file adds; 0 where a limit was stated.
+  std::uint64_t memory_per_byte = 0;
   const Parallel& parallel;
   /// `bytes` is memory of our own, and each reader may lose what it has passed for good.
   bool forgettable = false;

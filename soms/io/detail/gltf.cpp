@@ -1,0 +1,367 @@
+#include "soms/io/detail/gltf.h"
+
+#include "soms/io/detail/gltf_accessor.h"
+#include "soms/io/detail/gltf_buffers.h"
+#include "soms/io/detail/gltf_json.h"
+#include "soms/io/detail/gltf_meshes.h"
+#include "soms/io/detail/gltf_scene.h"
+#include "soms/io/detail/little_endian.h"
+#include "soms/io/detail/mesh_builder.h"
+#include "soms/io/detail/text.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace soms::detail {
+
+namespace {
+
+/// True for extensions that are read, or that change nothing that is.
+bool is_harmless(std::string_view extension) {
+  constexpr std::array<std::string_view, 5> kParts = {"KHR_mesh_quantization", "_materials_",
+                                                      "_texture_", "_lights_", "_techniques_"};
+  return std::any_of(kParts.begin(), kParts.end(), [&](std::string_view part) {
+    return extension.find(part) != std::string_view::npos;
+  });
+}
+
+/// True if a list of texts has this one.
+bool lists(const JsonValue& root, std::string_view list, std::string_view wanted) {
+  const std::optional<JsonValue> names = root.find(list);
+  for (std::size_t i = 0; names && i < names->size(); ++i) {
+    if (names->at(i).text() == wanted) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Later versions 2.x can be read as 2.0 unless they say that they cannot.
+void check_version(const JsonValue& root) {
+  const JsonValue asset = root.at("asset");
+  const JsonValue version = asset.at("version");
+  const std::optional<JsonValue> least = asset.find("minVersion");
+  if (!version.text().starts_with("2.") || (least && least->text() != "2.0")) {
+    const JsonValue wrong = least ? *least : version;
+    wrong.fail(ErrorKind::unsupported, "version " + in_quotes(wrong.text()) + "; 2.0 is read",
+               "save the model as glTF 2.0");
+  }
+}
+
+void check_extensions(const JsonValue& root) {
+  const std::optional<JsonValue> required = root.find("extensionsRequired");
+  for (std::size_t i = 0; required && i < required->size(); ++i) {
+    if (!is_harmless(required->at(i).text())) {
+      refuse_extension(required->at(i), required->at(i).text());
+    }
+  }
+  const std::optional<JsonValue> extensions = root.find("extensions");
+  if (extensions && extensions->find("CESIUM_RTC")) {
+    refuse_extension(*extensions, "CESIUM_RTC");
+  }
+}
+
+class GltfReader {
+ public:
+  GltfReader(Source& source, const JsonDocument& document, std::optional<std::string_view> chunk)
+      : source_(source),
+        root_(document.root()),
+        buffers_(source, chunk),
+        accessors_(source, buffers_,
+                   lists(root_, "extensionsUsed", "KHR_mesh_quantization") ||
+                       lists(root_, "extensionsRequired", "KHR_mesh_quantization")),
+        meshes_(source, accessors_),
+        builder_(source) {}
+
+  Mesh read();
+
+ private:
+  /// The mesh of a node, if it has one.
+  [[nodiscard]] const GltfMesh* mesh_of(const PlacedNode& node);
+  void reserve(const std::vector<PlacedNode>& nodes);
+  void add_node(const PlacedNode& node);
+  void add_positions(const GltfAccessor& accessor, const PlacedNode& node);
+  void add_triangles(const GltfPrimitive& primitive, const GltfMesh& mesh, std::uint32_t first,
+                     bool turned);
+  void tick(std::uint64_t items);
+  void add_notes(std::vector<std::string> notes);
+
+  Source& source_;
+  JsonValue root_;
+  GltfBuffers buffers_;
+  GltfAccessors accessors_;
+  GltfMeshes meshes_;
+  MeshBuilder builder_;
+  std::vector<std::uint32_t> first_;  ///< vertices of a mesh's positions, for one node
+  std::uint64_t items_ = 0;           ///< vertices and triangles of the whole scene
+  std::uint64_t done_ = 0;
+  std::uint64_t skinned_ = 0;
+};
+
+void GltfReader::tick(std::uint64_t items) {
+  done_ += items;
+  const double share = static_cast<double>(done_) / static_cast<double>(items_);
+  source_.tick(static_cast<std::size_t>(share * static_cast<double>(source_.bytes.size())));
+}
+
+const GltfMesh* GltfReader::mesh_of(const PlacedNode& node) {
+  const std::optional<JsonValue> reference = node.json.find("mesh");
+  return reference ? &meshes_.mesh(*reference) : nullptr;
+}
+
+/// Room for all instances, which costs nothing where it is not there: before one is read.
+void GltfReader::reserve(const std::vector<PlacedNode>& nodes) {
+  std::uint64_t vertices = 0;
+  std::uint64_t triangles = 0;
+  for (const PlacedNode& node : nodes) {
+    const GltfMesh* const mesh = mesh_of(node);
+    if (mesh == nullptr) {
+      continue;
+    }
+    const std::optional<JsonValue> extensions = node.json.find("extensions");
+    if (extensions && extensions->find("EXT_mesh_gpu_instancing")) {
+      refuse_extension(node.json, "EXT_mesh_gpu_instancing");
+    }
+    skinned_ += node.json.find("skin") ? 1U : 0U;
+    vertices += mesh->vertices;
+    triangles += mesh->triangles;
+    if (vertices > kMaxPrimitives || triangles > kMaxPrimitives) {
+      node.json.fail(ErrorKind::out_of_range,
+                     "with this node, more than 2^31 - 1 vertices or triangles", "split the model");
+    }
+  }
+  builder_.reserve_vertices(vertices);
+  builder_.reserve_triangles(triangles);
+  items_ = vertices + triangles;
+}
+
+void GltfReader::add_positions(const GltfAccessor& accessor, const PlacedNode& node) {
+  const bool moves = node.world != Affine{};
+  GltfCursor cursor(accessor);
+  for (std::uint64_t i = 0; i < accessor.count; ++i) {
+    if (i % kRowsPerTick == 0) {
+      tick(std::min<std::uint64_t>(kRowsPerTick, accessor.count - i));
+    }
+    const Vec3 stored = gltf_vector(cursor.next(), accessor);
+    if (!fit_for_mesh(stored)) [[unlikely]] {
+      const CoordinateFault fault = describe_fault(stored);
+      accessor.json.fail(fault.kind, "element " + std::to_string(i) + ": " + fault.what,
+                         fault.remedy);
+    }
+    const Vec3 v = moves ? node.world.apply(stored) : stored;
+    if (!fit_for_mesh(v)) [[unlikely]] {
+      const CoordinateFault fault = describe_fault(v);
+      node.json.fail(fault.kind,
+                     "element " + std::to_string(i) + " of " + accessor.json.path() +
+                         ", where the node puts it: " + fault.what,
+                     "repair the transforms of the nodes");
+    }
+    builder_.add_vertex(v);
+  }
+}
+
+/// Corners of a primitive, one after the other, as numbers of vertices.
+class Corners {
+ public:
+  Corners(const GltfPrimitive& primitive, std::uint64_t count, std::uint32_t first)
+      : primitive_(primitive), count_(count), first_(first) {
+    if (primitive.indices != nullptr) {
+      cursor_.emplace(*primitive.indices);
+      // An index of all ones restarts strips elsewhere; glTF forbids it.
+      const std::size_t bits = 8 * size_of(primitive.indices->elements.type);
+      restart_ = primitive.mode == GltfMode::triangles ? std::numeric_limits<std::uint64_t>::max()
+                                                       : (std::uint64_t{1} << bits) - 1;
+    }
+  }
+
+  std::uint32_t next() {
+    const std::uint64_t number = number_++;
+    if (!cursor_) {
+      return first_ + static_cast<std::uint32_t>(number);
+    }
+    const std::uint32_t index = gltf_index(cursor_->next(), primitive_.indices->elements.type);
+    if (index >= count_ || index == restart_) [[unlikely]] {
+      primitive_.json.at("indices").fail(
+          "index " + std::to_string(number) + " is " + std::to_string(index) +
+          (index >= count_ ? ", but there are " + std::to_string(count_) + " positions"
+                           : ", which glTF does not allow in strips and fans"));
+    }
+    return first_ + index;
+  }
+
+ private:
+  const GltfPrimitive& primitive_;
+  std::uint64_t count_;
+  std::uint32_t first_;
+  std::optional<GltfCursor> cursor_;
+  std::uint64_t number_ = 0;
+  std::uint64_t restart_ = 0;
+};
+
+void GltfReader::add_triangles(const GltfPrimitive& primitive, const GltfMesh& mesh,
+                               std::uint32_t first, bool turned) {
+  Corners corners(primitive, mesh.positions[primitive.positions]->count, first);
+  std::array<std::uint32_t, 3> last{};
+  for (std::uint64_t i = 0; i < primitive.triangles; ++i) {
+    if (i % kRowsPerTick == 0) {
+      tick(std::min<std::uint64_t>(kRowsPerTick, primitive.triangles - i));
+    }
+    if (i == 0 || primitive.mode == GltfMode::triangles) {
+      last = {corners.next(), corners.next(), corners.next()};
+    } else {
+      // The corners of the file in their order: a strip drops its oldest, a fan keeps its first.
+      last = {primitive.mode == GltfMode::fan ? last[0] : last[1], last[2], corners.next()};
+    }
+    const bool odd = primitive.mode == GltfMode::strip && i % 2 == 1;
+    if (odd != turned) {
+      builder_.add_triangle(last[0], last[2], last[1]);
+    } else {
+      builder_.add_triangle(last[0], last[1], last[2]);
+    }
+  }
+}
+
+/// Opens the node's part; parts of nodes around it are open.
+void GltfReader::add_node(const PlacedNode& node) {
+  const GltfMesh* const mesh = mesh_of(node);
+  std::optional<JsonValue> name = node.json.find("name");
+  if (!name && mesh != nullptr) {
+    name = node.json.at("mesh").referred("meshes").find("name");
+  }
+  builder_.open_part(name ? name->text() : std::string_view());
+  if (mesh == nullptr) {
+    return;
+  }
+  first_.clear();
+  for (const GltfAccessor* const positions : mesh->positions) {
+    first_.push_back(static_cast<std::uint32_t>(builder_.vertices().size()));
+    add_positions(*positions, node);
+  }
+  const bool turned = node.world.mirrors();
+  for (const GltfPrimitive& primitive : mesh->primitives) {
+    add_triangles(primitive, *mesh, first_[primitive.positions], turned);
+  }
+}
+
+void GltfReader::add_notes(std::vector<std::string> notes) {
+  const auto length_of = [&](std::string_view list) {
+    const std::optional<JsonValue> items = root_.find(list);
+    return items ? items->size() : std::size_t{0};
+  };
+  const auto note = [&](std::uint64_t count, const char* what) {
+    if (count > 0) {
+      notes.push_back(what + std::to_string(count));
+    }
+  };
+  note(length_of("meshes") - meshes_.count(), "meshes that no node of the scene has: ");
+  meshes_.add_notes(notes);
+  note(skinned_, "nodes with skins, which are not applied: ");
+  note(length_of("animations"), "animations, which are not applied: ");
+  for (std::string& text : notes) {
+    builder_.note(std::move(text));
+  }
+}
+
+Mesh GltfReader::read() {
+  check_version(root_);
+  check_extensions(root_);
+  std::vector<std::string> notes;
+  const std::vector<PlacedNode> nodes = place_nodes(source_, root_, notes);
+  reserve(nodes);
+  std::uint32_t open = 0;
+  for (const PlacedNode& node : nodes) {
+    for (; open > node.depth; --open) {
+      builder_.close_part();
+    }
+    add_node(node);
+    ++open;
+  }
+  add_notes(std::move(notes));
+  Mesh mesh = builder_.finish();
+  // One part without a name says nothing.
+  if (mesh.parts.size() == 1 && mesh.parts.front().name.empty()) {
+    mesh.parts.clear();
+  }
+  mesh.unit = 1;
+  mesh.up = UpAxis::y;
+  return mesh;
+}
+
+/// What a binary file holds.
+struct Chunks {
+  std::string_view json;
+  std::size_t json_at = 0;
+  std::optional<std::string_view> binary;
+};
+
+Chunks chunks_of(const Source& source) {
+  const std::string_view bytes = source.bytes;
+  const auto fail = [&](std::size_t at, const std::string& what) {
+    source.fail_byte(at, ErrorKind::bad_file, what, "get the file whole, or repair it");
+  };
+  const auto word = [&](std::size_t at) { return little_endian<std::uint32_t>(bytes, at); };
+  if (bytes.size() < glb::kHeader || !is_glb(bytes)) {
+    fail(0, "no header of GLB");
+  }
+  if (word(4) != glb::kVersion) {
+    source.fail_byte(4, ErrorKind::unsupported,
+                     "version " + std::to_string(word(4)) + " of GLB; 2 is read",
+                     "save the model as glTF 2.0");
+  }
+  const std::size_t end = word(8);
+  if (end < glb::kHeader || end > bytes.size()) {
+    fail(8,
+         std::to_string(end) + " bytes are stated, " + std::to_string(bytes.size()) + " are there");
+  }
+  Chunks chunks;
+  for (std::size_t at = glb::kHeader; at < end || chunks.json_at == 0;) {
+    if (end - at < glb::kChunkHeader || word(at) > end - at - glb::kChunkHeader) {
+      fail(at, "a chunk is cut off");
+    }
+    const std::uint32_t type = word(at + 4);
+    const std::string_view inside = bytes.substr(at + glb::kChunkHeader, word(at));
+    if (chunks.json_at == 0) {
+      if (type != glb::kJson) {
+        fail(at, "the first chunk is not JSON");
+      }
+      chunks.json = inside;
+      chunks.json_at = at + glb::kChunkHeader;
+    } else if (type == glb::kBinary && !chunks.binary) {
+      chunks.binary = inside;
+    }
+    at += glb::kChunkHeader + inside.size();
+  }
+  // Blanks should fill the chunk; some programs write zeros.
+  chunks.json = chunks.json.substr(0, chunks.json.find_last_not_of('\0') + 1);
+  return chunks;
+}
+
+}  // namespace
+
+bool is_glb(std::string_view bytes) {
+  return bytes.starts_with(glb::kMagic);
+}
+
+bool is_gltf(std::string_view bytes) {
+  const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
+  return begin != std::string_view::npos && bytes[begin] == '{' &&
+         bytes.find("\"asset\"", begin) != std::string_view::npos;
+}
+
+Mesh read_gltf(Source& source) {
+  const JsonDocument document(source, source.bytes, 0, false);
+  return GltfReader(source, document, std::nullopt).read();
+}
+
+Mesh read_glb(Source& source) {
+  const Chunks chunks = chunks_of(source);
+  const JsonDocument document(source, chunks.json, chunks.json_at, true);
+  return GltfReader(source, document, chunks.binary).read();
+}
+
+}  // namespace soms::detail

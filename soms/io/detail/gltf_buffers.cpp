@@ -1,0 +1,204 @@
+#include "soms/io/detail/gltf_buffers.h"
+
+#include "soms/io/detail/base64.h"
+#include "soms/io/detail/file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace soms::detail {
+
+namespace {
+
+constexpr const char* kBeside = "put the file into the folder of the model, and name it so";
+
+/// Characters of a scheme ("https:") before its colon; 0 if the text begins with none.
+std::size_t scheme_of(std::string_view uri) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  std::size_t length = 0;
+  while (length < uri.size() &&
+         (is_letter(uri[length]) ||
+          (length > 0 && std::string_view("0123456789+-.").find(uri[length]) != uri.npos))) {
+    ++length;
+  }
+  return length < uri.size() && uri[length] == ':' ? length : 0;
+}
+
+bool is_data(std::string_view uri) {
+  constexpr std::string_view kData = "data:";
+  return std::equal(kData.begin(), kData.end(), uri.begin(),
+                    uri.begin() + static_cast<std::ptrdiff_t>(std::min(kData.size(), uri.size())),
+                    [](char d, char c) { return d == c || (c >= 'A' && c <= 'Z' && d == c + 32); });
+}
+
+/// The text with each %41 made the byte that it stands for; a % without two digits stays.
+std::string without_escapes(std::string_view uri) {
+  const auto digit = [](char c) {
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : -1;
+  };
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    if (uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0) {
+      text += static_cast<char>(16 * digit(uri[i + 1]) + digit(uri[i + 2]));
+      i += 2;
+    } else {
+      text += uri[i];
+    }
+  }
+  return text;
+}
+
+/// The file that a URI names within the folder, links resolved; a folder or a device is refused
+/// before it is opened. \errors ErrorKind::bad_file, cannot_open.
+std::filesystem::path file_within(const std::filesystem::path& folder, const JsonValue& uri) {
+  const std::string name = without_escapes(uri.text());
+  const std::filesystem::path relative(name);
+  if (name.empty() || name.find('\0') != name.npos || relative.has_root_path() ||
+      std::find(relative.begin(), relative.end(), "..") != relative.end()) {
+    uri.fail(ErrorKind::bad_file,
+             in_quotes(name) + " is outside the folder of the model, where nothing is opened",
+             kBeside);
+  }
+  std::error_code code;
+  const std::filesystem::path inside = std::filesystem::canonical(folder, code);
+  const std::filesystem::path file =
+      code ? std::filesystem::path() : std::filesystem::canonical(folder / relative, code);
+  if (code) {
+    uri.fail(ErrorKind::cannot_open, in_quotes(name) + ": " + code.message(),
+             "get the files that belong to the model, too");
+  }
+  const auto ends = std::mismatch(inside.begin(), inside.end(), file.begin(), file.end());
+  if (ends.first != inside.end()) {
+    uri.fail(ErrorKind::bad_file, in_quotes(name) + " is a link out of the folder of the model",
+             "put the file itself there");
+  }
+  if (!std::filesystem::is_regular_file(file, code)) {
+    uri.fail(ErrorKind::cannot_open, in_quotes(name) + " is no regular file",
+             "name the file that holds the buffer");
+  }
+  return file;
+}
+
+/// A buffer without bytes may be what a compressed one would be unpacked to.
+void refuse_compressed(const JsonValue& buffer) {
+  const std::optional<JsonValue> extensions = buffer.find("extensions");
+  for (const char* const name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+    if (extensions && extensions->find(name)) {
+      refuse_extension(buffer, name);
+    }
+  }
+}
+
+}  // namespace
+
+void refuse_extension(const JsonValue& place, std::string_view extension) {
+  place.fail(
+      ErrorKind::unsupported,
+      "the extension " + in_quotes(extension) + " is needed to know what is there, and is not read",
+      "save the model without it (uncompressed, instances as nodes)");
+}
+
+char* GltfBuffers::store(std::uint64_t size) {
+  if (!source_.budget.take(size)) {
+    source_.fail_memory(size);
+  }
+  memory_.push_back(std::make_unique_for_overwrite<char[]>(static_cast<std::size_t>(size)));
+  return memory_.back().get();
+}
+
+std::string_view GltfBuffers::decode(const JsonValue& uri) {
+  const std::string_view text = uri.text();
+  const std::size_t comma = text.find(',');
+  if (comma == text.npos || !text.substr(0, comma).ends_with(";base64")) {
+    uri.fail("a data URI without \";base64,\"");
+  }
+  const std::string_view letters = text.substr(comma + 1);
+  char* const to = store(base64_size(letters.size()));
+  const auto size = decode_base64(letters, to, source_.parallel);
+  if (!size) {
+    uri.fail("what follows \";base64,\" is no base64");
+  }
+  return {to, *size};
+}
+
+std::string_view GltfBuffers::open(const JsonValue& uri) {
+  if (scheme_of(uri.text()) > 0) {
+    uri.fail(ErrorKind::unsupported,
+             in_quotes(uri.text()) +
+                 " is another place than the folder of the model, which alone"
+                 " is read",
+             kBeside);
+  }
+  if (!source_.folder) {
+    uri.fail(ErrorKind::cannot_open,
+             in_quotes(uri.text()) + " is a file beside the model, which did not come from a file",
+             "read the model by its path");
+  }
+  const std::filesystem::path file = file_within(*source_.folder, uri);
+  std::error_code code;
+  const std::uintmax_t size = std::filesystem::file_size(file, code);
+  if (code) {
+    uri.fail(ErrorKind::cannot_open, code.message(), "check the file");
+  }
+  source_.budget.give_back(source_.memory_per_byte * size);
+  if (!source_.budget.take(size)) {
+    source_.fail_memory(size);
+  }
+  try {
+    FileBytes bytes = read_file(file, std::max<std::uintmax_t>(1, size));
+    memory_.push_back(std::move(bytes.data));
+    return {memory_.back().get(), bytes.size};
+  } catch (const Error& error) {
+    uri.fail(error.kind(), error.place(), error.remedy());
+  }
+}
+
+std::string_view GltfBuffers::load(const JsonValue& buffer, bool is_first) {
+  const std::uint64_t length = buffer.at("byteLength").whole();
+  const std::optional<JsonValue> uri = buffer.find("uri");
+  std::string_view bytes;
+  if (uri) {
+    bytes = is_data(uri->text()) ? decode(*uri) : open(*uri);
+  } else if (is_first && chunk_) {
+    bytes = *chunk_;
+  } else {
+    refuse_compressed(buffer);
+    buffer.fail(is_first ? "neither \"uri\" nor a chunk BIN says where the bytes are"
+                         : "\"uri\" is missing");
+  }
+  if (length > bytes.size()) {
+    buffer.at("byteLength")
+        .fail(std::to_string(length) + " bytes are stated, " + std::to_string(bytes.size()) +
+              " are there");
+  }
+  return bytes.substr(0, static_cast<std::size_t>(length));
+}
+
+GltfView GltfBuffers::view(const JsonValue& reference) {
+  const JsonValue view = reference.referred("bufferViews");
+  const JsonValue number = view.at("buffer");
+  const JsonValue buffer = number.referred("buffers");
+  const auto [known, is_new] = loaded_.try_emplace(number.whole());
+  if (is_new) {
+    known->second = load(buffer, number.whole() == 0);
+  }
+  const std::string_view bytes = known->second;
+  const std::optional<JsonValue> at = view.find("byteOffset");
+  const std::uint64_t offset = at ? at->whole() : 0;
+  const std::uint64_t length = view.at("byteLength").whole();
+  if (offset > bytes.size() || length > bytes.size() - offset) {
+    view.fail("bytes " + std::to_string(offset) + " and " + std::to_string(length) +
+              " more, of a buffer of " + std::to_string(bytes.size()));
+  }
+  const std::optional<JsonValue> stride = view.find("byteStride");
+  return {bytes.substr(static_cast<std::size_t>(offset), static_cast<std::size_t>(length)),
+          stride ? stride->whole() : 0};
+}
+
+}  // namespace soms::detail

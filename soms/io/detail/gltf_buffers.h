@@ -1,0 +1,49 @@
+/// \file
+/// Where the bytes of a glTF file stand: in the file, in its JSON, or in files of its folder.
+#pragma once
+
+#include "soms/io/detail/gltf_json.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace soms::detail {
+
+/// Refuses what an extension would change. \errors ErrorKind::unsupported.
+[[noreturn]] void refuse_extension(const JsonValue& place, std::string_view extension);
+
+/// The bytes of a buffer view.
+struct GltfView {
+  std::string_view bytes;
+  std::uint64_t stride = 0;  ///< bytes from element to element; 0: one behind the other
+};
+
+/// Buffers of a document, each loaded when it is first needed: what is not needed may be missing.
+class GltfBuffers {
+ public:
+  /// `chunk` holds the buffer that names no file; binary files have it.
+  GltfBuffers(Source& source, std::optional<std::string_view> chunk)
+      : source_(source), chunk_(chunk) {}
+
+  /// The view that a number of the document names; its bytes live as long as this.
+  /// \errors ErrorKind::bad_file, cannot_open, unsupported, out_of_memory, cancelled.
+  [[nodiscard]] GltfView view(const JsonValue& reference);
+
+ private:
+  [[nodiscard]] std::string_view load(const JsonValue& buffer, bool is_first);
+  [[nodiscard]] std::string_view decode(const JsonValue& uri);
+  [[nodiscard]] std::string_view open(const JsonValue& uri);
+  [[nodiscard]] char* store(std::uint64_t size);
+
+  Source& source_;
+  std::optional<std::string_view> chunk_;
+  std::unordered_map<std::uint64_t, std::string_view> loaded_;
+  std::vector<std::unique_ptr<char[]>> memory_;
+};
+
+}  // namespace soms::detail
