@@ -30,6 +30,49 @@ void check_finite(const Pose& pose) {
   }
 }
 
+/// What `check` asks, without branches and without saying what is wrong.
+bool is_rigid(const Pose& pose) {
+  const auto& m = pose.m;
+  const auto gram = [&](std::size_t i, std::size_t j) {
+    return m[i] * m[j] + m[4 + i] * m[4 + j] + m[8 + i] * m[8 + j];
+  };
+  const std::array<double, 6> off = {gram(0, 0) - 1, gram(1, 1) - 1, gram(2, 2) - 1,
+                                     gram(0, 1),     gram(0, 2),     gram(1, 2)};
+  const double most =
+      std::max(std::max(std::max(std::abs(off[0]), std::abs(off[1])), std::abs(off[2])),
+               std::max(std::max(std::abs(off[3]), std::abs(off[4])), std::abs(off[5])));
+  // Not a number where any entry is not finite; `most` may have lost it.
+  const double sum = (((off[0] + off[1]) + (off[2] + off[3])) + (off[4] + off[5])) +
+                     ((m[3] * 0 + m[7] * 0) + m[11] * 0);
+  const double det = m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) +
+                     m[2] * (m[4] * m[9] - m[5] * m[8]);
+  const unsigned near = most <= kRigidTolerance ? 1U : 0U;
+  return (near & (sum == sum ? 1U : 0U) & (det > 0 ? 1U : 0U)) != 0;
+}
+
+/// Throws what is wrong with a pose that is not rigid.
+[[noreturn]] void refuse(const Pose& pose) {
+  check_finite(pose);
+  const auto& m = pose.m;
+  const auto at = [&](int row, int column) {
+    return m[static_cast<std::size_t>(4 * row + column)];
+  };
+  for (int i = 0; i < 3; ++i) {
+    for (int j = i; j < 3; ++j) {
+      const double gram = at(0, i) * at(0, j) + at(1, i) * at(1, j) + at(2, i) * at(2, j);
+      const double off = std::abs(gram - (i == j ? 1 : 0));
+      if (!(off <= kRigidTolerance)) {
+        throw Error(ErrorKind::not_rigid,
+                    "pose: entry " + std::to_string(i) + "," + std::to_string(j) +
+                        " of RtR - I is " + std::to_string(off) + ", above 1e-6",
+                    "give a rotation; scale belongs into the mesh (--scale)");
+      }
+    }
+  }
+  throw Error(ErrorKind::not_rigid, "pose: the matrix mirrors (its determinant is not positive)",
+              "give a rotation; mirror the mesh instead");
+}
+
 }  // namespace
 
 Pose Pose::translation(double x, double y, double z) {
@@ -79,29 +122,8 @@ Vec3 Pose::apply(const Vec3& v) const {
 
 void check(const Pose& pose) {
   const PlainArithmetic plain;
-  check_finite(pose);
-  const auto& m = pose.m;
-  const auto at = [&](int row, int column) {
-    return m[static_cast<std::size_t>(4 * row + column)];
-  };
-  for (int i = 0; i < 3; ++i) {
-    for (int j = i; j < 3; ++j) {
-      const double gram = at(0, i) * at(0, j) + at(1, i) * at(1, j) + at(2, i) * at(2, j);
-      const double off = std::abs(gram - (i == j ? 1 : 0));
-      if (!(off <= kRigidTolerance)) {
-        throw Error(ErrorKind::not_rigid,
-                    "pose: entry " + std::to_string(i) + "," + std::to_string(j) +
-                        " of RtR - I is " + std::to_string(off) + ", above 1e-6",
-                    "give a rotation; scale belongs into the mesh (--scale)");
-      }
-    }
-  }
-  const double det = at(0, 0) * (at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1)) -
-                     at(0, 1) * (at(1, 0) * at(2, 2) - at(1, 2) * at(2, 0)) +
-                     at(0, 2) * (at(1, 0) * at(2, 1) - at(1, 1) * at(2, 0));
-  if (!(det > 0)) {
-    throw Error(ErrorKind::not_rigid, "pose: the matrix mirrors (its determinant is not positive)",
-                "give a rotation; mirror the mesh instead");
+  if (!is_rigid(pose)) {
+    refuse(pose);
   }
 }
 
@@ -110,13 +132,13 @@ void check_range(const Pose& pose, const Box& box) {
   if (box.empty()) {
     return;
   }
-  const auto reach = [&](std::size_t axis) {
-    return std::max(std::abs(box.lower[axis]), std::abs(box.upper[axis]));
-  };
+  const std::array<double, 3> far = {std::max(std::abs(box.lower.x), std::abs(box.upper.x)),
+                                     std::max(std::abs(box.lower.y), std::abs(box.upper.y)),
+                                     std::max(std::abs(box.lower.z), std::abs(box.upper.z))};
   for (std::size_t row = 0; row < 3; ++row) {
-    const double most = std::abs(pose.m[4 * row]) * reach(0) +
-                        std::abs(pose.m[4 * row + 1]) * reach(1) +
-                        std::abs(pose.m[4 * row + 2]) * reach(2) + std::abs(pose.m[4 * row + 3]);
+    const double most = std::abs(pose.m[4 * row]) * far[0] +
+                        std::abs(pose.m[4 * row + 1]) * far[1] +
+                        std::abs(pose.m[4 * row + 2]) * far[2] + std::abs(pose.m[4 * row + 3]);
     if (!(most <= kMaxCoordinate)) {
       throw Error(ErrorKind::out_of_range,
                   std::string("pose: a moved vertex may exceed 2^300 along ") + "xyz"[row],

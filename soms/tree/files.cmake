@@ -3,6 +3,7 @@ set(SOMS_HEADERS
   build_options.h
   check.h
   implicit.h
+  layout/columns.h
   layout/compact_node.h
   layout/orientation.h
   layout/pages.h
@@ -26,6 +27,7 @@ set(SOMS_SOURCES
   build_options.cpp
   check.cpp
   implicit.cpp
+  layout/columns.cpp
   layout/compact.cpp
   layout/compact_node.cpp
   layout/detail/again.cpp

@@ -21,6 +21,17 @@ bool LoneBox::pays(const WideNode& root) const {
   return scale != 0 && root.reach > kMuchLarger * sum;
 }
 
+bool LoneBox::clear_of(const layout::Columns& columns) const {
+  const auto margin = static_cast<double>(kMargin * sum + slack);
+  std::array<double, 3> at;
+  std::array<double, 3> reach;
+  for (std::size_t i = 0; i < 3; ++i) {
+    at[i] = center[i] * scale;
+    reach[i] = static_cast<double>(half[i]) + margin;
+  }
+  return columns.clear(at, reach);
+}
+
 std::uint32_t LoneBox::meets(const WideNode& node) const {
   const float margin = kMargin * (sum + node.reach) + slack;
   M4 apart = {};

@@ -8,6 +8,9 @@
 /// gives |c_i - (D - o)_i| <= h_i + r_i + W. In float, in units of 2^-24 T, T = r_0 + r_1 + r_2 +
 /// the node's reach: D - o is rounded once (1), the difference of centers (1), r_i (1) and two sums
 /// (2); what the doubles lose is in the slack. The margin is 2^-19 T, 32 of them, and the slack.
+/// Held against columns, D stays a double, and r_i alone is rounded: 2^-19 of the sum of r, and the
+/// slack, of which half is W; the other half is more than what the ends of the box and of the
+/// triangles, sums of two doubles, lose.
 #pragma once
 
 #include "soms/query/answer.h"
@@ -29,6 +32,9 @@ struct LoneBox {
 
   /// Whether the box is so small beside a tree that it should go down alone.
   [[nodiscard]] bool pays(const WideNode& root) const;
+
+  /// True only if `columns` know that nothing of their mesh meets the box.
+  [[nodiscard]] bool clear_of(const layout::Columns& columns) const;
 
   /// Appends the places of y that the box may meet, as partners of x's root: leaves, turned nodes,
   /// and nodes about as large as the box. `stack` is empty before and after.

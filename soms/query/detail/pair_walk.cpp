@@ -91,6 +91,7 @@ PairWalk::PairWalk(RelativePose& relative, const WalkSide& x, const WalkSide& y,
       nodes_y_(y.shape->layout().nodes().data()),
       blocks_x_(x.shape->layout().blocks().data()),
       blocks_y_(y.shape->layout().blocks().data()),
+      columns_y_(y.shape->layout().columns()),
       kernels_(kernels()),
       nearest_first_(mode == OverlapMode::any),
       memory_(memory) {
@@ -104,7 +105,9 @@ void PairWalk::start() {
   }
   const LoneBox box = relative_.lone_box();
   if (box.pays(nodes_y_[0])) {
-    box.descend(nodes_y_, memory_.blocks, memory_.codes, cost_);
+    if (columns_y_.empty() || !box.clear_of(columns_y_)) {
+      box.descend(nodes_y_, memory_.blocks, memory_.codes, cost_);
+    }
   } else {
     memory_.codes.push({0, 0});
   }

@@ -109,6 +109,7 @@ class PairWalk {
   const WideNode* nodes_y_;
   const TriangleBlock* blocks_x_;
   const TriangleBlock* blocks_y_;
+  const layout::Columns& columns_y_;
   const Kernels& kernels_;
   bool nearest_first_;
   WalkMemory& memory_;

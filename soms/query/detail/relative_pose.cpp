@@ -61,15 +61,25 @@ double distance_from_identity(const Matrix3& m) {
 
 /// Largest coordinate, and partial sum of one, that moving a vertex of `box` can give.
 double moved_reach(const Pose& pose, const Box& box) {
+  const std::array<double, 3> far = {std::max(std::abs(box.lower.x), std::abs(box.upper.x)),
+                                     std::max(std::abs(box.lower.y), std::abs(box.upper.y)),
+                                     std::max(std::abs(box.lower.z), std::abs(box.upper.z))};
   double most = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    double sum = std::abs(pose.m[4 * k + 3]);
-    for (std::size_t j = 0; j < 3; ++j) {
-      sum += std::abs(pose.m[4 * k + j]) * std::max(std::abs(box.lower[j]), std::abs(box.upper[j]));
-    }
+    const double sum = ((std::abs(pose.m[4 * k + 3]) + std::abs(pose.m[4 * k]) * far[0]) +
+                        std::abs(pose.m[4 * k + 1]) * far[1]) +
+                       std::abs(pose.m[4 * k + 2]) * far[2];
     most = std::max(most, sum);
   }
   return most;
+}
+
+/// `Pose::apply`, close at hand.
+Vec3 moved(const Pose& pose, const Vec3& v) {
+  const auto& m = pose.m;
+  return {((m[0] * v.x + m[1] * v.y) + m[2] * v.z) + m[3],
+          ((m[4] * v.x + m[5] * v.y) + m[6] * v.z) + m[7],
+          ((m[8] * v.x + m[9] * v.y) + m[10] * v.z) + m[11]};
 }
 
 }  // namespace
@@ -80,7 +90,10 @@ Matrix3 rotation(const Pose& pose) {
 }
 
 Viewer::Viewer(const WideTree& t, const Pose& p)
-    : tree(&t), pose(p), inverse(rotation(p)), reach(moved_reach(p, t.bounds())) {
+    : tree(&t),
+      inverse(rotation(p)),
+      origin(moved(p, t.origin())),
+      reach(moved_reach(p, t.bounds())) {
   turned = inverse != kIdentity;
   if (turned) {
     inverse = inverse_of(rotation(p));
@@ -92,8 +105,9 @@ RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const Viewer& 
     : matrix_(y.turned ? product(y.inverse, rotation(pose_x)) : rotation(pose_x)),
       exponents_(y.tree->exponent() - x.exponent()) {
   numbers_.scale = y.tree->scale();
-  const Vec3 between = pose_x.apply(x.origin()) - y.pose.apply(y.tree->origin());
-  for (std::size_t i = 0; i < 3; ++i) {
+  const Vec3 between = moved(pose_x, x.origin()) - y.origin;
+  numbers_.shift = {between.x, between.y, between.z, 0};
+  for (std::size_t i = 0; y.turned && i < 3; ++i) {
     numbers_.shift[i] =
         (y.inverse[i][0] * between.x + y.inverse[i][1] * between.y) + y.inverse[i][2] * between.z;
   }
@@ -110,6 +124,11 @@ RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const Viewer& 
 }
 
 void RelativePose::prepare() {
+  numbers_.rows = {};
+  numbers_.magnitudes = {};
+  numbers_.columns = {};
+  numbers_.column = {};
+  turn_ = {};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       numbers_.column[j][i] = matrix_[i][j];
@@ -165,14 +184,15 @@ void RelativePose::turn(const layout::Axes& x, const layout::Axes& y, Relation& 
 
 bool RelativePose::roots_apart(const Box& x, const Box& y, double slack) {
   const Vec3 half_x = x.extent() * 0.5;
-  const Vec3 half_y = y.extent() * 0.5;
-  bool apart = false;
+  const Vec3 half_of_y = y.extent() * 0.5;
+  const std::array<double, 3> half_y = {half_of_y.x, half_of_y.y, half_of_y.z};
+  unsigned apart = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     half_seen_[i] = (std::abs(matrix_[i][0]) * half_x.x + std::abs(matrix_[i][1]) * half_x.y) +
                     std::abs(matrix_[i][2]) * half_x.z;
-    apart = apart || std::abs(numbers_.shift[i]) > (half_seen_[i] + half_y[i]) + slack;
+    apart |= std::abs(numbers_.shift[i]) > (half_seen_[i] + half_y[i]) + slack ? 1U : 0U;
   }
-  return apart;
+  return apart != 0;
 }
 
 }  // namespace soms::detail

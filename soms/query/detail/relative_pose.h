@@ -92,9 +92,9 @@ struct Viewer {
   Viewer(const WideTree& t, const Pose& p);
 
   const WideTree* tree;
-  Pose pose;
   bool turned = false;  // false: the rotation is the identity, to the bit
   Matrix3 inverse;      // of the rotation, as computed
+  Vec3 origin;          // of the tree, moved
   double residual = 0;  // largest entry of |inverse * rotation - I|
   double reach = 0;     // largest moved coordinate, bounded; V of the proof is a sum of two
 };
@@ -176,10 +176,10 @@ class RelativePose {
   [[nodiscard]] bool roots_apart(const Box& x, const Box& y, double slack);
 
   PoseNumbers numbers_;
-  Matrix3 matrix_ = {};
+  Matrix3 matrix_;
   int exponents_ = 0;                     // by which the units of the layouts differ
   std::array<double, 3> half_seen_ = {};  // of x's box along y's axes
-  Turn turn_ = {};                        // N in float
+  Turn turn_;                             // N in float, once prepared
   bool apart_ = false;
 };
 

@@ -72,8 +72,8 @@ std::pair<std::size_t, bool> read_ids(const std::uint32_t* from,
 
 bool WideTree::operator==(const WideTree& other) const {
   const bool same = nodes_ == other.nodes_ && blocks_ == other.blocks_ &&
-                    origin_ == other.origin_ && bounds_ == other.bounds_ &&
-                    exponent_ == other.exponent_ &&
+                    columns_ == other.columns_ && origin_ == other.origin_ &&
+                    bounds_ == other.bounds_ && exponent_ == other.exponent_ &&
                     (compact_ != nullptr) == (other.compact_ != nullptr);
   return same && (!compact_ || (compact_->nodes == other.compact_->nodes &&
                                 compact_->ids == other.compact_->ids));
@@ -157,6 +157,7 @@ WideTree WideTree::expanded(const Mesh& mesh, const Parallel& parallel) const {
           result.nodes_[i] = node;
         }
       });
+  result.columns_ = layout::Columns(result.blocks_, bounds_, scale_, parallel);
   return result;
 }
 

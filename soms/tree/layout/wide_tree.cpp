@@ -91,6 +91,7 @@ WideTree::WideTree(layout::Parts tree, const Mesh& mesh, const Parallel& paralle
   const PlainArithmetic plain;
   const double size = settle();
   layout::widen(std::move(tree), mesh, {origin_, scale_, size}, parallel, nodes_, blocks_);
+  columns_ = layout::Columns(blocks_, bounds_, scale_, parallel);
 }
 
 WideTree::WideTree(const WideTree& tree, const Mesh& mesh, const Parallel& parallel) {
@@ -103,6 +104,7 @@ WideTree::WideTree(const WideTree& tree, const Mesh& mesh, const Parallel& paral
     nodes_.resize(tree.nodes_.size());
     blocks_.resize(tree.blocks_.size());
     layout::lay_out_anew(tree, mesh, {origin_, scale_, size}, parallel, nodes_, blocks_);
+    columns_ = layout::Columns(blocks_, bounds_, scale_, parallel);
   }
 }
 
@@ -128,7 +130,7 @@ double WideTree::looseness(const Mesh& mesh, const Parallel& parallel) const {
 
 std::size_t WideTree::memory() const {
   return sizeof *this + nodes_.capacity() * sizeof(WideNode) +
-         blocks_.capacity() * sizeof(TriangleBlock) +
+         blocks_.capacity() * sizeof(TriangleBlock) + columns_.memory() +
          (compact_ ? sizeof *compact_ + compact_->nodes.capacity() * sizeof(CompactNode) +
                          compact_->ids.capacity() * sizeof(std::uint32_t)
                    : 0);

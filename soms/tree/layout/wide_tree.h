@@ -5,6 +5,7 @@
 #include "soms/base/box.h"
 #include "soms/base/parallel.h"
 #include "soms/geometry/mesh.h"
+#include "soms/tree/layout/columns.h"
 #include "soms/tree/layout/orientation.h"
 #include "soms/tree/layout/pages.h"
 #include "soms/tree/tree.h"
@@ -134,6 +135,9 @@ class WideTree {
 
   [[nodiscard]] std::span<const TriangleBlock> blocks() const { return blocks_; }
 
+  /// Where a tree of a flat mesh has nothing; empty for others, and where the tree is compact.
+  [[nodiscard]] const layout::Columns& columns() const { return columns_; }
+
   /// The block that begins at entry `first` of `CompactParts::ids`. Where `following` is 1 the leaf
   /// goes on kWidth entries later.
   /// \pre The tree is compact; `mesh` is its mesh.
@@ -167,6 +171,7 @@ class WideTree {
 
   layout::Pages<WideNode> nodes_;
   layout::Pages<TriangleBlock> blocks_;
+  layout::Columns columns_;
   std::shared_ptr<const CompactParts> compact_;
   Vec3 origin_;
   Box bounds_;

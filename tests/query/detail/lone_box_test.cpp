@@ -8,6 +8,7 @@
 #include "tests/query/overlap_inputs.h"
 #include "tests/support/support.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -65,35 +66,57 @@ std::set<TriangleId> below(const PairList& seeds, const WideTree& y) {
   return ids;
 }
 
-// Corner on corner, along an axis of the large body, where boxes only just touch: without a margin
-// 2 of 288 such cases lose a triangle.
+/// A small body that touches a large one corner on corner, as one of the large body's axes points.
+struct Touching {
+  Shape large;
+  Pose fixed;
+  Shape small;
+  Pose pose;
+};
+
+Touching touching(Rng& rng, const Mesh& crowd) {
+  const double scale = rng.below(2) ? 1 : std::exp2(rng.uniform(-1000, 280));
+  const double far = rng.below(2) ? 0 : scale * std::exp2(rng.uniform(-8, 8));
+  const Vec3 place{far, -0.5 * far, 0.25 * far};
+  Touching two{
+      Shape(test::placed(crowd, scale, rng.below(2) ? place : Vec3{})), Pose{},
+      Shape(test::placed(test::awkward_mesh(rng, 10), scale * std::exp2(-rng.uniform(2, 14)),
+                         rng.below(2) ? place : Vec3{})),
+      Pose{}};
+  const Pose turn = test::awkward_rotation(rng);
+  two.fixed = rng.below(2) ? Pose{} : test::awkward_rotation(rng);
+  two.fixed.m[7] = far * rng.unit();
+  // The corner that is farthest along the axis goes to one of the large body's corners.
+  const std::size_t axis = rng.below(3);
+  const double sign = rng.below(2) ? 1 : -1;
+  const Vec3 n = sign * Vec3{two.fixed.m[axis], two.fixed.m[4 + axis], two.fixed.m[8 + axis]};
+  const Mesh& small = two.small.mesh();
+  Vec3 corner = small.vertices[small.triangles[0][0]];
+  for (const auto& triangle : small.triangles) {
+    for (const std::uint32_t v : triangle) {
+      const Vec3& p = small.vertices[v];
+      corner = dot(n, turn.apply(p)) > dot(n, turn.apply(corner)) ? p : corner;
+    }
+  }
+  const auto& vertices = two.large.mesh().vertices;
+  Vec3 place_of_touch = vertices[rng.below(vertices.size())];
+  if (rng.below(2)) {
+    // Where nothing else of the large body is near: its outermost corner on that side.
+    place_of_touch = *std::min_element(
+        vertices.begin(), vertices.end(),
+        [&](const Vec3& p, const Vec3& q) { return sign * p[axis] < sign * q[axis]; });
+  }
+  two.pose = test::moving(turn, corner, two.fixed.apply(place_of_touch));
+  return two;
+}
+
+// Without a margin 2 of 288 such cases lose a triangle.
 TEST(LoneBox, LeadsToEveryTriangleThatTheBodyTouches) {
   std::size_t alone = 0;
   std::size_t few = 0;
   test::for_each_case("lone-box/touch", 300, [&](Rng& rng) {
-    const double scale = rng.below(2) ? 1 : std::exp2(rng.uniform(-1000, 280));
-    const double far = rng.below(2) ? 0 : scale * std::exp2(rng.uniform(-8, 8));
-    const Vec3 place{far, -0.5 * far, 0.25 * far};
-    const Shape large(test::placed(crowd(rng), scale, rng.below(2) ? place : Vec3{}));
-    const Shape small(test::placed(test::awkward_mesh(rng, 10),
-                                   scale * std::exp2(-rng.uniform(2, 14)),
-                                   rng.below(2) ? place : Vec3{}));
-    Pose turn = test::awkward_rotation(rng);
-    Pose fixed = rng.below(2) ? Pose{} : test::awkward_rotation(rng);
-    fixed.m[7] = far * rng.unit();
-    // The corner that is farthest along one of the large body's axes goes to one of its corners.
-    const std::size_t axis = rng.below(3);
-    const Vec3 n{fixed.m[axis], fixed.m[4 + axis], fixed.m[8 + axis]};
-    Vec3 corner = small.mesh().vertices[small.mesh().triangles[0][0]];
-    for (const auto& triangle : small.mesh().triangles) {
-      for (const std::uint32_t v : triangle) {
-        const Vec3& p = small.mesh().vertices[v];
-        corner = dot(n, turn.apply(p)) > dot(n, turn.apply(corner)) ? p : corner;
-      }
-    }
-    const auto& vertices = large.mesh().vertices;
-    const Pose pose = test::moving(turn, corner, fixed.apply(vertices[rng.below(vertices.size())]));
-
+    const Touching two = touching(rng, crowd(rng));
+    const auto& [large, fixed, small, pose] = two;
     const RelativePose relative(small.layout(), pose, Viewer(large.layout(), fixed));
     const Overlap expected = reference::overlap(small.mesh(), pose, large.mesh(), fixed);
     const LoneBox box = relative.lone_box();
@@ -116,6 +139,59 @@ TEST(LoneBox, LeadsToEveryTriangleThatTheBodyTouches) {
   });
   EXPECT_GT(alone, 150U);
   EXPECT_GT(few, 100U);
+}
+
+/// The crowd on hills over two axes, now and then with two triangles as wide as all of it.
+Mesh flat_crowd(Rng& rng) {
+  Mesh mesh = crowd(rng);
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  const std::uint32_t wide = rng.below(3) == 0 ? 2 : 0;
+  for (std::uint32_t i = 0; i < 3 * wide; ++i) {
+    mesh.vertices.push_back(test::point_in(rng, {{-1, -1, -1}, {1, 1, 1}}));
+  }
+  for (std::uint32_t i = first; i + 2 < mesh.vertices.size(); i += 3) {
+    mesh.triangles.push_back({i, i + 1, i + 2});
+  }
+  const std::size_t axis = rng.below(3);
+  const double height = std::exp2(-rng.uniform(2.1, rng.below(2) ? 4 : 20));
+  for (Vec3& v : mesh.vertices) {
+    const double hill = std::sin(3 * v[(axis + 1) % 3]) * std::cos(2 * v[(axis + 2) % 3]);
+    v[axis] = height * (0.1 * v[axis] + 0.9 * hill);
+  }
+  return mesh;
+}
+
+TEST(LoneBox, IsNotClearOfColumnsWhoseTrianglesItsBodyTouches) {
+  std::size_t touching_cases = 0;
+  std::size_t clear_cases = 0;
+  test::for_each_case("lone-box/columns", 400, [&](Rng& rng) {
+    Touching two = touching(rng, flat_crowd(rng));
+    const layout::Columns& columns = two.large.layout().columns();
+    ASSERT_FALSE(columns.empty());
+    // Or above or below, by a part of the landscape's height.
+    if (rng.below(2) == 0) {
+      const Vec3 extent = two.large.bounds().extent();
+      const std::size_t up =
+          extent.x < extent.y ? (extent.x < extent.z ? 0 : 2) : (extent.y < extent.z ? 1 : 2);
+      const double off = (rng.below(2) ? 1 : -1) * extent[up] * std::exp2(-rng.uniform(0, 4));
+      for (std::size_t k = 0; k < 3; ++k) {
+        two.pose.m[4 * k + 3] += off * two.fixed.m[4 * k + up];
+      }
+    }
+    const auto& [large, fixed, small, pose] = two;
+    const RelativePose relative(small.layout(), pose, Viewer(large.layout(), fixed));
+    const LoneBox box = relative.lone_box();
+    if (relative.apart() || !box.pays(large.layout().nodes()[0])) {
+      return;
+    }
+    const bool any = reference::overlap(small.mesh(), pose, large.mesh(), fixed).any;
+    const bool clear = box.clear_of(columns);
+    ASSERT_FALSE(any && clear);
+    touching_cases += any ? 1U : 0U;
+    clear_cases += clear ? 1U : 0U;
+  });
+  EXPECT_GT(touching_cases, 100U);
+  EXPECT_GT(clear_cases, 10U);
 }
 
 }  // namespace

@@ -12,13 +12,14 @@
 
 namespace soms::detail {
 
-/// What kernels need to know of a relative pose: N, D and the margins of relative_pose.h.
+/// What kernels need to know of a relative pose: N, D and the margins of relative_pose.h. Most
+/// queries of a small body end before the arrays of N are needed: they stay unwritten till then.
 struct alignas(64) PoseNumbers {
-  alignas(64) std::array<float, 16> rows = {};  ///< of N in float, padded by zeros
-  std::array<float, 16> magnitudes = {};        ///< of their entries
-  std::array<float, 16> columns = {};           ///< the rows of its transpose
+  alignas(64) std::array<float, 16> rows;  ///< of N in float, padded by zeros
+  std::array<float, 16> magnitudes;        ///< of their entries
+  std::array<float, 16> columns;           ///< the rows of its transpose
   /// Columns of N, and D, in double; padded by zeros.
-  std::array<std::array<double, 4>, 3> column = {};
+  std::array<std::array<double, 4>, 3> column;
   std::array<double, 4> shift = {};
   double scale = 1;    ///< turns the mesh's units into those of y's layout
   float ratio = 1;     ///< turns lengths of x's layout into those of y's
