@@ -5,7 +5,6 @@
 #include "soms/base/parallel.h"
 #include "soms/geometry/mesh.h"
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -29,7 +28,9 @@ struct TriangleCopy {
   TriangleId triangle = 0;
   TriangleId original = 0;  ///< the first triangle with these corners
 
-  [[nodiscard]] auto operator<=>(const TriangleCopy&) const = default;
+  [[nodiscard]] bool operator==(const TriangleCopy&) const = default;
+
+  [[nodiscard]] bool operator<(const TriangleCopy& c) const { return triangle < c.triangle; }
 };
 
 /// A vertex in the place of an earlier one that triangles use.
@@ -37,7 +38,9 @@ struct VertexCopy {
   std::uint32_t vertex = 0;
   std::uint32_t original = 0;  ///< the first used vertex in this place
 
-  [[nodiscard]] auto operator<=>(const VertexCopy&) const = default;
+  [[nodiscard]] bool operator==(const VertexCopy&) const = default;
+
+  [[nodiscard]] bool operator<(const VertexCopy& c) const { return vertex < c.vertex; }
 };
 
 /// An edge, named by the first triangle that uses it.
@@ -47,7 +50,11 @@ struct EdgePlace {
   TriangleId other = 0;      ///< the second triangle that uses it; `triangle` where there is none
   std::uint32_t uses = 0;    ///< proper triangles that use it
 
-  [[nodiscard]] auto operator<=>(const EdgePlace&) const = default;
+  [[nodiscard]] bool operator==(const EdgePlace&) const = default;
+
+  [[nodiscard]] bool operator<(const EdgePlace& e) const {
+    return triangle != e.triangle ? triangle < e.triangle : corner < e.corner;
+  }
 };
 
 /// Where defects are: the first of each kind, by number of triangle or vertex.

@@ -1,5 +1,5 @@
-// Faults that other libraries had with poses, moving bodies and far coordinates; numbers as in the
-// list of regressions.
+// Faults that other libraries had with poses, moving bodies, answers and far coordinates; numbers
+// as in the list of regressions.
 #include "soms/query/overlap.h"
 #include "soms/query/reference/overlap.h"
 
@@ -36,6 +36,42 @@ Mesh box(double half, int n) {
     }
   }
   return mesh;
+}
+
+// Overlap is about surfaces, and says so: a body inside another touches nothing of it.
+TEST(Regression, R17ABodyInsideAnotherOverlapsNothingOfIt) {
+  const std::vector<Body> nested = {Body{box(0.5, 3)}, Body{box(5, 3)}, Body{box(20, 2)}};
+  for (const Body& a : nested) {
+    for (const Body& b : nested) {
+      EXPECT_EQ(overlap(a, b).any, &a == &b);
+    }
+  }
+}
+
+TEST(Regression, R35AnAnswerHoldsNothingOfTheOneBefore) {
+  const Body fixed{box(1, 3)};
+  Body mover{box(1, 3), Pose::translation(1.5, 0.25, 0.125)};
+  Overlap answer = overlap(mover, fixed);
+  EXPECT_TRUE(answer.any);
+  const Overlap first = answer;
+  mover.pose = Pose::translation(2.5, 0.25, 0.125);
+  answer = overlap(mover, fixed);
+  EXPECT_FALSE(answer.any);
+  EXPECT_TRUE(answer.pairs.empty());
+  mover.pose = Pose::translation(1.5, 0.25, 0.125);
+  EXPECT_EQ(overlap(mover, fixed).pairs, first.pairs);
+}
+
+TEST(Regression, R44NoPairIsDroppedInSilence) {
+  const Body body{box(1, 20)};
+  const Overlap whole = overlap(body, body);
+  EXPECT_GT(whole.pairs.size(), 20000U);
+  EXPECT_EQ(whole.coverage, Coverage::complete);
+  const Overlap cut = overlap(body, body, {.limit = 1000});
+  EXPECT_EQ(cut.pairs.size(), 1000U);
+  EXPECT_EQ(cut.coverage, Coverage::cut);
+  const Overlap enough = overlap(body, body, {.limit = whole.pairs.size()});
+  EXPECT_EQ(enough.pairs, whole.pairs);
 }
 
 TEST(Regression, R70FindsABodyWhereItsPoseWasSetAfterItWasMade) {
