@@ -40,8 +40,11 @@ struct Grid {
   double shift;
 };
 
+/// Some meshes are small beside the other, and some lie flat, as cities do.
 Mesh mesh_of(Bytes& bytes, const Grid& grid) {
   constexpr std::uint32_t kMost = 40;
+  const double size = bytes.below(2) == 0 ? 1 : std::ldexp(1.0, -static_cast<int>(bytes.below(6)));
+  const double height = bytes.below(3) == 0 ? 0.125 * size : size;
   Mesh mesh;
   const std::uint32_t triangles = bytes.below(kMost);
   for (std::uint32_t i = 0; i < triangles; ++i) {
@@ -51,7 +54,7 @@ Mesh mesh_of(Bytes& bytes, const Grid& grid) {
       if (choice < 128 || mesh.vertices.empty()) {
         const double x = grid.coordinate(bytes);
         const double y = grid.coordinate(bytes);
-        mesh.vertices.push_back({x, y, grid.coordinate(bytes)});
+        mesh.vertices.push_back({size * x, size * y, height * grid.coordinate(bytes)});
         corner = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
       } else {
         corner = choice % static_cast<std::uint32_t>(mesh.vertices.size());
