@@ -3,10 +3,8 @@
 # kind brings its own targets, and soms-config.cmake chooses.
 include(CMakePackageConfigHelpers)
 set(kind static)
-set(requires_key Requires)  # whoever links an archive links what it needs
 if(SOMS_SHARED)
   set(kind shared)
-  set(requires_key Requires.private)
 endif()
 set(SOMS_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/soms)
 
@@ -42,7 +40,13 @@ if(NOT IS_ABSOLUTE ${CMAKE_INSTALL_LIBDIR})
 endif()
 cmake_path(APPEND pc_libdir "\${prefix}" ${CMAKE_INSTALL_LIBDIR})
 cmake_path(APPEND pc_includedir "\${prefix}" ${CMAKE_INSTALL_INCLUDEDIR})
-list(JOIN SOMS_LINKED_MODULES ", " modules)
+# Whoever links the archive links what it needs. Of the shared library nothing is said, not even as
+# private: pkg-config would ask for the development packages of all.
+set(pc_requires "")
+if(NOT SOMS_SHARED)
+  list(JOIN SOMS_LINKED_MODULES ", " modules)
+  set(pc_requires "Requires: ${modules}\n")
+endif()
 configure_file(cmake/soms.pc.in soms.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/soms.pc DESTINATION ${pc_dir} COMPONENT development)
 

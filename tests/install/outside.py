@@ -71,12 +71,12 @@ def by_cmake(folder, program, compiler, *settings):
     return folder / "build/consumer", folder / "build/catcher"
 
 
-def by_pkg_config(folder, program, compiler, prefix, *words):
+def by_pkg_config(folder, program, compiler, prefix):
     """Builds both programs by one line each, as pkg-config tells it. Returns their paths."""
     folder.mkdir()
     (folder / "example.cpp").write_text(program, encoding="utf-8")
     places = ":".join(str(place) for place in prefix.glob("lib*/**/pkgconfig"))
-    flags = shlex.split(run("pkg-config", *words, "--cflags", "--libs", "soms",
+    flags = shlex.split(run("pkg-config", "--cflags", "--libs", "soms",
                             env={**os.environ, "PKG_CONFIG_PATH": places}))
     for name, file in (("consumer", folder / "example.cpp"), ("catcher", CONSUMER / "catcher.cpp")):
         run(compiler, "-std=c++20", file, "-o", folder / name, *flags)

@@ -8,6 +8,7 @@ them and by another one; OTHER_COMPILER builds the project as a folder of its ow
 part of `make packages`.
 """
 import pathlib
+import re
 import shutil
 import sys
 import tempfile
@@ -29,16 +30,31 @@ class Outside:
         self.models.check(f"{how}, CMake, {compiler.name}",
                           *by_cmake(self.place(), self.program, compiler, *settings))
 
-    def pkg_config(self, how, compiler, prefix, *words):
+    def pkg_config(self, how, compiler, prefix):
         libraries = ":".join(str(file.parent) for file in prefix.rglob("libsoms.so"))
         self.models.check(f"{how}, pkg-config, {compiler.name}",
-                          *by_pkg_config(self.place(), self.program, compiler, prefix, *words),
+                          *by_pkg_config(self.place(), self.program, compiler, prefix),
                           LD_LIBRARY_PATH=libraries)
 
 
 def kind_of(program):
     said = run("ldd", program)
     return "shared" if "libsoms.so" in said else "static"
+
+
+def install_both(source, static, shared, folder):
+    """Both kinds in one prefix. Builds agree on its folders then, so the static library goes into a
+    build like the shared one that compiles nothing."""
+    cache = (shared / "CMakeCache.txt").read_text(encoding="utf-8")
+    libdir = re.search(r"^CMAKE_INSTALL_LIBDIR:\w+=(.*)$", cache, re.MULTILINE).group(1)
+    again = folder / "static-again"
+    run("cmake", "-S", source, "-B", again, "-G", "Ninja", f"-DCMAKE_INSTALL_LIBDIR={libdir}",
+        "-DSOMS_BUILD_APPS=OFF", "-DSOMS_BUILD_VIEW=OFF", "-DSOMS_BUILD_TESTS=OFF")
+    shutil.copy(static / "libsoms.a", again)
+    prefix = folder / "both"
+    for build in (again, shared):
+        run("cmake", "--install", build, "--prefix", prefix)
+    return prefix
 
 
 def check_choice(outside, prefix, compiler):
@@ -76,11 +92,9 @@ def main():
                          ("fmt", "TBB", "pugixml", "nlohmann_json")] if kind == "shared" else []
                 outside.cmake(kind, one, f"-DCMAKE_PREFIX_PATH={prefix}", *alone)
                 outside.pkg_config(kind, one, prefix)
-        both = folder / "both"
-        for build in (static, shared):
-            run("cmake", "--install", build, "--prefix", both)
+        both = install_both(source, static, shared, folder)
         check_choice(outside, both, compiler)
-        outside.pkg_config("both, static asked for", compiler, both, "--static")
+        outside.pkg_config("both", compiler, both)
         outside.cmake("add_subdirectory", compilers[-1], f"-DCONSUMER_FOLDER={source}",
                       "-DCMAKE_CXX_FLAGS=-O1")
 
