@@ -61,7 +61,7 @@ determinism:
 # The installed library as outside programs see it, static and shared, the Debian packages, and the
 # command on a processor without any vector extension. The packages stay in build/package.
 packages:
-	@tools/install_packages.sh run view test packages
+	@tools/install_packages.sh run view import test packages
 	cmake --preset release -D SOMS_BUILD_TESTS=ON
 	cmake --build --preset release -j $(JOBS) --target soms soms_command soms_manual
 	cmake --preset package

@@ -67,6 +67,7 @@ if(NOT TARGET soms_command)
 endif()
 soms_install_program(soms_command ${CMAKE_INSTALL_BINDIR} command)
 soms_install_program(soms_view_command ${CMAKE_INSTALL_LIBEXECDIR}/soms view)
+soms_install_program(soms_import ${CMAKE_INSTALL_LIBEXECDIR}/soms import)
 
 # Pages of the manual and words for the shell, as the command tells them.
 if(NOT CMAKE_CROSSCOMPILING)

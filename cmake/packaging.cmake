@@ -1,5 +1,5 @@
-# Debian packages, by `cpack -G DEB` in a build of the preset "package": the command, the viewer, the
-# shared library, and what programs are built with.
+# Debian packages, by `cpack -G DEB` in a build of the preset "package": the command, the programs that
+# it starts, the shared library, and what programs are built with.
 if(NOT SOMS_SHARED OR NOT TARGET soms_command)
   return()
 endif()
@@ -12,6 +12,9 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL library development command)
 if(TARGET soms_view_command)
   list(APPEND CPACK_COMPONENTS_ALL view)
+endif()
+if(TARGET soms_import)
+  list(APPEND CPACK_COMPONENTS_ALL import)
 endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -35,5 +38,9 @@ soms_package(library libsoms${SOMS_SOVERSION} libs "shared library")
 soms_package(development libsoms-dev libdevel "headers, and what CMake and pkg-config read" library)
 soms_package(command soms science "the command, its manual and documents" library)
 soms_package(view soms-view science "the viewer that soms view starts" command library)
-set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS soms-view)
+soms_package(import soms-import science "the reader of formats that soms does not read itself")
+# Found at run time only, by epoxy: nothing that dpkg-shlibdeps sees.
+set(CPACK_DEBIAN_VIEW_PACKAGE_DEPENDS libegl1)
+set(CPACK_DEBIAN_VIEW_PACKAGE_RECOMMENDS libgl1-mesa-dri)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "soms-import, soms-view")
 include(CPack)
