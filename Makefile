@@ -28,14 +28,14 @@ view:
 	build/release/bin/soms view $(ARGS)
 
 test:
-	@tools/install_packages.sh run view test
+	@tools/install_packages.sh run view import test
 	cmake --preset release -D SOMS_BUILD_TESTS=ON
 	cmake --build --preset release -j $(JOBS)
 	ctest --preset release -j $(JOBS)
 
 # The suite once more, every access and every arithmetic step watched.
 asan tsan:
-	@tools/install_packages.sh run view test
+	@tools/install_packages.sh run view import test
 	cmake --preset $@
 	cmake --build --preset $@ -j $(JOBS)
 	ctest --preset $@ -j $(JOBS)

@@ -62,12 +62,13 @@ function(soms_install_program target folder component)
   endif()
   install(TARGETS ${target} RUNTIME DESTINATION ${folder} COMPONENT ${component})
 endfunction()
+# The library starts it, so it is installed without the command too.
+soms_install_program(soms_import ${CMAKE_INSTALL_LIBEXECDIR}/soms import)
 if(NOT TARGET soms_command)
   return()
 endif()
 soms_install_program(soms_command ${CMAKE_INSTALL_BINDIR} command)
 soms_install_program(soms_view_command ${CMAKE_INSTALL_LIBEXECDIR}/soms view)
-soms_install_program(soms_import ${CMAKE_INSTALL_LIBEXECDIR}/soms import)
 
 # Pages of the manual and words for the shell, as the command tells them.
 if(NOT CMAKE_CROSSCOMPILING)

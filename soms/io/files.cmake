@@ -19,6 +19,8 @@ set(SOMS_SOURCES
   detail/gltf_json.cpp
   detail/gltf_meshes.cpp
   detail/gltf_scene.cpp
+  detail/import.cpp
+  detail/import_child.cpp
   detail/line_reader.cpp
   detail/mesh_builder.cpp
   detail/mesh_writer.cpp

@@ -19,6 +19,8 @@ struct ReadOptions {
   bool allow_empty = false;
   /// Most bytes to allocate; 0 means 64 times the file's size plus 64 MiB.
   std::uint64_t max_memory = 0;
+  /// Most seconds that soms-import may take, for formats that soms does not read itself.
+  double import_seconds = 60;
 };
 
 /// Reads a PLY, 3DS, STL, OFF, OBJ, glTF, GLB or COLLADA model as stored, in double: nothing is

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace soms::detail {
 
@@ -123,10 +122,9 @@ Mesh read_collada(Source& source) {
   MeshBuilder builder(source);
   const double unit = read_unit(document);
   const UpAxis up = read_up(document, builder);
-  std::vector<Part> parts = show_scene(document, find_scene(document, builder), builder);
+  show_scene(document, find_scene(document, builder), builder);
   source.allow_empty = allow_empty;
   Mesh mesh = builder.finish();
-  mesh.parts = std::move(parts);
   mesh.unit = unit;
   mesh.up = up;
   return mesh;

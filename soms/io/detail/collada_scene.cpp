@@ -34,10 +34,9 @@ struct Untold {
 /// A node whose children are looked at.
 struct Frame {
   pugi::xml_node node;
-  pugi::xml_node next;                   ///< child to be looked at next
-  Affine transform;                      ///< from the node to the scene
-  std::uint32_t part = Part::kNoParent;  ///< innermost part around its triangles
-  bool begins_part = false;
+  pugi::xml_node next;  ///< child to be looked at next
+  Affine transform;     ///< from the node to the scene
+  bool opens_part = false;
   bool several = false;  ///< it shows more than one geometry
 };
 
@@ -51,8 +50,6 @@ class SceneReader {
   void show_all_geometries();
   void write_notes();
 
-  [[nodiscard]] std::vector<Part>& parts() { return parts_; }
-
  private:
   void enter(pugi::xml_node node);
   void leave();
@@ -62,22 +59,15 @@ class SceneReader {
   [[nodiscard]] const ColladaGeometry& geometry_of(pugi::xml_node element);
   void count_element(pugi::xml_node element);
   void note_asset(pugi::xml_node owner);
-  [[nodiscard]] std::uint32_t begin_part(std::string_view name);
-  void end_part(std::uint32_t part);
 
   ColladaDocument& document_;
   MeshBuilder& builder_;
   std::vector<Frame> stack_;
   std::set<const void*> open_;  ///< the nodes on the stack
   std::map<const void*, ColladaGeometry> geometries_;
-  std::vector<Part> parts_;
   Untold untold_;
   std::uint64_t elements_ = 0;
 };
-
-std::uint64_t bytes_of_part(std::string_view name) {
-  return 2 * sizeof(Part) + name.size();
-}
 
 bool shows_several(pugi::xml_node node) {
   std::size_t shown = 0;
@@ -118,24 +108,6 @@ void SceneReader::note_asset(pugi::xml_node owner) {
   untold_.nested_asset = untold_.nested_asset || asset.child("unit") || asset.child("up_axis");
 }
 
-std::uint32_t SceneReader::begin_part(std::string_view name) {
-  document_.take(bytes_of_part(name));
-  const auto first = static_cast<std::uint32_t>(builder_.triangle_count());
-  const std::uint32_t parent = stack_.empty() ? Part::kNoParent : stack_.back().part;
-  parts_.push_back({std::string(name), parent, first, 0});
-  return static_cast<std::uint32_t>(parts_.size() - 1);
-}
-
-/// A part without triangles has no filled parts in it either, so it is the last one and vanishes.
-void SceneReader::end_part(std::uint32_t part) {
-  Part& ended = parts_[part];
-  ended.count = static_cast<std::uint32_t>(builder_.triangle_count()) - ended.first;
-  if (ended.count == 0) {
-    document_.source().budget.give_back(bytes_of_part(ended.name));
-    parts_.pop_back();
-  }
-}
-
 void SceneReader::enter(pugi::xml_node node) {
   if (!open_.insert(node.internal_object()).second) {
     document_.fail(node, describe(node) + " shows itself, by <instance_node>");
@@ -149,11 +121,10 @@ void SceneReader::enter(pugi::xml_node node) {
   frame.several = shows_several(node);
   if (!stack_.empty()) {
     frame.transform = stack_.back().transform * frame.transform;
-    frame.part = stack_.back().part;
     const std::string_view name = label_of(node);
     if (!name.empty()) {
-      frame.part = begin_part(name);
-      frame.begins_part = true;
+      builder_.open_part(name);
+      frame.opens_part = true;
     }
   }
   stack_.push_back(frame);
@@ -161,8 +132,8 @@ void SceneReader::enter(pugi::xml_node node) {
 
 void SceneReader::leave() {
   const Frame& frame = stack_.back();
-  if (frame.begins_part) {
-    end_part(frame.part);
+  if (frame.opens_part) {
+    builder_.close_part();
   }
   open_.erase(frame.node.internal_object());
   document_.source().budget.give_back(2 * sizeof(Frame) + kBytesOfSetEntry);
@@ -187,8 +158,10 @@ void SceneReader::show(pugi::xml_node element, const Affine& transform, pugi::xm
   const ColladaGeometry& geometry = geometry_of(element);
   // One part a node is enough, unless it has no name or shows several geometries.
   const bool named = !label_of(element).empty() &&
-                     (stack_.empty() || stack_.back().several || !stack_.back().begins_part);
-  const std::uint32_t part = named ? begin_part(label_of(element)) : Part::kNoParent;
+                     (stack_.empty() || stack_.back().several || !stack_.back().opens_part);
+  if (named) {
+    builder_.open_part(label_of(element));
+  }
   const auto first = static_cast<std::uint32_t>(builder_.vertices().size());
   const bool moved = transform != Affine{};
   for (const Vec3& stored : geometry.mesh.vertices) {
@@ -202,7 +175,7 @@ void SceneReader::show(pugi::xml_node element, const Affine& transform, pugi::xm
   }
   builder_.add_instance(geometry.mesh, first, geometry.faces, transform.mirrors());
   if (named) {
-    end_part(part);
+    builder_.close_part();
   }
 }
 
@@ -287,8 +260,7 @@ void SceneReader::write_notes() {
 
 }  // namespace
 
-std::vector<Part> show_scene(ColladaDocument& document, pugi::xml_node scene,
-                             MeshBuilder& builder) {
+void show_scene(ColladaDocument& document, pugi::xml_node scene, MeshBuilder& builder) {
   SceneReader reader(document, builder);
   if (scene) {
     reader.show_scene(scene);
@@ -296,7 +268,6 @@ std::vector<Part> show_scene(ColladaDocument& document, pugi::xml_node scene,
     reader.show_all_geometries();
   }
   reader.write_notes();
-  return std::move(reader.parts());
 }
 
 }  // namespace soms::detail

@@ -3,6 +3,7 @@
 #include "soms/io/detail/collada.h"
 #include "soms/io/detail/ending.h"
 #include "soms/io/detail/gltf.h"
+#include "soms/io/detail/import.h"
 #include "soms/io/detail/obj.h"
 #include "soms/io/detail/off.h"
 #include "soms/io/detail/ply.h"
@@ -33,6 +34,8 @@ constexpr auto kFormats = std::to_array<ReadFormat>({
     {"COLLADA", ".dae", is_collada, read_collada},
 #endif
 });
+
+constexpr ReadFormat kImported = {"other", "", nullptr, read_import};
 
 /// Content that is no model, or none that can be read here.
 struct Foreign {
@@ -98,6 +101,9 @@ const ReadFormat& identify(const Source& source) {
                   "rename the file to end with " + std::string(by_content->ending));
     }
     return *by_content;
+  }
+  if (is_imported(ending)) {
+    return kImported;
   }
   const std::size_t begin =
       std::min(source.bytes.find_first_not_of(" \t\r\n"), source.bytes.size());

@@ -73,6 +73,10 @@ void MeshBuilder::add_instance(const Mesh& mesh, std::uint32_t first, std::uint3
 }
 
 void MeshBuilder::open_part(std::string_view name) {
+  // A file may name a part once and show it a million times.
+  if (!source_.budget.take(name.size())) {
+    source_.fail_memory(name.size());
+  }
   const std::uint32_t parent = open_parts_.empty() ? Part::kNoParent : open_parts_.back();
   const auto first = static_cast<std::uint32_t>(mesh_.triangles.size());
   push(open_parts_, static_cast<std::uint32_t>(mesh_.parts.size()));
@@ -84,6 +88,7 @@ void MeshBuilder::close_part() {
   part.count = static_cast<std::uint32_t>(mesh_.triangles.size()) - part.first;
   // Parts within it have no triangles either, so they are gone and this is the last.
   if (part.count == 0) {
+    source_.budget.give_back(part.name.size());
     mesh_.parts.pop_back();
   }
   open_parts_.pop_back();

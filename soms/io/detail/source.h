@@ -31,6 +31,8 @@ class Budget {
 
   void give_back(std::uint64_t bytes) { left_ += bytes; }
 
+  [[nodiscard]] std::uint64_t left() const { return left_; }
+
  private:
   std::uint64_t left_;
 };
@@ -43,6 +45,7 @@ struct Source {
   bool allow_empty = false;
   /// Folder of the file, in which files that it names are looked for; none for bytes in memory.
   std::optional<std::filesystem::path> folder = {};
+  double import_seconds = 0;  ///< that soms-import may take
   Budget budget{0};
   /// Bytes of memory that each byte of such a file adds; 0 where a limit was stated.
   std::uint64_t memory_per_byte = 0;

@@ -1,0 +1,214 @@
+#include "apps/import/model.h"
+
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdio>
+#include <vector>
+
+namespace soms::import_program {
+
+namespace {
+
+constexpr std::size_t kBuffer = std::size_t{1} << 20;
+
+constexpr std::uint32_t kNoVertex = 0xffffffffU;
+
+/// Three rows of four.
+using Affine = std::array<double, 12>;
+
+Affine affine_of(const aiMatrix4x4& m) {
+  return {m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4};
+}
+
+/// First `b`, then `a`.
+Affine product(const Affine& a, const Affine& b) {
+  Affine result{};
+  for (std::size_t i = 0; i < 12; i += 4) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      result[i + k] =
+          a[i] * b[k] + a[i + 1] * b[k + 4] + a[i + 2] * b[k + 8] + (k == 3 ? a[i + 3] : 0);
+    }
+  }
+  return result;
+}
+
+bool mirrors(const Affine& m) {
+  return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) +
+             m[2] * (m[4] * m[9] - m[5] * m[8]) <
+         0;
+}
+
+/// A node whose children are to come. Nodes may nest as deep as a file has bytes: no recursion.
+struct Frame {
+  const aiNode* node = nullptr;
+  unsigned next = 0;
+  Affine transform{};
+  bool named = false;
+};
+
+class SceneWriter {
+ public:
+  SceneWriter(const aiScene& scene, Answer& answer) : scene_(scene), answer_(answer) {}
+
+  void write();
+
+ private:
+  void enter(const aiNode& node);
+  void write_mesh(const aiMesh& mesh, const Affine& transform);
+
+  const aiScene& scene_;
+  Answer& answer_;
+  std::vector<Frame> stack_;
+  std::uint32_t vertices_ = 0;
+  std::uint64_t thin_ = 0;
+  std::vector<std::uint32_t> corners_;
+};
+
+void SceneWriter::write_mesh(const aiMesh& mesh, const Affine& m) {
+  for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+    const aiVector3D& v = mesh.mVertices[i];
+    const double x = v.x;
+    const double y = v.y;
+    const double z = v.z;
+    answer_.vertex(m[0] * x + m[1] * y + m[2] * z + m[3], m[4] * x + m[5] * y + m[6] * z + m[7],
+                   m[8] * x + m[9] * y + m[10] * z + m[11]);
+  }
+  for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+    const aiFace& face = mesh.mFaces[i];
+    corners_.assign(face.mIndices, face.mIndices + face.mNumIndices);
+    if (corners_.size() < 3) {
+      ++thin_;
+      continue;
+    }
+    for (std::uint32_t& corner : corners_) {
+      // One that does not exist is named so that it cannot be taken for one that does.
+      corner = corner < mesh.mNumVertices ? corner + vertices_ : kNoVertex;
+    }
+    if (mirrors(m)) {
+      std::reverse(corners_.begin() + 1, corners_.end());
+    }
+    answer_.face(corners_);
+  }
+  vertices_ += mesh.mNumVertices;
+}
+
+void SceneWriter::enter(const aiNode& node) {
+  Frame frame{&node, 0, affine_of(node.mTransformation), false};
+  if (!stack_.empty()) {
+    frame.transform = product(stack_.back().transform, frame.transform);
+    frame.named = node.mName.length > 0;
+  }
+  if (frame.named) {
+    answer_.begin_part(node.mName.C_Str());
+  }
+  for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+    const aiMesh& mesh = *scene_.mMeshes[node.mMeshes[i]];
+    const bool named = mesh.mName.length > 0 && (node.mNumMeshes > 1 || !frame.named);
+    if (named) {
+      answer_.begin_part(mesh.mName.C_Str());
+    }
+    write_mesh(mesh, frame.transform);
+    if (named) {
+      answer_.end_part();
+    }
+  }
+  stack_.push_back(frame);
+}
+
+void SceneWriter::write() {
+  enter(*scene_.mRootNode);
+  while (!stack_.empty()) {
+    Frame& frame = stack_.back();
+    if (frame.next < frame.node->mNumChildren) {
+      const aiNode& child = *frame.node->mChildren[frame.next++];
+      enter(child);
+      continue;
+    }
+    if (frame.named) {
+      answer_.end_part();
+    }
+    stack_.pop_back();
+  }
+  if (thin_ > 0) {
+    answer_.note("points and lines, which are not triangles: " + std::to_string(thin_));
+  }
+}
+
+}  // namespace
+
+Answer::Answer() {
+  bytes_.reserve(kBuffer + 64);
+  bytes_ = "soms-import 1\n";
+}
+
+void Answer::flush() {
+  whole_ = whole_ && std::fwrite(bytes_.data(), 1, bytes_.size(), stdout) == bytes_.size();
+  bytes_.clear();
+}
+
+void Answer::number(std::uint32_t value) {
+  for (int shift = 0; shift < 32; shift += 8) {
+    bytes_ += static_cast<char>(value >> shift & 0xffU);
+  }
+}
+
+void Answer::coordinate(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  number(static_cast<std::uint32_t>(bits));
+  number(static_cast<std::uint32_t>(bits >> 32));
+}
+
+void Answer::text(char kind, std::string_view words) {
+  bytes_ += kind;
+  number(static_cast<std::uint32_t>(words.size()));
+  bytes_ += words;
+}
+
+void Answer::vertex(double x, double y, double z) {
+  bytes_ += 'v';
+  coordinate(x);
+  coordinate(y);
+  coordinate(z);
+  if (bytes_.size() >= kBuffer) {
+    flush();
+  }
+}
+
+void Answer::face(std::span<const std::uint32_t> corners) {
+  bytes_ += 'f';
+  number(static_cast<std::uint32_t>(corners.size()));
+  for (const std::uint32_t corner : corners) {
+    number(corner);
+  }
+  if (bytes_.size() >= kBuffer) {
+    flush();
+  }
+}
+
+void Answer::begin_part(std::string_view name) {
+  text('b', name);
+}
+
+void Answer::end_part() {
+  bytes_ += 'e';
+}
+
+void Answer::note(std::string_view words) {
+  text('n', words);
+}
+
+bool Answer::finish() {
+  bytes_ += '.';
+  flush();
+  return whole_ && std::fflush(stdout) == 0;
+}
+
+void write_scene(const aiScene& scene, Answer& answer) {
+  SceneWriter(scene, answer).write();
+}
+
+}  // namespace soms::import_program

@@ -1,0 +1,174 @@
+#include "soms/io/detail/import.h"
+
+#include "soms/io/detail/ending.h"
+#include "soms/io/detail/import_child.h"
+#include "soms/io/detail/little_endian.h"
+#include "soms/io/detail/mesh_builder.h"
+#include "soms/io/detail/text.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace soms::detail {
+
+namespace {
+
+/// Sorted. Of what Assimp 5.2 lists, those that soms reads itself, that hold no meshes or that need
+/// a second file are left out.
+constexpr auto kEndings = std::to_array<std::string_view>({
+    ".3d",  ".3mf",  ".ac",   ".ac3d", ".acc",     ".amf", ".ase", ".ask",  ".b3d",     ".blend",
+    ".cob", ".dxf",  ".enff", ".fbx",  ".hmp",     ".ifc", ".iqm", ".irr",  ".irrmesh", ".lwo",
+    ".lws", ".lxo",  ".md2",  ".md3",  ".md5mesh", ".mdc", ".mdl", ".mesh", ".ms3d",    ".ndo",
+    ".nff", ".ogex", ".pmx",  ".q3o",  ".q3s",     ".scn", ".sib", ".smd",  ".step",    ".stp",
+    ".ter", ".x",    ".x3d",  ".x3db", ".xgl",     ".zgl",
+});
+
+constexpr std::string_view kMagic = "soms-import 1\n";
+
+/// The answer: the magic, then records that begin with a letter, little-endian.
+///   v  3 doubles                 a vertex
+///   f  count, vertices (u32)     a face of vertices so far, from 0
+///   b  length, name (u32)        a part begins; parts nest
+///   e                            it ends
+///   n  length, text (u32)        a note
+///   .                            the end
+class ImportReader {
+ public:
+  ImportReader(Source& source, std::string_view answer)
+      : source_(source), answer_(answer), builder_(source) {}
+
+  Mesh read();
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const;
+  std::string_view take(std::size_t size);
+  std::uint32_t take_number();
+  double take_double();
+  void read_vertex();
+  void read_face();
+
+  Source& source_;
+  std::string_view answer_;
+  std::size_t at_ = 0;
+  MeshBuilder builder_;
+  std::size_t open_parts_ = 0;
+  std::vector<std::uint32_t> corners_;
+};
+
+void ImportReader::fail(const std::string& what) const {
+  source_.fail(ErrorKind::bad_file,
+               "soms-import answered wrongly at byte " + std::to_string(at_) + ": " + what,
+               "convert the model to one of the formats that soms reads itself");
+}
+
+std::string_view ImportReader::take(std::size_t size) {
+  if (size > answer_.size() - at_) {
+    fail("it is cut off");
+  }
+  at_ += size;
+  return answer_.substr(at_ - size, size);
+}
+
+std::uint32_t ImportReader::take_number() {
+  return little_endian<std::uint32_t>(take(sizeof(std::uint32_t)), 0);
+}
+
+double ImportReader::take_double() {
+  const std::uint64_t low = take_number();
+  return std::bit_cast<double>(low | std::uint64_t{take_number()} << 32);
+}
+
+void ImportReader::read_vertex() {
+  Vec3 v;
+  v.x = take_double();
+  v.y = take_double();
+  v.z = take_double();
+  if (!fit_for_mesh(v)) {
+    const CoordinateFault fault = describe_fault(v);
+    source_.fail(fault.kind,
+                 "vertex " + std::to_string(builder_.vertices().size()) + ": " + fault.what,
+                 fault.remedy);
+  }
+  builder_.add_vertex(v);
+}
+
+void ImportReader::read_face() {
+  const auto count = take_number();
+  if (count > (answer_.size() - at_) / sizeof(std::uint32_t)) {
+    fail("it is cut off");
+  }
+  if (count > corners_.capacity()) {
+    const std::uint64_t bytes = std::uint64_t{count} * sizeof(std::uint32_t);
+    if (!source_.budget.take(bytes)) {
+      source_.fail_memory(bytes);
+    }
+  }
+  corners_.resize(count);
+  for (std::uint32_t& corner : corners_) {
+    corner = take_number();
+    if (corner >= builder_.vertices().size()) {
+      fail("vertex " + std::to_string(corner) + " of " +
+           std::to_string(builder_.vertices().size()));
+    }
+  }
+  builder_.add_face(corners_);
+}
+
+Mesh ImportReader::read() {
+  if (!answer_.starts_with(kMagic)) {
+    fail("it does not begin as an answer does");
+  }
+  at_ = kMagic.size();
+  for (std::uint64_t record = 0;; ++record) {
+    if (record % kRowsPerTick == 0) {
+      check_stop(source_.parallel);
+    }
+    switch (take(1)[0]) {
+      case 'v':
+        read_vertex();
+        break;
+      case 'f':
+        read_face();
+        break;
+      case 'b':
+        builder_.open_part(take(take_number()));
+        ++open_parts_;
+        break;
+      case 'e':
+        if (open_parts_ == 0) {
+          fail("a part ends that did not begin");
+        }
+        builder_.close_part();
+        --open_parts_;
+        break;
+      case 'n':
+        builder_.note(printable(take(take_number())));
+        break;
+      case '.':
+        if (open_parts_ > 0 || at_ != answer_.size()) {
+          fail("it ends amid a part or goes on behind its end");
+        }
+        return builder_.finish();
+      default:
+        fail("a record of unknown kind");
+    }
+  }
+}
+
+}  // namespace
+
+bool is_imported(std::string_view ending) {
+  return std::binary_search(kEndings.begin(), kEndings.end(), ending);
+}
+
+Mesh read_import(Source& source) {
+  const std::string answer = run_import(source, ending_of(source.name));
+  return ImportReader(source, answer).read();
+}
+
+}  // namespace soms::detail

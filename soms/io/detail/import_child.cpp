@@ -1,0 +1,327 @@
+#include "soms/io/detail/import_child.h"
+
+#include "soms/io/detail/file.h"
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace soms::detail {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Address space of the program and its libraries before it has read anything.
+constexpr std::uint64_t kProgramMemory = std::uint64_t{256} << 20;
+/// Exit status of soms-import that says that memory was too little.
+constexpr int kNoMemory = 4;
+
+bool runs(const std::filesystem::path& program) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(program, ignored) && access(program.c_str(), X_OK) == 0;
+}
+
+/// Folders where the program may lie, the nearest first. None is far from the program or the
+/// library: what somebody else put into a folder above them must not be started.
+std::vector<std::filesystem::path> folders() {
+  std::error_code unknown;
+  const auto beside = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
+  std::vector<std::filesystem::path> all = {beside, beside.parent_path() / "libexec/soms"};
+  Dl_info library{};
+  if (dladdr(reinterpret_cast<const void*>(&run_import), &library) != 0 &&
+      library.dli_fname != nullptr && *library.dli_fname == '/') {
+    std::filesystem::path folder = std::filesystem::path(library.dli_fname).parent_path();
+    // From lib, or from lib/<architecture>.
+    if (folder.parent_path().filename() == "lib") {
+      folder = folder.parent_path();
+    }
+    all.push_back(folder.parent_path() / "libexec/soms");
+  }
+  return all;
+}
+
+std::filesystem::path find_program(const Source& source, std::string_view ending) {
+  const char* const named = std::getenv("SOMS_IMPORT");
+  if (named != nullptr && *named != '\0') {
+    if (!runs(named)) {
+      source.fail(ErrorKind::unsupported, "SOMS_IMPORT names no program: " + std::string(named),
+                  "let it name soms-import, or unset it");
+    }
+    return named;
+  }
+  for (const std::filesystem::path& folder : folders()) {
+    if (runs(folder / "soms-import")) {
+      return folder / "soms-import";
+    }
+  }
+  source.fail(
+      ErrorKind::unsupported,
+      "format " + in_quotes(ending) + " is read by the program soms-import, which is not installed",
+      "build soms where Assimp is found (Debian: libassimp-dev), let SOMS_IMPORT name the "
+      "program, or convert the model");
+}
+
+[[noreturn]] void fail_system(const Source& source, const std::string& what, int code) {
+  source.fail(ErrorKind::unsupported, what + ": " + std::strerror(code),
+              "free what is short, or convert the model");
+}
+
+/// The model as a file without a name, from its first byte.
+int file_of(const Source& source) {
+  const int file = memfd_create("soms-import", MFD_CLOEXEC);
+  if (file < 0) {
+    fail_system(source, "no file for soms-import", errno);
+  }
+  std::string_view left = source.bytes;
+  while (!left.empty()) {
+    const ssize_t done = write(file, left.data(), std::min(left.size(), std::size_t{1} << 26));
+    if (done < 0 && errno != EINTR) {
+      const int code = errno;
+      close(file);
+      fail_system(source, "no file for soms-import", code);
+    }
+    left.remove_prefix(done < 0 ? 0 : static_cast<std::size_t>(done));
+  }
+  lseek(file, 0, SEEK_SET);
+  return file;
+}
+
+/// A process group that is killed and collected when the object goes.
+class Child {
+ public:
+  explicit Child(pid_t process) : process_(process) {}
+
+  ~Child() {
+    if (!collected_) {
+      kill(-process_, SIGKILL);
+      kill(process_, SIGKILL);
+      while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+      }
+    }
+  }
+
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// The status of a child that has ended. Where somebody else has collected it, 0: then its answer
+  /// alone must be judged.
+  [[nodiscard]] std::optional<int> ended() {
+    siginfo_t info{};
+    const int found =
+        waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT);
+    if ((found == 0 && info.si_pid == 0) || (found != 0 && errno == EINTR)) {
+      return std::nullopt;
+    }
+    // What it started itself ends with it, while its number is still its own.
+    kill(-process_, SIGKILL);
+    collected_ = true;
+    int status = 0;
+    while (found == 0 && waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status;
+  }
+
+  void limit(__rlimit_resource resource, std::uint64_t most) const {
+    const rlim_t value = std::min<std::uint64_t>(most, std::numeric_limits<rlim_t>::max() - 1);
+    const rlimit both{value, value};
+    prlimit(process_, resource, &both, nullptr);
+  }
+
+ private:
+  pid_t process_;
+  bool collected_ = false;
+};
+
+/// Starts the program with the model as its input; its output goes to `out`.
+pid_t start(const Source& source, const std::filesystem::path& program, std::string_view ending,
+            int model, int out) {
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_adddup2(&files, model, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&files, out, STDOUT_FILENO);
+  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addclosefrom_np(&files, STDERR_FILENO + 1);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t signals;
+  sigemptyset(&signals);
+  posix_spawnattr_setsigmask(&attributes, &signals);
+  sigfillset(&signals);
+  posix_spawnattr_setsigdefault(&attributes, &signals);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  posix_spawnattr_setflags(&attributes,
+                           POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+  std::string name = program.string();
+  std::string format(ending);
+  const std::array<char*, 3> arguments = {name.data(), format.data(), nullptr};
+  pid_t process = -1;
+  const int fault =
+      posix_spawn(&process, program.c_str(), &files, &attributes, arguments.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&files);
+  if (fault != 0) {
+    fail_system(source, program.string() + " cannot be started", fault);
+  }
+  return process;
+}
+
+class ImportRun {
+ public:
+  ImportRun(Source& source, const std::filesystem::path& program, std::string_view ending)
+      : source_(source), program_(program), ending_(ending) {}
+
+  std::string answer();
+
+ private:
+  void collect(int pipe);
+  void grow();
+  void wait_a_little(Clock::duration time) const;
+  [[noreturn]] void fail_status(int status) const;
+
+  Source& source_;
+  std::filesystem::path program_;
+  std::string_view ending_;
+  Clock::time_point deadline_;
+  std::uint64_t memory_ = 0;
+  std::string answer_;
+};
+
+/// Room for more of the answer: new memory is taken before the old is given back.
+void ImportRun::grow() {
+  const std::uint64_t old = answer_.capacity();
+  const std::uint64_t wanted = std::max<std::uint64_t>(std::uint64_t{1} << 16, 2 * old);
+  if (!source_.budget.take(wanted)) {
+    source_.fail_memory(wanted);
+  }
+  answer_.reserve(wanted);
+  source_.budget.give_back(old);
+}
+
+void ImportRun::wait_a_little(Clock::duration time) const {
+  check_stop(source_.parallel);
+  if (Clock::now() >= deadline_) {
+    source_.fail(ErrorKind::timed_out,
+                 fmt::format("soms-import did not end within {:g} s", source_.import_seconds),
+                 "convert the model, or give it more time (import_seconds)");
+  }
+  std::this_thread::sleep_for(time);
+}
+
+/// Reads the pipe to its end, looking at the clock and the caller's wish to stop.
+void ImportRun::collect(int pipe) {
+  std::array<char, std::size_t{1} << 14> some{};
+  while (true) {
+    wait_a_little(Clock::duration::zero());
+    pollfd ready{pipe, POLLIN, 0};
+    constexpr int kMilliseconds = 20;
+    if (poll(&ready, 1, kMilliseconds) <= 0) {
+      continue;
+    }
+    const ssize_t got = read(pipe, some.data(), some.size());
+    if (got == 0) {
+      return;
+    }
+    if (got > 0) {
+      const auto size = static_cast<std::size_t>(got);
+      while (answer_.capacity() - answer_.size() < size) {
+        grow();
+      }
+      answer_.append(some.data(), size);
+    } else if (errno != EINTR) {
+      fail_system(source_, "the answer of soms-import cannot be read", errno);
+    }
+  }
+}
+
+void ImportRun::fail_status(int status) const {
+  const std::string remedy = "check the model, or convert it to a format that soms reads itself";
+  const std::string limits = " (it may take " + std::to_string(memory_) + " bytes)";
+  if (WIFSIGNALED(status)) {
+    source_.fail(
+        ErrorKind::bad_file,
+        "soms-import crashed on it, by signal " + std::to_string(WTERMSIG(status)) + limits,
+        remedy);
+  }
+  if (WEXITSTATUS(status) == kNoMemory) {
+    source_.fail(ErrorKind::out_of_memory, "soms-import has too little memory" + limits,
+                 "raise the limit (max_memory, --max-memory) if the file is honest");
+  }
+  source_.fail(ErrorKind::bad_file,
+               "soms-import cannot read it, status " + std::to_string(WEXITSTATUS(status)) +
+                   limits + (answer_.empty() ? "" : ": " + printable(answer_)),
+               remedy);
+}
+
+std::string ImportRun::answer() {
+  const std::uint64_t copy = source_.bytes.size();
+  if (!source_.budget.take(copy)) {
+    source_.fail_memory(copy);
+  }
+  const Descriptor model(file_of(source_));
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+    fail_system(source_, "no pipe for soms-import", errno);
+  }
+  const Descriptor pipe(ends[0]);
+  auto out = std::make_unique<Descriptor>(ends[1]);
+  const double seconds_given = std::clamp(source_.import_seconds, 0.0, 1e9);
+  const std::chrono::duration<double> seconds(seconds_given);
+  deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(seconds);
+  const std::uint64_t left = source_.budget.left();
+  memory_ =
+      kProgramMemory + std::min(left, std::numeric_limits<std::uint64_t>::max() - kProgramMemory);
+  Child child(start(source_, program_, ending_, model.get(), out->get()));
+  child.limit(RLIMIT_AS, memory_);
+  child.limit(RLIMIT_CPU, static_cast<std::uint64_t>(seconds_given) + 1);
+  child.limit(RLIMIT_CORE, 0);
+  child.limit(RLIMIT_FSIZE, 0);
+  out.reset();
+  collect(pipe.get());
+  std::optional<int> status = child.ended();
+  for (; !status; status = child.ended()) {
+    wait_a_little(std::chrono::milliseconds(1));
+  }
+  if (*status != 0) {
+    fail_status(*status);
+  }
+  source_.budget.give_back(copy);
+  return std::move(answer_);
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  constexpr std::size_t kMost = 200;
+  std::string result;
+  for (const char c : text.substr(0, kMost)) {
+    result += c >= ' ' && c <= '~' ? c : '?';
+  }
+  return result;
+}
+
+std::string run_import(Source& source, std::string_view ending) {
+  return ImportRun(source, find_program(source, ending), ending).answer();
+}
+
+}  // namespace soms::detail

@@ -1,0 +1,256 @@
+// The child that reads other formats: what it may do wrong, by scripts in its place, and what it
+// does right, where it was built.
+#include "soms/io/detail/import.h"
+
+#include "soms/base/error.h"
+#include "soms/io/read_mesh.h"
+
+#include "tests/io/files.h"
+#include "tests/support/support.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace soms::test {
+namespace {
+
+/// What stands for soms-import while the object lives.
+class InPlace {
+ public:
+  explicit InPlace(const std::filesystem::path& program) {
+    setenv("SOMS_IMPORT", program.c_str(), 1);
+  }
+
+  ~InPlace() { unsetenv("SOMS_IMPORT"); }
+
+  InPlace(const InPlace&) = delete;
+  InPlace& operator=(const InPlace&) = delete;
+};
+
+/// A script that writes the bytes it was made with.
+const std::string kWrite = "cat \"$0.answer\"";
+
+/// Reads a model while a shell script stands for soms-import.
+class ImportedBy {
+ public:
+  explicit ImportedBy(const std::string& script, const std::string& answer = {})
+      : in_place_(folder_.path() / "fake") {
+    write_content(program().string() + ".answer", answer);
+    write_content(program(), "#!/bin/sh\n" + script + "\n");
+    std::filesystem::permissions(program(), std::filesystem::perms::owner_all);
+  }
+
+  [[nodiscard]] Mesh read(const ReadOptions& options = {}, std::stop_token stop = {}) const {
+    const std::string model = "a model";
+    return read_mesh(std::as_bytes(std::span(model)), "town/a.lwo", options, {.stop = stop});
+  }
+
+  void expect_refused(ErrorKind kind, const std::string& words,
+                      const ReadOptions& options = {}) const {
+    SCOPED_TRACE(words);
+    const auto begin = std::chrono::steady_clock::now();
+    const auto refusal = refusal_of([&] { static_cast<void>(read(options)); });
+    ASSERT_TRUE(refusal) << "nothing was refused";
+    EXPECT_EQ(name(refusal->kind), name(kind)) << refusal->words;
+    EXPECT_NE(refusal->words.find(words), std::string::npos) << refusal->words;
+    EXPECT_NE(refusal->words.find("town/a.lwo"), std::string::npos) << refusal->words;
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+  }
+
+ private:
+  [[nodiscard]] std::filesystem::path program() const { return folder_.path() / "fake"; }
+
+  TemporaryFolder folder_;
+  InPlace in_place_;
+};
+
+const std::string kMagic = "soms-import 1\n";
+
+/// A record that begins with this letter.
+std::string record(char kind, const std::string& rest) {
+  std::string bytes(1, kind);
+  bytes += rest;
+  return bytes;
+}
+
+std::string vertex(double x, double y, double z) {
+  return record('v', bytes_of(x) + bytes_of(y) + bytes_of(z));
+}
+
+std::string text(char kind, const std::string& words) {
+  return record(kind, bytes_of(words.size(), 4) + words);
+}
+
+std::string face(const std::vector<std::uint64_t>& corners) {
+  std::string bytes = record('f', bytes_of(corners.size(), 4));
+  for (const std::uint64_t corner : corners) {
+    bytes += bytes_of(corner, 4);
+  }
+  return bytes;
+}
+
+const std::string kCorners =
+    vertex(0, 0, 0) + vertex(1, 0, 0) + vertex(1, 1, 0) + vertex(0, 1, 0.25);
+
+TEST(Import, TakesVerticesFacesPartsAndNotes) {
+  const Mesh mesh =
+      ImportedBy(kWrite, kMagic + text('n', "a note\n") + kCorners + text('b', "outer") +
+                             face({0, 1, 2, 3}) + text('b', "empty") + "e" + text('b', "inner") +
+                             face({0, 2, 3}) + "ee" + ".")
+          .read();
+  const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 2}, {0, 2, 3}, {0, 2, 3}};
+  EXPECT_EQ(mesh.triangles, triangles);
+  EXPECT_EQ(mesh.faces, (std::vector<std::uint32_t>{0, 0, 1}));
+  EXPECT_EQ(mesh.vertices[3], (Vec3{0, 1, 0.25}));
+  const std::vector<Part> parts = {{"outer", Part::kNoParent, 0, 3}, {"inner", 0, 2, 1}};
+  EXPECT_EQ(mesh.parts, parts);
+  EXPECT_EQ(mesh.notes, (std::vector<std::string>{"a note?"}));
+  EXPECT_EQ(mesh.source, "town/a.lwo");
+}
+
+TEST(Import, GivesTheModelAndItsEndingAndNothingElse) {
+  // The script fails unless all is as it should be: one argument, the model, no more open files.
+  const ImportedBy imported(R"sh([ "$*" = .lwo ] || exit 10
+[ "$(cat)" = "a model" ] || exit 11
+[ ! -e /proc/self/fd/3 ] || exit 12
+[ "$(ulimit -c)" = 0 ] || exit 13
+echo "all is well"; exit 1)sh");
+  imported.expect_refused(ErrorKind::bad_file, "status 1 (it may take");
+  imported.expect_refused(ErrorKind::bad_file, "all is well");
+}
+
+TEST(Import, TurnsACrashOrNonsenseIntoAnError) {
+  ImportedBy("kill -SEGV $$").expect_refused(ErrorKind::bad_file, "crashed on it, by signal 11");
+  ImportedBy("exit 4").expect_refused(ErrorKind::out_of_memory, "too little memory");
+  ImportedBy("true").expect_refused(ErrorKind::bad_file, "does not begin as an answer does");
+  ImportedBy("echo '<html>'").expect_refused(ErrorKind::bad_file, "answered wrongly at byte 0");
+  const auto refuse = [](const std::string& records, ErrorKind kind, const std::string& words) {
+    ImportedBy(kWrite, kMagic + records).expect_refused(kind, words);
+  };
+  refuse(kCorners + face({0, 1, 4}) + ".", ErrorKind::bad_file, "vertex 4 of 4");
+  refuse(kCorners + face({0, 1, 2}), ErrorKind::bad_file, "cut off");
+  refuse(record('f', bytes_of(0xffffffff, 4)) + ".", ErrorKind::bad_file, "cut off");
+  refuse(text('b', "a") + ".", ErrorKind::bad_file, "amid a part");
+  refuse(kCorners + face({0, 1, 2}) + ".x", ErrorKind::bad_file, "behind its end");
+  refuse("e.", ErrorKind::bad_file, "did not begin");
+  refuse("?", ErrorKind::bad_file, "unknown kind");
+  refuse(vertex(0, std::nan(""), 0), ErrorKind::not_finite, "vertex 0: y of a vertex");
+  refuse(vertex(0, 0, 1e200), ErrorKind::out_of_range, "z of a vertex exceeds 2^300");
+  refuse(kCorners + ".", ErrorKind::empty_mesh, "no triangles (4 vertices)");
+}
+
+TEST(Import, EndsAChildThatHangs) {
+  // Its own child would keep the pipe open.
+  ImportedBy("sleep 100")
+      .expect_refused(ErrorKind::timed_out, "within 0.2 s", {.import_seconds = 0.2});
+  ImportedBy("exec >&-; sleep 100")
+      .expect_refused(ErrorKind::timed_out, "did not end", {.import_seconds = 0.2});
+}
+
+TEST(Import, EndsAChildWhenAskedToStop) {
+  const ImportedBy imported("sleep 100");
+  std::stop_source stop;
+  const std::jthread later([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    stop.request_stop();
+  });
+  expect_refused([&] { static_cast<void>(imported.read({}, stop.get_token())); },
+                 ErrorKind::cancelled, "");
+}
+
+TEST(Import, BoundsTheMemoryOfTheChildAndOfItsAnswer) {
+  ImportedBy("a=aaaaaaaaaaaaaaaa; while :; do a=$a$a; done")
+      .expect_refused(ErrorKind::bad_file, "(it may take 30198988", {.max_memory = 32 << 20});
+  ImportedBy("yes").expect_refused(ErrorKind::out_of_memory, "more than its limit leaves",
+                                   {.max_memory = 1 << 20});
+}
+
+TEST(Import, SaysHowToGetAProgramThatIsMissing) {
+  const InPlace nothing("/nonexistent/soms-import");
+  expect_refused("a model", "a.fbx", ErrorKind::unsupported, "SOMS_IMPORT names no program");
+}
+
+TEST(Import, LeavesToItsReaderWhatSomsReadsItself) {
+  for (const char* own :
+       {".ply", ".3ds", ".stl", ".off", ".obj", ".dae", ".gltf", ".glb", ".xyz"}) {
+    EXPECT_FALSE(detail::is_imported(own)) << own;
+  }
+  for (const char* other : {".3d", ".fbx", ".blend", ".x", ".x3d", ".zgl"}) {
+    EXPECT_TRUE(detail::is_imported(other)) << other;
+  }
+}
+
+#ifdef SOMS_IMPORT_PROGRAM
+/// A sheet of a quad and a triangle in AC3D, moved by (1, 2, 3), and a line.
+const std::string kSheet = R"(AC3Db
+MATERIAL "a" rgb 1 1 1  amb 0 0 0  emis 0 0 0  spec 0 0 0  shi 0  trans 0
+OBJECT world
+kids 1
+OBJECT poly
+name "sheet"
+loc 1 2 3
+numvert 5
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+0.5 0.5 2
+numsurf 2
+SURF 0x30
+mat 0
+refs 4
+0 0 0
+1 0 0
+2 0 0
+3 0 0
+SURF 0x30
+mat 0
+refs 3
+0 0 0
+1 0 0
+4 0 0
+kids 0
+)";
+
+TEST(Import, ReadsAModelByAssimp) {
+  const InPlace program(SOMS_IMPORT_PROGRAM);
+  const Mesh mesh = read_text(kSheet, "sheet.ac");
+  ASSERT_EQ(mesh.triangles.size(), 3U);
+  EXPECT_EQ(mesh.faces, (std::vector<std::uint32_t>{0, 0, 1}));
+  EXPECT_EQ(mesh.triangle(0).a, (Vec3{1, 2, 3}));
+  EXPECT_EQ(mesh.triangle(0).c, (Vec3{2, 3, 3}));
+  EXPECT_EQ(mesh.triangle(2).c, (Vec3{1.5, 2.5, 5}));
+  ASSERT_EQ(mesh.parts.size(), 1U);
+  EXPECT_EQ(mesh.parts[0].name, "sheet");
+  EXPECT_EQ(mesh.notes.at(0).substr(0, 14), "read by Assimp");
+}
+
+TEST(Import, NamesTheFileThatAssimpCannotRead) {
+  const InPlace program(SOMS_IMPORT_PROGRAM);
+  expect_refused("no model", "sheet.ac", ErrorKind::bad_file, "sheet.ac: soms-import cannot read");
+  // A cut file is refused or gives a sound mesh of what is left.
+  for (std::size_t size = 1; size < kSheet.size(); size += 97) {
+    const auto refusal = refusal_of(
+        [&] { check(read_text(kSheet.substr(0, size), "sheet.ac", {.allow_empty = true})); });
+    EXPECT_TRUE(!refusal || refusal->kind == ErrorKind::bad_file) << refusal->words;
+  }
+}
+#else
+TEST(Import, ReadsAModelByAssimp) {
+  GTEST_SKIP() << "soms-import was not built: Assimp is missing";
+}
+#endif
+
+}  // namespace
+}  // namespace soms::test
