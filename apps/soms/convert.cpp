@@ -22,8 +22,8 @@ Action add_convert(CLI::App& app, Shared&) {
   add_model_options(app, options->model, "--scale", "--up", "the model");
   add_allow_empty(app, options->model);
   app.footer(
-      "Triangles and vertices keep their numbers and their values. Binary STL and 3DS round to\n"
-      "floats; 3DS holds objects of at most 65,535 triangles, split in order, with names of at "
+      "Triangles and vertices keep their numbers and their values. Binary STL, 3DS and GLB round\n"
+      "to floats; 3DS holds objects of at most 65,535 triangles, split in order, with names of at "
       "most\n"
       "10 characters.\n\n"
       "Example:\n"

@@ -1,5 +1,5 @@
 /// \file
-/// The verb `convert`: reads any model, writes PLY, 3DS, STL, OFF or OBJ.
+/// The verb `convert`: reads any model, writes PLY, 3DS, STL, OFF, OBJ or GLB.
 #pragma once
 
 #include "apps/soms/model_output.h"

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
@@ -18,10 +17,14 @@ namespace soms::command {
 namespace {
 
 const Choices<MeshFormat>& formats() {
-  static const Choices<MeshFormat> choices{
-      {"ply", MeshFormat::ply},     {"ply-ascii", MeshFormat::ply_ascii}, {"obj", MeshFormat::obj},
-      {"stl", MeshFormat::stl},     {"stl-ascii", MeshFormat::stl_ascii}, {"off", MeshFormat::off},
-      {"3ds", MeshFormat::three_ds}};
+  static const Choices<MeshFormat> choices{{"ply", MeshFormat::ply},
+                                           {"ply-ascii", MeshFormat::ply_ascii},
+                                           {"obj", MeshFormat::obj},
+                                           {"stl", MeshFormat::stl},
+                                           {"stl-ascii", MeshFormat::stl_ascii},
+                                           {"off", MeshFormat::off},
+                                           {"3ds", MeshFormat::three_ds},
+                                           {"glb", MeshFormat::glb}};
   return choices;
 }
 
@@ -32,17 +35,11 @@ std::string_view float_format(MeshFormat format) {
       return "binary STL";
     case MeshFormat::three_ds:
       return "3DS";
+    case MeshFormat::glb:
+      return "GLB";
     default:
       return {};
   }
-}
-
-/// Vertices that a format which holds floats does not keep exactly.
-std::uint64_t count_rounded(const Mesh& mesh) {
-  const auto rounds = [](double x) { return static_cast<double>(static_cast<float>(x)) != x; };
-  return static_cast<std::uint64_t>(
-      std::count_if(mesh.vertices.begin(), mesh.vertices.end(),
-                    [&](const Vec3& v) { return rounds(v.x) || rounds(v.y) || rounds(v.z); }));
 }
 
 }  // namespace
@@ -96,10 +93,14 @@ void write_model(const Mesh& mesh, const ModelOutput& output, const Console& con
   });
   file.commit();
   const std::string_view floats = float_format(format);
-  const std::uint64_t rounded = floats.empty() ? 0 : count_rounded(mesh);
+  const std::uint64_t rounded = floats.empty() ? 0 : count_rounded(mesh, format);
   if (rounded != 0) {
     console.note(fmt::format("{}: {} holds floats: {} of {} vertices were rounded", file.name(),
                              floats, with_commas(rounded), with_commas(mesh.vertices.size())));
+  }
+  if (format == MeshFormat::glb && (mesh.up == UpAxis::x || mesh.up == UpAxis::z)) {
+    console.note(fmt::format("{}: programs take y for up in GLB; coordinates were kept, with {} up",
+                             file.name(), mesh.up == UpAxis::x ? "x" : "z"));
   }
 }
 

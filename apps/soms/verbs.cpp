@@ -20,7 +20,7 @@ namespace {
 constexpr std::array kVerbs{
     Verb{"bench", "soms and the installed rivals on two models of yours", add_bench},
     Verb{"completion", "words for the shell to complete", add_completion},
-    Verb{"convert", "read any model, write PLY, 3DS, STL, OFF or OBJ", add_convert},
+    Verb{"convert", "read any model, write PLY, 3DS, STL, OFF, OBJ or GLB", add_convert},
     Verb{"generate", "make a model of an exact number of triangles", add_generate},
     Verb{"info", "triangles, bounds, parts, defects and trees of models", add_info},
     Verb{"man", "the manual: a page for the command and each verb", add_man},

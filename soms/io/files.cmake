@@ -13,6 +13,7 @@ set(SOMS_SOURCES
   detail/collada_transform.cpp
   detail/file.cpp
   detail/format.cpp
+  detail/glb_writer.cpp
   detail/gltf.cpp
   detail/gltf_accessor.cpp
   detail/gltf_buffers.cpp

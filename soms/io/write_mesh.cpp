@@ -3,9 +3,11 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/io/detail/ending.h"
+#include "soms/io/detail/glb_writer.h"
 #include "soms/io/detail/mesh_writer.h"
 #include "soms/io/detail/output.h"
 
+#include <algorithm>
 #include <ostream>
 
 namespace soms {
@@ -27,9 +29,12 @@ MeshFormat format_for(const std::filesystem::path& path) {
   if (ending == ".3ds") {
     return MeshFormat::three_ds;
   }
+  if (ending == ".glb") {
+    return MeshFormat::glb;
+  }
   throw Error(ErrorKind::unsupported,
               path.string() + ": the name does not end with a format that is written",
-              "end it with .ply, .3ds, .stl, .off or .obj");
+              "end it with .ply, .3ds, .stl, .off, .obj or .glb");
 }
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh, MeshFormat format,
@@ -58,6 +63,16 @@ void write_mesh(std::ostream& out, const std::string& name, const Mesh& mesh, Me
   detail::write_mesh(output, name, mesh, format, parallel);
   out.flush();
   check_stream();
+}
+
+std::uint64_t count_rounded(const Mesh& mesh, MeshFormat format) {
+  if (format != MeshFormat::stl && format != MeshFormat::three_ds && format != MeshFormat::glb) {
+    return 0;
+  }
+  const Vec3 origin = format == MeshFormat::glb ? detail::glb_origin(mesh) : Vec3{};
+  return static_cast<std::uint64_t>(
+      std::count_if(mesh.vertices.begin(), mesh.vertices.end(),
+                    [&](const Vec3& v) { return detail::glb_read_back(v, origin) != v; }));
 }
 
 }  // namespace soms

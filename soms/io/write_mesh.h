@@ -1,10 +1,11 @@
 /// \file
-/// Writing models: PLY, 3DS, STL, OFF, OBJ.
+/// Writing models: PLY, 3DS, STL, OFF, OBJ, GLB.
 #pragma once
 
 #include "soms/base/parallel.h"
 #include "soms/geometry/mesh.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <iosfwd>
 #include <string>
@@ -12,24 +13,30 @@
 namespace soms {
 
 /// Formats that can be written.
-enum class MeshFormat { ply, ply_ascii, obj, stl, stl_ascii, off, three_ds };
+enum class MeshFormat { ply, ply_ascii, obj, stl, stl_ascii, off, three_ds, glb };
 
-/// Format for a file name by its ending (.ply, .3ds, .stl, .off, .obj; any case).
+/// Format for a file name by its ending (.ply, .3ds, .stl, .off, .obj, .glb; any case).
 /// \errors  ErrorKind::unsupported naming the endings that are offered.
 [[nodiscard]] MeshFormat format_for(const std::filesystem::path& path);
 
 /// Writes a mesh; the file appears whole or not at all (written beside, then renamed). PLY, OBJ and
-/// OFF are read back equal in vertices and triangles (doubles are kept); binary STL and 3DS hold
-/// floats. 3DS is read back with the same triangles in the same order, in objects of at most 65,535
-/// vertices and faces, whose names are cut to ten characters and made unique.
-/// \errors  What `check` says of the mesh; ErrorKind::cannot_write, not_finite, out_of_range (a
-///          coordinate that a float cannot hold, more than the 4 GiB that 3DS has room for),
-///          cancelled.
+/// OFF are read back equal in vertices and triangles (doubles are kept); binary STL, 3DS and GLB
+/// hold floats. 3DS is read back with the same triangles in the same order, in objects of at most
+/// 65,535 vertices and faces, whose names are cut to ten characters and made unique. GLB keeps
+/// parts as nodes; the floats of a mesh far from the origin count from its middle. Axes are not
+/// turned. \errors  What `check` says of the mesh; ErrorKind::cannot_write, not_finite,
+/// out_of_range (a
+///          coordinate that a float cannot hold, more than the 4 GiB that 3DS and GLB have room
+///          for), cancelled.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh, MeshFormat format,
                 const Parallel& parallel = {});
 
 /// The same to a stream; `name` is used in messages.
 void write_mesh(std::ostream& out, const std::string& name, const Mesh& mesh, MeshFormat format,
                 const Parallel& parallel = {});
+
+/// Vertices that are not read back equal from this format, because it holds floats.
+/// \cost One pass.
+[[nodiscard]] std::uint64_t count_rounded(const Mesh& mesh, MeshFormat format);
 
 }  // namespace soms

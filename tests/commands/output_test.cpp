@@ -89,7 +89,7 @@ TEST(Output, NamesThePlaceThatCannotBeWritten) {
 TEST(Output, AnUnknownEndingIsWrongUsage) {
   const TemporaryFolder folder;
   const std::string box = test::data("truth/meshes/box2.ply").string();
-  for (const std::string name : {"x.xyz", "x", "x.glb"}) {
+  for (const std::string name : {"x.xyz", "x", "x.gltf"}) {
     const std::string path = (folder.path() / name).string();
     for (const auto& words : {std::vector<std::string>{"generate", "sphere", "-o", path},
                               std::vector<std::string>{"convert", box, path}}) {

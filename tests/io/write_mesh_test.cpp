@@ -241,9 +241,10 @@ TEST(FormatFor, GoesByTheEnding) {
   EXPECT_EQ(format_for("a.Stl"), MeshFormat::stl);
   EXPECT_EQ(format_for("a.off"), MeshFormat::off);
   EXPECT_EQ(format_for("a.3DS"), MeshFormat::three_ds);
-  for (const std::string name : {"a", "a.ply/b", "a.glb", ""}) {
+  EXPECT_EQ(format_for("a.glb"), MeshFormat::glb);
+  for (const std::string name : {"a", "a.ply/b", "a.gltf", ""}) {
     expect_refused([&] { static_cast<void>(format_for(name)); }, ErrorKind::unsupported,
-                   "end it with .ply, .3ds, .stl, .off or .obj");
+                   "end it with .ply, .3ds, .stl, .off, .obj or .glb");
   }
 }
 

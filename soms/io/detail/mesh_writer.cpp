@@ -1,6 +1,7 @@
 #include "soms/io/detail/mesh_writer.h"
 
 #include "soms/base/error.h"
+#include "soms/io/detail/glb_writer.h"
 #include "soms/io/detail/part_runs.h"
 #include "soms/io/detail/three_ds_writer.h"
 
@@ -290,6 +291,9 @@ void write_mesh(Output& output, const std::string& name, const Mesh& mesh, MeshF
       break;
     case MeshFormat::three_ds:
       write_three_ds(output, name, mesh, parallel);
+      break;
+    case MeshFormat::glb:
+      write_glb(output, name, mesh, parallel);
       break;
   }
   output.flush();
