@@ -34,13 +34,6 @@ constexpr int kStandardOutput = 1;
               remedy);
 }
 
-bool is_special(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
-         !std::filesystem::is_directory(status);
-}
-
 std::filesystem::path real_path(const std::string& path) {
   std::error_code failed;
   std::filesystem::path real = std::filesystem::absolute(path, failed);
@@ -114,75 +107,25 @@ void FileStream::finish() {
   }
 }
 
-OutputFile::OutputFile(const std::filesystem::path& path) : name_(path.string()) {
-  if (path == "-") {
-    name_ = "standard output";
-    descriptor_ = kStandardOutput;
-  } else if (is_special(path)) {
-    target_ = path;
-    open_directly();
-  } else {
-    std::error_code ignored;
-    const bool link = std::filesystem::is_symlink(path, ignored);
-    target_ = link ? std::filesystem::weakly_canonical(path, ignored) : path;
-    open_beside();
-  }
-  stream_ = std::make_unique<FileStream>(descriptor_, name_);
-}
-
-void OutputFile::open_directly() {
-  descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor_ < 0) {
-    throw_cannot_write(name_, errno);
-  }
-}
-
-void OutputFile::open_beside() {
-  if (target_.filename().empty() || std::filesystem::is_directory(target_)) {
-    throw_cannot_write(name_, EISDIR);
-  }
-
-  struct stat before {};
-
-  const bool exists = ::stat(target_.c_str(), &before) == 0;
-  if (exists && ::access(target_.c_str(), W_OK) != 0) {
-    throw_cannot_write(name_, errno);
-  }
-  for (int i = 0; descriptor_ < 0; ++i) {
-    beside_ = target_.parent_path() / fmt::format(".soms-{}-{}.part", ::getpid(), i);
-    descriptor_ = ::open(beside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ < 0 && errno != EEXIST) {
-      throw_cannot_write(name_, errno);
+OutputFile::OutputFile(const std::filesystem::path& path)
+    : name_(path == "-" ? "standard output" : path.string()) {
+  int descriptor = kStandardOutput;
+  if (path != "-") {
+    if (const int error = file_.open(path); error != 0) {
+      throw_cannot_write(name_, error);
     }
+    descriptor = file_.descriptor();
   }
-  if (exists) {
-    // The file keeps its permissions; where that is not allowed, those of a new file do.
-    (void)!::fchmod(descriptor_, before.st_mode & 07777);
-  }
+  stream_ = std::make_unique<FileStream>(descriptor, name_);
 }
 
 void OutputFile::commit() {
   stream_->finish();
-  if (descriptor_ == kStandardOutput) {
+  if (file_.descriptor() < 0) {
     return;
   }
-  if (::close(std::exchange(descriptor_, -1)) != 0) {
-    throw_cannot_write(name_, errno);
-  }
-  if (!beside_.empty()) {
-    if (::rename(beside_.c_str(), target_.c_str()) != 0) {
-      throw_cannot_write(name_, errno);
-    }
-    beside_.clear();
-  }
-}
-
-OutputFile::~OutputFile() {
-  if (descriptor_ > kStandardOutput) {
-    ::close(descriptor_);
-  }
-  if (!beside_.empty()) {
-    ::unlink(beside_.c_str());
+  if (const int error = file_.commit(); error != 0) {
+    throw_cannot_write(name_, error);
   }
 }
 

@@ -2,6 +2,8 @@
 /// Writing: to a descriptor with errors that say why, and to files that appear whole or not at all.
 #pragma once
 
+#include "soms/io/new_file.h"
+
 #include <array>
 #include <exception>
 #include <filesystem>
@@ -53,16 +55,11 @@ class FileStream : public std::ostream {
   std::string name_;
 };
 
-/// An output file that appears whole or not at all: written beside its place and renamed by
-/// `commit`. "-" is standard output. What is no regular file (a device, a pipe) is written
-/// directly.
+/// An output file that appears whole or not at all, as NewFile does. "-" is standard output.
 class OutputFile {
  public:
   /// \errors ErrorKind::cannot_write.
   explicit OutputFile(const std::filesystem::path& path);
-  ~OutputFile();
-  OutputFile(const OutputFile&) = delete;
-  OutputFile& operator=(const OutputFile&) = delete;
 
   [[nodiscard]] std::ostream& stream() { return *stream_; }
 
@@ -76,13 +73,8 @@ class OutputFile {
   void commit();
 
  private:
-  void open_beside();
-  void open_directly();
-
   std::string name_;
-  std::filesystem::path target_;  ///< symbolic links followed
-  std::filesystem::path beside_;  ///< empty when written directly
-  int descriptor_ = -1;
+  NewFile file_;
   std::unique_ptr<FileStream> stream_;
 };
 

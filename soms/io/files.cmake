@@ -1,4 +1,5 @@
 set(SOMS_HEADERS
+  new_file.h
   poses.h
   read_mesh.h
   write_mesh.h
@@ -38,6 +39,7 @@ set(SOMS_SOURCES
   detail/text.cpp
   detail/three_ds.cpp
   detail/three_ds_writer.cpp
+  new_file.cpp
   poses.cpp
   read_mesh.cpp
   write_mesh.cpp

@@ -74,12 +74,10 @@ TEST(Interrupts, EndAtOnceWhenAskedAgainLater) {
 TEST(Interrupts, LeaveNoPartOfAFile) {
   const TemporaryFolder folder;
   const TemporaryFolder target;
-  Child child({command().string(), "generate", "knot", "--triangles", "40000000", "-o",
+  Child child({command().string(), "generate", "knot", "--triangles", "10000000", "-o",
                (target.path() / "knot.obj").string()},
               folder.path());
-  while (files_in(target.path()).empty()) {
-    usleep(2000);
-  }
+  ASSERT_TRUE(child.wait_for_writing(1'000'000));
   child.send(SIGINT);
   EXPECT_EQ(child.wait().status, 130);
   EXPECT_TRUE(files_in(target.path()).empty());

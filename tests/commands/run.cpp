@@ -126,6 +126,22 @@ bool Child::wait_for_output(std::uintmax_t size) {
   }
 }
 
+bool Child::wait_for_writing(std::uintmax_t size) {
+  const std::string counts = "/proc/" + std::to_string(pid_) + "/io";
+  while (!reap(WNOHANG)) {
+    std::ifstream in(counts);
+    std::string name;
+    std::uintmax_t value = 0;
+    while (in >> name >> value) {
+      if (name == "wchar:" && value >= size) {
+        return true;
+      }
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return false;
+}
+
 RunResult Child::wait() {
   reap(0);
   RunResult result;

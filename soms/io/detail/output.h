@@ -3,6 +3,8 @@
 /// all.
 #pragma once
 
+#include "soms/io/new_file.h"
+
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
@@ -57,15 +59,11 @@ class Output {
   std::size_t size_ = 0;
 };
 
-/// A file that is written beside its target and renamed to it by `commit`; removed if that never
-/// comes. What is no regular file (a pipe, a device) is written straight.
+/// A NewFile that throws.
 class OutputFile {
  public:
   /// \errors ErrorKind::cannot_write.
   explicit OutputFile(const std::filesystem::path& path);
-  ~OutputFile();
-  OutputFile(const OutputFile&) = delete;
-  OutputFile& operator=(const OutputFile&) = delete;
 
   /// \errors ErrorKind::cannot_write.
   void write(std::string_view bytes);
@@ -73,13 +71,10 @@ class OutputFile {
   void commit();
 
  private:
-  [[noreturn]] void fail(int code) const;
-  void open_beside();
+  void check(int code) const;
 
-  std::filesystem::path path_;    ///< as given, for messages
-  std::filesystem::path target_;  ///< links resolved
-  std::filesystem::path temporary_;
-  int descriptor_ = -1;
+  std::filesystem::path path_;
+  NewFile file_;
 };
 
 }  // namespace soms::detail

@@ -1,0 +1,126 @@
+#include "soms/io/new_file.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+namespace soms {
+
+namespace {
+
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+  const std::filesystem::path folder = path.parent_path();
+  return folder.empty() ? "." : folder;
+}
+
+/// Tries names in the target's folder until `make` is not refused because a name is taken.
+template <class Make>
+int with_name_beside(const std::filesystem::path& target, std::filesystem::path& name,
+                     const Make& make) {
+  constexpr int kMostTries = 10000;
+  for (int i = 0; i < kMostTries; ++i) {
+    name = folder_of(target) / fmt::format(".soms-{}-{}.part", getpid(), i);
+    if (make(name) >= 0) {
+      return 0;
+    }
+    if (errno != EEXIST) {
+      break;
+    }
+  }
+  const int code = errno;
+  name.clear();
+  return code;
+}
+
+}  // namespace
+
+int NewFile::open(const std::filesystem::path& path) {
+  struct stat status {};
+
+  if (path.filename().empty()) {
+    return EISDIR;
+  }
+  const bool exists = stat(path.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) {
+    return EISDIR;
+  }
+  if (exists && !S_ISREG(status.st_mode)) {
+    descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    return descriptor_ < 0 ? errno : 0;
+  }
+  if (exists && access(path.c_str(), W_OK) != 0) {
+    return errno;
+  }
+  target_ = path;
+  std::error_code failed;
+  if (std::filesystem::is_symlink(path, failed)) {
+    target_ = std::filesystem::weakly_canonical(path, failed);
+    if (failed) {
+      return failed.value();
+    }
+  }
+  if (open_nameless() != 0) {
+    if (const int code = open_beside(); code != 0) {
+      return code;
+    }
+  }
+  if (exists) {
+    (void)!fchmod(descriptor_, status.st_mode & 07777);
+  }
+  return 0;
+}
+
+/// Fails where the file system or the kernel has no such files, and where no name could be given.
+int NewFile::open_nameless() {
+  if (access("/proc/self/fd", X_OK) != 0) {
+    return errno;
+  }
+  descriptor_ = ::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+  return descriptor_ < 0 ? errno : 0;
+}
+
+int NewFile::open_beside() {
+  return with_name_beside(target_, beside_, [&](const std::filesystem::path& name) {
+    return descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  });
+}
+
+/// A name of its own first: only a rename takes the place of an old file.
+int NewFile::give_name() {
+  const std::string open_file = fmt::format("/proc/self/fd/{}", descriptor_);
+  return with_name_beside(target_, beside_, [&](const std::filesystem::path& name) {
+    return linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW);
+  });
+}
+
+int NewFile::commit() {
+  const bool straight = target_.empty();
+  const int named = straight || !beside_.empty() ? 0 : give_name();
+  if (close(std::exchange(descriptor_, -1)) != 0) {
+    return errno;
+  }
+  if (named != 0 || straight) {
+    return named;
+  }
+  if (rename(beside_.c_str(), target_.c_str()) != 0) {
+    return errno;
+  }
+  beside_.clear();
+  return 0;
+}
+
+NewFile::~NewFile() {
+  if (descriptor_ >= 0) {
+    close(descriptor_);
+  }
+  if (!beside_.empty()) {
+    unlink(beside_.c_str());
+  }
+}
+
+}  // namespace soms
