@@ -2,7 +2,7 @@
 JOBS ?= $(shell nproc)
 ARGS ?=
 
-.PHONY: help run view test large check asan tsan tidy arm64 determinism packages bare fuzz bench format clean
+.PHONY: help run view test large check asan tsan tidy arm64 determinism memcheck endurance packages bare fuzz bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
@@ -58,6 +58,17 @@ determinism:
 	@tools/install_packages.sh run check
 	tests/determinism/run.sh build/determinism $(JOBS)
 
+# A hundred thousand frames, kills at random moments, disks that are full or read-only.
+endurance: test
+	python3 tests/endurance/endurance.py build/release/bin/soms
+
+# Every byte that the golden answers read must have been written.
+memcheck: test
+	@command -v valgrind >/dev/null || { echo "skipped: memcheck, as valgrind is not installed"; exit 0; } && \
+	  valgrind -q --tool=memcheck --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite \
+	    build/release/tests/golden/golden tests/data write > build/memcheck.csv && \
+	  diff tests/golden/answers.csv build/memcheck.csv && echo "memcheck: no errors"
+
 # The installed library as outside programs see it, static and shared, the Debian packages, and the
 # command on a processor without any vector extension. The packages stay in build/package.
 packages:
@@ -88,7 +99,7 @@ fuzz:
 large: test
 	SOMS_TEST_LARGE=1 ctest --preset release -R FiveMillion
 
-check: test large asan tsan tidy arm64 determinism packages bare
+check: test large asan tsan tidy arm64 determinism memcheck endurance packages bare
 
 # Rivals that cannot be installed are left out. A quick run: ARGS=--quick; soms-bench --help tells more.
 bench:
