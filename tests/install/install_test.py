@@ -13,13 +13,37 @@ import tempfile
 from outside import Models, by_cmake, by_pkg_config, install, readme_program, run
 
 
-def check_command(prefix, build):
+# Of a format that soms-import reads.
+TRIANGLE_AC = """AC3Db
+MATERIAL "" rgb 1 1 1  amb 0.2 0.2 0.2  emis 0 0 0  spec 0.5 0.5 0.5  shi 10  trans 0
+OBJECT poly
+numvert 3
+0 0 0
+1 0 0
+0 1 0
+numsurf 1
+SURF 0x0
+mat 0
+refs 3
+0 0 0
+1 0 0
+2 0 0
+kids 0
+"""
+
+
+def check_command(prefix, build, folder):
     """What the command needs lies under its own prefix; nothing else of the system is asked."""
     soms = prefix / "bin/soms"
     if (build / "bin/soms-view").exists():
         said = run(soms, "view", "--help", env={"PATH": "/nowhere"})
         if "Usage: soms view" not in said:
             sys.exit("soms view --help does not come from soms-view")
+    if (build / "bin/soms-import").exists():
+        (folder / "triangle.ac").write_text(TRIANGLE_AC, encoding="utf-8")
+        said = run(soms, "info", folder / "triangle.ac", "--json", env={"PATH": "/nowhere"})
+        if '"triangles":1,' not in said:
+            sys.exit(f"soms-import is not found, or does not read: {said}")
     for name in ("man/man1/soms.1", "man/man1/soms-overlap.1",
                  "bash-completion/completions/soms", "doc/soms/README.md"):
         if not (prefix / "share" / name).exists():
@@ -32,7 +56,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         prefix = install(build, folder / "moved")
-        check_command(prefix, build)
+        check_command(prefix, build, folder)
         program = readme_program(source)
         models = Models(folder, prefix / "bin/soms", program)
         models.check("find_package(soms)", *by_cmake(
