@@ -172,10 +172,10 @@ Mesh through(const Mesh& mesh, MeshFormat format, const std::string& name) {
 }
 
 const std::vector<std::pair<MeshFormat, std::string>> kFormats = {
-    {MeshFormat::ply, "a.ply"},     {MeshFormat::ply_ascii, "a.ply"},
-    {MeshFormat::obj, "a.obj"},     {MeshFormat::off, "a.off"},
-    {MeshFormat::stl, "a.stl"},     {MeshFormat::stl_ascii, "a.stl"},
-    {MeshFormat::three_ds, "a.3ds"}};
+    {MeshFormat::ply, "a.ply"},      {MeshFormat::ply_ascii, "a.ply"},
+    {MeshFormat::obj, "a.obj"},      {MeshFormat::off, "a.off"},
+    {MeshFormat::stl, "a.stl"},      {MeshFormat::stl_ascii, "a.stl"},
+    {MeshFormat::three_ds, "a.3ds"}, {MeshFormat::glb, "a.glb"}};
 
 TEST(FileRegressions, R93SplitCornersStayAndClosednessIsJudgedByPosition) {
   const Mesh split = split_cube();
@@ -265,8 +265,9 @@ TEST(FileRegressions, R94AxesAreThoseOfTheFileInEveryFormatAndTurnOnlyWhenAsked)
     for (TriangleId i = 0; i < 3; ++i) {
       EXPECT_EQ(mesh.triangle(i), gizmo.triangle(i));
     }
-    EXPECT_EQ(mesh.unit, 0);
-    EXPECT_EQ(mesh.up, UpAxis::unknown);
+    // GLB's own unit and axis are the meter and y; nothing is said where the format says nothing.
+    EXPECT_EQ(mesh.unit, format == MeshFormat::glb ? 1 : 0);
+    EXPECT_EQ(mesh.up, format == MeshFormat::glb ? UpAxis::y : UpAxis::unknown);
     const Mesh turned = transformed(mesh, 1, UpAxis::y);
     EXPECT_EQ(turned.triangle(0).b, (Vec3{3, 0, 0}));
     EXPECT_EQ(turned.triangle(1).b, (Vec3{0, 0, 2}));
