@@ -8,6 +8,7 @@ import collections
 import csv
 import lzma
 import pathlib
+import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -80,10 +81,23 @@ def golden():
            "the others of answers, scenes and generated models")
 
 
+def regressions():
+    """Rows of docs/regressions.md, "| id | fault | told in | state | tests |", by state."""
+    text = (ROOT / "docs/regressions.md").read_text(encoding="utf-8")
+    states, tests = collections.Counter(), set()
+    for line in text.splitlines():
+        if re.match(r"\| R\d+ \|", line):
+            _, _, _, state, named = line.removeprefix("| ").removesuffix("|").split(" | ")
+            states[re.split("[;:]", state)[0]] += 1
+            tests.update(re.findall("`(.+?)`", named))
+    told = ", ".join(f"{number} {state}" for state, number in states.most_common())
+    yield "faults of other libraries", sum(states.values()), f"{told}; {len(tests)} tests by name"
+
+
 def counted():
     yield "| what | how many | of these |"
     yield "|---|---:|---|"
-    for part in (truth, files, thesis, golden):
+    for part in (truth, files, regressions, thesis, golden):
         for what, number, note in part():
             yield f"| {what} | {number:,} | {note} |"
 
