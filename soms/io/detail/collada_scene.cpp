@@ -55,7 +55,7 @@ class SceneReader {
   void leave();
   void look_at(pugi::xml_node element);
   void show_controller(pugi::xml_node instance);
-  void show(pugi::xml_node geometry, const Affine& transform, pugi::xml_node instance);
+  void show(pugi::xml_node element, const Affine& transform, pugi::xml_node instance);
   [[nodiscard]] const ColladaGeometry& geometry_of(pugi::xml_node element);
   void count_element(pugi::xml_node element);
   void note_asset(pugi::xml_node owner);
