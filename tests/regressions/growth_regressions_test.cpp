@@ -88,8 +88,8 @@ TEST(GrowthRegressions, R87WorkOfCopiesInOnePlaceGrowsAsTheirPairs) {
     }
     const StepReport report = scene.step();
     const std::uint64_t pairs = report.movers.size();
-    EXPECT_GT(pairs, 28 * 12 * triangles);
-    EXPECT_LT(pairs, 28 * 16 * triangles);
+    EXPECT_GT(pairs, std::uint64_t{28} * 12 * triangles);
+    EXPECT_LT(pairs, std::uint64_t{28} * 16 * triangles);
     EXPECT_LT(report.cost.node_tests, 3 * pairs);
     EXPECT_LT(report.cost.triangle_tests, 3 * pairs);
   }
