@@ -43,7 +43,7 @@ struct Grid {
 /// Some meshes are small beside the other, and some lie flat, as cities do.
 Mesh mesh_of(Bytes& bytes, const Grid& grid) {
   constexpr std::uint32_t kMost = 40;
-  const double size = bytes.below(2) == 0 ? 1 : std::ldexp(1.0, -static_cast<int>(bytes.below(6)));
+  const double size = bytes.below(2) == 0 ? 1 : std::ldexp(1.0, -static_cast<int>(bytes.below(12)));
   const double height = bytes.below(3) == 0 ? 0.125 * size : size;
   Mesh mesh;
   const std::uint32_t triangles = bytes.below(kMost);
