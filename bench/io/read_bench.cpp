@@ -124,6 +124,7 @@ std::vector<Contestant> written(const std::filesystem::path& folder, std::uint64
   add("STL binary", "binary.stl", mesh, MeshFormat::stl);
   add("STL ascii", "ascii.stl", brief, MeshFormat::stl_ascii);
   add("3DS", "knot.3ds", mesh, MeshFormat::three_ds);
+  add("GLB", "knot.glb", mesh, MeshFormat::glb);
   return all;
 }
 

@@ -68,6 +68,29 @@ TEST(Convert, ScalesAndTurns) {
   EXPECT_EQ(info(output).at("bounds"), Json::parse("[[0,-6,0],[2,0,4]]"));
 }
 
+TEST(Convert, KeepsAxesOfGlbUnlessTheyAreTurned) {
+  const TemporaryFolder folder;
+  const auto path = [&](const char* name) { return (folder.path() / name).string(); };
+  write_text(path("a.off"), triangle_off("1 2 3", "1 0 0", "0 1 0"));
+  EXPECT_EQ(soms_run({"convert", path("a.off"), path("a.glb")}).err.find("up"), std::string::npos);
+  const Json read = info(path("a.glb"));
+  EXPECT_EQ(read.at("bounds"), Json::parse("[[0,0,0],[1,2,3]]"));
+  EXPECT_EQ(read.at("up"), "y");
+  EXPECT_EQ(read.at("unit"), 1.0);
+  const RunResult turned = soms_run({"convert", path("a.glb"), path("b.glb"), "--up", "y"});
+  EXPECT_NE(turned.err.find("b.glb: programs take y for up in GLB"), std::string::npos)
+      << turned.err;
+  EXPECT_EQ(info(path("b.glb")).at("bounds"), Json::parse("[[0,-3,0],[1,0,2]]"));
+  // What needs an up axis turns the one that a file states, and says so.
+  const std::string note = "a.glb: its up axis is y; turned to z";
+  const std::vector<std::string> words = {"simulate", path("a.glb"), "--frames",
+                                          "1",        "--count",     "1"};
+  EXPECT_NE(soms_run(words).err.find(note), std::string::npos);
+  std::vector<std::string> as_is = words;
+  as_is.insert(as_is.end(), {"--up", "z"});
+  EXPECT_EQ(soms_run(as_is).err.find(note), std::string::npos);
+}
+
 TEST(Convert, ReadsStandardInputAndWritesStandardOutput) {
   const std::string text = triangle_off("0 0 0", "1 0 0", "0 1 0");
   const RunResult result = soms_run({"convert", "-", "-", "--format", "obj"}, text);
