@@ -158,7 +158,7 @@ TEST(Gltf, ReadsIntegersAsPositionsWhereTheExtensionIsNamed) {
 
 TEST(Gltf, KeepsNodesAsPartsThatNest) {
   const Mesh mesh = read_text(placed(R"("nodes":[{"name":"car","children":[1,2,3]},)"
-                                     R"({"name":"left","mesh":0},{"name":"lamp"},)"
+                                     R"({"name":"left","mesh":0},{"name":"lamp"},{"children":[4]},)"
                                      R"({"mesh":0,"translation":[10,0,0]}])"),
                               "a.glb");
   EXPECT_EQ(mesh.parts,

@@ -84,7 +84,7 @@ class GltfReader {
   /// The mesh of a node, if it has one.
   [[nodiscard]] const GltfMesh* mesh_of(const PlacedNode& node);
   void reserve(const std::vector<PlacedNode>& nodes);
-  void add_node(const PlacedNode& node);
+  [[nodiscard]] bool add_node(const PlacedNode& node);
   void add_positions(const GltfAccessor& accessor, const PlacedNode& node);
   void add_triangles(const GltfPrimitive& primitive, const GltfMesh& mesh, std::uint32_t first,
                      bool turned);
@@ -226,16 +226,19 @@ void GltfReader::add_triangles(const GltfPrimitive& primitive, const GltfMesh& m
   }
 }
 
-/// Opens the node's part; parts of nodes around it are open.
-void GltfReader::add_node(const PlacedNode& node) {
+/// Opens the node's part and says so; a node without a name and a mesh is none.
+bool GltfReader::add_node(const PlacedNode& node) {
   const GltfMesh* const mesh = mesh_of(node);
   std::optional<JsonValue> name = node.json.find("name");
   if (!name && mesh != nullptr) {
     name = node.json.at("mesh").referred("meshes").find("name");
   }
+  if (!name && mesh == nullptr) {
+    return false;
+  }
   builder_.open_part(name ? name->text() : std::string_view());
   if (mesh == nullptr) {
-    return;
+    return true;
   }
   first_.clear();
   for (const GltfAccessor* const positions : mesh->positions) {
@@ -246,6 +249,7 @@ void GltfReader::add_node(const PlacedNode& node) {
   for (const GltfPrimitive& primitive : mesh->primitives) {
     add_triangles(primitive, *mesh, first_[primitive.positions], turned);
   }
+  return true;
 }
 
 void GltfReader::add_notes(std::vector<std::string> notes) {
@@ -273,13 +277,14 @@ Mesh GltfReader::read() {
   std::vector<std::string> notes;
   const std::vector<PlacedNode> nodes = place_nodes(source_, root_, notes);
   reserve(nodes);
-  std::uint32_t open = 0;
+  std::vector<bool> is_part;  // of the nodes that are open
   for (const PlacedNode& node : nodes) {
-    for (; open > node.depth; --open) {
-      builder_.close_part();
+    for (; is_part.size() > node.depth; is_part.pop_back()) {
+      if (is_part.back()) {
+        builder_.close_part();
+      }
     }
-    add_node(node);
-    ++open;
+    is_part.push_back(add_node(node));
   }
   add_notes(std::move(notes));
   Mesh mesh = builder_.finish();
