@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -51,12 +52,19 @@ class Progress {
 
 #if SOMS_USE_TBB
 
+/// The arena of this thread for so many threads. It is kept: one that is made and given back for
+/// each call stays in TBB's lists until a worker has looked at it, and where workers get no time
+/// (another program keeps the processors busy) thousands pile up.
+tbb::task_arena& arena_of(int threads) {
+  thread_local std::unique_ptr<tbb::task_arena> arena;
+  if (!arena || arena->max_concurrency() != threads) {
+    arena = std::make_unique<tbb::task_arena>(threads);
+  }
+  return *arena;
+}
+
 void run_threads(int threads, std::size_t chunks, const std::function<void(std::size_t)>& body) {
-  // Asking for more than TBB allows would make it print a warning.
-  const auto allowed = static_cast<int>(
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-  tbb::task_arena arena(std::min(threads, allowed));
-  arena.execute([&] {
+  const auto run = [&] {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, chunks, 1),
         [&](const tbb::blocked_range<std::size_t>& range) {
@@ -65,7 +73,24 @@ void run_threads(int threads, std::size_t chunks, const std::function<void(std::
           }
         },
         tbb::simple_partitioner());
-  });
+  };
+  // Asking for more than TBB allows would make it print a warning.
+  const auto allowed = static_cast<int>(
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  // A call within a call has an arena of its own: while it waits, it takes no chunk of the other.
+  thread_local int depth = 0;
+  if (depth > 0) {
+    tbb::task_arena(std::min(threads, allowed)).execute(run);
+    return;
+  }
+
+  struct Entry {
+    Entry() { ++depth; }
+
+    ~Entry() { --depth; }
+  } const entry;
+
+  arena_of(std::min(threads, allowed)).execute(run);
 }
 
 #else
