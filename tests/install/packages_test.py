@@ -49,11 +49,12 @@ def install_both(source, static, shared, folder):
     libdir = re.search(r"^CMAKE_INSTALL_LIBDIR:\w+=(.*)$", cache, re.MULTILINE).group(1)
     again = folder / "static-again"
     run("cmake", "-S", source, "-B", again, "-G", "Ninja", f"-DCMAKE_INSTALL_LIBDIR={libdir}",
-        "-DSOMS_BUILD_APPS=OFF", "-DSOMS_BUILD_VIEW=OFF", "-DSOMS_BUILD_TESTS=OFF")
+        "-DSOMS_BUILD_APPS=OFF", "-DSOMS_BUILD_VIEW=OFF", "-DSOMS_BUILD_IMPORT=OFF",
+        "-DSOMS_BUILD_TESTS=OFF")
     shutil.copy(static / "libsoms.a", again)
     prefix = folder / "both"
-    for build in (again, shared):
-        run("cmake", "--install", build, "--prefix", prefix)
+    run("cmake", "--install", again, "--prefix", prefix, "--component", "development")
+    run("cmake", "--install", shared, "--prefix", prefix)
     return prefix
 
 
