@@ -67,7 +67,7 @@ std::filesystem::path file_within(const std::filesystem::path& folder, const Jso
   }
   std::error_code code;
   const std::filesystem::path inside = std::filesystem::canonical(folder, code);
-  const std::filesystem::path file =
+  std::filesystem::path file =
       code ? std::filesystem::path() : std::filesystem::canonical(folder / relative, code);
   if (code) {
     uri.fail(ErrorKind::cannot_open, in_quotes(name) + ": " + code.message(),
