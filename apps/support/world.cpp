@@ -47,6 +47,11 @@ Upright read_upright(const std::string& path, const ModelOptions& options,
     model.mesh = transformed(std::move(model.mesh), 1, up);
     model.origin.up = up;
   }
+  const double unit = model.mesh.unit;
+  if (options.scale == 1 && unit > 0 && unit != 1) {
+    console.note(fmt::format("{}: its unit is {:g} m; taken as meters (--{}scale {:g} makes them so)",
+                             path, unit, option == "--up" ? "" : "mover-", unit));
+  }
   return model;
 }
 

@@ -180,7 +180,7 @@ Mesh transformed(Mesh mesh, double scale, UpAxis up) {
     if (up == UpAxis::y) {
       v = {v.x, -v.z, v.y};
     } else if (up == UpAxis::x) {
-      v = {-v.z, v.y, v.x};
+      v = {-v.y, -v.z, v.x};
     }
     if (scale != 1) {
       v = v * scale;

@@ -73,7 +73,7 @@ void append(Mesh& mesh, const Mesh& other);
 [[nodiscard]] std::uint64_t corner_hash(const Mesh& mesh);
 
 /// A mesh with every vertex multiplied by `scale`, and turned from `up` to z up
-/// (y up: (x, y, z) becomes (x, -z, y); x up: (x, y, z) becomes (-z, y, x)); `unknown` and `z` do
+/// (y up: (x, y, z) becomes (x, -z, y); x up: becomes (-y, -z, x), as COLLADA has it); `unknown`, `z` do
 /// not turn. Turning only permutes and negates, so it rounds nothing.
 /// \errors ErrorKind::usage unless `scale` is finite and positive.
 [[nodiscard]] Mesh transformed(Mesh mesh, double scale, UpAxis up);

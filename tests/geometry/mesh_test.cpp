@@ -120,7 +120,7 @@ TEST(Mesh, AppendToAnEmptyMeshNamesOnePart) {
 TEST(Mesh, TransformedTurnsWithoutRounding) {
   const Mesh mesh = two_triangles();
   EXPECT_EQ(transformed(mesh, 1, UpAxis::y).vertices[3], (Vec3{0, -3, 2}));
-  EXPECT_EQ(transformed(mesh, 1, UpAxis::x).vertices[3], (Vec3{-3, 2, 0}));
+  EXPECT_EQ(transformed(mesh, 1, UpAxis::x).vertices[3], (Vec3{-2, -3, 0}));
   EXPECT_EQ(transformed(mesh, 1, UpAxis::z).vertices, mesh.vertices);
   EXPECT_EQ(transformed(mesh, 1, UpAxis::unknown).vertices, mesh.vertices);
   EXPECT_EQ(transformed(mesh, 1, UpAxis::y).up, UpAxis::z);
