@@ -49,8 +49,9 @@ Upright read_upright(const std::string& path, const ModelOptions& options,
   }
   const double unit = model.mesh.unit;
   if (options.scale == 1 && unit > 0 && unit != 1) {
-    console.note(fmt::format("{}: its unit is {:g} m; taken as meters (--{}scale {:g} makes them so)",
-                             path, unit, option == "--up" ? "" : "mover-", unit));
+    console.note(
+        fmt::format("{}: its unit is {:g} m; taken as meters (--{}scale {:g} makes them so)", path,
+                    unit, option == "--up" ? "" : "mover-", unit));
   }
   return model;
 }

@@ -72,8 +72,8 @@ void append(Mesh& mesh, const Mesh& other);
 /// FNV-1a 64 over all corner coordinates, triangle by triangle, as little-endian doubles.
 [[nodiscard]] std::uint64_t corner_hash(const Mesh& mesh);
 
-/// A mesh with every vertex multiplied by `scale`, and turned from `up` to z up
-/// (y up: (x, y, z) becomes (x, -z, y); x up: becomes (-y, -z, x), as COLLADA has it); `unknown`, `z` do
+/// A mesh with every vertex multiplied by `scale`, and turned from `up` to z up as COLLADA does it
+/// (y up: (x, y, z) becomes (x, -z, y); x up: it becomes (-y, -z, x)); `unknown` and `z` do
 /// not turn. Turning only permutes and negates, so it rounds nothing.
 /// \errors ErrorKind::usage unless `scale` is finite and positive.
 [[nodiscard]] Mesh transformed(Mesh mesh, double scale, UpAxis up);
