@@ -19,6 +19,10 @@ std::optional<std::chrono::steady_clock::time_point> deadline_of(const Shared& s
              std::chrono::duration<double>(*shared.timeout));
 }
 
+/// Below so much memory one thread must do: a thread that cannot be made for want of memory would
+/// end the program instead of the work.
+constexpr std::uint64_t kMemoryForThreads = std::uint64_t{512} << 20;
+
 /// Private writable memory beyond the limit is refused by the system, which `new` reports.
 void limit_memory(std::uint64_t bytes) {
   rlimit limit{};
@@ -69,7 +73,8 @@ bool Console::out_of_time() const {
 }
 
 Parallel Console::parallel() const {
-  return {.threads = shared_.threads, .stop = interrupts_.signalled(), .progress = {}};
+  const bool narrow = shared_.max_memory != 0 && shared_.max_memory < kMemoryForThreads;
+  return {.threads = narrow ? 1 : shared_.threads, .stop = interrupts_.signalled(), .progress = {}};
 }
 
 Progress Console::progress(const std::string& doing) const {

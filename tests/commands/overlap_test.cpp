@@ -252,6 +252,20 @@ TEST(OverlapVerb, HasNoAnswerWhenTimeIsUpBeforeTheFirst) {
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
+TEST(OverlapVerb, AnswersOrSaysThatMemoryIsShort) {
+  const TemporaryFolder folder;
+  const std::string city = (folder.path() / "city.ply").string();
+  const std::string poses = (folder.path() / "poses.csv").string();
+  ASSERT_EQ(soms_run({"generate", "city", "--triangles", "5672", "-o", city}).status, 0);
+  write_text(poses, "x,y,z\n10,0,-3\n0,0,0\n");
+  for (const char* most : {"15M", "20M", "40M", "1G"}) {
+    const RunResult result =
+        soms_run({"overlap", city, box(), "--pose", poses, "--max-memory", most});
+    EXPECT_TRUE(result.status == 0 || result.status == 4)
+        << most << ": status " << result.status << ", " << result.err;
+  }
+}
+
 TEST(OverlapVerb, NeedsNoMoreMemoryForManyPosesThanForFew) {
   const TemporaryFolder folder;
   const auto resident = [&](int rows) {

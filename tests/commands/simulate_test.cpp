@@ -395,17 +395,19 @@ TEST(Simulate, NamesTheCityWhoseTriangleIsTouched) {
 TEST(Simulate, SaysWhatUnitAndAxisAFileStates) {
   const Town town;
   const std::string model = test::data("formats/z_up_cm.dae").string();
-  const test::RunResult small = simulate({town.path(), "--mover", model, "--frames", "1"});
+  const test::RunResult small =
+      simulate({town.path(), "--mover", model, "--count", "1", "--frames", "1"});
   EXPECT_NE(
       small.err.find("its unit is 0.01 m; taken as meters (--mover-scale 0.01 makes them so)"),
       std::string::npos)
       << small.err;
-  const test::RunResult scaled =
-      simulate({town.path(), "--mover", model, "--mover-scale", "0.01", "--frames", "1"});
+  const test::RunResult scaled = simulate(
+      {town.path(), "--mover", model, "--mover-scale", "0.01", "--count", "1", "--frames", "1"});
   EXPECT_EQ(scaled.err.find("its unit"), std::string::npos) << scaled.err;
   const std::string turned = test::data("formats/x_up.dae").string();
-  EXPECT_NE(simulate({turned, "--frames", "1"}).err.find("its up axis is x; turned to z"),
-            std::string::npos);
+  EXPECT_NE(
+      simulate({turned, "--count", "1", "--frames", "1"}).err.find("its up axis is x; turned to z"),
+      std::string::npos);
 }
 
 TEST(Simulate, ConfirmsRealCitiesByBruteForce) {

@@ -23,6 +23,7 @@ namespace soms::view {
 namespace {
 
 constexpr int kMostSide = 16'384;
+constexpr std::uint64_t kLeastMemory = std::uint64_t{256} << 20;  // drivers crash with less
 constexpr std::size_t kMostContacts = 1'000'000;
 constexpr std::uint8_t kGlass = 70;  // opacity of --see-through
 constexpr std::uint8_t kBoxFaces = 60;
@@ -203,6 +204,11 @@ command::Action add_render(CLI::App& app, command::Shared&) {
 }
 
 int run_render(const RenderOptions& options, command::Console& console) {
+  const std::uint64_t most = console.shared().max_memory;
+  if (most != 0 && most < kLeastMemory) {
+    throw Error(ErrorKind::out_of_memory, "--max-memory: a driver that draws needs 256M",
+                "give more, or leave it out");
+  }
   // What may be missing is asked for first, before models are read for minutes.
   const HeadlessContext context;
   GlRenderer renderer;

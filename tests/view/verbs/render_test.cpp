@@ -170,6 +170,7 @@ TEST_F(Render, TellsFaultsInOneSentenceAndLeavesNoFile) {
       {{ball_, "-o", picture_, "--camera", "nowhere"}, 2},
       {{ball_, "-o", picture_, "--camera", "contact"}, 2},
       {{ball_, "-o", picture_, "--walk"}, 2},
+      {{ball_, "-o", picture_, "--max-memory", "50M"}, 4},
       {{ball_, "-o", picture_, "--test", "top"}, 2},
       {{ball_, "-o", picture_, "--mover", ball_, "--test", "sideways"}, 2},
       {{ball_, "-o", picture_, "--mover", ball_, "--test", "top", "--frame", "99999"}, 2},
