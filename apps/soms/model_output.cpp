@@ -99,8 +99,13 @@ void write_model(const Mesh& mesh, const ModelOutput& output, const Console& con
                              floats, with_commas(rounded), with_commas(mesh.vertices.size())));
   }
   if (format == MeshFormat::glb && (mesh.up == UpAxis::x || mesh.up == UpAxis::z)) {
-    console.note(fmt::format("{}: programs take y for up in GLB; coordinates were kept, with {} up",
-                             file.name(), mesh.up == UpAxis::x ? "x" : "z"));
+    console.note(
+        fmt::format("{}: other programs take y for up in GLB; coordinates were kept, with {} up",
+                    file.name(), mesh.up == UpAxis::x ? "x" : "z"));
+  }
+  if (format == MeshFormat::glb && mesh.unit > 0 && mesh.unit != 1) {
+    console.note(fmt::format("{}: other programs take GLB for meters; numbers were kept, of {:g} m",
+                             file.name(), mesh.unit));
   }
 }
 

@@ -78,7 +78,7 @@ TEST(Convert, KeepsAxesOfGlbUnlessTheyAreTurned) {
   EXPECT_EQ(read.at("up"), "y");
   EXPECT_EQ(read.at("unit"), 1.0);
   const RunResult turned = soms_run({"convert", path("a.glb"), path("b.glb"), "--up", "y"});
-  EXPECT_NE(turned.err.find("b.glb: programs take y for up in GLB"), std::string::npos)
+  EXPECT_NE(turned.err.find("b.glb: other programs take y for up in GLB"), std::string::npos)
       << turned.err;
   EXPECT_EQ(info(path("b.glb")).at("bounds"), Json::parse("[[0,-3,0],[1,0,2]]"));
   // What needs an up axis turns the one that a file states, and says so.

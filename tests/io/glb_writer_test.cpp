@@ -82,6 +82,19 @@ TEST(GlbWriter, IsReadBackEqual) {
   });
 }
 
+TEST(GlbWriter, KeepsUnitAndAxis) {
+  Rng rng(4);
+  Mesh mesh = random_mesh(rng, 3, 1, 1);
+  for (const UpAxis up : {UpAxis::x, UpAxis::y, UpAxis::z}) {
+    for (const double unit : {1.0, 0.01, 0.3048}) {
+      mesh.up = up;
+      mesh.unit = unit;
+      EXPECT_EQ(read_back(mesh).up, up);
+      EXPECT_EQ(read_back(mesh).unit, unit);
+    }
+  }
+}
+
 TEST(GlbWriter, KeepsLargeIndices) {
   Rng rng(3);
   const Mesh mesh = random_mesh(rng, 65'536, 1000, 1);

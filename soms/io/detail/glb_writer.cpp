@@ -121,6 +121,7 @@ class GlbWriter {
   std::uint32_t add_node(const Node& node, std::uint32_t parent);
   [[nodiscard]] std::array<float, 3> position(std::uint32_t vertex) const;
   [[nodiscard]] std::string json(std::uint64_t index_size) const;
+  void add_own_extras(std::string& text) const;
   void add_nodes(std::string& text) const;
   void add_accessors(std::string& text) const;
   void put_positions();
@@ -300,8 +301,29 @@ void GlbWriter::add_accessors(std::string& text) const {
   }
 }
 
+/// Unit and axis where they are not glTF's, for soms to read back; numbers stay as they are.
+void GlbWriter::add_own_extras(std::string& text) const {
+  const bool turned = mesh_.up == UpAxis::x || mesh_.up == UpAxis::z;
+  const bool scaled = mesh_.unit > 0 && mesh_.unit != 1;
+  if (!turned && !scaled) {
+    return;
+  }
+  text += ",\"extras\":{\"soms\":{";
+  if (scaled) {
+    std::array<char, 32> digits{};
+    char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), mesh_.unit).ptr;
+    text.append("\"unit\":").append(digits.data(), end).append(turned ? "," : "");
+  }
+  if (turned) {
+    text += mesh_.up == UpAxis::x ? "\"up\":\"x\"" : "\"up\":\"z\"";
+  }
+  text += "}}";
+}
+
 std::string GlbWriter::json(std::uint64_t index_size) const {
-  std::string text = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"soms\"},\"scene\":0";
+  std::string text = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"soms\"";
+  add_own_extras(text);
+  text += "},\"scene\":0";
   if (runs_.empty()) {
     return text + ",\"scenes\":[{}]}";
   }

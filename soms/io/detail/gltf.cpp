@@ -66,6 +66,31 @@ void check_extensions(const JsonValue& root) {
   }
 }
 
+/// glTF means meters, y up. A file that soms wrote of a mesh with another unit or axis says so.
+void set_unit_and_up(const JsonValue& root, Mesh& mesh) {
+  mesh.unit = 1;
+  mesh.up = UpAxis::y;
+  const std::optional<JsonValue> extras = root.at("asset").find("extras");
+  const std::optional<JsonValue> own =
+      extras && extras->is_object() ? extras->find("soms") : std::nullopt;
+  const bool said = own && own->is_object();
+  const std::optional<JsonValue> unit = said ? own->find("unit") : std::nullopt;
+  const std::optional<JsonValue> up = said ? own->find("up") : std::nullopt;
+  if (unit) {
+    mesh.unit = unit->number();
+    if (!(mesh.unit > 0)) {
+      unit->fail("a unit of that length");
+    }
+  }
+  if (up) {
+    const std::string_view axis = up->text();
+    if (axis != "x" && axis != "y" && axis != "z") {
+      up->fail("an axis must be x, y or z");
+    }
+    mesh.up = axis == "x" ? UpAxis::x : axis == "y" ? UpAxis::y : UpAxis::z;
+  }
+}
+
 class GltfReader {
  public:
   GltfReader(Source& source, const JsonDocument& document, std::optional<std::string_view> chunk)
@@ -292,8 +317,7 @@ Mesh GltfReader::read() {
   if (mesh.parts.size() == 1 && mesh.parts.front().name.empty()) {
     mesh.parts.clear();
   }
-  mesh.unit = 1;
-  mesh.up = UpAxis::y;
+  set_unit_and_up(root_, mesh);
   return mesh;
 }
 

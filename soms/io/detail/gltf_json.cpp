@@ -228,6 +228,10 @@ std::string JsonDocument::path_of(const void* target) const {
   return path;
 }
 
+bool JsonValue::is_object() const {
+  return known(value_).is_object();
+}
+
 std::optional<JsonValue> JsonValue::find(std::string_view key) const {
   const json& value = known(value_);
   if (!value.is_object()) {

@@ -25,6 +25,8 @@ class JsonValue {
 
   [[nodiscard]] bool operator==(const JsonValue& other) const { return value_ == other.value_; }
 
+  [[nodiscard]] bool is_object() const;
+
   /// The member of an object, if it has it. \errors ErrorKind::bad_file: no object.
   [[nodiscard]] std::optional<JsonValue> find(std::string_view key) const;
 
