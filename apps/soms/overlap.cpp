@@ -138,7 +138,24 @@ class OverlapRun {
                        {.build = options_.build, .keep_tree = named}, console_);
   }
 
+  /// Models are compared by their numbers; where files state that these mean different things, the
+  /// reader should know.
+  void compare_frames() const {
+    const Mesh& a = a_.mesh();
+    const Mesh& b = b_.mesh();
+    if (a.unit > 0 && b.unit > 0 && a.unit != b.unit) {
+      console_.note(
+          fmt::format("units differ, {:g} m in {} and {:g} m in {}: numbers are compared "
+                      "as they are; --scale and --scale-b change them",
+                      a.unit, options_.a, b.unit, options_.b));
+    }
+    if (a.up != UpAxis::unknown && b.up != UpAxis::unknown && a.up != b.up) {
+      console_.note("up axes differ: nothing is turned; --up and --up-b turn a model");
+    }
+  }
+
   void answer_all() {
+    compare_frames();
     BlockSize size;
     while (!over_) {
       const auto begin = std::chrono::steady_clock::now();
