@@ -93,10 +93,13 @@ void draw_shape(Building& building, double reach, Rng& rng) {
     case BuildingKind::gabled:
       building.wall = rng.uniform(4.5, 9);
       break;
-    case BuildingKind::tower:
-      building.outline = regular(5 + rng.below(8), rng.uniform(0.55, 0.92) * reach);
+    case BuildingKind::tower: {
+      // One draw a statement: compilers differ in which argument of a call they evaluate first.
+      const double width = rng.uniform(0.55, 0.92) * reach;
+      building.outline = regular(5 + rng.below(8), width);
       building.wall = rng.uniform(25, 70);
       break;
+    }
     case BuildingKind::corner: {
       const double a = rng.uniform(-0.3, 0.2) * x;
       const double b = rng.uniform(-0.3, 0.2) * y;
@@ -142,8 +145,8 @@ Building draw_building(const City& city, const Lots& lots, std::uint64_t lot) {
   const double free = 0.03 * reach;
   // One in five is turned, and smaller so that it stays within its lot.
   const bool turned = rng.unit() < 0.2;
-  building.frame = upright({x + rng.uniform(-free, free), y + rng.uniform(-free, free), 0},
-                           on_circle(turned ? rng.unit() : 0));
+  const OnCircle turn = on_circle(turned ? rng.unit() : 0);
+  building.frame = upright({x + rng.uniform(-free, free), y + rng.uniform(-free, free), 0}, turn);
   if (turned) {
     for (Corner& c : building.outline) {
       c = {0.7 * c.x, 0.7 * c.y};
