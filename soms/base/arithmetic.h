@@ -13,6 +13,17 @@ namespace soms {
 /// \cost   A few flops.
 void check_arithmetic();
 
+/// The value, calculated by now: without it a compiler may finish the calculation of what a
+/// function returns after a PlainArithmetic has gone (clang does).
+[[nodiscard]] inline double settled(double value) {
+#if defined(__SSE2__)
+  asm volatile("" : "+x"(value) : : "memory");
+#elif defined(__aarch64__)
+  asm volatile("" : "+w"(value) : : "memory");
+#endif
+  return value;
+}
+
 /// While it lives, the thread rounds to nearest, keeps subnormal numbers and traps nothing; then
 /// its settings are again those that were found, the flags of floating-point exceptions included.
 /// Moved vertices, boxes and error bounds are facts about that arithmetic, and a host program may

@@ -75,7 +75,7 @@ double Route::length() const {
   const PlainArithmetic plain;
   const std::vector<double> found = marks.empty() ? marks_of(*this) : std::vector<double>{};
   const std::vector<double>& all = marks.empty() ? found : marks;
-  return all.empty() ? 0 : all.back();
+  return settled(all.empty() ? 0 : all.back());
 }
 
 Pose Route::at(double seconds) const {

@@ -64,7 +64,7 @@ double sah_cost(const Tree& tree, double triangle_cost) {
     sum += half_area(node.bounds) * (node.is_leaf() ? node.count * triangle_cost : 1);
   }
   const double root = half_area(tree.nodes[0].bounds);
-  return root > 0 ? sum / root : 0;
+  return settled(root > 0 ? sum / root : 0);
 }
 
 }  // namespace soms

@@ -212,10 +212,10 @@ double City::ground(double x, double y) const {
   const double c = detail::terrain_height(*this, i, j, u + 1, v + 1);
   if (fx >= fy) {
     const double b = detail::terrain_height(*this, i, j, u + 1, v);
-    return a + fx * (b - a) + fy * (c - b);
+    return settled(a + fx * (b - a) + fy * (c - b));
   }
   const double d = detail::terrain_height(*this, i, j, u, v + 1);
-  return a + fy * (d - a) + fx * (c - d);
+  return settled(a + fy * (d - a) + fx * (c - d));
 }
 
 }  // namespace soms

@@ -125,7 +125,7 @@ double WideTree::looseness(const Mesh& mesh, const Parallel& parallel) const {
   const Parallel silent{parallel.threads, parallel.stop, {}};
   const double boxes = sum_of<WideNode>(nodes_, &area_of_boxes, silent);
   const double triangles = sum_of<TriangleBlock>(blocks_, &area_of_triangles, silent);
-  return triangles > 0 ? boxes / triangles : 0;
+  return settled(triangles > 0 ? boxes / triangles : 0);
 }
 
 std::size_t WideTree::memory() const {
