@@ -43,6 +43,8 @@ class Hash {
       hash_.add(std::bit_cast<std::uint32_t>(value));
     } else if constexpr (std::is_same_v<T, double>) {
       hash_.add(value);
+    } else if constexpr (std::is_same_v<T, char>) {  // signed on x86, unsigned on ARM
+      hash_.add(static_cast<std::uint64_t>(static_cast<signed char>(value)));
     } else {
       hash_.add(static_cast<std::uint64_t>(value));
     }
