@@ -29,6 +29,7 @@ set(SOMS_SOURCES
   detail/pair_sort.cpp
   detail/pair_walk.cpp
   detail/relative_pose.cpp
+  detail/scouts.cpp
   detail/triangle_tests.cpp
   overlap.cpp
   overlap_batch.cpp

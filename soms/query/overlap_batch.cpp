@@ -3,6 +3,7 @@
 #include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/overlap_query.h"
 #include "soms/query/detail/pair_walk.h"
+#include "soms/query/detail/scouts.h"
 #include "soms/query/overlap.h"
 #include "soms/query/traversal/named_overlap.h"
 
@@ -99,9 +100,8 @@ class BlockRun {
     const auto flights = std::make_unique_for_overwrite<Flight[]>(most);
     std::array<Flight*, WalkRound::kWalks> open = {};
     std::size_t count = 0;
-    while (count < most && next_ < end_) {
+    while (count < most && take_off(flights[count])) {
       open[count] = &flights[count];
-      take_off(*open[count]);
       ++count;
     }
     const detail::Kernels& kernels = detail::kernels();
@@ -115,9 +115,7 @@ class BlockRun {
           continue;
         }
         land(flight);
-        if (next_ < end_) {
-          take_off(flight);
-        } else {
+        if (!take_off(flight)) {
           open[i] = open[--count];
         }
       }
@@ -130,25 +128,54 @@ class BlockRun {
   }
 
  private:
-  void take_off(Flight& flight) {
-    flight.pose = next_++;
-    const Pose& pose = question_.poses[flight.pose];
-    const Body& fixed = question_.fixed;
-    const WalkSide mover_side{&question_.mover, &pose};
-    const WalkSide fixed_side{&fixed.shape, &fixed.pose};
-    if (mover_views_) {
-      flight.relative.emplace(fixed.shape.layout(), fixed.pose,
-                              Viewer(question_.mover.layout(), pose));
-    } else {
-      flight.relative.emplace(question_.mover.layout(), pose, fixed_viewer_);
+  /// Brings the next group of queries to where their walks begin; false if there is none left.
+  bool send_scouts() {
+    scouts_->clear();
+    scouted_ = 0;
+    for (; next_ < end_ && !scouts_->full(); ++next_) {
+      const Pose& pose = question_.poses[next_];
+      const Body& fixed = question_.fixed;
+      if (mover_views_) {
+        scouts_->add(fixed.shape.layout(), fixed.pose, Viewer(question_.mover.layout(), pose));
+      } else {
+        scouts_->add(question_.mover.layout(), pose, fixed_viewer_);
+      }
     }
+    scouts_->look(mover_views_ ? question_.mover.layout() : question_.fixed.shape.layout());
+    return scouts_->size() != 0;
+  }
+
+  /// Begins the next walk; false if there is none left. Most queries of small bodies need none.
+  bool take_off(Flight& flight) {
+    while (scouted_ < scouts_->size() || send_scouts()) {
+      const std::size_t pose = next_ - scouts_->size() + scouted_;
+      detail::Scout& scout = (*scouts_)[scouted_++];
+      if (!scout.seeds.empty()) {
+        take_off(flight, scout, pose);
+        return true;
+      }
+      flight.pairs.clear();
+      const Collector nothing(question_.options.mode, question_.options.limit, flight.pairs);
+      const Watch watch(question_.options, question_.parallel);
+      batch_.coverage[pose] = coverage_of(question_.options.mode, nothing, watch.late());
+      batch_.costs[pose] = scout.cost;
+    }
+    return false;
+  }
+
+  void take_off(Flight& flight, detail::Scout& scout, std::size_t pose) {
+    flight.pose = pose;
+    const Body& fixed = question_.fixed;
+    const WalkSide mover_side{&question_.mover, &question_.poses[pose]};
+    const WalkSide fixed_side{&fixed.shape, &fixed.pose};
+    flight.relative = scout.relative;
     flight.pairs.clear();
     flight.collector.emplace(question_.options.mode, question_.options.limit, flight.pairs);
     flight.watch.emplace(question_.options, question_.parallel);
     flight.walk.emplace(*flight.relative, mover_views_ ? fixed_side : mover_side,
                         mover_views_ ? mover_side : fixed_side, mover_views_,
                         question_.options.mode, flight.memory);
-    flight.walk->start();
+    flight.walk->start(scout.seeds, scout.cost);
     flight.over = false;
   }
 
@@ -171,6 +198,8 @@ class BlockRun {
   std::size_t begin_;
   std::size_t next_;
   std::size_t end_;
+  std::unique_ptr<detail::Scouts> scouts_ = std::make_unique_for_overwrite<detail::Scouts>();
+  std::size_t scouted_ = 0;
 };
 
 /// Puts the blocks' pairs into the batch, in the order of poses.

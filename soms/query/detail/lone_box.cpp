@@ -1,5 +1,6 @@
 #include "soms/query/detail/lone_box.h"
 
+#include "soms/query/detail/fetch.h"
 #include "soms/query/detail/kernels/kernels.h"
 #include "soms/query/detail/lanes.h"
 
@@ -45,36 +46,41 @@ std::uint32_t LoneBox::meets(const WideNode& node) const {
 
 void LoneBox::descend(const WideNode* nodes, PairList& stack, PairList& seeds, Cost& cost) const {
   std::uint32_t index = 0;
-  while (true) {
-    const WideNode& node = nodes[index];
-    std::uint32_t inner = 0;
-    if (node.turned != 0) {
-      seeds.push({0, index << kIndexShift});
-    } else {
-      cost.node_tests += node.count;
-      const F4 longest = max(max(load(node.half[0]), load(node.half[1])), load(node.half[2]));
-      const std::uint32_t ends = node.leaves | bits_of(longest <= splat(size));
-      const std::uint32_t meet = meets(node);
-      inner = meet & ~ends;
-      for (std::uint32_t left = meet & ends; left != 0; left &= left - 1) {
-        const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
-        seeds.push({0, (node.leaves >> lane & 1U) != 0
-                           ? index << kIndexShift | NodeTask::kLane | lane
-                           : node.child[lane] << kIndexShift});
-      }
-    }
-    // Mostly one child goes on: it takes no way through memory.
-    if (inner != 0) {
-      index = node.child[static_cast<std::size_t>(std::countr_zero(inner))];
-      for (inner &= inner - 1; inner != 0; inner &= inner - 1) {
-        stack.push({0, node.child[static_cast<std::size_t>(std::countr_zero(inner))]});
-      }
-    } else if (!stack.empty()) {
-      index = stack.pop().y;
-    } else {
-      return;
+  while (step(nodes, index, stack, seeds, cost)) {
+  }
+}
+
+bool LoneBox::step(const WideNode* nodes, std::uint32_t& index, PairList& stack, PairList& seeds,
+                   Cost& cost) const {
+  const WideNode& node = nodes[index];
+  std::uint32_t inner = 0;
+  if (node.turned != 0) {
+    seeds.push({0, index << kIndexShift});
+  } else {
+    cost.node_tests += node.count;
+    const F4 longest = max(max(load(node.half[0]), load(node.half[1])), load(node.half[2]));
+    const std::uint32_t ends = node.leaves | bits_of(longest <= splat(size));
+    const std::uint32_t meet = meets(node);
+    inner = meet & ~ends;
+    for (std::uint32_t left = meet & ends; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
+      seeds.push({0, (node.leaves >> lane & 1U) != 0 ? index << kIndexShift | NodeTask::kLane | lane
+                                                     : node.child[lane] << kIndexShift});
     }
   }
+  // Mostly one child goes on: it takes no way through memory.
+  if (inner != 0) {
+    index = node.child[static_cast<std::size_t>(std::countr_zero(inner))];
+    for (inner &= inner - 1; inner != 0; inner &= inner - 1) {
+      stack.push({0, node.child[static_cast<std::size_t>(std::countr_zero(inner))]});
+    }
+  } else if (!stack.empty()) {
+    index = stack.pop().y;
+  } else {
+    return false;
+  }
+  fetch(nodes[index]);
+  return true;
 }
 
 }  // namespace soms::detail

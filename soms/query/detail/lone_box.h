@@ -40,6 +40,11 @@ struct LoneBox {
   /// and nodes about as large as the box. `stack` is empty before and after.
   void descend(const WideNode* nodes, PairList& stack, PairList& seeds, Cost& cost) const;
 
+  /// One node of the way of `descend`, which begins at node 0 and an empty stack. Turns `index`
+  /// into the next node, which starts to load; false where there is none.
+  [[nodiscard]] bool step(const WideNode* nodes, std::uint32_t& index, PairList& stack,
+                          PairList& seeds, Cost& cost) const;
+
  private:
   /// Lanes of an unturned node whose boxes may meet this one.
   [[nodiscard]] std::uint32_t meets(const WideNode& node) const;

@@ -1,5 +1,6 @@
 #include "soms/query/detail/pair_walk.h"
 
+#include "soms/query/detail/fetch.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/lone_box.h"
 #include "soms/query/detail/triangle_tests.h"
@@ -71,16 +72,6 @@ std::uint32_t code_of(const WideNode& node, std::uint32_t own, std::uint32_t lan
                                          : node.child[lane] << kIndexShift;
 }
 
-/// Starts to load what will be looked at soon.
-template <class Place>
-void fetch(const Place& place) {
-  constexpr std::size_t kLine = 64;
-  const auto* bytes = reinterpret_cast<const char*>(&place);
-  for (std::size_t line = 0; line < sizeof(Place); line += kLine) {
-    __builtin_prefetch(bytes + line);
-  }
-}
-
 }  // namespace
 
 PairWalk::PairWalk(RelativePose& relative, const WalkSide& x, const WalkSide& y, bool swapped,
@@ -114,6 +105,15 @@ void PairWalk::start() {
   if (!memory_.codes.empty()) {
     relative_.prepare();
   }
+}
+
+void PairWalk::start(const PairList& seeds, const Cost& cost) {
+  cost_ = cost;
+  memory_.clear();
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    memory_.codes.push(seeds.at(i));
+  }
+  relative_.prepare();
 }
 
 void PairWalk::start(const PlacePair& from) {

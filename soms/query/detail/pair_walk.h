@@ -58,6 +58,9 @@ class PairWalk {
   /// Begins at the roots, or below that of y where x is small beside it.
   void start();
 
+  /// Begins where `start` would have led to, at that cost (see Scouts).
+  void start(const PairList& seeds, const Cost& cost);
+
   /// Begins at a pair of places.
   void start(const PlacePair& from);
 

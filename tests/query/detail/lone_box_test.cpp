@@ -194,5 +194,37 @@ TEST(LoneBox, IsNotClearOfColumnsWhoseTrianglesItsBodyTouches) {
   EXPECT_GT(clear_cases, 10U);
 }
 
+// Groups of queries go down side by side; which of them walk on afterwards differs from pose to
+// pose.
+TEST(LoneBox, GoesDownBesideOthersAsItGoesAlone) {
+  std::size_t over = 0;
+  std::size_t hits = 0;
+  test::for_each_case("lone-box/batch", 160, [&](Rng& rng) {
+    const Body large(Shape(rng.below(2) ? flat_crowd(rng) : crowd(rng)),
+                     rng.below(2) ? Pose{} : test::awkward_rotation(rng));
+    const Shape small(test::placed(test::awkward_mesh(rng, 10), 0.05, {}));
+    std::vector<Pose> poses;
+    for (std::uint64_t i = rng.below(300); i > 0; --i) {
+      const Vec3 at = test::point_in(rng, large.shape.bounds());
+      poses.push_back(test::moving(test::awkward_rotation(rng), {}, large.pose.apply(at)));
+    }
+    for (const OverlapMode mode : {OverlapMode::all, OverlapMode::any, OverlapMode::first}) {
+      const OverlapBatch batch = overlap(small, poses, large, {.mode = mode});
+      for (std::size_t k = 0; k < poses.size(); ++k) {
+        const Overlap alone = overlap(Body(small, poses[k]), large, {.mode = mode});
+        ASSERT_EQ(batch.any[k] != 0, alone.any);
+        ASSERT_EQ(batch.coverage[k], alone.coverage);
+        const auto pairs = batch.pairs_of(k);
+        ASSERT_EQ(std::vector(pairs.begin(), pairs.end()), alone.pairs);
+        ASSERT_EQ(batch.costs[k], alone.cost);
+        over += alone.cost.triangle_tests == 0 ? 1U : 0U;
+        hits += alone.any ? 1U : 0U;
+      }
+    }
+  });
+  EXPECT_GT(over, 1000U);
+  EXPECT_GT(hits, 1000U);
+}
+
 }  // namespace
 }  // namespace soms::detail

@@ -1,0 +1,55 @@
+/// \file
+/// How the queries of a batch begin, several at a time. A small body goes down the tree of a large
+/// one alone (lone_box.h) and mostly ends there, having waited for every node on its way: so each
+/// takes one node, in turn.
+#pragma once
+
+#include "soms/query/answer.h"
+#include "soms/query/detail/lone_box.h"
+#include "soms/query/detail/pair_list.h"
+#include "soms/query/detail/relative_pose.h"
+#include "soms/tree/layout/wide_tree.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace soms::detail {
+
+/// What is known of a query before its walk. It is over unless there are seeds.
+struct Scout {
+  std::optional<RelativePose> relative;
+  LoneBox box;
+  PairList stack;
+  PairList seeds;
+  Cost cost;
+  std::uint32_t node = 0;
+};
+
+/// A group of queries about the same two trees.
+class Scouts {
+ public:
+  static constexpr std::size_t kMost = 16;
+
+  void clear() { count_ = 0; }
+
+  [[nodiscard]] bool full() const { return count_ == kMost; }
+
+  [[nodiscard]] std::size_t size() const { return count_; }
+
+  [[nodiscard]] Scout& operator[](std::size_t i) { return scouts_[i]; }
+
+  /// Adds a query. \pre Not full.
+  void add(const WideTree& x, const Pose& pose_x, const Viewer& y);
+
+  /// Finds the seeds of all: those of `PairWalk::start`, at the same costs.
+  void look(const WideTree& y);
+
+ private:
+  std::array<Scout, kMost> scouts_;
+  std::array<Scout*, kMost> going_ = {};
+  std::size_t count_ = 0;
+};
+
+}  // namespace soms::detail
