@@ -2,7 +2,7 @@
 JOBS ?= $(shell nproc)
 ARGS ?=
 
-.PHONY: help run view test large check asan tsan tidy arm64 determinism memcheck endurance packages bare fuzz bench format clean
+.PHONY: help run view test headers large check asan tsan tidy arm64 determinism memcheck endurance packages bare fuzz bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
@@ -42,6 +42,10 @@ asan tsan:
 	cmake --preset $@ -D SOMS_BUILD_VIEW=$(VIEW)
 	cmake --build --preset $@ -j $(JOBS)
 	ctest --preset $@ -j $(JOBS)
+
+# Every public header, compiled alone.
+headers: test
+	cmake --build --preset release -j $(JOBS) --target all_verify_interface_header_sets
 
 tidy:
 	@tools/install_packages.sh run test check
@@ -102,7 +106,7 @@ fuzz:
 large: test
 	SOMS_TEST_LARGE=1 ctest --preset release -R FiveMillion
 
-check: test large asan tsan tidy arm64 determinism memcheck endurance packages bare
+check: test headers large asan tsan tidy arm64 determinism memcheck endurance packages bare
 
 # Rivals that cannot be installed are left out. A quick run: ARGS=--quick; soms-bench --help tells more.
 bench:

@@ -28,3 +28,11 @@ endif()
 if(SOMS_ASSERTIONS)
   target_compile_definitions(soms_options INTERFACE SOMS_ASSERTIONS=1)
 endif()
+
+# soms_precompile(<target> <header>...): parses costly headers once for the target instead of once for
+# each of its files. A launcher (ccache) and clang-tidy want each file with all that it includes.
+function(soms_precompile target)
+  if(NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT CMAKE_CXX_CLANG_TIDY)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+  endif()
+endfunction()

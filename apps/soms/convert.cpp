@@ -4,6 +4,7 @@
 #include "apps/support/json.h"
 #include "apps/support/text.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>

@@ -5,10 +5,12 @@
 #include "soms/geometry/mesh.h"
 #include "soms/io/write_mesh.h"
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace soms::command {
 

@@ -7,6 +7,7 @@
 #include "apps/support/text.h"
 #include "reproduce/report.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

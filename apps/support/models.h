@@ -7,9 +7,11 @@
 #include "soms/tree/build_options.h"
 #include "soms/tree/shape.h"
 
-#include <CLI/CLI.hpp>
-
 #include <string>
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace soms::command {
 

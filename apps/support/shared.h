@@ -2,10 +2,12 @@
 /// Options that every verb has.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <cstdint>
 #include <optional>
+
+namespace CLI {
+class App;
+}  // namespace CLI
 
 namespace soms::command {
 

@@ -5,6 +5,7 @@
 #include "soms/tree/rule/rules.h"
 #include "soms/tree/statistics.h"
 
+#include "tests/support/slow_build.h"
 #include "tests/tree/inputs.h"
 
 #include <algorithm>
@@ -98,7 +99,7 @@ TEST(Build, GivesTheSameTreeForAnyNumberOfThreads) {
     for (const test::Input input : {test::Input::random, test::Input::huge_and_tiny,
                                     test::Input::coplanar, test::Input::coincident}) {
       SCOPED_TRACE(std::string(rule.name) + " " + test::name(input));
-      const Mesh mesh = test::make_input(input, 40000);
+      const Mesh mesh = test::make_input(input, test::kSlowBuild ? 10000 : 40000);
       for (const bool thesis : {false, true}) {
         BuildOptions options = thesis ? thesis_options(rule.rule) : BuildOptions{};
         options.rule = rule.rule;

@@ -14,6 +14,8 @@
 // The compiler's own header sets registers to themselves to leave them undefined.
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #pragma GCC diagnostic ignored "-Wuninitialized"
+// Without optimization its gather is a macro that passes a full mask as a signed number.
+#pragma GCC diagnostic ignored "-Wsign-conversion"
 #endif
 
 SOMS_TARGET_BEGIN("avx512f,avx512vl,avx512dq,avx512bw,avx2,bmi,bmi2,popcnt")
