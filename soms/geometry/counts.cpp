@@ -14,4 +14,12 @@ void check_counts(std::uint64_t vertices, std::uint64_t triangles, const std::st
   }
 }
 
+std::string index_fault(const std::string& index, const std::string& items, std::uint64_t count) {
+  if (count == 0) {
+    return index + ", but there are no " + items;
+  }
+  return index + (count == 1 ? ", but the only one is 0"
+                             : ", but " + items + " are 0 to " + std::to_string(count - 1));
+}
+
 }  // namespace soms

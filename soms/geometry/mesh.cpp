@@ -82,8 +82,9 @@ void check(const Mesh& mesh) {
     for (const std::uint32_t v : mesh.triangles[i]) {
       if (v >= mesh.vertices.size()) {
         throw Error(ErrorKind::bad_file,
-                    place(mesh, "triangle " + std::to_string(i) + ": vertex " + std::to_string(v) +
-                                    " of " + std::to_string(mesh.vertices.size())),
+                    place(mesh, "triangle " + std::to_string(i) + ": " +
+                                    index_fault("vertex " + std::to_string(v), "vertices",
+                                                mesh.vertices.size())),
                     "repair or drop the triangle");
       }
       check_corner(mesh, i, mesh.vertices[v]);

@@ -1,6 +1,7 @@
 #include "soms/tree/check.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/geometry/counts.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -25,8 +26,8 @@ std::string fault_of_run(const Tree& tree, const Mesh& mesh, const Node& node) {
   Box box;
   for (const TriangleId id : tree.triangles_of(node)) {
     if (id >= mesh.triangles.size()) {
-      return node_name(tree, node) + " names triangle " + std::to_string(id) + " of " +
-             std::to_string(mesh.triangles.size());
+      return node_name(tree, node) + " names " +
+             index_fault("triangle " + std::to_string(id), "triangles", mesh.triangles.size());
     }
     box.grow(bounds(mesh.triangle(id)));
   }

@@ -46,7 +46,7 @@ TEST(Mesh, CheckAcceptsAMeshWithUnusedVertices) {
 TEST(Mesh, CheckNamesTheFirstTriangleAtFault) {
   const double infinity = std::numeric_limits<double>::infinity();
   expect_refused([](Mesh& m) { m.triangles[1][2] = 5; }, ErrorKind::bad_file,
-                 "two.ply, triangle 1: vertex 5 of 5");
+                 "two.ply, triangle 1: vertex 5, but vertices are 0 to 4");
   expect_refused([](Mesh& m) { m.vertices[3].y = std::nan(""); }, ErrorKind::not_finite,
                  "triangle 1: y");
   expect_refused([=](Mesh& m) { m.vertices[0].z = -infinity; }, ErrorKind::not_finite,

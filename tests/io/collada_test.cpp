@@ -247,7 +247,7 @@ TEST(Collada, RefusesWhatItCannotShowRightly) {
   refuse_faces("<triangles count=\"1\"><p>0 1 2</p></triangles>", ErrorKind::bad_file,
                "no input VERTEX");
   refuse_faces("<triangles count=\"1\">" + kInput + "<p>0 1 5</p></triangles>", ErrorKind::bad_file,
-               "line 4: vertex 5 of 5");
+               "line 4: vertex 5, but vertices are 0 to 4");
   refuse_faces("<triangles count=\"1\">" + kInput + "<p>0 1 2.5</p></triangles>",
                ErrorKind::bad_file, "\"2.5\" where a whole number");
   const auto refuse_node = [](const std::string& inside, ErrorKind kind, const std::string& words) {

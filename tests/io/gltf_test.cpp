@@ -95,7 +95,7 @@ TEST(Gltf, DrawsListsStripsAndFansInTheirOrder) {
         static_cast<void>(drawn(4, {0, 1, 4}));
       },
       ErrorKind::bad_file,
-      "meshes[0].primitives[0].indices: index 2 is 4, but there are 4 positions");
+      "meshes[0].primitives[0].indices: index 2 is 4, but positions are 0 to 3");
 }
 
 TEST(Gltf, CountsPointsAndLinesAndPrimitivesWithoutPositions) {

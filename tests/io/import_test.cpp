@@ -138,7 +138,8 @@ TEST(Import, TurnsACrashOrNonsenseIntoAnError) {
   const auto refuse = [](const std::string& records, ErrorKind kind, const std::string& words) {
     ImportedBy(kWrite, kMagic + records).expect_refused(kind, words);
   };
-  refuse(kCorners + face({0, 1, 4}) + ".", ErrorKind::bad_file, "vertex 4 of 4");
+  refuse(kCorners + face({0, 1, 4}) + ".", ErrorKind::bad_file,
+         "vertex 4, but vertices are 0 to 3");
   refuse(kCorners + face({0, 1, 2}), ErrorKind::bad_file, "cut off");
   refuse(record('f', bytes_of(0xffffffff, 4)) + ".", ErrorKind::bad_file, "cut off");
   refuse(text('b', "a") + ".", ErrorKind::bad_file, "amid a part");

@@ -38,6 +38,8 @@ TEST(Off, TakesCountsFromAnyPlaceBehindTheMagicWord) {
 TEST(Off, RefusesARowThatIsCutShort) {
   expect_refused("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "a.off", ErrorKind::bad_file,
                  "line 4: z of a vertex is missing: the line ends");
+  expect_refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "a.off", ErrorKind::bad_file,
+                 "line 6: vertex 3, but vertices are 0 to 2");
   expect_refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", "a.off", ErrorKind::bad_file,
                  "line 6: a vertex number is missing: the line ends");
 }

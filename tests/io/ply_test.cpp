@@ -112,7 +112,8 @@ TEST(Ply, RefusesCornersThatAreNoWholeNumbers) {
   for (const float corner : {0.5F, -1.0F, 1.0F, 1e30F, std::nanf("")}) {
     expect_refused(
         head + vertex + bytes_of(3, 1) + bytes_of(0.0F) + bytes_of(0.0F) + bytes_of(corner),
-        "a.ply", ErrorKind::bad_file, "of 1");
+        "a.ply", ErrorKind::bad_file,
+        std::trunc(corner) == corner ? "the only one is 0" : "is no whole number");
   }
 }
 
@@ -174,11 +175,12 @@ TEST(Ply, NamesTheLineOrTheByte) {
   const std::string head = binary_head("1", "float", "1", "uchar uchar");
   const std::string body =
       bytes_of(0.0F) + bytes_of(0.0F) + bytes_of(0.0F) + bytes_of(0x00000903, 4);
-  expect_refused(head + body, "a.ply", ErrorKind::bad_file,
-                 "a.ply, byte " + std::to_string(head.size() + 13) + ": vertex 9 of 1");
+  expect_refused(
+      head + body, "a.ply", ErrorKind::bad_file,
+      "a.ply, byte " + std::to_string(head.size() + 13) + ": vertex 9, but the only one is 0");
   // The byte order mark counts.
   expect_refused("\xef\xbb\xbf" + head + body, "a.ply", ErrorKind::bad_file,
-                 "byte " + std::to_string(head.size() + 16) + ": vertex 9 of 1");
+                 "byte " + std::to_string(head.size() + 16) + ": vertex 9, but the only one is 0");
 }
 
 TEST(Ply, RefusesCoordinatesThatAreNoNumbersOrTooLarge) {

@@ -65,7 +65,7 @@ TEST(ThreeDs, ReportsMasterScaleAndKeyframesAndAppliesNeither) {
 
 TEST(ThreeDs, RefusesAnIndexBeyondItsOwnObject) {
   expect_refused(file(object("a", vertices(0) + faces(2)) + object("b", vertices(0) + faces(3))),
-                 "a.3ds", ErrorKind::bad_file, "vertex 3 of 3");
+                 "a.3ds", ErrorKind::bad_file, "vertex 3, but vertices are 0 to 2");
 }
 
 TEST(ThreeDs, RefusesAMainChunkThatIsLongerThanTheFile) {

@@ -171,7 +171,7 @@ TEST(WriteMesh, RefusesMeshesThatCouldNotBeReadBack) {
                  "vertex 1 is not finite");
   mesh.triangles = {{0, 0, 2}};
   expect_refused([&] { static_cast<void>(written(mesh, MeshFormat::off)); }, ErrorKind::bad_file,
-                 "vertex 2 of 2");
+                 "vertex 2, but vertices are 0 to 1");
 }
 
 TEST(WriteMesh, AppearsWholeOrNotAtAll) {

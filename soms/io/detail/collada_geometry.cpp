@@ -1,5 +1,6 @@
 #include "soms/io/detail/collada_geometry.h"
 
+#include "soms/geometry/counts.h"
 #include "soms/io/detail/mesh_builder.h"
 #include "soms/io/detail/text.h"
 
@@ -221,7 +222,7 @@ void GeometryReader::read_corners(pugi::xml_node p, const Layout& layout) {
     if (column == layout.vertex) {
       if (value >= vertices) {
         words.fail(ErrorKind::bad_file,
-                   "vertex " + std::to_string(value) + " of " + std::to_string(vertices),
+                   index_fault("vertex " + std::to_string(value), "vertices", vertices),
                    kRepairFile);
       }
       corners_.push_back(static_cast<std::uint32_t>(value));

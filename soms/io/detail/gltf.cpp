@@ -1,5 +1,6 @@
 #include "soms/io/detail/gltf.h"
 
+#include "soms/geometry/counts.h"
 #include "soms/io/detail/gltf_accessor.h"
 #include "soms/io/detail/gltf_buffers.h"
 #include "soms/io/detail/gltf_json.h"
@@ -211,10 +212,10 @@ class Corners {
     }
     const std::uint32_t index = gltf_index(cursor_->next(), primitive_.indices->elements.type);
     if (index >= count_ || index == restart_) [[unlikely]] {
+      const std::string place = "index " + std::to_string(number) + " is " + std::to_string(index);
       primitive_.json.at("indices").fail(
-          "index " + std::to_string(number) + " is " + std::to_string(index) +
-          (index >= count_ ? ", but there are " + std::to_string(count_) + " positions"
-                           : ", which glTF does not allow in strips and fans"));
+          index >= count_ ? index_fault(place, "positions", count_)
+                          : place + ", which glTF does not allow in strips and fans");
     }
     return first_ + index;
   }

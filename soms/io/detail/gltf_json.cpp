@@ -1,5 +1,7 @@
 #include "soms/io/detail/gltf_json.h"
 
+#include "soms/geometry/counts.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -303,8 +305,7 @@ JsonValue JsonValue::referred(std::string_view list) const {
   const std::optional<JsonValue> items = document_->root().find(list);
   const std::size_t count = items ? items->size() : 0;
   if (index >= count) {
-    fail("number " + std::to_string(index) + " of " + std::to_string(count) + " " +
-         std::string(list) + ", which count from 0");
+    fail(index_fault("number " + std::to_string(index), std::string(list), count));
   }
   return items->at(static_cast<std::size_t>(index));
 }

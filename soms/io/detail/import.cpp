@@ -1,5 +1,6 @@
 #include "soms/io/detail/import.h"
 
+#include "soms/geometry/counts.h"
 #include "soms/io/detail/ending.h"
 #include "soms/io/detail/import_child.h"
 #include "soms/io/detail/little_endian.h"
@@ -112,8 +113,7 @@ void ImportReader::read_face() {
   for (std::uint32_t& corner : corners_) {
     corner = take_number();
     if (corner >= builder_.vertices().size()) {
-      fail("vertex " + std::to_string(corner) + " of " +
-           std::to_string(builder_.vertices().size()));
+      fail(index_fault("vertex " + std::to_string(corner), "vertices", builder_.vertices().size()));
     }
   }
   builder_.add_face(corners_);

@@ -1,5 +1,6 @@
 #include "soms/io/detail/obj.h"
 
+#include "soms/geometry/counts.h"
 #include "soms/io/detail/mesh_builder.h"
 #include "soms/io/detail/text.h"
 
@@ -30,6 +31,18 @@ class ObjReader {
   std::vector<std::uint32_t> corners_;
 };
 
+/// OBJ counts from 1, and from the vertex before the face where numbers are negative.
+std::string describe_index_fault(std::int64_t number, std::int64_t so_far, std::int64_t all) {
+  const std::string index = "vertex " + std::to_string(number);
+  if (number < 0) {
+    return index + ", but " + std::to_string(so_far) +
+           (so_far == 1 ? " vertex stands" : " vertices stand") + " before this line";
+  }
+  return index + (all == 0   ? ", but there are no vertices"
+                  : all == 1 ? ", but the only one is 1"
+                             : ", but vertices are 1 to " + std::to_string(all));
+}
+
 void ObjReader::read_vertices() {
   TextScanner scanner(source_, 0, kStyle);
   for (std::uint64_t line = 0; scanner.find_line(); ++line) {
@@ -50,8 +63,7 @@ void ObjReader::read_face(TextScanner& scanner, std::int64_t vertices_so_far) {
     const std::int64_t number = scanner.slashed_integer("a corner");
     const std::int64_t corner = number < 0 ? vertices_so_far + number : number - 1;
     if (corner < 0 || corner >= vertices) {
-      scanner.fail(ErrorKind::bad_file,
-                   "vertex " + std::to_string(number) + " of " + std::to_string(vertices),
+      scanner.fail(ErrorKind::bad_file, describe_index_fault(number, vertices_so_far, vertices),
                    number == 0 ? "count vertices from 1" : "repair or drop the face");
     }
     corners_.push_back(static_cast<std::uint32_t>(corner));

@@ -1,5 +1,6 @@
 #include "soms/io/detail/off.h"
 
+#include "soms/geometry/counts.h"
 #include "soms/io/detail/mesh_builder.h"
 #include "soms/io/detail/text.h"
 
@@ -111,9 +112,10 @@ void OffReader::read_face() {
   for (std::int64_t i = 0; i < length; ++i) {
     const std::int64_t corner = scanner_.integer("a vertex number");
     if (corner < 0 || corner >= vertices) {
-      scanner_.fail(ErrorKind::bad_file,
-                    "vertex " + std::to_string(corner) + " of " + std::to_string(vertices),
-                    "repair or drop the face");
+      scanner_.fail(
+          ErrorKind::bad_file,
+          index_fault("vertex " + std::to_string(corner), "vertices", builder_.vertices().size()),
+          "repair or drop the face");
     }
     corners_.push_back(static_cast<std::uint32_t>(corner));
   }

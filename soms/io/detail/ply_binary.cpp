@@ -1,5 +1,6 @@
 #include "soms/io/detail/ply_binary.h"
 
+#include "soms/geometry/counts.h"
 #include "soms/io/detail/text.h"
 
 #include <algorithm>
@@ -260,13 +261,17 @@ void PlyBinary<Swap>::read_corners(const PlyProperty& property, const List& list
       const T stored = load<T, Swap>(source_.bytes.data() + at);
       std::int64_t corner = -2;
       if constexpr (std::is_floating_point_v<T>) {
-        const bool whole = stored >= -1 && stored <= 0x1p31 && std::trunc(stored) == stored;
+        if (std::trunc(stored) != stored) [[unlikely]] {
+          fail(at, "vertex " + std::to_string(stored) + " is no whole number");
+        }
+        const bool whole = stored >= -1 && stored <= 0x1p31;
         corner = whole ? static_cast<std::int64_t>(stored) : -2;
       } else {
         corner = static_cast<std::int64_t>(stored);
       }
       if (corner < least || corner >= vertices) [[unlikely]] {
-        fail(at, "vertex " + std::to_string(stored) + " of " + std::to_string(vertices));
+        fail(at, index_fault("vertex " + std::to_string(stored), "vertices",
+                             builder_.vertices().size()));
       }
       corners_.push_back(corner);
     }

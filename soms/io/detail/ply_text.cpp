@@ -1,5 +1,6 @@
 #include "soms/io/detail/ply_text.h"
 
+#include "soms/geometry/counts.h"
 #include "soms/io/detail/text.h"
 
 #include <algorithm>
@@ -188,9 +189,10 @@ void PlyText::read_corners(const PlyProperty& property, std::int64_t least) {
     const TextScanner before = scanner_;
     const std::int64_t corner = scanner_.integer("a vertex number");
     if (corner < least || corner >= vertices) [[unlikely]] {
-      before.fail(ErrorKind::bad_file,
-                  "vertex " + std::to_string(corner) + " of " + std::to_string(vertices),
-                  "repair or drop the face");
+      before.fail(
+          ErrorKind::bad_file,
+          index_fault("vertex " + std::to_string(corner), "vertices", builder_.vertices().size()),
+          "repair or drop the face");
     }
     corners_.push_back(corner);
   }

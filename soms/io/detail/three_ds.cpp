@@ -1,5 +1,6 @@
 #include "soms/io/detail/three_ds.h"
 
+#include "soms/geometry/counts.h"
 #include "soms/io/detail/little_endian.h"
 #include "soms/io/detail/mesh_builder.h"
 #include "soms/io/detail/text.h"
@@ -123,8 +124,7 @@ void ThreeDsReader::read_faces(const Chunk& chunk, std::uint32_t first, std::uin
     for (std::size_t k = 0; k < 3; ++k) {
       corners[k] = little_endian<std::uint16_t>(source_.bytes, at + 2 * k);
       if (corners[k] >= vertices) {
-        fail(at + 2 * k,
-             "vertex " + std::to_string(corners[k]) + " of " + std::to_string(vertices));
+        fail(at + 2 * k, index_fault("vertex " + std::to_string(corners[k]), "vertices", vertices));
       }
     }
     builder_.add_triangle(first + corners[0], first + corners[1], first + corners[2]);
