@@ -7,7 +7,6 @@
 #include <assimp/Importer.hpp>
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/scene.h>
-#include <assimp/version.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
@@ -72,10 +71,7 @@ int import(const std::string& ending) {
     return why.find("bad_alloc") == std::string::npos ? refuse(why.c_str()) : 4;
   }
   Answer answer;
-  answer.note("read by Assimp " + std::to_string(aiGetVersionMajor()) + "." +
-              std::to_string(aiGetVersionMinor()) + "." + std::to_string(aiGetVersionPatch()) +
-              ": coordinates are floats, axes and unit as it gives them");
-  write_scene(*scene, answer);
+  write_scene(*scene, ending, answer);
   return answer.finish() ? 0 : 5;
 }
 

@@ -1,10 +1,12 @@
 #include "apps/import/model.h"
 
 #include <assimp/scene.h>
+#include <assimp/version.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <vector>
@@ -50,17 +52,47 @@ struct Frame {
   bool named = false;
 };
 
+/// True if a transform makes z, and nothing else, y: Assimp's turn of what stands on its xy plane.
+bool turns_z_to_y(const Affine& m) {
+  constexpr double kRounding = 1e-6;
+  return m[6] > 0 && std::abs(m[4]) + std::abs(m[5]) <= kRounding * m[6];
+}
+
+/// Turned back: y becomes z, z becomes -y.
+Affine turned_back(const Affine& m) {
+  return {m[0],     m[1],     m[2],      m[3],  //
+          0 - m[8], 0 - m[9], 0 - m[10], 0 - m[11], m[4], m[5], m[6], m[7]};
+}
+
+template <std::size_t N>
+bool is_among(std::string_view word, const std::array<std::string_view, N>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Formats whose root node is Assimp's own and may turn them.
+constexpr std::array<std::string_view, 13> kOwnRoot = {
+    ".ase", ".ask",     ".blend", ".dxf", ".hmp",  ".ifc", ".md2",
+    ".md3", ".md5mesh", ".mdc",   ".mdl", ".step", ".stp"};
+/// IFC: lengths are made meters, z is up.
+constexpr std::array<std::string_view, 3> kBuildings = {".ifc", ".step", ".stp"};
+/// Formats whose axes are left-handed; Assimp negates z.
+constexpr std::array<std::string_view, 3> kLeftHanded = {".lwo", ".lxo", ".x"};
+
 class SceneWriter {
  public:
-  SceneWriter(const aiScene& scene, Answer& answer) : scene_(scene), answer_(answer) {}
+  SceneWriter(const aiScene& scene, std::string_view ending, Answer& answer)
+      : scene_(scene), ending_(ending), answer_(answer) {}
 
   void write();
 
  private:
   void enter(const aiNode& node);
+  void tell_axes(bool turned);
+  bool tell_settings();
   void write_mesh(const aiMesh& mesh, const Affine& transform);
 
   const aiScene& scene_;
+  std::string_view ending_;
   Answer& answer_;
   std::vector<Frame> stack_;
   std::uint32_t vertices_ = 0;
@@ -96,11 +128,63 @@ void SceneWriter::write_mesh(const aiMesh& mesh, const Affine& m) {
   vertices_ += mesh.mNumVertices;
 }
 
+void SceneWriter::tell_axes(bool turned) {
+  const bool building = is_among(ending_, kBuildings);
+  std::string note = "read by Assimp " + std::to_string(aiGetVersionMajor()) + "." +
+                     std::to_string(aiGetVersionMinor()) + "." +
+                     std::to_string(aiGetVersionPatch()) + ": coordinates are floats, ";
+  if (building) {
+    answer_.unit(1);
+    note += "lengths became meters, ";
+  }
+  if (turned) {
+    note += "its turn from z up to y up was undone";
+  }
+  if (turned && building) {
+    answer_.up('z');
+  }
+  if (!turned && is_among(ending_, kLeftHanded)) {
+    note += "z is negated, since the format's axes are left-handed";
+  } else if (!turned) {
+    note += ending_ == ".fbx" && tell_settings() ? "unit and axes are the file's"
+                                                 : "axes and unit as it gives them";
+  }
+  answer_.note(note);
+}
+
+/// What an FBX file says of its unit, in centimeters, and its axes; Assimp applies neither.
+bool SceneWriter::tell_settings() {
+  const aiMetadata* const said = scene_.mMetaData;
+  std::int32_t up = -1;
+  std::int32_t sign = 0;
+  float rough = 0;
+  double unit = 0;
+  if (said == nullptr || !said->Get("UpAxis", up) || !said->Get("UpAxisSign", sign) || up < 0 ||
+      up > 2 || sign != 1) {
+    return false;
+  }
+  if (!said->Get("UnitScaleFactor", unit) && said->Get("UnitScaleFactor", rough)) {
+    unit = rough;
+  }
+  if (!(unit > 0)) {
+    return false;
+  }
+  answer_.up("xyz"[up]);
+  answer_.unit(unit / 100);
+  return true;
+}
+
 void SceneWriter::enter(const aiNode& node) {
   Frame frame{&node, 0, affine_of(node.mTransformation), false};
   if (!stack_.empty()) {
     frame.transform = product(stack_.back().transform, frame.transform);
     frame.named = node.mName.length > 0;
+  } else if (is_among(ending_, kOwnRoot)) {
+    const bool turned = turns_z_to_y(frame.transform);
+    frame.transform = turned ? turned_back(frame.transform) : frame.transform;
+    tell_axes(turned);
+  } else {
+    tell_axes(false);
   }
   if (frame.named) {
     answer_.begin_part(node.mName.C_Str());
@@ -201,14 +285,24 @@ void Answer::note(std::string_view words) {
   text('n', words);
 }
 
+void Answer::unit(double meters) {
+  bytes_ += 'u';
+  coordinate(meters);
+}
+
+void Answer::up(char axis) {
+  bytes_ += 'a';
+  bytes_ += axis;
+}
+
 bool Answer::finish() {
   bytes_ += '.';
   flush();
   return whole_ && std::fflush(stdout) == 0;
 }
 
-void write_scene(const aiScene& scene, Answer& answer) {
-  SceneWriter(scene, answer).write();
+void write_scene(const aiScene& scene, std::string_view ending, Answer& answer) {
+  SceneWriter(scene, ending, answer).write();
 }
 
 }  // namespace soms::import_program

@@ -21,6 +21,10 @@ class Answer {
   void begin_part(std::string_view name);
   void end_part();
   void note(std::string_view text);
+  /// Meters a unit.
+  void unit(double meters);
+  /// The axis that is up: 'x', 'y' or 'z'.
+  void up(char axis);
   /// The last record. False if anything could not be written.
   [[nodiscard]] bool finish();
 
@@ -34,7 +38,9 @@ class Answer {
   bool whole_ = true;
 };
 
-/// Writes what the scene's nodes show, each mesh under the transforms of its node.
-void write_scene(const aiScene& scene, Answer& answer);
+/// Writes what the scene's nodes show, each mesh under the transforms of its node, and what is
+/// known of axes and unit. Assimp's own turn of the axes, by its root node, is undone. `ending` is
+/// the file's.
+void write_scene(const aiScene& scene, std::string_view ending, Answer& answer);
 
 }  // namespace soms::import_program

@@ -1,4 +1,5 @@
 set(SOMS_HEADERS
+  formats.h
   new_file.h
   poses.h
   read_mesh.h
@@ -39,6 +40,7 @@ set(SOMS_SOURCES
   detail/text.cpp
   detail/three_ds.cpp
   detail/three_ds_writer.cpp
+  formats.cpp
   new_file.cpp
   poses.cpp
   read_mesh.cpp

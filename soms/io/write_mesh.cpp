@@ -6,35 +6,24 @@
 #include "soms/io/detail/glb_writer.h"
 #include "soms/io/detail/mesh_writer.h"
 #include "soms/io/detail/output.h"
+#include "soms/io/formats.h"
 
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 
 namespace soms {
 
 MeshFormat format_for(const std::filesystem::path& path) {
   const std::string ending = detail::ending_of(path.string());
-  if (ending == ".ply") {
-    return MeshFormat::ply;
-  }
-  if (ending == ".obj") {
-    return MeshFormat::obj;
-  }
-  if (ending == ".stl") {
-    return MeshFormat::stl;
-  }
-  if (ending == ".off") {
-    return MeshFormat::off;
-  }
-  if (ending == ".3ds") {
-    return MeshFormat::three_ds;
-  }
-  if (ending == ".glb") {
-    return MeshFormat::glb;
+  for (const WritableFormat& row : writable_formats()) {
+    if (!ending.empty() && row.ending == ending) {
+      return row.format;
+    }
   }
   throw Error(ErrorKind::unsupported,
               path.string() + ": the name does not end with a format that is written",
-              "end it with .ply, .3ds, .stl, .off, .obj or .glb");
+              "end it with " + writable_endings());
 }
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh, MeshFormat format,
@@ -65,14 +54,26 @@ void write_mesh(std::ostream& out, const std::string& name, const Mesh& mesh, Me
   check_stream();
 }
 
-std::uint64_t count_rounded(const Mesh& mesh, MeshFormat format) {
-  if (format != MeshFormat::stl && format != MeshFormat::three_ds && format != MeshFormat::glb) {
-    return 0;
+Rounding rounding(const Mesh& mesh, MeshFormat format) {
+  const PlainArithmetic plain;
+  Rounding result;
+  if (entry(format).doubles) {
+    return result;
   }
   const Vec3 origin = format == MeshFormat::glb ? detail::glb_origin(mesh) : Vec3{};
-  return static_cast<std::uint64_t>(
-      std::count_if(mesh.vertices.begin(), mesh.vertices.end(),
-                    [&](const Vec3& v) { return detail::glb_read_back(v, origin) != v; }));
+  for (const Vec3& v : mesh.vertices) {
+    const Vec3 moved = detail::glb_read_back(v, origin) - v;
+    if (moved != Vec3{}) {
+      ++result.count;
+      result.most =
+          std::max({result.most, std::abs(moved.x), std::abs(moved.y), std::abs(moved.z)});
+    }
+  }
+  return result;
+}
+
+std::uint64_t count_rounded(const Mesh& mesh, MeshFormat format) {
+  return rounding(mesh, format).count;
 }
 
 }  // namespace soms

@@ -35,6 +35,15 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh, MeshFormat 
 void write_mesh(std::ostream& out, const std::string& name, const Mesh& mesh, MeshFormat format,
                 const Parallel& parallel = {});
 
+/// What a format that holds floats does to a mesh.
+struct Rounding {
+  std::uint64_t count = 0;  ///< vertices that are not read back equal
+  double most = 0;          ///< largest difference of a coordinate
+};
+
+/// \cost One pass.
+[[nodiscard]] Rounding rounding(const Mesh& mesh, MeshFormat format);
+
 /// Vertices that are not read back equal from this format, because it holds floats.
 /// \cost One pass.
 [[nodiscard]] std::uint64_t count_rounded(const Mesh& mesh, MeshFormat format);

@@ -289,7 +289,7 @@ TEST(Collada, ReadsDeepFilesOnASmallStack) {
       brackets += "[<!x ";
     }
     expect_refused(deep, "deep.dae", ErrorKind::bad_file, "no well-formed XML");
-    expect_refused(brackets, "brackets.dae", ErrorKind::unsupported, "a web page");
+    expect_refused(brackets, "brackets.dae", ErrorKind::unsupported, "an XML file");
   });
 }
 

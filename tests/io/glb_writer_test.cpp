@@ -173,6 +173,7 @@ TEST(GlbWriter, KeepsCoordinatesFarFromTheOriginByTheMiddleOfTheMesh) {
   mesh.triangles = {{0, 1, 2}};
   mesh.vertices[1].x = -1;
   EXPECT_EQ(count_rounded(mesh, MeshFormat::glb), 4U);
+  EXPECT_EQ(rounding(mesh, MeshFormat::glb).most, double{0.1F} - 0.1);
   EXPECT_EQ(read_back(mesh).vertices[0].x, 0.1F);
 }
 

@@ -119,6 +119,14 @@ TEST(Import, TakesVerticesFacesPartsAndNotes) {
   EXPECT_EQ(mesh.source, "town/a.lwo");
 }
 
+TEST(Import, TakesUnitAndAxis) {
+  const Mesh mesh = ImportedBy(kWrite, kMagic + record('u', bytes_of(0.0254)) + "ax" + kCorners +
+                                           face({0, 1, 2}) + ".")
+                        .read();
+  EXPECT_EQ(mesh.unit, 0.0254);
+  EXPECT_EQ(mesh.up, UpAxis::x);
+}
+
 TEST(Import, GivesTheModelAndItsEndingAndNothingElse) {
   // The script fails unless all is as it should be: one argument, the model, no more open files.
   const ImportedBy imported(R"sh([ "$*" = .lwo ] || exit 10
@@ -126,13 +134,15 @@ TEST(Import, GivesTheModelAndItsEndingAndNothingElse) {
 [ ! -e /proc/self/fd/3 ] || exit 12
 [ "$(ulimit -c)" = 0 ] || exit 13
 echo "all is well"; exit 1)sh");
-  imported.expect_refused(ErrorKind::bad_file, "status 1 (it may take");
-  imported.expect_refused(ErrorKind::bad_file, "all is well");
+  imported.expect_refused(ErrorKind::bad_file,
+                          "town/a.lwo: soms-import cannot read it as .lwo: all is well; check");
 }
 
 TEST(Import, TurnsACrashOrNonsenseIntoAnError) {
-  ImportedBy("kill -SEGV $$").expect_refused(ErrorKind::bad_file, "crashed on it, by signal 11");
-  ImportedBy("exit 4").expect_refused(ErrorKind::out_of_memory, "too little memory");
+  ImportedBy("kill -SEGV $$")
+      .expect_refused(ErrorKind::bad_file, "crashed on it (signal 11, within");
+  ImportedBy("exit 4").expect_refused(ErrorKind::out_of_memory, "needs more memory than its");
+  ImportedBy("exit 9").expect_refused(ErrorKind::bad_file, "ended with status 9");
   ImportedBy("true").expect_refused(ErrorKind::bad_file, "does not begin as an answer does");
   ImportedBy("echo '<html>'").expect_refused(ErrorKind::bad_file, "answered wrongly at byte 0");
   const auto refuse = [](const std::string& records, ErrorKind kind, const std::string& words) {
@@ -145,6 +155,10 @@ TEST(Import, TurnsACrashOrNonsenseIntoAnError) {
   refuse(text('b', "a") + ".", ErrorKind::bad_file, "amid a part");
   refuse(kCorners + face({0, 1, 2}) + ".x", ErrorKind::bad_file, "behind its end");
   refuse("e.", ErrorKind::bad_file, "did not begin");
+  refuse("aw.", ErrorKind::bad_file, "an axis must be x, y or z");
+  for (const double unit : {0.0, -1.0, std::nan("")}) {
+    refuse(record('u', bytes_of(unit)) + ".", ErrorKind::bad_file, "a unit of that length");
+  }
   refuse("?", ErrorKind::bad_file, "unknown kind");
   refuse(vertex(0, std::nan(""), 0), ErrorKind::not_finite, "vertex 0: y of a vertex");
   refuse(vertex(0, 0, 1e200), ErrorKind::out_of_range, "z of a vertex exceeds 2^300");
@@ -172,7 +186,7 @@ TEST(Import, EndsAChildWhenAskedToStop) {
 
 TEST(Import, BoundsTheMemoryOfTheChildAndOfItsAnswer) {
   ImportedBy("a=aaaaaaaaaaaaaaaa; while :; do a=$a$a; done")
-      .expect_refused(ErrorKind::bad_file, "(it may take 30198988", {.max_memory = 32 << 20});
+      .expect_refused(ErrorKind::bad_file, "within 287 MiB", {.max_memory = 32 << 20});
   ImportedBy("yes").expect_refused(ErrorKind::out_of_memory, "more than its limit leaves",
                                    {.max_memory = 1 << 20});
 }
@@ -235,6 +249,104 @@ TEST(Import, ReadsAModelByAssimp) {
   ASSERT_EQ(mesh.parts.size(), 1U);
   EXPECT_EQ(mesh.parts[0].name, "sheet");
   EXPECT_EQ(mesh.notes.at(0).substr(0, 14), "read by Assimp");
+}
+
+/// The corners (1, 2, 3), (11, 2, 3) and (1, 22, 33) as DXF has them.
+const std::string kDxf =
+    "0\nSECTION\n2\nENTITIES\n0\n3DFACE\n8\nroof\n10\n1\n20\n2\n30\n3\n11\n11\n21\n2\n31\n3\n"
+    "12\n1\n22\n22\n32\n33\n13\n1\n23\n22\n33\n33\n0\nENDSEC\n0\nEOF\n";
+const std::string kX =
+    "xof 0303txt 0032\nMesh m {\n3;\n1.0;2.0;3.0;,\n11.0;2.0;3.0;,\n1.0;22.0;33.0;;\n"
+    "1;\n3;0,1,2;;\n}\n";
+/// In inches, x up.
+const std::string kFbx = R"(; FBX 7.3.0 project file
+FBXHeaderExtension: {
+  FBXHeaderVersion: 1003
+  FBXVersion: 7300
+}
+GlobalSettings: {
+  Properties70: {
+    P: "UpAxis", "int", "Integer", "",0
+    P: "UnitScaleFactor", "double", "Number", "",2.5
+  }
+}
+Definitions: {
+  ObjectType: "Model" {
+    Count: 1
+  }
+}
+Objects: {
+  Geometry: 100, "Geometry::m", "Mesh" {
+    Vertices: *9 {
+      a: 1,2,3,11,2,3,1,22,33
+    }
+    PolygonVertexIndex: *3 {
+      a: 0,1,-3
+    }
+  }
+  Model: 200, "Model::m", "Mesh" {
+    Version: 232
+  }
+}
+Connections: {
+  C: "OO",200,0
+  C: "OO",100,200
+}
+)";
+/// In millimeters.
+const std::string kIfc = R"(ISO-10303-21;
+HEADER;
+FILE_DESCRIPTION((''),'2;1');
+FILE_NAME('','',(''),(''),'','','');
+FILE_SCHEMA(('IFC2X3'));
+ENDSEC;
+DATA;
+#1=IFCSIUNIT(*,.LENGTHUNIT.,.MILLI.,.METRE.);
+#3=IFCUNITASSIGNMENT((#1));
+#4=IFCCARTESIANPOINT((0.,0.,0.));
+#7=IFCAXIS2PLACEMENT3D(#4,$,$);
+#8=IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-5,#7,$);
+#13=IFCOWNERHISTORY($,$,$,.ADDED.,$,$,$,0);
+#14=IFCPROJECT('1',#13,'p',$,$,$,$,(#8),#3);
+#15=IFCLOCALPLACEMENT($,#7);
+#16=IFCSITE('2',#13,'s',$,$,#15,$,$,.ELEMENT.,$,$,$,$,$);
+#17=IFCRELAGGREGATES('3',#13,$,$,#14,(#16));
+#20=IFCCARTESIANPOINT((1000.,2000.,3000.));
+#21=IFCCARTESIANPOINT((11000.,2000.,3000.));
+#22=IFCCARTESIANPOINT((1000.,22000.,33000.));
+#23=IFCPOLYLOOP((#20,#21,#22));
+#24=IFCFACEOUTERBOUND(#23,.T.);
+#25=IFCFACE((#24));
+#26=IFCCONNECTEDFACESET((#25));
+#27=IFCFACEBASEDSURFACEMODEL((#26));
+#28=IFCSHAPEREPRESENTATION(#8,'Body','SurfaceModel',(#27));
+#29=IFCPRODUCTDEFINITIONSHAPE($,$,(#28));
+#30=IFCBUILDINGELEMENTPROXY('4',#13,'m',$,$,#15,#29,$,$);
+#31=IFCRELCONTAINEDINSPATIALSTRUCTURE('5',#13,$,$,(#30),#16);
+ENDSEC;
+END-ISO-10303-21;
+)";
+
+TEST(Import, SaysOrUndoesWhatAssimpDoesToAxesAndUnits) {
+  const InPlace program(SOMS_IMPORT_PROGRAM);
+  const Triangle stored{{1, 2, 3}, {11, 2, 3}, {1, 22, 33}};
+  const Mesh drawing = read_text(kDxf, "a.dxf");
+  EXPECT_EQ(drawing.triangle(0), stored);
+  EXPECT_EQ(drawing.up, UpAxis::unknown);
+  EXPECT_NE(drawing.notes.at(0).find("its turn from z up to y up was undone"), std::string::npos);
+  const Mesh left_handed = read_text(kX, "a.x");
+  EXPECT_EQ(left_handed.triangle(0), (Triangle{{1, 22, -33}, {11, 2, -3}, {1, 2, -3}}));
+  EXPECT_NE(left_handed.notes.at(0).find("z is negated"), std::string::npos);
+  const Mesh stated = read_text(kFbx, "a.fbx");
+  EXPECT_EQ(stated.triangle(0), stored);
+  EXPECT_EQ(stated.up, UpAxis::x);
+  EXPECT_EQ(stated.unit, 0.025);
+  const Mesh building = read_text(kIfc, "a.ifc");
+  EXPECT_EQ(building.up, UpAxis::z);
+  EXPECT_EQ(building.unit, 1);
+  ASSERT_EQ(building.triangles.size(), 1U);
+  EXPECT_NEAR(building.triangle(0).c.z, 33, 1e-5);
+  EXPECT_NEAR(building.triangle(0).c.y, 22, 1e-5);
 }
 
 TEST(Import, NamesTheFileThatAssimpCannotRead) {

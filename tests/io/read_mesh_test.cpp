@@ -60,9 +60,41 @@ TEST(ReadMesh, NamesWhatOtherContentIs) {
   };
   for (const auto& [content, words] : cases) {
     expect_refused(content, "a.xyz", ErrorKind::unsupported, words);
-    expect_refused(content, "a.xyz", ErrorKind::unsupported, "PLY, 3DS, STL, OFF, OBJ, GLB, glTF");
+    if (words != "a web page" && words != "git lfs pull") {  // which are no format at all
+      expect_refused(content, "a.xyz", ErrorKind::unsupported,
+                     "PLY, 3DS, STL, OFF, OBJ, GLB, glTF");
+    }
   }
   expect_refused("hello", "a", ErrorKind::unsupported, "without an ending");
+  expect_refused("hello", "a", ErrorKind::unsupported, "and by soms-import .3d .3mf");
+}
+
+TEST(ReadMesh, NamesContentThatNoEndingMakesAModel) {
+  const std::string recording("\x89SOMS\r\n\x1a\x01\0\0\0", 12);
+  for (const std::string name : {"run.somsrec", "run.ply", "run", "run.fbx"}) {
+    expect_refused(recording, name, ErrorKind::unsupported,
+                   name + ": a recording of soms simulate, not a model; soms view plays it");
+    expect_refused("<html>", name, ErrorKind::unsupported, "a web page; get the file");
+  }
+  for (const std::string name : {"a.3ds", "a.GLB"}) {
+    expect_refused("Dear all,\r\n\tthe model\f", name, ErrorKind::bad_file, "this is text, not ");
+  }
+  expect_refused("MM", "a.3ds", ErrorKind::bad_file, "a.3ds, byte");
+  expect_refused("glTF", "a.glb", ErrorKind::bad_file, "a.glb, byte");
+}
+
+TEST(ReadMesh, TellsStepOfMachinesFromStepOfBuildings) {
+  const auto step = [](const std::string& schema) {
+    return "ISO-10303-21;\nHEADER;\nFILE_SCHEMA (('" + schema + "'));\nENDSEC;\n";
+  };
+  for (const std::string name : {"part.step", "part.STP", "part.ifc", "part"}) {
+    expect_refused(
+        step("AUTOMOTIVE_DESIGN { 1 0 10303 }"), name, ErrorKind::unsupported,
+        "a STEP file of the schema \"AUTOMOTIVE_DESIGN\": exact surfaces, not triangles; "
+        "of STEP only IFC is read; let the CAD program");
+  }
+  expect_refused(step("IFC4"), "house", ErrorKind::unsupported, "let the name end with .ifc");
+  expect_refused("ISO-10303-21;\nFILE_SCHEMA", "a", ErrorKind::unsupported, "without an ending");
 }
 
 TEST(ReadMesh, IsNeverSilentlyEmpty) {

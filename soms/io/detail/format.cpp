@@ -8,6 +8,7 @@
 #include "soms/io/detail/off.h"
 #include "soms/io/detail/ply.h"
 #include "soms/io/detail/stl.h"
+#include "soms/io/detail/text.h"
 #include "soms/io/detail/three_ds.h"
 
 #include <algorithm>
@@ -24,11 +25,11 @@ bool is_ply(std::string_view bytes) {
 
 constexpr auto kFormats = std::to_array<ReadFormat>({
     {"PLY", ".ply", is_ply, read_ply},
-    {"3DS", ".3ds", is_three_ds, read_three_ds},
+    {"3DS", ".3ds", is_three_ds, read_three_ds, true},
     {"STL", ".stl", is_stl, read_stl},
     {"OFF", ".off", is_off, read_off},
     {"OBJ", ".obj", is_obj, read_obj},
-    {"GLB", ".glb", is_glb, read_glb},
+    {"GLB", ".glb", is_glb, read_glb, true},
     {"glTF", ".gltf", is_gltf, read_gltf},
 #ifdef SOMS_USE_PUGIXML
     {"COLLADA", ".dae", is_collada, read_collada},
@@ -42,21 +43,27 @@ struct Foreign {
   std::string_view begin;
   std::string_view what;
   std::string_view remedy;
+  /// False where formats of soms-import begin so, too.
+  bool anywhere = false;
   /// Ending of a format that begins so too, and whose reader knows better what is wrong.
   std::string_view unless = {};
 };
 
 constexpr std::string_view kUnpack = "unpack it first";
 constexpr std::string_view kConvert = "convert it to one of the formats that are read";
+constexpr std::string_view kPage = "get the file that the page offers";
 
-constexpr std::array<Foreign, 13> kForeign = {{
-    {"{", "a JSON file", kConvert, ".gltf"},
-    {"<!DOCTYPE", "a web page", "get the file that the page offers"},
-    {"<!doctype", "a web page", "get the file that the page offers"},
-    {"<html", "a web page", "get the file that the page offers"},
+constexpr std::array<Foreign, 15> kForeign = {{
+    {"{", "a JSON file", kConvert, false, ".gltf"},
+    {"<!DOCTYPE html", "a web page", kPage, true},
+    {"<!DOCTYPE HTML", "a web page", kPage, true},
+    {"<!doctype html", "a web page", kPage, true},
+    {"<html", "a web page", kPage, true},
     {"<", "an XML file", kConvert},
     {"version https://git-lfs", "the pointer that Git LFS keeps in place of a file",
-     "fetch the file: git lfs pull"},
+     "fetch the file: git lfs pull", true},
+    {"\x89SOMS\r\n\x1a", "a recording of soms simulate, not a model",
+     "soms view plays it, soms render draws a frame of it", true},
     {"\x1f\x8b", "a gzip file", kUnpack},
     {"PK\x03\x04", "a zip file", kUnpack},
     {"\xfd"
@@ -73,6 +80,10 @@ std::string format_list() {
   for (const ReadFormat& format : kFormats) {
     list += (list.empty() ? "" : ", ") + std::string(format.name);
   }
+  list += ", and by soms-import";
+  for (const std::string_view ending : imported_endings()) {
+    list.append(" ").append(ending);
+  }
   return list;
 }
 
@@ -81,7 +92,66 @@ std::string format_list() {
   source.fail(ErrorKind::unsupported, what, remedy + "; formats that are read: " + format_list());
 }
 
+void refuse_foreign(const Source& source, std::string_view ending) {
+  const std::size_t begin =
+      std::min(source.bytes.find_first_not_of(" \t\r\n"), source.bytes.size());
+  const bool imported = is_imported(ending);
+  for (const Foreign& foreign : kForeign) {
+    if (source.bytes.substr(begin).starts_with(foreign.begin) && (foreign.anywhere || !imported) &&
+        (ending.empty() || ending != foreign.unless)) {
+      if (foreign.anywhere) {
+        source.fail(ErrorKind::unsupported, std::string(foreign.what), std::string(foreign.remedy));
+      }
+      fail_unsupported(source, std::string(foreign.what), std::string(foreign.remedy));
+    }
+  }
+}
+
+/// STEP is a family of formats. Buildings (IFC) can be read; the exact surfaces of machine parts
+/// can't, and what Assimp says of them helps nobody.
+void refuse_step(const Source& source, std::string_view ending) {
+  constexpr std::size_t kHeader = std::size_t{1} << 16;
+  if (!source.bytes.starts_with("ISO-10303-21")) {
+    return;
+  }
+  const std::string_view head = source.bytes.substr(0, kHeader);
+  const std::size_t schemas = std::min(head.find("FILE_SCHEMA"), head.size());
+  const std::size_t begin = std::min(head.find('\'', schemas), head.size() - 1) + 1;
+  const std::string_view schema = head.substr(begin, head.find_first_of("' {", begin) - begin);
+  if (schema.empty()) {
+    return;
+  }
+  if (!schema.starts_with("IFC")) {
+    source.fail(ErrorKind::unsupported,
+                "a STEP file of the schema " + in_quotes(schema) +
+                    ": exact surfaces, not triangles; of STEP only IFC is read",
+                "let the CAD program that made it export STL, OBJ or glTF");
+  }
+  if (!is_imported(ending)) {
+    source.fail(ErrorKind::unsupported, "an IFC file whose name does not say so",
+                "let the name end with .ifc");
+  }
+}
+
+/// Words in a file that holds numbers in bytes: no reader could say where it went wrong.
+void refuse_text(const Source& source, const ReadFormat& format) {
+  constexpr std::size_t kFirstBytes = 256;
+  const std::string_view first = source.bytes.substr(0, kFirstBytes);
+  const bool begins_well = first.starts_with("MM") || is_glb(first);
+  if (format.binary && !begins_well && std::none_of(first.begin(), first.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte == 0x7f || (byte < 0x20 && !is_blank(c) && !is_line_end(c));
+      })) {
+    source.fail(ErrorKind::bad_file, "this is text, not " + std::string(format.name),
+                "give the file itself, or let its name end as its format does");
+  }
+}
+
 }  // namespace
+
+std::span<const ReadFormat> read_formats() {
+  return kFormats;
+}
 
 const ReadFormat& identify(const Source& source) {
   if (source.bytes.empty()) {
@@ -102,16 +172,10 @@ const ReadFormat& identify(const Source& source) {
     }
     return *by_content;
   }
+  refuse_foreign(source, ending);
+  refuse_step(source, ending);
   if (is_imported(ending)) {
     return kImported;
-  }
-  const std::size_t begin =
-      std::min(source.bytes.find_first_not_of(" \t\r\n"), source.bytes.size());
-  for (const Foreign& foreign : kForeign) {
-    if (source.bytes.substr(begin).starts_with(foreign.begin) &&
-        (ending.empty() || ending != foreign.unless)) {
-      fail_unsupported(source, std::string(foreign.what), std::string(foreign.remedy));
-    }
   }
   if (by_name == kFormats.end()) {
     fail_unsupported(source,
@@ -119,6 +183,7 @@ const ReadFormat& identify(const Source& source) {
                                     : "format " + in_quotes(ending) + " is not read",
                      std::string(kConvert));
   }
+  refuse_text(source, *by_name);
   return *by_name;
 }
 

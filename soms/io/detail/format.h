@@ -5,6 +5,7 @@
 #include "soms/geometry/mesh.h"
 #include "soms/io/detail/source.h"
 
+#include <span>
 #include <string_view>
 
 namespace soms::detail {
@@ -16,7 +17,11 @@ struct ReadFormat {
   /// True if the content alone tells that it is this format.
   bool (*recognizes)(std::string_view bytes);
   Mesh (*read)(Source& source);
+  bool binary = false;  ///< never text
 };
+
+/// Formats that are read here; those of soms-import are not among them.
+[[nodiscard]] std::span<const ReadFormat> read_formats();
 
 /// The format of a file.
 /// \errors ErrorKind::bad_file (empty, or the name says another format than the content),

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -37,6 +38,8 @@ constexpr std::string_view kMagic = "soms-import 1\n";
 ///   b  length, name (u32)        a part begins; parts nest
 ///   e                            it ends
 ///   n  length, text (u32)        a note
+///   u  1 double                  meters a unit
+///   a  x, y or z                 the axis that is up
 ///   .                            the end
 class ImportReader {
  public:
@@ -52,6 +55,9 @@ class ImportReader {
   double take_double();
   void read_vertex();
   void read_face();
+  void read_unit();
+  void read_axis();
+  Mesh finish();
 
   Source& source_;
   std::string_view answer_;
@@ -59,6 +65,8 @@ class ImportReader {
   MeshBuilder builder_;
   std::size_t open_parts_ = 0;
   std::vector<std::uint32_t> corners_;
+  double unit_ = 0;
+  UpAxis up_ = UpAxis::unknown;
 };
 
 void ImportReader::fail(const std::string& what) const {
@@ -119,6 +127,31 @@ void ImportReader::read_face() {
   builder_.add_face(corners_);
 }
 
+void ImportReader::read_unit() {
+  unit_ = take_double();
+  if (!(unit_ > 0) || !std::isfinite(unit_)) {
+    fail("a unit of that length");
+  }
+}
+
+void ImportReader::read_axis() {
+  const std::size_t axis = std::string_view("xyz").find(take(1));
+  if (axis == std::string_view::npos) {
+    fail("an axis must be x, y or z");
+  }
+  up_ = std::array{UpAxis::x, UpAxis::y, UpAxis::z}[axis];
+}
+
+Mesh ImportReader::finish() {
+  if (open_parts_ > 0 || at_ != answer_.size()) {
+    fail("it ends amid a part or goes on behind its end");
+  }
+  Mesh mesh = builder_.finish();
+  mesh.unit = unit_;
+  mesh.up = up_;
+  return mesh;
+}
+
 Mesh ImportReader::read() {
   if (!answer_.starts_with(kMagic)) {
     fail("it does not begin as an answer does");
@@ -149,11 +182,14 @@ Mesh ImportReader::read() {
       case 'n':
         builder_.note(printable(take(take_number())));
         break;
+      case 'u':
+        read_unit();
+        break;
+      case 'a':
+        read_axis();
+        break;
       case '.':
-        if (open_parts_ > 0 || at_ != answer_.size()) {
-          fail("it ends amid a part or goes on behind its end");
-        }
-        return builder_.finish();
+        return finish();
       default:
         fail("a record of unknown kind");
     }
@@ -161,6 +197,10 @@ Mesh ImportReader::read() {
 }
 
 }  // namespace
+
+std::span<const std::string_view> imported_endings() {
+  return kEndings;
+}
 
 bool is_imported(std::string_view ending) {
   return std::binary_search(kEndings.begin(), kEndings.end(), ending);

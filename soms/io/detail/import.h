@@ -5,9 +5,13 @@
 #include "soms/geometry/mesh.h"
 #include "soms/io/detail/source.h"
 
+#include <span>
 #include <string_view>
 
 namespace soms::detail {
+
+/// Endings that are left to soms-import, sorted.
+[[nodiscard]] std::span<const std::string_view> imported_endings();
 
 /// True if files with this ending, lower case and with its point, are left to soms-import.
 [[nodiscard]] bool is_imported(std::string_view ending);

@@ -36,6 +36,14 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t kProgramMemory = std::uint64_t{256} << 20;
 /// Exit status of soms-import that says that memory was too little.
 constexpr int kNoMemory = 4;
+/// One that says that the model is at fault, which the answer describes.
+constexpr int kRefused = 1;
+
+/// What the program says, as the middle of a sentence.
+std::string in_words(std::string_view text) {
+  const std::size_t last = text.find_last_not_of(" \t\r\n.;!");
+  return printable(text.substr(0, last == std::string_view::npos ? 0 : last + 1));
+}
 
 bool runs(const std::filesystem::path& program) {
   std::error_code ignored;
@@ -256,21 +264,25 @@ void ImportRun::collect(int pipe) {
 
 void ImportRun::fail_status(int status) const {
   const std::string remedy = "check the model, or convert it to a format that soms reads itself";
-  const std::string limits = " (it may take " + std::to_string(memory_) + " bytes)";
   if (WIFSIGNALED(status)) {
-    source_.fail(
-        ErrorKind::bad_file,
-        "soms-import crashed on it, by signal " + std::to_string(WTERMSIG(status)) + limits,
-        remedy);
+    // What a library does that gets no memory cannot be told from a fault of another kind.
+    source_.fail(ErrorKind::bad_file,
+                 fmt::format("soms-import crashed on it (signal {}, within {} MiB)",
+                             WTERMSIG(status), memory_ >> 20),
+                 remedy + ", or give it more memory (max_memory, --max-memory)");
   }
   if (WEXITSTATUS(status) == kNoMemory) {
-    source_.fail(ErrorKind::out_of_memory, "soms-import has too little memory" + limits,
+    source_.fail(ErrorKind::out_of_memory,
+                 fmt::format("soms-import needs more memory than its {} MiB", memory_ >> 20),
                  "raise the limit (max_memory, --max-memory) if the file is honest");
   }
+  if (WEXITSTATUS(status) == kRefused && !answer_.empty()) {
+    source_.fail(ErrorKind::bad_file,
+                 fmt::format("soms-import cannot read it as {}: {}", ending_, in_words(answer_)),
+                 remedy);
+  }
   source_.fail(ErrorKind::bad_file,
-               "soms-import cannot read it, status " + std::to_string(WEXITSTATUS(status)) +
-                   limits + (answer_.empty() ? "" : ": " + printable(answer_)),
-               remedy);
+               fmt::format("soms-import ended with status {}", WEXITSTATUS(status)), remedy);
 }
 
 std::string ImportRun::answer() {

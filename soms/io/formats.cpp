@@ -1,0 +1,77 @@
+#include "soms/io/formats.h"
+
+#include "soms/io/detail/format.h"
+#include "soms/io/detail/import.h"
+
+#include <algorithm>
+#include <array>
+
+namespace soms {
+
+namespace {
+
+constexpr std::array<WritableFormat, 8> kWritable{{
+    {MeshFormat::ply, "ply", "PLY", ".ply"},
+    {MeshFormat::ply_ascii, "ply-ascii", "text PLY", ""},
+    {MeshFormat::three_ds, "3ds", "3DS", ".3ds", false, true},
+    {MeshFormat::stl, "stl", "binary STL", ".stl", false},
+    {MeshFormat::stl_ascii, "stl-ascii", "text STL", "", true, true},
+    {MeshFormat::off, "off", "OFF", ".off"},
+    {MeshFormat::obj, "obj", "OBJ", ".obj", true, true},
+    {MeshFormat::glb, "glb", "GLB", ".glb", false, true, true},
+}};
+
+/// The endings that are written, with commas and an "or"; `word` makes what is told of each.
+template <class Word>
+std::string list(const Word& word) {
+  std::vector<std::string> words;
+  for (const WritableFormat& row : kWritable) {
+    if (!row.ending.empty()) {
+      words.push_back(word(row.ending));
+    }
+  }
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<ReadableFormat> readable_formats() {
+  std::vector<ReadableFormat> formats;
+  for (const detail::ReadFormat& format : detail::read_formats()) {
+    formats.push_back({format.name, format.ending});
+  }
+  return formats;
+}
+
+std::span<const std::string_view> imported_endings() {
+  return detail::imported_endings();
+}
+
+std::span<const WritableFormat> writable_formats() {
+  return kWritable;
+}
+
+const WritableFormat& entry(MeshFormat format) {
+  return *std::find_if(kWritable.begin(), kWritable.end(),
+                       [&](const WritableFormat& row) { return row.format == format; });
+}
+
+std::string writable_names() {
+  return list([](std::string_view ending) {
+    std::string name(ending.substr(1));
+    std::transform(name.begin(), name.end(), name.begin(), [](char c) {
+      return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    });
+    return name;
+  });
+}
+
+std::string writable_endings() {
+  return list([](std::string_view ending) { return std::string(ending); });
+}
+
+}  // namespace soms

@@ -1,0 +1,49 @@
+/// \file
+/// The formats that models are read from and written in: what every list of them is made of.
+#pragma once
+
+#include "soms/io/write_mesh.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soms {
+
+/// A format that soms reads itself.
+struct ReadableFormat {
+  std::string_view name;    ///< as in messages: "PLY"
+  std::string_view ending;  ///< of file names, lower case, with its point
+};
+
+/// Formats that this build reads itself, in the order of the manual.
+[[nodiscard]] std::vector<ReadableFormat> readable_formats();
+
+/// Endings of the formats that are read by the program soms-import, where it is installed; sorted.
+[[nodiscard]] std::span<const std::string_view> imported_endings();
+
+/// A way to write a model, and what it keeps beyond triangles.
+struct WritableFormat {
+  MeshFormat format = MeshFormat::ply;
+  std::string_view name;    ///< kebab-case: "stl-ascii"
+  std::string_view title;   ///< as in messages: "text STL"
+  std::string_view ending;  ///< of file names; empty where another way has the ending
+  bool doubles = true;      ///< coordinates keep every bit; else they become floats
+  bool names = false;       ///< of parts
+  bool unit_and_axis = false;
+};
+
+/// All ways to write, in the order of the manual.
+[[nodiscard]] std::span<const WritableFormat> writable_formats();
+
+/// The row of a format.
+[[nodiscard]] const WritableFormat& entry(MeshFormat format);
+
+/// The formats that are written, as a sentence has them: "PLY, 3DS or GLB".
+[[nodiscard]] std::string writable_names();
+
+/// The endings that are written, as a sentence has them: ".ply, .3ds or .glb".
+[[nodiscard]] std::string writable_endings();
+
+}  // namespace soms
