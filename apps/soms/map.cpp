@@ -5,6 +5,7 @@
 #include "apps/soms/map_city.h"
 #include "apps/soms/map_marks.h"
 #include "apps/soms/outline.h"
+#include "apps/soms/simulate_report.h"
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
@@ -26,7 +27,6 @@ constexpr double kMargin = 24;
 constexpr std::size_t kCityBudget = 200'000;
 /// Tracks and movers drawn at most; of more, every so many.
 constexpr std::size_t kMostDrawn = 2500;
-constexpr std::size_t kMostListed = 8;
 constexpr const char* kPaper = "#f3efe6";
 constexpr const char* kInk = "#2b2a28";
 constexpr const char* kContact = "#d1002f";
@@ -156,8 +156,15 @@ void draw_marks(std::ostream& out, const Page& page, const std::vector<Mark>& ma
                        page.y(mark.y), mark_radius(mark.contacts));
   }
   out << "</g>\n";
-  for (std::size_t k = 0; k < std::min(kMostListed, marks.size()); ++k) {
-    out << number_mark(page.x(marks[k].x), page.y(marks[k].y), k + 1);
+}
+
+/// The places where the most touched triangles were touched first, numbered as in the list.
+void draw_most_touched(std::ostream& out, const Page& page, const World& world,
+                       const std::vector<Touched>& most) {
+  for (std::size_t k = most.size(); k-- > 0;) {  // the first on top
+    const Way& way = world.ways[most[k].mover];
+    const Vec3 at = way.at(most[k].begin).apply(world.models[way.model].foot);
+    out << number_mark(page.x(at.x), page.y(at.y), k + 1);
   }
 }
 
@@ -226,13 +233,17 @@ void write_contacts(Panel& panel, const Outcome& outcome, const std::vector<Mark
                   fmt::format("{} at one place", size));
     }
   }
-  if (marks.empty()) {
+}
+
+/// The list of the table.
+void write_most_touched(Panel& panel, const World& world, const std::vector<Touched>& most) {
+  if (most.empty()) {
     return;
   }
-  panel.head("Most contacts, and what was touched");
-  for (std::size_t k = 0; k < std::min(kMostListed, marks.size()); ++k) {
-    panel.keyed(number_mark(0, 0, k + 1), fmt::format("{} at {}", with_commas(marks[k].contacts),
-                                                      shortened(marks[k].most, 32)));
+  panel.head("Most touched");
+  for (std::size_t k = 0; k < most.size(); ++k) {
+    panel.keyed(number_mark(0, 0, k + 1), shortened(name_of(world, most[k]), 38));
+    panel.line(counts_of(most[k]), 24);
   }
 }
 
@@ -254,6 +265,7 @@ void draw_scale_bar(std::ostream& out, const Page& page) {
 void draw_map(std::ostream& out, const World& world, const Outcome& outcome) {
   const Page page = make_page(world);
   const MapCity city = outline_city(world, page.area, kCityBudget);
+  const std::vector<Touched> most = outcome.contacts.most_touched(kMostTouched);
   const std::vector<Mark> marks = find_marks(world, outcome, 13 / page.scale);
   const double panel_left = kMargin + page.width + kMargin;
   const double width = panel_left + kPanel;
@@ -273,6 +285,7 @@ void draw_map(std::ostream& out, const World& world, const Outcome& outcome) {
   draw_tracks(out, page, world, outcome);
   draw_movers(out, page, world, outcome);
   draw_marks(out, page, marks);
+  draw_most_touched(out, page, world, most);
   out << "</g>\n";
   draw_scale_bar(out, page);
   Panel panel(out, panel_left);
@@ -281,6 +294,7 @@ void draw_map(std::ostream& out, const World& world, const Outcome& outcome) {
                          with_commas(outcome.frames)));
   write_movers(panel, world);
   write_contacts(panel, outcome, marks);
+  write_most_touched(panel, world, most);
   panel.head("City, from above");
   for (const MapLayer& layer : city.layers) {
     panel.keyed(fmt::format("<rect x=\"-8\" y=\"-6\" width=\"16\" height=\"12\" fill=\"{}\" "

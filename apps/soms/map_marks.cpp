@@ -11,23 +11,11 @@ namespace soms::command {
 
 namespace {
 
-std::string touched_name(const World& world, const Contact& contact) {
-  if (contact.part == Contact::kMover) {
-    const auto name = [&](MoverId mover) { return world.models[world.ways[mover].model].name; };
-    return name(contact.mover) + " and " + name(contact.other);
-  }
-  const Body& body = world.city[contact.part];
-  const std::string part = part_name(world, contact.part, contact.other);
-  // Without parts the triangle says more than the city's name.
-  return part == body.name ? "triangle " + std::to_string(contact.other) : part;
-}
-
 /// What the contacts of one square sum up to.
 struct Square {
   double x = 0;
   double y = 0;
   std::uint64_t contacts = 0;
-  std::map<std::pair<EnvironmentId, std::uint32_t>, std::pair<std::uint64_t, const Contact*>> what;
 };
 
 }  // namespace
@@ -42,25 +30,11 @@ std::vector<Mark> find_marks(const World& world, const Outcome& outcome, double 
     square.x += at.x;
     square.y += at.y;
     ++square.contacts;
-    // Between movers all count as one kind; triangles count by the part they belong to.
-    std::uint32_t key = 0;
-    if (contact.part != Contact::kMover) {
-      const Mesh& mesh = world.city[contact.part].shape.mesh();
-      key = part_of(mesh, contact.other);
-      key = key == Part::kNoParent ? contact.other : key;
-    }
-    auto& [count, example] = square.what[{contact.part, key}];
-    ++count;
-    example = example == nullptr ? &contact : example;
   }
   std::vector<Mark> marks;
   for (const auto& [place, square] : squares) {
-    const auto most = std::max_element(
-        square.what.begin(), square.what.end(),
-        [](const auto& a, const auto& b) { return a.second.first < b.second.first; });
     const auto count = static_cast<double>(square.contacts);
-    marks.push_back({square.x / count, square.y / count, square.contacts,
-                     touched_name(world, *most->second.second)});
+    marks.push_back({square.x / count, square.y / count, square.contacts});
   }
   std::stable_sort(marks.begin(), marks.end(),
                    [](const Mark& a, const Mark& b) { return a.contacts > b.contacts; });

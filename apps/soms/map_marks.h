@@ -18,7 +18,6 @@ struct Mark {
   double x = 0;  ///< mean place of the movers
   double y = 0;
   std::uint64_t contacts = 0;
-  std::string most;  ///< what was touched most often here
 };
 
 /// Contacts gathered by squares of side `cell` metres: most contacts first.

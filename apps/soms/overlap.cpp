@@ -401,6 +401,8 @@ Action add_overlap(CLI::App& app, Shared&) {
       "  soms generate sphere --triangles 800 -o ball.off\n"
       "  soms overlap knot.ply ball.off --pose \"0.5 0 0\"");
   return [options](Console& console) {
+    options->model_a.offers_empty = true;
+    options->model_b.offers_empty = true;
     options->model_b.allow_empty = options->model_a.allow_empty;
     check(options->build);
     return run_overlap(*options, console);
@@ -418,6 +420,7 @@ int run_overlap(const OverlapVerbOptions& options, Console& console) {
                  {"--pose", options.pose_a.value_or("")},
                  {"--pose-b", options.pose_b.value_or("")}},
                 {{"--report", options.report}});
+  check_ending("--report", options.report, {".html", ".htm"});
   return OverlapRun(options, console).run();
 }
 

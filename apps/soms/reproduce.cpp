@@ -174,6 +174,7 @@ int run_reproduce(const ReproduceOptions& options, Console& console) {
   const reproduce::RunOptions run{
       .models = options.models, .experiments = chosen(options), .quick = options.quick};
   check_outputs({}, {{"--report", options.report}});
+  check_ending("--report", options.report, {".html", ".htm"});
   make_folder(options.output);
   std::optional<OutputFile> page;
   if (!options.report.empty()) {

@@ -43,6 +43,10 @@ void check_files(const SimulateOptions& options) {
                                    {"--report", options.report},
                                    {"--record", options.record},
                                    {"--picture", options.picture}});
+  check_ending("--events", options.events, {".csv"});
+  check_ending("--map", options.map, {".svg"});
+  check_ending("--report", options.report, {".html", ".htm"});
+  check_ending("--picture", options.picture, {".png"});
 }
 
 /// Throws ErrorKind::usage for a recording of models that nobody could find again.
@@ -144,8 +148,9 @@ int run_simulate(const SimulateOptions& options, Console& console) {
   if (drawn != 0) {
     told.picture.clear();  // there is none
   }
-  console.print(console.shared().json ? json_of(world, outcome, told)
-                                      : table_of(world, outcome, told));
+  console.print(console.shared().json
+                    ? json_of(world, outcome, told)
+                    : table_of(world, outcome, told, console.talks_to_a_person()));
   return drawn != 0 ? drawn : status_of(outcome, options);
 }
 

@@ -14,8 +14,6 @@ namespace soms::command {
 
 namespace {
 
-constexpr std::size_t kMostTouched = 5;
-
 std::string row(const std::string& name, const std::string& value) {
   return fmt::format("{:<14}{}\n", name, printable(value));
 }
@@ -65,11 +63,8 @@ std::string frames_of(const Outcome& outcome, const SimulateOptions& options) {
 void add_most_touched(Figures& figures, const World& world, const Outcome& outcome) {
   std::string name = "most touched";
   for (const Touched& touched : outcome.contacts.most_touched(kMostTouched)) {
-    figures.emplace_back(
-        std::exchange(name, ""),
-        fmt::format("triangle {} of {}: {} in {}", touched.triangle,
-                    part_name(world, touched.part, touched.triangle),
-                    counted(touched.contacts, "contact"), counted(touched.frames, "mover-frame")));
+    figures.emplace_back(std::exchange(name, ""),
+                         name_of(world, touched) + ": " + counts_of(touched));
   }
 }
 
@@ -82,6 +77,16 @@ double rounded(double value) {
 }
 
 }  // namespace
+
+std::string name_of(const World& world, const Touched& touched) {
+  return fmt::format("triangle {} of {}", touched.triangle,
+                     part_name(world, touched.part, touched.triangle));
+}
+
+std::string counts_of(const Touched& touched) {
+  return fmt::format("{} in {}", counted(touched.contacts, "contact"),
+                     counted(touched.frames, "mover-frame"));
+}
 
 Figures figures_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
   Figures figures;
@@ -101,20 +106,21 @@ Figures figures_of(const World& world, const Outcome& outcome, const SimulateOpt
   if (outcome.verified) {
     const Verified& v = *outcome.verified;
     figures.emplace_back(
-        "verified",
-        fmt::format("{} and {} by brute force, {} wrong", counted(v.contacts, "touching pair"),
-                    counted(v.free, "free mover"), with_commas(v.wrong)));
+        "verified", fmt::format("{} of bodies and {} by brute force, {} wrong",
+                                counted(v.contacts, "touching pair"), counted(v.free, "free mover"),
+                                with_commas(v.wrong)));
   }
   return figures;
 }
 
-std::string table_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
+std::string table_of(const World& world, const Outcome& outcome, const SimulateOptions& options,
+                     bool hints) {
   std::string text;
   for (const auto& [name, value] : figures_of(world, outcome, options)) {
     text += row(name, value);
   }
-  if (options.map.empty() && options.report.empty()) {
-    text += row("look at it", "soms simulate ... --map city.svg draws the city and its contacts");
+  if (hints && options.map.empty() && options.report.empty() && options.picture.empty()) {
+    text += row("look at it", "add --map city.svg to draw the city and its contacts, or --view");
   }
   for (const auto& [name, path] : {Figure("map", options.map), Figure("report", options.report),
                                    Figure("events", options.events)}) {

@@ -25,8 +25,12 @@ Place place_of(const World& world, std::size_t mover, const Pose& pose) {
 /// Poses of one frame, set and stepped; the time of both.
 StepReport run_frame(Scene& scene, const World& world, std::uint64_t frame, const StepOptions& step,
                      const Parallel& parallel, std::vector<Pose>& poses, float& seconds) {
+  constexpr std::uint32_t kPosesBetweenAsks = 4096;
   const auto begin = Clock::now();
   for (std::uint32_t k = 0; k < world.ways.size(); ++k) {
+    if (k % kPosesBetweenAsks == 0) {
+      check_stop(parallel);
+    }
     poses[k] = world.ways[k].at(frame);
     scene.set_pose(k, poses[k]);
   }
@@ -37,12 +41,13 @@ StepReport run_frame(Scene& scene, const World& world, std::uint64_t frame, cons
 
 class Run {
  public:
-  Run(const World& world, const SimulateOptions& options, Console& console, Recorder* recorder)
+  Run(const World& world, const SimulateOptions& options, Console& console, Recorder* recorder,
+      Scene scene)
       : world_(world),
         options_(options),
         console_(console),
         recorder_(recorder),
-        scene_(make_scene(world)),
+        scene_(std::move(scene)),
         poses_(world.ways.size()),
         pause_(std::max<std::uint64_t>(1, options.frames / kPlacesOfATrack)) {
     outcome_.tracks.resize(world.ways.size());
@@ -58,10 +63,9 @@ class Run {
       try {
         hash.add(run(frame));
       } catch (const Error& error) {
-        if (error.kind() != ErrorKind::cancelled) {
+        if (error.kind() != ErrorKind::cancelled || !ended()) {
           throw;
         }
-        outcome_.ending = Ending::interrupted;
         break;
       }
       bar.show(static_cast<double>(frame + 1) / static_cast<double>(options_.frames));
@@ -87,7 +91,7 @@ class Run {
   /// One frame, whole or (by an exception) not at all.
   std::uint64_t run(std::uint64_t frame) {
     float seconds = 0;
-    const Parallel parallel = console_.parallel();
+    const Parallel parallel = console_.limited();
     const StepReport report = run_frame(
         scene_, world_, frame, {.traversal = options_.world.traversal}, parallel, poses_, seconds);
     if (verifier_) {
@@ -151,7 +155,9 @@ double Outcome::queries_a_second() const {
 
 Outcome run_frames(const World& world, const SimulateOptions& options, Console& console,
                    Recorder* recorder) {
-  return Run(world, options, console, recorder).go();
+  Scene scene = console.run("placing movers",
+                            [&](const Parallel& parallel) { return make_scene(world, parallel); });
+  return Run(world, options, console, recorder, std::move(scene)).go();
 }
 
 }  // namespace soms::command

@@ -93,7 +93,8 @@ std::vector<Verifier::Subject> Verifier::choose(const StepReport& report,
 }
 
 /// Compares what was said of each subject with what all triangles of the city say.
-void Verifier::scan_city(std::span<Subject> subjects, const std::vector<Pose>& poses) const {
+void Verifier::scan_city(std::span<Subject> subjects, const std::vector<Pose>& poses,
+                         const Parallel& alone) const {
   std::vector<std::vector<EnvironmentContact>> seen(subjects.size());
   std::vector<Near> near(subjects.size());
   std::array<std::uint8_t, kBlock> meets{};
@@ -124,7 +125,8 @@ void Verifier::scan_city(std::span<Subject> subjects, const std::vector<Pose>& p
     for (std::size_t s = 0; s < subjects.size(); ++s) {
       const MoverId mover = subjects[s].mover;
       const Mesh city = near[s].mesh_of(world_.city[part].shape.mesh());
-      for (const auto& [i, j] : reference::overlap(mesh(mover), poses[mover], city, Pose{}).pairs) {
+      const Overlap answer = reference::overlap(mesh(mover), poses[mover], city, Pose{}, alone);
+      for (const auto& [i, j] : answer.pairs) {
         seen[s].push_back({mover, part, i, near[s].triangles[j]});
       }
       near[s].triangles.clear();
@@ -151,8 +153,8 @@ bool Verifier::far_apart(MoverId a, MoverId b, const std::vector<Pose>& poses) c
 
 /// Touching triangles of two movers: a scan of each for what lies in the other's box, then all
 /// pairs of these.
-std::vector<TrianglePair> Verifier::pairs_of(MoverId a, MoverId b,
-                                             const std::vector<Pose>& poses) const {
+std::vector<TrianglePair> Verifier::pairs_of(MoverId a, MoverId b, const std::vector<Pose>& poses,
+                                             const Parallel& alone) const {
   const auto near_to = [&](MoverId mover, const Box& box) {
     Near near;
     const Mesh& whole = mesh(mover);
@@ -168,19 +170,21 @@ std::vector<TrianglePair> Verifier::pairs_of(MoverId a, MoverId b,
   const Near near_a = near_to(a, moved_box(b, poses));
   const Near near_b = near_to(b, moved_box(a, poses));
   std::vector<TrianglePair> pairs;
-  for (const auto& [i, j] :
-       reference::overlap(near_a.mesh_of(mesh(a)), poses[a], near_b.mesh_of(mesh(b)), poses[b])
-           .pairs) {
+  const Overlap answer = reference::overlap(near_a.mesh_of(mesh(a)), poses[a],
+                                            near_b.mesh_of(mesh(b)), poses[b], alone);
+  for (const auto& [i, j] : answer.pairs) {
     pairs.emplace_back(near_a.triangles[i], near_b.triangles[j]);
   }
   return pairs;
 }
 
-bool Verifier::is_free_of_movers(MoverId mover, const std::vector<Pose>& poses) const {
+bool Verifier::is_free_of_movers(MoverId mover, const std::vector<Pose>& poses,
+                                 const Parallel& alone) const {
   const Box box = moved_box(mover, poses);
   for (MoverId other = 0; other < poses.size(); ++other) {
+    check_stop(alone);
     if (other != mover && !far_apart(mover, other, poses) &&
-        overlaps(box, moved_box(other, poses)) && !pairs_of(mover, other, poses).empty()) {
+        overlaps(box, moved_box(other, poses)) && !pairs_of(mover, other, poses, alone).empty()) {
       return false;
     }
   }
@@ -204,7 +208,7 @@ void Verifier::verify_movers(const StepReport& report, const std::vector<Pose>& 
   for_each_chunk(runs.size(), 1, parallel, [&](std::size_t k, std::size_t) {
     const auto [begin, end] = runs[k];
     const MoverContact& first = all[begin];
-    const auto pairs = pairs_of(first.a, first.b, poses);
+    const auto pairs = pairs_of(first.a, first.b, poses, {.stop = parallel.stop});
     bool right = pairs.size() == end - begin;
     for (std::size_t p = 0; right && p < pairs.size(); ++p) {
       right = all[begin + p] == MoverContact{first.a, first.b, pairs[p].first, pairs[p].second};
@@ -217,14 +221,26 @@ void Verifier::verify_movers(const StepReport& report, const std::vector<Pose>& 
 
 void Verifier::verify(const StepReport& report, const std::vector<Pose>& poses,
                       const Parallel& parallel) {
+  const Verified before = result_;
+  try {
+    compare(report, poses, parallel);
+  } catch (...) {
+    result_ = before;
+    throw;
+  }
+}
+
+void Verifier::compare(const StepReport& report, const std::vector<Pose>& poses,
+                       const Parallel& parallel) {
+  const Parallel alone{.stop = parallel.stop};
   std::vector<Subject> subjects = choose(report, poses);
   for_each_chunk(subjects.size(), kSubjectsAPass, parallel,
                  [&](std::size_t begin, std::size_t end) {
-                   scan_city(std::span(subjects).subspan(begin, end - begin), poses);
+                   scan_city(std::span(subjects).subspan(begin, end - begin), poses, alone);
                  });
   for (Subject& subject : subjects) {
     if (subject.said.empty()) {
-      subject.right = subject.right && is_free_of_movers(subject.mover, poses);
+      subject.right = subject.right && is_free_of_movers(subject.mover, poses, alone);
       ++result_.free;
     } else {
       ++result_.contacts;

@@ -28,7 +28,7 @@ class Verifier {
  public:
   Verifier(const World& world, std::uint64_t seed);
 
-  /// \errors ErrorKind::cancelled.
+  /// \errors ErrorKind::cancelled; the result is that of the frames before then.
   void verify(const StepReport& report, const std::vector<Pose>& poses, const Parallel& parallel);
 
   [[nodiscard]] const Verified& result() const { return result_; }
@@ -50,12 +50,16 @@ class Verifier {
 
   [[nodiscard]] std::vector<Subject> choose(const StepReport& report,
                                             const std::vector<Pose>& poses);
-  void scan_city(std::span<Subject> subjects, const std::vector<Pose>& poses) const;
+  void compare(const StepReport& report, const std::vector<Pose>& poses, const Parallel& parallel);
+  void scan_city(std::span<Subject> subjects, const std::vector<Pose>& poses,
+                 const Parallel& alone) const;
   void verify_movers(const StepReport& report, const std::vector<Pose>& poses,
                      const Parallel& parallel);
-  [[nodiscard]] bool is_free_of_movers(MoverId mover, const std::vector<Pose>& poses) const;
+  [[nodiscard]] bool is_free_of_movers(MoverId mover, const std::vector<Pose>& poses,
+                                       const Parallel& alone) const;
   [[nodiscard]] std::vector<TrianglePair> pairs_of(MoverId a, MoverId b,
-                                                   const std::vector<Pose>& poses) const;
+                                                   const std::vector<Pose>& poses,
+                                                   const Parallel& alone) const;
   [[nodiscard]] bool far_apart(MoverId a, MoverId b, const std::vector<Pose>& poses) const;
   [[nodiscard]] Box moved_box(MoverId mover, const std::vector<Pose>& poses) const;
   [[nodiscard]] const Mesh& mesh(MoverId mover) const;

@@ -58,7 +58,7 @@ void Console::flush() {
 }
 
 void Console::note(std::string_view line) const {
-  if (!shared_.quiet) {
+  if (!shared_.quiet && noted_.emplace(line).second) {
     const std::string text = printable(line) + "\n";
     (void)!::write(2, text.data(), text.size());
   }
@@ -68,6 +68,10 @@ void Console::complain(std::string_view line) const {
   print_error("soms", line);
 }
 
+bool Console::talks_to_a_person() const {
+  return !shared_.quiet && ::isatty(1) == 1;
+}
+
 bool Console::out_of_time() const {
   return deadline_ && std::chrono::steady_clock::now() >= *deadline_;
 }
@@ -75,6 +79,12 @@ bool Console::out_of_time() const {
 Parallel Console::parallel() const {
   const bool narrow = shared_.max_memory != 0 && shared_.max_memory < kMemoryForThreads;
   return {.threads = narrow ? 1 : shared_.threads, .stop = interrupts_.signalled(), .progress = {}};
+}
+
+Parallel Console::limited() const {
+  Parallel limits = parallel();
+  limits.stop = interrupts_.stopped();
+  return limits;
 }
 
 Progress Console::progress(const std::string& doing) const {

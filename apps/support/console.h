@@ -11,7 +11,9 @@
 #include "apps/support/shared.h"
 
 #include <chrono>
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -32,11 +34,14 @@ class Console {
   /// \errors As `print`.
   void flush();
 
-  /// A line on standard error, unless --quiet.
+  /// A line on standard error, once however often it is told; none with --quiet.
   void note(std::string_view line) const;
 
   /// An error on standard error that does not end the program.
   void complain(std::string_view line) const;
+
+  /// True if answers go to a terminal, whose reader may be glad of a hint; not with --quiet.
+  [[nodiscard]] bool talks_to_a_person() const;
 
   /// True if answers go to a terminal that shows colors.
   [[nodiscard]] bool colored() const { return colored_; }
@@ -55,6 +60,9 @@ class Console {
   /// Threads of --threads, stopped by Ctrl-C alone.
   [[nodiscard]] Parallel parallel() const;
 
+  /// The same, stopped by --timeout, too.
+  [[nodiscard]] Parallel limited() const;
+
   /// A bar named `doing`, for work that reports by itself.
   [[nodiscard]] Progress progress(const std::string& doing) const;
 
@@ -66,8 +74,7 @@ class Console {
       throw_out_of_time(doing);
     }
     Progress bar = progress(doing);
-    Parallel limits = parallel();
-    limits.stop = interrupts_.stopped();
+    Parallel limits = limited();
     limits.progress = [&bar](double share) { bar.show(share); };
     try {
       return work(limits);
@@ -83,6 +90,7 @@ class Console {
   [[noreturn]] static void throw_out_of_time(const std::string& doing);
 
   Shared shared_;
+  mutable std::set<std::string, std::less<>> noted_;
   std::optional<std::chrono::steady_clock::time_point> deadline_;
   Interrupts interrupts_;
   FileStream out_;

@@ -91,11 +91,17 @@ HeightGrid::HeightGrid(const Box& area, std::size_t cells) {
   tile_rows_ = count(extent.y, tile_);
 }
 
-void HeightGrid::add(const Mesh& mesh) {
+void HeightGrid::add(const Mesh& mesh, const Parallel& parallel) {
+  constexpr std::size_t kCellsBetweenAsks = 1U << 20U;
   const std::vector<Surface> surfaces = surfaces_of(mesh);
+  std::size_t cells = 0;
   for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
     const Triangle triangle = mesh.triangle(i);
-    add(triangle, surfaces[i]);
+    cells += 16 + add(triangle, surfaces[i]);
+    if (cells >= kCellsBetweenAsks) {
+      check_stop(parallel);
+      cells = 0;
+    }
     for (const Vec3& corner : {triangle.a, triangle.b, triangle.c}) {
       const auto tile = [&](double at, double from, std::size_t count) {
         return static_cast<std::uint32_t>(
@@ -108,7 +114,8 @@ void HeightGrid::add(const Mesh& mesh) {
   }
 }
 
-void HeightGrid::add(const Triangle& t, Surface surface) {
+std::size_t HeightGrid::add(const Triangle& t, Surface surface) {
+  std::size_t cells = 0;
   const auto cell_of = [&](double at, double from, std::size_t count) {
     // The first cell whose center is at or above `at`.
     return static_cast<std::size_t>(
@@ -130,8 +137,10 @@ void HeightGrid::add(const Triangle& t, Surface surface) {
       std::swap(at[0], at[1]);
     }
     const double width = at[1].x - at[0].x;
+    const std::size_t first = cell_of(at[0].x, origin_.x, columns_);
     const std::size_t last = cell_of(at[1].x, origin_.x, columns_);
-    for (std::size_t column = cell_of(at[0].x, origin_.x, columns_); column < last; ++column) {
+    cells += 1 + (last > first ? last - first : 0);
+    for (std::size_t column = first; column < last; ++column) {
       const double x = origin_.x + (static_cast<double>(column) + 0.5) * cell_;
       const double share = width > 0 ? std::clamp((x - at[0].x) / width, 0.0, 1.0) : 0;
       const double z = at[0].z + share * (at[1].z - at[0].z);
@@ -142,12 +151,19 @@ void HeightGrid::add(const Triangle& t, Surface surface) {
       }
     }
   }
+  return cells;
 }
 
-void HeightGrid::find_ground() {
+void HeightGrid::find_ground(const Parallel& parallel) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   ground_.assign(tile_columns_ * tile_rows_, kUnknown);
-  std::sort(lowest_.begin(), lowest_.end());
+  std::uint32_t asked = 0;
+  std::sort(lowest_.begin(), lowest_.end(), [&asked, &parallel](const auto& a, const auto& b) {
+    if (++asked % (1U << 20U) == 0) {
+      check_stop(parallel);
+    }
+    return a < b;
+  });
   const auto quantile = [&](std::size_t begin, std::size_t end) {
     const auto skip = static_cast<std::size_t>(kBelowGround * static_cast<double>(end - begin));
     return lowest_[begin + skip].second;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "soms/base/box.h"
+#include "soms/base/parallel.h"
 #include "soms/geometry/mesh.h"
 
 #include <cstddef>
@@ -25,11 +26,12 @@ class HeightGrid {
   /// Square cells over the ground plan of `area`, `cells` of them along its longer side.
   HeightGrid(const Box& area, std::size_t cells);
 
-  void add(const Mesh& mesh);
+  /// \errors ErrorKind::cancelled.
+  void add(const Mesh& mesh, const Parallel& parallel = {});
 
   /// Estimates the ground below every cell from the lowest vertices around it. Call it once, after
-  /// the last `add`.
-  void find_ground();
+  /// the last `add`. \errors ErrorKind::cancelled.
+  void find_ground(const Parallel& parallel = {});
 
   [[nodiscard]] std::size_t columns() const { return columns_; }
 
@@ -62,7 +64,8 @@ class HeightGrid {
   [[nodiscard]] double standing(double x, double y, double reach) const;
 
  private:
-  void add(const Triangle& triangle, Surface surface);
+  /// Returns how many cells it looked at.
+  std::size_t add(const Triangle& triangle, Surface surface);
   void fill_unknown_tiles();
   [[nodiscard]] double tile_ground(std::ptrdiff_t column, std::ptrdiff_t row) const;
 

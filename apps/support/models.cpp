@@ -42,6 +42,24 @@ Choices<Descent> descent_choices() {
   return choices;
 }
 
+/// An error of reading with the options of the command in place of the library's.
+Error in_words_of_options(const Error& error, const std::string& path, const ModelOptions& options,
+                          const Shared& shared) {
+  if (error.kind() == ErrorKind::empty_mesh) {
+    return {error.kind(), error.place(),
+            options.offers_empty ? "give a model with faces, or allow an empty one by --allow-empty"
+                                 : "give a model with faces"};
+  }
+  if (error.kind() != ErrorKind::out_of_memory) {
+    return error;
+  }
+  // Refused by the reader's own count, or by the system where ours is the least limit.
+  return error.remedy().find("max_memory") == std::string::npos
+             ? out_of_memory(shared, path)
+             : Error(error.kind(), error.place(),
+                     "allow more by --max-memory, or use a smaller model");
+}
+
 }  // namespace
 
 void add_model_options(CLI::App& app, ModelOptions& options, const std::string& scale_name,
@@ -56,6 +74,7 @@ void add_model_options(CLI::App& app, ModelOptions& options, const std::string& 
 }
 
 void add_allow_empty(CLI::App& app, ModelOptions& options) {
+  options.offers_empty = true;
   app.add_flag("--allow-empty", options.allow_empty, "accept a model without triangles")
       ->group("Models");
 }
@@ -99,7 +118,11 @@ Mesh read_model(const std::string& path, const ModelOptions& options, const Cons
   const ReadOptions read{.allow_empty = options.allow_empty,
                          .max_memory = console.shared().max_memory};
   Mesh mesh = console.run("reading " + printable(path), [&](const Parallel& parallel) {
-    return read_mesh(path == "-" ? "/dev/stdin" : path, read, parallel);
+    try {
+      return read_mesh(path == "-" ? "/dev/stdin" : path, read, parallel);
+    } catch (const Error& error) {
+      throw in_words_of_options(error, path, options, console.shared());
+    }
   });
   if (options.scale == 1 && options.up == UpAxis::unknown) {
     return mesh;

@@ -22,6 +22,7 @@ struct ModelOptions {
   double scale = 1;
   UpAxis up = UpAxis::unknown;  ///< turned from this axis to z; unknown: not turned
   bool allow_empty = false;
+  bool offers_empty = false;  ///< the verb has --allow-empty, which a message may name
 };
 
 /// Adds options named `scale_name` and `up_name` ("--scale", "--up").

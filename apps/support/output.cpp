@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <memory>
@@ -148,6 +149,23 @@ void check_outputs(NamedFiles taken, const NamedFiles& outputs) {
     }
     taken.push_back(output);
   }
+}
+
+void check_ending(const std::string& option, const std::filesystem::path& path,
+                  std::initializer_list<std::string_view> endings) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::error_code unknown;
+  const std::filesystem::file_status there = std::filesystem::status(path, unknown);
+  const bool device = std::filesystem::exists(there) && !std::filesystem::is_regular_file(there);
+  if (ending.empty() || device ||
+      std::find(endings.begin(), endings.end(), ending) != endings.end()) {
+    return;
+  }
+  throw Error(
+      ErrorKind::usage, fmt::format("{} {}", option, path.string()),
+      fmt::format("give a name that ends in {}, which is what it writes", *endings.begin()));
 }
 
 void print_error(std::string_view who, std::string_view message) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <exception>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -85,6 +86,12 @@ using NamedFiles = std::vector<std::pair<std::string, std::string>>;
 /// that is read (`taken`) or another output. Empty names and /dev/null are passed over. \errors
 /// ErrorKind::usage.
 void check_outputs(NamedFiles taken, const NamedFiles& outputs);
+
+/// Throws if a file named by `option` has another ending than those of what is written, the first
+/// of which the message names (".svg"). Empty names, names without an ending, and what exists and
+/// is no regular file, such as a device, are passed over. \errors ErrorKind::usage.
+void check_ending(const std::string& option, const std::filesystem::path& path,
+                  std::initializer_list<std::string_view> endings);
 
 /// Prints "WHO: MESSAGE" to standard error, in color on a terminal.
 void print_error(std::string_view who, std::string_view message);

@@ -44,7 +44,8 @@ PoseSource::PoseSource(const std::string& option, const std::string& text) : nam
   reader_.emplace(text == "-" ? "/dev/stdin" : text);
   first_ = reader_->next();
   if (!first_) {
-    return;
+    throw Error(ErrorKind::bad_file, (text == "-" ? "standard input" : text) + ": no row",
+                "give at least one pose below the header");
   }
   try {
     second_ = reader_->next();

@@ -21,7 +21,9 @@ class PoseSource {
 
   /// `text` is "x y z [qw qx qy qz]" or the path of a CSV file; "-" is standard input. A file of
   /// one row counts as a single pose.
-  /// \errors As `parse_pose` (the message names `option`) and `PoseReader`.
+  /// \errors As `parse_pose` (the message names `option`) and `PoseReader`; ErrorKind::bad_file for
+  /// a
+  ///         file without rows.
   PoseSource(const std::string& option, const std::string& text);
 
   /// True if one pose serves all rows.

@@ -74,15 +74,18 @@ const Verb& find_verb(const Program& program, const std::string& word) {
 
 /// Throws if words were left over: options that the verb does not have, or too many names.
 void check_rest(const ParsedVerb& verb) {
-  const std::vector<std::string> rest = verb.app().remaining();
+  std::vector<std::string> rest = verb.app().remaining();
+  // The first "--" ends the options and is none of them; the parser leaves it among the rest.
+  const auto mark = std::find(rest.begin(), rest.end(), "--");
+  const auto options_end = mark == rest.end() ? mark : rest.erase(mark);
   if (rest.empty()) {
     return;
   }
-  const auto option = std::find_if(rest.begin(), rest.end(), [](const std::string& word) {
-    return word.starts_with("-") && word != "--" && word != "-";
+  const auto option = std::find_if(rest.begin(), options_end, [](const std::string& word) {
+    return word.starts_with("-") && word != "-";
   });
   const std::string help = verb.app().get_name() + " --help";
-  if (option == rest.end()) {
+  if (option == options_end) {
     throw usage(fmt::format("{} is one argument too many", rest.front()), "see " + help);
   }
   const std::string word = option->substr(0, option->find('='));
@@ -123,15 +126,22 @@ int run_verb(const Program& program, const Verb& entry, const std::vector<std::s
     return 0;
   }
   Console console(verb.shared());
-  const int status = verb.action()(console);
-  console.flush();
-  return status;
+  try {
+    const int status = verb.action()(console);
+    console.flush();
+    return status;
+  } catch (const std::bad_alloc&) {
+    throw out_of_memory(verb.shared());
+  }
 }
 
 int run(const Program& program, const std::vector<std::string>& words) {
   if (words.empty() || words[0] == "--help" || words[0] == "-h") {
     print_plain(help_of(program));
     return 0;
+  }
+  if (words[0] == "--") {  // the end of options before the verb, of which there are none
+    return run(program, {words.begin() + 1, words.end()});
   }
   if (words[0] == "help") {
     return words.size() == 1 ? run(program, {})
@@ -187,8 +197,7 @@ int run_program(const Program& program, const std::vector<std::string>& words) {
     const bool bare = error.kind() == ErrorKind::cancelled && error.remedy().empty();
     return fail(program, words, bare ? "interrupted" : error.what(), exit_code(error.kind()));
   } catch (const std::bad_alloc&) {
-    return fail(program, words, "not enough memory; use a smaller model or a larger --max-memory",
-                4);
+    return fail(program, words, "not enough memory; free some", 4);
   } catch (const std::logic_error& error) {
     // A fault of ours, such as two ways to one answer that differ: told as --verify tells it.
     return fail(program, words, fmt::format("internal error: {}", error.what()), 6);

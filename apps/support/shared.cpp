@@ -2,6 +2,10 @@
 
 #include "apps/support/parse.h"
 
+#include <fmt/format.h>
+
+#include <string_view>
+
 namespace soms::command {
 
 void add_shared_options(CLI::App& app, Shared& shared) {
@@ -15,6 +19,27 @@ void add_shared_options(CLI::App& app, Shared& shared) {
   add_seconds(app, "--timeout", shared.timeout, "stop after so many seconds")->group(group);
   add_bytes(app, "--max-memory", shared.max_memory, "most memory to take, as 500M or 2G")
       ->group(group);
+}
+
+std::string size_words(std::uint64_t bytes) {
+  constexpr std::string_view kUnits = "KMGT";
+  std::size_t power = 0;
+  while (bytes != 0 && bytes % 1024 == 0 && power < kUnits.size()) {
+    bytes /= 1024;
+    ++power;
+  }
+  return power == 0 ? fmt::format("{}", bytes) : fmt::format("{}{}", bytes, kUnits[power - 1]);
+}
+
+Error out_of_memory(const Shared& shared, const std::string& place) {
+  const std::string where = place.empty() ? "" : place + ": ";
+  if (shared.max_memory == 0) {
+    return {ErrorKind::out_of_memory, where + "not enough memory",
+            "free some, or use a smaller model"};
+  }
+  return {ErrorKind::out_of_memory,
+          fmt::format("{}--max-memory {} is too little", where, size_words(shared.max_memory)),
+          "allow more, or use a smaller model"};
 }
 
 }  // namespace soms::command

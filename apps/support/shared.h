@@ -2,8 +2,11 @@
 /// Options that every verb has.
 #pragma once
 
+#include "soms/base/error.h"
+
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace CLI {
 class App;
@@ -26,5 +29,12 @@ struct Shared {
 
 /// Adds --json, --quiet, --threads, --seed, --timeout and --max-memory.
 void add_shared_options(CLI::App& app, Shared& shared);
+
+/// A number of bytes as --max-memory takes it: "200M".
+[[nodiscard]] std::string size_words(std::uint64_t bytes);
+
+/// What a verb says when memory ran out: of the limit, where there is one, else of the machine.
+/// `place` names what it was needed for, and may be empty.
+[[nodiscard]] Error out_of_memory(const Shared& shared, const std::string& place = {});
 
 }  // namespace soms::command

@@ -56,11 +56,12 @@ Way street_way(const City& city, const Model& model, std::uint64_t seed) {
 /// Draws level lines through a city of which nothing is known but its triangles.
 class Lines {
  public:
-  explicit Lines(const World& world) : grid_(world.bounds, kGridCells), box_(world.bounds) {
+  Lines(const World& world, const Parallel& parallel)
+      : grid_(world.bounds, kGridCells), box_(world.bounds) {
     for (const Body& body : world.city) {
-      grid_.add(body.shape.mesh());
+      grid_.add(body.shape.mesh(), parallel);
     }
-    grid_.find_ground();
+    grid_.find_ground(parallel);
     double reach = 0;
     for (const Model& model : world.models) {
       reach = std::max(reach, model.reach);
@@ -72,10 +73,11 @@ class Lines {
     box_.upper = box_.upper + Vec3{rim, rim, 0};
   }
 
-  [[nodiscard]] Way draw(const Model& model, std::uint64_t seed) const {
+  [[nodiscard]] Way draw(const Model& model, std::uint64_t seed, const Parallel& parallel) const {
     Rng rng(seed);
     Vec3 start;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
+      check_stop(parallel);  // a large mover stands on many cells
       start.x = rng.uniform(box_.lower.x, box_.upper.x);
       start.y = rng.uniform(box_.lower.y, box_.upper.y);
       start.z = grid_.standing(start.x, start.y, model.reach);
@@ -100,59 +102,88 @@ class Lines {
   Box box_;
 };
 
-/// Numbers of the movers of a scene that touch something; of two movers the later one.
-std::vector<bool> who_touches(Scene& scene, std::size_t movers, Console& console) {
-  const StepReport report = console.run("finding free places", [&](const Parallel& parallel) {
-    return scene.step({.mode = OverlapMode::any},
-                      {.threads = parallel.threads, .stop = parallel.stop, .progress = {}});
-  });
-  std::vector<bool> touches(movers, false);
-  for (const EnvironmentContact& contact : report.environment) {
-    touches[contact.mover] = true;
-  }
-  for (const MoverContact& contact : report.movers) {
-    touches[contact.b] = true;
-  }
-  return touches;
-}
+/// A way of a mover, another for each attempt.
+using Draw = std::function<Way(std::uint64_t mover, std::uint64_t attempt)>;
 
 /// Moves whoever touches something to another way until all are free; gives up on the rest.
-void find_free_ways(World& world, const std::function<Way(std::uint64_t, std::uint64_t)>& draw,
-                    Console& console) {
-  Scene scene;
-  for (const Body& body : world.city) {
-    scene.add_environment(body);
+class FreeWays {
+ public:
+  FreeWays(World& world, const Draw& draw, const Parallel& parallel)
+      : world_(world), draw_(draw), parallel_(parallel) {}
+
+  void find() {
+    for (const Body& body : world_.city) {
+      scene_.add_environment(body);
+    }
+    for (std::uint64_t k = 0; k < world_.asked; ++k) {
+      world_.ways.push_back(draw_(k, 0));
+      scene_.add_mover(Body(world_.models[world_.ways[k].model].shape, world_.ways[k].at(0)));
+      tell(kDrawn * static_cast<double>(k + 1) / static_cast<double>(world_.asked));
+    }
+    look();
+    int idle = 0;
+    for (std::uint64_t round = 1; left_ > 0 && round < kRounds && idle < kPatience; ++round) {
+      for (std::uint32_t k = 0; k < touches_.size(); ++k) {
+        if (touches_[k]) {
+          check_stop(parallel_);
+          world_.ways[k] = draw_(k, round);
+          scene_.set_pose(k, world_.ways[k].at(0));
+        }
+      }
+      const std::size_t before = left_;
+      look();
+      idle = 10 * left_ > 9 * before ? idle + 1 : 0;
+    }
+    keep_free();
   }
-  for (std::uint64_t k = 0; k < world.asked; ++k) {
-    world.ways.push_back(draw(k, 0));
-    scene.add_mover(Body(world.models[world.ways[k].model].shape, world.ways[k].at(0)));
+
+ private:
+  /// Share of the work that is done when all are drawn once.
+  static constexpr double kDrawn = 0.4;
+
+  /// Asks who touches something; of two movers it is the later one.
+  void look() {
+    const StepReport report = scene_.step({.mode = OverlapMode::any},
+                                          {.threads = parallel_.threads, .stop = parallel_.stop});
+    touches_.assign(world_.ways.size(), false);
+    for (const EnvironmentContact& contact : report.environment) {
+      touches_[contact.mover] = true;
+    }
+    for (const MoverContact& contact : report.movers) {
+      touches_[contact.b] = true;
+    }
+    left_ = static_cast<std::size_t>(std::count(touches_.begin(), touches_.end(), true));
+    most_ = std::max(most_, left_);
+    const double share =
+        most_ == 0 ? 1 : 1 - static_cast<double>(left_) / static_cast<double>(most_);
+    tell(kDrawn + (1 - kDrawn) * share);
   }
-  std::vector<bool> touches = who_touches(scene, world.ways.size(), console);
-  auto left = std::count(touches.begin(), touches.end(), true);
-  int idle = 0;
-  for (std::uint64_t round = 1; left > 0 && round < kRounds && idle < kPatience; ++round) {
-    for (std::uint32_t k = 0; k < touches.size(); ++k) {
-      if (touches[k]) {
-        world.ways[k] = draw(k, round);
-        scene.set_pose(k, world.ways[k].at(0));
+
+  void keep_free() {
+    std::vector<Way> free;
+    for (std::size_t k = 0; k < touches_.size(); ++k) {
+      if (!touches_[k]) {
+        free.push_back(std::move(world_.ways[k]));
       }
     }
-    touches = who_touches(scene, world.ways.size(), console);
-    const auto before = std::exchange(left, std::count(touches.begin(), touches.end(), true));
-    idle = 10 * left > 9 * before ? idle + 1 : 0;
+    world_.ways = std::move(free);
   }
-  std::vector<Way> free;
-  for (std::size_t k = 0; k < touches.size(); ++k) {
-    if (!touches[k]) {
-      free.push_back(std::move(world.ways[k]));
+
+  void tell(double share) const {
+    check_stop(parallel_);
+    if (parallel_.progress) {
+      parallel_.progress(share);
     }
   }
-  world.ways = std::move(free);
-  if (world.ways.size() < world.asked) {
-    console.note(fmt::format("{} of {} movers found no free place and were left out",
-                             world.asked - world.ways.size(), world.asked));
-  }
-}
+
+  World& world_;
+  const Draw& draw_;
+  const Parallel& parallel_;
+  Scene scene_;
+  std::vector<bool> touches_;
+  std::size_t left_ = 0;
+  std::size_t most_ = 0;
+};
 
 /// True if a route file gives points alone, without rotations.
 bool holds_points(const std::string& path) {
@@ -181,7 +212,7 @@ Way along_points(const std::vector<Pose>& rows, const Model& model, double share
   return way;
 }
 
-void plan_given_ways(World& world, const WorldOptions& options, Console& console) {
+void plan_given_ways(World& world, const WorldOptions& options, const Parallel& parallel) {
   struct Given {
     std::shared_ptr<const std::vector<Pose>> rows;
     bool points = false;
@@ -194,10 +225,12 @@ void plan_given_ways(World& world, const WorldOptions& options, Console& console
     if (given.back().rows->empty()) {
       throw Error(ErrorKind::bad_file, path + ": no row", "give at least one point or pose");
     }
-    check_stop(console.parallel());
+    check_stop(parallel);
   }
-  world.asked = options.count.value_or(std::max(given.size(), world.models.size()));
+  // One mover a route; of the models that were named none is left out.
+  world.asked = options.count.value_or(std::max(given.size(), options.movers.size()));
   for (std::uint64_t k = 0; k < world.asked; ++k) {
+    check_stop(parallel);
     const std::size_t which = k % given.size();
     const std::uint64_t turn = k / given.size();
     const std::uint64_t turns = (world.asked - which - 1) / given.size() + 1;
@@ -234,23 +267,32 @@ Pose Way::at(std::uint64_t frame) const {
 
 void plan_ways(World& world, const WorldOptions& options, const City* city, Console& console) {
   if (!options.routes.empty()) {
-    plan_given_ways(world, options, console);
+    console.run("reading routes",
+                [&](const Parallel& parallel) { plan_given_ways(world, options, parallel); });
     return;
   }
   world.asked = options.count.value_or(kDefaultMovers);
-  const std::optional<Lines> lines = city == nullptr ? std::optional<Lines>(world) : std::nullopt;
-  find_free_ways(
-      world,
-      [&](std::uint64_t mover, std::uint64_t attempt) {
-        const std::size_t model = model_of(world, mover);
-        const std::uint64_t seed = seed_of(console.shared().seed, mover, attempt);
-        Way way = city == nullptr ? lines->draw(world.models[model], seed)
-                                  : street_way(*city, world.models[model], seed);
-        way.model = model;
-        way.foot = world.models[model].foot;
-        return way;
-      },
-      console);
+  if (world.asked == 0) {
+    return;
+  }
+  console.run("finding free places", [&](const Parallel& parallel) {
+    const std::optional<Lines> lines =
+        city == nullptr ? std::optional<Lines>(std::in_place, world, parallel) : std::nullopt;
+    const Draw draw = [&](std::uint64_t mover, std::uint64_t attempt) {
+      const std::size_t model = model_of(world, mover);
+      const std::uint64_t seed = seed_of(console.shared().seed, mover, attempt);
+      Way way = city == nullptr ? lines->draw(world.models[model], seed, parallel)
+                                : street_way(*city, world.models[model], seed);
+      way.model = model;
+      way.foot = world.models[model].foot;
+      return way;
+    };
+    FreeWays(world, draw, parallel).find();
+  });
+  if (world.ways.size() < world.asked) {
+    console.note(fmt::format("{} of {} movers found no free place and were left out",
+                             world.asked - world.ways.size(), world.asked));
+  }
 }
 
 }  // namespace soms::command

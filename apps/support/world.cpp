@@ -173,13 +173,14 @@ std::string short_name(const std::string& path) {
   return stem.empty() ? path : stem;
 }
 
-Scene make_scene(const World& world) {
+Scene make_scene(const World& world, const Parallel& parallel) {
   Scene scene;
   for (const Body& body : world.city) {
     scene.add_environment(body);
   }
   for (const Way& way : world.ways) {
     const Model& model = world.models[way.model];
+    check_stop(parallel);
     scene.add_mover(Body(model.shape, way.at(0), model.name));
   }
   return scene;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/base/box.h"
+#include "soms/base/parallel.h"
 #include "soms/base/pose.h"
 #include "soms/generate/routes.h"
 #include "soms/query/body.h"
@@ -74,7 +75,8 @@ void add_to_city(World& world, Body body, RecordedMesh origin);
 [[nodiscard]] Model make_model(Shape shape, std::string name, Kind kind);
 
 /// The city and all movers at their places of frame 0; movers are numbered as their ways.
-[[nodiscard]] Scene make_scene(const World& world);
+/// \errors ErrorKind::cancelled.
+[[nodiscard]] Scene make_scene(const World& world, const Parallel& parallel = {});
 
 /// Name of the part of the city that a triangle belongs to; of its file where there is none.
 [[nodiscard]] std::string part_name(const World& world, EnvironmentId part, TriangleId triangle);

@@ -283,6 +283,7 @@ StepReport Scene::step(const StepOptions& options, const Parallel& parallel) {
   state.find_environment_candidates(report);
   state.ask(state.environment, state.parts, asked, parallel, report.environment, report.cost);
   if (options.mover_mover) {
+    check_stop(parallel);
     if (!options.coherent) {
       state.broad_phase.forget();
     }

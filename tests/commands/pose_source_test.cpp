@@ -60,11 +60,16 @@ TEST(PoseSource, RefusesFilesOfUnequalLength) {
   EXPECT_NE(result.err.find("b.csv: ends after 2 poses"), std::string::npos) << result.err;
 }
 
-TEST(PoseSource, AnswersNothingForNoRows) {
+TEST(PoseSource, RefusesAFileWithoutRows) {
   const TemporaryFolder folder;
   const RunResult result = with_rows(folder, "x,y,z\n", "");
-  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.status, 3);
   EXPECT_EQ(result.out, "");
+  EXPECT_NE(result.err.find("a.csv: no row; give at least one pose"), std::string::npos)
+      << result.err;
+  const RunResult piped = soms_run({"overlap", box(), box(), "--pose", "-"}, "x,y,z\n");
+  EXPECT_EQ(piped.status, 3);
+  EXPECT_NE(piped.err.find("standard input: no row"), std::string::npos) << piped.err;
 }
 
 TEST(PoseSource, NamesFileAndLineOfAPoseThatIsNotRigid) {

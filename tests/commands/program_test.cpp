@@ -96,6 +96,33 @@ TEST(Program, WantsTheVerbFirst) {
   EXPECT_NE(result.err.find("--json stands before the verb"), std::string::npos);
 }
 
+TEST(Program, TakesWhatFollowsTwoDashesForNames) {
+  const TemporaryFolder folder;
+  std::filesystem::copy_file(test::data("truth/meshes/box2.ply"), folder.path() / "-box.ply");
+  const std::string go = "cd '" + folder.path().string() + "'; $soms ";
+  EXPECT_EQ(shell(go + "info --no-trees -- -box.ply").status, 0);
+  EXPECT_EQ(shell(go + "overlap --any -- -box.ply -box.ply").status, 0);
+  EXPECT_EQ(shell(go + "-- info --no-trees -- -box.ply").status, 0);
+  EXPECT_NE(shell(go + "overlap -- -box.ply -box.ply --any").err.find("--any is one argument too"),
+            std::string::npos);
+  EXPECT_NE(shell(go + "info --nothing -- -box.ply").err.find("unknown option --nothing"),
+            std::string::npos);
+  EXPECT_EQ(soms_run({"--"}).out, soms_run({"--help"}).out);
+}
+
+TEST(Program, NamesOptionsThatTheVerbHasWhereAModelIsEmptyOrMemoryIsShort) {
+  const std::string empty = test::data("nasty/empty_mesh.ply").string();
+  EXPECT_NE(soms_run({"info", empty}).err.find("or allow an empty one by --allow-empty"),
+            std::string::npos);
+  const RunResult city = soms_run({"simulate", empty, "--count", "1"});
+  EXPECT_EQ(city.status, 3);
+  EXPECT_NE(city.err.find("give a model with faces\n"), std::string::npos) << city.err;
+  const RunResult small = soms_run({"info", box(), "--max-memory", "100"});
+  EXPECT_EQ(small.status, 4);
+  EXPECT_NE(small.err.find("--max-memory"), std::string::npos) << small.err;
+  EXPECT_EQ(small.err.find("max_memory"), std::string::npos) << small.err;
+}
+
 TEST(Program, SaysWhatIsMissingOrTooMuch) {
   EXPECT_NE(soms_run({"overlap", "a.ply"}).err.find("B is required"), std::string::npos);
   EXPECT_NE(soms_run({"overlap", "a", "b", "c"}).err.find("c is one argument too many"),

@@ -2,6 +2,8 @@
 /// The renderer on OpenGL 3.3 core.
 #pragma once
 
+#include "soms/base/parallel.h"
+
 #include "apps/view/drawing/renderer.h"
 
 #include <memory>
@@ -23,6 +25,9 @@ class GlRenderer final : public Renderer {
 
   void draw(const DrawList& list, const Camera& camera, Size size,
             const DrawOptions& options = {}) override;
+  /// Draws and reads in parts from here on, between which a stop is asked for and the share done is
+  /// told. \errors Of `draw` and `read_pixels` then: ErrorKind::cancelled.
+  void watch(const Parallel& parallel);
   void present() override;
   [[nodiscard]] Picture read_pixels() override;
   [[nodiscard]] DrawStatistics statistics() const override;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "apps/view/drawing/gl_objects.h"
+#include "apps/view/drawing/gl_pace.h"
 #include "apps/view/drawing/gl_view.h"
 #include "apps/view/drawing/renderer.h"
 #include "apps/view/drawing/tiles.h"
@@ -21,8 +22,8 @@ class GlSurfaces {
   GlSurfaces();
 
   /// Brings new and changed meshes to the device and drops those that the list no longer names.
-  /// \errors ErrorKind::out_of_memory.
-  void bring(const DrawList& list, DrawStatistics& statistics);
+  /// \errors ErrorKind::out_of_memory; ErrorKind::cancelled.
+  void bring(const DrawList& list, const GlPace& pace, DrawStatistics& statistics);
 
   /// Bounds of all instances. \pre After `bring`.
   [[nodiscard]] Box bounds(const DrawList& list) const;
@@ -32,13 +33,13 @@ class GlSurfaces {
               const DrawOptions& options, DrawStatistics& statistics);
 
   /// Opaque faces, then edges of triangles.
-  void draw_solid(const GlView& view, DrawStatistics& statistics) const;
+  void draw_solid(const GlView& view, GlPace& pace, DrawStatistics& statistics) const;
 
   /// Translucent faces: of each pixel the nearest one only, so that a hull looks like glass.
-  void draw_translucent(const GlView& view, DrawStatistics& statistics) const;
+  void draw_translucent(const GlView& view, GlPace& pace, DrawStatistics& statistics) const;
 
   /// Marked triangles, those on top or those that surfaces may hide.
-  void draw_marks(const DrawList& list, const GlView& view, bool on_top,
+  void draw_marks(const DrawList& list, const GlView& view, bool on_top, GlPace& pace,
                   DrawStatistics& statistics) const;
 
  private:
@@ -70,9 +71,9 @@ class GlSurfaces {
     std::size_t copies;
   };
 
-  static void upload(const DrawMesh& mesh, OnDevice& place);
+  static void upload(const DrawMesh& mesh, OnDevice& place, const GlPace& pace);
   void begin(const GlView& view, float flatness, float shade, float lift) const;
-  void issue(const Call& call, DrawStatistics& statistics) const;
+  void issue(const Call& call, GlPace& pace, DrawStatistics& statistics) const;
 
   GlProgram program_;
   std::map<std::uint64_t, OnDevice> meshes_;

@@ -71,8 +71,12 @@ void GlTarget::make(Size size, int samples) {
   check_device("making a picture of " + std::to_string(size.width) + "x" +
                std::to_string(size.height));
   if (!whole) {
-    throw Error(ErrorKind::unsupported, "OpenGL: the driver cannot draw to a picture of this kind",
-                "choose a smaller size, or set LIBGL_ALWAYS_SOFTWARE=1");
+    const std::string pixels = std::to_string(size.width) + "x" + std::to_string(size.height);
+    throw Error(ErrorKind::cannot_write,
+                "OpenGL: the driver has no room for a picture of " + pixels + " with " +
+                    std::to_string(samples) + (samples == 1 ? " sample" : " samples") + " a pixel",
+                samples > 1 ? "take one sample (--samples 1), or a smaller --size"
+                            : "choose a smaller --size");
   }
 }
 
@@ -100,7 +104,7 @@ void GlTarget::begin(Size size, int samples) {
   glViewport(0, 0, size.width, size.height);
 }
 
-unsigned GlTarget::depths() {
+unsigned GlTarget::depths(GlPace& pace) {
   if (depth_texture_ == 0) {
     glGenTextures(1, &depth_texture_);
     glBindTexture(GL_TEXTURE_2D, depth_texture_);
@@ -116,38 +120,49 @@ unsigned GlTarget::depths() {
   }
   glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, depth_frame_);
-  glBlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size_.width, size_.height,
-                    GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  pace.in_bands(size_, [this](int low, int high) {
+    glBlitFramebuffer(0, low, size_.width, high, 0, low, size_.width, high, GL_DEPTH_BUFFER_BIT,
+                      GL_NEAREST);
+  });
   glBindFramebuffer(GL_FRAMEBUFFER, frame_);
   return depth_texture_;
 }
 
-void GlTarget::finish() {
+void GlTarget::finish(GlPace& pace) {
   if (smooth_frame_ != 0) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, smooth_frame_);
-    glBlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size_.width, size_.height,
-                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    pace.in_bands(size_, [this](int low, int high) {
+      glBlitFramebuffer(0, low, size_.width, high, 0, low, size_.width, high, GL_COLOR_BUFFER_BIT,
+                        GL_NEAREST);
+    });
   }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-Picture GlTarget::read() const {
-  Picture picture = filled(size_, {});
+Picture GlTarget::read(GlPace& pace) const {
+  const std::size_t row = std::size_t{4} * static_cast<std::size_t>(size_.width);
+  Picture picture{size_, std::vector<std::uint8_t>(row * static_cast<std::size_t>(size_.height))};
   glBindFramebuffer(GL_READ_FRAMEBUFFER, smooth_frame_ != 0 ? smooth_frame_ : frame_);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE, picture.bytes.data());
+  pace.in_bands(size_, [&](int low, int high) {
+    // OpenGL's first row is the lowest.
+    auto upper = picture.bytes.begin() + static_cast<std::ptrdiff_t>(row) * (size_.height - high);
+    const auto begin = upper;
+    auto lower = begin + static_cast<std::ptrdiff_t>(row) * (high - low);
+    const auto end = lower;
+    glReadPixels(0, low, size_.width, high - low, GL_RGBA, GL_UNSIGNED_BYTE, &*begin);
+    for (; lower - upper > static_cast<std::ptrdiff_t>(row);
+         upper += static_cast<std::ptrdiff_t>(row)) {
+      lower -= static_cast<std::ptrdiff_t>(row);
+      std::swap_ranges(upper, upper + static_cast<std::ptrdiff_t>(row), lower);
+    }
+    for (auto opacity = begin + 3; opacity < end; opacity += 4) {
+      *opacity = 255;  // what was drawn translucent has an opaque ground
+    }
+  });
   glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
   check_device("reading a picture");
-  // OpenGL's first row is the lowest.
-  const std::ptrdiff_t row = std::ptrdiff_t{4} * size_.width;
-  for (std::ptrdiff_t y = 0; y < size_.height / 2; ++y) {
-    const auto upper = picture.bytes.begin() + y * row;
-    std::swap_ranges(upper, upper + row, picture.bytes.end() - (y + 1) * row);
-  }
-  for (std::size_t i = 3; i < picture.bytes.size(); i += 4) {
-    picture.bytes[i] = 255;  // what was drawn translucent has an opaque ground
-  }
   return picture;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "apps/view/drawing/camera.h"
+#include "apps/view/drawing/gl_pace.h"
 #include "apps/view/drawing/picture.h"
 
 namespace soms::view {
@@ -16,17 +17,19 @@ class GlTarget {
   GlTarget& operator=(const GlTarget&) = delete;
 
   /// Makes the target current and its viewport whole. Keeps what it has where size and samples
-  /// stay. \errors ErrorKind::usage beyond the device's largest picture; ErrorKind::out_of_memory.
+  /// stay. \errors ErrorKind::usage beyond the device's largest picture; ErrorKind::cannot_write
+  /// where it has no room for so many samples; ErrorKind::out_of_memory.
   void begin(Size size, int samples);
 
   /// A texture of the depths drawn so far, one a pixel. The target stays current.
-  [[nodiscard]] unsigned depths();
+  /// \errors ErrorKind::cancelled, here and below.
+  [[nodiscard]] unsigned depths(GlPace& pace);
 
   /// Averages the samples.
-  void finish();
+  void finish(GlPace& pace);
 
   /// \pre After `finish`.
-  [[nodiscard]] Picture read() const;
+  [[nodiscard]] Picture read(GlPace& pace) const;
 
   /// Copies to the frame buffer of the window. \pre After `finish`.
   void present() const;

@@ -6,10 +6,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csetjmp>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 namespace soms::view {
 
@@ -38,14 +40,84 @@ bool opaque(const Picture& picture) {
   return true;
 }
 
-std::vector<std::uint8_t> without_opacity(const Picture& picture) {
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(picture.bytes.size() / 4 * 3);
-  for (std::size_t i = 0; i < picture.bytes.size(); i += 4) {
-    bytes.insert(bytes.end(), {picture.bytes[i], picture.bytes[i + 1], picture.bytes[i + 2]});
+/// Writes a PNG file row by row. The library leaves by a jump when it fails: what it jumps over has
+/// no destructor, so each step is a function of its own that says whether it succeeded.
+class PngWriter {
+ public:
+  PngWriter() {
+    png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, keep_words, ignore_words);
+    info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
   }
-  return bytes;
-}
+
+  ~PngWriter() { png_destroy_write_struct(&png_, &info_); }
+
+  PngWriter(const PngWriter&) = delete;
+  PngWriter& operator=(const PngWriter&) = delete;
+
+  [[nodiscard]] bool begin(Size size, int colors) {
+    if (info_ == nullptr || setjmp(png_jmpbuf(png_)) != 0) {
+      return false;
+    }
+    png_set_write_fn(png_, this, add_bytes, nullptr);
+    png_set_IHDR(png_, info_, static_cast<png_uint_32>(size.width),
+                 static_cast<png_uint_32>(size.height), 8, colors, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_write_info(png_, info_);
+    return true;
+  }
+
+  [[nodiscard]] bool write(const std::uint8_t* row) {
+    if (setjmp(png_jmpbuf(png_)) != 0) {
+      return false;
+    }
+    png_write_row(png_, row);
+    return true;
+  }
+
+  [[nodiscard]] bool finish() {
+    if (setjmp(png_jmpbuf(png_)) != 0) {
+      return false;
+    }
+    png_write_end(png_, info_);
+    return true;
+  }
+
+  /// The bytes so far; they are given away.
+  [[nodiscard]] std::string& bytes() { return bytes_; }
+
+  [[nodiscard]] const std::string& trouble() const { return trouble_; }
+
+ private:
+  [[noreturn]] static void keep_words(png_structp png, png_const_charp words) {
+    auto& self = *static_cast<PngWriter*>(png_get_error_ptr(png));
+    try {
+      self.trouble_ = words;
+    } catch (...) {  // out of memory: then without words
+    }
+    png_longjmp(png, 1);
+  }
+
+  static void ignore_words(png_structp /*png*/, png_const_charp /*words*/) {}
+
+  static void add_bytes(png_structp png, png_bytep bytes, png_size_t count) {
+    auto& self = *static_cast<PngWriter*>(png_get_io_ptr(png));
+    bool added = true;
+    try {
+      self.bytes_.append(reinterpret_cast<const char*>(bytes), count);
+    } catch (...) {
+      added = false;
+    }
+    if (!added) {
+      png_error(png, "not enough memory");
+    }
+  }
+
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+  std::string bytes_;
+  std::string trouble_;
+};
 
 int apart(std::uint8_t a, std::uint8_t b) {
   return std::abs(static_cast<int>(a) - static_cast<int>(b));
@@ -74,25 +146,31 @@ Picture filled(Size size, Color color) {
   return picture;
 }
 
-std::string to_png(const Picture& picture) {
+std::string to_png(const Picture& picture, const Parallel& parallel) {
   if (picture.size.width < 1 || picture.size.height < 1) {
     throw Error(ErrorKind::usage, "picture: it has no pixels", "draw a frame before writing it");
   }
   const bool plain = opaque(picture);
-  const std::vector<std::uint8_t> bytes = plain ? without_opacity(picture) : picture.bytes;
-  Image image;
-  image.value.width = static_cast<png_uint_32>(picture.size.width);
-  image.value.height = static_cast<png_uint_32>(picture.size.height);
-  image.value.format = plain ? PNG_FORMAT_RGB : PNG_FORMAT_RGBA;
-  std::string file(PNG_IMAGE_PNG_SIZE_MAX(image.value), '\0');
-  png_alloc_size_t size = file.size();
-  if (png_image_write_to_memory(&image.value, file.data(), &size, 0, bytes.data(), 0, nullptr) ==
-      0) {
-    throw Error(ErrorKind::out_of_memory, std::string("picture: ") + image.value.message,
-                "choose a smaller size");
+  const auto width = static_cast<std::size_t>(picture.size.width);
+  const auto height = static_cast<std::size_t>(picture.size.height);
+  std::vector<std::uint8_t> plain_row(plain ? 3 * width : 0);
+  PngWriter writer;
+  bool good = writer.begin(picture.size, plain ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA);
+  for (std::size_t y = 0; good && y < height; ++y) {
+    const std::uint8_t* const row = &picture.bytes[4 * width * y];
+    for (std::size_t x = 0; plain && x < width; ++x) {
+      std::copy_n(row + 4 * x, 3, &plain_row[3 * x]);
+    }
+    good = writer.write(plain ? plain_row.data() : row);
+    check_stop(parallel);
+    if (parallel.progress) {
+      parallel.progress(static_cast<double>(y + 1) / static_cast<double>(height));
+    }
   }
-  file.resize(size);
-  return file;
+  if (!good || !writer.finish()) {
+    throw Error(ErrorKind::out_of_memory, "picture: " + writer.trouble(), "choose a smaller size");
+  }
+  return std::move(writer.bytes());
 }
 
 Picture from_png(std::string_view bytes, const std::string& name) {

@@ -2,6 +2,8 @@
 /// Pictures in memory, their PNG files, and what tests ask of them.
 #pragma once
 
+#include "soms/base/parallel.h"
+
 #include "apps/view/drawing/camera.h"
 #include "apps/view/drawing/draw_list.h"
 
@@ -29,8 +31,9 @@ struct Picture {
 [[nodiscard]] Picture filled(Size size, Color color);
 
 /// The bytes of a PNG file.
-/// \errors ErrorKind::usage for a picture without pixels; ErrorKind::out_of_memory.
-[[nodiscard]] std::string to_png(const Picture& picture);
+/// \errors ErrorKind::usage for a picture without pixels; ErrorKind::out_of_memory;
+///         ErrorKind::cancelled.
+[[nodiscard]] std::string to_png(const Picture& picture, const Parallel& parallel = {});
 
 /// \errors ErrorKind::bad_file names `name`; ErrorKind::out_of_range beyond 2^28 pixels.
 [[nodiscard]] Picture from_png(std::string_view bytes, const std::string& name = "picture");

@@ -3,6 +3,8 @@
 /// shakes at map coordinates, and short runs of triangles that can be left out one by one.
 #pragma once
 
+#include "soms/base/parallel.h"
+
 #include "apps/view/drawing/draw_list.h"
 
 #include <cstdint>
@@ -46,8 +48,10 @@ struct TileOptions {
 ///
 /// \shape `colors`: one a triangle, or empty.
 /// \pre The mesh passes `check(Mesh)`.
+/// \errors ErrorKind::cancelled.
 /// \cost O(n log tiles).
 [[nodiscard]] TiledMesh cut_in_tiles(const Mesh& mesh, std::span<const Color> colors,
-                                     const TileOptions& options = {});
+                                     const TileOptions& options = {},
+                                     const Parallel& parallel = {});
 
 }  // namespace soms::view

@@ -54,6 +54,12 @@ SceneContent load_recording(const std::filesystem::path& path, const command::Wo
     throw Error(ErrorKind::usage, path.string() + ": a recording has its own movers",
                 "leave out --mover, --route and --count");
   }
+  for (const command::ModelOptions& model : {options.city_model, options.mover_model}) {
+    if (model.scale != 1 || model.up != UpAxis::unknown) {
+      throw Error(ErrorKind::usage, path.string() + ": a recording has its own scale and axes",
+                  "leave out --scale, --up, --mover-scale and --mover-up");
+    }
+  }
   Replay recording = console.run("reading " + path.string(),
                                  [&](const Parallel& parallel) { return Replay(path, parallel); });
   command::World world = command::load_recorded_world(recording.head(), path, options, console);

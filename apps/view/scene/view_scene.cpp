@@ -192,6 +192,9 @@ ViewScene::ViewScene(SceneContent content, const Parallel& parallel)
   }
   for (MovingBody& mover : content.movers) {
     s.add_mover(std::move(mover));
+    if (s.movers.size() % 1024 == 0) {
+      check_stop(parallel);
+    }
   }
   if (content.recording != nullptr && content.recording->frames() > 0) {
     s.recording = std::move(content.recording);
@@ -417,7 +420,8 @@ const Walk& ViewScene::walk() {
   (void)world_boxes(a);
   const std::span<const Box> boxes_b = world_boxes(b);
   const std::span<const Box> boxes_a = world_boxes(a);
-  s.walk = watch({&tree(a), boxes_a}, {&tree(b), boxes_b}, s.choice.traversal);
+  s.walk = watch({&tree(a), boxes_a}, {&tree(b), boxes_b}, s.choice.traversal, kMostWatchedTests,
+                 s.parallel);
   s.walk_key = key;
   ++s.walk_version;
   return s.walk;

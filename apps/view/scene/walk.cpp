@@ -12,8 +12,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Ends a traversal after a number of box tests.
-std::function<bool()> limit(std::uint64_t most_tests, bool& cut) {
-  return [asked = std::uint64_t{0}, most_tests, &cut]() mutable {
+std::function<bool()> limit(std::uint64_t most_tests, const Parallel& parallel, bool& cut) {
+  return [asked = std::uint64_t{0}, most_tests, &parallel, &cut]() mutable {
+    check_stop(parallel);
     asked += kBoxTestsBetweenAsks;
     cut = asked >= most_tests;
     return !cut;
@@ -23,7 +24,7 @@ std::function<bool()> limit(std::uint64_t most_tests, bool& cut) {
 }  // namespace
 
 Walk watch(const PosedTree& a, const PosedTree& b, const TraversalOptions& options,
-           std::uint64_t most_tests) {
+           std::uint64_t most_tests, const Parallel& parallel) {
   Walk walk;
   walk.a.assign(a.tree->nodes.size(), Fate::untouched);
   walk.b.assign(b.tree->nodes.size(), Fate::untouched);
@@ -32,14 +33,14 @@ Walk watch(const PosedTree& a, const PosedTree& b, const TraversalOptions& optio
     walk.b[p.b] = std::max(walk.b[p.b], fate);
   };
   TraversalVisitor plain;
-  plain.keep_going = limit(most_tests, walk.cut);
+  plain.keep_going = limit(most_tests, parallel, walk.cut);
   TraversalWorkspace workspace;
   const auto begin = Clock::now();
   walk.counts = traverse(a, b, options, plain, workspace);
   walk.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 
   TraversalVisitor watched;
-  watched.keep_going = limit(most_tests, walk.cut);
+  watched.keep_going = limit(most_tests, parallel, walk.cut);
   watched.tested = [&](NodePair p, bool overlap) {
     ++(overlap ? walk.overlapping : walk.apart);
     const bool leaves = a.tree->nodes[p.a].is_leaf() && b.tree->nodes[p.b].is_leaf();

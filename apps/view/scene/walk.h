@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/base/box.h"
+#include "soms/base/parallel.h"
 #include "soms/query/traversal/pair_traversal.h"
 #include "soms/query/traversal/posed_boxes.h"
 #include "soms/query/traversal_options.h"
@@ -45,10 +46,12 @@ struct Walk {
 inline constexpr std::uint64_t kMostWatchedTests = 2'000'000;
 
 /// Walks two posed trees and notes the fate of each node.
-/// \errors As `traverse`: ErrorKind::usage for Traversal::fast, which has no boxes of the trees.
+/// \errors As `traverse`: ErrorKind::usage for Traversal::fast, which has no boxes of the trees;
+///         ErrorKind::cancelled.
 /// \cost   Two traversals, one of them with a call for each box test.
 [[nodiscard]] Walk watch(const PosedTree& a, const PosedTree& b, const TraversalOptions& options,
-                         std::uint64_t most_tests = kMostWatchedTests);
+                         std::uint64_t most_tests = kMostWatchedTests,
+                         const Parallel& parallel = {});
 
 [[nodiscard]] FateCounts count_fates(const std::vector<Fate>& fates);
 

@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <memory>
 #include <utility>
@@ -44,7 +45,7 @@ void add_picture_options(CLI::App& app, RenderOptions& options) {
       ->option_text("FILE");
   app.add_option_function<std::string>(
          "--size", [&options](const std::string& text) { options.size = parse_picture_size(text); },
-         "width and height in pixels (1920x1080)")
+         "width and height in pixels, up to 16384x16384 (1920x1080)")
       ->option_text("WxH");
   app.add_option_function<std::string>(
          "--camera", [&options](const std::string& text) { options.camera = parse_camera(text); },
@@ -53,7 +54,7 @@ void add_picture_options(CLI::App& app, RenderOptions& options) {
   app.add_flag("--center", options.center,
                "numbers of --camera count from the middle of the scene");
   command::add_count(app, "--samples", options.samples, 1, 16,
-                     "samples a pixel; more make smoother edges (4)");
+                     "samples a pixel; more make smoother edges and take more memory (4)");
 }
 
 void add_content_options(CLI::App& app, RenderOptions& options) {
@@ -72,7 +73,8 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
       {{"wire", BoxStyle::wire}, {"solid", BoxStyle::solid}, {"both", BoxStyle::both}},
       "edges, faces, or both (wire)");
   app.add_flag("--walk", options.walk,
-               "boxes that --traversal visited, pruned and found, of the city and the mover");
+               "boxes that --traversal visited, pruned and found, of the city and the mover;\n"
+               "of a --mover without --count one is drawn");
   app.add_flag_callback(
       "--no-prune", [&options] { options.shown.trees.traversal.prune = false; },
       "of --walk: go on into boxes that are apart, to see what pruning saves");
@@ -99,7 +101,21 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
   command::add_traversal_options(app, options.shown.trees.traversal);
 }
 
-ViewOptions what_is_shown(const RenderOptions& options, const ViewScene& scene) {
+/// \errors ErrorKind::usage for a level below the deepest leaf, where no box is.
+void check_level(int level, const Tree& tree) {
+  std::uint32_t levels = 0;
+  for (const Node& node : tree.nodes) {
+    levels = std::max(levels, node.depth + 1);
+  }
+  if (static_cast<std::uint32_t>(level) > levels) {
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("--level {}: the tree has {}", level, command::counted(levels, "level")),
+        levels == 0 ? std::string("leave it out") : fmt::format("give 1 to {}", levels));
+  }
+}
+
+ViewOptions what_is_shown(const RenderOptions& options, ViewScene& scene) {
   ViewOptions shown = options.shown;
   shown.contacts.most = kMostContacts;
   if (options.see_through) {
@@ -114,9 +130,10 @@ ViewOptions what_is_shown(const RenderOptions& options, const ViewScene& scene) 
     if ((of_mover ? scene.movers() : scene.city_parts()) == 0) {
       throw Error(ErrorKind::usage, "--level: there is no mover", "give a --mover");
     }
-    shown.level = LevelBoxes{.body = of_mover ? mover(0) : city_part(0),
-                             .level = *options.level,
-                             .style = options.boxes};
+    const BodyRef body = of_mover ? mover(0) : city_part(0);
+    scene.set_trees(options.shown.trees);
+    check_level(*options.level, scene.tree(body));
+    shown.level = LevelBoxes{.body = body, .level = *options.level, .style = options.boxes};
   }
   if (options.walk) {
     if (!scene.pair()) {
@@ -134,17 +151,18 @@ void report(const RenderOptions& options, const ViewScene& scene, const GlRender
   if (!console.shared().json || options.output == "-") {
     console.note(fmt::format("{}: {}x{}, {}, {}, drawn by {}", options.output, options.size.width,
                              options.size.height, command::counted(facts.triangles, "triangle"),
-                             command::counted(facts.contacts, "contact"), GlRenderer::device()));
+                             command::counted(facts.contacts, "touching pair"),
+                             GlRenderer::device()));
     return;
   }
-  console.print(command::json_line({{"schema", "soms.render/1"},
+  console.print(command::json_line({{"schema", "soms.render/2"},
                                     {"file", options.output},
                                     {"width", options.size.width},
                                     {"height", options.size.height},
                                     {"frame", scene.frame()},
                                     {"triangles", facts.triangles},
                                     {"movers", scene.movers()},
-                                    {"contacts", facts.contacts},
+                                    {"touching_pairs", facts.contacts},
                                     {"boxes", drawn.boxes},
                                     {"draw_calls", drawn.draw_calls},
                                     {"device", GlRenderer::device()}}));
@@ -156,8 +174,13 @@ SceneContent load(const RenderOptions& options, command::Console& console) {
     throw Error(ErrorKind::usage, "--test moves the one model of --mover",
                 "give one --mover, and no --pose");
   }
+  command::WorldOptions world = options.world;
+  if (options.walk && options.pose.empty() && world.routes.empty() && !world.count &&
+      !world.movers.empty()) {
+    world.count = world.movers.size();  // the walk is of one mover; a thousand would hide it
+  }
   SceneContent content =
-      load_content(options.world, options.test.empty() ? options.pose : "0 0 0", console);
+      load_content(std::move(world), options.test.empty() ? options.pose : "0 0 0", console);
   if (content.recording) {
     for (const std::string& note : content.notes) {
       console.note(note);
@@ -174,6 +197,83 @@ void check_frame(std::uint64_t frame, const ViewScene& scene) {
                 *frames == 0 ? std::string("there is no frame")
                              : fmt::format("there are frames from 0 to {} only", *frames - 1));
   }
+}
+
+/// Options that change nothing as they were given: refused where a word is missing beside them,
+/// told where they only do nothing here.
+void check_effects(const CLI::App& app, const RenderOptions& options,
+                   const command::Console& console) {
+  const auto needs = [&](const char* option, bool there, const char* other) {
+    if (app.count(option) > 0 && !there) {
+      throw Error(ErrorKind::usage, fmt::format("{} without {} changes nothing", option, other),
+                  fmt::format("give {}, too, or leave it out", other));
+    }
+  };
+  needs("--level-of", options.level.has_value(), "--level");
+  needs("--boxes", options.level.has_value(), "--level");
+  needs("--no-prune", options.walk, "--walk");
+  needs("--center", options.camera.subject == CameraChoice::Subject::place,
+        "six numbers of --camera");
+  if (options.walk && options.shown.trees.traversal.traversal == Traversal::fast) {
+    throw Error(ErrorKind::usage, "--walk: --traversal fast visits no boxes of the trees",
+                "choose another traversal, or leave it out");
+  }
+  for (const char* const option : {"--traversal", "--descent"}) {
+    if (app.count(option) > 0 && !options.walk) {
+      console.note(fmt::format("{}: the picture shows it with --walk only", option));
+    }
+  }
+  for (const char* const option : {"--rule", "--levels", "--leaf", "--midpoint", "--axis-from",
+                                   "--empty-side", "--root-level", "--c-vertex"}) {
+    if (app.count(option) > 0 && !options.walk && !options.level) {
+      console.note(fmt::format("{}: the picture shows it with --level or --walk only", option));
+    }
+  }
+}
+
+/// The scene at its frame, with its contacts.
+ViewScene make_scene(const RenderOptions& options, command::Console& console) {
+  SceneContent content = load(options, console);
+  return console.run("finding what touches", [&](const Parallel& parallel) {
+    ViewScene scene(std::move(content), parallel);
+    if (!options.test.empty()) {
+      scene.start_test(options.test);
+    }
+    check_frame(options.frame, scene);
+    if (options.frame > 0) {
+      scene.go_to(options.frame);
+    }
+    return scene;
+  });
+}
+
+/// True if the scene looks alike in every frame.
+bool stands_still(const RenderOptions& options, const ViewScene& scene) {
+  return !scene.frames() && (scene.movers() == 0 || !options.pose.empty());
+}
+
+/// What is drawn, and from where.
+std::pair<DrawList, Camera> compose(const RenderOptions& options, ViewScene& scene,
+                                    const command::Console& console) {
+  return console.run("choosing what is shown", [&](const Parallel& parallel) {
+    const Vec3 origin = options.center ? scene_bounds(scene).center() : Vec3{};
+    CameraChoice choice = options.camera;
+    choice.boxes = options.level || options.walk;
+    const Camera camera = place_camera(choice, scene, options.size, origin, parallel);
+    return std::pair(make_draw_list(scene, what_is_shown(options, scene)), camera);
+  });
+}
+
+/// Draws and reads in parts, so that a software driver can be interrupted, too.
+Picture draw(const RenderOptions& options, const DrawList& list, const Camera& camera,
+             GlRenderer& renderer, const command::Console& console) {
+  return console.run("drawing " + options.output, [&](const Parallel& parallel) {
+    renderer.watch(parallel);
+    renderer.draw(list, camera, options.size, {.samples = options.samples});
+    Picture picture = renderer.read_pixels();
+    renderer.watch({});
+    return picture;
+  });
 }
 
 }  // namespace
@@ -200,7 +300,10 @@ command::Action add_render(CLI::App& app, command::Shared&) {
   add_picture_options(app, *options);
   add_content_options(app, *options);
   app.footer(kFooter);
-  return [options](command::Console& console) { return run_render(*options, console); };
+  return [options, &app](command::Console& console) {
+    check_effects(app, *options, console);
+    return run_render(*options, console);
+  };
 }
 
 int run_render(const RenderOptions& options, command::Console& console) {
@@ -209,23 +312,22 @@ int run_render(const RenderOptions& options, command::Console& console) {
     throw Error(ErrorKind::out_of_memory, "--max-memory: a driver that draws needs 256M",
                 "give more, or leave it out");
   }
+  if (options.output != "-") {
+    command::check_ending("--output", options.output, {".png"});
+  }
   // What may be missing is asked for first, before models are read for minutes.
   const HeadlessContext context;
   GlRenderer renderer;
   command::OutputFile file(options.output);
-  ViewScene scene(load(options, console), console.parallel());
-  if (!options.test.empty()) {
-    scene.start_test(options.test);
+  ViewScene scene = make_scene(options, console);
+  if (options.frame > 0 && stands_still(options, scene)) {
+    console.note(
+        fmt::format("--frame {}: nothing moves here; all frames look alike", options.frame));
   }
-  check_frame(options.frame, scene);
-  scene.go_to(options.frame);
-  const Vec3 origin = options.center ? scene_bounds(scene).center() : Vec3{};
-  CameraChoice choice = options.camera;
-  choice.boxes = options.level || options.walk;
-  const Camera camera = place_camera(choice, scene, options.size, origin);
-  const DrawList list = make_draw_list(scene, what_is_shown(options, scene));
-  renderer.draw(list, camera, options.size, {.samples = options.samples});
-  file.stream() << to_png(renderer.read_pixels());
+  const auto [list, camera] = compose(options, scene, console);
+  const Picture picture = draw(options, list, camera, renderer, console);
+  file.stream() << console.run("writing " + options.output,
+                               [&](const Parallel& parallel) { return to_png(picture, parallel); });
   file.commit();
   report(options, scene, renderer, console);
   return 0;

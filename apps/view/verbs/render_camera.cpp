@@ -168,7 +168,8 @@ struct Aimed {
 };
 
 /// A camera on the subject's surroundings, from the first side where nothing stands between.
-Aimed aimed(const CameraChoice& choice, const Aim& aim, const ViewScene& scene, Size size) {
+Aimed aimed(const CameraChoice& choice, const Aim& aim, const ViewScene& scene, Size size,
+            const Parallel& parallel) {
   const Vec3 e = aim.around.extent() * 0.5;
   const Box wide{aim.around.center() - e * 2, aim.around.center() + e * 2};
   const auto from = [&](double bearing, double elevation) {
@@ -177,6 +178,7 @@ Aimed aimed(const CameraChoice& choice, const Aim& aim, const ViewScene& scene, 
   Aimed best{from(choice.bearing, choice.elevation), choice.free_side ? -1.0 : 1.0};
   for (const double elevation : {25.0, 45.0, 65.0}) {
     for (int turn = 0; choice.free_side && turn < 8; ++turn) {
+      check_stop(parallel);
       const Camera camera = from(choice.bearing + 45 * turn, elevation);
       const Vec3 way = aim.point - camera.eye;
       const double whole = length(way);
@@ -193,11 +195,12 @@ Aimed aimed(const CameraChoice& choice, const Aim& aim, const ViewScene& scene, 
 }
 
 /// The mover with most contacts of those that can be seen; of all where none can.
-Camera at_contact(const CameraChoice& choice, const ViewScene& scene, Size size) {
+Camera at_contact(const CameraChoice& choice, const ViewScene& scene, Size size,
+                  const Parallel& parallel) {
   Aimed best;
   best.free = -2;
   for (const Aim& aim : aims_at_contacts(scene)) {
-    const Aimed here = aimed(choice, aim, scene, size);
+    const Aimed here = aimed(choice, aim, scene, size, parallel);
     if (here.free > best.free) {
       best = here;
     }
@@ -280,14 +283,14 @@ Box scene_bounds(const ViewScene& scene) {
 }
 
 Camera place_camera(const CameraChoice& choice, const ViewScene& scene, Size size,
-                    const Vec3& origin) {
+                    const Vec3& origin, const Parallel& parallel) {
   switch (choice.subject) {
     case CameraChoice::Subject::place:
       return {choice.eye + origin, choice.target + origin};
     case CameraChoice::Subject::mover:
-      return aimed(choice, aim_at_mover(choice.mover, scene), scene, size).camera;
+      return aimed(choice, aim_at_mover(choice.mover, scene), scene, size, parallel).camera;
     case CameraChoice::Subject::contact:
-      return at_contact(choice, scene, size);
+      return at_contact(choice, scene, size, parallel);
     case CameraChoice::Subject::scene:
       break;
   }

@@ -2,6 +2,8 @@
 /// Cameras named on the command line.
 #pragma once
 
+#include "soms/base/parallel.h"
+
 #include "apps/view/drawing/camera.h"
 #include "apps/view/scene/view_scene.h"
 
@@ -38,9 +40,10 @@ struct CameraChoice {
 [[nodiscard]] CameraChoice parse_camera(const std::string& text);
 
 /// The camera for a picture of a scene. Six numbers count from `origin`.
-/// \errors ErrorKind::usage for a mover that is not there, and for contacts where there are none.
+/// \errors ErrorKind::usage for a mover that is not there, and for contacts where there are none;
+///         ErrorKind::cancelled.
 [[nodiscard]] Camera place_camera(const CameraChoice& choice, const ViewScene& scene, Size size,
-                                  const Vec3& origin);
+                                  const Vec3& origin, const Parallel& parallel = {});
 
 /// Bounds of all bodies of a scene.
 [[nodiscard]] Box scene_bounds(const ViewScene& scene);

@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 
 #include "apps/support/console.h"
+#include "apps/support/output.h"
 #include "apps/support/parse.h"
 #include "apps/view/verbs/render_scene.h"
 #include "apps/view/window/app_window.h"
@@ -79,6 +80,7 @@ int run_view(const ViewVerbOptions& options, command::Console& console) {
     throw Error(ErrorKind::usage, "--screenshot needs --frames",
                 "add --frames 1, or press F12 in the window");
   }
+  command::check_ending("--screenshot", options.viewer.screenshot, {".png"});
   AppWindow::require_display();
   SceneContent content = load_content(options.world, options.pose, console);
   SceneSubject subject(std::move(content), console.parallel());

@@ -4,8 +4,11 @@
 #include "tests/support/support.h"
 #include "tests/view/drawing/gl_support.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <stop_token>
+#include <vector>
 
 namespace soms::view {
 namespace {
@@ -63,6 +66,32 @@ TEST(GlRenderer, PutsRightAndUpWhereTheyBelong) {
   EXPECT_GT(picture.at(x, y).r, 60) << "the wall is lit";
   EXPECT_EQ(picture.at(160 - x, y), kGround);
   EXPECT_EQ(picture.at(x, 120 - y), kGround);
+}
+
+TEST(GlRenderer, DrawsTheSameInPartsAndStopsBetweenThem) {
+  SOMS_NEEDS_GL(drawing);
+  constexpr Size kLarge{1300, 1000};  // more than one band
+  DrawList list = on_ground(list_of(blocks(12)));
+  list.instances.resize(40, list.instances[0]);
+  for (std::size_t k = 0; k < list.instances.size(); ++k) {
+    list.instances[k].pose = Pose::translation(0, static_cast<double>(k), 0);
+  }
+  list.marks.push_back({{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}}, palette::kContact});
+  const DrawOptions options{.samples = 4};
+  const Picture whole = drawn(*drawing.renderer, list, before_origin(), kLarge, options);
+  const std::uint64_t calls = drawing.renderer->statistics().draw_calls;
+  std::vector<double> shares;
+  std::stop_source source;
+  drawing.renderer->watch(
+      {.stop = source.get_token(), .progress = [&](double share) { shares.push_back(share); }});
+  EXPECT_EQ(drawn(*drawing.renderer, list, before_origin(), kLarge, options), whole);
+  EXPECT_GT(drawing.renderer->statistics().draw_calls, calls);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_GT(shares.back(), 0.9);
+  source.request_stop();
+  EXPECT_THROW(drawn(*drawing.renderer, list, before_origin(), kLarge, options), Error);
+  drawing.renderer->watch({});
+  EXPECT_EQ(drawn(*drawing.renderer, list, before_origin(), kLarge, options), whole);
 }
 
 TEST(GlRenderer, ShowsRedWhereMarksAreAndNowhereElse) {

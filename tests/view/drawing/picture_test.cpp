@@ -5,6 +5,8 @@
 #include "tests/support/support.h"
 
 #include <fstream>
+#include <stop_token>
+#include <vector>
 
 namespace soms::view {
 namespace {
@@ -25,6 +27,17 @@ TEST(Picture, ComesBackFromItsFile) {
     const Picture picture = noise(rng, size, rng.below(2) == 0);
     EXPECT_EQ(from_png(to_png(picture)), picture);
   });
+}
+
+TEST(Picture, TellsHowFarItIsWrittenAndStopsWhenAsked) {
+  const Picture picture = filled({5, 4}, {1, 2, 3, 255});
+  std::vector<double> shares;
+  EXPECT_EQ(to_png(picture, {.progress = [&](double share) { shares.push_back(share); }}),
+            to_png(picture));
+  EXPECT_EQ(shares, (std::vector{0.25, 0.5, 0.75, 1.0}));
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_THROW((void)to_png(picture, {.stop = source.get_token()}), Error);
 }
 
 TEST(Picture, IsWrittenWholeOrNotAtAll) {

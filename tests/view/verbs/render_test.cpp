@@ -77,7 +77,8 @@ TEST_F(Render, WritesAPictureOfTheSizeAskedFor) {
   SOMS_NEEDS_EGL();
   const test::RunResult result = render({ball_, "-o", picture_, "--size", "200x100"});
   EXPECT_EQ(result.status, 0) << result.err;
-  EXPECT_NE(result.err.find("200x100, 800 triangles, 0 contacts"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("200x100, 800 triangles, 0 touching pairs"), std::string::npos)
+      << result.err;
   const Picture picture = read_png(picture_);
   EXPECT_EQ(picture.size, (Size{200, 100}));
   EXPECT_GT(picture.at(100, 50).r, picture.at(100, 50).b) << "the ball in the middle";
@@ -90,7 +91,7 @@ TEST_F(Render, ShowsRedWhereBodiesTouchAndNoneWhereTheyDoNot) {
     const test::RunResult result = render(
         {ball_, "--mover", ball_, "--pose", pose, "-o", picture_, "--size", "300x200", "--json"});
     EXPECT_EQ(result.status, 0) << result.err;
-    const bool touches = result.out.find("\"contacts\":0,") == std::string::npos;
+    const bool touches = result.out.find("\"touching_pairs\":0,") == std::string::npos;
     return std::pair(touches, count_red(read_png(picture_)));
   };
   const auto [apart_touches, apart] = red("5 0 0");
@@ -129,14 +130,45 @@ TEST_F(Render, DrawsTheTreeByLevelAndTheBoxesOfATraversal) {
   EXPECT_GT(boxes({"--mover", ball_, "--pose", "1 0 0", "--walk", "--no-prune"}), pruned);
 }
 
+TEST_F(Render, WalksWithTheOneMoverThatIsNamed) {
+  SOMS_NEEDS_EGL();
+  const test::RunResult result =
+      render({ball_, "--mover", ball_, "--walk", "-o", picture_, "--size", "90x60", "--json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("\"movers\":1,"), std::string::npos) << result.out;
+}
+
+TEST_F(Render, SaysWhichOptionsChangeNothing) {
+  SOMS_NEEDS_EGL();
+  const test::RunResult result = render({ball_, "-o", picture_, "--size", "90x60", "--rule", "sah",
+                                         "--descent", "both", "--frame", "7"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  for (const char* note : {"--rule: the picture shows it with --level or --walk only\n",
+                           "--descent: the picture shows it with --walk only\n",
+                           "--frame 7: nothing moves here; all frames look alike\n"}) {
+    EXPECT_NE(result.err.find(note), std::string::npos) << result.err;
+  }
+}
+
+TEST_F(Render, NamesFewerSamplesWhereADriverHasNoRoomForSoMany) {
+  SOMS_NEEDS_EGL();
+  const test::RunResult result =
+      render({ball_, "-o", picture_, "--size", "16384x16384", "--samples", "16"});
+  EXPECT_EQ(result.status, 5) << result.err;
+  EXPECT_NE(result.err.find("take one sample (--samples 1), or a smaller --size"),
+            std::string::npos)
+      << result.err;
+  EXPECT_FALSE(std::filesystem::exists(picture_));
+}
+
 TEST_F(Render, DrawsAFrameOfAnOrientationTest) {
   SOMS_NEEDS_EGL();
   const auto contacts = [&](const char* frame) {
     const test::RunResult result = render({ball_, "-o", picture_, "--size", "90x60", "--json",
                                            "--mover", ball_, "--test", "drive", "--frame", frame});
     EXPECT_EQ(result.status, 0) << result.err;
-    const std::size_t at = result.out.find("\"contacts\":");
-    return at == std::string::npos ? -1 : std::atoi(result.out.c_str() + at + 11);
+    const std::size_t at = result.out.find("\"touching_pairs\":");
+    return at == std::string::npos ? -1 : std::atoi(result.out.c_str() + at + 17);
   };
   EXPECT_EQ(contacts("0"), 0);
   EXPECT_GT(contacts("100"), 0);
@@ -176,6 +208,14 @@ TEST_F(Render, TellsFaultsInOneSentenceAndLeavesNoFile) {
       {{ball_, "-o", picture_, "--mover", ball_, "--test", "top", "--frame", "99999"}, 2},
       {{ball_, "-o", picture_, "--pose", "1 0 0"}, 2},
       {{ball_, "-o", picture_, "--level", "0"}, 2},
+      {{ball_, "-o", picture_, "--level", "99"}, 2},
+      {{ball_, "-o", picture_, "--boxes", "both"}, 2},
+      {{ball_, "-o", picture_, "--level-of", "mover"}, 2},
+      {{ball_, "-o", picture_, "--no-prune"}, 2},
+      {{ball_, "-o", picture_, "--center"}, 2},
+      {{ball_, "-o", picture_, "--mover", ball_, "--walk", "--traversal", "fast"}, 2},
+      {{ball_, "-o", (folder_.path() / "out.jpg").string()}, 2},
+      {{ball_, "-o", picture_, "--timeout", "0"}, 4},
       {{ball_, "-o", (folder_.path() / "missing" / "out.png").string()}, 5},
   };
   for (const Case& c : cases) {

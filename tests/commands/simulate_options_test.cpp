@@ -1,0 +1,107 @@
+// What options of `simulate` that are left out, wrong or many mean. What it answers is asked in
+// simulate_test.cpp.
+#include "tests/commands/run.h"
+
+#include <chrono>
+#include <sstream>
+
+namespace soms::test {
+namespace {
+
+/// A small city as a file.
+class SimulateOptions : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(soms_run({"generate", "city", "--triangles", "3000", "-o", town()}).status, 0);
+  }
+
+  [[nodiscard]] std::string beside(const std::string& name) const {
+    return (folder_.path() / name).string();
+  }
+
+  [[nodiscard]] std::string town() const { return beside("town.ply"); }
+
+  [[nodiscard]] static RunResult simulate(std::vector<std::string> words) {
+    words.insert(words.begin(), "simulate");
+    return soms_run(words);
+  }
+
+  [[nodiscard]] static int movers(std::vector<std::string> words) {
+    words.insert(words.end(), {"--json", "--quiet"});
+    return Json::parse(simulate(words).out)["movers"];
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(SimulateOptions, HintsAtAMapOnATerminalUnlessItIsToBeQuiet) {
+  const auto shown = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"simulate", town(), "--frames", "1", "--count", "1"});
+    return soms_on_terminal(words).out;
+  };
+  EXPECT_NE(shown({}).find("--map city.svg"), std::string::npos);
+  EXPECT_EQ(shown({"--quiet"}).find("--map city.svg"), std::string::npos);
+  EXPECT_EQ(shown({"--map", beside("a.svg")}).find("--map city.svg"), std::string::npos);
+}
+
+TEST_F(SimulateOptions, RefusesNamesWhoseEndingsAreThoseOfOtherFiles) {
+  const auto refused = [&](const std::string& option, const std::string& name,
+                           const std::string& ending) {
+    const RunResult result =
+        simulate({town(), "--frames", "1", "--count", "1", option, beside(name)});
+    EXPECT_EQ(result.status, 2) << result.err;
+    EXPECT_NE(result.err.find("give a name that ends in " + ending), std::string::npos)
+        << result.err;
+  };
+  refused("--map", "x.txt", ".svg");
+  refused("--report", "x.svg", ".html");
+  refused("--events", "x.json", ".csv");
+  refused("--picture", "x.jpg", ".png");
+  EXPECT_EQ(files_in(folder_.path()), std::vector<std::string>{"town.ply"});
+  EXPECT_EQ(simulate({town(), "--frames", "1", "--count", "1", "--map", beside("X.SVG"), "--events",
+                      beside("plain")})
+                .status,
+            0);
+}
+
+TEST_F(SimulateOptions, ListsOnTheMapWhatTheTableLists) {
+  const std::string map = beside("a.svg");
+  const RunResult result = simulate({town(), "--count", "30", "--frames", "40", "--map", map});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const std::string picture = read_text(map);
+  std::istringstream lines(result.out.substr(result.out.find("most touched")));
+  std::size_t at = picture.find(">Most touched<");
+  ASSERT_NE(at, std::string::npos);
+  int listed = 0;
+  for (std::string line; std::getline(lines, line) && line.starts_with(listed == 0 ? "most" : " ");
+       ++listed) {
+    const std::string words = line.substr(14);
+    const std::size_t colon = words.find(": ");
+    for (const std::string& part : {words.substr(0, colon), words.substr(colon + 2)}) {
+      at = picture.find(">" + part + "<", at);
+      EXPECT_NE(at, std::string::npos) << part;
+    }
+  }
+  EXPECT_EQ(listed, 5);
+}
+
+TEST_F(SimulateOptions, SendsOneMoverAlongEachRoute) {
+  const std::string route = beside("route.csv");
+  write_text(route, "x,y,z\n10,10,1\n190,10,1\n");
+  EXPECT_EQ(movers({town(), "--frames", "2", "--route", route}), 1);
+  EXPECT_EQ(movers({town(), "--frames", "2", "--route", route, "--route", route}), 2);
+  EXPECT_EQ(movers({town(), "--frames", "2", "--route", route, "--count", "5"}), 5);
+}
+
+TEST_F(SimulateOptions, EndsInTimeWhileMoversAreStillPlaced) {
+  const auto begin = std::chrono::steady_clock::now();
+  const RunResult result =
+      simulate({town(), "--count", "1000000", "--timeout", "0.2", "--frames", "1"});
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  EXPECT_EQ(result.status, 4);
+  EXPECT_NE(result.err.find("out of time while "), std::string::npos) << result.err;
+  EXPECT_LT(took.count(), 5) << "the slowest machine has long given up";
+}
+
+}  // namespace
+}  // namespace soms::test
