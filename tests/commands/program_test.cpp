@@ -117,7 +117,8 @@ TEST(Program, NamesOptionsThatTheVerbHasWhereAModelIsEmptyOrMemoryIsShort) {
   const RunResult city = soms_run({"simulate", empty, "--count", "1"});
   EXPECT_EQ(city.status, 3);
   EXPECT_NE(city.err.find("give a model with faces\n"), std::string::npos) << city.err;
-  const RunResult small = soms_run({"info", box(), "--max-memory", "100"});
+  const RunResult small =
+      soms_run({"info", test::data("truth/meshes/box2.ply").string(), "--max-memory", "100"});
   EXPECT_EQ(small.status, 4);
   EXPECT_NE(small.err.find("--max-memory"), std::string::npos) << small.err;
   EXPECT_EQ(small.err.find("max_memory"), std::string::npos) << small.err;
