@@ -66,8 +66,9 @@ TEST_F(SimulateOptions, RefusesNamesWhoseEndingsAreThoseOfOtherFiles) {
 
 TEST_F(SimulateOptions, ListsOnTheMapWhatTheTableLists) {
   const std::string map = beside("a.svg");
-  const RunResult result = simulate({town(), "--count", "30", "--frames", "40", "--map", map});
+  const RunResult result = simulate({town(), "--count", "60", "--frames", "200", "--map", map});
   ASSERT_EQ(result.status, 0) << result.err;
+  ASSERT_NE(result.out.find("most touched"), std::string::npos) << result.out;
   const std::string picture = read_text(map);
   std::istringstream lines(result.out.substr(result.out.find("most touched")));
   std::size_t at = picture.find(">Most touched<");
