@@ -24,14 +24,19 @@ Place place_of(const World& world, std::size_t mover, const Pose& pose) {
 
 /// Poses of one frame, set and stepped; the time of both.
 StepReport run_frame(Scene& scene, const World& world, std::uint64_t frame, const StepOptions& step,
-                     const Parallel& parallel, std::vector<Pose>& poses, float& seconds) {
+                     const Parallel& parallel, std::vector<Pose>& poses,
+                     std::vector<std::size_t>& lines, float& seconds) {
   constexpr std::uint32_t kPosesBetweenAsks = 4096;
   const auto begin = Clock::now();
+  constexpr std::size_t kAhead = 8;
   for (std::uint32_t k = 0; k < world.ways.size(); ++k) {
     if (k % kPosesBetweenAsks == 0) {
       check_stop(parallel);
     }
-    poses[k] = world.ways[k].at(frame);
+    if (k + kAhead < world.ways.size()) {
+      world.ways[k + kAhead].fetch(lines[k + kAhead]);
+    }
+    poses[k] = world.ways[k].at(frame, lines[k]);
     scene.set_pose(k, poses[k]);
   }
   StepReport report = scene.step(step, parallel);
@@ -49,6 +54,7 @@ class Run {
         recorder_(recorder),
         scene_(std::move(scene)),
         poses_(world.ways.size()),
+        lines_(world.ways.size()),
         pause_(std::max<std::uint64_t>(1, options.frames / kPlacesOfATrack)) {
     outcome_.tracks.resize(world.ways.size());
     if (options.verify) {
@@ -92,8 +98,9 @@ class Run {
   std::uint64_t run(std::uint64_t frame) {
     float seconds = 0;
     const Parallel parallel = console_.limited();
-    const StepReport report = run_frame(
-        scene_, world_, frame, {.traversal = options_.world.traversal}, parallel, poses_, seconds);
+    const StepReport report =
+        run_frame(scene_, world_, frame, {.traversal = options_.world.traversal}, parallel, poses_,
+                  lines_, seconds);
     if (verifier_) {
       verifier_->verify(report, poses_, parallel);
     }
@@ -119,6 +126,7 @@ class Run {
   Recorder* recorder_;
   Scene scene_;
   std::vector<Pose> poses_;
+  std::vector<std::size_t> lines_;  ///< of the ways, on which the movers are
   std::uint64_t pause_;
   std::optional<Verifier> verifier_;
   Outcome outcome_;

@@ -253,16 +253,30 @@ void plan_given_ways(World& world, const WorldOptions& options, const Parallel& 
 }  // namespace
 
 Pose Way::at(std::uint64_t frame) const {
+  std::size_t line = 0;
+  return at(frame, line);
+}
+
+Pose Way::at(std::uint64_t frame, std::size_t& line) const {
   if (recorded != nullptr) {
     return (*recorded)[(first + frame) % recorded->size()];
   }
-  Pose pose = route.at(static_cast<double>(frame) / kFramesASecond);
+  Pose pose = route.at(static_cast<double>(frame) / kFramesASecond, line);
   // The foot, not the origin of the file, stands on the route.
   for (std::size_t row = 0; row < 3; ++row) {
     const double* const r = &pose.m[4 * row];
     pose.m[4 * row + 3] -= (r[0] * foot.x + r[1] * foot.y) + r[2] * foot.z;
   }
   return pose;
+}
+
+void Way::fetch(std::size_t line) const {
+  if (line < route.points.size() && line < route.marks.size()) {
+    __builtin_prefetch(&route.points[line]);
+    __builtin_prefetch(&route.points[line] + 1);
+    __builtin_prefetch(&route.marks[line]);
+    __builtin_prefetch(&route.marks.back());
+  }
 }
 
 void plan_ways(World& world, const WorldOptions& options, const City* city, Console& console) {

@@ -48,6 +48,12 @@ struct Way {
   Vec3 foot;
 
   [[nodiscard]] Pose at(std::uint64_t frame) const;
+
+  /// The same; `line` as of Route::at.
+  [[nodiscard]] Pose at(std::uint64_t frame, std::size_t& line) const;
+
+  /// Starts to load what `at` will need near `line`.
+  void fetch(std::size_t line) const;
 };
 
 /// A simulation before its first frame.

@@ -35,9 +35,25 @@ struct OnRoute {
   Vec3 direction;
 };
 
-OnRoute place(const Route& route, const std::vector<double>& marks, double metres) {
+/// Lines that are tried before all are searched.
+constexpr std::size_t kTried = 4;
+
+/// The last line that begins at `metres` or before; `near` and those after it are tried first.
+std::size_t line_at(const std::vector<double>& marks, double metres, std::size_t near) {
+  const std::size_t last = marks.size() - 2;
+  for (std::size_t i = near; i <= last && i - near < kTried; ++i) {
+    if ((i == 0 || marks[i] <= metres) && (i == last || metres < marks[i + 1])) {
+      return i;
+    }
+  }
   const auto after = std::upper_bound(marks.begin() + 1, marks.end() - 1, metres);
-  const auto i = static_cast<std::size_t>(after - marks.begin()) - 1;
+  return static_cast<std::size_t>(after - marks.begin()) - 1;
+}
+
+OnRoute place(const Route& route, const std::vector<double>& marks, double metres,
+              std::size_t& line) {
+  const std::size_t i = line_at(marks, metres, line);
+  line = i;
   const Vec3& from = route.points[i];
   const Vec3& to = route.points[i + 1 == route.points.size() ? 0 : i + 1];
   const double length = marks[i + 1] - marks[i];
@@ -79,6 +95,11 @@ double Route::length() const {
 }
 
 Pose Route::at(double seconds) const {
+  std::size_t line = 0;
+  return at(seconds, line);
+}
+
+Pose Route::at(double seconds, std::size_t& line) const {
   const PlainArithmetic plain;
   if (points.empty()) {
     return {};
@@ -103,12 +124,15 @@ Pose Route::at(double seconds) const {
     half = std::min({half, metres, total - metres});
   }
   if (!(half > 0)) {
-    const OnRoute here = place(*this, all, metres);
+    const OnRoute here = place(*this, all, metres, line);
     return heading(here.point, back ? -here.direction : here.direction);
   }
-  const auto on = [&](double m) { return place(*this, all, closed ? wrapped(m, total) : m).point; };
-  const Vec3 rear = on(metres - half);
-  const Vec3 front = on(metres + half);
+  const auto on = [&](double m, std::size_t& on_line) {
+    return place(*this, all, closed ? wrapped(m, total) : m, on_line).point;
+  };
+  const Vec3 rear = on(metres - half, line);
+  std::size_t front_line = line;
+  const Vec3 front = on(metres + half, front_line);
   return heading(0.5 * (rear + front), back ? rear - front : front - rear);
 }
 

@@ -6,6 +6,7 @@
 #include "soms/base/pose.h"
 #include "soms/generate/city.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -34,6 +35,10 @@ struct Route {
   /// Pose at a time in seconds: +x of the mover along the route, z up. A route of one point, or of
   /// none, stands still (at the origin).
   [[nodiscard]] Pose at(double seconds) const;
+
+  /// The same pose. It is found sooner where `line`, which may be any number, is what a call for a
+  /// time shortly before left there: the line of the route that the mover is on.
+  [[nodiscard]] Pose at(double seconds, std::size_t& line) const;
 };
 
 /// A drive of a mover along the streets of a city, following the ground. `clearance` is the height

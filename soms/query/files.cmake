@@ -2,6 +2,7 @@ set(SOMS_HEADERS
   answer.h
   body.h
   overlap.h
+  overlap_run.h
   reference/overlap.h
   traversal/baselines.h
   traversal/e_node.h
@@ -33,6 +34,7 @@ set(SOMS_SOURCES
   detail/triangle_tests.cpp
   overlap.cpp
   overlap_batch.cpp
+  overlap_run.cpp
   reference/overlap.cpp
   traversal/baselines.cpp
   traversal/e_node.cpp

@@ -166,6 +166,11 @@ void Scene::State::ask(detail::NarrowPhase& narrow_phase, const Residents& other
                          &others.places()[candidate.other].value.body});
   }
   cost += narrow_phase.ask(questions, options, parallel);
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    found += narrow_phase.pairs_of(k).size();
+  }
+  contacts.reserve(found);
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     const MoverId a = movers.places()[candidates[k].mover].id;
     const std::uint32_t b = others.places()[candidates[k].other].id;

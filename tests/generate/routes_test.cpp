@@ -4,6 +4,7 @@
 #include "soms/query/reference/overlap.h"
 
 #include "tests/generate/closed.h"
+#include "tests/support/support.h"
 
 #include <gtest/gtest.h>
 
@@ -89,6 +90,23 @@ TEST(Route, MarksChangeNoPose) {
     EXPECT_EQ(measured.at(t), plain.at(t));
   }
   EXPECT_EQ(measured.length(), plain.length());
+}
+
+TEST(Route, IsFoundFromAnyLine) {
+  const City city = generate_city({5672});
+  test::for_each_case("routes/line", 20, [&](Rng& rng) {
+    Route route = street_route(city, rng.below(100), rng.below(2) ? 1.4 : 13, 0.12);
+    route.closed = rng.below(2) == 0;
+    route.base = rng.below(2) == 0 ? 0 : route.base;
+    route.measure();
+    std::size_t line = rng.below(3) == 0 ? ~std::size_t{0} : rng.below(300);
+    double seconds = rng.uniform(-100, 1000);
+    for (int k = 0; k < 200; ++k) {
+      ASSERT_EQ(route.at(seconds, line), route.at(seconds));
+      ASSERT_LT(line, route.marks.size());
+      seconds += k % 50 == 0 ? rng.uniform(-100, 100) : 0.1;
+    }
+  });
 }
 
 /// Least height of any vertex of a mover above the ground over the first `seconds` of its route.

@@ -147,7 +147,7 @@ void RelativePose::prepare() {
   }
   numbers_.relative =
       rounded_up(2.75 * (0x1p-17 + 4 * distance_from_identity(product(transposed, matrix_))));
-  numbers_.ratio = static_cast<float>(std::ldexp(1.0, exponents_));
+  numbers_.ratio = exponents_ == 0 ? 1 : static_cast<float>(std::ldexp(1.0, exponents_));
 }
 
 LoneBox RelativePose::lone_box() const {

@@ -22,9 +22,18 @@ void fetch_seeds(const PairList& seeds, const WideTree& y) {
 
 }  // namespace
 
+Scouts::Scouts() {
+  for (std::size_t i = 0; i < kMost; ++i) {
+    scouts_[i].relative = &poses_[i];
+  }
+  for (std::size_t k = 0; k < kWalks; ++k) {
+    taken_[k] = &poses_[kMost + k];
+  }
+}
+
 void Scouts::add(const WideTree& x, const Pose& pose_x, const Viewer& y) {
   Scout& scout = scouts_[count_++];
-  scout.relative.emplace(x, pose_x, y);
+  scout.relative->emplace(x, pose_x, y);
   scout.seeds.clear();
   scout.cost = {};
   scout.cost.node_tests = 1;
@@ -36,10 +45,10 @@ void Scouts::look(const WideTree& y) {
   std::size_t going = 0;
   for (std::size_t i = 0; i < count_; ++i) {
     Scout& scout = scouts_[i];
-    if (scout.relative->apart()) {
+    if ((*scout.relative)->apart()) {
       continue;
     }
-    scout.box = scout.relative->lone_box();
+    scout.box = (*scout.relative)->lone_box();
     if (scout.box.pays(nodes[0])) {
       going_[going++] = &scout;
     } else {

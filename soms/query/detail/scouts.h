@@ -14,12 +14,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace soms::detail {
 
 /// What is known of a query before its walk. It is over unless there are seeds.
 struct Scout {
-  std::optional<RelativePose> relative;
+  std::optional<RelativePose>* relative;
   LoneBox box;
   PairList stack;
   PairList seeds;
@@ -31,6 +32,12 @@ struct Scout {
 class Scouts {
  public:
   static constexpr std::size_t kMost = 16;
+  static constexpr std::size_t kWalks = 4;  ///< most queries that may walk meanwhile
+
+  Scouts();
+  Scouts(const Scouts&) = delete;
+  Scouts& operator=(const Scouts&) = delete;
+  ~Scouts() = default;
 
   void clear() { count_ = 0; }
 
@@ -40,6 +47,12 @@ class Scouts {
 
   [[nodiscard]] Scout& operator[](std::size_t i) { return scouts_[i]; }
 
+  /// The relative pose of scout `i`, which is walk `k`'s from now on, until that takes another.
+  [[nodiscard]] RelativePose& take(std::size_t i, std::size_t k) {
+    std::swap(scouts_[i].relative, taken_[k]);
+    return **taken_[k];
+  }
+
   /// Adds a query. \pre Not full.
   void add(const WideTree& x, const Pose& pose_x, const Viewer& y);
 
@@ -47,6 +60,8 @@ class Scouts {
   void look(const WideTree& y);
 
  private:
+  std::array<std::optional<RelativePose>, kMost + kWalks> poses_;  ///< not copied: pointed to
+  std::array<std::optional<RelativePose>*, kWalks> taken_;
   std::array<Scout, kMost> scouts_;
   std::array<Scout*, kMost> going_ = {};
   std::size_t count_ = 0;

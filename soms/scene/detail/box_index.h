@@ -63,7 +63,10 @@ class BoxIndex {
 
 template <typename Found>
 void BoxIndex::query(const Box& box, Found&& found) const {
-  if (levels_.empty()) {
+  if (levels_.size() <= 1) {
+    if (!levels_.empty() && overlaps(bounds_[0], box)) {
+      found(order_[0]);
+    }
     return;
   }
   // Each level leaves at most seven siblings behind.

@@ -85,6 +85,10 @@ class IdList {
 
  private:
   [[nodiscard]] const Place* find_const(Id id) const {
+    // Where no place was taken back, the id is the place.
+    if (id < places_.size() && places_[id].id == id) {
+      return places_[id].live ? &places_[id] : nullptr;
+    }
     const auto at = std::lower_bound(places_.begin(), places_.end(), id,
                                      [](const Place& place, Id value) { return place.id < value; });
     return at != places_.end() && at->id == id && at->live ? &*at : nullptr;

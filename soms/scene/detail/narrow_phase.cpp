@@ -67,7 +67,7 @@ std::span<NarrowPhase::Batch> NarrowPhase::gather(std::span<const Question> ques
       memory[at].poses.clear();
     }
     memory[at].questions.push_back(k);
-    memory[at].poses.push_back(mover.pose);
+    memory[at].poses.push_back(&mover.pose);
   }
   return std::span(memory).first(count);
 }
@@ -89,6 +89,7 @@ void NarrowPhase::ask_together(std::span<const Question> questions, const Overla
                                const Parallel& parallel, Chunk& chunk) {
   chunk.alone.clear();
   chunk.answers.resize(questions.size());
+  OverlapRun run;
   for (Batch& batch : gather(questions, chunk.batches)) {
     if (batch.questions.size() == 1) {
       const std::uint32_t k = batch.questions[0];
@@ -98,10 +99,10 @@ void NarrowPhase::ask_together(std::span<const Question> questions, const Overla
       continue;
     }
     const Shape& shape = questions[batch.questions[0]].mover->shape;
-    batch.answers = overlap(shape, batch.poses, *batch.other, options, parallel);
-    chunk.cost += batch.answers.cost;
+    run.ask(shape, batch.poses, *batch.other, options, parallel, batch.answers);
     for (std::size_t p = 0; p < batch.questions.size(); ++p) {
       chunk.answers[batch.questions[p]] = batch.answers.pairs_of(p);
+      chunk.cost += batch.answers.poses[p].cost;
     }
   }
 }
@@ -148,7 +149,8 @@ std::size_t NarrowPhase::memory() const {
   for (const Chunk& chunk : chunks_) {
     size += bytes(chunk.batches) + bytes(chunk.alone) + bytes(chunk.answers);
     for (const Batch& batch : chunk.batches) {
-      size += bytes(batch.questions) + bytes(batch.poses) + bytes(batch.answers.pairs);
+      size += bytes(batch.questions) + bytes(batch.poses) + bytes(batch.answers.poses) +
+              bytes(batch.answers.pairs);
     }
   }
   return size;

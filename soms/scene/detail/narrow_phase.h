@@ -5,6 +5,7 @@
 #include "soms/base/parallel.h"
 #include "soms/query/body.h"
 #include "soms/query/overlap.h"
+#include "soms/query/overlap_run.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +15,8 @@
 
 namespace soms::detail {
 
-/// Which triangles of two bodies touch? Bodies stay where they are until it is answered.
+/// Which triangles of two bodies touch? Bodies stay where they are until it is answered; their
+/// poses have passed their checks.
 struct Question {
   const Body* mover = nullptr;
   const Body* other = nullptr;
@@ -39,8 +41,8 @@ class NarrowPhase {
     const WideTree* layout = nullptr;
     const Body* other = nullptr;
     std::vector<std::uint32_t> questions;
-    std::vector<Pose> poses;
-    OverlapBatch answers;
+    std::vector<const Pose*> poses;
+    RunAnswers answers;
   };
 
   /// One chunk of questions and its answers.
