@@ -34,6 +34,7 @@ Scouts::Scouts() {
 void Scouts::add(const WideTree& x, const Pose& pose_x, const Viewer& y) {
   Scout& scout = scouts_[count_++];
   scout.relative->emplace(x, pose_x, y);
+  scout.stack.clear();
   scout.seeds.clear();
   scout.cost = {};
   scout.cost.node_tests = 1;
