@@ -5,6 +5,7 @@ set(SOMS_HEADERS
   mesh.h
   midpoint.h
   orientation.h
+  part_runs.h
   polygon.h
   triangle_overlap.h
 )
@@ -18,6 +19,7 @@ set(SOMS_SOURCES
   mesh.cpp
   midpoint.cpp
   orientation.cpp
+  part_runs.cpp
   polygon.cpp
   triangle_overlap.cpp
 )

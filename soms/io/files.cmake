@@ -30,7 +30,6 @@ set(SOMS_SOURCES
   detail/obj.cpp
   detail/off.cpp
   detail/output.cpp
-  detail/part_runs.cpp
   detail/ply.cpp
   detail/ply_binary.cpp
   detail/ply_header.cpp

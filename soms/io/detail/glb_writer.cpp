@@ -1,9 +1,9 @@
 #include "soms/io/detail/glb_writer.h"
 
 #include "soms/base/error.h"
+#include "soms/geometry/part_runs.h"
 #include "soms/io/detail/gltf.h"
 #include "soms/io/detail/gltf_json.h"
-#include "soms/io/detail/part_runs.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include "soms/io/detail/mesh_writer.h"
 
 #include "soms/base/error.h"
+#include "soms/geometry/part_runs.h"
 #include "soms/io/detail/glb_writer.h"
-#include "soms/io/detail/part_runs.h"
 #include "soms/io/detail/three_ds_writer.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "soms/io/detail/three_ds_writer.h"
 
 #include "soms/base/error.h"
-#include "soms/io/detail/part_runs.h"
+#include "soms/geometry/part_runs.h"
 #include "soms/io/detail/three_ds_chunks.h"
 
 #include <algorithm>

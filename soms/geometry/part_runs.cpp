@@ -1,11 +1,11 @@
-#include "soms/io/detail/part_runs.h"
+#include "soms/geometry/part_runs.h"
 
 #include <algorithm>
 #include <limits>
 #include <set>
 #include <utility>
 
-namespace soms::detail {
+namespace soms {
 
 std::vector<PartRun> part_runs(const Mesh& mesh) {
   struct Event {
@@ -55,4 +55,4 @@ std::vector<PartRun> part_runs(const Mesh& mesh) {
   return runs;
 }
 
-}  // namespace soms::detail
+}  // namespace soms
