@@ -90,6 +90,9 @@ struct Inputs {
 /// All rows. Calls of the library only: what the host's settings would spoil stands in `Inputs`.
 [[nodiscard]] Rows all_rows(const Inputs& inputs, int threads);
 
+/// False in builds without pugixml, which lack the rows of COLLADA files.
+[[nodiscard]] bool reads_collada();
+
 /// The parts of `all_rows`.
 void add_geometry(const Inputs& inputs, Rows& rows);
 void add_files(const Inputs& inputs, Rows& rows);

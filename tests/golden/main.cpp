@@ -23,7 +23,10 @@ Rows expected_rows(const std::filesystem::path& file) {
   std::getline(in, line);  // the header
   while (std::getline(in, line)) {
     const std::size_t comma = line.find(',');
-    rows[line.substr(0, comma)] = std::stoull(line.substr(comma + 1), nullptr, 16);
+    const std::string name = line.substr(0, comma);
+    if (!name.ends_with(".dae") || reads_collada()) {
+      rows[name] = std::stoull(line.substr(comma + 1), nullptr, 16);
+    }
   }
   if (rows.empty()) {
     throw std::runtime_error(file.string() + " holds no rows");
