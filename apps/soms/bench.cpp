@@ -76,7 +76,7 @@ int run_bench(const BenchOptions& options, Console& console) {
   if (shared.quiet) {
     words.emplace_back("--quiet");
   }
-  return run_child(bench_program(), words, console);
+  return run_child(bench_program(), words, console, {.called = "soms bench"});
 }
 
 }  // namespace soms::command

@@ -1,5 +1,7 @@
 #include "apps/soms/completion.h"
 
+#include "apps/soms/generate.h"
+#include "apps/soms/man.h"
 #include "apps/soms/verbs.h"
 #include "apps/soms/viewer.h"
 #include "apps/support/console.h"
@@ -14,6 +16,10 @@ namespace soms::command {
 
 namespace {
 
+Choices<Shell> shells() {
+  return {{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}};
+}
+
 std::vector<std::string> verb_names() {
   std::vector<std::string> names;
   for (const Verb& verb : verbs()) {
@@ -22,33 +28,71 @@ std::vector<std::string> verb_names() {
   return names;
 }
 
-std::vector<std::string> option_names(const Verb& verb) {
-  return verb.pass_on != nullptr ? viewer_option_names(verb.name)
-                                 : ParsedVerb("soms", verb).option_names();
+/// What a verb's first argument may be where it is no file.
+std::vector<std::string> argument_words(const Verb& verb) {
+  std::vector<std::string> words;
+  if (verb.add == add_generate) {
+    for (const GenerateKind& kind : generate_kinds()) {
+      words.emplace_back(kind.name);
+    }
+  } else if (verb.add == add_completion) {
+    for (const auto& [name, shell] : shells()) {
+      words.push_back(name);
+    }
+  } else if (verb.add == add_man) {
+    words = verb_names();
+  }
+  return words;
 }
 
-/// Works in zsh too, by its emulation of bash's completion.
+/// Options of a verb of soms-view are told by name alone.
+std::vector<OptionWords> options_of(const Verb& verb) {
+  if (verb.pass_on == nullptr) {
+    return ParsedVerb("soms", verb).options();
+  }
+  std::vector<OptionWords> options;
+  for (const std::string& name : viewer_option_names(verb.name)) {
+    options.push_back({{name}, {}, false});
+  }
+  return options;
+}
+
+/// Works in zsh too, by its emulation of bash's completion. Files are left to the shell, which
+/// knows how names with blanks are quoted.
 std::string bash_script() {
-  std::string cases;
+  std::string options;
+  std::string values;
+  std::string arguments;
   for (const Verb& verb : verbs()) {
-    cases +=
-        fmt::format("    {}) words=\"{}\" ;;\n", verb.name, fmt::join(option_names(verb), " "));
+    std::vector<std::string> names;
+    for (const OptionWords& option : options_of(verb)) {
+      names.insert(names.end(), option.names.begin(), option.names.end());
+      if (!option.values.empty()) {
+        values += fmt::format("    \"{} {}\") words=\"{}\" ;;\n", verb.name, option.names[0],
+                              fmt::join(option.values, " "));
+      }
+    }
+    options += fmt::format("    \"{} -\"*) words=\"{}\" ;;\n", verb.name, fmt::join(names, " "));
+    if (const auto words = argument_words(verb); !words.empty()) {
+      arguments += fmt::format("    {}) words=\"{}\" ;;\n", verb.name, fmt::join(words, " "));
+    }
   }
   return fmt::format(
       "_soms() {{\n"
-      "  local word=\"${{COMP_WORDS[COMP_CWORD]}}\" words=\"\"\n"
+      "  local word=\"${{COMP_WORDS[COMP_CWORD]}}\" verb=\"${{COMP_WORDS[1]}}\" words=\"\"\n"
+      "  local before=\"${{COMP_WORDS[COMP_CWORD-1]}}\"\n"
+      "  COMPREPLY=()\n"
       "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
-      "    COMPREPLY=($(compgen -W \"{} --help --version\" -- \"$word\"))\n"
-      "    return\n"
+      "    words=\"{0} help --help --version\"\n"
       "  fi\n"
-      "  case \"${{COMP_WORDS[1]}}\" in\n{}  esac\n"
-      "  case \"$word\" in\n"
-      "    -*) COMPREPLY=($(compgen -W \"$words\" -- \"$word\")) ;;\n"
-      "    *) COMPREPLY=($(compgen -f -- \"$word\")) ;;\n"
-      "  esac\n"
+      "  [ \"$COMP_CWORD\" -gt 1 ] && case \"$verb $before\" in\n"
+      "    \"help help\") words=\"{0}\" ;;\n{1}  esac\n"
+      "  [ -z \"$words\" ] && case \"$verb $word\" in\n{2}  esac\n"
+      "  [ -z \"$words\" ] && [ \"${{before#-}}\" = \"$before\" ] && case \"$verb\" in\n{3}  esac\n"
+      "  [ -n \"$words\" ] && COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
       "}}\n"
-      "complete -o filenames -F _soms soms\n",
-      fmt::join(verb_names(), " "), cases);
+      "complete -o bashdefault -o default -F _soms soms\n",
+      fmt::join(verb_names(), " "), values, options, arguments);
 }
 
 std::string fish_script() {
@@ -56,10 +100,23 @@ std::string fish_script() {
   for (const Verb& verb : verbs()) {
     text += fmt::format("complete -c soms -n __fish_use_subcommand -a {} -d '{}'\n", verb.name,
                         verb.question);
-    for (const std::string& option : option_names(verb)) {
-      const bool is_long = option.starts_with("--");
-      text += fmt::format("complete -c soms -n '__fish_seen_subcommand_from {}' -{} {}\n",
-                          verb.name, is_long ? "l" : "s", option.substr(is_long ? 2 : 1));
+    const std::string seen =
+        fmt::format("complete -c soms -n '__fish_seen_subcommand_from {}'", verb.name);
+    if (const auto words = argument_words(verb); !words.empty()) {
+      text += fmt::format("{} -f -a '{}'\n", seen, fmt::join(words, " "));
+    }
+    for (const OptionWords& option : options_of(verb)) {
+      text += seen;
+      for (const std::string& name : option.names) {
+        const bool is_long = name.starts_with("--");
+        text += fmt::format(" -{} {}", is_long ? "l" : "s", name.substr(is_long ? 2 : 1));
+      }
+      if (!option.values.empty()) {
+        text += fmt::format(" -x -a '{}'", fmt::join(option.values, " "));
+      } else if (option.has_value) {
+        text += " -r";
+      }
+      text += "\n";
     }
   }
   return text;
@@ -69,10 +126,7 @@ std::string fish_script() {
 
 Action add_completion(CLI::App& app, Shared&) {
   const auto options = std::make_shared<CompletionOptions>();
-  add_choice<Shell>(app, "SHELL", options->shell,
-                    {{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}},
-                    "whose words")
-      ->required();
+  add_choice<Shell>(app, "SHELL", options->shell, shells(), "whose words")->required();
   app.footer("Example:\n  soms completion bash > soms.bash");
   return [options](Console& console) { return run_completion(*options, console); };
 }

@@ -41,6 +41,7 @@ int run_convert(const ConvertOptions& options, Console& console) {
     console.note(fmt::format("{}: {}", options.input, note));
   }
   write_model(mesh, options.output, console);
+  note_losses(mesh, options.output, console);
   if (console.shared().json) {
     console.print(json_line({{"schema", "soms.convert/1"},
                              {"from", options.input},

@@ -57,6 +57,8 @@ set(SOMS_COMMAND_FILES
   simulate_verify.h
   verbs.cpp
   verbs.h
+  version.cpp
+  version.h
   viewer.cpp
   viewer.h
 )

@@ -6,6 +6,7 @@
 #include "soms/generate/statue.h"
 #include "soms/generate/teapot.h"
 #include "soms/generate/urban.h"
+#include "soms/io/formats.h"
 
 #include "apps/support/console.h"
 #include "apps/support/json.h"
@@ -131,7 +132,7 @@ Action add_generate(CLI::App& app, Shared&) {
       ->type_name("");
   add_count(app, "--triangles", options->triangles, 1, kMaxPrimitives, "exactly so many triangles");
   app.add_option("-o,--output", options->output.path,
-                 "file to write: .ply, .3ds, .stl, .off or .obj; - is standard output")
+                 fmt::format("file to write: {}; - is standard output", writable_endings()))
       ->required()
       ->option_text("FILE");
   add_format(app, options->output);

@@ -155,8 +155,7 @@ std::string describe(const Box& box) {
   if (box.empty()) {
     return "empty";
   }
-  return fmt::format("({}, {}, {}) to ({}, {}, {})", box.lower.x, box.lower.y, box.lower.z,
-                     box.upper.x, box.upper.y, box.upper.z);
+  return fmt::format("{} to {}", readable_point(box.lower), readable_point(box.upper));
 }
 
 std::string describe_parts(const Mesh& mesh, const Defects& defects) {
@@ -185,7 +184,7 @@ std::string describe_model(const ModelReport& report) {
   add_line(text, "vertices", with_commas(mesh.vertices.size()));
   add_line(text, "bounds", describe(bounds(mesh)));
   if (mesh.unit != 0) {
-    add_line(text, "unit", fmt::format("{} m", mesh.unit));
+    add_line(text, "unit", readable(mesh.unit) + " m");
   }
   if (mesh.up != UpAxis::unknown) {
     add_line(text, "up axis", axis_name(mesh.up));

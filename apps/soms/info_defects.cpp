@@ -1,6 +1,7 @@
 #include "apps/soms/info_defects.h"
 
 #include "soms/base/error.h"
+#include "soms/geometry/part_runs.h"
 
 #include "apps/support/console.h"
 #include "apps/support/models.h"
@@ -8,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <iterator>
@@ -53,6 +55,22 @@ Place place_of(const Mesh& mesh, const VertexCopy& copy) {
   return {&mesh, true, copy.vertex, copy.original, true, 0, {copy.vertex}};
 }
 
+/// The innermost part of each triangle, found in logarithmic time.
+class PartsOf {
+ public:
+  explicit PartsOf(const Mesh& mesh) : runs_(part_runs(mesh)) {}
+
+  [[nodiscard]] std::uint32_t operator()(TriangleId i) const {
+    const auto behind =
+        std::upper_bound(runs_.begin(), runs_.end(), i,
+                         [](TriangleId t, const PartRun& run) { return t < run.first; });
+    return behind == runs_.begin() ? Part::kNoParent : std::prev(behind)->part;
+  }
+
+ private:
+  std::vector<PartRun> runs_;
+};
+
 /// Calls `tell(key, title, count, list, place)` for each kind of defect; `place(entry)` says where.
 template <class Tell>
 void for_each_kind(const Mesh& mesh, const Defects& d, const Tell& tell) {
@@ -72,7 +90,7 @@ void for_each_kind(const Mesh& mesh, const Defects& d, const Tell& tell) {
   tell("repeated_vertices", "repeated vertices", d.repeated_vertices, p.repeated_vertices, place);
 }
 
-Json to_json(const Place& place) {
+Json to_json(const Place& place, const PartsOf& part_of) {
   const Mesh& mesh = *place.mesh;
   Json json;
   json[place.of_vertex ? "vertex" : "triangle"] = place.number;
@@ -84,7 +102,7 @@ Json to_json(const Place& place) {
     json["uses"] = place.uses;
   }
   if (!place.of_vertex) {
-    const std::uint32_t part = part_of(mesh, place.number);
+    const std::uint32_t part = part_of(place.number);
     json["face"] = mesh.faces.empty() ? place.number : mesh.faces[place.number];
     json["part"] = part == Part::kNoParent ? Json() : Json(part);
     json["vertices"] = place.vertices;
@@ -98,7 +116,7 @@ Json to_json(const Place& place) {
   return json;
 }
 
-std::string to_text(const Place& place) {
+std::string to_text(const Place& place, const PartsOf& part_of) {
   const Mesh& mesh = *place.mesh;
   std::string text;
   if (!place.of_vertex) {
@@ -107,8 +125,8 @@ std::string to_text(const Place& place) {
   for (std::size_t i = 0; i < place.vertices.size(); ++i) {
     const Vec3& p = mesh.vertices[place.vertices[i]];
     const char* const link = i == 0 ? "" : place.uses > 0 ? " to" : ",";
-    text += fmt::format("{}{}vertex {} ({}, {}, {})", link, text.empty() ? "" : " ",
-                        place.vertices[i], p.x, p.y, p.z);
+    text += fmt::format("{}{}vertex {} {}", link, text.empty() ? "" : " ", place.vertices[i],
+                        readable_point(p));
   }
   if (place.has_original) {
     text += fmt::format("; as {} {}", place.of_vertex ? "vertex" : "triangle", place.other);
@@ -117,7 +135,7 @@ std::string to_text(const Place& place) {
     text += place.uses == 2 ? fmt::format("; with triangle {}", place.other)
                             : fmt::format("; {} triangles", with_commas(place.uses));
   }
-  const std::uint32_t part = place.of_vertex ? Part::kNoParent : part_of(mesh, place.number);
+  const std::uint32_t part = place.of_vertex ? Part::kNoParent : part_of(place.number);
   if (part != Part::kNoParent) {
     text += fmt::format("; part {}", printable(mesh.parts[part].name));
   }
@@ -125,6 +143,10 @@ std::string to_text(const Place& place) {
 }
 
 }  // namespace
+
+std::string readable_point(const Vec3& p) {
+  return fmt::format("({}, {}, {})", readable(p.x), readable(p.y), readable(p.z));
+}
 
 Json defect_counts(const Defects& d) {
   return {{"degenerate", d.degenerate},
@@ -142,13 +164,14 @@ Json defect_counts(const Defects& d) {
 }
 
 Json defect_places(const Mesh& mesh, const Defects& defects) {
+  const PartsOf parts(mesh);
   Json json = Json::object();
   for_each_kind(
       mesh, defects,
       [&](const char* key, std::string_view, std::uint64_t, const auto& list, const auto& place) {
         Json& entries = json[key] = Json::array();
         for (const auto& entry : list) {
-          entries.push_back(to_json(place(entry)));
+          entries.push_back(to_json(place(entry), parts));
         }
       });
   return json;
@@ -194,6 +217,7 @@ std::string describe_part(const Mesh& mesh, const Defects& defects, std::size_t 
 }
 
 void print_places(const Mesh& mesh, const Defects& defects, Console& console) {
+  const PartsOf parts(mesh);
   for_each_kind(mesh, defects,
                 [&](std::string_view key, std::string_view title, std::uint64_t count,
                     const auto& list, const auto& place) {
@@ -207,7 +231,7 @@ void print_places(const Mesh& mesh, const Defects& defects, Console& console) {
                                     : fmt::format("  {}, all {}\n", title, with_commas(count)));
                   for (const auto& entry : list) {
                     check_stop(console.parallel());
-                    console.print(fmt::format("    {}\n", to_text(place(entry))));
+                    console.print(fmt::format("    {}\n", to_text(place(entry), parts)));
                   }
                 });
 }

@@ -14,6 +14,9 @@ namespace soms::command {
 
 class Console;
 
+/// "(x, y, z)", fit to be read.
+[[nodiscard]] std::string readable_point(const Vec3& p);
+
 /// The counts, as the member `defects` of the JSON.
 [[nodiscard]] Json defect_counts(const Defects& defects);
 

@@ -80,7 +80,6 @@ std::vector<Lines> blocks_of(std::string_view text) {
 struct Row {
   std::string name;
   std::string text;
-  std::string excludes;
 };
 
 Row row_of(std::string_view line) {
@@ -89,14 +88,7 @@ Row row_of(std::string_view line) {
   std::string_view name = line.substr(0, end);
   std::string_view text = line.substr(end);
   text.remove_prefix(indent_of(text));
-  Row row{std::string(name), std::string(text), {}};
-  // As the parser's help tells it: "--all Excludes: --any --first".
-  constexpr std::string_view kExcludes = " Excludes:";
-  if (const std::size_t at = name.find(kExcludes); at != std::string_view::npos) {
-    row.excludes = fmt::format(" (not with{})", name.substr(at + kExcludes.size()));
-    row.name.resize(at);
-  }
-  return row;
+  return {std::string(name), std::string(text)};
 }
 
 /// Rows of a block's indented lines; deeper ones continue the row before.
@@ -132,7 +124,7 @@ std::string tag_of(const std::string& name) {
 std::string list(const Lines& lines) {
   std::string out;
   for (const Row& row : rows_of(lines)) {
-    out += fmt::format(".TP\n{}\n{}\n", tag_of(row.name), plain(row.text + row.excludes));
+    out += fmt::format(".TP\n{}\n{}\n", tag_of(row.name), plain(row.text));
   }
   return out;
 }

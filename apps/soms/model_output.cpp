@@ -1,6 +1,7 @@
 #include "apps/soms/model_output.h"
 
 #include "soms/base/error.h"
+#include "soms/io/formats.h"
 
 #include "apps/support/console.h"
 #include "apps/support/parse.h"
@@ -9,37 +10,32 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace soms::command {
 
 namespace {
 
-const Choices<MeshFormat>& formats() {
-  static const Choices<MeshFormat> choices{{"ply", MeshFormat::ply},
-                                           {"ply-ascii", MeshFormat::ply_ascii},
-                                           {"obj", MeshFormat::obj},
-                                           {"stl", MeshFormat::stl},
-                                           {"stl-ascii", MeshFormat::stl_ascii},
-                                           {"off", MeshFormat::off},
-                                           {"3ds", MeshFormat::three_ds},
-                                           {"glb", MeshFormat::glb}};
+Choices<MeshFormat> formats() {
+  Choices<MeshFormat> choices;
+  for (const WritableFormat& row : writable_formats()) {
+    choices.emplace_back(row.name, row.format);
+  }
   return choices;
 }
 
-/// What holds floats only, as said in messages; empty for formats that keep doubles.
-std::string_view float_format(MeshFormat format) {
-  switch (format) {
-    case MeshFormat::stl:
-      return "binary STL";
-    case MeshFormat::three_ds:
-      return "3DS";
-    case MeshFormat::glb:
-      return "GLB";
-    default:
-      return {};
+const char* name_of(UpAxis up) {
+  return up == UpAxis::x ? "x" : up == UpAxis::y ? "y" : "z";
+}
+
+/// "a, b and c".
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
   }
+  return text;
 }
 
 }  // namespace
@@ -92,16 +88,16 @@ void write_model(const Mesh& mesh, const ModelOutput& output, const Console& con
     }
   });
   file.commit();
-  const std::string_view floats = float_format(format);
-  const std::uint64_t rounded = floats.empty() ? 0 : count_rounded(mesh, format);
-  if (rounded != 0) {
-    console.note(fmt::format("{}: {} holds floats: {} of {} vertices were rounded", file.name(),
-                             floats, with_commas(rounded), with_commas(mesh.vertices.size())));
+  if (const Rounding rounded = rounding(mesh, format); rounded.count != 0) {
+    console.note(
+        fmt::format("{}: {} holds floats: {} of {} vertices were rounded, by {:.2g} at most",
+                    file.name(), entry(format).title, with_commas(rounded.count),
+                    with_commas(mesh.vertices.size()), rounded.most));
   }
   if (format == MeshFormat::glb && (mesh.up == UpAxis::x || mesh.up == UpAxis::z)) {
     console.note(
         fmt::format("{}: other programs take y for up in GLB; coordinates were kept, with {} up",
-                    file.name(), mesh.up == UpAxis::x ? "x" : "z"));
+                    file.name(), name_of(mesh.up)));
   }
   if (format == MeshFormat::glb && mesh.unit > 0 && mesh.unit != 1) {
     console.note(fmt::format("{}: other programs take GLB for meters; numbers were kept, of {:g} m",
@@ -109,13 +105,27 @@ void write_model(const Mesh& mesh, const ModelOutput& output, const Console& con
   }
 }
 
-std::string format_name(MeshFormat format) {
-  for (const auto& [name, value] : formats()) {
-    if (value == format) {
-      return name;
-    }
+void note_losses(const Mesh& mesh, const ModelOutput& output, const Console& console) {
+  const WritableFormat& format = entry(format_of(output));
+  std::vector<std::string> lost;
+  if (!format.unit_and_axis && mesh.unit > 0) {
+    lost.push_back(fmt::format("the unit ({:g} m)", mesh.unit));
   }
-  return {};
+  if (!format.unit_and_axis && mesh.up != UpAxis::unknown) {
+    lost.push_back(fmt::format("the up axis ({})", name_of(mesh.up)));
+  }
+  if (!format.names && !mesh.parts.empty()) {
+    lost.push_back("the names of " + counted(mesh.parts.size(), "part"));
+  }
+  if (!lost.empty()) {
+    console.note(fmt::format("{}: {} does not keep {}",
+                             output.path == "-" ? "standard output" : output.path, format.title,
+                             joined(lost)));
+  }
+}
+
+std::string format_name(MeshFormat format) {
+  return std::string(entry(format).name);
 }
 
 }  // namespace soms::command

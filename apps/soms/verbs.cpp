@@ -9,6 +9,7 @@
 #include "apps/soms/overlap.h"
 #include "apps/soms/reproduce.h"
 #include "apps/soms/simulate.h"
+#include "apps/soms/version.h"
 #include "apps/soms/viewer.h"
 
 #include <array>
@@ -30,6 +31,7 @@ constexpr std::array kVerbs{
     Verb{"reproduce", "the experiments of the thesis: tables, figures and a page", add_reproduce},
     Verb{"simulate", "a city, movers on its streets, frame by frame: who touches what",
          add_simulate},
+    Verb{"version", "the version, the instruction set and the formats of this soms", add_version},
     Verb{"view", "fly through a city and see what touches what, and why", nullptr, pass_to_viewer},
 };
 

@@ -1,5 +1,6 @@
 #include "apps/support/models.h"
 
+#include "soms/base/error.h"
 #include "soms/io/read_mesh.h"
 #include "soms/query/traversal/traversals.h"
 #include "soms/tree/rule/rules.h"
@@ -8,7 +9,10 @@
 #include "apps/support/parse.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -114,12 +118,56 @@ void add_traversal_options(CLI::App& app, TraversalOptions& options) {
       ->group(kTreeGroup);
 }
 
+namespace {
+
+constexpr const char* kStandardInput = "/dev/stdin";
+
+/// A terminal, into which nobody types a model, and the device that is always empty are no faults
+/// of a file: whoever wrote "-" has named none.
+void check_standard_input() {
+  struct stat status {};
+
+  struct stat nothing {};
+
+  const bool is_null = ::fstat(0, &status) == 0 && S_ISCHR(status.st_mode) &&
+                       ::stat("/dev/null", &nothing) == 0 && status.st_rdev == nothing.st_rdev;
+  if (::isatty(0) == 1) {
+    throw Error(ErrorKind::cannot_open, "standard input is a terminal",
+                "pipe a model into it, or name a file");
+  }
+  if (is_null) {
+    throw Error(ErrorKind::bad_file, "standard input is empty",
+                "pipe a model into it, or name a file");
+  }
+}
+
+/// The same error with standard input by that name.
+Error of_standard_input(const Error& error) {
+  std::string place = error.place();
+  const std::string_view device = kStandardInput;
+  for (std::size_t at = place.find(device); at != std::string::npos; at = place.find(device)) {
+    place.replace(at, device.size(), "standard input");
+  }
+  return Error(error.kind(), place, error.remedy());
+}
+
+Mesh read_standard_input(const ReadOptions& options, const Parallel& parallel) {
+  check_standard_input();
+  try {
+    return read_mesh(kStandardInput, options, parallel);
+  } catch (const Error& error) {
+    throw of_standard_input(error);
+  }
+}
+
+}  // namespace
+
 Mesh read_model(const std::string& path, const ModelOptions& options, const Console& console) {
   const ReadOptions read{.allow_empty = options.allow_empty,
                          .max_memory = console.shared().max_memory};
   Mesh mesh = console.run("reading " + printable(path), [&](const Parallel& parallel) {
     try {
-      return read_mesh(path == "-" ? "/dev/stdin" : path, read, parallel);
+      return path == "-" ? read_standard_input(read, parallel) : read_mesh(path, read, parallel);
     } catch (const Error& error) {
       throw in_words_of_options(error, path, options, console.shared());
     }

@@ -61,6 +61,12 @@ using Choices = std::vector<std::pair<std::string, T>>;
 /// "one|two|three", on several lines if it is long.
 [[nodiscard]] std::string word_list(const std::vector<std::string>& words);
 
+/// The words of the list that ends an option's text.
+[[nodiscard]] std::vector<std::string> listed_words(const std::string& text);
+
+/// What stands for the value of an option that is one of a few words.
+inline constexpr const char* kChoiceText = "WORD";
+
 /// The error of a word that is none of `names`: it lists them.
 [[nodiscard]] Error unknown_choice(std::string_view option, std::string_view word,
                                    const std::vector<std::string>& names);
@@ -94,7 +100,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target, 
             target = parse_choice(name, value, choices);
           },
           text + ": " + word_list(words))
-      ->option_text("WORD");
+      ->option_text(kChoiceText);
 }
 
 }  // namespace soms::command

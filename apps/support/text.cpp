@@ -1,6 +1,16 @@
 #include "apps/support/text.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace soms::command {
+
+namespace {
+
+constexpr std::ptrdiff_t kDigits = 9;
+
+}  // namespace
 
 std::string with_commas(std::uint64_t number) {
   std::string digits = std::to_string(number);
@@ -8,6 +18,14 @@ std::string with_commas(std::uint64_t number) {
     digits.insert(i - 3, 1, ',');
   }
   return digits;
+}
+
+std::string readable(double number) {
+  const std::string whole = fmt::format("{}", number);
+  const std::string mantissa = whole.substr(0, whole.find('e'));
+  const auto digits =
+      std::count_if(mantissa.begin(), mantissa.end(), [](char c) { return '0' <= c && c <= '9'; });
+  return digits <= kDigits ? whole : fmt::format("{:.{}g}", number, kDigits);
 }
 
 std::string counted(std::uint64_t number, const std::string& noun) {

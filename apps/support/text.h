@@ -10,6 +10,10 @@ namespace soms::command {
 /// A whole number with commas between thousands.
 [[nodiscard]] std::string with_commas(std::uint64_t number);
 
+/// A number of at most nine digits: all of them where they are enough to tell it, as 0.1, else the
+/// first nine, as 0.100000001 for the float that is nearest to 0.1.
+[[nodiscard]] std::string readable(double number);
+
 /// "1 triangle", "2 triangles".
 [[nodiscard]] std::string counted(std::uint64_t number, const std::string& noun);
 

@@ -27,6 +27,13 @@ struct Verb {
   int (*pass_on)(std::string_view verb, const std::vector<std::string>& words) = nullptr;
 };
 
+/// An option as a shell completes it.
+struct OptionWords {
+  std::vector<std::string> names;   ///< with their dashes
+  std::vector<std::string> values;  ///< words of which its value is one; empty: anything
+  bool has_value = false;
+};
+
 /// A verb's parser with the values that it fills. The shared options are added after the verb's
 /// own.
 class ParsedVerb {
@@ -46,6 +53,8 @@ class ParsedVerb {
 
   /// The text of --help.
   [[nodiscard]] std::string help() const;
+
+  [[nodiscard]] std::vector<OptionWords> options() const;
 
   /// Every name of every option, with its dashes.
   [[nodiscard]] std::vector<std::string> option_names() const;

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
+#include <string>
+#include <string_view>
 
 namespace soms::bench {
 
@@ -17,15 +19,21 @@ namespace {
 
 constexpr int kWrongAnswer = 6;
 
+/// What messages begin with: this program, or the verb that started it.
+std::string caller(int argc, char** argv) {
+  constexpr std::string_view kVerb = "soms bench";
+  return std::string(argc > 0 && argv[0] == kVerb ? kVerb : "soms-bench");
+}
+
 Roster contestants(const Options& options) {
   Roster roster;
   const std::vector<std::string> faults = add_modules(roster, module_folder());
   if (!options.quiet) {
     for (const std::string& fault : faults) {
-      std::cerr << "soms-bench: a rival is left out: " << fault << '\n';
+      std::cerr << options.caller << ": a rival is left out: " << fault << '\n';
     }
     if (roster.empty()) {
-      std::cerr << "soms-bench: no rival is here (" << module_folder().string()
+      std::cerr << options.caller << ": no rival is here (" << module_folder().string()
                 << "); docs/bench.md says how to build them\n";
     }
   }
@@ -129,14 +137,19 @@ int run(const Options& options) {
 }  // namespace soms::bench
 
 int main(int argc, char** argv) {
+  const std::string caller = soms::bench::caller(argc, argv);
   try {
-    const auto options = soms::bench::parse(argc, argv);
-    return options ? soms::bench::run(*options) : 0;
+    auto options = soms::bench::parse(argc, argv);
+    if (!options) {
+      return 0;
+    }
+    options->caller = caller;
+    return soms::bench::run(*options);
   } catch (const soms::Error& error) {
-    std::cerr << "soms-bench: " << error.what() << '\n';
+    std::cerr << caller << ": " << error.what() << '\n';
     return soms::exit_code(error.kind());
   } catch (const std::exception& error) {
-    std::cerr << "soms-bench: " << error.what() << '\n';
+    std::cerr << caller << ": " << error.what() << '\n';
     return 4;
   }
 }

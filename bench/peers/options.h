@@ -14,6 +14,7 @@ namespace soms::bench {
 
 struct Options {
   RunOptions run;
+  std::string caller = "soms-bench";  ///< what messages begin with
   bool quick = false;
   bool list = false;
   bool json = false;

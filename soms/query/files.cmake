@@ -1,6 +1,7 @@
 set(SOMS_HEADERS
   answer.h
   body.h
+  instruction_set.h
   overlap.h
   overlap_run.h
   reference/overlap.h
@@ -32,6 +33,7 @@ set(SOMS_SOURCES
   detail/relative_pose.cpp
   detail/scouts.cpp
   detail/triangle_tests.cpp
+  instruction_set.cpp
   overlap.cpp
   overlap_batch.cpp
   overlap_run.cpp

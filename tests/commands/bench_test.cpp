@@ -98,7 +98,8 @@ TEST(Bench, PassesOnWhatTheProgramComplainsAbout) {
   const std::string a = test::data("truth/meshes/torus.ply").string();
   const RunResult missing = soms_run({"bench", a, "/nowhere/b.ply"});
   EXPECT_EQ(missing.status, 3);
-  EXPECT_NE(missing.err.find("/nowhere/b.ply"), std::string::npos) << missing.err;
+  EXPECT_NE(missing.err.find("soms bench: /nowhere/b.ply"), std::string::npos) << missing.err;
+  EXPECT_EQ(missing.err.find("soms-bench:"), std::string::npos) << missing.err;
   const RunResult pose = soms_run({"bench", a, a, "--pose", "1 2"});
   EXPECT_EQ(pose.status, 2) << pose.err;
 }

@@ -16,7 +16,32 @@ TEST(Completion, CompletesVerbsAndOptionsInBash) {
   EXPECT_EQ(complete("soms ove", 1), "overlap\n");
   EXPECT_EQ(complete("soms overlap --tra", 2), "--traversal\n");
   EXPECT_EQ(complete("soms generate --tri", 2), "--triangles\n");
-  EXPECT_EQ(complete("soms info " + file.substr(0, file.size() - 3), 2), file + "\n");
+  EXPECT_EQ(complete("soms generate ci", 2), "city\n");
+  EXPECT_EQ(complete("soms generate --seed 7 kn", 4), "knot\n");
+  EXPECT_EQ(complete("soms convert a b --format stl", 5), "stl stl-ascii\n");
+  EXPECT_EQ(complete("soms completion ''", 2), "bash zsh fish\n");
+  for (const std::string verb : {"man", "help"}) {
+    EXPECT_EQ(complete("soms " + verb + " ove", 2), "overlap\n");
+  }
+  EXPECT_EQ(complete("soms man ''", 2), complete("soms help ''", 2));
+}
+
+// Readline's own completion knows how to quote: an answer of ours would be cut at blanks.
+TEST(Completion, LeavesFilesToTheShellInBash) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "soms.bash").string();
+  write_text(file, soms_run({"completion", "bash"}).out);
+  write_text(folder.path() / "my town.ply", "");
+  const std::string source = "cd '" + folder.path().string() + "'; source ./soms.bash; ";
+  EXPECT_EQ(run_program({"bash", "-c", source + "complete -p soms"}).out,
+            "complete -o bashdefault -o default -F _soms soms\n");
+  for (const std::string words :
+       {"soms info my", "soms generate city -o my", "soms overlap my\\ t"}) {
+    const std::string ask =
+        "COMP_WORDS=(" + words +
+        "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _soms; echo \"${#COMPREPLY[@]}\"";
+    EXPECT_EQ(run_program({"bash", "-c", source + ask}).out, "0\n") << words;
+  }
 }
 
 TEST(Completion, NamesEveryVerbInEveryShell) {

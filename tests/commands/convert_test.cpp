@@ -45,7 +45,7 @@ TEST(Convert, TellsThatStlAnd3dsRound) {
   write_text(folder.path() / "a.off", triangle_off("0.1 0 0", "1 0 0", "0 1 0"));
   const std::string input = (folder.path() / "a.off").string();
   for (const auto& [name, words] : {std::pair("a.stl", "binary STL holds floats: 1 of 3 vertices"),
-                                    std::pair("a.3ds", "3DS holds floats: 1 of 3 vertices")}) {
+                                    std::pair("a.3ds", "were rounded, by 1.5e-09 at most")}) {
     const std::string output = (folder.path() / name).string();
     const RunResult result = soms_run({"convert", input, output});
     EXPECT_EQ(result.status, 0);
@@ -53,6 +53,22 @@ TEST(Convert, TellsThatStlAnd3dsRound) {
     EXPECT_EQ(soms_run({"convert", input, output, "--quiet"}).err, "");
   }
   EXPECT_EQ(soms_run({"convert", input, (folder.path() / "a.ply").string()}).err.find("rounded"),
+            std::string::npos);
+}
+
+TEST(Convert, SaysOnceWhatAFormatDoesNotKeep) {
+  const TemporaryFolder folder;
+  const auto path = [&](const char* name) { return (folder.path() / name).string(); };
+  write_text(path("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\ng roof\nf 1 2 3\n");
+  ASSERT_EQ(soms_run({"convert", path("a.obj"), path("a.glb"), "--quiet"}).status, 0);
+  EXPECT_EQ(soms_run({"convert", path("a.glb"), path("b.glb")}).err.find("not keep"),
+            std::string::npos);
+  EXPECT_NE(soms_run({"convert", path("a.glb"), path("b.obj")})
+                .err.find("b.obj: OBJ does not keep the unit (1 m) and the up axis (y)\n"),
+            std::string::npos);
+  EXPECT_NE(soms_run({"convert", path("a.glb"), path("b.off")})
+                .err.find("OFF does not keep the unit (1 m), the up axis (y) and the names of 1 "
+                          "part\n"),
             std::string::npos);
 }
 

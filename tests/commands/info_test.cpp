@@ -175,6 +175,46 @@ TEST(Info, NamesTheFileThatIsWrong) {
   }
 }
 
+TEST(Info, SaysThatNothingCameByStandardInput) {
+  EXPECT_EQ(shell("$soms info - </dev/null").err,
+            "soms info: standard input is empty; pipe a model into it, or name a file\n");
+  EXPECT_EQ(shell("$soms info - <&-").status, 3);
+  EXPECT_NE(
+      shell("printf '' | $soms info -").err.find("soms info: standard input: the file is empty"),
+      std::string::npos);
+  EXPECT_NE(soms_on_terminal({"info", "-"}).out.find("standard input is a terminal; pipe a model"),
+            std::string::npos);
+}
+
+TEST(Info, SaysWhatARecordingIsAndWhoReadsIt) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "run.somsrec").string();
+  ASSERT_EQ(soms_run({"simulate", test::data("truth/meshes/terrain.ply").string(), "--count", "1",
+                      "--frames", "1", "--record", path})
+                .status,
+            0);
+  for (const RunResult& result : {soms_run({"info", path}), soms_run({"overlap", path, path})}) {
+    EXPECT_EQ(result.status, 3);
+    EXPECT_NE(result.err.find(path + ": a recording of soms simulate, not a model; soms view plays "
+                                     "it, soms render draws a frame of it\n"),
+              std::string::npos)
+        << result.err;
+  }
+}
+
+TEST(Info, PrintsNumbersToBeReadAndWholeOnesAsJson) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "a.off").string();
+  write_text(path, triangle_off("0.1 0.30000000000000004 4470253.1234567", "1e-300 -2 0", "9 8 7"));
+  EXPECT_NE(soms_run({"info", path, "--no-trees"})
+                .out.find("  bounds     (1e-300, -2, 0) to (9, 8, 4470253.12)\n"),
+            std::string::npos);
+  EXPECT_NE(soms_run({"info", path, "--no-trees"})
+                .out.find("vertex 0 (0.1, 0.3, 4470253.12) to vertex 1 (1e-300, -2, 0)"),
+            std::string::npos);
+  EXPECT_EQ(info({path, "--no-trees"}).at("bounds").at(1).at(2), 4470253.1234567);
+}
+
 TEST(Info, AcceptsAnEmptyModelWhenAsked) {
   const Json report = info({test::data("nasty/empty_mesh.ply").string(), "--allow-empty"});
   EXPECT_EQ(report.at("triangles"), 0);

@@ -68,8 +68,9 @@ TEST(Man, KeepsExamplesAsTheyAreTyped) {
   const std::string page = with_dashes(soms_run({"man", "overlap"}).out);
   EXPECT_NE(page.find(".SH EXAMPLE\n.nf\nsoms generate knot --triangles 2000 -o knot.ply\n"),
             std::string::npos);
-  EXPECT_NE(page.find("stop at the first pair found, whichever (not with --all --first --limit)"),
-            std::string::npos)
+  EXPECT_NE(
+      page.find("stop at the first pair found, whichever; not with --all, --first or --limit"),
+      std::string::npos)
       << page;
 }
 

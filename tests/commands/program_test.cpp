@@ -1,3 +1,5 @@
+#include "soms/io/formats.h"
+
 #include "tests/commands/run.h"
 
 #include <regex>
@@ -198,6 +200,25 @@ TEST(Program, EveryVerbsExampleWorks) {
       EXPECT_EQ(result.status, 0) << line << "\n" << result.err;
     }
   }
+}
+
+TEST(Program, SaysInWordsWhichOptionsStandAlone) {
+  const std::string help = soms_run({"overlap", "--help"}).out;
+  EXPECT_NE(help.find("; not with --any or --first\n"), std::string::npos) << help;
+  EXPECT_EQ(help.find("Excludes"), std::string::npos);
+  EXPECT_NE(soms_run({"bench", "--help"}).out.find("(default 1000); not with --pose\n"),
+            std::string::npos);
+}
+
+TEST(Program, ListsTheFormatsThatAreWrittenInEveryHelp) {
+  const std::string help = soms_run({"generate", "--help"}).out;
+  EXPECT_NE(help.find(writable_endings()), std::string::npos) << help;
+  std::string words;
+  for (const WritableFormat& row : writable_formats()) {
+    words.append(words.empty() ? "" : "|").append(row.name);
+  }
+  EXPECT_NE(help.find(words), std::string::npos) << words;
+  EXPECT_NE(soms_run({"--help"}).out.find("write " + writable_names() + "\n"), std::string::npos);
 }
 
 TEST(Program, EveryHelpFitsAScreen) {

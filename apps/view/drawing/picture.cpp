@@ -1,11 +1,13 @@
 #include "apps/view/drawing/picture.h"
 
 #include "soms/base/error.h"
+#include "soms/io/new_file.h"
 
 #include <png.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csetjmp>
 #include <cstdlib>
 #include <fstream>
@@ -123,11 +125,6 @@ int apart(std::uint8_t a, std::uint8_t b) {
   return std::abs(static_cast<int>(a) - static_cast<int>(b));
 }
 
-[[noreturn]] void refuse_write(const std::filesystem::path& path, const std::string& why) {
-  throw Error(ErrorKind::cannot_write, path.string() + ": " + why,
-              "choose a folder that exists and may be written");
-}
-
 }  // namespace
 
 Color Picture::at(int x, int y) const {
@@ -193,27 +190,23 @@ Picture from_png(std::string_view bytes, const std::string& name) {
 
 void write_png(const Picture& picture, const std::filesystem::path& path) {
   const std::string bytes = to_png(picture);
-  const std::filesystem::path beside = path.string() + ".part" + std::to_string(::getpid());
-  std::error_code trouble;
-  if (std::filesystem::exists(path, trouble) && !std::filesystem::is_regular_file(path, trouble)) {
-    refuse_write(path, "it is no regular file");
+  NewFile file;
+  const auto check = [&](int error) {
+    if (error != 0) {
+      throw Error(ErrorKind::cannot_write,
+                  path.string() + ": " + std::generic_category().message(error),
+                  "choose a folder that exists, may be written and has room");
+    }
+  };
+  check(file.open(path));
+  for (std::string_view left = bytes; !left.empty();) {
+    const ssize_t done = ::write(file.descriptor(), left.data(), left.size());
+    if (done < 0 && errno != EINTR) {
+      check(errno);
+    }
+    left.remove_prefix(done < 0 ? 0 : static_cast<std::size_t>(done));
   }
-  std::ofstream file(beside, std::ios::binary);
-  if (!file) {
-    refuse_write(path, "cannot be created");
-  }
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (!file) {
-    std::filesystem::remove(beside, trouble);
-    refuse_write(path, "the disk is full or the file cannot be written");
-  }
-  std::filesystem::rename(beside, path, trouble);
-  if (trouble) {
-    std::error_code ignored;
-    std::filesystem::remove(beside, ignored);
-    refuse_write(path, trouble.message());
-  }
+  check(file.commit());
 }
 
 Picture read_png(const std::filesystem::path& path) {

@@ -1,0 +1,108 @@
+#include "apps/soms/version.h"
+
+#include "soms/base/error.h"
+#include "soms/io/formats.h"
+#include "soms/query/instruction_set.h"
+
+#include "apps/support/console.h"
+#include "apps/support/json.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soms::command {
+
+namespace {
+
+/// The instruction set that queries run on, or why they do not run.
+struct Chosen {
+  std::string_view name;  ///< empty where SOMS_ISA cannot be obeyed
+  std::string fault;
+};
+
+Chosen chosen_instruction_set() {
+  try {
+    return {instruction_set(), {}};
+  } catch (const Error& error) {
+    return {{}, error.what()};
+  }
+}
+
+std::vector<std::string_view> written_endings() {
+  std::vector<std::string_view> endings;
+  for (const WritableFormat& row : writable_formats()) {
+    if (!row.ending.empty()) {
+      endings.push_back(row.ending);
+    }
+  }
+  return endings;
+}
+
+std::vector<std::string_view> read_endings() {
+  std::vector<std::string_view> endings;
+  for (const ReadableFormat& format : readable_formats()) {
+    endings.push_back(format.ending);
+  }
+  return endings;
+}
+
+/// On lines of a screen, each under the first.
+std::string folded(const std::vector<std::string_view>& words) {
+  constexpr std::size_t kWidth = 80;
+  std::string text;
+  std::size_t column = 0;
+  for (const std::string_view word : words) {
+    if (column + word.size() > kWidth) {
+      text += fmt::format("\n{:18}", "");
+      column = 0;
+    } else if (!text.empty()) {
+      text += " ";
+    }
+    text += word;
+    column += word.size() + 1;
+  }
+  return text;
+}
+
+}  // namespace
+
+Action add_version(CLI::App& app, Shared&) {
+  app.footer(
+      "Example:\n"
+      "  soms version");
+  return [](Console& console) { return run_version(console); };
+}
+
+int run_version(Console& console) {
+  const Chosen chosen = chosen_instruction_set();
+  const auto imported = imported_endings();
+  const std::vector<std::string_view> others(imported.begin(), imported.end());
+  if (console.shared().json) {
+    console.print(
+        json_line({{"schema", "soms.version/1"},
+                   {"version", SOMS_VERSION},
+                   {"instruction_set", chosen.name.empty() ? Json() : Json(chosen.name)},
+                   {"instruction_set_fault", chosen.fault.empty() ? Json() : Json(chosen.fault)},
+                   {"instruction_sets", instruction_sets()},
+                   {"reads", read_endings()},
+                   {"reads_by_soms_import", others},
+                   {"writes", written_endings()}}));
+    return 0;
+  }
+  console.print(fmt::format("soms {}\n", SOMS_VERSION));
+  console.print(fmt::format(
+      "  instruction set {}\n",
+      chosen.name.empty()
+          ? fmt::format("none, queries fail: {}", chosen.fault)
+          : fmt::format("{}, of {} here", chosen.name, fmt::join(instruction_sets(), ", "))));
+  console.print(fmt::format("  reads           {}\n", folded(read_endings())));
+  console.print(fmt::format("  by soms-import  {}\n", folded(others)));
+  console.print(fmt::format("  writes          {}\n", folded(written_endings())));
+  return 0;
+}
+
+}  // namespace soms::command
