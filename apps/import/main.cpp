@@ -30,9 +30,9 @@ class OneFile final : public Assimp::IOSystem {
   OneFile(std::string name, const std::uint8_t* bytes, std::size_t size)
       : name_(std::move(name)), bytes_(bytes), size_(size) {}
 
-  bool Exists(const char* file) const override { return name_ == file; }
+  [[nodiscard]] bool Exists(const char* file) const override { return name_ == file; }
 
-  char getOsSeparator() const override { return '/'; }
+  [[nodiscard]] char getOsSeparator() const override { return '/'; }
 
   Assimp::IOStream* Open(const char* file, const char* mode) override {
     return Exists(file) && *mode == 'r' ? new Assimp::MemoryIOStream(bytes_, size_) : nullptr;

@@ -20,7 +20,7 @@ class Answer {
   void face(std::span<const std::uint32_t> corners);
   void begin_part(std::string_view name);
   void end_part();
-  void note(std::string_view text);
+  void note(std::string_view words);
   /// Meters a unit.
   void unit(double meters);
   /// The axis that is up: 'x', 'y' or 'z'.
