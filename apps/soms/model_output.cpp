@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 #include <vector>
@@ -99,6 +100,11 @@ void write_model(const Mesh& mesh, const ModelOutput& output, const Console& con
         fmt::format("{}: other programs take y for up in GLB; coordinates were kept, with {} up",
                     file.name(), name_of(mesh.up)));
   }
+  if (format == MeshFormat::glb && mesh.up == UpAxis::unknown) {
+    console.note(
+        fmt::format("{}: other programs take y for up in GLB; this model does not say what is up",
+                    file.name()));
+  }
   if (format == MeshFormat::glb && mesh.unit > 0 && mesh.unit != 1) {
     console.note(fmt::format("{}: other programs take GLB for meters; numbers were kept, of {:g} m",
                              file.name(), mesh.unit));
@@ -114,8 +120,10 @@ void note_losses(const Mesh& mesh, const ModelOutput& output, const Console& con
   if (!format.unit_and_axis && mesh.up != UpAxis::unknown) {
     lost.push_back(fmt::format("the up axis ({})", name_of(mesh.up)));
   }
-  if (!format.names && !mesh.parts.empty()) {
-    lost.push_back("the names of " + counted(mesh.parts.size(), "part"));
+  const auto named = std::count_if(mesh.parts.begin(), mesh.parts.end(),
+                                   [](const Part& part) { return !part.name.empty(); });
+  if (!format.names && named > 0) {
+    lost.push_back("the names of " + counted(static_cast<std::uint64_t>(named), "part"));
   }
   if (!lost.empty()) {
     console.note(fmt::format("{}: {} does not keep {}",

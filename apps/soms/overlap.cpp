@@ -21,6 +21,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -76,6 +77,12 @@ class BlockSize {
   static constexpr std::uint64_t kMostPairs = 1'000'000;
   std::size_t value_ = 1;
 };
+
+/// What is wrong with a pose, where the message has named the pose already.
+std::string_view without_subject(std::string_view place) {
+  constexpr std::string_view kSubject = "pose: ";
+  return place.starts_with(kSubject) ? place.substr(kSubject.size()) : place;
+}
 
 /// Answers the rows of poses in blocks and prints each block's answers in order.
 class OverlapRun {
@@ -197,7 +204,9 @@ class OverlapRun {
       if (report_.single || error.kind() == ErrorKind::cancelled) {
         throw;
       }
-      throw Error(error.kind(), fmt::format("pose {}: {}", totals_.poses + k, error.place()),
+      throw Error(error.kind(),
+                  fmt::format("{}: pose {}: {}", poses_.name(), totals_.poses + k,
+                              without_subject(error.place())),
                   error.remedy());
     }
   }

@@ -52,6 +52,9 @@ class PosePairs {
   /// True if there is one row, known without reading on.
   [[nodiscard]] bool is_single() const { return a_.is_constant() && b_.is_constant(); }
 
+  /// Name of the file that has the rows.
+  [[nodiscard]] const std::string& name() const { return a_.is_constant() ? b_.name() : a_.name(); }
+
   /// The next row, or nothing at the end.
   /// \errors As `PoseReader::next`; ErrorKind::bad_file when one file ends before the other.
   [[nodiscard]] std::optional<std::pair<Pose, Pose>> next();

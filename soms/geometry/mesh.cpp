@@ -187,7 +187,7 @@ Mesh transformed(Mesh mesh, double scale, UpAxis up) {
       v = v * scale;
     }
   }
-  if (up == UpAxis::x || up == UpAxis::y) {
+  if (up != UpAxis::unknown) {
     mesh.up = UpAxis::z;
   }
   if (mesh.unit > 0 && scale != 1) {

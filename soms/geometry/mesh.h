@@ -73,8 +73,8 @@ void append(Mesh& mesh, const Mesh& other);
 [[nodiscard]] std::uint64_t corner_hash(const Mesh& mesh);
 
 /// A mesh with every vertex multiplied by `scale`, and turned from `up` to z up as COLLADA does it
-/// (y up: (x, y, z) becomes (x, -z, y); x up: it becomes (-y, -z, x)); `unknown` and `z` do
-/// not turn. Turning only permutes and negates, so it rounds nothing.
+/// (y up: (x, y, z) becomes (x, -z, y); x up: it becomes (-y, -z, x); `unknown` and `z` do
+/// not turn). Turning permutes and negates, without rounding; the result states z up after x, y, z.
 /// \errors ErrorKind::usage unless `scale` is finite and positive.
 [[nodiscard]] Mesh transformed(Mesh mesh, double scale, UpAxis up);
 

@@ -107,6 +107,7 @@ class Run {
  private:
   /// Brings the next group of queries to where their walks begin; false if there is none left.
   bool send_scouts() {
+    check_stop(question_.parallel);
     scouts_.clear();
     scouted_ = 0;
     const WideTree& mover = question_.mover.layout();

@@ -35,7 +35,7 @@ struct RunAnswers {
   }
 };
 
-/// Memory for runs. \threads One caller at a time.
+/// Memory for runs; one that was moved from has none. \threads One caller at a time.
 class OverlapRun {
  public:
   OverlapRun();
@@ -46,8 +46,8 @@ class OverlapRun {
   /// `overlap` of `mover` at each of `poses` with `fixed`, in place of what `answers` held. Each
   /// query takes the steps that it would take alone, so answers and costs do not depend on its
   /// neighbors. Of `parallel` only `stop` counts.
-  /// \pre    All poses have passed `check` and, with their shapes, `check_range`.
-  /// \errors As `overlap` but for poses.
+  /// \pre    All poses, that of `fixed` too, have passed `check` and, with their shapes,
+  /// `check_range`. \errors As `overlap` but for poses.
   void ask(const Shape& mover, std::span<const Pose* const> poses, const Body& fixed,
            const OverlapOptions& options, const Parallel& parallel, RunAnswers& answers);
 

@@ -60,15 +60,18 @@ TEST(Convert, SaysOnceWhatAFormatDoesNotKeep) {
   const TemporaryFolder folder;
   const auto path = [&](const char* name) { return (folder.path() / name).string(); };
   write_text(path("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\ng roof\nf 1 2 3\n");
-  ASSERT_EQ(soms_run({"convert", path("a.obj"), path("a.glb"), "--quiet"}).status, 0);
+  ASSERT_EQ(soms_run({"convert", path("a.obj"), path("a.glb"), "--up", "y", "--quiet"}).status, 0);
   EXPECT_EQ(soms_run({"convert", path("a.glb"), path("b.glb")}).err.find("not keep"),
             std::string::npos);
   EXPECT_NE(soms_run({"convert", path("a.glb"), path("b.obj")})
-                .err.find("b.obj: OBJ does not keep the unit (1 m) and the up axis (y)\n"),
+                .err.find("b.obj: OBJ does not keep the up axis (z)\n"),
             std::string::npos);
   EXPECT_NE(soms_run({"convert", path("a.glb"), path("b.off")})
-                .err.find("OFF does not keep the unit (1 m), the up axis (y) and the names of 1 "
-                          "part\n"),
+                .err.find("OFF does not keep the up axis (z) and the names of 1 part\n"),
+            std::string::npos);
+  // A unit, an axis, and two parts without names.
+  EXPECT_NE(soms_run({"convert", test::data("formats/mirrored_node.gltf").string(), path("b.ply")})
+                .err.find("PLY does not keep the unit (1 m) and the up axis (y)\n"),
             std::string::npos);
 }
 
@@ -88,19 +91,23 @@ TEST(Convert, KeepsAxesOfGlbUnlessTheyAreTurned) {
   const TemporaryFolder folder;
   const auto path = [&](const char* name) { return (folder.path() / name).string(); };
   write_text(path("a.off"), triangle_off("1 2 3", "1 0 0", "0 1 0"));
-  EXPECT_EQ(soms_run({"convert", path("a.off"), path("a.glb")}).err.find("up"), std::string::npos);
+  EXPECT_NE(
+      soms_run({"convert", path("a.off"), path("a.glb")})
+          .err.find(
+              "a.glb: other programs take y for up in GLB; this model does not say what is up"),
+      std::string::npos);
   const Json read = info(path("a.glb"));
   EXPECT_EQ(read.at("bounds"), Json::parse("[[0,0,0],[1,2,3]]"));
-  EXPECT_EQ(read.at("up"), "y");
-  EXPECT_EQ(read.at("unit"), 1.0);
+  EXPECT_TRUE(read.at("up").is_null());
+  EXPECT_TRUE(read.at("unit").is_null());
   const RunResult turned = soms_run({"convert", path("a.glb"), path("b.glb"), "--up", "y"});
   EXPECT_NE(turned.err.find("b.glb: other programs take y for up in GLB"), std::string::npos)
       << turned.err;
   EXPECT_EQ(info(path("b.glb")).at("bounds"), Json::parse("[[0,-3,0],[1,0,2]]"));
   // What needs an up axis turns the one that a file states, and says so.
-  const std::string note = "a.glb: its up axis is y; turned to z";
-  const std::vector<std::string> words = {"simulate", path("a.glb"), "--frames",
-                                          "1",        "--count",     "1"};
+  const std::string stated = test::data("formats/nodes_trs.gltf").string();
+  const std::string note = "nodes_trs.gltf: its up axis is y; turned to z";
+  const std::vector<std::string> words = {"simulate", stated, "--frames", "1", "--count", "1"};
   EXPECT_NE(soms_run(words).err.find(note), std::string::npos);
   std::vector<std::string> as_is = words;
   as_is.insert(as_is.end(), {"--up", "z"});

@@ -50,7 +50,8 @@ TEST(GlbWriter, WritesExactlyThis) {
   mesh.triangles = {{0, 1, 2}};
   mesh.parts = {{"a \"b\"\xff", Part::kNoParent, 0, 1}};
   std::string json =
-      R"({"asset":{"version":"2.0","generator":"soms"},"scene":0,"scenes":[{"nodes":[0]}],)"
+      R"({"asset":{"version":"2.0","generator":"soms","extras":{"soms":{"unit":0,"up":"unknown"}}},)"
+      R"("scene":0,"scenes":[{"nodes":[0]}],)"
       R"("nodes":[{"name":"a \"b\"\ufffd","mesh":0}],)"
       R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
       R"("accessors":[{"bufferView":0,"byteOffset":0,"componentType":5126,"type":"VEC3","count":3,)"
@@ -78,15 +79,15 @@ TEST(GlbWriter, IsReadBackEqual) {
     EXPECT_EQ(back.triangles, mesh.triangles);
     EXPECT_TRUE(back.parts.empty());
     EXPECT_TRUE(back.notes.empty());
-    EXPECT_EQ(back.up, UpAxis::y);
+    EXPECT_EQ(back.up, UpAxis::unknown);
   });
 }
 
 TEST(GlbWriter, KeepsUnitAndAxis) {
   Rng rng(4);
   Mesh mesh = random_mesh(rng, 3, 1, 1);
-  for (const UpAxis up : {UpAxis::x, UpAxis::y, UpAxis::z}) {
-    for (const double unit : {1.0, 0.01, 0.3048}) {
+  for (const UpAxis up : {UpAxis::unknown, UpAxis::x, UpAxis::y, UpAxis::z}) {
+    for (const double unit : {0.0, 1.0, 0.01, 0.3048}) {
       mesh.up = up;
       mesh.unit = unit;
       EXPECT_EQ(read_back(mesh).up, up);

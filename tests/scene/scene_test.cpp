@@ -1,6 +1,7 @@
 #include "soms/scene/scene.h"
 
 #include "soms/base/error.h"
+#include "soms/generate/shapes.h"
 #include "soms/query/reference/overlap.h"
 
 #include "tests/scene/random_bodies.h"
@@ -122,6 +123,22 @@ TEST(Scene, ReportsTheSameBytesForAnyNumberOfThreads) {
       if (mode == OverlapMode::all) {
         EXPECT_EQ(report.cost, serial.cost);
       }
+    }
+  }
+}
+
+// Which pair a query of mode any finds depends on the threads that it is split among.
+TEST(Scene, ReportsTheSameAnyPairOfFewBodiesForAnyNumberOfThreads) {
+  for (const OverlapMode mode : {OverlapMode::any, OverlapMode::first, OverlapMode::all}) {
+    Scene scene;
+    scene.add_environment(Body(Shape(generate_sphere(2000))));
+    scene.add_mover(Body(Shape(generate_sphere(2000)), Pose::translation(0.5, 0.25, 0.125)));
+    const StepReport one = scene.step({.mode = mode});
+    ASSERT_FALSE(one.environment.empty());
+    for (const int threads : {2, 8}) {
+      const StepReport report = scene.step({.mode = mode}, Parallel{.threads = threads});
+      EXPECT_EQ(report.environment, one.environment);
+      EXPECT_EQ(report.hash(), one.hash());
     }
   }
 }

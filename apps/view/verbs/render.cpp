@@ -148,7 +148,7 @@ void report(const RenderOptions& options, const ViewScene& scene, const GlRender
             command::Console& console) {
   const DrawStatistics drawn = renderer.statistics();
   const SceneStatistics facts = scene.statistics();
-  if (!console.shared().json || options.output == "-") {
+  if (!console.shared().json) {
     console.note(fmt::format("{}: {}x{}, {}, {}, drawn by {}", options.output, options.size.width,
                              options.size.height, command::counted(facts.triangles, "triangle"),
                              command::counted(facts.contacts, "touching pair"),
@@ -311,6 +311,10 @@ int run_render(const RenderOptions& options, command::Console& console) {
   if (most != 0 && most < kLeastMemory) {
     throw Error(ErrorKind::out_of_memory, "--max-memory: a driver that draws needs 256M",
                 "give more, or leave it out");
+  }
+  if (options.output == "-" && console.shared().json) {
+    throw Error(ErrorKind::usage, "--json and the picture cannot both go to standard output",
+                "write the picture to a file");
   }
   if (options.output != "-") {
     command::check_ending("--output", options.output, {".png"});

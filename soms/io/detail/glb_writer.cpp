@@ -301,21 +301,25 @@ void GlbWriter::add_accessors(std::string& text) const {
   }
 }
 
-/// Unit and axis where they are not glTF's, for soms to read back; numbers stay as they are.
+/// Unit and axis where they are not glTF's or not known, for soms to read back; numbers stay as
+/// they are.
 void GlbWriter::add_own_extras(std::string& text) const {
-  const bool turned = mesh_.up == UpAxis::x || mesh_.up == UpAxis::z;
-  const bool scaled = mesh_.unit > 0 && mesh_.unit != 1;
-  if (!turned && !scaled) {
+  const bool other_axis = mesh_.up != UpAxis::y;
+  const bool other_unit = mesh_.unit != 1;
+  if (!other_axis && !other_unit) {
     return;
   }
   text += ",\"extras\":{\"soms\":{";
-  if (scaled) {
+  if (other_unit) {
     std::array<char, 32> digits{};
-    char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), mesh_.unit).ptr;
-    text.append("\"unit\":").append(digits.data(), end).append(turned ? "," : "");
+    const double unit = mesh_.unit > 0 ? mesh_.unit : 0;
+    char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), unit).ptr;
+    text.append("\"unit\":").append(digits.data(), end).append(other_axis ? "," : "");
   }
-  if (turned) {
-    text += mesh_.up == UpAxis::x ? "\"up\":\"x\"" : "\"up\":\"z\"";
+  if (other_axis) {
+    text += mesh_.up == UpAxis::x   ? "\"up\":\"x\""
+            : mesh_.up == UpAxis::z ? "\"up\":\"z\""
+                                    : "\"up\":\"unknown\"";
   }
   text += "}}";
 }

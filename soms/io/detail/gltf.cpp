@@ -67,7 +67,8 @@ void check_extensions(const JsonValue& root) {
   }
 }
 
-/// glTF means meters, y up. A file that soms wrote of a mesh with another unit or axis says so.
+/// glTF means meters, y up. A file that soms wrote of a mesh with another unit or axis says so, or
+/// that they are not known: a unit of 0, and `unknown`.
 void set_unit_and_up(const JsonValue& root, Mesh& mesh) {
   mesh.unit = 1;
   mesh.up = UpAxis::y;
@@ -79,16 +80,17 @@ void set_unit_and_up(const JsonValue& root, Mesh& mesh) {
   const std::optional<JsonValue> up = said ? own->find("up") : std::nullopt;
   if (unit) {
     mesh.unit = unit->number();
-    if (!(mesh.unit > 0)) {
+    if (!(mesh.unit >= 0)) {
       unit->fail("a unit of that length");
     }
   }
   if (up) {
     const std::string_view axis = up->text();
-    if (axis != "x" && axis != "y" && axis != "z") {
-      up->fail("an axis must be x, y or z");
+    if (axis != "x" && axis != "y" && axis != "z" && axis != "unknown") {
+      up->fail("an axis must be x, y or z, or unknown");
     }
-    mesh.up = axis == "x" ? UpAxis::x : axis == "y" ? UpAxis::y : UpAxis::z;
+    constexpr std::array kAxes{UpAxis::x, UpAxis::y, UpAxis::z};
+    mesh.up = axis.size() == 1 ? kAxes[static_cast<std::size_t>(axis[0] - 'x')] : UpAxis::unknown;
   }
 }
 

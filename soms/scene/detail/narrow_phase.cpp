@@ -115,10 +115,12 @@ Cost NarrowPhase::ask(std::span<const Question> questions, const OverlapOptions&
   if (chunks_.size() < count) {
     chunks_.resize(count);
   }
-  // A lone pair of large meshes is split inside; many pairs are shared out.
+  // A lone pair of large meshes is split inside; many pairs are shared out. Where one pair will do,
+  // which one would depend on the threads inside.
   const bool few = questions.size() < kFew;
-  const Parallel shared{few ? 1 : parallel.threads, parallel.stop, {}};
-  const Parallel inside{few ? parallel.threads : 1, parallel.stop, {}};
+  const bool split = few && options.mode == OverlapMode::all;
+  const Parallel shared{split ? 1 : parallel.threads, parallel.stop, {}};
+  const Parallel inside{split ? parallel.threads : 1, parallel.stop, {}};
   for_each_chunk(questions.size(), chunk_, shared, [&](std::size_t begin, std::size_t end) {
     Chunk& chunk = chunks_[begin / chunk_];
     chunk.answers.clear();
