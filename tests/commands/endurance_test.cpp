@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <set>
 #include <thread>
@@ -148,9 +149,13 @@ TEST(Endurance, AFileThatShrinksWhileItIsReadIsWholeOrAnError) {
   const Mesh whole = read_mesh(path);
   std::atomic<bool> over = false;
   std::thread shrinking([&] {
+    // Longer than a tick of the clock that dates files.
+    constexpr std::chrono::milliseconds kTick(12);
     for (std::size_t i = 0; !over; ++i) {
       fs::resize_file(path, bytes.size() * (i % 7) / 7);
+      std::this_thread::sleep_for(kTick);
       write_text(path, bytes);
+      std::this_thread::sleep_for(kTick);
     }
   });
   int errors = 0;

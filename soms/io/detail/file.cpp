@@ -128,6 +128,17 @@ FileBytes read_file(const std::filesystem::path& path, std::uint64_t most) {
   FileBytes bytes;
   bytes.data = std::make_unique_for_overwrite<char[]>(static_cast<std::size_t>(size));
   bytes.size = read_up_to(path, file.get(), bytes.data.get(), static_cast<std::size_t>(size));
+
+  // A read beside a truncation may see zeros.
+  struct stat after {};
+
+  if (fstat(file.get(), &after) != 0) {
+    fail_system(path, errno);
+  }
+  if (after.st_size != status.st_size || after.st_mtim.tv_sec != status.st_mtim.tv_sec ||
+      after.st_mtim.tv_nsec != status.st_mtim.tv_nsec) {
+    fail(path, "the file changed while it was read", "read it again when it is whole");
+  }
   return bytes;
 }
 
