@@ -266,9 +266,9 @@ TEST(FileRegressions, R94AxesAreThoseOfTheFileInEveryFormatAndTurnOnlyWhenAsked)
     for (TriangleId i = 0; i < 3; ++i) {
       EXPECT_EQ(mesh.triangle(i), gizmo.triangle(i));
     }
-    // GLB's own unit and axis are the meter and y; nothing is said where the format says nothing.
-    EXPECT_EQ(mesh.unit, format == MeshFormat::glb ? 1 : 0);
-    EXPECT_EQ(mesh.up, format == MeshFormat::glb ? UpAxis::y : UpAxis::unknown);
+    // Neither unit nor axis was told, and no format makes them up, not even GLB, which has its own.
+    EXPECT_EQ(mesh.unit, 0);
+    EXPECT_EQ(mesh.up, UpAxis::unknown);
     const Mesh turned = transformed(mesh, 1, UpAxis::y);
     EXPECT_EQ(turned.triangle(0).b, (Vec3{3, 0, 0}));
     EXPECT_EQ(turned.triangle(1).b, (Vec3{0, 0, 2}));
