@@ -7,6 +7,7 @@
 #include "soms/tree/statistics.h"
 
 #include "reproduce/contenders.h"
+#include "reproduce/levels.h"
 #include "reproduce/models.h"
 #include "reproduce/result.h"
 
@@ -18,11 +19,6 @@
 #include <vector>
 
 namespace soms::reproduce {
-
-/// Greatest levels of the thesis: 15 for its PLY objects, 13 for its urban scene.
-/// \source  thesis, tables 5.3 and 5.9 by their captions.
-inline constexpr int kObjectLevel = 15;
-inline constexpr int kSceneLevel = 13;
 
 /// A build of a model's tree and what it counted.
 struct Counted {

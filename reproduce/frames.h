@@ -14,6 +14,7 @@
 #include "soms/tree/shape.h"
 
 #include "reproduce/contenders.h"
+#include "reproduce/levels.h"
 #include "reproduce/models.h"
 #include "reproduce/timing.h"
 
@@ -26,10 +27,6 @@
 #include <vector>
 
 namespace soms::reproduce {
-
-/// Levels of the trees of objects and of scenes. \source thesis, tables 5.3 and 5.9.
-inline constexpr int kObjectLevel = 15;
-inline constexpr int kSceneLevel = 13;
 
 /// How many times as large as its file the object drives through a city.
 inline constexpr double kDriveScale = 500;

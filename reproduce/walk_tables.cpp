@@ -121,12 +121,4 @@ void require(bool agree, std::string_view what) {
   }
 }
 
-void Steps::done() {
-  check_stop(parallel_);
-  ++done_;
-  if (parallel_.progress) {
-    parallel_.progress(static_cast<double>(done_) / static_cast<double>(steps_));
-  }
-}
-
 }  // namespace soms::reproduce

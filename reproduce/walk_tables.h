@@ -2,8 +2,6 @@
 /// Columns, cells and sentences that the experiments about walks share.
 #pragma once
 
-#include "soms/base/parallel.h"
-
 #include "reproduce/frames.h"
 #include "reproduce/models.h"
 #include "reproduce/result.h"
@@ -69,19 +67,5 @@ void add_statistics_cells(std::vector<Cell>& row, const std::vector<double>& num
 /// Ends the run where answers that must agree do not; `what` names them.
 /// \errors std::logic_error: a fault of the library, never of the input.
 void require(bool agree, std::string_view what);
-
-/// Reports the steps of an experiment as they are done, and ends it on request.
-class Steps {
- public:
-  Steps(const Parallel& parallel, std::size_t steps) : parallel_(parallel), steps_(steps) {}
-
-  /// One more is done. \errors ErrorKind::cancelled.
-  void done();
-
- private:
-  const Parallel& parallel_;
-  std::size_t steps_;
-  std::size_t done_ = 0;
-};
 
 }  // namespace soms::reproduce

@@ -2,6 +2,7 @@
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/frames.h"
 #include "reproduce/side_view.h"
+#include "reproduce/steps.h"
 #include "reproduce/walk_tables.h"
 
 #include <fmt/format.h>
@@ -139,7 +140,7 @@ Result figure_4_35(const Context& context) {
                            static_cast<double>(std::max<std::uint64_t>(1, on.counts.box_tests));
       least = least == 0 ? ratio : std::min(least, ratio);
       most = std::max(most, ratio);
-      steps.done();
+      steps.done_one();
     }
   }
   const Trip drawn = orientation_trip(object, Approach::right, thesis_rules(kDrawnLevel).back());

@@ -2,6 +2,7 @@
 #include "reproduce/chart.h"
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/frames.h"
+#include "reproduce/steps.h"
 #include "reproduce/walk_tables.h"
 
 #include <fmt/format.h>
@@ -366,7 +367,7 @@ Result figure_5_10(const Context& context) {
   Steps steps(context.parallel, matches.size());
   for (Match& match : matches) {
     run(match, context);
-    steps.done();
+    steps.done_one();
   }
   Result result;
   result.tables = {sum_table(matches), frame_table(matches)};

@@ -3,6 +3,7 @@
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/frames.h"
 #include "reproduce/side_view.h"
+#include "reproduce/steps.h"
 #include "reproduce/walk_tables.h"
 
 #include <fmt/format.h>
@@ -325,7 +326,7 @@ Result orientation(const Context& context, const std::string& id, Approach from)
         time_frames(ride.trip, std::span(&walk, 1), context.repetitions(100), context.parallel)
             .front();
     rides.push_back(std::move(ride));
-    steps.done();
+    steps.done_one();
   }
   check_same_contacts(rides);
   Result result;

@@ -2,6 +2,7 @@
 // that must be the same everywhere.
 #include "reproduce/chart.h"
 #include "reproduce/experiments/experiments.h"
+#include "reproduce/steps.h"
 #include "reproduce/walk_match.h"
 #include "reproduce/walk_tables.h"
 
@@ -258,7 +259,7 @@ Result traversals(const Context& context) {
         add_rows(result.tables[0], test.truth, match);
         test.matches.push_back(std::move(match));
       }
-      steps.done();
+      steps.done_one();
     }
     add_fast_row(result.tables[0], test.truth);
     tests.push_back(std::move(test));
