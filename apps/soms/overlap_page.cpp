@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::size_t kMostTracked = 2048;
 constexpr std::size_t kMostCounts = 1024;
-constexpr std::size_t kMostBars = 8;
 /// Of a pose that touches at least so many pairs are listed before poses are left out.
 constexpr std::size_t kFewPairs = 8;
 
@@ -44,7 +43,7 @@ std::vector<report::Plot> bars_of_parts(const Mesh& mesh, const std::vector<std:
       by_name[mesh.parts[k].name] += static_cast<double>(counts[k]);
     }
   }
-  return bars_of({by_name.begin(), by_name.end()}, kMostBars, "Parts of " + name, "pairs",
+  return bars_of({by_name.begin(), by_name.end()}, "Parts of " + name, "pairs",
                  "Overlapping pairs of triangles by the part of " + name +
                      " that they lie in, all poses together; the parts with most.");
 }

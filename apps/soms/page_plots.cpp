@@ -34,15 +34,16 @@ Binned binned(std::uint64_t count, const std::function<double(std::uint64_t)>& v
 }
 
 std::vector<report::Plot> bars_of(std::vector<std::pair<std::string, double>> counts,
-                                  std::size_t most, const std::string& title,
-                                  const std::string& label, const std::string& caption) {
+                                  const std::string& title, const std::string& label,
+                                  const std::string& caption) {
+  constexpr std::size_t kMost = 8;
   if (counts.empty()) {
     return {};
   }
   std::sort(counts.begin(), counts.end(), [](const auto& a, const auto& b) {
     return a.second != b.second ? a.second > b.second : a.first < b.first;
   });
-  counts.resize(std::min(most, counts.size()));
+  counts.resize(std::min(kMost, counts.size()));
   reproduce::BarChart chart{.title = title, .y_label = label};
   reproduce::Bars bars{.name = label};
   for (const auto& [name, count] : counts) {

@@ -25,11 +25,10 @@ struct Binned {
 /// `value(k)` for k below `count`, at some hundred points at most.
 [[nodiscard]] Binned binned(std::uint64_t count, const std::function<double(std::uint64_t)>& value);
 
-/// Bars for the `most` names with the highest counts, highest first; empty for none.
+/// Bars for the eight names with the highest counts, highest first; empty for none.
 /// The chart's caption says what is counted.
 [[nodiscard]] std::vector<report::Plot> bars_of(std::vector<std::pair<std::string, double>> counts,
-                                                std::size_t most, const std::string& title,
-                                                const std::string& label,
+                                                const std::string& title, const std::string& label,
                                                 const std::string& caption);
 
 /// A drawing for a page.

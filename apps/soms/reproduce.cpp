@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 
 #include "apps/support/console.h"
+#include "apps/support/exit_status.h"
 #include "apps/support/output.h"
 #include "apps/support/text.h"
 #include "reproduce/report.h"
@@ -23,9 +24,6 @@ namespace soms::command {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kOutOfTime = 4;
-constexpr int kInterrupted = 130;
 
 std::string help_of_items() {
   std::string text = "Items:\n";

@@ -10,6 +10,7 @@
 #include "apps/soms/simulate_run.h"
 #include "apps/soms/viewer.h"
 #include "apps/support/console.h"
+#include "apps/support/exit_status.h"
 #include "apps/support/output.h"
 #include "apps/support/world.h"
 
@@ -22,10 +23,6 @@
 namespace soms::command {
 
 namespace {
-
-constexpr int kHolds = 1;
-constexpr int kDiffers = 6;
-constexpr int kInterrupted = 130;
 
 void check_files(const SimulateOptions& options) {
   NamedFiles taken;
@@ -82,12 +79,12 @@ void open(std::optional<OutputFile>& file, const std::string& path) {
 
 int status_of(const Outcome& outcome, const SimulateOptions& options) {
   if (outcome.verified && outcome.verified->wrong > 0) {
-    return kDiffers;
+    return kDifference;
   }
   if (outcome.ending == Ending::interrupted) {
     return kInterrupted;
   }
-  return options.fail_if_contact && !outcome.contacts.contacts().empty() ? kHolds : 0;
+  return options.fail_if_contact && !outcome.contacts.contacts().empty() ? kConditionHolds : 0;
 }
 
 /// A window instead of an answer.

@@ -20,8 +20,6 @@ namespace soms::command {
 
 namespace {
 
-constexpr std::size_t kMostBars = 8;
-
 /// Bodies of the page's scene: those of the city, then the movers.
 std::uint32_t body_of(const World& world, MoverId mover) {
   return static_cast<std::uint32_t>(world.city.size()) + mover;
@@ -175,7 +173,7 @@ std::vector<report::Plot> plots_of(const World& world, const Outcome& outcome) {
                    "The parts that were touched most: contacts of each, a mover and a triangle."),
         std::tuple(&models, "Models by contacts", "Contacts by the model that moves.")}) {
     for (report::Plot& bars :
-         bars_of({counts->begin(), counts->end()}, kMostBars, title, "contacts", caption)) {
+         bars_of({counts->begin(), counts->end()}, title, "contacts", caption)) {
       plots.push_back(std::move(bars));
     }
   }

@@ -1,6 +1,7 @@
 set(SOMS_SUPPORT_FILES
   console.cpp
   console.h
+  exit_status.h
   height_grid.cpp
   height_grid.h
   interrupts.cpp
@@ -23,6 +24,8 @@ set(SOMS_SUPPORT_FILES
   recorded_world.h
   shared.cpp
   shared.h
+  standard_input.cpp
+  standard_input.h
   suggest.cpp
   suggest.h
   text.cpp

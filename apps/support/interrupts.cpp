@@ -1,5 +1,7 @@
 #include "apps/support/interrupts.h"
 
+#include "apps/support/exit_status.h"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@ namespace soms::command {
 namespace {
 
 constexpr int kWakeUp = SIGUSR1;  // ends the waiting thread
-constexpr int kInterrupted = 130;
 
 /// A signal sooner after the first is the same request: `timeout` signals its child, then its
 /// process group.
