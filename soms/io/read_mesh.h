@@ -30,7 +30,7 @@ struct ReadOptions {
 /// names.
 ///
 /// \errors  cannot_open (missing, unreadable, a directory), bad_file (names line or byte),
-///          empty_mesh, not_finite, out_of_range, unsupported (names the formats that are read),
+///          empty_mesh, not_finite, out_of_range, unsupported (says what to do),
 ///          out_of_memory.
 /// \threads `parallel` gives progress and cancellation; reading is one thread.
 [[nodiscard]] Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options = {},

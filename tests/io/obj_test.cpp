@@ -16,7 +16,7 @@ namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-const std::string kVertices = "v 0 0 0.1\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string kVertexLines = "v 0 0 0.1\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 TEST(Obj, CountsNegativeIndicesFromTheVerticesSoFar) {
   const Mesh mesh =
@@ -24,22 +24,23 @@ TEST(Obj, CountsNegativeIndicesFromTheVerticesSoFar) {
   EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {0, 3, 0}}));
   expect_refused("v 0 0 0\nf 1 1 -2\n", "a.obj", ErrorKind::bad_file,
                  "line 2: vertex -2, but 1 vertex stands before this line");
-  expect_refused(kVertices + "f 1 2 5\n", "a.obj", ErrorKind::bad_file,
+  expect_refused(kVertexLines + "f 1 2 5\n", "a.obj", ErrorKind::bad_file,
                  "line 5: vertex 5, but vertices are 1 to 4");
-  expect_refused(kVertices + "f 1 2 0\n", "a.obj", ErrorKind::bad_file,
+  expect_refused(kVertexLines + "f 1 2 0\n", "a.obj", ErrorKind::bad_file,
                  "vertex 0, but vertices are 1 to 4; count vertices from 1");
 }
 
 TEST(Obj, LetsAFaceNameVerticesBehindIt) {
-  EXPECT_EQ(read_text("f 1 2 3\n" + kVertices, "a.obj").triangles, (Triangles{{0, 1, 2}}));
+  EXPECT_EQ(read_text("f 1 2 3\n" + kVertexLines, "a.obj").triangles, (Triangles{{0, 1, 2}}));
 }
 
 TEST(Obj, PassesTextureAndNormalNumbers) {
-  const Mesh mesh = read_text(kVertices + "f 1/7 2/8/9 3//-1\nf 1/ 2// 4/1/\nf +1 2 3\n", "a.obj");
+  const Mesh mesh =
+      read_text(kVertexLines + "f 1/7 2/8/9 3//-1\nf 1/ 2// 4/1/\nf +1 2 3\n", "a.obj");
   EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {0, 1, 3}, {0, 1, 2}}));
   for (const std::string corner : {"3/", "3//", "3/1/2/3", "3/x", "3/1.5", "/3", "3x", "3/ /1"}) {
     SCOPED_TRACE(corner);
-    const std::string text = kVertices + "f 1 2 " + corner + "\n";
+    const std::string text = kVertexLines + "f 1 2 " + corner + "\n";
     if (corner == "3/" || corner == "3//") {
       EXPECT_NO_THROW(static_cast<void>(read_text(text, "a.obj")));
     } else {
@@ -61,14 +62,14 @@ TEST(Obj, JoinsLinesAtABackslashWhateverTheLineEnd) {
 
 TEST(Obj, DoesNotJoinAtABackslashThatEndsAComment) {
   const Mesh mesh =
-      read_text("# C:\\models\\\n" + kVertices + "f 1 2 3 # in C:\\\nf 1 3 4\n", "a.obj");
+      read_text("# C:\\models\\\n" + kVertexLines + "f 1 2 3 # in C:\\\nf 1 3 4\n", "a.obj");
   EXPECT_EQ(mesh.vertices.size(), 4U);
   EXPECT_EQ(mesh.triangles.size(), 2U);
 }
 
 TEST(Obj, KeepsObjectsAndGroupsAsPartsInRuns) {
   const Mesh mesh =
-      read_text(kVertices +
+      read_text(kVertexLines +
                     "f 1 2 3\no car\ng body left\nf 1 2 3\nf 1 3 4\ng empty\ng\nf 1 2 3\n"
                     "g body left\nf 1 2 4\n",
                 "a.obj");
@@ -89,7 +90,7 @@ TEST(Obj, ReadsNumbersAsDoublesAndPassesColorsAndWeights) {
 }
 
 TEST(Obj, NotesWhatIsNotRead) {
-  const Mesh mesh = read_text(kVertices + "f 1 2 3\nl 1 2\np 1\ncurv 0 1 1 2\n", "a.obj");
+  const Mesh mesh = read_text(kVertexLines + "f 1 2 3\nl 1 2\np 1\ncurv 0 1 1 2\n", "a.obj");
   EXPECT_EQ(mesh.notes,
             (std::vector<std::string>{"lines and points, which are not triangles: 2",
                                       "free-form curves and surfaces, which are not read: 1"}));
@@ -98,7 +99,14 @@ TEST(Obj, NotesWhatIsNotRead) {
 TEST(Obj, RefusesIndicesThatWrap) {
   for (const std::string index : {"0", "5", "4294967297", "18446744073709551617",
                                   "-18446744073709551615", "-9223372036854775808"}) {
-    expect_refused(kVertices + "f 1 2 " + index + "\n", "a.obj", ErrorKind::bad_file, "line 5");
+    expect_refused(kVertexLines + "f 1 2 " + index + "\n", "a.obj", ErrorKind::bad_file, "line 5");
+  }
+}
+
+TEST(Obj, TellsAFileOfOtherWordsFromAnEmptyModel) {
+  expect_refused("this is\nno model\n", "a.obj", ErrorKind::bad_file, "no line begins with a word");
+  for (const std::string text : {"# nothing\n", "# nothing\nmtllib a.mtl\n", "g nothing\n"}) {
+    expect_refused(text, "a.obj", ErrorKind::empty_mesh, "");
   }
 }
 

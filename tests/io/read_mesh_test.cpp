@@ -60,10 +60,9 @@ TEST(ReadMesh, NamesWhatOtherContentIs) {
   };
   for (const auto& [content, words] : cases) {
     expect_refused(content, "a.xyz", ErrorKind::unsupported, words);
-    if (words != "a web page" && words != "git lfs pull") {  // which are no format at all
-      expect_refused(content, "a.xyz", ErrorKind::unsupported,
-                     "PLY, 3DS, STL, OFF, OBJ, GLB, glTF");
-    }
+  }
+  for (const std::string content : {" {\"type\":", "<?xml version=", "hello"}) {  // to be converted
+    expect_refused(content, "a.xyz", ErrorKind::unsupported, "PLY, 3DS, STL, OFF, OBJ, GLB, glTF");
   }
   expect_refused("hello", "a", ErrorKind::unsupported, "without an ending");
   expect_refused("hello", "a", ErrorKind::unsupported, "and by soms-import .3d .3mf");

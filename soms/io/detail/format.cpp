@@ -97,13 +97,14 @@ void refuse_foreign(const Source& source, std::string_view ending) {
       std::min(source.bytes.find_first_not_of(" \t\r\n"), source.bytes.size());
   const bool imported = is_imported(ending);
   for (const Foreign& foreign : kForeign) {
-    if (source.bytes.substr(begin).starts_with(foreign.begin) && (foreign.anywhere || !imported) &&
-        (ending.empty() || ending != foreign.unless)) {
-      if (foreign.anywhere) {
-        source.fail(ErrorKind::unsupported, std::string(foreign.what), std::string(foreign.remedy));
-      }
+    if (!source.bytes.substr(begin).starts_with(foreign.begin) || (!foreign.anywhere && imported) ||
+        (!ending.empty() && ending == foreign.unless)) {
+      continue;
+    }
+    if (foreign.remedy == kConvert) {
       fail_unsupported(source, std::string(foreign.what), std::string(foreign.remedy));
     }
+    source.fail(ErrorKind::unsupported, std::string(foreign.what), std::string(foreign.remedy));
   }
 }
 

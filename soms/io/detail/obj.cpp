@@ -5,6 +5,7 @@
 #include "soms/io/detail/text.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,11 @@ namespace soms::detail {
 namespace {
 
 constexpr TextStyle kStyle{.comments = true, .continued = true};
+
+/// Words that a file without vertices may begin lines with, if it is OBJ at all.
+constexpr auto kWords = std::to_array<std::string_view>(
+    {"vt",     "vn",     "vp",     "f",      "fo",  "l",    "p",   "g",      "o",   "s",  "mg",
+     "mtllib", "usemtl", "maplib", "usemap", "lod", "call", "csh", "cstype", "deg", "end"});
 
 /// Two passes: all vertices, then all faces, which may name any vertex.
 class ObjReader {
@@ -24,6 +30,7 @@ class ObjReader {
  private:
   void read_vertices();
   void read_faces();
+  void check_words();
   void read_face(TextScanner& scanner, std::int64_t vertices_so_far);
 
   Source& source_;
@@ -104,8 +111,31 @@ void ObjReader::read_faces() {
   }
 }
 
+/// Of a file without vertices: throws where no line begins with a word of the format.
+void ObjReader::check_words() {
+  TextScanner scanner(source_, 0, kStyle);
+  std::uint64_t lines = 0;
+  for (; scanner.find_line(); ++lines) {
+    if (lines % kRowsPerTick == 0) {
+      check_stop(source_.parallel);
+    }
+    const std::string_view word = scanner.word_in_line();
+    if (std::find(kWords.begin(), kWords.end(), word) != kWords.end()) {
+      return;
+    }
+    scanner.skip_line();
+  }
+  if (lines > 0) {
+    source_.fail(ErrorKind::bad_file, "no line begins with a word of OBJ",
+                 "give the file itself, or let its name end as its format does");
+  }
+}
+
 Mesh ObjReader::read() {
   read_vertices();
+  if (builder_.vertices().empty()) {
+    check_words();
+  }
   read_faces();
   return builder_.finish();
 }
