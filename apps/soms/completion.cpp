@@ -45,16 +45,8 @@ std::vector<std::string> argument_words(const Verb& verb) {
   return words;
 }
 
-/// Options of a verb of soms-view are told by name alone.
 std::vector<OptionWords> options_of(const Verb& verb) {
-  if (verb.pass_on == nullptr) {
-    return ParsedVerb("soms", verb).options();
-  }
-  std::vector<OptionWords> options;
-  for (const std::string& name : viewer_option_names(verb.name)) {
-    options.push_back({{name}, {}, false});
-  }
-  return options;
+  return verb.pass_on == nullptr ? ParsedVerb("soms", verb).options() : viewer_options(verb.name);
 }
 
 /// Works in zsh too, by its emulation of bash's completion. Files are left to the shell, which
@@ -74,22 +66,36 @@ std::string bash_script() {
     }
     options += fmt::format("    \"{} -\"*) words=\"{}\" ;;\n", verb.name, fmt::join(names, " "));
     if (const auto words = argument_words(verb); !words.empty()) {
-      arguments += fmt::format("    {}) words=\"{}\" ;;\n", verb.name, fmt::join(words, " "));
+      arguments += fmt::format("      {}) words=\"{}\" ;;\n", verb.name, fmt::join(words, " "));
     }
   }
   return fmt::format(
       "_soms() {{\n"
       "  local word=\"${{COMP_WORDS[COMP_CWORD]}}\" verb=\"${{COMP_WORDS[1]}}\" words=\"\"\n"
-      "  local before=\"${{COMP_WORDS[COMP_CWORD-1]}}\"\n"
+      "  local before=\"${{COMP_WORDS[COMP_CWORD-1]}}\" stem=\"\" given\n"
       "  COMPREPLY=()\n"
+      // Of --option=word bash makes three words, zsh one.
+      "  if [ \"$before\" = \"=\" ]; then\n"
+      "    before=\"${{COMP_WORDS[COMP_CWORD-2]}}\"\n"
+      "  elif [ \"$word\" = \"=\" ]; then\n"
+      "    word=\"\"\n"
+      "  elif [ \"${{word#--*=}}\" != \"$word\" ]; then\n"
+      "    before=\"${{word%%=*}}\" stem=\"${{word%%=*}}=\" word=\"${{word#*=}}\"\n"
+      "  fi\n"
       "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
       "    words=\"{0} help --help --version\"\n"
       "  fi\n"
       "  [ \"$COMP_CWORD\" -gt 1 ] && case \"$verb $before\" in\n"
       "    \"help help\") words=\"{0}\" ;;\n{1}  esac\n"
       "  [ -z \"$words\" ] && case \"$verb $word\" in\n{2}  esac\n"
-      "  [ -z \"$words\" ] && [ \"${{before#-}}\" = \"$before\" ] && case \"$verb\" in\n{3}  esac\n"
-      "  [ -n \"$words\" ] && COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
+      "  if [ -z \"$words\" ] && [ \"${{before#-}}\" = \"$before\" ]; then\n"
+      "    case \"$verb\" in\n{3}    esac\n"
+      // One of them is enough; files may follow.
+      "    for given in \"${{COMP_WORDS[@]:2:COMP_CWORD-2}}\"; do\n"
+      "      case \" $words \" in *\" $given \"*) words=\"\" ;; esac\n"
+      "    done\n"
+      "  fi\n"
+      "  [ -n \"$words\" ] && COMPREPLY=($(compgen -P \"$stem\" -W \"$words\" -- \"$word\"))\n"
       "}}\n"
       "complete -o bashdefault -o default -F _soms soms\n",
       fmt::join(verb_names(), " "), values, options, arguments);
@@ -103,7 +109,11 @@ std::string fish_script() {
     const std::string seen =
         fmt::format("complete -c soms -n '__fish_seen_subcommand_from {}'", verb.name);
     if (const auto words = argument_words(verb); !words.empty()) {
-      text += fmt::format("{} -f -a '{}'\n", seen, fmt::join(words, " "));
+      const std::string list = fmt::format("{}", fmt::join(words, " "));
+      text += fmt::format(
+          "complete -c soms -n '__fish_seen_subcommand_from {0}; and not "
+          "__fish_seen_subcommand_from {1}' -f -a '{1}'\n",
+          verb.name, list);
     }
     for (const OptionWords& option : options_of(verb)) {
       text += seen;

@@ -166,7 +166,7 @@ std::string describe_parts(const Mesh& mesh, const Defects& defects) {
   std::string text = with_commas(mesh.parts.size()) + ":";
   for (std::size_t i = 0; i < std::min(kShown, mesh.parts.size()); ++i) {
     const std::string closed = describe_part(mesh, defects, i);
-    text += fmt::format("{} {} ({}{}{})", i == 0 ? "" : ",", printable(mesh.parts[i].name),
+    text += fmt::format("{} {} ({}{}{})", i == 0 ? "" : ",", name_or_number(mesh, i),
                         with_commas(mesh.parts[i].count), closed.empty() ? "" : ", ", closed);
   }
   return mesh.parts.size() > kShown ? text + ", ... (--json lists all)" : text;

@@ -137,12 +137,17 @@ std::string to_text(const Place& place, const PartsOf& part_of) {
   }
   const std::uint32_t part = place.of_vertex ? Part::kNoParent : part_of(place.number);
   if (part != Part::kNoParent) {
-    text += fmt::format("; part {}", printable(mesh.parts[part].name));
+    text += fmt::format("; part {}", name_or_number(mesh, part));
   }
   return text;
 }
 
 }  // namespace
+
+std::string name_or_number(const Mesh& mesh, std::size_t part) {
+  const std::string& name = mesh.parts[part].name;
+  return name.empty() ? fmt::format("number {}", part) : printable(name);
+}
 
 std::string readable_point(const Vec3& p) {
   return fmt::format("({}, {}, {})", readable(p.x), readable(p.y), readable(p.z));

@@ -14,6 +14,9 @@ namespace soms::command {
 
 class Console;
 
+/// A part as its file calls it, or "number 3" where it has no name.
+[[nodiscard]] std::string name_or_number(const Mesh& mesh, std::size_t part);
+
 /// "(x, y, z)", fit to be read.
 [[nodiscard]] std::string readable_point(const Vec3& p);
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -39,6 +40,27 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+/// ".stl" for text STL, too.
+std::string ending_of(MeshFormat format) {
+  const std::string_view name = entry(format).name;
+  return fmt::format(".{}", name.substr(0, name.find('-')));
+}
+
+/// A name that says another format than the one that is written would be refused by readers.
+void check_name(const std::string& path, MeshFormat format) {
+  std::string said;
+  try {
+    said = ending_of(format_for(path));
+  } catch (const Error&) {
+    return;  // it says nothing
+  }
+  if (said != ending_of(format)) {
+    throw Error(ErrorKind::usage,
+                fmt::format("--format {}: the name ends in {}", format_name(format), said),
+                fmt::format("let it end in {}, or leave --format out", ending_of(format)));
+  }
+}
+
 }  // namespace
 
 void add_format(CLI::App& app, ModelOutput& output) {
@@ -48,6 +70,7 @@ void add_format(CLI::App& app, ModelOutput& output) {
 
 MeshFormat format_of(const ModelOutput& output) {
   if (output.format) {
+    check_name(output.path, *output.format);
     return *output.format;
   }
   if (output.path == "-") {

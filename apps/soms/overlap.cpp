@@ -5,6 +5,7 @@
 #include "apps/soms/overlap_page.h"
 #include "apps/soms/overlap_report.h"
 #include "apps/support/console.h"
+#include "apps/support/exit_status.h"
 #include "apps/support/output.h"
 #include "apps/support/parse.h"
 #include "apps/support/pose_source.h"
@@ -28,10 +29,6 @@
 namespace soms::command {
 
 namespace {
-
-constexpr int kConditionHolds = 1;
-constexpr int kOutOfTime = 4;
-constexpr int kDifference = 6;
 
 using PosePair = std::pair<Pose, Pose>;
 
@@ -351,8 +348,9 @@ class OverlapRun {
 
 void add_questions(CLI::App& app, OverlapVerbOptions& options) {
   const char* const group = "Question";
-  app.add_option("--pose", options.pose_a,
-                 "moves A: \"x y z [qw qx qy qz]\", or a CSV file, one row a pose")
+  app.add_option(
+         "--pose", options.pose_a,
+         "moves A: \"x y z [qw qx qy qz]\", or a CSV file, one row a pose; - is standard input")
       ->option_text("POSE")
       ->group(group);
   app.add_option("--pose-b", options.pose_b, "moves B in the same way")
@@ -409,11 +407,12 @@ Action add_overlap(CLI::App& app, Shared&) {
       "  soms generate knot --triangles 2000 -o knot.ply\n"
       "  soms generate sphere --triangles 800 -o ball.off\n"
       "  soms overlap knot.ply ball.off --pose \"0.5 0 0\"");
-  return [options](Console& console) {
+  return [options, &app](Console& console) {
     options->model_a.offers_empty = true;
     options->model_b.offers_empty = true;
     options->model_b.allow_empty = options->model_a.allow_empty;
     check(options->build);
+    check_traversal(app, options->query.traversal);
     return run_overlap(*options, console);
   };
 }

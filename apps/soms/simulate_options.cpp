@@ -60,9 +60,10 @@ Action add_simulate(CLI::App& app, Shared&) {
   add_choice<bool>(app, "--fail-if", options->fail_if_contact,
                    {{"overlap", true}, {"contact", true}}, "exit with 1 when something touched");
   app.footer(kFooter);
-  return [options, frames](Console& console) {
+  return [options, frames, &app](Console& console) {
     options->frames_given = frames->count() > 0;
     check(options->world.build);
+    check_traversal(app, options->world.traversal);
     return run_simulate(*options, console);
   };
 }

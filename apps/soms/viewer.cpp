@@ -1,10 +1,13 @@
 #include "apps/soms/viewer.h"
 
 #include "apps/soms/child.h"
+#include "apps/support/parse.h"
 
 #include <fmt/format.h>
 
 #include <regex>
+#include <sstream>
+#include <utility>
 
 namespace soms::command {
 
@@ -53,19 +56,39 @@ std::string viewer_help(std::string_view verb) {
   }
 }
 
-std::vector<std::string> viewer_option_names(std::string_view verb) {
-  const std::string help = viewer_help(verb);
-  // Options stand at the beginning of a line of the help: "  -o,--output FILE".
-  static const std::regex kNames("\n  (?:(-[a-z]),)?(--[a-z][a-z-]*)");
-  std::vector<std::string> names;
-  for (std::sregex_iterator at(help.begin(), help.end(), kNames), end; at != end; ++at) {
-    for (const std::size_t group : {2U, 1U}) {
-      if ((*at)[group].matched) {
-        names.push_back((*at)[group]);
+std::vector<OptionWords> viewer_options(std::string_view verb) {
+  std::istringstream help(viewer_help(verb));
+  // An option begins a line, "  -o,--output FILE    picture to write"; its meaning may go on below,
+  // far to the right.
+  static const std::regex kOption("  (?:(-[a-z]),)?(--[a-z][a-z-]*)(?: (\\S+))?(?:  +(.*))?");
+  std::vector<OptionWords> options;
+  std::string label;
+  std::string meaning;
+  const auto end_option = [&] {
+    if (label == kChoiceText) {
+      options.back().values = listed_words(meaning);
+    }
+    meaning.clear();
+    label.clear();
+  };
+  for (std::string line; std::getline(help, line);) {
+    std::smatch parts;
+    if (std::regex_match(line, parts, kOption)) {
+      end_option();
+      OptionWords option{{parts[2]}, {}, parts[3].matched};
+      if (parts[1].matched) {
+        option.names.push_back(parts[1]);
       }
+      options.push_back(std::move(option));
+      label = parts[3];
+      meaning = parts[4];
+    } else if (line.starts_with("      ")) {
+      meaning += line.substr(line.find_first_not_of(' '));
+    } else {
+      end_option();
     }
   }
-  return names;
+  return options;
 }
 
 std::vector<std::string> words_of(const WorldOptions& world, const Shared& shared) {

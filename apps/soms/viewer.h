@@ -5,6 +5,7 @@
 #include "soms/base/error.h"
 
 #include "apps/support/console.h"
+#include "apps/support/verb.h"
 #include "apps/support/world_options.h"
 
 #include <cstdint>
@@ -25,8 +26,8 @@ namespace soms::command {
 /// What --help says of a verb of soms-view; empty where the program is missing.
 [[nodiscard]] std::string viewer_help(std::string_view verb);
 
-/// Names of the options of a verb of soms-view; none where the program is missing.
-[[nodiscard]] std::vector<std::string> viewer_option_names(std::string_view verb);
+/// The options of a verb of soms-view, as its --help tells them; none where the program is missing.
+[[nodiscard]] std::vector<OptionWords> viewer_options(std::string_view verb);
 
 /// The words that make soms-view load the world that `simulate` would.
 [[nodiscard]] std::vector<std::string> words_of(const WorldOptions& world, const Shared& shared);

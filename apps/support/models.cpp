@@ -7,12 +7,10 @@
 
 #include "apps/support/console.h"
 #include "apps/support/parse.h"
+#include "apps/support/standard_input.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -118,43 +116,23 @@ void add_traversal_options(CLI::App& app, TraversalOptions& options) {
       ->group(kTreeGroup);
 }
 
+void check_traversal(const CLI::App& app, const TraversalOptions& options) {
+  const bool descends =
+      options.traversal == Traversal::e_node || options.traversal == Traversal::e_node_front;
+  if (app.count("--descent") > 0 && !descends) {
+    throw Error(ErrorKind::usage, "--descent without E-Node changes nothing",
+                "give --traversal e-node, too, or leave it out");
+  }
+}
+
 namespace {
 
-constexpr const char* kStandardInput = "/dev/stdin";
-
-/// A terminal, into which nobody types a model, and the device that is always empty are no faults
-/// of a file: whoever wrote "-" has named none.
-void check_standard_input() {
-  struct stat status {};
-
-  struct stat nothing {};
-
-  const bool is_null = ::fstat(0, &status) == 0 && S_ISCHR(status.st_mode) &&
-                       ::stat("/dev/null", &nothing) == 0 && status.st_rdev == nothing.st_rdev;
-  if (::isatty(0) == 1) {
-    throw Error(ErrorKind::cannot_open, "standard input is a terminal",
-                "pipe a model into it, or name a file");
-  }
-  if (is_null) {
-    throw Error(ErrorKind::bad_file, "standard input is empty",
-                "pipe a model into it, or name a file");
-  }
-}
-
-/// The same error with standard input by that name.
-Error of_standard_input(const Error& error) {
-  std::string place = error.place();
-  const std::string_view device = kStandardInput;
-  for (std::size_t at = place.find(device); at != std::string::npos; at = place.find(device)) {
-    place.replace(at, device.size(), "standard input");
-  }
-  return Error(error.kind(), place, error.remedy());
-}
-
 Mesh read_standard_input(const ReadOptions& options, const Parallel& parallel) {
-  check_standard_input();
+  check_standard_input("a model");
   try {
-    return read_mesh(kStandardInput, options, parallel);
+    Mesh mesh = read_mesh(kStandardInput, options, parallel);
+    mesh.source = kStandardInputName;
+    return mesh;
   } catch (const Error& error) {
     throw of_standard_input(error);
   }

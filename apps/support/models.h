@@ -38,6 +38,9 @@ void add_build_options(CLI::App& app, BuildOptions& options);
 /// Adds --traversal and --descent.
 void add_traversal_options(CLI::App& app, TraversalOptions& options);
 
+/// \errors ErrorKind::usage for a --descent of a traversal that has none.
+void check_traversal(const CLI::App& app, const TraversalOptions& options);
+
 /// Reads a model with a progress bar, scales and turns it. "-" is standard input.
 /// \errors As `read_mesh`; ErrorKind::timed_out.
 [[nodiscard]] Mesh read_model(const std::string& path, const ModelOptions& options,

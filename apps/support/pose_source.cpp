@@ -2,6 +2,8 @@
 
 #include "soms/base/error.h"
 
+#include "apps/support/standard_input.h"
+
 #include <fmt/format.h>
 
 #include <charconv>
@@ -31,7 +33,8 @@ bool looks_like_pose(std::string_view text) {
 
 }  // namespace
 
-PoseSource::PoseSource(const std::string& option, const std::string& text) : name_(text) {
+PoseSource::PoseSource(const std::string& option, const std::string& text)
+    : name_(text == "-" ? kStandardInputName : text) {
   std::error_code ignored;
   if (text != "-" && looks_like_pose(text) && !std::filesystem::exists(text, ignored)) {
     try {
@@ -41,20 +44,36 @@ PoseSource::PoseSource(const std::string& option, const std::string& text) : nam
     }
     return;
   }
-  reader_.emplace(text == "-" ? "/dev/stdin" : text);
-  first_ = reader_->next();
+  if (text == "-") {
+    check_standard_input("poses");
+  }
+  first_ = read(text == "-" ? kStandardInput : text);
   if (!first_) {
-    throw Error(ErrorKind::bad_file, (text == "-" ? "standard input" : text) + ": no row",
-                "give at least one pose below the header");
+    throw Error(ErrorKind::bad_file, name_ + ": no row", "give at least one pose below the header");
   }
   try {
-    second_ = reader_->next();
+    second_ = read();
   } catch (const Error&) {
     error_ = std::current_exception();
     return;
   }
   if (!second_) {
     constant_ = first_;
+  }
+}
+
+/// Of the file that is open, or that `path` names.
+std::optional<Pose> PoseSource::read(std::string_view path) {
+  try {
+    if (!path.empty()) {
+      reader_.emplace(path);
+    }
+    return reader_->next();
+  } catch (const Error& error) {
+    if (name_ == kStandardInputName) {
+      throw of_standard_input(error);
+    }
+    throw;
   }
 }
 
@@ -71,7 +90,7 @@ std::optional<Pose> PoseSource::next() {
   if (second_) {
     return std::exchange(second_, std::nullopt);
   }
-  return reader_->next();
+  return read();
 }
 
 std::optional<std::pair<Pose, Pose>> PosePairs::next() {

@@ -9,6 +9,7 @@
 #include <exception>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace soms::command {
@@ -21,9 +22,8 @@ class PoseSource {
 
   /// `text` is "x y z [qw qx qy qz]" or the path of a CSV file; "-" is standard input. A file of
   /// one row counts as a single pose.
-  /// \errors As `parse_pose` (the message names `option`) and `PoseReader`; ErrorKind::bad_file for
-  /// a
-  ///         file without rows.
+  /// \errors As `parse_pose` (the message names `option`), `PoseReader` and `check_standard_input`;
+  ///         ErrorKind::bad_file for a file without rows.
   PoseSource(const std::string& option, const std::string& text);
 
   /// True if one pose serves all rows.
@@ -35,6 +35,8 @@ class PoseSource {
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:
+  std::optional<Pose> read(std::string_view path = {});
+
   std::string name_;
   std::optional<Pose> constant_;
   std::optional<PoseReader> reader_;

@@ -14,6 +14,7 @@
 #include <cerrno>
 #include <csignal>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 #include <string_view>
@@ -88,6 +89,11 @@ void check_rest(const ParsedVerb& verb) {
   if (option == options_end) {
     throw usage(fmt::format("{} is one argument too many", rest.front()), "see " + help);
   }
+  std::error_code unknown;
+  if (std::filesystem::exists(*option, unknown)) {
+    throw usage("unknown option " + *option,
+                fmt::format("for the file of that name write ./{}, or -- before it", *option));
+  }
   const std::string word = option->substr(0, option->find('='));
   throw usage("unknown option " + word, remedy_for(word, verb.option_names(), help));
 }
@@ -147,7 +153,7 @@ int run(const Program& program, const std::vector<std::string>& words) {
     return words.size() == 1 ? run(program, {})
                              : run_verb(program, find_verb(program, words[1]), {"--help"});
   }
-  if (words[0] == "--version") {
+  if (words[0] == "--version" || words[0] == "-V") {
     print_plain(fmt::format("{} {}\n", program.name, SOMS_VERSION));
     return 0;
   }

@@ -21,6 +21,9 @@ std::string with_commas(std::uint64_t number) {
 }
 
 std::string readable(double number) {
+  if (number == 0) {
+    return "0";  // without the sign that a zero may have
+  }
   const std::string whole = fmt::format("{}", number);
   const std::string mantissa = whole.substr(0, whole.find('e'));
   const auto digits =

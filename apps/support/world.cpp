@@ -30,6 +30,11 @@ struct Upright {
   RecordedMesh origin;
 };
 
+/// True if the file states a unit of other than a meter that no option deals with.
+bool says_other_unit(const Mesh& mesh, const ModelOptions& options) {
+  return options.scale == 1 && mesh.unit > 0 && mesh.unit != 1;
+}
+
 /// Reads a model and turns the up axis that its file states to z, unless `option` named one.
 Upright read_upright(const std::string& path, const ModelOptions& options,
                      const std::string& option, Console& console) {
@@ -47,8 +52,8 @@ Upright read_upright(const std::string& path, const ModelOptions& options,
     model.mesh = transformed(std::move(model.mesh), 1, up);
     model.origin.up = up;
   }
-  const double unit = model.mesh.unit;
-  if (options.scale == 1 && unit > 0 && unit != 1) {
+  if (says_other_unit(model.mesh, options)) {
+    const double unit = model.mesh.unit;
     console.note(
         fmt::format("{}: its unit is {:g} m; taken as meters (--{}scale {:g} makes them so)", path,
                     unit, option == "--up" ? "" : "mover-", unit));
@@ -90,13 +95,14 @@ std::vector<Model> load_models(const WorldOptions& options, Console& console) {
   }
   for (const std::string& path : options.movers) {
     Upright read = read_upright(path, options.mover_model, "--mover-up", console);
+    const bool told_unit = says_other_unit(read.mesh, options.mover_model);
     const std::string name = short_name(path);
     models.push_back(
         make_model(build_named(std::move(read.mesh), name, options, console), name, Kind::model));
     models.back().origin = std::move(read.origin);
     const Model& model = models.back();
     const double size = std::max(2 * model.reach, model.height);
-    if (size > 30 || size < 0.05) {
+    if (!told_unit && (size > 30 || size < 0.05)) {
       console.note(
           fmt::format("{}: {:.4g} across, taken as meters; --mover-scale changes it", path, size));
     }

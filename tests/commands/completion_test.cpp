@@ -20,6 +20,11 @@ TEST(Completion, CompletesVerbsAndOptionsInBash) {
   EXPECT_EQ(complete("soms generate --seed 7 kn", 4), "knot\n");
   EXPECT_EQ(complete("soms convert a b --format stl", 5), "stl stl-ascii\n");
   EXPECT_EQ(complete("soms completion ''", 2), "bash zsh fish\n");
+  EXPECT_EQ(complete("soms generate knot ''", 3), "\n");
+  EXPECT_EQ(complete("soms convert a b --format = st", 6), "stl stl-ascii\n");
+  EXPECT_EQ(complete("soms convert a b --format =", 5),
+            complete("soms convert a b --format ''", 5));
+  EXPECT_EQ(complete("soms convert a b --format=st", 4), "--format=stl --format=stl-ascii\n");
   for (const std::string verb : {"man", "help"}) {
     EXPECT_EQ(complete("soms " + verb + " ove", 2), "overlap\n");
   }

@@ -3,7 +3,7 @@
 namespace soms::test {
 namespace {
 
-Json info(const std::string& path) {
+Json info_of(const std::string& path) {
   const RunResult result = soms_run({"info", path, "--no-trees", "--json"});
   EXPECT_EQ(result.status, 0) << result.err;
   return json_lines(result.out).at(0);
@@ -12,12 +12,12 @@ Json info(const std::string& path) {
 TEST(Convert, KeepsTrianglesAndBoundsThroughEveryFormat) {
   const TemporaryFolder folder;
   const std::string input = test::data("truth/meshes/terrain.ply").string();
-  const Json before = info(input);
+  const Json before = info_of(input);
   for (const char* name : {"a.ply", "a.obj", "a.off"}) {
     const std::string output = (folder.path() / name).string();
     const RunResult result = soms_run({"convert", input, output});
     ASSERT_EQ(result.status, 0) << result.err;
-    const Json after = info(output);
+    const Json after = info_of(output);
     for (const char* key : {"triangles", "vertices", "bounds", "defects"}) {
       EXPECT_EQ(after.at(key), before.at(key)) << name << " " << key;
     }
@@ -84,7 +84,7 @@ TEST(Convert, ScalesAndTurns) {
           .status,
       0);
   // y up: (x, y, z) becomes (x, -z, y).
-  EXPECT_EQ(info(output).at("bounds"), Json::parse("[[0,-6,0],[2,0,4]]"));
+  EXPECT_EQ(info_of(output).at("bounds"), Json::parse("[[0,-6,0],[2,0,4]]"));
 }
 
 TEST(Convert, KeepsAxesOfGlbUnlessTheyAreTurned) {
@@ -96,14 +96,14 @@ TEST(Convert, KeepsAxesOfGlbUnlessTheyAreTurned) {
           .err.find(
               "a.glb: other programs take y for up in GLB; this model does not say what is up"),
       std::string::npos);
-  const Json read = info(path("a.glb"));
+  const Json read = info_of(path("a.glb"));
   EXPECT_EQ(read.at("bounds"), Json::parse("[[0,0,0],[1,2,3]]"));
   EXPECT_TRUE(read.at("up").is_null());
   EXPECT_TRUE(read.at("unit").is_null());
   const RunResult turned = soms_run({"convert", path("a.glb"), path("b.glb"), "--up", "y"});
   EXPECT_NE(turned.err.find("b.glb: other programs take y for up in GLB"), std::string::npos)
       << turned.err;
-  EXPECT_EQ(info(path("b.glb")).at("bounds"), Json::parse("[[0,-3,0],[1,0,2]]"));
+  EXPECT_EQ(info_of(path("b.glb")).at("bounds"), Json::parse("[[0,-3,0],[1,0,2]]"));
   // What needs an up axis turns the one that a file states, and says so.
   const std::string stated = test::data("formats/nodes_trs.gltf").string();
   const std::string note = "nodes_trs.gltf: its up axis is y; turned to z";
@@ -127,7 +127,7 @@ TEST(Convert, MayReplaceItsInput) {
   const std::string path = (folder.path() / "a.off").string();
   write_text(path, triangle_off("0 0 0", "1 0 0", "0 1 0"));
   ASSERT_EQ(soms_run({"convert", path, path, "--scale", "4"}).status, 0);
-  EXPECT_EQ(info(path).at("bounds"), Json::parse("[[0,0,0],[4,4,0]]"));
+  EXPECT_EQ(info_of(path).at("bounds"), Json::parse("[[0,0,0],[4,4,0]]"));
 }
 
 TEST(Convert, RefusesAnEmptyModelUnlessItIsAccepted) {
@@ -153,6 +153,25 @@ TEST(Convert, SaysWhatItWroteAsJson) {
                   {"format", "ply"},
                   {"triangles", 1},
                   {"vertices", 3}}));
+}
+
+TEST(Convert, RefusesANameThatSaysAnotherFormat) {
+  const TemporaryFolder folder;
+  const std::string input = test::data("truth/meshes/torus.ply").string();
+  const auto convert = [&](const std::string& name, const std::string& format) {
+    return soms_run({"convert", input, (folder.path() / name).string(), "--format", format});
+  };
+  const RunResult wrong = convert("a.stl", "obj");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_EQ(wrong.err,
+            "soms convert: --format obj: the name ends in .stl; let it end in .obj, or leave "
+            "--format out\n");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.stl"));
+  for (const auto& [name, format] :
+       {std::pair("a.stl", "stl-ascii"), std::pair("a.ply", "ply-ascii"), std::pair("a", "obj"),
+        std::pair("a.txt", "off"), std::pair("a.GLB", "glb")}) {
+    EXPECT_EQ(convert(name, format).status, 0) << name;
+  }
 }
 
 }  // namespace

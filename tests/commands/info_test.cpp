@@ -70,6 +70,14 @@ TEST(Info, TellsPartsInJsonAndInText) {
   EXPECT_NE(text.out.find("object-median"), std::string::npos);
 }
 
+TEST(Info, NumbersPartsWithoutAName) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "a.obj").string();
+  write_text(path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\no\nf 1 2 3\no b\nf 2 4 3\nf 1 1 2\n");
+  const std::string text = soms_run({"info", path, "--no-trees"}).out;
+  EXPECT_NE(text.find("2: number 0 (1, open), b (2, open)"), std::string::npos) << text;
+}
+
 /// The blocks of a page that are fenced as text.
 std::vector<std::string> blocks_of(const std::string& page) {
   const std::string fence = "```text\n";
@@ -213,6 +221,9 @@ TEST(Info, PrintsNumbersToBeReadAndWholeOnesAsJson) {
                 .out.find("vertex 0 (0.1, 0.3, 4470253.12) to vertex 1 (1e-300, -2, 0)"),
             std::string::npos);
   EXPECT_EQ(info({path, "--no-trees"}).at("bounds").at(1).at(2), 4470253.1234567);
+  write_text(path, triangle_off("-0.0 -0 0", "-1 -1 0", "0 -1 -0"));
+  EXPECT_NE(soms_run({"info", path, "--no-trees"}).out.find("(-1, -1, 0) to (0, 0, 0)\n"),
+            std::string::npos);
 }
 
 TEST(Info, AcceptsAnEmptyModelWhenAsked) {

@@ -7,10 +7,6 @@
 namespace soms::test {
 namespace {
 
-std::string box() {
-  return test::data("truth/meshes/box2.ply").string();
-}
-
 std::string many_poses(const TemporaryFolder& folder) {
   std::string rows = "x,y,z\n";
   for (int i = 0; i < 3'000'000; ++i) {

@@ -9,10 +9,6 @@ namespace {
 
 constexpr const char* kEmptyHash = "cbf29ce484222325";
 
-std::string box() {
-  return test::data("truth/meshes/box2.ply").string();  // [-1, 1]^3
-}
-
 /// Answers to `words` after two boxes; each a JSON object.
 std::vector<Json> ask(std::vector<std::string> words) {
   words.insert(words.begin(), {"overlap", box(), box(), "--json"});
@@ -129,6 +125,10 @@ TEST(OverlapVerb, GivesTheSameLinesForAnyThreadsRuleAndTraversal) {
   for (const char* descent : {"both", "larger", "cross", "fewest"}) {
     EXPECT_EQ(hashes({"--traversal", "e-node", "--descent", descent}), expected) << descent;
   }
+  const RunResult idle = soms_run({"overlap", box(), box(), "--descent", "cross"});
+  EXPECT_EQ(idle.status, 2);
+  EXPECT_NE(idle.err.find("--descent without E-Node changes nothing"), std::string::npos)
+      << idle.err;
 }
 
 TEST(OverlapVerb, VerifiesByBruteForce) {

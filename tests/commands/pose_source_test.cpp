@@ -5,10 +5,6 @@
 namespace soms::test {
 namespace {
 
-std::string box() {
-  return test::data("truth/meshes/box2.ply").string();
-}
-
 /// Runs `overlap` of two boxes with pose files of these texts; an empty text is no option.
 RunResult with_rows(const TemporaryFolder& folder, const std::string& a, const std::string& b) {
   std::vector<std::string> words{"overlap", box(), box(), "--json", "--no-pairs"};
@@ -121,6 +117,22 @@ TEST(PoseSource, NamesAFileThatIsMissing) {
   const RunResult result = soms_run({"overlap", box(), box(), "--pose", "my poses.csv"});
   EXPECT_EQ(result.status, 3);
   EXPECT_NE(result.err.find("my poses.csv"), std::string::npos) << result.err;
+}
+
+TEST(PoseSource, CallsStandardInputByItsName) {
+  const auto message = [](const std::string& text) {
+    return soms_run({"overlap", box(), box(), "--pose", "-"}, text).err;
+  };
+  EXPECT_NE(message("x,y,z\n0,0,0\n1,2\n").find("standard input, line 3: 2 numbers"),
+            std::string::npos)
+      << message("x,y,z\n0,0,0\n1,2\n");
+  EXPECT_NE(message("a,b\n").find("standard input, line 1: the header"), std::string::npos);
+  EXPECT_NE(message("x,y,z\n").find("standard input: no row"), std::string::npos);
+  EXPECT_EQ(shell("$soms overlap '" + box() + "' '" + box() + "' --pose - </dev/null").err,
+            "soms overlap: standard input is empty; pipe poses into it, or name a file\n");
+  const RunResult model =
+      shell("$soms overlap - '" + box() + "' --pose '0.5 0 0' < '" + box() + "'");
+  EXPECT_NE(model.out.find("triangle of standard input and"), std::string::npos) << model.out;
 }
 
 }  // namespace

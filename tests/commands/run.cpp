@@ -151,6 +151,10 @@ RunResult Child::wait() {
   return result;
 }
 
+std::string box() {
+  return test::data("truth/meshes/box2.ply").string();
+}
+
 std::string read_text(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::stringstream text;

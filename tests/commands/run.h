@@ -57,6 +57,9 @@ class Child {
   long max_resident_ = 0;
 };
 
+/// Path of a model, the box [-1, 1]^3.
+[[nodiscard]] std::string box();
+
 /// Content of a file.
 [[nodiscard]] std::string read_text(const std::filesystem::path& path);
 

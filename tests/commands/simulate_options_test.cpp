@@ -44,6 +44,13 @@ TEST_F(SimulateOptions, HintsAtAMapOnATerminalUnlessItIsToBeQuiet) {
   EXPECT_EQ(shown({"--map", beside("a.svg")}).find("--map city.svg"), std::string::npos);
 }
 
+TEST_F(SimulateOptions, RefusesADescentOfNothing) {
+  const RunResult idle = simulate({town(), "--frames", "1", "--count", "1", "--descent", "both"});
+  EXPECT_EQ(idle.status, 2);
+  EXPECT_NE(idle.err.find("--descent without E-Node changes nothing"), std::string::npos)
+      << idle.err;
+}
+
 TEST_F(SimulateOptions, RefusesNamesWhoseEndingsAreThoseOfOtherFiles) {
   const auto refused = [&](const std::string& option, const std::string& name,
                            const std::string& ending) {

@@ -136,6 +136,28 @@ TEST(Viewer, CompletesTheOptionsThatItHas) {
             std::string::npos);
 }
 
+TEST(Viewer, CompletesTheWordsThatItsHelpLists) {
+  const TemporaryFolder folder;
+  const std::string viewer = write_program(folder.path() / "viewer", R"(cat <<'END'
+Options:
+  -o,--output FILE       a|b is a file's name
+  --flag                 no value
+  --rule WORD            splitting rule (soms): mean|median|
+                         quality
+  --very-long-name WORD
+                         meaning: one|two
+
+END)");
+  const std::string bash = with_viewer(viewer, "$soms completion bash").out;
+  EXPECT_NE(bash.find("\"render --rule\") words=\"mean median quality\""), std::string::npos)
+      << bash;
+  EXPECT_NE(bash.find("\"render --very-long-name\") words=\"one two\""), std::string::npos);
+  EXPECT_EQ(bash.find("\"render --output\")"), std::string::npos);
+  const std::string fish = with_viewer(viewer, "$soms completion fish").out;
+  EXPECT_NE(fish.find("render' -l output -s o -r\n"), std::string::npos) << fish;
+  EXPECT_NE(fish.find("render' -l flag\n"), std::string::npos);
+}
+
 TEST(Viewer, EndsWhenTimeIsUp) {
   const TemporaryFolder folder;
   const std::string viewer = write_program(folder.path() / "viewer", "exec sleep 100");

@@ -10,6 +10,7 @@
 #include "apps/view/drawing/gl_renderer.h"
 #include "apps/view/drawing/headless_context.h"
 #include "apps/view/scene/draw_scene.h"
+#include "apps/view/scene/orientation_menu.h"
 #include "apps/view/verbs/render_scene.h"
 
 #include <fmt/format.h>
@@ -78,10 +79,13 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
   app.add_flag_callback(
       "--no-prune", [&options] { options.shown.trees.traversal.prune = false; },
       "of --walk: go on into boxes that are apart, to see what pruning saves");
-  app.add_option("--test", options.test,
-                 "send the mover through an orientation test (right, left, top, bottom, front,\n"
-                 "back, drive); --frame goes to a frame of it")
-      ->option_text("NAME");
+  command::Choices<std::string> tests;
+  for (const OrientationTest& test : orientation_tests()) {
+    tests.emplace_back(test.name, test.name);
+  }
+  command::add_choice<std::string>(
+      app, "--test", options.test, std::move(tests),
+      "send the mover through an orientation test, of which --frame\nnames a frame");
   command::add_choice<CityColors>(
       app, "--colors", options.shown.city_colors,
       {{"building", CityColors::by_building}, {"plain", CityColors::plain}},
@@ -214,6 +218,7 @@ void check_effects(const CLI::App& app, const RenderOptions& options,
   needs("--no-prune", options.walk, "--walk");
   needs("--center", options.camera.subject == CameraChoice::Subject::place,
         "six numbers of --camera");
+  command::check_traversal(app, options.shown.trees.traversal);
   if (options.walk && options.shown.trees.traversal.traversal == Traversal::fast) {
     throw Error(ErrorKind::usage, "--walk: --traversal fast visits no boxes of the trees",
                 "choose another traversal, or leave it out");
