@@ -1,6 +1,7 @@
 #include "soms/io/formats.h"
 
 #include "tests/commands/run.h"
+#include "tests/support/slow_build.h"
 
 #include <regex>
 #include <sstream>
@@ -46,6 +47,7 @@ std::vector<std::string> examples(const std::string& help) {
 
 TEST(Program, TellsItsVersionAndItsVerbs) {
   EXPECT_EQ(soms_run({"--version"}).out, "soms " SOMS_VERSION "\n");
+  EXPECT_EQ(soms_run({"-V"}).out, "soms " SOMS_VERSION "\n");
   const RunResult help = soms_run({"--help"});
   EXPECT_EQ(help.status, 0);
   EXPECT_EQ(help.err, "");
@@ -110,6 +112,9 @@ TEST(Program, TakesWhatFollowsTwoDashesForNames) {
   EXPECT_NE(shell(go + "info --nothing -- -box.ply").err.find("unknown option --nothing"),
             std::string::npos);
   EXPECT_EQ(soms_run({"--"}).out, soms_run({"--help"}).out);
+  EXPECT_EQ(shell(go + "info -box.ply").err,
+            "soms info: unknown option -box.ply; for the file of that name write ./-box.ply, or -- "
+            "before it\n");
 }
 
 TEST(Program, NamesOptionsThatTheVerbHasWhereAModelIsEmptyOrMemoryIsShort) {
@@ -197,6 +202,9 @@ TEST(Program, EveryVerbsExampleWorks) {
       there += folder.path().string();
       if (line.starts_with("view ") || line.starts_with("render ")) {
         continue;  // run by tests/view, which know whether there is a display
+      }
+      if (line.starts_with("reproduce ") && kSlowBuild) {
+        continue;  // a minute and a half
       }
       const RunResult result = shell(there + "' && $soms " + line);
       EXPECT_EQ(result.status, 0) << line << "\n" << result.err;

@@ -1,4 +1,5 @@
 #include "tests/commands/run.h"
+#include "tests/support/slow_build.h"
 
 #include <gtest/gtest.h>
 
@@ -143,6 +144,7 @@ TEST_F(Report, OfNothingThatTouchesSaysSo) {
 }
 
 TEST_F(Report, OfTheThesisNeedsNoOtherFile) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
   const test::RunResult run = test::soms_run({"reproduce", "--quick", "--quiet", "--item", "5.3",
                                               "-o", at("out"), "--report", at("thesis.html")});
   ASSERT_EQ(run.status, 0) << run.err;

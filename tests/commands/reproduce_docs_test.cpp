@@ -105,9 +105,7 @@ TEST(ReproduceDocs, EveryItemIsOnThePage) {
 
 TEST(ReproduceDocs, TableOfRulesInTheReadmeIsWhatARunWrites) {
   SOMS_NEEDS_OUTSIDE_DATA("the README's table of rules: it needs the bunny");
-  if (kSlowBuild) {
-    GTEST_SKIP() << "the same comparison runs in the release build; here it takes minutes";
-  }
+  SOMS_SKIP_IN_SLOW_BUILDS();
   const TemporaryFolder folder;
   const RunResult result = soms_run({"reproduce", "--quick", "--item", "5.3,5.9,modern", "--models",
                                      outside_data("")->string(), "-o", folder.path().string()});

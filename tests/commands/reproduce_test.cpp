@@ -1,4 +1,5 @@
 #include "tests/commands/run.h"
+#include "tests/support/slow_build.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -86,6 +87,7 @@ TEST(Reproduce, WritesTablesFiguresPageAndListOfFiles) {
 }
 
 TEST(Reproduce, TwoRunsAgreeOnAllButTimes) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
   const TemporaryFolder one;
   const TemporaryFolder two;
   const std::string items = "3.1,3.2,3.3,3.8,4.2,4.30,5.3,5.9,5.10,5.11";

@@ -1,8 +1,10 @@
+#include "tests/support/slow_build.h"
 #include "tests/support/support.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -402,6 +404,7 @@ TEST(Simulate, SaysWhatUnitAndAxisAFileStates) {
       small.err.find("its unit is 0.01 m; taken as meters (--mover-scale 0.01 makes them so)"),
       std::string::npos)
       << small.err;
+  EXPECT_EQ(small.err.find("across, taken"), std::string::npos) << small.err;
   const test::RunResult scaled = simulate(
       {town.path(), "--mover", model, "--mover-scale", "0.01", "--count", "1", "--frames", "1"});
   EXPECT_EQ(scaled.err.find("its unit"), std::string::npos) << scaled.err;
@@ -413,12 +416,24 @@ TEST(Simulate, SaysWhatUnitAndAxisAFileStates) {
 
 TEST(Simulate, ConfirmsRealCitiesByBruteForce) {
   SOMS_NEEDS_OUTSIDE_DATA("13 cities of others with a car and a van");
-  std::size_t cities = 0;
+  constexpr std::array kCities{"amsterdam",
+                               "berlin_sample",
+                               "delft",
+                               "denhaag_01",
+                               "euromast",
+                               "lyon",
+                               "new_york_mid",
+                               "new_york_north",
+                               "new_york_south",
+                               "rotterdam",
+                               "rotterdam_delfshaven",
+                               "zurich_subset",
+                               "zurich_far_origin"};
+  constexpr std::size_t kStep = test::kSlowBuild ? 6 : 1;
   std::uint64_t contacts = 0;
-  for (const char* name : {"amsterdam", "berlin_sample", "delft", "denhaag_01", "euromast", "lyon",
-                           "new_york_mid", "new_york_north", "new_york_south", "rotterdam",
-                           "rotterdam_delfshaven", "zurich_subset", "zurich_far_origin"}) {
-    const auto city = *test::outside_data("cities/" + std::string(name) + ".ply");
+  for (std::size_t k = 0; k < kCities.size(); k += kStep) {
+    const std::string name = kCities[k];
+    const auto city = *test::outside_data("cities/" + name + ".ply");
     SCOPED_TRACE(name);
     const json object =
         answer({city.string(), "--mover", test::outside_data("3ds/car_disim.3ds")->string(),
@@ -427,9 +442,7 @@ TEST(Simulate, ConfirmsRealCitiesByBruteForce) {
     EXPECT_EQ(object["verified"]["wrong"], 0);
     EXPECT_GT(object["movers"], 0);
     contacts += object["contacts"].get<std::uint64_t>();
-    ++cities;
   }
-  EXPECT_EQ(cities, 13U);
   EXPECT_GT(contacts, 0U);
 }
 

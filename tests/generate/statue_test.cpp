@@ -17,7 +17,7 @@ using test::faulty_edges;
 using test::flat_triangles;
 using test::volume6;
 
-std::string usage_error(std::uint64_t triangles) {
+std::string statue_error(std::uint64_t triangles) {
   try {
     static_cast<void>(generate_statue(triangles));
   } catch (const Error& error) {
@@ -73,9 +73,9 @@ TEST(Statue, HasTrianglesOfUnlikeSizeThatAllGetSmaller) {
 }
 
 TEST(Statue, NamesTheLeastAndTheNearestCounts) {
-  EXPECT_EQ(usage_error(6), "statue of 6 triangles; the least is 8");
-  EXPECT_NE(usage_error(949).find("948 or 950"), std::string::npos);
-  EXPECT_NE(usage_error(std::uint64_t{1} << 31).find("the most is"), std::string::npos);
+  EXPECT_EQ(statue_error(6), "statue of 6 triangles; the least is 8");
+  EXPECT_NE(statue_error(949).find("948 or 950"), std::string::npos);
+  EXPECT_NE(statue_error(std::uint64_t{1} << 31).find("the most is"), std::string::npos);
 }
 
 TEST(Statue, IsTheSameBitsEverywhere) {

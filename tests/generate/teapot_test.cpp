@@ -13,7 +13,7 @@
 namespace soms {
 namespace {
 
-std::string usage_error(std::uint32_t subdivisions) {
+std::string teapot_error(std::uint32_t subdivisions) {
   try {
     static_cast<void>(generate_teapot(subdivisions));
   } catch (const Error& error) {
@@ -101,8 +101,8 @@ TEST(Teapot, IsTheOneThatGoesAroundAsAFile) {
 }
 
 TEST(Teapot, NamesTheSubdivisionsThatItTakes) {
-  EXPECT_EQ(usage_error(1), "teapot of 1 subdivisions; take 2 to 256");
-  EXPECT_EQ(usage_error(257), "teapot of 257 subdivisions; take 2 to 256");
+  EXPECT_EQ(teapot_error(1), "teapot of 1 subdivisions; take 2 to 256");
+  EXPECT_EQ(teapot_error(257), "teapot of 257 subdivisions; take 2 to 256");
 }
 
 TEST(Teapot, IsTheSameBitsEverywhere) {

@@ -140,10 +140,10 @@ void expect_whole(const Triangle& s, const Triangle& t) {
   }
 }
 
-constexpr Triangle kGround{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+constexpr Triangle kFlat{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
 
 TEST(CrossingSegment, GivesTheSegmentOfACrossing) {
-  const Crossing found = crossing(kGround, {{1, 1, -1}, {1, 1, 1}, {2, 1, 1}});
+  const Crossing found = crossing(kFlat, {{1, 1, -1}, {1, 1, 1}, {2, 1, 1}});
   ASSERT_EQ(found.count, 2U);
   const Vec3 first = std::min(found.corners[0].x, found.corners[1].x) == found.corners[0].x
                          ? found.corners[0]
@@ -154,16 +154,16 @@ TEST(CrossingSegment, GivesTheSegmentOfACrossing) {
 }
 
 TEST(CrossingSegment, GivesThePointOfATouch) {
-  const Crossing corner = crossing(kGround, {{1, 1, 0}, {1, 1, 1}, {2, 1, 1}});
+  const Crossing corner = crossing(kFlat, {{1, 1, 0}, {1, 1, 1}, {2, 1, 1}});
   ASSERT_EQ(corner.count, 1U);
   EXPECT_EQ(corner.corners[0], (Vec3{1, 1, 0}));
-  const Crossing edges = crossing(kGround, {{2, -1, -1}, {2, 1, 1}, {9, -8, 8}});
+  const Crossing edges = crossing(kFlat, {{2, -1, -1}, {2, 1, 1}, {9, -8, 8}});
   ASSERT_EQ(edges.count, 1U);
   EXPECT_EQ(edges.corners[0], (Vec3{2, 0, 0}));
 }
 
 TEST(CrossingSegment, GivesTheSegmentThatEdgesShare) {
-  const Crossing found = crossing(kGround, {{1, 0, 0}, {3, 0, 0}, {2, -1, 5}});
+  const Crossing found = crossing(kFlat, {{1, 0, 0}, {3, 0, 0}, {2, -1, 5}});
   ASSERT_EQ(found.count, 2U);
   EXPECT_EQ(std::abs(found.corners[1].x - found.corners[0].x), 2);
 }
@@ -177,8 +177,8 @@ TEST(CrossingSegment, GivesTheOutlineOfACommonArea) {
     area += 0.5 * cross(star.corners[i] - star.corners[0], star.corners[i + 1] - star.corners[0]).z;
   }
   EXPECT_NEAR(std::abs(area), 12, 1e-12);
-  EXPECT_EQ(crossing(kGround, kGround).count, 3U);
-  EXPECT_EQ(crossing(kGround, {{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}).count, 3U);
+  EXPECT_EQ(crossing(kFlat, kFlat).count, 3U);
+  EXPECT_EQ(crossing(kFlat, {{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}).count, 3U);
 }
 
 TEST(CrossingSegment, TakesTrianglesWithoutAreaAsSegmentsAndPoints) {
@@ -186,20 +186,20 @@ TEST(CrossingSegment, TakesTrianglesWithoutAreaAsSegmentsAndPoints) {
   const Triangle flat{{-1, 1, 0}, {9, 1, 0}, {1, 1, 0}};
   const Triangle point{{1, 1, 0}, {1, 1, 0}, {1, 1, 0}};
   for (const auto& [s, t] :
-       {std::pair(kGround, upright), std::pair(kGround, point), std::pair(upright, flat),
+       {std::pair(kFlat, upright), std::pair(kFlat, point), std::pair(upright, flat),
         std::pair(point, upright), std::pair(point, point)}) {
     ASSERT_EQ(crossing(s, t).count, 1U);
     EXPECT_EQ(crossing(s, t).corners[0], (Vec3{1, 1, 0}));
   }
-  const Crossing within = crossing(kGround, flat);
+  const Crossing within = crossing(kFlat, flat);
   ASSERT_EQ(within.count, 2U);
   EXPECT_EQ(std::abs(within.corners[1].x - within.corners[0].x), 3);
   EXPECT_EQ(crossing(flat, {{3, 1, 0}, {20, 1, 0}, {4, 1, 0}}).count, 2U);
 }
 
 TEST(CrossingSegment, IsEmptyExactlyWhereTrianglesAreApart) {
-  EXPECT_TRUE(crossing(kGround, {{1, 1, 0x1p-60}, {1, 1, 1}, {2, 1, 1}}).empty());
-  EXPECT_FALSE(crossing(kGround, {{1, 1, -0x1p-60}, {1, 1, 1}, {2, 1, 1}}).empty());
+  EXPECT_TRUE(crossing(kFlat, {{1, 1, 0x1p-60}, {1, 1, 1}, {2, 1, 1}}).empty());
+  EXPECT_FALSE(crossing(kFlat, {{1, 1, -0x1p-60}, {1, 1, 1}, {2, 1, 1}}).empty());
 }
 
 TEST(CrossingSegment, ServesTheLargestAndSmallestCoordinates) {
@@ -207,10 +207,10 @@ TEST(CrossingSegment, ServesTheLargestAndSmallestCoordinates) {
     const auto scaled = [scale](const Triangle& t) {
       return Triangle{t.a * scale, t.b * scale, t.c * scale};
     };
-    const Crossing found = crossing(scaled(kGround), scaled({{1, 1, -1}, {1, 1, 1}, {2, 1, 1}}));
+    const Crossing found = crossing(scaled(kFlat), scaled({{1, 1, -1}, {1, 1, 1}, {2, 1, 1}}));
     ASSERT_EQ(found.count, 2U);
     EXPECT_EQ(std::abs(found.corners[1].x - found.corners[0].x), 0.5 * scale);
-    EXPECT_EQ(crossing(scaled(kGround), scaled({{1, 1, 0}, {2, 1, 0}, {1, 2, 0}})).count, 3U);
+    EXPECT_EQ(crossing(scaled(kFlat), scaled({{1, 1, 0}, {2, 1, 0}, {1, 2, 0}})).count, 3U);
   }
   const double high = 0x1p299;
   const Crossing flat = crossing({{0, 0, high}, {0x1p-700, 0, high}, {0, 0x1p-700, high}},

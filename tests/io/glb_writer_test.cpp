@@ -17,14 +17,14 @@
 namespace soms::test {
 namespace {
 
-std::string written(const Mesh& mesh, const Parallel& parallel = {}) {
+std::string as_glb(const Mesh& mesh, const Parallel& parallel = {}) {
   std::ostringstream out;
   write_mesh(out, "out", mesh, MeshFormat::glb, parallel);
   return out.str();
 }
 
-Mesh read_back(const Mesh& mesh) {
-  return read_text(written(mesh), "out.glb", {.allow_empty = true});
+Mesh read_glb_back(const Mesh& mesh) {
+  return read_text(as_glb(mesh), "out.glb", {.allow_empty = true});
 }
 
 /// Triangles between vertices whose coordinates are `step` times whole numbers below 2^20.
@@ -67,14 +67,14 @@ TEST(GlbWriter, WritesExactlyThis) {
   binary += bytes_of(0, 2) + bytes_of(1, 2) + bytes_of(2, 2) + bytes_of(0, 2);
   const std::string chunks =
       bytes_of(json.size(), 4) + "JSON" + json + bytes_of(44, 4) + std::string("BIN\0", 4) + binary;
-  EXPECT_EQ(written(mesh), "glTF" + bytes_of(2, 4) + bytes_of(12 + chunks.size(), 4) + chunks);
+  EXPECT_EQ(as_glb(mesh), "glTF" + bytes_of(2, 4) + bytes_of(12 + chunks.size(), 4) + chunks);
 }
 
 TEST(GlbWriter, IsReadBackEqual) {
   for_each_case("io/glb", 100, [](Rng& rng) {
     const std::size_t vertices = 1 + rng.below(60);
     const Mesh mesh = random_mesh(rng, vertices, 1 + rng.below(100), 1.0 / 64);
-    const Mesh back = read_back(mesh);
+    const Mesh back = read_glb_back(mesh);
     EXPECT_EQ(back.vertices, mesh.vertices);
     EXPECT_EQ(back.triangles, mesh.triangles);
     EXPECT_TRUE(back.parts.empty());
@@ -90,8 +90,8 @@ TEST(GlbWriter, KeepsUnitAndAxis) {
     for (const double unit : {0.0, 1.0, 0.01, 0.3048}) {
       mesh.up = up;
       mesh.unit = unit;
-      EXPECT_EQ(read_back(mesh).up, up);
-      EXPECT_EQ(read_back(mesh).unit, unit);
+      EXPECT_EQ(read_glb_back(mesh).up, up);
+      EXPECT_EQ(read_glb_back(mesh).unit, unit);
     }
   }
 }
@@ -99,8 +99,8 @@ TEST(GlbWriter, KeepsUnitAndAxis) {
 TEST(GlbWriter, KeepsLargeIndices) {
   Rng rng(3);
   const Mesh mesh = random_mesh(rng, 65'536, 1000, 1);
-  EXPECT_EQ(read_back(mesh).triangles, mesh.triangles);
-  EXPECT_EQ(read_back(mesh).vertices, mesh.vertices);
+  EXPECT_EQ(read_glb_back(mesh).triangles, mesh.triangles);
+  EXPECT_EQ(read_glb_back(mesh).vertices, mesh.vertices);
 }
 
 TEST(GlbWriter, KeepsPartsThatNestAndVerticesThatTheyDoNotShare) {
@@ -112,7 +112,7 @@ TEST(GlbWriter, KeepsPartsThatNestAndVerticesThatTheyDoNotShare) {
   mesh.triangles = {{1, 2, 3}, {5, 6, 7}, {7, 6, 5}, {8, 9, 10}};
   mesh.parts = {{"car", Part::kNoParent, 0, 3}, {"wheel", 0, 1, 2}, {"none", 0, 3, 0}};
   mesh.parts.push_back({"tree", Part::kNoParent, 3, 1});
-  const Mesh back = read_back(mesh);
+  const Mesh back = read_glb_back(mesh);
   EXPECT_EQ(back.vertices, mesh.vertices);
   EXPECT_EQ(back.triangles, mesh.triangles);
   mesh.parts.erase(mesh.parts.begin() + 2);
@@ -124,7 +124,7 @@ TEST(GlbWriter, GivesPartsThatShareVerticesTheirOwn) {
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {9, 9, 9}};
   mesh.triangles = {{3, 1, 2}, {0, 1, 2}};
   mesh.parts = {{"a", Part::kNoParent, 0, 1}, {"b", Part::kNoParent, 1, 1}};
-  const Mesh back = read_back(mesh);
+  const Mesh back = read_glb_back(mesh);
   EXPECT_EQ(corner_hash(back), corner_hash(mesh));
   EXPECT_EQ(back.parts, mesh.parts);
   EXPECT_EQ(back.vertices.size(), 6U);
@@ -141,7 +141,7 @@ TEST(GlbWriter, NamesTrianglesAsPartOfDoesHoweverPartsLie) {
           rng.below(2) == 0 ? Part::kNoParent : static_cast<std::uint32_t>(rng.below(i + 1));
       mesh.parts.push_back({std::to_string(i), parent, first, count});
     }
-    const Mesh back = read_back(mesh);
+    const Mesh back = read_glb_back(mesh);
     EXPECT_EQ(corner_hash(back), corner_hash(mesh));
     for (TriangleId i = 0; i < 12; ++i) {
       const std::uint32_t wanted = part_of(mesh, i);
@@ -166,7 +166,7 @@ TEST(GlbWriter, KeepsCoordinatesFarFromTheOriginByTheMiddleOfTheMesh) {
   }
   EXPECT_EQ(count_rounded(mesh, MeshFormat::stl), 200U);
   EXPECT_EQ(count_rounded(mesh, MeshFormat::glb), 0U);
-  EXPECT_EQ(read_back(mesh).vertices, mesh.vertices);
+  EXPECT_EQ(read_glb_back(mesh).vertices, mesh.vertices);
   // Near the origin doubles are rounded once, to floats.
   mesh.vertices[0] = {0.1, 0, 0};
   EXPECT_EQ(count_rounded(mesh, MeshFormat::glb), 200U);
@@ -175,16 +175,16 @@ TEST(GlbWriter, KeepsCoordinatesFarFromTheOriginByTheMiddleOfTheMesh) {
   mesh.vertices[1].x = -1;
   EXPECT_EQ(count_rounded(mesh, MeshFormat::glb), 4U);
   EXPECT_EQ(rounding(mesh, MeshFormat::glb).most, double{0.1F} - 0.1);
-  EXPECT_EQ(read_back(mesh).vertices[0].x, 0.1F);
+  EXPECT_EQ(read_glb_back(mesh).vertices[0].x, 0.1F);
 }
 
 TEST(GlbWriter, WritesTheSameBytesEveryTimeAndStopsOnRequest) {
   Rng rng(7);
   const Mesh mesh = random_mesh(rng, 100, 200, 0.1);
-  EXPECT_EQ(written(mesh), written(mesh));
+  EXPECT_EQ(as_glb(mesh), as_glb(mesh));
   std::stop_source stop;
   stop.request_stop();
-  expect_refused([&] { static_cast<void>(written(mesh, {.stop = stop.get_token()})); },
+  expect_refused([&] { static_cast<void>(as_glb(mesh, {.stop = stop.get_token()})); },
                  ErrorKind::cancelled, "stopped");
 }
 
@@ -192,18 +192,18 @@ TEST(GlbWriter, RefusesWhatAFloatCannotHold) {
   Mesh mesh;
   mesh.vertices = {{0, 0, 0}, {1e39, 0, 0}, {0, std::nan(""), 0}};
   mesh.triangles = {{0, 1, 0}};
-  expect_refused([&] { static_cast<void>(written(mesh)); }, ErrorKind::out_of_range,
+  expect_refused([&] { static_cast<void>(as_glb(mesh)); }, ErrorKind::out_of_range,
                  "out: vertex 1 has a coordinate that a float cannot hold");
   mesh.triangles = {{0, 0, 0}};
   mesh.vertices[1].x = 1;
-  expect_refused([&] { static_cast<void>(written(mesh)); }, ErrorKind::not_finite,
+  expect_refused([&] { static_cast<void>(as_glb(mesh)); }, ErrorKind::not_finite,
                  "vertex 2 is not finite");
 }
 
 TEST(GlbWriter, WritesAMeshWithoutTriangles) {
   Mesh mesh;
   mesh.vertices = {{1, 2, 3}};
-  EXPECT_TRUE(read_back(mesh).triangles.empty());
+  EXPECT_TRUE(read_glb_back(mesh).triangles.empty());
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 const std::string kHead =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
     "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
-const std::string kVertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+const std::string kVertexRows = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
 /// A header of `count` vertices of three `type`s and `faces` faces in little endian.
 std::string binary_head(const std::string& count, const std::string& type, const std::string& faces,
@@ -53,7 +53,7 @@ TEST(Ply, KeepsTheSignOfZeroAndNumbersWithPlus) {
 TEST(Ply, MapsTrianglesToFacesWherePolygonsAre) {
   std::string head = kHead;
   head.replace(head.find("face 1"), 6, "face 4");
-  const Mesh mesh = read_text(head + kVertices + "3 0 1 2\n4 0 1 2 3\n2 0 1\n3 0 2 3\n", "a.ply");
+  const Mesh mesh = read_text(head + kVertexRows + "3 0 1 2\n4 0 1 2 3\n2 0 1\n3 0 2 3\n", "a.ply");
   EXPECT_EQ(mesh.triangles.size(), 4U);
   EXPECT_EQ(mesh.faces, (std::vector<std::uint32_t>{0, 1, 1, 3}));
   ASSERT_EQ(mesh.notes.size(), 1U);
@@ -64,7 +64,7 @@ TEST(Ply, MapsTrianglesToFacesWherePolygonsAre) {
 TEST(Ply, TurnsEverySecondTriangleOfAStripAndBeginsAnewAtMinusOne) {
   std::string head = kHead;
   head.replace(head.find("element face"), 12, "element tristrips");
-  const Mesh mesh = read_text(head + kVertices + "9 0 1 2 3 -1 3 2 1 -1\n", "a.ply");
+  const Mesh mesh = read_text(head + kVertexRows + "9 0 1 2 3 -1 3 2 1 -1\n", "a.ply");
   const std::vector<std::array<std::uint32_t, 3>> expected = {{0, 1, 2}, {2, 1, 3}, {3, 2, 1}};
   EXPECT_EQ(mesh.triangles, expected);
 }
@@ -75,7 +75,7 @@ TEST(Ply, ReadsFacesInTheOrderOfTheFileWhereSomeStandBeforeTheVertices) {
       "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
       "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
       "4 0 1 2 3\n" +
-      kVertices + "3 1 2 3\n";
+      kVertexRows + "3 1 2 3\n";
   const Mesh mesh = read_text(text, "a.ply");
   const std::vector<std::array<std::uint32_t, 3>> expected = {{0, 1, 2}, {0, 2, 3}, {1, 2, 3}};
   EXPECT_EQ(mesh.triangles, expected);
@@ -164,7 +164,7 @@ TEST(Ply, RefusesHugeCountsBeforeAllocating) {
                    ErrorKind::bad_file, "do not fit");
     std::string text = kHead;
     text.replace(text.find("vertex 4"), 8, "vertex " + count);
-    expect_refused(text + kVertices, "a.ply", ErrorKind::bad_file, "do not fit");
+    expect_refused(text + kVertexRows, "a.ply", ErrorKind::bad_file, "do not fit");
     EXPECT_LT(watch.peak(), std::uint64_t{1} << 20);
   }
 }

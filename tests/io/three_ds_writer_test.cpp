@@ -17,14 +17,14 @@
 namespace soms::test {
 namespace {
 
-std::string written(const Mesh& mesh, const Parallel& parallel = {}) {
+std::string as_three_ds(const Mesh& mesh, const Parallel& parallel = {}) {
   std::ostringstream out;
   write_mesh(out, "out", mesh, MeshFormat::three_ds, parallel);
   return out.str();
 }
 
-Mesh read_back(const Mesh& mesh) {
-  return read_text(written(mesh), "out.3ds");
+Mesh read_three_ds_back(const Mesh& mesh) {
+  return read_text(as_three_ds(mesh), "out.3ds");
 }
 
 /// Not inline: g++ 12 vectorizes double to float to double of two neighbors into nothing.
@@ -92,14 +92,15 @@ TEST(ThreeDsWriter, WritesExactlyThis) {
       std::string("roof") + '\0' + chunk(0x4100, chunk(0x4110, vertices) + chunk(0x4120, faces));
   const std::string editor =
       chunk(0x3d3e, bytes_of(3, 4)) + chunk(0x0100, bytes_of(1.0F)) + chunk(0x4000, object);
-  EXPECT_EQ(written(mesh), chunk(0x4d4d, chunk(0x0002, bytes_of(3, 4)) + chunk(0x3d3d, editor)));
+  EXPECT_EQ(as_three_ds(mesh),
+            chunk(0x4d4d, chunk(0x0002, bytes_of(3, 4)) + chunk(0x3d3d, editor)));
 }
 
 TEST(ThreeDsWriter, IsReadBackWithTheSameTrianglesAsFloats) {
   for_each_case("io/three-ds", 100, [](Rng& rng) {
     const Mesh mesh = scattered(rng, 1 + rng.below(60), 1 + rng.below(90));
-    expect_same_corners(read_back(mesh), mesh);
-    EXPECT_EQ(written(mesh), written(mesh));
+    expect_same_corners(read_three_ds_back(mesh), mesh);
+    EXPECT_EQ(as_three_ds(mesh), as_three_ds(mesh));
   });
 }
 
@@ -107,7 +108,7 @@ TEST(ThreeDsWriter, KeepsTheNumbersOfVerticesThatAreAllUsed) {
   Mesh mesh;
   mesh.vertices = {{3, 0, 0}, {2, 0, 0}, {1, 0, 0}, {0, 0, 0}};
   mesh.triangles = {{3, 1, 2}, {2, 0, 3}};
-  const Mesh back = read_back(mesh);
+  const Mesh back = read_three_ds_back(mesh);
   EXPECT_EQ(back.vertices, mesh.vertices);
   EXPECT_EQ(back.triangles, mesh.triangles);
 }
@@ -116,7 +117,7 @@ TEST(ThreeDsWriter, LeavesOutVerticesThatNoTriangleUses) {
   Mesh mesh = with_parts({}, 2);
   mesh.vertices.insert(mesh.vertices.begin(), Vec3{1e300, 0, 0});
   mesh.triangles.assign(2, {1, 2, 3});
-  const Mesh back = read_back(mesh);
+  const Mesh back = read_three_ds_back(mesh);
   EXPECT_EQ(back.vertices.size(), 3U);
   expect_same_corners(back, mesh);
 }
@@ -127,7 +128,7 @@ TEST(ThreeDsWriter, SplitsAtTheMostFacesInOrder) {
     for (std::size_t i = 0; i < count; ++i) {
       mesh.triangles[i] = {static_cast<std::uint32_t>(i % 3), 1, static_cast<std::uint32_t>(i % 2)};
     }
-    const Mesh back = read_back(mesh);
+    const Mesh back = read_three_ds_back(mesh);
     expect_same_corners(back, mesh);
     ASSERT_EQ(back.parts.size(), (count + 65'534) / 65'535);
     EXPECT_EQ(back.parts[0].count, std::min<std::size_t>(count, 65'535));
@@ -142,7 +143,7 @@ TEST(ThreeDsWriter, SplitsAtTheMostVerticesInOrder) {
   for (std::uint32_t i = 0; 3 * i + 2 < 100'000; ++i) {
     mesh.triangles.push_back({3 * i + 2, 3 * i, 3 * i + 1});
   }
-  const Mesh back = read_back(mesh);
+  const Mesh back = read_three_ds_back(mesh);
   expect_same_corners(back, mesh);
   ASSERT_EQ(back.parts.size(), 2U);
   EXPECT_EQ(back.parts[0].count, 65'535U / 3);
@@ -156,7 +157,7 @@ TEST(ThreeDsWriter, SplitsAtTheMostVerticesInOrder) {
   mesh.triangles.push_back({70'000, 70'000, 1});
   mesh.triangles.push_back({70'000, 2, 1});
   mesh.triangles.push_back({70'001, 2, 1});
-  const Mesh full = read_back(mesh);
+  const Mesh full = read_three_ds_back(mesh);
   expect_same_corners(full, mesh);
   ASSERT_EQ(full.parts.size(), 2U);
   EXPECT_EQ(full.parts[1].count, 1U);
@@ -166,17 +167,17 @@ TEST(ThreeDsWriter, SplitsAtTheMostVerticesInOrder) {
 TEST(ThreeDsWriter, SplitsLargeMeshesOfManySharedVertices) {
   Rng rng(3);
   const Mesh mesh = scattered(rng, 90'000, 200'000);
-  const Mesh back = read_back(mesh);
+  const Mesh back = read_three_ds_back(mesh);
   expect_same_corners(back, mesh);
   EXPECT_GT(back.parts.size(), 4U);
 }
 
 TEST(ThreeDsWriter, MakesAnObjectOfEachRunOfAPart) {
-  const Mesh back = read_back(with_parts({{"car", Part::kNoParent, 1, 4},
-                                          {"wheel", 0, 2, 2},
-                                          {"empty", Part::kNoParent, 3, 0},
-                                          {"", Part::kNoParent, 0, 1}},
-                                         6));
+  const Mesh back = read_three_ds_back(with_parts({{"car", Part::kNoParent, 1, 4},
+                                                   {"wheel", 0, 2, 2},
+                                                   {"empty", Part::kNoParent, 3, 0},
+                                                   {"", Part::kNoParent, 0, 1}},
+                                                  6));
   const std::vector<Part> expected = {{"object", Part::kNoParent, 0, 1},
                                       {"car", Part::kNoParent, 1, 1},
                                       {"wheel", Part::kNoParent, 2, 2},
@@ -186,13 +187,13 @@ TEST(ThreeDsWriter, MakesAnObjectOfEachRunOfAPart) {
 }
 
 TEST(ThreeDsWriter, CutsNamesAndKeepsThemApart) {
-  const Mesh back = read_back(with_parts({{"tower block 1", Part::kNoParent, 0, 1},
-                                          {"tower block 2", Part::kNoParent, 1, 1},
-                                          {"tower bl_3", Part::kNoParent, 2, 1},
-                                          {"tower block 3", Part::kNoParent, 3, 1},
-                                          {"a\tb\xc3\xa4~", Part::kNoParent, 4, 1},
-                                          {std::string("x\0y", 3), Part::kNoParent, 5, 1}},
-                                         6));
+  const Mesh back = read_three_ds_back(with_parts({{"tower block 1", Part::kNoParent, 0, 1},
+                                                   {"tower block 2", Part::kNoParent, 1, 1},
+                                                   {"tower bl_3", Part::kNoParent, 2, 1},
+                                                   {"tower block 3", Part::kNoParent, 3, 1},
+                                                   {"a\tb\xc3\xa4~", Part::kNoParent, 4, 1},
+                                                   {std::string("x\0y", 3), Part::kNoParent, 5, 1}},
+                                                  6));
   const std::vector<std::string> expected = {"tower bloc", "tower bl_2", "tower bl_3",
                                              "tower bl_4", "a_b__~",     "x_y"};
   EXPECT_EQ(names_of(back), expected);
@@ -204,7 +205,7 @@ TEST(ThreeDsWriter, FindsDifferentNamesForManyPartsOfOneName) {
   for (std::uint32_t i = 0; i < kParts; ++i) {
     parts.push_back({"long building", Part::kNoParent, i, 1});
   }
-  const std::vector<std::string> names = names_of(read_back(with_parts(parts, kParts)));
+  const std::vector<std::string> names = names_of(read_three_ds_back(with_parts(parts, kParts)));
   ASSERT_EQ(names.size(), kParts);
   EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), kParts);
   EXPECT_EQ(names[1], "long bui_2");
@@ -214,21 +215,21 @@ TEST(ThreeDsWriter, FindsDifferentNamesForManyPartsOfOneName) {
 
 TEST(ThreeDsWriter, WritesNoObjectForAMeshWithoutTriangles) {
   const Mesh mesh = with_parts({}, 0);
-  EXPECT_TRUE(read_text(written(mesh), "out.3ds", {.allow_empty = true}).triangles.empty());
+  EXPECT_TRUE(read_text(as_three_ds(mesh), "out.3ds", {.allow_empty = true}).triangles.empty());
 }
 
 TEST(ThreeDsWriter, RefusesWhatAFloatCannotHold) {
   Mesh mesh = with_parts({}, 1);
   mesh.vertices[2].y = -1e39;
-  expect_refused([&] { static_cast<void>(written(mesh)); }, ErrorKind::out_of_range,
+  expect_refused([&] { static_cast<void>(as_three_ds(mesh)); }, ErrorKind::out_of_range,
                  "out: vertex 2 has a coordinate that a float cannot hold; write PLY");
   mesh.vertices[2].y = std::numeric_limits<double>::quiet_NaN();
-  expect_refused([&] { static_cast<void>(written(mesh)); }, ErrorKind::not_finite,
+  expect_refused([&] { static_cast<void>(as_three_ds(mesh)); }, ErrorKind::not_finite,
                  "triangle 0: y of a corner is not a finite number");
   mesh.vertices[2].y = std::numeric_limits<float>::max();
-  expect_same_corners(read_back(mesh), mesh);
+  expect_same_corners(read_three_ds_back(mesh), mesh);
   mesh.vertices[2].y = 1e-320;  // too small for a float: rounds to zero
-  EXPECT_EQ(read_back(mesh).vertices[2].y, 0);
+  EXPECT_EQ(read_three_ds_back(mesh).vertices[2].y, 0);
 }
 
 TEST(ThreeDsWriter, StopsWhenAskedAndTellsProgress) {
@@ -243,7 +244,9 @@ TEST(ThreeDsWriter, StopsWhenAskedAndTellsProgress) {
     }
   };
   expect_refused(
-      [&] { static_cast<void>(written(mesh, {.stop = stop.get_token(), .progress = progress})); },
+      [&] {
+        static_cast<void>(as_three_ds(mesh, {.stop = stop.get_token(), .progress = progress}));
+      },
       ErrorKind::cancelled, "stopped");
   EXPECT_GT(shares.back(), 0);
   EXPECT_LT(shares.back(), 1);

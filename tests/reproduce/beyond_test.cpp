@@ -100,6 +100,7 @@ std::vector<std::size_t> rows_of(const Table& table, std::string_view rule,
 }
 
 TEST(Beyond, CountedResultsAreTheSameInTwoRuns) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
   const Models models = small_models();
   const auto experiments =
       test::kSlowBuild ? std::vector{spread} : std::vector{modern, cities, spread};
@@ -220,12 +221,14 @@ TEST(Beyond, TheSweepsVerdictFollowsFromItsCounts) {
 }
 
 TEST(Beyond, WithoutCitiesAGeneratedOneIsUsedAndSaysHowToGiveOne) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
   const Result result = run(cities, Models{});
   EXPECT_EQ(word(table_named(result, "cities_models"), 0, "model"), "generated_city");
   EXPECT_NE(result.remarks.back().find("--models"), std::string::npos);
 }
 
 TEST(Beyond, AQuickRunTakesTheTwoSmallestCitiesAndSaysSo) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
   Models models;
   for (const std::uint64_t triangles : {100U, 200U, 400U}) {
     models.cities.push_back(model_of(fmt::format("city_{}", triangles), generate_knot(triangles)));

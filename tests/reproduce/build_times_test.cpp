@@ -4,6 +4,7 @@
 
 #include "reproduce/build_claims.h"
 #include "reproduce/experiments/experiments.h"
+#include "tests/support/slow_build.h"
 
 #include <gtest/gtest.h>
 
@@ -56,6 +57,7 @@ std::string counted_part(Table table) {
 }
 
 TEST(BuildTimes, TimesAreMarkedAndTheRestIsTheSameInTwoRuns) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
   const Models models = small_models();
   const Context context{.models = models, .quick = true};
   for (const auto run : kTimed) {

@@ -7,6 +7,7 @@
 #include "soms/tree/option_names.h"
 
 #include "reproduce/experiments/experiments.h"
+#include "tests/support/slow_build.h"
 #include "tests/support/support.h"
 
 #include <algorithm>
@@ -148,6 +149,7 @@ TEST(Counts, TablesOfTheScenesShowTheGoldenCounts) {
 }
 
 TEST(Counts, TablesOfTheObjectsShowTheGoldenCounts) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
   SOMS_NEEDS_OUTSIDE_DATA("tables 5.3 to 5.5 of four objects");
   const Models models = original_models();
   ASSERT_EQ(models.objects.size(), 4U);
@@ -341,6 +343,7 @@ TEST(Counts, EmptyModelHasARowAndNoShare) {
 }
 
 TEST(Counts, TwoRunsAreTheSameBytes) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
   Models models = scenes_only();
   models.objects.push_back(small_model("knot", generate_knot(300), true));
   for (const auto run : {table_3_1, table_3_3, table_5_3, table_5_4, table_5_5, table_5_9,

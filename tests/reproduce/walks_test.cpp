@@ -8,6 +8,7 @@
 
 #include "reproduce/frames.h"
 #include "reproduce/walk_tables.h"
+#include "tests/support/slow_build.h"
 #include "tests/support/support.h"
 
 #include <array>
@@ -46,6 +47,7 @@ TEST_P(Walks, GiveWholeTablesAndFigures) {
 }
 
 TEST_P(Walks, GiveTheSameBytesTwiceWhereNothingIsTimed) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
   const Models models = small_models();
   const Result one = run_quick(GetParam(), models);
   const Result other = run_quick(GetParam(), models);
@@ -333,6 +335,7 @@ std::size_t compare_rows(const Table& table, const std::string& still, const std
 }
 
 TEST(GoldenWalks, EveryRowIsFoundByWalkFrames) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
   SOMS_NEEDS_OUTSIDE_DATA("225 rows of thesis_traversal.csv (the mover is the bunny)");
   const Models models = golden_models();
   const Model& bunny = models.objects.front();
@@ -363,6 +366,7 @@ TEST(GoldenWalks, EveryRowIsFoundByWalkFrames) {
 }
 
 TEST(GoldenWalks, CellsOfTheTableOfTraversalsAreThoseOfTheGoldenTable) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
   SOMS_NEEDS_OUTSIDE_DATA("99 rows of the table traversals");
   const Result result = run_quick("traversals", golden_models("u_plain"));
   // 4 rules x 2 approaches and 3 rules x 1 drive, 9 walks each.

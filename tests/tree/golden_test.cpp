@@ -5,6 +5,7 @@
 #include "soms/tree/rule/rules.h"
 #include "soms/tree/statistics.h"
 
+#include "tests/support/slow_build.h"
 #include "tests/support/support.h"
 #include "tests/tree/models.h"
 
@@ -107,6 +108,7 @@ TEST_P(Golden, EveryRowIsReproduced) {
 
 // The rows above come from one deep tree each, cut; this builds each level by itself.
 TEST_P(Golden, TreeOfALevelIsTheDeepestTreeCut) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
   const auto mesh = test::golden_mesh(GetParam());
   if (!mesh) {
     GTEST_SKIP() << "SOMS_DATA is unset: skipped the levels of " << GetParam().name;

@@ -25,9 +25,9 @@ Pair key(NodePair p) {
 
 /// The design's pseudo code word for word, with the parents of pairs remembered as they were
 /// entered instead of computed. Descents both and larger, order tree.
-class Twin {
+class FrontTwin {
  public:
-  Twin(const Tree& a, const Tree& b, Descent descent) : a_(a), b_(b), descent_(descent) {
+  FrontTwin(const Tree& a, const Tree& b, Descent descent) : a_(a), b_(b), descent_(descent) {
     front_.push_back({});
   }
 
@@ -195,7 +195,7 @@ TEST(EnodeFront, MissesNothingInAnyFrame) {
 TEST(EnodeFront, DoesWhatTheDesignSaysWithParentsRemembered) {
   for_each_dance("front/twin", 60, [](Dance& dance, Descent descent, Rng& /*rng*/) {
     EnodeFront front(dance.tree_a, dance.tree_b, descent);
-    Twin twin(dance.tree_a, dance.tree_b, descent);
+    FrontTwin twin(dance.tree_a, dance.tree_b, descent);
     for (int frame = 0; frame < 12; ++frame) {
       dance.step();
       const Pairs expected = twin.next(dance.a.boxes(), dance.b.boxes());

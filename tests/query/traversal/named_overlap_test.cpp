@@ -32,7 +32,7 @@ BuildOptions any_tree(Rng& rng) {
 }
 
 /// Every way to walk, with boxes moved either way.
-std::vector<TraversalOptions> ways() {
+std::vector<TraversalOptions> named_ways() {
   std::vector<TraversalOptions> out = test::every_way();
   const std::size_t n = out.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -57,7 +57,7 @@ struct Case {
 };
 
 TEST(NamedOverlap, EqualsBruteForceByEveryWay) {
-  const std::vector<TraversalOptions> all = ways();
+  const std::vector<TraversalOptions> all = named_ways();
   test::for_each_case("named/answers", 60, [&](Rng& rng) {
     const Case c(rng);
     for (const TraversalOptions& way : all) {
@@ -74,7 +74,7 @@ TEST(NamedOverlap, EqualsBruteForceByEveryWay) {
 TEST(NamedOverlap, AnswersTheSameWhenMovedBefore) {
   test::for_each_case("named/moved", 20, [](Rng& rng) {
     const Case c(rng);
-    for (const TraversalOptions& way : ways()) {
+    for (const TraversalOptions& way : named_ways()) {
       detail::NamedOverlap at_once(c.a.shape, c.b.shape, way);
       detail::NamedOverlap in_steps(c.a.shape, c.b.shape, way);
       in_steps.move(c.a.pose, c.b.pose);
@@ -164,7 +164,7 @@ TEST(NamedOverlap, AnswersABatchAsSingleQueries) {
       poses.push_back(test::pose(rng, c.kind));
     }
     poses.push_back(poses.back());
-    for (const TraversalOptions& way : ways()) {
+    for (const TraversalOptions& way : named_ways()) {
       const OverlapBatch batch = overlap(c.a.shape, poses, c.b, {.traversal = way});
       ASSERT_EQ(batch.size(), poses.size());
       for (std::size_t k = 0; k < poses.size(); ++k) {
@@ -182,7 +182,7 @@ TEST(NamedOverlap, OfAnEmptyMeshIsEmpty) {
   Rng rng(1);
   const Body full(shape(test::body(rng, test::Kind::random, 5), {}));
   const Body none(shape(Mesh{}, {}));
-  for (const TraversalOptions& way : ways()) {
+  for (const TraversalOptions& way : named_ways()) {
     EXPECT_FALSE(overlap(full, none, {.traversal = way}).any);
     EXPECT_FALSE(overlap(none, full, {.traversal = way}).any);
     EXPECT_EQ(overlap(none, none, {.traversal = way}).cost, Cost{});

@@ -77,7 +77,7 @@ void expect_all(const BuildOptions& build, const TraversalOptions& traversal) {
   }
 }
 
-std::vector<TraversalOptions> ways() {
+std::vector<TraversalOptions> ways_of_truth() {
   std::vector<TraversalOptions> out;
   for (const TraversalOptions& options : test::every_way()) {
     // Without pruning each way would take minutes; recursion and order are tried once, below.
@@ -105,7 +105,7 @@ TEST_P(TruthByTraversal, HoldsInEveryCase) {
   expect_all(thesis_options(Rule::soms, 24), GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Traversal, TruthByTraversal, testing::ValuesIn(ways()),
+INSTANTIATE_TEST_SUITE_P(Traversal, TruthByTraversal, testing::ValuesIn(ways_of_truth()),
                          [](const auto& test) { return test_name(test::describe(test.param)); });
 
 class TruthByRule : public testing::TestWithParam<RuleEntry> {};
