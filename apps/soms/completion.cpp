@@ -91,7 +91,7 @@ std::string bash_script() {
       "  if [ -z \"$words\" ] && [ \"${{before#-}}\" = \"$before\" ]; then\n"
       "    case \"$verb\" in\n{3}    esac\n"
       // One of them is enough; files may follow.
-      "    for given in \"${{COMP_WORDS[@]:2:COMP_CWORD-2}}\"; do\n"
+      "    for given in \"${{COMP_WORDS[@]:2:$((COMP_CWORD-2))}}\"; do\n"
       "      case \" $words \" in *\" $given \"*) words=\"\" ;; esac\n"
       "    done\n"
       "  fi\n"

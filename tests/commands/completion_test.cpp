@@ -49,6 +49,49 @@ TEST(Completion, LeavesFilesToTheShellInBash) {
   }
 }
 
+bool has_program(const std::string& name) {
+  return run_program({"sh", "-c", "command -v " + name}).status == 0;
+}
+
+TEST(Completion, WorksInZsh) {
+  if (!has_program("zsh")) {
+    GTEST_SKIP() << "zsh is not installed: its completion is untested";
+  }
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "soms.zsh").string();
+  write_text(file, soms_run({"completion", "zsh"}).out);
+  const auto complete = [&](const std::string& words, int at) {
+    return run_program({"zsh", "-f", "-c",
+                        "autoload -U compinit; compinit -D -u; source '" + file +
+                            "'; ask() { emulate -L sh; COMP_WORDS=(" + words + "); COMP_CWORD=" +
+                            std::to_string(at) + "; _soms; echo \"${COMPREPLY[@]}\"; }; ask"});
+  };
+  // Outside of a terminal zsh does not choose by what was typed so far.
+  EXPECT_TRUE(complete("soms convert a b --format=st", 4).out.starts_with("--format=ply "));
+  EXPECT_TRUE(complete("soms generate kn", 2).out.starts_with("knot "));
+  const RunResult second = complete("soms generate knot kn", 3);
+  EXPECT_EQ(second.out + second.err, "\n");
+}
+
+TEST(Completion, WorksInFish) {
+  if (!has_program("fish")) {
+    GTEST_SKIP() << "fish is not installed: its completion is untested";
+  }
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "soms.fish").string();
+  write_text(file, soms_run({"completion", "fish"}).out);
+  const auto complete = [&](const std::string& line) {
+    return run_program(
+               {"fish", "-c",
+                "cd '" + folder.path().string() + "'; source soms.fish; complete -C'" + line + "'"})
+        .out;
+  };
+  EXPECT_TRUE(complete("soms conv").starts_with("convert"));
+  EXPECT_EQ(complete("soms generate kn"), "knot\n");
+  EXPECT_EQ(complete("soms generate knot kn"), "");
+  EXPECT_EQ(complete("soms convert a b --format st"), "stl\nstl-ascii\n");
+}
+
 TEST(Completion, NamesEveryVerbInEveryShell) {
   for (const char* shell : {"bash", "zsh", "fish"}) {
     const RunResult result = soms_run({"completion", shell});
