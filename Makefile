@@ -8,7 +8,7 @@ help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
 	@echo "make view    install what is missing, build, and open the viewer on the embedded city"
 	@echo "make test    install what is missing, build, and run every test of the release build"
-	@echo "make check   make test, then the suite under ASan+UBSan and TSan, clang-tidy, 64-bit ARM,"
+	@echo "make check   make test, then the suite under ASan+UBSan, the library under TSan, clang-tidy, ARM,"
 	@echo "             packages, and the README's commands on a bare Debian"
 	@echo "make fuzz    every fuzzer for a minute (FUZZ_SECONDS=600)"
 	@echo "make bench   soms beside its rivals, in one run (ARGS=--quick: a few minutes)"
@@ -33,17 +33,23 @@ test:
 	cmake --build --preset release -j $(JOBS)
 	ctest --preset release -j $(JOBS)
 
-# VIEW=OFF leaves the viewer out, whose drawing in software is slow under a sanitizer. TSan would
-# look at the threads of drivers, which it knows nothing of.
+# VIEW=OFF leaves the viewer out, whose drawing in software is slow under a sanitizer.
 VIEW ?= ON
-tsan: VIEW = OFF
 
 # The suite once more, every access and every arithmetic step watched.
-asan tsan:
+asan:
 	@tools/install_packages.sh run view import test
 	cmake --preset $@ -D SOMS_BUILD_VIEW=$(VIEW)
 	cmake --build --preset $@ -j $(JOBS)
 	ctest --preset $@ -j $(JOBS)
+
+# What uses threads, the library, with std::jthread in place of TBB.
+THREADED = base geometry tree query traversal scene io generate properties regressions
+tsan:
+	@tools/install_packages.sh run import test
+	cmake --preset $@ -D SOMS_BUILD_VIEW=OFF
+	cmake --build --preset $@ -j $(JOBS) --target $(THREADED:%=%_test)
+	ctest --preset $@ -j $(JOBS) -L '^($(shell echo $(THREADED) | tr ' ' '|'))$$'
 
 # Every public header, compiled alone.
 headers: test

@@ -30,8 +30,8 @@ if(SOMS_ASSERTIONS)
 endif()
 
 # soms_unite(<target>): compiles the target's files eight at a time, as their headers cost more than
-# what stands in them: a whole build takes two thirds of the time. A launcher (ccache) and clang-tidy
-# want each file alone, and so may who edits one file again and again.
+# what stands in them (docs/decisions/0028). A launcher (ccache) and clang-tidy want each file alone,
+# and so may who edits one file again and again.
 option(SOMS_UNITE "Compile several files at once" ON)
 function(soms_unite target)
   if(SOMS_UNITE AND NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT CMAKE_CXX_CLANG_TIDY)
