@@ -54,6 +54,10 @@ Action add_bench(CLI::App& app, Shared&) {
 }
 
 int run_bench(const BenchOptions& options, Console& console) {
+  if (options.a == "-" || options.b == "-") {
+    throw Error(ErrorKind::usage, "bench reads no model from standard input",
+                "give the model as a file");
+  }
   const Shared& shared = console.shared();
   std::vector<std::string> words{options.a, options.b, "--jobs", options.jobs};
   const auto add = [&](const std::string& name, const std::string& value) {

@@ -62,6 +62,11 @@ class Arguments {
 };
 
 Error not_started(const std::filesystem::path& program, int fault) {
+  if (fault == ENOMEM) {
+    return Error(ErrorKind::out_of_memory,
+                 program.string() + " cannot be started: " + std::strerror(fault),
+                 "allow more by --max-memory, or free some");
+  }
   return Error(ErrorKind::unsupported,
                program.string() + " cannot be started: " + std::strerror(fault),
                "build or install it anew");

@@ -101,19 +101,27 @@ std::string bash_script() {
       fmt::join(verb_names(), " "), values, options, arguments);
 }
 
+/// True of the word behind the verb. Words behind `man` are verbs, so that asking for one of them
+/// would ask for `man` itself.
+constexpr const char* kFishFirst = "test (count (commandline -opc)) -eq 2";
+
 std::string fish_script() {
-  std::string text;
+  const std::string first = "complete -c soms -n __fish_use_subcommand";
+  std::string text = fmt::format(
+      "{0} -f -l help -s h\n{0} -l version\n{0} -a help -d 'what a verb does'\n"
+      "complete -c soms -n '__fish_seen_subcommand_from help; and {1}' -f -a '{2}'\n",
+      first, kFishFirst, fmt::join(verb_names(), " "));
   for (const Verb& verb : verbs()) {
-    text += fmt::format("complete -c soms -n __fish_use_subcommand -a {} -d '{}'\n", verb.name,
-                        verb.question);
+    text += fmt::format("{} -a {} -d '{}'\n", first, verb.name, verb.question);
     const std::string seen =
         fmt::format("complete -c soms -n '__fish_seen_subcommand_from {}'", verb.name);
     if (const auto words = argument_words(verb); !words.empty()) {
       const std::string list = fmt::format("{}", fmt::join(words, " "));
-      text += fmt::format(
-          "complete -c soms -n '__fish_seen_subcommand_from {0}; and not "
-          "__fish_seen_subcommand_from {1}' -f -a '{1}'\n",
-          verb.name, list);
+      const std::string none =
+          verb.add == add_man ? std::string(kFishFirst) : "not __fish_seen_subcommand_from " + list;
+      text +=
+          fmt::format("complete -c soms -n '__fish_seen_subcommand_from {}; and {}' -f -a '{}'\n",
+                      verb.name, none, list);
     }
     for (const OptionWords& option : options_of(verb)) {
       text += seen;

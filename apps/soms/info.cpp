@@ -1,5 +1,6 @@
 #include "apps/soms/info.h"
 
+#include "soms/base/error.h"
 #include "soms/geometry/defects.h"
 #include "soms/tree/build.h"
 #include "soms/tree/rule/rules.h"
@@ -179,7 +180,7 @@ void add_line(std::string& text, const char* name, const std::string& value) {
 /// What is told of the model itself.
 std::string describe_model(const ModelReport& report) {
   const Mesh& mesh = report.mesh;
-  std::string text = printable(report.file) + "\n";
+  std::string text = printable(report.mesh.source) + "\n";
   add_line(text, "triangles", with_commas(mesh.triangles.size()));
   add_line(text, "vertices", with_commas(mesh.vertices.size()));
   add_line(text, "bounds", describe(bounds(mesh)));
@@ -296,12 +297,15 @@ Action add_info(CLI::App& app, Shared&) {
       "  soms info knot.ply");
   return [options, &app](Console& console) {
     options->every_rule = app.count("--rule") == 0;
-    check(options->build);
+    check_build(options->build);
     return run_info(*options, console);
   };
 }
 
 int run_info(const InfoOptions& options, Console& console) {
+  if (std::count(options.files.begin(), options.files.end(), "-") > 1) {
+    throw Error(ErrorKind::usage, "standard input is named twice", "give one of them as a file");
+  }
   int status = 0;
   for (const std::string& file : options.files) {
     status = std::max(status, tell(file, options, console));

@@ -1,5 +1,7 @@
 #include "apps/soms/man.h"
 
+#include "soms/base/error.h"
+
 #include "apps/soms/man_page.h"
 #include "apps/soms/verbs.h"
 #include "apps/soms/viewer.h"
@@ -78,6 +80,9 @@ Action add_man(CLI::App& app, Shared&) {
 }
 
 int run_man(const ManOptions& options, Console& console) {
+  if (!options.folder.empty() && !options.verb.empty()) {
+    throw Error(ErrorKind::usage, "--output writes all pages", "leave out the verb, or --output");
+  }
   if (!options.folder.empty()) {
     write_all(options.folder, console);
     return 0;

@@ -84,6 +84,11 @@ MeshFormat format_of(const ModelOutput& output) {
       throw Error(ErrorKind::usage, output.path + ": this is a folder",
                   "give the name of a file in it");
     }
+    if (std::filesystem::exists(output.path, ignored) &&
+        !std::filesystem::is_regular_file(output.path, ignored)) {
+      throw Error(ErrorKind::usage, output.path + ": the name says no format",
+                  "name one by --format");
+    }
     throw Error(ErrorKind::usage, error.place(), error.remedy());  // the name is an argument
   }
 }

@@ -105,23 +105,29 @@ class OverlapRun {
   }
 
   int run() {
+    bool interrupted = false;
     try {
       answer_all();
     } catch (const Error& error) {
-      if (error.kind() != ErrorKind::cancelled) {
+      interrupted = error.kind() == ErrorKind::cancelled;
+      if (!interrupted) {
         throw;
       }
-      console_.flush();
-      throw Error(error.kind(), "interrupted", answered() + " answered");
     }
-    print_totals(report_, totals_, console_);
+    if (!interrupted || totals_.poses > 0) {
+      print_totals(report_, totals_, console_);
+    }
     console_.flush();
     if (error_) {
       std::rethrow_exception(error_);
     }
-    if (page_) {
+    if (page_ && (!interrupted || totals_.poses > 0)) {
+      report_.interrupted = interrupted;
       page_->write(page_file_->stream(), report_, totals_);
       page_file_->commit();
+    }
+    if (interrupted) {
+      throw Error(ErrorKind::cancelled, "interrupted", answered() + " answered");
     }
     return status();
   }
@@ -281,20 +287,33 @@ class OverlapRun {
 
   void print_block() {
     for (std::size_t k = 0; k < answers_.size(); ++k) {
-      const bool right = !options_.verify || verify(k);
+      bool right = true;
+      try {
+        right = !options_.verify || verify(k);
+      } catch (const Error& error) {
+        if (error.kind() != ErrorKind::timed_out || totals_.poses == 0) {
+          throw;
+        }
+        end_by_time();
+        break;
+      }
       print_answer(report_, totals_.poses, answers_[k], right, console_);
       totals_.add(answers_[k]);
       if (page_) {
         page_->add(block_[k].first, block_[k].second, answers_[k]);
       }
       if (ended_by_time(answers_[k])) {
-        console_.note(fmt::format("out of time after {}", counted(totals_.poses, "pose")));
-        over_ = true;
+        end_by_time();
         break;
       }
     }
     console_.flush();
     show_progress(0);
+  }
+
+  void end_by_time() {
+    console_.note(fmt::format("out of time after {}", counted(totals_.poses, "pose")));
+    over_ = true;
   }
 
   [[nodiscard]] bool ended_by_time(const Overlap& answer) const {
@@ -411,7 +430,7 @@ Action add_overlap(CLI::App& app, Shared&) {
     options->model_a.offers_empty = true;
     options->model_b.offers_empty = true;
     options->model_b.allow_empty = options->model_a.allow_empty;
-    check(options->build);
+    check_build(options->build);
     check_traversal(app, options->query.traversal);
     return run_overlap(*options, console);
   };

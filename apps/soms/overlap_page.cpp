@@ -207,8 +207,9 @@ std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
                             : report.mode == OverlapMode::first ? "the least pair of triangles"
                                                                 : "any pair of triangles"});
   facts.push_back(
-      {"poses", fmt::format("{}: {} with overlap, {} without{}", with_commas(totals.poses),
-                            with_commas(totals.overlapping),
+      {"poses", fmt::format("{}{}: {} with overlap, {} without{}",
+                            report.interrupted ? "interrupted after " : "",
+                            with_commas(totals.poses), with_commas(totals.overlapping),
                             with_commas(totals.poses - totals.overlapping - totals.undecided),
                             totals.undecided == 0
                                 ? ""

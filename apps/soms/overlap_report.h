@@ -19,6 +19,7 @@ struct OverlapReport {
   bool list_pairs = true;
   bool single = true;     ///< one pose: pairs are listed; else a line a pose
   bool verified = false;  ///< compared with brute force
+  bool interrupted = false;
 };
 
 /// Totals over all poses.

@@ -62,7 +62,7 @@ Action add_simulate(CLI::App& app, Shared&) {
   app.footer(kFooter);
   return [options, frames, &app](Console& console) {
     options->frames_given = frames->count() > 0;
-    check(options->world.build);
+    check_build(options->world.build);
     check_traversal(app, options->world.traversal);
     return run_simulate(*options, console);
   };

@@ -18,6 +18,10 @@ std::string row(const std::string& name, const std::string& value) {
   return fmt::format("{:<14}{}\n", name, printable(value));
 }
 
+std::string whole_number(double number) {
+  return with_commas(static_cast<std::uint64_t>(std::llround(number)));
+}
+
 /// "1,000 (400 cars, 400 persons, 200 drones)", by model.
 std::string movers_of(const World& world) {
   std::vector<std::uint64_t> counts(world.models.size(), 0);
@@ -28,8 +32,8 @@ std::string movers_of(const World& world) {
   for (std::size_t k = 0; k < counts.size(); ++k) {
     const Model& model = world.models[k];
     const std::string name = model.name + (model.kind == Kind::model || counts[k] == 1 ? "" : "s");
-    kinds += fmt::format("{}{} {} of {} triangles", k == 0 ? "" : ", ", with_commas(counts[k]),
-                         name, with_commas(model.shape.mesh().triangles.size()));
+    kinds += fmt::format("{}{} {} of {}", k == 0 ? "" : ", ", with_commas(counts[k]), name,
+                         counted(model.shape.mesh().triangles.size(), "triangle"));
   }
   std::string text = fmt::format("{} ({})", with_commas(world.ways.size()), kinds);
   if (world.ways.size() < world.asked) {
@@ -91,16 +95,16 @@ std::string counts_of(const Touched& touched) {
 Figures figures_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
   Figures figures;
   figures.emplace_back("city",
-                       fmt::format("{}, {} triangles", world.title, with_commas(world.triangles)));
+                       fmt::format("{}, {}", world.title, counted(world.triangles, "triangle")));
   figures.emplace_back(
       "built in", fmt::format("{:.0f} ms, after {:.0f} ms to {} it", world.build_ms, world.read_ms,
                               options.world.cities.empty() ? "make" : "read"));
   figures.emplace_back("movers", movers_of(world));
   figures.emplace_back("frames", frames_of(outcome, options));
   figures.emplace_back(
-      "speed", fmt::format("{:.0f} frames a second (worst {:.0f}), {} queries a second",
-                           outcome.median_fps(), outcome.worst_fps(),
-                           with_commas(static_cast<std::uint64_t>(outcome.queries_a_second()))));
+      "speed", fmt::format("{} frames a second (worst {}), {} queries a second",
+                           whole_number(outcome.median_fps()), whole_number(outcome.worst_fps()),
+                           whole_number(outcome.queries_a_second())));
   figures.emplace_back("contacts", contacts_of(world, outcome));
   add_most_touched(figures, world, outcome);
   if (outcome.verified) {
@@ -149,8 +153,8 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
   json["frames_asked"] = options.frames;
   json["coverage"] = ending_name(outcome.ending);
   json["interrupted"] = outcome.ending == Ending::interrupted;
-  json["fps"] = {{"median", rounded(outcome.median_fps())},
-                 {"worst", rounded(outcome.worst_fps())}};
+  json["fps"] = {{"median", whole_number(outcome.median_fps())},
+                 {"worst", whole_number(outcome.worst_fps())}};
   json["build_ms"] = rounded(world.build_ms);
   json["read_ms"] = rounded(world.read_ms);
   json["queries"] = outcome.queries;

@@ -108,6 +108,14 @@ void add_build_options(CLI::App& app, BuildOptions& options) {
                     "corner that --midpoint thesis calls C (2)"));
 }
 
+void check_build(const BuildOptions& options) {
+  if (options.empty_side == EmptySide::chain && options.level == 0) {
+    throw Error(ErrorKind::usage, "--empty-side chain without --levels would not end",
+                "give --levels N, too");
+  }
+  check(options);
+}
+
 void add_traversal_options(CLI::App& app, TraversalOptions& options) {
   add_choice<Traversal>(app, "--traversal", options.traversal, traversal_choices(),
                         "way to walk the trees")
@@ -122,6 +130,13 @@ void check_traversal(const CLI::App& app, const TraversalOptions& options) {
   if (app.count("--descent") > 0 && !descends) {
     throw Error(ErrorKind::usage, "--descent without E-Node changes nothing",
                 "give --traversal e-node, too, or leave it out");
+  }
+  if (options.traversal == Traversal::e_node_front && options.descent != Descent::both &&
+      options.descent != Descent::larger) {
+    throw Error(ErrorKind::usage,
+                fmt::format("--traversal e-node-front keeps no front by --descent {}",
+                            entry(options.descent).kebab),
+                "choose both or larger");
   }
 }
 
@@ -141,6 +156,9 @@ Mesh read_standard_input(const ReadOptions& options, const Parallel& parallel) {
 }  // namespace
 
 Mesh read_model(const std::string& path, const ModelOptions& options, const Console& console) {
+  if (path.empty()) {
+    throw Error(ErrorKind::usage, "the name of a model is empty", "give a file");
+  }
   const ReadOptions read{.allow_empty = options.allow_empty,
                          .max_memory = console.shared().max_memory};
   Mesh mesh = console.run("reading " + printable(path), [&](const Parallel& parallel) {

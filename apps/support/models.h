@@ -35,10 +35,14 @@ void add_allow_empty(CLI::App& app, ModelOptions& options);
 /// Adds --rule, --levels, --leaf and the thesis' options of a build.
 void add_build_options(CLI::App& app, BuildOptions& options);
 
+/// \errors ErrorKind::usage, in words of the command, for options of a build that do not go
+/// together.
+void check_build(const BuildOptions& options);
+
 /// Adds --traversal and --descent.
 void add_traversal_options(CLI::App& app, TraversalOptions& options);
 
-/// \errors ErrorKind::usage for a --descent of a traversal that has none.
+/// \errors ErrorKind::usage for a --descent that the traversal does not have.
 void check_traversal(const CLI::App& app, const TraversalOptions& options);
 
 /// Reads a model with a progress bar, scales and turns it. "-" is standard input.

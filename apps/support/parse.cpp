@@ -19,6 +19,9 @@ Error not_this(std::string_view option, std::string_view text, std::string remed
 template <class T>
 std::optional<std::pair<T, std::string_view>> leading_number(std::string_view text) {
   T value{};
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') {
+    text.remove_prefix(1);
+  }
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc()) {
     return std::nullopt;
@@ -32,7 +35,8 @@ std::uint64_t parse_count(std::string_view option, std::string_view text, std::u
                           std::uint64_t most) {
   const auto number = leading_number<std::uint64_t>(text);
   if (!number || !number->second.empty() || number->first < least || number->first > most) {
-    const std::string range = most == std::numeric_limits<std::uint64_t>::max()
+    const bool digits = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+    const std::string range = most == std::numeric_limits<std::uint64_t>::max() && !digits
                                   ? fmt::format("of at least {}", least)
                                   : fmt::format("from {} to {}", least, most);
     throw not_this(option, text, fmt::format("give a whole number {}", range));

@@ -73,6 +73,9 @@ std::optional<Pose> PoseSource::read(std::string_view path) {
     if (name_ == kStandardInputName) {
       throw of_standard_input(error);
     }
+    if (error.kind() == ErrorKind::cannot_open) {
+      throw Error(error.kind(), error.place(), "name a file, or give a pose as \"x y z\"");
+    }
     throw;
   }
 }

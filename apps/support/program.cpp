@@ -141,6 +141,14 @@ int run_verb(const Program& program, const Verb& entry, const std::vector<std::s
   }
 }
 
+/// Throws if there are more words than `most`.
+void check_count(const Program& program, const std::vector<std::string>& words, std::size_t most) {
+  if (words.size() > most) {
+    throw usage(fmt::format("{} is one argument too many", words[most]),
+                fmt::format("see {} --help", program.name));
+  }
+}
+
 int run(const Program& program, const std::vector<std::string>& words) {
   if (words.empty() || words[0] == "--help" || words[0] == "-h") {
     print_plain(help_of(program));
@@ -150,10 +158,12 @@ int run(const Program& program, const std::vector<std::string>& words) {
     return run(program, {words.begin() + 1, words.end()});
   }
   if (words[0] == "help") {
-    return words.size() == 1 ? run(program, {})
-                             : run_verb(program, find_verb(program, words[1]), {"--help"});
+    check_count(program, words, 2);
+    const bool itself = words.size() == 1 || words[1] == "help" || words[1].starts_with("-");
+    return itself ? run(program, {}) : run_verb(program, find_verb(program, words[1]), {"--help"});
   }
   if (words[0] == "--version" || words[0] == "-V") {
+    check_count(program, words, 1);
     print_plain(fmt::format("{} {}\n", program.name, SOMS_VERSION));
     return 0;
   }

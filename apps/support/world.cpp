@@ -5,6 +5,7 @@
 #include "soms/generate/shapes.h"
 
 #include "apps/support/models.h"
+#include "apps/support/standard_input.h"
 #include "apps/support/ways.h"
 
 #include <fmt/format.h>
@@ -175,6 +176,9 @@ Model make_model(Shape shape, std::string name, Kind kind) {
 }
 
 std::string short_name(const std::string& path) {
+  if (path == "-") {
+    return std::string(kStandardInputName);
+  }
   const std::string stem = std::filesystem::path(path).stem().string();
   return stem.empty() ? path : stem;
 }

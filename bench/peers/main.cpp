@@ -8,10 +8,13 @@
 #include "bench/peers/scenarios/catalog.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace soms::bench {
 
@@ -132,19 +135,33 @@ int run(const Options& options) {
   return options.files.empty() ? run_catalog(options, facts) : run_files(options, facts);
 }
 
+/// Tells that standard output took no more; a reader that went away is no error.
+int cannot_write(const std::string& caller, int fault) {
+  if (fault == EPIPE) {
+    return 0;
+  }
+  std::cerr << caller
+            << ": standard output: cannot write: " << std::generic_category().message(fault)
+            << "; choose another place for the output\n";
+  return exit_code(ErrorKind::cannot_write);
+}
+
 }  // namespace
 
 }  // namespace soms::bench
 
 int main(int argc, char** argv) {
   const std::string caller = soms::bench::caller(argc, argv);
+  std::signal(SIGPIPE, SIG_IGN);
   try {
     auto options = soms::bench::parse(argc, argv);
     if (!options) {
       return 0;
     }
     options->caller = caller;
-    return soms::bench::run(*options);
+    const int status = soms::bench::run(*options);
+    std::cout.flush();
+    return std::cout ? status : soms::bench::cannot_write(caller, errno);
   } catch (const soms::Error& error) {
     std::cerr << caller << ": " << error.what() << '\n';
     return soms::exit_code(error.kind());

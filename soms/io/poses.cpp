@@ -184,7 +184,8 @@ std::optional<Pose> PoseReader::next() {
   split(*line, state.cells);
   if (state.cells.size() != state.names.size()) {
     state.fail(ErrorKind::bad_file,
-               std::to_string(state.cells.size()) + " numbers under a header of " +
+               std::to_string(state.cells.size()) +
+                   (state.cells.size() == 1 ? " number" : " numbers") + " under a header of " +
                    std::to_string(state.names.size()),
                "give one number a column");
   }

@@ -89,6 +89,9 @@ TEST(Completion, WorksInFish) {
   EXPECT_TRUE(complete("soms conv").starts_with("convert"));
   EXPECT_EQ(complete("soms generate kn"), "knot\n");
   EXPECT_EQ(complete("soms generate knot kn"), "");
+  EXPECT_TRUE(complete("soms man ov").starts_with("overlap"));
+  EXPECT_TRUE(complete("soms help ov").starts_with("overlap"));
+  EXPECT_TRUE(complete("soms he").starts_with("help"));
   EXPECT_EQ(complete("soms convert a b --format st"), "stl\nstl-ascii\n");
 }
 

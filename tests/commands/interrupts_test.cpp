@@ -105,5 +105,18 @@ TEST(Interrupts, RespectIgnoredSignals) {
   EXPECT_EQ(result.status, 0) << result.err;
 }
 
+TEST(Interrupts, LeaveTotalsAndThePageOfWhatOverlapAnswered) {
+  const TemporaryFolder folder;
+  const std::string page = (folder.path() / "page.html").string();
+  const std::string poses = many_poses(folder);
+  const RunResult result =
+      shell("$soms overlap '" + box() + "' '" + box() + "' --pose '" + poses +
+            "' --no-pairs --threads 1 --report '" + page + "' & sleep 0.5; kill -TERM $!; wait $!");
+  EXPECT_EQ(result.status, 130) << result.err;
+  EXPECT_NE(result.err.find(" answered"), std::string::npos) << result.err;
+  EXPECT_NE(result.out.find(" with overlap, "), std::string::npos);
+  EXPECT_NE(read_text(page).find("interrupted after "), std::string::npos);
+}
+
 }  // namespace
 }  // namespace soms::test

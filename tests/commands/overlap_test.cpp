@@ -244,6 +244,21 @@ TEST(OverlapVerb, AnswersAreCutWhenTimeIsUp) {
   }
 }
 
+TEST(OverlapVerb, KeepsWhatWasVerifiedWhenTimeIsUp) {
+  const TemporaryFolder folder;
+  const std::string poses = (folder.path() / "poses.csv").string();
+  std::string rows = "x,y,z\n";
+  for (int i = 0; i < 200'000; ++i) {
+    rows += "0.5,0,0\n";
+  }
+  write_text(poses, rows);
+  const RunResult result = soms_run(
+      {"overlap", box(), box(), "--pose", poses, "--no-pairs", "--verify", "--timeout", "0.5"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("out of time after"), std::string::npos) << result.err;
+  EXPECT_NE(result.out.find("verified by brute force: "), std::string::npos);
+}
+
 TEST(OverlapVerb, HasNoAnswerWhenTimeIsUpBeforeTheFirst) {
   const RunResult result = soms_run({"overlap", box(), box(), "--timeout", "0"});
   EXPECT_EQ(result.status, 4) << result.err;

@@ -58,6 +58,33 @@ TEST(Program, TellsItsVersionAndItsVerbs) {
   }
 }
 
+TEST(Program, HelpsWithHelp) {
+  const std::string help = soms_run({"--help"}).out;
+  for (const char* const word : {"help", "--help", "-q"}) {
+    EXPECT_EQ(soms_run({"help", word}).out, help) << word;
+  }
+  EXPECT_EQ(soms_run({"help", "overlap", "info"}).status, 2);
+  EXPECT_EQ(soms_run({"--version", "overlap"}).status, 2);
+}
+
+TEST(Program, NamesOptionsThatDoNotGoTogether) {
+  const std::string box = test::data("truth/meshes/box2.ply").string();
+  const auto says = [](const std::vector<std::string>& words, const std::string& what) {
+    const RunResult result = soms_run(words);
+    EXPECT_EQ(result.status, 2) << result.err;
+    EXPECT_NE(result.err.find(what), std::string::npos) << result.err;
+  };
+  says({"info", box, "--empty-side", "chain"}, "--empty-side chain without --levels");
+  says({"overlap", box, box, "--traversal", "e-node-front", "--descent", "cross"},
+       "--traversal e-node-front keeps no front by --descent cross; choose both or larger");
+  says({"man", "overlap", "--output", "/tmp"}, "--output writes all pages");
+  says({"info", "-", "-"}, "standard input is named twice");
+  says({"info", ""}, "the name of a model is empty");
+  says({"convert", box, "/dev/full"}, "name one by --format");
+  says({"overlap", box, box, "--limit", "99999999999999999999"}, "18446744073709551615");
+  EXPECT_EQ(soms_run({"info", box, "--no-trees", "--scale", "+2"}).status, 0);
+}
+
 TEST(Program, SuggestsTheVerbThatWasMeant) {
   const RunResult result = soms_run({"ovrelap", "a", "b"});
   EXPECT_EQ(result.status, 2);
