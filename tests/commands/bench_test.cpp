@@ -105,20 +105,6 @@ TEST(Bench, PassesOnWhatTheProgramComplainsAbout) {
 }
 
 TEST(Bench, FailsWhereItsAnswerCannotBeWritten) {
-  const std::string box = test::data("truth/meshes/box2.ply").string();
-  const std::string ask = "$soms bench '" + box + "' '" + box + "'" + kQuick + " -q ";
-  if (shell(ask).status == 3) {
-    GTEST_SKIP() << "soms-bench is not built";
-  }
-  for (const char* const form : {"", "--json "}) {
-    const RunResult full = shell(ask + form + "> /dev/full");
-    EXPECT_EQ(full.status, 5);
-    EXPECT_NE(full.err.find("standard output: cannot write"), std::string::npos) << full.err;
-  }
-  EXPECT_EQ(soms_run({"bench", "-", box}).status, 2);
-}
-
-TEST(Bench, FailsWhereItsAnswerCannotBeWritten) {
   const std::string ask = "$soms bench '" + box() + "' '" + box() + "'" + kQuick + " -q ";
   for (const char* const form : {"", "--json "}) {
     const RunResult full = shell(ask + form + "> /dev/full");
