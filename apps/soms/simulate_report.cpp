@@ -153,8 +153,8 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
   json["frames_asked"] = options.frames;
   json["coverage"] = ending_name(outcome.ending);
   json["interrupted"] = outcome.ending == Ending::interrupted;
-  json["fps"] = {{"median", whole_number(outcome.median_fps())},
-                 {"worst", whole_number(outcome.worst_fps())}};
+  json["fps"] = {{"median", rounded(outcome.median_fps())},
+                 {"worst", rounded(outcome.worst_fps())}};
   json["build_ms"] = rounded(world.build_ms);
   json["read_ms"] = rounded(world.read_ms);
   json["queries"] = outcome.queries;

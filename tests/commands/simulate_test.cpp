@@ -144,6 +144,9 @@ TEST(Simulate, TellsInJsonWhatScriptsRelyOn) {
   const json object = answer({town.path(), "--frames", "60", "--count", "60", "--verify"});
   EXPECT_EQ(object["triangles"], 110);
   EXPECT_EQ(object["frames"], 60);
+  for (const char* const key : {"median", "worst"}) {
+    EXPECT_TRUE(object["fps"][key].is_number()) << object["fps"];
+  }
   EXPECT_GT(object["fps"]["median"], 0);
   EXPECT_GT(object["fps"]["worst"], 0);
   EXPECT_GE(object["fps"]["median"], object["fps"]["worst"]);
