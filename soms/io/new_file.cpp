@@ -90,9 +90,13 @@ int NewFile::open_beside() {
   });
 }
 
-/// A name of its own first: only a rename takes the place of an old file.
+/// Its own name where none has it; else another first, as only a rename takes the place of an old
+/// file.
 int NewFile::give_name() {
   const std::string open_file = fmt::format("/proc/self/fd/{}", descriptor_);
+  if (linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, target_.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+    return 0;
+  }
   return with_name_beside(target_, beside_, [&](const std::filesystem::path& name) {
     return linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW);
   });
@@ -104,7 +108,7 @@ int NewFile::commit() {
   if (close(std::exchange(descriptor_, -1)) != 0) {
     return errno;
   }
-  if (named != 0 || straight) {
+  if (named != 0 || beside_.empty()) {
     return named;
   }
   if (rename(beside_.c_str(), target_.c_str()) != 0) {
