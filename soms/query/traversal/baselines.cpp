@@ -21,7 +21,7 @@ void walk(Probe& probe, Traversal rule, bool prune, std::vector<NodePair>& stack
       continue;
     }
     if (!probe.leaves(p)) {
-      const PairList children = child_pairs(probe, p, rule);
+      const ChildPairs children = child_pairs(probe, p, rule);
       stack.insert(stack.end(), std::make_reverse_iterator(children.end()),
                    std::make_reverse_iterator(children.begin()));
     } else if (hit) {
@@ -43,7 +43,7 @@ void recurse(Probe& probe, Traversal rule, bool prune, NodePair p, std::uint32_t
     }
     return;
   }
-  const PairList children = child_pairs(probe, p, rule);
+  const ChildPairs children = child_pairs(probe, p, rule);
   for (const NodePair child : children) {
     if (!probe.stopped()) {
       recurse(probe, rule, prune, child, nesting + 1);

@@ -13,8 +13,8 @@ namespace {
 
 /// What became of the tested child pairs of one pair.
 struct Outcome {
-  PairList enter;   ///< to be divided further
-  PairList report;  ///< overlapping pairs of leaves
+  ChildPairs enter;   ///< to be divided further
+  ChildPairs report;  ///< overlapping pairs of leaves
 };
 
 /// Tests the child pairs of one pair.
@@ -39,8 +39,8 @@ class Step {
   }
 
  private:
-  [[nodiscard]] PairList survivors(const PairList& candidates) {
-    PairList out;
+  [[nodiscard]] ChildPairs survivors(const ChildPairs& candidates) {
+    ChildPairs out;
     for (const NodePair p : candidates) {
       if (probe_.test(p) || !options_.prune) {
         out.add(p);
@@ -50,11 +50,11 @@ class Step {
   }
 
   /// Pairs of the children that overlap the other node.
-  [[nodiscard]] PairList cross(NodePair p) {
-    PairList out;
-    const PairList of_a = survivors(open_a(probe_, p));
+  [[nodiscard]] ChildPairs cross(NodePair p) {
+    ChildPairs out;
+    const ChildPairs of_a = survivors(open_a(probe_, p));
     if (of_a.size() > 0) {
-      const PairList of_b = survivors(open_b(probe_, p));
+      const ChildPairs of_b = survivors(open_b(probe_, p));
       for (const NodePair i : of_a) {
         for (const NodePair j : of_b) {
           out.add({i.a, j.b});
@@ -65,19 +65,19 @@ class Step {
   }
 
   /// The shorter list of overlapping pairs, of opening the first node and of opening the second.
-  [[nodiscard]] PairList fewest(NodePair p) {
-    const PairList of_a = survivors(open_a(probe_, p));
+  [[nodiscard]] ChildPairs fewest(NodePair p) {
+    const ChildPairs of_a = survivors(open_a(probe_, p));
     if (of_a.size() == 0) {
       return of_a;
     }
-    const PairList of_b = survivors(open_b(probe_, p));
+    const ChildPairs of_b = survivors(open_b(probe_, p));
     if (of_a.size() != of_b.size()) {
       return of_a.size() < of_b.size() ? of_a : of_b;
     }
     return first_is_larger(probe_.node_a(p.a), probe_.node_b(p.b)) ? of_a : of_b;
   }
 
-  [[nodiscard]] Outcome tested(const PairList& candidates) {
+  [[nodiscard]] Outcome tested(const ChildPairs& candidates) {
     Outcome out;
     for (const NodePair p : candidates) {
       const bool hit = probe_.test(p);
@@ -107,7 +107,7 @@ class Step {
 
 // By insertion: at most four pairs, and no memory. Child pairs come in the order of their TreeIDs
 // and equal volumes are not swapped, so ties stay in that order.
-void sort_by_volume(const Probe& probe, PairList& pairs) {
+void sort_by_volume(const Probe& probe, ChildPairs& pairs) {
   std::array<double, 4> volumes{};
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     volumes[i] = probe.shared_volume(pairs[i]);

@@ -10,7 +10,7 @@
 namespace soms::detail {
 
 /// Up to four pairs, in order.
-class PairList {
+class ChildPairs {
  public:
   void add(NodePair p) { pairs_[size_++] = p; }
 
@@ -33,10 +33,10 @@ class PairList {
 
 /// Children of both nodes, left before right, the first tree's slower: LL, LR, RL, RR. A leaf
 /// stands for itself. \pre Not two leaves.
-[[nodiscard]] inline PairList open_both(const Probe& probe, NodePair p) {
+[[nodiscard]] inline ChildPairs open_both(const Probe& probe, NodePair p) {
   const Node& a = probe.node_a(p.a);
   const Node& b = probe.node_b(p.b);
-  PairList out;
+  ChildPairs out;
   for (const std::uint32_t i : {a.left, a.right}) {
     const std::uint32_t child_a = a.is_leaf() ? p.a : i;
     if (b.is_leaf()) {
@@ -53,16 +53,16 @@ class PairList {
 }
 
 /// Children of the first node, each with the second. \pre The first node is inner.
-[[nodiscard]] inline PairList open_a(const Probe& probe, NodePair p) {
-  PairList out;
+[[nodiscard]] inline ChildPairs open_a(const Probe& probe, NodePair p) {
+  ChildPairs out;
   out.add({probe.node_a(p.a).left, p.b});
   out.add({probe.node_a(p.a).right, p.b});
   return out;
 }
 
 /// Children of the second node, each with the first. \pre The second node is inner.
-[[nodiscard]] inline PairList open_b(const Probe& probe, NodePair p) {
-  PairList out;
+[[nodiscard]] inline ChildPairs open_b(const Probe& probe, NodePair p) {
+  ChildPairs out;
   out.add({p.a, probe.node_b(p.b).left});
   out.add({p.a, probe.node_b(p.b).right});
   return out;
@@ -76,7 +76,7 @@ class PairList {
 
 /// Child pairs of a pair by the rule of a baseline. \pre Not two leaves.
 /// \source Ericson 2005, section 6.3.2 for the rules but `alternate`, which is a reconstruction.
-[[nodiscard]] inline PairList child_pairs(const Probe& probe, NodePair p, Traversal rule) {
+[[nodiscard]] inline ChildPairs child_pairs(const Probe& probe, NodePair p, Traversal rule) {
   const Node& a = probe.node_a(p.a);
   const Node& b = probe.node_b(p.b);
   if (rule == Traversal::simultaneous) {
