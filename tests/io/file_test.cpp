@@ -55,6 +55,29 @@ TEST(ReadFile, KeepsToItsLimit) {
                  ErrorKind::out_of_memory, "more than the 999 bytes");
 }
 
+TEST(RegularFile, IsOneFileByEachOfItsNamesAndNoLinkOrPipe) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "file";
+  write_content(file, "bytes");
+  std::filesystem::create_hard_link(file, folder.path() / "same");
+  write_content(folder.path() / "other", "bytes");
+  const detail::RegularFile opened(file);
+  EXPECT_EQ(opened.size(), 5U);
+  EXPECT_EQ(opened.read().view(), "bytes");
+  EXPECT_EQ(opened.id(), detail::RegularFile(folder.path() / "same").id());
+  EXPECT_NE(opened.id(), detail::RegularFile(folder.path() / "other").id());
+  std::filesystem::create_symlink("file", folder.path() / "link");
+  ASSERT_EQ(mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+  const auto refuse = [&](const std::string& name, const std::string& words) {
+    expect_refused([&] { const detail::RegularFile refused(folder.path() / name); },
+                   ErrorKind::cannot_open, words);
+  };
+  refuse("link", "link: ");
+  refuse("pipe", "pipe: no regular file");  // at once, though nobody writes into it
+  refuse(".", "no regular file");
+  refuse("missing", "No such file");
+}
+
 /// Reads what a thread writes into a pipe.
 std::string through_pipe(const std::string& content, std::uint64_t most) {
   const TemporaryFolder folder;

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace soms::detail {
 
@@ -69,6 +70,42 @@ FileBytes read_pipe(const std::filesystem::path& path, int fd, std::uint64_t mos
   return bytes;
 }
 
+int open_or_fail(const std::filesystem::path& path, int flags) {
+  const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC | flags);
+  if (fd < 0) {
+    fail_system(path, errno);
+  }
+  return fd;
+}
+
+struct stat status_of(const std::filesystem::path& path, int fd) {
+  struct stat status {};
+
+  if (fstat(fd, &status) != 0) {
+    fail_system(path, errno);
+  }
+  return status;
+}
+
+/// A regular file whole; `most` is the most bytes to read, 0 means any.
+FileBytes read_regular(const std::filesystem::path& path, int fd, std::uint64_t most) {
+  const struct stat status = status_of(path, fd);
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  if (most > 0 && size > most) {
+    fail_size(path, most);
+  }
+  FileBytes bytes;
+  bytes.data = std::make_unique_for_overwrite<char[]>(static_cast<std::size_t>(size));
+  bytes.size = read_up_to(path, fd, bytes.data.get(), static_cast<std::size_t>(size));
+  // A read beside a truncation may see zeros.
+  const struct stat after = status_of(path, fd);
+  if (after.st_size != status.st_size || after.st_mtim.tv_sec != status.st_mtim.tv_sec ||
+      after.st_mtim.tv_nsec != status.st_mtim.tv_nsec) {
+    fail(path, "the file changed while it was read", "read it again when it is whole");
+  }
+  return bytes;
+}
+
 }  // namespace
 
 Descriptor::~Descriptor() {
@@ -76,10 +113,7 @@ Descriptor::~Descriptor() {
 }
 
 int open_for_reading(const std::filesystem::path& path) {
-  const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (fd < 0) {
-    fail_system(path, errno);
-  }
+  const int fd = open_or_fail(path, 0);
 
   struct stat status {};
 
@@ -109,37 +143,28 @@ std::size_t read_some(const std::filesystem::path& path, int fd, char* to, std::
 
 FileBytes read_file(const std::filesystem::path& path, std::uint64_t most) {
   const Descriptor file(open_for_reading(path));
-
-  struct stat status {};
-
-  if (fstat(file.get(), &status) != 0) {
-    fail_system(path, errno);
-  }
-  if (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode)) {
+  const mode_t mode = status_of(path, file.get()).st_mode;
+  if (S_ISFIFO(mode) || S_ISSOCK(mode)) {
     return read_pipe(path, file.get(), most);
   }
-  if (!S_ISREG(status.st_mode)) {
+  if (!S_ISREG(mode)) {
     fail(path, "a device, not a file", "name a file");
   }
-  const auto size = static_cast<std::uint64_t>(status.st_size);
-  if (most > 0 && size > most) {
-    fail_size(path, most);
-  }
-  FileBytes bytes;
-  bytes.data = std::make_unique_for_overwrite<char[]>(static_cast<std::size_t>(size));
-  bytes.size = read_up_to(path, file.get(), bytes.data.get(), static_cast<std::size_t>(size));
+  return read_regular(path, file.get(), most);
+}
 
-  // A read beside a truncation may see zeros.
-  struct stat after {};
+RegularFile::RegularFile(std::filesystem::path path)
+    : path_(std::move(path)), file_(open_or_fail(path_, O_NOFOLLOW | O_NONBLOCK)) {
+  const struct stat status = status_of(path_, file_.get());
+  if (!S_ISREG(status.st_mode)) {
+    fail(path_, "no regular file", "name a file");
+  }
+  size_ = static_cast<std::uint64_t>(status.st_size);
+  id_ = {status.st_dev, status.st_ino};
+}
 
-  if (fstat(file.get(), &after) != 0) {
-    fail_system(path, errno);
-  }
-  if (after.st_size != status.st_size || after.st_mtim.tv_sec != status.st_mtim.tv_sec ||
-      after.st_mtim.tv_nsec != status.st_mtim.tv_nsec) {
-    fail(path, "the file changed while it was read", "read it again when it is whole");
-  }
-  return bytes;
+FileBytes RegularFile::read() const {
+  return read_regular(path_, file_.get(), std::max<std::uint64_t>(1, size_));
 }
 
 }  // namespace soms::detail

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 namespace soms::detail {
 
@@ -47,5 +48,27 @@ struct FileBytes {
 /// file and 4 GiB of a pipe, which may never end. \errors ErrorKind::cannot_open (missing,
 /// unreadable, a directory or device), out_of_memory.
 [[nodiscard]] FileBytes read_file(const std::filesystem::path& path, std::uint64_t most);
+
+/// A regular file that was opened by its own name and no link's: a link or a pipe that was put
+/// there after the name was looked at is refused, and not waited for.
+class RegularFile {
+ public:
+  /// \errors ErrorKind::cannot_open (also a link, a pipe, a folder or a device).
+  explicit RegularFile(std::filesystem::path path);
+
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+
+  /// The same for all names of one file.
+  [[nodiscard]] std::pair<std::uint64_t, std::uint64_t> id() const { return id_; }
+
+  /// Its bytes, no more than it had when it was opened. \errors as of `read_file`.
+  [[nodiscard]] FileBytes read() const;
+
+ private:
+  std::filesystem::path path_;
+  Descriptor file_;
+  std::uint64_t size_ = 0;
+  std::pair<std::uint64_t, std::uint64_t> id_;  ///< device and number
+};
 
 }  // namespace soms::detail

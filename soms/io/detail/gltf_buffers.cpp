@@ -85,6 +85,16 @@ std::filesystem::path file_within(const std::filesystem::path& folder, const Jso
   return file;
 }
 
+/// What `action` gives; its errors tell the place in the document, too.
+template <class Action>
+auto at_place(const JsonValue& uri, const Action& action) {
+  try {
+    return action();
+  } catch (const Error& error) {
+    uri.fail(error.kind(), error.place(), error.remedy());
+  }
+}
+
 /// A buffer without bytes may be what a compressed one would be unpacked to.
 void refuse_compressed(const JsonValue& buffer) {
   const std::optional<JsonValue> extensions = buffer.find("extensions");
@@ -140,23 +150,25 @@ std::string_view GltfBuffers::open(const JsonValue& uri) {
              in_quotes(uri.text()) + " is a file beside the model, which did not come from a file",
              "read the model by its path");
   }
-  const std::filesystem::path file = file_within(*source_.folder, uri);
-  std::error_code code;
-  const std::uintmax_t size = std::filesystem::file_size(file, code);
-  if (code) {
-    uri.fail(ErrorKind::cannot_open, code.message(), "check the file");
+  check_stop(source_.parallel);
+  const std::filesystem::path path = file_within(*source_.folder, uri);
+  const RegularFile file = at_place(uri, [&] { return RegularFile(path); });
+  const auto [known, is_new] = files_.try_emplace(file.id());
+  if (is_new) {
+    known->second = read(file, uri);
   }
-  source_.budget.give_back(source_.memory_per_byte * size);
-  if (!source_.budget.take(size)) {
-    source_.fail_memory(size);
+  return known->second;
+}
+
+/// The file counts towards the memory that reading may take, as the model's own file does.
+std::string_view GltfBuffers::read(const RegularFile& file, const JsonValue& uri) {
+  source_.budget.give_back(source_.memory_per_byte * file.size());
+  if (!source_.budget.take(file.size())) {
+    source_.fail_memory(file.size());
   }
-  try {
-    FileBytes bytes = read_file(file, std::max<std::uintmax_t>(1, size));
-    memory_.push_back(std::move(bytes.data));
-    return {memory_.back().get(), bytes.size};
-  } catch (const Error& error) {
-    uri.fail(error.kind(), error.place(), error.remedy());
-  }
+  FileBytes bytes = at_place(uri, [&] { return file.read(); });
+  memory_.push_back(std::move(bytes.data));
+  return {memory_.back().get(), bytes.size};
 }
 
 std::string_view GltfBuffers::load(const JsonValue& buffer, bool is_first) {

@@ -2,14 +2,17 @@
 /// Where the bytes of a glTF file stand: in the file, in its JSON, or in files of its folder.
 #pragma once
 
+#include "soms/io/detail/file.h"
 #include "soms/io/detail/gltf_json.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace soms::detail {
@@ -38,11 +41,14 @@ class GltfBuffers {
   [[nodiscard]] std::string_view load(const JsonValue& buffer, bool is_first);
   [[nodiscard]] std::string_view decode(const JsonValue& uri);
   [[nodiscard]] std::string_view open(const JsonValue& uri);
+  [[nodiscard]] std::string_view read(const RegularFile& file, const JsonValue& uri);
   [[nodiscard]] char* store(std::uint64_t size);
 
   Source& source_;
   std::optional<std::string_view> chunk_;
   std::unordered_map<std::uint64_t, std::string_view> loaded_;
+  /// Files by what they are: many buffers, names and links may mean one, which is read once.
+  std::map<std::pair<std::uint64_t, std::uint64_t>, std::string_view> files_;
   std::vector<std::unique_ptr<char[]>> memory_;
 };
 
