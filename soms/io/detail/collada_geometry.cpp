@@ -43,6 +43,7 @@ class GeometryReader {
  private:
   void read_mesh(pugi::xml_node mesh);
   void read_faces(pugi::xml_node element, std::string_view name);
+  void find_vertices(pugi::xml_node input);
   void read_vertices();
   [[nodiscard]] Accessor read_accessor(pugi::xml_node source, pugi::xml_node element);
   void read_positions(const Accessor& accessor, pugi::xml_node array);
@@ -58,6 +59,7 @@ class GeometryReader {
   ColladaGeometry geometry_;
   pugi::xml_node mesh_;
   pugi::xml_node vertices_;  ///< of the mesh, once its positions are read
+  std::string_view vertices_id_;
   std::vector<std::uint32_t> corners_;
 };
 
@@ -73,7 +75,12 @@ Accessor GeometryReader::read_accessor(pugi::xml_node source, pugi::xml_node ele
   for (const pugi::xml_node param : element.children("param")) {
     const std::string_view name = param.attribute("name").value();
     if (name == "X" || name == "Y" || name == "Z") {
-      by_name[static_cast<std::size_t>(name[0] - 'X')] = column;
+      std::uint64_t& known = by_name[static_cast<std::size_t>(name[0] - 'X')];
+      if (known != kMost) {
+        document_.fail(param, "the positions in " + describe(source) + " have two columns " +
+                                  std::string(name));
+      }
+      known = column;
     }
     if (!name.empty()) {
       if (named < 3) {
@@ -189,18 +196,27 @@ Layout GeometryReader::read_layout(pugi::xml_node element) {
     }
     return layout;
   }
-  const pugi::xml_node vertices = document_.referred_child(vertex, "source", mesh_);
-  if (std::string_view(vertices.name()) != "vertices") {
-    document_.fail(vertex, "VERTEX refers to " + describe(vertices) + ", not to <vertices>");
+  find_vertices(vertex);
+  return layout;
+}
+
+/// The <vertices> that an input VERTEX names, and its positions where they are not read yet. A mesh
+/// may have very many lists of faces: they are searched for it once.
+void GeometryReader::find_vertices(pugi::xml_node input) {
+  const std::string_view named = input.attribute("source").value();
+  if (vertices_ && named.starts_with('#') && named.substr(1) == vertices_id_) {
+    return;
   }
-  if (vertices_ && vertices_ != vertices) {
+  const pugi::xml_node vertices = document_.referred_child(input, "source", mesh_);
+  if (std::string_view(vertices.name()) != "vertices") {
+    document_.fail(input, "VERTEX refers to " + describe(vertices) + ", not to <vertices>");
+  }
+  if (vertices_) {
     document_.fail(vertices, "a second <vertices> in one mesh");
   }
-  if (!vertices_) {
-    vertices_ = vertices;
-    read_vertices();
-  }
-  return layout;
+  vertices_ = vertices;
+  vertices_id_ = vertices.attribute("id").value();
+  read_vertices();
 }
 
 /// The corners in one <p>; the other numbers of a corner are checked to be numbers.

@@ -4,6 +4,7 @@
 #include "soms/io/detail/collada_transform.h"
 #include "soms/io/detail/text.h"
 
+#include <cstring>
 #include <map>
 #include <set>
 #include <string>
@@ -90,12 +91,28 @@ std::uint64_t faces_with_triangles(const Mesh& mesh) {
   return count;
 }
 
+/// As how many elements one counts: long attributes and texts, and very many of them or of
+/// children, take time anew each time that the element is shown.
+std::uint64_t weight_of(pugi::xml_node element) {
+  constexpr std::uint64_t kBytesPerElement = 64;
+  constexpr std::uint64_t kBytesPerItem = 16;
+  std::uint64_t bytes = 0;
+  for (const pugi::xml_attribute attribute : element.attributes()) {
+    bytes += kBytesPerItem + std::strlen(attribute.name()) + std::strlen(attribute.value());
+  }
+  for (const pugi::xml_node child : element.children()) {
+    bytes += kBytesPerItem + std::strlen(child.name()) + std::strlen(child.value());
+  }
+  return 1 + bytes / kBytesPerElement;
+}
+
 void SceneReader::count_element(pugi::xml_node element) {
-  ++elements_;
-  if (elements_ % kRowsPerTick == 0) {
+  const std::uint64_t before = elements_;
+  elements_ += weight_of(element);
+  if (elements_ / kRowsPerTick != before / kRowsPerTick) {
     document_.tick(element);
   }
-  // The elements of a file are fewer than its bytes.
+  // The elements of a file, however they count, are fewer than its bytes.
   if (elements_ > document_.source().bytes.size() + kMostElements +
                       kElementsPerTriangle * builder_.triangle_count()) {
     document_.fail(element, "nodes that show other nodes many times over make this scene too large",
@@ -155,6 +172,7 @@ const ColladaGeometry& SceneReader::geometry_of(pugi::xml_node element) {
 }
 
 void SceneReader::show(pugi::xml_node element, const Affine& transform, pugi::xml_node instance) {
+  count_element(element);
   const ColladaGeometry& geometry = geometry_of(element);
   // One part a node is enough, unless it has no name or shows several geometries.
   const bool named = !label_of(element).empty() &&
@@ -182,13 +200,17 @@ void SceneReader::show(pugi::xml_node element, const Affine& transform, pugi::xm
 /// A skin in the shape that it was bound in, which stands in the scene's axes whatever the node's
 /// transforms are; a morph in its base shape.
 void SceneReader::show_controller(pugi::xml_node instance) {
-  pugi::xml_node controller = document_.referred(instance, "url", "controller");
-  Affine transform = stack_.back().transform;
+  const pugi::xml_node controller = document_.referred(instance, "url", "controller");
+  count_element(controller);
   if (const pugi::xml_node skin = controller.child("skin")) {
     ++untold_.skins;
-    const pugi::xml_node matrix = skin.child("bind_shape_matrix");
-    transform = matrix ? read_matrix(document_, matrix) : Affine{};
-    show(document_.referred(skin, "source", "geometry"), transform, instance);
+    count_element(skin);
+    Affine bound;
+    if (const pugi::xml_node matrix = skin.child("bind_shape_matrix")) {
+      count_element(matrix);
+      bound = read_matrix(document_, matrix);
+    }
+    show(document_.referred(skin, "source", "geometry"), bound, instance);
     return;
   }
   const pugi::xml_node morph = controller.child("morph");
@@ -196,7 +218,8 @@ void SceneReader::show_controller(pugi::xml_node instance) {
     document_.fail(controller, describe(controller) + " is neither a skin nor a morph");
   }
   ++untold_.morphs;
-  show(document_.referred(morph, "source", "geometry"), transform, instance);
+  count_element(morph);
+  show(document_.referred(morph, "source", "geometry"), stack_.back().transform, instance);
 }
 
 void SceneReader::look_at(pugi::xml_node element) {
@@ -205,7 +228,9 @@ void SceneReader::look_at(pugi::xml_node element) {
   if (name == "node") {
     enter(element);
   } else if (name == "instance_node") {
-    enter(document_.referred(element, "url", "node"));
+    const pugi::xml_node node = document_.referred(element, "url", "node");
+    count_element(node);
+    enter(node);
   } else if (name == "instance_geometry") {
     show(document_.referred(element, "url", "geometry"), stack_.back().transform, element);
   } else if (name == "instance_controller") {

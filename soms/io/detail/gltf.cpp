@@ -306,13 +306,16 @@ Mesh GltfReader::read() {
   const std::vector<PlacedNode> nodes = place_nodes(source_, root_, notes);
   reserve(nodes);
   std::vector<bool> is_part;  // of the nodes that are open
-  for (const PlacedNode& node : nodes) {
-    for (; is_part.size() > node.depth; is_part.pop_back()) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (i % kRowsPerTick == 0) {
+      check_stop(source_.parallel);
+    }
+    for (; is_part.size() > nodes[i].depth; is_part.pop_back()) {
       if (is_part.back()) {
         builder_.close_part();
       }
     }
-    is_part.push_back(add_node(node));
+    is_part.push_back(add_node(nodes[i]));
   }
   add_notes(std::move(notes));
   Mesh mesh = builder_.finish();

@@ -39,9 +39,7 @@ void MeshBuilder::add_face(std::span<const std::uint32_t> corners) {
   }
   const std::uint64_t extra =
       corners.size() > kLargePolygon ? kBytesPerCorner * corners.size() : std::uint64_t{0};
-  if (!source_.budget.take(extra)) {
-    source_.fail_memory(extra);
-  }
+  take(extra);
   corners_.clear();
   for (const std::uint32_t v : corners) {
     corners_.push_back(mesh_.vertices[v]);
@@ -72,11 +70,22 @@ void MeshBuilder::add_instance(const Mesh& mesh, std::uint32_t first, std::uint3
   face_ += faces;
 }
 
-void MeshBuilder::open_part(std::string_view name) {
-  // A file may name a part once and show it a million times.
-  if (!source_.budget.take(name.size())) {
-    source_.fail_memory(name.size());
+void MeshBuilder::take(std::uint64_t bytes) {
+  if (!source_.budget.take(bytes)) {
+    source_.fail_memory(bytes);
   }
+}
+
+void MeshBuilder::note(std::string text) {
+  // A list that doubles has three places for each of its texts while it grows.
+  take(3 * sizeof(std::string) + text.capacity());
+  mesh_.notes.push_back(std::move(text));
+}
+
+void MeshBuilder::open_part(std::string_view name) {
+  // A file may name a part once and show it a million times. What the names of parts without
+  // triangles took is not given back: copying them takes time, which the memory's limit bounds.
+  take(name.size());
   const std::uint32_t parent = open_parts_.empty() ? Part::kNoParent : open_parts_.back();
   const auto first = static_cast<std::uint32_t>(mesh_.triangles.size());
   push(open_parts_, static_cast<std::uint32_t>(mesh_.parts.size()));
@@ -88,7 +97,6 @@ void MeshBuilder::close_part() {
   part.count = static_cast<std::uint32_t>(mesh_.triangles.size()) - part.first;
   // Parts within it have no triangles either, so they are gone and this is the last.
   if (part.count == 0) {
-    source_.budget.give_back(part.name.size());
     mesh_.parts.pop_back();
   }
   open_parts_.pop_back();

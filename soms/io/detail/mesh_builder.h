@@ -56,7 +56,8 @@ class MeshBuilder {
   /// Closes the part that was opened last; one without triangles vanishes.
   void close_part();
 
-  void note(std::string text) { mesh_.notes.push_back(std::move(text)); }
+  /// Adds to the mesh's notes. \errors ErrorKind::out_of_memory.
+  void note(std::string text);
 
   [[nodiscard]] const std::vector<Vec3>& vertices() const { return mesh_.vertices; }
 
@@ -96,14 +97,13 @@ class MeshBuilder {
                    "split the model");
     }
     capacity = std::min(capacity, kMaxPrimitives);
-    if (!source_.budget.take(capacity * sizeof(T))) {
-      source_.fail_memory(capacity * sizeof(T));
-    }
+    take(capacity * sizeof(T));
     const std::uint64_t old = items.capacity() * sizeof(T);
     items.reserve(static_cast<std::size_t>(capacity));
     source_.budget.give_back(old);
   }
 
+  void take(std::uint64_t bytes);
   void map_faces();
 
   Source& source_;
