@@ -266,6 +266,37 @@ TEST(Collada, RefusesWhatItCannotShowRightly) {
   expect_refused(document("", node("")), "a.dae", ErrorKind::empty_mesh, "no triangles");
 }
 
+TEST(Collada, RefusesReferencesToTheCharacterZero) {
+  const auto with = [](const std::string& reference) {
+    return "<triangles>" + kInput + "<p>0 1 2 " + reference + " 0 2 3 0 3 1</p></triangles>";
+  };
+  for (const std::string zero : {"&#0;", "&#x0;", "&#000;", "&#4294967296;", "&#x100000000;"}) {
+    SCOPED_TRACE(zero);
+    const auto refuse = [](const std::string& text) {
+      expect_refused(text, "a.dae", ErrorKind::bad_file, "line 4: this is no well-formed XML");
+    };
+    refuse(document(geometry(with(zero)), node(kShow)));
+    refuse(document(geometry(with("<!-- \" -->" + zero)), node(kShow)));
+    refuse(document(geometry("<lines a='<!--\"' b=\"" + zero + "\"/>" + kTriangle), node(kShow)));
+    // Where nothing is decoded it is plain text.
+    EXPECT_EQ(read_faces(with("<!-- " + zero + " -->")).triangles.size(), 3U);
+    EXPECT_EQ(read_faces("<extra><![CDATA[<a " + zero + "]]></extra><?a " + zero + "?>" + kTriangle)
+                  .triangles.size(),
+              1U);
+  }
+  EXPECT_EQ(read_faces(with("&#48; 1 2")).triangles.size(), 4U);
+  EXPECT_EQ(read_faces("<lines name=\"&#; &#x; &#0 &#g0; &#1;\"/>" + kTriangle).triangles.size(),
+            1U);
+}
+
+TEST(Collada, RefusesTwoColumnsOfOneCoordinate) {
+  std::string text = document(geometry(kTriangle), node(kShow));
+  const std::string z = R"(<param name="Z"/>)";
+  text.replace(text.find(z), 0, R"(<param name="X"/>)");
+  text.replace(text.find("count=\"5\" stride=\"3\""), 20, "count=\"3\" stride=\"4\"");
+  expect_refused(text, "a.dae", ErrorKind::bad_file, "<source id=\"p\"> have two columns X");
+}
+
 TEST(Collada, BoundsScenesThatGrowWithoutShowingAnything) {
   std::string nodes = "<library_nodes>";
   for (int i = 0; i < 60; ++i) {

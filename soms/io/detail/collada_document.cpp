@@ -9,6 +9,7 @@
 #include <cstring>
 #include <new>
 #include <tuple>
+#include <utility>
 
 namespace soms::detail {
 
@@ -37,6 +38,63 @@ bool is_space(char c) {
 
 std::size_t offset_of(pugi::xml_node node) {
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, node.offset_debug()));
+}
+
+/// Where a reference to a character begins of which pugixml makes a zero byte: its number is 0 by
+/// the 32 bits that pugixml keeps of it.
+std::size_t find_zero(std::string_view text) {
+  for (std::size_t at = text.find("&#"); at != text.npos; at = text.find("&#", at + 1)) {
+    const bool is_hex = text.substr(at + 2).starts_with('x');
+    const std::size_t begin = at + (is_hex ? 3 : 2);
+    const std::size_t end =
+        text.find_first_not_of(is_hex ? "0123456789abcdefABCDEF" : "0123456789", begin);
+    if (end == text.npos || end == begin || text[end] != ';') {
+      continue;
+    }
+    std::uint32_t number = 0;
+    for (const char c : text.substr(begin, end - begin)) {
+      const int digit = c <= '9' ? c - '0' : (c | ' ') - 'a' + 10;
+      number = (is_hex ? 16 : 10) * number + static_cast<std::uint32_t>(digit);
+    }
+    if (number == 0) {
+      return at;
+    }
+  }
+  return text.npos;
+}
+
+/// A tag, the text between two, or what is taken as it stands: a comment, a CDATA section or a
+/// processing instruction.
+struct Piece {
+  std::string_view text;
+  bool is_plain = false;
+};
+
+/// The first piece of what was parsed and begins with one.
+Piece first_piece(std::string_view bytes) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kPlain = {
+      {{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}}};
+  for (const auto& [begin, end] : kPlain) {
+    if (bytes.starts_with(begin)) {
+      const std::size_t at = bytes.find(end, begin.size());
+      return {bytes.substr(0, at == bytes.npos ? at : at + end.size()), true};
+    }
+  }
+  if (!bytes.starts_with('<')) {
+    return {bytes.substr(0, bytes.find('<')), false};
+  }
+  char quote = '\0';
+  for (std::size_t i = 1; i < bytes.size(); ++i) {
+    const char c = bytes[i];
+    if (quote != '\0') {
+      quote = c == quote ? '\0' : quote;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '>') {
+      return {bytes.substr(0, i + 1), false};
+    }
+  }
+  return {bytes, false};
 }
 
 /// The element behind another in the order of the file, below `root`.
@@ -81,6 +139,7 @@ ColladaDocument::ColladaDocument(Source& source) : source_(source) {
       fail(node, "a second document, " + describe(node) + ", behind the first");
     }
   }
+  refuse_zeros();
   index_ids();
 }
 
@@ -112,6 +171,25 @@ void ColladaDocument::refuse_entities() const {
       fail(node, "the file declares entities of its own, which are not expanded",
            "export it without entities", ErrorKind::unsupported);
     }
+  }
+}
+
+/// A reference to the character 0, which XML does not have, would end a text or an attribute early.
+/// In comments and the like it is none.
+void ColladaDocument::refuse_zeros() const {
+  const std::string_view bytes = source_.bytes;
+  if (find_zero(bytes) == std::string_view::npos) {
+    return;
+  }
+  const std::size_t name = offset_of(root());
+  for (std::size_t at = name > 0 ? name - 1 : 0; at < bytes.size();) {
+    const Piece piece = first_piece(bytes.substr(at));
+    const std::size_t zero = piece.is_plain ? piece.text.npos : find_zero(piece.text);
+    if (zero != piece.text.npos) {
+      source_.fail_line(at + zero, ErrorKind::bad_file,
+                        "this is no well-formed XML: it refers to the character 0", kRepairFile);
+    }
+    at += piece.text.size();
   }
 }
 

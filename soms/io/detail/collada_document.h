@@ -72,6 +72,7 @@ class ColladaDocument {
 
   void parse();
   void refuse_entities() const;
+  void refuse_zeros() const;
   void index_ids();
   [[nodiscard]] std::string_view fragment(pugi::xml_node from, const char* attribute) const;
 
