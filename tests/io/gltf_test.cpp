@@ -350,6 +350,46 @@ TEST(Gltf, RefusesExtensionsThatChangeWhatIsThere) {
       "a.glb", ErrorKind::unsupported, "KHR_draco_mesh_compression");
 }
 
+TEST(Gltf, RefusesNumbersThatStandNowhereWhereAnExtensionMaySayWhere) {
+  const auto with = [](const std::string& primitive, const std::string& indices) {
+    return glb(square(R"({"attributes":{"POSITION":0},"indices":1)" + primitive + "}",
+                      R"(,{"componentType":5121,"type":"SCALAR","count":6)" + indices + "}"),
+               kSquare + std::string("\1\2\0\2", 4) + std::string(20, '\0'));
+  };
+  const auto refuse = [](const std::string& text, const std::string& words) {
+    expect_refused(text, "a.glb", ErrorKind::unsupported, words);
+  };
+  const std::string draco = R"(,"extensions":{"A":{},"KHR_draco_mesh_compression":{}})";
+  const std::string other = R"(,"extensions":{"EXT_other_compression":{}})";
+  const std::string view = R"(,"bufferView":1)";
+  const std::string sparse =
+      R"(,"sparse":{"count":2,"indices":{"bufferView":1,"componentType":5121},"values":{"bufferView":1,"byteOffset":2}})";
+  refuse(with(draco, ""), "meshes[0].primitives[0]: the extension \"KHR_draco_mesh_compression\"");
+  refuse(with(draco, sparse), "KHR_draco_mesh_compression");
+  refuse(with(other, ""), "meshes[0].primitives[0]: the extension \"EXT_other_compression\"");
+  refuse(with("", other), "accessors[1]: the extension \"EXT_other_compression\"");
+  for (const std::string& good : {with(draco, view), with(other, view), with(other, sparse),
+                                  with(R"(,"extensions":{})", ""), with("", "")}) {
+    EXPECT_EQ(read_text(good, "a.glb").triangles.size(), 2U);
+  }
+}
+
+TEST(Gltf, LeavesSkinsWhereTheirPositionsAre) {
+  const Mesh mesh = read_text(
+      placed(
+          R"("nodes":[{"mesh":0,"skin":0,"scale":[-1,1,1],"translation":[5,0,0],"children":[1]},)"
+          R"({"mesh":0}],"skins":[{"joints":[1]}])"),
+      "a.glb");
+  // The node's transform is none of the skin's, but still that of the nodes within it.
+  EXPECT_EQ(mesh.vertices[1], (Vec3{1, 0, 0}));
+  EXPECT_EQ(mesh.vertices[5], (Vec3{4, 0, 0}));
+  EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}}));
+  EXPECT_EQ(
+      mesh.notes,
+      (std::vector<std::string>{
+          "skins shown in the shape they were bound in, which joints and nodes do not move: 1"}));
+}
+
 TEST(Gltf, SkipsChunksThatItDoesNotKnow) {
   std::string file = placed(kOneNode);
   const std::string more = bytes_of(4, 4) + "MORE" + "1234";

@@ -113,7 +113,7 @@ class GltfReader {
   [[nodiscard]] const GltfMesh* mesh_of(const PlacedNode& node);
   void reserve(const std::vector<PlacedNode>& nodes);
   [[nodiscard]] bool add_node(const PlacedNode& node);
-  void add_positions(const GltfAccessor& accessor, const PlacedNode& node);
+  void add_positions(const GltfAccessor& accessor, const PlacedNode& node, const Affine& world);
   void add_triangles(const GltfPrimitive& primitive, const GltfMesh& mesh, std::uint32_t first,
                      bool turned);
   void tick(std::uint64_t items);
@@ -168,8 +168,9 @@ void GltfReader::reserve(const std::vector<PlacedNode>& nodes) {
   items_ = vertices + triangles;
 }
 
-void GltfReader::add_positions(const GltfAccessor& accessor, const PlacedNode& node) {
-  const bool moves = node.world != Affine{};
+void GltfReader::add_positions(const GltfAccessor& accessor, const PlacedNode& node,
+                               const Affine& world) {
+  const bool moves = world != Affine{};
   GltfCursor cursor(accessor);
   for (std::uint64_t i = 0; i < accessor.count; ++i) {
     if (i % kRowsPerTick == 0) {
@@ -181,7 +182,7 @@ void GltfReader::add_positions(const GltfAccessor& accessor, const PlacedNode& n
       accessor.json.fail(fault.kind, "element " + std::to_string(i) + ": " + fault.what,
                          fault.remedy);
     }
-    const Vec3 v = moves ? node.world.apply(stored) : stored;
+    const Vec3 v = moves ? world.apply(stored) : stored;
     if (!fit_for_mesh(v)) [[unlikely]] {
       const CoordinateFault fault = describe_fault(v);
       node.json.fail(fault.kind,
@@ -268,12 +269,14 @@ bool GltfReader::add_node(const PlacedNode& node) {
   if (mesh == nullptr) {
     return true;
   }
+  // The joints alone place a skin: glTF has its node's transform ignored.
+  const Affine world = node.json.find("skin") ? Affine{} : node.world;
   first_.clear();
   for (const GltfAccessor* const positions : mesh->positions) {
     first_.push_back(static_cast<std::uint32_t>(builder_.vertices().size()));
-    add_positions(*positions, node);
+    add_positions(*positions, node, world);
   }
-  const bool turned = node.world.mirrors();
+  const bool turned = world.mirrors();
   for (const GltfPrimitive& primitive : mesh->primitives) {
     add_triangles(primitive, *mesh, first_[primitive.positions], turned);
   }
@@ -292,7 +295,8 @@ void GltfReader::add_notes(std::vector<std::string> notes) {
   };
   note(length_of("meshes") - meshes_.count(), "meshes that no node of the scene has: ");
   meshes_.add_notes(notes);
-  note(skinned_, "nodes with skins, which are not applied: ");
+  note(skinned_,
+       "skins shown in the shape they were bound in, which joints and nodes do not move: ");
   note(length_of("animations"), "animations, which are not applied: ");
   for (std::string& text : notes) {
     builder_.note(std::move(text));

@@ -246,6 +246,17 @@ std::optional<JsonValue> JsonValue::find(std::string_view key) const {
   return JsonValue(*document_, &*member);
 }
 
+std::optional<std::string_view> JsonValue::first_name() const {
+  const json& value = known(value_);
+  if (!value.is_object()) {
+    fail("this is no object");
+  }
+  if (value.empty()) {
+    return std::nullopt;
+  }
+  return value.begin().key();
+}
+
 JsonValue JsonValue::at(std::string_view key) const {
   const std::optional<JsonValue> member = find(key);
   if (!member) {

@@ -33,6 +33,9 @@ class JsonValue {
   /// The member of an object. \errors ErrorKind::bad_file: no object, or it lacks the member.
   [[nodiscard]] JsonValue at(std::string_view key) const;
 
+  /// The name of an object's first member, if it has any. \errors ErrorKind::bad_file: no object.
+  [[nodiscard]] std::optional<std::string_view> first_name() const;
+
   /// Length of a list. \errors ErrorKind::bad_file: no list.
   [[nodiscard]] std::size_t size() const;
 

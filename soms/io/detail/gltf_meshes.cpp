@@ -8,12 +8,25 @@ namespace {
 
 constexpr std::uint64_t kLastOfPointsAndLines = 3;
 
-/// Compressed primitives may state positions that stand nowhere, which would read as zeros.
-void refuse_compressed(const JsonValue& primitive, const GltfAccessor& positions) {
-  const std::optional<JsonValue> extensions = primitive.find("extensions");
-  for (const char* const name : {"KHR_draco_mesh_compression", "KHR_gaussian_splatting"}) {
-    if (extensions && extensions->find(name) && !positions.json.find("bufferView")) {
-      refuse_extension(primitive, name);
+/// Compressed primitives may state positions or indices that stand nowhere, which would read as
+/// zeros. Where nothing else says what they are, any extension may.
+void refuse_compressed(const JsonValue& primitive, const GltfAccessor& accessor) {
+  if (accessor.json.find("bufferView")) {
+    return;
+  }
+  for (const JsonValue& holder : {primitive, accessor.json}) {
+    const std::optional<JsonValue> extensions = holder.find("extensions");
+    if (!extensions) {
+      continue;
+    }
+    for (const char* const name : {"KHR_draco_mesh_compression", "KHR_gaussian_splatting"}) {
+      if (extensions->find(name)) {
+        refuse_extension(holder, name);
+      }
+    }
+    const std::optional<std::string_view> other = extensions->first_name();
+    if (other && accessor.sparse_count == 0) {
+      refuse_extension(holder, *other);
     }
   }
 }
@@ -54,6 +67,7 @@ void GltfMeshes::add_primitive(GltfMesh& mesh, const JsonValue& json) {
                           .mode = static_cast<GltfMode>(static_cast<std::uint8_t>(mode))};
   if (const auto indices = json.find("indices")) {
     primitive.indices = &accessors_.indices(*indices);
+    refuse_compressed(json, *primitive.indices);
   }
   primitive.triangles =
       triangles_of(json, primitive.mode,
