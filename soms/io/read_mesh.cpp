@@ -28,13 +28,19 @@ std::uint64_t memory_limit(const ReadOptions& options, std::uint64_t size) {
   return size > (kMost - kAllowance) / kFactor ? kMost : kFactor * size + kAllowance;
 }
 
-/// Where to look for files that a model names: a pipe or a device has no folder of its own.
+/// Where to look for files that a model names: a pipe or a device has no folder of its own, nor has
+/// a file that is named by its descriptor (/dev/stdin, /dev/fd/3, /proc/self/fd/3).
 std::optional<std::filesystem::path> folder_of(const std::filesystem::path& path) {
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(path, unknown)) {
     return std::nullopt;
   }
-  return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  const std::string inside = std::filesystem::canonical(folder, unknown).string();
+  if (inside == "/dev" || inside.starts_with("/proc/")) {
+    return std::nullopt;
+  }
+  return folder;
 }
 
 /// Whose memory the bytes of a file are.

@@ -19,7 +19,8 @@ struct ReadOptions {
   bool allow_empty = false;
   /// Most bytes to allocate; 0 means 64 times the file's size plus 64 MiB.
   std::uint64_t max_memory = 0;
-  /// Most seconds that soms-import may take, for formats that soms does not read itself.
+  /// Most seconds that soms-import may take, for formats that soms does not read itself; what is
+  /// not above 0 counts as 0.
   double import_seconds = 60;
 };
 

@@ -3,6 +3,7 @@
 #include "soms/io/detail/import.h"
 
 #include "soms/base/error.h"
+#include "soms/io/detail/import_child.h"
 #include "soms/io/read_mesh.h"
 
 #include "tests/io/files.h"
@@ -13,6 +14,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -173,6 +175,50 @@ TEST(Import, EndsAChildThatHangs) {
       .expect_refused(ErrorKind::timed_out, "did not end", {.import_seconds = 0.2});
 }
 
+TEST(Import, TakesATimeThatIsNoNumberForNone) {
+  for (const double seconds : {std::nan(""), -1.0, 0.0}) {
+    ImportedBy("sleep 100")
+        .expect_refused(ErrorKind::timed_out, "did not end within 0 s",
+                        {.import_seconds = seconds});
+  }
+}
+
+// Ended children are collected by the system then: their numbers may soon be those of others.
+TEST(Import, KillsNothingByTheNumberOfAChildThatTheSystemCollected) {
+  const TemporaryFolder folder;
+  const std::filesystem::path alive = folder.path() / "alive";
+
+  struct sigaction ignore {};
+
+  ignore.sa_handler = SIG_IGN;
+
+  struct sigaction before {};
+
+  ASSERT_EQ(sigaction(SIGCHLD, &ignore, &before), 0);
+  const auto refusal = refusal_of([&] {
+    const Mesh mesh =
+        ImportedBy(kWrite + "\n(sleep 0.05; : > '" + alive.string() + "') > /dev/null 2>&1 &",
+                   kMagic + kCorners + face({0, 1, 2}) + ".")
+            .read();
+    EXPECT_EQ(mesh.triangles.size(), 1U);
+  });
+  sigaction(SIGCHLD, &before, nullptr);
+  EXPECT_FALSE(refusal) << refusal->words;
+  for (int i = 0; i < 300 && !std::filesystem::exists(alive); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_TRUE(std::filesystem::exists(alive));
+}
+
+TEST(Import, LooksForTheProgramInNoFolderThatIsNotKnown) {
+  using Folders = std::vector<std::filesystem::path>;
+  EXPECT_EQ(detail::import_folders("", ""), Folders());
+  EXPECT_EQ(detail::import_folders("soms", "lib/libsoms.so"), Folders());
+  EXPECT_EQ(detail::import_folders("/a/bin/soms", ""), (Folders{"/a/bin", "/a/libexec/soms"}));
+  EXPECT_EQ(detail::import_folders("", "/a/lib/x86/libsoms.so"), (Folders{"/a/libexec/soms"}));
+  EXPECT_EQ(detail::import_folders("", "/a/lib/libsoms.so"), (Folders{"/a/libexec/soms"}));
+}
+
 TEST(Import, EndsAChildWhenAskedToStop) {
   const ImportedBy imported("sleep 100");
   std::stop_source stop;
@@ -189,6 +235,16 @@ TEST(Import, BoundsTheMemoryOfTheChildAndOfItsAnswer) {
       .expect_refused(ErrorKind::bad_file, "within 287 MiB", {.max_memory = 32 << 20});
   ImportedBy("yes").expect_refused(ErrorKind::out_of_memory, "more than its limit leaves",
                                    {.max_memory = 1 << 20});
+}
+
+TEST(Import, CountsNotesTowardsTheMemory) {
+  std::string notes;  // of no words, each five bytes of the answer
+  for (int i = 0; i < 50'000; ++i) {
+    notes += text('n', "");
+  }
+  ImportedBy(kWrite, kMagic + notes + kCorners + face({0, 1, 2}) + ".")
+      .expect_refused(ErrorKind::out_of_memory, "more than its limit leaves",
+                      {.max_memory = 2 << 20});
 }
 
 TEST(Import, SaysHowToGetAProgramThatIsMissing) {

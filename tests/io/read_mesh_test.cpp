@@ -6,7 +6,9 @@
 #include "tests/support/allocation.h"
 #include "tests/support/support.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <stop_token>
@@ -163,6 +165,28 @@ TEST(ReadMesh, GivesTheSameFromAFileAndFromMemory) {
   const std::filesystem::path path = test::data("formats/polygons_le.ply");
   EXPECT_EQ(read_mesh(path), read_text(content_of(path), path.string()));
   EXPECT_EQ(read_mesh(path).source, path.string());
+}
+
+TEST(ReadMesh, LooksForFilesOfAModelNowhereWhereADescriptorNamesIt) {
+  const TemporaryFolder folder;
+  const std::filesystem::path model = folder.path() / "a.gltf";
+  write_content(
+      model,
+      R"({"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"shm/a.bin"}]})");
+  const int input = dup(STDIN_FILENO);
+  const int opened = open(model.c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_TRUE(input >= 0 && opened >= 0);
+  EXPECT_EQ(dup2(opened, STDIN_FILENO), STDIN_FILENO);
+  for (const std::string& name : {std::string("/dev/stdin"), "/dev/fd/" + std::to_string(opened),
+                                  std::string("/proc/self/fd/0")}) {
+    expect_refused([&] { static_cast<void>(read_mesh(name)); }, ErrorKind::cannot_open,
+                   "did not come from a file");
+  }
+  dup2(input, STDIN_FILENO);
+  close(input);
+  close(opened);
+  expect_refused([&] { static_cast<void>(read_mesh(model)); }, ErrorKind::cannot_open,
+                 "No such file");
 }
 
 /// Texts of more rows than are read between two calls that give memory back.

@@ -34,6 +34,7 @@ using Clock = std::chrono::steady_clock;
 
 /// Address space of the program and its libraries before it has read anything.
 constexpr std::uint64_t kProgramMemory = std::uint64_t{256} << 20;
+constexpr double kMostSeconds = 1e9;
 /// Exit status of soms-import that says that memory was too little.
 constexpr int kNoMemory = 4;
 /// One that says that the model is at fault, which the answer describes.
@@ -50,23 +51,14 @@ bool runs(const std::filesystem::path& program) {
   return std::filesystem::is_regular_file(program, ignored) && access(program.c_str(), X_OK) == 0;
 }
 
-/// Folders where the program may lie, the nearest first. None is far from the program or the
-/// library: what somebody else put into a folder above them must not be started.
+/// Where this program and the library with this code lie, as far as that is known.
 std::vector<std::filesystem::path> folders() {
   std::error_code unknown;
-  const auto beside = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path();
-  std::vector<std::filesystem::path> all = {beside, beside.parent_path() / "libexec/soms"};
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
   Dl_info library{};
-  if (dladdr(reinterpret_cast<const void*>(&run_import), &library) != 0 &&
-      library.dli_fname != nullptr && *library.dli_fname == '/') {
-    std::filesystem::path folder = std::filesystem::path(library.dli_fname).parent_path();
-    // From lib, or from lib/<architecture>.
-    if (folder.parent_path().filename() == "lib") {
-      folder = folder.parent_path();
-    }
-    all.push_back(folder.parent_path() / "libexec/soms");
-  }
-  return all;
+  const bool found = dladdr(reinterpret_cast<const void*>(&run_import), &library) != 0 &&
+                     library.dli_fname != nullptr;
+  return import_folders(program, found ? library.dli_fname : "");
 }
 
 std::filesystem::path find_program(const Source& source, std::string_view ending) {
@@ -121,7 +113,7 @@ class Child {
   explicit Child(pid_t process) : process_(process) {}
 
   ~Child() {
-    if (!collected_) {
+    if (!collected_ && !ended()) {
       kill(-process_, SIGKILL);
       kill(process_, SIGKILL);
       while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
@@ -141,11 +133,15 @@ class Child {
     if ((found == 0 && info.si_pid == 0) || (found != 0 && errno == EINTR)) {
       return std::nullopt;
     }
+    collected_ = true;
+    // A number that was given back may be another's by now.
+    if (found != 0) {
+      return 0;
+    }
     // What it started itself ends with it, while its number is still its own.
     kill(-process_, SIGKILL);
-    collected_ = true;
     int status = 0;
-    while (found == 0 && waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+    while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
     }
     return status;
   }
@@ -197,7 +193,10 @@ pid_t start(const Source& source, const std::filesystem::path& program, std::str
 class ImportRun {
  public:
   ImportRun(Source& source, const std::filesystem::path& program, std::string_view ending)
-      : source_(source), program_(program), ending_(ending) {}
+      : source_(source),
+        program_(program),
+        ending_(ending),
+        seconds_(source.import_seconds > 0 ? std::min(source.import_seconds, kMostSeconds) : 0) {}
 
   std::string answer();
 
@@ -210,6 +209,7 @@ class ImportRun {
   Source& source_;
   std::filesystem::path program_;
   std::string_view ending_;
+  double seconds_;  ///< that it may take: no NaN, and few enough to be counted
   Clock::time_point deadline_;
   std::uint64_t memory_ = 0;
   std::string answer_;
@@ -230,7 +230,7 @@ void ImportRun::wait_a_little(Clock::duration time) const {
   check_stop(source_.parallel);
   if (Clock::now() >= deadline_) {
     source_.fail(ErrorKind::timed_out,
-                 fmt::format("soms-import did not end within {:g} s", source_.import_seconds),
+                 fmt::format("soms-import did not end within {:g} s", seconds_),
                  "convert the model, or give it more time (import_seconds)");
   }
   std::this_thread::sleep_for(time);
@@ -297,15 +297,14 @@ std::string ImportRun::answer() {
   }
   const Descriptor pipe(ends[0]);
   auto out = std::make_unique<Descriptor>(ends[1]);
-  const double seconds_given = std::clamp(source_.import_seconds, 0.0, 1e9);
-  const std::chrono::duration<double> seconds(seconds_given);
+  const std::chrono::duration<double> seconds(seconds_);
   deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(seconds);
   const std::uint64_t left = source_.budget.left();
   memory_ =
       kProgramMemory + std::min(left, std::numeric_limits<std::uint64_t>::max() - kProgramMemory);
   Child child(start(source_, program_, ending_, model.get(), out->get()));
   child.limit(RLIMIT_AS, memory_);
-  child.limit(RLIMIT_CPU, static_cast<std::uint64_t>(seconds_given) + 1);
+  child.limit(RLIMIT_CPU, static_cast<std::uint64_t>(seconds_) + 1);
   child.limit(RLIMIT_CORE, 0);
   child.limit(RLIMIT_FSIZE, 0);
   out.reset();
@@ -330,6 +329,24 @@ std::string printable(std::string_view text) {
     result += c >= ' ' && c <= '~' ? c : '?';
   }
   return result;
+}
+
+std::vector<std::filesystem::path> import_folders(const std::filesystem::path& program,
+                                                  const std::filesystem::path& library) {
+  std::vector<std::filesystem::path> all;
+  if (program.is_absolute()) {
+    const std::filesystem::path beside = program.parent_path();
+    all = {beside, beside.parent_path() / "libexec/soms"};
+  }
+  if (library.is_absolute()) {
+    std::filesystem::path folder = library.parent_path();
+    // From lib, or from lib/<architecture>.
+    if (folder.parent_path().filename() == "lib") {
+      folder = folder.parent_path();
+    }
+    all.push_back(folder.parent_path() / "libexec/soms");
+  }
+  return all;
 }
 
 std::string run_import(Source& source, std::string_view ending) {
