@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -267,6 +268,9 @@ TEST(Collada, RefusesWhatItCannotShowRightly) {
 }
 
 TEST(Collada, RefusesReferencesToTheCharacterZero) {
+  const auto joined = [](const std::vector<std::string>& words) {
+    return std::accumulate(words.begin(), words.end(), std::string());
+  };
   const auto with = [](const std::string& reference) {
     return "<triangles>" + kInput + "<p>0 1 2 " + reference + " 0 2 3 0 3 1</p></triangles>";
   };
@@ -276,13 +280,15 @@ TEST(Collada, RefusesReferencesToTheCharacterZero) {
       expect_refused(text, "a.dae", ErrorKind::bad_file, "line 4: this is no well-formed XML");
     };
     refuse(document(geometry(with(zero)), node(kShow)));
-    refuse(document(geometry(with("<!-- \" -->" + zero)), node(kShow)));
-    refuse(document(geometry("<lines a='<!--\"' b=\"" + zero + "\"/>" + kTriangle), node(kShow)));
+    refuse(document(geometry(with(joined({"<!-- \" -->", zero}))), node(kShow)));
+    refuse(document(geometry(joined({"<lines a='<!--\"' b=\"", zero, "\"/>", kTriangle})),
+                    node(kShow)));
     // Where nothing is decoded it is plain text.
-    EXPECT_EQ(read_faces(with("<!-- " + zero + " -->")).triangles.size(), 3U);
-    EXPECT_EQ(read_faces("<extra><![CDATA[<a " + zero + "]]></extra><?a " + zero + "?>" + kTriangle)
-                  .triangles.size(),
-              1U);
+    EXPECT_EQ(read_faces(with(joined({"<!-- ", zero, " -->"}))).triangles.size(), 3U);
+    EXPECT_EQ(
+        read_faces(joined({"<extra><![CDATA[<a ", zero, "]]></extra><?a ", zero, "?>", kTriangle}))
+            .triangles.size(),
+        1U);
   }
   EXPECT_EQ(read_faces(with("&#48; 1 2")).triangles.size(), 4U);
   EXPECT_EQ(read_faces("<lines name=\"&#; &#x; &#0 &#g0; &#1;\"/>" + kTriangle).triangles.size(),
@@ -301,7 +307,8 @@ TEST(Collada, BoundsScenesThatGrowWithoutShowingAnything) {
   std::string nodes = "<library_nodes>";
   for (int i = 0; i < 60; ++i) {
     const std::string next = "<instance_node url=\"#n" + std::to_string(i + 1) + "\"/>";
-    nodes += "<node id=\"n" + std::to_string(i) + "\">" + next + next + "</node>";
+    nodes.append("<node id=\"n").append(std::to_string(i)).append("\">");
+    nodes.append(next).append(next).append("</node>");
   }
   nodes += "<node id=\"n60\"/></library_nodes>";
   expect_refused(document("", node("<instance_node url=\"#n0\"/>"), nodes), "a.dae",
