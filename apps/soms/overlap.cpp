@@ -113,6 +113,7 @@ class OverlapRun {
       if (!interrupted) {
         throw;
       }
+      error_ = nullptr;  // a faulty row was read ahead, but not reached
     }
     if (!interrupted || totals_.poses > 0) {
       print_totals(report_, totals_, console_);
@@ -314,6 +315,7 @@ class OverlapRun {
   void end_by_time() {
     console_.note(fmt::format("out of time after {}", counted(totals_.poses, "pose")));
     over_ = true;
+    error_ = nullptr;  // a faulty row was read ahead, but not reached
   }
 
   [[nodiscard]] bool ended_by_time(const Overlap& answer) const {

@@ -29,6 +29,14 @@ std::optional<std::pair<T, std::string_view>> leading_number(std::string_view te
   return std::pair(value, text.substr(static_cast<std::size_t>(end - text.data())));
 }
 
+std::string upper_case(std::string_view text) {
+  std::string upper(text);
+  for (char& c : upper) {
+    c = 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  }
+  return upper;
+}
+
 }  // namespace
 
 std::uint64_t parse_count(std::string_view option, std::string_view text, std::uint64_t least,
@@ -58,9 +66,10 @@ std::uint64_t parse_bytes(std::string_view option, std::string_view text) {
   std::size_t power = 0;
   bool good = number && number->first > 0;
   if (good && !number->second.empty()) {
-    const std::string_view rest = number->second.substr(1);
-    power = kUnits.find(number->second[0]) + 1;
-    good = power != 0 && (rest.empty() || rest == "B" || rest == "iB");  // npos + 1 is 0
+    const std::string unit = upper_case(number->second);
+    const std::string_view rest = std::string_view(unit).substr(1);
+    power = kUnits.find(unit[0]) + 1;
+    good = power != 0 && (rest.empty() || rest == "B" || rest == "IB");  // npos + 1 is 0
   }
   if (!good || number->first > (std::numeric_limits<std::uint64_t>::max() >> (10 * power))) {
     throw not_this(option, text, "give a number of bytes, or one with K, M, G or T, as 500M");

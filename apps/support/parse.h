@@ -24,7 +24,8 @@ namespace soms::command {
 /// A finite number. \errors ErrorKind::usage naming `option`.
 [[nodiscard]] double parse_number(std::string_view option, std::string_view text);
 
-/// A size in bytes: digits, then nothing, K, M, G or T (powers of 1024; "B" or "iB" may follow).
+/// A size in bytes: digits, then nothing, K, M, G or T (powers of 1024; "B" or "iB" may follow), in
+/// either case.
 /// \errors ErrorKind::usage.
 [[nodiscard]] std::uint64_t parse_bytes(std::string_view option, std::string_view text);
 

@@ -80,10 +80,24 @@ std::vector<Job> jobs(const std::string& list) {
   return chosen;
 }
 
+/// Messages call it by its name.
+std::vector<Pose> poses_of_standard_input() {
+  constexpr std::string_view kPath = "/dev/stdin";
+  try {
+    return read_poses(kPath);
+  } catch (const Error& error) {
+    std::string place = error.place();
+    if (place.starts_with(kPath)) {
+      place.replace(0, kPath.size(), "standard input");
+    }
+    throw Error(error.kind(), place, error.remedy());
+  }
+}
+
 std::vector<Pose> poses(const std::string& text) {
   std::error_code ignored;
   if (text == "-") {
-    return read_poses("/dev/stdin");
+    return poses_of_standard_input();
   }
   return std::filesystem::exists(text, ignored) ? read_poses(text)
                                                 : std::vector<Pose>{parse_pose(text)};

@@ -79,7 +79,7 @@ Frames make_frames(std::string_view name, std::size_t count) {
 
 /// soms, from call to call or from nothing in each.
 template <bool keeps>
-class SomsCrowd final : public Crowd {
+class SomsCrowd final : public BoxCrowd {
  public:
   void step(std::span<const Box> boxes, PairList& pairs) override {
     if constexpr (!keeps) {
@@ -103,7 +103,7 @@ double processor_seconds() {
 struct Row {
   std::string name;
   bool keeps = false;
-  std::unique_ptr<Crowd> crowd;
+  std::unique_ptr<BoxCrowd> crowd;
   std::vector<double> seconds;  ///< of the frames of all passes
   bool right = true;
   bool slow = false;

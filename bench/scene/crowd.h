@@ -17,9 +17,9 @@ namespace soms::bench {
 using PairList = std::vector<std::uint64_t>;
 
 /// Many boxes that move, in the hands of one library.
-class Crowd {
+class BoxCrowd {
  public:
-  virtual ~Crowd() = default;
+  virtual ~BoxCrowd() = default;
 
   /// All boxes are now these; fills `pairs` with those that share a point.
   virtual void step(std::span<const Box> boxes, PairList& pairs) = 0;
@@ -29,7 +29,7 @@ class Crowd {
 struct CrowdMaker {
   std::string name;
   bool keeps = false;  ///< something from step to step
-  std::unique_ptr<Crowd> (*make)(std::span<const Box>) = nullptr;
+  std::unique_ptr<BoxCrowd> (*make)(std::span<const Box>) = nullptr;
 };
 
 // Each adds what its library offers; they lie in a shared library of their own.

@@ -19,7 +19,7 @@ void* data_of(std::size_t number) {
   return reinterpret_cast<void*>(number);
 }
 
-class CachedCrowd final : public Crowd {
+class CachedCrowd final : public BoxCrowd {
  public:
   explicit CachedCrowd(std::span<const Box> boxes) {
     for (std::size_t k = 0; k < boxes.size(); ++k) {
@@ -55,7 +55,7 @@ class CachedCrowd final : public Crowd {
   std::vector<btBroadphaseProxy*> proxies_;
 };
 
-class TreeCrowd final : public Crowd {
+class TreeCrowd final : public BoxCrowd {
  public:
   TreeCrowd(std::span<const Box> boxes, btScalar margin) : margin_(margin) {
     for (std::size_t k = 0; k < boxes.size(); ++k) {
@@ -102,14 +102,14 @@ class TreeCrowd final : public Crowd {
 
 void add_bullet(std::vector<CrowdMaker>& makers) {
   makers.push_back({"bullet-dbvt-cache", true, [](std::span<const Box> boxes) {
-                      return std::unique_ptr<Crowd>(std::make_unique<CachedCrowd>(boxes));
+                      return std::unique_ptr<BoxCrowd>(std::make_unique<CachedCrowd>(boxes));
                     }});
   makers.push_back({"bullet-dbvt-0.2m", true, [](std::span<const Box> boxes) {
-                      return std::unique_ptr<Crowd>(
+                      return std::unique_ptr<BoxCrowd>(
                           std::make_unique<TreeCrowd>(boxes, btScalar(0.2)));
                     }});
   makers.push_back({"bullet-dbvt-2m", true, [](std::span<const Box> boxes) {
-                      return std::unique_ptr<Crowd>(
+                      return std::unique_ptr<BoxCrowd>(
                           std::make_unique<TreeCrowd>(boxes, btScalar(2)));
                     }});
 }

@@ -10,7 +10,7 @@ namespace soms::bench {
 
 namespace {
 
-class CgalCrowd final : public Crowd {
+class CgalCrowd final : public BoxCrowd {
  public:
   void step(std::span<const Box> boxes, PairList& pairs) override {
     boxes_.clear();
@@ -45,7 +45,7 @@ class CgalCrowd final : public Crowd {
 
 void add_cgal(std::vector<CrowdMaker>& makers) {
   makers.push_back({"cgal-box", false, [](std::span<const Box>) {
-                      return std::unique_ptr<Crowd>(std::make_unique<CgalCrowd>());
+                      return std::unique_ptr<BoxCrowd>(std::make_unique<CgalCrowd>());
                     }});
 }
 

@@ -14,7 +14,7 @@ namespace {
 using Object = fcl::CollisionObject<float>;
 
 template <class Manager>
-class FclCrowd final : public Crowd {
+class FclCrowd final : public BoxCrowd {
  public:
   explicit FclCrowd(std::span<const Box> boxes) {
     std::uintptr_t number = 0;
@@ -61,7 +61,7 @@ class FclCrowd final : public Crowd {
 };
 
 template <class Manager>
-std::unique_ptr<Crowd> make(std::span<const Box> boxes) {
+std::unique_ptr<BoxCrowd> make(std::span<const Box> boxes) {
   return std::make_unique<FclCrowd<Manager>>(boxes);
 }
 

@@ -1,5 +1,7 @@
 #include "soms/geometry/polygon.h"
 
+#include "soms/base/arithmetic.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -206,6 +208,7 @@ void PolygonTriangulator::clip_ears(const Parallel& parallel) {
 
 std::span<const std::array<std::uint32_t, 3>> PolygonTriangulator::triangulate(
     std::span<const Vec3> corners, const Parallel& parallel) {
+  const PlainArithmetic plain;
   corners_ = corners;
   triangles_.clear();
   if (corners.size() < 3) {

@@ -66,11 +66,13 @@ float longest_side(const FloatBox& box) {
 
 /// `box` made larger for `calls` more calls of such ways, by at most `most`.
 FloatBox grown(const FloatBox& box, const Way& way, float calls, float aside, float most) {
+  // A way beyond the range of floats is endless, and no call of it is no number: no growth.
+  const auto bounded = [most](float side) { return side > 0 ? std::min(side, most) : 0.0F; };
   FloatBox large = box;
-  const float margin = aside * std::min(calls * way.farthest, most);
+  const float margin = aside * bounded(calls * way.farthest);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    large.lower[axis] += std::clamp(calls * way.lower[axis], -most, 0.0F) - margin;
-    large.upper[axis] += std::clamp(calls * way.upper[axis], 0.0F, most) + margin;
+    large.lower[axis] -= bounded(-calls * way.lower[axis]) + margin;
+    large.upper[axis] += bounded(calls * way.upper[axis]) + margin;
   }
   return large;
 }
@@ -127,8 +129,10 @@ bool BroadPhase::State::keep(std::span<const Box> boxes) {
   return true;
 }
 
-/// Gives the escaped new large boxes, and `rows` their pairs.
+/// Gives the escaped new large boxes, and `rows` their pairs. Should memory run short on the way,
+/// the next call starts anew.
 void BroadPhase::State::catch_escaped(std::span<const Box> boxes) {
+  has_grid = false;
   const auto age = static_cast<double>(pace.age());
   for (const std::uint32_t k : escaped) {
     const FloatBox now = map(boxes[k]);
@@ -162,6 +166,7 @@ void BroadPhase::State::catch_escaped(std::span<const Box> boxes) {
   }
   rows.assign(boxes.size(), pairs);
   pace.spend(escaped.size() * boxes.size() / 25 + rows.size() / 5);
+  has_grid = true;
 }
 
 void BroadPhase::State::take_as_they_are(std::span<const Box> boxes) {
@@ -217,10 +222,10 @@ void BroadPhase::State::start_anew(std::span<const Box> boxes) {
   }
   base.assign(boxes.begin(), boxes.end());
   if (found) {
-    has_grid = true;
     next_without_grid = 1;
     rows.assign(boxes.size(), *found);
     pace.start(columns.work(), rows.size());
+    has_grid = true;
     return;
   }
   calls_without_grid = next_without_grid;
@@ -272,7 +277,7 @@ std::span<const BoxPair> BroadPhase::find(std::span<const Box> boxes) {
   const PlainArithmetic plain;
   if (boxes.size() > detail::Columns::kMostBoxes) {
     throw Error(ErrorKind::out_of_range,
-                "broad phase: " + std::to_string(boxes.size()) + " boxes are above 2^30",
+                "broad phase: " + std::to_string(boxes.size()) + " boxes are above 2^27",
                 "ask about fewer at a time");
   }
   if (!state_->keep(boxes)) {

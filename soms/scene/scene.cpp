@@ -50,6 +50,20 @@ void insert(std::vector<std::uint32_t>& sorted, std::uint32_t id) {
   }
 }
 
+/// Each into the other's list: into both or, where memory runs short, into none.
+void insert_mutually(std::vector<std::uint32_t>& list_a, std::uint32_t b,
+                     std::vector<std::uint32_t>& list_b, std::uint32_t a) {
+  const auto make_room = [](std::vector<std::uint32_t>& list) {
+    if (list.size() == list.capacity()) {
+      list.reserve(2 * list.size() + 1);
+    }
+  };
+  make_room(list_a);
+  make_room(list_b);
+  insert(list_a, b);
+  insert(list_b, a);
+}
+
 void erase(std::vector<std::uint32_t>& sorted, std::uint32_t id) {
   const auto at = std::lower_bound(sorted.begin(), sorted.end(), id);
   if (at != sorted.end() && *at == id) {
@@ -195,11 +209,13 @@ EnvironmentId Scene::add_environment(Body body) {
 }
 
 void Scene::remove_environment(EnvironmentId id) {
-  for (const std::uint32_t mover : state_->parts.at(id).ignored_others) {
-    erase(state_->movers.at(mover).ignored_others, id);
-  }
+  // What may fail for want of memory comes first: the copy of the list and the removal.
+  const std::vector<std::uint32_t> movers = state_->parts.at(id).ignored_others;
   state_->parts.remove(id);
   state_->parts_changed = true;
+  for (const std::uint32_t mover : movers) {
+    erase(state_->movers.at(mover).ignored_others, id);
+  }
 }
 
 MoverId Scene::add_mover(Body body, std::uint32_t group) {
@@ -210,13 +226,15 @@ MoverId Scene::add_mover(Body body, std::uint32_t group) {
 
 void Scene::remove_mover(MoverId id) {
   const Resident& resident = state_->movers.at(id);
-  for (const std::uint32_t other : resident.ignored_movers) {
+  const std::vector<std::uint32_t> others = resident.ignored_movers;
+  const std::vector<std::uint32_t> parts = resident.ignored_others;
+  state_->movers.remove(id);
+  for (const std::uint32_t other : others) {
     erase(state_->movers.at(other).ignored_movers, id);
   }
-  for (const std::uint32_t part : resident.ignored_others) {
+  for (const std::uint32_t part : parts) {
     erase(state_->parts.at(part).ignored_others, id);
   }
-  state_->movers.remove(id);
 }
 
 void Scene::ignore(MoverId a, MoverId b) {
@@ -226,15 +244,13 @@ void Scene::ignore(MoverId a, MoverId b) {
     throw Error(ErrorKind::usage, "scene: mover " + std::to_string(a) + " is to ignore itself",
                 "name two movers; a mover is never compared with itself");
   }
-  insert(first.ignored_movers, b);
-  insert(second.ignored_movers, a);
+  insert_mutually(first.ignored_movers, b, second.ignored_movers, a);
 }
 
 void Scene::ignore_environment(MoverId mover, EnvironmentId part) {
   Resident& first = state_->movers.at(mover);
   Resident& second = state_->parts.at(part);
-  insert(first.ignored_others, part);
-  insert(second.ignored_others, mover);
+  insert_mutually(first.ignored_others, part, second.ignored_others, mover);
 }
 
 void Scene::set_pose(MoverId id, const Pose& pose) {

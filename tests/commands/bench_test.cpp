@@ -114,5 +114,11 @@ TEST(Bench, FailsWhereItsAnswerCannotBeWritten) {
   EXPECT_EQ(soms_run({"bench", "-", box()}).status, 2);
 }
 
+TEST(Bench, CallsStandardInputByItsName) {
+  const RunResult faulty = soms_run({"bench", box(), box(), "--pose", "-"}, "x,y,z\n1,2\n");
+  EXPECT_EQ(faulty.status, 3) << faulty.err;
+  EXPECT_NE(faulty.err.find("soms bench: standard input: "), std::string::npos) << faulty.err;
+}
+
 }  // namespace
 }  // namespace soms::test

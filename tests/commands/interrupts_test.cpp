@@ -109,13 +109,33 @@ TEST(Interrupts, LeaveTotalsAndThePageOfWhatOverlapAnswered) {
   const TemporaryFolder folder;
   const std::string page = (folder.path() / "page.html").string();
   const std::string poses = many_poses(folder);
-  const RunResult result =
-      shell("$soms overlap '" + box() + "' '" + box() + "' --pose '" + poses +
-            "' --no-pairs --threads 1 --report '" + page + "' & sleep 0.5; kill -TERM $!; wait $!");
+  Child child({command().string(), "overlap", box(), box(), "--pose", poses, "--no-pairs",
+               "--threads", "1", "--report", page},
+              folder.path());
+  ASSERT_TRUE(child.wait_for_output(1));
+  child.send(SIGTERM);
+  const RunResult result = child.wait();
   EXPECT_EQ(result.status, 130) << result.err;
   EXPECT_NE(result.err.find(" answered"), std::string::npos) << result.err;
   EXPECT_NE(result.out.find(" with overlap, "), std::string::npos);
   EXPECT_NE(read_text(page).find("interrupted after "), std::string::npos);
+}
+
+// The row at fault is read with the one before it, whose answer takes long and is given up.
+TEST(Interrupts, ComeBeforeAFaultyRowThatWasReadAhead) {
+  const TemporaryFolder folder;
+  const std::string knot = (folder.path() / "knot.ply").string();
+  const std::string poses = (folder.path() / "poses.csv").string();
+  ASSERT_EQ(soms_run({"generate", "knot", "--triangles", "200000", "-o", knot}).status, 0);
+  write_text(poses, "x,y,z\n1000,0,0\n0,0,0\n0,0\n");
+  Child child(
+      {command().string(), "overlap", knot, knot, "--pose", poses, "--no-pairs", "--threads", "1"},
+      folder.path());
+  ASSERT_TRUE(child.wait_for_output(1));
+  child.send(SIGINT);
+  const RunResult result = child.wait();
+  EXPECT_EQ(result.status, 130) << result.err;
+  EXPECT_NE(result.err.find("1 pose is answered"), std::string::npos) << result.err;
 }
 
 }  // namespace

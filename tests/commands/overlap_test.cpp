@@ -252,8 +252,14 @@ TEST(OverlapVerb, KeepsWhatWasVerifiedWhenTimeIsUp) {
     rows += "0.5,0,0\n";
   }
   write_text(poses, rows);
-  const RunResult result = soms_run(
-      {"overlap", box(), box(), "--pose", poses, "--no-pairs", "--verify", "--timeout", "0.5"});
+  const auto verified_within = [&](const char* seconds) {
+    return soms_run(
+        {"overlap", box(), box(), "--pose", poses, "--no-pairs", "--verify", "--timeout", seconds});
+  };
+  RunResult result = verified_within("0.5");
+  if (result.status == 4) {  // a busy machine has not come to the first pose by then
+    result = verified_within("5");
+  }
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.err.find("out of time after"), std::string::npos) << result.err;
   EXPECT_NE(result.out.find("verified by brute force: "), std::string::npos);

@@ -195,6 +195,12 @@ TEST(Program, RefusesNumbersThatMakeNoSenseAndNamesTheOption) {
   }
 }
 
+TEST(Program, TakesSizesInEitherCase) {
+  for (const char* size : {"1G", "1g", "500MB", "500mb", "2gib", "2GiB"}) {
+    EXPECT_EQ(soms_run({"overlap", box(), box(), "--max-memory", size}).status, 0) << size;
+  }
+}
+
 TEST(Program, ListsTheWordsOfAChoice) {
   const RunResult rule = soms_run({"overlap", "a", "b", "--rule", "shah"});
   EXPECT_EQ(rule.status, 2);

@@ -3,6 +3,7 @@
 #include "tests/fuzz/bytes.h"
 #include "tests/fuzz/require.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cmath>
@@ -60,16 +61,21 @@ void check_number(const std::string& text) {
           "a number");
 }
 
+char upper(char c) {
+  return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+}
+
 void check_bytes(std::string_view text) {
   constexpr std::string_view kUnits = "KMGT";
   const auto found = outcome([&] { return parse_bytes("--option", text); });
   const std::size_t behind = std::min(text.find_first_not_of("0123456789"), text.size());
   std::optional<std::uint64_t> expected = digits(text.substr(0, behind));
   if (behind < text.size()) {
-    const std::size_t unit = kUnits.find(text[behind]);
-    const std::string_view rest = text.substr(behind + 1);
+    const std::size_t unit = kUnits.find(upper(text[behind]));
+    std::string rest(text.substr(behind + 1));
+    std::transform(rest.begin(), rest.end(), rest.begin(), upper);
     const bool known =
-        unit != std::string_view::npos && (rest.empty() || rest == "B" || rest == "iB");
+        unit != std::string_view::npos && (rest.empty() || rest == "B" || rest == "IB");
     for (std::size_t power = 0; expected && power <= unit; ++power) {
       const bool fits = known && *expected <= std::numeric_limits<std::uint64_t>::max() / 1024;
       expected = fits ? std::optional(*expected * 1024) : std::nullopt;

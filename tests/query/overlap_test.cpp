@@ -223,6 +223,48 @@ TEST(Overlap, WalksAMillionIdenticalTrianglesInOneLeaf) {
   EXPECT_EQ(overlap(many, many, {.deadline = soon}).coverage, Coverage::cut);
 }
 
+// The normal of the tiny triangle is nearly nothing as floats, and the other body is large.
+TEST(Overlap, MeetsATinyTriangleAtTheCornerOfALargeRectangle) {
+  const double s = 513802 / 0x1p20;
+  const double c = 914067 / 0x1p20;
+  const Vec3 corner{5000 * c, 5000 * s, 0};
+  Mesh rectangle;
+  rectangle.vertices = {{-corner.x, -corner.y, 0},
+                        {corner.x, -corner.y, 0},
+                        {corner.x, corner.y, 0},
+                        {-corner.x, corner.y, 0}};
+  rectangle.triangles = {{0, 1, 2}, {0, 2, 3}};
+  Pose pose;
+  pose.m = {c, -s, 0, -5000 * (c * c + s * s), s, c, 0, 0, 0, 0, 1, 0};
+  ASSERT_EQ(pose.apply(rectangle.vertices[1]).x, 0);
+  ASSERT_EQ(pose.apply(rectangle.vertices[1]).y, 0);
+  Mesh tiny;
+  tiny.vertices = {{0, 0, 0},     {0, 0x1p-74, 0}, {0, 0, 0x1p-75}, {0, 20000, -5}, {0, 20000, 5},
+                   {0, 19990, 0}, {0, -20000, -5}, {0, -20000, 5},  {0, -19990, 0}};
+  tiny.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
+  for (const Layout layout : {Layout::wide, Layout::compact}) {
+    const ShapeOptions options{.layout = layout};
+    const Body a(Shape(rectangle, options), pose);
+    const Body b(Shape(tiny, options));
+    const std::vector<TrianglePair> expected =
+        reference::overlap(rectangle, pose, tiny, Pose()).pairs;
+    ASSERT_EQ(expected, (std::vector<TrianglePair>{{0, 0}}));
+    EXPECT_EQ(overlap(a, b).pairs, expected);
+    EXPECT_EQ(overlap(b, a).pairs, expected);
+  }
+}
+
+TEST(Overlap, EndsInTimeInsideALargeLeafOfACompactShape) {
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles.resize(200000, {0, 1, 2});
+  const Body many{Shape(mesh, {.build = thesis_options(Rule::soms), .layout = Layout::compact})};
+  const auto soon = std::chrono::steady_clock::now() + std::chrono::milliseconds(20);
+  const Overlap some = overlap(many, many, {.deadline = soon});
+  EXPECT_EQ(some.coverage, Coverage::cut);
+  EXPECT_TRUE(some.any);
+}
+
 TEST(Overlap, OfAnEmptyMeshIsEmpty) {
   const Body nothing;
   Mesh mesh;

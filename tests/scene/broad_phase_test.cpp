@@ -3,10 +3,12 @@
 #include "soms/scene/reference/broad_phase.h"
 
 #include "tests/scene/random_bodies.h"
+#include "tests/support/allocation.h"
 #include "tests/support/support.h"
 
 #include <cmath>
 #include <cstdint>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -122,6 +124,49 @@ TEST(BroadPhase, OfCoordinatesAtTheLimitFindsWhatAScanFinds) {
                               Box{{0x1p-1074, 0, 0}, {0x1p-1073, 0, 0}},
                               Box{{0x1p-1072, 0, 0}, {0x1p-1072, 0, 0}}};
   EXPECT_EQ(ask(phase, tiny), reference::meeting_pairs(tiny));
+}
+
+// As a float its way is endless, and no call is known for which to enlarge it.
+TEST(BroadPhase, FindsABoxThatJumpsBeyondTheRangeOfFloats) {
+  for (const double far : {1e30, 1e60, -0x1p299}) {
+    std::vector<Box> boxes;
+    for (int k = 0; k < 15; ++k) {
+      boxes.push_back({{2.0 * k, 0, 0}, {2.0 * k + 1, 1, 1}});
+    }
+    boxes.push_back({{far, 0, 0}, {far, 1, 1}});
+    BroadPhase phase;
+    ask(phase, boxes);
+    boxes[0] = boxes[15];
+    for (int frame = 0; frame < 3; ++frame) {
+      EXPECT_EQ(ask(phase, boxes), (Pairs{{0, 15}})) << far << " frame " << frame;
+    }
+  }
+}
+
+// Whatever allocation of whichever frame fails, later frames are as if nothing had been kept.
+TEST(BroadPhase, IsRightAfterMemoryRanShort) {
+  for (const int faulty : {0, 1, 2, 5}) {
+    for (std::uint64_t lasting = 0, failed = 1; failed != 0; ++lasting) {
+      failed = 0;
+      Rng rng(7);
+      BroadPhase phase;
+      std::size_t count = 60;
+      for (int frame = 0; frame < 8; ++frame) {
+        std::vector<Box> boxes = scattered(rng, count, 6);
+        if (frame == faulty) {
+          const test::AllocationFault fault(lasting);
+          try {
+            static_cast<void>(phase.find(boxes));
+          } catch (const std::bad_alloc&) {
+            failed = 1;
+          }
+        }
+        ASSERT_EQ(ask(phase, boxes), reference::meeting_pairs(boxes))
+            << "frame " << frame << ", " << lasting << " allocations of frame " << faulty;
+        count += frame % 2 == 0 ? 0 : 40;
+      }
+    }
+  }
 }
 
 TEST(BroadPhase, FarFromTheOriginFindsWhatAScanFinds) {

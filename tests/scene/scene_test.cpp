@@ -5,10 +5,12 @@
 #include "soms/query/reference/overlap.h"
 
 #include "tests/scene/random_bodies.h"
+#include "tests/support/allocation.h"
 #include "tests/support/support.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <new>
 #include <set>
 #include <stop_token>
 #include <utility>
@@ -273,6 +275,50 @@ TEST(Scene, ForgetsIgnoredPairsOfWhatWasRemoved) {
   EXPECT_LT(scene.memory(), 50000U);
   scene.add_mover(body_at(box_shape(), 0.5));
   EXPECT_FALSE(scene.step().movers.empty());
+}
+
+/// Two movers and two parts, all of which touch; each mover ignores what is its own.
+struct SmallScene {
+  Scene scene;
+  MoverId a = scene.add_mover(body_at(box_shape(), 0));
+  MoverId b = scene.add_mover(body_at(box_shape(), 0.5));
+  EnvironmentId wall = scene.add_environment(body_at(box_shape(), 0.1));
+  EnvironmentId part = scene.add_environment(body_at(box_shape(), 0.2));
+
+  SmallScene() { scene.ignore_environment(b, wall); }
+};
+
+// A change is made wholly or, where any of its allocations fails, not at all.
+TEST(Scene, ChangesWhollyOrNotAtAllWhereMemoryRunsShort) {
+  const std::vector<void (*)(SmallScene&)> changes = {
+      [](SmallScene& s) { s.scene.ignore(s.a, s.b); },
+      [](SmallScene& s) { s.scene.ignore_environment(s.a, s.part); },
+      [](SmallScene& s) { s.scene.remove_mover(s.b); },
+      [](SmallScene& s) { s.scene.remove_environment(s.wall); },
+      [](SmallScene& s) { s.scene.add_mover(body_at(s.scene.mover(s.a).shape, 0.3)); },
+  };
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    std::uint64_t failures = 0;
+    for (bool failed = true; failed; failures += failed ? 1 : 0) {
+      SmallScene small;
+      const std::uint64_t before = small.scene.step().hash();
+      failed = false;
+      try {
+        const test::AllocationFault fault(failures);
+        changes[k](small);
+      } catch (const std::bad_alloc&) {
+        failed = true;
+      }
+      if (failed) {
+        ASSERT_EQ(small.scene.step().hash(), before) << "change " << k << ", " << failures;
+        small.scene.remove_mover(small.b);
+        small.scene.remove_environment(small.wall);
+        small.scene.remove_mover(small.a);
+        small.scene.remove_environment(small.part);
+      }
+    }
+    EXPECT_GT(failures, 0U) << "change " << k;
+  }
 }
 
 TEST(Scene, AddsAndRemovesBetweenSteps) {

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <new>
 
 namespace {
@@ -34,18 +35,23 @@ void* allocate(std::size_t size, std::align_val_t alignment) noexcept {
   return counted(std::aligned_alloc(unit, (size + unit - 1) / unit * unit));
 }
 
-void* or_throw(void* memory) {
-  if (memory == nullptr) {
-    throw std::bad_alloc();
-  }
-  return memory;
-}
-
 void release(void* memory) noexcept {
   if (memory != nullptr) {
     bytes_now -= malloc_usable_size(memory);
     std::free(memory);
   }
+}
+
+/// Allocations of this thread that are still to succeed.
+thread_local std::uint64_t lasting_now = std::numeric_limits<std::uint64_t>::max();
+
+void* or_throw(void* memory) {
+  if (memory == nullptr || lasting_now == 0) {
+    release(memory);
+    throw std::bad_alloc();
+  }
+  --lasting_now;
+  return memory;
 }
 
 }  // namespace
@@ -145,6 +151,14 @@ std::uint64_t AllocationWatch::count() const {
 
 std::uint64_t AllocationWatch::peak() const {
   return bytes_peak - bytes_before_;
+}
+
+AllocationFault::AllocationFault(std::uint64_t lasting) {
+  lasting_now = lasting;
+}
+
+AllocationFault::~AllocationFault() {
+  lasting_now = std::numeric_limits<std::uint64_t>::max();
 }
 
 }  // namespace soms::test

@@ -23,4 +23,14 @@ class AllocationWatch {
   std::uint64_t count_before_ = 0;
 };
 
+/// While it lives, operator new of this thread gives memory `lasting` times and throws from then
+/// on.
+class AllocationFault {
+ public:
+  explicit AllocationFault(std::uint64_t lasting);
+  ~AllocationFault();
+  AllocationFault(const AllocationFault&) = delete;
+  AllocationFault& operator=(const AllocationFault&) = delete;
+};
+
 }  // namespace soms::test

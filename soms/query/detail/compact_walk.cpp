@@ -14,6 +14,9 @@ namespace {
 /// Both nodes are opened while neither is more than this much larger.
 constexpr float kSimilar = 2;
 
+/// Node tests that count as one unit of watched work: about those of a block.
+constexpr std::uint64_t kBlockTests = TriangleBlock::kWidth;
+
 constexpr std::uint32_t kIndexShift = 3;  // of a code: see NodeTask
 
 bool is_lane(std::uint32_t code) {
@@ -69,14 +72,16 @@ void CompactWalk::run(Collector& collector, Watch& watch) {
   while (!open_.empty()) {
     const Pair next = open_.back();
     open_.pop_back();
-    if (open(next, collector) || watch.spend(2)) {
+    const std::uint64_t tests = cost_.node_tests;
+    // Leaves may be as large as a mesh.
+    if (open(next, collector, watch) || watch.spend(2 + (cost_.node_tests - tests) / kBlockTests)) {
       return;
     }
   }
   static_cast<void>(leaves_.decide({}, true, collector, cost_));
 }
 
-bool CompactWalk::open(const Pair& pair, Collector& collector) {
+bool CompactWalk::open(const Pair& pair, Collector& collector, Watch& watch) {
   const WideNode& x = x_.node(pair.x >> kIndexShift);
   const WideNode& y = y_.node(pair.y >> kIndexShift);
   NodeTask task = {};
@@ -115,7 +120,7 @@ bool CompactWalk::open(const Pair& pair, Collector& collector) {
     const Pair next{code_of(x, pair.x, lane_x), code_of(y, pair.y, lane_y)};
     if (!is_lane(next.x) || !is_lane(next.y)) {
       open_.push_back(next);
-    } else if (decide(x.child[lane_x], y.child[lane_y], collector)) {
+    } else if (decide(x.child[lane_x], y.child[lane_y], collector, watch)) {
       return true;
     }
   }
@@ -149,9 +154,11 @@ bool CompactWalk::large_leaf_meets(const Pair& pair, const WideNode& x, const Wi
   }
 }
 
-bool CompactWalk::decide(std::uint32_t word_x, std::uint32_t word_y, Collector& collector) {
+bool CompactWalk::decide(std::uint32_t word_x, std::uint32_t word_y, Collector& collector,
+                         Watch& watch) {
   for (;; word_x = x_.next(word_x)) {
     const TriangleBlock& x = x_.block(word_x);
+    const std::uint64_t tests = cost_.node_tests;
     for (std::uint32_t word = word_y;; word = y_.next(word)) {
       BlockTask task = {};
       task.pose = &relative_.numbers();
@@ -168,6 +175,9 @@ bool CompactWalk::decide(std::uint32_t word_x, std::uint32_t word_y, Collector& 
     }
     if (x.following == 0) {
       return false;
+    }
+    if (watch.spend((cost_.node_tests - tests) / kBlockTests)) {
+      return true;
     }
   }
 }

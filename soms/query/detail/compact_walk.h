@@ -61,13 +61,14 @@ class CompactWalk {
   };
 
   /// Opens a pair; true when the walk is to stop.
-  [[nodiscard]] bool open(const Pair& pair, Collector& collector);
+  [[nodiscard]] bool open(const Pair& pair, Collector& collector, Watch& watch);
 
   /// False if a leaf that is larger than a node has no triangle near it.
   [[nodiscard]] bool large_leaf_meets(const Pair& pair, const WideNode& x, const WideNode& y);
 
   /// Decides two leaves block by block; true when the walk is to stop.
-  [[nodiscard]] bool decide(std::uint32_t word_x, std::uint32_t word_y, Collector& collector);
+  [[nodiscard]] bool decide(std::uint32_t word_x, std::uint32_t word_y, Collector& collector,
+                            Watch& watch);
 
   const RelativePose& relative_;
   LeafQueue queue_;

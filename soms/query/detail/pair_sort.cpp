@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace soms::detail {
@@ -25,19 +26,21 @@ std::size_t digit(std::uint64_t key, unsigned pass) {
 }
 
 /// Digit by digit, the last one first; `other` has the same size. Returns where the keys ended.
+/// \pre `Count` holds the number of keys.
+template <typename Count>
 Keys sort_keys(Keys keys, Keys other, unsigned bits) {
   const unsigned passes = (bits + kDigitBits - 1) / kDigitBits;
-  std::array<std::array<std::uint32_t, kDigits>, kMostPasses> begins;
-  std::fill_n(begins.begin(), passes, std::array<std::uint32_t, kDigits>{});
+  std::array<std::array<Count, kDigits>, kMostPasses> begins;
+  std::fill_n(begins.begin(), passes, std::array<Count, kDigits>{});
   for (const std::uint64_t key : keys) {
     for (unsigned pass = 0; pass < passes; ++pass) {
       ++begins[pass][digit(key, pass)];
     }
   }
   for (unsigned pass = 0; pass < passes; ++pass) {
-    std::uint32_t sum = 0;
-    for (std::uint32_t& begin : begins[pass]) {
-      const std::uint32_t number = begin;
+    Count sum = 0;
+    for (Count& begin : begins[pass]) {
+      const Count number = begin;
       begin = sum;
       sum += number;
     }
@@ -81,7 +84,10 @@ void sort_pairs(std::span<TrianglePair> pairs) {
   const Keys keys = Keys(memory).first(pairs.size());
   std::transform(pairs.begin(), pairs.end(), keys.begin(), key_of);
   const unsigned all_bits = bits + static_cast<unsigned>(std::bit_width(first));
-  write(sort_keys(keys, Keys(memory).last(pairs.size()), all_bits));
+  const Keys other = Keys(memory).last(pairs.size());
+  const bool few_bits = pairs.size() <= std::numeric_limits<std::uint32_t>::max();
+  write(few_bits ? sort_keys<std::uint32_t>(keys, other, all_bits)
+                 : sort_keys<std::uint64_t>(keys, other, all_bits));
 }
 
 }  // namespace soms::detail

@@ -148,6 +148,7 @@ bool PairWalk::large_leaf_meets(const PlacePair& pair, const WideNode& x, const 
     for (const TriangleBlock* block = &block_x(x.child[lane]);; ++block) {
       relative_.relate(*block, y, relation);
       cost_.node_tests += block->count;
+      ++scanned_;
       if (box_against_x(relation, *block, y.own_half()) != 0) {
         return true;
       }
@@ -164,6 +165,7 @@ bool PairWalk::large_leaf_meets(const PlacePair& pair, const WideNode& x, const 
   for (const TriangleBlock* block = &block_y(y.child[lane]);; ++block) {
     relative_.relate(x, *block, relation);
     cost_.node_tests += block->count;
+    ++scanned_;
     if (box_against_y(relation, x.own_half(), *block) != 0) {
       return true;
     }
@@ -236,6 +238,7 @@ bool PairWalk::gather(WalkRound& round) {
   node_begin_ = round.node_count;
   larger_begin_ = round.larger_count;
   block_begin_ = round.block_count;
+  scanned_ = 0;
   if (!memory_.blocks.empty()) {
     gather_blocks(round);
   } else if (!memory_.codes.empty()) {
@@ -268,7 +271,7 @@ bool PairWalk::take_up(const WalkRound& round, Collector& collector, Watch& watc
                      cost_)) {
     return false;
   }
-  return !watch.spend(1 + node_count_ + larger_count_ + 2 * block_count_);
+  return !watch.spend(1 + node_count_ + larger_count_ + 2 * block_count_ + scanned_);
 }
 
 void PairWalk::run(Collector& collector, Watch& watch) {

@@ -124,6 +124,7 @@ class PairWalk {
   std::size_t larger_count_ = 0;
   std::size_t block_begin_ = 0;
   std::size_t block_count_ = 0;
+  std::size_t scanned_ = 0;  // blocks of leaves larger than a node, in this round
 };
 
 }  // namespace soms::detail

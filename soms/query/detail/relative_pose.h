@@ -54,7 +54,8 @@
 /// Where S is more, the places share nothing, and "apart" is true however it was found.
 ///
 /// `slack` has 2^-100 added for what underflows in lengths; products of three or four lengths
-/// get 2^-140 more where they are compared.
+/// get 2^-140 more where they are compared, and products of a normal and an axis 2^-147 before they
+/// are multiplied by a length.
 ///
 /// Slabs. All points p of a block of x have l <= n.p <= u, n the block's float normal, of length 1
 /// to 2^-22. Seen in y's axes it is m = N n in float, each entry off by 4.01: N^T m is off n by 7

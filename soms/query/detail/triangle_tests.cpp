@@ -12,6 +12,9 @@ using Three = std::array<F4, 3>;
 
 /// Covers what underflows in products of three or four lengths.
 constexpr float kLeastProduct = 0x1p-140F;
+/// More than underflow takes from the three products of a normal and an axis, which are then
+/// multiplied by a length that may be large.
+constexpr float kLeastAlong = 0x1p-147F;
 
 F4 least(F4 a, F4 b, F4 c) {
   return min(a, min(b, c));
@@ -58,8 +61,8 @@ struct SeenBox {
 M4 apart_along(const SeenBox& box, const std::array<F4, 9>& q, const Three& n) {
   F4 reach = sum_of_magnitudes(n) * box.margin + kLeastProduct;
   for (std::size_t j = 0; j < 3; ++j) {
-    reach +=
-        abs((n[0] * box.axis[0][j] + n[1] * box.axis[1][j]) + n[2] * box.axis[2][j]) * box.half[j];
+    const F4 along = (n[0] * box.axis[0][j] + n[1] * box.axis[1][j]) + n[2] * box.axis[2][j];
+    reach += (abs(along) + kLeastAlong) * box.half[j];
   }
   const F4 a = dot(n, q[0], q[1], q[2]);
   const F4 b = dot(n, q[3], q[4], q[5]);

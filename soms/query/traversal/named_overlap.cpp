@@ -34,6 +34,13 @@ const Tree& kept_tree(const Shape& shape, const TraversalOptions& options) {
   return *shape.tree();
 }
 
+void check_both(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b) {
+  check(pose_a);
+  check(pose_b);
+  check_range(pose_a, a.bounds());
+  check_range(pose_b, b.bounds());
+}
+
 struct MovedTriangle {
   TriangleId id;
   Triangle corners;
@@ -161,13 +168,14 @@ Overlap NamedOverlap::operator()(const Pose& pose_a, const Pose& pose_b,
                                  const OverlapOptions& options, const Parallel& parallel) {
   State& state = *state_;
   check_stop(parallel);
-  move(pose_a, pose_b);
+  check_both(state.a, pose_a, state.b, pose_b);
   Decider decider(state.posed_a, state.posed_b, options, parallel, state.scratch);
   TraversalVisitor visitor;
   visitor.leaf_pair = [&](NodePair p) { return decider.leaf_pair(p); };
   visitor.keep_going = [&] { return decider.keep_going(kBoxTestsBetweenAsks); };
   state.counts = {};
-  if (decider.keep_going(0)) {
+  if (decider.keep_going(0)) {  // moving a large body takes its time, too
+    move(pose_a, pose_b);
     state.walk(visitor);
   }
   return decider.finish(state.counts.box_tests);
@@ -175,10 +183,7 @@ Overlap NamedOverlap::operator()(const Pose& pose_a, const Pose& pose_b,
 
 void NamedOverlap::move(const Pose& pose_a, const Pose& pose_b) {
   State& state = *state_;
-  check(pose_a);
-  check(pose_b);
-  check_range(pose_a, state.a.bounds());
-  check_range(pose_b, state.b.bounds());
+  check_both(state.a, pose_a, state.b, pose_b);
   state.posed_a.move(pose_a, state.options.update);
   state.posed_b.move(pose_b, state.options.update);
 }

@@ -273,12 +273,12 @@ void Columns::sort() {
 void Columns::arrange(std::span<const FloatBox> boxes) {
   const std::size_t size = entered_ + 4;
   if (keys_.size() < size) {
-    keys_.resize(size);
     last_keys_.resize(size);
     names_.resize(size);
     for (std::vector<float>& end : ends_) {
       end.resize(size);
     }
+    keys_.resize(size);  // last: its size tells the others', also where memory runs short
   }
   for (std::size_t k = 0; k < entered_; ++k) {
     const auto key = static_cast<std::uint32_t>(entries_[k] >> 32);

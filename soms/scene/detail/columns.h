@@ -34,7 +34,8 @@ class Columns {
 
   [[nodiscard]] std::size_t memory() const;
 
-  static constexpr std::size_t kMostBoxes = std::size_t{1} << 30;
+  /// Entries, of which boxes have several, are counted in 32 bits.
+  static constexpr std::size_t kMostBoxes = std::size_t{1} << 27;
 
  private:
   /// Cells along one axis; outer cells go on without end.

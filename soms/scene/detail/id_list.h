@@ -45,7 +45,8 @@ class IdList {
   /// \pre `id` is there.
   void remove(Id id) {
     Place& place = *find(id);
-    place.value = Value{};
+    Value none{};  // may throw, and then nothing is changed
+    place.value = std::move(none);
     place.live = false;
     ++empty_;
     if (2 * empty_ > places_.size()) {

@@ -116,7 +116,7 @@ Axes flat_axes(const Matrix& covariance, const std::array<double, 3>& n) {
   const double uu = dot(u, cu);
   const double uv = dot(v, cu);
   const double vv = dot(v, times(covariance, v));
-  if (std::abs(uv) > 0x1p-30 * (uu + vv)) {
+  if (std::abs(uv) > 0x1p-30 * (std::abs(uu) + std::abs(vv))) {  // rounding may leave them negative
     const double theta = (vv - uu) / (2 * uv);
     const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
     const double c = 1 / std::sqrt(t * t + 1);
