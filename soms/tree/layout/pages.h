@@ -27,9 +27,8 @@ class PageAllocator {
 
   PageAllocator() = default;
 
-  template <class U>
-  PageAllocator(const PageAllocator<U>& /*other*/) {
-  }  // NOLINT(google-explicit-constructor): rebinds
+  template <class U>  // NOLINTNEXTLINE(google-explicit-constructor): rebinds
+  PageAllocator(const PageAllocator<U>& /*other*/) {}
 
   [[nodiscard]] T* allocate(std::size_t count) {
     if (count > static_cast<std::size_t>(-1) / 2 / sizeof(T)) {
