@@ -57,6 +57,7 @@ class Progress {
 /// (another program keeps the processors busy) thousands pile up.
 tbb::task_arena& arena_of(int threads) {
   thread_local std::unique_ptr<tbb::task_arena> arena;
+  // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDelete): the analyzer loses track of the pointer
   if (!arena || arena->max_concurrency() != threads) {
     arena = std::make_unique<tbb::task_arena>(threads);
   }

@@ -54,11 +54,9 @@ bool is_rigid(const Pose& pose) {
 [[noreturn]] void refuse(const Pose& pose) {
   check_finite(pose);
   const auto& m = pose.m;
-  const auto at = [&](int row, int column) {
-    return m[static_cast<std::size_t>(4 * row + column)];
-  };
-  for (int i = 0; i < 3; ++i) {
-    for (int j = i; j < 3; ++j) {
+  const auto at = [&](std::size_t row, std::size_t column) { return m[4 * row + column]; };
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) {
       const double gram = at(0, i) * at(0, j) + at(1, i) * at(1, j) + at(2, i) * at(2, j);
       const double off = std::abs(gram - (i == j ? 1 : 0));
       if (!(off <= kRigidTolerance)) {

@@ -16,7 +16,6 @@ namespace {
 
 using detail::child_of;
 using detail::Forest;
-using detail::Upper;
 using detail::within;
 
 /// Triangles that one chunk of the first pass prepares.

@@ -32,7 +32,7 @@ namespace {
 
 /// Pairs of lanes, rotations 0 and 1 and rotations 2 and 3, that some axis parts.
 struct Apart {
-  Apart() : first(_mm256_setzero_ps()), second(_mm256_setzero_ps()) {}
+  Apart() : first_(_mm256_setzero_ps()), second_(_mm256_setzero_ps()) {}
 
   /// One axis: `a` and `b` hold centers below and radii above.
   void add(__m256 a, __m256 b) {
@@ -46,15 +46,15 @@ struct Apart {
     const __m256 lower_b = _mm256_permute2f128_ps(minus_b, minus_b, 0);
     const __m256i turn01 = _mm256_setr_epi32(0, 1, 2, 3, 1, 2, 3, 0);
     const __m256i turn23 = _mm256_setr_epi32(2, 3, 0, 1, 3, 0, 1, 2);
-    first = _mm256_or_ps(first, beyond(lower_a, plus_a, _mm256_permutevar_ps(lower_b, turn01),
-                                       _mm256_permutevar_ps(plus_b, turn01)));
-    second = _mm256_or_ps(second, beyond(lower_a, plus_a, _mm256_permutevar_ps(lower_b, turn23),
-                                         _mm256_permutevar_ps(plus_b, turn23)));
+    first_ = _mm256_or_ps(first_, beyond(lower_a, plus_a, _mm256_permutevar_ps(lower_b, turn01),
+                                         _mm256_permutevar_ps(plus_b, turn01)));
+    second_ = _mm256_or_ps(second_, beyond(lower_a, plus_a, _mm256_permutevar_ps(lower_b, turn23),
+                                           _mm256_permutevar_ps(plus_b, turn23)));
   }
 
   [[nodiscard]] std::uint32_t bits() const {
-    return static_cast<std::uint32_t>(_mm256_movemask_ps(first)) |
-           static_cast<std::uint32_t>(_mm256_movemask_ps(second)) << 8;
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(first_)) |
+           static_cast<std::uint32_t>(_mm256_movemask_ps(second_)) << 8;
   }
 
  private:
@@ -63,8 +63,8 @@ struct Apart {
                         _mm256_cmp_ps(lower_b, upper_a, _CMP_GT_OQ));
   }
 
-  __m256 first;
-  __m256 second;
+  __m256 first_;
+  __m256 second_;
 };
 
 inline F8 beside(const std::array<float, 4>& low, const std::array<float, 4>& high) {

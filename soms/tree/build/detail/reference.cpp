@@ -32,7 +32,8 @@ Box4 box_of(const Reference& r) {
 
 /// Blocks of a leaf's triangles: what a query pays for.
 float cost_of(float area, std::uint32_t count, std::uint32_t per_leaf) {
-  return area * static_cast<float>((count + per_leaf - 1) / per_leaf);
+  const std::uint32_t blocks = (count + per_leaf - 1) / per_leaf;
+  return area * static_cast<float>(blocks);
 }
 
 Crowd crowd_of(std::span<const Reference> all, std::uint32_t first, std::uint32_t count) {
