@@ -185,6 +185,7 @@ std::vector<Vec3> common_corners(const Triangle& s, const Signs& s_signs, const 
   inside(t, s);
   through(s, s_signs, t);
   through(t, t_signs, s);
+  std::optional<Vec3> hidden;  // of edges so unlike in length that their crossing is lost
   const Corners c = corners_of(s);
   const Corners d = corners_of(t);
   for (std::size_t i = 0; i < 9; ++i) {
@@ -195,8 +196,13 @@ std::vector<Vec3> common_corners(const Triangle& s, const Signs& s_signs, const 
     if (p != q && a != b && triangles_overlap({p, q, q}, {a, b, b})) {
       if (const auto point = cross_point(p, q, a, b, measure)) {
         found.push_back(*point);
+      } else {
+        hidden = length(q - p) <= length(b - a) ? p : a;
       }
     }
+  }
+  if (found.empty() && hidden) {
+    found.push_back(*hidden);
   }
   return found;
 }

@@ -116,6 +116,11 @@ std::uint32_t part_of(const Mesh& mesh, TriangleId i) {
 }
 
 void append(Mesh& mesh, const Mesh& other) {
+  if (&mesh == &other) {
+    const Mesh copy = other;
+    append(mesh, copy);
+    return;
+  }
   const std::size_t vertices = mesh.vertices.size();
   const std::size_t triangles = mesh.triangles.size();
   if (vertices + other.vertices.size() > kMaxPrimitives ||

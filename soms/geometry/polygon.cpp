@@ -13,6 +13,8 @@ namespace {
 constexpr std::uint32_t kNone = 0xffffffffU;
 /// Large outlines take long; a request to stop is looked at once in so many ears.
 constexpr std::uint32_t kClipsPerCheck = 64;
+/// Nor may the search for one ear look at all corners for each: so many are tried between checks.
+constexpr std::uint32_t kCornersPerCheck = 64;
 
 /// Newell normal of the corners relative to the first, scaled by a power of two so that products
 /// neither overflow nor vanish.
@@ -142,9 +144,13 @@ void PolygonTriangulator::clip(std::uint32_t ear) {
 }
 
 /// The first ear of the ring from `start` on, or kNone.
-std::uint32_t PolygonTriangulator::find_ear(std::uint32_t start) {
+std::uint32_t PolygonTriangulator::find_ear(std::uint32_t start, const Parallel& parallel) {
   std::uint32_t i = start;
+  std::uint32_t tried = 0;
   do {
+    if (++tried % kCornersPerCheck == 0) {
+      check_stop(parallel);
+    }
     if (is_ear(i)) {
       return i;
     }
@@ -186,7 +192,7 @@ void PolygonTriangulator::clip_ears(const Parallel& parallel) {
     if (left_ % kClipsPerCheck == 0) {
       check_stop(parallel);
     }
-    std::uint32_t ear = find_ear(start);
+    std::uint32_t ear = find_ear(start, parallel);
     if (ear == kNone) {
       ear = find_straight(start);
     }

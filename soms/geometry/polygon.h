@@ -54,7 +54,7 @@ class PolygonTriangulator {
   [[nodiscard]] bool is_ear(std::uint32_t corner);
   void clip(std::uint32_t ear);
   void clip_ears(const Parallel& parallel);
-  [[nodiscard]] std::uint32_t find_ear(std::uint32_t start);
+  [[nodiscard]] std::uint32_t find_ear(std::uint32_t start, const Parallel& parallel);
   [[nodiscard]] std::uint32_t find_straight(std::uint32_t start) const;
 
   std::span<const Vec3> corners_;

@@ -6,12 +6,17 @@
 #include "soms/tree/layout/detail/widen.h"
 #include "soms/tree/layout/wide_tree.h"
 
+#include <limits>
 #include <string>
 #include <utility>
 
 namespace soms {
 
 namespace {
+
+/// In the place of a looseness that was measured of a mesh without area.
+constexpr double kNoArea = -1;
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 void expect_as_many(std::size_t now, std::size_t before, const std::string& what) {
   if (now != before) {
@@ -71,6 +76,9 @@ Tree refit(const Tree& tree, const Mesh& mesh, const Parallel& parallel) {
 
 Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh, const Parallel& parallel) {
   const PlainArithmetic plain;
+  if (!mesh) {
+    throw Error(ErrorKind::usage, "refit: no mesh", "give the mesh that moved");
+  }
   expect_as_many(mesh->vertices.size(), shape.mesh().vertices.size(), "vertices");
   expect_as_many(mesh->triangles.size(), shape.mesh().triangles.size(), "triangles");
   if (mesh->triangles != shape.mesh().triangles) {
@@ -87,10 +95,16 @@ Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh, const Parallel
   }
   moved.bounds_ = moved.layout_->bounds();
   if (moved.looseness_ == 0) {
-    moved.looseness_ = shape.layout().looseness(shape.mesh(), parallel);
+    const double built = shape.layout().looseness(shape.mesh(), parallel);
+    moved.looseness_ = built > 0 ? built : kNoArea;
   }
   const double now = moved.layout_->looseness(*moved.mesh_, parallel);
-  moved.decline_ = now > 0 && moved.looseness_ > 0 ? now / moved.looseness_ : 1;
+  if (now > 0) {
+    // What was built of a mesh without area knows nothing of where triangles lie.
+    moved.decline_ = moved.looseness_ > 0 ? now / moved.looseness_ : kEndless;
+  } else {
+    moved.decline_ = 1;
+  }
   return moved;
 }
 

@@ -1,5 +1,6 @@
 #include "soms/tree/shape.h"
 
+#include "soms/base/error.h"
 #include "soms/tree/build.h"
 #include "soms/tree/layout/wide_tree.h"
 
@@ -32,6 +33,9 @@ Shape::Shape(Mesh mesh, const ShapeOptions& options, const Parallel& parallel)
 Shape::Shape(std::shared_ptr<const Mesh> mesh, const ShapeOptions& options,
              const Parallel& parallel)
     : mesh_(std::move(mesh)), build_options_(options.build) {
+  if (!mesh_) {
+    throw Error(ErrorKind::usage, "shape: no mesh", "give a mesh, be it an empty one");
+  }
   check(*mesh_);
   if (options.keep_tree) {
     tree_ = std::make_shared<const Tree>(build(*mesh_, options.build, parallel));

@@ -218,6 +218,20 @@ TEST(CrossingSegment, ServesTheLargestAndSmallestCoordinates) {
   EXPECT_EQ(flat.count, 1U);  // two roundings of the height are far more than the extent
 }
 
+// The crossing of such edges is lost in the doubled precision that it is calculated in.
+TEST(CrossingSegment, GivesAPointWhereEdgesAreTooUnlikeInLength) {
+  const Vec3 far{0.6, 0.7, 0.8};
+  for (const double tiny : {0x1p-100, 0x1p-120, 0x1p-800}) {
+    const Triangle s{{tiny, 0, 0}, {-tiny, 0, 0}, {-tiny, 0, 0}};
+    const Triangle t{far * -1, far, far};
+    for (const Crossing& found : {crossing(s, t), crossing(t, s)}) {
+      ASSERT_EQ(found.count, 1U) << tiny;
+      EXPECT_LE(std::abs(found.corners[0].x), tiny);
+      EXPECT_LE(std::abs(found.corners[0].y), tiny);
+    }
+  }
+}
+
 TEST(CrossingSegment, LiesOnBothTrianglesAndLosesNothing) {
   std::size_t touching = 0;
   test::for_each_case("crossing/random", 4000, [&touching](Rng& rng) {

@@ -108,6 +108,17 @@ TEST(Mesh, AppendKeepsBothNumberings) {
   EXPECT_EQ(mesh.parts[2], (Part{"b", 1, 3, 1}));
 }
 
+TEST(Mesh, AppendToItselfDoublesIt) {
+  Mesh mesh = two_triangles();
+  const Mesh once = mesh;
+  append(mesh, mesh);
+  Mesh expected = once;
+  append(expected, once);
+  EXPECT_EQ(mesh.triangles, expected.triangles);
+  EXPECT_EQ(mesh.vertices, expected.vertices);
+  EXPECT_EQ(mesh.parts, expected.parts);
+}
+
 TEST(Mesh, AppendToAnEmptyMeshNamesOnePart) {
   Mesh mesh;
   append(mesh, two_triangles());

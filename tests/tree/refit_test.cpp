@@ -221,6 +221,18 @@ TEST(Refit, SaysHowFarTheTreeHasFallenBehind) {
   EXPECT_EQ(refitted(shape, deformed(mesh, Deformation::collapse, rng)).decline(), 1);
 }
 
+// A tree that was built while all vertices were in one place knows nothing of where they went.
+TEST(Refit, OfAShapeThatHadNoAreaIsDueForABuild) {
+  Rng rng(7);
+  const Mesh mesh = soup(rng, 2000);
+  const Shape folded(deformed(mesh, Deformation::collapse, rng));
+  EXPECT_EQ(refitted(folded, folded.mesh()).decline(), 1);
+  const Shape unfolded = refitted(folded, mesh);
+  EXPECT_TRUE(build_is_due(unfolded));
+  EXPECT_TRUE(build_is_due(refitted(unfolded, mesh)));
+  EXPECT_FALSE(build_is_due(refitted(unfolded, folded.mesh())));
+}
+
 ErrorKind kind_of(const std::function<void()>& action) {
   try {
     action();
@@ -248,6 +260,9 @@ TEST(Refit, RefusesWhatIsNotTheSameMeshMoved) {
   other.triangles.pop_back();
   EXPECT_EQ(kind_of([&] { static_cast<void>(refitted(shape, other)); }), ErrorKind::usage);
   EXPECT_EQ(kind_of([&] { static_cast<void>(refit(*shape.tree(), other)); }), ErrorKind::usage);
+  const std::shared_ptr<const Mesh> none;
+  EXPECT_EQ(kind_of([&] { static_cast<void>(refit(shape, none)); }), ErrorKind::usage);
+  EXPECT_EQ(kind_of([&] { static_cast<void>(Shape(none)); }), ErrorKind::usage);
   std::stop_source stop;
   stop.request_stop();
   EXPECT_EQ(kind_of([&] {

@@ -16,7 +16,7 @@ namespace soms::detail {
 /// Bytes that a vector holds for its values.
 template <typename Value>
 [[nodiscard]] std::size_t bytes(const std::vector<Value>& values) {
-  return values.capacity() * sizeof(Value);
+  return values.capacity() * sizeof(Value);  // NOLINT(bugprone-sizeof-expression): pointers, too
 }
 
 /// An immutable tree without pointers: the boxes by size and along a space-filling curve, bounds

@@ -87,6 +87,46 @@ Mesh uneven(double least, double greatest) {
 }
 
 // All the tiny ones lie in one cell of any grid, and in one float of the largest.
+/// A triangle of these corners at the end of the mesh.
+void add_triangle(Mesh& mesh, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
+  mesh.triangles.push_back({first, first + 1, first + 2});
+}
+
+void expect_whole_by_references(const Mesh& mesh) {
+  for (const Rule rule : {Rule::fast, Rule::quality}) {
+    const BuildOptions options{.rule = rule};
+    EXPECT_EQ(find_fault(build(mesh, options), mesh), "");
+    EXPECT_TRUE(build_wide(mesh, options) == WideTree(build(mesh, options), mesh));
+  }
+}
+
+// Seen from there, the large ones' middles are what rounding left of them: no float holds it.
+TEST(BuildWide, DividesHugeTrianglesAboutTheMiddleOfTinyOnes) {
+  const double u = 0x1p299;
+  const double low = u * (1 + 0x1p-52);
+  const double high = u * (2 + 0x1p-51);
+  const double middle = u * (1.5 + 0x1p-51);
+  Mesh mesh;
+  for (int k = 0; k < 10; ++k) {
+    add_triangle(mesh, {low, -u, -u}, {high, u, u}, {low, u, -u});
+    add_triangle(mesh, {middle, -1, -1}, {middle, 1, 1}, {middle, 1, -1});
+  }
+  expect_whole_by_references(mesh);
+}
+
+// Floats hold the distance of their middles, but not what scales it to cells.
+TEST(BuildWide, DividesManyPointsThatAreAlmostOne) {
+  Mesh mesh;
+  add_triangle(mesh, {-1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
+  for (int k = 0; k < 9000; ++k) {
+    const Vec3 p{k % 2 == 0 ? 0 : 0x1p-140, 0, 0};
+    add_triangle(mesh, p, p, p);
+  }
+  expect_whole_by_references(mesh);
+}
+
 TEST(BuildWide, DividesATinyNestBesideATriangleAsLargeAsAll) {
   for (const auto& [least, greatest] : {std::pair{1e-3, 1.0}, {1e-12, 1e12}, {0x1p-300, 0x1p290}}) {
     const Mesh mesh = uneven(least, greatest);

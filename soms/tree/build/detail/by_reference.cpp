@@ -77,6 +77,7 @@ class ByReference {
     forest_.upper.push_back({root});
     std::vector<OpenCells> open{{0, 0, sorted.cells.size()}};
     while (!open.empty()) {
+      check_stop(parallel_);  // there may be as many cells as triangles
       const OpenCells next = open.back();
       open.pop_back();
       const Node node = forest_.upper[next.upper].node;

@@ -16,6 +16,8 @@ using lanes::F4;
 
 constexpr std::size_t kChunk = 32768;
 constexpr std::size_t kBins = 32;
+/// Middles within less are as one: what scales them to cells or bins would be subnormal or endless.
+constexpr float kLeastExtent = 0x1p-100F;
 
 /// Cells along the longest side are a power of two, such that a surface has about this many
 /// triangles in each cell that it passes.
@@ -42,7 +44,7 @@ class Grid {
     const double cells = static_cast<double>(count) / kTrianglesInCell;
     bits_ = std::clamp(static_cast<int>(std::lround(0.5 * std::log2(cells))), 1, kMostBits);
     const float side = static_cast<float>(1 << bits_);
-    scale_ = size > 0 ? side * (1 - 0x1p-20F) / size : 0;
+    scale_ = size > kLeastExtent ? side * (1 - 0x1p-20F) / size : 0;
     most_half_ = size / side;
   }
 
@@ -152,7 +154,8 @@ struct Histogram {
     lower = middles.lower;
     const F4 extent = middles.upper - lower;
     for (std::size_t k = 0; k < 3; ++k) {
-      scale[k] = extent[k] > 0x1p-100F ? static_cast<float>(kBins) * (1 - 0x1p-20F) / extent[k] : 0;
+      scale[k] =
+          extent[k] > kLeastExtent ? static_cast<float>(kBins) * (1 - 0x1p-20F) / extent[k] : 0;
     }
     for (const Cell& cell : cells) {
       triangles += cell.crowd.count;

@@ -87,6 +87,8 @@ ReferenceFrame frame_of(const Box& box) {
 
 // Where middles are much closer than triangles are large: areas of such boxes are still floats.
 constexpr double kMostHalf = 0x1p40;
+// Of middles only those go beyond that are all the same but for rounding.
+constexpr double kMostMiddle = 0x1p60;
 
 Reference reference_of(const Mesh& mesh, TriangleId id, const ReferenceFrame& frame) {
   const auto& corners = mesh.triangles[id];
@@ -100,7 +102,8 @@ Reference reference_of(const Mesh& mesh, TriangleId id, const ReferenceFrame& fr
     const double ab_high = a[k] < b[k] ? b[k] : a[k];
     const double lower = (ab_low < c[k] ? ab_low : c[k]) - frame.origin[k];
     const double upper = (ab_high < c[k] ? c[k] : ab_high) - frame.origin[k];
-    r.middle[k] = static_cast<float>((lower + upper) * (0.5 * frame.scale));
+    r.middle[k] = static_cast<float>(
+        std::clamp((lower + upper) * (0.5 * frame.scale), -kMostMiddle, kMostMiddle));
     r.half[k] = static_cast<float>(std::min((upper - lower) * (0.5 * frame.scale), kMostHalf));
   }
   return r;
