@@ -67,6 +67,31 @@ TEST(Obj, DoesNotJoinAtABackslashThatEndsAComment) {
   EXPECT_EQ(mesh.triangles.size(), 2U);
 }
 
+TEST(Obj, KeepsVerticesBehindACommentThatEndsWithABackslash) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const std::string tail = " # from C:\\models\\" + end;
+    const Mesh mesh =
+        read_text("v 0 0 0" + tail + "v 1 0 0 1" + tail + "v 0 1 0" + end + "g a b" + tail +
+                      "vt 0 0\\" + end + tail + "f 1 2 3" + tail + "f 3 2 1" + end,
+                  "a.obj");
+    EXPECT_EQ(mesh.vertices, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+    EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {2, 1, 0}}));
+  }
+  // Within a word # begins no comment.
+  EXPECT_EQ(
+      read_text("usemtl a#b\\\nv 9 9 9\n" + kVertexLines + "f 1 2 3\n", "a.obj").vertices[0].z,
+      0.1);
+}
+
+TEST(Obj, JoinsLinesAtANameInBothPasses) {
+  for (const std::string word : {"g", "o"}) {
+    const Mesh mesh = read_text(
+        "v 0 0 0\n" + word + " a\\\nv 9 9 9\nv 1 0 0\nv 0 1 0\nf -1 -2 -3\nv 5 5 5\n", "a.obj");
+    EXPECT_EQ(mesh.triangles, (Triangles{{2, 1, 0}}));
+    EXPECT_EQ(mesh.vertices.size(), 4U);
+  }
+}
+
 TEST(Obj, KeepsObjectsAndGroupsAsPartsInRuns) {
   const Mesh mesh =
       read_text(kVertexLines +

@@ -94,8 +94,8 @@ void ObjReader::read_faces() {
     } else if (keyword == "f" || keyword == "fo") {
       read_face(scanner, vertices_so_far);
     } else if (keyword == "g" || keyword == "o") {
-      builder_.begin_part(scanner.rest_of_line());
-      continue;
+      TextScanner name = scanner;  // what ends the line is for skip_line, as in the first pass
+      builder_.begin_part(name.rest_of_line());
     } else if (keyword == "l" || keyword == "p") {
       ++curves;
     } else if (keyword == "curv" || keyword == "curv2" || keyword == "surf") {

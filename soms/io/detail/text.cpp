@@ -100,18 +100,32 @@ void TextScanner::skip_space() {
   }
 }
 
+bool TextScanner::comment_before(const char* end) const {
+  for (const char* p = at_; style_.comments && p != end; ++p) {
+    const void* const found = std::memchr(p, '#', static_cast<std::size_t>(end - p));
+    if (found == nullptr) {
+      return false;
+    }
+    p = static_cast<const char*>(found);
+    if (p == at_ || is_blank(p[-1])) {
+      return true;
+    }
+  }
+  return false;
+}
+
 void TextScanner::skip_line() {
-  const bool comment = at_comment();
   while (at_ != end_) {
-    const char* begin = at_;
+    const char* stop = end_;
     if (!has_carriage_returns_) {
       const void* found = std::memchr(at_, '\n', left());
-      at_ = found == nullptr ? end_ : static_cast<const char*>(found);
+      stop = found == nullptr ? end_ : static_cast<const char*>(found);
     } else {
-      at_ = std::find_if(at_, end_, is_line_end);
+      stop = std::find_if(at_, end_, is_line_end);
     }
-    const bool joined = style_.continued && !comment && at_ != begin && at_[-1] == '\\';
-    at_ += line_end_at(at_);
+    const bool joined =
+        style_.continued && stop != at_ && stop[-1] == '\\' && !comment_before(stop);
+    at_ = stop + line_end_at(stop);
     if (!joined) {
       return;
     }

@@ -94,6 +94,9 @@ class TextScanner {
            (style_.continued && *p == '\\' && line_end_at(p + 1) > 0);
   }
 
+  /// True if a comment begins between here, where no word goes on, and `end`.
+  [[nodiscard]] bool comment_before(const char* end) const;
+
   [[nodiscard]] bool at_comment() const { return style_.comments && at_ != end_ && *at_ == '#'; }
 
   [[nodiscard]] std::string_view peek() const;
