@@ -11,9 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
+#include <memory>
 #include <utility>
+#include <vector>
 
 namespace soms::command {
 
@@ -185,13 +186,27 @@ class FreeWays {
   std::size_t most_ = 0;
 };
 
-/// True if a route file gives points alone, without rotations.
-bool holds_points(const std::string& path) {
-  std::ifstream in(path);
-  std::string line;
-  while (std::getline(in, line) && (line.empty() || line[0] == '#' || line == "\r")) {
+/// What a route file holds.
+struct RouteRows {
+  std::shared_ptr<const std::vector<Pose>> rows;
+  bool points = false;  ///< without rotations
+};
+
+/// A file is opened once: a pipe has no second time.
+RouteRows read_route(const std::string& path, const Parallel& parallel) {
+  constexpr std::size_t kRowsPerLook = 4096;
+  PoseReader reader(path);
+  std::vector<Pose> rows;
+  while (const auto pose = reader.next()) {
+    rows.push_back(*pose);
+    if (rows.size() % kRowsPerLook == 0) {
+      check_stop(parallel);
+    }
   }
-  return std::count(line.begin(), line.end(), ',') == 2;
+  if (rows.empty()) {
+    throw Error(ErrorKind::bad_file, path + ": no row", "give at least one point or pose");
+  }
+  return {std::make_shared<const std::vector<Pose>>(std::move(rows)), reader.shifts_only()};
 }
 
 /// Movers on a line of points start at equal distances.
@@ -213,18 +228,9 @@ Way along_points(const std::vector<Pose>& rows, const Model& model, double share
 }
 
 void plan_given_ways(World& world, const WorldOptions& options, const Parallel& parallel) {
-  struct Given {
-    std::shared_ptr<const std::vector<Pose>> rows;
-    bool points = false;
-  };
-
-  std::vector<Given> given;
+  std::vector<RouteRows> given;
   for (const std::string& path : options.routes) {
-    given.push_back(
-        {std::make_shared<const std::vector<Pose>>(read_poses(path)), holds_points(path)});
-    if (given.back().rows->empty()) {
-      throw Error(ErrorKind::bad_file, path + ": no row", "give at least one point or pose");
-    }
+    given.push_back(read_route(path, parallel));
     check_stop(parallel);
   }
   // One mover a route; of the models that were named none is left out.
@@ -234,7 +240,7 @@ void plan_given_ways(World& world, const WorldOptions& options, const Parallel& 
     const std::size_t which = k % given.size();
     const std::uint64_t turn = k / given.size();
     const std::uint64_t turns = (world.asked - which - 1) / given.size() + 1;
-    const Given& source = given[which];
+    const RouteRows& source = given[which];
     const std::size_t model = model_of(world, k);
     Way way;
     if (source.points) {

@@ -199,6 +199,10 @@ std::optional<Pose> PoseReader::next() {
   }
 }
 
+bool PoseReader::shifts_only() const {
+  return state_->names.size() == 3;
+}
+
 std::vector<Pose> read_poses(const std::filesystem::path& path) {
   PoseReader reader(path);
   std::vector<Pose> poses;

@@ -34,6 +34,9 @@ class PoseReader {
   /// \errors  ErrorKind::bad_file, not_finite, not_rigid; the message names file and line.
   [[nodiscard]] std::optional<Pose> next();
 
+  /// True if the header is x, y and z alone: rows are shifts, or points, without rotations.
+  [[nodiscard]] bool shifts_only() const;
+
  private:
   struct State;
   std::unique_ptr<State> state_;

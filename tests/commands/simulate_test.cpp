@@ -230,6 +230,35 @@ TEST(Simulate, FollowsARouteOfPointsAtConstantSpeed) {
   EXPECT_EQ(object["movers"], 12);
 }
 
+/// Contacts in three frames of a mover that follows these rows, of a file or through a pipe.
+std::size_t contacts_on(const Town& town, const std::string& rows, bool piped = false) {
+  const std::string route = town.write("route.csv", rows);
+  const std::string mover = town.write("mover.off", "OFF\n3 1 0\n-1 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const std::string events = town.beside("events.csv");
+  const test::RunResult result =
+      test::run_program({"sh", "-c",
+                         "cat '" + route + "' | '" + test::command().string() + "' simulate '" +
+                             town.path() + "' --frames 3 --mover '" + mover + "' --events '" +
+                             events + "' --route '" + (piped ? "/dev/stdin" : route) + "'"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  return test::read_csv(events).size() - 1;
+}
+
+TEST(Simulate, TellsPointsOfARouteFromPosesByTheHeaderAlone) {
+  const Town town;
+  const std::string poses =
+      "x,y,z,qw,qx,qy,qz\n10,30,5,1,0,0,0\n20,30,5,1,0,0,0\n10,30,5,1,0,0,0\n";
+  const std::string points = "x,y,z\n10,30,5\n20,30,5\n10,30,5\n";
+  const std::size_t jumping = contacts_on(town, poses);
+  ASSERT_GT(jumping, 0U);
+  // At its speed a mover needs more than three frames to the wall.
+  EXPECT_EQ(contacts_on(town, points), 0U);
+  EXPECT_EQ(contacts_on(town, points, true), 0U);
+  EXPECT_EQ(contacts_on(town, poses, true), jumping);
+  EXPECT_EQ(contacts_on(town, "   \n" + points), 0U);
+  EXPECT_EQ(contacts_on(town, "  # a, b, c\n" + poses), jumping);
+}
+
 TEST(Simulate, FailsOnContactOnlyWhenAsked) {
   const Town town;
   const std::vector<std::string> words{town.path(), "--frames", "120", "--count", "40"};

@@ -28,6 +28,18 @@ void expect_no_poses(const std::string& content, ErrorKind kind, const std::stri
   expect_refused([&] { static_cast<void>(read(content)); }, kind, words);
 }
 
+TEST(PoseReader, TellsShiftsFromPosesByTheHeader) {
+  const TemporaryFolder folder;
+  const auto shifts_only = [&](const std::string& header) {
+    write_content(folder.path() / "poses.csv", header);
+    return PoseReader(folder.path() / "poses.csv").shifts_only();
+  };
+  EXPECT_TRUE(shifts_only("x,y,z\n"));
+  EXPECT_TRUE(shifts_only("   \n # a\r z , y,x"));
+  EXPECT_FALSE(shifts_only("# a, b, c\n  # a, b, c\nx,y,z,qw,qx,qy,qz\n"));
+  EXPECT_FALSE(shifts_only("r00,r01,r02,tx,r10,r11,r12,ty,r20,r21,r22,tz\n"));
+}
+
 TEST(ParsePose, TakesThreeOrSevenNumbersPartedByBlanksOrCommas) {
   const Pose shift = Pose::translation(1, -2.5, 3e2);
   for (const std::string text : {"1 -2.5 3e2", "1,-2.5,300", " 1 , -2.5 ,\t+300 "}) {
