@@ -115,7 +115,7 @@ class OverlapRun {
       }
       error_ = nullptr;  // a faulty row was read ahead, but not reached
     }
-    if (!interrupted || totals_.poses > 0) {
+    if ((!interrupted && !error_) || totals_.poses > 0) {
       print_totals(report_, totals_, console_);
     }
     console_.flush();
@@ -191,12 +191,33 @@ class OverlapRun {
           over_ = true;
           return;
         }
+        check_row(*row);
         block_.push_back(*row);
       }
     } catch (const Error&) {
       error_ = std::current_exception();
       over_ = true;
     }
+  }
+
+  /// Of many rows one that takes a body too far is named before its block is answered; a single one
+  /// is the query's to refuse.
+  void check_row(const PosePair& row) const {
+    if (report_.single) {
+      return;
+    }
+    try {
+      check_range(row.first, a_.bounds());
+      check_range(row.second, b_.bounds());
+    } catch (const Error& error) {
+      throw Error(error.kind(), place_of(block_.size(), error), error.remedy());
+    }
+  }
+
+  /// The place of an error, in row `k` of the block.
+  [[nodiscard]] std::string place_of(std::size_t k, const Error& error) const {
+    return fmt::format("{}: pose {}: {}", poses_.name(), totals_.poses + k,
+                       without_subject(error.place()));
   }
 
   Overlap answer_row(Body& a, Body& b, std::size_t k, const Parallel& parallel) const {
@@ -208,10 +229,7 @@ class OverlapRun {
       if (report_.single || error.kind() == ErrorKind::cancelled) {
         throw;
       }
-      throw Error(error.kind(),
-                  fmt::format("{}: pose {}: {}", poses_.name(), totals_.poses + k,
-                              without_subject(error.place())),
-                  error.remedy());
+      throw Error(error.kind(), place_of(k, error), error.remedy());
     }
   }
 

@@ -80,6 +80,29 @@ TEST(PoseSource, NamesFileAndLineOfAPoseThatIsNotRigid) {
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1);
 }
 
+TEST(PoseSource, AnswersAllRowsBeforeAPoseThatGoesTooFar) {
+  const TemporaryFolder folder;
+  std::string rows = "x,y,z\n";
+  for (int good = 1; good < 6; ++good) {
+    rows += "0,0,0\n";
+    for (const bool first : {true, false}) {
+      const std::string faulty = rows + "1e200,0,0\n0,0,0\n";
+      const RunResult result =
+          first ? with_rows(folder, faulty, "") : with_rows(folder, "", faulty);
+      EXPECT_EQ(result.status, 3);
+      EXPECT_EQ(json_lines(result.out).size(), static_cast<std::size_t>(good));
+      EXPECT_NE(
+          result.err.find("csv: pose " + std::to_string(good) + ": a moved vertex may exceed"),
+          std::string::npos)
+          << result.err;
+    }
+  }
+  const RunResult none = with_rows(folder, "x,y,z\n1e200,0,0\n0,0,0\n", "");
+  EXPECT_EQ(none.status, 3);
+  EXPECT_EQ(none.out, "");
+  EXPECT_NE(none.err.find("a.csv: pose 0: a moved vertex"), std::string::npos) << none.err;
+}
+
 TEST(PoseSource, NamesTheFileOfEveryOtherFault) {
   const TemporaryFolder folder;
   for (const char* text : {"x,y,z\nnan,0,0\n", "x,y,z\n1,2\n", "x,y\n1,2\n", "1,2,3\n",
