@@ -197,6 +197,9 @@ Mesh transformed(Mesh mesh, double scale, UpAxis up) {
   }
   if (mesh.unit > 0 && scale != 1) {
     mesh.unit /= scale;
+    if (!(mesh.unit > 0 && std::isfinite(mesh.unit))) {
+      mesh.unit = 0;  // unknown: no double holds it
+    }
   }
   return mesh;
 }

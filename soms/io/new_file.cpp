@@ -37,6 +37,29 @@ int with_name_beside(const std::filesystem::path& target, std::filesystem::path&
   return code;
 }
 
+/// The file that is meant by `path`, whose last name may be a link, to another link or, where no
+/// file exists, to nothing.
+int follow_links(const std::filesystem::path& path, bool exists, std::filesystem::path& target) {
+  constexpr int kMostLinks = 40;  // as many as Linux follows
+  target = path;
+  std::error_code failed;
+  if (exists && std::filesystem::is_symlink(path, failed)) {
+    target = std::filesystem::canonical(path, failed);
+    return failed.value();
+  }
+  for (int i = 0; std::filesystem::is_symlink(target, failed); ++i) {
+    if (i == kMostLinks) {
+      return ELOOP;
+    }
+    const std::filesystem::path next = std::filesystem::read_symlink(target, failed);
+    if (failed) {
+      return failed.value();
+    }
+    target = folder_of(target) / next;  // an absolute one stands alone
+  }
+  return target.filename().empty() ? EISDIR : 0;
+}
+
 }  // namespace
 
 int NewFile::open(const std::filesystem::path& path) {
@@ -56,13 +79,8 @@ int NewFile::open(const std::filesystem::path& path) {
   if (exists && access(path.c_str(), W_OK) != 0) {
     return errno;
   }
-  target_ = path;
-  std::error_code failed;
-  if (std::filesystem::is_symlink(path, failed)) {
-    target_ = std::filesystem::weakly_canonical(path, failed);
-    if (failed) {
-      return failed.value();
-    }
+  if (const int code = follow_links(path, exists, target_); code != 0) {
+    return code;
   }
   if (open_nameless() != 0) {
     if (const int code = open_beside(); code != 0) {

@@ -11,8 +11,27 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <vector>
 
 namespace soms {
+
+namespace {
+
+/// STL and 3DS have no place for vertices that no triangle uses.
+std::vector<bool> written_vertices(const Mesh& mesh, MeshFormat format) {
+  const bool all = format != MeshFormat::stl && format != MeshFormat::three_ds;
+  std::vector<bool> written(mesh.vertices.size(), all);
+  if (!all) {
+    for (const auto& triangle : mesh.triangles) {
+      for (const std::uint32_t v : triangle) {
+        written[v] = true;
+      }
+    }
+  }
+  return written;
+}
+
+}  // namespace
 
 MeshFormat format_for(const std::filesystem::path& path) {
   const std::string ending = detail::ending_of(path.string());
@@ -61,7 +80,12 @@ Rounding rounding(const Mesh& mesh, MeshFormat format) {
     return result;
   }
   const Vec3 origin = format == MeshFormat::glb ? detail::glb_origin(mesh) : Vec3{};
-  for (const Vec3& v : mesh.vertices) {
+  const std::vector<bool> written = written_vertices(mesh, format);
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    if (!written[i]) {
+      continue;
+    }
+    const Vec3& v = mesh.vertices[i];
     const Vec3 moved = detail::glb_read_back(v, origin) - v;
     if (moved != Vec3{}) {
       ++result.count;

@@ -41,7 +41,7 @@ struct Rounding {
   double most = 0;          ///< largest difference of a coordinate
 };
 
-/// \cost One pass.
+/// Vertices that a format does not write are left out. \pre `check(mesh)` passes. \cost One pass.
 [[nodiscard]] Rounding rounding(const Mesh& mesh, MeshFormat format);
 
 /// Vertices that are not read back equal from this format, because it holds floats.

@@ -149,6 +149,15 @@ TEST(Mesh, TransformedScalesVerticesAndUnit) {
   }
 }
 
+TEST(Mesh, TransformedKnowsNoUnitThatNoDoubleHolds) {
+  Mesh mesh = two_triangles();
+  mesh.unit = 1;
+  EXPECT_EQ(transformed(mesh, 1e-320, UpAxis::unknown).unit, 0);
+  EXPECT_EQ(transformed(mesh, 0x1p-1000, UpAxis::unknown).unit, 0x1p1000);
+  mesh.unit = 1e-300;
+  EXPECT_EQ(transformed(mesh, 1e300, UpAxis::unknown).unit, 0);
+}
+
 TEST(Mesh, CornerHashRunsOverCornersInOrder) {
   Fnv1a hash;
   for (const double x : {0., 0., 0., 1., 0., 0., 1., 2., 0., 0., 0., 0., 1., 2., 0., 0., 2., 3.}) {

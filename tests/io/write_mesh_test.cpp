@@ -216,6 +216,52 @@ TEST(WriteMesh, KeepsPermissionsAndLinks) {
   EXPECT_EQ(static_cast<int>(std::filesystem::status(target).permissions()), 0640);
 }
 
+TEST(WriteMesh, FollowsLinksToFilesThatAreNotThereYet) {
+  const TemporaryFolder folder;
+  Rng rng(1);
+  const Mesh mesh = random_mesh(rng, true);
+  const std::filesystem::path target = folder.path() / "results" / "target.ply";
+  std::filesystem::create_directory(folder.path() / "results");
+  std::filesystem::create_symlink("results/next.ply", folder.path() / "first.ply");
+  std::filesystem::create_symlink("target.ply", folder.path() / "results" / "next.ply");
+  write_mesh(folder.path() / "first.ply", mesh, MeshFormat::ply);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "first.ply"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "results" / "next.ply"));
+  EXPECT_EQ(read_mesh(target).triangles, mesh.triangles);
+
+  std::filesystem::create_symlink(folder.path() / "absolute.ply", folder.path() / "far.ply");
+  write_mesh(folder.path() / "far.ply", mesh, MeshFormat::ply);
+  EXPECT_EQ(read_mesh(folder.path() / "absolute.ply").triangles, mesh.triangles);
+
+  std::filesystem::create_symlink("circle.ply", folder.path() / "circle.ply");
+  expect_refused([&] { write_mesh(folder.path() / "circle.ply", mesh, MeshFormat::ply); },
+                 ErrorKind::cannot_write, "circle.ply: Too many levels of symbolic links");
+}
+
+TEST(WriteMesh, WritesEmptyModelsThatAreReadBack) {
+  for (const MeshFormat format : {MeshFormat::ply, MeshFormat::obj, MeshFormat::off}) {
+    std::ostringstream out;
+    write_mesh(out, "out", Mesh{}, format);
+    for (const std::string name : {"a.obj", "standard input"}) {
+      if (format == MeshFormat::obj || name != "a.obj") {
+        const Mesh back = read_text(out.str(), name, {.allow_empty = true});
+        EXPECT_TRUE(back.vertices.empty() && back.triangles.empty() && back.parts.empty());
+      }
+    }
+  }
+}
+
+TEST(Rounding, LeavesOutVerticesThatAreNotWritten) {
+  Mesh mesh;
+  mesh.vertices = {{0.1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 1e9 + 0.1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  for (const MeshFormat format : {MeshFormat::stl, MeshFormat::three_ds}) {
+    EXPECT_EQ(rounding(mesh, format).count, 1U);
+    EXPECT_EQ(rounding(mesh, format).most, double{0.1F} - 0.1);
+  }
+  EXPECT_EQ(rounding(mesh, MeshFormat::glb).count, 2U);
+}
+
 TEST(WriteMesh, NamesWhatCannotBeWritten) {
   const TemporaryFolder folder;
   Rng rng(1);

@@ -33,6 +33,10 @@ void MeshBuilder::add_face(std::span<const std::uint32_t> corners) {
     map_faces();
   }
   if (corners.size() < 3) {
+    // Triangles are bounded by their number, these by nothing else.
+    if (face_ >= kMaxPrimitives) {
+      source_.fail(ErrorKind::out_of_range, "more than 2^31 - 1 faces", "split the model");
+    }
     ++thin_faces_;
     ++face_;
     return;

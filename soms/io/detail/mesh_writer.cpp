@@ -157,6 +157,10 @@ void MeshWriter::off() {
 }
 
 void MeshWriter::obj() {
+  // Else nothing would be written, and a file without bytes is no model.
+  if (mesh_.vertices.empty()) {
+    output_.put("# no vertices and no faces\ng\n");
+  }
   put_vertices("v ");
   const std::vector<PartRun> runs = part_runs(mesh_);
   auto run = runs.begin();
