@@ -2,6 +2,18 @@
 
 namespace soms {
 
+namespace {
+
+/// U+FFFE and U+FFFF are UTF-8, but XML has no room for them.
+bool fits_xml(std::string_view character) {
+  const bool control = character.size() == 1 &&
+                       (static_cast<unsigned char>(character[0]) < 0x20 || character[0] == 0x7f);
+  return !character.empty() && !control && character != "\xef\xbf\xbe" &&
+         character != "\xef\xbf\xbf";
+}
+
+}  // namespace
+
 std::size_t utf8_character(std::string_view words, std::size_t at) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(words[k]); };
   const unsigned char first = byte(at);
@@ -11,6 +23,12 @@ std::size_t utf8_character(std::string_view words, std::size_t at) {
                            : first >= 0xf0 && first < 0xf5 ? 4
                                                            : 0;
   if (size == 0 || at + size > words.size()) {
+    return 0;
+  }
+  // The second byte tells long spellings of short characters, halves of pairs (surrogates) and what
+  // lies beyond the last character.
+  if ((first == 0xe0 && byte(at + 1) < 0xa0) || (first == 0xed && byte(at + 1) > 0x9f) ||
+      (first == 0xf0 && byte(at + 1) < 0x90) || (first == 0xf4 && byte(at + 1) > 0x8f)) {
     return 0;
   }
   for (std::size_t k = 1; k < size; ++k) {
@@ -26,9 +44,9 @@ std::string xml_text(std::string_view words) {
   for (std::size_t at = 0; at < words.size();) {
     const std::size_t size = utf8_character(words, at);
     const char c = words[at];
-    if (size == 0 || (size == 1 && static_cast<unsigned char>(c) < 0x20) || c == 0x7f) {
+    if (!fits_xml(words.substr(at, size))) {
       text += '?';
-      ++at;
+      at += size == 0 ? 1 : size;
       continue;
     }
     if (c == '&') {
