@@ -117,7 +117,8 @@ TEST(Bench, FailsWhereItsAnswerCannotBeWritten) {
 TEST(Bench, CallsStandardInputByItsName) {
   const RunResult faulty = soms_run({"bench", box(), box(), "--pose", "-"}, "x,y,z\n1,2\n");
   EXPECT_EQ(faulty.status, 3) << faulty.err;
-  EXPECT_NE(faulty.err.find("soms bench: standard input, line 2: "), std::string::npos) << faulty.err;
+  EXPECT_NE(faulty.err.find("soms bench: standard input, line 2: "), std::string::npos)
+      << faulty.err;
 }
 
 }  // namespace
