@@ -30,11 +30,12 @@ if(SOMS_ASSERTIONS)
 endif()
 
 # soms_unite(<target>): compiles the target's files eight at a time, as their headers cost more than
-# what stands in them (docs/decisions/0028). A launcher (ccache) and clang-tidy want each file alone,
-# and so may who edits one file again and again.
+# what stands in them (docs/decisions/0028). A launcher (ccache) wants each file alone, the analyzer
+# of clang-tidy too, and so may who edits one file again and again.
 option(SOMS_UNITE "Compile several files at once" ON)
 function(soms_unite target)
-  if(SOMS_UNITE AND NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT CMAKE_CXX_CLANG_TIDY)
+  get_target_property(tidy ${target} CXX_CLANG_TIDY)
+  if(SOMS_UNITE AND NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT tidy MATCHES "^clang-tidy$")
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   endif()
 endfunction()

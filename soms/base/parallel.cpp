@@ -57,11 +57,10 @@ class Progress {
 /// (another program keeps the processors busy) thousands pile up.
 tbb::task_arena& arena_of(int threads) {
   thread_local std::unique_ptr<tbb::task_arena> arena;
-  // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDelete): the analyzer loses track of the pointer
   if (!arena || arena->max_concurrency() != threads) {
     arena = std::make_unique<tbb::task_arena>(threads);
   }
-  return *arena;
+  return *arena;  // NOLINT(clang-analyzer-cplusplus.NewDelete): the analyzer loses the new one
 }
 
 void run_threads(int threads, std::size_t chunks, const std::function<void(std::size_t)>& body) {

@@ -117,8 +117,7 @@ std::uint32_t part_of(const Mesh& mesh, TriangleId i) {
 
 void append(Mesh& mesh, const Mesh& other) {
   if (&mesh == &other) {
-    const Mesh copy = other;
-    append(mesh, copy);
+    append(mesh, Mesh(other));
     return;
   }
   const std::size_t vertices = mesh.vertices.size();

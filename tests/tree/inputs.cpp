@@ -29,7 +29,7 @@ Triangle make(Input input, std::size_t i, Rng& rng) {
       return {{1, 2, 3}, {4, 2, 3}, {1, 5, 3}};
     case Input::coplanar: {
       const double x = static_cast<double>(i % 37);
-      const double y = static_cast<double>(i / 37);
+      const double y = std::floor(static_cast<double>(i) / 37);
       return {{x, y, 0}, {x + 1, y, 0}, {x, y + 1, 0}};
     }
     case Input::sliver: {

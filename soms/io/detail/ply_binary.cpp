@@ -267,6 +267,7 @@ void PlyBinary<Swap>::read_corners(const PlyProperty& property, const List& list
         const bool whole = stored >= -1 && stored <= 0x1p31;
         corner = whole ? static_cast<std::int64_t>(stored) : -2;
       } else {
+        // NOLINTNEXTLINE(bugprone-signed-char-misuse): a number, not a character
         corner = static_cast<std::int64_t>(stored);
       }
       if (corner < least || corner >= vertices) [[unlikely]] {

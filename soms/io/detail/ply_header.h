@@ -44,7 +44,8 @@ struct PlyElement {
   std::vector<PlyProperty> properties;
 
   /// Position of the only property of this name. \errors ErrorKind::bad_file if it stands twice.
-  [[nodiscard]] std::optional<std::size_t> find(const Source& source, std::string_view name) const;
+  [[nodiscard]] std::optional<std::size_t> find(const Source& source,
+                                                std::string_view wanted) const;
 
   /// Fewest bytes of a binary row: lists may be empty. The size of every row if there are no lists.
   [[nodiscard]] std::uint64_t least_row() const;

@@ -28,6 +28,7 @@ void Source::forget(std::size_t position) {
       std::max((begin + kept + page - 1) / page, (begin + forgotten) / page);
   const std::uintptr_t behind = (begin + position) / page;
   if (behind > first) {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): a page's place is found by its number
     madvise(reinterpret_cast<void*>(first * page), (behind - first) * page, MADV_DONTNEED);
   }
   forgotten = position;

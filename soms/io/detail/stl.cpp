@@ -84,7 +84,7 @@ class StlTextReader {
   Mesh read();
 
  private:
-  void expect(std::string_view word);
+  void expect(std::string_view wanted);
   void read_facet();
   [[noreturn]] void fail_word(std::string_view found, std::string_view wanted) const;
 

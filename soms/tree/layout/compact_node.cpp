@@ -67,8 +67,8 @@ void CompactNode::read(WideNode& node) const {
     const float half_step = 0.5F * step[axis];
     int far = 0;
     for (std::size_t k = 0; k < kWidth; ++k) {
-      const int low = lower[axis][k];
-      const int high = upper[axis][k];
+      const int low = lower[axis][k];   // NOLINT(bugprone-signed-char-misuse): numbers
+      const int high = upper[axis][k];  // NOLINT(bugprone-signed-char-misuse)
       node.center[axis][k] = static_cast<float>(low + high) * half_step;
       node.half[axis][k] = static_cast<float>(high - low) * half_step;
       far = std::max({far, -low, high});

@@ -56,7 +56,9 @@ TEST(BuildWide, StopsOnRequestAndReportsItsWholeWay) {
   for (const RuleEntry& rule : rules()) {
     std::stop_source source;
     source.request_stop();
-    EXPECT_THROW(build_wide(mesh, product(rule), Parallel{2, source.get_token(), {}}), Error);
+    EXPECT_THROW(
+        static_cast<void>(build_wide(mesh, product(rule), Parallel{2, source.get_token(), {}})),
+        Error);
     double last = 0;
     const WideTree tree = build_wide(mesh, product(rule), Parallel{2, {}, [&](double share) {
                                                                      EXPECT_GE(share, last);
