@@ -69,25 +69,25 @@ Box Verifier::moved_box(MoverId mover, const std::vector<Pose>& poses) const {
 
 std::vector<Verifier::Subject> Verifier::choose(const StepReport& report,
                                                 const std::vector<Pose>& poses) {
-  std::vector<bool> touches(poses.size(), false);
+  std::vector<bool> chosen(poses.size(), false);
   std::vector<Subject> subjects;
-  for (const EnvironmentContact& contact : report.environment) {
-    if (!touches[contact.mover]) {
-      touches[contact.mover] = true;
-      subjects.push_back({contact.mover, moved_box(contact.mover, poses), {}, true});
+  const auto add = [&](MoverId mover, bool touches_movers) {
+    if (!chosen[mover]) {
+      chosen[mover] = true;
+      subjects.push_back(
+          {.mover = mover, .box = moved_box(mover, poses), .touches_movers = touches_movers});
     }
+  };
+  for (const EnvironmentContact& contact : report.environment) {
+    add(contact.mover, false);
     subjects.back().said.push_back(contact);
   }
   for (const MoverContact& contact : report.movers) {
-    touches[contact.a] = true;
-    touches[contact.b] = true;
+    add(contact.a, true);
+    add(contact.b, true);
   }
   for (std::size_t k = 0; k < kFreeAFrame && !poses.empty(); ++k) {
-    const auto mover = static_cast<MoverId>(rng_.below(poses.size()));
-    if (!touches[mover]) {
-      touches[mover] = true;
-      subjects.push_back({mover, moved_box(mover, poses), {}, true});
-    }
+    add(static_cast<MoverId>(rng_.below(poses.size())), false);
   }
   return subjects;
 }
@@ -178,17 +178,21 @@ std::vector<TrianglePair> Verifier::pairs_of(MoverId a, MoverId b, const std::ve
   return pairs;
 }
 
-bool Verifier::is_free_of_movers(MoverId mover, const std::vector<Pose>& poses,
-                                 const Parallel& alone) const {
-  const Box box = moved_box(mover, poses);
+/// True if brute force finds a mover that `subject` touches and that the report does not name.
+bool Verifier::touches_unsaid(const Subject& subject, const MoverPairs& said,
+                              const std::vector<Pose>& poses, const Parallel& alone) const {
+  const MoverId mover = subject.mover;
   for (MoverId other = 0; other < poses.size(); ++other) {
     check_stop(alone);
     if (other != mover && !far_apart(mover, other, poses) &&
-        overlaps(box, moved_box(other, poses)) && !pairs_of(mover, other, poses, alone).empty()) {
-      return false;
+        !std::binary_search(said.begin(), said.end(),
+                            std::pair<MoverId, MoverId>(std::minmax(mover, other))) &&
+        overlaps(subject.box, moved_box(other, poses)) &&
+        !pairs_of(mover, other, poses, alone).empty()) {
+      return true;
     }
   }
-  return true;
+  return false;
 }
 
 /// All touching pairs of movers; the list is sorted, so a pair's contacts stand together.
@@ -234,16 +238,23 @@ void Verifier::compare(const StepReport& report, const std::vector<Pose>& poses,
                        const Parallel& parallel) {
   const Parallel alone{.stop = parallel.stop};
   std::vector<Subject> subjects = choose(report, poses);
+  MoverPairs touching;
+  for (const MoverContact& contact : report.movers) {
+    touching.emplace_back(contact.a, contact.b);
+  }
   for_each_chunk(subjects.size(), kSubjectsAPass, parallel,
                  [&](std::size_t begin, std::size_t end) {
                    scan_city(std::span(subjects).subspan(begin, end - begin), poses, alone);
                  });
-  for (Subject& subject : subjects) {
-    if (subject.said.empty()) {
-      subject.right = subject.right && is_free_of_movers(subject.mover, poses, alone);
-      ++result_.free;
-    } else {
+  for_each_chunk(subjects.size(), 1, parallel, [&](std::size_t k, std::size_t) {
+    Subject& subject = subjects[k];
+    subject.right = subject.right && !touches_unsaid(subject, touching, poses, alone);
+  });
+  for (const Subject& subject : subjects) {
+    if (!subject.said.empty()) {
       ++result_.contacts;
+    } else if (!subject.touches_movers) {
+      ++result_.free;
     }
     result_.wrong += subject.right ? 0 : 1;
   }

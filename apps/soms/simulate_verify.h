@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace soms::command {
@@ -19,11 +20,13 @@ namespace soms::command {
 struct Verified {
   std::uint64_t contacts = 0;  ///< touching pairs of bodies, in a frame: all their triangle pairs
   std::uint64_t free = 0;      ///< movers in a frame that touch nothing
-  std::uint64_t wrong = 0;     ///< of both, those where brute force found another answer
+  /// Touching pairs, and movers, where brute force found another answer.
+  std::uint64_t wrong = 0;
 };
 
-/// Checks every touching pair of every frame, and some movers that touch nothing against all there
-/// is: a linear scan over all triangles with a closed box reject, then soms::reference.
+/// Checks every touching pair of every frame, and every mover that touches something and some that
+/// touch nothing against all there is: a linear scan over all triangles with a closed box reject,
+/// then soms::reference.
 class Verifier {
  public:
   Verifier(const World& world, std::uint64_t seed);
@@ -44,9 +47,13 @@ class Verifier {
   struct Subject {
     MoverId mover = 0;
     Box box;
-    std::vector<EnvironmentContact> said;
+    std::vector<EnvironmentContact> said = {};
+    bool touches_movers = false;
     bool right = true;
   };
+
+  /// Pairs of movers that touch, the lesser first; sorted.
+  using MoverPairs = std::vector<std::pair<MoverId, MoverId>>;
 
   [[nodiscard]] std::vector<Subject> choose(const StepReport& report,
                                             const std::vector<Pose>& poses);
@@ -55,8 +62,8 @@ class Verifier {
                  const Parallel& alone) const;
   void verify_movers(const StepReport& report, const std::vector<Pose>& poses,
                      const Parallel& parallel);
-  [[nodiscard]] bool is_free_of_movers(MoverId mover, const std::vector<Pose>& poses,
-                                       const Parallel& alone) const;
+  [[nodiscard]] bool touches_unsaid(const Subject& subject, const MoverPairs& said,
+                                    const std::vector<Pose>& poses, const Parallel& alone) const;
   [[nodiscard]] std::vector<TrianglePair> pairs_of(MoverId a, MoverId b,
                                                    const std::vector<Pose>& poses,
                                                    const Parallel& alone) const;
