@@ -1,10 +1,10 @@
 #include "apps/soms/info_defects.h"
 
 #include "soms/base/error.h"
-#include "soms/geometry/part_runs.h"
 
 #include "apps/support/console.h"
 #include "apps/support/models.h"
+#include "apps/support/parts_of.h"
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
@@ -54,22 +54,6 @@ Place place_of(const Mesh& mesh, const EdgePlace& edge) {
 Place place_of(const Mesh& mesh, const VertexCopy& copy) {
   return {&mesh, true, copy.vertex, copy.original, true, 0, {copy.vertex}};
 }
-
-/// The innermost part of each triangle, found in logarithmic time.
-class PartsOf {
- public:
-  explicit PartsOf(const Mesh& mesh) : runs_(part_runs(mesh)) {}
-
-  [[nodiscard]] std::uint32_t operator()(TriangleId i) const {
-    const auto behind =
-        std::upper_bound(runs_.begin(), runs_.end(), i,
-                         [](TriangleId t, const PartRun& run) { return t < run.first; });
-    return behind == runs_.begin() ? Part::kNoParent : std::prev(behind)->part;
-  }
-
- private:
-  std::vector<PartRun> runs_;
-};
 
 /// Calls `tell(key, title, count, list, place)` for each kind of defect; `place(entry)` says where.
 template <class Tell>

@@ -1,7 +1,6 @@
 #include "apps/soms/overlap_page.h"
 
 #include "apps/soms/page_plots.h"
-#include "apps/support/models.h"
 #include "apps/support/text.h"
 #include "apps/support/world.h"
 #include "reproduce/chart.h"
@@ -28,8 +27,8 @@ void keep_multiples(std::map<std::uint64_t, Value>& values, std::uint64_t pause)
   }
 }
 
-void count_part(std::vector<std::uint64_t>& counts, const Mesh& mesh, TriangleId i) {
-  const std::uint32_t part = part_of(mesh, i);
+void count_part(std::vector<std::uint64_t>& counts, const PartsOf& part_of, TriangleId i) {
+  const std::uint32_t part = part_of(i);
   if (part != Part::kNoParent) {
     ++counts[part];
   }
@@ -57,6 +56,8 @@ std::string triangles_of(const Mesh& mesh) {
 OverlapPage::OverlapPage(const Mesh& a, std::string name_a, const Mesh& b, std::string name_b)
     : a_(a),
       b_(b),
+      parts_of_a_(a),
+      parts_of_b_(b),
       name_a_(std::move(name_a)),
       name_b_(std::move(name_b)),
       most_pairs_(report::SceneLimits().contacts),
@@ -89,8 +90,8 @@ void OverlapPage::count_pairs(const Overlap& answer) {
   cut_ = cut_ || answer.coverage == Coverage::cut;
   cost_ += answer.cost;
   for (const auto& [i, j] : answer.pairs) {
-    count_part(parts_a_, a_, i);
-    count_part(parts_b_, b_, j);
+    count_part(parts_a_, parts_of_a_, i);
+    count_part(parts_b_, parts_of_b_, j);
   }
   if (poses_ % poses_of_count_ == 0) {
     counts_.push_back(0);
@@ -147,8 +148,8 @@ report::Scene OverlapPage::scene() const {
     for (const TrianglePair& pair : touching.pairs) {
       scene.contacts.push_back({.a = 0,
                                 .b = 1,
-                                .part_a = part_name(a_, pair.first),
-                                .part_b = part_name(b_, pair.second),
+                                .part_a = parts_of_a_.name(pair.first),
+                                .part_b = parts_of_b_.name(pair.second),
                                 .begin = touching.pose,
                                 .end = touching.pose,
                                 .pairs = {pair},

@@ -7,6 +7,7 @@
 
 #include "apps/report/page.h"
 #include "apps/soms/overlap_report.h"
+#include "apps/support/parts_of.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -52,6 +53,8 @@ class OverlapPage {
 
   const Mesh& a_;
   const Mesh& b_;
+  PartsOf parts_of_a_;
+  PartsOf parts_of_b_;
   std::string name_a_;
   std::string name_b_;
   std::uint64_t poses_ = 0;

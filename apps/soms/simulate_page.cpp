@@ -160,12 +160,13 @@ std::vector<report::Plot> plots_of(const World& world, const Outcome& outcome) {
     plots.push_back(contacts_by_frame(outcome));
     plots.push_back(time_by_frame(outcome));
   }
+  const CityParts names(world);
   std::map<std::string, double> parts;
   std::map<std::string, double> models;
   for (const Contact& contact : outcome.contacts.contacts()) {
     ++models[world.models[world.ways[contact.mover].model].name];
     if (contact.part != Contact::kMover) {
-      ++parts[part_name(world, contact.part, contact.other)];
+      ++parts[names.name(contact.part, contact.other)];
     }
   }
   for (const auto& [counts, title, caption] :

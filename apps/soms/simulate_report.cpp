@@ -204,6 +204,7 @@ void write_events(std::ostream& out, const World& world, const Outcome& outcome)
   const auto model_name = [&](MoverId mover) {
     return field(world.models[world.ways[mover].model].name);
   };
+  const CityParts parts(world);
   out << "mover,model,touched,part,triangle,begin,end\n";
   for (const Contact& contact : outcome.contacts.contacts()) {
     out << contact.mover << ',' << model_name(contact.mover) << ',';
@@ -211,7 +212,7 @@ void write_events(std::ostream& out, const World& world, const Outcome& outcome)
       out << "mover " << contact.other << ',' << model_name(contact.other) << ",,";
     } else {
       out << field(world.city[contact.part].name) << ','
-          << field(part_name(world, contact.part, contact.other)) << ',' << contact.other << ',';
+          << field(parts.name(contact.part, contact.other)) << ',' << contact.other << ',';
     }
     out << contact.begin << ',' << contact.end << '\n';
   }

@@ -202,6 +202,17 @@ std::string part_name(const World& world, EnvironmentId part, TriangleId triangl
   return name.empty() ? body.name : name;
 }
 
+CityParts::CityParts(const World& world) : world_(world) {
+  for (const Body& body : world.city) {
+    parts_.emplace_back(body.shape.mesh());
+  }
+}
+
+std::string CityParts::name(EnvironmentId part, TriangleId triangle) const {
+  std::string name = parts_[part].name(triangle);
+  return name.empty() ? world_.city[part].name : name;
+}
+
 World load_world(const WorldOptions& options, Console& console) {
   World world;
   world.models = load_models(options, console);

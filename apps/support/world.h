@@ -11,6 +11,7 @@
 #include "soms/scene/scene.h"
 
 #include "apps/support/console.h"
+#include "apps/support/parts_of.h"
 #include "apps/support/world_options.h"
 
 #include <cstdint>
@@ -86,6 +87,18 @@ void add_to_city(World& world, Body body, RecordedMesh origin);
 
 /// Name of the part of the city that a triangle belongs to; of its file where there is none.
 [[nodiscard]] std::string part_name(const World& world, EnvironmentId part, TriangleId triangle);
+
+/// `part_name` of many triangles, in logarithmic time each. The world must stay.
+class CityParts {
+ public:
+  explicit CityParts(const World& world);
+
+  [[nodiscard]] std::string name(EnvironmentId part, TriangleId triangle) const;
+
+ private:
+  const World& world_;
+  std::vector<PartsOf> parts_;  ///< of each body
+};
 
 /// Name of a file without folder and ending.
 [[nodiscard]] std::string short_name(const std::string& path);

@@ -1,0 +1,46 @@
+#include "apps/support/parts_of.h"
+
+#include "apps/support/world.h"
+#include "tests/commands/run.h"
+
+namespace soms::command {
+namespace {
+
+/// Seven triangles: a street of the first five, in it a house of 1 to 3 and a nameless part of 4.
+Mesh nested() {
+  Mesh mesh;
+  mesh.source = "street.obj";
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles.assign(7, {0, 1, 2});
+  mesh.parts = {{.name = "street", .first = 0, .count = 5},
+                {.name = "house", .parent = 0, .first = 1, .count = 3},
+                {.name = "", .parent = 0, .first = 4, .count = 1}};
+  return mesh;
+}
+
+TEST(PartsOf, AreThoseOfPartOf) {
+  const Mesh mesh = nested();
+  const PartsOf parts(mesh);
+  std::string names;
+  for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
+    EXPECT_EQ(parts(i), part_of(mesh, i)) << i;
+    names += parts.name(i) + ",";
+  }
+  EXPECT_EQ(names, "street,house,house,house,,,,");
+}
+
+TEST(PartsOf, OfACityAreThoseOfPartName) {
+  World world;
+  add_to_city(world, Body(Shape(nested()), Pose{}, "street"), {});
+  add_to_city(world, Body(Shape(nested()), Pose{}, "other"), {});
+  const CityParts parts(world);
+  for (EnvironmentId body = 0; body < 2; ++body) {
+    for (TriangleId i = 0; i < 7; ++i) {
+      EXPECT_EQ(parts.name(body, i), part_name(world, body, i)) << body << " " << i;
+    }
+  }
+  EXPECT_EQ(parts.name(1, 6), "other");
+}
+
+}  // namespace
+}  // namespace soms::command
