@@ -24,14 +24,21 @@ RecordedMesh with_mesh(RecordedMesh origin, const Mesh& mesh) {
 }
 
 /// The first place where the file is; its path as it was given where it is at none.
+/// \errors ErrorKind::bad_file for what no recording can name: a pipe, which could block for ever.
 std::filesystem::path find_file(const std::string& source, const std::filesystem::path& recording) {
   const std::filesystem::path given(source);
   const std::filesystem::path folder = recording.parent_path();
   for (const auto& path : {given, folder / given, folder / given.filename()}) {
     std::error_code ignored;
     if (std::filesystem::is_regular_file(path, ignored)) {
-      return path;
+      return path == "-" ? "./-" : path;  // "-" alone is standard input
     }
+  }
+  std::error_code ignored;
+  if (source.empty() || source == "-" || std::filesystem::exists(given, ignored)) {
+    throw Error(ErrorKind::bad_file,
+                fmt::format("the recording names as a model \"{}\", which is no file", source),
+                "record anew, with models from files");
   }
   return given;
 }
@@ -58,15 +65,36 @@ MoverKind mover_named(const RecordedMesh& recorded) {
               "movers are car, person and drone");
 }
 
+/// The city of a recording, once it is plain that it can be the one that was recorded.
+Mesh make_city(const RecordedMesh& recorded) {
+  const auto refuse = [](const std::string& fault) {
+    throw Error(ErrorKind::bad_file, "the recording names a city that cannot be: " + fault,
+                "record anew");
+  };
+  if (recorded.city_triangles != recorded.triangles) {
+    refuse(fmt::format("{}, made of {}", counted(recorded.triangles, "triangle"),
+                       with_commas(recorded.city_triangles)));
+  }
+  City city;
+  try {
+    city = generate_city({.triangles = recorded.city_triangles,
+                          .size = recorded.city_size,
+                          .seed = recorded.city_seed});
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::usage) {
+      throw;
+    }
+    refuse(error.place());
+  }
+  return transformed(std::move(city.mesh), recorded.scale, recorded.up);
+}
+
 Mesh find_mesh(const RecordedMesh& recorded, const std::filesystem::path& recording,
                Console& console) {
   switch (recorded.origin) {
     case RecordedMesh::Origin::city:
-      return transformed(generate_city({.triangles = recorded.city_triangles,
-                                        .size = recorded.city_size,
-                                        .seed = recorded.city_seed})
-                             .mesh,
-                         recorded.scale, recorded.up);
+      return console.run("making " + recorded.name,
+                         [&](const Parallel&) { return make_city(recorded); });
     case RecordedMesh::Origin::mover:
       return transformed(generate_mover(mover_named(recorded)), recorded.scale, recorded.up);
     case RecordedMesh::Origin::file:

@@ -4,6 +4,8 @@
 
 #include "tests/commands/run.h"
 
+#include <sys/stat.h>
+
 #include <cstdlib>
 
 namespace soms::command {
@@ -81,6 +83,29 @@ TEST_F(RecordedWorld, TellsAnAlteredModel) {
       test::soms_run({"convert", path("car.ply"), path("car.ply"), "--scale", "1.001"}).status, 0);
   const std::string message = fault(head, "run.somsrec");
   EXPECT_NE(message.find("car.ply: not the model that was recorded"), std::string::npos) << message;
+}
+
+// A recording comes from anywhere: what it names must not read standard input, nor wait for ever.
+TEST_F(RecordedWorld, ReadsOnlyFiles) {
+  RecordingHead head = record({path("car.ply")});
+  ASSERT_EQ(mkfifo(path("pipe.ply").c_str(), 0600), 0);
+  for (const std::string& source : {std::string("-"), std::string(), path("pipe.ply")}) {
+    head.models[0].source = source;
+    EXPECT_NE(fault(head, "run.somsrec").find("\"" + source + "\", which is no file"),
+              std::string::npos)
+        << source;
+  }
+}
+
+TEST_F(RecordedWorld, MakesNoCityThatCannotBeTheOne) {
+  RecordingHead head = record({});
+  RecordedMesh& city = head.environment[0].mesh;
+  city.origin = RecordedMesh::Origin::city;
+  city.city_size = 4000;
+  city.city_triangles = 4'000'000;
+  EXPECT_NE(fault(head, "run.somsrec").find("made of 4,000,000"), std::string::npos);
+  city.city_triangles = city.triangles = 5;
+  EXPECT_NE(fault(head, "run.somsrec").find("a city that cannot be"), std::string::npos);
 }
 
 TEST_F(RecordedWorld, TellsAMoverOfNoKind) {
