@@ -22,10 +22,18 @@ namespace {
 
 constexpr int kStandardOutput = 1;
 
+/// True for the file behind standard output, by whatever name.
+bool is_standard_output(int descriptor) {
+  struct stat own {};
+
+  struct stat standard {};
+
+  return descriptor == kStandardOutput ||
+         (::fstat(descriptor, &own) == 0 && ::fstat(kStandardOutput, &standard) == 0 &&
+          own.st_dev == standard.st_dev && own.st_ino == standard.st_ino);
+}
+
 [[noreturn]] void throw_cannot_write(const std::string& name, int error) {
-  if (error == EPIPE) {
-    throw ClosedPipe();
-  }
   const char* remedy = "choose another place for the output";
   if (error == ENOSPC || error == EDQUOT || error == EFBIG) {
     remedy = "make room or choose another place";
@@ -99,6 +107,9 @@ FileStream::FileStream(int descriptor, std::string name)
 
 void FileStream::finish() {
   flush();
+  if (buffer_.error() == EPIPE && is_standard_output(buffer_.descriptor())) {
+    throw ClosedPipe();
+  }
   if (buffer_.error() != 0) {
     throw_cannot_write(name_, buffer_.error());
   }
@@ -183,10 +194,17 @@ bool wants_color(int descriptor) {
 }
 
 std::string printable(std::string_view text) {
-  std::string result(text);
-  std::replace_if(
-      result.begin(), result.end(),
-      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+  std::string result;
+  result.reserve(text.size());
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const auto byte = [&](std::size_t i) {
+      return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+    };
+    // U+0080 to U+009F are controls, too, of two bytes in UTF-8.
+    const bool two = byte(k) == 0xc2 && 0x80 <= byte(k + 1) && byte(k + 1) <= 0x9f;
+    result += two || byte(k) < 0x20 || byte(k) == 0x7f ? '?' : text[k];
+    k += two ? 1 : 0;
+  }
   return result;
 }
 

@@ -17,7 +17,7 @@
 
 namespace soms::command {
 
-/// Thrown when the reader of a pipe went away: the program ends quietly.
+/// Thrown when the reader of standard output went away: the program ends quietly.
 struct ClosedPipe : std::exception {
   [[nodiscard]] const char* what() const noexcept override { return "closed pipe"; }
 };
@@ -36,6 +36,8 @@ class FileStream : public std::ostream {
   class Buffer : public std::streambuf {
    public:
     explicit Buffer(int descriptor);
+
+    [[nodiscard]] int descriptor() const { return descriptor_; }
 
     [[nodiscard]] int error() const { return error_; }
 

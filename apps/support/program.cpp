@@ -205,6 +205,8 @@ int run_program(const Program& program, const std::vector<std::string>& words) {
   // A reader that went away, or a limit on file sizes, shall be an error of write(), not a death.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  // Where who started us ignores the ends of children, theirs would be lost to us.
+  std::signal(SIGCHLD, SIG_DFL);
   try {
     return run(program, words);
   } catch (const ClosedPipe&) {

@@ -1,5 +1,7 @@
 #include "apps/support/progress.h"
 
+#include "apps/support/output.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -21,7 +23,7 @@ void write_text(const std::string& text) {
 }  // namespace
 
 Progress::Progress(std::string doing, bool visible)
-    : doing_(std::move(doing)),
+    : doing_(printable(doing)),
       visible_(visible),
       next_(std::chrono::steady_clock::now() + kFirst) {
 }

@@ -1,8 +1,13 @@
+#include "apps/support/output.h"
+
+#include "apps/support/progress.h"
 #include "tests/commands/run.h"
 
 #include <sys/stat.h>
 
+#include <chrono>
 #include <cstdlib>
+#include <thread>
 
 namespace soms::test {
 namespace {
@@ -118,6 +123,7 @@ TEST(Output, EndsQuietlyWhenThePipeIsClosed) {
   const std::vector<std::string> lines{
       "$soms overlap '" + box + "' '" + box + "' --json --pose '" + poses + "'",
       "$soms generate sphere --triangles 400000 -o -",
+      "$soms generate sphere --triangles 400000 --format ply -o /dev/stdout",
       "$soms convert '" + box + "' - --format obj"};
   for (const std::string& line : lines) {
     const RunResult result =
@@ -125,6 +131,30 @@ TEST(Output, EndsQuietlyWhenThePipeIsClosed) {
     EXPECT_EQ(read_text(status), "0\n") << line;
     EXPECT_EQ(result.err, "") << line;
   }
+}
+
+TEST(Output, ThatIsAnotherPipeIsNotWrittenWhenItIsClosed) {
+  const TemporaryFolder folder;
+  const RunResult result =
+      shell("cd '" + folder.path().string() +
+            "'; mkfifo pipe; head -c 0 < pipe & $soms generate sphere --triangles 400000 "
+            "--format ply -o pipe");
+  EXPECT_EQ(result.status, 5) << result.err;
+  EXPECT_NE(result.err.find("pipe: cannot write: Broken pipe"), std::string::npos) << result.err;
+}
+
+TEST(Output, ShowsNoControlCharacters) {
+  EXPECT_EQ(command::printable("a\x1b[1m\nb\x7f"), "a?[1m?b?");
+  EXPECT_EQ(command::printable("\xc2\x9b"
+                               "31m \xc2\xa0\xc3\x9f \xc2"),
+            "?31m \xc2\xa0\xc3\x9f \xc2");
+  testing::internal::CaptureStderr();
+  {
+    command::Progress bar("reading a\x1b[31m", true);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1050));  // it shows itself by then
+    bar.show(std::string("now"));
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "\rreading a?[31m now\x1b[K\r\x1b[K");
 }
 
 TEST(Output, ShowsNeitherColorNorProgressWhereThereIsNoTerminal) {
