@@ -331,6 +331,7 @@ class OverlapRun {
   }
 
   void end_by_time() {
+    late_ = true;  // rows may be left
     console_.note(fmt::format("out of time after {}", counted(totals_.poses, "pose")));
     over_ = true;
     error_ = nullptr;  // a faulty row was read ahead, but not reached
@@ -364,7 +365,7 @@ class OverlapRun {
       return kConditionHolds;
     }
     // "Not found" is no proof of "free" when time ran out.
-    return options_.fail_if_overlap && totals_.undecided != 0 ? kOutOfTime : 0;
+    return options_.fail_if_overlap && (totals_.undecided != 0 || late_) ? kOutOfTime : 0;
   }
 
   static constexpr std::size_t kChunk = 64;
@@ -383,6 +384,7 @@ class OverlapRun {
   std::optional<OverlapPage> page_;
   std::exception_ptr error_;
   bool over_ = false;
+  bool late_ = false;
 };
 
 void add_questions(CLI::App& app, OverlapVerbOptions& options) {

@@ -87,9 +87,11 @@ std::string summary(const OverlapReport& report, const Overlap& answer) {
   }
   if (report.mode != OverlapMode::all) {
     const auto& [i, j] = answer.pairs.front();
-    return fmt::format("overlap: triangle {} of {} and {} of {}", triangle_name(report.a, i),
+    const bool late = report.mode == OverlapMode::first && answer.coverage == Coverage::cut;
+    return fmt::format("overlap: triangle {} of {} and {} of {}{}", triangle_name(report.a, i),
                        printable(report.a.source), triangle_name(report.b, j),
-                       printable(report.b.source));
+                       printable(report.b.source),
+                       late ? " (out of time: there may be a lesser one)" : "");
   }
   const bool one = answer.pairs.size() == 1;
   return fmt::format("{}{} of triangles overlap{}",

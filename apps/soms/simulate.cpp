@@ -15,6 +15,7 @@
 #include "apps/support/world.h"
 
 #include <algorithm>
+#include <exception>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,6 +24,9 @@
 namespace soms::command {
 
 namespace {
+
+/// Greater exit statuses are those of a shell, for programs that did not end by themselves.
+constexpr int kMostOfAProgram = 125;
 
 void check_files(const SimulateOptions& options) {
   NamedFiles taken;
@@ -77,14 +81,50 @@ void open(std::optional<OutputFile>& file, const std::string& path) {
   }
 }
 
-int status_of(const Outcome& outcome, const SimulateOptions& options) {
+/// `drawn`: the exit status of who drew the picture.
+int status_of(const Outcome& outcome, const SimulateOptions& options, int drawn) {
   if (outcome.verified && outcome.verified->wrong > 0) {
     return kDifference;
   }
   if (outcome.ending == Ending::interrupted) {
     return kInterrupted;
   }
-  return options.fail_if_contact && !outcome.contacts.contacts().empty() ? kConditionHolds : 0;
+  if (drawn != 0) {
+    return drawn <= kMostOfAProgram ? drawn : exit_code(ErrorKind::cannot_write);
+  }
+  if (!options.fail_if_contact) {
+    return 0;
+  }
+  if (!outcome.contacts.contacts().empty()) {
+    return kConditionHolds;
+  }
+  // "Not found" is no proof of "free" when time ran out.
+  return outcome.ending == Ending::timed_out ? kOutOfTime : 0;
+}
+
+/// Draws the picture, then tells what was found, whatever became of the picture.
+int finish(const World& world, const Outcome& outcome, const Picture& picture,
+           const SimulateOptions& options, Console& console) {
+  std::optional<int> drawn;
+  std::exception_ptr fault;
+  try {
+    drawn = picture.draw(outcome, console);
+  } catch (const Error&) {
+    fault = std::current_exception();
+  }
+  SimulateOptions told = options;
+  if (drawn != 0) {
+    told.picture.clear();  // there is none
+  }
+  console.print(console.shared().json
+                    ? json_of(world, outcome, told)
+                    : table_of(world, outcome, told, console.talks_to_a_person()));
+  console.flush();
+  const int status = status_of(outcome, options, drawn.value_or(0));
+  if (fault && status != kDifference) {
+    std::rethrow_exception(fault);
+  }
+  return status;
 }
 
 /// A window instead of an answer.
@@ -140,15 +180,7 @@ int run_simulate(const SimulateOptions& options, Console& console) {
     write_page(page->stream(), world, outcome, options);
     page->commit();
   }
-  const int drawn = picture.draw(outcome, console);
-  SimulateOptions told = options;
-  if (drawn != 0) {
-    told.picture.clear();  // there is none
-  }
-  console.print(console.shared().json
-                    ? json_of(world, outcome, told)
-                    : table_of(world, outcome, told, console.talks_to_a_person()));
-  return drawn != 0 ? drawn : status_of(outcome, options);
+  return finish(world, outcome, picture, options, console);
 }
 
 }  // namespace soms::command

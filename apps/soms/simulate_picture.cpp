@@ -41,12 +41,17 @@ Picture::Picture(const SimulateOptions& options) : options_(options), recording_
                             options.frames),
                 "frames count from 0");
   }
+  const bool kept = !recording_.empty() && recording_ != "/dev/null";
+  std::error_code ignored;
+  const std::filesystem::file_status there = std::filesystem::status(recording_, ignored);
+  if (kept && std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
+    throw Error(ErrorKind::usage,
+                fmt::format("--record {}: no file, and --picture is drawn from it", recording_),
+                "record to a file, or leave one of the two out");
+  }
   (void)viewer_program();
   { const OutputFile probe(options.picture); }
-  std::error_code ignored;
-  const auto there = std::filesystem::status(recording_, ignored).type();
-  if (recording_.empty() || (there != std::filesystem::file_type::regular &&
-                             there != std::filesystem::file_type::not_found)) {
+  if (!kept) {
     folder_ = make_folder();
     recording_ = (folder_ / "run.somsrec").string();
   }
@@ -59,13 +64,14 @@ Picture::~Picture() {
   }
 }
 
-int Picture::draw(const Outcome& outcome, const Console& console) const {
+std::optional<int> Picture::draw(const Outcome& outcome, const Console& console) const {
   if (options_.picture.empty()) {
-    return 0;
+    return std::nullopt;
   }
-  if (outcome.frames == 0 || outcome.ending == Ending::interrupted) {
-    console.note("no picture: interrupted");
-    return 0;
+  if (outcome.ending == Ending::interrupted || outcome.frames == 0) {
+    console.note(outcome.ending == Ending::interrupted ? "no picture: interrupted"
+                                                       : "no picture: out of time");
+    return std::nullopt;
   }
   const std::uint64_t frame =
       std::min(options_.picture_frame.value_or(outcome.frames - 1), outcome.frames - 1);

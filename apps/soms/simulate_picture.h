@@ -6,6 +6,7 @@
 #include "apps/soms/simulate_run.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace soms::command {
@@ -13,8 +14,9 @@ namespace soms::command {
 /// The recording that a picture is drawn from: that of --record, or one that goes with the object.
 class Picture {
  public:
-  /// Nothing where no picture is asked for. \errors ErrorKind::usage for a frame that will not be;
-  /// unsupported where soms-view is missing; cannot_write where no picture can be.
+  /// Nothing where no picture is asked for. \errors ErrorKind::usage for a frame that will not be,
+  /// or a recording that cannot be read again; unsupported where soms-view is missing;
+  /// cannot_write where no picture can be.
   explicit Picture(const SimulateOptions& options);
   ~Picture();
   Picture(const Picture&) = delete;
@@ -23,8 +25,9 @@ class Picture {
   /// The file to record to; empty where nothing is.
   [[nodiscard]] const std::string& recording() const { return recording_; }
 
-  /// Draws the picture if one is asked for; returns soms-view's exit status, else 0.
-  [[nodiscard]] int draw(const Outcome& outcome, const Console& console) const;
+  /// Draws the picture; returns soms-view's exit status, nothing where none is asked for or no
+  /// frame is there. \errors As `draw_frame`.
+  [[nodiscard]] std::optional<int> draw(const Outcome& outcome, const Console& console) const;
 
  private:
   const SimulateOptions& options_;

@@ -44,6 +44,23 @@ TEST_F(SimulateOptions, HintsAtAMapOnATerminalUnlessItIsToBeQuiet) {
   EXPECT_EQ(shown({"--map", beside("a.svg")}).find("--map city.svg"), std::string::npos);
 }
 
+// "Not found" is no proof of "free" when time ran out.
+TEST_F(SimulateOptions, FailIfContactIsUndecidedWhenTimeIsUp) {
+  write_text(beside("high.csv"), "x,y,z,qw,qx,qy,qz\n0,0,900,1,0,0,0\n");
+  RunResult result;
+  for (const char* seconds : {"0.3", "5"}) {  // a busy machine may not come to a frame by then
+    result = simulate({town(), "--route", beside("high.csv"), "--frames", "100000000", "--fail-if",
+                       "contact", "--timeout", seconds, "--json"});
+    if (!result.out.empty()) {
+      break;
+    }
+  }
+  EXPECT_EQ(result.status, 4) << result.err;
+  const Json answer = Json::parse(result.out);
+  EXPECT_EQ(answer["coverage"], "cut");
+  EXPECT_EQ(answer["contacts"], 0);
+}
+
 TEST_F(SimulateOptions, RefusesADescentOfNothing) {
   const RunResult idle = simulate({town(), "--frames", "1", "--count", "1", "--descent", "both"});
   EXPECT_EQ(idle.status, 2);

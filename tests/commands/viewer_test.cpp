@@ -125,6 +125,57 @@ TEST(Viewer, DrawsAFrameOfASimulationFromATemporaryRecording) {
   EXPECT_EQ(draw("").status, 9);
 }
 
+/// Runs a picture of a small town in `folder` by a viewer of these lines.
+RunResult picture_by(const TemporaryFolder& folder, const std::string& lines,
+                     const std::string& before, const std::string& words) {
+  const std::string viewer = write_program(folder.path() / "viewer", lines);
+  return with_viewer(viewer, "cd '" + folder.path().string() +
+                                 "' && $soms generate city --triangles 3000 -q -o town.ply && " +
+                                 before + " $soms simulate town.ply --count 3 --picture a.png " +
+                                 words);
+}
+
+TEST(Viewer, ThatEndsByASignalDrewNothing) {
+  const TemporaryFolder folder;
+  const RunResult result = picture_by(folder, "kill -9 $$", "", "--frames 2");
+  EXPECT_EQ(result.status, 5) << result.err;
+  EXPECT_NE(result.out.find("frames "), std::string::npos) << result.out;
+  EXPECT_EQ(result.out.find("picture "), std::string::npos) << result.out;
+}
+
+TEST(Viewer, LeavesTheTableOfARunWhosePictureWasInterrupted) {
+  const TemporaryFolder folder;
+  const RunResult result =
+      picture_by(folder, "kill -INT $PPID; exec sleep 100", "", "--frames 2 --json");
+  EXPECT_EQ(result.status, 130) << result.err;
+  ASSERT_FALSE(result.out.empty());
+  EXPECT_EQ(Json::parse(result.out)["coverage"], "complete");
+}
+
+TEST(Viewer, DrewNothingOfARunThatWasInterrupted) {
+  const TemporaryFolder folder;
+  const RunResult result =
+      picture_by(folder, "exit 0", "timeout --preserve-status -s INT 1", "--frames 100000000");
+  EXPECT_EQ(result.status, 130) << result.err;
+  EXPECT_NE(result.err.find("no picture: interrupted"), std::string::npos) << result.err;
+  EXPECT_EQ(result.out.find("picture "), std::string::npos) << result.out;
+}
+
+TEST(Viewer, DrawsFromNoRecordingThatIsAPipe) {
+  const TemporaryFolder folder;
+  const std::string good = "echo picture > \"$6\"";
+  const RunResult pipe = picture_by(folder, good, "mkfifo pipe;", "--frames 2 --record pipe");
+  EXPECT_EQ(pipe.status, 2) << pipe.err;
+  EXPECT_NE(pipe.err.find("--record pipe: no file"), std::string::npos) << pipe.err;
+  EXPECT_EQ(picture_by(folder, good, "", "--frames 2 --record /dev/null").status, 0);
+}
+
+TEST(Viewer, GivesItsStatusWhereTheEndsOfChildrenAreIgnored) {
+  const TemporaryFolder folder;
+  const std::string viewer = write_program(folder.path() / "viewer", "exit 7");
+  EXPECT_EQ(with_viewer(viewer, "env --ignore-signal=CHLD $soms simulate --view").status, 7);
+}
+
 TEST(Viewer, CompletesTheOptionsThatItHas) {
   const TemporaryFolder folder;
   const std::string viewer = write_program(

@@ -1,0 +1,33 @@
+#include "apps/soms/overlap_report.h"
+
+#include "apps/support/console.h"
+#include "tests/commands/run.h"
+
+namespace soms::command {
+namespace {
+
+std::string printed(const OverlapReport& report, const Overlap& answer) {
+  testing::internal::CaptureStdout();
+  {
+    Console console(Shared{});
+    print_answer(report, 0, answer, true, console);
+    console.flush();
+  }
+  return testing::internal::GetCapturedStdout();
+}
+
+TEST(OverlapReportText, SaysThatALesserPairMayBeThereWhenTimeIsUp) {
+  Mesh mesh;
+  mesh.source = "m";
+  const OverlapReport first{.a = mesh, .b = mesh, .mode = OverlapMode::first};
+  Overlap answer{.any = true, .pairs = {{3, 4}}, .coverage = Coverage::first, .cost = {}};
+  EXPECT_EQ(printed(first, answer), "overlap: triangle 3 of m and 4 of m\n");
+  answer.coverage = Coverage::cut;
+  EXPECT_EQ(printed(first, answer),
+            "overlap: triangle 3 of m and 4 of m (out of time: there may be a lesser one)\n");
+  const OverlapReport any{.a = mesh, .b = mesh, .mode = OverlapMode::any};
+  EXPECT_EQ(printed(any, answer), "overlap: triangle 3 of m and 4 of m\n");
+}
+
+}  // namespace
+}  // namespace soms::command
