@@ -30,19 +30,19 @@ std::uint64_t or_default(std::uint64_t triangles, std::uint64_t standard) {
   return triangles == 0 ? standard : triangles;
 }
 
-Mesh make_knot(std::uint64_t triangles, std::uint64_t) {
+Mesh make_knot(std::uint64_t triangles, std::uint64_t, const Parallel&) {
   return generate_knot(or_default(triangles, kShapeTriangles));
 }
 
-Mesh make_sphere(std::uint64_t triangles, std::uint64_t) {
+Mesh make_sphere(std::uint64_t triangles, std::uint64_t, const Parallel&) {
   return generate_sphere(or_default(triangles, kShapeTriangles));
 }
 
-Mesh make_statue(std::uint64_t triangles, std::uint64_t) {
+Mesh make_statue(std::uint64_t triangles, std::uint64_t, const Parallel&) {
   return generate_statue(or_default(triangles, kStatueTriangles));
 }
 
-Mesh make_teapot(std::uint64_t triangles, std::uint64_t) {
+Mesh make_teapot(std::uint64_t triangles, std::uint64_t, const Parallel&) {
   if (triangles == 0) {
     return generate_teapot(kTeapotSubdivisions);
   }
@@ -62,20 +62,20 @@ Mesh make_teapot(std::uint64_t triangles, std::uint64_t) {
                       : fmt::format("take {}", found));
 }
 
-Mesh make_city(std::uint64_t triangles, std::uint64_t seed) {
+Mesh make_city(std::uint64_t triangles, std::uint64_t seed, const Parallel& parallel) {
   CityOptions options;
   options.triangles = or_default(triangles, options.triangles);
   options.seed = seed;
-  return generate_city(options).mesh;
+  return generate_city(options, parallel).mesh;
 }
 
 template <MoverKind kind>
-Mesh make_mover(std::uint64_t triangles, std::uint64_t) {
+Mesh make_mover(std::uint64_t triangles, std::uint64_t, const Parallel&) {
   return generate_mover(kind, triangles);
 }
 
 template <UrbanScene scene>
-Mesh make_urban(std::uint64_t triangles, std::uint64_t) {
+Mesh make_urban(std::uint64_t triangles, std::uint64_t, const Parallel&) {
   Mesh mesh = generate_urban(scene);
   if (triangles != 0 && triangles != mesh.triangles.size()) {
     throw Error(ErrorKind::usage,
@@ -148,8 +148,13 @@ int run_generate(const GenerateOptions& options, Console& console) {
   const std::uint64_t seed = console.shared().seed;
   Mesh mesh;
   try {
-    mesh = options.kind->make(options.triangles, seed);
+    mesh = console.run("making " + std::string(options.kind->name), [&](const Parallel& parallel) {
+      return options.kind->make(options.triangles, seed, parallel);
+    });
   } catch (const Error& error) {
+    if (error.kind() == ErrorKind::cancelled || error.kind() == ErrorKind::timed_out) {
+      throw;
+    }
     const std::string place = error.kind() == ErrorKind::usage && options.triangles != 0
                                   ? fmt::format("--triangles {}", options.triangles)
                                   : std::string(options.kind->name);

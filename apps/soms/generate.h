@@ -2,6 +2,7 @@
 /// The verb `generate`: models of an exact number of triangles.
 #pragma once
 
+#include "soms/base/parallel.h"
 #include "soms/geometry/mesh.h"
 
 #include "apps/soms/model_output.h"
@@ -14,11 +15,12 @@
 
 namespace soms::command {
 
-/// A kind of model: `make` takes the number of triangles (0: the kind's own) and the seed.
+/// A kind of model: `make` takes the number of triangles (0: the kind's own) and the seed. A city
+/// heeds the stop.
 struct GenerateKind {
   std::string_view name;
   std::string_view text;  ///< one line of the help
-  Mesh (*make)(std::uint64_t triangles, std::uint64_t seed);
+  Mesh (*make)(std::uint64_t triangles, std::uint64_t seed, const Parallel& parallel);
 };
 
 /// All kinds, in the order of the help.

@@ -66,7 +66,7 @@ MoverKind mover_named(const RecordedMesh& recorded) {
 }
 
 /// The city of a recording, once it is plain that it can be the one that was recorded.
-Mesh make_city(const RecordedMesh& recorded) {
+Mesh make_city(const RecordedMesh& recorded, const Parallel& parallel) {
   const auto refuse = [](const std::string& fault) {
     throw Error(ErrorKind::bad_file, "the recording names a city that cannot be: " + fault,
                 "record anew");
@@ -79,7 +79,8 @@ Mesh make_city(const RecordedMesh& recorded) {
   try {
     city = generate_city({.triangles = recorded.city_triangles,
                           .size = recorded.city_size,
-                          .seed = recorded.city_seed});
+                          .seed = recorded.city_seed},
+                         parallel);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::usage) {
       throw;
@@ -94,7 +95,7 @@ Mesh find_mesh(const RecordedMesh& recorded, const std::filesystem::path& record
   switch (recorded.origin) {
     case RecordedMesh::Origin::city:
       return console.run("making " + recorded.name,
-                         [&](const Parallel&) { return make_city(recorded); });
+                         [&](const Parallel& parallel) { return make_city(recorded, parallel); });
     case RecordedMesh::Origin::mover:
       return transformed(generate_mover(mover_named(recorded)), recorded.scale, recorded.up);
     case RecordedMesh::Origin::file:

@@ -3,6 +3,7 @@
 /// triangles.
 #pragma once
 
+#include "soms/base/parallel.h"
 #include "soms/base/random.h"
 #include "soms/geometry/mesh.h"
 
@@ -48,8 +49,9 @@ struct City {
 /// square metres, 36 % to 0.1, 25 % to 1, 8 % to 10, 12 % to 100, 14 % to 1,000 and 0.4 % (all of
 /// them road slabs) above; of 5,672 triangles 9 % are above 1,000 and 3 % above 10,000.
 ///
+/// `parallel` gives the stop; one thread works.
 /// \errors  ErrorKind::usage for a count or size out of range; names the least.
-/// \cost    Linear: 0.05 s and 40 MB a million triangles.
-[[nodiscard]] City generate_city(const CityOptions& options = {});
+/// ErrorKind::cancelled. \cost    Linear: 0.05 s and 40 MB a million triangles.
+[[nodiscard]] City generate_city(const CityOptions& options = {}, const Parallel& parallel = {});
 
 }  // namespace soms

@@ -79,6 +79,16 @@ TEST(Interrupts, LeaveNoPartOfAFile) {
   EXPECT_TRUE(files_in(target.path()).empty());
 }
 
+TEST(Interrupts, AndTheEndOfTimeEndTheMakingOfACity) {
+  const TemporaryFolder folder;
+  const std::string city = (folder.path() / "city.ply").string();
+  const RunResult result =
+      soms_run({"generate", "city", "--triangles", "20000000", "-o", city, "--timeout", "0.1"});
+  EXPECT_EQ(result.status, 4) << result.err;
+  EXPECT_NE(result.err.find("out of time while making city"), std::string::npos) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(city));
+}
+
 // Reports of the models before the interrupted one are whole.
 TEST(Interrupts, EndAReportOfDefects) {
   const TemporaryFolder folder;
