@@ -95,7 +95,9 @@ void Axis::mark_linear(const AxisRange& range) {
   }
   const double first = std::ceil(low_ / step - 1e-9);
   const double last = std::floor(high_ / step + 1e-9);
-  for (double k = first; k <= last; ++k) {
+  const auto count = static_cast<int>(last - first) + 1;
+  for (int i = 0; i < count; ++i) {
+    const double k = first + i;
     const double value = k == 0 ? 0 : k * step;
     ticks_.push_back({value, number_label(value)});
   }

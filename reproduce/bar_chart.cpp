@@ -277,7 +277,8 @@ class BarDrawing {
     if (texture % 2 == 1) {
       std::string d;
       const bool rows = !lying_ && height > width;
-      for (double k = 5; k < (rows ? height : width); k += 6) {
+      for (int i = 0; 5 + 6 * i < (rows ? height : width); ++i) {
+        const double k = 5 + 6 * i;
         d += rows ? fmt::format("M{}h{}", pixels({corner.x, corner.y + height - k}), pixels(width))
                   : fmt::format("M{}v{}", pixels({corner.x + k, corner.y}), pixels(height));
       }

@@ -48,7 +48,7 @@ std::string trouble_with(const Model& object) {
 }  // namespace
 
 Finding eight_percent(const BuildPair& at_balanced, const BuildPair& at_greatest) {
-  constexpr std::string_view why =
+  constexpr std::string_view kWhy =
       "SOMS needs the box of a node's midpoints, which dividing its parent gives; spatial median "
       "must know the outer box of a node before it can divide it.";
   Finding finding{.claim =
@@ -68,19 +68,19 @@ Finding eight_percent(const BuildPair& at_balanced, const BuildPair& at_greatest
   if (balanced && greatest) {
     finding.verdict = Verdict::holds;
     finding.reason =
-        fmt::format("By at least as much both at {}, on this machine. {}", levels, why);
+        fmt::format("By at least as much both at {}, on this machine. {}", levels, kWhy);
   } else if (balanced) {
     finding.verdict = Verdict::holds_under_options;
     finding.reason = fmt::format(
         "By at least as much at SOMS' balanced level, {}, but not at level {}, on this machine; "
         "the thesis does not say at which level. {}",
-        level_of(at_balanced), level_of(at_greatest), why);
+        level_of(at_balanced), level_of(at_greatest), kWhy);
   } else if (greatest) {
     finding.verdict = Verdict::holds_under_options;
     finding.reason = fmt::format(
         "By at least as much at level {}, but not at SOMS' balanced level, {}, on this machine; "
         "the thesis does not say at which level. {}",
-        level_of(at_greatest), level_of(at_balanced), why);
+        level_of(at_greatest), level_of(at_balanced), kWhy);
   } else {
     finding.verdict = Verdict::does_not_hold;
     finding.reason = fmt::format("By less, or not at all, both at {}, on this machine.", levels);
@@ -89,14 +89,14 @@ Finding eight_percent(const BuildPair& at_balanced, const BuildPair& at_greatest
 }
 
 Finding forty_three_milliseconds(const TimedBuild& soms) {
-  constexpr double claimed = 43;
+  constexpr double kClaimed = 43;
   const double ms = soms.timing.median;
   const std::string trouble = trouble_with(*soms.counted.model);
   return {.claim = "SOMS builds the tree of 948 triangles in 43 ms",
           .source = "abstract",
           .measured = fmt::format("{}, level {}: median {:.3g} ms, {:.2g} times the claim",
                                   label_of(*soms.counted.model),
-                                  soms.counted.contender.options.level, ms, ms / claimed),
+                                  soms.counted.contender.options.level, ms, ms / kClaimed),
           .verdict = Verdict::cannot_be_checked,
           .reason = fmt::format(
               "{}{}A time of a program and a machine of 2009, neither of which is available.",

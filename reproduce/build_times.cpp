@@ -85,7 +85,7 @@ std::string words_on_repetitions(const Context& context, int whole, RepetitionsO
 }
 
 std::size_t rounds(int repetitions) {
-  return static_cast<std::size_t>(repetitions + warm_up(repetitions));
+  return static_cast<std::size_t>(repetitions) + static_cast<std::size_t>(warm_up(repetitions));
 }
 
 std::vector<TimedBuild> time_builds(const Model& model, std::span<const Contender> contenders,

@@ -148,7 +148,7 @@ class LineDrawing {
     return 1.25 * kTickSize * static_cast<double>(name_of(line).size()) + 5;
   }
 
-  Plot make_plot() const {
+  [[nodiscard]] Plot make_plot() const {
     double left = 0;
     for (const Tick& tick : y_.ticks()) {
       left = std::max(left, text_width(tick.label, kTickSize));

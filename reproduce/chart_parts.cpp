@@ -33,6 +33,11 @@ double distance(Spot at, Spot corner, double width, double height) {
   return std::hypot(dx, dy);
 }
 
+std::size_t place_of(int row, int column, int columns) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+         static_cast<std::size_t>(column);
+}
+
 }  // namespace
 
 Heading::Heading(std::string_view title_words, std::string_view label_words)
@@ -116,7 +121,7 @@ void Clearings::cover(Spot corner, double width, double height) {
   const int bottom = cell(corner.y + height, plot_.top, rows_);
   for (int row = cell(corner.y, plot_.top, rows_); row <= bottom; ++row) {
     for (int column = cell(corner.x, plot_.left, columns_); column <= right; ++column) {
-      cells_[static_cast<std::size_t>(row * columns_ + column)] = 1;
+      cells_[place_of(row, column, columns_)] = 1;
     }
   }
 }
@@ -129,7 +134,7 @@ int Clearings::covered(Spot corner, double width, double height) const {
   int count = 0;
   for (int row = top; row < bottom; ++row) {
     for (int column = left; column < right; ++column) {
-      count += cells_[static_cast<std::size_t>(row * columns_ + column)];
+      count += cells_[place_of(row, column, columns_)];
     }
   }
   return count;

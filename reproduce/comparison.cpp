@@ -121,6 +121,7 @@ void time_queries(std::vector<Measured>& measured, const std::vector<Shape>& sha
                   const Workload& workload, int repetitions, const Parallel& parallel) {
   for (const OverlapMode mode : {OverlapMode::any, OverlapMode::all}) {
     std::vector<std::function<void()>> works;
+    works.reserve(shapes.size());
     for (const Shape& shape : shapes) {
       works.emplace_back([&shape, &workload, mode, &parallel] {
         static_cast<void>(ask(workload, shape, mode, parallel));

@@ -230,6 +230,7 @@ std::vector<FrameTimes> time_frames(const Trip& trip, std::span<const Walk> walk
     }
   }
   std::vector<FrameTimes> times;
+  times.reserve(samples.size());
   for (FrameSamples& of_walk : samples) {
     times.push_back(
         {summarized(std::move(of_walk.collision)), summarized(std::move(of_walk.frame))});

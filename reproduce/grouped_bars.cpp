@@ -31,7 +31,7 @@ Bars& bars_of(BarChart& chart, const std::string& name) {
 }  // namespace
 
 BarChart grouped_bars(std::string title, std::string y_label, std::span<const Datum> data) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   BarChart chart{.title = std::move(title), .y_label = std::move(y_label)};
   for (const Datum& datum : data) {
     group_of(chart, datum.group);
@@ -39,7 +39,7 @@ BarChart grouped_bars(std::string title, std::string y_label, std::span<const Da
   }
   const bool spread = !data.empty() && std::isfinite(data.front().low);
   for (Bars& bars : chart.bars) {
-    bars.values.assign(chart.groups.size(), none);
+    bars.values.assign(chart.groups.size(), kNone);
     if (spread) {
       bars.low = bars.values;
       bars.high = bars.values;

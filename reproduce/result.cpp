@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace soms::reproduce {
 
 namespace {
@@ -43,7 +45,7 @@ std::string with_commas(std::int64_t count) {
 /// Three significant digits, but never a count's digits lost: 12345.6 is 12,346.
 std::string three_digits(double number) {
   if (number >= 1000 && number < 1e15) {
-    return with_commas(static_cast<std::int64_t>(number + 0.5));
+    return with_commas(std::llround(number));
   }
   return fmt::format("{:.3g}", number);
 }

@@ -163,8 +163,8 @@ std::string counts_by_policy(std::span<const Model> scenes, std::span<const Coun
 
 /// The scene of the thesis is not available, so this can at best hold under options.
 Finding twenty_six_percent(std::span<const Model> scenes, std::span<const Counted> counts) {
-  constexpr double claimed = 26;
-  constexpr double near = 5;
+  constexpr double kClaimed = 26;
+  constexpr double kNear = 5;
   Finding finding{.claim =
                       "26 % more nodes with a single triangle by SOMS than by spatial median, "
                       "on an urban scene of 5,672 triangles",
@@ -173,7 +173,7 @@ Finding twenty_six_percent(std::span<const Model> scenes, std::span<const Counte
   const std::vector<Candidate> all = candidates(scenes, counts);
   std::string agree;
   for (const Candidate& one : all) {
-    if (std::abs(one.percent - claimed) <= near) {
+    if (std::abs(one.percent - kClaimed) <= kNear) {
       agree += fmt::format("{}{:+.1f} % on {}", agree.empty() ? "" : "; ", one.percent, one.label);
     }
   }
@@ -186,7 +186,7 @@ Finding twenty_six_percent(std::span<const Model> scenes, std::span<const Counte
     finding.reason = fmt::format(
         "The thesis' scene is not available, and no scene of this size comes within "
         "{:.0f} points of the figure over {}.",
-        near, kVaried);
+        kNear, kVaried);
     return finding;
   }
   finding.verdict = Verdict::holds_under_options;
@@ -198,7 +198,7 @@ Finding twenty_six_percent(std::span<const Model> scenes, std::span<const Counte
       "{:.0f} points) among these: {}. It depends on the scene and on what is done with a node "
       "that spatial median cannot divide. The thesis' own scene is not available, so its figure "
       "itself cannot be checked.",
-      kVaried, least->percent, least->label, most->percent, most->label, near, agree);
+      kVaried, least->percent, least->label, most->percent, most->label, kNear, agree);
   return finding;
 }
 

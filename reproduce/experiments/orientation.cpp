@@ -268,8 +268,9 @@ Figure picture(const std::string& id, const Ride& ride, Approach from) {
   svg.text({20, 28}, title, {.size = 17, .bold = true});
   for (std::size_t i = 0; i < kPictured.size(); ++i) {
     const std::size_t k = kPictured[i];
+    const std::size_t row = i / columns;
     const Spot corner{20 + static_cast<double>(i % columns) * (width + 10),
-                      50 + static_cast<double>(i / columns) * room};
+                      50 + static_cast<double>(row) * room};
     const SideView view(deep ? Side::right : Side::front, shown,
                         {{corner.x, corner.y + 24}, width - 10, height});
     svg.text({corner.x, corner.y + 14},

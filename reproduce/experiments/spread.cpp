@@ -236,13 +236,13 @@ Finding early_stop(const std::vector<Step>& steps) {
 Result spread(const Context& context) {
   const Parallel alone{1, context.parallel.stop, {}};
   const std::uint64_t triangles = context.quick ? 5000 : 20'000;
-  constexpr int last = 8;
+  constexpr int kLast = 8;
   std::vector<Step> steps;
-  for (int halves = 0; halves <= last; halves += context.quick ? 2 : 1) {
+  for (int halves = 0; halves <= kLast; halves += context.quick ? 2 : 1) {
     check_stop(context.parallel);
     steps.push_back(measure(halves, triangles, context.repetitions(30), alone));
     if (context.parallel.progress) {
-      context.parallel.progress((halves + 1.0) / (last + 1));
+      context.parallel.progress((halves + 1.0) / (kLast + 1));
     }
   }
   Result result{.tables = {table_of(steps, triangles)},

@@ -78,12 +78,12 @@ LineChart chart_of(const Model& model, std::span<const TimedBuild> builds,
 
 Result by_level(const Context& context, const std::string& id, std::span<const Model> models,
                 int greatest) {
-  constexpr int whole = 100;
+  constexpr int kWhole = 100;
   const std::vector<Contender> contenders = at_every_level(greatest, limited_builds);
   const std::string caption = fmt::format(
       "Build time by greatest level; percentages are of the median at level {}: of_level is what "
       "the level adds to the one before, up_to_level all so far.{}{}{}",
-      greatest, words_on_repetitions(context, whole, RepetitionsOf::ours, models), kThesisOptions,
+      greatest, words_on_repetitions(context, kWhole, RepetitionsOf::ours, models), kThesisOptions,
       note_on_stand_ins(models));
   Table table{.id = id, .caption = caption, .columns = columns_of(kBuilt)};
   table.columns.push_back({"builds"});
@@ -97,12 +97,12 @@ Result by_level(const Context& context, const std::string& id, std::span<const M
   Result result;
   std::size_t count = 0;
   for (const Model& model : models) {
-    count += rounds(repetitions(context, whole, model));
+    count += rounds(repetitions(context, kWhole, model));
   }
   Steps steps(context.parallel, count);
   for (const Model& model : models) {
     const std::vector<TimedBuild> builds =
-        time_builds(model, contenders, repetitions(context, whole, model), steps);
+        time_builds(model, contenders, repetitions(context, kWhole, model), steps);
     add_rows(table, builds, greatest);
     result.figures.push_back(
         {.id = fmt::format("{}_{}", id, result.figures.size() + 1),
