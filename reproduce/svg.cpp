@@ -156,10 +156,11 @@ std::vector<std::string> wrapped(std::string_view words, double size, double wid
     const std::string word(words.substr(0, end));
     words.remove_prefix(std::min(end + 1, words.size()));
     std::string& last = lines.back();
+    const std::string longer = fmt::format("{} {}", last, word);
     if (last.empty()) {
       last = word;
-    } else if (text_width(last + " " + word, size, bold) <= width) {
-      last += " " + word;
+    } else if (text_width(longer, size, bold) <= width) {
+      last = longer;
     } else {
       lines.push_back(word);
     }

@@ -62,6 +62,7 @@ std::vector<Timing> time_in_turn(int repetitions, const Parallel& parallel,
     }
   }
   std::vector<Timing> timings;
+  timings.reserve(samples.size());
   for (std::vector<double>& of_one : samples) {
     timings.push_back(summarize(std::move(of_one)));
   }

@@ -26,7 +26,7 @@ RecordedMesh with_mesh(RecordedMesh origin, const Mesh& mesh) {
 /// The first place where the file is; its path as it was given where it is at none.
 /// \errors ErrorKind::bad_file for what no recording can name: a pipe, which could block for ever.
 std::filesystem::path find_file(const std::string& source, const std::filesystem::path& recording) {
-  const std::filesystem::path given(source);
+  std::filesystem::path given(source);
   const std::filesystem::path folder = recording.parent_path();
   for (const auto& path : {given, folder / given, folder / given.filename()}) {
     std::error_code ignored;
