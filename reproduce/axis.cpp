@@ -57,8 +57,8 @@ std::string value_label(double value) {
   if (size >= 1e9) {
     return fmt::format("{:.3g} G", value / 1e9);
   }
-  return size >= 1000 || value == std::floor(value) ? with_commas(value)
-                                                    : fmt::format("{:.3g}", value);
+  return size >= 999.5 || value == std::floor(value) ? with_commas(value)
+                                                     : fmt::format("{:.3g}", value);
 }
 
 Axis::Axis(const AxisRange& range) : low_(range.low), high_(range.high), scale_(range.scale) {

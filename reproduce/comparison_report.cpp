@@ -255,12 +255,13 @@ Figure rate_figure(const std::string& prefix, std::span<const Compared> models) 
     }
     chart.bars.push_back(std::move(bars));
   }
-  return {.id = prefix + "_build_rate",
-          .caption =
-              "Build rate of the canonical tree, one thread, median; all builds with the "
-              "product's options.",
-          .svg = draw(chart),
-          .timed = true};
+  return {
+      .id = prefix + "_build_rate",
+      .caption =
+          "Rate at which a mesh becomes a shape ready for queries, one thread, median; all builds "
+          "with the product's options.",
+      .svg = draw(chart),
+      .timed = true};
 }
 
 /// Greatest difference of expected and measured nodes, over all builds, at one side.

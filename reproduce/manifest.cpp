@@ -84,7 +84,8 @@ std::string manifest(const Report& report) {
                     {"files", report.model_files}}},
                   {"items", items},
                   {"not_run", missing}};
-  return json.dump(2) + "\n";
+  // File names may be any bytes.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace soms::reproduce

@@ -44,7 +44,7 @@ std::string with_commas(std::int64_t count) {
 
 /// Three significant digits, but never a count's digits lost: 12345.6 is 12,346.
 std::string three_digits(double number) {
-  if (number >= 1000 && number < 1e15) {
+  if (number >= 999.5 && number < 1e15) {
     return with_commas(std::llround(number));
   }
   return fmt::format("{:.3g}", number);

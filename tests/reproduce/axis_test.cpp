@@ -54,6 +54,8 @@ TEST(Axis, WritesNumbersShort) {
   EXPECT_EQ(value_label(1234567), "1,234,567");
   EXPECT_EQ(value_label(0.04321), "0.0432");
   EXPECT_EQ(value_label(12345.6), "12,346");
+  EXPECT_EQ(value_label(999.4), "999");
+  EXPECT_EQ(value_label(999.7), "1,000");
 }
 
 }  // namespace

@@ -156,6 +156,12 @@ TEST(Page, EscapesWordsAndWritesNumbersForPeople) {
   EXPECT_EQ(test::count_of(html, "one leaf"), 1U);
 }
 
+TEST(Manifest, IsWrittenWhateverBytesTheNameOfAModelHolds) {
+  Report report = small_report();
+  report.models.objects[0].file = "gro\xdf.3ds";
+  EXPECT_EQ(test::count_of(manifest(report), "gro\xef\xbf\xbd.3ds"), 1U);
+}
+
 TEST(Page, MarksAQuickRun) {
   Report report = small_report();
   EXPECT_EQ(test::count_of(page(report), "Quick run"), 0U);

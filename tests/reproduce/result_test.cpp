@@ -23,6 +23,9 @@ TEST(Result, CellsAreReadable) {
   EXPECT_EQ(to_text(std::int64_t{-1234567}), "-1,234,567");
   EXPECT_EQ(to_text(0.0123456), "0.0123");
   EXPECT_EQ(to_text(12345.6), "12,346");
+  EXPECT_EQ(to_text(999.4), "999");
+  EXPECT_EQ(to_text(999.5), "1,000");
+  EXPECT_EQ(to_text(999.99), "1,000");
 }
 
 TEST(Result, VerdictsHaveNames) {
