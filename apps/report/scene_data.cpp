@@ -177,16 +177,17 @@ class Writer {
     return view;
   }
 
-  /// Places in the coordinates of a model that stands still and that contacts are at.
+  /// Places in the coordinates of a model that contacts are at.
   [[nodiscard]] Detail detail_of(std::size_t model) const {
     Detail detail;
     for (std::size_t k = 0; k < shown_.contacts; ++k) {
       const SceneContact& contact = scene_.contacts[k];
-      const SceneBody& body = scene_.bodies[contact.b];
-      if (body.model == model && !body.moves) {
-        const View at = view(contact);
-        detail.points.push_back(moved_back(at.focus, scene_.pose(contact.b, contact.begin)));
-        detail.radius = std::max(detail.radius, at.reach);
+      for (const std::uint32_t body : {contact.a, contact.b}) {
+        if (scene_.bodies[body].model == model) {
+          const View at = view(contact);
+          detail.points.push_back(moved_back(at.focus, scene_.pose(body, contact.begin)));
+          detail.radius = std::max(detail.radius, at.reach);
+        }
       }
     }
     return detail;

@@ -142,6 +142,35 @@ TEST(SceneData, KeepsWithinItsLimits) {
   EXPECT_EQ(json["steps"]["kept"].back(), 999);
 }
 
+TEST(SceneData, KeepsTheTrianglesOfAModelThatMovesWhereItTouches) {
+  constexpr TriangleId kTouching = 12'345;
+  Field field;
+  field.needle = generate_knot(20'000);
+  field.scene.contacts[0].pairs = {{kTouching, 0}};
+  field.scene.pose = [&](std::uint32_t body, std::uint64_t) {
+    const Vec3 at = field.ground.vertices[0] - field.needle.triangle(kTouching).a;
+    return body == 0 ? Pose::identity() : Pose::translation(at.x, at.y, at.z);
+  };
+  const std::string page = field.write({.triangles = 2'000});
+  const auto json = test::scene_of(page);
+  const auto corners = 3 * json["models"][1]["vertices"].get<std::size_t>();
+  ASSERT_LE(json["models"][1]["drawn"].get<int>(), 2'000);
+  const std::vector<float> floats = test::floats_of(test::element(page, "model-1"));
+  const double scale = json["scale"];
+  const Triangle t = field.needle.triangle(kTouching);
+  const Vec3 middle = bounds(field.needle).center();
+  for (const Vec3& corner : {t.a, t.b, t.c}) {
+    const Vec3 d = (corner - middle) * scale;
+    bool kept = false;
+    for (std::size_t k = 0; k < corners; k += 3) {
+      kept = kept || (std::abs(static_cast<double>(floats[k]) - d.x) < 1e-6 &&
+                      std::abs(static_cast<double>(floats[k + 1]) - d.y) < 1e-6 &&
+                      std::abs(static_cast<double>(floats[k + 2]) - d.z) < 1e-6);
+    }
+    EXPECT_TRUE(kept);
+  }
+}
+
 TEST(SceneData, StaysBelowTwentyMegabytes) {
   Field field;
   field.ground = generate_knot(900'000);
