@@ -274,9 +274,12 @@ void Panels::counts_panel(const Facts& facts) {
   row("Triangle tests", grouped(facts.cost.triangle_tests));
   row("Exact tests", grouped(facts.cost.exact_tests));
   if (facts.walked) {
-    row("Box pairs entered", grouped(facts.visited));
-    row("Box pairs pruned", grouped(facts.pruned));
-    row("Leaf pairs found", grouped(facts.found));
+    const auto counted = [&facts](std::uint64_t count) {
+      return (facts.walk_cut ? "at least " : "") + grouped(count);
+    };
+    row("Box pairs entered", counted(facts.visited));
+    row("Box pairs pruned", counted(facts.pruned));
+    row("Leaf pairs found", counted(facts.found));
   }
   ImGui::EndTable();
 }

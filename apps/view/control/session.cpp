@@ -54,10 +54,12 @@ Box usable(const Box& box) {
 }  // namespace
 
 template <typename Task>
-void Session::guarded(Task&& task) {
+void Session::guarded(Task&& task, bool clears) {
   try {
     task();
-    message_.clear();
+    if (clears) {
+      message_.clear();
+    }
   } catch (const Error& error) {
     message_ = error.what();
   }
@@ -266,7 +268,7 @@ void Session::tick(double seconds) {
   if (state_.paused) {
     playback_.reset();
   } else if (const int frames = playback_.due(passed, state_.speed); frames > 0) {
-    guarded([&] { subject_.advance(frames); });
+    guarded([&] { subject_.advance(frames); }, false);
   }
   const auto before = facts_.followed;
   refresh();

@@ -114,8 +114,9 @@ class Session {
 
   void start_following();
   void follow(const std::optional<Pose>& before);
+  /// Runs a task whose error becomes the message. Passing time is no action: it clears none.
   template <typename Task>
-  void guarded(Task&& task);
+  void guarded(Task&& task, bool clears = true);
 
   Subject& subject_;
   Size window_;

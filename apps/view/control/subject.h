@@ -40,6 +40,7 @@ struct Facts {
   std::uint64_t contacts = 0;  ///< pairs of triangles that touch
   std::uint64_t bodies = 0;    ///< movers that touch something
   bool walked = false;         ///< the next three were counted
+  bool walk_cut = false;       ///< and are of a part of the traversal: there is more
   std::uint64_t visited = 0;   ///< boxes, or pairs of boxes, of the last traversal
   std::uint64_t pruned = 0;
   std::uint64_t found = 0;

@@ -11,9 +11,11 @@ namespace {
 
 // The picture's upright direction turns over at the poles; the camera stops this far before them.
 constexpr double kPoleMargin = 1e-3;
+// Instead of no length at all.
+constexpr double kLeastLength = std::numeric_limits<double>::min();
 
 double length(const Vec3& v) {
-  return std::sqrt(dot(v, v));
+  return std::hypot(v.x, v.y, v.z);  // squares of small lengths would vanish
 }
 
 Vec3 scaled_to_one(const Vec3& v, const Vec3& otherwise) {
@@ -95,7 +97,7 @@ DepthRange depth_range(const Camera& camera, const Box& bounds) {
     farthest = std::max(farthest, depth);
   }
   const double size = length(bounds.extent());
-  const double least = std::max({reach * 5e-3, size * 1e-6, 1e-30});
+  const double least = std::max({reach * 5e-3, size * 1e-6, kLeastLength});
   const double near = std::max(nearest * 0.99, least);
   return {near, std::max(farthest * 1.01, near * 2)};
 }
@@ -165,9 +167,9 @@ Camera between(const Camera& a, const Camera& b, double t) {
   // near keeps an even pace. Opposite directions have no middle: then over the top.
   const Vec3 mix = mixed(frame(a).forward, frame(b).forward, t);
   const Vec3 forward = length(mix) > 1e-6 ? scaled_to_one(mix, mix) : upright(b) * -1;
-  const double from = std::max(distance_to_target(a), 1e-30);
-  const double to = std::max(distance_to_target(b), 1e-30);
-  result.eye = result.target - forward * (from * std::pow(to / from, t));
+  const double from = std::max(distance_to_target(a), kLeastLength);
+  const double to = std::max(distance_to_target(b), kLeastLength);
+  result.eye = result.target - forward * (std::pow(from, 1 - t) * std::pow(to, t));
   return result;
 }
 

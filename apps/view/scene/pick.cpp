@@ -102,9 +102,10 @@ std::string describe(const ViewScene& scene, const Picked& p) {
 
 }  // namespace
 
-std::optional<Picked> ViewScene::pick(const Ray& ray) const {
+std::optional<Picked> ViewScene::pick(const Ray& ray, bool with_movers) const {
   Box all = bounds();
-  for (std::uint32_t k = 0; k < movers(); ++k) {
+  const std::uint32_t moving = with_movers ? movers() : 0;
+  for (std::uint32_t k = 0; k < moving; ++k) {
     all.grow(bounds(mover(k)));
   }
   if (all.empty()) {
@@ -130,7 +131,7 @@ std::optional<Picked> ViewScene::pick(const Ray& ray) const {
   for (std::uint32_t k = 0; k < city_parts(); ++k) {
     look_at(city_part(k));
   }
-  for (std::uint32_t k = 0; k < movers(); ++k) {
+  for (std::uint32_t k = 0; k < moving; ++k) {
     look_at(mover(k));
   }
   if (!best) {

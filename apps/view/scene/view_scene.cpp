@@ -466,6 +466,7 @@ SceneStatistics ViewScene::statistics() const {
   }
   if (s.walk_key) {
     out.walk = s.walk.counts;
+    out.walk_pruned = s.walk.pruned;
     out.walk_milliseconds = s.walk.milliseconds;
     out.walk_cut = s.walk.cut;
   }

@@ -58,8 +58,9 @@ struct SceneStatistics {
   std::optional<TreeStatistics> tree_a;  ///< of the pair's first body, where its tree was built
   std::optional<TreeStatistics> tree_b;
   std::optional<TraversalCounts> walk;  ///< of the pair, where it was walked
+  std::uint64_t walk_pruned = 0;        ///< box tests of the walk that ended a branch
   double walk_milliseconds = 0;
-  bool walk_cut = false;
+  bool walk_cut = false;  ///< it ended at `kMostWatchedTests`: counts are of what was walked
 };
 
 /// A scene that is looked at. Contacts are always those of the present poses: whatever moves a body
@@ -141,8 +142,9 @@ class ViewScene {
   /// Why a pair of triangles touches or does not.
   [[nodiscard]] Explanation explain(const Touch& pair) const;
 
-  /// The first triangle that a ray meets, exact on the ray's segment within the scene's bounds.
-  [[nodiscard]] std::optional<Picked> pick(const Ray& ray) const;
+  /// The first triangle that a ray meets, exact on the ray's segment within the scene's bounds;
+  /// without movers of the city alone.
+  [[nodiscard]] std::optional<Picked> pick(const Ray& ray, bool with_movers = true) const;
 
   /// The contact that is seen nearest to a ray, if it is seen less than `angle` radians off; hidden
   /// ones count. \cost O(contacts).

@@ -46,6 +46,7 @@ Walk watch(const PosedTree& a, const PosedTree& b, const TraversalOptions& optio
     const bool leaves = a.tree->nodes[p.a].is_leaf() && b.tree->nodes[p.b].is_leaf();
     // Without pruning a pair is opened though its boxes are apart.
     const bool opened = overlap || (!options.prune && !leaves);
+    walk.pruned += opened ? 0 : 1;
     note(p, opened ? Fate::visited : Fate::pruned);
   };
   watched.leaf_pair = [&](NodePair p) {

@@ -38,6 +38,7 @@ struct Walk {
   TraversalCounts counts;
   std::uint64_t overlapping = 0;  ///< box tests that overlapped
   std::uint64_t apart = 0;        ///< box tests that did not
+  std::uint64_t pruned = 0;       ///< box tests that ended a branch
   bool cut = false;               ///< ended at `most_tests`; there is more
   double milliseconds = 0;        ///< of the same traversal, not watched
 };

@@ -11,6 +11,7 @@
 #include "apps/view/drawing/headless_context.h"
 #include "apps/view/scene/draw_scene.h"
 #include "apps/view/scene/orientation_menu.h"
+#include "apps/view/scene/walk.h"
 #include "apps/view/verbs/render_scene.h"
 
 #include <fmt/format.h>
@@ -152,6 +153,10 @@ void report(const RenderOptions& options, const ViewScene& scene, const GlRender
             command::Console& console) {
   const DrawStatistics drawn = renderer.statistics();
   const SceneStatistics facts = scene.statistics();
+  if (options.walk && facts.walk_cut) {
+    console.note(fmt::format("--walk: stopped after {}; there is more",
+                             command::counted(kMostWatchedTests, "box test")));
+  }
   if (!console.shared().json) {
     console.note(fmt::format("{}: {}x{}, {}, {}, drawn by {}", options.output, options.size.width,
                              options.size.height, command::counted(facts.triangles, "triangle"),

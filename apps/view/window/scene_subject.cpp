@@ -151,6 +151,7 @@ void SceneSubject::choose(const ViewState& state) {
   changed();
   lone_levels_.reset();
   through_ = state.shown.contacts_on_top;
+  movers_shown_ = state.shown.movers;
   scene_.set_trees(trees_of(state));
   if (state.orientation_test != test_) {
     start_test(state.orientation_test);
@@ -159,6 +160,9 @@ void SceneSubject::choose(const ViewState& state) {
 
 void SceneSubject::start_test(const std::optional<std::size_t>& row) {
   if (row) {
+    if (const auto held = object()) {  // the way home leads out of the test
+      home_.try_emplace(*held, scene_.body(mover(*held)).pose);
+    }
     scene_.start_test(orientation_tests()[*row].name);
   } else {
     scene_.end_test();
@@ -196,8 +200,9 @@ Facts SceneSubject::facts(const ViewState& state) const {
   if (now.walk) {
     facts.walked = true;
     facts.visited = now.walk->entered;
-    facts.pruned = now.walk->box_tests - std::min(now.walk->box_tests, now.walk->entered);
+    facts.pruned = now.walk_pruned;
     facts.found = now.walk->leaf_pairs;
+    facts.walk_cut = now.walk_cut;
   }
   return facts;
 }
@@ -242,6 +247,8 @@ void SceneSubject::object_home() {
     return;
   }
   changed();
+  scene_.end_test();
+  test_.reset();
   if (has_motion_[*held]) {
     scene_.release(*held);
     scene_.go_to(scene_.frame());
@@ -252,7 +259,7 @@ void SceneSubject::object_home() {
 }
 
 std::optional<PickedFacts> SceneSubject::pick(const Ray& ray) {
-  const auto picked = scene_.pick(ray);
+  const auto picked = scene_.pick(ray, movers_shown_);
   if (through_ || !picked) {
     if (const auto touch = scene_.pick_contact(ray, kContactAngle)) {
       seen_ = Chosen{touch->a, touch->i, touch};
@@ -337,6 +344,7 @@ void SceneSubject::open(const std::string& path) {
   has_motion_.push_back(false);
   if (const auto pair = scene_.pair(); pair && pair->second != added) {
     scene_.set_pair(pair->first, added);
+    test_.reset();
   }
 }
 

@@ -62,6 +62,7 @@ class SceneSubject final : public Subject {
   ViewScene scene_;
   std::optional<std::size_t> test_;
   bool through_ = false;                ///< contacts are seen, and picked, through everything
+  bool movers_shown_ = true;            ///< else they are not picked
   std::optional<int> lone_levels_;      ///< of the city's tree, where there is no pair
   std::optional<Chosen> seen_;          ///< by the last `pick`
   std::optional<Chosen> selected_;      ///< drawn brighter

@@ -335,6 +335,17 @@ TEST_F(SessionTest, ADroppedFileIsOpenedAndABrokenOneIsAMessage) {
   EXPECT_TRUE(session_.message().empty());
 }
 
+TEST_F(SessionTest, AMessageStaysWhileTimePasses) {
+  session_.state().paused = false;
+  session_.push(FileDropped{"broken.ply"});
+  frame(0.1);
+  frame(0.1);
+  EXPECT_GT(subject_.advanced, 0);
+  EXPECT_EQ(session_.message(), "broken.ply, line 3: no vertices; repair the file");
+  press(Action::step);
+  EXPECT_TRUE(session_.message().empty());
+}
+
 TEST_F(SessionTest, FocusGoesToWhatIsPickedElseToTheObject) {
   press(Action::focus);
   rest();

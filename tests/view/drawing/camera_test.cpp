@@ -34,6 +34,17 @@ Camera random_camera(Rng& rng) {
   return camera;
 }
 
+TEST(Camera, SeesASceneHoweverSmallItIs) {
+  for (const double half : {1e-20, 1e-40, 1e-200, 1e-290}) {
+    const Box box{{-half, -half, -half}, {half, half, half}};
+    const Camera camera = fitted(box, {0, -1, 0}, {640, 480}, 0.8);
+    expect_near(frame(camera).forward, {0, 1, 0});
+    const DepthRange range = depth_range(camera, box);
+    EXPECT_LT(range.near, distance_to_target(camera)) << half;
+    EXPECT_GT(range.far, distance_to_target(camera)) << half;
+  }
+}
+
 TEST(Camera, LooksNorthWithEastToTheRight) {
   const CameraFrame f = frame({{0, -10, 0}, {0, 0, 0}, {0, 0, 1}, 0.8});
   expect_near(f.forward, {0, 1, 0});

@@ -76,6 +76,8 @@ TEST(Walk, AgreesWithTheCountersOfEveryTraversal) {
     const Walk walk = knots.walk(options);
     EXPECT_EQ(walk.counts, traverse(knots.still.view(), knots.moving.view(), options));
     EXPECT_FALSE(walk.cut);
+    EXPECT_EQ(walk.pruned, walk.apart);
+    EXPECT_GT(walk.pruned, 0U);
     EXPECT_GT(walk.counts.leaf_pairs, 0U);
     expect_consistent(walk, knots);
   }
@@ -101,6 +103,7 @@ TEST(Walk, VisitsFarMoreWithoutPruningAndFindsTheSame) {
   EXPECT_EQ(count_fates(all.a).untouched, 0U);
   EXPECT_EQ(count_fates(all.a).found, count_fates(pruned.a).found);
   EXPECT_EQ(all.overlapping + all.apart, all.counts.box_tests);
+  EXPECT_LT(all.pruned, all.apart);  // only leaves end a branch
 }
 
 TEST(Walk, IsCutAloudAtItsLimit) {

@@ -157,6 +157,55 @@ TEST(SceneSubject, WithoutPruningMoreBoxesAreEntered) {
   EXPECT_GT(subject.facts(state).visited, pruned);
 }
 
+TEST(SceneSubject, PrunedAreTheBoxTestsThatEndedABranch) {
+  SceneSubject subject(block_and_cube());
+  ViewState state;
+  state.shown.pruned = true;
+  state.traversal = Traversal::larger;
+  subject.choose(state);
+  (void)subject.draw_list(state);  // apart at the roots
+  EXPECT_EQ(subject.facts(state).pruned, 1U);
+  subject.place_object(Pose::translation(10, 0, 5));
+  (void)subject.draw_list(state);
+  EXPECT_GT(subject.facts(state).pruned, 1U);
+  EXPECT_FALSE(subject.facts(state).walk_cut);
+}
+
+TEST(SceneSubject, SaysThatAWalkWasCut) {
+  const Mesh cube = test::box_body({-1, -1, -1}, {1, 1, 1}, 40);
+  SceneSubject subject(
+      two_bodies(named(cube, {}, "still"), named(cube, Pose::translation(20, 0, 5), "moving")));
+  ViewState state;
+  state.shown.visited = true;
+  state.traversal = Traversal::larger;
+  state.prune = false;
+  subject.choose(state);
+  (void)subject.draw_list(state);
+  EXPECT_TRUE(subject.facts(state).walk_cut);
+}
+
+TEST(SceneSubject, HomeIsWhereTheObjectWasBeforeATestOfOrientation) {
+  SceneSubject subject(with_traffic());
+  ViewState state;
+  state.orientation_test = 0;
+  subject.choose(state);
+  subject.advance(20);
+  state.orientation_test.reset();
+  subject.choose(state);
+  EXPECT_NE(subject.facts(state).object, Pose::translation(20, 0, 5));
+  subject.object_home();
+  EXPECT_EQ(subject.facts(state).object, Pose::translation(20, 0, 5));
+
+  ASSERT_TRUE(subject.pick(down(20.2, -20.3)));
+  subject.select();
+  state.orientation_test = 0;
+  subject.choose(state);
+  subject.object_home();  // the test still ran
+  EXPECT_FALSE(subject.facts(state).orientation_test);
+  subject.seek(7);
+  EXPECT_EQ(subject.facts(state).object, Pose::translation(7, -20, 1));
+}
+
 TEST(SceneSubject, TestsOfOrientationRunRoundAndEndByHand) {
   SceneSubject subject(block_and_cube());
   ViewState state;
@@ -213,6 +262,16 @@ TEST(SceneSubject, PicksWithNumbersAndReasons) {
   EXPECT_NE(side->title.find("cube (mover 0)"), std::string::npos);
   ASSERT_FALSE(side->why.empty());
   EXPECT_NE(side->why[0].find("of block: "), std::string::npos);
+}
+
+TEST(SceneSubject, HiddenMoversAreNotPicked) {
+  SceneSubject subject(block_and_cube());
+  ViewState state;
+  EXPECT_TRUE(subject.pick(down(20.2, 0.3)));
+  state.shown.movers = false;
+  subject.choose(state);
+  EXPECT_FALSE(subject.pick(down(20.2, 0.3)));
+  EXPECT_TRUE(subject.pick(down(-4.9, -4.6)));
 }
 
 TEST(SceneSubject, PicksContactsThroughEverythingWhereTheyAreSeenSo) {
@@ -276,6 +335,11 @@ TEST(SceneSubject, OpensADroppedModelAsTheNewObjectAndRefusesABrokenOne) {
   EXPECT_EQ(subject.facts({}).object_bounds, (Box{{30, 0, 0}, {33, 2, 2}}));
   EXPECT_THROW(subject.open((folder.path() / "nothing.ply").string()), Error);
   EXPECT_EQ(subject.facts({}).movers, 2U);
+  ViewState state;
+  state.orientation_test = 0;
+  subject.choose(state);
+  subject.open(path.string());  // the new object is in no test
+  EXPECT_FALSE(subject.facts(state).orientation_test);
 }
 
 TEST(SceneSubject, AnEmptySceneCanBeShownAndFilled) {
