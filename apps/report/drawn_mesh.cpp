@@ -62,10 +62,10 @@ class Near {
       Box box;
       box.grow(point - Vec3{radius, radius, radius});
       box.grow(point + Vec3{radius, radius, radius});
-      visit(box, [&](const Cell& cell) {
+      static_cast<void>(visit(box, [&](const Cell& cell) {
         cells_.push_back(cell);
         return false;
-      });
+      }));
     }
     std::sort(cells_.begin(), cells_.end());
     cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
@@ -84,7 +84,7 @@ class Near {
  private:
   /// True if a cell of the box says so, or if there are too many cells to ask.
   template <typename Ask>
-  bool visit(const Box& box, const Ask& ask) const {
+  [[nodiscard]] bool visit(const Box& box, const Ask& ask) const {
     const Cell low = cell_of(box.lower);
     const Cell high = cell_of(box.upper);
     std::int64_t count = 1;
@@ -204,7 +204,7 @@ class Drawer {
           found.push_back(i);
         }
       }
-      if (2 * found.size() <= limits.triangles && 2 * 24 * found.size() <= limits.bytes) {
+      if (2 * found.size() <= limits.triangles && 48 * found.size() <= limits.bytes) {
         for (const TriangleId i : found) {
           for (const std::uint32_t v : mesh_.triangles[i]) {
             kept_[leader_[v]] = 1;

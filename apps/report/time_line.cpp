@@ -15,7 +15,6 @@ namespace soms::report {
 namespace {
 
 using reproduce::Anchor;
-using reproduce::Spot;
 using reproduce::Svg;
 
 constexpr double kWidth = 960;
@@ -67,6 +66,7 @@ std::vector<Row> rows_of(const Scene& scene, std::size_t most) {
     }
   }
   std::vector<Row> rows;
+  rows.reserve(by_body.size());
   for (auto& [body, row] : by_body) {
     rows.push_back(std::move(row));
   }

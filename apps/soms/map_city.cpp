@@ -84,6 +84,7 @@ std::vector<Region> regions_of(const HeightGrid& grid) {
   const std::vector<double> steps = steps_of(grid);
   for (std::size_t k = 0; k < steps.size(); ++k) {
     const double from = steps[k];
+    // NOLINTNEXTLINE(bugprone-narrowing-conversions): infinity is a double
     const double to = k + 1 == steps.size() ? kEndless : steps[k + 1];
     regions.push_back(make_region(
         grid, kShades[k], legend_of(steps, k), [&](std::size_t column, std::size_t row) {

@@ -88,6 +88,7 @@ class OverlapRun {
       : options_(options),
         console_(console),
         page_file_(open_page(options.report)),
+        // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): the page's file owns it
         poses_(source("--pose", options.pose_a), source("--pose-b", options.pose_b)),
         a_(load(options.a, options.model_a)),
         b_(load(options.b, options.model_b)),

@@ -119,13 +119,14 @@ report::Plot contacts_by_frame(const Outcome& outcome) {
                              .y_label = "contacts",
                              .markers = false};
   std::size_t width = 1;
-  for (auto& [name, changes] :
+  for (const auto& [name, of_kind] :
        {std::pair("with the city", &with_city), std::pair("between movers", &between)}) {
-    for (std::size_t k = 1; k < changes->size(); ++k) {
-      (*changes)[k] += (*changes)[k - 1];
+    std::vector<std::int64_t>& changes = *of_kind;
+    for (std::size_t k = 1; k < changes.size(); ++k) {
+      changes[k] += changes[k - 1];
     }
     Binned bins =
-        binned(outcome.frames, [&](std::uint64_t k) { return static_cast<double>((*changes)[k]); });
+        binned(outcome.frames, [&](std::uint64_t k) { return static_cast<double>(changes[k]); });
     width = bins.width;
     chart.lines.push_back({.name = name, .x = std::move(bins.x), .y = std::move(bins.most)});
   }

@@ -25,7 +25,7 @@ struct EnvironmentContact {
   TriangleId i = 0;  ///< triangle of the mover
   TriangleId j = 0;  ///< triangle of the part
 
-  [[nodiscard]] auto operator<=>(const EnvironmentContact&) const = default;  // NOLINT(*-nullptr)
+  [[nodiscard]] auto operator<=>(const EnvironmentContact&) const = default;
 };
 
 /// A triangle of one mover touches a triangle of another; `a` is less than `b`.
@@ -35,7 +35,7 @@ struct MoverContact {
   TriangleId i = 0;  ///< triangle of a
   TriangleId j = 0;  ///< triangle of b
 
-  [[nodiscard]] auto operator<=>(const MoverContact&) const = default;  // NOLINT(*-nullptr)
+  [[nodiscard]] auto operator<=>(const MoverContact&) const = default;
 };
 
 /// What a step found: two sorted lists, the same bytes for any number of threads.

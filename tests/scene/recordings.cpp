@@ -75,7 +75,8 @@ Recorded record_drive() {
   RecordingWriter writer(out, result.head);
   for (std::uint64_t frame = 0; frame < kFrames; ++frame) {
     RecordedFrame now;
-    now.poses = {Pose::translation(static_cast<double>(frame / 4), 0, 0), Pose{}};
+    const std::uint64_t moves = frame / 4;
+    now.poses = {Pose::translation(static_cast<double>(moves), 0, 0), Pose{}};
     StepReport report;
     if (frame % 7 == 6) {
       report.environment = {{0, 0, static_cast<TriangleId>(frame), 5}, {1, 0, 2, 3}};

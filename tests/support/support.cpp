@@ -26,7 +26,7 @@ std::uint64_t seed_of(std::string_view tag, int i) {
 
 int factor() {
   const char* text = std::getenv("SOMS_TEST_FACTOR");
-  return text == nullptr ? 1 : std::max(1, std::atoi(text));
+  return text == nullptr ? 1 : static_cast<int>(std::max(1L, std::strtol(text, nullptr, 10)));
 }
 
 std::string read_all(const std::filesystem::path& path) {

@@ -318,7 +318,7 @@ bool* shown_flag(ViewState& state, Action action) {
 
 /// How an action moves the object; a default one where it does not.
 ObjectMove move_of(Action action) {
-  constexpr double fine = 0.1;
+  constexpr double kFine = 0.1;
   switch (action) {
     case Action::object_right:
       return {.right = 1};
@@ -333,17 +333,17 @@ ObjectMove move_of(Action action) {
     case Action::object_down:
       return {.up = -1};
     case Action::object_right_fine:
-      return {.right = 1, .scale = fine};
+      return {.right = 1, .scale = kFine};
     case Action::object_left_fine:
-      return {.right = -1, .scale = fine};
+      return {.right = -1, .scale = kFine};
     case Action::object_forward_fine:
-      return {.forward = 1, .scale = fine};
+      return {.forward = 1, .scale = kFine};
     case Action::object_backward_fine:
-      return {.forward = -1, .scale = fine};
+      return {.forward = -1, .scale = kFine};
     case Action::object_up_fine:
-      return {.up = 1, .scale = fine};
+      return {.up = 1, .scale = kFine};
     case Action::object_down_fine:
-      return {.up = -1, .scale = fine};
+      return {.up = -1, .scale = kFine};
     case Action::object_turn_left:
       return {.turn = 1};
     case Action::object_turn_right:

@@ -397,14 +397,14 @@ void Panels::axis_letters(const Session& session) {
   if (!gizmo) {
     return;
   }
-  constexpr std::array<const char*, 3> letters{"x", "y", "z"};
+  constexpr std::array<const char*, 3> kLetters{"x", "y", "z"};
   const auto ends = tips(*gizmo);
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (const auto seen = project(session.camera(), session.window(), ends[i])) {
-      const ImVec2 half = ImGui::CalcTextSize(letters[i]);
+      const ImVec2 half = ImGui::CalcTextSize(kLetters[i]);
       const ImVec2 at(static_cast<float>(seen->pixel.x) - half.x / 2,
                       static_cast<float>(seen->pixel.y) - half.y / 2);
-      ImGui::GetBackgroundDrawList()->AddText(at, IM_COL32(20, 20, 20, 255), letters[i]);
+      ImGui::GetBackgroundDrawList()->AddText(at, IM_COL32(20, 20, 20, 255), kLetters[i]);
     }
   }
 }

@@ -125,7 +125,8 @@ void GlSurfaces::issue(const Call& call, GlPace& pace, DrawStatistics& statistic
     const std::size_t copies = std::min(most, call.copies - first);
     const std::size_t start = (call.row + first) * sizeof(Row);
     for (unsigned r = 0; r < 3; ++r) {
-      reading.floats(2 + r, 4, rows_, sizeof(Row), start + offsetof(Row, rows) + 16 * r, 1);
+      reading.floats(2 + r, 4, rows_, sizeof(Row),
+                     start + offsetof(Row, rows) + std::size_t{16} * r, 1);
     }
     reading.color(5, rows_, sizeof(Row), start + offsetof(Row, tint), 1);
     reading.floats(6, 2, rows_, sizeof(Row), start + offsetof(Row, plain), 1);

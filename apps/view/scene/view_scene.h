@@ -87,7 +87,7 @@ class ViewScene {
   [[nodiscard]] const Body& body(BodyRef body) const;
 
   /// World bounds of a body at its present pose: those of its moved box, so not tight.
-  [[nodiscard]] Box bounds(BodyRef body) const;
+  [[nodiscard]] Box bounds(BodyRef ref) const;
 
   /// World bounds of the city, or of everything where there is no city.
   [[nodiscard]] Box bounds() const;
@@ -134,7 +134,7 @@ class ViewScene {
   [[nodiscard]] const std::vector<Touch>& contacts() const;
 
   /// World corners of a triangle at its body's present pose.
-  [[nodiscard]] Triangle triangle(BodyRef body, TriangleId i) const;
+  [[nodiscard]] Triangle triangle(BodyRef ref, TriangleId i) const;
 
   /// What two touching triangles have in common.
   [[nodiscard]] Crossing crossing(const Touch& touch) const;

@@ -148,6 +148,7 @@ std::vector<Aim> aims_at_contacts(const ViewScene& scene) {
                 "choose another --frame, or leave out contact");
   }
   std::vector<std::pair<std::size_t, BodyRef>> order;
+  order.reserve(touching.size());
   for (const auto& [body, facts] : touching) {
     order.emplace_back(facts.first, body);
   }

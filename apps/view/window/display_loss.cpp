@@ -13,9 +13,9 @@ constexpr int kCannotWrite = 5;
 
 /// Called by Xlib, in the middle of anything: no more than a write and the end.
 int on_loss(void* /*display*/) {
-  constexpr std::string_view text =
+  constexpr std::string_view kText =
       "soms-view: the display was lost; start the viewer again when it is back\n";
-  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, kText.data(), kText.size());
   ::_exit(kCannotWrite);
 }
 

@@ -23,7 +23,7 @@ class SceneSubject final : public Subject {
 
   void choose(const ViewState& state) override;
   [[nodiscard]] Facts facts(const ViewState& state) const override;
-  void advance(int frames) override;
+  void advance(int count) override;
   void seek(std::uint64_t frame) override;
   void restart() override;
   void place_object(const Pose& pose) override;

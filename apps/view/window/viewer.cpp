@@ -46,7 +46,7 @@ struct Drawn {
 /// The first free name of a picture in the present folder.
 std::filesystem::path free_name() {
   for (int i = 1;; ++i) {
-    const std::filesystem::path path = "soms-view-" + std::to_string(i) + ".png";
+    std::filesystem::path path = "soms-view-" + std::to_string(i) + ".png";
     if (!std::filesystem::exists(path)) {
       return path;
     }

@@ -118,7 +118,8 @@ TEST(Rules, SahSeparatesTheLargeFromTheSmallOnAnyAxis) {
   // Two clusters apart on y; a rule on the longest axis (x) would mix them.
   TestNode node;
   for (unsigned i = 0; i < 8; ++i) {
-    const double x = 20.0 * (i / 2);
+    const unsigned column = i / 2;
+    const double x = 20.0 * column;
     const double y = i % 2 == 0 ? 0 : 50;
     node.add({{x, y, 0}, {x + 40, y + 1, 1}}, {x + 20, y + 0.5, 0.5});
   }
