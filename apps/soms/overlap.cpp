@@ -87,8 +87,8 @@ class OverlapRun {
   OverlapRun(const OverlapVerbOptions& options, Console& console)
       : options_(options),
         console_(console),
+        // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): this member owns it
         page_file_(open_page(options.report)),
-        // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): the page's file owns it
         poses_(source("--pose", options.pose_a), source("--pose-b", options.pose_b)),
         a_(load(options.a, options.model_a)),
         b_(load(options.b, options.model_b)),

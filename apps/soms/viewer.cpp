@@ -60,7 +60,7 @@ std::vector<OptionWords> viewer_options(std::string_view verb) {
   std::istringstream help(viewer_help(verb));
   // An option begins a line, "  -o,--output FILE    picture to write"; its meaning may go on below,
   // far to the right.
-  static const std::regex kOption("  (?:(-[a-z]),)?(--[a-z][a-z-]*)(?: (\\S+))?(?:  +(.*))?");
+  static const std::regex option_line("  (?:(-[a-z]),)?(--[a-z][a-z-]*)(?: (\\S+))?(?:  +(.*))?");
   std::vector<OptionWords> options;
   std::string label;
   std::string meaning;
@@ -73,7 +73,7 @@ std::vector<OptionWords> viewer_options(std::string_view verb) {
   };
   for (std::string line; std::getline(help, line);) {
     std::smatch parts;
-    if (std::regex_match(line, parts, kOption)) {
+    if (std::regex_match(line, parts, option_line)) {
       end_option();
       OptionWords option{{parts[2]}, {}, parts[3].matched};
       if (parts[1].matched) {

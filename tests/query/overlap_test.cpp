@@ -106,6 +106,60 @@ Vec3 farthest(const Mesh& mesh, const Pose& pose, const Vec3& n) {
   return best;
 }
 
+/// Triangles that share the origin, each of its own size, beside some that are `large`.
+Mesh tiny_among_large(Rng& rng, double large) {
+  Mesh mesh;
+  const auto direction = [&rng] {
+    const Vec3 any{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
+    const Vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}};
+    return rng.below(2) == 0 ? any : axes[rng.below(4)];
+  };
+  const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  };
+  for (std::uint64_t k = rng.below(2) == 0 ? 1 : 1 + rng.below(6); k > 0; --k) {
+    // Often where a float hardly holds the product of two sides.
+    const double size = std::exp2(-(rng.below(2) == 0 ? rng.uniform(0, 160) : rng.uniform(73, 76)));
+    add({0, 0, 0}, direction() * size, direction() * (size * std::exp2(-rng.uniform(0, 1))));
+  }
+  for (std::uint64_t k = rng.below(8); k > 0; --k) {
+    const Vec3 away = direction() * large;
+    add(away, away + direction(), away + direction());
+    if (rng.below(2) == 0) {  // mirrored, so that the middle stays at the origin
+      const Vec3 other = away * -1;
+      add(other, other + direction(), other + direction());
+    }
+  }
+  return mesh;
+}
+
+Mesh rectangle(double half_x, double half_y) {
+  Mesh mesh;
+  mesh.vertices = {
+      {-half_x, -half_y, 0}, {half_x, -half_y, 0}, {half_x, half_y, 0}, {-half_x, half_y, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+// Floats hold a tiny triangle's normal barely or not at all, while what it meets is large.
+TEST(Overlap, EqualsItsTwinOfTinyTrianglesAmongLargeOnes) {
+  test::for_each_case("overlap/tiny-among-large", 1500, [](Rng& rng) {
+    const Mesh tiny = tiny_among_large(rng, std::exp2(rng.uniform(0, 22)));
+    const double side = std::exp2(rng.uniform(0, 18));
+    const Mesh large = rectangle(side * rng.uniform(0, 1), side * rng.uniform(0, 1));
+    const Pose rotation = test::awkward_rotation(rng);
+    const Triangle t = tiny.triangle(0);
+    const Vec3 corner = farthest(large, rotation, cross(t.b * 0x1p70, t.c * 0x1p70));
+    const Pose pose = test::moving(rotation, corner, {0, 0, 0});
+    const Layout layout = rng.below(2) == 0 ? Layout::wide : Layout::compact;
+    expect_equals_twin(
+        {Body(Shape(large, {.build = test::awkward_options(rng), .layout = layout}), pose),
+         Body(Shape(tiny, {.build = test::awkward_options(rng), .layout = layout}))});
+  });
+}
+
 // Without the margin for moved vertices one of 16 such cases loses pairs, without the relative
 // margin one of 5, and with R^T for the inverse one of 70.
 TEST(Overlap, KeepsBodiesThatTouchAtOneCorner) {
@@ -228,26 +282,20 @@ TEST(Overlap, MeetsATinyTriangleAtTheCornerOfALargeRectangle) {
   const double s = 513802 / 0x1p20;
   const double c = 914067 / 0x1p20;
   const Vec3 corner{5000 * c, 5000 * s, 0};
-  Mesh rectangle;
-  rectangle.vertices = {{-corner.x, -corner.y, 0},
-                        {corner.x, -corner.y, 0},
-                        {corner.x, corner.y, 0},
-                        {-corner.x, corner.y, 0}};
-  rectangle.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const Mesh large = rectangle(corner.x, corner.y);
   Pose pose;
   pose.m = {c, -s, 0, -5000 * (c * c + s * s), s, c, 0, 0, 0, 0, 1, 0};
-  ASSERT_EQ(pose.apply(rectangle.vertices[1]).x, 0);
-  ASSERT_EQ(pose.apply(rectangle.vertices[1]).y, 0);
+  ASSERT_EQ(pose.apply(large.vertices[1]).x, 0);
+  ASSERT_EQ(pose.apply(large.vertices[1]).y, 0);
   Mesh tiny;
   tiny.vertices = {{0, 0, 0},     {0, 0x1p-74, 0}, {0, 0, 0x1p-75}, {0, 20000, -5}, {0, 20000, 5},
                    {0, 19990, 0}, {0, -20000, -5}, {0, -20000, 5},  {0, -19990, 0}};
   tiny.triangles = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
   for (const Layout layout : {Layout::wide, Layout::compact}) {
     const ShapeOptions options{.layout = layout};
-    const Body a(Shape(rectangle, options), pose);
+    const Body a(Shape(large, options), pose);
     const Body b(Shape(tiny, options));
-    const std::vector<TrianglePair> expected =
-        reference::overlap(rectangle, pose, tiny, Pose()).pairs;
+    const std::vector<TrianglePair> expected = reference::overlap(large, pose, tiny, Pose()).pairs;
     ASSERT_EQ(expected, (std::vector<TrianglePair>{{0, 0}}));
     EXPECT_EQ(overlap(a, b).pairs, expected);
     EXPECT_EQ(overlap(b, a).pairs, expected);

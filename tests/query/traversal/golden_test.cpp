@@ -92,9 +92,9 @@ Sums run(const Model& still, const Model& moving, const std::vector<Vec3>& offse
 
 void expect_rows(const Drive& drive, const Model& still, const Model& moving,
                  const std::vector<Vec3>& offsets) {
-  static const auto kRows = golden_rows();
-  const auto rows = kRows.find(drive);
-  ASSERT_NE(rows, kRows.end());
+  static const auto golden = golden_rows();
+  const auto rows = golden.find(drive);
+  ASSERT_NE(rows, golden.end());
   ASSERT_EQ(rows->second.size(), 9U);
   for (const auto& [algorithm, sums] : rows->second) {
     EXPECT_EQ(run(still, moving, offsets, options_of(algorithm)), sums) << algorithm;

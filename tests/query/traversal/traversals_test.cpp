@@ -74,10 +74,10 @@ struct Scene {
 /// Calls `body(scene, options)` for random scenes and every way to walk them.
 template <class Body>
 void for_each_way(const std::string& tag, int n, const Body& body) {
-  static const std::vector<TraversalOptions> kWays = test::every_way();
+  static const std::vector<TraversalOptions> ways = test::every_way();
   test::for_each_case(tag, n, [&](Rng& rng) {
     const Scene scene(rng);
-    for (const TraversalOptions& options : kWays) {
+    for (const TraversalOptions& options : ways) {
       SCOPED_TRACE(test::describe(options));
       body(scene, options);
     }
