@@ -77,7 +77,7 @@ class Hash {
 
 /// What rows are made from that this program calculates itself.
 struct Inputs {
-  explicit Inputs(std::filesystem::path data);
+  explicit Inputs(std::filesystem::path folder);
 
   std::filesystem::path data;          ///< tests/data
   std::vector<Vec3> points;            ///< nearly in one plane, four by four, at all scales

@@ -36,8 +36,10 @@ Mesh lattice_mesh(const Corners& corners, double unit) {
   std::vector<Triangle> triangles;
   const auto at = [&](std::size_t i) {
     const int n = corners[i];
-    return unit * Vec3{static_cast<double>(n % 9), static_cast<double>(n / 9 % 9),
-                       static_cast<double>(n / 81)};
+    const int column = n / 9 % 9;
+    const int layer = n / 81;
+    return unit * Vec3{static_cast<double>(n % 9), static_cast<double>(column),
+                       static_cast<double>(layer)};
   };
   for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
     triangles.push_back({at(i), at(i + 1), at(i + 2)});
