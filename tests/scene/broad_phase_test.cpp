@@ -163,7 +163,7 @@ TEST(BroadPhase, IsRightAfterMemoryRanShort) {
         }
         ASSERT_EQ(ask(phase, boxes), reference::meeting_pairs(boxes))
             << "frame " << frame << ", " << lasting << " allocations of frame " << faulty;
-        count += frame % 2 == 0 ? 0 : 40;
+        count += frame % 2 == 0 ? 0U : 40U;
       }
     }
   }
