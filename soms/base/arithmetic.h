@@ -25,7 +25,8 @@ void check_arithmetic();
 }
 
 /// While it lives, the thread rounds to nearest, keeps subnormal numbers and traps nothing; then
-/// its settings are again those that were found, the flags of floating-point exceptions included.
+/// its settings are again those that were found; where they were others, the flags of
+/// floating-point exceptions, too.
 /// Moved vertices, boxes and error bounds are facts about that arithmetic, and a host program may
 /// have chosen another kind (`fesetround`, `feenableexcept`, flush-to-zero, which linking anything
 /// with -ffast-math may switch on). Every function of the library that calculates holds one, and

@@ -83,7 +83,9 @@ struct OverlapBatch {
 };
 
 /// `overlap` of `mover` at each of `poses` with `fixed`; answers and costs equal those of single
-/// queries, whatever the batch and the number of threads. `limit` counts for each pose.
+/// queries, whatever the batch and the number of threads. `limit` counts for each pose. Only the
+/// front of Traversal::e_node_front goes from pose to pose: with it costs, the pair of mode `any`
+/// and the pairs that a limit lets through follow the poses before, too.
 ///
 /// \shape   `poses`: n; the answer's arrays are described there.
 /// \errors  As `overlap`; a pose at fault is named by its index.
