@@ -71,6 +71,10 @@ class Decider {
         scratch_.push_back({j, t, box});
       }
     }
+    // Leaves may be as large as the mesh: what is looked at counts, though nothing be decided.
+    if (!keep_going(tree_b.nodes[pair.b].count)) {
+      return false;
+    }
     for (const TriangleId i : tree_a.triangles_of(tree_a.nodes[pair.a])) {
       const Triangle s = a_.triangle(i);
       const Box box = bounds(s);
@@ -79,7 +83,7 @@ class Decider {
           return false;
         }
       }
-      if (!keep_going(scratch_.size())) {  // leaves may be as large as the mesh
+      if (!keep_going(1 + scratch_.size())) {
         return false;
       }
     }

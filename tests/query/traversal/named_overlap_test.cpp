@@ -14,6 +14,7 @@
 #include <limits>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace soms {
@@ -255,16 +256,21 @@ TEST(NamedOverlap, IsCutByADeadlineAndEndedByAStop) {
   }
 }
 
-// Both trees are one leaf of 20,000 triangles whose boxes are apart, so no triangles are decided
-// and one box test of nodes is made: the clock must be looked at within the leaf pair.
-TEST(NamedOverlap, IsCutByADeadlineWithinAPairOfLeaves) {
+/// Triangles in a row along x, a quarter wide, and three quarters from one to the next.
+Mesh row_of(std::uint32_t count, double from) {
   Mesh mesh;
-  for (std::uint32_t i = 0; i < 20000; ++i) {
-    const double x = i;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double x = from + i;
     mesh.vertices.insert(mesh.vertices.end(), {{x, 0, 0}, {x + 0.25, 0, 0}, {x, 1, 0}});
     mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
-  const Body body(shape(mesh, thesis_options(Rule::soms, 1)));
+  return mesh;
+}
+
+// Both trees are one leaf of 20,000 triangles whose boxes are apart, so no triangles are decided
+// and one box test of nodes is made: the clock must be looked at within the leaf pair.
+TEST(NamedOverlap, IsCutByADeadlineWithinAPairOfLeaves) {
+  const Body body(shape(row_of(20000, 0), thesis_options(Rule::soms, 1)));
   Body other = body;
   other.pose = Pose::translation(0.5, 0, 0);
   OverlapOptions options{.traversal = {.traversal = Traversal::larger}};
@@ -276,6 +282,26 @@ TEST(NamedOverlap, IsCutByADeadlineWithinAPairOfLeaves) {
   }
   EXPECT_EQ(cut.coverage, Coverage::cut);
   EXPECT_EQ(cut.cost, (Cost{1, 0, 0}));
+}
+
+// 500 small leaves lie in the gaps of one leaf of 20,000 triangles: fewer box tests than there are
+// between two looks at the clock, and nothing to decide. The time goes into the large leaf.
+TEST(NamedOverlap, IsCutByADeadlineWhereALargeLeafLeavesNothingToDecide) {
+  const Body small(shape(row_of(500, 10000.5), thesis_options(Rule::soms)));
+  const Body large(shape(row_of(20000, 0), thesis_options(Rule::soms, 1)));
+  OverlapOptions options{.traversal = {.traversal = Traversal::larger}};
+  for (const auto& [a, b] : {std::pair(&small, &large), std::pair(&large, &small)}) {
+    ASSERT_EQ(overlap(*a, *b, options).cost, (Cost{999, 0, 0}));
+    OverlapOptions hurried = options;
+    Overlap cut;
+    // On a slow machine the deadline may pass while the boxes are moved, before the first leaf.
+    for (auto time = std::chrono::milliseconds(2); cut.cost == Cost{}; time *= 2) {
+      hurried.deadline = std::chrono::steady_clock::now() + time;
+      cut = overlap(*a, *b, hurried);
+    }
+    EXPECT_EQ(cut.coverage, Coverage::cut);
+    EXPECT_LT(cut.cost.node_tests, 999U);
+  }
 }
 
 TEST(NamedOverlap, KeepsBodiesThatGoOutOfScope) {
