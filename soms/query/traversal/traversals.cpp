@@ -106,6 +106,15 @@ const DescentEntry& descent_named(std::string_view name) {
 void check(const TraversalOptions& options) {
   (void)entry(options.traversal);
   (void)entry(options.descent);
+  (void)entry(options.ericson_rule);
+  if (options.order != EntryOrder::tree && options.order != EntryOrder::volume) {
+    throw Error(ErrorKind::usage, "traversal: order is none of the named ones",
+                "use tree or volume");
+  }
+  if (options.update != BoxUpdate::refit && options.update != BoxUpdate::rebox) {
+    throw Error(ErrorKind::usage, "traversal: update is none of the named ones",
+                "use refit or rebox");
+  }
   if (options.traversal == Traversal::ericson && !is_baseline(options.ericson_rule)) {
     throw Error(ErrorKind::usage,
                 "traversal ericson: '" + std::string(entry(options.ericson_rule).name) +
