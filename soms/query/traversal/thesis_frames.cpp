@@ -1,5 +1,7 @@
 #include "soms/query/traversal/thesis_frames.h"
 
+#include "soms/base/arithmetic.h"
+
 namespace soms {
 
 ApproachLine approach_line(Approach from, std::size_t up) {
@@ -21,6 +23,7 @@ ApproachLine approach_line(Approach from, std::size_t up) {
 }
 
 std::vector<Vec3> orientation_test(const Box& still, Approach from, std::size_t up) {
+  const PlainArithmetic plain;
   const auto [axis, side] = approach_line(from, up);
   std::vector<Vec3> out(49);
   for (std::size_t k = 0; k < out.size(); ++k) {

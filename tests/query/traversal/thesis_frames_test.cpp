@@ -1,5 +1,7 @@
 #include "soms/query/traversal/thesis_frames.h"
 
+#include "tests/support/host_arithmetic.h"
+
 #include <gtest/gtest.h>
 
 namespace soms {
@@ -49,6 +51,17 @@ TEST(OrientationTests, TurnWithTheObject) {
     const Vec3 turned{direction.x, -direction.z, direction.y};
     const ApproachLine turned_line = approach_line(from, 2);
     EXPECT_EQ(turned[turned_line.axis], turned_line.side) << name;
+  }
+}
+
+TEST(OrientationTests, AreTheSameWhateverTheHostRounds) {
+  constexpr Box kUneven{{0.1, 0.2, 0.3}, {0.8, 1.9, 3.7}};
+  for (const auto& [from, name] : kAllApproaches) {
+    const auto plain = orientation_test(kUneven, from);
+    for (const test::HostMode& mode : test::host_modes()) {
+      const test::HostArithmetic host(mode);
+      EXPECT_EQ(orientation_test(kUneven, from), plain) << name << ", " << mode.name;
+    }
   }
 }
 
