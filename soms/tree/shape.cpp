@@ -2,6 +2,7 @@
 
 #include "soms/base/error.h"
 #include "soms/tree/build.h"
+#include "soms/tree/build/detail/forest.h"
 #include "soms/tree/layout/wide_tree.h"
 
 #include <utility>
@@ -38,8 +39,9 @@ Shape::Shape(std::shared_ptr<const Mesh> mesh, const ShapeOptions& options,
   }
   check(*mesh_);
   if (options.keep_tree) {
-    tree_ = std::make_shared<const Tree>(build(*mesh_, options.build, parallel));
-    layout_ = std::make_shared<const WideTree>(*tree_, *mesh_, parallel);
+    tree_ = std::make_shared<const Tree>(
+        build(*mesh_, options.build, detail::within(parallel, 0, 0.6)));
+    layout_ = std::make_shared<const WideTree>(*tree_, *mesh_, detail::within(parallel, 0.6, 1));
   } else {
     layout_ = std::make_shared<const WideTree>(build_wide(*mesh_, options.build, parallel));
   }

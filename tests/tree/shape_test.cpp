@@ -4,8 +4,11 @@
 #include "soms/tree/build.h"
 #include "soms/tree/layout/wide_tree.h"
 
+#include "tests/tree/inputs.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -36,6 +39,18 @@ TEST(Shape, KeepsTheCanonicalTreeWhenAsked) {
   ASSERT_NE(shape.tree(), nullptr);
   EXPECT_EQ(*shape.tree(), build(two_triangles(), options.build));
   EXPECT_EQ(shape.build_options(), options.build);
+}
+
+TEST(Shape, ReportsProgressInOrder) {
+  const Mesh mesh = test::make_input(test::Input::random, 60000);
+  for (const bool keep_tree : {false, true}) {
+    std::vector<double> shares;
+    const Parallel watched{.progress = [&](double share) { shares.push_back(share); }};
+    EXPECT_EQ(Shape(mesh, {.keep_tree = keep_tree}, watched).bounds(), bounds(mesh));
+    ASSERT_GT(shares.size(), 5U);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end())) << keep_tree;
+    EXPECT_EQ(shares.back(), 1) << keep_tree;
+  }
 }
 
 TEST(Shape, IsSharedByItsCopies) {
