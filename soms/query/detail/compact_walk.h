@@ -14,8 +14,8 @@
 
 namespace soms::detail {
 
-/// Nodes and blocks of one side, of either layout. What is written out stays until a few more were
-/// asked for.
+/// Nodes and blocks of one side, of either layout. Blocks that were written out last are kept, one
+/// in each of a few places.
 class SideReader {
  public:
   explicit SideReader(const Shape& shape);
@@ -23,7 +23,7 @@ class SideReader {
   /// Valid until the next call.
   [[nodiscard]] const WideNode& node(std::uint32_t i);
 
-  /// The block that a leaf's word names; valid until kKept others were asked for.
+  /// The block that a leaf's word names; valid until another one is asked for.
   [[nodiscard]] const TriangleBlock& block(std::uint32_t word);
 
   /// The word of the next block of the same leaf.

@@ -9,7 +9,7 @@
 namespace soms::detail {
 
 /// Sorts pairs in ascending order.
-/// \cost O(n) for many pairs, with memory for a copy of them.
+/// \cost O(n) for many pairs, with memory for two copies of them.
 void sort_pairs(std::span<TrianglePair> pairs);
 
 }  // namespace soms::detail
