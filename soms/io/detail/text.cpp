@@ -65,6 +65,11 @@ ParsedNumber parse(const char* begin, const char* end) {
   return {*begin == '-' ? -0.0 : 0.0, stop, NumberStatus::good};
 }
 
+const char* find_line_feed(const char* begin, const char* end) {
+  const void* const found = std::memchr(begin, '\n', static_cast<std::size_t>(end - begin));
+  return found == nullptr ? end : static_cast<const char*>(found);
+}
+
 }  // namespace
 
 TextScanner::TextScanner(const Source& source, std::size_t position, const TextStyle& style)
@@ -116,13 +121,8 @@ bool TextScanner::comment_before(const char* end) const {
 
 void TextScanner::skip_line() {
   while (at_ != end_) {
-    const char* stop = end_;
-    if (!has_carriage_returns_) {
-      const void* found = std::memchr(at_, '\n', left());
-      stop = found == nullptr ? end_ : static_cast<const char*>(found);
-    } else {
-      stop = std::find_if(at_, end_, is_line_end);
-    }
+    const char* const stop =
+        has_carriage_returns_ ? std::find_if(at_, end_, is_line_end) : find_line_feed(at_, end_);
     const bool joined =
         style_.continued && stop != at_ && stop[-1] == '\\' && !comment_before(stop);
     at_ = stop + line_end_at(stop);
