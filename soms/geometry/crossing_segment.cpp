@@ -2,7 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/box.h"
-#include "soms/geometry/detail/double_double.h"
+#include "soms/geometry/detail/orientation_exact.h"
 #include "soms/geometry/orientation.h"
 #include "soms/geometry/triangle_overlap.h"
 
@@ -17,8 +17,7 @@ namespace soms {
 
 namespace {
 
-using detail::DoubleDouble;
-using detail::WideVector;
+using detail::ScaledNumber;
 using Corners = std::array<Vec3, 3>;
 using Signs = std::array<Sign, 3>;
 
@@ -68,32 +67,32 @@ struct Measure {
   }
 };
 
-/// Point between `p` and `q` where a linear quantity that is `at_p` and `at_q`, of opposite signs,
-/// vanishes.
-Vec3 zero_between(const Vec3& p, const DoubleDouble& at_p, const Vec3& q,
-                  const DoubleDouble& at_q) {
-  const double share = at_p.high / (at_p - at_q).high;
-  // A share that rounding spoiled is brought back to the edge; the common point is on it.
-  const double u = share >= 0 ? std::min(share, 1.0) : 0.5;
+/// Point between `p` and `q` where a linear quantity vanishes that is `at_p` and `at_q` there, of
+/// opposite signs or one of them 0.
+Vec3 zero_between(const Vec3& p, const ScaledNumber& at_p, const Vec3& q,
+                  const ScaledNumber& at_q) {
+  // Far beyond doubles, the quotient is 0 or endless, and so it may be.
+  const double u = at_p.fraction == 0 ? 0
+                                      : 1 / (1 + std::ldexp(std::abs(at_q.fraction / at_p.fraction),
+                                                            at_q.exponent - at_p.exponent));
   return u <= 0.5 ? p + u * (q - p) : q + (1 - u) * (p - q);
 }
 
-/// Where edge `p`, `q` goes through the plane of `t`. \pre They are on opposite sides.
-Vec3 through_plane(const Vec3& p, const Vec3& q, const Triangle& t, const Measure& measure) {
-  const WideVector normal = detail::cross(detail::difference(t.b, t.a, measure.scale),
-                                          detail::difference(t.c, t.a, measure.scale));
-  return zero_between(p, detail::dot(normal, detail::difference(p, t.a, measure.scale)), q,
-                      detail::dot(normal, detail::difference(q, t.a, measure.scale)));
+/// How far a point is above the plane of a triangle, in a unit of the triangle's.
+ScaledNumber height(const Vec3& p, const Triangle& t) {
+  return detail::determinant(t.a, t.b, t.c, p);
 }
 
 /// The two points where edges of `s` go through the plane of `t`.
 /// \pre No sign is zero, and not all are equal.
-std::pair<Vec3, Vec3> piece(const Triangle& s, const Signs& signs, const Triangle& t,
-                            const Measure& measure) {
+std::pair<Vec3, Vec3> piece(const Triangle& s, const Signs& signs, const Triangle& t) {
   const Corners c = corners_of(s);
   const std::size_t tip = signs[1] == signs[2] ? 0 : signs[0] == signs[2] ? 1 : 2;
-  return {through_plane(c[tip], c[(tip + 1) % 3], t, measure),
-          through_plane(c[tip], c[(tip + 2) % 3], t, measure)};
+  const Vec3& left = c[(tip + 1) % 3];
+  const Vec3& right = c[(tip + 2) % 3];
+  const ScaledNumber at_tip = height(c[tip], t);
+  return {zero_between(c[tip], at_tip, left, height(left, t)),
+          zero_between(c[tip], at_tip, right, height(right, t))};
 }
 
 Crossing segment(const Vec3& a, const Vec3& b, const Measure& measure) {
@@ -137,33 +136,23 @@ bool touch(const Vec3& p, const Triangle& t) {
 
 /// The point in which two segments cross that touch; nothing if they are parallel: then ends of
 /// theirs are what they have in common.
-std::optional<Vec3> cross_point(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b,
-                                const Measure& measure) {
-  // Heights of p and q over the line a b, in the coordinate plane where they differ most.
-  const WideVector line = detail::difference(b, a, measure.scale);
-  const WideVector at_p = detail::cross(line, detail::difference(p, a, measure.scale));
-  const WideVector at_q = detail::cross(line, detail::difference(q, a, measure.scale));
-  const DoubleDouble* best_p = nullptr;
-  const DoubleDouble* best_q = nullptr;
-  double most = 0;
-  for (const auto axis : {&WideVector::x, &WideVector::y, &WideVector::z}) {
-    const double change = std::abs((at_p.*axis - at_q.*axis).high);
-    if (change > most) {
-      most = change;
-      best_p = &(at_p.*axis);
-      best_q = &(at_q.*axis);
+std::optional<Vec3> cross_point(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b) {
+  // Heights of p and q over the line a b: in every coordinate plane that shows any, they have the
+  // same quotient.
+  for (const Projection plane : {Projection::xy, Projection::yz, Projection::zx}) {
+    const ScaledNumber at_p = detail::determinant2d(a, b, p, plane);
+    const ScaledNumber at_q = detail::determinant2d(a, b, q, plane);
+    if (at_p.fraction != 0 || at_q.fraction != 0) {
+      return zero_between(p, at_p, q, at_q);
     }
   }
-  if (best_p == nullptr) {
-    return std::nullopt;
-  }
-  return zero_between(p, *best_p, q, *best_q);
+  return std::nullopt;
 }
 
 /// Points that are corners of the common set: corners of one in the other, edges of one through the
 /// other, edges that cross. Which there are is decided exactly.
 std::vector<Vec3> common_corners(const Triangle& s, const Signs& s_signs, const Triangle& t,
-                                 const Signs& t_signs, const Measure& measure) {
+                                 const Signs& t_signs) {
   std::vector<Vec3> found;
   const auto inside = [&found](const Triangle& of, const Triangle& other) {
     for (const Vec3& p : corners_of(of)) {
@@ -177,7 +166,7 @@ std::vector<Vec3> common_corners(const Triangle& s, const Signs& s_signs, const 
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t k = (i + 1) % 3;
       if (opposite(signs[i], signs[k]) && triangles_overlap({c[i], c[k], c[k]}, other)) {
-        found.push_back(through_plane(c[i], c[k], other, measure));
+        found.push_back(zero_between(c[i], height(c[i], other), c[k], height(c[k], other)));
       }
     }
   };
@@ -185,7 +174,6 @@ std::vector<Vec3> common_corners(const Triangle& s, const Signs& s_signs, const 
   inside(t, s);
   through(s, s_signs, t);
   through(t, t_signs, s);
-  std::optional<Vec3> hidden;  // of edges so unlike in length that their crossing is lost
   const Corners c = corners_of(s);
   const Corners d = corners_of(t);
   for (std::size_t i = 0; i < 9; ++i) {
@@ -194,15 +182,10 @@ std::vector<Vec3> common_corners(const Triangle& s, const Signs& s_signs, const 
     const Vec3& a = d[i % 3];
     const Vec3& b = d[(i % 3 + 1) % 3];
     if (p != q && a != b && triangles_overlap({p, q, q}, {a, b, b})) {
-      if (const auto point = cross_point(p, q, a, b, measure)) {
+      if (const auto point = cross_point(p, q, a, b)) {
         found.push_back(*point);
-      } else {
-        hidden = length(q - p) <= length(b - a) ? p : a;
       }
     }
-  }
-  if (found.empty() && hidden) {
-    found.push_back(*hidden);
   }
   return found;
 }
@@ -270,10 +253,9 @@ Crossing crossing(const Triangle& s, const Triangle& t) {
   const Signs s_signs = signs_of(t, s);
   const Signs t_signs = signs_of(s, t);
   if (!has_zero(s_signs) && !has_zero(t_signs)) {
-    return common_piece(piece(s, s_signs, t, measure), piece(t, t_signs, s, measure), measure);
+    return common_piece(piece(s, s_signs, t), piece(t, t_signs, s), measure);
   }
-  const std::vector<Vec3> points =
-      distinct(common_corners(s, s_signs, t, t_signs, measure), measure);
+  const std::vector<Vec3> points = distinct(common_corners(s, s_signs, t, t_signs), measure);
   const bool in_one_plane = s_signs == Signs{} && t_signs == Signs{};
   if (points.size() > 2 && in_one_plane && has_area(s) && has_area(t)) {
     return outline(points, s, measure);

@@ -218,8 +218,27 @@ TEST(CrossingSegment, ServesTheLargestAndSmallestCoordinates) {
   EXPECT_EQ(flat.count, 1U);  // two roundings of the height are far more than the extent
 }
 
-// The crossing of such edges is lost in the doubled precision that it is calculated in.
-TEST(CrossingSegment, GivesAPointWhereEdgesAreTooUnlikeInLength) {
+// Corners are off the other's plane by a part in 10^46: heights that twice a double's digits lose.
+TEST(CrossingSegment, FindsWherePlanesCrossThatNearlyCoincide) {
+  const Vec3 b{588879730009512, -666649603348120, -3012601983163};
+  const Vec3 c{712248242444962, -305903550322659, 627970457113925};
+  const Vec3 above{-283895543972275, 239486181379679, -101924113110875};
+  for (const double scale : {1.0, 0x1p200, 0x1p-1020}) {
+    const auto scaled = [scale](const Vec3& v) { return v * scale; };
+    const Triangle s{{}, scaled(b), scaled(c)};
+    const Triangle t{scaled(above), scaled(b + c - above), scaled(b - above)};
+    const Vec3 first = scaled(0.5 * b);
+    const Vec3 last = scaled(0.5 * (b + c));
+    for (const Crossing& found : {crossing(s, t), crossing(t, s)}) {
+      ASSERT_EQ(found.count, 2U);
+      const bool turned = found.corners[0] == last;
+      EXPECT_EQ(found.corners[turned ? 1 : 0], first) << scale;
+      EXPECT_EQ(found.corners[turned ? 0 : 1], last) << scale;
+    }
+  }
+}
+
+TEST(CrossingSegment, GivesThePointWhereEdgesCrossThatAreUnlikeInLength) {
   const Vec3 far{0.6, 0.7, 0.8};
   for (const double tiny : {0x1p-100, 0x1p-120, 0x1p-800}) {
     const Triangle s{{tiny, 0, 0}, {-tiny, 0, 0}, {-tiny, 0, 0}};

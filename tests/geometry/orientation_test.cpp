@@ -77,11 +77,16 @@ Quad lattice(Rng& rng) {
   return q;
 }
 
+Sign sign_of(const detail::ScaledNumber& number) {
+  return number.fraction > 0 ? Sign::positive : number.fraction < 0 ? Sign::negative : Sign::zero;
+}
+
 void expect_consistent(const Quad& q) {
   const auto& [a, b, c, d] = q;
   const Sign sign = orientation(a, b, c, d);
   EXPECT_EQ(sign, detail::orientation_wide(a, b, c, d));
   EXPECT_EQ(sign, detail::orientation_exact(a, b, c, d));
+  EXPECT_EQ(sign, sign_of(detail::determinant(a, b, c, d)));
   const auto grid = detail::orientation_grid(a, b, c, d);
   EXPECT_EQ(grid.value_or(sign), sign);
   EXPECT_EQ(sign, orientation(b, c, a, d));
@@ -91,6 +96,7 @@ void expect_consistent(const Quad& q) {
   for (const Projection plane : kPlanes) {
     const Sign turn = orientation2d(a, b, c, plane);
     EXPECT_EQ(turn, detail::orientation2d_exact(a, b, c, plane));
+    EXPECT_EQ(turn, sign_of(detail::determinant2d(a, b, c, plane)));
     EXPECT_EQ(turn, orientation2d(b, c, a, plane));
     EXPECT_EQ(opposite(turn), orientation2d(b, a, c, plane));
   }
@@ -189,11 +195,12 @@ TEST(Orientation, AgreesWithIntegerDeterminant) {
     std::array<std::array<std::int64_t, 3>, 4> n{};
     Quad q;
     const int range = rng.below(2) == 0 ? 3 : 1 << 18;
+    const int scale = rng.below(2) == 0 ? -300 : -1000;  // on a grid, and below all grids
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
         n[i][k] =
             static_cast<std::int64_t>(rng.below(static_cast<std::uint64_t>(range))) - range / 2;
-        q[i][k] = std::ldexp(static_cast<double>(n[i][k]), -300);
+        q[i][k] = std::ldexp(static_cast<double>(n[i][k]), scale);
       }
     }
     const auto at = [&](std::size_t i, std::size_t k) { return n[i][k] - n[0][k]; };
@@ -203,6 +210,10 @@ TEST(Orientation, AgreesWithIntegerDeterminant) {
     const Sign expected = det > 0 ? Sign::positive : det < 0 ? Sign::negative : Sign::zero;
     EXPECT_EQ(orientation(q[0], q[1], q[2], q[3]), expected);
     EXPECT_EQ(detail::orientation_wide(q[0], q[1], q[2], q[3]), expected);
+    const detail::ScaledNumber number = detail::determinant(q[0], q[1], q[2], q[3]);
+    const double value = std::ldexp(number.fraction, number.exponent - 3 * scale);
+    EXPECT_LE(std::abs(value - static_cast<double>(det)),
+              0x1p-50 * std::abs(static_cast<double>(det)));
   });
 }
 

@@ -17,7 +17,6 @@ __extension__ using Int128 = __int128;
 __extension__ using Uint128 = unsigned __int128;
 
 using Axis = std::array<double, 4>;
-using GridAxis = std::array<std::int64_t, 4>;
 
 constexpr int kExponentBias = 1023;
 
@@ -29,13 +28,18 @@ double power_of_two(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + kExponentBias) << 52);
 }
 
-/// The coordinates of one axis as integers below 2^60 in a common unit, or false. A common factor
-/// of an axis is a positive factor of the determinant, so each axis has its own unit.
+/// The coordinates of one axis as integers below 2^60 in a unit of 2^exponent.
+struct GridAxis {
+  std::array<std::int64_t, 4> at = {};
+  int exponent = 0;
+};
+
+/// Finds the unit of an axis, or false. A common factor of an axis is a positive factor of the
+/// determinant, so each axis has its own.
 bool to_grid(const Axis& in, GridAxis& out) {
   const double most = std::max(std::max(std::abs(in[0]), std::abs(in[1])),
                                std::max(std::abs(in[2]), std::abs(in[3])));
   if (most == 0) {
-    out = {};
     return true;
   }
   const int exponent = biased_exponent(most) - kExponentBias;
@@ -46,10 +50,11 @@ bool to_grid(const Axis& in, GridAxis& out) {
   const double unit = power_of_two(exponent - 59);
   bool fits = true;
   for (std::size_t i = 0; i < 4; ++i) {
-    out[i] = static_cast<std::int64_t>(in[i] * scale);
+    out.at[i] = static_cast<std::int64_t>(in[i] * scale);
     // Multiplying back is exact, so equality also rules out a coordinate that vanished in `scale`.
-    fits = fits && static_cast<double>(out[i]) * unit == in[i];
+    fits = fits && static_cast<double>(out.at[i]) * unit == in[i];
   }
+  out.exponent = exponent - 59;
   return fits;
 }
 
@@ -75,7 +80,46 @@ struct Sum192 {
     }
     return static_cast<std::uint64_t>(low) == 0 ? Sign::zero : Sign::positive;
   }
+
+  /// The sum with two roundings: its upper and its lower part have one sign.
+  [[nodiscard]] double value() const {
+    const Int128 top = high + (low >> 64);
+    const auto bottom = static_cast<std::uint64_t>(low);
+    if (top >= 0) {
+      return static_cast<double>(top) * 0x1p64 + static_cast<double>(bottom);
+    }
+    const Int128 opposite = -(top + (bottom != 0 ? 1 : 0));
+    return -(static_cast<double>(opposite) * 0x1p64 + static_cast<double>(0 - bottom));
+  }
 };
+
+/// The determinant of points on a grid, in a unit of 2^exponent.
+struct GridDeterminant {
+  Sum192 sum;
+  int exponent = 0;
+};
+
+/// Nothing where the points are on no grid.
+std::optional<GridDeterminant> determinant_of_grid(const Vec3& a, const Vec3& b, const Vec3& c,
+                                                   const Vec3& d) {
+  GridAxis x;
+  GridAxis y;
+  GridAxis z;
+  if (!to_grid({a.x, b.x, c.x, d.x}, x) || !to_grid({a.y, b.y, c.y, d.y}, y) ||
+      !to_grid({a.z, b.z, c.z, d.z}, z)) {
+    return std::nullopt;
+  }
+  for (GridAxis* axis : {&x, &y, &z}) {
+    for (std::size_t i = 1; i < 4; ++i) {
+      axis->at[i] -= axis->at[0];
+    }
+  }
+  GridDeterminant det{{}, x.exponent + y.exponent + z.exponent};
+  det.sum.add(minor(y.at[1], z.at[1], y.at[2], z.at[2]), x.at[3]);
+  det.sum.add(minor(z.at[1], x.at[1], z.at[2], x.at[2]), y.at[3]);
+  det.sum.add(minor(x.at[1], y.at[1], x.at[2], y.at[2]), z.at[3]);
+  return det;
+}
 
 /// |x| = mantissa * 2^exponent.
 struct Decoded {
@@ -95,10 +139,10 @@ Decoded decode(double x) {
 /// One axis of four points as mantissas and shifts above the least exponent among them.
 struct DecodedAxis {
   std::array<Decoded, 4> at;
-  int span = 0;  ///< largest shift
+  int least = 4096;  ///< exponent that shifts count from
+  int span = 0;      ///< largest shift
 
   explicit DecodedAxis(const Axis& in) {
-    int least = 4096;
     for (std::size_t i = 0; i < 4; ++i) {
       at[i] = decode(in[i]);
       least = at[i].mantissa == 0 ? least : std::min(least, at[i].exponent);
@@ -143,6 +187,25 @@ class WideSum {
                                                                                    : Sign::positive;
   }
 
+  /// The sum, of which 65 bits at least count.
+  [[nodiscard]] ScaledNumber value() const {
+    const bool negative = (words_[count_ - 1] >> 63) != 0;
+    ScaledNumber result;
+    double below = 0;  // the word below the one that was read last
+    bool carry = true;
+    for (std::size_t k = 0; k < count_; ++k) {
+      const std::uint64_t word = negative ? ~words_[k] + (carry ? 1U : 0U) : words_[k];
+      carry = carry && word == 0;
+      const auto here = static_cast<double>(word);
+      if (word != 0) {
+        result = {here + 0x1p-64 * below, 64 * static_cast<int>(k)};
+      }
+      below = here;
+    }
+    result.fraction = negative ? -result.fraction : result.fraction;
+    return result;
+  }
+
  private:
   void add_shifted(const std::array<std::uint64_t, 3>& product, int shift, bool negative) {
     std::size_t at = static_cast<std::size_t>(shift) / 64;
@@ -178,6 +241,23 @@ void add_determinant(WideSum& sum, const DecodedAxis& x, const DecodedAxis& y, c
   sum.add(x.at[k], y.at[j], z.at[i], !negate);
 }
 
+/// All 24 products of three axes.
+WideSum sum_of_products(const DecodedAxis& x, const DecodedAxis& y, const DecodedAxis& z) {
+  WideSum det(x.span + y.span + z.span);
+  add_determinant(det, x, y, z, {1, 2, 3}, false);
+  add_determinant(det, x, y, z, {0, 2, 3}, true);
+  add_determinant(det, x, y, z, {0, 1, 3}, false);
+  add_determinant(det, x, y, z, {0, 1, 2}, true);
+  return det;
+}
+
+/// A point of the plane z = 0. Seen from `kAbovePlane`, the determinant is the planar one times 1.
+Vec3 flat(const Vec3& p, Projection plane) {
+  return {first_coordinate(p, plane), second_coordinate(p, plane), 0};
+}
+
+constexpr Vec3 kAbovePlane{0, 0, 1};
+
 bool all_equal(double a, double b, double c, double d) {
   return a == b && a == c && a == d;
 }
@@ -185,35 +265,15 @@ bool all_equal(double a, double b, double c, double d) {
 }  // namespace
 
 std::optional<Sign> orientation_grid(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  GridAxis x;
-  GridAxis y;
-  GridAxis z;
-  if (!to_grid({a.x, b.x, c.x, d.x}, x) || !to_grid({a.y, b.y, c.y, d.y}, y) ||
-      !to_grid({a.z, b.z, c.z, d.z}, z)) {
-    return std::nullopt;
-  }
-  for (GridAxis* axis : {&x, &y, &z}) {
-    for (std::size_t i = 1; i < 4; ++i) {
-      (*axis)[i] -= (*axis)[0];
-    }
-  }
-  Sum192 det;
-  det.add(minor(y[1], z[1], y[2], z[2]), x[3]);
-  det.add(minor(z[1], x[1], z[2], x[2]), y[3]);
-  det.add(minor(x[1], y[1], x[2], y[2]), z[3]);
-  return det.sign();
+  const std::optional<GridDeterminant> det = determinant_of_grid(a, b, c, d);
+  return det ? std::optional(det->sum.sign()) : std::nullopt;
 }
 
 Sign orientation_wide(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const DecodedAxis x({a.x, b.x, c.x, d.x});
   const DecodedAxis y({a.y, b.y, c.y, d.y});
   const DecodedAxis z({a.z, b.z, c.z, d.z});
-  WideSum det(x.span + y.span + z.span);
-  add_determinant(det, x, y, z, {1, 2, 3}, false);
-  add_determinant(det, x, y, z, {0, 2, 3}, true);
-  add_determinant(det, x, y, z, {0, 1, 3}, false);
-  add_determinant(det, x, y, z, {0, 1, 2}, true);
-  return det.sign();
+  return sum_of_products(x, y, z).sign();
 }
 
 Sign orientation_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -226,11 +286,23 @@ Sign orientation_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& 
 }
 
 Sign orientation2d_exact(const Vec3& a, const Vec3& b, const Vec3& c, Projection plane) {
-  // Points of the plane z = 0 seen from (0, 0, 1): the planar determinant times one.
-  const auto flat = [plane](const Vec3& p) {
-    return Vec3{first_coordinate(p, plane), second_coordinate(p, plane), 0};
-  };
-  return orientation_exact(flat(a), flat(b), flat(c), {0, 0, 1});
+  return orientation_exact(flat(a, plane), flat(b, plane), flat(c, plane), kAbovePlane);
+}
+
+ScaledNumber determinant(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  if (const std::optional<GridDeterminant> det = determinant_of_grid(a, b, c, d)) {
+    return {det->sum.value(), det->exponent};
+  }
+  const DecodedAxis x({a.x, b.x, c.x, d.x});
+  const DecodedAxis y({a.y, b.y, c.y, d.y});
+  const DecodedAxis z({a.z, b.z, c.z, d.z});
+  ScaledNumber value = sum_of_products(x, y, z).value();
+  value.exponent += x.least + y.least + z.least;
+  return value;
+}
+
+ScaledNumber determinant2d(const Vec3& a, const Vec3& b, const Vec3& c, Projection plane) {
+  return determinant(flat(a, plane), flat(b, plane), flat(c, plane), kAbovePlane);
 }
 
 }  // namespace soms::detail

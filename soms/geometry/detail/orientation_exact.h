@@ -26,4 +26,17 @@ namespace soms::detail {
 [[nodiscard]] Sign orientation2d_exact(const Vec3& a, const Vec3& b, const Vec3& c,
                                        Projection plane);
 
+/// `fraction * 2^exponent`: also numbers beyond the range of doubles.
+struct ScaledNumber {
+  double fraction = 0;
+  int exponent = 0;
+};
+
+/// The determinant whose sign `orientation` gives, right to 2^-51 of itself.
+[[nodiscard]] ScaledNumber determinant(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// The same for `orientation2d`.
+[[nodiscard]] ScaledNumber determinant2d(const Vec3& a, const Vec3& b, const Vec3& c,
+                                         Projection plane);
+
 }  // namespace soms::detail
