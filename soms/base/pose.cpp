@@ -4,6 +4,7 @@
 #include "soms/base/error.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -18,6 +19,12 @@ std::string entry_name(int row, int column) {
     return std::string("t") + "xyz"[row];
   }
   return "r" + std::to_string(row) + std::to_string(column);
+}
+
+/// All digits that count: a number just above a bound must not look like the bound.
+std::string in_digits(double x) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }
 
 void check_finite(const Pose& pose) {
@@ -62,7 +69,7 @@ bool is_rigid(const Pose& pose) {
       if (!(off <= kRigidTolerance)) {
         throw Error(ErrorKind::not_rigid,
                     "pose: entry " + std::to_string(i) + "," + std::to_string(j) +
-                        " of RtR - I is " + std::to_string(off) + ", above 1e-6",
+                        " of RtR - I is " + in_digits(off) + ", above 1e-6",
                     "give a rotation; scale belongs into the mesh (--scale)");
       }
     }
@@ -90,7 +97,7 @@ Pose Pose::from_quaternion(double w, double x, double y, double z, const Vec3& t
   }
   if (std::abs(norm - 1) > kRigidTolerance) {
     throw Error(ErrorKind::not_rigid,
-                "pose: the quaternion's squared length is " + std::to_string(norm) + ", not 1",
+                "pose: the quaternion's squared length is " + in_digits(norm) + ", not 1",
                 "normalise the quaternion (qw qx qy qz)");
   }
   // Twice the inverse of the squared length instead of 2: a quaternion written with six digits is

@@ -143,7 +143,9 @@ TEST(Pose, CheckNamesTheEntryThatIsOff) {
   };
   EXPECT_NO_THROW(check(with(0, 1 + 4e-7)));
   expect_error([&] { check(with(0, 1 + 6e-7)); }, ErrorKind::not_rigid, "entry 0,0 of RtR - I");
-  expect_error([&] { check(with(9, 2e-6)); }, ErrorKind::not_rigid, "entry 1,2 of RtR - I");
+  expect_error([&] { check(with(9, 2e-6)); }, ErrorKind::not_rigid,
+               "entry 1,2 of RtR - I is 2e-06, above 1e-6");
+  expect_error([&] { check(with(8, 0x1p-19)); }, ErrorKind::not_rigid, "is 1.9073486328125e-06,");
   expect_error([&] { check(with(5, -1)); }, ErrorKind::not_rigid, "mirrors");
   expect_error([&] { check(with(6, kNaN)); }, ErrorKind::not_finite, "entry r12");
   expect_error([&] { check(with(11, -kInfinity)); }, ErrorKind::not_finite, "entry tz");
