@@ -53,6 +53,18 @@ TEST(IdList, KeepsPlacesInProportionToWhatIsThere) {
   EXPECT_EQ(list.at(99999), 99999);
 }
 
+TEST(IdList, GivesMemoryBackWhenMostAreRemoved) {
+  detail::IdList<int> list("thing");
+  for (int k = 0; k < 100000; ++k) {
+    list.add(k);
+  }
+  for (std::uint32_t id = 10; id < 100000; ++id) {
+    list.remove(id);
+  }
+  EXPECT_LE(list.places().capacity(), 100U);
+  EXPECT_EQ(list.at(9), 9);
+}
+
 TEST(IdList, DestroysARemovedValueAtOnce) {
   detail::IdList<std::shared_ptr<int>> list("thing");
   const auto value = std::make_shared<int>(3);

@@ -51,6 +51,7 @@ class IdList {
     ++empty_;
     if (2 * empty_ > places_.size()) {
       std::erase_if(places_, [](const Place& p) { return !p.live; });
+      places_.shrink_to_fit();
       empty_ = 0;
     }
   }
