@@ -6,6 +6,7 @@
 #include "tests/support/support.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -53,6 +54,23 @@ TEST(Columns, GiveEachPairOnceAndMissNone) {
     }
   });
   EXPECT_GT(grids, 200);
+}
+
+// A size of endless less endless is no number: all boxes would share one column.
+TEST(Columns, FindAGridBesideBoxesBeyondTheRangeOfFloats) {
+  std::vector<Box> boxes;
+  for (int y = 0; y < 40; ++y) {
+    for (int z = 0; z < 40; ++z) {
+      boxes.push_back({{0, 2.0 * y, 2.0 * z}, {1, 2.0 * y + 1, 2.0 * z + 1}});
+    }
+  }
+  for (std::size_t k = 0; k < boxes.size(); k += 260) {
+    boxes[k] = {{0x1p299, 0x1p299, 0x1p299}, {0x1p299, 0x1p299, 0x1p299}};
+  }
+  detail::Columns columns;
+  const auto found = columns.find(as_floats(boxes));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->size(), 7U * 6 / 2);
 }
 
 TEST(Columns, DeclineBoxesThatDoNotSuitAGrid) {

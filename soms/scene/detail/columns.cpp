@@ -73,7 +73,8 @@ Spread spread_of(std::vector<double>& lower, std::vector<double>& upper, double 
   const std::size_t count = lower.size();
   std::vector<double> sizes(count);
   for (std::size_t k = 0; k < count; ++k) {
-    sizes[k] = upper[k] - lower[k];
+    // Boxes beyond the range of floats have both ends there, and no size.
+    sizes[k] = upper[k] > lower[k] ? upper[k] - lower[k] : 0;
   }
   const auto nth = [&](std::vector<double>& values, std::size_t n) {
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(n), values.end());
