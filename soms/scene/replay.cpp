@@ -23,6 +23,7 @@ struct Chunk {
   std::uint64_t first = 0;
   std::uint64_t begin = 0;  ///< byte of its content
   std::uint64_t length = 0;
+  std::uint64_t sum = 0;  ///< of its content
 };
 
 std::unique_ptr<std::istream> open(const std::filesystem::path& path) {
@@ -42,8 +43,9 @@ std::unique_ptr<std::istream> open(const std::filesystem::path& path) {
 }
 
 /// Reads the content of a chunk by `read`. That a byte was altered says more than what it broke.
+/// \returns the content's checksum.
 template <class Read>
-void read_content(detail::RecordingBytes& bytes, const ChunkHead& head, const Read& read) {
+std::uint64_t read_content(detail::RecordingBytes& bytes, const ChunkHead& head, const Read& read) {
   const std::uint64_t begin = bytes.position();
   ChunkContent content(bytes, head.length);
   std::optional<Error> wrong;
@@ -64,6 +66,7 @@ void read_content(detail::RecordingBytes& bytes, const ChunkHead& head, const Re
   if (wrong) {
     throw Error(*wrong);
   }
+  return content.sum();
 }
 
 }  // namespace
@@ -110,7 +113,8 @@ struct Replay::State {
     if (!chunk.is(detail::kHeadTag) || chunk.frames != 0 || chunk.first != 0) {
       throw bytes.fault(begin, "the recording does not begin with its head");
     }
-    read_content(bytes, chunk, [&](ChunkContent& content) { head = detail::read_head(content); });
+    static_cast<void>(read_content(
+        bytes, chunk, [&](ChunkContent& content) { head = detail::read_head(content); }));
   }
 
   /// Frames, or the end.
@@ -124,8 +128,8 @@ struct Replay::State {
       read_frames(chunk);
     } else if (chunk.is(detail::kEndTag) && chunk.frames == 0) {
       RecordingEnd said;
-      read_content(bytes, chunk,
-                   [&](ChunkContent& content) { said = detail::read_end(content, frames); });
+      static_cast<void>(read_content(
+          bytes, chunk, [&](ChunkContent& content) { said = detail::read_end(content, frames); }));
       seen.ending = said.ending;
       seen.frames = frames;
       seen.hash = hash.value();
@@ -139,10 +143,10 @@ struct Replay::State {
   }
 
   void read_frames(const ChunkHead& chunk) {
-    const Chunk place{frames, bytes.position(), chunk.length};
+    Chunk place{frames, bytes.position(), chunk.length};
     RecordingEnd sum = seen;
     Fnv1a running = hash;
-    read_content(bytes, chunk, [&](ChunkContent& content) {
+    place.sum = read_content(bytes, chunk, [&](ChunkContent& content) {
       start();
       for (std::uint32_t k = 0; k < chunk.frames; ++k) {
         read_frame(content, head, frame);
@@ -155,6 +159,22 @@ struct Replay::State {
     hash = running;
     chunks.push_back(place);
     frames += chunk.frames;
+  }
+
+  /// Goes to the first frame of a chunk, which must be as it was when the file was opened.
+  void enter(const Chunk& chunk) {
+    playing.reset();
+    bytes.seek(chunk.begin);
+    ChunkContent again(bytes, chunk.length);
+    if (!again.is_unaltered() || again.sum() != chunk.sum) {
+      throw Error(ErrorKind::bad_file,
+                  bytes.fault(chunk.begin, "the file was changed since it was opened").place(),
+                  "open it again");
+    }
+    bytes.seek(chunk.begin);
+    playing.emplace(bytes, chunk.length);
+    start();
+    next = chunk.first;
   }
 
   /// Before the first frame of a chunk.
@@ -220,11 +240,7 @@ const RecordedFrame& Replay::frame(std::uint64_t i) {
     return state.frame;
   }
   if (!state.playing || state.next > i || state.next <= chunk.first) {
-    state.playing.reset();
-    state.bytes.seek(chunk.begin);
-    state.playing.emplace(state.bytes, chunk.length);
-    state.start();
-    state.next = chunk.first;
+    state.enter(chunk);
   }
   try {
     while (state.next <= i) {

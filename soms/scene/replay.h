@@ -43,9 +43,10 @@ class Replay {
   [[nodiscard]] const std::optional<Error>& fault() const;
 
   /// Frame `i`; the reference lasts until the next call.
-  /// \errors  ErrorKind::usage unless `i` is less than `frames()`; bad_file, cannot_open if the
-  ///          file was changed since it was opened.
-  /// \cost    The next frame: linear in movers and contacts. Any other: up to 64 frames are read.
+  /// \errors  ErrorKind::usage unless `i` is less than `frames()`; bad_file if the chunk of frame
+  ///          `i` was changed since the file was opened.
+  /// \cost    The next frame: linear in movers and contacts. Any other, and the first of a chunk:
+  ///          the chunk's checksum, and up to 64 frames are read.
   [[nodiscard]] const RecordedFrame& frame(std::uint64_t i);
 
  private:

@@ -264,6 +264,35 @@ TEST(Replay, OpensFilesAndKnowsThemByTheirFirstBytes) {
   EXPECT_EQ(kind_of(folder.path() / "other.ply"), ErrorKind::bad_file);
 }
 
+TEST(Replay, TellsThatTheFileWasChangedSinceItWasOpened) {
+  const std::string bytes = test::record_drive().bytes;
+  const std::size_t first = second_chunk(bytes);
+  const std::size_t last =
+      first + detail::kChunkHeadSize + 8 +
+      static_cast<std::size_t>(detail::get<std::uint64_t>(bytes.data() + first + 16));
+  // Another shift of the first mover, with checksums that are good.
+  const std::string changed =
+      forged(bytes, last, [](std::string& content) { content[8] = static_cast<char>(0x31); });
+  ASSERT_EQ(changed.size(), bytes.size());
+  ASSERT_EQ(test::replay_of(changed).frames(), 66U);
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "run.somsrec";
+  std::ofstream(path, std::ios::binary) << bytes;
+  Replay replay(path);
+  EXPECT_EQ(replay.frame(64).poses[0], Pose::translation(16, 0, 0));
+  EXPECT_EQ(replay.frame(0).poses[0], Pose());
+  std::ofstream(path, std::ios::binary) << changed;
+  for (int again = 0; again < 2; ++again) {
+    try {
+      static_cast<void>(replay.frame(64));
+      ADD_FAILURE() << "plays what was not there";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::bad_file);
+      EXPECT_NE(error.place().find("changed since it was opened"), std::string::npos);
+    }
+  }
+}
+
 TEST(Replay, StopsWhenAsked) {
   const test::Recorded recorded = test::record_drive();
   std::stop_source stop;

@@ -78,6 +78,9 @@ class ChunkContent {
   /// Passes over the rest; true if the content is as it was written.
   [[nodiscard]] bool is_unaltered();
 
+  /// Checksum of what was read.
+  [[nodiscard]] std::uint64_t sum() const { return hash_.value(); }
+
  private:
   [[nodiscard]] const char* take(std::size_t count);
   void refill();
