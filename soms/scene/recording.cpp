@@ -147,18 +147,14 @@ void RecordingWriter::add(std::span<const Pose> poses, const StepReport& report)
                     std::to_string(before_.size()) + " movers",
                 "give the pose of each mover");
   }
-  for (std::size_t k = 0; k < poses.size(); ++k) {
-    put_pose(chunk_, poses[k], before_[k]);
-    before_[k] = poses[k];
+  const std::size_t whole = chunk_.size();
+  try {
+    put_frame(poses, report);
+  } catch (...) {  // memory ran short: frames before this one stay good
+    chunk_.resize(whole);
+    throw;
   }
-  put(chunk_, static_cast<std::uint64_t>(report.environment.size()));
-  for (const EnvironmentContact& contact : report.environment) {
-    put_contact(chunk_, contact.mover, contact.part, contact);
-  }
-  put(chunk_, static_cast<std::uint64_t>(report.movers.size()));
-  for (const MoverContact& contact : report.movers) {
-    put_contact(chunk_, contact.a, contact.b, contact);
-  }
+  std::copy(poses.begin(), poses.end(), before_.begin());
   ++chunk_frames_;
   ++end_.frames;
   end_.environment_contacts += report.environment.size();
@@ -170,13 +166,31 @@ void RecordingWriter::add(std::span<const Pose> poses, const StepReport& report)
   }
 }
 
+void RecordingWriter::put_frame(std::span<const Pose> poses, const StepReport& report) {
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    put_pose(chunk_, poses[k], before_[k]);
+  }
+  put(chunk_, static_cast<std::uint64_t>(report.environment.size()));
+  for (const EnvironmentContact& contact : report.environment) {
+    put_contact(chunk_, contact.mover, contact.part, contact);
+  }
+  put(chunk_, static_cast<std::uint64_t>(report.movers.size()));
+  for (const MoverContact& contact : report.movers) {
+    put_contact(chunk_, contact.a, contact.b, contact);
+  }
+}
+
 void RecordingWriter::flush() {
   if (chunk_frames_ == 0) {
     return;
   }
-  write(chunk_head(detail::kFramesTag, chunk_frames_, end_.frames - chunk_frames_, chunk_.size()));
-  put(chunk_, detail::hash_of(chunk_));
+  const std::string head =
+      chunk_head(detail::kFramesTag, chunk_frames_, end_.frames - chunk_frames_, chunk_.size());
+  std::string sum;
+  put(sum, detail::hash_of(chunk_));
+  write(head);
   write(chunk_);
+  write(sum);
   chunk_.clear();
   chunk_frames_ = 0;
   std::fill(before_.begin(), before_.end(), Pose{});

@@ -96,7 +96,8 @@ class RecordingWriter {
 
   /// Adds the next frame.
   /// \pre     `report` is of the bodies that the head names: movers 0 to n-1.
-  /// \errors  ErrorKind::usage where there are not as many poses as movers; cannot_write.
+  /// \errors  ErrorKind::usage where there are not as many poses as movers; cannot_write. Where
+  ///          memory runs short, `so_far` tells whether the frame was added; those before it were.
   void add(std::span<const Pose> poses, const StepReport& report);
 
   /// Writes what is held back, and the end. Call it once, last. \errors ErrorKind::cannot_write.
@@ -106,6 +107,7 @@ class RecordingWriter {
   [[nodiscard]] const RecordingEnd& so_far() const { return end_; }
 
  private:
+  void put_frame(std::span<const Pose> poses, const StepReport& report);
   void flush();
   void write(const std::string& bytes);
 

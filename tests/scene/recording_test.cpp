@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <new>
 #include <sstream>
 #include <streambuf>
 #include <string>
@@ -163,6 +164,42 @@ TEST(Recording, RefusesWhatNoRecordingCanHold) {
   std::ostringstream out;
   RecordingWriter writer(out, head_of_one_mover());
   EXPECT_THROW(writer.add({}, {}), Error);
+}
+
+TEST(Recording, KeepsItsFramesWhereMemoryRanShort) {
+  StepReport report;
+  for (TriangleId k = 0; k < 100; ++k) {
+    report.environment.push_back({1, 0, 0, k});
+  }
+  std::size_t failures = 0;
+  for (std::uint64_t lasting = 0, failed = 1; failed != 0; ++lasting) {
+    failed = 0;
+    RecordingHead head;
+    head.models.resize(1);
+    head.models[0].triangles = 100;
+    head.environment = {{head.models[0], Pose{}}};
+    head.movers = {0, 0};
+    std::ostringstream out;
+    RecordingWriter writer(out, head);
+    for (int frame = 0; frame < 3; ++frame) {
+      const std::vector<Pose> poses{Pose::translation(frame, 0, 0), Pose::translation(0, frame, 0)};
+      const test::AllocationFault fault(frame == 1 ? lasting : 1000);
+      try {
+        writer.add(poses, report);
+      } catch (const std::bad_alloc&) {
+        failed = 1;
+        ++failures;
+      }
+    }
+    writer.finish(RecordingEnding::complete);
+    ASSERT_EQ(writer.so_far().frames, failed != 0 ? 2U : 3U);
+    Replay replay = test::replay_of(out.str());
+    ASSERT_TRUE(replay.end());
+    const std::vector<RecordedFrame> frames = test::frames_of(replay);
+    ASSERT_EQ(frames.size(), writer.so_far().frames);
+    EXPECT_EQ(frames.back().poses[1], Pose::translation(0, 2, 0));
+  }
+  EXPECT_GT(failures, 0U);
 }
 
 TEST(Recording, TellsAFullDisk) {
