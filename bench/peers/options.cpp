@@ -94,13 +94,18 @@ std::vector<Pose> poses_of_standard_input() {
   }
 }
 
+/// Never none: without poses random ones would be asked.
 std::vector<Pose> poses(const std::string& text) {
   std::error_code ignored;
-  if (text == "-") {
-    return poses_of_standard_input();
+  if (text != "-" && !std::filesystem::exists(text, ignored)) {
+    return {parse_pose(text)};
   }
-  return std::filesystem::exists(text, ignored) ? read_poses(text)
-                                                : std::vector<Pose>{parse_pose(text)};
+  std::vector<Pose> rows = text == "-" ? poses_of_standard_input() : read_poses(text);
+  if (rows.empty()) {
+    throw Error(ErrorKind::bad_file, (text == "-" ? "standard input" : text) + ": no row",
+                "give at least one pose below the header");
+  }
+  return rows;
 }
 
 /// Options of the run itself; false for another one.

@@ -121,5 +121,18 @@ TEST(Bench, CallsStandardInputByItsName) {
       << faulty.err;
 }
 
+TEST(Bench, AsksNothingElseWherePosesAreMissing) {
+  const TemporaryFolder folder;
+  write_text(folder.path() / "none.csv", "x,y,z\n");
+  const RunResult file =
+      soms_run({"bench", box(), box(), "--pose", (folder.path() / "none.csv").string()});
+  EXPECT_EQ(file.status, 3) << file.out;
+  EXPECT_NE(file.err.find("none.csv: no row; give at least one pose"), std::string::npos)
+      << file.err;
+  const RunResult piped = soms_run({"bench", box(), box(), "--pose", "-"}, "x,y,z\n");
+  EXPECT_EQ(piped.status, 3) << piped.out;
+  EXPECT_NE(piped.err.find("standard input: no row"), std::string::npos) << piped.err;
+}
+
 }  // namespace
 }  // namespace soms::test
