@@ -91,9 +91,21 @@ std::vector<Offer> chosen(const Options& options) {
   return offers;
 }
 
+/// Before the race: a place that cannot be written to is told before the work, not after it.
+/// \errors ErrorKind::cannot_write.
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) {
+    throw Error(ErrorKind::cannot_write,
+                folder.string() + ": cannot make the folder: " + failed.message(),
+                "choose another place for the output");
+  }
+}
+
 int run_catalog(const Options& options, const RunFacts& facts) {
   const Roster roster = contestants(options);
-  std::filesystem::create_directories(options.out);
+  make_folder(options.out);
   std::vector<Cell> cells;
   for (const Offer& offer : chosen(options)) {
     run_scene(offer.make(), roster, options.run, [&](Cell cell) {
@@ -109,6 +121,9 @@ int run_catalog(const Options& options, const RunFacts& facts) {
 }
 
 int run_files(const Options& options, const RunFacts& facts) {
+  if (!options.out.empty()) {
+    make_folder(options.out);
+  }
   const Roster roster = contestants(options);
   const Scene scene = own_files_scene(options.files[0], options.files[1], options.poses,
                                       options.random, options.seed);
@@ -116,7 +131,6 @@ int run_files(const Options& options, const RunFacts& facts) {
   run_scene(scene, roster, options.run, [&](Cell cell) { cells.push_back(std::move(cell)); });
   (options.json ? print_json : print_times)(std::cout, cells);
   if (!options.out.empty()) {
-    std::filesystem::create_directories(options.out);
     write_csv(options.out / "peers.csv", cells);
     write_markdown(options.out / "peers.md", cells, facts);
   }

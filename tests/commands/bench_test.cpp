@@ -114,6 +114,18 @@ TEST(Bench, FailsWhereItsAnswerCannotBeWritten) {
   EXPECT_EQ(soms_run({"bench", "-", box()}).status, 2);
 }
 
+TEST(Bench, TellsBeforeTheWorkThatAFolderCannotBeMade) {
+  const TemporaryFolder folder;
+  write_text(folder.path() / "file", "x");
+  for (const char* const place : {"file", "file/results"}) {
+    const RunResult result = soms_run({"bench", box(), box(), "--random", "50", "--rounds", "1",
+                                       "--out", (folder.path() / place).string()});
+    EXPECT_EQ(result.status, 5) << result.err;
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find("cannot make the folder"), std::string::npos) << result.err;
+  }
+}
+
 TEST(Bench, CallsStandardInputByItsName) {
   const RunResult faulty = soms_run({"bench", box(), box(), "--pose", "-"}, "x,y,z\n1,2\n");
   EXPECT_EQ(faulty.status, 3) << faulty.err;
