@@ -56,6 +56,23 @@ TEST(PairCounter, CountsTouchingPairs) {
   EXPECT_EQ(counter.count(Pose::translation(2.001, 0, 0), false), 0U);
 }
 
+// 10^15 cells of the grid lie within the box of the large triangle.
+TEST(PairCounter, EndsWhereALargeTriangleReachesOverTinyOnesFarApart) {
+  const FloatMesh large{{{-500, -500, 0}, {500, -500, 0}, {0, 700, 0}}, {{0, 1, 2}}};
+  FloatMesh tiny;
+  for (int i = 0; i < 40; ++i) {
+    append(tiny, box({25.0 * i - 500, 17.0 * i - 340, 10.0 * i - 200}, {0.001, 0.001, 0.001}));
+  }
+  const PairCounter counter(large, tiny);
+  test::for_each_case("bench/pair-counter/large", 10, [&](Rng& rng) {
+    const Pose pose = random_rotation(rng, {});
+    const std::uint64_t pairs =
+        reference::overlap(widened(large), pose, widened(tiny), {}).pairs.size();
+    EXPECT_EQ(counter.count(pose, false), pairs);
+    EXPECT_GT(pairs, 0U);  // one of them is where it turns about
+  });
+}
+
 TEST(Judge, LooksAtEveryQuestionOnWhichTwoDifferHoweverLittleItMayLookAt) {
   const FloatMesh cube = box({0, 0, 0}, {1, 1, 1});
   const PairCounter counter(cube, cube);

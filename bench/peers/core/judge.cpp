@@ -145,9 +145,31 @@ PairCounter::PairCounter(const FloatMesh& mover, const FloatMesh& fixed)
   }
 }
 
+/// Fixed triangles of the cells that a box reaches into, each once. Where these are more than there
+/// are triangles, as of a large triangle over a fine mesh, it is sooner to take all.
+std::vector<std::uint32_t> PairCounter::candidates(const Box& box) const {
+  const Vec3 e = box.extent();
+  const double cells = (e.x / side_ + 1) * (e.y / side_ + 1) * (e.z / side_ + 1);
+  std::vector<std::uint32_t> near;
+  if (cells > static_cast<double>(boxes_.size())) {
+    near.resize(boxes_.size());
+    std::iota(near.begin(), near.end(), 0U);
+    return near;
+  }
+  near = large_;
+  each_cell(box, [&](const Cell& cell) {
+    const auto there = cells_.find(cell);
+    if (there != cells_.end()) {
+      near.insert(near.end(), there->second.begin(), there->second.end());
+    }
+  });
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  return near;
+}
+
 std::uint64_t PairCounter::count(const Pose& pose, bool any) const {
   std::uint64_t found = 0;
-  std::vector<std::uint32_t> near;
   for (std::size_t i = 0; i < mover_.triangles.size() && !(any && found != 0); ++i) {
     const Triangle t = moved(pose, mover_.triangle(i));
     const Box box = bounds(t);
@@ -160,16 +182,7 @@ std::uint64_t PairCounter::count(const Pose& pose, bool any) const {
          std::max(box.lower.z, bounds_.lower.z)},
         {std::min(box.upper.x, bounds_.upper.x), std::min(box.upper.y, bounds_.upper.y),
          std::min(box.upper.z, bounds_.upper.z)}};
-    near = large_;
-    each_cell(inside, [&](const Cell& cell) {
-      const auto there = cells_.find(cell);
-      if (there != cells_.end()) {
-        near.insert(near.end(), there->second.begin(), there->second.end());
-      }
-    });
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
-    for (const std::uint32_t k : near) {
+    for (const std::uint32_t k : candidates(inside)) {
       if (overlaps(box, boxes_[k]) && triangles_overlap(t, fixed_.triangle(k))) {
         ++found;
       }

@@ -47,6 +47,8 @@ class PairCounter {
   template <class Visit>
   void each_cell(const Box& box, const Visit& visit) const;
 
+  [[nodiscard]] std::vector<std::uint32_t> candidates(const Box& box) const;
+
   FloatMesh mover_;
   FloatMesh fixed_;
   std::vector<Box> boxes_;  // of the fixed triangles
