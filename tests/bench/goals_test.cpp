@@ -1,5 +1,9 @@
 #include "bench/peers/core/goals.h"
 
+#include "soms/query/instruction_set.h"
+
+#include "bench/peers/core/machine.h"
+
 #include <gtest/gtest.h>
 
 namespace soms::bench {
@@ -45,6 +49,12 @@ TEST(Goals, OfTheBroadPhaseDifferByWhatARivalKeeps) {
 
 TEST(Goals, AreNoneForAJobThatNoneWasSetFor) {
   EXPECT_TRUE(goals_of(Job::any, "streets", "routes", 5'672, "avx512").empty());
+}
+
+// Goals and results go by what soms runs on, not by what the processor could do.
+TEST(Machine, NamesTheInstructionSetThatSomsRunsOn) {
+  EXPECT_EQ(isa(), instruction_set());
+  EXPECT_TRUE(machine_folder().ends_with("_" + std::string(instruction_set())));
 }
 
 }  // namespace

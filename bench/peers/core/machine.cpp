@@ -1,11 +1,12 @@
 #include "bench/peers/core/machine.h"
 
+#include "soms/query/instruction_set.h"
+
 #include <malloc.h>
 #include <sched.h>
 
 #include <array>
 #include <cctype>
-#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <regex>
@@ -25,22 +26,7 @@ std::string processor() {
 }
 
 std::string isa() {
-  const char* forced = std::getenv("SOMS_ISA");
-  if (forced != nullptr && *forced != '\0') {
-    return forced;
-  }
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0) {
-    return "avx512";
-  }
-  if (__builtin_cpu_supports("avx2") != 0) {
-    return "avx2";
-  }
-  if (__builtin_cpu_supports("sse4.2") != 0) {
-    return "sse4";
-  }
-#endif
-  return "scalar";
+  return std::string(instruction_set());
 }
 
 std::string machine_folder() {

@@ -10,8 +10,8 @@ namespace soms::bench {
 /// The processor as it names itself.
 [[nodiscard]] std::string processor();
 
-/// The instruction set that soms runs on: SOMS_ISA where it is set, else the best that the
-/// processor has, of avx512, avx2, sse4 and scalar.
+/// The instruction set that soms runs on, as it says itself: SOMS_ISA where it is set.
+/// \errors As `instruction_set`.
 [[nodiscard]] std::string isa();
 
 /// Name of the folder of this machine's results: processor, cores and instruction set.
