@@ -59,7 +59,8 @@ int run_bench(const BenchOptions& options, Console& console) {
                 "give the model as a file");
   }
   const Shared& shared = console.shared();
-  std::vector<std::string> words{options.a, options.b, "--jobs", options.jobs};
+  std::vector<std::string> words{as_argument(options.a), as_argument(options.b), "--jobs",
+                                 options.jobs};
   const auto add = [&](const std::string& name, const std::string& value) {
     words.push_back(name);
     words.push_back(value);

@@ -117,6 +117,10 @@ std::filesystem::path find_program(const ChildProgram& program) {
               program.remedy);
 }
 
+std::string as_argument(const std::string& path) {
+  return path.size() > 1 && path[0] == '-' ? "./" + path : path;
+}
+
 void become(const std::filesystem::path& program, const std::string& called,
             const std::vector<std::string>& words) {
   std::signal(SIGPIPE, SIG_DFL);

@@ -22,6 +22,9 @@ struct ChildProgram {
 /// \errors ErrorKind::unsupported where there is none.
 [[nodiscard]] std::filesystem::path find_program(const ChildProgram& program);
 
+/// A path that a child does not take for an option.
+[[nodiscard]] std::string as_argument(const std::string& path);
+
 /// How a child is run.
 struct ChildOptions {
   std::string called = {};  ///< its first argument; empty: its path

@@ -16,11 +16,6 @@ namespace {
 /// Movers of a simulation that names none; soms-view shows a city from files without movers.
 constexpr const char* kMovers = "1000";
 
-/// A path that is not taken for an option.
-std::string as_argument(const std::string& path) {
-  return path.size() > 1 && path[0] == '-' ? "./" + path : path;
-}
-
 void add_model_words(std::vector<std::string>& words, const ModelOptions& model,
                      const std::string& scale, const std::string& up) {
   if (model.scale != 1) {

@@ -37,6 +37,10 @@ TEST(Bench, FindsTheProgramInLibexecOfItsPrefix) {
                    "a.ply", "b.ply", "--pose", "1 2 3", "--ask", "all", "--json"});
   EXPECT_EQ(result.status, 6);
   EXPECT_EQ(result.out, "a.ply b.ply --jobs all --rounds 7 --seed 1 --pose 1 2 3 --json\n");
+  const RunResult dashes =
+      run_program({"env", "-u", "SOMS_BENCH", (folder.path() / "bin/soms").string(), "bench",
+                   "--rounds", "3", "--", "--a.ply", "-b.ply"});
+  EXPECT_EQ(dashes.out, "./--a.ply ./-b.ply --jobs any,all --rounds 3 --seed 1 --random 1000\n");
 }
 
 TEST(Bench, EndsTheProgramWhenTimeIsOver) {
