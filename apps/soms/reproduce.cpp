@@ -77,6 +77,11 @@ void write_whole(const fs::path& path, std::string_view bytes) {
   file.commit();
 }
 
+/// A line on standard error that --quiet does not leave out.
+void tell_fault(std::string_view line) {
+  print_error("soms reproduce", line);
+}
+
 /// Names each model that another one stands in for, with the reason, and files that were not used.
 void tell_models(const reproduce::Models& models, const ReproduceOptions& options,
                  const Console& console) {
@@ -88,13 +93,12 @@ void tell_models(const reproduce::Models& models, const ReproduceOptions& option
   for (const auto* const kind : {&models.objects, &models.scenes}) {
     for (const reproduce::Model& model : *kind) {
       if (!model.trouble.empty() && told.insert(model.trouble).second) {
-        console.complain(
-            fmt::format("{}: {}; in its place: {}", model.name, model.trouble, model.title));
+        tell_fault(fmt::format("{}: {}; in its place: {}", model.name, model.trouble, model.title));
       }
     }
   }
   for (const std::string& remark : models.remarks) {
-    console.complain(remark);
+    tell_fault(remark);
   }
 }
 
@@ -187,8 +191,8 @@ int run_reproduce(const ReproduceOptions& options, Console& console) {
   if (report.missing.empty()) {
     return 0;
   }
-  console.complain(fmt::format("ended early, before {}; what is written is whole",
-                               report.missing.front()->item));
+  tell_fault(fmt::format("ended early, before {}; what is written is whole",
+                         report.missing.front()->item));
   return console.interrupted() ? kInterrupted : kOutOfTime;
 }
 

@@ -64,10 +64,6 @@ void Console::note(std::string_view line) const {
   }
 }
 
-void Console::complain(std::string_view line) const {
-  print_error("soms", line);
-}
-
 bool Console::talks_to_a_person() const {
   return !shared_.quiet && ::isatty(1) == 1;
 }

@@ -37,9 +37,6 @@ class Console {
   /// A line on standard error, once however often it is told; none with --quiet.
   void note(std::string_view line) const;
 
-  /// An error on standard error that does not end the program.
-  void complain(std::string_view line) const;
-
   /// True if answers go to a terminal, whose reader may be glad of a hint; not with --quiet.
   [[nodiscard]] bool talks_to_a_person() const;
 

@@ -117,6 +117,7 @@ TEST(Reproduce, NamesAModelThatCannotBeRead) {
   EXPECT_EQ(result.status, 0);
   EXPECT_NE(result.err.find("bun_zipper_res4.ply"), std::string::npos) << result.err;
   EXPECT_NE(result.err.find("venus.ply"), std::string::npos) << result.err;
+  EXPECT_TRUE(result.err.starts_with("soms reproduce: bunny: ")) << result.err;
   const Json bunny = run_json(folder.path()).at("models").at("objects").at(0);
   EXPECT_EQ(bunny.at("name"), "bunny");
   EXPECT_TRUE(bunny.at("stand_in").get<bool>());
@@ -136,7 +137,7 @@ TEST(Reproduce, InterruptLeavesWholeFilesAndSaysWhatIsMissing) {
   EXPECT_EQ(result.status, 130) << result.err;
   const Json run = run_json(folder.path());
   EXPECT_FALSE(run.at("not_run").empty());
-  EXPECT_NE(result.err.find("ended early"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("soms reproduce: ended early"), std::string::npos) << result.err;
   std::set<std::string> listed{"index.html", "run.json"};
   for (const Json& item : run.at("items")) {
     for (const Json& file : item.at("files")) {
