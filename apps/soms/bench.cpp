@@ -40,8 +40,8 @@ Action add_bench(CLI::App& app, Shared&) {
       ->group(group);
   add_count(app, "--rounds", options->rounds, 1, 1000, "timed rounds in turn (default 7)")
       ->group(group);
-  app.add_option("--out", options->out, "writes peers.csv and peers.md into a folder, too")
-      ->option_text("FOLDER")
+  add_output(app, "--out", options->out, "writes peers.csv and peers.md into a folder, too",
+             "FOLDER")
       ->group(group);
   app.footer(
       "Runs soms-bench, which races soms with every rival that is installed, on one thread bound\n"

@@ -69,8 +69,8 @@ Action add_man(CLI::App& app, Shared&) {
   const auto options = std::make_shared<ManOptions>();
   app.add_option("VERB", options->verb, "whose page; without one, that of soms itself")
       ->type_name("");
-  app.add_option("--output", options->folder, "write all pages into a folder that exists instead")
-      ->option_text("FOLDER");
+  add_output(app, "--output", options->folder, "write all pages into a folder that exists instead",
+             "FOLDER");
   app.footer(
       "Pages are in the language of man (roff) and say what --help says. An installed soms has\n"
       "them where man looks: man soms-overlap.\n\n"

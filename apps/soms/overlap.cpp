@@ -422,9 +422,8 @@ void add_questions(CLI::App& app, OverlapVerbOptions& options) {
   add_choice<bool>(app, "--fail-if", options.fail_if_overlap, {{"overlap", true}},
                    "exit with 1 if it holds")
       ->group(group);
-  app.add_option("--report", options.report,
-                 "write a page with figures, plots and the overlap to fly to")
-      ->option_text("FILE")
+  add_output(app, "--report", options.report,
+             "write a page with figures, plots and the overlap to fly to")
       ->group(group);
   app.add_flag("--verify", options.verify, "compare with brute force; exit with 6 if they differ")
       ->group(group);

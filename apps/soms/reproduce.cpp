@@ -5,6 +5,7 @@
 #include "apps/support/console.h"
 #include "apps/support/exit_status.h"
 #include "apps/support/output.h"
+#include "apps/support/parse.h"
 #include "apps/support/text.h"
 #include "reproduce/report.h"
 
@@ -157,12 +158,10 @@ Action add_reproduce(CLI::App& app, Shared&) {
                  "only these, with commas between: table-5.3, figure-5.2,\n"
                  "5.3 for both, thesis, beyond; see below")
       ->option_text("LIST");
-  app.add_option("-o,--output", options->output,
-                 "folder to write; made if missing (default: soms-thesis)")
-      ->option_text("DIR");
-  app.add_option("--report", options->report,
-                 "write the page as one file that needs no folder, too")
-      ->option_text("FILE");
+  add_output(app, "-o,--output", options->output,
+             "folder to write; made if missing (default: soms-thesis)", "DIR");
+  add_output(app, "--report", options->report,
+             "write the page as one file that needs no folder, too");
   app.add_flag("--quick", options->quick, "a tenth of the repetitions, smaller sweeps");
   app.footer(std::string(reproduce::kModelsHelp) + "\n" + help_of_items() +
              "\nWrites DIR/index.html, a page of all that was found, tables/*.csv, figures/*.svg,\n"

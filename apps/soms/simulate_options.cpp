@@ -37,19 +37,14 @@ Action add_simulate(CLI::App& app, Shared&) {
       add_count(app, "--frames", options->frames, 0, kMostFrames, "frames (600)");
   app.add_flag("--verify", options->verify,
                "check contacts, and a sample of free movers, by brute force");
-  app.add_option("--map", options->map, "draw the city, its movers and contacts as SVG")
-      ->option_text("FILE");
-  app.add_option("--report", options->report,
-                 "write a page with figures, a time line and the scene to fly through")
-      ->option_text("FILE");
-  app.add_option("--events", options->events, "write begin and end of every contact as CSV")
-      ->option_text("FILE");
-  app.add_option("--record", options->record,
-                 "write poses and contacts of every frame, to be played by soms view")
-      ->option_text("FILE");
+  add_output(app, "--map", options->map, "draw the city, its movers and contacts as SVG");
+  add_output(app, "--report", options->report,
+             "write a page with figures, a time line and the scene to fly through");
+  add_output(app, "--events", options->events, "write begin and end of every contact as CSV");
+  add_output(app, "--record", options->record,
+             "write poses and contacts of every frame, to be played by soms view");
   app.add_flag("--view", options->view, "show it in a window instead of answering");
-  app.add_option("--picture", options->picture, "draw the last frame and its contacts as PNG")
-      ->option_text("FILE");
+  add_output(app, "--picture", options->picture, "draw the last frame and its contacts as PNG");
   app.add_option_function<std::string>(
          "--picture-frame",
          [options](const std::string& value) {

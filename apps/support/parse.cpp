@@ -116,6 +116,23 @@ CLI::Option* add_bytes(CLI::App& app, const std::string& name, std::uint64_t& ta
       ->option_text("SIZE");
 }
 
+CLI::Option* add_output(CLI::App& app, const std::string& name, std::string& target,
+                        const std::string& text, const std::string& kind) {
+  return app
+      .add_option_function<std::string>(
+          name,
+          [name, &target](const std::string& value) {
+            if (value.empty()) {
+              const std::string own = name.substr(name.find(',') + 1);  // npos + 1 is 0
+              throw Error(ErrorKind::usage, own + ": the name is empty",
+                          "give a name, or leave it out");
+            }
+            target = value;
+          },
+          text)
+      ->option_text(kind);
+}
+
 std::string word_list(const std::vector<std::string>& words) {
   constexpr std::size_t kWidth = 64;
   std::string text;

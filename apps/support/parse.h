@@ -55,6 +55,11 @@ CLI::Option* add_seconds(CLI::App& app, const std::string& name, std::optional<d
 CLI::Option* add_bytes(CLI::App& app, const std::string& name, std::uint64_t& target,
                        const std::string& text);
 
+/// Adds an option that names what is written, `kind` of it ("FILE"). An empty name, as of a
+/// variable that is not set, is an error: it would pass for an option that is not given.
+CLI::Option* add_output(CLI::App& app, const std::string& name, std::string& target,
+                        const std::string& text, const std::string& kind = "FILE");
+
 /// Names and the values they stand for.
 template <class T>
 using Choices = std::vector<std::pair<std::string, T>>;

@@ -86,6 +86,26 @@ TEST(Program, NamesOptionsThatDoNotGoTogether) {
   EXPECT_EQ(soms_run({"info", box, "--no-trees", "--scale", "+2"}).status, 0);
 }
 
+TEST(Program, TakesAnEmptyNameOfAnOutputForAnError) {
+  const std::string box = test::data("truth/meshes/box2.ply").string();
+  const auto refused = [](std::vector<std::string> words, const std::string& option) {
+    words.insert(words.end(), {option, ""});
+    const RunResult result = soms_run(words);
+    EXPECT_EQ(result.status, 2) << result.err;
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find(option + ": the name is empty; give a name"), std::string::npos)
+        << result.err;
+  };
+  refused({"overlap", box, box}, "--report");
+  for (const char* const option : {"--map", "--report", "--events", "--record", "--picture"}) {
+    refused({"simulate", box, "--count", "1", "--frames", "1"}, option);
+  }
+  refused({"reproduce", "--item", "table-3.1"}, "--output");
+  refused({"reproduce", "--item", "table-3.1"}, "--report");
+  refused({"man"}, "--output");
+  refused({"bench", box, box, "--random", "1"}, "--out");
+}
+
 TEST(Program, SuggestsTheVerbThatWasMeant) {
   const RunResult result = soms_run({"ovrelap", "a", "b"});
   EXPECT_EQ(result.status, 2);
