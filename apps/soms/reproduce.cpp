@@ -174,7 +174,8 @@ Action add_reproduce(CLI::App& app, Shared&) {
 int run_reproduce(const ReproduceOptions& options, Console& console) {
   const reproduce::RunOptions run{
       .models = options.models, .experiments = chosen(options), .quick = options.quick};
-  check_outputs({}, {{"--report", options.report}});
+  check_outputs({{"--output", (fs::path(options.output) / "index.html").string()}},
+                {{"--report", options.report}});
   check_ending("--report", options.report, {".html", ".htm"});
   make_folder(options.output);
   std::optional<OutputFile> page;

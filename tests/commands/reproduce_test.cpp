@@ -196,6 +196,16 @@ TEST(Reproduce, ClosedStandardOutputIsAnErrorAndNoFileGetsTheWords) {
   EXPECT_EQ(read_text(folder.path() / "index.html").find("written; see"), std::string::npos);
 }
 
+TEST(Reproduce, RefusesToReplaceThePageOfItsFolder) {
+  const TemporaryFolder folder;
+  const fs::path out = folder.path() / "out";
+  const RunResult result =
+      reproduce(out, {"--item", "table-3.1", "--report", (out / "." / "index.html").string()});
+  EXPECT_EQ(result.status, 2) << result.err;
+  EXPECT_NE(result.err.find("--output names the same file"), std::string::npos) << result.err;
+  EXPECT_FALSE(fs::exists(out));
+}
+
 TEST(Reproduce, FolderThatCannotBeMadeIsTold) {
   const TemporaryFolder folder;
   write_text(folder.path() / "file", "x");
