@@ -200,10 +200,10 @@ class Panel {
   double y_ = kMargin - 6;
 };
 
-/// "400 cars"; a file's name is left as it is.
+/// "400 cars"; a file's name has no plural: "2 of car".
 std::string counted_models(std::uint64_t count, const Model& model) {
-  const bool plural = model.kind != Kind::model && count != 1;
-  return with_commas(count) + " " + shortened(model.name, 28) + (plural ? "s" : "");
+  return model.kind == Kind::model ? with_commas(count) + " of " + shortened(model.name, 28)
+                                   : counted(count, model.name);
 }
 
 void write_movers(Panel& panel, const World& world) {

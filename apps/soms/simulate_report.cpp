@@ -22,7 +22,8 @@ std::string whole_number(double number) {
   return with_commas(static_cast<std::uint64_t>(std::llround(number)));
 }
 
-/// "1,000 (400 cars, 400 persons, 200 drones)", by model.
+/// "1,000 (400 cars of 1,000 triangles, 400 persons of ...)"; a file's name has no plural: "2 (1 of
+/// car, 3,460 triangles; 1 of van, 9,995 triangles)".
 std::string movers_of(const World& world) {
   std::vector<std::uint64_t> counts(world.models.size(), 0);
   for (const Way& way : world.ways) {
@@ -31,9 +32,14 @@ std::string movers_of(const World& world) {
   std::string kinds;
   for (std::size_t k = 0; k < counts.size(); ++k) {
     const Model& model = world.models[k];
-    const std::string name = model.name + (model.kind == Kind::model || counts[k] == 1 ? "" : "s");
-    kinds += fmt::format("{}{} {} of {}", k == 0 ? "" : ", ", with_commas(counts[k]), name,
-                         counted(model.shape.mesh().triangles.size(), "triangle"));
+    const std::string triangles = counted(model.shape.mesh().triangles.size(), "triangle");
+    if (model.kind == Kind::model) {
+      kinds += fmt::format("{}{} of {}, {}", k == 0 ? "" : "; ", with_commas(counts[k]), model.name,
+                           triangles);
+    } else {
+      kinds +=
+          fmt::format("{}{} of {}", k == 0 ? "" : ", ", counted(counts[k], model.name), triangles);
+    }
   }
   std::string text = fmt::format("{} ({})", with_commas(world.ways.size()), kinds);
   if (world.ways.size() < world.asked) {

@@ -139,6 +139,18 @@ TEST(Simulate, PrintsATableForPeople) {
   EXPECT_EQ(result.out.find("look at it"), std::string::npos) << "a hint in a pipe";
 }
 
+TEST(Simulate, CountsMoversOfAFileByItsName) {
+  const Town town;
+  const std::string mover = town.write("car.off", "OFF\n3 1 0\n-1 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const std::string route = town.write("r.csv", "x,y,z\n5,5,1\n5,195,1\n");
+  const std::string map = town.beside("map.svg");
+  const test::RunResult result = simulate({town.path(), "--mover", mover, "--route", route,
+                                           "--count", "2", "--frames", "1", "--map", map});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("  2 (2 of car, 1 triangle)\n"), std::string::npos) << result.out;
+  EXPECT_NE(read_text(map).find(">2 of car<"), std::string::npos);
+}
+
 TEST(Simulate, TellsInJsonWhatScriptsRelyOn) {
   const Town town;
   const json object = answer({town.path(), "--frames", "60", "--count", "60", "--verify"});
