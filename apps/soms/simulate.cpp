@@ -131,7 +131,7 @@ int finish(const World& world, const Outcome& outcome, const Picture& picture,
 int run_window(const SimulateOptions& options, const Console& console) {
   const bool answers = options.verify || options.fail_if_contact || console.shared().json;
   if (answers || !options.report.empty() || !options.map.empty() || !options.events.empty() ||
-      !options.record.empty() || !options.picture.empty()) {
+      !options.record.empty() || !options.picture.empty() || options.picture_frame) {
     throw Error(ErrorKind::usage, "--view with another output", "--view shows and writes nothing");
   }
   std::vector<std::string> more;
