@@ -6,6 +6,7 @@
 #include "soms/scene/scene.h"
 
 #include "apps/support/height_grid.h"
+#include "apps/support/standard_input.h"
 
 #include <fmt/format.h>
 
@@ -195,6 +196,14 @@ struct RouteRows {
 /// A file is opened once: a pipe has no second time.
 RouteRows read_route(const std::string& path, const Parallel& parallel) {
   constexpr std::size_t kRowsPerLook = 4096;
+  if (path == "-") {
+    check_standard_input("a route");
+    try {
+      return read_route(std::string(kStandardInput), parallel);
+    } catch (const Error& error) {
+      throw of_standard_input(error);
+    }
+  }
   PoseReader reader(path);
   std::vector<Pose> rows;
   while (const auto pose = reader.next()) {

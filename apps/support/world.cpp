@@ -10,8 +10,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <utility>
 
@@ -214,6 +216,13 @@ std::string CityParts::name(EnvironmentId part, TriangleId triangle) const {
 }
 
 World load_world(const WorldOptions& options, Console& console) {
+  std::ptrdiff_t inputs = 0;
+  for (const auto* const names : {&options.cities, &options.movers, &options.routes}) {
+    inputs += std::count(names->begin(), names->end(), "-");
+  }
+  if (inputs > 1) {
+    throw Error(ErrorKind::usage, "standard input is named twice", "give one of them as a file");
+  }
   World world;
   world.models = load_models(options, console);
   const std::optional<City> city = load_city(world, options, console);

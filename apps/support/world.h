@@ -72,7 +72,8 @@ struct World {
 };
 
 /// Reads or generates everything and finds free places for the movers.
-/// \errors As reading; ErrorKind::usage for a route without rows.
+/// \errors As reading; ErrorKind::bad_file for a route without rows, usage where standard input is
+///         named twice.
 [[nodiscard]] World load_world(const WorldOptions& options, Console& console);
 
 /// Adds a body to the city; its bounds and triangles count from here on.

@@ -18,7 +18,8 @@ void add_world_options(CLI::App& app, WorldOptions& options) {
       ->option_text("FILE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  app.add_option("--route", options.routes, "CSV file of points or poses; may be given again")
+  app.add_option("--route", options.routes,
+                 "CSV file of points or poses; may be given again; - is standard input")
       ->option_text("FILE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

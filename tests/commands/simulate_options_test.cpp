@@ -118,6 +118,23 @@ TEST_F(SimulateOptions, SendsOneMoverAlongEachRoute) {
   EXPECT_EQ(movers({town(), "--frames", "2", "--route", route, "--count", "5"}), 5);
 }
 
+TEST_F(SimulateOptions, ReadsARouteFromStandardInputButOneThingOnly) {
+  const std::vector<std::string> words{"simulate", town(),    "--frames", "2",
+                                       "--json",   "--quiet", "--route",  "-"};
+  const RunResult piped = soms_run(words, "x,y,z\n10,10,1\n190,10,1\n");
+  ASSERT_EQ(piped.status, 0) << piped.err;
+  EXPECT_EQ(Json::parse(piped.out)["movers"], 1);
+  const RunResult faulty = soms_run(words, "x,y,z\n10,10\n");
+  EXPECT_EQ(faulty.status, 3);
+  EXPECT_NE(faulty.err.find("soms simulate: standard input, line 2: "), std::string::npos)
+      << faulty.err;
+  for (const char* const option : {"--mover", "--route"}) {
+    const RunResult twice = soms_run({"simulate", "-", option, "-"}, "OFF\n0 0 0\n");
+    EXPECT_EQ(twice.status, 2) << twice.err;
+    EXPECT_NE(twice.err.find("standard input is named twice"), std::string::npos) << twice.err;
+  }
+}
+
 TEST_F(SimulateOptions, EndsInTimeWhileMoversAreStillPlaced) {
   const auto begin = std::chrono::steady_clock::now();
   const RunResult result =
