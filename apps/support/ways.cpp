@@ -233,6 +233,7 @@ Way along_points(const std::vector<Pose>& rows, const Model& model, double share
       way.route.points.size() > 2 && way.route.points.front() == way.route.points.back();
   way.route.start = share * length;
   way.route.speed = model.speed;
+  way.route.measure();  // else each frame would
   return way;
 }
 
