@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -86,6 +87,13 @@ std::size_t stride_of(const World& world) {
   return world.ways.size() / kMostDrawn + 1;
 }
 
+/// A tenth of a pixel as a whole number. What lies far beyond the map is held there: neither it nor
+/// a step between two such places outgrows the number.
+std::int32_t tenth(double pixels) {
+  constexpr double kFarthest = 1e9;
+  return static_cast<std::int32_t>(std::lround(std::clamp(10 * pixels, -kFarthest, kFarthest)));
+}
+
 /// Tracks in tenths of a pixel, so that whole numbers do.
 void draw_tracks(std::ostream& out, const Page& page, const World& world, const Outcome& outcome) {
   for (std::size_t model = 0; model < world.models.size(); ++model) {
@@ -96,8 +104,7 @@ void draw_tracks(std::ostream& out, const Page& page, const World& world, const 
       }
       Loop line;
       for (const Place& place : outcome.tracks[k]) {
-        line.push_back({static_cast<std::int32_t>(std::lround(10 * page.x(place.x))),
-                        static_cast<std::int32_t>(std::lround(10 * page.y(place.y)))});
+        line.push_back({tenth(page.x(place.x)), tenth(page.y(place.y))});
       }
       writer.add(simplified_line(line, 5), false);
     }

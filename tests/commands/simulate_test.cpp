@@ -216,6 +216,18 @@ TEST(Simulate, DrawsAMapThatIsWholeAndSmall) {
   EXPECT_EQ(text.find("inf"), std::string::npos);
 }
 
+// In tenths of a pixel the second place is beyond 2^31.
+TEST(Simulate, DrawsTracksThatLeaveTheMapByFar) {
+  const Town town;
+  const std::string route =
+      town.write("far.csv", "x,y,z,qw,qx,qy,qz\n5,5,1,1,0,0,0\n100000000,5,1,1,0,0,0\n");
+  const std::string mover = town.write("mover.off", "OFF\n3 1 0\n-1 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const std::string map = town.beside("map.svg");
+  static_cast<void>(
+      answer({town.path(), "--mover", mover, "--route", route, "--frames", "2", "--map", map}));
+  EXPECT_NE(read_text(map).find("h99999"), std::string::npos) << "no line to the right";
+}
+
 TEST(Simulate, FollowsARouteOfPosesRowByRow) {
   const Town town;
   // Into the wall of the house at x = 20, and back out.
