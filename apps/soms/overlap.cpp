@@ -89,7 +89,8 @@ class OverlapRun {
         console_(console),
         // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): this member owns it
         page_file_(open_page(options.report)),
-        poses_(source("--pose", options.pose_a), source("--pose-b", options.pose_b)),
+        poses_(source("--pose", options.pose_a, console),
+               source("--pose-b", options.pose_b, console)),
         a_(load(options.a, options.model_a)),
         b_(load(options.b, options.model_b)),
         report_{.a = a_.mesh(),
@@ -135,8 +136,9 @@ class OverlapRun {
   }
 
  private:
-  static PoseSource source(const std::string& option, const std::optional<std::string>& text) {
-    return text ? PoseSource(option, *text) : PoseSource();
+  static PoseSource source(const std::string& option, const std::optional<std::string>& text,
+                           const Console& console) {
+    return text ? PoseSource(option, *text, console) : PoseSource();
   }
 
   /// A place that cannot be written to is told before the work, not after it.
@@ -182,7 +184,7 @@ class OverlapRun {
     return fmt::format("{} {}", counted(totals_.poses, "pose"), totals_.poses == 1 ? "is" : "are");
   }
 
-  /// A faulty row ends the reading; the rows before it are answered first.
+  /// A faulty row ends the reading, as the end of time does; the rows before it are answered first.
   void read_block(std::size_t size) {
     block_.clear();
     try {
@@ -195,9 +197,13 @@ class OverlapRun {
         check_row(*row);
         block_.push_back(*row);
       }
-    } catch (const Error&) {
-      error_ = std::current_exception();
+    } catch (const Error& error) {
+      if (error.kind() == ErrorKind::cancelled) {
+        throw;
+      }
       over_ = true;
+      starved_ = error.kind() == ErrorKind::timed_out && totals_.poses + block_.size() > 0;
+      error_ = starved_ ? nullptr : std::current_exception();
     }
   }
 
@@ -327,6 +333,9 @@ class OverlapRun {
         break;
       }
     }
+    if (starved_ && !late_) {
+      end_by_time();
+    }
     console_.flush();
     show_progress(0);
   }
@@ -385,6 +394,7 @@ class OverlapRun {
   std::optional<OverlapPage> page_;
   std::exception_ptr error_;
   bool over_ = false;
+  bool starved_ = false;  ///< time ended while a row was waited for
   bool late_ = false;
 };
 

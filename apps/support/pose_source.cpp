@@ -2,6 +2,7 @@
 
 #include "soms/base/error.h"
 
+#include "apps/support/console.h"
 #include "apps/support/standard_input.h"
 
 #include <fmt/format.h>
@@ -33,8 +34,8 @@ bool looks_like_pose(std::string_view text) {
 
 }  // namespace
 
-PoseSource::PoseSource(const std::string& option, const std::string& text)
-    : name_(text == "-" ? kStandardInputName : text) {
+PoseSource::PoseSource(const std::string& option, const std::string& text, const Console& console)
+    : name_(text == "-" ? kStandardInputName : text), console_(&console) {
   std::error_code ignored;
   if (text != "-" && looks_like_pose(text) && !std::filesystem::exists(text, ignored)) {
     try {
@@ -53,7 +54,10 @@ PoseSource::PoseSource(const std::string& option, const std::string& text)
   }
   try {
     second_ = read();
-  } catch (const Error&) {
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::cancelled) {
+      throw;
+    }
     error_ = std::current_exception();
     return;
   }
@@ -66,10 +70,14 @@ PoseSource::PoseSource(const std::string& option, const std::string& text)
 std::optional<Pose> PoseSource::read(std::string_view path) {
   try {
     if (!path.empty()) {
-      reader_.emplace(path);
+      reader_.emplace(path, console_->limited());
     }
     return reader_->next();
   } catch (const Error& error) {
+    if (error.kind() == ErrorKind::cancelled && !console_->interrupted()) {
+      throw Error(ErrorKind::timed_out, "out of time while reading poses from " + name_,
+                  "allow more by --timeout");
+    }
     if (name_ == kStandardInputName) {
       throw of_standard_input(error);
     }

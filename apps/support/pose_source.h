@@ -14,6 +14,8 @@
 
 namespace soms::command {
 
+class Console;
+
 /// Poses of one option: a single one that serves all rows, or those of a file, one at a time.
 class PoseSource {
  public:
@@ -22,14 +24,16 @@ class PoseSource {
 
   /// `text` is "x y z [qw qx qy qz]" or the path of a CSV file; "-" is standard input. A file of
   /// one row counts as a single pose.
+  /// Ctrl-C and --timeout, of `console`, end the reading of rows.
   /// \errors As `parse_pose` (the message names `option`), `PoseReader` and `check_standard_input`;
-  ///         ErrorKind::bad_file for a file without rows.
-  PoseSource(const std::string& option, const std::string& text);
+  ///         ErrorKind::bad_file for a file without rows; timed_out.
+  PoseSource(const std::string& option, const std::string& text, const Console& console);
 
   /// True if one pose serves all rows.
   [[nodiscard]] bool is_constant() const { return constant_.has_value(); }
 
   /// The next pose, or nothing at the end. A single pose never ends.
+  /// \errors As `PoseReader::next`; ErrorKind::timed_out.
   [[nodiscard]] std::optional<Pose> next();
 
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -38,6 +42,7 @@ class PoseSource {
   std::optional<Pose> read(std::string_view path = {});
 
   std::string name_;
+  const Console* console_ = nullptr;  ///< none where nothing is read
   std::optional<Pose> constant_;
   std::optional<PoseReader> reader_;
   std::optional<Pose> first_;
@@ -58,7 +63,7 @@ class PosePairs {
   [[nodiscard]] const std::string& name() const { return a_.is_constant() ? b_.name() : a_.name(); }
 
   /// The next row, or nothing at the end.
-  /// \errors As `PoseReader::next`; ErrorKind::bad_file when one file ends before the other.
+  /// \errors As `PoseSource::next`; ErrorKind::bad_file when one file ends before the other.
   [[nodiscard]] std::optional<std::pair<Pose, Pose>> next();
 
  private:

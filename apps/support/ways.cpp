@@ -204,7 +204,7 @@ RouteRows read_route(const std::string& path, const Parallel& parallel) {
       throw of_standard_input(error);
     }
   }
-  PoseReader reader(path);
+  PoseReader reader(path, parallel);
   std::vector<Pose> rows;
   while (const auto pose = reader.next()) {
     rows.push_back(*pose);

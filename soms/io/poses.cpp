@@ -108,8 +108,10 @@ Pose parse_pose(std::string_view text) {
 }
 
 struct PoseReader::State {
-  explicit State(const std::filesystem::path& path) : lines(path) {}
+  State(const std::filesystem::path& path, const Parallel& given)
+      : parallel{.stop = given.stop}, lines(path, parallel) {}
 
+  Parallel parallel;
   detail::LineReader lines;
   std::vector<std::string_view> cells;
   std::vector<std::string_view> names;  ///< of the columns, in the file's order
@@ -123,6 +125,7 @@ struct PoseReader::State {
       if (!text.empty() && text[0] != '#') {
         return text;
       }
+      check_stop(parallel);  // comments may have no end
     }
     return std::nullopt;
   }
@@ -166,7 +169,8 @@ void PoseReader::State::read_header() {
   }
 }
 
-PoseReader::PoseReader(const std::filesystem::path& path) : state_(std::make_unique<State>(path)) {
+PoseReader::PoseReader(const std::filesystem::path& path, const Parallel& parallel)
+    : state_(std::make_unique<State>(path, parallel)) {
   state_->read_header();
 }
 
@@ -203,8 +207,8 @@ bool PoseReader::shifts_only() const {
   return state_->names.size() == 3;
 }
 
-std::vector<Pose> read_poses(const std::filesystem::path& path) {
-  PoseReader reader(path);
+std::vector<Pose> read_poses(const std::filesystem::path& path, const Parallel& parallel) {
+  PoseReader reader(path, parallel);
   std::vector<Pose> poses;
   while (const auto pose = reader.next()) {
     poses.push_back(*pose);

@@ -2,6 +2,7 @@
 /// Reading poses, one at a time or all.
 #pragma once
 
+#include "soms/base/parallel.h"
 #include "soms/base/pose.h"
 
 #include <cstdint>
@@ -23,8 +24,9 @@ namespace soms {
 /// memory than one. The columns may stand in any order.
 class PoseReader {
  public:
-  /// \errors  ErrorKind::cannot_open, bad_file.
-  explicit PoseReader(const std::filesystem::path& path);
+  /// A stop of `parallel` ends this and `next`, also while they wait for a pipe.
+  /// \errors  ErrorKind::cannot_open, bad_file, cancelled.
+  explicit PoseReader(const std::filesystem::path& path, const Parallel& parallel = {});
   ~PoseReader();
   PoseReader(PoseReader&&) noexcept;
   PoseReader& operator=(PoseReader&&) noexcept;
@@ -32,6 +34,7 @@ class PoseReader {
   /// The next pose, checked, or nothing at the end. Blank lines and lines that start with # are
   /// skipped.
   /// \errors  ErrorKind::bad_file, not_finite, not_rigid; the message names file and line.
+  ///          cannot_open (reading failed), cancelled.
   [[nodiscard]] std::optional<Pose> next();
 
   /// True if the header is x, y and z alone: rows are shifts, or points, without rotations.
@@ -42,7 +45,8 @@ class PoseReader {
   std::unique_ptr<State> state_;
 };
 
-/// All poses of a CSV file.
-[[nodiscard]] std::vector<Pose> read_poses(const std::filesystem::path& path);
+/// All poses of a CSV file. \errors As `PoseReader`.
+[[nodiscard]] std::vector<Pose> read_poses(const std::filesystem::path& path,
+                                           const Parallel& parallel = {});
 
 }  // namespace soms

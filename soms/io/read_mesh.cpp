@@ -84,7 +84,7 @@ Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options,
                const Parallel& parallel) {
   try {
     check_stop(parallel);
-    const detail::FileBytes bytes = detail::read_file(path, options.max_memory);
+    const detail::FileBytes bytes = detail::read_file(path, options.max_memory, parallel);
     return read_bytes(bytes.view(), path.string(), Owner::us, folder_of(path), options, parallel);
   } catch (const std::bad_alloc&) {
     fail_machine(path.string());

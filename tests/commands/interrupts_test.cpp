@@ -1,8 +1,11 @@
 #include "tests/commands/run.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <utility>
 
 namespace soms::test {
 namespace {
@@ -65,6 +68,85 @@ TEST(Interrupts, EndAtOnceWhenAskedAgainLater) {
       "$soms generate sphere --triangles 100000 --format obj -o $d/pipe & "
       "sleep 0.5; kill -TERM $!; sleep 0.8; kill -TERM $!; wait $!; s=$?; rm -r $d; exit $s");
   EXPECT_EQ(result.status, 130) << result.err;
+}
+
+/// A pipe that stays open for writing as long as the object lives, and holds `text`.
+class StalledPipe {
+ public:
+  StalledPipe(std::string path, const std::string& text) : path_(std::move(path)) {
+    EXPECT_EQ(mkfifo(path_.c_str(), 0600), 0);
+    writer_ = open(path_.c_str(), O_RDWR | O_CLOEXEC);
+    EXPECT_EQ(write(writer_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+  }
+
+  ~StalledPipe() { close(writer_); }
+
+  StalledPipe(const StalledPipe&) = delete;
+  StalledPipe& operator=(const StalledPipe&) = delete;
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+  int writer_ = -1;
+};
+
+TEST(Interrupts, AndTheEndOfTimeEndTheWaitForAPipe) {
+  const TemporaryFolder folder;
+  const StalledPipe model((folder.path() / "model").string(), "OFF\n");
+  const StalledPipe poses((folder.path() / "poses").string(), "x,y,z\n");
+  const StalledPipe route((folder.path() / "route").string(), "x,y,z\n");
+  const std::string unopened = (folder.path() / "unopened").string();
+  ASSERT_EQ(mkfifo(unopened.c_str(), 0600), 0);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"info", model.path()},
+        {"info", unopened},
+        {"overlap", box(), box(), "--pose", poses.path()},
+        {"simulate", box(), "--mover", box(), "--route", route.path()}}) {
+    std::vector<std::string> limited = words;
+    limited.insert(limited.end(), {"--timeout", "0.1"});
+    const RunResult late = soms_run(limited);
+    EXPECT_EQ(late.status, 4) << words[0] << late.err;
+    EXPECT_NE(late.err.find("out of time while "), std::string::npos) << late.err;
+    std::vector<std::string> program = words;
+    program.insert(program.begin(), command().string());
+    const TemporaryFolder outputs;
+    Child child(program, outputs.path());
+    usleep(200'000);
+    child.send(SIGINT);
+    const RunResult stopped = child.wait();
+    EXPECT_EQ(stopped.status, 130) << words[0] << stopped.err;
+  }
+}
+
+TEST(Interrupts, KeepWhatWasAnsweredBeforeThePosesStalled) {
+  const TemporaryFolder folder;
+  const StalledPipe poses((folder.path() / "poses").string(), "x,y,z\n0.5,0,0\n5,0,0\n");
+  const TemporaryFolder outputs;
+  Child child({command().string(), "overlap", box(), box(), "--pose", poses.path(), "--no-pairs"},
+              outputs.path());
+  ASSERT_TRUE(child.wait_for_output(1));
+  child.send(SIGINT);
+  const RunResult result = child.wait();
+  EXPECT_EQ(result.status, 130) << result.err;
+  EXPECT_NE(result.err.find("1 pose is answered"), std::string::npos) << result.err;
+  EXPECT_NE(result.out.find("1 pose: 1 with overlap, "), std::string::npos) << result.out;
+}
+
+TEST(Interrupts, ByTheEndOfTimeKeepWhatWasAnsweredBeforeThePosesStalled) {
+  const TemporaryFolder folder;
+  RunResult result;
+  for (const char* seconds : {"0.5", "5"}) {  // a busy machine may not come to the first by then
+    const StalledPipe poses((folder.path() / seconds).string(), "x,y,z\n0.5,0,0\n5,0,0\n");
+    result = soms_run(
+        {"overlap", box(), box(), "--pose", poses.path(), "--no-pairs", "--timeout", seconds});
+    if (result.status != 4) {
+      break;
+    }
+  }
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("out of time after 2 poses"), std::string::npos) << result.err;
+  EXPECT_NE(result.out.find("2 poses: "), std::string::npos) << result.out;
 }
 
 TEST(Interrupts, LeaveNoPartOfAFile) {

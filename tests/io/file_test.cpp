@@ -5,11 +5,14 @@
 #include "tests/io/files.h"
 #include "tests/support/support.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <thread>
 
@@ -94,6 +97,26 @@ TEST(ReadFile, ReadsAPipeToItsEnd) {
   EXPECT_EQ(through_pipe(content, 0), content);
   EXPECT_EQ(through_pipe(content, 300001), content);
   EXPECT_EQ(through_pipe("", 0), "");
+}
+
+TEST(ReadFile, OfAPipeThatStallsEndsByAStop) {
+  const TemporaryFolder folder;
+  const std::filesystem::path pipe = folder.path() / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const auto expect_stopped = [&] {
+    std::stop_source stop;
+    const std::jthread asker([&stop] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      stop.request_stop();
+    });
+    expect_refused(
+        [&] { static_cast<void>(detail::read_file(pipe, 0, {.stop = stop.get_token()})); },
+        ErrorKind::cancelled, "stopped on request");
+  };
+  expect_stopped();  // nobody has come to write
+  const detail::Descriptor writer(open(pipe.c_str(), O_RDWR | O_CLOEXEC));
+  ASSERT_EQ(write(writer.get(), "ply\n", 4), 4);
+  expect_stopped();  // somebody has, and pauses
 }
 
 }  // namespace

@@ -1,14 +1,19 @@
 #include "soms/io/poses.h"
 
 #include "soms/base/error.h"
+#include "soms/io/detail/file.h"
 
 #include "tests/io/files.h"
 #include "tests/support/allocation.h"
 #include "tests/support/support.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <fstream>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -150,6 +155,20 @@ TEST(PoseReader, GivesTheSameRowsWhereverTheBufferEnds) {
     expected.push_back(Pose::translation(std::stod(digits), i, 0));
   }
   EXPECT_EQ(read(content), expected);
+}
+
+TEST(PoseReader, EndsByAStopWhileItWaitsForARow) {
+  const TemporaryFolder folder;
+  const std::filesystem::path pipe = folder.path() / "poses";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const detail::Descriptor writer(open(pipe.c_str(), O_RDWR | O_CLOEXEC));
+  ASSERT_EQ(write(writer.get(), "x,y,z\n1,2,3\n", 12), 12);
+  std::stop_source stop;
+  PoseReader reader(pipe, {.stop = stop.get_token()});
+  EXPECT_EQ(reader.next(), Pose::translation(1, 2, 3));
+  stop.request_stop();
+  expect_refused([&] { static_cast<void>(reader.next()); }, ErrorKind::cancelled,
+                 "stopped on request");
 }
 
 }  // namespace

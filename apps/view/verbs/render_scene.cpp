@@ -21,7 +21,7 @@ SceneContent placed(command::WorldOptions options, const std::string& pose,
     throw Error(ErrorKind::usage, "--pose places the one model of --mover",
                 "give one --mover, and neither --route nor --count");
   }
-  command::PoseSource poses("--pose", pose);
+  command::PoseSource poses("--pose", pose, console);
   options.count = 0;
   command::World world = command::load_world(options, console);
   const command::Model model = world.models.front();

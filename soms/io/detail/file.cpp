@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -38,10 +39,12 @@ constexpr std::uint64_t kMostOfPipe = std::uint64_t{1} << 32;
 }
 
 /// Reads up to `wanted` bytes; fewer only at the end.
-std::size_t read_up_to(const std::filesystem::path& path, int fd, char* to, std::size_t wanted) {
+std::size_t read_up_to(const std::filesystem::path& path, int fd, char* to, std::size_t wanted,
+                       const Parallel& parallel) {
   std::size_t done = 0;
   while (done < wanted) {
-    const std::size_t got = read_some(path, fd, to + done, wanted - done);
+    check_stop(parallel);
+    const std::size_t got = read_some(path, fd, to + done, wanted - done, parallel);
     if (got == 0) {
       break;
     }
@@ -51,7 +54,8 @@ std::size_t read_up_to(const std::filesystem::path& path, int fd, char* to, std:
 }
 
 /// A pipe has no size: the memory doubles until its end.
-FileBytes read_pipe(const std::filesystem::path& path, int fd, std::uint64_t most) {
+FileBytes read_pipe(const std::filesystem::path& path, int fd, std::uint64_t most,
+                    const Parallel& parallel) {
   FileBytes bytes;
   std::size_t capacity = 0;
   most = most > 0 ? most : kMostOfPipe;
@@ -65,7 +69,8 @@ FileBytes read_pipe(const std::filesystem::path& path, int fd, std::uint64_t mos
       std::memcpy(larger.get(), bytes.data.get(), bytes.size);
     }
     bytes.data = std::move(larger);
-    bytes.size += read_up_to(path, fd, bytes.data.get() + bytes.size, capacity - bytes.size);
+    bytes.size +=
+        read_up_to(path, fd, bytes.data.get() + bytes.size, capacity - bytes.size, parallel);
   }
   return bytes;
 }
@@ -88,7 +93,8 @@ struct stat status_of(const std::filesystem::path& path, int fd) {
 }
 
 /// A regular file whole; `most` is the most bytes to read, 0 means any.
-FileBytes read_regular(const std::filesystem::path& path, int fd, std::uint64_t most) {
+FileBytes read_regular(const std::filesystem::path& path, int fd, std::uint64_t most,
+                       const Parallel& parallel) {
   const struct stat status = status_of(path, fd);
   const auto size = static_cast<std::uint64_t>(status.st_size);
   if (most > 0 && size > most) {
@@ -96,7 +102,7 @@ FileBytes read_regular(const std::filesystem::path& path, int fd, std::uint64_t 
   }
   FileBytes bytes;
   bytes.data = std::make_unique_for_overwrite<char[]>(static_cast<std::size_t>(size));
-  bytes.size = read_up_to(path, fd, bytes.data.get(), static_cast<std::size_t>(size));
+  bytes.size = read_up_to(path, fd, bytes.data.get(), static_cast<std::size_t>(size), parallel);
   // A read beside a truncation may see zeros.
   const struct stat after = status_of(path, fd);
   if (after.st_size != status.st_size || after.st_mtim.tv_sec != status.st_mtim.tv_sec ||
@@ -106,6 +112,22 @@ FileBytes read_regular(const std::filesystem::path& path, int fd, std::uint64_t 
   return bytes;
 }
 
+/// Waits for bytes or the end: a pipe into which nobody writes must not hold up a stop.
+void wait_for_bytes(const std::filesystem::path& path, int fd, const Parallel& parallel) {
+  constexpr int kMilliseconds = 50;
+  const int most = parallel.stop.stop_possible() ? kMilliseconds : -1;
+  pollfd ready{fd, POLLIN, 0};
+  for (int found = 0; found <= 0;) {
+    found = poll(&ready, 1, most);
+    if (found < 0 && errno != EINTR) {
+      fail_system(path, errno);
+    }
+    if (found <= 0) {
+      check_stop(parallel);
+    }
+  }
+}
+
 }  // namespace
 
 Descriptor::~Descriptor() {
@@ -113,7 +135,8 @@ Descriptor::~Descriptor() {
 }
 
 int open_for_reading(const std::filesystem::path& path) {
-  const int fd = open_or_fail(path, 0);
+  // Else opening a pipe would wait for one who writes into it, without an eye on a stop.
+  const int fd = open_or_fail(path, O_NONBLOCK);
 
   struct stat status {};
 
@@ -128,29 +151,33 @@ int open_for_reading(const std::filesystem::path& path) {
   return fd;
 }
 
-std::size_t read_some(const std::filesystem::path& path, int fd, char* to, std::size_t wanted) {
+std::size_t read_some(const std::filesystem::path& path, int fd, char* to, std::size_t wanted,
+                      const Parallel& parallel) {
   constexpr std::size_t kAtOnce = std::size_t{1} << 26;
   while (true) {
+    wait_for_bytes(path, fd, parallel);
     const ssize_t got = read(fd, to, std::min(wanted, kAtOnce));
     if (got >= 0) {
       return static_cast<std::size_t>(got);
     }
-    if (errno != EINTR) {
+    // Another reader of the pipe may have been faster.
+    if (errno != EINTR && errno != EAGAIN) {
       fail_system(path, errno);
     }
   }
 }
 
-FileBytes read_file(const std::filesystem::path& path, std::uint64_t most) {
+FileBytes read_file(const std::filesystem::path& path, std::uint64_t most,
+                    const Parallel& parallel) {
   const Descriptor file(open_for_reading(path));
   const mode_t mode = status_of(path, file.get()).st_mode;
   if (S_ISFIFO(mode) || S_ISSOCK(mode)) {
-    return read_pipe(path, file.get(), most);
+    return read_pipe(path, file.get(), most, parallel);
   }
   if (!S_ISREG(mode)) {
     fail(path, "a device, not a file", "name a file");
   }
-  return read_regular(path, file.get(), most);
+  return read_regular(path, file.get(), most, parallel);
 }
 
 RegularFile::RegularFile(std::filesystem::path path)
@@ -164,7 +191,7 @@ RegularFile::RegularFile(std::filesystem::path path)
 }
 
 FileBytes RegularFile::read() const {
-  return read_regular(path_, file_.get(), std::max<std::uint64_t>(1, size_));
+  return read_regular(path_, file_.get(), std::max<std::uint64_t>(1, size_), {});
 }
 
 }  // namespace soms::detail

@@ -2,6 +2,8 @@
 /// The bytes of a file, read in one go.
 #pragma once
 
+#include "soms/base/parallel.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -26,14 +28,15 @@ class Descriptor {
   int fd_;
 };
 
-/// Opens a file or a pipe, no folder; the caller wraps it in a Descriptor.
+/// Opens a file or a pipe, no folder; the caller wraps it in a Descriptor. Whoever is to write into
+/// a pipe is waited for by `read_some`.
 /// \errors ErrorKind::cannot_open.
 [[nodiscard]] int open_for_reading(const std::filesystem::path& path);
 
-/// Reads between 1 and `wanted` bytes; 0 only at the end.
-/// \errors ErrorKind::cannot_open.
+/// Reads between 1 and `wanted` bytes; 0 only at the end. Waits for them as long as no stop is
+/// requested. \errors ErrorKind::cannot_open, cancelled.
 [[nodiscard]] std::size_t read_some(const std::filesystem::path& path, int fd, char* to,
-                                    std::size_t wanted);
+                                    std::size_t wanted, const Parallel& parallel);
 
 /// Bytes that were read, not cleared before.
 struct FileBytes {
@@ -46,8 +49,9 @@ struct FileBytes {
 /// Reads a whole file, by read() and not by mapping: a file that shrinks meanwhile gives fewer
 /// bytes and no crash. Pipes are read to their end. `most` is the most bytes to read; 0 means any
 /// file and 4 GiB of a pipe, which may never end. \errors ErrorKind::cannot_open (missing,
-/// unreadable, a directory or device), out_of_memory.
-[[nodiscard]] FileBytes read_file(const std::filesystem::path& path, std::uint64_t most);
+/// unreadable, a directory or device), out_of_memory, cancelled.
+[[nodiscard]] FileBytes read_file(const std::filesystem::path& path, std::uint64_t most,
+                                  const Parallel& parallel = {});
 
 /// A regular file that was opened by its own name and no link's: a link or a pipe that was put
 /// there after the name was looked at is refused, and not waited for.

@@ -13,8 +13,11 @@ constexpr std::size_t kLongestLine = std::size_t{1} << 20;
 
 }  // namespace
 
-LineReader::LineReader(const std::filesystem::path& path)
-    : name_(path.string()), file_(open_for_reading(path)), buffer_(kFirstSize) {
+LineReader::LineReader(const std::filesystem::path& path, const Parallel& parallel)
+    : name_(path.string()),
+      parallel_{.stop = parallel.stop},
+      file_(open_for_reading(path)),
+      buffer_(kFirstSize) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   while (end_ < kByteOrderMark.size() && fill()) {
   }
@@ -40,7 +43,7 @@ bool LineReader::fill() {
     buffer_.resize(2 * buffer_.size());
   }
   const std::size_t got =
-      read_some(name_, file_.get(), buffer_.data() + end_, buffer_.size() - end_);
+      read_some(name_, file_.get(), buffer_.data() + end_, buffer_.size() - end_, parallel_);
   end_ += got;
   return got > 0;
 }
