@@ -202,7 +202,8 @@ std::string describe_part(const Mesh& mesh, const Defects& defects, std::size_t 
   if (part >= defects.parts.size() || mesh.parts[part].count == 0) {
     return {};
   }
-  return defects.parts[part].closed() ? "closed" : "open";
+  const EdgeCounts& edges = defects.parts[part];
+  return edges.none ? "without area" : edges.closed() ? "closed" : "open";
 }
 
 void print_places(const Mesh& mesh, const Defects& defects, Console& console) {

@@ -186,7 +186,7 @@ EdgeCounts count_edges(const Mesh& mesh, const Names& names, const std::vector<b
           put_edges(names(mesh.triangles[i]), static_cast<TriangleId>(i), put);
         }
       });
-  EdgeCounts counts;
+  EdgeCounts counts{.none = edges.items.empty()};
   const auto tell = [&](std::uint64_t& count, Least<EdgePlace> EdgePlaces::*kind, std::size_t low,
                         std::span<const Use> uses) {
     ++count;
@@ -230,7 +230,7 @@ EdgeCounts count_part(const Mesh& mesh, const Part& part, const Names& names,
     }
   }
   std::sort(edges.begin(), edges.end());
-  EdgeCounts counts;
+  EdgeCounts counts{.none = edges.empty()};
   for (std::size_t begin = 0; begin < edges.size();) {
     std::size_t end = begin + 1;
     while (end < edges.size() && edges[end] >> 1 == edges[begin] >> 1) {

@@ -16,11 +16,15 @@ struct EdgeCounts {
   std::uint64_t open = 0;          ///< edges of exactly one proper triangle
   std::uint64_t non_manifold = 0;  ///< edges of more than two proper triangles
   std::uint64_t flipped = 0;       ///< edges that two triangles, and no more, use in one direction
+  bool none = false;               ///< no triangle is proper: there is no edge, nor a surface
 
   [[nodiscard]] bool operator==(const EdgeCounts&) const = default;
 
-  /// Closed and consistently oriented: every edge is used twice, once in each direction.
-  [[nodiscard]] bool closed() const { return open == 0 && non_manifold == 0 && flipped == 0; }
+  /// Closed and consistently oriented: there are edges, and every one is used twice, once in each
+  /// direction.
+  [[nodiscard]] bool closed() const {
+    return !none && open == 0 && non_manifold == 0 && flipped == 0;
+  }
 };
 
 /// A triangle whose corners are in the places of an earlier one's.
@@ -97,9 +101,10 @@ struct Defects {
   /// Degenerate triangles whose corners are in three places on a line.
   [[nodiscard]] std::uint64_t collinear() const { return degenerate - repeated_corner; }
 
-  /// Closed and consistently oriented: no open, non-manifold or flipped edge.
+  /// Closed and consistently oriented: a triangle has area, and no edge is open, non-manifold or
+  /// flipped.
   [[nodiscard]] bool closed() const {
-    return open_edges == 0 && non_manifold_edges == 0 && flipped_edges == 0;
+    return !by_index.none && open_edges == 0 && non_manifold_edges == 0 && flipped_edges == 0;
   }
 };
 

@@ -157,6 +157,24 @@ TEST(Info, TellsWhichPartsAreClosed) {
       std::string::npos);
 }
 
+TEST(Info, CallsNothingClosedThatHasNoArea) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "parts.obj").string();
+  write_text(path,
+             "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no whole\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
+             "o line\nf 1 2 1\n");
+  const Json report = info({path, "--no-trees"});
+  EXPECT_EQ(report.at("defects").at("closed"), true);
+  EXPECT_EQ(report.at("parts").at(1).at("closed"), false);
+  EXPECT_NE(soms_run({"info", path, "--no-trees"})
+                .out.find("2: whole (4, closed), line (1, without area)"),
+            std::string::npos);
+  write_text(path, "v 0 0 0\nv 1 0 0\nf 1 2 1\n");
+  EXPECT_NE(soms_run({"info", path, "--no-trees"})
+                .out.find("defects    1 triangle without area (1 repeat a corner); not closed\n"),
+            std::string::npos);
+}
+
 TEST(Info, GoesOnAfterABadFile) {
   const std::string good = test::data("truth/meshes/box2.ply").string();
   const std::string bad = test::data("bad/ply_wrong_magic.ply").string();
@@ -230,6 +248,7 @@ TEST(Info, AcceptsAnEmptyModelWhenAsked) {
   const Json report = info({test::data("nasty/empty_mesh.ply").string(), "--allow-empty"});
   EXPECT_EQ(report.at("triangles"), 0);
   EXPECT_EQ(report.at("bounds"), nullptr);
+  EXPECT_EQ(report.at("defects").at("closed"), false);
   EXPECT_EQ(report.at("trees").at(0).at("levels"), 0);
 }
 

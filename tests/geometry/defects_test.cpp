@@ -21,7 +21,27 @@ TEST(Defects, FindsNoneInAClosedMesh) {
   const Defects defects = find_defects(tetrahedron());
   EXPECT_EQ(defects, Defects{});
   EXPECT_TRUE(defects.closed());
-  EXPECT_EQ(find_defects({}), Defects{});
+  Defects of_nothing;
+  of_nothing.by_index.none = true;
+  EXPECT_EQ(find_defects({}), of_nothing);
+}
+
+TEST(Defects, TellNoMeshClosedThatHasNoArea) {
+  EXPECT_FALSE(find_defects({}).closed());
+  Mesh mesh = tetrahedron();
+  mesh.triangles.insert(mesh.triangles.end(), {{0, 0, 1}, {2, 2, 2}});
+  mesh.parts = {{"whole", Part::kNoParent, 0, 4}, {"flat", Part::kNoParent, 4, 2}};
+  Defects defects = find_defects(mesh);
+  EXPECT_TRUE(defects.closed());
+  EXPECT_TRUE(defects.parts.at(0).closed());
+  EXPECT_FALSE(defects.parts.at(1).closed());
+  EXPECT_TRUE(defects.parts.at(1).none);
+  mesh.parts.clear();
+  mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 4);
+  defects = find_defects(mesh);
+  EXPECT_EQ(defects.open_edges, 0U);
+  EXPECT_FALSE(defects.closed());
+  EXPECT_FALSE(defects.by_index.closed());
 }
 
 TEST(Defects, JoinsVerticesByPositionWhateverTheSignOfZero) {
@@ -115,13 +135,11 @@ TEST(Defects, CountsDegenerateTrianglesExactlyAndLeavesTheirEdgesOut) {
   EXPECT_EQ(find_defects(mesh).degenerate, 4U);
 }
 
-// The set calls meshes of segments and points open; without a proper triangle nothing is open.
 TEST(Defects, TellsClosedMeshesOfTheTruthSet) {
   int closed = 0;
   for (const auto& [name, expected] : test::truth_closed()) {
     const Mesh& mesh = *test::truth_mesh(name);
-    const Defects defects = find_defects(mesh);
-    EXPECT_EQ(defects.closed(), expected || defects.degenerate == mesh.triangles.size()) << name;
+    EXPECT_EQ(find_defects(mesh).closed(), expected) << name;
     closed += expected ? 1 : 0;
   }
   EXPECT_EQ(closed, 23);

@@ -99,7 +99,7 @@ EdgeCounts twin_edges(const Mesh& mesh, TriangleId first, TriangleId count, bool
       edges[std::minmax(from, to)].push_back({i, c, from < to});
     }
   }
-  EdgeCounts counts;
+  EdgeCounts counts{.none = edges.empty()};
   const auto tell = [&](std::uint64_t& count_of_kind, std::vector<EdgePlace> DefectPlaces::*kind,
                         const std::vector<EdgeUse>& uses) {
     ++count_of_kind;
