@@ -6,12 +6,16 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <string>
 #include <system_error>
 #include <utility>
 
 namespace soms {
 
 namespace {
+
+constexpr int kMostLinks = 40;  // as many as Linux follows
 
 std::filesystem::path folder_of(const std::filesystem::path& path) {
   const std::filesystem::path folder = path.parent_path();
@@ -40,7 +44,6 @@ int with_name_beside(const std::filesystem::path& target, std::filesystem::path&
 /// The file that is meant by `path`, whose last name may be a link, to another link or, where no
 /// file exists, to nothing.
 int follow_links(const std::filesystem::path& path, bool exists, std::filesystem::path& target) {
-  constexpr int kMostLinks = 40;  // as many as Linux follows
   target = path;
   std::error_code failed;
   if (exists && std::filesystem::is_symlink(path, failed)) {
@@ -60,6 +63,26 @@ int follow_links(const std::filesystem::path& path, bool exists, std::filesystem
   return target.filename().empty() ? EISDIR : 0;
 }
 
+/// The open descriptor of this program that a path stands for (/dev/stdout, /dev/fd/3), else -1.
+int named_descriptor(std::filesystem::path path) {
+  std::error_code failed;
+  const std::filesystem::path own = std::filesystem::canonical("/proc/self/fd", failed);
+  for (int i = 0; i < kMostLinks && !failed; ++i) {
+    std::error_code missing;
+    if (std::filesystem::canonical(folder_of(path), missing) == own) {
+      const std::string name = path.filename().string();
+      int number = -1;
+      const auto [end, fault] = std::from_chars(name.data(), name.data() + name.size(), number);
+      return fault == std::errc() && end == name.data() + name.size() ? number : -1;
+    }
+    if (!std::filesystem::is_symlink(path, missing)) {
+      return -1;
+    }
+    path = folder_of(path) / std::filesystem::read_symlink(path, failed);
+  }
+  return -1;
+}
+
 }  // namespace
 
 int NewFile::open(const std::filesystem::path& path) {
@@ -67,6 +90,11 @@ int NewFile::open(const std::filesystem::path& path) {
 
   if (path.filename().empty()) {
     return EISDIR;
+  }
+  // Whoever opened it reads or writes on there: another file of its name would not be seen.
+  if (const int named = named_descriptor(path); named >= 0) {
+    descriptor_ = fcntl(named, F_DUPFD_CLOEXEC, 0);
+    return descriptor_ < 0 ? errno : 0;
   }
   const bool exists = stat(path.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) {

@@ -10,7 +10,8 @@ namespace soms {
 /// the old file is there, or none, also when the program is killed. Where the file system has no
 /// nameless files it is written as `.soms-PID-N.part` in the same folder; such a file, left by a
 /// program that was killed, may be deleted. Links are followed, and the permissions of the old file
-/// kept where that is allowed. What is no regular file (a pipe, a device) is written straight.
+/// kept where that is allowed. What is no regular file (a pipe, a device) is written straight, and
+/// so is what the program has open already (/dev/stdout), from where that stands.
 ///
 /// Errors are given as numbers of the system (`errno`), 0 for none: what they mean is the caller's
 /// to say. The bytes may still be in the system's cache when `commit` returns: a computer that

@@ -77,6 +77,22 @@ TEST(Output, FollowsASymbolicLink) {
   EXPECT_TRUE(read_text(target).starts_with("ply"));
 }
 
+// Another file of that name would take the place of what stands there, and lose what follows.
+TEST(Output, IntoWhatIsOpenGoesOnWhereThatStands) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "all").string();
+  for (const std::string& name : {std::string("/dev/stdout"), std::string("/dev/fd/3")}) {
+    const RunResult result =
+        shell("{ echo before; $soms generate sphere --triangles 8 --format off -o " + name +
+              "; echo after; } > '" + path + "' 3>&1");
+    EXPECT_EQ(result.status, 0) << result.err;
+    const std::string content = read_text(path);
+    EXPECT_TRUE(content.starts_with("before\nOFF\n")) << content;
+    EXPECT_TRUE(content.ends_with("\nafter\n")) << content;
+    EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{"all"});
+  }
+}
+
 TEST(Output, NamesThePlaceThatCannotBeWritten) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "folder.ply");
