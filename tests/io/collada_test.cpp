@@ -209,6 +209,23 @@ TEST(Collada, ShowsSkinsAsTheyWereBound) {
                                                   "animations are not applied"}));
 }
 
+TEST(Collada, ShowsTheBaseShapeOfAMorphThatHasASkin) {
+  const auto skin_of = [](const std::string& source) {
+    return document(geometry(kTriangle),
+                    node("<translate>0 5 0</translate><instance_controller url=\"#c\"/>"),
+                    R"(<library_controllers><controller id="c"><skin source="#)" + source + R"(">
+    <bind_shape_matrix>1 0 0 7 0 1 0 0 0 0 1 0 0 0 0 1</bind_shape_matrix></skin></controller>
+    <controller id="m"><morph source="#g"/></controller></library_controllers>)");
+  };
+  const Mesh mesh = read_text(skin_of("m"), "a.dae");
+  EXPECT_EQ(mesh.vertices, read_text(skin_of("g"), "a.dae").vertices);
+  EXPECT_EQ(mesh.notes, (std::vector<std::string>{"skins shown in the shape they were bound in: 1",
+                                                  "morphs shown in their base shape: 1"}));
+  expect_refused(skin_of("c"), "a.dae", ErrorKind::bad_file,
+                 "<controller id=\"c\"> is not a morph");
+  expect_refused(skin_of("h"), "a.dae", ErrorKind::bad_file, "which does not exist");
+}
+
 TEST(Collada, ShowsEveryGeometryOfALibraryWithoutAScene) {
   const std::string text = "<COLLADA><library_geometries>" + geometry(kTriangle) +
                            geometry(kTriangle, "h") + "</library_geometries></COLLADA>";

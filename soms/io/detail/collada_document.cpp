@@ -233,23 +233,34 @@ std::string_view ColladaDocument::fragment(pugi::xml_node from, const char* attr
   return value.substr(1);
 }
 
-pugi::xml_node ColladaDocument::referred(pugi::xml_node from, const char* attribute,
-                                         std::string_view name) const {
-  const std::string_view id = fragment(from, attribute);
+auto ColladaDocument::find(std::string_view name, std::string_view id) const
+    -> std::span<const Identified> {
   const auto [begin, end] =
       std::equal_range(ids_.begin(), ids_.end(), Identified{name, id, {}},
                        [](const Identified& a, const Identified& b) {
                          return std::tie(a.name, a.id) < std::tie(b.name, b.id);
                        });
-  if (begin == end) {
+  return {begin, end};
+}
+
+bool ColladaDocument::refers_to(pugi::xml_node from, const char* attribute,
+                                std::string_view name) const {
+  return !find(name, fragment(from, attribute)).empty();
+}
+
+pugi::xml_node ColladaDocument::referred(pugi::xml_node from, const char* attribute,
+                                         std::string_view name) const {
+  const std::string_view id = fragment(from, attribute);
+  const std::span<const Identified> found = find(name, id);
+  if (found.empty()) {
     fail(from, describe(from) + " refers to " + std::string(name) + " " + in_quotes(id) +
                    ", which does not exist");
   }
-  if (end - begin > 1) {
+  if (found.size() > 1) {
     fail(from, describe(from) + " refers to " + std::string(name) + " " + in_quotes(id) +
                    ", which exists twice");
   }
-  return begin->element;
+  return found.front().element;
 }
 
 pugi::xml_node ColladaDocument::referred_child(pugi::xml_node from, const char* attribute,

@@ -39,6 +39,11 @@ class ColladaDocument {
   [[nodiscard]] pugi::xml_node referred(pugi::xml_node from, const char* attribute,
                                         std::string_view name) const;
 
+  /// True if an attribute of `from` refers to elements `name` of this file.
+  /// \errors ErrorKind::bad_file (no such attribute), unsupported (in another file).
+  [[nodiscard]] bool refers_to(pugi::xml_node from, const char* attribute,
+                               std::string_view name) const;
+
   /// The child of `parent` that an attribute of `from` refers to; children of any name count.
   /// \errors as of `referred`.
   [[nodiscard]] pugi::xml_node referred_child(pugi::xml_node from, const char* attribute,
@@ -74,6 +79,7 @@ class ColladaDocument {
   void refuse_entities() const;
   void refuse_zeros() const;
   void index_ids();
+  [[nodiscard]] std::span<const Identified> find(std::string_view name, std::string_view id) const;
   [[nodiscard]] std::string_view fragment(pugi::xml_node from, const char* attribute) const;
 
   Source& source_;

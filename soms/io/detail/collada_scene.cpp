@@ -56,6 +56,7 @@ class SceneReader {
   void leave();
   void look_at(pugi::xml_node element);
   void show_controller(pugi::xml_node instance);
+  [[nodiscard]] pugi::xml_node morph_of(pugi::xml_node controller);
   void show(pugi::xml_node element, const Affine& transform, pugi::xml_node instance);
   [[nodiscard]] const ColladaGeometry& geometry_of(pugi::xml_node element);
   void count_element(pugi::xml_node element);
@@ -197,8 +198,19 @@ void SceneReader::show(pugi::xml_node element, const Affine& transform, pugi::xm
   }
 }
 
+/// The morph of a controller, which is shown in its base shape.
+pugi::xml_node SceneReader::morph_of(pugi::xml_node controller) {
+  const pugi::xml_node morph = controller.child("morph");
+  if (!morph) {
+    document_.fail(controller, describe(controller) + " is not a morph");
+  }
+  ++untold_.morphs;
+  count_element(morph);
+  return morph;
+}
+
 /// A skin in the shape that it was bound in, which stands in the scene's axes whatever the node's
-/// transforms are; a morph in its base shape.
+/// transforms are; a morph in its base shape. A skin may be that of a morph.
 void SceneReader::show_controller(pugi::xml_node instance) {
   const pugi::xml_node controller = document_.referred(instance, "url", "controller");
   count_element(controller);
@@ -210,16 +222,21 @@ void SceneReader::show_controller(pugi::xml_node instance) {
       count_element(matrix);
       bound = read_matrix(document_, matrix);
     }
-    show(document_.referred(skin, "source", "geometry"), bound, instance);
+    pugi::xml_node owner = skin;
+    if (!document_.refers_to(skin, "source", "geometry") &&
+        document_.refers_to(skin, "source", "controller")) {
+      const pugi::xml_node base = document_.referred(skin, "source", "controller");
+      count_element(base);
+      owner = morph_of(base);
+    }
+    show(document_.referred(owner, "source", "geometry"), bound, instance);
     return;
   }
-  const pugi::xml_node morph = controller.child("morph");
-  if (!morph) {
+  if (!controller.child("morph")) {
     document_.fail(controller, describe(controller) + " is neither a skin nor a morph");
   }
-  ++untold_.morphs;
-  count_element(morph);
-  show(document_.referred(morph, "source", "geometry"), stack_.back().transform, instance);
+  show(document_.referred(morph_of(controller), "source", "geometry"), stack_.back().transform,
+       instance);
 }
 
 void SceneReader::look_at(pugi::xml_node element) {
