@@ -54,16 +54,18 @@ Box usable(const Box& box) {
 }  // namespace
 
 template <typename Task>
-void Session::guarded(Task&& task, bool clears) {
+bool Session::guarded(Task&& task, bool clears) {
+  changed_ = true;
   try {
     task();
-    if (clears) {
-      message_.clear();
-    }
   } catch (const Error& error) {
     message_ = error.what();
+    return false;
   }
-  changed_ = true;
+  if (clears) {
+    message_.clear();
+  }
+  return true;
 }
 
 Session::Session(Subject& subject, Size window) : subject_(subject), window_(window) {
@@ -261,10 +263,7 @@ void Session::tick(double seconds) {
   const double passed = std::min(seconds, kLongestTick);
   do_time_requests();
   do_requests();
-  if (choice_ != choice(state_)) {
-    choice_ = choice(state_);
-    guarded([&] { subject_.choose(state_); });
-  }
+  tell_choice();
   if (state_.paused) {
     playback_.reset();
   } else if (const int frames = playback_.due(passed, state_.speed); frames > 0) {
@@ -283,6 +282,19 @@ void Session::tick(double seconds) {
       flight_.reset();
     }
   }
+}
+
+void Session::tell_choice() {
+  if (choice_ == choice(state_)) {
+    return;
+  }
+  if (!guarded([&] { subject_.choose(state_); })) {
+    // Kept, it would be refused with every picture to come, and the one of before would stay.
+    state_.rule = choice_.rule;
+    state_.traversal = choice_.traversal;
+    state_.prune = choice_.prune;
+  }
+  choice_ = choice(state_);
 }
 
 void Session::do_time_requests() {

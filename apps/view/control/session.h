@@ -109,14 +109,16 @@ class Session {
   void do_time_requests();
   void move_object(const ObjectMove& move);
   void refresh();
+  void tell_choice();
 
   void go(const Camera& goal) { flight_ = CameraFlight(camera_, goal); }
 
   void start_following();
   void follow(const std::optional<Pose>& before);
-  /// Runs a task whose error becomes the message. Passing time is no action: it clears none.
+  /// Runs a task whose error becomes the message; true if it had none. Passing time is no action:
+  /// it clears no message.
   template <typename Task>
-  void guarded(Task&& task, bool clears = true);
+  bool guarded(Task&& task, bool clears = true);
 
   Subject& subject_;
   Size window_;

@@ -143,6 +143,37 @@ TEST(SceneSubject, EachRuleAndTraversalCanBeShown) {
   }
 }
 
+TEST(SceneSubject, AChoiceThatCannotBeIsTakenBackAndThePictureGoesOn) {
+  SceneSubject subject(block_and_cube());
+  Session session(subject, {640, 480});
+  const auto tick = [&] {
+    session.handle({});
+    session.tick(0.01);
+    return session.picture().marks.size();
+  };
+  session.state().paused = true;
+  session.state().shown.gizmo = false;  // which has marks, too
+  session.state().traversal = Traversal::e_node_front;
+  EXPECT_EQ(tick(), 0U);
+  EXPECT_EQ(session.message(), "");
+  session.state().prune = false;  // of which the traversal knows nothing
+  (void)tick();
+  EXPECT_NE(session.message().find("e_node_front"), std::string::npos);
+  EXPECT_TRUE(session.state().prune);
+  EXPECT_EQ(session.state().traversal, Traversal::e_node_front);
+  subject.place_object(Pose::translation(10, 0, 5));
+  session.state().shown.edges = true;
+  EXPECT_GT(tick(), 0U);
+
+  session.state().traversal = Traversal::larger;
+  session.state().prune = false;
+  (void)tick();
+  session.state().traversal = Traversal::e_node_front;
+  (void)tick();
+  EXPECT_EQ(session.state().traversal, Traversal::larger);
+  EXPECT_FALSE(session.state().prune);
+}
+
 TEST(SceneSubject, WithoutPruningMoreBoxesAreEntered) {
   SceneSubject subject(block_and_cube());
   subject.place_object(Pose::translation(10, 0, 5));
