@@ -14,6 +14,9 @@ constexpr double kDollyANotch = 0.85;    ///< factor of one notch of the wheel
 constexpr double kForwardANotch = 0.15;  ///< of the distance to the target
 constexpr double kSceneASecond = 0.1;    ///< scenes flown through in a second
 constexpr double kFast = 5;
+constexpr double kNearestOfScene = 1e-9;
+constexpr double kNearestOfPlace = 1e-12;  ///< of the target's coordinates
+constexpr double kFarthestOfScene = 1e4;
 
 /// The point of the plane through the target, square to the view, that is seen at a pixel.
 Vec3 on_target_plane(const Camera& camera, Size size, PixelPoint pixel) {
@@ -32,6 +35,16 @@ Camera scaled_about(const Camera& camera, const Vec3& point, double factor) {
   return moved;
 }
 
+/// The factor of the distance to the target as far as the ends allow it.
+double bounded(double factor, const Camera& camera, const ZoomEnds& ends) {
+  const double distance = distance_to_target(camera);
+  if (!(distance > 0)) {
+    return 1;
+  }
+  return std::clamp(factor, std::min(ends.nearest / distance, 1.0),
+                    std::max(ends.farthest / distance, 1.0));
+}
+
 Vec3 toward_eye(Side side) {
   switch (side) {
     case Side::front:
@@ -48,8 +61,14 @@ Vec3 toward_eye(Side side) {
 
 }  // namespace
 
+ZoomEnds zoom_ends(double scene_size, const Vec3& target) {
+  const double size = scene_size > 0 ? scene_size : 1;
+  const double place = std::max({std::abs(target.x), std::abs(target.y), std::abs(target.z)});
+  return {std::max(kNearestOfScene * size, kNearestOfPlace * place), kFarthestOfScene * size};
+}
+
 Camera dragged(const Camera& camera, CameraMode mode, CameraDrag drag, double dx, double dy,
-               Size size) {
+               Size size, const ZoomEnds& ends) {
   const double height = std::max(size.height, 1);
   const double right = dx / height;
   const double down = dy / height;
@@ -61,17 +80,17 @@ Camera dragged(const Camera& camera, CameraMode mode, CameraDrag drag, double dx
     case CameraDrag::pan:
       return panned(camera, -right, down);
     case CameraDrag::dolly:
-      return dollied(camera, std::exp(kDollyAWindow * down));
+      return dollied(camera, bounded(std::exp(kDollyAWindow * down), camera, ends));
   }
   return camera;
 }
 
 Camera wheeled(const Camera& camera, CameraMode mode, double notches, PixelPoint pixel, Size size,
-               std::optional<Vec3> under) {
+               std::optional<Vec3> under, const ZoomEnds& ends) {
   if (mode == CameraMode::fly) {
     return flown(camera, 0, notches * kForwardANotch * distance_to_target(camera), 0);
   }
-  const double factor = std::pow(kDollyANotch, notches);
+  const double factor = bounded(std::pow(kDollyANotch, notches), camera, ends);
   return scaled_about(camera, under.value_or(on_target_plane(camera, size, pixel)), factor);
 }
 

@@ -14,16 +14,28 @@ namespace soms::view {
 /// What a drag of the mouse does to the camera.
 enum class CameraDrag { turn, pan, dolly };
 
+/// How near to its target and how far from it a camera may be brought. One that is beyond an end
+/// may come back.
+struct ZoomEnds {
+  double nearest = 0x1p-500;
+  double farthest = 0x1p500;
+};
+
+/// Ends in a scene whose greatest side is so long: near enough for the smallest triangle, but where
+/// doubles at the target still tell the direction of view.
+[[nodiscard]] ZoomEnds zoom_ends(double scene_size, const Vec3& target);
+
 /// The camera after the mouse moved by `dx`, `dy` pixels (down is positive) with a button held.
 /// Orbiting and following, `turn` goes about the target; flying, it looks around.
 [[nodiscard]] Camera dragged(const Camera& camera, CameraMode mode, CameraDrag drag, double dx,
-                             double dy, Size size);
+                             double dy, Size size, const ZoomEnds& ends = {});
 
 /// The camera after `notches` of the wheel away from the user, with the cursor at `pixel`: what
 /// lies under the cursor stays there. `under` is the point that is seen there; without one the
 /// plane through the target takes its place. Flying, the camera goes forward instead.
 [[nodiscard]] Camera wheeled(const Camera& camera, CameraMode mode, double notches,
-                             PixelPoint pixel, Size size, std::optional<Vec3> under);
+                             PixelPoint pixel, Size size, std::optional<Vec3> under,
+                             const ZoomEnds& ends = {});
 
 /// Keys that fly, while they are held.
 struct FlyKeys {

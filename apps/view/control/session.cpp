@@ -218,7 +218,8 @@ void Session::take(const Wheel& event) {
   flight_.reset();
   const auto under = subject_.pick(ray_through(camera_, window_, event.at));
   camera_ = wheeled(camera_, state_.camera, event.notches, event.at, window_,
-                    under ? std::optional(under->point) : std::nullopt);
+                    under ? std::optional(under->point) : std::nullopt,
+                    zoom_ends(state_.limits.scene_size, camera_.target));
 }
 
 void Session::drag_to(PixelPoint at) {
@@ -237,8 +238,9 @@ void Session::drag_to(PixelPoint at) {
     return;
   }
   press_->dragging = true;
-  camera_ = dragged(camera_, state_.camera, press_->kind, at.x - press_->last.x,
-                    at.y - press_->last.y, window_);
+  camera_ =
+      dragged(camera_, state_.camera, press_->kind, at.x - press_->last.x, at.y - press_->last.y,
+              window_, zoom_ends(state_.limits.scene_size, camera_.target));
   press_->last = at;
 }
 

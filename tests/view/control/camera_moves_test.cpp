@@ -92,6 +92,35 @@ TEST(CameraMoves, WheelWithoutASurfaceUsesThePlaneOfTheTarget) {
   EXPECT_LT(apart(back.eye, camera.eye), 1e-9);
 }
 
+TEST(CameraMoves, ZoomEndsAndComesBackFromBeyondItsEnds) {
+  const ZoomEnds ends{1, 100};
+  const auto wheel = [&](double from, double notches) {
+    return distance_to_target(wheeled(camera_at({0, -from, 0}), CameraMode::orbit, notches,
+                                      {480, 270}, kSize, std::nullopt, ends));
+  };
+  const auto drag = [&](double from, double down) {
+    return distance_to_target(dragged(camera_at({0, -from, 0}), CameraMode::orbit,
+                                      CameraDrag::dolly, 0, down, kSize, ends));
+  };
+  for (const double much : {60.0, 1e4, 1e9}) {
+    EXPECT_NEAR(wheel(10, much), 1, 1e-9);
+    EXPECT_NEAR(wheel(10, -much), 100, 1e-9);
+    EXPECT_NEAR(drag(10, -1e3 * much), 1, 1e-9);
+    EXPECT_NEAR(drag(10, 1e3 * much), 100, 1e-9);
+  }
+  EXPECT_NEAR(wheel(300, -1), 300, 1e-9);
+  EXPECT_NEAR(wheel(300, 1), 255, 1e-9);
+  EXPECT_NEAR(wheel(0.5, 1), 0.5, 1e-9);
+  EXPECT_NEAR(wheel(0.5, -1), 0.5 / 0.85, 1e-9);
+}
+
+TEST(CameraMoves, ZoomEndsWhereDoublesAtThePlaceEnd) {
+  EXPECT_EQ(zoom_ends(200, {}).nearest, 200 * 1e-9);
+  EXPECT_EQ(zoom_ends(200, {}).farthest, 200 * 1e4);
+  EXPECT_EQ(zoom_ends(200, {0, -3e7, 0}).nearest, 3e7 * 1e-12);
+  EXPECT_GT(zoom_ends(0, {}).nearest, 0);
+}
+
 TEST(CameraMoves, WheelFliesForward) {
   const Camera camera = camera_at({0, -10, 0});
   const Camera moved = wheeled(camera, CameraMode::fly, 1, {10, 10}, kSize, Vec3{5, 5, 5});

@@ -145,6 +145,20 @@ TEST_F(SessionTest, WheelKeepsThePlaceUnderTheCursor) {
   EXPECT_NEAR(pixel_of(under).y, cursor.y, 1e-6);
 }
 
+TEST_F(SessionTest, ManyTurnsOfTheWheelEndAndComeBack) {
+  const Vec3 forward = view::frame(session_.camera()).forward;
+  for (const double notches : {50.0, -50.0}) {
+    for (int i = 0; i < 200; ++i) {
+      session_.push(Wheel{notches, {640, 360}});
+      frame();
+    }
+    const double distance = distance_to_target(session_.camera());
+    EXPECT_GT(distance, 1e-8);
+    EXPECT_LT(distance, 1e7);
+    EXPECT_LT(apart(view::frame(session_.camera()).forward, forward), 1e-3) << notches;
+  }
+}
+
 TEST_F(SessionTest, DraggingAnArrowMovesTheObjectAlongItsAxis) {
   const Gizmo gizmo = *session_.gizmo();
   const Camera before = session_.camera();
