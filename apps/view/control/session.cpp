@@ -216,7 +216,7 @@ void Session::take(const MouseUp& event) {
 
 void Session::take(const Wheel& event) {
   flight_.reset();
-  const auto under = subject_.pick(ray_through(camera_, window_, event.at));
+  const auto under = seen_at(event.at);
   camera_ = wheeled(camera_, state_.camera, event.notches, event.at, window_,
                     under ? std::optional(under->point) : std::nullopt,
                     zoom_ends(state_.limits.scene_size, camera_.target));
@@ -244,8 +244,17 @@ void Session::drag_to(PixelPoint at) {
   press_->last = at;
 }
 
+std::optional<PickedFacts> Session::seen_at(PixelPoint at) {
+  try {
+    return subject_.pick(ray_through(camera_, window_, at));
+  } catch (const Error& error) {
+    message_ = error.what();
+    return std::nullopt;
+  }
+}
+
 void Session::pick(PixelPoint at) {
-  picked_ = subject_.pick(ray_through(camera_, window_, at));
+  picked_ = seen_at(at);
   state_.selected = picked_.has_value();
   if (picked_) {
     subject_.select();
@@ -256,7 +265,7 @@ void Session::pick(PixelPoint at) {
 }
 
 void Session::set_pivot(PixelPoint at) {
-  if (const auto under = subject_.pick(ray_through(camera_, window_, at))) {
+  if (const auto under = seen_at(at)) {
     go(pivoted(camera_, under->point));
   }
 }

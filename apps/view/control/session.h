@@ -101,6 +101,8 @@ class Session {
   void release_all();
   void set_fly_key(Key key, bool down);
   void drag_to(PixelPoint at);
+  /// What the subject has at a pixel; nothing, and a message, where it cannot say.
+  [[nodiscard]] std::optional<PickedFacts> seen_at(PixelPoint at);
   void pick(PixelPoint at);
   void set_pivot(PixelPoint at);
 

@@ -70,6 +70,9 @@ class MockSubject final : public Subject {
   void object_home() override { object = Pose::translation(0, 0, 10); }
 
   [[nodiscard]] std::optional<PickedFacts> pick(const Ray& ray) override {
+    if (refuse_to_pick) {
+      throw Error(ErrorKind::out_of_range, "a ray beyond 2^300", "come nearer");
+    }
     if (ray.direction.z > -1e-3) {
       return std::nullopt;
     }
@@ -122,6 +125,7 @@ class MockSubject final : public Subject {
   int placed = 0;
   int lists = 0;
   bool refuse_to_draw = false;
+  bool refuse_to_pick = false;
   std::string last_pick;
   std::string selected;
   std::vector<std::string> opened;

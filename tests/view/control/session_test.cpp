@@ -111,6 +111,16 @@ TEST_F(SessionTest, AClickBesideEverythingDropsWhatWasPicked) {
   EXPECT_TRUE(subject_.selected.empty());
 }
 
+TEST_F(SessionTest, APickThatFailsIsAMessage) {
+  subject_.refuse_to_pick = true;
+  click(ground(), 1);
+  EXPECT_FALSE(session_.picked());
+  EXPECT_EQ(session_.message(), "a ray beyond 2^300; come nearer");
+  click(ground(), 1.2);
+  session_.push(Wheel{1, ground()});
+  EXPECT_NO_THROW(frame());
+}
+
 TEST_F(SessionTest, EscapeDropsWhatWasPickedAndOnlyThenQuits) {
   click(ground(), 1);
   press(Action::back);
