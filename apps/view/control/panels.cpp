@@ -171,7 +171,7 @@ void Panels::sidebar(Session& session, const FrameTimes& times, const DrawStatis
     tree_panel(session.state());
     show_panel(session.state());
     counts_panel(session.facts());
-    frame_panel(times, drawn);
+    frame_panel(session.facts(), times, drawn);
     ImGui::PopItemWidth();
   }
   ImGui::End();
@@ -284,7 +284,7 @@ void Panels::counts_panel(const Facts& facts) {
   ImGui::EndTable();
 }
 
-void Panels::frame_panel(const FrameTimes& times, const DrawStatistics& drawn) {
+void Panels::frame_panel(const Facts& facts, const FrameTimes& times, const DrawStatistics& drawn) {
   if (!widgets_.heading("Drawing")) {
     return;
   }
@@ -302,6 +302,9 @@ void Panels::frame_panel(const FrameTimes& times, const DrawStatistics& drawn) {
               grouped(drawn.triangles).c_str());
   if (drawn.triangles_left > 0) {
     ImGui::Text("%s more when still", grouped(drawn.triangles_left).c_str());
+  }
+  for (const std::string& line : facts.left_out) {
+    ImGui::TextWrapped("%s", line.c_str());
   }
 }
 

@@ -28,7 +28,7 @@ class Panels {
   void tree_panel(ViewState& state);
   void show_panel(ViewState& state);
   void counts_panel(const Facts& facts);
-  void frame_panel(const FrameTimes& times, const DrawStatistics& drawn);
+  void frame_panel(const Facts& facts, const FrameTimes& times, const DrawStatistics& drawn);
   void picked_panel(Session& session);
   void message_line(const Session& session);
   void help(ViewState& state);

@@ -46,6 +46,8 @@ struct Facts {
   std::uint64_t found = 0;
   Cost cost;
   double collision_ms = 0;  ///< time of the last step's collision alone
+  /// What found no room in the last picture, a line each: "2,000 of 12,345 contacts".
+  std::vector<std::string> left_out;
   Limits limits;
   std::optional<std::size_t> orientation_test;  ///< that runs; moving the object by hand ends it
   Box bounds;                                   ///< of all that is shown

@@ -2,6 +2,7 @@
 
 #include "soms/base/error.h"
 
+#include "apps/support/text.h"
 #include "apps/view/scene/shown_boxes.h"
 
 #include <algorithm>
@@ -30,12 +31,12 @@ class Drawing {
  public:
   Drawing(ViewScene& scene, const ViewOptions& options) : scene_(scene), options_(options) {}
 
-  DrawList draw() {
+  DrawnScene draw() {
     scene_.set_trees(options_.trees);
     add_bodies();
     add_boxes();
     add_contacts();
-    return std::move(list_);
+    return {std::move(list_), counts_};
   }
 
  private:
@@ -80,7 +81,10 @@ class Drawing {
   }
 
   void add_boxes() {
-    for (BoxGroup& group : shown_boxes(scene_, options_).groups) {
+    ShownBoxes boxes = shown_boxes(scene_, options_);
+    counts_.boxes = boxes.boxes;
+    for (BoxGroup& group : boxes.groups) {
+      counts_.boxes_drawn += group.boxes.size();
       list_.box_groups.push_back(std::move(group));
     }
   }
@@ -122,10 +126,12 @@ class Drawing {
     std::size_t left = options_.contacts.most_of_parts;
     for (const auto& [body, number] : parts) {
       const Part& part = scene_.body(body).shape.mesh().parts[number];
+      counts_.part_triangles += part.count;
       if (part.count > left) {
         continue;
       }
       left -= part.count;
+      counts_.part_triangles_drawn += part.count;
       for (std::uint32_t k = 0; k < part.count; ++k) {
         add_mark(body, part.first + k, options_.colors.part, options_.contacts.on_top);
       }
@@ -167,6 +173,10 @@ class Drawing {
   void add_contacts() {
     const ContactMarks& marks = options_.contacts;
     const std::vector<Touch> touches = drawn_contacts(scene_, marks.most);
+    if (marks.triangles || marks.parts || marks.segments || marks.lines) {
+      counts_.contacts = scene_.contacts().size();
+      counts_.contacts_drawn = touches.size();
+    }
     if (marks.parts) {
       add_parts(touches);
     }
@@ -198,6 +208,7 @@ class Drawing {
   ViewScene& scene_;
   const ViewOptions& options_;
   DrawList list_;
+  ShownCounts counts_;
   std::map<std::pair<const Mesh*, bool>, std::uint32_t> meshes_;
   std::map<const Mesh*, std::size_t> kinds_;
 };
@@ -218,21 +229,25 @@ std::vector<Touch> drawn_contacts(const ViewScene& scene, std::size_t most) {
   return some;
 }
 
-DrawList make_draw_list(ViewScene& scene, const ViewOptions& options) {
+DrawnScene draw_scene(ViewScene& scene, const ViewOptions& options) {
   return Drawing(scene, options).draw();
 }
 
-ShownCounts shown(ViewScene& scene, const ViewOptions& options) {
-  scene.set_trees(options.trees);
-  const ShownBoxes boxes = shown_boxes(scene, options);
-  ShownCounts counts;
-  counts.contacts = scene.contacts().size();
-  counts.contacts_drawn = std::min<std::uint64_t>(counts.contacts, options.contacts.most);
-  counts.boxes = boxes.boxes;
-  for (const BoxGroup& group : boxes.groups) {
-    counts.boxes_drawn += group.boxes.size();
-  }
-  return counts;
+DrawList make_draw_list(ViewScene& scene, const ViewOptions& options) {
+  return draw_scene(scene, options).list;
+}
+
+std::vector<std::string> left_out(const ShownCounts& counts) {
+  std::vector<std::string> lines;
+  const auto add = [&](std::uint64_t drawn, std::uint64_t all, const char* what) {
+    if (drawn < all) {
+      lines.push_back(command::with_commas(drawn) + " of " + command::with_commas(all) + what);
+    }
+  };
+  add(counts.contacts_drawn, counts.contacts, " contacts");
+  add(counts.part_triangles_drawn, counts.part_triangles, " triangles of parts");
+  add(counts.boxes_drawn, counts.boxes, " boxes");
+  return lines;
 }
 
 }  // namespace soms::view

@@ -8,16 +8,25 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace soms::view {
 
-/// How much of what there is a draw list holds.
+/// How much of what is to be shown a draw list holds.
 struct ShownCounts {
-  std::uint64_t contacts = 0;
+  std::uint64_t contacts = 0;  ///< 0 where none of their marks is to be shown
   std::uint64_t contacts_drawn = 0;
+  std::uint64_t part_triangles = 0;  ///< of the parts that contacts drawn belong to
+  std::uint64_t part_triangles_drawn = 0;
   std::uint64_t boxes = 0;
   std::uint64_t boxes_drawn = 0;
+};
+
+/// A picture, and how much of what there is it holds.
+struct DrawnScene {
+  DrawList list;
+  ShownCounts counts;
 };
 
 /// The picture of a scene. Meshes are shared and keep their keys and versions from call to call;
@@ -26,12 +35,15 @@ struct ShownCounts {
 /// \errors ErrorKind::usage for a body that is not there, a level below 1, and tree options out of
 ///         range.
 /// \cost   O(bodies + contacts drawn + boxes drawn).
+[[nodiscard]] DrawnScene draw_scene(ViewScene& scene, const ViewOptions& options);
+
+/// Its list alone.
 [[nodiscard]] DrawList make_draw_list(ViewScene& scene, const ViewOptions& options);
 
 /// At most `most` of the scene's contacts, spread evenly over their sorted list.
 [[nodiscard]] std::vector<Touch> drawn_contacts(const ViewScene& scene, std::size_t most);
 
-/// Counts of the list that `make_draw_list` makes of the same scene and options.
-[[nodiscard]] ShownCounts shown(ViewScene& scene, const ViewOptions& options);
+/// What found no room in a picture, a line each, as "2,000 of 12,345 contacts"; empty: nothing.
+[[nodiscard]] std::vector<std::string> left_out(const ShownCounts& counts);
 
 }  // namespace soms::view

@@ -58,7 +58,7 @@ struct ContactMarks {
   bool lines = false;       ///< from the middle of each touching mover to its contacts
   bool spots = false;       ///< a dot where a mover touches (of two, the first), however far it is
   bool on_top = false;      ///< seen through everything
-  std::size_t most = 2000;  ///< most contacts drawn; `shown` says how many there are
+  std::size_t most = 2000;  ///< most contacts drawn; `DrawnScene` says how many there are
   std::size_t most_of_parts = 20000;  ///< most triangles of parts drawn
 
   [[nodiscard]] bool operator==(const ContactMarks&) const = default;

@@ -263,14 +263,14 @@ bool stands_still(const RenderOptions& options, const ViewScene& scene) {
 }
 
 /// What is drawn, and from where.
-std::pair<DrawList, Camera> compose(const RenderOptions& options, ViewScene& scene,
-                                    const command::Console& console) {
+std::pair<DrawnScene, Camera> compose(const RenderOptions& options, ViewScene& scene,
+                                      const command::Console& console) {
   return console.run("choosing what is shown", [&](const Parallel& parallel) {
     const Vec3 origin = options.center ? scene_bounds(scene).center() : Vec3{};
     CameraChoice choice = options.camera;
     choice.boxes = options.level || options.walk;
     const Camera camera = place_camera(choice, scene, options.size, origin, parallel);
-    return std::pair(make_draw_list(scene, what_is_shown(options, scene)), camera);
+    return std::pair(draw_scene(scene, what_is_shown(options, scene)), camera);
   });
 }
 
@@ -338,11 +338,14 @@ int run_render(const RenderOptions& options, command::Console& console) {
     console.note(
         fmt::format("--frame {}: nothing moves here; all frames look alike", options.frame));
   }
-  const auto [list, camera] = compose(options, scene, console);
-  const Picture picture = draw(options, list, camera, renderer, console);
+  const auto [drawn, camera] = compose(options, scene, console);
+  const Picture picture = draw(options, drawn.list, camera, renderer, console);
   file.stream() << console.run("writing " + options.output,
                                [&](const Parallel& parallel) { return to_png(picture, parallel); });
   file.commit();
+  for (const std::string& line : left_out(drawn.counts)) {
+    console.note(options.output + ": " + line);
+  }
   report(options, scene, renderer, console);
   return 0;
 }

@@ -184,6 +184,7 @@ Facts SceneSubject::facts(const ViewState& state) const {
   facts.bodies = now.touching_movers;
   facts.cost = now.cost;
   facts.collision_ms = now.step_milliseconds;
+  facts.left_out = left_out_;
   facts.limits = limits();
   facts.orientation_test = test_;
   facts.bounds = scene_.bounds();
@@ -371,7 +372,9 @@ DrawList SceneSubject::draw_list(const ViewState& state) {
     }
     options.chosen = touching(selected_->touch) ? selected_->touch : std::nullopt;
   }
-  DrawList list = make_draw_list(scene_, options);
+  DrawnScene drawn = draw_scene(scene_, options);
+  left_out_ = left_out(drawn.counts);
+  DrawList& list = drawn.list;
   if (selected_) {
     const Triangle corners = scene_.triangle(selected_->body, selected_->triangle);
     for (const auto& [from, to] : {std::pair(corners.a, corners.b), std::pair(corners.b, corners.c),
@@ -380,7 +383,7 @@ DrawList SceneSubject::draw_list(const ViewState& state) {
     }
   }
   changed();
-  return list;
+  return std::move(list);
 }
 
 }  // namespace soms::view

@@ -64,6 +64,7 @@ class SceneSubject final : public Subject {
   bool through_ = false;                ///< contacts are seen, and picked, through everything
   bool movers_shown_ = true;            ///< else they are not picked
   std::optional<int> lone_levels_;      ///< of the city's tree, where there is no pair
+  std::vector<std::string> left_out_;   ///< of the last picture
   std::optional<Chosen> seen_;          ///< by the last `pick`
   std::optional<Chosen> selected_;      ///< drawn brighter
   std::map<std::uint32_t, Pose> home_;  ///< where movers were that the hand moved

@@ -29,6 +29,7 @@ class MockSubject final : public Subject {
     Facts facts;
     facts.name = "mock city";
     facts.note = note;
+    facts.left_out = left_out;
     facts.triangles = 1'234'567;
     facts.movers = 3;
     facts.frame = frame;
@@ -117,6 +118,7 @@ class MockSubject final : public Subject {
   bool has_object = true;
   Pose object = Pose::translation(0, 0, 10);
   std::string note;
+  std::vector<std::string> left_out;
 
   int chosen = 0;
   Choice last_choice;

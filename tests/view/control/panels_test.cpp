@@ -324,6 +324,7 @@ TEST_F(PanelsTest, ShowNothingWhenSwitchedOff) {
 TEST_F(PanelsTest, DrawEveryStateWithoutComplaint) {
   subject_.note = "The recording ends early: 12 of 100 frames are whole.";
   drawn_.triangles_left = 800'000;
+  subject_.left_out = {"2,000 of 12,345 contacts", "50,000 of 1,000,000 boxes"};
   times_.add(16.6, 1.0 / 60);
   session_.set_message("broken.ply, line 3: no vertices; repair the file");
   for (const bool help : {false, true}) {

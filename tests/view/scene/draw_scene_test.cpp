@@ -169,7 +169,10 @@ TEST(DrawScene, MarksThePartsThatTouch) {
     EXPECT_EQ(count(list.marks, scene.triangle(city_part(0), i)), i < 12 ? 0U : 1U);
   }
   options.contacts.most_of_parts = 11;
-  EXPECT_TRUE(make_draw_list(scene, options).marks.empty());
+  const DrawnScene without = draw_scene(scene, options);
+  EXPECT_TRUE(without.list.marks.empty());
+  EXPECT_EQ(without.counts.part_triangles, 12U);
+  EXPECT_EQ(without.counts.part_triangles_drawn, 0U);
 }
 
 TEST(DrawScene, BoundsWhatManyContactsDraw) {
@@ -181,13 +184,34 @@ TEST(DrawScene, BoundsWhatManyContactsDraw) {
   const DrawList list = make_draw_list(scene, options);
   EXPECT_LE(list.marks.size(), 600U);
   EXPECT_LE(list.lines.size(), 1800U);
-  const ShownCounts counts = shown(scene, options);
+  const ShownCounts counts = draw_scene(scene, options).counts;
   EXPECT_EQ(counts.contacts, scene.contacts().size());
   EXPECT_EQ(counts.contacts_drawn, 300U);
   const std::vector<Touch> some = drawn_contacts(scene, 300);
   EXPECT_EQ(some.size(), 300U);
   EXPECT_TRUE(std::is_sorted(some.begin(), some.end()));
   EXPECT_EQ(std::set<Touch>(some.begin(), some.end()).size(), 300U);
+}
+
+TEST(DrawScene, SaysWhatFoundNoRoom) {
+  EXPECT_TRUE(left_out({}).empty());
+  EXPECT_EQ(left_out({.contacts = 12'345,
+                      .contacts_drawn = 2'000,
+                      .part_triangles = 30'000,
+                      .boxes = 1'000'000,
+                      .boxes_drawn = 50'000}),
+            (std::vector<std::string>{"2,000 of 12,345 contacts", "0 of 30,000 triangles of parts",
+                                      "50,000 of 1,000,000 boxes"}));
+  ViewScene scene = cubes();
+  scene.set_pose(0, Pose::translation(1, 1, 1));
+  ViewOptions options;
+  options.level = LevelBoxes{.body = city_part(0), .level = 3};
+  EXPECT_TRUE(left_out(draw_scene(scene, options).counts).empty());
+  options.most_boxes = 1;
+  options.contacts.most = 1;
+  EXPECT_EQ(left_out(draw_scene(scene, options).counts).size(), 2U);
+  options.contacts.triangles = options.contacts.segments = false;  // nobody asked for them
+  EXPECT_EQ(left_out(draw_scene(scene, options).counts).size(), 1U);
 }
 
 TEST(DrawScene, HidesWhatIsNotWanted) {

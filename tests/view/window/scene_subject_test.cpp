@@ -215,6 +215,19 @@ TEST(SceneSubject, SaysThatAWalkWasCut) {
   EXPECT_TRUE(subject.facts(state).walk_cut);
 }
 
+TEST(SceneSubject, SaysHowManyContactsAPictureHolds) {
+  const Mesh cube = test::box_body({-1, -1, -1}, {1, 1, 1}, 12);
+  SceneSubject subject(two_bodies(named(cube, {}, "still"), named(cube, {}, "moving")));
+  ViewState state;
+  (void)subject.draw_list(state);
+  ASSERT_GT(subject.facts(state).contacts, 5000U);
+  ASSERT_EQ(subject.facts(state).left_out.size(), 1U);
+  EXPECT_EQ(subject.facts(state).left_out[0].rfind("2,000 of ", 0), 0U);
+  subject.place_object(Pose::translation(20, 0, 5));
+  (void)subject.draw_list(state);
+  EXPECT_TRUE(subject.facts(state).left_out.empty());
+}
+
 TEST(SceneSubject, HomeIsWhereTheObjectWasBeforeATestOfOrientation) {
   SceneSubject subject(with_traffic());
   ViewState state;
