@@ -62,6 +62,7 @@ struct ViewScene::State {
   std::optional<std::pair<BodyRef, BodyRef>> pair;
 
   StepReport report;
+  bool replayed = false;  ///< the report is the recording's
   std::vector<Touch> touches;
   double step_milliseconds = 0;
 
@@ -133,7 +134,8 @@ struct ViewScene::State {
   }
 
   void find_contacts() {
-    if (as_recorded()) {
+    const bool recorded = as_recorded();
+    if (recorded) {
       const RecordedFrame& shown = recording->frame(frame);
       report = {};
       report.environment = shown.environment;
@@ -141,6 +143,7 @@ struct ViewScene::State {
     } else {
       report = scene.step({}, parallel);
     }
+    replayed = recorded;
     touches.clear();
     for (const EnvironmentContact& c : report.environment) {
       touches.push_back({mover(c.mover), city_part(c.part), c.i, c.j});
@@ -276,7 +279,7 @@ void ViewScene::go_to(std::uint64_t frame) {
 }
 
 bool ViewScene::replaying() const {
-  return state_->as_recorded();
+  return state_->replayed && state_->as_recorded();
 }
 
 void ViewScene::set_pose(std::uint32_t mover, const Pose& pose) {

@@ -114,6 +114,7 @@ TEST(Load, AsksAnewWhereTheHandMovesARecordedMover) {
   scene.step();
   EXPECT_EQ(scene.body(mover(0)).pose, Pose::translation(2.5, 1, 1));
   scene.release(0);
+  EXPECT_FALSE(scene.replaying());  // it still stands where the hand put it
   scene.step();
   EXPECT_TRUE(scene.replaying());
   EXPECT_EQ(scene.body(mover(0)).pose, Pose::translation(1, 0, 1));
