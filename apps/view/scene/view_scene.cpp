@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <set>
+#include <utility>
 
 namespace soms::view {
 
@@ -274,8 +275,14 @@ void ViewScene::step() {
 
 void ViewScene::go_to(std::uint64_t frame) {
   const auto count = frames();
-  state_->frame = count ? std::min(frame, *count - 1) : frame;
-  state_->show_frame();
+  const std::uint64_t before =
+      std::exchange(state_->frame, count ? std::min(frame, *count - 1) : frame);
+  try {
+    state_->show_frame();
+  } catch (...) {
+    state_->frame = before;  // a recording that is no longer whole still shows this one
+    throw;
+  }
 }
 
 bool ViewScene::replaying() const {

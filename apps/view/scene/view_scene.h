@@ -106,7 +106,7 @@ class ViewScene {
   /// \errors ErrorKind::cancelled; as `Replay::frame`.
   void step();
 
-  /// Any frame; beyond the last one the last.
+  /// Any frame; beyond the last one the last. \errors As `step`; the frame of before stays then.
   void go_to(std::uint64_t frame);
 
   /// True while contacts are those of the recording: nothing was held, tested or added.

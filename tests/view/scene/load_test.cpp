@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -117,6 +118,19 @@ TEST(Load, AsksAnewWhereTheHandMovesARecordedMover) {
   EXPECT_FALSE(scene.replaying());  // it still stands where the hand put it
   scene.step();
   EXPECT_TRUE(scene.replaying());
+  EXPECT_EQ(scene.body(mover(0)).pose, Pose::translation(1, 0, 1));
+}
+
+TEST(Load, StaysAtItsFrameWhereTheRecordingWasCutSince) {
+  const Recorded recorded(400);
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "drive.recording";
+  std::ofstream(path, std::ios::binary) << recorded.bytes;
+  ViewScene scene(content_of(recorded.world, Replay(path)));
+  scene.go_to(2);
+  std::filesystem::resize_file(path, recorded.bytes.size() / 4);
+  EXPECT_THROW(scene.go_to(390), Error);
+  EXPECT_EQ(scene.frame(), 2U);
   EXPECT_EQ(scene.body(mover(0)).pose, Pose::translation(1, 0, 1));
 }
 
