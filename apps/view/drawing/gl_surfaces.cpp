@@ -94,16 +94,14 @@ void GlSurfaces::choose(const DrawList& list, const Camera& camera, Size size, c
   calls_.clear();
   for (const TileGroup& group : visible.groups) {
     const Tile& tile = tiles[group.mesh][group.tile];
-    Call call{of_list_[group.mesh],  group.pass, false, tile.first, group.triangles, rows.size(),
-              group.instances.size()};
+    calls_.push_back({of_list_[group.mesh], group.pass, group.edges, tile.first, group.triangles,
+                      rows.size(), group.instances.size()});
     const bool plain = list.meshes[group.mesh].colors == nullptr;
     for (const std::uint32_t i : group.instances) {
       const Instance& instance = list.instances[i];
-      call.edges = call.edges || instance.style == SurfaceStyle::both;
       rows.push_back({relative_rows(view, instance.pose, tile.origin, tile.scale), instance.color,
                       plain ? 1.0F : 0.0F, instance.highlighted ? 0.45F : 0.0F});
     }
-    calls_.push_back(call);
   }
   rows_.stream(std::as_bytes(std::span(rows)));
 }

@@ -85,11 +85,12 @@ Visible choose_tiles(const DrawList& list, std::span<const std::span<const Tile>
                      const Camera& camera, Size size, std::uint64_t most_triangles) {
   Visible visible;
   const Frustum view = frustum(camera, size);
-  std::map<std::tuple<Pass, std::uint32_t, std::uint32_t>, std::size_t> group_of;
+  std::map<std::tuple<Pass, bool, std::uint32_t, std::uint32_t>, std::size_t> group_of;
   std::vector<double> areas;
   for (std::uint32_t i = 0; i < list.instances.size(); ++i) {
     const Instance& instance = list.instances[i];
     const Pass pass = pass_of(instance);
+    const bool edges = instance.style == SurfaceStyle::both;
     const auto mine = tiles[instance.mesh];
     visible.tiles += mine.size();
     for (std::uint32_t t = 0; t < mine.size(); ++t) {
@@ -98,10 +99,15 @@ Visible choose_tiles(const DrawList& list, std::span<const std::span<const Tile>
         continue;
       }
       const auto [at, fresh] =
-          group_of.try_emplace({pass, instance.mesh, t}, visible.groups.size());
+          group_of.try_emplace({pass, edges, instance.mesh, t}, visible.groups.size());
       if (fresh) {
-        visible.groups.push_back(
-            {instance.mesh, t, pass, {}, mine[t].count, std::numeric_limits<double>::infinity()});
+        visible.groups.push_back({instance.mesh,
+                                  t,
+                                  pass,
+                                  edges,
+                                  {},
+                                  mine[t].count,
+                                  std::numeric_limits<double>::infinity()});
         areas.push_back(0);
       }
       TileGroup& group = visible.groups[at->second];
@@ -129,8 +135,8 @@ Visible choose_tiles(const DrawList& list, std::span<const std::span<const Tile>
   std::erase_if(visible.groups, [](const TileGroup& group) { return group.triangles == 0; });
   std::sort(visible.groups.begin(), visible.groups.end(),
             [](const TileGroup& a, const TileGroup& b) {
-              return std::tuple(a.pass, a.depth, a.mesh, a.tile) <
-                     std::tuple(b.pass, b.depth, b.mesh, b.tile);
+              return std::tuple(a.pass, a.depth, a.mesh, a.tile, a.edges) <
+                     std::tuple(b.pass, b.depth, b.mesh, b.tile, b.edges);
             });
   return visible;
 }

@@ -30,11 +30,12 @@ enum class Pass : std::uint8_t { solid, wire, translucent };
 
 [[nodiscard]] Pass pass_of(const Instance& instance);
 
-/// One tile and those instances in which it is drawn: one draw call.
+/// One tile and those instances in which it is drawn alike: one draw call.
 struct TileGroup {
   std::uint32_t mesh = 0;
   std::uint32_t tile = 0;
   Pass pass = Pass::solid;
+  bool edges = false;  ///< drawn once more, as edges
   std::vector<std::uint32_t> instances;
   std::uint32_t triangles = 0;  ///< how many of the tile, the large ones first
   double depth = 0;             ///< of the nearest instance

@@ -83,6 +83,22 @@ TEST(ChooseTiles, KeepsTheBudgetAndGivesMoreToWhatLooksLarge) {
       << "groups come from near to far";
 }
 
+TEST(ChooseTiles, DrawsEdgesOfThoseAloneThatShowThem) {
+  DrawList list = instances(5, 1);
+  list.instances[1].style = SurfaceStyle::both;
+  list.instances[3].style = SurfaceStyle::both;
+  const TiledMesh cut = cut_in_tiles(*list.meshes[0].mesh, {});
+  const std::vector<std::span<const Tile>> tiles{cut.tiles};
+  const Visible all = choose_tiles(list, tiles, before_origin(), {64, 64}, 1000);
+  ASSERT_EQ(all.groups.size(), 2U);
+  for (const TileGroup& group : all.groups) {
+    EXPECT_EQ(group.pass, Pass::solid);
+    EXPECT_EQ(group.instances, group.edges ? (std::vector<std::uint32_t>{1, 3})
+                                           : (std::vector<std::uint32_t>{0, 2, 4}));
+  }
+  EXPECT_EQ(all.triangles, 10U);
+}
+
 TEST(ChooseTiles, PutsEachInstanceInItsPass) {
   DrawList list = instances(3, 1);
   list.instances[1].color.a = 100;
