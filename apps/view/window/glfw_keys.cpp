@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
 
 namespace soms::view {
@@ -46,12 +47,26 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
+/// Marks that are keys of actions, wherever a layout has them.
+bool is_mark(char c) {
+  constexpr std::string_view kMarks = ",-.=[]";
+  return kMarks.find(c) != std::string_view::npos;
+}
+
+bool on_number_pad(int glfw_key) {
+  return glfw_key >= GLFW_KEY_KP_0 && glfw_key <= GLFW_KEY_KP_EQUAL;
+}
+
 }  // namespace
 
 Key key_of_glfw(int glfw_key, const char* layout_name) {
-  if (layout_name != nullptr && is_letter(layout_name[0]) && layout_name[1] == '\0') {
-    const char c = layout_name[0];
+  const std::string_view label = layout_name == nullptr ? "" : layout_name;
+  if (label.size() == 1 && is_letter(label[0])) {
+    const char c = label[0];
     return key_of(c >= 'a' ? static_cast<char>(c - 'a' + 'A') : c);
+  }
+  if (label.size() == 1 && is_mark(label[0]) && !on_number_pad(glfw_key)) {
+    return key_of(label[0]);
   }
   if (glfw_key >= GLFW_KEY_0 && glfw_key <= GLFW_KEY_9) {
     return key_of(static_cast<char>('0' + (glfw_key - GLFW_KEY_0)));
