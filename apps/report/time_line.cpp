@@ -36,20 +36,24 @@ struct Bar {
 
 struct Row {
   std::uint32_t body = 0;
-  std::uint64_t steps = 0;  ///< of all bars
+  std::uint64_t steps = 0;    ///< in which it touches anything
+  std::uint64_t counted = 0;  ///< steps before this one are counted
   std::vector<Bar> bars;
 };
 
 /// Adds a contact to a row; contacts come in order of their begin.
 void add(Row& row, const Bar& bar) {
+  const std::uint64_t first = std::max(bar.begin, row.counted);
+  if (bar.end >= first) {
+    row.steps += bar.end - first + 1;
+    row.counted = bar.end + 1;
+  }
   const auto last = std::find_if(row.bars.rbegin(), row.bars.rend(),
                                  [&](const Bar& b) { return b.moving == bar.moving; });
   if (last != row.bars.rend() && bar.begin <= last->end + 1) {
-    row.steps += bar.end > last->end ? bar.end - last->end : 0;
     last->end = std::max(last->end, bar.end);
     return;
   }
-  row.steps += bar.end - bar.begin + 1;
   row.bars.push_back(bar);
 }
 

@@ -66,6 +66,18 @@ TEST(TimeLine, KeepsThoseThatTouchForLongest) {
   EXPECT_LT(svg.find(">car 2<"), svg.find(">car 3<"));
 }
 
+TEST(TimeLine, CountsAStepOnceHoweverManyAreTouchedInIt) {
+  Scene scene = traffic();
+  scene.bodies.push_back({.name = "car 4", .moves = true});
+  // Car 1 touches for 10 steps, in each of them a standing and a moving body; car 4 for 15.
+  scene.contacts = {{.a = 1, .b = 0, .begin = 10, .end = 19},
+                    {.a = 1, .b = 2, .begin = 10, .end = 19},
+                    {.a = 4, .b = 0, .begin = 30, .end = 44}};
+  const std::string svg = time_line(scene, 1);
+  EXPECT_NE(svg.find(">car 4<"), std::string::npos);
+  EXPECT_EQ(svg.find(">car 1<"), std::string::npos);
+}
+
 TEST(TimeLine, EscapesNames) {
   Scene scene = traffic();
   scene.bodies[1].name = "<b>&\"";
