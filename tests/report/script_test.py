@@ -1,7 +1,8 @@
 """The script of the report page, apps/report/web/dist/report.js, is what its sources make.
 
 `hash`: the sources have not changed since it was made. `rebuild`: making it again gives the same
-bytes; skipped where node or the packages (`npm ci`) are missing.
+bytes; skipped where node or the packages (`npm ci`) are missing. `search`: what the list of contacts
+finds; skipped where node is missing.
 """
 import hashlib
 import pathlib
@@ -48,13 +49,45 @@ def check_rebuild(web):
     return 0
 
 
+# A contact of triangle 12345 of "crate, 12,345" in frames 1,234 to 2,000, queries, and if they find it.
+SEARCH = """
+import { haystack, holds } from '%s';
+const names = ['crate, 12,345', 'dock'];
+const all = {
+  scene: { bodies: { names, moves: [1, 0] }, moving: 1, parts: [], steps: { noun: 'frame', count: 3000 } },
+  contacts: { a: () => 0, b: () => 1, part: () => '', begin: () => 1234, end: () => 2000,
+    triangles: (k, side) => (side === 0 ? [4711, 8] : [23456]) },
+};
+const hay = haystack(all, 7);
+for (const [query, found] of [
+  ['', true], ['crate', true], ['CRATE dock', true], ['crate, 12,345', true], ['crate 12345', true],
+  ['1,234', true], ['1234', true], ['frames 1,234 to 2,000', true], ['12,34', true], ['4,711', true],
+  ['4711', true], ['8, 4,711', true], ['23,456', true], ['#7', true], ['9,999', false], ['4,712', false],
+  ['crate nowhere', false]]) {
+  if (holds(hay, query) !== found) {
+    console.log(`"${query}" ${found ? 'is not found' : 'is found'} in "${hay}"`);
+    process.exitCode = 1;
+  }
+}
+"""
+
+
+def check_search(web):
+    node = shutil.which("node")
+    if node is None:
+        print("skipped: node is not installed")
+        return SKIPPED
+    words = (web / "src/words.js").as_uri()
+    return subprocess.run([node, "--input-type=module", "-e", SEARCH % words], check=False).returncode
+
+
 def main():
     check, web = sys.argv[1], pathlib.Path(sys.argv[2])
     lock = (web / "package-lock.json").read_text(encoding="ascii")
     if "resolved" in lock or "://" in lock:
         print("package-lock.json names the host of a registry")
         return 1
-    return {"hash": check_hash, "rebuild": check_rebuild}[check](web)
+    return {"hash": check_hash, "rebuild": check_rebuild, "search": check_search}[check](web)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 // The list of contacts: searched, ordered, and drawn only where it is seen.
-import { haystack, number, title, triangles, when } from './words.js';
+import { haystack, holds, number, title, triangles, when } from './words.js';
 
 const ROW = 56; // pixels, as in the page's style
 const MORE = 6; // rows beyond each end
@@ -41,17 +41,14 @@ export class List {
   // Which contacts are listed, and in what order.
   sift() {
     const { contacts } = this.all;
-    const words = this.find.value.toLowerCase().replace(/(\d),(?=\d{3})/g, '$1').split(/\s+/).filter(Boolean);
+    const query = this.find.value.trim();
     this.shown = [];
     for (let k = 0; k < contacts.count; ++k) {
       if (this.onlyNow.checked && !this.lasts(k)) {
         continue;
       }
-      if (words.length > 0) {
-        const hay = haystack(this.all, k);
-        if (!words.every((word) => hay.includes(word))) {
-          continue;
-        }
+      if (query !== '' && !holds(haystack(this.all, k), query)) {
+        continue;
       }
       this.shown.push(k);
     }

@@ -44,10 +44,20 @@ export function triangles({ contacts }, k) {
   return `triangle${a.length > 1 ? 's' : ''} ${some(a, 3)} and ${some(b, 3)}`;
 }
 
-// Everything that can be searched for, in small letters.
+// 12,345 as 12345, wherever it stands.
+const ungrouped = (text) => text.replace(/(\d),(?=\d{3})/g, '$1');
+
+// Everything that can be searched for, in small letters; numbers with commas and without.
 export function haystack(all, k) {
   const plain = [...all.contacts.triangles(k, 0), ...all.contacts.triangles(k, 1)].join(' ');
-  return `#${k} ${title(all, k)} ${plain} ${when(all, k)}`.toLowerCase();
+  const text = `#${k} ${title(all, k)} ${plain} ${when(all, k)}`.toLowerCase();
+  return `${text} ${ungrouped(text)}`;
+}
+
+// Whether a text holds every word of a query. Commas may be those of a name, of a number or of a list.
+export function holds(hay, query) {
+  const words = query.toLowerCase().split(/\s+/).filter(Boolean);
+  return words.every((word) => hay.includes(word) || hay.includes(ungrouped(word).replace(/,+$/, '')));
 }
 
 export function moment({ scene }, step) {
