@@ -236,6 +236,10 @@ def key_faults(page):
     page.landed()
     if page.soms("chosen()") == chosen:
         yield "key N does not go to the next contact"
+    canvas.send_keys("P")
+    page.landed()
+    if page.soms("chosen()") != chosen:
+        yield "key P, with Shift or Caps Lock, does not go to the contact before"
 
 
 def time_faults(page):

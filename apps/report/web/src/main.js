@@ -41,9 +41,10 @@ function addKeys(view, time, list) {
     p: () => list.neighbor(-1),
   };
   byId('canvas').addEventListener('keydown', (event) => {
-    if (event.key in keys && !event.ctrlKey && !event.metaKey && !event.altKey) {
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key; // N is n with Caps Lock
+    if (key in keys && !event.ctrlKey && !event.metaKey && !event.altKey) {
       event.preventDefault();
-      keys[event.key](event.shiftKey);
+      keys[key](event.shiftKey);
     }
   });
 }
