@@ -198,7 +198,8 @@ Facts SceneSubject::facts(const ViewState& state) const {
     facts.followed = scene_.body(followed).pose;
     facts.followed_bounds = scene_.bounds(followed);
   }
-  if (now.walk) {
+  // Of a walk that is not shown any more the counts are those of other poses.
+  if (now.walk && (state.shown.visited || state.shown.pruned || state.shown.found)) {
     facts.walked = true;
     facts.visited = now.walk->entered;
     facts.pruned = now.walk_pruned;

@@ -202,6 +202,20 @@ TEST(SceneSubject, PrunedAreTheBoxTestsThatEndedABranch) {
   EXPECT_FALSE(subject.facts(state).walk_cut);
 }
 
+TEST(SceneSubject, CountsOfAWalkGoWithItsBoxes) {
+  SceneSubject subject(block_and_cube());
+  ViewState state;
+  state.shown.visited = true;
+  subject.choose(state);
+  (void)subject.draw_list(state);
+  EXPECT_TRUE(subject.facts(state).walked);
+  state.shown.visited = false;
+  subject.choose(state);
+  subject.place_object(Pose::translation(10, 0, 5));  // of which nothing is walked
+  (void)subject.draw_list(state);
+  EXPECT_FALSE(subject.facts(state).walked);
+}
+
 TEST(SceneSubject, SaysThatAWalkWasCut) {
   const Mesh cube = test::box_body({-1, -1, -1}, {1, 1, 1}, 40);
   SceneSubject subject(
