@@ -138,10 +138,16 @@ Aim aim_at_mover(std::uint32_t number, const ViewScene& scene) {
 std::vector<Aim> aims_at_contacts(const ViewScene& scene) {
   constexpr std::size_t kMost = 40;
   std::map<BodyRef, std::pair<std::size_t, Box>> touching;
-  for (const Touch& touch : scene.contacts()) {
-    auto& [count, box] = touching[touch.a];
+  const auto note = [&](BodyRef body, TriangleId i) {
+    auto& [count, box] = touching[body];
     ++count;
-    box.grow(bounds(scene.triangle(touch.a, touch.i)));
+    box.grow(bounds(scene.triangle(body, i)));
+  };
+  for (const Touch& touch : scene.contacts()) {
+    note(touch.a, touch.i);
+    if (touch.b.role == Role::mover) {
+      note(touch.b, touch.j);
+    }
   }
   if (touching.empty()) {
     throw Error(ErrorKind::usage, "--camera contact: nothing touches in this frame",

@@ -4,9 +4,11 @@
 #include "soms/generate/shapes.h"
 
 #include "apps/view/scene/load.h"
+#include "tests/support/bodies.h"
 #include "tests/support/support.h"
 
 #include <cmath>
+#include <utility>
 
 namespace soms::view {
 namespace {
@@ -71,6 +73,20 @@ TEST(PlaceCamera, FindsAFreeSideOfTheContact) {
   EXPECT_GT(distance_to_target(camera), 1);
   EXPECT_THROW((void)place_camera(parse_camera("contact"), two_spheres(50), {300, 200}, {}), Error);
   EXPECT_THROW((void)place_camera(parse_camera("mover:1"), scene, {300, 200}, {}), Error);
+}
+
+TEST(PlaceCamera, CountsContactsOfBothMovers) {
+  // Movers 0 to 2 touch mover 3, each from another side; nobody touches more than it.
+  const Shape cube(test::box_body({-1, -1, -1}, {1, 1, 1}, 4));
+  SceneContent content;
+  for (const Vec3& at : {Vec3{-1.9, 0, 0}, Vec3{1.9, 0, 0}, Vec3{0, 1.9, 0}, Vec3{0, 0, 0}}) {
+    content.movers.push_back({Body(cube, Pose::translation(at.x, at.y, at.z)), {}});
+  }
+  const ViewScene scene(std::move(content));
+  ASSERT_FALSE(scene.contacts().empty());
+  const Camera contact = place_camera(parse_camera("contact,top"), scene, {300, 200}, {});
+  const Camera most = place_camera(parse_camera("mover:3,top"), scene, {300, 200}, {});
+  EXPECT_EQ(contact, most);
 }
 
 }  // namespace
