@@ -311,10 +311,11 @@ PickedFacts SceneSubject::contact_facts(const Touch& touch) const {
     facts.bounds.grow(point);
   }
   facts.why = {why.text};
-  if (facts.bounds.empty()) {
-    facts.bounds = bounds(scene_.triangle(touch.a, touch.i));
+  const Box triangle = bounds(scene_.triangle(touch.a, touch.i));
+  facts.point = (facts.bounds.empty() ? triangle : facts.bounds).center();
+  if (facts.bounds.empty() || facts.bounds.lower == facts.bounds.upper) {
+    facts.bounds = triangle;  // a point has no size by which to go near it
   }
-  facts.point = facts.bounds.center();
   return facts;
 }
 

@@ -350,6 +350,26 @@ TEST(SceneSubject, PicksContactsThroughEverythingWhereTheyAreSeenSo) {
   EXPECT_FALSE(subject.draw_list(state).lines.empty());
 }
 
+TEST(SceneSubject, AContactInAPointIsAsLargeAsItsTriangle) {
+  Mesh ground;
+  ground.vertices = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}};
+  ground.triangles = {{0, 1, 2}};
+  Mesh spike;
+  spike.vertices = {{0, 0, 0}, {0.001, 0, 0.003}, {-0.001, 0, 0.003}};
+  spike.triangles = {{0, 1, 2}};
+  SceneSubject subject(two_bodies(named(ground, {}, "ground"), named(spike, {}, "spike")));
+  ViewState state;
+  state.shown.contacts_on_top = true;
+  subject.choose(state);
+  ASSERT_EQ(subject.facts(state).contacts, 1U);
+  const auto contact = subject.pick({{0, -1, 1}, {0, std::sqrt(0.5), -std::sqrt(0.5)}});
+  ASSERT_TRUE(contact);
+  EXPECT_EQ(contact->title.rfind("contact of triangle", 0), 0U) << contact->title;
+  EXPECT_LT(std::abs(contact->point.x) + std::abs(contact->point.y) + std::abs(contact->point.z),
+            1e-9);
+  EXPECT_EQ(contact->bounds, (Box{{-0.001, 0, 0}, {0.001, 0, 0.003}}));
+}
+
 TEST(SceneSubject, AChosenContactThatIsNoMoreIsNotDrawn) {
   SceneSubject subject(block_and_cube());
   subject.place_object(Pose::translation(0, 0, 10.5));
