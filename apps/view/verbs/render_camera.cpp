@@ -21,6 +21,7 @@ namespace soms::view {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kMostZoom = 1e6;  ///< farther on, rounding would make eye and target one point
 constexpr const char* kRemedy =
     "write for example scene,southwest,1.5x or contact or \"0 -50 20 0 0 0\"; see --help";
 
@@ -101,8 +102,8 @@ bool read_zoom(const std::string& word, CameraChoice& choice) {
     return false;
   }
   choice.zoom = number(word.substr(0, word.size() - 1));
-  if (!(choice.zoom > 0)) {
-    refuse(word + ": a zoom of 0 or less");
+  if (!(choice.zoom >= 1 / kMostZoom && choice.zoom <= kMostZoom)) {
+    refuse(word + ": a zoom beyond a millionth and a million");
   }
   return true;
 }

@@ -38,7 +38,7 @@ TEST(ParseCamera, TakesSubjectSideAndZoomInAnyOrder) {
 
 TEST(ParseCamera, RefusesWhatMakesNoSense) {
   for (const char* text : {"", " , ", "1 2 3", "1 2 3 1 2 3", "nowhere", "0x", "-2x", "10:91",
-                           "mover:x", "10:", "1 2 3 4 5 nan"}) {
+                           "1e7x", "1e-7x", "mover:x", "10:", "1 2 3 4 5 nan"}) {
     EXPECT_THROW((void)parse_camera(text), Error) << text;
   }
 }
