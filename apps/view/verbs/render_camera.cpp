@@ -3,12 +3,15 @@
 #include "soms/base/error.h"
 
 #include "apps/support/parse.h"
+#include "apps/view/drawing/visibility.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -219,9 +222,33 @@ Camera at_contact(const CameraChoice& choice, const ViewScene& scene, Size size,
   return best.camera;
 }
 
+/// The corners of a body's triangles that are farthest out on each side of a picture, and nearest.
+/// Of a picture with these from the same direction no other corner is out either.
+void add_outermost(const Body& body, const Frustum& view, std::vector<Vec3>& points) {
+  const std::array<Vec3, 5> inward{view.forward, view.inward[0], view.inward[1], view.inward[2],
+                                   view.inward[3]};
+  std::array<Vec3, 5> outermost;
+  std::array<double, 5> least;
+  least.fill(std::numeric_limits<double>::infinity());
+  for (const auto& corners : body.shape.mesh().triangles) {
+    for (const std::uint32_t v : corners) {
+      const Vec3 p = body.pose.apply(body.shape.mesh().vertices[v]);
+      for (std::size_t side = 0; side < inward.size(); ++side) {
+        const double in = dot(inward[side], p - view.eye);
+        if (in < least[side]) {
+          least[side] = in;
+          outermost[side] = p;
+        }
+      }
+    }
+  }
+  points.insert(points.end(), outermost.begin(), outermost.end());
+}
+
 /// Points that show how far a scene reaches: corners of triangles, evenly chosen where there are
-/// many, or of the boxes of the city's trees, and those of the movers' boxes.
-std::vector<Vec3> sample_of(const ViewScene& scene, bool boxes) {
+/// many beside those farthest out, or of the boxes of the city's trees, and those of the movers'
+/// boxes.
+std::vector<Vec3> sample_of(const ViewScene& scene, bool boxes, const Frustum& view) {
   constexpr std::size_t kMost = 200'000;
   std::vector<Vec3> points;
   const auto add_box = [&](const Box& box) {
@@ -239,6 +266,9 @@ std::vector<Vec3> sample_of(const ViewScene& scene, bool boxes) {
     const Body& body = scene.body(city_part(k));
     const auto& triangles = body.shape.mesh().triangles;
     const std::size_t step = triangles.size() / kMost + 1;
+    if (step > 1) {
+      add_outermost(body, view, points);
+    }
     for (std::size_t i = 0; i < triangles.size(); i += step) {
       for (const std::uint32_t v : triangles[i]) {
         points.push_back(body.pose.apply(body.shape.mesh().vertices[v]));
@@ -304,7 +334,8 @@ Camera place_camera(const CameraChoice& choice, const ViewScene& scene, Size siz
   }
   const Vec3 back = toward_eye(choice.bearing, choice.elevation);
   const Camera whole = fitted(scene_bounds(scene), back, size);
-  return dollied(framed(whole, sample_of(scene, choice.boxes), size), 1 / choice.zoom);
+  const std::vector<Vec3> sample = sample_of(scene, choice.boxes, frustum(whole, size));
+  return dollied(framed(whole, sample, size), 1 / choice.zoom);
 }
 
 }  // namespace soms::view

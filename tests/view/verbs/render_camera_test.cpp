@@ -8,6 +8,7 @@
 #include "tests/support/support.h"
 
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace soms::view {
@@ -64,6 +65,29 @@ TEST(PlaceCamera, SeesTheSceneFromTheNamedSide) {
   const Camera placed =
       place_camera(parse_camera("0 -9 0 0 0 0"), scene, size, Vec3{100, 200, 300});
   EXPECT_EQ(placed.eye, (Vec3{100, 191, 300}));
+}
+
+TEST(PlaceCamera, SeesAllOfAMeshThatIsLookedAtInSamples) {
+  Mesh field;
+  constexpr std::uint32_t kTriangles = 410'000;
+  for (std::uint32_t i = 0; i < kTriangles; ++i) {
+    const auto x = static_cast<double>(i % 700);
+    const auto y = static_cast<double>(i / 700);
+    field.vertices.insert(field.vertices.end(), {{x, y, 0}, {x + 1, y, 0}, {x, y + 1, 0}});
+    field.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const Vec3 mast{350, 300, 2000};
+  field.vertices[3 * (kTriangles / 2) + 2] = mast;
+  SceneContent content;
+  content.city.emplace_back(std::move(field));
+  const ViewScene scene(std::move(content));
+  const Size size{300, 200};
+  for (const char* side : {"scene", "north", "top", "120:-40"}) {
+    const auto seen = project(place_camera(parse_camera(side), scene, size, {}), size, mast);
+    ASSERT_TRUE(seen.has_value()) << side;
+    EXPECT_TRUE(seen->pixel.x >= 0 && seen->pixel.x <= size.width) << side;
+    EXPECT_TRUE(seen->pixel.y >= 0 && seen->pixel.y <= size.height) << side;
+  }
 }
 
 TEST(PlaceCamera, FindsAFreeSideOfTheContact) {
