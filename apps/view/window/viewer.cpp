@@ -75,6 +75,14 @@ class Loop {
         due_ = 0;  // an icon, or nothing to draw
       }
     }
+    if (!options_.screenshot.empty() && drawn_frames_ < *options_.frames &&
+        !stop.stop_requested()) {
+      throw Error(ErrorKind::cannot_write,
+                  options_.screenshot + ": the window was closed after " +
+                      std::to_string(drawn_frames_) + " of " + std::to_string(*options_.frames) +
+                      " frames, and the picture is of the last one",
+                  "leave it open, or give fewer --frames");
+    }
   }
 
  private:

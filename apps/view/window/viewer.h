@@ -18,13 +18,14 @@ struct ViewerOptions {
   Size size{1280, 720};
   bool paused = false;
   bool panels = true;
-  std::string screenshot;               ///< PNG of the last frame; empty: none
+  std::string screenshot;               ///< PNG of the last of `frames`; empty: none
   std::optional<std::uint64_t> frames;  ///< end after as many; each is a sixtieth of a second then
 };
 
 /// Shows the subject until the window is closed, the user quits, or a stop is asked. Draws only
 /// when something changed or runs, and at most about 60 times a second. \errors As `AppWindow`,
-/// `GlRenderer` and `write_png`.
+/// `GlRenderer` and `write_png`; ErrorKind::cannot_write where the window is closed before the
+/// frame of `screenshot`. \pre A screenshot has `frames`.
 void run_viewer(Subject& subject, const ViewerOptions& options, const std::stop_token& stop);
 
 }  // namespace soms::view

@@ -146,6 +146,21 @@ TEST_F(ViewerTest, FramesAndScreenshotServeScripts) {
   EXPECT_EQ(read_png(folder_.path() / "end.png").size, kSize);
 }
 
+TEST_F(ViewerTest, AWindowClosedBeforeItsScreenshotIsAnError) {
+  const Display display;
+  std::vector<std::string> all = words();
+  for (const char* const word : {"--frames", "1000000", "--screenshot", "end.png"}) {
+    all.emplace_back(word);
+  }
+  RunningProgram viewer(all, folder_.path(), display.name());
+  ASSERT_TRUE(display.wait_for_window("soms view")) << viewer.errors();
+  display.type({"key", "ctrl+q"});
+  EXPECT_EQ(viewer.wait(), 5);
+  EXPECT_NE(viewer.errors().find("end.png: the window was closed after"), std::string::npos)
+      << viewer.errors();
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "end.png"));
+}
+
 TEST_F(ViewerTest, NoDisplayIsOneSentenceAndStatus5) {
   RunningProgram viewer(words(), folder_.path(), "");
   EXPECT_EQ(viewer.wait(), 5);
