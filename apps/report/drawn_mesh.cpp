@@ -288,7 +288,7 @@ class Drawer {
     double too_small = 0;
     std::optional<double> large_enough;
     std::vector<Triple> best;
-    for (int k = 0; k < kAttempts && size < 4 * reach; ++k) {
+    for (int k = 0; (k < kAttempts || !large_enough) && size < 4 * reach; ++k) {
       std::vector<Triple> found = clustered(size);
       if (fits(found, limits)) {
         large_enough = size;

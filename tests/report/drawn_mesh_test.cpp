@@ -179,6 +179,25 @@ TEST(DrawnMesh, TakesMeshesOfAnySizeAndNone) {
   }
 }
 
+TEST(DrawnMesh, DrawsWhatIsLargeAmongWiresWithoutArea) {
+  Mesh wires;
+  const auto add_wire = [&](double from, double length) {
+    const auto first = static_cast<std::uint32_t>(wires.vertices.size());
+    wires.vertices.insert(wires.vertices.end(),
+                          {{from, 0, 0}, {from + length / 2, 0, 0}, {from + length, 0, 0}});
+    wires.triangles.push_back({first, first + 1, first + 2});
+  };
+  for (int k = 0; k < 3'000; ++k) {
+    add_wire(10 * k, 100);
+  }
+  for (int k = 0; k < 20; ++k) {
+    add_wire(1'500 * k, 1'400);
+  }
+  const DrawnMesh out = drawn(wires, 1, {.triangles = 100});
+  EXPECT_LE(out.triangles(), 100U);
+  EXPECT_GE(out.triangles(), 20U);
+}
+
 TEST(DrawnMesh, SimplifiesACityWithinItsBox) {
   const Mesh city = generate_city({.triangles = 30'000}).mesh;
   const DrawnMesh out = drawn(city, 1, {.triangles = 6'000});
