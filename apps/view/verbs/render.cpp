@@ -257,6 +257,23 @@ ViewScene make_scene(const RenderOptions& options, command::Console& console) {
   });
 }
 
+/// Says of what a city of several files is shown in part.
+void remark_parts(const RenderOptions& options, const ViewScene& scene,
+                  const command::Console& console) {
+  if (scene.city_parts() < 2) {
+    return;
+  }
+  const auto remark = [&](const char* option, bool given) {
+    if (given) {
+      console.note(fmt::format("{}: of the city's {} files with the first alone, {}", option,
+                               scene.city_parts(), scene.body(city_part(0)).name));
+    }
+  };
+  remark("--level", options.level && options.level_of == LevelOf::city);
+  remark("--walk", options.walk);
+  remark("--test", !options.test.empty());
+}
+
 /// True if the scene looks alike in every frame.
 bool stands_still(const RenderOptions& options, const ViewScene& scene) {
   return !scene.frames() && (scene.movers() == 0 || !options.pose.empty());
@@ -338,6 +355,7 @@ int run_render(const RenderOptions& options, command::Console& console) {
     console.note(
         fmt::format("--frame {}: nothing moves here; all frames look alike", options.frame));
   }
+  remark_parts(options, scene, console);
   const auto [drawn, camera] = compose(options, scene, console);
   const Picture picture = draw(options, drawn.list, camera, renderer, console);
   file.stream() << console.run("writing " + options.output,

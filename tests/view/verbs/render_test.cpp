@@ -130,6 +130,20 @@ TEST_F(Render, DrawsTheTreeByLevelAndTheBoxesOfATraversal) {
   EXPECT_GT(boxes({"--mover", ball_, "--pose", "1 0 0", "--walk", "--no-prune"}), pruned);
 }
 
+TEST_F(Render, SaysThatTreesAreThoseOfTheFirstFileOfACity) {
+  SOMS_NEEDS_EGL();
+  const std::string other = (folder_.path() / "other.ply").string();
+  write_mesh(other, generate_sphere(200), MeshFormat::ply);
+  const test::RunResult result =
+      render({ball_, other, "--level", "3", "-o", picture_, "--size", "90x60"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("--level: of the city's 2 files with the first alone, ball"),
+            std::string::npos)
+      << result.err;
+  const test::RunResult one = render({ball_, "--level", "3", "-o", picture_, "--size", "90x60"});
+  EXPECT_EQ(one.err.find("--level"), std::string::npos) << one.err;
+}
+
 TEST_F(Render, WalksWithTheOneMoverThatIsNamed) {
   SOMS_NEEDS_EGL();
   const test::RunResult result =
