@@ -71,10 +71,14 @@ struct Measure {
 /// opposite signs or one of them 0.
 Vec3 zero_between(const Vec3& p, const ScaledNumber& at_p, const Vec3& q,
                   const ScaledNumber& at_q) {
-  // Far beyond doubles, the quotient is 0 or endless, and so it may be.
-  const double u = at_p.fraction == 0 ? 0
-                                      : 1 / (1 + std::ldexp(std::abs(at_q.fraction / at_p.fraction),
-                                                            at_q.exponent - at_p.exponent));
+  if (at_p.fraction == 0 || at_q.fraction == 0) {
+    return at_p.fraction == 0 ? p : q;
+  }
+  // What is far below the other may vanish beside it.
+  const int top = std::max(at_p.exponent, at_q.exponent);
+  const double over = std::ldexp(std::abs(at_p.fraction), at_p.exponent - top);
+  const double under = std::ldexp(std::abs(at_q.fraction), at_q.exponent - top);
+  const double u = over / (over + under);
   return u <= 0.5 ? p + u * (q - p) : q + (1 - u) * (p - q);
 }
 
