@@ -16,9 +16,9 @@ std::string with_dashes(std::string page) {
 
 /// Names of options that stand at the beginning of a line of --help.
 std::vector<std::string> options_in(const std::string& help) {
-  static const std::regex kName("\n  (?:-[a-z],)?(--[a-z][a-z-]*)");
+  const std::regex name("\n  (?:-[a-z],)?(--[a-z][a-z-]*)");
   std::vector<std::string> names;
-  for (std::sregex_iterator at(help.begin(), help.end(), kName), end; at != end; ++at) {
+  for (std::sregex_iterator at(help.begin(), help.end(), name), end; at != end; ++at) {
     names.push_back((*at)[1]);
   }
   return names;
@@ -26,9 +26,9 @@ std::vector<std::string> options_in(const std::string& help) {
 
 /// The verbs of soms --help.
 std::vector<std::string> verbs_in(const std::string& help) {
-  static const std::regex kName("\n  ([a-z]+) {2,}");
+  const std::regex name("\n  ([a-z]+) {2,}");
   std::vector<std::string> names;
-  for (std::sregex_iterator at(help.begin(), help.end(), kName), end; at != end; ++at) {
+  for (std::sregex_iterator at(help.begin(), help.end(), name), end; at != end; ++at) {
     names.push_back((*at)[1]);
   }
   return names;

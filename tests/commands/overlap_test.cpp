@@ -326,7 +326,7 @@ TEST(OverlapVerb, NeedsNoMoreMemoryForManyPosesThanForFew) {
   };
   const long few = resident(2'000);
   const long many = resident(200'000);
-  EXPECT_LT(many, few + 16 * 1024) << few << " KiB for 2,000 rows, " << many << " for 200,000";
+  EXPECT_LT(many, few + 16L * 1024) << few << " KiB for 2,000 rows, " << many << " for 200,000";
 }
 
 TEST(OverlapVerb, StopsAtAMemoryLimit) {

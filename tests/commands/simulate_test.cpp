@@ -447,8 +447,9 @@ TEST(Simulate, NamesTheCityWhoseTriangleIsTouched) {
   const Town town;
   const json result = answer({town.path(), "--count", "30", "--frames", "40"});
   ASSERT_FALSE(result["most_touched"].empty());
-  for (const json& touched : result["most_touched"])
+  for (const json& touched : result["most_touched"]) {
     EXPECT_EQ(touched["city"], "town");
+  }
 }
 
 TEST(Simulate, SaysWhatUnitAndAxisAFileStates) {

@@ -53,7 +53,7 @@ class PanelsTest : public testing::Test {
     }
   }
 
-  const WidgetPlace* find(const std::string& label) const {
+  [[nodiscard]] const WidgetPlace* find(const std::string& label) const {
     const auto& places = panels_.places();
     const auto found = std::find_if(places.begin(), places.end(),
                                     [&](const WidgetPlace& p) { return p.label == label; });

@@ -125,7 +125,8 @@ TEST(GlStrokes, PointsAreRoundAndAsLargeAsAsked) {
   DrawList list = on_ground({});
   list.points.push_back({.at = {0, 0, 0}, .color = kWhite, .diameter = 30});
   const Picture picture = drawn(*drawing.renderer, list);
-  const auto lit = static_cast<double>(picture.bytes.size() / 4 - count_near(picture, kGround, 2));
+  const std::size_t pixels = picture.bytes.size() / 4;
+  const auto lit = static_cast<double>(pixels - count_near(picture, kGround, 2));
   EXPECT_NEAR(lit, 707, 70);
   EXPECT_EQ(picture.at(80 - 13, 60 - 13), kGround) << "no square";
 }

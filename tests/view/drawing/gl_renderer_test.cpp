@@ -205,7 +205,8 @@ TEST(GlRenderer, DrawsThousandsOfCopiesAndBoxesInAFewCalls) {
   BoxGroup group;
   group.key = 5;
   for (int i = 0; i < 5000; ++i) {
-    const Vec3 at{3.0 * (i % 70), 3.0 * (i / 70), 0};
+    const int row = i / 70;
+    const Vec3 at{3.0 * (i % 70), 3.0 * row, 0};
     group.boxes.push_back({{at, at + Vec3{2, 2, 2}}});
     list.lines.push_back({.a = at, .b = at + Vec3{0, 0, 30}});
     list.points.push_back({.at = at});
@@ -250,7 +251,8 @@ TEST(GlRenderer, ShowsMostOfASceneWithASmallPartOfItsTriangles) {
   EXPECT_LE(s.triangles, 20000U);
   EXPECT_EQ(s.triangles + s.triangles_left, 43200U);
   const auto covered = [&](const Picture& p) {
-    return static_cast<double>(p.bytes.size() / 4 - count_near(p, kGround, 2));
+    const std::size_t pixels = p.bytes.size() / 4;
+    return static_cast<double>(pixels - count_near(p, kGround, 2));
   };
   EXPECT_GT(covered(part), 0.6 * covered(whole));
 }

@@ -58,9 +58,10 @@ inline void add_block(Mesh& mesh, const Vec3& lower, const Vec3& upper) {
 inline Mesh blocks(int n, const Vec3& center = {}) {
   Rng rng(7);
   Mesh mesh;
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < n; ++k) {
-      const Vec3 at = center + Vec3{20.0 * (i - n / 2), 20.0 * (k - n / 2), 0};
+  const int first = -(n / 2);
+  for (int i = first; i < first + n; ++i) {
+    for (int k = first; k < first + n; ++k) {
+      const Vec3 at = center + Vec3{20.0 * i, 20.0 * k, 0};
       const double high = 4 + 0.25 * static_cast<double>(rng.below(145));
       add_block(mesh, at, at + Vec3{12, 12, high});
     }

@@ -44,7 +44,7 @@ TEST(Tiles, HoldEachTriangleOnceAndWhereItWas) {
       EXPECT_EQ(tile.first, next);
       EXPECT_LE(tile.count, 300U);
       next += tile.count;
-      for (std::uint32_t t = tile.first; t < tile.first + tile.count; ++t) {
+      for (std::size_t t = tile.first; t < tile.first + tile.count; ++t) {
         const auto corner = [&](std::size_t k) {
           return place(tile, cut.vertices[cut.indices[3 * t + k]]);
         };
@@ -85,7 +85,7 @@ TEST(Tiles, ShowLargeTrianglesFirst) {
   const TiledMesh cut = cut_in_tiles(mesh, {}, {.triangles = 1000});
   for (const Tile& tile : cut.tiles) {
     double least = 1e300;
-    for (std::uint32_t t = tile.first; t < tile.first + tile.count; ++t) {
+    for (std::size_t t = tile.first; t < tile.first + tile.count; ++t) {
       Triangle triangle;
       triangle.a = place(tile, cut.vertices[cut.indices[3 * t]]);
       triangle.b = place(tile, cut.vertices[cut.indices[3 * t + 1]]);

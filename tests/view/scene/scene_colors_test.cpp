@@ -47,7 +47,8 @@ TEST(SceneColors, OfTrianglesThatShareNothingGoByPlace) {
   std::vector<Triangle> soup;
   for (int k = 0; k < 400; ++k) {
     const double x = k % 20;
-    const double y = k / 20;
+    const int row = k / 20;
+    const double y = row;
     soup.push_back({{x, y, 0}, {x + 0.5, y, 0}, {x, y + 0.5, 1}});
     soup.push_back({{x, y, 0}, {x + 0.5, y, 1}, {x, y + 0.5, 0}});
   }

@@ -72,7 +72,8 @@ TEST(PlaceCamera, SeesAllOfAMeshThatIsLookedAtInSamples) {
   constexpr std::uint32_t kTriangles = 410'000;
   for (std::uint32_t i = 0; i < kTriangles; ++i) {
     const auto x = static_cast<double>(i % 700);
-    const auto y = static_cast<double>(i / 700);
+    const std::uint32_t row = i / 700;
+    const double y = row;
     field.vertices.insert(field.vertices.end(), {{x, y, 0}, {x + 1, y, 0}, {x, y + 1, 0}});
     field.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }

@@ -119,7 +119,7 @@ TEST_F(Render, DrawsTheTreeByLevelAndTheBoxesOfATraversal) {
     const test::RunResult result = render(words);
     EXPECT_EQ(result.status, 0) << result.err;
     const std::size_t at = result.out.find("\"boxes\":");
-    return at == std::string::npos ? -1 : std::atoi(result.out.c_str() + at + 8);
+    return at == std::string::npos ? -1 : std::stoi(result.out.substr(at + 8));
   };
   EXPECT_EQ(boxes({}), 0);
   EXPECT_EQ(boxes({"--level", "1"}), 1);
@@ -182,7 +182,7 @@ TEST_F(Render, DrawsAFrameOfAnOrientationTest) {
                                            "--mover", ball_, "--test", "drive", "--frame", frame});
     EXPECT_EQ(result.status, 0) << result.err;
     const std::size_t at = result.out.find("\"touching_pairs\":");
-    return at == std::string::npos ? -1 : std::atoi(result.out.c_str() + at + 17);
+    return at == std::string::npos ? -1 : std::stoi(result.out.substr(at + 17));
   };
   EXPECT_EQ(contacts("0"), 0);
   EXPECT_GT(contacts("100"), 0);

@@ -43,12 +43,14 @@ class ViewerTest : public testing::Test {
     std::ofstream(folder_.path() / "still.csv") << "x,y,z,qw,qx,qy,qz\n20,0,5,1,0,0,0\n";
   }
 
-  std::vector<std::string> words() const {
+  [[nodiscard]] std::vector<std::string> words() const {
     return {SOMS_VIEW_COMMAND, "view",   path("block.ply"), "--mover", path("cube.ply"), "--route",
             path("still.csv"), "--size", "960x540",         "--paused"};
   }
 
-  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+  [[nodiscard]] std::string path(const std::string& name) const {
+    return (folder_.path() / name).string();
+  }
 
   /// Waits for a picture that F12 saves, and takes it away.
   Picture picture(const Display& display) {
