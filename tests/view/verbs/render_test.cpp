@@ -216,7 +216,6 @@ TEST_F(Render, TellsFaultsInOneSentenceAndLeavesNoFile) {
       {{ball_, "-o", picture_, "--camera", "nowhere"}, 2},
       {{ball_, "-o", picture_, "--camera", "contact"}, 2},
       {{ball_, "-o", picture_, "--walk"}, 2},
-      {{ball_, "-o", picture_, "--max-memory", "50M"}, 4},
       {{ball_, "-o", picture_, "--test", "top"}, 2},
       {{ball_, "-o", picture_, "--mover", ball_, "--test", "sideways"}, 2},
       {{ball_, "-o", picture_, "--mover", ball_, "--test", "top", "--frame", "99999"}, 2},
@@ -241,6 +240,17 @@ TEST_F(Render, TellsFaultsInOneSentenceAndLeavesNoFile) {
   }
   EXPECT_EQ(files_in(folder_.path()), 2U) << "the two models alone";
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // both reserve terabytes
+TEST_F(Render, EndsWhereMemoryIsNotEnough) {
+  SOMS_NEEDS_EGL();
+  const test::RunResult result = render({ball_, "-o", picture_, "--max-memory", "50M"});
+  EXPECT_EQ(result.status, 4) << result.err;
+  EXPECT_EQ(result.err.rfind("soms-view render: ", 0), 0U) << result.err;
+  EXPECT_EQ(result.err.find('\n'), result.err.size() - 1) << result.err;
+  EXPECT_EQ(files_in(folder_.path()), 1U) << "the model alone";
+}
+#endif
 
 TEST_F(Render, DrawsFramesThatARecordingHasAndRefusesOthers) {
   SOMS_NEEDS_EGL();
