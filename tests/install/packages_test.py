@@ -73,7 +73,8 @@ def check_choice(outside, prefix, compiler):
 
 
 def main():
-    source, static, shared, compiler, other = map(pathlib.Path, sys.argv[1:6])
+    source, static, shared = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
+    compiler, other = map(pathlib.Path, sys.argv[4:6])
     compilers = [compiler, other]
     if shutil.which(str(other)) is None:
         print(f"SKIPPED: {other} is not installed; all is built by {compiler} alone")
