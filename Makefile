@@ -89,7 +89,7 @@ memcheck: test
 packages:
 	@tools/install_packages.sh run view import test packages
 	cmake --preset release -D SOMS_BUILD_TESTS=ON
-	cmake --build --preset release -j $(JOBS) --target soms soms_command soms_manual
+	cmake --build --preset release -j $(JOBS) --target soms_installed
 	cmake --preset package
 	cmake --build --preset package -j $(JOBS)
 	ctest --preset release -R R99

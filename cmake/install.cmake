@@ -8,6 +8,10 @@ if(SOMS_SHARED)
 endif()
 set(SOMS_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/soms)
 
+# All that `cmake --install` asks for, without tests and benchmarks.
+add_custom_target(soms_installed)
+add_dependencies(soms_installed soms)
+
 install(TARGETS soms EXPORT soms_targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development
@@ -61,6 +65,7 @@ function(soms_install_program target folder component)
     set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries}")
   endif()
   install(TARGETS ${target} RUNTIME DESTINATION ${folder} COMPONENT ${component})
+  add_dependencies(soms_installed ${target})
 endfunction()
 # The library starts it, so it is installed without the command too.
 soms_install_program(soms_import ${CMAKE_INSTALL_LIBEXECDIR}/soms import)
@@ -81,6 +86,7 @@ if(NOT CMAKE_CROSSCOMPILING)
     COMMAND soms_command completion fish > ${made}/soms.fish
     DEPENDS soms_command $<$<TARGET_EXISTS:soms_view_command>:soms_view_command> VERBATIM)
   add_custom_target(soms_manual ALL DEPENDS ${made}/soms.1 ${made}/soms.bash ${made}/soms.fish)
+  add_dependencies(soms_installed soms_manual)
   install(DIRECTORY ${made}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT command
     FILES_MATCHING PATTERN *.1)
   install(FILES ${made}/soms.bash COMPONENT command RENAME soms
