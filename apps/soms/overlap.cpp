@@ -97,7 +97,8 @@ class OverlapRun {
                 .b = b_.mesh(),
                 .mode = options.query.mode,
                 .list_pairs = options.list_pairs,
-                .single = poses_.is_single(),
+                // Whoever reads a program's answers needs no other form for a single row.
+                .single = poses_.is_stated() || (!console.shared().json && poses_.is_single()),
                 .verified = options.verify},
         bar_(console.progress("overlap")) {
     options_.query.deadline = console.deadline();
@@ -184,11 +185,12 @@ class OverlapRun {
     return fmt::format("{} {}", counted(totals_.poses, "pose"), totals_.poses == 1 ? "is" : "are");
   }
 
-  /// A faulty row ends the reading, as the end of time does; the rows before it are answered first.
+  /// A faulty row ends the reading, as the end of time does; the rows before it are answered first,
+  /// and also before a row that is not there yet: its writer may wait for the answers.
   void read_block(std::size_t size) {
     block_.clear();
     try {
-      while (block_.size() < size) {
+      while (block_.size() < size && (block_.empty() || poses_.ready())) {
         const std::optional<PosePair> row = poses_.next();
         if (!row) {
           over_ = true;
@@ -213,18 +215,22 @@ class OverlapRun {
     if (report_.single) {
       return;
     }
+    check_pose(row.first, a_, poses_.name_a());
+    check_pose(row.second, b_, poses_.name_b());
+  }
+
+  void check_pose(const Pose& pose, const Shape& shape, const std::string& file) const {
     try {
-      check_range(row.first, a_.bounds());
-      check_range(row.second, b_.bounds());
+      check_range(pose, shape.bounds());
     } catch (const Error& error) {
-      throw Error(error.kind(), place_of(block_.size(), error), error.remedy());
+      throw Error(error.kind(), place_of(block_.size(), file, error), error.remedy());
     }
   }
 
   /// The place of an error, in row `k` of the block.
-  [[nodiscard]] std::string place_of(std::size_t k, const Error& error) const {
-    return fmt::format("{}: pose {}: {}", poses_.name(), totals_.poses + k,
-                       without_subject(error.place()));
+  [[nodiscard]] std::string place_of(std::size_t k, const std::string& file,
+                                     const Error& error) const {
+    return fmt::format("{}: pose {}: {}", file, totals_.poses + k, without_subject(error.place()));
   }
 
   Overlap answer_row(Body& a, Body& b, std::size_t k, const Parallel& parallel) const {
@@ -236,7 +242,7 @@ class OverlapRun {
       if (report_.single || error.kind() == ErrorKind::cancelled) {
         throw;
       }
-      throw Error(error.kind(), place_of(k, error), error.remedy());
+      throw Error(error.kind(), place_of(k, poses_.name_a(), error), error.remedy());
     }
   }
 

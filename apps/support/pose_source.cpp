@@ -1,7 +1,5 @@
 #include "apps/support/pose_source.h"
 
-#include "soms/base/error.h"
-
 #include "apps/support/console.h"
 #include "apps/support/standard_input.h"
 
@@ -39,61 +37,74 @@ PoseSource::PoseSource(const std::string& option, const std::string& text, const
   std::error_code ignored;
   if (text != "-" && looks_like_pose(text) && !std::filesystem::exists(text, ignored)) {
     try {
-      constant_ = parse_pose(text);
+      first_ = parse_pose(text);
     } catch (const Error& error) {
       throw Error(error.kind(), option + ": " + error.place(), error.remedy());
     }
+    constant_ = true;
     return;
   }
   if (text == "-") {
     check_standard_input("poses");
   }
-  first_ = read(text == "-" ? kStandardInput : text);
-  if (!first_) {
+  try {
+    reader_.emplace(text == "-" ? kStandardInput : text, console_->limited());
+  } catch (const Error& error) {
+    fail(error);
+  }
+  const std::optional<Pose> first = read();
+  if (!first) {
     throw Error(ErrorKind::bad_file, name_ + ": no row", "give at least one pose below the header");
   }
+  first_ = *first;
+}
+
+std::optional<Pose> PoseSource::read() {
   try {
-    second_ = read();
+    return reader_->next();
   } catch (const Error& error) {
-    if (error.kind() == ErrorKind::cancelled) {
-      throw;
-    }
-    error_ = std::current_exception();
-    return;
-  }
-  if (!second_) {
-    constant_ = first_;
+    fail(error);
   }
 }
 
-/// Of the file that is open, or that `path` names.
-std::optional<Pose> PoseSource::read(std::string_view path) {
-  try {
-    if (!path.empty()) {
-      reader_.emplace(path, console_->limited());
-    }
-    return reader_->next();
-  } catch (const Error& error) {
-    if (error.kind() == ErrorKind::cancelled && !console_->interrupted()) {
-      throw Error(ErrorKind::timed_out, "out of time while reading poses from " + name_,
-                  "allow more by --timeout");
-    }
-    if (name_ == kStandardInputName) {
-      throw of_standard_input(error);
-    }
-    if (error.kind() == ErrorKind::cannot_open) {
-      throw Error(error.kind(), error.place(), "name a file, or give a pose as \"x y z\"");
-    }
-    throw;
+/// Throws what the reader threw, in the words of this option.
+void PoseSource::fail(const Error& error) const {
+  if (error.kind() == ErrorKind::cancelled && !console_->interrupted()) {
+    throw Error(ErrorKind::timed_out, "out of time while reading poses from " + name_,
+                "allow more by --timeout");
   }
+  if (name_ == kStandardInputName) {
+    throw of_standard_input(error);
+  }
+  if (error.kind() == ErrorKind::cannot_open) {
+    throw Error(error.kind(), error.place(), "name a file, or give a pose as \"x y z\"");
+  }
+  throw error;
+}
+
+bool PoseSource::is_constant() {
+  if (!constant_) {
+    try {
+      second_ = read();
+      constant_ = !second_;
+    } catch (const Error& error) {
+      if (error.kind() == ErrorKind::cancelled) {
+        throw;
+      }
+      error_ = std::current_exception();
+      constant_ = false;
+    }
+  }
+  return *constant_;
 }
 
 std::optional<Pose> PoseSource::next() {
-  if (constant_) {
-    return constant_;
+  if (!first_given_) {
+    first_given_ = true;
+    return first_;
   }
-  if (first_) {
-    return std::exchange(first_, std::nullopt);
+  if (is_constant()) {
+    return first_;
   }
   if (error_) {
     std::rethrow_exception(error_);
@@ -104,8 +115,19 @@ std::optional<Pose> PoseSource::next() {
   return read();
 }
 
+bool PoseSource::ready() {
+  if (!first_given_ || second_ || error_ || constant_.value_or(false)) {
+    return true;
+  }
+  try {
+    return reader_->ready();
+  } catch (const Error& error) {
+    fail(error);
+  }
+}
+
 std::optional<std::pair<Pose, Pose>> PosePairs::next() {
-  if (is_single() && rows_ == 1) {
+  if (rows_ == 1 && is_single()) {
     return std::nullopt;
   }
   const std::optional<Pose> a = a_.next();

@@ -2,6 +2,7 @@
 /// Poses of --pose and --pose-b, row by row.
 #pragma once
 
+#include "soms/base/error.h"
 #include "soms/base/pose.h"
 #include "soms/io/poses.h"
 
@@ -16,11 +17,13 @@ namespace soms::command {
 
 class Console;
 
-/// Poses of one option: a single one that serves all rows, or those of a file, one at a time.
+/// Poses of one option: a single one that serves all rows, or those of a file, one at a time. Rows
+/// after the first are read when they are asked for: the program that writes them may wait for
+/// answers.
 class PoseSource {
  public:
   /// The identity, for an option that is not given.
-  PoseSource() : constant_(Pose::identity()) {}
+  PoseSource() : constant_(true) {}
 
   /// `text` is "x y z [qw qx qy qz]" or the path of a CSV file; "-" is standard input. A file of
   /// one row counts as a single pose.
@@ -29,25 +32,34 @@ class PoseSource {
   ///         ErrorKind::bad_file for a file without rows; timed_out.
   PoseSource(const std::string& option, const std::string& text, const Console& console);
 
-  /// True if one pose serves all rows.
-  [[nodiscard]] bool is_constant() const { return constant_.has_value(); }
+  /// True if the option itself has the pose, and no file.
+  [[nodiscard]] bool is_stated() const { return !reader_.has_value(); }
+
+  /// True if one pose serves all rows. Of a file this reads the second row, and waits for it.
+  /// \errors ErrorKind::cancelled; others wait until the row is asked for.
+  [[nodiscard]] bool is_constant();
 
   /// The next pose, or nothing at the end. A single pose never ends.
   /// \errors As `PoseReader::next`; ErrorKind::timed_out.
   [[nodiscard]] std::optional<Pose> next();
 
+  /// True if `next` will not wait. \errors As `PoseReader::ready`; ErrorKind::timed_out.
+  [[nodiscard]] bool ready();
+
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:
-  std::optional<Pose> read(std::string_view path = {});
+  std::optional<Pose> read();
+  [[noreturn]] void fail(const Error& error) const;
 
   std::string name_;
   const Console* console_ = nullptr;  ///< none where nothing is read
-  std::optional<Pose> constant_;
   std::optional<PoseReader> reader_;
-  std::optional<Pose> first_;
-  std::optional<Pose> second_;
-  std::exception_ptr error_;  ///< of the second row, thrown when it is asked for
+  Pose first_ = Pose::identity();
+  bool first_given_ = false;      ///< by `next`
+  std::optional<bool> constant_;  ///< unknown until the second row is read
+  std::optional<Pose> second_;    ///< until `next` gives it
+  std::exception_ptr error_;      ///< of the second row, thrown when it is asked for
 };
 
 /// Poses of both bodies, row by row: two files of equal length, or one file and a single pose; two
@@ -56,11 +68,21 @@ class PosePairs {
  public:
   PosePairs(PoseSource a, PoseSource b) : a_(std::move(a)), b_(std::move(b)) {}
 
-  /// True if there is one row, known without reading on.
-  [[nodiscard]] bool is_single() const { return a_.is_constant() && b_.is_constant(); }
+  /// True if no file has a pose: there is one row.
+  [[nodiscard]] bool is_stated() const { return a_.is_stated() && b_.is_stated(); }
 
-  /// Name of the file that has the rows.
-  [[nodiscard]] const std::string& name() const { return a_.is_constant() ? b_.name() : a_.name(); }
+  /// True if there is one row. Waits for the second one of files. \errors As of
+  /// `PoseSource::is_constant`.
+  [[nodiscard]] bool is_single() { return a_.is_constant() && b_.is_constant(); }
+
+  /// Name of the file that has A's poses; of the other where A's pose is stated.
+  [[nodiscard]] const std::string& name_a() const { return a_.is_stated() ? b_.name() : a_.name(); }
+
+  /// The same for B.
+  [[nodiscard]] const std::string& name_b() const { return b_.is_stated() ? a_.name() : b_.name(); }
+
+  /// True if `next` will not wait. \errors As `PoseSource::ready`.
+  [[nodiscard]] bool ready() { return rows_ == 0 || (a_.ready() && b_.ready()); }
 
   /// The next row, or nothing at the end.
   /// \errors As `PoseSource::next`; ErrorKind::bad_file when one file ends before the other.

@@ -117,17 +117,26 @@ struct PoseReader::State {
   std::vector<std::string_view> names;  ///< of the columns, in the file's order
   std::vector<std::size_t> places;      ///< where a column's number goes
   std::vector<double> numbers;
+  std::optional<std::string_view> ahead;  ///< a row that `ready` found
 
   /// The next line that is not blank and no comment.
   std::optional<std::string_view> next_line() {
+    if (ahead) {
+      return std::exchange(ahead, std::nullopt);
+    }
     while (const auto line = lines.next()) {
-      const std::string_view text = trimmed(*line);
-      if (!text.empty() && text[0] != '#') {
+      if (const auto text = row_in(*line)) {
         return text;
       }
       check_stop(parallel);  // comments may have no end
     }
     return std::nullopt;
+  }
+
+  /// What a line holds, but of blanks and comments nothing.
+  static std::optional<std::string_view> row_in(std::string_view line) {
+    const std::string_view text = trimmed(line);
+    return text.empty() || text[0] == '#' ? std::nullopt : std::optional(text);
   }
 
   [[noreturn]] void fail(ErrorKind kind, const std::string& what, const std::string& remedy) const {
@@ -201,6 +210,22 @@ std::optional<Pose> PoseReader::next() {
   } catch (const Error& error) {
     state.fail(error.kind(), error.place(), error.remedy());
   }
+}
+
+bool PoseReader::ready() {
+  State& state = *state_;
+  while (!state.ahead) {
+    if (!state.lines.ready()) {
+      return false;
+    }
+    const auto line = state.lines.next();
+    if (!line) {
+      return true;
+    }
+    state.ahead = State::row_in(*line);
+    check_stop(state.parallel);
+  }
+  return true;
 }
 
 bool PoseReader::shifts_only() const {

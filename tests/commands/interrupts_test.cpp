@@ -1,4 +1,5 @@
 #include "tests/commands/run.h"
+#include "tests/support/pipe.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -70,32 +71,11 @@ TEST(Interrupts, EndAtOnceWhenAskedAgainLater) {
   EXPECT_EQ(result.status, 130) << result.err;
 }
 
-/// A pipe that stays open for writing as long as the object lives, and holds `text`.
-class StalledPipe {
- public:
-  StalledPipe(std::string path, const std::string& text) : path_(std::move(path)) {
-    EXPECT_EQ(mkfifo(path_.c_str(), 0600), 0);
-    writer_ = open(path_.c_str(), O_RDWR | O_CLOEXEC);
-    EXPECT_EQ(write(writer_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
-  }
-
-  ~StalledPipe() { close(writer_); }
-
-  StalledPipe(const StalledPipe&) = delete;
-  StalledPipe& operator=(const StalledPipe&) = delete;
-
-  [[nodiscard]] const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-  int writer_ = -1;
-};
-
 TEST(Interrupts, AndTheEndOfTimeEndTheWaitForAPipe) {
   const TemporaryFolder folder;
-  const StalledPipe model((folder.path() / "model").string(), "OFF\n");
-  const StalledPipe poses((folder.path() / "poses").string(), "x,y,z\n");
-  const StalledPipe route((folder.path() / "route").string(), "x,y,z\n");
+  const Pipe model(folder.path() / "model", "OFF\n");
+  const Pipe poses(folder.path() / "poses", "x,y,z\n");
+  const Pipe route(folder.path() / "route", "x,y,z\n");
   const std::string unopened = (folder.path() / "unopened").string();
   ASSERT_EQ(mkfifo(unopened.c_str(), 0600), 0);
   for (const std::vector<std::string>& words :
@@ -121,23 +101,23 @@ TEST(Interrupts, AndTheEndOfTimeEndTheWaitForAPipe) {
 
 TEST(Interrupts, KeepWhatWasAnsweredBeforeThePosesStalled) {
   const TemporaryFolder folder;
-  const StalledPipe poses((folder.path() / "poses").string(), "x,y,z\n0.5,0,0\n5,0,0\n");
+  const Pipe poses(folder.path() / "poses", "x,y,z\n0.5,0,0\n5,0,0\n");
   const TemporaryFolder outputs;
   Child child({command().string(), "overlap", box(), box(), "--pose", poses.path(), "--no-pairs"},
               outputs.path());
-  ASSERT_TRUE(child.wait_for_output(1));
+  ASSERT_TRUE(child.wait_for_lines(2));
   child.send(SIGINT);
   const RunResult result = child.wait();
   EXPECT_EQ(result.status, 130) << result.err;
-  EXPECT_NE(result.err.find("1 pose is answered"), std::string::npos) << result.err;
-  EXPECT_NE(result.out.find("1 pose: 1 with overlap, "), std::string::npos) << result.out;
+  EXPECT_NE(result.err.find("2 poses are answered"), std::string::npos) << result.err;
+  EXPECT_NE(result.out.find("2 poses: 1 with overlap, "), std::string::npos) << result.out;
 }
 
 TEST(Interrupts, ByTheEndOfTimeKeepWhatWasAnsweredBeforeThePosesStalled) {
   const TemporaryFolder folder;
   RunResult result;
   for (const char* seconds : {"0.5", "5"}) {  // a busy machine may not come to the first by then
-    const StalledPipe poses((folder.path() / seconds).string(), "x,y,z\n0.5,0,0\n5,0,0\n");
+    const Pipe poses(folder.path() / seconds, "x,y,z\n0.5,0,0\n5,0,0\n");
     result = soms_run(
         {"overlap", box(), box(), "--pose", poses.path(), "--no-pairs", "--timeout", seconds});
     if (result.status != 4) {

@@ -1,4 +1,5 @@
 #include "tests/commands/run.h"
+#include "tests/support/pipe.h"
 
 #include <algorithm>
 
@@ -134,6 +135,35 @@ TEST(PoseSource, ReadsPosesFromStandardInput) {
   const RunResult result =
       soms_run({"overlap", box(), box(), "--pose", "-", "--json"}, "x,y,z\n0,0,0\n9,0,0\n");
   EXPECT_EQ(overlaps(result), (std::vector{true, false}));
+}
+
+TEST(PoseSource, AnswersEachRowOfAPipeBeforeTheNextIsGiven) {
+  const std::vector<std::string> rows{"0,0,0\n", "9,0,0\r\n", "# near\n0.5,0,0\n", "0,9,0\n"};
+  for (std::size_t given = 1; given <= rows.size(); ++given) {
+    const TemporaryFolder folder;
+    Pipe poses(folder.path() / "poses", "x,y,z\n");
+    Child child({command().string(), "overlap", box(), box(), "--pose", poses.path(), "--json",
+                 "--no-pairs"},
+                folder.path());
+    for (std::size_t k = 0; k < given; ++k) {
+      poses.give(rows[k]);
+      ASSERT_TRUE(child.wait_for_lines(static_cast<std::ptrdiff_t>(k) + 1));
+    }
+    poses.end();
+    std::vector expected{true, false, true, false};
+    expected.resize(given);
+    EXPECT_EQ(overlaps(child.wait()), expected);
+  }
+}
+
+TEST(PoseSource, NamesTheFileOfThePoseThatGoesTooFar) {
+  const TemporaryFolder folder;
+  const std::string good = "x,y,z\n0,0,0\n0,0,0\n";
+  const std::string far = "x,y,z\n0,0,0\n0,1e200,0\n";
+  EXPECT_NE(with_rows(folder, good, far).err.find("b.csv: pose 1: a moved"), std::string::npos);
+  EXPECT_NE(with_rows(folder, far, good).err.find("a.csv: pose 1: a moved"), std::string::npos);
+  const RunResult alone = with_rows(folder, "x,y,z\n1e200,0,0\n", good);
+  EXPECT_NE(alone.err.find("a.csv: pose 0: a moved"), std::string::npos) << alone.err;
 }
 
 TEST(PoseSource, NamesAFileThatIsMissing) {

@@ -126,6 +126,17 @@ bool Child::wait_for_output(std::uintmax_t size) {
   }
 }
 
+bool Child::wait_for_lines(std::ptrdiff_t count) {
+  std::string out;
+  while (std::count(out.begin(), out.end(), '\n') < count) {
+    if (!wait_for_output(out.size() + 1)) {
+      return false;
+    }
+    out = read_text(folder_ / "out");
+  }
+  return true;
+}
+
 bool Child::wait_for_writing(std::uintmax_t size) {
   const std::string counts = "/proc/" + std::to_string(pid_) + "/io";
   while (!reap(WNOHANG)) {

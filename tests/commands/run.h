@@ -38,6 +38,9 @@ class Child {
   /// Waits until standard output holds `size` bytes; false if the child ended before.
   [[nodiscard]] bool wait_for_output(std::uintmax_t size);
 
+  /// The same for `count` whole lines.
+  [[nodiscard]] bool wait_for_lines(std::ptrdiff_t count);
+
   /// Waits until it wrote `size` bytes, wherever to; false if it ended before.
   [[nodiscard]] bool wait_for_writing(std::uintmax_t size);
 

@@ -1,16 +1,13 @@
 #include "soms/io/poses.h"
 
 #include "soms/base/error.h"
-#include "soms/io/detail/file.h"
 
 #include "tests/io/files.h"
 #include "tests/support/allocation.h"
+#include "tests/support/pipe.h"
 #include "tests/support/support.h"
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <stop_token>
@@ -155,16 +152,84 @@ TEST(PoseReader, GivesTheSameRowsWhereverTheBufferEnds) {
     expected.push_back(Pose::translation(std::stod(digits), i, 0));
   }
   EXPECT_EQ(read(content), expected);
+  const TemporaryFolder folder;
+  write_content(folder.path() / "poses.csv", content);
+  PoseReader reader(folder.path() / "poses.csv");
+  std::vector<Pose> rows;
+  while (reader.ready()) {
+    const auto row = reader.next();
+    if (!row) {
+      break;
+    }
+    rows.push_back(*row);
+  }
+  EXPECT_EQ(rows, expected);
+}
+
+TEST(PoseReader, IsReadyWhereNextWillNotWait) {
+  const TemporaryFolder folder;
+  Pipe pipe(folder.path() / "poses", "x,y,z\n");
+  PoseReader reader(pipe.path());
+  for (const char* part : {"", "1,2", ",3"}) {
+    pipe.give(part);
+    EXPECT_FALSE(reader.ready()) << part;
+  }
+  pipe.give("\r");
+  EXPECT_TRUE(reader.ready());
+  EXPECT_TRUE(reader.ready());
+  EXPECT_EQ(reader.next(), Pose::translation(1, 2, 3));
+  for (const char* part : {"", "\n", "# why\n", " \n\r\n"}) {
+    pipe.give(part);
+    EXPECT_FALSE(reader.ready()) << part;
+  }
+  pipe.give("4,b,6\n7,8,9\n# more");
+  EXPECT_TRUE(reader.ready());
+  expect_refused([&] { static_cast<void>(reader.next()); }, ErrorKind::bad_file, "line 6: y is");
+  EXPECT_EQ(reader.next(), Pose::translation(7, 8, 9));
+  EXPECT_FALSE(reader.ready());
+  pipe.end();
+  EXPECT_TRUE(reader.ready());
+  EXPECT_EQ(reader.next(), std::nullopt);
+  EXPECT_TRUE(reader.ready());
+}
+
+TEST(PoseReader, GivesTheSameRowsHoweverAPipeIsFilled) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    std::string content;
+    std::vector<Pose> expected;
+    for (int i = 0; i < 40; ++i) {
+      content += std::to_string(i) + ",0," + std::string(static_cast<std::size_t>(i % 5), ' ') +
+                 "7" + end + (i % 3 == 0 ? end : "") + (i % 4 == 0 ? " # why" + end : "");
+      expected.push_back(Pose::translation(i, 0, 7));
+    }
+    content.resize(content.size() - end.size());  // the last line lacks its end
+    for (const std::size_t step : {1U, 2U, 3U, 7U, 100U}) {
+      const TemporaryFolder folder;
+      Pipe pipe(folder.path() / "poses", "x,y,z" + end);
+      PoseReader reader(pipe.path());
+      std::vector<Pose> rows;
+      for (std::size_t at = 0; at < content.size(); at += step) {
+        pipe.give(content.substr(at, step));
+        while (reader.ready()) {
+          rows.push_back(reader.next().value());
+        }
+      }
+      EXPECT_GE(rows.size() + 1, expected.size());
+      pipe.end();
+      EXPECT_TRUE(reader.ready());
+      while (const auto row = reader.next()) {
+        rows.push_back(*row);
+      }
+      EXPECT_EQ(rows, expected);
+    }
+  }
 }
 
 TEST(PoseReader, EndsByAStopWhileItWaitsForARow) {
   const TemporaryFolder folder;
-  const std::filesystem::path pipe = folder.path() / "poses";
-  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  const detail::Descriptor writer(open(pipe.c_str(), O_RDWR | O_CLOEXEC));
-  ASSERT_EQ(write(writer.get(), "x,y,z\n1,2,3\n", 12), 12);
+  const Pipe pipe(folder.path() / "poses", "x,y,z\n1,2,3\n");
   std::stop_source stop;
-  PoseReader reader(pipe, {.stop = stop.get_token()});
+  PoseReader reader(pipe.path(), {.stop = stop.get_token()});
   EXPECT_EQ(reader.next(), Pose::translation(1, 2, 3));
   stop.request_stop();
   expect_refused([&] { static_cast<void>(reader.next()); }, ErrorKind::cancelled,

@@ -167,6 +167,11 @@ std::size_t read_some(const std::filesystem::path& path, int fd, char* to, std::
   }
 }
 
+bool is_readable(int fd) {
+  pollfd ready{fd, POLLIN, 0};
+  return poll(&ready, 1, 0) > 0;
+}
+
 FileBytes read_file(const std::filesystem::path& path, std::uint64_t most,
                     const Parallel& parallel) {
   const Descriptor file(open_for_reading(path));

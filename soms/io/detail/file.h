@@ -38,6 +38,9 @@ class Descriptor {
 [[nodiscard]] std::size_t read_some(const std::filesystem::path& path, int fd, char* to,
                                     std::size_t wanted, const Parallel& parallel);
 
+/// True if `read_some` would answer at once: by bytes, by the end, or by an error.
+[[nodiscard]] bool is_readable(int fd);
+
 /// Bytes that were read, not cleared before.
 struct FileBytes {
   std::unique_ptr<char[]> data;

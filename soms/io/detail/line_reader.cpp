@@ -19,15 +19,16 @@ LineReader::LineReader(const std::filesystem::path& path, const Parallel& parall
       file_(open_for_reading(path)),
       buffer_(kFirstSize) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  while (end_ < kByteOrderMark.size() && fill()) {
+  while (end_ < kByteOrderMark.size() && !at_end_) {
+    fill();
   }
   if (std::string_view(buffer_.data(), end_).starts_with(kByteOrderMark)) {
     begin_ = kByteOrderMark.size();
   }
 }
 
-/// Adds bytes behind those that are left; false at the end of the file.
-bool LineReader::fill() {
+/// Adds bytes behind those that are left, or finds the end of the file.
+void LineReader::fill() {
   if (begin_ > 0) {
     std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
               buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
@@ -45,39 +46,51 @@ bool LineReader::fill() {
   const std::size_t got =
       read_some(name_, file_.get(), buffer_.data() + end_, buffer_.size() - end_, parallel_);
   end_ += got;
-  return got > 0;
+  at_end_ = got == 0;
+}
+
+/// True if the buffer holds a whole line; it is `looked_at_` bytes long then.
+bool LineReader::find_end() {
+  if (after_carriage_return_ && begin_ != end_) {
+    begin_ += buffer_[begin_] == '\n' ? 1U : 0U;
+    after_carriage_return_ = false;
+  }
+  const auto line = buffer_.begin() + static_cast<std::ptrdiff_t>(begin_);
+  const auto to = buffer_.begin() + static_cast<std::ptrdiff_t>(end_);
+  const auto found = std::find_if(line + static_cast<std::ptrdiff_t>(looked_at_), to,
+                                  [](char c) { return c == '\n' || c == '\r'; });
+  looked_at_ = static_cast<std::size_t>(found - line);
+  return found != to;
+}
+
+bool LineReader::ready() {
+  while (!find_end() && !at_end_) {
+    if (!is_readable(file_.get())) {
+      return false;
+    }
+    fill();
+  }
+  return true;
 }
 
 std::optional<std::string_view> LineReader::next() {
-  std::size_t looked_at = 0;
-  while (true) {
-    if (after_carriage_return_ && begin_ != end_) {
-      begin_ += buffer_[begin_] == '\n' ? 1U : 0U;
-      after_carriage_return_ = false;
-    }
-    const auto from = buffer_.begin() + static_cast<std::ptrdiff_t>(begin_ + looked_at);
-    const auto to = buffer_.begin() + static_cast<std::ptrdiff_t>(end_);
-    const auto found = std::find_if(from, to, [](char c) { return c == '\n' || c == '\r'; });
-    const std::string_view line(buffer_.data() + begin_,
-                                static_cast<std::size_t>(found - buffer_.begin()) - begin_);
-    if (found != to) {
-      after_carriage_return_ = *found == '\r';
-      begin_ += line.size() + 1;
-      ++number_;
-      return line;
-    }
-    looked_at = line.size();
-    if (!fill()) {
-      if (begin_ == end_) {
-        return std::nullopt;
-      }
-      // The last line lacks its end. Filling may have moved it to the front.
-      const std::string_view last(buffer_.data() + begin_, end_ - begin_);
-      begin_ = end_;
-      ++number_;
-      return last;
-    }
+  bool whole = find_end();
+  while (!whole && !at_end_) {
+    fill();
+    whole = find_end();
   }
+  if (!whole && begin_ == end_) {
+    return std::nullopt;
+  }
+  const std::string_view line(buffer_.data() + begin_, looked_at_);
+  begin_ += line.size();
+  if (whole) {  // else the last line lacks its end
+    after_carriage_return_ = buffer_[begin_] == '\r';
+    ++begin_;
+  }
+  looked_at_ = 0;
+  ++number_;
+  return line;
 }
 
 }  // namespace soms::detail

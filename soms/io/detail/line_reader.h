@@ -26,13 +26,18 @@ class LineReader {
   /// cancelled.
   [[nodiscard]] std::optional<std::string_view> next();
 
+  /// True if `next` will not wait: a whole line is at hand, or the end of the file.
+  /// \errors As `next`.
+  [[nodiscard]] bool ready();
+
   /// Number, from 1, of the line that `next` gave last.
   [[nodiscard]] std::uint64_t number() const { return number_; }
 
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:
-  [[nodiscard]] bool fill();
+  [[nodiscard]] bool find_end();
+  void fill();
 
   std::string name_;
   Parallel parallel_;
@@ -40,8 +45,10 @@ class LineReader {
   std::vector<char> buffer_;
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
+  std::size_t looked_at_ = 0;  ///< bytes from `begin_` on that are no end of a line
   std::uint64_t number_ = 0;
   bool after_carriage_return_ = false;
+  bool at_end_ = false;  ///< of the file: there is no more than the buffer holds
 };
 
 }  // namespace soms::detail
