@@ -310,7 +310,8 @@ class OverlapRun {
   }
 
   void show_progress(double share) {
-    if (report_.single) {
+    const bool perhaps_alone = totals_.poses == 0 && answers_.size() == 1;
+    if (report_.single || perhaps_alone) {
       bar_.show(share);
     } else {
       bar_.show(counted(totals_.poses, "pose"));

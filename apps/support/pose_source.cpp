@@ -42,6 +42,7 @@ PoseSource::PoseSource(const std::string& option, const std::string& text, const
       throw Error(error.kind(), option + ": " + error.place(), error.remedy());
     }
     constant_ = true;
+    name_ = option;
     return;
   }
   if (text == "-") {
@@ -116,14 +117,7 @@ std::optional<Pose> PoseSource::next() {
 }
 
 bool PoseSource::ready() {
-  if (!first_given_ || second_ || error_ || constant_.value_or(false)) {
-    return true;
-  }
-  try {
-    return reader_->ready();
-  } catch (const Error& error) {
-    fail(error);
-  }
+  return !first_given_ || second_ || error_ || constant_.value_or(false) || reader_->ready();
 }
 
 std::optional<std::pair<Pose, Pose>> PosePairs::next() {

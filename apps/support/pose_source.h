@@ -43,9 +43,10 @@ class PoseSource {
   /// \errors As `PoseReader::next`; ErrorKind::timed_out.
   [[nodiscard]] std::optional<Pose> next();
 
-  /// True if `next` will not wait. \errors As `PoseReader::ready`; ErrorKind::timed_out.
+  /// True if `next` will not wait.
   [[nodiscard]] bool ready();
 
+  /// Of the file, or of the option that states the pose; empty where nothing is given.
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:
@@ -75,13 +76,17 @@ class PosePairs {
   /// `PoseSource::is_constant`.
   [[nodiscard]] bool is_single() { return a_.is_constant() && b_.is_constant(); }
 
-  /// Name of the file that has A's poses; of the other where A's pose is stated.
-  [[nodiscard]] const std::string& name_a() const { return a_.is_stated() ? b_.name() : a_.name(); }
+  /// Where A's poses come from; where none is given, where B's come from.
+  [[nodiscard]] const std::string& name_a() const {
+    return a_.name().empty() ? b_.name() : a_.name();
+  }
 
   /// The same for B.
-  [[nodiscard]] const std::string& name_b() const { return b_.is_stated() ? a_.name() : b_.name(); }
+  [[nodiscard]] const std::string& name_b() const {
+    return b_.name().empty() ? a_.name() : b_.name();
+  }
 
-  /// True if `next` will not wait. \errors As `PoseSource::ready`.
+  /// True if `next` will not wait.
   [[nodiscard]] bool ready() { return rows_ == 0 || (a_.ready() && b_.ready()); }
 
   /// The next row, or nothing at the end.

@@ -25,6 +25,7 @@ set(SOMS_SOURCES
   detail/import.cpp
   detail/import_child.cpp
   detail/line_reader.cpp
+  detail/links.cpp
   detail/mesh_builder.cpp
   detail/mesh_writer.cpp
   detail/obj.cpp

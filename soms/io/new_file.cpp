@@ -1,12 +1,13 @@
 #include "soms/io/new_file.h"
 
+#include "soms/io/detail/links.h"
+
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -15,12 +16,8 @@ namespace soms {
 
 namespace {
 
-constexpr int kMostLinks = 40;  // as many as Linux follows
-
-std::filesystem::path folder_of(const std::filesystem::path& path) {
-  const std::filesystem::path folder = path.parent_path();
-  return folder.empty() ? "." : folder;
-}
+using detail::folder_of;
+using detail::kMostLinks;
 
 /// Tries names in the target's folder until `make` is not refused because a name is taken.
 template <class Make>
@@ -63,26 +60,6 @@ int follow_links(const std::filesystem::path& path, bool exists, std::filesystem
   return target.filename().empty() ? EISDIR : 0;
 }
 
-/// The open descriptor of this program that a path stands for (/dev/stdout, /dev/fd/3), else -1.
-int named_descriptor(std::filesystem::path path) {
-  std::error_code failed;
-  const std::filesystem::path own = std::filesystem::canonical("/proc/self/fd", failed);
-  for (int i = 0; i < kMostLinks && !failed; ++i) {
-    std::error_code missing;
-    if (std::filesystem::canonical(folder_of(path), missing) == own) {
-      const std::string name = path.filename().string();
-      int number = -1;
-      const auto [end, fault] = std::from_chars(name.data(), name.data() + name.size(), number);
-      return fault == std::errc() && end == name.data() + name.size() ? number : -1;
-    }
-    if (!std::filesystem::is_symlink(path, missing)) {
-      return -1;
-    }
-    path = folder_of(path) / std::filesystem::read_symlink(path, failed);
-  }
-  return -1;
-}
-
 }  // namespace
 
 int NewFile::open(const std::filesystem::path& path) {
@@ -92,7 +69,7 @@ int NewFile::open(const std::filesystem::path& path) {
     return EISDIR;
   }
   // Whoever opened it reads or writes on there: another file of its name would not be seen.
-  if (const int named = named_descriptor(path); named >= 0) {
+  if (const int named = detail::named_descriptor(path); named >= 0) {
     descriptor_ = fcntl(named, F_DUPFD_CLOEXEC, 0);
     return descriptor_ < 0 ? errno : 0;
   }

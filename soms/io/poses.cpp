@@ -214,16 +214,19 @@ std::optional<Pose> PoseReader::next() {
 
 bool PoseReader::ready() {
   State& state = *state_;
-  while (!state.ahead) {
-    if (!state.lines.ready()) {
-      return false;
+  try {
+    while (!state.ahead) {
+      if (!state.lines.ready()) {
+        return false;
+      }
+      const auto line = state.lines.next();
+      if (!line) {
+        break;
+      }
+      state.ahead = State::row_in(*line);
+      check_stop(state.parallel);
     }
-    const auto line = state.lines.next();
-    if (!line) {
-      return true;
-    }
-    state.ahead = State::row_in(*line);
-    check_stop(state.parallel);
+  } catch (const Error&) {  // `next` meets it again
   }
   return true;
 }

@@ -162,6 +162,15 @@ TEST(PoseSource, NamesTheFileOfThePoseThatGoesTooFar) {
   const std::string far = "x,y,z\n0,0,0\n0,1e200,0\n";
   EXPECT_NE(with_rows(folder, good, far).err.find("b.csv: pose 1: a moved"), std::string::npos);
   EXPECT_NE(with_rows(folder, far, good).err.find("a.csv: pose 1: a moved"), std::string::npos);
+  const auto stated = [&](const std::string& rows) {
+    write_text(folder.path() / "rows.csv", rows);
+    return soms_run({"overlap", box(), box(), "--pose", "1e200 0 0", "--pose-b",
+                     (folder.path() / "rows.csv").string(), "--json"})
+        .err;
+  };
+  EXPECT_NE(stated(good).find("soms overlap: --pose: pose 0: a moved"), std::string::npos);
+  EXPECT_NE(stated("x,y,z\n0,0,0\n").find("soms overlap: --pose: pose 0: a moved"),
+            std::string::npos);
   const RunResult alone = with_rows(folder, "x,y,z\n1e200,0,0\n", good);
   EXPECT_NE(alone.err.find("a.csv: pose 0: a moved"), std::string::npos) << alone.err;
 }

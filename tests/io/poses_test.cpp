@@ -1,6 +1,7 @@
 #include "soms/io/poses.h"
 
 #include "soms/base/error.h"
+#include "soms/io/detail/file.h"
 
 #include "tests/io/files.h"
 #include "tests/support/allocation.h"
@@ -8,7 +9,10 @@
 #include "tests/support/support.h"
 
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
+#include <array>
 #include <fstream>
 #include <stop_token>
 #include <string>
@@ -223,6 +227,31 @@ TEST(PoseReader, GivesTheSameRowsHoweverAPipeIsFilled) {
       EXPECT_EQ(rows, expected);
     }
   }
+}
+
+TEST(PoseReader, LeavesFaultsToNextWhenAskedWhetherItIsReady) {
+  const TemporaryFolder folder;
+  write_content(folder.path() / "poses.csv", "x,y,z\n1,2,3\n" + std::string(1100000, '1'));
+  PoseReader reader(folder.path() / "poses.csv");
+  EXPECT_TRUE(reader.ready());
+  EXPECT_EQ(reader.next(), Pose::translation(1, 2, 3));
+  EXPECT_TRUE(reader.ready());
+  expect_refused([&] { static_cast<void>(reader.next()); }, ErrorKind::bad_file,
+                 "line 3: longer than 1 MiB");
+}
+
+TEST(PoseReader, ReadsASocketThatIsOpenAlready) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()), 0);
+  const detail::Descriptor ours(ends[0]);
+  const detail::Descriptor theirs(ends[1]);
+  ASSERT_EQ(write(theirs.get(), "x,y,z\n1,2,3\n", 12), 12);
+  PoseReader reader("/dev/fd/" + std::to_string(ours.get()));
+  EXPECT_EQ(reader.next(), Pose::translation(1, 2, 3));
+  EXPECT_FALSE(reader.ready());
+  ASSERT_EQ(shutdown(theirs.get(), SHUT_WR), 0);
+  EXPECT_TRUE(reader.ready());
+  EXPECT_EQ(reader.next(), std::nullopt);
 }
 
 TEST(PoseReader, EndsByAStopWhileItWaitsForARow) {

@@ -1,6 +1,7 @@
 #include "soms/io/detail/file.h"
 
 #include "soms/base/error.h"
+#include "soms/io/detail/links.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -76,9 +77,15 @@ FileBytes read_pipe(const std::filesystem::path& path, int fd, std::uint64_t mos
 }
 
 int open_or_fail(const std::filesystem::path& path, int flags) {
-  const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC | flags);
+  int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC | flags);
   if (fd < 0) {
-    fail_system(path, errno);
+    const int reason = errno;
+    // No name opens a socket anew, and some programs give one as standard input.
+    const int named = reason == ENXIO ? named_descriptor(path) : -1;
+    fd = named < 0 ? -1 : fcntl(named, F_DUPFD_CLOEXEC, 0);
+    if (fd < 0) {
+      fail_system(path, reason);
+    }
   }
   return fd;
 }

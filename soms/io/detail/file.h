@@ -29,7 +29,8 @@ class Descriptor {
 };
 
 /// Opens a file or a pipe, no folder; the caller wraps it in a Descriptor. Whoever is to write into
-/// a pipe is waited for by `read_some`.
+/// a pipe is waited for by `read_some`. A socket is none but one that is open already, as
+/// /dev/stdin may be.
 /// \errors ErrorKind::cannot_open.
 [[nodiscard]] int open_for_reading(const std::filesystem::path& path);
 
