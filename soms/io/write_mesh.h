@@ -39,6 +39,8 @@ void write_mesh(std::ostream& out, const std::string& name, const Mesh& mesh, Me
 struct Rounding {
   std::uint64_t count = 0;  ///< vertices that are not read back equal
   double most = 0;          ///< largest difference of a coordinate
+
+  [[nodiscard]] bool operator==(const Rounding&) const = default;
 };
 
 /// Vertices that a format does not write are left out. \pre `check(mesh)` passes. \cost One pass.

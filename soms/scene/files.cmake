@@ -1,5 +1,6 @@
 set(SOMS_HEADERS
   broad_phase.h
+  print.h
   recording.h
   reference/broad_phase.h
   replay.h
@@ -15,6 +16,7 @@ set(SOMS_SOURCES
   detail/pace.cpp
   detail/pair_rows.cpp
   detail/recording_reader.cpp
+  print.cpp
   recording.cpp
   reference/broad_phase.cpp
   replay.cpp

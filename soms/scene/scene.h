@@ -47,6 +47,8 @@ struct StepReport {
   std::uint64_t queries = 0;    ///< narrow-phase queries asked: box pairs not to be ignored
   std::uint64_t box_pairs = 0;  ///< pairs of bodies whose world boxes meet
 
+  [[nodiscard]] bool operator==(const StepReport&) const = default;
+
   /// FNV-1a 64 over both lists as little-endian u32.
   [[nodiscard]] std::uint64_t hash() const;
 };
@@ -60,6 +62,8 @@ struct StepOptions {
   bool coherent = true;
   /// As of OverlapOptions: named ones need shapes that keep their trees.
   TraversalOptions traversal = {};
+
+  [[nodiscard]] bool operator==(const StepOptions&) const = default;
 };
 
 /// A static environment of meshes and movers that share shapes. Poses are set through the scene, so
