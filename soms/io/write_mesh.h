@@ -19,7 +19,8 @@ enum class MeshFormat { ply, ply_ascii, obj, stl, stl_ascii, off, three_ds, glb 
 /// \errors  ErrorKind::unsupported naming the endings that are offered.
 [[nodiscard]] MeshFormat format_for(const std::filesystem::path& path);
 
-/// Writes a mesh; the file appears whole or not at all (written beside, then renamed). PLY, OBJ and
+/// Writes a mesh; the file appears whole or not at all (written beside, then renamed; where the old
+/// file has several names, the others keep it: see NewFile). PLY, OBJ and
 /// OFF are read back equal in vertices and triangles (doubles are kept); binary STL, 3DS and GLB
 /// hold floats. 3DS is read back with the same triangles in the same order, in objects of at most
 /// 65,535 vertices and faces, whose names are cut to ten characters and made unique. GLB keeps
