@@ -190,6 +190,7 @@ std::vector<std::filesystem::path> models_of_assimp() {
     }
   }
   std::vector<std::filesystem::path> models;
+  models.reserve(smallest.size());
   for (const auto& [extension, path] : smallest) {
     models.push_back(path);
   }
