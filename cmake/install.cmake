@@ -12,18 +12,8 @@ set(SOMS_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/soms)
 # anything is copied (cmake/built.cmake): `make run` builds the command alone.
 add_custom_target(soms_installed)
 add_dependencies(soms_installed soms)
-set(checked "$<TARGET_FILE:soms>")
-foreach(target IN ITEMS soms_import soms_command soms_view_command)
-  if(TARGET ${target})
-    list(APPEND checked "$<TARGET_FILE:${target}>")
-  endif()
-endforeach()
-set(made ${PROJECT_BINARY_DIR}/manual)
-set(manual ${made}/soms.1 ${made}/soms.bash ${made}/soms.fish)
-if(TARGET soms_command AND NOT CMAKE_CROSSCOMPILING)
-  list(APPEND checked ${manual})
-endif()
-install(CODE "set(checked \"${checked}\")
+set_property(TARGET soms_installed PROPERTY SOMS_FILES "$<TARGET_FILE:soms>")
+install(CODE "set(checked \"$<TARGET_GENEX_EVAL:soms_installed,$<TARGET_PROPERTY:soms_installed,SOMS_FILES>>\")
 set(folder \"${PROJECT_BINARY_DIR}\")
 include(\"${PROJECT_SOURCE_DIR}/cmake/built.cmake\")" ALL_COMPONENTS)
 
@@ -81,6 +71,7 @@ function(soms_install_program target folder component)
   endif()
   install(TARGETS ${target} RUNTIME DESTINATION ${folder} COMPONENT ${component})
   add_dependencies(soms_installed ${target})
+  set_property(TARGET soms_installed APPEND PROPERTY SOMS_FILES "$<TARGET_FILE:${target}>")
 endfunction()
 # The library starts it, so it is installed without the command too.
 soms_install_program(soms_import ${CMAKE_INSTALL_LIBEXECDIR}/soms import)
@@ -92,6 +83,9 @@ soms_install_program(soms_view_command ${CMAKE_INSTALL_LIBEXECDIR}/soms view)
 
 # Pages of the manual and words for the shell, as the command tells them.
 if(NOT CMAKE_CROSSCOMPILING)
+  set(made ${PROJECT_BINARY_DIR}/manual)
+  set(manual ${made}/soms.1 ${made}/soms.bash ${made}/soms.fish)
+  set_property(TARGET soms_installed APPEND PROPERTY SOMS_FILES ${manual})
   add_custom_command(OUTPUT ${manual}
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${made}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${made}

@@ -9,11 +9,13 @@ MARK = re.compile(r"<!-- (not run|printed by|file|not printed): (.+) -->")
 
 
 class Block:
-    """`mark` is one of MARK's words, or empty; `value` what follows it."""
+    """`mark` is one of MARK's words, or empty; `value` what follows it. `of_program`: it is what the
+    C++ program right above it prints, which tests of these programs compare."""
 
     def __init__(self, number, language, text, mark, value):
         self.number, self.language, self.text = number, language, text
         self.mark, self.value = mark, value
+        self.of_program = False
 
     def is_example(self):
         """To be run, unless a mark says why not."""
@@ -22,7 +24,7 @@ class Block:
 
     def fault(self):
         """What keeps a reader from trusting this block, or None."""
-        if self.language not in SHELL | PLAIN or self.mark or self.is_example():
+        if self.language not in SHELL | PLAIN or self.mark or self.of_program or self.is_example():
             return None
         if self.language in SHELL or BUILD.search(self.text):
             return "is not run: say why, <!-- not run: REASON -->"
@@ -39,7 +41,7 @@ def code_span(lines):
 def blocks(text):
     """Fenced blocks, indented ones, and paragraphs below `printed by`, whose object of JSON counts."""
     found, lines, mark, at = [], text.splitlines(), ("", ""), 0
-    before = ""
+    before, program = "", False
     while at < len(lines):
         line, begin = lines[at], at
         told, fence = MARK.fullmatch(line.strip()), re.fullmatch(r"( *)```(\w*)", line)
@@ -51,6 +53,8 @@ def blocks(text):
                 at += 1
             inside = "\n".join(row.removeprefix(fence[1]) for row in lines[begin + 1:at])
             found.append(Block(begin + 1, fence[2], inside, *mark))
+            found[-1].of_program = fence[2] == "text" and program
+            program = fence[2] == "cpp"
         elif line.startswith("    ") and not before:
             while at < len(lines) and (lines[at].startswith("    ") or not lines[at].strip()):
                 at += 1
@@ -64,6 +68,7 @@ def blocks(text):
             at -= 1
         if line.strip() and not told:
             mark = ("", "")
+            program = program and (fence or line == "It prints:")
         before = lines[at].strip() if at < len(lines) and not told else ""
         at += 1
     return found
