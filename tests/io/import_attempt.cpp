@@ -238,7 +238,7 @@ int try_out(const Attempt& attempt) {
 /// As on a kernel that was built without filters.
 int run_without_seccomp(char** words) {
   const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
-  const scmp_arg_cmp mode = SCMP_A0_64(SCMP_CMP_EQ, PR_SET_SECCOMP);
+  const scmp_arg_cmp mode{0, SCMP_CMP_EQ, PR_SET_SECCOMP, 0};
   seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(seccomp), 0);
   seccomp_rule_add(filter, SCMP_ACT_ERRNO(EINVAL), SCMP_SYS(prctl), 1, mode);
   if (seccomp_load(filter) == 0) {
