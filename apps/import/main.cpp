@@ -63,7 +63,7 @@ int import(const std::string& ending) {
   if (bytes == MAP_FAILED) {
     return 4;
   }
-  // From here on the file's content is at work.
+  // From here on the content of the file is in control, as far as the sandbox lets it.
   close(STDIN_FILENO);
   const std::string unguarded = enter_sandbox();
   const std::string name = "model" + ending;
@@ -78,8 +78,8 @@ int import(const std::string& ending) {
   write_scene(*scene, ending, answer);
   if (!unguarded.empty()) {
     answer.note("soms-import ran without its sandbox (" + unguarded +
-                "): a malicious file could have acted with your rights; read files of strangers "
-                "in a container");
+                "): a malicious file could have run code with your permissions; read untrusted "
+                "files in a container");
   }
   return answer.finish() ? 0 : 5;
 }

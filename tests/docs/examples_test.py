@@ -33,7 +33,7 @@ PAGES_OF_VERBS = dict.fromkeys(["completion", "man", "version"], "docs/install.m
 NEEDS_VIEWER = re.compile(r"\bsoms (view|render)\b|--view\b|--picture\b")
 NEEDS_DISPLAY = re.compile(r"\bsoms view\b|--view\b")
 NEEDS_BENCH = re.compile(r"\bsoms bench\b")
-# "With files of yours", says the README: these stand for them.
+# The README says "With files of yours": these stand for them.
 YOURS = {
     "tool.stl": ["generate", "knot", "--triangles", "200"],
     "cell.ply": ["generate", "sphere", "--triangles", "200"],

@@ -44,9 +44,9 @@ def blocks(text):
     before, program = "", False
     while at < len(lines):
         line, begin = lines[at], at
-        told, fence = MARK.fullmatch(line.strip()), re.fullmatch(r"( *)```(\w*)", line)
-        if told:
-            mark = told.groups()
+        comment, fence = MARK.fullmatch(line.strip()), re.fullmatch(r"( *)```(\w*)", line)
+        if comment:
+            mark = comment.groups()
         elif fence:
             at += 1
             while at < len(lines) and lines[at].strip() != "```":
@@ -66,9 +66,9 @@ def blocks(text):
                 at += 1
             found.append(Block(begin + 1, "json", code_span(lines[begin:at]) or "", *mark))
             at -= 1
-        if line.strip() and not told:
+        if line.strip() and not comment:
             mark = ("", "")
             program = program and (fence or line == "It prints:")
-        before = lines[at].strip() if at < len(lines) and not told else ""
+        before = lines[at].strip() if at < len(lines) and not comment else ""
         at += 1
     return found

@@ -163,7 +163,7 @@ TEST(ImportSandbox, SaysWhereTheKernelRefusesIt) {
   ASSERT_EQ(unguarded.size(), guarded.size() + 1);
   EXPECT_EQ(unguarded.back(),
             "soms-import ran without its sandbox (the kernel refuses it: Invalid argument): "
-            "a malicious file could have acted with your rights; read files of strangers in a "
+            "a malicious file could have run code with your permissions; read untrusted files in a "
             "container");
   unguarded.pop_back();
   EXPECT_EQ(unguarded, guarded);
