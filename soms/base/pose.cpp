@@ -82,16 +82,15 @@ std::string remedy_for(const Pose& pose) {
     }
   }
   if (!scales) {
-    return "give a rotation; scale belongs into the mesh (transformed; on the command line "
-           "--scale). Of a rotation with few digits, Pose::normalized makes one with all";
+    return "give a rotation in seven digits or more, and scale the mesh instead (in C++, "
+           "Pose::normalized corrects a rotation of few digits)";
   }
   std::array<char, 32> text;
   char* const end = std::to_chars(text.data(), text.data() + text.size(), std::sqrt(square),
                                   std::chars_format::general, 6)
                         .ptr;
   return "the matrix scales by " + std::string(text.data(), end) +
-         ": divide its rotation by that, and scale the mesh instead (transformed; on the command "
-         "line --scale)";
+         ": divide its rotation by that, and scale the mesh instead";
 }
 
 /// Throws what is wrong with a pose that is off a rotation by more than `limit`, if anything is.

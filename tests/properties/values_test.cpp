@@ -122,7 +122,7 @@ TEST(Values, CompareShapesByWhatTheyHold) {
   const Mesh mesh = small_mesh();
   const Shape shape(mesh);
   EXPECT_EQ(shape, Shape(shape));
-  EXPECT_EQ(shape, Shape(mesh));  // built anew
+  EXPECT_EQ(shape, Shape(mesh));  // built again
   EXPECT_EQ(Shape{}, Shape{});
   EXPECT_FALSE(shape == Shape{});
   EXPECT_FALSE(shape == Shape(mesh, {.keep_tree = true}));
