@@ -58,7 +58,7 @@ std::ostream& operator<<(std::ostream& out, ErrorKind value) {
 }
 
 std::ostream& operator<<(std::ostream& out, const Error& value) {
-  return out << PrintedFields("Error").item(name(value.kind())).item(in_quotes(value.what()));
+  return out << PrintedFields("Error").item(name(value.kind())).item(quoted_text(value.what()));
 }
 
 }  // namespace soms

@@ -26,7 +26,7 @@ template <class T>
   } else if constexpr (std::is_integral_v<T>) {
     return std::to_string(value);
   } else if constexpr (std::is_convertible_v<const T&, std::string_view>) {
-    return in_quotes(value);
+    return quoted_text(value);
   } else {
     std::ostringstream out;
     out << value;

@@ -73,7 +73,7 @@ std::string shortest(double value) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
-std::string in_quotes(std::string_view words) {
+std::string quoted_text(std::string_view words) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string text = "\"";
   for (std::size_t at = 0; at < words.size();) {

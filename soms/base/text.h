@@ -20,6 +20,6 @@ namespace soms {
 
 /// `words` in double quotes, on one line and fit for a terminal: quotes and backslashes after a
 /// backslash, control characters and what is no UTF-8 as \xNN.
-[[nodiscard]] std::string in_quotes(std::string_view words);
+[[nodiscard]] std::string quoted_text(std::string_view words);
 
 }  // namespace soms

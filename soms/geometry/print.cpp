@@ -20,7 +20,7 @@ std::ostream& operator<<(std::ostream& out, const Mesh& value) {
 
 std::ostream& operator<<(std::ostream& out, const Part& value) {
   PrintedFields fields("Part");
-  fields.item(in_quotes(value.name));
+  fields.item(quoted_text(value.name));
   fields.item(printed_count(value.count, "triangle", "triangles") + " from " +
               std::to_string(value.first));
   if (value.parent != Part::kNoParent) {

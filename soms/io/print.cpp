@@ -15,7 +15,7 @@ std::ostream& operator<<(std::ostream& out, const ReadOptions& value) {
 }
 
 std::ostream& operator<<(std::ostream& out, const ReadableFormat& value) {
-  return out << PrintedFields("ReadableFormat").item(value.name).item(in_quotes(value.ending));
+  return out << PrintedFields("ReadableFormat").item(value.name).item(quoted_text(value.ending));
 }
 
 std::ostream& operator<<(std::ostream& out, const WritableFormat& value) {

@@ -28,7 +28,7 @@ std::string hits_in_words(const Answers& answers, const Hit& hit) {
 
 std::ostream& operator<<(std::ostream& out, const Body& value) {
   return out << PrintedFields("Body")
-                    .item(in_quotes(value.name))
+                    .item(quoted_text(value.name))
                     .item(printed(value.shape))
                     .item(printed(value.pose));
 }

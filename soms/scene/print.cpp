@@ -45,7 +45,7 @@ std::ostream& operator<<(std::ostream& out, const StepOptions& value) {
 
 std::ostream& operator<<(std::ostream& out, const RecordedMesh& value) {
   return out << PrintedFields("RecordedMesh")
-                    .item(in_quotes(value.name))
+                    .item(quoted_text(value.name))
                     .item("origin: " + printed_name("Origin", static_cast<int>(value.origin),
                                                     {"file", "city", "mover"}))
                     .add("source", value.source)
@@ -58,7 +58,7 @@ std::ostream& operator<<(std::ostream& out, const RecordedBody& value) {
 
 std::ostream& operator<<(std::ostream& out, const RecordingHead& value) {
   return out << PrintedFields("RecordingHead")
-                    .item(in_quotes(value.title))
+                    .item(quoted_text(value.title))
                     .add("frames_a_second", value.frames_a_second)
                     .add("frames_asked", value.frames_asked)
                     .add("environment", value.environment.size())

@@ -68,11 +68,11 @@ TEST(Print, TakesNothingButTheWidthFromTheStream) {
 }
 
 TEST(Print, QuotesWordsFitForATerminal) {
-  EXPECT_EQ(in_quotes("pump \"A\" \\ 2"), R"("pump \"A\" \\ 2")");
-  EXPECT_EQ(in_quotes("r\xc3\xb6hre"), "\"r\xc3\xb6hre\"");
-  EXPECT_EQ(in_quotes("a\nb\x1b[31m\x7f"), R"("a\x0ab\x1b[31m\x7f")");
-  EXPECT_EQ(in_quotes("\xff\xc2\x9b\xc2"), R"("\xff\xc2\x9b\xc2")");
-  EXPECT_EQ(in_quotes(std::string("\0", 1)), R"("\x00")");
+  EXPECT_EQ(quoted_text("pump \"A\" \\ 2"), R"("pump \"A\" \\ 2")");
+  EXPECT_EQ(quoted_text("r\xc3\xb6hre"), "\"r\xc3\xb6hre\"");
+  EXPECT_EQ(quoted_text("a\nb\x1b[31m\x7f"), R"("a\x0ab\x1b[31m\x7f")");
+  EXPECT_EQ(quoted_text("\xff\xc2\x9b\xc2"), R"("\xff\xc2\x9b\xc2")");
+  EXPECT_EQ(quoted_text(std::string("\0", 1)), R"("\x00")");
 }
 
 TEST(Print, NamesEnumeratorsAndNumbersWhatIsNone) {
