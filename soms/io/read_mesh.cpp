@@ -4,10 +4,9 @@
 #include "soms/base/error.h"
 #include "soms/io/detail/file.h"
 #include "soms/io/detail/format.h"
+#include "soms/io/detail/left_out.h"
 #include "soms/io/detail/source.h"
 
-#include <algorithm>
-#include <cstddef>
 #include <limits>
 #include <new>
 #include <optional>
@@ -51,15 +50,8 @@ void refuse_notes(const detail::Source& source, const Mesh& mesh) {
   if (mesh.notes.empty()) {
     return;
   }
-  constexpr std::size_t kMostShown = 8;
-  std::string all;
-  for (std::size_t i = 0; i < std::min(mesh.notes.size(), kMostShown); ++i) {
-    all += (i == 0 ? "" : "; ") + mesh.notes[i];
-  }
-  if (mesh.notes.size() > kMostShown) {
-    all += "; and " + std::to_string(mesh.notes.size() - kMostShown) + " more notes";
-  }
-  source.fail(ErrorKind::bad_file, all, "repair the model, or read it without `strict`");
+  source.fail(ErrorKind::bad_file, detail::joined(mesh.notes),
+              "repair the model, or read it without `strict`");
 }
 
 /// Whose memory the bytes of a file are.
