@@ -29,8 +29,9 @@ struct ReadOptions {
 
 /// Reads a PLY, 3DS, STL, OFF, OBJ, glTF, GLB or COLLADA model as stored, in double: nothing is
 /// welded, moved or lost but by the nodes of a scene, triangle i is triangle i of the file, a
-/// polygon of n corners gives n-2 triangles. The mesh passes `check`. What each reader accepts
-/// stands in docs/formats.md. A glTF model alone opens other files: those in its folder that it
+/// polygon of n corners gives n-2 triangles. The mesh passes `check`. What else the file holds is
+/// an error or is counted in `Mesh::notes`, by the rule of docs/formats.md, which also says what
+/// each reader accepts. A glTF model alone opens other files: those in its folder that it
 /// names.
 ///
 /// \errors  cannot_open (missing, unreadable, a directory), bad_file (names line or byte; with

@@ -106,12 +106,11 @@ TEST(Gltf, CountsPointsAndLinesAndPrimitivesWithoutPositions) {
           kSquare + std::string(24, '\0')),
       "a.glb");
   EXPECT_EQ(mesh.triangles.size(), 2U);
-  EXPECT_EQ(
-      mesh.notes,
-      (std::vector<std::string>{
-          "primitives of points or lines, which are not triangles: 2, the first in "
-          "meshes[0].primitives[0]",
-          "primitives without positions, which are not read: 1, in meshes[0].primitives[2]"}));
+  EXPECT_EQ(mesh.notes,
+            (std::vector<std::string>{
+                "primitives of points or lines, which are not triangles: 2, the first in "
+                "meshes[0].primitives[0]",
+                "primitives without positions, not read: 1, in meshes[0].primitives[2]"}));
 }
 
 TEST(Gltf, SharesPositionsThatPrimitivesOfAMeshShare) {
@@ -399,13 +398,13 @@ TEST(Gltf, NotesChunksThatItDoesNotKnowAndBytesBehindThem) {
   file.replace(8, 4, bytes_of(file.size(), 4));
   const std::string at = std::to_string(file.size() - more.size());
   const std::string end = std::to_string(file.size());
-  std::vector<std::string> notes = {"chunks beside JSON and BIN, which are not read: 1, at byte " +
-                                    at};
+  std::vector<std::string> notes = {"chunks other than JSON and BIN, not read: 1, at byte " + at};
   EXPECT_EQ(read_text(file, "a").notes, notes);
   file += "behind its end";
   const Mesh mesh = read_text(file, "a");
   EXPECT_EQ(mesh.triangles.size(), 2U);
-  notes.push_back("bytes behind the length that the file states: 14, the first at byte " + end);
+  notes.push_back("surplus bytes after the stated length of the file: 14, the first at byte " +
+                  end);
   EXPECT_EQ(mesh.notes, notes);
 }
 

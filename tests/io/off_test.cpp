@@ -38,7 +38,7 @@ TEST(Off, TakesCountsFromAnyPlaceBehindTheMagicWord) {
 
 TEST(Off, RefusesMoreBehindTheCounts) {
   expect_refused("OFF\n3 1 0 0 0 0.1\n" + kBody, "a.off", ErrorKind::bad_file,
-                 "line 2: \"0\" stands behind the counts");
+                 "line 2: \"0\" follows the counts");
 }
 
 TEST(Off, NotesWhatTheMagicWordDoesNotAnnounce) {
@@ -47,7 +47,8 @@ TEST(Off, NotesWhatTheMagicWordDoesNotAnnounce) {
         .notes;
   };
   const std::vector<std::string> long_row = {
-      "vertex rows with more behind z than the first word of the file announces: 1, in line 3"};
+      "vertex rows with more values after z than the first word of the file announces: 1, in line "
+      "3"};
   EXPECT_EQ(notes_of("OFF", "1"), long_row);
   EXPECT_EQ(notes_of("NOFF", "1 0 0 9"), long_row);
   EXPECT_EQ(notes_of("STCNOFF", "1 2 3 4 5 6 7 8 9 10"), long_row);

@@ -39,9 +39,9 @@ void expect_noted(const std::string& content, const std::string& name, const Not
 TEST(FileRegressions, R114RowsBehindTheLastOfAPlyOrOffTextAreErrors) {
   const std::string more = "3 0 1 2\n3 0 1 2\n3 2 1 0\n";
   expect_refused(ply_of("ascii", 3, 1, kThreeRows + more), "trail.ply", ErrorKind::bad_file,
-                 "trail.ply, line 14: \"3\" stands behind the last row that the header declares");
+                 "trail.ply, line 14: \"3\" follows the last row that the header declares");
   expect_refused("OFF\n3 1 0\n" + kThreeRows + more, "trail.off", ErrorKind::bad_file,
-                 "trail.off, line 7: \"3\" stands behind the last face that is counted");
+                 "trail.off, line 7: \"3\" follows the last declared face");
   for (const std::string blank : {"", "\n", " \t\r\n\n"}) {
     EXPECT_EQ(read_text(ply_of("ascii", 3, 1, kThreeRows + "3 0 1 2" + blank), "a.ply").notes,
               Notes());
@@ -58,11 +58,11 @@ TEST(FileRegressions, R114BytesBehindTheLastRowOfABinaryPlyAreNoted) {
   const std::string whole = ply_of("binary_little_endian", 3, 1, body + face);
   expect_noted(whole, "whole.ply", {});
   expect_noted(whole + face + face, "trail.ply",
-               {"bytes behind the last row that the header declares: 26, the first at byte " +
+               {"surplus bytes after the last declared row: 26, the first at byte " +
                 std::to_string(whole.size())});
-  expect_noted(whole + "\n", "end.ply",
-               {"bytes behind the last row that the header declares: 1, at byte " +
-                std::to_string(whole.size())});
+  expect_noted(
+      whole + "\n", "end.ply",
+      {"surplus bytes after the last declared row: 1, at byte " + std::to_string(whole.size())});
 }
 
 // Numbers of all rows behind it moved up, and the mesh was another.
@@ -76,16 +76,14 @@ TEST(FileRegressions, R114AShortVertexRowOfAPlyTextIsAnErrorInItsLine) {
 
 TEST(FileRegressions, R114ALongRowOfAPlyTextIsAnErrorInItsLine) {
   expect_refused(ply_of("ascii", 3, 1, kThreeRows + "3 0 1 2 9\n"), "p1.ply", ErrorKind::bad_file,
-                 "p1.ply, line 13: \"9\" stands behind the last row");
+                 "p1.ply, line 13: \"9\" follows the last row");
   expect_refused(ply_of("ascii", 3, 2, kThreeRows + "3 0 1 2 9\n3 0 1 2\n"), "p1.ply",
-                 ErrorKind::bad_file,
-                 "p1.ply, line 13: \"9\" stands behind the last value of the row");
+                 ErrorKind::bad_file, "p1.ply, line 13: \"9\" follows the last value of the row");
   expect_refused(ply_of("ascii", 3, 1, "0 0 0 7\n1 0 0\n0 1 0\n3 0 1 2\n"), "p1.ply",
-                 ErrorKind::bad_file,
-                 "p1.ply, line 10: \"7\" stands behind the last value of the row");
+                 ErrorKind::bad_file, "p1.ply, line 10: \"7\" follows the last value of the row");
   // The other fault hides none: as many numbers are there as in a good file.
   expect_refused(ply_of("ascii", 3, 1, "0 0 0\n1 0 0 0\n1 0\n3 0 1 2\n"), "p1.ply",
-                 ErrorKind::bad_file, "p1.ply, line 11: \"0\" stands behind the last value");
+                 ErrorKind::bad_file, "p1.ply, line 11: \"0\" follows the last value");
   expect_refused(ply_of("ascii", 3, 1, "0 0 0\n1 0\n0 0 1 0\n3 0 1 2\n"), "p1.ply",
                  ErrorKind::bad_file, "p1.ply, line 11: z is missing");
   // Where the first line of an element holds several rows, lines mean nothing.
@@ -97,14 +95,15 @@ TEST(FileRegressions, R114ALongRowOfAPlyTextIsAnErrorInItsLine) {
 
 TEST(FileRegressions, R115LinesOfObjThatAreNotReadAreCountedAndPlaced) {
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-  expect_noted(triangle + "n 1 2 3\nF 3 2 1\ncall more.obj\n\xc2\xa0 f 1 2 3\n", "lost.obj",
-               {"lines that call other files or programs, which are not opened: 1, in line 7: "
-                "\"call\"",
-                "lines that begin with no word of OBJ: 3, the first in line 5: \"n\""});
+  expect_noted(
+      triangle + "n 1 2 3\nF 3 2 1\ncall more.obj\n\xc2\xa0 f 1 2 3\n", "lost.obj",
+      {"calls of other files or programs, not followed: 1, in line 7: "
+       "\"call\"",
+       "lines that start with an unknown keyword, not read: 3, the first in line 5: \"n\""});
   expect_noted(triangle + "l 1 2\np 3\n", "lines.obj",
                {"lines and points, which are not triangles: 2, the first in line 5"});
   expect_noted(triangle + "curv 0 1 1 2\nbsp 1 2 3\n", "curves.obj",
-               {"free-form curves and surfaces, which are not read: 2, the first in line 5"});
+               {"free-form curves and surfaces, not read: 2, the first in line 5"});
   expect_noted("# c\nmtllib a.mtl\n" + triangle +
                    "vn 0 0 1\nvt 0 0\ns off\nusemtl m\ng a\nlod 1\nbevel on\n",
                "whole.obj", {});
@@ -135,7 +134,7 @@ TEST(FileRegressions, R115BytesBehindAListOf3dsAreNoted) {
   const std::string face = bytes_of(0, 2) + bytes_of(1, 2) + bytes_of(2, 2) + bytes_of(0, 2);
   expect_noted(
       three_ds_of(face), "t6.3ds",
-      {"bytes behind the last vertex or face that a list counts: 8, the first at byte 86"});
+      {"surplus bytes after the vertices or faces that a list counts: 8, the first at byte 86"});
   // Smoothing groups and materials of the faces stand there.
   expect_noted(three_ds_of(chunk_of(0x4150, bytes_of(1, 4)) +
                            chunk_of(0x4130, std::string("m") + '\0' + bytes_of(0, 2))),
@@ -145,11 +144,11 @@ TEST(FileRegressions, R115BytesBehindAListOf3dsAreNoted) {
 TEST(FileRegressions, R115ASecondMainChunkOf3dsIsNoted) {
   const std::string file = three_ds_of("");
   ASSERT_EQ(file.size(), 86U);
-  expect_noted(
-      file + file, "t2.3ds",
-      {"bytes behind the main chunk, where a second one begins: 86, the first at byte 86"});
+  expect_noted(file + file, "t2.3ds",
+               {"bytes after the main chunk, where a second one starts, not read: 86, the first at "
+                "byte 86"});
   expect_noted(file + std::string(4, '\0'), "zeros.3ds",
-               {"bytes behind the main chunk: 4, the first at byte 86"});
+               {"bytes after the main chunk, not read: 4, the first at byte 86"});
 }
 
 }  // namespace

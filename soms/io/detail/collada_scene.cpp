@@ -303,9 +303,9 @@ void SceneReader::write_notes() {
   };
   builder_.note(untold_.thin, kThinFaces);
   builder_.note(untold_.lines, "lines, which are not triangles");
-  builder_.note(untold_.curved, "splines, curved surfaces and hulls, which are not read");
-  builder_.note(untold_.unknown, "elements that COLLADA does not have where they stand");
-  builder_.note(untold_.surplus, "numbers of positions behind those of the last vertex");
+  builder_.note(untold_.curved, "splines, curved surfaces and hulls, not read");
+  builder_.note(untold_.unknown, "unknown elements, not read");
+  builder_.note(untold_.surplus, "surplus numbers after the last position");
   tell(untold_.skins, "skins shown in the shape they were bound in: ");
   tell(untold_.morphs, "morphs shown in their base shape: ");
   tell(

@@ -309,7 +309,7 @@ void GltfReader::add_notes() {
   builder_.note(unused, "meshes that no node of the scene has");
   builder_.note(skinned_,
                 "skins shown in the shape they were bound in, which joints and nodes do not move");
-  builder_.note(buffers_.surplus(), "bytes behind those that a buffer states");
+  builder_.note(buffers_.surplus(), "surplus bytes after the stated length of a buffer");
   if (const std::size_t animations = length_of("animations"); animations > 0) {
     builder_.note("animations, which are not applied: " + std::to_string(animations));
   }
@@ -417,8 +417,8 @@ Mesh read_glb(Source& source) {
   const Chunks chunks = chunks_of(source);
   const JsonDocument document(source, chunks.json, chunks.json_at, true);
   std::vector<std::string> notes;
-  add_note(notes, chunks.others, "chunks beside JSON and BIN, which are not read");
-  add_note(notes, chunks.surplus, "bytes behind the length that the file states");
+  add_note(notes, chunks.others, "chunks other than JSON and BIN, not read");
+  add_note(notes, chunks.surplus, "surplus bytes after the stated length of the file");
   return GltfReader(source, document, chunks.binary, std::move(notes)).read();
 }
 

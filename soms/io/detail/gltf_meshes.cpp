@@ -98,7 +98,7 @@ const GltfMesh& GltfMeshes::mesh(const JsonValue& reference) {
 
 void GltfMeshes::add_notes(std::vector<std::string>& notes) const {
   add_note(notes, points_and_lines_, "primitives of points or lines, which are not triangles");
-  add_note(notes, without_positions_, "primitives without positions, which are not read");
+  add_note(notes, without_positions_, "primitives without positions, not read");
   add_note(notes, morphed_, "primitives with morph targets, which are not applied");
 }
 

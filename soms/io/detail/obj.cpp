@@ -163,11 +163,11 @@ void ObjReader::read_faces() {
     scanner.skip_line();
   }
   builder_.note(long_vertices_,
-                "vertices with numbers behind z that are neither a weight nor a color");
+                "vertices with values after z that are neither a weight nor a color");
   builder_.note(thin_, "lines and points, which are not triangles");
-  builder_.note(free_form_, "free-form curves and surfaces, which are not read");
-  builder_.note(called_, "lines that call other files or programs, which are not opened");
-  builder_.note(unknown_, "lines that begin with no word of OBJ");
+  builder_.note(free_form_, "free-form curves and surfaces, not read");
+  builder_.note(called_, "calls of other files or programs, not followed");
+  builder_.note(unknown_, "lines that start with an unknown keyword, not read");
 }
 
 void ObjReader::leave_out(ObjLine kind, std::size_t begin, std::string_view word) {

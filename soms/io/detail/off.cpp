@@ -181,9 +181,8 @@ void OffReader::refuse_behind_counts() {
   }
   if (!scanner_.at_line_end()) {
     const TextScanner before = scanner_;
-    before.fail(ErrorKind::bad_file,
-                in_quotes(scanner_.word_in_line()) + " stands behind the counts",
-                "begin a line with the first vertex");
+    before.fail(ErrorKind::bad_file, in_quotes(scanner_.word_in_line()) + " follows the counts",
+                "put the first vertex on a line of its own");
   }
 }
 
@@ -192,8 +191,8 @@ void OffReader::refuse_more() {
   if (scanner_.find_line()) {
     const TextScanner before = scanner_;
     before.fail(ErrorKind::bad_file,
-                in_quotes(scanner_.word_in_line()) + " stands behind the last face that is counted",
-                "repair the counts, or drop what they do not count");
+                in_quotes(scanner_.word_in_line()) + " follows the last declared face",
+                "correct the counts, or delete the surplus");
   }
 }
 
@@ -208,10 +207,9 @@ Mesh OffReader::read() {
   read_faces(faces);
   refuse_more();
   builder_.note(long_vertices_,
-                "vertex rows with more behind z than the first word of the file announces");
-  builder_.note(color_indices_,
-                "face rows with one number behind their corners, taken for a color");
-  builder_.note(long_faces_, "face rows with more behind their corners than a color");
+                "vertex rows with more values after z than the first word of the file announces");
+  builder_.note(color_indices_, "face rows with one value after their corners, taken for a color");
+  builder_.note(long_faces_, "face rows with values after their corners that are no color");
   return builder_.finish();
 }
 

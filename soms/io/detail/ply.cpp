@@ -128,8 +128,7 @@ Mesh read_ply(Source& source) {
     }
   }
   body->finish();
-  builder.note(others,
-               "rows of elements other than vertex, face and tristrips, which are not read");
+  builder.note(others, "rows of elements other than vertex, face and tristrips, not read");
   for (const auto& [element, position] : early) {
     body->go_to(position);
     read_corners(source, *body, *element);

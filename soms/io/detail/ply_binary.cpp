@@ -341,7 +341,7 @@ template <bool Swap>
 void PlyBinary<Swap>::finish() {
   LeftOut bytes;
   bytes.add([&] { return "at " + source_.byte_of(at_); }, left());
-  builder_.note(bytes, "bytes behind the last row that the header declares");
+  builder_.note(bytes, "surplus bytes after the last declared row");
 }
 
 }  // namespace

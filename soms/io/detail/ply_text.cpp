@@ -137,8 +137,8 @@ void PlyText::end_row() {
   if (!flows_ && !scanner_.at_line_end()) [[unlikely]] {
     const TextScanner before = scanner_;
     before.fail(ErrorKind::bad_file,
-                in_quotes(scanner_.word_in_line()) + " stands behind the last value of the row",
-                "repair the row, or give each row a line of its own");
+                in_quotes(scanner_.word_in_line()) + " follows the last value of the row",
+                "correct the row, or put each row on a line of its own");
   }
 }
 
@@ -295,10 +295,9 @@ void PlyText::finish() {
     return;
   }
   const TextScanner before = scanner_;
-  before.fail(
-      ErrorKind::bad_file,
-      in_quotes(scanner_.word_in_line()) + " stands behind the last row that the header declares",
-      "repair the counts in the header, or drop what they do not count");
+  before.fail(ErrorKind::bad_file,
+              in_quotes(scanner_.word_in_line()) + " follows the last row that the header declares",
+              "correct the counts in the header, or delete the surplus");
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ Mesh read_binary(Source& source) {
   const std::size_t behind = kHeader + kFacet * static_cast<std::size_t>(count);
   LeftOut surplus;
   surplus.add([&] { return "at " + source.byte_of(behind); }, bytes.size() - behind);
-  builder.note(surplus, "bytes behind the last triangle");
+  builder.note(surplus, "surplus bytes after the last triangle");
   return builder.finish();
 }
 
@@ -140,8 +140,8 @@ std::string_view StlTextReader::read_name() {
   for (TextScanner words = scanner_; !words.at_line_end();) {
     const std::string_view word = words.word_in_line();
     if (facet && equals(word, "endfacet")) {
-      scanner_.fail(ErrorKind::bad_file, "a facet stands where only the name of a solid may",
-                    "begin a line with it");
+      scanner_.fail(ErrorKind::bad_file, "a facet follows the name of a solid on the same line",
+                    "put each facet on lines of its own");
     }
     facet = facet || equals(word, "facet");
   }

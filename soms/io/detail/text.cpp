@@ -182,7 +182,7 @@ void TextScanner::fail_missing(std::string_view what) const {
   fail(ErrorKind::bad_file,
        std::string(what) + " is missing: the " + (at_end() ? "file" : "line") + " ends",
        at_end() ? "get the file whole, or repair it"
-                : "repair the file, or give all values of a row in one line");
+                : "repair the file, or put all values of a row on one line");
 }
 
 void TextScanner::fail_number(std::string_view what, std::string_view expected) const {

@@ -226,8 +226,8 @@ void ThreeDsReader::check_behind_main(std::size_t at) {
                       little_endian<std::uint16_t>(source_.bytes, at) == three_ds::kMain;
   LeftOut behind;
   behind.add([&] { return at_byte(at); }, left);
-  builder_.note(behind, second ? "bytes behind the main chunk, where a second one begins"
-                               : "bytes behind the main chunk");
+  builder_.note(behind, second ? "bytes after the main chunk, where a second one starts, not read"
+                               : "bytes after the main chunk, not read");
 }
 
 Mesh ThreeDsReader::read() {
@@ -247,8 +247,8 @@ Mesh ThreeDsReader::read() {
   if (has_keyframes) {
     builder_.note("keyframes are not applied");
   }
-  builder_.note(surplus_, "bytes behind the last vertex or face that a list counts");
-  builder_.note(misplaced_, "chunks of meshes where none belongs, which are not read");
+  builder_.note(surplus_, "surplus bytes after the vertices or faces that a list counts");
+  builder_.note(misplaced_, "misplaced mesh chunks, not read");
   check_behind_main(main.end);
   return builder_.finish();
 }
