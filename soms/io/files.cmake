@@ -25,6 +25,7 @@ set(SOMS_SOURCES
   detail/gltf_scene.cpp
   detail/import.cpp
   detail/import_child.cpp
+  detail/left_out.cpp
   detail/line_reader.cpp
   detail/links.cpp
   detail/mesh_builder.cpp

@@ -11,7 +11,8 @@ std::ostream& operator<<(std::ostream& out, const ReadOptions& value) {
   return out << PrintedFields("ReadOptions")
                     .add("allow_empty", value.allow_empty)
                     .add("max_memory", value.max_memory)
-                    .add("import_seconds", value.import_seconds);
+                    .add("import_seconds", value.import_seconds)
+                    .add("strict", value.strict);
 }
 
 std::ostream& operator<<(std::ostream& out, const ReadableFormat& value) {
