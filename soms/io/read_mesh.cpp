@@ -6,9 +6,12 @@
 #include "soms/io/detail/format.h"
 #include "soms/io/detail/source.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <new>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -43,6 +46,22 @@ std::optional<std::filesystem::path> folder_of(const std::filesystem::path& path
   return folder;
 }
 
+/// Fails where a mesh has notes: the error has their texts.
+void refuse_notes(const detail::Source& source, const Mesh& mesh) {
+  if (mesh.notes.empty()) {
+    return;
+  }
+  constexpr std::size_t kMostShown = 8;
+  std::string all;
+  for (std::size_t i = 0; i < std::min(mesh.notes.size(), kMostShown); ++i) {
+    all += (i == 0 ? "" : "; ") + mesh.notes[i];
+  }
+  if (mesh.notes.size() > kMostShown) {
+    all += "; and " + std::to_string(mesh.notes.size() - kMostShown) + " more notes";
+  }
+  source.fail(ErrorKind::bad_file, all, "repair the model, or read it without `strict`");
+}
+
 /// Whose memory the bytes of a file are.
 enum class Owner { caller, us };
 
@@ -70,6 +89,9 @@ Mesh read_bytes(std::string_view bytes, const std::string& name, Owner owner,
   }
   Mesh mesh = detail::identify(source).read(source);
   source.tick(source.bytes.size());
+  if (options.strict) {
+    refuse_notes(source, mesh);
+  }
   return mesh;
 }
 

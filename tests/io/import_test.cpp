@@ -121,6 +121,18 @@ TEST(Import, TakesVerticesFacesPartsAndNotes) {
   EXPECT_EQ(mesh.source, "town/a.lwo");
 }
 
+TEST(Import, StrictNamesTheFirstNotesAndCountsTheOthers) {
+  std::string notes;
+  for (const char c : std::string("abcdefghijkl")) {
+    notes += text('n', std::string("note ") + c);
+  }
+  ImportedBy(kWrite, kMagic + notes + kCorners + face({0, 1, 2}) + ".")
+      .expect_refused(ErrorKind::bad_file,
+                      "town/a.lwo: note a; note b; note c; note d; note e; note f; note g; note h; "
+                      "and 4 more notes; repair the model",
+                      {.strict = true});
+}
+
 TEST(Import, TakesUnitAndAxis) {
   const Mesh mesh = ImportedBy(kWrite, kMagic + record('u', bytes_of(0.0254)) + "ax" + kCorners +
                                            face({0, 1, 2}) + ".")
