@@ -2,6 +2,7 @@ set(SOMS_HEADERS
   crossing_segment.h
   counts.h
   defects.h
+  frames.h
   mesh.h
   midpoint.h
   orientation.h
@@ -16,6 +17,7 @@ set(SOMS_SOURCES
   detail/flat_overlap.cpp
   detail/joined.cpp
   detail/orientation_exact.cpp
+  frames.cpp
   mesh.cpp
   midpoint.cpp
   orientation.cpp
