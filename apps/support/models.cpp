@@ -57,6 +57,14 @@ std::string option_of(std::string_view field) {
   return field == "level" ? "--levels" : field == "per_leaf" ? "--leaf" : "--" + kebab(field);
 }
 
+/// `text` with an option of the command in place of the library's argument.
+std::string with_option(std::string text, std::string_view argument, std::string_view option) {
+  if (const std::size_t at = text.find(argument); at != std::string::npos) {
+    text.replace(at, argument.size(), option);
+  }
+  return text;
+}
+
 /// An error of reading with the options of the command in place of the library's.
 Error in_words_of_options(const Error& error, const std::string& path, const ModelOptions& options,
                           const Shared& shared) {
@@ -66,7 +74,7 @@ Error in_words_of_options(const Error& error, const std::string& path, const Mod
                                  : "give a model with faces"};
   }
   if (error.kind() != ErrorKind::out_of_memory) {
-    return error;
+    return {error.kind(), error.place(), with_option(error.remedy(), "`strict`", "--strict")};
   }
   // Refused by the reader's own count, or by the system where ours is the least limit.
   return error.remedy().find("max_memory") == std::string::npos

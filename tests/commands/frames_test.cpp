@@ -187,22 +187,19 @@ TEST(FrameRegressions, R117SimulateWarnsOfMoversThatNeverComeNear) {
 
 TEST(FrameRegressions, R117StrictMakesAnErrorOfWhatReadingNotes) {
   const TemporaryFolder folder;
-  const std::string path = (folder.path() / "lines.obj").string();
-  write_text(path, read_text(hall()) + "call more.obj 3\n");
-  const bool notes =
-      soms_run({"info", path, "--no-trees"}).out.find("  note ") != std::string::npos;
-  EXPECT_EQ(soms_run({"info", path, "--no-trees", "--strict"}).status, notes ? 3 : 0);
-  const std::string scaled = data("formats/full.3ds").string();
-  ASSERT_NE(soms_run({"info", scaled, "--no-trees"}).out.find("  note "), std::string::npos);
+  const std::string noted = data("formats/groups.obj").string();
+  ASSERT_NE(soms_run({"info", noted, "--no-trees"}).out.find("  note "), std::string::npos);
   for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"info", scaled, "--no-trees"},
-        std::vector<std::string>{"convert", scaled, (folder.path() / "a.ply").string()},
-        std::vector<std::string>{"overlap", scaled, scaled},
-        std::vector<std::string>{"simulate", scaled, "--count", "1", "--frames", "1"}}) {
+       {std::vector<std::string>{"info", noted, "--no-trees"},
+        std::vector<std::string>{"convert", noted, (folder.path() / "a.ply").string()},
+        std::vector<std::string>{"overlap", noted, noted},
+        std::vector<std::string>{"simulate", noted, "--count", "1", "--frames", "1"}}) {
     EXPECT_EQ(soms_run(words).status, 0) << words[0];
     std::vector<std::string> strict = words;
     strict.emplace_back("--strict");
-    EXPECT_EQ(soms_run(strict).status, 3) << words[0];
+    const RunResult refused = soms_run(strict);
+    EXPECT_EQ(refused.status, 3) << words[0];
+    EXPECT_NE(refused.err.find("without --strict"), std::string::npos) << refused.err;
   }
 }
 
