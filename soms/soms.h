@@ -17,6 +17,7 @@
 #include "soms/geometry/counts.h"
 #include "soms/geometry/crossing_segment.h"
 #include "soms/geometry/defects.h"
+#include "soms/geometry/frames.h"
 #include "soms/geometry/mesh.h"
 #include "soms/geometry/orientation.h"
 #include "soms/geometry/part_runs.h"

@@ -150,6 +150,7 @@ Action add_completion(CLI::App& app, Shared&) {
 }
 
 int run_completion(const CompletionOptions& options, Console& console) {
+  refuse_json(console, "completion prints a script, no answers");
   switch (options.shell) {
     case Shell::bash:
       console.print(bash_script());

@@ -1,6 +1,7 @@
 set(SOMS_COMMAND_FILES
   bench.cpp
   bench.h
+  block_size.h
   child.cpp
   child.h
   completion.cpp

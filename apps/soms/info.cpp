@@ -13,6 +13,7 @@
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
@@ -59,7 +60,7 @@ ModelReport examine(const std::string& file, const InfoOptions& options, const C
     if (options.every_rule || row.rule == options.build.rule) {
       BuildOptions build = options.build;
       build.rule = row.rule;
-      report.trees.push_back(measure_tree(report.mesh, build, console));
+      report.trees.push_back(measure_tree(report.mesh, without_idle(build), console));
     }
   }
   return report;
@@ -227,6 +228,29 @@ std::size_t parse_places(const std::string& text) {
   return parse_count("--list", text, 0, kMaxPrimitives);
 }
 
+/// Options of trees that change nothing are refused. Where trees are built by every rule, those
+/// that some rules do not use are noted.
+void check_trees(const CLI::App& app, const InfoOptions& options, const Console& console) {
+  const std::string given = given_of_trees(app);
+  if (!options.trees && !given.empty()) {
+    throw Error(ErrorKind::usage, given + " has no effect: --no-trees leaves out the trees",
+                "leave one of the two out");
+  }
+  if (!options.every_rule) {
+    check_build(app, options.build);
+    return;
+  }
+  BuildOptions build = options.build;
+  build.rule = Rule::soms;  // which uses them all
+  check_build(app, build);
+  for (const RuleEntry& row : rules()) {
+    build.rule = row.rule;
+    if (const auto without = given_of(app, idle_options(build)); !without.empty()) {
+      console.note(fmt::format("rule {} does not use {}", row.kebab, fmt::join(without, ", ")));
+    }
+  }
+}
+
 }  // namespace
 
 Action add_info(CLI::App& app, Shared&) {
@@ -242,6 +266,7 @@ Action add_info(CLI::App& app, Shared&) {
       ->option_text("N");
   add_model_options(app, options->model, "--scale", "--up", "the models");
   add_allow_empty(app, options->model);
+  add_strict(app, options->model.strict);
   add_build_options(app, options->build);
   app.footer(
       "Trees are built by every rule, or by the one that --rule names.\n\nExample:\n"
@@ -249,7 +274,7 @@ Action add_info(CLI::App& app, Shared&) {
       "  soms info knot.ply");
   return [options, &app](Console& console) {
     options->every_rule = app.count("--rule") == 0;
-    check_build(options->build);
+    check_trees(app, *options, console);
     return run_info(*options, console);
   };
 }

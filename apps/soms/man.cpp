@@ -80,6 +80,7 @@ Action add_man(CLI::App& app, Shared&) {
 }
 
 int run_man(const ManOptions& options, Console& console) {
+  refuse_json(console, "man prints pages, no answers");
   if (!options.folder.empty() && !options.verb.empty()) {
     throw Error(ErrorKind::usage, "--output writes all pages", "leave out the verb, or --output");
   }

@@ -18,7 +18,7 @@ constexpr const char* kMovers = "1000";
 
 void add_model_words(std::vector<std::string>& words, const ModelOptions& model,
                      const std::string& scale, const std::string& up) {
-  if (model.scale != 1) {
+  if (model.scale_is_given) {
     words.insert(words.end(), {scale, fmt::format("{}", model.scale)});
   }
   constexpr const char* kAxes[] = {"", "x", "y", "z"};
@@ -102,6 +102,9 @@ std::vector<std::string> words_of(const WorldOptions& world, const Shared& share
   }
   add_model_words(words, world.city_model, "--scale", "--up");
   add_model_words(words, world.mover_model, "--mover-scale", "--mover-up");
+  if (world.city_model.strict) {
+    words.emplace_back("--strict");
+  }
   words.insert(words.end(), {"--seed", std::to_string(shared.seed)});
   words.insert(words.end(), {"--threads", std::to_string(shared.threads)});
   if (shared.max_memory != 0) {

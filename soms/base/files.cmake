@@ -4,6 +4,7 @@ set(SOMS_HEADERS
   box.h
   error.h
   hash.h
+  idle_option.h
   lanes.h
   parallel.h
   pose.h
@@ -16,6 +17,7 @@ set(SOMS_HEADERS
 set(SOMS_SOURCES
   arithmetic.cpp
   error.cpp
+  idle_option.cpp
   parallel.cpp
   pose.cpp
   print.cpp

@@ -2,6 +2,7 @@ set(SOMS_HEADERS
   counts.h
   crossing_segment.h
   defects.h
+  frames.h
   mesh.h
   midpoint.h
   orientation.h
@@ -17,6 +18,7 @@ set(SOMS_SOURCES
   detail/flat_overlap.cpp
   detail/joined.cpp
   detail/orientation_exact.cpp
+  frames.cpp
   mesh.cpp
   midpoint.cpp
   orientation.cpp

@@ -4,6 +4,7 @@
 #include "soms/base/print_fields.h"
 #include "soms/geometry/crossing_segment.h"
 #include "soms/geometry/defects.h"
+#include "soms/geometry/frames.h"
 #include "soms/geometry/mesh.h"
 #include "soms/geometry/midpoint.h"
 #include "soms/geometry/orientation.h"
@@ -120,6 +121,18 @@ std::ostream& operator<<(std::ostream& out, Projection value) {
 
 std::ostream& operator<<(std::ostream& out, Midpoint value) {
   return out << printed_name("Midpoint", static_cast<int>(value), {"thesis", "centroid", "aabb"});
+}
+
+std::ostream& operator<<(std::ostream& out, const CoordinateFrame& value) {
+  return out << PrintedFields("CoordinateFrame")
+                    .add("unit", value.unit)
+                    .add("up", value.up)
+                    .add("unit_is_stated", value.unit_is_stated)
+                    .add("up_is_stated", value.up_is_stated);
+}
+
+std::ostream& operator<<(std::ostream& out, FrameDoubt value) {
+  return out << name(value);
 }
 
 }  // namespace soms

@@ -6,10 +6,12 @@
 
 namespace soms {
 
+enum class FrameDoubt;
 enum class Midpoint;
 enum class Projection;
 enum class Sign : signed char;
 enum class UpAxis;
+struct CoordinateFrame;
 struct Crossing;
 struct DefectOptions;
 struct DefectPlaces;
@@ -38,5 +40,7 @@ std::ostream& operator<<(std::ostream& out, const Crossing& value);
 std::ostream& operator<<(std::ostream& out, Sign value);
 std::ostream& operator<<(std::ostream& out, Projection value);
 std::ostream& operator<<(std::ostream& out, Midpoint value);
+std::ostream& operator<<(std::ostream& out, const CoordinateFrame& value);
+std::ostream& operator<<(std::ostream& out, FrameDoubt value);
 
 }  // namespace soms

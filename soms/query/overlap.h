@@ -33,6 +33,7 @@ enum class OverlapMode {
 struct OverlapOptions {
   OverlapMode mode = OverlapMode::all;
   /// Most pairs returned; more are cut, and the answer says so. The first found by one thread.
+  /// With modes `any` and `first`, which return one pair at most, 0 alone has an effect.
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();
   /// Ends the query with coverage `cut` when it passes.
   std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
@@ -42,6 +43,10 @@ struct OverlapOptions {
 
   [[nodiscard]] bool operator==(const OverlapOptions&) const = default;
 };
+
+/// Throws ErrorKind::usage unless the options go together and none is without effect: as
+/// `check(TraversalOptions)`, and no `limit` above 0 with modes `any` and `first`.
+void check(const OverlapOptions& options);
 
 /// Answer of an overlap query of two bodies.
 struct Overlap {
@@ -62,9 +67,8 @@ struct Overlap {
 ///
 /// Surfaces only: a car wholly inside a closed hall does not overlap its walls.
 ///
-/// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose (checked in O(1)); usage for
-/// a
-///          named traversal without kept trees; cancelled.
+/// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose (checked in O(1)); usage as
+///          `check(OverlapOptions)` and for a named traversal without kept trees; cancelled.
 /// \cost    Typically logarithmic in the triangle counts plus linear in the answer.
 /// \threads Any number of callers; `parallel` splits one query.
 [[nodiscard]] Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options = {},

@@ -299,6 +299,7 @@ StepReport Scene::step(const StepOptions& options, const Parallel& parallel) {
   StepReport report;
   report.coverage = options.mode == OverlapMode::all ? Coverage::complete : Coverage::first;
   const OverlapOptions asked{.mode = options.mode, .traversal = options.traversal};
+  check(asked);  // also where nothing meets
   check_stop(parallel);
   state.refresh_index();
   state.find_environment_candidates(report);

@@ -127,7 +127,9 @@ TEST(OverlapVerb, GivesTheSameLinesForAnyThreadsRuleAndTraversal) {
   }
   const RunResult idle = soms_run({"overlap", box(), box(), "--descent", "cross"});
   EXPECT_EQ(idle.status, 2);
-  EXPECT_NE(idle.err.find("--descent without E-Node changes nothing"), std::string::npos)
+  EXPECT_NE(idle.err.find("--descent has no effect: only E-Node has a descent; leave it out, or "
+                          "give --traversal e-node or e-node-front, too"),
+            std::string::npos)
       << idle.err;
 }
 
@@ -159,8 +161,11 @@ TEST(OverlapVerb, ListsAFewPairsWithTheirPartsForPeople) {
       << result.out;
   EXPECT_NE(result.out.find("more: --json lists all"), std::string::npos);
   EXPECT_LE(std::count(result.out.begin(), result.out.end(), '\n'), 23);
-  EXPECT_NE(soms_run({"overlap", box(), box(), "--pose", "5 0 0"}).out.find("surfaces only"),
+  // A box within the box touches nothing of it; one beside it cannot be within.
+  EXPECT_NE(soms_run({"overlap", box(), box(), "--scale", "0.5"}).out.find("surfaces only"),
             std::string::npos);
+  EXPECT_EQ(soms_run({"overlap", box(), box(), "--pose", "4 0 0"}).out,
+            "no triangles overlap: the boxes of the models are 2 apart\n");
 }
 
 TEST(OverlapVerb, SaysALineAPoseAndATotalForPeople) {

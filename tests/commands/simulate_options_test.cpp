@@ -64,8 +64,29 @@ TEST_F(SimulateOptions, FailIfContactIsUndecidedWhenTimeIsUp) {
 TEST_F(SimulateOptions, RefusesADescentOfNothing) {
   const RunResult idle = simulate({town(), "--frames", "1", "--count", "1", "--descent", "both"});
   EXPECT_EQ(idle.status, 2);
-  EXPECT_NE(idle.err.find("--descent without E-Node changes nothing"), std::string::npos)
+  EXPECT_NE(idle.err.find("--descent has no effect: only E-Node has a descent"), std::string::npos)
       << idle.err;
+}
+
+TEST_F(SimulateOptions, R119OptionsThatChangeNothingAreRefused) {
+  write_text(beside("a.csv"), "x,y,z\n0,0,9\n");
+  const auto says = [&](std::vector<std::string> words, const std::string& what) {
+    words.insert(words.begin(), {town(), "--frames", "1"});
+    const RunResult result = simulate(words);
+    EXPECT_EQ(result.status, 2) << what;
+    EXPECT_NE(result.err.find(what), std::string::npos) << result.err;
+  };
+  says({"--empty-side", "stop"}, "--empty-side has no effect: the rules fast and quality leave");
+  says({"--rule", "soms", "--root-level", "0"},
+       "--root-level has no effect: levels are not limited; leave it out, or give --levels N, too");
+  says({"--traversal", "larger", "--descent", "both"}, "--descent has no effect");
+  says({"--route", beside("a.csv"), "--route", beside("a.csv"), "--count", "1"},
+       "--count 1 leaves 1 of 2 --route without a mover; give --count 2 or more");
+  says({"--mover", town(), "--count", "0"}, "--count 0 leaves 1 of 1 --mover without a mover");
+  says({"--picture-frame", "0"}, "--picture-frame without --picture");
+  const RunResult embedded = simulate({"--scale", "1", "--frames", "1"});
+  EXPECT_EQ(embedded.status, 2);
+  EXPECT_NE(embedded.err.find("--scale and --up are for a city from files"), std::string::npos);
 }
 
 TEST_F(SimulateOptions, RefusesNamesWhoseEndingsAreThoseOfOtherFiles) {

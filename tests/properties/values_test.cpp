@@ -30,7 +30,8 @@ constexpr bool kValues = (Value<T> && ...);
 
 static_assert(kValues<Vec3, Triangle, Box, Pose, ErrorKind>);
 static_assert(kValues<Mesh, Part, PartRun, UpAxis, Defects, DefectPlaces, DefectOptions, EdgeCounts,
-                      EdgePlace, TriangleCopy, VertexCopy, Crossing, Sign, Projection, Midpoint>);
+                      EdgePlace, TriangleCopy, VertexCopy, Crossing, Sign, Projection, Midpoint,
+                      CoordinateFrame, FrameDoubt>);
 static_assert(kValues<Tree, Node, TreeStatistics, Visits, ExpectedVisits, BuildOptions, Rule,
                       AxisFrom, EmptySide, Shape, ShapeOptions, Layout>);
 static_assert(kValues<Body, Cost, Coverage, Overlap, OverlapBatch, RunAnswers, OverlapOptions,

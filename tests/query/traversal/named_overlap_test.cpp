@@ -29,7 +29,7 @@ BuildOptions any_tree(Rng& rng) {
   BuildOptions options = thesis_options(rules()[rng.below(rules().size())].rule, 8);
   options.empty_side = static_cast<EmptySide>(rng.below(4));
   options.per_leaf = 1 + static_cast<int>(rng.below(4));
-  return options;
+  return without_idle(options);
 }
 
 /// Every way to walk, with boxes moved either way.
