@@ -13,6 +13,7 @@ set(SOMS_SOURCES
   detail/moved_bounds.cpp
   detail/narrow_phase.cpp
   detail/pace.cpp
+  detail/pair_filter.cpp
   detail/pair_rows.cpp
   detail/recording_reader.cpp
   recording.cpp
