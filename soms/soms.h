@@ -28,6 +28,7 @@
 #include "soms/scene/recording.h"
 #include "soms/scene/replay.h"
 #include "soms/scene/scene.h"
+#include "soms/scene/step_report.h"
 #include "soms/tree/build.h"
 #include "soms/tree/refit.h"
 #include "soms/tree/shape.h"

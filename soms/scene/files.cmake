@@ -4,11 +4,13 @@ set(SOMS_HEADERS
   reference/broad_phase.h
   replay.h
   scene.h
+  step_report.h
 )
 set(SOMS_SOURCES
   broad_phase.cpp
   detail/box_index.cpp
   detail/columns.cpp
+  detail/first_contacts.cpp
   detail/float_box.cpp
   detail/moved_bounds.cpp
   detail/narrow_phase.cpp
@@ -16,8 +18,10 @@ set(SOMS_SOURCES
   detail/pair_filter.cpp
   detail/pair_rows.cpp
   detail/recording_reader.cpp
+  detail/residents.cpp
   recording.cpp
   reference/broad_phase.cpp
   replay.cpp
   scene.cpp
+  step_report.cpp
 )
