@@ -25,6 +25,7 @@
 #include "soms/io/write_mesh.h"
 #include "soms/query/overlap.h"
 #include "soms/scene/broad_phase.h"
+#include "soms/scene/contact_tracker.h"
 #include "soms/scene/recording.h"
 #include "soms/scene/replay.h"
 #include "soms/scene/scene.h"

@@ -1,5 +1,6 @@
 set(SOMS_HEADERS
   broad_phase.h
+  contact_tracker.h
   recording.h
   reference/broad_phase.h
   replay.h
@@ -8,6 +9,7 @@ set(SOMS_HEADERS
 )
 set(SOMS_SOURCES
   broad_phase.cpp
+  contact_tracker.cpp
   detail/box_index.cpp
   detail/columns.cpp
   detail/first_contacts.cpp
