@@ -48,12 +48,12 @@ struct ContactEvents {
 /// where it was made. Holds the touching pairs of bodies of the last step, no triangles.
 class ContactTracker {
  public:
-  /// Changes since the report before; at the first, every contact begins. The events depend on
-  /// which pairs of bodies touch in the two steps alone, so they are the same for any number of
-  /// threads and any mode of the steps. \errors  ErrorKind::usage for a report of
-  /// StepScope::first_contact, in which pairs that touch may
-  ///          be missing, and for one that compares movers with each other where the report before
-  ///          does not, or the reverse: `clear` starts again. The tracker stays as it was then.
+  /// Changes since the report before; at the first, every contact begins. The events depend only on
+  /// which pairs of bodies touch in the two steps: they are the same for any number of threads and
+  /// any mode of the steps.
+  /// \errors  ErrorKind::usage for a report of StepScope::first_contact, which may lack pairs that
+  ///          touch; and where this report compares movers with each other and the one before does
+  ///          not, or the reverse (`clear` starts again). The tracker stays as it was then.
   /// \cost    O(n), n contacts of the report and touching pairs of the report before.
   [[nodiscard]] ContactEvents follow(const StepReport& report);
 

@@ -65,10 +65,12 @@ class Scene {
   void set_pose(MoverId id, const Pose& pose);
 
   /// Gives a body another shape, such as one from `refit`. Its number, pose, name and group stay,
-  /// and so does whom it ignores. \errors  As `set_pose`, for the new shape at the body's pose. The
-  /// old shape stays then. \cost    Constant for a mover. After that of a part, the next step makes
-  /// the environment's index
-  ///          anew: O(n log n), n parts.
+  /// and so does whom it ignores.
+  /// \errors  ErrorKind::usage for an id that is not there; out_of_range where the body's pose
+  /// takes
+  ///          the new shape too far. The old shape stays then.
+  /// \cost    Constant for a mover. After that of a part, the next step makes the index of the
+  ///          environment anew: O(n log n), n parts.
   void set_shape(MoverId id, Shape shape);
   void set_environment_shape(EnvironmentId id, Shape shape);
 
@@ -84,15 +86,15 @@ class Scene {
   /// themselves, by the next step that compares them).
   [[nodiscard]] std::size_t memory() const;
 
-  /// All overlaps at the present poses, or, with StepScope::first_contact, which movers touch
-  /// anything. Then the environment comes first, its parts ascending, then the other movers; a
-  /// mover that touches something is compared with no further body on its own behalf. So no more
-  /// comparisons are made than by asking about one mover after the other, and there are no more
-  /// contacting pairs of bodies than movers.
+  /// All overlaps at the present poses. With StepScope::first_contact, which movers touch anything:
+  /// each is compared with the parts of the environment, ascending, then with the other movers,
+  /// ascending, until its first contact. No pair is compared twice, so no more comparisons are made
+  /// than by querying one mover after the other, and no more pairs of bodies touch in the report
+  /// than there are movers.
   /// \errors  ErrorKind::cancelled; usage for a named traversal without kept trees.
-  /// \cost    Pairs of bodies whose boxes meet: found in time and memory linear in their number,
-  /// which
-  ///          is quadratic where many movers of no group, or of many groups, are in one place.
+  /// \cost    Time and memory linear in the pairs of bodies whose boxes meet. Where many movers of
+  /// no
+  ///          group, or of many groups, are in one place, that is quadratic in the movers.
   [[nodiscard]] StepReport step(const StepOptions& options = {}, const Parallel& parallel = {});
 
  private:

@@ -1,5 +1,5 @@
 /// \file
-/// In which order are pairs of bodies compared when each mover is done at its first contact?
+/// The order of comparisons where each mover is done at its first contact.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct Candidate {
 /// Rounds of comparisons. In each round every mover that touches nothing yet has the first of its
 /// candidates compared that was not compared before, so a mover is compared with no more bodies
 /// than if it went through its candidates alone and stopped at the first contact; and no pair is
-/// compared twice. What a round asks depends on the answers before it alone, not on threads.
+/// compared twice. Which pairs a round compares depends on the rounds before it, not on threads.
 class FirstContacts {
  public:
   /// Forgets which of the movers, in so many places, touch something.
