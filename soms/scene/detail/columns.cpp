@@ -45,7 +45,7 @@ constexpr std::uint32_t kSteps = 1U << 16;
 constexpr unsigned kDigit = 11;
 constexpr std::uint32_t kNames = (1U << 30) - 1;
 /// Bytes of an entry in what the sweep reads: key, last key, name, four ends, group.
-constexpr std::size_t kSweepBytes = 8 * 4;
+constexpr std::size_t kSweepBytes = 8 * sizeof(float);
 
 // Costs that choose the width of columns, in nanoseconds: an entry, and a comparison.
 constexpr double kEntryCost = 15;
