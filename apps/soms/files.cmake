@@ -13,6 +13,8 @@ set(SOMS_COMMAND_FILES
   info.h
   info_defects.cpp
   info_defects.h
+  info_trees.cpp
+  info_trees.h
   main.cpp
   man.cpp
   man.h

@@ -7,6 +7,8 @@ set(SOMS_HEADERS
   lanes.h
   parallel.h
   pose.h
+  print.h
+  print_fields.h
   random.h
   text.h
   vector.h
@@ -16,5 +18,7 @@ set(SOMS_SOURCES
   error.cpp
   parallel.cpp
   pose.cpp
+  print.cpp
+  print_fields.cpp
   text.cpp
 )

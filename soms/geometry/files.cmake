@@ -1,17 +1,18 @@
 set(SOMS_HEADERS
-  crossing_segment.h
   counts.h
+  crossing_segment.h
   defects.h
   mesh.h
   midpoint.h
   orientation.h
   part_runs.h
   polygon.h
+  print.h
   triangle_overlap.h
 )
 set(SOMS_SOURCES
-  crossing_segment.cpp
   counts.cpp
+  crossing_segment.cpp
   defects.cpp
   detail/flat_overlap.cpp
   detail/joined.cpp
@@ -21,5 +22,6 @@ set(SOMS_SOURCES
   orientation.cpp
   part_runs.cpp
   polygon.cpp
+  print.cpp
   triangle_overlap.cpp
 )

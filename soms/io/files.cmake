@@ -2,6 +2,7 @@ set(SOMS_HEADERS
   formats.h
   new_file.h
   poses.h
+  print.h
   read_mesh.h
   write_mesh.h
 )
@@ -43,6 +44,7 @@ set(SOMS_SOURCES
   formats.cpp
   new_file.cpp
   poses.cpp
+  print.cpp
   read_mesh.cpp
   write_mesh.cpp
 )

@@ -22,6 +22,8 @@ struct ReadOptions {
   /// Most seconds that soms-import may take, for formats that soms does not read itself; what is
   /// not above 0 counts as 0.
   double import_seconds = 60;
+
+  [[nodiscard]] bool operator==(const ReadOptions&) const = default;
 };
 
 /// Reads a PLY, 3DS, STL, OFF, OBJ, glTF, GLB or COLLADA model as stored, in double: nothing is

@@ -39,6 +39,8 @@ struct OverlapOptions {
   /// The default walks the layout; a named traversal walks the canonical trees
   /// (ShapeOptions::keep_tree).
   TraversalOptions traversal = {};
+
+  [[nodiscard]] bool operator==(const OverlapOptions&) const = default;
 };
 
 /// Answer of an overlap query of two bodies.
@@ -47,6 +49,8 @@ struct Overlap {
   std::vector<TrianglePair> pairs;  ///< sorted by first, then second; one pair in modes any, first
   Coverage coverage = Coverage::complete;
   Cost cost;
+
+  [[nodiscard]] bool operator==(const Overlap&) const = default;
 
   /// FNV-1a 64 over the sorted pairs as little-endian u32: two runs agree when their hashes do.
   [[nodiscard]] std::uint64_t hash() const;
@@ -74,6 +78,8 @@ struct OverlapBatch {
   std::vector<TrianglePair> pairs;     ///< in modes any and first: the pair found, if any
   std::vector<Cost> costs;             ///< n
   Cost cost;                           ///< of all poses together
+
+  [[nodiscard]] bool operator==(const OverlapBatch&) const = default;
 
   [[nodiscard]] std::size_t size() const { return any.size(); }
 

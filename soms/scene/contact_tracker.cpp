@@ -2,7 +2,6 @@
 
 #include "soms/base/error.h"
 
-#include <ostream>
 #include <string>
 #include <utility>
 
@@ -89,39 +88,6 @@ ContactEvents ContactTracker::follow(const StepReport& report) {
   mover_mover_ = report.mover_mover;
   has_report_ = true;
   return events;
-}
-
-std::ostream& operator<<(std::ostream& out, ContactChange change) {
-  switch (change) {
-    case ContactChange::begin:
-      return out << "begin";
-    case ContactChange::stay:
-      return out << "stay";
-    case ContactChange::end:
-      break;
-  }
-  return out << "end";
-}
-
-std::ostream& operator<<(std::ostream& out, const EnvironmentEvent& event) {
-  return out << "mover " + std::to_string(event.mover) + ", part " + std::to_string(event.part) +
-                    ": "
-             << event.change;
-}
-
-std::ostream& operator<<(std::ostream& out, const MoverEvent& event) {
-  return out << "movers " + std::to_string(event.a) + " and " + std::to_string(event.b) + ": "
-             << event.change;
-}
-
-std::ostream& operator<<(std::ostream& out, const ContactEvents& events) {
-  for (const EnvironmentEvent& event : events.environment) {
-    out << event << '\n';
-  }
-  for (const MoverEvent& event : events.movers) {
-    out << event << '\n';
-  }
-  return out;
 }
 
 }  // namespace soms

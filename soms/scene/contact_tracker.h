@@ -6,7 +6,6 @@
 
 #include <compare>
 #include <cstdint>
-#include <iosfwd>
 #include <vector>
 
 namespace soms {
@@ -68,15 +67,5 @@ class ContactTracker {
   std::vector<EnvironmentEvent> environment_;  ///< touching pairs of the report before
   std::vector<MoverEvent> movers_;             ///< likewise
 };
-
-/// "begin", "stay" or "end".
-std::ostream& operator<<(std::ostream& out, ContactChange change);
-
-/// One line without an end, such as "mover 3, part 0: begin" and "movers 3 and 5: end".
-std::ostream& operator<<(std::ostream& out, const EnvironmentEvent& event);
-std::ostream& operator<<(std::ostream& out, const MoverEvent& event);
-
-/// A line for each event.
-std::ostream& operator<<(std::ostream& out, const ContactEvents& events);
 
 }  // namespace soms

@@ -1,6 +1,7 @@
 set(SOMS_HEADERS
   broad_phase.h
   contact_tracker.h
+  print.h
   recording.h
   reference/broad_phase.h
   replay.h
@@ -21,6 +22,7 @@ set(SOMS_SOURCES
   detail/pair_rows.cpp
   detail/recording_reader.cpp
   detail/residents.cpp
+  print.cpp
   recording.cpp
   reference/broad_phase.cpp
   replay.cpp

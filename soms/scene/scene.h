@@ -26,6 +26,8 @@ struct StepOptions {
   bool coherent = true;
   /// As of OverlapOptions: named ones need shapes that keep their trees.
   TraversalOptions traversal = {};
+
+  [[nodiscard]] bool operator==(const StepOptions&) const = default;
 };
 
 /// A static environment of meshes and movers that share shapes. Poses are set through the scene, so

@@ -57,6 +57,8 @@ struct StepReport {
   bool mover_mover = true;                  ///< as of StepOptions
   std::uint64_t shapes_set = 0;  ///< shapes that were set in the scene before this step, in all
 
+  [[nodiscard]] bool operator==(const StepReport&) const = default;
+
   /// Movers that touch anything, ascending. \cost O(n log n), n contacts.
   [[nodiscard]] std::vector<MoverId> touching_movers() const;
 

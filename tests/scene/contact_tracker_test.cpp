@@ -1,6 +1,7 @@
 #include "soms/scene/contact_tracker.h"
 
 #include "soms/base/error.h"
+#include "soms/scene/print.h"
 #include "soms/scene/scene.h"
 
 #include "tests/scene/random_bodies.h"
@@ -93,12 +94,19 @@ TEST(ContactTracker, IsAValueAndItsEventsAreText) {
   EXPECT_EQ(copy.follow(report), second);
   EXPECT_NE(second, first);
   std::ostringstream text;
-  text << second;
+  text << second << '\n';
+  for (const EnvironmentEvent& event : second.environment) {
+    text << event << '\n';
+  }
+  for (const MoverEvent& event : second.movers) {
+    text << event << '\n';
+  }
   EXPECT_EQ(text.str(),
-            "mover 3, part 0: stay\n"
-            "mover 4, part 1: end\n"
-            "movers 3 and 5: end\n"
-            "movers 3 and 6: begin\n");
+            "ContactEvents{environment: 2, movers: 2}\n"
+            "EnvironmentEvent{mover: 3, part: 0, change: stay}\n"
+            "EnvironmentEvent{mover: 4, part: 1, change: end}\n"
+            "MoverEvent{a: 3, b: 5, change: end}\n"
+            "MoverEvent{a: 3, b: 6, change: begin}\n");
   tracker.clear();
   EXPECT_EQ(tracker, fresh);
   EXPECT_EQ(tracker.follow(report).environment.front().change, ContactChange::begin);
