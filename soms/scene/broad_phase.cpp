@@ -32,7 +32,7 @@ constexpr std::uint32_t kMostCallsWithoutGrid = 64;
 constexpr float kMostGrowth = 2;
 /// Sides above this, in widths of the crowd, do not count.
 constexpr float kLongest = 1e30F;
-/// More kept pairs a box than this, and all is made anew.
+/// More kept pairs a box than this, and the next call starts from nothing.
 constexpr std::size_t kMostKeptOfABox = 256;
 /// Bytes that a call needs for each box, and for each kept pair, beside its grid.
 constexpr std::size_t kBytesOfABox = 128;
@@ -138,7 +138,7 @@ bool BroadPhase::State::keep(std::span<const Box> boxes) {
 }
 
 /// Gives the escaped new large boxes, and `rows` their pairs. Should memory run short on the way,
-/// the next call starts anew. \returns false if there would be too many pairs.
+/// the next call starts from nothing. \returns false if there would be too many pairs.
 bool BroadPhase::State::catch_escaped(std::span<const Box> boxes) {
   has_grid = false;
   const auto age = static_cast<double>(pace.age());

@@ -34,7 +34,8 @@ class BroadPhase {
   /// \shape   `groups`: one for each box; 0 is no group, and so is what lies behind the end.
   ///          `ignored`: numbers of two boxes in either order, in any order, any number of times.
   /// \errors  ErrorKind::out_of_range for a box of `ignored` that is 2^27 or more.
-  /// \cost    k ignored pairs among the first n boxes: O(n + k log k). The next call starts anew.
+  /// \cost    k ignored pairs among the first n boxes: O(n + k log k). The next call starts from
+  ///          nothing.
   void set_filter(std::vector<std::uint32_t> groups, std::span<const BoxPair> ignored);
 
   /// Pairs of boxes that share a point (touching counts), each once, sorted. The span is valid

@@ -360,12 +360,12 @@ StepReport Scene::step(const StepOptions& options, const Parallel& parallel) {
   const bool until_first = options.scope == StepScope::first_contact;
   report.coverage =
       options.mode == OverlapMode::all && !until_first ? Coverage::complete : Coverage::first;
-  const OverlapOptions asked{.mode = options.mode, .traversal = options.traversal};
+  const OverlapOptions query{.mode = options.mode, .traversal = options.traversal};
   const auto ask = [&](detail::NarrowPhase& narrow_phase, const Residents& others, auto& contacts) {
     if (until_first) {
-      state.ask_until_first(narrow_phase, others, asked, parallel, contacts, report);
+      state.ask_until_first(narrow_phase, others, query, parallel, contacts, report);
     } else {
-      state.ask(narrow_phase, others, asked, parallel, contacts, report);
+      state.ask(narrow_phase, others, query, parallel, contacts, report);
     }
     const std::size_t needed =
         kBytesOfAQuestion * state.candidates.size() + kBytesOfAFind * contacts.size();

@@ -71,8 +71,8 @@ class Scene {
   /// \errors  ErrorKind::usage for an id that is not there; out_of_range where the body's pose
   /// takes
   ///          the new shape too far. The old shape stays then.
-  /// \cost    Constant for a mover. After that of a part, the next step makes the index of the
-  ///          environment anew: O(n log n), n parts.
+  /// \cost    Constant for a mover. After that of a part, the next step builds the index of the
+  ///          environment: O(n log n), n parts.
   void set_shape(MoverId id, Shape shape);
   void set_environment_shape(EnvironmentId id, Shape shape);
 

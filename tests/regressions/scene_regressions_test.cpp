@@ -238,41 +238,41 @@ TEST(SceneRegressions, R118MoversOfOneGroupInOnePlaceMakeNoPairs) {
   EXPECT_LT(watch.peak(), std::size_t{50} << 20);
 }
 
-// R118: and what such a crowd needed was never given back.
-TEST(SceneRegressions, R118MemoryOfACrowdIsGivenBack) {
+// R118: and what so many pairs needed was never given back.
+TEST(SceneRegressions, R118MemoryOfManyPairsIsGivenBack) {
   constexpr MoverId kMovers = 700;
   constexpr std::size_t kPairs = std::size_t{kMovers} * (kMovers - 1) / 2;
   const Body dot = dot_at(0);
-  enum class Way { leave, leave_one_by_one, remove, share_a_group, ignore };
-  for (const Way way :
-       {Way::leave, Way::leave_one_by_one, Way::remove, Way::share_a_group, Way::ignore}) {
+  enum class Change { leave, leave_one_by_one, remove, share_a_group, ignore };
+  for (const Change change : {Change::leave, Change::leave_one_by_one, Change::remove,
+                              Change::share_a_group, Change::ignore}) {
     Scene scene;
     for (MoverId k = 0; k < kMovers; ++k) {
       scene.add_mover(dot);
     }
     ASSERT_EQ(scene.step().movers.size(), kPairs);
-    const std::size_t crowded = scene.memory();
-    EXPECT_GT(crowded, 20 * kPairs);
+    const std::size_t before = scene.memory();
+    EXPECT_GT(before, 20 * kPairs);
     for (MoverId k = 1; k < kMovers; ++k) {
-      if (way == Way::leave || way == Way::leave_one_by_one) {
+      if (change == Change::leave || change == Change::leave_one_by_one) {
         scene.set_pose(k, Pose::translation(2.0 * k, 0, 0));
-      } else if (way == Way::remove) {
+      } else if (change == Change::remove) {
         scene.remove_mover(k);
-      } else if (way == Way::share_a_group) {
+      } else if (change == Change::share_a_group) {
         scene.set_group(k, 1);
         scene.set_group(0, 1);
       }
-      for (MoverId j = 0; way == Way::ignore && j < k; ++j) {
+      for (MoverId j = 0; change == Change::ignore && j < k; ++j) {
         scene.ignore(j, k);
       }
-      if (way == Way::leave_one_by_one && k % 50 == 0) {
+      if (change == Change::leave_one_by_one && k % 50 == 0) {
         static_cast<void>(scene.step());
       }
     }
     EXPECT_TRUE(scene.step().movers.empty());
-    const std::size_t lists = way == Way::ignore ? 2 * 2 * 4 * kPairs + 4 * kPairs : 0;
-    EXPECT_LT(scene.memory(), 2048 * kMovers + lists) << static_cast<int>(way);
-    if (way == Way::ignore) {
+    const std::size_t lists = change == Change::ignore ? 2 * 2 * 4 * kPairs + 4 * kPairs : 0;
+    EXPECT_LT(scene.memory(), 2048 * kMovers + lists) << static_cast<int>(change);
+    if (change == Change::ignore) {
       for (MoverId k = 1; k < kMovers; ++k) {
         scene.remove_mover(k);
       }

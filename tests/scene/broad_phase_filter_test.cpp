@@ -53,16 +53,16 @@ TEST(BroadPhaseFilter, LeavesOutGroupsAndIgnoredPairsFrameByFrame) {
     std::vector<Box> boxes = test::random_boxes(rng);
     Filter filter = random_filter(rng, boxes.size());
     BroadPhase kept;
-    BroadPhase anew;
+    BroadPhase fresh;
     kept.set_filter(filter.groups, filter.ignored);
     const Vec3 step{rng.uniform(-0.3, 0.3), rng.uniform(-0.3, 0.3), 0};
     for (int frame = 0; frame < 12; ++frame) {
       const auto expected = reference::meeting_pairs(boxes, filter.groups, filter.ignored);
       left_out += reference::meeting_pairs(boxes).size() - expected.size();
       ASSERT_EQ(pairs_of(kept, boxes), expected) << "frame " << frame;
-      anew.forget();
-      anew.set_filter(filter.groups, filter.ignored);
-      ASSERT_EQ(pairs_of(anew, boxes), expected) << "frame " << frame;
+      fresh.forget();
+      fresh.set_filter(filter.groups, filter.ignored);
+      ASSERT_EQ(pairs_of(fresh, boxes), expected) << "frame " << frame;
       for (std::size_t k = 0; k < boxes.size(); ++k) {
         boxes[k] = moved(boxes[k], step * static_cast<double>(k % 5));
       }
@@ -146,8 +146,9 @@ TEST(BroadPhaseFilter, RefusesBoxesThatCannotBe) {
   }
 }
 
-// A crowd that disperses at once, box by box, or by removal: what its pairs needed is given back.
-TEST(BroadPhase, GivesMemoryBackWhenACrowdDisperses) {
+// Boxes in one place that move apart at once, one by one, or are removed: what their pairs needed
+// is given back.
+TEST(BroadPhase, GivesMemoryBackWhenBoxesMoveApart) {
   constexpr std::uint32_t kBoxes = 600;
   const Box place{{3, 3, 3}, {4, 4, 4}};
   const auto away = [&](std::uint32_t k) { return moved(place, {3.0 * k + 10, 0, 0}); };

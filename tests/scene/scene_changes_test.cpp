@@ -46,15 +46,15 @@ class Changing {
   }
 
   Scene kept;
-  Scene anew;
+  Scene fresh;
   test::Exclusions exclusions;
 
   void change() {
     static constexpr std::array kChanges{
-        &Changing::add_mover,   &Changing::remove_mover,       &Changing::add_part,
-        &Changing::remove_part, &Changing::exclude_movers,     &Changing::exclude_part,
-        &Changing::set_group,   &Changing::set_mover_shape,    &Changing::set_part_shape,
-        &Changing::set_poses,   &Changing::set_crowd_in_place,
+        &Changing::add_mover,   &Changing::remove_mover,    &Changing::add_part,
+        &Changing::remove_part, &Changing::exclude_movers,  &Changing::exclude_part,
+        &Changing::set_group,   &Changing::set_mover_shape, &Changing::set_part_shape,
+        &Changing::set_poses,   &Changing::set_one_place,
     };
     (this->*kChanges[rng_.below(kChanges.size())])();
   }
@@ -63,7 +63,7 @@ class Changing {
   template <typename Change>
   void both(const Change& change) {
     change(kept);
-    change(anew);
+    change(fresh);
   }
 
   template <typename Id>
@@ -181,7 +181,7 @@ class Changing {
     }
   }
 
-  void set_crowd_in_place() {
+  void set_one_place() {
     const Pose next = pose();
     for (const MoverId id : kept.movers()) {
       if (id % 3 != 0) {
@@ -205,14 +205,14 @@ TEST(SceneChanges, AreInTheNextReportAsAScanFinds) {
       const StepReport expected = test::scan(scenes.kept, scenes.exclusions);
       const int threads = std::array{1, 2, 4}[rng.below(3)];
       const StepReport kept = scenes.kept.step({}, Parallel{.threads = threads});
-      const StepReport anew = scenes.anew.step({.coherent = false});
+      const StepReport fresh = scenes.fresh.step({.coherent = false});
       ASSERT_EQ(kept.environment, expected.environment) << "step " << step;
       ASSERT_EQ(kept.movers, expected.movers) << "step " << step;
-      ASSERT_EQ(anew.environment, expected.environment) << "step " << step;
-      ASSERT_EQ(anew.movers, expected.movers) << "step " << step;
-      ASSERT_EQ(kept.box_pairs, anew.box_pairs);
-      ASSERT_EQ(kept.queries, anew.queries);
-      ASSERT_EQ(kept.cost, anew.cost);
+      ASSERT_EQ(fresh.environment, expected.environment) << "step " << step;
+      ASSERT_EQ(fresh.movers, expected.movers) << "step " << step;
+      ASSERT_EQ(kept.box_pairs, fresh.box_pairs);
+      ASSERT_EQ(kept.queries, fresh.queries);
+      ASSERT_EQ(kept.cost, fresh.cost);
       contacts += kept.environment.size() + kept.movers.size();
       excluded += scenes.exclusions.movers.size() + scenes.exclusions.parts.size();
       for (std::uint64_t k = rng.below(4); k > 0; --k) {

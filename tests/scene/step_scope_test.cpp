@@ -148,7 +148,7 @@ TEST(StepScope, FirstContactListsOfEachPairWhatTheModeSays) {
 }
 
 // 200 movers that all touch each other: a comparison for each after the first.
-TEST(StepScope, FirstContactOfACrowdComparesEachMoverOnce) {
+TEST(StepScope, FirstContactInOnePlaceComparesEachMoverOnce) {
   constexpr std::uint32_t kMovers = 200;
   const Shape shape(test::box_mesh({{0, 0, 0}, {1, 1, 1}}));
   Scene scene;
