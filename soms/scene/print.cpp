@@ -4,6 +4,7 @@
 #include "soms/base/print_fields.h"
 #include "soms/geometry/print.h"
 #include "soms/query/print.h"
+#include "soms/scene/contact_tracker.h"
 #include "soms/scene/recording.h"
 #include "soms/scene/scene.h"
 
@@ -25,6 +26,34 @@ std::ostream& operator<<(std::ostream& out, const MoverContact& value) {
                     .add("j", value.j);
 }
 
+std::ostream& operator<<(std::ostream& out, ContactChange value) {
+  return out << printed_name("ContactChange", static_cast<int>(value), {"begin", "stay", "end"});
+}
+
+std::ostream& operator<<(std::ostream& out, const EnvironmentEvent& value) {
+  return out << PrintedFields("EnvironmentEvent")
+                    .add("mover", value.mover)
+                    .add("part", value.part)
+                    .add("change", value.change);
+}
+
+std::ostream& operator<<(std::ostream& out, const MoverEvent& value) {
+  return out << PrintedFields("MoverEvent")
+                    .add("a", value.a)
+                    .add("b", value.b)
+                    .add("change", value.change);
+}
+
+std::ostream& operator<<(std::ostream& out, const ContactEvents& value) {
+  return out << PrintedFields("ContactEvents")
+                    .add("environment", value.environment.size())
+                    .add("movers", value.movers.size());
+}
+
+std::ostream& operator<<(std::ostream& out, StepScope value) {
+  return out << printed_name("StepScope", static_cast<int>(value), {"every_pair", "first_contact"});
+}
+
 std::ostream& operator<<(std::ostream& out, const StepReport& value) {
   return out << PrintedFields("StepReport")
                     .add("environment", value.environment.size())
@@ -32,12 +61,16 @@ std::ostream& operator<<(std::ostream& out, const StepReport& value) {
                     .add("coverage", value.coverage)
                     .add("cost", value.cost)
                     .add("queries", value.queries)
-                    .add("box_pairs", value.box_pairs);
+                    .add("box_pairs", value.box_pairs)
+                    .add("scope", value.scope)
+                    .add("mover_mover", value.mover_mover)
+                    .add("shapes_set", value.shapes_set);
 }
 
 std::ostream& operator<<(std::ostream& out, const StepOptions& value) {
   return out << PrintedFields("StepOptions")
                     .add("mode", value.mode)
+                    .add("scope", value.scope)
                     .add("mover_mover", value.mover_mover)
                     .add("coherent", value.coherent)
                     .add("traversal", value.traversal);

@@ -8,9 +8,14 @@
 
 namespace soms {
 
+enum class ContactChange : std::uint8_t;
 enum class RecordingEnding : std::uint8_t;
+enum class StepScope;
+struct ContactEvents;
 struct EnvironmentContact;
+struct EnvironmentEvent;
 struct MoverContact;
+struct MoverEvent;
 struct RecordedBody;
 struct RecordedFrame;
 struct RecordedMesh;
@@ -22,6 +27,11 @@ struct StepReport;
 /// One line, as in soms/base/print.h. Lists are counted, not listed.
 std::ostream& operator<<(std::ostream& out, const EnvironmentContact& value);
 std::ostream& operator<<(std::ostream& out, const MoverContact& value);
+std::ostream& operator<<(std::ostream& out, ContactChange value);
+std::ostream& operator<<(std::ostream& out, const EnvironmentEvent& value);
+std::ostream& operator<<(std::ostream& out, const MoverEvent& value);
+std::ostream& operator<<(std::ostream& out, const ContactEvents& value);
+std::ostream& operator<<(std::ostream& out, StepScope value);
 std::ostream& operator<<(std::ostream& out, const StepReport& value);
 std::ostream& operator<<(std::ostream& out, const StepOptions& value);
 std::ostream& operator<<(std::ostream& out, const RecordedMesh& value);

@@ -36,6 +36,7 @@ static_assert(kValues<Tree, Node, TreeStatistics, Visits, ExpectedVisits, BuildO
                       AxisFrom, EmptySide, Shape, ShapeOptions, Layout>);
 static_assert(kValues<Body, Cost, Coverage, Overlap, OverlapBatch, RunAnswers, OverlapOptions,
                       OverlapMode, TraversalOptions, Traversal, Descent, EntryOrder, BoxUpdate>);
+static_assert(kValues<ContactChange, ContactEvents, EnvironmentEvent, MoverEvent, StepScope>);
 static_assert(kValues<EnvironmentContact, MoverContact, StepReport, StepOptions, RecordedMesh,
                       RecordedBody, RecordingHead, RecordedFrame, RecordingEnding, RecordingEnd>);
 static_assert(kValues<ReadOptions, ReadableFormat, WritableFormat, MeshFormat, Rounding>);
@@ -205,7 +206,7 @@ TEST(Values, PrintAndCompareWhatHappensInAScene) {
   EXPECT_FALSE(report == StepReport{});
   EXPECT_EQ(printed(report.environment.at(0)), "EnvironmentContact{mover: 0, part: 0, i: 0, j: 0}");
   EXPECT_EQ(printed(MoverContact{1, 2, 3, 4}), "MoverContact{a: 1, b: 2, i: 3, j: 4}");
-  EXPECT_EQ(printed(StepOptions{}).rfind("StepOptions{mode: all, mover_mover: true, ", 0), 0U);
+  EXPECT_EQ(printed(StepOptions{}).rfind("StepOptions{mode: all, scope: every_pair, ", 0), 0U);
 }
 
 TEST(Values, PrintRecordings) {
