@@ -16,7 +16,7 @@ MAY_INCLUDE = {
     "generate": {"base", "geometry", "generate"},
 }
 PROGRAMS = {"support": {"support"}, "report": {"report"}, "soms": {"soms", "support", "report"},
-            "view": {"view", "support"}, "import": {"import"}}
+            "reproduce": {"reproduce", "support"}, "view": {"view", "support"}, "import": {"import"}}
 VIEW_ROOMS = ["drawing", "scene", "control", "window", "verbs"]  # the lowest first
 FOREIGN = re.compile(r"^(GL/|GLFW|epoxy|imgui|CLI/)")
 READERS = re.compile(r"^nlohmann/")  # for the sources of io alone
