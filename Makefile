@@ -2,10 +2,11 @@
 JOBS ?= $(shell nproc)
 ARGS ?=
 
-.PHONY: help run view install test headers large check asan tsan tidy arm64 determinism memcheck endurance packages bare fuzz bench format clean
+.PHONY: help run build view install test headers large check asan tsan tidy arm64 determinism memcheck endurance packages bare fuzz bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
+	@echo "make build   the rest, too: soms-reproduce, and what installed packages allow"
 	@echo "make view    install what is missing, build, and open the viewer on the embedded city"
 	@echo "make install  install what is missing, build all of soms, and put it into PREFIX=/usr/local"
 	@echo "make test    install what is missing, build, and run every test of the release build"
@@ -21,6 +22,12 @@ run:
 	cmake --preset release -D SOMS_BUILD_TESTS=OFF
 	cmake --build --preset release -j $(JOBS) --target soms_command
 	build/release/bin/soms simulate $(ARGS)
+
+# All that an installed soms has. What misses a package is left out, aloud.
+build:
+	@tools/install_packages.sh run
+	cmake --preset release -D SOMS_BUILD_TESTS=OFF
+	cmake --build --preset release -j $(JOBS) --target soms_installed
 
 view:
 	@tools/install_packages.sh run view

@@ -80,6 +80,7 @@ if(NOT TARGET soms_command)
   return()
 endif()
 soms_install_program(soms_command ${CMAKE_INSTALL_BINDIR} command)
+soms_install_program(soms_reproduce_command ${CMAKE_INSTALL_LIBEXECDIR}/soms command)
 soms_install_program(soms_view_command ${CMAKE_INSTALL_LIBEXECDIR}/soms view)
 
 # Pages of the manual and words for the shell, as the command tells them.
@@ -93,7 +94,8 @@ if(NOT CMAKE_CROSSCOMPILING)
     COMMAND soms_command man --quiet --output ${made}
     COMMAND soms_command completion bash > ${made}/soms.bash
     COMMAND soms_command completion fish > ${made}/soms.fish
-    DEPENDS soms_command $<$<TARGET_EXISTS:soms_view_command>:soms_view_command> VERBATIM)
+    DEPENDS soms_command soms_reproduce_command
+      $<$<TARGET_EXISTS:soms_view_command>:soms_view_command> VERBATIM)
   add_custom_target(soms_manual ALL DEPENDS ${manual})
   add_dependencies(soms_installed soms_manual)
   install(DIRECTORY ${made}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT command

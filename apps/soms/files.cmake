@@ -39,8 +39,8 @@ set(SOMS_COMMAND_FILES
   overlap_report.h
   page_plots.cpp
   page_plots.h
-  reproduce.cpp
-  reproduce.h
+  passed_on.cpp
+  passed_on.h
   simulate.cpp
   simulate.h
   simulate_contacts.cpp

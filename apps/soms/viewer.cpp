@@ -5,9 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <regex>
-#include <sstream>
-#include <utility>
+#include <cstddef>
 
 namespace soms::command {
 
@@ -35,55 +33,6 @@ std::filesystem::path viewer_program() {
        .variable = "SOMS_VIEW",
        .remedy = "make view installs what it needs and builds it, or name it by SOMS_VIEW; "
                  "docs/view.md tells more"});
-}
-
-int pass_to_viewer(std::string_view verb, const std::vector<std::string>& words) {
-  std::vector<std::string> all(words);
-  all.emplace(all.begin(), verb);
-  become(viewer_program(), "soms", all);
-}
-
-std::string viewer_help(std::string_view verb) {
-  try {
-    return output_of(viewer_program(), {std::string(verb), "--help"}, "soms");
-  } catch (const Error&) {
-    return {};
-  }
-}
-
-std::vector<OptionWords> viewer_options(std::string_view verb) {
-  std::istringstream help(viewer_help(verb));
-  // An option begins a line, "  -o,--output FILE    picture to write"; its meaning may go on below,
-  // far to the right.
-  static const std::regex option_line("  (?:(-[a-z]),)?(--[a-z][a-z-]*)(?: (\\S+))?(?:  +(.*))?");
-  std::vector<OptionWords> options;
-  std::string label;
-  std::string meaning;
-  const auto end_option = [&] {
-    if (label == kChoiceText) {
-      options.back().values = listed_words(meaning);
-    }
-    meaning.clear();
-    label.clear();
-  };
-  for (std::string line; std::getline(help, line);) {
-    std::smatch parts;
-    if (std::regex_match(line, parts, option_line)) {
-      end_option();
-      OptionWords option{{parts[2]}, {}, parts[3].matched};
-      if (parts[1].matched) {
-        option.names.push_back(parts[1]);
-      }
-      options.push_back(std::move(option));
-      label = parts[3];
-      meaning = parts[4];
-    } else if (line.starts_with("      ")) {
-      meaning += line.substr(line.find_first_not_of(' '));
-    } else {
-      end_option();
-    }
-  }
-  return options;
 }
 
 std::vector<std::string> words_of(const WorldOptions& world, const Shared& shared) {

@@ -1,4 +1,5 @@
 #include "tests/commands/run.h"
+#include "tests/support/pipe.h"
 
 #include <algorithm>
 #include <regex>
@@ -235,9 +236,12 @@ TEST(OverlapVerb, AnswersAreCutWhenTimeIsUp) {
     rows += "0.5,0,0\n";
   }
   write_text(poses, rows);
-  std::vector<std::string> words{"overlap",    box(),    box(),       "--pose", poses,
-                                 "--no-pairs", "--json", "--timeout", "0.3"};
-  const RunResult result = soms_run(words);
+  const RunResult result = run_with_time(
+      [&](const std::string& seconds) {
+        return soms_run({"overlap", box(), box(), "--pose", poses, "--no-pairs", "--json",
+                         "--timeout", seconds});
+      },
+      [](const RunResult& run) { return run.status != 4; });
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.err.find("out of time after"), std::string::npos) << result.err;
   const std::vector<Json> answers = json_lines(result.out);
@@ -251,20 +255,13 @@ TEST(OverlapVerb, AnswersAreCutWhenTimeIsUp) {
 
 TEST(OverlapVerb, KeepsWhatWasVerifiedWhenTimeIsUp) {
   const TemporaryFolder folder;
-  const std::string poses = (folder.path() / "poses.csv").string();
-  std::string rows = "x,y,z\n";
-  for (int i = 0; i < 200'000; ++i) {
-    rows += "0.5,0,0\n";
-  }
-  write_text(poses, rows);
-  const auto verified_within = [&](const char* seconds) {
-    return soms_run(
-        {"overlap", box(), box(), "--pose", poses, "--no-pairs", "--verify", "--timeout", seconds});
-  };
-  RunResult result = verified_within("0.5");
-  if (result.status == 4) {  // a busy machine has not come to the first pose by then
-    result = verified_within("5");
-  }
+  const RunResult result = run_with_time(
+      [&](const std::string& seconds) {
+        const EndlessPipe poses(folder.path() / seconds, "x,y,z", "0.5,0,0");
+        return soms_run({"overlap", box(), box(), "--pose", poses.path(), "--no-pairs", "--verify",
+                         "--timeout", seconds});
+      },
+      [](const RunResult& run) { return run.status != 4; });
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.err.find("out of time after"), std::string::npos) << result.err;
   EXPECT_NE(result.out.find("verified by brute force: "), std::string::npos);
@@ -273,20 +270,13 @@ TEST(OverlapVerb, KeepsWhatWasVerifiedWhenTimeIsUp) {
 // The rows are answered by then, as free, but brute force has not come to the last.
 TEST(OverlapVerb, IsNotFreeWhereRowsWereNotVerifiedInTime) {
   const TemporaryFolder folder;
-  const std::string poses = (folder.path() / "poses.csv").string();
-  std::string rows = "x,y,z\n";
-  for (int i = 0; i < 200'000; ++i) {
-    rows += "9,0,0\n";
-  }
-  write_text(poses, rows);
-  RunResult result;
-  for (const char* seconds : {"0.3", "5"}) {  // a busy machine may not come to the first by then
-    result = soms_run({"overlap", box(), box(), "--pose", poses, "--verify", "--fail-if", "overlap",
-                       "--timeout", seconds});
-    if (!result.out.empty()) {
-      break;
-    }
-  }
+  const RunResult result = run_with_time(
+      [&](const std::string& seconds) {
+        const EndlessPipe poses(folder.path() / seconds, "x,y,z", "9,0,0");
+        return soms_run({"overlap", box(), box(), "--pose", poses.path(), "--verify", "--fail-if",
+                         "overlap", "--timeout", seconds});
+      },
+      [](const RunResult& run) { return !run.out.empty(); });
   EXPECT_EQ(result.status, 4) << result.err;
   EXPECT_NE(result.err.find("out of time after"), std::string::npos) << result.err;
   EXPECT_EQ(result.out.find("undecided"), std::string::npos);

@@ -17,7 +17,7 @@ MAY_INCLUDE = {
     "adapt": {"base", "geometry", "adapt"},
 }
 PROGRAMS = {"support": {"support"}, "report": {"report"}, "soms": {"soms", "support", "report"},
-            "view": {"view", "support"}, "import": {"import"}}
+            "reproduce": {"reproduce", "support"}, "view": {"view", "support"}, "import": {"import"}}
 VIEW_ROOMS = ["drawing", "scene", "control", "window", "verbs"]  # the lowest first
 FOREIGN = re.compile(r"^(GL/|GLFW|epoxy|imgui|CLI/)")
 ADAPTED = re.compile(r"^(Eigen|glm)/")  # for the headers of adapt alone
