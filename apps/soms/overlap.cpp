@@ -2,15 +2,16 @@
 
 #include "soms/query/reference/overlap.h"
 
-#include "apps/soms/overlap_page.h"
+#include "apps/soms/block_size.h"
+#include "apps/soms/overlap_output.h"
 #include "apps/soms/overlap_report.h"
+#include "apps/soms/overlap_verify.h"
 #include "apps/support/console.h"
 #include "apps/support/exit_status.h"
 #include "apps/support/output.h"
 #include "apps/support/parse.h"
 #include "apps/support/pose_source.h"
 #include "apps/support/text.h"
-#include "apps/support/world.h"
 
 #include <fmt/format.h>
 
@@ -32,49 +33,6 @@ namespace {
 
 using PosePair = std::pair<Pose, Pose>;
 
-/// True if `answer` is what brute force allows for the question.
-bool agrees(const Overlap& answer, const Overlap& truth, OverlapMode mode) {
-  if (answer.coverage == Coverage::cut) {
-    return answer.any == !answer.pairs.empty() && (truth.any || !answer.any) &&
-           std::includes(truth.pairs.begin(), truth.pairs.end(), answer.pairs.begin(),
-                         answer.pairs.end());
-  }
-  if (answer.any != truth.any) {
-    return false;
-  }
-  switch (mode) {
-    case OverlapMode::all:
-      return answer.pairs == truth.pairs;
-    case OverlapMode::first:
-      return !truth.any || answer.pairs == std::vector{truth.pairs.front()};
-    case OverlapMode::any:
-      break;
-  }
-  return !truth.any ||
-         (answer.pairs.size() == 1 &&
-          std::binary_search(truth.pairs.begin(), truth.pairs.end(), answer.pairs.front()));
-}
-
-/// How many poses to read and answer at once: as many as take about a tenth of a second, so that
-/// memory stays bounded, answers come steadily and Ctrl-C loses little.
-class BlockSize {
- public:
-  [[nodiscard]] std::size_t value() const { return value_; }
-
-  void learn(std::chrono::steady_clock::duration time, std::uint64_t pairs) {
-    if (time > std::chrono::milliseconds(200) || pairs > kMostPairs) {
-      value_ = std::max<std::size_t>(1, value_ / 2);
-    } else if (time < std::chrono::milliseconds(50) && 4 * pairs < kMostPairs) {
-      value_ = std::min<std::size_t>(kMost, 2 * value_);
-    }
-  }
-
- private:
-  static constexpr std::size_t kMost = 4096;
-  static constexpr std::uint64_t kMostPairs = 1'000'000;
-  std::size_t value_ = 1;
-};
-
 /// What is wrong with a pose, where the message has named the pose already.
 std::string_view without_subject(std::string_view place) {
   constexpr std::string_view kSubject = "pose: ";
@@ -87,8 +45,7 @@ class OverlapRun {
   OverlapRun(const OverlapVerbOptions& options, Console& console)
       : options_(options),
         console_(console),
-        // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): this member owns it
-        page_file_(open_page(options.report)),
+        output_(options),
         poses_(source("--pose", options.pose_a, console),
                source("--pose-b", options.pose_b, console)),
         a_(load(options.a, options.model_a)),
@@ -99,12 +56,11 @@ class OverlapRun {
                 .list_pairs = options.list_pairs,
                 // Whoever reads a program's answers needs no other form for a single row.
                 .single = poses_.is_stated() || (!console.shared().json && poses_.is_single()),
-                .verified = options.verify},
+                .verified = options.verify,
+                .by_part = options.by_part},
         bar_(console.progress("overlap")) {
     options_.query.deadline = console.deadline();
-    if (page_file_) {
-      page_.emplace(a_.mesh(), short_name(options.a), b_.mesh(), short_name(options.b));
-    }
+    output_.begin(report_);
   }
 
   int run() {
@@ -125,10 +81,9 @@ class OverlapRun {
     if (error_) {
       std::rethrow_exception(error_);
     }
-    if (page_ && (!interrupted || totals_.poses > 0)) {
+    if (!interrupted || totals_.poses > 0) {
       report_.interrupted = interrupted;
-      page_->write(page_file_->stream(), report_, totals_);
-      page_file_->commit();
+      output_.finish(totals_);
     }
     if (interrupted) {
       throw Error(ErrorKind::cancelled, "interrupted", answered() + " answered");
@@ -140,11 +95,6 @@ class OverlapRun {
   static PoseSource source(const std::string& option, const std::optional<std::string>& text,
                            const Console& console) {
     return text ? PoseSource(option, *text, console) : PoseSource();
-  }
-
-  /// A place that cannot be written to is told before the work, not after it.
-  static std::unique_ptr<OutputFile> open_page(const std::string& path) {
-    return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
   }
 
   Shape load(const std::string& path, const ModelOptions& model) {
@@ -330,11 +280,8 @@ class OverlapRun {
         end_by_time();
         break;
       }
-      print_answer(report_, totals_.poses, answers_[k], right, console_);
+      output_.add(totals_.poses, block_[k].first, block_[k].second, answers_[k], right, console_);
       totals_.add(answers_[k]);
-      if (page_) {
-        page_->add(block_[k].first, block_[k].second, answers_[k]);
-      }
       if (ended_by_time(answers_[k])) {
         end_by_time();
         break;
@@ -389,7 +336,7 @@ class OverlapRun {
 
   OverlapVerbOptions options_;
   Console& console_;
-  std::unique_ptr<OutputFile> page_file_;
+  OverlapOutput output_;
   PosePairs poses_;
   Shape a_;
   Shape b_;
@@ -398,7 +345,6 @@ class OverlapRun {
   std::vector<PosePair> block_;
   std::vector<Overlap> answers_;
   OverlapTotals totals_;
-  std::optional<OverlapPage> page_;
   std::exception_ptr error_;
   bool over_ = false;
   bool starved_ = false;  ///< time ended while a row was waited for
@@ -432,15 +378,24 @@ void add_questions(CLI::App& app, OverlapVerbOptions& options) {
       ->excludes(any)
       ->excludes(first)
       ->group(group);
-  app.add_flag_callback(
-         "--no-pairs", [&options] { options.list_pairs = false; },
-         "count the pairs, do not list them")
+  CLI::Option* no_pairs = app.add_flag_callback(
+                                 "--no-pairs", [&options] { options.list_pairs = false; },
+                                 "count the pairs, do not list them")
+                              ->group(group);
+  add_choice<bool>(app, "--by", options.by_part, {{"triangle", false}, {"part", true}},
+                   "list pairs of triangles (the default) or of parts")
+      ->excludes(any)
+      ->excludes(first)
+      ->excludes(no_pairs)
       ->group(group);
   add_choice<bool>(app, "--fail-if", options.fail_if_overlap, {{"overlap", true}},
                    "exit with 1 if it holds")
       ->group(group);
   add_output(app, "--report", options.report,
              "write a page with figures, plots and the overlap to fly to")
+      ->group(group);
+  add_output(app, "--csv", options.csv, "write the list as CSV, a row a pair")
+      ->excludes(no_pairs)
       ->group(group);
   app.add_flag("--verify", options.verify, "compare with brute force; exit with 6 if they differ")
       ->group(group);
@@ -485,8 +440,9 @@ int run_overlap(const OverlapVerbOptions& options, Console& console) {
                  {"B", options.b},
                  {"--pose", options.pose_a.value_or("")},
                  {"--pose-b", options.pose_b.value_or("")}},
-                {{"--report", options.report}});
+                {{"--report", options.report}, {"--csv", options.csv}});
   check_ending("--report", options.report, {".html", ".htm"});
+  check_ending("--csv", options.csv, {".csv"});
   return OverlapRun(options, console).run();
 }
 

@@ -5,11 +5,13 @@
 #include "soms/query/overlap.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace soms::command {
 
 class Console;
+struct PartPair;
 
 /// What is told of the answer of one pose, and how.
 struct OverlapReport {
@@ -20,6 +22,7 @@ struct OverlapReport {
   bool single = true;     ///< one pose: pairs are listed; else a line a pose
   bool verified = false;  ///< compared with brute force
   bool interrupted = false;
+  bool by_part = false;  ///< pairs of parts are listed, not of triangles
 };
 
 /// Totals over all poses.
@@ -33,9 +36,9 @@ struct OverlapTotals {
 };
 
 /// Prints the answer of pose number `pose`: JSON with --json, text without. `right` says whether
-/// brute force agrees, where it was asked.
+/// brute force agrees, where it was asked. `parts` are those of the answer, for `report.by_part`.
 void print_answer(const OverlapReport& report, std::uint64_t pose, const Overlap& answer,
-                  bool right, Console& console);
+                  bool right, Console& console, std::span<const PartPair> parts = {});
 
 /// Prints a line over all poses, where there may be several and no JSON is asked for.
 void print_totals(const OverlapReport& report, const OverlapTotals& totals, Console& console);

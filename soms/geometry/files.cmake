@@ -6,6 +6,7 @@ set(SOMS_HEADERS
   midpoint.h
   orientation.h
   part_runs.h
+  parts_of.h
   polygon.h
   triangle_overlap.h
 )
@@ -20,6 +21,7 @@ set(SOMS_SOURCES
   midpoint.cpp
   orientation.cpp
   part_runs.cpp
+  parts_of.cpp
   polygon.cpp
   triangle_overlap.cpp
 )
