@@ -383,7 +383,7 @@ void add_questions(CLI::App& app, OverlapVerbOptions& options) {
                                  "count the pairs, do not list them")
                               ->group(group);
   add_choice<bool>(app, "--by", options.by_part, {{"triangle", false}, {"part", true}},
-                   "list pairs of triangles (the default) or of parts")
+                   "what pairs are listed of")
       ->excludes(any)
       ->excludes(first)
       ->excludes(no_pairs)
