@@ -25,7 +25,7 @@ constexpr double kLargest = 1e7;
 /// So many times the length of a crossing is worth seeing around it; a crossing that is a point
 /// counts as this share of the smaller triangle.
 constexpr double kAround = 6;
-constexpr double kLeastOfTriangle = 0.3;
+constexpr double kLeastOfTriangle = 0.1;
 /// Of the whole scene no more than this share: a contact is something to fly to.
 constexpr double kShareOfScene = 0.1;
 constexpr std::uint64_t kBytesOfPose = 28;

@@ -159,7 +159,7 @@ export class View {
     }
     this.crossings = new THREE.LineSegments(trianglesOf(joined(lines)), new THREE.LineBasicMaterial({ depthTest: false, transparent: true }));
     this.crossings.frustumCulled = false;
-    this.crossings.renderOrder = ALWAYS_SEEN;
+    this.crossings.renderOrder = ALWAYS_SEEN + 5;
     this.world.add(this.crossings);
   }
 
@@ -327,7 +327,8 @@ export class View {
       edges.geometry.dispose();
       mesh.geometry = trianglesOf(all);
       edges.geometry = trianglesOf(edgesOf(all));
-      mesh.visible = edges.visible = all.length > 0;
+      mesh.visible = all.length > 0;
+      edges.visible = mesh.visible && k >= 0; // of many triangles they would hide all else
     });
     this.frameRow(r, k < 0);
     this.setStep(k >= 0 ? contacts.begin(k) : rows.begin(r));
@@ -342,7 +343,7 @@ export class View {
     const { contacts, rows, scene } = this.all;
     const size = Math.hypot(...rows.half(r));
     const member = rows.contacts(r)[0];
-    return Math.min(Math.max(1.2 * size, member === undefined ? 0 : contacts.reach(member)), 0.4 * scene.size);
+    return Math.min(Math.max(4 * size, member === undefined ? 0 : 0.3 * contacts.reach(member)), 0.4 * scene.size);
   }
 
   // The box of a row: around all places where the two touch.
