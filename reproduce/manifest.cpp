@@ -85,7 +85,7 @@ std::string manifest(const Report& report) {
                   {"items", items},
                   {"not_run", missing}};
   // File names may be any bytes.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace soms::reproduce

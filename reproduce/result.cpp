@@ -1,5 +1,7 @@
 #include "reproduce/result.h"
 
+#include "soms/base/text.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,24 +10,10 @@ namespace soms::reproduce {
 
 namespace {
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) {
-    return text;
-  }
-  std::string result = "\"";
-  for (const char c : text) {
-    result += c;
-    if (c == '"') {
-      result += c;
-    }
-  }
-  return result + "\"";
-}
-
 struct CsvCell {
   std::string operator()(std::monostate) const { return {}; }
 
-  std::string operator()(const std::string& text) const { return quoted(text); }
+  std::string operator()(const std::string& text) const { return csv_field(text); }
 
   std::string operator()(std::int64_t count) const { return std::to_string(count); }
 
@@ -84,7 +72,7 @@ std::string to_csv(const Table& table) {
   std::vector<std::string> cells;
   for (const Column& column : table.columns) {
     cells.push_back(
-        quoted(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]"));
+        csv_field(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]"));
   }
   std::string text = csv_line(cells);
   for (const std::vector<Cell>& row : table.rows) {

@@ -21,6 +21,7 @@
 #include "soms/geometry/mesh.h"
 #include "soms/geometry/orientation.h"
 #include "soms/geometry/part_runs.h"
+#include "soms/geometry/parts_of.h"
 #include "soms/geometry/print.h"
 #include "soms/geometry/triangle_overlap.h"
 #include "soms/io/formats.h"

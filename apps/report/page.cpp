@@ -27,24 +27,25 @@ are whole.</p></noscript>
 <div id="look" hidden>
 <div id="stage">
 <canvas id="canvas" tabindex="0" role="application" aria-label="The scene with its contacts; arrow keys
-turn it, plus and minus come closer and go away, N and P go to the next and the previous contact"></canvas>
+turn it, plus and minus come closer and go away, N and P go to the next and the previous line of the list"></canvas>
 <p id="trouble" class="warn" role="alert" hidden></p>
 <div id="tools"><button id="whole" type="button">Whole scene</button>
 <button id="above" type="button">From above</button></div>
+<p id="missing" hidden></p>
 <details id="keys"><summary>Keys</summary><div>Drag: turn. Right button, or two fingers: move. Wheel,
-after a click into the picture: closer, away. A press on a spot: its contact. Arrows: turn, with Shift
-move. + and -: closer, away. Home: the whole scene. N, P: next and previous contact. Space: play,
-pause.</div></details>
+after a click into the picture: closer, away. A press on a spot: who touches there. Arrows: turn, with Shift
+move. + and -: closer, away. Home: the whole scene. N, P: next and previous line of the list. Space:
+play, pause. In the list: arrow keys choose, right and left open and close a row.</div></details>
 </div>
 <div id="side">
 <div class="row"><input id="find" type="search" placeholder="Find a name, part or triangle"
-aria-label="Find contacts by name, part or number of a triangle" autocomplete="off">
-<select id="order" aria-label="Order of the contacts"><option value="begin">by begin</option>
-<option value="length">longest first</option><option value="mover">by who touches</option>
-<option value="touched">by what is touched</option></select>
+aria-label="Find who touches by name, part or number of a triangle" autocomplete="off">
+<select id="order" aria-label="Order of the list"><option value="begin">by begin</option>
+<option value="count">most contacts first</option><option value="length">longest first</option>
+<option value="mover">by who touches</option><option value="touched">by what is touched</option></select>
 <label><input id="now" type="checkbox"> only now</label></div>
 <p id="count" role="status"></p>
-<div id="list" role="listbox" tabindex="0" aria-label="Contacts"><div id="rows"
+<div id="list" role="tree" tabindex="0" aria-label="Who touches whom"><div id="rows"
 role="presentation"></div></div>
 <div class="row"><button id="previous" type="button">Previous</button>
 <button id="next" type="button">Next</button></div>
@@ -53,7 +54,7 @@ role="presentation"></div></div>
 <div id="time"><button id="play" type="button">Play</button>
 <input id="step" type="range" min="0" max="0" step="1" value="0" aria-label="Time">
 <output id="moment" for="step"></output></div>
-<p class="note"><span class="key moves"></span>moves <span class="key touch"></span>touches now
+<p class="note" id="legend"><span class="key moves"></span>moves <span class="key touch"></span>touches now
 <span class="key was"></span>touches at another time</p>
 <p id="drawn" class="note"></p>
 </div>
@@ -118,8 +119,14 @@ class Writer {
     if (!svg.empty()) {
       out_ << "<section id=\"time-line\">\n<h2>Time line</h2>\n";
       figure({.svg = svg,
-              .caption = "The contacts of those who touch something for longest. A press on a bar "
-                         "shows its contact in the scene."});
+              .caption = fmt::format(
+                  "The contacts of those who touch something for longest{}. A press on a bar shows "
+                  "its contact in the scene.",
+                  page_.scene.contacts.size() < page_.scene.contacts_in_all
+                      ? fmt::format(", drawn from the {} of {} {} that this page holds",
+                                    page_.scene.contacts.size(), page_.scene.contacts_in_all,
+                                    page_.scene.contact.many)
+                      : std::string())});
       out_ << "</section>\n";
     }
   }

@@ -21,6 +21,8 @@ border-radius:.4rem;overflow:hidden}
 #canvas:focus-visible,#list:focus-visible{outline:3px solid var(--link);outline-offset:-3px}
 #trouble{position:absolute;inset:0;margin:0;padding:2rem;background:var(--warn);max-width:none}
 #tools{position:absolute;top:.5rem;left:.5rem;display:flex;flex-wrap:wrap;gap:.4rem}
+#missing{position:absolute;left:.5rem;bottom:.5rem;max-width:70%;margin:0;padding:.1rem .5rem;
+font-size:.85rem;background:var(--paper);border-radius:.3rem}
 #keys{position:absolute;right:.5rem;bottom:.5rem;max-width:min(24rem,90%);margin:0}
 #keys summary{text-align:right;text-shadow:0 0 3px var(--paper)}
 #keys div{background:var(--paper);border:1px solid var(--line);border-radius:.4rem;
@@ -40,18 +42,26 @@ min-height:26rem}
 #list{position:relative;flex:1;min-height:0;overflow-y:auto;border:1px solid var(--line);
 border-radius:.4rem}
 #rows{position:relative}
-.contact{position:absolute;left:0;right:0;height:56px;padding:.2rem .6rem;cursor:pointer;
-border-bottom:1px solid var(--line);border-left:4px solid transparent;overflow:hidden;
+.line{position:absolute;left:0;right:0;height:72px;box-sizing:border-box;padding:.2rem .6rem;
+cursor:pointer;border-bottom:1px solid var(--line);border-left:4px solid transparent;overflow:hidden;
 font-size:.88rem;line-height:1.35}
-.contact:hover{background:var(--soft)}
-.contact.lasts{border-left-color:#d55e00}
-.contact[aria-selected=true]{background:var(--soft);box-shadow:inset 0 0 0 2px var(--link)}
-.contact b,.contact .what{display:block;white-space:nowrap;overflow:hidden;text-overflow:ellipsis}
-.contact b{font-weight:600}
-.contact .what{color:var(--faint)}
-.contact .when{position:relative;display:block;height:5px;margin-top:3px;background:var(--line);
+.line:hover{background:var(--soft)}
+.line.lasts{border-left-color:#d55e00}
+.line[aria-selected=true]{background:var(--soft);box-shadow:inset 0 0 0 2px var(--link)}
+.line b{display:block;white-space:nowrap;overflow:hidden;text-overflow:ellipsis}
+.line .what{display:-webkit-box;-webkit-line-clamp:2;-webkit-box-orient:vertical;overflow:hidden}
+.line b{font-weight:600}
+.line .what{color:var(--faint)}
+.line.pair{padding-left:1.7rem}
+.line .fold{position:absolute;left:0;top:0;bottom:0;width:1.7rem;text-align:center;font-size:1.1rem;
+line-height:2}
+.line.contact,.line.left{padding-left:2.9rem}
+.line.contact b{font-weight:400}
+.line.left{cursor:default}
+.line.left .what{-webkit-line-clamp:3;font-style:italic}
+.line .when{position:relative;display:block;height:5px;margin-top:3px;background:var(--line);
 border-radius:3px;overflow:hidden}
-.contact .when i{position:absolute;top:0;bottom:0;min-width:3px;background:#d55e00}
+.line .when i{position:absolute;top:0;bottom:0;min-width:3px;background:#d55e00}
 #time{grid-column:1/-1;display:flex;flex-wrap:wrap;align-items:center;gap:.5rem .75rem}
 #step{flex:1 1 12rem;min-width:0;padding:0!important;accent-color:#d55e00}
 #moment{font-variant-numeric:tabular-nums;min-width:11rem}
@@ -59,9 +69,9 @@ border-radius:3px;overflow:hidden}
 #look .note{grid-column:1/-1;margin:0;max-width:none}
 .key{display:inline-block;width:.8em;height:.8em;border-radius:.2em;vertical-align:-.05em;
 margin:0 .3em 0 .6em}
-.key.moves{background:#0072b2}.key.touch{background:#d55e00}.key.was{background:#e6a36f}
+.key.moves{background:#0072b2}.key.still{background:#c3beb2}.key.touch{background:#d55e00}.key.was{background:#e6a36f}
 @media screen and (prefers-color-scheme:dark){.key.moves{background:#56b4e9}
-.key.touch{background:#ff7a1a}.key.was{background:#a8683a}}
+.key.still{background:#7b8087}.key.touch{background:#ff7a1a}.key.was{background:#a8683a}}
 #plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,34rem),1fr));gap:0 1.5rem}
 #plots figure{min-width:0}
 @media (max-width:60rem){#look{grid-template-columns:minmax(0,1fr)}#stage{height:60vh;

@@ -1,5 +1,7 @@
 #include "apps/report/placing.h"
 
+#include "soms/geometry/crossing_segment.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,6 +38,22 @@ Box box_of(const Triangle& t) {
   box.grow(t.b);
   box.grow(t.c);
   return box;
+}
+
+std::array<Vec3, 2> crossing_line(const Triangle& a, const Triangle& b) {
+  const Crossing common = crossing(a, b);
+  if (common.empty()) {
+    return {box_of(a).center(), box_of(b).center()};
+  }
+  std::array<Vec3, 2> line{common.corners[0], common.corners[0]};
+  for (const Vec3& from : common.points()) {
+    for (const Vec3& to : common.points()) {
+      if (length(to - from) > length(line[1] - line[0])) {
+        line = {from, to};
+      }
+    }
+  }
+  return line;
 }
 
 std::array<double, 4> quaternion(const Pose& pose) {

@@ -18,6 +18,10 @@ namespace soms::report {
 
 [[nodiscard]] Box box_of(const Triangle& t);
 
+/// Two points of the set that two triangles share, as far apart as its corners are; the middles of
+/// the triangles where they share nothing.
+[[nodiscard]] std::array<Vec3, 2> crossing_line(const Triangle& a, const Triangle& b);
+
 /// The point that `pose` moves to `at`, but for rounding.
 [[nodiscard]] Vec3 moved_back(const Vec3& at, const Pose& pose);
 

@@ -27,6 +27,20 @@ std::vector<std::size_t> longest(std::span<const Span> spans, std::size_t most) 
   return order;
 }
 
+std::vector<std::uint64_t> fair_shares(std::span<const std::uint64_t> wanted, std::uint64_t most) {
+  std::vector<std::size_t> order(wanted.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return wanted[a] < wanted[b]; });
+  std::vector<std::uint64_t> shares(wanted.size(), 0);
+  std::uint64_t left = most;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    shares[order[k]] = std::min(wanted[order[k]], left / (order.size() - k));
+    left -= shares[order[k]];
+  }
+  return shares;
+}
+
 std::vector<std::uint64_t> spread_steps(std::uint64_t count, std::uint64_t most) {
   std::vector<std::uint64_t> steps;
   if (count == 0) {
@@ -52,9 +66,9 @@ std::vector<std::uint32_t> chosen_bodies(const Scene& scene, std::size_t most) {
       choose(k);
     }
   }
-  for (const SceneContact& contact : scene.contacts) {
-    choose(contact.a);
-    choose(contact.b);
+  for (const SceneRow& row : scene.rows) {
+    choose(row.a);
+    choose(row.b);
   }
   const std::size_t left = scene.bodies.size() - count;
   const std::size_t room = most > count ? std::min(left, most - count) : 0;
@@ -90,17 +104,7 @@ std::vector<std::uint64_t> shared_out(const Scene& scene, std::span<const std::u
         std::max(kFewTriangles, limits.drawn_at_once / std::max<std::uint64_t>(1, times[k]));
     wanted.push_back(times[k] == 0 ? 0 : std::min(all, most));
   }
-  std::vector<std::size_t> order(wanted.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return wanted[a] < wanted[b]; });
-  std::uint64_t left = limits.triangles;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    std::uint64_t& share = wanted[order[k]];
-    share = std::min(share, left / (order.size() - k));
-    left -= share;
-  }
-  return wanted;
+  return fair_shares(wanted, limits.triangles);
 }
 
 }  // namespace soms::report

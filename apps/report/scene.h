@@ -27,12 +27,39 @@ struct SceneBody {
   bool moves = false;
 };
 
-/// Body `a` touches body `b` in each step from `begin` to `end`.
-struct SceneContact {
+/// A part of a model.
+struct ScenePart {
+  std::string name;       ///< as the file calls it, or what stands for a name
+  std::string path = {};  ///< names from the outermost part on, with the part's own; may be empty
+};
+
+/// No part: the body as a whole.
+inline constexpr std::uint32_t kNoPart = 0xffffffffU;
+
+/// Two bodies, or parts of them, that touch: a row of the page's list.
+struct SceneRow {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
-  std::string part_a = {};  ///< as the file calls it; may be empty
-  std::string part_b = {};
+  std::uint32_t part_a = kNoPart;  ///< in `Scene::parts`
+  std::uint32_t part_b = kNoPart;
+  std::uint64_t count = 0;  ///< contacts in all
+  std::uint64_t steps = 0;  ///< in which they touch
+  std::uint64_t begin = 0;  ///< the first of them
+  std::uint64_t end = 0;    ///< the last
+  TrianglePair first = {};  ///< of the contacts' triangles; kNoTriangle where none is known
+  Box box = {};             ///< around where they touch, in the coordinates of the scene
+};
+
+/// No triangle: of a body as a whole.
+inline constexpr TriangleId kNoTriangle = 0xffffffffU;
+
+/// Body `a` touches body `b` in each step from `begin` to `end`.
+struct SceneContact {
+  std::size_t row = 0;  ///< that it belongs to
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  std::uint32_t part_a = kNoPart;  ///< in `Scene::parts`
+  std::uint32_t part_b = kNoPart;
   std::uint64_t begin = 0;
   std::uint64_t end = 0;
   std::vector<TrianglePair> pairs = {};  ///< some, at step `begin`
@@ -49,18 +76,28 @@ struct Steps {
   std::vector<std::uint64_t> kept = {};
 };
 
+/// A word for one and for many.
+struct Noun {
+  std::string one;
+  std::string many;
+};
+
 /// A scene. Whoever draws it asks for poses when it needs them.
 struct Scene {
   std::vector<SceneModel> models = {};
   std::vector<SceneBody> bodies = {};
-  std::vector<SceneContact> contacts = {};  ///< in order of `begin`
-  std::uint64_t contacts_in_all = 0;
+  std::vector<ScenePart> parts = {};        ///< those of rows and contacts
+  std::vector<SceneRow> rows = {};          ///< all of them: none is ever left out of a page
+  std::vector<SceneContact> contacts = {};  ///< of all or some, in order of `begin`
+  std::uint64_t contacts_in_all = 0;        ///< the sum of `SceneRow::count`
+  Noun contact = {"contact", "contacts"};   ///< what the page calls them
   Steps steps = {};
   std::function<Pose(std::uint32_t body, std::uint64_t step)> pose = {};
   bool y_is_up = false;
 };
 
-/// What a page has room for. With these it stays below 20 MB, the script and the plots included.
+/// What a page has room for. With these it stays below 20 MB, the script and the plots included,
+/// and 100 bytes a row, of which there may be any number.
 struct SceneLimits {
   std::uint64_t triangles = 300'000;        ///< in the page
   std::uint64_t drawn_at_once = 1'500'000;  ///< on the screen: a model counts for each body
@@ -71,6 +108,11 @@ struct SceneLimits {
   std::size_t pairs = 20'000;
   std::size_t pairs_of_contact = 16;
 };
+
+/// Shares of `most` for those who want these amounts: all of it for the modest, equal parts for
+/// the others. Where not all can have one, those have it that want most.
+[[nodiscard]] std::vector<std::uint64_t> fair_shares(std::span<const std::uint64_t> wanted,
+                                                     std::uint64_t most);
 
 /// First and last step of a contact.
 struct Span {

@@ -11,7 +11,6 @@
 #include <cmath>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 namespace soms::report {
@@ -23,8 +22,10 @@ constexpr std::uint32_t kNone = 0xffffffffU;
 /// Scenes of other sizes are scaled by a power of two, so that floats hold them.
 constexpr double kSmallest = 1e-3;
 constexpr double kLargest = 1e7;
-/// So many times the size of the triangles that touch is worth seeing around them.
+/// So many times the length of a crossing is worth seeing around it; a crossing that is a point
+/// counts as this share of the smaller triangle.
 constexpr double kAround = 6;
+constexpr double kLeastOfTriangle = 0.1;
 /// Of the whole scene no more than this share: a contact is something to fly to.
 constexpr double kShareOfScene = 0.1;
 constexpr std::uint64_t kBytesOfPose = 28;
@@ -32,29 +33,6 @@ constexpr std::uint64_t kBytesOfPose = 28;
 std::uint32_t short_number(std::uint64_t value) {
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(value, kNone));
 }
-
-/// Numbers of words, each word once.
-class Names {
- public:
-  std::uint32_t number(const std::string& name) {
-    if (name.empty()) {
-      return kNone;
-    }
-    const auto [at, added] =
-        numbers_.try_emplace(name, static_cast<std::uint32_t>(numbers_.size()));
-    if (added) {
-      list_ +=
-          fmt::format("{}{}", list_.empty() ? "" : ",", script_text(shortened(name, kLongestName)));
-    }
-    return at->second;
-  }
-
-  [[nodiscard]] const std::string& list() const { return list_; }
-
- private:
-  std::unordered_map<std::string, std::uint32_t> numbers_;
-  std::string list_;
-};
 
 template <typename Values, typename Text>
 std::string list_of(const Values& values, const Text& text) {
@@ -92,6 +70,7 @@ class Writer {
     count_contacts();
     write_models();
     write_poses();
+    write_rows();
     write_contacts();
     write_pairs();
     write_json();
@@ -127,13 +106,16 @@ class Writer {
   [[nodiscard]] Vec3 place(const Vec3& at) const { return (at - origin_) * scale_; }
 
   void count_contacts() {
+    shown_.rows = scene_.rows.size();
     shown_.contacts = std::min(scene_.contacts.size(), limits_.contacts);
     shown_.contacts_in_all = scene_.contacts_in_all;
+    std::vector<std::uint64_t> wanted;
     for (std::size_t k = 0; k < shown_.contacts; ++k) {
-      const std::size_t kept = std::min({scene_.contacts[k].pairs.size(), limits_.pairs_of_contact,
-                                         limits_.pairs - static_cast<std::size_t>(pairs_)});
+      wanted.push_back(std::min(scene_.contacts[k].pairs.size(), limits_.pairs_of_contact));
+    }
+    for (const std::uint64_t share : fair_shares(wanted, limits_.pairs)) {
       first_pair_.push_back(pairs_);
-      pairs_ += kept;
+      pairs_ += share;
     }
     first_pair_.push_back(pairs_);
   }
@@ -162,15 +144,12 @@ class Writer {
       return view;
     }
     const auto& [i, j] = contact.pairs.front();
-    const Box a = box_of(triangle(contact.a, i, pose_a));
-    const Box b = box_of(triangle(contact.b, j, scene_.pose(contact.b, contact.begin)));
-    Box common;
-    common.lower = {std::max(a.lower.x, b.lower.x), std::max(a.lower.y, b.lower.y),
-                    std::max(a.lower.z, b.lower.z)};
-    common.upper = {std::min(a.upper.x, b.upper.x), std::min(a.upper.y, b.upper.y),
-                    std::min(a.upper.z, b.upper.z)};
-    view.focus = common.center();
-    const double size = std::max(length(a.extent()), length(b.extent()));
+    const Triangle a = triangle(contact.a, i, pose_a);
+    const Triangle b = triangle(contact.b, j, scene_.pose(contact.b, contact.begin));
+    const auto [from, to] = crossing_line(a, b);
+    view.focus = (from + to) * 0.5;
+    const double smaller = std::min(length(box_of(a).extent()), length(box_of(b).extent()));
+    const double size = std::max(length(to - from), kLeastOfTriangle * smaller);
     if (size > 0) {
       view.reach = std::min(view.reach, kAround * size);
     }
@@ -274,14 +253,32 @@ class Writer {
     shown_.steps_in_all = scene_.steps.count;
   }
 
+  void write_rows() {
+    open("rows");
+    Base64Writer data(out_);
+    for (const SceneRow& row : scene_.rows) {
+      for (const std::uint32_t value :
+           {number_[row.a], number_[row.b], row.part_a, row.part_b,
+            static_cast<std::uint32_t>(row.count & kNone),
+            static_cast<std::uint32_t>(row.count >> 32), short_number(row.steps),
+            short_number(row.begin), short_number(row.end), row.first.first, row.first.second}) {
+        data.put(value);
+      }
+      put(data, row.box.empty() ? Vec3{} : place(row.box.center()));
+      put(data, row.box.empty() ? Vec3{} : row.box.extent() * (0.5 * scale_));
+    }
+    data.finish();
+    close();
+  }
+
   void write_contacts() {
     open("contacts");
     Base64Writer data(out_);
     for (std::size_t k = 0; k < shown_.contacts; ++k) {
       const SceneContact& contact = scene_.contacts[k];
       for (const std::uint32_t value :
-           {number_[contact.a], number_[contact.b], parts_.number(contact.part_a),
-            parts_.number(contact.part_b), short_number(contact.begin), short_number(contact.end),
+           {number_[contact.a], number_[contact.b], contact.part_a, contact.part_b,
+            short_number(contact.begin), short_number(contact.end),
             short_number(contact.pairs_in_all), short_number(first_pair_[k]),
             short_number(pairs_of(k))}) {
         data.put(value);
@@ -291,6 +288,7 @@ class Writer {
       data.put(static_cast<float>(at.reach * scale_));
       put_pose(data, contact.a, contact.begin);
       put_pose(data, contact.b, contact.begin);
+      data.put(static_cast<std::uint32_t>(contact.row));
     }
     data.finish();
     close();
@@ -307,11 +305,16 @@ class Writer {
         const auto& [i, j] = contact.pairs[n];
         data.put(i);
         data.put(j);
-        for (const Triangle& t : {triangle(contact.a, i, pose_a), triangle(contact.b, j, pose_b)}) {
+        const Triangle a = triangle(contact.a, i, pose_a);
+        const Triangle b = triangle(contact.b, j, pose_b);
+        for (const Triangle& t : {a, b}) {
           put(data, place(t.a));
           put(data, place(t.b));
           put(data, place(t.c));
         }
+        const auto [from, to] = crossing_line(a, b);
+        put(data, place(from));
+        put(data, place(to));
       }
     }
     data.finish();
@@ -322,7 +325,7 @@ class Writer {
 
   void write_json() {
     const Vec3 half = box_.empty() ? Vec3{} : (box_.extent() * (0.5 * scale_));
-    out_ << "<script type=\"application/json\" id=\"soms-scene\">{\"schema\":\"soms.scene/1\"";
+    out_ << "<script type=\"application/json\" id=\"soms-scene\">{\"schema\":\"soms.scene/2\"";
     out_ << fmt::format(",\"up\":\"{}\",\"origin\":{},\"scale\":{},\"half\":{}",
                         scene_.y_is_up ? 'y' : 'z', numbers(origin_), scale_, numbers(half));
     out_ << ",\"models\":[" << models_ << "]";
@@ -338,9 +341,22 @@ class Writer {
                 scene_.steps.count, script_text(scene_.steps.noun), scene_.steps.a_second,
                 scene_.steps.smooth)
          << list_of(steps_, [](auto step) { return step; }) << "}";
-    out_ << fmt::format(",\"contacts\":{{\"listed\":{},\"all\":{},\"pairs\":{}}},\"parts\":[",
-                        shown_.contacts, shown_.contacts_in_all, pairs_)
-         << parts_.list() << "]}</script>\n";
+    out_ << fmt::format(
+        ",\"rows\":{},\"contacts\":{{\"listed\":{},\"all\":{},\"pairs\":{},\"one\":{},\"many\":{}}"
+        "}",
+        shown_.rows, shown_.contacts, shown_.contacts_in_all, pairs_,
+        script_text(scene_.contact.one), script_text(scene_.contact.many));
+    const auto words = [](const std::string& text) {
+      return script_text(shortened(text, kLongestName));
+    };
+    out_ << ",\"parts\":"
+         << list_of(scene_.parts, [&](const auto& part) { return words(part.name); })
+         << ",\"paths\":"
+         << list_of(scene_.parts,
+                    [&](const auto& part) {
+                      return part.path == part.name ? "\"\"" : words(part.path);
+                    })
+         << "}</script>\n";
   }
 
   std::ostream& out_;
@@ -358,7 +374,6 @@ class Writer {
   std::vector<std::uint64_t> first_pair_;
   std::string models_;
   std::vector<Vec3> middles_;
-  Names parts_;
   Shown shown_;
 };
 

@@ -15,6 +15,7 @@ struct Shown {
   std::uint64_t triangles_in_all = 0;
   std::uint64_t bodies = 0;
   std::uint64_t bodies_in_all = 0;
+  std::uint64_t rows = 0;  ///< of pairs of parts or bodies: always all
   std::uint64_t contacts = 0;
   std::uint64_t contacts_in_all = 0;
   std::uint64_t steps = 0;
@@ -23,10 +24,9 @@ struct Shown {
   [[nodiscard]] bool operator==(const Shown&) const = default;
 };
 
-/// Writes script elements that hold the scene: one of JSON, "soms-scene", schema soms.scene/1, and
-/// one of base64 for each model, for the poses and for the contacts. Lengths are floats around an
-/// origin near the scene; docs/report.md describes them.
-/// \errors Those of `scene.pose`.
+/// Writes script elements that hold the scene: one of JSON, "soms-scene", schema soms.scene/2, and
+/// one of base64 for each model, for the poses, the rows and the contacts. Lengths are floats
+/// around an origin near the scene; docs/report.md describes them. \errors Those of `scene.pose`.
 Shown write_scene(std::ostream& out, const Scene& scene, const SceneLimits& limits = {});
 
 }  // namespace soms::report

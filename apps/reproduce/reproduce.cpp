@@ -135,7 +135,7 @@ std::string summary(const reproduce::Report& report, const ReproduceOptions& opt
   }
   const std::size_t items = report.entries.size() + report.missing.size();
   text += fmt::format("{} of {} written; see {}\n", report.entries.size(), counted(items, "item"),
-                      (fs::path(options.output) / "index.html").string());
+                      printable((fs::path(options.output) / "index.html").string()));
   return text;
 }
 

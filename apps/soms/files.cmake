@@ -33,10 +33,22 @@ set(SOMS_COMMAND_FILES
   outline.h
   overlap.cpp
   overlap.h
+  overlap_by_part.cpp
+  overlap_by_part.h
+  overlap_csv.cpp
+  overlap_csv.h
+  overlap_output.cpp
+  overlap_output.h
   overlap_page.cpp
   overlap_page.h
+  overlap_parts.cpp
+  overlap_parts.h
   overlap_report.cpp
   overlap_report.h
+  overlap_rows.cpp
+  overlap_rows.h
+  overlap_verify.cpp
+  overlap_verify.h
   page_plots.cpp
   page_plots.h
   passed_on.cpp
@@ -54,6 +66,8 @@ set(SOMS_COMMAND_FILES
   simulate_record.h
   simulate_report.cpp
   simulate_report.h
+  simulate_rows.cpp
+  simulate_rows.h
   simulate_run.cpp
   simulate_run.h
   simulate_verify.cpp

@@ -1,10 +1,10 @@
 #include "apps/soms/info_defects.h"
 
 #include "soms/base/error.h"
+#include "soms/geometry/parts_of.h"
 
 #include "apps/support/console.h"
 #include "apps/support/models.h"
-#include "apps/support/parts_of.h"
 #include "apps/support/text.h"
 
 #include <fmt/format.h>

@@ -5,11 +5,12 @@
 
 #include "apps/support/console.h"
 #include "apps/support/text.h"
-#include "reproduce/timing.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <vector>
 
 namespace soms::command {
 
@@ -30,7 +31,10 @@ RuleReport measure_tree(const Mesh& mesh, const BuildOptions& options, const Con
   while (static_cast<int>(times.size()) < report.build_runs) {
     static_cast<void>(console.run(doing, timed_build));
   }
-  report.build_ms = reproduce::summarize(times).median;
+  // As many above as below: their number is odd.
+  const auto middle = times.begin() + report.build_runs / 2;
+  std::nth_element(times.begin(), middle, times.end());
+  report.build_ms = *middle;
   report.counts = statistics(tree, options);
   report.levels = tree.nodes.empty() ? 0 : report.counts.depth + 1;
   report.sah = sah_cost(tree);

@@ -4,8 +4,9 @@
 
 #include "apps/report/placing.h"
 #include "apps/soms/block_size.h"
-#include "apps/soms/overlap_page.h"
+#include "apps/soms/overlap_output.h"
 #include "apps/soms/overlap_report.h"
+#include "apps/soms/overlap_verify.h"
 #include "apps/support/console.h"
 #include "apps/support/exit_status.h"
 #include "apps/support/frame_warnings.h"
@@ -13,7 +14,6 @@
 #include "apps/support/parse.h"
 #include "apps/support/pose_source.h"
 #include "apps/support/text.h"
-#include "apps/support/world.h"
 
 #include <fmt/format.h>
 
@@ -35,29 +35,6 @@ namespace {
 
 using PosePair = std::pair<Pose, Pose>;
 
-/// True if `answer` is what brute force allows for the question.
-bool agrees(const Overlap& answer, const Overlap& truth, OverlapMode mode) {
-  if (answer.coverage == Coverage::cut) {
-    return answer.any == !answer.pairs.empty() && (truth.any || !answer.any) &&
-           std::includes(truth.pairs.begin(), truth.pairs.end(), answer.pairs.begin(),
-                         answer.pairs.end());
-  }
-  if (answer.any != truth.any) {
-    return false;
-  }
-  switch (mode) {
-    case OverlapMode::all:
-      return answer.pairs == truth.pairs;
-    case OverlapMode::first:
-      return !truth.any || answer.pairs == std::vector{truth.pairs.front()};
-    case OverlapMode::any:
-      break;
-  }
-  return !truth.any ||
-         (answer.pairs.size() == 1 &&
-          std::binary_search(truth.pairs.begin(), truth.pairs.end(), answer.pairs.front()));
-}
-
 /// What is wrong with a pose, where the message has named the pose already.
 std::string_view without_subject(std::string_view place) {
   constexpr std::string_view kSubject = "pose: ";
@@ -70,8 +47,7 @@ class OverlapRun {
   OverlapRun(const OverlapVerbOptions& options, Console& console)
       : options_(options),
         console_(console),
-        // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): this member owns it
-        page_file_(open_page(options.report)),
+        output_(options),
         poses_(source("--pose", options.pose_a, console),
                source("--pose-b", options.pose_b, console)),
         a_(load(options.a, options.model_a)),
@@ -82,12 +58,11 @@ class OverlapRun {
                 .list_pairs = options.list_pairs,
                 // Whoever reads a program's answers needs no other form for a single row.
                 .single = poses_.is_stated() || (!console.shared().json && poses_.is_single()),
-                .verified = options.verify},
+                .verified = options.verify,
+                .by_part = options.by_part},
         bar_(console.progress("overlap")) {
     options_.query.deadline = console.deadline();
-    if (page_file_) {
-      page_.emplace(a_.mesh(), short_name(options.a), b_.mesh(), short_name(options.b));
-    }
+    output_.begin(report_);
   }
 
   int run() {
@@ -111,10 +86,9 @@ class OverlapRun {
     if (boxes_.always_apart() && totals_.wrong == 0 && !interrupted) {
       doubt_all_boxes();
     }
-    if (page_ && (!interrupted || totals_.poses > 0)) {
+    if (!interrupted || totals_.poses > 0) {
       report_.interrupted = interrupted;
-      page_->write(page_file_->stream(), report_, totals_);
-      page_file_->commit();
+      output_.finish(totals_);
     }
     if (interrupted) {
       throw Error(ErrorKind::cancelled, "interrupted", answered() + " answered");
@@ -126,11 +100,6 @@ class OverlapRun {
   static PoseSource source(const std::string& option, const std::optional<std::string>& text,
                            const Console& console) {
     return text ? PoseSource(option, *text, console) : PoseSource();
-  }
-
-  /// A place that cannot be written to is told before the work, not after it.
-  static std::unique_ptr<OutputFile> open_page(const std::string& path) {
-    return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
   }
 
   Shape load(const std::string& path, const ModelOptions& model) {
@@ -331,11 +300,8 @@ class OverlapRun {
         break;
       }
       doubt_boxes(k);
-      print_answer(report_, totals_.poses, answers_[k], right, console_);
+      output_.add(totals_.poses, block_[k].first, block_[k].second, answers_[k], right, console_);
       totals_.add(answers_[k]);
-      if (page_) {
-        page_->add(block_[k].first, block_[k].second, answers_[k]);
-      }
       if (ended_by_time(answers_[k])) {
         end_by_time();
         break;
@@ -390,7 +356,7 @@ class OverlapRun {
 
   OverlapVerbOptions options_;
   Console& console_;
-  std::unique_ptr<OutputFile> page_file_;
+  OverlapOutput output_;
   PosePairs poses_;
   Shape a_;
   Shape b_;
@@ -399,7 +365,6 @@ class OverlapRun {
   std::vector<PosePair> block_;
   std::vector<Overlap> answers_;
   OverlapTotals totals_;
-  std::optional<OverlapPage> page_;
   std::exception_ptr error_;
   BoxWatch boxes_;
   bool over_ = false;
@@ -434,15 +399,24 @@ void add_questions(CLI::App& app, OverlapVerbOptions& options) {
       ->excludes(any)
       ->excludes(first)
       ->group(group);
-  app.add_flag_callback(
-         "--no-pairs", [&options] { options.list_pairs = false; },
-         "count the pairs, do not list them")
+  CLI::Option* no_pairs = app.add_flag_callback(
+                                 "--no-pairs", [&options] { options.list_pairs = false; },
+                                 "count the pairs, do not list them")
+                              ->group(group);
+  add_choice<bool>(app, "--by", options.by_part, {{"triangle", false}, {"part", true}},
+                   "what pairs are listed of")
+      ->excludes(any)
+      ->excludes(first)
+      ->excludes(no_pairs)
       ->group(group);
   add_choice<bool>(app, "--fail-if", options.fail_if_overlap, {{"overlap", true}},
                    "exit with 1 if it holds")
       ->group(group);
   add_output(app, "--report", options.report,
              "write a page with figures, plots and the overlap to fly to")
+      ->group(group);
+  add_output(app, "--csv", options.csv, "write the list as CSV, a row a pair")
+      ->excludes(no_pairs)
       ->group(group);
   app.add_flag("--verify", options.verify, "compare with brute force; exit with 6 if they differ")
       ->group(group);
@@ -494,8 +468,9 @@ int run_overlap(const OverlapVerbOptions& options, Console& console) {
                  {"B", options.b},
                  {"--pose", options.pose_a.value_or("")},
                  {"--pose-b", options.pose_b.value_or("")}},
-                {{"--report", options.report}});
+                {{"--report", options.report}, {"--csv", options.csv}});
   check_ending("--report", options.report, {".html", ".htm"});
+  check_ending("--csv", options.csv, {".csv"});
   return OverlapRun(options, console).run();
 }
 

@@ -26,6 +26,8 @@ struct OverlapVerbOptions {
   bool fail_if_overlap = false;
   bool verify = false;
   std::string report = {};  ///< empty: none
+  std::string csv = {};     ///< empty: none
+  bool by_part = false;     ///< lists pairs of parts, not of triangles
 };
 
 [[nodiscard]] Action add_overlap(CLI::App& app, Shared& shared);

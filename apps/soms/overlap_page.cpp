@@ -1,13 +1,15 @@
 #include "apps/soms/overlap_page.h"
 
 #include "apps/soms/page_plots.h"
+#include "apps/support/models.h"
+#include "apps/support/part_names.h"
 #include "apps/support/text.h"
-#include "apps/support/world.h"
 #include "reproduce/chart.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 namespace soms::command {
@@ -16,8 +18,6 @@ namespace {
 
 constexpr std::size_t kMostTracked = 2048;
 constexpr std::size_t kMostCounts = 1024;
-/// Of a pose that touches at least so many pairs are listed before poses are left out.
-constexpr std::size_t kFewPairs = 8;
 
 /// Drops what is not at a multiple of `pause`.
 template <typename Value>
@@ -27,25 +27,43 @@ void keep_multiples(std::map<std::uint64_t, Value>& values, std::uint64_t pause)
   }
 }
 
-void count_part(std::vector<std::uint64_t>& counts, const PartsOf& part_of, TriangleId i) {
-  const std::uint32_t part = part_of(i);
-  if (part != Part::kNoParent) {
-    ++counts[part];
-  }
-}
-
-std::vector<report::Plot> bars_of_parts(const Mesh& mesh, const std::vector<std::uint64_t>& counts,
+/// Which parts take part in most pairs of triangles: those of A, or of B.
+std::vector<report::Plot> bars_of_parts(const Mesh& mesh, const std::vector<OverlapRows::Row>& rows,
+                                        std::uint32_t OverlapRows::Row::*part,
                                         const std::string& name) {
   std::map<std::string, double> by_name;
-  for (std::size_t k = 0; k < counts.size(); ++k) {
-    if (counts[k] > 0 && !mesh.parts[k].name.empty()) {
-      by_name[mesh.parts[k].name] += static_cast<double>(counts[k]);
+  for (const OverlapRows::Row& row : rows) {
+    if (!part_named(mesh, row.*part).empty()) {
+      by_name[part_named(mesh, row.*part)] += static_cast<double>(row.count);
     }
   }
   return bars_of({by_name.begin(), by_name.end()}, "Parts of " + name, "pairs",
                  "Overlapping pairs of triangles by the part of " + name +
                      " that they lie in, all poses together; the parts with most.");
 }
+
+/// Numbers the parts of one mesh as a page does: each once.
+class PagedParts {
+ public:
+  PagedParts(const Mesh& mesh, std::vector<report::ScenePart>& parts)
+      : mesh_(mesh), parts_(parts) {}
+
+  std::uint32_t number(std::uint32_t part) {
+    if (part == Part::kNoParent) {
+      return report::kNoPart;
+    }
+    const auto [at, added] = numbers_.try_emplace(part, static_cast<std::uint32_t>(parts_.size()));
+    if (added) {
+      parts_.push_back({part_label(mesh_, part), part_path_label(mesh_, part)});
+    }
+    return at->second;
+  }
+
+ private:
+  const Mesh& mesh_;
+  std::vector<report::ScenePart>& parts_;
+  std::unordered_map<std::uint32_t, std::uint32_t> numbers_;
+};
 
 std::string triangles_of(const Mesh& mesh) {
   return counted(mesh.triangles.size(), "triangle");
@@ -56,21 +74,15 @@ std::string triangles_of(const Mesh& mesh) {
 OverlapPage::OverlapPage(const Mesh& a, std::string name_a, const Mesh& b, std::string name_b)
     : a_(a),
       b_(b),
-      parts_of_a_(a),
-      parts_of_b_(b),
       name_a_(std::move(name_a)),
       name_b_(std::move(name_b)),
-      most_pairs_(report::SceneLimits().contacts),
-      parts_a_(a.parts.size(), 0),
-      parts_b_(b.parts.size(), 0) {
+      rows_(a, b, report::SceneLimits().contacts) {
 }
 
 void OverlapPage::add(const Pose& a, const Pose& b, const Overlap& answer) {
   follow(a, b);
   count_pairs(answer);
-  if (!answer.pairs.empty() && poses_ % touching_pause_ == 0) {
-    remember(a, b, answer);
-  }
+  rows_.add(poses_, {a, b}, answer.pairs);
   ++poses_;
 }
 
@@ -89,10 +101,6 @@ void OverlapPage::count_pairs(const Overlap& answer) {
   pairs_ += answer.pairs.size();
   cut_ = cut_ || answer.coverage == Coverage::cut;
   cost_ += answer.cost;
-  for (const auto& [i, j] : answer.pairs) {
-    count_part(parts_a_, parts_of_a_, i);
-    count_part(parts_b_, parts_of_b_, j);
-  }
   if (poses_ % poses_of_count_ == 0) {
     counts_.push_back(0);
   }
@@ -107,56 +115,50 @@ void OverlapPage::count_pairs(const Overlap& answer) {
   }
 }
 
-void OverlapPage::remember(const Pose& a, const Pose& b, const Overlap& answer) {
-  const std::size_t kept = std::min(most_pairs_, answer.pairs.size());
-  touching_.push_back(
-      {.pose = poses_,
-       .pairs = {answer.pairs.begin(), answer.pairs.begin() + static_cast<std::ptrdiff_t>(kept)}});
-  placed_[poses_] = {a, b};
-  held_ += kept;
-  while (held_ > report::SceneLimits().contacts) {
-    thin_out();
+void OverlapPage::add_rows(report::Scene& scene) const {
+  PagedParts of_a(a_, scene.parts);
+  PagedParts of_b(b_, scene.parts);
+  for (const OverlapRows::Row& row : rows_.rows()) {
+    const std::size_t number = scene.rows.size();
+    scene.rows.push_back({.a = 0,
+                          .b = 1,
+                          .part_a = of_a.number(row.part_a),
+                          .part_b = of_b.number(row.part_b),
+                          .count = row.count,
+                          .steps = row.poses,
+                          .begin = row.begin,
+                          .end = row.end,
+                          .first = row.first,
+                          .box = row.box});
+    for (const OverlapRows::Sample& sample : row.samples) {
+      scene.contacts.push_back({.row = number,
+                                .a = 0,
+                                .b = 1,
+                                .part_a = scene.rows.back().part_a,
+                                .part_b = scene.rows.back().part_b,
+                                .begin = sample.pose,
+                                .end = sample.pose,
+                                .pairs = {sample.pair},
+                                .pairs_in_all = 1});
+    }
   }
-}
-
-/// Fewer pairs of each pose; where they are few, fewer poses.
-void OverlapPage::thin_out() {
-  if (most_pairs_ > kFewPairs) {
-    most_pairs_ /= 2;
-  } else {
-    touching_pause_ *= 2;
-    keep_multiples(placed_, touching_pause_);
-    std::erase_if(touching_, [&](const Touching& t) { return t.pose % touching_pause_ != 0; });
-  }
-  held_ = 0;
-  for (Touching& touching : touching_) {
-    touching.pairs.resize(std::min(most_pairs_, touching.pairs.size()));
-    held_ += touching.pairs.size();
-  }
+  std::sort(scene.contacts.begin(), scene.contacts.end(), [](const auto& x, const auto& y) {
+    return x.begin != y.begin ? x.begin < y.begin : x.pairs < y.pairs;
+  });
 }
 
 report::Scene OverlapPage::scene() const {
   report::Scene scene;
   std::map<std::uint64_t, Poses> kept = track_;
-  kept.insert(placed_.begin(), placed_.end());
-  const Pose first = kept.empty() ? Pose() : kept.begin()->second.b;
-  const bool b_moves = std::any_of(kept.begin(), kept.end(),
-                                   [&](const auto& step) { return !(step.second.b == first); });
+  kept.insert(rows_.placed().begin(), rows_.placed().end());
+  const Pose first = kept.empty() ? Pose() : kept.begin()->second.second;
+  const bool b_moves = std::any_of(
+      kept.begin(), kept.end(), [&](const auto& step) { return !(step.second.second == first); });
   scene.models = {{&a_, name_a_}, {&b_, name_b_}};
   scene.bodies = {{0, name_a_, true}, {1, name_b_, b_moves}};
-  for (const Touching& touching : touching_) {
-    for (const TrianglePair& pair : touching.pairs) {
-      scene.contacts.push_back({.a = 0,
-                                .b = 1,
-                                .part_a = parts_of_a_.name(pair.first),
-                                .part_b = parts_of_b_.name(pair.second),
-                                .begin = touching.pose,
-                                .end = touching.pose,
-                                .pairs = {pair},
-                                .pairs_in_all = 1});
-    }
-  }
+  add_rows(scene);
   scene.contacts_in_all = pairs_;
+  scene.contact = {"pair of triangles", "pairs of triangles"};
   scene.steps = {.count = std::max<std::uint64_t>(1, poses_), .noun = "pose", .smooth = false};
   for (const auto& [step, poses] : kept) {
     scene.steps.kept.push_back(step);
@@ -168,7 +170,7 @@ report::Scene OverlapPage::scene() const {
       return Pose();
     }
     const Poses& poses = std::prev(next)->second;
-    return body == 0 ? poses.a : poses.b;
+    return body == 0 ? poses.first : poses.second;
   };
   return scene;
 }
@@ -193,8 +195,9 @@ std::vector<report::Plot> OverlapPage::plots() const {
                                            "poses each.",
                                            poses_of_count_)));
   }
-  for (std::vector<report::Plot> bars :
-       {bars_of_parts(a_, parts_a_, name_a_), bars_of_parts(b_, parts_b_, name_b_)}) {
+  using Row = OverlapRows::Row;
+  for (std::vector<report::Plot> bars : {bars_of_parts(a_, rows_.rows(), &Row::part_a, name_a_),
+                                         bars_of_parts(b_, rows_.rows(), &Row::part_b, name_b_)}) {
     std::move(bars.begin(), bars.end(), std::back_inserter(plots));
   }
   return plots;
@@ -217,6 +220,10 @@ std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
                                 : fmt::format(", {} undecided", with_commas(totals.undecided)))});
   facts.push_back(
       {"pairs found", fmt::format("{}{}", cut_ ? "at least " : "", with_commas(pairs_))});
+  if (!a_.parts.empty() || !b_.parts.empty()) {
+    facts.push_back({"pairs of parts", fmt::format("{}{}", cut_ ? "at least " : "",
+                                                   with_commas(rows_.rows().size()))});
+  }
   facts.push_back(
       {"tests",
        fmt::format("{} of boxes, {} of triangles, {} of them exact", with_commas(cost_.node_tests),
@@ -242,11 +249,6 @@ void OverlapPage::write(std::ostream& out, const OverlapReport& report,
                               "Surfaces only: a body wholly inside another overlaps nothing of it. "
                               "The picture may be simplified; the answers never are."},
                     .scene = scene()};
-  if (!touching_.empty() && held_ < pairs_) {
-    page.notes.push_back(fmt::format(
-        "Listed are the first {} of each pose{}.", counted(most_pairs_, "pair"),
-        touching_pause_ == 1 ? "" : fmt::format(", of every {}th pose", touching_pause_)));
-  }
   report::write_page(out, page);
 }
 

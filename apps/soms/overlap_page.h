@@ -7,7 +7,7 @@
 
 #include "apps/report/page.h"
 #include "apps/soms/overlap_report.h"
-#include "apps/support/parts_of.h"
+#include "apps/soms/overlap_rows.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,8 +18,8 @@
 
 namespace soms::command {
 
-/// Remembers answers as they come, however many: figures of all; poses, and pairs of triangles, of
-/// as many as a page has room for.
+/// Remembers answers as they come, however many: figures and pairs of parts of all; poses, and
+/// pairs of triangles, of as many as a page has room for.
 class OverlapPage {
  public:
   /// Meshes must stay; `name_a` and `name_b` are their files.
@@ -32,20 +32,11 @@ class OverlapPage {
   void write(std::ostream& out, const OverlapReport& report, const OverlapTotals& totals) const;
 
  private:
-  struct Touching {
-    std::uint64_t pose = 0;
-    std::vector<TrianglePair> pairs;  ///< the first
-  };
-
-  struct Poses {
-    Pose a;
-    Pose b;
-  };
+  using Poses = OverlapRows::Poses;
 
   void follow(const Pose& a, const Pose& b);
   void count_pairs(const Overlap& answer);
-  void remember(const Pose& a, const Pose& b, const Overlap& answer);
-  void thin_out();
+  void add_rows(report::Scene& scene) const;
   [[nodiscard]] report::Scene scene() const;
   [[nodiscard]] std::vector<report::Plot> plots() const;
   [[nodiscard]] std::vector<report::Fact> facts(const OverlapReport& report,
@@ -53,8 +44,6 @@ class OverlapPage {
 
   const Mesh& a_;
   const Mesh& b_;
-  PartsOf parts_of_a_;
-  PartsOf parts_of_b_;
   std::string name_a_;
   std::string name_b_;
   std::uint64_t poses_ = 0;
@@ -63,15 +52,9 @@ class OverlapPage {
   Cost cost_;
   std::map<std::uint64_t, Poses> track_;  ///< every so many poses
   std::uint64_t pause_ = 1;               ///< between them
-  std::vector<Touching> touching_;
-  std::map<std::uint64_t, Poses> placed_;  ///< poses of `touching_`
-  std::size_t held_ = 0;                   ///< pairs of `touching_`
-  std::size_t most_pairs_;                 ///< of a pose in `touching_`
-  std::uint64_t touching_pause_ = 1;
+  OverlapRows rows_;
   std::vector<std::uint64_t> counts_;  ///< pairs: the most of each few poses
   std::uint64_t poses_of_count_ = 1;
-  std::vector<std::uint64_t> parts_a_;  ///< pairs of each part
-  std::vector<std::uint64_t> parts_b_;
 };
 
 }  // namespace soms::command

@@ -1,5 +1,6 @@
 #include "apps/soms/overlap_report.h"
 
+#include "apps/soms/overlap_by_part.h"
 #include "apps/support/console.h"
 #include "apps/support/models.h"
 #include "apps/support/text.h"
@@ -59,7 +60,7 @@ std::string warnings_key(const OverlapReport& report, std::uint64_t pose) {
 }
 
 void print_json(const OverlapReport& report, std::uint64_t pose, const Overlap& answer, bool right,
-                Console& console) {
+                Console& console, std::span<const PartPair> parts) {
   const char* const overlap = is_undecided(answer) ? "null" : answer.any ? "true" : "false";
   std::string text =
       fmt::format("{{\"schema\":\"soms.overlap/1\",\"pose\":{},\"overlap\":{}", pose, overlap);
@@ -76,7 +77,9 @@ void print_json(const OverlapReport& report, std::uint64_t pose, const Overlap& 
     text += right ? ",\"verified\":true" : ",\"verified\":false";
   }
   console.print(text + warnings_key(report, pose));
-  if (report.list_pairs) {
+  if (report.by_part) {
+    print_parts_as_json(report, parts, console);
+  } else if (report.list_pairs) {
     print_pairs_as_json(answer.pairs, console);
   }
   console.print("}\n");
@@ -115,7 +118,12 @@ std::string summary(const OverlapReport& report, const Overlap& answer) {
 }
 
 void print_text(const OverlapReport& report, std::uint64_t pose, const Overlap& answer,
-                Console& console) {
+                Console& console, std::span<const PartPair> parts) {
+  if (report.by_part && answer.any) {
+    console.print(report.single ? "" : fmt::format("pose {}: ", pose));
+    print_parts_as_text(report, answer, parts, console);
+    return;
+  }
   const bool strong = console.colored() && answer.any;
   console.print(fmt::format("{}{}{}{}\n", report.single ? "" : fmt::format("pose {}: ", pose),
                             strong ? "\x1b[1m" : "", summary(report, answer),
@@ -148,11 +156,11 @@ void OverlapTotals::add(const Overlap& answer) {
 }
 
 void print_answer(const OverlapReport& report, std::uint64_t pose, const Overlap& answer,
-                  bool right, Console& console) {
+                  bool right, Console& console, std::span<const PartPair> parts) {
   if (console.shared().json) {
-    print_json(report, pose, answer, right, console);
+    print_json(report, pose, answer, right, console, parts);
   } else {
-    print_text(report, pose, answer, console);
+    print_text(report, pose, answer, console, parts);
   }
 }
 

@@ -7,12 +7,14 @@
 #include "apps/support/frame_warnings.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace soms::command {
 
 class Console;
+struct PartPair;
 
 /// What is told of the answer of one pose, and how.
 struct OverlapReport {
@@ -26,6 +28,7 @@ struct OverlapReport {
   std::vector<FrameWarning> warnings = {};  ///< about the models; JSON gives them with pose 0
   double gap = 0;            ///< of the boxes, at the pose that is told next; 0: they meet
   bool boxes_apart = false;  ///< that gap is a `FrameDoubt`
+  bool by_part = false;  ///< pairs of parts are listed, not of triangles
 };
 
 /// Totals over all poses.
@@ -39,9 +42,9 @@ struct OverlapTotals {
 };
 
 /// Prints the answer of pose number `pose`: JSON with --json, text without. `right` says whether
-/// brute force agrees, where it was asked.
+/// brute force agrees, where it was asked. `parts` are those of the answer, for `report.by_part`.
 void print_answer(const OverlapReport& report, std::uint64_t pose, const Overlap& answer,
-                  bool right, Console& console);
+                  bool right, Console& console, std::span<const PartPair> parts = {});
 
 /// Prints a line over all poses, where there may be several and no JSON is asked for.
 void print_totals(const OverlapReport& report, const OverlapTotals& totals, Console& console);

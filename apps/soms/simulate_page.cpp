@@ -5,7 +5,8 @@
 #include "apps/report/page.h"
 #include "apps/soms/page_plots.h"
 #include "apps/soms/simulate_report.h"
-#include "apps/support/models.h"
+#include "apps/soms/simulate_rows.h"
+#include "apps/support/part_names.h"
 #include "apps/support/text.h"
 #include "reproduce/chart.h"
 
@@ -19,11 +20,6 @@
 namespace soms::command {
 
 namespace {
-
-/// Bodies of the page's scene: those of the city, then the movers.
-std::uint32_t body_of(const World& world, MoverId mover) {
-  return static_cast<std::uint32_t>(world.city.size()) + mover;
-}
 
 Body mover_at(const World& world, MoverId mover, std::uint64_t frame) {
   return Body(world.models[world.ways[mover].model].shape, world.ways[mover].at(frame));
@@ -46,21 +42,51 @@ std::vector<TrianglePair> pairs_of(const World& world, const Contact& contact) {
   return pairs;
 }
 
-report::SceneContact contact_of(const World& world, const Contact& contact) {
+/// The parts of movers that a page names, each once.
+class MoverParts {
+ public:
+  MoverParts(const World& world, std::vector<report::ScenePart>& parts) : parts_(parts) {
+    for (const Model& model : world.models) {
+      parts_of_.emplace_back(model.shape.mesh());
+    }
+  }
+
+  std::uint32_t number(const World& world, MoverId mover, TriangleId triangle) {
+    const std::size_t model = world.ways[mover].model;
+    const std::uint32_t part = parts_of_[model](triangle);
+    if (part == Part::kNoParent) {
+      return report::kNoPart;
+    }
+    const auto [at, added] =
+        numbers_.try_emplace({model, part}, static_cast<std::uint32_t>(parts_.size()));
+    if (added) {
+      const Mesh& mesh = world.models[model].shape.mesh();
+      parts_.push_back({part_label(mesh, part), part_path_label(mesh, part)});
+    }
+    return at->second;
+  }
+
+ private:
+  std::vector<report::ScenePart>& parts_;
+  std::vector<PartsOf> parts_of_;  ///< of each model
+  std::map<std::pair<std::size_t, std::uint32_t>, std::uint32_t> numbers_;
+};
+
+report::SceneContact contact_of(const World& world, const Contact& contact, std::size_t number,
+                                const report::SceneRow& row, MoverParts& parts) {
   const bool between = contact.part == Contact::kMover;
-  report::SceneContact shown{.a = body_of(world, contact.mover),
-                             .b = between ? body_of(world, contact.other) : contact.part,
+  report::SceneContact shown{.row = number,
+                             .a = row.a,
+                             .b = row.b,
+                             .part_b = row.part_b,
                              .begin = contact.begin,
                              .end = contact.end,
                              .pairs = pairs_of(world, contact)};
   shown.pairs_in_all = shown.pairs.size();
   if (!shown.pairs.empty()) {
     const auto& [i, j] = shown.pairs.front();
-    const auto part_of_mover = [&](MoverId mover, TriangleId triangle) {
-      return part_name(world.models[world.ways[mover].model].shape.mesh(), triangle);
-    };
-    shown.part_a = part_of_mover(contact.mover, i);
-    shown.part_b = between ? part_of_mover(contact.other, j) : part_name(world, contact.part, j);
+    shown.part_a = parts.number(world, contact.mover, i);
+    shown.part_b = between ? parts.number(world, contact.other, j) : row.part_b;
   }
   return shown;
 }
@@ -86,14 +112,14 @@ report::Scene scene_of(const World& world, const Outcome& outcome) {
   report::Scene scene;
   add_bodies(scene, world);
   const std::vector<Contact>& contacts = outcome.contacts.contacts();
-  std::vector<report::Span> spans;
-  spans.reserve(contacts.size());
-  for (const Contact& contact : contacts) {
-    spans.push_back({contact.begin, contact.end});
+  ContactRows gathered = rows_of(world, contacts);
+  scene.parts = std::move(gathered.parts);
+  MoverParts parts(world, scene.parts);
+  for (const std::size_t k : fair_sample(gathered, contacts, report::SceneLimits().contacts)) {
+    const std::size_t row = gathered.row_of[k];
+    scene.contacts.push_back(contact_of(world, contacts[k], row, gathered.rows[row], parts));
   }
-  for (const std::size_t k : report::longest(spans, report::SceneLimits().contacts)) {
-    scene.contacts.push_back(contact_of(world, contacts[k]));
-  }
+  scene.rows = std::move(gathered.rows);
   scene.contacts_in_all = contacts.size();
   scene.steps = {.count = std::max<std::uint64_t>(1, outcome.frames),
                  .noun = "frame",

@@ -1,10 +1,12 @@
 #include "apps/soms/simulate_report.h"
 
+#include "soms/base/text.h"
+
+#include "apps/support/json.h"
 #include "apps/support/models.h"
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -148,8 +150,7 @@ std::string table_of(const World& world, const Outcome& outcome, const SimulateO
 }
 
 std::string json_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
-  using nlohmann::ordered_json;
-  ordered_json json;
+  Json json;
   json["schema"] = "soms.simulate/1";
   json["city"] = world.title;
   json["triangles"] = world.triangles;
@@ -171,7 +172,7 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
   json["contacts"] = outcome.contacts.contacts().size();
   json["contacts_between_movers"] = outcome.contacts.between_movers();
   json["hash"] = fmt::format("{:016x}", outcome.hash);
-  json["most_touched"] = ordered_json::array();
+  json["most_touched"] = Json::array();
   for (const Touched& touched : outcome.contacts.most_touched(kMostTouched)) {
     json["most_touched"].push_back({{"city", world.city[touched.part].name},
                                     {"part", part_name(world, touched.part, touched.triangle)},
@@ -187,31 +188,12 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
                         {"free", outcome.verified->free},
                         {"wrong", outcome.verified->wrong}};
   }
-  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_line(json);
 }
-
-namespace {
-
-/// A CSV field; quoted when it must be.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) {
-    return text;
-  }
-  std::string quoted = "\"";
-  for (const char c : text) {
-    quoted += c;
-    if (c == '"') {
-      quoted += c;
-    }
-  }
-  return quoted + '"';
-}
-
-}  // namespace
 
 void write_events(std::ostream& out, const World& world, const Outcome& outcome) {
   const auto model_name = [&](MoverId mover) {
-    return field(world.models[world.ways[mover].model].name);
+    return csv_field(world.models[world.ways[mover].model].name);
   };
   const CityParts parts(world);
   out << "mover,model,touched,part,triangle,begin,end\n";
@@ -220,8 +202,8 @@ void write_events(std::ostream& out, const World& world, const Outcome& outcome)
     if (contact.part == Contact::kMover) {
       out << "mover " << contact.other << ',' << model_name(contact.other) << ",,";
     } else {
-      out << field(world.city[contact.part].name) << ','
-          << field(parts.name(contact.part, contact.other)) << ',' << contact.other << ',';
+      out << csv_field(world.city[contact.part].name) << ','
+          << csv_field(parts.name(contact.part, contact.other)) << ',' << contact.other << ',';
     }
     out << contact.begin << ',' << contact.end << '\n';
   }

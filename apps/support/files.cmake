@@ -16,8 +16,8 @@ set(SOMS_SUPPORT_FILES
   output.h
   parse.cpp
   parse.h
-  parts_of.cpp
-  parts_of.h
+  part_names.cpp
+  part_names.h
   pose_source.cpp
   pose_source.h
   program.cpp

@@ -240,7 +240,10 @@ Shape build_shape(Mesh mesh, const ShapeOptions& options, const Console& console
 }
 
 std::string part_name(const Mesh& mesh, TriangleId i) {
-  const std::uint32_t part = part_of(mesh, i);
+  return part_named(mesh, part_of(mesh, i));
+}
+
+std::string part_named(const Mesh& mesh, std::uint32_t part) {
   return part == Part::kNoParent ? std::string() : mesh.parts[part].name;
 }
 

@@ -75,6 +75,10 @@ void check_traversal(const CLI::App& app, const TraversalOptions& options);
 [[nodiscard]] Shape build_shape(Mesh mesh, const ShapeOptions& options, const Console& console);
 
 /// The part that triangle `i` belongs to, as the file calls it; empty where it names none.
+/// \cost O(p) for p parts; PartsOf with `part_named` is for many triangles.
 [[nodiscard]] std::string part_name(const Mesh& mesh, TriangleId i);
+
+/// The name of a part as the file calls it; empty where it has none, and for Part::kNoParent.
+[[nodiscard]] std::string part_named(const Mesh& mesh, std::uint32_t part);
 
 }  // namespace soms::command

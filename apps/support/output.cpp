@@ -193,19 +193,4 @@ bool wants_color(int descriptor) {
          terminal != nullptr && std::string_view(terminal) != "dumb";
 }
 
-std::string printable(std::string_view text) {
-  std::string result;
-  result.reserve(text.size());
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    const auto byte = [&](std::size_t i) {
-      return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-    };
-    // U+0080 to U+009F are controls, too, of two bytes in UTF-8.
-    const bool two = byte(k) == 0xc2 && 0x80 <= byte(k + 1) && byte(k + 1) <= 0x9f;
-    result += two || byte(k) < 0x20 || byte(k) == 0x7f ? '?' : text[k];
-    k += two ? 1 : 0;
-  }
-  return result;
-}
-
 }  // namespace soms::command

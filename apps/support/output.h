@@ -2,6 +2,7 @@
 /// Writing: to a descriptor with errors that say why, and to files that appear whole or not at all.
 #pragma once
 
+#include "soms/base/text.h"
 #include "soms/io/new_file.h"
 
 #include <array>
@@ -104,8 +105,5 @@ void print_error(std::string_view who, std::string_view message);
 
 /// True if a descriptor is a terminal that understands colors, and NO_COLOR is unset.
 [[nodiscard]] bool wants_color(int descriptor);
-
-/// `text` with control characters replaced by '?', fit for a terminal.
-[[nodiscard]] std::string printable(std::string_view text);
 
 }  // namespace soms::command

@@ -259,7 +259,7 @@ CityParts::CityParts(const World& world) : world_(world) {
 }
 
 std::string CityParts::name(EnvironmentId part, TriangleId triangle) const {
-  std::string name = parts_[part].name(triangle);
+  std::string name = part_named(world_.city[part].shape.mesh(), parts_[part](triangle));
   return name.empty() ? world_.city[part].name : name;
 }
 

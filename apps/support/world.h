@@ -6,13 +6,13 @@
 #include "soms/base/parallel.h"
 #include "soms/base/pose.h"
 #include "soms/generate/routes.h"
+#include "soms/geometry/parts_of.h"
 #include "soms/query/body.h"
 #include "soms/scene/recording.h"
 #include "soms/scene/scene.h"
 
 #include "apps/support/console.h"
 #include "apps/support/frame_warnings.h"
-#include "apps/support/parts_of.h"
 #include "apps/support/world_options.h"
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // Asks every contestant the same, lets the judge compare the answers, and writes one table.
 #include "soms/base/error.h"
+#include "soms/base/text.h"
 
 #include "bench/peers/contestants/modules.h"
 #include "bench/peers/core/machine.h"
@@ -33,10 +34,10 @@ Roster contestants(const Options& options) {
   const std::vector<std::string> faults = add_modules(roster, module_folder());
   if (!options.quiet) {
     for (const std::string& fault : faults) {
-      std::cerr << options.caller << ": a rival is left out: " << fault << '\n';
+      std::cerr << options.caller << ": a rival is left out: " << printable(fault) << '\n';
     }
     if (roster.empty()) {
-      std::cerr << options.caller << ": no rival is here (" << module_folder().string()
+      std::cerr << options.caller << ": no rival is here (" << printable(module_folder().string())
                 << "); docs/bench.md says how to build them\n";
     }
   }
@@ -186,10 +187,10 @@ int main(int argc, char** argv) {
     std::cout.flush();
     return std::cout ? status : soms::bench::cannot_write(caller, errno);
   } catch (const soms::Error& error) {
-    std::cerr << caller << ": " << error.what() << '\n';
+    std::cerr << caller << ": " << soms::printable(error.what()) << '\n';
     return soms::exit_code(error.kind());
   } catch (const std::exception& error) {
-    std::cerr << caller << ": " << error.what() << '\n';
+    std::cerr << caller << ": " << soms::printable(error.what()) << '\n';
     return 4;
   }
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cstdint>
 
 namespace soms {
 
@@ -13,6 +14,47 @@ bool fits_xml(std::string_view character) {
                        (static_cast<unsigned char>(character[0]) < 0x20 || character[0] == 0x7f);
   return !character.empty() && !control && character != "\xef\xbf\xbe" &&
          character != "\xef\xbf\xbf";
+}
+
+/// The code of a UTF-8 character, as `utf8_character` accepts it.
+std::uint32_t code_of(std::string_view character) {
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(character[k]); };
+  std::uint32_t code = character.size() == 1 ? byte(0) : byte(0) & (0x7fU >> character.size());
+  for (std::size_t k = 1; k < character.size(); ++k) {
+    code = (code << 6) | (byte(k) & 0x3fU);
+  }
+  return code;
+}
+
+/// Characters that a terminal obeys instead of showing them; U+0080 to U+009F are among them.
+bool is_control(std::uint32_t code) {
+  return code < 0x20 || (code >= 0x7f && code < 0xa0);
+}
+
+/// Line breaks of Unicode, and marks by which a text shows its characters in another order.
+bool misleads(std::uint32_t code) {
+  return code == 0x061c || code == 0x200e || code == 0x200f || (code >= 0x2028 && code <= 0x202e) ||
+         (code >= 0x2066 && code <= 0x2069);
+}
+
+bool begins_formula(char c) {
+  return c == '=' || c == '+' || c == '-' || c == '@';
+}
+
+bool breaks_line(char c) {
+  return c == '\r' || c == '\n';
+}
+
+/// What may end a field for a reader that was given other separators than ours.
+bool separates(char c) {
+  return c == ',' || c == ';' || c == '\t' || breaks_line(c);
+}
+
+/// True if `csv_field` puts an apostrophe before `c`, given the character before it, 0 for none.
+bool needs_guard(char before, char c) {
+  const bool begins = before == 0;
+  return begins ? begins_formula(c) || c == '\'' || c == '\t' || breaks_line(c)
+                : separates(before) && (begins_formula(c) || c == '\'');
 }
 
 }  // namespace
@@ -78,25 +120,79 @@ std::string quoted_text(std::string_view words) {
   std::string text = "\"";
   for (std::size_t at = 0; at < words.size();) {
     const std::size_t size = utf8_character(words, at);
-    const auto byte = static_cast<unsigned char>(words[at]);
-    // U+0080 to U+009F are controls, too, of two bytes.
-    const bool control =
-        byte < 0x20 || byte == 0x7f ||
-        (size == 2 && byte == 0xc2 && static_cast<unsigned char>(words[at + 1]) < 0xa0);
-    if (size == 0 || control) {
+    const std::string_view character = words.substr(at, size);
+    const std::uint32_t code = size == 0 ? 0 : code_of(character);
+    if (is_control(code) || misleads(code)) {
       for (std::size_t k = 0; k < (size == 0 ? 1 : size); ++k) {
-        const auto code = static_cast<unsigned char>(words[at + k]);
+        const auto byte = static_cast<unsigned char>(words[at + k]);
         text += "\\x";
-        text += kDigits[code >> 4U];
-        text += kDigits[code & 15U];
+        text += kDigits[byte >> 4U];
+        text += kDigits[byte & 15U];
       }
     } else {
-      text += byte == '"' || byte == '\\' ? "\\" : "";
-      text += words.substr(at, size);
+      text += code == '"' || code == '\\' ? "\\" : "";
+      text += character;
     }
     at += size == 0 ? 1 : size;
   }
   return text + '"';
+}
+
+std::string printable(std::string_view words) {
+  std::string text;
+  text.reserve(words.size());
+  for (std::size_t at = 0; at < words.size();) {
+    const std::size_t size = utf8_character(words, at);
+    const std::string_view character = words.substr(at, size);
+    const std::uint32_t code = size == 0 ? 0 : code_of(character);
+    if (is_control(code) || misleads(code)) {
+      text += '?';
+    } else {
+      text += character;
+    }
+    at += size == 0 ? 1 : size;
+  }
+  return text;
+}
+
+std::string csv_field(std::string_view words) {
+  std::string text;
+  text.reserve(words.size() + 2);
+  bool quoted = false;
+  char before = 0;
+  for (std::size_t at = 0; at < words.size();) {
+    const std::size_t size = utf8_character(words, at);
+    const char c = words[at];
+    const bool kept =
+        size > 0 && (c == '\t' || breaks_line(c) || !is_control(code_of(words.substr(at, size))));
+    if (kept && needs_guard(before, c)) {
+      text += '\'';
+    }
+    if (kept) {
+      text.append(c == '"' ? 1 : 0, '"');
+      text += words.substr(at, size);
+    } else {
+      text += "\xef\xbf\xbd";
+    }
+    quoted = quoted || c == '"' || separates(c);
+    before = kept ? c : '?';
+    at += size == 0 ? 1 : size;
+  }
+  return quoted ? '"' + text + '"' : text;
+}
+
+std::string csv_words(std::string_view field) {
+  std::string words;
+  words.reserve(field.size());
+  char before = 0;
+  for (std::size_t at = 0; at < field.size(); ++at) {
+    if (field[at] == '\'' && at + 1 < field.size() && needs_guard(before, field[at + 1])) {
+      ++at;
+    }
+    words += field[at];
+    before = field[at];
+  }
+  return words;
 }
 
 }  // namespace soms

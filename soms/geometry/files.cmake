@@ -7,6 +7,7 @@ set(SOMS_HEADERS
   midpoint.h
   orientation.h
   part_runs.h
+  parts_of.h
   polygon.h
   print.h
   triangle_overlap.h
@@ -23,6 +24,7 @@ set(SOMS_SOURCES
   midpoint.cpp
   orientation.cpp
   part_runs.cpp
+  parts_of.cpp
   polygon.cpp
   print.cpp
   triangle_overlap.cpp

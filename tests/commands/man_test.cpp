@@ -69,7 +69,8 @@ TEST(Man, KeepsExamplesAsTheyAreTyped) {
   EXPECT_NE(page.find(".SH EXAMPLE\n.nf\nsoms generate knot --triangles 2000 -o knot.ply\n"),
             std::string::npos);
   EXPECT_NE(
-      page.find("stop at the first pair found, whichever; not with --all, --first or --limit"),
+      page.find(
+          "stop at the first pair found, whichever; not with --all, --by, --first or --limit"),
       std::string::npos)
       << page;
 }

@@ -22,10 +22,12 @@ Page small_page(const Mesh& mesh, const std::string& words) {
   page.plots.push_back({.svg = "<?xml?>\n<svg><path d=\"M0 0\"/></svg>\n", .caption = words});
   page.scene.models = {{&mesh, words}};
   page.scene.bodies = {{0, words, true}, {0, words, false}};
+  page.scene.parts = {{.name = words, .path = words + "/" + words}};
+  page.scene.rows = {{.a = 0, .b = 1, .part_a = 0, .part_b = 0, .count = 1, .steps = 2, .end = 1}};
   page.scene.contacts = {{.a = 0,
                           .b = 1,
-                          .part_a = words,
-                          .part_b = words,
+                          .part_a = 0,
+                          .part_b = 0,
                           .begin = 0,
                           .end = 1,
                           .pairs = {{0, 0}},

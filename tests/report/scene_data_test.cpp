@@ -14,8 +14,9 @@ namespace soms::report {
 
 namespace {
 
-constexpr std::size_t kWordsOfContact = 27;
-constexpr std::size_t kWordsOfPair = 20;
+constexpr std::size_t kWordsOfContact = 28;
+constexpr std::size_t kWordsOfRow = 17;
+constexpr std::size_t kWordsOfPair = 26;
 
 Mesh triangle_mesh(const Vec3& a, const Vec3& b, const Vec3& c) {
   Mesh mesh;
@@ -31,9 +32,20 @@ class Field {
   Field() {
     scene.models = {{&ground, "ground"}, {&needle, "needle"}};
     scene.bodies = {{0, "field", false}, {1, "needle 1", true}};
-    scene.contacts = {{.a = 1,
+    scene.parts = {{.name = "turf", .path = "garden/turf"}};
+    scene.rows = {{.a = 1,
+                   .b = 0,
+                   .part_b = 0,
+                   .count = 1,
+                   .steps = 3,
+                   .begin = 3,
+                   .end = 5,
+                   .first = {0, 0},
+                   .box = {{1'000'007, 2'000'001, 400}, {1'000'007.25, 2'000'001, 400}}}};
+    scene.contacts = {{.row = 0,
+                       .a = 1,
                        .b = 0,
-                       .part_b = "turf",
+                       .part_b = 0,
                        .begin = 3,
                        .end = 5,
                        .pairs = {{0, 0}},
@@ -64,7 +76,7 @@ TEST(SceneData, TellsCountsAndNames) {
   Field field;
   const std::string page = field.write();
   const auto json = test::scene_of(page);
-  EXPECT_EQ(json["schema"], "soms.scene/1");
+  EXPECT_EQ(json["schema"], "soms.scene/2");
   EXPECT_EQ(json["models"][0]["name"], "ground");
   EXPECT_EQ(json["models"][0]["triangles"], 1);
   EXPECT_EQ(json["bodies"]["names"], (std::vector<std::string>{"field", "needle 1"}));
@@ -74,10 +86,13 @@ TEST(SceneData, TellsCountsAndNames) {
   EXPECT_EQ(json["contacts"]["listed"], 1);
   EXPECT_EQ(json["contacts"]["all"], 1);
   EXPECT_EQ(json["parts"], std::vector<std::string>{"turf"});
+  EXPECT_EQ(json["paths"], std::vector<std::string>{"garden/turf"});
+  EXPECT_EQ(json["rows"], 1);
   EXPECT_EQ(field.shown, (Shown{.triangles = 2,
                                 .triangles_in_all = 2,
                                 .bodies = 2,
                                 .bodies_in_all = 2,
+                                .rows = 1,
                                 .contacts = 1,
                                 .contacts_in_all = 1,
                                 .steps = 9,
@@ -114,7 +129,7 @@ TEST(SceneData, PlacesAContactWhereItIs) {
   EXPECT_EQ(head, (std::vector<std::uint32_t>{1, 0, 0xffffffff, 0, 3, 5, 1, 0, 1}));
   const double x = json["origin"][0].get<double>() + static_cast<double>(floats[9]);
   const double z = json["origin"][2].get<double>() + static_cast<double>(floats[11]);
-  EXPECT_NEAR(x, 1'000'007.25, 1e-4);
+  EXPECT_NEAR(x, 1'000'007.125, 1e-4) << "the middle of the crossing";
   EXPECT_NEAR(z, 400, 1e-4);
   EXPECT_GT(floats[12], 0.5F);  // the reach, of the needle
   EXPECT_LT(floats[12], 2.0F);
@@ -122,6 +137,12 @@ TEST(SceneData, PlacesAContactWhereItIs) {
   ASSERT_EQ(pairs.size(), kWordsOfPair);
   const double tip = json["origin"][2].get<double>() + static_cast<double>(pairs[4]);
   EXPECT_NEAR(tip, 399, 1e-4);
+  for (const std::size_t end : {22U, 25U}) {
+    const double z_of_crossing = json["origin"][2].get<double>() + static_cast<double>(pairs[end]);
+    EXPECT_NEAR(z_of_crossing, 400, 1e-4);
+  }
+  EXPECT_NEAR(std::abs(static_cast<double>(pairs[20] - pairs[23])), 0.25, 1e-4);
+  EXPECT_EQ(words[27], 0U) << "its row";
 }
 
 TEST(SceneData, KeepsWithinItsLimits) {
@@ -171,6 +192,49 @@ TEST(SceneData, KeepsTheTrianglesOfAModelThatMovesWhereItTouches) {
   }
 }
 
+TEST(SceneData, PlacesARowAndCountsBeyondThirtyTwoBits) {
+  Field field;
+  field.scene.rows[0].count = (std::uint64_t{3} << 32) + 7;
+  const std::string page = field.write();
+  const std::vector<std::uint32_t> words = test::words_of(test::element(page, "rows"));
+  ASSERT_EQ(words.size(), kWordsOfRow);
+  const std::vector<std::uint32_t> head(words.begin(), words.begin() + 11);
+  EXPECT_EQ(head, (std::vector<std::uint32_t>{1, 0, kNoPart, 0, 7, 3, 3, 3, 5, 0, 0}));
+  const std::vector<float> floats = test::floats_of(test::element(page, "rows"));
+  const double east = test::scene_of(page)["origin"][0].get<double>();
+  EXPECT_NEAR(east + static_cast<double>(floats[11]), 1'000'007.125, 1e-4);
+  EXPECT_NEAR(static_cast<double>(floats[14]), 0.125, 1e-6);
+}
+
+TEST(SceneData, R116HoldsEveryRowWhateverItsLimits) {
+  constexpr std::size_t kRows = 100'000;
+  Field field;
+  const SceneRow row = field.scene.rows.front();
+  field.scene.rows.assign(kRows, row);
+  const std::string page = field.write({.contacts = 1});
+  EXPECT_EQ(field.shown.rows, kRows);
+  EXPECT_EQ(test::scene_of(page)["rows"], kRows);
+  EXPECT_EQ(test::words_of(test::element(page, "rows")).size(), kRows * kWordsOfRow);
+  EXPECT_LT(page.size(), 100 * kRows + 10'000);
+}
+
+TEST(SceneData, SharesPairsOfTrianglesFairly) {
+  Field field;
+  const SceneContact contact = field.scene.contacts.front();
+  field.scene.contacts.assign(30, contact);
+  for (SceneContact& each : field.scene.contacts) {
+    each.pairs.assign(16, {0, 0});
+  }
+  const std::string page = field.write({.pairs = 40});
+  const std::vector<std::uint32_t> words = test::words_of(test::element(page, "contacts"));
+  std::uint32_t sum = 0;
+  for (std::size_t k = 0; k < 30; ++k) {
+    sum += words[kWordsOfContact * k + 8];
+    EXPECT_GE(words[kWordsOfContact * k + 8], 1U) << k;
+  }
+  EXPECT_EQ(sum, 40U);
+}
+
 TEST(SceneData, StaysBelowTwentyMegabytes) {
   Field field;
   field.ground = generate_knot(900'000);
@@ -179,9 +243,13 @@ TEST(SceneData, StaysBelowTwentyMegabytes) {
   field.scene.pose = [](std::uint32_t, std::uint64_t) { return Pose(); };
   SceneContact contact = field.scene.contacts.front();
   contact.pairs.assign(40, {0, 0});
-  contact.part_b = std::string(150, 'p');
+  SceneRow row = field.scene.rows.front();
   for (std::uint32_t k = 0; k < 30'000; ++k) {
-    contact.part_a = "part " + std::to_string(k);
+    if (k < 10'000) {
+      field.scene.parts.push_back({.name = "part " + std::to_string(k)});
+      row.part_a = contact.part_a = k + 1;
+      field.scene.rows.push_back(row);
+    }
     field.scene.contacts.push_back(contact);
   }
   field.scene.steps.count = 100'000;
@@ -243,7 +311,8 @@ TEST(SceneData, EscapesNames) {
   const std::string bad = "</script><script>alert(1)</script>\"\\\n";
   field.scene.models[0].name = bad;
   field.scene.bodies[0].name = bad;
-  field.scene.contacts[0].part_b = bad;
+  field.scene.parts[0] = {.name = bad, .path = bad + bad};
+  field.scene.contact = {bad, bad};
   field.scene.steps.noun = bad;
   const std::string page = field.write();
   EXPECT_EQ(page.find("alert(1)</"), std::string::npos);
@@ -251,6 +320,8 @@ TEST(SceneData, EscapesNames) {
   EXPECT_EQ(json["models"][0]["name"], bad);
   EXPECT_EQ(json["bodies"]["names"][0], bad);
   EXPECT_EQ(json["parts"][0], bad);
+  EXPECT_EQ(json["paths"][0], bad + bad);
+  EXPECT_EQ(json["contacts"]["many"], bad);
   EXPECT_EQ(json["steps"]["noun"], bad);
 }
 

@@ -19,6 +19,16 @@ TEST(Longest, KeepsOrderAndTakesTheFirstOfEquals) {
   EXPECT_EQ(longest(spans, 0), Numbers{});
 }
 
+TEST(FairShares, GiveAllToTheModestAndEqualPartsToTheOthers) {
+  EXPECT_EQ(fair_shares(Steps64{2, 50, 3, 70}, 25), (Steps64{2, 10, 3, 10}));
+  EXPECT_EQ(fair_shares(Steps64{2, 50, 3}, 100), (Steps64{2, 50, 3}));
+  EXPECT_EQ(fair_shares(Steps64{}, 5), Steps64{});
+}
+
+TEST(FairShares, GoToThoseWhoWantMostWhereNotAllCanHaveOne) {
+  EXPECT_EQ(fair_shares(Steps64{1, 9, 1, 5}, 2), (Steps64{0, 1, 0, 1}));
+}
+
 TEST(SpreadSteps, HoldsFirstAndLastAndNoMoreThanAsked) {
   EXPECT_EQ(spread_steps(0, 5), Steps64{});
   EXPECT_EQ(spread_steps(1, 5), Steps64{0});
@@ -49,8 +59,8 @@ TEST(ChosenBodies, AreAllWhereThereIsRoom) {
 
 TEST(ChosenBodies, AreThoseThatTouchBeforeOthers) {
   Scene scene = crowd(1, 99);
-  scene.contacts.push_back({.a = 50, .b = 0});
-  scene.contacts.push_back({.a = 60, .b = 97});
+  scene.rows.push_back({.a = 50, .b = 0});
+  scene.rows.push_back({.a = 60, .b = 97});
   const std::vector<std::uint32_t> ten = chosen_bodies(scene, 10);
   EXPECT_EQ(ten.size(), 10U);
   for (const std::uint32_t body : {0U, 50U, 60U, 97U}) {

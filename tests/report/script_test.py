@@ -51,13 +51,23 @@ def check_rebuild(web):
 
 # A contact of triangle 12345 of "crate, 12,345" in frames 1,234 to 2,000, queries, and if they find it.
 SEARCH = """
-import { haystack, holds } from '%s';
+import { haystack, holds, rowHaystack } from '%s';
 const names = ['crate, 12,345', 'dock'];
 const all = {
-  scene: { bodies: { names, moves: [1, 0] }, moving: 1, parts: [], steps: { noun: 'frame', count: 3000 } },
-  contacts: { a: () => 0, b: () => 1, part: () => '', begin: () => 1234, end: () => 2000,
-    triangles: (k, side) => (side === 0 ? [4711, 8] : [23456]) },
+  scene: { bodies: { names, moves: [1, 0] }, moving: 1, parts: ['lid'], paths: ['crates/lid'], steps: { noun: 'frame', count: 3000 } },
+  contacts: { a: () => 0, b: () => 1, part: () => 0xffffffff, begin: () => 1234, end: () => 2000,
+    triangles: (k, side) => (side === 0 ? [4711, 8] : [23456]), pairsInAll: () => 2, pairCount: () => 2 },
+  rows: { a: () => 0, b: () => 1, part: (r, side) => (side === 0 ? 0 : 0xffffffff), begin: () => 3, end: () => 3,
+    steps: () => 1, triangle: (r, side) => (side === 0 ? undefined : 23456) },
 };
+const rowHay = rowHaystack(all, 0);
+for (const [query, found] of [['lid dock', true], ['crates/lid', true], ['23,456', true], ['frame 3', true],
+  ['undefined', false], ['crates/box', false]]) {
+  if (holds(rowHay, query) !== found) {
+    console.log(`"${query}" ${found ? 'is not found' : 'is found'} in row "${rowHay}"`);
+    process.exitCode = 1;
+  }
+}
 const hay = haystack(all, 7);
 for (const [query, found] of [
   ['', true], ['crate', true], ['CRATE dock', true], ['crate, 12,345', true], ['crate 12345', true],

@@ -1,6 +1,7 @@
 #include "bench/peers/core/tables.h"
 
 #include "soms/base/error.h"
+#include "soms/base/text.h"
 
 #include "bench/peers/core/machine.h"
 
@@ -185,12 +186,13 @@ void write_csv(const std::filesystem::path& path, const std::vector<Cell>& cells
   for (const Cell& cell : cells) {
     for (const Entry& e : cell.entries) {
       const auto reached = ratio(cell, e.contestant);
-      out << name(cell.job) << ',' << cell.scene << ',' << cell.set << ',' << cell.triangles << ','
-          << cell.mover << ',' << cell.questions << ',' << cell.sum << ',' << e.contestant << ','
-          << e.version << ',' << fixed(e.build, 6) << ',' << fixed(e.bytes, 1) << ',' << e.answered
-          << ',' << fixed(1e6 * e.timing.median, 4) << ',' << fixed(1e6 * e.timing.least, 4) << ','
-          << fixed(1e6 * e.timing.most, 4) << ',' << e.verdict.checked << ',' << e.verdict.wrong
-          << ',' << (reached ? fixed(*reached, 3) : "") << '\n';
+      out << name(cell.job) << ',' << csv_field(cell.scene) << ',' << csv_field(cell.set) << ','
+          << cell.triangles << ',' << cell.mover << ',' << cell.questions << ',' << cell.sum << ','
+          << csv_field(e.contestant) << ',' << csv_field(e.version) << ',' << fixed(e.build, 6)
+          << ',' << fixed(e.bytes, 1) << ',' << e.answered << ',' << fixed(1e6 * e.timing.median, 4)
+          << ',' << fixed(1e6 * e.timing.least, 4) << ',' << fixed(1e6 * e.timing.most, 4) << ','
+          << e.verdict.checked << ',' << e.verdict.wrong << ','
+          << (reached ? fixed(*reached, 3) : "") << '\n';
     }
   }
   close(out, path);

@@ -1,8 +1,9 @@
 // The blocks of data that the page carries, decoded.
 
 const NONE = 0xffffffff;
-const WORDS_OF_CONTACT = 27;
-const WORDS_OF_PAIR = 20;
+const WORDS_OF_CONTACT = 28;
+const WORDS_OF_ROW = 17;
+const WORDS_OF_PAIR = 26;
 
 function takeText(id) {
   const element = document.getElementById(`soms-${id}`);
@@ -20,7 +21,7 @@ function takeBytes(id) {
   return bytes.buffer;
 }
 
-// Contact k as an object; names are put together only where somebody looks.
+// Contacts, or those of them that the page has room for; names are put together only where somebody looks.
 class Contacts {
   constructor(scene) {
     this.scene = scene;
@@ -46,10 +47,9 @@ class Contacts {
 
   b(k) { return this.word(k, 1); }
 
-  part(k, side) {
-    const number = this.word(k, 2 + side);
-    return number === NONE ? '' : this.scene.parts[number];
-  }
+  part(k, side) { return this.word(k, 2 + side); }
+
+  row(k) { return this.word(k, 27); }
 
   begin(k) { return this.word(k, 4); }
 
@@ -76,11 +76,80 @@ class Contacts {
     return [...found];
   }
 
+  // Number of the triangle of pair n, counted over all contacts.
+  triangleOf(n, side) { return this.pairWords[n * WORDS_OF_PAIR + side]; }
+
+  // The two ends of the line in which the triangles of pair n cross.
+  crossing(n) {
+    const at = n * WORDS_OF_PAIR + 20;
+    return this.pairFloats.subarray(at, at + 6);
+  }
+
   // The nine coordinates of a triangle of pair n, counted over all contacts.
   corners(n, side) {
     const at = n * WORDS_OF_PAIR + 2 + 9 * side;
     return this.pairFloats.subarray(at, at + 9);
   }
+}
+
+// Two bodies, or parts of them, that touch; every such pair is here.
+class Rows {
+  constructor(scene, contacts) {
+    this.scene = scene;
+    const buffer = takeBytes('rows');
+    this.words = new Uint32Array(buffer);
+    this.floats = new Float32Array(buffer);
+    this.count = scene.rows;
+    // Contacts of each row: sorted by row, and where those of a row begin.
+    this.starts = new Uint32Array(this.count + 1);
+    for (let k = 0; k < contacts.count; ++k) {
+      ++this.starts[contacts.row(k) + 1];
+    }
+    for (let r = 0; r < this.count; ++r) {
+      this.starts[r + 1] += this.starts[r];
+    }
+    const next = this.starts.slice();
+    this.members = new Uint32Array(contacts.count);
+    for (let k = 0; k < contacts.count; ++k) {
+      this.members[next[contacts.row(k)]++] = k;
+    }
+  }
+
+  word(r, column) {
+    return this.words[r * WORDS_OF_ROW + column];
+  }
+
+  slice(r, column, count) {
+    const at = r * WORDS_OF_ROW + column;
+    return this.floats.subarray(at, at + count);
+  }
+
+  a(r) { return this.word(r, 0); }
+
+  b(r) { return this.word(r, 1); }
+
+  part(r, side) { return this.word(r, 2 + side); }
+
+  total(r) { return this.word(r, 4) + 2 ** 32 * this.word(r, 5); }
+
+  steps(r) { return this.word(r, 6); }
+
+  begin(r) { return this.word(r, 7); }
+
+  end(r) { return this.word(r, 8); }
+
+  // Number of the first triangle on one side; undefined for a body as a whole.
+  triangle(r, side) {
+    const number = this.word(r, 9 + side);
+    return number === NONE ? undefined : number;
+  }
+
+  center(r) { return this.slice(r, 11, 3); }
+
+  half(r) { return this.slice(r, 14, 3); }
+
+  // Numbers of the contacts that the page holds, in order of time.
+  contacts(r) { return this.members.subarray(this.starts[r], this.starts[r + 1]); }
 }
 
 export function load() {
@@ -94,5 +163,6 @@ export function load() {
   scene.still = new Float32Array(takeBytes('still'));
   scene.poses = new Float32Array(takeBytes('poses'));
   scene.moving = scene.bodies.moves.reduce((sum, moves) => sum + moves, 0);
-  return { scene, contacts: new Contacts(scene) };
+  const contacts = new Contacts(scene);
+  return { scene, contacts, rows: new Rows(scene, contacts) };
 }

@@ -1,68 +1,58 @@
-// The list of contacts: searched, ordered, and drawn only where it is seen.
-import { haystack, holds, number, title, triangles, when } from './words.js';
+// The list: a row for each two that touch, their contacts below it where it is open. Searched, ordered,
+// and drawn only where it is seen, so that 100,000 rows are as quick as ten.
+import { CONTACT, Entries, MISSING, ROW } from './entries.js';
+import {
+  counted, missing, number, place, rowNoun, rowPaths, rowPlace, rowTitle, rowWhen, title, triangles, when,
+} from './words.js';
 
-const ROW = 56; // pixels, as in the page's style
-const MORE = 6; // rows beyond each end
-
-const ORDERS = {
-  begin: (contacts) => (a, b) => contacts.begin(a) - contacts.begin(b) || a - b,
-  length: (contacts) => (a, b) => (contacts.end(b) - contacts.begin(b)) - (contacts.end(a) - contacts.begin(a)) || a - b,
-  mover: (contacts) => (a, b) => contacts.a(a) - contacts.a(b) || a - b,
-  touched: (contacts) => (a, b) => contacts.b(a) - contacts.b(b) || contacts.word(a, 3) - contacts.word(b, 3) || a - b,
-};
+const HEIGHT = 72; // pixels of a line, as in the page's style
+const TALLEST = 8e6; // pixels; browsers draw no element that is much taller
+const MORE = 6; // lines beyond each end
 
 export class List {
   constructor(all, onChoose) {
     this.all = all;
-    this.onChoose = onChoose;
+    this.onChoose = onChoose; // of a row, and a contact of it or -1
+    this.entries = new Entries(all);
     this.box = document.getElementById('list');
     this.rows = document.getElementById('rows');
     this.find = document.getElementById('find');
     this.order = document.getElementById('order');
     this.onlyNow = document.getElementById('now');
     this.count = document.getElementById('count');
-    this.chosen = -1;
+    this.chosen = { row: -1, contact: -1 };
     this.step = 0;
+    if (all.scene.steps.count < 2) {
+      this.order.value = 'count';
+      this.onlyNow.parentElement.hidden = true;
+    }
+    if (all.rows.count === 1) {
+      this.entries.toggle(0);
+    }
     for (const [element, event] of [[this.find, 'input'], [this.order, 'change'], [this.onlyNow, 'change']]) {
       element.addEventListener(event, () => this.sift());
     }
     this.box.addEventListener('scroll', () => this.draw());
-    this.box.addEventListener('click', (event) => {
-      const row = event.target.closest('[data-contact]');
-      if (row) {
-        this.onChoose(Number(row.dataset.contact));
-      }
-    });
+    this.box.addEventListener('click', (event) => this.click(event));
     this.box.addEventListener('keydown', (event) => this.key(event));
     new ResizeObserver(() => this.draw()).observe(this.box);
     this.sift();
   }
 
-  // Which contacts are listed, and in what order.
   sift() {
-    const { contacts } = this.all;
-    const query = this.find.value.trim();
-    this.shown = [];
-    for (let k = 0; k < contacts.count; ++k) {
-      if (this.onlyNow.checked && !this.lasts(k)) {
-        continue;
-      }
-      if (query !== '' && !holds(haystack(this.all, k), query)) {
-        continue;
-      }
-      this.shown.push(k);
-    }
-    this.shown.sort(ORDERS[this.order.value](contacts));
-    this.rows.style.height = `${ROW * this.shown.length}px`;
-    this.count.textContent = contacts.count === 0 ? 'Nothing touches.'
-      : `${number(this.shown.length)} of ${number(contacts.count)} contacts`;
-    this.draw();
+    this.entries.sift(this.find.value.trim(), this.order.value,
+      this.onlyNow.checked ? Math.floor(this.step) : undefined);
+    const { rows } = this.all;
+    const shown = this.entries.order.length;
+    this.count.textContent = rows.count === 0 ? 'Nothing touches.'
+      : `${shown === rows.count ? 'All ' : `${number(shown)} of `}${rowNoun(this.all, rows.count)} that touch; ${
+        counted(this.all, this.all.scene.contacts.all)} in all`;
+    this.resize();
   }
 
-  lasts(k) {
-    const { contacts } = this.all;
-    const now = Math.floor(this.step);
-    return contacts.begin(k) <= now && now <= contacts.end(k);
+  resize() {
+    this.rows.style.height = `${Math.min(TALLEST, HEIGHT * this.entries.size)}px`;
+    this.draw();
   }
 
   setStep(step) {
@@ -77,43 +67,127 @@ export class List {
     }
   }
 
-  row(k, at) {
-    const { scene, contacts } = this.all;
-    const row = document.createElement('div');
-    row.id = `contact-${k}`;
-    row.dataset.contact = k;
-    row.setAttribute('role', 'option');
-    row.setAttribute('aria-selected', k === this.chosen);
-    row.setAttribute('aria-posinset', at + 1);
-    row.setAttribute('aria-setsize', this.shown.length);
-    row.className = `contact${this.lasts(k) ? ' lasts' : ''}`;
-    row.style.top = `${ROW * at}px`;
+  toggle(r) {
+    this.entries.toggle(r);
+    this.entries.lay();
+    this.resize();
+  }
+
+  click(event) {
+    const line = event.target.closest('[data-at]');
+    if (!line) {
+      return;
+    }
+    const at = Number(line.dataset.at);
+    const r = this.entries.rowOf[at];
+    if (this.entries.kinds[at] === ROW) {
+      const chosen = this.chosen.row === r && this.chosen.contact < 0;
+      if (event.target.closest('.fold') || chosen || !this.entries.isOpen(r)) {
+        this.toggle(r);
+      }
+      if (event.target.closest('.fold')) {
+        return;
+      }
+    }
+    if (this.entries.kinds[at] !== MISSING) {
+      this.onChoose(r, this.entries.contactOf[at]);
+    }
+  }
+
+  isChosen(at) {
+    return this.entries.kinds[at] !== MISSING && this.entries.rowOf[at] === this.chosen.row
+      && this.entries.contactOf[at] === this.chosen.contact;
+  }
+
+  line(at, top) {
+    const kind = this.entries.kinds[at];
+    const r = this.entries.rowOf[at];
+    const k = this.entries.contactOf[at];
+    const line = document.createElement('div');
+    line.id = `line-${at}`;
+    line.dataset.at = at;
+    line.setAttribute('role', 'treeitem');
+    line.setAttribute('aria-level', kind === ROW ? 1 : 2);
+    line.setAttribute('aria-selected', this.isChosen(at));
+    line.setAttribute('aria-posinset', at + 1);
+    line.setAttribute('aria-setsize', this.entries.size);
+    line.style.top = `${top}px`;
     const add = (tag, name, text) => {
       const element = document.createElement(tag);
       element.className = name;
       element.textContent = text;
-      row.append(element);
+      line.append(element);
       return element;
     };
-    add('b', 'who', title(this.all, k)).title = title(this.all, k);
-    add('span', 'what', [when(this.all, k), triangles(this.all, k)].filter(Boolean).join('; '));
+    if (kind === ROW) {
+      this.fillRow(line, r, add);
+    } else if (kind === CONTACT) {
+      line.dataset.contact = k;
+      line.className = `line contact${this.entries.lastsContact(k, Math.floor(this.step)) ? ' lasts' : ''}`;
+      const text = title(this.all, k);
+      add('b', 'who', triangles(this.all, k) || text).title = text;
+      const other = text === rowTitle(this.all, r) ? '' : text; // a part of a mover is a contact's own
+      add('span', 'what', [when(this.all, k), other, place(this.all, k)].filter(Boolean).join('; '));
+    } else {
+      line.className = 'line left';
+      const text = missing(this.all, r);
+      add('span', 'what', text).title = text;
+    }
+    return line;
+  }
+
+  fillRow(line, r, add) {
+    const { rows, scene } = this.all;
+    const open = Boolean(this.entries.isOpen(r));
+    line.dataset.row = r;
+    line.className = `line pair${this.entries.lasts(r, Math.floor(this.step)) && scene.steps.count > 1 ? ' lasts' : ''}`;
+    line.setAttribute('aria-expanded', open);
+    const fold = add('span', 'fold', open ? '\u25be' : '\u25b8');
+    fold.setAttribute('aria-hidden', true);
+    const text = rowTitle(this.all, r);
+    add('b', 'who', text).title = rowPaths(this.all, r) || text;
+    const left = rows.total(r) - rows.contacts(r).length;
+    const parts = [counted(this.all, rows.total(r))];
+    if (left > 0) {
+      parts[0] += ` (${number(left)} not drawn)`;
+    }
+    add('span', 'what', [...parts, rowWhen(this.all, r), rowPlace(this.all, r)].filter(Boolean).join('; '));
     if (scene.steps.count > 1) {
       const bar = document.createElement('i');
-      bar.style.left = `${100 * contacts.begin(k) / scene.steps.count}%`;
-      bar.style.width = `${100 * (contacts.end(k) - contacts.begin(k) + 1) / scene.steps.count}%`;
+      bar.style.left = `${100 * rows.begin(r) / scene.steps.count}%`;
+      bar.style.width = `${100 * (rows.end(r) - rows.begin(r) + 1) / scene.steps.count}%`;
       add('span', 'when', '').append(bar);
     }
-    return row;
+  }
+
+  // How many pixels of all lines lie above what is seen. Where they are taller than a browser can
+  // scroll, a pixel of the scroll bar stands for several.
+  above() {
+    const all = HEIGHT * this.entries.size;
+    const scrolled = this.box.scrollTop;
+    if (all <= TALLEST) {
+      return scrolled;
+    }
+    const room = this.box.clientHeight;
+    return scrolled / (TALLEST - room) * (all - room);
+  }
+
+  scrollTo(above) {
+    const all = HEIGHT * this.entries.size;
+    const room = this.box.clientHeight;
+    this.box.scrollTop = all <= TALLEST ? above : above * (TALLEST - room) / (all - room);
   }
 
   draw() {
-    const first = Math.max(0, Math.floor(this.box.scrollTop / ROW) - MORE);
-    const last = Math.min(this.shown.length, Math.ceil((this.box.scrollTop + this.box.clientHeight) / ROW) + MORE);
-    const rows = [];
+    const above = this.above();
+    const shift = this.box.scrollTop - above;
+    const first = Math.max(0, Math.floor(above / HEIGHT) - MORE);
+    const last = Math.min(this.entries.size, Math.ceil((above + this.box.clientHeight) / HEIGHT) + MORE);
+    const lines = [];
     for (let at = first; at < last; ++at) {
-      rows.push(this.row(this.shown[at], at));
+      lines.push(this.line(at, HEIGHT * at + shift));
     }
-    this.rows.replaceChildren(...rows);
+    this.rows.replaceChildren(...lines);
     const seen = this.rows.querySelector('[aria-selected="true"]');
     if (seen) {
       this.box.setAttribute('aria-activedescendant', seen.id);
@@ -122,37 +196,54 @@ export class List {
     }
   }
 
-  // Marks contact k and brings its row into sight; only a listed one has a row.
-  mark(k) {
-    this.chosen = k;
-    const at = this.shown.indexOf(k);
+  // Marks row r, or contact k of it, and brings its line into sight; a search may have left it out.
+  mark(r, k) {
+    this.chosen = { row: r, contact: k };
+    if (k >= 0 && !this.entries.isOpen(r)) {
+      this.toggle(r);
+    }
+    const at = this.entries.find(r, k);
     if (at >= 0) {
-      const top = ROW * at;
-      if (top < this.box.scrollTop || top + ROW > this.box.scrollTop + this.box.clientHeight) {
-        this.box.scrollTop = Math.max(0, top - this.box.clientHeight / 3);
+      const top = HEIGHT * at;
+      const above = this.above();
+      if (top < above || top + HEIGHT > above + this.box.clientHeight) {
+        this.scrollTo(Math.max(0, top - this.box.clientHeight / 3));
       }
     }
     this.draw();
   }
 
-  // The contact `by` rows further on.
+  // The line `by` lines further on; what is left out is passed over.
   neighbor(by) {
-    if (this.shown.length === 0) {
+    const { entries } = this;
+    if (entries.size === 0) {
       return;
     }
-    const at = this.shown.indexOf(this.chosen);
-    const next = at < 0 ? (by > 0 ? 0 : this.shown.length - 1) : at + by;
-    this.onChoose(this.shown[Math.min(this.shown.length - 1, Math.max(0, next))]);
+    const at = entries.find(this.chosen.row, this.chosen.contact);
+    const wanted = at < 0 ? (by > 0 ? 0 : entries.size - 1) : at + by;
+    let next = Math.min(entries.size - 1, Math.max(0, wanted));
+    while (entries.kinds[next] === MISSING) {
+      next += by > 0 && next + 1 < entries.size ? 1 : -1;
+    }
+    this.onChoose(entries.rowOf[next], entries.contactOf[next]);
   }
 
   key(event) {
-    const page = Math.max(1, Math.floor(this.box.clientHeight / ROW) - 1);
-    const steps = { ArrowDown: 1, ArrowUp: -1, PageDown: page, PageUp: -page, Home: -this.shown.length, End: this.shown.length };
+    const page = Math.max(1, Math.floor(this.box.clientHeight / HEIGHT) - 1);
+    const steps = { ArrowDown: 1, ArrowUp: -1, PageDown: page, PageUp: -page, Home: -this.entries.size, End: this.entries.size };
+    const { row, contact } = this.chosen;
     if (event.key in steps) {
       event.preventDefault();
       this.neighbor(steps[event.key]);
-    } else if (event.key === 'Enter' && this.chosen >= 0) {
-      this.onChoose(this.chosen);
+    } else if (row >= 0 && (event.key === 'Enter' || event.key === 'ArrowRight' || event.key === 'ArrowLeft')) {
+      event.preventDefault();
+      const open = Boolean(this.entries.isOpen(row));
+      const wanted = event.key === 'Enter' ? !open : event.key === 'ArrowRight';
+      if (contact >= 0 && event.key === 'ArrowLeft') {
+        this.onChoose(row, -1);
+      } else if (contact < 0 && open !== wanted) {
+        this.toggle(row);
+      }
     }
   }
 }

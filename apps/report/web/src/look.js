@@ -2,8 +2,8 @@
 // (Okabe and Ito 2008, Color Universal Design).
 import * as THREE from 'three';
 
-const LIGHT = { paper: '#eef1f4', still: '#c3beb2', moves: '#0072b2', touch: '#d55e00', was: '#e6a36f', chosen: '#d9dee3', line: '#000000', sky: 2.1, sun: 1.9 };
-const DARK = { paper: '#101316', still: '#7b8087', moves: '#56b4e9', touch: '#ff7a1a', was: '#a8683a', chosen: '#b9bfc6', line: '#000000', sky: 1.6, sun: 1.5 };
+const LIGHT = { paper: '#eef1f4', still: '#c3beb2', moves: '#0072b2', touch: '#d55e00', was: '#e6a36f', chosen: '#d9dee3', line: '#000000', frame: '#000000', sky: 2.1, sun: 1.9 };
+const DARK = { paper: '#101316', still: '#7b8087', moves: '#56b4e9', touch: '#ff7a1a', was: '#a8683a', chosen: '#b9bfc6', line: '#000000', frame: '#ffffff', sky: 1.6, sun: 1.5 };
 
 const scheme = matchMedia('(prefers-color-scheme: dark)');
 

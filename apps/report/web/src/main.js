@@ -3,7 +3,9 @@ import { load } from './data.js';
 import { List } from './list.js';
 import { Time } from './time.js';
 import { View } from './view.js';
-import { moment, title, triangles, whatIsDrawn, when } from './words.js';
+import {
+  bodyName, counted, missing, moment, notDrawn, place, rowPlace, rowTitle, rowWhen, title, triangles, whatIsDrawn, when,
+} from './words.js';
 
 const byId = (id) => document.getElementById(id);
 
@@ -57,9 +59,9 @@ function addPicking(view, choose) {
   canvas.addEventListener('pointerup', (event) => {
     if (down && Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) < 5) {
       const frame = canvas.getBoundingClientRect();
-      const k = view.contactAt(event.clientX - frame.left, event.clientY - frame.top);
-      if (k >= 0) {
-        choose(k);
+      const spot = view.spotAt(event.clientX - frame.left, event.clientY - frame.top);
+      if (spot) {
+        choose(spot.row, spot.contact);
       }
     }
     down = null;
@@ -76,9 +78,38 @@ function addTimeLine(all, choose) {
       bar.style.cursor = 'pointer';
       bar.addEventListener('click', () => {
         byId('view').scrollIntoView();
-        choose(k);
+        choose(all.contacts.row(k), k);
       });
     }
+  }
+}
+
+// What is said of the row or contact that is chosen.
+function wordsOf(all, r, k) {
+  return (k >= 0 ? [title(all, k), when(all, k), triangles(all, k), place(all, k)]
+    : [rowTitle(all, r), counted(all, all.rows.total(r)), rowWhen(all, r), rowPlace(all, r), missing(all, r)])
+    .filter(Boolean).join('; ');
+}
+
+// The row and contact that an address names: "#row=3" or "#contact=12".
+function linked(all) {
+  const [, what, digits] = /^#(row|contact)=(\d+)$/.exec(location.hash) ?? [];
+  const named = Number(digits);
+  if (what === 'contact' && named < all.contacts.count) {
+    return [all.contacts.row(named), named];
+  }
+  return what === 'row' && named < all.rows.count ? [named, -1] : null;
+}
+
+// Of two bodies at one pose: which is which, and what the lines are.
+function nameColors({ scene }) {
+  if (scene.steps.count < 2 && scene.bodies.names.length === 2) {
+    byId('legend').replaceChildren(...[['moves', bodyName(scene, 0)], ['still', bodyName(scene, 1)],
+      ['touch', 'where they cross']].flatMap(([key, words]) => {
+      const mark = document.createElement('span');
+      mark.className = `key ${key}`;
+      return [mark, words];
+    }));
   }
 }
 
@@ -86,21 +117,25 @@ function start() {
   const all = load();
   byId('look').hidden = false;
   byId('drawn').textContent = whatIsDrawn(all);
+  byId('missing').textContent = notDrawn(all);
+  nameColors(all);
+  byId('missing').hidden = notDrawn(all) === '';
   const view = makeView(all);
   const time = new Time(all, (step) => {
     view?.setStep(step);
     list.setStep(step);
     byId('moment').textContent = moment(all, step);
   });
-  const choose = (k) => {
+  const choose = (r, k) => {
+    const begin = k >= 0 ? all.contacts.begin(k) : all.rows.begin(r);
     time.stop();
-    time.show(all.contacts.begin(k));
-    list.setStep(all.contacts.begin(k));
-    list.mark(k);
-    view?.choose(k);
-    byId('moment').textContent = moment(all, all.contacts.begin(k));
-    byId('picked').textContent = [title(all, k), when(all, k), triangles(all, k)].filter(Boolean).join('; ');
-    history.replaceState(null, '', `#contact=${k}`);
+    time.show(begin);
+    list.setStep(begin);
+    list.mark(r, k);
+    view?.choose(r, k);
+    byId('moment').textContent = moment(all, begin);
+    byId('picked').textContent = wordsOf(all, r, k);
+    history.replaceState(null, '', k >= 0 ? `#contact=${k}` : `#row=${r}`);
   };
   const list = new List(all, choose);
   byId('next').addEventListener('click', () => list.neighbor(1));
@@ -113,19 +148,26 @@ function start() {
     addPicking(view, choose);
   }
   time.go(0);
-  const linked = /^#contact=(\d+)$/.exec(location.hash);
-  if (linked && Number(linked[1]) < all.contacts.count) {
-    choose(Number(linked[1]));
+  const named = linked(all);
+  if (named) {
+    choose(...named);
   }
   // For scripts that look at the page, our tests among them.
   window.soms = {
+    rows: all.rows.count,
     contacts: all.contacts.count,
+    total: (r) => all.rows.total(r),
+    held: (r) => all.rows.contacts(r).length,
+    title: (r) => rowTitle(all, r),
+    shown: () => list.entries.order.length,
     camera: () => view?.camera.position.toArray(),
     target: () => view?.controls.target.toArray(),
-    chosen: () => list.chosen,
+    chosen: () => list.chosen.contact,
+    chosenRow: () => list.chosen.row,
     step: () => time.step,
     flying: () => Boolean(view?.flight),
     focus: (k) => [...all.contacts.focus(k)],
+    center: (r) => [...all.rows.center(r)],
     calls: () => view?.renderer.info.render.calls,
   };
 }

@@ -59,7 +59,8 @@ export class View {
     this.canvas = canvas;
     this.all = all;
     this.step = 0;
-    this.chosen = -1;
+    this.chosen = -1; // the contact whose poses are shown
+    this.chosenBodies = [];
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.world = new THREE.Scene();
@@ -128,13 +129,14 @@ export class View {
   }
 
   // The triangles of contacts, on the bodies that stand still: sharp at this step, faint at others.
+  // Where there is one step alone they would cover both bodies: the lines in which they cross are drawn.
   addTouched() {
     const { scene, contacts } = this.all;
     const corners = [];
     this.touchedContact = [];
     const oneStep = scene.steps.count < 2;
-    for (let k = 0; k < contacts.count; ++k) {
-      const sides = [0, 1].filter((side) => oneStep || !scene.bodies.moves[side === 0 ? contacts.a(k) : contacts.b(k)]);
+    for (let k = 0; k < contacts.count && !oneStep; ++k) {
+      const sides = [0, 1].filter((side) => !scene.bodies.moves[side === 0 ? contacts.a(k) : contacts.b(k)]);
       for (let n = 0; n < contacts.pairCount(k); ++n) {
         for (const side of sides) {
           corners.push(contacts.corners(contacts.firstPair(k) + n, side));
@@ -151,19 +153,43 @@ export class View {
     this.touched = new THREE.Mesh(geometry, material);
     this.touched.frustumCulled = false;
     this.world.add(this.touched);
+    const lines = [];
+    for (let n = 0; n < scene.contacts.pairs && oneStep; ++n) {
+      lines.push(contacts.crossing(n));
+    }
+    this.crossings = new THREE.LineSegments(trianglesOf(joined(lines)), new THREE.LineBasicMaterial({ depthTest: false, transparent: true }));
+    this.crossings.frustumCulled = false;
+    this.crossings.renderOrder = ALWAYS_SEEN + 5;
+    this.world.add(this.crossings);
+  }
+
+  // Where there is no time a spot a row; else one a contact, and one for each row without any.
+  makeSpots() {
+    const { scene, contacts, rows } = this.all;
+    const spots = [];
+    const oneStep = scene.steps.count < 2;
+    for (let k = 0; k < contacts.count && !oneStep; ++k) {
+      spots.push({
+        place: contacts.focus(k), row: contacts.row(k), contact: k, begin: contacts.begin(k), end: contacts.end(k),
+      });
+    }
+    for (let r = 0; r < rows.count; ++r) {
+      if (oneStep || rows.contacts(r).length === 0) {
+        spots.push({ place: rows.center(r), row: r, contact: -1, begin: rows.begin(r), end: rows.end(r) });
+      }
+    }
+    return spots;
   }
 
   addSpots() {
-    const { contacts } = this.all;
-    const places = new Float32Array(3 * contacts.count);
-    for (let k = 0; k < contacts.count; ++k) {
-      places.set(contacts.focus(k), 3 * k);
-    }
+    this.spotsAt = this.makeSpots();
+    const places = new Float32Array(3 * this.spotsAt.length);
+    this.spotsAt.forEach(({ place }, n) => places.set(place, 3 * n));
     const geometry = trianglesOf(places);
-    this.spotColors = new THREE.BufferAttribute(new Float32Array(4 * contacts.count), 4);
+    this.spotColors = new THREE.BufferAttribute(new Float32Array(4 * this.spotsAt.length), 4);
     geometry.setAttribute('color', this.spotColors);
     this.spots = new THREE.Points(geometry, new THREE.PointsMaterial({
-      size: (contacts.count > 500 ? 5 : 8) * this.renderer.getPixelRatio(), sizeAttenuation: false, vertexColors: true, transparent: true, depthTest: false, map: roundSpot(), alphaTest: 0.05,
+      size: (this.spotsAt.length > 500 ? 5 : 8) * this.renderer.getPixelRatio(), sizeAttenuation: false, vertexColors: true, transparent: true, depthTest: false, map: roundSpot(), alphaTest: 0.05,
     }));
     this.spots.frustumCulled = false;
     this.spots.renderOrder = ALWAYS_SEEN;
@@ -172,10 +198,10 @@ export class View {
 
   addChosen() {
     const fill = () => new THREE.MeshBasicMaterial({ side: THREE.DoubleSide, transparent: true, opacity: 0.75, depthTest: false });
-    const line = () => new THREE.LineBasicMaterial({ depthTest: false, transparent: true });
+    const line = (opacity) => new THREE.LineBasicMaterial({ depthTest: false, transparent: true, opacity });
     this.chosenParts = [0, 1].map(() => ({
       mesh: new THREE.Mesh(new THREE.BufferGeometry(), fill()),
-      edges: new THREE.LineSegments(new THREE.BufferGeometry(), line()),
+      edges: new THREE.LineSegments(new THREE.BufferGeometry(), line(0.3)),
     }));
     this.chosenParts.forEach(({ mesh, edges }, side) => {
       mesh.renderOrder = ALWAYS_SEEN + 2 - side; // what is touched is often the larger: below
@@ -184,6 +210,10 @@ export class View {
       mesh.visible = edges.visible = false;
       this.world.add(mesh, edges);
     });
+    this.box = new THREE.LineSegments(new THREE.EdgesGeometry(new THREE.BoxGeometry(1, 1, 1)), line(1));
+    this.box.renderOrder = ALWAYS_SEEN + 4;
+    this.box.visible = this.box.frustumCulled = false;
+    this.world.add(this.box);
   }
 
   paint() {
@@ -195,6 +225,8 @@ export class View {
     this.chosenParts[0].mesh.material.color.copy(this.colors.moves);
     this.chosenParts[1].mesh.material.color.copy(this.colors.touch);
     this.chosenParts.forEach(({ edges }) => edges.material.color.copy(this.colors.line));
+    this.box.material.color.copy(this.colors.frame);
+    this.crossings.material.color.copy(this.colors.touch);
   }
 
   fit() {
@@ -218,9 +250,12 @@ export class View {
       if (active) {
         touching.add(contacts.a(k)).add(contacts.b(k));
       }
-      const color = active ? this.colors.touch : this.colors.was;
-      this.spotColors.setXYZW(k, color.r, color.g, color.b, active ? 1 : 0.35);
     }
+    this.spotsAt.forEach(({ begin, end }, n) => {
+      const active = begin <= now && now <= end;
+      const color = active ? this.colors.touch : this.colors.was;
+      this.spotColors.setXYZW(n, color.r, color.g, color.b, active ? 1 : 0.35);
+    });
     this.touchedContact.forEach((k, n) => {
       const active = contacts.begin(k) <= now && now <= contacts.end(k);
       const color = active ? this.colors.touch : this.colors.was;
@@ -262,33 +297,61 @@ export class View {
 
   // What is chosen steps back, so that its triangles stand out.
   colorOf(body, touching) {
-    const { contacts } = this.all;
-    if (this.chosen >= 0 && [contacts.a(this.chosen), contacts.b(this.chosen)].includes(body)) {
+    if (this.chosenBodies.includes(body)) {
       return this.colors.chosen;
     }
-    return touching.has(body) ? this.colors.touch : this.colors.moves;
+    return touching.has(body) && this.all.scene.steps.count > 1 ? this.colors.touch : this.colors.moves;
   }
 
-  // Lights up the triangles of contact k and flies there.
-  choose(k) {
-    this.chosen = k;
-    const { contacts } = this.all;
+  // Lights up the triangles of contact k, or of those of row r that begin with it, and flies there.
+  choose(r, k) {
+    const { contacts, rows } = this.all;
+    const members = k >= 0 ? [k]
+      : [...rows.contacts(r)].filter((member) => contacts.begin(member) === rows.begin(r));
+    this.chosen = members[0] ?? -1;
+    this.chosenBodies = [rows.a(r), rows.b(r)];
     this.chosenParts.forEach(({ mesh, edges }, side) => {
       const corners = [];
-      for (let n = 0; n < contacts.pairCount(k); ++n) {
-        corners.push(contacts.corners(contacts.firstPair(k) + n, side));
+      const seen = new Set();
+      for (const member of members) {
+        for (let n = contacts.firstPair(member); n < contacts.firstPair(member) + contacts.pairCount(member); ++n) {
+          const triangle = contacts.triangleOf(n, side);
+          if (!seen.has(triangle)) {
+            seen.add(triangle);
+            corners.push(contacts.corners(n, side));
+          }
+        }
       }
       const all = joined(corners);
       mesh.geometry.dispose();
       edges.geometry.dispose();
       mesh.geometry = trianglesOf(all);
       edges.geometry = trianglesOf(edgesOf(all));
-      mesh.visible = edges.visible = all.length > 0;
+      mesh.visible = all.length > 0;
+      edges.visible = mesh.visible && k >= 0; // of many triangles they would hide all else
     });
-    this.setStep(contacts.begin(k));
-    const target = new THREE.Vector3().fromArray(contacts.focus(k));
-    const distance = Math.max(AROUND * this.narrow() * contacts.reach(k), 1e-5 * this.all.scene.size);
+    this.frameRow(r, k < 0);
+    this.setStep(k >= 0 ? contacts.begin(k) : rows.begin(r));
+    const target = new THREE.Vector3().fromArray(k >= 0 ? contacts.focus(k) : rows.center(r));
+    const reach = k >= 0 ? contacts.reach(k) : this.reachOf(r);
+    const distance = Math.max(AROUND * this.narrow() * reach, 1e-5 * this.all.scene.size);
     this.fly(target, target.clone().addScaledVector(this.clearDirection(target, distance), distance));
+  }
+
+  // How much around the place of a row is worth seeing: more than its box, less than the scene.
+  reachOf(r) {
+    const { contacts, rows, scene } = this.all;
+    const size = Math.hypot(...rows.half(r));
+    const member = rows.contacts(r)[0];
+    return Math.min(Math.max(4 * size, member === undefined ? 0 : 0.3 * contacts.reach(member)), 0.4 * scene.size);
+  }
+
+  // The box of a row: around all places where the two touch.
+  frameRow(r, visible) {
+    this.box.visible = visible;
+    this.box.position.fromArray(this.all.rows.center(r));
+    const least = 1e-4 * this.all.scene.size;
+    this.box.scale.fromArray([...this.all.rows.half(r)].map((half) => 2 * Math.max(half, least)));
   }
 
   // A direction from which nothing that stands still hides the target, if there is one: near the
@@ -390,19 +453,18 @@ export class View {
     this.controls.update();
   }
 
-  // The contact whose spot lies nearest to a place on the canvas; -1 if none is near.
-  contactAt(x, y) {
-    const { contacts } = this.all;
+  // The spot nearest to a place on the canvas; undefined if none is near.
+  spotAt(x, y) {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const at = new THREE.Vector3();
-    let best = -1;
+    let best;
     let least = NEAR_POINTER;
-    for (let k = 0; k < contacts.count; ++k) {
-      at.fromArray(contacts.focus(k)).project(this.camera);
+    for (const spot of this.spotsAt) {
+      at.fromArray(spot.place).project(this.camera);
       const distance = Math.hypot((at.x + 1) * width / 2 - x, (1 - at.y) * height / 2 - y);
       if (distance < least && Math.abs(at.z) <= 1) {
         least = distance;
-        best = k;
+        best = spot;
       }
     }
     return best;

@@ -1,22 +1,36 @@
-// What the page says about contacts and steps.
+// What the page says about rows, contacts and steps.
 
 export const number = (value) => value.toLocaleString('en');
 
+const NO_PART = 0xffffffff;
+
 const some = (values, most) => values.slice(0, most).map(number).join(', ')
   + (values.length > most ? ', ...' : '');
+
+// "1 contact", "12,345 contacts"
+export function counted({ scene }, count) {
+  return `${number(count)} ${count === 1 ? scene.contacts.one : scene.contacts.many}`;
+}
 
 export function bodyName(scene, body) {
   return scene.bodies.names[body];
 }
 
-// The only thing that stands still needs no name beside those of its parts.
+const nameOf = (scene, part) => (part === NO_PART ? '' : scene.parts[part]);
+
+const pathOf = (scene, part) => (part === NO_PART ? '' : scene.paths[part]);
+
+// Where only two bodies are, or a body is the only one that stands still, its parts need no other
+// name beside theirs.
 function side(scene, body, part) {
   const name = bodyName(scene, body);
-  if (!part || part === name) {
+  const partName = nameOf(scene, part);
+  if (!partName || partName === name) {
     return name;
   }
-  const alone = scene.bodies.moves.length - scene.moving === 1;
-  return !scene.bodies.moves[body] && alone ? part : `${name} (${part})`;
+  const alone = scene.bodies.moves.length === 2
+    || (!scene.bodies.moves[body] && scene.bodies.moves.length - scene.moving === 1);
+  return alone ? partName : `${name} (${partName})`;
 }
 
 // "car 12 (hull) touches house_31"
@@ -24,15 +38,47 @@ export function title({ scene, contacts }, k) {
   return `${side(scene, contacts.a(k), contacts.part(k, 0))} touches ${side(scene, contacts.b(k), contacts.part(k, 1))}`;
 }
 
-export function when({ scene, contacts }, k) {
+// The same of a row.
+export function rowTitle({ scene, rows }, r) {
+  return `${side(scene, rows.a(r), rows.part(r, 0))} touches ${side(scene, rows.b(r), rows.part(r, 1))}`;
+}
+
+// Where parts lie in the hierarchy of their files; empty where that says no more than their names.
+export function rowPaths({ scene, rows }, r) {
+  return [0, 1].map((which) => pathOf(scene, rows.part(r, which))).filter(Boolean).join(' touches ');
+}
+
+function span(scene, begin, end) {
   const { noun, count } = scene.steps;
   if (count < 2) {
     return '';
   }
-  const begin = contacts.begin(k);
-  const end = contacts.end(k);
   return begin === end ? `${noun} ${number(begin)}` : `${noun}s ${number(begin)} to ${number(end)}`;
 }
+
+export function when({ scene, contacts }, k) {
+  return span(scene, contacts.begin(k), contacts.end(k));
+}
+
+// "poses 3 to 9, 5 of them"
+export function rowWhen({ scene, rows }, r) {
+  const text = span(scene, rows.begin(r), rows.end(r));
+  const all = rows.end(r) - rows.begin(r) + 1;
+  return text && rows.steps(r) < all ? `${text}, ${number(rows.steps(r))} of them` : text;
+}
+
+// "(12.3, 4.56, 0.125)", a point of the scene in the coordinates of the files: digits that can be seen.
+function point(scene, at) {
+  const size = scene.size / scene.scale;
+  const digits = Math.min(12, Math.max(0, 4 - Math.floor(Math.log10(size))));
+  const values = [...at].map((value, axis) => scene.origin[axis] + value / scene.scale);
+  return `(${values.map((value) => (size < 1e-6 || size > 1e9 ? value.toPrecision(6)
+    : String(Number(value.toFixed(digits))))).join(', ')})`;
+}
+
+export const place = ({ scene, contacts }, k) => `at ${point(scene, contacts.focus(k))}`;
+
+export const rowPlace = ({ scene, rows }, r) => `around ${point(scene, rows.center(r))}`;
 
 // "triangles 3, 5 and 4,711"
 export function triangles({ contacts }, k) {
@@ -41,17 +87,41 @@ export function triangles({ contacts }, k) {
   if (a.length + b.length === 0) {
     return '';
   }
-  return `triangle${a.length > 1 ? 's' : ''} ${some(a, 3)} and ${some(b, 3)}`;
+  const left = contacts.pairsInAll(k) - contacts.pairCount(k);
+  return `triangles ${some(a, 3)} and ${some(b, 3)}`
+    + (left > 0 ? `; ${number(left)} more pairs of triangles are not in this page` : '');
+}
+
+// What of a row is not in the page, and so not in the picture; empty where nothing is missing.
+export function missing(all, r) {
+  const left = all.rows.total(r) - all.rows.contacts(r).length;
+  if (left === 0) {
+    return '';
+  }
+  const numbers = [0, 1].map((which) => all.rows.triangle(r, which)).filter((t) => t !== undefined);
+  const first = all.rows.contacts(r).length > 0 || numbers.length === 0 ? ''
+    : `; the first: triangle${numbers.length > 1 ? 's' : ''} ${numbers.map(number).join(' and ')}`;
+  return `${counted(all, left)} not in this page, so not drawn${first}`;
 }
 
 // 12,345 as 12345, wherever it stands.
 const ungrouped = (text) => text.replace(/(\d),(?=\d{3})/g, '$1');
 
-// Everything that can be searched for, in small letters; numbers with commas and without.
+const searchable = (text) => {
+  const small = text.toLowerCase();
+  return `${small} ${ungrouped(small)}`;
+};
+
+// Everything that can be searched for in a contact, in small letters; numbers with commas and without.
 export function haystack(all, k) {
   const plain = [...all.contacts.triangles(k, 0), ...all.contacts.triangles(k, 1)].join(' ');
-  const text = `#${k} ${title(all, k)} ${plain} ${when(all, k)}`.toLowerCase();
-  return `${text} ${ungrouped(text)}`;
+  return searchable(`#${k} ${title(all, k)} ${plain} ${when(all, k)}`);
+}
+
+// The same of a row.
+export function rowHaystack(all, r) {
+  const numbers = [0, 1].map((which) => all.rows.triangle(r, which) ?? '').join(' ');
+  return searchable(`${rowTitle(all, r)} ${rowPaths(all, r)} ${numbers} ${rowWhen(all, r)}`);
 }
 
 // Whether a text holds every word of a query. Commas may be those of a name, of a number or of a list.
@@ -66,16 +136,32 @@ export function moment({ scene }, step) {
   return `${noun} ${number(Math.floor(step))} of ${number(count)}${time}`;
 }
 
-export function whatIsDrawn({ scene }) {
-  const sum = (key) => scene.models.reduce((all, model) => all + model[key], 0);
+// What rows are: "pairs of parts", where parts have names, or "pairs of bodies".
+export function rowNoun({ scene }, count) {
+  const what = scene.parts.length > 0 ? 'parts' : 'bodies';
+  return `${number(count)} pair${count === 1 ? '' : 's'} of ${what}`;
+}
+
+// "7,462 of 13,252 pairs of triangles are in this page and drawn"; empty where all are.
+export function notDrawn(all) {
+  const { listed, all: inAll, many } = all.scene.contacts;
+  return listed < inAll
+    ? `Drawn: ${number(listed)} of ${number(inAll)} ${many}, spread over all ${rowNoun(all, all.rows.count)}`
+    : '';
+}
+
+export function whatIsDrawn(all) {
+  const { scene } = all;
+  const sum = (key) => scene.models.reduce((total, model) => total + model[key], 0);
   const parts = [`Drawn: ${number(sum('drawn'))} of ${number(sum('triangles'))} triangles`];
   if (sum('drawn') < sum('triangles')) {
     parts[0] += ' (simplified away from the contacts; the answers are not)';
   }
-  const { listed, all } = scene.contacts;
-  parts.push(listed < all
-    ? `listed: ${number(listed)} of ${number(all)} contacts`
-    : `listed: ${listed === 1 ? 'the one contact' : `all ${number(all)} contacts`}`);
+  const { listed, all: inAll, many } = scene.contacts;
+  parts.push(`listed: all ${rowNoun(all, all.rows.count)} that touch`);
+  parts.push(listed < inAll
+    ? `of their ${number(inAll)} ${many} ${number(listed)} are in this page, spread over all rows`
+    : `with all their ${number(inAll)} ${many}`);
   if (scene.bodies.names.length < scene.bodies.all) {
     parts.push(`bodies: ${number(scene.bodies.names.length)} of ${number(scene.bodies.all)}`);
   }

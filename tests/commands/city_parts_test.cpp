@@ -1,5 +1,4 @@
-#include "apps/support/parts_of.h"
-
+#include "apps/support/models.h"
 #include "apps/support/world.h"
 #include "tests/commands/run.h"
 
@@ -9,7 +8,6 @@ namespace {
 /// Seven triangles: a street of the first five, in it a house of 1 to 3 and a nameless part of 4.
 Mesh nested() {
   Mesh mesh;
-  mesh.source = "street.obj";
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.triangles.assign(7, {0, 1, 2});
   mesh.parts = {{.name = "street", .first = 0, .count = 5},
@@ -18,18 +16,7 @@ Mesh nested() {
   return mesh;
 }
 
-TEST(PartsOf, AreThoseOfPartOf) {
-  const Mesh mesh = nested();
-  const PartsOf parts(mesh);
-  std::string names;
-  for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
-    EXPECT_EQ(parts(i), part_of(mesh, i)) << i;
-    names += parts.name(i) + ",";
-  }
-  EXPECT_EQ(names, "street,house,house,house,,,,");
-}
-
-TEST(PartsOf, OfACityAreThoseOfPartName) {
+TEST(CityParts, AreThoseOfPartName) {
   World world;
   add_to_city(world, Body(Shape(nested()), Pose{}, "street"), {});
   add_to_city(world, Body(Shape(nested()), Pose{}, "other"), {});
@@ -39,6 +26,7 @@ TEST(PartsOf, OfACityAreThoseOfPartName) {
       EXPECT_EQ(parts.name(body, i), part_name(world, body, i)) << body << " " << i;
     }
   }
+  EXPECT_EQ(parts.name(0, 2), "house");
   EXPECT_EQ(parts.name(1, 6), "other");
 }
 

@@ -1,0 +1,75 @@
+#include "apps/soms/overlap_by_part.h"
+
+#include "soms/base/text.h"
+
+#include "apps/support/console.h"
+#include "apps/support/json.h"
+#include "apps/support/part_names.h"
+#include "apps/support/text.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace soms::command {
+
+namespace {
+
+constexpr std::size_t kPieceOfParts = std::size_t{1} << 16;  // bytes handed on at once
+
+std::string label_in_text(const Mesh& mesh, std::uint32_t part) {
+  return printable(part == Part::kNoParent ? part_label(mesh, part) : part_path_label(mesh, part));
+}
+
+Json part_as_json(const Mesh& mesh, std::uint32_t part) {
+  if (part == Part::kNoParent) {
+    return {{"id", nullptr}, {"name", nullptr}, {"path", Json::array()}};
+  }
+  return {{"id", part}, {"name", mesh.parts[part].name}, {"path", part_path(mesh, part)}};
+}
+
+std::string pairs_of_parts(std::size_t count) {
+  return with_commas(count) + (count == 1 ? " pair of parts" : " pairs of parts");
+}
+
+}  // namespace
+
+void print_parts_as_text(const OverlapReport& report, const Overlap& answer,
+                         std::span<const PartPair> parts, Console& console) {
+  console.print(fmt::format(
+      "{}{} of triangles overlap{}, in {}{}\n", answer.coverage == Coverage::cut ? "at least " : "",
+      counted(answer.pairs.size(), "pair"), answer.pairs.size() == 1 ? "s" : "",
+      pairs_of_parts(parts.size()), report.single ? ":" : ""));
+  if (!report.single) {
+    return;
+  }
+  for (const PartPair& pair : parts) {
+    const Vec3 at = pair.box.center();
+    console.print(fmt::format("  {} and {}: {} of triangles around ({}, {}, {})\n",
+                              label_in_text(report.a, pair.a), label_in_text(report.b, pair.b),
+                              counted(pair.count, "pair"), readable(at.x), readable(at.y),
+                              readable(at.z)));
+  }
+}
+
+void print_parts_as_json(const OverlapReport& report, std::span<const PartPair> parts,
+                         Console& console) {
+  std::string piece = ",\"parts\":[";
+  for (const PartPair& pair : parts) {
+    piece += json_text({{"a", part_as_json(report.a, pair.a)},
+                        {"b", part_as_json(report.b, pair.b)},
+                        {"count", pair.count},
+                        {"first", {pair.first.first, pair.first.second}},
+                        {"box", json_box(pair.box)}});
+    piece += &pair == &parts.back() ? "" : ",";
+    if (piece.size() > kPieceOfParts) {
+      console.print(piece);
+      piece.clear();
+    }
+  }
+  console.print(piece + "]");
+}
+
+}  // namespace soms::command

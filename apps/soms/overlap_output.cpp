@@ -1,0 +1,62 @@
+#include "apps/soms/overlap_output.h"
+
+#include "apps/soms/overlap_csv.h"
+#include "apps/support/world.h"
+
+#include <vector>
+
+namespace soms::command {
+
+OverlapOutput::OverlapOutput(const OverlapVerbOptions& options)
+    : name_a_(short_name(options.a)), name_b_(short_name(options.b)) {
+  if (!options.report.empty()) {
+    page_file_.emplace(options.report);
+  }
+  if (!options.csv.empty()) {
+    csv_file_.emplace(options.csv);
+  }
+}
+
+void OverlapOutput::begin(const OverlapReport& report) {
+  report_ = &report;
+  if (report.by_part || csv_file_) {
+    parts_a_ = PartsOf(report.a);
+    parts_b_ = PartsOf(report.b);
+  }
+  if (page_file_) {
+    page_.emplace(report.a, name_a_, report.b, name_b_);
+  }
+  if (csv_file_) {
+    write_csv_head(csv_file_->stream(), report);
+  }
+}
+
+void OverlapOutput::add(std::uint64_t pose, const Pose& a, const Pose& b, const Overlap& answer,
+                        bool right, Console& console) {
+  const PosedParts of_a{report_->a, parts_a_, a};
+  const PosedParts of_b{report_->b, parts_b_, b};
+  const std::vector<PartPair> parts =
+      report_->by_part ? part_pairs(of_a, of_b, answer.pairs) : std::vector<PartPair>();
+  print_answer(*report_, pose, answer, right, console, parts);
+  if (csv_file_) {
+    write_csv_rows(csv_file_->stream(), *report_, pose, of_a, of_b, answer, parts);
+    if (!csv_file_->stream().good()) {
+      csv_file_->check();
+    }
+  }
+  if (page_) {
+    page_->add(a, b, answer);
+  }
+}
+
+void OverlapOutput::finish(const OverlapTotals& totals) {
+  if (page_) {
+    page_->write(page_file_->stream(), *report_, totals);
+    page_file_->commit();
+  }
+  if (csv_file_) {
+    csv_file_->commit();
+  }
+}
+
+}  // namespace soms::command

@@ -1,0 +1,44 @@
+/// \file
+/// Where answers of `overlap` go: standard output, and the files of --report and --csv.
+#pragma once
+
+#include "apps/soms/overlap.h"
+#include "apps/soms/overlap_page.h"
+#include "apps/soms/overlap_parts.h"
+#include "apps/soms/overlap_report.h"
+#include "apps/support/output.h"
+
+#include <optional>
+
+namespace soms::command {
+
+class OverlapOutput {
+ public:
+  /// Opens the files: one that cannot be written is an error before the work, not after it.
+  /// \errors ErrorKind::cannot_write.
+  explicit OverlapOutput(const OverlapVerbOptions& options);
+
+  /// Before the first answer. `report` must stay, as must its meshes.
+  void begin(const OverlapReport& report);
+
+  /// Adds the answer of pose number `pose` to each output. `right` is as in `print_answer`.
+  /// \errors ErrorKind::cannot_write; ClosedPipe.
+  void add(std::uint64_t pose, const Pose& a, const Pose& b, const Overlap& answer, bool right,
+           Console& console);
+
+  /// Makes the files appear.
+  /// \errors As `add`.
+  void finish(const OverlapTotals& totals);
+
+ private:
+  std::string name_a_;
+  std::string name_b_;
+  std::optional<OutputFile> page_file_;
+  std::optional<OutputFile> csv_file_;
+  const OverlapReport* report_ = nullptr;
+  PartsOf parts_a_;
+  PartsOf parts_b_;
+  std::optional<OverlapPage> page_;
+};
+
+}  // namespace soms::command

@@ -1,0 +1,48 @@
+/// \file
+/// Which parts of two meshes overlap, from the pairs of triangles that do.
+#pragma once
+
+#include "soms/base/box.h"
+#include "soms/base/pose.h"
+#include "soms/geometry/parts_of.h"
+#include "soms/query/overlap.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace soms::command {
+
+/// A mesh at a place, and the parts of its triangles.
+struct PosedParts {
+  const Mesh& mesh;
+  const PartsOf& parts;
+  const Pose& pose;
+
+  [[nodiscard]] Triangle triangle(TriangleId i) const {
+    const Triangle t = mesh.triangle(i);
+    return {pose.apply(t.a), pose.apply(t.b), pose.apply(t.c)};
+  }
+};
+
+/// Two parts that overlap at one pose: indices in Mesh::parts, or Part::kNoParent for triangles
+/// that no part holds.
+struct PartPair {
+  std::uint32_t a = Part::kNoParent;
+  std::uint32_t b = Part::kNoParent;
+  std::uint64_t count = 0;  ///< pairs of triangles
+  TrianglePair first;       ///< the least of them
+  Box box = {};             ///< holds every point that these triangles share
+};
+
+/// Grows `box`, which lies around the points that the first `count` pairs of triangles of a row
+/// share, by one more pair. Every shared point is in it. Tight while `count` is small; afterwards
+/// by the boxes of the triangles, which costs a hundredth.
+void grow_by_contact(Box& box, std::uint64_t count, const Triangle& a, const Triangle& b);
+
+/// The pairs of parts of `pairs`, sorted by part of `a`, then of `b`.
+/// \pre `pairs` are sorted.
+[[nodiscard]] std::vector<PartPair> part_pairs(const PosedParts& a, const PosedParts& b,
+                                               std::span<const TrianglePair> pairs);
+
+}  // namespace soms::command

@@ -1,0 +1,20 @@
+/// \file
+/// What parts are called where somebody reads of them.
+#pragma once
+
+#include "soms/geometry/mesh.h"
+
+#include <cstdint>
+#include <string>
+
+namespace soms::command {
+
+/// The name of a part as its file has it; "part 7" where it has none, and the file's name without
+/// folder and extension for Part::kNoParent.
+[[nodiscard]] std::string part_label(const Mesh& mesh, std::uint32_t part);
+
+/// The labels of the parts around a part, the outermost first, and its own, with a slash between;
+/// empty for Part::kNoParent.
+[[nodiscard]] std::string part_path_label(const Mesh& mesh, std::uint32_t part);
+
+}  // namespace soms::command
