@@ -107,6 +107,15 @@ TEST(Collada, ReadsPolygonsStripsAndFansAndCountsLines) {
   EXPECT_EQ(list.faces, (std::vector<std::uint32_t>{0, 1, 1}));
 }
 
+TEST(Collada, NotesUnknownElementsAmongFaces) {
+  const Mesh mesh = read_faces("<triangles>" + kInput + "<p>0 1 2</p><P>0 2 3</P></triangles>");
+  EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}}));
+  EXPECT_EQ(mesh.notes,
+            (std::vector<std::string>{"unknown elements, not read: 1, in line 4: <P>"}));
+  EXPECT_TRUE(
+      read_faces("<triangles><extra/>" + kInput + "<p>0 1 2</p></triangles>").notes.empty());
+}
+
 TEST(Collada, TakesCoordinatesByNameOutOfWiderRows) {
   std::string text = document(geometry(kTriangle), node(kShow));
   const auto replace = [&](const std::string& old, const std::string& by) {

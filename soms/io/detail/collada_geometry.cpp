@@ -355,6 +355,12 @@ void GeometryReader::read_each_p(pugi::xml_node element, const Layout& layout,
 
 void GeometryReader::read_faces(pugi::xml_node element, std::string_view name) {
   document_.tick(element);
+  for (const pugi::xml_node child : element.children()) {
+    const std::string_view part = child.name();
+    if (part != "p" && part != "input" && part != "vcount" && part != "ph") {
+      leave_out_unknown(child);
+    }
+  }
   const Layout layout = read_layout(element);
   if (name == "triangles") {
     read_triangles(element, layout);
