@@ -165,7 +165,7 @@ TEST(ViewScene, WalksThePairOnlyAfterAChange) {
 TEST(ViewScene, HasNoWalkByTheFastTraversal) {
   ViewScene scene(two_bodies(Body(generate_knot(400)), Body(generate_knot(400))));
   TreeChoice fast;
-  fast.traversal.traversal = Traversal::fast;
+  fast.traversal = {.traversal = Traversal::fast};
   scene.set_trees(fast);
   EXPECT_TRUE(scene.walk().a.empty());
   EXPECT_FALSE(scene.statistics().walk.has_value());
