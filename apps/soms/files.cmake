@@ -1,6 +1,7 @@
 set(SOMS_COMMAND_FILES
   bench.cpp
   bench.h
+  block_size.h
   child.cpp
   child.h
   completion.cpp
@@ -13,6 +14,8 @@ set(SOMS_COMMAND_FILES
   info.h
   info_defects.cpp
   info_defects.h
+  info_trees.cpp
+  info_trees.h
   main.cpp
   man.cpp
   man.h
@@ -36,8 +39,8 @@ set(SOMS_COMMAND_FILES
   overlap_report.h
   page_plots.cpp
   page_plots.h
-  reproduce.cpp
-  reproduce.h
+  passed_on.cpp
+  passed_on.h
   simulate.cpp
   simulate.h
   simulate_contacts.cpp

@@ -2,10 +2,13 @@
 
 #include "soms/query/reference/overlap.h"
 
+#include "apps/report/placing.h"
+#include "apps/soms/block_size.h"
 #include "apps/soms/overlap_page.h"
 #include "apps/soms/overlap_report.h"
 #include "apps/support/console.h"
 #include "apps/support/exit_status.h"
+#include "apps/support/frame_warnings.h"
 #include "apps/support/output.h"
 #include "apps/support/parse.h"
 #include "apps/support/pose_source.h"
@@ -54,26 +57,6 @@ bool agrees(const Overlap& answer, const Overlap& truth, OverlapMode mode) {
          (answer.pairs.size() == 1 &&
           std::binary_search(truth.pairs.begin(), truth.pairs.end(), answer.pairs.front()));
 }
-
-/// How many poses to read and answer at once: as many as take about a tenth of a second, so that
-/// memory stays bounded, answers come steadily and Ctrl-C loses little.
-class BlockSize {
- public:
-  [[nodiscard]] std::size_t value() const { return value_; }
-
-  void learn(std::chrono::steady_clock::duration time, std::uint64_t pairs) {
-    if (time > std::chrono::milliseconds(200) || pairs > kMostPairs) {
-      value_ = std::max<std::size_t>(1, value_ / 2);
-    } else if (time < std::chrono::milliseconds(50) && 4 * pairs < kMostPairs) {
-      value_ = std::min<std::size_t>(kMost, 2 * value_);
-    }
-  }
-
- private:
-  static constexpr std::size_t kMost = 4096;
-  static constexpr std::uint64_t kMostPairs = 1'000'000;
-  std::size_t value_ = 1;
-};
 
 /// What is wrong with a pose, where the message has named the pose already.
 std::string_view without_subject(std::string_view place) {
@@ -125,6 +108,9 @@ class OverlapRun {
     if (error_) {
       std::rethrow_exception(error_);
     }
+    if (boxes_.always_apart() && totals_.wrong == 0 && !interrupted) {
+      doubt_all_boxes();
+    }
     if (page_ && (!interrupted || totals_.poses > 0)) {
       report_.interrupted = interrupted;
       page_->write(page_file_->stream(), report_, totals_);
@@ -153,24 +139,38 @@ class OverlapRun {
                        {.build = options_.build, .keep_tree = named}, console_);
   }
 
-  /// Models are compared by their numbers; where files state that these mean different things, the
-  /// reader should know.
-  void compare_frames() const {
-    const Mesh& a = a_.mesh();
-    const Mesh& b = b_.mesh();
-    if (a.unit > 0 && b.unit > 0 && a.unit != b.unit) {
-      console_.note(
-          fmt::format("units differ, {:g} m in {} and {:g} m in {}: numbers are compared "
-                      "as they are; --scale and --scale-b change them",
-                      a.unit, options_.a, b.unit, options_.b));
-    }
-    if (a.up != UpAxis::unknown && b.up != UpAxis::unknown && a.up != b.up) {
-      console_.note("up axes differ: nothing is turned; --up and --up-b turn a model");
+  /// Models are compared by their numbers; where these may mean different things, the reader
+  /// should know.
+  void doubt_frames() {
+    report_.warnings =
+        frame_warnings(named_frame(a_.mesh(), options_.model_a, "--scale", "--up"),
+                       named_frame(b_.mesh(), options_.model_b, "--scale-b", "--up-b"));
+    tell_warnings(report_.warnings, options_.model_a.strict, console_);
+  }
+
+  /// Looks at the boxes of row `k`; with --strict those of a single row, far apart, are refused
+  /// before they are answered for.
+  void doubt_boxes(std::size_t k) {
+    boxes_.look(report::moved(a_.bounds(), block_[k].first),
+                report::moved(b_.bounds(), block_[k].second));
+    report_.gap = boxes_.gap();
+    report_.boxes_apart = boxes_.apart();
+    if (report_.single && report_.boxes_apart && options_.model_a.strict) {
+      doubt_all_boxes();
     }
   }
 
+  /// Of many poses some may be far off on purpose: only where all are, something may be wrong.
+  void doubt_all_boxes() {
+    const FrameWarning warning =
+        apart_warning(printable(a_.mesh().source), printable(b_.mesh().source), boxes_.least_gap(),
+                      report_.single ? "" : "at every pose ");
+    tell_warnings({warning}, options_.model_a.strict, console_);
+    report_.warnings.push_back(warning);
+  }
+
   void answer_all() {
-    compare_frames();
+    doubt_frames();
     BlockSize size;
     while (!over_) {
       const auto begin = std::chrono::steady_clock::now();
@@ -330,6 +330,7 @@ class OverlapRun {
         end_by_time();
         break;
       }
+      doubt_boxes(k);
       print_answer(report_, totals_.poses, answers_[k], right, console_);
       totals_.add(answers_[k]);
       if (page_) {
@@ -400,6 +401,7 @@ class OverlapRun {
   OverlapTotals totals_;
   std::optional<OverlapPage> page_;
   std::exception_ptr error_;
+  BoxWatch boxes_;
   bool over_ = false;
   bool starved_ = false;  ///< time ended while a row was waited for
   bool late_ = false;
@@ -457,6 +459,7 @@ Action add_overlap(CLI::App& app, Shared&) {
   add_model_options(app, options->model_b, "--scale-b", "--up-b", "B");
   app.add_flag("--allow-empty", options->model_a.allow_empty, "accept models without triangles")
       ->group("Models");
+  add_strict(app, options->model_a.strict);
   add_build_options(app, options->build);
   add_traversal_options(app, options->query.traversal);
   app.footer(
@@ -469,8 +472,14 @@ Action add_overlap(CLI::App& app, Shared&) {
     options->model_a.offers_empty = true;
     options->model_b.offers_empty = true;
     options->model_b.allow_empty = options->model_a.allow_empty;
-    check_build(options->build);
+    options->model_b.strict = options->model_a.strict;
+    check_build(app, options->build);
     check_traversal(app, options->query.traversal);
+    if (!options->list_pairs && options->query.mode != OverlapMode::all && !console.shared().json) {
+      throw Error(ErrorKind::usage,
+                  "--no-pairs has no effect: --any and --first list no pairs without --json",
+                  "leave it out, or give --json, too");
+    }
     return run_overlap(*options, console);
   };
 }

@@ -4,8 +4,11 @@
 
 #include "soms/query/overlap.h"
 
+#include "apps/support/frame_warnings.h"
+
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace soms::command {
 
@@ -20,6 +23,9 @@ struct OverlapReport {
   bool single = true;     ///< one pose: pairs are listed; else a line a pose
   bool verified = false;  ///< compared with brute force
   bool interrupted = false;
+  std::vector<FrameWarning> warnings = {};  ///< about the models; JSON gives them with pose 0
+  double gap = 0;            ///< of the boxes, at the pose that is told next; 0: they meet
+  bool boxes_apart = false;  ///< that gap is a `FrameDoubt`
 };
 
 /// Totals over all poses.

@@ -15,4 +15,11 @@ namespace soms {
 /// UTF-8 forbids replaced by '?'.
 [[nodiscard]] std::string xml_text(std::string_view words);
 
+/// Shortest text from which the same double is read: "0.1", "1e+300", "-0", "nan", "inf".
+[[nodiscard]] std::string shortest(double value);
+
+/// `words` in double quotes, on one line and fit for a terminal: quotes and backslashes after a
+/// backslash, control characters and what is no UTF-8 as \xNN.
+[[nodiscard]] std::string quoted_text(std::string_view words);
+
 }  // namespace soms

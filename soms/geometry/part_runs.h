@@ -15,6 +15,8 @@ namespace soms {
 struct PartRun {
   std::size_t first = 0;
   std::uint32_t part = Part::kNoParent;
+
+  [[nodiscard]] bool operator==(const PartRun&) const = default;
 };
 
 /// Runs of all triangles in order, each up to the first triangle of the next; parts may nest. The
