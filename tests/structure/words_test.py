@@ -49,6 +49,7 @@ ALLOWED = [
     ("looseness, decline, pace", r"^tests/", r"\bDecline[A-Z]|\bDeclines?\b", "to refuse"),
     ("crowd, forest", r"^docs/data\.md", r"MagicForest", "the name of a repository"),
     ("British spelling", r"^tests/io/import_test\.cpp", r"METRE", "a keyword of IFC"),
+    ("British spelling", r"^tests/io/losses_test\.cpp", r"face_colours\.off", "the name of a file"),
     ("British spelling", r"^tests/commands/simulate_test\.cpp", r"--colou?r", "an option misspelled on purpose"),
 ]
 
