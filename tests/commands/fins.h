@@ -2,7 +2,10 @@
 /// Models of many parts that all cross: rows of upright fins.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
+#include <utility>
 
 namespace soms::test {
 
@@ -14,18 +17,15 @@ namespace soms::test {
   std::string text;
   int vertex = 1;
   for (int p = 0; p < parts; ++p) {
-    text += "o " + prefix + std::to_string(p) + "\n";
+    text += fmt::format("o {}{}\n", prefix, p);
     for (int f = 0; f < fins; ++f) {
-      const std::string at = std::to_string(p + 0.5 * f / fins);
-      for (const char* corner : {"-1000 0", "2000 0", "500 9000"}) {
-        const std::string words(corner);
-        const std::string along = words.substr(0, words.find(' '));
-        const std::string z = words.substr(words.find(' ') + 1);
-        text += along_x ? "v " + along + " " + at + " " + z + "\n"
-                        : "v " + at + " " + along + " " + z + "\n";
+      const double at = p + 0.5 * f / fins;
+      for (const auto& [along, z] :
+           {std::pair(-1000, 0), std::pair(2000, 0), std::pair(500, 9000)}) {
+        text += along_x ? fmt::format("v {} {} {}\n", along, at, z)
+                        : fmt::format("v {} {} {}\n", at, along, z);
       }
-      text += "f " + std::to_string(vertex) + " " + std::to_string(vertex + 1) + " " +
-              std::to_string(vertex + 2) + "\n";
+      text += fmt::format("f {} {} {}\n", vertex, vertex + 1, vertex + 2);
       vertex += 3;
     }
   }

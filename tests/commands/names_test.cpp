@@ -3,6 +3,7 @@
 #include "tests/commands/fins.h"
 #include "tests/commands/run.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -39,7 +40,7 @@ class Names : public ::testing::Test {
 
   /// A model whose file and parts have names that should not be obeyed.
   std::string hostile(const std::string& suffix) {
-    const std::string path = at(kHostile + suffix);
+    std::string path = at(kHostile + suffix);
     test::write_text(path, test::fins_obj(kHostile, 2, 2, true));
     return path;
   }
@@ -152,8 +153,7 @@ TEST_F(Names, R120OfEventsAreNoFormulas) {
   std::string text =
       "v -90 -90 0\nv 90 -90 0\nv 90 90 0\nv -90 90 0\no ground\nf 1 2 3\nf 1 3 4\no =1+1\n";
   for (int k = -3; k < 4; ++k) {
-    const std::string x = std::to_string(20 * k);
-    text += "v " + x + " -90 -1\nv " + x + " 90 -1\nv " + x + " 0 900\nf -3 -2 -1\n";
+    text += fmt::format("v {0} -90 -1\nv {0} 90 -1\nv {0} 0 900\nf -3 -2 -1\n", 20 * k);
   }
   test::write_text(city, text);
   const std::string car = at("=car.ply");

@@ -2,6 +2,7 @@
 #include "tests/commands/run.h"
 #include "tests/report/reading.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -140,13 +141,12 @@ TEST_F(OverlapParts, R116PageOfManyRowsHoldsThemAll) {
 TEST_F(OverlapParts, R116PageOfASimulationListsWhoTouchesWhat) {
   std::string town = "v -50 -50 0\nv 50 -50 0\nv 50 50 0\nv -50 50 0\no ground\nf 1 2 3\nf 1 3 4\n";
   for (int k = 0; k < 25; ++k) {  // five by five posts of four triangles each
-    const std::string x = std::to_string(-40 + 20 * (k % 5));
-    const std::string y = std::to_string(-40 + 20 * (k / 5));
-    const std::string next = std::to_string(-36 + 20 * (k / 5));
-    town += "o post " + std::to_string(k) + "\n";
+    const int x = -40 + 20 * (k % 5);
+    const int y = -40 + 20 * (k / 5);
+    town += fmt::format("o post {}\n", k);
     for (int n = 0; n < 4; ++n) {
-      town += "v " + x + " " + y + " -1\nv " + x + " " + next + " -1\nv " + x + " " + y + " " +
-              std::to_string(10 + n) + "\nf -3 -2 -1\n";
+      town += fmt::format("v {0} {1} -1\nv {0} {2} -1\nv {0} {1} {3}\nf -3 -2 -1\n", x, y, y + 4,
+                          10 + n);
     }
   }
   const std::string city = write("town.obj", town);
