@@ -2,11 +2,13 @@
 JOBS ?= $(shell nproc)
 ARGS ?=
 
-.PHONY: help run view test headers large check asan tsan tidy arm64 determinism memcheck endurance packages bare fuzz bench format clean
+.PHONY: help run build view install test headers large check asan tsan tidy arm64 determinism memcheck endurance packages bare fuzz bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
+	@echo "make build   the rest, too: soms-reproduce, and what installed packages allow"
 	@echo "make view    install what is missing, build, and open the viewer on the embedded city"
+	@echo "make install  install what is missing, build all of soms, and put it into PREFIX=/usr/local"
 	@echo "make test    install what is missing, build, and run every test of the release build"
 	@echo "make check   make test, then the suite under ASan+UBSan, the library under TSan, clang-tidy, ARM,"
 	@echo "             packages, and the README's commands on a bare Debian"
@@ -21,11 +23,26 @@ run:
 	cmake --build --preset release -j $(JOBS) --target soms_command
 	build/release/bin/soms simulate $(ARGS)
 
+# All that an installed soms has. What misses a package is left out, aloud.
+build:
+	@tools/install_packages.sh run
+	cmake --preset release -D SOMS_BUILD_TESTS=OFF
+	cmake --build --preset release -j $(JOBS) --target soms_installed
+
 view:
 	@tools/install_packages.sh run view
 	cmake --preset release -D SOMS_BUILD_TESTS=OFF
 	cmake --build --preset release -j $(JOBS) --target soms_command soms_view_command
 	build/release/bin/soms view $(ARGS)
+
+# Whatever `make run` or `make test` left in the build, the rest of what is installed is built first. DESTDIR= goes
+# before the prefix, as packagers want it.
+PREFIX ?= /usr/local
+install:
+	@tools/install_packages.sh run view import
+	cmake --preset release -D SOMS_BUILD_TESTS=OFF
+	cmake --build --preset release -j $(JOBS) --target soms_installed
+	cmake --install build/release --prefix "$(PREFIX)"
 
 test:
 	@tools/install_packages.sh run view import test

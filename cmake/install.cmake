@@ -8,14 +8,20 @@ if(SOMS_SHARED)
 endif()
 set(SOMS_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/soms)
 
-# All that `cmake --install` asks for, without tests and benchmarks.
+# All that `cmake --install` copies, without tests and benchmarks. What of it is not built yet is named before
+# anything is copied (cmake/built.cmake): `make run` builds the command alone.
 add_custom_target(soms_installed)
 add_dependencies(soms_installed soms)
+set_property(TARGET soms_installed PROPERTY SOMS_FILES "$<TARGET_FILE:soms>")
+install(CODE "set(checked \"$<TARGET_GENEX_EVAL:soms_installed,$<TARGET_PROPERTY:soms_installed,SOMS_FILES>>\")
+set(folder \"${PROJECT_BINARY_DIR}\")
+include(\"${PROJECT_SOURCE_DIR}/cmake/built.cmake\")" ALL_COMPONENTS)
 
 install(TARGETS soms EXPORT soms_targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development
-  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
+  FILE_SET adapters DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 install(EXPORT soms_targets FILE soms_${kind}_targets.cmake NAMESPACE soms::
   DESTINATION ${SOMS_CMAKE_DIR} COMPONENT development)
 
@@ -66,6 +72,7 @@ function(soms_install_program target folder component)
   endif()
   install(TARGETS ${target} RUNTIME DESTINATION ${folder} COMPONENT ${component})
   add_dependencies(soms_installed ${target})
+  set_property(TARGET soms_installed APPEND PROPERTY SOMS_FILES "$<TARGET_FILE:${target}>")
 endfunction()
 # The library starts it, so it is installed without the command too.
 soms_install_program(soms_import ${CMAKE_INSTALL_LIBEXECDIR}/soms import)
@@ -73,19 +80,23 @@ if(NOT TARGET soms_command)
   return()
 endif()
 soms_install_program(soms_command ${CMAKE_INSTALL_BINDIR} command)
+soms_install_program(soms_reproduce_command ${CMAKE_INSTALL_LIBEXECDIR}/soms command)
 soms_install_program(soms_view_command ${CMAKE_INSTALL_LIBEXECDIR}/soms view)
 
 # Pages of the manual and words for the shell, as the command tells them.
 if(NOT CMAKE_CROSSCOMPILING)
   set(made ${PROJECT_BINARY_DIR}/manual)
-  add_custom_command(OUTPUT ${made}/soms.1 ${made}/soms.bash ${made}/soms.fish
+  set(manual ${made}/soms.1 ${made}/soms.bash ${made}/soms.fish)
+  set_property(TARGET soms_installed APPEND PROPERTY SOMS_FILES ${manual})
+  add_custom_command(OUTPUT ${manual}
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${made}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${made}
     COMMAND soms_command man --quiet --output ${made}
     COMMAND soms_command completion bash > ${made}/soms.bash
     COMMAND soms_command completion fish > ${made}/soms.fish
-    DEPENDS soms_command $<$<TARGET_EXISTS:soms_view_command>:soms_view_command> VERBATIM)
-  add_custom_target(soms_manual ALL DEPENDS ${made}/soms.1 ${made}/soms.bash ${made}/soms.fish)
+    DEPENDS soms_command soms_reproduce_command
+      $<$<TARGET_EXISTS:soms_view_command>:soms_view_command> VERBATIM)
+  add_custom_target(soms_manual ALL DEPENDS ${manual})
   add_dependencies(soms_installed soms_manual)
   install(DIRECTORY ${made}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT command
     FILES_MATCHING PATTERN *.1)

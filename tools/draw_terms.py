@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the words of docs/meaning.md: docs/pictures/terms/*.svg.
+"""Draws the words of docs/meaning.md and docs/axes.md: docs/pictures/terms/*.svg.
 
 usage: tools/draw_terms.py [FOLDER]
 
@@ -165,7 +165,19 @@ def tip(height):
 
 
 HALL, CAR, OUT = ((0, 0, 0), (4, 3, 2)), ((1.2, 1, 0.4), (2.6, 1.8, 1)), ((3.2, 1, 0.4), (4.6, 1.8, 1))
+# Of tests/data/frames: a slab and a wall, z up; a duct as its file has it, y up, and turned to z up.
+SLAB, WALL = ((0, 0, 0), (6, 4, 0.25)), ((3, 0, 0.25), (3.25, 4, 3))
+DUCT, TURNED = ((1, 2, -2), (5, 2.5, -1.5)), ((1, 1.5, 2), (5, 2, 2.5))
+
+
+def building(duct):
+    return ([t for body in (SLAB, WALL) for t in triangles_of(sum(faces(*body), []))],
+            triangles_of(sum(faces(*duct), [])))
+
+
 SCENES = {
+    "axes": [("numbers as stored", *building(DUCT), False),
+             ("B turned by --up-b y", *building(TURNED), True)],
     "touching": [
         ("corner on corner", [FLOOR], [((3.0, 0.0, 0.0), (2.6, 0.6, 1.7), (3.6, 0.9, 1.5))], True),
         ("corner on face", [FLOOR], [tip(0.0)], True),
@@ -450,8 +462,43 @@ def hashes():
     return drawing("Hash: sixteen hex digits that stand for a whole list of pairs", 166, made)
 
 
+def own_axes(view, origin, up, color):
+    """The axes x and `up` of a file, named at their ends."""
+    made = []
+    for name, step in (("x", (1.3, 0, 0)), up):
+        end = view([origin[k] + step[k] for k in range(3)])
+        made += [arrow(view(origin), end, color), words(end[0] + 5, end[1] - 4, name, f"{color} strong", "start")]
+    return [*made, dot(view(origin), color, 4)]
+
+
+def two_axes():
+    made = []
+    for (x, title, _, _, overlaps), duct in zip(panels("axes"), (DUCT, TURNED)):
+        view = View(x - 95, 150, 31)
+        start, end = duct
+        if overlaps:  # its half behind the wall, the wall, its half before it
+            halves = [(start, (3, *end[1:])), ((3.25, *start[1:]), end)]
+        else:
+            halves = [duct]
+        made += [polygon(view.path(f), "b solid b-line") for f in faces(*halves[0])[1] if not overlaps]
+        made += [polygon(view.path(f), "a pale a-line") for f in faces(*SLAB)[1]]
+        made += [polygon(view.path(f), "b solid b-line") for f in faces(*halves[0])[1] if overlaps]
+        made += [polygon(view.path(f), "card") for f in faces(*WALL)[1] if overlaps]
+        made += [polygon(view.path(f), "a pale a-line") for f in faces(*WALL)[1]]
+        if overlaps:
+            made += [polygon(view.path(f), "b solid b-line") for f in faces(*halves[1])[1]]
+            y, z, v, w = *start[1:], *end[1:]
+            made.append(line(view.path([(3.25, y, z), (3.25, v, z), (3.25, v, w), (3.25, y, w), (3.25, y, z)]),
+                             "thick both-line"))
+        made += own_axes(view, (0, 0, 0.25), ("z", (0, 0, 1.3)), "a")
+        # What is up in the file of B: its y, which lies down until it is turned.
+        made += own_axes(view, (end[0], end[1], end[2]), ("y", (0, 0, 1.3) if overlaps else (0, 1.3, 0)), "b")
+        made += verdict(x, 244, title, overlaps)
+    return drawing("Axes: a duct with y up lies under a hall with z up until it is turned", 280, made)
+
+
 DRAWINGS = {
-    "touching": touching, "crossing": crossing, "coplanar": coplanar, "inside": inside, "gap": gap,
+    "axes": two_axes, "touching": touching, "crossing": crossing, "coplanar": coplanar, "inside": inside, "gap": gap,
     "pose": pose, "parts": parts, "traversal": traversal, "coverage": coverage, "hash": hashes,
 }
 

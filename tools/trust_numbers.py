@@ -61,6 +61,11 @@ def files():
     yield ("broken or hostile files", len(bad),
            f"{said['error']} must be an error, {said['mesh']} a mesh of a stated size, "
            f"{said['either']} either; {by_ending(row['file'] for row in bad)}")
+    losses = {row["file"]: row["outcome"] for row in rows(DATA / "losses/EXPECTED.csv")}
+    refused = sum(outcome == "error" for outcome in losses.values())
+    yield ("files that hold more than is read of them", len(losses),
+           f"{refused} must be an error, {len(losses) - refused} a mesh with notes; "
+           f"{by_ending(losses)}")
     formats = rows(DATA / "formats/FORMATS.csv")
     yield ("encodings of one mesh", len(formats), by_ending(row["file"] for row in formats))
     nasty = rows(DATA / "nasty/EXPECTED.csv")

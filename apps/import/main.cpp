@@ -2,6 +2,7 @@
 // writes it to standard output. Exit status 1: it cannot be read, and standard output says why;
 // 4: too little memory; 5: it cannot be written.
 #include "apps/import/model.h"
+#include "apps/import/sandbox.h"
 
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
@@ -62,6 +63,9 @@ int import(const std::string& ending) {
   if (bytes == MAP_FAILED) {
     return 4;
   }
+  // From here on the content of the file is in control, as far as the sandbox lets it.
+  close(STDIN_FILENO);
+  const std::string unguarded = enter_sandbox();
   const std::string name = "model" + ending;
   Assimp::Importer importer;
   importer.SetIOHandler(new OneFile(name, static_cast<const std::uint8_t*>(bytes), size));
@@ -72,6 +76,11 @@ int import(const std::string& ending) {
   }
   Answer answer;
   write_scene(*scene, ending, answer);
+  if (!unguarded.empty()) {
+    answer.note("soms-import ran without its sandbox (" + unguarded +
+                "): a malicious file could have run code with your permissions; read untrusted "
+                "files in a container");
+  }
   return answer.finish() ? 0 : 5;
 }
 

@@ -4,6 +4,7 @@
 
 #include "apps/soms/child.h"
 #include "apps/support/console.h"
+#include "apps/support/models.h"
 #include "apps/support/parse.h"
 
 #include <CLI/CLI.hpp>
@@ -43,6 +44,7 @@ Action add_bench(CLI::App& app, Shared&) {
   add_output(app, "--out", options->out, "writes peers.csv and peers.md into a folder, too",
              "FOLDER")
       ->group(group);
+  add_strict(app, options->strict);
   app.footer(
       "Runs soms-bench, which races soms with every rival that is installed, on one thread bound\n"
       "to a processor. Vertices are rounded to floats first, the same for all. Answers are\n"
@@ -74,6 +76,9 @@ int run_bench(const BenchOptions& options, Console& console) {
   }
   if (!options.out.empty()) {
     add("--out", options.out);
+  }
+  if (options.strict) {
+    words.emplace_back("--strict");
   }
   if (shared.json) {
     words.emplace_back("--json");

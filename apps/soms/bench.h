@@ -21,6 +21,7 @@ struct BenchOptions {
   std::uint64_t rounds = 7;
   std::string jobs = "any,all";
   std::string out;  ///< folder; empty: none
+  bool strict = false;
 };
 
 [[nodiscard]] Action add_bench(CLI::App& app, Shared& shared);

@@ -1,5 +1,5 @@
 /// \file
-/// How many rows of a file are answered at once.
+/// How many questions of a stream to take at once.
 #pragma once
 
 #include <algorithm>

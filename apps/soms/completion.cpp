@@ -2,8 +2,8 @@
 
 #include "apps/soms/generate.h"
 #include "apps/soms/man.h"
+#include "apps/soms/passed_on.h"
 #include "apps/soms/verbs.h"
-#include "apps/soms/viewer.h"
 #include "apps/support/console.h"
 #include "apps/support/parse.h"
 
@@ -46,7 +46,7 @@ std::vector<std::string> argument_words(const Verb& verb) {
 }
 
 std::vector<OptionWords> options_of(const Verb& verb) {
-  return verb.pass_on == nullptr ? ParsedVerb("soms", verb).options() : viewer_options(verb.name);
+  return verb.pass_on == nullptr ? ParsedVerb("soms", verb).options() : passed_options(verb);
 }
 
 /// Works in zsh too, by its emulation of bash's completion. Files are left to the shell, which
@@ -150,6 +150,7 @@ Action add_completion(CLI::App& app, Shared&) {
 }
 
 int run_completion(const CompletionOptions& options, Console& console) {
+  refuse_json(console, "completion prints a script, no answers");
   switch (options.shell) {
     case Shell::bash:
       console.print(bash_script());

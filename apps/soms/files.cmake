@@ -14,6 +14,8 @@ set(SOMS_COMMAND_FILES
   info.h
   info_defects.cpp
   info_defects.h
+  info_trees.cpp
+  info_trees.h
   main.cpp
   man.cpp
   man.h
@@ -49,8 +51,8 @@ set(SOMS_COMMAND_FILES
   overlap_verify.h
   page_plots.cpp
   page_plots.h
-  reproduce.cpp
-  reproduce.h
+  passed_on.cpp
+  passed_on.h
   simulate.cpp
   simulate.h
   simulate_contacts.cpp

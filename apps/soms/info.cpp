@@ -2,38 +2,27 @@
 
 #include "soms/base/error.h"
 #include "soms/geometry/defects.h"
-#include "soms/tree/build.h"
 #include "soms/tree/rule/rules.h"
 #include "soms/tree/shape.h"
-#include "soms/tree/statistics.h"
 
 #include "apps/soms/info_defects.h"
+#include "apps/soms/info_trees.h"
 #include "apps/support/console.h"
 #include "apps/support/json.h"
 #include "apps/support/parse.h"
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <string_view>
 
 namespace soms::command {
 
 namespace {
-
-/// A tree of the model by one rule.
-struct RuleReport {
-  std::string_view rule;
-  std::uint64_t levels = 0;
-  TreeStatistics counts;
-  double sah = 0;
-  double build_ms = 0;
-};
 
 /// All that is told of a model.
 struct ModelReport {
@@ -44,21 +33,6 @@ struct ModelReport {
   std::optional<std::size_t> bytes_ready = std::nullopt;
   std::vector<RuleReport> trees;
 };
-
-RuleReport measure_tree(const Mesh& mesh, const BuildOptions& options, const Console& console) {
-  RuleReport report;
-  report.rule = entry(options.rule).kebab;
-  const auto begin = std::chrono::steady_clock::now();
-  const Tree tree =
-      console.run(fmt::format("building the tree of {} by {}", mesh.source, report.rule),
-                  [&](const Parallel& parallel) { return build(mesh, options, parallel); });
-  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
-  report.build_ms = time.count();
-  report.counts = statistics(tree, options);
-  report.levels = tree.nodes.empty() ? 0 : report.counts.depth + 1;
-  report.sah = sah_cost(tree);
-  return report;
-}
 
 /// Bytes of the model ready to query.
 std::size_t measure_shape(const Mesh& mesh, const Console& console) {
@@ -86,7 +60,7 @@ ModelReport examine(const std::string& file, const InfoOptions& options, const C
     if (options.every_rule || row.rule == options.build.rule) {
       BuildOptions build = options.build;
       build.rule = row.rule;
-      report.trees.push_back(measure_tree(report.mesh, build, console));
+      report.trees.push_back(measure_tree(report.mesh, without_idle(build), console));
     }
   }
   return report;
@@ -106,19 +80,6 @@ const char* axis_name(UpAxis up) {
   return nullptr;
 }
 
-Json to_json(const RuleReport& r) {
-  return {{"rule", r.rule},
-          {"levels", r.levels},
-          {"nodes", r.counts.nodes},
-          {"leaves", r.counts.leaves},
-          {"one", r.counts.one},
-          {"lt5", r.counts.lt5},
-          {"balanced_level", r.counts.balanced_level},
-          {"largest_leaf", r.counts.largest_leaf},
-          {"sah", r.sah},
-          {"build_ms", r.build_ms}};
-}
-
 Json to_json(const ModelReport& report) {
   const Mesh& mesh = report.mesh;
   Json parts = Json::array();
@@ -128,28 +89,37 @@ Json to_json(const ModelReport& report) {
     const std::string closed = describe_part(mesh, report.defects, i);
     parts.push_back({{"name", part.name},
                      {"parent", parent},
+                     {"first_triangle", part.first},
+                     {"triangles", part.count},
+                     {"closed", closed.empty() ? Json() : Json(closed == "closed")},
                      {"first", part.first},
-                     {"count", part.count},
-                     {"closed", closed.empty() ? Json() : Json(closed == "closed")}});
+                     {"count", part.count}});
   }
   Json trees = Json::array();
   for (const RuleReport& tree : report.trees) {
     trees.push_back(to_json(tree));
   }
   const char* const up = axis_name(mesh.up);
+  const Json unit = mesh.unit == 0 ? Json() : Json(mesh.unit);
+  const Json axis = up == nullptr ? Json() : Json(up);
+  const Json memory = report.bytes_ready ? Json(*report.bytes_ready) : Json();
   return {{"schema", "soms.info/1"},
           {"file", report.file},
           {"triangles", mesh.triangles.size()},
           {"vertices", mesh.vertices.size()},
           {"bounds", json_box(bounds(mesh))},
-          {"unit", mesh.unit == 0 ? Json() : Json(mesh.unit)},
-          {"up", up == nullptr ? Json() : Json(up)},
-          {"bytes_ready", report.bytes_ready ? Json(*report.bytes_ready) : Json()},
+          {"meters_per_unit", unit},
+          {"up_axis", axis},
+          {"memory_bytes", memory},
           {"parts", parts},
           {"notes", mesh.notes},
           {"defects", defect_counts(report.defects)},
           {"places", defect_places(mesh, report.defects)},
-          {"trees", trees}};
+          {"trees", trees},
+          // Names of version 0.1, for scripts that know them.
+          {"unit", unit},
+          {"up", axis},
+          {"bytes_ready", memory}};
 }
 
 std::string describe(const Box& box) {
@@ -207,30 +177,13 @@ std::string describe_model(const ModelReport& report) {
   return text;
 }
 
-std::string describe_trees(const ModelReport& report, const InfoOptions& options) {
-  if (report.trees.empty()) {
-    return {};
-  }
-  std::string text =
-      fmt::format("  trees with at most {} a leaf\n",
-                  counted(static_cast<std::uint64_t>(options.build.per_leaf), "triangle"));
-  text += fmt::format("    {:<15}{:>7}{:>13}{:>13}{:>10}{:>10}{:>11}\n", "rule", "levels", "leaves",
-                      "single", "balanced", "SAH", "build ms");
-  for (const RuleReport& r : report.trees) {
-    text += fmt::format("    {:<15}{:>7}{:>13}{:>13}{:>10}{:>10.2f}{:>11.2f}\n", r.rule, r.levels,
-                        with_commas(r.counts.leaves), with_commas(r.counts.one),
-                        r.counts.balanced_level, r.sah, r.build_ms);
-  }
-  return text;
-}
-
 void print(const ModelReport& report, const InfoOptions& options, Console& console) {
   if (console.shared().json) {
     console.print(json_line(to_json(report)));
   } else {
     console.print(describe_model(report));
     print_places(report.mesh, report.defects, console);
-    console.print(describe_trees(report, options));
+    console.print(describe_trees(report.trees, options.build.per_leaf));
   }
   console.flush();
 }
@@ -275,6 +228,29 @@ std::size_t parse_places(const std::string& text) {
   return parse_count("--list", text, 0, kMaxPrimitives);
 }
 
+/// Options of trees that change nothing are refused. Where trees are built by every rule, those
+/// that some rules do not use are noted.
+void check_trees(const CLI::App& app, const InfoOptions& options, const Console& console) {
+  const std::string given = given_of_trees(app);
+  if (!options.trees && !given.empty()) {
+    throw Error(ErrorKind::usage, given + " has no effect: --no-trees leaves out the trees",
+                "leave one of the two out");
+  }
+  if (!options.every_rule) {
+    check_build(app, options.build);
+    return;
+  }
+  BuildOptions build = options.build;
+  build.rule = Rule::soms;  // which uses them all
+  check_build(app, build);
+  for (const RuleEntry& row : rules()) {
+    build.rule = row.rule;
+    if (const auto without = given_of(app, idle_options(build)); !without.empty()) {
+      console.note(fmt::format("rule {} does not use {}", row.kebab, fmt::join(without, ", ")));
+    }
+  }
+}
+
 }  // namespace
 
 Action add_info(CLI::App& app, Shared&) {
@@ -290,6 +266,7 @@ Action add_info(CLI::App& app, Shared&) {
       ->option_text("N");
   add_model_options(app, options->model, "--scale", "--up", "the models");
   add_allow_empty(app, options->model);
+  add_strict(app, options->model.strict);
   add_build_options(app, options->build);
   app.footer(
       "Trees are built by every rule, or by the one that --rule names.\n\nExample:\n"
@@ -297,7 +274,7 @@ Action add_info(CLI::App& app, Shared&) {
       "  soms info knot.ply");
   return [options, &app](Console& console) {
     options->every_rule = app.count("--rule") == 0;
-    check_build(options->build);
+    check_trees(app, *options, console);
     return run_info(*options, console);
   };
 }

@@ -3,8 +3,8 @@
 #include "soms/base/error.h"
 
 #include "apps/soms/man_page.h"
+#include "apps/soms/passed_on.h"
 #include "apps/soms/verbs.h"
-#include "apps/soms/viewer.h"
 #include "apps/support/console.h"
 #include "apps/support/parse.h"
 
@@ -26,10 +26,10 @@ std::string page_of_command() {
   return roff(page);
 }
 
-/// Empty for a verb of soms-view where that program is missing.
+/// Empty for a verb of another program that is missing.
 std::string page_of(const Verb& verb) {
   const std::string help =
-      verb.pass_on != nullptr ? viewer_help(verb.name) : ParsedVerb("soms", verb).help();
+      verb.pass_on != nullptr ? passed_help(verb) : ParsedVerb("soms", verb).help();
   return help.empty() ? help
                       : roff({.name = fmt::format("soms-{}", verb.name),
                               .version = SOMS_VERSION,
@@ -48,7 +48,8 @@ void write_all(const std::string& folder, const Console& console) {
   for (const Verb& verb : verbs()) {
     const std::string text = page_of(verb);
     if (text.empty()) {
-      console.note(fmt::format("soms-{}.1 is left out: soms-view is not installed", verb.name));
+      console.note(fmt::format("soms-{}.1 is left out: {} is not installed", verb.name,
+                               program_name_of(verb)));
     } else {
       write_page(folder, fmt::format("soms-{}", verb.name), text);
     }
@@ -80,6 +81,7 @@ Action add_man(CLI::App& app, Shared&) {
 }
 
 int run_man(const ManOptions& options, Console& console) {
+  refuse_json(console, "man prints pages, no answers");
   if (!options.folder.empty() && !options.verb.empty()) {
     throw Error(ErrorKind::usage, "--output writes all pages", "leave out the verb, or --output");
   }
@@ -91,9 +93,10 @@ int run_man(const ManOptions& options, Console& console) {
     console.print(page_of_command());
     return 0;
   }
-  const std::string text = page_of(verb_named(options.verb));
+  const Verb& verb = verb_named(options.verb);
+  const std::string text = page_of(verb);
   if (text.empty()) {
-    (void)viewer_program();  // says what is missing
+    (void)program_of(verb);  // says what is missing
   }
   console.print(text);
   return 0;

@@ -117,6 +117,12 @@ void write_model(const Mesh& mesh, const ModelOutput& output, const Console& con
     }
   });
   file.commit();
+  if (const std::uint64_t names = file.other_names(); names != 0) {
+    console.note(fmt::format(
+        "{}: the replaced file had {}, which {} the old content", file.name(),
+        counted(names, "other name") + (names == 1 ? " (a hard link)" : " (hard links)"),
+        names == 1 ? "keeps" : "keep"));
+  }
   if (const Rounding rounded = rounding(mesh, format); rounded.count != 0) {
     console.note(
         fmt::format("{}: {} holds floats: {} of {} vertices were rounded, by {:.2g} at most",

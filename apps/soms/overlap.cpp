@@ -2,12 +2,14 @@
 
 #include "soms/query/reference/overlap.h"
 
+#include "apps/report/placing.h"
 #include "apps/soms/block_size.h"
 #include "apps/soms/overlap_output.h"
 #include "apps/soms/overlap_report.h"
 #include "apps/soms/overlap_verify.h"
 #include "apps/support/console.h"
 #include "apps/support/exit_status.h"
+#include "apps/support/frame_warnings.h"
 #include "apps/support/output.h"
 #include "apps/support/parse.h"
 #include "apps/support/pose_source.h"
@@ -81,6 +83,9 @@ class OverlapRun {
     if (error_) {
       std::rethrow_exception(error_);
     }
+    if (boxes_.always_apart() && totals_.wrong == 0 && !interrupted) {
+      doubt_all_boxes();
+    }
     if (!interrupted || totals_.poses > 0) {
       report_.interrupted = interrupted;
       output_.finish(totals_);
@@ -103,24 +108,38 @@ class OverlapRun {
                        {.build = options_.build, .keep_tree = named}, console_);
   }
 
-  /// Models are compared by their numbers; where files state that these mean different things, the
-  /// reader should know.
-  void compare_frames() const {
-    const Mesh& a = a_.mesh();
-    const Mesh& b = b_.mesh();
-    if (a.unit > 0 && b.unit > 0 && a.unit != b.unit) {
-      console_.note(
-          fmt::format("units differ, {:g} m in {} and {:g} m in {}: numbers are compared "
-                      "as they are; --scale and --scale-b change them",
-                      a.unit, options_.a, b.unit, options_.b));
-    }
-    if (a.up != UpAxis::unknown && b.up != UpAxis::unknown && a.up != b.up) {
-      console_.note("up axes differ: nothing is turned; --up and --up-b turn a model");
+  /// Models are compared by their numbers; where these may mean different things, the reader
+  /// should know.
+  void doubt_frames() {
+    report_.warnings =
+        frame_warnings(named_frame(a_.mesh(), options_.model_a, "--scale", "--up"),
+                       named_frame(b_.mesh(), options_.model_b, "--scale-b", "--up-b"));
+    tell_warnings(report_.warnings, options_.model_a.strict, console_);
+  }
+
+  /// Looks at the boxes of row `k`; with --strict those of a single row, far apart, are refused
+  /// before they are answered for.
+  void doubt_boxes(std::size_t k) {
+    boxes_.look(report::moved(a_.bounds(), block_[k].first),
+                report::moved(b_.bounds(), block_[k].second));
+    report_.gap = boxes_.gap();
+    report_.boxes_apart = boxes_.apart();
+    if (report_.single && report_.boxes_apart && options_.model_a.strict) {
+      doubt_all_boxes();
     }
   }
 
+  /// Of many poses some may be far off on purpose: only where all are, something may be wrong.
+  void doubt_all_boxes() {
+    const FrameWarning warning =
+        apart_warning(printable(a_.mesh().source), printable(b_.mesh().source), boxes_.least_gap(),
+                      report_.single ? "" : "at every pose ");
+    tell_warnings({warning}, options_.model_a.strict, console_);
+    report_.warnings.push_back(warning);
+  }
+
   void answer_all() {
-    compare_frames();
+    doubt_frames();
     BlockSize size;
     while (!over_) {
       const auto begin = std::chrono::steady_clock::now();
@@ -280,6 +299,7 @@ class OverlapRun {
         end_by_time();
         break;
       }
+      doubt_boxes(k);
       output_.add(totals_.poses, block_[k].first, block_[k].second, answers_[k], right, console_);
       totals_.add(answers_[k]);
       if (ended_by_time(answers_[k])) {
@@ -346,6 +366,7 @@ class OverlapRun {
   std::vector<Overlap> answers_;
   OverlapTotals totals_;
   std::exception_ptr error_;
+  BoxWatch boxes_;
   bool over_ = false;
   bool starved_ = false;  ///< time ended while a row was waited for
   bool late_ = false;
@@ -412,6 +433,7 @@ Action add_overlap(CLI::App& app, Shared&) {
   add_model_options(app, options->model_b, "--scale-b", "--up-b", "B");
   app.add_flag("--allow-empty", options->model_a.allow_empty, "accept models without triangles")
       ->group("Models");
+  add_strict(app, options->model_a.strict);
   add_build_options(app, options->build);
   add_traversal_options(app, options->query.traversal);
   app.footer(
@@ -424,8 +446,14 @@ Action add_overlap(CLI::App& app, Shared&) {
     options->model_a.offers_empty = true;
     options->model_b.offers_empty = true;
     options->model_b.allow_empty = options->model_a.allow_empty;
-    check_build(options->build);
+    options->model_b.strict = options->model_a.strict;
+    check_build(app, options->build);
     check_traversal(app, options->query.traversal);
+    if (!options->list_pairs && options->query.mode != OverlapMode::all && !console.shared().json) {
+      throw Error(ErrorKind::usage,
+                  "--no-pairs has no effect: --any and --first list no pairs without --json",
+                  "leave it out, or give --json, too");
+    }
     return run_overlap(*options, console);
   };
 }

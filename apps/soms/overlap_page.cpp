@@ -228,6 +228,9 @@ std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
       {"tests",
        fmt::format("{} of boxes, {} of triangles, {} of them exact", with_commas(cost_.node_tests),
                    with_commas(cost_.triangle_tests), with_commas(cost_.exact_tests))});
+  for (const FrameWarning& warning : report.warnings) {
+    facts.push_back({"warning", warning.text()});
+  }
   if (report.verified) {
     facts.push_back({"verified", fmt::format("by brute force: {} of {} equal",
                                              with_commas(totals.poses - totals.wrong),

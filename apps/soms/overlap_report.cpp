@@ -2,6 +2,7 @@
 
 #include "apps/soms/overlap_by_part.h"
 #include "apps/support/console.h"
+#include "apps/support/json.h"
 #include "apps/support/models.h"
 #include "apps/support/text.h"
 
@@ -48,6 +49,15 @@ void print_pairs_as_json(const std::vector<TrianglePair>& pairs, Console& consol
   console.print(piece + "]");
 }
 
+/// About the models with the first pose alone, so that rows stay small; about boxes with each.
+std::string warnings_key(const OverlapReport& report, std::uint64_t pose) {
+  Json list = pose == 0 ? warnings_json(report.warnings) : Json::array();
+  if (report.boxes_apart) {
+    list.push_back({{"kind", name(FrameDoubt::boxes_apart)}});
+  }
+  return list.empty() ? std::string() : ",\"warnings\":" + json_text(list);
+}
+
 void print_json(const OverlapReport& report, std::uint64_t pose, const Overlap& answer, bool right,
                 Console& console, std::span<const PartPair> parts) {
   const char* const overlap = is_undecided(answer) ? "null" : answer.any ? "true" : "false";
@@ -65,7 +75,7 @@ void print_json(const OverlapReport& report, std::uint64_t pose, const Overlap& 
   if (report.verified) {
     text += right ? ",\"verified\":true" : ",\"verified\":false";
   }
-  console.print(text);
+  console.print(text + warnings_key(report, pose));
   if (report.by_part) {
     print_parts_as_json(report, parts, console);
   } else if (report.list_pairs) {
@@ -82,6 +92,10 @@ std::string triangle_name(const Mesh& mesh, TriangleId i) {
 std::string summary(const OverlapReport& report, const Overlap& answer) {
   if (is_undecided(answer)) {
     return "undecided: out of time";
+  }
+  if (!answer.any && report.single && report.gap > 0) {
+    return fmt::format("no triangles overlap: the boxes of the models are {:.4g} apart",
+                       report.gap);
   }
   if (!answer.any) {
     return report.single

@@ -102,6 +102,15 @@ int status_of(const Outcome& outcome, const SimulateOptions& options, int drawn)
   return outcome.ending == Ending::timed_out ? kOutOfTime : 0;
 }
 
+/// Movers that never come near the city cannot touch it: a shift, unit or axis may be missing.
+void doubt_boxes(World& world, const Outcome& outcome, bool strict, const Console& console) {
+  if (outcome.boxes.always_apart()) {
+    world.warnings.push_back(
+        apart_warning("the movers", world.title, outcome.boxes.least_gap(), "in every frame "));
+    tell_warnings({world.warnings.back()}, strict, console);
+  }
+}
+
 /// Draws the picture, then tells what was found, whatever became of the picture.
 int finish(const World& world, const Outcome& outcome, const Picture& picture,
            const SimulateOptions& options, Console& console) {
@@ -144,6 +153,7 @@ int run_window(const SimulateOptions& options, const Console& console) {
 }  // namespace
 
 int run_simulate(const SimulateOptions& options, Console& console) {
+  check_count(options.world);
   if (options.view) {
     return run_window(options, console);
   }
@@ -159,7 +169,7 @@ int run_simulate(const SimulateOptions& options, Console& console) {
   open(map, options.map);
   open(page, options.report);
   open(record, picture.recording());
-  const World world = load_world(options.world, console);
+  World world = load_world(options.world, console);
   std::optional<Recorder> recorder;
   if (record) {
     recorder.emplace(*record, world, options.frames);
@@ -168,6 +178,7 @@ int run_simulate(const SimulateOptions& options, Console& console) {
   if (recorder) {
     recorder->finish(ending_of(outcome));
   }
+  doubt_boxes(world, outcome, options.world.city_model.strict, console);
   if (events) {
     write_events(events->stream(), world, outcome);
     events->commit();

@@ -27,17 +27,6 @@ const char* const kFooter =
     "  soms generate car -o car.ply\n"
     "  soms simulate town.ply --mover car.ply --count 50 --frames 60 --events contacts.csv";
 
-/// The first option of trees or their traversal that was given; empty if none was.
-std::string given_of_trees(const CLI::App& app) {
-  const std::string& group = app.get_option("--rule")->get_group();
-  for (const CLI::Option* const option : app.get_options()) {
-    if (option->get_group() == group && option->count() > 0) {
-      return option->get_name();
-    }
-  }
-  return {};
-}
-
 }  // namespace
 
 Action add_simulate(CLI::App& app, Shared&) {
@@ -68,7 +57,7 @@ Action add_simulate(CLI::App& app, Shared&) {
   app.footer(kFooter);
   return [options, frames, &app](Console& console) {
     options->frames_given = frames->count() > 0;
-    check_build(options->world.build);
+    check_build(app, options->world.build);
     check_traversal(app, options->world.traversal);
     if (const std::string given = given_of_trees(app); options->view && !given.empty()) {
       throw Error(ErrorKind::usage, given + " with --view changes nothing",

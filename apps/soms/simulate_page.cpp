@@ -228,6 +228,9 @@ void write_page(std::ostream& out, const World& world, const Outcome& outcome,
       page.facts.push_back({name, value});
     }
   }
+  for (const FrameWarning& warning : world.warnings) {
+    page.facts.push_back({"warning", warning.text()});
+  }
   if (outcome.ending != Ending::whole) {
     page.notes.emplace_back("This run ended early; the page shows the frames that were done.");
   }

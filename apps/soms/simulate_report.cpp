@@ -180,6 +180,9 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
                                     {"contacts", touched.contacts},
                                     {"mover_frames", touched.frames}});
   }
+  if (!world.warnings.empty()) {
+    json["warnings"] = warnings_json(world.warnings);
+  }
   if (outcome.verified) {
     json["verified"] = {{"contacts", outcome.verified->contacts},
                         {"free", outcome.verified->free},

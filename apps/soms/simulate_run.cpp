@@ -3,6 +3,8 @@
 #include "soms/base/error.h"
 #include "soms/base/hash.h"
 
+#include "apps/report/placing.h"
+
 #include <algorithm>
 #include <chrono>
 #include <numeric>
@@ -107,6 +109,7 @@ class Run {
     if (recorder_ != nullptr) {
       recorder_->add(poses_, report);
     }
+    look_for_neighbors();
     outcome_.contacts.add(report, frame);
     outcome_.queries += report.queries;
     outcome_.cost += report.cost;
@@ -120,6 +123,15 @@ class Run {
     return report.hash();
   }
 
+  /// Ends with the first mover that is near the city, commonly in the first frame.
+  void look_for_neighbors() {
+    for (std::size_t k = 0; k < poses_.size() && !near_; ++k) {
+      const Shape& shape = world_.models[world_.ways[k].model].shape;
+      outcome_.boxes.look(report::moved(shape.bounds(), poses_[k]), world_.bounds);
+      near_ = !outcome_.boxes.apart();
+    }
+  }
+
   const World& world_;
   const SimulateOptions& options_;
   Console& console_;
@@ -128,6 +140,7 @@ class Run {
   std::vector<Pose> poses_;
   std::vector<std::size_t> lines_;  ///< of the ways, on which the movers are
   std::uint64_t pause_;
+  bool near_ = false;  ///< a mover was near the city
   std::optional<Verifier> verifier_;
   Outcome outcome_;
 };

@@ -9,6 +9,7 @@
 #include "apps/soms/simulate_record.h"
 #include "apps/soms/simulate_verify.h"
 #include "apps/support/console.h"
+#include "apps/support/frame_warnings.h"
 #include "apps/support/world.h"
 
 #include <cstdint>
@@ -37,6 +38,7 @@ struct Outcome {
   std::optional<Verified> verified = std::nullopt;
   std::vector<std::vector<Place>> tracks;  ///< where each mover was, at some hundred frames
   Ending ending = Ending::whole;
+  BoxWatch boxes;  ///< of movers and the city, until one is near
 
   [[nodiscard]] double median_fps() const;
   [[nodiscard]] double worst_fps() const;

@@ -7,10 +7,9 @@
 #include "apps/soms/info.h"
 #include "apps/soms/man.h"
 #include "apps/soms/overlap.h"
-#include "apps/soms/reproduce.h"
+#include "apps/soms/passed_on.h"
 #include "apps/soms/simulate.h"
 #include "apps/soms/version.h"
-#include "apps/soms/viewer.h"
 
 #include <array>
 
@@ -28,7 +27,8 @@ constexpr std::array kVerbs{
     Verb{"overlap", "which triangles of two models share a point", add_overlap},
     Verb{"render", "draw a city, movers and contacts into a picture, without a screen", nullptr,
          pass_to_viewer},
-    Verb{"reproduce", "the experiments of the thesis: tables, figures and a page", add_reproduce},
+    Verb{"reproduce", "the experiments of the thesis: tables, figures and a page", nullptr,
+         pass_to_reproduce},
     Verb{"simulate", "a city, movers on its streets, frame by frame: who touches what",
          add_simulate},
     Verb{"version", "the version, the instruction set and the formats of this soms", add_version},

@@ -5,9 +5,7 @@
 
 #include <fmt/format.h>
 
-#include <regex>
-#include <sstream>
-#include <utility>
+#include <cstddef>
 
 namespace soms::command {
 
@@ -18,7 +16,7 @@ constexpr const char* kMovers = "1000";
 
 void add_model_words(std::vector<std::string>& words, const ModelOptions& model,
                      const std::string& scale, const std::string& up) {
-  if (model.scale != 1) {
+  if (model.scale_is_given) {
     words.insert(words.end(), {scale, fmt::format("{}", model.scale)});
   }
   constexpr const char* kAxes[] = {"", "x", "y", "z"};
@@ -37,55 +35,6 @@ std::filesystem::path viewer_program() {
                  "docs/view.md tells more"});
 }
 
-int pass_to_viewer(std::string_view verb, const std::vector<std::string>& words) {
-  std::vector<std::string> all(words);
-  all.emplace(all.begin(), verb);
-  become(viewer_program(), "soms", all);
-}
-
-std::string viewer_help(std::string_view verb) {
-  try {
-    return output_of(viewer_program(), {std::string(verb), "--help"}, "soms");
-  } catch (const Error&) {
-    return {};
-  }
-}
-
-std::vector<OptionWords> viewer_options(std::string_view verb) {
-  std::istringstream help(viewer_help(verb));
-  // An option begins a line, "  -o,--output FILE    picture to write"; its meaning may go on below,
-  // far to the right.
-  static const std::regex option_line("  (?:(-[a-z]),)?(--[a-z][a-z-]*)(?: (\\S+))?(?:  +(.*))?");
-  std::vector<OptionWords> options;
-  std::string label;
-  std::string meaning;
-  const auto end_option = [&] {
-    if (label == kChoiceText) {
-      options.back().values = listed_words(meaning);
-    }
-    meaning.clear();
-    label.clear();
-  };
-  for (std::string line; std::getline(help, line);) {
-    std::smatch parts;
-    if (std::regex_match(line, parts, option_line)) {
-      end_option();
-      OptionWords option{{parts[2]}, {}, parts[3].matched};
-      if (parts[1].matched) {
-        option.names.push_back(parts[1]);
-      }
-      options.push_back(std::move(option));
-      label = parts[3];
-      meaning = parts[4];
-    } else if (line.starts_with("      ")) {
-      meaning += line.substr(line.find_first_not_of(' '));
-    } else {
-      end_option();
-    }
-  }
-  return options;
-}
-
 std::vector<std::string> words_of(const WorldOptions& world, const Shared& shared) {
   std::vector<std::string> words;
   const auto add_all = [&](const std::string& name, const std::vector<std::string>& values) {
@@ -102,6 +51,9 @@ std::vector<std::string> words_of(const WorldOptions& world, const Shared& share
   }
   add_model_words(words, world.city_model, "--scale", "--up");
   add_model_words(words, world.mover_model, "--mover-scale", "--mover-up");
+  if (world.city_model.strict) {
+    words.emplace_back("--strict");
+  }
   words.insert(words.end(), {"--seed", std::to_string(shared.seed)});
   words.insert(words.end(), {"--threads", std::to_string(shared.threads)});
   if (shared.max_memory != 0) {

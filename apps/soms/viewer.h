@@ -5,7 +5,6 @@
 #include "soms/base/error.h"
 
 #include "apps/support/console.h"
-#include "apps/support/verb.h"
 #include "apps/support/world_options.h"
 
 #include <cstdint>
@@ -19,15 +18,6 @@ namespace soms::command {
 /// The program, sought as `find_program` does.
 /// \errors ErrorKind::unsupported where there is none; the remedy says how to get it.
 [[nodiscard]] std::filesystem::path viewer_program();
-
-/// Becomes soms-view with this verb and these words. \errors As `viewer_program`, `become`.
-[[nodiscard]] int pass_to_viewer(std::string_view verb, const std::vector<std::string>& words);
-
-/// What --help says of a verb of soms-view; empty where the program is missing.
-[[nodiscard]] std::string viewer_help(std::string_view verb);
-
-/// The options of a verb of soms-view, as its --help tells them; none where the program is missing.
-[[nodiscard]] std::vector<OptionWords> viewer_options(std::string_view verb);
 
 /// The words that make soms-view load the world that `simulate` would.
 [[nodiscard]] std::vector<std::string> words_of(const WorldOptions& world, const Shared& shared);

@@ -87,6 +87,12 @@ Progress Console::progress(const std::string& doing) const {
   return Progress(doing, !shared_.quiet && ::isatty(2) == 1);
 }
 
+void refuse_json(const Console& console, const std::string& reason) {
+  if (console.shared().json) {
+    throw Error(ErrorKind::usage, "--json has no effect: " + reason, "leave it out");
+  }
+}
+
 void Console::throw_out_of_time(const std::string& doing) {
   throw Error(ErrorKind::timed_out, fmt::format("out of time while {}", doing),
               "allow more by --timeout");

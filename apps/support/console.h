@@ -94,4 +94,8 @@ class Console {
   bool colored_;
 };
 
+/// \errors ErrorKind::usage with --json, which a verb without answers would ignore, for this
+/// reason.
+void refuse_json(const Console& console, const std::string& reason);
+
 }  // namespace soms::command

@@ -2,6 +2,8 @@ set(SOMS_SUPPORT_FILES
   console.cpp
   console.h
   exit_status.h
+  frame_warnings.cpp
+  frame_warnings.h
   height_grid.cpp
   height_grid.h
   interrupts.cpp

@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -44,6 +46,25 @@ Choices<Descent> descent_choices() {
   return choices;
 }
 
+std::string kebab(std::string_view name) {
+  std::string text(name);
+  std::replace(text.begin(), text.end(), '_', '-');
+  return text;
+}
+
+/// The command's option for a field of the library's options.
+std::string option_of(std::string_view field) {
+  return field == "level" ? "--levels" : field == "per_leaf" ? "--leaf" : "--" + kebab(field);
+}
+
+/// `text` with an option of the command in place of the library's argument.
+std::string with_option(std::string text, std::string_view argument, std::string_view option) {
+  if (const std::size_t at = text.find(argument); at != std::string::npos) {
+    text.replace(at, argument.size(), option);
+  }
+  return text;
+}
+
 /// An error of reading with the options of the command in place of the library's.
 Error in_words_of_options(const Error& error, const std::string& path, const ModelOptions& options,
                           const Shared& shared) {
@@ -53,7 +74,7 @@ Error in_words_of_options(const Error& error, const std::string& path, const Mod
                                  : "give a model with faces"};
   }
   if (error.kind() != ErrorKind::out_of_memory) {
-    return error;
+    return {error.kind(), error.place(), with_option(error.remedy(), "`strict`", "--strict")};
   }
   // Refused by the reader's own count, or by the system where ours is the least limit.
   return error.remedy().find("max_memory") == std::string::npos
@@ -67,12 +88,18 @@ Error in_words_of_options(const Error& error, const std::string& path, const Mod
 void add_model_options(CLI::App& app, ModelOptions& options, const std::string& scale_name,
                        const std::string& up_name, const std::string& whose) {
   const char* const group = "Models";
-  add_positive(app, scale_name, options.scale, "multiply the coordinates of " + whose)
-      ->group(group);
+  add_positive(app, scale_name, options.scale,
+               "multiply the coordinates of " + whose + "; 1 states that its unit fits")
+      ->group(group)
+      ->each([&options](const std::string&) { options.scale_is_given = true; });
   add_choice<UpAxis>(app, up_name, options.up,
                      {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}},
                      "axis that is up in " + whose + "; turned to z")
       ->group(group);
+}
+
+void add_strict(CLI::App& app, bool& strict) {
+  app.add_flag("--strict", strict, kStrictMeaning)->group("Models");
 }
 
 void add_allow_empty(CLI::App& app, ModelOptions& options) {
@@ -108,12 +135,46 @@ void add_build_options(CLI::App& app, BuildOptions& options) {
                     "corner that --midpoint thesis calls C (2)"));
 }
 
-void check_build(const BuildOptions& options) {
+std::vector<std::string> given_of(const CLI::App& app, const std::vector<IdleOption>& idle) {
+  std::vector<std::string> given;
+  for (const IdleOption& option : idle) {
+    if (app.count(option_of(option.name)) > 0) {
+      given.push_back(option_of(option.name));
+    }
+  }
+  return given;
+}
+
+void refuse_given(const CLI::App& app, const std::vector<IdleOption>& idle) {
+  for (const IdleOption& option : idle) {
+    if (given_of(app, {option}).empty()) {
+      continue;
+    }
+    const std::string name = option_of(option.name);
+    const std::string needs = option_of(option.needs);
+    throw Error(ErrorKind::usage, fmt::format("{} has no effect: {}", name, option.reason),
+                option.value.empty()
+                    ? fmt::format("leave it out, or give another {}", needs)
+                    : fmt::format("leave it out, or give {} {}, too", needs, kebab(option.value)));
+  }
+}
+
+void check_build(const CLI::App& app, const BuildOptions& options) {
   if (options.empty_side == EmptySide::chain && options.level == 0) {
     throw Error(ErrorKind::usage, "--empty-side chain without --levels would not end",
                 "give --levels N, too");
   }
+  refuse_given(app, idle_options(options));
   check(options);
+}
+
+std::string given_of_trees(const CLI::App& app) {
+  for (const CLI::Option* const option : app.get_options()) {
+    if (option->get_group() == kTreeGroup && option->count() > 0) {
+      return option->get_name();
+    }
+  }
+  return {};
 }
 
 void add_traversal_options(CLI::App& app, TraversalOptions& options) {
@@ -125,12 +186,9 @@ void add_traversal_options(CLI::App& app, TraversalOptions& options) {
 }
 
 void check_traversal(const CLI::App& app, const TraversalOptions& options) {
-  const bool descends =
-      options.traversal == Traversal::e_node || options.traversal == Traversal::e_node_front;
-  if (app.count("--descent") > 0 && !descends) {
-    throw Error(ErrorKind::usage, "--descent without E-Node changes nothing",
-                "give --traversal e-node, too, or leave it out");
-  }
+  std::vector<IdleOption> idle = idle_options(options);
+  std::erase_if(idle, [](const IdleOption& option) { return option.name != "descent"; });
+  refuse_given(app, idle);
   if (options.traversal == Traversal::e_node_front && options.descent != Descent::both &&
       options.descent != Descent::larger) {
     throw Error(ErrorKind::usage,
@@ -160,7 +218,8 @@ Mesh read_model(const std::string& path, const ModelOptions& options, const Cons
     throw Error(ErrorKind::usage, "the name of a model is empty", "give a file");
   }
   const ReadOptions read{.allow_empty = options.allow_empty,
-                         .max_memory = console.shared().max_memory};
+                         .max_memory = console.shared().max_memory,
+                         .strict = options.strict};
   Mesh mesh = console.run("reading " + printable(path), [&](const Parallel& parallel) {
     try {
       return path == "-" ? read_standard_input(read, parallel) : read_mesh(path, read, parallel);

@@ -8,6 +8,7 @@
 #include "soms/tree/shape.h"
 
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -21,6 +22,8 @@ class Console;
 struct ModelOptions {
   double scale = 1;
   UpAxis up = UpAxis::unknown;  ///< turned from this axis to z; unknown: not turned
+  bool scale_is_given = false;  ///< `scale`, 1 too, is the user's word about the unit
+  bool strict = false;          ///< notes about what the file lacks or has too much are errors
   bool allow_empty = false;
   bool offers_empty = false;  ///< the verb has --allow-empty, which a message may name
 };
@@ -29,6 +32,12 @@ struct ModelOptions {
 void add_model_options(CLI::App& app, ModelOptions& options, const std::string& scale_name,
                        const std::string& up_name, const std::string& whose);
 
+/// What --strict means.
+inline constexpr const char* kStrictMeaning = "refuse with status 3 what is warned of or noted";
+
+/// Adds --strict, which a verb of two models also refuses `FrameWarning`s by.
+void add_strict(CLI::App& app, bool& strict);
+
 /// Adds --allow-empty.
 void add_allow_empty(CLI::App& app, ModelOptions& options);
 
@@ -36,13 +45,24 @@ void add_allow_empty(CLI::App& app, ModelOptions& options);
 void add_build_options(CLI::App& app, BuildOptions& options);
 
 /// \errors ErrorKind::usage, in words of the command, for options of a build that do not go
-/// together.
-void check_build(const BuildOptions& options);
+/// together, and for one that was given and has no effect beside the others.
+void check_build(const CLI::App& app, const BuildOptions& options);
+
+/// Those options of `idle` that were given, by their names on the command line.
+[[nodiscard]] std::vector<std::string> given_of(const CLI::App& app,
+                                                const std::vector<IdleOption>& idle);
+
+/// \errors ErrorKind::usage for an option of `idle` that was given: it would change nothing.
+void refuse_given(const CLI::App& app, const std::vector<IdleOption>& idle);
+
+/// The first option of trees or their traversal that was given; empty if none was.
+[[nodiscard]] std::string given_of_trees(const CLI::App& app);
 
 /// Adds --traversal and --descent.
 void add_traversal_options(CLI::App& app, TraversalOptions& options);
 
-/// \errors ErrorKind::usage for a --descent that the traversal does not have.
+/// \errors ErrorKind::usage for a --descent that the traversal does not have. Options that the
+/// caller set beside those of the command line must go with every traversal.
 void check_traversal(const CLI::App& app, const TraversalOptions& options);
 
 /// Reads a model with a progress bar, scales and turns it. "-" is standard input.

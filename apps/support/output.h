@@ -6,6 +6,7 @@
 #include "soms/io/new_file.h"
 
 #include <array>
+#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <initializer_list>
@@ -69,6 +70,9 @@ class OutputFile {
 
   /// Path as given, or "standard output".
   [[nodiscard]] const std::string& name() const { return name_; }
+
+  /// As NewFile says: other names (hard links) of the file that is replaced.
+  [[nodiscard]] std::uint64_t other_names() const { return file_.other_names(); }
 
   /// Throws if something could not be written so far. \errors As `commit`.
   void check() { stream_->finish(); }

@@ -90,7 +90,7 @@ Mesh make_city(const RecordedMesh& recorded, const Parallel& parallel) {
   return transformed(std::move(city.mesh), recorded.scale, recorded.up);
 }
 
-Mesh find_mesh(const RecordedMesh& recorded, const std::filesystem::path& recording,
+Mesh find_mesh(const RecordedMesh& recorded, const std::filesystem::path& recording, bool strict,
                Console& console) {
   switch (recorded.origin) {
     case RecordedMesh::Origin::city:
@@ -101,14 +101,15 @@ Mesh find_mesh(const RecordedMesh& recorded, const std::filesystem::path& record
     case RecordedMesh::Origin::file:
       break;
   }
-  return read_model(find_file(recorded.source, recording).string(),
-                    {.scale = recorded.scale, .up = recorded.up, .allow_empty = true}, console);
+  return read_model(
+      find_file(recorded.source, recording).string(),
+      {.scale = recorded.scale, .up = recorded.up, .strict = strict, .allow_empty = true}, console);
 }
 
 /// The mesh that was recorded, to the last bit of its corners.
 Shape find_shape(const RecordedMesh& recorded, const std::filesystem::path& recording,
                  const WorldOptions& how, Console& console) {
-  Mesh mesh = find_mesh(recorded, recording, console);
+  Mesh mesh = find_mesh(recorded, recording, how.city_model.strict, console);
   const RecordedMesh found = with_mesh(recorded, mesh);
   if (found != recorded) {
     throw Error(ErrorKind::bad_file,

@@ -18,9 +18,9 @@ namespace soms::command {
 
 /// Reads or generates again what was recorded. Its ways name the movers' models only: poses come
 /// from the recording's frames. A file is sought under its path, then under its path from the
-/// folder of `recording`, then under its name in that folder. Options of `how` other than those of
-/// trees are not used. \errors As reading; ErrorKind::bad_file for a model that is not the one that
-/// was recorded.
+/// folder of `recording`, then under its name in that folder. Of `how` only options of
+/// trees and `strict` are used. \errors As reading; ErrorKind::bad_file for a model that is not the
+/// one that was recorded.
 [[nodiscard]] World load_recorded_world(const RecordingHead& head,
                                         const std::filesystem::path& recording,
                                         const WorldOptions& how, Console& console);

@@ -31,7 +31,17 @@ double milliseconds_since(Clock::time_point begin) {
 struct Upright {
   Mesh mesh;
   RecordedMesh origin;
+  NamedFrame frame = {};
 };
+
+/// What soms makes itself: in meters, z up.
+NamedFrame built_in_frame(const std::string& name, const Mesh& mesh) {
+  return {.file = name,
+          .frame = frame_of(mesh),
+          .scale_option = "--mover-scale",
+          .up_option = "--mover-up",
+          .built_in = true};
+}
 
 /// True if the file states a unit of other than a meter that no option deals with.
 bool says_other_unit(const Mesh& mesh, const ModelOptions& options) {
@@ -61,6 +71,8 @@ Upright read_upright(const std::string& path, const ModelOptions& options,
         fmt::format("{}: its unit is {:g} m; taken as meters (--{}scale {:g} makes them so)", path,
                     unit, option == "--up" ? "" : "mover-", unit));
   }
+  const std::string scale_option = option == "--up" ? "--scale" : "--mover-scale";
+  model.frame = named_frame(model.mesh, options, scale_option, option);
   return model;
 }
 
@@ -79,7 +91,9 @@ double speed_of(Kind kind) {
   return kind == Kind::person ? 1.4 : kind == Kind::drone ? 10 : kTown;
 }
 
-std::vector<Model> load_models(const WorldOptions& options, Console& console) {
+/// Reads or makes the models that move; adds a frame for each to `frames`.
+std::vector<Model> load_models(const WorldOptions& options, std::vector<NamedFrame>& frames,
+                               Console& console) {
   std::vector<Model> models;
   if (options.movers.empty()) {
     for (const auto& [kind, shape, name] : {std::tuple(Kind::car, MoverKind::car, "car"),
@@ -87,6 +101,10 @@ std::vector<Model> load_models(const WorldOptions& options, Console& console) {
                                             std::tuple(Kind::drone, MoverKind::drone, "drone")}) {
       const ModelOptions& changes = options.mover_model;
       Mesh mesh = transformed(generate_mover(shape), changes.scale, changes.up);
+      if (frames.empty()) {  // one for the three, which are alike
+        frames.push_back(built_in_frame("the built-in movers", mesh));
+        frames.back().frame.unit_is_stated = changes.scale_is_given;
+      }
       models.push_back(
           make_model(build_named(std::move(mesh), name, options, console), name, kind));
       models.back().origin = {.name = name,
@@ -99,6 +117,7 @@ std::vector<Model> load_models(const WorldOptions& options, Console& console) {
   for (const std::string& path : options.movers) {
     Upright read = read_upright(path, options.mover_model, "--mover-up", console);
     const bool told_unit = says_other_unit(read.mesh, options.mover_model);
+    frames.push_back(read.frame);
     const std::string name = short_name(path);
     models.push_back(
         make_model(build_named(std::move(read.mesh), name, options, console), name, Kind::model));
@@ -121,14 +140,17 @@ void build_into_city(World& world, Upright model, const WorldOptions& options, C
   add_to_city(world, std::move(body), std::move(model.origin));
 }
 
-std::optional<City> load_city(World& world, const WorldOptions& options, Console& console) {
+/// Reads or makes the city; adds the frame of each of its models to `frames`.
+std::optional<City> load_city(World& world, const WorldOptions& options,
+                              std::vector<NamedFrame>& frames, Console& console) {
   const auto begin = Clock::now();
   if (options.cities.empty()) {
     City city = generate_city();
     Mesh mesh = std::exchange(city.mesh, {});
     world.read_ms = milliseconds_since(begin);
     world.title = "embedded city";
-    if (options.city_model.scale != 1 || options.city_model.up != UpAxis::unknown) {
+    frames.push_back(built_in_frame("the embedded city", mesh));
+    if (options.city_model.scale_is_given || options.city_model.up != UpAxis::unknown) {
       throw Error(ErrorKind::usage, "--scale and --up are for a city from files",
                   "name a city, or leave them out");
     }
@@ -146,6 +168,7 @@ std::optional<City> load_city(World& world, const WorldOptions& options, Console
   for (const std::string& path : options.cities) {
     const auto start = Clock::now();
     Upright model = read_upright(path, options.city_model, "--up", console);
+    frames.push_back(model.frame);
     world.read_ms += milliseconds_since(start);
     world.title += (world.title.empty() ? "" : " + ") + short_name(path);
     build_into_city(world, std::move(model), options, console);
@@ -153,7 +176,32 @@ std::optional<City> load_city(World& world, const WorldOptions& options, Console
   return std::nullopt;
 }
 
+/// Models are compared with the first of the city: where none differs from it, none do.
+void doubt_frames(World& world, const std::vector<NamedFrame>& city,
+                  const std::vector<NamedFrame>& movers, bool strict, const Console& console) {
+  for (const std::vector<NamedFrame>* const models : {&city, &movers}) {
+    for (const NamedFrame& model : *models) {
+      const bool itself = &model == &city.front();
+      const auto found = itself ? std::vector<FrameWarning>() : frame_warnings(city.front(), model);
+      world.warnings.insert(world.warnings.end(), found.begin(), found.end());
+    }
+  }
+  tell_warnings(world.warnings, strict, console);
+}
+
 }  // namespace
+
+void check_count(const WorldOptions& options) {
+  for (const auto& [option, named] :
+       {std::pair("--route", options.routes.size()), std::pair("--mover", options.movers.size())}) {
+    if (options.count && *options.count < named) {
+      throw Error(ErrorKind::usage,
+                  fmt::format("--count {} leaves {} of {} {} without a mover", *options.count,
+                              named - *options.count, named, option),
+                  fmt::format("give --count {} or more, or fewer {}", named, option));
+    }
+  }
+}
 
 void add_to_city(World& world, Body body, RecordedMesh origin) {
   world.triangles += body.shape.mesh().triangles.size();
@@ -224,8 +272,11 @@ World load_world(const WorldOptions& options, Console& console) {
     throw Error(ErrorKind::usage, "standard input is named twice", "give one of them as a file");
   }
   World world;
-  world.models = load_models(options, console);
-  const std::optional<City> city = load_city(world, options, console);
+  std::vector<NamedFrame> city_frames;
+  std::vector<NamedFrame> mover_frames;
+  world.models = load_models(options, mover_frames, console);
+  const std::optional<City> city = load_city(world, options, city_frames, console);
+  doubt_frames(world, city_frames, mover_frames, options.city_model.strict, console);
   plan_ways(world, options, city ? &*city : nullptr, console);
   return world;
 }

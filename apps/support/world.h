@@ -12,6 +12,7 @@
 #include "soms/scene/scene.h"
 
 #include "apps/support/console.h"
+#include "apps/support/frame_warnings.h"
 #include "apps/support/world_options.h"
 
 #include <cstdint>
@@ -66,15 +67,20 @@ struct World {
   std::vector<Way> ways;
   Box bounds;  ///< of the city
   std::uint64_t triangles = 0;
-  double read_ms = 0;       ///< reading or generating the city
-  double build_ms = 0;      ///< building its trees
-  std::uint64_t asked = 0;  ///< movers asked for; fewer ways if there was no room
+  double read_ms = 0;                       ///< reading or generating the city
+  double build_ms = 0;                      ///< building its trees
+  std::uint64_t asked = 0;                  ///< movers asked for; fewer ways if there was no room
+  std::vector<FrameWarning> warnings = {};  ///< where numbers of city and movers may not agree
 };
 
 /// Reads or generates everything and finds free places for the movers.
-/// \errors As reading; ErrorKind::bad_file for a route without rows, usage where standard input is
-///         named twice.
+/// Says where the frames of the models may not agree; with --strict that is an error.
+/// \errors As reading; ErrorKind::bad_file for a route without rows and for such frames, usage
+///         where standard input is named twice.
 [[nodiscard]] World load_world(const WorldOptions& options, Console& console);
+
+/// Throws ErrorKind::usage for a --count by which a --route or --mover that is named has no mover.
+void check_count(const WorldOptions& options);
 
 /// Adds a body to the city; its bounds and triangles count from here on.
 void add_to_city(World& world, Body body, RecordedMesh origin);

@@ -25,6 +25,10 @@ void add_world_options(CLI::App& app, WorldOptions& options) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_model_options(app, options.city_model, "--scale", "--up", "the city");
   add_model_options(app, options.mover_model, "--mover-scale", "--mover-up", "the movers");
+  app.add_flag_callback(
+         "--strict", [&options] { options.city_model.strict = options.mover_model.strict = true; },
+         kStrictMeaning)
+      ->group("Models");
   app.add_option_function<std::string>(
          "--count",
          [&options](const std::string& value) {

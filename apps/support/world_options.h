@@ -28,7 +28,7 @@ struct WorldOptions {
   bool keep_trees = false;  ///< keep canonical trees, even if the traversal needs none
 };
 
-/// Adds CITY, --mover, --route, --count, --scale, --up, --mover-scale and --mover-up.
+/// Adds CITY, --mover, --route, --count, --scale, --up, --mover-scale, --mover-up and --strict.
 void add_world_options(CLI::App& app, WorldOptions& options);
 
 /// Adds the options of the bodies' trees and of ways to walk them.

@@ -127,10 +127,19 @@ int run_files(const Options& options, const RunFacts& facts) {
   }
   const Roster roster = contestants(options);
   const Scene scene = own_files_scene(options.files[0], options.files[1], options.poses,
-                                      options.random, options.seed);
+                                      options.random, options.seed, options.strict);
+  if (!options.quiet) {
+    for (const std::string& warning : scene.warnings) {
+      std::cerr << options.caller << ": warning: " << warning << '\n';
+    }
+  }
   std::vector<Cell> cells;
   run_scene(scene, roster, options.run, [&](Cell cell) { cells.push_back(std::move(cell)); });
-  (options.json ? print_json : print_times)(std::cout, cells);
+  if (options.json) {
+    print_json(std::cout, cells, scene.doubts);
+  } else {
+    print_times(std::cout, cells);
+  }
   if (!options.out.empty()) {
     write_csv(options.out / "peers.csv", cells);
     write_markdown(options.out / "peers.md", cells, facts);

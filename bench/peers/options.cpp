@@ -38,6 +38,7 @@ Usage: soms-bench [OPTIONS]        generated scenes, models and cities
   --random N        random poses of A about B's box (default 1000)
   --seed N          of the random poses (default 1)
   --json            with A B: JSON Lines
+  --strict          with A B: refuse what is warned of, and what reading notes
   --quiet           nothing on standard error but errors
 
 Example: soms-bench --quick --scenes twins-knot --most 10000 --out results
@@ -165,6 +166,8 @@ bool set_flag(Options& options, std::string_view word) {
     options.json = true;
   } else if (word == "--quiet") {
     options.quiet = true;
+  } else if (word == "--strict") {
+    options.strict = true;
   } else {
     return false;
   }

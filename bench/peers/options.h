@@ -19,6 +19,7 @@ struct Options {
   bool list = false;
   bool json = false;
   bool quiet = false;
+  bool strict = false;              ///< of own files: what is noted or warned of is an error
   std::vector<std::string> scenes;  ///< names or beginnings of names; empty: all
   std::uint64_t least = 0;          ///< smaller scenes are left out
   std::uint64_t most = 5'000'000;   ///< larger scenes are left out

@@ -43,6 +43,11 @@ class Error : public std::runtime_error {
 
   [[nodiscard]] const std::string& remedy() const { return remedy_; }
 
+  /// The same kind, place and remedy.
+  [[nodiscard]] bool operator==(const Error& other) const {
+    return kind_ == other.kind_ && place_ == other.place_ && remedy_ == other.remedy_;
+  }
+
  private:
   ErrorKind kind_;
   std::string place_;

@@ -4,9 +4,12 @@ set(SOMS_HEADERS
   box.h
   error.h
   hash.h
+  idle_option.h
   lanes.h
   parallel.h
   pose.h
+  print.h
+  print_fields.h
   random.h
   text.h
   vector.h
@@ -14,7 +17,10 @@ set(SOMS_HEADERS
 set(SOMS_SOURCES
   arithmetic.cpp
   error.cpp
+  idle_option.cpp
   parallel.cpp
   pose.cpp
+  print.cpp
+  print_fields.cpp
   text.cpp
 )

@@ -1,5 +1,7 @@
 #include "soms/base/text.h"
 
+#include <array>
+#include <charconv>
 #include <cstdint>
 
 namespace soms {
@@ -163,6 +165,37 @@ std::string csv_words(std::string_view field) {
     before = field[at];
   }
   return words;
+}
+
+std::string shortest(double value) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+std::string quoted_text(std::string_view words) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text = "\"";
+  for (std::size_t at = 0; at < words.size();) {
+    const std::size_t size = utf8_character(words, at);
+    const auto byte = static_cast<unsigned char>(words[at]);
+    // U+0080 to U+009F are controls, too, of two bytes.
+    const bool control =
+        byte < 0x20 || byte == 0x7f ||
+        (size == 2 && byte == 0xc2 && static_cast<unsigned char>(words[at + 1]) < 0xa0);
+    if (size == 0 || control) {
+      for (std::size_t k = 0; k < (size == 0 ? 1 : size); ++k) {
+        const auto code = static_cast<unsigned char>(words[at + k]);
+        text += "\\x";
+        text += kDigits[code >> 4U];
+        text += kDigits[code & 15U];
+      }
+    } else {
+      text += byte == '"' || byte == '\\' ? "\\" : "";
+      text += words.substr(at, size);
+    }
+    at += size == 0 ? 1 : size;
+  }
+  return text + '"';
 }
 
 }  // namespace soms

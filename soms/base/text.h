@@ -34,4 +34,11 @@ namespace soms {
 /// made one, as every CSV reader returns it.
 [[nodiscard]] std::string csv_words(std::string_view field);
 
+/// Shortest text from which the same double is read: "0.1", "1e+300", "-0", "nan", "inf".
+[[nodiscard]] std::string shortest(double value);
+
+/// `words` in double quotes, on one line and fit for a terminal: quotes and backslashes after a
+/// backslash, control characters and what is no UTF-8 as \xNN.
+[[nodiscard]] std::string quoted_text(std::string_view words);
+
 }  // namespace soms

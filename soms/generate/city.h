@@ -17,6 +17,8 @@ struct CityOptions {
   std::uint64_t triangles = 1'000'000;  ///< exactly this many; 1,000 to 100 million
   double size = 4000;                   ///< side of the square, 200 to 100,000 metres
   std::uint64_t seed = 1;
+
+  [[nodiscard]] bool operator==(const CityOptions&) const = default;
 };
 
 /// A generated city: its mesh with parts (terrain, roads, buildings, furniture), and what movers
@@ -35,6 +37,8 @@ struct City {
   CityOptions options;
   std::vector<double> crossing_heights;  ///< of crossing (i, j) at i + j * street_lines.size()
   std::uint32_t block_cells = 0;         ///< cells of terrain along a side of a block
+
+  [[nodiscard]] bool operator==(const City&) const = default;
 
   /// Height of the ground or road at a point of the square: the top of what a mover stands on.
   /// Points beyond the square get the height of its nearest edge.

@@ -1,5 +1,6 @@
 set(SOMS_HEADERS
   city.h
+  print.h
   routes.h
   shapes.h
   spread.h
@@ -17,6 +18,7 @@ set(SOMS_SOURCES
   detail/refine.cpp
   detail/solids.cpp
   movers.cpp
+  print.cpp
   routes.cpp
   shapes.cpp
   spread.cpp

@@ -26,6 +26,8 @@ struct Route {
   /// call of `at` while empty; `measure` fills it.
   std::vector<double> marks = {};
 
+  [[nodiscard]] bool operator==(const Route&) const = default;
+
   /// Fills `marks`; to be called again when points change.
   void measure();
 

@@ -16,6 +16,8 @@ struct SpreadOptions {
   double height = 5;                 ///< of the slab over that square, 0 to 10^6
   double cover = 20;                 ///< total area over that of the square
   std::uint64_t seed = 1;
+
+  [[nodiscard]] bool operator==(const SpreadOptions&) const = default;
 };
 
 /// Equilateral triangles at random places of a flat slab, as in a city, turned at random.

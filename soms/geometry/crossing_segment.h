@@ -4,6 +4,7 @@
 
 #include "soms/base/vector.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -19,6 +20,13 @@ struct Crossing {
   [[nodiscard]] std::span<const Vec3> points() const { return {corners.data(), count}; }
 
   [[nodiscard]] bool empty() const { return count == 0; }
+
+  /// The same corners, in the same order.
+  [[nodiscard]] bool operator==(const Crossing& other) const {
+    return std::equal(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(count),
+                      other.corners.begin(),
+                      other.corners.begin() + static_cast<std::ptrdiff_t>(other.count));
+  }
 };
 
 /// The common points of two closed triangles. Whether there are any is exact, as

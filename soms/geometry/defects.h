@@ -112,6 +112,8 @@ struct Defects {
 struct DefectOptions {
   std::size_t places = 10;  ///< most places of each kind to name
   bool parts = true;        ///< count the edges of each part by itself, too
+
+  [[nodiscard]] bool operator==(const DefectOptions&) const = default;
 };
 
 /// Counts the defects of a mesh, and names the first of each kind. Degenerate triangles are told

@@ -1,27 +1,31 @@
 set(SOMS_HEADERS
-  crossing_segment.h
   counts.h
+  crossing_segment.h
   defects.h
+  frames.h
   mesh.h
   midpoint.h
   orientation.h
   part_runs.h
   parts_of.h
   polygon.h
+  print.h
   triangle_overlap.h
 )
 set(SOMS_SOURCES
-  crossing_segment.cpp
   counts.cpp
+  crossing_segment.cpp
   defects.cpp
   detail/flat_overlap.cpp
   detail/joined.cpp
   detail/orientation_exact.cpp
+  frames.cpp
   mesh.cpp
   midpoint.cpp
   orientation.cpp
   part_runs.cpp
   parts_of.cpp
   polygon.cpp
+  print.cpp
   triangle_overlap.cpp
 )

@@ -42,7 +42,7 @@ struct Mesh {
   double unit = 0;                   ///< metres a unit when the file says so, else 0
   UpAxis up = UpAxis::unknown;
   std::string source;              ///< path of the file, or what generated it
-  std::vector<std::string> notes;  ///< things in the file that were reported, not applied
+  std::vector<std::string> notes;  ///< what the file holds that was not read or applied
 
   [[nodiscard]] bool operator==(const Mesh&) const = default;
 

@@ -2,6 +2,7 @@ set(SOMS_HEADERS
   formats.h
   new_file.h
   poses.h
+  print.h
   read_mesh.h
   write_mesh.h
 )
@@ -24,6 +25,7 @@ set(SOMS_SOURCES
   detail/gltf_scene.cpp
   detail/import.cpp
   detail/import_child.cpp
+  detail/left_out.cpp
   detail/line_reader.cpp
   detail/links.cpp
   detail/mesh_builder.cpp
@@ -43,6 +45,7 @@ set(SOMS_SOURCES
   formats.cpp
   new_file.cpp
   poses.cpp
+  print.cpp
   read_mesh.cpp
   write_mesh.cpp
 )

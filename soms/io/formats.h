@@ -15,6 +15,8 @@ namespace soms {
 struct ReadableFormat {
   std::string_view name;    ///< as in messages: "PLY"
   std::string_view ending;  ///< of file names, lower case, with its point
+
+  [[nodiscard]] bool operator==(const ReadableFormat&) const = default;
 };
 
 /// Formats that this build reads itself, in the order of the manual.
@@ -32,6 +34,8 @@ struct WritableFormat {
   bool doubles = true;      ///< coordinates keep every bit; else they become floats
   bool names = false;       ///< of parts
   bool unit_and_axis = false;
+
+  [[nodiscard]] bool operator==(const WritableFormat&) const = default;
 };
 
 /// All ways to write, in the order of the manual.

@@ -94,6 +94,7 @@ int NewFile::open(const std::filesystem::path& path) {
   }
   if (exists) {
     (void)!fchmod(descriptor_, status.st_mode & 07777);
+    other_names_ = status.st_nlink - 1;
   }
   return 0;
 }

@@ -2,6 +2,7 @@
 /// A file that appears whole or not at all, whatever ends the program.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
 namespace soms {
@@ -16,6 +17,10 @@ namespace soms {
 /// Errors are given as numbers of the system (`errno`), 0 for none: what they mean is the caller's
 /// to say. The bytes may still be in the system's cache when `commit` returns: a computer that
 /// loses its power may lose them.
+///
+/// Of a file with several names (hard links) only the name that is given becomes the new file; the
+/// others keep the old one. So a model may be written over another name of the model that is read,
+/// and a copy that a backup shares by a link stays as it was.
 class NewFile {
  public:
   NewFile() = default;
@@ -29,6 +34,10 @@ class NewFile {
   /// What to write to, between `open` and `commit`.
   [[nodiscard]] int descriptor() const { return descriptor_; }
 
+  /// How many other names (hard links) the old file has, which will keep it; 0 where nothing is
+  /// replaced.
+  [[nodiscard]] std::uint64_t other_names() const { return other_names_; }
+
   /// Gives the file its name; nothing may be written afterwards.
   [[nodiscard]] int commit();
 
@@ -40,6 +49,7 @@ class NewFile {
   std::filesystem::path target_;  ///< links followed; empty where the file is written straight
   std::filesystem::path beside_;  ///< name until `commit`; empty while there is none
   int descriptor_ = -1;
+  std::uint64_t other_names_ = 0;
 };
 
 }  // namespace soms

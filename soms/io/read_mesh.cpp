@@ -4,11 +4,13 @@
 #include "soms/base/error.h"
 #include "soms/io/detail/file.h"
 #include "soms/io/detail/format.h"
+#include "soms/io/detail/left_out.h"
 #include "soms/io/detail/source.h"
 
 #include <limits>
 #include <new>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -43,6 +45,15 @@ std::optional<std::filesystem::path> folder_of(const std::filesystem::path& path
   return folder;
 }
 
+/// Fails where a mesh has notes: the error has their texts.
+void refuse_notes(const detail::Source& source, const Mesh& mesh) {
+  if (mesh.notes.empty()) {
+    return;
+  }
+  source.fail(ErrorKind::bad_file, detail::joined(mesh.notes),
+              "repair the model, or read it without `strict`");
+}
+
 /// Whose memory the bytes of a file are.
 enum class Owner { caller, us };
 
@@ -70,6 +81,9 @@ Mesh read_bytes(std::string_view bytes, const std::string& name, Owner owner,
   }
   Mesh mesh = detail::identify(source).read(source);
   source.tick(source.bytes.size());
+  if (options.strict) {
+    refuse_notes(source, mesh);
+  }
   return mesh;
 }
 

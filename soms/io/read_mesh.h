@@ -22,17 +22,23 @@ struct ReadOptions {
   /// Most seconds that soms-import may take, for formats that soms does not read itself; what is
   /// not above 0 counts as 0.
   double import_seconds = 60;
+  /// Make an error of what would be noted in `Mesh::notes`: a model is read without a note, or not
+  /// at all.
+  bool strict = false;
+
+  [[nodiscard]] bool operator==(const ReadOptions&) const = default;
 };
 
 /// Reads a PLY, 3DS, STL, OFF, OBJ, glTF, GLB or COLLADA model as stored, in double: nothing is
 /// welded, moved or lost but by the nodes of a scene, triangle i is triangle i of the file, a
-/// polygon of n corners gives n-2 triangles. The mesh passes `check`. What each reader accepts
-/// stands in docs/formats.md. A glTF model alone opens other files: those in its folder that it
+/// polygon of n corners gives n-2 triangles. The mesh passes `check`. What else the file holds is
+/// an error or is counted in `Mesh::notes`, by the rule of docs/formats.md, which also says what
+/// each reader accepts. A glTF model alone opens other files: those in its folder that it
 /// names.
 ///
-/// \errors  cannot_open (missing, unreadable, a directory), bad_file (names line or byte),
-///          empty_mesh, not_finite, out_of_range, unsupported (says what to do),
-///          out_of_memory.
+/// \errors  cannot_open (missing, unreadable, a directory), bad_file (names line or byte; with
+///          `strict` also what is noted else), empty_mesh, not_finite, out_of_range, unsupported
+///          (says what to do), out_of_memory.
 /// \threads `parallel` gives progress and cancellation; reading is one thread.
 [[nodiscard]] Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options = {},
                              const Parallel& parallel = {});

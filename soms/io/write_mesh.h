@@ -19,7 +19,8 @@ enum class MeshFormat { ply, ply_ascii, obj, stl, stl_ascii, off, three_ds, glb 
 /// \errors  ErrorKind::unsupported naming the endings that are offered.
 [[nodiscard]] MeshFormat format_for(const std::filesystem::path& path);
 
-/// Writes a mesh; the file appears whole or not at all (written beside, then renamed). PLY, OBJ and
+/// Writes a mesh; the file appears whole or not at all (written beside, then renamed; where the old
+/// file has several names, the others keep it: see NewFile). PLY, OBJ and
 /// OFF are read back equal in vertices and triangles (doubles are kept); binary STL, 3DS and GLB
 /// hold floats. 3DS is read back with the same triangles in the same order, in objects of at most
 /// 65,535 vertices and faces, whose names are cut to ten characters and made unique. GLB keeps
@@ -39,6 +40,8 @@ void write_mesh(std::ostream& out, const std::string& name, const Mesh& mesh, Me
 struct Rounding {
   std::uint64_t count = 0;  ///< vertices that are not read back equal
   double most = 0;          ///< largest difference of a coordinate
+
+  [[nodiscard]] bool operator==(const Rounding&) const = default;
 };
 
 /// Vertices that a format does not write are left out. \pre `check(mesh)` passes. \cost One pass.

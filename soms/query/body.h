@@ -23,6 +23,8 @@ struct Body {
 
   /// Builds a shape with default options.
   explicit Body(Mesh mesh, const Pose& p = {}) : shape(std::move(mesh)), pose(p) {}
+
+  [[nodiscard]] bool operator==(const Body&) const = default;
 };
 
 }  // namespace soms

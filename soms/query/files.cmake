@@ -4,6 +4,7 @@ set(SOMS_HEADERS
   instruction_set.h
   overlap.h
   overlap_run.h
+  print.h
   reference/overlap.h
   traversal/baselines.h
   traversal/e_node.h
@@ -37,6 +38,7 @@ set(SOMS_SOURCES
   overlap.cpp
   overlap_batch.cpp
   overlap_run.cpp
+  print.cpp
   reference/overlap.cpp
   traversal/baselines.cpp
   traversal/e_node.cpp

@@ -6,6 +6,7 @@
 #include "soms/query/detail/overlap_query.h"
 #include "soms/query/detail/pair_walk.h"
 #include "soms/query/traversal/named_overlap.h"
+#include "soms/query/traversal/traversals.h"
 
 #include <atomic>
 #include <limits>
@@ -138,9 +139,19 @@ std::uint64_t Overlap::hash() const {
   return hash.value();
 }
 
+void check(const OverlapOptions& options) {
+  check(options.traversal);
+  const bool limited = options.limit != OverlapOptions{}.limit && options.limit > 0;
+  if (limited && options.mode != OverlapMode::all) {
+    refuse_idle("overlap options",
+                {"limit", "modes any and first return one pair at most", "mode", "all"});
+  }
+}
+
 Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options,
                 const Parallel& parallel) {
   const PlainArithmetic plain;
+  check(options);
   if (options.traversal.traversal != Traversal::fast) {
     return detail::named_overlap(a, b, options, parallel);
   }

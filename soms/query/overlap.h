@@ -33,13 +33,20 @@ enum class OverlapMode {
 struct OverlapOptions {
   OverlapMode mode = OverlapMode::all;
   /// Most pairs returned; more are cut, and the answer says so. The first found by one thread.
+  /// With modes `any` and `first`, which return one pair at most, 0 alone has an effect.
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();
   /// Ends the query with coverage `cut` when it passes.
   std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
   /// The default walks the layout; a named traversal walks the canonical trees
   /// (ShapeOptions::keep_tree).
   TraversalOptions traversal = {};
+
+  [[nodiscard]] bool operator==(const OverlapOptions&) const = default;
 };
+
+/// Throws ErrorKind::usage unless the options go together and none is without effect: as
+/// `check(TraversalOptions)`, and no `limit` above 0 with modes `any` and `first`.
+void check(const OverlapOptions& options);
 
 /// Answer of an overlap query of two bodies.
 struct Overlap {
@@ -47,6 +54,8 @@ struct Overlap {
   std::vector<TrianglePair> pairs;  ///< sorted by first, then second; one pair in modes any, first
   Coverage coverage = Coverage::complete;
   Cost cost;
+
+  [[nodiscard]] bool operator==(const Overlap&) const = default;
 
   /// FNV-1a 64 over the sorted pairs as little-endian u32: two runs agree when their hashes do.
   [[nodiscard]] std::uint64_t hash() const;
@@ -58,9 +67,8 @@ struct Overlap {
 ///
 /// Surfaces only: a car wholly inside a closed hall does not overlap its walls.
 ///
-/// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose (checked in O(1)); usage for
-/// a
-///          named traversal without kept trees; cancelled.
+/// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose (checked in O(1)); usage as
+///          `check(OverlapOptions)` and for a named traversal without kept trees; cancelled.
 /// \cost    Typically logarithmic in the triangle counts plus linear in the answer.
 /// \threads Any number of callers; `parallel` splits one query.
 [[nodiscard]] Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options = {},
@@ -74,6 +82,8 @@ struct OverlapBatch {
   std::vector<TrianglePair> pairs;     ///< in modes any and first: the pair found, if any
   std::vector<Cost> costs;             ///< n
   Cost cost;                           ///< of all poses together
+
+  [[nodiscard]] bool operator==(const OverlapBatch&) const = default;
 
   [[nodiscard]] std::size_t size() const { return any.size(); }
 

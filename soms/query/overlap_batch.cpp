@@ -51,6 +51,7 @@ void join(std::span<const RunAnswers> blocks, OverlapBatch& batch) {
 OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
                      const OverlapOptions& options, const Parallel& parallel) {
   const PlainArithmetic plain;
+  check(options);
   check_poses(poses, mover);
   detail::check_pose(fixed.pose, fixed.shape);
   // A named traversal may go on from where its last pose ended.

@@ -224,6 +224,7 @@ OverlapRun& OverlapRun::operator=(OverlapRun&&) noexcept = default;
 void OverlapRun::ask(const Shape& mover, std::span<const Pose* const> poses, const Body& fixed,
                      const OverlapOptions& options, const Parallel& parallel, RunAnswers& answers) {
   const PlainArithmetic plain;
+  check(options);
   const Question question{mover, poses, fixed, options, parallel};
   answers.pairs.clear();
   answers.poses.assign(poses.size(), {});

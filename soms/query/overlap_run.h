@@ -24,10 +24,14 @@ struct RunAnswers {
     Cost cost;
     Coverage coverage = Coverage::complete;
     bool any = false;
+
+    [[nodiscard]] bool operator==(const Answer&) const = default;
   };
 
   std::vector<Answer> poses;
   std::vector<TrianglePair> pairs;
+
+  [[nodiscard]] bool operator==(const RunAnswers&) const = default;
 
   [[nodiscard]] std::span<const TrianglePair> pairs_of(std::size_t pose) const {
     const Answer& answer = poses[pose];

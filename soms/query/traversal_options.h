@@ -2,6 +2,10 @@
 /// Ways to walk two trees, by name. All give the same answers; they differ in work.
 #pragma once
 
+#include "soms/base/idle_option.h"
+
+#include <vector>
+
 namespace soms {
 
 /// Traversals; `traversal/traversals.h` has the table of their names and functions.
@@ -30,7 +34,8 @@ enum class BoxUpdate {
   rebox,  ///< bounds of the eight moved corners, widened outward: looser, cheaper
 };
 
-/// Options of a named traversal; ignored by `fast`.
+/// Options of a named traversal; `fast` has none. One that has no effect beside `traversal` stays
+/// at its default, or the query is refused (`idle_options`).
 struct TraversalOptions {
   Traversal traversal = Traversal::fast;
   Descent descent = Descent::both;             ///< of E-Node
@@ -42,5 +47,14 @@ struct TraversalOptions {
 
   [[nodiscard]] bool operator==(const TraversalOptions&) const = default;
 };
+
+/// Options that have no effect beside `traversal`, in the order of the fields: `fast` has none of
+/// them, `descent` and `order` are E-Node's, `ericson_rule` is that of `ericson`, `recursive` that
+/// of the baselines (`a_first` to `larsson`).
+[[nodiscard]] std::vector<IdleOption> idle_options(const TraversalOptions& options);
+
+/// The same options, those that have no effect set to their defaults: what a traversal makes of
+/// them.
+[[nodiscard]] TraversalOptions without_idle(TraversalOptions options);
 
 }  // namespace soms

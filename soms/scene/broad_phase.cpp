@@ -5,13 +5,16 @@
 #include "soms/scene/detail/box_index.h"
 #include "soms/scene/detail/columns.h"
 #include "soms/scene/detail/float_box.h"
+#include "soms/scene/detail/kept_memory.h"
 #include "soms/scene/detail/pace.h"
+#include "soms/scene/detail/pair_filter.h"
 #include "soms/scene/detail/pair_rows.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace soms {
@@ -29,6 +32,11 @@ constexpr std::uint32_t kMostCallsWithoutGrid = 64;
 constexpr float kMostGrowth = 2;
 /// Sides above this, in widths of the crowd, do not count.
 constexpr float kLongest = 1e30F;
+/// More kept pairs a box than this, and the next call starts from nothing.
+constexpr std::size_t kMostKeptOfABox = 256;
+/// Bytes that a call needs for each box, and for each kept pair, beside its grid.
+constexpr std::size_t kBytesOfABox = 128;
+constexpr std::size_t kBytesOfAPair = 32;
 /// Growth to all sides, as a part of the way ahead.
 constexpr float kAside = 0.25F;
 
@@ -80,12 +88,14 @@ FloatBox grown(const FloatBox& box, const Way& way, float calls, float aside, fl
 }  // namespace
 
 struct BroadPhase::State {
+  detail::PairFilter filter;
   detail::FloatMap map;
   detail::Columns columns;
   detail::BoxIndex index;
   detail::PairRows rows;  ///< pairs of `large`, or without a grid of the boxes themselves
   detail::Pace pace;
   bool has_grid = false;
+  bool used_columns = false;             ///< in this call
   std::uint32_t calls_without_grid = 0;  ///< in a row, to come
   std::uint32_t next_without_grid = 1;
   float usual_side = 0;
@@ -98,12 +108,13 @@ struct BroadPhase::State {
   std::vector<BoxPair> answer;
 
   [[nodiscard]] bool keep(std::span<const Box> boxes);
-  void catch_escaped(std::span<const Box> boxes);
+  [[nodiscard]] bool catch_escaped(std::span<const Box> boxes);
   void start_anew(std::span<const Box> boxes);
   void take_as_they_are(std::span<const Box> boxes);
   bool enlarge(std::span<const Box> boxes);
   void ask_index(std::span<const Box> boxes);
   std::span<const BoxPair> decide(std::span<const Box> boxes);
+  void give_back(std::size_t boxes);
 };
 
 /// \returns whether `rows` still hold all pairs, after some work if need be.
@@ -123,15 +134,12 @@ bool BroadPhase::State::keep(std::span<const Box> boxes) {
       }
     }
   }
-  if (!escaped.empty()) {
-    catch_escaped(boxes);
-  }
-  return true;
+  return escaped.empty() || catch_escaped(boxes);
 }
 
 /// Gives the escaped new large boxes, and `rows` their pairs. Should memory run short on the way,
-/// the next call starts anew.
-void BroadPhase::State::catch_escaped(std::span<const Box> boxes) {
+/// the next call starts from nothing. \returns false if there would be too many pairs.
+bool BroadPhase::State::catch_escaped(std::span<const Box> boxes) {
   has_grid = false;
   const auto age = static_cast<double>(pace.age());
   for (const std::uint32_t k : escaped) {
@@ -156,9 +164,13 @@ void BroadPhase::State::catch_escaped(std::span<const Box> boxes) {
   }
   for (const std::uint32_t a : escaped) {
     for (std::uint32_t b = 0; b < large.size(); ++b) {
-      if (a != b && detail::meet(large[a], large[b]) && (a < b || is_escaped[b] == 0)) {
+      if (a != b && detail::meet(large[a], large[b]) && (a < b || is_escaped[b] == 0) &&
+          !filter.leaves_out(std::min(a, b), std::max(a, b))) {
         pairs.push_back(std::uint64_t{std::min(a, b)} << 32 | std::max(a, b));
       }
+    }
+    if (pairs.size() > kMostKeptOfABox * (boxes.size() + 64)) {
+      return false;
     }
   }
   for (const std::uint32_t k : escaped) {
@@ -167,6 +179,7 @@ void BroadPhase::State::catch_escaped(std::span<const Box> boxes) {
   rows.assign(boxes.size(), pairs);
   pace.spend(escaped.size() * boxes.size() / 25 + rows.size() / 5);
   has_grid = true;
+  return true;
 }
 
 void BroadPhase::State::take_as_they_are(std::span<const Box> boxes) {
@@ -214,11 +227,12 @@ void BroadPhase::State::start_anew(std::span<const Box> boxes) {
   }
   map = detail::FloatMap::of(boxes);
   const bool enlarged = enlarge(boxes);
-  auto found = columns.find(large);
+  used_columns = true;
+  auto found = columns.find(large, filter);
   if (!found && enlarged) {
     pace.look_less_far();
     take_as_they_are(boxes);
-    found = columns.find(large);
+    found = columns.find(large, filter);
   }
   base.assign(boxes.begin(), boxes.end());
   if (found) {
@@ -236,15 +250,21 @@ void BroadPhase::State::start_anew(std::span<const Box> boxes) {
 
 /// The pairs of the boxes themselves, wherever they lie and however large they are.
 void BroadPhase::State::ask_index(std::span<const Box> boxes) {
-  index.build(boxes);
+  index.build(boxes, filter.groups());
   pairs.clear();
   for (std::uint32_t a = 0; a < boxes.size(); ++a) {
-    if (!boxes[a].empty()) {
-      index.query(boxes[a], [&](std::uint32_t b) {
-        if (a < b) {
-          pairs.push_back(std::uint64_t{a} << 32 | b);
-        }
-      });
+    if (boxes[a].empty()) {
+      continue;
+    }
+    const auto found = [&](std::uint32_t b) {
+      if (a < b && !filter.ignores(a, b)) {
+        pairs.push_back(std::uint64_t{a} << 32 | b);
+      }
+    };
+    if (filter.groups().empty()) {
+      index.query(boxes[a], found);
+    } else {
+      index.query(boxes[a], filter.group(a), found);
     }
   }
   rows.assign(boxes.size(), pairs);
@@ -263,7 +283,30 @@ std::span<const BoxPair> BroadPhase::State::decide(std::span<const Box> boxes) {
       found += meeting(box, boxes[b]) ? 1U : 0U;
     }
   }
+  give_back(boxes.size());
   return std::span(answer).first(found);
+}
+
+/// What earlier calls needed and this one, of so many boxes, does not.
+void BroadPhase::State::give_back(std::size_t boxes) {
+  const std::size_t needed = kBytesOfABox * boxes + kBytesOfAPair * rows.size();
+  if (used_columns) {
+    columns.give_back();
+  } else if (detail::is_far_above(columns.memory(), needed)) {
+    columns = {};
+  }
+  if (detail::is_far_above(index.memory(), needed)) {
+    index = {};
+  }
+  if (detail::is_far_above(detail::bytes(pairs), needed)) {
+    detail::release(pairs);
+  }
+  rows.give_back();
+  detail::give_back(base);
+  detail::give_back(large);
+  detail::give_back(escaped);
+  detail::give_back(is_escaped);
+  detail::give_back(answer, rows.size() + 1);
 }
 
 BroadPhase::BroadPhase() : state_(std::make_unique<State>()) {
@@ -280,10 +323,24 @@ std::span<const BoxPair> BroadPhase::find(std::span<const Box> boxes) {
                 "broad phase: " + std::to_string(boxes.size()) + " boxes are above 2^27",
                 "ask about fewer at a time");
   }
+  state_->used_columns = false;
   if (!state_->keep(boxes)) {
     state_->start_anew(boxes);
   }
   return state_->decide(boxes);
+}
+
+void BroadPhase::set_filter(std::vector<std::uint32_t> groups, std::span<const BoxPair> ignored) {
+  for (const auto& [a, b] : ignored) {
+    if (std::max(a, b) >= detail::Columns::kMostBoxes) {
+      throw Error(ErrorKind::out_of_range,
+                  "broad phase: ignored pair (" + std::to_string(a) + ", " + std::to_string(b) +
+                      ") names a box of 2^27 or more",
+                  "name boxes by their place among those that are passed to find");
+    }
+  }
+  state_->filter = detail::PairFilter(std::move(groups), ignored);
+  state_->has_grid = false;
 }
 
 void BroadPhase::forget() {
@@ -293,9 +350,10 @@ void BroadPhase::forget() {
 
 std::size_t BroadPhase::memory() const {
   const State& state = *state_;
-  return sizeof(State) + state.columns.memory() + state.index.memory() + state.rows.memory() +
-         detail::bytes(state.base) + detail::bytes(state.large) + detail::bytes(state.escaped) +
-         detail::bytes(state.is_escaped) + detail::bytes(state.pairs) + detail::bytes(state.answer);
+  return sizeof(State) + state.filter.memory() + state.columns.memory() + state.index.memory() +
+         state.rows.memory() + detail::bytes(state.base) + detail::bytes(state.large) +
+         detail::bytes(state.escaped) + detail::bytes(state.is_escaped) +
+         detail::bytes(state.pairs) + detail::bytes(state.answer);
 }
 
 }  // namespace soms

@@ -1,22 +1,31 @@
 set(SOMS_HEADERS
   broad_phase.h
+  contact_tracker.h
+  print.h
   recording.h
   reference/broad_phase.h
   replay.h
   scene.h
+  step_report.h
 )
 set(SOMS_SOURCES
   broad_phase.cpp
+  contact_tracker.cpp
   detail/box_index.cpp
   detail/columns.cpp
+  detail/first_contacts.cpp
   detail/float_box.cpp
   detail/moved_bounds.cpp
   detail/narrow_phase.cpp
   detail/pace.cpp
+  detail/pair_filter.cpp
   detail/pair_rows.cpp
   detail/recording_reader.cpp
+  detail/residents.cpp
+  print.cpp
   recording.cpp
   reference/broad_phase.cpp
   replay.cpp
   scene.cpp
+  step_report.cpp
 )

@@ -147,6 +147,19 @@ void RecordingWriter::add(std::span<const Pose> poses, const StepReport& report)
                     std::to_string(before_.size()) + " movers",
                 "give the pose of each mover");
   }
+  if (report.scope != StepScope::every_pair) {
+    throw Error(ErrorKind::usage,
+                "recording: the report of a step with StepScope::first_contact lacks contacts",
+                "step with StepScope::every_pair");
+  }
+  if (end_.frames > 0 && report.shapes_set != shapes_set_) {
+    throw Error(
+        ErrorKind::usage,
+        "recording: frame " + std::to_string(end_.frames) +
+            ": a shape was set in the scene since the frame before, and a recording holds one "
+            "mesh for each mover",
+        "finish the recording here, or set shapes before its first frame only");
+  }
   const std::size_t whole = chunk_.size();
   try {
     put_frame(poses, report);
@@ -155,6 +168,7 @@ void RecordingWriter::add(std::span<const Pose> poses, const StepReport& report)
     throw;
   }
   std::copy(poses.begin(), poses.end(), before_.begin());
+  shapes_set_ = report.shapes_set;
   ++chunk_frames_;
   ++end_.frames;
   end_.environment_contacts += report.environment.size();

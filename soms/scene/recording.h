@@ -96,8 +96,11 @@ class RecordingWriter {
 
   /// Adds the next frame.
   /// \pre     `report` is of the bodies that the head names: movers 0 to n-1.
-  /// \errors  ErrorKind::usage where there are not as many poses as movers; cannot_write. Where
-  ///          memory runs short, `so_far` tells whether the frame was added; those before it were.
+  /// \errors  ErrorKind::usage where there are not as many poses as movers, for the report of a
+  ///          step with StepScope::first_contact, and where a shape was set in the scene since the
+  ///          frame before (`Scene::set_shape`): a recording holds one mesh for each mover.
+  ///          cannot_write. Frames before stay good. Where memory runs short, `so_far` tells
+  ///          whether the frame was added.
   void add(std::span<const Pose> poses, const StepReport& report);
 
   /// Writes what is held back, and the end. Call it once, last. \errors ErrorKind::cannot_write.
@@ -115,6 +118,7 @@ class RecordingWriter {
   std::vector<Pose> before_;  ///< poses of the frame before in this chunk
   std::string chunk_;
   std::uint32_t chunk_frames_ = 0;
+  std::uint64_t shapes_set_ = 0;  ///< in the scene, at the frame before
   RecordingEnd end_;
   Fnv1a hash_;
 };

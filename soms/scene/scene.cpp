@@ -2,100 +2,30 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
-#include "soms/base/hash.h"
 #include "soms/scene/broad_phase.h"
 #include "soms/scene/detail/box_index.h"
-#include "soms/scene/detail/id_list.h"
-#include "soms/scene/detail/moved_bounds.h"
+#include "soms/scene/detail/first_contacts.h"
+#include "soms/scene/detail/kept_memory.h"
 #include "soms/scene/detail/narrow_phase.h"
+#include "soms/scene/detail/residents.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <span>
-#include <string_view>
+#include <string>
 #include <utility>
 
 namespace soms {
 
 namespace {
 
-/// A body of the scene with its world box, which is set together with the pose and nowhere else.
-struct Resident {
-  Body body;
-  Box box;
-  std::uint32_t group = 0;
-  /// Mover: numbers of movers not compared with. Kept on both sides, so removal finds all.
-  std::vector<std::uint32_t> ignored_movers;
-  /// Mover: parts not compared with. Part: the movers that ignore it.
-  std::vector<std::uint32_t> ignored_others;
-};
+using detail::Candidate;
+using detail::Resident;
+using detail::Residents;
 
-using Residents = detail::IdList<Resident>;
-
-/// A pair of bodies, by places in the lists.
-struct Candidate {
-  std::uint32_t mover = 0;
-  std::uint32_t other = 0;
-};
-
-bool holds(const std::vector<std::uint32_t>& sorted, std::uint32_t id) {
-  return std::binary_search(sorted.begin(), sorted.end(), id);
-}
-
-void insert(std::vector<std::uint32_t>& sorted, std::uint32_t id) {
-  const auto at = std::lower_bound(sorted.begin(), sorted.end(), id);
-  if (at == sorted.end() || *at != id) {
-    sorted.insert(at, id);
-  }
-}
-
-/// Each into the other's list: into both or, where memory runs short, into none.
-void insert_mutually(std::vector<std::uint32_t>& list_a, std::uint32_t b,
-                     std::vector<std::uint32_t>& list_b, std::uint32_t a) {
-  const auto make_room = [](std::vector<std::uint32_t>& list) {
-    if (list.size() == list.capacity()) {
-      list.reserve(2 * list.size() + 1);
-    }
-  };
-  make_room(list_a);
-  make_room(list_b);
-  insert(list_a, b);
-  insert(list_b, a);
-}
-
-void erase(std::vector<std::uint32_t>& sorted, std::uint32_t id) {
-  const auto at = std::lower_bound(sorted.begin(), sorted.end(), id);
-  if (at != sorted.end() && *at == id) {
-    sorted.erase(at);
-  }
-}
-
-/// World box of a body. \errors As `overlap` for the pose; the message names the body.
-Box place(const Body& body, const Pose& pose, std::string_view what,
-          std::optional<std::uint32_t> id = std::nullopt) {
-  try {
-    check(pose);
-    check_range(pose, body.shape.bounds());
-  } catch (const Error& error) {
-    std::string subject(what);
-    if (id) {
-      subject += " " + std::to_string(*id);
-    }
-    if (!body.name.empty()) {
-      subject += " (" + body.name + ")";
-    }
-    throw Error(error.kind(), subject + ": " + error.place(), error.remedy());
-  }
-  return detail::moved_bounds(pose, body.shape.bounds());
-}
-
-void collect_boxes(const Residents& residents, std::vector<Box>& boxes) {
-  boxes.clear();
-  for (const auto& resident : residents.places()) {
-    boxes.push_back(resident.value.box);
-  }
-}
+/// Bytes that the narrow phase needs for a question, and for a pair of triangles found.
+constexpr std::size_t kBytesOfAQuestion = 256;
+constexpr std::size_t kBytesOfAFind = 16;
 
 }  // namespace
 
@@ -103,6 +33,9 @@ struct Scene::State {
   Residents movers{"mover"};
   Residents parts{"part of the environment"};
   bool parts_changed = false;
+  bool filter_changed = false;
+  bool has_filter = false;
+  std::uint64_t shapes_set = 0;
   detail::BoxIndex part_index;
   BroadPhase broad_phase;
 
@@ -111,24 +44,71 @@ struct Scene::State {
   std::vector<std::uint32_t> met;
   std::vector<Candidate> candidates;
   std::vector<detail::Question> questions;
+  std::size_t most_candidates = 0;  ///< of this step
+  detail::FirstContacts first_contacts;
   detail::NarrowPhase environment;
   detail::NarrowPhase mutual;
+
   void refresh_index();
+  void refresh_filter();
   void find_environment_candidates(StepReport& report);
   void find_mover_candidates(StepReport& report);
   template <typename Contact>
   void ask(detail::NarrowPhase& narrow_phase, const Residents& others,
            const OverlapOptions& options, const Parallel& parallel, std::vector<Contact>& contacts,
-           Cost& cost);
+           StepReport& report);
+  template <typename Contact>
+  void ask_until_first(detail::NarrowPhase& narrow_phase, const Residents& others,
+                       const OverlapOptions& options, const Parallel& parallel,
+                       std::vector<Contact>& contacts, StepReport& report);
+  template <typename Contact>
+  void append(const Candidate& candidate, const Residents& others,
+              std::span<const TrianglePair> pairs, std::vector<Contact>& contacts) const;
+
+  [[nodiscard]] detail::Question question(const Candidate& candidate,
+                                          const Residents& others) const {
+    return {&movers.places()[candidate.mover].value.body,
+            &others.places()[candidate.other].value.body};
+  }
+
+  void give_back();
 };
 
 /// The environment seldom changes: its structure is made when a step first needs it.
 void Scene::State::refresh_index() {
   if (parts_changed) {
-    collect_boxes(parts, boxes);
+    detail::collect_boxes(parts, boxes);
     part_index.build(boxes);
     parts_changed = false;
   }
+}
+
+/// Groups and ignored pairs by place, as the broad phase wants them.
+void Scene::State::refresh_filter() {
+  if (!filter_changed) {
+    return;
+  }
+  std::vector<std::uint32_t> groups;
+  std::vector<BoxPair> ignored;
+  const auto& places = movers.places();
+  for (std::uint32_t place = 0; place < places.size(); ++place) {
+    const Resident& resident = places[place].value;
+    if (resident.group != 0) {
+      groups.resize(place);
+      groups.push_back(resident.group);
+    }
+    const auto& ids = resident.ignored_movers;
+    for (auto id = std::upper_bound(ids.begin(), ids.end(), places[place].id); id != ids.end();
+         ++id) {
+      ignored.emplace_back(place, movers.place_of(*id));
+    }
+  }
+  const bool filters = !groups.empty() || !ignored.empty();
+  if (filters || has_filter) {
+    broad_phase.set_filter(std::move(groups), ignored);
+    has_filter = filters;
+  }
+  filter_changed = false;
 }
 
 /// Candidates ascend by mover, then part.
@@ -145,53 +125,93 @@ void Scene::State::find_environment_candidates(StepReport& report) {
     std::sort(met.begin(), met.end());
     report.box_pairs += met.size();
     for (const std::uint32_t part : met) {
-      if (!holds(resident.ignored_others, parts.places()[part].id)) {
+      if (!detail::holds(resident.ignored_others, parts.places()[part].id)) {
         candidates.push_back({mover, part});
       }
     }
   }
-  report.queries += candidates.size();
+  most_candidates = std::max(most_candidates, candidates.size());
 }
 
 void Scene::State::find_mover_candidates(StepReport& report) {
   candidates.clear();
-  const auto& places = movers.places();
-  collect_boxes(movers, boxes);
+  detail::collect_boxes(movers, boxes);
+  refresh_filter();
   const auto pairs = broad_phase.find(boxes);
   report.box_pairs += pairs.size();
+  candidates.reserve(pairs.size());
   for (const auto& [a, b] : pairs) {
-    const Resident& first = places[a].value;
-    const bool same_group = first.group != 0 && first.group == places[b].value.group;
-    if (!same_group && !holds(first.ignored_movers, places[b].id)) {
-      candidates.push_back({a, b});
-    }
+    candidates.push_back({a, b});
   }
-  report.queries += candidates.size();
+  most_candidates = std::max(most_candidates, candidates.size());
+}
+
+/// Appends the pairs of triangles of a candidate.
+template <typename Contact>
+void Scene::State::append(const Candidate& candidate, const Residents& others,
+                          std::span<const TrianglePair> pairs,
+                          std::vector<Contact>& contacts) const {
+  const MoverId a = movers.places()[candidate.mover].id;
+  const std::uint32_t b = others.places()[candidate.other].id;
+  for (const auto& [i, j] : pairs) {
+    contacts.push_back({a, b, i, j});
+  }
 }
 
 /// Asks about all candidates and appends what touches to `contacts`, in their order.
 template <typename Contact>
 void Scene::State::ask(detail::NarrowPhase& narrow_phase, const Residents& others,
                        const OverlapOptions& options, const Parallel& parallel,
-                       std::vector<Contact>& contacts, Cost& cost) {
+                       std::vector<Contact>& contacts, StepReport& report) {
   questions.clear();
   for (const Candidate& candidate : candidates) {
-    questions.push_back({&movers.places()[candidate.mover].value.body,
-                         &others.places()[candidate.other].value.body});
+    questions.push_back(question(candidate, others));
   }
-  cost += narrow_phase.ask(questions, options, parallel);
+  report.queries += questions.size();
+  report.cost += narrow_phase.ask(questions, options, parallel);
   std::size_t found = 0;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     found += narrow_phase.pairs_of(k).size();
   }
   contacts.reserve(found);
   for (std::size_t k = 0; k < candidates.size(); ++k) {
-    const MoverId a = movers.places()[candidates[k].mover].id;
-    const std::uint32_t b = others.places()[candidates[k].other].id;
-    for (const auto& [i, j] : narrow_phase.pairs_of(k)) {
-      contacts.push_back({a, b, i, j});
+    append(candidates[k], others, narrow_phase.pairs_of(k), contacts);
+  }
+}
+
+/// Asks about the candidates round by round until each mover has its first contact or none.
+template <typename Contact>
+void Scene::State::ask_until_first(detail::NarrowPhase& narrow_phase, const Residents& others,
+                                   const OverlapOptions& options, const Parallel& parallel,
+                                   std::vector<Contact>& contacts, StepReport& report) {
+  first_contacts.begin(candidates, &others == &movers);
+  for (auto round = first_contacts.next_round(); !round.empty();
+       round = first_contacts.next_round()) {
+    questions.clear();
+    for (const std::uint32_t k : round) {
+      questions.push_back(question(candidates[k], others));
+    }
+    report.queries += questions.size();
+    report.cost += narrow_phase.ask(questions, options, parallel);
+    for (std::size_t at = 0; at < round.size(); ++at) {
+      const auto pairs = narrow_phase.pairs_of(at);
+      if (!pairs.empty()) {
+        append(candidates[round[at]], others, pairs, contacts);
+        first_contacts.touch(round[at]);
+      }
     }
   }
+  std::sort(contacts.begin(), contacts.end());
+}
+
+/// What earlier steps needed and this one did not.
+void Scene::State::give_back() {
+  const std::size_t bodies = std::max(movers.places().size(), parts.places().size());
+  detail::give_back(boxes, bodies);
+  detail::give_back(met, bodies);
+  detail::give_back(candidates, most_candidates);
+  detail::give_back(questions, most_candidates);
+  first_contacts.give_back();
 }
 
 Scene::Scene() : state_(std::make_unique<State>()) {
@@ -203,7 +223,7 @@ Scene& Scene::operator=(Scene&&) noexcept = default;
 
 EnvironmentId Scene::add_environment(Body body) {
   const PlainArithmetic plain;
-  const Box box = place(body, body.pose, "new part of the environment");
+  const Box box = detail::world_box(body, body.shape, body.pose, "new part of the environment");
   state_->parts_changed = true;
   return state_->parts.add({std::move(body), box, 0, {}, {}});
 }
@@ -214,13 +234,14 @@ void Scene::remove_environment(EnvironmentId id) {
   state_->parts.remove(id);
   state_->parts_changed = true;
   for (const std::uint32_t mover : movers) {
-    erase(state_->movers.at(mover).ignored_others, id);
+    detail::erase(state_->movers.at(mover).ignored_others, id);
   }
 }
 
 MoverId Scene::add_mover(Body body, std::uint32_t group) {
   const PlainArithmetic plain;
-  const Box box = place(body, body.pose, "new mover");
+  const Box box = detail::world_box(body, body.shape, body.pose, "new mover");
+  state_->filter_changed = state_->filter_changed || group != 0;
   return state_->movers.add({std::move(body), box, group, {}, {}});
 }
 
@@ -228,12 +249,16 @@ void Scene::remove_mover(MoverId id) {
   const Resident& resident = state_->movers.at(id);
   const std::vector<std::uint32_t> others = resident.ignored_movers;
   const std::vector<std::uint32_t> parts = resident.ignored_others;
+  const std::size_t places = state_->movers.places().size();
   state_->movers.remove(id);
+  // An empty place meets nothing, so its group may stay; but places may have moved.
+  state_->filter_changed =
+      state_->filter_changed || !others.empty() || state_->movers.places().size() != places;
   for (const std::uint32_t other : others) {
-    erase(state_->movers.at(other).ignored_movers, id);
+    detail::erase(state_->movers.at(other).ignored_movers, id);
   }
   for (const std::uint32_t part : parts) {
-    erase(state_->parts.at(part).ignored_others, id);
+    detail::erase(state_->parts.at(part).ignored_others, id);
   }
 }
 
@@ -244,36 +269,68 @@ void Scene::ignore(MoverId a, MoverId b) {
     throw Error(ErrorKind::usage, "scene: mover " + std::to_string(a) + " is to ignore itself",
                 "name two movers; a mover is never compared with itself");
   }
-  insert_mutually(first.ignored_movers, b, second.ignored_movers, a);
+  detail::insert_mutually(first.ignored_movers, b, second.ignored_movers, a);
+  state_->filter_changed = true;
+}
+
+void Scene::unignore(MoverId a, MoverId b) {
+  Resident& first = state_->movers.at(a);
+  Resident& second = state_->movers.at(b);
+  state_->filter_changed = true;
+  detail::erase(first.ignored_movers, b);
+  detail::erase(second.ignored_movers, a);
+}
+
+void Scene::set_group(MoverId id, std::uint32_t group) {
+  Resident& resident = state_->movers.at(id);
+  state_->filter_changed = state_->filter_changed || group != resident.group;
+  resident.group = group;
 }
 
 void Scene::ignore_environment(MoverId mover, EnvironmentId part) {
   Resident& first = state_->movers.at(mover);
   Resident& second = state_->parts.at(part);
-  insert_mutually(first.ignored_others, part, second.ignored_others, mover);
+  detail::insert_mutually(first.ignored_others, part, second.ignored_others, mover);
+}
+
+void Scene::unignore_environment(MoverId mover, EnvironmentId part) {
+  Resident& first = state_->movers.at(mover);
+  Resident& second = state_->parts.at(part);
+  detail::erase(first.ignored_others, part);
+  detail::erase(second.ignored_others, mover);
 }
 
 void Scene::set_pose(MoverId id, const Pose& pose) {
   const PlainArithmetic plain;
   Resident& resident = state_->movers.at(id);
-  resident.box = place(resident.body, pose, "mover", id);
+  resident.box = detail::world_box(resident.body, resident.body.shape, pose, "mover", id);
   resident.body.pose = pose;
 }
 
+void Scene::set_shape(MoverId id, Shape shape) {
+  const PlainArithmetic plain;
+  Resident& resident = state_->movers.at(id);
+  resident.box = detail::world_box(resident.body, shape, resident.body.pose, "mover", id);
+  resident.body.shape = std::move(shape);
+  ++state_->shapes_set;
+}
+
+void Scene::set_environment_shape(EnvironmentId id, Shape shape) {
+  const PlainArithmetic plain;
+  Resident& resident = state_->parts.at(id);
+  resident.box =
+      detail::world_box(resident.body, shape, resident.body.pose, "part of the environment", id);
+  resident.body.shape = std::move(shape);
+  state_->parts_changed = true;
+  ++state_->shapes_set;
+}
+
 std::size_t Scene::memory() const {
-  const auto of = [](const Residents& residents) {
-    std::size_t bytes = residents.places().capacity() * sizeof(Residents::Place);
-    for (const auto& place : residents.places()) {
-      const Resident& resident = place.value;
-      bytes += sizeof(MoverId) *
-               (resident.ignored_movers.capacity() + resident.ignored_others.capacity());
-    }
-    return bytes;
-  };
   const State& state = *state_;
-  return sizeof(State) + of(state.movers) + of(state.parts) + state.part_index.memory() +
-         state.broad_phase.memory() + detail::bytes(state.boxes) + detail::bytes(state.met) +
-         detail::bytes(state.candidates) + detail::bytes(state.questions) +
+  return sizeof(State) + detail::memory_of(state.movers) + detail::memory_of(state.parts) +
+         state.part_index.memory() + state.broad_phase.memory() + detail::bytes(state.boxes) +
+         detail::bytes(state.met) + detail::bytes(state.candidates) +
+         detail::bytes(state.questions) + state.first_contacts.memory() +
          state.environment.memory() + state.mutual.memory();
 }
 
@@ -297,36 +354,42 @@ StepReport Scene::step(const StepOptions& options, const Parallel& parallel) {
   const PlainArithmetic plain;
   State& state = *state_;
   StepReport report;
-  report.coverage = options.mode == OverlapMode::all ? Coverage::complete : Coverage::first;
-  const OverlapOptions asked{.mode = options.mode, .traversal = options.traversal};
+  report.scope = options.scope;
+  report.mover_mover = options.mover_mover;
+  report.shapes_set = state.shapes_set;
+  const bool until_first = options.scope == StepScope::first_contact;
+  report.coverage =
+      options.mode == OverlapMode::all && !until_first ? Coverage::complete : Coverage::first;
+  const OverlapOptions query{.mode = options.mode, .traversal = options.traversal};
+  check(query);  // also where nothing meets
+  const auto ask = [&](detail::NarrowPhase& narrow_phase, const Residents& others, auto& contacts) {
+    if (until_first) {
+      state.ask_until_first(narrow_phase, others, query, parallel, contacts, report);
+    } else {
+      state.ask(narrow_phase, others, query, parallel, contacts, report);
+    }
+    const std::size_t needed =
+        kBytesOfAQuestion * state.candidates.size() + kBytesOfAFind * contacts.size();
+    if (detail::is_far_above(narrow_phase.memory(), needed)) {
+      narrow_phase = {};
+    }
+  };
   check_stop(parallel);
+  state.most_candidates = 0;
+  state.first_contacts.start(until_first ? state.movers.places().size() : 0);
   state.refresh_index();
   state.find_environment_candidates(report);
-  state.ask(state.environment, state.parts, asked, parallel, report.environment, report.cost);
+  ask(state.environment, state.parts, report.environment);
   if (options.mover_mover) {
     check_stop(parallel);
     if (!options.coherent) {
       state.broad_phase.forget();
     }
     state.find_mover_candidates(report);
-    state.ask(state.mutual, state.movers, asked, parallel, report.movers, report.cost);
+    ask(state.mutual, state.movers, report.movers);
   }
+  state.give_back();
   return report;
-}
-
-std::uint64_t StepReport::hash() const {
-  Fnv1a hash;
-  for (const EnvironmentContact& contact : environment) {
-    for (const std::uint32_t value : {contact.mover, contact.part, contact.i, contact.j}) {
-      hash.add(value);
-    }
-  }
-  for (const MoverContact& contact : movers) {
-    for (const std::uint32_t value : {contact.a, contact.b, contact.i, contact.j}) {
-      hash.add(value);
-    }
-  }
-  return hash.value();
 }
 
 }  // namespace soms

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "soms/base/parallel.h"
-#include "soms/query/answer.h"
 #include "soms/query/body.h"
 #include "soms/query/overlap.h"
+#include "soms/scene/step_report.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,52 +14,20 @@
 
 namespace soms {
 
-/// Stable number of a mover or of a part of the environment; never used again after removal.
-using MoverId = std::uint32_t;
-using EnvironmentId = std::uint32_t;
-
-/// A triangle of a mover touches a triangle of the environment.
-struct EnvironmentContact {
-  MoverId mover = 0;
-  EnvironmentId part = 0;
-  TriangleId i = 0;  ///< triangle of the mover
-  TriangleId j = 0;  ///< triangle of the part
-
-  [[nodiscard]] auto operator<=>(const EnvironmentContact&) const = default;
-};
-
-/// A triangle of one mover touches a triangle of another; `a` is less than `b`.
-struct MoverContact {
-  MoverId a = 0;
-  MoverId b = 0;
-  TriangleId i = 0;  ///< triangle of a
-  TriangleId j = 0;  ///< triangle of b
-
-  [[nodiscard]] auto operator<=>(const MoverContact&) const = default;
-};
-
-/// What a step found: two sorted lists, the same bytes for any number of threads.
-struct StepReport {
-  std::vector<EnvironmentContact> environment;
-  std::vector<MoverContact> movers;
-  Coverage coverage = Coverage::complete;
-  Cost cost;
-  std::uint64_t queries = 0;    ///< narrow-phase queries asked: box pairs not to be ignored
-  std::uint64_t box_pairs = 0;  ///< pairs of bodies whose world boxes meet
-
-  /// FNV-1a 64 over both lists as little-endian u32.
-  [[nodiscard]] std::uint64_t hash() const;
-};
-
 /// Options of a step.
 struct StepOptions {
   /// all: every pair of triangles; any: one pair for each pair of bodies; first: the least such.
   OverlapMode mode = OverlapMode::all;
-  bool mover_mover = true;
+  /// Which pairs of bodies are compared: all, or those of each mover up to its first contact. What
+  /// is reported of a pair follows `mode` either way.
+  StepScope scope = StepScope::every_pair;
+  bool mover_mover = true;  ///< compare movers with each other, too
   /// Use what the steps before left (see `BroadPhase`); the answers are the same without.
   bool coherent = true;
   /// As of OverlapOptions: named ones need shapes that keep their trees.
   TraversalOptions traversal = {};
+
+  [[nodiscard]] bool operator==(const StepOptions&) const = default;
 };
 
 /// A static environment of meshes and movers that share shapes. Poses are set through the scene, so
@@ -79,19 +47,34 @@ class Scene {
   void remove_environment(EnvironmentId id);
 
   /// Adds a mover. Movers that share a group are not compared with each other; group 0 is none.
+  /// However many movers of one group are in one place, their pairs take neither time nor memory.
   MoverId add_mover(Body body, std::uint32_t group = 0);
   void remove_mover(MoverId id);
+  void set_group(MoverId id, std::uint32_t group);
 
-  /// Movers `a` and `b` are not compared with each other.
+  /// Movers `a` and `b` are not compared with each other, or, after `unignore`, are again. Each is
+  /// without effect where it was called before.
   void ignore(MoverId a, MoverId b);
+  void unignore(MoverId a, MoverId b);
 
-  /// Mover `mover` is not compared with the part `part` of the environment.
+  /// The same for a mover and a part of the environment.
   void ignore_environment(MoverId mover, EnvironmentId part);
+  void unignore_environment(MoverId mover, EnvironmentId part);
 
   /// \errors  ErrorKind::usage for an id that is not there; as `overlap` for the pose, with the
   ///          mover named. The old pose stays then.
   /// \cost    Constant: no tree is touched, nothing is allocated.
   void set_pose(MoverId id, const Pose& pose);
+
+  /// Gives a body another shape, such as one from `refit`. Its number, pose, name and group stay,
+  /// and so does whom it ignores.
+  /// \errors  ErrorKind::usage for an id that is not there; out_of_range where the body's pose
+  /// takes
+  ///          the new shape too far. The old shape stays then.
+  /// \cost    Constant for a mover. After that of a part, the next step builds the index of the
+  ///          environment: O(n log n), n parts.
+  void set_shape(MoverId id, Shape shape);
+  void set_environment_shape(EnvironmentId id, Shape shape);
 
   /// References last until a mover (a part) is added or removed.
   [[nodiscard]] const Body& mover(MoverId id) const;
@@ -99,12 +82,21 @@ class Scene {
   [[nodiscard]] std::vector<MoverId> movers() const;              ///< ascending
   [[nodiscard]] std::vector<EnvironmentId> environments() const;  ///< ascending
 
-  /// Bytes held, bodies' shapes and names not counted: in proportion to the movers and parts that
-  /// are there and to the largest step so far, however many came and went.
+  /// Bytes held, bodies' shapes and names not counted: in proportion to the movers, the parts and
+  /// the ignored pairs that are there, and to the pairs of bodies and the contacts that the last
+  /// step found. What earlier steps needed beyond that is given back (what movers needed among
+  /// themselves, by the next step that compares them).
   [[nodiscard]] std::size_t memory() const;
 
-  /// All overlaps at the present poses.
+  /// All overlaps at the present poses. With StepScope::first_contact, which movers touch anything:
+  /// each is compared with the parts of the environment, ascending, then with the other movers,
+  /// ascending, until its first contact. No pair is compared twice, so no more comparisons are made
+  /// than by querying one mover after the other, and no more pairs of bodies touch in the report
+  /// than there are movers.
   /// \errors  ErrorKind::cancelled; usage for a named traversal without kept trees.
+  /// \cost    Time and memory linear in the pairs of bodies whose boxes meet. Where many movers of
+  /// no
+  ///          group, or of many groups, are in one place, that is quadratic in the movers.
   [[nodiscard]] StepReport step(const StepOptions& options = {}, const Parallel& parallel = {});
 
  private:

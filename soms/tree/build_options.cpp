@@ -1,8 +1,10 @@
 #include "soms/tree/build_options.h"
 
 #include "soms/base/error.h"
+#include "soms/tree/rule/rules.h"
 #include "soms/tree/tree.h"
 
+#include <array>
 #include <string>
 
 namespace soms {
@@ -20,7 +22,73 @@ bool within(Enum value, Enum last) {
   return static_cast<int>(value) >= 0 && static_cast<int>(value) <= static_cast<int>(last);
 }
 
+/// The one place that says which options of a build have an effect beside which others.
+struct Row {
+  IdleOption idle;
+  bool (*has_no_effect)(const BuildOptions& options);
+  bool (*is_set)(const BuildOptions& options);
+  void (*reset)(BuildOptions& options);
+};
+
+bool in_float(const BuildOptions& options) {
+  return entry(options.rule).in_float;
+}
+
+constexpr std::string_view kInFloat = "the rules fast and quality divide boxes in float";
+
+constexpr std::array<Row, 6> kRows{{
+    {{"midpoint", kInFloat, "rule", ""},
+     &in_float,
+     [](const BuildOptions& o) { return o.midpoint != BuildOptions{}.midpoint; },
+     [](BuildOptions& o) { o.midpoint = BuildOptions{}.midpoint; }},
+    {{"c_vertex", kInFloat, "rule", ""},
+     &in_float,
+     [](const BuildOptions& o) { return o.c_vertex != BuildOptions{}.c_vertex; },
+     [](BuildOptions& o) { o.c_vertex = BuildOptions{}.c_vertex; }},
+    {{"c_vertex", "only the midpoint thesis has a corner C", "midpoint", "thesis"},
+     [](const BuildOptions& o) { return !in_float(o) && o.midpoint != Midpoint::thesis; },
+     [](const BuildOptions& o) { return o.c_vertex != BuildOptions{}.c_vertex; },
+     [](BuildOptions& o) { o.c_vertex = BuildOptions{}.c_vertex; }},
+    {{"axis_from", kInFloat, "rule", ""},
+     &in_float,
+     [](const BuildOptions& o) { return o.axis_from.has_value(); },
+     [](BuildOptions& o) { o.axis_from.reset(); }},
+    {{"empty_side", "the rules fast and quality leave no side empty", "rule", ""},
+     &in_float,
+     [](const BuildOptions& o) { return o.empty_side != BuildOptions{}.empty_side; },
+     [](BuildOptions& o) { o.empty_side = BuildOptions{}.empty_side; }},
+    {{"root_level", "levels are not limited", "level", "N"},
+     [](const BuildOptions& o) { return o.level == 0; },
+     [](const BuildOptions& o) { return o.root_level != BuildOptions{}.root_level; },
+     [](BuildOptions& o) { o.root_level = BuildOptions{}.root_level; }},
+}};
+
+void check_rule(Rule rule) {
+  require(within(rule, Rule::quality), "rule is none of the named ones", "name a rule");
+}
+
 }  // namespace
+
+std::vector<IdleOption> idle_options(const BuildOptions& options) {
+  check_rule(options.rule);
+  std::vector<IdleOption> idle;
+  for (const Row& row : kRows) {
+    if (row.has_no_effect(options)) {
+      idle.push_back(row.idle);
+    }
+  }
+  return idle;
+}
+
+BuildOptions without_idle(BuildOptions options) {
+  check_rule(options.rule);
+  for (const Row& row : kRows) {
+    if (row.has_no_effect(options)) {
+      row.reset(options);
+    }
+  }
+  return options;
+}
 
 BuildOptions thesis_options(Rule rule, int level) {
   BuildOptions options;
@@ -29,11 +97,11 @@ BuildOptions thesis_options(Rule rule, int level) {
   options.empty_side = EmptySide::stop;
   options.level = level;
   options.per_leaf = 1;
-  return options;
+  return without_idle(options);
 }
 
 void check(const BuildOptions& options) {
-  require(within(options.rule, Rule::quality), "rule is none of the named ones", "name a rule");
+  check_rule(options.rule);
   require(within(options.midpoint, Midpoint::aabb), "midpoint is none of the named ones",
           "use thesis, centroid or aabb");
   require(!options.axis_from || within(*options.axis_from, AxisFrom::inner),
@@ -52,6 +120,11 @@ void check(const BuildOptions& options) {
           "use 1 or more");
   require(options.empty_side != EmptySide::chain || options.level > 0,
           "empty_side chain without a level limit would not end", "give a level");
+  for (const Row& row : kRows) {
+    if (row.is_set(options) && row.has_no_effect(options)) {
+      refuse_idle("build options", row.idle);
+    }
+  }
 }
 
 }  // namespace soms

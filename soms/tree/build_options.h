@@ -2,9 +2,11 @@
 /// How a tree is built: the rule and the options that all rules share.
 #pragma once
 
+#include "soms/base/idle_option.h"
 #include "soms/geometry/midpoint.h"
 
 #include <optional>
+#include <vector>
 
 namespace soms {
 
@@ -53,11 +55,24 @@ struct BuildOptions {
 };
 
 /// Options of the thesis for a rule: midpoint thesis, its own axis, empty side `stop`, one triangle
-/// a leaf, `level` levels (15 for its PLY objects, 13 for its urban scene). \source  design of the
-/// thesis: fig. 4.23, tables 5.3, 5.9.
+/// a leaf, `level` levels (15 for its PLY objects, 13 for its urban scene). Rules that came after
+/// the thesis (`fast`, `quality`) use the last two alone. \source  design of the thesis: fig. 4.23,
+/// tables 5.3, 5.9.
 [[nodiscard]] BuildOptions thesis_options(Rule rule, int level = 15);
 
-/// Throws ErrorKind::usage unless every option is within its range; names the option.
+/// Options that have no effect beside the others, in the order of the fields. Which they are
+/// depends on `rule`, `midpoint` and `level` alone: rules that divide boxes in float use neither
+/// midpoints nor axes and leave no side empty; only the midpoint of the thesis has a corner C; the
+/// number of the root's level counts only where levels are limited. \errors  ErrorKind::usage where
+/// `rule` is none of the named ones.
+[[nodiscard]] std::vector<IdleOption> idle_options(const BuildOptions& options);
+
+/// The same options, those that have no effect set to their defaults: what `build` makes of them.
+/// \errors  As `idle_options`.
+[[nodiscard]] BuildOptions without_idle(BuildOptions options);
+
+/// Throws ErrorKind::usage unless every option is within its range, and at its default where it has
+/// no effect (`idle_options`); names the option.
 void check(const BuildOptions& options);
 
 }  // namespace soms

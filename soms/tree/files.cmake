@@ -9,6 +9,7 @@ set(SOMS_HEADERS
   layout/pages.h
   layout/wide_tree.h
   option_names.h
+  print.h
   refit.h
   rule/rules.h
   rule/split.h
@@ -33,11 +34,12 @@ set(SOMS_SOURCES
   layout/detail/again.cpp
   layout/detail/block.cpp
   layout/detail/lay_out.cpp
+  layout/detail/widen.cpp
   layout/orientation.cpp
   layout/pages.cpp
   layout/wide_tree.cpp
-  layout/detail/widen.cpp
   option_names.cpp
+  print.cpp
   refit.cpp
   rule/object_mean.cpp
   rule/object_median.cpp

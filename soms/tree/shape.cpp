@@ -21,6 +21,12 @@ std::size_t bytes_of(const Tree& tree) {
   return tree.nodes.capacity() * sizeof(Node) + tree.primitives.capacity() * sizeof(TriangleId);
 }
 
+/// Equal values, which may be one, or none.
+template <class T>
+bool equal(const std::shared_ptr<const T>& a, const std::shared_ptr<const T>& b) {
+  return a == b || (a && b && *a == *b);
+}
+
 }  // namespace
 
 Shape::Shape()
@@ -53,6 +59,12 @@ Shape::Shape(std::shared_ptr<const Mesh> mesh, const ShapeOptions& options,
 
 std::size_t Shape::memory() const {
   return bytes_of(*mesh_) + layout_->memory() + (tree_ ? bytes_of(*tree_) : 0);
+}
+
+bool Shape::operator==(const Shape& other) const {
+  return build_options_ == other.build_options_ && bounds_ == other.bounds_ &&
+         looseness_ == other.looseness_ && decline_ == other.decline_ &&
+         equal(mesh_, other.mesh_) && equal(tree_, other.tree_) && equal(layout_, other.layout_);
 }
 
 }  // namespace soms

@@ -26,6 +26,8 @@ struct ShapeOptions {
   bool keep_tree = false;
   /// Answers are the same with each.
   Layout layout = Layout::wide;
+
+  [[nodiscard]] bool operator==(const ShapeOptions&) const = default;
 };
 
 /// A mesh and the layout that queries run on. Copies share both. A default shape is empty.
@@ -59,6 +61,11 @@ class Shape {
 
   /// Bytes held: mesh, layout, and tree where kept.
   [[nodiscard]] std::size_t memory() const;
+
+  /// Equal meshes with equal layouts, equal trees where they were kept, equal options and
+  /// `decline`: every query has the same answer and the same cost. \cost Constant for copies of one
+  /// shape, else linear.
+  [[nodiscard]] bool operator==(const Shape& other) const;
 
  private:
   friend Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh,

@@ -46,7 +46,7 @@ TEST(Bench, FindsTheProgramInLibexecOfItsPrefix) {
 TEST(Bench, EndsTheProgramWhenTimeIsOver) {
   const TemporaryFolder folder;
   const auto program = folder.path() / "slow";
-  write_text(program, "#!/bin/sh\nexec sleep 100\n");
+  write_text(program, "#!/bin/sh\nexec sleep infinity\n");
   std::filesystem::permissions(program, std::filesystem::perms::owner_all);
   const RunResult result =
       shell("SOMS_BENCH='" + program.string() + "' $soms bench a.ply b.ply --timeout 0.1");

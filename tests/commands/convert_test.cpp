@@ -174,5 +174,52 @@ TEST(Convert, RefusesANameThatSaysAnotherFormat) {
   }
 }
 
+TEST(Convert, WritesOverAnotherNameOfItsInputAndSaysSo) {
+  const TemporaryFolder folder;
+  const std::string input = (folder.path() / "in.off").string();
+  const std::string output = (folder.path() / "out.off").string();
+  write_text(input, triangle_off("0 0 0", "1 0 0", "0 1 0"));
+  const std::string before = read_text(input);
+  std::filesystem::create_hard_link(input, output);
+  const RunResult result = soms_run({"convert", input, output, "--scale", "2"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.err.find(output + ": the replaced file had 1 other name (a hard link), which "
+                                     "keeps the old content\n"),
+            std::string::npos)
+      << result.err;
+  EXPECT_EQ(read_text(input), before);
+  EXPECT_EQ(info_of(output).at("bounds"), Json::parse("[[0,0,0],[2,2,0]]"));
+  // The link is gone, so a second time there is nothing to say.
+  const RunResult again = soms_run({"convert", input, output});
+  EXPECT_EQ(again.err.find("other name"), std::string::npos) << again.err;
+}
+
+TEST(Convert, SaysHowManyOtherNamesKeepTheOldFile) {
+  const TemporaryFolder folder;
+  const std::string input = test::data("truth/meshes/torus.ply").string();
+  const auto path = [&](const char* name) { return (folder.path() / name).string(); };
+  write_text(path("out.ply"), "old");
+  std::filesystem::create_hard_link(path("out.ply"), path("a"));
+  std::filesystem::create_hard_link(path("out.ply"), path("b"));
+  EXPECT_EQ(soms_run({"convert", input, path("out.ply"), "--quiet"}).err, "");
+  EXPECT_EQ(read_text(path("a")), "old");
+  EXPECT_EQ(read_text(path("b")), "old");
+  std::filesystem::create_hard_link(path("out.ply"), path("c"));
+  std::filesystem::create_hard_link(path("out.ply"), path("d"));
+  EXPECT_NE(soms_run({"generate", "sphere", "-o", path("out.ply")})
+                .err.find("had 2 other names (hard links), which keep the old content"),
+            std::string::npos);
+}
+
+TEST(Convert, WritesOverItsInputItself) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "a.off").string();
+  write_text(path, triangle_off("0 0 0", "1 0 0", "0 1 0"));
+  const RunResult result = soms_run({"convert", path, path, "--scale", "2"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.err.find("other name"), std::string::npos) << result.err;
+  EXPECT_EQ(info_of(path).at("bounds"), Json::parse("[[0,0,0],[2,2,0]]"));
+}
+
 }  // namespace
 }  // namespace soms::test

@@ -4,12 +4,13 @@
 #include "soms/io/read_mesh.h"
 
 #include "tests/commands/run.h"
+#include "tests/support/wait.h"
 
 #include <unistd.h>
 
 #include <atomic>
-#include <chrono>
 #include <csignal>
+#include <iostream>
 #include <set>
 #include <thread>
 
@@ -77,7 +78,7 @@ TEST(Endurance, KilledInTheMiddleOfWritingLeavesTheOldFile) {
   for (const Writer& writer : writers) {
     bool killed = false;
     // On a busy machine a child may be done before it is seen writing.
-    for (int i = 0; i < 5 && !killed; ++i) {
+    for (int i = 0; i < 20 && !killed; ++i) {
       const TemporaryFolder streams;
       const TemporaryFolder target;
       put_old_files(writer, target.path());
@@ -95,11 +96,10 @@ TEST(Endurance, KilledInTheMiddleOfWritingLeavesTheOldFile) {
 TEST(Endurance, FilesThatAreWholeStayWholeWhenReproduceIsKilled) {
   const TemporaryFolder streams;
   const TemporaryFolder target;
-  Child child(
-      {command().string(), "reproduce", "--quick", "--item",
-       "table-3.1,table-3.2,figure-4.1,figure-4.2,figure-4.30", "-o", target.path().string()},
-      streams.path());
-  ASSERT_TRUE(child.wait_for_writing(30'000));
+  // All items, which take minutes.
+  Child child({command().string(), "reproduce", "-o", target.path().string()}, streams.path());
+  ASSERT_TRUE(
+      child.wait_until([&] { return fs::exists(target.path() / "tables" / "table_3_1.csv"); }));
   child.send(SIGKILL);
   (void)child.wait();
   std::size_t seen = 0;
@@ -149,18 +149,17 @@ TEST(Endurance, AFileThatShrinksWhileItIsReadIsWholeOrAnError) {
   const Mesh whole = read_mesh(path);
   std::atomic<bool> over = false;
   std::thread shrinking([&] {
-    // Longer than a tick of the clock that dates files.
-    constexpr std::chrono::milliseconds kTick(12);
     for (std::size_t i = 0; !over; ++i) {
       fs::resize_file(path, bytes.size() * (i % 7) / 7);
-      std::this_thread::sleep_for(kTick);
+      wait_for_a_later_date(folder.path());
       write_text(path, bytes);
-      std::this_thread::sleep_for(kTick);
+      wait_for_a_later_date(folder.path());
     }
   });
   int errors = 0;
   int read = 0;
-  for (int i = 0; i < 400; ++i) {
+  // One read at least must meet a file cut short, for which the other thread needs its turn.
+  while (errors + read < 400 || errors == 0) {
     try {
       const Mesh mesh = read_mesh(path);
       EXPECT_EQ(mesh.vertices.size(), whole.vertices.size());
@@ -174,8 +173,7 @@ TEST(Endurance, AFileThatShrinksWhileItIsReadIsWholeOrAnError) {
   }
   over = true;
   shrinking.join();
-  EXPECT_EQ(errors + read, 400);
-  EXPECT_GT(errors, 0);
+  std::cout << read << " times whole, " << errors << " errors\n";
 }
 
 TEST(Endurance, TenTimesTheFramesTakeNoMoreMemory) {

@@ -1,3 +1,4 @@
+#include "apps/soms/info_trees.h"
 #include "tests/commands/run.h"
 
 #include <algorithm>
@@ -33,12 +34,14 @@ TEST(Info, BuildsATreeByEveryRule) {
   std::vector<std::string> rules;
   for (const Json& tree : report.at("trees")) {
     rules.push_back(tree.at("rule"));
-    EXPECT_EQ(tree.at("leaves"), tree.at("one"));  // one triangle a leaf
+    EXPECT_EQ(tree.at("leaves"), tree.at("single_triangle_leaves"));  // by default one a leaf
     EXPECT_EQ(tree.at("leaves"), report.at("triangles"));
     EXPECT_EQ(tree.at("nodes"), 2 * report.at("triangles").get<int>() - 1);
-    EXPECT_GE(tree.at("levels"), tree.at("balanced_level"));
-    EXPECT_GT(tree.at("sah").get<double>(), 0);
+    EXPECT_GE(tree.at("levels"), tree.at("full_levels"));
+    EXPECT_GT(tree.at("sah_cost").get<double>(), 0);
     EXPECT_GE(tree.at("build_ms").get<double>(), 0);
+    EXPECT_EQ(tree.at("build_runs").get<int>() % 2, 1);
+    EXPECT_LE(tree.at("build_runs").get<int>(), 9);
   }
   EXPECT_EQ(rules, (std::vector<std::string>{"object-median", "object-mean", "spatial-median",
                                              "soms", "sah", "soms-sah", "fast", "quality"}));
@@ -55,9 +58,49 @@ TEST(Info, CountsTheTreeOfTheThesis) {
   EXPECT_EQ(report.at("trees").size(), 1U);
   EXPECT_EQ(tree.at("nodes"), 1847);
   EXPECT_EQ(tree.at("leaves"), 924);
-  EXPECT_EQ(tree.at("one"), 904);
-  EXPECT_EQ(tree.at("balanced_level"), 6);
+  EXPECT_EQ(tree.at("single_triangle_leaves"), 904);
+  EXPECT_EQ(tree.at("full_levels"), 6);
   EXPECT_LE(tree.at("levels"), 15);
+}
+
+// Scripts that were written for version 0.1 find what they look for during this one.
+TEST(Info, KeepsTheOldKeysBesideTheNewOnes) {
+  const Json report = info({test::data("formats/mirrored_node.gltf").string(), "--leaf", "2"});
+  for (const auto& [before, now] :
+       {std::pair("unit", "meters_per_unit"), std::pair("up", "up_axis"),
+        std::pair("bytes_ready", "memory_bytes")}) {
+    EXPECT_FALSE(report.at(now).is_null()) << now;
+    EXPECT_EQ(report.at(before), report.at(now)) << now;
+  }
+  const Json& part = report.at("parts").at(1);
+  EXPECT_EQ(part.at("first"), part.at("first_triangle"));
+  EXPECT_EQ(part.at("count"), part.at("triangles"));
+  ASSERT_FALSE(report.at("trees").empty());
+  for (const Json& tree : report.at("trees")) {
+    for (const auto& [before, now] :
+         {std::pair("one", "single_triangle_leaves"), std::pair("lt5", "leaves_below_5_triangles"),
+          std::pair("balanced_level", "full_levels"),
+          std::pair("largest_leaf", "largest_leaf_triangles"), std::pair("sah", "sah_cost")}) {
+      EXPECT_EQ(tree.at(before), tree.at(now)) << now;
+    }
+  }
+}
+
+TEST(Info, TimesAsManyBuildsAsFitIntoATenthOfASecond) {
+  EXPECT_EQ(command::builds_to_time(0), 9);
+  EXPECT_EQ(command::builds_to_time(11), 9);
+  EXPECT_EQ(command::builds_to_time(12), 7);
+  EXPECT_EQ(command::builds_to_time(33), 3);
+  EXPECT_EQ(command::builds_to_time(34), 1);
+  EXPECT_EQ(command::builds_to_time(1e9), 1);
+}
+
+TEST(Info, SaysOfHowManyBuildsATimeIsTheMedian) {
+  const RunResult text = soms_run({"info", test::data("truth/meshes/box2.ply").string()});
+  EXPECT_NE(text.out.find("    rule           levels  full      leaves   1-triangle  SAH cost  "
+                          "build ms  builds\n"),
+            std::string::npos)
+      << text.out;
 }
 
 TEST(Info, TellsPartsInJsonAndInText) {

@@ -1,5 +1,6 @@
 #include "tests/commands/run.h"
 #include "tests/support/pipe.h"
+#include "tests/support/wait.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -11,21 +12,16 @@
 namespace soms::test {
 namespace {
 
-std::string many_poses(const TemporaryFolder& folder) {
-  std::string rows = "x,y,z\n";
-  for (int i = 0; i < 3'000'000; ++i) {
-    rows += "0.5,0,0\n";
-  }
-  const std::string path = (folder.path() / "poses.csv").string();
-  write_text(path, rows);
-  return path;
+/// Poses at which two boxes overlap, without end.
+EndlessPipe endless_poses(const TemporaryFolder& folder, const std::string& name = "poses") {
+  return {folder.path() / name, "x,y,z", "0.5,0,0"};
 }
 
 TEST(Interrupts, EndWithWhatIsDone) {
   const TemporaryFolder folder;
-  const std::string poses = many_poses(folder);
   for (const int signal : {SIGINT, SIGTERM}) {
-    Child child({command().string(), "overlap", box(), box(), "--pose", poses, "--json"},
+    const EndlessPipe poses = endless_poses(folder, std::to_string(signal));
+    Child child({command().string(), "overlap", box(), box(), "--pose", poses.path(), "--json"},
                 folder.path());
     ASSERT_TRUE(child.wait_for_output(100'000));
     child.send(signal);
@@ -33,7 +29,6 @@ TEST(Interrupts, EndWithWhatIsDone) {
     EXPECT_EQ(result.status, 130) << result.err;
     EXPECT_EQ(result.out.back(), '\n');
     const std::vector<Json> answers = json_lines(result.out);  // every line is whole
-    EXPECT_LT(answers.size(), 3'000'000U);
     for (std::size_t k = 0; k < answers.size(); ++k) {
       ASSERT_EQ(answers[k].at("pose"), k);
       ASSERT_EQ(answers[k].at("coverage"), "complete");
@@ -44,16 +39,18 @@ TEST(Interrupts, EndWithWhatIsDone) {
 }
 
 TEST(Interrupts, TwiceAtOnceAreOne) {
-  // As `timeout` sends them: to the command, then to the whole process group.
+  // As `timeout` sends them: to the command, then to the whole process group, or as somebody does
+  // who ends both.
   const TemporaryFolder folder;
-  const std::string poses = many_poses(folder);
-  for (const int second : {SIGTERM, SIGINT}) {
-    Child child({command().string(), "overlap", box(), box(), "--pose", poses, "--json"},
+  const std::vector<std::vector<int>> cases{
+      {SIGTERM, SIGTERM}, {SIGTERM, SIGINT}, {SIGINT, SIGTERM, SIGHUP}};
+  for (const std::vector<int>& signals : cases) {
+    const EndlessPipe poses =
+        endless_poses(folder, std::to_string(signals.size()) + std::to_string(signals.back()));
+    Child child({command().string(), "overlap", box(), box(), "--pose", poses.path(), "--json"},
                 folder.path());
     ASSERT_TRUE(child.wait_for_output(100'000));
-    child.send(SIGTERM);
-    usleep(100);
-    child.send(second);
+    child.send_together(signals);
     const RunResult result = child.wait();
     EXPECT_EQ(result.status, 130) << result.err;
     EXPECT_EQ(result.out.back(), '\n');
@@ -63,12 +60,15 @@ TEST(Interrupts, TwiceAtOnceAreOne) {
 }
 
 TEST(Interrupts, EndAtOnceWhenAskedAgainLater) {
-  // Nothing reads the pipe, so the first request cannot be finished.
-  const RunResult result = shell(
-      "d=$(mktemp -d); mkfifo $d/pipe; exec 3<>$d/pipe; "
-      "$soms generate sphere --triangles 100000 --format obj -o $d/pipe & "
-      "sleep 0.5; kill -TERM $!; sleep 0.8; kill -TERM $!; wait $!; s=$?; rm -r $d; exit $s");
-  EXPECT_EQ(result.status, 130) << result.err;
+  // Nothing reads the pipe, so the first request cannot be finished; later ones end it.
+  const TemporaryFolder folder;
+  const Pipe unread(folder.path() / "pipe");
+  Child child({command().string(), "generate", "sphere", "--triangles", "100000", "--format", "obj",
+               "-o", unread.path()},
+              folder.path());
+  ASSERT_TRUE(child.wait_until([&] { return unread.is_full(); }));
+  child.send_until_it_ends(SIGTERM);
+  EXPECT_EQ(child.wait().status, 130);
 }
 
 TEST(Interrupts, AndTheEndOfTimeEndTheWaitForAPipe) {
@@ -92,10 +92,12 @@ TEST(Interrupts, AndTheEndOfTimeEndTheWaitForAPipe) {
     program.insert(program.begin(), command().string());
     const TemporaryFolder outputs;
     Child child(program, outputs.path());
-    usleep(200'000);
+    ASSERT_TRUE(child.wait_for_interrupts());
+    ASSERT_TRUE(child.wait_until([&] { return has_open(child.id(), words.back()); }));
     child.send(SIGINT);
     const RunResult stopped = child.wait();
     EXPECT_EQ(stopped.status, 130) << words[0] << stopped.err;
+    EXPECT_NE(stopped.err.find("interrupted"), std::string::npos) << words[0] << stopped.err;
   }
 }
 
@@ -115,30 +117,33 @@ TEST(Interrupts, KeepWhatWasAnsweredBeforeThePosesStalled) {
 
 TEST(Interrupts, ByTheEndOfTimeKeepWhatWasAnsweredBeforeThePosesStalled) {
   const TemporaryFolder folder;
-  RunResult result;
-  for (const char* seconds : {"0.5", "5"}) {  // a busy machine may not come to the first by then
-    const Pipe poses(folder.path() / seconds, "x,y,z\n0.5,0,0\n5,0,0\n");
-    result = soms_run(
-        {"overlap", box(), box(), "--pose", poses.path(), "--no-pairs", "--timeout", seconds});
-    if (result.status != 4) {
-      break;
-    }
-  }
+  const RunResult result = run_with_time(
+      [&](const std::string& seconds) {
+        const Pipe poses(folder.path() / seconds, "x,y,z\n0.5,0,0\n5,0,0\n");
+        return soms_run(
+            {"overlap", box(), box(), "--pose", poses.path(), "--no-pairs", "--timeout", seconds});
+      },
+      [](const RunResult& run) { return run.status != 4; });
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.err.find("out of time after 2 poses"), std::string::npos) << result.err;
   EXPECT_NE(result.out.find("2 poses: "), std::string::npos) << result.out;
 }
 
 TEST(Interrupts, LeaveNoPartOfAFile) {
-  const TemporaryFolder folder;
-  const TemporaryFolder target;
-  Child child({command().string(), "generate", "knot", "--triangles", "10000000", "-o",
-               (target.path() / "knot.obj").string()},
-              folder.path());
-  ASSERT_TRUE(child.wait_for_writing(1'000'000));
-  child.send(SIGINT);
-  EXPECT_EQ(child.wait().status, 130);
-  EXPECT_TRUE(files_in(target.path()).empty());
+  int status = 0;
+  // Where this test is kept waiting the file may be whole before the signal comes.
+  for (int i = 0; i < 20 && status == 0; ++i) {
+    const TemporaryFolder folder;
+    const TemporaryFolder target;
+    Child child({command().string(), "generate", "knot", "--triangles", "10000000", "-o",
+                 (target.path() / "knot.obj").string()},
+                folder.path());
+    ASSERT_TRUE(child.wait_for_writing(1'000'000));
+    child.send(SIGINT);
+    status = child.wait().status;
+    EXPECT_EQ(files_in(target.path()).empty(), status != 0);
+  }
+  EXPECT_EQ(status, 130);
 }
 
 TEST(Interrupts, AndTheEndOfTimeEndTheMakingOfACity) {
@@ -156,32 +161,38 @@ TEST(Interrupts, EndAReportOfDefects) {
   const TemporaryFolder folder;
   const std::string large = (folder.path() / "large.ply").string();
   ASSERT_EQ(soms_run({"generate", "knot", "--triangles", "1000000", "-o", large}).status, 0);
+  const Pipe never_whole(folder.path() / "pipe", "OFF\n");  // so the last report is never made
   const TemporaryFolder outputs;
   std::vector<std::string> words = {command().string(), "info", "--json", "--no-trees", box()};
   words.insert(words.end(), 20, large);
+  words.push_back(never_whole.path());
   Child child(words, outputs.path());
-  ASSERT_TRUE(child.wait_for_output(100));
-  usleep(100'000);
+  ASSERT_TRUE(child.wait_for_reading(std::filesystem::file_size(large)));
   child.send(SIGINT);
   const RunResult result = child.wait();
   EXPECT_EQ(result.status, 130) << result.err;
   const std::vector<Json> reports = json_lines(result.out);
   EXPECT_EQ(reports.at(0).at("triangles"), 12);
-  EXPECT_LT(reports.size(), 21U);
+  EXPECT_LT(reports.size(), 22U);
 }
 
 TEST(Interrupts, RespectIgnoredSignals) {
-  const RunResult result = shell(
-      "trap '' INT; $soms generate sphere --triangles 200000 -o "
-      "/dev/null --format obj & sleep 0.05; kill -INT $!; wait $!");
+  // The pipe holds less than the file, so the command is amid its work when the signal comes.
+  const TemporaryFolder folder;
+  const RunResult result =
+      shell("cd '" + folder.path().string() +
+            "'; mkfifo pipe; trap '' INT; "
+            "$soms generate sphere --triangles 200000 --format obj -o - > pipe & "
+            "{ head -c 1 > first; kill -INT $!; cat > rest; } < pipe; wait $!");
   EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_GT(std::filesystem::file_size(folder.path() / "rest"), 1'000'000U);
 }
 
 TEST(Interrupts, LeaveTotalsAndThePageOfWhatOverlapAnswered) {
   const TemporaryFolder folder;
   const std::string page = (folder.path() / "page.html").string();
-  const std::string poses = many_poses(folder);
-  Child child({command().string(), "overlap", box(), box(), "--pose", poses, "--no-pairs",
+  const EndlessPipe poses = endless_poses(folder);
+  Child child({command().string(), "overlap", box(), box(), "--pose", poses.path(), "--no-pairs",
                "--threads", "1", "--report", page},
               folder.path());
   ASSERT_TRUE(child.wait_for_output(1));
@@ -200,12 +211,17 @@ TEST(Interrupts, ComeBeforeAFaultyRowThatWasReadAhead) {
   const std::string poses = (folder.path() / "poses.csv").string();
   ASSERT_EQ(soms_run({"generate", "knot", "--triangles", "200000", "-o", knot}).status, 0);
   write_text(poses, "x,y,z\n1000,0,0\n0,0,0\n0,0\n");
-  Child child(
-      {command().string(), "overlap", knot, knot, "--pose", poses, "--no-pairs", "--threads", "1"},
-      folder.path());
-  ASSERT_TRUE(child.wait_for_output(1));
-  child.send(SIGINT);
-  const RunResult result = child.wait();
+  RunResult result;
+  // Where this test is kept waiting the answer may be there, and the fault named, before the
+  // signal.
+  for (int i = 0; i < 20 && (i == 0 || result.status == 3); ++i) {
+    Child child({command().string(), "overlap", knot, knot, "--pose", poses, "--no-pairs",
+                 "--threads", "1"},
+                folder.path());
+    ASSERT_TRUE(child.wait_for_output(1));
+    child.send(SIGINT);
+    result = child.wait();
+  }
   EXPECT_EQ(result.status, 130) << result.err;
   EXPECT_NE(result.err.find("1 pose is answered"), std::string::npos) << result.err;
 }

@@ -1,4 +1,5 @@
 #include "tests/commands/run.h"
+#include "tests/support/pipe.h"
 
 #include <algorithm>
 #include <regex>
@@ -127,7 +128,9 @@ TEST(OverlapVerb, GivesTheSameLinesForAnyThreadsRuleAndTraversal) {
   }
   const RunResult idle = soms_run({"overlap", box(), box(), "--descent", "cross"});
   EXPECT_EQ(idle.status, 2);
-  EXPECT_NE(idle.err.find("--descent without E-Node changes nothing"), std::string::npos)
+  EXPECT_NE(idle.err.find("--descent has no effect: only E-Node has a descent; leave it out, or "
+                          "give --traversal e-node or e-node-front, too"),
+            std::string::npos)
       << idle.err;
 }
 
@@ -159,8 +162,11 @@ TEST(OverlapVerb, ListsAFewPairsWithTheirPartsForPeople) {
       << result.out;
   EXPECT_NE(result.out.find("more: --json lists all"), std::string::npos);
   EXPECT_LE(std::count(result.out.begin(), result.out.end(), '\n'), 23);
-  EXPECT_NE(soms_run({"overlap", box(), box(), "--pose", "5 0 0"}).out.find("surfaces only"),
+  // A box within the box touches nothing of it; one beside it cannot be within.
+  EXPECT_NE(soms_run({"overlap", box(), box(), "--scale", "0.5"}).out.find("surfaces only"),
             std::string::npos);
+  EXPECT_EQ(soms_run({"overlap", box(), box(), "--pose", "4 0 0"}).out,
+            "no triangles overlap: the boxes of the models are 2 apart\n");
 }
 
 TEST(OverlapVerb, SaysALineAPoseAndATotalForPeople) {
@@ -230,9 +236,12 @@ TEST(OverlapVerb, AnswersAreCutWhenTimeIsUp) {
     rows += "0.5,0,0\n";
   }
   write_text(poses, rows);
-  std::vector<std::string> words{"overlap",    box(),    box(),       "--pose", poses,
-                                 "--no-pairs", "--json", "--timeout", "0.3"};
-  const RunResult result = soms_run(words);
+  const RunResult result = run_with_time(
+      [&](const std::string& seconds) {
+        return soms_run({"overlap", box(), box(), "--pose", poses, "--no-pairs", "--json",
+                         "--timeout", seconds});
+      },
+      [](const RunResult& run) { return run.status != 4; });
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.err.find("out of time after"), std::string::npos) << result.err;
   const std::vector<Json> answers = json_lines(result.out);
@@ -246,20 +255,13 @@ TEST(OverlapVerb, AnswersAreCutWhenTimeIsUp) {
 
 TEST(OverlapVerb, KeepsWhatWasVerifiedWhenTimeIsUp) {
   const TemporaryFolder folder;
-  const std::string poses = (folder.path() / "poses.csv").string();
-  std::string rows = "x,y,z\n";
-  for (int i = 0; i < 200'000; ++i) {
-    rows += "0.5,0,0\n";
-  }
-  write_text(poses, rows);
-  const auto verified_within = [&](const char* seconds) {
-    return soms_run(
-        {"overlap", box(), box(), "--pose", poses, "--no-pairs", "--verify", "--timeout", seconds});
-  };
-  RunResult result = verified_within("0.5");
-  if (result.status == 4) {  // a busy machine has not come to the first pose by then
-    result = verified_within("5");
-  }
+  const RunResult result = run_with_time(
+      [&](const std::string& seconds) {
+        const EndlessPipe poses(folder.path() / seconds, "x,y,z", "0.5,0,0");
+        return soms_run({"overlap", box(), box(), "--pose", poses.path(), "--no-pairs", "--verify",
+                         "--timeout", seconds});
+      },
+      [](const RunResult& run) { return run.status != 4; });
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.err.find("out of time after"), std::string::npos) << result.err;
   EXPECT_NE(result.out.find("verified by brute force: "), std::string::npos);
@@ -268,20 +270,13 @@ TEST(OverlapVerb, KeepsWhatWasVerifiedWhenTimeIsUp) {
 // The rows are answered by then, as free, but brute force has not come to the last.
 TEST(OverlapVerb, IsNotFreeWhereRowsWereNotVerifiedInTime) {
   const TemporaryFolder folder;
-  const std::string poses = (folder.path() / "poses.csv").string();
-  std::string rows = "x,y,z\n";
-  for (int i = 0; i < 200'000; ++i) {
-    rows += "9,0,0\n";
-  }
-  write_text(poses, rows);
-  RunResult result;
-  for (const char* seconds : {"0.3", "5"}) {  // a busy machine may not come to the first by then
-    result = soms_run({"overlap", box(), box(), "--pose", poses, "--verify", "--fail-if", "overlap",
-                       "--timeout", seconds});
-    if (!result.out.empty()) {
-      break;
-    }
-  }
+  const RunResult result = run_with_time(
+      [&](const std::string& seconds) {
+        const EndlessPipe poses(folder.path() / seconds, "x,y,z", "9,0,0");
+        return soms_run({"overlap", box(), box(), "--pose", poses.path(), "--verify", "--fail-if",
+                         "overlap", "--timeout", seconds});
+      },
+      [](const RunResult& run) { return !run.out.empty(); });
   EXPECT_EQ(result.status, 4) << result.err;
   EXPECT_NE(result.err.find("out of time after"), std::string::npos) << result.err;
   EXPECT_EQ(result.out.find("undecided"), std::string::npos);

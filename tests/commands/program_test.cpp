@@ -86,6 +86,44 @@ TEST(Program, NamesOptionsThatDoNotGoTogether) {
   EXPECT_EQ(soms_run({"info", box, "--no-trees", "--scale", "+2"}).status, 0);
 }
 
+TEST(Program, R119OptionsThatWouldBeIgnoredAreRefused) {
+  const std::string box = test::data("truth/meshes/box2.ply").string();
+  const auto says = [](const std::vector<std::string>& words, const std::string& what) {
+    const RunResult result = soms_run(words);
+    EXPECT_EQ(result.status, 2) << what;
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find(what), std::string::npos) << result.err;
+  };
+  says({"info", box, "--rule", "fast", "--midpoint", "centroid", "--empty-side", "stop"},
+       "--midpoint has no effect: the rules fast and quality divide boxes in float; leave it out, "
+       "or give another --rule");
+  // Its default, too: whoever gives it means it to matter.
+  says({"info", box, "--rule", "quality", "--midpoint", "aabb"}, "--midpoint has no effect");
+  says({"overlap", box, box, "--axis-from", "outer"}, "--axis-from has no effect");
+  says({"overlap", box, box, "--rule", "sah", "--c-vertex", "0"},
+       "--c-vertex has no effect: only the midpoint thesis has a corner C; leave it out, or give "
+       "--midpoint thesis, too");
+  says({"info", box, "--root-level", "0"}, "--root-level has no effect: levels are not limited");
+  says({"info", box, "--no-trees", "--leaf", "4"},
+       "--leaf has no effect: --no-trees leaves out the trees");
+  says({"overlap", box, box, "--traversal", "a-first", "--descent", "both"},
+       "--descent has no effect");
+  says({"overlap", box, box, "--any", "--no-pairs"}, "--no-pairs has no effect");
+  says({"overlap", box, box, "--any", "--limit", "3"}, "--limit");
+  says({"man", "overlap", "--json"}, "--json has no effect");
+  says({"completion", "bash", "--json"}, "--json has no effect");
+}
+
+// Where trees are built by every rule, an option that only some use is no error; that is said.
+TEST(Program, R119OptionsThatSomeRulesIgnoreAreNoted) {
+  const std::string box = test::data("truth/meshes/box2.ply").string();
+  const RunResult result = soms_run({"info", box, "--midpoint", "thesis", "--c-vertex", "0"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err,
+            "rule fast does not use --midpoint, --c-vertex\n"
+            "rule quality does not use --midpoint, --c-vertex\n");
+}
+
 TEST(Program, TakesAnEmptyNameOfAnOutputForAnError) {
   const std::string box = test::data("truth/meshes/box2.ply").string();
   const auto refused = [](std::vector<std::string> words, const std::string& option) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
@@ -128,10 +129,14 @@ TEST(Record, IsTheSameFileForAnyNumberOfThreads) {
 
 TEST(Record, LeavesAWholeMarkedFileWhenInterrupted) {
   const Town town;
-  const RunResult result =
-      run_program({"timeout", "--preserve-status", "-s", "INT", "2", command().string(), "simulate",
-                   town.path("town.ply"), "--mover", town.path("car.ply"), "--count", "20",
-                   "--frames", "100000000", "--json", "--record", town.path("run.somsrec")});
+  const TemporaryFolder streams;
+  Child child(
+      {command().string(), "simulate", town.path("town.ply"), "--mover", town.path("car.ply"),
+       "--count", "20", "--frames", "100000000", "--json", "--record", town.path("run.somsrec")},
+      streams.path());
+  ASSERT_TRUE(child.wait_for_writing(100'000));
+  child.send(SIGINT);
+  const RunResult result = child.wait();
   EXPECT_EQ(result.status, 130) << result.err;
   Replay replay(town.path("run.somsrec"));
   ASSERT_TRUE(replay.end()) << replay.fault()->what();
@@ -143,8 +148,12 @@ TEST(Record, LeavesAWholeMarkedFileWhenInterrupted) {
 
 TEST(Record, TellsThatTimeWasUp) {
   const Town town;
-  const RunResult result = town.simulate({"--count", "5", "--frames", "100000000", "--timeout", "2",
-                                          "--record", town.path("run.somsrec")});
+  const RunResult result = run_with_time(
+      [&](const std::string& seconds) {
+        return town.simulate({"--count", "5", "--frames", "100000000", "--timeout", seconds,
+                              "--record", town.path("run.somsrec")});
+      },
+      [](const RunResult& run) { return run.status != 4; });
   ASSERT_EQ(result.status, 0) << result.err;
   const Replay replay(town.path("run.somsrec"));
   ASSERT_TRUE(replay.end());

@@ -129,9 +129,8 @@ TEST(Reproduce, InterruptLeavesWholeFilesAndSaysWhatIsMissing) {
   const TemporaryFolder streams;
   const TemporaryFolder folder;
   Child child({command().string(), "reproduce", "-o", folder.path().string()}, streams.path());
-  while (!fs::exists(folder.path() / "tables" / "table_3_1.csv")) {
-    usleep(2000);
-  }
+  ASSERT_TRUE(
+      child.wait_until([&] { return fs::exists(folder.path() / "tables" / "table_3_1.csv"); }));
   child.send(SIGINT);
   const RunResult result = child.wait();
   EXPECT_EQ(result.status, 130) << result.err;

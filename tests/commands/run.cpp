@@ -1,5 +1,7 @@
 #include "tests/commands/run.h"
 
+#include "tests/support/wait.h"
+
 #include <fcntl.h>
 #include <pty.h>
 #include <sys/resource.h>
@@ -8,14 +10,12 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
-#include <thread>
 
 namespace soms::test {
 
@@ -74,6 +74,16 @@ RunResult shell(const std::string& line) {
   return run_program({"sh", "-c", "soms='" + command().string() + "'; " + line});
 }
 
+RunResult run_with_time(const std::function<RunResult(const std::string&)>& run,
+                        const std::function<bool(const RunResult&)>& enough) {
+  for (double seconds = 0.25;; seconds *= 2) {
+    RunResult result = run(std::to_string(seconds));
+    if (enough(result)) {
+      return result;
+    }
+  }
+}
+
 std::vector<Json> json_lines(const std::string& text) {
   std::vector<Json> values;
   std::istringstream in(text);
@@ -103,6 +113,14 @@ void Child::send(int signal) const {
   kill(pid_, signal);
 }
 
+void Child::send_together(const std::vector<int>& signals) const {
+  send(SIGSTOP);
+  for (const int signal : signals) {
+    send(signal);
+  }
+  send(SIGCONT);
+}
+
 bool Child::reap(int flags) {
   if (!ended_) {
     rusage usage{};
@@ -112,45 +130,71 @@ bool Child::reap(int flags) {
   return ended_;
 }
 
+bool Child::wait_until(const std::function<bool()>& happened) {
+  bool has_happened = false;
+  // What happened before the end is seen after it.
+  test::wait_until([&] {
+    const bool ended = reap(WNOHANG);
+    has_happened = happened();
+    return has_happened || ended;
+  });
+  return has_happened;
+}
+
 bool Child::wait_for_output(std::uintmax_t size) {
-  for (;;) {
-    std::error_code ignored;
-    const std::uintmax_t now = std::filesystem::file_size(folder_ / "out", ignored);
-    if (!ignored && now >= size) {
-      return true;
-    }
-    if (reap(WNOHANG)) {
-      return false;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
+  return wait_until([&] {
+    std::error_code missing;
+    const std::uintmax_t now = std::filesystem::file_size(folder_ / "out", missing);
+    return !missing && now >= size;
+  });
 }
 
 bool Child::wait_for_lines(std::ptrdiff_t count) {
-  std::string out;
-  while (std::count(out.begin(), out.end(), '\n') < count) {
-    if (!wait_for_output(out.size() + 1)) {
-      return false;
+  return wait_until([&] {
+    const std::string out = read_text(folder_ / "out");
+    return std::count(out.begin(), out.end(), '\n') >= count;
+  });
+}
+
+std::uintmax_t Child::count_of(const std::string& name) const {
+  std::ifstream in("/proc/" + std::to_string(pid_) + "/io");
+  std::uintmax_t value = 0;
+  for (std::string word; in >> word >> value;) {
+    if (word == name) {
+      return value;
     }
-    out = read_text(folder_ / "out");
   }
-  return true;
+  return 0;
+}
+
+bool Child::wait_for_reading(std::uintmax_t size) {
+  return wait_until([&] { return count_of("rchar:") >= size; });
 }
 
 bool Child::wait_for_writing(std::uintmax_t size) {
-  const std::string counts = "/proc/" + std::to_string(pid_) + "/io";
-  while (!reap(WNOHANG)) {
-    std::ifstream in(counts);
-    std::string name;
-    std::uintmax_t value = 0;
-    while (in >> name >> value) {
-      if (name == "wchar:" && value >= size) {
-        return true;
-      }
+  return wait_until([&] { return count_of("wchar:") >= size; });
+}
+
+bool Child::wait_for_interrupts() {
+  // It blocks them, and a thread of its own waits for them.
+  return wait_until([&] {
+    std::ifstream in("/proc/" + std::to_string(pid_) + "/status");
+    std::string word;
+    while (in >> word && word != "SigBlk:") {
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  return false;
+    std::uint64_t blocked = 0;
+    in >> std::hex >> blocked;
+    return (blocked >> (SIGTERM - 1) & 1) != 0;
+  });
+}
+
+void Child::send_until_it_ends(int signal) {
+  test::wait_until([&] {
+    if (!reap(WNOHANG)) {
+      send(signal);
+    }
+    return ended_;
+  });
 }
 
 RunResult Child::wait() {

@@ -24,6 +24,12 @@ using Json = nlohmann::json;
 /// Runs a line of the shell; `$soms` is the command.
 [[nodiscard]] RunResult shell(const std::string& line);
 
+/// Runs `words` with a --timeout that is doubled until it is long enough for the machine, so that
+/// the run has come to what the test is about. What is run must not end by itself.
+[[nodiscard]] RunResult run_with_time(
+    const std::function<RunResult(const std::string& seconds)>& run,
+    const std::function<bool(const RunResult&)>& enough);
+
 /// The objects of JSON Lines.
 [[nodiscard]] std::vector<Json> json_lines(const std::string& text);
 
@@ -33,7 +39,16 @@ class Child {
   /// Starts `words` with standard output and error in files of `folder`.
   Child(const std::vector<std::string>& words, const std::filesystem::path& folder);
 
+  /// Its process number.
+  [[nodiscard]] int id() const { return pid_; }
+
   void send(int signal) const;
+
+  /// Sends signals so that the child finds them together.
+  void send_together(const std::vector<int>& signals) const;
+
+  /// Waits for an event; false if the child ended before.
+  [[nodiscard]] bool wait_until(const std::function<bool()>& happened);
 
   /// Waits until standard output holds `size` bytes; false if the child ended before.
   [[nodiscard]] bool wait_for_output(std::uintmax_t size);
@@ -41,8 +56,15 @@ class Child {
   /// The same for `count` whole lines.
   [[nodiscard]] bool wait_for_lines(std::ptrdiff_t count);
 
-  /// Waits until it wrote `size` bytes, wherever to; false if it ended before.
+  /// Waits until it read or wrote `size` bytes, wherever; false if it ended before.
+  [[nodiscard]] bool wait_for_reading(std::uintmax_t size);
   [[nodiscard]] bool wait_for_writing(std::uintmax_t size);
+
+  /// Waits until the command takes signals as requests to stop; false if it ended before.
+  [[nodiscard]] bool wait_for_interrupts();
+
+  /// Sends a signal again and again until the child ends.
+  void send_until_it_ends(int signal);
 
   /// Waits for the end. The status is as in RunResult.
   RunResult wait();
@@ -52,6 +74,7 @@ class Child {
 
  private:
   bool reap(int flags);
+  [[nodiscard]] std::uintmax_t count_of(const std::string& name) const;
 
   std::filesystem::path folder_;
   int pid_ = -1;

@@ -1,3 +1,4 @@
+#include "tests/commands/run.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"
 
@@ -5,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -386,9 +388,13 @@ TEST(Simulate, TellsBeforeTheWorkThatItCannotWrite) {
 TEST(Simulate, EndsCleanlyWhenInterruptedAndMarksItsAnswer) {
   const Town town;
   const std::string events = town.beside("events.csv");
-  const test::RunResult result = test::run_program(
-      {"timeout", "--preserve-status", "-s", "INT", "3", test::command().string(), "simulate",
-       town.path(), "--count", "20", "--frames", "100000000", "--json", "--events", events});
+  const test::TemporaryFolder streams;
+  test::Child child({test::command().string(), "simulate", town.path(), "--count", "20", "--frames",
+                     "100000000", "--json", "--events", events, "--record", town.beside("record")},
+                    streams.path());
+  ASSERT_TRUE(child.wait_for_writing(10'000));  // the recording, so frames have been made
+  child.send(SIGINT);
+  const test::RunResult result = child.wait();
   EXPECT_EQ(result.status, 130) << result.err;
   const json object = json::parse(result.out);
   EXPECT_EQ(object["interrupted"], true);
@@ -399,12 +405,13 @@ TEST(Simulate, EndsCleanlyWhenInterruptedAndMarksItsAnswer) {
 
 TEST(Simulate, AnswersWhatItHasWhenTimeIsUp) {
   const Town town;
-  test::RunResult result;
-  // On a slow machine time may be up before the movers stand, which is status 4.
-  for (int seconds = 1; seconds == 1 || (result.status == 4 && seconds < 100); seconds *= 2) {
-    result = simulate({town.path(), "--frames", "100000000", "--timeout", std::to_string(seconds),
-                       "--json", "--quiet"});
-  }
+  // Where time is up before the movers stand it is status 4.
+  const test::RunResult result = test::run_with_time(
+      [&](const std::string& seconds) {
+        return simulate(
+            {town.path(), "--frames", "100000000", "--timeout", seconds, "--json", "--quiet"});
+      },
+      [](const test::RunResult& run) { return run.status != 4; });
   ASSERT_EQ(result.status, 0) << result.err;
   const json object = json::parse(result.out);
   EXPECT_EQ(object["coverage"], "cut");
@@ -415,8 +422,7 @@ TEST(Simulate, AnswersWhatItHasWhenTimeIsUp) {
 // Heights beyond the range of floats once kept the search for the ground from ending.
 TEST(Simulate, EndsInACityOfAnySize) {
   const Town town;
-  const json object =
-      answer({town.path(), "--scale", "1e60", "--count", "2", "--frames", "2", "--timeout", "60"});
+  const json object = answer({town.path(), "--scale", "1e60", "--count", "2", "--frames", "2"});
   EXPECT_EQ(object["frames"], 2);
 }
 

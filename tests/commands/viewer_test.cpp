@@ -5,6 +5,7 @@
 #include "tests/commands/run.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 
 namespace soms::test {
@@ -147,7 +148,7 @@ TEST(Viewer, ThatEndsByASignalDrewNothing) {
 TEST(Viewer, LeavesTheTableOfARunWhosePictureWasInterrupted) {
   const TemporaryFolder folder;
   const RunResult result =
-      picture_by(folder, "kill -INT $PPID; exec sleep 100", "", "--frames 2 --json");
+      picture_by(folder, "kill -INT $PPID; exec sleep infinity", "", "--frames 2 --json");
   EXPECT_EQ(result.status, 130) << result.err;
   ASSERT_FALSE(result.out.empty());
   EXPECT_EQ(Json::parse(result.out)["coverage"], "complete");
@@ -155,8 +156,15 @@ TEST(Viewer, LeavesTheTableOfARunWhosePictureWasInterrupted) {
 
 TEST(Viewer, DrewNothingOfARunThatWasInterrupted) {
   const TemporaryFolder folder;
-  const RunResult result =
-      picture_by(folder, "exit 0", "timeout --preserve-status -s INT 1", "--frames 100000000");
+  const std::string viewer = write_program(folder.path() / "viewer", "exit 0");
+  const std::string town = (folder.path() / "town.ply").string();
+  ASSERT_EQ(soms_run({"generate", "city", "--triangles", "3000", "-o", town}).status, 0);
+  Child child({"env", "SOMS_VIEW=" + viewer, command().string(), "simulate", town, "--count", "3",
+               "--picture", (folder.path() / "a.png").string(), "--frames", "100000000"},
+              folder.path());
+  ASSERT_TRUE(child.wait_for_writing(10'000));  // the recording, so frames have been made
+  child.send(SIGINT);
+  const RunResult result = child.wait();
   EXPECT_EQ(result.status, 130) << result.err;
   EXPECT_NE(result.err.find("no picture: interrupted"), std::string::npos) << result.err;
   EXPECT_EQ(result.out.find("picture "), std::string::npos) << result.out;
@@ -212,7 +220,7 @@ END)");
 
 TEST(Viewer, EndsWhenTimeIsUp) {
   const TemporaryFolder folder;
-  const std::string viewer = write_program(folder.path() / "viewer", "exec sleep 100");
+  const std::string viewer = write_program(folder.path() / "viewer", "exec sleep infinity");
   EXPECT_EQ(with_viewer(viewer, "$soms simulate --view --timeout 0.1").status, 4);
 }
 

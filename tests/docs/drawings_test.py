@@ -1,4 +1,4 @@
-"""The drawings of docs/meaning.md are what tools/draw_terms.py draws, and say what soms answers.
+"""The drawings of words in docs/ are what tools/draw_terms.py draws, and say what soms answers.
 
 usage: drawings_test.py ROOT COMMAND
 """
@@ -28,13 +28,13 @@ def faults(root, command, folder):
     sys.dont_write_bytecode = True
     sys.path.insert(0, str(root / "tools"))
     import draw_terms
-    page = (root / "docs/meaning.md").read_text(encoding="utf-8")
+    pages = "".join(page.read_text(encoding="utf-8") for page in sorted((root / "docs").glob("*.md")))
     committed = root / "docs/pictures/terms"
     for name, draw in draw_terms.DRAWINGS.items():
         if (committed / f"{name}.svg").read_text(encoding="utf-8") != draw():
             yield f"{name}.svg is not what tools/draw_terms.py draws"
-        if f"](pictures/terms/{name}.svg)" not in page:
-            yield f"docs/meaning.md does not show {name}.svg"
+        if f"](pictures/terms/{name}.svg)" not in pages:
+            yield f"no page of docs/ shows {name}.svg"
     extra = {f.stem for f in committed.iterdir()} - set(draw_terms.DRAWINGS)
     if extra:
         yield f"drawings that nothing draws: {sorted(extra)}"

@@ -1,9 +1,16 @@
-"""Every example of README and docs/ runs as it is printed, and every verb has a page with one.
+"""Every example of README and docs/ runs as it is printed, prints what the page shows, and every verb has a page with one.
 
-A block fenced as `sh` is run, whole, if one of its lines calls soms. The blocks of a page run in
-their order in one folder of their own, which is empty at first but for models that a page uses as
-"yours" (PREPARED). A block that a test can't run stands below a comment, which readers do not see:
-<!-- not run: reason -->
+A block fenced as `sh` or indented that calls soms is run, whole. The blocks of a page run in their
+order in one folder of their own, which is empty at first: a page makes the files that it uses. What
+is said of a block stands above it in a comment, which readers of the page do not see:
+
+<!-- not run: reason -->      a test cannot run it
+<!-- printed by: command -->  it shows what the command prints, compared by the rule in printed.py.
+                              Above a paragraph: its object of JSON does
+<!-- file: name -->           it is a file that later examples read
+<!-- not printed: reason -->  it shows no output
+
+A block without a language, of `text` or of `sh` needs one of these unless it is run.
 
 usage: examples_test.py ROOT COMMAND [PAGE...]   (without pages: all of them, and every verb)
 """
@@ -18,11 +25,16 @@ import sys
 import tempfile
 import time
 
-SECONDS = 120  # of one block; all of them together take a few
+from pages import SHELL, blocks
+from printed import difference
+
+SECONDS = 1200  # of one block, a guard; all of them together take a few
 PAGES_OF_VERBS = dict.fromkeys(["completion", "man", "version"], "docs/install.md")  # others: docs/VERB.md
 NEEDS_VIEWER = re.compile(r"\bsoms (view|render)\b|--view\b|--picture\b")
 NEEDS_DISPLAY = re.compile(r"\bsoms view\b|--view\b")
-PREPARED = {
+NEEDS_BENCH = re.compile(r"\bsoms bench\b")
+# The README says "With files of yours": these stand for them.
+YOURS = {
     "tool.stl": ["generate", "knot", "--triangles", "200"],
     "cell.ply": ["generate", "sphere", "--triangles", "200"],
     "model.3ds": ["generate", "teapot", "--triangles", "992"],
@@ -30,6 +42,7 @@ PREPARED = {
     "van.3ds": ["generate", "drone"],
     "poses.csv": "x,y,z\n0.5,0,0\n0,0.5,0\n9,0,0\n",
 }
+PAGE_OF_YOURS = "README.md"
 # Stands for the command and notes what it did: "VERB STATUS", a line each.
 WRAPPER = """#!/bin/sh
 "$SOMS_REAL" "$@"
@@ -37,30 +50,7 @@ status=$?
 echo "$1 $status" >> "$SOMS_RAN"
 exit $status
 """
-SHELL = "set -euo pipefail; trap 'echo \"status $? of: $BASH_COMMAND\" >&2' ERR\n"
-
-
-def blocks(text):
-    """(line number, lines, reason why it is not run or None) of each block fenced as sh."""
-    inside, reason, found = None, None, []
-    for number, line in enumerate(text.splitlines(), 1):
-        words = line.strip()
-        if inside is not None:
-            if words == "```":
-                found.append((inside[0], "\n".join(inside[1]), reason))
-                inside, reason = None, None
-            else:
-                inside[1].append(words)
-        elif re.fullmatch(r"```(sh|bash|shell|console)", words):
-            inside = (number, [])
-        elif words:
-            told = re.fullmatch(r"<!-- not run: (.+) -->", words)
-            reason = told.group(1) if told else None
-    return found
-
-
-def calls_soms(block):
-    return re.search(r"(^|[|;&(] *)soms\b", block, re.MULTILINE)
+PREAMBLE = "set -euo pipefail; trap 'echo \"status $? of: $BASH_COMMAND\" >&2' ERR\n"
 
 
 class Display:
@@ -89,16 +79,18 @@ class Page:
         self.text = (root / name).read_text(encoding="utf-8")
         self.folder = folder / name.replace("/", "_")
         self.ran = folder / (name.replace("/", "_") + ".ran")
-        self.faults, self.report, self.seconds, self.examples = [], [], 0.0, 0
+        self.faults, self.report, self.seconds = [], [], 0.0
+        self.examples, self.compared = 0, 0
 
     def verbs(self):
         """Verbs that this page's examples called with success."""
         lines = self.ran.read_text(encoding="utf-8").splitlines() if self.ran.exists() else []
         return {line.split()[0] for line in lines if line.endswith(" 0")}
 
-    def run_block(self, number, block, environment):
+    def bash(self, script, environment):
+        """Status and output of a script in the page's folder."""
         begin = time.monotonic()
-        process = subprocess.Popen(["bash", "-c", SHELL + block], cwd=self.folder,
+        process = subprocess.Popen(["bash", "-c", script], cwd=self.folder,
                                    env=environment | {"SOMS_RAN": str(self.ran)},
                                    stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                    stderr=subprocess.STDOUT, text=True, start_new_session=True)
@@ -108,36 +100,54 @@ class Page:
             os.killpg(process.pid, signal.SIGKILL)
             output, _ = process.communicate()
             output += f"\nended after {SECONDS} s"
-        seconds = time.monotonic() - begin
-        self.seconds += seconds
-        self.examples += 1
-        self.report.append(f"{self.name}, line {number}: {seconds:.2f} s")
-        if process.returncode != 0:
-            self.faults.append(f"{self.name}, line {number}: status {process.returncode}\n"
-                               f"{block}\n--\n{output[-3000:]}")
+        self.seconds += time.monotonic() - begin
+        return process.returncode, output
 
-    def run(self, environment, prepared, viewer, display):
+    def run_block(self, block, environment):
+        begin = self.seconds
+        status, output = self.bash(PREAMBLE + block.text, environment)
+        self.examples += 1
+        self.report.append(f"{self.name}, line {block.number}: {self.seconds - begin:.2f} s")
+        if status != 0:
+            self.faults.append(f"{self.name}, line {block.number}: status {status}\n"
+                               f"{block.text}\n--\n{output[-3000:]}")
+
+    def compare(self, block, environment):
+        """With what the command prints, whatever its status: messages of errors are shown, too."""
+        _, output = self.bash(block.value, environment)
+        found = difference(block.text, output) if block.text else "no block and no object of JSON follows"
+        self.compared += 1
+        self.report.append(f"{self.name}, line {block.number}: compared with {block.value}")
+        if found:
+            self.faults.append(f"{self.name}, line {block.number}: not what is printed by {block.value}\n"
+                               f"{found}\n--\n{output[-3000:]}")
+
+    def run(self, environment, yours, missing):
+        """`missing(text)` says why an example cannot run here, or nothing."""
         self.folder.mkdir()
-        for file in prepared.iterdir():
-            if re.search(r"(?<![\w.])" + re.escape(file.name), self.text):
-                shutil.copy(file, self.folder)
-        for number, block, reason in blocks(self.text):
-            if not calls_soms(block):
+        if self.name == PAGE_OF_YOURS:
+            shutil.copytree(yours, self.folder, dirs_exist_ok=True)
+        for block in blocks(self.text):
+            if block.mark == "file":
+                (self.folder / block.value).write_text(block.text + "\n", encoding="utf-8")
                 continue
-            if not reason and NEEDS_VIEWER.search(block) and not viewer:
-                reason = "soms-view was not built"
-            if not reason and NEEDS_DISPLAY.search(block) and not display:
-                reason = "Xvfb is missing: install the packages of section test"
-            if reason:
-                self.report.append(f"{self.name}, line {number}: not run: {reason}")
-            else:
-                self.run_block(number, block, environment)
+            fault = block.fault()
+            builds = self.name == PAGE_OF_YOURS and block.language in SHELL
+            if fault and not builds:  # the README's first commands: tests/install/bare_debian_test.py
+                self.faults.append(f"{self.name}, line {block.number}: {fault}\n{block.text}")
+            reason = block.value if block.mark == "not run" else missing(block.text + block.value)
+            if (block.is_example() or block.mark == "printed by") and reason:
+                self.report.append(f"{self.name}, line {block.number}: not run: {reason}")
+            elif block.mark == "printed by":
+                self.compare(block, environment)
+            elif block.is_example():
+                self.run_block(block, environment)
         return self
 
 
 def prepare(command, folder):
     folder.mkdir()
-    for name, how in PREPARED.items():
+    for name, how in YOURS.items():
         if isinstance(how, str):
             (folder / name).write_text(how, encoding="utf-8")
         else:
@@ -150,14 +160,30 @@ def verbs_of(command):
     return [line.split()[0] for line in listed.splitlines()]
 
 
-def missing_pages(root, command, pages, may_view):
+def missing_here(command, display):
+    """A function that says why an example cannot run on this machine, or nothing."""
+    viewer = (command.parent / "soms-view").exists()
+    bench = (command.parent / "soms-bench").exists()
+
+    def missing(text):
+        if NEEDS_VIEWER.search(text) and not viewer:
+            return "soms-view was not built"
+        if NEEDS_DISPLAY.search(text) and not display:
+            return "Xvfb is missing: install the packages of section test"
+        if NEEDS_BENCH.search(text) and not bench:
+            return "soms-bench was not built"
+        return ""
+    return missing
+
+
+def missing_pages(root, command, pages, missing):
     """A line for each verb without a page, or without an example there that ran."""
     ran = {page.name: page.verbs() for page in pages}
     for verb in verbs_of(command):
         page = PAGES_OF_VERBS.get(verb, f"docs/{verb}.md")
         if not (root / page).exists():
             yield f"soms {verb} has no page {page}"
-        elif verb not in ran[page] and (may_view or verb not in {"view", "render"}):
+        elif verb not in ran[page] and not missing(f"soms {verb}"):
             yield f"{page} has no example of soms {verb} that ran"
 
 
@@ -165,8 +191,8 @@ def main():
     root, command = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
     chosen = sys.argv[3:]
     names = chosen or ["README.md", *(f"docs/{f.name}" for f in sorted(root.glob("docs/*.md")))]
-    viewer = (command.parent / "soms-view").exists()
     display = Display()
+    missing = missing_here(command, display.name)
     try:
         with tempfile.TemporaryDirectory() as place:
             folder = pathlib.Path(place)
@@ -182,16 +208,18 @@ def main():
                 "ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "")}
             pages = [Page(root, name, folder) for name in names]
             with concurrent.futures.ThreadPoolExecutor(2) as pool:
-                list(pool.map(lambda page: page.run(environment, folder / "prepared", viewer,
-                                                    display.name), pages))
+                list(pool.map(lambda page: page.run(environment, folder / "prepared", missing),
+                              pages))
             faults = [fault for page in pages for fault in page.faults]
             if not chosen:
-                faults += missing_pages(root, command, pages, viewer and display.name)
+                faults += missing_pages(root, command, pages, missing)
     finally:
         display.close()
     print(*(line for page in pages for line in page.report), *faults, sep="\n")
     ran = sum(page.examples for page in pages)
-    print(f"{ran} examples in {sum(page.seconds for page in pages):.1f} s, {len(faults)} faults")
+    compared = sum(page.compared for page in pages)
+    print(f"{ran} examples and {compared} comparisons in {sum(page.seconds for page in pages):.1f} s, "
+          f"{len(faults)} faults")
     return 1 if faults or not ran else 0
 
 

@@ -97,6 +97,7 @@ void check_one(const Body& a, const Body& b, const std::vector<TrianglePair>& tr
   TraversalOptions way;
   way.traversal = table[bytes.below(static_cast<std::uint32_t>(table.size()))].traversal;
   way.update = bytes.below(2) == 0 ? BoxUpdate::refit : BoxUpdate::rebox;
+  way = without_idle(way);
   require(overlap(a, b, {.traversal = way}).pairs == truth, "a named traversal");
 }
 

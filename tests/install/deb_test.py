@@ -19,7 +19,7 @@ WANTED = {
     "libsoms-dev": ["/usr/include/soms/soms.h", "/usr/lib/*/cmake/soms/soms-config.cmake",
                     "/usr/lib/*/pkgconfig/soms.pc", "/usr/lib/*/libsoms.so"],
     "soms-view": ["/usr/libexec/soms/soms-view"],
-    "soms": ["/usr/bin/soms", "/usr/share/man/man1/soms-overlap.1",
+    "soms": ["/usr/bin/soms", "/usr/libexec/soms/soms-reproduce", "/usr/share/man/man1/soms-overlap.1",
              "/usr/share/bash-completion/completions/soms", "/usr/share/doc/soms/docs/install.md"],
 }
 USE = """set -e; cd /tmp

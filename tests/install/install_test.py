@@ -35,6 +35,9 @@ kids 0
 def check_command(prefix, build, folder):
     """What the command needs lies under its own prefix; nothing else of the system is asked."""
     soms = prefix / "bin/soms"
+    said = run(soms, "reproduce", "--help", env={"PATH": "/nowhere"})
+    if "Usage: soms reproduce" not in said:
+        sys.exit("soms reproduce --help does not come from soms-reproduce")
     if (build / "bin/soms-view").exists():
         said = run(soms, "view", "--help", env={"PATH": "/nowhere"})
         if "Usage: soms view" not in said:

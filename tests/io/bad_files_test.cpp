@@ -6,14 +6,13 @@
 
 #include "tests/io/files.h"
 #include "tests/support/allocation.h"
-#include "tests/support/slow_build.h"
+#include "tests/support/effort.h"
 #include "tests/support/support.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -22,8 +21,8 @@
 namespace soms::test {
 namespace {
 
-/// Of processor time; sanitizers take ten times as much.
-constexpr double kMostSeconds = test::kSlowBuild ? 20 : 2;
+/// In the unit of `effort_of`, about two seconds of a usual machine.
+constexpr double kMostEffort = 20;
 
 constexpr std::uint64_t kMebibyte = std::uint64_t{1} << 20;
 
@@ -32,21 +31,21 @@ struct Outcome {
   std::string words;
   Mesh mesh;
   std::optional<Refusal> refusal;
-  double seconds = 0;
+  double effort = 0;
   std::uint64_t peak = 0;
 };
 
 Outcome read(const std::filesystem::path& path, const ReadOptions& options) {
   Outcome outcome;
-  const std::clock_t begin = std::clock();  // of the processor: others may keep the machine busy
-  const AllocationWatch watch;
-  outcome.refusal = refusal_of([&] {
-    outcome.mesh = read_mesh(path, options);
-    check(outcome.mesh);
-    outcome.words = "mesh " + std::to_string(outcome.mesh.triangles.size());
+  outcome.effort = effort_of([&] {
+    const AllocationWatch watch;
+    outcome.refusal = refusal_of([&] {
+      outcome.mesh = read_mesh(path, options);
+      check(outcome.mesh);
+      outcome.words = "mesh " + std::to_string(outcome.mesh.triangles.size());
+    });
+    outcome.peak = watch.peak();
   });
-  outcome.peak = watch.peak();
-  outcome.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   if (outcome.refusal) {
     outcome.words = "error";
   }
@@ -92,7 +91,7 @@ TEST(BadFiles, EndInTypedErrorsOrTheMeshThatIsAllowed) {
       if (is_flat_format(row[0]) && outcome.mesh.triangles.size() <= 5) {
         expect_tetrahedron(outcome.mesh);
       }
-      EXPECT_LT(outcome.seconds, kMostSeconds);
+      EXPECT_LT(outcome.effort, kMostEffort);
       EXPECT_LT(outcome.peak, 256 * kMebibyte);
       if (std::filesystem::is_regular_file(path)) {
         EXPECT_LE(outcome.peak, 64 * std::filesystem::file_size(path) + 64 * kMebibyte);

@@ -97,9 +97,10 @@ TEST(Collada, ReadsPolygonsStripsAndFansAndCountsLines) {
       "<linestrips count=\"2\"><p>0 1</p><p>1 2</p></linestrips>" + "<lines count=\"3\"/>");
   EXPECT_EQ(polygons.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}, {0, 1, 4}}));
   EXPECT_EQ(polygons.faces, (std::vector<std::uint32_t>{0, 0, 2}));
-  EXPECT_EQ(polygons.notes, (std::vector<std::string>{
-                                "faces with fewer than three corners, which gave no triangle: 1",
-                                "lines, which are not triangles: 5"}));
+  EXPECT_EQ(polygons.notes,
+            (std::vector<std::string>{
+                "faces with fewer than three corners, which gave no triangle: 1, in line 1",
+                "lines, which are not triangles: 5, the first in line 4"}));
   const Mesh list = read_faces("<polylist count=\"2\">" + kInput +
                                "<vcount>3 4</vcount><p>0 1 4 0 1 2 3</p></polylist>");
   EXPECT_EQ(list.triangles, (Triangles{{0, 1, 4}, {0, 1, 2}, {0, 2, 3}}));

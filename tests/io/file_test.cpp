@@ -4,13 +4,13 @@
 
 #include "tests/io/files.h"
 #include "tests/support/support.h"
+#include "tests/support/wait.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <filesystem>
 #include <stop_token>
 #include <string>
@@ -103,20 +103,20 @@ TEST(ReadFile, OfAPipeThatStallsEndsByAStop) {
   const TemporaryFolder folder;
   const std::filesystem::path pipe = folder.path() / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  const auto expect_stopped = [&] {
+  const auto expect_stopped = [&](std::size_t descriptors) {
     std::stop_source stop;
-    const std::jthread asker([&stop] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    const std::jthread stopping([&] {
+      wait_until([&] { return has_open(0, pipe, descriptors); });
       stop.request_stop();
     });
     expect_refused(
         [&] { static_cast<void>(detail::read_file(pipe, 0, {.stop = stop.get_token()})); },
         ErrorKind::cancelled, "stopped on request");
   };
-  expect_stopped();  // nobody has come to write
+  expect_stopped(1);  // nobody has come to write
   const detail::Descriptor writer(open(pipe.c_str(), O_RDWR | O_CLOEXEC));
   ASSERT_EQ(write(writer.get(), "ply\n", 4), 4);
-  expect_stopped();  // somebody has, and pauses
+  expect_stopped(2);  // somebody has, and pauses
 }
 
 }  // namespace

@@ -107,8 +107,10 @@ TEST(Gltf, CountsPointsAndLinesAndPrimitivesWithoutPositions) {
       "a.glb");
   EXPECT_EQ(mesh.triangles.size(), 2U);
   EXPECT_EQ(mesh.notes,
-            (std::vector<std::string>{"primitives of points or lines, which were not read: 2",
-                                      "primitives without positions, which were not read: 1"}));
+            (std::vector<std::string>{
+                "primitives of points or lines, which are not triangles: 2, the first in "
+                "meshes[0].primitives[0]",
+                "primitives without positions, not read: 1, in meshes[0].primitives[2]"}));
 }
 
 TEST(Gltf, SharesPositionsThatPrimitivesOfAMeshShare) {
@@ -384,20 +386,26 @@ TEST(Gltf, LeavesSkinsWhereTheirPositionsAre) {
   EXPECT_EQ(mesh.vertices[1], (Vec3{1, 0, 0}));
   EXPECT_EQ(mesh.vertices[5], (Vec3{4, 0, 0}));
   EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}}));
-  EXPECT_EQ(
-      mesh.notes,
-      (std::vector<std::string>{
-          "skins shown in the shape they were bound in, which joints and nodes do not move: 1"}));
+  EXPECT_EQ(mesh.notes,
+            (std::vector<std::string>{"skins shown in the shape they were bound in, which joints "
+                                      "and nodes do not move: 1, in nodes[0]"}));
 }
 
-TEST(Gltf, SkipsChunksThatItDoesNotKnow) {
+TEST(Gltf, NotesChunksThatItDoesNotKnowAndBytesBehindThem) {
   std::string file = placed(kOneNode);
   const std::string more = bytes_of(4, 4) + "MORE" + "1234";
   file += more;
   file.replace(8, 4, bytes_of(file.size(), 4));
-  EXPECT_EQ(read_text(file, "a").triangles.size(), 2U);
+  const std::string at = std::to_string(file.size() - more.size());
+  const std::string end = std::to_string(file.size());
+  std::vector<std::string> notes = {"chunks other than JSON and BIN, not read: 1, at byte " + at};
+  EXPECT_EQ(read_text(file, "a").notes, notes);
   file += "behind its end";
-  EXPECT_EQ(read_text(file, "a").triangles.size(), 2U);
+  const Mesh mesh = read_text(file, "a");
+  EXPECT_EQ(mesh.triangles.size(), 2U);
+  notes.push_back("surplus bytes after the stated length of the file: 14, the first at byte " +
+                  end);
+  EXPECT_EQ(mesh.notes, notes);
 }
 
 }  // namespace

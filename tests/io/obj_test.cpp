@@ -116,9 +116,9 @@ TEST(Obj, ReadsNumbersAsDoublesAndPassesColorsAndWeights) {
 
 TEST(Obj, NotesWhatIsNotRead) {
   const Mesh mesh = read_text(kVertexLines + "f 1 2 3\nl 1 2\np 1\ncurv 0 1 1 2\n", "a.obj");
-  EXPECT_EQ(mesh.notes,
-            (std::vector<std::string>{"lines and points, which are not triangles: 2",
-                                      "free-form curves and surfaces, which are not read: 1"}));
+  EXPECT_EQ(mesh.notes, (std::vector<std::string>{
+                            "lines and points, which are not triangles: 2, the first in line 6",
+                            "free-form curves and surfaces, not read: 1, in line 8"}));
 }
 
 TEST(Obj, RefusesIndicesThatWrap) {

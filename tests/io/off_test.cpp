@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace soms::test {
 namespace {
@@ -33,6 +34,28 @@ TEST(Off, TakesCountsFromAnyPlaceBehindTheMagicWord) {
     SCOPED_TRACE(head);
     EXPECT_EQ(read_text(head + kBody, "a.off").triangles.size(), 1U);
   }
+}
+
+TEST(Off, RefusesMoreBehindTheCounts) {
+  expect_refused("OFF\n3 1 0 0 0 0.1\n" + kBody, "a.off", ErrorKind::bad_file,
+                 "line 2: \"0\" follows the counts");
+}
+
+TEST(Off, NotesWhatTheMagicWordDoesNotAnnounce) {
+  const auto notes_of = [](const std::string& magic, const std::string& behind) {
+    return read_text(magic + "\n3 1 0\n0 0 0 " + behind + "\n1 0 0\n0 1 0\n3 0 1 2\n", "a.off")
+        .notes;
+  };
+  const std::vector<std::string> long_row = {
+      "vertex rows with more values after z than the first word of the file announces: 1, in line "
+      "3"};
+  EXPECT_EQ(notes_of("OFF", "1"), long_row);
+  EXPECT_EQ(notes_of("NOFF", "1 0 0 9"), long_row);
+  EXPECT_EQ(notes_of("STCNOFF", "1 2 3 4 5 6 7 8 9 10"), long_row);
+  for (const std::string magic : {"NOFF", "COFF", "STCNOFF"}) {
+    EXPECT_TRUE(notes_of(magic, "0 0 1").empty()) << magic;
+  }
+  EXPECT_TRUE(notes_of("STCNOFF", "1 2 3 4 5 6 7 8 9 # all").empty());
 }
 
 TEST(Off, RefusesARowThatIsCutShort) {

@@ -57,7 +57,8 @@ TEST(Ply, MapsTrianglesToFacesWherePolygonsAre) {
   EXPECT_EQ(mesh.triangles.size(), 4U);
   EXPECT_EQ(mesh.faces, (std::vector<std::uint32_t>{0, 1, 1, 3}));
   ASSERT_EQ(mesh.notes.size(), 1U);
-  EXPECT_EQ(mesh.notes[0], "faces with fewer than three corners, which gave no triangle: 1");
+  EXPECT_EQ(mesh.notes[0],
+            "faces with fewer than three corners, which gave no triangle: 1, at face 2");
   EXPECT_NO_THROW(check(mesh));
 }
 

@@ -161,6 +161,25 @@ TEST(ReadMesh, ReportsProgressAndStopsOnRequest) {
                  ErrorKind::cancelled, "stopped");
 }
 
+TEST(ReadMesh, StrictMakesAnErrorOfEveryNote) {
+  const std::string noted = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\nf 1 2\ncurv 0 1 1 2\n";
+  const std::vector<std::string> notes = read_text(noted, "a.obj").notes;
+  ASSERT_EQ(notes.size(), 3U);
+  for (const std::string& note : notes) {
+    expect_refused([&] { static_cast<void>(read_text(noted, "a.obj", {.strict = true})); },
+                   ErrorKind::bad_file, note);
+  }
+  EXPECT_EQ(read_text(kPly, "a.ply", {.strict = true}), read_text(kPly, "a.ply"));
+  for (const auto& row : rows_of("formats/FORMATS.csv", 1)) {
+    if (is_read(row[0])) {
+      const std::filesystem::path path = test::data("formats/" + row[0]);
+      const auto refusal =
+          refusal_of([&] { static_cast<void>(read_mesh(path, {.strict = true})); });
+      EXPECT_EQ(!refusal, read_mesh(path).notes.empty()) << path;
+    }
+  }
+}
+
 TEST(ReadMesh, GivesTheSameFromAFileAndFromMemory) {
   const std::filesystem::path path = test::data("formats/polygons_le.ply");
   EXPECT_EQ(read_mesh(path), read_text(content_of(path), path.string()));

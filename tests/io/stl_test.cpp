@@ -9,6 +9,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace soms::test {
 namespace {
@@ -67,8 +68,11 @@ TEST(Stl, RefusesACountThatLies) {
   }
 }
 
-TEST(Stl, PassesAFewBytesBehindTheLastFacet) {
-  EXPECT_EQ(read_text(binary("x", 2, 2) + std::string(49, ' '), "a.stl").triangles.size(), 2U);
+TEST(Stl, NotesAFewBytesBehindTheLastFacet) {
+  const Mesh mesh = read_text(binary("x", 2, 2) + std::string(49, ' '), "a.stl");
+  EXPECT_EQ(mesh.triangles.size(), 2U);
+  EXPECT_EQ(mesh.notes, (std::vector<std::string>{
+                            "surplus bytes after the last triangle: 49, the first at byte 184"}));
   expect_refused(binary("x", 2, 2) + std::string(50, ' '), "a.stl", ErrorKind::bad_file, "3 are");
 }
 

@@ -1,6 +1,7 @@
 #include "soms/io/write_mesh.h"
 
 #include "soms/base/error.h"
+#include "soms/io/new_file.h"
 #include "soms/io/read_mesh.h"
 
 #include "tests/io/files.h"
@@ -214,6 +215,28 @@ TEST(WriteMesh, KeepsPermissionsAndLinks) {
   EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link.ply"));
   EXPECT_EQ(read_mesh(target).triangles, mesh.triangles);
   EXPECT_EQ(static_cast<int>(std::filesystem::status(target).permissions()), 0640);
+}
+
+// A backup that shares its files by hard links must not change with them.
+TEST(WriteMesh, LeavesOtherNamesOfTheOldFileAlone) {
+  const TemporaryFolder folder;
+  Rng rng(1);
+  const Mesh mesh = random_mesh(rng, true);
+  const std::filesystem::path target = folder.path() / "target.ply";
+  const std::filesystem::path backup = folder.path() / "backup.ply";
+  write_content(backup, "old");
+  std::filesystem::create_hard_link(backup, target);
+  write_mesh(target, mesh, MeshFormat::ply);
+  EXPECT_EQ(content_of(backup), "old");
+  EXPECT_EQ(read_mesh(target).triangles, mesh.triangles);
+  EXPECT_EQ(std::filesystem::hard_link_count(target), 1U);
+  NewFile file;
+  ASSERT_EQ(file.open(target), 0);
+  EXPECT_EQ(file.other_names(), 0U);
+  std::filesystem::create_hard_link(backup, folder.path() / "third.ply");
+  NewFile other;
+  ASSERT_EQ(other.open(backup), 0);
+  EXPECT_EQ(other.other_names(), 1U);
 }
 
 TEST(WriteMesh, FollowsLinksToFilesThatAreNotThereYet) {

@@ -173,7 +173,7 @@ BuildOptions awkward_options(Rng& rng) {
   options.rule = kRules[rng.below(kRules.size())];
   options.per_leaf = kLeaves[rng.below(kLeaves.size())];
   options.empty_side = static_cast<EmptySide>(rng.below(3));
-  return options;
+  return without_idle(options);
 }
 
 Vec3 point_in(Rng& rng, const Box& box) {

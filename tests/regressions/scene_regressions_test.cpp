@@ -5,6 +5,7 @@
 #include "soms/query/reference/overlap.h"
 #include "soms/scene/scene.h"
 
+#include "tests/support/allocation.h"
 #include "tests/support/support.h"
 
 #include <algorithm>
@@ -200,6 +201,85 @@ TEST(SceneRegressions, R79AnswersForEmptyScenesAndTinyMeshes) {
   ASSERT_EQ(report.environment.size(), 1U);
   EXPECT_EQ(report.environment[0], (EnvironmentContact{dot, 2, 0, 0}));
   EXPECT_TRUE(report.movers.empty());
+}
+
+Body dot_at(double x) {
+  const Triangle triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  return Body(Shape(triangle_mesh(triangle)), Pose::translation(x, 0, 0));
+}
+
+// R118: movers of one group at one place made quadratically many pairs, which were dropped one by
+// one afterwards and whose memory was kept: for 20,000 some gigabytes.
+TEST(SceneRegressions, R118MoversOfOneGroupInOnePlaceMakeNoPairs) {
+  constexpr MoverId kMovers = 20'000;
+  const test::AllocationWatch watch;
+  Scene scene;
+  const Body dot = dot_at(0);
+  for (MoverId k = 0; k < kMovers; ++k) {
+    scene.add_mover(dot, 1);
+  }
+  for (int step = 0; step < 3; ++step) {
+    const StepReport report = scene.step();
+    EXPECT_EQ(report.box_pairs, 0U);
+    EXPECT_EQ(report.queries, 0U);
+    EXPECT_TRUE(report.movers.empty());
+  }
+  // One of another group, and one of none, meet all others.
+  const MoverId other = scene.add_mover(dot, 2);
+  const MoverId alone = scene.add_mover(dot);
+  for (int step = 0; step < 2; ++step) {
+    const StepReport report = scene.step();
+    EXPECT_EQ(report.box_pairs, 2 * kMovers + 1);
+    ASSERT_EQ(report.movers.size(), 2 * kMovers + 1);
+    EXPECT_EQ(report.movers.front(), (MoverContact{0, other, 0, 0}));
+    EXPECT_EQ(report.movers.back(), (MoverContact{other, alone, 0, 0}));
+  }
+  EXPECT_LT(scene.memory(), std::size_t{50} << 20);
+  EXPECT_LT(watch.peak(), std::size_t{50} << 20);
+}
+
+// R118: and what so many pairs needed was never given back.
+TEST(SceneRegressions, R118MemoryOfManyPairsIsGivenBack) {
+  constexpr MoverId kMovers = 700;
+  constexpr std::size_t kPairs = std::size_t{kMovers} * (kMovers - 1) / 2;
+  const Body dot = dot_at(0);
+  enum class Change { leave, leave_one_by_one, remove, share_a_group, ignore };
+  for (const Change change : {Change::leave, Change::leave_one_by_one, Change::remove,
+                              Change::share_a_group, Change::ignore}) {
+    Scene scene;
+    for (MoverId k = 0; k < kMovers; ++k) {
+      scene.add_mover(dot);
+    }
+    ASSERT_EQ(scene.step().movers.size(), kPairs);
+    const std::size_t before = scene.memory();
+    EXPECT_GT(before, 20 * kPairs);
+    for (MoverId k = 1; k < kMovers; ++k) {
+      if (change == Change::leave || change == Change::leave_one_by_one) {
+        scene.set_pose(k, Pose::translation(2.0 * k, 0, 0));
+      } else if (change == Change::remove) {
+        scene.remove_mover(k);
+      } else if (change == Change::share_a_group) {
+        scene.set_group(k, 1);
+        scene.set_group(0, 1);
+      }
+      for (MoverId j = 0; change == Change::ignore && j < k; ++j) {
+        scene.ignore(j, k);
+      }
+      if (change == Change::leave_one_by_one && k % 50 == 0) {
+        static_cast<void>(scene.step());
+      }
+    }
+    EXPECT_TRUE(scene.step().movers.empty());
+    const std::size_t lists = change == Change::ignore ? 2 * 2 * 4 * kPairs + 4 * kPairs : 0;
+    EXPECT_LT(scene.memory(), 2048 * kMovers + lists) << static_cast<int>(change);
+    if (change == Change::ignore) {
+      for (MoverId k = 1; k < kMovers; ++k) {
+        scene.remove_mover(k);
+      }
+      static_cast<void>(scene.step());
+      EXPECT_LT(scene.memory(), std::size_t{1} << 16);
+    }
+  }
 }
 
 }  // namespace

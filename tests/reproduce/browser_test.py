@@ -13,6 +13,7 @@ import tempfile
 import urllib.parse
 
 SKIPPED = 77
+PATIENCE = 1200  # seconds, a guard: the machine may be busy
 ITEMS = "3.1,3.9,4.6,4.30,5.3,5.6"
 PHONE = (390, 800)
 DESK = (1200, 900)
@@ -70,7 +71,10 @@ def start_browser(folder):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
     os.environ["HOME"] = str(folder)
-    return webdriver.Chrome(options=options, service=Service(executable_path=driver))
+    browser = webdriver.Chrome(options=options, service=Service(executable_path=driver))
+    browser.set_page_load_timeout(PATIENCE)
+    browser.set_script_timeout(PATIENCE)
+    return browser
 
 
 def requested(browser):

@@ -52,6 +52,33 @@ TEST(BoxIndex, FindsWhatAScanFinds) {
   });
 }
 
+TEST(BoxIndex, PassesOverTheBoxesOfAGroup) {
+  detail::BoxIndex index;
+  test::for_each_case("scene/box-index/groups", 100, [&](Rng& rng) {
+    const std::vector<Box> boxes = test::random_boxes(rng);
+    std::vector<std::uint32_t> groups;
+    const std::uint64_t run = 1 + rng.below(30);  // whole nodes of one group, or mixed ones
+    for (std::size_t k = 0; k < boxes.size() && rng.below(200) != 0; ++k) {
+      groups.push_back(static_cast<std::uint32_t>(k / run % 4));
+    }
+    index.build(boxes, groups);
+    for (std::uint32_t k = 0; k < boxes.size(); ++k) {
+      const std::uint32_t group = k % 5;
+      std::vector<std::uint32_t> expected;
+      for (std::uint32_t j = 0; j < boxes.size(); ++j) {
+        const std::uint32_t other = j < groups.size() ? groups[j] : 0;
+        if (overlaps(boxes[k], boxes[j]) && (group == 0 || group != other)) {
+          expected.push_back(j);
+        }
+      }
+      std::vector<std::uint32_t> found;
+      index.query(boxes[k], group, [&](std::uint32_t j) { found.push_back(j); });
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found, expected);
+    }
+  });
+}
+
 TEST(BoxIndex, HoldsManyEqualBoxes) {
   const std::vector<Box> boxes(5000, Box{{0, 0, 0}, {1, 1, 1}});
   detail::BoxIndex index;

@@ -2,6 +2,7 @@
 
 #include "soms/base/error.h"
 
+#include "tests/scene/random_bodies.h"
 #include "tests/scene/recordings.h"
 #include "tests/support/allocation.h"
 #include "tests/support/support.h"
@@ -164,6 +165,36 @@ TEST(Recording, RefusesWhatNoRecordingCanHold) {
   std::ostringstream out;
   RecordingWriter writer(out, head_of_one_mover());
   EXPECT_THROW(writer.add({}, {}), Error);
+}
+
+// A recording holds one mesh for each mover, and all contacts: what it cannot hold is refused, and
+// the frames before play.
+TEST(Recording, RefusesShapesThatWereSetBetweenItsFramesAndPartialReports) {
+  std::ostringstream out;
+  RecordingWriter writer(out, head_of_one_mover());
+  const std::vector<Pose> poses(1);
+  const auto refuses = [&](const StepReport& report) {
+    try {
+      writer.add(poses, report);
+    } catch (const Error& error) {
+      return error.kind() == ErrorKind::usage;
+    }
+    return false;
+  };
+  Scene scene;
+  const Shape shape(test::box_mesh({{0, 0, 0}, {1, 1, 1}}));
+  const MoverId mover = scene.add_mover(Body(shape));
+  scene.set_shape(mover, shape);  // before the first frame
+  EXPECT_FALSE(refuses(scene.step()));
+  EXPECT_FALSE(refuses(scene.step()));
+  EXPECT_TRUE(refuses(scene.step({.scope = StepScope::first_contact})));
+  scene.set_shape(mover, shape);
+  EXPECT_TRUE(refuses(scene.step()));
+  EXPECT_EQ(writer.so_far().frames, 2U);
+  writer.finish(RecordingEnding::interrupted);
+  Replay replay = test::replay_of(out.str());
+  EXPECT_EQ(replay.frames(), 2U);
+  EXPECT_FALSE(replay.fault());
 }
 
 TEST(Recording, KeepsItsFramesWhereMemoryRanShort) {

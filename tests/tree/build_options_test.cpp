@@ -1,13 +1,17 @@
 #include "soms/tree/build_options.h"
 
 #include "soms/base/error.h"
+#include "soms/generate/urban.h"
 #include "soms/tree/build.h"
 #include "soms/tree/rule/rules.h"
 
 #include "tests/support/support.h"
 
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace soms {
 namespace {
@@ -67,8 +71,94 @@ TEST(BuildOptions, RefusesEachOptionOutOfRangeAndNamesIt) {
   }
 }
 
+/// What `build` says of options; empty where it takes them.
+std::string refusal(const BuildOptions& options) {
+  try {
+    static_cast<void>(build(Mesh{}, options));
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::usage);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(BuildOptions, R119OptionsThatTheRuleIgnoresAreRefused) {
+  for (const Rule rule : {Rule::fast, Rule::quality}) {
+    EXPECT_EQ(refusal({.rule = rule, .midpoint = Midpoint::centroid}),
+              "build options: midpoint has no effect: the rules fast and quality divide boxes in "
+              "float; leave it at its default, or choose another rule");
+    EXPECT_NE(refusal({.rule = rule, .c_vertex = 1}).find("c_vertex has no effect"),
+              std::string::npos);
+    EXPECT_NE(refusal({.rule = rule, .axis_from = AxisFrom::inner}).find("axis_from has no effect"),
+              std::string::npos);
+    EXPECT_NE(refusal({.rule = rule, .empty_side = EmptySide::stop}).find("empty_side has no eff"),
+              std::string::npos);
+    EXPECT_EQ(refusal({.rule = rule, .level = 9, .root_level = 0, .per_leaf = 1}), "");
+  }
+  EXPECT_EQ(refusal({.rule = Rule::soms, .c_vertex = 0}),
+            "build options: c_vertex has no effect: only the midpoint thesis has a corner C; leave "
+            "it at its default, or set midpoint to thesis");
+  EXPECT_EQ(refusal({.rule = Rule::soms, .root_level = 0}),
+            "build options: root_level has no effect: levels are not limited; leave it at its "
+            "default, or set level to N");
+  EXPECT_EQ(refusal({.rule = Rule::soms,
+                     .midpoint = Midpoint::thesis,
+                     .c_vertex = 0,
+                     .axis_from = AxisFrom::outer,
+                     .empty_side = EmptySide::next_axis,
+                     .level = 9,
+                     .root_level = 0}),
+            "");
+}
+
+// The table of the options that have no effect against the trees themselves: each option, set to
+// another value beside the same others, changes a tree where the table says that it has an effect,
+// and is refused where it says that it has none.
+TEST(BuildOptions, R119AnOptionThatIsNotRefusedChangesATree) {
+  struct Change {
+    const char* name;
+    void (*apply)(BuildOptions& options);
+  };
+
+  constexpr std::array<Change, 5> kChanges{{
+      {"midpoint", [](BuildOptions& o) { o.midpoint = Midpoint::centroid; }},
+      {"c_vertex", [](BuildOptions& o) { o.c_vertex = 0; }},
+      {"axis_from", [](BuildOptions& o) { o.axis_from = AxisFrom::inner; }},
+      {"empty_side", [](BuildOptions& o) { o.empty_side = EmptySide::next_axis; }},
+      {"root_level", [](BuildOptions& o) { o.root_level = 0; }},
+  }};
+  const Mesh mesh = generate_urban(UrbanScene::mixed);
+  for (const Rule rule : {Rule::spatial_median, Rule::fast, Rule::quality}) {
+    for (const Midpoint midpoint : {Midpoint::thesis, Midpoint::aabb}) {
+      for (const int level : {0, 13}) {
+        BuildOptions plain{.rule = rule, .midpoint = midpoint, .level = level, .per_leaf = 1};
+        plain = without_idle(plain);
+        const std::vector<IdleOption> idle = idle_options(plain);
+        const Tree tree = build(mesh, plain);
+        for (const Change& change : kChanges) {
+          SCOPED_TRACE(std::string(entry(rule).name) + ' ' + change.name);
+          BuildOptions changed = plain;
+          change.apply(changed);
+          const bool is_idle = std::any_of(idle.begin(), idle.end(), [&](const IdleOption& option) {
+            return option.name == change.name;
+          });
+          if (is_idle) {
+            EXPECT_NE(refusal(changed).find(std::string(change.name) + " has no effect"),
+                      std::string::npos);
+            EXPECT_EQ(without_idle(changed), plain);
+          } else {
+            EXPECT_FALSE(build(mesh, changed) == tree);
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(BuildOptions, AcceptsTheEndsOfEachRange) {
   BuildOptions options;
+  options.rule = Rule::soms;
+  options.midpoint = Midpoint::thesis;
   options.level = 64;
   options.empty_side = EmptySide::chain;
   EXPECT_NO_THROW(check(options));

@@ -55,7 +55,7 @@ SceneContent load_recording(const std::filesystem::path& path, const command::Wo
                 "leave out --mover, --route and --count");
   }
   for (const command::ModelOptions& model : {options.city_model, options.mover_model}) {
-    if (model.scale != 1 || model.up != UpAxis::unknown) {
+    if (model.scale_is_given || model.up != UpAxis::unknown) {
       throw Error(ErrorKind::usage, path.string() + ": a recording has its own scale and axes",
                   "leave out --scale, --up, --mover-scale and --mover-up");
     }

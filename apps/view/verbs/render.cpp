@@ -208,10 +208,8 @@ void check_frame(std::uint64_t frame, const ViewScene& scene) {
   }
 }
 
-/// Options that change nothing as they were given: refused where a word is missing beside them,
-/// told where they only do nothing here.
-void check_effects(const CLI::App& app, const RenderOptions& options,
-                   const command::Console& console) {
+/// \errors ErrorKind::usage for options that would change nothing beside the others.
+void check_effects(const CLI::App& app, const RenderOptions& options) {
   const auto needs = [&](const char* option, bool there, const char* other) {
     if (app.count(option) > 0 && !there) {
       throw Error(ErrorKind::usage, fmt::format("{} without {} changes nothing", option, other),
@@ -223,21 +221,21 @@ void check_effects(const CLI::App& app, const RenderOptions& options,
   needs("--no-prune", options.walk, "--walk");
   needs("--center", options.camera.subject == CameraChoice::Subject::place,
         "six numbers of --camera");
+  needs("--traversal", options.walk, "--walk");
+  needs("--descent", options.walk, "--walk");
+  if (const std::string given = command::given_of_trees(app); !given.empty()) {
+    needs(given.c_str(), options.walk || options.level, "--level or --walk");
+  }
+  command::check_build(app, options.shown.trees.build);
   command::check_traversal(app, options.shown.trees.traversal);
   if (options.walk && options.shown.trees.traversal.traversal == Traversal::fast) {
     throw Error(ErrorKind::usage, "--walk: --traversal fast visits no boxes of the trees",
                 "choose another traversal, or leave it out");
   }
-  for (const char* const option : {"--traversal", "--descent"}) {
-    if (app.count(option) > 0 && !options.walk) {
-      console.note(fmt::format("{}: the picture shows it with --walk only", option));
-    }
-  }
-  for (const char* const option : {"--rule", "--levels", "--leaf", "--midpoint", "--axis-from",
-                                   "--empty-side", "--root-level", "--c-vertex"}) {
-    if (app.count(option) > 0 && !options.walk && !options.level) {
-      console.note(fmt::format("{}: the picture shows it with --level or --walk only", option));
-    }
+  if (app.count("--no-prune") > 0 &&
+      options.shown.trees.traversal.traversal == Traversal::e_node_front) {
+    throw Error(ErrorKind::usage, "--no-prune: --traversal e-node-front keeps what pruning leaves",
+                "choose another traversal, or leave it out");
   }
 }
 
@@ -328,7 +326,9 @@ command::Action add_render(CLI::App& app, command::Shared&) {
   add_content_options(app, *options);
   app.footer(kFooter);
   return [options, &app](command::Console& console) {
-    check_effects(app, *options, console);
+    check_effects(app, *options);
+    // E-Node's descent, with which the options start, has no effect beside other traversals.
+    options->shown.trees.traversal = without_idle(options->shown.trees.traversal);
     return run_render(*options, console);
   };
 }
@@ -352,8 +352,9 @@ int run_render(const RenderOptions& options, command::Console& console) {
   command::OutputFile file(options.output);
   ViewScene scene = make_scene(options, console);
   if (options.frame > 0 && stands_still(options, scene)) {
-    console.note(
-        fmt::format("--frame {}: nothing moves here; all frames look alike", options.frame));
+    throw Error(ErrorKind::usage,
+                fmt::format("--frame {} has no effect: nothing moves here", options.frame),
+                "leave it out");
   }
   remark_parts(options, scene, console);
   const auto [drawn, camera] = compose(options, scene, console);

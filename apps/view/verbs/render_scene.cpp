@@ -45,6 +45,7 @@ SceneContent placed(command::WorldOptions options, const std::string& pose,
 
 SceneContent load_content(command::WorldOptions options, const std::string& pose,
                           command::Console& console) {
+  command::check_count(options);
   if (pose.empty() && options.cities.size() == 1 && is_recording(options.cities[0])) {
     return load_recording(options.cities[0], options, console);
   }

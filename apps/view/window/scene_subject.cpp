@@ -77,6 +77,7 @@ TreeChoice trees_of(const ViewState& state) {
   trees.build.rule = state.rule;
   trees.traversal.traversal = state.traversal;
   trees.traversal.prune = state.prune;
+  trees.traversal = without_idle(trees.traversal);  // E-Node's descent stays beside no other
   return trees;
 }
 

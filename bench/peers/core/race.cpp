@@ -1,7 +1,5 @@
 #include "bench/peers/core/race.h"
 
-#include "bench/peers/core/machine.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,19 +13,20 @@ constexpr std::size_t kFewestQuestions = 20;
 constexpr double kSlow = 3;  // times the pass of the fastest rival, or the budget
 constexpr int kSlowRounds = 3;
 
-double run(const Lane& lane, std::span<std::uint64_t> answers, std::size_t repeats) {
-  const double start = processor_seconds();
+double run(const Lane& lane, std::span<std::uint64_t> answers, std::size_t repeats,
+           const RaceOptions& options) {
+  const double start = options.clock();
   for (std::size_t i = 0; i < repeats; ++i) {
     lane.run(answers);
   }
-  return (processor_seconds() - start) / static_cast<double>(repeats * answers.size());
+  return (options.clock() - start) / static_cast<double>(repeats * answers.size());
 }
 
 /// Seconds an answer, roughly: the second of two passes over the first questions.
-double rough(const Lane& lane, std::size_t questions) {
+double rough(const Lane& lane, std::size_t questions, const RaceOptions& options) {
   std::vector<std::uint64_t> answers(std::min(questions, kFirstQuestions));
-  run(lane, answers, 1);
-  return std::max(1e-9, run(lane, answers, 1));
+  run(lane, answers, 1, options);
+  return std::max(1e-9, run(lane, answers, 1, options));
 }
 
 std::size_t affordable(double seconds, double each) {
@@ -57,7 +56,7 @@ std::vector<Outcome> race(std::span<const Lane> lanes, std::size_t questions,
                           const RaceOptions& options) {
   std::vector<double> each;
   for (const Lane& lane : lanes) {
-    each.push_back(rough(lane, questions));
+    each.push_back(rough(lane, questions, options));
   }
   const double pace = pace_of(lanes, each);
   const std::size_t common =
@@ -69,8 +68,8 @@ std::vector<Outcome> race(std::span<const Lane> lanes, std::size_t questions,
   for (std::size_t i = 0; i < lanes.size(); ++i) {
     const std::size_t done = std::min(common, affordable(most, each[i]));
     outcomes[i].answers.resize(done);
-    const double pass =
-        run(lanes[i], outcomes[i].answers, 1) * static_cast<double>(std::max<std::size_t>(1, done));
+    const double pass = run(lanes[i], outcomes[i].answers, 1, options) *
+                        static_cast<double>(std::max<std::size_t>(1, done));
     repeats[i] = static_cast<std::size_t>(
         std::ceil(std::clamp(options.least_pass / std::max(pass, 1e-9), 1.0, 1e4)));
   }
@@ -79,7 +78,7 @@ std::vector<Outcome> race(std::span<const Lane> lanes, std::size_t questions,
       const std::size_t i = (k + static_cast<std::size_t>(round)) % lanes.size();
       if (outcomes[i].answers.size() == common || round < kSlowRounds) {
         std::vector<std::uint64_t> again(outcomes[i].answers.size());
-        seconds[i].push_back(run(lanes[i], again, repeats[i]));
+        seconds[i].push_back(run(lanes[i], again, repeats[i], options));
       }
     }
   }

@@ -2,6 +2,8 @@
 /// Fair timing of several contestants on one set of questions.
 #pragma once
 
+#include "bench/peers/core/machine.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -21,6 +23,7 @@ struct RaceOptions {
   int rounds = 7;
   double budget = 0.1;       ///< seconds that one pass of the fastest rival may take
   double least_pass = 0.02;  ///< a pass is repeated until it lasts so many seconds
+  std::function<double()> clock = processor_seconds;  ///< seconds since any moment
 };
 
 /// Seconds an answer over the timed rounds.

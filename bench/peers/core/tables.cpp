@@ -234,7 +234,14 @@ void write_markdown(const std::filesystem::path& path, const std::vector<Cell>& 
   close(out, path);
 }
 
-void print_json(std::ostream& out, const std::vector<Cell>& cells) {
+void print_json(std::ostream& out, const std::vector<Cell>& cells,
+                const std::vector<FrameDoubt>& doubts) {
+  std::string warnings;
+  for (const FrameDoubt doubt : doubts) {
+    warnings += warnings.empty() ? ",\"warnings\":[" : ",";
+    warnings += "{\"kind\":\"" + std::string(name(doubt)) + "\"}";
+  }
+  warnings += warnings.empty() ? "" : "]";
   for (const Cell& cell : cells) {
     for (const Entry& e : cell.entries) {
       const auto reached = ratio(cell, e.contestant);
@@ -245,7 +252,8 @@ void print_json(std::ostream& out, const std::vector<Cell>& cells) {
           << fixed(1e6 * e.timing.least, 4) << R"(,"most_us":)" << fixed(1e6 * e.timing.most, 4)
           << R"(,"build_ms":)" << fixed(1e3 * e.build, 4) << R"(,"bytes_a_triangle":)"
           << fixed(e.bytes, 1) << R"(,"checked":)" << e.verdict.checked << R"(,"wrong":)"
-          << e.verdict.wrong << R"(,"ratio":)" << (reached ? fixed(*reached, 3) : "null") << "}\n";
+          << e.verdict.wrong << R"(,"ratio":)" << (reached ? fixed(*reached, 3) : "null")
+          << warnings << "}\n";
     }
   }
 }

@@ -2,6 +2,8 @@
 /// The results on paper: CSV for machines, Markdown for people, JSON Lines for scripts.
 #pragma once
 
+#include "soms/geometry/frames.h"
+
 #include "bench/peers/core/report.h"
 
 #include <filesystem>
@@ -30,7 +32,8 @@ void write_markdown(const std::filesystem::path& path, const std::vector<Cell>& 
 /// The times of every contestant and what was wrong: what a single comparison shows.
 void print_times(std::ostream& out, const std::vector<Cell>& cells);
 
-/// One object a contestant and cell, schema soms.bench/1.
-void print_json(std::ostream& out, const std::vector<Cell>& cells);
+/// One object a contestant and cell, schema soms.bench/1, each with the doubts about the models.
+void print_json(std::ostream& out, const std::vector<Cell>& cells,
+                const std::vector<FrameDoubt>& doubts = {});
 
 }  // namespace soms::bench

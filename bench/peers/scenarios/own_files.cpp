@@ -1,10 +1,12 @@
 // The user's own two files.
+#include "soms/base/error.h"
 #include "soms/io/read_mesh.h"
 
 #include "bench/peers/scenarios/scene.h"
 #include "bench/peers/scenarios/solids.h"
 
 #include <algorithm>
+#include <string>
 
 namespace soms::bench {
 
@@ -38,12 +40,27 @@ std::vector<Pose> about(const Box& room, std::size_t count, std::uint64_t seed) 
   return poses;
 }
 
+void doubt_frames(Scene& scene, const Mesh& a, const Mesh& b, bool strict) {
+  const char* const remedy = "turn and scale one first: soms convert IN OUT --up AXIS --scale X";
+  scene.doubts = compare_frames(frame_of(a), frame_of(b));
+  std::string all;
+  for (const FrameDoubt doubt : scene.doubts) {
+    const std::string place = explain(doubt, frame_of(a), a.source, frame_of(b), b.source);
+    scene.warnings.push_back(place + "; " + remedy);
+    all += (all.empty() ? "--strict: " : "; ") + place;
+  }
+  if (strict && !all.empty()) {
+    throw Error(ErrorKind::bad_file, all, remedy);
+  }
+}
+
 }  // namespace
 
 Scene own_files_scene(const std::filesystem::path& a, const std::filesystem::path& b,
-                      const std::vector<Pose>& poses, std::size_t random, std::uint64_t seed) {
-  const Mesh mover = read_mesh(a);
-  const Mesh fixed = read_mesh(b);
+                      const std::vector<Pose>& poses, std::size_t random, std::uint64_t seed,
+                      bool strict) {
+  const Mesh mover = read_mesh(a, {.strict = strict});
+  const Mesh fixed = read_mesh(b, {.strict = strict});
   const Box box_a = bounds_of(mover);
   const Box box_b = bounds_of(fixed);
   Scene scene{"own",
@@ -53,6 +70,7 @@ Scene own_files_scene(const std::filesystem::path& a, const std::filesystem::pat
   for (const Pose& pose : poses) {
     scene.sets[0].poses.push_back(about_middles(pose, box_a.center(), box_b.center()));
   }
+  doubt_frames(scene, mover, fixed, strict);
   if (poses.empty()) {
     const Vec3 half_a = 0.5 * box_a.extent();
     const Vec3 half_b = 0.5 * box_b.extent();

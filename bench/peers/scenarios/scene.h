@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/base/random.h"
+#include "soms/geometry/frames.h"
 #include "soms/geometry/mesh.h"
 
 #include "bench/peers/contestants/contestant.h"
@@ -34,6 +35,8 @@ struct Scene {
   FloatMesh fixed;
   std::vector<PoseSet> sets;
   std::vector<CrowdSet> crowds = {};
+  std::vector<FrameDoubt> doubts = {};     ///< of files whose numbers may not mean the same
+  std::vector<std::string> warnings = {};  ///< the same in words
 };
 
 inline constexpr std::size_t kPoses = 1000;
@@ -71,10 +74,12 @@ inline constexpr std::size_t kPoses = 1000;
 [[nodiscard]] Scene crowd_scene(std::uint64_t boxes);
 
 /// `own`: two meshes of files. Both are moved to float coordinates about their middles, which the
-/// poses make up for; without poses, `random` ones that put A anywhere about B's box.
+/// poses make up for; without poses, `random` ones that put A anywhere about B's box. With `strict`
+/// the files are read so, and a doubt about their frames is an error.
+/// \errors As `read_mesh`; ErrorKind::bad_file.
 [[nodiscard]] Scene own_files_scene(const std::filesystem::path& a, const std::filesystem::path& b,
                                     const std::vector<Pose>& poses, std::size_t random,
-                                    std::uint64_t seed);
+                                    std::uint64_t seed, bool strict);
 
 /// Reads a mesh; `middle` is taken off each vertex before it is rounded to floats.
 [[nodiscard]] FloatMesh float_mesh(const Mesh& mesh, const Vec3& middle, double scale = 1);

@@ -328,6 +328,10 @@ void ColladaDocument::tick(pugi::xml_node element) {
   source_.tick(reached_);
 }
 
+std::string ColladaDocument::place_of(pugi::xml_node element) const {
+  return "in " + source_.line_of(offset_of(element));
+}
+
 void ColladaDocument::fail(pugi::xml_node at, const std::string& what, const std::string& remedy,
                            ErrorKind kind) const {
   source_.fail_line(offset_of(at), kind, what, remedy);

@@ -61,6 +61,9 @@ class ColladaDocument {
   /// Takes memory from the budget. \errors ErrorKind::out_of_memory.
   void take(std::uint64_t bytes) const;
 
+  /// "in line 7": where the element is.
+  [[nodiscard]] std::string place_of(pugi::xml_node element) const;
+
   /// Reports that reading has come to this element. \errors ErrorKind::cancelled.
   void tick(pugi::xml_node element);
 

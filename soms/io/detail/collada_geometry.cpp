@@ -42,11 +42,13 @@ class GeometryReader {
 
  private:
   void read_mesh(pugi::xml_node mesh);
+  void leave_out_unknown(pugi::xml_node element);
   void read_faces(pugi::xml_node element, std::string_view name);
   void find_vertices(pugi::xml_node input);
   void read_vertices();
   [[nodiscard]] Accessor read_accessor(pugi::xml_node source, pugi::xml_node element);
   void read_positions(const Accessor& accessor, pugi::xml_node array);
+  void note_surplus(const Accessor& accessor, pugi::xml_node array, std::uint64_t numbers);
   [[nodiscard]] Layout read_layout(pugi::xml_node element);
   void read_corners(pugi::xml_node p, const Layout& layout);
   void read_triangles(pugi::xml_node element, const Layout& layout);
@@ -163,6 +165,21 @@ void GeometryReader::read_positions(const Accessor& accessor, pugi::xml_node arr
                               describe(array) + " holds " +
                               std::to_string(builder_.vertices().size()));
   }
+  note_surplus(accessor, array, index);
+}
+
+/// Of `numbers` in the array, those behind the last vertex and what may fill its row.
+void GeometryReader::note_surplus(const Accessor& accessor, pugi::xml_node array,
+                                  std::uint64_t numbers) {
+  std::uint64_t used = 0;
+  std::uint64_t filling = 0;
+  if (accessor.count > 0) {
+    const std::uint64_t last = *std::max_element(accessor.columns.begin(), accessor.columns.end());
+    used = accessor.offset + (accessor.count - 1) * accessor.stride + last + 1;
+    filling = accessor.stride - 1 - last;
+  }
+  const std::uint64_t left = numbers - std::min(numbers, used);
+  geometry_.surplus.add([&] { return document_.place_of(array); }, left - std::min(left, filling));
 }
 
 /// \errors ErrorKind::bad_file: no VERTEX, two of them, or one that is not of this mesh.
@@ -348,15 +365,26 @@ void GeometryReader::read_faces(pugi::xml_node element, std::string_view name) {
   }
 }
 
+/// An element that may be what faces are called elsewhere; none that says what a file is about.
+void GeometryReader::leave_out_unknown(pugi::xml_node element) {
+  const std::string_view name = element.name();
+  if (element.type() == pugi::node_element && name != "asset" && name != "extra") {
+    geometry_.unknown.add([&] { return document_.place_of(element) + ": " + describe(element); });
+  }
+}
+
 void GeometryReader::read_mesh(pugi::xml_node mesh) {
   mesh_ = mesh;
   for (const pugi::xml_node child : mesh.children()) {
     const std::string_view name = child.name();
     if (name == "lines" || name == "linestrips") {
-      geometry_.lines += std::min(document_.whole_number(child, "count", 1), kMaxPrimitives);
+      geometry_.lines.add([&] { return document_.place_of(child); },
+                          std::min(document_.whole_number(child, "count", 1), kMaxPrimitives));
     } else if (name == "triangles" || name == "polylist" || name == "polygons" ||
                name == "tristrips" || name == "trifans") {
       read_faces(child, name);
+    } else if (name != "source" && name != "vertices") {
+      leave_out_unknown(child);
     }
   }
 }
@@ -370,7 +398,9 @@ ColladaGeometry GeometryReader::read(pugi::xml_node geometry) {
       }
       read_mesh(child);
     } else if (name == "spline" || name == "brep" || name == "convex_mesh") {
-      ++geometry_.curved;
+      geometry_.curved.add([&] { return document_.place_of(child); });
+    } else {
+      leave_out_unknown(child);
     }
   }
   geometry_.faces = builder_.face_count();

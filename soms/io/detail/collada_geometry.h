@@ -4,16 +4,19 @@
 
 #include "soms/geometry/mesh.h"
 #include "soms/io/detail/collada_document.h"
+#include "soms/io/detail/left_out.h"
 
 #include <cstdint>
 
 namespace soms::detail {
 
 struct ColladaGeometry {
-  Mesh mesh;                 ///< vertices as stored; no parts
-  std::uint32_t faces = 0;   ///< faces of the file, those without triangles too
-  std::uint64_t lines = 0;   ///< lines and strips of lines, which are not read
-  std::uint64_t curved = 0;  ///< splines, curved surfaces and hulls, which are not read
+  Mesh mesh;                ///< vertices as stored; no parts
+  std::uint32_t faces = 0;  ///< faces of the file, those without triangles too
+  LeftOut lines;            ///< lines and strips of lines
+  LeftOut curved;           ///< splines, curved surfaces and hulls
+  LeftOut unknown;          ///< elements that COLLADA does not have there
+  LeftOut surplus;          ///< numbers of positions that no vertex has
 };
 
 /// Reads an element <geometry>: triangles, polylists, polygons, strips and fans.

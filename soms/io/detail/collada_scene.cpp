@@ -4,6 +4,8 @@
 #include "soms/io/detail/collada_transform.h"
 #include "soms/io/detail/text.h"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <map>
 #include <set>
@@ -24,9 +26,11 @@ constexpr std::uint64_t kBytesOfSetEntry = 64;
 
 /// What is counted and told in the notes of the mesh.
 struct Untold {
-  std::uint64_t lines = 0;
-  std::uint64_t curved = 0;
-  std::uint64_t thin = 0;
+  LeftOut lines;
+  LeftOut curved;
+  LeftOut thin;
+  LeftOut unknown;
+  LeftOut surplus;
   std::uint64_t skins = 0;
   std::uint64_t morphs = 0;
   bool nested_asset = false;
@@ -70,6 +74,14 @@ class SceneReader {
   Untold untold_;
   std::uint64_t elements_ = 0;
 };
+
+/// Elements of a node or a scene that are read elsewhere, or show no surface.
+bool is_known_in_node(std::string_view name) {
+  constexpr std::array<std::string_view, 11> kKnown = {
+      "asset",  "extra", "evaluate_scene", "instance_camera", "instance_light", "lookat", "matrix",
+      "rotate", "scale", "skew",           "translate"};
+  return std::find(kKnown.begin(), kKnown.end(), name) != kKnown.end();
+}
 
 bool shows_several(pugi::xml_node node) {
   std::size_t shown = 0;
@@ -166,9 +178,12 @@ const ColladaGeometry& SceneReader::geometry_of(pugi::xml_node element) {
   document_.take(2 * sizeof(ColladaGeometry));
   note_asset(element);
   ColladaGeometry geometry = read_geometry(document_, element);
-  untold_.lines += geometry.lines;
-  untold_.curved += geometry.curved;
-  untold_.thin += geometry.faces - faces_with_triangles(geometry.mesh);
+  untold_.lines.add(geometry.lines);
+  untold_.curved.add(geometry.curved);
+  untold_.unknown.add(geometry.unknown);
+  untold_.surplus.add(geometry.surplus);
+  untold_.thin.add([&] { return document_.place_of(element); },
+                   geometry.faces - faces_with_triangles(geometry.mesh));
   return geometries_.emplace(element.internal_object(), std::move(geometry)).first->second;
 }
 
@@ -252,6 +267,8 @@ void SceneReader::look_at(pugi::xml_node element) {
     show(document_.referred(element, "url", "geometry"), stack_.back().transform, element);
   } else if (name == "instance_controller") {
     show_controller(element);
+  } else if (element.type() == pugi::node_element && !is_known_in_node(name)) {
+    untold_.unknown.add([&] { return document_.place_of(element) + ": " + describe(element); });
   }
 }
 
@@ -284,9 +301,11 @@ void SceneReader::write_notes() {
       builder_.note(what + std::to_string(count));
     }
   };
-  tell(untold_.thin, "faces with fewer than three corners, which gave no triangle: ");
-  tell(untold_.lines, "lines, which are not triangles: ");
-  tell(untold_.curved, "splines, curved surfaces and hulls, which are not read: ");
+  builder_.note(untold_.thin, kThinFaces);
+  builder_.note(untold_.lines, "lines, which are not triangles");
+  builder_.note(untold_.curved, "splines, curved surfaces and hulls, not read");
+  builder_.note(untold_.unknown, "unknown elements, not read");
+  builder_.note(untold_.surplus, "surplus numbers after the last position");
   tell(untold_.skins, "skins shown in the shape they were bound in: ");
   tell(untold_.morphs, "morphs shown in their base shape: ");
   tell(

@@ -6,6 +6,7 @@
 #include "soms/io/detail/gltf_json.h"
 #include "soms/io/detail/gltf_meshes.h"
 #include "soms/io/detail/gltf_scene.h"
+#include "soms/io/detail/left_out.h"
 #include "soms/io/detail/little_endian.h"
 #include "soms/io/detail/mesh_builder.h"
 #include "soms/io/detail/text.h"
@@ -96,7 +97,9 @@ void set_unit_and_up(const JsonValue& root, Mesh& mesh) {
 
 class GltfReader {
  public:
-  GltfReader(Source& source, const JsonDocument& document, std::optional<std::string_view> chunk)
+  /// `notes`: what was left out around the document.
+  GltfReader(Source& source, const JsonDocument& document, std::optional<std::string_view> chunk,
+             std::vector<std::string> notes)
       : source_(source),
         root_(document.root()),
         buffers_(source, chunk),
@@ -104,7 +107,8 @@ class GltfReader {
                    lists(root_, "extensionsUsed", "KHR_mesh_quantization") ||
                        lists(root_, "extensionsRequired", "KHR_mesh_quantization")),
         meshes_(source, accessors_),
-        builder_(source) {}
+        builder_(source),
+        notes_(std::move(notes)) {}
 
   Mesh read();
 
@@ -117,7 +121,7 @@ class GltfReader {
   void add_triangles(const GltfPrimitive& primitive, const GltfMesh& mesh, std::uint32_t first,
                      bool turned);
   void tick(std::uint64_t items);
-  void add_notes(std::vector<std::string> notes);
+  void add_notes();
 
   Source& source_;
   JsonValue root_;
@@ -128,7 +132,8 @@ class GltfReader {
   std::vector<std::uint32_t> first_;  ///< vertices of a mesh's positions, for one node
   std::uint64_t items_ = 0;           ///< vertices and triangles of the whole scene
   std::uint64_t done_ = 0;
-  std::uint64_t skinned_ = 0;
+  LeftOut skinned_;
+  std::vector<std::string> notes_;
 };
 
 void GltfReader::tick(std::uint64_t items) {
@@ -155,7 +160,9 @@ void GltfReader::reserve(const std::vector<PlacedNode>& nodes) {
     if (extensions && extensions->find("EXT_mesh_gpu_instancing")) {
       refuse_extension(node.json, "EXT_mesh_gpu_instancing");
     }
-    skinned_ += node.json.find("skin") ? 1U : 0U;
+    if (node.json.find("skin")) {
+      skinned_.add([&] { return "in " + node.json.path(); });
+    }
     vertices += mesh->vertices;
     triangles += mesh->triangles;
     if (vertices > kMaxPrimitives || triangles > kMaxPrimitives) {
@@ -283,31 +290,35 @@ bool GltfReader::add_node(const PlacedNode& node) {
   return true;
 }
 
-void GltfReader::add_notes(std::vector<std::string> notes) {
+void GltfReader::add_notes() {
   const auto length_of = [&](std::string_view list) {
     const std::optional<JsonValue> items = root_.find(list);
     return items ? items->size() : std::size_t{0};
   };
-  const auto note = [&](std::uint64_t count, const char* what) {
-    if (count > 0) {
-      notes.push_back(what + std::to_string(count));
-    }
-  };
-  note(length_of("meshes") - meshes_.count(), "meshes that no node of the scene has: ");
-  meshes_.add_notes(notes);
-  note(skinned_,
-       "skins shown in the shape they were bound in, which joints and nodes do not move: ");
-  note(length_of("animations"), "animations, which are not applied: ");
-  for (std::string& text : notes) {
+  LeftOut unused;
+  const std::size_t meshes = length_of("meshes");
+  std::size_t first = 0;
+  while (first < meshes && meshes_.has(first)) {
+    ++first;
+  }
+  unused.add([&] { return "at meshes[" + std::to_string(first) + "]"; }, meshes - meshes_.count());
+  meshes_.add_notes(notes_);
+  for (std::string& text : notes_) {
     builder_.note(std::move(text));
+  }
+  builder_.note(unused, "meshes that no node of the scene has");
+  builder_.note(skinned_,
+                "skins shown in the shape they were bound in, which joints and nodes do not move");
+  builder_.note(buffers_.surplus(), "surplus bytes after the stated length of a buffer");
+  if (const std::size_t animations = length_of("animations"); animations > 0) {
+    builder_.note("animations, which are not applied: " + std::to_string(animations));
   }
 }
 
 Mesh GltfReader::read() {
   check_version(root_);
   check_extensions(root_);
-  std::vector<std::string> notes;
-  const std::vector<PlacedNode> nodes = place_nodes(source_, root_, notes);
+  const std::vector<PlacedNode> nodes = place_nodes(source_, root_, notes_);
   reserve(nodes);
   std::vector<bool> is_part;  // of the nodes that are open
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -321,7 +332,7 @@ Mesh GltfReader::read() {
     }
     is_part.push_back(add_node(nodes[i]));
   }
-  add_notes(std::move(notes));
+  add_notes();
   Mesh mesh = builder_.finish();
   // One part without a name says nothing.
   if (mesh.parts.size() == 1 && mesh.parts.front().name.empty()) {
@@ -336,6 +347,8 @@ struct Chunks {
   std::string_view json;
   std::size_t json_at = 0;
   std::optional<std::string_view> binary;
+  LeftOut others;   ///< chunks beside the first two
+  LeftOut surplus;  ///< bytes behind the last chunk
 };
 
 Chunks chunks_of(const Source& source) {
@@ -372,9 +385,12 @@ Chunks chunks_of(const Source& source) {
       chunks.json_at = at + glb::kChunkHeader;
     } else if (type == glb::kBinary && !chunks.binary) {
       chunks.binary = inside;
+    } else {
+      chunks.others.add([&] { return "at " + source.byte_of(at); });
     }
     at += glb::kChunkHeader + inside.size();
   }
+  chunks.surplus.add([&] { return "at " + source.byte_of(end); }, bytes.size() - end);
   // Blanks should fill the chunk; some programs write zeros.
   chunks.json = chunks.json.substr(0, chunks.json.find_last_not_of('\0') + 1);
   return chunks;
@@ -394,13 +410,16 @@ bool is_gltf(std::string_view bytes) {
 
 Mesh read_gltf(Source& source) {
   const JsonDocument document(source, source.bytes, 0, false);
-  return GltfReader(source, document, std::nullopt).read();
+  return GltfReader(source, document, std::nullopt, {}).read();
 }
 
 Mesh read_glb(Source& source) {
   const Chunks chunks = chunks_of(source);
   const JsonDocument document(source, chunks.json, chunks.json_at, true);
-  return GltfReader(source, document, chunks.binary).read();
+  std::vector<std::string> notes;
+  add_note(notes, chunks.others, "chunks other than JSON and BIN, not read");
+  add_note(notes, chunks.surplus, "surplus bytes after the stated length of the file");
+  return GltfReader(source, document, chunks.binary, std::move(notes)).read();
 }
 
 }  // namespace soms::detail

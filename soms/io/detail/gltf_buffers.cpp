@@ -189,6 +189,11 @@ std::string_view GltfBuffers::load(const JsonValue& buffer, bool is_first) {
         .fail(std::to_string(length) + " bytes are stated, " + std::to_string(bytes.size()) +
               " are there");
   }
+  // Up to three bytes fill a chunk; a file beside the model may hold the bytes of others, too.
+  constexpr std::uint64_t kMostPadding = 3;
+  if (bytes.size() - length > kMostPadding && (!uri || is_data(uri->text()))) {
+    surplus_.add([&] { return "in " + buffer.path(); }, bytes.size() - length);
+  }
   return bytes.substr(0, static_cast<std::size_t>(length));
 }
 

@@ -4,6 +4,7 @@
 
 #include "soms/io/detail/file.h"
 #include "soms/io/detail/gltf_json.h"
+#include "soms/io/detail/left_out.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -37,6 +38,9 @@ class GltfBuffers {
   /// \errors ErrorKind::bad_file, cannot_open, unsupported, out_of_memory, cancelled.
   [[nodiscard]] GltfView view(const JsonValue& reference);
 
+  /// Bytes of the model's own file that stand behind those that a buffer states.
+  [[nodiscard]] const LeftOut& surplus() const { return surplus_; }
+
  private:
   [[nodiscard]] std::string_view load(const JsonValue& buffer, bool is_first);
   [[nodiscard]] std::string_view decode(const JsonValue& uri);
@@ -50,6 +54,7 @@ class GltfBuffers {
   /// Files by what they are: many buffers, names and links may mean one, which is read once.
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::string_view> files_;
   std::vector<std::unique_ptr<char[]>> memory_;
+  LeftOut surplus_;
 };
 
 }  // namespace soms::detail

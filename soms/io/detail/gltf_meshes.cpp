@@ -46,9 +46,10 @@ void GltfMeshes::add_primitive(GltfMesh& mesh, const JsonValue& json) {
   if (mode > static_cast<std::uint64_t>(GltfMode::fan)) {
     stated->fail(std::to_string(mode) + " is no mode; 0 to 6 are");
   }
+  const auto place = [&] { return "in " + json.path(); };
   const std::optional<JsonValue> reference = json.at("attributes").find("POSITION");
   if (mode <= kLastOfPointsAndLines || !reference) {
-    ++(mode <= kLastOfPointsAndLines ? points_and_lines_ : without_positions_);
+    (mode <= kLastOfPointsAndLines ? points_and_lines_ : without_positions_).add(place);
     return;
   }
   constexpr std::uint64_t kBytesPerPrimitive = 3 * sizeof(GltfPrimitive) + 64;
@@ -73,7 +74,9 @@ void GltfMeshes::add_primitive(GltfMesh& mesh, const JsonValue& json) {
       triangles_of(json, primitive.mode,
                    primitive.indices != nullptr ? primitive.indices->count : positions.count);
   mesh.triangles += primitive.triangles;
-  morphed_ += json.find("targets") ? 1U : 0U;
+  if (json.find("targets")) {
+    morphed_.add(place);
+  }
   mesh.primitives.push_back(primitive);
 }
 
@@ -94,14 +97,9 @@ const GltfMesh& GltfMeshes::mesh(const JsonValue& reference) {
 }
 
 void GltfMeshes::add_notes(std::vector<std::string>& notes) const {
-  const auto note = [&](std::uint64_t count, const char* what) {
-    if (count > 0) {
-      notes.push_back(what + std::to_string(count));
-    }
-  };
-  note(points_and_lines_, "primitives of points or lines, which were not read: ");
-  note(without_positions_, "primitives without positions, which were not read: ");
-  note(morphed_, "primitives with morph targets, which are not applied: ");
+  add_note(notes, points_and_lines_, "primitives of points or lines, which are not triangles");
+  add_note(notes, without_positions_, "primitives without positions, not read");
+  add_note(notes, morphed_, "primitives with morph targets, which are not applied");
 }
 
 }  // namespace soms::detail

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/io/detail/gltf_accessor.h"
+#include "soms/io/detail/left_out.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -44,6 +45,9 @@ class GltfMeshes {
   /// Meshes that were asked for.
   [[nodiscard]] std::size_t count() const { return loaded_.size(); }
 
+  /// True if this mesh of the document was asked for.
+  [[nodiscard]] bool has(std::uint64_t number) const { return loaded_.count(number) > 0; }
+
   /// What was passed over in them.
   void add_notes(std::vector<std::string>& notes) const;
 
@@ -54,9 +58,9 @@ class GltfMeshes {
   GltfAccessors& accessors_;
   std::unordered_map<std::uint64_t, GltfMesh> loaded_;
   std::unordered_map<const GltfAccessor*, std::size_t> numbers_;  ///< of one mesh's positions
-  std::uint64_t points_and_lines_ = 0;
-  std::uint64_t without_positions_ = 0;
-  std::uint64_t morphed_ = 0;
+  LeftOut points_and_lines_;
+  LeftOut without_positions_;
+  LeftOut morphed_;
 };
 
 }  // namespace soms::detail

@@ -37,7 +37,7 @@ void MeshBuilder::add_face(std::span<const std::uint32_t> corners) {
     if (face_ >= kMaxPrimitives) {
       source_.fail(ErrorKind::out_of_range, "more than 2^31 - 1 faces", "split the model");
     }
-    ++thin_faces_;
+    thin_faces_.add([&] { return "at face " + std::to_string(face_); });
     ++face_;
     return;
   }
@@ -86,6 +86,12 @@ void MeshBuilder::note(std::string text) {
   mesh_.notes.push_back(std::move(text));
 }
 
+void MeshBuilder::note(const LeftOut& left_out, std::string_view what) {
+  if (left_out.count() > 0) {
+    note(left_out.note(what));
+  }
+}
+
 void MeshBuilder::open_part(std::string_view name) {
   // A file may name a part once and show it a million times. What the names of parts without
   // triangles took is not given back: copying them takes time, which the memory's limit bounds.
@@ -122,13 +128,11 @@ Mesh MeshBuilder::finish() {
   while (!open_parts_.empty()) {
     close_part();
   }
-  if (thin_faces_ > 0) {
-    note("faces with fewer than three corners, which gave no triangle: " +
-         std::to_string(thin_faces_));
-  }
+  note(thin_faces_, kThinFaces);
   if (mesh_.triangles.empty() && !source_.allow_empty) {
     source_.fail(ErrorKind::empty_mesh,
-                 "no triangles (" + std::to_string(mesh_.vertices.size()) + " vertices)",
+                 "no triangles (" + std::to_string(mesh_.vertices.size()) + " vertices" +
+                     (mesh_.notes.empty() ? "" : "; " + joined(mesh_.notes)) + ")",
                  "give a model with faces, or allow an empty one (allow_empty, --allow-empty)");
   }
   mesh_.source = source_.name;

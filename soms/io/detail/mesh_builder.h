@@ -4,15 +4,21 @@
 
 #include "soms/geometry/mesh.h"
 #include "soms/geometry/polygon.h"
+#include "soms/io/detail/left_out.h"
 #include "soms/io/detail/source.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace soms::detail {
+
+/// Note of faces that give no triangle.
+inline constexpr std::string_view kThinFaces =
+    "faces with fewer than three corners, which gave no triangle";
 
 /// Collects vertices, faces and parts. Indices are checked by the reader, which knows the place.
 class MeshBuilder {
@@ -58,6 +64,9 @@ class MeshBuilder {
 
   /// Adds to the mesh's notes. \errors ErrorKind::out_of_memory.
   void note(std::string text);
+
+  /// The note of what was left out, if there is any. \errors ErrorKind::out_of_memory.
+  void note(const LeftOut& left_out, std::string_view what);
 
   [[nodiscard]] const std::vector<Vec3>& vertices() const { return mesh_.vertices; }
 
@@ -112,7 +121,7 @@ class MeshBuilder {
   std::vector<Vec3> corners_;
   std::vector<std::uint32_t> open_parts_;  ///< from the outermost to the innermost
   std::uint32_t face_ = 0;
-  std::uint64_t thin_faces_ = 0;
+  LeftOut thin_faces_;
   bool mapped_ = false;
 };
 

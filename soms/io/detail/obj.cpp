@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace soms::detail {
@@ -15,10 +18,46 @@ namespace {
 
 constexpr TextStyle kStyle{.comments = true, .continued = true};
 
-/// Words that a file without vertices may begin lines with, if it is OBJ at all.
-constexpr auto kWords = std::to_array<std::string_view>(
-    {"vt",     "vn",     "vp",     "f",      "fo",  "l",    "p",   "g",      "o",   "s",  "mg",
-     "mtllib", "usemtl", "maplib", "usemap", "lod", "call", "csh", "cstype", "deg", "end"});
+/// What a reader of triangles makes of a line.
+enum class ObjLine : std::uint8_t {
+  vertex,
+  face,
+  name,
+  passed,     ///< nothing of the surface: normals, materials, how curves are to be drawn
+  thin,       ///< lines and points
+  free_form,  ///< curves and surfaces, those of the older form too
+  called,     ///< what another file or program would give
+  unknown,
+};
+
+struct ObjKeyword {
+  std::string_view word;
+  ObjLine line = ObjLine::unknown;
+};
+
+/// Words that begin lines, the frequent ones first.
+constexpr auto kObjKeywords = std::to_array<ObjKeyword>(
+    {{"v", ObjLine::vertex},         {"f", ObjLine::face},          {"vn", ObjLine::passed},
+     {"vt", ObjLine::passed},        {"s", ObjLine::passed},        {"g", ObjLine::name},
+     {"usemtl", ObjLine::passed},    {"o", ObjLine::name},          {"l", ObjLine::thin},
+     {"p", ObjLine::thin},           {"fo", ObjLine::face},         {"mtllib", ObjLine::passed},
+     {"vp", ObjLine::passed},        {"mg", ObjLine::passed},       {"bevel", ObjLine::passed},
+     {"c_interp", ObjLine::passed},  {"d_interp", ObjLine::passed}, {"lod", ObjLine::passed},
+     {"maplib", ObjLine::passed},    {"usemap", ObjLine::passed},   {"shadow_obj", ObjLine::passed},
+     {"trace_obj", ObjLine::passed}, {"ctech", ObjLine::passed},    {"stech", ObjLine::passed},
+     {"cstype", ObjLine::passed},    {"deg", ObjLine::passed},      {"bmat", ObjLine::passed},
+     {"step", ObjLine::passed},      {"parm", ObjLine::passed},     {"trim", ObjLine::passed},
+     {"hole", ObjLine::passed},      {"scrv", ObjLine::passed},     {"sp", ObjLine::passed},
+     {"con", ObjLine::passed},       {"end", ObjLine::passed},      {"cdc", ObjLine::free_form},
+     {"curv", ObjLine::free_form},   {"curv2", ObjLine::free_form}, {"surf", ObjLine::free_form},
+     {"bsp", ObjLine::free_form},    {"bzp", ObjLine::free_form},   {"cdp", ObjLine::free_form},
+     {"res", ObjLine::passed},       {"call", ObjLine::called},     {"csh", ObjLine::called}});
+
+ObjLine obj_line_of(std::string_view word) {
+  const auto* const found = std::find_if(kObjKeywords.begin(), kObjKeywords.end(),
+                                         [&](const ObjKeyword& k) { return k.word == word; });
+  return found == kObjKeywords.end() ? ObjLine::unknown : found->line;
+}
 
 /// Two passes: all vertices, then all faces, which may name any vertex.
 class ObjReader {
@@ -31,11 +70,18 @@ class ObjReader {
   void read_vertices();
   void read_faces();
   void check_words();
+  void read_vertex(TextScanner& scanner);
   void read_face(TextScanner& scanner, std::int64_t vertices_so_far);
+  void leave_out(ObjLine kind, std::size_t begin, std::string_view word);
 
   Source& source_;
   MeshBuilder builder_;
   std::vector<std::uint32_t> corners_;
+  LeftOut long_vertices_;
+  LeftOut thin_;
+  LeftOut free_form_;
+  LeftOut called_;
+  LeftOut unknown_;
 };
 
 /// OBJ counts from 1, and from the vertex before the face where numbers are negative.
@@ -57,9 +103,24 @@ void ObjReader::read_vertices() {
       source_.tick(scanner.position() / 2);
     }
     if (scanner.word_in_line() == "v") {
-      builder_.add_vertex(scanner.vertex(Precision::as_double));
+      read_vertex(scanner);
     }
     scanner.skip_line();
+  }
+}
+
+/// Behind z a weight or a color may stand, or both, with or without opacity.
+void ObjReader::read_vertex(TextScanner& scanner) {
+  constexpr std::size_t kMostBehind = 5;
+  constexpr std::size_t kNeither = 2;
+  builder_.add_vertex(scanner.vertex(Precision::as_double));
+  const std::size_t begin = scanner.position();
+  std::size_t words = 0;
+  for (; !scanner.at_line_end(); ++words) {
+    static_cast<void>(scanner.word_in_line());
+  }
+  if (words == kNeither || words > kMostBehind) {
+    long_vertices_.add([&] { return "in " + source_.line_of(begin); });
   }
 }
 
@@ -81,34 +142,44 @@ void ObjReader::read_face(TextScanner& scanner, std::int64_t vertices_so_far) {
 void ObjReader::read_faces() {
   TextScanner scanner(source_, 0, kStyle);
   std::int64_t vertices_so_far = 0;
-  std::uint64_t curves = 0;
-  std::uint64_t surfaces = 0;
   for (std::uint64_t line = 0; scanner.find_line(); ++line) {
     if (line % kRowsPerTick == 0) {
       source_.tick((source_.bytes.size() + scanner.position()) / 2);
       source_.forget(scanner.position());
     }
+    const std::size_t begin = scanner.position();
     const std::string_view keyword = scanner.word_in_line();
-    if (keyword == "v") {
+    const ObjLine kind = obj_line_of(keyword);
+    if (kind == ObjLine::vertex) {
       ++vertices_so_far;
-    } else if (keyword == "f" || keyword == "fo") {
+    } else if (kind == ObjLine::face) {
       read_face(scanner, vertices_so_far);
-    } else if (keyword == "g" || keyword == "o") {
+    } else if (kind == ObjLine::name) {
       TextScanner name = scanner;  // what ends the line is for skip_line, as in the first pass
       builder_.begin_part(name.rest_of_line());
-    } else if (keyword == "l" || keyword == "p") {
-      ++curves;
-    } else if (keyword == "curv" || keyword == "curv2" || keyword == "surf") {
-      ++surfaces;
+    } else if (kind != ObjLine::passed) {
+      leave_out(kind, begin, keyword);
     }
     scanner.skip_line();
   }
-  if (curves > 0) {
-    builder_.note("lines and points, which are not triangles: " + std::to_string(curves));
-  }
-  if (surfaces > 0) {
-    builder_.note("free-form curves and surfaces, which are not read: " + std::to_string(surfaces));
-  }
+  builder_.note(long_vertices_,
+                "vertices with values after z that are neither a weight nor a color");
+  builder_.note(thin_, "lines and points, which are not triangles");
+  builder_.note(free_form_, "free-form curves and surfaces, not read");
+  builder_.note(called_, "calls of other files or programs, not followed");
+  builder_.note(unknown_, "lines that start with an unknown keyword, not read");
+}
+
+void ObjReader::leave_out(ObjLine kind, std::size_t begin, std::string_view word) {
+  LeftOut& left_out = kind == ObjLine::thin        ? thin_
+                      : kind == ObjLine::free_form ? free_form_
+                      : kind == ObjLine::called    ? called_
+                                                   : unknown_;
+  left_out.add([&] {
+    const std::string line = "in " + source_.line_of(begin);
+    return kind == ObjLine::thin || kind == ObjLine::free_form ? line
+                                                               : line + ": " + in_quotes(word);
+  });
 }
 
 /// Of a file without vertices: throws where no line begins with a word of the format.
@@ -119,8 +190,7 @@ void ObjReader::check_words() {
     if (lines % kRowsPerTick == 0) {
       check_stop(source_.parallel);
     }
-    const std::string_view word = scanner.word_in_line();
-    if (std::find(kWords.begin(), kWords.end(), word) != kWords.end()) {
+    if (obj_line_of(scanner.word_in_line()) != ObjLine::unknown) {
       return;
     }
     scanner.skip_line();

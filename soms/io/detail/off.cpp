@@ -35,12 +35,26 @@ class OffReader {
   void read_vertices(std::uint64_t count);
   void read_faces(std::uint64_t count);
   void read_face();
+  std::size_t pass_words();
+  void refuse_behind_counts();
+  void refuse_more();
 
   Source& source_;
   TextScanner scanner_;
   MeshBuilder builder_;
   std::vector<std::uint32_t> corners_;
+  std::size_t most_behind_vertex_ =
+      0;  ///< words behind z that the first word of the file announces
+  LeftOut long_vertices_;
+  LeftOut long_faces_;
+  LeftOut color_indices_;
 };
+
+/// Numbers behind x, y and z: a normal, a color with or without opacity, two texture coordinates.
+std::size_t most_behind_vertex(std::string_view magic) {
+  const auto has = [&](char letter) { return magic.find(letter) != std::string_view::npos; };
+  return (has('N') ? 3U : 0U) + (has('C') ? 4U : 0U) + (has('S') ? 2U : 0U);
+}
 
 void OffReader::find_row(const char* what) {
   if (!scanner_.find_line()) {
@@ -66,6 +80,7 @@ void OffReader::read_magic() {
     before.fail(ErrorKind::unsupported, in_quotes(magic) + " has more than three dimensions",
                 "give a file with x, y and z");
   }
+  most_behind_vertex_ = most_behind_vertex(magic);
   const TextScanner behind = scanner_;
   if (!scanner_.at_line_end() && scanner_.word_in_line() == "BINARY") {
     before.fail(ErrorKind::unsupported, "binary OFF is not read", "convert it to text or to PLY");
@@ -86,6 +101,15 @@ std::uint64_t OffReader::read_count(const char* what) {
   return static_cast<std::uint64_t>(count);
 }
 
+/// Passes the words up to the end of the line or a comment; how many there are.
+std::size_t OffReader::pass_words() {
+  std::size_t words = 0;
+  for (; !scanner_.at_line_end(); ++words) {
+    static_cast<void>(scanner_.word_in_line());
+  }
+  return words;
+}
+
 void OffReader::read_vertices(std::uint64_t count) {
   // "0 0 0" and a line end.
   builder_.reserve_vertices(std::min<std::uint64_t>(count, scanner_.left() / 6 + 1));
@@ -95,12 +119,19 @@ void OffReader::read_vertices(std::uint64_t count) {
       source_.forget(scanner_.position());
     }
     find_row("a vertex");
+    const std::size_t begin = scanner_.position();
     builder_.add_vertex(scanner_.vertex(Precision::as_double));
+    if (pass_words() > most_behind_vertex_) {
+      long_vertices_.add([&] { return "in " + source_.line_of(begin); });
+    }
     scanner_.skip_line();
   }
 }
 
+/// A row of a face. Behind its corners a color may stand: three or four numbers, or one, the place
+/// of the color in a list that nobody has, which a corner too many looks like.
 void OffReader::read_face() {
+  constexpr std::size_t kMostOfColor = 4;
   const TextScanner before = scanner_;
   const std::int64_t length = scanner_.integer("the number of corners");
   if (length < 0 || static_cast<std::uint64_t>(length) > (scanner_.left() + 1) / 2) {
@@ -120,6 +151,13 @@ void OffReader::read_face() {
     corners_.push_back(static_cast<std::uint32_t>(corner));
   }
   builder_.add_face(corners_);
+  const std::size_t words = pass_words();
+  const auto place = [&] { return "in " + source_.line_of(before.position()); };
+  if (words == 1) {
+    color_indices_.add(place);
+  } else if (words == 2 || words > kMostOfColor) {
+    long_faces_.add(place);
+  }
 }
 
 void OffReader::read_faces(std::uint64_t count) {
@@ -136,14 +174,42 @@ void OffReader::read_faces(std::uint64_t count) {
   }
 }
 
+/// Behind the counts of vertices and faces that of edges may stand, which nobody needs.
+void OffReader::refuse_behind_counts() {
+  if (!scanner_.at_line_end()) {
+    static_cast<void>(scanner_.word_in_line());
+  }
+  if (!scanner_.at_line_end()) {
+    const TextScanner before = scanner_;
+    before.fail(ErrorKind::bad_file, in_quotes(scanner_.word_in_line()) + " follows the counts",
+                "put the first vertex on a line of its own");
+  }
+}
+
+/// Rows behind those that were counted contradict the counts.
+void OffReader::refuse_more() {
+  if (scanner_.find_line()) {
+    const TextScanner before = scanner_;
+    before.fail(ErrorKind::bad_file,
+                in_quotes(scanner_.word_in_line()) + " follows the last declared face",
+                "correct the counts, or delete the surplus");
+  }
+}
+
 Mesh OffReader::read() {
   read_magic();
   find_row("the counts");
   const std::uint64_t vertices = read_count("the number of vertices");
   const std::uint64_t faces = read_count("the number of faces");
+  refuse_behind_counts();
   scanner_.skip_line();
   read_vertices(vertices);
   read_faces(faces);
+  refuse_more();
+  builder_.note(long_vertices_,
+                "vertex rows with more values after z than the first word of the file announces");
+  builder_.note(color_indices_, "face rows with one value after their corners, taken for a color");
+  builder_.note(long_faces_, "face rows with values after their corners that are no color");
   return builder_.finish();
 }
 

@@ -73,10 +73,15 @@ void read_corners(const Source& source, PlyBody& body, const PlyElement& element
   }
 }
 
+/// True if the rows of an element that is passed may stand for something that is seen: edges, say.
+bool may_be_seen(const PlyElement& element) {
+  return element.name != "camera" && element.name != "material" && !element.properties.empty();
+}
+
 }  // namespace
 
 void PlyBody::read_strips(const PlyElement& element, std::size_t column) {
-  check_count(element);
+  begin_element(element);
   for (std::uint64_t row = 0; row < element.count; ++row) {
     source_.tick(position());
     read_row(element, column, -1);
@@ -102,6 +107,7 @@ Mesh read_ply(Source& source) {
                                             ? make_ply_text(source, builder, header)
                                             : make_ply_binary(source, builder, header);
   bool have_vertices = false;
+  LeftOut others;
   // Faces before the vertices are passed, and read in order once the vertices are known.
   std::vector<std::pair<const PlyElement*, std::size_t>> early;
   for (const PlyElement& element : header.elements) {
@@ -110,6 +116,9 @@ Mesh read_ply(Source& source) {
       have_vertices = true;
     } else if ((&element != faces && &element != strips) || element.count == 0) {
       body->skip(element);
+      if (may_be_seen(element)) {
+        others.add([&] { return "of element " + in_quotes(element.name); }, element.count);
+      }
     } else if (have_vertices && early.empty()) {
       read_corners(source, *body, element);
     } else {
@@ -118,6 +127,8 @@ Mesh read_ply(Source& source) {
       body->skip(element);
     }
   }
+  body->finish();
+  builder.note(others, "rows of elements other than vertex, face and tristrips, not read");
   for (const auto& [element, position] : early) {
     body->go_to(position);
     read_corners(source, *body, *element);

@@ -39,10 +39,12 @@ class PlyBody {
   virtual void read_faces(const PlyElement& element, std::size_t column) = 0;
   /// Triangle strips, parted by -1, in the list in `column`.
   void read_strips(const PlyElement& element, std::size_t column);
+  /// Behind the last element: refuses or notes what the header does not declare.
+  virtual void finish() = 0;
 
  protected:
-  /// Fails unless the element's rows, at their least, fit into what is left.
-  virtual void check_count(const PlyElement& element) const = 0;
+  /// Before an element's first row: fails unless its rows, at their least, fit into what is left.
+  virtual void begin_element(const PlyElement& element) = 0;
   /// Reads a row; `corners_` becomes its list in `column`: vertex numbers, each at least `least`.
   virtual void read_row(const PlyElement& element, std::size_t column, std::int64_t least) = 0;
 

@@ -85,6 +85,7 @@ class PlyBinary final : public PlyBody {
   void skip(const PlyElement& element) override;
   void read_vertices(const PlyElement& element, const VertexColumns& columns) override;
   void read_faces(const PlyElement& element, std::size_t column) override;
+  void finish() override;
 
  private:
   [[noreturn]] void fail(std::size_t at, const std::string& what) const {
@@ -95,7 +96,7 @@ class PlyBinary final : public PlyBody {
 
   [[nodiscard]] const char* here() const { return source_.bytes.data() + at_; }
 
-  void check_count(const PlyElement& element) const override;
+  void begin_element(const PlyElement& element) override;
   void read_row(const PlyElement& element, std::size_t column, std::int64_t least) override;
 
   /// Passes the property, or fails where the file ends. A list's length and first byte.
@@ -118,7 +119,7 @@ class PlyBinary final : public PlyBody {
 
 /// The whole element must fit into what is left before anything is allocated for it.
 template <bool Swap>
-void PlyBinary<Swap>::check_count(const PlyElement& element) const {
+void PlyBinary<Swap>::begin_element(const PlyElement& element) {
   const std::uint64_t row = element.least_row();
   if (row > 0 && element.count > left() / row) {
     fail(at_, std::to_string(element.count) + " rows of element " + in_quotes(element.name) +
@@ -162,7 +163,7 @@ void PlyBinary<Swap>::pass(const PlyProperty& property) {
 
 template <bool Swap>
 void PlyBinary<Swap>::skip(const PlyElement& element) {
-  check_count(element);
+  begin_element(element);
   if (element.properties.empty()) {
     return;
   }
@@ -212,7 +213,7 @@ void PlyBinary<Swap>::read_even_vertices(const PlyElement& element,
 
 template <bool Swap>
 void PlyBinary<Swap>::read_vertices(const PlyElement& element, const VertexColumns& columns) {
-  check_count(element);
+  begin_element(element);
   builder_.reserve_vertices(element.count);
   const std::vector<PlyProperty>& properties = element.properties;
   const PlyType type = properties[columns[0]].type;
@@ -318,7 +319,7 @@ void PlyBinary<Swap>::read_row(const PlyElement& element, std::size_t column, st
 
 template <bool Swap>
 void PlyBinary<Swap>::read_faces(const PlyElement& element, std::size_t column) {
-  check_count(element);
+  begin_element(element);
   builder_.reserve_triangles(std::min(element.count, std::uint64_t{left()} / 4));
   const PlyProperty& corners = element.properties[column];
   if (element.properties.size() == 1 && corners.count_type == PlyType::uint8 &&
@@ -334,6 +335,13 @@ void PlyBinary<Swap>::read_faces(const PlyElement& element, std::size_t column) 
     face_.assign(corners_.begin(), corners_.end());
     builder_.add_face(face_);
   }
+}
+
+template <bool Swap>
+void PlyBinary<Swap>::finish() {
+  LeftOut bytes;
+  bytes.add([&] { return "at " + source_.byte_of(at_); }, left());
+  builder_.note(bytes, "surplus bytes after the last declared row");
 }
 
 }  // namespace

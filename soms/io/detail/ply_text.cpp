@@ -4,8 +4,11 @@
 #include "soms/io/detail/text.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace soms::detail {
@@ -40,11 +43,13 @@ Range range(PlyType type) {
   }
 }
 
-/// Values are parted by blanks and line ends of any number; a row need not be a line.
+/// Values are parted by blanks. Each row is a line, so that one that lacks a number does not take
+/// the first of the row behind it; but where the first line of an element holds two rows or more,
+/// lines mean nothing in it.
 class PlyText final : public PlyBody {
  public:
   PlyText(Source& source, MeshBuilder& builder, std::size_t body)
-      : PlyBody(source, builder), scanner_(source, body) {}
+      : PlyBody(source, builder), scanner_(source, body), body_(body) {}
 
   [[nodiscard]] std::size_t position() const override { return scanner_.position(); }
 
@@ -53,9 +58,10 @@ class PlyText final : public PlyBody {
   void skip(const PlyElement& element) override;
   void read_vertices(const PlyElement& element, const VertexColumns& columns) override;
   void read_faces(const PlyElement& element, std::size_t column) override;
+  void finish() override;
 
  private:
-  void check_count(const PlyElement& element) const override;
+  void begin_element(const PlyElement& element) override;
   void read_row(const PlyElement& element, std::size_t column, std::int64_t least) override;
   double read_number(const PlyProperty& property);
   std::int64_t read_integer(const PlyProperty& property, PlyType type);
@@ -64,12 +70,25 @@ class PlyText final : public PlyBody {
   void pass(const PlyProperty& property);
   void pass_word(const PlyProperty& property);
 
+  /// Where rows flow, the next value may stand in the next line; else it is missing.
+  void begin_value() {
+    if (flows_) [[unlikely]] {
+      scanner_.skip_space();
+    }
+  }
+
+  [[nodiscard]] static bool pass_row(TextScanner& scanner, const PlyElement& element);
+  [[nodiscard]] bool flows(const PlyElement& element) const;
+  void end_row();
+
   TextScanner scanner_;
+  std::size_t body_;
+  bool flows_ = false;  ///< rows of the element go on in the next line
   std::vector<std::uint32_t> face_;
 };
 
 /// Every value takes a character and, but for the last, a blank.
-void PlyText::check_count(const PlyElement& element) const {
+void PlyText::begin_element(const PlyElement& element) {
   const std::uint64_t row = 2 * std::uint64_t{element.properties.size()};
   if (row > 0 && element.count > (std::uint64_t{scanner_.left()} + 1) / row) {
     scanner_.fail(ErrorKind::bad_file,
@@ -78,18 +97,60 @@ void PlyText::check_count(const PlyElement& element) const {
                       " bytes that are left",
                   "get the file whole, or repair it");
   }
+  flows_ = flows(element);
+}
+
+/// Passes a row within a line, unless it does not end there.
+bool PlyText::pass_row(TextScanner& scanner, const PlyElement& element) {
+  for (const PlyProperty& property : element.properties) {
+    std::uint64_t words = 1;
+    if (property.is_list) {
+      const std::string_view length = scanner.word_in_line();
+      if (std::from_chars(length.data(), length.data() + length.size(), words).ec != std::errc()) {
+        return false;
+      }
+    }
+    for (; words > 0; --words) {
+      if (scanner.word_in_line().empty()) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// True if the first line of an element is shared: it holds rows of another one, or at least two.
+bool PlyText::flows(const PlyElement& element) const {
+  if (element.count == 0) {
+    return false;
+  }
+  TextScanner scanner = scanner_;
+  if (scanner.position() != body_ && !scanner.at_line_end()) {
+    return true;
+  }
+  scanner.skip_space();
+  return pass_row(scanner, element) && !scanner.at_line_end() &&
+         (element.count == 1 || pass_row(scanner, element));
+}
+
+void PlyText::end_row() {
+  if (!flows_ && !scanner_.at_line_end()) [[unlikely]] {
+    const TextScanner before = scanner_;
+    before.fail(ErrorKind::bad_file,
+                in_quotes(scanner_.word_in_line()) + " follows the last value of the row",
+                "correct the row, or put each row on a line of its own");
+  }
 }
 
 void PlyText::pass_word(const PlyProperty& property) {
-  if (scanner_.word().empty()) {
-    scanner_.fail(ErrorKind::bad_file,
-                  "the file ends where property " + in_quotes(property.name) + " should be",
-                  "get the file whole, or repair it");
+  begin_value();
+  if (scanner_.word_in_line().empty()) {
+    scanner_.fail_missing(property.name);
   }
 }
 
 std::int64_t PlyText::read_integer(const PlyProperty& property, PlyType type) {
-  scanner_.skip_space();
+  begin_value();
   const TextScanner before = scanner_;
   const std::int64_t value = scanner_.integer(property.name);
   const Range allowed = range(type);
@@ -105,14 +166,14 @@ double PlyText::read_number(const PlyProperty& property) {
   if (!is_floating(property.type)) {
     return static_cast<double>(read_integer(property, property.type));
   }
-  scanner_.skip_space();
+  begin_value();
   return scanner_.number(
       property.type == PlyType::float32 ? Precision::as_float : Precision::as_double,
       property.name);
 }
 
 std::int64_t PlyText::read_length(const PlyProperty& property) {
-  scanner_.skip_space();
+  begin_value();
   const TextScanner before = scanner_;
   const std::int64_t length = read_integer(property, property.count_type);
   if (length < 0 || static_cast<std::uint64_t>(length) > (scanner_.left() + 1) / 2) {
@@ -136,22 +197,24 @@ void PlyText::pass(const PlyProperty& property) {
 }
 
 void PlyText::skip(const PlyElement& element) {
-  check_count(element);
   if (element.properties.empty()) {
     return;
   }
+  begin_element(element);
   for (std::uint64_t row = 0; row < element.count; ++row) {
     if (row % kRowsPerTick == 0) {
       source_.tick(position());
     }
+    scanner_.skip_space();
     for (const PlyProperty& property : element.properties) {
       pass(property);
     }
+    end_row();
   }
 }
 
 void PlyText::read_vertices(const PlyElement& element, const VertexColumns& columns) {
-  check_count(element);
+  begin_element(element);
   builder_.reserve_vertices(element.count);
   constexpr std::size_t kNoAxis = 3;
   std::vector<std::size_t> axes(element.properties.size(), kNoAxis);
@@ -163,6 +226,7 @@ void PlyText::read_vertices(const PlyElement& element, const VertexColumns& colu
       source_.tick(position());
       source_.forget(position());
     }
+    scanner_.skip_space();
     Vec3 v;
     for (std::size_t i = 0; i < axes.size(); ++i) {
       if (axes[i] == kNoAxis) {
@@ -176,6 +240,7 @@ void PlyText::read_vertices(const PlyElement& element, const VertexColumns& colu
       scanner_.fail(fault.kind, "vertex " + std::to_string(row) + ": " + fault.what, fault.remedy);
     }
     builder_.add_vertex(v);
+    end_row();
   }
 }
 
@@ -185,7 +250,7 @@ void PlyText::read_corners(const PlyProperty& property, std::int64_t least) {
   const auto vertices = static_cast<std::int64_t>(builder_.vertices().size());
   corners_.clear();
   for (std::int64_t i = 0; i < length; ++i) {
-    scanner_.skip_space();
+    begin_value();
     const TextScanner before = scanner_;
     const std::int64_t corner = scanner_.integer("a vertex number");
     if (corner < least || corner >= vertices) [[unlikely]] {
@@ -199,6 +264,7 @@ void PlyText::read_corners(const PlyProperty& property, std::int64_t least) {
 }
 
 void PlyText::read_row(const PlyElement& element, std::size_t column, std::int64_t least) {
+  scanner_.skip_space();
   for (std::size_t i = 0; i < element.properties.size(); ++i) {
     if (i == column) {
       read_corners(element.properties[i], least);
@@ -206,10 +272,11 @@ void PlyText::read_row(const PlyElement& element, std::size_t column, std::int64
       pass(element.properties[i]);
     }
   }
+  end_row();
 }
 
 void PlyText::read_faces(const PlyElement& element, std::size_t column) {
-  check_count(element);
+  begin_element(element);
   builder_.reserve_triangles(std::min(element.count, std::uint64_t{scanner_.left()} / 4));
   for (std::uint64_t row = 0; row < element.count; ++row) {
     if (row % kRowsPerTick == 0) {
@@ -220,6 +287,17 @@ void PlyText::read_faces(const PlyElement& element, std::size_t column) {
     face_.assign(corners_.begin(), corners_.end());
     builder_.add_face(face_);
   }
+}
+
+void PlyText::finish() {
+  scanner_.skip_space();
+  if (scanner_.at_end()) {
+    return;
+  }
+  const TextScanner before = scanner_;
+  before.fail(ErrorKind::bad_file,
+              in_quotes(scanner_.word_in_line()) + " follows the last row that the header declares",
+              "correct the counts in the header, or delete the surplus");
 }
 
 }  // namespace

@@ -44,16 +44,23 @@ void Source::fail(ErrorKind kind, const std::string& what, const std::string& re
   throw Error(kind, name + ": " + what, remedy);
 }
 
+std::string Source::line_of(std::size_t position) const {
+  const std::size_t end = std::min(position, bytes.size());
+  return "line " + std::to_string(1 + forgotten_line_ends + count_line_ends(bytes, forgotten, end));
+}
+
+std::string Source::byte_of(std::size_t position) const {
+  return "byte " + std::to_string(position + skipped);
+}
+
 void Source::fail_line(std::size_t position, ErrorKind kind, const std::string& what,
                        const std::string& remedy) const {
-  const std::size_t end = std::min(position, bytes.size());
-  const std::size_t line = 1 + forgotten_line_ends + count_line_ends(bytes, forgotten, end);
-  throw Error(kind, name + ", line " + std::to_string(line) + ": " + what, remedy);
+  throw Error(kind, name + ", " + line_of(position) + ": " + what, remedy);
 }
 
 void Source::fail_byte(std::size_t position, ErrorKind kind, const std::string& what,
                        const std::string& remedy) const {
-  throw Error(kind, name + ", byte " + std::to_string(position + skipped) + ": " + what, remedy);
+  throw Error(kind, name + ", " + byte_of(position) + ": " + what, remedy);
 }
 
 namespace {

@@ -69,6 +69,12 @@ struct Source {
   /// An error of the whole file.
   [[noreturn]] void fail(ErrorKind kind, const std::string& what, const std::string& remedy) const;
 
+  /// "line 7": where `position` is in text, counted only now. \pre position >= forgotten.
+  [[nodiscard]] std::string line_of(std::size_t position) const;
+
+  /// "byte 86": where `position` is in the file.
+  [[nodiscard]] std::string byte_of(std::size_t position) const;
+
   /// An error in text: names the line of `position`, counted only now.
   [[noreturn]] void fail_line(std::size_t position, ErrorKind kind, const std::string& what,
                               const std::string& remedy) const;

@@ -45,7 +45,7 @@ Mesh read_binary(Source& source) {
   }
   const std::uint64_t count = little_endian<std::uint32_t>(bytes, 80);
   const std::uint64_t held = (bytes.size() - kHeader) / kFacet;
-  // Fewer bytes than a facet behind the last are padding; more would be triangles lost.
+  // Fewer bytes than a facet behind the last may be padding; more would be triangles lost.
   if (count != held) {
     source.fail_byte(
         80, ErrorKind::bad_file,
@@ -74,6 +74,10 @@ Mesh read_binary(Source& source) {
     const auto first = static_cast<std::uint32_t>(3 * i);
     builder.add_triangle(first, first + 1, first + 2);
   }
+  const std::size_t behind = kHeader + kFacet * static_cast<std::size_t>(count);
+  LeftOut surplus;
+  surplus.add([&] { return "at " + source.byte_of(behind); }, bytes.size() - behind);
+  builder.note(surplus, "surplus bytes after the last triangle");
   return builder.finish();
 }
 
@@ -86,6 +90,7 @@ class StlTextReader {
  private:
   void expect(std::string_view wanted);
   void read_facet();
+  [[nodiscard]] std::string_view read_name();
   [[noreturn]] void fail_word(std::string_view found, std::string_view wanted) const;
 
   Source& source_;
@@ -128,6 +133,21 @@ void StlTextReader::read_facet() {
   builder_.add_triangle(first, first + 1, first + 2);
 }
 
+/// The name behind the word solid or endsolid: the rest of the line. It may be any words, but no
+/// whole facet, which would be lost.
+std::string_view StlTextReader::read_name() {
+  bool facet = false;
+  for (TextScanner words = scanner_; !words.at_line_end();) {
+    const std::string_view word = words.word_in_line();
+    if (facet && equals(word, "endfacet")) {
+      scanner_.fail(ErrorKind::bad_file, "a facet follows the name of a solid on the same line",
+                    "put each facet on lines of its own");
+    }
+    facet = facet || equals(word, "facet");
+  }
+  return scanner_.rest_of_line();
+}
+
 Mesh StlTextReader::read() {
   bool in_solid = false;
   std::uint64_t facets = 0;
@@ -143,10 +163,10 @@ Mesh StlTextReader::read() {
       }
       read_facet();
     } else if (in_solid && equals(word, "endsolid")) {
-      static_cast<void>(scanner_.rest_of_line());
+      static_cast<void>(read_name());
       in_solid = false;
     } else if (!in_solid && equals(word, "solid")) {
-      builder_.begin_part(scanner_.rest_of_line());
+      builder_.begin_part(read_name());
       in_solid = true;
     } else {
       fail_word(word, in_solid ? "facet or endsolid" : "solid");

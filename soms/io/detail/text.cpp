@@ -178,12 +178,17 @@ std::string_view TextScanner::rest_of_line() {
   return {begin, static_cast<std::size_t>(stop - begin)};
 }
 
+void TextScanner::fail_missing(std::string_view what) const {
+  fail(ErrorKind::bad_file,
+       std::string(what) + " is missing: the " + (at_end() ? "file" : "line") + " ends",
+       at_end() ? "get the file whole, or repair it"
+                : "repair the file, or put all values of a row on one line");
+}
+
 void TextScanner::fail_number(std::string_view what, std::string_view expected) const {
   const std::string_view found = peek();
   if (found.empty()) {
-    fail(ErrorKind::bad_file,
-         std::string(what) + " is missing: the " + (at_end() ? "file" : "line") + " ends",
-         "get the file whole, or repair it");
+    fail_missing(what);
   }
   fail(ErrorKind::bad_file,
        std::string(what) + " is " + in_quotes(found) + ", not " + std::string(expected),

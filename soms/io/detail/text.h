@@ -80,6 +80,9 @@ class TextScanner {
   /// which are passed. \errors ErrorKind::bad_file.
   [[nodiscard]] std::int64_t slashed_integer(std::string_view what);
 
+  /// The line, or the file, ends where `what` should be. \errors ErrorKind::bad_file.
+  [[noreturn]] void fail_missing(std::string_view what) const;
+
   [[noreturn]] void fail(ErrorKind kind, const std::string& what, const std::string& remedy) const {
     source_->fail_line(position(), kind, what, remedy);
   }

@@ -6,8 +6,10 @@
 #include "soms/io/detail/text.h"
 #include "soms/io/detail/three_ds_chunks.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <initializer_list>
 #include <optional>
 #include <string>
 
@@ -49,16 +51,40 @@ class ThreeDsReader {
     }
   }
 
+  /// The same, and notes a chunk of geometry that is none of `expected`: it is passed.
+  template <class Use>
+  void for_each_expected(std::size_t at, std::size_t end,
+                         std::initializer_list<std::uint16_t> expected, const Use& use) {
+    for_each(at, end, [&](const Chunk& chunk) {
+      if (std::find(expected.begin(), expected.end(), chunk.name) != expected.end()) {
+        use(chunk);
+      } else if (three_ds::holds_geometry(chunk.name)) {
+        misplaced_.add([&] { return at_byte(chunk.begin - three_ds::kChunkHeader); });
+      }
+    });
+  }
+
+  [[nodiscard]] std::string at_byte(std::size_t at) const { return "at " + source_.byte_of(at); }
+
+  void leave_out(std::size_t begin, std::size_t end) {
+    surplus_.add([&] { return at_byte(begin); }, end - begin);
+  }
+
   [[nodiscard]] std::uint16_t count_of(const Chunk& chunk, std::size_t item,
                                        const char* what) const;
   void read_master_scale(const Chunk& chunk);
+  void read_editor(const Chunk& editor);
   void read_object(const Chunk& object);
   void read_triangles(const Chunk& triangles, std::string_view name);
   std::uint32_t read_vertices(const Chunk& chunk);
   void read_faces(const Chunk& chunk, std::uint32_t first, std::uint32_t vertices);
+  void check_behind_faces(std::size_t at, std::size_t end);
+  void check_behind_main(std::size_t at);
 
   Source& source_;
   MeshBuilder builder_;
+  LeftOut surplus_;    ///< bytes behind the list of a chunk
+  LeftOut misplaced_;  ///< chunks of geometry
 };
 
 Chunk ThreeDsReader::chunk_at(std::size_t at, std::size_t end) const {
@@ -113,6 +139,7 @@ std::uint32_t ThreeDsReader::read_vertices(const Chunk& chunk) {
     }
     builder_.add_vertex(v);
   }
+  leave_out(chunk.begin + 2 + std::size_t{12} * count, chunk.end);
   return count;
 }
 
@@ -129,20 +156,39 @@ void ThreeDsReader::read_faces(const Chunk& chunk, std::uint32_t first, std::uin
     }
     builder_.add_triangle(first + corners[0], first + corners[1], first + corners[2]);
   }
+  check_behind_faces(chunk.begin + 2 + std::size_t{8} * count, chunk.end);
+}
+
+/// Behind its faces a list has chunks of its own (materials, smoothing groups); what does not look
+/// like one may be faces that were not counted.
+void ThreeDsReader::check_behind_faces(std::size_t at, std::size_t end) {
+  while (at != end) {
+    const std::size_t left = end - at;
+    const bool is_chunk =
+        left >= three_ds::kChunkHeader &&
+        three_ds::belongs_to_faces(little_endian<std::uint16_t>(source_.bytes, at));
+    const std::uint32_t length =
+        is_chunk ? little_endian<std::uint32_t>(source_.bytes, at + 2) : std::uint32_t{0};
+    if (length < three_ds::kChunkHeader || length > left) {
+      leave_out(at, end);
+      return;
+    }
+    at += length;
+  }
 }
 
 void ThreeDsReader::read_triangles(const Chunk& triangles, std::string_view name) {
   std::optional<Chunk> vertex_list;
   std::optional<Chunk> face_list;
-  for_each(triangles.begin, triangles.end, [&](const Chunk& chunk) {
-    if (chunk.name == three_ds::kVertexList || chunk.name == three_ds::kFaceList) {
-      auto& list = chunk.name == three_ds::kVertexList ? vertex_list : face_list;
-      if (list) {
-        fail(chunk.begin, "a second list of vertices or faces in object " + in_quotes(name));
-      }
-      list = chunk;
-    }
-  });
+  for_each_expected(triangles.begin, triangles.end, {three_ds::kVertexList, three_ds::kFaceList},
+                    [&](const Chunk& chunk) {
+                      auto& list = chunk.name == three_ds::kVertexList ? vertex_list : face_list;
+                      if (list) {
+                        fail(chunk.begin,
+                             "a second list of vertices or faces in object " + in_quotes(name));
+                      }
+                      list = chunk;
+                    });
   builder_.begin_part(name);
   const auto first = static_cast<std::uint32_t>(builder_.vertices().size());
   const std::uint32_t vertices = vertex_list ? read_vertices(*vertex_list) : 0;
@@ -158,11 +204,30 @@ void ThreeDsReader::read_object(const Chunk& object) {
     fail(object.begin, "the name of an object does not end");
   }
   const std::string_view name = body.substr(0, length);
-  for_each(object.begin + length + 1, object.end, [&](const Chunk& chunk) {
-    if (chunk.name == three_ds::kTriangles) {
-      read_triangles(chunk, name);
-    }
-  });
+  for_each_expected(object.begin + length + 1, object.end, {three_ds::kTriangles},
+                    [&](const Chunk& chunk) { read_triangles(chunk, name); });
+}
+
+void ThreeDsReader::read_editor(const Chunk& editor) {
+  for_each_expected(editor.begin, editor.end, {three_ds::kObject, three_ds::kMasterScale},
+                    [&](const Chunk& chunk) {
+                      source_.tick(chunk.begin);
+                      if (chunk.name == three_ds::kObject) {
+                        read_object(chunk);
+                      } else {
+                        read_master_scale(chunk);
+                      }
+                    });
+}
+
+void ThreeDsReader::check_behind_main(std::size_t at) {
+  const std::size_t left = source_.bytes.size() - at;
+  const bool second = left >= three_ds::kChunkHeader &&
+                      little_endian<std::uint16_t>(source_.bytes, at) == three_ds::kMain;
+  LeftOut behind;
+  behind.add([&] { return at_byte(at); }, left);
+  builder_.note(behind, second ? "bytes after the main chunk, where a second one starts, not read"
+                               : "bytes after the main chunk, not read");
 }
 
 Mesh ThreeDsReader::read() {
@@ -171,23 +236,20 @@ Mesh ThreeDsReader::read() {
     fail(0, "the file does not begin with the main chunk of 3DS");
   }
   bool has_keyframes = false;
-  for_each(main.begin, main.end, [&](const Chunk& part) {
-    has_keyframes = has_keyframes || part.name == three_ds::kKeyframes;
-    if (part.name != three_ds::kEditor) {
-      return;
-    }
-    for_each(part.begin, part.end, [&](const Chunk& chunk) {
-      source_.tick(chunk.begin);
-      if (chunk.name == three_ds::kObject) {
-        read_object(chunk);
-      } else if (chunk.name == three_ds::kMasterScale) {
-        read_master_scale(chunk);
-      }
-    });
-  });
+  for_each_expected(main.begin, main.end, {three_ds::kEditor, three_ds::kKeyframes},
+                    [&](const Chunk& part) {
+                      if (part.name == three_ds::kKeyframes) {
+                        has_keyframes = true;
+                      } else {
+                        read_editor(part);
+                      }
+                    });
   if (has_keyframes) {
     builder_.note("keyframes are not applied");
   }
+  builder_.note(surplus_, "surplus bytes after the vertices or faces that a list counts");
+  builder_.note(misplaced_, "misplaced mesh chunks, not read");
+  check_behind_main(main.end);
   return builder_.finish();
 }
 

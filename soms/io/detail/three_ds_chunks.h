@@ -21,4 +21,16 @@ inline constexpr std::uint16_t kVertexList = 0x4110;
 inline constexpr std::uint16_t kFaceList = 0x4120;
 inline constexpr std::uint16_t kKeyframes = 0xb000;
 
+/// True for chunks of which a mesh is made, and those around them.
+[[nodiscard]] constexpr bool holds_geometry(std::uint16_t name) {
+  return name == kMain || name == kEditor || name == kObject || name == kTriangles ||
+         name == kVertexList || name == kFaceList;
+}
+
+/// True for chunks that stand within a list of faces, behind the faces: materials, smoothing groups
+/// and boxes of textures.
+[[nodiscard]] constexpr bool belongs_to_faces(std::uint16_t name) {
+  return name >= 0x4130 && name <= 0x41ff;
+}
+
 }  // namespace soms::detail::three_ds

@@ -61,7 +61,72 @@ bool is_baseline(Traversal t) {
          t == Traversal::larger || t == Traversal::simultaneous;
 }
 
+bool is_fast(const TraversalOptions& options) {
+  return options.traversal == Traversal::fast;
+}
+
+bool is_e_node(const TraversalOptions& options) {
+  return options.traversal == Traversal::e_node || options.traversal == Traversal::e_node_front;
+}
+
+/// The one place that says which options of a traversal have an effect beside which others.
+struct Row {
+  IdleOption idle;
+  bool (*has_no_effect)(const TraversalOptions& options);
+  bool (*is_set)(const TraversalOptions& options);
+  void (*reset)(TraversalOptions& options);
+};
+
+constexpr std::string_view kFast = "the traversal fast has no such choice";
+
+constexpr std::array<Row, 6> kRows{{
+    {{"descent", "only E-Node has a descent", "traversal", "e_node or e_node_front"},
+     [](const TraversalOptions& o) { return !is_e_node(o); },
+     [](const TraversalOptions& o) { return o.descent != TraversalOptions{}.descent; },
+     [](TraversalOptions& o) { o.descent = TraversalOptions{}.descent; }},
+    {{"order", "only E-Node orders the pairs that it enters", "traversal",
+      "e_node or e_node_front"},
+     [](const TraversalOptions& o) { return !is_e_node(o); },
+     [](const TraversalOptions& o) { return o.order != TraversalOptions{}.order; },
+     [](TraversalOptions& o) { o.order = TraversalOptions{}.order; }},
+    {{"ericson_rule", "only the traversal ericson has a rule of descent", "traversal", "ericson"},
+     [](const TraversalOptions& o) { return o.traversal != Traversal::ericson; },
+     [](const TraversalOptions& o) { return o.ericson_rule != TraversalOptions{}.ericson_rule; },
+     [](TraversalOptions& o) { o.ericson_rule = TraversalOptions{}.ericson_rule; }},
+    {{"recursive", "only the baselines, a_first to larsson, may recurse", "traversal", ""},
+     [](const TraversalOptions& o) { return is_fast(o) || is_e_node(o); },
+     [](const TraversalOptions& o) { return o.recursive != TraversalOptions{}.recursive; },
+     [](TraversalOptions& o) { o.recursive = TraversalOptions{}.recursive; }},
+    {{"prune", kFast, "traversal", ""},
+     &is_fast,
+     [](const TraversalOptions& o) { return o.prune != TraversalOptions{}.prune; },
+     [](TraversalOptions& o) { o.prune = TraversalOptions{}.prune; }},
+    {{"update", kFast, "traversal", ""},
+     &is_fast,
+     [](const TraversalOptions& o) { return o.update != TraversalOptions{}.update; },
+     [](TraversalOptions& o) { o.update = TraversalOptions{}.update; }},
+}};
+
 }  // namespace
+
+std::vector<IdleOption> idle_options(const TraversalOptions& options) {
+  std::vector<IdleOption> idle;
+  for (const Row& row : kRows) {
+    if (row.has_no_effect(options)) {
+      idle.push_back(row.idle);
+    }
+  }
+  return idle;
+}
+
+TraversalOptions without_idle(TraversalOptions options) {
+  for (const Row& row : kRows) {
+    if (row.has_no_effect(options)) {
+      row.reset(options);
+    }
+  }
+  return options;
+}
 
 TraversalCounts& TraversalCounts::operator+=(const TraversalCounts& other) {
   box_tests += other.box_tests;
@@ -104,6 +169,9 @@ const DescentEntry& descent_named(std::string_view name) {
 }
 
 void check(const TraversalOptions& options) {
+  if (options == TraversalOptions{}) {
+    return;  // a query of microseconds looks no further
+  }
   (void)entry(options.traversal);
   (void)entry(options.descent);
   (void)entry(options.ericson_rule);
@@ -131,6 +199,11 @@ void check(const TraversalOptions& options) {
     if (!options.prune) {
       throw Error(ErrorKind::usage, "traversal e_node_front: a front is what pruning leaves",
                   "leave `prune` on");
+    }
+  }
+  for (const Row& row : kRows) {
+    if (row.is_set(options) && row.has_no_effect(options)) {
+      refuse_idle("traversal " + std::string(entry(options.traversal).name), row.idle);
     }
   }
 }

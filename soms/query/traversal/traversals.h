@@ -56,7 +56,8 @@ struct DescentEntry {
 [[nodiscard]] const DescentEntry& descent_named(std::string_view name);
 
 /// Throws ErrorKind::usage unless the options go together: `ericson` with the rule of a baseline,
-/// the front with descent both or larger and with pruning. Values outside their enumerations fail.
+/// the front with descent both or larger and with pruning, and options that have no effect beside
+/// the traversal at their defaults. Values outside their enumerations fail.
 void check(const TraversalOptions& options);
 
 /// Walks two trees by a named traversal.

@@ -62,12 +62,18 @@ void BoxIndex::make_keys(std::span<const Box> boxes) {
   std::sort(keys_.begin(), keys_.end());
 }
 
-void BoxIndex::build(std::span<const Box> boxes) {
+void BoxIndex::build(std::span<const Box> boxes, std::span<const std::uint32_t> groups) {
   order_.clear();
   bounds_.clear();
+  groups_.clear();
   levels_.clear();
   make_keys(boxes);
+  give_back(keys_);
+  give_back(ranks_);
   if (keys_.empty()) {
+    give_back(order_);
+    give_back(bounds_);
+    give_back(groups_);
     return;
   }
   for (const auto& [key, k] : keys_) {
@@ -87,6 +93,32 @@ void BoxIndex::build(std::span<const Box> boxes) {
       bounds_.push_back(box);
     }
     levels_.push_back(above);
+  }
+  if (!groups.empty()) {
+    unite_groups(groups);
+  }
+  give_back(order_);
+  give_back(bounds_);
+  give_back(groups_);
+}
+
+/// A node's group is that of all boxes below it, or none.
+void BoxIndex::unite_groups(std::span<const std::uint32_t> groups) {
+  groups_.reserve(bounds_.size());
+  for (const std::uint32_t k : order_) {
+    groups_.push_back(k < groups.size() ? groups[k] : 0);
+  }
+  for (std::size_t level = 1; level < levels_.size(); ++level) {
+    const Level below = levels_[level - 1];
+    for (std::size_t node = 0; node < levels_[level].count; ++node) {
+      const std::size_t begin = below.first + node * kGroup;
+      const std::size_t end = below.first + std::min(below.count, (node + 1) * kGroup);
+      bool alike = true;
+      for (std::size_t k = begin + 1; k < end; ++k) {
+        alike = alike && groups_[k] == groups_[begin];
+      }
+      groups_.push_back(alike ? groups_[begin] : 0);
+    }
   }
 }
 

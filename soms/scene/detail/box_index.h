@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/base/box.h"
+#include "soms/scene/detail/kept_memory.h"
 
 #include <array>
 #include <cstddef>
@@ -13,27 +14,33 @@
 
 namespace soms::detail {
 
-/// Bytes that a vector holds for its values.
-template <typename Value>
-[[nodiscard]] std::size_t bytes(const std::vector<Value>& values) {
-  return values.capacity() * sizeof(Value);  // NOLINT(bugprone-sizeof-expression): pointers, too
-}
-
 /// An immutable tree without pointers: the boxes by size and along a space-filling curve, bounds
 /// over groups of eight, over groups of eight of those, and so on. Its depth depends on the number
 /// of boxes alone, so no arrangement of boxes makes it deep.
 class BoxIndex {
  public:
-  /// Replaces the content. Box `k` is called `k` in answers; empty boxes meet nothing.
-  /// \cost  O(n log n); memory is reused.
-  void build(std::span<const Box> boxes);
+  /// Replaces the content. Box `k` is called `k` in answers; empty boxes meet nothing. With
+  /// `groups` a query may pass over the boxes of one; boxes behind their end are of group 0.
+  /// \cost  O(n log n); memory is reused, and given back where it is far more than is needed.
+  void build(std::span<const Box> boxes, std::span<const std::uint32_t> groups = {});
 
   /// Calls `found(k)` for every box `k` that shares a point with `box`, in no order of `k`.
   template <typename Found>
-  void query(const Box& box, Found&& found) const;
+  void query(const Box& box, Found&& found) const {
+    visit<false>(box, 0, found);
+  }
+
+  /// The same without the boxes of `group`, unless that is 0. Where all boxes below a node are of
+  /// this group it is not descended, so boxes that coincide cost nothing.
+  /// \pre The content was built with groups.
+  template <typename Found>
+  void query(const Box& box, std::uint32_t group, Found&& found) const {
+    visit<true>(box, group, found);
+  }
 
   [[nodiscard]] std::size_t memory() const {
-    return bytes(order_) + bytes(bounds_) + bytes(levels_) + bytes(keys_) + bytes(ranks_);
+    return bytes(order_) + bytes(bounds_) + bytes(groups_) + bytes(levels_) + bytes(keys_) +
+           bytes(ranks_);
   }
 
  private:
@@ -51,9 +58,14 @@ class BoxIndex {
   };
 
   void make_keys(std::span<const Box> boxes);
+  void unite_groups(std::span<const std::uint32_t> groups);
 
-  std::vector<std::uint32_t> order_;  ///< names of the boxes of level 0
-  std::vector<Box> bounds_;           ///< level 0, then the levels above it
+  template <bool kGrouped, typename Found>
+  void visit(const Box& box, std::uint32_t group, Found&& found) const;
+
+  std::vector<std::uint32_t> order_;   ///< names of the boxes of level 0
+  std::vector<Box> bounds_;            ///< level 0, then the levels above it
+  std::vector<std::uint32_t> groups_;  ///< of `bounds_`: of all boxes below; 0 where they differ
   std::vector<Level> levels_;
 
   // Scratch of `build`: boxes with their keys; places of boxes with their coordinates.
@@ -61,10 +73,13 @@ class BoxIndex {
   std::vector<std::pair<double, std::uint32_t>> ranks_;
 };
 
-template <typename Found>
-void BoxIndex::query(const Box& box, Found&& found) const {
+template <bool kGrouped, typename Found>
+void BoxIndex::visit(const Box& box, std::uint32_t group, Found&& found) const {
+  const auto passed_over = [&](std::size_t number) {
+    return kGrouped && group != 0 && groups_[number] == group;
+  };
   if (levels_.size() <= 1) {
-    if (!levels_.empty() && overlaps(bounds_[0], box)) {
+    if (!levels_.empty() && !passed_over(0) && overlaps(bounds_[0], box)) {
       found(order_[0]);
     }
     return;
@@ -76,7 +91,8 @@ void BoxIndex::query(const Box& box, Found&& found) const {
   while (size > 0) {
     const Visit visit = stack[--size];
     const Level& level = levels_[visit.level];
-    if (!overlaps(bounds_[level.first + visit.number], box)) {
+    const std::size_t number = level.first + visit.number;
+    if (passed_over(number) || !overlaps(bounds_[number], box)) {
       continue;
     }
     if (visit.level == 0) {

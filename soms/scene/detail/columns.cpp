@@ -44,6 +44,8 @@ constexpr double kMostColumns = 1 << 14;
 constexpr std::uint32_t kSteps = 1U << 16;
 constexpr unsigned kDigit = 11;
 constexpr std::uint32_t kNames = (1U << 30) - 1;
+/// Bytes of an entry in what the sweep reads: key, last key, name, four ends, group.
+constexpr std::size_t kSweepBytes = 8 * sizeof(float);
 
 // Costs that choose the width of columns, in nanoseconds: an entry, and a comparison.
 constexpr double kEntryCost = 15;
@@ -297,6 +299,16 @@ void Columns::arrange(std::span<const FloatBox> boxes) {
               std::numeric_limits<std::int32_t>::max());
 }
 
+/// The groups of the entries, in the order of the sweep.
+void Columns::arrange_groups(const PairFilter& filter) {
+  if (groups_.size() < keys_.size()) {
+    groups_.resize(keys_.size());
+  }
+  for (std::size_t k = 0; k < entered_; ++k) {
+    groups_[k] = static_cast<std::int32_t>(filter.group(names_[k] & kNames));
+  }
+}
+
 inline void Columns::report(std::uint32_t a, std::uint32_t b) {
   if (found_ == pairs_.size()) {
     pairs_.resize(2 * pairs_.size() + 1024);
@@ -304,7 +316,8 @@ inline void Columns::report(std::uint32_t a, std::uint32_t b) {
   pairs_[found_++] = std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
 }
 
-bool Columns::sweep() {
+template <bool kFiltered>
+bool Columns::sweep(const PairFilter& filter) {
   const std::uint64_t most_pairs = kMostPairsOfABox * most_compared_ / kMostComparedOfABox;
   for (std::size_t k = 0; k < entered_; ++k) {
     const std::int32_t last = last_keys_[k];
@@ -317,19 +330,29 @@ bool Columns::sweep() {
     const Floats lower_upward = four(ends_[2][k]);
     const Floats upper_upward = four(ends_[3][k]);
     const std::uint32_t name = names_[k];
+    const std::int32_t group = kFiltered ? groups_[k] : 0;
+    const Masks groups{group, group, group, group};
     std::size_t j = k + 1;
     for (; keys_[j] <= last; j += 4) {
       Masks keys;
       std::memcpy(&keys, &keys_[j], sizeof keys);
-      const Masks meeting = (keys <= lasts) & (load(&ends_[0][j]) <= upper_across) &
-                            (lower_across <= load(&ends_[1][j])) &
-                            (load(&ends_[2][j]) <= upper_upward) &
-                            (lower_upward <= load(&ends_[3][j]));
+      Masks meeting = (keys <= lasts) & (load(&ends_[0][j]) <= upper_across) &
+                      (lower_across <= load(&ends_[1][j])) & (load(&ends_[2][j]) <= upper_upward) &
+                      (lower_upward <= load(&ends_[3][j]));
+      if (kFiltered && group != 0) {
+        Masks others;
+        std::memcpy(&others, &groups_[j], sizeof others);
+        meeting &= others != groups;
+      }
       for (std::uint32_t lanes = bits_of(meeting); lanes != 0; lanes &= lanes - 1) {
         const std::uint32_t other = names_[j + static_cast<std::uint32_t>(__builtin_ctz(lanes))];
         // The overlap begins in this column if one of the two begins here, along either axis.
         if (((name | other) >> 30) == 3) {
-          report(name & kNames, other & kNames);
+          const std::uint32_t a = name & kNames;
+          const std::uint32_t b = other & kNames;
+          if (!kFiltered || !filter.ignores(std::min(a, b), std::max(a, b))) {
+            report(a, b);
+          }
         }
       }
     }
@@ -341,7 +364,7 @@ bool Columns::sweep() {
   return true;
 }
 
-bool Columns::compare_wide(std::span<const FloatBox> boxes) {
+bool Columns::compare_wide(std::span<const FloatBox> boxes, const PairFilter& filter) {
   compared_ += wide_.size() * boxes.size();
   if (compared_ > most_compared_) {
     return false;
@@ -352,7 +375,8 @@ bool Columns::compare_wide(std::span<const FloatBox> boxes) {
       const bool both = next != wide_.end() && *next == b;
       next += both ? 1 : 0;
       // Two wide boxes find each other: the lower one reports.
-      if ((!both || a < b) && meet(boxes[a], boxes[b])) {
+      if ((!both || a < b) && meet(boxes[a], boxes[b]) &&
+          !filter.leaves_out(std::min(a, b), std::max(a, b))) {
         report(a, b);
       }
     }
@@ -360,7 +384,8 @@ bool Columns::compare_wide(std::span<const FloatBox> boxes) {
   return true;
 }
 
-std::optional<std::span<const std::uint64_t>> Columns::find(std::span<const FloatBox> boxes) {
+std::optional<std::span<const std::uint64_t>> Columns::find(std::span<const FloatBox> boxes,
+                                                            const PairFilter& filter) {
   entered_ = 0;
   compared_ = 0;
   found_ = 0;
@@ -373,15 +398,40 @@ std::optional<std::span<const std::uint64_t>> Columns::find(std::span<const Floa
   }
   sort();
   arrange(boxes);
-  if (!sweep() || !compare_wide(boxes)) {
+  if (!filter.empty()) {
+    arrange_groups(filter);
+  }
+  if (!(filter.empty() ? sweep<false>(filter) : sweep<true>(filter)) ||
+      !compare_wide(boxes, filter)) {
+    found_ = 0;
     return std::nullopt;
   }
   return std::span(pairs_).first(found_);
 }
 
+void Columns::give_back() {
+  detail::give_back(entries_, std::min(entered_, entries_.size()));
+  detail::give_back(scratch_, std::min(entered_, scratch_.size()));
+  detail::give_back(wide_);
+  detail::give_back(pairs_, found_);
+  // These have one size, which tells how many entries there is room for.
+  if (is_far_above(memory_of_sweep(), (entered_ + 4) * kSweepBytes)) {
+    release(keys_);
+    release(last_keys_);
+    release(names_);
+    release(groups_);
+    for (std::vector<float>& end : ends_) {
+      release(end);
+    }
+  }
+}
+
 std::size_t Columns::memory() const {
-  std::size_t size = bytes(entries_) + bytes(scratch_) + bytes(wide_) + bytes(pairs_) +
-                     bytes(keys_) + bytes(last_keys_) + bytes(names_);
+  return bytes(entries_) + bytes(scratch_) + bytes(wide_) + bytes(pairs_) + memory_of_sweep();
+}
+
+std::size_t Columns::memory_of_sweep() const {
+  std::size_t size = bytes(keys_) + bytes(last_keys_) + bytes(names_) + bytes(groups_);
   for (const std::vector<float>& end : ends_) {
     size += bytes(end);
   }

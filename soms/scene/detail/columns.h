@@ -2,8 +2,8 @@
 /// Which of many boxes meet each other? From scratch, by columns and a sweep.
 #pragma once
 
-#include "soms/scene/detail/box_index.h"
 #include "soms/scene/detail/float_box.h"
+#include "soms/scene/detail/pair_filter.h"
 
 #include <array>
 #include <cstddef>
@@ -20,14 +20,19 @@ namespace soms::detail {
 /// compared with all others instead.
 class Columns {
  public:
-  /// Pairs as `a << 32 | b`, `a` less than `b`, each once, in no order; false positives are few.
+  /// Pairs as `a << 32 | b`, `a` less than `b`, each once, in no order, without those that `filter`
+  /// leaves out; false positives are few.
   /// Empty boxes (`kNoBox`) are left out. Nothing if the boxes do not suit a grid, so that work
   /// would be out of proportion to boxes and pairs: then nearly all lie in few columns.
   /// The span is valid until the next call.
   /// \pre   At most `kMostBoxes` boxes.
   /// \cost  O(n), n boxes, and the boxes that share a column and a stretch of the sweep; memory is
   ///        reused.
-  [[nodiscard]] std::optional<std::span<const std::uint64_t>> find(std::span<const FloatBox> boxes);
+  [[nodiscard]] std::optional<std::span<const std::uint64_t>> find(std::span<const FloatBox> boxes,
+                                                                   const PairFilter& filter = {});
+
+  /// Gives back memory that is far more than the last call needed; its pairs are gone.
+  void give_back();
 
   /// Work of the last call: about the boxes that it could have entered in the grid in that time.
   [[nodiscard]] std::uint64_t work() const { return entered_ + compared_ / 32; }
@@ -52,9 +57,12 @@ class Columns {
   [[nodiscard]] bool enter(std::span<const FloatBox> boxes);
   void sort();
   void arrange(std::span<const FloatBox> boxes);
+  void arrange_groups(const PairFilter& filter);
   void report(std::uint32_t a, std::uint32_t b);
-  [[nodiscard]] bool sweep();
-  [[nodiscard]] bool compare_wide(std::span<const FloatBox> boxes);
+  [[nodiscard]] std::size_t memory_of_sweep() const;
+  template <bool kFiltered>
+  [[nodiscard]] bool sweep(const PairFilter& filter);
+  [[nodiscard]] bool compare_wide(std::span<const FloatBox> boxes, const PairFilter& filter);
 
   Cells across_;
   Cells upward_;
@@ -69,9 +77,10 @@ class Columns {
   std::vector<std::int32_t> last_keys_;     ///< column, then end
   std::vector<std::uint32_t> names_;        ///< begins here (2 bits), box (30)
   std::array<std::vector<float>, 4> ends_;  ///< across: lower, upper; upward: lower, upper
+  std::vector<std::int32_t> groups_;        ///< bits of the group; filled with a filter alone
 
   std::size_t found_ = 0;
-  std::uint64_t entered_ = 0;
+  std::size_t entered_ = 0;
   std::uint64_t compared_ = 0;
   std::uint64_t most_compared_ = 0;
 };

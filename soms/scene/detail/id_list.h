@@ -71,6 +71,11 @@ class IdList {
 
   [[nodiscard]] Value& at(Id id) { return const_cast<Value&>(std::as_const(*this).at(id)); }
 
+  /// Where in `places` a value lies. \pre `id` is there.
+  [[nodiscard]] std::uint32_t place_of(Id id) const {
+    return static_cast<std::uint32_t>(find_const(id) - places_.data());
+  }
+
   /// Ascending by id; some may be empty places.
   [[nodiscard]] const std::vector<Place>& places() const { return places_; }
 

@@ -1,6 +1,6 @@
 #include "soms/scene/detail/narrow_phase.h"
 
-#include "soms/scene/detail/box_index.h"
+#include "soms/scene/detail/kept_memory.h"
 
 #include <algorithm>
 #include <utility>
@@ -150,6 +150,9 @@ std::size_t NarrowPhase::memory() const {
                      bytes(places_) + bytes(asked_) + bytes(chunks_);
   for (const Chunk& chunk : chunks_) {
     size += bytes(chunk.batches) + bytes(chunk.alone) + bytes(chunk.answers);
+    for (const Overlap& answer : chunk.alone) {
+      size += bytes(answer.pairs);
+    }
     for (const Batch& batch : chunk.batches) {
       size += bytes(batch.questions) + bytes(batch.poses) + bytes(batch.answers.poses) +
               bytes(batch.answers.pairs);

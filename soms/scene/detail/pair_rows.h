@@ -2,7 +2,7 @@
 /// Pairs of boxes in rows: one row a box, with its partners of higher number.
 #pragma once
 
-#include "soms/scene/detail/box_index.h"
+#include "soms/scene/detail/kept_memory.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +18,12 @@ class PairRows {
   /// \pre   `a < b < rows` in each.
   /// \cost  O(rows + pairs), and sorting within the rows.
   void assign(std::size_t rows, std::span<const std::uint64_t> pairs);
+
+  /// Gives back memory that is far more than the content needs.
+  void give_back() {
+    detail::give_back(begins_);
+    detail::give_back(partners_);
+  }
 
   /// Partners of `a`, ascending.
   [[nodiscard]] std::span<const std::uint32_t> row(std::size_t a) const {

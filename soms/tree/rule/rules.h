@@ -21,7 +21,7 @@ struct RuleEntry {
   bool needs_outer;    ///< it looks at SplitNode::outer
   bool needs_order;    ///< it looks at primitives in ascending order of their numbers
   /// Trees are made by a builder of their own, from boxes in float, which divides nearly as `split`
-  /// would; midpoint, axis_from and empty_side have no effect.
+  /// would; midpoint, axis_from and empty_side have no effect (`idle_options`).
   bool in_float;
 };
 

@@ -18,16 +18,14 @@ std::vector<TraversalOptions> baseline_ways() {
   std::vector<TraversalOptions> out;
   for (const bool recursive : {false, true}) {
     for (const bool prune : {true, false}) {
-      TraversalOptions options{.recursive = recursive, .prune = prune};
       for (const Traversal rule : kBaselines) {
-        options.traversal = rule;
-        out.push_back(options);
-        options.traversal = Traversal::ericson;
-        options.ericson_rule = rule;
-        out.push_back(options);
+        out.push_back({.traversal = rule, .recursive = recursive, .prune = prune});
+        out.push_back({.traversal = Traversal::ericson,
+                       .ericson_rule = rule,
+                       .recursive = recursive,
+                       .prune = prune});
       }
-      options.traversal = Traversal::larsson;
-      out.push_back(options);
+      out.push_back({.traversal = Traversal::larsson, .recursive = recursive, .prune = prune});
     }
   }
   return out;

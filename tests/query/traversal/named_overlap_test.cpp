@@ -29,7 +29,7 @@ BuildOptions any_tree(Rng& rng) {
   BuildOptions options = thesis_options(rules()[rng.below(rules().size())].rule, 8);
   options.empty_side = static_cast<EmptySide>(rng.below(4));
   options.per_leaf = 1 + static_cast<int>(rng.below(4));
-  return options;
+  return without_idle(options);
 }
 
 /// Every way to walk, with boxes moved either way.
@@ -247,12 +247,14 @@ TEST(NamedOverlap, IsCutByADeadlineAndEndedByAStop) {
     const Overlap late = overlap(body, body, options);
     EXPECT_EQ(late.coverage, Coverage::cut);
     EXPECT_EQ(late.cost, Cost{});
-    options.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(20);
-    const auto start = std::chrono::steady_clock::now();
-    const Overlap cut = overlap(body, body, options);
+    Overlap cut;
+    // On a slow machine the deadline may pass before the first box test.
+    for (auto time = std::chrono::milliseconds(20); cut.cost == Cost{}; time *= 2) {
+      options.deadline = std::chrono::steady_clock::now() + time;
+      cut = overlap(body, body, options);
+    }
     EXPECT_EQ(cut.coverage, Coverage::cut);
     EXPECT_GT(cut.cost.node_tests, 0U);
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
   }
 }
 

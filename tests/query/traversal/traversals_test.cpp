@@ -1,12 +1,15 @@
 #include "soms/query/traversal/traversals.h"
 
 #include "soms/base/error.h"
+#include "soms/generate/shapes.h"
+#include "soms/query/overlap.h"
 #include "soms/query/traversal/posed_boxes.h"
 
 #include "tests/query/traversal/cases.h"
 #include "tests/support/support.h"
 
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <string>
 #include <utility>
@@ -177,6 +180,7 @@ TEST(Traversals, NameAliasesTheSameWalk) {
     TraversalOptions same = options;
     if (options.traversal == Traversal::ericson) {
       same.traversal = options.ericson_rule;
+      same = without_idle(same);
     } else if (options.traversal == Traversal::larsson) {
       same.traversal = Traversal::simultaneous;
     }
@@ -251,6 +255,50 @@ std::string message(const TraversalOptions& options) {
     return error.what();
   }
   return "";
+}
+
+TEST(Traversals, R119OptionsThatTheTraversalIgnoresAreRefused) {
+  EXPECT_EQ(message({.traversal = Traversal::larger, .descent = Descent::cross}),
+            "traversal larger: descent has no effect: only E-Node has a descent; leave it at its "
+            "default, or set traversal to e_node or e_node_front");
+
+  // Each option away from its default, and the traversals that use it.
+  struct Case {
+    TraversalOptions set;
+    std::function<bool(Traversal)> uses;
+  };
+
+  const auto e_node = [](Traversal t) {
+    return t == Traversal::e_node || t == Traversal::e_node_front;
+  };
+  const std::vector<Case> cases{
+      {{.descent = Descent::larger}, e_node},
+      {{.order = EntryOrder::volume}, e_node},
+      {{.ericson_rule = Traversal::a_first}, [](Traversal t) { return t == Traversal::ericson; }},
+      {{.recursive = true}, [&](Traversal t) { return t != Traversal::fast && !e_node(t); }},
+      {{.prune = false}, [](Traversal t) { return t != Traversal::fast; }},
+      {{.update = BoxUpdate::rebox}, [](Traversal t) { return t != Traversal::fast; }},
+  };
+  const Body body(Shape(generate_sphere(80), {.keep_tree = true}));
+  for (const Case& c : cases) {
+    for (const TraversalEntry& row : traversals()) {
+      if (row.traversal == Traversal::e_node_front && !c.set.prune) {
+        continue;  // refused for another reason
+      }
+      TraversalOptions options = c.set;
+      options.traversal = row.traversal;
+      SCOPED_TRACE(test::describe(options));
+      EXPECT_EQ(without_idle(options) == options, c.uses(row.traversal));
+      if (c.uses(row.traversal)) {
+        EXPECT_NO_THROW(static_cast<void>(overlap(body, body, {.traversal = options})));
+      } else {
+        EXPECT_THROW(static_cast<void>(overlap(body, body, {.traversal = options})), Error);
+        EXPECT_THROW(static_cast<void>(
+                         overlap(body.shape, std::vector<Pose>(2), body, {.traversal = options})),
+                     Error);
+      }
+    }
+  }
 }
 
 TEST(Traversals, RefuseOptionsThatDoNotGoTogether) {

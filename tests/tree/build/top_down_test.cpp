@@ -24,6 +24,10 @@ constexpr std::array<EmptySide, 4> kEmptySides{EmptySide::stop, EmptySide::next_
 /// Every combination of options that changes a tree, with a level limit.
 void for_each_options(const std::function<void(const BuildOptions&)>& body) {
   for (const RuleEntry& rule : rules()) {
+    if (rule.in_float) {
+      body(thesis_options(rule.rule));  // they have no other
+      continue;
+    }
     for (const Midpoint midpoint : {Midpoint::thesis, Midpoint::centroid, Midpoint::aabb}) {
       for (const AxisFrom axis : {AxisFrom::outer, AxisFrom::inner}) {
         for (const EmptySide empty : kEmptySides) {

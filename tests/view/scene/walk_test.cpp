@@ -32,8 +32,7 @@ std::vector<TraversalOptions> all_ways() {
   std::vector<TraversalOptions> ways;
   for (const TraversalEntry& row : traversals()) {
     if (row.traversal != Traversal::fast) {
-      ways.push_back({.traversal = row.traversal});
-      ways.back().descent = Descent::larger;
+      ways.push_back(without_idle({.traversal = row.traversal, .descent = Descent::larger}));
     }
   }
   return ways;

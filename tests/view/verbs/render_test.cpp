@@ -152,16 +152,40 @@ TEST_F(Render, WalksWithTheOneMoverThatIsNamed) {
   EXPECT_NE(result.out.find("\"movers\":1,"), std::string::npos) << result.out;
 }
 
-TEST_F(Render, SaysWhichOptionsChangeNothing) {
+TEST_F(Render, R119OptionsThatThePictureIgnoresAreRefused) {
   SOMS_NEEDS_EGL();
-  const test::RunResult result = render({ball_, "-o", picture_, "--size", "90x60", "--rule", "sah",
-                                         "--descent", "both", "--frame", "7"});
-  EXPECT_EQ(result.status, 0) << result.err;
-  for (const char* note : {"--rule: the picture shows it with --level or --walk only\n",
-                           "--descent: the picture shows it with --walk only\n",
-                           "--frame 7: nothing moves here; all frames look alike\n"}) {
-    EXPECT_NE(result.err.find(note), std::string::npos) << result.err;
+
+  struct Case {
+    std::vector<std::string> words;
+    std::string says;
+  };
+
+  const std::vector<Case> cases{
+      {{"--rule", "sah"}, "--rule without --level or --walk changes nothing"},
+      {{"--leaf", "4"}, "--leaf without --level or --walk changes nothing"},
+      {{"--traversal", "larger"}, "--traversal without --walk changes nothing"},
+      {{"--level", "2", "--descent", "both"}, "--descent without --walk changes nothing"},
+      {{"--level", "2", "--rule", "fast", "--midpoint", "centroid"}, "--midpoint has no effect"},
+      {{"--level", "2", "--c-vertex", "1"}, "--c-vertex has no effect: only the midpoint thesis"},
+      {{"--mover", ball_, "--walk", "--traversal", "larger", "--descent", "both"},
+       "--descent has no effect: only E-Node has a descent"},
+      {{"--mover", ball_, "--walk", "--traversal", "e-node-front", "--no-prune"},
+       "--no-prune: --traversal e-node-front keeps what pruning leaves"},
+      {{"--frame", "7"}, "--frame 7 has no effect: nothing moves here; leave it out"},
+  };
+  for (const Case& c : cases) {
+    std::vector<std::string> words{ball_, "-o", picture_, "--size", "90x60"};
+    words.insert(words.end(), c.words.begin(), c.words.end());
+    const test::RunResult result = render(words);
+    EXPECT_EQ(result.status, 2) << c.says;
+    EXPECT_NE(result.err.find(c.says), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(picture_));
   }
+  // A traversal other than E-Node does not trip over E-Node's descent, which nobody gave.
+  EXPECT_EQ(render({ball_, "-o", picture_, "--size", "90x60", "--mover", ball_, "--walk",
+                    "--traversal", "larger"})
+                .status,
+            0);
 }
 
 TEST_F(Render, NamesFewerSamplesWhereADriverHasNoRoomForSoMany) {

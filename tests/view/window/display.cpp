@@ -1,26 +1,23 @@
 #include "tests/view/window/display.h"
 
 #include "tests/support/support.h"
+#include "tests/support/wait.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
-#include <thread>
 
 namespace soms::view::test {
 
 namespace {
-
-using namespace std::chrono_literals;
 
 bool installed(const std::string& program) {
   std::istringstream folders(std::getenv("PATH") == nullptr ? "" : std::getenv("PATH"));
@@ -119,31 +116,33 @@ void Display::type(const std::vector<std::string>& words) const {
   }
 }
 
-bool Display::wait_for_window(const std::string& title) const {
-  for (int i = 0; i < 240; ++i) {
+bool Display::wait_for_window(const std::string& title, RunningProgram& program) const {
+  bool is_there = false;
+  soms::test::wait_until([&] {
+    const bool ended = program.ended();
     const auto found = soms::test::run_program(
         {"env", "DISPLAY=" + name_, "xdotool", "search", "--onlyvisible", "--name", title});
-    if (found.status == 0) {
-      return true;
-    }
-    std::this_thread::sleep_for(250ms);
-  }
-  return false;
+    is_there = found.status == 0;
+    return is_there || ended;
+  });
+  return is_there;
 }
 
-void Display::drag(PixelPoint from, PixelPoint to) const {
+void Display::drag(PixelPoint from, PixelPoint to, const std::function<void()>& taken) const {
   const auto move = [&](double t) {
     const long x = std::lround(from.x + t * (to.x - from.x));
     const long y = std::lround(from.y + t * (to.y - from.y));
     type({"mousemove", std::to_string(x), std::to_string(y)});
-    std::this_thread::sleep_for(200ms);
+    taken();
   };
   move(0);
   type({"mousedown", "1"});
+  taken();
   for (const double t : {0.1, 0.4, 0.7, 1.0}) {
     move(t);
   }
   type({"mouseup", "1"});
+  taken();
 }
 
 RunningProgram::RunningProgram(const std::vector<std::string>& words,
@@ -177,16 +176,17 @@ RunningProgram::~RunningProgram() {
 }
 
 int RunningProgram::wait() {
-  for (int i = 0; i < 2400 && child_ > 0; ++i) {
-    int raw = 0;
-    if (::waitpid(child_, &raw, WNOHANG) == child_) {
-      child_ = -1;
-      status_ = status_of(raw);
-      break;
-    }
-    std::this_thread::sleep_for(50ms);
-  }
+  soms::test::wait_until([&] { return ended(); });
   return status_;
+}
+
+bool RunningProgram::ended() {
+  int raw = 0;
+  if (child_ > 0 && ::waitpid(child_, &raw, WNOHANG) == child_) {
+    child_ = -1;
+    status_ = status_of(raw);
+  }
+  return child_ <= 0;
 }
 
 void RunningProgram::signal(int number) const {

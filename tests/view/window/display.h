@@ -7,10 +7,13 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace soms::view::test {
+
+class RunningProgram;
 
 /// An X server without a screen (Xvfb) that lives as long as the object, with a mouse and keys.
 class Display {
@@ -26,14 +29,16 @@ class Display {
   /// For the variable DISPLAY.
   [[nodiscard]] const std::string& name() const { return name_; }
 
-  /// Waits up to a minute for a window whose title has these words.
-  [[nodiscard]] bool wait_for_window(const std::string& title) const;
+  /// Waits for a window of a program whose title has these words; false if the program ended
+  /// before.
+  [[nodiscard]] bool wait_for_window(const std::string& title, RunningProgram& program) const;
 
   /// Runs xdotool with these words.
   void type(const std::vector<std::string>& words) const;
 
-  /// Moves the mouse to a place, presses, moves it slowly to another, releases.
-  void drag(PixelPoint from, PixelPoint to) const;
+  /// Moves the mouse to a place, presses, moves it to another in steps, releases. Calls `taken`
+  /// after each act, which waits until the program has taken it.
+  void drag(PixelPoint from, PixelPoint to, const std::function<void()>& taken) const;
 
   /// Ends the server, windows or not.
   void end();
@@ -53,8 +58,11 @@ class RunningProgram {
   RunningProgram(const RunningProgram&) = delete;
   RunningProgram& operator=(const RunningProgram&) = delete;
 
-  /// Waits up to two minutes for its end; exit status, 128 + n for signal n, -1 if it did not end.
+  /// Waits for its end; exit status, 128 + n for signal n.
   [[nodiscard]] int wait();
+
+  /// True once it ended.
+  [[nodiscard]] bool ended();
 
   void signal(int number) const;
 

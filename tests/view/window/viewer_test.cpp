@@ -8,14 +8,13 @@
 #include "apps/view/window/scene_subject.h"
 #include "tests/support/bodies.h"
 #include "tests/support/support.h"
+#include "tests/support/wait.h"
 #include "tests/view/window/display.h"
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <string>
-#include <thread>
 
 namespace soms::view {
 namespace {
@@ -52,13 +51,12 @@ class ViewerTest : public testing::Test {
     return (folder_.path() / name).string();
   }
 
-  /// Waits for a picture that F12 saves, and takes it away.
-  Picture picture(const Display& display) {
+  /// Waits for a picture that F12 saves, and takes it away. The viewer has taken all that came
+  /// before.
+  Picture picture(const Display& display, RunningProgram& viewer) {
     display.type({"key", "F12"});
     const auto file = folder_.path() / "soms-view-1.png";
-    for (int i = 0; i < 600 && !std::filesystem::exists(file); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    }
+    soms::test::wait_until([&] { return std::filesystem::exists(file) || viewer.ended(); });
     const Picture read = read_png(file);
     std::filesystem::remove(file);
     return read;
@@ -77,14 +75,14 @@ SceneSubject twin() {
 TEST_F(ViewerTest, KeysActAndADragIntoTheBuildingTurnsPixelsRed) {
   const Display display;
   RunningProgram viewer(words(), folder_.path(), display.name());
-  ASSERT_TRUE(display.wait_for_window("soms view")) << viewer.errors();
+  ASSERT_TRUE(display.wait_for_window("soms view", viewer)) << viewer.errors();
 
-  const Picture before = picture(display);
+  const Picture before = picture(display, viewer);
   EXPECT_EQ(before.size, kSize);
   EXPECT_EQ(red_pixels(before), 0U);
 
   display.type({"key", "Tab"});  // panels off: the picture changes on its left
-  const Picture bare = picture(display);
+  const Picture bare = picture(display, viewer);
   EXPECT_GT(difference(before, bare, 20).beyond, 20'000U);
   EXPECT_EQ(red_pixels(bare), 0U);
 
@@ -93,12 +91,12 @@ TEST_F(ViewerTest, KeysActAndADragIntoTheBuildingTurnsPixelsRed) {
   const auto pixel = [&](const Vec3& p) { return project(session.camera(), kSize, p)->pixel; };
   const Gizmo gizmo = *session.gizmo();
   const Vec3 grip = gizmo.center + Vec3{0.7 * gizmo.size, 0, 0};
-  display.drag(pixel(grip), pixel(grip - Vec3{9, 0, 0}));
-  const Picture after = picture(display);
+  display.drag(pixel(grip), pixel(grip - Vec3{9, 0, 0}), [&] { (void)picture(display, viewer); });
+  const Picture after = picture(display, viewer);
   EXPECT_GT(red_pixels(after), 200U);
 
   display.type({"key", "BackSpace"});  // the object back home
-  EXPECT_EQ(red_pixels(picture(display)), 0U);
+  EXPECT_EQ(red_pixels(picture(display, viewer)), 0U);
 
   display.type({"key", "ctrl+q"});
   EXPECT_EQ(viewer.wait(), 0) << viewer.errors();
@@ -108,19 +106,26 @@ TEST_F(ViewerTest, KeysActAndADragIntoTheBuildingTurnsPixelsRed) {
 TEST_F(ViewerTest, RestsWhenPaused) {
   const Display display;
   RunningProgram viewer(words(), folder_.path(), display.name());
-  ASSERT_TRUE(display.wait_for_window("soms view")) << viewer.errors();
-  (void)picture(display);
-  std::this_thread::sleep_for(std::chrono::seconds(1));
-  const double before = viewer.processor_seconds();
-  std::this_thread::sleep_for(std::chrono::seconds(2));
-  EXPECT_LE(viewer.processor_seconds() - before, 0.1);
+  ASSERT_TRUE(display.wait_for_window("soms view", viewer)) << viewer.errors();
+  (void)picture(display, viewer);
+  // It comes to rest: for two seconds, or more, it takes no time of any processor. One that draws
+  // on never does.
+  double before = -1;
+  soms::test::wait_until([&] {
+    const double now = viewer.processor_seconds();
+    const bool rests = now == before;
+    before = now;
+    soms::test::wait_at_least(2);
+    return rests;
+  });
+  EXPECT_FALSE(viewer.ended());
 }
 
 TEST_F(ViewerTest, CtrlCEndsCleanlyAlsoWhenItRests) {
   const Display display;
   RunningProgram viewer(words(), folder_.path(), display.name());
-  ASSERT_TRUE(display.wait_for_window("soms view")) << viewer.errors();
-  (void)picture(display);
+  ASSERT_TRUE(display.wait_for_window("soms view", viewer)) << viewer.errors();
+  (void)picture(display, viewer);
   viewer.signal(SIGINT);
   EXPECT_EQ(viewer.wait(), 130);
   EXPECT_EQ(viewer.errors(), "soms-view view: interrupted\n");
@@ -129,8 +134,8 @@ TEST_F(ViewerTest, CtrlCEndsCleanlyAlsoWhenItRests) {
 TEST_F(ViewerTest, ALostDisplayIsOneSentenceAndStatus5) {
   Display display;
   RunningProgram viewer(words(), folder_.path(), display.name());
-  ASSERT_TRUE(display.wait_for_window("soms view")) << viewer.errors();
-  (void)picture(display);
+  ASSERT_TRUE(display.wait_for_window("soms view", viewer)) << viewer.errors();
+  (void)picture(display, viewer);
   display.end();
   EXPECT_EQ(viewer.wait(), 5);
   EXPECT_EQ(viewer.errors(),
@@ -155,7 +160,7 @@ TEST_F(ViewerTest, AWindowClosedBeforeItsScreenshotIsAnError) {
     all.emplace_back(word);
   }
   RunningProgram viewer(all, folder_.path(), display.name());
-  ASSERT_TRUE(display.wait_for_window("soms view")) << viewer.errors();
+  ASSERT_TRUE(display.wait_for_window("soms view", viewer)) << viewer.errors();
   display.type({"key", "ctrl+q"});
   EXPECT_EQ(viewer.wait(), 5);
   EXPECT_NE(viewer.errors().find("end.png: the window was closed after"), std::string::npos)

@@ -1,4 +1,4 @@
-#include "apps/soms/reproduce.h"
+#include "apps/reproduce/reproduce.h"
 
 #include "soms/base/error.h"
 

@@ -1,0 +1,5 @@
+set(SOMS_REPRODUCE_FILES
+  main.cpp
+  reproduce.cpp
+  reproduce.h
+)

@@ -1,0 +1,4 @@
+set(SOMS_HEADERS
+  eigen.h
+  glm.h
+)

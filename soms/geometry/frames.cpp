@@ -1,0 +1,94 @@
+#include "soms/geometry/frames.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <locale>
+#include <sstream>
+
+namespace soms {
+
+namespace {
+
+double longest_side(const Box& box) {
+  const Vec3 extent = box.extent();
+  return std::max({extent.x, extent.y, extent.z});
+}
+
+std::string_view axis_word(UpAxis up) {
+  constexpr std::array<std::string_view, 4> kWords{"unknown", "x", "y", "z"};
+  return kWords.at(static_cast<std::size_t>(up));
+}
+
+std::string unit_words(double unit) {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << unit << " m";
+  return out.str();
+}
+
+}  // namespace
+
+CoordinateFrame frame_of(const Mesh& mesh) {
+  return {.unit = mesh.unit, .up = mesh.up};
+}
+
+std::string_view name(FrameDoubt doubt) {
+  constexpr std::array<std::string_view, 5> kNames{"axes_differ", "axis_unknown", "units_differ",
+                                                   "unit_unknown", "boxes_apart"};
+  return kNames.at(static_cast<std::size_t>(doubt));
+}
+
+std::vector<FrameDoubt> compare_frames(const CoordinateFrame& a, const CoordinateFrame& b) {
+  std::vector<FrameDoubt> doubts;
+  const bool knows_up_a = a.up != UpAxis::unknown;
+  const bool knows_up_b = b.up != UpAxis::unknown;
+  if (knows_up_a && knows_up_b && a.up != b.up) {
+    doubts.push_back(FrameDoubt::axes_differ);
+  }
+  if (knows_up_a != knows_up_b && !a.up_is_stated && !b.up_is_stated) {
+    doubts.push_back(FrameDoubt::axis_unknown);
+  }
+  if (!a.unit_is_stated && !b.unit_is_stated && a.unit != b.unit) {
+    const bool both = a.unit > 0 && b.unit > 0;
+    doubts.push_back(both ? FrameDoubt::units_differ : FrameDoubt::unit_unknown);
+  }
+  return doubts;
+}
+
+std::string explain(FrameDoubt doubt, const CoordinateFrame& a, const std::string& name_a,
+                    const CoordinateFrame& b, const std::string& name_b) {
+  const bool axes = doubt == FrameDoubt::axes_differ || doubt == FrameDoubt::axis_unknown;
+  const auto known = [&](const CoordinateFrame& frame) {
+    return axes ? frame.up != UpAxis::unknown : frame.unit > 0;
+  };
+  const auto word = [&](const CoordinateFrame& frame) {
+    return !known(frame) ? "unknown"
+           : axes        ? std::string(axis_word(frame.up))
+                         : unit_words(frame.unit);
+  };
+  // What is known comes first.
+  const bool swapped = known(b) && !known(a);
+  const CoordinateFrame& first = swapped ? b : a;
+  const CoordinateFrame& second = swapped ? a : b;
+  return std::string(axes ? "the up axis" : "the unit") + " is " + word(first) + " in " +
+         (swapped ? name_b : name_a) + ", and " + word(second) + " in " +
+         (swapped ? name_a : name_b);
+}
+
+double gap(const Box& a, const Box& b) {
+  double widest = 0;
+  if (!a.empty() && !b.empty()) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      widest = std::max({widest, a.lower[k] - b.upper[k], b.lower[k] - a.upper[k]});
+    }
+  }
+  return widest;
+}
+
+bool far_apart(const Box& a, const Box& b) {
+  const double widest = gap(a, b);
+  return widest > 0 && widest > longest_side(a) && widest > longest_side(b);
+}
+
+}  // namespace soms

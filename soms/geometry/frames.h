@@ -1,0 +1,60 @@
+/// \file
+/// Do the numbers of two models mean the same? Compared by the unit and up axis that they declare,
+/// and by how far apart their boxes are.
+#pragma once
+
+#include "soms/base/box.h"
+#include "soms/geometry/mesh.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soms {
+
+/// What the coordinates of a model mean, as far as it is known: by its file, or by the caller.
+struct CoordinateFrame {
+  double unit = 0;              ///< meters a unit; 0: not declared
+  UpAxis up = UpAxis::unknown;  ///< as the coordinates stand now
+  bool unit_is_stated = false;  ///< the caller answers for the unit: it is not questioned
+  bool up_is_stated = false;    ///< the caller answers for `up`, which a file may contradict
+
+  [[nodiscard]] bool operator==(const CoordinateFrame&) const = default;
+};
+
+/// What a mesh declares.
+[[nodiscard]] CoordinateFrame frame_of(const Mesh& mesh);
+
+/// Why "no overlap" may not mean "free": the numbers of the two bodies may not mean the same.
+enum class FrameDoubt {
+  axes_differ,   ///< the up axes of both are known, and differ
+  axis_unknown,  ///< one declares its up axis, of the other none is known
+  units_differ,  ///< both declare a unit, and not the same
+  unit_unknown,  ///< one declares a unit, the other does not
+  boxes_apart,   ///< `far_apart` holds
+};
+
+/// Name of a doubt, in snake_case.
+[[nodiscard]] std::string_view name(FrameDoubt doubt);
+
+/// Doubts about what two models declare, axes before units; none where neither declares anything.
+/// Axes that are known and differ are always a doubt. An axis that is unknown is none where the
+/// other is stated by the caller, who has looked at both; a unit is none where either is stated.
+/// Symmetric. Units differ when their numbers do, by however little.
+[[nodiscard]] std::vector<FrameDoubt> compare_frames(const CoordinateFrame& a,
+                                                     const CoordinateFrame& b);
+
+/// A doubt about declared frames in words, "the up axis is y in b.gltf, and unknown in a.obj".
+/// \pre `doubt` is not `boxes_apart`.
+[[nodiscard]] std::string explain(FrameDoubt doubt, const CoordinateFrame& a,
+                                  const std::string& name_a, const CoordinateFrame& b,
+                                  const std::string& name_b);
+
+/// The greatest gap of two boxes along an axis; 0 where they overlap, touch, or one is empty.
+[[nodiscard]] double gap(const Box& a, const Box& b);
+
+/// True if the gap of two boxes is greater than the longest side of either: where a unit, an axis
+/// or a shift is missing, bodies that belong together often are. Bodies may be so on purpose.
+[[nodiscard]] bool far_apart(const Box& a, const Box& b);
+
+}  // namespace soms

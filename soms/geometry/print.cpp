@@ -1,0 +1,138 @@
+#include "soms/geometry/print.h"
+
+#include "soms/base/print.h"
+#include "soms/base/print_fields.h"
+#include "soms/geometry/crossing_segment.h"
+#include "soms/geometry/defects.h"
+#include "soms/geometry/frames.h"
+#include "soms/geometry/mesh.h"
+#include "soms/geometry/midpoint.h"
+#include "soms/geometry/orientation.h"
+#include "soms/geometry/part_runs.h"
+
+namespace soms {
+
+std::ostream& operator<<(std::ostream& out, const Mesh& value) {
+  return out << PrintedFields("Mesh")
+                    .item(printed_count(value.triangles.size(), "triangle", "triangles"))
+                    .item(printed_count(value.vertices.size(), "vertex", "vertices"))
+                    .item(printed_count(value.parts.size(), "part", "parts"));
+}
+
+std::ostream& operator<<(std::ostream& out, const Part& value) {
+  PrintedFields fields("Part");
+  fields.item(quoted_text(value.name));
+  fields.item(printed_count(value.count, "triangle", "triangles") + " from " +
+              std::to_string(value.first));
+  if (value.parent != Part::kNoParent) {
+    fields.add("parent", value.parent);
+  }
+  return out << fields;
+}
+
+std::ostream& operator<<(std::ostream& out, const PartRun& value) {
+  PrintedFields fields("PartRun");
+  fields.add("first", value.first);
+  return value.part == Part::kNoParent ? out << fields.item("no part")
+                                       : out << fields.add("part", value.part);
+}
+
+std::ostream& operator<<(std::ostream& out, UpAxis value) {
+  return out << printed_name("UpAxis", static_cast<int>(value), {"unknown", "x", "y", "z"});
+}
+
+std::ostream& operator<<(std::ostream& out, const Defects& value) {
+  return out << PrintedFields("Defects")
+                    .add("degenerate", value.degenerate)
+                    .add("repeated_corner", value.repeated_corner)
+                    .add("duplicate", value.duplicate)
+                    .add("doubled", value.doubled)
+                    .add("open_edges", value.open_edges)
+                    .add("non_manifold_edges", value.non_manifold_edges)
+                    .add("flipped_edges", value.flipped_edges)
+                    .add("unused_vertices", value.unused_vertices)
+                    .add("repeated_vertices", value.repeated_vertices)
+                    .add("closed", value.closed())
+                    .add("by_index", value.by_index)
+                    .item(printed_count(value.parts.size(), "part", "parts"))
+                    .add("places", value.places);
+}
+
+std::ostream& operator<<(std::ostream& out, const DefectPlaces& value) {
+  return out << PrintedFields("DefectPlaces")
+                    .add("repeated_corner", value.repeated_corner.size())
+                    .add("collinear", value.collinear.size())
+                    .add("duplicate", value.duplicate.size())
+                    .add("doubled", value.doubled.size())
+                    .add("open_edges", value.open_edges.size())
+                    .add("non_manifold_edges", value.non_manifold_edges.size())
+                    .add("flipped_edges", value.flipped_edges.size())
+                    .add("unused_vertices", value.unused_vertices.size())
+                    .add("repeated_vertices", value.repeated_vertices.size());
+}
+
+std::ostream& operator<<(std::ostream& out, const DefectOptions& value) {
+  return out
+         << PrintedFields("DefectOptions").add("places", value.places).add("parts", value.parts);
+}
+
+std::ostream& operator<<(std::ostream& out, const EdgeCounts& value) {
+  return out << PrintedFields("EdgeCounts")
+                    .add("open", value.open)
+                    .add("non_manifold", value.non_manifold)
+                    .add("flipped", value.flipped)
+                    .add("none", value.none);
+}
+
+std::ostream& operator<<(std::ostream& out, const EdgePlace& value) {
+  return out << PrintedFields("EdgePlace")
+                    .add("triangle", value.triangle)
+                    .add("corner", value.corner)
+                    .add("other", value.other)
+                    .add("uses", value.uses);
+}
+
+std::ostream& operator<<(std::ostream& out, const TriangleCopy& value) {
+  return out << PrintedFields("TriangleCopy")
+                    .add("triangle", value.triangle)
+                    .add("original", value.original);
+}
+
+std::ostream& operator<<(std::ostream& out, const VertexCopy& value) {
+  return out
+         << PrintedFields("VertexCopy").add("vertex", value.vertex).add("original", value.original);
+}
+
+std::ostream& operator<<(std::ostream& out, const Crossing& value) {
+  PrintedFields corners("Crossing");
+  for (const Vec3& corner : value.points()) {
+    corners.item(printed(corner));
+  }
+  return out << (value.empty() ? corners.item("empty") : corners);
+}
+
+std::ostream& operator<<(std::ostream& out, Sign value) {
+  return out << printed_name("Sign", static_cast<int>(value) + 1, {"negative", "zero", "positive"});
+}
+
+std::ostream& operator<<(std::ostream& out, Projection value) {
+  return out << printed_name("Projection", static_cast<int>(value), {"xy", "yz", "zx"});
+}
+
+std::ostream& operator<<(std::ostream& out, Midpoint value) {
+  return out << printed_name("Midpoint", static_cast<int>(value), {"thesis", "centroid", "aabb"});
+}
+
+std::ostream& operator<<(std::ostream& out, const CoordinateFrame& value) {
+  return out << PrintedFields("CoordinateFrame")
+                    .add("unit", value.unit)
+                    .add("up", value.up)
+                    .add("unit_is_stated", value.unit_is_stated)
+                    .add("up_is_stated", value.up_is_stated);
+}
+
+std::ostream& operator<<(std::ostream& out, FrameDoubt value) {
+  return out << name(value);
+}
+
+}  // namespace soms

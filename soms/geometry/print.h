@@ -1,0 +1,46 @@
+/// \file
+/// Meshes and what is found in them, printed by `<<`: "Mesh{12 triangles, 8 vertices, 1 part}".
+#pragma once
+
+#include <iosfwd>
+
+namespace soms {
+
+enum class FrameDoubt;
+enum class Midpoint;
+enum class Projection;
+enum class Sign : signed char;
+enum class UpAxis;
+struct CoordinateFrame;
+struct Crossing;
+struct DefectOptions;
+struct DefectPlaces;
+struct Defects;
+struct EdgeCounts;
+struct EdgePlace;
+struct Mesh;
+struct Part;
+struct PartRun;
+struct TriangleCopy;
+struct VertexCopy;
+
+/// One line, as in soms/base/print.h. Lists are counted, not listed.
+std::ostream& operator<<(std::ostream& out, const Mesh& value);
+std::ostream& operator<<(std::ostream& out, const Part& value);
+std::ostream& operator<<(std::ostream& out, const PartRun& value);
+std::ostream& operator<<(std::ostream& out, UpAxis value);
+std::ostream& operator<<(std::ostream& out, const Defects& value);
+std::ostream& operator<<(std::ostream& out, const DefectPlaces& value);
+std::ostream& operator<<(std::ostream& out, const DefectOptions& value);
+std::ostream& operator<<(std::ostream& out, const EdgeCounts& value);
+std::ostream& operator<<(std::ostream& out, const EdgePlace& value);
+std::ostream& operator<<(std::ostream& out, const TriangleCopy& value);
+std::ostream& operator<<(std::ostream& out, const VertexCopy& value);
+std::ostream& operator<<(std::ostream& out, const Crossing& value);
+std::ostream& operator<<(std::ostream& out, Sign value);
+std::ostream& operator<<(std::ostream& out, Projection value);
+std::ostream& operator<<(std::ostream& out, Midpoint value);
+std::ostream& operator<<(std::ostream& out, const CoordinateFrame& value);
+std::ostream& operator<<(std::ostream& out, FrameDoubt value);
+
+}  // namespace soms

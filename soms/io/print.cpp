@@ -1,0 +1,42 @@
+#include "soms/io/print.h"
+
+#include "soms/base/print_fields.h"
+#include "soms/io/formats.h"
+#include "soms/io/read_mesh.h"
+#include "soms/io/write_mesh.h"
+
+namespace soms {
+
+std::ostream& operator<<(std::ostream& out, const ReadOptions& value) {
+  return out << PrintedFields("ReadOptions")
+                    .add("allow_empty", value.allow_empty)
+                    .add("max_memory", value.max_memory)
+                    .add("import_seconds", value.import_seconds)
+                    .add("strict", value.strict);
+}
+
+std::ostream& operator<<(std::ostream& out, const ReadableFormat& value) {
+  return out << PrintedFields("ReadableFormat").item(value.name).item(quoted_text(value.ending));
+}
+
+std::ostream& operator<<(std::ostream& out, const WritableFormat& value) {
+  return out << PrintedFields("WritableFormat")
+                    .add("format", value.format)
+                    .add("title", value.title)
+                    .add("ending", value.ending)
+                    .add("doubles", value.doubles)
+                    .add("names", value.names)
+                    .add("unit_and_axis", value.unit_and_axis);
+}
+
+std::ostream& operator<<(std::ostream& out, MeshFormat value) {
+  return out << printed_name(
+             "MeshFormat", static_cast<int>(value),
+             {"ply", "ply_ascii", "obj", "stl", "stl_ascii", "off", "three_ds", "glb"});
+}
+
+std::ostream& operator<<(std::ostream& out, const Rounding& value) {
+  return out << PrintedFields("Rounding").add("count", value.count).add("most", value.most);
+}
+
+}  // namespace soms

@@ -1,0 +1,22 @@
+/// \file
+/// Formats and the options of reading, printed by `<<`: "ReadOptions{allow_empty: false, ...}".
+#pragma once
+
+#include <iosfwd>
+
+namespace soms {
+
+enum class MeshFormat;
+struct ReadOptions;
+struct ReadableFormat;
+struct Rounding;
+struct WritableFormat;
+
+/// One line, as in soms/base/print.h.
+std::ostream& operator<<(std::ostream& out, const ReadOptions& value);
+std::ostream& operator<<(std::ostream& out, const ReadableFormat& value);
+std::ostream& operator<<(std::ostream& out, const WritableFormat& value);
+std::ostream& operator<<(std::ostream& out, MeshFormat value);
+std::ostream& operator<<(std::ostream& out, const Rounding& value);
+
+}  // namespace soms

@@ -1,0 +1,39 @@
+/// \file
+/// Bodies, options and answers, printed by `<<`:
+/// "Overlap{any: true, 12 pairs, coverage: complete, cost: Cost{...}}".
+#pragma once
+
+#include <iosfwd>
+
+namespace soms {
+
+enum class BoxUpdate;
+enum class Coverage;
+enum class Descent;
+enum class EntryOrder;
+enum class OverlapMode;
+enum class Traversal;
+struct Body;
+struct Cost;
+struct Overlap;
+struct OverlapBatch;
+struct OverlapOptions;
+struct RunAnswers;
+struct TraversalOptions;
+
+/// One line, as in soms/base/print.h. Lists are counted, not listed.
+std::ostream& operator<<(std::ostream& out, const Body& value);
+std::ostream& operator<<(std::ostream& out, const Cost& value);
+std::ostream& operator<<(std::ostream& out, Coverage value);
+std::ostream& operator<<(std::ostream& out, const Overlap& value);
+std::ostream& operator<<(std::ostream& out, const OverlapBatch& value);
+std::ostream& operator<<(std::ostream& out, const RunAnswers& value);
+std::ostream& operator<<(std::ostream& out, const OverlapOptions& value);
+std::ostream& operator<<(std::ostream& out, OverlapMode value);
+std::ostream& operator<<(std::ostream& out, const TraversalOptions& value);
+std::ostream& operator<<(std::ostream& out, Traversal value);
+std::ostream& operator<<(std::ostream& out, Descent value);
+std::ostream& operator<<(std::ostream& out, EntryOrder value);
+std::ostream& operator<<(std::ostream& out, BoxUpdate value);
+
+}  // namespace soms

@@ -1,0 +1,71 @@
+/// \file
+/// From step to step: which bodies begin to touch, still touch, and touch no longer.
+#pragma once
+
+#include "soms/scene/step_report.h"
+
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+namespace soms {
+
+/// What became of a contact of two bodies since the step before.
+enum class ContactChange : std::uint8_t {
+  begin,  ///< they touch, and did not before
+  stay,   ///< they touch, and did before
+  end,    ///< they do not touch, and did before; one of them may have been removed
+};
+
+/// Change of a contact between a mover and a part of the environment.
+struct EnvironmentEvent {
+  MoverId mover = 0;
+  EnvironmentId part = 0;
+  ContactChange change = ContactChange::begin;
+
+  [[nodiscard]] auto operator<=>(const EnvironmentEvent&) const = default;
+};
+
+/// Change of a contact between two movers; `a` is less than `b`.
+struct MoverEvent {
+  MoverId a = 0;
+  MoverId b = 0;
+  ContactChange change = ContactChange::begin;
+
+  [[nodiscard]] auto operator<=>(const MoverEvent&) const = default;
+};
+
+/// Changes from one step to the next, each pair of bodies once: two sorted lists.
+struct ContactEvents {
+  std::vector<EnvironmentEvent> environment;
+  std::vector<MoverEvent> movers;
+
+  [[nodiscard]] bool operator==(const ContactEvents&) const = default;
+};
+
+/// Compares the report of each step with that of the step before. A value: a copy goes on from
+/// where it was made. Holds the touching pairs of bodies of the last step, no triangles.
+class ContactTracker {
+ public:
+  /// Changes since the report before; at the first, every contact begins. The events depend only on
+  /// which pairs of bodies touch in the two steps: they are the same for any number of threads and
+  /// any mode of the steps.
+  /// \errors  ErrorKind::usage for a report of StepScope::first_contact, which may lack pairs that
+  ///          touch; and where this report compares movers with each other and the one before does
+  ///          not, or the reverse (`clear` starts again). The tracker stays as it was then.
+  /// \cost    O(n), n contacts of the report and touching pairs of the report before.
+  [[nodiscard]] ContactEvents follow(const StepReport& report);
+
+  /// Forgets the report before: at the next one, every contact begins.
+  void clear() { *this = {}; }
+
+  [[nodiscard]] bool operator==(const ContactTracker&) const = default;
+
+ private:
+  bool has_report_ = false;
+  bool mover_mover_ = false;
+  std::vector<EnvironmentEvent> environment_;  ///< touching pairs of the report before
+  std::vector<MoverEvent> movers_;             ///< likewise
+};
+
+}  // namespace soms

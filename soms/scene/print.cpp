@@ -1,0 +1,123 @@
+#include "soms/scene/print.h"
+
+#include "soms/base/print.h"
+#include "soms/base/print_fields.h"
+#include "soms/geometry/print.h"
+#include "soms/query/print.h"
+#include "soms/scene/contact_tracker.h"
+#include "soms/scene/recording.h"
+#include "soms/scene/scene.h"
+
+namespace soms {
+
+std::ostream& operator<<(std::ostream& out, const EnvironmentContact& value) {
+  return out << PrintedFields("EnvironmentContact")
+                    .add("mover", value.mover)
+                    .add("part", value.part)
+                    .add("i", value.i)
+                    .add("j", value.j);
+}
+
+std::ostream& operator<<(std::ostream& out, const MoverContact& value) {
+  return out << PrintedFields("MoverContact")
+                    .add("a", value.a)
+                    .add("b", value.b)
+                    .add("i", value.i)
+                    .add("j", value.j);
+}
+
+std::ostream& operator<<(std::ostream& out, ContactChange value) {
+  return out << printed_name("ContactChange", static_cast<int>(value), {"begin", "stay", "end"});
+}
+
+std::ostream& operator<<(std::ostream& out, const EnvironmentEvent& value) {
+  return out << PrintedFields("EnvironmentEvent")
+                    .add("mover", value.mover)
+                    .add("part", value.part)
+                    .add("change", value.change);
+}
+
+std::ostream& operator<<(std::ostream& out, const MoverEvent& value) {
+  return out << PrintedFields("MoverEvent")
+                    .add("a", value.a)
+                    .add("b", value.b)
+                    .add("change", value.change);
+}
+
+std::ostream& operator<<(std::ostream& out, const ContactEvents& value) {
+  return out << PrintedFields("ContactEvents")
+                    .add("environment", value.environment.size())
+                    .add("movers", value.movers.size());
+}
+
+std::ostream& operator<<(std::ostream& out, StepScope value) {
+  return out << printed_name("StepScope", static_cast<int>(value), {"every_pair", "first_contact"});
+}
+
+std::ostream& operator<<(std::ostream& out, const StepReport& value) {
+  return out << PrintedFields("StepReport")
+                    .add("environment", value.environment.size())
+                    .add("movers", value.movers.size())
+                    .add("coverage", value.coverage)
+                    .add("cost", value.cost)
+                    .add("queries", value.queries)
+                    .add("box_pairs", value.box_pairs)
+                    .add("scope", value.scope)
+                    .add("mover_mover", value.mover_mover)
+                    .add("shapes_set", value.shapes_set);
+}
+
+std::ostream& operator<<(std::ostream& out, const StepOptions& value) {
+  return out << PrintedFields("StepOptions")
+                    .add("mode", value.mode)
+                    .add("scope", value.scope)
+                    .add("mover_mover", value.mover_mover)
+                    .add("coherent", value.coherent)
+                    .add("traversal", value.traversal);
+}
+
+std::ostream& operator<<(std::ostream& out, const RecordedMesh& value) {
+  return out << PrintedFields("RecordedMesh")
+                    .item(quoted_text(value.name))
+                    .item("origin: " + printed_name("Origin", static_cast<int>(value.origin),
+                                                    {"file", "city", "mover"}))
+                    .add("source", value.source)
+                    .item(printed_count(value.triangles, "triangle", "triangles"));
+}
+
+std::ostream& operator<<(std::ostream& out, const RecordedBody& value) {
+  return out << PrintedFields("RecordedBody").item(printed(value.mesh)).item(printed(value.pose));
+}
+
+std::ostream& operator<<(std::ostream& out, const RecordingHead& value) {
+  return out << PrintedFields("RecordingHead")
+                    .item(quoted_text(value.title))
+                    .add("frames_a_second", value.frames_a_second)
+                    .add("frames_asked", value.frames_asked)
+                    .add("environment", value.environment.size())
+                    .add("models", value.models.size())
+                    .add("movers", value.movers.size());
+}
+
+std::ostream& operator<<(std::ostream& out, const RecordedFrame& value) {
+  return out << PrintedFields("RecordedFrame")
+                    .add("poses", value.poses.size())
+                    .add("environment", value.environment.size())
+                    .add("movers", value.movers.size());
+}
+
+std::ostream& operator<<(std::ostream& out, RecordingEnding value) {
+  return out << printed_name("RecordingEnding", static_cast<int>(value),
+                             {"complete", "timed_out", "interrupted"});
+}
+
+std::ostream& operator<<(std::ostream& out, const RecordingEnd& value) {
+  return out << PrintedFields("RecordingEnd")
+                    .add("ending", value.ending)
+                    .add("frames", value.frames)
+                    .add("environment_contacts", value.environment_contacts)
+                    .add("mover_contacts", value.mover_contacts)
+                    .add("hash", value.hash);
+}
+
+}  // namespace soms

@@ -1,0 +1,69 @@
+/// \file
+/// What a step of a scene finds: who touches whom, and with which triangles.
+#pragma once
+
+#include "soms/geometry/mesh.h"
+#include "soms/query/answer.h"
+
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+namespace soms {
+
+/// Stable number of a mover or of a part of the environment; never used again after removal.
+using MoverId = std::uint32_t;
+using EnvironmentId = std::uint32_t;
+
+/// A triangle of a mover touches a triangle of the environment.
+struct EnvironmentContact {
+  MoverId mover = 0;
+  EnvironmentId part = 0;
+  TriangleId i = 0;  ///< triangle of the mover
+  TriangleId j = 0;  ///< triangle of the part
+
+  [[nodiscard]] auto operator<=>(const EnvironmentContact&) const = default;
+};
+
+/// A triangle of one mover touches a triangle of another; `a` is less than `b`.
+struct MoverContact {
+  MoverId a = 0;
+  MoverId b = 0;
+  TriangleId i = 0;  ///< triangle of a
+  TriangleId j = 0;  ///< triangle of b
+
+  [[nodiscard]] auto operator<=>(const MoverContact&) const = default;
+};
+
+/// Which pairs of bodies a step compares.
+enum class StepScope {
+  every_pair,  ///< all whose boxes meet: every pair of bodies that touch is reported
+  /// A mover that touches something is compared no further: whether each mover touches anything is
+  /// reported, with one contact that shows it.
+  first_contact,
+};
+
+/// What a step found: two sorted lists, the same bytes for any number of threads.
+struct StepReport {
+  std::vector<EnvironmentContact> environment;
+  std::vector<MoverContact> movers;
+  Coverage coverage = Coverage::complete;
+  Cost cost;
+  std::uint64_t queries = 0;  ///< narrow-phase queries: pairs of bodies that were compared
+  /// Pairs of bodies whose world boxes meet. Movers of one group and movers that ignore each other
+  /// do not count.
+  std::uint64_t box_pairs = 0;
+  StepScope scope = StepScope::every_pair;  ///< as of StepOptions
+  bool mover_mover = true;                  ///< as of StepOptions
+  std::uint64_t shapes_set = 0;  ///< shapes that were set in the scene before this step, in all
+
+  [[nodiscard]] bool operator==(const StepReport&) const = default;
+
+  /// Movers that touch anything, ascending. \cost O(n log n), n contacts.
+  [[nodiscard]] std::vector<MoverId> touching_movers() const;
+
+  /// FNV-1a 64 over both lists as little-endian u32.
+  [[nodiscard]] std::uint64_t hash() const;
+};
+
+}  // namespace soms

@@ -1,0 +1,207 @@
+// R117: two files whose numbers do not mean the same, and "no overlap" is no "free".
+#include "tests/commands/run.h"
+
+#include <algorithm>
+
+namespace soms::test {
+namespace {
+
+/// z up and in meters, as its file does not say.
+std::string hall() {
+  return data("frames/hall.obj").string();
+}
+
+/// y up and in meters.
+std::string duct() {
+  return data("frames/duct.gltf").string();
+}
+
+RunResult overlap_run(std::vector<std::string> words) {
+  words.insert(words.begin(), {"overlap", hall(), duct()});
+  return soms_run(std::move(words));
+}
+
+/// Kinds of the warnings of an answer, in their order.
+std::vector<std::string> kinds(const Json& answer) {
+  std::vector<std::string> found;
+  for (const Json& warning : answer.value("warnings", Json::array())) {
+    found.push_back(warning.at("kind"));
+  }
+  return found;
+}
+
+using Kinds = std::vector<std::string>;
+
+const std::string kAxis = "the up axis is y in " + duct() + ", and unknown in " + hall();
+const std::string kUnit = "the unit is 1 m in " + duct() + ", and unknown in " + hall();
+
+TEST(FrameRegressions, R117OverlapWarnsWhereAxesOrUnitsMayDiffer) {
+  const RunResult text = overlap_run({});
+  EXPECT_EQ(text.status, 0);
+  EXPECT_EQ(text.out, "no triangles overlap: the boxes of the models are 1.5 apart\n");
+  EXPECT_EQ(text.err, "warning: " + kAxis + "; give --up-b y if z is up in " + hall() +
+                          ", and --up y, too, if y is\nwarning: " + kUnit + "; give --scale 1 if " +
+                          hall() + " is in the same unit, or the --scale that converts it\n");
+  const Json answer = json_lines(overlap_run({"--json"}).out).at(0);
+  EXPECT_EQ(kinds(answer), (Kinds{"axis_unknown", "unit_unknown"}));
+  EXPECT_NE(answer["warnings"][0]["message"].get<std::string>().find(kAxis), std::string::npos);
+}
+
+TEST(FrameRegressions, R117WhatTheUserStatesIsNotWarnedOf) {
+  const RunResult turned = overlap_run({"--up-b", "y", "--json"});
+  EXPECT_EQ(json_lines(turned.out).at(0).at("count"), 16);
+  EXPECT_EQ(kinds(json_lines(turned.out).at(0)), Kinds{"unit_unknown"});
+  EXPECT_EQ(turned.err.find("up axis"), std::string::npos) << turned.err;
+  for (const char* const scale : {"--scale", "--scale-b"}) {
+    const RunResult settled = overlap_run({"--up-b", "y", scale, "1", "--json"});
+    EXPECT_EQ(settled.err, "");
+    EXPECT_FALSE(json_lines(settled.out).at(0).contains("warnings"));
+  }
+  // Turning both is as good, and the same pairs overlap as where neither is turned.
+  const RunResult both = overlap_run({"--up", "y", "--up-b", "y", "--scale", "1", "--json"});
+  EXPECT_EQ(both.err, "");
+  EXPECT_EQ(json_lines(both.out).at(0).at("hash"),
+            json_lines(overlap_run({"--json"}).out).at(0).at("hash"));
+  // What was turned to z differs from what its file says is y up.
+  EXPECT_EQ(kinds(json_lines(overlap_run({"--up", "z", "--scale", "1", "--json"}).out).at(0)),
+            Kinds{"axes_differ"});
+}
+
+TEST(FrameRegressions, R117StrictRefusesWhatIsWarnedOf) {
+  const RunResult refused = overlap_run({"--strict"});
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_NE(refused.err.find("soms overlap: --strict: " + kAxis + "; " + kUnit + "; give --up-b y"),
+            std::string::npos)
+      << refused.err;
+  const RunResult unit = overlap_run({"--strict", "--up-b", "y"});
+  EXPECT_EQ(unit.status, 3);
+  EXPECT_NE(unit.err.find("give --scale 1"), std::string::npos) << unit.err;
+  EXPECT_EQ(overlap_run({"--strict", "--up-b", "y", "--scale", "1"}).status, 0);
+}
+
+TEST(FrameRegressions, R117ModelsThatDeclareNothingOrTheSameAreNotWarnedOf) {
+  EXPECT_EQ(soms_run({"overlap", hall(), hall(), "--strict"}).err, "");
+  EXPECT_EQ(soms_run({"overlap", duct(), duct(), "--strict"}).err, "");
+}
+
+TEST(FrameRegressions, R117BoxesFarApartAreWarnedOf) {
+  const auto at = [](const std::string& pose) {
+    return std::vector<std::string>{"overlap", hall(), hall(), "--pose", pose};
+  };
+  // The hall is 6 m long.
+  EXPECT_EQ(soms_run(at("12 0 0")).err, "");
+  const RunResult far = soms_run(at("13 0 0"));
+  EXPECT_NE(far.err.find("warning: the boxes of "), std::string::npos) << far.err;
+  EXPECT_NE(far.err.find("are 7 or more apart, farther than either is long"), std::string::npos);
+  std::vector<std::string> strict = at("13 0 0");
+  strict.emplace_back("--strict");
+  EXPECT_EQ(soms_run(strict).status, 3);
+  EXPECT_EQ(soms_run(strict).out, "");
+}
+
+/// JSON of a file of poses that put the hall beside itself at these places on x.
+RunResult rows(const std::vector<std::string>& places, const std::vector<std::string>& more) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "poses.csv").string();
+  std::string text = "x,y,z\n";
+  for (const std::string& place : places) {
+    text += place + ",0,0\n";
+  }
+  write_text(file, text);
+  std::vector<std::string> words{"overlap", hall(), hall(), "--pose", file};
+  words.insert(words.end(), more.begin(), more.end());
+  return soms_run(words);
+}
+
+TEST(FrameRegressions, R117OfManyPosesOnlyAllFarApartAreWarnedOf) {
+  const RunResult some = rows({"13", "2", "900"}, {"--json", "--no-pairs", "--strict"});
+  EXPECT_EQ(some.status, 0);
+  EXPECT_EQ(some.err, "");
+  const std::vector<Json> answers = json_lines(some.out);
+  EXPECT_EQ(kinds(answers.at(0)), Kinds{"boxes_apart"});
+  EXPECT_FALSE(answers.at(1).contains("warnings"));
+  EXPECT_EQ(kinds(answers.at(2)), Kinds{"boxes_apart"});
+  const RunResult all = rows({"13", "900"}, {});
+  EXPECT_EQ(all.status, 0);
+  EXPECT_NE(all.err.find("warning: at every pose the boxes of"), std::string::npos) << all.err;
+  EXPECT_EQ(std::count(all.err.begin(), all.err.end(), '\n'), 1);
+  const RunResult refused = rows({"13", "900"}, {"--strict"});
+  EXPECT_EQ(refused.status, 3);
+}
+
+TEST(FrameRegressions, R117TheReportSaysIt) {
+  const TemporaryFolder folder;
+  const std::string page = (folder.path() / "page.html").string();
+  ASSERT_EQ(overlap_run({"--report", page}).status, 0);
+  const std::string text = read_text(page);
+  EXPECT_NE(text.find("the up axis is y in"), std::string::npos);
+  EXPECT_NE(text.find("the unit is 1 m in"), std::string::npos);
+}
+
+TEST(FrameRegressions, R117SimulateTurnsWhatStatesItsAxisAndWarnsOfWhatDoesNot) {
+  const std::vector<std::string> words{"simulate", hall(), "--mover",  duct(),
+                                       "--count",  "1",    "--frames", "1"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), words.begin(), words.end());
+    return soms_run(more);
+  };
+  const RunResult text = with({});
+  EXPECT_EQ(text.status, 0);
+  EXPECT_NE(text.err.find(duct() + ": its up axis is y; turned to z"), std::string::npos);
+  EXPECT_NE(text.err.find("warning: the up axis is z in " + duct() + ", and unknown in " + hall() +
+                          "; give --up z if z is up in " + hall() + ", too, or --up y if y is"),
+            std::string::npos)
+      << text.err;
+  EXPECT_EQ(kinds(Json::parse(with({"--json"}).out)), (Kinds{"axis_unknown", "unit_unknown"}));
+  EXPECT_EQ(with({"--strict"}).status, 3);
+  const RunResult stated = with({"--up", "z", "--scale", "1", "--strict", "--json"});
+  EXPECT_EQ(stated.status, 0) << stated.err;
+  EXPECT_FALSE(Json::parse(stated.out).contains("warnings"));
+  const TemporaryFolder folder;
+  const std::string page = (folder.path() / "page.html").string();
+  ASSERT_EQ(with({"--report", page}).status, 0);
+  EXPECT_NE(read_text(page).find("the up axis is z in"), std::string::npos);
+  // What soms makes itself is in meters, z up, and takes a city that states nothing for the same.
+  EXPECT_EQ(soms_run({"simulate", hall(), "--count", "1", "--frames", "1", "--strict"}).err, "");
+}
+
+TEST(FrameRegressions, R117SimulateWarnsOfMoversThatNeverComeNear) {
+  const TemporaryFolder folder;
+  const auto route = [&](const std::string& rows) {
+    const std::string file = (folder.path() / "route.csv").string();
+    write_text(file, "x,y,z,qw,qx,qy,qz\n" + rows);
+    return std::vector<std::string>{"simulate", hall(),     "--mover", hall(),     "--route",
+                                    file,       "--frames", "3",       "--strict", "--json"};
+  };
+  const std::string far = "500000,0,0,1,0,0,0\n";
+  const RunResult refused = soms_run(route(far));
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_NE(refused.err.find("--strict: in every frame the boxes of the movers and hall are"),
+            std::string::npos)
+      << refused.err;
+  const RunResult near = soms_run(route(far + "8,0,0,1,0,0,0\n" + far));
+  EXPECT_EQ(near.status, 0) << near.err;
+  EXPECT_FALSE(Json::parse(near.out).contains("warnings"));
+}
+
+TEST(FrameRegressions, R117StrictMakesAnErrorOfWhatReadingNotes) {
+  const TemporaryFolder folder;
+  const std::string noted = data("formats/groups.obj").string();
+  ASSERT_NE(soms_run({"info", noted, "--no-trees"}).out.find("  note "), std::string::npos);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"info", noted, "--no-trees"},
+        std::vector<std::string>{"convert", noted, (folder.path() / "a.ply").string()},
+        std::vector<std::string>{"overlap", noted, noted},
+        std::vector<std::string>{"simulate", noted, "--count", "1", "--frames", "1"}}) {
+    EXPECT_EQ(soms_run(words).status, 0) << words[0];
+    std::vector<std::string> strict = words;
+    strict.emplace_back("--strict");
+    const RunResult refused = soms_run(strict);
+    EXPECT_EQ(refused.status, 3) << words[0];
+    EXPECT_NE(refused.err.find("without --strict"), std::string::npos) << refused.err;
+  }
+}
+
+}  // namespace
+}  // namespace soms::test
