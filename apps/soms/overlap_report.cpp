@@ -2,6 +2,7 @@
 
 #include "apps/soms/overlap_by_part.h"
 #include "apps/support/console.h"
+#include "apps/support/json.h"
 #include "apps/support/models.h"
 #include "apps/support/text.h"
 
@@ -54,9 +55,7 @@ std::string warnings_key(const OverlapReport& report, std::uint64_t pose) {
   if (report.boxes_apart) {
     list.push_back({{"kind", name(FrameDoubt::boxes_apart)}});
   }
-  return list.empty()
-             ? std::string()
-             : ",\"warnings\":" + list.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return list.empty() ? std::string() : ",\"warnings\":" + json_text(list);
 }
 
 void print_json(const OverlapReport& report, std::uint64_t pose, const Overlap& answer, bool right,

@@ -25,10 +25,10 @@ struct OverlapReport {
   bool single = true;     ///< one pose: pairs are listed; else a line a pose
   bool verified = false;  ///< compared with brute force
   bool interrupted = false;
+  bool by_part = false;                     ///< pairs of parts are listed, not of triangles
   std::vector<FrameWarning> warnings = {};  ///< about the models; JSON gives them with pose 0
-  double gap = 0;            ///< of the boxes, at the pose reported next; 0: they meet
+  double gap = 0;            ///< of the boxes, at the pose that is told next; 0: they meet
   bool boxes_apart = false;  ///< that gap is a `FrameDoubt`
-  bool by_part = false;  ///< pairs of parts are listed, not of triangles
 };
 
 /// Totals over all poses.
