@@ -13,7 +13,7 @@ help:
 	@echo "make check   make test, then the suite under ASan+UBSan, the library under TSan, clang-tidy, ARM,"
 	@echo "             packages, and the README's commands on a bare Debian"
 	@echo "make fuzz    every fuzzer for a minute (FUZZ_SECONDS=600)"
-	@echo "make bench   soms beside its rivals, in one run (ARGS=--quick: a few minutes)"
+	@echo "make bench   soms beside its peers, in one run (ARGS=--quick: a few minutes)"
 	@echo "make format  clang-format on every source"
 	@echo "make clean   remove build/"
 
@@ -133,7 +133,7 @@ large: test
 
 check: test headers large asan tsan tidy arm64 determinism memcheck endurance packages bare
 
-# Rivals that cannot be installed are left out. A quick run: ARGS=--quick; soms-bench --help tells more.
+# Peers that cannot be installed are left out. A quick run: ARGS=--quick; soms-bench --help tells more.
 bench:
 	@tools/install_packages.sh run bench
 	-@tools/install_packages.sh peers

@@ -40,7 +40,7 @@ install(FILES ${PROJECT_BINARY_DIR}/soms-config.cmake
               ${PROJECT_BINARY_DIR}/soms_${kind}.cmake
   DESTINATION ${SOMS_CMAKE_DIR} COMPONENT development)
 
-# The folders of soms.pc are told from its own place on, so that what is installed can be moved.
+# The folders of soms.pc are relative to its own place, so that what is installed can be moved.
 set(pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 set(pc_prefix ${CMAKE_INSTALL_PREFIX})
 if(NOT IS_ABSOLUTE ${CMAKE_INSTALL_LIBDIR})

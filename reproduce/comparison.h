@@ -35,7 +35,7 @@ struct ComparedBuild {
 /// the object mean.
 [[nodiscard]] std::vector<ComparedBuild> compared_builds(int level, bool few);
 
-/// What a model is asked: cubes and a mover, all drawn from the model alone.
+/// The queries on a model: cubes and a mover, all drawn from the model alone.
 struct Workload {
   /// Cubes of one side.
   struct Cubes {

@@ -21,7 +21,7 @@ struct FacetPath {
 /// Facets in painter's order as paths in painter's order.
 [[nodiscard]] std::vector<FacetPath> facet_paths(std::span<const Facet> facets);
 
-/// Paths of as many facets as were asked for.
+/// Paths of as many facets as were requested.
 struct FittedPaths {
   std::vector<FacetPath> paths;
   std::size_t drawn = 0;  ///< facets in them

@@ -22,11 +22,11 @@ Shape shape_of(std::shared_ptr<const Mesh> mesh, const Contender& build) {
   return Shape(std::move(mesh), {.build = build.options, .keep_tree = true});
 }
 
-Walk e_node_walk(std::string name, Descent descent, EntryOrder order) {
+NamedTraversal e_node_traversal(std::string name, Descent descent, EntryOrder order) {
   return {std::move(name), {.traversal = Traversal::e_node, .descent = descent, .order = order}};
 }
 
-Walk front_walk(std::string name, Descent descent, EntryOrder order) {
+NamedTraversal front_traversal(std::string name, Descent descent, EntryOrder order) {
   return {std::move(name),
           {.traversal = Traversal::e_node_front, .descent = descent, .order = order}};
 }
@@ -40,22 +40,22 @@ std::vector<Timing> summarized(std::vector<std::vector<double>> samples) {
   return timings;
 }
 
-/// Samples of the frames of one walk, one a repetition.
+/// Samples of the frames of one traversal, one a repetition.
 struct FrameSamples {
   std::vector<std::vector<double>> collision;
   std::vector<std::vector<double>> frame;
 };
 
 /// A query of a trip whose still body was moved before.
-detail::NamedOverlap query_of(const Trip& trip, const Walk& walk) {
-  detail::NamedOverlap query(trip.a, trip.b, walk.options);
+detail::NamedOverlap query_of(const Trip& trip, const NamedTraversal& traversal) {
+  detail::NamedOverlap query(trip.a, trip.b, traversal.options);
   query.move(Pose::identity(), Pose::identity());
   return query;
 }
 
-void time_trip(const Trip& trip, const Walk& walk, const Parallel& parallel,
+void time_trip(const Trip& trip, const NamedTraversal& traversal, const Parallel& parallel,
                FrameSamples& samples) {
-  detail::NamedOverlap query = query_of(trip, walk);
+  detail::NamedOverlap query = query_of(trip, traversal);
   for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
     const Pose pose = trip.pose(k);
     const auto start = Clock::now();
@@ -68,14 +68,14 @@ void time_trip(const Trip& trip, const Walk& walk, const Parallel& parallel,
   }
 }
 
-double time_walk(const Trip& trip, const Walk& walk, const Parallel& parallel) {
-  LeafWalk leaves(trip, walk.options);
+double time_traversal(const Trip& trip, const NamedTraversal& traversal, const Parallel& parallel) {
+  LeafTraversal leaves(trip, traversal.options);
   double sum = 0;
   for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
     check_stop(parallel);
     leaves.move(k);
     const auto start = Clock::now();
-    (void)leaves.walk();
+    (void)leaves.run();
     sum += milliseconds(start, Clock::now());
   }
   return sum;
@@ -108,28 +108,29 @@ Trip drive_trip(const Model& scene, const Model& object, const Contender& build_
           .offsets = city_drive()};
 }
 
-std::vector<Walk> all_walks() {
-  std::vector<Walk> walks;
+std::vector<NamedTraversal> all_traversals() {
+  std::vector<NamedTraversal> traversals;
   for (const Traversal baseline : {Traversal::a_first, Traversal::b_first, Traversal::alternate,
                                    Traversal::larger, Traversal::simultaneous}) {
-    walks.push_back({std::string(entry(baseline).name), {.traversal = baseline}});
+    traversals.push_back({std::string(entry(baseline).name), {.traversal = baseline}});
   }
   for (const DescentEntry& descent : descents()) {
     const std::string name = "enode_" + std::string(descent.name);
-    walks.push_back(e_node_walk(name, descent.descent, EntryOrder::tree));
-    walks.push_back(e_node_walk(name + "_volume", descent.descent, EntryOrder::volume));
+    traversals.push_back(e_node_traversal(name, descent.descent, EntryOrder::tree));
+    traversals.push_back(e_node_traversal(name + "_volume", descent.descent, EntryOrder::volume));
   }
-  walks.push_back(front_walk("enode_start", Descent::larger, EntryOrder::tree));
-  walks.push_back(front_walk("enode_start_volume", Descent::larger, EntryOrder::volume));
-  walks.push_back(front_walk("enode_start_both", Descent::both, EntryOrder::tree));
-  walks.push_back(front_walk("enode_start_both_volume", Descent::both, EntryOrder::volume));
-  return walks;
+  traversals.push_back(front_traversal("enode_start", Descent::larger, EntryOrder::tree));
+  traversals.push_back(front_traversal("enode_start_volume", Descent::larger, EntryOrder::volume));
+  traversals.push_back(front_traversal("enode_start_both", Descent::both, EntryOrder::tree));
+  traversals.push_back(
+      front_traversal("enode_start_both_volume", Descent::both, EntryOrder::volume));
+  return traversals;
 }
 
-Walk walk_named(std::string_view name) {
-  const std::vector<Walk> walks = all_walks();
-  return *std::find_if(walks.begin(), walks.end(),
-                       [&](const Walk& walk) { return walk.name == name; });
+NamedTraversal named_traversal(std::string_view name) {
+  const std::vector<NamedTraversal> traversals = all_traversals();
+  return *std::find_if(traversals.begin(), traversals.end(),
+                       [&](const NamedTraversal& traversal) { return traversal.name == name; });
 }
 
 void Totals::add(const Frame& frame) {
@@ -149,7 +150,7 @@ Totals totals(std::span<const Frame> frames) {
   return sum;
 }
 
-LeafWalk::LeafWalk(const Trip& trip, const TraversalOptions& options)
+LeafTraversal::LeafTraversal(const Trip& trip, const TraversalOptions& options)
     : trip_(&trip),
       options_(options),
       a_(trip.a.mesh(), *trip.a.tree()),
@@ -160,23 +161,23 @@ LeafWalk::LeafWalk(const Trip& trip, const TraversalOptions& options)
   }
 }
 
-void LeafWalk::move(std::size_t frame) {
+void LeafTraversal::move(std::size_t frame) {
   b_.move(trip_->pose(frame));
 }
 
-TraversalCounts LeafWalk::walk(const TraversalVisitor& visitor) {
+TraversalCounts LeafTraversal::run(const TraversalVisitor& visitor) {
   return front_ ? front_->next(a_.boxes(), b_.boxes(), visitor)
                 : traverse(a_.view(), b_.view(), options_, visitor, workspace_);
 }
 
-bool LeafWalk::roots_overlap() const {
+bool LeafTraversal::roots_overlap() const {
   return !a_.boxes().empty() && !b_.boxes().empty() &&
          overlaps(a_.boxes().front(), b_.boxes().front());
 }
 
-std::vector<Frame> walk_frames(const Trip& trip, const Walk& walk, const Parallel& parallel,
-                               LeafPairs* pairs) {
-  LeafWalk leaves(trip, walk.options);
+std::vector<Frame> traverse_frames(const Trip& trip, const NamedTraversal& traversal,
+                                   const Parallel& parallel, LeafPairs* pairs) {
+  LeafTraversal leaves(trip, traversal.options);
   std::vector<Frame> frames(trip.offsets.size());
   if (pairs != nullptr) {
     pairs->assign(frames.size(), {});
@@ -191,7 +192,7 @@ std::vector<Frame> walk_frames(const Trip& trip, const Walk& walk, const Paralle
         return true;
       };
     }
-    frames[k].counts = leaves.walk(visitor);
+    frames[k].counts = leaves.run(visitor);
     frames[k].roots_overlap = leaves.roots_overlap();
     if (pairs != nullptr) {
       std::sort((*pairs)[k].begin(), (*pairs)[k].end(), [](NodePair left, NodePair right) {
@@ -202,8 +203,9 @@ std::vector<Frame> walk_frames(const Trip& trip, const Walk& walk, const Paralle
   return frames;
 }
 
-std::vector<Frame> answer_frames(const Trip& trip, const Walk& walk, const Parallel& parallel) {
-  detail::NamedOverlap query(trip.a, trip.b, walk.options);
+std::vector<Frame> answer_frames(const Trip& trip, const NamedTraversal& traversal,
+                                 const Parallel& parallel) {
+  detail::NamedOverlap query(trip.a, trip.b, traversal.options);
   std::vector<Frame> frames(trip.offsets.size());
   for (std::size_t k = 0; k < frames.size(); ++k) {
     Overlap answer = query(Pose::identity(), trip.pose(k), {}, parallel);
@@ -216,55 +218,55 @@ std::vector<Frame> answer_frames(const Trip& trip, const Walk& walk, const Paral
   return frames;
 }
 
-std::vector<FrameTimes> time_frames(const Trip& trip, std::span<const Walk> walks, int repetitions,
-                                    const Parallel& parallel) {
+std::vector<FrameTimes> time_frames(const Trip& trip, std::span<const NamedTraversal> traversals,
+                                    int repetitions, const Parallel& parallel) {
   const std::vector<std::vector<double>> none(trip.offsets.size());
   FrameSamples warm_up{none, none};
-  std::vector<FrameSamples> samples(walks.size(), warm_up);
-  for (const Walk& walk : walks) {
-    time_trip(trip, walk, parallel, warm_up);
+  std::vector<FrameSamples> samples(traversals.size(), warm_up);
+  for (const NamedTraversal& traversal : traversals) {
+    time_trip(trip, traversal, parallel, warm_up);
   }
   for (int round = 0; round < repetitions; ++round) {
-    for (std::size_t i = 0; i < walks.size(); ++i) {
-      time_trip(trip, walks[i], parallel, samples[i]);
+    for (std::size_t i = 0; i < traversals.size(); ++i) {
+      time_trip(trip, traversals[i], parallel, samples[i]);
     }
   }
   std::vector<FrameTimes> times;
   times.reserve(samples.size());
-  for (FrameSamples& of_walk : samples) {
+  for (FrameSamples& of_traversal : samples) {
     times.push_back(
-        {summarized(std::move(of_walk.collision)), summarized(std::move(of_walk.frame))});
+        {summarized(std::move(of_traversal.collision)), summarized(std::move(of_traversal.frame))});
   }
   return times;
 }
 
-Timing time_beside_walk(const Trip& trip, const Walk& walk, int repetitions,
-                        const Parallel& parallel) {
+Timing time_beside_traversal(const Trip& trip, const NamedTraversal& traversal, int repetitions,
+                             const Parallel& parallel) {
   std::vector<double> samples;
   for (int round = 0; round < repetitions; ++round) {
-    detail::NamedOverlap query = query_of(trip, walk);
-    LeafWalk leaves(trip, walk.options);
+    detail::NamedOverlap query = query_of(trip, traversal);
+    LeafTraversal leaves(trip, traversal.options);
     double sum = 0;
     for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
       const auto start = Clock::now();
       (void)query(Pose::identity(), trip.pose(k), {}, parallel);
       const auto end = Clock::now();
       leaves.move(k);
-      const auto start_of_walk = Clock::now();
-      (void)leaves.walk();
-      sum += milliseconds(start, end) - milliseconds(start_of_walk, Clock::now());
+      const auto start_of_traversal = Clock::now();
+      (void)leaves.run();
+      sum += milliseconds(start, end) - milliseconds(start_of_traversal, Clock::now());
     }
     samples.push_back(sum);
   }
   return summarize(std::move(samples));
 }
 
-std::vector<Timing> time_walks(const Trip& trip, std::span<const Walk> walks, int repetitions,
-                               const Parallel& parallel) {
-  std::vector<std::vector<double>> samples(walks.size());
+std::vector<Timing> time_traversals(const Trip& trip, std::span<const NamedTraversal> traversals,
+                                    int repetitions, const Parallel& parallel) {
+  std::vector<std::vector<double>> samples(traversals.size());
   for (int round = -1; round < repetitions; ++round) {  // the first warms up
-    for (std::size_t i = 0; i < walks.size(); ++i) {
-      const double sample = time_walk(trip, walks[i], parallel);
+    for (std::size_t i = 0; i < traversals.size(); ++i) {
+      const double sample = time_traversal(trip, traversals[i], parallel);
       if (round >= 0) {
         samples[i].push_back(sample);
       }

@@ -1,6 +1,6 @@
 /// \file
-/// One body moves past another, frame by frame, and named walks ask each frame what they share:
-/// counts, answers, times.
+/// One body moves past another, frame by frame, and named traversals ask each frame what they
+/// share: counts, answers, times.
 #pragma once
 
 #include "soms/base/parallel.h"
@@ -53,20 +53,20 @@ struct Trip {
 [[nodiscard]] Trip drive_trip(const Model& scene, const Model& object,
                               const Contender& build_of_scene, const Contender& build_of_object);
 
-/// A walk by the name that tables show.
-struct Walk {
+/// A traversal by the name that tables show.
+struct NamedTraversal {
   std::string name;
   TraversalOptions options = {};
 };
 
-/// All walks of canonical trees that differ: the baselines, E-Node with its descents and orders,
-/// and from the front of the frame before ("start"). Names as in the golden tables.
-[[nodiscard]] std::vector<Walk> all_walks();
+/// All traversals of canonical trees that differ: the baselines, E-Node with its descents and
+/// orders, and from the front of the frame before ("start"). Names as in the golden tables.
+[[nodiscard]] std::vector<NamedTraversal> all_traversals();
 
-/// The walk with this name. \pre `all_walks` has it.
-[[nodiscard]] Walk walk_named(std::string_view name);
+/// The traversal with this name. \pre `all_traversals` has it.
+[[nodiscard]] NamedTraversal named_traversal(std::string_view name);
 
-/// What a walk did in one frame. Triangles only where they were asked about.
+/// What a traversal did in one frame. Triangles only if requested.
 struct Frame {
   bool roots_overlap = false;
   TraversalCounts counts = {};
@@ -88,17 +88,17 @@ struct Totals {
 
 [[nodiscard]] Totals totals(std::span<const Frame> frames);
 
-/// Walks a trip, leaf boxes only, frame after frame.
-class LeafWalk {
+/// Traverses a trip, leaf boxes only, frame after frame.
+class LeafTraversal {
  public:
   /// `trip` must outlive the object.
-  LeafWalk(const Trip& trip, const TraversalOptions& options);
+  LeafTraversal(const Trip& trip, const TraversalOptions& options);
 
   /// Moves the boxes to a frame.
   void move(std::size_t frame);
 
-  /// Walks the frame.
-  TraversalCounts walk(const TraversalVisitor& visitor = {});
+  /// Traverses the frame.
+  TraversalCounts run(const TraversalVisitor& visitor = {});
 
   [[nodiscard]] bool roots_overlap() const;
 
@@ -114,36 +114,42 @@ class LeafWalk {
 /// Overlapping pairs of leaves of each frame, sorted.
 using LeafPairs = std::vector<std::vector<NodePair>>;
 
-/// Counts of each frame by a walk, leaves only; their pairs go to `pairs` where that is given.
+/// Counts of each frame by a traversal, leaves only; their pairs go to `pairs` where that is given.
 /// \errors ErrorKind::cancelled.
-[[nodiscard]] std::vector<Frame> walk_frames(const Trip& trip, const Walk& walk,
-                                             const Parallel& parallel, LeafPairs* pairs = nullptr);
+[[nodiscard]] std::vector<Frame> traverse_frames(const Trip& trip, const NamedTraversal& traversal,
+                                                 const Parallel& parallel,
+                                                 LeafPairs* pairs = nullptr);
 
-/// Counts and triangle contacts of each frame by a walk. \errors ErrorKind::cancelled.
-[[nodiscard]] std::vector<Frame> answer_frames(const Trip& trip, const Walk& walk,
+/// Counts and triangle contacts of each frame by a traversal. \errors ErrorKind::cancelled.
+[[nodiscard]] std::vector<Frame> answer_frames(const Trip& trip, const NamedTraversal& traversal,
                                                const Parallel& parallel);
 
-/// Milliseconds of each frame: `collision` is the walk and the triangle tests, `frame` is moving
-/// the boxes as well.
+/// Milliseconds of each frame: `collision` is the traversal and the triangle tests, `frame` is
+/// moving the boxes as well.
 struct FrameTimes {
   std::vector<Timing> collision;
   std::vector<Timing> frame;
 };
 
-/// Times whole trips by several walks in turn, frame by frame. \shape one FrameTimes a walk.
+/// Times whole trips by several traversals in turn, frame by frame. \shape one FrameTimes a
+/// traversal.
 /// \errors ErrorKind::cancelled.
-[[nodiscard]] std::vector<FrameTimes> time_frames(const Trip& trip, std::span<const Walk> walks,
+[[nodiscard]] std::vector<FrameTimes> time_frames(const Trip& trip,
+                                                  std::span<const NamedTraversal> traversals,
                                                   int repetitions, const Parallel& parallel);
 
-/// Times whole trips by several walks in turn, the walks alone, without moving boxes and without
-/// triangles: milliseconds a trip. \shape one Timing a walk. \errors ErrorKind::cancelled.
-[[nodiscard]] std::vector<Timing> time_walks(const Trip& trip, std::span<const Walk> walks,
-                                             int repetitions, const Parallel& parallel);
+/// Times whole trips by several traversals in turn, the traversals alone, without moving boxes and
+/// without triangles: milliseconds a trip. \shape one Timing a traversal. \errors
+/// ErrorKind::cancelled.
+[[nodiscard]] std::vector<Timing> time_traversals(const Trip& trip,
+                                                  std::span<const NamedTraversal> traversals,
+                                                  int repetitions, const Parallel& parallel);
 
-/// Milliseconds a trip of what a whole frame takes beside its walk: moving the boxes and testing
-/// the triangles. The walk is timed right after each frame, so that both meet the machine alike.
+/// Milliseconds a trip of what a whole frame takes beside its traversal: moving the boxes and
+/// testing the triangles. The traversal is timed right after each frame, so that both meet the
+/// machine alike.
 /// \errors ErrorKind::cancelled.
-[[nodiscard]] Timing time_beside_walk(const Trip& trip, const Walk& walk, int repetitions,
-                                      const Parallel& parallel);
+[[nodiscard]] Timing time_beside_traversal(const Trip& trip, const NamedTraversal& traversal,
+                                           int repetitions, const Parallel& parallel);
 
 }  // namespace soms::reproduce

@@ -65,12 +65,12 @@ std::string words(std::initializer_list<std::string_view> parts) {
   return text;
 }
 
-bool ends_with(const fs::path& path, std::string_view ending) {
+bool ends_with(const fs::path& path, std::string_view extension) {
   std::string found = path.extension().string();
   for (char& c : found) {
     c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   }
-  return found == ending;
+  return found == extension;
 }
 
 bool is_object(const fs::path& path) {
@@ -97,8 +97,8 @@ class Finder {
   [[nodiscard]] fs::path place_of(std::string_view file) const;
   Model object(const KnownObject& known);
   void find_objects();
-  /// Files of a folder by their ending, sorted.
-  [[nodiscard]] std::vector<fs::path> files_in(const fs::path& folder, std::string_view ending);
+  /// Files of a folder by their extension, sorted.
+  [[nodiscard]] std::vector<fs::path> files_in(const fs::path& folder, std::string_view extension);
   /// The file's stem, numbered if a model has that name.
   std::string unused_name(const fs::path& path);
   /// Those that can be read; `trouble` tells of the others.
@@ -142,7 +142,7 @@ std::string Finder::read(const fs::path& path, Model& model) {
   std::error_code unknown;
   const fs::file_status status = fs::status(path, unknown);
   if (fs::is_fifo(status) || fs::is_socket(status)) {
-    return words({path.string(), ": this is no file"});  // opening it would wait for a writer
+    return words({path.string(), ": this is not a file"});  // opening it would wait for a writer
   }
   try {
     set_mesh(model, read_mesh(path, {}, for_one()));
@@ -209,7 +209,7 @@ void Finder::find_objects() {
   }
 }
 
-std::vector<fs::path> Finder::files_in(const fs::path& folder, std::string_view ending) {
+std::vector<fs::path> Finder::files_in(const fs::path& folder, std::string_view extension) {
   std::vector<fs::path> files;
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
@@ -217,7 +217,7 @@ std::vector<fs::path> Finder::files_in(const fs::path& folder, std::string_view 
   }
   fs::directory_iterator at(folder, error);
   for (const fs::directory_iterator end; !error && at != end; at.increment(error)) {
-    if (ends_with(at->path(), ending)) {
+    if (ends_with(at->path(), extension)) {
       files.push_back(at->path());
     }
   }

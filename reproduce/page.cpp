@@ -132,7 +132,7 @@ class Page {
         "cuts the box of the triangles themselves, gets stuck.</p>\n");
     put("<p><strong>Two things follow without any run.</strong> Object median gives half of the "
         "triangles to each side, so no rule balances better{}. And E-Node, as it is reconstructed "
-        "here, tests the same pairs of boxes as a walk that descends both trees at once, in "
+        "here, tests the same pairs of boxes as a traversal that descends both trees at once, in "
         "another order{}: what it can save is entering pairs, not testing them.</p>\n",
         reference("balance"), reference("figure-5.10"));
   }

@@ -18,7 +18,7 @@ namespace soms::reproduce {
 /// The teapot of 2,256 triangles, z up, as its file has it.
 [[nodiscard]] Mesh stand_in_small_teapot();
 
-/// The teapot of 6,320 triangles, y up and its spout towards -z, as its file has it.
+/// The teapot of 6,320 triangles, y up and its spout toward -z, as its file has it.
 [[nodiscard]] Mesh stand_in_teapot();
 
 }  // namespace soms::reproduce

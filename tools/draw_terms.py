@@ -368,7 +368,7 @@ def tree_boxes():
     return curve, boxes
 
 
-def walk(boxes, other):
+def traversal(boxes, other):
     """Which boxes are entered, left and found by the box of a small body, from the root down."""
     kinds, todo = {}, [(0, 0)]
     while todo:
@@ -388,7 +388,7 @@ def traversal():
     colors = {"visited": "a-line", "pruned": "faint-line dashed", "found": "b-line"}
     curve, boxes = tree_boxes()
     small = (4.35, 1.75, 4.85, 2.75)
-    kinds = walk(boxes, small)
+    kinds = traversal(boxes, small)
 
     def at(p):
         return (24 + 31 * p[0], 156 - 46 * p[1])
@@ -419,7 +419,7 @@ def traversal():
 def coverage():
     made = []
     rows = [("complete", 8, "every pair; none means none"),
-            ("first", 1, "stopped at the first pair, as asked"),
+            ("first", 1, "stopped at the first pair, as requested"),
             ("cut", 5, "ended by a limit or deadline")]
     for k, (name, known, tells) in enumerate(rows):
         y = 22 + 48 * k

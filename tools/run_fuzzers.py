@@ -23,10 +23,10 @@ LONGEST_INPUT = {"triangles": 256, "options": 64, "overlap": 1500}
 def seed_files(target):
     """Files that a target starts from."""
     if target.startswith("read_"):
-        ending = target.removeprefix("read_")
+        extension = target.removeprefix("read_")
         for folder in ("bad", "formats", "nasty"):
             for path in sorted((ROOT / "tests" / "data" / folder).iterdir()):
-                if path.is_file() and path.name.endswith((f".{ending}", f".{ending}.xz")):
+                if path.is_file() and path.name.endswith((f".{extension}", f".{extension}.xz")):
                     yield path
     else:
         folder = ROOT / "tests" / "fuzz" / "seeds" / target

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Counts what docs/trust.md speaks of, from the files that the tests read, and writes its tables.
 
-usage: tools/trust_numbers.py           write the tables anew
+usage: tools/trust_numbers.py           rewrite the tables
        tools/trust_numbers.py --check   end with 1 if they are not what would be written
 """
 import collections
@@ -14,7 +14,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DATA = ROOT / "tests/data"
 PAGE = ROOT / "docs/trust.md"
-ENDINGS = {"glb": "gltf"}
+EXTENSIONS = {"glb": "gltf"}
 
 
 def rows(path):
@@ -24,16 +24,16 @@ def rows(path):
         return list(csv.DictReader(file))
 
 
-def by_ending(files):
-    """Numbers of files by the ending of their names, the greatest first: "ply 99, stl 21, ..."."""
+def by_extension(files):
+    """Numbers of files by their extension, the greatest first: "ply 99, stl 21, ..."."""
     counts = collections.Counter()
     for file in files:
-        ending = pathlib.PurePath(file.removesuffix(".xz")).suffix[1:].lower()
-        counts[ENDINGS.get(ending, ending) or "none"] += 1
+        extension = pathlib.PurePath(file.removesuffix(".xz")).suffix[1:].lower()
+        counts[EXTENSIONS.get(extension, extension) or "none"] += 1
     many = {name: n for name, n in counts.items() if n > 2}
     rest = sum(counts.values()) - sum(many.values())
-    told = [f"{name} {n}" for name, n in sorted(many.items(), key=lambda item: (-item[1], item[0]))]
-    return ", ".join(told + ([f"others {rest}"] if rest else []))
+    reported = [f"{name} {n}" for name, n in sorted(many.items(), key=lambda item: (-item[1], item[0]))]
+    return ", ".join(reported + ([f"others {rest}"] if rest else []))
 
 
 def truth():
@@ -60,16 +60,16 @@ def files():
                                row["expectation"].startswith("mesh") else "either" for row in bad)
     yield ("broken or hostile files", len(bad),
            f"{said['error']} must be an error, {said['mesh']} a mesh of a stated size, "
-           f"{said['either']} either; {by_ending(row['file'] for row in bad)}")
+           f"{said['either']} either; {by_extension(row['file'] for row in bad)}")
     losses = {row["file"]: row["outcome"] for row in rows(DATA / "losses/EXPECTED.csv")}
     refused = sum(outcome == "error" for outcome in losses.values())
     yield ("files that hold more than is read of them", len(losses),
            f"{refused} must be an error, {len(losses) - refused} a mesh with notes; "
-           f"{by_ending(losses)}")
+           f"{by_extension(losses)}")
     formats = rows(DATA / "formats/FORMATS.csv")
-    yield ("encodings of one mesh", len(formats), by_ending(row["file"] for row in formats))
+    yield ("encodings of one mesh", len(formats), by_extension(row["file"] for row in formats))
     nasty = rows(DATA / "nasty/EXPECTED.csv")
-    yield ("valid files of hard geometry", len(nasty), by_ending(row["file"] for row in nasty))
+    yield ("valid files of hard geometry", len(nasty), by_extension(row["file"] for row in nasty))
 
 
 def thesis():
@@ -87,7 +87,7 @@ def golden():
 
 
 def regressions():
-    """Rows of docs/regressions.md, "| id | fault | told in | state | tests |", by state."""
+    """Rows of docs/regressions.md, "| id | fault | reported in | state | tests |", by state."""
     text = (ROOT / "docs/regressions.md").read_text(encoding="utf-8")
     states, tests = collections.Counter(), set()
     for line in text.splitlines():
@@ -95,8 +95,8 @@ def regressions():
             _, _, _, state, named = line.removeprefix("| ").removesuffix("|").split(" | ")
             states[re.split("[;:]", state)[0]] += 1
             tests.update(re.findall("`(.+?)`", named))
-    told = ", ".join(f"{number} {state}" for state, number in states.most_common())
-    yield "faults of other libraries", sum(states.values()), f"{told}; {len(tests)} tests by name"
+    reported = ", ".join(f"{number} {state}" for state, number in states.most_common())
+    yield "faults of other libraries", sum(states.values()), f"{reported}; {len(tests)} tests by name"
 
 
 def counted():

@@ -52,7 +52,7 @@ int refuse(const char* why) {
   return 1;
 }
 
-int import(const std::string& ending) {
+int import(const std::string& extension) {
   struct stat status {};
 
   if (fstat(STDIN_FILENO, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0) {
@@ -66,7 +66,7 @@ int import(const std::string& ending) {
   // From here on the content of the file is in control, as far as the sandbox lets it.
   close(STDIN_FILENO);
   const std::string unguarded = enter_sandbox();
-  const std::string name = "model" + ending;
+  const std::string name = "model" + extension;
   Assimp::Importer importer;
   importer.SetIOHandler(new OneFile(name, static_cast<const std::uint8_t*>(bytes), size));
   const aiScene* scene = importer.ReadFile(name, 0);
@@ -75,7 +75,7 @@ int import(const std::string& ending) {
     return why.find("bad_alloc") == std::string::npos ? refuse(why.c_str()) : 4;
   }
   Answer answer;
-  write_scene(*scene, ending, answer);
+  write_scene(*scene, extension, answer);
   if (!unguarded.empty()) {
     answer.note("soms-import ran without its sandbox (" + unguarded +
                 "): a malicious file could have run code with your permissions; read untrusted "
@@ -89,7 +89,7 @@ int import(const std::string& ending) {
 }  // namespace soms::import_program
 
 int main(int count, char** words) {
-  // Whoever asked is gone: so is the question.
+  // The caller is gone: so is the question.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (count != 2 || *words[1] != '.') {
     std::fputs("soms-import .ENDING < MODEL: a helper of soms, which starts it itself\n", stdout);

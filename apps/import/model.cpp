@@ -80,8 +80,8 @@ constexpr std::array<std::string_view, 3> kLeftHanded = {".lwo", ".lxo", ".x"};
 
 class SceneWriter {
  public:
-  SceneWriter(const aiScene& scene, std::string_view ending, Answer& answer)
-      : scene_(scene), ending_(ending), answer_(answer) {}
+  SceneWriter(const aiScene& scene, std::string_view extension, Answer& answer)
+      : scene_(scene), extension_(extension), answer_(answer) {}
 
   void write();
 
@@ -92,7 +92,7 @@ class SceneWriter {
   void write_mesh(const aiMesh& mesh, const Affine& transform);
 
   const aiScene& scene_;
-  std::string_view ending_;
+  std::string_view extension_;
   Answer& answer_;
   std::vector<Frame> stack_;
   std::uint32_t vertices_ = 0;
@@ -129,7 +129,7 @@ void SceneWriter::write_mesh(const aiMesh& mesh, const Affine& m) {
 }
 
 void SceneWriter::tell_axes(bool turned) {
-  const bool building = is_among(ending_, kBuildings);
+  const bool building = is_among(extension_, kBuildings);
   std::string note = "read by Assimp " + std::to_string(aiGetVersionMajor()) + "." +
                      std::to_string(aiGetVersionMinor()) + "." +
                      std::to_string(aiGetVersionPatch()) + ": coordinates are floats, ";
@@ -143,11 +143,11 @@ void SceneWriter::tell_axes(bool turned) {
   if (turned && building) {
     answer_.up('z');
   }
-  if (!turned && is_among(ending_, kLeftHanded)) {
+  if (!turned && is_among(extension_, kLeftHanded)) {
     note += "z is negated, since the format's axes are left-handed";
   } else if (!turned) {
-    note += ending_ == ".fbx" && tell_settings() ? "unit and axes are the file's"
-                                                 : "axes and unit as it gives them";
+    note += extension_ == ".fbx" && tell_settings() ? "unit and axes are the file's"
+                                                    : "axes and unit as it gives them";
   }
   answer_.note(note);
 }
@@ -179,7 +179,7 @@ void SceneWriter::enter(const aiNode& node) {
   if (!stack_.empty()) {
     frame.transform = product(stack_.back().transform, frame.transform);
     frame.named = node.mName.length > 0;
-  } else if (is_among(ending_, kOwnRoot)) {
+  } else if (is_among(extension_, kOwnRoot)) {
     const bool turned = turns_z_to_y(frame.transform);
     frame.transform = turned ? turned_back(frame.transform) : frame.transform;
     tell_axes(turned);
@@ -301,8 +301,8 @@ bool Answer::finish() {
   return whole_ && std::fflush(stdout) == 0;
 }
 
-void write_scene(const aiScene& scene, std::string_view ending, Answer& answer) {
-  SceneWriter(scene, ending, answer).write();
+void write_scene(const aiScene& scene, std::string_view extension, Answer& answer) {
+  SceneWriter(scene, extension, answer).write();
 }
 
 }  // namespace soms::import_program

@@ -39,8 +39,8 @@ class Answer {
 };
 
 /// Writes what the scene's nodes show, each mesh under the transforms of its node, and what is
-/// known of axes and unit. Assimp's own turn of the axes, by its root node, is undone. `ending` is
-/// the file's.
-void write_scene(const aiScene& scene, std::string_view ending, Answer& answer);
+/// known of axes and unit. Assimp's own turn of the axes, by its root node, is undone. `extension`
+/// is the file's.
+void write_scene(const aiScene& scene, std::string_view extension, Answer& answer);
 
 }  // namespace soms::import_program

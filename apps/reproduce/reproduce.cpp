@@ -87,14 +87,14 @@ void tell_fault(std::string_view line) {
 void tell_models(const reproduce::Models& models, const ReproduceOptions& options,
                  const Console& console) {
   if (options.models.empty()) {
-    console.note("no --models: generated stand-ins take the place of the thesis' models");
+    console.note("no --models: generated stand-ins replace the models of the thesis");
     return;
   }
-  std::set<std::string> told;  // of a broken scene in place of all three
+  std::set<std::string> reported;  // of a broken scene in place of all three
   for (const auto* const kind : {&models.objects, &models.scenes}) {
     for (const reproduce::Model& model : *kind) {
-      if (!model.trouble.empty() && told.insert(model.trouble).second) {
-        tell_fault(fmt::format("{}: {}; in its place: {}", model.name, model.trouble, model.title));
+      if (!model.trouble.empty() && reported.insert(model.trouble).second) {
+        tell_fault(fmt::format("{}: {}; instead: {}", model.name, model.trouble, model.title));
       }
     }
   }
@@ -176,7 +176,7 @@ int run_reproduce(const ReproduceOptions& options, Console& console) {
       .models = options.models, .experiments = chosen(options), .quick = options.quick};
   check_outputs({{"--output", (fs::path(options.output) / "index.html").string()}},
                 {{"--report", options.report}});
-  check_ending("--report", options.report, {".html", ".htm"});
+  check_extension("--report", options.report, {".html", ".htm"});
   make_folder(options.output);
   std::optional<OutputFile> page;
   if (!options.report.empty()) {
@@ -191,7 +191,7 @@ int run_reproduce(const ReproduceOptions& options, Console& console) {
   if (report.missing.empty()) {
     return 0;
   }
-  tell_fault(fmt::format("ended early, before {}; what is written is whole",
+  tell_fault(fmt::format("ended early, before {}; the files written so far are complete",
                          report.missing.front()->item));
   return console.interrupted() ? kInterrupted : kOutOfTime;
 }

@@ -19,7 +19,7 @@ std::filesystem::path bench_program() {
       {.name = "soms-bench",
        .variable = "SOMS_BENCH",
        .remedy = "build it (cmake --preset bench && cmake --build --preset bench), or name it by "
-                 "SOMS_BENCH; docs/bench.md tells more"});
+                 "SOMS_BENCH; see docs/bench.md"});
 }
 
 Action add_bench(CLI::App& app, Shared&) {
@@ -41,12 +41,11 @@ Action add_bench(CLI::App& app, Shared&) {
       ->group(group);
   add_count(app, "--rounds", options->rounds, 1, 1000, "timed rounds in turn (default 7)")
       ->group(group);
-  add_output(app, "--out", options->out, "writes peers.csv and peers.md into a folder, too",
-             "FOLDER")
+  add_output(app, "--out", options->out, "also write peers.csv and peers.md to a folder", "FOLDER")
       ->group(group);
   add_strict(app, options->strict);
   app.footer(
-      "Runs soms-bench, which races soms with every rival that is installed, on one thread bound\n"
+      "Runs soms-bench, which races soms with every peer that is installed, on one thread bound\n"
       "to a processor. Vertices are rounded to floats first, the same for all. Answers are\n"
       "compared before a time counts: a ratio at a wrong answer is void.\n\nExample:\n"
       "  soms generate knot --triangles 2000 -o knot.ply\n"
@@ -57,7 +56,7 @@ Action add_bench(CLI::App& app, Shared&) {
 
 int run_bench(const BenchOptions& options, Console& console) {
   if (options.a == "-" || options.b == "-") {
-    throw Error(ErrorKind::usage, "bench reads no model from standard input",
+    throw Error(ErrorKind::usage, "bench cannot read a model from standard input",
                 "give the model as a file");
   }
   const Shared& shared = console.shared();

@@ -1,6 +1,6 @@
 /// \file
-/// The verb `bench`: soms and the rivals that are installed, on the user's own two models. It runs
-/// a program of its own, soms-bench, so that the command never links a rival.
+/// The verb `bench`: soms and the peers that are installed, on the user's own two models. It runs
+/// a program of its own, soms-bench, so that the command never links a peer.
 #pragma once
 
 #include "apps/support/verb.h"

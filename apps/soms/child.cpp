@@ -65,11 +65,11 @@ Error not_started(const std::filesystem::path& program, int fault) {
   if (fault == ENOMEM) {
     return Error(ErrorKind::out_of_memory,
                  program.string() + " cannot be started: " + std::strerror(fault),
-                 "allow more by --max-memory, or free some");
+                 "allow more with --max-memory, or free some");
   }
   return Error(ErrorKind::unsupported,
                program.string() + " cannot be started: " + std::strerror(fault),
-               "build or install it anew");
+               "rebuild or reinstall it");
 }
 
 /// Starts a child to which signals mean what they usually do.
@@ -103,7 +103,7 @@ std::filesystem::path find_program(const ChildProgram& program) {
   const char* const named = std::getenv(program.variable.c_str());
   if (named != nullptr && *named != '\0') {
     if (!runs(named)) {
-      throw Error(ErrorKind::unsupported, program.variable + " names no program: " + named,
+      throw Error(ErrorKind::unsupported, program.variable + " does not name a program: " + named,
                   program.remedy);
     }
     return named;
@@ -166,20 +166,20 @@ int run_child(const std::filesystem::path& program, const std::vector<std::strin
               const Console& console, const ChildOptions& options) {
   const pid_t child = start(program, words, options.called, nullptr);
   int status = 0;
-  bool ending = false;
+  bool extension = false;
   while (::waitpid(child, &status, WNOHANG) == 0) {
-    if (!ending && (console.interrupted() || (options.timed && console.out_of_time()))) {
+    if (!extension && (console.interrupted() || (options.timed && console.out_of_time()))) {
       ::kill(child, SIGTERM);
-      ending = true;
+      extension = true;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   if (console.interrupted()) {
     throw Error(ErrorKind::cancelled, "interrupted", "");
   }
-  if (ending) {
+  if (extension) {
     throw Error(ErrorKind::timed_out, "out of time while " + program.filename().string() + " ran",
-                "allow more by --timeout");
+                "allow more time with --timeout");
   }
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }

@@ -130,9 +130,9 @@ Action add_generate(CLI::App& app, Shared&) {
          "what to make; see below")
       ->required()
       ->type_name("");
-  add_count(app, "--triangles", options->triangles, 1, kMaxPrimitives, "exactly so many triangles");
+  add_count(app, "--triangles", options->triangles, 1, kMaxPrimitives, "exact number of triangles");
   app.add_option("-o,--output", options->output.path,
-                 fmt::format("file to write: {}; - is standard output", writable_endings()))
+                 fmt::format("file to write: {}; - is standard output", writable_extensions()))
       ->required()
       ->option_text("FILE");
   add_format(app, options->output);

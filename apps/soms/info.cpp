@@ -24,7 +24,7 @@ namespace soms::command {
 
 namespace {
 
-/// All that is told of a model.
+/// All that is reported about a model.
 struct ModelReport {
   std::string file;
   Mesh mesh;
@@ -147,7 +147,7 @@ void add_line(std::string& text, const char* name, const std::string& value) {
   text += fmt::format("  {:<11}{}\n", name, value);
 }
 
-/// What is told of the model itself.
+/// What is reported about the model itself.
 std::string describe_model(const ModelReport& report) {
   const Mesh& mesh = report.mesh;
   std::string text = printable(report.mesh.source) + "\n";
@@ -188,7 +188,7 @@ void print(const ModelReport& report, const InfoOptions& options, Console& conso
   console.flush();
 }
 
-/// True if other files may still be told about after this error.
+/// True if other files may still be reported after this error.
 bool concerns_one_file(ErrorKind kind) {
   return kind != ErrorKind::cancelled && kind != ErrorKind::timed_out &&
          kind != ErrorKind::cannot_write && kind != ErrorKind::usage;

@@ -68,7 +68,8 @@ const Verb& verb_named(const std::string& word) {
 
 Action add_man(CLI::App& app, Shared&) {
   const auto options = std::make_shared<ManOptions>();
-  app.add_option("VERB", options->verb, "whose page; without one, that of soms itself")
+  app.add_option("VERB", options->verb,
+                 "the verb whose page to print; without it, the page of soms")
       ->type_name("");
   add_output(app, "--output", options->folder, "write all pages into a folder that exists instead",
              "FOLDER");

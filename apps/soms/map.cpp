@@ -42,7 +42,7 @@ std::string color_of(std::size_t model) {
 /// Where points of the city lie on the page.
 struct Page {
   Box area;
-  double scale = 1;  ///< pixels a metre
+  double scale = 1;  ///< pixels a meter
   double width = 0;
   double height = 0;
 
@@ -84,7 +84,7 @@ void draw_city(std::ostream& out, const Page& page, const MapCity& city) {
 }
 
 std::size_t stride_of(const World& world) {
-  return world.ways.size() / kMostDrawn + 1;
+  return world.routes.size() / kMostDrawn + 1;
 }
 
 /// A tenth of a pixel as a whole number. What lies far beyond the map is held there: neither it nor
@@ -99,7 +99,7 @@ void draw_tracks(std::ostream& out, const Page& page, const World& world, const 
   for (std::size_t model = 0; model < world.models.size(); ++model) {
     PathWriter writer;
     for (std::size_t k = 0; k < outcome.tracks.size(); k += stride_of(world)) {
-      if (world.ways[k].model != model) {
+      if (world.routes[k].model != model) {
         continue;
       }
       Loop line;
@@ -126,7 +126,7 @@ void draw_movers(std::ostream& out, const Page& page, const World& world, const 
   for (std::size_t model = 0; model < world.models.size(); ++model) {
     std::string path;
     for (std::size_t k = 0; k < outcome.tracks.size(); k += stride_of(world)) {
-      if (world.ways[k].model == model && !outcome.tracks[k].empty()) {
+      if (world.routes[k].model == model && !outcome.tracks[k].empty()) {
         const Place& last = outcome.tracks[k].back();
         path += fmt::format("M{:.0f} {:.0f}h1", 10 * page.x(last.x), 10 * page.y(last.y));
       }
@@ -169,8 +169,8 @@ void draw_marks(std::ostream& out, const Page& page, const std::vector<Mark>& ma
 void draw_most_touched(std::ostream& out, const Page& page, const World& world,
                        const std::vector<Touched>& most) {
   for (std::size_t k = most.size(); k-- > 0;) {  // the first on top
-    const Way& way = world.ways[most[k].mover];
-    const Vec3 at = way.at(most[k].begin).apply(world.models[way.model].foot);
+    const MoverRoute& mover_route = world.routes[most[k].mover];
+    const Vec3 at = mover_route.at(most[k].begin).apply(world.models[mover_route.model].foot);
     out << number_mark(page.x(at.x), page.y(at.y), k + 1);
   }
 }
@@ -214,10 +214,11 @@ std::string counted_models(std::uint64_t count, const Model& model) {
 }
 
 void write_movers(Panel& panel, const World& world) {
-  panel.head(fmt::format("{} movers and their tracks", with_commas(world.ways.size())));
+  panel.head(fmt::format("{} movers and their tracks", with_commas(world.routes.size())));
   for (std::size_t model = 0; model < world.models.size(); ++model) {
-    const auto count = static_cast<std::uint64_t>(std::count_if(
-        world.ways.begin(), world.ways.end(), [&](const Way& way) { return way.model == model; }));
+    const auto count = static_cast<std::uint64_t>(
+        std::count_if(world.routes.begin(), world.routes.end(),
+                      [&](const MoverRoute& mover_route) { return mover_route.model == model; }));
     panel.keyed(fmt::format("<path d=\"M-8 0H8\" stroke=\"{0}\" stroke-opacity=\".55\" "
                             "stroke-width=\"1.1\"/><path d=\"M0 0h.1\" stroke=\"{0}\" "
                             "stroke-width=\"6\" stroke-linecap=\"{1}\"/>",

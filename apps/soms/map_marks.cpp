@@ -23,8 +23,8 @@ struct Square {
 std::vector<Mark> find_marks(const World& world, const Outcome& outcome, double cell) {
   std::map<std::pair<std::int64_t, std::int64_t>, Square> squares;
   for (const Contact& contact : outcome.contacts.contacts()) {
-    const Way& way = world.ways[contact.mover];
-    const Vec3 at = way.at(contact.begin).apply(world.models[way.model].foot);
+    const MoverRoute& mover_route = world.routes[contact.mover];
+    const Vec3 at = mover_route.at(contact.begin).apply(world.models[mover_route.model].foot);
     Square& square = squares[{static_cast<std::int64_t>(std::floor(at.x / cell)),
                               static_cast<std::int64_t>(std::floor(at.y / cell))}];
     square.x += at.x;

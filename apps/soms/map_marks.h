@@ -20,7 +20,7 @@ struct Mark {
   std::uint64_t contacts = 0;
 };
 
-/// Contacts gathered by squares of side `cell` metres: most contacts first.
+/// Contacts gathered by squares of side `cell` meters: most contacts first.
 [[nodiscard]] std::vector<Mark> find_marks(const World& world, const Outcome& outcome, double cell);
 
 /// Radius of a mark in pixels: its area grows with the contacts, up to a limit.

@@ -41,7 +41,7 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 /// ".stl" for text STL, too.
-std::string ending_of(MeshFormat format) {
+std::string extension_of(MeshFormat format) {
   const std::string_view name = entry(format).name;
   return fmt::format(".{}", name.substr(0, name.find('-')));
 }
@@ -50,14 +50,14 @@ std::string ending_of(MeshFormat format) {
 void check_name(const std::string& path, MeshFormat format) {
   std::string said;
   try {
-    said = ending_of(format_for(path));
+    said = extension_of(format_for(path));
   } catch (const Error&) {
     return;  // it says nothing
   }
-  if (said != ending_of(format)) {
+  if (said != extension_of(format)) {
     throw Error(ErrorKind::usage,
                 fmt::format("--format {}: the name ends in {}", format_name(format), said),
-                fmt::format("let it end in {}, or leave --format out", ending_of(format)));
+                fmt::format("use the extension {}, or leave --format out", extension_of(format)));
   }
 }
 
@@ -65,7 +65,7 @@ void check_name(const std::string& path, MeshFormat format) {
 
 void add_format(CLI::App& app, ModelOutput& output) {
   add_choice<MeshFormat>(app, "--format", output.format, formats(),
-                         "how it is written, if not as the name says");
+                         "output format, if not given by the file name");
 }
 
 MeshFormat format_of(const ModelOutput& output) {
@@ -86,8 +86,8 @@ MeshFormat format_of(const ModelOutput& output) {
     }
     if (std::filesystem::exists(output.path, ignored) &&
         !std::filesystem::is_regular_file(output.path, ignored)) {
-      throw Error(ErrorKind::usage, output.path + ": the name says no format",
-                  "name one by --format");
+      throw Error(ErrorKind::usage, output.path + ": the name does not determine a format",
+                  "name one with --format");
     }
     throw Error(ErrorKind::usage, error.place(), error.remedy());  // the name is an argument
   }

@@ -35,7 +35,7 @@ using Loop = std::vector<GridPoint>;
 /// Twice the area that a loop surrounds, negative for a hole.
 [[nodiscard]] std::int64_t double_area(const Loop& loop);
 
-/// Writes SVG path data of many lines, closed if asked: "M3 4h2v5l-1-1zm7 0h1v1z".
+/// Writes SVG path data of many lines, closed on request: "M3 4h2v5l-1-1zm7 0h1v1z".
 class PathWriter {
  public:
   void add(const Loop& line, bool closed);

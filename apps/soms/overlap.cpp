@@ -376,12 +376,10 @@ void add_questions(CLI::App& app, OverlapVerbOptions& options) {
   const char* const group = "Question";
   app.add_option(
          "--pose", options.pose_a,
-         "moves A: \"x y z [qw qx qy qz]\", or a CSV file, one row a pose; - is standard input")
+         "moves A: \"x y z [qw qx qy qz]\", or a CSV file, one row per pose; - is standard input")
       ->option_text("POSE")
       ->group(group);
-  app.add_option("--pose-b", options.pose_b, "moves B in the same way")
-      ->option_text("POSE")
-      ->group(group);
+  app.add_option("--pose-b", options.pose_b, "moves B likewise")->option_text("POSE")->group(group);
   OverlapMode& mode = options.query.mode;
   const auto asks = [&](const std::string& name, OverlapMode value, const std::string& text) {
     return app
@@ -413,7 +411,7 @@ void add_questions(CLI::App& app, OverlapVerbOptions& options) {
                    "exit with 1 if it holds")
       ->group(group);
   add_output(app, "--report", options.report,
-             "write a page with figures, plots and the overlap to fly to")
+             "write an HTML report with figures, plots and a 3-D view of the overlap")
       ->group(group);
   add_output(app, "--csv", options.csv, "write the list as CSV, a row a pair")
       ->excludes(no_pairs)
@@ -469,8 +467,8 @@ int run_overlap(const OverlapVerbOptions& options, Console& console) {
                  {"--pose", options.pose_a.value_or("")},
                  {"--pose-b", options.pose_b.value_or("")}},
                 {{"--report", options.report}, {"--csv", options.csv}});
-  check_ending("--report", options.report, {".html", ".htm"});
-  check_ending("--csv", options.csv, {".csv"});
+  check_extension("--report", options.report, {".html", ".htm"});
+  check_extension("--csv", options.csv, {".csv"});
   return OverlapRun(options, console).run();
 }
 

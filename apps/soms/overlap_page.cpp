@@ -207,7 +207,7 @@ std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
                                              const OverlapTotals& totals) const {
   std::vector<report::Fact> facts{{"A", fmt::format("{}, {}", name_a_, triangles_of(a_))},
                                   {"B", fmt::format("{}, {}", name_b_, triangles_of(b_))}};
-  facts.push_back({"asked", report.mode == OverlapMode::all     ? "every pair of triangles"
+  facts.push_back({"query", report.mode == OverlapMode::all     ? "every pair of triangles"
                             : report.mode == OverlapMode::first ? "the least pair of triangles"
                                                                 : "any pair of triangles"});
   facts.push_back(

@@ -16,7 +16,7 @@ namespace soms::command {
 class Console;
 struct PartPair;
 
-/// What is told of the answer of one pose, and how.
+/// What is reported about the answer of one pose, and how.
 struct OverlapReport {
   const Mesh& a;
   const Mesh& b;
@@ -27,7 +27,7 @@ struct OverlapReport {
   bool interrupted = false;
   bool by_part = false;                     ///< pairs of parts are listed, not of triangles
   std::vector<FrameWarning> warnings = {};  ///< about the models; JSON gives them with pose 0
-  double gap = 0;            ///< of the boxes, at the pose that is told next; 0: they meet
+  double gap = 0;            ///< of the boxes, at the pose that is reported next; 0: they meet
   bool boxes_apart = false;  ///< that gap is a `FrameDoubt`
 };
 
@@ -42,11 +42,11 @@ struct OverlapTotals {
 };
 
 /// Prints the answer of pose number `pose`: JSON with --json, text without. `right` says whether
-/// brute force agrees, where it was asked. `parts` are those of the answer, for `report.by_part`.
+/// brute force agrees, where requested. `parts` are those of the answer, for `report.by_part`.
 void print_answer(const OverlapReport& report, std::uint64_t pose, const Overlap& answer,
                   bool right, Console& console, std::span<const PartPair> parts = {});
 
-/// Prints a line over all poses, where there may be several and no JSON is asked for.
+/// Prints a line over all poses, where there may be several and no JSON is requested.
 void print_totals(const OverlapReport& report, const OverlapTotals& totals, Console& console);
 
 }  // namespace soms::command

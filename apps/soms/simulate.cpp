@@ -44,10 +44,10 @@ void check_files(const SimulateOptions& options) {
                                    {"--report", options.report},
                                    {"--record", options.record},
                                    {"--picture", options.picture}});
-  check_ending("--events", options.events, {".csv"});
-  check_ending("--map", options.map, {".svg"});
-  check_ending("--report", options.report, {".html", ".htm"});
-  check_ending("--picture", options.picture, {".png"});
+  check_extension("--events", options.events, {".csv"});
+  check_extension("--map", options.map, {".svg"});
+  check_extension("--report", options.report, {".html", ".htm"});
+  check_extension("--picture", options.picture, {".png"});
 }
 
 /// Throws ErrorKind::usage for a recording of models that nobody could find again.
@@ -63,13 +63,13 @@ void check_recording(const SimulateOptions& options) {
   }
 }
 
-RecordingEnding ending_of(const Outcome& outcome) {
-  switch (outcome.ending) {
-    case Ending::whole:
+RecordingEnding extension_of(const Outcome& outcome) {
+  switch (outcome.extension) {
+    case Extension::whole:
       return RecordingEnding::complete;
-    case Ending::timed_out:
+    case Extension::timed_out:
       return RecordingEnding::timed_out;
-    case Ending::interrupted:
+    case Extension::interrupted:
       break;
   }
   return RecordingEnding::interrupted;
@@ -86,7 +86,7 @@ int status_of(const Outcome& outcome, const SimulateOptions& options, int drawn)
   if (outcome.verified && outcome.verified->wrong > 0) {
     return kDifference;
   }
-  if (outcome.ending == Ending::interrupted) {
+  if (outcome.extension == Extension::interrupted) {
     return kInterrupted;
   }
   if (drawn != 0) {
@@ -99,7 +99,7 @@ int status_of(const Outcome& outcome, const SimulateOptions& options, int drawn)
     return kConditionHolds;
   }
   // "Not found" is no proof of "free" when time ran out.
-  return outcome.ending == Ending::timed_out ? kOutOfTime : 0;
+  return outcome.extension == Extension::timed_out ? kOutOfTime : 0;
 }
 
 /// Movers that never come near the city cannot touch it: a shift, unit or axis may be missing.
@@ -121,13 +121,13 @@ int finish(const World& world, const Outcome& outcome, const Picture& picture,
   } catch (const Error&) {
     fault = std::current_exception();
   }
-  SimulateOptions told = options;
+  SimulateOptions reported = options;
   if (drawn != 0) {
-    told.picture.clear();  // there is none
+    reported.picture.clear();  // there is none
   }
   console.print(console.shared().json
-                    ? json_of(world, outcome, told)
-                    : table_of(world, outcome, told, console.talks_to_a_person()));
+                    ? json_of(world, outcome, reported)
+                    : table_of(world, outcome, reported, console.talks_to_a_person()));
   console.flush();
   const int status = status_of(outcome, options, drawn.value_or(0));
   if (fault && status != kDifference) {
@@ -160,7 +160,7 @@ int run_simulate(const SimulateOptions& options, Console& console) {
   check_files(options);
   check_recording(options);
   const Picture picture(options);
-  // Places that cannot be written to are told before the work, not after it.
+  // Places that cannot be written to are reported before the work, not after it.
   std::optional<OutputFile> events;
   std::optional<OutputFile> map;
   std::optional<OutputFile> page;
@@ -176,7 +176,7 @@ int run_simulate(const SimulateOptions& options, Console& console) {
   }
   const Outcome outcome = run_frames(world, options, console, recorder ? &*recorder : nullptr);
   if (recorder) {
-    recorder->finish(ending_of(outcome));
+    recorder->finish(extension_of(outcome));
   }
   doubt_boxes(world, outcome, options.world.city_model.strict, console);
   if (events) {

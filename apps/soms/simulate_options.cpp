@@ -39,7 +39,7 @@ Action add_simulate(CLI::App& app, Shared&) {
                "check contacts, and a sample of free movers, by brute force");
   add_output(app, "--map", options->map, "draw the city, its movers and contacts as SVG");
   add_output(app, "--report", options->report,
-             "write a page with figures, a time line and the scene to fly through");
+             "write an HTML report with figures, a time line and the scene in 3-D");
   add_output(app, "--events", options->events, "write begin and end of every contact as CSV");
   add_output(app, "--record", options->record,
              "write poses and contacts of every frame, to be played by soms view");
@@ -61,7 +61,7 @@ Action add_simulate(CLI::App& app, Shared&) {
     check_traversal(app, options->world.traversal);
     if (const std::string given = given_of_trees(app); options->view && !given.empty()) {
       throw Error(ErrorKind::usage, given + " with --view changes nothing",
-                  "choose trees and walks in the window");
+                  "choose trees and traversals in the window");
     }
     return run_simulate(*options, console);
   };

@@ -22,10 +22,10 @@ namespace soms::command {
 namespace {
 
 Body mover_at(const World& world, MoverId mover, std::uint64_t frame) {
-  return Body(world.models[world.ways[mover].model].shape, world.ways[mover].at(frame));
+  return Body(world.models[world.routes[mover].model].shape, world.routes[mover].at(frame));
 }
 
-/// Pairs of triangles of a contact in its first frame, asked again: a log of all would be long.
+/// Pairs of triangles of a contact in its first frame, queried again: a log of all would be long.
 std::vector<TrianglePair> pairs_of(const World& world, const Contact& contact) {
   const Body mover = mover_at(world, contact.mover, contact.begin);
   if (contact.part == Contact::kMover) {
@@ -52,7 +52,7 @@ class MoverParts {
   }
 
   std::uint32_t number(const World& world, MoverId mover, TriangleId triangle) {
-    const std::size_t model = world.ways[mover].model;
+    const std::size_t model = world.routes[mover].model;
     const std::uint32_t part = parts_of_[model](triangle);
     if (part == Part::kNoParent) {
       return report::kNoPart;
@@ -100,8 +100,8 @@ void add_bodies(report::Scene& scene, const World& world) {
   for (const Model& model : world.models) {
     scene.models.push_back({&model.shape.mesh(), model.name});
   }
-  for (std::size_t k = 0; k < world.ways.size(); ++k) {
-    const std::size_t model = world.ways[k].model;
+  for (std::size_t k = 0; k < world.routes.size(); ++k) {
+    const std::size_t model = world.routes[k].model;
     scene.bodies.push_back({.model = first + model,
                             .name = fmt::format("{} {}", world.models[model].name, k),
                             .moves = true});
@@ -126,7 +126,7 @@ report::Scene scene_of(const World& world, const Outcome& outcome) {
                  .a_second = kFramesASecond};
   scene.pose = [&world](std::uint32_t body, std::uint64_t frame) {
     return body < world.city.size() ? world.city[body].pose
-                                    : world.ways[body - world.city.size()].at(frame);
+                                    : world.routes[body - world.city.size()].at(frame);
   };
   return scene;
 }
@@ -191,7 +191,7 @@ std::vector<report::Plot> plots_of(const World& world, const Outcome& outcome) {
   std::map<std::string, double> parts;
   std::map<std::string, double> models;
   for (const Contact& contact : outcome.contacts.contacts()) {
-    ++models[world.models[world.ways[contact.mover].model].name];
+    ++models[world.models[world.routes[contact.mover].model].name];
     if (contact.part != Contact::kMover) {
       ++parts[names.name(contact.part, contact.other)];
     }
@@ -213,7 +213,7 @@ std::vector<report::Plot> plots_of(const World& world, const Outcome& outcome) {
 void write_page(std::ostream& out, const World& world, const Outcome& outcome,
                 const SimulateOptions& options) {
   report::Page page{
-      .title = fmt::format("{} and {}", world.title, counted(world.ways.size(), "mover")),
+      .title = fmt::format("{} and {}", world.title, counted(world.routes.size(), "mover")),
       .lead = fmt::format("What touches what, and when: {} in {}, decided exactly, triangle by "
                           "triangle.",
                           counted(outcome.contacts.contacts().size(), "contact"),
@@ -231,7 +231,7 @@ void write_page(std::ostream& out, const World& world, const Outcome& outcome,
   for (const FrameWarning& warning : world.warnings) {
     page.facts.push_back({"warning", warning.text()});
   }
-  if (outcome.ending != Ending::whole) {
+  if (outcome.extension != Extension::whole) {
     page.notes.emplace_back("This run ended early; the page shows the frames that were done.");
   }
   page.notes.emplace_back(

@@ -14,7 +14,7 @@ namespace soms::command {
 /// The recording that a picture is drawn from: that of --record, or one that goes with the object.
 class Picture {
  public:
-  /// Nothing where no picture is asked for. \errors ErrorKind::usage for a frame that will not be,
+  /// Nothing where no picture is requested. \errors ErrorKind::usage for a frame that will not be,
   /// or a recording that cannot be read again; unsupported where soms-view is missing;
   /// cannot_write where no picture can be.
   explicit Picture(const SimulateOptions& options);
@@ -25,7 +25,7 @@ class Picture {
   /// The file to record to; empty where nothing is.
   [[nodiscard]] const std::string& recording() const { return recording_; }
 
-  /// Draws the picture; returns soms-view's exit status, nothing where none is asked for or no
+  /// Draws the picture; returns soms-view's exit status, nothing where none is requested or no
   /// frame is there. \errors As `draw_frame`.
   [[nodiscard]] std::optional<int> draw(const Outcome& outcome, const Console& console) const;
 

@@ -20,7 +20,7 @@ class Recorder {
 
   void add(std::span<const Pose> poses, const StepReport& report);
 
-  void finish(RecordingEnding ending);
+  void finish(RecordingEnding extension);
 
  private:
   template <class Write>

@@ -28,8 +28,8 @@ std::string whole_number(double number) {
 /// car, 3,460 triangles; 1 of van, 9,995 triangles)".
 std::string movers_of(const World& world) {
   std::vector<std::uint64_t> counts(world.models.size(), 0);
-  for (const Way& way : world.ways) {
-    ++counts[way.model];
+  for (const MoverRoute& mover_route : world.routes) {
+    ++counts[mover_route.model];
   }
   std::string kinds;
   for (std::size_t k = 0; k < counts.size(); ++k) {
@@ -43,9 +43,9 @@ std::string movers_of(const World& world) {
           fmt::format("{}{} of {}", k == 0 ? "" : ", ", counted(counts[k], model.name), triangles);
     }
   }
-  std::string text = fmt::format("{} ({})", with_commas(world.ways.size()), kinds);
-  if (world.ways.size() < world.asked) {
-    text += fmt::format("; {} asked for, no free place for the rest", with_commas(world.asked));
+  std::string text = fmt::format("{} ({})", with_commas(world.routes.size()), kinds);
+  if (world.routes.size() < world.requested) {
+    text += fmt::format("; {} requested, no free place for the rest", with_commas(world.requested));
   }
   return text;
 }
@@ -58,14 +58,15 @@ std::string contacts_of(const World& world, const Outcome& outcome) {
   }
   return fmt::format("{} ({} with triangles of the city, {} between movers) by {} of {} movers",
                      with_commas(all), with_commas(all - between), with_commas(between),
-                     with_commas(outcome.contacts.movers()), with_commas(world.ways.size()));
+                     with_commas(outcome.contacts.movers()), with_commas(world.routes.size()));
 }
 
 std::string frames_of(const Outcome& outcome, const SimulateOptions& options) {
   std::string text = with_commas(outcome.frames);
-  if (outcome.ending != Ending::whole) {
-    text += fmt::format(" of {}, {}", with_commas(options.frames),
-                        outcome.ending == Ending::interrupted ? "interrupted" : "out of time");
+  if (outcome.extension != Extension::whole) {
+    text +=
+        fmt::format(" of {}, {}", with_commas(options.frames),
+                    outcome.extension == Extension::interrupted ? "interrupted" : "out of time");
   }
   text += fmt::format(" ({:.4g} s of simulated time)",
                       static_cast<double>(outcome.frames) / kFramesASecond);
@@ -80,8 +81,8 @@ void add_most_touched(Figures& figures, const World& world, const Outcome& outco
   }
 }
 
-const char* ending_name(Ending ending) {
-  return ending == Ending::whole ? "complete" : "cut";
+const char* extension_name(Extension extension) {
+  return extension == Extension::whole ? "complete" : "cut";
 }
 
 double rounded(double value) {
@@ -154,12 +155,12 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
   json["schema"] = "soms.simulate/1";
   json["city"] = world.title;
   json["triangles"] = world.triangles;
-  json["movers"] = world.ways.size();
-  json["movers_asked"] = world.asked;
+  json["movers"] = world.routes.size();
+  json["movers_requested"] = world.requested;
   json["frames"] = outcome.frames;
-  json["frames_asked"] = options.frames;
-  json["coverage"] = ending_name(outcome.ending);
-  json["interrupted"] = outcome.ending == Ending::interrupted;
+  json["frames_requested"] = options.frames;
+  json["coverage"] = extension_name(outcome.extension);
+  json["interrupted"] = outcome.extension == Extension::interrupted;
   json["fps"] = {{"median", rounded(outcome.median_fps())},
                  {"worst", rounded(outcome.worst_fps())}};
   json["build_ms"] = rounded(world.build_ms);
@@ -193,7 +194,7 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
 
 void write_events(std::ostream& out, const World& world, const Outcome& outcome) {
   const auto model_name = [&](MoverId mover) {
-    return csv_field(world.models[world.ways[mover].model].name);
+    return csv_field(world.models[world.routes[mover].model].name);
   };
   const CityParts parts(world);
   out << "mover,model,touched,part,triangle,begin,end\n";

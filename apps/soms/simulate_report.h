@@ -14,11 +14,11 @@
 
 namespace soms::command {
 
-/// A name and what is told; an empty name goes on with the one before.
+/// A name and its value; an empty name goes on with the one before.
 using Figure = std::pair<std::string, std::string>;
 using Figures = std::vector<Figure>;
 
-/// How many of the most touched triangles are told, in the table, in JSON and on the map.
+/// How many of the most touched triangles are reported, in the table, in JSON and on the map.
 inline constexpr std::size_t kMostTouched = 5;
 
 /// "triangle 17 of house 3".

@@ -12,7 +12,7 @@ namespace soms::command {
 namespace {
 
 Box mover_box(const World& world, MoverId mover, std::uint64_t frame) {
-  const Way& way = world.ways[mover];
+  const MoverRoute& way = world.routes[mover];
   return report::moved(world.models[way.model].shape.bounds(), way.at(frame));
 }
 

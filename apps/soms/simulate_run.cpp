@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t kPlacesOfATrack = 100;
 
 Place place_of(const World& world, std::size_t mover, const Pose& pose) {
-  const Vec3 at = pose.apply(world.models[world.ways[mover].model].foot);
+  const Vec3 at = pose.apply(world.models[world.routes[mover].model].foot);
   return {static_cast<float>(at.x), static_cast<float>(at.y)};
 }
 
@@ -31,14 +31,14 @@ StepReport run_frame(Scene& scene, const World& world, std::uint64_t frame, cons
   constexpr std::uint32_t kPosesBetweenAsks = 4096;
   const auto begin = Clock::now();
   constexpr std::size_t kAhead = 8;
-  for (std::uint32_t k = 0; k < world.ways.size(); ++k) {
+  for (std::uint32_t k = 0; k < world.routes.size(); ++k) {
     if (k % kPosesBetweenAsks == 0) {
       check_stop(parallel);
     }
-    if (k + kAhead < world.ways.size()) {
-      world.ways[k + kAhead].fetch(lines[k + kAhead]);
+    if (k + kAhead < world.routes.size()) {
+      world.routes[k + kAhead].fetch(lines[k + kAhead]);
     }
-    poses[k] = world.ways[k].at(frame, lines[k]);
+    poses[k] = world.routes[k].at(frame, lines[k]);
     scene.set_pose(k, poses[k]);
   }
   StepReport report = scene.step(step, parallel);
@@ -55,10 +55,10 @@ class Run {
         console_(console),
         recorder_(recorder),
         scene_(std::move(scene)),
-        poses_(world.ways.size()),
-        lines_(world.ways.size()),
+        poses_(world.routes.size()),
+        lines_(world.routes.size()),
         pause_(std::max<std::uint64_t>(1, options.frames / kPlacesOfATrack)) {
-    outcome_.tracks.resize(world.ways.size());
+    outcome_.tracks.resize(world.routes.size());
     if (options.verify) {
       verifier_.emplace(world, console.shared().seed);
     }
@@ -89,11 +89,11 @@ class Run {
  private:
   bool ended() {
     if (console_.interrupted()) {
-      outcome_.ending = Ending::interrupted;
+      outcome_.extension = Extension::interrupted;
     } else if (console_.out_of_time()) {
-      outcome_.ending = Ending::timed_out;
+      outcome_.extension = Extension::timed_out;
     }
-    return outcome_.ending != Ending::whole;
+    return outcome_.extension != Extension::whole;
   }
 
   /// One frame, whole or (by an exception) not at all.
@@ -126,7 +126,7 @@ class Run {
   /// Ends with the first mover that is near the city, commonly in the first frame.
   void look_for_neighbors() {
     for (std::size_t k = 0; k < poses_.size() && !near_; ++k) {
-      const Shape& shape = world_.models[world_.ways[k].model].shape;
+      const Shape& shape = world_.models[world_.routes[k].model].shape;
       outcome_.boxes.look(report::moved(shape.bounds(), poses_[k]), world_.bounds);
       near_ = !outcome_.boxes.apart();
     }
@@ -138,7 +138,7 @@ class Run {
   Recorder* recorder_;
   Scene scene_;
   std::vector<Pose> poses_;
-  std::vector<std::size_t> lines_;  ///< of the ways, on which the movers are
+  std::vector<std::size_t> lines_;  ///< of the routes, on which the movers are
   std::uint64_t pause_;
   bool near_ = false;  ///< a mover was near the city
   std::optional<Verifier> verifier_;

@@ -52,7 +52,7 @@ Verifier::Verifier(const World& world, std::uint64_t seed) : world_(world), rng_
 }
 
 const Mesh& Verifier::mesh(MoverId mover) const {
-  return world_.models[world_.ways[mover].model].shape.mesh();
+  return world_.models[world_.routes[mover].model].shape.mesh();
 }
 
 Box Verifier::moved_box(MoverId mover, const std::vector<Pose>& poses) const {
@@ -140,15 +140,15 @@ void Verifier::scan_city(std::span<Subject> subjects, const std::vector<Pose>& p
 /// True if the spheres about two movers' boxes are apart by a good margin for rounding.
 bool Verifier::far_apart(MoverId a, MoverId b, const std::vector<Pose>& poses) const {
   const auto sphere = [&](MoverId mover) {
-    const Box box = world_.models[world_.ways[mover].model].shape.bounds();
+    const Box box = world_.models[world_.routes[mover].model].shape.bounds();
     const Vec3 extent = box.extent();
     return std::pair(poses[mover].apply(box.center()), 0.51 * std::sqrt(dot(extent, extent)));
   };
-  const auto [from, reach_from] = sphere(a);
-  const auto [to, reach_to] = sphere(b);
-  const Vec3 way = to - from;
+  const auto [from, radius_from] = sphere(a);
+  const auto [to, radius_to] = sphere(b);
+  const Vec3 offset = to - from;
   const double rounding = 1e-12 * (std::sqrt(dot(from, from)) + std::sqrt(dot(to, to)));
-  return std::sqrt(dot(way, way)) > 1.01 * (reach_from + reach_to) + rounding;
+  return std::sqrt(dot(offset, offset)) > 1.01 * (radius_from + radius_to) + rounding;
 }
 
 /// Touching triangles of two movers: a scan of each for what lies in the other's box, then all

@@ -18,14 +18,14 @@ namespace soms::command {
 namespace {
 
 constexpr std::array kVerbs{
-    Verb{"bench", "soms and the installed rivals on two models of yours", add_bench},
-    Verb{"completion", "words for the shell to complete", add_completion},
+    Verb{"bench", "compare soms with the installed peers on your own two models", add_bench},
+    Verb{"completion", "print a shell completion script", add_completion},
     Verb{"convert", "read any model, write PLY, 3DS, STL, OFF, OBJ or GLB", add_convert},
-    Verb{"generate", "make a model of an exact number of triangles", add_generate},
+    Verb{"generate", "create a model with an exact number of triangles", add_generate},
     Verb{"info", "triangles, bounds, parts, defects and trees of models", add_info},
-    Verb{"man", "the manual: a page for the command and each verb", add_man},
+    Verb{"man", "print the man page of the command or of a verb", add_man},
     Verb{"overlap", "which triangles of two models share a point", add_overlap},
-    Verb{"render", "draw a city, movers and contacts into a picture, without a screen", nullptr,
+    Verb{"render", "draw a city, its movers and contacts as a picture, without a screen", nullptr,
          pass_to_viewer},
     Verb{"reproduce", "the experiments of the thesis: tables, figures and a page", nullptr,
          pass_to_reproduce},

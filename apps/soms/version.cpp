@@ -32,22 +32,22 @@ Chosen chosen_instruction_set() {
   }
 }
 
-std::vector<std::string_view> written_endings() {
-  std::vector<std::string_view> endings;
+std::vector<std::string_view> written_extensions() {
+  std::vector<std::string_view> extensions;
   for (const WritableFormat& row : writable_formats()) {
-    if (!row.ending.empty()) {
-      endings.push_back(row.ending);
+    if (!row.extension.empty()) {
+      extensions.push_back(row.extension);
     }
   }
-  return endings;
+  return extensions;
 }
 
-std::vector<std::string_view> read_endings() {
-  std::vector<std::string_view> endings;
+std::vector<std::string_view> read_extensions() {
+  std::vector<std::string_view> extensions;
   for (const ReadableFormat& format : readable_formats()) {
-    endings.push_back(format.ending);
+    extensions.push_back(format.extension);
   }
-  return endings;
+  return extensions;
 }
 
 /// On lines of a screen, each under the first.
@@ -79,7 +79,7 @@ Action add_version(CLI::App& app, Shared&) {
 
 int run_version(Console& console) {
   const Chosen chosen = chosen_instruction_set();
-  const auto imported = imported_endings();
+  const auto imported = imported_extensions();
   const std::vector<std::string_view> others(imported.begin(), imported.end());
   if (console.shared().json) {
     console.print(
@@ -88,9 +88,9 @@ int run_version(Console& console) {
                    {"instruction_set", chosen.name.empty() ? Json() : Json(chosen.name)},
                    {"instruction_set_fault", chosen.fault.empty() ? Json() : Json(chosen.fault)},
                    {"instruction_sets", instruction_sets()},
-                   {"reads", read_endings()},
+                   {"reads", read_extensions()},
                    {"reads_by_soms_import", others},
-                   {"writes", written_endings()}}));
+                   {"writes", written_extensions()}}));
     return 0;
   }
   console.print(fmt::format("soms {}\n", SOMS_VERSION));
@@ -99,9 +99,9 @@ int run_version(Console& console) {
       chosen.name.empty()
           ? fmt::format("none, queries fail: {}", chosen.fault)
           : fmt::format("{}, of {} here", chosen.name, fmt::join(instruction_sets(), ", "))));
-  console.print(fmt::format("  reads           {}\n", folded(read_endings())));
+  console.print(fmt::format("  reads           {}\n", folded(read_extensions())));
   console.print(fmt::format("  by soms-import  {}\n", folded(others)));
-  console.print(fmt::format("  writes          {}\n", folded(written_endings())));
+  console.print(fmt::format("  writes          {}\n", folded(written_extensions())));
   return 0;
 }
 

@@ -31,8 +31,8 @@ std::filesystem::path viewer_program() {
   return find_program(
       {.name = "soms-view",
        .variable = "SOMS_VIEW",
-       .remedy = "make view installs what it needs and builds it, or name it by SOMS_VIEW; "
-                 "docs/view.md tells more"});
+       .remedy = "make view installs what it needs and builds it, or set SOMS_VIEW to its path; "
+                 "see docs/view.md"});
 }
 
 std::vector<std::string> words_of(const WorldOptions& world, const Shared& shared) {

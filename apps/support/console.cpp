@@ -95,7 +95,7 @@ void refuse_json(const Console& console, const std::string& reason) {
 
 void Console::throw_out_of_time(const std::string& doing) {
   throw Error(ErrorKind::timed_out, fmt::format("out of time while {}", doing),
-              "allow more by --timeout");
+              "allow more time with --timeout");
 }
 
 }  // namespace soms::command

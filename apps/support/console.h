@@ -34,7 +34,7 @@ class Console {
   /// \errors As `print`.
   void flush();
 
-  /// A line on standard error, once however often it is told; none with --quiet.
+  /// A line on standard error, once, however often it is reported; none with --quiet.
   void note(std::string_view line) const;
 
   /// True if answers go to a terminal, whose reader may be glad of a hint; not with --quiet.

@@ -36,8 +36,8 @@ set(SOMS_SUPPORT_FILES
   text.h
   verb.cpp
   verb.h
-  ways.cpp
-  ways.h
+  mover_routes.cpp
+  mover_routes.h
   world.cpp
   world.h
   world_options.cpp

@@ -157,9 +157,9 @@ std::size_t HeightGrid::add(const Triangle& t, Surface surface) {
 void HeightGrid::find_ground(const Parallel& parallel) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   ground_.assign(tile_columns_ * tile_rows_, kUnknown);
-  std::uint32_t asked = 0;
-  std::sort(lowest_.begin(), lowest_.end(), [&asked, &parallel](const auto& a, const auto& b) {
-    if (++asked % (1U << 20U) == 0) {
+  std::uint32_t queried = 0;
+  std::sort(lowest_.begin(), lowest_.end(), [&queried, &parallel](const auto& a, const auto& b) {
+    if (++queried % (1U << 20U) == 0) {
       check_stop(parallel);
     }
     return a < b;

@@ -56,7 +56,7 @@ class HeightGrid {
   /// Estimated ground at a point, inside the area or beside it.
   [[nodiscard]] double ground(double x, double y) const;
 
-  /// True if the city has triangles around a point, within some tens of metres.
+  /// True if the city has triangles around a point, within some tens of meters.
   [[nodiscard]] bool built_near(double x, double y) const;
 
   /// Height that a mover of half width `reach` can stand on at (x, y), or NaN where a building or

@@ -50,7 +50,8 @@ Interrupts::~Interrupts() {
   over_ = true;
   pthread_kill(thread_.native_handle(), kWakeUp);
   thread_.join();
-  // Once asked, the program is on its way out: a repeated signal must not cut its last words short.
+  // Once requested, the program is on its way out: a repeated signal must not cut its last words
+  // short.
   if (!signalled_.stop_requested()) {
     pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr);
   }
@@ -77,7 +78,7 @@ void Interrupts::wait() {
       if (signalled_.request_stop()) {
         first_signal = now;
       } else if (now - first_signal >= kSameRequest) {
-        _exit(kInterrupted);  // asked twice: the first request is being worked on
+        _exit(kInterrupted);  // requested twice: the first request is being worked on
       }
       stopped_.request_stop();
     } else if (deadline_ && std::chrono::steady_clock::now() >= *deadline_) {

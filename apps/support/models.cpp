@@ -80,7 +80,7 @@ Error in_words_of_options(const Error& error, const std::string& path, const Mod
   return error.remedy().find("max_memory") == std::string::npos
              ? out_of_memory(shared, path)
              : Error(error.kind(), error.place(),
-                     "allow more by --max-memory, or use a smaller model");
+                     "allow more with --max-memory, or use a smaller model");
 }
 
 }  // namespace
@@ -179,7 +179,7 @@ std::string given_of_trees(const CLI::App& app) {
 
 void add_traversal_options(CLI::App& app, TraversalOptions& options) {
   add_choice<Traversal>(app, "--traversal", options.traversal, traversal_choices(),
-                        "way to walk the trees")
+                        "traversal of the trees")
       ->group(kTreeGroup);
   add_choice<Descent>(app, "--descent", options.descent, descent_choices(), "descent of E-Node")
       ->group(kTreeGroup);

@@ -162,21 +162,21 @@ void check_outputs(NamedFiles taken, const NamedFiles& outputs) {
   }
 }
 
-void check_ending(const std::string& option, const std::filesystem::path& path,
-                  std::initializer_list<std::string_view> endings) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
+void check_extension(const std::string& option, const std::filesystem::path& path,
+                     std::initializer_list<std::string_view> extensions) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   std::error_code unknown;
   const std::filesystem::file_status there = std::filesystem::status(path, unknown);
   const bool device = std::filesystem::exists(there) && !std::filesystem::is_regular_file(there);
-  if (ending.empty() || device ||
-      std::find(endings.begin(), endings.end(), ending) != endings.end()) {
+  if (extension.empty() || device ||
+      std::find(extensions.begin(), extensions.end(), extension) != extensions.end()) {
     return;
   }
-  throw Error(
-      ErrorKind::usage, fmt::format("{} {}", option, path.string()),
-      fmt::format("give a name that ends in {}, which is what it writes", *endings.begin()));
+  throw Error(ErrorKind::usage, fmt::format("{} {}", option, path.string()),
+              fmt::format("give a name with the extension {}, which is what it writes",
+                          *extensions.begin()));
 }
 
 void print_error(std::string_view who, std::string_view message) {

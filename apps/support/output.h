@@ -94,11 +94,11 @@ using NamedFiles = std::vector<std::pair<std::string, std::string>>;
 /// ErrorKind::usage.
 void check_outputs(NamedFiles taken, const NamedFiles& outputs);
 
-/// Throws if a file named by `option` has another ending than those of what is written, the first
-/// of which the message names (".svg"). Empty names, names without an ending, and what exists and
-/// is no regular file, such as a device, are passed over. \errors ErrorKind::usage.
-void check_ending(const std::string& option, const std::filesystem::path& path,
-                  std::initializer_list<std::string_view> endings);
+/// Throws if a file named by `option` has another extension than those of what is written, the
+/// first of which the message names (".svg"). Empty names, names without a file extension, and what
+/// exists and is no regular file, such as a device, are passed over. \errors ErrorKind::usage.
+void check_extension(const std::string& option, const std::filesystem::path& path,
+                     std::initializer_list<std::string_view> extensions);
 
 /// Prints "WHO: MESSAGE" to standard error, in color on a terminal.
 void print_error(std::string_view who, std::string_view message);

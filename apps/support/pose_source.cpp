@@ -72,7 +72,7 @@ std::optional<Pose> PoseSource::read() {
 void PoseSource::fail(const Error& error) const {
   if (error.kind() == ErrorKind::cancelled && !console_->interrupted()) {
     throw Error(ErrorKind::timed_out, "out of time while reading poses from " + name_,
-                "allow more by --timeout");
+                "allow more time with --timeout");
   }
   if (name_ == kStandardInputName) {
     throw of_standard_input(error);

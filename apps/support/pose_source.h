@@ -18,7 +18,7 @@ namespace soms::command {
 class Console;
 
 /// Poses of one option: a single one that serves all rows, or those of a file, one at a time. Rows
-/// after the first are read when they are asked for: the program that writes them may wait for
+/// after the first are read when they are requested: the program that writes them may wait for
 /// answers.
 class PoseSource {
  public:
@@ -36,7 +36,7 @@ class PoseSource {
   [[nodiscard]] bool is_stated() const { return !reader_.has_value(); }
 
   /// True if one pose serves all rows. Of a file this reads the second row, and waits for it.
-  /// \errors ErrorKind::cancelled; others wait until the row is asked for.
+  /// \errors ErrorKind::cancelled; others wait until the row is requested.
   [[nodiscard]] bool is_constant();
 
   /// The next pose, or nothing at the end. A single pose never ends.
@@ -60,7 +60,7 @@ class PoseSource {
   bool first_given_ = false;      ///< by `next`
   std::optional<bool> constant_;  ///< unknown until the second row is read
   std::optional<Pose> second_;    ///< until `next` gives it
-  std::exception_ptr error_;      ///< of the second row, thrown when it is asked for
+  std::exception_ptr error_;      ///< of the second row, thrown when it is requested
 };
 
 /// Poses of both bodies, row by row: two files of equal length, or one file and a single pose; two

@@ -189,8 +189,8 @@ std::string help_of(const Program& program) {
     text += fmt::format("  {:<12}{}\n", verb.name, verb.question);
   }
   text += fmt::format(
-      "\n{0} VERB --help tells a verb's options and shows an example that works.\n"
-      "{0} --version tells the version.\n",
+      "\n{0} VERB --help lists the options of a verb and shows an example.\n"
+      "{0} --version prints the version.\n",
       program.name);
   text +=
       "\nAnswers go to standard output, everything else to standard error. Exit status:\n"
@@ -215,9 +215,9 @@ int run_program(const Program& program, const std::vector<std::string>& words) {
     const bool bare = error.kind() == ErrorKind::cancelled && error.remedy().empty();
     return fail(program, words, bare ? "interrupted" : error.what(), exit_code(error.kind()));
   } catch (const std::bad_alloc&) {
-    return fail(program, words, "not enough memory; free some", 4);
+    return fail(program, words, "not enough memory; free some memory", 4);
   } catch (const std::logic_error& error) {
-    // A fault of ours, such as two ways to one answer that differ: told as --verify tells it.
+    // A fault of ours, such as two ways to one answer that differ: reported as --verify reports it.
     return fail(program, words, fmt::format("internal error: {}", error.what()), 6);
   } catch (const std::system_error& error) {
     return fail(program, words,

@@ -37,8 +37,8 @@ std::filesystem::path find_file(const std::string& source, const std::filesystem
   std::error_code ignored;
   if (source.empty() || source == "-" || std::filesystem::exists(given, ignored)) {
     throw Error(ErrorKind::bad_file,
-                fmt::format("the recording names as a model \"{}\", which is no file", source),
-                "record anew, with models from files");
+                fmt::format("the recording names as a model \"{}\", which is not a file", source),
+                "record again, with models from files");
   }
   return given;
 }
@@ -69,7 +69,7 @@ MoverKind mover_named(const RecordedMesh& recorded) {
 Mesh make_city(const RecordedMesh& recorded, const Parallel& parallel) {
   const auto refuse = [](const std::string& fault) {
     throw Error(ErrorKind::bad_file, "the recording names a city that cannot be: " + fault,
-                "record anew");
+                "record again");
   };
   if (recorded.city_triangles != recorded.triangles) {
     refuse(fmt::format("{}, made of {}", counted(recorded.triangles, "triangle"),
@@ -117,11 +117,11 @@ Shape find_shape(const RecordedMesh& recorded, const std::filesystem::path& reco
                             "{:016x}",
                             recorded.source, counted(found.triangles, "triangle"), found.hash,
                             counted(recorded.triangles, "triangle"), recorded.hash),
-                "bring back the old one beside the recording, or record anew");
+                "bring back the old one beside the recording, or record again");
   }
-  const bool walks_trees = how.traversal.traversal != Traversal::fast;
+  const bool needs_trees = how.traversal.traversal != Traversal::fast;
   return build_shape(std::move(mesh),
-                     {.build = how.build, .keep_tree = how.keep_trees || walks_trees}, console);
+                     {.build = how.build, .keep_tree = how.keep_trees || needs_trees}, console);
 }
 
 }  // namespace
@@ -130,7 +130,7 @@ RecordingHead recording_head(const World& world, std::uint64_t frames) {
   RecordingHead head;
   head.title = world.title;
   head.frames_a_second = kFramesASecond;
-  head.frames_asked = frames;
+  head.frames_requested = frames;
   for (std::size_t k = 0; k < world.city.size(); ++k) {
     const Body& body = world.city[k];
     head.environment.push_back({with_mesh(world.origins[k], body.shape.mesh()), body.pose});
@@ -138,8 +138,8 @@ RecordingHead recording_head(const World& world, std::uint64_t frames) {
   for (const Model& model : world.models) {
     head.models.push_back(with_mesh(model.origin, model.shape.mesh()));
   }
-  for (const Way& way : world.ways) {
-    head.movers.push_back(static_cast<std::uint32_t>(way.model));
+  for (const MoverRoute& mover_route : world.routes) {
+    head.movers.push_back(static_cast<std::uint32_t>(mover_route.model));
   }
   return head;
 }
@@ -159,9 +159,9 @@ World load_recorded_world(const RecordingHead& head, const std::filesystem::path
     world.models.back().origin = mesh;
   }
   for (const std::uint32_t model : head.movers) {
-    world.ways.emplace_back().model = model;
+    world.routes.emplace_back().model = model;
   }
-  world.asked = world.ways.size();
+  world.requested = world.routes.size();
   return world;
 }
 

@@ -16,7 +16,7 @@ namespace soms::command {
 /// \cost Hashes all meshes: about 0.2 s for a million triangles.
 [[nodiscard]] RecordingHead recording_head(const World& world, std::uint64_t frames);
 
-/// Reads or generates again what was recorded. Its ways name the movers' models only: poses come
+/// Reads or generates again what was recorded. Its routes name the movers' models only: poses come
 /// from the recording's frames. A file is sought under its path, then under its path from the
 /// folder of `recording`, then under its name in that folder. Of `how` only options of
 /// trees and `strict` are used. \errors As reading; ErrorKind::bad_file for a model that is not the

@@ -11,13 +11,13 @@ namespace soms::command {
 void add_shared_options(CLI::App& app, Shared& shared) {
   const char* const group = kSharedGroup;
   app.add_flag("--json", shared.json, "answers as JSON, for programs")->group(group);
-  app.add_flag("-q,--quiet", shared.quiet, "nothing on standard error but errors")->group(group);
+  app.add_flag("-q,--quiet", shared.quiet, "print only errors on standard error")->group(group);
   add_count(app, "--threads", shared.threads, 0, 1024, "threads to use; 0: all processors")
       ->group(group);
-  add_count(app, "--seed", shared.seed, 0, ~std::uint64_t{0}, "seed of whatever is random (1)")
+  add_count(app, "--seed", shared.seed, 0, ~std::uint64_t{0}, "seed of all random choices (1)")
       ->group(group);
-  add_seconds(app, "--timeout", shared.timeout, "stop after so many seconds")->group(group);
-  add_bytes(app, "--max-memory", shared.max_memory, "most memory to take, as 500M or 2G")
+  add_seconds(app, "--timeout", shared.timeout, "stop after this many seconds")->group(group);
+  add_bytes(app, "--max-memory", shared.max_memory, "memory limit, such as 500M or 2G")
       ->group(group);
 }
 
@@ -35,7 +35,7 @@ Error out_of_memory(const Shared& shared, const std::string& place) {
   const std::string where = place.empty() ? "" : place + ": ";
   if (shared.max_memory == 0) {
     return {ErrorKind::out_of_memory, where + "not enough memory",
-            "free some, or use a smaller model"};
+            "free some memory, or use a smaller model"};
   }
   return {ErrorKind::out_of_memory,
           fmt::format("{}--max-memory {} is too little", where, size_words(shared.max_memory)),

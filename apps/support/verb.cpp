@@ -37,7 +37,7 @@ class HelpText : public CLI::Formatter {
 
 ParsedVerb::ParsedVerb(std::string_view program, const Verb& verb)
     : app_(std::string(verb.question), std::string(program) + " " + std::string(verb.name)) {
-  app_.allow_extras();   // told by program.cpp, with a suggestion
+  app_.allow_extras();   // reported by program.cpp, with a suggestion
   app_.set_help_flag();  // none before the verb's own options
   app_.formatter(std::make_shared<HelpText>());
   app_.get_formatter()->column_width(30);

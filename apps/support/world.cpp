@@ -5,8 +5,8 @@
 #include "soms/generate/shapes.h"
 
 #include "apps/support/models.h"
+#include "apps/support/mover_routes.h"
 #include "apps/support/standard_input.h"
-#include "apps/support/ways.h"
 
 #include <fmt/format.h>
 
@@ -68,7 +68,7 @@ Upright read_upright(const std::string& path, const ModelOptions& options,
   if (says_other_unit(model.mesh, options)) {
     const double unit = model.mesh.unit;
     console.note(
-        fmt::format("{}: its unit is {:g} m; taken as meters (--{}scale {:g} makes them so)", path,
+        fmt::format("{}: its unit is {:g} m; assuming meters (--{}scale {:g} makes them so)", path,
                     unit, option == "--up" ? "" : "mover-", unit));
   }
   const std::string scale_option = option == "--up" ? "--scale" : "--mover-scale";
@@ -78,8 +78,8 @@ Upright read_upright(const std::string& path, const ModelOptions& options,
 
 Shape build_named(Mesh mesh, const std::string& name, const WorldOptions& options,
                   Console& console) {
-  const bool walks_trees = options.traversal.traversal != Traversal::fast;
-  const ShapeOptions shape{.build = options.build, .keep_tree = options.keep_trees || walks_trees};
+  const bool needs_trees = options.traversal.traversal != Traversal::fast;
+  const ShapeOptions shape{.build = options.build, .keep_tree = options.keep_trees || needs_trees};
   return console.run("building " + name, [&](const Parallel& parallel) {
     return Shape(std::move(mesh), shape, parallel);
   });
@@ -116,17 +116,17 @@ std::vector<Model> load_models(const WorldOptions& options, std::vector<NamedFra
   }
   for (const std::string& path : options.movers) {
     Upright read = read_upright(path, options.mover_model, "--mover-up", console);
-    const bool told_unit = says_other_unit(read.mesh, options.mover_model);
+    const bool unit_reported = says_other_unit(read.mesh, options.mover_model);
     frames.push_back(read.frame);
     const std::string name = short_name(path);
     models.push_back(
         make_model(build_named(std::move(read.mesh), name, options, console), name, Kind::model));
     models.back().origin = std::move(read.origin);
     const Model& model = models.back();
-    const double size = std::max(2 * model.reach, model.height);
-    if (!told_unit && (size > 30 || size < 0.05)) {
+    const double size = std::max(2 * model.ground_radius, model.height);
+    if (!unit_reported && (size > 30 || size < 0.05)) {
       console.note(
-          fmt::format("{}: {:.4g} across, taken as meters; --mover-scale changes it", path, size));
+          fmt::format("{}: {:.4g} across, assuming meters; --mover-scale changes it", path, size));
     }
   }
   return models;
@@ -219,7 +219,7 @@ Model make_model(Shape shape, std::string name, Kind kind) {
   const Vec3 extent = box.extent();
   const Vec3 center = box.center();
   model.foot = {center.x, center.y, box.lower.z};
-  model.reach = 0.5 * std::hypot(extent.x, extent.y);
+  model.ground_radius = 0.5 * std::hypot(extent.x, extent.y);
   model.height = extent.z;
   model.speed = speed_of(kind);
   return model;
@@ -238,10 +238,10 @@ Scene make_scene(const World& world, const Parallel& parallel) {
   for (const Body& body : world.city) {
     scene.add_environment(body);
   }
-  for (const Way& way : world.ways) {
-    const Model& model = world.models[way.model];
+  for (const MoverRoute& mover_route : world.routes) {
+    const Model& model = world.models[mover_route.model];
     check_stop(parallel);
-    scene.add_mover(Body(model.shape, way.at(0), model.name));
+    scene.add_mover(Body(model.shape, mover_route.at(0), model.name));
   }
   return scene;
 }
@@ -277,7 +277,7 @@ World load_world(const WorldOptions& options, Console& console) {
   world.models = load_models(options, mover_frames, console);
   const std::optional<City> city = load_city(world, options, city_frames, console);
   doubt_frames(world, city_frames, mover_frames, options.city_model.strict, console);
-  plan_ways(world, options, city ? &*city : nullptr, console);
+  plan_routes(world, options, city ? &*city : nullptr, console);
   return world;
 }
 

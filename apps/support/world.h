@@ -1,5 +1,6 @@
 /// \file
-/// What a simulation starts from: the city, the models that move in it, and the way of each mover.
+/// What a simulation starts from: the city, the models that move in it, and the route of each
+/// mover.
 #pragma once
 
 #include "soms/base/box.h"
@@ -34,17 +35,17 @@ struct Model {
   Shape shape;
   std::string name;
   Kind kind = Kind::model;
-  Vec3 foot;          ///< the point of the model that follows the route: middle of its underside
-  double reach = 0;   ///< half the diagonal of its ground plan
-  double height = 0;  ///< of its box
-  double speed = 0;   ///< metres a second
+  Vec3 foot;  ///< the point of the model that follows the route: middle of its underside
+  double ground_radius = 0;  ///< half the diagonal of its ground plan
+  double height = 0;         ///< of its box
+  double speed = 0;          ///< meters a second
   RecordedMesh origin = {};  ///< how to come by it again; without triangles and hash
 };
 
-/// The way of one mover: a route that its foot follows, or recorded poses, one a frame.
-struct Way {
+/// The route of one mover: a route that its foot follows, or recorded poses, one a frame.
+struct MoverRoute {
   std::size_t model = 0;
-  Route route;
+  Route path;
   std::shared_ptr<const std::vector<Pose>> recorded = nullptr;
   std::size_t first = 0;  ///< recorded pose of frame 0
   Vec3 foot;
@@ -64,12 +65,12 @@ struct World {
   std::vector<Body> city;
   std::vector<RecordedMesh> origins;  ///< of each body of the city; without triangles and hash
   std::vector<Model> models;
-  std::vector<Way> ways;
+  std::vector<MoverRoute> routes;
   Box bounds;  ///< of the city
   std::uint64_t triangles = 0;
   double read_ms = 0;                       ///< reading or generating the city
   double build_ms = 0;                      ///< building its trees
-  std::uint64_t asked = 0;                  ///< movers asked for; fewer ways if there was no room
+  std::uint64_t requested = 0;              ///< movers requested; fewer routes if there was no room
   std::vector<FrameWarning> warnings = {};  ///< where numbers of city and movers may not agree
 };
 
@@ -88,7 +89,7 @@ void add_to_city(World& world, Body body, RecordedMesh origin);
 /// A model of a shape, with what follows from its box and kind.
 [[nodiscard]] Model make_model(Shape shape, std::string name, Kind kind);
 
-/// The city and all movers at their places of frame 0; movers are numbered as their ways.
+/// The city and all movers at their places of frame 0; movers are numbered as their routes.
 /// \errors ErrorKind::cancelled.
 [[nodiscard]] Scene make_scene(const World& world, const Parallel& parallel = {});
 
@@ -107,7 +108,7 @@ class CityParts {
   std::vector<PartsOf> parts_;  ///< of each body
 };
 
-/// Name of a file without folder and ending.
+/// Name of a file without folder and extension.
 [[nodiscard]] std::string short_name(const std::string& path);
 
 }  // namespace soms::command

@@ -12,14 +12,14 @@ constexpr std::uint64_t kMostMovers = 1'000'000;
 
 void add_world_options(CLI::App& app, WorldOptions& options) {
   app.add_option("CITY", options.cities,
-                 "models that stand still, in one frame of coordinates; - is standard input")
+                 "static models, in one coordinate frame; - is standard input")
       ->option_text("FILE...");
-  app.add_option("--mover", options.movers, "model that moves; may be given again")
+  app.add_option("--mover", options.movers, "model that moves; may be repeated")
       ->option_text("FILE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_option("--route", options.routes,
-                 "CSV file of points or poses; may be given again; - is standard input")
+                 "CSV file of points or poses; may be repeated; - is standard input")
       ->option_text("FILE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -34,7 +34,7 @@ void add_world_options(CLI::App& app, WorldOptions& options) {
          [&options](const std::string& value) {
            options.count = parse_count("--count", value, 0, kMostMovers);
          },
-         "movers (1000; one a route with --route)")
+         "number of movers (1000; one per route with --route)")
       ->option_text("N");
 }
 

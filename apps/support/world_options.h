@@ -15,7 +15,7 @@ class App;
 
 namespace soms::command {
 
-/// City, movers and their ways, as named on the command line.
+/// City, movers and their routes, as named on the command line.
 struct WorldOptions {
   std::vector<std::string> cities = {};  ///< none: the embedded city
   std::vector<std::string> movers = {};  ///< none: generated cars, persons and drones
@@ -31,7 +31,7 @@ struct WorldOptions {
 /// Adds CITY, --mover, --route, --count, --scale, --up, --mover-scale, --mover-up and --strict.
 void add_world_options(CLI::App& app, WorldOptions& options);
 
-/// Adds the options of the bodies' trees and of ways to walk them.
+/// Adds the options of the bodies' trees and of how they are traversed.
 void add_world_tree_options(CLI::App& app, WorldOptions& options);
 
 }  // namespace soms::command

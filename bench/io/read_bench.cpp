@@ -63,7 +63,7 @@ class Folder {
 };
 
 /// A file to be read, and what its reading took.
-struct Contestant {
+struct FileUnderTest {
   std::string name;
   std::filesystem::path file;
   double goal = 0;  ///< MB/s; 0 for none
@@ -102,12 +102,12 @@ Mesh rounded(Mesh mesh) {
   return mesh;
 }
 
-std::vector<Contestant> written(const std::filesystem::path& folder, std::uint64_t triangles) {
+std::vector<FileUnderTest> written(const std::filesystem::path& folder, std::uint64_t triangles) {
   constexpr double kBinaryGoal = 200;
   constexpr double kTextGoal = 60;
   const Mesh mesh = generate_knot(triangles);
   const Mesh brief = rounded(mesh);
-  std::vector<Contestant> all;
+  std::vector<FileUnderTest> all;
   const auto add = [&](const char* name, const char* file, const Mesh& m, MeshFormat format,
                        double goal = 0) {
     all.push_back({name, folder / file, goal});
@@ -128,12 +128,12 @@ std::vector<Contestant> written(const std::filesystem::path& folder, std::uint64
   return all;
 }
 
-void read_once(Contestant& contestant) {
+void read_once(FileUnderTest& file_under_test) {
   const double processor = now(CLOCK_PROCESS_CPUTIME_ID);
   const double wall = now(CLOCK_MONOTONIC);
-  const Mesh mesh = read_mesh(contestant.file);
-  contestant.processor.push_back(now(CLOCK_PROCESS_CPUTIME_ID) - processor);
-  contestant.wall.push_back(now(CLOCK_MONOTONIC) - wall);
+  const Mesh mesh = read_mesh(file_under_test.file);
+  file_under_test.processor.push_back(now(CLOCK_PROCESS_CPUTIME_ID) - processor);
+  file_under_test.wall.push_back(now(CLOCK_MONOTONIC) - wall);
 }
 
 double median(std::vector<double> values) {
@@ -169,30 +169,30 @@ std::string peak_of(const std::string& program, const std::filesystem::path& fil
   return line.substr(0, line.find('\n'));
 }
 
-void print(const Contestant& contestant, const std::string& peak) {
-  const double size = 1e-6 * static_cast<double>(std::filesystem::file_size(contestant.file));
-  const double rate = size / median(contestant.processor);
-  std::printf("%-18s %8.1f %8.0f %8.0f %8.0f %6s  %s\n", contestant.name.c_str(), size,
-              1e3 * median(contestant.processor), rate, size / median(contestant.wall),
+void print(const FileUnderTest& file_under_test, const std::string& peak) {
+  const double size = 1e-6 * static_cast<double>(std::filesystem::file_size(file_under_test.file));
+  const double rate = size / median(file_under_test.processor);
+  std::printf("%-18s %8.1f %8.0f %8.0f %8.0f %6s  %s\n", file_under_test.name.c_str(), size,
+              1e3 * median(file_under_test.processor), rate, size / median(file_under_test.wall),
               peak.c_str(),
-              contestant.goal == 0      ? ""
-              : rate >= contestant.goal ? "goal met"
-                                        : "goal missed");
+              file_under_test.goal == 0      ? ""
+              : rate >= file_under_test.goal ? "goal met"
+                                             : "goal missed");
 }
 
 int run(const std::string& program, std::uint64_t triangles) {
   const Folder folder;
-  std::vector<Contestant> contestants = written(folder.path(), triangles);
+  std::vector<FileUnderTest> files_under_test = written(folder.path(), triangles);
   for (int pass = 0; pass < kPasses; ++pass) {
-    for (std::size_t i = 0; i < contestants.size(); ++i) {
-      read_once(contestants[(i + static_cast<std::size_t>(pass)) % contestants.size()]);
+    for (std::size_t i = 0; i < files_under_test.size(); ++i) {
+      read_once(files_under_test[(i + static_cast<std::size_t>(pass)) % files_under_test.size()]);
     }
   }
   std::printf("%llu triangles, median of %d; peak memory over the mesh's own\n",
               static_cast<unsigned long long>(triangles), kPasses);
   std::printf("%-18s %8s %8s %8s %8s %6s\n", "file", "MB", "ms (cpu)", "MB/s cpu", "MB/s", "peak");
-  for (const Contestant& contestant : contestants) {
-    print(contestant, peak_of(program, contestant.file));
+  for (const FileUnderTest& file_under_test : files_under_test) {
+    print(file_under_test, peak_of(program, file_under_test.file));
   }
   return 0;
 }

@@ -59,7 +59,7 @@ double hot_node_test(const Shape& shape) {
   constexpr std::size_t kTasks = 16;
   const auto nodes = shape.layout().nodes();
   detail::RelativePose relative(shape.layout(), Pose::about_z(0.3, {0.1, 0, 0}),
-                                detail::Viewer(shape.layout(), {}));
+                                detail::ReferenceFrame(shape.layout(), {}));
   relative.prepare();
   std::array<detail::NodeTask, kTasks> tasks = {};
   for (std::size_t i = 0; i < kTasks; ++i) {
@@ -134,7 +134,7 @@ struct Row {
 };
 
 /// Random turns of a shape about itself, apart by `gap` on x, or half touching.
-std::vector<Pose> turned(double spread, std::uint64_t seed) {
+std::vector<Pose> oriented(double spread, std::uint64_t seed) {
   Rng rng(seed);
   std::vector<Pose> poses;
   for (int i = 0; i < 500; ++i) {
@@ -213,8 +213,8 @@ std::vector<Row> measure() {
               1e9 * test, 16e-9 / test, 1e-9 / byte);
   City city = generate_city({.triangles = 1'000'000});
   std::vector<Row> rows;
-  rows.push_back(query_row("any, knots 10k", knot, turned(1.2, 1), Body(knot), test));
-  rows.push_back(query_row("any, knots 1M", large, turned(1.2, 1), Body(large), test));
+  rows.push_back(query_row("any, knots 10k", knot, oriented(1.2, 1), Body(knot), test));
+  rows.push_back(query_row("any, knots 1M", large, oriented(1.2, 1), Body(large), test));
   rows.push_back(build_row("build, knot 1M", large.mesh(), byte));
   rows.push_back(build_row("build, city 1M", city.mesh, byte));
   rows.push_back(broad_row("boxes 10k", 10'000, byte));

@@ -1,10 +1,10 @@
-// Asks every contestant the same, lets the judge compare the answers, and writes one table.
+// Asks every library the same, lets the judge compare the answers, and writes one table.
 #include "soms/base/error.h"
 #include "soms/base/text.h"
 
-#include "bench/peers/contestants/modules.h"
 #include "bench/peers/core/machine.h"
 #include "bench/peers/core/tables.h"
+#include "bench/peers/libraries/modules.h"
 #include "bench/peers/options.h"
 #include "bench/peers/scenarios/catalog.h"
 
@@ -29,15 +29,15 @@ std::string caller(int argc, char** argv) {
   return std::string(argc > 0 && argv[0] == kVerb ? kVerb : "soms-bench");
 }
 
-Roster contestants(const Options& options) {
+Roster libraries(const Options& options) {
   Roster roster;
   const std::vector<std::string> faults = add_modules(roster, module_folder());
   if (!options.quiet) {
     for (const std::string& fault : faults) {
-      std::cerr << options.caller << ": a rival is left out: " << printable(fault) << '\n';
+      std::cerr << options.caller << ": a peer is left out: " << printable(fault) << '\n';
     }
     if (roster.empty()) {
-      std::cerr << options.caller << ": no rival is here (" << printable(module_folder().string())
+      std::cerr << options.caller << ": no peer is here (" << printable(module_folder().string())
                 << "); docs/bench.md says how to build them\n";
     }
   }
@@ -46,21 +46,21 @@ Roster contestants(const Options& options) {
 }
 
 void tell(const Cell& cell) {
-  const Entry* rival = best_rival(cell);
+  const Entry* peer = best_peer(cell);
   std::cerr << name(cell.job) << ' ' << cell.scene << ' ' << cell.set << ' ' << cell.triangles;
-  if (rival != nullptr) {
-    std::cerr << ": " << rival->contestant << ' ' << 1e6 * rival->timing.median << " us";
+  if (peer != nullptr) {
+    std::cerr << ": " << peer->library << ' ' << 1e6 * peer->timing.median << " us";
   }
   for (const Entry& e : cell.entries) {
-    if (is_ours(e.contestant)) {
-      const auto reached = ratio(cell, e.contestant);
-      std::cerr << "; " << e.contestant << ' ' << 1e6 * e.timing.median << " us";
+    if (is_ours(e.library)) {
+      const auto reached = ratio(cell, e.library);
+      std::cerr << "; " << e.library << ' ' << 1e6 * e.timing.median << " us";
       if (reached) {
         std::cerr << ", " << *reached << " times";
       }
     }
     if (e.verdict.wrong != 0) {
-      std::cerr << "; " << e.contestant << " is wrong in " << e.verdict.wrong << " of "
+      std::cerr << "; " << e.library << " is wrong in " << e.verdict.wrong << " of "
                 << e.verdict.checked;
     }
   }
@@ -72,8 +72,8 @@ std::string selection(const Options& options) {
   for (const std::string& scene : options.scenes) {
     text += ", scenes " + scene;
   }
-  for (const std::string& contestant : options.run.contestants) {
-    text += ", contestants " + contestant;
+  for (const std::string& library : options.run.libraries) {
+    text += ", libraries " + library;
   }
   return text + ", from " + std::to_string(options.least) + " to " + std::to_string(options.most) +
          " triangles";
@@ -92,7 +92,7 @@ std::vector<Offer> chosen(const Options& options) {
   return offers;
 }
 
-/// Before the race: a place that cannot be written to is told before the work, not after it.
+/// Before the race: a place that cannot be written to is reported before the work, not after it.
 /// \errors ErrorKind::cannot_write.
 void make_folder(const std::filesystem::path& folder) {
   std::error_code failed;
@@ -105,7 +105,7 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 int run_catalog(const Options& options, const RunFacts& facts) {
-  const Roster roster = contestants(options);
+  const Roster roster = libraries(options);
   make_folder(options.out);
   std::vector<Cell> cells;
   for (const Offer& offer : chosen(options)) {
@@ -125,7 +125,7 @@ int run_files(const Options& options, const RunFacts& facts) {
   if (!options.out.empty()) {
     make_folder(options.out);
   }
-  const Roster roster = contestants(options);
+  const Roster roster = libraries(options);
   const Scene scene = own_files_scene(options.files[0], options.files[1], options.poses,
                                       options.random, options.seed, options.strict);
   if (!options.quiet) {

@@ -15,7 +15,7 @@ namespace soms::bench {
 
 namespace {
 
-constexpr const char* kHelp = R"(soms-bench: soms and its rivals, asked the same in one process.
+constexpr const char* kHelp = R"(soms-bench: soms and its peers, queried the same in one process.
 Usage: soms-bench [OPTIONS]        generated scenes, models and cities
        soms-bench A B [OPTIONS]    two meshes of your own: A moves, B stands still
 
@@ -25,9 +25,9 @@ Usage: soms-bench [OPTIONS]        generated scenes, models and cities
   --sets LIST       pose sets, such as random,near-0.001
   --least N         leave out scenes of fewer than N triangles or boxes (default 0)
   --most N          leave out scenes of more (default 5000000)
-  --contestants LIST  whose names begin so, such as soms,fcl
-  --rounds N        timed rounds of each contestant (default 7, quick 3)
-  --budget SECONDS  processor time of one pass of the best rival (default 0.1, quick 0.03)
+  --libraries LIST  whose names begin so, such as soms,fcl
+  --rounds N        timed rounds of each library (default 7, quick 3)
+  --budget SECONDS  processor time of one pass of the best peer (default 0.1, quick 0.03)
   --judge N         triangles of the mover that the judge looks at in a set (default 5e6)
   --cpu N           processor to run on (default: the last)
   --data FOLDER     models and cities (default: SOMS_DATA; without, they are left out)
@@ -39,7 +39,7 @@ Usage: soms-bench [OPTIONS]        generated scenes, models and cities
   --seed N          of the random poses (default 1)
   --json            with A B: JSON Lines
   --strict          with A B: refuse what is warned of, and what reading notes
-  --quiet           nothing on standard error but errors
+  --quiet           print only errors on standard error
 
 Example: soms-bench --quick --scenes twins-knot --most 10000 --out results
 )";
@@ -95,7 +95,7 @@ std::vector<Pose> poses_of_standard_input() {
   }
 }
 
-/// Never none: without poses random ones would be asked.
+/// Never none: without poses random ones would be queried.
 std::vector<Pose> poses(const std::string& text) {
   std::error_code ignored;
   if (text != "-" && !std::filesystem::exists(text, ignored)) {
@@ -115,8 +115,8 @@ bool set_run(RunOptions& run, std::string_view option, const std::string& value)
     run.jobs = jobs(value);
   } else if (option == "--sets") {
     run.sets = split(value);
-  } else if (option == "--contestants") {
-    run.contestants = split(value);
+  } else if (option == "--libraries") {
+    run.libraries = split(value);
   } else if (option == "--rounds") {
     run.race.rounds = number<int>(option, value, 1);
   } else if (option == "--budget") {

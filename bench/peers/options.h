@@ -32,7 +32,7 @@ struct Options {
   std::uint64_t seed = 1;
 };
 
-/// Nothing when help was asked for; it was printed.
+/// Nothing when help was requested, which was printed.
 /// \errors  ErrorKind::usage; as `parse_pose` and `read_poses`.
 [[nodiscard]] std::optional<Options> parse(int argc, char** argv);
 

@@ -11,9 +11,9 @@ namespace soms::bench {
 
 namespace {
 
-/// A contestant with its bodies built, and what that took.
+/// A library with its bodies built, and what that took.
 struct Ready {
-  const Contestant* contestant = nullptr;
+  const Library* library = nullptr;
   std::vector<std::unique_ptr<Match>> matches;
   double build = 0;
   double bytes = 0;
@@ -24,19 +24,18 @@ bool has(const std::vector<Item>& list, const Item& item) {
   return std::find(list.begin(), list.end(), item) != list.end();
 }
 
-bool wanted(const RunOptions& options, const Contestant& contestant) {
-  return options.contestants.empty() ||
-         std::any_of(options.contestants.begin(), options.contestants.end(),
-                     [&](const std::string& name) { return contestant.name().starts_with(name); });
+bool wanted(const RunOptions& options, const Library& library) {
+  return options.libraries.empty() ||
+         std::any_of(options.libraries.begin(), options.libraries.end(),
+                     [&](const std::string& name) { return library.name().starts_with(name); });
 }
 
-Ready prepare(const Contestant& contestant, std::span<const FloatMesh> movers,
-              const FloatMesh& fixed) {
-  Ready ready{&contestant, {}, 0, 0};
+Ready prepare(const Library& library, std::span<const FloatMesh> movers, const FloatMesh& fixed) {
+  Ready ready{&library, {}, 0, 0};
   const std::size_t before = heap_bytes();
   const double start = processor_seconds();
   for (const FloatMesh& mover : movers) {
-    ready.matches.push_back(contestant.prepare(mover, fixed));
+    ready.matches.push_back(library.prepare(mover, fixed));
   }
   ready.build = processor_seconds() - start;
   std::size_t bytes = heap_bytes() - before;
@@ -72,7 +71,7 @@ Cell settle(Cell cell, std::span<const Ready> ready, std::span<const Lane> lanes
   }
   const std::vector<Verdict> verdicts = judge(answers);
   for (std::size_t k = 0; k < lanes.size(); ++k) {
-    const Contestant& c = *ready[k].contestant;
+    const Library& c = *ready[k].library;
     cell.entries.push_back({c.name(), c.version(), ready[k].build, ready[k].bytes, c.keeps_tree(),
                             answers[k].size(), outcomes[k].timing, verdicts[k]});
     if (answers[k].size() == cell.questions && verdicts[k].wrong == 0) {
@@ -82,18 +81,18 @@ Cell settle(Cell cell, std::span<const Ready> ready, std::span<const Lane> lanes
   return cell;
 }
 
-/// The contestants for `job`, with lanes that ask their only match.
+/// The libraries for `job`, with lanes that ask their only match.
 void run_poses(const Scene& scene, const PoseSet& set, Job job, std::span<Ready> ready,
                const PairCounter& counter, const RunOptions& options, const Sink& sink) {
   std::vector<Lane> lanes;
   std::vector<Ready> racing;
   for (Ready& r : ready) {
-    if (r.contestant->does(job)) {
+    if (r.library->does(job)) {
       Match* match = r.matches.front().get();
-      lanes.push_back({r.contestant->name(), [match, job, &set](std::span<std::uint64_t> answers) {
+      lanes.push_back({r.library->name(), [match, job, &set](std::span<std::uint64_t> answers) {
                          match->answer(job, std::span(set.poses).first(answers.size()), answers);
                        }});
-      racing.push_back({r.contestant, {}, r.build, r.bytes});
+      racing.push_back({r.library, {}, r.build, r.bytes});
     }
   }
   const Judge decide = [&](std::span<const std::vector<std::uint64_t>> answers) {
@@ -124,14 +123,14 @@ void run_still(const Scene& scene, const PoseSet& set, const Roster& roster,
   }
   std::vector<Ready> ready;
   std::vector<Lane> lanes;
-  for (const auto& contestant : roster) {
-    if (contestant->does(Job::still) && wanted(options, *contestant)) {
-      ready.push_back(prepare(*contestant, movers, scene.fixed));
+  for (const auto& library : roster) {
+    if (library->does(Job::still) && wanted(options, *library)) {
+      ready.push_back(prepare(*library, movers, scene.fixed));
     }
   }
   lanes.reserve(ready.size());
   for (const Ready& r : ready) {
-    lanes.push_back({r.contestant->name(), [&r](std::span<std::uint64_t> answers) {
+    lanes.push_back({r.library->name(), [&r](std::span<std::uint64_t> answers) {
                        const Pose here;
                        for (std::size_t i = 0; i < answers.size(); ++i) {
                          r.matches[i]->answer(Job::still, {&here, 1}, answers.subspan(i, 1));
@@ -160,22 +159,22 @@ void run_still(const Scene& scene, const PoseSet& set, const Roster& roster,
   }
 }
 
-void run_crowd(const Scene& scene, const CrowdSet& set, const Roster& roster,
-               const RunOptions& options, const Sink& sink) {
+void run_moving_boxes(const Scene& scene, const MovingBoxSet& set, const Roster& roster,
+                      const RunOptions& options, const Sink& sink) {
   std::vector<Ready> ready;
-  std::vector<std::unique_ptr<Crowd>> crowds;
+  std::vector<std::unique_ptr<MovingBoxes>> moving_sets;
   std::vector<Lane> lanes;
-  for (const auto& contestant : roster) {
-    if (!contestant->does(Job::broad) || !wanted(options, *contestant)) {
+  for (const auto& library : roster) {
+    if (!library->does(Job::broad) || !wanted(options, *library)) {
       continue;
     }
     const double start = processor_seconds();
-    crowds.push_back(contestant->crowd(set.frames.front()));
-    ready.push_back({contestant.get(), {}, processor_seconds() - start, 0});
-    Crowd* crowd = crowds.back().get();
-    lanes.push_back({contestant->name(), [crowd, &set](std::span<std::uint64_t> answers) {
+    moving_sets.push_back(library->moving_boxes(set.frames.front()));
+    ready.push_back({library.get(), {}, processor_seconds() - start, 0});
+    MovingBoxes* moving_boxes = moving_sets.back().get();
+    lanes.push_back({library->name(), [moving_boxes, &set](std::span<std::uint64_t> answers) {
                        for (std::size_t i = 0; i < answers.size(); ++i) {
-                         answers[i] = crowd->step(set.frames[i]);
+                         answers[i] = moving_boxes->step(set.frames[i]);
                        }
                      }});
   }
@@ -192,12 +191,12 @@ void run_crowd(const Scene& scene, const CrowdSet& set, const Roster& roster,
 std::vector<Ready> prepare_all(const Scene& scene, const Roster& roster,
                                const RunOptions& options) {
   std::vector<Ready> ready;
-  for (const auto& contestant : roster) {
-    const bool asked = (contestant->does(Job::any) && has(options.jobs, Job::any)) ||
-                       (contestant->does(Job::all) && has(options.jobs, Job::all));
+  for (const auto& library : roster) {
+    const bool requested = (library->does(Job::any) && has(options.jobs, Job::any)) ||
+                           (library->does(Job::all) && has(options.jobs, Job::all));
     const std::size_t larger = std::max(scene.mover.triangles.size(), scene.fixed.triangles.size());
-    if (asked && contestant->takes(larger) && wanted(options, *contestant)) {
-      ready.push_back(prepare(*contestant, {&scene.mover, 1}, scene.fixed));
+    if (requested && library->takes(larger) && wanted(options, *library)) {
+      ready.push_back(prepare(*library, {&scene.mover, 1}, scene.fixed));
     }
   }
   return ready;
@@ -210,9 +209,9 @@ void run_scene(const Scene& scene, const Roster& roster, const RunOptions& optio
   const auto chosen = [&](const std::string& set) {
     return options.sets.empty() || has(options.sets, set);
   };
-  for (const CrowdSet& set : scene.crowds) {
+  for (const MovingBoxSet& set : scene.moving_sets) {
     if (has(options.jobs, Job::broad) && chosen(set.name)) {
-      run_crowd(scene, set, roster, options, sink);
+      run_moving_boxes(scene, set, roster, options, sink);
     }
   }
   if (scene.sets.empty()) {

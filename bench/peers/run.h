@@ -1,9 +1,9 @@
 /// \file
-/// Runs the jobs of scenes: prepares the contestants, races them, lets the judge compare.
+/// Runs the jobs of scenes: prepares the libraries, races them, lets the judge compare.
 #pragma once
 
-#include "bench/peers/contestants/contestant.h"
 #include "bench/peers/core/report.h"
+#include "bench/peers/libraries/library.h"
 #include "bench/peers/scenarios/scene.h"
 
 #include <functional>
@@ -12,11 +12,11 @@
 
 namespace soms::bench {
 
-/// What is asked of a scene, and how long.
+/// What is queried of a scene, and how long.
 struct RunOptions {
   std::vector<Job> jobs{Job::any, Job::all, Job::still, Job::broad};
-  std::vector<std::string> sets;         ///< empty: all
-  std::vector<std::string> contestants;  ///< names or beginnings of names; empty: all
+  std::vector<std::string> sets;       ///< empty: all
+  std::vector<std::string> libraries;  ///< names or beginnings of names; empty: all
   RaceOptions race;
   double judge = 5e6;  ///< triangles of the mover that the judge looks at in a set
 };

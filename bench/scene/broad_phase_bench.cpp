@@ -1,10 +1,10 @@
-// The broad phase beside Bullet's, FCL's and CGAL's: crowds of boxes that all move from frame to
-// frame. One process, contestants in turn; a frame is told and its pairs are listed. Processor
+// The broad phase beside Bullet's, FCL's and CGAL's: sets of boxes that all move from frame to
+// frame. One process, libraries in turn; a frame is handed over and its pairs are listed. Processor
 // time.
 #include "soms/base/random.h"
 #include "soms/scene/broad_phase.h"
 
-#include "bench/scene/crowd.h"
+#include "bench/scene/broad_phase_peers.h"
 
 #include <algorithm>
 #include <array>
@@ -79,7 +79,7 @@ Frames make_frames(std::string_view name, std::size_t count) {
 
 /// soms, from call to call or from nothing in each.
 template <bool keeps>
-class SomsCrowd final : public BoxCrowd {
+class SomsMovingBoxes final : public BroadPhasePeer {
  public:
   void step(std::span<const Box> boxes, PairList& pairs) override {
     if constexpr (!keeps) {
@@ -103,7 +103,7 @@ double processor_seconds() {
 struct Row {
   std::string name;
   bool keeps = false;
-  std::unique_ptr<BoxCrowd> crowd;
+  std::unique_ptr<BroadPhasePeer> peer;
   std::vector<double> seconds;  ///< of the frames of all passes
   bool right = true;
   bool slow = false;
@@ -111,7 +111,7 @@ struct Row {
   double mean = 0;
 };
 
-/// A contestant whose pass lasts longer than this, in seconds, is timed once.
+/// A library whose pass lasts longer than this, in seconds, is timed once.
 constexpr double kSlow = 2;
 
 void run_pass(Row& row, const Frames& frames) {
@@ -119,19 +119,19 @@ void run_pass(Row& row, const Frames& frames) {
   for (const std::vector<Box>& boxes : frames) {
     pairs.clear();
     const double begin = processor_seconds();
-    row.crowd->step(boxes, pairs);
+    row.peer->step(boxes, pairs);
     row.seconds.push_back(processor_seconds() - begin);
   }
 }
 
-/// The first pass, whose answers are compared. Its times count for slow contestants only.
+/// The first pass, whose answers are compared. Its times count for slow libraries only.
 void check_pass(Row& row, const Frames& frames, std::span<const PairList> expected) {
   PairList pairs;
   double sum = 0;
   for (std::size_t frame = 0; frame < frames.size(); ++frame) {
     pairs.clear();
     const double begin = processor_seconds();
-    row.crowd->step(frames[frame], pairs);
+    row.peer->step(frames[frame], pairs);
     row.seconds.push_back(processor_seconds() - begin);
     sum += row.seconds.back();
     std::sort(pairs.begin(), pairs.end());
@@ -143,7 +143,7 @@ void check_pass(Row& row, const Frames& frames, std::span<const PairList> expect
   }
 }
 
-/// The pairs of each frame by a way of no contestant: a sweep along one axis.
+/// The pairs of each frame by a way of no library: a sweep along one axis.
 std::vector<PairList> sweep(const Frames& frames) {
   std::vector<PairList> answers;
   for (const std::vector<Box>& boxes : frames) {
@@ -182,11 +182,11 @@ void compare(std::string_view name, std::size_t count, int passes) {
   const Frames frames = make_frames(name, count);
   const std::vector<PairList> expected = sweep(frames);
   std::vector<Row> rows;
-  rows.push_back({"soms", true, std::make_unique<SomsCrowd<true>>(), {}});
-  rows.push_back({"soms-anew", false, std::make_unique<SomsCrowd<false>>(), {}});
-  std::vector<CrowdMaker> makers;
-  soms_bench_crowds(makers);
-  for (const CrowdMaker& maker : makers) {
+  rows.push_back({"soms", true, std::make_unique<SomsMovingBoxes<true>>(), {}});
+  rows.push_back({"soms-scratch", false, std::make_unique<SomsMovingBoxes<false>>(), {}});
+  std::vector<BroadPhasePeerMaker> makers;
+  soms_bench_broad_phase_peers(makers);
+  for (const BroadPhasePeerMaker& maker : makers) {
     rows.push_back({maker.name, maker.keeps, maker.make(frames.front()), {}});
   }
   for (Row& row : rows) {
@@ -201,10 +201,10 @@ void compare(std::string_view name, std::size_t count, int passes) {
     }
   }
   double kept = 0;
-  double anew = 0;
+  double rebuilt = 0;
   for (Row& row : rows) {
     summarize(row);
-    double& best = row.keeps ? kept : anew;
+    double& best = row.keeps ? kept : rebuilt;
     if (row.name.find("soms") == std::string::npos && row.right) {
       best = best > 0 ? std::min(best, row.mean) : row.mean;
     }
@@ -213,7 +213,7 @@ void compare(std::string_view name, std::size_t count, int passes) {
     std::printf("%s,%zu,%zu,%s,%s,%s,%.4f,%.4f,%.2f,%.2f\n", std::string(name).c_str(), count,
                 expected.front().size(), row.name.c_str(), row.keeps ? "yes" : "no",
                 row.right ? "yes" : "no", 1e3 * row.mean, 1e3 * row.median, kept / row.mean,
-                anew / row.mean);
+                rebuilt / row.mean);
   }
   std::fflush(stdout);
 }
@@ -232,8 +232,8 @@ int main(int argc, char** argv) {
     }
   }
   std::puts(
-      "crowd,boxes,pairs,contestant,keeps,answers right,mean ms a frame,median ms,"
-      "best keeping rival / mean,best rival from nothing / mean");
+      "set,boxes,pairs,library,keeps,answers right,mean ms a frame,median ms,"
+      "best keeping peer / mean,best peer from nothing / mean");
   for (const std::size_t count : {std::size_t{10000}, std::size_t{100000}}) {
     for (const std::string_view name : {"spread", "dense", "mixed"}) {
       soms::bench::compare(name, count, passes);

@@ -40,7 +40,7 @@ double median(std::vector<double> values) {
 /// Two scenes of the same bodies, and where the cars drive.
 struct Traffic {
   Scene kept;
-  Scene anew;
+  Scene rebuilt;
   std::vector<Route> routes;
 
   Traffic() {
@@ -52,7 +52,7 @@ struct Traffic {
       routes.back().measure();
     }
     const Body fixed{Shape(std::move(city.mesh))};
-    for (Scene* const scene : {&kept, &anew}) {
+    for (Scene* const scene : {&kept, &rebuilt}) {
       scene->add_environment(fixed);
       for (const Route& route : routes) {
         scene->add_mover(Body(car, route.at(0)));
@@ -68,19 +68,20 @@ struct Traffic {
 };
 
 void compare_coherence(Traffic& traffic, const StepOptions& options, const char* name) {
-  StepOptions anew = options;
-  anew.coherent = false;
+  StepOptions rebuilt = options;
+  rebuilt.coherent = false;
   std::vector<double> kept_seconds;
   std::vector<double> anew_seconds;
   Fnv1a kept_hash;
   Fnv1a anew_hash;
   for (int frame = 0; frame < kFrames; ++frame) {
     traffic.drive(traffic.kept, frame);
-    traffic.drive(traffic.anew, frame);
+    traffic.drive(traffic.rebuilt, frame);
     for (int turn = 0; turn < 2; ++turn) {
       const bool is_kept = (turn + frame) % 2 == 0;
       const double begin = processor_seconds();
-      const StepReport report = is_kept ? traffic.kept.step(options) : traffic.anew.step(anew);
+      const StepReport report =
+          is_kept ? traffic.kept.step(options) : traffic.rebuilt.step(rebuilt);
       (is_kept ? kept_seconds : anew_seconds).push_back(processor_seconds() - begin);
       (is_kept ? kept_hash : anew_hash).add(report.hash());
     }

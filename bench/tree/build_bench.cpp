@@ -1,5 +1,5 @@
 // Building beside Embree: how long every rule takes from mesh to Shape, what its tree costs a
-// query, what it weighs, and how well two threads build. One process; contestants in a turning
+// query, what it weighs, and how well two threads build. One process; libraries in a turning
 // order.
 #include "soms/query/overlap.h"
 #include "soms/tree/layout/wide_tree.h"
@@ -29,7 +29,7 @@
 namespace soms::bench {
 namespace {
 
-/// A mesh of a million triangles, a mover, and poses at which both are asked.
+/// A mesh of a million triangles, a mover, and poses at which both are queried.
 struct Place {
   std::string name;
   std::shared_ptr<const Mesh> mesh;
@@ -102,17 +102,17 @@ Place city_place() {
 }
 
 /// Something that turns the mesh of a place into a tree; what it made is dropped at once.
-struct Contestant {
+struct BuilderUnderTest {
   std::string name;
   std::function<void(const Place&)> build;
 };
 
 #if SOMS_BENCH_EMBREE
-void add_embree(std::vector<Contestant>& contestants) {
+void add_embree(std::vector<BuilderUnderTest>& builders) {
   const std::shared_ptr<RTCDeviceTy> device(rtcNewDevice("threads=1,set_affinity=0"),
                                             [](RTCDevice d) { rtcReleaseDevice(d); });
   const auto add = [&](const char* name, RTCBuildQuality quality) {
-    contestants.push_back(
+    builders.push_back(
         {name, [device, quality](const Place& place) {
            const RTCScene scene = rtcNewScene(device.get());
            rtcSetSceneBuildQuality(scene, quality);
@@ -136,19 +136,18 @@ void add_embree(std::vector<Contestant>& contestants) {
 }
 #endif
 
-std::vector<Contestant> contestants_of(const std::vector<const RuleEntry*>& chosen) {
-  std::vector<Contestant> contestants;
+std::vector<BuilderUnderTest> builders_of(const std::vector<const RuleEntry*>& chosen) {
+  std::vector<BuilderUnderTest> builders;
   for (const RuleEntry* e : chosen) {
     ShapeOptions options;
     options.build.rule = e->rule;
-    contestants.push_back({std::string(e->kebab), [options](const Place& place) {
-                             const Shape shape(place.mesh, options);
-                           }});
+    builders.push_back({std::string(e->kebab),
+                        [options](const Place& place) { const Shape shape(place.mesh, options); }});
   }
 #if SOMS_BENCH_EMBREE
-  add_embree(contestants);
+  add_embree(builders);
 #endif
-  return contestants;
+  return builders;
 }
 
 double median(std::vector<double> v) {
@@ -157,14 +156,14 @@ double median(std::vector<double> v) {
 }
 
 /// Passes in a turning order; the median of each. A first pass warms all and is not counted.
-std::vector<double> race_builds(const std::vector<Contestant>& contestants, const Place& place,
+std::vector<double> race_builds(const std::vector<BuilderUnderTest>& builders, const Place& place,
                                 int passes) {
-  std::vector<std::vector<double>> seconds(contestants.size());
+  std::vector<std::vector<double>> seconds(builders.size());
   for (int p = -1; p < passes; ++p) {
-    for (std::size_t k = 0; k < contestants.size(); ++k) {
-      const std::size_t i = (k + static_cast<std::size_t>(p + 1)) % contestants.size();
+    for (std::size_t k = 0; k < builders.size(); ++k) {
+      const std::size_t i = (k + static_cast<std::size_t>(p + 1)) % builders.size();
       const double start = processor_seconds();
-      contestants[i].build(place);
+      builders[i].build(place);
       if (p >= 0) {
         seconds[i].push_back(processor_seconds() - start);
       }
@@ -175,7 +174,7 @@ std::vector<double> race_builds(const std::vector<Contestant>& contestants, cons
   return medians;
 }
 
-/// The trees of a rule that queries are asked of.
+/// The trees of a rule that queries are queried of.
 struct Kept {
   std::string name;
   ShapeOptions options;
@@ -334,16 +333,16 @@ void race_refit(const std::vector<const RuleEntry*>& chosen, const Place& place,
     for (const double turns : {0.0, 0.01, 0.03, 0.1, 0.3, 1.0}) {
       const auto mesh = twisted(*place.mesh, turns);
       const Shape moved = refit(shape, mesh);
-      const Shape anew(mesh, options);
-      std::printf("%-16s %5.2f turns: decline %5.2f; node tests refitted / new", e->kebab.data(),
-                  turns, moved.decline());
+      const Shape rebuilt(mesh, options);
+      std::printf("%-16s %5.2f turns: degradation %5.2f; node tests refitted / new",
+                  e->kebab.data(), turns, moved.sah_degradation());
       for (const PoseSet& set : place.sets) {
         std::printf("  %s %.2f", set.name.c_str(),
-                    node_tests(moved, place, set) / node_tests(anew, place, set));
+                    node_tests(moved, place, set) / node_tests(rebuilt, place, set));
       }
       std::printf("\n");
     }
-    const double build = seconds_of([&] { const Shape anew(place.mesh, options); }, passes);
+    const double build = seconds_of([&] { const Shape rebuilt(place.mesh, options); }, passes);
     const double again = seconds_of([&] { const Shape moved = refit(shape, place.mesh); }, passes);
     std::printf("%-16s build %.1f ms, refit %.1f ms: %.2f of it\n", e->kebab.data(), 1e3 * build,
                 1e3 * again, again / build);
@@ -390,7 +389,7 @@ void run(int argc, char** argv) {
       chosen.push_back(&e);
     }
   }
-  const auto contestants = contestants_of(chosen);
+  const auto builders = builders_of(chosen);
   for (const auto& make : {&knot_place, &city_place}) {
     if (!only.empty() && only != (make == &knot_place ? "knot" : "city")) {
       continue;
@@ -398,9 +397,9 @@ void run(int argc, char** argv) {
     const Place place = make();
     std::printf("== %s, %zu triangles\n", place.name.c_str(), place.mesh->triangles.size());
     if (builds) {
-      const auto seconds = race_builds(contestants, place, passes);
-      for (std::size_t i = 0; i < contestants.size(); ++i) {
-        std::printf("%-16s %7.1f ms\n", contestants[i].name.c_str(), 1e3 * seconds[i]);
+      const auto seconds = race_builds(builders, place, passes);
+      for (std::size_t i = 0; i < builders.size(); ++i) {
+        std::printf("%-16s %7.1f ms\n", builders[i].name.c_str(), 1e3 * seconds[i]);
       }
     }
     if (queries) {

@@ -2,7 +2,7 @@
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/frames.h"
 #include "reproduce/side_view.h"
-#include "reproduce/walk_tables.h"
+#include "reproduce/traversal_tables.h"
 
 #include <fmt/format.h>
 

@@ -97,7 +97,7 @@ namespace soms::reproduce {
 [[nodiscard]] Result orientation_front(const Context& context);
 [[nodiscard]] Result orientation_back(const Context& context);
 
-/// Every walk of two trees on the orientation tests and the city drives.
+/// Every traversal of two trees on the orientation tests and the city drives.
 [[nodiscard]] Result traversals(const Context& context);
 
 /// The thesis' models and scenes by modern measures: SAH cost, expected and measured visits,

@@ -3,7 +3,7 @@
 #include "reproduce/frames.h"
 #include "reproduce/side_view.h"
 #include "reproduce/steps.h"
-#include "reproduce/walk_tables.h"
+#include "reproduce/traversal_tables.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ constexpr std::size_t kFrame = 40;
 /// Few enough boxes to be drawn.
 constexpr int kDrawnLevel = 6;
 
-/// What a walk did in the frame, and the nodes that it looked at.
+/// What a traversal did in the frame, and the nodes that it looked at.
 struct Visit {
   TraversalCounts counts;
   std::vector<NodePair> leaf_pairs;
@@ -32,8 +32,8 @@ struct Visit {
 
 Visit visit(const Trip& trip, TraversalOptions options, bool prune, const Parallel& parallel) {
   options.prune = prune;
-  LeafWalk walk(trip, options);
-  walk.move(kFrame);
+  LeafTraversal traversal(trip, options);
+  traversal.move(kFrame);
   Visit visit;
   TraversalVisitor visitor;
   visitor.keep_going = [&] {
@@ -48,14 +48,15 @@ Visit visit(const Trip& trip, TraversalOptions options, bool prune, const Parall
     visit.nodes_a.insert(p.a);
     visit.nodes_b.insert(p.b);
   };
-  visit.counts = walk.walk(visitor);
+  visit.counts = traversal.run(visitor);
   std::sort(visit.leaf_pairs.begin(), visit.leaf_pairs.end(),
             [](NodePair p, NodePair q) { return std::pair(p.a, p.b) < std::pair(q.a, q.b); });
   return visit;
 }
 
-void add_row(Table& table, const Trip& trip, const Walk& walk, bool prune, const Visit& visit) {
-  std::vector<Cell> row{trip.rule, walk.name, word_cell(prune ? "on" : "off")};
+void add_row(Table& table, const Trip& trip, const NamedTraversal& traversal, bool prune,
+             const Visit& visit) {
+  std::vector<Cell> row{trip.rule, traversal.name, word_cell(prune ? "on" : "off")};
   add_count_cells(row, visit.counts);
   row.push_back(count_cell(visit.nodes_a.size()));
   row.push_back(count_cell(trip.a.tree()->nodes.size()));
@@ -75,7 +76,7 @@ void draw_boxes(Svg& svg, const SideView& view, const Tree& tree,
 }
 
 Figure picture(const Trip& trip, const Visit& on, const Visit& off) {
-  const std::string title = "The boxes that a walk looks at, with pruning and without";
+  const std::string title = "The boxes that a traversal looks at, with pruning and without";
   Box shown = trip.a.bounds();
   const Vec3& offset = trip.offsets[kFrame];
   shown.grow(Box{trip.b.bounds().lower + offset, trip.b.bounds().upper + offset});
@@ -102,7 +103,7 @@ Figure picture(const Trip& trip, const Visit& on, const Visit& off) {
   return {.id = "figure_4_35",
           .caption = fmt::format("Test right, frame {}, SOMS trees of level {}: boxes of the still "
                                  "object (blue) and the moving one (orange) that the simultaneous "
-                                 "walk looks at. With pruning it looks only near the contact.",
+                                 "traversal looks at. With pruning it looks only near the contact.",
                                  kFrame, kDrawnLevel),
           .svg = svg.document()};
 }
@@ -111,8 +112,8 @@ Figure picture(const Trip& trip, const Visit& on, const Visit& off) {
 
 Result figure_4_35(const Context& context) {
   const Model& object = context.models.objects.front();
-  const std::array walks{walk_named("larger"), walk_named("simultaneous"),
-                         walk_named("enode_both")};
+  const std::array traversals{named_traversal("larger"), named_traversal("simultaneous"),
+                              named_traversal("enode_both")};
   const std::vector<Contender> builds = thesis_rules(kObjectLevel);
   Table table{
       .id = "figure_4_35_counts",
@@ -124,18 +125,18 @@ Result figure_4_35(const Context& context) {
   for (const char* const name : {"nodes_seen_still", "nodes_still", "nodes_seen_moving"}) {
     table.columns.push_back({name});
   }
-  Steps steps(context.parallel, builds.size() * walks.size());
+  Steps steps(context.parallel, builds.size() * traversals.size());
   double least = 0;
   double most = 0;
   for (const Contender& build : builds) {
     const Trip trip = orientation_trip(object, Approach::right, build);
-    for (const Walk& walk : walks) {
-      const Visit on = visit(trip, walk.options, true, context.parallel);
-      const Visit off = visit(trip, walk.options, false, context.parallel);
+    for (const NamedTraversal& traversal : traversals) {
+      const Visit on = visit(trip, traversal.options, true, context.parallel);
+      const Visit off = visit(trip, traversal.options, false, context.parallel);
       require(on.leaf_pairs == off.leaf_pairs,
-              fmt::format("{} on {} trees with pruning and without", walk.name, build.title));
-      add_row(table, trip, walk, true, on);
-      add_row(table, trip, walk, false, off);
+              fmt::format("{} on {} trees with pruning and without", traversal.name, build.title));
+      add_row(table, trip, traversal, true, on);
+      add_row(table, trip, traversal, false, off);
       const double ratio = static_cast<double>(off.counts.box_tests) /
                            static_cast<double>(std::max<std::uint64_t>(1, on.counts.box_tests));
       least = least == 0 ? ratio : std::min(least, ratio);
@@ -144,7 +145,7 @@ Result figure_4_35(const Context& context) {
     }
   }
   const Trip drawn = orientation_trip(object, Approach::right, thesis_rules(kDrawnLevel).back());
-  const TraversalOptions simultaneous = walk_named("simultaneous").options;
+  const TraversalOptions simultaneous = named_traversal("simultaneous").options;
   return {.tables = {std::move(table)},
           .figures = {picture(drawn, visit(drawn, simultaneous, true, context.parallel),
                               visit(drawn, simultaneous, false, context.parallel))},

@@ -3,7 +3,7 @@
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/frames.h"
 #include "reproduce/steps.h"
-#include "reproduce/walk_tables.h"
+#include "reproduce/traversal_tables.h"
 
 #include <fmt/format.h>
 
@@ -26,14 +26,14 @@ constexpr double kNoise = 0.03;
 /// So many times the box tests matter more than the order in which they are made.
 constexpr double kFarMore = 2;
 
-/// Larsson's traversal is taken to be the simultaneous one; E-Node opens the same nodes; the third
-/// is E-Node as it suits a small object in a city.
+/// Larsson's traversal is taken to be the simultaneous one; E-Node descends the same nodes; the
+/// third is E-Node as it suits a small object in a city.
 enum Compared : std::size_t { larsson, e_node, e_node_larger, compared };
 
-std::array<Walk, compared> compared_walks() {
+std::array<NamedTraversal, compared> compared_traversals() {
   return {{{"larsson", {.traversal = Traversal::larsson}},
-           walk_named("enode_both"),
-           walk_named("enode_larger")}};
+           named_traversal("enode_both"),
+           named_traversal("enode_larger")}};
 }
 
 constexpr std::array<std::string_view, compared> kTitles{"Larsson's DFS (simultaneous)", "E-Node",
@@ -43,21 +43,21 @@ double ratio(std::uint64_t one, std::uint64_t other) {
   return static_cast<double>(one) / static_cast<double>(std::max<std::uint64_t>(1, other));
 }
 
-/// A trip by all walks.
+/// A trip by all traversals.
 struct Match {
   Trip trip;
   std::string title;  ///< of the build
   std::array<std::vector<Frame>, compared> frames;
   std::vector<FrameTimes> times;
 
-  [[nodiscard]] Totals sum(std::size_t walk) const { return totals(frames[walk]); }
+  [[nodiscard]] Totals sum(std::size_t traversal) const { return totals(frames[traversal]); }
 
   /// The bodies come near each other at all.
   [[nodiscard]] bool meets() const { return sum(larsson).root_overlap_frames > 0; }
 
   [[nodiscard]] bool is_drive() const { return trip.test == "drive"; }
 
-  /// How many times the box tests of E-Node that opens the larger node Larsson's DFS makes.
+  /// How many times the box tests of E-Node that descends the larger node Larsson's DFS makes.
   [[nodiscard]] double tests_over_larger() const {
     return ratio(sum(larsson).counts.box_tests, sum(e_node_larger).counts.box_tests);
   }
@@ -70,8 +70,8 @@ struct Match {
   }
 
   /// Mean milliseconds of a frame with root overlap, collision only.
-  [[nodiscard]] double mean_time(std::size_t walk) const {
-    return mean_of(medians_where_roots_overlap(times[walk].collision, frames[walk]));
+  [[nodiscard]] double mean_time(std::size_t traversal) const {
+    return mean_of(medians_where_roots_overlap(times[traversal].collision, frames[traversal]));
   }
 };
 
@@ -99,23 +99,23 @@ std::vector<Match> trips(const Context& context) {
 }
 
 void run(Match& match, const Context& context) {
-  const auto walks = compared_walks();
+  const auto traversals = compared_traversals();
   for (std::size_t i = 0; i < compared; ++i) {
-    match.frames[i] = answer_frames(match.trip, walks[i], context.parallel);
+    match.frames[i] = answer_frames(match.trip, traversals[i], context.parallel);
     for (std::size_t k = 0; k < match.frames[i].size(); ++k) {
-      require(
-          match.frames[i][k].contacts == match.frames[larsson][k].contacts,
-          fmt::format("{} of {} past {}, frame {}: contacts by {} and by {}", match.trip.test,
-                      match.trip.moving, match.trip.still, k, walks[i].name, walks[larsson].name));
+      require(match.frames[i][k].contacts == match.frames[larsson][k].contacts,
+              fmt::format("{} of {} past {}, frame {}: contacts by {} and by {}", match.trip.test,
+                          match.trip.moving, match.trip.still, k, traversals[i].name,
+                          traversals[larsson].name));
     }
   }
-  match.times = time_frames(match.trip, walks, context.repetitions(match.is_drive() ? 20 : 50),
+  match.times = time_frames(match.trip, traversals, context.repetitions(match.is_drive() ? 20 : 50),
                             context.parallel);
 }
 
-std::vector<Cell> name_cells(const Match& match, std::size_t walk) {
+std::vector<Cell> name_cells(const Match& match, std::size_t traversal) {
   return {match.trip.still, match.trip.moving, match.trip.rule, match.trip.test,
-          compared_walks()[walk].name};
+          compared_traversals()[traversal].name};
 }
 
 const std::vector<Column> kNameColumns{{"static"}, {"moving"}, {"rule"}, {"test"}, {"algorithm"}};
@@ -202,19 +202,20 @@ Figure chart(const std::string& id, const Match& match) {
     }
     chart.lines.push_back(std::move(line));
   }
-  return {.id = id,
-          .caption = fmt::format("Milliseconds of collision detection by frame, {} past {} on {} "
-                                 "trees: E-Node follows Larsson's DFS, for it makes the same box "
-                                 "tests{}.{}",
-                                 match.trip.moving, match.trip.still, match.title,
-                                 match.is_drive() && match.tests_over_larger() >= kFarMore
-                                     ? fmt::format("; opening the larger node first makes {:.1f} "
-                                                   "times fewer",
-                                                   match.tests_over_larger())
-                                     : "",
-                                 kThesisOptions),
-          .svg = draw(chart),
-          .timed = true};
+  return {
+      .id = id,
+      .caption = fmt::format("Milliseconds of collision detection by frame, {} past {} on {} "
+                             "trees: E-Node follows Larsson's DFS, for it makes the same box "
+                             "tests{}.{}",
+                             match.trip.moving, match.trip.still, match.title,
+                             match.is_drive() && match.tests_over_larger() >= kFarMore
+                                 ? fmt::format("; descending the larger node first makes {:.1f} "
+                                               "times fewer",
+                                               match.tests_over_larger())
+                                 : "",
+                             kThesisOptions),
+      .svg = draw(chart),
+      .timed = true};
 }
 
 /// Least and greatest of a number over the trips.
@@ -339,7 +340,7 @@ Finding claim_of_faster(const std::vector<Match>& matches) {
           "The box tests are the same in number, so any gain is in the overhead of entering "
           "pairs{}.",
           in_drives && in_drives->first >= kFarMore
-              ? "; in the drives, which node is opened matters far more"
+              ? "; in the drives, which node is descended matters far more"
               : ""),
       .timed = true};
 }
@@ -350,13 +351,13 @@ std::vector<std::string> remarks(const Context& context, const std::vector<Match
   words.insert(words.end(), scenes.begin(), scenes.end());
   if (const auto times = range_in_drives(matches)) {
     words.push_back(
-        fmt::format("A small object in a city: opening both nodes at once, as Larsson's "
+        fmt::format("A small object in a city: descending both nodes at once, as Larsson's "
                     "DFS and E-Node do, costs {:.1f} to {:.1f} times the box tests of "
-                    "E-Node that opens the larger node.",
+                    "E-Node that descends the larger node.",
                     times->first, times->second));
   }
   words.push_back(
-      "Larsson's DFS is named in captions only; we take it to be the simultaneous walk.");
+      "Larsson's DFS is named in captions only; we take it to be the simultaneous traversal.");
   return words;
 }
 

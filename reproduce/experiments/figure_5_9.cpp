@@ -1,12 +1,12 @@
-// E-Node explained: in which order it tests and enters pairs, beside the simultaneous walk, drawn
-// from runs on two small trees.
+// E-Node explained: in which order it tests and enters pairs, beside the simultaneous traversal,
+// drawn from runs on two small trees.
 #include "soms/query/traversal/posed_boxes.h"
 #include "soms/query/traversal/traversals.h"
 #include "soms/tree/build.h"
 
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/side_view.h"
-#include "reproduce/walk_tables.h"
+#include "reproduce/traversal_tables.h"
 
 #include <fmt/format.h>
 
@@ -68,7 +68,7 @@ struct Event {
   std::string outcome;
 };
 
-/// A walk as it went.
+/// A traversal as it went.
 struct Course {
   std::string name;
   std::vector<Story> stories = {};
@@ -76,8 +76,8 @@ struct Course {
   TraversalCounts counts = {};
 };
 
-/// Writes down what a walk does. Both walks open both nodes, so the parent of a pair is the pair of
-/// the parents.
+/// Writes down what a traversal does. Both traversals descend both nodes, so the parent of a pair
+/// is the pair of the parents.
 class Recorder {
  public:
   explicit Recorder(const Toy& toy) : toy_(toy) {}
@@ -263,7 +263,7 @@ Figure drawing(const Toy& toy, const std::array<Course, 2>& courses) {
       {.size = 13, .faint = true});
   return {.id = "figure_5_9",
           .caption =
-              "E-Node beside the simultaneous walk on two trees of four triangles, drawn "
+              "E-Node beside the simultaneous traversal on two trees of four triangles, drawn "
               "from runs: the same tests in another order, fewer pairs entered.",
           .svg = svg.document()};
 }
@@ -271,7 +271,7 @@ Figure drawing(const Toy& toy, const std::array<Course, 2>& courses) {
 Table event_table(const Toy& toy, const std::array<Course, 2>& courses) {
   Table table{.id = "figure_5_9_steps",
               .caption =
-                  "Both walks step by step on the small trees; pairs are TreeIDs of the "
+                  "Both traversals step by step on the small trees; pairs are TreeIDs of the "
                   "still and the moving node.",
               .columns = {{"algorithm"}, {"step"}, {"what"}, {"pair"}, {"outcome"}}};
   for (const Course& course : courses) {
@@ -293,7 +293,7 @@ Result figure_5_9(const Context& context) {
       Recorder(toy).record("simultaneous", {.traversal = Traversal::simultaneous}),
       Recorder(toy).record("E-Node", {.traversal = Traversal::e_node})};
   require(courses[0].counts.leaf_pairs == courses[1].counts.leaf_pairs,
-          "E-Node and the simultaneous walk on the small trees");
+          "E-Node and the simultaneous traversal on the small trees");
   return {.tables = {event_table(toy, courses)},
           .figures = {drawing(toy, courses)},
           .remarks = {"The thesis names E-Node (\"Earlier Node detection\") in captions without "

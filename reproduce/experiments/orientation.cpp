@@ -4,7 +4,7 @@
 #include "reproduce/frames.h"
 #include "reproduce/side_view.h"
 #include "reproduce/steps.h"
-#include "reproduce/walk_tables.h"
+#include "reproduce/traversal_tables.h"
 
 #include <fmt/format.h>
 
@@ -21,8 +21,9 @@ namespace {
 /// Frames that the picture shows: far, touching, coming in, half inside.
 constexpr std::array<std::size_t, 4> kPictured{0, 32, 40, 48};
 
-/// The walk that the captions call generic: Ericson's, which opens the node of greater volume.
-Walk generic() {
+/// The traversal that the captions call generic: Ericson's, which descends the node of greater
+/// volume.
+NamedTraversal generic() {
   return {"ericson", {.traversal = Traversal::ericson}};
 }
 
@@ -311,20 +312,20 @@ std::vector<std::string> remarks(const Context& context, const std::vector<Ride>
                       least->build.title, to_text(count_cell(box_tests(*least))), most->build.title,
                       to_text(count_cell(box_tests(*most)))),
           "Drawing is off in all times: no viewer takes part in this run. A frame is moving the "
-          "boxes, walking the trees and testing the triangles."};
+          "boxes, traversing the trees and testing the triangles."};
 }
 
 Result orientation(const Context& context, const std::string& id, Approach from) {
   const Model& object = context.models.objects.front();
   const std::vector<Contender> builds = thesis_rules(kObjectLevel);
-  const Walk walk = generic();
+  const NamedTraversal traversal = generic();
   Steps steps(context.parallel, builds.size());
   std::vector<Ride> rides;
   for (const Contender& build : builds) {
     Ride ride{build, orientation_trip(object, from, build), {}, {}};
-    ride.frames = answer_frames(ride.trip, walk, context.parallel);
+    ride.frames = answer_frames(ride.trip, traversal, context.parallel);
     ride.times =
-        time_frames(ride.trip, std::span(&walk, 1), context.repetitions(100), context.parallel)
+        time_frames(ride.trip, std::span(&traversal, 1), context.repetitions(100), context.parallel)
             .front();
     rides.push_back(std::move(ride));
     steps.done_one();

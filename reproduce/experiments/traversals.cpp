@@ -1,10 +1,10 @@
-// Every walk of canonical trees and the library's own on the same trips: counts, times, and answers
-// that must be the same everywhere.
+// Every traversal of canonical trees and the library's own on the same trips: counts, times, and
+// answers that must be the same everywhere.
 #include "reproduce/chart.h"
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/steps.h"
-#include "reproduce/walk_match.h"
-#include "reproduce/walk_tables.h"
+#include "reproduce/traversal_match.h"
+#include "reproduce/traversal_tables.h"
 
 #include <fmt/format.h>
 
@@ -19,8 +19,8 @@ namespace {
 Table empty_table() {
   Table table{.id = "traversals",
               .caption = fmt::format(
-                  "Every walk on every trip: counts summed over the frames, answers compared, "
-                  "and microseconds a frame: of the walk alone, and of a whole frame with "
+                  "Every traversal on every trip: counts summed over the frames, answers compared, "
+                  "and microseconds a frame: of the traversal alone, and of a whole frame with "
                   "moving the boxes and testing the triangles. Trees of level {}, scenes {} (fast: "
                   "the library's own).{}",
                   kObjectLevel, kSceneLevel, kThesisOptions),
@@ -37,7 +37,7 @@ Table empty_table() {
        {"triangle_tests", "contacts", "equal_frames", "brute_force_frames"}) {
     table.columns.push_back({name});
   }
-  table.columns.push_back({"walk", "us", ColumnKind::timed});
+  table.columns.push_back({"traversal", "us", ColumnKind::timed});
   table.columns.push_back({"frame_time", "us", ColumnKind::timed});
   return table;
 }
@@ -46,19 +46,19 @@ double microseconds_a_frame(double milliseconds, const Trip& trip) {
   return 1000 * milliseconds / static_cast<double>(trip.offsets.size());
 }
 
-/// Microseconds of a whole frame by a walk.
-Cell frame_time(const WalkMatch& match, const WalkOutcome& outcome) {
+/// Microseconds of a whole frame by a traversal.
+Cell frame_time(const TraversalMatch& match, const TraversalOutcome& outcome) {
   if (!match.other_time) {
     return {};
   }
   return number_cell(microseconds_a_frame(*match.other_time + outcome.time.median, match.trip));
 }
 
-void add_rows(Table& table, const WalkTruth& truth, const WalkMatch& match) {
-  for (const WalkOutcome& outcome : match.outcomes) {
+void add_rows(Table& table, const TraversalTruth& truth, const TraversalMatch& match) {
+  for (const TraversalOutcome& outcome : match.outcomes) {
     const Totals& sum = outcome.sum;
     std::vector<Cell> row{match.trip.still, match.trip.moving, match.trip.rule, match.trip.test,
-                          outcome.walk.name};
+                          outcome.traversal.name};
     for (const std::uint64_t count : {sum.frames, sum.root_overlap_frames, sum.hit_frames}) {
       row.push_back(count_cell(count));
     }
@@ -74,7 +74,7 @@ void add_rows(Table& table, const WalkTruth& truth, const WalkMatch& match) {
 }
 
 /// The library's own way: its boxes and its triangle tests; it has no pairs of leaves to tell.
-void add_fast_row(Table& table, const WalkTruth& truth) {
+void add_fast_row(Table& table, const TraversalTruth& truth) {
   std::uint64_t contacts = 0;
   for (const auto& of_frame : truth.contacts) {
     contacts += of_frame.size();
@@ -96,35 +96,35 @@ void add_fast_row(Table& table, const WalkTruth& truth) {
 
 /// A test and its trips by every build.
 struct Test {
-  WalkTruth truth;
-  std::vector<WalkMatch> matches;
+  TraversalTruth truth;
+  std::vector<TraversalMatch> matches;
 
-  [[nodiscard]] const WalkMatch& soms() const {
+  [[nodiscard]] const TraversalMatch& soms() const {
     return *std::find_if(matches.begin(), matches.end(),
-                         [](const WalkMatch& match) { return match.trip.rule == "soms"; });
+                         [](const TraversalMatch& match) { return match.trip.rule == "soms"; });
   }
 };
 
-/// Walks that the charts show: those in the order of the tree, and the library's own.
-std::vector<std::string> charted_walks() {
+/// Traversals that the charts show: those in the order of the tree, and the library's own.
+std::vector<std::string> charted_traversals() {
   std::vector<std::string> names;
-  for (const Walk& walk : all_walks()) {
-    if (walk.options.order == EntryOrder::tree) {
-      names.push_back(walk.name);
+  for (const NamedTraversal& traversal : all_traversals()) {
+    if (traversal.options.order == EntryOrder::tree) {
+      names.push_back(traversal.name);
     }
   }
   names.emplace_back("fast");
   return names;
 }
 
-/// Bars of the charted walks in the drives and one approach, on SOMS trees.
+/// Bars of the charted traversals in the drives and one approach, on SOMS trees.
 template <class Own, class Number>
 BarChart chart(const std::vector<Test>& tests, const Own& own, const Number& number) {
   BarChart chart;
   chart.y_scale = Scale::log;
-  chart.groups = charted_walks();
+  chart.groups = charted_traversals();
   for (const Test& test : tests) {
-    const WalkMatch& match = test.soms();
+    const TraversalMatch& match = test.soms();
     if (match.trip.test != "drive" && match.trip.test != "right") {
       continue;
     }
@@ -140,19 +140,19 @@ BarChart chart(const std::vector<Test>& tests, const Own& own, const Number& num
 Figure box_test_figure(const std::vector<Test>& tests) {
   BarChart bars = chart(
       tests,
-      [](const WalkTruth& truth) {
+      [](const TraversalTruth& truth) {
         return static_cast<double>(std::max<std::uint64_t>(1, truth.cost.node_tests));
       },
-      [](const WalkMatch&, const WalkOutcome& outcome) {
+      [](const TraversalMatch&, const TraversalOutcome& outcome) {
         return static_cast<double>(outcome.sum.counts.box_tests);
       });
-  bars.title = "Box tests of a trip, by walk";
+  bars.title = "Box tests of a trip, by traversal";
   bars.y_label = "box tests";
   return {.id = "traversals_box_tests",
           .caption =
               "Box tests of whole trips on SOMS trees (fast: on the library's own trees). For "
-              "a small object in a city it decides which node is opened: b_first and the "
-              "simultaneous walks pay for boxes far from the object." +
+              "a small object in a city it decides which node is descended: b_first and the "
+              "simultaneous traversals pay for boxes far from the object." +
               std::string(kThesisOptions),
           .svg = draw(bars)};
 }
@@ -160,28 +160,30 @@ Figure box_test_figure(const std::vector<Test>& tests) {
 Figure time_figure(const std::vector<Test>& tests) {
   BarChart bars = chart(
       tests,
-      [](const WalkTruth& truth) { return microseconds_a_frame(truth.time.median, truth.trip); },
-      [](const WalkMatch& match, const WalkOutcome& outcome) {
+      [](const TraversalTruth& truth) {
+        return microseconds_a_frame(truth.time.median, truth.trip);
+      },
+      [](const TraversalMatch& match, const TraversalOutcome& outcome) {
         const Cell cell = frame_time(match, outcome);
         const double* const time = std::get_if<double>(&cell);
         return time == nullptr ? std::numeric_limits<double>::quiet_NaN() : *time;
       });
-  bars.title = "Time of a whole frame, by walk";
+  bars.title = "Time of a whole frame, by traversal";
   bars.y_label = "us a frame";
   return {.id = "traversals_time",
           .caption =
-              "Microseconds of a whole frame on SOMS trees: moving the boxes, the walk, the "
+              "Microseconds of a whole frame on SOMS trees: moving the boxes, the traversal, the "
               "triangle tests (fast: the library's own query, which moves no boxes)." +
               std::string(kThesisOptions),
           .svg = draw(bars),
           .timed = true};
 }
 
-std::uint64_t box_tests(const WalkMatch& match, std::string_view walk) {
-  return match.outcome(walk).sum.counts.box_tests;
+std::uint64_t box_tests(const TraversalMatch& match, std::string_view traversal) {
+  return match.outcome(traversal).sum.counts.box_tests;
 }
 
-/// Least and greatest ratio of the box tests of two walks in the drives on SOMS trees.
+/// Least and greatest ratio of the box tests of two traversals in the drives on SOMS trees.
 std::string ratio_in_drives(const std::vector<Test>& tests, std::string_view one,
                             std::string_view other) {
   double least = std::numeric_limits<double>::infinity();
@@ -203,9 +205,11 @@ std::vector<std::string> remarks(const Context& context, const std::vector<Test>
   const std::vector<std::string> scenes = scene_remarks(context.models.scenes);
   words.insert(words.end(), scenes.begin(), scenes.end());
   words.push_back(
-      "In every frame all walks on a tree report the same pairs of overlapping leaves, and the "
+      "In every frame all traversals on a tree report the same pairs of overlapping leaves, and "
+      "the "
       "contacts of triangles are those of the library's own query; in the frames counted under "
-      "brute_force_frames every walk was also compared with all pairs of triangles. A difference "
+      "brute_force_frames every traversal was also compared with all pairs of triangles. A "
+      "difference "
       "would have ended the run.");
   if (!scenes.empty()) {
     words.push_back(fmt::format(
@@ -217,8 +221,10 @@ std::vector<std::string> remarks(const Context& context, const std::vector<Test>
         ratio_in_drives(tests, "enode_start", "larger")));
   }
   words.push_back(
-      "The time of a whole frame is the walk's own and, the same for all walks on a tree, that of "
-      "moving the boxes and testing the triangles, measured with walk larger. A tree with larger "
+      "The time of a whole frame is the traversal's own and, the same for all traversals on a "
+      "tree, that of "
+      "moving the boxes and testing the triangles, measured with traversal larger. A tree with "
+      "larger "
       "leaves makes fewer box tests and more triangle tests: compare whole frames.");
   if (context.quick) {
     words.push_back(
@@ -229,8 +235,8 @@ std::vector<std::string> remarks(const Context& context, const std::vector<Test>
   return words;
 }
 
-std::vector<WalkTest> courses(const Context& context) {
-  std::vector<WalkTest> list;
+std::vector<TraversalTest> courses(const Context& context) {
+  std::vector<TraversalTest> list;
   for (const auto& [from, name] : kAllApproaches) {
     if (!context.quick || from == Approach::right || from == Approach::top) {
       list.push_back({nullptr, from});
@@ -247,15 +253,15 @@ std::vector<WalkTest> courses(const Context& context) {
 Result traversals(const Context& context) {
   const std::vector<Contender> of_object = all_builds(kObjectLevel);
   const std::vector<Contender> of_scene = all_builds(kSceneLevel);
-  const std::vector<WalkTest> list = courses(context);
+  const std::vector<TraversalTest> list = courses(context);
   Steps steps(context.parallel, list.size() * of_object.size());
   Result result{.tables = {empty_table()}};
   std::vector<Test> tests;
-  for (const WalkTest& course : list) {
+  for (const TraversalTest& course : list) {
     Test test{truth_of(context, course), {}};
     for (std::size_t i = 0; i < of_object.size(); ++i) {
       if (of_object[i].of_thesis || of_object[i].name == "sah") {
-        WalkMatch match = match_of(context, course, of_scene[i], of_object[i], test.truth);
+        TraversalMatch match = match_of(context, course, of_scene[i], of_object[i], test.truth);
         add_rows(result.tables[0], test.truth, match);
         test.matches.push_back(std::move(match));
       }

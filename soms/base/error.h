@@ -21,7 +21,7 @@ enum class ErrorKind {
   out_of_memory,  ///< a stated memory limit was reached
   timed_out,      ///< a stated time limit was reached
   cannot_write,   ///< an output that could not be written whole
-  cancelled,      ///< the caller asked to stop
+  cancelled,      ///< the caller requested a stop
 };
 
 /// Name of a kind, in snake_case.

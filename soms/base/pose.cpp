@@ -178,7 +178,7 @@ Pose Pose::from_quaternion(double w, double x, double y, double z, const Vec3& t
   if (std::abs(norm - 1) > kRigidTolerance) {
     throw Error(ErrorKind::not_rigid,
                 "pose: the quaternion's squared length is " + shortest(norm) + ", not 1",
-                "normalise the quaternion (qw qx qy qz)");
+                "normalize the quaternion (qw qx qy qz)");
   }
   // Twice the inverse of the squared length instead of 2: a quaternion written with six digits is
   // off length 1 by less than the tolerance, and still gives a rotation to the last bits.

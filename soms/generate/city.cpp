@@ -29,7 +29,7 @@ void check_options(const CityOptions& options) {
   // Written so that NaN fails too.
   if (!(options.size >= kLeastSize && options.size <= kMostSize)) {
     throw Error(ErrorKind::usage, "city of size " + std::to_string(options.size),
-                "the size is a finite number of metres, 200 to 100,000");
+                "the size is a finite number of meters, 200 to 100,000");
   }
 }
 

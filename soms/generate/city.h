@@ -15,7 +15,7 @@ namespace soms {
 /// Options of a generated city.
 struct CityOptions {
   std::uint64_t triangles = 1'000'000;  ///< exactly this many; 1,000 to 100 million
-  double size = 4000;                   ///< side of the square, 200 to 100,000 metres
+  double size = 4000;                   ///< side of the square, 200 to 100,000 meters
   std::uint64_t seed = 1;
 
   [[nodiscard]] bool operator==(const CityOptions&) const = default;
@@ -50,7 +50,7 @@ struct City {
 /// Parts: `terrain`, `roads`, `buildings` and `furniture` cover all triangles; each building and
 /// each piece of furniture is a part below them with its kind in its name. No triangle is without
 /// area; areas spread over seven decades. Of a million triangles (seed 1) 5 % are of 0.001 to 0.01
-/// square metres, 36 % to 0.1, 25 % to 1, 8 % to 10, 12 % to 100, 14 % to 1,000 and 0.4 % (all of
+/// square meters, 36 % to 0.1, 25 % to 1, 8 % to 10, 12 % to 100, 14 % to 1,000 and 0.4 % (all of
 /// them road slabs) above; of 5,672 triangles 9 % are above 1,000 and 3 % above 10,000.
 ///
 /// `parallel` gives the stop; one thread works.

@@ -11,7 +11,7 @@ namespace soms {
 
 namespace {
 
-constexpr double kWalkBelow = 3;       ///< metres a second: slower movers keep to the sidewalk
+constexpr double kWalkBelow = 3;       ///< meters a second: slower movers keep to the sidewalk
 constexpr std::uint64_t kLongest = 5;  ///< blocks along a side of a loop
 constexpr std::size_t kArc = 8;        ///< lines of a quarter turn
 

@@ -38,31 +38,31 @@ struct OnRoute {
 /// Lines that are tried before all are searched.
 constexpr std::size_t kTried = 4;
 
-/// The last line that begins at `metres` or before; `near` and those after it are tried first.
-std::size_t line_at(const std::vector<double>& marks, double metres, std::size_t near) {
+/// The last line that begins at `meters` or before; `near` and those after it are tried first.
+std::size_t line_at(const std::vector<double>& marks, double meters, std::size_t near) {
   const std::size_t last = marks.size() - 2;
   for (std::size_t i = near; i <= last && i - near < kTried; ++i) {
-    if ((i == 0 || marks[i] <= metres) && (i == last || metres < marks[i + 1])) {
+    if ((i == 0 || marks[i] <= meters) && (i == last || meters < marks[i + 1])) {
       return i;
     }
   }
-  const auto after = std::upper_bound(marks.begin() + 1, marks.end() - 1, metres);
+  const auto after = std::upper_bound(marks.begin() + 1, marks.end() - 1, meters);
   return static_cast<std::size_t>(after - marks.begin()) - 1;
 }
 
-OnRoute place(const Route& route, const std::vector<double>& marks, double metres,
+OnRoute place(const Route& route, const std::vector<double>& marks, double meters,
               std::size_t& line) {
-  const std::size_t i = line_at(marks, metres, line);
+  const std::size_t i = line_at(marks, meters, line);
   line = i;
   const Vec3& from = route.points[i];
   const Vec3& to = route.points[i + 1 == route.points.size() ? 0 : i + 1];
   const double length = marks[i + 1] - marks[i];
-  const double share = length > 0 ? (metres - marks[i]) / length : 0;
+  const double share = length > 0 ? (meters - marks[i]) / length : 0;
   return {from + share * (to - from), to - from};
 }
 
-double wrapped(double metres, double length) {
-  const double rest = metres - length * std::floor(metres / length);
+double wrapped(double meters, double length) {
+  const double rest = meters - length * std::floor(meters / length);
   return rest < length ? rest : 0;
 }
 
@@ -110,29 +110,29 @@ Pose Route::at(double seconds, std::size_t& line) const {
   if (!(total > 0)) {
     return Pose::translation(points.front().x, points.front().y, points.front().z);
   }
-  double metres = start + speed * seconds;
+  double meters = start + speed * seconds;
   bool back = false;
   if (closed) {
-    metres = wrapped(metres, total);
+    meters = wrapped(meters, total);
   } else {
-    metres = wrapped(metres, 2 * total);
-    back = metres > total;
-    metres = back ? 2 * total - metres : metres;
+    meters = wrapped(meters, 2 * total);
+    back = meters > total;
+    meters = back ? 2 * total - meters : meters;
   }
   double half = 0.5 * base;
   if (!closed) {
-    half = std::min({half, metres, total - metres});
+    half = std::min({half, meters, total - meters});
   }
   if (!(half > 0)) {
-    const OnRoute here = place(*this, all, metres, line);
+    const OnRoute here = place(*this, all, meters, line);
     return heading(here.point, back ? -here.direction : here.direction);
   }
   const auto on = [&](double m, std::size_t& on_line) {
     return place(*this, all, closed ? wrapped(m, total) : m, on_line).point;
   };
-  const Vec3 rear = on(metres - half, line);
+  const Vec3 rear = on(meters - half, line);
   std::size_t front_line = line;
-  const Vec3 front = on(metres + half, front_line);
+  const Vec3 front = on(meters + half, front_line);
   return heading(0.5 * (rear + front), back ? rear - front : front - rear);
 }
 

@@ -17,12 +17,12 @@ namespace soms {
 struct Route {
   std::vector<Vec3> points;
   bool closed = false;
-  double start = 0;  ///< metres along the route at time 0
-  double speed = 0;  ///< metres a second
+  double start = 0;  ///< meters along the route at time 0
+  double speed = 0;  ///< meters a second
   /// Distance between the two points of the mover that stay on the route, as axles do: the heading
   /// turns smoothly at corners and slopes. 0: the heading of the present line.
   double base = 0;
-  /// Metres along the route to each point, and to the first again if closed. Found anew by each
+  /// Meters along the route to each point, and to the first again if closed. Found again by each
   /// call of `at` while empty; `measure` fills it.
   std::vector<double> marks = {};
 
@@ -31,7 +31,7 @@ struct Route {
   /// Fills `marks`; to be called again when points change.
   void measure();
 
-  /// Metres from the first point to the last, and on to the first if closed.
+  /// Meters from the first point to the last, and on to the first if closed.
   [[nodiscard]] double length() const;
 
   /// Pose at a time in seconds: +x of the mover along the route, z up. A route of one point, or of
@@ -53,7 +53,7 @@ struct Route {
                                  double clearance);
 
 /// A flight of a drone over and between the buildings: a loop above the streets that climbs and
-/// sinks between `lowest` and `highest` metres above ground and cuts corners, some too closely.
+/// sinks between `lowest` and `highest` meters above ground and cuts corners, some too closely.
 [[nodiscard]] Route flight_route(const City& city, std::uint64_t seed, double speed, double lowest,
                                  double highest);
 

@@ -26,7 +26,7 @@ enum class MoverKind { car, person, drone };
 /// Name of a kind: car, person, drone.
 [[nodiscard]] std::string_view name(MoverKind kind);
 
-/// A mover in metres, z up, standing on z = 0 (drone: hovering about the origin), heading +x. Every
+/// A mover in meters, z up, standing on z = 0 (drone: hovering about the origin), heading +x. Every
 /// part (wheel, arm, rotor) is a closed surface of its own. Exactly `triangles`, even; 0 gives the
 /// default count (car 1,000, person 600, drone 308).
 ///

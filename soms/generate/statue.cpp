@@ -35,7 +35,7 @@ struct Level {
   double height = 0;
   double across = 0;   ///< x for each unit of the direction's x
   double through = 0;  ///< y for each unit of the direction's y
-  double forward = 0;  ///< shift of the whole level towards the face
+  double forward = 0;  ///< shift of the whole level toward the face
 };
 
 constexpr std::array<Level, 14> kLevels{{

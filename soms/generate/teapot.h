@@ -22,7 +22,7 @@ inline constexpr std::uint32_t kMostTeapotSubdivisions = 256;
 }
 
 /// Newell's teapot: each of its 32 bicubic Bezier patches cut into `subdivisions` by `subdivisions`
-/// cells (10: 6,320 triangles). z up, standing on z = 0, spout towards +x, 3.15 high; faces look
+/// cells (10: 6,320 triangles). z up, standing on z = 0, spout toward +x, 3.15 high; faces look
 /// outward. Parts rim, body, lid, bottom, handle, spout: each point is one vertex, but handle and
 /// spout end inside the body, the lid lies loose on the rim, and nothing is thick: not closed. The
 /// same bits on every machine.

@@ -14,7 +14,7 @@ enum class UrbanScene {
   plain,  ///< 472 boxes and four pads, no large triangle
 };
 
-/// A stand-in scene, bit for bit the same everywhere: z up, metres, integer or half-integer
+/// A stand-in scene, bit for bit the same everywhere: z up, meters, integer or half-integer
 /// coordinates.
 /// \source  thesis, chapter 3 (an urban scene of 5,672 triangles, 4 km by 4 km).
 [[nodiscard]] Mesh generate_urban(UrbanScene scene);

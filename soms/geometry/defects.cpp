@@ -120,19 +120,19 @@ void count_duplicates(const Mesh& mesh, const Names& names, const std::vector<bo
         first = i;
       }
       const TriangleId triangle = bucket[i].triangle;
-      const auto way = static_cast<std::size_t>(turned(names(mesh.triangles[triangle])));
+      const auto side = static_cast<std::size_t>(turned(names(mesh.triangles[triangle])));
       if (i == first) {
         seen = {};
       } else {
         const TriangleCopy copy{triangle, bucket[first].triangle};
         ++defects.duplicate;
         duplicate.add(copy);
-        if (!degenerate[triangle] && !seen[way]) {
+        if (!degenerate[triangle] && !seen[side]) {
           ++defects.doubled;
           doubled.add(copy);
         }
       }
-      seen[way] = true;
+      seen[side] = true;
     }
   });
   defects.places.duplicate = duplicate.take();
@@ -141,19 +141,19 @@ void count_duplicates(const Mesh& mesh, const Names& names, const std::vector<bo
 
 /// An edge as a triangle runs along it, in the bucket of its lesser end.
 struct Use {
-  std::uint32_t end_and_way = 0;  ///< twice the greater end, and 1 if the triangle begins there
+  std::uint32_t end_and_side = 0;  ///< twice the greater end, and 1 if the triangle begins there
   TriangleId triangle = 0;
 
-  [[nodiscard]] std::uint32_t end() const { return end_and_way >> 1; }
+  [[nodiscard]] std::uint32_t end() const { return end_and_side >> 1; }
 
-  [[nodiscard]] bool begins_there() const { return (end_and_way & 1U) != 0; }
+  [[nodiscard]] bool begins_there() const { return (end_and_side & 1U) != 0; }
 
   [[nodiscard]] bool operator<(const Use& u) const {
     return end() != u.end() ? end() < u.end() : triangle < u.triangle;
   }
 };
 
-/// Where the three kinds of edges are, for as many as are asked for.
+/// Where the three kinds of edges are, for as many as are requested.
 struct EdgePlaces {
   Least<EdgePlace> open;
   Least<EdgePlace> non_manifold;
@@ -225,7 +225,7 @@ EdgeCounts count_part(const Mesh& mesh, const Part& part, const Names& names,
   for (std::size_t i = part.first; i < std::size_t{part.first} + part.count; ++i) {
     if (!degenerate[i]) {
       put_edges(names(mesh.triangles[i]), 0, [&](std::uint32_t low, const Use& use) {
-        edges.push_back(std::uint64_t{low} << 32 | use.end_and_way);
+        edges.push_back(std::uint64_t{low} << 32 | use.end_and_side);
       });
     }
   }

@@ -91,7 +91,7 @@ struct Defects {
   std::uint64_t unused_vertices = 0;     ///< vertices of no triangle
   std::uint64_t repeated_vertices = 0;   ///< used vertices in the place of an earlier used one
   EdgeCounts by_index;                   ///< edges where vertices are joined by number only
-  /// Edges of each part by itself, joined by position; empty unless asked for, and where parts hold
+  /// Edges of each part by itself, joined by position; empty unless requested, and where parts hold
   /// one another so often that triangles would be looked at more than 64 times.
   std::vector<EdgeCounts> parts;
   DefectPlaces places;
@@ -116,8 +116,8 @@ struct DefectOptions {
   [[nodiscard]] bool operator==(const DefectOptions&) const = default;
 };
 
-/// Counts the defects of a mesh, and names the first of each kind. Degenerate triangles are told
-/// exactly; they count as such and as duplicates, and their edges are left out.
+/// Counts the defects of a mesh, and names the first of each kind. Degenerate triangles are
+/// reported exactly; they count as such and as duplicates, and their edges are left out.
 /// \pre     `check(mesh)` passes.
 /// \errors  ErrorKind::cancelled.
 /// \cost    Sorting by counting: O(n) time on meshes as they are (O(n log n) where all meet in one

@@ -39,7 +39,7 @@ struct Mesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< m x 3 indices into `vertices`
   std::vector<Part> parts;                              ///< may be empty: one unnamed part
   std::vector<std::uint32_t> faces;  ///< face of the file for each triangle; empty means identity
-  double unit = 0;                   ///< metres a unit when the file says so, else 0
+  double unit = 0;                   ///< meters a unit when the file says so, else 0
   UpAxis up = UpAxis::unknown;
   std::string source;              ///< path of the file, or what generated it
   std::vector<std::string> notes;  ///< what the file holds that was not read or applied

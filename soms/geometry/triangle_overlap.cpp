@@ -115,7 +115,7 @@ bool intervals_meet(const Triangle& s, const Signs& s_signs, const Triangle& t,
          predicates.orientation(p.tip, p.right, q.right, q.tip) != Sign::positive;
 }
 
-/// What is left when neither plane's filter told the triangles apart.
+/// What is left when neither plane's filter distinguished the triangles.
 bool decide_overlap(const Triangle& s, const Sides& s_sides, const Triangle& t,
                     const Sides& t_sides, Predicates& predicates) {
   if (!(s_sides.certain() && t_sides.certain()) && share_corner(s, t)) {

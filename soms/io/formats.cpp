@@ -21,18 +21,19 @@ constexpr std::array<WritableFormat, 8> kWritable{{
     {MeshFormat::glb, "glb", "GLB", ".glb", false, true, true},
 }};
 
-/// The endings that are written, with commas and an "or"; `word` makes what is told of each.
-template <class Word>
-std::string list(const Word& word) {
-  std::vector<std::string> words;
+/// The extensions that are written, with commas and an "or"; `describe` makes what is reported
+/// about each.
+template <class Describe>
+std::string list(const Describe& describe) {
+  std::vector<std::string> items;
   for (const WritableFormat& row : kWritable) {
-    if (!row.ending.empty()) {
-      words.push_back(word(row.ending));
+    if (!row.extension.empty()) {
+      items.push_back(describe(row.extension));
     }
   }
   std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == items.size() ? " or " : ", ") + items[i];
   }
   return text;
 }
@@ -42,13 +43,13 @@ std::string list(const Word& word) {
 std::vector<ReadableFormat> readable_formats() {
   std::vector<ReadableFormat> formats;
   for (const detail::ReadFormat& format : detail::read_formats()) {
-    formats.push_back({format.name, format.ending});
+    formats.push_back({format.name, format.extension});
   }
   return formats;
 }
 
-std::span<const std::string_view> imported_endings() {
-  return detail::imported_endings();
+std::span<const std::string_view> imported_extensions() {
+  return detail::imported_extensions();
 }
 
 std::span<const WritableFormat> writable_formats() {
@@ -61,8 +62,8 @@ const WritableFormat& entry(MeshFormat format) {
 }
 
 std::string writable_names() {
-  return list([](std::string_view ending) {
-    std::string name(ending.substr(1));
+  return list([](std::string_view extension) {
+    std::string name(extension.substr(1));
     std::transform(name.begin(), name.end(), name.begin(), [](char c) {
       return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
     });
@@ -70,8 +71,8 @@ std::string writable_names() {
   });
 }
 
-std::string writable_endings() {
-  return list([](std::string_view ending) { return std::string(ending); });
+std::string writable_extensions() {
+  return list([](std::string_view extension) { return std::string(extension); });
 }
 
 }  // namespace soms

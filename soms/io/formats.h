@@ -13,8 +13,8 @@ namespace soms {
 
 /// A format that soms reads itself.
 struct ReadableFormat {
-  std::string_view name;    ///< as in messages: "PLY"
-  std::string_view ending;  ///< of file names, lower case, with its point
+  std::string_view name;       ///< as in messages: "PLY"
+  std::string_view extension;  ///< of file names, lower case, with its point
 
   [[nodiscard]] bool operator==(const ReadableFormat&) const = default;
 };
@@ -22,17 +22,18 @@ struct ReadableFormat {
 /// Formats that this build reads itself, in the order of the manual.
 [[nodiscard]] std::vector<ReadableFormat> readable_formats();
 
-/// Endings of the formats that are read by the program soms-import, where it is installed; sorted.
-[[nodiscard]] std::span<const std::string_view> imported_endings();
+/// Extensions of the formats that are read by the program soms-import, where it is installed;
+/// sorted.
+[[nodiscard]] std::span<const std::string_view> imported_extensions();
 
 /// A way to write a model, and what it keeps beyond triangles.
 struct WritableFormat {
   MeshFormat format = MeshFormat::ply;
-  std::string_view name;    ///< kebab-case: "stl-ascii"
-  std::string_view title;   ///< as in messages: "text STL"
-  std::string_view ending;  ///< of file names; empty where another way has the ending
-  bool doubles = true;      ///< coordinates keep every bit; else they become floats
-  bool names = false;       ///< of parts
+  std::string_view name;       ///< kebab-case: "stl-ascii"
+  std::string_view title;      ///< as in messages: "text STL"
+  std::string_view extension;  ///< of file names; empty where another way has the extension
+  bool doubles = true;         ///< coordinates keep every bit; else they become floats
+  bool names = false;          ///< of parts
   bool unit_and_axis = false;
 
   [[nodiscard]] bool operator==(const WritableFormat&) const = default;
@@ -47,7 +48,7 @@ struct WritableFormat {
 /// The formats that are written, as a sentence has them: "PLY, 3DS or GLB".
 [[nodiscard]] std::string writable_names();
 
-/// The endings that are written, as a sentence has them: ".ply, .3ds or .glb".
-[[nodiscard]] std::string writable_endings();
+/// The extensions that are written, as a sentence has them: ".ply, .3ds or .glb".
+[[nodiscard]] std::string writable_extensions();
 
 }  // namespace soms

@@ -39,7 +39,7 @@ class PoseReader {
 
   /// True if `next` will not wait: a row or the end is at hand. Always, but where a pipe or a
   /// terminal has given no whole row yet: a program that gives a row and waits for what comes of it
-  /// has to be answered before the next row is asked for. What is wrong with a row, `next` tells.
+  /// has to be answered before the next row is requested. What is wrong with a row, `next` tells.
   [[nodiscard]] bool ready();
 
   /// True if the header is x, y and z alone: rows are shifts, or points, without rotations.

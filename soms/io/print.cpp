@@ -16,14 +16,14 @@ std::ostream& operator<<(std::ostream& out, const ReadOptions& value) {
 }
 
 std::ostream& operator<<(std::ostream& out, const ReadableFormat& value) {
-  return out << PrintedFields("ReadableFormat").item(value.name).item(quoted_text(value.ending));
+  return out << PrintedFields("ReadableFormat").item(value.name).item(quoted_text(value.extension));
 }
 
 std::ostream& operator<<(std::ostream& out, const WritableFormat& value) {
   return out << PrintedFields("WritableFormat")
                     .add("format", value.format)
                     .add("title", value.title)
-                    .add("ending", value.ending)
+                    .add("ending", value.extension)
                     .add("doubles", value.doubles)
                     .add("names", value.names)
                     .add("unit_and_axis", value.unit_and_axis);

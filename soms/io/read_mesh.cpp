@@ -89,7 +89,7 @@ Mesh read_bytes(std::string_view bytes, const std::string& name, Owner owner,
 
 [[noreturn]] void fail_machine(const std::string& name) {
   throw Error(ErrorKind::out_of_memory, name + ": this machine has too little free memory",
-              "free some, or use a smaller model");
+              "free some memory, or use a smaller model");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 /// \file
-/// Reading models: the format is told by the content, then by the name.
+/// Reading models: the format is recognized by the content, then by the name.
 #pragma once
 
 #include "soms/base/parallel.h"

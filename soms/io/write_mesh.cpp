@@ -2,7 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
-#include "soms/io/detail/ending.h"
+#include "soms/io/detail/file_extension.h"
 #include "soms/io/detail/glb_writer.h"
 #include "soms/io/detail/mesh_writer.h"
 #include "soms/io/detail/output.h"
@@ -34,15 +34,15 @@ std::vector<bool> written_vertices(const Mesh& mesh, MeshFormat format) {
 }  // namespace
 
 MeshFormat format_for(const std::filesystem::path& path) {
-  const std::string ending = detail::ending_of(path.string());
+  const std::string extension = detail::extension_of(path.string());
   for (const WritableFormat& row : writable_formats()) {
-    if (!ending.empty() && row.ending == ending) {
+    if (!extension.empty() && row.extension == extension) {
       return row.format;
     }
   }
   throw Error(ErrorKind::unsupported,
               path.string() + ": the name does not end with a format that is written",
-              "end it with " + writable_endings());
+              "end it with " + writable_extensions());
 }
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh, MeshFormat format,

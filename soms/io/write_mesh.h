@@ -15,8 +15,8 @@ namespace soms {
 /// Formats that can be written.
 enum class MeshFormat { ply, ply_ascii, obj, stl, stl_ascii, off, three_ds, glb };
 
-/// Format for a file name by its ending (.ply, .3ds, .stl, .off, .obj, .glb; any case).
-/// \errors  ErrorKind::unsupported naming the endings that are offered.
+/// Format for a file name by its extension (.ply, .3ds, .stl, .off, .obj, .glb; any case).
+/// \errors  ErrorKind::unsupported naming the extensions that are offered.
 [[nodiscard]] MeshFormat format_for(const std::filesystem::path& path);
 
 /// Writes a mesh; the file appears whole or not at all (written beside, then renamed; where the old

@@ -9,7 +9,7 @@ namespace soms {
 /// How much of the question an answer covers.
 enum class Coverage {
   complete,  ///< everything was decided
-  first,     ///< stopped at the first hit, as asked
+  first,     ///< stopped at the first hit, as requested
   cut,       ///< a limit or a deadline ended it; there may be more
 };
 

@@ -18,7 +18,7 @@ set(SOMS_HEADERS
 )
 set(SOMS_SOURCES
   detail/collector.cpp
-  detail/compact_walk.cpp
+  detail/compact_traversal.cpp
   detail/kernels/avx2.cpp
   detail/kernels/avx512.cpp
   detail/kernels/instruction_set.cpp
@@ -26,13 +26,13 @@ set(SOMS_SOURCES
   detail/kernels/scalar.cpp
   detail/kernels/sse4.cpp
   detail/leaf_pairs.cpp
-  detail/lone_box.cpp
+  detail/single_box_descent.cpp
   detail/overlap_query.cpp
   detail/pair_list.cpp
   detail/pair_sort.cpp
-  detail/pair_walk.cpp
+  detail/wide_pair_traversal.cpp
   detail/relative_pose.cpp
-  detail/scouts.cpp
+  detail/batched_root_descent.cpp
   detail/triangle_tests.cpp
   instruction_set.cpp
   overlap.cpp

@@ -2,9 +2,9 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/hash.h"
-#include "soms/query/detail/compact_walk.h"
+#include "soms/query/detail/compact_traversal.h"
 #include "soms/query/detail/overlap_query.h"
-#include "soms/query/detail/pair_walk.h"
+#include "soms/query/detail/wide_pair_traversal.h"
 #include "soms/query/traversal/named_overlap.h"
 #include "soms/query/traversal/traversals.h"
 
@@ -16,32 +16,32 @@ namespace soms {
 namespace {
 
 using detail::Collector;
-using detail::PairWalk;
-using detail::PlacePair;
+using detail::NodeRefPair;
+using detail::PairTraversal;
+using detail::ReferenceFrame;
 using detail::RelativePose;
-using detail::Viewer;
-using detail::WalkMemory;
-using detail::WalkSide;
+using detail::TraversalMemory;
+using detail::TraversalSide;
 using detail::Watch;
 
-/// Pairs of places that a query is cut into for several threads.
+/// Pairs of nodes that a query is cut into for several threads.
 constexpr std::size_t kFrontier = 256;
 
-/// Two bodies as a walk sees them.
+/// Two bodies as a traversal sees them.
 struct Sides {
   Sides(const Body& a, const Body& b)
-      : swapped(detail::first_is_viewer(a.shape.layout(), b.shape.layout())),
+      : swapped(detail::first_is_reference(a.shape.layout(), b.shape.layout())),
         x{swapped ? &b.shape : &a.shape, swapped ? &b.pose : &a.pose},
         y{swapped ? &a.shape : &b.shape, swapped ? &a.pose : &b.pose},
-        relative(x.shape->layout(), *x.pose, Viewer(y.shape->layout(), *y.pose)) {}
+        relative(x.shape->layout(), *x.pose, ReferenceFrame(y.shape->layout(), *y.pose)) {}
 
-  [[nodiscard]] PairWalk walk(const OverlapOptions& options, WalkMemory& memory) {
+  [[nodiscard]] PairTraversal traversal(const OverlapOptions& options, TraversalMemory& memory) {
     return {relative, x, y, swapped, options.mode, memory};
   }
 
   bool swapped;
-  WalkSide x;
-  WalkSide y;
+  TraversalSide x;
+  TraversalSide y;
   RelativePose relative;
 };
 
@@ -72,9 +72,9 @@ void join(const std::vector<Part>& parts, const OverlapOptions& options, Overlap
 /// One query on several threads.
 void run_parallel(Sides& sides, const OverlapOptions& options, const Parallel& parallel,
                   Overlap& answer) {
-  WalkMemory memory;
-  PairWalk head = sides.walk(options, memory);
-  const std::vector<PlacePair> frontier = head.frontier(kFrontier);
+  TraversalMemory memory;
+  PairTraversal head = sides.traversal(options, memory);
+  const std::vector<NodeRefPair> frontier = head.frontier(kFrontier);
   answer.cost = head.cost();
   std::vector<Part> parts(frontier.size());
   std::atomic<bool> done = false;
@@ -83,14 +83,14 @@ void run_parallel(Sides& sides, const OverlapOptions& options, const Parallel& p
       return;
     }
     Part& part = parts[begin];
-    WalkMemory own;
+    TraversalMemory own;
     Watch watch(options, parallel, &done);
-    PairWalk walk = sides.walk(options, own);
+    PairTraversal traversal = sides.traversal(options, own);
     Collector collector(options.mode, options.limit, part.pairs);
-    walk.start(frontier[begin]);
-    walk.run(collector, watch);
+    traversal.start(frontier[begin]);
+    traversal.run(collector, watch);
     collector.finish();
-    part.cost = walk.cost();
+    part.cost = traversal.cost();
     part.late = watch.late();
     if (options.mode == OverlapMode::any && collector.any()) {
       done = true;
@@ -102,16 +102,16 @@ void run_parallel(Sides& sides, const OverlapOptions& options, const Parallel& p
 /// One query on the caller's thread.
 void run_single(Sides& sides, const OverlapOptions& options, const Parallel& parallel,
                 Overlap& answer) {
-  WalkMemory memory;
+  TraversalMemory memory;
   Watch watch(options, parallel);
-  PairWalk walk = sides.walk(options, memory);
+  PairTraversal traversal = sides.traversal(options, memory);
   Collector collector(options.mode, options.limit, answer.pairs);
-  walk.start();
-  walk.run(collector, watch);
+  traversal.start();
+  traversal.run(collector, watch);
   collector.finish();
   answer.any = collector.any();
   answer.coverage = coverage_of(options.mode, collector, watch.late());
-  answer.cost = walk.cost();
+  answer.cost = traversal.cost();
 }
 
 /// One query of which one side at least is compact: always on the caller's thread.
@@ -119,13 +119,13 @@ void run_compact(Sides& sides, const OverlapOptions& options, const Parallel& pa
                  Overlap& answer) {
   Watch watch(options, parallel);
   sides.relative.prepare();
-  detail::CompactWalk walk(sides.relative, sides.x, sides.y, sides.swapped);
+  detail::CompactTraversal traversal(sides.relative, sides.x, sides.y, sides.swapped);
   Collector collector(options.mode, options.limit, answer.pairs);
-  walk.run(collector, watch);
+  traversal.run(collector, watch);
   collector.finish();
   answer.any = collector.any();
   answer.coverage = coverage_of(options.mode, collector, watch.late());
-  answer.cost = walk.cost();
+  answer.cost = traversal.cost();
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ struct OverlapOptions {
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();
   /// Ends the query with coverage `cut` when it passes.
   std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
-  /// The default walks the layout; a named traversal walks the canonical trees
+  /// The default traverses the layout; a named traversal traverses the canonical trees
   /// (ShapeOptions::keep_tree).
   TraversalOptions traversal = {};
 

@@ -1,11 +1,11 @@
 #include "soms/query/overlap_run.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/query/detail/batched_root_descent.h"
 #include "soms/query/detail/collector.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/overlap_query.h"
-#include "soms/query/detail/pair_walk.h"
-#include "soms/query/detail/scouts.h"
+#include "soms/query/detail/wide_pair_traversal.h"
 #include "soms/query/traversal/named_overlap.h"
 
 #include <algorithm>
@@ -17,17 +17,17 @@ namespace soms {
 
 namespace {
 
+using detail::BatchedRootDescent;
 using detail::Collector;
-using detail::first_is_viewer;
+using detail::first_is_reference;
 using detail::Kernels;
-using detail::PairWalk;
+using detail::PairTraversal;
+using detail::ReferenceFrame;
 using detail::RelativePose;
-using detail::Scout;
-using detail::Scouts;
-using detail::Viewer;
-using detail::WalkMemory;
-using detail::WalkRound;
-using detail::WalkSide;
+using detail::RootDescent;
+using detail::TraversalMemory;
+using detail::TraversalRound;
+using detail::TraversalSide;
 using detail::Watch;
 
 /// Where both trees are larger than what a core has close at hand, queries wait for memory.
@@ -35,26 +35,27 @@ constexpr std::size_t kClose = std::size_t{2} << 20;
 
 /// Queries in flight: while one waits for memory, others work. Where none has to wait, they would
 /// only be in each other's way.
-std::size_t flights_of(const Shape& a, const Shape& b) {
-  return std::min(a.layout().memory(), b.layout().memory()) > kClose ? WalkRound::kWalks : 1;
+std::size_t queries_in_flight(const Shape& a, const Shape& b) {
+  return std::min(a.layout().memory(), b.layout().memory()) > kClose ? TraversalRound::kTraversals
+                                                                     : 1;
 }
 
 /// A query in flight.
-struct Flight {
-  std::optional<PairWalk> walk;
+struct InFlightQuery {
+  std::optional<PairTraversal> traversal;
   std::optional<Collector> collector;
   std::optional<Watch> watch;
-  WalkMemory memory;
+  TraversalMemory memory;
   std::vector<TrianglePair> pairs;
   std::size_t number = 0;
   std::size_t pose = 0;
   bool over = false;
 };
 
-static_assert(WalkRound::kWalks <= Scouts::kWalks);
+static_assert(TraversalRound::kTraversals <= BatchedRootDescent::kTraversals);
 
-/// What is asked of every pose.
-struct Question {
+/// What is queried of every pose.
+struct PoseQueries {
   const Shape& mover;
   std::span<const Pose* const> poses;
   const Body& fixed;
@@ -62,123 +63,125 @@ struct Question {
   const Parallel& parallel;
 };
 
-/// One run. Scouts go ahead; queries that are over then never take off.
+/// One run. Root descents go first; queries that end there are never put in flight.
 class Run {
  public:
-  Run(const Question& question, RunAnswers& answers, Scouts& scouts)
-      : question_(question),
-        mover_views_(first_is_viewer(question.mover.layout(), question.fixed.shape.layout())),
-        fixed_viewer_(question.fixed.shape.layout(), question.fixed.pose),
+  Run(const PoseQueries& run_input, RunAnswers& answers, BatchedRootDescent& descents)
+      : input_(run_input),
+        mover_is_reference_(
+            first_is_reference(run_input.mover.layout(), run_input.fixed.shape.layout())),
+        fixed_frame_(run_input.fixed.shape.layout(), run_input.fixed.pose),
         answers_(answers),
-        scouts_(scouts) {
-    scouts_.clear();
+        descents_(descents) {
+    descents_.clear();
   }
 
-  void go(std::span<Flight> flights) {
-    std::array<Flight*, WalkRound::kWalks> open = {};
+  void go(std::span<InFlightQuery> queries) {
+    std::array<InFlightQuery*, TraversalRound::kTraversals> in_flight = {};
     std::size_t count = 0;
-    while (count < flights.size() && take_off(flights[count], count)) {
-      open[count] = &flights[count];
+    while (count < queries.size() && begin_query(queries[count], count)) {
+      in_flight[count] = &queries[count];
       ++count;
     }
     const Kernels& tests = detail::kernels();
-    WalkRound round;
+    TraversalRound round;
     while (count > 0) {
       round.clear();
       for (std::size_t i = 0; i < count;) {
-        Flight& flight = *open[i];
-        if (!flight.over && flight.walk->gather(round)) {
+        InFlightQuery& query = *in_flight[i];
+        if (!query.over && query.traversal->gather(round)) {
           ++i;
           continue;
         }
-        land(flight);
-        if (!take_off(flight, flight.number)) {
-          open[i] = open[--count];
+        finish_query(query);
+        if (!begin_query(query, query.number)) {
+          in_flight[i] = in_flight[--count];
         }
       }
-      PairWalk::test(tests, round);
+      PairTraversal::test(tests, round);
       for (std::size_t i = 0; i < count; ++i) {
-        Flight& flight = *open[i];
-        flight.over = !flight.walk->take_up(round, *flight.collector, *flight.watch);
+        InFlightQuery& query = *in_flight[i];
+        query.over = !query.traversal->take_up(round, *query.collector, *query.watch);
       }
     }
   }
 
  private:
-  /// Brings the next group of queries to where their walks begin; false if there is none left.
-  bool send_scouts() {
-    check_stop(question_.parallel);
-    scouts_.clear();
-    scouted_ = 0;
-    const WideTree& mover = question_.mover.layout();
-    const WideTree& fixed = question_.fixed.shape.layout();
-    for (; next_ < question_.poses.size() && !scouts_.full(); ++next_) {
-      const Pose& pose = *question_.poses[next_];
-      if (mover_views_) {
-        scouts_.add(fixed, question_.fixed.pose, Viewer(mover, pose));
+  /// Brings the next group of queries to where their traversals begin; false if there is none left.
+  bool descend_roots() {
+    check_stop(input_.parallel);
+    descents_.clear();
+    begun_ = 0;
+    const WideTree& mover = input_.mover.layout();
+    const WideTree& fixed = input_.fixed.shape.layout();
+    for (; next_ < input_.poses.size() && !descents_.full(); ++next_) {
+      const Pose& pose = *input_.poses[next_];
+      if (mover_is_reference_) {
+        descents_.add(fixed, input_.fixed.pose, ReferenceFrame(mover, pose));
       } else {
-        scouts_.add(mover, pose, fixed_viewer_);
+        descents_.add(mover, pose, fixed_frame_);
       }
     }
-    scouts_.look(mover_views_ ? mover : fixed);
-    return scouts_.size() != 0;
+    descents_.look(mover_is_reference_ ? mover : fixed);
+    return descents_.size() != 0;
   }
 
-  /// Begins the next walk; false if there is none left. Most queries of small bodies need none.
-  bool take_off(Flight& flight, std::size_t number) {
-    flight.number = number;
-    while (scouted_ < scouts_.size() || send_scouts()) {
-      const std::size_t pose = next_ - scouts_.size() + scouted_;
-      const std::size_t i = scouted_++;
-      const Scout& scout = scouts_[i];
-      if (!scout.seeds.empty()) {
-        take_off(flight, i, pose);
+  /// Begins the next traversal; false if there is none left. Most queries of small bodies need
+  /// none.
+  bool begin_query(InFlightQuery& query, std::size_t number) {
+    query.number = number;
+    while (begun_ < descents_.size() || descend_roots()) {
+      const std::size_t pose = next_ - descents_.size() + begun_;
+      const std::size_t i = begun_++;
+      const RootDescent& descent = descents_[i];
+      if (!descent.seeds.empty()) {
+        begin_query(query, i, pose);
         return true;
       }
-      flight.pairs.clear();
-      const Collector nothing(question_.options.mode, question_.options.limit, flight.pairs);
-      const Watch watch(question_.options, question_.parallel);
+      query.pairs.clear();
+      const Collector nothing(input_.options.mode, input_.options.limit, query.pairs);
+      const Watch watch(input_.options, input_.parallel);
       const std::uint64_t end = answers_.pairs.size();
-      answers_.poses[pose] = {end, end, scout.cost,
-                              coverage_of(question_.options.mode, nothing, watch.late()), false};
+      answers_.poses[pose] = {end, end, descent.cost,
+                              coverage_of(input_.options.mode, nothing, watch.late()), false};
     }
     return false;
   }
 
-  void take_off(Flight& flight, std::size_t i, std::size_t pose) {
-    flight.pose = pose;
-    const Scout& scout = scouts_[i];
-    RelativePose& relative = scouts_.take(i, flight.number);
-    const Body& fixed = question_.fixed;
-    const WalkSide mover_side{&question_.mover, question_.poses[pose]};
-    const WalkSide fixed_side{&fixed.shape, &fixed.pose};
-    flight.pairs.clear();
-    flight.collector.emplace(question_.options.mode, question_.options.limit, flight.pairs);
-    flight.watch.emplace(question_.options, question_.parallel);
-    flight.walk.emplace(relative, mover_views_ ? fixed_side : mover_side,
-                        mover_views_ ? mover_side : fixed_side, mover_views_,
-                        question_.options.mode, flight.memory);
-    flight.walk->start(scout.seeds, scout.cost);
-    flight.over = false;
+  void begin_query(InFlightQuery& query, std::size_t i, std::size_t pose) {
+    query.pose = pose;
+    const RootDescent& descent = descents_[i];
+    RelativePose& relative = descents_.take(i, query.number);
+    const Body& fixed = input_.fixed;
+    const TraversalSide mover_side{&input_.mover, input_.poses[pose]};
+    const TraversalSide fixed_side{&fixed.shape, &fixed.pose};
+    query.pairs.clear();
+    query.collector.emplace(input_.options.mode, input_.options.limit, query.pairs);
+    query.watch.emplace(input_.options, input_.parallel);
+    query.traversal.emplace(relative, mover_is_reference_ ? fixed_side : mover_side,
+                            mover_is_reference_ ? mover_side : fixed_side, mover_is_reference_,
+                            input_.options.mode, query.memory);
+    query.traversal->start(descent.seeds, descent.cost);
+    query.over = false;
   }
 
-  void land(Flight& flight) {
-    flight.collector->finish();
+  void finish_query(InFlightQuery& query) {
+    query.collector->finish();
     std::vector<TrianglePair>& pairs = answers_.pairs;
     const std::uint64_t first = pairs.size();
-    pairs.insert(pairs.end(), flight.pairs.begin(), flight.pairs.end());
-    answers_.poses[flight.pose] = {
-        first, pairs.size(), flight.walk->cost(),
-        coverage_of(question_.options.mode, *flight.collector, flight.watch->late()),
-        flight.collector->any()};
+    pairs.insert(pairs.end(), query.pairs.begin(), query.pairs.end());
+    answers_.poses[query.pose] = {
+        first, pairs.size(), query.traversal->cost(),
+        coverage_of(input_.options.mode, *query.collector, query.watch->late()),
+        query.collector->any()};
   }
 
-  const Question& question_;
-  bool mover_views_;
-  Viewer fixed_viewer_;
+  const PoseQueries& input_;
+  bool mover_is_reference_;
+  ReferenceFrame fixed_frame_;
   RunAnswers& answers_;
-  Scouts& scouts_;
-  std::size_t scouted_ = 0;
+  BatchedRootDescent& descents_;
+  std::size_t begun_ = 0;
   std::size_t next_ = 0;
 };
 
@@ -190,18 +193,19 @@ void add(const Overlap& answer, std::size_t pose, RunAnswers& answers) {
 }
 
 /// Poses one by one: what compact layouts write out is of no use to other queries.
-void ask_compact(const Question& question, RunAnswers& answers) {
-  const Parallel alone{1, question.parallel.stop, {}};
-  for (std::size_t i = 0; i < question.poses.size(); ++i) {
-    add(overlap(Body{question.mover, *question.poses[i]}, question.fixed, question.options, alone),
+void query_compact(const PoseQueries& run_input, RunAnswers& answers) {
+  const Parallel alone{1, run_input.parallel.stop, {}};
+  for (std::size_t i = 0; i < run_input.poses.size(); ++i) {
+    add(overlap(Body{run_input.mover, *run_input.poses[i]}, run_input.fixed, run_input.options,
+                alone),
         i, answers);
   }
 }
 
-void ask_named(const Question& question, RunAnswers& answers) {
-  detail::NamedOverlap ask(question.mover, question.fixed.shape, question.options.traversal);
-  for (std::size_t i = 0; i < question.poses.size(); ++i) {
-    add(ask(*question.poses[i], question.fixed.pose, question.options, question.parallel), i,
+void query_named(const PoseQueries& run_input, RunAnswers& answers) {
+  detail::NamedOverlap ask(run_input.mover, run_input.fixed.shape, run_input.options.traversal);
+  for (std::size_t i = 0; i < run_input.poses.size(); ++i) {
+    add(ask(*run_input.poses[i], run_input.fixed.pose, run_input.options, run_input.parallel), i,
         answers);
   }
 }
@@ -209,8 +213,8 @@ void ask_named(const Question& question, RunAnswers& answers) {
 }  // namespace
 
 struct OverlapRun::Memory {
-  Scouts scouts;
-  std::unique_ptr<Flight[]> flights;
+  BatchedRootDescent descents;
+  std::unique_ptr<InFlightQuery[]> queries;
   std::size_t count = 0;
 };
 
@@ -225,20 +229,20 @@ void OverlapRun::ask(const Shape& mover, std::span<const Pose* const> poses, con
                      const OverlapOptions& options, const Parallel& parallel, RunAnswers& answers) {
   const PlainArithmetic plain;
   check(options);
-  const Question question{mover, poses, fixed, options, parallel};
+  const PoseQueries run_input{mover, poses, fixed, options, parallel};
   answers.pairs.clear();
   answers.poses.assign(poses.size(), {});
   if (options.traversal.traversal != Traversal::fast) {
-    ask_named(question, answers);
+    query_named(run_input, answers);
   } else if (detail::any_compact(mover, fixed.shape)) {
-    ask_compact(question, answers);
+    query_compact(run_input, answers);
   } else if (!detail::is_empty(mover) && !detail::is_empty(fixed.shape)) {
-    const std::size_t most = flights_of(mover, fixed.shape);
+    const std::size_t most = queries_in_flight(mover, fixed.shape);
     if (memory_->count < most) {
-      memory_->flights = std::make_unique_for_overwrite<Flight[]>(most);
+      memory_->queries = std::make_unique_for_overwrite<InFlightQuery[]>(most);
       memory_->count = most;
     }
-    Run(question, answers, memory_->scouts).go(std::span(memory_->flights.get(), most));
+    Run(run_input, answers, memory_->descents).go(std::span(memory_->queries.get(), most));
   }
 }
 

@@ -1,5 +1,5 @@
 /// \file
-/// Ways to walk two trees, by name. All give the same answers; they differ in work.
+/// Traversals of two trees, by name. All give the same answers; they differ in work.
 #pragma once
 
 #include "soms/base/idle_option.h"

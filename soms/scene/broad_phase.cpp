@@ -3,12 +3,12 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/scene/detail/box_index.h"
-#include "soms/scene/detail/columns.h"
+#include "soms/scene/detail/column_sweep.h"
 #include "soms/scene/detail/float_box.h"
 #include "soms/scene/detail/kept_memory.h"
-#include "soms/scene/detail/pace.h"
 #include "soms/scene/detail/pair_filter.h"
 #include "soms/scene/detail/pair_rows.h"
+#include "soms/scene/detail/rebuild_interval.h"
 
 #include <algorithm>
 #include <array>
@@ -24,13 +24,13 @@ namespace {
 using detail::FloatBox;
 
 /// Boxes that left their larger boxes are compared one by one with all others as long as that costs
-/// less than a part of starting anew.
+/// less than a part of rebuilding.
 constexpr std::uint64_t kComparedForWork = 8;
 /// Calls without a grid once the boxes did not suit one, at most.
 constexpr std::uint32_t kMostCallsWithoutGrid = 64;
 /// A larger box grows by no more than this many boxes.
 constexpr float kMostGrowth = 2;
-/// Sides above this, in widths of the crowd, do not count.
+/// Sides above this, in widths of the set, do not count.
 constexpr float kLongest = 1e30F;
 /// More kept pairs a box than this, and the next call starts from nothing.
 constexpr std::size_t kMostKeptOfABox = 256;
@@ -40,7 +40,7 @@ constexpr std::size_t kBytesOfAPair = 32;
 /// Growth to all sides, as a part of the way ahead.
 constexpr float kAside = 0.25F;
 
-/// As `overlaps`, without a branch: whether pairs that are near meet cannot be foretold.
+/// As `overlaps`, without a branch: whether pairs that are near meet cannot be predicted.
 bool meeting(const Box& a, const Box& b) {
   const auto at_most = [](double x, double y) { return static_cast<unsigned>(x <= y); };
   return (at_most(a.lower.x, b.upper.x) & at_most(b.lower.x, a.upper.x) &
@@ -48,21 +48,22 @@ bool meeting(const Box& a, const Box& b) {
           at_most(a.lower.z, b.upper.z) & at_most(b.lower.z, a.upper.z)) != 0;
 }
 
-/// Way of both ends of a box in one call.
-struct Way {
+/// Motion of both ends of a box in one call.
+struct Motion {
   std::array<float, 3> lower{};
   std::array<float, 3> upper{};
   float farthest = 0;
 };
 
-Way way_of(const Box& from, const Box& to, double scale) {
-  Way way;
+Motion motion_of(const Box& from, const Box& to, double scale) {
+  Motion motion;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    way.lower[axis] = static_cast<float>((to.lower[axis] - from.lower[axis]) * scale);
-    way.upper[axis] = static_cast<float>((to.upper[axis] - from.upper[axis]) * scale);
-    way.farthest = std::max({way.farthest, std::abs(way.lower[axis]), std::abs(way.upper[axis])});
+    motion.lower[axis] = static_cast<float>((to.lower[axis] - from.lower[axis]) * scale);
+    motion.upper[axis] = static_cast<float>((to.upper[axis] - from.upper[axis]) * scale);
+    motion.farthest =
+        std::max({motion.farthest, std::abs(motion.lower[axis]), std::abs(motion.upper[axis])});
   }
-  return way;
+  return motion;
 }
 
 /// Nothing for a box beyond the range of floats, so that no sum of growth overflows.
@@ -73,14 +74,14 @@ float longest_side(const FloatBox& box) {
 }
 
 /// `box` made larger for `calls` more calls of such ways, by at most `most`.
-FloatBox grown(const FloatBox& box, const Way& way, float calls, float aside, float most) {
+FloatBox grown(const FloatBox& box, const Motion& motion, float calls, float aside, float most) {
   // A way beyond the range of floats is endless, and no call of it is no number: no growth.
   const auto bounded = [most](float side) { return side > 0 ? std::min(side, most) : 0.0F; };
   FloatBox large = box;
-  const float margin = aside * bounded(calls * way.farthest);
+  const float margin = aside * bounded(calls * motion.farthest);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    large.lower[axis] -= bounded(-calls * way.lower[axis]) + margin;
-    large.upper[axis] += bounded(calls * way.upper[axis]) + margin;
+    large.lower[axis] -= bounded(-calls * motion.lower[axis]) + margin;
+    large.upper[axis] += bounded(calls * motion.upper[axis]) + margin;
   }
   return large;
 }
@@ -90,17 +91,17 @@ FloatBox grown(const FloatBox& box, const Way& way, float calls, float aside, fl
 struct BroadPhase::State {
   detail::PairFilter filter;
   detail::FloatMap map;
-  detail::Columns columns;
+  detail::ColumnSweep column_sweep;
   detail::BoxIndex index;
   detail::PairRows rows;  ///< pairs of `large`, or without a grid of the boxes themselves
-  detail::Pace pace;
+  detail::RebuildInterval interval;
   bool has_grid = false;
   bool used_columns = false;             ///< in this call
   std::uint32_t calls_without_grid = 0;  ///< in a row, to come
   std::uint32_t next_without_grid = 1;
   float usual_side = 0;
 
-  std::vector<Box> base;        ///< the boxes when all was made anew
+  std::vector<Box> base;        ///< the boxes when all was rebuilt
   std::vector<FloatBox> large;  ///< hold their boxes as floats
   std::vector<std::uint32_t> escaped;
   std::vector<std::uint8_t> is_escaped;
@@ -109,7 +110,7 @@ struct BroadPhase::State {
 
   [[nodiscard]] bool keep(std::span<const Box> boxes);
   [[nodiscard]] bool catch_escaped(std::span<const Box> boxes);
-  void start_anew(std::span<const Box> boxes);
+  void rebuild(std::span<const Box> boxes);
   void take_as_they_are(std::span<const Box> boxes);
   bool enlarge(std::span<const Box> boxes);
   void ask_index(std::span<const Box> boxes);
@@ -122,8 +123,8 @@ bool BroadPhase::State::keep(std::span<const Box> boxes) {
   if (!has_grid || base.size() != boxes.size()) {
     return false;
   }
-  pace.pass();
-  const std::uint64_t most = kComparedForWork * columns.work() / (boxes.size() + 1) + 1;
+  interval.pass();
+  const std::uint64_t most = kComparedForWork * column_sweep.work() / (boxes.size() + 1) + 1;
   escaped.clear();
   for (std::uint32_t k = 0; k < boxes.size(); ++k) {
     // All boxes hold an empty one, and `kNoBox` holds none but that.
@@ -141,11 +142,12 @@ bool BroadPhase::State::keep(std::span<const Box> boxes) {
 /// the next call starts from nothing. \returns false if there would be too many pairs.
 bool BroadPhase::State::catch_escaped(std::span<const Box> boxes) {
   has_grid = false;
-  const auto age = static_cast<double>(pace.age());
+  const auto age = static_cast<double>(interval.age());
   for (const std::uint32_t k : escaped) {
     const FloatBox now = map(boxes[k]);
-    const Way way = way_of(base[k].empty() ? boxes[k] : base[k], boxes[k], map.scale / age);
-    large[k] = grown(now, way, static_cast<float>(pace.calls()), 1,
+    const Motion motion =
+        motion_of(base[k].empty() ? boxes[k] : base[k], boxes[k], map.scale / age);
+    large[k] = grown(now, motion, static_cast<float>(interval.calls()), 1,
                      kMostGrowth * (usual_side + longest_side(now)));
     base[k] = base[k].empty() ? boxes[k] : base[k];
     is_escaped[k] = 1;
@@ -177,7 +179,7 @@ bool BroadPhase::State::catch_escaped(std::span<const Box> boxes) {
     is_escaped[k] = 0;
   }
   rows.assign(boxes.size(), pairs);
-  pace.spend(escaped.size() * boxes.size() / 25 + rows.size() / 5);
+  interval.spend(escaped.size() * boxes.size() / 25 + rows.size() / 5);
   has_grid = true;
   return true;
 }
@@ -188,11 +190,11 @@ void BroadPhase::State::take_as_they_are(std::span<const Box> boxes) {
   }
 }
 
-/// Larger boxes for all, each along the way that its box took since all was made anew. \returns
+/// Larger boxes for all, each along the motion of its box since all was rebuilt. \returns
 /// false if all are as they are.
 bool BroadPhase::State::enlarge(std::span<const Box> boxes) {
-  const bool knows_ways = base.size() == boxes.size() && pace.age() > 0;
-  const double scale = map.scale / static_cast<double>(std::max<std::uint64_t>(1, pace.age()));
+  const bool knows_motions = base.size() == boxes.size() && interval.age() > 0;
+  const double scale = map.scale / static_cast<double>(std::max<std::uint64_t>(1, interval.age()));
   large.resize(boxes.size());
   is_escaped.assign(boxes.size(), 0);
   take_as_they_are(boxes);
@@ -201,24 +203,24 @@ bool BroadPhase::State::enlarge(std::span<const Box> boxes) {
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     if (!boxes[k].empty()) {
       sides += static_cast<double>(longest_side(large[k]));
-      if (knows_ways && !base[k].empty()) {
-        speeds += static_cast<double>(way_of(base[k], boxes[k], scale).farthest);
+      if (knows_motions && !base[k].empty()) {
+        speeds += static_cast<double>(motion_of(base[k], boxes[k], scale).farthest);
       }
     }
   }
   const double count = std::max(1.0, static_cast<double>(boxes.size()));
   usual_side = static_cast<float>(sides / count);
-  const std::uint32_t calls = knows_ways ? pace.next(speeds / count) : 0;
+  const std::uint32_t calls = knows_motions ? interval.next(speeds / count) : 0;
   for (std::size_t k = 0; k < boxes.size() && calls > 0; ++k) {
     if (!boxes[k].empty() && !base[k].empty()) {
-      large[k] = grown(large[k], way_of(base[k], boxes[k], scale), static_cast<float>(calls),
+      large[k] = grown(large[k], motion_of(base[k], boxes[k], scale), static_cast<float>(calls),
                        kAside, kMostGrowth * (usual_side + longest_side(large[k])));
     }
   }
   return calls > 0;
 }
 
-void BroadPhase::State::start_anew(std::span<const Box> boxes) {
+void BroadPhase::State::rebuild(std::span<const Box> boxes) {
   has_grid = false;
   if (calls_without_grid > 0) {
     --calls_without_grid;
@@ -228,23 +230,23 @@ void BroadPhase::State::start_anew(std::span<const Box> boxes) {
   map = detail::FloatMap::of(boxes);
   const bool enlarged = enlarge(boxes);
   used_columns = true;
-  auto found = columns.find(large, filter);
+  auto found = column_sweep.find(large, filter);
   if (!found && enlarged) {
-    pace.look_less_far();
+    interval.look_less_far();
     take_as_they_are(boxes);
-    found = columns.find(large, filter);
+    found = column_sweep.find(large, filter);
   }
   base.assign(boxes.begin(), boxes.end());
   if (found) {
     next_without_grid = 1;
     rows.assign(boxes.size(), *found);
-    pace.start(columns.work(), rows.size());
+    interval.start(column_sweep.work(), rows.size());
     has_grid = true;
     return;
   }
   calls_without_grid = next_without_grid;
   next_without_grid = std::min(2 * next_without_grid, kMostCallsWithoutGrid);
-  pace = {};
+  interval = {};
   ask_index(boxes);
 }
 
@@ -291,9 +293,9 @@ std::span<const BoxPair> BroadPhase::State::decide(std::span<const Box> boxes) {
 void BroadPhase::State::give_back(std::size_t boxes) {
   const std::size_t needed = kBytesOfABox * boxes + kBytesOfAPair * rows.size();
   if (used_columns) {
-    columns.give_back();
-  } else if (detail::is_far_above(columns.memory(), needed)) {
-    columns = {};
+    column_sweep.give_back();
+  } else if (detail::is_far_above(column_sweep.memory(), needed)) {
+    column_sweep = {};
   }
   if (detail::is_far_above(index.memory(), needed)) {
     index = {};
@@ -318,21 +320,21 @@ BroadPhase& BroadPhase::operator=(BroadPhase&&) noexcept = default;
 
 std::span<const BoxPair> BroadPhase::find(std::span<const Box> boxes) {
   const PlainArithmetic plain;
-  if (boxes.size() > detail::Columns::kMostBoxes) {
+  if (boxes.size() > detail::ColumnSweep::kMostBoxes) {
     throw Error(ErrorKind::out_of_range,
                 "broad phase: " + std::to_string(boxes.size()) + " boxes are above 2^27",
                 "ask about fewer at a time");
   }
   state_->used_columns = false;
   if (!state_->keep(boxes)) {
-    state_->start_anew(boxes);
+    state_->rebuild(boxes);
   }
   return state_->decide(boxes);
 }
 
 void BroadPhase::set_filter(std::vector<std::uint32_t> groups, std::span<const BoxPair> ignored) {
   for (const auto& [a, b] : ignored) {
-    if (std::max(a, b) >= detail::Columns::kMostBoxes) {
+    if (std::max(a, b) >= detail::ColumnSweep::kMostBoxes) {
       throw Error(ErrorKind::out_of_range,
                   "broad phase: ignored pair (" + std::to_string(a) + ", " + std::to_string(b) +
                       ") names a box of 2^27 or more",
@@ -350,10 +352,10 @@ void BroadPhase::forget() {
 
 std::size_t BroadPhase::memory() const {
   const State& state = *state_;
-  return sizeof(State) + state.filter.memory() + state.columns.memory() + state.index.memory() +
-         state.rows.memory() + detail::bytes(state.base) + detail::bytes(state.large) +
-         detail::bytes(state.escaped) + detail::bytes(state.is_escaped) +
-         detail::bytes(state.pairs) + detail::bytes(state.answer);
+  return sizeof(State) + state.filter.memory() + state.column_sweep.memory() +
+         state.index.memory() + state.rows.memory() + detail::bytes(state.base) +
+         detail::bytes(state.large) + detail::bytes(state.escaped) +
+         detail::bytes(state.is_escaped) + detail::bytes(state.pairs) + detail::bytes(state.answer);
 }
 
 }  // namespace soms

@@ -12,12 +12,12 @@ set(SOMS_SOURCES
   broad_phase.cpp
   contact_tracker.cpp
   detail/box_index.cpp
-  detail/columns.cpp
+  detail/column_sweep.cpp
   detail/first_contacts.cpp
   detail/float_box.cpp
   detail/moved_bounds.cpp
   detail/narrow_phase.cpp
-  detail/pace.cpp
+  detail/rebuild_interval.cpp
   detail/pair_filter.cpp
   detail/pair_rows.cpp
   detail/recording_reader.cpp

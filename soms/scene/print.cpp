@@ -93,7 +93,7 @@ std::ostream& operator<<(std::ostream& out, const RecordingHead& value) {
   return out << PrintedFields("RecordingHead")
                     .item(quoted_text(value.title))
                     .add("frames_a_second", value.frames_a_second)
-                    .add("frames_asked", value.frames_asked)
+                    .add("frames_requested", value.frames_requested)
                     .add("environment", value.environment.size())
                     .add("models", value.models.size())
                     .add("movers", value.movers.size());

@@ -38,7 +38,7 @@ std::string bytes_of(const RecordingHead& head) {
   std::string bytes;
   put_text(bytes, head.title);
   put(bytes, head.frames_a_second);
-  put(bytes, head.frames_asked);
+  put(bytes, head.frames_requested);
   put(bytes, static_cast<std::uint32_t>(head.environment.size()));
   for (const RecordedBody& body : head.environment) {
     put_mesh(bytes, body.mesh);

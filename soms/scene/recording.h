@@ -52,7 +52,7 @@ struct RecordedBody {
 struct RecordingHead {
   std::string title;
   double frames_a_second = 60;
-  std::uint64_t frames_asked = 0;
+  std::uint64_t frames_requested = 0;
   std::vector<RecordedBody> environment;
   std::vector<RecordedMesh> models;
   std::vector<std::uint32_t> movers;  ///< model of each mover; mover k is the k-th

@@ -31,7 +31,7 @@ std::unique_ptr<std::istream> open(const std::filesystem::path& path) {
   const auto status = std::filesystem::status(path, ignored);
   const bool there = std::filesystem::exists(status);
   if (there && !std::filesystem::is_regular_file(status)) {
-    throw Error(ErrorKind::cannot_open, path.string() + ": is no file", "give a recording");
+    throw Error(ErrorKind::cannot_open, path.string() + ": is not a file", "give a recording");
   }
   auto in = std::make_unique<std::ifstream>(path, std::ios::binary);
   if (!*in) {
@@ -134,7 +134,7 @@ struct Replay::State {
       seen.frames = frames;
       seen.hash = hash.value();
       if (said != seen) {
-        throw bytes.fault(begin, "the end tells other contacts than the frames hold");
+        throw bytes.fault(begin, "the end states other contacts than the frames contain");
       }
       end = said;
     } else {

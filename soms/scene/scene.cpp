@@ -43,7 +43,7 @@ struct Scene::State {
   std::vector<Box> boxes;
   std::vector<std::uint32_t> met;
   std::vector<Candidate> candidates;
-  std::vector<detail::Question> questions;
+  std::vector<detail::BodyPair> questions;
   std::size_t most_candidates = 0;  ///< of this step
   detail::FirstContacts first_contacts;
   detail::NarrowPhase environment;
@@ -65,7 +65,7 @@ struct Scene::State {
   void append(const Candidate& candidate, const Residents& others,
               std::span<const TrianglePair> pairs, std::vector<Contact>& contacts) const;
 
-  [[nodiscard]] detail::Question question(const Candidate& candidate,
+  [[nodiscard]] detail::BodyPair question(const Candidate& candidate,
                                           const Residents& others) const {
     return {&movers.places()[candidate.mover].value.body,
             &others.places()[candidate.other].value.body};

@@ -19,7 +19,7 @@ enum class Rule {
   sah,             ///< least surface area cost over 16 bins of the midpoints' box
   soms_sah,        ///< as soms where triangles are small against the node, else as sah
   fast,            ///< SOMS with a second look, on boxes in float: builds fastest
-  quality,         ///< SAH by blocks of leaves, on boxes in float: the fewest boxes opened
+  quality,         ///< SAH by blocks of leaves, on boxes in float: the fewest boxes entered
 };
 
 /// Box whose longest axis is split.

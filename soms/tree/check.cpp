@@ -53,13 +53,13 @@ std::string fault_of_children(const Tree& tree, const Node& node, const Node& le
                             : node_name(tree, node) + " has another box than its children";
 }
 
-/// Walks the tree depth-first; `tree.nodes` must be met in exactly this order.
+/// Traverses the tree depth-first; `tree.nodes` must be met in exactly this order.
 std::string fault_of_nodes(const Tree& tree, const Mesh& mesh) {
-  std::vector<std::uint32_t> open{0};
+  std::vector<std::uint32_t> pending{0};
   std::size_t next = 0;
-  while (!open.empty()) {
-    const std::uint32_t i = open.back();
-    open.pop_back();
+  while (!pending.empty()) {
+    const std::uint32_t i = pending.back();
+    pending.pop_back();
     if (i != next || i >= tree.nodes.size()) {
       return "node " + std::to_string(next) + " is not the next one in depth-first order";
     }
@@ -82,8 +82,8 @@ std::string fault_of_nodes(const Tree& tree, const Mesh& mesh) {
     if (std::string fault = fault_of_children(tree, node, left, right); !fault.empty()) {
       return fault;
     }
-    open.push_back(node.right);
-    open.push_back(node.left);
+    pending.push_back(node.right);
+    pending.push_back(node.left);
   }
   return next == tree.nodes.size() ? std::string()
                                    : "node " + std::to_string(next) + " has no parent";

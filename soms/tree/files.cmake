@@ -3,9 +3,9 @@ set(SOMS_HEADERS
   build_options.h
   check.h
   implicit.h
-  layout/columns.h
+  layout/min_max_grid.h
   layout/compact_node.h
-  layout/orientation.h
+  layout/node_axes.h
   layout/pages.h
   layout/wide_tree.h
   option_names.h
@@ -22,20 +22,20 @@ set(SOMS_SOURCES
   build/detail/by_reference.cpp
   build/detail/cells.cpp
   build/detail/divide.cpp
-  build/detail/forest.cpp
+  build/detail/subtrees.cpp
   build/detail/reference.cpp
   build/top_down.cpp
   build_options.cpp
   check.cpp
   implicit.cpp
-  layout/columns.cpp
+  layout/min_max_grid.cpp
   layout/compact.cpp
   layout/compact_node.cpp
-  layout/detail/again.cpp
+  layout/detail/refit_layout.cpp
   layout/detail/block.cpp
   layout/detail/lay_out.cpp
   layout/detail/widen.cpp
-  layout/orientation.cpp
+  layout/node_axes.cpp
   layout/pages.cpp
   layout/wide_tree.cpp
   option_names.cpp

@@ -44,15 +44,15 @@ Tree to_tree(const ImplicitTree& tree) {
     return result;
   }
 
-  struct Open {
+  struct Pending {
     TreeId id;
     std::uint32_t right_of;  // parent, for right children
   };
 
-  std::vector<Open> open{{0, Node::kNone}};
-  while (!open.empty()) {
-    const auto [id, right_of] = open.back();
-    open.pop_back();
+  std::vector<Pending> pending{{0, Node::kNone}};
+  while (!pending.empty()) {
+    const auto [id, right_of] = pending.back();
+    pending.pop_back();
     const ImplicitTree::Slot& slot = tree.slots[id];
     const auto i = static_cast<std::uint32_t>(result.nodes.size());
     const bool leaf = tree.is_leaf(id);
@@ -66,8 +66,8 @@ Tree to_tree(const ImplicitTree& tree) {
             static_cast<std::uint32_t>(depth_of(id)),
             slot.undividable};
     if (!leaf) {
-      open.push_back({right_child_of(id), i});
-      open.push_back({left_child_of(id), Node::kNone});
+      pending.push_back({right_child_of(id), i});
+      pending.push_back({left_child_of(id), Node::kNone});
     }
     if (right_of != Node::kNone) {
       result.nodes[right_of].right = i;

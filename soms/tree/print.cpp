@@ -93,7 +93,7 @@ std::ostream& operator<<(std::ostream& out, const Shape& value) {
   fields.item(printed(value.mesh()));
   fields.add("layout", value.layout().compact() == nullptr ? Layout::wide : Layout::compact);
   fields.add("keep_tree", value.tree() != nullptr);
-  return out << fields.add("decline", value.decline());
+  return out << fields.add("sah_degradation", value.sah_degradation());
 }
 
 std::ostream& operator<<(std::ostream& out, const ShapeOptions& value) {

@@ -2,7 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
-#include "soms/tree/layout/detail/fetch.h"
+#include "soms/tree/layout/detail/fetch_corners.h"
 #include "soms/tree/layout/detail/widen.h"
 #include "soms/tree/layout/wide_tree.h"
 
@@ -14,7 +14,7 @@ namespace soms {
 
 namespace {
 
-/// In the place of a looseness that was measured of a mesh without area.
+/// In place of a ratio measured for a mesh without area.
 constexpr double kNoArea = -1;
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
@@ -94,16 +94,16 @@ Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh, const Parallel
         refit(*shape.tree_, *moved.mesh_, Parallel{parallel.threads, parallel.stop, {}}));
   }
   moved.bounds_ = moved.layout_->bounds();
-  if (moved.looseness_ == 0) {
-    const double built = shape.layout().looseness(shape.mesh(), parallel);
-    moved.looseness_ = built > 0 ? built : kNoArea;
+  if (moved.sah_area_ratio_ == 0) {
+    const double built = shape.layout().sah_area_ratio(shape.mesh(), parallel);
+    moved.sah_area_ratio_ = built > 0 ? built : kNoArea;
   }
-  const double now = moved.layout_->looseness(*moved.mesh_, parallel);
+  const double now = moved.layout_->sah_area_ratio(*moved.mesh_, parallel);
   if (now > 0) {
     // What was built of a mesh without area knows nothing of where triangles lie.
-    moved.decline_ = moved.looseness_ > 0 ? now / moved.looseness_ : kEndless;
+    moved.sah_degradation_ = moved.sah_area_ratio_ > 0 ? now / moved.sah_area_ratio_ : kEndless;
   } else {
-    moved.decline_ = 1;
+    moved.sah_degradation_ = 1;
   }
   return moved;
 }

@@ -21,10 +21,10 @@ namespace soms {
 [[nodiscard]] Tree refit(const Tree& tree, const Mesh& mesh, const Parallel& parallel = {});
 
 /// A shape whose vertices were moved: its layout, and its tree where it was kept, are those of
-/// `shape` with new boxes. Queries answer exactly as on a shape that is built anew. The shape that
+/// `shape` with new boxes. Queries answer exactly as on a shape that is rebuilt. The shape that
 /// is passed stays as it is; copies of it are not moved.
 ///
-/// The result's `decline` compares it with the last build, over any number of refits.
+/// The result's `sah_degradation` compares it with the last build, over any number of refits.
 ///
 /// \errors  As `check(Mesh)`, not_finite above all; ErrorKind::usage for another number of
 ///          vertices or other triangles; cancelled.
@@ -36,12 +36,12 @@ namespace soms {
 [[nodiscard]] Shape refit(const Shape& shape, std::vector<Vec3> vertices,
                           const Parallel& parallel = {});
 
-/// Decline from which on a new build pays soon; docs/refit.md says what was measured.
-inline constexpr double kMostDecline = 1.2;
+/// SAH degradation from which on a new build pays soon; docs/refit.md says what was measured.
+inline constexpr double kMostSahDegradation = 1.2;
 
 /// True when the shape is so far from the form it was built for that a build is due.
 [[nodiscard]] inline bool build_is_due(const Shape& shape) {
-  return shape.decline() > kMostDecline;
+  return shape.sah_degradation() > kMostSahDegradation;
 }
 
 }  // namespace soms

@@ -2,7 +2,7 @@
 
 #include "soms/base/error.h"
 #include "soms/tree/build.h"
-#include "soms/tree/build/detail/forest.h"
+#include "soms/tree/build/detail/subtrees.h"
 #include "soms/tree/layout/wide_tree.h"
 
 #include <utility>
@@ -63,7 +63,7 @@ std::size_t Shape::memory() const {
 
 bool Shape::operator==(const Shape& other) const {
   return build_options_ == other.build_options_ && bounds_ == other.bounds_ &&
-         looseness_ == other.looseness_ && decline_ == other.decline_ &&
+         sah_area_ratio_ == other.sah_area_ratio_ && sah_degradation_ == other.sah_degradation_ &&
          equal(mesh_, other.mesh_) && equal(tree_, other.tree_) && equal(layout_, other.layout_);
 }
 

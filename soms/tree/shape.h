@@ -13,7 +13,7 @@ namespace soms {
 
 class WideTree;
 
-/// How the tree that queries walk is kept.
+/// How the tree that queries traverse is kept.
 enum class Layout {
   wide,     ///< for speed: boxes and corners in float, 70 to 80 bytes a triangle
   compact,  ///< for memory: boxes in bytes, corners read from the mesh; about 12 bytes a triangle
@@ -57,14 +57,14 @@ class Shape {
 
   /// How far the tree has fallen behind: 1 as built; after `refit` the area of its boxes for each
   /// unit of the triangles' area, over what it was as built. See `build_is_due`.
-  [[nodiscard]] double decline() const { return decline_; }
+  [[nodiscard]] double sah_degradation() const { return sah_degradation_; }
 
   /// Bytes held: mesh, layout, and tree where kept.
   [[nodiscard]] std::size_t memory() const;
 
   /// Equal meshes with equal layouts, equal trees where they were kept, equal options and
-  /// `decline`: every query has the same answer and the same cost. \cost Constant for copies of one
-  /// shape, else linear.
+  /// `sah_degradation`: every query has the same answer and the same cost. \cost Constant for
+  /// copies of one shape, else linear.
   [[nodiscard]] bool operator==(const Shape& other) const;
 
  private:
@@ -76,8 +76,8 @@ class Shape {
   std::shared_ptr<const WideTree> layout_;
   Box bounds_;
   BuildOptions build_options_;
-  double looseness_ = 0;  ///< of the layout as built; 0 before the first refit
-  double decline_ = 1;
+  double sah_area_ratio_ = 0;  ///< of the layout as built; 0 before the first refit
+  double sah_degradation_ = 1;
 };
 
 }  // namespace soms

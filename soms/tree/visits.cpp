@@ -38,13 +38,13 @@ double share(const Box& node, const Box& root, const Vec3& size) {
 Visits count_visits(const Tree& tree, const Box& query) {
   const PlainArithmetic plain;
   Visits visits;
-  std::vector<std::uint32_t> open;
+  std::vector<std::uint32_t> pending;
   if (!tree.nodes.empty()) {
-    open.push_back(0);
+    pending.push_back(0);
   }
-  while (!open.empty()) {
-    const Node& node = tree.nodes[open.back()];
-    open.pop_back();
+  while (!pending.empty()) {
+    const Node& node = tree.nodes[pending.back()];
+    pending.pop_back();
     if (!overlaps(node.bounds, query)) {
       continue;
     }
@@ -53,8 +53,8 @@ Visits count_visits(const Tree& tree, const Box& query) {
       ++visits.leaves;
       visits.triangles += node.count;
     } else {
-      open.push_back(node.right);
-      open.push_back(node.left);
+      pending.push_back(node.right);
+      pending.push_back(node.left);
     }
   }
   return visits;

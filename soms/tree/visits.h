@@ -41,7 +41,7 @@ struct ExpectedVisits {
 /// \errors  ErrorKind::usage unless `size` is finite and not negative.
 /// \cost    O(nodes).
 /// \source  The surface area heuristic (Goldsmith and Salmon 1987) with the measure of boxes, not
-///          of rays: Minkowski sums, as for R-trees in Pagel et al. 1993, Towards an analysis of
+///          of rays: Minkowski sums, as for R-trees in Pagel et al. 1993, Toward an analysis of
 ///          range query performance in spatial data structures.
 [[nodiscard]] ExpectedVisits expected_visits(const Tree& tree, const Vec3& size);
 

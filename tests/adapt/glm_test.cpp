@@ -75,7 +75,7 @@ TEST(Glm, StoresMatricesByColumns) {
   EXPECT_EQ(pose, Pose::translation(1, 2, 3));
 }
 
-// glm::dquat is constructed w first and, unless told otherwise, stored w last.
+// glm::dquat is constructed w first and, unless reported otherwise, stored w last.
 TEST(Glm, KeepsTheOrderOfQuaternions) {
   const glm::dquat quarter_about_x(std::sqrt(0.5), std::sqrt(0.5), 0, 0);
   const Pose pose = to_pose(quarter_about_x, {1, 0, 0});

@@ -38,7 +38,7 @@ TEST(Arithmetic, RefusesOtherKinds) {
   }
 }
 
-TEST(Arithmetic, IsPlainWhileAskedAndTheHostsAgainAfterwards) {
+TEST(Arithmetic, IsPlainWhileRequestedAndTheHostsAgainAfterwards) {
   for (const test::HostMode& mode : test::host_modes()) {
     const HostArithmetic host(mode);
     const unsigned long found = test::arithmetic_settings();

@@ -9,9 +9,9 @@
 namespace soms::bench {
 namespace {
 
-double goal(const std::vector<Goal>& goals, const std::string& contestant) {
+double goal(const std::vector<Goal>& goals, const std::string& library) {
   for (const Goal& g : goals) {
-    if (g.contestant == contestant) {
+    if (g.library == library) {
       return g.times;
     }
   }
@@ -38,8 +38,8 @@ TEST(Goals, TellAFlightFromPlacesInTheStreets) {
   EXPECT_EQ(goal(goals_of(Job::any, "city-drone", "drone-path", 5'672, "avx512"), "soms-batch"), 0);
 }
 
-TEST(Goals, OfTheBroadPhaseDifferByWhatARivalKeeps) {
-  const auto goals = goals_of(Job::broad, "crowd", "dense", 10'000, "avx512");
+TEST(Goals, OfTheBroadPhaseDifferByWhatAPeerKeeps) {
+  const auto goals = goals_of(Job::broad, "moving-boxes", "dense", 10'000, "avx512");
   ASSERT_EQ(goals.size(), 2U);
   EXPECT_EQ(goals[0].against, Against::keeps_tree);
   EXPECT_EQ(goals[0].times, 2);

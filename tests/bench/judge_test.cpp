@@ -117,7 +117,7 @@ TEST(Judge, CountsBoxesThatOverlapOrTouch) {
   EXPECT_EQ(verdicts[1].wrong_questions, std::vector<std::size_t>{1});
 }
 
-TEST(Judge, CountsBoxesOfAllSizesAsEveryPairAskedAloneDoes) {
+TEST(Judge, CountsBoxesOfAllSizesAsEveryPairRequestedAloneDoes) {
   test::for_each_case("bench/boxes", 20, [](Rng& rng) {
     std::vector<FloatBox> boxes;
     for (int i = 0; i < 200; ++i) {

@@ -26,8 +26,8 @@ class Race : public testing::Test {
   double now_ = 0;
 };
 
-TEST_F(Race, CutsTheSetForAllToWhatTheFastestRivalDoesInTime) {
-  const std::vector<Lane> lanes{lane("soms", 1e-4), lane("rival-a", 1e-3), lane("rival-b", 2e-3)};
+TEST_F(Race, CutsTheSetForAllToWhatTheFastestPeerDoesInTime) {
+  const std::vector<Lane> lanes{lane("soms", 1e-4), lane("peer-a", 1e-3), lane("peer-b", 2e-3)};
   const auto outcomes = race(lanes, 1000, options(1, 0.0505));
   EXPECT_EQ(outcomes[0].answers.size(), 50U);
   EXPECT_EQ(outcomes[1].answers.size(), 50U);

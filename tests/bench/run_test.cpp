@@ -1,4 +1,4 @@
-// Contestants that lie must not win: their ratios are void, and the table says so.
+// Libraries under test that lie must not win: their ratios are void, and the table says so.
 #include "bench/peers/run.h"
 
 #include "bench/peers/core/tables.h"
@@ -30,7 +30,7 @@ class FakeMatch final : public Match {
   std::size_t lies_;
 };
 
-class Fake final : public Contestant {
+class Fake final : public Library {
  public:
   Fake(std::string name, std::size_t lies) : name_(std::move(name)), lies_(lies) {}
 
@@ -82,8 +82,8 @@ std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
-TEST(RunScene, RanksContestantsThatTellTheTruth) {
-  const auto cells = run_fakes({{"rival", 0}, {"soms", 0}});
+TEST(RunScene, RanksLibrariesThatTellTheTruth) {
+  const auto cells = run_fakes({{"peer", 0}, {"soms", 0}});
   ASSERT_EQ(cells.size(), 2U);
   for (const Cell& cell : cells) {
     EXPECT_EQ(cell.questions, kQuestions);
@@ -96,7 +96,7 @@ TEST(RunScene, RanksContestantsThatTellTheTruth) {
 
 TEST(RunScene, VoidsTheRatioOfSomsAtOneWrongAnswer) {
   for (const double judge : {1e6, 1.0}) {
-    const auto cells = run_fakes({{"rival", 0}, {"soms", 1}, {"soms-batch", 0}}, judge);
+    const auto cells = run_fakes({{"peer", 0}, {"soms", 1}, {"soms-batch", 0}}, judge);
     for (const Cell& cell : cells) {
       EXPECT_EQ(cell.entries[1].verdict.wrong_questions, std::vector<std::size_t>{0});
       EXPECT_FALSE(ratio(cell, "soms").has_value());
@@ -107,27 +107,27 @@ TEST(RunScene, VoidsTheRatioOfSomsAtOneWrongAnswer) {
 }
 
 TEST(RunScene, CatchesALieThatAllTell) {
-  const auto cells = run_fakes({{"rival", 5}, {"soms", 5}});
+  const auto cells = run_fakes({{"peer", 5}, {"soms", 5}});
   for (const Cell& cell : cells) {
     EXPECT_EQ(cell.entries[1].verdict.wrong, 5U);
     EXPECT_FALSE(ratio(cell, "soms").has_value());
-    EXPECT_EQ(best_rival(cell), nullptr);
+    EXPECT_EQ(best_peer(cell), nullptr);
   }
 }
 
-TEST(RunScene, DoesNotRankARivalThatIsWrongOften) {
+TEST(RunScene, DoesNotRankAPeerThatIsWrongOften) {
   const auto cells = run_fakes({{"liar", 3}, {"rounder", 2}, {"soms", 0}});
   for (const Cell& cell : cells) {
     EXPECT_FALSE(ranked(cell, cell.entries[0]));
     EXPECT_TRUE(ranked(cell, cell.entries[1]));
-    ASSERT_NE(best_rival(cell), nullptr);
-    EXPECT_EQ(best_rival(cell)->contestant, "rounder");
+    ASSERT_NE(best_peer(cell), nullptr);
+    EXPECT_EQ(best_peer(cell)->library, "rounder");
   }
   EXPECT_TRUE(sound(cells));
 }
 
 TEST(RunScene, SaysSoInItsTables) {
-  const auto cells = run_fakes({{"rival", 0}, {"soms", 1}});
+  const auto cells = run_fakes({{"peer", 0}, {"soms", 1}});
   const test::TemporaryFolder folder;
   write_markdown(folder.path() / "a.md", cells, {});
   write_csv(folder.path() / "a.csv", cells);

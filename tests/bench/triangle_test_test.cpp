@@ -1,4 +1,4 @@
-#include "bench/peers/contestants/triangle_test.h"
+#include "bench/peers/libraries/triangle_test.h"
 
 #include "soms/geometry/triangle_overlap.h"
 
@@ -14,10 +14,10 @@ constexpr Loan kCounting{[](const Triangle& s, const Triangle& t) {
   return triangles_overlap(s, t);
 }};
 
-Vec3 point(Rng& rng, double reach) {
-  const double x = rng.uniform(-reach, reach);
-  const double y = rng.uniform(-reach, reach);
-  return {x, y, rng.uniform(-reach, reach)};
+Vec3 point(Rng& rng, double l1_norm) {
+  const double x = rng.uniform(-l1_norm, l1_norm);
+  const double y = rng.uniform(-l1_norm, l1_norm);
+  return {x, y, rng.uniform(-l1_norm, l1_norm)};
 }
 
 /// On a coarse grid, where triangles often touch, lie in one plane or have no area.

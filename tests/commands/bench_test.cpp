@@ -20,7 +20,8 @@ TEST(Bench, SaysHowToGetTheProgramWhereItIsMissing) {
       << alone.err;
   const RunResult named = shell("SOMS_BENCH=/nowhere/soms-bench $soms bench a.ply b.ply");
   EXPECT_EQ(named.status, 3);
-  EXPECT_NE(named.err.find("SOMS_BENCH names no program: /nowhere/soms-bench"), std::string::npos)
+  EXPECT_NE(named.err.find("SOMS_BENCH does not name a program: /nowhere/soms-bench"),
+            std::string::npos)
       << named.err;
 }
 
@@ -61,14 +62,14 @@ TEST(Bench, ComparesAnswersAndTimesOfTwoFiles) {
   ASSERT_EQ(result.status, 0) << result.err;
   std::vector<std::string> ours;
   for (const Json& row : json_lines(result.out)) {
-    EXPECT_EQ(row.at("schema"), "soms.bench/1");
-    EXPECT_EQ(row.at("asked"), 50) << row;
+    EXPECT_EQ(row.at("schema"), "soms.bench/2");
+    EXPECT_EQ(row.at("queried"), 50) << row;
     EXPECT_GT(row.at("median_us"), 0) << row;
-    const std::string contestant = row.at("contestant");
-    if (contestant.starts_with("soms")) {
+    const std::string library = row.at("library");
+    if (library.starts_with("soms")) {
       EXPECT_EQ(row.at("wrong"), 0) << row;
       EXPECT_EQ(row.at("checked"), 50) << row;
-      ours.push_back(contestant + " " + row.at("job").get<std::string>());
+      ours.push_back(library + " " + row.at("job").get<std::string>());
     }
   }
   EXPECT_EQ(ours, (std::vector<std::string>{"soms any", "soms-batch any", "soms all"}));
@@ -81,7 +82,7 @@ TEST(Bench, CountsWhatOverlapCounts) {
   ASSERT_EQ(bench.status, 0) << bench.err;
   const RunResult overlap = soms_run({"overlap", a, a, "--pose", "0.25 0 0", "--json"});
   for (const Json& row : json_lines(bench.out)) {
-    if (row.at("contestant") == "soms") {
+    if (row.at("library") == "soms") {
       EXPECT_EQ(row.at("sum"), json_lines(overlap.out).at(0).at("count"));
     }
   }

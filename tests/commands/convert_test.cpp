@@ -164,7 +164,7 @@ TEST(Convert, RefusesANameThatSaysAnotherFormat) {
   const RunResult wrong = convert("a.stl", "obj");
   EXPECT_EQ(wrong.status, 2);
   EXPECT_EQ(wrong.err,
-            "soms convert: --format obj: the name ends in .stl; let it end in .obj, or leave "
+            "soms convert: --format obj: the name ends in .stl; use the extension .obj, or leave "
             "--format out\n");
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.stl"));
   for (const auto& [name, format] :

@@ -104,12 +104,12 @@ TEST(Endurance, FilesThatAreWholeStayWholeWhenReproduceIsKilled) {
   (void)child.wait();
   std::size_t seen = 0;
   for (const auto& entry : fs::recursive_directory_iterator(target.path())) {
-    const std::string ending = entry.path().extension().string();
+    const std::string extension = entry.path().extension().string();
     const std::string text = entry.is_regular_file() ? read_text(entry.path()) : "\n";
     EXPECT_FALSE(text.empty()) << entry.path();
-    EXPECT_TRUE(ending != ".svg" || text.ends_with("</svg>\n")) << entry.path();
-    EXPECT_TRUE(ending != ".csv" || text.ends_with("\n")) << entry.path();
-    EXPECT_NE(ending, ".part") << entry.path();
+    EXPECT_TRUE(extension != ".svg" || text.ends_with("</svg>\n")) << entry.path();
+    EXPECT_TRUE(extension != ".csv" || text.ends_with("\n")) << entry.path();
+    EXPECT_NE(extension, ".part") << entry.path();
     seen += entry.is_regular_file() ? 1U : 0U;
   }
   EXPECT_GT(seen, 0U);

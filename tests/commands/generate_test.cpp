@@ -22,7 +22,7 @@ std::uint64_t triangles_of(const std::string& path) {
   return json_lines(result.out).at(0).at("triangles");
 }
 
-TEST(Generate, MakesExactlyTheTrianglesAskedFor) {
+TEST(Generate, MakesExactlyTheTrianglesRequestedFor) {
   const TemporaryFolder folder;
   const std::vector<std::pair<std::string, std::string>> cases{
       {"knot", "18"},   {"knot", "2000"},  {"sphere", "8"}, {"sphere", "1002"},

@@ -142,7 +142,7 @@ TEST(Info, NamesTheDefectsOfItsPage) {
   EXPECT_EQ(result.out, blocks[1]);
 }
 
-TEST(Info, NamesPlacesAsManyAsAreAsked) {
+TEST(Info, NamesPlacesAsManyAsAreRequested) {
   const std::string path = test::data("nasty/zero_area_mixed.ply").string();
   for (const auto& [words, most] : std::vector<std::pair<std::vector<std::string>, std::size_t>>{
            {{}, 10}, {{"--list", "0"}, 0}, {{"--list", "2"}, 2}, {{"--list", "all"}, 100000}}) {
@@ -287,7 +287,7 @@ TEST(Info, PrintsNumbersToBeReadAndWholeOnesAsJson) {
             std::string::npos);
 }
 
-TEST(Info, AcceptsAnEmptyModelWhenAsked) {
+TEST(Info, AcceptsAnEmptyModelWhenRequested) {
   const Json report = info({test::data("nasty/empty_mesh.ply").string(), "--allow-empty"});
   EXPECT_EQ(report.at("triangles"), 0);
   EXPECT_EQ(report.at("bounds"), nullptr);

@@ -59,7 +59,7 @@ TEST(Interrupts, TwiceAtOnceAreOne) {
   }
 }
 
-TEST(Interrupts, EndAtOnceWhenAskedAgainLater) {
+TEST(Interrupts, EndAtOnceWhenRequestedAgainLater) {
   // Nothing reads the pipe, so the first request cannot be finished; later ones end it.
   const TemporaryFolder folder;
   const Pipe unread(folder.path() / "pipe");

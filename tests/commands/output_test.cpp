@@ -106,7 +106,7 @@ TEST(Output, NamesThePlaceThatCannotBeWritten) {
   EXPECT_EQ(files_in(folder.path()), std::vector<std::string>{"folder.ply"});
 }
 
-TEST(Output, AnUnknownEndingIsWrongUsage) {
+TEST(Output, AnUnknownExtensionIsWrongUsage) {
   const TemporaryFolder folder;
   const std::string box = test::data("truth/meshes/box2.ply").string();
   for (const std::string name : {"x.xyz", "x", "x.gltf"}) {
@@ -174,7 +174,7 @@ TEST(Output, ShowsNeitherColorNorProgressWhereThereIsNoTerminal) {
   EXPECT_EQ(result.err.find('\x1b'), std::string::npos);
 }
 
-TEST(Output, ShowsColorOnATerminalUnlessToldNotTo) {
+TEST(Output, ShowsColorOnATerminalUnlessReportedNotTo) {
   const RunResult colored = soms_on_terminal({"info", "missing.ply"});
   EXPECT_EQ(colored.status, 3);
   EXPECT_TRUE(colored.out.starts_with("\x1b[1;31msoms info:\x1b[0m missing.ply")) << colored.out;

@@ -67,7 +67,7 @@ TEST(OverlapVerb, LimitCutsAndSaysSo) {
   EXPECT_EQ(soms_run({"overlap", box(), box(), "--first", "--any"}).status, 2);
 }
 
-TEST(OverlapVerb, LeavesPairsOutWhenAsked) {
+TEST(OverlapVerb, LeavesPairsOutWhenRequested) {
   const Json answer = ask({"--no-pairs"}).at(0);
   EXPECT_FALSE(answer.contains("pairs"));
   EXPECT_EQ(answer.at("hash"), ask({}).at(0).at("hash"));

@@ -81,7 +81,7 @@ TEST(Program, NamesOptionsThatDoNotGoTogether) {
   says({"man", "overlap", "--output", "/tmp"}, "--output writes all pages");
   says({"info", "-", "-"}, "standard input is named twice");
   says({"info", ""}, "the name of a model is empty");
-  says({"convert", box, "/dev/full"}, "name one by --format");
+  says({"convert", box, "/dev/full"}, "name one with --format");
   says({"overlap", box, box, "--limit", "99999999999999999999"}, "18446744073709551615");
   EXPECT_EQ(soms_run({"info", box, "--no-trees", "--scale", "+2"}).status, 0);
 }
@@ -314,7 +314,7 @@ TEST(Program, SaysInWordsWhichOptionsStandAlone) {
 
 TEST(Program, ListsTheFormatsThatAreWrittenInEveryHelp) {
   const std::string help = soms_run({"generate", "--help"}).out;
-  EXPECT_NE(help.find(writable_endings()), std::string::npos) << help;
+  EXPECT_NE(help.find(writable_extensions()), std::string::npos) << help;
   std::string words;
   for (const WritableFormat& row : writable_formats()) {
     words.append(words.empty() ? "" : "|").append(row.name);

@@ -141,7 +141,7 @@ TEST(Record, LeavesAWholeMarkedFileWhenInterrupted) {
   Replay replay(town.path("run.somsrec"));
   ASSERT_TRUE(replay.end()) << replay.fault()->what();
   EXPECT_EQ(replay.end()->ending, RecordingEnding::interrupted);
-  EXPECT_EQ(replay.head().frames_asked, 100'000'000U);
+  EXPECT_EQ(replay.head().frames_requested, 100'000'000U);
   EXPECT_EQ(Json::parse(result.out)["frames"], replay.frames());
   EXPECT_EQ(town.files(), (std::vector<std::string>{"car.ply", "run.somsrec", "town.ply"}));
 }

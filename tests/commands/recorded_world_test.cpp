@@ -34,7 +34,7 @@ class RecordedWorld : public ::testing::Test {
     options.mover_model.scale = 0.5;
     const World world = load_world(options, console_);
     RecordingHead head = recording_head(world, 7);
-    EXPECT_EQ(head.movers.size(), world.ways.size());
+    EXPECT_EQ(head.movers.size(), world.routes.size());
     return head;
   }
 
@@ -91,7 +91,7 @@ TEST_F(RecordedWorld, ReadsOnlyFiles) {
   ASSERT_EQ(mkfifo(path("pipe.ply").c_str(), 0600), 0);
   for (const std::string& source : {std::string("-"), std::string(), path("pipe.ply")}) {
     head.models[0].source = source;
-    EXPECT_NE(fault(head, "run.somsrec").find("\"" + source + "\", which is no file"),
+    EXPECT_NE(fault(head, "run.somsrec").find("\"" + source + "\", which is not a file"),
               std::string::npos)
         << source;
   }

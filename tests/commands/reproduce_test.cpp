@@ -183,8 +183,8 @@ TEST(Reproduce, DoesNotWaitForAPipeNamedLikeAModel) {
   const RunResult result =
       reproduce(folder.path(), {"--item", "3.1,3.3", "--models", models.path().string()});
   EXPECT_EQ(result.status, 0) << result.err;
-  EXPECT_NE(result.err.find("venus.ply: this is no file"), std::string::npos) << result.err;
-  EXPECT_NE(result.err.find("city.3ds: this is no file"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("venus.ply: this is not a file"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("city.3ds: this is not a file"), std::string::npos) << result.err;
 }
 
 TEST(Reproduce, ClosedStandardOutputIsAnErrorAndNoFileGetsTheWords) {
@@ -205,7 +205,7 @@ TEST(Reproduce, RefusesToReplaceThePageOfItsFolder) {
   EXPECT_FALSE(fs::exists(out));
 }
 
-TEST(Reproduce, FolderThatCannotBeMadeIsTold) {
+TEST(Reproduce, FolderThatCannotBeMadeIsReported) {
   const TemporaryFolder folder;
   write_text(folder.path() / "file", "x");
   const RunResult result = reproduce(folder.path() / "file", {"--item", "table-3.1"});
@@ -213,7 +213,7 @@ TEST(Reproduce, FolderThatCannotBeMadeIsTold) {
   EXPECT_EQ(read_text(folder.path() / "file"), "x");
 }
 
-TEST(Reproduce, FolderOfModelsThatIsMissingIsTold) {
+TEST(Reproduce, FolderOfModelsThatIsMissingIsReported) {
   const TemporaryFolder folder;
   const RunResult result = reproduce(
       folder.path(), {"--item", "table-3.1", "--models", (folder.path() / "none").string()});

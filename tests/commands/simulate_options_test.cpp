@@ -1,4 +1,4 @@
-// What options of `simulate` that are left out, wrong or many mean. What it answers is asked in
+// What options of `simulate` that are left out, wrong or many mean. What it answers is queried in
 // simulate_test.cpp.
 #include "tests/commands/run.h"
 
@@ -86,13 +86,13 @@ TEST_F(SimulateOptions, R119OptionsThatChangeNothingAreRefused) {
   EXPECT_NE(embedded.err.find("--scale and --up are for a city from files"), std::string::npos);
 }
 
-TEST_F(SimulateOptions, RefusesNamesWhoseEndingsAreThoseOfOtherFiles) {
+TEST_F(SimulateOptions, RefusesNamesWhoseExtensionsAreThoseOfOtherFiles) {
   const auto refused = [&](const std::string& option, const std::string& name,
-                           const std::string& ending) {
+                           const std::string& extension) {
     const RunResult result =
         simulate({town(), "--frames", "1", "--count", "1", option, beside(name)});
     EXPECT_EQ(result.status, 2) << result.err;
-    EXPECT_NE(result.err.find("give a name that ends in " + ending), std::string::npos)
+    EXPECT_NE(result.err.find("give a name with the extension " + extension), std::string::npos)
         << result.err;
   };
   refused("--map", "x.txt", ".svg");

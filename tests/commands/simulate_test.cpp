@@ -285,14 +285,14 @@ TEST(Simulate, TellsPointsOfARouteFromPosesByTheHeaderAlone) {
   EXPECT_EQ(contacts_on(town, "  # a, b, c\n" + poses), jumping);
 }
 
-TEST(Simulate, FailsOnContactOnlyWhenAsked) {
+TEST(Simulate, FailsOnContactOnlyWhenRequested) {
   const Town town;
   const std::vector<std::string> words{town.path(), "--frames", "120", "--count", "40"};
   EXPECT_EQ(simulate(words).status, 0);
   for (const char* condition : {"overlap", "contact"}) {
-    std::vector<std::string> asked = words;
-    asked.insert(asked.end(), {"--fail-if", condition});
-    EXPECT_EQ(simulate(asked).status, 1);
+    std::vector<std::string> requested = words;
+    requested.insert(requested.end(), {"--fail-if", condition});
+    EXPECT_EQ(simulate(requested).status, 1);
   }
   EXPECT_EQ(simulate({town.path(), "--count", "0", "--fail-if", "contact"}).status, 0);
 }
@@ -320,7 +320,7 @@ TEST(Simulate, LeavesOutMoversWithoutRoomAndSaysSo) {
   const test::RunResult result = simulate({town.path(), "--count", "4000", "--frames", "1"});
   EXPECT_EQ(result.status, 0);
   EXPECT_NE(result.err.find("found no free place"), std::string::npos) << result.err;
-  EXPECT_NE(result.out.find("4,000 asked for"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("4,000 requested"), std::string::npos) << result.out;
 }
 
 TEST(Simulate, RefusesWordsThatMakeNoSense) {
@@ -464,7 +464,7 @@ TEST(Simulate, SaysWhatUnitAndAxisAFileStates) {
   const test::RunResult small =
       simulate({town.path(), "--mover", model, "--count", "1", "--frames", "1"});
   EXPECT_NE(
-      small.err.find("its unit is 0.01 m; taken as meters (--mover-scale 0.01 makes them so)"),
+      small.err.find("its unit is 0.01 m; assuming meters (--mover-scale 0.01 makes them so)"),
       std::string::npos)
       << small.err;
   EXPECT_EQ(small.err.find("across, taken"), std::string::npos) << small.err;

@@ -36,7 +36,7 @@ class VerifierTest : public ::testing::Test {
     scene_.add_environment(world_.city[0]);
     for (const Vec3& at :
          {Vec3{0, 0, 0}, {0.75, 0.25, 0.5}, {-0.5, -0.25, 1.75}, {-3, -3, 0.5}, {0, 0, 100}}) {
-      world_.ways.emplace_back();
+      world_.routes.emplace_back();
       poses_.push_back(Pose::translation(at.x, at.y, at.z));
       scene_.add_mover(Body(shape, poses_.back()));
     }

@@ -15,7 +15,7 @@ TEST(Version, TellsVersionInstructionSetAndFormats) {
   EXPECT_NE(text.out.find(" .zgl\n"), std::string::npos);
 }
 
-TEST(Version, TellsWhetherTheInstructionSetThatIsAskedForIsThere) {
+TEST(Version, TellsWhetherTheInstructionSetThatIsRequestedForIsThere) {
   const Json plain = json_lines(shell("SOMS_ISA=scalar $soms version --json").out).at(0);
   EXPECT_EQ(plain.at("instruction_set"), "scalar");
   EXPECT_EQ(plain.at("instruction_sets").at(0), "scalar");

@@ -40,7 +40,8 @@ TEST(Viewer, IsSaidToBeMissingWithTheWayToGetIt) {
   }
   const RunResult named = with_viewer("/nowhere/soms-view", "$soms view");
   EXPECT_EQ(named.status, 3);
-  EXPECT_NE(named.err.find("SOMS_VIEW names no program: /nowhere/soms-view"), std::string::npos);
+  EXPECT_NE(named.err.find("SOMS_VIEW does not name a program: /nowhere/soms-view"),
+            std::string::npos);
 }
 
 TEST(Viewer, IsFoundByItsVariableBesideTheCommandInLibexecAndOnThePath) {

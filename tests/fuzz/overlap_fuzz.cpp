@@ -94,11 +94,11 @@ void check_one(const Body& a, const Body& b, const std::vector<TrianglePair>& tr
   std::sort(swapped.begin(), swapped.end());
   require(swapped == truth, "bodies swapped");
   const auto table = traversals();
-  TraversalOptions way;
-  way.traversal = table[bytes.below(static_cast<std::uint32_t>(table.size()))].traversal;
-  way.update = bytes.below(2) == 0 ? BoxUpdate::refit : BoxUpdate::rebox;
-  way = without_idle(way);
-  require(overlap(a, b, {.traversal = way}).pairs == truth, "a named traversal");
+  TraversalOptions settings;
+  settings.traversal = table[bytes.below(static_cast<std::uint32_t>(table.size()))].traversal;
+  settings.update = bytes.below(2) == 0 ? BoxUpdate::refit : BoxUpdate::rebox;
+  settings = without_idle(settings);
+  require(overlap(a, b, {.traversal = settings}).pairs == truth, "a named traversal");
 }
 
 /// Answers of a batch equal those of single queries, costs too.

@@ -4,7 +4,7 @@
 
 namespace soms::fuzz {
 
-/// The ending of file names, without its point.
+/// The file extension, without its point.
 extern const char* const kFormat;
 
 }  // namespace soms::fuzz

@@ -116,7 +116,7 @@ void check_kernels(const Body& a, const Body& b, bool truth) {
   if (x.exponent() < y.exponent()) {
     return;
   }
-  detail::RelativePose relative(x, a.pose, detail::Viewer(y, b.pose));
+  detail::RelativePose relative(x, a.pose, detail::ReferenceFrame(y, b.pose));
   relative.prepare();
   for (const detail::Kernels* kernels : detail::kernels_here()) {
     detail::BlockTask task{&relative.numbers(), &x.blocks()[0], &y.blocks()[0], {}, 0, 0, 0};

@@ -37,7 +37,7 @@ std::string refusal(const CityOptions& bad) {
   return "accepted";
 }
 
-TEST(City, HasExactlyTheCountAskedFor) {
+TEST(City, HasExactlyTheCountRequestedFor) {
   for (std::uint64_t n = 1000; n < 1040; ++n) {
     EXPECT_EQ(generate_city(options(n)).mesh.triangles.size(), n);
   }

@@ -210,7 +210,7 @@ TEST(FlightRoute, StaysBetweenItsHeightsAboveTheStreets) {
   }
 }
 
-TEST(StraightRoute, StartsWhereAskedAndStaysInTheBox) {
+TEST(StraightRoute, StartsWhereRequestedAndStaysInTheBox) {
   Box scene;
   scene.grow(Vec3{-50, -20, 0});
   scene.grow(Vec3{100, 80, 30});

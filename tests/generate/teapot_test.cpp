@@ -92,7 +92,7 @@ TEST(Teapot, IsTheOneThatGoesAroundAsAFile) {
   SOMS_NEEDS_OUTSIDE_DATA("1 model");
   const Mesh file = read_mesh(*test::outside_data("ply/teapot.ply"));
   for (const Vec3& v : generate_teapot(10).vertices) {
-    const Vec3 turned{-v.y, v.z, -v.x};  // y up, spout towards -z
+    const Vec3 turned{-v.y, v.z, -v.x};  // y up, spout toward -z
     const bool found = std::any_of(file.vertices.begin(), file.vertices.end(), [&](const Vec3& w) {
       return dot(w - turned, w - turned) < 1e-10;  // the file has six digits
     });

@@ -43,7 +43,7 @@ bool without_area(const Mesh& mesh, TriangleId i) {
   return cross(t.b - t.a, t.c - t.a) == Vec3{};
 }
 
-bool is_same_way(const Corners& s, Corners t) {
+bool is_same_direction(const Corners& s, Corners t) {
   for (int turn = 0; turn < 3; ++turn) {
     if (s == t) {
       return true;
@@ -63,18 +63,18 @@ void twin_triangles(const Mesh& mesh, Defects& defects) {
       (repeated ? defects.places.repeated_corner : defects.places.collinear).push_back(i);
     }
     std::vector<TriangleId> earlier;
-    bool same_way = false;
+    bool same_direction = false;
     for (TriangleId j = 0; j < i; ++j) {
       const Corners u = corners_of(mesh, j);
       if (std::is_permutation(t.begin(), t.end(), u.begin())) {
         earlier.push_back(j);
-        same_way = same_way || is_same_way(t, u);
+        same_direction = same_direction || is_same_direction(t, u);
       }
     }
     if (!earlier.empty()) {
       ++defects.duplicate;
       defects.places.duplicate.push_back({i, earlier.front()});
-      if (!same_way && !without_area(mesh, i)) {
+      if (!same_direction && !without_area(mesh, i)) {
         ++defects.doubled;
         defects.places.doubled.push_back({i, earlier.front()});
       }

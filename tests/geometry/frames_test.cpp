@@ -14,7 +14,7 @@ constexpr CoordinateFrame kObj{};
 constexpr CoordinateFrame kGltf{.unit = 1, .up = UpAxis::y};
 constexpr CoordinateFrame kInches{.unit = 0.0254, .up = UpAxis::z};
 
-Doubts both_ways(const CoordinateFrame& a, const CoordinateFrame& b) {
+Doubts both_orders(const CoordinateFrame& a, const CoordinateFrame& b) {
   Doubts doubts = compare_frames(a, b);
   EXPECT_EQ(doubts, compare_frames(b, a));
   return doubts;
@@ -29,22 +29,23 @@ CoordinateFrame stated(CoordinateFrame frame, bool unit, bool up) {
 }
 
 TEST(Frames, R117AreDoubtedWhereTheyDifferOrOneIsUnknown) {
-  EXPECT_EQ(both_ways(kObj, kGltf), (Doubts{FrameDoubt::axis_unknown, FrameDoubt::unit_unknown}));
-  EXPECT_EQ(both_ways(kInches, kGltf), (Doubts{FrameDoubt::axes_differ, FrameDoubt::units_differ}));
-  EXPECT_EQ(both_ways({.up = UpAxis::z}, kObj), Doubts{FrameDoubt::axis_unknown});
-  EXPECT_EQ(both_ways({.unit = 1}, {.unit = std::nextafter(1, 2)}),
+  EXPECT_EQ(both_orders(kObj, kGltf), (Doubts{FrameDoubt::axis_unknown, FrameDoubt::unit_unknown}));
+  EXPECT_EQ(both_orders(kInches, kGltf),
+            (Doubts{FrameDoubt::axes_differ, FrameDoubt::units_differ}));
+  EXPECT_EQ(both_orders({.up = UpAxis::z}, kObj), Doubts{FrameDoubt::axis_unknown});
+  EXPECT_EQ(both_orders({.unit = 1}, {.unit = std::nextafter(1, 2)}),
             Doubts{FrameDoubt::units_differ});
-  EXPECT_EQ(both_ways(kGltf, kGltf), Doubts{});
-  EXPECT_EQ(both_ways(kObj, kObj), Doubts{}) << "neither declares anything";
+  EXPECT_EQ(both_orders(kGltf, kGltf), Doubts{});
+  EXPECT_EQ(both_orders(kObj, kObj), Doubts{}) << "neither declares anything";
 }
 
 TEST(Frames, R117WhatTheCallerStatesIsNotDoubted) {
-  EXPECT_EQ(both_ways(kObj, stated(kGltf, false, true)), Doubts{FrameDoubt::unit_unknown});
-  EXPECT_EQ(both_ways(kObj, stated(kGltf, true, false)), Doubts{FrameDoubt::axis_unknown});
-  EXPECT_EQ(both_ways(stated(kObj, true, true), stated(kGltf, false, true)), Doubts{});
-  EXPECT_EQ(both_ways(kInches, stated(kGltf, true, true)), Doubts{});
+  EXPECT_EQ(both_orders(kObj, stated(kGltf, false, true)), Doubts{FrameDoubt::unit_unknown});
+  EXPECT_EQ(both_orders(kObj, stated(kGltf, true, false)), Doubts{FrameDoubt::axis_unknown});
+  EXPECT_EQ(both_orders(stated(kObj, true, true), stated(kGltf, false, true)), Doubts{});
+  EXPECT_EQ(both_orders(kInches, stated(kGltf, true, true)), Doubts{});
   // One was turned to z, of the other its file says y: no word of the caller makes these the same.
-  EXPECT_EQ(both_ways(stated(kObj, true, true), kGltf), Doubts{FrameDoubt::axes_differ});
+  EXPECT_EQ(both_orders(stated(kObj, true, true), kGltf), Doubts{FrameDoubt::axes_differ});
 }
 
 TEST(Frames, AreExplainedWithWhatIsKnownFirst) {

@@ -156,7 +156,7 @@ TEST(Polygon, OutlinesWithCollinearAndRepeatedCornersKeepTheirArea) {
 }
 
 TEST(Polygon, ABridgeToAHoleIsCutRight) {
-  // A square with a square hole, joined by a bridge that is walked twice.
+  // A square with a square hole, joined by a bridge that is traversed twice.
   const std::vector<Vec3> ring = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 0},
                                   {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {1, 1, 0}};
   const Triangles triangles = cut(ring);

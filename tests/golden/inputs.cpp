@@ -47,18 +47,18 @@ Hash& Hash::operator<<(const Overlap& answer) {
 
 Hash& Hash::operator<<(const WideTree& tree) {
   for (const WideNode& node : tree.nodes()) {
-    *this << node.center << node.half << node.row << node.child << node.origin << node.reach
-          << node.count << node.leaves << node.turned;
+    *this << node.center << node.half << node.row << node.child << node.origin << node.l1_radius
+          << node.count << node.leaves << node.oriented;
   }
   for (const TriangleBlock& block : tree.blocks()) {
-    *this << block.corner << block.id << block.origin << block.own_half << block.reach
+    *this << block.corner << block.id << block.origin << block.own_half << block.l1_radius
           << block.normal << block.lower << block.upper << static_cast<std::uint32_t>(block.count)
           << static_cast<std::uint32_t>(block.following);
   }
   if (const CompactParts* parts = tree.compact()) {
     for (const CompactNode& node : parts->nodes) {
       *this << node.lower << node.upper << node.step << node.child << node.origin << node.axes
-            << node.reach << node.count << node.leaves << node.turned;
+            << node.l1_radius << node.count << node.leaves << node.oriented;
     }
     *this << parts->ids;
   }

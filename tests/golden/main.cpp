@@ -34,7 +34,7 @@ Rows expected_rows(const std::filesystem::path& file) {
   return rows;
 }
 
-/// Number of rows that differ; each is told.
+/// Number of rows that differ; each is reported.
 int differences(const Rows& expected, const Rows& rows, const std::string& setting) {
   int count = 0;
   for (const auto& [name, hash] : rows) {

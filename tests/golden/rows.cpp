@@ -95,7 +95,7 @@ void add_geometry(const Inputs& inputs, Rows& rows) {
 bool reads_collada() {
   const auto formats = readable_formats();
   return std::any_of(formats.begin(), formats.end(),
-                     [](const ReadableFormat& format) { return format.ending == ".dae"; });
+                     [](const ReadableFormat& format) { return format.extension == ".dae"; });
 }
 
 void add_files(const Inputs& inputs, Rows& rows) {
@@ -143,7 +143,7 @@ void add_trees(const Inputs& inputs, const Parallel& parallel, Rows& rows) {
              << find_fault(tree, *mesh) << count_visits(tree, tree.nodes[0].bounds).leaves
              << statistics(tree, options).depth;
         const WideTree wide(tree, *mesh, parallel);
-        hash << wide << wide.compacted(parallel) << wide.looseness(*mesh, parallel)
+        hash << wide << wide.compacted(parallel) << wide.sah_area_ratio(*mesh, parallel)
              << build_wide(*mesh, options, parallel);
       }
       rows["tree " + name + " " + std::string(rule.name)] = hash.value();
@@ -151,7 +151,8 @@ void add_trees(const Inputs& inputs, const Parallel& parallel, Rows& rows) {
   }
   const Shape ring(inputs.models.at("ring"), {.keep_tree = true}, parallel);
   const Shape bent = refit(ring, inputs.bent.vertices, parallel);
-  rows["refit"] = (Hash() << tree_hash(*bent.tree()) << bent.layout() << bent.decline()).value();
+  rows["refit"] =
+      (Hash() << tree_hash(*bent.tree()) << bent.layout() << bent.sah_degradation()).value();
 }
 
 namespace {

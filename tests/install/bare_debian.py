@@ -10,7 +10,7 @@ import subprocess
 import sys
 import tempfile
 
-SKIPPED = 77  # the exit status that ctest is told to count as skipped
+SKIPPED = 77  # the exit status that ctest counts as skipped
 SUITE = "bookworm"
 
 

@@ -33,7 +33,7 @@ kids 0
 
 
 def check_command(prefix, build, folder):
-    """What the command needs lies under its own prefix; nothing else of the system is asked."""
+    """What the command needs lies under its own prefix; nothing else of the system is queried."""
     soms = prefix / "bin/soms"
     said = run(soms, "reproduce", "--help", env={"PATH": "/nowhere"})
     if "Usage: soms reproduce" not in said:

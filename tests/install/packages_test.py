@@ -69,7 +69,7 @@ def check_choice(outside, prefix, compiler):
                                 *settings)[0])
         if said != kind:
             sys.exit(f"{settings or 'no word'} gives the {said} library, not the {kind} one")
-    print("both kinds in one place: chosen as asked", flush=True)
+    print("both kinds in one place: chosen as requested", flush=True)
 
 
 def main():

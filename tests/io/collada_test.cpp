@@ -143,7 +143,7 @@ TEST(Collada, ComposesTransformsInTheirOrder) {
   expect_near(moved("<rotate>0 0 1 45</rotate>", {1, 0, 3}), {half, half, 3});
   expect_near(moved("<rotate>1 1 1 120</rotate>", {1, 2, 3}), {3, 1, 2});
   expect_near(moved("<rotate>0 0 1 -37</rotate><rotate>0 0 1 397</rotate>", {1, 2, 3}), {1, 2, 3});
-  // y turns by 45 degrees towards x, whose plane stays: a shear by 1.
+  // y turns by 45 degrees toward x, whose plane stays: a shear by 1.
   expect_near(moved("<skew>45 0 1 0 1 0 0</skew>", {1, 2, 3}), {3, 2, 3});
   expect_near(moved("<skew>-45 0 1 0 1 0 0</skew>", {1, 2, 3}), {-1, 2, 3});
   // From (0, 0, 10) down to the origin, with y up: nothing turns. From x: -z becomes -x.
@@ -358,7 +358,7 @@ TEST(Collada, ReadsDeepFilesOnASmallStack) {
   });
 }
 
-TEST(Collada, IsToldByItsContent) {
+TEST(Collada, IsReportedByItsContent) {
   const std::string text = document(geometry(kTriangle), node(kShow));
   EXPECT_EQ(read_text("\xef\xbb\xbf<!-- a > b -->\n" + text.substr(21), "model").triangles.size(),
             1U);
@@ -379,7 +379,7 @@ TEST(Collada, ReadsTheDuckOfOthers) {
   EXPECT_EQ(mesh.vertices.size(), 2108U);
   EXPECT_EQ(mesh.unit, 0.01);
   EXPECT_EQ(mesh.up, UpAxis::y);
-  // Duck.glb is the same model in metres; COUNTS.csv holds its bounds.
+  // Duck.glb is the same model in meters; COUNTS.csv holds its bounds.
   const Box box = bounds(mesh);
   const Vec3 lower = {-69.2984985, 9.9293697, -61.3281961};
   const Vec3 upper = {96.1798990, 163.9699980, 53.9251964};

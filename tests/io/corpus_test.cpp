@@ -39,7 +39,7 @@ Corners turned(const Corners& t) {
 }
 
 /// The corners of a file in the frame of expected.csv, by the names of FORMATS.csv: turned to z up,
-/// in metres. Its coordinates are multiples of 1/64, which transforms may miss by 1e-6.
+/// in meters. Its coordinates are multiples of 1/64, which transforms may miss by 1e-6.
 Corners in_frame(const std::string& frame, Corners t) {
   for (std::size_t i = 0; i < 9; i += 3) {
     const Vec3 p{t[i], t[i + 1], t[i + 2]};
@@ -54,9 +54,9 @@ Corners in_frame(const std::string& frame, Corners t) {
   }
   if (frame == "unit0.01" || frame == "world") {
     for (double& c : t) {
-      const double metres = frame == "world" ? c : c * 0.01;
-      c = std::round(64 * metres) / 64;
-      EXPECT_NEAR(c, metres, 1e-6);
+      const double meters = frame == "world" ? c : c * 0.01;
+      c = std::round(64 * meters) / 64;
+      EXPECT_NEAR(c, meters, 1e-6);
     }
   }
   return t;

@@ -61,10 +61,10 @@ std::vector<std::vector<std::string>> rows_of(std::string_view file, std::size_t
 }
 
 bool is_read(const std::string& file) {
-  constexpr std::array<std::string_view, 10> kEndings = {".ply", ".3ds", ".3DS", ".stl",  ".STL",
-                                                         ".off", ".obj", ".glb", ".gltf", ".dae"};
-  return std::any_of(kEndings.begin(), kEndings.end(),
-                     [&](std::string_view ending) { return file.ends_with(ending); });
+  constexpr std::array<std::string_view, 10> kExtensions = {
+      ".ply", ".3ds", ".3DS", ".stl", ".STL", ".off", ".obj", ".glb", ".gltf", ".dae"};
+  return std::any_of(kExtensions.begin(), kExtensions.end(),
+                     [&](std::string_view extension) { return file.ends_with(extension); });
 }
 
 std::string bytes_of(std::uint64_t value, std::size_t count) {

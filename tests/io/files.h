@@ -42,7 +42,7 @@ void write_content(const std::filesystem::path& path, std::string_view content);
 [[nodiscard]] std::vector<std::vector<std::string>> rows_of(std::string_view file,
                                                             std::size_t columns);
 
-/// True for the endings of the formats that are read.
+/// True for the extensions of the formats that are read.
 [[nodiscard]] bool is_read(const std::string& file);
 
 /// Little-endian bytes, for binary files made in tests.

@@ -38,9 +38,9 @@ TEST(Formats, SayOfEachWayToWriteWhatItKeeps) {
 
 TEST(Formats, AreListedInWords) {
   EXPECT_EQ(writable_names(), "PLY, 3DS, STL, OFF, OBJ or GLB");
-  EXPECT_EQ(writable_endings(), ".ply, .3ds, .stl, .off, .obj or .glb");
-  EXPECT_TRUE(std::is_sorted(imported_endings().begin(), imported_endings().end()));
-  EXPECT_EQ(readable_formats().at(0).ending, ".ply");
+  EXPECT_EQ(writable_extensions(), ".ply, .3ds, .stl, .off, .obj or .glb");
+  EXPECT_TRUE(std::is_sorted(imported_extensions().begin(), imported_extensions().end()));
+  EXPECT_EQ(readable_formats().at(0).extension, ".ply");
 }
 
 /// A page of the manual; empty where it cannot be read.
@@ -53,12 +53,13 @@ TEST(Formats, StandOnTheirPage) {
   const std::string convert = page("convert.md");
   ASSERT_FALSE(formats.empty());
   for (const ReadableFormat& format : readable_formats()) {
-    const std::string row = "| " + std::string(format.name) + " | `" + std::string(format.ending);
+    const std::string row =
+        "| " + std::string(format.name) + " | `" + std::string(format.extension);
     EXPECT_NE(formats.find(row + "` |"), std::string::npos) << row;
   }
   std::string imported;
-  for (const std::string_view ending : imported_endings()) {
-    imported.append(imported.empty() ? "" : " ").append(ending);
+  for (const std::string_view extension : imported_extensions()) {
+    imported.append(imported.empty() ? "" : " ").append(extension);
   }
   std::string on_page = formats;
   std::replace(on_page.begin(), on_page.end(), '\n', ' ');

@@ -275,7 +275,7 @@ TEST(Gltf, NamesTheLineOrByteWhereJsonEnds) {
   expect_refused("{\"asset\":{\"version\":\"2.0\"},\n\"scene\":1e999}", "a.gltf",
                  ErrorKind::not_finite, "line 2: a number that is too large");
   expect_refused(R"({"asset":{"version":"2.0","version":"2.0"}})", "a.gltf", ErrorKind::bad_file,
-                 "asset.version: the name stands twice");
+                 "asset.version: the name occurs twice");
   expect_refused(glb("#", ""), "a.glb", ErrorKind::bad_file, "byte 47");
 }
 

@@ -140,7 +140,7 @@ TEST(Import, TakesUnitAndAxis) {
   EXPECT_EQ(mesh.up, UpAxis::x);
 }
 
-TEST(Import, GivesTheModelAndItsEndingAndNothingElse) {
+TEST(Import, GivesTheModelAndItsExtensionAndNothingElse) {
   // The script fails unless all is as it should be: one argument, the model, no more open files.
   const ImportedBy imported(R"sh([ "$*" = .lwo ] || exit 10
 [ "$(cat)" = "a model" ] || exit 11
@@ -157,7 +157,8 @@ TEST(Import, TurnsACrashOrNonsenseIntoAnError) {
   ImportedBy("exit 4").expect_refused(ErrorKind::out_of_memory, "needs more memory than its");
   ImportedBy("exit 9").expect_refused(ErrorKind::bad_file, "ended with status 9");
   ImportedBy("true").expect_refused(ErrorKind::bad_file, "does not begin as an answer does");
-  ImportedBy("echo '<html>'").expect_refused(ErrorKind::bad_file, "answered wrongly at byte 0");
+  ImportedBy("echo '<html>'")
+      .expect_refused(ErrorKind::bad_file, "gave an invalid answer at byte 0");
   const auto refuse = [](const std::string& records, ErrorKind kind, const std::string& words) {
     ImportedBy(kWrite, kMagic + records).expect_refused(kind, words);
   };
@@ -229,7 +230,7 @@ TEST(Import, LooksForTheProgramInNoFolderThatIsNotKnown) {
   EXPECT_EQ(detail::import_folders("", "/a/lib/libsoms.so"), (Folders{"/a/libexec/soms"}));
 }
 
-TEST(Import, EndsAChildWhenAskedToStop) {
+TEST(Import, EndsAChildWhenRequestedToStop) {
   const TemporaryFolder folder;
   const std::filesystem::path started = folder.path() / "started";
   const ImportedBy imported(": > '" + started.string() + "'; sleep infinity");
@@ -261,7 +262,7 @@ TEST(Import, CountsNotesTowardsTheMemory) {
 
 TEST(Import, SaysHowToGetAProgramThatIsMissing) {
   const InPlace nothing("/nonexistent/soms-import");
-  expect_refused("a model", "a.fbx", ErrorKind::unsupported, "SOMS_IMPORT names no program");
+  expect_refused("a model", "a.fbx", ErrorKind::unsupported, "SOMS_IMPORT does not name a program");
 }
 
 TEST(Import, LeavesToItsReaderWhatSomsReadsItself) {

@@ -129,7 +129,8 @@ TEST(Obj, RefusesIndicesThatWrap) {
 }
 
 TEST(Obj, TellsAFileOfOtherWordsFromAnEmptyModel) {
-  expect_refused("this is\nno model\n", "a.obj", ErrorKind::bad_file, "no line begins with a word");
+  expect_refused("this is\nno model\n", "a.obj", ErrorKind::bad_file,
+                 "no line begins with a keyword");
   for (const std::string text : {"# nothing\n", "# nothing\nmtllib a.mtl\n", "g nothing\n"}) {
     expect_refused(text, "a.obj", ErrorKind::empty_mesh, "");
   }

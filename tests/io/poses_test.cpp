@@ -229,7 +229,7 @@ TEST(PoseReader, GivesTheSameRowsHoweverAPipeIsFilled) {
   }
 }
 
-TEST(PoseReader, LeavesFaultsToNextWhenAskedWhetherItIsReady) {
+TEST(PoseReader, LeavesFaultsToNextWhenRequestedWhetherItIsReady) {
   const TemporaryFolder folder;
   write_content(folder.path() / "poses.csv", "x,y,z\n1,2,3\n" + std::string(1100000, '1'));
   PoseReader reader(folder.path() / "poses.csv");

@@ -66,11 +66,11 @@ TEST(ReadMesh, NamesWhatOtherContentIs) {
   for (const std::string content : {" {\"type\":", "<?xml version=", "hello"}) {  // to be converted
     expect_refused(content, "a.xyz", ErrorKind::unsupported, "PLY, 3DS, STL, OFF, OBJ, GLB, glTF");
   }
-  expect_refused("hello", "a", ErrorKind::unsupported, "without an ending");
+  expect_refused("hello", "a", ErrorKind::unsupported, "without a file extension");
   expect_refused("hello", "a", ErrorKind::unsupported, "and by soms-import .3d .3mf");
 }
 
-TEST(ReadMesh, NamesContentThatNoEndingMakesAModel) {
+TEST(ReadMesh, NamesContentThatNoExtensionMakesAModel) {
   const std::string recording("\x89SOMS\r\n\x1a\x01\0\0\0", 12);
   for (const std::string name : {"run.somsrec", "run.ply", "run", "run.fbx"}) {
     expect_refused(recording, name, ErrorKind::unsupported,
@@ -95,7 +95,8 @@ TEST(ReadMesh, TellsStepOfMachinesFromStepOfBuildings) {
         "of STEP only IFC is read; let the CAD program");
   }
   expect_refused(step("IFC4"), "house", ErrorKind::unsupported, "let the name end with .ifc");
-  expect_refused("ISO-10303-21;\nFILE_SCHEMA", "a", ErrorKind::unsupported, "without an ending");
+  expect_refused("ISO-10303-21;\nFILE_SCHEMA", "a", ErrorKind::unsupported,
+                 "without a file extension");
 }
 
 TEST(ReadMesh, IsNeverSilentlyEmpty) {

@@ -74,7 +74,7 @@ TEST(ThreeDs, RefusesAMainChunkThatIsLongerThanTheFile) {
   expect_refused(text, "a.3ds", ErrorKind::bad_file, "byte 0");
 }
 
-TEST(ThreeDs, IsToldByItsContent) {
+TEST(ThreeDs, IsReportedByItsContent) {
   const std::string text = file(object("a", vertices(0) + faces(2)));
   EXPECT_EQ(read_text(text, "model").triangles.size(), 1U);
   expect_refused(text, "model.stl", ErrorKind::bad_file, "the content is 3DS, the name says STL");

@@ -232,7 +232,7 @@ TEST(ThreeDsWriter, RefusesWhatAFloatCannotHold) {
   EXPECT_EQ(read_three_ds_back(mesh).vertices[2].y, 0);
 }
 
-TEST(ThreeDsWriter, StopsWhenAskedAndTellsProgress) {
+TEST(ThreeDsWriter, StopsWhenRequestedAndTellsProgress) {
   Rng rng(5);
   const Mesh mesh = scattered(rng, 1000, 140'000);
   std::stop_source stop;

@@ -68,12 +68,12 @@ TEST(WriteMesh, IsReadBackEqual) {
   for_each_case("io/round-trip", 100, [](Rng& rng) {
     const bool floats = rng.below(2) == 0;
     const Mesh mesh = random_mesh(rng, floats);
-    for (const auto& [format, ending] : kFormats) {
+    for (const auto& [format, extension] : kFormats) {
       if (format == MeshFormat::stl && !floats) {
         continue;
       }
       SCOPED_TRACE(static_cast<int>(format));
-      const Mesh back = read_text(written(mesh, format), std::string("out") + ending);
+      const Mesh back = read_text(written(mesh, format), std::string("out") + extension);
       EXPECT_EQ(corner_hash(back), corner_hash(mesh));
       if (!is_stl(format)) {
         EXPECT_EQ(back.vertices, mesh.vertices);
@@ -87,7 +87,7 @@ TEST(WriteMesh, IsReadBackEqual) {
 TEST(WriteMesh, WritesTheSameBytesEveryTime) {
   Rng rng(7);
   const Mesh mesh = random_mesh(rng, true);
-  for (const auto& [format, ending] : kFormats) {
+  for (const auto& [format, extension] : kFormats) {
     EXPECT_EQ(written(mesh, format), written(mesh, format));
   }
 }
@@ -304,7 +304,7 @@ TEST(WriteMesh, NamesWhatCannotBeWritten) {
                  ErrorKind::cannot_write, "standard output: the stream takes no more");
 }
 
-TEST(FormatFor, GoesByTheEnding) {
+TEST(FormatFor, GoesByTheExtension) {
   EXPECT_EQ(format_for("a.ply"), MeshFormat::ply);
   EXPECT_EQ(format_for("a.b/c.OBJ"), MeshFormat::obj);
   EXPECT_EQ(format_for("a.Stl"), MeshFormat::stl);

@@ -116,7 +116,7 @@ TEST(Values, PrintTreesShapesAndTheirOptions) {
             "ExpectedVisits{nodes: 0.5, leaves: 2, triangles: 1}");
   EXPECT_EQ(printed(Shape(mesh)),
             "Shape{Mesh{3 triangles, 6 vertices, 2 parts}, layout: wide, keep_tree: false, "
-            "decline: 1}");
+            "sah_degradation: 1}");
   EXPECT_EQ(printed(Layout::compact), "compact");
 }
 
@@ -140,7 +140,7 @@ TEST(Values, PrintAndCompareBodiesAndAnswers) {
   const Body body(Shape(small_mesh()), Pose::translation(1, 2, 3), "plate \"A\"");
   EXPECT_EQ(printed(body),
             "Body{\"plate \\\"A\\\"\", Shape{Mesh{3 triangles, 6 vertices, 2 parts}, layout: wide, "
-            "keep_tree: false, decline: 1}, Pose{1 0 0 1, 0 1 0 2, 0 0 1 3}}");
+            "keep_tree: false, sah_degradation: 1}, Pose{1 0 0 1, 0 1 0 2, 0 0 1 3}}");
   Body other = body;
   EXPECT_EQ(body, other);
   other.pose = {};
@@ -216,9 +216,10 @@ TEST(Values, PrintRecordings) {
             "RecordedBody{" + printed(mesh) + ", Pose{1 0 0 0, 0 1 0 0, 0 0 1 0}}");
   RecordingHead head;
   head.title = "run";
-  EXPECT_EQ(printed(head),
-            R"(RecordingHead{"run", frames_a_second: 60, frames_asked: 0, environment: 0, models: )"
-            R"(0, movers: 0})");
+  EXPECT_EQ(
+      printed(head),
+      R"(RecordingHead{"run", frames_a_second: 60, frames_requested: 0, environment: 0, models: )"
+      R"(0, movers: 0})");
   EXPECT_EQ(printed(RecordedFrame{}), "RecordedFrame{poses: 0, environment: 0, movers: 0}");
   EXPECT_EQ(printed(RecordingEnd{.ending = RecordingEnding::timed_out, .frames = 3}),
             "RecordingEnd{ending: timed_out, frames: 3, environment_contacts: 0, mover_contacts: "

@@ -16,7 +16,7 @@
 namespace soms {
 namespace {
 
-/// The first `most` triangles: what the twin can be asked about in a test.
+/// The first `most` triangles: what the twin can answer in a test.
 Mesh head(Mesh mesh, std::size_t most) {
   mesh.triangles.resize(std::min(mesh.triangles.size(), most));
   mesh.faces.clear();

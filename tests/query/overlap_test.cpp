@@ -259,7 +259,7 @@ TEST(Overlap, AnswersABatchAsItAnswersSingleQueries) {
   });
 }
 
-TEST(Overlap, WalksAMillionIdenticalTrianglesInOneLeaf) {
+TEST(Overlap, TraversesAMillionIdenticalTrianglesInOneLeaf) {
   Mesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.triangles.resize(1000000, {0, 1, 2});

@@ -1,4 +1,4 @@
-// The truth set, asked of the default traversal in every way it can be asked.
+// The truth set, queried for the default traversal in every way it can be queried.
 #include "soms/query/overlap.h"
 
 #include "tests/support/support.h"
@@ -69,7 +69,7 @@ TEST(OverlapTruth, HoldsForAllCasesOnModelsOfOthers) {
 }
 
 TEST(OverlapTruth, HoldsInBatches) {
-  // Cases of the same two meshes with the second at the same place are asked at once.
+  // Cases of the same two meshes with the second at the same place are queried at once.
   std::map<std::string, std::vector<const test::TruthCase*>> groups;
   const auto runnable = test::runnable_truth_cases();
   for (const test::TruthCase& truth : runnable.cases) {

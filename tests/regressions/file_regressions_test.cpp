@@ -124,7 +124,7 @@ std::string stl(const std::string& header, std::size_t count, std::size_t stored
   return bytes;
 }
 
-TEST(FileRegressions, R92BinaryStlIsToldBySizeWhateverItBeginsWith) {
+TEST(FileRegressions, R92BinaryStlIsReportedBySizeWhateverItBeginsWith) {
   for (const char* header : {"solid cube", "solid\nfacet normal 0 0 1\nouter loop", "exported"}) {
     EXPECT_EQ(read_text(stl(header, 3, 3), "a.stl").triangles.size(), 3U);
     expect_refused(stl(header, 0, 0), "a.stl", ErrorKind::empty_mesh, "no triangles");
@@ -247,14 +247,14 @@ TEST(FileRegressions, R94LocalMatrixAndScaleOf3dsChangeNoVertex) {
     EXPECT_EQ(mesh.triangles, cube().triangles);
     EXPECT_EQ(mesh.unit, 0);  // never guessed
     EXPECT_EQ(mesh.up, UpAxis::unknown);
-    const bool told = std::any_of(mesh.notes.begin(), mesh.notes.end(), [](const auto& note) {
+    const bool reported = std::any_of(mesh.notes.begin(), mesh.notes.end(), [](const auto& note) {
       return note.find("master scale") != std::string::npos;
     });
-    EXPECT_EQ(told, scale != 1);
+    EXPECT_EQ(reported, scale != 1);
   }
 }
 
-TEST(FileRegressions, R94AxesAreThoseOfTheFileInEveryFormatAndTurnOnlyWhenAsked) {
+TEST(FileRegressions, R94AxesAreThoseOfTheFileInEveryFormatAndTurnOnlyWhenRequested) {
   // Arms of length 3, 2 and 1 along x, y and z.
   Mesh gizmo;
   gizmo.vertices = {{0, 0, 0}, {3, 0, 0}, {0, 2, 0}, {0, 0, 1}, {0.25, 0.25, 0.25}};
@@ -266,7 +266,8 @@ TEST(FileRegressions, R94AxesAreThoseOfTheFileInEveryFormatAndTurnOnlyWhenAsked)
     for (TriangleId i = 0; i < 3; ++i) {
       EXPECT_EQ(mesh.triangle(i), gizmo.triangle(i));
     }
-    // Neither unit nor axis was told, and no format makes them up, not even GLB, which has its own.
+    // Neither unit nor axis was reported, and no format makes them up, not even GLB, which has its
+    // own.
     EXPECT_EQ(mesh.unit, 0);
     EXPECT_EQ(mesh.up, UpAxis::unknown);
     const Mesh turned = transformed(mesh, 1, UpAxis::y);
@@ -290,7 +291,7 @@ void expect_arms(const Mesh& mesh) {
   }
 }
 
-TEST(FileRegressions, R94AxesAndUnitOfColladaAreToldAndNotApplied) {
+TEST(FileRegressions, R94AxesAndUnitOfColladaAreReportedAndNotApplied) {
   for (const auto& [word, up] :
        {std::pair("X_UP", UpAxis::x), std::pair("Y_UP", UpAxis::y), std::pair("Z_UP", UpAxis::z)}) {
     std::ostringstream dae;

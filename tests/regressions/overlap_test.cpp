@@ -206,10 +206,10 @@ TEST(Regression, R12ASliverGivesNoGhostHit) {
                                   {14.5536213, 10.5969315, -3.18638134},
                                   {14.5536213, 10.5969315, -5.18637228}}});
   const Vec3 start{14.831459, 8.1905508, -4.30825043};
-  const Vec3 way{-0.0988006592, 5.96e-8, 0.000732421875};
+  const Vec3 direction{-0.0988006592, 5.96e-8, 0.000732421875};
   for (const double t : {0.0, 0.5, 1.0}) {
-    const Mesh ball =
-        mapped(generate_sphere(120), [&](const Vec3& v) { return 0.2 * v + (start + t * way); });
+    const Mesh ball = mapped(generate_sphere(120),
+                             [&](const Vec3& v) { return 0.2 * v + (start + t * direction); });
     expect_overlap(sliver, ball, false);
   }
 }

@@ -148,7 +148,7 @@ TEST(PlyRegressions, R89BinaryPlyWhoseFirstListHasTenCorners) {
   }
 }
 
-/// The cube with coordinates, counts and indices of these types, and elements that nobody asked for
+/// The cube with coordinates, counts and indices of these types, and elements that nobody requested
 /// before, between and after its own.
 std::string ply_cube(Order order, const std::string& coordinate, const std::string& count,
                      const std::string& index, bool extra) {

@@ -1,5 +1,5 @@
-// R76 of the reported faults: traversal stacks shorter than the tree. Every traversal walks trees a
-// thousand levels deep on a stack of 256 KiB.
+// R76 of the reported faults: traversal stacks shorter than the tree. Every traversal descends
+// trees a thousand levels deep on a stack of 256 KiB.
 #include "soms/base/error.h"
 #include "soms/query/reference/overlap.h"
 #include "soms/query/traversal/e_node_front.h"
@@ -67,7 +67,7 @@ std::vector<Pose> poses() {
           turned,           Pose::translation(8, 0, 0),    Pose::identity()};
 }
 
-TEST(Regression, R76EveryTraversalWalksAThousandLevelsOnASmallStack) {
+TEST(Regression, R76EveryTraversalDescendsAThousandLevelsOnASmallStack) {
   const Mesh mesh = powers_of_two();
   const Tree deep = chain(mesh, 1000);
   ASSERT_EQ(deep.nodes.size(), 2001U);
@@ -78,14 +78,14 @@ TEST(Regression, R76EveryTraversalWalksAThousandLevelsOnASmallStack) {
     for (const Pose& pose : poses()) {
       moving.move(pose);
       const auto truth = test::overlapping_leaves(moving.view(), still.view());
-      for (const TraversalOptions& way : test::every_way()) {
-        if (!way.recursive && way.prune) {
+      for (const TraversalOptions& settings : test::every_traversal_options()) {
+        if (!settings.recursive && settings.prune) {
           std::vector<NodePair> found;
-          traverse(moving.view(), still.view(), way, {.leaf_pair = [&](NodePair p) {
+          traverse(moving.view(), still.view(), settings, {.leaf_pair = [&](NodePair p) {
                      found.push_back(p);
                      return true;
                    }});
-          EXPECT_EQ(test::sorted(found), truth) << test::describe(way);
+          EXPECT_EQ(test::sorted(found), truth) << test::describe(settings);
         }
       }
     }
@@ -119,12 +119,12 @@ TEST(Regression, R76NamedOverlapsAreRightInDeepTreesOnASmallStack) {
   EXPECT_EQ(truth[0].pairs.size(), 1001U);
   EXPECT_GT(truth[1].pairs.size(), 0U);
   test::on_small_stack([&] {
-    for (const TraversalOptions& way : test::every_way()) {
-      if (!way.recursive && way.prune) {
-        detail::NamedOverlap session(deep, deep, way);
+    for (const TraversalOptions& settings : test::every_traversal_options()) {
+      if (!settings.recursive && settings.prune) {
+        detail::NamedOverlap session(deep, deep, settings);
         for (std::size_t i = 0; i < truth.size(); ++i) {
           EXPECT_EQ(session(poses()[i], {}, {}, {}).pairs, truth[i].pairs)
-              << test::describe(way) << ", pose " << i;
+              << test::describe(settings) << ", pose " << i;
         }
       }
     }
@@ -141,11 +141,11 @@ TEST(Regression, R76RecursionIsRefusedWhereItCouldOverflow) {
   boxes.move({});
   const auto truth = test::overlapping_leaves(deep_boxes.view(), boxes.view());
   test::on_small_stack([&] {
-    for (const TraversalOptions& way : test::every_way()) {
-      if (way.recursive) {
-        SCOPED_TRACE(test::describe(way));
-        EXPECT_EQ(traverse(deep_boxes.view(), boxes.view(), way).leaf_pairs, truth.size());
-        EXPECT_THROW(traverse(deep_boxes.view(), deep_boxes.view(), way), Error);
+    for (const TraversalOptions& settings : test::every_traversal_options()) {
+      if (settings.recursive) {
+        SCOPED_TRACE(test::describe(settings));
+        EXPECT_EQ(traverse(deep_boxes.view(), boxes.view(), settings).leaf_pairs, truth.size());
+        EXPECT_THROW(traverse(deep_boxes.view(), deep_boxes.view(), settings), Error);
       }
     }
   });

@@ -1,4 +1,4 @@
-// Faults that other tree builders had, asked of ours. R numbers are those of docs/regressions.
+// Faults that other tree builders had, queried for ours. R numbers are those of docs/regressions.
 #include "soms/base/error.h"
 #include "soms/query/overlap.h"
 #include "soms/tree/build.h"

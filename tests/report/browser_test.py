@@ -185,7 +185,7 @@ def lines(page, kind):
 def fold_faults(page):
     """A press on a row: the camera flies there, and its contacts fold out and in again."""
     if lines(page, "contact"):
-        yield "contacts are folded out before anybody asked"
+        yield "contacts are folded out before anybody queried"
     row = lines(page, "pair")[2]
     r = int(row.get_attribute("data-row"))
     if "contact" not in row.text or "around (" not in row.text:
@@ -228,7 +228,7 @@ def click_faults(page):
         yield "no triangle of the contact is seen"
     words = page.element("picked").text
     if "touches" not in words or "triangle" not in words:
-        yield f"the contact is not told: '{words}'"
+        yield f"the contact is not reported: '{words}'"
     if page.run("return location.hash") != f"#contact={k}":
         yield "the address does not name the contact"
 
@@ -367,7 +367,7 @@ def log_faults(browser):
         if message["method"] == "Network.requestWillBeSent":
             address = message["params"]["request"]["url"]
             if not address.startswith(("file:", "data:", "about:", "chrome:", "blob:")):
-                yield f"asked for {address}"
+                yield f"requested {address}"
 
 
 def simulate_faults(browser, file, answer):
@@ -460,39 +460,39 @@ def fins(path, name, parts, along_x):
     return path
 
 
-def crowd_faults(browser, soms, folder):
+def many_rows_faults(browser, soms, folder):
     """R116: 100,489 rows, more than triangles find room for: all are there, few are drawn at a time."""
-    parts, file = 317, folder / "crowd.html"
+    parts, file = 317, folder / "many_rows.html"
     subprocess.run([soms, "overlap", fins(folder / "beams.obj", "beam", parts, True),
                     fins(folder / "ducts.obj", "duct", parts, False), "--report", file, "--quiet"],
                    check=True, stdout=subprocess.DEVNULL)
     page = Look(browser, file, DESK)
     if page.soms("rows") != parts ** 2:
-        yield f"crowd: {page.soms('rows')} rows of {parts ** 2}"
+        yield f"many rows: {page.soms('rows')} rows of {parts ** 2}"
     if "100,489 pairs of parts" not in page.element("count").text:
-        yield f"crowd: the list says '{page.element('count').text}'"
+        yield f"many rows: the list says '{page.element('count').text}'"
     if "10,000 of 100,489 pairs of triangles" not in page.element("missing").text:
-        yield f"crowd: the picture says '{page.element('missing').text}'"
+        yield f"many rows: the picture says '{page.element('missing').text}'"
     page.element("order").send_keys("by begin")
     page.run("const list = document.getElementById('list'); list.scrollTop = list.scrollHeight")
     if not page.wait("return [...document.querySelectorAll('.line.pair b')]"
                      ".some(e => e.textContent === 'beam 316 touches duct 316')"):
-        yield "crowd: the last row is out of reach"
+        yield "many rows: the last row is out of reach"
     if page.run("return document.querySelectorAll('.line').length") > 60:
-        yield "crowd: rows are drawn that nobody sees"
+        yield "many rows: rows are drawn that nobody sees"
     page.element("find").send_keys("beam 316 duct 315")
     found = page.run("return [...document.querySelectorAll('.line.pair b')].map(e => e.textContent)")
     if "beam 316 touches duct 315" not in found or page.soms("shown()") > 9:
-        yield f"crowd: a search finds {page.soms('shown()')}: {found[:3]}"
+        yield f"many rows: a search finds {page.soms('shown()')}: {found[:3]}"
     row = lines(page, "pair")[0]
     r = int(row.get_attribute("data-row"))
     row.click()
     page.landed()
     if away(page.soms("target()"), page.soms(f"center({r})")) > 1e-3:
-        yield "crowd: the camera does not go to a row without triangles"
+        yield "many rows: the camera does not go to a row without triangles"
     left = [line.text for line in lines(page, "left")]
     if page.soms(f"held({r})") == 0 and not any("not in this page" in text for text in left):
-        yield f"crowd: a row without triangles does not say so: {left}"
+        yield f"many rows: a row without triangles does not say so: {left}"
     yield from log_faults(browser)
 
 
@@ -524,7 +524,7 @@ def main():
                                  text=True)
             found += simulate_faults(browser, file, json.loads(run.stdout))
             found += overlap_faults(browser, soms, folder)
-            found += crowd_faults(browser, soms, folder)
+            found += many_rows_faults(browser, soms, folder)
             found += reproduce_faults(browser, soms, folder)
         finally:
             browser.quit()

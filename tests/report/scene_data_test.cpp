@@ -58,7 +58,7 @@ class Field {
     };
   }
 
-  /// The data as the page holds it; `shown` is told.
+  /// The data as the page holds it; `shown` is reported.
   std::string write(const SceneLimits& limits = {}) {
     std::ostringstream out;
     shown = write_scene(out, scene, limits);

@@ -29,7 +29,7 @@ TEST(FairShares, GoToThoseWhoWantMostWhereNotAllCanHaveOne) {
   EXPECT_EQ(fair_shares(Steps64{1, 9, 1, 5}, 2), (Steps64{0, 1, 0, 1}));
 }
 
-TEST(SpreadSteps, HoldsFirstAndLastAndNoMoreThanAsked) {
+TEST(SpreadSteps, HoldsFirstAndLastAndNoMoreThanRequested) {
   EXPECT_EQ(spread_steps(0, 5), Steps64{});
   EXPECT_EQ(spread_steps(1, 5), Steps64{0});
   EXPECT_EQ(spread_steps(4, 5), (Steps64{0, 1, 2, 3}));
@@ -44,7 +44,7 @@ TEST(SpreadSteps, HoldsFirstAndLastAndNoMoreThanAsked) {
   }
 }
 
-Scene crowd(std::size_t still, std::size_t moving) {
+Scene many_bodies(std::size_t still, std::size_t moving) {
   Scene scene;
   for (std::size_t k = 0; k < still + moving; ++k) {
     scene.bodies.push_back({.name = "", .moves = k >= still});
@@ -53,12 +53,12 @@ Scene crowd(std::size_t still, std::size_t moving) {
 }
 
 TEST(ChosenBodies, AreAllWhereThereIsRoom) {
-  EXPECT_EQ(chosen_bodies(crowd(2, 5), 7).size(), 7U);
-  EXPECT_EQ(chosen_bodies(crowd(0, 0), 7).size(), 0U);
+  EXPECT_EQ(chosen_bodies(many_bodies(2, 5), 7).size(), 7U);
+  EXPECT_EQ(chosen_bodies(many_bodies(0, 0), 7).size(), 0U);
 }
 
 TEST(ChosenBodies, AreThoseThatTouchBeforeOthers) {
-  Scene scene = crowd(1, 99);
+  Scene scene = many_bodies(1, 99);
   scene.rows.push_back({.a = 50, .b = 0});
   scene.rows.push_back({.a = 60, .b = 97});
   const std::vector<std::uint32_t> ten = chosen_bodies(scene, 10);
@@ -75,7 +75,7 @@ TEST(SharedOut, GivesSmallModelsAllAndLargeOnesTheRest) {
   small.triangles.resize(10);
   Mesh large;
   large.triangles.resize(1000);
-  Scene scene = crowd(3, 0);
+  Scene scene = many_bodies(3, 0);
   scene.models = {{&large, "large"}, {&small, "small"}, {&large, "large too"}};
   for (std::size_t k = 0; k < 3; ++k) {
     scene.bodies[k].model = k;
@@ -88,7 +88,7 @@ TEST(SharedOut, GivesSmallModelsAllAndLargeOnesTheRest) {
 TEST(SharedOut, GivesLessToAModelThatIsDrawnManyTimes) {
   Mesh mesh;
   mesh.triangles.resize(1000);
-  Scene scene = crowd(0, 100);
+  Scene scene = many_bodies(0, 100);
   scene.models = {{&mesh, "car"}, {&mesh, "unused"}};
   std::vector<std::uint32_t> bodies;
   for (std::uint32_t k = 0; k < 100; ++k) {

@@ -78,7 +78,7 @@ def start_browser(folder):
 
 
 def requested(browser):
-    """Addresses that the page asked for."""
+    """Addresses that the page requested."""
     for entry in browser.get_log("performance"):
         message = json.loads(entry["message"])["message"]
         if message["method"] == "Network.requestWillBeSent":
@@ -162,7 +162,7 @@ def faults_of(browser, folder):
     for address in requested(browser):
         # The browser's own first tab is made of chrome: pages.
         if not address.startswith(("file:", "data:", "about:", "chrome:")):
-            yield f"asked for {address}"
+            yield f"requested {address}"
 
 
 def main():

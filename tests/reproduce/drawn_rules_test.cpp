@@ -1,5 +1,5 @@
 // Figures 3.9 and 4.1 to 4.44: what they show and what they say of it.
-#include "tests/reproduce/walks.h"
+#include "tests/reproduce/trips.h"
 #include "tests/reproduce/well_formed.h"
 
 #include <gtest/gtest.h>

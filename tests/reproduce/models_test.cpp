@@ -275,7 +275,7 @@ TEST(Models, WantAFolder) {
   }
 }
 
-TEST(Models, TellProgressAndStopWhenAsked) {
+TEST(Models, TellProgressAndStopWhenRequested) {
   std::vector<double> shares;
   static_cast<void>(
       find_models({}, kAll, {.progress = [&](double share) { shares.push_back(share); }}));

@@ -38,9 +38,9 @@ TEST(BoxIndex, FindsWhatAScanFinds) {
   test::for_each_case("scene/box-index", 200, [&](Rng& rng) {
     const std::vector<Box> boxes = test::random_boxes(rng);
     index.build(boxes);
-    std::vector<Box> asked = test::random_boxes(rng);
-    asked.insert(asked.end(), boxes.begin(), boxes.end());
-    for (const Box& box : asked) {
+    std::vector<Box> query_options = test::random_boxes(rng);
+    query_options.insert(query_options.end(), boxes.begin(), boxes.end());
+    for (const Box& box : query_options) {
       std::vector<std::uint32_t> expected;
       for (std::uint32_t k = 0; k < boxes.size(); ++k) {
         if (overlaps(boxes[k], box)) {

@@ -75,12 +75,12 @@ TEST(BroadPhase, FindsWhatAScanFindsFrameByFrame) {
     const double jitter = rng.below(2) == 0 ? 0 : rng.uniform(0, 0.2);
     const std::uint64_t strays = rng.below(3);
     BroadPhase kept;
-    BroadPhase anew;
+    BroadPhase rebuilt;
     for (int frame = 0; frame < 40; ++frame) {
-      anew.forget();
+      rebuilt.forget();
       const Pairs expected = reference::meeting_pairs(boxes);
       ASSERT_EQ(ask(kept, boxes), expected) << "frame " << frame;
-      ASSERT_EQ(ask(anew, boxes), expected) << "frame " << frame;
+      ASSERT_EQ(ask(rebuilt, boxes), expected) << "frame " << frame;
       for (std::size_t k = 0; k < boxes.size(); ++k) {
         boxes[k] = shifted(boxes[k], steps[k] + random_step(rng, jitter));
       }

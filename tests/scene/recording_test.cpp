@@ -241,7 +241,7 @@ TEST(Recording, TellsAFullDisk) {
     for (int frame = 0; frame < 1000; ++frame) {
       writer.add(std::vector<Pose>(1), {});
     }
-    FAIL() << "nothing was told";
+    FAIL() << "nothing was reported";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::cannot_write);
   }

@@ -28,7 +28,7 @@ Recorded record_scene(Rng& rng, std::uint64_t movers, std::uint64_t frames,
   Recorded result;
   Scene scene;
   result.head.title = "test";
-  result.head.frames_asked = frames;
+  result.head.frames_requested = frames;
   std::vector<Shape> shapes;
   for (int k = 0; k < 3; ++k) {
     shapes.emplace_back(random_mesh(rng));

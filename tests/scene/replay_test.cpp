@@ -18,7 +18,7 @@ namespace {
 
 /// What became of bytes that are not as they were written.
 struct Verdict {
-  bool told = false;  ///< by an exception or a fault
+  bool reported = false;  ///< by an exception or a fault
   ErrorKind kind = ErrorKind::usage;
   std::string words;
   std::vector<RecordedFrame> frames;
@@ -92,7 +92,7 @@ TEST(Replay, TellsEveryLengthOfACutFileAndPlaysWhatIsWhole) {
   std::size_t most = 0;
   for (std::size_t length = 0; length < recorded.bytes.size(); ++length) {
     const Verdict verdict = judge(recorded.bytes.substr(0, length));
-    ASSERT_TRUE(verdict.told) << length;
+    ASSERT_TRUE(verdict.reported) << length;
     ASSERT_EQ(verdict.kind, ErrorKind::bad_file) << verdict.words;
     ASSERT_NE(verdict.words.find(length == 0 ? "byte 0" : "byte " + std::to_string(length)),
               std::string::npos)
@@ -111,7 +111,7 @@ TEST(Replay, TellsEveryAlteredByteAndPlaysWhatIsWhole) {
       std::string bytes = recorded.bytes;
       bytes[at] = static_cast<char>(bytes[at] ^ change);
       const Verdict verdict = judge(bytes);
-      ASSERT_TRUE(verdict.told) << at << " by " << change;
+      ASSERT_TRUE(verdict.reported) << at << " by " << change;
       ASSERT_EQ(verdict.kind, ErrorKind::bad_file) << verdict.words;
       ASSERT_TRUE(is_prefix(verdict.frames, recorded.frames)) << at;
     }
@@ -122,8 +122,8 @@ TEST(Replay, TellsBytesThatWereAddedTakenOrMoved) {
   Rng rng(3);
   const test::Recorded recorded = test::record_scene(rng, 1, 200);
   const std::string& bytes = recorded.bytes;
-  EXPECT_TRUE(judge(bytes + 'x').told);
-  EXPECT_TRUE(judge(bytes + bytes).told);
+  EXPECT_TRUE(judge(bytes + 'x').reported);
+  EXPECT_TRUE(judge(bytes + bytes).reported);
   const std::size_t first = second_chunk(bytes);
   const auto size_of = [&](std::size_t begin) {
     return detail::kChunkHeadSize + 8 +
@@ -168,14 +168,14 @@ TEST(Replay, TakesNoMemoryForCountsThatCannotBe) {
   };
   for (const std::string& one : all) {
     const test::AllocationWatch watch;
-    EXPECT_TRUE(judge(one).told);
+    EXPECT_TRUE(judge(one).reported);
     EXPECT_LT(watch.peak(), 1'000'000U);
   }
   std::string long_chunk = bytes.substr(0, frames + 16) + huge.substr(0, 7) + '\x7f';
   detail::put(long_chunk, detail::hash_of(long_chunk.substr(frames)));
   long_chunk += bytes.substr(frames + 32);
   const test::AllocationWatch watch;
-  EXPECT_TRUE(judge(long_chunk).told);
+  EXPECT_TRUE(judge(long_chunk).reported);
   EXPECT_LT(watch.peak(), 1'000'000U);
 }
 
@@ -187,7 +187,7 @@ TEST(Replay, TellsContentThatNoSceneGives) {
     const Verdict verdict = judge(forged(nothing.bytes, end, [at](std::string& content) {
       content[at] = static_cast<char>(content[at] + 9);
     }));
-    EXPECT_TRUE(verdict.told);
+    EXPECT_TRUE(verdict.reported);
     EXPECT_EQ(verdict.frames.size(), 2U);
   }
   const std::string bytes = test::record_drive().bytes;
@@ -293,7 +293,7 @@ TEST(Replay, TellsThatTheFileWasChangedSinceItWasOpened) {
   }
 }
 
-TEST(Replay, StopsWhenAsked) {
+TEST(Replay, StopsWhenRequested) {
   const test::Recorded recorded = test::record_drive();
   std::stop_source stop;
   stop.request_stop();

@@ -108,32 +108,32 @@ TEST(Scene, ReportsFrameByFrameWhatAStepFromNothingReports) {
   Rng again(13);
   Scene twin = test::random_scene(again, 12, 300, 40);
   std::vector<Pose> poses;
-  std::vector<Vec3> ways;
+  std::vector<Vec3> motions;
   for (const MoverId id : scene.movers()) {
     poses.push_back(scene.mover(id).pose);
-    ways.push_back({rng.uniform(-0.2, 0.2), rng.uniform(-0.2, 0.2), rng.uniform(-0.2, 0.2)});
+    motions.push_back({rng.uniform(-0.2, 0.2), rng.uniform(-0.2, 0.2), rng.uniform(-0.2, 0.2)});
   }
   std::set<std::uint64_t> hashes;
   for (int frame = 0; frame < 30; ++frame) {
     for (MoverId id = 0; id < poses.size(); ++id) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        poses[id].m[4 * axis + 3] += ways[id][axis];
+        poses[id].m[4 * axis + 3] += motions[id][axis];
       }
       scene.set_pose(id, poses[id]);
       twin.set_pose(id, poses[id]);
     }
     const StepReport kept = scene.step();
-    const StepReport anew = twin.step({.coherent = false});
-    ASSERT_EQ(kept.environment, anew.environment);
-    ASSERT_EQ(kept.movers, anew.movers);
-    ASSERT_EQ(kept.box_pairs, anew.box_pairs);
-    ASSERT_EQ(kept.cost, anew.cost);
+    const StepReport rebuilt = twin.step({.coherent = false});
+    ASSERT_EQ(kept.environment, rebuilt.environment);
+    ASSERT_EQ(kept.movers, rebuilt.movers);
+    ASSERT_EQ(kept.box_pairs, rebuilt.box_pairs);
+    ASSERT_EQ(kept.cost, rebuilt.cost);
     hashes.insert(kept.hash());
   }
   EXPECT_EQ(hashes.size(), 30U);
 }
 
-TEST(Scene, SplitsALoneLargePairForManyThreadsAndReportsTheSame) {
+TEST(Scene, SplitsASingleLargePairForManyThreadsAndReportsTheSame) {
   Rng rng(12);
   Mesh soup;
   for (int k = 0; k < 60; ++k) {
@@ -172,7 +172,7 @@ TEST(Scene, ModesAnyAndFirstGiveOnePairForEachPairOfBodies) {
   });
 }
 
-TEST(Scene, ComparesNoMoversWhenNotAsked) {
+TEST(Scene, ComparesNoMoversWhenNotRequested) {
   Scene scene;
   scene.add_mover(body_at(box_shape(), 0));
   scene.add_mover(body_at(box_shape(), 0.5));
@@ -195,7 +195,7 @@ TEST(Scene, DoesNotComparePairsOfOneGroup) {
   EXPECT_EQ(met, (std::set<std::pair<MoverId, MoverId>>{{a, c}, {a, d}, {b, c}, {b, d}, {c, d}}));
 }
 
-TEST(Scene, IgnoresThePairsItWasToldTo) {
+TEST(Scene, IgnoresThePairsItWasReportedTo) {
   Scene scene;
   const EnvironmentId wall = scene.add_environment(body_at(box_shape(), 0.1));
   const EnvironmentId floor = scene.add_environment(body_at(box_shape(), 0.2));
@@ -352,7 +352,7 @@ TEST(Scene, NamesANumberThatIsNotThere) {
   EXPECT_TRUE(refused([&] { scene.ignore(next, 77); }));
 }
 
-TEST(Scene, StopsWhenAskedAndGoesOnAfterwards) {
+TEST(Scene, StopsWhenRequestedAndGoesOnAfterwards) {
   Rng rng(3);
   Scene scene = test::random_scene(rng, 5, 50, 20);
   const StepReport before = scene.step();

@@ -21,7 +21,7 @@ namespace soms::test {
 /// failure ends the loop, so a failure is reproduced by name. SOMS_TEST_FACTOR multiplies n.
 void for_each_case(std::string_view tag, int n, const std::function<void(Rng&)>& body);
 
-/// A file of tests/data; files kept as .xz are asked for by the name without it and unpacked once.
+/// A file of tests/data; files kept as .xz are requested by the name without it and unpacked once.
 [[nodiscard]] std::filesystem::path data(std::string_view name);
 
 /// A file of the folder SOMS_DATA (models and cities of others), or nothing where it is unset.

@@ -111,7 +111,7 @@ bool share_a_point(const Triangle& s, const Triangle& t) {
       normal = is_zero(normal) ? axis : normal;
     }
   }
-  const Vector way = b[0] - a[0];
+  const Vector direction = b[0] - a[0];
   if (!is_zero(normal)) {
     const auto leaves_plane = [&](const Vector& edge) { return dot(normal, edge).sign() != 0; };
     const auto parts_in_plane = [&](const Vector& edge) {
@@ -122,9 +122,9 @@ bool share_a_point(const Triangle& s, const Triangle& t) {
   }
   const auto proper = std::find_if_not(edges.begin(), edges.end(), is_zero);
   if (proper == edges.end()) {
-    return is_zero(way);
+    return is_zero(direction);
   }
-  return !parts(*proper, a, b) && !parts(cross(*proper, cross(way, *proper)), a, b);
+  return !parts(*proper, a, b) && !parts(cross(*proper, cross(direction, *proper)), a, b);
 }
 
 }  // namespace soms::test

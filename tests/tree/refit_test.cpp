@@ -94,7 +94,7 @@ TEST(Refit, GivesTheSameBytesWhereNoVertexMoved) {
         ASSERT_EQ(again.layout(), shape.layout());
         ASSERT_EQ(*again.tree(), *shape.tree());
         ASSERT_EQ(again.bounds(), shape.bounds());
-        ASSERT_EQ(again.decline(), 1);
+        ASSERT_EQ(again.sah_degradation(), 1);
       }
     }
   }
@@ -199,10 +199,10 @@ TEST(Refit, SaysHowFarTheTreeHasFallenBehind) {
   Rng rng(7);
   const Mesh mesh = soup(rng, 20'000);
   const Shape shape(mesh);
-  EXPECT_EQ(shape.decline(), 1);
+  EXPECT_EQ(shape.sah_degradation(), 1);
   EXPECT_FALSE(build_is_due(shape));
   const Shape scaled = refitted(shape, deformed(mesh, Deformation::tiny, rng));
-  EXPECT_NEAR(scaled.decline(), 1, 1e-3);
+  EXPECT_NEAR(scaled.sah_degradation(), 1, 1e-3);
   // Triangles stay as they are and leave their neighbors.
   Mesh scattered = mesh;
   for (const auto& corners : mesh.triangles) {
@@ -212,13 +212,13 @@ TEST(Refit, SaysHowFarTheTreeHasFallenBehind) {
     }
   }
   const Shape shuffled = refitted(shape, scattered);
-  EXPECT_GT(shuffled.decline(), 3);
+  EXPECT_GT(shuffled.sah_degradation(), 3);
   EXPECT_TRUE(build_is_due(shuffled));
   // It compares with the build, not with the refit before.
   const Shape twice = refitted(shuffled, shuffled.mesh());
-  EXPECT_EQ(twice.decline(), shuffled.decline());
-  EXPECT_EQ(refitted(shuffled, mesh).decline(), 1);
-  EXPECT_EQ(refitted(shape, deformed(mesh, Deformation::collapse, rng)).decline(), 1);
+  EXPECT_EQ(twice.sah_degradation(), shuffled.sah_degradation());
+  EXPECT_EQ(refitted(shuffled, mesh).sah_degradation(), 1);
+  EXPECT_EQ(refitted(shape, deformed(mesh, Deformation::collapse, rng)).sah_degradation(), 1);
 }
 
 // A tree that was built while all vertices were in one place knows nothing of where they went.
@@ -226,7 +226,7 @@ TEST(Refit, OfAShapeThatHadNoAreaIsDueForABuild) {
   Rng rng(7);
   const Mesh mesh = soup(rng, 2000);
   const Shape folded(deformed(mesh, Deformation::collapse, rng));
-  EXPECT_EQ(refitted(folded, folded.mesh()).decline(), 1);
+  EXPECT_EQ(refitted(folded, folded.mesh()).sah_degradation(), 1);
   const Shape unfolded = refitted(folded, mesh);
   EXPECT_TRUE(build_is_due(unfolded));
   EXPECT_TRUE(build_is_due(refitted(unfolded, mesh)));

@@ -30,7 +30,7 @@ TEST(Shape, HoldsMeshAndBounds) {
   EXPECT_GE(shape.memory(), sizeof(WideNode) + sizeof(TriangleBlock) + 5 * sizeof(Vec3));
 }
 
-TEST(Shape, KeepsTheCanonicalTreeWhenAsked) {
+TEST(Shape, KeepsTheCanonicalTreeWhenRequested) {
   EXPECT_EQ(Shape(two_triangles()).tree(), nullptr);
   ShapeOptions options;
   options.keep_tree = true;

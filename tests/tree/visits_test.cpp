@@ -30,7 +30,7 @@ Mesh lattice_mesh(Rng& rng, std::size_t count) {
   return mesh;
 }
 
-/// Every node asked on its own, with no descent.
+/// Every node queried on its own, with no descent.
 Visits visits_of_all_nodes(const Tree& tree, const Box& query) {
   Visits visits;
   for (const Node& node : tree.nodes) {
@@ -108,7 +108,7 @@ TEST(Visits, ExpectedOfTwoHalvesAreTwoForPointsAndThreeForLargeBoxes) {
   EXPECT_NEAR(expected_visits(tree, {1e9, 1e9, 1e9}).nodes, 3, 1e-8);
 }
 
-TEST(Visits, FlatMeshesAreAskedByFlatBoxes) {
+TEST(Visits, FlatMeshesAreRequestedByFlatBoxes) {
   const Mesh mesh = test::make_input(test::Input::coplanar, 64);
   const Tree tree = build(mesh);
   const ExpectedVisits flat = expected_visits(tree, {0.5, 0.5, 0});

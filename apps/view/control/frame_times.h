@@ -13,7 +13,7 @@ class FrameTimes {
   static constexpr std::size_t kKept = 120;
 
   /// A frame that took `ms` of work; `seconds` passed since the frame before. A longer gap than
-  /// half a second was a rest, not a slow frame, and starts the frames a second anew.
+  /// half a second was a rest, not a slow frame, and starts the frames a second again.
   void add(double ms, double seconds);
 
   /// Milliseconds from the oldest frame to the newest; zeros where none was yet.

@@ -85,7 +85,7 @@ class GizmoDrag {
                                              const Vec3& normal);
 
 /// The pose after a turn by `angle` radians counter-clockwise about the vertical line through
-/// `center`. Built from the rotation anew and made rigid, so that a thousand turns do not drift.
+/// `center`. Built from the rotation again and made rigid, so that a thousand turns do not drift.
 [[nodiscard]] Pose turned_about(const Pose& pose, const Vec3& center, double angle);
 
 /// The pose moved by an offset.

@@ -14,7 +14,7 @@ enum class MouseButton { left, middle, right };
 
 struct KeyDown {
   KeyPress press;
-  bool repeat = false;  ///< held down, not pressed anew
+  bool repeat = false;  ///< held down, not pressed again
 };
 
 struct KeyUp {

@@ -273,9 +273,9 @@ void Panels::counts_panel(const Facts& facts) {
   row("Box tests", grouped(facts.cost.node_tests));
   row("Triangle tests", grouped(facts.cost.triangle_tests));
   row("Exact tests", grouped(facts.cost.exact_tests));
-  if (facts.walked) {
+  if (facts.traversed) {
     const auto counted = [&facts](std::uint64_t count) {
-      return (facts.walk_cut ? "at least " : "") + grouped(count);
+      return (facts.trace_cut ? "at least " : "") + grouped(count);
     };
     row("Box pairs entered", counted(facts.visited));
     row("Box pairs pruned", counted(facts.pruned));

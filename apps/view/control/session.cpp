@@ -93,7 +93,7 @@ void Session::handle(const Captured& captured) {
   events.swap(events_);
   std::optional<PixelPoint> moved;
   for (const InputEvent& event : events) {
-    // Only the last of several moves counts: each would ask for all contacts anew.
+    // Only the last of several moves counts: each would ask for all contacts again.
     if (const auto* const move = std::get_if<MouseMove>(&event)) {
       moved = move->at;
       continue;

@@ -66,10 +66,10 @@ class Session {
 
   void set_camera(const Camera& camera) { camera_ = camera; }
 
-  /// The picture with the gizmo. Made anew only after a change.
+  /// The picture with the gizmo. Made again only after a change.
   [[nodiscard]] const DrawList& picture();
 
-  /// Goes up whenever `picture` made the list anew; the gizmo alone does not count.
+  /// Goes up whenever `picture` made the list again; the gizmo alone does not count.
   [[nodiscard]] std::uint64_t version() const { return version_; }
 
   /// The gizmo, where it is shown.
@@ -140,8 +140,8 @@ class Session {
   Playback playback_;
   CameraMode mode_before_ = CameraMode::orbit;
   std::uint64_t followed_before_ = 0;
-  Choice choice_;        ///< that the subject was told
-  bool changed_ = true;  ///< the list is to be made anew
+  Choice choice_;        ///< that the subject was given
+  bool changed_ = true;  ///< the list is to be rebuilt
   DrawList list_;
   std::uint64_t version_ = 0;
   std::size_t scene_lines_ = 0;  ///< of the list; what follows is the gizmo's

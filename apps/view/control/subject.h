@@ -39,8 +39,8 @@ struct Facts {
   std::uint64_t frame = 0;     ///< that is shown
   std::uint64_t contacts = 0;  ///< pairs of triangles that touch
   std::uint64_t bodies = 0;    ///< movers that touch something
-  bool walked = false;         ///< the next three were counted
-  bool walk_cut = false;       ///< and are of a part of the traversal: there is more
+  bool traversed = false;      ///< the next three were counted
+  bool trace_cut = false;      ///< and are of a part of the traversal: there is more
   std::uint64_t visited = 0;   ///< boxes, or pairs of boxes, of the last traversal
   std::uint64_t pruned = 0;
   std::uint64_t found = 0;
@@ -63,7 +63,7 @@ class Subject {
   virtual ~Subject() = default;
 
   /// Brings rule, traversal, pruning and test of orientation to what the state says, and counts
-  /// contacts anew where that matters. May take as long as a build.
+  /// contacts again where that matters. May take as long as a build.
   /// \errors  As the library's builds and queries.
   virtual void choose(const ViewState& state) = 0;
 

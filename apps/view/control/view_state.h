@@ -1,5 +1,5 @@
 /// \file
-/// All that a user chose: what is shown, how it runs, what was asked for and not yet done.
+/// All that a user chose: what is shown, how it runs, what was requested and not yet done.
 #pragma once
 
 #include "soms/query/traversal_options.h"
@@ -23,7 +23,7 @@ enum class CameraMode {
   follow,  ///< keeps its place relative to a mover
 };
 
-/// Direction that the camera is asked to look from.
+/// Direction that the camera is to look from.
 enum class Side { front, right, top, corner };
 
 /// What is drawn beside the city and its movers.

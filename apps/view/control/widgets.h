@@ -1,5 +1,5 @@
 /// \file
-/// Widgets of the panels: each shows its key as a tip, and where it stands can be asked.
+/// Widgets of the panels: each shows its key as a tip, and its position can be queried.
 #pragma once
 
 #include "apps/view/control/action.h"

@@ -164,7 +164,7 @@ Camera between(const Camera& a, const Camera& b, double t) {
   result.field_of_view = a.field_of_view * (1 - t) + b.field_of_view * t;
   result.up = scaled_to_one(mixed(a.up, b.up, t), b.up);
   // Directions are mixed apart from distances, and distances by ratio, so that a flight from far to
-  // near keeps an even pace. Opposite directions have no middle: then over the top.
+  // near keeps an even speed. Opposite directions have no middle: then over the top.
   const Vec3 mix = mixed(frame(a).forward, frame(b).forward, t);
   const Vec3 forward = length(mix) > 1e-6 ? scaled_to_one(mix, mix) : upright(b) * -1;
   const double from = std::max(distance_to_target(a), kLeastLength);

@@ -3,7 +3,7 @@ set(SOMS_VIEW_HEADERS
   draw_list.h
   gl_boxes.h
   gl_objects.h
-  gl_pace.h
+  gl_slicer.h
   gl_renderer.h
   gl_shaders.h
   gl_strokes.h
@@ -23,7 +23,7 @@ set(SOMS_VIEW_SOURCES
   draw_list.cpp
   gl_boxes.cpp
   gl_objects.cpp
-  gl_pace.cpp
+  gl_slicer.cpp
   gl_renderer.cpp
   gl_shaders.cpp
   gl_strokes.cpp

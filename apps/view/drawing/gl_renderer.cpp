@@ -73,7 +73,7 @@ struct GlRenderer::Parts {
     background.set("lower", std::span<const float, 4>(parts_of(colors.lower)));
     background.set("upper", std::span<const float, 4>(parts_of(colors.upper)));
     nothing.bind();
-    pace.in_bands(size, [&](int low, int high) {
+    slicer.in_bands(size, [&](int low, int high) {
       const Band band(size, low, high);
       glClear(GL_DEPTH_BUFFER_BIT);
       glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -84,7 +84,7 @@ struct GlRenderer::Parts {
 
   // Multiplies what was drawn by factors from its depths.
   void draw_relief(Size size) {
-    const unsigned depths = target.depths(pace);
+    const unsigned depths = target.depths(slicer);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, depths);
     glDisable(GL_DEPTH_TEST);
@@ -93,7 +93,7 @@ struct GlRenderer::Parts {
     relief.set("reversed", mode == DepthMode::reversed ? 1.0F : 0.0F);
     relief.set("reach", std::max(2.0F, static_cast<float>(size.height) / 200));
     nothing.bind();
-    pace.in_bands(size, [&](int low, int high) {
+    slicer.in_bands(size, [&](int low, int high) {
       const Band band(size, low, high);
       glDrawArrays(GL_TRIANGLES, 0, 3);
       ++statistics.draw_calls;
@@ -139,15 +139,15 @@ struct GlRenderer::Parts {
 
   void draw_layer(const DrawList& list, const GlView& view, bool on_top) {
     boxes.draw_solid(list, view, on_top, statistics);
-    pace.drawn(0);
-    surfaces.draw_marks(list, view, on_top, pace, statistics);
+    slicer.drawn(0);
+    surfaces.draw_marks(list, view, on_top, slicer, statistics);
     strokes.draw(list, view, on_top, statistics);
     boxes.draw_translucent(list, view, on_top, statistics);
-    pace.drawn(0);
+    slicer.drawn(0);
   }
 
   DepthMode mode = depth_mode();
-  GlPace pace;
+  GlSlicer slicer;
   GlTarget target;
   GlProgram background;
   GlProgram relief;
@@ -173,30 +173,30 @@ void GlRenderer::draw(const DrawList& list, const Camera& camera, Size size,
   p.drawn = false;
   p.statistics = {};
   p.target.begin(size, options.samples);
-  p.surfaces.bring(list, p.pace, p.statistics);
+  p.surfaces.bring(list, p.slicer, p.statistics);
   p.boxes.bring(list, p.statistics);
   const GlView view = gl_view(camera, size, list.light, p.depths(list, camera), p.mode);
   p.surfaces.choose(list, camera, size, view, options, p.statistics);
   p.statistics.marks = list.marks.size();
-  p.pace.begin(p.statistics.triangles, size);
+  p.slicer.begin(p.statistics.triangles, size);
   p.set_state();
   p.draw_background(list.background, size);
-  p.surfaces.draw_solid(view, p.pace, p.statistics);
+  p.surfaces.draw_solid(view, p.slicer, p.statistics);
   if (options.relief && p.statistics.triangles > 0) {
     p.draw_relief(size);
   }
   p.draw_layer(list, view, false);
-  p.surfaces.draw_translucent(view, p.pace, p.statistics);
+  p.surfaces.draw_translucent(view, p.slicer, p.statistics);
   glDisable(GL_DEPTH_TEST);
   p.draw_layer(list, view, true);
   p.reset_state();
-  p.target.finish(p.pace);
+  p.target.finish(p.slicer);
   check_device("drawing a frame");
   p.drawn = true;
 }
 
 void GlRenderer::watch(const Parallel& parallel) {
-  parts_->pace.watch(parallel);
+  parts_->slicer.watch(parallel);
 }
 
 void GlRenderer::present() {
@@ -209,7 +209,7 @@ Picture GlRenderer::read_pixels() {
   if (!parts_->drawn) {
     throw Error(ErrorKind::usage, "picture: nothing was drawn yet", "draw a frame first");
   }
-  return parts_->target.read(parts_->pace);
+  return parts_->target.read(parts_->slicer);
 }
 
 DrawStatistics GlRenderer::statistics() const {

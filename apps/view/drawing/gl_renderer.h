@@ -25,8 +25,8 @@ class GlRenderer final : public Renderer {
 
   void draw(const DrawList& list, const Camera& camera, Size size,
             const DrawOptions& options = {}) override;
-  /// Draws and reads in parts from here on, between which a stop is asked for and the share done is
-  /// told. \errors Of `draw` and `read_pixels` then: ErrorKind::cancelled.
+  /// Draws and reads in parts from here on, between which stop requests are checked and the share
+  /// done is reported. \errors Of `draw` and `read_pixels` then: ErrorKind::cancelled.
   void watch(const Parallel& parallel);
   void present() override;
   [[nodiscard]] Picture read_pixels() override;

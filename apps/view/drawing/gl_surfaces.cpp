@@ -34,10 +34,10 @@ GlSurfaces::GlSurfaces() : program_("surface", shader::kSurfaceVertex, shader::k
   marks_reading_.color(1, marks_, sizeof(MarkVertex), offsetof(MarkVertex, color), 0);
 }
 
-void GlSurfaces::upload(const DrawMesh& mesh, OnDevice& place, const GlPace& pace) {
+void GlSurfaces::upload(const DrawMesh& mesh, OnDevice& place, const GlSlicer& slicer) {
   TiledMesh cut = cut_in_tiles(
       *mesh.mesh, mesh.colors == nullptr ? std::span<const Color>{} : std::span(*mesh.colors), {},
-      pace.parallel());
+      slicer.parallel());
   place.version = mesh.version;
   place.vertices.fill(std::as_bytes(std::span(cut.vertices)));
   place.indices.fill(std::as_bytes(std::span(cut.indices)));
@@ -50,7 +50,7 @@ void GlSurfaces::upload(const DrawMesh& mesh, OnDevice& place, const GlPace& pac
   place.filled = true;
 }
 
-void GlSurfaces::bring(const DrawList& list, const GlPace& pace, DrawStatistics& statistics) {
+void GlSurfaces::bring(const DrawList& list, const GlSlicer& slicer, DrawStatistics& statistics) {
   std::map<std::uint64_t, OnDevice> kept;
   of_list_.clear();
   calls_.clear();
@@ -60,7 +60,7 @@ void GlSurfaces::bring(const DrawList& list, const GlPace& pace, DrawStatistics&
                                          : kept.insert(meshes_.extract(old)).position;
     OnDevice& place = at->second;
     if (!place.filled || place.version != mesh.version) {
-      upload(mesh, place, pace);
+      upload(mesh, place, slicer);
       ++statistics.uploads;
     }
     of_list_.push_back(&place);
@@ -116,9 +116,9 @@ void GlSurfaces::begin(const GlView& view, float flatness, float shade, float li
   program_.set("lift", lift);
 }
 
-void GlSurfaces::issue(const Call& call, GlPace& pace, DrawStatistics& statistics) const {
+void GlSurfaces::issue(const Call& call, GlSlicer& slicer, DrawStatistics& statistics) const {
   const GlVertexArray& reading = call.mesh->reading;
-  const std::size_t most = pace.copies(call.copies, call.triangles);
+  const std::size_t most = slicer.copies(call.copies, call.triangles);
   for (std::size_t first = 0; first < call.copies; first += most) {
     const std::size_t copies = std::min(most, call.copies - first);
     const std::size_t start = (call.row + first) * sizeof(Row);
@@ -131,47 +131,48 @@ void GlSurfaces::issue(const Call& call, GlPace& pace, DrawStatistics& statistic
     glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(3 * call.triangles), GL_UNSIGNED_INT,
                             index_offset(call.first), static_cast<GLsizei>(copies));
     ++statistics.draw_calls;
-    pace.drawn(copies * call.triangles);
+    slicer.drawn(copies * call.triangles);
   }
 }
 
-void GlSurfaces::draw_solid(const GlView& view, GlPace& pace, DrawStatistics& statistics) const {
+void GlSurfaces::draw_solid(const GlView& view, GlSlicer& slicer,
+                            DrawStatistics& statistics) const {
   begin(view, 0, 1, 1);
   for (const Call& call : calls_) {
     if (call.pass == Pass::solid) {
-      issue(call, pace, statistics);
+      issue(call, slicer, statistics);
     }
   }
   begin(view, 0.6F, kEdgeShade, view.lift);
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   for (const Call& call : calls_) {
     if (call.pass == Pass::wire || call.edges) {
-      issue(call, pace, statistics);
+      issue(call, slicer, statistics);
     }
   }
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 
-void GlSurfaces::draw_translucent(const GlView& view, GlPace& pace,
+void GlSurfaces::draw_translucent(const GlView& view, GlSlicer& slicer,
                                   DrawStatistics& statistics) const {
   begin(view, 0, 1, 1);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   for (const Call& call : calls_) {
     if (call.pass == Pass::translucent) {
-      issue(call, pace, statistics);
+      issue(call, slicer, statistics);
     }
   }
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_FALSE);
   for (const Call& call : calls_) {
     if (call.pass == Pass::translucent) {
-      issue(call, pace, statistics);
+      issue(call, slicer, statistics);
     }
   }
   glDepthMask(GL_TRUE);
 }
 
-void GlSurfaces::draw_marks(const DrawList& list, const GlView& view, bool on_top, GlPace& pace,
+void GlSurfaces::draw_marks(const DrawList& list, const GlView& view, bool on_top, GlSlicer& slicer,
                             DrawStatistics& statistics) const {
   std::vector<MarkVertex> corners;
   for (const TriangleMark& mark : list.marks) {
@@ -193,12 +194,12 @@ void GlSurfaces::draw_marks(const DrawList& list, const GlView& view, bool on_to
   glVertexAttrib4f(5, 1, 1, 1, 1);
   glVertexAttrib2f(6, 0, 0);
   const std::size_t triangles = corners.size() / 3;
-  const std::size_t most = pace.copies(triangles, 1);
+  const std::size_t most = slicer.copies(triangles, 1);
   for (std::size_t first = 0; first < triangles; first += most) {
     const std::size_t count = std::min(most, triangles - first);
     glDrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * first), static_cast<GLsizei>(3 * count));
     ++statistics.draw_calls;
-    pace.drawn(count);
+    slicer.drawn(count);
   }
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "apps/view/drawing/gl_objects.h"
-#include "apps/view/drawing/gl_pace.h"
+#include "apps/view/drawing/gl_slicer.h"
 #include "apps/view/drawing/gl_view.h"
 #include "apps/view/drawing/renderer.h"
 #include "apps/view/drawing/tiles.h"
@@ -23,7 +23,7 @@ class GlSurfaces {
 
   /// Brings new and changed meshes to the device and drops those that the list no longer names.
   /// \errors ErrorKind::out_of_memory; ErrorKind::cancelled.
-  void bring(const DrawList& list, const GlPace& pace, DrawStatistics& statistics);
+  void bring(const DrawList& list, const GlSlicer& slicer, DrawStatistics& statistics);
 
   /// Bounds of all instances. \pre After `bring`.
   [[nodiscard]] Box bounds(const DrawList& list) const;
@@ -33,13 +33,13 @@ class GlSurfaces {
               const DrawOptions& options, DrawStatistics& statistics);
 
   /// Opaque faces, then edges of triangles.
-  void draw_solid(const GlView& view, GlPace& pace, DrawStatistics& statistics) const;
+  void draw_solid(const GlView& view, GlSlicer& slicer, DrawStatistics& statistics) const;
 
   /// Translucent faces: of each pixel the nearest one only, so that a hull looks like glass.
-  void draw_translucent(const GlView& view, GlPace& pace, DrawStatistics& statistics) const;
+  void draw_translucent(const GlView& view, GlSlicer& slicer, DrawStatistics& statistics) const;
 
   /// Marked triangles, those on top or those that surfaces may hide.
-  void draw_marks(const DrawList& list, const GlView& view, bool on_top, GlPace& pace,
+  void draw_marks(const DrawList& list, const GlView& view, bool on_top, GlSlicer& slicer,
                   DrawStatistics& statistics) const;
 
  private:
@@ -71,9 +71,9 @@ class GlSurfaces {
     std::size_t copies;
   };
 
-  static void upload(const DrawMesh& mesh, OnDevice& place, const GlPace& pace);
+  static void upload(const DrawMesh& mesh, OnDevice& place, const GlSlicer& slicer);
   void begin(const GlView& view, float flatness, float shade, float lift) const;
-  void issue(const Call& call, GlPace& pace, DrawStatistics& statistics) const;
+  void issue(const Call& call, GlSlicer& slicer, DrawStatistics& statistics) const;
 
   GlProgram program_;
   std::map<std::uint64_t, OnDevice> meshes_;

@@ -104,7 +104,7 @@ void GlTarget::begin(Size size, int samples) {
   glViewport(0, 0, size.width, size.height);
 }
 
-unsigned GlTarget::depths(GlPace& pace) {
+unsigned GlTarget::depths(GlSlicer& slicer) {
   if (depth_texture_ == 0) {
     glGenTextures(1, &depth_texture_);
     glBindTexture(GL_TEXTURE_2D, depth_texture_);
@@ -120,7 +120,7 @@ unsigned GlTarget::depths(GlPace& pace) {
   }
   glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, depth_frame_);
-  pace.in_bands(size_, [this](int low, int high) {
+  slicer.in_bands(size_, [this](int low, int high) {
     glBlitFramebuffer(0, low, size_.width, high, 0, low, size_.width, high, GL_DEPTH_BUFFER_BIT,
                       GL_NEAREST);
   });
@@ -128,11 +128,11 @@ unsigned GlTarget::depths(GlPace& pace) {
   return depth_texture_;
 }
 
-void GlTarget::finish(GlPace& pace) {
+void GlTarget::finish(GlSlicer& slicer) {
   if (smooth_frame_ != 0) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, smooth_frame_);
-    pace.in_bands(size_, [this](int low, int high) {
+    slicer.in_bands(size_, [this](int low, int high) {
       glBlitFramebuffer(0, low, size_.width, high, 0, low, size_.width, high, GL_COLOR_BUFFER_BIT,
                         GL_NEAREST);
     });
@@ -140,12 +140,12 @@ void GlTarget::finish(GlPace& pace) {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-Picture GlTarget::read(GlPace& pace) const {
+Picture GlTarget::read(GlSlicer& slicer) const {
   const std::size_t row = std::size_t{4} * static_cast<std::size_t>(size_.width);
   Picture picture{size_, std::vector<std::uint8_t>(row * static_cast<std::size_t>(size_.height))};
   glBindFramebuffer(GL_READ_FRAMEBUFFER, smooth_frame_ != 0 ? smooth_frame_ : frame_);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  pace.in_bands(size_, [&](int low, int high) {
+  slicer.in_bands(size_, [&](int low, int high) {
     // OpenGL's first row is the lowest.
     auto upper = picture.bytes.begin() + static_cast<std::ptrdiff_t>(row) * (size_.height - high);
     const auto begin = upper;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "apps/view/drawing/camera.h"
-#include "apps/view/drawing/gl_pace.h"
+#include "apps/view/drawing/gl_slicer.h"
 #include "apps/view/drawing/picture.h"
 
 namespace soms::view {
@@ -23,13 +23,13 @@ class GlTarget {
 
   /// A texture of the depths drawn so far, one a pixel. The target stays current.
   /// \errors ErrorKind::cancelled, here and below.
-  [[nodiscard]] unsigned depths(GlPace& pace);
+  [[nodiscard]] unsigned depths(GlSlicer& slicer);
 
   /// Averages the samples.
-  void finish(GlPace& pace);
+  void finish(GlSlicer& slicer);
 
   /// \pre After `finish`.
-  [[nodiscard]] Picture read(GlPace& pace) const;
+  [[nodiscard]] Picture read(GlSlicer& slicer) const;
 
   /// Copies to the frame buffer of the window. \pre After `finish`.
   void present() const;
@@ -45,7 +45,7 @@ class GlTarget {
   unsigned depth_ = 0;
   unsigned smooth_frame_ = 0;  ///< averaged; 0 with one sample
   unsigned smooth_color_ = 0;
-  unsigned depth_frame_ = 0;  ///< one depth a pixel, made when it is first asked for
+  unsigned depth_frame_ = 0;  ///< one depth a pixel, made when it is first requested
   unsigned depth_texture_ = 0;
 };
 

@@ -21,7 +21,7 @@ namespace {
   throw Error(ErrorKind::cannot_write, "EGL: " + what, remedy);
 }
 
-// epoxy ends the program where the library is missing, so that is asked first.
+// epoxy ends the program where the library is missing, so that is checked first.
 void check_library() {
   void* library = ::dlopen("libEGL.so.1", RTLD_LAZY | RTLD_LOCAL);
   if (library == nullptr) {

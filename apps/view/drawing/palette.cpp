@@ -15,7 +15,7 @@ std::uint8_t to_byte(double value) {
 }  // namespace
 
 Color part_color(std::size_t i) {
-  // Stone, sand, slate and the like: near gray, told apart by lightness as much as by hue.
+  // Stone, sand, slate and the like: near gray, distinguished by lightness as much as by hue.
   static constexpr std::array<Color, 10> kMuted{{{198, 192, 180, 255},
                                                  {170, 178, 186, 255},
                                                  {214, 204, 184, 255},

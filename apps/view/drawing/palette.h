@@ -29,8 +29,8 @@ inline constexpr Color kContact{222, 32, 12, 255};  ///< red of contacts: vermil
 /// mark.
 [[nodiscard]] Color part_color(std::size_t i);
 
-/// The color of number `i` among things that are told apart, such as movers: strong and different
-/// for `i` below 6, then again from the start.
+/// The color of number `i` among things that are distinguished, such as movers: strong and
+/// different for `i` below 6, then again from the start.
 [[nodiscard]] Color mover_color(std::size_t i);
 
 /// The color of a tree level or another ordered quantity, `t` from 0 to 1, dark blue to yellow.

@@ -1,5 +1,5 @@
 /// \file
-/// A renderer for tests: draws nothing and remembers what it was asked.
+/// A renderer for tests: draws nothing and records its calls.
 #pragma once
 
 #include "apps/view/drawing/renderer.h"

@@ -17,7 +17,7 @@ namespace {
 /// Diameter of the dots of touching movers, in pixels.
 constexpr float kSpot = 7;
 
-/// One of four tints of a color, so that movers of one kind that touch are told apart.
+/// One of four tints of a color, so that movers of one kind that touch are distinguished.
 Color tint(Color color, std::uint32_t mover) {
   const int share = static_cast<int>((mover * 2654435761U >> 16U) % 4U) * 14;
   const auto lighter = [share](std::uint8_t c) {

@@ -30,7 +30,7 @@ struct DrawnScene {
 };
 
 /// The picture of a scene. Meshes are shared and keep their keys and versions from call to call;
-/// only instances, marks and the boxes of a traversal are made anew. Builds the trees that
+/// only instances, marks and the boxes of a traversal are rebuilt. Builds the trees that
 /// `options` need when they are shown for the first time.
 /// \errors ErrorKind::usage for a body that is not there, a level below 1, and tree options out of
 ///         range.

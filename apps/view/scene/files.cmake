@@ -11,7 +11,7 @@ set(SOMS_VIEW_HEADERS
   tree_store.h
   view_options.h
   view_scene.h
-  walk.h
+  traversal_trace.h
 )
 set(SOMS_VIEW_SOURCES
   draw_scene.cpp
@@ -24,5 +24,5 @@ set(SOMS_VIEW_SOURCES
   shown_boxes.cpp
   tree_store.cpp
   view_scene.cpp
-  walk.cpp
+  traversal_trace.cpp
 )

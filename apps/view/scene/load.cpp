@@ -14,14 +14,14 @@ SceneContent content_of(command::World world) {
   SceneContent content;
   content.title = std::move(world.title);
   content.city = std::move(world.city);
-  for (command::Way& way : world.ways) {
-    const command::Model& model = world.models[way.model];
-    const auto shared = std::make_shared<const command::Way>(std::move(way));
+  for (command::MoverRoute& mover_route : world.routes) {
+    const command::Model& model = world.models[mover_route.model];
+    const auto shared = std::make_shared<const command::MoverRoute>(std::move(mover_route));
     content.movers.push_back({Body(model.shape, shared->at(0), model.name),
                               [shared](std::uint64_t frame) { return shared->at(frame); }});
   }
-  if (content.movers.size() < world.asked) {
-    content.notes.push_back(std::to_string(world.asked - content.movers.size()) +
+  if (content.movers.size() < world.requested) {
+    content.notes.push_back(std::to_string(world.requested - content.movers.size()) +
                             " movers found no free place and were left out");
   }
   return content;
@@ -29,7 +29,7 @@ SceneContent content_of(command::World world) {
 
 SceneContent content_of(command::World world, Replay recording) {
   const RecordingHead& head = recording.head();
-  if (head.movers.size() != world.ways.size() || head.environment.size() != world.city.size()) {
+  if (head.movers.size() != world.routes.size() || head.environment.size() != world.city.size()) {
     throw Error(ErrorKind::usage, "a recording of other bodies",
                 "load the world by the recording's head");
   }

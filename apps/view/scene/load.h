@@ -13,7 +13,7 @@
 
 namespace soms::view {
 
-/// The city and the movers of a simulation, whose ways are their motions.
+/// The city and the movers of a simulation, whose routes are their motions.
 [[nodiscard]] SceneContent content_of(command::World world);
 
 /// The bodies of a recording (`command::load_recorded_world`) and its frames. Where the file is cut

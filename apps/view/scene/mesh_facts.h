@@ -15,8 +15,8 @@ namespace soms::view {
 struct MeshFacts {
   std::shared_ptr<const Mesh> mesh;
   std::uint64_t key = 0;  ///< for `DrawMesh`; never 0, never used for another mesh of the scene
-  std::shared_ptr<const std::vector<Color>> building_colors;  ///< once asked for
-  std::vector<std::uint32_t> parts;                           ///< once asked for
+  std::shared_ptr<const std::vector<Color>> building_colors;  ///< once requested
+  std::vector<std::uint32_t> parts;                           ///< once requested
 };
 
 /// Facts by mesh. Keeps the meshes alive, so that no address is used twice.

@@ -1,5 +1,5 @@
 /// \file
-/// Colors by which buildings are told apart, and the parts that triangles belong to.
+/// Colors by which buildings are distinguished, and the parts that triangles belong to.
 #pragma once
 
 #include "soms/geometry/mesh.h"

@@ -1,5 +1,5 @@
 /// \file
-/// What a scene is made of: bodies that stand and bodies that move, with the ways they go.
+/// What a scene is made of: bodies that stand and bodies that move, with the routes they take.
 #pragma once
 
 #include "soms/base/pose.h"

@@ -11,10 +11,10 @@ namespace soms::view {
 
 namespace {
 
-/// Keys of the groups, three for each tree of a walk; meshes have theirs apart.
+/// Keys of the groups, three for each tree of a traversal; meshes have theirs apart.
 constexpr std::uint64_t kLevelKey = 1;
-constexpr std::uint64_t kFirstWalkKey = 2;
-constexpr std::uint64_t kSecondWalkKey = 5;
+constexpr std::uint64_t kFirstTraceKey = 2;
+constexpr std::uint64_t kSecondTraceKey = 5;
 
 void add(Fnv1a& hash, Color color) {
   hash.add_byte(color.r);
@@ -38,12 +38,12 @@ std::uint64_t version_of_level(const ViewScene& scene, const ViewOptions& option
 }
 
 /// The same for the boxes of a traversal.
-std::uint64_t version_of_walk(const ViewScene& scene, const ViewOptions& options) {
+std::uint64_t version_of_trace(const ViewScene& scene, const ViewOptions& options) {
   Fnv1a hash;
-  hash.add(scene.walk_version());
-  hash.add_byte(options.walk->visited ? 1 : 0);
-  hash.add_byte(options.walk->pruned ? 1 : 0);
-  hash.add_byte(options.walk->found ? 1 : 0);
+  hash.add(scene.trace_version());
+  hash.add_byte(options.trace->visited ? 1 : 0);
+  hash.add_byte(options.trace->pruned ? 1 : 0);
+  hash.add_byte(options.trace->found ? 1 : 0);
   hash.add(std::uint64_t{options.most_boxes});
   add(hash, options.colors.visited);
   add(hash, options.colors.pruned);
@@ -85,23 +85,23 @@ void add_level(ViewScene& scene, const ViewOptions& options, ShownBoxes& out) {
   add_group(out, std::move(group), options.most_boxes);
 }
 
-void add_walk(ViewScene& scene, const ViewOptions& options, bool first, ShownBoxes& out) {
-  const WalkBoxes& wanted = *options.walk;
-  const Walk& walk = scene.walk();
-  if (!scene.pair() || walk.a.empty()) {
+void add_trace(ViewScene& scene, const ViewOptions& options, bool first, ShownBoxes& out) {
+  const TraceBoxes& wanted = *options.trace;
+  const TraversalTrace& trace = scene.trace();
+  if (!scene.pair() || trace.a.empty()) {
     return;
   }
-  const std::vector<Fate>& fates = first ? walk.a : walk.b;
+  const std::vector<Fate>& fates = first ? trace.a : trace.b;
   const auto boxes = scene.world_boxes(first ? scene.pair()->first : scene.pair()->second);
   // Found ones last and thicker, so that they show among the others.
-  std::uint64_t key = first ? kFirstWalkKey : kSecondWalkKey;
+  std::uint64_t key = first ? kFirstTraceKey : kSecondTraceKey;
   for (const auto& [fate, show, color] :
        {std::tuple(Fate::pruned, wanted.pruned, options.colors.pruned),
         std::tuple(Fate::visited, wanted.visited, options.colors.visited),
         std::tuple(Fate::found, wanted.found, options.colors.found)}) {
     BoxGroup group;
     group.key = key++;
-    group.version = version_of_walk(scene, options);
+    group.version = version_of_trace(scene, options);
     group.width = fate == Fate::found ? 2 : 1;
     for (std::size_t n = 0; show && n < fates.size(); ++n) {
       if (fates[n] == fate && !boxes[n].empty()) {
@@ -138,11 +138,11 @@ ShownBoxes shown_boxes(ViewScene& scene, const ViewOptions& options) {
   if (options.level) {
     add_level(scene, options, out);
   }
-  if (options.walk && options.walk->city) {
-    add_walk(scene, options, true, out);
+  if (options.trace && options.trace->city) {
+    add_trace(scene, options, true, out);
   }
-  if (options.walk && options.walk->mover) {
-    add_walk(scene, options, false, out);
+  if (options.trace && options.trace->mover) {
+    add_trace(scene, options, false, out);
   }
   return out;
 }

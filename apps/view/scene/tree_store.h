@@ -1,5 +1,5 @@
 /// \file
-/// Canonical trees of shown bodies, built when they are first asked for.
+/// Canonical trees of shown bodies, built when they are first requested.
 #pragma once
 
 #include "soms/base/parallel.h"

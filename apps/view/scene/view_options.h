@@ -20,8 +20,8 @@ enum class CityColors : std::uint8_t {
   plain,        ///< all alike, so that marks stand out
 };
 
-/// The trees that are shown and walked: how they are built, and how two of them are traversed. The
-/// answers of the scene do not depend on them.
+/// The trees that are shown and traversed: how they are built, and how two of them are traversed.
+/// The answers of the scene do not depend on them.
 struct TreeChoice {
   BuildOptions build{.rule = Rule::soms};
   TraversalOptions traversal{.traversal = Traversal::e_node, .descent = Descent::larger};
@@ -40,14 +40,14 @@ struct LevelBoxes {
 };
 
 /// Boxes that the last traversal of the chosen pair looked at (thesis, fig. 4.35).
-struct WalkBoxes {
-  bool visited = true;  ///< nodes that were opened
+struct TraceBoxes {
+  bool visited = true;  ///< nodes that were descended
   bool pruned = true;   ///< nodes that were apart from all they were tested against
   bool found = true;    ///< leaves of the pairs found
   bool city = true;     ///< boxes of the pair's first tree
   bool mover = true;    ///< boxes of the pair's second tree
 
-  [[nodiscard]] bool operator==(const WalkBoxes&) const = default;
+  [[nodiscard]] bool operator==(const TraceBoxes&) const = default;
 };
 
 /// What is shown of contacts.
@@ -64,7 +64,7 @@ struct ContactMarks {
   [[nodiscard]] bool operator==(const ContactMarks&) const = default;
 };
 
-/// Colors of marks. The default ones are told apart by people who see fewer colors.
+/// Colors of marks. The default ones are distinguished by people who see fewer colors.
 struct ViewColors {
   Color contact = palette::kContact;
   Color part = {240, 150, 130, 255};
@@ -89,7 +89,7 @@ struct ViewOptions {
   CityColors city_colors = CityColors::by_building;
   TreeChoice trees;
   std::optional<LevelBoxes> level;  ///< nothing: no boxes of a level
-  std::optional<WalkBoxes> walk;    ///< nothing: no boxes of a traversal
+  std::optional<TraceBoxes> trace;  ///< nothing: no boxes of a traversal
   ContactMarks contacts;
   std::optional<BodyRef> highlighted;  ///< drawn brighter
   std::optional<Touch> chosen;         ///< a contact drawn through everything

@@ -36,13 +36,13 @@ struct RunningTest {
   std::vector<Pose> poses;
 };
 
-/// What a walk depends on.
-struct WalkKey {
+/// What a traversal depends on.
+struct TraceKey {
   std::pair<BodyRef, BodyRef> pair;
   Pose pose_a;
   Pose pose_b;
 
-  [[nodiscard]] bool operator==(const WalkKey&) const = default;
+  [[nodiscard]] bool operator==(const TraceKey&) const = default;
 };
 
 }  // namespace
@@ -70,9 +70,9 @@ struct ViewScene::State {
   TreeChoice choice;
   TreeStore trees;
   std::uint64_t trees_version = 0;
-  Walk walk;
-  std::optional<WalkKey> walk_key;
-  std::uint64_t walk_version = 0;
+  TraversalTrace trace;
+  std::optional<TraceKey> trace_key;
+  std::uint64_t trace_version = 0;
   MeshFactsStore facts;
 
   void add_city(Body body) {
@@ -388,8 +388,8 @@ void ViewScene::set_trees(const TreeChoice& choice) {
     ++s.trees_version;
   }
   if (s.choice != choice) {
-    s.walk_key.reset();
-    s.walk = {};
+    s.trace_key.reset();
+    s.trace = {};
   }
   s.choice = choice;
 }
@@ -415,30 +415,30 @@ std::span<const Box> ViewScene::world_boxes(BodyRef body) {
       .boxes();
 }
 
-const Walk& ViewScene::walk() {
+const TraversalTrace& ViewScene::trace() {
   State& s = *state_;
   if (!s.pair || s.choice.traversal.traversal == Traversal::fast) {
-    s.walk = {};
-    return s.walk;
+    s.trace = {};
+    return s.trace;
   }
   const auto [a, b] = *s.pair;
-  const WalkKey key{*s.pair, body(a).pose, body(b).pose};
-  if (s.walk_key == key) {
-    return s.walk;
+  const TraceKey key{*s.pair, body(a).pose, body(b).pose};
+  if (s.trace_key == key) {
+    return s.trace;
   }
-  // Asked for once before, since the second body's boxes may push out the first one's.
+  // Requested once before, since the second body's boxes may push out the first one's.
   (void)world_boxes(a);
   const std::span<const Box> boxes_b = world_boxes(b);
   const std::span<const Box> boxes_a = world_boxes(a);
-  s.walk = watch({&tree(a), boxes_a}, {&tree(b), boxes_b}, s.choice.traversal, kMostWatchedTests,
-                 s.parallel);
-  s.walk_key = key;
-  ++s.walk_version;
-  return s.walk;
+  s.trace = watch({&tree(a), boxes_a}, {&tree(b), boxes_b}, s.choice.traversal, kMostWatchedTests,
+                  s.parallel);
+  s.trace_key = key;
+  ++s.trace_version;
+  return s.trace;
 }
 
-std::uint64_t ViewScene::walk_version() const {
-  return state_->walk_version;
+std::uint64_t ViewScene::trace_version() const {
+  return state_->trace_version;
 }
 
 MeshFactsStore& ViewScene::mesh_facts() {
@@ -474,11 +474,11 @@ SceneStatistics ViewScene::statistics() const {
     out.tree_a = tree_counts(s.pair->first);
     out.tree_b = tree_counts(s.pair->second);
   }
-  if (s.walk_key) {
-    out.walk = s.walk.counts;
-    out.walk_pruned = s.walk.pruned;
-    out.walk_milliseconds = s.walk.milliseconds;
-    out.walk_cut = s.walk.cut;
+  if (s.trace_key) {
+    out.trace = s.trace.counts;
+    out.trace_pruned = s.trace.pruned;
+    out.trace_milliseconds = s.trace.milliseconds;
+    out.trace_cut = s.trace.cut;
   }
   return out;
 }

@@ -12,8 +12,8 @@
 #include "apps/view/scene/mesh_facts.h"
 #include "apps/view/scene/scene_content.h"
 #include "apps/view/scene/touch.h"
+#include "apps/view/scene/traversal_trace.h"
 #include "apps/view/scene/view_options.h"
-#include "apps/view/scene/walk.h"
 
 #include <array>
 #include <cstdint>
@@ -57,10 +57,10 @@ struct SceneStatistics {
   std::string_view traversal;            ///< of the pair
   std::optional<TreeStatistics> tree_a;  ///< of the pair's first body, where its tree was built
   std::optional<TreeStatistics> tree_b;
-  std::optional<TraversalCounts> walk;  ///< of the pair, where it was walked
-  std::uint64_t walk_pruned = 0;        ///< box tests of the walk that ended a branch
-  double walk_milliseconds = 0;
-  bool walk_cut = false;  ///< it ended at `kMostWatchedTests`: counts are of what was walked
+  std::optional<TraversalCounts> trace;  ///< of the pair, where it was traversed
+  std::uint64_t trace_pruned = 0;        ///< box tests of the traversal that ended a branch
+  double trace_milliseconds = 0;
+  bool trace_cut = false;  ///< it ended at `kMostWatchedTests`: counts are of what was traversed
 };
 
 /// A scene that is looked at. Contacts are always those of the present poses: whatever moves a body
@@ -68,7 +68,7 @@ struct SceneStatistics {
 ///
 /// Time: `step` brings the movers to the next frame of their motions, of an orientation test or of
 /// a recording. A mover that is held stays where the hand put it.
-/// The pair: a body of the city or a mover, and a mover, whose trees are shown and walked.
+/// The pair: a body of the city or a mover, and a mover, whose trees are shown and traversed.
 /// \threads One caller at a time; uses the threads of `Parallel`.
 class ViewScene {
  public:
@@ -150,7 +150,7 @@ class ViewScene {
   /// ones count. \cost O(contacts).
   [[nodiscard]] std::optional<Touch> pick_contact(const Ray& ray, double angle) const;
 
-  /// Changes how trees are built and walked. Trees are built when they are needed.
+  /// Changes how trees are built and traversed. Trees are built when they are needed.
   /// \errors ErrorKind::usage for options out of range.
   void set_trees(const TreeChoice& choice);
   [[nodiscard]] const TreeChoice& trees() const;
@@ -161,12 +161,12 @@ class ViewScene {
   /// The tree of a body by the present choice; built on the first call, shared by equal meshes.
   [[nodiscard]] const Tree& tree(BodyRef body);
 
-  /// The pair's traversal at the present poses; made again only after a change. An empty walk
+  /// The pair's traversal at the present poses; made again only after a change. An empty traversal
   /// without a pair and by Traversal::fast. `world_boxes` are the boxes that it tests.
-  [[nodiscard]] const Walk& walk();
+  [[nodiscard]] const TraversalTrace& trace();
 
-  /// Goes up with each new walk.
-  [[nodiscard]] std::uint64_t walk_version() const;
+  /// Goes up with each new traversal.
+  [[nodiscard]] std::uint64_t trace_version() const;
 
   /// Boxes of the nodes of a body's tree at its present pose, as the traversals test them.
   [[nodiscard]] std::span<const Box> world_boxes(BodyRef body);

@@ -11,7 +11,7 @@
 #include "apps/view/drawing/headless_context.h"
 #include "apps/view/scene/draw_scene.h"
 #include "apps/view/scene/orientation_menu.h"
-#include "apps/view/scene/walk.h"
+#include "apps/view/scene/traversal_trace.h"
 #include "apps/view/verbs/render_scene.h"
 
 #include <fmt/format.h>
@@ -74,12 +74,12 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
       app, "--boxes", options.boxes,
       {{"wire", BoxStyle::wire}, {"solid", BoxStyle::solid}, {"both", BoxStyle::both}},
       "edges, faces, or both (wire)");
-  app.add_flag("--walk", options.walk,
+  app.add_flag("--trace", options.trace,
                "boxes that --traversal visited, pruned and found, of the city and the mover;\n"
                "of a --mover without --count one is drawn");
   app.add_flag_callback(
       "--no-prune", [&options] { options.shown.trees.traversal.prune = false; },
-      "of --walk: go on into boxes that are apart, to see what pruning saves");
+      "of --trace: go on into boxes that are apart, to see what pruning saves");
   command::Choices<std::string> tests;
   for (const OrientationTest& test : orientation_tests()) {
     tests.emplace_back(test.name, test.name);
@@ -140,11 +140,11 @@ ViewOptions what_is_shown(const RenderOptions& options, ViewScene& scene) {
     check_level(*options.level, scene.tree(body));
     shown.level = LevelBoxes{.body = body, .level = *options.level, .style = options.boxes};
   }
-  if (options.walk) {
+  if (options.trace) {
     if (!scene.pair()) {
-      throw Error(ErrorKind::usage, "--walk: there is no mover", "give a --mover");
+      throw Error(ErrorKind::usage, "--trace: there is no mover", "give a --mover");
     }
-    shown.walk = WalkBoxes{};
+    shown.trace = TraceBoxes{};
   }
   return shown;
 }
@@ -153,8 +153,8 @@ void report(const RenderOptions& options, const ViewScene& scene, const GlRender
             command::Console& console) {
   const DrawStatistics drawn = renderer.statistics();
   const SceneStatistics facts = scene.statistics();
-  if (options.walk && facts.walk_cut) {
-    console.note(fmt::format("--walk: stopped after {}; there is more",
+  if (options.trace && facts.trace_cut) {
+    console.note(fmt::format("--trace: stopped after {}; there is more",
                              command::counted(kMostWatchedTests, "box test")));
   }
   if (!console.shared().json) {
@@ -177,16 +177,16 @@ void report(const RenderOptions& options, const ViewScene& scene, const GlRender
                                     {"device", GlRenderer::device()}}));
 }
 
-/// What the options name. What was left out is told on the way.
+/// What the options name. What was left out is reported on the way.
 SceneContent load(const RenderOptions& options, command::Console& console) {
   if (!options.test.empty() && (!options.pose.empty() || options.world.movers.size() != 1)) {
     throw Error(ErrorKind::usage, "--test moves the one model of --mover",
                 "give one --mover, and no --pose");
   }
   command::WorldOptions world = options.world;
-  if (options.walk && options.pose.empty() && world.routes.empty() && !world.count &&
+  if (options.trace && options.pose.empty() && world.routes.empty() && !world.count &&
       !world.movers.empty()) {
-    world.count = world.movers.size();  // the walk is of one mover; a thousand would hide it
+    world.count = world.movers.size();  // the traversal is of one mover; a thousand would hide it
   }
   SceneContent content =
       load_content(std::move(world), options.test.empty() ? options.pose : "0 0 0", console);
@@ -218,18 +218,18 @@ void check_effects(const CLI::App& app, const RenderOptions& options) {
   };
   needs("--level-of", options.level.has_value(), "--level");
   needs("--boxes", options.level.has_value(), "--level");
-  needs("--no-prune", options.walk, "--walk");
+  needs("--no-prune", options.trace, "--trace");
   needs("--center", options.camera.subject == CameraChoice::Subject::place,
         "six numbers of --camera");
-  needs("--traversal", options.walk, "--walk");
-  needs("--descent", options.walk, "--walk");
+  needs("--traversal", options.trace, "--trace");
+  needs("--descent", options.trace, "--trace");
   if (const std::string given = command::given_of_trees(app); !given.empty()) {
-    needs(given.c_str(), options.walk || options.level, "--level or --walk");
+    needs(given.c_str(), options.trace || options.level, "--level or --trace");
   }
   command::check_build(app, options.shown.trees.build);
   command::check_traversal(app, options.shown.trees.traversal);
-  if (options.walk && options.shown.trees.traversal.traversal == Traversal::fast) {
-    throw Error(ErrorKind::usage, "--walk: --traversal fast visits no boxes of the trees",
+  if (options.trace && options.shown.trees.traversal.traversal == Traversal::fast) {
+    throw Error(ErrorKind::usage, "--trace: --traversal fast visits no boxes of the trees",
                 "choose another traversal, or leave it out");
   }
   if (app.count("--no-prune") > 0 &&
@@ -268,7 +268,7 @@ void remark_parts(const RenderOptions& options, const ViewScene& scene,
     }
   };
   remark("--level", options.level && options.level_of == LevelOf::city);
-  remark("--walk", options.walk);
+  remark("--trace", options.trace);
   remark("--test", !options.test.empty());
 }
 
@@ -283,7 +283,7 @@ std::pair<DrawnScene, Camera> compose(const RenderOptions& options, ViewScene& s
   return console.run("choosing what is shown", [&](const Parallel& parallel) {
     const Vec3 origin = options.center ? scene_bounds(scene).center() : Vec3{};
     CameraChoice choice = options.camera;
-    choice.boxes = options.level || options.walk;
+    choice.boxes = options.level || options.trace;
     const Camera camera = place_camera(choice, scene, options.size, origin, parallel);
     return std::pair(draw_scene(scene, what_is_shown(options, scene)), camera);
   });
@@ -344,9 +344,9 @@ int run_render(const RenderOptions& options, command::Console& console) {
                 "write the picture to a file");
   }
   if (options.output != "-") {
-    command::check_ending("--output", options.output, {".png"});
+    command::check_extension("--output", options.output, {".png"});
   }
-  // What may be missing is asked for first, before models are read for minutes.
+  // What may be missing is checked first, before models are read for minutes.
   const HeadlessContext context;
   GlRenderer renderer;
   command::OutputFile file(options.output);

@@ -31,7 +31,7 @@ struct RenderOptions {
   std::optional<int> level = std::nullopt;
   LevelOf level_of = LevelOf::city;
   BoxStyle boxes = BoxStyle::wire;
-  bool walk = false;
+  bool trace = false;
   bool see_through = false;
 };
 

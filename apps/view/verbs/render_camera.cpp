@@ -191,9 +191,9 @@ Aimed aimed(const CameraChoice& choice, const Aim& aim, const ViewScene& scene, 
     for (int turn = 0; choice.free_side && turn < 8; ++turn) {
       check_stop(parallel);
       const Camera camera = from(choice.bearing + 45 * turn, elevation);
-      const Vec3 way = aim.point - camera.eye;
-      const double whole = length(way);
-      const auto first = scene.pick({camera.eye, way * (1 / whole)});
+      const Vec3 line = aim.point - camera.eye;
+      const double whole = length(line);
+      const auto first = scene.pick({camera.eye, line * (1 / whole)});
       if (!first || first->body == aim.body || first->distance > 0.98 * whole) {
         return {camera, 1};
       }
@@ -306,7 +306,7 @@ CameraChoice parse_camera(const std::string& text) {
   }
   for (const std::string& word : words) {
     if (!read_side(word, choice) && !read_subject(word, choice) && !read_zoom(word, choice)) {
-      refuse(fmt::format("{} is no subject, side or zoom", word));
+      refuse(fmt::format("{} is not a subject, side or zoom", word));
     }
   }
   return choice;

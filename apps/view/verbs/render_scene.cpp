@@ -25,7 +25,7 @@ SceneContent placed(command::WorldOptions options, const std::string& pose,
   options.count = 0;
   command::World world = command::load_world(options, console);
   const command::Model model = world.models.front();
-  world.ways.clear();
+  world.routes.clear();
   SceneContent content = content_of(std::move(world));
   const bool single = poses.is_constant();
   while (const auto at = poses.next()) {

@@ -69,7 +69,7 @@ command::Action add_view(CLI::App& app, command::Shared&) {
          [options](const std::string& text) {
            options->viewer.frames = command::parse_count("--frames", text, 1, kMostFrames);
          },
-         "end after so many frames, each a sixtieth of a second")
+         "end after this many frames, each a sixtieth of a second")
       ->option_text("N");
   app.footer(kFooter);
   return [options](command::Console& console) { return run_view(*options, console); };
@@ -80,7 +80,7 @@ int run_view(const ViewVerbOptions& options, command::Console& console) {
     throw Error(ErrorKind::usage, "--screenshot needs --frames",
                 "add --frames 1, or press F12 in the window");
   }
-  command::check_ending("--screenshot", options.viewer.screenshot, {".png"});
+  command::check_extension("--screenshot", options.viewer.screenshot, {".png"});
   AppWindow::require_display();
   SceneContent content = load_content(options.world, options.pose, console);
   SceneSubject subject(std::move(content), console.parallel());

@@ -35,7 +35,7 @@ PixelPoint cursor(GLFWwindow* window) {
   return at;
 }
 
-/// The initialised library, given back at the end.
+/// The initialized library, given back at the end.
 struct Library {
   Library() {
     if (glfwInit() != GLFW_TRUE) {
@@ -219,7 +219,7 @@ std::vector<InputEvent> AppWindow::take_events(bool& touched) {
   return std::exchange(state_->events, {});
 }
 
-bool AppWindow::close_asked() const {
+bool AppWindow::close_requested() const {
   return glfwWindowShouldClose(state_->window) == GLFW_TRUE;
 }
 

@@ -35,10 +35,10 @@ class AppWindow {
   static void wake();
 
   /// What was reported since the last call. Any report, also of a change of size or of a part to be
-  /// drawn anew, sets `touched`.
+  /// redrawn, sets `touched`.
   [[nodiscard]] std::vector<InputEvent> take_events(bool& touched);
 
-  [[nodiscard]] bool close_asked() const;
+  [[nodiscard]] bool close_requested() const;
 
   /// Size in the units of the cursor and the panels.
   [[nodiscard]] Size size() const;

@@ -14,7 +14,7 @@ namespace soms::view {
 
 namespace {
 
-/// Levels that can be asked for before a tree is built and its depth is known.
+/// Levels that can be requested before a tree is built and its depth is known.
 constexpr int kLevelsUnknown = 32;
 /// Half the angle, in radians, within which a contact is picked: some five pixels.
 constexpr double kContactAngle = 0.008;
@@ -89,7 +89,7 @@ ViewOptions options_of(const ViewState& state) {
   options.mover_style = options.city_style;
   options.trees = trees_of(state);
   if (shown.visited || shown.pruned || shown.found) {
-    options.walk = WalkBoxes{shown.visited, shown.pruned, shown.found};
+    options.trace = TraceBoxes{shown.visited, shown.pruned, shown.found};
   }
   options.contacts.triangles = shown.contact_triangles;
   options.contacts.parts = shown.contact_parts;
@@ -126,8 +126,8 @@ const SceneStatistics& SceneSubject::statistics() const {
 }
 
 int SceneSubject::levels_of(TreeOf tree) const {
-  if (lone_levels_ && !scene_.pair()) {
-    return *lone_levels_;
+  if (single_levels_ && !scene_.pair()) {
+    return *single_levels_;
   }
   const auto& known = tree == TreeOf::city ? statistics().tree_a : statistics().tree_b;
   return known ? static_cast<int>(known->depth) + 1 : kLevelsUnknown;
@@ -150,7 +150,7 @@ Limits SceneSubject::limits() const {
 
 void SceneSubject::choose(const ViewState& state) {
   changed();
-  lone_levels_.reset();
+  single_levels_.reset();
   through_ = state.shown.contacts_on_top;
   movers_shown_ = state.shown.movers;
   scene_.set_trees(trees_of(state));
@@ -199,13 +199,13 @@ Facts SceneSubject::facts(const ViewState& state) const {
     facts.followed = scene_.body(followed).pose;
     facts.followed_bounds = scene_.bounds(followed);
   }
-  // Of a walk that is not shown any more the counts are those of other poses.
-  if (now.walk && (state.shown.visited || state.shown.pruned || state.shown.found)) {
-    facts.walked = true;
-    facts.visited = now.walk->entered;
-    facts.pruned = now.walk_pruned;
-    facts.found = now.walk->leaf_pairs;
-    facts.walk_cut = now.walk_cut;
+  // Of a traversal that is not shown any more the counts are those of other poses.
+  if (now.trace && (state.shown.visited || state.shown.pruned || state.shown.found)) {
+    facts.traversed = true;
+    facts.visited = now.trace->entered;
+    facts.pruned = now.trace_pruned;
+    facts.found = now.trace->leaf_pairs;
+    facts.trace_cut = now.trace_cut;
   }
   return facts;
 }
@@ -362,10 +362,10 @@ DrawList SceneSubject::draw_list(const ViewState& state) {
   if (state.shown.tree_boxes) {
     if (const auto body = tree_body(state.tree_of)) {
       options.level = LevelBoxes{*body, state.level};
-      if (!scene_.pair() && !lone_levels_) {
+      if (!scene_.pair() && !single_levels_) {
         scene_.set_trees(options.trees);
         const TreeStatistics tree = soms::statistics(scene_.tree(*body), options.trees.build);
-        lone_levels_ = static_cast<int>(tree.depth) + 1;
+        single_levels_ = static_cast<int>(tree.depth) + 1;
       }
     }
   }

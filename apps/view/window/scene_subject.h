@@ -63,7 +63,7 @@ class SceneSubject final : public Subject {
   std::optional<std::size_t> test_;
   bool through_ = false;                ///< contacts are seen, and picked, through everything
   bool movers_shown_ = true;            ///< else they are not picked
-  std::optional<int> lone_levels_;      ///< of the city's tree, where there is no pair
+  std::optional<int> single_levels_;    ///< of the city's tree, where there is no pair
   std::vector<std::string> left_out_;   ///< of the last picture
   std::optional<Chosen> seen_;          ///< by the last `pick`
   std::optional<Chosen> selected_;      ///< drawn brighter

@@ -87,7 +87,7 @@ class Loop {
 
  private:
   [[nodiscard]] bool over(const std::stop_token& stop) const {
-    return stop.stop_requested() || window_.close_asked() || session_.state().requests.quit ||
+    return stop.stop_requested() || window_.close_requested() || session_.state().requests.quit ||
            (options_.frames && drawn_frames_ >= *options_.frames);
   }
 

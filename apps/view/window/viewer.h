@@ -22,7 +22,7 @@ struct ViewerOptions {
   std::optional<std::uint64_t> frames;  ///< end after as many; each is a sixtieth of a second then
 };
 
-/// Shows the subject until the window is closed, the user quits, or a stop is asked. Draws only
+/// Shows the subject until the window is closed, the user quits, or a stop is requested. Draws only
 /// when something changed or runs, and at most about 60 times a second. \errors As `AppWindow`,
 /// `GlRenderer` and `write_png`; ErrorKind::cannot_write where the window is closed before the
 /// frame of `screenshot`. \pre A screenshot has `frames`.

@@ -15,7 +15,7 @@ struct Row {
   std::string_view scene;  // a beginning of its name
   std::string_view set;    // a beginning of its name
   std::uint64_t most;      // triangles; the first row that fits counts
-  std::string_view contestant;
+  std::string_view library;
   double times;
   Against against = Against::all;
 };
@@ -47,7 +47,7 @@ constexpr std::array kRows{
 bool fits(const Row& row, Job job, const std::string& scene, const std::string& set,
           std::uint64_t triangles) {
   // The goals of batches name sets of unlike poses, not paths.
-  const bool path = set.ends_with("-path") && row.contestant == "soms-batch";
+  const bool path = set.ends_with("-path") && row.library == "soms-batch";
   return row.job == job && scene.starts_with(row.scene) && set.starts_with(row.set) &&
          triangles <= row.most && !path;
 }
@@ -61,10 +61,10 @@ std::vector<Goal> goals_of(Job job, const std::string& scene, const std::string&
   for (const Row& row : kRows) {
     bool first = true;
     for (const Goal& goal : goals) {
-      first = first && (goal.contestant != row.contestant || goal.against != row.against);
+      first = first && (goal.library != row.library || goal.against != row.against);
     }
     if (first && fits(row, job, scene, set, triangles)) {
-      goals.push_back({std::string(row.contestant), share * row.times, row.against});
+      goals.push_back({std::string(row.library), share * row.times, row.against});
     }
   }
   return goals;

@@ -2,7 +2,7 @@
 /// What soms set out to reach, beside every figure.
 #pragma once
 
-#include "bench/peers/contestants/contestant.h"
+#include "bench/peers/libraries/library.h"
 
 #include <cstdint>
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace soms::bench {
 
-/// Which rivals a goal is about.
+/// Which peers a goal is about.
 enum class Against {
-  all,           ///< every rival of the cell
+  all,           ///< every peer of the cell
   keeps_tree,    ///< those whose tree lasts from frame to frame
-  from_scratch,  ///< those that begin anew in each frame
+  from_scratch,  ///< those that start over in each frame
 };
 
-/// So many times as fast as the best rival.
+/// So many times as fast as the best peer.
 struct Goal {
-  std::string contestant;  ///< `soms` or `soms-batch`
+  std::string library;  ///< `soms` or `soms-batch`
   double times = 0;
   Against against = Against::all;
 };

@@ -11,7 +11,7 @@ namespace soms::bench {
 
 namespace {
 
-constexpr double kMostCells = 512;  // of one triangle; larger ones are asked by all
+constexpr double kMostCells = 512;  // of one triangle; larger ones are queried by all
 
 Triangle moved(const Pose& pose, const Triangle& t) {
   return {pose.apply(t.a), pose.apply(t.b), pose.apply(t.c)};

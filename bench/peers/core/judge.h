@@ -4,7 +4,7 @@
 
 #include "soms/base/box.h"
 
-#include "bench/peers/contestants/contestant.h"
+#include "bench/peers/libraries/library.h"
 
 #include <cstdint>
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace soms::bench {
 
-/// What the judge found about one contestant's answers to a set.
+/// What the judge found about one library's answers to a set.
 struct Verdict {
   std::size_t checked = 0;  ///< of its answers, those that the judge decided
   std::size_t wrong = 0;    ///< of these, wrong ones
@@ -58,9 +58,9 @@ class PairCounter {
   std::vector<std::uint32_t> large_;  // triangles of very many cells
 };
 
-/// Judges the answers of several contestants to one set: every question on which two differ, and as
+/// Judges the answers of several libraries to one set: every question on which two differ, and as
 /// many others, evenly spread, as fit when `budget` triangles of the mover are looked at. A
-/// contestant's list may be shorter than the others'.
+/// library's list may be shorter than the others'.
 [[nodiscard]] std::vector<Verdict> judge(const PairCounter& counter, Job job,
                                          std::span<const Pose> poses,
                                          std::span<const std::vector<std::uint64_t>> answers,

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kFirstQuestions = 8;
 constexpr std::size_t kFewestQuestions = 20;
-constexpr double kSlow = 3;  // times the pass of the fastest rival, or the budget
+constexpr double kSlow = 3;  // times the pass of the fastest peer, or the budget
 constexpr int kSlowRounds = 3;
 
 double run(const Lane& lane, std::span<std::uint64_t> answers, std::size_t repeats,
@@ -33,23 +33,23 @@ std::size_t affordable(double seconds, double each) {
   return static_cast<std::size_t>(std::clamp(seconds / each, 1.0, 1e9));
 }
 
-/// Seconds an answer of the fastest rival; of the fastest at all where there is none.
-double pace_of(std::span<const Lane> lanes, std::span<const double> each) {
+/// Seconds an answer of the fastest peer; of the fastest at all where there is none.
+double seconds_per_answer(std::span<const Lane> lanes, std::span<const double> each) {
   double fastest = std::numeric_limits<double>::infinity();
-  double rival = fastest;
+  double peer = fastest;
   for (std::size_t i = 0; i < lanes.size(); ++i) {
     fastest = std::min(fastest, each[i]);
-    if (!is_ours(lanes[i].contestant)) {
-      rival = std::min(rival, each[i]);
+    if (!is_ours(lanes[i].library)) {
+      peer = std::min(peer, each[i]);
     }
   }
-  return std::isfinite(rival) ? rival : fastest;
+  return std::isfinite(peer) ? peer : fastest;
 }
 
 }  // namespace
 
-bool is_ours(const std::string& contestant) {
-  return contestant == "soms" || contestant.starts_with("soms-");
+bool is_ours(const std::string& library) {
+  return library == "soms" || library.starts_with("soms-");
 }
 
 std::vector<Outcome> race(std::span<const Lane> lanes, std::size_t questions,
@@ -58,10 +58,10 @@ std::vector<Outcome> race(std::span<const Lane> lanes, std::size_t questions,
   for (const Lane& lane : lanes) {
     each.push_back(rough(lane, questions, options));
   }
-  const double pace = pace_of(lanes, each);
+  const double rate = seconds_per_answer(lanes, each);
   const std::size_t common =
-      std::min(questions, std::max(kFewestQuestions, affordable(options.budget, pace)));
-  const double most = kSlow * std::max(options.budget, pace * static_cast<double>(common));
+      std::min(questions, std::max(kFewestQuestions, affordable(options.budget, rate)));
+  const double most = kSlow * std::max(options.budget, rate * static_cast<double>(common));
   std::vector<Outcome> outcomes(lanes.size());
   std::vector<std::size_t> repeats(lanes.size());
   std::vector<std::vector<double>> seconds(lanes.size());

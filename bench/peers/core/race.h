@@ -1,5 +1,5 @@
 /// \file
-/// Fair timing of several contestants on one set of questions.
+/// Fair timing of several libraries on one set of questions.
 #pragma once
 
 #include "bench/peers/core/machine.h"
@@ -13,15 +13,15 @@
 
 namespace soms::bench {
 
-/// One contestant of a race: answers questions 0 to `answers.size()` - 1 of a set.
+/// One library of a race: answers questions 0 to `answers.size()` - 1 of a set.
 struct Lane {
-  std::string contestant;
+  std::string library;
   std::function<void(std::span<std::uint64_t> answers)> run;
 };
 
 struct RaceOptions {
   int rounds = 7;
-  double budget = 0.1;       ///< seconds that one pass of the fastest rival may take
+  double budget = 0.1;       ///< seconds that one pass of the fastest peer may take
   double least_pass = 0.02;  ///< a pass is repeated until it lasts so many seconds
   std::function<double()> clock = processor_seconds;  ///< seconds since any moment
 };
@@ -39,11 +39,11 @@ struct Outcome {
   std::vector<std::uint64_t> answers;  ///< of an untimed pass before
 };
 
-/// True for soms itself, by the name of a contestant.
-[[nodiscard]] bool is_ours(const std::string& contestant);
+/// True for soms itself, by the name of a library.
+[[nodiscard]] bool is_ours(const std::string& library);
 
 /// Times `lanes` in turn and in a turning order, so that noise and warmth meet all alike. The set
-/// is cut to the questions that the fastest rival answers within the budget, the same for all; a
+/// is cut to the questions that the fastest peer answers within the budget, the same for all; a
 /// lane that would take more than three times the budget answers a part of them, in fewer rounds.
 [[nodiscard]] std::vector<Outcome> race(std::span<const Lane> lanes, std::size_t questions,
                                         const RaceOptions& options);

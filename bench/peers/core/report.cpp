@@ -24,16 +24,16 @@ std::string question(Job job) {
 
 bool ranked(const Cell& cell, const Entry& entry) {
   const double most =
-      is_ours(entry.contestant) ? 0 : kMostWrong * static_cast<double>(entry.verdict.checked);
+      is_ours(entry.library) ? 0 : kMostWrong * static_cast<double>(entry.verdict.checked);
   return entry.answered == cell.questions && static_cast<double>(entry.verdict.wrong) <= most;
 }
 
-const Entry* best_rival(const Cell& cell, Against against) {
+const Entry* best_peer(const Cell& cell, Against against) {
   const Entry* best = nullptr;
   for (const Entry& entry : cell.entries) {
     const bool meant =
         against == Against::all || entry.keeps_tree == (against == Against::keeps_tree);
-    if (meant && !is_ours(entry.contestant) && ranked(cell, entry) &&
+    if (meant && !is_ours(entry.library) && ranked(cell, entry) &&
         (best == nullptr || entry.timing.median < best->timing.median)) {
       best = &entry;
     }
@@ -41,21 +41,20 @@ const Entry* best_rival(const Cell& cell, Against against) {
   return best;
 }
 
-std::optional<double> ratio(const Cell& cell, const std::string& contestant, Against against) {
-  const Entry* rival = best_rival(cell, against);
+std::optional<double> ratio(const Cell& cell, const std::string& library, Against against) {
+  const Entry* peer = best_peer(cell, against);
   const auto own = std::find_if(cell.entries.begin(), cell.entries.end(),
-                                [&](const Entry& entry) { return entry.contestant == contestant; });
-  if (rival == nullptr || own == cell.entries.end() || !ranked(cell, *own)) {
+                                [&](const Entry& entry) { return entry.library == library; });
+  if (peer == nullptr || own == cell.entries.end() || !ranked(cell, *own)) {
     return std::nullopt;
   }
-  return rival->timing.median / own->timing.median;
+  return peer->timing.median / own->timing.median;
 }
 
 bool sound(const std::vector<Cell>& cells) {
   return std::all_of(cells.begin(), cells.end(), [](const Cell& cell) {
-    return std::all_of(cell.entries.begin(), cell.entries.end(), [](const Entry& e) {
-      return !is_ours(e.contestant) || e.verdict.wrong == 0;
-    });
+    return std::all_of(cell.entries.begin(), cell.entries.end(),
+                       [](const Entry& e) { return !is_ours(e.library) || e.verdict.wrong == 0; });
   });
 }
 

@@ -1,5 +1,5 @@
 /// \file
-/// Results of a run: cells, and which ratio may be told.
+/// Results of a run: cells, and which ratio may be reported.
 #pragma once
 
 #include "bench/peers/core/goals.h"
@@ -13,9 +13,9 @@
 
 namespace soms::bench {
 
-/// One contestant's figures in a cell.
+/// One library's figures in a cell.
 struct Entry {
-  std::string contestant;
+  std::string library;
   std::string version;
   double build = 0;  ///< seconds to prepare both bodies
   double bytes = 0;  ///< held afterwards, for each triangle of both
@@ -25,19 +25,19 @@ struct Entry {
   Verdict verdict;
 };
 
-/// One job on one set of one scene, all contestants.
+/// One job on one set of one scene, all libraries.
 struct Cell {
   Job job = Job::any;
   std::string scene;
   std::string set;
   std::uint64_t triangles = 0;  ///< of the fixed body, or boxes
   std::uint64_t mover = 0;      ///< triangles of the mover
-  std::size_t questions = 0;    ///< asked of all
+  std::size_t questions = 0;    ///< the same for all
   std::uint64_t sum = 0;        ///< of the answers: touching poses, or pairs
   std::vector<Entry> entries;
 };
 
-/// A rival wrong in more than this share of the checked answers is not ranked; soms must have none.
+/// A peer wrong in more than this share of the checked answers is not ranked; soms must have none.
 inline constexpr double kMostWrong = 0.02;
 
 [[nodiscard]] std::string name(Job job);
@@ -45,16 +45,16 @@ inline constexpr double kMostWrong = 0.02;
 /// What one answer is about: a pose or a frame.
 [[nodiscard]] std::string question(Job job);
 
-/// False for a contestant whose time counts for nothing: too many wrong answers, or fewer questions
+/// False for a library whose time counts for nothing: too many wrong answers, or fewer questions
 /// than the others.
 [[nodiscard]] bool ranked(const Cell& cell, const Entry& entry);
 
-/// The fastest ranked rival, or null where there is none.
-[[nodiscard]] const Entry* best_rival(const Cell& cell, Against against = Against::all);
+/// The fastest ranked peer, or null where there is none.
+[[nodiscard]] const Entry* best_peer(const Cell& cell, Against against = Against::all);
 
-/// How many times as fast as the best rival a contestant is; nothing where there is none or where
-/// the contestant's own time counts for nothing: a ratio at a wrong answer is void.
-[[nodiscard]] std::optional<double> ratio(const Cell& cell, const std::string& contestant,
+/// How many times as fast as the best peer a library is; nothing where there is none or where
+/// the library's own time counts for nothing: a ratio at a wrong answer is void.
+[[nodiscard]] std::optional<double> ratio(const Cell& cell, const std::string& library,
                                           Against against = Against::all);
 
 /// True if soms gave no wrong answer in any cell.

@@ -36,9 +36,9 @@ std::string where(const Cell& cell) {
          std::to_string(cell.triangles);
 }
 
-const Entry* entry_of(const Cell& cell, const std::string& contestant) {
+const Entry* entry_of(const Cell& cell, const std::string& library) {
   const auto found = std::find_if(cell.entries.begin(), cell.entries.end(),
-                                  [&](const Entry& e) { return e.contestant == contestant; });
+                                  [&](const Entry& e) { return e.library == library; });
   return found == cell.entries.end() ? nullptr : &*found;
 }
 
@@ -55,40 +55,39 @@ std::string kind(Against against) {
                                             : "";
 }
 
-/// A row of the first table: soms in one manner against the best rival of a kind.
+/// A row of the first table: soms in one manner against the best peer of a kind.
 void goal_row(std::ostream& out, const Cell& cell, const Goal& goal) {
-  const Entry* own = entry_of(cell, goal.contestant);
-  const Entry* rival = best_rival(cell, goal.against);
-  if (rival == nullptr) {
+  const Entry* own = entry_of(cell, goal.library);
+  const Entry* peer = best_peer(cell, goal.against);
+  if (peer == nullptr) {
     return;
   }
-  out << where(cell) << " | " << rival->contestant << kind(goal.against) << " | "
-      << micro(rival->timing.median) << " | ";
+  out << where(cell) << " | " << peer->library << kind(goal.against) << " | "
+      << micro(peer->timing.median) << " | ";
   if (own == nullptr) {
     out << "no soms | | | " << (goal.times > 0 ? fixed(goal.times, 1) : "") << " | |\n";
     return;
   }
-  const auto reached = ratio(cell, goal.contestant, goal.against);
-  out << goal.contestant << " | " << micro(own->timing.median) << " | " << times(reached) << " | "
+  const auto reached = ratio(cell, goal.library, goal.against);
+  out << goal.library << " | " << micro(own->timing.median) << " | " << times(reached) << " | "
       << (goal.times > 0 ? fixed(goal.times, 1) + " | " + verdict(reached, goal.times) : " | ")
       << " |\n";
 }
 
 void goals(std::ostream& out, const std::vector<Cell>& cells, const std::string& isa) {
-  out << "## soms against the best rival\n\nMicroseconds of processor time an answer. The goal is "
+  out << "## soms against the best peer\n\nMicroseconds of processor time an answer. The goal is "
          "the ratio aimed at"
       << (isa == "avx512" ? "" : " (half, without AVX-512)")
       << "; `void`: a wrong answer was given.\n\n"
-         "| job | scene | set | triangles | best rival | its us | soms | us | ratio | goal | |\n"
+         "| job | scene | set | triangles | best peer | its us | soms | us | ratio | goal | |\n"
          "|---|---|---|---:|---|---:|---|---:|---:|---:|---|\n";
   for (const Cell& cell : cells) {
     std::vector<Goal> wanted = goals_of(cell.job, cell.scene, cell.set, cell.triangles, isa);
     for (const Entry& entry : cell.entries) {
-      const bool named = std::any_of(wanted.begin(), wanted.end(), [&](const Goal& g) {
-        return g.contestant == entry.contestant;
-      });
-      if (is_ours(entry.contestant) && !named) {
-        wanted.push_back({entry.contestant, 0});
+      const bool named = std::any_of(wanted.begin(), wanted.end(),
+                                     [&](const Goal& g) { return g.library == entry.library; });
+      if (is_ours(entry.library) && !named) {
+        wanted.push_back({entry.library, 0});
       }
     }
     for (const Goal& goal : wanted) {
@@ -106,22 +105,22 @@ std::string mark(const Cell& cell, const Entry& entry) {
 }
 
 void builds(std::ostream& out, const std::vector<Cell>& cells) {
-  out << "\n## Building and memory\n\nBoth bodies, ready to be asked; bytes for each triangle of "
+  out << "\n## Building and memory\n\nBoth bodies, ready to be queried; bytes for each triangle of "
          "both, own copies of the meshes included. Goal of soms: "
       << fixed(kMostBytes, 0)
-      << " bytes.\n\n| scene | triangles | contestant | build ms | bytes a triangle | |\n"
+      << " bytes.\n\n| scene | triangles | library | build ms | bytes a triangle | |\n"
          "|---|---:|---|---:|---:|---|\n";
-  std::set<std::string> told;
+  std::set<std::string> reported;
   for (const Cell& cell : cells) {
     for (const Entry& e : cell.entries) {
       const std::string row =
-          "| " + cell.scene + " | " + std::to_string(cell.triangles) + " | " + e.contestant + " | ";
-      if (cell.job != Job::any || !told.insert(row).second) {
+          "| " + cell.scene + " | " + std::to_string(cell.triangles) + " | " + e.library + " | ";
+      if (cell.job != Job::any || !reported.insert(row).second) {
         continue;
       }
       out << row << fixed(1e3 * e.build, e.build < 0.1 ? 2 : 0) << " | " << fixed(e.bytes, 0)
           << " | "
-          << (!is_ours(e.contestant)  ? ""
+          << (!is_ours(e.library)     ? ""
               : e.bytes <= kMostBytes ? "met"
                                       : "missed by " + fixed(e.bytes - kMostBytes, 0))
           << " |\n";
@@ -131,7 +130,7 @@ void builds(std::ostream& out, const std::vector<Cell>& cells) {
 
 void wrong_answers(std::ostream& out, const std::vector<Cell>& cells) {
   out << "\n## Wrong answers\n\nThe judge decided, of each set, every question on which two "
-         "contestants differ and a spread of the others. A rival that is wrong in more than 2 % is "
+         "libraries differ and a spread of the others. A peer that is wrong in more than 2 % is "
          "not ranked; a ratio of soms is void at a single wrong answer.\n\n";
   bool none = true;
   for (const Cell& cell : cells) {
@@ -139,8 +138,8 @@ void wrong_answers(std::ostream& out, const std::vector<Cell>& cells) {
       if (e.verdict.wrong != 0) {
         none = false;
         out << "- " << name(cell.job) << ", " << cell.scene << ' ' << cell.set << ' '
-            << cell.triangles << ": " << e.contestant << " is wrong in " << e.verdict.wrong
-            << " of " << e.verdict.checked << ", first at " << question(cell.job) << ' '
+            << cell.triangles << ": " << e.library << " is wrong in " << e.verdict.wrong << " of "
+            << e.verdict.checked << ", first at " << question(cell.job) << ' '
             << e.verdict.wrong_questions.front() << '\n';
       }
     }
@@ -152,7 +151,7 @@ void versions(std::ostream& out, const std::vector<Cell>& cells) {
   std::set<std::string> all;
   for (const Cell& cell : cells) {
     for (const Entry& e : cell.entries) {
-      all.insert(e.contestant.substr(0, e.contestant.find('-')) + " " + e.version);
+      all.insert(e.library.substr(0, e.library.find('-')) + " " + e.version);
     }
   }
   std::string list;
@@ -181,16 +180,16 @@ void close(std::ofstream& out, const std::filesystem::path& path) {
 
 void write_csv(const std::filesystem::path& path, const std::vector<Cell>& cells) {
   std::ofstream out = open(path);
-  out << "job,scene,set,triangles,mover_triangles,questions,sum,contestant,version,build_s,"
+  out << "job,scene,set,triangles,mover_triangles,questions,sum,library,version,build_s,"
          "bytes_a_triangle,answered,median_us,least_us,most_us,checked,wrong,ratio\n";
   for (const Cell& cell : cells) {
     for (const Entry& e : cell.entries) {
-      const auto reached = ratio(cell, e.contestant);
+      const auto reached = ratio(cell, e.library);
       out << name(cell.job) << ',' << csv_field(cell.scene) << ',' << csv_field(cell.set) << ','
           << cell.triangles << ',' << cell.mover << ',' << cell.questions << ',' << cell.sum << ','
-          << csv_field(e.contestant) << ',' << csv_field(e.version) << ',' << fixed(e.build, 6)
-          << ',' << fixed(e.bytes, 1) << ',' << e.answered << ',' << fixed(1e6 * e.timing.median, 4)
-          << ',' << fixed(1e6 * e.timing.least, 4) << ',' << fixed(1e6 * e.timing.most, 4) << ','
+          << csv_field(e.library) << ',' << csv_field(e.version) << ',' << fixed(e.build, 6) << ','
+          << fixed(e.bytes, 1) << ',' << e.answered << ',' << fixed(1e6 * e.timing.median, 4) << ','
+          << fixed(1e6 * e.timing.least, 4) << ',' << fixed(1e6 * e.timing.most, 4) << ','
           << e.verdict.checked << ',' << e.verdict.wrong << ','
           << (reached ? fixed(*reached, 3) : "") << '\n';
     }
@@ -199,16 +198,16 @@ void write_csv(const std::filesystem::path& path, const std::vector<Cell>& cells
 }
 
 void print_times(std::ostream& out, const std::vector<Cell>& cells) {
-  out << "| job | scene | set | triangles | asked | sum | contestant | us (least - most) | ratio | "
+  out << "| job | scene | set | triangles | queries | sum | library | us (least - most) | ratio | "
          "checked | |\n|---|---|---|---:|---:|---:|---|---:|---:|---:|---|\n";
   for (const Cell& cell : cells) {
     for (const Entry& e : cell.entries) {
-      const auto reached = ratio(cell, e.contestant);
-      const std::string told = best_rival(cell) == nullptr ? "" : times(reached);
-      out << where(cell) << " | " << cell.questions << " | " << cell.sum << " | " << e.contestant
+      const auto reached = ratio(cell, e.library);
+      const std::string reported = best_peer(cell) == nullptr ? "" : times(reached);
+      out << where(cell) << " | " << cell.questions << " | " << cell.sum << " | " << e.library
           << " | " << micro(e.timing.median) << " (" << micro(e.timing.least) << " - "
-          << micro(e.timing.most) << ") | " << (e.answered == cell.questions ? told : "") << " | "
-          << e.verdict.checked << " |" << mark(cell, e) << " |\n";
+          << micro(e.timing.most) << ") | " << (e.answered == cell.questions ? reported : "")
+          << " | " << e.verdict.checked << " |" << mark(cell, e) << " |\n";
     }
   }
 }
@@ -216,17 +215,17 @@ void print_times(std::ostream& out, const std::vector<Cell>& cells) {
 void write_markdown(const std::filesystem::path& path, const std::vector<Cell>& cells,
                     const RunFacts& facts) {
   std::ofstream out = open(path);
-  out << "# soms and its rivals, " << today() << "\n\n- Machine: " << processor() << "; soms on "
+  out << "# soms and its peers, " << today() << "\n\n- Machine: " << processor() << "; soms on "
       << facts.isa << "; one thread"
       << (facts.processor < 0 ? "" : ", bound to processor " + std::to_string(facts.processor))
       << ".\n- Compiler: " << SOMS_BENCH_COMPILER << ", " << SOMS_BENCH_BUILD
-      << "; rivals' code of this build with -march=native besides.\n";
+      << "; peers' code of this build with -march=native besides.\n";
   versions(out, cells);
   out << "- Selection: " << facts.selection << "; median of " << facts.rounds
       << " rounds in turn, processor time.\n\n";
   goals(out, cells, facts.isa);
-  out << "\n## Every contestant\n\n`sum`: of the answers, touching poses or pairs. `ratio`: the "
-         "best rival's time over this one's. `first n`: too slow for the whole set, not "
+  out << "\n## Every library\n\n`sum`: of the answers, touching poses or pairs. `ratio`: the "
+         "best peer's time over this one's. `first n`: too slow for the whole set, not "
          "ranked.\n\n";
   print_times(out, cells);
   builds(out, cells);
@@ -244,11 +243,11 @@ void print_json(std::ostream& out, const std::vector<Cell>& cells,
   warnings += warnings.empty() ? "" : "]";
   for (const Cell& cell : cells) {
     for (const Entry& e : cell.entries) {
-      const auto reached = ratio(cell, e.contestant);
-      out << R"({"schema":"soms.bench/1","job":")" << name(cell.job) << R"(","set":")" << cell.set
-          << R"(","contestant":")" << e.contestant << R"(","version":")" << e.version
-          << R"(","asked":)" << cell.questions << R"(,"answered":)" << e.answered << R"(,"sum":)"
-          << cell.sum << R"(,"median_us":)" << fixed(1e6 * e.timing.median, 4) << R"(,"least_us":)"
+      const auto reached = ratio(cell, e.library);
+      out << R"({"schema":"soms.bench/2","job":")" << name(cell.job) << R"(","set":")" << cell.set
+          << R"(","library":")" << e.library << R"(","version":")" << e.version << R"(","queried":)"
+          << cell.questions << R"(,"answered":)" << e.answered << R"(,"sum":)" << cell.sum
+          << R"(,"median_us":)" << fixed(1e6 * e.timing.median, 4) << R"(,"least_us":)"
           << fixed(1e6 * e.timing.least, 4) << R"(,"most_us":)" << fixed(1e6 * e.timing.most, 4)
           << R"(,"build_ms":)" << fixed(1e3 * e.build, 4) << R"(,"bytes_a_triangle":)"
           << fixed(e.bytes, 1) << R"(,"checked":)" << e.verdict.checked << R"(,"wrong":)"

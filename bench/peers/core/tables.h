@@ -21,18 +21,18 @@ struct RunFacts {
   std::string selection;
 };
 
-/// One row a contestant and cell. \errors ErrorKind::cannot_write.
+/// One row a library and cell. \errors ErrorKind::cannot_write.
 void write_csv(const std::filesystem::path& path, const std::vector<Cell>& cells);
 
-/// Goals and whether they are met, every contestant's times, builds and memory, wrong answers.
+/// Goals and whether they are met, every library's times, builds and memory, wrong answers.
 /// \errors ErrorKind::cannot_write.
 void write_markdown(const std::filesystem::path& path, const std::vector<Cell>& cells,
                     const RunFacts& facts);
 
-/// The times of every contestant and what was wrong: what a single comparison shows.
+/// The times of every library and what was wrong: what a single comparison shows.
 void print_times(std::ostream& out, const std::vector<Cell>& cells);
 
-/// One object a contestant and cell, schema soms.bench/1, each with the doubts about the models.
+/// One object a library and cell, schema soms.bench/1, each with the doubts about the models.
 void print_json(std::ostream& out, const std::vector<Cell>& cells,
                 const std::vector<FrameDoubt>& doubts = {});
 

@@ -63,7 +63,8 @@ std::vector<Offer> catalog(const std::filesystem::path& data) {
         [file, mover] { return real_city_scene(file, mover); });
   }
   for (const std::uint64_t boxes : {std::uint64_t{10'000}, std::uint64_t{100'000}}) {
-    offers.push_back({"crowd", boxes, boxes == 10'000, [boxes] { return crowd_scene(boxes); }});
+    offers.push_back(
+        {"moving-boxes", boxes, boxes == 10'000, [boxes] { return moving_boxes_scene(boxes); }});
   }
   return offers;
 }

@@ -1,5 +1,5 @@
 /// \file
-/// All scenes that can be asked for.
+/// All scenes that can be requested.
 #pragma once
 
 #include "bench/peers/scenarios/scene.h"

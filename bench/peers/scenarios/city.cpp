@@ -1,4 +1,4 @@
-// The referee's city of boxes on rolling terrain, and who is asked about in it.
+// The referee's city of boxes on rolling terrain, and the bodies that are queried in it.
 #include "soms/base/error.h"
 
 #include "bench/peers/scenarios/scene.h"
@@ -188,10 +188,10 @@ struct Spot {
   double yaw = 0;
 };
 
-/// Beside a wall; `reach` is half the mover's width across it.
-Spot beside_wall(const BoxCity& city, double reach, Rng& rng) {
+/// Beside a wall; `radius` is half the mover's width across it.
+Spot beside_wall(const BoxCity& city, double radius, Rng& rng) {
   const Building& b = city.buildings[rng.below(city.buildings.size())];
-  const double off = reach + rng.uniform(-0.1, 0.3);
+  const double off = radius + rng.uniform(-0.1, 0.3);
   const double along = rng.uniform(-1, 1);
   const double sign = rng.unit() < 0.5 ? -1 : 1;
   if (rng.unit() < 0.5) {

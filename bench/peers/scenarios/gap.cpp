@@ -86,11 +86,11 @@ Triangle moved(const Pose& pose, const Triangle& t) {
 Box moved(const Pose& pose, const Box& box) {
   const Vec3 center = pose.apply(box.center());
   const Vec3 half = 0.5 * box.extent();
-  const auto reach = [&](std::size_t row) {
+  const auto radius = [&](std::size_t row) {
     return std::abs(pose.m[row]) * half.x + std::abs(pose.m[row + 1]) * half.y +
            std::abs(pose.m[row + 2]) * half.z;
   };
-  const Vec3 around{reach(0), reach(4), reach(8)};
+  const Vec3 around{radius(0), radius(4), radius(8)};
   return {center - around, center + around};
 }
 
@@ -101,15 +101,15 @@ GapTree::GapTree(const FloatMesh& mesh) {
     triangles_.push_back(mesh.triangle(i));
   }
   nodes_.push_back({{}, 0, static_cast<std::uint32_t>(triangles_.size()), 0});
-  std::vector<std::uint32_t> open{0};
-  while (!open.empty()) {
-    const std::uint32_t id = open.back();
-    open.pop_back();
-    split(id, open);
+  std::vector<std::uint32_t> pending{0};
+  while (!pending.empty()) {
+    const std::uint32_t id = pending.back();
+    pending.pop_back();
+    split(id, pending);
   }
 }
 
-void GapTree::split(std::uint32_t id, std::vector<std::uint32_t>& open) {
+void GapTree::split(std::uint32_t id, std::vector<std::uint32_t>& pending) {
   const std::uint32_t first = nodes_[id].first;
   const std::uint32_t count = nodes_[id].count;
   Box box;
@@ -133,8 +133,8 @@ void GapTree::split(std::uint32_t id, std::vector<std::uint32_t>& open) {
   nodes_[id].first = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back({{}, first, count / 2, 0});
   nodes_.push_back({{}, first + count / 2, count - count / 2, 0});
-  open.push_back(nodes_[id].first);
-  open.push_back(nodes_[id].right);
+  pending.push_back(nodes_[id].first);
+  pending.push_back(nodes_[id].right);
 }
 
 double GapTree::distance(const GapTree& mover, const Pose& pose, double enough,

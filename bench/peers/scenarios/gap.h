@@ -4,7 +4,7 @@
 
 #include "soms/base/box.h"
 
-#include "bench/peers/contestants/contestant.h"
+#include "bench/peers/libraries/library.h"
 
 #include <cstdint>
 #include <vector>
@@ -29,7 +29,7 @@ class GapTree {
     std::uint32_t right = 0;
   };
 
-  void split(std::uint32_t id, std::vector<std::uint32_t>& open);
+  void split(std::uint32_t id, std::vector<std::uint32_t>& pending);
 
   std::vector<Node> nodes_;
   std::vector<Triangle> triangles_;

@@ -50,7 +50,7 @@ Mesh widened(const FloatMesh& mesh) {
 
 /// How far the mover can go along `direction` until it touches, or nothing below 0 if it does not
 /// within 40 m or touches from the start.
-double way_to_touch(Body& mover, const Body& city, const Pose& start, const Vec3& direction) {
+double distance_to_touch(Body& mover, const Body& city, const Pose& start, const Vec3& direction) {
   const auto touches = [&](double s) {
     mover.pose = Pose::translation(s * direction.x, s * direction.y, s * direction.z);
     for (std::size_t i = 0; i < 12; ++i) {
@@ -74,11 +74,11 @@ double way_to_touch(Body& mover, const Body& city, const Pose& start, const Vec3
   return touching > 0 ? free : -1;
 }
 
-Pose onward(const Pose& start, const Vec3& direction, double way) {
+Pose onward(const Pose& start, const Vec3& direction, double distance) {
   Pose pose = start;
-  pose.m[3] += way * direction.x;
-  pose.m[7] += way * direction.y;
-  pose.m[11] += way * direction.z;
+  pose.m[3] += distance * direction.x;
+  pose.m[7] += distance * direction.y;
+  pose.m[11] += distance * direction.z;
   return pose;
 }
 
@@ -123,11 +123,11 @@ Scene real_city_scene(const std::filesystem::path& city, const std::filesystem::
     const Pose& start = scene.sets[0].poses[k % kPoses];
     const double a = rng.uniform(0, 2 * kPi);
     const Vec3 ahead{std::cos(a), std::sin(a), 0};
-    const double way = way_to_touch(car, town, start, ahead);
+    const double distance = distance_to_touch(car, town, start, ahead);
     const double into = rng.uniform(0.001, 0.05);
-    if (way > 0.01) {
-      scene.sets[1].poses.push_back(onward(start, ahead, way + into));
-      scene.sets[2].poses.push_back(onward(start, ahead, way - 0.01));
+    if (distance > 0.01) {
+      scene.sets[1].poses.push_back(onward(start, ahead, distance + into));
+      scene.sets[2].poses.push_back(onward(start, ahead, distance - 0.01));
     }
   }
   return scene;

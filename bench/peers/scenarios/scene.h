@@ -1,12 +1,12 @@
 /// \file
-/// What contestants are asked about: two meshes and sets of poses, or boxes that move. All seeded.
+/// What libraries are queried about: two meshes and sets of poses, or boxes that move. All seeded.
 #pragma once
 
 #include "soms/base/random.h"
 #include "soms/geometry/frames.h"
 #include "soms/geometry/mesh.h"
 
-#include "bench/peers/contestants/contestant.h"
+#include "bench/peers/libraries/library.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -19,22 +19,23 @@ struct PoseSet {
   std::string name;
   std::vector<Pose> poses;
   bool all = false;       ///< ask for all pairs, too
-  std::size_t still = 0;  ///< so many poses are asked of bodies that stand still, too
+  std::size_t still = 0;  ///< so many poses are queried of bodies that stand still, too
 };
 
-/// Frames of one crowd of boxes.
-struct CrowdSet {
+/// Frames of one set of moving boxes.
+struct MovingBoxSet {
   std::string name;
   std::vector<std::vector<FloatBox>> frames;
 };
 
-/// One mover, one body that stands still, and where the mover is in each query; or crowds.
+/// One mover, one body that stands still, and where the mover is in each query; or sets of moving
+/// boxes.
 struct Scene {
   std::string name;
   FloatMesh mover;
   FloatMesh fixed;
   std::vector<PoseSet> sets;
-  std::vector<CrowdSet> crowds = {};
+  std::vector<MovingBoxSet> moving_sets = {};
   std::vector<FrameDoubt> doubts = {};     ///< of files whose numbers may not mean the same
   std::vector<std::string> warnings = {};  ///< the same in words
 };
@@ -68,10 +69,10 @@ inline constexpr std::size_t kPoses = 1000;
 [[nodiscard]] Scene real_city_scene(const std::filesystem::path& city,
                                     const std::filesystem::path& mover);
 
-/// `crowd`: boxes, 20 frames at 60 a second, up to 20 m/s. `spread`: sides of 1 to 4.5 m in 4 km x
-/// 4 km x 100 m; `dense`: the same where each meets about ten others; `mixed`: sides of 1 to 200 m,
-/// most of them small, 100 boxes to the hectare.
-[[nodiscard]] Scene crowd_scene(std::uint64_t boxes);
+/// `moving_boxes`: boxes, 20 frames at 60 a second, up to 20 m/s. `spread`: sides of 1 to 4.5 m in
+/// 4 km x 4 km x 100 m; `dense`: the same where each meets about ten others; `mixed`: sides of 1 to
+/// 200 m, most of them small, 100 boxes to the hectare.
+[[nodiscard]] Scene moving_boxes_scene(std::uint64_t boxes);
 
 /// `own`: two meshes of files. Both are moved to float coordinates about their middles, which the
 /// poses make up for; without poses, `random` ones that put A anywhere about B's box. With `strict`

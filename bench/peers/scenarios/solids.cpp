@@ -121,7 +121,7 @@ FloatMesh cylinder(const Vec3& center, const Vec3& axis, double radius, double h
 
 FloatMesh torus_knot(std::uint32_t along, std::uint32_t around) {
   std::vector<Vec3> points;
-  double reach = 0;
+  double radius = 0;
   for (std::uint32_t i = 0; i < along; ++i) {
     const double a = 2 * kPi * i / along;
     const double step = 1e-4;
@@ -132,12 +132,12 @@ FloatMesh torus_knot(std::uint32_t along, std::uint32_t around) {
     for (std::uint32_t j = 0; j < around; ++j) {
       const double b = 2 * kPi * j / around;
       points.push_back(c + 0.4 * (std::cos(b) * u + std::sin(b) * v));
-      reach = std::max(reach, std::sqrt(dot(points.back(), points.back())));
+      radius = std::max(radius, std::sqrt(dot(points.back(), points.back())));
     }
   }
   FloatMesh mesh;
   for (const Vec3& p : points) {
-    mesh.vertices.push_back(narrow((1 / reach) * p));
+    mesh.vertices.push_back(narrow((1 / radius) * p));
   }
   const auto id = [&](std::uint32_t i, std::uint32_t j) {
     return (i % along) * around + j % around;

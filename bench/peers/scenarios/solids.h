@@ -5,7 +5,7 @@
 
 #include "soms/base/random.h"
 
-#include "bench/peers/contestants/contestant.h"
+#include "bench/peers/libraries/library.h"
 
 #include <cmath>
 

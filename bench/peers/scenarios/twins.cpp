@@ -147,15 +147,15 @@ Scene model_scene(const std::filesystem::path& file) {
   for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
     box.grow(bounds(mesh.triangle(i)));
   }
-  double reach = 0;
+  double radius = 0;
   for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
     const Triangle t = mesh.triangle(i);
     for (const Vec3& v : {t.a, t.b, t.c}) {
       const Vec3 d = v - box.center();
-      reach = std::max(reach, std::sqrt(dot(d, d)));
+      radius = std::max(radius, std::sqrt(dot(d, d)));
     }
   }
-  return twins(file.stem().string(), float_mesh(mesh, box.center(), 1 / reach));
+  return twins(file.stem().string(), float_mesh(mesh, box.center(), 1 / radius));
 }
 
 }  // namespace soms::bench

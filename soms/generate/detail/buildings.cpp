@@ -220,7 +220,7 @@ void add_shell(Mesh& mesh, const Building& b) {
   }
 }
 
-/// A frame on the wall: x along it, y outward, at a random place, `inset` metres inside.
+/// A frame on the wall: x along it, y outward, at a random place, `inset` meters inside.
 Frame on_wall(const Building& b, double inset, double height, Rng& rng) {
   const std::size_t i = rng.below(b.outline.size());
   const Corner& from = b.outline[i];

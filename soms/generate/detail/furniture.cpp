@@ -9,7 +9,7 @@ namespace soms::detail {
 
 namespace {
 
-constexpr double kClear = 6;           ///< metres without furniture beside a crossing
+constexpr double kClear = 6;           ///< meters without furniture beside a crossing
 constexpr double kBay = 8;             ///< least length of a bay: a van and room to spare
 constexpr std::uint64_t kBayKind = 5;  ///< tags of `rng_for`
 constexpr std::uint64_t kShapeKind = 6;

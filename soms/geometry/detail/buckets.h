@@ -14,7 +14,8 @@
 
 namespace soms::detail {
 
-/// Runs loops that may be long: a stop ends them, and progress is told of all of them together.
+/// Runs loops that may be long: a stop ends them, and progress is reported for all of them
+/// together.
 class Work {
  public:
   /// \pre `total` > 0: the sum of all `count`s to come.

@@ -15,7 +15,7 @@ namespace soms::detail {
 
 namespace {
 
-/// Metres a unit, 0 where the file does not say.
+/// Meters a unit, 0 where the file does not say.
 double read_unit(const ColladaDocument& document) {
   const pugi::xml_node unit = document.root().child("asset").child("unit");
   if (!unit) {
@@ -26,7 +26,7 @@ double read_unit(const ColladaDocument& document) {
       parse_number(meter.data(), meter.data() + meter.size(), Precision::as_double);
   if (parsed.status != NumberStatus::good || parsed.end != meter.data() + meter.size() ||
       !(parsed.value > 0) || !std::isfinite(parsed.value)) {
-    document.fail(unit, "the unit is " + in_quotes(meter) + " metres");
+    document.fail(unit, "the unit is " + in_quotes(meter) + " meters");
   }
   return parsed.value;
 }

@@ -13,7 +13,7 @@ namespace soms::detail {
 [[nodiscard]] bool is_collada(std::string_view bytes);
 
 /// Every triangle that the scene shows: geometries under the transforms of their nodes, each
-/// instance anew, in the order of the scene; named nodes are parts. A stated unit and up axis are
+/// instance again, in the order of the scene; named nodes are parts. A stated unit and up axis are
 /// recorded in the mesh and not applied. Nothing outside the file is opened.
 /// \errors ErrorKind::bad_file, not_finite, out_of_range, unsupported, empty_mesh, out_of_memory,
 ///         cancelled.

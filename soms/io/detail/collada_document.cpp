@@ -159,7 +159,7 @@ void ColladaDocument::parse() {
     source_.fail_line(static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, result.offset)),
                       ErrorKind::bad_file,
                       std::string("this is no well-formed XML: ") + result.description(),
-                      "get the file whole, or repair it");
+                      "get the complete file, or repair it");
   }
 }
 
@@ -299,13 +299,13 @@ std::uint64_t ColladaDocument::whole_number(pugi::xml_node element, const char* 
 }
 
 void ColladaDocument::read_numbers(pugi::xml_node element, std::span<double> numbers) const {
-  ColladaWords words(*this, element);
+  ColladaTokens tokens(*this, element);
   std::size_t count = 0;
-  for (; !words.at_end(); ++count) {
-    const double value = words.number();
+  for (; !tokens.at_end(); ++count) {
+    const double value = tokens.number();
     if (!std::isfinite(value)) {
-      words.fail(ErrorKind::not_finite, "a number of " + describe(element) + " is not finite",
-                 kRepairFile);
+      tokens.fail(ErrorKind::not_finite, "a number of " + describe(element) + " is not finite",
+                  kRepairFile);
     }
     if (count < numbers.size()) {
       numbers[count] = value;
@@ -337,19 +337,19 @@ void ColladaDocument::fail(pugi::xml_node at, const std::string& what, const std
   source_.fail_line(offset_of(at), kind, what, remedy);
 }
 
-ColladaWords::ColladaWords(const ColladaDocument& document, pugi::xml_node element)
+ColladaTokens::ColladaTokens(const ColladaDocument& document, pugi::xml_node element)
     : document_(document), element_(element) {
   enter(element.find_child(is_text));
 }
 
-void ColladaWords::enter(pugi::xml_node text) {
+void ColladaTokens::enter(pugi::xml_node text) {
   text_ = text;
   begin_ = text.value();
   at_ = begin_;
   end_ = begin_ + std::strlen(begin_);
 }
 
-std::size_t ColladaWords::most_left() const {
+std::size_t ColladaTokens::most_left() const {
   std::size_t bytes = static_cast<std::size_t>(end_ - at_) + 1;
   for (pugi::xml_node next = text_.next_sibling(); next; next = next.next_sibling()) {
     bytes += is_text(next) ? std::strlen(next.value()) + 1 : 0;
@@ -357,7 +357,7 @@ std::size_t ColladaWords::most_left() const {
   return bytes / 2;
 }
 
-bool ColladaWords::at_end() {
+bool ColladaTokens::at_end() {
   while (true) {
     while (at_ != end_ && is_space(*at_)) {
       ++at_;
@@ -381,7 +381,7 @@ bool ColladaWords::at_end() {
   }
 }
 
-void ColladaWords::end_word(const char* end, std::string_view expected) {
+void ColladaTokens::end_token(const char* end, std::string_view expected) {
   if (end == nullptr || (end != end_ && !is_space(*end))) {
     const char* stop = std::find_if(at_, end_, is_space);
     fail(ErrorKind::bad_file,
@@ -392,25 +392,25 @@ void ColladaWords::end_word(const char* end, std::string_view expected) {
   at_ = end;
 }
 
-double ColladaWords::number() {
+double ColladaTokens::number() {
   const ParsedNumber parsed = parse_number(at_, end_, Precision::as_double);
   if (parsed.status == NumberStatus::too_large) {
     fail(ErrorKind::not_finite, "a number of " + describe(element_) + " is too large for a double",
          "repair or scale the model");
   }
-  end_word(parsed.status == NumberStatus::good ? parsed.end : nullptr, "a number");
+  end_token(parsed.status == NumberStatus::good ? parsed.end : nullptr, "a number");
   return parsed.value;
 }
 
-std::uint64_t ColladaWords::whole_number() {
+std::uint64_t ColladaTokens::whole_number() {
   std::uint64_t value = 0;
   const char* begin = at_ != end_ && *at_ == '+' ? at_ + 1 : at_;
   const auto [stop, error] = std::from_chars(begin, end_, value);
-  end_word(error == std::errc() ? stop : nullptr, "a whole number from 0 to 2^64 - 1");
+  end_token(error == std::errc() ? stop : nullptr, "a whole number from 0 to 2^64 - 1");
   return value;
 }
 
-void ColladaWords::fail(ErrorKind kind, const std::string& what, const std::string& remedy) const {
+void ColladaTokens::fail(ErrorKind kind, const std::string& what, const std::string& remedy) const {
   const std::size_t inside = static_cast<std::size_t>(at_ - begin_);
   const std::size_t text = text_ ? offset_of(text_) : offset_of(element_);
   document_.source().fail_line(text + inside, kind, what, remedy);

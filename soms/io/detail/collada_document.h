@@ -16,7 +16,7 @@
 namespace soms::detail {
 
 /// Remedy for most faults.
-inline constexpr const char* kRepairFile = "repair the file, or export it anew";
+inline constexpr const char* kRepairFile = "repair the file, or export it again";
 
 class ColladaDocument {
  public:
@@ -92,9 +92,9 @@ class ColladaDocument {
 };
 
 /// The words of an element's text. Comments may stand between them.
-class ColladaWords {
+class ColladaTokens {
  public:
-  ColladaWords(const ColladaDocument& document, pugi::xml_node element);
+  ColladaTokens(const ColladaDocument& document, pugi::xml_node element);
 
   /// Most words that may be left.
   [[nodiscard]] std::size_t most_left() const;
@@ -112,7 +112,7 @@ class ColladaWords {
 
  private:
   void enter(pugi::xml_node text);
-  void end_word(const char* end, std::string_view expected);
+  void end_token(const char* end, std::string_view expected);
 
   const ColladaDocument& document_;
   pugi::xml_node element_;

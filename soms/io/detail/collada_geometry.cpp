@@ -123,10 +123,10 @@ void GeometryReader::read_vertices() {
 }
 
 void GeometryReader::read_positions(const Accessor& accessor, pugi::xml_node array) {
-  ColladaWords words(document_, array);
+  ColladaTokens tokens(document_, array);
   const std::uint64_t stated = document_.whole_number(array, "count", kMost);
   const std::uint64_t last = *std::max_element(accessor.columns.begin(), accessor.columns.end());
-  if (accessor.count > words.most_left()) {
+  if (accessor.count > tokens.most_left()) {
     document_.fail(array, std::to_string(accessor.count) + " vertices are stated, " +
                               describe(array) + " has room for fewer numbers");
   }
@@ -134,11 +134,11 @@ void GeometryReader::read_positions(const Accessor& accessor, pugi::xml_node arr
   Vec3 vertex;
   std::uint64_t index = 0;
   std::uint64_t column = 0;
-  for (; !words.at_end(); ++index) {
+  for (; !tokens.at_end(); ++index) {
     if (index % kRowsPerTick == 0) {
       document_.tick(array);
     }
-    const double value = words.number();
+    const double value = tokens.number();
     if (index < accessor.offset || builder_.vertices().size() == accessor.count) {
       continue;
     }
@@ -150,7 +150,7 @@ void GeometryReader::read_positions(const Accessor& accessor, pugi::xml_node arr
     if (column == last) {
       if (!fit_for_mesh(vertex)) {
         const CoordinateFault fault = describe_fault(vertex);
-        words.fail(fault.kind, fault.what, fault.remedy);
+        tokens.fail(fault.kind, fault.what, fault.remedy);
       }
       builder_.add_vertex(vertex);
     }
@@ -238,25 +238,25 @@ void GeometryReader::find_vertices(pugi::xml_node input) {
 
 /// The corners in one <p>; the other numbers of a corner are checked to be numbers.
 void GeometryReader::read_corners(pugi::xml_node p, const Layout& layout) {
-  ColladaWords words(document_, p);
+  ColladaTokens tokens(document_, p);
   corners_.clear();
-  const std::uint64_t room = words.most_left() / layout.stride + 1;
+  const std::uint64_t room = tokens.most_left() / layout.stride + 1;
   if (room > corners_.capacity()) {
     document_.take((room - corners_.capacity()) * sizeof(corners_[0]));
     corners_.reserve(room);
   }
   const std::uint64_t vertices = builder_.vertices().size();
   std::uint64_t column = 0;
-  for (std::size_t i = 0; !words.at_end(); ++i) {
+  for (std::size_t i = 0; !tokens.at_end(); ++i) {
     if (i % kRowsPerTick == kRowsPerTick - 1) {
       document_.tick(p);
     }
-    const std::uint64_t value = words.whole_number();
+    const std::uint64_t value = tokens.whole_number();
     if (column == layout.vertex) {
       if (value >= vertices) {
-        words.fail(ErrorKind::bad_file,
-                   index_fault("vertex " + std::to_string(value), "vertices", vertices),
-                   kRepairFile);
+        tokens.fail(ErrorKind::bad_file,
+                    index_fault("vertex " + std::to_string(value), "vertices", vertices),
+                    kRepairFile);
       }
       corners_.push_back(static_cast<std::uint32_t>(value));
     }
@@ -299,7 +299,7 @@ void GeometryReader::read_polylist(pugi::xml_node element, const Layout& layout)
   if (p) {
     read_corners(p, layout);
   }
-  ColladaWords sizes(document_, element.child("vcount"));
+  ColladaTokens sizes(document_, element.child("vcount"));
   std::size_t begin = 0;
   std::uint64_t found = 0;
   for (; !sizes.at_end(); ++found) {

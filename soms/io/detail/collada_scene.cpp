@@ -24,8 +24,8 @@ constexpr std::uint64_t kElementsPerTriangle = 64;
 /// Of what a node takes while it is open.
 constexpr std::uint64_t kBytesOfSetEntry = 64;
 
-/// What is counted and told in the notes of the mesh.
-struct Untold {
+/// What is counted and reported in the notes of the mesh.
+struct Unreported {
   LeftOut lines;
   LeftOut curved;
   LeftOut thin;
@@ -71,7 +71,7 @@ class SceneReader {
   std::vector<Frame> stack_;
   std::set<const void*> open_;  ///< the nodes on the stack
   std::map<const void*, ColladaGeometry> geometries_;
-  Untold untold_;
+  Unreported unreported_;
   std::uint64_t elements_ = 0;
 };
 
@@ -105,7 +105,7 @@ std::uint64_t faces_with_triangles(const Mesh& mesh) {
 }
 
 /// As how many elements one counts: long attributes and texts, and very many of them or of
-/// children, take time anew each time that the element is shown.
+/// children, take time again each time that the element is shown.
 std::uint64_t weight_of(pugi::xml_node element) {
   constexpr std::uint64_t kBytesPerElement = 64;
   constexpr std::uint64_t kBytesPerItem = 16;
@@ -135,7 +135,8 @@ void SceneReader::count_element(pugi::xml_node element) {
 
 void SceneReader::note_asset(pugi::xml_node owner) {
   const pugi::xml_node asset = owner.child("asset");
-  untold_.nested_asset = untold_.nested_asset || asset.child("unit") || asset.child("up_axis");
+  unreported_.nested_asset =
+      unreported_.nested_asset || asset.child("unit") || asset.child("up_axis");
 }
 
 void SceneReader::enter(pugi::xml_node node) {
@@ -178,12 +179,12 @@ const ColladaGeometry& SceneReader::geometry_of(pugi::xml_node element) {
   document_.take(2 * sizeof(ColladaGeometry));
   note_asset(element);
   ColladaGeometry geometry = read_geometry(document_, element);
-  untold_.lines.add(geometry.lines);
-  untold_.curved.add(geometry.curved);
-  untold_.unknown.add(geometry.unknown);
-  untold_.surplus.add(geometry.surplus);
-  untold_.thin.add([&] { return document_.place_of(element); },
-                   geometry.faces - faces_with_triangles(geometry.mesh));
+  unreported_.lines.add(geometry.lines);
+  unreported_.curved.add(geometry.curved);
+  unreported_.unknown.add(geometry.unknown);
+  unreported_.surplus.add(geometry.surplus);
+  unreported_.thin.add([&] { return document_.place_of(element); },
+                       geometry.faces - faces_with_triangles(geometry.mesh));
   return geometries_.emplace(element.internal_object(), std::move(geometry)).first->second;
 }
 
@@ -219,7 +220,7 @@ pugi::xml_node SceneReader::morph_of(pugi::xml_node controller) {
   if (!morph) {
     document_.fail(controller, describe(controller) + " is not a morph");
   }
-  ++untold_.morphs;
+  ++unreported_.morphs;
   count_element(morph);
   return morph;
 }
@@ -230,7 +231,7 @@ void SceneReader::show_controller(pugi::xml_node instance) {
   const pugi::xml_node controller = document_.referred(instance, "url", "controller");
   count_element(controller);
   if (const pugi::xml_node skin = controller.child("skin")) {
-    ++untold_.skins;
+    ++unreported_.skins;
     count_element(skin);
     Affine bound;
     if (const pugi::xml_node matrix = skin.child("bind_shape_matrix")) {
@@ -268,7 +269,7 @@ void SceneReader::look_at(pugi::xml_node element) {
   } else if (name == "instance_controller") {
     show_controller(element);
   } else if (element.type() == pugi::node_element && !is_known_in_node(name)) {
-    untold_.unknown.add([&] { return document_.place_of(element) + ": " + describe(element); });
+    unreported_.unknown.add([&] { return document_.place_of(element) + ": " + describe(element); });
   }
 }
 
@@ -301,17 +302,17 @@ void SceneReader::write_notes() {
       builder_.note(what + std::to_string(count));
     }
   };
-  builder_.note(untold_.thin, kThinFaces);
-  builder_.note(untold_.lines, "lines, which are not triangles");
-  builder_.note(untold_.curved, "splines, curved surfaces and hulls, not read");
-  builder_.note(untold_.unknown, "unknown elements, not read");
-  builder_.note(untold_.surplus, "surplus numbers after the last position");
-  tell(untold_.skins, "skins shown in the shape they were bound in: ");
-  tell(untold_.morphs, "morphs shown in their base shape: ");
+  builder_.note(unreported_.thin, kThinFaces);
+  builder_.note(unreported_.lines, "lines, which are not triangles");
+  builder_.note(unreported_.curved, "splines, curved surfaces and hulls, not read");
+  builder_.note(unreported_.unknown, "unknown elements, not read");
+  builder_.note(unreported_.surplus, "surplus numbers after the last position");
+  tell(unreported_.skins, "skins shown in the shape they were bound in: ");
+  tell(unreported_.morphs, "morphs shown in their base shape: ");
   tell(
       document_.count_of("geometry") - std::min(document_.count_of("geometry"), geometries_.size()),
       "geometries that the scene does not show: ");
-  if (untold_.nested_asset) {
+  if (unreported_.nested_asset) {
     builder_.note("a unit or up axis of a part of the file is not applied");
   }
   if (document_.root().child("library_animations")) {

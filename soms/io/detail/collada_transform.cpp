@@ -79,7 +79,7 @@ Affine read_rotate(const ColladaDocument& document, pugi::xml_node element) {
 
 /// An angle and two directions: points are moved along `along`, each by its distance from the plane
 /// through the origin that the part of `from` square to `along` is normal to, so that `from` turns
-/// by the angle towards `along`.
+/// by the angle toward `along`.
 Affine read_skew(const ColladaDocument& document, pugi::xml_node element) {
   std::array<double, 7> k{};
   document.read_numbers(element, k);

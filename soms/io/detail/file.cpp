@@ -36,7 +36,7 @@ constexpr std::uint64_t kMostOfPipe = std::uint64_t{1} << 32;
 [[noreturn]] void fail_size(const std::filesystem::path& path, std::uint64_t most) {
   throw Error(ErrorKind::out_of_memory,
               path.string() + ": more than the " + std::to_string(most) + " bytes that may be used",
-              "raise the limit (max_memory, --max-memory)");
+              "raise the limit (max_memory)");
 }
 
 /// Reads up to `wanted` bytes; fewer only at the end.
@@ -80,7 +80,7 @@ int open_or_fail(const std::filesystem::path& path, int flags) {
   int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC | flags);
   if (fd < 0) {
     const int reason = errno;
-    // No name opens a socket anew, and some programs give one as standard input.
+    // No name reopens a socket, and some programs give one as standard input.
     const int named = reason == ENXIO ? named_descriptor(path) : -1;
     fd = named < 0 ? -1 : fcntl(named, F_DUPFD_CLOEXEC, 0);
     if (fd < 0) {

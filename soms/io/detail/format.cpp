@@ -1,7 +1,7 @@
 #include "soms/io/detail/format.h"
 
 #include "soms/io/detail/collada.h"
-#include "soms/io/detail/ending.h"
+#include "soms/io/detail/file_extension.h"
 #include "soms/io/detail/gltf.h"
 #include "soms/io/detail/import.h"
 #include "soms/io/detail/obj.h"
@@ -45,7 +45,7 @@ struct Foreign {
   std::string_view remedy;
   /// False where formats of soms-import begin so, too.
   bool anywhere = false;
-  /// Ending of a format that begins so too, and whose reader knows better what is wrong.
+  /// Extension of a format that begins so too, and whose reader knows better what is wrong.
   std::string_view unless = {};
 };
 
@@ -81,8 +81,8 @@ std::string format_list() {
     list += (list.empty() ? "" : ", ") + std::string(format.name);
   }
   list += ", and by soms-import";
-  for (const std::string_view ending : imported_endings()) {
-    list.append(" ").append(ending);
+  for (const std::string_view extension : imported_extensions()) {
+    list.append(" ").append(extension);
   }
   return list;
 }
@@ -92,13 +92,13 @@ std::string format_list() {
   source.fail(ErrorKind::unsupported, what, remedy + "; formats that are read: " + format_list());
 }
 
-void refuse_foreign(const Source& source, std::string_view ending) {
+void refuse_foreign(const Source& source, std::string_view extension) {
   const std::size_t begin =
       std::min(source.bytes.find_first_not_of(" \t\r\n"), source.bytes.size());
-  const bool imported = is_imported(ending);
+  const bool imported = is_imported(extension);
   for (const Foreign& foreign : kForeign) {
     if (!source.bytes.substr(begin).starts_with(foreign.begin) || (!foreign.anywhere && imported) ||
-        (!ending.empty() && ending == foreign.unless)) {
+        (!extension.empty() && extension == foreign.unless)) {
       continue;
     }
     if (foreign.remedy == kConvert) {
@@ -110,7 +110,7 @@ void refuse_foreign(const Source& source, std::string_view ending) {
 
 /// STEP is a family of formats. Buildings (IFC) can be read; the exact surfaces of machine parts
 /// can't, and what Assimp says of them helps nobody.
-void refuse_step(const Source& source, std::string_view ending) {
+void refuse_step(const Source& source, std::string_view extension) {
   constexpr std::size_t kHeader = std::size_t{1} << 16;
   if (!source.bytes.starts_with("ISO-10303-21")) {
     return;
@@ -128,7 +128,7 @@ void refuse_step(const Source& source, std::string_view ending) {
                     ": exact surfaces, not triangles; of STEP only IFC is read",
                 "let the CAD program that made it export STL, OBJ or glTF");
   }
-  if (!is_imported(ending)) {
+  if (!is_imported(extension)) {
     source.fail(ErrorKind::unsupported, "an IFC file whose name does not say so",
                 "let the name end with .ifc");
   }
@@ -156,32 +156,32 @@ std::span<const ReadFormat> read_formats() {
 
 const ReadFormat& identify(const Source& source) {
   if (source.bytes.empty()) {
-    source.fail(ErrorKind::bad_file, "the file is empty", "get the file whole");
+    source.fail(ErrorKind::bad_file, "the file is empty", "get the complete file");
   }
   const auto by_content = std::find_if(kFormats.begin(), kFormats.end(), [&](const ReadFormat& f) {
     return f.recognizes(source.bytes);
   });
-  const std::string ending = ending_of(source.name);
+  const std::string extension = extension_of(source.name);
   const auto by_name = std::find_if(kFormats.begin(), kFormats.end(),
-                                    [&](const ReadFormat& f) { return f.ending == ending; });
+                                    [&](const ReadFormat& f) { return f.extension == extension; });
   if (by_content != kFormats.end()) {
     if (by_name != kFormats.end() && by_name != by_content) {
       source.fail(ErrorKind::bad_file,
                   "the content is " + std::string(by_content->name) + ", the name says " +
                       std::string(by_name->name),
-                  "rename the file to end with " + std::string(by_content->ending));
+                  "rename the file to end with " + std::string(by_content->extension));
     }
     return *by_content;
   }
-  refuse_foreign(source, ending);
-  refuse_step(source, ending);
-  if (is_imported(ending)) {
+  refuse_foreign(source, extension);
+  refuse_step(source, extension);
+  if (is_imported(extension)) {
     return kImported;
   }
   if (by_name == kFormats.end()) {
     fail_unsupported(source,
-                     ending.empty() ? "a file of unknown format and without an ending"
-                                    : "format " + in_quotes(ending) + " is not read",
+                     extension.empty() ? "a file of unknown format and without a file extension"
+                                       : "format " + in_quotes(extension) + " is not read",
                      std::string(kConvert));
   }
   refuse_text(source, *by_name);

@@ -1,5 +1,5 @@
 /// \file
-/// Which format a file has: told by its content, then by its name.
+/// Which format a file has: recognized by its content, then by its name.
 #pragma once
 
 #include "soms/geometry/mesh.h"
@@ -12,8 +12,8 @@ namespace soms::detail {
 
 /// A format that can be read.
 struct ReadFormat {
-  std::string_view name;    ///< as in messages
-  std::string_view ending;  ///< of file names, lower case, with its point
+  std::string_view name;       ///< as in messages
+  std::string_view extension;  ///< of file names, lower case, with its point
   /// True if the content alone tells that it is this format.
   bool (*recognizes)(std::string_view bytes);
   Mesh (*read)(Source& source);

@@ -56,8 +56,8 @@ void add_list(std::string& text, const char* before, const std::vector<std::uint
   text += numbers.empty() ? "" : "]";
 }
 
-/// True if parts stand as the nodes of a tree that is walked from the outside in: each within its
-/// parent, behind the parts before it.
+/// True if parts stand as the nodes of a tree that is traversed from the outside in: each within
+/// its parent, behind the parts before it.
 bool nests(const std::vector<Part>& parts) {
   std::vector<std::uint32_t> open;
   const auto end_of = [&](std::uint32_t p) {

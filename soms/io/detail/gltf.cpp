@@ -354,29 +354,29 @@ struct Chunks {
 Chunks chunks_of(const Source& source) {
   const std::string_view bytes = source.bytes;
   const auto fail = [&](std::size_t at, const std::string& what) {
-    source.fail_byte(at, ErrorKind::bad_file, what, "get the file whole, or repair it");
+    source.fail_byte(at, ErrorKind::bad_file, what, "get the complete file, or repair it");
   };
-  const auto word = [&](std::size_t at) { return little_endian<std::uint32_t>(bytes, at); };
+  const auto value_at = [&](std::size_t at) { return little_endian<std::uint32_t>(bytes, at); };
   if (bytes.size() < glb::kHeader || !is_glb(bytes)) {
     fail(0, "no header of GLB");
   }
-  if (word(4) != glb::kVersion) {
+  if (value_at(4) != glb::kVersion) {
     source.fail_byte(4, ErrorKind::unsupported,
-                     "version " + std::to_string(word(4)) + " of GLB; 2 is read",
+                     "version " + std::to_string(value_at(4)) + " of GLB; 2 is read",
                      "save the model as glTF 2.0");
   }
-  const std::size_t end = word(8);
+  const std::size_t end = value_at(8);
   if (end < glb::kHeader || end > bytes.size()) {
     fail(8,
          std::to_string(end) + " bytes are stated, " + std::to_string(bytes.size()) + " are there");
   }
   Chunks chunks;
   for (std::size_t at = glb::kHeader; at < end || chunks.json_at == 0;) {
-    if (end - at < glb::kChunkHeader || word(at) > end - at - glb::kChunkHeader) {
+    if (end - at < glb::kChunkHeader || value_at(at) > end - at - glb::kChunkHeader) {
       fail(at, "a chunk is cut off");
     }
-    const std::uint32_t type = word(at + 4);
-    const std::string_view inside = bytes.substr(at + glb::kChunkHeader, word(at));
+    const std::uint32_t type = value_at(at + 4);
+    const std::string_view inside = bytes.substr(at + glb::kChunkHeader, value_at(at));
     if (chunks.json_at == 0) {
       if (type != glb::kJson) {
         fail(at, "the first chunk is not JSON");

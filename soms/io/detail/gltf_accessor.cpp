@@ -33,7 +33,7 @@ GltfComponent component_of(const JsonValue& holder) {
     case 5126:
       return GltfComponent::float32;
     default:
-      number.fail(std::to_string(number.whole()) + " is no type of component");
+      number.fail(std::to_string(number.whole()) + " is not a component type");
   }
 }
 

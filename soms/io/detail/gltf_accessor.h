@@ -47,7 +47,7 @@ struct GltfAccessor {
 /// The three numbers at `at`, as doubles; `normalized` integers are divided by their largest value.
 [[nodiscard]] Vec3 gltf_vector(const char* at, const GltfAccessor& accessor);
 
-/// Walks the elements of an accessor in order.
+/// Traverses the elements of an accessor in order.
 class GltfCursor {
  public:
   explicit GltfCursor(const GltfAccessor& accessor) : accessor_(accessor) { find_replaced(); }

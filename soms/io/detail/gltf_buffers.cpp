@@ -160,7 +160,7 @@ std::string_view GltfBuffers::open(const JsonValue& uri) {
   return known->second;
 }
 
-/// The file counts towards the memory that reading may take, as the model's own file does.
+/// The file counts toward the memory that reading may take, as the model's own file does.
 std::string_view GltfBuffers::read(const RegularFile& file, const JsonValue& uri) {
   source_.budget.give_back(source_.memory_per_byte * file.size());
   if (!source_.budget.take(file.size())) {

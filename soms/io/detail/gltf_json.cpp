@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kDeepest = 128;
-constexpr std::string_view kRepair = "get the file whole, or repair it";
+constexpr std::string_view kRepair = "get the complete file, or repair it";
 /// Bytes that a value takes at most beyond its text: in a list that grows, and when it is freed.
 constexpr std::uint64_t kBytesPerValue = 64;
 /// Bytes of an object or a list without what it holds.
@@ -167,14 +167,14 @@ JsonDocument::JsonDocument(Source& source, std::string_view text, std::size_t of
   if (zero != std::string_view::npos) {
     fail(zero, ErrorKind::bad_file, "a zero byte within JSON");
   }
-  const std::uint64_t words = kParserFactor * text.size();
-  if (!source.budget.take(words)) {
-    source.fail_memory(words);
+  const std::uint64_t bytes_needed = kParserFactor * text.size();
+  if (!source.budget.take(bytes_needed)) {
+    source.fail_memory(bytes_needed);
   }
   DocumentBuilder builder(source, root_->value);
   if (!json::sax_parse(text.begin(), text.end(), &builder)) {
     if (builder.repeated() != nullptr) {
-      JsonValue(*this, builder.repeated()).fail("the name stands twice in one object");
+      JsonValue(*this, builder.repeated()).fail("the name occurs twice in one object");
     }
     if (builder.too_deep()) {
       source.fail(ErrorKind::bad_file,
@@ -185,9 +185,9 @@ JsonDocument::JsonDocument(Source& source, std::string_view text, std::size_t of
       fail(builder.position(), ErrorKind::not_finite, "a number that is too large for a double");
     }
     fail(builder.position(), ErrorKind::bad_file,
-         builder.position() + 1 >= text.size() ? "the JSON ends too soon" : "this is no JSON");
+         builder.position() + 1 >= text.size() ? "the JSON ends too soon" : "this is not JSON");
   }
-  source.budget.give_back(words);
+  source.budget.give_back(bytes_needed);
 }
 
 JsonDocument::~JsonDocument() = default;
@@ -237,7 +237,7 @@ bool JsonValue::is_object() const {
 std::optional<JsonValue> JsonValue::find(std::string_view key) const {
   const json& value = known(value_);
   if (!value.is_object()) {
-    fail("this is no object");
+    fail("this is not an object");
   }
   const auto member = value.find(key);
   if (member == value.end()) {
@@ -249,7 +249,7 @@ std::optional<JsonValue> JsonValue::find(std::string_view key) const {
 std::optional<std::string_view> JsonValue::first_name() const {
   const json& value = known(value_);
   if (!value.is_object()) {
-    fail("this is no object");
+    fail("this is not an object");
   }
   if (value.empty()) {
     return std::nullopt;
@@ -267,7 +267,7 @@ JsonValue JsonValue::at(std::string_view key) const {
 
 std::size_t JsonValue::size() const {
   if (!known(value_).is_array()) {
-    fail("this is no list");
+    fail("this is not a list");
   }
   return known(value_).size();
 }
@@ -287,12 +287,12 @@ std::uint64_t JsonValue::whole() const {
       return static_cast<std::uint64_t>(value);
     }
   }
-  fail("this is no whole number from 0");
+  fail("this is not a whole number from 0");
 }
 
 double JsonValue::number() const {
   if (!known(value_).is_number()) {
-    fail("this is no number");
+    fail("this is not a number");
   }
   return known(value_).get<double>();
 }
@@ -306,7 +306,7 @@ bool JsonValue::boolean() const {
 
 std::string_view JsonValue::text() const {
   if (!known(value_).is_string()) {
-    fail("this is no text");
+    fail("this is not text");
   }
   return known(value_).get_ref<const std::string&>();
 }

@@ -16,7 +16,7 @@ namespace soms::detail {
 
 class JsonDocument;
 
-/// A value of a document that must outlive it. Its type is checked when it is asked for.
+/// A value of a document that must outlive it. Its type is checked when it is requested.
 class JsonValue {
  public:
   /// `value`: nlohmann's, which only the source knows.

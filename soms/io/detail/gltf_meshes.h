@@ -42,10 +42,10 @@ class GltfMeshes {
   /// \errors ErrorKind::bad_file, unsupported, and those of GltfAccessors.
   [[nodiscard]] const GltfMesh& mesh(const JsonValue& reference);
 
-  /// Meshes that were asked for.
+  /// Meshes that were requested.
   [[nodiscard]] std::size_t count() const { return loaded_.size(); }
 
-  /// True if this mesh of the document was asked for.
+  /// True if this mesh of the document was requested.
   [[nodiscard]] bool has(std::uint64_t number) const { return loaded_.count(number) > 0; }
 
   /// What was passed over in them.

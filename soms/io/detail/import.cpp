@@ -1,7 +1,7 @@
 #include "soms/io/detail/import.h"
 
 #include "soms/geometry/counts.h"
-#include "soms/io/detail/ending.h"
+#include "soms/io/detail/file_extension.h"
 #include "soms/io/detail/import_child.h"
 #include "soms/io/detail/little_endian.h"
 #include "soms/io/detail/mesh_builder.h"
@@ -22,7 +22,7 @@ namespace {
 
 /// Sorted. Of what Assimp 5.2 lists, those that soms reads itself, that hold no meshes or that need
 /// a second file are left out.
-constexpr auto kEndings = std::to_array<std::string_view>({
+constexpr auto kExtensions = std::to_array<std::string_view>({
     ".3d",  ".3mf",  ".ac",   ".ac3d", ".acc",     ".amf", ".ase", ".ask",  ".b3d",     ".blend",
     ".cob", ".dxf",  ".enff", ".fbx",  ".hmp",     ".ifc", ".iqm", ".irr",  ".irrmesh", ".lwo",
     ".lws", ".lxo",  ".md2",  ".md3",  ".md5mesh", ".mdc", ".mdl", ".mesh", ".ms3d",    ".ndo",
@@ -71,7 +71,7 @@ class ImportReader {
 
 void ImportReader::fail(const std::string& what) const {
   source_.fail(ErrorKind::bad_file,
-               "soms-import answered wrongly at byte " + std::to_string(at_) + ": " + what,
+               "soms-import gave an invalid answer at byte " + std::to_string(at_) + ": " + what,
                "convert the model to one of the formats that soms reads itself");
 }
 
@@ -198,16 +198,16 @@ Mesh ImportReader::read() {
 
 }  // namespace
 
-std::span<const std::string_view> imported_endings() {
-  return kEndings;
+std::span<const std::string_view> imported_extensions() {
+  return kExtensions;
 }
 
-bool is_imported(std::string_view ending) {
-  return std::binary_search(kEndings.begin(), kEndings.end(), ending);
+bool is_imported(std::string_view extension) {
+  return std::binary_search(kExtensions.begin(), kExtensions.end(), extension);
 }
 
 Mesh read_import(Source& source) {
-  const std::string answer = run_import(source, ending_of(source.name));
+  const std::string answer = run_import(source, extension_of(source.name));
   return ImportReader(source, answer).read();
 }
 

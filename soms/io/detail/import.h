@@ -10,11 +10,11 @@
 
 namespace soms::detail {
 
-/// Endings that are left to soms-import, sorted.
-[[nodiscard]] std::span<const std::string_view> imported_endings();
+/// Extensions that are left to soms-import, sorted.
+[[nodiscard]] std::span<const std::string_view> imported_extensions();
 
-/// True if files with this ending, lower case and with its point, are left to soms-import.
-[[nodiscard]] bool is_imported(std::string_view ending);
+/// True if files with this extension, lower case and with its point, are left to soms-import.
+[[nodiscard]] bool is_imported(std::string_view extension);
 
 /// Reads a model by soms-import; what it answers is checked as a file is.
 /// \errors ErrorKind::unsupported (the program is not installed), bad_file (also where the program

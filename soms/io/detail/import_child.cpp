@@ -61,11 +61,12 @@ std::vector<std::filesystem::path> folders() {
   return import_folders(program, found ? library.dli_fname : "");
 }
 
-std::filesystem::path find_program(const Source& source, std::string_view ending) {
+std::filesystem::path find_program(const Source& source, std::string_view extension) {
   const char* const named = std::getenv("SOMS_IMPORT");
   if (named != nullptr && *named != '\0') {
     if (!runs(named)) {
-      source.fail(ErrorKind::unsupported, "SOMS_IMPORT names no program: " + std::string(named),
+      source.fail(ErrorKind::unsupported,
+                  "SOMS_IMPORT does not name a program: " + std::string(named),
                   "let it name soms-import, or unset it");
     }
     return named;
@@ -75,11 +76,11 @@ std::filesystem::path find_program(const Source& source, std::string_view ending
       return folder / "soms-import";
     }
   }
-  source.fail(
-      ErrorKind::unsupported,
-      "format " + in_quotes(ending) + " is read by the program soms-import, which is not installed",
-      "build soms where Assimp is found (Debian: libassimp-dev), let SOMS_IMPORT name the "
-      "program, or convert the model");
+  source.fail(ErrorKind::unsupported,
+              "format " + in_quotes(extension) +
+                  " is read by the program soms-import, which is not installed",
+              "build soms where Assimp is found (Debian: libassimp-dev), let SOMS_IMPORT name the "
+              "program, or convert the model");
 }
 
 [[noreturn]] void fail_system(const Source& source, const std::string& what, int code) {
@@ -158,7 +159,7 @@ class Child {
 };
 
 /// Starts the program with the model as its input; its output goes to `out`.
-pid_t start(const Source& source, const std::filesystem::path& program, std::string_view ending,
+pid_t start(const Source& source, const std::filesystem::path& program, std::string_view extension,
             int model, int out) {
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
@@ -177,7 +178,7 @@ pid_t start(const Source& source, const std::filesystem::path& program, std::str
   posix_spawnattr_setflags(&attributes,
                            POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
   std::string name = program.string();
-  std::string format(ending);
+  std::string format(extension);
   const std::array<char*, 3> arguments = {name.data(), format.data(), nullptr};
   pid_t process = -1;
   const int fault =
@@ -192,10 +193,10 @@ pid_t start(const Source& source, const std::filesystem::path& program, std::str
 
 class ImportRun {
  public:
-  ImportRun(Source& source, const std::filesystem::path& program, std::string_view ending)
+  ImportRun(Source& source, const std::filesystem::path& program, std::string_view extension)
       : source_(source),
         program_(program),
-        ending_(ending),
+        extension_(extension),
         seconds_(source.import_seconds > 0 ? std::min(source.import_seconds, kMostSeconds) : 0) {}
 
   std::string answer();
@@ -208,7 +209,7 @@ class ImportRun {
 
   Source& source_;
   std::filesystem::path program_;
-  std::string_view ending_;
+  std::string_view extension_;
   double seconds_;  ///< that it may take: no NaN, and few enough to be counted
   Clock::time_point deadline_;
   std::uint64_t memory_ = 0;
@@ -265,20 +266,20 @@ void ImportRun::collect(int pipe) {
 void ImportRun::fail_status(int status) const {
   const std::string remedy = "check the model, or convert it to a format that soms reads itself";
   if (WIFSIGNALED(status)) {
-    // What a library does that gets no memory cannot be told from a fault of another kind.
+    // What a library does that gets no memory cannot be distinguished from a fault of another kind.
     source_.fail(ErrorKind::bad_file,
                  fmt::format("soms-import crashed on it (signal {}, within {} MiB)",
                              WTERMSIG(status), memory_ >> 20),
-                 remedy + ", or give it more memory (max_memory, --max-memory)");
+                 remedy + ", or give it more memory (max_memory)");
   }
   if (WEXITSTATUS(status) == kNoMemory) {
     source_.fail(ErrorKind::out_of_memory,
                  fmt::format("soms-import needs more memory than its {} MiB", memory_ >> 20),
-                 "raise the limit (max_memory, --max-memory) if the file is honest");
+                 "raise the limit (max_memory) if the file can be trusted");
   }
   if (WEXITSTATUS(status) == kRefused && !answer_.empty()) {
     source_.fail(ErrorKind::bad_file,
-                 fmt::format("soms-import cannot read it as {}: {}", ending_, in_words(answer_)),
+                 fmt::format("soms-import cannot read it as {}: {}", extension_, in_words(answer_)),
                  remedy);
   }
   source_.fail(ErrorKind::bad_file,
@@ -302,7 +303,7 @@ std::string ImportRun::answer() {
   const std::uint64_t left = source_.budget.left();
   memory_ =
       kProgramMemory + std::min(left, std::numeric_limits<std::uint64_t>::max() - kProgramMemory);
-  Child child(start(source_, program_, ending_, model.get(), out->get()));
+  Child child(start(source_, program_, extension_, model.get(), out->get()));
   child.limit(RLIMIT_AS, memory_);
   child.limit(RLIMIT_CPU, static_cast<std::uint64_t>(seconds_) + 1);
   child.limit(RLIMIT_CORE, 0);
@@ -349,8 +350,8 @@ std::vector<std::filesystem::path> import_folders(const std::filesystem::path& p
   return all;
 }
 
-std::string run_import(Source& source, std::string_view ending) {
-  return ImportRun(source, find_program(source, ending), ending).answer();
+std::string run_import(Source& source, std::string_view extension) {
+  return ImportRun(source, find_program(source, extension), extension).answer();
 }
 
 }  // namespace soms::detail

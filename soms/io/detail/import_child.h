@@ -15,9 +15,9 @@ namespace soms::detail {
 /// SOMS_IMPORT, else beside this program or in libexec/soms beside it or the library. It gets no
 /// shell, no file but the model, no more memory than the source has left and a fixed room for the
 /// program itself, and `Source::import_seconds`. Nothing of it is left when this returns or throws,
-/// but what it started itself where the host ignores SIGCHLD: whose that is cannot be told then.
+/// but what it started itself where the host ignores SIGCHLD: then it is unknown whose that is.
 /// \errors ErrorKind::unsupported (not found), bad_file, timed_out, out_of_memory, cancelled.
-[[nodiscard]] std::string run_import(Source& source, std::string_view ending);
+[[nodiscard]] std::string run_import(Source& source, std::string_view extension);
 
 /// Folders where soms-import may lie, the nearest first, for a program and a library at these
 /// places. None is far from them: what somebody else put into a folder above them must not be

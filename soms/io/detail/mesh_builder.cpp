@@ -133,7 +133,7 @@ Mesh MeshBuilder::finish() {
     source_.fail(ErrorKind::empty_mesh,
                  "no triangles (" + std::to_string(mesh_.vertices.size()) + " vertices" +
                      (mesh_.notes.empty() ? "" : "; " + joined(mesh_.notes)) + ")",
-                 "give a model with faces, or allow an empty one (allow_empty, --allow-empty)");
+                 "give a model with faces, or allow an empty one (allow_empty)");
   }
   mesh_.source = source_.name;
   return std::move(mesh_);

@@ -247,9 +247,9 @@ void MeshWriter::stl_text() {
   if (runs.empty()) {
     runs.push_back({});
   }
-  const auto line = [&](std::string_view word, const PartRun& run) {
+  const auto line = [&](std::string_view token, const PartRun& run) {
     const std::string name = line_name(mesh_, run.part);
-    output_.put(word);
+    output_.put(token);
     output_.put(name.empty() ? "" : " ");
     output_.put(name);
     output_.put('\n');

@@ -31,7 +31,7 @@ enum class ObjLine : std::uint8_t {
 };
 
 struct ObjKeyword {
-  std::string_view word;
+  std::string_view token;
   ObjLine line = ObjLine::unknown;
 };
 
@@ -53,9 +53,9 @@ constexpr auto kObjKeywords = std::to_array<ObjKeyword>(
      {"bsp", ObjLine::free_form},    {"bzp", ObjLine::free_form},   {"cdp", ObjLine::free_form},
      {"res", ObjLine::passed},       {"call", ObjLine::called},     {"csh", ObjLine::called}});
 
-ObjLine obj_line_of(std::string_view word) {
+ObjLine obj_line_of(std::string_view token) {
   const auto* const found = std::find_if(kObjKeywords.begin(), kObjKeywords.end(),
-                                         [&](const ObjKeyword& k) { return k.word == word; });
+                                         [&](const ObjKeyword& k) { return k.token == token; });
   return found == kObjKeywords.end() ? ObjLine::unknown : found->line;
 }
 
@@ -72,7 +72,7 @@ class ObjReader {
   void check_words();
   void read_vertex(TextScanner& scanner);
   void read_face(TextScanner& scanner, std::int64_t vertices_so_far);
-  void leave_out(ObjLine kind, std::size_t begin, std::string_view word);
+  void leave_out(ObjLine kind, std::size_t begin, std::string_view token);
 
   Source& source_;
   MeshBuilder builder_;
@@ -102,7 +102,7 @@ void ObjReader::read_vertices() {
     if (line % kRowsPerTick == 0) {
       source_.tick(scanner.position() / 2);
     }
-    if (scanner.word_in_line() == "v") {
+    if (scanner.token_in_line() == "v") {
       read_vertex(scanner);
     }
     scanner.skip_line();
@@ -115,11 +115,11 @@ void ObjReader::read_vertex(TextScanner& scanner) {
   constexpr std::size_t kNeither = 2;
   builder_.add_vertex(scanner.vertex(Precision::as_double));
   const std::size_t begin = scanner.position();
-  std::size_t words = 0;
-  for (; !scanner.at_line_end(); ++words) {
-    static_cast<void>(scanner.word_in_line());
+  std::size_t tokens = 0;
+  for (; !scanner.at_line_end(); ++tokens) {
+    static_cast<void>(scanner.token_in_line());
   }
-  if (words == kNeither || words > kMostBehind) {
+  if (tokens == kNeither || tokens > kMostBehind) {
     long_vertices_.add([&] { return "in " + source_.line_of(begin); });
   }
 }
@@ -148,7 +148,7 @@ void ObjReader::read_faces() {
       source_.forget(scanner.position());
     }
     const std::size_t begin = scanner.position();
-    const std::string_view keyword = scanner.word_in_line();
+    const std::string_view keyword = scanner.token_in_line();
     const ObjLine kind = obj_line_of(keyword);
     if (kind == ObjLine::vertex) {
       ++vertices_so_far;
@@ -170,7 +170,7 @@ void ObjReader::read_faces() {
   builder_.note(unknown_, "lines that start with an unknown keyword, not read");
 }
 
-void ObjReader::leave_out(ObjLine kind, std::size_t begin, std::string_view word) {
+void ObjReader::leave_out(ObjLine kind, std::size_t begin, std::string_view token) {
   LeftOut& left_out = kind == ObjLine::thin        ? thin_
                       : kind == ObjLine::free_form ? free_form_
                       : kind == ObjLine::called    ? called_
@@ -178,11 +178,11 @@ void ObjReader::leave_out(ObjLine kind, std::size_t begin, std::string_view word
   left_out.add([&] {
     const std::string line = "in " + source_.line_of(begin);
     return kind == ObjLine::thin || kind == ObjLine::free_form ? line
-                                                               : line + ": " + in_quotes(word);
+                                                               : line + ": " + in_quotes(token);
   });
 }
 
-/// Of a file without vertices: throws where no line begins with a word of the format.
+/// Of a file without vertices: throws where no line begins with a keyword of the format.
 void ObjReader::check_words() {
   TextScanner scanner(source_, 0, kStyle);
   std::uint64_t lines = 0;
@@ -190,13 +190,13 @@ void ObjReader::check_words() {
     if (lines % kRowsPerTick == 0) {
       check_stop(source_.parallel);
     }
-    if (obj_line_of(scanner.word_in_line()) != ObjLine::unknown) {
+    if (obj_line_of(scanner.token_in_line()) != ObjLine::unknown) {
       return;
     }
     scanner.skip_line();
   }
   if (lines > 0) {
-    source_.fail(ErrorKind::bad_file, "no line begins with a word of OBJ",
+    source_.fail(ErrorKind::bad_file, "no line begins with a keyword of OBJ",
                  "give the file itself, or let its name end as its format does");
   }
 }
@@ -216,10 +216,10 @@ bool is_obj(std::string_view bytes) {
   while (!bytes.empty()) {
     const std::size_t end = std::min(bytes.find_first_of("\r\n"), bytes.size());
     std::string_view line = bytes.substr(0, end);
-    const std::string_view word = take_word(line);
-    if (!word.empty() && word[0] != '#') {
-      return word == "v" || word == "vn" || word == "vt" || word == "o" || word == "g" ||
-             word == "mtllib";
+    const std::string_view token = take_token(line);
+    if (!token.empty() && token[0] != '#') {
+      return token == "v" || token == "vn" || token == "vt" || token == "o" || token == "g" ||
+             token == "mtllib";
     }
     bytes.remove_prefix(std::min(end + 1, bytes.size()));
   }

@@ -12,13 +12,13 @@ namespace soms::detail {
 namespace {
 
 /// `[ST][C][N][4][n]OFF`: the letters say what stands behind x, y and z, which nobody needs here.
-bool is_magic(std::string_view word) {
+bool is_magic(std::string_view token) {
   for (const std::string_view letters : {"ST", "C", "N", "4", "n"}) {
-    if (word.starts_with(letters)) {
-      word.remove_prefix(letters.size());
+    if (token.starts_with(letters)) {
+      token.remove_prefix(letters.size());
     }
   }
-  return word == "OFF";
+  return token == "OFF";
 }
 
 class OffReader {
@@ -59,14 +59,14 @@ std::size_t most_behind_vertex(std::string_view magic) {
 void OffReader::find_row(const char* what) {
   if (!scanner_.find_line()) {
     scanner_.fail(ErrorKind::bad_file, std::string("the file ends where ") + what + " should be",
-                  "get the file whole; each vertex and each face is a line of its own");
+                  "get the complete file; each vertex and each face is a line of its own");
   }
 }
 
 void OffReader::read_magic() {
-  find_row("the word OFF");
+  find_row("the keyword OFF");
   const TextScanner before = scanner_;
-  const std::string_view magic = scanner_.word_in_line();
+  const std::string_view magic = scanner_.token_in_line();
   if (!is_magic(magic)) {
     // Geomview lets the word be left out; then the counts come first.
     scanner_ = before;
@@ -82,7 +82,7 @@ void OffReader::read_magic() {
   }
   most_behind_vertex_ = most_behind_vertex(magic);
   const TextScanner behind = scanner_;
-  if (!scanner_.at_line_end() && scanner_.word_in_line() == "BINARY") {
+  if (!scanner_.at_line_end() && scanner_.token_in_line() == "BINARY") {
     before.fail(ErrorKind::unsupported, "binary OFF is not read", "convert it to text or to PLY");
   }
   scanner_ = behind;
@@ -96,18 +96,18 @@ std::uint64_t OffReader::read_count(const char* what) {
     before.fail(ErrorKind::bad_file,
                 std::string(what) + " is " + std::to_string(count) + ", but " +
                     std::to_string(scanner_.left()) + " bytes are left",
-                "get the file whole, or repair it");
+                "get the complete file, or repair it");
   }
   return static_cast<std::uint64_t>(count);
 }
 
 /// Passes the words up to the end of the line or a comment; how many there are.
 std::size_t OffReader::pass_words() {
-  std::size_t words = 0;
-  for (; !scanner_.at_line_end(); ++words) {
-    static_cast<void>(scanner_.word_in_line());
+  std::size_t tokens = 0;
+  for (; !scanner_.at_line_end(); ++tokens) {
+    static_cast<void>(scanner_.token_in_line());
   }
-  return words;
+  return tokens;
 }
 
 void OffReader::read_vertices(std::uint64_t count) {
@@ -151,11 +151,11 @@ void OffReader::read_face() {
     corners_.push_back(static_cast<std::uint32_t>(corner));
   }
   builder_.add_face(corners_);
-  const std::size_t words = pass_words();
+  const std::size_t tokens = pass_words();
   const auto place = [&] { return "in " + source_.line_of(before.position()); };
-  if (words == 1) {
+  if (tokens == 1) {
     color_indices_.add(place);
-  } else if (words == 2 || words > kMostOfColor) {
+  } else if (tokens == 2 || tokens > kMostOfColor) {
     long_faces_.add(place);
   }
 }
@@ -177,11 +177,11 @@ void OffReader::read_faces(std::uint64_t count) {
 /// Behind the counts of vertices and faces that of edges may stand, which nobody needs.
 void OffReader::refuse_behind_counts() {
   if (!scanner_.at_line_end()) {
-    static_cast<void>(scanner_.word_in_line());
+    static_cast<void>(scanner_.token_in_line());
   }
   if (!scanner_.at_line_end()) {
     const TextScanner before = scanner_;
-    before.fail(ErrorKind::bad_file, in_quotes(scanner_.word_in_line()) + " follows the counts",
+    before.fail(ErrorKind::bad_file, in_quotes(scanner_.token_in_line()) + " follows the counts",
                 "put the first vertex on a line of its own");
   }
 }
@@ -191,7 +191,7 @@ void OffReader::refuse_more() {
   if (scanner_.find_line()) {
     const TextScanner before = scanner_;
     before.fail(ErrorKind::bad_file,
-                in_quotes(scanner_.word_in_line()) + " follows the last declared face",
+                in_quotes(scanner_.token_in_line()) + " follows the last declared face",
                 "correct the counts, or delete the surplus");
   }
 }
@@ -219,9 +219,9 @@ bool is_off(std::string_view bytes) {
   while (!bytes.empty()) {
     const std::size_t end = std::min(bytes.find_first_of("\r\n"), bytes.size());
     std::string_view line = bytes.substr(0, end);
-    const std::string_view word = take_word(line);
-    if (!word.empty() && word[0] != '#') {
-      return is_magic(word);
+    const std::string_view token = take_token(line);
+    if (!token.empty() && token[0] != '#') {
+      return is_magic(token);
     }
     bytes.remove_prefix(std::min(end + 1, bytes.size()));
   }

@@ -53,7 +53,7 @@ class PlyBody {
   std::vector<std::int64_t> corners_;
 };
 
-/// A triangle strip that is fed corner by corner; -1 begins anew.
+/// A triangle strip that is fed corner by corner; -1 start over.
 class PlyStrip {
  public:
   explicit PlyStrip(MeshBuilder& builder) : builder_(builder) {}

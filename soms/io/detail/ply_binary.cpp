@@ -89,7 +89,7 @@ class PlyBinary final : public PlyBody {
 
  private:
   [[noreturn]] void fail(std::size_t at, const std::string& what) const {
-    source_.fail_byte(at, ErrorKind::bad_file, what, "get the file whole, or repair it");
+    source_.fail_byte(at, ErrorKind::bad_file, what, "get the complete file, or repair it");
   }
 
   [[nodiscard]] std::size_t left() const { return source_.bytes.size() - at_; }

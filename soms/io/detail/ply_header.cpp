@@ -46,7 +46,7 @@ class HeaderReader {
   void read_format(std::string_view line);
   void read_element(std::string_view line);
   void read_property(std::string_view line);
-  [[nodiscard]] PlyType read_type(std::string_view word) const;
+  [[nodiscard]] PlyType read_type(std::string_view token) const;
   void expect_end(std::string_view line) const;
 
   const Source& source_;
@@ -57,20 +57,20 @@ class HeaderReader {
   PlyHeader header_;
 };
 
-/// The first line tells how lines end: a lone CR behind the magic word means CR everywhere, so that
-/// a body that begins with an LF byte keeps it.
+/// The first line tells how lines end: a single CR behind the magic word means CR everywhere, so
+/// that a body that begins with an LF byte keeps it.
 void HeaderReader::find_line_ends() {
   const std::size_t end = source_.bytes.find_first_of("\r\n");
-  const bool lone = end != std::string_view::npos && source_.bytes[end] == '\r' &&
-                    (end + 1 == source_.bytes.size() || source_.bytes[end + 1] != '\n');
-  line_end_ = lone ? '\r' : '\n';
+  const bool single = end != std::string_view::npos && source_.bytes[end] == '\r' &&
+                      (end + 1 == source_.bytes.size() || source_.bytes[end + 1] != '\n');
+  line_end_ = single ? '\r' : '\n';
 }
 
 std::string_view HeaderReader::next_line() {
   line_begin_ = at_;
   const std::size_t end = source_.bytes.find(line_end_, at_);
   if (end == std::string_view::npos) {
-    fail("the header ends without end_header", "get the file whole");
+    fail("the header ends without end_header", "get the complete file");
   }
   std::string_view line = source_.bytes.substr(at_, end - at_);
   at_ = end + 1;
@@ -80,26 +80,26 @@ std::string_view HeaderReader::next_line() {
   return line;
 }
 
-PlyType HeaderReader::read_type(std::string_view word) const {
+PlyType HeaderReader::read_type(std::string_view token) const {
   for (const auto& [name, type] : kTypeNames) {
-    if (name == word) {
+    if (name == token) {
       return type;
     }
   }
-  fail("property type " + in_quotes(word) + " is unknown",
+  fail("property type " + in_quotes(token) + " is unknown",
        "use char, uchar, short, ushort, int, uint, float or double");
 }
 
 void HeaderReader::expect_end(std::string_view line) const {
-  const std::string_view word = take_word(line);
-  if (!word.empty()) {
-    fail(in_quotes(word) + " stands behind the end of a header line", "repair the header");
+  const std::string_view token = take_token(line);
+  if (!token.empty()) {
+    fail(in_quotes(token) + " follows the end of a header line", "repair the header");
   }
 }
 
 void HeaderReader::read_format(std::string_view line) {
-  const std::string_view format = take_word(line);
-  const std::string_view version = take_word(line);
+  const std::string_view format = take_token(line);
+  const std::string_view version = take_token(line);
   if (has_format_) {
     fail("a second format line", "repair the header");
   }
@@ -122,8 +122,8 @@ void HeaderReader::read_format(std::string_view line) {
 
 void HeaderReader::read_element(std::string_view line) {
   PlyElement element;
-  element.name = take_word(line);
-  const std::string_view count = take_word(line);
+  element.name = take_token(line);
+  const std::string_view count = take_token(line);
   const char* end = count.data() + count.size();
   const auto [stop, error] = std::from_chars(count.data(), end, element.count);
   if (count.empty() || error != std::errc() || stop != end) {
@@ -139,17 +139,17 @@ void HeaderReader::read_property(std::string_view line) {
     fail("a property before any element", "repair the header");
   }
   PlyProperty property;
-  std::string_view word = take_word(line);
-  if (word == "list") {
+  std::string_view token = take_token(line);
+  if (token == "list") {
     property.is_list = true;
-    property.count_type = read_type(take_word(line));
+    property.count_type = read_type(take_token(line));
     if (is_floating(property.count_type)) {
       fail("the length of a list has a floating type", "use uchar, ushort, uint or int");
     }
-    word = take_word(line);
+    token = take_token(line);
   }
-  property.type = read_type(word);
-  property.name = take_word(line);
+  property.type = read_type(token);
+  property.name = take_token(line);
   if (property.name.empty()) {
     fail("a property without a name", "repair the header");
   }
@@ -160,7 +160,7 @@ void HeaderReader::read_property(std::string_view line) {
 PlyHeader HeaderReader::read() {
   find_line_ends();
   std::string_view magic = next_line();
-  if (take_word(magic) != "ply") {
+  if (take_token(magic) != "ply") {
     fail("the file does not begin with the line \"ply\"", "give a PLY file");
   }
   expect_end(magic);
@@ -169,7 +169,7 @@ PlyHeader HeaderReader::read() {
     if (line.find('\0') != std::string_view::npos) {
       fail("a zero byte in the header", "repair the header");
     }
-    const std::string_view keyword = take_word(line);
+    const std::string_view keyword = take_token(line);
     if (keyword == "element") {
       read_element(line);
     } else if (keyword == "property") {

@@ -95,7 +95,7 @@ void PlyText::begin_element(const PlyElement& element) {
                   std::to_string(element.count) + " rows of element " + in_quotes(element.name) +
                       " do not fit into the " + std::to_string(scanner_.left()) +
                       " bytes that are left",
-                  "get the file whole, or repair it");
+                  "get the complete file, or repair it");
   }
   flows_ = flows(element);
 }
@@ -103,15 +103,15 @@ void PlyText::begin_element(const PlyElement& element) {
 /// Passes a row within a line, unless it does not end there.
 bool PlyText::pass_row(TextScanner& scanner, const PlyElement& element) {
   for (const PlyProperty& property : element.properties) {
-    std::uint64_t words = 1;
+    std::uint64_t tokens = 1;
     if (property.is_list) {
-      const std::string_view length = scanner.word_in_line();
-      if (std::from_chars(length.data(), length.data() + length.size(), words).ec != std::errc()) {
+      const std::string_view length = scanner.token_in_line();
+      if (std::from_chars(length.data(), length.data() + length.size(), tokens).ec != std::errc()) {
         return false;
       }
     }
-    for (; words > 0; --words) {
-      if (scanner.word_in_line().empty()) {
+    for (; tokens > 0; --tokens) {
+      if (scanner.token_in_line().empty()) {
         return false;
       }
     }
@@ -137,14 +137,14 @@ void PlyText::end_row() {
   if (!flows_ && !scanner_.at_line_end()) [[unlikely]] {
     const TextScanner before = scanner_;
     before.fail(ErrorKind::bad_file,
-                in_quotes(scanner_.word_in_line()) + " follows the last value of the row",
+                in_quotes(scanner_.token_in_line()) + " follows the last value of the row",
                 "correct the row, or put each row on a line of its own");
   }
 }
 
 void PlyText::pass_word(const PlyProperty& property) {
   begin_value();
-  if (scanner_.word_in_line().empty()) {
+  if (scanner_.token_in_line().empty()) {
     scanner_.fail_missing(property.name);
   }
 }
@@ -180,7 +180,7 @@ std::int64_t PlyText::read_length(const PlyProperty& property) {
     before.fail(ErrorKind::bad_file,
                 "list " + in_quotes(property.name) + " of length " + std::to_string(length) +
                     " in the " + std::to_string(scanner_.left()) + " bytes that are left",
-                "get the file whole, or repair it");
+                "get the complete file, or repair it");
   }
   return length;
 }
@@ -295,9 +295,10 @@ void PlyText::finish() {
     return;
   }
   const TextScanner before = scanner_;
-  before.fail(ErrorKind::bad_file,
-              in_quotes(scanner_.word_in_line()) + " follows the last row that the header declares",
-              "correct the counts in the header, or delete the surplus");
+  before.fail(
+      ErrorKind::bad_file,
+      in_quotes(scanner_.token_in_line()) + " follows the last row that the header declares",
+      "correct the counts in the header, or delete the surplus");
 }
 
 }  // namespace

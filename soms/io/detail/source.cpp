@@ -37,7 +37,7 @@ void Source::forget(std::size_t position) {
 void Source::fail_memory(std::uint64_t wanted) const {
   fail(ErrorKind::out_of_memory,
        "reading needs " + std::to_string(wanted) + " bytes more than its limit leaves",
-       "raise the limit (max_memory, --max-memory) if the file is honest");
+       "raise the limit (max_memory) if the file can be trusted");
 }
 
 void Source::fail(ErrorKind kind, const std::string& what, const std::string& remedy) const {
@@ -91,13 +91,13 @@ std::size_t count_line_ends(std::string_view bytes, std::size_t begin, std::size
   return count;
 }
 
-std::string in_quotes(std::string_view word) {
+std::string in_quotes(std::string_view token) {
   constexpr std::size_t kMost = 40;
   std::string text = "\"";
-  for (const char c : word.substr(0, kMost)) {
+  for (const char c : token.substr(0, kMost)) {
     text += c >= ' ' && c <= '~' ? c : '?';
   }
-  return text + (word.size() > kMost ? "...\"" : "\"");
+  return text + (token.size() > kMost ? "...\"" : "\"");
 }
 
 }  // namespace soms::detail

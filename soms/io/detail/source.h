@@ -56,7 +56,7 @@ struct Source {
   std::size_t forgotten = 0;            ///< bytes that were passed for good
   std::size_t forgotten_line_ends = 0;  ///< among them
 
-  /// Reports progress and ends the reading if that was asked; called every few thousand items.
+  /// Reports progress and ends the reading if that was requested; called every few thousand items.
   void tick(std::size_t position) const;
 
   /// Gives the memory of the bytes before `position` back, which nobody reads again: a text is
@@ -92,6 +92,6 @@ inline constexpr std::size_t kRowsPerTick = 1 << 16;
                                           std::size_t end);
 
 /// A word of a file made fit for a message: at most 40 characters, unprintable ones as '?'.
-[[nodiscard]] std::string in_quotes(std::string_view word);
+[[nodiscard]] std::string in_quotes(std::string_view token);
 
 }  // namespace soms::detail

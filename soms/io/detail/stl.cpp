@@ -14,16 +14,16 @@ namespace {
 constexpr std::size_t kHeader = 84;  // 80 bytes of anything and the count
 constexpr std::size_t kFacet = 50;   // normal, three corners, attribute
 
-bool equals(std::string_view word, std::string_view lower) {
-  return std::equal(word.begin(), word.end(), lower.begin(), lower.end(),
+bool equals(std::string_view token, std::string_view lower) {
+  return std::equal(token.begin(), token.end(), lower.begin(), lower.end(),
                     [](char c, char l) { return c == l || (c >= 'A' && c <= 'Z' && c + 32 == l); });
 }
 
 bool begins_with_solid(std::string_view bytes) {
   const std::size_t begin = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
-  const std::string_view word = bytes.substr(begin, 5);
+  const std::string_view token = bytes.substr(begin, 5);
   const std::size_t behind = begin + 5;
-  return equals(word, "solid") &&
+  return equals(token, "solid") &&
          (behind == bytes.size() || is_blank(bytes[behind]) || is_line_end(bytes[behind]));
 }
 
@@ -41,7 +41,7 @@ Mesh read_binary(Source& source) {
   if (bytes.size() < kHeader) {
     source.fail(ErrorKind::bad_file,
                 std::to_string(bytes.size()) + " bytes are too few for an STL file",
-                "get the file whole");
+                "get the complete file");
   }
   const std::uint64_t count = little_endian<std::uint32_t>(bytes, 80);
   const std::uint64_t held = (bytes.size() - kHeader) / kFacet;
@@ -50,7 +50,7 @@ Mesh read_binary(Source& source) {
     source.fail_byte(
         80, ErrorKind::bad_file,
         std::to_string(count) + " triangles are stated, " + std::to_string(held) + " are there",
-        "get the file whole, or repair its count");
+        "get the complete file, or repair its count");
   }
   MeshBuilder builder(source);
   builder.reserve_vertices(3 * count);
@@ -91,36 +91,36 @@ class StlTextReader {
   void expect(std::string_view wanted);
   void read_facet();
   [[nodiscard]] std::string_view read_name();
-  [[noreturn]] void fail_word(std::string_view found, std::string_view wanted) const;
+  [[noreturn]] void fail_token(std::string_view found, std::string_view wanted) const;
 
   Source& source_;
   TextScanner scanner_;
   MeshBuilder builder_;
 };
 
-void StlTextReader::fail_word(std::string_view found, std::string_view wanted) const {
+void StlTextReader::fail_token(std::string_view found, std::string_view wanted) const {
   scanner_.fail(ErrorKind::bad_file,
                 (found.empty() ? std::string("the file ends") : in_quotes(found) + " stands") +
                     " where " + std::string(wanted) + " should be",
-                "get the file whole, or repair it");
+                "get the complete file, or repair it");
 }
 
 void StlTextReader::expect(std::string_view wanted) {
-  const std::string_view found = scanner_.word();
+  const std::string_view found = scanner_.token();
   if (!equals(found, wanted)) {
-    fail_word(found, wanted);
+    fail_token(found, wanted);
   }
 }
 
 /// Behind the word facet. The normal is passed unread: some programs write "nan" there.
 void StlTextReader::read_facet() {
-  constexpr int kMostWords = 5;
-  std::string_view word = scanner_.word();
-  for (int i = 0; i < kMostWords && !equals(word, "outer"); ++i) {
-    word = scanner_.word();
+  constexpr int kMostTokens = 5;
+  std::string_view token = scanner_.token();
+  for (int i = 0; i < kMostTokens && !equals(token, "outer"); ++i) {
+    token = scanner_.token();
   }
-  if (!equals(word, "outer")) {
-    fail_word(word, "outer loop");
+  if (!equals(token, "outer")) {
+    fail_token(token, "outer loop");
   }
   expect("loop");
   const auto first = static_cast<std::uint32_t>(builder_.vertices().size());
@@ -137,13 +137,13 @@ void StlTextReader::read_facet() {
 /// whole facet, which would be lost.
 std::string_view StlTextReader::read_name() {
   bool facet = false;
-  for (TextScanner words = scanner_; !words.at_line_end();) {
-    const std::string_view word = words.word_in_line();
-    if (facet && equals(word, "endfacet")) {
+  for (TextScanner tokens = scanner_; !tokens.at_line_end();) {
+    const std::string_view token = tokens.token_in_line();
+    if (facet && equals(token, "endfacet")) {
       scanner_.fail(ErrorKind::bad_file, "a facet follows the name of a solid on the same line",
                     "put each facet on lines of its own");
     }
-    facet = facet || equals(word, "facet");
+    facet = facet || equals(token, "facet");
   }
   return scanner_.rest_of_line();
 }
@@ -152,24 +152,24 @@ Mesh StlTextReader::read() {
   bool in_solid = false;
   std::uint64_t facets = 0;
   while (true) {
-    const std::string_view word = scanner_.word();
-    if (word.empty() && !in_solid) {
+    const std::string_view token = scanner_.token();
+    if (token.empty() && !in_solid) {
       return builder_.finish();
     }
-    if (in_solid && equals(word, "facet")) {
+    if (in_solid && equals(token, "facet")) {
       if (facets++ % kRowsPerTick == 0) {
         source_.tick(scanner_.position());
         source_.forget(scanner_.position());
       }
       read_facet();
-    } else if (in_solid && equals(word, "endsolid")) {
+    } else if (in_solid && equals(token, "endsolid")) {
       static_cast<void>(read_name());
       in_solid = false;
-    } else if (!in_solid && equals(word, "solid")) {
+    } else if (!in_solid && equals(token, "solid")) {
       builder_.begin_part(read_name());
       in_solid = true;
     } else {
-      fail_word(word, in_solid ? "facet or endsolid" : "solid");
+      fail_token(token, in_solid ? "facet or endsolid" : "solid");
     }
   }
 }

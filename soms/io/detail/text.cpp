@@ -152,16 +152,16 @@ std::string_view TextScanner::peek() const {
   return {at_, static_cast<std::size_t>(stop - at_)};
 }
 
-std::string_view TextScanner::word_in_line() {
+std::string_view TextScanner::token_in_line() {
   skip_blanks();
   const std::string_view found = peek();
   at_ += found.size();
   return found;
 }
 
-std::string_view TextScanner::word() {
+std::string_view TextScanner::token() {
   skip_space();
-  return word_in_line();
+  return token_in_line();
 }
 
 std::string_view TextScanner::rest_of_line() {
@@ -181,7 +181,7 @@ std::string_view TextScanner::rest_of_line() {
 void TextScanner::fail_missing(std::string_view what) const {
   fail(ErrorKind::bad_file,
        std::string(what) + " is missing: the " + (at_end() ? "file" : "line") + " ends",
-       at_end() ? "get the file whole, or repair it"
+       at_end() ? "get the complete file, or repair it"
                 : "repair the file, or put all values of a row on one line");
 }
 
@@ -254,7 +254,7 @@ std::int64_t TextScanner::slashed_integer(std::string_view what) {
   return value;
 }
 
-std::string_view take_word(std::string_view& line) {
+std::string_view take_token(std::string_view& line) {
   std::size_t begin = 0;
   while (begin < line.size() && is_blank(line[begin])) {
     ++begin;

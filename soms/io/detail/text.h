@@ -58,9 +58,9 @@ class TextScanner {
   [[nodiscard]] bool find_line();
 
   /// The next word of this line; empty at its end.
-  [[nodiscard]] std::string_view word_in_line();
+  [[nodiscard]] std::string_view token_in_line();
   /// The next word, over line ends; empty at the end of the file.
-  [[nodiscard]] std::string_view word();
+  [[nodiscard]] std::string_view token();
   /// The rest of the line without blanks around it, comments included; its end is passed.
   [[nodiscard]] std::string_view rest_of_line();
 
@@ -113,7 +113,7 @@ class TextScanner {
 };
 
 /// Takes the next word from the front of a line; empty at its end.
-[[nodiscard]] std::string_view take_word(std::string_view& line);
+[[nodiscard]] std::string_view take_token(std::string_view& line);
 
 /// Outcome of `parse_number`.
 enum class NumberStatus { good, not_a_number, too_large };

@@ -36,7 +36,7 @@ class ThreeDsReader {
 
  private:
   [[noreturn]] void fail(std::size_t at, const std::string& what) const {
-    source_.fail_byte(at, ErrorKind::bad_file, what, "get the file whole, or repair it");
+    source_.fail_byte(at, ErrorKind::bad_file, what, "get the complete file, or repair it");
   }
 
   [[nodiscard]] Chunk chunk_at(std::size_t at, std::size_t end) const;

@@ -7,11 +7,11 @@
 namespace soms::detail {
 
 /// Starts to load what will be looked at soon.
-template <class Place>
-inline void fetch(const Place& place) {
+template <class Node>
+inline void fetch(const Node& place) {
   constexpr std::size_t kLine = 64;
   const auto* const bytes = reinterpret_cast<const char*>(&place);
-  for (std::size_t line = 0; line < sizeof(Place); line += kLine) {
+  for (std::size_t line = 0; line < sizeof(Node); line += kLine) {
     __builtin_prefetch(bytes + line);
   }
 }

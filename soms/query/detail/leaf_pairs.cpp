@@ -9,7 +9,7 @@ namespace soms::detail {
 
 namespace {
 
-Triangle moved(const WalkSide& side, TriangleId id) {
+Triangle moved(const TraversalSide& side, TriangleId id) {
   const Triangle t = side.shape->mesh().triangle(id);
   return {side.pose->apply(t.a), side.pose->apply(t.b), side.pose->apply(t.c)};
 }
@@ -26,7 +26,7 @@ void LeafQueue::add(const Kernels& kernels, const BlockTask& task) {
   const auto begin = static_cast<std::uint32_t>(slots_used_ * kSlotFloats);
   const auto number = static_cast<std::uint32_t>(slots_used_ << 6);
   // The smaller triangle comes first: floats decide more pairs so.
-  const bool swap = task.x->reach * task.pose->ratio > task.y->reach;
+  const bool swap = task.x->l1_radius * task.pose->ratio > task.y->l1_radius;
   std::uint32_t* const x = swap ? second_.data() : first_.data();
   std::uint32_t* const y = swap ? first_.data() : second_.data();
   for (; pairs != 0; pairs &= pairs - 1) {

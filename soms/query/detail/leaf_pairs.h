@@ -1,5 +1,5 @@
 /// \file
-/// Decides pairs of blocks that a walk found: which of their triangles overlap.
+/// Decides pairs of blocks that a traversal found: which of their triangles overlap.
 #pragma once
 
 #include "soms/query/answer.h"
@@ -14,8 +14,8 @@
 
 namespace soms::detail {
 
-/// A shape at a pose, as one side of a walk.
-struct WalkSide {
+/// A shape at a pose, as one side of a traversal.
+struct TraversalSide {
   const Shape* shape;
   const Pose* pose;
 };
@@ -68,11 +68,12 @@ class LeafQueue {
 /// The leaves of one query. Sides x and y are the caller's a and b, or b and a when `swapped`.
 class LeafPairs {
  public:
-  LeafPairs(const WalkSide& x, const WalkSide& y, bool swapped, LeafQueue& queue)
+  LeafPairs(const TraversalSide& x, const TraversalSide& y, bool swapped, LeafQueue& queue)
       : x_(x), y_(y), swapped_(swapped), kernels_(&kernels()), queue_(&queue) {}
 
-  /// Decides pairs of blocks whose slabs have been tested; true when the walk is to stop. Where all
-  /// pairs are asked for, some wait in the queue until there are more, or these are the `last`.
+  /// Decides pairs of blocks whose slabs have been tested; true when the traversal is to stop.
+  /// Where all pairs are requested, some wait in the queue until there are more, or these are the
+  /// `last`.
   [[nodiscard]] bool decide(std::span<const BlockTask> tasks, bool last, Collector& collector,
                             Cost& cost);
 
@@ -88,8 +89,8 @@ class LeafPairs {
     return swapped_ ? TrianglePair{ids.second, ids.first} : ids;
   }
 
-  WalkSide x_;
-  WalkSide y_;
+  TraversalSide x_;
+  TraversalSide y_;
   bool swapped_;
   const Kernels* kernels_;
   LeafQueue* queue_;

@@ -4,7 +4,7 @@
 
 namespace soms::detail {
 
-bool first_is_viewer(const WideTree& a, const WideTree& b) {
+bool first_is_reference(const WideTree& a, const WideTree& b) {
   if (a.exponent() != b.exponent()) {
     return a.exponent() < b.exponent();
   }

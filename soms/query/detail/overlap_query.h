@@ -9,7 +9,7 @@
 namespace soms::detail {
 
 /// True if a pair of trees is seen in the axes of `a`: the larger one, and of the coarser unit.
-[[nodiscard]] bool first_is_viewer(const WideTree& a, const WideTree& b);
+[[nodiscard]] bool first_is_reference(const WideTree& a, const WideTree& b);
 
 [[nodiscard]] bool is_empty(const Shape& shape);
 
@@ -19,7 +19,7 @@ namespace soms::detail {
 /// Throws unless the pose is rigid and keeps the shape within range.
 void check_pose(const Pose& pose, const Shape& shape);
 
-/// Coverage of a walk that ended with `collector`; `late` if a deadline ended it.
+/// Coverage of a traversal that ended with `collector`; `late` if a deadline ended it.
 [[nodiscard]] Coverage coverage_of(OverlapMode mode, const Collector& collector, bool late);
 
 }  // namespace soms::detail

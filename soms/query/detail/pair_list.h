@@ -1,5 +1,5 @@
 /// \file
-/// Lists of pairs of places that a walk has still to look at.
+/// Lists of pairs of nodes that a traversal has still to look at.
 #pragma once
 
 #include "soms/tree/layout/wide_tree.h"
@@ -11,9 +11,9 @@
 
 namespace soms::detail {
 
-/// A pair of places in two trees: codes of which one at least is a node (see NodeTask), or words of
-/// WideNode::child that are leaves both.
-struct PlacePair {
+/// A pair of nodes in two trees: node ids of which one at least is a node (see NodeTask), or tokens
+/// of WideNode::child that are leaves both.
+struct NodeRefPair {
   std::uint32_t x;
   std::uint32_t y;
 
@@ -34,13 +34,13 @@ class PairList {
 
   void clear() { size_ = 0; }
 
-  void push(const PlacePair& pair) {
+  void push(const NodeRefPair& pair) {
     reserve(1);
     x_[size_] = pair.x;
     y_[size_++] = pair.y;
   }
 
-  PlacePair pop() {
+  NodeRefPair pop() {
     --size_;
     return {x_[size_], y_[size_]};
   }
@@ -48,7 +48,7 @@ class PairList {
   /// Takes the last `count` pairs off; `at` still has them until something is added.
   void drop(std::size_t count) { size_ -= count; }
 
-  [[nodiscard]] PlacePair at(std::size_t i) const { return {x_[i], y_[i]}; }
+  [[nodiscard]] NodeRefPair at(std::size_t i) const { return {x_[i], y_[i]}; }
 
   /// Makes room for `more` pairs at `end_x` and `end_y`, which `add` then counts.
   void reserve(std::size_t more) {

@@ -1,6 +1,6 @@
 #include "soms/query/detail/relative_pose.h"
 
-#include "soms/query/detail/lanes.h"
+#include "soms/query/detail/query_lanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,7 @@ double distance_from_identity(const Matrix3& m) {
 }
 
 /// Largest coordinate, and partial sum of one, that moving a vertex of `box` can give.
-double moved_reach(const Pose& pose, const Box& box) {
+double moved_extent(const Pose& pose, const Box& box) {
   const std::array<double, 3> far = {std::max(std::abs(box.lower.x), std::abs(box.upper.x)),
                                      std::max(std::abs(box.lower.y), std::abs(box.upper.y)),
                                      std::max(std::abs(box.lower.z), std::abs(box.upper.z))};
@@ -89,30 +89,30 @@ Matrix3 rotation(const Pose& pose) {
   return {{{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}}};
 }
 
-Viewer::Viewer(const WideTree& t, const Pose& p)
+ReferenceFrame::ReferenceFrame(const WideTree& t, const Pose& p)
     : tree(&t),
       inverse(rotation(p)),
       origin(moved(p, t.origin())),
-      reach(moved_reach(p, t.bounds())) {
-  turned = inverse != kIdentity;
-  if (turned) {
+      extent(moved_extent(p, t.bounds())) {
+  rotated = inverse != kIdentity;
+  if (rotated) {
     inverse = inverse_of(rotation(p));
     residual = distance_from_identity(product(inverse, rotation(p)));
   }
 }
 
-RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const Viewer& y)
-    : matrix_(y.turned ? product(y.inverse, rotation(pose_x)) : rotation(pose_x)),
+RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const ReferenceFrame& y)
+    : matrix_(y.rotated ? product(y.inverse, rotation(pose_x)) : rotation(pose_x)),
       exponents_(y.tree->exponent() - x.exponent()) {
   numbers_.scale = y.tree->scale();
   const Vec3 between = moved(pose_x, x.origin()) - y.origin;
   numbers_.shift = {between.x, between.y, between.z, 0};
-  for (std::size_t i = 0; y.turned && i < 3; ++i) {
+  for (std::size_t i = 0; y.rotated && i < 3; ++i) {
     numbers_.shift[i] =
         (y.inverse[i][0] * between.x + y.inverse[i][1] * between.y) + y.inverse[i][2] * between.z;
   }
-  const double reach = y.reach + moved_reach(pose_x, x.bounds());
-  const double slack = 2 * ((192 * kUnitRoundoff + 12 * y.residual) * reach + 0x1p-1064);
+  const double extent = y.extent + moved_extent(pose_x, x.bounds());
+  const double slack = 2 * ((192 * kUnitRoundoff + 12 * y.residual) * extent + 0x1p-1064);
   apart_ = roots_apart(x.bounds(), y.tree->bounds(), slack);
   // Where rounding outweighs the body a thousandfold and more, every box meets every other.
   if (slack * numbers_.scale <= 0x1p40) {
@@ -150,8 +150,8 @@ void RelativePose::prepare() {
   numbers_.ratio = exponents_ == 0 ? 1 : static_cast<float>(std::ldexp(1.0, exponents_));
 }
 
-LoneBox RelativePose::lone_box() const {
-  LoneBox box = {};
+SingleBox RelativePose::single_box() const {
+  SingleBox box = {};
   box.scale = numbers_.scale;
   box.slack = numbers_.slack;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -21,14 +21,14 @@
 ///      and the product with X, 3.01 * 1.74:                                       22
 ///   X R_y is not I: three entries off by the measured `residual` r, times 3.47;
 ///      r itself is measured with an error of 3.01 u64:          10.5 r / u64  +   32
-/// and |X e| is at most 1.74 * 4.01 = 7. Offsets of places, N o_x + D - o_y in double, add
+/// and |X e| is at most 1.74 * 4.01 = 7. Offsets of nodes, N o_x + D - o_y in double, add
 /// 3.01 * 1.74 * 3.47 + 2 * 11.3 < 41; the test of the roots sums boxes of at most 10 V in four
 /// steps, 40 more; corners of blocks, first taken about the tree's origin, are off by 1.74 * 3.47
 /// and 3.47: 10 more. Together 184 + 10.5 r / u64; W = (192 u64 + 12 r) V + 2^-1064, where the last
 /// covers all products that underflow. `slack` is 2 W, since tests along x's axes see N^T z, whose
 /// entries are at most 1.74 W.
 ///
-/// Places. With u = o_x + p and v = o_y + q, d = N o_x + D - o_y:
+/// Nodes and blocks. With u = o_x + p and v = o_y + q, d = N o_x + D - o_y:
 ///   z = N p + d - q              bounds the gap along the axes of y by W, and
 ///   N^T z = p - N^T (q - d) + (N^T N - I) p  bounds that along the axes of x by
 ///   1.74 W + defect * |p|_1, `defect` being the largest entry of |N^T N - I|.
@@ -36,22 +36,22 @@
 /// |n|_1 (1.74 W + defect |p|_1). So normals and edge products need no bound of their own, whatever
 /// the rounding they were computed with: only their products with corners do.
 ///
-/// Turned places. A place may have axes Q of its own, floats that are orthonormal to 2^-23: then
+/// Oriented nodes. A node may have axes Q of its own, floats that are orthonormal to 2^-23: then
 /// p = Q_x a, q = Q_y b, and Q_y^T z = M a + Q_y^T d - Q_y^T Q_y b with M = Q_y^T N Q_x. That has
 /// the form above, with M for N and Q_y^T d for d, |Q_y^T z| <= 1.74 W, and 2^-23 |b|_1 more.
 ///
-/// In float, in units of 2^-24 S with S = reach_x + reach_y + |d|_1: entries of M are off by 10 at
-/// most (two products of three), d by 7, stored corners by 4, Q_y^T Q_y by 2; three products and
+/// In float, in units of 2^-24 S with S = radius_x + radius_y + |d|_1: entries of M are off by 10
+/// at most (two products of three), d by 7, stored corners by 4, Q_y^T Q_y by 2; three products and
 /// four sums add 5: a gap between centers is off by 28. Turned by M^T that is 1.74 times as much,
-/// and the turn adds 13 * 1.74; radii add 13, M^T M - I 8 more than `defect`, comparisons 7:
-/// below 100 a test (times |n|_1 for a direction). Where -M^T d stands for d in x's axes,
-/// M M^T d - d is at most 3 defect |d|_1 more. A margin of (2^-17 + 4 defect) S is 128 and more.
+/// and the turn adds 13 * 1.74; radii add 13, M^T M - I 8 more than `defect`, comparisons 7: below
+/// 100 a test (times |n|_1 for a direction). Where -M^T d stands for d in x's axes, M M^T d - d is
+/// at most 3 defect |d|_1 more. A margin of (2^-17 + 4 defect) S is 128 and more.
 ///
-/// No offset is needed for S: where the places share a point, d = z - N p + q, so |d|_1 is at most
-/// 3 W and sqrt(3) (1 + 1e-5) (|p|_2 + |q|_2), in turned axes too, and S at most 2.733 (reach_x +
-/// reach_y) + 3 W. `relative` is 2.75 (2^-17 + 4 defect) a unit of reach_x + reach_y, which covers
-/// the sum's rounding; what 3 W adds, below 1e-4 W, the slack has left over (1.74 of 2 W are used).
-/// Where S is more, the places share nothing, and "apart" is true however it was found.
+/// No offset is needed for S: where the nodes share a point, d = z - N p + q, so |d|_1 is at most
+/// 3 W and sqrt(3) (1 + 1e-5) (|p|_2 + |q|_2), in oriented axes too, and S at most 2.733 (radius_x
+/// + radius_y) + 3 W. `relative` is 2.75 (2^-17 + 4 defect) a unit of radius_x + radius_y, which
+/// covers the sum's rounding; what 3 W adds, below 1e-4 W, the slack has left over (1.74 of 2 W are
+/// used). Where S is more, the nodes share nothing, and "apart" is true however it was found.
 ///
 /// `slack` has 2^-100 added for what underflows in lengths; products of three or four lengths
 /// get 2^-140 more where they are compared, and products of a normal and an axis 2^-147 before they
@@ -74,7 +74,7 @@
 
 #include "soms/base/pose.h"
 #include "soms/query/detail/kernels/kernels.h"
-#include "soms/query/detail/lone_box.h"
+#include "soms/query/detail/single_box_descent.h"
 #include "soms/tree/layout/wide_tree.h"
 
 #include <array>
@@ -89,23 +89,23 @@ using Matrix3 = std::array<std::array<double, 3>, 3>;
 [[nodiscard]] Matrix3 rotation(const Pose& pose);
 
 /// A tree at a place, prepared to be the one in whose axes a pair is seen.
-struct Viewer {
-  Viewer(const WideTree& t, const Pose& p);
+struct ReferenceFrame {
+  ReferenceFrame(const WideTree& t, const Pose& p);
 
   const WideTree* tree;
-  bool turned = false;  // false: the rotation is the identity, to the bit
-  Matrix3 inverse;      // of the rotation, as computed
-  Vec3 origin;          // of the tree, moved
-  double residual = 0;  // largest entry of |inverse * rotation - I|
-  double reach = 0;     // largest moved coordinate, bounded; V of the proof is a sum of two
+  bool rotated = false;  // false: the rotation is the identity, to the bit
+  Matrix3 inverse;       // of the rotation, as computed
+  Vec3 origin;           // of the tree, moved
+  double residual = 0;   // largest entry of |inverse * rotation - I|
+  double extent = 0;     // largest moved coordinate, bounded; V of the proof is a sum of two
 };
 
-/// Whether a place has axes of its own, and which; blocks have the mesh's.
-inline bool is_turned(const WideNode& node) {
-  return node.turned != 0;
+/// Whether a node has axes of its own, and which; blocks have the mesh's.
+inline bool is_oriented(const WideNode& node) {
+  return node.oriented != 0;
 }
 
-inline bool is_turned(const TriangleBlock&) {
+inline bool is_oriented(const TriangleBlock&) {
   return false;
 }
 
@@ -123,7 +123,7 @@ struct Turn {
   alignas(16) std::array<std::array<float, 4>, 3> magnitude;
 };
 
-/// A place in tree x seen from one in tree y, in y's units and along the places' axes: what tests
+/// A node of tree x seen from one in tree y, in y's units and along the nodes' axes: what tests
 /// of boxes need.
 struct Relation {
   Relation() = default;
@@ -135,22 +135,22 @@ struct Relation {
   std::array<float, 3> offset;  // d of the proof
   float margin;                 // gaps up to this may be rounding
   float ratio;                  // turns lengths of x's layout into those of y's
-  Turn own;                     // where `turn` points unless both places have their mesh's axes
+  Turn own;                     // where `turn` points unless both nodes have their mesh's axes
 };
 
 /// Tree x seen in the axes of tree y.
 class RelativePose {
  public:
   /// \pre  Both trees have a node; x.exponent() >= y.exponent(); the poses passed their checks.
-  RelativePose(const WideTree& x, const Pose& pose_x, const Viewer& y);
+  RelativePose(const WideTree& x, const Pose& pose_x, const ReferenceFrame& y);
 
   /// Makes `numbers` and `relate` ready, which cost more than most queries of a small body.
   void prepare();
 
   /// All of x as one box.
-  [[nodiscard]] LoneBox lone_box() const;
+  [[nodiscard]] SingleBox single_box() const;
 
-  /// The roots' boxes are surely apart: nothing overlaps, and nothing else may be asked.
+  /// The roots' boxes are surely apart: nothing overlaps, and nothing else may be queried.
   [[nodiscard]] bool apart() const { return apart_; }
 
   /// Turns lengths of x's layout into those of y's.
@@ -158,20 +158,21 @@ class RelativePose {
 
   [[nodiscard]] const PoseNumbers& numbers() const { return numbers_; }
 
-  /// Sees place `x`, a node or block of tree x, from place `y` of tree y.
+  /// Sees reference `x`, a node or block of tree x, from reference `y` of tree y.
   template <class X, class Y>
   void relate(const X& x, const Y& y, Relation& relation) const {
     relation.offset = numbers_.offset(x.origin, y.origin);
     relation.turn = &turn_;
-    if (is_turned(x) || is_turned(y)) {
+    if (is_oriented(x) || is_oriented(y)) {
       turn(axes_of(x), axes_of(y), relation);
     }
-    relation.margin = numbers_.relative * (x.reach * numbers_.ratio + y.reach) + numbers_.slack;
+    relation.margin =
+        numbers_.relative * (x.l1_radius * numbers_.ratio + y.l1_radius) + numbers_.slack;
     relation.ratio = numbers_.ratio;
   }
 
  private:
-  /// M and Q_y^T d for places with axes of their own.
+  /// M and Q_y^T d for nodes with axes of their own.
   void turn(const layout::Axes& x, const layout::Axes& y, Relation& relation) const;
 
   [[nodiscard]] bool roots_apart(const Box& x, const Box& y, double slack);

@@ -1,6 +1,6 @@
 #include "soms/query/detail/triangle_tests.h"
 
-#include "soms/query/detail/lanes.h"
+#include "soms/query/detail/query_lanes.h"
 
 #include <algorithm>
 
@@ -59,15 +59,15 @@ struct SeenBox {
 
 /// Triangles that miss the box along their own directions `n`.
 M4 apart_along(const SeenBox& box, const std::array<F4, 9>& q, const Three& n) {
-  F4 reach = sum_of_magnitudes(n) * box.margin + kLeastProduct;
+  F4 bound = sum_of_magnitudes(n) * box.margin + kLeastProduct;
   for (std::size_t j = 0; j < 3; ++j) {
     const F4 along = (n[0] * box.axis[0][j] + n[1] * box.axis[1][j]) + n[2] * box.axis[2][j];
-    reach += (abs(along) + kLeastAlong) * box.half[j];
+    bound += (abs(along) + kLeastAlong) * box.half[j];
   }
   const F4 a = dot(n, q[0], q[1], q[2]);
   const F4 b = dot(n, q[3], q[4], q[5]);
   const F4 c = dot(n, q[6], q[7], q[8]);
-  return (least(a, b, c) > reach) | (greatest(a, b, c) < -reach);
+  return (least(a, b, c) > bound) | (greatest(a, b, c) < -bound);
 }
 
 /// Four triangles, corners about the box's center.
@@ -82,8 +82,8 @@ std::uint32_t apart(const SeenBox& box, const std::array<F4, 9>& q, bool small) 
     const F4 a = dot(axis, q[0], q[1], q[2]);
     const F4 b = dot(axis, q[3], q[4], q[5]);
     const F4 c = dot(axis, q[6], q[7], q[8]);
-    const float reach = box.half[j] + box.margin;
-    sum |= (least(a, b, c) > splat(reach)) | (greatest(a, b, c) < splat(-reach));
+    const float bound = box.half[j] + box.margin;
+    sum |= (least(a, b, c) > splat(bound)) | (greatest(a, b, c) < splat(-bound));
   }
   if (bits_of(sum) == 0xf) {
     return 0xf;
@@ -104,7 +104,8 @@ std::uint32_t apart(const SeenBox& box, const std::array<F4, 9>& q, bool small) 
 }
 
 std::uint32_t meeting(const SeenBox& box, const TriangleBlock& block, float ratio) {
-  const bool small = 2 * std::max({box.half[0], box.half[1], box.half[2]}) < block.reach * ratio;
+  const bool small =
+      2 * std::max({box.half[0], box.half[1], box.half[2]}) < block.l1_radius * ratio;
   std::uint32_t bits = 0;
   for (std::uint32_t first = 0; first < block.count; first += 4) {
     std::array<F4, 9> q;

@@ -11,13 +11,13 @@
 
 namespace soms::detail {
 
-/// Triangles of y's block against a box about the origin of x's place: bit k for lane k. Seven
+/// Triangles of y's block against a box about the origin of x's node: bit k for lane k. Seven
 /// axes: three of each, and the triangle's normal.
 [[nodiscard]] std::uint32_t box_against_y(const Relation& relation,
                                           const std::array<float, 3>& half_x,
                                           const TriangleBlock& y);
 
-/// Triangles of x's block against a box about the origin of y's place.
+/// Triangles of x's block against a box about the origin of y's node.
 [[nodiscard]] std::uint32_t box_against_x(const Relation& relation, const TriangleBlock& x,
                                           const std::array<float, 3>& half_y);
 

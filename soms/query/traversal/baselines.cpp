@@ -12,7 +12,7 @@ namespace soms::detail {
 
 namespace {
 
-void walk(Probe& probe, Traversal rule, bool prune, std::vector<NodePair>& stack) {
+void traverse_by_stack(Probe& probe, Traversal rule, bool prune, std::vector<NodePair>& stack) {
   stack.assign(1, NodePair{});
   while (!stack.empty() && !probe.stopped()) {
     const NodePair p = probe.pop(stack);
@@ -77,7 +77,7 @@ TraversalCounts run(Traversal rule, const PosedTree& a, const PosedTree& b,
     check_depth(a, b);
     recurse(probe, rule, options.prune, NodePair{}, 1);
   } else {
-    walk(probe, rule, options.prune, workspace.stack);
+    traverse_by_stack(probe, rule, options.prune, workspace.stack);
   }
   return probe.counts;
 }

@@ -1,10 +1,10 @@
 /// \file
 /// The baselines: depth first, left before right, a pair is tested when it is entered. Which node
-/// of an overlapping pair is opened differs; the rest is common.
+/// of an overlapping pair is descended differs; the rest is common.
 ///
-/// Each walks by an explicit stack, or with `options.recursive` by recursion: the same pairs in the
-/// same order, the same counts but `max_stack`. Without `options.prune` children are entered though
-/// the boxes are apart; answers are the same (thesis, fig. 4.35).
+/// Each traverses by an explicit stack, or with `options.recursive` by recursion: the same pairs in
+/// the same order, the same counts but `max_stack`. Without `options.prune` children are entered
+/// though the boxes are apart; answers are the same (thesis, fig. 4.35).
 /// \source Ericson 2005, section 6.3.
 #pragma once
 

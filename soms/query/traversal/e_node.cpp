@@ -30,9 +30,9 @@ class Step {
     }
     switch (options_.descent) {
       case Descent::cross:
-        return inner ? tested(cross(p)) : tested(open_both(probe_, p));
+        return inner ? tested(cross(p)) : tested(descend_both(probe_, p));
       case Descent::both:
-        return tested(open_both(probe_, p));
+        return tested(descend_both(probe_, p));
       default:
         return tested(child_pairs(probe_, p, Traversal::larger));
     }
@@ -52,9 +52,9 @@ class Step {
   /// Pairs of the children that overlap the other node.
   [[nodiscard]] ChildPairs cross(NodePair p) {
     ChildPairs out;
-    const ChildPairs of_a = survivors(open_a(probe_, p));
+    const ChildPairs of_a = survivors(descend_a(probe_, p));
     if (of_a.size() > 0) {
-      const ChildPairs of_b = survivors(open_b(probe_, p));
+      const ChildPairs of_b = survivors(descend_b(probe_, p));
       for (const NodePair i : of_a) {
         for (const NodePair j : of_b) {
           out.add({i.a, j.b});
@@ -64,13 +64,14 @@ class Step {
     return out;
   }
 
-  /// The shorter list of overlapping pairs, of opening the first node and of opening the second.
+  /// The shorter list of overlapping pairs, of descending the first node and of descending the
+  /// second.
   [[nodiscard]] ChildPairs fewest(NodePair p) {
-    const ChildPairs of_a = survivors(open_a(probe_, p));
+    const ChildPairs of_a = survivors(descend_a(probe_, p));
     if (of_a.size() == 0) {
       return of_a;
     }
-    const ChildPairs of_b = survivors(open_b(probe_, p));
+    const ChildPairs of_b = survivors(descend_b(probe_, p));
     if (of_a.size() != of_b.size()) {
       return of_a.size() < of_b.size() ? of_a : of_b;
     }

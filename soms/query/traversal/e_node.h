@@ -14,7 +14,7 @@ namespace soms::detail {
 /// before right, or greatest shared volume first. The thesis names E-Node ("Earlier Node
 /// detection") in captions without pseudo code: this is a reconstruction.
 ///
-/// Makes exactly as many box tests as the baseline that opens the same nodes: descent both as
+/// Makes exactly as many box tests as the baseline that descends the same nodes: descent both as
 /// `simultaneous`, descent larger as `larger`.
 /// \source thesis, section 4.5.2 and figs. 5.9, 5.10, by their captions.
 TraversalCounts e_node(const PosedTree& a, const PosedTree& b, const TraversalOptions& options,

@@ -47,9 +47,9 @@ void EnodeFront::restart() {
 }
 
 // The pair from which the descent reaches `p`, from the trees alone. Descent both keeps depths
-// equal until it meets a leaf. Descent larger opens all ancestors of both nodes in the order of
+// equal until it meets a leaf. Descent larger descends all ancestors of both nodes in the order of
 // their volumes, the first tree's first in a tie, and volumes never grow downwards (rounded
-// extents and products are monotone); so it opened the parent of lesser volume last.
+// extents and products are monotone); so it descended the parent of lesser volume last.
 NodePair EnodeFront::parent(NodePair p) const {
   const std::uint32_t up_a = parents_a_[p.a];
   const std::uint32_t up_b = parents_b_[p.b];
@@ -57,8 +57,8 @@ NodePair EnodeFront::parent(NodePair p) const {
     return up_a == Node::kNone ? NodePair{p.a, up_b} : NodePair{up_a, p.b};
   }
   if (options_.descent == Descent::larger) {
-    const bool a_opened_before = detail::first_is_larger(a_->nodes[up_a], b_->nodes[up_b]);
-    return a_opened_before ? NodePair{p.a, up_b} : NodePair{up_a, p.b};
+    const bool a_descended_before = detail::first_is_larger(a_->nodes[up_a], b_->nodes[up_b]);
+    return a_descended_before ? NodePair{p.a, up_b} : NodePair{up_a, p.b};
   }
   const std::uint32_t depth_a = a_->nodes[p.a].depth;
   const std::uint32_t depth_b = b_->nodes[p.b].depth;

@@ -29,8 +29,8 @@ class Probe;
 class EnodeFront {
  public:
   /// Trees must outlive the object.
-  /// \errors ErrorKind::usage unless `descent` is both or larger: what the others open depends on
-  ///         where the trees are, so a front of theirs could not be walked up.
+  /// \errors ErrorKind::usage unless `descent` is both or larger: what the others descend depends
+  ///         on where the trees are, so a front of theirs could not be traversed upward.
   EnodeFront(const Tree& a, const Tree& b, Descent descent = Descent::larger,
              EntryOrder order = EntryOrder::tree);
 

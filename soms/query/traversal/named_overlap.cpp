@@ -18,7 +18,7 @@ namespace {
 const TraversalOptions& checked(const TraversalOptions& options) {
   check(options);
   if (options.traversal == Traversal::fast) {
-    throw Error(ErrorKind::usage, "traversal fast does not walk canonical trees",
+    throw Error(ErrorKind::usage, "traversal fast does not traverse canonical trees",
                 "name another traversal");
   }
   return options;
@@ -144,7 +144,7 @@ struct NamedOverlap::State {
     }
   }
 
-  void walk(const TraversalVisitor& visitor) {
+  void run(const TraversalVisitor& visitor) {
     counts = front ? front->next(posed_a.boxes(), posed_b.boxes(), visitor)
                    : traverse(posed_a.view(), posed_b.view(), options, visitor, workspace);
   }
@@ -180,7 +180,7 @@ Overlap NamedOverlap::operator()(const Pose& pose_a, const Pose& pose_b,
   state.counts = {};
   if (decider.keep_going(0)) {  // moving a large body takes its time, too
     move(pose_a, pose_b);
-    state.walk(visitor);
+    state.run(visitor);
   }
   return decider.finish(state.counts.box_tests);
 }

@@ -38,7 +38,7 @@ class NamedOverlap {
   /// \errors ErrorKind::not_rigid, not_finite, out_of_range for a pose.
   void move(const Pose& pose_a, const Pose& pose_b);
 
-  /// Work of the walk of the last query; zeros before the first.
+  /// Work of the traversal of the last query; zeros before the first.
   [[nodiscard]] const TraversalCounts& counts() const;
 
  private:

@@ -49,7 +49,7 @@ inline constexpr std::uint64_t kBoxTestsBetweenAsks = 1024;
 struct TraversalVisitor {
   /// A pair of leaves whose boxes overlap, each once, in the order found. False stops.
   std::function<bool(NodePair)> leaf_pair = {};
-  /// Asked once in kBoxTestsBetweenAsks box tests, for deadlines and cancellation. False stops.
+  /// Called once in kBoxTestsBetweenAsks box tests, for deadlines and cancellation. False stops.
   std::function<bool()> keep_going = {};
   /// Each pair of boxes tested, and whether they overlap: for pictures and tests.
   std::function<void(NodePair, bool)> tested = {};

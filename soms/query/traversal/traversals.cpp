@@ -15,14 +15,15 @@ namespace soms {
 namespace {
 
 constexpr std::array<TraversalEntry, 10> kTraversals{{
-    {Traversal::fast, "fast", "fast", "the product's default: walks the wide layout", nullptr},
-    {Traversal::a_first, "a_first", "a-first", "opens the first tree, then the second",
+    {Traversal::fast, "fast", "fast", "the product's default: traverses the wide layout", nullptr},
+    {Traversal::a_first, "a_first", "a-first", "descends the first tree, then the second",
      detail::a_first},
-    {Traversal::b_first, "b_first", "b-first", "opens the second tree, then the first",
+    {Traversal::b_first, "b_first", "b-first", "descends the second tree, then the first",
      detail::b_first},
-    {Traversal::alternate, "alternate", "alternate", "opens the trees in turn", detail::alternate},
-    {Traversal::larger, "larger", "larger", "opens the node of greater volume", detail::larger},
-    {Traversal::simultaneous, "simultaneous", "simultaneous", "opens both nodes",
+    {Traversal::alternate, "alternate", "alternate", "descends the trees in turn",
+     detail::alternate},
+    {Traversal::larger, "larger", "larger", "descends the node of greater volume", detail::larger},
+    {Traversal::simultaneous, "simultaneous", "simultaneous", "descends both nodes",
      detail::simultaneous},
     {Traversal::ericson, "ericson", "ericson", "generic, with the rule of any of the above",
      detail::ericson},
@@ -224,7 +225,7 @@ TraversalCounts traverse(const PosedTree& a, const PosedTree& b, const Traversal
   const TraversalEntry& named = entry(options.traversal);
   if (named.function == nullptr) {
     throw Error(ErrorKind::usage,
-                "traversal: '" + std::string(named.name) + "' does not walk canonical trees",
+                "traversal: '" + std::string(named.name) + "' does not traverse canonical trees",
                 "name another traversal");
   }
   detail::check_boxes(a, b);

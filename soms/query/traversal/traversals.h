@@ -23,7 +23,7 @@ struct TraversalEntry {
   std::string_view name;   ///< snake_case: CSV, JSON, Python
   std::string_view kebab;  ///< kebab-case: the command line
   std::string_view description;
-  TraversalFunction function;  ///< nullptr for `fast`, which walks the layout, not the trees
+  TraversalFunction function;  ///< nullptr for `fast`, which traverses the layout, not the trees
 };
 
 /// An entry of the table of E-Node's descents.
@@ -60,14 +60,14 @@ struct DescentEntry {
 /// the traversal at their defaults. Values outside their enumerations fail.
 void check(const TraversalOptions& options);
 
-/// Walks two trees by a named traversal.
+/// Traverses two trees by a named traversal.
 ///
 /// The answer (the set of pairs reported) is the same for every traversal and option: all pairs of
 /// leaves whose boxes overlap; touching counts. An empty tree has none. Order and work differ.
 ///
 /// \errors  As `check`; usage for Traversal::fast, for boxes that are not as many as nodes, and for
 ///          recursion in trees that are together deeper than `kMaxRecursion`.
-/// \cost    At worst every pair of nodes. Reuses the workspace; no recursion unless asked for.
+/// \cost    At worst every pair of nodes. Reuses the workspace; no recursion unless requested.
 /// \source  thesis, section 4.5.2 by its captions; Ericson 2005, section 6.3.
 TraversalCounts traverse(const PosedTree& a, const PosedTree& b, const TraversalOptions& options,
                          const TraversalVisitor& visitor, TraversalWorkspace& workspace);

@@ -31,7 +31,7 @@ int exponent(const Box& box) {
 
 /// Keys: the class of size first, so that no small box lies in a group with a large one; then the
 /// place on a Morton curve over ranks along the axes instead of coordinates, so that boxes far away
-/// do not crowd the others into one cell.
+/// do not squeeze the others into one cell.
 void BoxIndex::make_keys(std::span<const Box> boxes) {
   keys_.clear();
   int largest = std::numeric_limits<int>::min();

@@ -43,8 +43,8 @@ struct FloatMap {
   Vec3 origin;
   double scale = 1;
 
-  /// The map for a crowd: its middle becomes the origin and its width about 1. Strays, up to an
-  /// eighth of the boxes, do not count.
+  /// The map for a set of boxes: its middle becomes the origin and its width about 1. Strays, up to
+  /// an eighth of the boxes, do not count.
   [[nodiscard]] static FloatMap of(std::span<const Box> boxes);
 
   /// \pre `box` is not empty.

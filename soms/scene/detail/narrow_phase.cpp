@@ -20,7 +20,7 @@ constexpr std::size_t kFew = 4;
 
 }  // namespace
 
-void NarrowPhase::order_by_shape(std::span<const Question> questions) {
+void NarrowPhase::order_by_shape(std::span<const BodyPair> questions) {
   const std::size_t count = questions.size();
   numbers_.clear();
   shapes_.resize(count);
@@ -39,15 +39,15 @@ void NarrowPhase::order_by_shape(std::span<const Question> questions) {
     end += std::exchange(number, end);
   }
   places_.resize(count);
-  asked_.resize(count);
+  ordered_.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
     places_[k] = ends_[shapes_[k]]++;
-    asked_[places_[k]] = questions[k];
+    ordered_[places_[k]] = questions[k];
   }
 }
 
 /// The batches of a chunk, in the order in which each begins. `memory` is reused.
-std::span<NarrowPhase::Batch> NarrowPhase::gather(std::span<const Question> questions,
+std::span<NarrowPhase::Batch> NarrowPhase::gather(std::span<const BodyPair> questions,
                                                   std::vector<Batch>& memory) {
   std::size_t count = 0;
   for (std::uint32_t k = 0; k < questions.size(); ++k) {
@@ -72,10 +72,10 @@ std::span<NarrowPhase::Batch> NarrowPhase::gather(std::span<const Question> ques
   return std::span(memory).first(count);
 }
 
-void NarrowPhase::ask_one_by_one(std::span<const Question> questions, const OverlapOptions& options,
+void NarrowPhase::ask_one_by_one(std::span<const BodyPair> questions, const OverlapOptions& options,
                                  const Parallel& parallel, Chunk& chunk) {
   chunk.alone.clear();
-  for (const Question& question : questions) {
+  for (const BodyPair& question : questions) {
     chunk.alone.push_back(overlap(*question.mover, *question.other, options, parallel));
     chunk.cost += chunk.alone.back().cost;
   }
@@ -85,7 +85,7 @@ void NarrowPhase::ask_one_by_one(std::span<const Question> questions, const Over
 }
 
 /// By batches, which is faster where movers share shapes.
-void NarrowPhase::ask_together(std::span<const Question> questions, const OverlapOptions& options,
+void NarrowPhase::ask_together(std::span<const BodyPair> questions, const OverlapOptions& options,
                                const Parallel& parallel, Chunk& chunk) {
   chunk.alone.clear();
   chunk.answers.resize(questions.size());
@@ -107,7 +107,7 @@ void NarrowPhase::ask_together(std::span<const Question> questions, const Overla
   }
 }
 
-Cost NarrowPhase::ask(std::span<const Question> questions, const OverlapOptions& options,
+Cost NarrowPhase::ask(std::span<const BodyPair> questions, const OverlapOptions& options,
                       const Parallel& parallel) {
   order_by_shape(questions);
   chunk_ = chunk_of(questions.size());
@@ -115,8 +115,8 @@ Cost NarrowPhase::ask(std::span<const Question> questions, const OverlapOptions&
   if (chunks_.size() < count) {
     chunks_.resize(count);
   }
-  // A lone pair of large meshes is split inside; many pairs are shared out. Where one pair will do,
-  // which one would depend on the threads inside.
+  // A single pair of large meshes is split inside; many pairs are shared out. Where one pair will
+  // do, which one would depend on the threads inside.
   const bool few = questions.size() < kFew;
   const bool split = few && options.mode == OverlapMode::all;
   const Parallel shared{split ? 1 : parallel.threads, parallel.stop, {}};
@@ -125,7 +125,7 @@ Cost NarrowPhase::ask(std::span<const Question> questions, const OverlapOptions&
     Chunk& chunk = chunks_[begin / chunk_];
     chunk.answers.clear();
     chunk.cost = {};
-    const std::span part = std::span<const Question>(asked_).subspan(begin, end - begin);
+    const std::span part = std::span<const BodyPair>(ordered_).subspan(begin, end - begin);
     if (few) {
       ask_one_by_one(part, options, inside, chunk);
     } else {
@@ -147,7 +147,7 @@ std::span<const TrianglePair> NarrowPhase::pairs_of(std::size_t k) const {
 std::size_t NarrowPhase::memory() const {
   std::size_t size = numbers_.size() * (sizeof(*numbers_.begin()) + 2 * sizeof(void*)) +
                      numbers_.bucket_count() * sizeof(void*) + bytes(shapes_) + bytes(ends_) +
-                     bytes(places_) + bytes(asked_) + bytes(chunks_);
+                     bytes(places_) + bytes(ordered_) + bytes(chunks_);
   for (const Chunk& chunk : chunks_) {
     size += bytes(chunk.batches) + bytes(chunk.alone) + bytes(chunk.answers);
     for (const Overlap& answer : chunk.alone) {

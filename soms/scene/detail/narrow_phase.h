@@ -1,5 +1,5 @@
 /// \file
-/// Many pairs of bodies asked in one go.
+/// Many pairs of bodies queried in one call.
 #pragma once
 
 #include "soms/base/parallel.h"
@@ -17,7 +17,7 @@ namespace soms::detail {
 
 /// Which triangles of two bodies touch? Bodies stay where they are until it is answered; their
 /// poses have passed their checks.
-struct Question {
+struct BodyPair {
   const Body* mover = nullptr;
   const Body* other = nullptr;
 };
@@ -27,7 +27,7 @@ struct Question {
 class NarrowPhase {
  public:
   /// Answers depend on each question alone. \errors As `overlap`.
-  Cost ask(std::span<const Question> questions, const OverlapOptions& options,
+  Cost ask(std::span<const BodyPair> questions, const OverlapOptions& options,
            const Parallel& parallel);
 
   /// Pairs of question `k` of the last call.
@@ -53,19 +53,19 @@ class NarrowPhase {
     Cost cost;
   };
 
-  void order_by_shape(std::span<const Question> questions);
-  [[nodiscard]] static std::span<Batch> gather(std::span<const Question> questions,
+  void order_by_shape(std::span<const BodyPair> questions);
+  [[nodiscard]] static std::span<Batch> gather(std::span<const BodyPair> questions,
                                                std::vector<Batch>& memory);
-  static void ask_one_by_one(std::span<const Question> questions, const OverlapOptions& options,
+  static void ask_one_by_one(std::span<const BodyPair> questions, const OverlapOptions& options,
                              const Parallel& parallel, Chunk& chunk);
-  static void ask_together(std::span<const Question> questions, const OverlapOptions& options,
+  static void ask_together(std::span<const BodyPair> questions, const OverlapOptions& options,
                            const Parallel& parallel, Chunk& chunk);
 
   std::unordered_map<const WideTree*, std::uint32_t> numbers_;  ///< of shapes, as they come
   std::vector<std::uint32_t> shapes_;                           ///< of each question
   std::vector<std::uint32_t> ends_;    ///< of each shape's questions in the order of asking
   std::vector<std::uint32_t> places_;  ///< of each question in that order
-  std::vector<Question> asked_;        ///< the questions in that order
+  std::vector<BodyPair> ordered_;      ///< the questions in that order
   std::size_t chunk_ = 1;              ///< questions of a chunk
   std::vector<Chunk> chunks_;
 };

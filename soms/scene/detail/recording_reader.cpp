@@ -29,7 +29,7 @@ void check_pose(const ChunkContent& content, const Pose& pose) {
     if (error.kind() == ErrorKind::unsupported) {
       throw;
     }
-    throw content.fault("a pose that is none: " + error.place());
+    throw content.fault("an invalid pose: " + error.place());
   }
 }
 
@@ -122,7 +122,7 @@ void RecordingBytes::read(char* to, std::size_t count) {
 
 Error RecordingBytes::fault(std::uint64_t byte, const std::string& what) const {
   return Error(ErrorKind::bad_file, name_ + ", byte " + std::to_string(byte) + ": " + what,
-               "record it anew; frames before this place are whole");
+               "record it again; frames before this place are whole");
 }
 
 Error RecordingBytes::cut() const {
@@ -193,8 +193,8 @@ void read_file_head(RecordingBytes& bytes) {
   const std::string_view text(head.data(), there);
   const std::string_view magic = text.substr(0, kRecordingMagic.size());
   if (magic != kRecordingMagic.substr(0, magic.size()) || magic.empty()) {
-    throw Error(ErrorKind::bad_file, bytes.fault(0, "no recording of soms").place(),
-                "give a file that soms simulate --record wrote");
+    throw Error(ErrorKind::bad_file, bytes.fault(0, "not a recording of soms").place(),
+                "give a file that a RecordingWriter wrote");
   }
   if (there < head.size()) {
     throw bytes.cut();
@@ -238,7 +238,7 @@ RecordingHead read_head(ChunkContent& content) {
   RecordingHead head;
   head.title = content.text();
   head.frames_a_second = read_positive(content, "a frame rate");
-  head.frames_asked = content.number<std::uint64_t>();
+  head.frames_requested = content.number<std::uint64_t>();
   const auto bodies = content.count<std::uint32_t>(kLeastMesh + sizeof(Pose));
   for (std::uint32_t k = 0; k < bodies; ++k) {
     RecordedMesh mesh = read_mesh(content);
@@ -254,7 +254,7 @@ RecordingHead read_head(ChunkContent& content) {
   for (std::uint32_t k = 0; k < movers; ++k) {
     head.movers.push_back(content.number<std::uint32_t>());
     if (head.movers.back() >= models) {
-      throw content.fault("mover " + std::to_string(k) + " is of no model");
+      throw content.fault("mover " + std::to_string(k) + " refers to no model");
     }
   }
   return head;

@@ -2,7 +2,7 @@
 #include "soms/tree/build.h"
 #include "soms/tree/build/detail/by_reference.h"
 #include "soms/tree/build/detail/divide.h"
-#include "soms/tree/layout/detail/again.h"
+#include "soms/tree/layout/detail/refit_layout.h"
 #include "soms/tree/layout/pages.h"
 #include "soms/tree/layout/wide_tree.h"
 
@@ -15,7 +15,7 @@ namespace soms {
 namespace {
 
 using detail::child_of;
-using detail::Forest;
+using detail::Subtrees;
 using detail::within;
 
 /// Triangles that one chunk of the first pass prepares.
@@ -26,18 +26,18 @@ class Builder {
   Builder(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel)
       : mesh_(mesh), parallel_(parallel), divider_(mesh, options) {}
 
-  Forest run() {
+  Subtrees run() {
     prepare();
     divide_upper();
     build_subtrees();
-    forest_.bounds = layout::bounds_of(mesh_, parallel_);
-    return std::move(forest_);
+    subtrees_.bounds = layout::bounds_of(mesh_, parallel_);
+    return std::move(subtrees_);
   }
 
  private:
   void prepare() {
     primitives_.resize(mesh_.triangles.size());
-    forest_.ids.resize(primitives_.size());
+    subtrees_.ids.resize(primitives_.size());
     std::vector<Box> inner((primitives_.size() - 1) / kPrepareChunk + 1);
     for_each_chunk(primitives_.size(), kPrepareChunk, within(parallel_, 0, 0.05),
                    [&](std::size_t begin, std::size_t end) {
@@ -58,7 +58,7 @@ class Builder {
     Node root;
     root.id = 0;
     root.count = static_cast<std::uint32_t>(primitives_.size());
-    forest_.upper.push_back({root});
+    subtrees_.upper.push_back({root});
     inner_of_.push_back(inner_);
     std::vector<std::uint32_t> wave{0};
     while (!wave.empty()) {
@@ -66,7 +66,7 @@ class Builder {
       std::vector<detail::Division> divisions(wave.size());
       for_each_chunk(wave.size(), 1, Parallel{parallel_.threads, parallel_.stop, {}},
                      [&](std::size_t k, std::size_t) {
-                       divisions[k] = divide(forest_.upper[wave[k]].node, inner_of_[wave[k]]);
+                       divisions[k] = divide(subtrees_.upper[wave[k]].node, inner_of_[wave[k]]);
                      });
       std::vector<std::uint32_t> next;
       for (std::size_t k = 0; k < wave.size(); ++k) {
@@ -78,7 +78,7 @@ class Builder {
 
   /// True if upper node `i` is small enough to be built whole by one thread.
   bool make_subtree(std::uint32_t i) {
-    if (forest_.upper[i].node.count > detail::kSubtreeTriangles) {
+    if (subtrees_.upper[i].node.count > detail::kSubtreeTriangles) {
       return false;
     }
     begin_subtree(i);
@@ -86,8 +86,8 @@ class Builder {
   }
 
   void begin_subtree(std::uint32_t i) {
-    forest_.upper[i].subtree = static_cast<std::uint32_t>(forest_.subtrees.size());
-    forest_.subtrees.emplace_back();
+    subtrees_.upper[i].subtree = static_cast<std::uint32_t>(subtrees_.nodes.size());
+    subtrees_.nodes.emplace_back();
   }
 
   void attach(std::uint32_t i, const detail::Division& division, std::vector<std::uint32_t>& next) {
@@ -95,30 +95,30 @@ class Builder {
       begin_subtree(i);  // of one node
       return;
     }
-    Node& node = forest_.upper[i].node;
+    Node& node = subtrees_.upper[i].node;
     node.undividable = division.undividable;
-    node.left = static_cast<std::uint32_t>(forest_.upper.size());
+    node.left = static_cast<std::uint32_t>(subtrees_.upper.size());
     node.right = node.left + 1;
     const Node left = child_of(node, false, node.first, division.left_count);
     const Node right =
         child_of(node, true, node.first + division.left_count, node.count - division.left_count);
     next.push_back(node.left);
     next.push_back(node.right);
-    forest_.upper.push_back({left});
-    forest_.upper.push_back({right});
+    subtrees_.upper.push_back({left});
+    subtrees_.upper.push_back({right});
     inner_of_.push_back(division.left_inner);
     inner_of_.push_back(division.right_inner);
   }
 
   void build_subtrees() {
-    std::vector<std::uint32_t> roots(forest_.subtrees.size());
-    for (std::uint32_t i = 0; i < forest_.upper.size(); ++i) {
-      if (forest_.upper[i].subtree != Node::kNone) {
-        roots[forest_.upper[i].subtree] = i;
+    std::vector<std::uint32_t> roots(subtrees_.nodes.size());
+    for (std::uint32_t i = 0; i < subtrees_.upper.size(); ++i) {
+      if (subtrees_.upper[i].subtree != Node::kNone) {
+        roots[subtrees_.upper[i].subtree] = i;
       }
     }
     for_each_chunk(roots.size(), 1, within(parallel_, 0.4, 0.95), [&](std::size_t k, std::size_t) {
-      forest_.subtrees[k] = build_subtree(forest_.upper[roots[k]].node, inner_of_[roots[k]]);
+      subtrees_.nodes[k] = build_subtree(subtrees_.upper[roots[k]].node, inner_of_[roots[k]]);
     });
   }
 
@@ -126,25 +126,25 @@ class Builder {
   std::vector<Node> build_subtree(const Node& root, const Box& root_inner) {
     std::vector<Node> nodes;
 
-    struct Open {
+    struct Pending {
       Node node;
       Box inner;
       std::uint32_t right_of;  ///< parent, for right children
     };
 
-    std::vector<Open> open{{root, root_inner, Node::kNone}};
-    while (!open.empty()) {
-      const auto [start, inner, right_of] = open.back();
-      open.pop_back();
+    std::vector<Pending> pending{{root, root_inner, Node::kNone}};
+    while (!pending.empty()) {
+      const auto [start, inner, right_of] = pending.back();
+      pending.pop_back();
       const auto i = static_cast<std::uint32_t>(nodes.size());
       Node& node = nodes.emplace_back(start);
       const detail::Division division = divide(node, inner);
       node.undividable = division.undividable;
       if (division.divided) {
         const std::uint32_t count = division.left_count;
-        open.push_back({child_of(node, true, node.first + count, node.count - count),
-                        division.right_inner, i});
-        open.push_back(
+        pending.push_back({child_of(node, true, node.first + count, node.count - count),
+                           division.right_inner, i});
+        pending.push_back(
             {child_of(node, false, node.first, count), division.left_inner, Node::kNone});
         node.left = i + 1;
       }
@@ -153,7 +153,7 @@ class Builder {
       }
     }
     const auto run = std::span(primitives_).subspan(root.first, root.count);
-    std::transform(run.begin(), run.end(), forest_.ids.begin() + root.first,
+    std::transform(run.begin(), run.end(), subtrees_.ids.begin() + root.first,
                    [](const Primitive& p) { return p.id; });
     return nodes;
   }
@@ -164,10 +164,10 @@ class Builder {
   layout::Pages<Primitive> primitives_;
   Box inner_;                  ///< bounds of all midpoints
   std::vector<Box> inner_of_;  ///< the same for each upper node
-  Forest forest_;
+  Subtrees subtrees_;
 };
 
-Forest grow(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel) {
+Subtrees grow(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel) {
   return entry(options.rule).in_float ? detail::grow_by_reference(mesh, options, parallel)
                                       : Builder(mesh, options, parallel).run();
 }
@@ -181,9 +181,9 @@ Tree build(const Mesh& mesh, const BuildOptions& options, const Parallel& parall
   if (mesh.triangles.empty()) {
     return {};
   }
-  Forest forest = grow(mesh, options, within(parallel, 0, 0.9));
-  detail::finish(forest, mesh, within(parallel, 0.9, 1));
-  Tree tree = detail::join(std::move(forest), parallel);
+  Subtrees subtrees = grow(mesh, options, within(parallel, 0, 0.9));
+  detail::finish(subtrees, mesh, within(parallel, 0.9, 1));
+  Tree tree = detail::join(std::move(subtrees), parallel);
   if (parallel.progress) {
     parallel.progress(1);
   }
@@ -197,8 +197,8 @@ WideTree build_wide(const Mesh& mesh, const BuildOptions& options, const Paralle
   if (mesh.triangles.empty()) {
     return {};
   }
-  Forest forest = grow(mesh, options, within(parallel, 0, 0.6));
-  return WideTree(detail::parts_of(forest, mesh), mesh, within(parallel, 0.6, 1));
+  Subtrees subtrees = grow(mesh, options, within(parallel, 0, 0.6));
+  return WideTree(detail::parts_of(subtrees, mesh), mesh, within(parallel, 0.6, 1));
 }
 
 }  // namespace soms

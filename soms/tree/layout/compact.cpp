@@ -22,7 +22,7 @@ bool is_leaf(std::uint8_t leaves, std::size_t k) {
   return (std::uint32_t{leaves} >> k & 1U) != 0;
 }
 
-/// A leaf's word with another place in it.
+/// A leaf's token with another place in it.
 std::uint32_t word_at(std::uint32_t word, std::uint32_t place) {
   return (word & ~(WideNode::kMost - 1)) | place;
 }
@@ -72,7 +72,7 @@ std::pair<std::size_t, bool> read_ids(const std::uint32_t* from,
 
 bool WideTree::operator==(const WideTree& other) const {
   const bool same = nodes_ == other.nodes_ && blocks_ == other.blocks_ &&
-                    columns_ == other.columns_ && origin_ == other.origin_ &&
+                    min_max_grid_ == other.min_max_grid_ && origin_ == other.origin_ &&
                     bounds_ == other.bounds_ && exponent_ == other.exponent_ &&
                     (compact_ != nullptr) == (other.compact_ != nullptr);
   return same && (!compact_ || (compact_->nodes == other.compact_->nodes &&
@@ -157,7 +157,7 @@ WideTree WideTree::expanded(const Mesh& mesh, const Parallel& parallel) const {
           result.nodes_[i] = node;
         }
       });
-  result.columns_ = layout::Columns(result.blocks_, bounds_, scale_, parallel);
+  result.min_max_grid_ = layout::MinMaxGrid(result.blocks_, bounds_, scale_, parallel);
   return result;
 }
 

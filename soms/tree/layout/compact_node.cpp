@@ -38,7 +38,7 @@ CompactNode::CompactNode(const WideNode& from)
       axes(from.axes()),
       count(from.count),
       leaves(from.leaves),
-      turned(from.turned) {
+      oriented(from.oriented) {
   std::array<double, kWidth> distance = {};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto side = [&](std::size_t k, double sign) {
@@ -58,7 +58,7 @@ CompactNode::CompactNode(const WideNode& from)
     }
   }
   for (std::size_t k = 0; k < count; ++k) {
-    reach = std::max(reach, layout::rounded_up(distance[k] * (1 + 0x1p-50)));  // two sums
+    l1_radius = std::max(l1_radius, layout::rounded_up(distance[k] * (1 + 0x1p-50)));  // two sums
   }
 }
 
@@ -78,10 +78,10 @@ void CompactNode::read(WideNode& node) const {
   }
   node.child = child;
   node.origin = origin;
-  node.reach = reach;
+  node.l1_radius = l1_radius;
   node.count = count;
   node.leaves = leaves;
-  node.turned = turned;
+  node.oriented = oriented;
 }
 
 }  // namespace soms

@@ -11,7 +11,7 @@ namespace soms {
 
 /// A node of four boxes whose sides are whole steps from the node's origin. Place and axes are the
 /// wide node's; boxes are rounded outward to the steps, so they hold the wide node's. Steps have 15
-/// bits, so whatever is read is exact. A leaf's word holds the number of its first entry in
+/// bits, so whatever is read is exact. A leaf's token holds the number of its first entry in
 /// `CompactParts::ids`.
 struct alignas(64) CompactNode {
   static constexpr std::uint32_t kWidth = WideNode::kWidth;
@@ -22,17 +22,17 @@ struct alignas(64) CompactNode {
   std::array<std::uint32_t, kWidth> child = {};
   std::array<double, 3> origin = {};
   layout::Axes axes = layout::kMeshAxes;
-  float reach = 0;
+  float l1_radius = 0;
   std::uint8_t count = 0;
   std::uint8_t leaves = 0;
-  std::uint8_t turned = 0;
+  std::uint8_t oriented = 0;
 
   CompactNode() = default;
 
   /// Rounds a node's boxes outward; `child` is the caller's.
   explicit CompactNode(const WideNode& from);
 
-  /// Writes the node as queries walk it.
+  /// Writes the node as queries traverse it.
   void read(WideNode& node) const;
 
   [[nodiscard]] bool operator==(const CompactNode&) const = default;

@@ -2,7 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/tree/layout/compact_node.h"
-#include "soms/tree/layout/detail/again.h"
+#include "soms/tree/layout/detail/refit_layout.h"
 #include "soms/tree/layout/detail/widen.h"
 
 #include <algorithm>
@@ -91,7 +91,7 @@ WideTree::WideTree(layout::Parts tree, const Mesh& mesh, const Parallel& paralle
   const PlainArithmetic plain;
   const double size = settle();
   layout::widen(std::move(tree), mesh, {origin_, scale_, size}, parallel, nodes_, blocks_);
-  columns_ = layout::Columns(blocks_, bounds_, scale_, parallel);
+  min_max_grid_ = layout::MinMaxGrid(blocks_, bounds_, scale_, parallel);
 }
 
 WideTree::WideTree(const WideTree& tree, const Mesh& mesh, const Parallel& parallel) {
@@ -103,8 +103,8 @@ WideTree::WideTree(const WideTree& tree, const Mesh& mesh, const Parallel& paral
     const double size = settle();
     nodes_.resize(tree.nodes_.size());
     blocks_.resize(tree.blocks_.size());
-    layout::lay_out_anew(tree, mesh, {origin_, scale_, size}, parallel, nodes_, blocks_);
-    columns_ = layout::Columns(blocks_, bounds_, scale_, parallel);
+    layout::refit_layout(tree, mesh, {origin_, scale_, size}, parallel, nodes_, blocks_);
+    min_max_grid_ = layout::MinMaxGrid(blocks_, bounds_, scale_, parallel);
   }
 }
 
@@ -117,10 +117,10 @@ double WideTree::settle() {
   return size * scale_;
 }
 
-double WideTree::looseness(const Mesh& mesh, const Parallel& parallel) const {
+double WideTree::sah_area_ratio(const Mesh& mesh, const Parallel& parallel) const {
   const PlainArithmetic plain;
   if (compact_) {
-    return expanded(mesh, parallel).looseness(mesh, parallel);
+    return expanded(mesh, parallel).sah_area_ratio(mesh, parallel);
   }
   const Parallel silent{parallel.threads, parallel.stop, {}};
   const double boxes = sum_of<WideNode>(nodes_, &area_of_boxes, silent);
@@ -130,7 +130,7 @@ double WideTree::looseness(const Mesh& mesh, const Parallel& parallel) const {
 
 std::size_t WideTree::memory() const {
   return sizeof *this + nodes_.capacity() * sizeof(WideNode) +
-         blocks_.capacity() * sizeof(TriangleBlock) + columns_.memory() +
+         blocks_.capacity() * sizeof(TriangleBlock) + min_max_grid_.memory() +
          (compact_ ? sizeof *compact_ + compact_->nodes.capacity() * sizeof(CompactNode) +
                          compact_->ids.capacity() * sizeof(std::uint32_t)
                    : 0);

@@ -1,12 +1,12 @@
 /// \file
-/// The layout that queries walk: nodes of four boxes in float, rounded outward.
+/// The layout that queries traverse: nodes of four boxes in float, rounded outward.
 #pragma once
 
 #include "soms/base/box.h"
 #include "soms/base/parallel.h"
 #include "soms/geometry/mesh.h"
-#include "soms/tree/layout/columns.h"
-#include "soms/tree/layout/orientation.h"
+#include "soms/tree/layout/min_max_grid.h"
+#include "soms/tree/layout/node_axes.h"
 #include "soms/tree/layout/pages.h"
 #include "soms/tree/tree.h"
 
@@ -36,10 +36,10 @@ struct alignas(64) WideNode {
   std::array<std::array<float, 4>, 3> row = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
   std::array<std::uint32_t, kWidth> child = {};  ///< a node, or kLeafBit with a leaf's first block
   std::array<double, 3> origin = {};
-  float reach = 0;          ///< no point of a lane is farther off in the 1-norm
-  std::uint8_t count = 0;   ///< lanes in use, the first ones
-  std::uint8_t leaves = 0;  ///< bit k: lane k is a leaf
-  std::uint8_t turned = 0;  ///< 1 unless the axes are the mesh's
+  float l1_radius = 0;        ///< no point of a lane is farther off in the 1-norm
+  std::uint8_t count = 0;     ///< lanes in use, the first ones
+  std::uint8_t leaves = 0;    ///< bit k: lane k is a leaf
+  std::uint8_t oriented = 0;  ///< 1 unless the axes are the mesh's
 
   [[nodiscard]] std::array<float, 3> own_half() const { return {row[0][3], row[1][3], row[2][3]}; }
 
@@ -63,7 +63,7 @@ struct alignas(64) TriangleBlock {
   std::array<TriangleId, kWidth> id = {};
   std::array<double, 3> origin = {};
   std::array<float, 3> own_half = {};  ///< box of all triangles, about the origin
-  float reach = 0;                     ///< no point is farther off in the 1-norm
+  float l1_radius = 0;                 ///< no point is farther off in the 1-norm
   /// All points v have lower <= normal v <= upper. The normal is of length 1 to 2^-22; it is the
   /// triangles' mean normal where they have one, as what touches no leaf mostly passes beside it.
   std::array<float, 3> normal = {};
@@ -92,7 +92,8 @@ struct CompactParts {
   layout::Pages<std::uint32_t> ids;
 };
 
-/// A canonical tree as queries walk it. Node 0 is the root; a mesh without triangles has no node.
+/// A canonical tree as queries traverse it. Node 0 is the root; a mesh without triangles has no
+/// node.
 class WideTree {
  public:
   WideTree() = default;
@@ -136,7 +137,7 @@ class WideTree {
   [[nodiscard]] std::span<const TriangleBlock> blocks() const { return blocks_; }
 
   /// Where a tree of a flat mesh has nothing; empty for others, and where the tree is compact.
-  [[nodiscard]] const layout::Columns& columns() const { return columns_; }
+  [[nodiscard]] const layout::MinMaxGrid& min_max_grid() const { return min_max_grid_; }
 
   /// The block that begins at entry `first` of `CompactParts::ids`. Where `following` is 1 the leaf
   /// goes on kWidth entries later.
@@ -161,7 +162,7 @@ class WideTree {
   /// Area of all boxes over the area of the triangles: how much room a query finds to enter in
   /// vain. It grows when vertices move away from those beside them. 0 where triangles have no area.
   /// `mesh` is the tree's. \cost O(n)
-  [[nodiscard]] double looseness(const Mesh& mesh, const Parallel& parallel = {}) const;
+  [[nodiscard]] double sah_area_ratio(const Mesh& mesh, const Parallel& parallel = {}) const;
 
   [[nodiscard]] bool operator==(const WideTree& other) const;
 
@@ -171,7 +172,7 @@ class WideTree {
 
   layout::Pages<WideNode> nodes_;
   layout::Pages<TriangleBlock> blocks_;
-  layout::Columns columns_;
+  layout::MinMaxGrid min_max_grid_;
   std::shared_ptr<const CompactParts> compact_;
   Vec3 origin_;
   Box bounds_;

@@ -29,7 +29,7 @@ constexpr std::array<RuleEntry, 8> kRules{{
     {Rule::fast, "fast", "fast", "as soms-sah, by boxes in float: builds fastest", &rule::soms_sah,
      AxisFrom::inner, false, false, true},
     {Rule::quality, "quality", "quality",
-     "as sah, by boxes in float and blocks of leaves: opens the fewest boxes", &rule::sah,
+     "as sah, by boxes in float and blocks of leaves: enters the fewest boxes", &rule::sah,
      AxisFrom::inner, false, false, true},
 }};
 

@@ -12,8 +12,9 @@ namespace {
 
 constexpr std::size_t kBins = 16;
 
-/// Boxes this much larger than the inner box have no finite area: none is told from another.
-constexpr double kMostReach = 0x1p120;
+/// Boxes this much larger than the inner box have no finite area: none can be distinguished from
+/// another.
+constexpr double kMostSpan = 0x1p120;
 
 /// Axes shorter than this share of the longest are left alone: their bins would overflow a float.
 constexpr double kLeastShare = 0x1p-100;
@@ -66,7 +67,7 @@ struct Histogram {
 Histogram fill(const SplitNode& node, const Vec3& extent, double size) {
   Histogram h;
   const double to_unit = 1 / size;
-  const auto reach = static_cast<float>(std::min(node.unit / size, kMostReach));
+  const auto span = static_cast<float>(std::min(node.unit / size, kMostSpan));
   // Midpoints at the upper end of the box fall into the last bin.
   const auto steps = [size](double e) {
     return e > size * kLeastShare
@@ -83,8 +84,8 @@ Histogram fill(const SplitNode& node, const Vec3& extent, double size) {
     Bin box;
     std::array<std::int32_t, 4> bin;
     for (std::size_t k = 0; k < 4; ++k) {
-      box.lower.v[k] = m.v[k] - p.below[k] * reach;
-      box.upper.v[k] = m.v[k] + p.above[k] * reach;
+      box.lower.v[k] = m.v[k] - p.below[k] * span;
+      box.upper.v[k] = m.v[k] + p.above[k] * span;
       bin[k] = static_cast<std::int32_t>(m.v[k] * scale.v[k]);
     }
     for (std::size_t k = 0; k < 3; ++k) {

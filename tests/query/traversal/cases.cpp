@@ -14,7 +14,7 @@ namespace {
 constexpr std::array kBaselines{Traversal::a_first, Traversal::b_first, Traversal::alternate,
                                 Traversal::larger, Traversal::simultaneous};
 
-std::vector<TraversalOptions> baseline_ways() {
+std::vector<TraversalOptions> baseline_options() {
   std::vector<TraversalOptions> out;
   for (const bool recursive : {false, true}) {
     for (const bool prune : {true, false}) {
@@ -131,8 +131,8 @@ class TreeGrower {
 
 }  // namespace
 
-std::vector<TraversalOptions> every_way() {
-  std::vector<TraversalOptions> out = baseline_ways();
+std::vector<TraversalOptions> every_traversal_options() {
+  std::vector<TraversalOptions> out = baseline_options();
   for (const EntryOrder order : {EntryOrder::tree, EntryOrder::volume}) {
     for (const DescentEntry& descent : descents()) {
       for (const bool prune : {true, false}) {

@@ -14,8 +14,8 @@
 
 namespace soms::test {
 
-/// Every way to walk: all traversals with all the options that mean something to them.
-[[nodiscard]] std::vector<TraversalOptions> every_way();
+/// All traversals with all the options that mean something to them.
+[[nodiscard]] std::vector<TraversalOptions> every_traversal_options();
 
 /// A short name of options, for traces.
 [[nodiscard]] std::string describe(const TraversalOptions& options);

@@ -110,11 +110,11 @@ class FrontTwin {
     const Node& b = b_.nodes[p.b];
     const bool larger = descent_ == Descent::larger;
     const bool a_is_larger = volume(a.bounds) >= volume(b.bounds);
-    const bool open_a = !a.is_leaf() && (b.is_leaf() || !larger || a_is_larger);
-    const bool open_b = !b.is_leaf() && (a.is_leaf() || !larger || !a_is_larger);
+    const bool descend_a = !a.is_leaf() && (b.is_leaf() || !larger || a_is_larger);
+    const bool descend_b = !b.is_leaf() && (a.is_leaf() || !larger || !a_is_larger);
     Pairs out;
-    for (const std::uint32_t i : open_a ? std::vector{a.left, a.right} : std::vector{p.a}) {
-      for (const std::uint32_t j : open_b ? std::vector{b.left, b.right} : std::vector{p.b}) {
+    for (const std::uint32_t i : descend_a ? std::vector{a.left, a.right} : std::vector{p.a}) {
+      for (const std::uint32_t j : descend_b ? std::vector{b.left, b.right} : std::vector{p.b}) {
         out.push_back({i, j});
       }
     }
@@ -292,7 +292,7 @@ TEST(EnodeFront, StaysRightWhenItsClockRunsOut) {
   }
 }
 
-TEST(EnodeFront, StartsAnewWhenTold) {
+TEST(EnodeFront, StartsAnewWhenReported) {
   Rng rng(5);
   Dance dance(rng);
   dance.step();

@@ -54,11 +54,11 @@ class Twin {
     return out;
   }
 
-  [[nodiscard]] Pairs pairs(bool open_a, bool open_b, NodePair p) const {
+  [[nodiscard]] Pairs pairs(bool descend_a, bool descend_b, NodePair p) const {
     using Nodes = std::vector<std::uint32_t>;
     Pairs out;
-    for (const std::uint32_t i : open_a ? Nodes{a(p).left, a(p).right} : Nodes{p.a}) {
-      for (const std::uint32_t j : open_b ? Nodes{b(p).left, b(p).right} : Nodes{p.b}) {
+    for (const std::uint32_t i : descend_a ? Nodes{a(p).left, a(p).right} : Nodes{p.a}) {
+      for (const std::uint32_t j : descend_b ? Nodes{b(p).left, b(p).right} : Nodes{p.b}) {
         out.push_back({i, j});
       }
     }

@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(Traversal, GoldenCityDrive,
                                   "_" + std::get<1>(test.param);
                          });
 
-TEST(GoldenRows, AreAllAskedFor) {
+TEST(GoldenRows, AreAllRequestedFor) {
   std::size_t rows = 0;
   for (const auto& [drive, algorithms] : golden_rows()) {
     rows += algorithms.size();

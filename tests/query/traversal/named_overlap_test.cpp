@@ -32,9 +32,9 @@ BuildOptions any_tree(Rng& rng) {
   return without_idle(options);
 }
 
-/// Every way to walk, with boxes moved either way.
-std::vector<TraversalOptions> named_ways() {
-  std::vector<TraversalOptions> out = test::every_way();
+/// Every traversal, with boxes moved either way.
+std::vector<TraversalOptions> named_traversal_options() {
+  std::vector<TraversalOptions> out = test::every_traversal_options();
   const std::size_t n = out.size();
   for (std::size_t i = 0; i < n; ++i) {
     out.push_back(out[i]);
@@ -58,16 +58,16 @@ struct Case {
 };
 
 TEST(NamedOverlap, EqualsBruteForceByEveryWay) {
-  const std::vector<TraversalOptions> all = named_ways();
+  const std::vector<TraversalOptions> all = named_traversal_options();
   test::for_each_case("named/answers", 60, [&](Rng& rng) {
     const Case c(rng);
-    for (const TraversalOptions& way : all) {
-      const Overlap answer = overlap(c.a, c.b, {.traversal = way});
-      EXPECT_EQ(answer.pairs, c.truth.pairs) << test::describe(way);
+    for (const TraversalOptions& settings : all) {
+      const Overlap answer = overlap(c.a, c.b, {.traversal = settings});
+      EXPECT_EQ(answer.pairs, c.truth.pairs) << test::describe(settings);
       EXPECT_EQ(answer.any, c.truth.any);
       EXPECT_EQ(answer.coverage, Coverage::complete);
       EXPECT_LE(answer.cost.triangle_tests, c.truth.cost.triangle_tests);
-      EXPECT_EQ(answer.cost.exact_tests, c.truth.cost.exact_tests) << test::describe(way);
+      EXPECT_EQ(answer.cost.exact_tests, c.truth.cost.exact_tests) << test::describe(settings);
     }
   });
 }
@@ -75,29 +75,30 @@ TEST(NamedOverlap, EqualsBruteForceByEveryWay) {
 TEST(NamedOverlap, AnswersTheSameWhenMovedBefore) {
   test::for_each_case("named/moved", 20, [](Rng& rng) {
     const Case c(rng);
-    for (const TraversalOptions& way : named_ways()) {
-      detail::NamedOverlap at_once(c.a.shape, c.b.shape, way);
-      detail::NamedOverlap in_steps(c.a.shape, c.b.shape, way);
+    for (const TraversalOptions& settings : named_traversal_options()) {
+      detail::NamedOverlap at_once(c.a.shape, c.b.shape, settings);
+      detail::NamedOverlap in_steps(c.a.shape, c.b.shape, settings);
       in_steps.move(c.a.pose, c.b.pose);
       EXPECT_EQ(in_steps.counts(), TraversalCounts{});
       EXPECT_EQ(in_steps(c.a.pose, c.b.pose, {}, {}).pairs,
                 at_once(c.a.pose, c.b.pose, {}, {}).pairs);
-      EXPECT_EQ(in_steps.counts(), at_once.counts()) << test::describe(way);
+      EXPECT_EQ(in_steps.counts(), at_once.counts()) << test::describe(settings);
     }
   });
 }
 
-TEST(NamedOverlap, TellsTheCountsOfItsWalk) {
+TEST(NamedOverlap, TellsTheCountsOfItsTraversal) {
   test::for_each_case("named/counts", 20, [](Rng& rng) {
     const Case c(rng);
     PosedBoxes a(c.a.shape.mesh(), *c.a.shape.tree());
     PosedBoxes b(c.b.shape.mesh(), *c.b.shape.tree());
     a.move(c.a.pose);
     b.move(c.b.pose);
-    for (const TraversalOptions& way : test::every_way()) {
-      detail::NamedOverlap session(c.a.shape, c.b.shape, way);
+    for (const TraversalOptions& settings : test::every_traversal_options()) {
+      detail::NamedOverlap session(c.a.shape, c.b.shape, settings);
       const Overlap answer = session(c.a.pose, c.b.pose, {}, {});
-      EXPECT_EQ(session.counts(), traverse(a.view(), b.view(), way)) << test::describe(way);
+      EXPECT_EQ(session.counts(), traverse(a.view(), b.view(), settings))
+          << test::describe(settings);
       EXPECT_EQ(session.counts().box_tests, answer.cost.node_tests);
     }
   });
@@ -106,13 +107,13 @@ TEST(NamedOverlap, TellsTheCountsOfItsWalk) {
 TEST(NamedOverlap, SwapsColumnsWhenBodiesAreSwapped) {
   test::for_each_case("named/swapped", 40, [](Rng& rng) {
     const Case c(rng);
-    for (const TraversalOptions& way : test::every_way()) {
+    for (const TraversalOptions& settings : test::every_traversal_options()) {
       std::vector<TrianglePair> swapped;
-      for (const auto& [j, i] : overlap(c.b, c.a, {.traversal = way}).pairs) {
+      for (const auto& [j, i] : overlap(c.b, c.a, {.traversal = settings}).pairs) {
         swapped.emplace_back(i, j);
       }
       std::sort(swapped.begin(), swapped.end());
-      EXPECT_EQ(swapped, c.truth.pairs) << test::describe(way);
+      EXPECT_EQ(swapped, c.truth.pairs) << test::describe(settings);
     }
   });
 }
@@ -120,10 +121,10 @@ TEST(NamedOverlap, SwapsColumnsWhenBodiesAreSwapped) {
 TEST(NamedOverlap, StopsAtAnyHitAndFindsTheLeastPair) {
   test::for_each_case("named/modes", 60, [](Rng& rng) {
     const Case c(rng);
-    for (const TraversalOptions& way : test::every_way()) {
-      SCOPED_TRACE(test::describe(way));
-      const Overlap any = overlap(c.a, c.b, {.mode = OverlapMode::any, .traversal = way});
-      const Overlap first = overlap(c.a, c.b, {.mode = OverlapMode::first, .traversal = way});
+    for (const TraversalOptions& settings : test::every_traversal_options()) {
+      SCOPED_TRACE(test::describe(settings));
+      const Overlap any = overlap(c.a, c.b, {.mode = OverlapMode::any, .traversal = settings});
+      const Overlap first = overlap(c.a, c.b, {.mode = OverlapMode::first, .traversal = settings});
       EXPECT_EQ(any.any, c.truth.any);
       EXPECT_EQ(first.any, c.truth.any);
       const Coverage expected = c.truth.any ? Coverage::first : Coverage::complete;
@@ -142,10 +143,10 @@ TEST(NamedOverlap, StopsAtAnyHitAndFindsTheLeastPair) {
 TEST(NamedOverlap, CutsAtTheLimitAndSaysSo) {
   test::for_each_case("named/limit", 40, [](Rng& rng) {
     const Case c(rng);
-    for (const TraversalOptions& way : test::every_way()) {
+    for (const TraversalOptions& settings : test::every_traversal_options()) {
       for (const std::uint64_t limit :
            {std::uint64_t{0}, std::uint64_t{1}, rng.below(9), c.truth.pairs.size()}) {
-        const Overlap answer = overlap(c.a, c.b, {.limit = limit, .traversal = way});
+        const Overlap answer = overlap(c.a, c.b, {.limit = limit, .traversal = settings});
         const bool cut = limit < c.truth.pairs.size();
         EXPECT_EQ(answer.pairs.size(), std::min<std::size_t>(limit, c.truth.pairs.size()));
         EXPECT_EQ(answer.coverage, cut ? Coverage::cut : Coverage::complete);
@@ -165,15 +166,15 @@ TEST(NamedOverlap, AnswersABatchAsSingleQueries) {
       poses.push_back(test::pose(rng, c.kind));
     }
     poses.push_back(poses.back());
-    for (const TraversalOptions& way : named_ways()) {
-      const OverlapBatch batch = overlap(c.a.shape, poses, c.b, {.traversal = way});
+    for (const TraversalOptions& settings : named_traversal_options()) {
+      const OverlapBatch batch = overlap(c.a.shape, poses, c.b, {.traversal = settings});
       ASSERT_EQ(batch.size(), poses.size());
       for (std::size_t k = 0; k < poses.size(); ++k) {
         const Overlap twin =
             reference::overlap(c.a.shape.mesh(), poses[k], c.b.shape.mesh(), c.b.pose);
         const auto pairs = batch.pairs_of(k);
         EXPECT_EQ(std::vector<TrianglePair>(pairs.begin(), pairs.end()), twin.pairs)
-            << test::describe(way) << ", pose " << k;
+            << test::describe(settings) << ", pose " << k;
       }
     }
   });
@@ -183,16 +184,16 @@ TEST(NamedOverlap, OfAnEmptyMeshIsEmpty) {
   Rng rng(1);
   const Body full(shape(test::body(rng, test::Kind::random, 5), {}));
   const Body none(shape(Mesh{}, {}));
-  for (const TraversalOptions& way : named_ways()) {
-    EXPECT_FALSE(overlap(full, none, {.traversal = way}).any);
-    EXPECT_FALSE(overlap(none, full, {.traversal = way}).any);
-    EXPECT_EQ(overlap(none, none, {.traversal = way}).cost, Cost{});
+  for (const TraversalOptions& settings : named_traversal_options()) {
+    EXPECT_FALSE(overlap(full, none, {.traversal = settings}).any);
+    EXPECT_FALSE(overlap(none, full, {.traversal = settings}).any);
+    EXPECT_EQ(overlap(none, none, {.traversal = settings}).cost, Cost{});
   }
 }
 
-ErrorKind kind_of(const Body& a, const Body& b, const TraversalOptions& way) {
+ErrorKind kind_of(const Body& a, const Body& b, const TraversalOptions& settings) {
   try {
-    (void)overlap(a, b, {.traversal = way});
+    (void)overlap(a, b, {.traversal = settings});
   } catch (const Error& error) {
     return error.kind();
   }
@@ -205,12 +206,12 @@ TEST(NamedOverlap, NeedsKeptTrees) {
   const Mesh mesh = test::body(rng, test::Kind::random, 5);
   const Body kept(shape(mesh, {}));
   const Body bare(mesh);
-  const TraversalOptions way{.traversal = Traversal::e_node};
-  EXPECT_EQ(kind_of(kept, bare, way), ErrorKind::usage);
-  EXPECT_EQ(kind_of(bare, kept, way), ErrorKind::usage);
+  const TraversalOptions settings{.traversal = Traversal::e_node};
+  EXPECT_EQ(kind_of(kept, bare, settings), ErrorKind::usage);
+  EXPECT_EQ(kind_of(bare, kept, settings), ErrorKind::usage);
   EXPECT_THROW(detail::NamedOverlap(kept.shape, kept.shape, {}), Error);
   try {
-    (void)overlap(bare, kept, {.traversal = way});
+    (void)overlap(bare, kept, {.traversal = settings});
   } catch (const Error& error) {
     EXPECT_EQ(error.place(), "traversal e_node: a shape without its canonical tree");
     EXPECT_EQ(error.remedy(),
@@ -224,14 +225,14 @@ TEST(NamedOverlap, RefusesPosesAndOptionsThatMakeNoSense) {
   const Body b = a;
   EXPECT_EQ(kind_of(a, b, {.traversal = Traversal::e_node_front, .descent = Descent::cross}),
             ErrorKind::usage);
-  const TraversalOptions way{.traversal = Traversal::larger};
+  const TraversalOptions settings{.traversal = Traversal::larger};
   a.pose.m[0] = 2;
-  EXPECT_EQ(kind_of(a, b, way), ErrorKind::not_rigid);
-  EXPECT_EQ(kind_of(b, a, way), ErrorKind::not_rigid);
+  EXPECT_EQ(kind_of(a, b, settings), ErrorKind::not_rigid);
+  EXPECT_EQ(kind_of(b, a, settings), ErrorKind::not_rigid);
   a.pose = Pose::translation(std::numeric_limits<double>::quiet_NaN(), 0, 0);
-  EXPECT_EQ(kind_of(a, b, way), ErrorKind::not_finite);
+  EXPECT_EQ(kind_of(a, b, settings), ErrorKind::not_finite);
   a.pose = Pose::translation(0x1p301, 0, 0);
-  EXPECT_EQ(kind_of(b, a, way), ErrorKind::out_of_range);
+  EXPECT_EQ(kind_of(b, a, settings), ErrorKind::out_of_range);
 }
 
 TEST(NamedOverlap, IsCutByADeadlineAndEndedByAStop) {

@@ -74,13 +74,13 @@ struct Scene {
   PosedBoxes boxes_a, boxes_b;
 };
 
-/// Calls `body(scene, options)` for random scenes and every way to walk them.
+/// Calls `body(scene, options)` for random scenes and every traversal them.
 template <class Body>
-void for_each_way(const std::string& tag, int n, const Body& body) {
-  static const std::vector<TraversalOptions> ways = test::every_way();
+void for_each_traversal_options(const std::string& tag, int n, const Body& body) {
+  static const std::vector<TraversalOptions> all_settings = test::every_traversal_options();
   test::for_each_case(tag, n, [&](Rng& rng) {
     const Scene scene(rng);
-    for (const TraversalOptions& options : ways) {
+    for (const TraversalOptions& options : all_settings) {
       SCOPED_TRACE(test::describe(options));
       body(scene, options);
     }
@@ -92,58 +92,63 @@ bool is_e_node(const TraversalOptions& options) {
 }
 
 TEST(Traversals, ReportEachOverlappingPairOfLeavesOnce) {
-  for_each_way("traversals/answers", 120, [](const Scene& s, const TraversalOptions& options) {
-    EXPECT_EQ(test::sorted(watch(s.a(), s.b(), options).reported),
-              test::overlapping_leaves(s.a(), s.b()));
-  });
+  for_each_traversal_options("traversals/answers", 120,
+                             [](const Scene& s, const TraversalOptions& options) {
+                               EXPECT_EQ(test::sorted(watch(s.a(), s.b(), options).reported),
+                                         test::overlapping_leaves(s.a(), s.b()));
+                             });
 }
 
 TEST(Traversals, CountWhatTheyDo) {
-  for_each_way("traversals/counts", 40, [](const Scene& s, const TraversalOptions& options) {
-    const Watched w = watch(s.a(), s.b(), options);
-    std::uint64_t triangles = 0;
-    for (const NodePair p : w.reported) {
-      triangles += std::uint64_t{s.tree_a.nodes[p.a].count} * s.tree_b.nodes[p.b].count;
-    }
-    EXPECT_EQ(w.counts.box_tests, w.tested.size());
-    EXPECT_EQ(w.counts.entered, w.entered.size());
-    EXPECT_EQ(w.counts.leaf_pairs, w.reported.size());
-    EXPECT_EQ(w.counts.triangle_pairs, triangles);
-    EXPECT_EQ(w.counts.first_tests, w.first_tests);
-    EXPECT_LE(w.counts.max_stack, w.counts.entered);
-    EXPECT_EQ(w.counts, traverse(s.a(), s.b(), options)) << "an unwatched run differs";
-  });
+  for_each_traversal_options(
+      "traversals/counts", 40, [](const Scene& s, const TraversalOptions& options) {
+        const Watched w = watch(s.a(), s.b(), options);
+        std::uint64_t triangles = 0;
+        for (const NodePair p : w.reported) {
+          triangles += std::uint64_t{s.tree_a.nodes[p.a].count} * s.tree_b.nodes[p.b].count;
+        }
+        EXPECT_EQ(w.counts.box_tests, w.tested.size());
+        EXPECT_EQ(w.counts.entered, w.entered.size());
+        EXPECT_EQ(w.counts.leaf_pairs, w.reported.size());
+        EXPECT_EQ(w.counts.triangle_pairs, triangles);
+        EXPECT_EQ(w.counts.first_tests, w.first_tests);
+        EXPECT_LE(w.counts.max_stack, w.counts.entered);
+        EXPECT_EQ(w.counts, traverse(s.a(), s.b(), options)) << "an unwatched run differs";
+      });
 }
 
 TEST(Traversals, TestNoPairTwice) {
-  for_each_way("traversals/twice", 40, [](const Scene& s, const TraversalOptions& options) {
-    std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
-    for (const auto& [p, hit] : watch(s.a(), s.b(), options).tested) {
-      EXPECT_TRUE(seen.insert({p.a, p.b}).second) << p.a << ' ' << p.b;
-      EXPECT_EQ(hit, overlap(s.a(), s.b(), p));
-    }
-  });
+  for_each_traversal_options("traversals/twice", 40,
+                             [](const Scene& s, const TraversalOptions& options) {
+                               std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
+                               for (const auto& [p, hit] : watch(s.a(), s.b(), options).tested) {
+                                 EXPECT_TRUE(seen.insert({p.a, p.b}).second) << p.a << ' ' << p.b;
+                                 EXPECT_EQ(hit, overlap(s.a(), s.b(), p));
+                               }
+                             });
 }
 
 TEST(Traversals, EnterOnlyWhatOverlapsInENode) {
-  for_each_way("traversals/entered", 40, [](const Scene& s, const TraversalOptions& options) {
-    if (is_e_node(options) && options.prune) {
-      for (const NodePair p : watch(s.a(), s.b(), options).entered) {
-        EXPECT_TRUE(overlap(s.a(), s.b(), p)) << p.a << ' ' << p.b;
-      }
-    }
-  });
+  for_each_traversal_options("traversals/entered", 40,
+                             [](const Scene& s, const TraversalOptions& options) {
+                               if (is_e_node(options) && options.prune) {
+                                 for (const NodePair p : watch(s.a(), s.b(), options).entered) {
+                                   EXPECT_TRUE(overlap(s.a(), s.b(), p)) << p.a << ' ' << p.b;
+                                 }
+                               }
+                             });
 }
 
 TEST(Traversals, PruningLosesNothingAndSavesTests) {
-  for_each_way("traversals/prune", 40, [](const Scene& s, const TraversalOptions& options) {
-    if (!options.prune) {
-      TraversalOptions pruned = options;
-      pruned.prune = true;
-      EXPECT_LE(traverse(s.a(), s.b(), pruned).box_tests,
-                traverse(s.a(), s.b(), options).box_tests);
-    }
-  });
+  for_each_traversal_options("traversals/prune", 40,
+                             [](const Scene& s, const TraversalOptions& options) {
+                               if (!options.prune) {
+                                 TraversalOptions pruned = options;
+                                 pruned.prune = true;
+                                 EXPECT_LE(traverse(s.a(), s.b(), pruned).box_tests,
+                                           traverse(s.a(), s.b(), options).box_tests);
+                               }
+                             });
 }
 
 // (c) of the design's section 4.1: E-Node saves entries, not box tests.
@@ -162,59 +167,62 @@ TEST(Traversals, MakeAsManyBoxTestsInENodeAsTheBaselineThatOpensTheSameNodes) {
 }
 
 TEST(Traversals, RecurseInTheOrderOfTheStack) {
-  for_each_way("traversals/recursive", 40, [](const Scene& s, const TraversalOptions& options) {
-    if (options.recursive) {
-      TraversalOptions by_stack = options;
-      by_stack.recursive = false;
-      const Watched nested = watch(s.a(), s.b(), options);
-      const Watched stacked = watch(s.a(), s.b(), by_stack);
-      EXPECT_EQ(nested.reported, stacked.reported);
-      EXPECT_EQ(nested.tested, stacked.tested);
-      EXPECT_EQ(nested.entered, stacked.entered);
-    }
-  });
+  for_each_traversal_options("traversals/recursive", 40,
+                             [](const Scene& s, const TraversalOptions& options) {
+                               if (options.recursive) {
+                                 TraversalOptions by_stack = options;
+                                 by_stack.recursive = false;
+                                 const Watched nested = watch(s.a(), s.b(), options);
+                                 const Watched stacked = watch(s.a(), s.b(), by_stack);
+                                 EXPECT_EQ(nested.reported, stacked.reported);
+                                 EXPECT_EQ(nested.tested, stacked.tested);
+                                 EXPECT_EQ(nested.entered, stacked.entered);
+                               }
+                             });
 }
 
-TEST(Traversals, NameAliasesTheSameWalk) {
-  for_each_way("traversals/alias", 20, [](const Scene& s, const TraversalOptions& options) {
-    TraversalOptions same = options;
-    if (options.traversal == Traversal::ericson) {
-      same.traversal = options.ericson_rule;
-      same = without_idle(same);
-    } else if (options.traversal == Traversal::larsson) {
-      same.traversal = Traversal::simultaneous;
-    }
-    EXPECT_EQ(watch(s.a(), s.b(), options).reported, watch(s.a(), s.b(), same).reported);
-    EXPECT_EQ(traverse(s.a(), s.b(), options), traverse(s.a(), s.b(), same));
-  });
+TEST(Traversals, NameAliasesTheSameTraversal) {
+  for_each_traversal_options(
+      "traversals/alias", 20, [](const Scene& s, const TraversalOptions& options) {
+        TraversalOptions same = options;
+        if (options.traversal == Traversal::ericson) {
+          same.traversal = options.ericson_rule;
+          same = without_idle(same);
+        } else if (options.traversal == Traversal::larsson) {
+          same.traversal = Traversal::simultaneous;
+        }
+        EXPECT_EQ(watch(s.a(), s.b(), options).reported, watch(s.a(), s.b(), same).reported);
+        EXPECT_EQ(traverse(s.a(), s.b(), options), traverse(s.a(), s.b(), same));
+      });
 }
 
 TEST(Traversals, StopWhenTheVisitorHasEnough) {
-  for_each_way("traversals/stop", 30, [](const Scene& s, const TraversalOptions& options) {
-    const Pairs all = watch(s.a(), s.b(), options).reported;
-    for (std::size_t wanted = 1; wanted <= all.size(); wanted += 1 + wanted / 2) {
-      Pairs got;
-      const auto counts = traverse(s.a(), s.b(), options, {.leaf_pair = [&](NodePair p) {
-                                     got.push_back(p);
-                                     return got.size() < wanted;
-                                   }});
-      EXPECT_EQ(got, Pairs(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(wanted)));
-      EXPECT_EQ(counts.leaf_pairs, wanted);
-    }
-  });
+  for_each_traversal_options(
+      "traversals/stop", 30, [](const Scene& s, const TraversalOptions& options) {
+        const Pairs all = watch(s.a(), s.b(), options).reported;
+        for (std::size_t wanted = 1; wanted <= all.size(); wanted += 1 + wanted / 2) {
+          Pairs got;
+          const auto counts = traverse(s.a(), s.b(), options, {.leaf_pair = [&](NodePair p) {
+                                         got.push_back(p);
+                                         return got.size() < wanted;
+                                       }});
+          EXPECT_EQ(got, Pairs(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(wanted)));
+          EXPECT_EQ(counts.leaf_pairs, wanted);
+        }
+      });
 }
 
-TEST(Traversals, StopWhenAskedBetweenBoxTests) {
+TEST(Traversals, StopWhenRequestedBetweenBoxTests) {
   const Box one{{0, 0, 0}, {1, 1, 1}};
   Rng rng(1);
   const Mesh mesh = test::body(rng, test::Kind::coincident, 100);
   const Tree tree = test::random_tree(rng, mesh, 1);
   const std::vector<Box> boxes(tree.nodes.size(), one);
-  for (const TraversalOptions& options : test::every_way()) {
-    int asked = 0;
+  for (const TraversalOptions& options : test::every_traversal_options()) {
+    int calls = 0;
     const auto counts = traverse({&tree, boxes}, {&tree, boxes}, options,
-                                 {.keep_going = [&] { return ++asked < 3; }});
-    EXPECT_EQ(asked, 3) << test::describe(options);
+                                 {.keep_going = [&] { return ++calls < 3; }});
+    EXPECT_EQ(calls, 3) << test::describe(options);
     EXPECT_GE(counts.box_tests, 3 * 1024U);
     EXPECT_LT(counts.box_tests, 3 * 1024U + 8);
   }
@@ -227,7 +235,7 @@ TEST(Traversals, FindNothingInEmptyTrees) {
   const Tree empty;
   PosedBoxes boxes(mesh, tree);
   boxes.move({});
-  for (const TraversalOptions& options : test::every_way()) {
+  for (const TraversalOptions& options : test::every_traversal_options()) {
     EXPECT_EQ(traverse({&empty, {}}, boxes.view(), options), TraversalCounts{});
     EXPECT_EQ(traverse(boxes.view(), {&empty, {}}, options), TraversalCounts{});
   }
@@ -239,7 +247,7 @@ TEST(Traversals, ReportTwoRootsThatAreLeavesAfterOneTest) {
   const Tree tree = test::random_tree(rng, mesh, 1);
   PosedBoxes boxes(mesh, tree);
   boxes.move({});
-  for (const TraversalOptions& options : test::every_way()) {
+  for (const TraversalOptions& options : test::every_traversal_options()) {
     const Watched w = watch(boxes.view(), boxes.view(), options);
     EXPECT_EQ(w.reported, Pairs(1));
     EXPECT_EQ(w.counts.box_tests, 1U);
@@ -302,7 +310,7 @@ TEST(Traversals, R119OptionsThatTheTraversalIgnoresAreRefused) {
 }
 
 TEST(Traversals, RefuseOptionsThatDoNotGoTogether) {
-  for (const TraversalOptions& options : test::every_way()) {
+  for (const TraversalOptions& options : test::every_traversal_options()) {
     EXPECT_EQ(message(options), "") << test::describe(options);
   }
   EXPECT_EQ(message({.traversal = Traversal::ericson, .ericson_rule = Traversal::e_node}),

@@ -46,17 +46,17 @@ void expect_truth(const Overlap& answer, const test::TruthCase& c) {
   EXPECT_EQ(answer.coverage, Coverage::complete) << "case " << c.number;
 }
 
-/// All cases; in slow builds each fourth, of which `way` says the first.
-std::vector<test::TruthCase> chosen(const test::RunnableCases& runnable, std::size_t way) {
+/// All cases; in slow builds each fourth, of which `offset` says the first.
+std::vector<test::TruthCase> chosen(const test::RunnableCases& runnable, std::size_t offset) {
   std::vector<test::TruthCase> out;
   const std::size_t step = test::kSlowBuild ? 4 : 1;
-  for (std::size_t i = way % step; i < runnable.cases.size(); i += step) {
+  for (std::size_t i = offset % step; i < runnable.cases.size(); i += step) {
     out.push_back(runnable.cases[i]);
   }
   return out;
 }
 
-/// All cases by one traversal. Poses of a pair of meshes are asked of one session, so a front goes
+/// All cases by one traversal. Poses of a pair of meshes go to one session, so a front goes
 /// from pose to pose, also where they have nothing to do with each other.
 void expect_all(const BuildOptions& build, const TraversalOptions& traversal) {
   const test::RunnableCases runnable = test::runnable_truth_cases();
@@ -79,7 +79,7 @@ void expect_all(const BuildOptions& build, const TraversalOptions& traversal) {
 
 std::vector<TraversalOptions> ways_of_truth() {
   std::vector<TraversalOptions> out;
-  for (const TraversalOptions& options : test::every_way()) {
+  for (const TraversalOptions& options : test::every_traversal_options()) {
     // Without pruning each way would take minutes; recursion and order are tried once, below.
     const bool twice = options.traversal == Traversal::ericson;
     if (options.prune && !options.recursive && !twice && options.order == EntryOrder::tree) {

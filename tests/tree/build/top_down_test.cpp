@@ -194,12 +194,12 @@ TEST(Build, EmptySidesFollowTheirPolicy) {
 TEST(Build, CVertexTurnsTheCorners) {
   const Mesh mesh = test::make_input(test::Input::random, 300);
   for (const int c : {0, 1}) {
-    Mesh turned = mesh;
-    for (auto& t : turned.triangles) {
+    Mesh rotated_corners = mesh;
+    for (auto& t : rotated_corners.triangles) {
       t = c == 0 ? std::array{t[1], t[2], t[0]} : std::array{t[2], t[0], t[1]};
     }
     BuildOptions options = thesis_options(Rule::soms);
-    const Tree expected = build(turned, options);
+    const Tree expected = build(rotated_corners, options);
     EXPECT_FALSE(build(mesh, options) == expected);
     options.c_vertex = c;
     EXPECT_TRUE(build(mesh, options) == expected);

@@ -24,7 +24,7 @@ void expect_around(const WideTree& large, const WideTree& small) {
     ASSERT_EQ(a.leaves, b.leaves);
     ASSERT_EQ(a.origin, b.origin);
     ASSERT_EQ(a.axes(), b.axes());
-    ASSERT_GE(a.reach, b.reach);
+    ASSERT_GE(a.l1_radius, b.l1_radius);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double step = std::max(1.01 * static_cast<double>(b.own_half()[axis]) / 127, 0x1p-99);
       for (std::size_t k = 0; k < b.count; ++k) {
@@ -100,7 +100,7 @@ TEST(Compact, StaysSoWhenItIsRefitted) {
   const Shape bent = refit(shape, moved.vertices);
   ASSERT_NE(bent.layout().compact(), nullptr);
   ASSERT_NO_FATAL_FAILURE(test::expect_whole(bent.layout().expanded(moved), moved));
-  EXPECT_GT(bent.decline(), 1);
+  EXPECT_GT(bent.sah_degradation(), 1);
 }
 
 }  // namespace

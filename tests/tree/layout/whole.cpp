@@ -48,7 +48,7 @@ void expect_inside(const WideTree& tree, const WideNode& node, std::size_t lane,
     ASSERT_LE(std::abs(a[axis]), node.own_half()[axis]);
     distance += std::abs(a[axis]);
   }
-  ASSERT_LE(distance, node.reach);
+  ASSERT_LE(distance, node.l1_radius);
 }
 
 void expect_block_holds(const WideTree& tree, const Mesh& mesh, const TriangleBlock& block) {
@@ -68,11 +68,11 @@ void expect_block_holds(const WideTree& tree, const Mesh& mesh, const TriangleBl
       long double along = 0;
       for (std::size_t axis = 0; axis < 3; ++axis, ++row) {
         ASSERT_LE(std::abs(a[axis]), block.own_half[axis]);
-        ASSERT_LE(std::abs(a[axis] - block.corner[row][k]), 0x1p-22L * block.reach);
+        ASSERT_LE(std::abs(a[axis] - block.corner[row][k]), 0x1p-22L * block.l1_radius);
         distance += std::abs(a[axis]);
         along += a[axis] * block.normal[axis];
       }
-      ASSERT_LE(distance, block.reach);
+      ASSERT_LE(distance, block.l1_radius);
       ASSERT_LE(block.lower, along);
       ASSERT_LE(along, block.upper);
     }
@@ -82,17 +82,17 @@ void expect_block_holds(const WideTree& tree, const Mesh& mesh, const TriangleBl
 }  // namespace
 
 void expect_whole(const WideTree& tree, const Mesh& mesh) {
-  struct Open {
+  struct Pending {
     std::uint32_t node;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> above;  // node, lane
   };
 
   std::vector<int> seen(mesh.triangles.size(), 0);
   std::size_t nodes = 0;
-  std::vector<Open> open{{0, {}}};
-  while (!open.empty()) {
-    const Open next = open.back();
-    open.pop_back();
+  std::vector<Pending> pending{{0, {}}};
+  while (!pending.empty()) {
+    const Pending next = pending.back();
+    pending.pop_back();
     ++nodes;
     const WideNode& node = tree.nodes()[next.node];
     ASSERT_GE(node.count, 1U);
@@ -103,7 +103,7 @@ void expect_whole(const WideTree& tree, const Mesh& mesh) {
       const std::uint32_t child = node.child[lane];
       if ((child & WideNode::kLeafBit) == 0) {
         ASSERT_EQ(node.leaves & 1U << lane, 0U);
-        open.push_back({child, above});
+        pending.push_back({child, above});
         continue;
       }
       const TriangleBlock* block =

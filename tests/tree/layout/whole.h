@@ -1,5 +1,5 @@
 /// \file
-/// Is a layout whole? Asked in long double, with no help from what wrote it.
+/// Is a layout valid? Checked in long double, with no help from what wrote it.
 #pragma once
 
 #include "soms/geometry/mesh.h"

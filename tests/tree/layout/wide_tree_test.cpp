@@ -61,8 +61,8 @@ TEST(WideTree, TurnsNodesOfSlantedSurfacesOnlyAndFlatLeavesFillNoSlab) {
   };
   const WideTree slanted = patch(true);
   const WideTree level = patch(false);
-  EXPECT_EQ(slanted.nodes()[0].turned, 1);
-  EXPECT_EQ(level.nodes()[0].turned, 0);
+  EXPECT_EQ(slanted.nodes()[0].oriented, 1);
+  EXPECT_EQ(level.nodes()[0].oriented, 0);
   for (const WideTree* tree : {&slanted, &level}) {
     for (const TriangleBlock& block : tree->blocks()) {
       EXPECT_LT(block.upper - block.lower, 1e-6F);

@@ -31,7 +31,7 @@ double apart(const Vec3& a, const Vec3& b) {
   return std::sqrt(dot(d, d));
 }
 
-TEST(Gizmo, ArrowsLookAsLongAsAskedAtAnyDistance) {
+TEST(Gizmo, ArrowsLookAsLongAsRequestedAtAnyDistance) {
   for (const double distance : {1.0, 50.0, 3000.0}) {
     Camera camera;
     camera.eye = {0, -distance, 0};

@@ -26,10 +26,10 @@ TEST(Help, TellsEveryActionWithItsKeys) {
       EXPECT_EQ(action_of(KeyPress{row.press.key}), before_fine(row.action)) << row.help;
       continue;
     }
-    const bool told = std::any_of(lines.begin(), lines.end(), [&](const HelpLine& line) {
+    const bool reported = std::any_of(lines.begin(), lines.end(), [&](const HelpLine& line) {
       return line.text == row.help && line.keys == keys_of(row.action);
     });
-    EXPECT_TRUE(told) << row.help;
+    EXPECT_TRUE(reported) << row.help;
   }
 }
 

@@ -1,6 +1,6 @@
 /// \file
 /// A thing to show that is not there: a box-like city, one object, 100 frames. It remembers what it
-/// was asked.
+/// was queried.
 #pragma once
 
 #include "soms/base/error.h"
@@ -35,7 +35,7 @@ class MockSubject final : public Subject {
     facts.frame = frame;
     facts.contacts = 42;
     facts.orientation_test = last_choice.orientation_test;
-    facts.walked = true;
+    facts.traversed = true;
     facts.limits = {7, 5, frames, 3, can_seek, has_object, 4, 200};
     facts.bounds = {{-100, -100, 0}, {100, 100, 50}};
     if (has_object) {

@@ -120,7 +120,7 @@ TEST(GlStrokes, LinesFromBehindTheEyeAreCut) {
   EXPECT_EQ(count_near(drawn(*drawing.renderer, list), kWhite, 2), 0U) << "all of it is behind";
 }
 
-TEST(GlStrokes, PointsAreRoundAndAsLargeAsAsked) {
+TEST(GlStrokes, PointsAreRoundAndAsLargeAsRequested) {
   SOMS_NEEDS_GL(drawing);
   DrawList list = on_ground({});
   list.points.push_back({.at = {0, 0, 0}, .color = kWhite, .diameter = 30});

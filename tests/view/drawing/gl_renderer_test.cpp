@@ -143,7 +143,7 @@ TEST(GlRenderer, DrawsTheSamePictureFarFromTheOrigin) {
 
 TEST(GlRenderer, DoesNotShakeAtMapCoordinates) {
   SOMS_NEEDS_GL(drawing);
-  // Millimetre steps of the camera past a point of a map, 2.5 m away: it must move by less than a
+  // Millimeter steps of the camera past a point of a map, 2.5 m away: it must move by less than a
   // pixel a step and never jump.
   const Vec3 place{1234567.25, 7654321.5, 40};
   double last = -1;

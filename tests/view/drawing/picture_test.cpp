@@ -29,7 +29,7 @@ TEST(Picture, ComesBackFromItsFile) {
   });
 }
 
-TEST(Picture, TellsHowFarItIsWrittenAndStopsWhenAsked) {
+TEST(Picture, TellsHowFarItIsWrittenAndStopsWhenRequested) {
   const Picture picture = filled({5, 4}, {1, 2, 3, 255});
   std::vector<double> shares;
   EXPECT_EQ(to_png(picture, {.progress = [&](double share) { shares.push_back(share); }}),

@@ -7,7 +7,7 @@
 namespace soms::view {
 namespace {
 
-TEST(RecordingRenderer, RemembersWhatItWasAsked) {
+TEST(RecordingRenderer, RemembersWhatItWasRequested) {
   Mesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.triangles = {{0, 1, 2}};

@@ -210,7 +210,7 @@ TEST(DrawScene, SaysWhatFoundNoRoom) {
   options.most_boxes = 1;
   options.contacts.most = 1;
   EXPECT_EQ(left_out(draw_scene(scene, options).counts).size(), 2U);
-  options.contacts.triangles = options.contacts.segments = false;  // nobody asked for them
+  options.contacts.triangles = options.contacts.segments = false;  // not requested
   EXPECT_EQ(left_out(draw_scene(scene, options).counts).size(), 1U);
 }
 

@@ -59,7 +59,7 @@ bool strictly_one_sided(const std::array<CornerSide, 3>& sides) {
          sides[0].sign == sides[2].sign;
 }
 
-/// What an explanation claims, against what can be asked without it.
+/// What an explanation claims, against what can be queried without it.
 void expect_true(const Explanation& e, const Triangle& a, const Triangle& b) {
   ASSERT_EQ(e.kind == TouchKind::none, !e.touch);
   ASSERT_EQ(e.crossing.empty(), !e.touch);

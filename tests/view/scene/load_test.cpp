@@ -33,14 +33,14 @@ TEST(Load, MakesTheMotionsOfASimulation) {
   const command::World world = command::load_world(options, console);
   ViewScene scene(content_of(world));
   EXPECT_EQ(scene.title(), "city");
-  ASSERT_EQ(scene.movers(), world.ways.size());
+  ASSERT_EQ(scene.movers(), world.routes.size());
   ASSERT_GT(scene.movers(), 0U);
   EXPECT_TRUE(scene.contacts().empty());  // movers start free
   scene.go_to(30);
   for (std::uint32_t k = 0; k < scene.movers(); ++k) {
-    EXPECT_EQ(scene.body(mover(k)).pose, world.ways[k].at(30));
+    EXPECT_EQ(scene.body(mover(k)).pose, world.routes[k].at(30));
     EXPECT_EQ(scene.body(mover(k)).shape.shared_mesh(),
-              world.models[world.ways[k].model].shape.shared_mesh());
+              world.models[world.routes[k].model].shape.shared_mesh());
   }
 }
 
@@ -56,7 +56,7 @@ struct Recorded {
     model.shape = Shape(test::box_body({0, 0, 0}, {1, 1, 1}));
     model.name = "block";
     world.models.push_back(std::move(model));
-    world.ways.emplace_back();
+    world.routes.emplace_back();
     std::ostringstream out;
     RecordingHead head;
     head.title = "wall";
@@ -91,13 +91,13 @@ TEST(Load, PlaysARecording) {
   for (std::uint64_t k = 0; k < 12; ++k) {
     EXPECT_TRUE(scene.replaying());
     EXPECT_EQ(scene.body(mover(0)).pose, Pose::translation(0.5 * static_cast<double>(k), 0, 1));
-    const Overlap asked = overlap(scene.body(mover(0)), scene.body(city_part(0)));
-    ASSERT_EQ(scene.contacts().size(), asked.pairs.size());
-    for (std::size_t n = 0; n < asked.pairs.size(); ++n) {
-      EXPECT_EQ(scene.contacts()[n],
-                (Touch{mover(0), city_part(0), asked.pairs[n].first, asked.pairs[n].second}));
+    const Overlap requested = overlap(scene.body(mover(0)), scene.body(city_part(0)));
+    ASSERT_EQ(scene.contacts().size(), requested.pairs.size());
+    for (std::size_t n = 0; n < requested.pairs.size(); ++n) {
+      EXPECT_EQ(scene.contacts()[n], (Touch{mover(0), city_part(0), requested.pairs[n].first,
+                                            requested.pairs[n].second}));
     }
-    touching += asked.any ? 1U : 0U;
+    touching += requested.any ? 1U : 0U;
     scene.step();
   }
   EXPECT_EQ(touching, 5U);
@@ -174,8 +174,8 @@ TEST(Load, FindsTheModelsOfARecording) {
     RecordingWriter writer(out, command::recording_head(world, 20));
     for (std::uint64_t frame = 0; frame < 20; ++frame) {
       std::vector<Pose> poses;
-      for (std::uint32_t k = 0; k < world.ways.size(); ++k) {
-        poses.push_back(world.ways[k].at(frame));
+      for (std::uint32_t k = 0; k < world.routes.size(); ++k) {
+        poses.push_back(world.routes[k].at(frame));
         scene.set_pose(k, poses.back());
       }
       writer.add(poses, scene.step());
@@ -185,10 +185,10 @@ TEST(Load, FindsTheModelsOfARecording) {
   ViewScene shown(load_recording(path, {}, console));
   EXPECT_TRUE(shown.replaying());
   EXPECT_EQ(shown.frames(), 20U);
-  ASSERT_EQ(shown.movers(), world.ways.size());
+  ASSERT_EQ(shown.movers(), world.routes.size());
   shown.go_to(13);
   for (std::uint32_t k = 0; k < shown.movers(); ++k) {
-    EXPECT_EQ(shown.body(mover(k)).pose, world.ways[k].at(13));
+    EXPECT_EQ(shown.body(mover(k)).pose, world.routes[k].at(13));
   }
   EXPECT_TRUE(shown.notes().empty());
   EXPECT_THROW((void)load_recording(path, options, console), Error);
@@ -197,7 +197,7 @@ TEST(Load, FindsTheModelsOfARecording) {
 
 TEST(Load, RefusesARecordingOfOtherBodies) {
   Recorded recorded(3);
-  recorded.world.ways.emplace_back();
+  recorded.world.routes.emplace_back();
   EXPECT_THROW((void)recorded.open(recorded.bytes), Error);
 }
 

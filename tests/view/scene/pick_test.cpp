@@ -84,7 +84,7 @@ TEST(Pick, IsAsSureFarFromTheOrigin) {
   ViewScene scene(two_bodies(Body(test::mapped(generate_knot(600), far)),
                              Body(test::mapped(generate_sphere(200), far))));
   scene.set_pose(0, Pose::translation(0.5, 0.25, 0.125));
-  // Coordinates are multiples of 1e-9 there, so rays are told apart by more than that.
+  // Coordinates are multiples of 1e-9 there, so rays are distinguished by more than that.
   std::size_t hits = 0;
   test::for_each_case("pick/far", 200, [&](Rng& rng) {
     const Vec3 origin = far(unit(rng) * 3.0);

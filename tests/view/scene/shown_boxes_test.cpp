@@ -85,16 +85,16 @@ TEST(ShownBoxes, OfATraversalAreTheBoxesThatItTested) {
   ViewScene scene = knots();
   scene.set_pose(0, Pose::about_z(0.5, {1.1, 0.2, 0}));
   ViewOptions options;
-  options.walk = WalkBoxes{};
+  options.trace = TraceBoxes{};
   for (const Traversal traversal :
        {Traversal::larger, Traversal::simultaneous, Traversal::e_node}) {
     options.trees.traversal = {.traversal = traversal};
     scene.set_trees(options.trees);
     const ShownBoxes shown = shown_boxes(scene, options);
     ASSERT_EQ(shown.groups.size(), 6U);
-    const Walk& walk = scene.walk();
+    const TraversalTrace& trace = scene.trace();
     for (const bool first : {true, false}) {
-      const std::vector<Fate>& fates = first ? walk.a : walk.b;
+      const std::vector<Fate>& fates = first ? trace.a : trace.b;
       const auto boxes = scene.world_boxes(first ? city_part(0) : mover(0));
       const std::size_t group = first ? 0 : 3;
       const auto expect_boxes = [&](std::size_t k, Fate fate, Color color) {
@@ -114,17 +114,17 @@ TEST(ShownBoxes, OfATraversalAreTheBoxesThatItTested) {
       expect_boxes(1, Fate::visited, options.colors.visited);
       expect_boxes(2, Fate::found, options.colors.found);
     }
-    EXPECT_EQ(scene.statistics().walk, walk.counts);
+    EXPECT_EQ(scene.statistics().trace, trace.counts);
   }
 }
 
 TEST(ShownBoxes, AreTheSameForBothTreesOnlyWhereWanted) {
   ViewScene scene = knots();
   ViewOptions options;
-  options.walk = WalkBoxes{.visited = false, .pruned = false, .found = true, .city = false};
+  options.trace = TraceBoxes{.visited = false, .pruned = false, .found = true, .city = false};
   const ShownBoxes shown = shown_boxes(scene, options);
   ASSERT_EQ(shown.groups.size(), 1U);
-  EXPECT_EQ(shown.groups[0].boxes.size(), count_fates(scene.walk().b).found);
+  EXPECT_EQ(shown.groups[0].boxes.size(), count_fates(scene.trace().b).found);
 }
 
 TEST(ShownBoxes, AreCutToTheLargestAndCounted) {

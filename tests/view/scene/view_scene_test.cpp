@@ -30,20 +30,20 @@ ViewScene traffic(std::size_t blocks) {
 }
 
 /// Contacts of a pair of bodies by the plain query.
-std::vector<TrianglePair> asked(const ViewScene& scene, BodyRef a, BodyRef b) {
+std::vector<TrianglePair> requested(const ViewScene& scene, BodyRef a, BodyRef b) {
   return overlap(scene.body(a), scene.body(b)).pairs;
 }
 
-void expect_contacts_as_asked(const ViewScene& scene) {
+void expect_contacts_as_requested(const ViewScene& scene) {
   std::vector<Touch> expected;
   for (std::uint32_t k = 0; k < scene.movers(); ++k) {
     for (std::uint32_t c = 0; c < scene.city_parts(); ++c) {
-      for (const auto& [i, j] : asked(scene, mover(k), city_part(c))) {
+      for (const auto& [i, j] : requested(scene, mover(k), city_part(c))) {
         expected.push_back({mover(k), city_part(c), i, j});
       }
     }
     for (std::uint32_t m = k + 1; m < scene.movers(); ++m) {
-      for (const auto& [i, j] : asked(scene, mover(k), mover(m))) {
+      for (const auto& [i, j] : requested(scene, mover(k), mover(m))) {
         expected.push_back({mover(k), mover(m), i, j});
       }
     }
@@ -57,7 +57,7 @@ TEST(ViewScene, FindsTheContactsOfEveryFrame) {
   std::size_t touching_frames = 0;
   for (int frame = 0; frame < 14; ++frame) {
     EXPECT_EQ(scene.frame(), static_cast<std::uint64_t>(frame));
-    expect_contacts_as_asked(scene);
+    expect_contacts_as_requested(scene);
     touching_frames += scene.contacts().empty() ? 0U : 1U;
     EXPECT_EQ(scene.statistics().touching_movers, scene.contacts().empty() ? 0U : 3U);
     scene.step();
@@ -74,7 +74,7 @@ TEST(ViewScene, AsksAgainWhateverTheHandMoves) {
   scene.set_pose(1, Pose::translation(0.5, 0, 1));
   EXPECT_TRUE(scene.held(1));
   EXPECT_FALSE(scene.contacts().empty());
-  expect_contacts_as_asked(scene);
+  expect_contacts_as_requested(scene);
   scene.step();
   EXPECT_EQ(scene.body(mover(1)).pose, Pose::translation(0.5, 0, 1));
   EXPECT_EQ(scene.body(mover(0)).pose, Pose::translation(1, 0, 1));
@@ -99,7 +99,7 @@ TEST(ViewScene, ShowsBodiesThatAreAdded) {
   EXPECT_TRUE(scene.bounds().empty());
   EXPECT_EQ(scene.add_city(Body(test::box_body({0, 0, 0}, {2, 2, 2}))), city_part(0));
   EXPECT_EQ(scene.add_mover({Body(test::box_body({1, 1, 1}, {3, 3, 3})), {}}), mover(0));
-  expect_contacts_as_asked(scene);
+  expect_contacts_as_requested(scene);
   EXPECT_FALSE(scene.contacts().empty());
   ASSERT_TRUE(scene.pair().has_value());
   EXPECT_EQ(scene.pair()->first, city_part(0));
@@ -142,33 +142,33 @@ TEST(ViewScene, EndsATestWhenTheHandTakesItsMover) {
   EXPECT_EQ(scene.body(mover(0)).pose, Pose::translation(0, 0, 0.5));
 }
 
-TEST(ViewScene, WalksThePairOnlyAfterAChange) {
+TEST(ViewScene, TraversesThePairOnlyAfterAChange) {
   ViewScene scene(two_bodies(Body(generate_knot(400)), Body(generate_knot(400))));
   scene.set_pose(0, Pose::translation(1, 0, 0));
-  (void)scene.walk();
-  const std::uint64_t version = scene.walk_version();
-  (void)scene.walk();
-  EXPECT_EQ(scene.walk_version(), version);
+  (void)scene.trace();
+  const std::uint64_t version = scene.trace_version();
+  (void)scene.trace();
+  EXPECT_EQ(scene.trace_version(), version);
   scene.set_pose(0, Pose::translation(1, 0, 0.5));
-  EXPECT_GT(scene.walk().counts.box_tests, 1U);
-  EXPECT_EQ(scene.walk_version(), version + 1);
+  EXPECT_GT(scene.trace().counts.box_tests, 1U);
+  EXPECT_EQ(scene.trace_version(), version + 1);
   TreeChoice other = scene.trees();
   other.build.rule = Rule::object_median;
   scene.set_trees(other);
-  (void)scene.walk();
-  EXPECT_EQ(scene.walk_version(), version + 2);
+  (void)scene.trace();
+  EXPECT_EQ(scene.trace_version(), version + 2);
   EXPECT_EQ(scene.statistics().rule, "object_median");
   ASSERT_TRUE(scene.statistics().tree_a.has_value());
   EXPECT_EQ(scene.statistics().tree_a->nodes, scene.tree(city_part(0)).nodes.size());
 }
 
-TEST(ViewScene, HasNoWalkByTheFastTraversal) {
+TEST(ViewScene, HasNoTraceOfTheFastTraversal) {
   ViewScene scene(two_bodies(Body(generate_knot(400)), Body(generate_knot(400))));
   TreeChoice fast;
   fast.traversal = {.traversal = Traversal::fast};
   scene.set_trees(fast);
-  EXPECT_TRUE(scene.walk().a.empty());
-  EXPECT_FALSE(scene.statistics().walk.has_value());
+  EXPECT_TRUE(scene.trace().a.empty());
+  EXPECT_FALSE(scene.statistics().trace.has_value());
 }
 
 TEST(ViewScene, ChecksThePair) {
@@ -206,7 +206,7 @@ TEST(ViewScene, ShowsModelsWithoutTriangles) {
   ViewScene scene(two_bodies(Body(Mesh{}), Body(Mesh{})));
   EXPECT_TRUE(scene.contacts().empty());
   EXPECT_TRUE(scene.bounds().empty());
-  EXPECT_TRUE(scene.walk().a.empty());
+  EXPECT_TRUE(scene.trace().a.empty());
   EXPECT_EQ(scene.tree(city_part(0)).nodes.size(), 0U);
   EXPECT_FALSE(scene.pick({{0, 0, 0}, {0, 0, 1}}).has_value());
   EXPECT_THROW(scene.start_test("left"), Error);

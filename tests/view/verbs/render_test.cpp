@@ -73,7 +73,7 @@ class Render : public testing::Test {
   std::string picture_;
 };
 
-TEST_F(Render, WritesAPictureOfTheSizeAskedFor) {
+TEST_F(Render, WritesAPictureOfTheSizeRequestedFor) {
   SOMS_NEEDS_EGL();
   const test::RunResult result = render({ball_, "-o", picture_, "--size", "200x100"});
   EXPECT_EQ(result.status, 0) << result.err;
@@ -125,9 +125,9 @@ TEST_F(Render, DrawsTheTreeByLevelAndTheBoxesOfATraversal) {
   EXPECT_EQ(boxes({"--level", "1"}), 1);
   EXPECT_EQ(boxes({"--level", "4"}), 8);
   EXPECT_EQ(boxes({"--level", "4", "--boxes", "both"}), 8);
-  const int pruned = boxes({"--mover", ball_, "--pose", "1 0 0", "--walk"});
+  const int pruned = boxes({"--mover", ball_, "--pose", "1 0 0", "--trace"});
   EXPECT_GT(pruned, 10);
-  EXPECT_GT(boxes({"--mover", ball_, "--pose", "1 0 0", "--walk", "--no-prune"}), pruned);
+  EXPECT_GT(boxes({"--mover", ball_, "--pose", "1 0 0", "--trace", "--no-prune"}), pruned);
 }
 
 TEST_F(Render, SaysThatTreesAreThoseOfTheFirstFileOfACity) {
@@ -144,10 +144,10 @@ TEST_F(Render, SaysThatTreesAreThoseOfTheFirstFileOfACity) {
   EXPECT_EQ(one.err.find("--level"), std::string::npos) << one.err;
 }
 
-TEST_F(Render, WalksWithTheOneMoverThatIsNamed) {
+TEST_F(Render, TraversesWithTheOneMoverThatIsNamed) {
   SOMS_NEEDS_EGL();
   const test::RunResult result =
-      render({ball_, "--mover", ball_, "--walk", "-o", picture_, "--size", "90x60", "--json"});
+      render({ball_, "--mover", ball_, "--trace", "-o", picture_, "--size", "90x60", "--json"});
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.out.find("\"movers\":1,"), std::string::npos) << result.out;
 }
@@ -161,15 +161,15 @@ TEST_F(Render, R119OptionsThatThePictureIgnoresAreRefused) {
   };
 
   const std::vector<Case> cases{
-      {{"--rule", "sah"}, "--rule without --level or --walk changes nothing"},
-      {{"--leaf", "4"}, "--leaf without --level or --walk changes nothing"},
-      {{"--traversal", "larger"}, "--traversal without --walk changes nothing"},
-      {{"--level", "2", "--descent", "both"}, "--descent without --walk changes nothing"},
+      {{"--rule", "sah"}, "--rule without --level or --trace changes nothing"},
+      {{"--leaf", "4"}, "--leaf without --level or --trace changes nothing"},
+      {{"--traversal", "larger"}, "--traversal without --trace changes nothing"},
+      {{"--level", "2", "--descent", "both"}, "--descent without --trace changes nothing"},
       {{"--level", "2", "--rule", "fast", "--midpoint", "centroid"}, "--midpoint has no effect"},
       {{"--level", "2", "--c-vertex", "1"}, "--c-vertex has no effect: only the midpoint thesis"},
-      {{"--mover", ball_, "--walk", "--traversal", "larger", "--descent", "both"},
+      {{"--mover", ball_, "--trace", "--traversal", "larger", "--descent", "both"},
        "--descent has no effect: only E-Node has a descent"},
-      {{"--mover", ball_, "--walk", "--traversal", "e-node-front", "--no-prune"},
+      {{"--mover", ball_, "--trace", "--traversal", "e-node-front", "--no-prune"},
        "--no-prune: --traversal e-node-front keeps what pruning leaves"},
       {{"--frame", "7"}, "--frame 7 has no effect: nothing moves here; leave it out"},
   };
@@ -182,7 +182,7 @@ TEST_F(Render, R119OptionsThatThePictureIgnoresAreRefused) {
     EXPECT_FALSE(std::filesystem::exists(picture_));
   }
   // A traversal other than E-Node does not trip over E-Node's descent, which nobody gave.
-  EXPECT_EQ(render({ball_, "-o", picture_, "--size", "90x60", "--mover", ball_, "--walk",
+  EXPECT_EQ(render({ball_, "-o", picture_, "--size", "90x60", "--mover", ball_, "--trace",
                     "--traversal", "larger"})
                 .status,
             0);
@@ -239,7 +239,7 @@ TEST_F(Render, TellsFaultsInOneSentenceAndLeavesNoFile) {
       {{ball_, "-o", picture_, "--size", "99999x5"}, 2},
       {{ball_, "-o", picture_, "--camera", "nowhere"}, 2},
       {{ball_, "-o", picture_, "--camera", "contact"}, 2},
-      {{ball_, "-o", picture_, "--walk"}, 2},
+      {{ball_, "-o", picture_, "--trace"}, 2},
       {{ball_, "-o", picture_, "--test", "top"}, 2},
       {{ball_, "-o", picture_, "--mover", ball_, "--test", "sideways"}, 2},
       {{ball_, "-o", picture_, "--mover", ball_, "--test", "top", "--frame", "99999"}, 2},
@@ -250,7 +250,7 @@ TEST_F(Render, TellsFaultsInOneSentenceAndLeavesNoFile) {
       {{ball_, "-o", picture_, "--level-of", "mover"}, 2},
       {{ball_, "-o", picture_, "--no-prune"}, 2},
       {{ball_, "-o", picture_, "--center"}, 2},
-      {{ball_, "-o", picture_, "--mover", ball_, "--walk", "--traversal", "fast"}, 2},
+      {{ball_, "-o", picture_, "--mover", ball_, "--trace", "--traversal", "fast"}, 2},
       {{ball_, "-o", (folder_.path() / "out.jpg").string()}, 2},
       {{ball_, "-o", picture_, "--timeout", "0"}, 4},
       {{ball_, "-o", (folder_.path() / "missing" / "out.png").string()}, 5},

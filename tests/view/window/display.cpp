@@ -67,7 +67,7 @@ Display::Display() {
     throw std::runtime_error("no pipe");
   }
   const std::string descriptor = std::to_string(pipe[1]);
-  // Without -noreset the server begins anew, and refuses clients meanwhile, when its last one goes.
+  // Without -noreset the server start over, and refuses clients meanwhile, when its last one goes.
   const std::vector<std::string> words{"Xvfb", "-noreset",    "-displayfd", descriptor, "-screen",
                                        "0",    "1280x720x24", "-nolisten",  "tcp"};
   const std::vector<char*> arguments = pointers(words);

@@ -138,7 +138,7 @@ TEST(SceneSubject, EachRuleAndTraversalCanBeShown) {
     state.traversal = static_cast<Traversal>(traversal);
     subject.choose(state);
     EXPECT_FALSE(subject.draw_list(state).box_groups.empty()) << traversal;
-    EXPECT_TRUE(subject.facts(state).walked);
+    EXPECT_TRUE(subject.facts(state).traversed);
     EXPECT_EQ(subject.facts(state).contacts, contacts);
   }
 }
@@ -199,24 +199,24 @@ TEST(SceneSubject, PrunedAreTheBoxTestsThatEndedABranch) {
   subject.place_object(Pose::translation(10, 0, 5));
   (void)subject.draw_list(state);
   EXPECT_GT(subject.facts(state).pruned, 1U);
-  EXPECT_FALSE(subject.facts(state).walk_cut);
+  EXPECT_FALSE(subject.facts(state).trace_cut);
 }
 
-TEST(SceneSubject, CountsOfAWalkGoWithItsBoxes) {
+TEST(SceneSubject, CountsOfATraceGoWithItsBoxes) {
   SceneSubject subject(block_and_cube());
   ViewState state;
   state.shown.visited = true;
   subject.choose(state);
   (void)subject.draw_list(state);
-  EXPECT_TRUE(subject.facts(state).walked);
+  EXPECT_TRUE(subject.facts(state).traversed);
   state.shown.visited = false;
   subject.choose(state);
-  subject.place_object(Pose::translation(10, 0, 5));  // of which nothing is walked
+  subject.place_object(Pose::translation(10, 0, 5));  // of which nothing is traversed
   (void)subject.draw_list(state);
-  EXPECT_FALSE(subject.facts(state).walked);
+  EXPECT_FALSE(subject.facts(state).traversed);
 }
 
-TEST(SceneSubject, SaysThatAWalkWasCut) {
+TEST(SceneSubject, SaysThatATraceWasCut) {
   const Mesh cube = test::box_body({-1, -1, -1}, {1, 1, 1}, 40);
   SceneSubject subject(
       two_bodies(named(cube, {}, "still"), named(cube, Pose::translation(20, 0, 5), "moving")));
@@ -226,7 +226,7 @@ TEST(SceneSubject, SaysThatAWalkWasCut) {
   state.prune = false;
   subject.choose(state);
   (void)subject.draw_list(state);
-  EXPECT_TRUE(subject.facts(state).walk_cut);
+  EXPECT_TRUE(subject.facts(state).trace_cut);
 }
 
 TEST(SceneSubject, SaysHowManyContactsAPictureHolds) {

@@ -1,6 +1,6 @@
 // Appends what met, pair by pair. Included inside a namespace; see nodes.h.
 
-inline std::uint32_t code_of(const WideNode& node, std::uint32_t own, std::uint32_t lane) {
+inline std::uint32_t node_id_of(const WideNode& node, std::uint32_t own, std::uint32_t lane) {
   return (node.leaves >> lane & 1U) != 0 ? own + NodeTask::kLane + lane : node.child[lane] << 3;
 }
 
@@ -16,13 +16,13 @@ inline void append(const NodeTask* tasks, std::size_t count, PairSink& sink) {
         sink.blocks_x[sink.blocks] = task.x->child[x];
         sink.blocks_y[sink.blocks++] = task.y->child[y];
       } else {
-        sink.codes_x[sink.codes] = code_of(*task.x, task.code_x, x);
-        sink.codes_y[sink.codes++] = code_of(*task.y, task.code_y, y);
+        sink.node_ids_x[sink.node_ids] = node_id_of(*task.x, task.node_id_x, x);
+        sink.node_ids_y[sink.node_ids++] = node_id_of(*task.y, task.node_id_y, y);
       }
     }
-    if (task.order != 0 && sink.codes > here.codes) {
-      put_last(here, static_cast<std::size_t>(std::popcount(task.codes() & task.below)),
-               sink.codes - here.codes);
+    if (task.order != 0 && sink.node_ids > here.node_ids) {
+      put_last(here, static_cast<std::size_t>(std::popcount(task.node_ids() & task.below)),
+               sink.node_ids - here.node_ids);
     }
   }
 }

@@ -84,22 +84,22 @@ inline F8 sum(const Three& a, F8 m0, F8 m1, F8 m2) {
 inline std::uint32_t test_pair(const PoseNumbers& pose, const WideNode& x, const WideNode& y,
                                Centers* centers) {
   const __m128 shift = offset_of(pose, x.origin, y.origin).v;
-  std::array<F4, 3> half_turned;
+  std::array<F4, 3> half_rotated;
   for (std::size_t i = 0; i < 3; ++i) {
-    half_turned[i] = (F4::load(x.row[0].data()) * F4(pose.n(i, 0)) +
-                      F4::load(x.row[1].data()) * F4(pose.n(i, 1))) +
-                     F4::load(x.row[2].data()) * F4(pose.n(i, 2));
+    half_rotated[i] = (F4::load(x.row[0].data()) * F4(pose.n(i, 0)) +
+                       F4::load(x.row[1].data()) * F4(pose.n(i, 1))) +
+                      F4::load(x.row[2].data()) * F4(pose.n(i, 2));
   }
-  half_turned[0].v = _mm_insert_ps(half_turned[0].v, shift, 0x30);
-  half_turned[1].v = _mm_insert_ps(half_turned[1].v, shift, 0x70);
-  half_turned[2].v = _mm_insert_ps(half_turned[2].v, shift, 0xb0);
+  half_rotated[0].v = _mm_insert_ps(half_rotated[0].v, shift, 0x30);
+  half_rotated[1].v = _mm_insert_ps(half_rotated[1].v, shift, 0x70);
+  half_rotated[2].v = _mm_insert_ps(half_rotated[2].v, shift, 0xb0);
   alignas(16) std::array<std::array<float, 4>, 3> m;
   for (std::size_t i = 0; i < 3; ++i) {
-    const F4 seen = (half_turned[0] * F4(y.row[0][i]) + half_turned[1] * F4(y.row[1][i])) +
-                    half_turned[2] * F4(y.row[2][i]);
+    const F4 seen = (half_rotated[0] * F4(y.row[0][i]) + half_rotated[1] * F4(y.row[1][i])) +
+                    half_rotated[2] * F4(y.row[2][i]);
     seen.store(m[i].data());
   }
-  const float margin = pose.relative * (x.reach * pose.ratio + y.reach) + pose.slack;
+  const float margin = pose.relative * (x.l1_radius * pose.ratio + y.l1_radius) + pose.slack;
   const F8 sign = beside(0.0F, -0.0F);
   std::array<Three, 3> entry;  // beside its magnitude
   Three boxes_x;
@@ -135,7 +135,7 @@ void test_nodes(NodeTask* tasks, std::size_t count) {
     } else {
       Centers centers;
       task.pairs &= test_pair(*task.pose, *task.x, *task.y, &centers);
-      task.below = below_nearest(centers, task.codes());
+      task.below = below_nearest(centers, task.node_ids());
     }
   }
 }

@@ -142,14 +142,14 @@ inline std::uint32_t below_nearest(const Squares& s, std::uint32_t pairs) {
 
 /// See nodes.h; the same sums in the same order.
 /// Products with axes that are the mesh's would change nothing: most large nodes have those.
-template <bool Scaled, bool Turned, bool Ordered>
+template <bool Scaled, bool Oriented, bool Ordered>
 inline void test_task(NodeTask& task) {
   const PoseNumbers& pose = *task.pose;
   const WideNode& x = *task.x;
   const WideNode& y = *task.y;
   const __m128 shift = offset_of(pose, x.origin, y.origin).v;
   __m512 m = _mm512_load_ps(pose.rows.data());
-  if (Turned) {
+  if (Oriented) {
     m = sum(four(x.row[0]), spread_rows<0>(m), four(x.row[1]), spread_rows<1>(m), four(x.row[2]),
             spread_rows<2>(m));
   }
@@ -157,7 +157,7 @@ inline void test_task(NodeTask& task) {
   m = _mm512_mask_permutexvar_ps(m, 0x0888,
                                  _mm512_setr_epi32(0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 0),
                                  _mm512_castps128_ps512(shift));
-  if (Turned) {
+  if (Oriented) {
     const __m512 rows_y = _mm512_loadu_ps(y.row[0].data());
     m = sum(_mm512_shuffle_f32x4(m, m, 0), spread_columns<0>(rows_y),
             _mm512_shuffle_f32x4(m, m, 0x55), spread_columns<1>(rows_y),
@@ -165,11 +165,11 @@ inline void test_task(NodeTask& task) {
   }
   const __m512 a = _mm512_abs_ps(m);
   const __m512 ratio = _mm512_set1_ps(pose.ratio);
-  const __m512 margin = _mm512_add_ps(
-      product(
-          _mm512_set1_ps(pose.relative),
-          _mm512_add_ps(scaled<Scaled>(_mm512_set1_ps(x.reach), ratio), _mm512_set1_ps(y.reach))),
-      _mm512_set1_ps(pose.slack));
+  const __m512 margin =
+      _mm512_add_ps(product(_mm512_set1_ps(pose.relative),
+                            _mm512_add_ps(scaled<Scaled>(_mm512_set1_ps(x.l1_radius), ratio),
+                                          _mm512_set1_ps(y.l1_radius))),
+                    _mm512_set1_ps(pose.slack));
   const __m512 seen_x =
       _mm512_add_ps(sum(scaled<Scaled>(four(x.center[0]), ratio), spread_rows<0>(m),
                         scaled<Scaled>(four(x.center[1]), ratio), spread_rows<1>(m),
@@ -202,23 +202,23 @@ inline void test_task(NodeTask& task) {
   if (Ordered) {
     task.below = below_nearest({square<0>(seen_x, center_y), square<1>(seen_x, center_y),
                                 square<2>(seen_x, center_y), square<3>(seen_x, center_y)},
-                               task.codes());
+                               task.node_ids());
   }
 }
 
-template <bool Scaled, bool Turned>
+template <bool Scaled, bool Oriented>
 inline void test_ordered(NodeTask& task) {
   if (task.order != 0) {
-    test_task<Scaled, Turned, true>(task);
+    test_task<Scaled, Oriented, true>(task);
   } else {
-    test_task<Scaled, Turned, false>(task);
+    test_task<Scaled, Oriented, false>(task);
   }
 }
 
 template <bool Scaled>
 void test_each(NodeTask* tasks, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
-    if ((tasks[i].x->turned | tasks[i].y->turned) != 0) {
+    if ((tasks[i].x->oriented | tasks[i].y->oriented) != 0) {
       test_ordered<Scaled, true>(tasks[i]);
     } else {
       test_ordered<Scaled, false>(tasks[i]);

@@ -1,7 +1,7 @@
 /// \file
-/// The tests of boxes and triangles that a walk lives on, once for each instruction set. All give
-/// the same bits: every lane is a float, each product and each sum is rounded by itself, in the
-/// same order. A bit that is not set means surely apart; relative_pose.h proves the margins.
+/// The tests of boxes and triangles that a traversal lives on, once for each instruction set. All
+/// give the same bits: every lane is a float, each product and each sum is rounded by itself, in
+/// the same order. A bit that is not set means surely apart; relative_pose.h proves the margins.
 #pragma once
 
 #include "soms/tree/layout/wide_tree.h"
@@ -23,43 +23,43 @@ struct alignas(64) PoseNumbers {
   std::array<double, 4> shift = {};
   double scale = 1;    ///< turns the mesh's units into those of y's layout
   float ratio = 1;     ///< turns lengths of x's layout into those of y's
-  float relative = 0;  ///< margin for each unit of the places' reach
+  float relative = 0;  ///< margin for each unit of the nodes' L1 radius
   float slack = 0;     ///< margin for the poses' rounding
 
   [[nodiscard]] float n(std::size_t i, std::size_t j) const { return rows[4 * i + j]; }
 
-  /// From the origin of a place in y to that of one in x, in y's units and axes.
+  /// From the origin of a node or block in y to that of one in x, in y's units and axes.
   [[nodiscard]] std::array<float, 3> offset(const std::array<double, 3>& x,
                                             const std::array<double, 3>& y) const {
     std::array<float, 3> d = {};
     for (std::size_t i = 0; i < 3; ++i) {
-      const double turned = (column[0][i] * x[0] + column[1][i] * x[1]) + column[2][i] * x[2];
-      d[i] = static_cast<float>(((turned + shift[i]) - y[i]) * scale);
+      const double rotated = (column[0][i] * x[0] + column[1][i] * x[1]) + column[2][i] * x[2];
+      d[i] = static_cast<float>(((rotated + shift[i]) - y[i]) * scale);
     }
     return d;
   }
 };
 
-/// A node of x against a node of y. A place that is still to be opened is called by a code: eight
-/// times a node's index, or that of its parent with kLane and the lane for a leaf.
+/// A node of x against a node of y. A node or leaf that is still to be descended has a node id:
+/// eight times a node's index, or that of its parent with kLane and the lane for a leaf.
 struct NodeTask {
   static constexpr std::uint32_t kLane = 4;
 
   const PoseNumbers* pose;
   const WideNode* x;
   const WideNode* y;
-  std::uint32_t code_x;  ///< of the nodes themselves
-  std::uint32_t code_y;
+  std::uint32_t node_id_x;  ///< of the nodes themselves
+  std::uint32_t node_id_y;
   std::uint32_t pairs;  ///< in: wanted, bit 4 r + k for lane k of x and lane (k + r) mod 4 of y;
-                        ///< out: those that meet; where one node is opened alone, its lanes
-  std::uint32_t order;  ///< in: 1 if the nearest of the pairs that go on as codes is to end on top
+                        ///< out: those that meet; where one node is descended alone, its lanes
+  std::uint32_t order;  ///< in: 1 if the nearest pair of node ids is to end on top
   std::uint32_t below;  ///< out, where `order` is 1: all bits below the nearest pair's
 
   /// Pairs of which one at least is a node.
-  [[nodiscard]] inline std::uint32_t codes() const;
+  [[nodiscard]] inline std::uint32_t node_ids() const;
 
   /// x is the larger node.
-  [[nodiscard]] bool opens_x() const { return x->reach * pose->ratio > y->reach; }
+  [[nodiscard]] bool descends_x() const { return x->l1_radius * pose->ratio > y->l1_radius; }
 };
 
 /// A block of x against a block of y.
@@ -73,7 +73,7 @@ struct BlockTask {
   std::uint32_t lanes_y;
 };
 
-/// Triangles of two blocks in y's axes, about the origin of y's place: floats that are each off the
+/// Triangles of two blocks in y's axes, about the origin of y's node: floats that are each off the
 /// moved and rounded corners by at most `error` (triangle_pairs.h).
 struct alignas(64) TriangleSlot {
   static constexpr std::size_t kErrorRow = 9;
@@ -100,18 +100,18 @@ struct Verdicts {
 
 /// Lists of pairs that kernels append to; there is room for 16 more pairs of each kind and task.
 struct PairSink {
-  std::uint32_t* codes_x;
-  std::uint32_t* codes_y;
-  std::uint32_t* blocks_x;  ///< words of WideNode::child
+  std::uint32_t* node_ids_x;
+  std::uint32_t* node_ids_y;
+  std::uint32_t* blocks_x;  ///< tokens of WideNode::child
   std::uint32_t* blocks_y;
-  std::size_t codes = 0;  ///< appended so far
+  std::size_t node_ids = 0;  ///< appended so far
   std::size_t blocks = 0;
 };
 
-/// Brings pair `which` of the `count` pairs of codes that follow in the sink to their end.
+/// Brings pair `which` of the `count` pairs of node ids that follow in the sink to their end.
 inline void put_last(const PairSink& sink, std::size_t which, std::size_t count) {
   const std::size_t last = count - (count != 0 ? 1 : 0);
-  for (std::uint32_t* list : {sink.codes_x + sink.codes, sink.codes_y + sink.codes}) {
+  for (std::uint32_t* list : {sink.node_ids_x + sink.node_ids, sink.node_ids_y + sink.node_ids}) {
     const std::uint32_t nearest = list[which];
     list[which] = list[last];
     list[last] = nearest;
@@ -171,7 +171,7 @@ struct LanePairs {
 
 inline constexpr LanePairs kLanePairs;
 
-inline std::uint32_t NodeTask::codes() const {
+inline std::uint32_t NodeTask::node_ids() const {
   return pairs & ~std::uint32_t{kLanePairs.bits[x->leaves][y->leaves]};
 }
 

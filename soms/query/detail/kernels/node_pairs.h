@@ -74,7 +74,7 @@ inline void test_nodes(NodeTask* tasks, std::size_t count) {
     } else {
       Centers centers;
       task.pairs &= test_pair(*task.pose, *task.x, *task.y, &centers);
-      task.below = below_nearest(centers, task.codes());
+      task.below = below_nearest(centers, task.node_ids());
     }
   }
 }

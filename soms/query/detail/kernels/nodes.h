@@ -6,13 +6,13 @@ struct Seen {
   Seen(const PoseNumbers& pose, const WideNode& x, const WideNode& y) {
     offset_of(pose, x.origin, y.origin).store(d.data());
     // Most large nodes have the mesh's axes: with those, the products would change nothing.
-    if ((x.turned | y.turned) != 0) {
+    if ((x.oriented | y.oriented) != 0) {
       turn(pose, x, y);
     } else {
       m = pose.rows.data();
       a = pose.magnitudes.data();
     }
-    margin = pose.relative * (x.reach * pose.ratio + y.reach) + pose.slack;
+    margin = pose.relative * (x.l1_radius * pose.ratio + y.l1_radius) + pose.slack;
   }
 
   Seen(const Seen&) = delete;
@@ -20,16 +20,16 @@ struct Seen {
   ~Seen() = default;
 
   void turn(const PoseNumbers& pose, const WideNode& x, const WideNode& y) {
-    std::array<F4, 3> half_turned;  // the offset rides in the fourth lane
+    std::array<F4, 3> half_rotated;  // the offset rides in the fourth lane
     for (std::size_t i = 0; i < 3; ++i) {
-      half_turned[i] = with_last((F4::load(x.row[0].data()) * F4(pose.n(i, 0)) +
-                                  F4::load(x.row[1].data()) * F4(pose.n(i, 1))) +
-                                     F4::load(x.row[2].data()) * F4(pose.n(i, 2)),
-                                 d[i]);
+      half_rotated[i] = with_last((F4::load(x.row[0].data()) * F4(pose.n(i, 0)) +
+                                   F4::load(x.row[1].data()) * F4(pose.n(i, 1))) +
+                                      F4::load(x.row[2].data()) * F4(pose.n(i, 2)),
+                                  d[i]);
     }
     for (std::size_t i = 0; i < 3; ++i) {
-      const F4 row = (half_turned[0] * F4(y.row[0][i]) + half_turned[1] * F4(y.row[1][i])) +
-                     half_turned[2] * F4(y.row[2][i]);
+      const F4 row = (half_rotated[0] * F4(y.row[0][i]) + half_rotated[1] * F4(y.row[1][i])) +
+                     half_rotated[2] * F4(y.row[2][i]);
       row.store(own.data() + 4 * i);
       abs(row).store(own_magnitudes.data() + 4 * i);
     }
@@ -146,7 +146,7 @@ inline std::uint32_t four_against_one(const PoseNumbers& pose, const WideNode& x
 inline void test_larger(NodeTask* tasks, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const NodeTask& task = tasks[i];
-    tasks[i].pairs &= task.opens_x() ? four_against_one(*task.pose, *task.x, *task.y)
-                                     : one_against_four(*task.pose, *task.x, *task.y);
+    tasks[i].pairs &= task.descends_x() ? four_against_one(*task.pose, *task.x, *task.y)
+                                        : one_against_four(*task.pose, *task.x, *task.y);
   }
 }

@@ -9,10 +9,10 @@ inline __m256d column(const PoseNumbers& pose, const std::array<double, 3>& x, s
 /// nodes and blocks go on there.
 inline F4 offset_of(const PoseNumbers& pose, const std::array<double, 3>& x,
                     const std::array<double, 3>& y) {
-  const __m256d turned =
+  const __m256d rotated =
       _mm256_add_pd(_mm256_add_pd(column(pose, x, 0), column(pose, x, 1)), column(pose, x, 2));
   const __m256d origin_y = _mm256_blend_pd(_mm256_loadu_pd(y.data()), _mm256_setzero_pd(), 8);
   return F4(_mm256_cvtpd_ps(_mm256_mul_pd(
-      _mm256_sub_pd(_mm256_add_pd(turned, _mm256_load_pd(pose.shift.data())), origin_y),
+      _mm256_sub_pd(_mm256_add_pd(rotated, _mm256_load_pd(pose.shift.data())), origin_y),
       _mm256_set1_pd(pose.scale))));
 }

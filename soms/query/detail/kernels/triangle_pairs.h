@@ -5,9 +5,9 @@
 // keeps orientations, X's determinant being about 1. So do shifts and the layout's unit. Seen
 // through these, a moved and rounded corner stands at a place a*, and the slot holds a float a.
 // By relative_pose.h the map of x's corners and that of y's together are off by W on an axis, which
-// is half of `slack`. In units of u = 2^-24 times S = reach_x + reach_y + |d|_1, corners of x moved
-// in float are off by 6.1 (rounded rotation, rounded corner, product and two sums 5, offset and
-// last sum 2, no coordinate of more than one of them being S), corners of y by 1: so
+// is half of `slack`. In units of u = 2^-24 times S = radius_x + radius_y + |d|_1, corners of x
+// moved in float are off by 6.1 (rounded rotation, rounded corner, product and two sums 5, offset
+// and last sum 2, no coordinate of more than one of them being S), corners of y by 1: so
 //   e = 8 u S + slack / 2
 // bounds |a - a*| for each corner, and the sum of both errors for corners of different triangles.
 // No coordinate of the slot exceeds S, so rounding a difference of corners of different triangles
@@ -87,7 +87,7 @@ struct Facet {
 };
 
 /// A facet turned so that its tip, alone on its side of the other's plane, comes first.
-struct Turned {
+struct OrientedFacet {
   Vectors tip;
   Vectors left;
   Vectors right;
@@ -108,7 +108,7 @@ struct Sides {
     return bits(certain[0] & certain[1] & certain[2]);
   }
 
-  [[nodiscard]] Turned turn(const Facet& f) const {
+  [[nodiscard]] OrientedFacet turn(const Facet& f) const {
     const WideMask second = above[1] ^ most_above;
     const WideMask third = above[2] ^ most_above;
     const auto& [a, b, c] = f.corner;
@@ -182,14 +182,14 @@ inline Verdicts judge_wide(const float* slots, const std::uint32_t* first,
   const Wide least_side(kLeastSide);
   const Sides sides_a(on_b.of, Wide(50.0F) * lever * length_b + least_side);
   const Sides sides_b(on_a.of, Wide(50.0F) * lever * length_a + least_side);
-  const Turned p = sides_a.turn(a);
-  const Turned q = sides_b.turn(b);
+  const OrientedFacet p = sides_a.turn(a);
+  const OrientedFacet q = sides_b.turn(b);
   // Guigue and Devillers: with both tips above, the intervals on the planes' common line meet if
   // left.m >= 0 and right.m <= 0. A tip below turns the other facet over.
-  const WideMask turned_over = sides_a.most_above ^ sides_b.most_above;
+  const WideMask flipped = sides_a.most_above ^ sides_b.most_above;
   const Vectors between = minus(q.tip, p.tip);
-  const Vectors left = cross(minus(select(turned_over, q.right, q.left), q.tip), between);
-  const Vectors right = cross(minus(select(turned_over, q.left, q.right), q.tip), between);
+  const Vectors left = cross(minus(select(flipped, q.right, q.left), q.tip), between);
+  const Vectors right = cross(minus(select(flipped, q.left, q.right), q.tip), between);
   const Wide bound = Wide(65.0F) * lever * length_a + Wide(kLeastProduct);
   const Turning at_left(minus(p.left, p.tip), left, error, bound);
   const Turning at_right(minus(p.right, p.tip), right, error, bound);
@@ -211,6 +211,6 @@ inline Verdicts judge(const TriangleSlot* slots, const std::uint32_t* first,
     all.hit |= some.hit << begin;
     all.open |= some.open << begin;
   }
-  const std::uint32_t asked = (1U << count) - 1;
-  return {all.hit & asked, all.open & asked};
+  const std::uint32_t wanted = (1U << count) - 1;
+  return {all.hit & wanted, all.open & wanted};
 }

@@ -70,7 +70,7 @@ inline void test_slab(BlockTask& task) {
   const float ratio = pose.ratio;
   const F4 offset = offset_of(pose, x.origin, y.origin);
   const Row d = stored(offset);
-  const float margin = pose.relative * (x.reach * ratio + y.reach) + pose.slack;
+  const float margin = pose.relative * (x.l1_radius * ratio + y.l1_radius) + pose.slack;
   const F4 normal_x = sum_of(pose.columns, x.normal);  // in y's axes
   const F4 normal_y = sum_of(pose.rows, y.normal);     // in x's
   const Row nx = stored(normal_x);
@@ -99,8 +99,8 @@ inline void test_slabs(BlockTask* tasks, std::size_t count) {
 inline float error_of(const BlockTask& task) {
   const auto& d = task.offset;
   const float distance = (std::abs(d[0]) + std::abs(d[1])) + std::abs(d[2]);
-  const float reach = task.x->reach * task.pose->ratio + task.y->reach;
-  return (reach + distance) * 0x1p-21F + task.pose->slack * 0x1p-1F;
+  const float l1_radius = task.x->l1_radius * task.pose->ratio + task.y->l1_radius;
+  return (l1_radius + distance) * 0x1p-21F + task.pose->slack * 0x1p-1F;
 }
 
 /// Moves the corners of x into the slot; gives their boxes, for each axis the rows of lower and

@@ -33,7 +33,7 @@ class ChildPairs {
 
 /// Children of both nodes, left before right, the first tree's slower: LL, LR, RL, RR. A leaf
 /// stands for itself. \pre Not two leaves.
-[[nodiscard]] inline ChildPairs open_both(const Probe& probe, NodePair p) {
+[[nodiscard]] inline ChildPairs descend_both(const Probe& probe, NodePair p) {
   const Node& a = probe.node_a(p.a);
   const Node& b = probe.node_b(p.b);
   ChildPairs out;
@@ -53,7 +53,7 @@ class ChildPairs {
 }
 
 /// Children of the first node, each with the second. \pre The first node is inner.
-[[nodiscard]] inline ChildPairs open_a(const Probe& probe, NodePair p) {
+[[nodiscard]] inline ChildPairs descend_a(const Probe& probe, NodePair p) {
   ChildPairs out;
   out.add({probe.node_a(p.a).left, p.b});
   out.add({probe.node_a(p.a).right, p.b});
@@ -61,15 +61,15 @@ class ChildPairs {
 }
 
 /// Children of the second node, each with the first. \pre The second node is inner.
-[[nodiscard]] inline ChildPairs open_b(const Probe& probe, NodePair p) {
+[[nodiscard]] inline ChildPairs descend_b(const Probe& probe, NodePair p) {
   ChildPairs out;
   out.add({p.a, probe.node_b(p.b).left});
   out.add({p.a, probe.node_b(p.b).right});
   return out;
 }
 
-/// Does rule `larger` open the first of two inner nodes? By the volumes of the boxes *before* they
-/// were moved, so that equal trees compare equal in every pose; a tie opens the first.
+/// Does rule `larger` descend the first of two inner nodes? By the volumes of the boxes *before*
+/// they were moved, so that equal trees compare equal in every pose; a tie descends the first.
 [[nodiscard]] inline bool first_is_larger(const Node& a, const Node& b) {
   return volume(a.bounds) >= volume(b.bounds);
 }
@@ -80,15 +80,15 @@ class ChildPairs {
   const Node& a = probe.node_a(p.a);
   const Node& b = probe.node_b(p.b);
   if (rule == Traversal::simultaneous) {
-    return open_both(probe, p);
+    return descend_both(probe, p);
   }
   if (a.is_leaf() || b.is_leaf()) {
-    return b.is_leaf() ? open_a(probe, p) : open_b(probe, p);
+    return b.is_leaf() ? descend_a(probe, p) : descend_b(probe, p);
   }
   const bool first = rule == Traversal::a_first ||
                      (rule == Traversal::alternate && a.depth <= b.depth) ||
                      (rule == Traversal::larger && first_is_larger(a, b));
-  return first ? open_a(probe, p) : open_b(probe, p);
+  return first ? descend_a(probe, p) : descend_b(probe, p);
 }
 
 }  // namespace soms::detail

@@ -67,7 +67,7 @@ class Probe {
     }
   }
 
-  /// The visitor asked to stop: nothing more may be reported.
+  /// The visitor requested a stop: nothing more may be reported.
   [[nodiscard]] bool stopped() const { return stopped_; }
 
   /// Volume that the boxes of a pair share; 0 where they touch or are apart.

@@ -20,17 +20,17 @@ class ByReference {
                         ? std::numeric_limits<std::uint32_t>::max()
                         : static_cast<std::uint32_t>(options.level - options.root_level)) {}
 
-  Forest run() {
+  Subtrees run() {
     Cells sorted = sort_into_cells(mesh_, parallel_);
-    forest_.ids.resize(mesh_.triangles.size());
-    forest_.bounds = sorted.bounds;
+    subtrees_.ids.resize(mesh_.triangles.size());
+    subtrees_.bounds = sorted.bounds;
     references_ = std::move(sorted.spare);
     divide_upper(sorted);
     gather(sorted);
     sorted = {};
     divide_large();
     build_subtrees();
-    return std::move(forest_);
+    return std::move(subtrees_);
   }
 
  private:
@@ -45,25 +45,25 @@ class ByReference {
                kMaxTreeIdDepth;
   }
 
-  void begin_subtree(std::uint32_t i, const Crowd& crowd) {
-    forest_.upper[i].subtree = static_cast<std::uint32_t>(forest_.subtrees.size());
-    forest_.subtrees.emplace_back();
-    roots_.push_back({i, crowd});
+  void begin_subtree(std::uint32_t i, const PrimitiveRange& range) {
+    subtrees_.upper[i].subtree = static_cast<std::uint32_t>(subtrees_.nodes.size());
+    subtrees_.nodes.emplace_back();
+    roots_.push_back({i, range});
   }
 
   /// Adds two children of upper node `i`; returns the place of the left one.
   std::uint32_t add_children(std::uint32_t i, std::uint32_t left_count) {
-    const auto left = static_cast<std::uint32_t>(forest_.upper.size());
-    const Node parent = forest_.upper[i].node;
-    forest_.upper[i].node.left = left;
-    forest_.upper[i].node.right = left + 1;
-    forest_.upper.push_back({child_of(parent, false, parent.first, left_count)});
-    forest_.upper.push_back(
+    const auto left = static_cast<std::uint32_t>(subtrees_.upper.size());
+    const Node parent = subtrees_.upper[i].node;
+    subtrees_.upper[i].node.left = left;
+    subtrees_.upper[i].node.right = left + 1;
+    subtrees_.upper.push_back({child_of(parent, false, parent.first, left_count)});
+    subtrees_.upper.push_back(
         {child_of(parent, true, parent.first + left_count, parent.count - left_count)});
     return left;
   }
 
-  struct OpenCells {
+  struct PendingCells {
     std::uint32_t upper;
     std::size_t begin;
     std::size_t end;
@@ -74,13 +74,13 @@ class ByReference {
     Node root;
     root.id = 0;
     root.count = static_cast<std::uint32_t>(mesh_.triangles.size());
-    forest_.upper.push_back({root});
-    std::vector<OpenCells> open{{0, 0, sorted.cells.size()}};
-    while (!open.empty()) {
+    subtrees_.upper.push_back({root});
+    std::vector<PendingCells> pending{{0, 0, sorted.cells.size()}};
+    while (!pending.empty()) {
       check_stop(parallel_);  // there may be as many cells as triangles
-      const OpenCells next = open.back();
-      open.pop_back();
-      const Node node = forest_.upper[next.upper].node;
+      const PendingCells next = pending.back();
+      pending.pop_back();
+      const Node node = subtrees_.upper[next.upper].node;
       const auto cells = std::span(sorted.cells).subspan(next.begin, next.end - next.begin);
       if (node.count <= kSubtreeTriangles || is_leaf(node) || cells.size() == 1 || too_deep(node)) {
         whole_.push_back(next);
@@ -89,80 +89,80 @@ class ByReference {
       const std::size_t left = divide_cells(cells);
       std::uint32_t left_count = 0;
       for (const Cell& cell : cells.first(left)) {
-        left_count += cell.crowd.count;
+        left_count += cell.range.count;
       }
       const std::uint32_t child = add_children(next.upper, left_count);
-      open.push_back({child + 1, next.begin + left, next.end});
-      open.push_back({child, next.begin, next.begin + left});
+      pending.push_back({child + 1, next.begin + left, next.end});
+      pending.push_back({child, next.begin, next.begin + left});
     }
   }
 
   /// Copies the references of each node's cells to where its primitives are.
   void gather(const Cells& sorted) {
-    crowds_.resize(whole_.size());
+    ranges_.resize(whole_.size());
     for_each_chunk(whole_.size(), 1, {parallel_.threads, parallel_.stop, {}},
                    [&](std::size_t k, std::size_t) {
-                     const Node& node = forest_.upper[whole_[k].upper].node;
-                     Crowd crowd;
-                     crowd.first = node.first;
+                     const Node& node = subtrees_.upper[whole_[k].upper].node;
+                     PrimitiveRange range;
+                     range.first = node.first;
                      Reference* to = references_.data() + node.first;
                      for (std::size_t c = whole_[k].begin; c < whole_[k].end; ++c) {
-                       const Crowd& cell = sorted.cells[c].crowd;
+                       const PrimitiveRange& cell = sorted.cells[c].range;
                        to = std::copy_n(sorted.references.data() + cell.first, cell.count, to);
-                       crowd.count += cell.count;
-                       crowd.middles.grow(cell.middles);
-                       crowd.widest = lanes::max(crowd.widest, cell.widest);
+                       range.count += cell.count;
+                       range.middles.grow(cell.middles);
+                       range.widest = lanes::max(range.widest, cell.widest);
                      }
-                     crowds_[k] = crowd;
+                     ranges_[k] = range;
                    });
   }
 
-  struct OpenCrowd {
+  struct PendingRange {
     std::uint32_t upper;
-    Crowd crowd;
+    PrimitiveRange range;
   };
 
   /// Single cells may still hold more than a subtree.
   void divide_large() {
     ReferenceDivider divider(options_);
-    std::vector<OpenCrowd> open;
+    std::vector<PendingRange> pending;
     for (std::size_t k = whole_.size(); k-- > 0;) {
-      open.push_back({whole_[k].upper, crowds_[k]});
+      pending.push_back({whole_[k].upper, ranges_[k]});
     }
-    while (!open.empty()) {
+    while (!pending.empty()) {
       check_stop(parallel_);
-      const OpenCrowd next = open.back();
-      open.pop_back();
-      const Node node = forest_.upper[next.upper].node;
+      const PendingRange next = pending.back();
+      pending.pop_back();
+      const Node node = subtrees_.upper[next.upper].node;
       if (node.count <= kSubtreeTriangles || is_leaf(node)) {
-        begin_subtree(next.upper, next.crowd);
+        begin_subtree(next.upper, next.range);
         continue;
       }
-      const Halves halves = divide(divider, node, next.crowd);
-      forest_.upper[next.upper].node.undividable = halves.even;
+      const Halves halves = divide(divider, node, next.range);
+      subtrees_.upper[next.upper].node.undividable = halves.even;
       const std::uint32_t child = add_children(next.upper, halves.left.count);
-      open.push_back({child + 1, halves.right});
-      open.push_back({child, halves.left});
+      pending.push_back({child + 1, halves.right});
+      pending.push_back({child, halves.left});
     }
   }
 
-  Halves divide(ReferenceDivider& divider, const Node& node, const Crowd& crowd) {
-    return too_deep(node) ? ReferenceDivider::halve(references_, crowd)
-                          : divider.divide(references_, crowd);
+  Halves divide(ReferenceDivider& divider, const Node& node, const PrimitiveRange& range) {
+    return too_deep(node) ? ReferenceDivider::halve(references_, range)
+                          : divider.divide(references_, range);
   }
 
   void build_subtrees() {
     for_each_chunk(roots_.size(), 1, within(parallel_, 0.3, 1), [&](std::size_t k, std::size_t) {
-      const OpenCrowd& root = roots_[k];
-      forest_.subtrees[k] = build_subtree(forest_.upper[root.upper].node, root.crowd);
+      const PendingRange& root = roots_[k];
+      subtrees_.nodes[k] = build_subtree(subtrees_.upper[root.upper].node, root.range);
     });
   }
 
   /// A whole subtree in depth-first order; indices count from its root.
-  std::vector<Node> build_subtree(const Node& root, Crowd whole) {
-    struct Open {
+  std::vector<Node> build_subtree(const Node& root, PrimitiveRange whole) {
+    struct Pending {
       Node node;
-      Crowd crowd;
+      PrimitiveRange range;
       std::uint32_t right_of;  // parent, for right children
     };
 
@@ -170,51 +170,51 @@ class ByReference {
     ReferenceDivider divider(options_);
     std::vector<Node> nodes;
     nodes.reserve(root.count / 2);
-    std::vector<Open> open{{root, whole, Node::kNone}};
-    while (!open.empty()) {
-      const Open next = open.back();
-      open.pop_back();
+    std::vector<Pending> pending{{root, whole, Node::kNone}};
+    while (!pending.empty()) {
+      const Pending next = pending.back();
+      pending.pop_back();
       const auto i = static_cast<std::uint32_t>(nodes.size());
       Node& node = nodes.emplace_back(next.node);
       if (!is_leaf(node)) {
-        const Halves halves = divide(divider, node, next.crowd);
+        const Halves halves = divide(divider, node, next.range);
         node.undividable = halves.even;
         node.left = i + 1;
-        open.push_back(
+        pending.push_back(
             {child_of(node, true, halves.right.first, halves.right.count), halves.right, i});
-        open.push_back({child_of(node, false, halves.left.first, halves.left.count), halves.left,
-                        Node::kNone});
+        pending.push_back({child_of(node, false, halves.left.first, halves.left.count), halves.left,
+                           Node::kNone});
       }
       if (next.right_of != Node::kNone) {
         nodes[next.right_of].right = i;
       }
     }
     for (std::uint32_t k = root.first; k < root.first + root.count; ++k) {
-      forest_.ids[k] = references_[k].id;
+      subtrees_.ids[k] = references_[k].id;
     }
     return nodes;
   }
 
   /// References are rounded to 2^-24 of the mesh. A subtree much smaller than that gets new ones.
-  void refine(Crowd& crowd) {
+  void refine(PrimitiveRange& range) {
     constexpr float kFine = 0x1p-12F;
-    const lanes::F4 extent = crowd.middles.upper - crowd.middles.lower;
+    const lanes::F4 extent = range.middles.upper - range.middles.lower;
     if (std::max({extent[0], extent[1], extent[2]}) > kFine) {
       return;
     }
-    const auto run = std::span(references_).subspan(crowd.first, crowd.count);
+    const auto run = std::span(references_).subspan(range.first, range.count);
     Box box;
     for (const Reference& r : run) {
       box.grow(bounds(mesh_.triangle(r.id)).center());
     }
-    const ReferenceFrame frame = frame_of(box);
-    Crowd fresh;
-    fresh.first = crowd.first;
+    const PrimitiveFrame frame = frame_of(box);
+    PrimitiveRange fresh;
+    fresh.first = range.first;
     for (Reference& r : run) {
       r = reference_of(mesh_, r.id, frame);
       fresh.add(r);
     }
-    crowd = fresh;
+    range = fresh;
   }
 
   const Mesh& mesh_;
@@ -222,15 +222,16 @@ class ByReference {
   const Parallel& parallel_;
   std::uint32_t last_depth_;  // nodes of this depth are never divided
   layout::Pages<Reference> references_;
-  std::vector<OpenCells> whole_;  // upper nodes whose cells are divided no more
-  std::vector<Crowd> crowds_;     // and their references
-  std::vector<OpenCrowd> roots_;  // of the subtrees
-  Forest forest_;
+  std::vector<PendingCells> whole_;     // upper nodes whose cells are divided no more
+  std::vector<PrimitiveRange> ranges_;  // and their references
+  std::vector<PendingRange> roots_;     // of the subtrees
+  Subtrees subtrees_;
 };
 
 }  // namespace
 
-Forest grow_by_reference(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel) {
+Subtrees grow_by_reference(const Mesh& mesh, const BuildOptions& options,
+                           const Parallel& parallel) {
   return ByReference(mesh, options, parallel).run();
 }
 

@@ -2,13 +2,13 @@
 /// The builder behind the rules `fast` and `quality`.
 #pragma once
 
-#include "soms/tree/build/detail/forest.h"
+#include "soms/tree/build/detail/subtrees.h"
 #include "soms/tree/build_options.h"
 
 namespace soms::detail {
 
 /// Divides boxes in float: first whole cells of a grid, then the triangles of each subtree.
-[[nodiscard]] Forest grow_by_reference(const Mesh& mesh, const BuildOptions& options,
-                                       const Parallel& parallel);
+[[nodiscard]] Subtrees grow_by_reference(const Mesh& mesh, const BuildOptions& options,
+                                         const Parallel& parallel);
 
 }  // namespace soms::detail

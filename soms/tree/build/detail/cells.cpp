@@ -1,6 +1,6 @@
 #include "soms/tree/build/detail/cells.h"
 
-#include "soms/tree/layout/detail/again.h"
+#include "soms/tree/layout/detail/refit_layout.h"
 #include "soms/tree/layout/detail/widen.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ constexpr std::uint32_t spread(std::uint32_t x) {
 /// The grid: cubes over the box of the middles.
 class Grid {
  public:
-  Grid(const Crowd& all, std::size_t count) : lower_(all.middles.lower) {
+  Grid(const PrimitiveRange& all, std::size_t count) : lower_(all.middles.lower) {
     const F4 extent = all.middles.upper - all.middles.lower;
     const float size = std::max({extent[0], extent[1], extent[2]});
     const double cells = static_cast<double>(count) / kTrianglesInCell;
@@ -52,8 +52,8 @@ class Grid {
   [[nodiscard]] std::size_t keys() const { return (std::size_t{1} << 3 * bits_) + 1; }
 
   [[nodiscard]] std::uint32_t key(const Reference& r) const {
-    const F4 reach = r.reach();
-    if (std::max({reach[0], reach[1], reach[2]}) > most_half_) {
+    const F4 half_extent = r.half_extent();
+    if (std::max({half_extent[0], half_extent[1], half_extent[2]}) > most_half_) {
       return static_cast<std::uint32_t>(keys() - 1);
     }
     const F4 place = (r.point() - lower_) * lanes::splat(scale_);
@@ -113,8 +113,8 @@ layout::Pages<Reference> scattered(const layout::Pages<Reference>& references, c
 }
 
 void add(Cell& cell, const Reference& r) {
-  cell.crowd.add(r);
-  cell.box.grow(r.point() - r.reach(), r.point() + r.reach());
+  cell.range.add(r);
+  cell.box.grow(r.point() - r.half_extent(), r.point() + r.half_extent());
 }
 
 /// Cells and large ones; the order of the references tells where one ends.
@@ -127,7 +127,7 @@ std::vector<Cell> cells_of(const layout::Pages<Reference>& sorted, const Grid& g
     if (key != last || key == large) {
       last = key;
       cells.emplace_back();
-      cells.back().crowd.first = static_cast<std::uint32_t>(i);
+      cells.back().range.first = static_cast<std::uint32_t>(i);
     }
     add(cells.back(), sorted[i]);
   }
@@ -158,11 +158,11 @@ struct Histogram {
           extent[k] > kLeastExtent ? static_cast<float>(kBins) * (1 - 0x1p-20F) / extent[k] : 0;
     }
     for (const Cell& cell : cells) {
-      triangles += cell.crowd.count;
+      triangles += cell.range.count;
       for (std::size_t k = 0; k < 3; ++k) {
         Bin& bin = bins[k][bin_of(cell, k)];
         bin.box.grow(cell.box);
-        bin.count += cell.crowd.count;
+        bin.count += cell.range.count;
       }
     }
   }
@@ -207,22 +207,22 @@ void improve(Candidate& best, const Histogram& h, std::size_t axis) {
 Cells sort_into_cells(const Mesh& mesh, const Parallel& parallel) {
   const Parallel quiet = silent(parallel);
   const Box bounds = layout::bounds_of(mesh, quiet);
-  const ReferenceFrame frame = frame_of(bounds);
+  const PrimitiveFrame frame = frame_of(bounds);
   const std::size_t count = mesh.triangles.size();
   layout::Pages<Reference> references;
   references.resize(count);
-  std::vector<Crowd> crowds((count - 1) / kChunk + 1);
+  std::vector<PrimitiveRange> ranges((count - 1) / kChunk + 1);
   for_each_chunk(count, kChunk, quiet, [&](std::size_t begin, std::size_t end) {
-    Crowd crowd;
+    PrimitiveRange range;
     for (std::size_t i = begin; i < end; ++i) {
       references[i] = reference_of(mesh, static_cast<TriangleId>(i), frame);
-      crowd.add(references[i]);
+      range.add(references[i]);
     }
-    crowds[begin / kChunk] = crowd;
+    ranges[begin / kChunk] = range;
   });
-  Crowd all;
-  for (const Crowd& crowd : crowds) {
-    all.middles.grow(crowd.middles);
+  PrimitiveRange all;
+  for (const PrimitiveRange& range : ranges) {
+    all.middles.grow(range.middles);
   }
   if (count <= layout::kPartTriangles) {
     Cells whole;

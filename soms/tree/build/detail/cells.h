@@ -14,7 +14,7 @@ namespace soms::detail {
 /// these.
 struct Cell {
   lanes::Box4 box;
-  Crowd crowd;  ///< its run in `Cells::references`
+  PrimitiveRange range;  ///< its run in `Cells::references`
 };
 
 struct Cells {

@@ -26,7 +26,7 @@ std::size_t longest(F4 v) {
 
 Box4 box_of(const Reference& r) {
   const F4 middle = r.point();
-  const F4 half = r.reach();
+  const F4 half = r.half_extent();
   return {middle - half, middle + half};
 }
 
@@ -36,13 +36,13 @@ float cost_of(float area, std::uint32_t count, std::uint32_t per_leaf) {
   return area * static_cast<float>(blocks);
 }
 
-Crowd crowd_of(std::span<const Reference> all, std::uint32_t first, std::uint32_t count) {
-  Crowd crowd;
-  crowd.first = first;
+PrimitiveRange range_of(std::span<const Reference> all, std::uint32_t first, std::uint32_t count) {
+  PrimitiveRange range;
+  range.first = first;
   for (const Reference& r : all.subspan(first, count)) {
-    crowd.add(r);
+    range.add(r);
   }
-  return crowd;
+  return range;
 }
 
 /// Most references that are divided between any two of them.
@@ -79,7 +79,7 @@ Order order_of(std::span<const Reference> refs, std::size_t axis) {
 
 }  // namespace
 
-ReferenceFrame frame_of(const Box& box) {
+PrimitiveFrame frame_of(const Box& box) {
   const Vec3 extent = box.extent();
   const double size = std::max({extent.x, extent.y, extent.z});
   return {box.center(), size > 0 ? std::ldexp(1.0, std::min(1000, -std::ilogb(size))) : 1};
@@ -90,7 +90,7 @@ constexpr double kMostHalf = 0x1p40;
 // Of middles only those go beyond that are all the same but for rounding.
 constexpr double kMostMiddle = 0x1p60;
 
-Reference reference_of(const Mesh& mesh, TriangleId id, const ReferenceFrame& frame) {
+Reference reference_of(const Mesh& mesh, TriangleId id, const PrimitiveFrame& frame) {
   const auto& corners = mesh.triangles[id];
   const Vec3& a = mesh.vertices[corners[0]];
   const Vec3& b = mesh.vertices[corners[1]];
@@ -117,7 +117,7 @@ ReferenceDivider::ReferenceDivider(const BuildOptions& options)
   }
 }
 
-Halves ReferenceDivider::halve(std::span<const Reference> all, const Crowd& run) {
+Halves ReferenceDivider::halve(std::span<const Reference> all, const PrimitiveRange& run) {
   Halves halves;
   halves.even = true;
   halves.left.first = run.first;
@@ -128,7 +128,7 @@ Halves ReferenceDivider::halve(std::span<const Reference> all, const Crowd& run)
   return halves;
 }
 
-Halves ReferenceDivider::divide(std::span<Reference> all, const Crowd& run) {
+Halves ReferenceDivider::divide(std::span<Reference> all, const PrimitiveRange& run) {
   const F4 extent = run.middles.upper - run.middles.lower;
   const std::size_t axis = longest(extent);
   if (!(extent[axis] > 0)) {
@@ -152,10 +152,10 @@ Halves ReferenceDivider::divide(std::span<Reference> all, const Crowd& run) {
 
 /// Least sum of area times blocks over the bounds of bins on all axes.
 ReferenceDivider::Plane ReferenceDivider::cheapest_plane(std::span<const Reference> run,
-                                                         const Crowd& crowd) {
-  const std::size_t count_of_bins = quality_ && crowd.count >= kManyBinsFrom ? kMostBins : kFewBins;
-  const F4 lower = crowd.middles.lower;
-  const F4 extent = crowd.middles.upper - lower;
+                                                         const PrimitiveRange& range) {
+  const std::size_t count_of_bins = quality_ && range.count >= kManyBinsFrom ? kMostBins : kFewBins;
+  const F4 lower = range.middles.lower;
+  const F4 extent = range.middles.upper - lower;
   F4 scale = lanes::splat(0);
   for (std::size_t k = 0; k < 3; ++k) {
     // Bins of an axis too short for them would be subnormal or none.
@@ -194,7 +194,7 @@ ReferenceDivider::Plane ReferenceDivider::cheapest_plane(std::span<const Referen
     for (std::size_t i = 1; i < count_of_bins; ++i) {
       box.grow(bins[k][i - 1].box);
       count += bins[k][i - 1].count;
-      if (count == 0 || count == crowd.count) {
+      if (count == 0 || count == range.count) {
         continue;
       }
       const float cost = cost_of(box.half_area(), count, per_leaf_) + right[i];
@@ -207,15 +207,16 @@ ReferenceDivider::Plane ReferenceDivider::cheapest_plane(std::span<const Referen
   }
   if (best.found) {
     // Above the least middle and not above the greatest: no side is empty.
-    const float low = crowd.middles.lower[best.axis];
-    best.value = best.value > low ? std::min(best.value, crowd.middles.upper[best.axis])
-                                  : crowd.middles.upper[best.axis];
+    const float low = range.middles.lower[best.axis];
+    best.value = best.value > low ? std::min(best.value, range.middles.upper[best.axis])
+                                  : range.middles.upper[best.axis];
   }
   return best;
 }
 
 /// Left is what lies below the plane. Each reference is written to both sides, and one counts.
-Halves ReferenceDivider::cut(std::span<Reference> all, const Crowd& run, const Plane& plane) {
+Halves ReferenceDivider::cut(std::span<Reference> all, const PrimitiveRange& run,
+                             const Plane& plane) {
   if (right_.size() < run.count) {
     right_.resize(run.count);
   }
@@ -232,12 +233,12 @@ Halves ReferenceDivider::cut(std::span<Reference> all, const Crowd& run, const P
   }
   std::copy(right_.data(), right, left);
   const auto left_count = static_cast<std::uint32_t>(run.count - (right - right_.data()));
-  return {crowd_of(all, run.first, left_count),
-          crowd_of(all, run.first + left_count, run.count - left_count), false};
+  return {range_of(all, run.first, left_count),
+          range_of(all, run.first + left_count, run.count - left_count), false};
 }
 
 /// The cheapest of all cuts between neighbors, on all axes. There are at most kSweep references.
-Halves ReferenceDivider::sweep(std::span<Reference> all, const Crowd& run) {
+Halves ReferenceDivider::sweep(std::span<Reference> all, const PrimitiveRange& run) {
   const std::uint32_t n = run.count;
   const auto refs = all.subspan(run.first, n);
   std::array<Box4, kSweep> boxes;
@@ -271,7 +272,7 @@ Halves ReferenceDivider::sweep(std::span<Reference> all, const Crowd& run) {
     sorted[i] = refs[best_order[i]];
   }
   std::copy(sorted.begin(), sorted.begin() + n, refs.begin());
-  return {crowd_of(all, run.first, best_left), crowd_of(all, run.first + best_left, n - best_left),
+  return {range_of(all, run.first, best_left), range_of(all, run.first + best_left, n - best_left),
           false};
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/geometry/mesh.h"
-#include "soms/tree/build/detail/lanes.h"
+#include "soms/tree/build/detail/build_lanes.h"
 #include "soms/tree/build_options.h"
 
 #include <array>
@@ -24,24 +24,24 @@ struct alignas(32) Reference {
   /// Lane 3 is 0: an id would be a subnormal number there, and slow to add.
   [[nodiscard]] lanes::F4 point() const { return lanes::first_three(lanes::load(this)); }
 
-  [[nodiscard]] lanes::F4 reach() const { return lanes::load(half.data()); }
+  [[nodiscard]] lanes::F4 half_extent() const { return lanes::load(half.data()); }
 };
 
 static_assert(sizeof(Reference) == 32);
 
 /// Place and unit of references.
-struct ReferenceFrame {
+struct PrimitiveFrame {
   Vec3 origin;
   double scale = 1;
 };
 
 /// The frame in which a box fills the cube from -1 to 1.
-[[nodiscard]] ReferenceFrame frame_of(const Box& box);
+[[nodiscard]] PrimitiveFrame frame_of(const Box& box);
 
-[[nodiscard]] Reference reference_of(const Mesh& mesh, TriangleId id, const ReferenceFrame& frame);
+[[nodiscard]] Reference reference_of(const Mesh& mesh, TriangleId id, const PrimitiveFrame& frame);
 
 /// A run of references: their number, the box of their middles and their widest halves.
-struct Crowd {
+struct PrimitiveRange {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   lanes::Box4 middles;
@@ -49,15 +49,15 @@ struct Crowd {
 
   void add(const Reference& r) {
     middles.grow(r.point());
-    widest = lanes::max(widest, r.reach());
+    widest = lanes::max(widest, r.half_extent());
     ++count;
   }
 };
 
 /// Two runs that make up a third; `even` if all middles were one point and the run was halved.
 struct Halves {
-  Crowd left;
-  Crowd right;
+  PrimitiveRange left;
+  PrimitiveRange right;
   bool even = false;
 };
 
@@ -70,10 +70,10 @@ class ReferenceDivider {
   explicit ReferenceDivider(const BuildOptions& options);
 
   /// \pre At least two references.
-  [[nodiscard]] Halves divide(std::span<Reference> all, const Crowd& run);
+  [[nodiscard]] Halves divide(std::span<Reference> all, const PrimitiveRange& run);
 
   /// Equal counts as they lie, where nothing else may be done.
-  [[nodiscard]] static Halves halve(std::span<const Reference> all, const Crowd& run);
+  [[nodiscard]] static Halves halve(std::span<const Reference> all, const PrimitiveRange& run);
 
  private:
   static constexpr std::size_t kMostBins = 32;
@@ -89,9 +89,9 @@ class ReferenceDivider {
     bool found = false;
   };
 
-  [[nodiscard]] Plane cheapest_plane(std::span<const Reference> run, const Crowd& crowd);
-  [[nodiscard]] Halves cut(std::span<Reference> all, const Crowd& run, const Plane& plane);
-  [[nodiscard]] Halves sweep(std::span<Reference> all, const Crowd& run);
+  [[nodiscard]] Plane cheapest_plane(std::span<const Reference> run, const PrimitiveRange& range);
+  [[nodiscard]] Halves cut(std::span<Reference> all, const PrimitiveRange& run, const Plane& plane);
+  [[nodiscard]] Halves sweep(std::span<Reference> all, const PrimitiveRange& run);
 
   std::uint32_t per_leaf_;
   bool quality_;

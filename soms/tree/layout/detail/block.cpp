@@ -155,12 +155,12 @@ template <std::size_t Axis>
   const Moments moments = moments_of(rows, ids.size());
   block.count = static_cast<std::uint32_t>(ids.size()) & 0xf;
   const double give = frame.doubt((far[0] + far[1]) + far[2], false);
-  double reach = 0;
+  double l1_radius = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     block.own_half[axis] = rounded_up(far[axis] + give);
-    reach += static_cast<double>(block.own_half[axis]);
+    l1_radius += static_cast<double>(block.own_half[axis]);
   }
-  block.reach = rounded_up(reach * (1 + 0x1p-50));  // the sum of three had two roundings
+  block.l1_radius = rounded_up(l1_radius * (1 + 0x1p-50));  // the sum of three had two roundings
   store_slab(moments.normal, rows, give, block);
   return moments;
 }

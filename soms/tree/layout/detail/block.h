@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/tree/layout/detail/frame.h"
-#include "soms/tree/layout/orientation.h"
+#include "soms/tree/layout/node_axes.h"
 #include "soms/tree/layout/wide_tree.h"
 
 namespace soms::layout {

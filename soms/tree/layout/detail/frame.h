@@ -43,10 +43,10 @@ struct Frame {
   /// By how much a box of points about a node's origin gives way. A coordinate has seen two
   /// subtractions, u64 of the mesh's size (to the tree's origin) and u64 of itself (to the node's),
   /// a product with axes that adds 3 u64 of the 1-norm, and two sums more; 2^-130 is for what
-  /// underflows. Turned axes Q are orthonormal to 2^-23 only, so what Q^T gives is off the
+  /// underflows. Oriented axes Q are orthonormal to 2^-23 only, so what Q^T gives is off the
   /// coordinates a in Q a = v by 2^-23 of the 1-norm.
-  [[nodiscard]] double doubt(double norm, bool turned) const {
-    return (turned ? 0x1p-22 : 0x1p-49) * norm + 0x1p-50 * size + 0x1p-130;
+  [[nodiscard]] double doubt(double norm, bool oriented) const {
+    return (oriented ? 0x1p-22 : 0x1p-49) * norm + 0x1p-50 * size + 0x1p-130;
   }
 };
 

@@ -1,6 +1,6 @@
 #include "soms/tree/layout/detail/lay_out.h"
 
-#include "soms/tree/build/detail/lanes.h"
+#include "soms/tree/build/detail/build_lanes.h"
 #include "soms/tree/layout/detail/block.h"
 
 #include <limits>
@@ -12,7 +12,7 @@ namespace {
 using lanes::F4;
 
 /// Larger nodes keep the mesh's axes: what they hold is rarely flat.
-constexpr std::uint32_t kMostTurned = 512;
+constexpr std::uint32_t kMostOriented = 512;
 
 /// Boxes along other axes are taken where they have less than this share of the area.
 constexpr double kWorthTurning = 0.9;
@@ -77,7 +77,7 @@ struct View {
       bounds.upper[axis] = upper;
     }
     bounds.norm = std::max(bounds.norm, std::abs(place.x) + std::abs(place.y) + std::abs(place.z) +
-                                            static_cast<double>(block.reach));
+                                            static_cast<double>(block.l1_radius));
   }
 };
 
@@ -143,7 +143,7 @@ class Writer {
         moments.add(node_moments_[plan.child[k]], view.offset(nodes_[plan.child[k]].origin));
       }
     }
-    if (whole.count <= kMostTurned) {
+    if (whole.count <= kMostOriented) {
       turn_if_smaller(i, plain, node);
     }
     store(plain, node);
@@ -156,7 +156,7 @@ class Writer {
     if (view.axes == kMeshAxes) {
       return;
     }
-    Lanes turned;
+    Lanes oriented;
     double before = 0;
     double after = 0;
     for (std::size_t k = 0; k < plan.count; ++k) {
@@ -164,17 +164,17 @@ class Writer {
       for (std::uint32_t b = first_of_lane(plan, k); b < end_of_lane(plan, k); ++b) {
         view.bound(blocks_[b], bounds);
       }
-      turned.box[k] = bounds.box();
-      turned.give[k] = frame_.doubt(norm_of(turned.box[k]), true) + 0x1p-18 * bounds.norm;
+      oriented.box[k] = bounds.box();
+      oriented.give[k] = frame_.doubt(norm_of(oriented.box[k]), true) + 0x1p-18 * bounds.norm;
       before += half_area(plain.box[k]);
-      after += half_area(turned.box[k]);
+      after += half_area(oriented.box[k]);
     }
     if (after < kWorthTurning * before) {
-      plain = turned;
+      plain = oriented;
       for (std::size_t k = 0; k < view.axes.size(); ++k) {
         node.row[k / 3][k % 3] = view.axes[k];
       }
-      node.turned = 1;
+      node.oriented = 1;
     }
   }
 
@@ -202,7 +202,7 @@ class Writer {
 }  // namespace
 
 void store(const Lanes& lanes, WideNode& node) {
-  double reach = 0;
+  double l1_radius = 0;
   std::array<double, 3> own = {};
   for (std::size_t k = 0; k < node.count; ++k) {
     double distance = 0;
@@ -216,12 +216,12 @@ void store(const Lanes& lanes, WideNode& node) {
       own[axis] = std::max(own[axis], far);
       distance += far;
     }
-    reach = std::max(reach, distance);
+    l1_radius = std::max(l1_radius, distance);
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     node.row[axis][3] = rounded_up(own[axis]);
   }
-  node.reach = rounded_up(reach * (1 + 0x1p-50));  // the sum of three had two roundings
+  node.l1_radius = rounded_up(l1_radius * (1 + 0x1p-50));  // the sum of three had two roundings
 }
 
 void store_upper(const Box& whole, std::span<const Box> boxes, const Frame& frame, WideNode& node) {

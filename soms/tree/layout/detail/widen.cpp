@@ -1,7 +1,7 @@
 #include "soms/tree/layout/detail/widen.h"
 
 #include "soms/base/error.h"
-#include "soms/tree/layout/detail/fetch.h"
+#include "soms/tree/layout/detail/fetch_corners.h"
 #include "soms/tree/layout/detail/lay_out.h"
 
 namespace soms::layout {
@@ -10,14 +10,14 @@ namespace {
 
 using Slots = std::array<std::uint32_t, WideNode::kWidth>;
 
-/// Opens the node of greatest area, of those that `opens` allows, until there are four. `children`
-/// gives both places below one.
-template <class Opens, class Bounds, class Children>
-std::uint32_t gather(Slots& slots, const Opens& opens, const Bounds& bounds,
+/// Descends the node of greatest area, of those that `descends` allows, until there are four.
+/// `children` gives both places below one.
+template <class Descends, class Bounds, class Children>
+std::uint32_t gather(Slots& slots, const Descends& descends, const Bounds& bounds,
                      const Children& children) {
   std::array<double, WideNode::kWidth> area = {};
   const auto look = [&](std::uint32_t k) {
-    area[k] = opens(slots[k]) ? half_area(bounds(slots[k])) : -1;
+    area[k] = descends(slots[k]) ? half_area(bounds(slots[k])) : -1;
   };
   std::uint32_t count = 1;
   look(0);
@@ -87,11 +87,11 @@ void plan_part(const Part& part, bool alone, PartPlan& plan) {
     plan.blocks = blocks_for(root.count);
     return;
   }
-  std::vector<std::uint32_t> open{0};
+  std::vector<std::uint32_t> pending{0};
   plan.nodes.push_back({plan.root, 0, {}, {}, 0, 0});
-  while (!open.empty()) {
-    const std::uint32_t at = open.back();
-    open.pop_back();
+  while (!pending.empty()) {
+    const std::uint32_t at = pending.back();
+    pending.pop_back();
     WidePlan wide = plan.nodes[at];
     Slots slots{wide.binary};
     wide.count = gather(
@@ -111,7 +111,7 @@ void plan_part(const Part& part, bool alone, PartPlan& plan) {
         plan.blocks += blocks_for(below.count);
       } else {
         wide.child[k] = static_cast<std::uint32_t>(plan.nodes.size());
-        open.push_back(wide.child[k]);
+        pending.push_back(wide.child[k]);
         plan.nodes.push_back({slots[k], 0, {}, {}, 0, 0});
       }
     }
@@ -131,13 +131,13 @@ struct UpperWide {
 /// Parts that hold triangles, from left to right.
 std::vector<std::uint32_t> order_of(const std::vector<UpperNode>& upper) {
   std::vector<std::uint32_t> order;
-  std::vector<std::uint32_t> open{0};
-  while (!open.empty()) {
-    const UpperNode& node = upper[open.back()];
-    open.pop_back();
+  std::vector<std::uint32_t> pending{0};
+  while (!pending.empty()) {
+    const UpperNode& node = upper[pending.back()];
+    pending.pop_back();
     if (node.part == Node::kNone) {
-      open.push_back(node.right);
-      open.push_back(node.left);
+      pending.push_back(node.right);
+      pending.push_back(node.left);
     } else if (node.count > 0) {
       order.push_back(node.part);
     }
@@ -165,11 +165,11 @@ std::vector<UpperWide> plan_upper(const std::vector<UpperNode>& upper) {
   if (upper[root].part != Node::kNone) {
     return plan;
   }
-  std::vector<std::uint32_t> open{0};
+  std::vector<std::uint32_t> pending{0};
   plan.push_back({root, 0, {}, {}});
-  while (!open.empty()) {
-    const std::uint32_t at = open.back();
-    open.pop_back();
+  while (!pending.empty()) {
+    const std::uint32_t at = pending.back();
+    pending.pop_back();
     UpperWide wide = plan[at];
     wide.slots[0] = wide.binary;
     wide.count = gather(
@@ -183,7 +183,7 @@ std::vector<UpperWide> plan_upper(const std::vector<UpperNode>& upper) {
       const UpperNode& below = upper[wide.slots[k]];
       if (below.part == Node::kNone) {
         wide.child[k] = static_cast<std::uint32_t>(plan.size());
-        open.push_back(wide.child[k]);
+        pending.push_back(wide.child[k]);
         plan.push_back({wide.slots[k], 0, {}, {}});
       }
     }
@@ -257,17 +257,17 @@ Parts parts_of(const Tree& tree) {
   result.primitives = tree.primitives;
   const std::span<const Node> nodes(tree.nodes);
 
-  struct Open {
+  struct Pending {
     std::uint32_t binary;
     std::uint32_t upper;
     std::uint32_t end;  // nodes of this one and below lie before it
   };
 
-  std::vector<Open> open{{0, 0, static_cast<std::uint32_t>(nodes.size())}};
+  std::vector<Pending> pending{{0, 0, static_cast<std::uint32_t>(nodes.size())}};
   result.upper.emplace_back();
-  while (!open.empty()) {
-    const Open next = open.back();
-    open.pop_back();
+  while (!pending.empty()) {
+    const Pending next = pending.back();
+    pending.pop_back();
     const Node& node = nodes[next.binary];
     UpperNode upper{node.bounds, node.count, Node::kNone, Node::kNone, Node::kNone};
     if (node.count <= kPartTriangles || node.is_leaf()) {
@@ -276,8 +276,8 @@ Parts parts_of(const Tree& tree) {
     } else {
       upper.left = static_cast<std::uint32_t>(result.upper.size());
       upper.right = upper.left + 1;
-      open.push_back({node.right, upper.right, next.end});
-      open.push_back({node.left, upper.left, node.right});
+      pending.push_back({node.right, upper.right, next.end});
+      pending.push_back({node.left, upper.left, node.right});
       result.upper.resize(result.upper.size() + 2);
     }
     result.upper[next.upper] = upper;

@@ -17,7 +17,7 @@
 namespace soms::detail {
 namespace {
 
-/// Triangles of many sizes on a bent surface: some nodes are turned, some are not.
+/// Triangles of many sizes on a bent surface: some nodes are oriented, some are not.
 Mesh surface(Rng& rng, std::size_t triangles, double scale) {
   Mesh mesh;
   for (std::size_t i = 0; i < triangles; ++i) {
@@ -35,25 +35,25 @@ Mesh surface(Rng& rng, std::size_t triangles, double scale) {
   return mesh;
 }
 
-Pose random_pose(Rng& rng, double reach) {
+Pose random_pose(Rng& rng, double range) {
   const auto part = [&] { return rng.uniform(-1, 1); };
   const std::array<double, 4> q{part() + 1.5, part(), part(), part()};
   const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
   return Pose::from_quaternion(q[0] / length, q[1] / length, q[2] / length, q[3] / length,
-                               {reach * part(), reach * part(), reach * part()});
+                               {range * part(), range * part(), range * part()});
 }
 
 /// Two shapes close to each other, the one in whose axes a pair is seen first.
 struct Pair {
   explicit Pair(Rng& rng)
-      : viewer(surface(rng, 1 + rng.below(300), 1)),
+      : reference(surface(rng, 1 + rng.below(300), 1)),
         other(surface(rng, 1 + rng.below(300), rng.below(3) == 0 ? 0x1p-30 : 0.5)) {
     relative.emplace(other.layout(), random_pose(rng, 1.5),
-                     Viewer(viewer.layout(), random_pose(rng, 0)));
+                     ReferenceFrame(reference.layout(), random_pose(rng, 0)));
     relative->prepare();
   }
 
-  Shape viewer;
+  Shape reference;
   Shape other;
   std::optional<RelativePose> relative;
 };
@@ -70,7 +70,7 @@ TEST(Kernels, GiveTheSameBitsOnEveryInstructionSet) {
   test::for_each_case("kernels/same", 200, [&](Rng& rng) {
     const Pair pair(rng);
     const WideTree& x = pair.other.layout();
-    const WideTree& y = pair.viewer.layout();
+    const WideTree& y = pair.reference.layout();
     for (int repeat = 0; repeat < 40; ++repeat) {
       const auto index_x = static_cast<std::uint32_t>(rng.below(x.nodes().size()));
       const auto index_y = static_cast<std::uint32_t>(rng.below(y.nodes().size()));
@@ -90,7 +90,7 @@ TEST(Kernels, GiveTheSameBitsOnEveryInstructionSet) {
           &pair.relative->numbers(), &pick(rng, x.blocks()), &pick(rng, y.blocks()), {}, 0, 0, 0};
       NodeTask nodes_here = task;
       NodeTask larger_here = task;
-      larger_here.pairs = (1U << (task.opens_x() ? node_x : node_y).count) - 1;
+      larger_here.pairs = (1U << (task.descends_x() ? node_x : node_y).count) - 1;
       const NodeTask larger = larger_here;
       BlockTask blocks_here = blocks;
       all[0]->test_nodes(&nodes_here, 1);
@@ -123,18 +123,18 @@ TEST(Kernels, GiveTheSameBitsOnEveryInstructionSet) {
   EXPECT_GT(parted, 100U);
 }
 
-// The distance is taken anew in double, in the mesh's axes instead of the node's.
+// The distance is taken again in double, in the mesh's axes instead of the node's.
 TEST(Kernels, FindTheNearestPairThatMeets) {
   std::size_t found = 0;
   test::for_each_case("kernels/nearest", 200, [&](Rng& rng) {
     const Pair pair(rng);
     const WideNode& x = pair.other.layout().nodes()[0];
-    const WideNode& y = pair.viewer.layout().nodes()[0];
+    const WideNode& y = pair.reference.layout().nodes()[0];
     const PoseNumbers& pose = pair.relative->numbers();
     const std::uint32_t lanes = kLanePairs.bits[(1U << x.count) - 1][(1U << y.count) - 1];
     NodeTask task{&pose, &x, &y, 0, 0, lanes, 1, 0};
     kernels().test_nodes(&task, 1);
-    if (task.codes() == 0) {
+    if (task.node_ids() == 0) {
       return;
     }
     const std::array<float, 3> offset = pose.offset(x.origin, y.origin);
@@ -157,9 +157,9 @@ TEST(Kernels, FindTheNearestPairThatMeets) {
       return sum;
     };
     const auto nearest = static_cast<std::uint32_t>(std::popcount(task.below));
-    ASSERT_NE(task.codes() >> nearest & 1U, 0U);
+    ASSERT_NE(task.node_ids() >> nearest & 1U, 0U);
     for (std::uint32_t bit = 0; bit < 16; ++bit) {
-      if ((task.codes() >> bit & 1U) != 0) {
+      if ((task.node_ids() >> bit & 1U) != 0) {
         ++found;
         EXPECT_LE(distance(nearest), distance(bit) * (1 + 1e-4) + 1e-9);
       }
@@ -176,15 +176,15 @@ TEST(Kernels, AppendTheSamePairsInTheSameOrder) {
       const auto index_x =
           static_cast<std::uint32_t>(rng.below(pair.other.layout().nodes().size()));
       const auto index_y =
-          static_cast<std::uint32_t>(rng.below(pair.viewer.layout().nodes().size()));
+          static_cast<std::uint32_t>(rng.below(pair.reference.layout().nodes().size()));
       const WideNode& x = pair.other.layout().nodes()[index_x];
-      const WideNode& y = pair.viewer.layout().nodes()[index_y];
+      const WideNode& y = pair.reference.layout().nodes()[index_y];
       const std::uint32_t lanes = kLanePairs.bits[(1U << x.count) - 1][(1U << y.count) - 1];
       tasks.push_back({&pair.relative->numbers(), &x, &y, index_x << 3, index_y << 3,
                        lanes & static_cast<std::uint32_t>(rng.below(0x10000)),
                        static_cast<std::uint32_t>(rng.below(2)), ~0U});
       // Any of the pairs may be the nearest.
-      std::uint32_t left = tasks.back().codes();
+      std::uint32_t left = tasks.back().node_ids();
       while ((left & (left - 1)) != 0 && rng.below(3) != 0) {
         left &= left - 1;
       }
@@ -197,8 +197,8 @@ TEST(Kernels, AppendTheSamePairsInTheSameOrder) {
       }
       PairSink sink{lists[0].data(), lists[1].data(), lists[2].data(), lists[3].data()};
       kernels.append(tasks.data(), tasks.size(), sink);
-      lists[0].resize(sink.codes);
-      lists[1].resize(sink.codes);
+      lists[0].resize(sink.node_ids);
+      lists[1].resize(sink.node_ids);
       lists[2].resize(sink.blocks);
       lists[3].resize(sink.blocks);
       return lists;

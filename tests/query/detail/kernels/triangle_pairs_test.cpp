@@ -169,7 +169,7 @@ void judge_bodies(const Near& near, Tally& tally) {
   if (x.exponent() < y.exponent()) {
     return;
   }
-  RelativePose relative(x, near.pose_a, Viewer(y, near.pose_b));
+  RelativePose relative(x, near.pose_a, ReferenceFrame(y, near.pose_b));
   relative.prepare();
   for (const TriangleBlock& block_x : x.blocks()) {
     for (const TriangleBlock& block_y : y.blocks()) {

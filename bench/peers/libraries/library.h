@@ -1,0 +1,119 @@
+/// \file
+/// What takes part in a comparison: a library, or one way to use it, and what it is queried for.
+#pragma once
+
+#include "soms/base/pose.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace soms::bench {
+
+/// The meshes of all comparisons: float vertices, so that no library has to round them.
+struct FloatMesh {
+  std::vector<std::array<float, 3>> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+
+  /// Corners of a triangle, widened.
+  [[nodiscard]] Triangle triangle(std::size_t i) const {
+    const auto corner = [this](std::uint32_t v) {
+      return Vec3{vertices[v][0], vertices[v][1], vertices[v][2]};
+    };
+    const auto& t = triangles[i];
+    return {corner(t[0]), corner(t[1]), corner(t[2])};
+  }
+};
+
+/// The boxes of the broad phase, for the same reason in float.
+struct FloatBox {
+  std::array<float, 3> lower;
+  std::array<float, 3> upper;
+};
+
+/// True if two closed boxes share a point.
+[[nodiscard]] inline bool overlaps(const FloatBox& a, const FloatBox& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (a.lower[k] > b.upper[k] || b.lower[k] > a.upper[k]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The kinds of queries.
+enum class Job {
+  any,    ///< do the mover, at each pose, and the fixed body share a point? 1 or 0
+  all,    ///< how many pairs of triangles share a point at each pose?
+  still,  ///< the same of two bodies that both stand where they were built
+  broad,  ///< boxes all move: how many pairs of them overlap in each frame?
+};
+
+/// A mover and a fixed body, ready to be queried.
+class Match {
+ public:
+  virtual ~Match() = default;
+
+  /// Answers `any` or, of `all` and `still`, the counts; one answer a pose.
+  virtual void answer(Job job, std::span<const Pose> poses, std::span<std::uint64_t> answers) = 0;
+
+  /// Bytes that it holds and that malloc does not know of.
+  [[nodiscard]] virtual std::size_t unseen_bytes() const { return 0; }
+};
+
+/// Boxes that move.
+class MovingBoxes {
+ public:
+  virtual ~MovingBoxes() = default;
+
+  /// Tells the new places of all boxes; the number of overlapping pairs.
+  virtual std::uint64_t step(std::span<const FloatBox> boxes) = 0;
+};
+
+/// A library, or one way to use it. Its name begins with the library's, up to a dash.
+class Library {
+ public:
+  virtual ~Library() = default;
+
+  [[nodiscard]] virtual std::string name() const = 0;
+  [[nodiscard]] virtual std::string version() const = 0;
+  [[nodiscard]] virtual bool does(Job job) const = 0;
+
+  /// False where the library cannot hold a body of so many triangles.
+  [[nodiscard]] virtual bool takes(std::size_t /*triangles*/) const { return true; }
+
+  /// Of moving boxes: true if its tree lasts from frame to frame, false if each begins from
+  /// nothing.
+  [[nodiscard]] virtual bool keeps_tree() const { return false; }
+
+  /// Builds all that queries need, own copies of the meshes included.
+  [[nodiscard]] virtual std::unique_ptr<Match> prepare(const FloatMesh& /*mover*/,
+                                                       const FloatMesh& /*fixed*/) const {
+    return nullptr;
+  }
+
+  [[nodiscard]] virtual std::unique_ptr<MovingBoxes> moving_boxes(
+      std::span<const FloatBox> /*boxes*/) const {
+    return nullptr;
+  }
+};
+
+using Roster = std::vector<std::unique_ptr<Library>>;
+
+/// What the referee lends to peers, which are compiled apart from soms.
+struct Loan {
+  /// Decides exactly whether two triangles share a point.
+  bool (*triangles_overlap)(const Triangle&, const Triangle&);
+};
+
+/// Adds soms, queried pose by pose and in batches.
+void add_soms(Roster& roster);
+
+}  // namespace soms::bench
+
+/// The one function that the module of a peer shows: adds its libraries.
+extern "C" void soms_bench_peer(soms::bench::Roster& roster, const soms::bench::Loan& loan);

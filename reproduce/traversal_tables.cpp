@@ -1,0 +1,124 @@
+#include "reproduce/traversal_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+namespace soms::reproduce {
+
+Cell count_cell(std::uint64_t count) {
+  return static_cast<std::int64_t>(count);
+}
+
+Cell number_cell(double number) {
+  return number;
+}
+
+Cell word_cell(std::string_view words) {
+  return std::string(words);
+}
+
+Cell yes_cell(bool yes) {
+  return word_cell(yes ? "yes" : "no");
+}
+
+const Contender& build_named(std::span<const Contender> builds, std::string_view name) {
+  return *std::find_if(builds.begin(), builds.end(),
+                       [&](const Contender& build) { return build.name == name; });
+}
+
+void add_count_columns(Table& table) {
+  for (const char* const name :
+       {"box_tests", "entered", "leaf_pairs", "triangle_pairs", "first_tests", "max_stack"}) {
+    table.columns.push_back({name});
+  }
+}
+
+void add_count_cells(std::vector<Cell>& row, const TraversalCounts& counts) {
+  for (const std::uint64_t count : {counts.box_tests, counts.entered, counts.leaf_pairs,
+                                    counts.triangle_pairs, counts.first_tests, counts.max_stack}) {
+    row.push_back(count_cell(count));
+  }
+}
+
+void add_statistics_columns(Table& table) {
+  for (const char* const name : {"mean", "median", "min", "max"}) {
+    table.columns.push_back({name, "", ColumnKind::timed});
+  }
+}
+
+void add_statistics_cells(std::vector<Cell>& row, const std::vector<double>& numbers) {
+  if (numbers.empty()) {
+    row.resize(row.size() + 4);
+    return;
+  }
+  const Timing summary = summarize(numbers);
+  for (const double number : {summary.mean, summary.median, summary.min, summary.max}) {
+    row.emplace_back(number);
+  }
+}
+
+std::vector<double> medians_where_roots_overlap(std::span<const Timing> timings,
+                                                std::span<const Frame> frames) {
+  std::vector<double> medians;
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    if (frames[k].roots_overlap) {
+      medians.push_back(timings[k].median);
+    }
+  }
+  return medians;
+}
+
+double median_ratio_where_roots_overlap(std::span<const Timing> one, std::span<const Timing> other,
+                                        std::span<const Frame> frames) {
+  std::vector<double> ratios;
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    if (frames[k].roots_overlap && other[k].median > 0) {
+      ratios.push_back(one[k].median / other[k].median);
+    }
+  }
+  return ratios.empty() ? 1 : summarize(std::move(ratios)).median;
+}
+
+std::string id_word(std::string_view name, std::size_t number) {
+  const bool fit = std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+  });
+  return fit ? std::string(name) : fmt::format("model{}", number);
+}
+
+double mean_of(std::span<const double> numbers) {
+  return numbers.empty() ? 0
+                         : std::accumulate(numbers.begin(), numbers.end(), 0.0) /
+                               static_cast<double>(numbers.size());
+}
+
+std::string object_remark(const Model& object) {
+  return object.stand_in
+             ? fmt::format(
+                   "The moving object is {}, a stand-in for that of the thesis: its counts are "
+                   "not those of the bunny.",
+                   object.title)
+             : fmt::format("The moving object is the {}.", object.title);
+}
+
+std::vector<std::string> scene_remarks(std::span<const Model> scenes) {
+  std::vector<std::string> remarks;
+  for (const Model& scene : scenes) {
+    remarks.push_back(
+        fmt::format("{}: {}, {} triangles, put in the place of the urban scene of "
+                    "the thesis, which is not available.",
+                    scene.name, scene.title, scene.mesh->triangles.size()));
+  }
+  return remarks;
+}
+
+void require(bool agree, std::string_view what) {
+  if (!agree) {
+    throw std::logic_error(fmt::format("{} disagree: a fault of soms, please report it", what));
+  }
+}
+
+}  // namespace soms::reproduce

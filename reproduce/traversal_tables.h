@@ -1,0 +1,71 @@
+/// \file
+/// Columns, cells and sentences that the experiments about traversals share.
+#pragma once
+
+#include "reproduce/frames.h"
+#include "reproduce/models.h"
+#include "reproduce/result.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soms::reproduce {
+
+/// A count as a cell.
+[[nodiscard]] Cell count_cell(std::uint64_t count);
+
+/// A measured number as a cell.
+[[nodiscard]] Cell number_cell(double number);
+
+/// Words as a cell.
+[[nodiscard]] Cell word_cell(std::string_view words);
+
+/// "yes" or "no".
+[[nodiscard]] Cell yes_cell(bool yes);
+
+/// The build with this name. \pre `builds` has it.
+[[nodiscard]] const Contender& build_named(std::span<const Contender> builds,
+                                           std::string_view name);
+
+/// Appends the columns of all counters of a traversal, named as in the golden tables.
+void add_count_columns(Table& table);
+
+/// Appends the cells of those columns.
+void add_count_cells(std::vector<Cell>& row, const TraversalCounts& counts);
+
+/// Appends mean, median, min and max of numbers as columns that differ from run to run.
+void add_statistics_columns(Table& table);
+
+/// Appends the cells of those columns; empty ones where there are no numbers.
+void add_statistics_cells(std::vector<Cell>& row, const std::vector<double>& numbers);
+
+/// Medians of the timings of those frames in which the roots overlap.
+[[nodiscard]] std::vector<double> medians_where_roots_overlap(std::span<const Timing> timings,
+                                                              std::span<const Frame> frames);
+
+/// The median, over the frames in which the roots overlap, of the ratio of two traversals' medians
+/// in that frame: one frame that was disturbed does not move it. 1 where there is no such frame.
+[[nodiscard]] double median_ratio_where_roots_overlap(std::span<const Timing> one,
+                                                      std::span<const Timing> other,
+                                                      std::span<const Frame> frames);
+
+/// A model's name where it may be part of an id (snake_case), else "modelN" by its number.
+[[nodiscard]] std::string id_word(std::string_view name, std::size_t number);
+
+/// Mean of numbers; 0 of none.
+[[nodiscard]] double mean_of(std::span<const double> numbers);
+
+/// "The moving object is ...": names an object, and says so where it is a stand-in.
+[[nodiscard]] std::string object_remark(const Model& object);
+
+/// Sentences that say what a scene is and that it stands in for the scene of the thesis.
+[[nodiscard]] std::vector<std::string> scene_remarks(std::span<const Model> scenes);
+
+/// Ends the run where answers that must agree do not; `what` names them.
+/// \errors std::logic_error: a fault of the library, never of the input.
+void require(bool agree, std::string_view what);
+
+}  // namespace soms::reproduce

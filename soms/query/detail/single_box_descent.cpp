@@ -1,0 +1,86 @@
+#include "soms/query/detail/single_box_descent.h"
+
+#include "soms/query/detail/fetch.h"
+#include "soms/query/detail/kernels/kernels.h"
+#include "soms/query/detail/query_lanes.h"
+
+#include <bit>
+
+namespace soms::detail {
+
+namespace {
+
+/// A tree of at least so many times the box's size is descended by the box alone.
+constexpr float kMuchLarger = 8;
+constexpr float kMargin = 0x1p-19F;
+constexpr std::uint32_t kIndexShift = 3;  // of a node id: see NodeTask
+
+}  // namespace
+
+bool SingleBox::pays(const WideNode& root) const {
+  // Where rounding outweighs a body, every box would meet every other.
+  return scale != 0 && root.l1_radius > kMuchLarger * sum;
+}
+
+bool SingleBox::clear_of(const layout::MinMaxGrid& min_max_grid) const {
+  const auto margin = static_cast<double>(kMargin * sum + slack);
+  std::array<double, 3> at;
+  std::array<double, 3> half_extent;
+  for (std::size_t i = 0; i < 3; ++i) {
+    at[i] = center[i] * scale;
+    half_extent[i] = static_cast<double>(half[i]) + margin;
+  }
+  return min_max_grid.clear(at, half_extent);
+}
+
+std::uint32_t SingleBox::meets(const WideNode& node) const {
+  const float margin = kMargin * (sum + node.l1_radius) + slack;
+  M4 apart = {};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto offset = static_cast<float>((center[i] - node.origin[i]) * scale);
+    apart |=
+        abs(load(node.center[i]) - splat(offset)) > load(node.half[i]) + splat(half[i] + margin);
+  }
+  return ~bits_of(apart) & ((1U << node.count) - 1);
+}
+
+void SingleBox::descend(const WideNode* nodes, PairList& stack, PairList& seeds, Cost& cost) const {
+  std::uint32_t index = 0;
+  while (step(nodes, index, stack, seeds, cost)) {
+  }
+}
+
+bool SingleBox::step(const WideNode* nodes, std::uint32_t& index, PairList& stack, PairList& seeds,
+                     Cost& cost) const {
+  const WideNode& node = nodes[index];
+  std::uint32_t inner = 0;
+  if (node.oriented != 0) {
+    seeds.push({0, index << kIndexShift});
+  } else {
+    cost.node_tests += node.count;
+    const F4 longest = max(max(load(node.half[0]), load(node.half[1])), load(node.half[2]));
+    const std::uint32_t ends = node.leaves | bits_of(longest <= splat(size));
+    const std::uint32_t meet = meets(node);
+    inner = meet & ~ends;
+    for (std::uint32_t left = meet & ends; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
+      seeds.push({0, (node.leaves >> lane & 1U) != 0 ? index << kIndexShift | NodeTask::kLane | lane
+                                                     : node.child[lane] << kIndexShift});
+    }
+  }
+  // Mostly one child goes on: it takes no way through memory.
+  if (inner != 0) {
+    index = node.child[static_cast<std::size_t>(std::countr_zero(inner))];
+    for (inner &= inner - 1; inner != 0; inner &= inner - 1) {
+      stack.push({0, node.child[static_cast<std::size_t>(std::countr_zero(inner))]});
+    }
+  } else if (!stack.empty()) {
+    index = stack.pop().y;
+  } else {
+    return false;
+  }
+  fetch(nodes[index]);
+  return true;
+}
+
+}  // namespace soms::detail

@@ -1,0 +1,131 @@
+/// \file
+/// The default traversal: two wide trees traversed together, with lists of pairs that grow.
+#pragma once
+
+#include "soms/query/answer.h"
+#include "soms/query/detail/collector.h"
+#include "soms/query/detail/kernels/kernels.h"
+#include "soms/query/detail/leaf_pairs.h"
+#include "soms/query/detail/pair_list.h"
+#include "soms/query/detail/relative_pose.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace soms::detail {
+
+/// Pairs still to be descended or decided.
+struct TraversalMemory {
+  PairList node_ids;
+  PairList blocks;
+  LeafQueue leaves;
+
+  void clear() {
+    node_ids.clear();
+    blocks.clear();
+    leaves.clear();
+  }
+};
+
+/// What traversals have in hand: tests of several pairs, of one traversal or of several, are made
+/// together, as one alone waits for memory and for its own results.
+struct TraversalRound {
+  static constexpr std::size_t kTraversals = 4;  ///< most traversals of a round
+  static constexpr std::size_t kEach = 8;        ///< most tests of each kind of a traversal
+
+  std::array<NodeTask, kTraversals * kEach> nodes;   // both nodes are descended
+  std::array<NodeTask, kTraversals * kEach> larger;  // the larger one is
+  std::array<BlockTask, kTraversals * kEach> blocks;
+  std::size_t node_count = 0;
+  std::size_t larger_count = 0;
+  std::size_t block_count = 0;
+
+  void clear() {
+    node_count = 0;
+    larger_count = 0;
+    block_count = 0;
+  }
+};
+
+/// One query. Sides x and y are the caller's a and b, or b and a when `swapped`.
+class PairTraversal {
+ public:
+  PairTraversal(RelativePose& relative, const TraversalSide& x, const TraversalSide& y,
+                bool swapped, OverlapMode mode, TraversalMemory& memory);
+
+  /// Begins at the roots, or below that of y where x is small beside it.
+  void start();
+
+  /// Begins where `start` would have led to, at that cost (see BatchedRootDescent).
+  void start(const PairList& seeds, const Cost& cost);
+
+  /// Begins at a pair of nodes.
+  void start(const NodeRefPair& from);
+
+  /// Puts the next tests into the round; false when the traversal is over.
+  [[nodiscard]] bool gather(TraversalRound& round);
+
+  /// Takes up what the tests of the round said; false when the traversal is over.
+  [[nodiscard]] bool take_up(const TraversalRound& round, Collector& collector, Watch& watch);
+
+  /// Makes the tests of a round.
+  static void test(const Kernels& kernels, TraversalRound& round);
+
+  /// Traverses until the end, alone.
+  void run(Collector& collector, Watch& watch);
+
+  /// Opens pairs in order, level by level, until there are `enough` or only blocks are left: the
+  /// same pairs whatever the number of threads.
+  [[nodiscard]] std::vector<NodeRefPair> frontier(std::size_t enough);
+
+  [[nodiscard]] const Cost& cost() const { return cost_; }
+
+ private:
+  [[nodiscard]] const TriangleBlock& block_x(std::uint32_t token) const {
+    return blocks_x_[token & (WideNode::kMost - 1)];
+  }
+
+  [[nodiscard]] const TriangleBlock& block_y(std::uint32_t token) const {
+    return blocks_y_[token & (WideNode::kMost - 1)];
+  }
+
+  void gather_nodes(TraversalRound& round);
+  void gather_blocks(TraversalRound& round);
+
+  /// Appends what met to the lists.
+  void append(std::span<const NodeTask> tasks);
+
+  /// Pushes the lanes of the larger node that met.
+  void push(const NodeTask& task);
+
+  /// False if a leaf that is larger than a node has no triangle near it.
+  [[nodiscard]] bool large_leaf_meets(const NodeRefPair& pair, const WideNode& x,
+                                      const WideNode& y);
+
+  /// Pops a pair of blocks. Of a run of blocks it gives the first and leaves the rest.
+  [[nodiscard]] NodeRefPair take_blocks();
+
+  RelativePose& relative_;
+  LeafPairs leaves_;
+  const WideNode* nodes_x_;
+  const WideNode* nodes_y_;
+  const TriangleBlock* blocks_x_;
+  const TriangleBlock* blocks_y_;
+  const layout::MinMaxGrid& grid_y_;
+  const Kernels& kernels_;
+  bool nearest_first_;
+  TraversalMemory& memory_;
+  Cost cost_;
+  std::size_t descended_ = 0;   // pairs so far
+  std::size_t node_begin_ = 0;  // this traversal's tests of the round
+  std::size_t node_count_ = 0;
+  std::size_t larger_begin_ = 0;
+  std::size_t larger_count_ = 0;
+  std::size_t block_begin_ = 0;
+  std::size_t block_count_ = 0;
+  std::size_t scanned_ = 0;  // blocks of leaves larger than a node, in this round
+};
+
+}  // namespace soms::detail

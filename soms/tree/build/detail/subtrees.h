@@ -1,0 +1,54 @@
+/// \file
+/// A canonical tree in parts, as builders leave it.
+#pragma once
+
+#include "soms/base/parallel.h"
+#include "soms/tree/layout/detail/widen.h"
+#include "soms/tree/tree.h"
+
+#include <span>
+#include <vector>
+
+namespace soms::detail {
+
+/// Nodes with more triangles are divided one by one; the others become subtrees, each built by one
+/// thread. A constant, so that it cannot depend on the threads.
+inline constexpr std::uint32_t kSubtreeTriangles = layout::kPartTriangles;
+
+/// A node above the subtrees, or the place of one.
+struct Upper {
+  Node node;                            ///< children are places in the same array
+  std::uint32_t subtree = Node::kNone;  ///< number of the subtree below, or kNone
+};
+
+/// Upper node 0 is the root. A subtree begins at each node of at most kSubtreeTriangles, or without
+/// children, below none such; its nodes are in depth-first order and count from its root. Builders
+/// leave boxes, and the order of ids in a leaf, to whoever looks at them first.
+struct Subtrees {
+  Box bounds;  ///< of the mesh
+  std::vector<Upper> upper;
+  std::vector<std::vector<Node>> nodes;
+  std::vector<TriangleId> ids;
+};
+
+/// A child with its place and count; bounds are found later.
+[[nodiscard]] Node child_of(const Node& parent, bool right, std::uint32_t first,
+                            std::uint32_t count);
+
+/// `parallel` with progress mapped to a part of the whole.
+[[nodiscard]] Parallel within(const Parallel& parallel, double from, double to);
+
+/// Bounds of a subtree's nodes from its triangles; `ids` are all of the subtrees', and are sorted
+/// in each leaf.
+void find_bounds(std::span<Node> subtree, const Mesh& mesh, std::span<TriangleId> ids);
+
+/// All bounds, and ids in ascending order in each leaf.
+void finish(Subtrees& subtrees, const Mesh& mesh, const Parallel& parallel);
+
+/// One tree in depth-first order.
+[[nodiscard]] Tree join(Subtrees subtrees, const Parallel& parallel);
+
+/// The subtrees as layouts take it, which find its bounds; both must outlive them.
+[[nodiscard]] layout::Parts parts_of(Subtrees& subtrees, const Mesh& mesh);
+
+}  // namespace soms::detail

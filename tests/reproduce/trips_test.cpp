@@ -1,0 +1,404 @@
+// Experiments about traversals: on small stand-ins what must hold for any model, on the bunny every
+// count of thesis_traversal.csv.
+#include "tests/reproduce/trips.h"
+
+#include "soms/base/error.h"
+#include "soms/query/reference/overlap.h"
+#include "soms/query/traversal/thesis_frames.h"
+
+#include "reproduce/frames.h"
+#include "reproduce/traversal_tables.h"
+#include "tests/support/slow_build.h"
+#include "tests/support/support.h"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <set>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace soms::reproduce {
+namespace {
+
+using test::cell;
+using test::run_quick;
+using test::small_models;
+using test::table_of;
+
+class Traversals : public testing::TestWithParam<std::string_view> {};
+
+TEST_P(Traversals, GiveWholeTablesAndFigures) {
+  const Models models = small_models();
+  const Result result = run_quick(GetParam(), models);
+  EXPECT_FALSE(result.tables.empty() && result.figures.empty());
+  for (const Table& table : result.tables) {
+    EXPECT_FALSE(table.rows.empty()) << table.id;
+    for (const auto& row : table.rows) {
+      ASSERT_EQ(row.size(), table.columns.size()) << table.id;
+    }
+  }
+  for (const Figure& figure : result.figures) {
+    EXPECT_EQ(figure.svg.substr(0, 4), "<svg") << figure.id;
+    EXPECT_EQ(figure.svg.find("nan"), std::string::npos) << figure.id;
+    EXPECT_FALSE(figure.caption.empty()) << figure.id;
+  }
+}
+
+TEST_P(Traversals, GiveTheSameBytesTwiceWhereNothingIsTimed) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
+  const Models models = small_models();
+  const Result one = run_quick(GetParam(), models);
+  const Result other = run_quick(GetParam(), models);
+  ASSERT_EQ(one.tables.size(), other.tables.size());
+  for (std::size_t i = 0; i < one.tables.size(); ++i) {
+    EXPECT_EQ(test::masked_csv(one.tables[i]), test::masked_csv(other.tables[i]));
+  }
+  ASSERT_EQ(one.figures.size(), other.figures.size());
+  for (std::size_t i = 0; i < one.figures.size(); ++i) {
+    EXPECT_TRUE(one.figures[i].timed || one.figures[i].svg == other.figures[i].svg)
+        << one.figures[i].id;
+  }
+  EXPECT_EQ(one.remarks, other.remarks);
+  for (std::size_t i = 0; i < one.findings.size(); ++i) {
+    EXPECT_TRUE(one.findings[i].timed || one.findings[i].measured == other.findings[i].measured);
+  }
+}
+
+TEST_P(Traversals, MarkTimesAsTimed) {
+  const std::set<std::string> times{"collision", "frame_time", "fps", "traversal",
+                                    "mean",      "median",     "min", "max"};
+  const Models models = small_models();
+  for (const Table& table : run_quick(GetParam(), models).tables) {
+    for (const Column& column : table.columns) {
+      EXPECT_EQ(column.kind == ColumnKind::timed, times.count(column.name) > 0)
+          << table.id << ' ' << column.name;
+    }
+  }
+}
+
+TEST_P(Traversals, EndOnRequest) {
+  const Models models = small_models();
+  std::stop_source source;
+  source.request_stop();
+  const std::string_view item = GetParam();
+  const Context context{.models = models, .quick = true, .parallel = {.stop = source.get_token()}};
+  try {
+    (void)experiments_named(std::span(&item, 1)).front()->run(context);
+    ADD_FAILURE() << "went on";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::cancelled);
+  }
+}
+
+TEST_P(Traversals, ReportTheirProgress) {
+  const Models models = small_models();
+  double last = 0;
+  const std::string_view item = GetParam();
+  const Context context{
+      .models = models, .quick = true, .parallel = {.progress = [&](double share) {
+                                         EXPECT_GT(share, last);
+                                         EXPECT_LE(share, 1);
+                                         last = share;
+                                       }}};
+  (void)experiments_named(std::span(&item, 1)).front()->run(context);
+  EXPECT_TRUE(last == 0 || last == 1) << last;
+}
+
+INSTANTIATE_TEST_SUITE_P(Reproduce, Traversals, testing::ValuesIn(test::traversal_items()),
+                         [](const auto& test) {
+                           std::string name(test.param);
+                           std::replace_if(
+                               name.begin(), name.end(),
+                               [](char c) { return c == '-' || c == '.'; }, '_');
+                           return name;
+                         });
+
+TEST(TraversalTables, EndTheRunWhereAnswersDisagree) {
+  EXPECT_NO_THROW(require(true, "all"));
+  try {
+    require(false, "frame 7: contacts by one and by another");
+    ADD_FAILURE() << "went on";
+  } catch (const std::logic_error& error) {
+    EXPECT_EQ(std::string(error.what()).find("frame 7: contacts by one and by another disagree"),
+              0U);
+  }
+}
+
+TEST(TraversalTables, SayWhatAStandInIs) {
+  const Models models = small_models();
+  for (const std::string_view item : {"figure-5.6", "figure-5.10", "traversals"}) {
+    const Result result = run_quick(item, models);
+    ASSERT_FALSE(result.remarks.empty());
+    EXPECT_NE(result.remarks[0].find("stand-in"), std::string::npos) << item;
+  }
+}
+
+// A user's scene may be anywhere and have any name.
+TEST(TraversalsOfScenes, DoWithASceneOffThePathOfTheDrive) {
+  Models models = small_models();
+  Mesh away = *models.scenes[0].mesh;
+  for (Vec3& v : away.vertices) {
+    v += {0, 90000, 0};
+  }
+  models.scenes[0].mesh = std::make_shared<const Mesh>(std::move(away));
+  models.scenes[0].name = "My <city>";
+  const Result result = run_quick("figure-5.10", models);
+  const Table& table = table_of(result, "figure_5_10");
+  EXPECT_EQ(cell(table, table.rows.size() - 1, "root_overlap_frames"), "0");
+  EXPECT_EQ(result.figures.size(), 1U);
+  for (const Finding& finding : result.findings) {
+    EXPECT_EQ(finding.measured.find("nan"), std::string::npos) << finding.measured;
+  }
+  EXPECT_EQ(run_quick("traversals", models).figures.size(), 2U);
+}
+
+TEST(TraversalTables, OneDisturbedFrameDoesNotMoveTheMedianRatio) {
+  std::vector<Timing> one(4);
+  std::vector<Timing> other(4);
+  std::vector<Frame> frames(4);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    one[k].median = 0.9;
+    other[k].median = 1;
+    frames[k].roots_overlap = k > 0;
+  }
+  one[1].median = 4;
+  EXPECT_DOUBLE_EQ(median_ratio_where_roots_overlap(one, other, frames), 0.9);
+  EXPECT_DOUBLE_EQ(median_ratio_where_roots_overlap({}, {}, {}), 1);
+}
+
+TEST(Figure510, ClaimsNameTheirSourcesAndTheUrbanSceneIsApart) {
+  const Result result = run_quick("figure-5.10", small_models());
+  ASSERT_EQ(result.findings.size(), 3U);
+  const auto has = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  EXPECT_TRUE(has(result.findings[0].measured, "scene on SOMS trees; "))
+      << result.findings[0].measured;
+  EXPECT_TRUE(has(result.findings[0].measured, "in the orientation tests"));
+  EXPECT_EQ(result.findings[1].source, "section 5.5 (E-Node) by its heading");
+  EXPECT_EQ(result.findings[2].source.find("abstract"), 0U);
+  EXPECT_TRUE(has(result.findings[2].measured, "median frame"));
+  // On two equal objects it hardly matters which node is descended.
+  for (const Figure& figure : result.figures) {
+    EXPECT_FALSE(has(figure.id, "right") && has(figure.caption, "larger node")) << figure.caption;
+  }
+}
+
+TEST(Figure510, WithoutADriveThatMeetsTheUrbanClaimHasNoNumber) {
+  Models models = small_models();
+  models.scenes.clear();
+  const Result result = run_quick("figure-5.10", models);
+  EXPECT_EQ(result.findings.at(0).measured.find("no drive on SOMS trees"), 0U)
+      << result.findings[0].measured;
+  EXPECT_EQ(result.findings.at(2).reason.find("drives"), std::string::npos);
+}
+
+TEST(TraversalTables, CaptionsTellTheOptionsOfTheTrees) {
+  const Models models = small_models();
+  for (const std::string_view item :
+       {"figure-5.6", "orientation-back", "figure-5.10", "traversals"}) {
+    for (const Table& table : run_quick(item, models).tables) {
+      EXPECT_NE(table.caption.find(kThesisOptions), std::string::npos) << table.id;
+    }
+  }
+}
+
+TEST(TraversalTables, NameFiguresAfterModelsWhoseNamesFit) {
+  EXPECT_EQ(id_word("u_mixed", 3), "u_mixed");
+  EXPECT_EQ(id_word("My city", 3), "model3");
+}
+
+TEST(Traversals, FindTheContactsOfBruteForceInEveryFrame) {
+  const Models models = small_models();
+  const Result result = run_quick("traversals", models);
+  const Table& table = table_of(result, "traversals");
+  const Mesh& object = *models.objects[0].mesh;
+  const Mesh mover = transformed(object, kDriveScale, UpAxis::y);
+  std::map<std::string, std::size_t> contacts;
+  const auto count = [&](const std::string& name, const Mesh& still, const Mesh& moving,
+                         const std::vector<Vec3>& offsets) {
+    for (const Vec3& by : offsets) {
+      contacts[name] +=
+          reference::overlap(still, Pose::identity(), moving, Pose::translation(by.x, by.y, by.z))
+              .pairs.size();
+    }
+  };
+  count("right", object, object, orientation_test(bounds(object), Approach::right));
+  count("top", object, object, orientation_test(bounds(object), Approach::top));
+  count("drive", *models.scenes[0].mesh, mover, city_drive());
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const std::string test = cell(table, i, "test");
+    EXPECT_GT(contacts.at(test), 0U);
+    EXPECT_EQ(cell(table, i, "contacts"), std::to_string(contacts.at(test)));
+    EXPECT_EQ(cell(table, i, "equal_frames"), cell(table, i, "frames"));
+    EXPECT_NE(cell(table, i, "brute_force_frames"), "0");
+  }
+}
+
+TEST(Figure435, PruningKeepsTheAnswersAndSavesTests) {
+  const Models models = small_models();
+  const Result result = run_quick("figure-4.35", models);
+  const Table& table = table_of(result, "figure_4_35_counts");
+  for (std::size_t i = 0; i < table.rows.size(); i += 2) {
+    EXPECT_EQ(cell(table, i, "prune"), "on");
+    EXPECT_EQ(cell(table, i + 1, "prune"), "off");
+    EXPECT_EQ(cell(table, i, "leaf_pairs"), cell(table, i + 1, "leaf_pairs"));
+    EXPECT_LT(std::stoul(cell(table, i, "box_tests")), std::stoul(cell(table, i + 1, "box_tests")));
+    EXPECT_EQ(cell(table, i + 1, "nodes_seen_still"), cell(table, i + 1, "nodes_still"));
+  }
+}
+
+TEST(Figure59, BothTraversalsTestTheSamePairsAndENodeEntersOnlyOverlappingOnes) {
+  const Models models = small_models();
+  const Result result = run_quick("figure-5.9", models);
+  const Table& table = table_of(result, "figure_5_9_steps");
+  std::map<std::string, std::map<std::string, std::string>> tested;
+  std::map<std::string, std::set<std::string>> entered;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const std::string who = cell(table, i, "algorithm");
+    if (cell(table, i, "what") == "test") {
+      tested[who][cell(table, i, "pair")] = cell(table, i, "outcome");
+    } else if (cell(table, i, "what") == "enter") {
+      entered[who].insert(cell(table, i, "pair"));
+    }
+  }
+  EXPECT_EQ(tested.at("E-Node"), tested.at("simultaneous"));
+  EXPECT_LT(entered.at("E-Node").size(), entered.at("simultaneous").size());
+  for (const std::string& pair : entered.at("E-Node")) {
+    EXPECT_EQ(tested.at("E-Node").at(pair), "overlap") << pair;
+  }
+}
+
+/// Columns of counts of thesis_traversal.csv.
+constexpr std::array<const char*, 8> kGolden{
+    "frames",  "root_overlap_frames", "hit_frames",     "box_tests",
+    "entered", "leaf_pairs",          "triangle_pairs", "first_tests"};
+
+using Counts = std::vector<std::string>;
+
+/// Rows of the golden table by static, rule, test and algorithm.
+const std::map<std::string, Counts>& golden() {
+  static const std::map<std::string, Counts> rows = [] {
+    std::map<std::string, Counts> read;
+    for (const auto& line : soms::test::read_csv(soms::test::data("thesis/thesis_traversal.csv"))) {
+      read[line[0] + " " + line[2] + " " + line[3] + " " + line[4]] =
+          Counts(line.begin() + 5, line.end());
+    }
+    read.erase("static rule test algorithm");
+    return read;
+  }();
+  return rows;
+}
+
+Counts counts_of(const Totals& sum) {
+  Counts counts;
+  for (const std::uint64_t count : {sum.frames, sum.root_overlap_frames, sum.hit_frames,
+                                    sum.counts.box_tests, sum.counts.entered, sum.counts.leaf_pairs,
+                                    sum.counts.triangle_pairs, sum.counts.first_tests}) {
+    counts.push_back(std::to_string(count));
+  }
+  return counts;
+}
+
+/// The bunny and the scenes, with one of the scenes only where `scene` names it.
+Models golden_models(const std::string& scene = "") {
+  Models models = find_models(*soms::test::outside_data(""), {.objects = true});
+  for (Model& generated : find_models({}, {.scenes = true}).scenes) {
+    if (scene.empty() || generated.name == scene) {
+      models.scenes.push_back(generated);
+    }
+  }
+  return models;
+}
+
+/// Number of rows that the golden table has too; each must be equal.
+std::size_t compare_rows(const Table& table, const std::string& still, const std::string& test,
+                         const std::string& algorithm) {
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto word = [&](const std::string& fixed, const char* column) {
+      return fixed.empty() ? cell(table, i, column) : fixed;
+    };
+    const std::string name = word(still, "static") + " " + cell(table, i, "rule") + " " +
+                             word(test, "test") + " " + word(algorithm, "algorithm");
+    const auto row = golden().find(name);
+    if (row != golden().end()) {
+      for (std::size_t k = 0; k < kGolden.size(); ++k) {
+        EXPECT_EQ(cell(table, i, kGolden[k]), row->second[k]) << name << ' ' << kGolden[k];
+      }
+      ++compared;
+    }
+  }
+  return compared;
+}
+
+TEST(GoldenTraversals, EveryRowIsFoundByTraverseFrames) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
+  SOMS_NEEDS_OUTSIDE_DATA("225 rows of thesis_traversal.csv (the mover is the bunny)");
+  const Models models = golden_models();
+  const Model& bunny = models.objects.front();
+  ASSERT_EQ(bunny.hash, 0x23e1390559ce62edU);
+  const std::vector<Contender> of_object = thesis_rules(kObjectLevel);
+  const std::vector<Contender> of_scene = thesis_rules(kSceneLevel);
+  std::size_t compared = 0;
+  const auto compare = [&](const Trip& trip) {
+    for (const NamedTraversal& traversal : all_traversals()) {
+      const auto row =
+          golden().find(trip.still + " " + trip.rule + " " + trip.test + " " + traversal.name);
+      if (row != golden().end()) {
+        EXPECT_EQ(counts_of(totals(traverse_frames(trip, traversal, {}))), row->second)
+            << row->first;
+        ++compared;
+      }
+    }
+  };
+  for (std::size_t i = 0; i < of_object.size(); ++i) {
+    for (const auto& [from, name] : kAllApproaches) {
+      compare(orientation_trip(bunny, from, of_object[i]));
+    }
+    for (const Model& scene : models.scenes) {
+      compare(drive_trip(scene, bunny, of_scene[i], of_object[i]));
+    }
+  }
+  EXPECT_EQ(compared, golden().size());
+  EXPECT_EQ(compared, 225U);
+}
+
+TEST(GoldenTraversals, CellsOfTheTableOfTraversalsAreThoseOfTheGoldenTable) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
+  SOMS_NEEDS_OUTSIDE_DATA("99 rows of the table traversals");
+  const Result result = run_quick("traversals", golden_models("u_plain"));
+  // 4 rules x 2 approaches and 3 rules x 1 drive, 9 traversals each.
+  EXPECT_EQ(compare_rows(table_of(result, "traversals"), "", "", ""), 99U);
+}
+
+TEST(GoldenTraversals, CellsOfFigure510AreThoseOfTheGoldenTable) {
+  SOMS_NEEDS_OUTSIDE_DATA("30 rows of figure 5.10");
+  const Result result = run_quick("figure-5.10", golden_models("u_plain"));
+  Table table = table_of(result, "figure_5_10");
+  for (auto& row : table.rows) {
+    if (row[4] == Cell("larsson")) {
+      row[4] = std::string("simultaneous");
+    }
+  }
+  EXPECT_EQ(compare_rows(table, "", "", ""), 30U);  // 10 trips by 3 traversals
+}
+
+TEST(GoldenTraversals, CellsOfTheOrientationTestsAreThoseOfTheGoldenTable) {
+  SOMS_NEEDS_OUTSIDE_DATA("16 rows of figures 5.6 to 5.8 and of the test from the bottom");
+  const Models models = golden_models("u_plain");
+  const std::array<std::array<std::string, 3>, 4> items{
+      {{"figure-5.6", "figure_5_6", "right"},
+       {"figure-5.7", "figure_5_7", "left"},
+       {"figure-5.8", "figure_5_8", "top"},
+       {"orientation-bottom", "orientation_bottom", "bottom"}}};
+  for (const auto& [item, id, test] : items) {
+    const Result result = run_quick(item, models);
+    EXPECT_EQ(compare_rows(table_of(result, id + "_counts"), "bunny", test, "larger"), 4U) << id;
+  }
+}
+
+}  // namespace
+}  // namespace soms::reproduce
