@@ -207,6 +207,12 @@ std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
                                              const OverlapTotals& totals) const {
   std::vector<report::Fact> facts{{"A", fmt::format("{}, {}", name_a_, triangles_of(a_))},
                                   {"B", fmt::format("{}, {}", name_b_, triangles_of(b_))}};
+  for (const std::string& note : report.notes) {
+    facts.push_back({"note", note});
+  }
+  for (const FrameWarning& warning : report.warnings) {
+    facts.push_back({"warning", warning.text()});
+  }
   facts.push_back({"query", report.mode == OverlapMode::all     ? "every pair of triangles"
                             : report.mode == OverlapMode::first ? "the least pair of triangles"
                                                                 : "any pair of triangles"});
@@ -228,12 +234,6 @@ std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
       {"tests",
        fmt::format("{} of boxes, {} of triangles, {} of them exact", with_commas(cost_.node_tests),
                    with_commas(cost_.triangle_tests), with_commas(cost_.exact_tests))});
-  for (const std::string& note : report.notes) {
-    facts.push_back({"note", note});
-  }
-  for (const FrameWarning& warning : report.warnings) {
-    facts.push_back({"warning", warning.text()});
-  }
   if (report.verified) {
     facts.push_back({"verified", fmt::format("by brute force: {} of {} equal",
                                              with_commas(totals.poses - totals.wrong),

@@ -178,6 +178,11 @@ void print_totals(const OverlapReport& report, const OverlapTotals& totals, Cons
         with_commas(totals.overlapping),
         with_commas(totals.poses - totals.overlapping - totals.undecided),
         totals.undecided == 0 ? "" : fmt::format(", {} undecided", with_commas(totals.undecided))));
+    if (totals.overlapping + totals.undecided < totals.poses) {
+      console.print(
+          "surfaces only, at these poses: a body wholly inside the other is not seen, nor what "
+          "happens between two poses\n");
+    }
   }
   if (report.verified) {
     console.print(fmt::format("verified by brute force: {} of {} equal\n",

@@ -20,6 +20,10 @@ namespace soms::command {
 
 namespace {
 
+char letter(UpAxis axis) {
+  return axis == UpAxis::x ? 'x' : axis == UpAxis::y ? 'y' : 'z';
+}
+
 const char* const kTreeGroup = "Trees (answers do not depend on these)";
 
 Choices<Rule> rule_choices() {
@@ -227,6 +231,18 @@ Mesh read_model(const std::string& path, const ModelOptions& options, const Cons
       throw in_words_of_options(error, path, options, console.shared());
     }
   });
+  if (options.up != UpAxis::unknown && mesh.up != UpAxis::unknown && mesh.up != options.up) {
+    const std::string note =
+        fmt::format("the file declares that {} is up, but the command line says that {} is, and is "
+                    "followed",
+                    letter(mesh.up), letter(options.up));
+    if (options.strict) {
+      throw Error(ErrorKind::bad_file, path + ": " + note,
+                  fmt::format("name the axis that points up in the file as it is stored, {}",
+                              letter(mesh.up)));
+    }
+    mesh.notes.push_back(note);
+  }
   if (!options.lists_notes) {
     const Mesh* const one = &mesh;
     for (const std::string& note : notes_of({&one, 1})) {

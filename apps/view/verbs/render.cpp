@@ -184,8 +184,8 @@ SceneContent load(const RenderOptions& options, command::Console& console) {
                 "give one --mover, and no --pose");
   }
   command::WorldOptions world = options.world;
-  if (options.trace && options.pose.empty() && world.routes.empty() && !world.count &&
-      !world.movers.empty()) {
+  if (options.trace && options.test.empty() && options.pose.empty() && world.routes.empty() &&
+      !world.count && !world.movers.empty()) {
     world.count = world.movers.size();  // the traversal is of one mover; a thousand would hide it
   }
   SceneContent content =

@@ -271,7 +271,7 @@ TEST(Traversals, R119OptionsThatTheTraversalIgnoresAreRefused) {
             "default, or set traversal to e_node or e_node_front");
 
   // Each option away from its default, and the traversals that use it.
-  struct Case {
+  struct IdleCase {
     TraversalOptions set;
     std::function<bool(Traversal)> uses;
   };
@@ -279,7 +279,7 @@ TEST(Traversals, R119OptionsThatTheTraversalIgnoresAreRefused) {
   const auto e_node = [](Traversal t) {
     return t == Traversal::e_node || t == Traversal::e_node_front;
   };
-  const std::vector<Case> cases{
+  const std::vector<IdleCase> cases{
       {{.descent = Descent::larger}, e_node},
       {{.order = EntryOrder::volume}, e_node},
       {{.ericson_rule = Traversal::a_first}, [](Traversal t) { return t == Traversal::ericson; }},
@@ -288,7 +288,7 @@ TEST(Traversals, R119OptionsThatTheTraversalIgnoresAreRefused) {
       {{.update = BoxUpdate::rebox}, [](Traversal t) { return t != Traversal::fast; }},
   };
   const Body body(Shape(generate_sphere(80), {.keep_tree = true}));
-  for (const Case& c : cases) {
+  for (const IdleCase& c : cases) {
     for (const TraversalEntry& row : traversals()) {
       if (row.traversal == Traversal::e_node_front && !c.set.prune) {
         continue;  // refused for another reason
