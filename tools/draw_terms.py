@@ -368,7 +368,7 @@ def tree_boxes():
     return curve, boxes
 
 
-def traversal(boxes, other):
+def visits_of(boxes, other):
     """Which boxes are entered, left and found by the box of a small body, from the root down."""
     kinds, todo = {}, [(0, 0)]
     while todo:
@@ -388,7 +388,7 @@ def traversal():
     colors = {"visited": "a-line", "pruned": "faint-line dashed", "found": "b-line"}
     curve, boxes = tree_boxes()
     small = (4.35, 1.75, 4.85, 2.75)
-    kinds = traversal(boxes, small)
+    kinds = visits_of(boxes, small)
 
     def at(p):
         return (24 + 31 * p[0], 156 - 46 * p[1])

@@ -33,8 +33,10 @@ PAGES_OF_VERBS = dict.fromkeys(["completion", "man", "version"], "docs/install.m
 NEEDS_VIEWER = re.compile(r"\bsoms (view|render)\b|--view\b|--picture\b")
 NEEDS_DISPLAY = re.compile(r"\bsoms view\b|--view\b")
 NEEDS_BENCH = re.compile(r"\bsoms bench\b")
-# The README says "With files of yours": these stand for them.
+# The README says "With your own files": these stand for them.
 YOURS = {
+    "walls.obj": ["generate", "knot", "--triangles", "200"],
+    "pipes.glb": ["generate", "sphere", "--triangles", "200"],
     "tool.stl": ["generate", "knot", "--triangles", "200"],
     "cell.ply": ["generate", "sphere", "--triangles", "200"],
     "model.3ds": ["generate", "teapot", "--triangles", "992"],

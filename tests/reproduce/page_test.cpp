@@ -159,7 +159,7 @@ TEST(Page, EscapesWordsAndWritesNumbersForPeople) {
 TEST(Manifest, IsWrittenWhateverBytesTheNameOfAModelHolds) {
   Report report = small_report();
   report.models.objects[0].file = "gro\xdf.3ds";
-  EXPECT_EQ(test::count_of(manifest(report), "gro\xef\xbf\xbd.3ds"), 1U);
+  EXPECT_EQ(test::count_of(manifest(report), R"(gro\ufffd.3ds)"), 1U);
 }
 
 TEST(Page, MarksAQuickRun) {

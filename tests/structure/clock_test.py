@@ -32,6 +32,7 @@ ALLOWED = {
     "tests/support/effort.cpp": (("clock", "seconds of a child"), "processor time as a multiple of that of a fixed calculation"),
     "tests/query/overlap_test.cpp": (("clock",), DEADLINE),
     "tests/query/traversal/named_overlap_test.cpp": (("clock",), DEADLINE),
+    "tests/properties/values_test.cpp": (("clock",), "a moment that is compared and printed"),
     "tests/regressions/growth_regressions_test.cpp": (("clock",), "printed, not judged"),
     "tests/commands/output_test.cpp": (("pause",), "a bar shows itself after a second, or later"),
     "tests/view/window/display.h": (("seconds of a child",), "for ViewerTest.RestsWhenPaused"),
