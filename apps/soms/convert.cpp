@@ -38,9 +38,6 @@ int run_convert(const ConvertOptions& options, Console& console) {
   check(options.output, console);
   const MeshFormat format = format_of(options.output);
   const Mesh mesh = read_model(options.input, options.model, console);
-  for (const std::string& note : mesh.notes) {
-    console.note(fmt::format("{}: {}", options.input, note));
-  }
   write_model(mesh, options.output, console);
   note_losses(mesh, options.output, console);
   if (console.shared().json) {

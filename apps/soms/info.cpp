@@ -46,7 +46,9 @@ std::size_t measure_shape(const Mesh& mesh, const Console& console) {
 ModelReport examine(const std::string& file, const InfoOptions& options, const Console& console) {
   ModelReport report;
   report.file = file;
-  report.mesh = read_model(file, options.model, console);
+  ModelOptions model = options.model;
+  model.lists_notes = true;
+  report.mesh = read_model(file, model, console);
   check(report.mesh);
   report.defects =
       console.run("looking for defects of " + printable(file), [&](const Parallel& parallel) {

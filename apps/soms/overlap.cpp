@@ -62,6 +62,8 @@ class OverlapRun {
                 .by_part = options.by_part},
         bar_(console.progress("overlap")) {
     options_.query.deadline = console.deadline();
+    const std::array<const Mesh*, 2> meshes{&a_.mesh(), &b_.mesh()};
+    report_.notes = notes_of(meshes);
     output_.begin(report_);
   }
 

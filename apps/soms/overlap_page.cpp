@@ -228,6 +228,9 @@ std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
       {"tests",
        fmt::format("{} of boxes, {} of triangles, {} of them exact", with_commas(cost_.node_tests),
                    with_commas(cost_.triangle_tests), with_commas(cost_.exact_tests))});
+  for (const std::string& note : report.notes) {
+    facts.push_back({"note", note});
+  }
   for (const FrameWarning& warning : report.warnings) {
     facts.push_back({"warning", warning.text()});
   }

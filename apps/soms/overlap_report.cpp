@@ -49,7 +49,12 @@ void print_pairs_as_json(const std::vector<TrianglePair>& pairs, Console& consol
   console.print(piece + "]");
 }
 
-/// About the models with the first pose alone, so that rows stay small; about boxes with each.
+/// What reading the files noted, with the first pose alone, so that rows stay small.
+std::string notes_key(const OverlapReport& report, std::uint64_t pose) {
+  return pose > 0 || report.notes.empty() ? std::string() : ",\"notes\":" + json_text(report.notes);
+}
+
+/// About the models with the first pose alone; about boxes with each.
 std::string warnings_key(const OverlapReport& report, std::uint64_t pose) {
   Json list = pose == 0 ? warnings_json(report.warnings) : Json::array();
   if (report.boxes_apart) {
@@ -75,7 +80,7 @@ void print_json(const OverlapReport& report, std::uint64_t pose, const Overlap& 
   if (report.verified) {
     text += right ? ",\"verified\":true" : ",\"verified\":false";
   }
-  console.print(text + warnings_key(report, pose));
+  console.print(text + notes_key(report, pose) + warnings_key(report, pose));
   if (report.by_part) {
     print_parts_as_json(report, parts, console);
   } else if (report.list_pairs) {

@@ -26,6 +26,7 @@ struct OverlapReport {
   bool verified = false;  ///< compared with brute force
   bool interrupted = false;
   bool by_part = false;                     ///< pairs of parts are listed, not of triangles
+  std::vector<std::string> notes = {};      ///< of the models' files; JSON gives them with pose 0
   std::vector<FrameWarning> warnings = {};  ///< about the models; JSON gives them with pose 0
   double gap = 0;            ///< of the boxes, at the pose that is reported next; 0: they meet
   bool boxes_apart = false;  ///< that gap is a `FrameDoubt`

@@ -228,6 +228,9 @@ void write_page(std::ostream& out, const World& world, const Outcome& outcome,
       page.facts.push_back({name, value});
     }
   }
+  for (const std::string& note : world.notes) {
+    page.facts.push_back({"note", note});
+  }
   for (const FrameWarning& warning : world.warnings) {
     page.facts.push_back({"warning", warning.text()});
   }

@@ -181,6 +181,9 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
                                     {"contacts", touched.contacts},
                                     {"mover_frames", touched.frames}});
   }
+  if (!world.notes.empty()) {
+    json["notes"] = world.notes;
+  }
   if (!world.warnings.empty()) {
     json["warnings"] = warnings_json(world.warnings);
   }

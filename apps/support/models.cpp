@@ -227,10 +227,29 @@ Mesh read_model(const std::string& path, const ModelOptions& options, const Cons
       throw in_words_of_options(error, path, options, console.shared());
     }
   });
+  if (!options.lists_notes) {
+    const Mesh* const one = &mesh;
+    for (const std::string& note : notes_of({&one, 1})) {
+      console.note(note);
+    }
+  }
   if (options.scale == 1 && options.up == UpAxis::unknown) {
     return mesh;
   }
   return transformed(std::move(mesh), options.scale, options.up);
+}
+
+std::vector<std::string> notes_of(std::span<const Mesh* const> meshes) {
+  std::vector<std::string> notes;
+  for (const Mesh* mesh : meshes) {
+    for (const std::string& note : mesh->notes) {
+      const std::string line = mesh->source + ": " + note;
+      if (std::find(notes.begin(), notes.end(), line) == notes.end()) {
+        notes.push_back(line);
+      }
+    }
+  }
+  return notes;
 }
 
 Shape build_shape(Mesh mesh, const ShapeOptions& options, const Console& console) {

@@ -7,6 +7,7 @@
 #include "soms/tree/build_options.h"
 #include "soms/tree/shape.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct ModelOptions {
   bool strict = false;          ///< notes about what the file lacks or has too much are errors
   bool allow_empty = false;
   bool offers_empty = false;  ///< the verb has --allow-empty, which a message may name
+  bool lists_notes = false;   ///< the verb prints the notes of the mesh itself
 };
 
 /// Adds options named `scale_name` and `up_name` ("--scale", "--up").
@@ -65,10 +67,14 @@ void add_traversal_options(CLI::App& app, TraversalOptions& options);
 /// caller set beside those of the command line must go with every traversal.
 void check_traversal(const CLI::App& app, const TraversalOptions& options);
 
-/// Reads a model with a progress bar, scales and turns it. "-" is standard input.
+/// Reads a model with a progress bar, scales and turns it. "-" is standard input. Its notes go to
+/// standard error, unless `lists_notes`.
 /// \errors As `read_mesh`; ErrorKind::timed_out.
 [[nodiscard]] Mesh read_model(const std::string& path, const ModelOptions& options,
                               const Console& console);
+
+/// What reading left out of the meshes or did not apply, "FILE: NOTE", each once.
+[[nodiscard]] std::vector<std::string> notes_of(std::span<const Mesh* const> meshes);
 
 /// Builds a shape with a progress bar.
 /// \errors As `Shape`; ErrorKind::timed_out.

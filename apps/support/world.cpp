@@ -276,6 +276,14 @@ World load_world(const WorldOptions& options, Console& console) {
   std::vector<NamedFrame> mover_frames;
   world.models = load_models(options, mover_frames, console);
   const std::optional<City> city = load_city(world, options, city_frames, console);
+  std::vector<const Mesh*> meshes;
+  for (const Body& body : world.city) {
+    meshes.push_back(&body.shape.mesh());
+  }
+  for (const Model& model : world.models) {
+    meshes.push_back(&model.shape.mesh());
+  }
+  world.notes = notes_of(meshes);
   doubt_frames(world, city_frames, mover_frames, options.city_model.strict, console);
   plan_routes(world, options, city ? &*city : nullptr, console);
   return world;

@@ -71,6 +71,7 @@ struct World {
   double read_ms = 0;                       ///< reading or generating the city
   double build_ms = 0;                      ///< building its trees
   std::uint64_t requested = 0;              ///< movers requested; fewer routes if there was no room
+  std::vector<std::string> notes = {};      ///< what reading the files noted, "FILE: NOTE"
   std::vector<FrameWarning> warnings = {};  ///< where numbers of city and movers may not agree
 };
 
