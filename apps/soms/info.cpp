@@ -270,6 +270,7 @@ Action add_info(CLI::App& app, Shared&) {
   add_allow_empty(app, options->model);
   add_strict(app, options->model.strict);
   add_build_options(app, options->build);
+  app.get_option("--rule")->description("splitting rule (every one)");
   app.footer(
       "Trees are built by every rule, or by the one that --rule names.\n\nExample:\n"
       "  soms generate knot --triangles 2000 -o knot.ply\n"

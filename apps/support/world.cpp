@@ -189,6 +189,32 @@ void doubt_frames(World& world, const std::vector<NamedFrame>& city,
   tell_warnings(world.warnings, strict, console);
 }
 
+/// Poses of several bodies belong together, row by row: where one list is shorter, it starts over
+/// while the others go on.
+void note_uneven_routes(World& world, bool strict, const Console& console) {
+  std::size_t least = 0;
+  std::size_t most = 0;
+  for (const MoverRoute& route : world.routes) {
+    if (route.recorded != nullptr) {
+      const std::size_t rows = route.recorded->size();
+      least = least == 0 ? rows : std::min(least, rows);
+      most = std::max(most, rows);
+    }
+  }
+  if (least == most) {
+    return;
+  }
+  const std::string note = fmt::format(
+      "--route: the files of poses have {} to {} rows; the shorter ones start over "
+      "while the others go on",
+      least, most);
+  if (strict) {
+    throw Error(ErrorKind::bad_file, note, "give files of equal length");
+  }
+  console.note(note);
+  world.notes.push_back(note);
+}
+
 }  // namespace
 
 void check_count(const WorldOptions& options) {
@@ -286,6 +312,7 @@ World load_world(const WorldOptions& options, Console& console) {
   world.notes = notes_of(meshes);
   doubt_frames(world, city_frames, mover_frames, options.city_model.strict, console);
   plan_routes(world, options, city ? &*city : nullptr, console);
+  note_uneven_routes(world, options.city_model.strict, console);
   return world;
 }
 

@@ -56,7 +56,7 @@ std::map<std::string, Row> readme_rows() {
   return rows;
 }
 
-/// What the table must say, from the files of a run: by rule, alone and looks on three models.
+/// What the table must say, from the files of a run: by rule, single-triangle leaves and visits on three models.
 std::map<std::string, Row> measured_rows(const std::filesystem::path& tables) {
   const std::vector<std::string> models{"bunny", "u_plain", "u_mixed"};
   std::map<std::string, Row> rows;
@@ -74,11 +74,11 @@ std::map<std::string, Row> measured_rows(const std::filesystem::path& tables) {
   for (const auto& row : csv(tables / "modern_visits.csv")) {
     const auto model = std::find(models.begin(), models.end(), row.at("model"));
     if (model != models.end() && row.at("options") == "product" && row.at("side [%]") == "1") {
-      const double looks =
-          std::stod(row.at("measured_nodes")) + std::stod(row.at("measured_triangles"));
+      const double visits =
+          std::stod(row.at("expected_nodes")) + std::stod(row.at("expected_triangles"));
       rows.try_emplace(row.at("rule"), 6)
           .first->second[3 + static_cast<std::size_t>(model - models.begin())] =
-          fmt::format("{:.1f}", looks);
+          fmt::format("{:.1f}", visits);
     }
   }
   return rows;

@@ -19,11 +19,11 @@ namespace soms {
 
 namespace {
 
-using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+using PairSet = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
 /// Changes by looking up every pair.
 template <typename Event>
-std::vector<Event> changes_by_look_up(const Pairs& before, const Pairs& now) {
+std::vector<Event> changes_by_look_up(const PairSet& before, const PairSet& now) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, ContactChange> changes;
   for (const auto& pair : before) {
     changes[pair] = now.count(pair) != 0 ? ContactChange::stay : ContactChange::end;
@@ -43,12 +43,12 @@ TEST(ContactTracker, FollowsWhoTouchesWhomFromStepToStep) {
   test::for_each_case("scene/contact-tracker", 30, [&](Rng& rng) {
     Scene scene = test::random_scene(rng, 6, 20, 5);
     ContactTracker tracker;
-    Pairs parts_before;
-    Pairs movers_before;
+    PairSet parts_before;
+    PairSet movers_before;
     for (int step = 0; step < 8; ++step) {
       const OverlapMode mode = rng.below(2) == 0 ? OverlapMode::all : OverlapMode::any;
-      Pairs parts;
-      Pairs movers;
+      PairSet parts;
+      PairSet movers;
       const StepReport expected = test::scan(scene);
       for (const EnvironmentContact& contact : expected.environment) {
         parts.emplace(contact.mover, contact.part);
