@@ -28,7 +28,7 @@ constexpr std::string_view kAxis = "class=\"axis\" stroke=\"#6b6f74\" stroke-wid
 void check(const BarChart& chart) {
   const auto refuse = [&](const std::string& what) {
     throw Error(ErrorKind::usage, "chart \"" + chart.title + "\": " + what,
-                "mend the chart's data");
+                "correct the chart's data");
   };
   for (const Bars& bars : chart.bars) {
     const auto fits = [&](const std::vector<double>& values) {

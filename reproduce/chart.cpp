@@ -26,7 +26,7 @@ constexpr std::string_view kGrid = "class=\"grid\" stroke=\"#e3e3e0\" stroke-wid
 constexpr std::string_view kAxis = "class=\"axis\" stroke=\"#6b6f74\" stroke-width=\"1.2\"";
 
 [[noreturn]] void refuse(const std::string& chart, const std::string& what) {
-  throw Error(ErrorKind::usage, "chart \"" + chart + "\": " + what, "mend the chart's data");
+  throw Error(ErrorKind::usage, "chart \"" + chart + "\": " + what, "correct the chart's data");
 }
 
 /// Least and greatest of numbers; whether all are whole.

@@ -126,7 +126,7 @@ Error unknown(std::string_view word) {
   for (const Experiment& experiment : kExperiments) {
     items += fmt::format(", {}", experiment.item);
   }
-  return Error(ErrorKind::usage, fmt::format("'{}' is no item", word), "give one of: " + items);
+  return Error(ErrorKind::usage, fmt::format("unknown item '{}'", word), "give one of: " + items);
 }
 
 }  // namespace

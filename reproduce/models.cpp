@@ -142,7 +142,7 @@ std::string Finder::read(const fs::path& path, Model& model) {
   std::error_code unknown;
   const fs::file_status status = fs::status(path, unknown);
   if (fs::is_fifo(status) || fs::is_socket(status)) {
-    return words({path.string(), ": this is not a file"});  // opening it would wait for a writer
+    return words({path.string(), ": not a file"});  // opening it would wait for a writer
   }
   try {
     set_mesh(model, read_mesh(path, {}, for_one()));
@@ -181,8 +181,9 @@ Model Finder::object(const KnownObject& known) {
   } else {
     model.trouble = read(place, model);
     if (model.trouble.empty() && model.hash != known.hash) {
-      models_.remarks.push_back(words({place.string(), " has other triangles than the ", known.file,
-                                       " that is known: its counts need not be the golden ones"}));
+      models_.remarks.push_back(
+          words({place.string(), " does not have the triangles of the ", known.file,
+                 " used here: its counts may differ from those expected"}));
     }
   }
   if (!model.mesh) {
@@ -265,7 +266,7 @@ std::vector<fs::path> Finder::scene_files() {
   const std::size_t others = files.empty() ? files_in(beside, ".3ds").size() : 0;
   if (others != 0) {
     models_.remarks.push_back(words({beside.string(), ": its .3ds files (", std::to_string(others),
-                                     ") were not taken as scenes; scenes are those in ",
+                                     ") were not used as scenes; scenes are read from ",
                                      folder_.string(), " and its folder scenes"}));
   }
   return files;
@@ -335,7 +336,7 @@ Models Finder::find(Needs needs) {
   if (!folder_.empty() && !fs::is_directory(folder_, error)) {
     throw Error(ErrorKind::cannot_open,
                 words({folder_.string(), error ? ": " + error.message() : ": this is no folder"}),
-                "name the folder that the models are in");
+                "give the folder of the models");
   }
   if (!folder_.empty()) {
     const fs::directory_iterator listed(folder_, error);

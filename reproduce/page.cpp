@@ -151,7 +151,7 @@ class Page {
       put("<dt>{}</dt><dd>{}</dd>\n", what, xml_text(value));
     };
     row("Run", report_.date);
-    row("Options", report_.quick ? "quick: fewer repetitions and smaller sweeps" : "whole");
+    row("Options", report_.quick ? "quick: fewer repetitions and smaller sweeps" : "full");
     row("Program", fmt::format("soms {}", machine.version));
     row("Processor", fmt::format("{} ({}; what is timed uses one)", machine.processor,
                                  counted(static_cast<std::size_t>(std::max(0, machine.processors)),
@@ -178,7 +178,7 @@ class Page {
       put("<p class=\"note\">This page needs no other file: a link below each table gives it as "
           "CSV.</p>\n");
     } else {
-      put("<p class=\"note\">Beside this page lie a CSV file of each table, an SVG file of each "
+      put("<p class=\"note\">The same folder has a CSV file of each table, an SVG file of each "
           "figure and <a href=\"run.json\">run.json</a>, which lists them.</p>\n");
     }
   }
@@ -192,7 +192,7 @@ class Page {
     put("<h2 id=\"models\">Models</h2>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
         "aria-label=\"Models\">\n<table>\n<thead><tr><th>model</th><th>from</th>"
         "<th class=\"number\">vertices</th><th class=\"number\">triangles</th>"
-        "<th>hash of the corners</th><th>to be known</th></tr></thead>\n<tbody>\n");
+        "<th>hash of the corners</th><th>remarks</th></tr></thead>\n<tbody>\n");
     for (const auto* kind :
          {&report_.models.objects, &report_.models.scenes, &report_.models.cities}) {
       for (const Model& model : *kind) {
@@ -229,7 +229,7 @@ class Page {
     }
     put("<h2 id=\"claims\">What the thesis claims, and what was measured</h2>\n");
     if (all == 0) {
-      put("<p>None of the experiments of this run looks at a claim of the thesis.</p>\n");
+      put("<p>None of the experiments of this run tests a claim of the thesis.</p>\n");
       return;
     }
     put("<p>{}:", counted(all, "claim"));
@@ -254,7 +254,7 @@ class Page {
             xml_text(spoken(entry.experiment->item)), xml_text(finding.reason));
       }
     }
-    put("</tbody>\n</table>\n</div>\n<p class=\"note\">In italics: what holds times, which differ "
+    put("</tbody>\n</table>\n</div>\n<p class=\"note\">Times are in italics: they differ "
         "from run to run and from machine to machine. Times of the thesis' machine of 2009 stand "
         "beside ours where the thesis states one; no verdict follows from that.</p>\n");
   }
@@ -304,7 +304,7 @@ class Page {
     for (const Experiment* experiment : report_.missing) {
       if (experiment->chapter == which) {
         heading(*experiment);
-        put("<p class=\"warn\">Not run: the run was interrupted before. "
+        put("<p class=\"warn\">Not run: the run was interrupted first. "
             "<code>soms reproduce --item {}</code> runs it alone.</p>\n</section>\n",
             xml_text(experiment->item));
       }
@@ -381,8 +381,8 @@ class Page {
     }
     put("</tbody>\n</table>\n</div>\n<p class=\"note\">");
     if (shown < table.rows.size()) {
-      put("The first {} of {}; all are in the ", to_text(static_cast<std::int64_t>(shown)),
-          counted(table.rows.size(), "row"));
+      put("The first {} of {} rows; all of them are in the ",
+          to_text(static_cast<std::int64_t>(shown)), counted(table.rows.size(), "row"));
     }
     if (files_ == PageFiles::inside) {
       put("<a href=\"data:text/csv;charset=utf-8,{}\" download=\"{}.csv\">CSV</a>",

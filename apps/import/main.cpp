@@ -56,7 +56,7 @@ int import(const std::string& extension) {
   struct stat status {};
 
   if (fstat(STDIN_FILENO, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0) {
-    return refuse("standard input is no file, or empty");
+    return refuse("standard input is not a file, or is empty");
   }
   const auto size = static_cast<std::size_t>(status.st_size);
   const void* bytes = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, STDIN_FILENO, 0);
@@ -92,7 +92,9 @@ int main(int count, char** words) {
   // The caller is gone: so is the question.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (count != 2 || *words[1] != '.') {
-    std::fputs("soms-import .ENDING < MODEL: a helper of soms, which starts it itself\n", stdout);
+    std::fputs(
+        "soms-import .EXTENSION < MODEL: a helper program, which soms starts when it needs it\n",
+        stdout);
     return 2;
   }
   try {

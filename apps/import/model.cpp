@@ -138,7 +138,7 @@ void SceneWriter::tell_axes(bool turned) {
     note += "lengths became meters, ";
   }
   if (turned) {
-    note += "its turn from z up to y up was undone";
+    note += "its rotation from z up to y up was undone";
   }
   if (turned && building) {
     answer_.up('z');

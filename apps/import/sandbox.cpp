@@ -115,7 +115,8 @@ std::string enter_sandbox() {
   }
   filter.allow(SCMP_SYS(tgkill), {equals(0, getpid())});
   const int fault = filter.load();
-  return fault == 0 ? std::string() : std::string("the kernel refuses it: ") + std::strerror(fault);
+  return fault == 0 ? std::string()
+                    : std::string("the kernel does not allow it: ") + std::strerror(fault);
 }
 
 #else

@@ -33,19 +33,19 @@ turn it, plus and minus come closer and go away, N and P go to the next and the 
 <button id="above" type="button">From above</button></div>
 <p id="missing" hidden></p>
 <details id="keys"><summary>Keys</summary><div>Drag: turn. Right button, or two fingers: move. Wheel,
-after a click into the picture: closer, away. A press on a spot: who touches there. Arrows: turn, with Shift
-move. + and -: closer, away. Home: the whole scene. N, P: next and previous line of the list. Space:
-play, pause. In the list: arrow keys choose, right and left open and close a row.</div></details>
+after a click on the picture: zoom in and out. Click a marker: show what touches there. Arrows: turn, with Shift
+move. + and -: zoom in and out. Home: the whole scene. N, P: next and previous line of the list. Space:
+play, pause. In the list: arrow keys choose, Right and Left open and close a row.</div></details>
 </div>
 <div id="side">
 <div class="row"><input id="find" type="search" placeholder="Find a name, part or triangle"
-aria-label="Find who touches by name, part or number of a triangle" autocomplete="off">
+aria-label="Find contacts by name, part or triangle number" autocomplete="off">
 <select id="order" aria-label="Order of the list"><option value="begin">by begin</option>
 <option value="count">most contacts first</option><option value="length">longest first</option>
-<option value="mover">by who touches</option><option value="touched">by what is touched</option></select>
+<option value="mover">by what touches</option><option value="touched">by what is touched</option></select>
 <label><input id="now" type="checkbox"> only now</label></div>
 <p id="count" role="status"></p>
-<div id="list" role="tree" tabindex="0" aria-label="Who touches whom"><div id="rows"
+<div id="list" role="tree" tabindex="0" aria-label="List of contacts"><div id="rows"
 role="presentation"></div></div>
 <div class="row"><button id="previous" type="button">Previous</button>
 <button id="next" type="button">Next</button></div>
@@ -120,8 +120,8 @@ class Writer {
       out_ << "<section id=\"time-line\">\n<h2>Time line</h2>\n";
       figure({.svg = svg,
               .caption = fmt::format(
-                  "The contacts of those who touch something for longest{}. A press on a bar shows "
-                  "its contact in the scene.",
+                  "The contacts of the bodies that touch something for the longest time{}. Click a "
+                  "bar to show its contact in the scene.",
                   page_.scene.contacts.size() < page_.scene.contacts_in_all
                       ? fmt::format(", drawn from the {} of {} {} that this page holds",
                                     page_.scene.contacts.size(), page_.scene.contacts_in_all,

@@ -92,7 +92,7 @@ class Drawing {
       : scene_(scene),
         bottom_(kTop + kRow * static_cast<double>(rows)),
         axis_({.low = 0, .high = static_cast<double>(scene.steps.count), .whole = true}),
-        svg_(kWidth, bottom_ + 30, "Who touches something, and when") {}
+        svg_(kWidth, bottom_ + 30, "What touches something, and when") {}
 
   std::string draw(const std::vector<Row>& rows) {
     key();
@@ -115,13 +115,13 @@ class Drawing {
   }
 
   void key() {
-    svg_.text({16, 26}, "Who touches something, and when", {.size = 16, .bold = true});
+    svg_.text({16, 26}, "What touches something, and when", {.size = 16, .bold = true});
     const auto entry = [&](double at, bool moving, std::string_view words) {
       svg_.rect({at, 38}, 16, kBar, color(moving));
       svg_.text({at + 22, 48}, words, {.size = 12, .faint = true});
     };
-    entry(kLeft, false, "with what stands still");
-    entry(kLeft + 190, true, "with another that moves");
+    entry(kLeft, false, "with static bodies");
+    entry(kLeft + 190, true, "with other movers");
   }
 
   static std::string color(bool moving) {

@@ -34,11 +34,12 @@ Roster libraries(const Options& options) {
   const std::vector<std::string> faults = add_modules(roster, module_folder());
   if (!options.quiet) {
     for (const std::string& fault : faults) {
-      std::cerr << options.caller << ": a peer is left out: " << printable(fault) << '\n';
+      std::cerr << options.caller << ": cannot load a peer library: " << printable(fault) << '\n';
     }
     if (roster.empty()) {
-      std::cerr << options.caller << ": no peer is here (" << printable(module_folder().string())
-                << "); docs/bench.md says how to build them\n";
+      std::cerr << options.caller << ": no peer library found in "
+                << printable(module_folder().string())
+                << "; see docs/bench.md for how to build them\n";
     }
   }
   add_soms(roster);
@@ -99,8 +100,8 @@ void make_folder(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder, failed);
   if (failed) {
     throw Error(ErrorKind::cannot_write,
-                folder.string() + ": cannot make the folder: " + failed.message(),
-                "choose another place for the output");
+                folder.string() + ": cannot create the folder: " + failed.message(),
+                "choose another location for the output");
   }
 }
 
@@ -166,7 +167,7 @@ int cannot_write(const std::string& caller, int fault) {
   }
   std::cerr << caller
             << ": standard output: cannot write: " << std::generic_category().message(fault)
-            << "; choose another place for the output\n";
+            << "; choose another location for the output\n";
   return exit_code(ErrorKind::cannot_write);
 }
 

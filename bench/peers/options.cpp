@@ -15,30 +15,31 @@ namespace soms::bench {
 
 namespace {
 
-constexpr const char* kHelp = R"(soms-bench: soms and its peers, queried the same in one process.
+constexpr const char* kHelp =
+    R"(soms-bench: time soms and its peer libraries on the same queries, in one process.
 Usage: soms-bench [OPTIONS]        generated scenes, models and cities
-       soms-bench A B [OPTIONS]    two meshes of your own: A moves, B stands still
+       soms-bench A B [OPTIONS]    two meshes of your own: A moves, B does not
 
-  --quick           a few minutes: fewer scenes, unless they are named, and rounds
+  --quick           a few minutes: fewer rounds, and fewer scenes unless --scenes is given
   --jobs LIST       of any,all,still,broad (default: all of them)
-  --scenes LIST     scenes whose names begin so, such as twins-knot,city,real
+  --scenes LIST     scenes whose names begin with these, such as twins-knot,city,real
   --sets LIST       pose sets, such as random,near-0.001
   --least N         leave out scenes of fewer than N triangles or boxes (default 0)
-  --most N          leave out scenes of more (default 5000000)
-  --libraries LIST  whose names begin so, such as soms,fcl
+  --most N          leave out scenes of more than N (default 5000000)
+  --libraries LIST  libraries whose names begin with these, such as soms,fcl
   --rounds N        timed rounds of each library (default 7, quick 3)
-  --budget SECONDS  processor time of one pass of the best peer (default 0.1, quick 0.03)
-  --judge N         triangles of the mover that the judge looks at in a set (default 5e6)
+  --budget SECONDS  processor time per pass of the best peer (default 0.1, quick 0.03)
+  --judge N         triangles of the mover that are checked exactly per set (default 5e6)
   --cpu N           processor to run on (default: the last)
-  --data FOLDER     models and cities (default: SOMS_DATA; without, they are left out)
+  --data FOLDER     folder of models and cities (default: SOMS_DATA; without it they are left out)
   --out FOLDER      for peers.csv and peers.md (default: bench/results/<machine>_<isa>; with A B:
                     none)
-  --list            the scenes that would run
-  --pose POSE       of A: "x y z [qw qx qy qz]" or a CSV file
-  --random N        random poses of A about B's box (default 1000)
-  --seed N          of the random poses (default 1)
-  --json            with A B: JSON Lines
-  --strict          with A B: refuse what is warned of, and what reading notes
+  --list            list the scenes that would run
+  --pose POSE       with A B: pose of A, "x y z [qw qx qy qz]", or a CSV file
+  --random N        with A B: number of random poses of A around B's box (default 1000)
+  --seed N          with A B: seed of the random poses (default 1)
+  --json            with A B: print JSON Lines
+  --strict          with A B: treat warnings and notes about a model as errors
   --quiet           print only errors on standard error
 
 Example: soms-bench --quick --scenes twins-knot --most 10000 --out results
@@ -50,7 +51,7 @@ Number number(std::string_view option, std::string_view text, Number least) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size() || !(value >= least)) {
     throw Error(ErrorKind::usage, std::string(option) + " " + std::string(text),
-                "give a number that makes sense there; soms-bench --help");
+                "give a number in the range of this option; see soms-bench --help");
   }
   return value;
 }
@@ -75,7 +76,7 @@ std::vector<Job> jobs(const std::string& list) {
       }
     }
     if (!known) {
-      throw Error(ErrorKind::usage, "--jobs " + word, "choose from any, all, still, broad");
+      throw Error(ErrorKind::usage, "--jobs " + word, "choose any, all, still or broad");
     }
   }
   return chosen;
@@ -103,7 +104,7 @@ std::vector<Pose> poses(const std::string& text) {
   }
   std::vector<Pose> rows = text == "-" ? poses_of_standard_input() : read_poses(text);
   if (rows.empty()) {
-    throw Error(ErrorKind::bad_file, (text == "-" ? "standard input" : text) + ": no row",
+    throw Error(ErrorKind::bad_file, (text == "-" ? "standard input" : text) + ": no rows",
                 "give at least one pose below the header");
   }
   return rows;
@@ -176,7 +177,8 @@ bool set_flag(Options& options, std::string_view word) {
 
 void finish(Options& options) {
   if (!options.files.empty() && options.files.size() != 2) {
-    throw Error(ErrorKind::usage, "one mesh alone", "give two files, or none for the scenes");
+    throw Error(ErrorKind::usage, "only one mesh is given",
+                "give two meshes, or none to run the built-in scenes");
   }
   if (options.out.empty() && options.files.empty()) {
     options.out = std::filesystem::path("bench") / "results" / machine_folder();

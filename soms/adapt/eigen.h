@@ -102,7 +102,7 @@ template <class Derived>
   if (rows.cols() != 3) {
     throw Error(ErrorKind::usage,
                 "a matrix of points has " + std::to_string(rows.cols()) + " columns",
-                "give one point a row: three columns; transpose() a matrix of three rows");
+                "give one point per row, in three columns; transpose() a matrix of three rows");
   }
   std::vector<Vec3> points(static_cast<std::size_t>(rows.rows()));
   as_matrix(std::span(points)) = rows.template cast<double>();
@@ -118,7 +118,7 @@ template <class Points, class Triangles>
   if (triangles.cols() != 3) {
     throw Error(ErrorKind::usage,
                 "a matrix of triangles has " + std::to_string(triangles.cols()) + " columns",
-                "give one triangle a row: three columns");
+                "give one triangle per row, in three columns");
   }
   Mesh mesh;
   mesh.vertices = to_points(points);
@@ -129,7 +129,7 @@ template <class Points, class Triangles>
       if (!std::in_range<std::uint32_t>(index)) {
         throw Error(ErrorKind::out_of_range,
                     "triangle " + std::to_string(i) + ": vertex " + std::to_string(index),
-                    "give numbers of vertices from 0");
+                    "give vertex numbers of 0 or more");
       }
       mesh.triangles[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] =
           static_cast<std::uint32_t>(index);

@@ -43,7 +43,7 @@ void check_arithmetic() {
 #endif
   if (!rounds_to_nearest()) {
     throw Error(ErrorKind::unsupported, "this thread does not round to nearest",
-                "call fesetround(FE_TONEAREST) before asking");
+                "call fesetround(FE_TONEAREST) first");
   }
   if (!keeps_subnormal_numbers()) {
     throw Error(ErrorKind::unsupported, "this thread flushes subnormal numbers to zero",

@@ -115,6 +115,23 @@ std::string shortest(double value) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
+std::string readable_bytes(std::uint64_t bytes) {
+  if (bytes < 1024) {
+    return std::to_string(bytes) + (bytes == 1 ? " byte" : " bytes");
+  }
+  constexpr std::array kUnits{" KiB", " MiB", " GiB", " TiB", " PiB", " EiB"};
+  constexpr double kNext = 1023.95;  // from here on, a tenth would round to 1024.0
+  double size = static_cast<double>(bytes) / 1024;
+  std::size_t unit = 0;
+  for (; size >= kNext && unit + 1 < kUnits.size(); ++unit) {
+    size /= 1024;
+  }
+  std::array<char, 32> text;
+  char* const end =
+      std::to_chars(text.data(), text.data() + text.size(), size, std::chars_format::fixed, 1).ptr;
+  return std::string(text.data(), end) + kUnits[unit];
+}
+
 std::string quoted_text(std::string_view words) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string text = "\"";

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,9 @@ namespace soms {
 
 /// Shortest text from which the same double is read: "0.1", "1e+300", "-0", "nan", "inf".
 [[nodiscard]] std::string shortest(double value);
+
+/// A size in memory, rounded to a tenth of its unit: "1 byte", "512 bytes", "1.5 KiB", "11.6 MiB".
+[[nodiscard]] std::string readable_bytes(std::uint64_t bytes);
 
 /// `words` in double quotes, on one line and fit for a terminal: quotes and backslashes after a
 /// backslash, control characters, marks that turn the direction of text, and

@@ -19,8 +19,9 @@ std::string place(const Mesh& mesh, const std::string& what) {
 
 void check_tables(const Mesh& mesh) {
   if (!mesh.faces.empty() && mesh.faces.size() != mesh.triangles.size()) {
-    throw Error(ErrorKind::bad_file, place(mesh, "the face map has another length than triangles"),
-                "leave it empty or give one entry a triangle");
+    throw Error(ErrorKind::bad_file,
+                place(mesh, "the face map does not have one entry per triangle"),
+                "leave it empty, or give one entry per triangle");
   }
   for (const Part& part : mesh.parts) {
     if (std::uint64_t{part.first} + part.count > mesh.triangles.size() ||

@@ -198,9 +198,9 @@ std::optional<Pose> PoseReader::next() {
   if (state.cells.size() != state.names.size()) {
     state.fail(ErrorKind::bad_file,
                std::to_string(state.cells.size()) +
-                   (state.cells.size() == 1 ? " number" : " numbers") + " under a header of " +
+                   (state.cells.size() == 1 ? " number" : " numbers") + ", but the header has " +
                    std::to_string(state.names.size()),
-               "give one number a column");
+               "give one number per column");
   }
   try {
     for (std::size_t i = 0; i < state.cells.size(); ++i) {

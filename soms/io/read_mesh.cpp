@@ -88,7 +88,7 @@ Mesh read_bytes(std::string_view bytes, const std::string& name, Owner owner,
 }
 
 [[noreturn]] void fail_machine(const std::string& name) {
-  throw Error(ErrorKind::out_of_memory, name + ": this machine has too little free memory",
+  throw Error(ErrorKind::out_of_memory, name + ": not enough free memory on this machine",
               "free some memory, or use a smaller model");
 }
 

@@ -41,8 +41,8 @@ MeshFormat format_for(const std::filesystem::path& path) {
     }
   }
   throw Error(ErrorKind::unsupported,
-              path.string() + ": the name does not end with a format that is written",
-              "end it with " + writable_extensions());
+              path.string() + ": the extension is not that of a format that can be written",
+              "use " + writable_extensions());
 }
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh, MeshFormat format,
@@ -59,8 +59,8 @@ void write_mesh(std::ostream& out, const std::string& name, const Mesh& mesh, Me
   const PlainArithmetic plain;
   const auto check_stream = [&] {
     if (!out) {
-      throw Error(ErrorKind::cannot_write, name + ": the stream takes no more",
-                  "check that it is open and has room");
+      throw Error(ErrorKind::cannot_write, name + ": cannot write to the stream",
+                  "check that it is open and that there is free space");
     }
   };
   detail::Output output([&](std::string_view bytes) {

@@ -323,7 +323,7 @@ std::span<const BoxPair> BroadPhase::find(std::span<const Box> boxes) {
   if (boxes.size() > detail::ColumnSweep::kMostBoxes) {
     throw Error(ErrorKind::out_of_range,
                 "broad phase: " + std::to_string(boxes.size()) + " boxes are above 2^27",
-                "ask about fewer at a time");
+                "use fewer boxes at a time");
   }
   state_->used_columns = false;
   if (!state_->keep(boxes)) {

@@ -101,21 +101,21 @@ void put_contact(std::string& bytes, std::uint32_t first, std::uint32_t second,
 
 void check(const RecordingHead& head) {
   const auto refuse = [](const char* what) {
-    throw Error(ErrorKind::usage, std::string("recording: ") + what, "give one that can be");
+    throw Error(ErrorKind::usage, std::string("recording: ") + what, "give a valid value");
   };
   const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
   if (!positive(head.frames_a_second)) {
-    refuse("a frame rate that is not positive");
+    refuse("the frame rate is not positive");
   }
   const auto scaled = [&](const RecordedMesh& mesh) { return positive(mesh.scale); };
   if (!std::all_of(head.models.begin(), head.models.end(), scaled) ||
       !std::all_of(head.environment.begin(), head.environment.end(),
                    [&](const RecordedBody& body) { return scaled(body.mesh); })) {
-    refuse("a scale that is not positive");
+    refuse("a scale is not positive");
   }
   if (std::any_of(head.movers.begin(), head.movers.end(),
                   [&](std::uint32_t model) { return model >= head.models.size(); })) {
-    refuse("a mover of no model");
+    refuse("a mover refers to a model that does not exist");
   }
 }
 
@@ -136,7 +136,7 @@ RecordingWriter::RecordingWriter(std::ostream& out, RecordingHead head) : out_(o
 void RecordingWriter::write(const std::string& bytes) {
   if (!out_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
     throw Error(ErrorKind::cannot_write, "recording: cannot write",
-                "make room or choose another place");
+                "free some space, or choose another location");
   }
 }
 
@@ -224,7 +224,7 @@ void RecordingWriter::finish(RecordingEnding ending) {
   write(content);
   if (!out_.flush()) {
     throw Error(ErrorKind::cannot_write, "recording: cannot write",
-                "make room or choose another place");
+                "free some space, or choose another location");
   }
 }
 

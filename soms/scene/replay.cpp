@@ -31,7 +31,7 @@ std::unique_ptr<std::istream> open(const std::filesystem::path& path) {
   const auto status = std::filesystem::status(path, ignored);
   const bool there = std::filesystem::exists(status);
   if (there && !std::filesystem::is_regular_file(status)) {
-    throw Error(ErrorKind::cannot_open, path.string() + ": is not a file", "give a recording");
+    throw Error(ErrorKind::cannot_open, path.string() + ": not a file", "give a recording");
   }
   auto in = std::make_unique<std::ifstream>(path, std::ios::binary);
   if (!*in) {
@@ -52,7 +52,7 @@ std::uint64_t read_content(detail::RecordingBytes& bytes, const ChunkHead& head,
   try {
     read(content);
     if (content.left() != 0) {
-      wrong = content.fault("more in a chunk than it should hold");
+      wrong = content.fault("a chunk is too long for its content");
     }
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::cancelled) {
@@ -61,7 +61,7 @@ std::uint64_t read_content(detail::RecordingBytes& bytes, const ChunkHead& head,
     wrong = error;
   }
   if (!content.is_unaltered()) {
-    throw bytes.fault(begin, "the chunk that begins here was altered");
+    throw bytes.fault(begin, "the chunk that begins here is corrupt");
   }
   if (wrong) {
     throw Error(*wrong);
@@ -96,7 +96,7 @@ struct Replay::State {
       }
       if (bytes.position() != bytes.size()) {
         end.reset();
-        throw bytes.fault(bytes.position(), "more bytes after the end of the recording");
+        throw bytes.fault(bytes.position(), "there are bytes after the end of the recording");
       }
     } catch (const Error& error) {
       if (error.kind() == ErrorKind::cancelled) {
@@ -134,7 +134,8 @@ struct Replay::State {
       seen.frames = frames;
       seen.hash = hash.value();
       if (said != seen) {
-        throw bytes.fault(begin, "the end states other contacts than the frames contain");
+        throw bytes.fault(begin,
+                          "the number of contacts at the end differs from that of the frames");
       }
       end = said;
     } else {
@@ -227,10 +228,10 @@ const std::optional<Error>& Replay::fault() const {
 const RecordedFrame& Replay::frame(std::uint64_t i) {
   State& state = *state_;
   if (i >= state.frames) {
-    throw Error(ErrorKind::usage,
-                "frame " + std::to_string(i) + " of " + std::to_string(state.frames),
-                state.frames == 0 ? "the recording holds none"
-                                  : "frames count from 0 to " + std::to_string(state.frames - 1));
+    throw Error(
+        ErrorKind::usage, "frame " + std::to_string(i) + " of " + std::to_string(state.frames),
+        state.frames == 0 ? "the recording holds none"
+                          : "frames are numbered from 0 to " + std::to_string(state.frames - 1));
   }
   const auto behind =
       std::upper_bound(state.chunks.begin(), state.chunks.end(), i,

@@ -266,7 +266,7 @@ void Scene::ignore(MoverId a, MoverId b) {
   Resident& first = state_->movers.at(a);
   Resident& second = state_->movers.at(b);
   if (a == b) {
-    throw Error(ErrorKind::usage, "scene: mover " + std::to_string(a) + " is to ignore itself",
+    throw Error(ErrorKind::usage, "scene: mover " + std::to_string(a) + " cannot ignore itself",
                 "name two movers; a mover is never compared with itself");
   }
   detail::insert_mutually(first.ignored_movers, b, second.ignored_movers, a);

@@ -64,7 +64,7 @@ constexpr std::array<Row, 6> kRows{{
 }};
 
 void check_rule(Rule rule) {
-  require(within(rule, Rule::quality), "rule is none of the named ones", "name a rule");
+  require(within(rule, Rule::quality), "unknown rule", "use one of the rules in Rule");
 }
 
 }  // namespace
@@ -102,11 +102,11 @@ BuildOptions thesis_options(Rule rule, int level) {
 
 void check(const BuildOptions& options) {
   check_rule(options.rule);
-  require(within(options.midpoint, Midpoint::aabb), "midpoint is none of the named ones",
+  require(within(options.midpoint, Midpoint::aabb), "unknown midpoint",
           "use thesis, centroid or aabb");
-  require(!options.axis_from || within(*options.axis_from, AxisFrom::inner),
-          "axis_from is none of the named ones", "use outer or inner");
-  require(within(options.empty_side, EmptySide::chain), "empty_side is none of the named ones",
+  require(!options.axis_from || within(*options.axis_from, AxisFrom::inner), "unknown axis_from",
+          "use outer or inner");
+  require(within(options.empty_side, EmptySide::chain), "unknown empty_side",
           "use stop, next_axis, object_median or chain");
   require(options.c_vertex >= 0 && options.c_vertex <= 2,
           "c_vertex is " + std::to_string(options.c_vertex), "use 0, 1 or 2");
@@ -119,7 +119,7 @@ void check(const BuildOptions& options) {
   require(options.per_leaf >= 1, "per_leaf is " + std::to_string(options.per_leaf),
           "use 1 or more");
   require(options.empty_side != EmptySide::chain || options.level > 0,
-          "empty_side chain without a level limit would not end", "give a level");
+          "empty_side chain without a limit of levels never ends", "set level");
   for (const Row& row : kRows) {
     if (row.is_set(options) && row.has_no_effect(options)) {
       refuse_idle("build options", row.idle);

@@ -82,7 +82,8 @@ Shape refit(const Shape& shape, std::shared_ptr<const Mesh> mesh, const Parallel
   expect_as_many(mesh->vertices.size(), shape.mesh().vertices.size(), "vertices");
   expect_as_many(mesh->triangles.size(), shape.mesh().triangles.size(), "triangles");
   if (mesh->triangles != shape.mesh().triangles) {
-    throw Error(ErrorKind::usage, "refit: other triangles than the shape's", "build a new shape");
+    throw Error(ErrorKind::usage, "refit: the triangles are not those of the shape",
+                "build a new shape");
   }
   check(*mesh);
   check_stop(parallel);

@@ -41,7 +41,7 @@ Shape::Shape(std::shared_ptr<const Mesh> mesh, const ShapeOptions& options,
              const Parallel& parallel)
     : mesh_(std::move(mesh)), build_options_(options.build) {
   if (!mesh_) {
-    throw Error(ErrorKind::usage, "shape: no mesh", "give a mesh, be it an empty one");
+    throw Error(ErrorKind::usage, "shape: no mesh", "give a mesh; it may be empty");
   }
   check(*mesh_);
   if (options.keep_tree) {

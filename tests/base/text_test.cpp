@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,16 @@ namespace {
 
 TEST(Text, EscapesMarkupAndQuotes) {
   EXPECT_EQ(xml_text("a<b> & \"c\""), "a&lt;b&gt; &amp; &quot;c&quot;");
+}
+
+TEST(Text, WritesSizesInTheirUnit) {
+  EXPECT_EQ(readable_bytes(0), "0 bytes");
+  EXPECT_EQ(readable_bytes(1), "1 byte");
+  EXPECT_EQ(readable_bytes(1023), "1023 bytes");
+  EXPECT_EQ(readable_bytes(1024), "1.0 KiB");
+  EXPECT_EQ(readable_bytes(12141912), "11.6 MiB");
+  EXPECT_EQ(readable_bytes((1U << 20) - 1), "1.0 MiB") << "never 1024.0 KiB";
+  EXPECT_EQ(readable_bytes(~std::uint64_t{0}), "16.0 EiB");
 }
 
 TEST(Text, KeepsCharactersOfEveryLength) {

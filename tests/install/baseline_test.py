@@ -40,7 +40,7 @@ def main():
                       ["sphere", "--triangles", "800", "-o", "ball.off"]):
             say([soms, "generate", *model], folder)
         status, _, error = say([*baseline, *ask], folder, SOMS_ISA="sse4")
-        if status != 2 and status != 3 or "take one of scalar, or unset it" not in error:
+        if status != 2 and status != 3 or "use one of scalar, or unset it" not in error:
             sys.exit(f"the emulated processor has more than plain kernels: {status}, {error}")
         here = say([soms, *ask], folder)
         there = say([*baseline, *ask], folder)

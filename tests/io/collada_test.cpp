@@ -98,9 +98,8 @@ TEST(Collada, ReadsPolygonsStripsAndFansAndCountsLines) {
   EXPECT_EQ(polygons.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}, {0, 1, 4}}));
   EXPECT_EQ(polygons.faces, (std::vector<std::uint32_t>{0, 0, 2}));
   EXPECT_EQ(polygons.notes,
-            (std::vector<std::string>{
-                "faces with fewer than three corners, which gave no triangle: 1, in line 1",
-                "lines, which are not triangles: 5, the first in line 4"}));
+            (std::vector<std::string>{"faces with fewer than three corners, not read: 1, in line 1",
+                                      "lines, which are not triangles: 5, the first in line 4"}));
   const Mesh list = read_faces("<polylist count=\"2\">" + kInput +
                                "<vcount>3 4</vcount><p>0 1 4 0 1 2 3</p></polylist>");
   EXPECT_EQ(list.triangles, (Triangles{{0, 1, 4}, {0, 1, 2}, {0, 2, 3}}));
@@ -214,8 +213,8 @@ TEST(Collada, ShowsSkinsAsTheyWereBound) {
                 "a.dae");
   EXPECT_EQ(mesh.vertices[0], (Vec3{7, 0, 0}));
   EXPECT_EQ(mesh.vertices[5], (Vec3{0, 5, 0}));
-  EXPECT_EQ(mesh.notes, (std::vector<std::string>{"skins shown in the shape they were bound in: 1",
-                                                  "morphs shown in their base shape: 1",
+  EXPECT_EQ(mesh.notes, (std::vector<std::string>{"skins read in their bind shape, not posed: 1",
+                                                  "morphs read in their base shape: 1",
                                                   "animations are not applied"}));
 }
 
@@ -229,8 +228,8 @@ TEST(Collada, ShowsTheBaseShapeOfAMorphThatHasASkin) {
   };
   const Mesh mesh = read_text(skin_of("m"), "a.dae");
   EXPECT_EQ(mesh.vertices, read_text(skin_of("g"), "a.dae").vertices);
-  EXPECT_EQ(mesh.notes, (std::vector<std::string>{"skins shown in the shape they were bound in: 1",
-                                                  "morphs shown in their base shape: 1"}));
+  EXPECT_EQ(mesh.notes, (std::vector<std::string>{"skins read in their bind shape, not posed: 1",
+                                                  "morphs read in their base shape: 1"}));
   expect_refused(skin_of("c"), "a.dae", ErrorKind::bad_file,
                  "<controller id=\"c\"> is not a morph");
   expect_refused(skin_of("h"), "a.dae", ErrorKind::bad_file, "which does not exist");
@@ -243,15 +242,15 @@ TEST(Collada, ShowsEveryGeometryOfALibraryWithoutAScene) {
   EXPECT_EQ(mesh.triangles.size(), 2U);
   EXPECT_EQ(mesh.parts.at(1).name, "h shape");
   EXPECT_EQ(mesh.notes,
-            (std::vector<std::string>{"there is no scene: every geometry is shown once"}));
+            (std::vector<std::string>{"the file has no scene: every geometry is read once"}));
 }
 
 TEST(Collada, TellsOfGeometriesAndScenesThatAreNotShown) {
   std::string text = document(geometry(kTriangle) + geometry(kTriangle, "h"), node(kShow));
   text.replace(text.find("<visual_scene "), 0, "<visual_scene id=\"t\"/>");
   EXPECT_EQ(read_text(text, "a.dae").notes,
-            (std::vector<std::string>{"scenes that are not shown: 1",
-                                      "geometries that the scene does not show: 1"}));
+            (std::vector<std::string>{"scenes that were not read: 1",
+                                      "geometries that are not in the scene: 1"}));
 }
 
 TEST(Collada, ReadsNumbersAroundCommentsButNotThroughThem) {
@@ -261,7 +260,7 @@ TEST(Collada, ReadsNumbersAroundCommentsButNotThroughThem) {
   EXPECT_EQ(read_text(good, "a.dae").vertices, read_faces(kTriangle).vertices);
   expect_refused(
       document(geometry(kTriangle, "g", "0 0 0 1 0 0 1 1 0 0 1 0 0.5 0.5<!-- -->5 2"), node(kShow)),
-      "a.dae", ErrorKind::bad_file, "inside a number");
+      "a.dae", ErrorKind::bad_file, "interrupts a number");
 }
 
 TEST(Collada, RefusesWhatItCannotShowRightly) {
@@ -277,20 +276,20 @@ TEST(Collada, RefusesWhatItCannotShowRightly) {
   refuse_faces("<triangles count=\"1\">" + kInput + "<p>0 1 5</p></triangles>", ErrorKind::bad_file,
                "line 4: vertex 5, but vertices are 0 to 4");
   refuse_faces("<triangles count=\"1\">" + kInput + "<p>0 1 2.5</p></triangles>",
-               ErrorKind::bad_file, "\"2.5\" where a whole number");
+               ErrorKind::bad_file, "\"2.5\" instead of a whole number");
   const auto refuse_node = [](const std::string& inside, ErrorKind kind, const std::string& words) {
     expect_refused(document(geometry(kTriangle), node(inside + kShow)), "a.dae", kind, words);
   };
   refuse_node("<matrix>1 0 0 0 0 1 0 0 0 0 1 0 1 2 3 1</matrix>", ErrorKind::unsupported,
               "the last row of <matrix> is not 0 0 0 1");
-  refuse_node("<rotate>0 0 0 30</rotate>", ErrorKind::bad_file, "a direction of no length");
+  refuse_node("<rotate>0 0 0 30</rotate>", ErrorKind::bad_file, "a direction of length 0");
   refuse_node("<skew>140 0 1 0 1 -1 0</skew>", ErrorKind::bad_file, "beyond its second");
   refuse_node("<scale>1e200 1 1</scale><scale>1e200 1 1</scale>", ErrorKind::not_finite,
               "<geometry id=\"g\"> under its transforms: x of a vertex");
   refuse_node("<instance_geometry url=\"file:///tmp/b.dae#g\"/>", ErrorKind::unsupported,
               "other files are not opened");
   expect_refused(document(geometry(kTriangle) + geometry(kTriangle), node(kShow)), "a.dae",
-                 ErrorKind::bad_file, "which exists twice");
+                 ErrorKind::bad_file, "which is defined twice");
   expect_refused(document("", node("")), "a.dae", ErrorKind::empty_mesh, "no triangles");
 }
 
@@ -304,7 +303,7 @@ TEST(Collada, RefusesReferencesToTheCharacterZero) {
   for (const std::string zero : {"&#0;", "&#x0;", "&#000;", "&#4294967296;", "&#x100000000;"}) {
     SCOPED_TRACE(zero);
     const auto refuse = [](const std::string& text) {
-      expect_refused(text, "a.dae", ErrorKind::bad_file, "line 4: this is no well-formed XML");
+      expect_refused(text, "a.dae", ErrorKind::bad_file, "line 4: not well-formed XML");
     };
     refuse(document(geometry(with(zero)), node(kShow)));
     refuse(document(geometry(with(joined({"<!-- \" -->", zero}))), node(kShow)));
@@ -353,7 +352,7 @@ TEST(Collada, ReadsDeepFilesOnASmallStack) {
       deep += "<a>";
       brackets += "[<!x ";
     }
-    expect_refused(deep, "deep.dae", ErrorKind::bad_file, "no well-formed XML");
+    expect_refused(deep, "deep.dae", ErrorKind::bad_file, "not well-formed XML");
     expect_refused(brackets, "brackets.dae", ErrorKind::unsupported, "an XML file");
   });
 }
@@ -367,7 +366,7 @@ TEST(Collada, IsReportedByItsContent) {
   EXPECT_FALSE(detail::is_collada("<COLLADAS>"));
   EXPECT_FALSE(detail::is_collada("<!-- <COLLADA>"));
   expect_refused(text, "model.stl", ErrorKind::bad_file,
-                 "the content is COLLADA, the name says STL");
+                 "the content is COLLADA, but the extension says STL");
 }
 
 /// A reading of one file by hand, with nothing in common with the reader: numbers of the arrays,

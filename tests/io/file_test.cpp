@@ -55,7 +55,7 @@ TEST(ReadFile, KeepsToItsLimit) {
   const TemporaryFolder folder;
   write_content(folder.path() / "file", std::string(1000, 'x'));
   expect_refused([&] { static_cast<void>(detail::read_file(folder.path() / "file", 999)); },
-                 ErrorKind::out_of_memory, "more than the 999 bytes");
+                 ErrorKind::out_of_memory, "the file exceeds the memory limit of 999 bytes");
 }
 
 TEST(RegularFile, IsOneFileByEachOfItsNamesAndNoLinkOrPipe) {
@@ -76,8 +76,8 @@ TEST(RegularFile, IsOneFileByEachOfItsNamesAndNoLinkOrPipe) {
                    ErrorKind::cannot_open, words);
   };
   refuse("link", "link: ");
-  refuse("pipe", "pipe: no regular file");  // at once, though nobody writes into it
-  refuse(".", "no regular file");
+  refuse("pipe", "pipe: not a regular file");  // at once, though nobody writes into it
+  refuse(".", "not a regular file");
   refuse("missing", "No such file");
 }
 

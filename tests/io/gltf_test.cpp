@@ -140,7 +140,7 @@ TEST(Gltf, ReplacesElementsOfSparseAccessorsWithAndWithoutAView) {
   std::string falling = binary;
   falling[48] = 3;
   expect_refused([&] { static_cast<void>(read("", falling)); }, ErrorKind::bad_file,
-                 "accessors[0].sparse.indices: index 1 is 3; they must ascend");
+                 "accessors[0].sparse.indices: index 1 is 3; sparse indices must ascend");
 }
 
 TEST(Gltf, ReadsIntegersAsPositionsWhereTheExtensionIsNamed) {
@@ -181,7 +181,7 @@ TEST(Gltf, AppliesScaleThenRotationThenTranslationFromTheInsideOut) {
   EXPECT_NEAR(mesh.vertices[2].x, 98, 1e-12);
   EXPECT_NEAR(mesh.vertices[2].y, 2, 1e-12);
   expect_refused(placed(R"("nodes":[{"mesh":0,"rotation":[0,0,0,2]}])"), "a.glb",
-                 ErrorKind::bad_file, "nodes[0].rotation: the quaternion is not of length 1");
+                 ErrorKind::bad_file, "nodes[0].rotation: the quaternion does not have length 1");
   expect_refused(placed(R"("nodes":[{"mesh":0,"matrix":[1,0,0,1,0,1,0,0,0,0,1,0,0,0,0,1]}])"),
                  "a.glb", ErrorKind::bad_file, "nodes[0].matrix: the last row");
 }
@@ -198,13 +198,14 @@ TEST(Gltf, ReadsTheDefaultSceneAndSaysWhichWasRead) {
   const std::string scenes = R"(,"scenes":[{"nodes":[0]},{"nodes":[1]}])";
   const Mesh second = read_text(placed(nodes, scenes + R"(,"scene":1)"), "a.glb");
   EXPECT_EQ(second.vertices[0].x, 7);
-  EXPECT_EQ(second.notes[0], "of 2 scenes, number 1 was read, the default");
+  EXPECT_EQ(second.notes[0], "the file has 2 scenes; only scene 1, the default, was read");
   const Mesh first = read_text(placed(nodes, scenes), "a.glb");
   EXPECT_EQ(first.vertices[0].x, 0);
-  EXPECT_EQ(first.notes[0], "of 2 scenes, number 0 was read, as none is the default");
+  EXPECT_EQ(first.notes[0],
+            "the file has 2 scenes; only scene 0 was read, because none is the default");
   const Mesh all = read_text(placed(nodes, R"(,"scenes":[])"), "a.glb");
   EXPECT_EQ(all.triangles.size(), 4U);
-  EXPECT_EQ(all.notes[0], "no scene is there: all nodes were read");
+  EXPECT_EQ(all.notes[0], "the file has no scene: all nodes were read");
 }
 
 TEST(Gltf, RefusesNodesThatAreNoTrees) {
@@ -215,7 +216,7 @@ TEST(Gltf, RefusesNodesThatAreNoTrees) {
   refuse(R"("nodes":[{"children":[1,2]},{"children":[2]},{"mesh":0}])", "is a child of nodes[0]");
   refuse(R"("nodes":[{"children":[1]},{"mesh":0,"children":[0]}])", "scenes[0].nodes[0]");
   refuse(R"("nodes":[{"mesh":0}])", "listed twice", R"(,"scenes":[{"nodes":[0,0]}])");
-  refuse(R"("nodes":[{"mesh":0},{"children":[1]}])", "in a circle", R"(,"scenes":[])");
+  refuse(R"("nodes":[{"mesh":0},{"children":[1]}])", "form a cycle", R"(,"scenes":[])");
 }
 
 TEST(Gltf, NeedsLittleStackForDeepNodesAndJson) {
@@ -227,7 +228,7 @@ TEST(Gltf, NeedsLittleStackForDeepNodesAndJson) {
   const std::string deep = R"({"asset":)" + std::string(100'000, '[');
   on_small_stack([&] {
     EXPECT_EQ(read_text(chain, "a.glb").triangles.size(), 2U);
-    expect_refused(deep, "a.gltf", ErrorKind::bad_file, "nests more than 128 deep");
+    expect_refused(deep, "a.gltf", ErrorKind::bad_file, "nested more than 128 levels deep");
   });
 }
 
@@ -273,9 +274,9 @@ TEST(Gltf, KeepsJsonOfManySmallValuesWithinItsMemory) {
 TEST(Gltf, NamesTheLineOrByteWhereJsonEnds) {
   expect_refused("{\"asset\":\n\n  }", "a.gltf", ErrorKind::bad_file, "a.gltf, line 3");
   expect_refused("{\"asset\":{\"version\":\"2.0\"},\n\"scene\":1e999}", "a.gltf",
-                 ErrorKind::not_finite, "line 2: a number that is too large");
+                 ErrorKind::not_finite, "line 2: a number is too large");
   expect_refused(R"({"asset":{"version":"2.0","version":"2.0"}})", "a.gltf", ErrorKind::bad_file,
-                 "asset.version: the name occurs twice");
+                 "asset.version: this name occurs twice");
   expect_refused(glb("#", ""), "a.glb", ErrorKind::bad_file, "byte 47");
 }
 
@@ -304,11 +305,11 @@ TEST(Gltf, OpensFilesOfItsFolderOnly) {
   refuse("../out.bin", ErrorKind::bad_file, "outside the folder");
   refuse("deeper/%2e%2e/../out.bin", ErrorKind::bad_file, "outside the folder");
   refuse((outer.path() / "out.bin").string(), ErrorKind::bad_file, "outside the folder");
-  refuse("FILE:out.bin", ErrorKind::unsupported, "another place");
-  refuse("deeper", ErrorKind::cannot_open, "no regular file");
+  refuse("FILE:out.bin", ErrorKind::unsupported, "not a file in the folder");
+  refuse("deeper", ErrorKind::cannot_open, "not a regular file");
   refuse("missing.bin", ErrorKind::cannot_open, "No such file");
   expect_refused(content_of(folder / "a.gltf"), (folder / "a.gltf").string(),
-                 ErrorKind::cannot_open, "did not come from a file");
+                 ErrorKind::cannot_open, "cannot be found for a model from memory");
 }
 
 TEST(Gltf, CountsFilesBesideItTowardsTheMemoryThatItMayTake) {
@@ -387,8 +388,8 @@ TEST(Gltf, LeavesSkinsWhereTheirPositionsAre) {
   EXPECT_EQ(mesh.vertices[5], (Vec3{4, 0, 0}));
   EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}}));
   EXPECT_EQ(mesh.notes,
-            (std::vector<std::string>{"skins shown in the shape they were bound in, which joints "
-                                      "and nodes do not move: 1, in nodes[0]"}));
+            (std::vector<std::string>{"skins read in their bind shape, not posed by their "
+                                      "joints: 1, in nodes[0]"}));
 }
 
 TEST(Gltf, NotesChunksThatItDoesNotKnowAndBytesBehindThem) {

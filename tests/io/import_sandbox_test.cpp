@@ -162,7 +162,7 @@ TEST(ImportSandbox, SaysWhereTheKernelRefusesIt) {
   std::vector<std::string> unguarded = notes(false);
   ASSERT_EQ(unguarded.size(), guarded.size() + 1);
   EXPECT_EQ(unguarded.back(),
-            "soms-import ran without its sandbox (the kernel refuses it: Invalid argument): "
+            "soms-import ran without its sandbox (the kernel does not allow it: Invalid argument): "
             "a malicious file could have run code with your permissions; read untrusted files in a "
             "container");
   unguarded.pop_back();

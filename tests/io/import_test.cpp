@@ -153,10 +153,11 @@ echo "all is well"; exit 1)sh");
 
 TEST(Import, TurnsACrashOrNonsenseIntoAnError) {
   ImportedBy("kill -SEGV $$")
-      .expect_refused(ErrorKind::bad_file, "crashed on it (signal 11, within");
-  ImportedBy("exit 4").expect_refused(ErrorKind::out_of_memory, "needs more memory than its");
+      .expect_refused(ErrorKind::bad_file, "crashed (signal 11, memory limit");
+  ImportedBy("exit 4").expect_refused(ErrorKind::out_of_memory, "exceeds its memory limit of");
   ImportedBy("exit 9").expect_refused(ErrorKind::bad_file, "ended with status 9");
-  ImportedBy("true").expect_refused(ErrorKind::bad_file, "does not begin as an answer does");
+  ImportedBy("true").expect_refused(ErrorKind::bad_file,
+                                    "does not begin with the expected signature");
   ImportedBy("echo '<html>'")
       .expect_refused(ErrorKind::bad_file, "gave an invalid answer at byte 0");
   const auto refuse = [](const std::string& records, ErrorKind kind, const std::string& words) {
@@ -166,12 +167,13 @@ TEST(Import, TurnsACrashOrNonsenseIntoAnError) {
          "vertex 4, but vertices are 0 to 3");
   refuse(kCorners + face({0, 1, 2}), ErrorKind::bad_file, "cut off");
   refuse(record('f', bytes_of(0xffffffff, 4)) + ".", ErrorKind::bad_file, "cut off");
-  refuse(text('b', "a") + ".", ErrorKind::bad_file, "amid a part");
-  refuse(kCorners + face({0, 1, 2}) + ".x", ErrorKind::bad_file, "behind its end");
-  refuse("e.", ErrorKind::bad_file, "did not begin");
-  refuse("aw.", ErrorKind::bad_file, "an axis must be x, y or z");
+  refuse(text('b', "a") + ".", ErrorKind::bad_file, "inside a part");
+  refuse(kCorners + face({0, 1, 2}) + ".x", ErrorKind::bad_file, "continues after its end");
+  refuse("e.", ErrorKind::bad_file, "has not begun");
+  refuse("aw.", ErrorKind::bad_file, "the up axis must be x, y or z");
   for (const double unit : {0.0, -1.0, std::nan("")}) {
-    refuse(record('u', bytes_of(unit)) + ".", ErrorKind::bad_file, "a unit of that length");
+    refuse(record('u', bytes_of(unit)) + ".", ErrorKind::bad_file,
+           "the unit is not a positive number");
   }
   refuse("?", ErrorKind::bad_file, "unknown kind");
   refuse(vertex(0, std::nan(""), 0), ErrorKind::not_finite, "vertex 0: y of a vertex");
@@ -245,8 +247,8 @@ TEST(Import, EndsAChildWhenRequestedToStop) {
 
 TEST(Import, BoundsTheMemoryOfTheChildAndOfItsAnswer) {
   ImportedBy("a=aaaaaaaaaaaaaaaa; while :; do a=$a$a; done")
-      .expect_refused(ErrorKind::bad_file, "within 287 MiB", {.max_memory = 32 << 20});
-  ImportedBy("yes").expect_refused(ErrorKind::out_of_memory, "more than its limit leaves",
+      .expect_refused(ErrorKind::bad_file, "memory limit 287 MiB", {.max_memory = 32 << 20});
+  ImportedBy("yes").expect_refused(ErrorKind::out_of_memory, "exceeds the memory limit by",
                                    {.max_memory = 1 << 20});
 }
 
@@ -256,7 +258,7 @@ TEST(Import, CountsNotesTowardsTheMemory) {
     notes += text('n', "");
   }
   ImportedBy(kWrite, kMagic + notes + kCorners + face({0, 1, 2}) + ".")
-      .expect_refused(ErrorKind::out_of_memory, "more than its limit leaves",
+      .expect_refused(ErrorKind::out_of_memory, "exceeds the memory limit by",
                       {.max_memory = 2 << 20});
 }
 
@@ -402,7 +404,8 @@ TEST(Import, SaysOrUndoesWhatAssimpDoesToAxesAndUnits) {
   const Mesh drawing = read_text(kDxf, "a.dxf");
   EXPECT_EQ(drawing.triangle(0), stored);
   EXPECT_EQ(drawing.up, UpAxis::unknown);
-  EXPECT_NE(drawing.notes.at(0).find("its turn from z up to y up was undone"), std::string::npos);
+  EXPECT_NE(drawing.notes.at(0).find("its rotation from z up to y up was undone"),
+            std::string::npos);
   const Mesh left_handed = read_text(kX, "a.x");
   EXPECT_EQ(left_handed.triangle(0), (Triangle{{1, 22, -33}, {11, 2, -3}, {1, 2, -3}}));
   EXPECT_NE(left_handed.notes.at(0).find("z is negated"), std::string::npos);

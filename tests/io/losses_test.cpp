@@ -98,9 +98,10 @@ TEST(Losses, OfGoodFilesOnlyThoseWithMoreThanTrianglesHaveNotes) {
       {"extra_le.ply", {edges}},
       {"extra_be.ply", {edges}},
       {"face_colours.off",
-       {"face rows with one value after their corners, taken for a color: 15, the first in line "
+       {"face rows with one value after their corners, assumed to be a color: 15, the first in "
+        "line "
         "61"}},
-      {"two_scenes.gltf", {"of 2 scenes, number 1 was read, the default"}},
+      {"two_scenes.gltf", {"the file has 2 scenes; only scene 1, the default, was read"}},
       {"groups.obj", {"lines and points, which are not triangles: 2, the first in line 137"}},
   };
   for (const auto& row : rows_of("formats/FORMATS.csv", 1)) {
@@ -135,7 +136,7 @@ TEST(Losses, OfOthersAreRefusedByStrictAndNeverPassedInSilence) {
   const std::map<std::string, std::string> noted = {
       {"trail_bin.ply", "the first at byte 218"},
       {"t6.3ds", "the first at byte 86"},
-      {"t2.3ds", "where a second one starts, not read: 86, the first at byte 86"},
+      {"t2.3ds", "which begin a second one, not read: 86, the first at byte 86"},
       {"lost.obj", "lines that start with an unknown keyword, not read: 3, the first in line 5"}};
   int tried = 0;
   for (const auto& entry : std::filesystem::directory_iterator(*outside_data("losses"))) {

@@ -23,11 +23,11 @@ TEST(Obj, CountsNegativeIndicesFromTheVerticesSoFar) {
       read_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 9 9 9\nf -4 -1 1\n", "a.obj");
   EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {0, 3, 0}}));
   expect_refused("v 0 0 0\nf 1 1 -2\n", "a.obj", ErrorKind::bad_file,
-                 "line 2: vertex -2, but 1 vertex stands before this line");
+                 "line 2: vertex -2, but 1 vertex is defined before this line");
   expect_refused(kVertexLines + "f 1 2 5\n", "a.obj", ErrorKind::bad_file,
                  "line 5: vertex 5, but vertices are 1 to 4");
   expect_refused(kVertexLines + "f 1 2 0\n", "a.obj", ErrorKind::bad_file,
-                 "vertex 0, but vertices are 1 to 4; count vertices from 1");
+                 "vertex 0, but vertices are 1 to 4; vertices are numbered from 1");
 }
 
 TEST(Obj, LetsAFaceNameVerticesBehindIt) {
@@ -130,7 +130,7 @@ TEST(Obj, RefusesIndicesThatWrap) {
 
 TEST(Obj, TellsAFileOfOtherWordsFromAnEmptyModel) {
   expect_refused("this is\nno model\n", "a.obj", ErrorKind::bad_file,
-                 "no line begins with a keyword");
+                 "no line begins with an OBJ keyword");
   for (const std::string text : {"# nothing\n", "# nothing\nmtllib a.mtl\n", "g nothing\n"}) {
     expect_refused(text, "a.obj", ErrorKind::empty_mesh, "");
   }

@@ -47,7 +47,7 @@ TEST(Off, NotesWhatTheMagicWordDoesNotAnnounce) {
         .notes;
   };
   const std::vector<std::string> long_row = {
-      "vertex rows with more values after z than the first word of the file announces: 1, in line "
+      "vertex rows with more values after z than the keyword of the file declares: 1, in line "
       "3"};
   EXPECT_EQ(notes_of("OFF", "1"), long_row);
   EXPECT_EQ(notes_of("NOFF", "1 0 0 9"), long_row);
@@ -69,7 +69,7 @@ TEST(Off, RefusesARowThatIsCutShort) {
 
 TEST(Off, RefusesTwoRowsInOneLine) {
   expect_refused("OFF\n3 1 0\n0 0 0 1 0 0\n0 1 0\n3 0 1 2\n", "a.off", ErrorKind::bad_file,
-                 "the file ends where a face should be");
+                 "the file ends, but a face is missing");
 }
 
 TEST(Off, RefusesHugeCountsBeforeAllocating) {

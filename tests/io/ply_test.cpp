@@ -57,8 +57,7 @@ TEST(Ply, MapsTrianglesToFacesWherePolygonsAre) {
   EXPECT_EQ(mesh.triangles.size(), 4U);
   EXPECT_EQ(mesh.faces, (std::vector<std::uint32_t>{0, 1, 1, 3}));
   ASSERT_EQ(mesh.notes.size(), 1U);
-  EXPECT_EQ(mesh.notes[0],
-            "faces with fewer than three corners, which gave no triangle: 1, at face 2");
+  EXPECT_EQ(mesh.notes[0], "faces with fewer than three corners, not read: 1, at face 2");
   EXPECT_NO_THROW(check(mesh));
 }
 
@@ -114,7 +113,7 @@ TEST(Ply, RefusesCornersThatAreNoWholeNumbers) {
     expect_refused(
         head + vertex + bytes_of(3, 1) + bytes_of(0.0F) + bytes_of(0.0F) + bytes_of(corner),
         "a.ply", ErrorKind::bad_file,
-        std::trunc(corner) == corner ? "the only one is 0" : "is no whole number");
+        std::trunc(corner) == corner ? "the only one is 0" : "is not a whole number");
   }
 }
 
@@ -132,7 +131,7 @@ TEST(Ply, RefusesTextNumbersBeyondTheirType) {
   std::string head = kHead;
   head.replace(head.find("float x"), 7, "uchar x");
   expect_refused(head + "256 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n", "a.ply", ErrorKind::bad_file,
-                 "line 10: \"x\" is 256, beyond its type");
+                 "line 10: \"x\" is 256, out of range for its type");
   expect_refused(head + "1.5 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n", "a.ply", ErrorKind::bad_file,
                  "not a whole number");
 }

@@ -104,7 +104,7 @@ TEST(PoseReader, NamesFileAndLine) {
     expect_no_poses("\n" + header + "\n1,2,3\n", ErrorKind::bad_file, "line 2: the header");
   }
   expect_no_poses("x,y,z\n1,2,3\n1,2\n", ErrorKind::bad_file,
-                  "line 3: 2 numbers under a header of 3");
+                  "line 3: 2 numbers, but the header has 3");
   expect_no_poses("x,y,z\r\n1,2,3\r\n1,2,3,4\r\n", ErrorKind::bad_file, "line 3: 4 numbers");
   expect_no_poses("x,y,z\n1,b,3\n", ErrorKind::bad_file, "line 2: y is \"b\", not a number");
   expect_no_poses("x,y,z\n1,,3\n", ErrorKind::bad_file, "line 2: y is \"\", not a number");

@@ -38,10 +38,11 @@ TEST(ReadMesh, TellsTheFormatByContentThenByName) {
 }
 
 TEST(ReadMesh, RefusesANameThatContradictsTheContent) {
-  expect_refused(kPly, "a.obj", ErrorKind::bad_file,
-                 "the content is PLY, the name says OBJ; rename the file to end with .ply");
+  expect_refused(
+      kPly, "a.obj", ErrorKind::bad_file,
+      "the content is PLY, but the extension says OBJ; rename it with the extension .ply");
   expect_refused("OFF\n0 0 0\n", "a.stl", ErrorKind::bad_file,
-                 "the content is OFF, the name says STL");
+                 "the content is OFF, but the extension says STL");
 }
 
 TEST(ReadMesh, NamesWhatOtherContentIs) {
@@ -66,7 +67,7 @@ TEST(ReadMesh, NamesWhatOtherContentIs) {
   for (const std::string content : {" {\"type\":", "<?xml version=", "hello"}) {  // to be converted
     expect_refused(content, "a.xyz", ErrorKind::unsupported, "PLY, 3DS, STL, OFF, OBJ, GLB, glTF");
   }
-  expect_refused("hello", "a", ErrorKind::unsupported, "without a file extension");
+  expect_refused("hello", "a", ErrorKind::unsupported, "no file extension");
   expect_refused("hello", "a", ErrorKind::unsupported, "and by soms-import .3d .3mf");
 }
 
@@ -74,11 +75,12 @@ TEST(ReadMesh, NamesContentThatNoExtensionMakesAModel) {
   const std::string recording("\x89SOMS\r\n\x1a\x01\0\0\0", 12);
   for (const std::string name : {"run.somsrec", "run.ply", "run", "run.fbx"}) {
     expect_refused(recording, name, ErrorKind::unsupported,
-                   name + ": a recording of soms simulate, not a model; soms view plays it");
-    expect_refused("<html>", name, ErrorKind::unsupported, "a web page; get the file");
+                   name + ": a recording of soms simulate, not a model; play it with soms view");
+    expect_refused("<html>", name, ErrorKind::unsupported, "a web page; download the model file");
   }
   for (const std::string name : {"a.3ds", "a.GLB"}) {
-    expect_refused("Dear all,\r\n\tthe model\f", name, ErrorKind::bad_file, "this is text, not ");
+    expect_refused("Dear all,\r\n\tthe model\f", name, ErrorKind::bad_file,
+                   "the file is text, not ");
   }
   expect_refused("MM", "a.3ds", ErrorKind::bad_file, "a.3ds, byte");
   expect_refused("glTF", "a.glb", ErrorKind::bad_file, "a.glb, byte");
@@ -92,11 +94,11 @@ TEST(ReadMesh, TellsStepOfMachinesFromStepOfBuildings) {
     expect_refused(
         step("AUTOMOTIVE_DESIGN { 1 0 10303 }"), name, ErrorKind::unsupported,
         "a STEP file of the schema \"AUTOMOTIVE_DESIGN\": exact surfaces, not triangles; "
-        "of STEP only IFC is read; let the CAD program");
+        "of STEP only IFC is read; export STL");
   }
-  expect_refused(step("IFC4"), "house", ErrorKind::unsupported, "let the name end with .ifc");
-  expect_refused("ISO-10303-21;\nFILE_SCHEMA", "a", ErrorKind::unsupported,
-                 "without a file extension");
+  expect_refused(step("IFC4"), "house", ErrorKind::unsupported,
+                 "rename it with the extension .ifc");
+  expect_refused("ISO-10303-21;\nFILE_SCHEMA", "a", ErrorKind::unsupported, "no file extension");
 }
 
 TEST(ReadMesh, IsNeverSilentlyEmpty) {
@@ -200,7 +202,7 @@ TEST(ReadMesh, LooksForFilesOfAModelNowhereWhereADescriptorNamesIt) {
   for (const std::string& name : {std::string("/dev/stdin"), "/dev/fd/" + std::to_string(opened),
                                   std::string("/proc/self/fd/0")}) {
     expect_refused([&] { static_cast<void>(read_mesh(name)); }, ErrorKind::cannot_open,
-                   "did not come from a file");
+                   "cannot be found for a model from memory");
   }
   dup2(input, STDIN_FILENO);
   close(input);

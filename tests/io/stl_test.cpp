@@ -49,7 +49,7 @@ TEST(Stl, PassesNormalsThatAreNoNumbers) {
 TEST(Stl, RefusesATextThatEndsWithoutEndsolid) {
   // Cut between two facets, nothing else would show that the rest is missing.
   expect_refused("solid a\n" + kFacet, "a.stl", ErrorKind::bad_file,
-                 "line 9: the file ends where facet or endsolid should be");
+                 "line 9: expected facet or endsolid, but the file ends");
 }
 
 TEST(Stl, ReadsABinaryFileThatBeginsWithSolid) {
@@ -62,8 +62,9 @@ TEST(Stl, RefusesACountThatLies) {
     for (const std::uint64_t count :
          {std::uint64_t{1}, std::uint64_t{3}, std::uint64_t{1} << 31, std::uint64_t{0xffffffff}}) {
       // A text cannot hold the zero bytes of the second facet.
-      expect_refused(binary(header, count, 2), "a.stl", ErrorKind::bad_file,
-                     "byte 80: " + std::to_string(count) + " triangles are stated, 2 are there");
+      expect_refused(
+          binary(header, count, 2), "a.stl", ErrorKind::bad_file,
+          "byte 80: the header states " + std::to_string(count) + " triangles, but the file has 2");
     }
   }
 }
@@ -73,7 +74,8 @@ TEST(Stl, NotesAFewBytesBehindTheLastFacet) {
   EXPECT_EQ(mesh.triangles.size(), 2U);
   EXPECT_EQ(mesh.notes, (std::vector<std::string>{
                             "surplus bytes after the last triangle: 49, the first at byte 184"}));
-  expect_refused(binary("x", 2, 2) + std::string(50, ' '), "a.stl", ErrorKind::bad_file, "3 are");
+  expect_refused(binary("x", 2, 2) + std::string(50, ' '), "a.stl", ErrorKind::bad_file,
+                 "but the file has 3");
 }
 
 TEST(Stl, NamesTheTriangleWhoseCoordinateIsNotFinite) {

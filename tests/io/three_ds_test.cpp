@@ -77,7 +77,8 @@ TEST(ThreeDs, RefusesAMainChunkThatIsLongerThanTheFile) {
 TEST(ThreeDs, IsReportedByItsContent) {
   const std::string text = file(object("a", vertices(0) + faces(2)));
   EXPECT_EQ(read_text(text, "model").triangles.size(), 1U);
-  expect_refused(text, "model.stl", ErrorKind::bad_file, "the content is 3DS, the name says STL");
+  expect_refused(text, "model.stl", ErrorKind::bad_file,
+                 "the content is 3DS, but the extension says STL");
 }
 
 }  // namespace

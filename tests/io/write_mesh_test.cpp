@@ -301,7 +301,7 @@ TEST(WriteMesh, NamesWhatCannotBeWritten) {
   std::ostringstream closed;
   closed.setstate(std::ios::badbit);
   expect_refused([&] { write_mesh(closed, "standard output", mesh, MeshFormat::obj); },
-                 ErrorKind::cannot_write, "standard output: the stream takes no more");
+                 ErrorKind::cannot_write, "standard output: cannot write to the stream");
 }
 
 TEST(FormatFor, GoesByTheExtension) {
@@ -313,7 +313,7 @@ TEST(FormatFor, GoesByTheExtension) {
   EXPECT_EQ(format_for("a.glb"), MeshFormat::glb);
   for (const std::string name : {"a", "a.ply/b", "a.gltf", ""}) {
     expect_refused([&] { static_cast<void>(format_for(name)); }, ErrorKind::unsupported,
-                   "end it with .ply, .3ds, .stl, .off, .obj or .glb");
+                   "use .ply, .3ds, .stl, .off, .obj or .glb");
   }
 }
 

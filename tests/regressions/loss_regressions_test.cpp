@@ -145,7 +145,7 @@ TEST(FileRegressions, R115ASecondMainChunkOf3dsIsNoted) {
   const std::string file = three_ds_of("");
   ASSERT_EQ(file.size(), 86U);
   expect_noted(file + file, "t2.3ds",
-               {"bytes after the main chunk, where a second one starts, not read: 86, the first at "
+               {"bytes after the main chunk, which begin a second one, not read: 86, the first at "
                 "byte 86"});
   expect_noted(file + std::string(4, '\0'), "zeros.3ds",
                {"bytes after the main chunk, not read: 4, the first at byte 86"});

@@ -491,7 +491,7 @@ def many_rows_faults(browser, soms, folder):
     if away(page.soms("target()"), page.soms(f"center({r})")) > 1e-3:
         yield "many rows: the camera does not go to a row without triangles"
     left = [line.text for line in lines(page, "left")]
-    if page.soms(f"held({r})") == 0 and not any("not in this page" in text for text in left):
+    if page.soms(f"held({r})") == 0 and not any("not on this page" in text for text in left):
         yield f"many rows: a row without triangles does not say so: {left}"
     yield from log_faults(browser)
 

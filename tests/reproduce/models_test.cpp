@@ -156,7 +156,8 @@ TEST(Models, ThatAreNotTheOnesOfTheirNameAreRemarkedOn) {
   folder.put("venus.ply", 20);
   const Models models = find_models(folder.path(), kObjects);
   ASSERT_EQ(models.remarks.size(), 1U);
-  EXPECT_TRUE(holds(models.remarks[0], "venus.ply has other triangles")) << models.remarks[0];
+  EXPECT_TRUE(holds(models.remarks[0], "venus.ply does not have the triangles"))
+      << models.remarks[0];
 }
 
 TEST(Models, HaveBothTeapotsOrOneOrAStandIn) {
@@ -219,7 +220,7 @@ TEST(Models, LeaveTheFolder3dsAloneAndSaySo) {
   const Models models = find_models(folder.path(), kScenes);
   EXPECT_EQ(names_of(models.scenes), (Names{"u_mixed", "u_boxes", "u_plain"}));
   ASSERT_EQ(models.remarks.size(), 1U);
-  EXPECT_TRUE(holds(models.remarks[0], "its .3ds files (1) were not taken")) << models.remarks[0];
+  EXPECT_TRUE(holds(models.remarks[0], "its .3ds files (1) were not used")) << models.remarks[0];
 }
 
 TEST(Models, HaveStandInsForScenesThatCannotBeRead) {
@@ -305,7 +306,7 @@ TEST(Models, OfTheThesisHaveTheHashesOfTheGoldenTables) {
   EXPECT_EQ(names_of(models.scenes), (Names{"u_mixed", "u_boxes", "u_plain"}));
   EXPECT_GT(models.cities.size(), 10U);
   ASSERT_EQ(models.remarks.size(), 1U);
-  EXPECT_TRUE(holds(models.remarks[0], ".3ds files (19) were not taken")) << models.remarks[0];
+  EXPECT_TRUE(holds(models.remarks[0], ".3ds files (19) were not used")) << models.remarks[0];
 }
 
 }  // namespace

@@ -205,7 +205,7 @@ TEST(Replay, TellsContentThatNoSceneGives) {
   for (const std::uint32_t number : {2U, 0U, 0U, 0U}) {
     detail::put(nobody, number);
   }
-  EXPECT_NE(frame_with(nobody).find("not there"), std::string::npos);
+  EXPECT_NE(frame_with(nobody).find("does not exist"), std::string::npos);
 }
 
 TEST(Replay, EndsWellForAnyBytes) {

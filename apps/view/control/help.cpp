@@ -8,14 +8,14 @@ namespace soms::view {
 
 std::vector<HelpLine> help_lines() {
   std::vector<HelpLine> lines{{"Mouse", ""},
-                              {"left drag", "turn (fly: look around)"},
-                              {"Shift+left drag", "shift"},
-                              {"middle drag", "shift"},
-                              {"right drag, wheel", "nearer and farther"},
-                              {"click", "pick a triangle or contact"},
-                              {"double click", "set the pivot"},
+                              {"left drag", "rotate (fly: look around)"},
+                              {"Shift+left drag", "move the view"},
+                              {"middle drag", "move the view"},
+                              {"right drag, wheel", "zoom in and out"},
+                              {"click", "select a triangle or contact"},
+                              {"double click", "rotate around this point"},
                               {"drag a handle", "move the object"},
-                              {"drop a file", "add the model"}};
+                              {"drop a file", "add the model to the scene"}};
   std::string_view group;
   for (const ActionRow& row : actions()) {
     if (row.group != group) {
@@ -27,7 +27,7 @@ std::vector<HelpLine> help_lines() {
     }
     lines.push_back({keys_of(row.action), std::string(row.help)});
   }
-  lines.push_back({"Shift+arrows", "a tenth as far, also Shift+PgUp, PgDn"});
+  lines.push_back({"Shift+arrows", "a tenth of a step; also Shift+PgUp, Shift+PgDn"});
   return lines;
 }
 

@@ -120,8 +120,8 @@ void Panels::menu_bar(Session& session) {
     ImGui::EndMenu();
   }
   if (widgets_.begin_menu("Camera")) {
-    item("See all", Action::reset_camera);
-    item("Go to what is picked", Action::focus);
+    item("Show everything", Action::reset_camera);
+    item("Go to the selection", Action::focus);
     item("Front", Action::view_front);
     item("Right", Action::view_right);
     item("Above", Action::view_top);
@@ -301,7 +301,7 @@ void Panels::frame_panel(const Facts& facts, const FrameTimes& times, const Draw
   ImGui::Text("%s draw calls, %s triangles", grouped(drawn.draw_calls).c_str(),
               grouped(drawn.triangles).c_str());
   if (drawn.triangles_left > 0) {
-    ImGui::Text("%s more when still", grouped(drawn.triangles_left).c_str());
+    ImGui::Text("%s more when the view rests", grouped(drawn.triangles_left).c_str());
   }
   for (const std::string& line : facts.left_out) {
     ImGui::TextWrapped("%s", line.c_str());

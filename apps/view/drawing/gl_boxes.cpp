@@ -57,7 +57,7 @@ void GlBoxes::fill(const BoxGroup& boxes, Group& group) {
   }
   group.count = group.rows.size();
   group.buffer.fill(std::as_bytes(std::span(group.rows)));
-  check_device("bringing " + std::to_string(group.count) + " boxes to the device");
+  check_device("uploading " + std::to_string(group.count) + " boxes to the device");
   read_rows<Row>(group.reading, group.buffer);
   if (!group.translucent) {
     group.rows = {};

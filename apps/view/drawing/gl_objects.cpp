@@ -164,7 +164,7 @@ void check_device(const std::string& doing) {
     }
     if (fault != GL_CONTEXT_LOST) {
       throw Error(ErrorKind::unsupported,
-                  "OpenGL: the driver refused a call (" + std::to_string(fault) + ") " + doing,
+                  "OpenGL: the driver reports an error (" + std::to_string(fault) + ") " + doing,
                   "update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1");
     }
   }

@@ -41,7 +41,7 @@ void GlSurfaces::upload(const DrawMesh& mesh, OnDevice& place, const GlSlicer& s
   place.version = mesh.version;
   place.vertices.fill(std::as_bytes(std::span(cut.vertices)));
   place.indices.fill(std::as_bytes(std::span(cut.indices)));
-  check_device("bringing a mesh of " + std::to_string(mesh.mesh->triangles.size()) +
+  check_device("uploading a mesh of " + std::to_string(mesh.mesh->triangles.size()) +
                " triangles to the device");
   place.reading.floats(0, 3, place.vertices, sizeof(TileVertex), offsetof(TileVertex, x), 0);
   place.reading.color(1, place.vertices, sizeof(TileVertex), offsetof(TileVertex, color), 0);

@@ -73,9 +73,10 @@ void GlTarget::make(Size size, int samples) {
   if (!whole) {
     const std::string pixels = std::to_string(size.width) + "x" + std::to_string(size.height);
     throw Error(ErrorKind::cannot_write,
-                "OpenGL: the driver has no room for a picture of " + pixels + " with " +
-                    std::to_string(samples) + (samples == 1 ? " sample" : " samples") + " a pixel",
-                samples > 1 ? "take one sample (--samples 1), or a smaller --size"
+                "OpenGL: the driver has no memory for a picture of " + pixels + " with " +
+                    std::to_string(samples) + (samples == 1 ? " sample" : " samples") +
+                    " per pixel",
+                samples > 1 ? "use one sample (--samples 1), or a smaller --size"
                             : "choose a smaller --size");
   }
 }

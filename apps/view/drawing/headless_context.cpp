@@ -123,7 +123,7 @@ HeadlessContext::HeadlessContext() {
   if (first_fault) {
     throw Error(*first_fault);
   }
-  refuse("no driver draws without a screen here",
+  refuse("no graphics driver can draw without a screen",
          "install libgl1-mesa-dri (software) or the driver of your graphics card");
 }
 

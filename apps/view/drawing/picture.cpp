@@ -195,7 +195,7 @@ void write_png(const Picture& picture, const std::filesystem::path& path) {
     if (error != 0) {
       throw Error(ErrorKind::cannot_write,
                   path.string() + ": " + std::generic_category().message(error),
-                  "choose a folder that exists, may be written and has room");
+                  "check that the folder exists and is writable, and that the disk has free space");
     }
   };
   check(file.open(path));

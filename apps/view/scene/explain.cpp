@@ -178,8 +178,8 @@ std::string reason(const Explanation& e) {
     case Stage::plane_of_a:
       return "all corners of the second lie on one side of the first's plane";
     case Stage::edges:
-      return e.touch ? "on the line common to both planes their pieces meet"
-                     : "on the line common to both planes their pieces do not meet";
+      return e.touch ? "on the line common to both planes, their segments meet"
+                     : "on the line common to both planes, their segments do not meet";
     case Stage::coplanar:
       return e.touch ? "both lie in one plane, and no edge separates them"
                      : "both lie in one plane, and an edge separates them";

@@ -30,8 +30,8 @@ SceneContent content_of(command::World world) {
 SceneContent content_of(command::World world, Replay recording) {
   const RecordingHead& head = recording.head();
   if (head.movers.size() != world.routes.size() || head.environment.size() != world.city.size()) {
-    throw Error(ErrorKind::usage, "a recording of other bodies",
-                "load the world by the recording's head");
+    throw Error(ErrorKind::usage, "the recording is of other bodies",
+                "load the world that the recording's head describes");
   }
   SceneContent content = content_of(std::move(world));
   for (MovingBody& mover : content.movers) {
@@ -42,7 +42,7 @@ SceneContent content_of(command::World world, Replay recording) {
   }
   if (recording.fault()) {
     content.notes.push_back("only " + std::to_string(recording.frames()) +
-                            " frames are whole: " + recording.fault()->what());
+                            " frames can be read: " + recording.fault()->what());
   }
   content.recording = std::make_shared<Replay>(std::move(recording));
   return content;

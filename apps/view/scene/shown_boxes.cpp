@@ -119,7 +119,7 @@ void add_trace(ViewScene& scene, const ViewOptions& options, bool first, ShownBo
 std::vector<std::uint32_t> nodes_of_level(const Tree& tree, int level, bool leaves_above) {
   if (level < 1) {
     throw Error(ErrorKind::usage, "level " + std::to_string(level) + " of a tree",
-                "levels count from 1, the root alone");
+                "levels are numbered from 1, the root");
   }
   const auto depth = static_cast<std::uint32_t>(level - 1);
   std::vector<std::uint32_t> nodes;

@@ -32,17 +32,17 @@ constexpr std::uint8_t kGlass = 70;  // opacity of --see-through
 constexpr std::uint8_t kBoxFaces = 60;
 
 const char* const kFooter =
-    "Without a city: an embedded one of 1,000,000 triangles, with cars, persons and drones. A\n"
-    "city from files has movers only where --mover, --route or --count ask for them. Touching\n"
-    "triangles are red. A camera is scene, contact or mover:N, a side (north, southwest, top,\n"
-    "or bearing:elevation in degrees) and a zoom, in any order, as in contact,45:30,2x; or six\n"
-    "numbers, where the eye is and what it looks at.\n\n"
+    "Without CITY, an embedded city of 1,000,000 triangles is used, with cars, persons and\n"
+    "drones. A city from files has movers only if --mover, --route or --count is given. Touching\n"
+    "triangles are red. A camera is a subject (scene, contact or mover:N), a side (north,\n"
+    "southwest, top, or bearing:elevation in degrees) and a zoom, in any order, as in\n"
+    "contact,45:30,2x; or six numbers: the position of the eye and the point that it looks at.\n\n"
     "Example:\n"
     "  soms generate city --triangles 20000 -o town.ply\n"
     "  soms render town.ply -o town.png --size 960x540";
 
 void add_picture_options(CLI::App& app, RenderOptions& options) {
-  app.add_option("-o,--output", options.output, "picture to write, PNG; - is standard output")
+  app.add_option("-o,--output", options.output, "PNG file to write; - is standard output")
       ->required()
       ->option_text("FILE");
   app.add_option_function<std::string>(
@@ -51,57 +51,57 @@ void add_picture_options(CLI::App& app, RenderOptions& options) {
       ->option_text("WxH");
   app.add_option_function<std::string>(
          "--camera", [&options](const std::string& text) { options.camera = parse_camera(text); },
-         "where from, see below (scene,215:30)")
-      ->option_text("WORDS");
+         "point of view; see below (scene,215:30)")
+      ->option_text("CAMERA");
   app.add_flag("--center", options.center,
-               "numbers of --camera count from the middle of the scene");
+               "measure the numbers of --camera from the center of the scene");
   command::add_count(app, "--samples", options.samples, 1, 16,
-                     "samples a pixel; more make smoother edges and take more memory (4)");
+                     "samples per pixel; more give smoother edges and take more memory (4)");
 }
 
 void add_content_options(CLI::App& app, RenderOptions& options) {
   app.add_option("--pose", options.pose,
-                 "where the mover stands: \"x y z [qw qx qy qz]\", or a CSV file of poses")
+                 "pose of the mover: \"x y z [qw qx qy qz]\", or a CSV file of poses")
       ->option_text("POSE");
   command::add_count(app, "--frame", options.frame, 0, 1'000'000'000,
-                     "frame of the simulation, a sixtieth of a second each (0)");
+                     "frame of the simulation to draw, at 60 frames per second (0)");
   command::add_count(app, "--level", options.level, 1, 1000,
-                     "boxes of this level of the tree, the root being 1");
+                     "draw the boxes of this level of the tree; the root is level 1");
   command::add_choice<LevelOf>(app, "--level-of", options.level_of,
                                {{"city", LevelOf::city}, {"mover", LevelOf::mover}},
-                               "whose tree (city)");
+                               "tree that --level draws (city)");
   command::add_choice<BoxStyle>(
       app, "--boxes", options.boxes,
       {{"wire", BoxStyle::wire}, {"solid", BoxStyle::solid}, {"both", BoxStyle::both}},
-      "edges, faces, or both (wire)");
+      "draw edges of boxes, faces, or both (wire)");
   app.add_flag("--trace", options.trace,
-               "boxes that --traversal visited, pruned and found, of the city and the mover;\n"
-               "of a --mover without --count one is drawn");
+               "draw the boxes that --traversal visited, pruned and found in the city and the\n"
+               "mover; with --mover but no --count, there is one mover");
   app.add_flag_callback(
       "--no-prune", [&options] { options.shown.trees.traversal.prune = false; },
-      "of --trace: go on into boxes that are apart, to see what pruning saves");
+      "with --trace: descend into disjoint boxes, too, to see what pruning saves");
   command::Choices<std::string> tests;
   for (const OrientationTest& test : orientation_tests()) {
     tests.emplace_back(test.name, test.name);
   }
   command::add_choice<std::string>(
       app, "--test", options.test, std::move(tests),
-      "send the mover through an orientation test, of which --frame\nnames a frame");
+      "send the mover through an orientation test; --frame chooses\nthe frame");
   command::add_choice<CityColors>(
       app, "--colors", options.shown.city_colors,
       {{"building", CityColors::by_building}, {"plain", CityColors::plain}},
-      "of the city (building)");
+      "colors of the city (building)");
   app.add_flag("--see-through", options.see_through, "draw the city as glass");
   app.add_flag("--edges",
                [&options](std::int64_t) {
                  options.shown.city_style = SurfaceStyle::both;
                  options.shown.mover_style = SurfaceStyle::both;
                })
-      ->description("draw the edges of triangles, too");
+      ->description("also draw the edges of triangles");
   app.add_flag("--contacts-on-top", options.shown.contacts.on_top,
-               "show contacts through what hides them");
+               "draw contacts over everything that hides them");
   app.add_flag("--spots", options.shown.contacts.spots,
-               "a dot where a mover touches, however far it is");
+               "mark each touching mover with a dot, at any distance");
   command::add_build_options(app, options.shown.trees.build);
   command::add_traversal_options(app, options.shown.trees.traversal);
 }
@@ -115,7 +115,7 @@ void check_level(int level, const Tree& tree) {
   if (static_cast<std::uint32_t>(level) > levels) {
     throw Error(
         ErrorKind::usage,
-        fmt::format("--level {}: the tree has {}", level, command::counted(levels, "level")),
+        fmt::format("--level {}: the tree has only {}", level, command::counted(levels, "level")),
         levels == 0 ? std::string("leave it out") : fmt::format("give 1 to {}", levels));
   }
 }
@@ -154,7 +154,7 @@ void report(const RenderOptions& options, const ViewScene& scene, const GlRender
   const DrawStatistics drawn = renderer.statistics();
   const SceneStatistics facts = scene.statistics();
   if (options.trace && facts.trace_cut) {
-    console.note(fmt::format("--trace: stopped after {}; there is more",
+    console.note(fmt::format("--trace: stopped after {}; the rest is not drawn",
                              command::counted(kMostWatchedTests, "box test")));
   }
   if (!console.shared().json) {
@@ -212,8 +212,8 @@ void check_frame(std::uint64_t frame, const ViewScene& scene) {
 void check_effects(const CLI::App& app, const RenderOptions& options) {
   const auto needs = [&](const char* option, bool there, const char* other) {
     if (app.count(option) > 0 && !there) {
-      throw Error(ErrorKind::usage, fmt::format("{} without {} changes nothing", option, other),
-                  fmt::format("give {}, too, or leave it out", other));
+      throw Error(ErrorKind::usage, fmt::format("{} has no effect without {}", option, other),
+                  fmt::format("also give {}, or leave it out", other));
     }
   };
   needs("--level-of", options.level.has_value(), "--level");
@@ -234,7 +234,7 @@ void check_effects(const CLI::App& app, const RenderOptions& options) {
   }
   if (app.count("--no-prune") > 0 &&
       options.shown.trees.traversal.traversal == Traversal::e_node_front) {
-    throw Error(ErrorKind::usage, "--no-prune: --traversal e-node-front keeps what pruning leaves",
+    throw Error(ErrorKind::usage, "--no-prune: --traversal e-node-front needs pruning",
                 "choose another traversal, or leave it out");
   }
 }
@@ -314,7 +314,7 @@ Size parse_picture_size(const std::string& text) {
   if (cross == std::string::npos || !read(0, cross, size.width) ||
       !read(cross + 1, text.size(), size.height)) {
     throw Error(ErrorKind::usage, "--size " + text,
-                "write width and height in pixels, from 1 to 16384, as 1920x1080");
+                "give width and height in pixels from 1 to 16384, such as 1920x1080");
   }
   return size;
 }
@@ -336,8 +336,8 @@ command::Action add_render(CLI::App& app, command::Shared&) {
 int run_render(const RenderOptions& options, command::Console& console) {
   const std::uint64_t most = console.shared().max_memory;
   if (most != 0 && most < kLeastMemory) {
-    throw Error(ErrorKind::out_of_memory, "--max-memory: a driver that draws needs 256M",
-                "give more, or leave it out");
+    throw Error(ErrorKind::out_of_memory, "--max-memory: drawing needs at least 256M",
+                "raise the limit, or leave it out");
   }
   if (options.output == "-" && console.shared().json) {
     throw Error(ErrorKind::usage, "--json and the picture cannot both go to standard output",

@@ -26,7 +26,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMostZoom = 1e6;  ///< farther on, rounding would make eye and target one point
 constexpr const char* kRemedy =
-    "write for example scene,southwest,1.5x or contact or \"0 -50 20 0 0 0\"; see --help";
+    "give for example scene,southwest,1.5x or contact or \"0 -50 20 0 0 0\"; see --help";
 
 struct Side {
   std::string_view name;
@@ -79,7 +79,7 @@ bool read_side(const std::string& word, CameraChoice& choice) {
   choice.elevation = number(word.substr(colon + 1));
   choice.free_side = false;
   if (std::abs(choice.elevation) > 90) {
-    refuse(word + ": an elevation beyond 90 degrees");
+    refuse(word + ": the elevation is beyond 90 degrees");
   }
   return true;
 }
@@ -106,7 +106,7 @@ bool read_zoom(const std::string& word, CameraChoice& choice) {
   }
   choice.zoom = number(word.substr(0, word.size() - 1));
   if (!(choice.zoom >= 1 / kMostZoom && choice.zoom <= kMostZoom)) {
-    refuse(word + ": a zoom beyond a millionth and a million");
+    refuse(word + ": the zoom is not between a millionth and a million");
   }
   return true;
 }
@@ -132,7 +132,7 @@ Aim aim_at_mover(std::uint32_t number, const ViewScene& scene) {
   if (number >= scene.movers()) {
     throw Error(ErrorKind::usage,
                 fmt::format("--camera mover:{}: the scene has {} movers", number, scene.movers()),
-                "count movers from 0, or ask for more with --count");
+                "movers are numbered from 0; --count sets how many there are");
   }
   const Box box = scene.bounds(mover(number));
   return {box.center(), box, mover(number)};
@@ -287,7 +287,7 @@ CameraChoice parse_camera(const std::string& text) {
   CameraChoice choice;
   const std::vector<std::string> words = words_of(text);
   if (words.empty()) {
-    refuse("no words");
+    refuse("the value is empty");
   }
   const bool plain = std::all_of(words.begin(), words.end(), [](const std::string& word) {
     return starts_a_number(word) && !word.ends_with('x') && word.find(':') == std::string::npos;
@@ -300,7 +300,7 @@ CameraChoice parse_camera(const std::string& text) {
     choice.eye = {number(words[0]), number(words[1]), number(words[2])};
     choice.target = {number(words[3]), number(words[4]), number(words[5])};
     if (choice.eye == choice.target) {
-      refuse("the eye is where it looks");
+      refuse("the eye and the point that it looks at are the same");
     }
     return choice;
   }

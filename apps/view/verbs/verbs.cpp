@@ -9,7 +9,8 @@ namespace soms::view {
 
 std::span<const command::Verb> verbs() {
   static constexpr std::array<command::Verb, 2> kVerbs{{
-      {"render", "a picture of a scene and its contacts, without a screen", add_render},
+      {"render", "draw a city, its movers and contacts to a PNG file, without a screen",
+       add_render},
       {"view", "fly through a city and see what touches what, and why", add_view},
   }};
   return kVerbs;

@@ -23,13 +23,12 @@ constexpr std::uint64_t kMostSide = 16'384;
 constexpr std::uint64_t kMostFrames = 1'000'000'000;
 
 const char* const kFooter =
-    "Without a city: an embedded one of 1,000,000 triangles, with cars, persons and drones. A "
-    "city\n"
-    "from files has movers only where --mover, --route or --count ask for them. H in the window\n"
-    "shows all keys. The left button turns the view, the middle one shifts it, the wheel goes\n"
-    "nearer to what lies under the cursor; a click picks a triangle, and the handles move the\n"
-    "object. A model file that is dropped on the window is added to the scene. A recording of\n"
-    "soms simulate --record, given alone, is played.\n\n"
+    "Without CITY, an embedded city of 1,000,000 triangles is used, with cars, persons and\n"
+    "drones. A city from files has movers only if --mover, --route or --count is given. Press H\n"
+    "in the window to see all keys. The left mouse button rotates the view, the middle button\n"
+    "moves it, and the wheel zooms in on the point under the cursor. A click selects a triangle,\n"
+    "and the handles move the object. Drop a model file on the window to add it to the scene. To\n"
+    "play a recording of soms simulate --record, give it as the only file.\n\n"
     "Example:\n"
     "  soms generate city --triangles 20000 -o town.ply\n"
     "  soms generate car -o car.ply\n"
@@ -38,7 +37,7 @@ const char* const kFooter =
 Size parse_size(const std::string& text) {
   const std::size_t cross = text.find('x');
   if (cross == std::string::npos) {
-    throw Error(ErrorKind::usage, "--size " + text, "write width and height, as 1280x720");
+    throw Error(ErrorKind::usage, "--size " + text, "give width and height, such as 1280x720");
   }
   const auto side = [](const std::string& digits) {
     return static_cast<int>(command::parse_count("--size", digits, kLeastSide, kMostSide));
@@ -52,15 +51,15 @@ command::Action add_view(CLI::App& app, command::Shared&) {
   const auto options = std::make_shared<ViewVerbOptions>();
   command::add_world_options(app, options->world);
   app.add_option("--pose", options->pose,
-                 "where the mover stands: \"x y z [qw qx qy qz]\", or a CSV file of poses")
+                 "pose of the mover: \"x y z [qw qx qy qz]\", or a CSV file of poses")
       ->option_text("POSE");
   app.add_option_function<std::string>(
          "--size", [options](const std::string& text) { options->viewer.size = parse_size(text); },
          "width and height of the window (1280x720)")
       ->option_text("WxH");
-  app.add_flag("--paused", options->viewer.paused, "stand still at the first frame");
+  app.add_flag("--paused", options->viewer.paused, "start paused at the first frame");
   app.add_flag_callback(
-      "--no-panels", [options] { options->viewer.panels = false; }, "begin without panels");
+      "--no-panels", [options] { options->viewer.panels = false; }, "start without panels");
   app.add_option("--screenshot", options->viewer.screenshot,
                  "save the last frame of --frames as PNG")
       ->option_text("FILE");
@@ -69,7 +68,7 @@ command::Action add_view(CLI::App& app, command::Shared&) {
          [options](const std::string& text) {
            options->viewer.frames = command::parse_count("--frames", text, 1, kMostFrames);
          },
-         "end after this many frames, each a sixtieth of a second")
+         "stop after this many frames, at 60 frames per second")
       ->option_text("N");
   app.footer(kFooter);
   return [options](command::Console& console) { return run_view(*options, console); };

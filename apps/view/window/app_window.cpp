@@ -20,7 +20,7 @@ namespace soms::view {
 namespace {
 
 constexpr const char* kRemedy =
-    "soms render makes pictures without a screen; over ssh, log in with ssh -X";
+    "use soms render to draw pictures without a screen; over ssh, log in with ssh -X";
 
 /// What GLFW says of its last failure, in its words.
 std::string reason() {
@@ -39,7 +39,7 @@ PixelPoint cursor(GLFWwindow* window) {
 struct Library {
   Library() {
     if (glfwInit() != GLFW_TRUE) {
-      throw Error(ErrorKind::cannot_write, "no display to open a window on (" + reason() + ")",
+      throw Error(ErrorKind::cannot_write, "cannot open a window: no display (" + reason() + ")",
                   kRemedy);
     }
   }
@@ -61,7 +61,7 @@ GLFWwindow* open_window(const std::string& title, Size size) {
   GLFWwindow* const window =
       glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
   if (window == nullptr) {
-    throw Error(ErrorKind::cannot_write, "no window with OpenGL 3.3 (" + reason() + ")",
+    throw Error(ErrorKind::cannot_write, "cannot open a window with OpenGL 3.3 (" + reason() + ")",
                 "update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1");
   }
   return window;

@@ -65,7 +65,8 @@ std::vector<std::string> reasons(const ViewScene& scene, const Picked& picked) {
                                     scene.explain(touch).text));
   }
   if (picked.touches.size() > kExplained) {
-    sentences.push_back(fmt::format("And with {} more.", picked.touches.size() - kExplained));
+    sentences.push_back(
+        fmt::format("It also touches {} more.", picked.touches.size() - kExplained));
   }
   return sentences;
 }

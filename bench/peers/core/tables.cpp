@@ -75,8 +75,8 @@ void goal_row(std::ostream& out, const Cell& cell, const Goal& goal) {
 }
 
 void goals(std::ostream& out, const std::vector<Cell>& cells, const std::string& isa) {
-  out << "## soms against the best peer\n\nMicroseconds of processor time an answer. The goal is "
-         "the ratio aimed at"
+  out << "## soms against the best peer\n\nMicroseconds of processor time per answer. The goal is "
+         "the ratio to reach"
       << (isa == "avx512" ? "" : " (half, without AVX-512)")
       << "; `void`: a wrong answer was given.\n\n"
          "| job | scene | set | triangles | best peer | its us | soms | us | ratio | goal | |\n"
@@ -129,9 +129,9 @@ void builds(std::ostream& out, const std::vector<Cell>& cells) {
 }
 
 void wrong_answers(std::ostream& out, const std::vector<Cell>& cells) {
-  out << "\n## Wrong answers\n\nThe judge decided, of each set, every question on which two "
-         "libraries differ and a spread of the others. A peer that is wrong in more than 2 % is "
-         "not ranked; a ratio of soms is void at a single wrong answer.\n\n";
+  out << "\n## Wrong answers\n\nFor each set, an exact judge decides every query on which two "
+         "libraries differ, and a sample of the others. A peer that is wrong in more than 2 % of "
+         "them is not ranked. A single wrong answer of soms voids its ratio.\n\n";
   bool none = true;
   for (const Cell& cell : cells) {
     for (const Entry& e : cell.entries) {

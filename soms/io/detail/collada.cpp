@@ -57,15 +57,15 @@ pugi::xml_node find_scene(const ColladaDocument& document, MeshBuilder& builder)
   const std::size_t scenes = document.count_of("visual_scene");
   if (instance) {
     if (scenes > 1) {
-      builder.note("scenes that are not shown: " + std::to_string(scenes - 1));
+      builder.note("scenes that were not read: " + std::to_string(scenes - 1));
     }
     return document.referred(instance, "url", "visual_scene");
   }
   const pugi::xml_node library = document.root().child("library_visual_scenes");
   const pugi::xml_node only = library.child("visual_scene");
   if (only.next_sibling("visual_scene") || library.next_sibling("library_visual_scenes")) {
-    document.fail(only, "the file has several scenes and says of none that it is the one to show",
-                  "name one by <instance_visual_scene>");
+    document.fail(only, "the file has several scenes and does not say which one to show",
+                  "choose one with <instance_visual_scene>");
   }
   return only;
 }

@@ -136,7 +136,7 @@ ColladaDocument::ColladaDocument(Source& source) : source_(source) {
   for (pugi::xml_node node = root(); node != last;) {
     node = node.next_sibling();
     if (node.type() == pugi::node_element) {
-      fail(node, "a second document, " + describe(node) + ", behind the first");
+      fail(node, "a second root element, " + describe(node) + ", follows the first");
     }
   }
   refuse_zeros();
@@ -158,7 +158,7 @@ void ColladaDocument::parse() {
   if (!result) {
     source_.fail_line(static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, result.offset)),
                       ErrorKind::bad_file,
-                      std::string("this is no well-formed XML: ") + result.description(),
+                      std::string("not well-formed XML: ") + result.description(),
                       "get the complete file, or repair it");
   }
 }
@@ -187,7 +187,7 @@ void ColladaDocument::refuse_zeros() const {
     const std::size_t zero = piece.is_plain ? piece.text.npos : find_zero(piece.text);
     if (zero != piece.text.npos) {
       source_.fail_line(at + zero, ErrorKind::bad_file,
-                        "this is no well-formed XML: it refers to the character 0", kRepairFile);
+                        "not well-formed XML: it refers to the character 0", kRepairFile);
     }
     at += piece.text.size();
   }
@@ -258,7 +258,7 @@ pugi::xml_node ColladaDocument::referred(pugi::xml_node from, const char* attrib
   }
   if (found.size() > 1) {
     fail(from, describe(from) + " refers to " + std::string(name) + " " + in_quotes(id) +
-                   ", which exists twice");
+                   ", which is defined twice");
   }
   return found.front().element;
 }
@@ -270,7 +270,7 @@ pugi::xml_node ColladaDocument::referred_child(pugi::xml_node from, const char* 
   for (const pugi::xml_node child : parent.children()) {
     if (child.attribute("id") && child.attribute("id").value() == id) {
       if (found) {
-        fail(child, "id " + in_quotes(id) + " stands twice in " + describe(parent));
+        fail(child, "id " + in_quotes(id) + " occurs twice in " + describe(parent));
       }
       found = child;
     }
@@ -376,7 +376,7 @@ bool ColladaTokens::at_end() {
     const bool parted = begin_ == end_ || is_space(end_[-1]) || is_space(*next.value());
     enter(next);
     if (!parted) {
-      fail(ErrorKind::bad_file, "a comment or CDATA stands inside a number", kRepairFile);
+      fail(ErrorKind::bad_file, "a comment or CDATA interrupts a number", kRepairFile);
     }
   }
 }
@@ -385,8 +385,8 @@ void ColladaTokens::end_token(const char* end, std::string_view expected) {
   if (end == nullptr || (end != end_ && !is_space(*end))) {
     const char* stop = std::find_if(at_, end_, is_space);
     fail(ErrorKind::bad_file,
-         describe(element_) + " holds " + in_quotes({at_, static_cast<std::size_t>(stop - at_)}) +
-             " where " + std::string(expected) + " should be",
+         describe(element_) + " has " + in_quotes({at_, static_cast<std::size_t>(stop - at_)}) +
+             " instead of " + std::string(expected),
          kRepairFile);
   }
   at_ = end;

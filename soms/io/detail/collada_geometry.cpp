@@ -280,7 +280,7 @@ void GeometryReader::read_triangles(pugi::xml_node element, const Layout& layout
   for (const pugi::xml_node p : element.children("p")) {
     read_corners(p, layout);
     if (corners_.size() % 3 != 0) {
-      document_.fail(p, std::to_string(corners_.size()) + " corners make no whole triangles");
+      document_.fail(p, std::to_string(corners_.size()) + " corners are not a multiple of three");
     }
     for (std::size_t i = 0; i < corners_.size(); i += 3) {
       builder_.add_triangle(corners_[i], corners_[i + 1], corners_[i + 2]);
@@ -318,7 +318,7 @@ void GeometryReader::read_polylist(pugi::xml_node element, const Layout& layout)
   }
   if (begin != corners_.size()) {
     document_.fail(p, "<p> has " + std::to_string(corners_.size() - begin) +
-                          " corners more than <vcount> tells");
+                          " corners more than <vcount> states");
   }
   expect_count(element, layout, found);
 }
@@ -327,8 +327,8 @@ void GeometryReader::read_polylist(pugi::xml_node element, const Layout& layout)
 void GeometryReader::read_each_p(pugi::xml_node element, const Layout& layout,
                                  std::string_view name) {
   if (const pugi::xml_node holes = element.child("ph")) {
-    document_.fail(holes, "a polygon with holes is not read",
-                   "cut polygons with holes into triangles when exporting", ErrorKind::unsupported);
+    document_.fail(holes, "a polygon with holes is not read", "export it with triangles only",
+                   ErrorKind::unsupported);
   }
   std::uint64_t found = 0;
   for (const pugi::xml_node p : element.children("p")) {

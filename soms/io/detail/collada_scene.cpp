@@ -128,7 +128,7 @@ void SceneReader::count_element(pugi::xml_node element) {
   // The elements of a file, however they count, are fewer than its bytes.
   if (elements_ > document_.source().bytes.size() + kMostElements +
                       kElementsPerTriangle * builder_.triangle_count()) {
-    document_.fail(element, "nodes that show other nodes many times over make this scene too large",
+    document_.fail(element, "the scene is too large: nodes are instantiated too many times",
                    "export it without <instance_node>, or split it", ErrorKind::out_of_range);
   }
 }
@@ -141,7 +141,7 @@ void SceneReader::note_asset(pugi::xml_node owner) {
 
 void SceneReader::enter(pugi::xml_node node) {
   if (!open_.insert(node.internal_object()).second) {
-    document_.fail(node, describe(node) + " shows itself, by <instance_node>");
+    document_.fail(node, describe(node) + " contains itself, through <instance_node>");
   }
   document_.take(2 * sizeof(Frame) + kBytesOfSetEntry);
   note_asset(node);
@@ -288,7 +288,7 @@ void SceneReader::show_scene(pugi::xml_node scene) {
 
 /// A file without a scene is a library: each geometry once, where it is stored.
 void SceneReader::show_all_geometries() {
-  builder_.note("there is no scene: every geometry is shown once");
+  builder_.note("the file has no scene: every geometry is read once");
   for (const pugi::xml_node library : document_.root().children("library_geometries")) {
     for (const pugi::xml_node geometry : library.children("geometry")) {
       show(geometry, Affine{}, geometry);
@@ -307,11 +307,11 @@ void SceneReader::write_notes() {
   builder_.note(unreported_.curved, "splines, curved surfaces and hulls, not read");
   builder_.note(unreported_.unknown, "unknown elements, not read");
   builder_.note(unreported_.surplus, "surplus numbers after the last position");
-  tell(unreported_.skins, "skins shown in the shape they were bound in: ");
-  tell(unreported_.morphs, "morphs shown in their base shape: ");
+  tell(unreported_.skins, "skins read in their bind shape, not posed: ");
+  tell(unreported_.morphs, "morphs read in their base shape: ");
   tell(
       document_.count_of("geometry") - std::min(document_.count_of("geometry"), geometries_.size()),
-      "geometries that the scene does not show: ");
+      "geometries that are not in the scene: ");
   if (unreported_.nested_asset) {
     builder_.note("a unit or up axis of a part of the file is not applied");
   }

@@ -44,7 +44,7 @@ Vec3 divided(const Vec3& v, double d) {
 Vec3 direction(const ColladaDocument& document, pugi::xml_node element, const Vec3& v) {
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (!(largest > 0)) {
-    document.fail(element, describe(element) + " has a direction of no length");
+    document.fail(element, describe(element) + " has a direction of length 0");
   }
   const Vec3 scaled = divided(v, largest);
   return divided(scaled, std::sqrt(dot(scaled, scaled)));

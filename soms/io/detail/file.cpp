@@ -1,6 +1,7 @@
 #include "soms/io/detail/file.h"
 
 #include "soms/base/error.h"
+#include "soms/base/text.h"
 #include "soms/io/detail/links.h"
 
 #include <fcntl.h>
@@ -28,14 +29,14 @@ constexpr std::uint64_t kMostOfPipe = std::uint64_t{1} << 32;
 
 [[noreturn]] void fail_system(const std::filesystem::path& path, int code) {
   fail(path, std::generic_category().message(code),
-       code == ENOENT   ? "check the name and the folder"
-       : code == EACCES ? "ask for the right to read it"
+       code == ENOENT   ? "check the path"
+       : code == EACCES ? "check its permissions"
                         : "check the file");
 }
 
 [[noreturn]] void fail_size(const std::filesystem::path& path, std::uint64_t most) {
   throw Error(ErrorKind::out_of_memory,
-              path.string() + ": more than the " + std::to_string(most) + " bytes that may be used",
+              path.string() + ": the file exceeds the memory limit of " + readable_bytes(most),
               "raise the limit (max_memory)");
 }
 
@@ -114,7 +115,8 @@ FileBytes read_regular(const std::filesystem::path& path, int fd, std::uint64_t 
   const struct stat after = status_of(path, fd);
   if (after.st_size != status.st_size || after.st_mtim.tv_sec != status.st_mtim.tv_sec ||
       after.st_mtim.tv_nsec != status.st_mtim.tv_nsec) {
-    fail(path, "the file changed while it was read", "read it again when it is whole");
+    fail(path, "the file changed while it was being read",
+         "read it again when nothing writes to it");
   }
   return bytes;
 }
@@ -196,7 +198,7 @@ RegularFile::RegularFile(std::filesystem::path path)
     : path_(std::move(path)), file_(open_or_fail(path_, O_NOFOLLOW | O_NONBLOCK)) {
   const struct stat status = status_of(path_, file_.get());
   if (!S_ISREG(status.st_mode)) {
-    fail(path_, "no regular file", "name a file");
+    fail(path_, "not a regular file", "name a file");
   }
   size_ = static_cast<std::uint64_t>(status.st_size);
   id_ = {status.st_dev, status.st_ino};

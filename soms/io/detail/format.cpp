@@ -51,7 +51,7 @@ struct Foreign {
 
 constexpr std::string_view kUnpack = "unpack it first";
 constexpr std::string_view kConvert = "convert it to one of the formats that are read";
-constexpr std::string_view kPage = "get the file that the page offers";
+constexpr std::string_view kPage = "download the model file itself";
 
 constexpr std::array<Foreign, 15> kForeign = {{
     {"{", "a JSON file", kConvert, false, ".gltf"},
@@ -60,10 +60,10 @@ constexpr std::array<Foreign, 15> kForeign = {{
     {"<!doctype html", "a web page", kPage, true},
     {"<html", "a web page", kPage, true},
     {"<", "an XML file", kConvert},
-    {"version https://git-lfs", "the pointer that Git LFS keeps in place of a file",
+    {"version https://git-lfs", "a Git LFS pointer, not the file itself",
      "fetch the file: git lfs pull", true},
     {"\x89SOMS\r\n\x1a", "a recording of soms simulate, not a model",
-     "soms view plays it, soms render draws a frame of it", true},
+     "play it with soms view, or draw a frame with soms render", true},
     {"\x1f\x8b", "a gzip file", kUnpack},
     {"PK\x03\x04", "a zip file", kUnpack},
     {"\xfd"
@@ -126,11 +126,11 @@ void refuse_step(const Source& source, std::string_view extension) {
     source.fail(ErrorKind::unsupported,
                 "a STEP file of the schema " + in_quotes(schema) +
                     ": exact surfaces, not triangles; of STEP only IFC is read",
-                "let the CAD program that made it export STL, OBJ or glTF");
+                "export STL, OBJ or glTF from the CAD program");
   }
   if (!is_imported(extension)) {
-    source.fail(ErrorKind::unsupported, "an IFC file whose name does not say so",
-                "let the name end with .ifc");
+    source.fail(ErrorKind::unsupported, "an IFC file without the extension .ifc",
+                "rename it with the extension .ifc");
   }
 }
 
@@ -143,8 +143,8 @@ void refuse_text(const Source& source, const ReadFormat& format) {
         const auto byte = static_cast<unsigned char>(c);
         return byte == 0x7f || (byte < 0x20 && !is_blank(c) && !is_line_end(c));
       })) {
-    source.fail(ErrorKind::bad_file, "this is text, not " + std::string(format.name),
-                "give the file itself, or let its name end as its format does");
+    source.fail(ErrorKind::bad_file, "the file is text, not " + std::string(format.name),
+                "give the model file, or rename it with the extension of its format");
   }
 }
 
@@ -167,9 +167,9 @@ const ReadFormat& identify(const Source& source) {
   if (by_content != kFormats.end()) {
     if (by_name != kFormats.end() && by_name != by_content) {
       source.fail(ErrorKind::bad_file,
-                  "the content is " + std::string(by_content->name) + ", the name says " +
+                  "the content is " + std::string(by_content->name) + ", but the extension says " +
                       std::string(by_name->name),
-                  "rename the file to end with " + std::string(by_content->extension));
+                  "rename it with the extension " + std::string(by_content->extension));
     }
     return *by_content;
   }
@@ -180,7 +180,7 @@ const ReadFormat& identify(const Source& source) {
   }
   if (by_name == kFormats.end()) {
     fail_unsupported(source,
-                     extension.empty() ? "a file of unknown format and without a file extension"
+                     extension.empty() ? "unknown format, and no file extension"
                                        : "format " + in_quotes(extension) + " is not read",
                      std::string(kConvert));
   }

@@ -391,7 +391,7 @@ void GlbWriter::write() {
   const std::uint64_t size = glb::kHeader + glb::kChunkHeader + text.size() +
                              (binary > 0 ? glb::kChunkHeader + binary : 0);
   if (size > std::numeric_limits<std::uint32_t>::max()) {
-    throw Error(ErrorKind::out_of_range, name_ + ": a GLB file has room for less than 4 GiB",
+    throw Error(ErrorKind::out_of_range, name_ + ": a GLB file must be smaller than 4 GiB",
                 "write PLY, OBJ, OFF or STL");
   }
   output_.put(glb::kMagic);

@@ -50,7 +50,8 @@ void check_version(const JsonValue& root) {
   const std::optional<JsonValue> least = asset.find("minVersion");
   if (!version.text().starts_with("2.") || (least && least->text() != "2.0")) {
     const JsonValue wrong = least ? *least : version;
-    wrong.fail(ErrorKind::unsupported, "version " + in_quotes(wrong.text()) + "; 2.0 is read",
+    wrong.fail(ErrorKind::unsupported,
+               "version " + in_quotes(wrong.text()) + " is not read, only 2.0",
                "save the model as glTF 2.0");
   }
 }
@@ -82,13 +83,13 @@ void set_unit_and_up(const JsonValue& root, Mesh& mesh) {
   if (unit) {
     mesh.unit = unit->number();
     if (!(mesh.unit >= 0)) {
-      unit->fail("a unit of that length");
+      unit->fail("the unit must be 0 or more");
     }
   }
   if (up) {
     const std::string_view axis = up->text();
     if (axis != "x" && axis != "y" && axis != "z" && axis != "unknown") {
-      up->fail("an axis must be x, y or z, or unknown");
+      up->fail("the up axis must be x, y, z or unknown");
     }
     constexpr std::array kAxes{UpAxis::x, UpAxis::y, UpAxis::z};
     mesh.up = axis.size() == 1 ? kAxes[static_cast<std::size_t>(axis[0] - 'x')] : UpAxis::unknown;
@@ -194,7 +195,7 @@ void GltfReader::add_positions(const GltfAccessor& accessor, const PlacedNode& n
       const CoordinateFault fault = describe_fault(v);
       node.json.fail(fault.kind,
                      "element " + std::to_string(i) + " of " + accessor.json.path() +
-                         ", where the node puts it: " + fault.what,
+                         ", placed by this node: " + fault.what,
                      "repair the transforms of the nodes");
     }
     builder_.add_vertex(v);
@@ -306,12 +307,11 @@ void GltfReader::add_notes() {
   for (std::string& text : notes_) {
     builder_.note(std::move(text));
   }
-  builder_.note(unused, "meshes that no node of the scene has");
-  builder_.note(skinned_,
-                "skins shown in the shape they were bound in, which joints and nodes do not move");
+  builder_.note(unused, "meshes that no node of the scene uses");
+  builder_.note(skinned_, "skins read in their bind shape, not posed by their joints");
   builder_.note(buffers_.surplus(), "surplus bytes after the stated length of a buffer");
   if (const std::size_t animations = length_of("animations"); animations > 0) {
-    builder_.note("animations, which are not applied: " + std::to_string(animations));
+    builder_.note("animations, not applied: " + std::to_string(animations));
   }
 }
 
@@ -358,17 +358,17 @@ Chunks chunks_of(const Source& source) {
   };
   const auto value_at = [&](std::size_t at) { return little_endian<std::uint32_t>(bytes, at); };
   if (bytes.size() < glb::kHeader || !is_glb(bytes)) {
-    fail(0, "no header of GLB");
+    fail(0, "the GLB header is missing");
   }
   if (value_at(4) != glb::kVersion) {
     source.fail_byte(4, ErrorKind::unsupported,
-                     "version " + std::to_string(value_at(4)) + " of GLB; 2 is read",
+                     "version " + std::to_string(value_at(4)) + " of GLB is not read, only 2",
                      "save the model as glTF 2.0");
   }
   const std::size_t end = value_at(8);
   if (end < glb::kHeader || end > bytes.size()) {
-    fail(8,
-         std::to_string(end) + " bytes are stated, " + std::to_string(bytes.size()) + " are there");
+    fail(8, "the header states " + std::to_string(end) + " bytes, but the file has " +
+                std::to_string(bytes.size()));
   }
   Chunks chunks;
   for (std::size_t at = glb::kHeader; at < end || chunks.json_at == 0;) {

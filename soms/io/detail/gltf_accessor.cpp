@@ -44,7 +44,7 @@ bool is_index(GltfComponent type) {
 
 void check_index(const JsonValue& holder, GltfComponent type) {
   if (!is_index(type)) {
-    holder.at("componentType").fail("indices are 5121, 5123 or 5125");
+    holder.at("componentType").fail("the component type of indices must be 5121, 5123 or 5125");
   }
 }
 
@@ -120,7 +120,7 @@ void GltfCursor::find_replaced() {
   if (index >= accessor_.count || (sparse_ > 0 && index <= replaced_)) {
     accessor_.json.at("sparse").at("indices").fail(
         "index " + std::to_string(sparse_) + " is " + std::to_string(index) +
-        "; they must ascend and stay below " + std::to_string(accessor_.count));
+        "; sparse indices must ascend and be below " + std::to_string(accessor_.count));
   }
   replaced_ = index;
 }
@@ -141,7 +141,8 @@ GltfRun GltfAccessors::run(const JsonValue& holder, GltfComponent type, std::siz
   const std::uint64_t stride = view.stride > 0 ? view.stride : element;
   if (stride < element || (components == 1 && stride != element)) {
     holder.at("bufferView")
-        .fail("a stride of " + std::to_string(stride) + " bytes for " + std::to_string(element));
+        .fail("a stride of " + std::to_string(stride) + " bytes does not fit elements of " +
+              std::to_string(element));
   }
   const std::optional<JsonValue> at = holder.find("byteOffset");
   const std::uint64_t offset = at ? at->whole() : 0;
@@ -158,8 +159,9 @@ void GltfAccessors::load_sparse(GltfAccessor& accessor, const JsonValue& sparse,
                                 std::size_t components) {
   accessor.sparse_count = sparse.at("count").whole();
   if (accessor.sparse_count < 1 || accessor.sparse_count > accessor.count) {
-    sparse.at("count").fail(std::to_string(accessor.sparse_count) + " of " +
-                            std::to_string(accessor.count) + " elements are replaced");
+    sparse.at("count").fail(std::to_string(accessor.sparse_count) + " sparse elements of " +
+                            std::to_string(accessor.count) +
+                            "; there must be from 1 to all of them");
   }
   const JsonValue indices = sparse.at("indices");
   const GltfComponent type = component_of(indices);
@@ -181,7 +183,8 @@ const GltfAccessor& GltfAccessors::load(const JsonValue& reference, std::size_t 
   }
   GltfAccessor accessor{.json = json, .count = json.at("count").whole()};
   if (accessor.count < 1 || accessor.count > kMaxPrimitives) {
-    json.at("count").fail(std::to_string(accessor.count) + " elements; from 1 to 2^31 - 1 can be");
+    json.at("count").fail(std::to_string(accessor.count) +
+                          " elements; the count must be from 1 to 2^31 - 1");
   }
   const GltfComponent type = component_of(json);
   accessor.elements = {kZeros.data(), 0, type};
@@ -201,12 +204,13 @@ const GltfAccessor& GltfAccessors::positions(const JsonValue& reference) {
   const JsonValue json = reference.referred("accessors");
   const GltfComponent type = component_of(json);
   if (json.at("type").text() != "VEC3") {
-    json.at("type").fail("positions are VEC3");
+    json.at("type").fail("positions must be VEC3");
   }
   if (type == GltfComponent::uint32 || (type != GltfComponent::float32 && !quantized_)) {
     json.at("componentType")
         .fail(
-            "positions are 5126 (float); small integers need KHR_mesh_quantization in "
+            "the component type of positions must be 5126 (float); small integers need "
+            "KHR_mesh_quantization in "
             "\"extensionsUsed\"");
   }
   return load(reference, 3);
@@ -215,7 +219,7 @@ const GltfAccessor& GltfAccessors::positions(const JsonValue& reference) {
 const GltfAccessor& GltfAccessors::indices(const JsonValue& reference) {
   const JsonValue json = reference.referred("accessors");
   if (json.at("type").text() != "SCALAR") {
-    json.at("type").fail("indices are SCALAR");
+    json.at("type").fail("indices must be SCALAR");
   }
   check_index(json, component_of(json));
   return load(reference, 1);

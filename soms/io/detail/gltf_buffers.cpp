@@ -13,7 +13,8 @@ namespace soms::detail {
 
 namespace {
 
-constexpr const char* kBeside = "put the file into the folder of the model, and name it so";
+constexpr const char* kBeside =
+    "put the file into the folder of the model, and use its relative name";
 
 /// Characters of a scheme ("https:") before its colon; 0 if the text begins with none.
 std::size_t scheme_of(std::string_view uri) {
@@ -62,7 +63,7 @@ std::filesystem::path file_within(const std::filesystem::path& folder, const Jso
   if (name.empty() || name.find('\0') != name.npos || relative.has_root_path() ||
       std::find(relative.begin(), relative.end(), "..") != relative.end()) {
     uri.fail(ErrorKind::bad_file,
-             in_quotes(name) + " is outside the folder of the model, where nothing is opened",
+             in_quotes(name) + " is outside the folder of the model; such files are not opened",
              kBeside);
   }
   std::error_code code;
@@ -71,7 +72,7 @@ std::filesystem::path file_within(const std::filesystem::path& folder, const Jso
       code ? std::filesystem::path() : std::filesystem::canonical(folder / relative, code);
   if (code) {
     uri.fail(ErrorKind::cannot_open, in_quotes(name) + ": " + code.message(),
-             "get the files that belong to the model, too");
+             "get all files that belong to the model");
   }
   const auto ends = std::mismatch(inside.begin(), inside.end(), file.begin(), file.end());
   if (ends.first != inside.end()) {
@@ -79,7 +80,7 @@ std::filesystem::path file_within(const std::filesystem::path& folder, const Jso
              "put the file itself there");
   }
   if (!std::filesystem::is_regular_file(file, code)) {
-    uri.fail(ErrorKind::cannot_open, in_quotes(name) + " is no regular file",
+    uri.fail(ErrorKind::cannot_open, in_quotes(name) + " is not a regular file",
              "name the file that holds the buffer");
   }
   return file;
@@ -108,10 +109,9 @@ void refuse_compressed(const JsonValue& buffer) {
 }  // namespace
 
 void refuse_extension(const JsonValue& place, std::string_view extension) {
-  place.fail(
-      ErrorKind::unsupported,
-      "the extension " + in_quotes(extension) + " is needed to know what is there, and is not read",
-      "save the model without it (uncompressed, instances as nodes)");
+  place.fail(ErrorKind::unsupported,
+             "the extension " + in_quotes(extension) + " is required, but is not supported",
+             "save the model without it (uncompressed, instances as nodes)");
 }
 
 char* GltfBuffers::store(std::uint64_t size) {
@@ -132,23 +132,23 @@ std::string_view GltfBuffers::decode(const JsonValue& uri) {
   char* const to = store(base64_size(letters.size()));
   const auto size = decode_base64(letters, to, source_.parallel);
   if (!size) {
-    uri.fail("what follows \";base64,\" is no base64");
+    uri.fail("the data after \";base64,\" is not base64");
   }
   return {to, *size};
 }
 
 std::string_view GltfBuffers::open(const JsonValue& uri) {
   if (scheme_of(uri.text()) > 0) {
-    uri.fail(ErrorKind::unsupported,
-             in_quotes(uri.text()) +
-                 " is another place than the folder of the model, which alone"
-                 " is read",
-             kBeside);
+    uri.fail(
+        ErrorKind::unsupported,
+        in_quotes(uri.text()) + " is not a file in the folder of the model; nothing else is opened",
+        kBeside);
   }
   if (!source_.folder) {
-    uri.fail(ErrorKind::cannot_open,
-             in_quotes(uri.text()) + " is a file beside the model, which did not come from a file",
-             "read the model by its path");
+    uri.fail(
+        ErrorKind::cannot_open,
+        in_quotes(uri.text()) + " is another file, which cannot be found for a model from memory",
+        "read the model from its path, or embed the buffer");
   }
   check_stop(source_.parallel);
   const std::filesystem::path path = file_within(*source_.folder, uri);
@@ -181,13 +181,12 @@ std::string_view GltfBuffers::load(const JsonValue& buffer, bool is_first) {
     bytes = *chunk_;
   } else {
     refuse_compressed(buffer);
-    buffer.fail(is_first ? "neither \"uri\" nor a chunk BIN says where the bytes are"
-                         : "\"uri\" is missing");
+    buffer.fail(is_first ? "the buffer has neither \"uri\" nor a BIN chunk" : "\"uri\" is missing");
   }
   if (length > bytes.size()) {
     buffer.at("byteLength")
-        .fail(std::to_string(length) + " bytes are stated, " + std::to_string(bytes.size()) +
-              " are there");
+        .fail(std::to_string(length) + " bytes are stated, but the buffer has " +
+              std::to_string(bytes.size()));
   }
   // Up to three bytes fill a chunk; a file beside the model may hold the bytes of others, too.
   constexpr std::uint64_t kMostPadding = 3;
@@ -210,8 +209,8 @@ GltfView GltfBuffers::view(const JsonValue& reference) {
   const std::uint64_t offset = at ? at->whole() : 0;
   const std::uint64_t length = view.at("byteLength").whole();
   if (offset > bytes.size() || length > bytes.size() - offset) {
-    view.fail("bytes " + std::to_string(offset) + " and " + std::to_string(length) +
-              " more, of a buffer of " + std::to_string(bytes.size()));
+    view.fail(std::to_string(length) + " bytes from byte " + std::to_string(offset) +
+              ", but the buffer has " + std::to_string(bytes.size()) + " bytes");
   }
   const std::optional<JsonValue> stride = view.find("byteStride");
   return {bytes.substr(static_cast<std::size_t>(offset), static_cast<std::size_t>(length)),

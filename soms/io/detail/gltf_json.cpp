@@ -165,7 +165,7 @@ JsonDocument::JsonDocument(Source& source, std::string_view text, std::size_t of
   // The parser takes a zero byte for the end.
   const std::size_t zero = text.find('\0');
   if (zero != std::string_view::npos) {
-    fail(zero, ErrorKind::bad_file, "a zero byte within JSON");
+    fail(zero, ErrorKind::bad_file, "the JSON contains a zero byte");
   }
   const std::uint64_t bytes_needed = kParserFactor * text.size();
   if (!source.budget.take(bytes_needed)) {
@@ -174,18 +174,19 @@ JsonDocument::JsonDocument(Source& source, std::string_view text, std::size_t of
   DocumentBuilder builder(source, root_->value);
   if (!json::sax_parse(text.begin(), text.end(), &builder)) {
     if (builder.repeated() != nullptr) {
-      JsonValue(*this, builder.repeated()).fail("the name occurs twice in one object");
+      JsonValue(*this, builder.repeated()).fail("this name occurs twice in its object");
     }
     if (builder.too_deep()) {
       source.fail(ErrorKind::bad_file,
-                  "JSON that nests more than " + std::to_string(kDeepest) + " deep",
+                  "JSON is nested more than " + std::to_string(kDeepest) + " levels deep",
                   std::string(kRepair));
     }
     if (builder.too_large()) {
-      fail(builder.position(), ErrorKind::not_finite, "a number that is too large for a double");
+      fail(builder.position(), ErrorKind::not_finite, "a number is too large for a double");
     }
     fail(builder.position(), ErrorKind::bad_file,
-         builder.position() + 1 >= text.size() ? "the JSON ends too soon" : "this is not JSON");
+         builder.position() + 1 >= text.size() ? "the JSON ends too soon"
+                                               : "this is not valid JSON");
   }
   source.budget.give_back(bytes_needed);
 }
@@ -237,7 +238,7 @@ bool JsonValue::is_object() const {
 std::optional<JsonValue> JsonValue::find(std::string_view key) const {
   const json& value = known(value_);
   if (!value.is_object()) {
-    fail("this is not an object");
+    fail("expected an object");
   }
   const auto member = value.find(key);
   if (member == value.end()) {
@@ -249,7 +250,7 @@ std::optional<JsonValue> JsonValue::find(std::string_view key) const {
 std::optional<std::string_view> JsonValue::first_name() const {
   const json& value = known(value_);
   if (!value.is_object()) {
-    fail("this is not an object");
+    fail("expected an object");
   }
   if (value.empty()) {
     return std::nullopt;
@@ -267,7 +268,7 @@ JsonValue JsonValue::at(std::string_view key) const {
 
 std::size_t JsonValue::size() const {
   if (!known(value_).is_array()) {
-    fail("this is not a list");
+    fail("expected a list");
   }
   return known(value_).size();
 }
@@ -287,26 +288,26 @@ std::uint64_t JsonValue::whole() const {
       return static_cast<std::uint64_t>(value);
     }
   }
-  fail("this is not a whole number from 0");
+  fail("expected a whole number of at least 0");
 }
 
 double JsonValue::number() const {
   if (!known(value_).is_number()) {
-    fail("this is not a number");
+    fail("expected a number");
   }
   return known(value_).get<double>();
 }
 
 bool JsonValue::boolean() const {
   if (!known(value_).is_boolean()) {
-    fail("this is neither true nor false");
+    fail("expected true or false");
   }
   return known(value_).get<bool>();
 }
 
 std::string_view JsonValue::text() const {
   if (!known(value_).is_string()) {
-    fail("this is not text");
+    fail("expected a string");
   }
   return known(value_).get_ref<const std::string&>();
 }

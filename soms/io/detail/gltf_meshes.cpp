@@ -44,7 +44,7 @@ void GltfMeshes::add_primitive(GltfMesh& mesh, const JsonValue& json) {
   const std::optional<JsonValue> stated = json.find("mode");
   const std::uint64_t mode = stated ? stated->whole() : std::uint64_t{4};
   if (mode > static_cast<std::uint64_t>(GltfMode::fan)) {
-    stated->fail(std::to_string(mode) + " is not a mode; 0 to 6 are");
+    stated->fail(std::to_string(mode) + " is not a mode; modes are 0 to 6");
   }
   const auto place = [&] { return "in " + json.path(); };
   const std::optional<JsonValue> reference = json.at("attributes").find("POSITION");

@@ -15,7 +15,7 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 template <std::size_t N>
 std::array<double, N> numbers(const JsonValue& list) {
   if (list.size() != N) {
-    list.fail(std::to_string(list.size()) + " numbers; " + std::to_string(N) + " are needed");
+    list.fail(std::to_string(list.size()) + " numbers instead of " + std::to_string(N));
   }
   std::array<double, N> values{};
   for (std::size_t i = 0; i < N; ++i) {
@@ -50,7 +50,7 @@ Affine placement_of(const JsonValue& node) {
   const double n = ((w * w + x * x) + y * y) + z * z;
   constexpr double kRounding = 0.02;  // exporters that store few digits are off by less
   if (!(std::abs(n - 1) <= kRounding)) {
-    node.at("rotation").fail("the quaternion is not of length 1");
+    node.at("rotation").fail("the quaternion does not have length 1");
   }
   const double q = 2 / n;
   return {{(1 - q * (y * y + z * z)) * s[0], q * (x * y - w * z) * s[1], q * (x * z + w * y) * s[2],
@@ -117,7 +117,7 @@ class NodePlacer {
 void NodePlacer::find_parents() {
   const std::size_t count = nodes_->size();
   if (count >= kNone) {
-    nodes_->fail("more nodes than can be read");
+    nodes_->fail("too many nodes");
   }
   reserve(parents_, count);
   parents_.resize(count, kNone);
@@ -140,14 +140,15 @@ std::optional<JsonValue> NodePlacer::scene() {
   const std::optional<JsonValue> scenes = root_.find("scenes");
   const std::size_t count = scenes ? scenes->size() : 0;
   if (!stated && count == 0) {
-    notes_.emplace_back("no scene is there: all nodes were read");
+    notes_.emplace_back("the file has no scene: all nodes were read");
     return std::nullopt;
   }
   const JsonValue scene = stated ? stated->referred("scenes") : scenes->at(std::size_t{0});
   if (count > 1) {
-    notes_.push_back("of " + std::to_string(count) + " scenes, number " +
-                     std::to_string(stated ? stated->whole() : 0) + " was read" +
-                     (stated ? ", the default" : ", as none is the default"));
+    notes_.push_back(
+        "the file has " + std::to_string(count) + " scenes; only scene " +
+        std::to_string(stated ? stated->whole() : 0) +
+        (stated ? ", the default, was read" : " was read, because none is the default"));
   }
   return scene;
 }
@@ -158,8 +159,9 @@ void NodePlacer::begin_at(const JsonValue& roots) {
     const JsonValue reference = roots.at(i);
     std::uint32_t& parent = parents_[node_of(reference)];
     if (parent != kNone) {
-      reference.fail("nodes[" + std::to_string(reference.whole()) +
-                     "] is within another node or listed twice; only others are roots");
+      reference.fail(
+          "nodes[" + std::to_string(reference.whole()) +
+          "] is a child of another node or listed twice; a scene lists each of its roots once");
     }
     parent = static_cast<std::uint32_t>(reference.whole());
     open_.push_back({parent, kNone});
@@ -208,7 +210,7 @@ std::vector<PlacedNode> NodePlacer::place() {
     }
   }
   if (!shown && placed.size() < parents_.size()) {
-    nodes_->fail("some nodes are within one another in a circle");
+    nodes_->fail("some nodes form a cycle");
   }
   return placed;
 }

@@ -130,21 +130,21 @@ void ImportReader::read_face() {
 void ImportReader::read_unit() {
   unit_ = take_double();
   if (!(unit_ > 0) || !std::isfinite(unit_)) {
-    fail("a unit of that length");
+    fail("the unit is not a positive number");
   }
 }
 
 void ImportReader::read_axis() {
   const std::size_t axis = std::string_view("xyz").find(take(1));
   if (axis == std::string_view::npos) {
-    fail("an axis must be x, y or z");
+    fail("the up axis must be x, y or z");
   }
   up_ = std::array{UpAxis::x, UpAxis::y, UpAxis::z}[axis];
 }
 
 Mesh ImportReader::finish() {
   if (open_parts_ > 0 || at_ != answer_.size()) {
-    fail("it ends amid a part or goes on behind its end");
+    fail("it ends inside a part, or continues after its end");
   }
   Mesh mesh = builder_.finish();
   mesh.unit = unit_;
@@ -154,7 +154,7 @@ Mesh ImportReader::finish() {
 
 Mesh ImportReader::read() {
   if (!answer_.starts_with(kMagic)) {
-    fail("it does not begin as an answer does");
+    fail("it does not begin with the expected signature");
   }
   at_ = kMagic.size();
   for (std::uint64_t record = 0;; ++record) {
@@ -174,7 +174,7 @@ Mesh ImportReader::read() {
         break;
       case 'e':
         if (open_parts_ == 0) {
-          fail("a part ends that did not begin");
+          fail("a part ends that has not begun");
         }
         builder_.close_part();
         --open_parts_;
@@ -191,7 +191,7 @@ Mesh ImportReader::read() {
       case '.':
         return finish();
       default:
-        fail("a record of unknown kind");
+        fail("it has a record of unknown kind");
     }
   }
 }

@@ -67,7 +67,7 @@ std::filesystem::path find_program(const Source& source, std::string_view extens
     if (!runs(named)) {
       source.fail(ErrorKind::unsupported,
                   "SOMS_IMPORT does not name a program: " + std::string(named),
-                  "let it name soms-import, or unset it");
+                  "set it to the path of soms-import, or unset it");
     }
     return named;
   }
@@ -79,20 +79,20 @@ std::filesystem::path find_program(const Source& source, std::string_view extens
   source.fail(ErrorKind::unsupported,
               "format " + in_quotes(extension) +
                   " is read by the program soms-import, which is not installed",
-              "build soms where Assimp is found (Debian: libassimp-dev), let SOMS_IMPORT name the "
-              "program, or convert the model");
+              "build soms where Assimp is found (Debian: libassimp-dev), set SOMS_IMPORT to the "
+              "path of the program, or convert the model");
 }
 
 [[noreturn]] void fail_system(const Source& source, const std::string& what, int code) {
   source.fail(ErrorKind::unsupported, what + ": " + std::strerror(code),
-              "free what is short, or convert the model");
+              "free the resource that is missing, or convert the model");
 }
 
 /// The model as a file without a name, from its first byte.
 int file_of(const Source& source) {
   const int file = memfd_create("soms-import", MFD_CLOEXEC);
   if (file < 0) {
-    fail_system(source, "no file for soms-import", errno);
+    fail_system(source, "cannot create a temporary file for soms-import", errno);
   }
   std::string_view left = source.bytes;
   while (!left.empty()) {
@@ -100,7 +100,7 @@ int file_of(const Source& source) {
     if (done < 0 && errno != EINTR) {
       const int code = errno;
       close(file);
-      fail_system(source, "no file for soms-import", code);
+      fail_system(source, "cannot create a temporary file for soms-import", code);
     }
     left.remove_prefix(done < 0 ? 0 : static_cast<std::size_t>(done));
   }
@@ -232,7 +232,7 @@ void ImportRun::wait_a_little(Clock::duration time) const {
   if (Clock::now() >= deadline_) {
     source_.fail(ErrorKind::timed_out,
                  fmt::format("soms-import did not end within {:g} s", seconds_),
-                 "convert the model, or give it more time (import_seconds)");
+                 "convert the model, or allow more time (import_seconds)");
   }
   std::this_thread::sleep_for(time);
 }
@@ -258,7 +258,7 @@ void ImportRun::collect(int pipe) {
       }
       answer_.append(some.data(), size);
     } else if (errno != EINTR) {
-      fail_system(source_, "the answer of soms-import cannot be read", errno);
+      fail_system(source_, "cannot read the answer of soms-import", errno);
     }
   }
 }
@@ -268,13 +268,13 @@ void ImportRun::fail_status(int status) const {
   if (WIFSIGNALED(status)) {
     // What a library does that gets no memory cannot be distinguished from a fault of another kind.
     source_.fail(ErrorKind::bad_file,
-                 fmt::format("soms-import crashed on it (signal {}, within {} MiB)",
+                 fmt::format("soms-import crashed (signal {}, memory limit {} MiB)",
                              WTERMSIG(status), memory_ >> 20),
                  remedy + ", or give it more memory (max_memory)");
   }
   if (WEXITSTATUS(status) == kNoMemory) {
     source_.fail(ErrorKind::out_of_memory,
-                 fmt::format("soms-import needs more memory than its {} MiB", memory_ >> 20),
+                 fmt::format("soms-import exceeds its memory limit of {} MiB", memory_ >> 20),
                  "raise the limit (max_memory) if the file can be trusted");
   }
   if (WEXITSTATUS(status) == kRefused && !answer_.empty()) {
@@ -294,7 +294,7 @@ std::string ImportRun::answer() {
   const Descriptor model(file_of(source_));
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-    fail_system(source_, "no pipe for soms-import", errno);
+    fail_system(source_, "cannot create a pipe for soms-import", errno);
   }
   const Descriptor pipe(ends[0]);
   auto out = std::make_unique<Descriptor>(ends[1]);

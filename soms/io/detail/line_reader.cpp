@@ -39,7 +39,7 @@ void LineReader::fill() {
     if (end_ >= kLongestLine) {
       throw Error(ErrorKind::bad_file,
                   name_ + ", line " + std::to_string(number_ + 1) + ": longer than 1 MiB",
-                  "give a text file with one row a line");
+                  "give a text file with one row per line");
     }
     buffer_.resize(2 * buffer_.size());
   }

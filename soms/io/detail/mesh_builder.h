@@ -17,8 +17,7 @@
 namespace soms::detail {
 
 /// Note of faces that give no triangle.
-inline constexpr std::string_view kThinFaces =
-    "faces with fewer than three corners, which gave no triangle";
+inline constexpr std::string_view kThinFaces = "faces with fewer than three corners, not read";
 
 /// Collects vertices, faces and parts. Indices are checked by the reader, which knows the place.
 class MeshBuilder {

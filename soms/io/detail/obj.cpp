@@ -89,7 +89,7 @@ std::string describe_index_fault(std::int64_t number, std::int64_t so_far, std::
   const std::string index = "vertex " + std::to_string(number);
   if (number < 0) {
     return index + ", but " + std::to_string(so_far) +
-           (so_far == 1 ? " vertex stands" : " vertices stand") + " before this line";
+           (so_far == 1 ? " vertex is" : " vertices are") + " defined before this line";
   }
   return index + (all == 0   ? ", but there are no vertices"
                   : all == 1 ? ", but the only one is 1"
@@ -132,7 +132,7 @@ void ObjReader::read_face(TextScanner& scanner, std::int64_t vertices_so_far) {
     const std::int64_t corner = number < 0 ? vertices_so_far + number : number - 1;
     if (corner < 0 || corner >= vertices) {
       scanner.fail(ErrorKind::bad_file, describe_index_fault(number, vertices_so_far, vertices),
-                   number == 0 ? "count vertices from 1" : "repair or drop the face");
+                   number == 0 ? "vertices are numbered from 1" : "repair or drop the face");
     }
     corners_.push_back(static_cast<std::uint32_t>(corner));
   }
@@ -196,8 +196,8 @@ void ObjReader::check_words() {
     scanner.skip_line();
   }
   if (lines > 0) {
-    source_.fail(ErrorKind::bad_file, "no line begins with a keyword of OBJ",
-                 "give the file itself, or let its name end as its format does");
+    source_.fail(ErrorKind::bad_file, "no line begins with an OBJ keyword",
+                 "give the model file, or rename it with the extension of its format");
   }
 }
 

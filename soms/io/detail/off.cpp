@@ -58,8 +58,8 @@ std::size_t most_behind_vertex(std::string_view magic) {
 
 void OffReader::find_row(const char* what) {
   if (!scanner_.find_line()) {
-    scanner_.fail(ErrorKind::bad_file, std::string("the file ends where ") + what + " should be",
-                  "get the complete file; each vertex and each face is a line of its own");
+    scanner_.fail(ErrorKind::bad_file, std::string("the file ends, but ") + what + " is missing",
+                  "get the complete file; each vertex and each face is on its own line");
   }
 }
 
@@ -135,7 +135,7 @@ void OffReader::read_face() {
   const TextScanner before = scanner_;
   const std::int64_t length = scanner_.integer("the number of corners");
   if (length < 0 || static_cast<std::uint64_t>(length) > (scanner_.left() + 1) / 2) {
-    before.fail(ErrorKind::bad_file, "a face of " + std::to_string(length) + " corners",
+    before.fail(ErrorKind::bad_file, "a face has " + std::to_string(length) + " corners",
                 "repair or drop the face");
   }
   const auto vertices = static_cast<std::int64_t>(builder_.vertices().size());
@@ -182,7 +182,7 @@ void OffReader::refuse_behind_counts() {
   if (!scanner_.at_line_end()) {
     const TextScanner before = scanner_;
     before.fail(ErrorKind::bad_file, in_quotes(scanner_.token_in_line()) + " follows the counts",
-                "put the first vertex on a line of its own");
+                "put the first vertex on its own line");
   }
 }
 
@@ -198,7 +198,7 @@ void OffReader::refuse_more() {
 
 Mesh OffReader::read() {
   read_magic();
-  find_row("the counts");
+  find_row("the row of counts");
   const std::uint64_t vertices = read_count("the number of vertices");
   const std::uint64_t faces = read_count("the number of faces");
   refuse_behind_counts();
@@ -207,8 +207,9 @@ Mesh OffReader::read() {
   read_faces(faces);
   refuse_more();
   builder_.note(long_vertices_,
-                "vertex rows with more values after z than the first word of the file announces");
-  builder_.note(color_indices_, "face rows with one value after their corners, taken for a color");
+                "vertex rows with more values after z than the keyword of the file declares");
+  builder_.note(color_indices_,
+                "face rows with one value after their corners, assumed to be a color");
   builder_.note(long_faces_, "face rows with values after their corners that are no color");
   return builder_.finish();
 }

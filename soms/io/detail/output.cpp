@@ -45,8 +45,8 @@ void OutputFile::check(int code) const {
   if (code != 0) {
     throw Error(ErrorKind::cannot_write,
                 path_.string() + ": " + std::generic_category().message(code),
-                code == ENOSPC ? "free some space, or write elsewhere"
-                               : "check the folder and the right to write there");
+                code == ENOSPC ? "free some space, or choose another location"
+                               : "check that the folder exists and is writable");
   }
 }
 

@@ -18,7 +18,7 @@ const PlyElement* find_element(const Source& source, const PlyHeader& header,
   for (const PlyElement& element : header.elements) {
     if (element.name == name) {
       if (found != nullptr) {
-        source.fail(ErrorKind::bad_file, "element " + in_quotes(name) + " stands twice",
+        source.fail(ErrorKind::bad_file, "element " + in_quotes(name) + " is declared twice",
                     "repair the header");
       }
       found = &element;

@@ -123,7 +123,7 @@ void PlyBinary<Swap>::begin_element(const PlyElement& element) {
   const std::uint64_t row = element.least_row();
   if (row > 0 && element.count > left() / row) {
     fail(at_, std::to_string(element.count) + " rows of element " + in_quotes(element.name) +
-                  " do not fit into the " + std::to_string(left()) + " bytes that are left");
+                  " do not fit into the remaining " + std::to_string(left()) + " bytes");
   }
 }
 
@@ -132,8 +132,7 @@ auto PlyBinary<Swap>::pass_list(const PlyProperty& property) -> List {
   const std::size_t begin = at_;
   const std::size_t count_size = size_of(property.count_type);
   if (left() < count_size) {
-    fail(begin,
-         "the file ends where the length of list " + in_quotes(property.name) + " should be");
+    fail(begin, "the file ends before the length of list " + in_quotes(property.name));
   }
   const std::int64_t length = with_type(property.count_type, [&](auto type) {
     return static_cast<std::int64_t>(load<decltype(type), Swap>(here()));
@@ -141,7 +140,7 @@ auto PlyBinary<Swap>::pass_list(const PlyProperty& property) -> List {
   at_ += count_size;
   if (length < 0 || static_cast<std::uint64_t>(length) > left() / size_of(property.type)) {
     fail(begin, "list " + in_quotes(property.name) + " of length " + std::to_string(length) +
-                    " in the " + std::to_string(left()) + " bytes that are left");
+                    " does not fit into the remaining " + std::to_string(left()) + " bytes");
   }
   const List list{static_cast<std::uint64_t>(length), at_};
   at_ += list.length * size_of(property.type);
@@ -156,7 +155,7 @@ void PlyBinary<Swap>::pass(const PlyProperty& property) {
   }
   const std::size_t size = size_of(property.type);
   if (left() < size) {
-    fail(at_, "the file ends where property " + in_quotes(property.name) + " should be");
+    fail(at_, "the file ends before property " + in_quotes(property.name));
   }
   at_ += size;
 }
@@ -263,7 +262,7 @@ void PlyBinary<Swap>::read_corners(const PlyProperty& property, const List& list
       std::int64_t corner = -2;
       if constexpr (std::is_floating_point_v<T>) {
         if (std::trunc(stored) != stored) [[unlikely]] {
-          fail(at, "vertex " + std::to_string(stored) + " is no whole number");
+          fail(at, "vertex number " + std::to_string(stored) + " is not a whole number");
         }
         const bool whole = stored >= -1 && stored <= 0x1p31;
         corner = whole ? static_cast<std::int64_t>(stored) : -2;

@@ -128,7 +128,7 @@ void HeaderReader::read_element(std::string_view line) {
   const auto [stop, error] = std::from_chars(count.data(), end, element.count);
   if (count.empty() || error != std::errc() || stop != end) {
     fail("element " + in_quotes(element.name) + " has the count " + in_quotes(count),
-         "give a whole number that is not negative");
+         "give a whole number of at least 0");
   }
   expect_end(line);
   header_.elements.push_back(std::move(element));

@@ -93,8 +93,8 @@ void PlyText::begin_element(const PlyElement& element) {
   if (row > 0 && element.count > (std::uint64_t{scanner_.left()} + 1) / row) {
     scanner_.fail(ErrorKind::bad_file,
                   std::to_string(element.count) + " rows of element " + in_quotes(element.name) +
-                      " do not fit into the " + std::to_string(scanner_.left()) +
-                      " bytes that are left",
+                      " do not fit into the remaining " + std::to_string(scanner_.left()) +
+                      " bytes",
                   "get the complete file, or repair it");
   }
   flows_ = flows(element);
@@ -138,7 +138,7 @@ void PlyText::end_row() {
     const TextScanner before = scanner_;
     before.fail(ErrorKind::bad_file,
                 in_quotes(scanner_.token_in_line()) + " follows the last value of the row",
-                "correct the row, or put each row on a line of its own");
+                "correct the row, or put each row on its own line");
   }
 }
 
@@ -155,9 +155,10 @@ std::int64_t PlyText::read_integer(const PlyProperty& property, PlyType type) {
   const std::int64_t value = scanner_.integer(property.name);
   const Range allowed = range(type);
   if (value < allowed.lower || value > allowed.upper) {
-    before.fail(ErrorKind::bad_file,
-                in_quotes(property.name) + " is " + std::to_string(value) + ", beyond its type",
-                "repair the file");
+    before.fail(
+        ErrorKind::bad_file,
+        in_quotes(property.name) + " is " + std::to_string(value) + ", out of range for its type",
+        "repair the file");
   }
   return value;
 }
@@ -179,7 +180,8 @@ std::int64_t PlyText::read_length(const PlyProperty& property) {
   if (length < 0 || static_cast<std::uint64_t>(length) > (scanner_.left() + 1) / 2) {
     before.fail(ErrorKind::bad_file,
                 "list " + in_quotes(property.name) + " of length " + std::to_string(length) +
-                    " in the " + std::to_string(scanner_.left()) + " bytes that are left",
+                    " does not fit into the remaining " + std::to_string(scanner_.left()) +
+                    " bytes",
                 "get the complete file, or repair it");
   }
   return length;

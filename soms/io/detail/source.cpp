@@ -1,5 +1,7 @@
 #include "soms/io/detail/source.h"
 
+#include "soms/base/text.h"
+
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -36,7 +38,8 @@ void Source::forget(std::size_t position) {
 
 void Source::fail_memory(std::uint64_t wanted) const {
   fail(ErrorKind::out_of_memory,
-       "reading needs " + std::to_string(wanted) + " bytes more than its limit leaves",
+       "reading exceeds the memory limit by at least " +
+           readable_bytes(wanted - std::min(wanted, budget.left())),
        "raise the limit (max_memory) if the file can be trusted");
 }
 

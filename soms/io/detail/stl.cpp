@@ -47,10 +47,10 @@ Mesh read_binary(Source& source) {
   const std::uint64_t held = (bytes.size() - kHeader) / kFacet;
   // Fewer bytes than a facet behind the last may be padding; more would be triangles lost.
   if (count != held) {
-    source.fail_byte(
-        80, ErrorKind::bad_file,
-        std::to_string(count) + " triangles are stated, " + std::to_string(held) + " are there",
-        "get the complete file, or repair its count");
+    source.fail_byte(80, ErrorKind::bad_file,
+                     "the header states " + std::to_string(count) +
+                         " triangles, but the file has " + std::to_string(held),
+                     "get the complete file, or correct its count");
   }
   MeshBuilder builder(source);
   builder.reserve_vertices(3 * count);
@@ -100,8 +100,8 @@ class StlTextReader {
 
 void StlTextReader::fail_token(std::string_view found, std::string_view wanted) const {
   scanner_.fail(ErrorKind::bad_file,
-                (found.empty() ? std::string("the file ends") : in_quotes(found) + " stands") +
-                    " where " + std::string(wanted) + " should be",
+                "expected " + std::string(wanted) + ", but " +
+                    (found.empty() ? std::string("the file ends") : "found " + in_quotes(found)),
                 "get the complete file, or repair it");
 }
 
@@ -141,7 +141,7 @@ std::string_view StlTextReader::read_name() {
     const std::string_view token = tokens.token_in_line();
     if (facet && equals(token, "endfacet")) {
       scanner_.fail(ErrorKind::bad_file, "a facet follows the name of a solid on the same line",
-                    "put each facet on lines of its own");
+                    "put each facet on its own lines");
     }
     facet = facet || equals(token, "facet");
   }

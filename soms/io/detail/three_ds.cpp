@@ -94,8 +94,8 @@ Chunk ThreeDsReader::chunk_at(std::size_t at, std::size_t end) const {
   const auto name = little_endian<std::uint16_t>(source_.bytes, at);
   const auto length = little_endian<std::uint32_t>(source_.bytes, at + 2);
   if (length < three_ds::kChunkHeader || length > end - at) {
-    fail(at, "a chunk of length " + std::to_string(length) + " where " + std::to_string(end - at) +
-                 " bytes are left");
+    fail(at, "a chunk of length " + std::to_string(length) + " does not fit into the remaining " +
+                 std::to_string(end - at) + " bytes");
   }
   return {name, at + three_ds::kChunkHeader, at + length};
 }
@@ -201,7 +201,7 @@ void ThreeDsReader::read_object(const Chunk& object) {
   const std::string_view body = source_.bytes.substr(object.begin, object.size());
   const std::size_t length = body.find('\0');
   if (length == std::string_view::npos) {
-    fail(object.begin, "the name of an object does not end");
+    fail(object.begin, "the name of an object is not terminated");
   }
   const std::string_view name = body.substr(0, length);
   for_each_expected(object.begin + length + 1, object.end, {three_ds::kTriangles},
@@ -226,7 +226,7 @@ void ThreeDsReader::check_behind_main(std::size_t at) {
                       little_endian<std::uint16_t>(source_.bytes, at) == three_ds::kMain;
   LeftOut behind;
   behind.add([&] { return at_byte(at); }, left);
-  builder_.note(behind, second ? "bytes after the main chunk, where a second one starts, not read"
+  builder_.note(behind, second ? "bytes after the main chunk, which begin a second one, not read"
                                : "bytes after the main chunk, not read");
 }
 

@@ -146,7 +146,7 @@ void ThreeDsWriter::plan_run(std::size_t first, std::size_t end, std::string_vie
     }
     editor_ += object.length();
     if (editor_ > kLongestEditor) {
-      throw Error(ErrorKind::out_of_range, name_ + ": a 3DS file has room for less than 4 GiB",
+      throw Error(ErrorKind::out_of_range, name_ + ": a 3DS file must be smaller than 4 GiB",
                   "write PLY, OBJ, OFF or STL");
     }
     objects_.push_back(std::move(object));

@@ -177,12 +177,10 @@ void check(const TraversalOptions& options) {
   (void)entry(options.descent);
   (void)entry(options.ericson_rule);
   if (options.order != EntryOrder::tree && options.order != EntryOrder::volume) {
-    throw Error(ErrorKind::usage, "traversal: order is none of the named ones",
-                "use tree or volume");
+    throw Error(ErrorKind::usage, "traversal: unknown order", "use tree or volume");
   }
   if (options.update != BoxUpdate::refit && options.update != BoxUpdate::rebox) {
-    throw Error(ErrorKind::usage, "traversal: update is none of the named ones",
-                "use refit or rebox");
+    throw Error(ErrorKind::usage, "traversal: unknown update", "use refit or rebox");
   }
   if (options.traversal == Traversal::ericson && !is_baseline(options.ericson_rule)) {
     throw Error(ErrorKind::usage,

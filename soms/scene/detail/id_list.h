@@ -35,8 +35,8 @@ class IdList {
   /// \errors ErrorKind::out_of_range after 2^32 - 1 values.
   Id add(Value value) {
     if (next_ == std::numeric_limits<Id>::max()) {
-      throw Error(ErrorKind::out_of_range, "scene: every " + what_ + " number has been given",
-                  "make a new scene");
+      throw Error(ErrorKind::out_of_range, "scene: no numbers are left for another " + what_,
+                  "create a new scene");
     }
     places_.push_back({next_, true, std::move(value)});
     return next_++;
@@ -63,8 +63,8 @@ class IdList {
     const Place* place = find_const(id);
     if (place == nullptr) {
       throw Error(ErrorKind::usage, "scene: there is no " + what_ + " " + std::to_string(id),
-                  id < next_ ? "it was removed; numbers are not given again"
-                             : "use a number that add_ gave");
+                  id < next_ ? "it was removed; numbers are not reused"
+                             : "use a number that the scene returned when it was added");
     }
     return place->value;
   }

@@ -84,10 +84,10 @@ void read_contacts(ChunkContent& content, std::vector<Contact>& contacts, const 
     const auto j = content.number<std::uint32_t>();
     const Contact contact{first, second, i, j};
     if (!exists(contact)) {
-      throw content.fault("a contact of what is not there");
+      throw content.fault("a contact refers to a mover or part that does not exist");
     }
     if (!contacts.empty() && !(contacts.back() < contact)) {
-      throw content.fault("contacts that are not sorted");
+      throw content.fault("the contacts are not sorted");
     }
     contacts.push_back(contact);
   }
@@ -100,8 +100,8 @@ RecordingBytes::RecordingBytes(std::unique_ptr<std::istream> in, std::string nam
   in_->seekg(0, std::ios::end);
   const std::istream::pos_type end = in_->tellg();
   if (!*in_ || end < 0) {
-    throw Error(ErrorKind::cannot_open, name_ + ": cannot be read from any place",
-                "give a recording as a file");
+    throw Error(ErrorKind::cannot_open, name_ + ": cannot seek in it",
+                "give the recording as a regular file");
   }
   size_ = static_cast<std::uint64_t>(end);
   seek(0);
@@ -122,7 +122,7 @@ void RecordingBytes::read(char* to, std::size_t count) {
 
 Error RecordingBytes::fault(std::uint64_t byte, const std::string& what) const {
   return Error(ErrorKind::bad_file, name_ + ", byte " + std::to_string(byte) + ": " + what,
-               "record it again; frames before this place are whole");
+               "record it again; the frames before this place are intact");
 }
 
 Error RecordingBytes::cut() const {
@@ -153,7 +153,7 @@ void ChunkContent::refill() {
 
 const char* ChunkContent::take(std::size_t count) {
   if (count > left()) {
-    throw fault("more than the chunk holds");
+    throw fault("the chunk is too short for its content");
   }
   if (count > end_ - at_) {
     refill();
@@ -201,14 +201,14 @@ void read_file_head(RecordingBytes& bytes) {
   }
   if (get<std::uint32_t>(head.data() + 12) !=
       static_cast<std::uint32_t>(hash_of(text.substr(0, 12)))) {
-    throw bytes.fault(8, "the version was altered");
+    throw bytes.fault(8, "the version is corrupt");
   }
   const auto version = get<std::uint32_t>(head.data() + 8);
   if (version != kRecordingVersion) {
-    throw Error(
-        ErrorKind::unsupported,
-        bytes.fault(8, "a recording of version " + std::to_string(version)).place(),
-        "this soms reads version " + std::to_string(kRecordingVersion) + ": take a newer one");
+    throw Error(ErrorKind::unsupported,
+                bytes.fault(8, "a recording of version " + std::to_string(version)).place(),
+                "this soms reads version " + std::to_string(kRecordingVersion) +
+                    "; use a newer version of soms");
   }
 }
 
@@ -220,7 +220,7 @@ ChunkHead read_chunk_head(RecordingBytes& bytes) {
   std::array<char, kChunkHeadSize> raw{};
   bytes.read(raw.data(), raw.size());
   if (get<std::uint64_t>(raw.data() + 24) != hash_of({raw.data(), 24})) {
-    throw bytes.fault(begin, "the head of a chunk was altered");
+    throw bytes.fault(begin, "the header of a chunk is corrupt");
   }
   ChunkHead head;
   std::copy_n(raw.begin(), head.tag.size(), head.tag.begin());
@@ -264,7 +264,7 @@ void read_frame(ChunkContent& content, const RecordingHead& head, RecordedFrame&
   for (Pose& pose : frame.poses) {
     const auto changed = content.number<std::uint16_t>();
     if (changed >> pose.m.size() != 0) {
-      throw content.fault("a pose of more than twelve entries");
+      throw content.fault("a pose has more than twelve entries");
     }
     for (std::size_t k = 0; k < pose.m.size(); ++k) {
       if ((changed >> k & 1) != 0) {

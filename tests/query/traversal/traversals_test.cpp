@@ -324,9 +324,9 @@ TEST(Traversals, RefuseOptionsThatDoNotGoTogether) {
   EXPECT_NE(message({.descent = static_cast<Descent>(77)}), "");
   EXPECT_NE(message({.ericson_rule = static_cast<Traversal>(77)}), "");
   EXPECT_EQ(message({.order = static_cast<EntryOrder>(77)}),
-            "traversal: order is none of the named ones; use tree or volume");
+            "traversal: unknown order; use tree or volume");
   EXPECT_EQ(message({.update = static_cast<BoxUpdate>(77)}),
-            "traversal: update is none of the named ones; use refit or rebox");
+            "traversal: unknown update; use refit or rebox");
 }
 
 TEST(Traversals, RefuseBoxesOfAnotherTreeAndTheLayout) {

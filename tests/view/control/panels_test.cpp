@@ -218,7 +218,8 @@ TEST_F(PanelsTest, CameraMenuSetsSidesAndModes) {
     click(name(mode));
     EXPECT_EQ(state().camera, mode);
   }
-  for (const char* const row : {"See all", "Go to what is picked", "Front", "Right", "Corner"}) {
+  for (const char* const row :
+       {"Show everything", "Go to the selection", "Front", "Right", "Corner"}) {
     const Camera camera = session_.camera();
     click("Camera");
     click(row);
@@ -322,7 +323,7 @@ TEST_F(PanelsTest, ShowNothingWhenSwitchedOff) {
 }
 
 TEST_F(PanelsTest, DrawEveryStateWithoutComplaint) {
-  subject_.note = "The recording ends early: 12 of 100 frames are whole.";
+  subject_.note = "The recording ends early: 12 of 100 frames can be read.";
   drawn_.triangles_left = 800'000;
   subject_.left_out = {"2,000 of 12,345 contacts", "50,000 of 1,000,000 boxes"};
   times_.add(16.6, 1.0 / 60);

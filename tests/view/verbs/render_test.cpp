@@ -161,16 +161,16 @@ TEST_F(Render, R119OptionsThatThePictureIgnoresAreRefused) {
   };
 
   const std::vector<Case> cases{
-      {{"--rule", "sah"}, "--rule without --level or --trace changes nothing"},
-      {{"--leaf", "4"}, "--leaf without --level or --trace changes nothing"},
-      {{"--traversal", "larger"}, "--traversal without --trace changes nothing"},
-      {{"--level", "2", "--descent", "both"}, "--descent without --trace changes nothing"},
+      {{"--rule", "sah"}, "--rule has no effect without --level or --trace"},
+      {{"--leaf", "4"}, "--leaf has no effect without --level or --trace"},
+      {{"--traversal", "larger"}, "--traversal has no effect without --trace"},
+      {{"--level", "2", "--descent", "both"}, "--descent has no effect without --trace"},
       {{"--level", "2", "--rule", "fast", "--midpoint", "centroid"}, "--midpoint has no effect"},
       {{"--level", "2", "--c-vertex", "1"}, "--c-vertex has no effect: only the midpoint thesis"},
       {{"--mover", ball_, "--trace", "--traversal", "larger", "--descent", "both"},
        "--descent has no effect: only E-Node has a descent"},
       {{"--mover", ball_, "--trace", "--traversal", "e-node-front", "--no-prune"},
-       "--no-prune: --traversal e-node-front keeps what pruning leaves"},
+       "--no-prune: --traversal e-node-front needs pruning"},
       {{"--frame", "7"}, "--frame 7 has no effect: nothing moves here; leave it out"},
   };
   for (const Case& c : cases) {
@@ -193,8 +193,7 @@ TEST_F(Render, NamesFewerSamplesWhereADriverHasNoRoomForSoMany) {
   const test::RunResult result =
       render({ball_, "-o", picture_, "--size", "16384x16384", "--samples", "16"});
   EXPECT_EQ(result.status, 5) << result.err;
-  EXPECT_NE(result.err.find("take one sample (--samples 1), or a smaller --size"),
-            std::string::npos)
+  EXPECT_NE(result.err.find("use one sample (--samples 1), or a smaller --size"), std::string::npos)
       << result.err;
   EXPECT_FALSE(std::filesystem::exists(picture_));
 }

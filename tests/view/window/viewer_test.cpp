@@ -172,7 +172,7 @@ TEST_F(ViewerTest, NoDisplayIsOneSentenceAndStatus5) {
   RunningProgram viewer(words(), folder_.path(), "");
   EXPECT_EQ(viewer.wait(), 5);
   const std::string errors = viewer.errors();
-  EXPECT_EQ(errors.rfind("soms-view view: no display to open a window on", 0), 0U) << errors;
+  EXPECT_EQ(errors.rfind("soms-view view: cannot open a window: no display", 0), 0U) << errors;
   EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1);
 }
 

@@ -19,11 +19,11 @@ function trouble(words) {
 function makeView(all) {
   // Asked of a canvas that is thrown away: one that failed once gives no other context.
   if (!document.createElement('canvas').getContext('webgl2')) {
-    trouble('This browser shows no WebGL, so the scene cannot be drawn here. Contacts, figures and pictures are all on the page.');
+    trouble('This browser does not support WebGL, so the scene cannot be drawn. All contacts, figures and plots are still on this page.');
     return null;
   }
   const canvas = byId('canvas');
-  canvas.addEventListener('webglcontextlost', () => trouble('The graphics card was lost; reload the page to draw the scene again.'));
+  canvas.addEventListener('webglcontextlost', () => trouble('The browser lost the graphics card. Reload the page to draw the scene again.'));
   return new View(canvas, all);
 }
 

@@ -89,7 +89,7 @@ export function triangles({ contacts }, k) {
   }
   const left = contacts.pairsInAll(k) - contacts.pairCount(k);
   return `triangles ${some(a, 3)} and ${some(b, 3)}`
-    + (left > 0 ? `; ${number(left)} more pairs of triangles are not in this page` : '');
+    + (left > 0 ? `; ${number(left)} more pairs of triangles are not on this page` : '');
 }
 
 // What of a row is not in the page, and so not in the picture; empty where nothing is missing.
@@ -101,7 +101,7 @@ export function missing(all, r) {
   const numbers = [0, 1].map((which) => all.rows.triangle(r, which)).filter((t) => t !== undefined);
   const first = all.rows.contacts(r).length > 0 || numbers.length === 0 ? ''
     : `; the first: triangle${numbers.length > 1 ? 's' : ''} ${numbers.map(number).join(' and ')}`;
-  return `${counted(all, left)} not in this page, so not drawn${first}`;
+  return `${counted(all, left)} not on this page, so not drawn${first}`;
 }
 
 // 12,345 as 12345, wherever it stands.
@@ -155,20 +155,20 @@ export function whatIsDrawn(all) {
   const sum = (key) => scene.models.reduce((total, model) => total + model[key], 0);
   const parts = [`Drawn: ${number(sum('drawn'))} of ${number(sum('triangles'))} triangles`];
   if (sum('drawn') < sum('triangles')) {
-    parts[0] += ' (simplified away from the contacts; the answers are not)';
+    parts[0] += ' (simplified far from contacts; the answers are exact)';
   }
   const { listed, all: inAll, many } = scene.contacts;
   parts.push(`listed: all ${rowNoun(all, all.rows.count)} that touch`);
   parts.push(listed < inAll
-    ? `of their ${number(inAll)} ${many} ${number(listed)} are in this page, spread over all rows`
+    ? `${number(listed)} of their ${number(inAll)} ${many} are on this page, spread over all rows`
     : `with all their ${number(inAll)} ${many}`);
   if (scene.bodies.names.length < scene.bodies.all) {
     parts.push(`bodies: ${number(scene.bodies.names.length)} of ${number(scene.bodies.all)}`);
   }
   const { kept, count, noun, smooth } = scene.steps;
   if (kept.length < count) {
-    parts.push(`poses: of ${number(kept.length)} of ${number(count)} ${noun}s${smooth
-      ? ', in between they are interpolated; where a contact begins they are exact' : ''}`);
+    parts.push(`poses: those of ${number(kept.length)} of ${number(count)} ${noun}s${smooth
+      ? ', interpolated in between; where a contact begins they are exact' : ''}`);
   }
   return `${parts.join('; ')}.`;
 }

@@ -46,8 +46,8 @@ const Kernels& kernels_named(std::string_view name) {
   const bool known = std::find(kNames.begin(), kNames.end(), name) != kNames.end();
   throw Error(known ? ErrorKind::unsupported : ErrorKind::usage,
               "SOMS_ISA: " + std::string(name) +
-                  (known ? " is not offered by this processor" : " is no instruction set"),
-              "take one of " + offered + ", or unset it");
+                  (known ? " is not supported by this processor" : " is not an instruction set"),
+              "use one of " + offered + ", or unset it");
 }
 
 const Kernels& kernels() {

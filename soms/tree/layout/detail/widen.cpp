@@ -228,7 +228,7 @@ std::uint64_t blocks_of(const Part& part) {
 void check_count(std::uint64_t count) {
   if (count >= WideNode::kMost) {
     throw Error(ErrorKind::out_of_range, "the layout has 2^28 nodes or blocks",
-                "allow more triangles in a leaf");
+                "allow more triangles per leaf");
   }
 }
 
