@@ -52,7 +52,7 @@ std::vector<std::string_view> words_of(const std::vector<std::string>& items) {
 std::vector<const reproduce::Experiment*> chosen(const ReproduceOptions& options) {
   const std::vector<std::string_view> words = words_of(options.items);
   if (words.empty() && !options.items.empty()) {
-    throw Error(ErrorKind::usage, "--item: no item is named", "leave it out to run everything");
+    throw Error(ErrorKind::usage, "--item: the list is empty", "leave it out to run everything");
   }
   try {
     return reproduce::experiments_named(words);
@@ -66,9 +66,9 @@ void make_folder(const fs::path& folder) {
   fs::create_directories(folder, failed);
   if (failed || !fs::is_directory(folder)) {
     throw Error(ErrorKind::cannot_write,
-                fmt::format("{}: cannot make the folder: {}", folder.string(),
+                fmt::format("{}: cannot create the folder: {}", folder.string(),
                             failed ? failed.message() : "a file has this name"),
-                "choose another place for the output");
+                "choose another location for the output");
   }
 }
 
@@ -148,25 +148,25 @@ Action add_reproduce(CLI::App& app, Shared&) {
          [options](const std::string& folder) {
            if (folder.empty()) {
              throw Error(ErrorKind::usage, "--models: the name is empty",
-                         "name a folder, or leave it out");
+                         "give the name of a folder, or leave it out");
            }
            options->models = folder;
          },
-         "folder of the thesis' models; what is missing is generated; see below")
+         "folder of the thesis' models; missing models are generated; see below")
       ->option_text("DIR");
   app.add_option("--item", options->items,
-                 "only these, with commas between: table-5.3, figure-5.2,\n"
+                 "run only these, separated by commas: table-5.3, figure-5.2,\n"
                  "5.3 for both, thesis, beyond; see below")
       ->option_text("LIST");
   add_output(app, "-o,--output", options->output,
-             "folder to write; made if missing (default: soms-thesis)", "DIR");
+             "folder to write, created if missing (default: soms-thesis)", "DIR");
   add_output(app, "--report", options->report,
-             "write the page as one file that needs no folder, too");
-  app.add_flag("--quick", options->quick, "a tenth of the repetitions, smaller sweeps");
+             "also write the page as a single, self-contained file");
+  app.add_flag("--quick", options->quick, "run a tenth of the repetitions and smaller sweeps");
   app.footer(std::string(reproduce::kModelsHelp) + "\n" + help_of_items() +
-             "\nWrites DIR/index.html, a page of all that was found, tables/*.csv, figures/*.svg,\n"
-             "scenes/*.3ds and run.json. Counts are the same in every run; times are of this\n"
-             "machine. Everything takes some minutes, with --quick less than two.\n"
+             "\nWrites DIR/index.html, a page with all results, tables/*.csv, figures/*.svg,\n"
+             "scenes/*.3ds and run.json. Counts are the same in every run; times depend on the\n"
+             "machine. A full run takes a few minutes, with --quick less than two.\n"
              "\nExample:\n  soms reproduce --quick --item 5.3,5.9 -o thesis");
   return [options](Console& console) { return run_reproduce(*options, console); };
 }

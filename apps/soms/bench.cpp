@@ -18,36 +18,38 @@ std::filesystem::path bench_program() {
   return find_program(
       {.name = "soms-bench",
        .variable = "SOMS_BENCH",
-       .remedy = "build it (cmake --preset bench && cmake --build --preset bench), or name it by "
-                 "SOMS_BENCH; see docs/bench.md"});
+       .remedy = "build it (cmake --preset bench && cmake --build --preset bench), or set "
+                 "SOMS_BENCH to its path; see docs/bench.md"});
 }
 
 Action add_bench(CLI::App& app, Shared&) {
   const auto options = std::make_shared<BenchOptions>();
   const char* const group = "Question";
-  app.add_option("A", options->a, "the model that is moved")->required()->type_name("");
-  app.add_option("B", options->b, "the model that stands still")->required()->type_name("");
+  app.add_option("A", options->a, "model that moves")->required()->type_name("");
+  app.add_option("B", options->b, "model that does not move")->required()->type_name("");
   CLI::Option* pose =
-      app.add_option("--pose", options->pose, "moves A: \"x y z [qw qx qy qz]\", or a CSV file")
+      app.add_option("--pose", options->pose, "pose of A: \"x y z [qw qx qy qz]\", or a CSV file")
           ->option_text("POSE")
           ->group(group);
   add_count(app, "--random", options->random, 1, 1'000'000,
-            "random poses of A about B's box (default 1000)")
+            "number of random poses of A around B's box (default 1000)")
       ->excludes(pose)
       ->group(group);
   add_choice<std::string>(app, "--ask", options->jobs,
                           {{"any", "any"}, {"all", "all"}, {"both", "any,all"}},
-                          "does A touch B, how many pairs of triangles touch, or both")
+                          "time whether A and B touch, finding all pairs, or both")
       ->group(group);
-  add_count(app, "--rounds", options->rounds, 1, 1000, "timed rounds in turn (default 7)")
+  add_count(app, "--rounds", options->rounds, 1, 1000,
+            "timed rounds, in which libraries alternate (default 7)")
       ->group(group);
-  add_output(app, "--out", options->out, "also write peers.csv and peers.md to a folder", "FOLDER")
+  add_output(app, "--out", options->out, "also write peers.csv and peers.md to this folder",
+             "FOLDER")
       ->group(group);
   add_strict(app, options->strict);
   app.footer(
-      "Runs soms-bench, which races soms with every peer that is installed, on one thread bound\n"
-      "to a processor. Vertices are rounded to floats first, the same for all. Answers are\n"
-      "compared before a time counts: a ratio at a wrong answer is void.\n\nExample:\n"
+      "Runs soms-bench, which times soms and every installed peer library on one thread pinned to\n"
+      "one processor. Vertices are first rounded to floats, the same for all libraries. Answers\n"
+      "are compared, too: if one is wrong, the ratio of the times is void.\n\nExample:\n"
       "  soms generate knot --triangles 2000 -o knot.ply\n"
       "  soms generate sphere --triangles 800 -o ball.off\n"
       "  soms bench knot.ply ball.off --random 100 --rounds 3");

@@ -144,13 +144,14 @@ std::string fish_script() {
 
 Action add_completion(CLI::App& app, Shared&) {
   const auto options = std::make_shared<CompletionOptions>();
-  add_choice<Shell>(app, "SHELL", options->shell, shells(), "whose words")->required();
+  add_choice<Shell>(app, "SHELL", options->shell, shells(), "shell that will run the script")
+      ->required();
   app.footer("Example:\n  soms completion bash > soms.bash");
   return [options](Console& console) { return run_completion(*options, console); };
 }
 
 int run_completion(const CompletionOptions& options, Console& console) {
-  refuse_json(console, "completion prints a script, no answers");
+  refuse_json(console, "completion prints a shell script");
   switch (options.shell) {
     case Shell::bash:
       console.print(bash_script());

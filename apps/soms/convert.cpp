@@ -24,8 +24,8 @@ Action add_convert(CLI::App& app, Shared&) {
   add_allow_empty(app, options->model);
   add_strict(app, options->model.strict);
   app.footer(
-      "Triangles and vertices keep their numbers and their values. Binary STL, 3DS and GLB round\n"
-      "to floats; 3DS holds objects of at most 65,535 triangles, split in order, with names of at "
+      "Triangles and vertices keep their order and coordinates. Binary STL, 3DS and GLB round\n"
+      "to floats. 3DS holds objects of at most 65,535 triangles, split in order, with names of at "
       "most\n"
       "10 characters.\n\n"
       "Example:\n"

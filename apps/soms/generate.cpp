@@ -58,8 +58,8 @@ Mesh make_teapot(std::uint64_t triangles, std::uint64_t, const Parallel&) {
   throw Error(ErrorKind::usage,
               fmt::format("a teapot has 64 n^2 - 8 n triangles, n from {} to {}",
                           kLeastTeapotSubdivisions, kMostTeapotSubdivisions),
-              between ? fmt::format("take {} or {}", teapot_triangles(n - 1), found)
-                      : fmt::format("take {}", found));
+              between ? fmt::format("use {} or {}", teapot_triangles(n - 1), found)
+                      : fmt::format("use {}", found));
 }
 
 Mesh make_city(std::uint64_t triangles, std::uint64_t seed, const Parallel& parallel) {
@@ -79,8 +79,9 @@ Mesh make_urban(std::uint64_t triangles, std::uint64_t, const Parallel&) {
   Mesh mesh = generate_urban(scene);
   if (triangles != 0 && triangles != mesh.triangles.size()) {
     throw Error(ErrorKind::usage,
-                fmt::format("{} triangles: this scene has {}", triangles, mesh.triangles.size()),
-                "leave --triangles out");
+                fmt::format("--triangles {}: this scene has {} triangles", triangles,
+                            mesh.triangles.size()),
+                "leave it out");
   }
   return mesh;
 }
@@ -88,7 +89,8 @@ Mesh make_urban(std::uint64_t triangles, std::uint64_t, const Parallel&) {
 constexpr std::array kKinds{
     GenerateKind{"knot", "a torus knot, closed", make_knot},
     GenerateKind{"sphere", "a sphere of radius 1, closed", make_sphere},
-    GenerateKind{"statue", "a bust on a plinth, closed, of unlike triangles", make_statue},
+    GenerateKind{"statue", "a bust on a plinth, closed, with triangles of very different sizes",
+                 make_statue},
     GenerateKind{"teapot", "Newell's teapot; 64 n^2 - 8 n triangles, not closed", make_teapot},
     GenerateKind{"city", "hills, streets and buildings, 4 km by 4 km", make_city},
     GenerateKind{"car", "a car, closed", make_mover<MoverKind::car>},
@@ -96,7 +98,7 @@ constexpr std::array kKinds{
     GenerateKind{"drone", "a drone, closed", make_mover<MoverKind::drone>},
     GenerateKind{"urban-mixed", "5,672 triangles: terrain, long roads, buildings, signs",
                  make_urban<UrbanScene::mixed>},
-    GenerateKind{"urban-boxes", "5,672 triangles: four quarters of boxes",
+    GenerateKind{"urban-boxes", "5,672 triangles: four blocks of boxes",
                  make_urban<UrbanScene::boxes>},
     GenerateKind{"urban-plain", "5,672 triangles: boxes, none of them large",
                  make_urban<UrbanScene::plain>},
@@ -127,7 +129,7 @@ Action add_generate(CLI::App& app, Shared&) {
            }
            options->kind = parse_choice("KIND", word, choices);
          },
-         "what to make; see below")
+         "kind of model; see below")
       ->required()
       ->type_name("");
   add_count(app, "--triangles", options->triangles, 1, kMaxPrimitives, "exact number of triangles");
@@ -137,7 +139,7 @@ Action add_generate(CLI::App& app, Shared&) {
       ->option_text("FILE");
   add_format(app, options->output);
   app.footer(help_of_kinds() +
-             "\nThe same options and --seed give the same bytes everywhere.\n\nExample:\n"
+             "\nThe same options and --seed give the same bytes on every machine.\n\nExample:\n"
              "  soms generate city --triangles 20000 --seed 7 -o city.ply");
   return [options](Console& console) { return run_generate(*options, console); };
 }

@@ -134,7 +134,7 @@ std::string describe(const Box& box) {
 std::string describe_parts(const Mesh& mesh, const Defects& defects) {
   constexpr std::size_t kShown = 8;
   if (mesh.parts.empty()) {
-    return "none named";
+    return "none";
   }
   std::string text = with_commas(mesh.parts.size()) + ":";
   for (std::size_t i = 0; i < std::min(kShown, mesh.parts.size()); ++i) {
@@ -172,7 +172,7 @@ std::string describe_model(const ModelReport& report) {
   }
   if (report.bytes_ready && !mesh.triangles.empty()) {
     add_line(text, "memory",
-             fmt::format("{:.1f} bytes a triangle, ready to query",
+             fmt::format("{:.1f} bytes per triangle, ready to query",
                          static_cast<double>(*report.bytes_ready) /
                              static_cast<double>(mesh.triangles.size())));
   }
@@ -225,7 +225,7 @@ std::size_t parse_places(const std::string& text) {
   }
   if (text.empty() ||
       !std::all_of(text.begin(), text.end(), [](char c) { return '0' <= c && c <= '9'; })) {
-    throw Error(ErrorKind::usage, "--list " + text, "give a whole number, or all");
+    throw Error(ErrorKind::usage, "--list " + text, "give a whole number or all");
   }
   return parse_count("--list", text, 0, kMaxPrimitives);
 }
@@ -235,7 +235,7 @@ std::size_t parse_places(const std::string& text) {
 void check_trees(const CLI::App& app, const InfoOptions& options, const Console& console) {
   const std::string given = given_of_trees(app);
   if (!options.trees && !given.empty()) {
-    throw Error(ErrorKind::usage, given + " has no effect: --no-trees leaves out the trees",
+    throw Error(ErrorKind::usage, given + " has no effect: --no-trees builds no trees",
                 "leave one of the two out");
   }
   if (!options.every_rule) {
@@ -260,10 +260,10 @@ Action add_info(CLI::App& app, Shared&) {
   app.add_option("FILE", options->files, "models; - is standard input")->required()->type_name("");
   app.add_flag_callback(
       "--no-trees", [options] { options->trees = false; },
-      "leave out the trees, which take the most time");
+      "do not build trees, which take the most time");
   app.add_option_function<std::string>(
          "--list", [options](const std::string& text) { options->places = parse_places(text); },
-         fmt::format("name the first N places of each kind of defect, or all ({})",
+         fmt::format("list the first N locations of each kind of defect, or all ({})",
                      options->places))
       ->option_text("N");
   add_model_options(app, options->model, "--scale", "--up", "the models");
@@ -272,7 +272,7 @@ Action add_info(CLI::App& app, Shared&) {
   add_build_options(app, options->build);
   app.get_option("--rule")->description("splitting rule (every one)");
   app.footer(
-      "Trees are built by every rule, or by the one that --rule names.\n\nExample:\n"
+      "Builds a tree with every splitting rule, or only with the one given by --rule.\n\nExample:\n"
       "  soms generate knot --triangles 2000 -o knot.ply\n"
       "  soms info knot.ply");
   return [options, &app](Console& console) {
@@ -284,7 +284,7 @@ Action add_info(CLI::App& app, Shared&) {
 
 int run_info(const InfoOptions& options, Console& console) {
   if (std::count(options.files.begin(), options.files.end(), "-") > 1) {
-    throw Error(ErrorKind::usage, "standard input is named twice", "give one of them as a file");
+    throw Error(ErrorKind::usage, "standard input is given twice", "give one of them as a file");
   }
   int status = 0;
   for (const std::string& file : options.files) {

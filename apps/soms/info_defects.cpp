@@ -61,11 +61,11 @@ void for_each_kind(const Mesh& mesh, const Defects& d, const Tell& tell) {
   const DefectPlaces& p = d.places;
   const auto place = [&mesh](const auto& entry) { return place_of(mesh, entry); };
   const auto vertex = [&mesh](std::uint32_t v) { return Place{&mesh, true, v, v, false, 0, {v}}; };
-  tell("repeated_corner", "triangles with a corner repeated", d.repeated_corner, p.repeated_corner,
+  tell("repeated_corner", "triangles with a repeated corner", d.repeated_corner, p.repeated_corner,
        place);
-  tell("collinear", "triangles with corners on a line", d.collinear(), p.collinear, place);
+  tell("collinear", "triangles with collinear corners", d.collinear(), p.collinear, place);
   tell("duplicate", "duplicate triangles", d.duplicate, p.duplicate, place);
-  tell("doubled", "duplicate triangles that are turned over", d.doubled, p.doubled, place);
+  tell("doubled", "duplicate triangles with reversed orientation", d.doubled, p.doubled, place);
   tell("open_edges", "open edges", d.open_edges, p.open_edges, place);
   tell("non_manifold_edges", "non-manifold edges", d.non_manifold_edges, p.non_manifold_edges,
        place);
@@ -177,7 +177,7 @@ std::string describe_defects(const Defects& d) {
     return number == 0 ? std::string() : fmt::format(" ({} {})", with_commas(number), words);
   };
   add(d.degenerate, "triangle", " without area" + of_these(d.repeated_corner, "repeat a corner"));
-  add(d.duplicate, "duplicate triangle", of_these(d.doubled, "turned over"));
+  add(d.duplicate, "duplicate triangle", of_these(d.doubled, "reversed"));
   add(d.open_edges, "open edge");
   add(d.non_manifold_edges, "non-manifold edge");
   add(d.flipped_edges, "flipped edge");

@@ -66,7 +66,7 @@ std::string describe_trees(const std::vector<RuleReport>& trees, int per_leaf) {
   if (trees.empty()) {
     return {};
   }
-  std::string text = fmt::format("  trees with at most {} a leaf\n",
+  std::string text = fmt::format("  trees with at most {} per leaf\n",
                                  counted(static_cast<std::uint64_t>(per_leaf), "triangle"));
   text += fmt::format("    {:<14}{:>7}{:>6}{:>12}{:>13}{:>10}{:>10}{:>8}\n", "rule", "levels",
                       "full", "leaves", "1-triangle", "SAH cost", "build ms", "builds");

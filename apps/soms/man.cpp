@@ -48,7 +48,7 @@ void write_all(const std::string& folder, const Console& console) {
   for (const Verb& verb : verbs()) {
     const std::string text = page_of(verb);
     if (text.empty()) {
-      console.note(fmt::format("soms-{}.1 is left out: {} is not installed", verb.name,
+      console.note(fmt::format("soms-{}.1 is not written: {} is not installed", verb.name,
                                program_name_of(verb)));
     } else {
       write_page(folder, fmt::format("soms-{}", verb.name), text);
@@ -68,21 +68,20 @@ const Verb& verb_named(const std::string& word) {
 
 Action add_man(CLI::App& app, Shared&) {
   const auto options = std::make_shared<ManOptions>();
-  app.add_option("VERB", options->verb,
-                 "the verb whose page to print; without it, the page of soms")
+  app.add_option("VERB", options->verb, "verb whose page to print (default: the page of soms)")
       ->type_name("");
-  add_output(app, "--output", options->folder, "write all pages into a folder that exists instead",
+  add_output(app, "--output", options->folder, "write all pages to this existing folder instead",
              "FOLDER");
   app.footer(
-      "Pages are in the language of man (roff) and say what --help says. An installed soms has\n"
-      "them where man looks: man soms-overlap.\n\n"
+      "Pages are in roff format and have the same content as --help. After installation, man\n"
+      "finds them: man soms-overlap.\n\n"
       "Example:\n"
       "  soms man overlap > soms-overlap.1");
   return [options](Console& console) { return run_man(*options, console); };
 }
 
 int run_man(const ManOptions& options, Console& console) {
-  refuse_json(console, "man prints pages, no answers");
+  refuse_json(console, "man prints man pages");
   if (!options.folder.empty() && !options.verb.empty()) {
     throw Error(ErrorKind::usage, "--output writes all pages", "leave out the verb, or --output");
   }

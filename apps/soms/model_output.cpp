@@ -55,9 +55,10 @@ void check_name(const std::string& path, MeshFormat format) {
     return;  // it says nothing
   }
   if (said != extension_of(format)) {
-    throw Error(ErrorKind::usage,
-                fmt::format("--format {}: the name ends in {}", format_name(format), said),
-                fmt::format("use the extension {}, or leave --format out", extension_of(format)));
+    throw Error(
+        ErrorKind::usage,
+        fmt::format("--format {} does not match the extension {}", format_name(format), said),
+        fmt::format("use the extension {}, or leave --format out", extension_of(format)));
   }
 }
 
@@ -65,7 +66,7 @@ void check_name(const std::string& path, MeshFormat format) {
 
 void add_format(CLI::App& app, ModelOutput& output) {
   add_choice<MeshFormat>(app, "--format", output.format, formats(),
-                         "output format, if not given by the file name");
+                         "format (default: by file extension)");
 }
 
 MeshFormat format_of(const ModelOutput& output) {
@@ -81,13 +82,13 @@ MeshFormat format_of(const ModelOutput& output) {
   } catch (const Error& error) {
     std::error_code ignored;
     if (std::filesystem::is_directory(output.path, ignored)) {
-      throw Error(ErrorKind::usage, output.path + ": this is a folder",
-                  "give the name of a file in it");
+      throw Error(ErrorKind::usage, output.path + ": is a folder",
+                  "give the name of a file in the folder");
     }
     if (std::filesystem::exists(output.path, ignored) &&
         !std::filesystem::is_regular_file(output.path, ignored)) {
       throw Error(ErrorKind::usage, output.path + ": the name does not determine a format",
-                  "name one with --format");
+                  "choose a format with --format");
     }
     throw Error(ErrorKind::usage, error.place(), error.remedy());  // the name is an argument
   }
@@ -125,23 +126,24 @@ void write_model(const Mesh& mesh, const ModelOutput& output, const Console& con
   }
   if (const Rounding rounded = rounding(mesh, format); rounded.count != 0) {
     console.note(
-        fmt::format("{}: {} holds floats: {} of {} vertices were rounded, by {:.2g} at most",
+        fmt::format("{}: {} stores floats: {} of {} vertices were rounded, by at most {:.2g}",
                     file.name(), entry(format).title, with_commas(rounded.count),
                     with_commas(mesh.vertices.size()), rounded.most));
   }
   if (format == MeshFormat::glb && (mesh.up == UpAxis::x || mesh.up == UpAxis::z)) {
     console.note(
-        fmt::format("{}: other programs take y for up in GLB; coordinates were kept, with {} up",
+        fmt::format("{}: in GLB other programs take y as up; coordinates were kept, with {} up",
                     file.name(), name_of(mesh.up)));
   }
   if (format == MeshFormat::glb && mesh.up == UpAxis::unknown) {
     console.note(
-        fmt::format("{}: other programs take y for up in GLB; this model does not say what is up",
+        fmt::format("{}: in GLB other programs take y as up; this model does not state its up axis",
                     file.name()));
   }
   if (format == MeshFormat::glb && mesh.unit > 0 && mesh.unit != 1) {
-    console.note(fmt::format("{}: other programs take GLB for meters; numbers were kept, of {:g} m",
-                             file.name(), mesh.unit));
+    console.note(fmt::format(
+        "{}: in GLB other programs assume meters; coordinates were kept, in units of {:g} m",
+        file.name(), mesh.unit));
   }
 }
 

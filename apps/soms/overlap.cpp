@@ -337,7 +337,7 @@ class OverlapRun {
     if (!right) {
       ++totals_.wrong;
       print_error("soms overlap",
-                  fmt::format("pose {}: brute force finds {}, the answer has {}", totals_.poses,
+                  fmt::format("pose {}: brute force finds {}, but the answer has {}", totals_.poses,
                               counted(truth.pairs.size(), "pair"), answers_[k].pairs.size()));
     }
     return right;
@@ -378,10 +378,12 @@ void add_questions(CLI::App& app, OverlapVerbOptions& options) {
   const char* const group = "Question";
   app.add_option(
          "--pose", options.pose_a,
-         "moves A: \"x y z [qw qx qy qz]\", or a CSV file, one row per pose; - is standard input")
+         "pose of A: \"x y z [qw qx qy qz]\", or a CSV file, one row per pose; - is standard input")
       ->option_text("POSE")
       ->group(group);
-  app.add_option("--pose-b", options.pose_b, "moves B likewise")->option_text("POSE")->group(group);
+  app.add_option("--pose-b", options.pose_b, "pose of B, in the same form")
+      ->option_text("POSE")
+      ->group(group);
   OverlapMode& mode = options.query.mode;
   const auto asks = [&](const std::string& name, OverlapMode value, const std::string& text) {
     return app
@@ -389,36 +391,39 @@ void add_questions(CLI::App& app, OverlapVerbOptions& options) {
             name, [&mode, value] { mode = value; }, text)
         ->group(group);
   };
-  CLI::Option* all = asks("--all", OverlapMode::all, "every pair (the default)");
-  CLI::Option* any = asks("--any", OverlapMode::any, "stop at the first pair found, whichever");
-  CLI::Option* first = asks("--first", OverlapMode::first, "the least pair");
+  CLI::Option* all = asks("--all", OverlapMode::all, "find every pair (default)");
+  CLI::Option* any =
+      asks("--any", OverlapMode::any, "stop at the first pair found, whichever it is");
+  CLI::Option* first =
+      asks("--first", OverlapMode::first, "find the lowest pair by triangle numbers");
   any->excludes(all)->excludes(first);
   first->excludes(all);
   add_count(app, "--limit", options.query.limit, 1, std::numeric_limits<std::uint64_t>::max(),
-            "stop a pose after N pairs")
+            "stop after N pairs per pose")
       ->excludes(any)
       ->excludes(first)
       ->group(group);
   CLI::Option* no_pairs = app.add_flag_callback(
                                  "--no-pairs", [&options] { options.list_pairs = false; },
-                                 "count the pairs, do not list them")
+                                 "count the pairs without listing them")
                               ->group(group);
   add_choice<bool>(app, "--by", options.by_part, {{"triangle", false}, {"part", true}},
-                   "what pairs are listed of")
+                   "what to list pairs of")
       ->excludes(any)
       ->excludes(first)
       ->excludes(no_pairs)
       ->group(group);
   add_choice<bool>(app, "--fail-if", options.fail_if_overlap, {{"overlap", true}},
-                   "exit with 1 if it holds")
+                   "exit with status 1 if this is found")
       ->group(group);
   add_output(app, "--report", options.report,
              "write an HTML report with figures, plots and a 3-D view of the overlap")
       ->group(group);
-  add_output(app, "--csv", options.csv, "write the list as CSV, a row a pair")
+  add_output(app, "--csv", options.csv, "write the pairs as CSV, one row per pair")
       ->excludes(no_pairs)
       ->group(group);
-  app.add_flag("--verify", options.verify, "compare with brute force; exit with 6 if they differ")
+  app.add_flag("--verify", options.verify,
+               "compare with brute force; exit with status 6 if they differ")
       ->group(group);
 }
 
@@ -437,8 +442,8 @@ Action add_overlap(CLI::App& app, Shared&) {
   add_build_options(app, options->build);
   add_traversal_options(app, options->query.traversal);
   app.footer(
-      "Touching counts: corners and edges belong to their triangles. Surfaces only: a body wholly\n"
-      "inside another overlaps nothing of it.\n\nExample:\n"
+      "Touching counts as overlap: corners and edges belong to their triangles. Only surfaces are\n"
+      "tested: a body entirely inside another one does not overlap it.\n\nExample:\n"
       "  soms generate knot --triangles 2000 -o knot.ply\n"
       "  soms generate sphere --triangles 800 -o ball.off\n"
       "  soms overlap knot.ply ball.off --pose \"0.5 0 0\"");
@@ -452,7 +457,7 @@ Action add_overlap(CLI::App& app, Shared&) {
     if (!options->list_pairs && options->query.mode != OverlapMode::all && !console.shared().json) {
       throw Error(ErrorKind::usage,
                   "--no-pairs has no effect: --any and --first list no pairs without --json",
-                  "leave it out, or give --json, too");
+                  "leave it out, or also give --json");
     }
     return run_overlap(*options, console);
   };
@@ -462,7 +467,7 @@ int run_overlap(const OverlapVerbOptions& options, Console& console) {
   const std::array<std::optional<std::string>, 4> inputs{options.a, options.b, options.pose_a,
                                                          options.pose_b};
   if (std::count(inputs.begin(), inputs.end(), "-") > 1) {
-    throw Error(ErrorKind::usage, "standard input is named twice", "give one of them as a file");
+    throw Error(ErrorKind::usage, "standard input is given twice", "give one of them as a file");
   }
   check_outputs({{"A", options.a},
                  {"B", options.b},

@@ -39,7 +39,7 @@ std::vector<report::Plot> bars_of_parts(const Mesh& mesh, const std::vector<Over
   }
   return bars_of({by_name.begin(), by_name.end()}, "Parts of " + name, "pairs",
                  "Overlapping pairs of triangles by the part of " + name +
-                     " that they lie in, all poses together; the parts with most.");
+                     " that they lie in, summed over all poses; the parts with the most pairs.");
 }
 
 /// Numbers the parts of one mesh as a page does: each once.
@@ -213,9 +213,10 @@ std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
   for (const FrameWarning& warning : report.warnings) {
     facts.push_back({"warning", warning.text()});
   }
-  facts.push_back({"query", report.mode == OverlapMode::all     ? "every pair of triangles"
-                            : report.mode == OverlapMode::first ? "the least pair of triangles"
-                                                                : "any pair of triangles"});
+  facts.push_back({"query", report.mode == OverlapMode::all ? "every pair of triangles"
+                            : report.mode == OverlapMode::first
+                                ? "the first pair of triangles in order"
+                                : "any pair of triangles"});
   facts.push_back(
       {"poses", fmt::format("{}{}: {} with overlap, {} without{}",
                             report.interrupted ? "interrupted after " : "",
@@ -244,14 +245,15 @@ std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
 
 void OverlapPage::write(std::ostream& out, const OverlapReport& report,
                         const OverlapTotals& totals) const {
-  report::Page page{.title = fmt::format("{} and {}", name_a_, name_b_),
-                    .lead = "Which triangles share a point, decided exactly.",
-                    .facts = facts(report, totals),
-                    .plots = plots(),
-                    .notes = {"Touching counts: corners and edges belong to their triangles. "
-                              "Surfaces only: a body wholly inside another overlaps nothing of it. "
-                              "The picture may be simplified; the answers never are."},
-                    .scene = scene()};
+  report::Page page{
+      .title = fmt::format("{} and {}", name_a_, name_b_),
+      .lead = "Which triangles share a point, decided exactly.",
+      .facts = facts(report, totals),
+      .plots = plots(),
+      .notes = {"Touching counts as overlap: corners and edges belong to their triangles. Only "
+                "surfaces are tested: a body entirely inside another one does not overlap it. "
+                "The picture may be simplified; the answers never are."},
+      .scene = scene()};
   report::write_page(out, page);
 }
 

@@ -103,9 +103,9 @@ std::string summary(const OverlapReport& report, const Overlap& answer) {
                        report.gap);
   }
   if (!answer.any) {
-    return report.single
-               ? "no triangles overlap (surfaces only: a body wholly inside the other is not seen)"
-               : "no overlap";
+    return report.single ? "no triangles overlap (surfaces only: a body entirely inside the other "
+                           "is not detected)"
+                         : "no overlap";
   }
   if (report.mode != OverlapMode::all) {
     const auto& [i, j] = answer.pairs.front();
@@ -113,7 +113,7 @@ std::string summary(const OverlapReport& report, const Overlap& answer) {
     return fmt::format("overlap: triangle {} of {} and {} of {}{}", triangle_name(report.a, i),
                        printable(report.a.source), triangle_name(report.b, j),
                        printable(report.b.source),
-                       late ? " (out of time: there may be a lesser one)" : "");
+                       late ? " (out of time: there may be an earlier pair)" : "");
   }
   const bool one = answer.pairs.size() == 1;
   return fmt::format("{}{} of triangles overlap{}",
@@ -146,7 +146,7 @@ void print_text(const OverlapReport& report, std::uint64_t pose, const Overlap& 
         fmt::format("  {} and {}\n", triangle_name(report.a, i), triangle_name(report.b, j)));
   }
   if (listed < answer.pairs.size()) {
-    console.print(fmt::format("  and {} more: --json lists all\n",
+    console.print(fmt::format("  and {} more; --json lists all\n",
                               with_commas(answer.pairs.size() - listed)));
   }
 }

@@ -18,8 +18,8 @@ std::filesystem::path reproduce_program() {
   return find_program({.name = "soms-reproduce",
                        .variable = "SOMS_REPRODUCE",
                        .remedy =
-                           "make build builds it beside the command, or name it by SOMS_REPRODUCE; "
-                           "docs/reproduce.md tells more"});
+                           "make build builds it beside the command, or set SOMS_REPRODUCE to its "
+                           "path; see docs/reproduce.md"});
 }
 
 [[noreturn]] void pass(const std::filesystem::path& program, std::string_view verb,

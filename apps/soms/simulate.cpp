@@ -58,7 +58,7 @@ void check_recording(const SimulateOptions& options) {
         std::find(files->begin(), files->end(), "-") != files->end()) {
       throw Error(ErrorKind::usage,
                   "--record and --picture cannot name a model from standard input",
-                  "give the model as a file, which a player can find again");
+                  "give the model as a file, which can be read again later");
     }
   }
 }
@@ -141,7 +141,8 @@ int run_window(const SimulateOptions& options, const Console& console) {
   const bool answers = options.verify || options.fail_if_contact || console.shared().json;
   if (answers || !options.report.empty() || !options.map.empty() || !options.events.empty() ||
       !options.record.empty() || !options.picture.empty() || options.picture_frame) {
-    throw Error(ErrorKind::usage, "--view with another output", "--view shows and writes nothing");
+    throw Error(ErrorKind::usage, "--view cannot be combined with an output option",
+                "leave out --view, or the other option");
   }
   std::vector<std::string> more;
   if (options.frames_given) {

@@ -10,17 +10,14 @@ namespace {
 constexpr std::uint64_t kMostFrames = 1'000'000'000;
 
 const char* const kFooter =
-    "Without a city: an embedded one of 1,000,000 triangles. Movers follow its streets, drones "
-    "fly\n"
-    "above them; in a city from files they go to and fro on straight level lines at street "
-    "height.\n"
-    "They start free, drive on through whatever they touch, and 60 frames are one second. A "
-    "contact\n"
-    "is one mover and one triangle of the city, or two movers, from the first frame in which they\n"
-    "touch to the last. A route file is CSV: x,y,z are points of a line that is driven at "
-    "constant\n"
-    "speed; with qw,qx,qy,qz or as r00,...,tz each row is the pose of one frame.\n"
-    "Surfaces only: a mover wholly inside a closed building touches nothing.\n\n"
+    "Without CITY, an embedded city of 1,000,000 triangles is used. Movers follow its streets,\n"
+    "and drones fly above them. In a city from files, movers go back and forth on straight, level\n"
+    "lines at street height. Movers start free of contact and pass through whatever they touch.\n"
+    "60 frames are one second. A contact is one mover and one triangle of the city, or two\n"
+    "movers, from the first frame in which they touch to the last. A route is a CSV file: x,y,z\n"
+    "are points of a line that is followed at constant speed; with qw,qx,qy,qz, or as\n"
+    "r00,...,tz, each row is the pose of one frame.\n"
+    "Only surfaces are tested: a mover entirely inside a closed building touches nothing.\n\n"
     "Example:\n"
     "  soms simulate --map city.svg\n"
     "  soms generate city --triangles 20000 -o town.ply\n"
@@ -34,33 +31,34 @@ Action add_simulate(CLI::App& app, Shared&) {
   add_world_options(app, options->world);
   add_world_tree_options(app, options->world);
   const CLI::Option* frames =
-      add_count(app, "--frames", options->frames, 0, kMostFrames, "frames (600)");
+      add_count(app, "--frames", options->frames, 0, kMostFrames, "number of frames (600)");
   app.add_flag("--verify", options->verify,
                "check contacts, and a sample of free movers, by brute force");
   add_output(app, "--map", options->map, "draw the city, its movers and contacts as SVG");
   add_output(app, "--report", options->report,
              "write an HTML report with figures, a time line and the scene in 3-D");
-  add_output(app, "--events", options->events, "write begin and end of every contact as CSV");
+  add_output(app, "--events", options->events, "write the begin and end of every contact as CSV");
   add_output(app, "--record", options->record,
-             "write poses and contacts of every frame, to be played by soms view");
-  app.add_flag("--view", options->view, "show it in a window instead of answering");
+             "write poses and contacts of every frame; soms view plays the file");
+  app.add_flag("--view", options->view, "show the simulation in a window instead of reporting it");
   add_output(app, "--picture", options->picture, "draw the last frame and its contacts as PNG");
   app.add_option_function<std::string>(
          "--picture-frame",
          [options](const std::string& value) {
            options->picture_frame = parse_count("--picture-frame", value, 0, kMostFrames);
          },
-         "draw this frame instead, counted from 0")
+         "frame to draw with --picture, counted from 0 (the last)")
       ->option_text("N");
   add_choice<bool>(app, "--fail-if", options->fail_if_contact,
-                   {{"overlap", true}, {"contact", true}}, "exit with 1 when something touched");
+                   {{"overlap", true}, {"contact", true}},
+                   "exit with status 1 if anything touches");
   app.footer(kFooter);
   return [options, frames, &app](Console& console) {
     options->frames_given = frames->count() > 0;
     check_build(app, options->world.build);
     check_traversal(app, options->world.traversal);
     if (const std::string given = given_of_trees(app); options->view && !given.empty()) {
-      throw Error(ErrorKind::usage, given + " with --view changes nothing",
+      throw Error(ErrorKind::usage, given + " has no effect with --view",
                   "choose trees and traversals in the window");
     }
     return run_simulate(*options, console);

@@ -198,8 +198,8 @@ std::vector<report::Plot> plots_of(const World& world, const Outcome& outcome) {
   }
   for (const auto& [counts, title, caption] :
        {std::tuple(&parts, "Parts of the city by contacts",
-                   "The parts that were touched most: contacts of each, a mover and a triangle."),
-        std::tuple(&models, "Models by contacts", "Contacts by the model that moves.")}) {
+                   "The parts with the most contacts; a contact is a mover and a triangle."),
+        std::tuple(&models, "Models by contacts", "Contacts by moving model.")}) {
     for (report::Plot& bars :
          bars_of({counts->begin(), counts->end()}, title, "contacts", caption)) {
       plots.push_back(std::move(bars));
@@ -239,8 +239,8 @@ void write_page(std::ostream& out, const World& world, const Outcome& outcome,
   }
   page.notes.emplace_back(
       "A contact is one mover and one triangle of the city, or two movers, from the first frame in "
-      "which they touch to the last in a row. Surfaces only: a mover wholly inside a closed "
-      "building touches nothing. The picture may be simplified; the answers never are.");
+      "which they touch to the last in a row. Only surfaces are tested: a mover entirely inside a "
+      "closed building touches nothing. The picture may be simplified; the answers never are.");
   page.plots = plots_of(world, outcome);
   page.scene = scene_of(world, outcome);
   report::write_page(out, page);

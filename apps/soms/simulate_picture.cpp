@@ -20,8 +20,8 @@ std::filesystem::path make_folder() {
   std::filesystem::path base = std::filesystem::temp_directory_path(unknown);
   std::string pattern = ((unknown ? std::filesystem::path("/tmp") : base) / "soms-XXXXXX").string();
   if (::mkdtemp(pattern.data()) == nullptr) {
-    throw Error(ErrorKind::cannot_write, pattern + ": no room for a recording",
-                "name another folder by TMPDIR");
+    throw Error(ErrorKind::cannot_write, pattern + ": cannot create a temporary recording",
+                "set TMPDIR to another folder");
   }
   return pattern;
 }
@@ -46,7 +46,7 @@ Picture::Picture(const SimulateOptions& options) : options_(options), recording_
   const std::filesystem::file_status there = std::filesystem::status(recording_, ignored);
   if (kept && std::filesystem::exists(there) && !std::filesystem::is_regular_file(there)) {
     throw Error(ErrorKind::usage,
-                fmt::format("--record {}: no file, and --picture is drawn from it", recording_),
+                fmt::format("--record {} is not a regular file, which --picture needs", recording_),
                 "record to a file, or leave one of the two out");
   }
   (void)viewer_program();

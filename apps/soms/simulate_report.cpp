@@ -45,7 +45,8 @@ std::string movers_of(const World& world) {
   }
   std::string text = fmt::format("{} ({})", with_commas(world.routes.size()), kinds);
   if (world.routes.size() < world.requested) {
-    text += fmt::format("; {} requested, no free place for the rest", with_commas(world.requested));
+    text +=
+        fmt::format("; {} requested, no free position for the rest", with_commas(world.requested));
   }
   return text;
 }
@@ -133,7 +134,7 @@ std::string table_of(const World& world, const Outcome& outcome, const SimulateO
     text += row(name, value);
   }
   if (hints && options.map.empty() && options.report.empty() && options.picture.empty()) {
-    text += row("look at it", "add --map city.svg to draw the city and its contacts, or --view");
+    text += row("see it", "add --map city.svg to draw the city and its contacts, or --view");
   }
   for (const auto& [name, path] : {Figure("map", options.map), Figure("report", options.report),
                                    Figure("events", options.events)}) {

@@ -20,18 +20,18 @@ namespace {
 constexpr std::array kVerbs{
     Verb{"bench", "compare soms with the installed peers on your own two models", add_bench},
     Verb{"completion", "print a shell completion script", add_completion},
-    Verb{"convert", "read any model, write PLY, 3DS, STL, OFF, OBJ or GLB", add_convert},
+    Verb{"convert", "convert a model to PLY, 3DS, STL, OFF, OBJ or GLB", add_convert},
     Verb{"generate", "create a model with an exact number of triangles", add_generate},
-    Verb{"info", "triangles, bounds, parts, defects and trees of models", add_info},
+    Verb{"info", "report triangles, bounds, parts, defects and trees of models", add_info},
     Verb{"man", "print the man page of the command or of a verb", add_man},
-    Verb{"overlap", "which triangles of two models share a point", add_overlap},
-    Verb{"render", "draw a city, its movers and contacts as a picture, without a screen", nullptr,
+    Verb{"overlap", "find the triangles of two models that touch or intersect", add_overlap},
+    Verb{"render", "draw a city, its movers and contacts to a PNG file, without a screen", nullptr,
          pass_to_viewer},
-    Verb{"reproduce", "the experiments of the thesis: tables, figures and a page", nullptr,
+    Verb{"reproduce", "rerun the experiments of the thesis: tables, figures and a page", nullptr,
          pass_to_reproduce},
-    Verb{"simulate", "a city, movers on its streets, frame by frame: who touches what",
+    Verb{"simulate", "move objects through a city and report what touches what, frame by frame",
          add_simulate},
-    Verb{"version", "the version, the instruction set and the formats of this soms", add_version},
+    Verb{"version", "print the version, the instruction set and the file formats", add_version},
     Verb{"view", "fly through a city and see what touches what, and why", nullptr, pass_to_viewer},
 };
 
@@ -43,7 +43,7 @@ std::span<const Verb> verbs() {
 
 Program program() {
   return {
-      .name = "soms", .summary = "exact, fast answers to which triangles touch", .verbs = verbs()};
+      .name = "soms", .summary = "find exactly, and fast, which triangles touch", .verbs = verbs()};
 }
 
 }  // namespace soms::command

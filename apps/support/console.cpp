@@ -31,7 +31,7 @@ void limit_memory(std::uint64_t bytes) {
   }
   limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
   if (::setrlimit(RLIMIT_DATA, &limit) != 0) {
-    throw Error(ErrorKind::usage, "--max-memory: the system refuses the limit", "leave it out");
+    throw Error(ErrorKind::usage, "--max-memory: the system rejects this limit", "leave it out");
   }
 }
 

@@ -14,7 +14,8 @@ namespace soms::command {
 namespace {
 
 constexpr const char* kAxes[] = {"", "x", "y", "z"};
-constexpr const char* kLookFor = "if that is not meant, look for a missing shift, unit or up axis";
+constexpr const char* kLookFor =
+    "if this is not intended, check for a missing translation, unit or up axis";
 
 std::string up_words(const NamedFrame& model, UpAxis up) {
   return fmt::format("{} {}", model.up_option, kAxes[static_cast<std::size_t>(up)]);
@@ -34,25 +35,25 @@ std::string turning_words(const NamedFrame& a, const NamedFrame& b) {
 /// `known` declares its axis, `other` does not.
 std::string axis_remedy(const NamedFrame& known, const NamedFrame& other) {
   if (known.frame.up == UpAxis::z) {
-    return fmt::format("give {0} z if z is up in {1}, too, or {0} y if y is", other.up_option,
+    return fmt::format("give {0} z if z is also up in {1}, or {0} y if y is", other.up_option,
                        other.file);
   }
   const UpAxis up = known.frame.up;
-  return fmt::format("give {} if z is up in {}, and {}, too, if {} is", up_words(known, up),
+  return fmt::format("give {} if z is up in {}, and also {} if {} is", up_words(known, up),
                      other.file, up_words(other, up), kAxes[static_cast<std::size_t>(up)]);
 }
 
 std::string remedy_of(FrameDoubt doubt, const NamedFrame& a, const NamedFrame& b) {
   switch (doubt) {
     case FrameDoubt::axes_differ:
-      return fmt::format("nothing is turned unless you give {}", turning_words(a, b));
+      return fmt::format("models are not rotated unless you give {}", turning_words(a, b));
     case FrameDoubt::axis_unknown:
       return a.frame.up == UpAxis::unknown ? axis_remedy(b, a) : axis_remedy(a, b);
     case FrameDoubt::units_differ:
       // A model that soms made is not scaled.
-      return a.built_in ? fmt::format("give {} {} to convert, or {} 1 to leave it", b.scale_option,
+      return a.built_in ? fmt::format("give {} {} to convert, or {} 1 to keep it", b.scale_option,
                                       b.frame.unit / a.frame.unit, b.scale_option)
-                        : fmt::format("give {} {} to convert, or {} 1 to leave it", a.scale_option,
+                        : fmt::format("give {} {} to convert, or {} 1 to keep it", a.scale_option,
                                       a.frame.unit / b.frame.unit, a.scale_option);
     case FrameDoubt::unit_unknown: {
       const NamedFrame& other = a.frame.unit > 0 ? b : a;

@@ -74,8 +74,9 @@ Error in_words_of_options(const Error& error, const std::string& path, const Mod
                           const Shared& shared) {
   if (error.kind() == ErrorKind::empty_mesh) {
     return {error.kind(), error.place(),
-            options.offers_empty ? "give a model with faces, or allow an empty one by --allow-empty"
-                                 : "give a model with faces"};
+            options.offers_empty
+                ? "give a model with faces, or allow an empty one with --allow-empty"
+                : "give a model with faces"};
   }
   if (error.kind() != ErrorKind::out_of_memory) {
     return {error.kind(), error.place(), with_option(error.remedy(), "`strict`", "--strict")};
@@ -83,8 +84,7 @@ Error in_words_of_options(const Error& error, const std::string& path, const Mod
   // Refused by the reader's own count, or by the system where ours is the least limit.
   return error.remedy().find("max_memory") == std::string::npos
              ? out_of_memory(shared, path)
-             : Error(error.kind(), error.place(),
-                     "allow more with --max-memory, or use a smaller model");
+             : Error(error.kind(), error.place(), "raise --max-memory, or use a smaller model");
 }
 
 }  // namespace
@@ -93,12 +93,12 @@ void add_model_options(CLI::App& app, ModelOptions& options, const std::string& 
                        const std::string& up_name, const std::string& whose) {
   const char* const group = "Models";
   add_positive(app, scale_name, options.scale,
-               "multiply the coordinates of " + whose + "; 1 states that its unit fits")
+               "multiply the coordinates of " + whose + "; 1 confirms that the unit is right")
       ->group(group)
       ->each([&options](const std::string&) { options.scale_is_given = true; });
   add_choice<UpAxis>(app, up_name, options.up,
                      {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}},
-                     "axis that is up in " + whose + "; turned to z")
+                     "up axis of " + whose + ", rotated to z")
       ->group(group);
 }
 
@@ -117,26 +117,25 @@ void add_build_options(CLI::App& app, BuildOptions& options) {
   grouped(add_choice<Rule>(app, "--rule", options.rule, rule_choices(),
                            fmt::format("splitting rule ({})", entry(options.rule).kebab)));
   grouped(add_count(app, "--levels", options.level, 0, 64,
-                    fmt::format("most levels; 0: no limit ({})", options.level)));
+                    fmt::format("maximum number of levels; 0: no limit ({})", options.level)));
   grouped(add_count(app, "--leaf", options.per_leaf, 1, 1'000'000'000,
-                    fmt::format("nodes of at most N triangles are leaves ({})", options.per_leaf)));
+                    fmt::format("maximum number of triangles in a leaf ({})", options.per_leaf)));
   grouped(add_choice<Midpoint>(
       app, "--midpoint", options.midpoint,
       {{"thesis", Midpoint::thesis}, {"centroid", Midpoint::centroid}, {"aabb", Midpoint::aabb}},
-      "point that stands for a triangle (aabb)"));
+      "point that represents a triangle (aabb)"));
   grouped(add_choice<AxisFrom>(app, "--axis-from", options.axis_from,
                                {{"outer", AxisFrom::outer}, {"inner", AxisFrom::inner}},
-                               "box whose longest axis is split (the rule's own)"));
+                               "box whose longest axis is split (default: set by the rule)"));
   grouped(add_choice<EmptySide>(app, "--empty-side", options.empty_side,
                                 {{"stop", EmptySide::stop},
                                  {"next-axis", EmptySide::next_axis},
                                  {"object-median", EmptySide::object_median},
                                  {"chain", EmptySide::chain}},
-                                "when one side is empty (object-median)"));
-  grouped(
-      add_count(app, "--root-level", options.root_level, 0, 1, "number of the root's level (1)"));
+                                "action when one side is empty (object-median)"));
+  grouped(add_count(app, "--root-level", options.root_level, 0, 1, "level number of the root (1)"));
   grouped(add_count(app, "--c-vertex", options.c_vertex, 0, 2,
-                    "corner that --midpoint thesis calls C (2)"));
+                    "vertex that is C for --midpoint thesis (2)"));
 }
 
 std::vector<std::string> given_of(const CLI::App& app, const std::vector<IdleOption>& idle) {
@@ -159,14 +158,14 @@ void refuse_given(const CLI::App& app, const std::vector<IdleOption>& idle) {
     throw Error(ErrorKind::usage, fmt::format("{} has no effect: {}", name, option.reason),
                 option.value.empty()
                     ? fmt::format("leave it out, or give another {}", needs)
-                    : fmt::format("leave it out, or give {} {}, too", needs, kebab(option.value)));
+                    : fmt::format("leave it out, or also give {} {}", needs, kebab(option.value)));
   }
 }
 
 void check_build(const CLI::App& app, const BuildOptions& options) {
   if (options.empty_side == EmptySide::chain && options.level == 0) {
-    throw Error(ErrorKind::usage, "--empty-side chain without --levels would not end",
-                "give --levels N, too");
+    throw Error(ErrorKind::usage, "--empty-side chain without --levels never ends",
+                "also give --levels N");
   }
   refuse_given(app, idle_options(options));
   check(options);
@@ -183,9 +182,10 @@ std::string given_of_trees(const CLI::App& app) {
 
 void add_traversal_options(CLI::App& app, TraversalOptions& options) {
   add_choice<Traversal>(app, "--traversal", options.traversal, traversal_choices(),
-                        "traversal of the trees")
+                        "traversal algorithm")
       ->group(kTreeGroup);
-  add_choice<Descent>(app, "--descent", options.descent, descent_choices(), "descent of E-Node")
+  add_choice<Descent>(app, "--descent", options.descent, descent_choices(),
+                      "nodes that E-Node descends into")
       ->group(kTreeGroup);
 }
 
@@ -196,9 +196,9 @@ void check_traversal(const CLI::App& app, const TraversalOptions& options) {
   if (options.traversal == Traversal::e_node_front && options.descent != Descent::both &&
       options.descent != Descent::larger) {
     throw Error(ErrorKind::usage,
-                fmt::format("--traversal e-node-front keeps no front by --descent {}",
+                fmt::format("--traversal e-node-front does not work with --descent {}",
                             entry(options.descent).kebab),
-                "choose both or larger");
+                "use --descent both or --descent larger");
   }
 }
 
@@ -219,7 +219,7 @@ Mesh read_standard_input(const ReadOptions& options, const Parallel& parallel) {
 
 Mesh read_model(const std::string& path, const ModelOptions& options, const Console& console) {
   if (path.empty()) {
-    throw Error(ErrorKind::usage, "the name of a model is empty", "give a file");
+    throw Error(ErrorKind::usage, "the name of a model is empty", "give the name of a file");
   }
   const ReadOptions read{.allow_empty = options.allow_empty,
                          .max_memory = console.shared().max_memory,

@@ -35,7 +35,8 @@ void add_model_options(CLI::App& app, ModelOptions& options, const std::string& 
                        const std::string& up_name, const std::string& whose);
 
 /// What --strict means.
-inline constexpr const char* kStrictMeaning = "refuse with status 3 what is warned of or noted";
+inline constexpr const char* kStrictMeaning =
+    "treat warnings and notes about a model as errors (exit status 3)";
 
 /// Adds --strict, which a verb of two models also refuses `FrameWarning`s by.
 void add_strict(CLI::App& app, bool& strict);

@@ -214,7 +214,7 @@ RouteRows read_route(const std::string& path, const Parallel& parallel) {
     }
   }
   if (rows.empty()) {
-    throw Error(ErrorKind::bad_file, path + ": no row", "give at least one point or pose");
+    throw Error(ErrorKind::bad_file, path + ": no rows", "give at least one point or pose");
   }
   return {std::make_shared<const std::vector<Pose>>(std::move(rows)), reader.shifts_only()};
 }

@@ -34,9 +34,9 @@ bool is_standard_output(int descriptor) {
 }
 
 [[noreturn]] void throw_cannot_write(const std::string& name, int error) {
-  const char* remedy = "choose another place for the output";
+  const char* remedy = "choose another location for the output";
   if (error == ENOSPC || error == EDQUOT || error == EFBIG) {
-    remedy = "make room or choose another place";
+    remedy = "free some space, or choose another location";
   }
   throw Error(ErrorKind::cannot_write,
               fmt::format("{}: cannot write: {}", name, std::generic_category().message(error)),
@@ -115,7 +115,7 @@ void FileStream::finish() {
   }
   if (!good()) {
     throw Error(ErrorKind::cannot_write, name_ + ": cannot write",
-                "choose another place for the output");
+                "choose another location for the output");
   }
 }
 
@@ -148,8 +148,10 @@ void check_outputs(NamedFiles taken, const NamedFiles& outputs) {
       continue;
     }
     if (path == "-" || path == "/dev/stdout") {
-      throw Error(ErrorKind::usage,
-                  fmt::format("{} {}: standard output holds the table", name, path), "give a file");
+      throw Error(
+          ErrorKind::usage,
+          fmt::format("{} {}: the answer is already written to standard output", name, path),
+          "give the name of a file");
     }
     for (const auto& [other, other_path] : taken) {
       if (other_path != "-" && !other_path.empty() && real_path(path) == real_path(other_path)) {
@@ -175,8 +177,7 @@ void check_extension(const std::string& option, const std::filesystem::path& pat
     return;
   }
   throw Error(ErrorKind::usage, fmt::format("{} {}", option, path.string()),
-              fmt::format("give a name with the extension {}, which is what it writes",
-                          *extensions.begin()));
+              fmt::format("use the extension {}, the format that it writes", *extensions.begin()));
 }
 
 void print_error(std::string_view who, std::string_view message) {

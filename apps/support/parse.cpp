@@ -72,7 +72,8 @@ std::uint64_t parse_bytes(std::string_view option, std::string_view text) {
     good = power != 0 && (rest.empty() || rest == "B" || rest == "IB");  // npos + 1 is 0
   }
   if (!good || number->first > (std::numeric_limits<std::uint64_t>::max() >> (10 * power))) {
-    throw not_this(option, text, "give a number of bytes, or one with K, M, G or T, as 500M");
+    throw not_this(option, text,
+                   "give a number of bytes, or a size such as 500M, with K, M, G or T");
   }
   return number->first << (10 * power);
 }
@@ -100,7 +101,7 @@ CLI::Option* add_seconds(CLI::App& app, const std::string& name, std::optional<d
           [name, &target](const std::string& value) {
             target = parse_number(name, value);
             if (*target < 0 || *target > 1e9) {
-              throw not_this(name, value, "give seconds from 0 to 1e9");
+              throw not_this(name, value, "give a number of seconds from 0 to 1e9");
             }
           },
           text)

@@ -71,7 +71,7 @@ using Choices = std::vector<std::pair<std::string, T>>;
 [[nodiscard]] std::vector<std::string> listed_words(const std::string& text);
 
 /// What stands for the value of an option that is one of a few words.
-inline constexpr const char* kChoiceText = "WORD";
+inline constexpr const char* kChoiceText = "NAME";
 
 /// The error of a word that is none of `names`: it lists them.
 [[nodiscard]] Error unknown_choice(std::string_view option, std::string_view word,

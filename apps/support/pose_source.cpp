@@ -55,7 +55,8 @@ PoseSource::PoseSource(const std::string& option, const std::string& text, const
   }
   const std::optional<Pose> first = read();
   if (!first) {
-    throw Error(ErrorKind::bad_file, name_ + ": no row", "give at least one pose below the header");
+    throw Error(ErrorKind::bad_file, name_ + ": no rows",
+                "give at least one pose below the header");
   }
   first_ = *first;
 }
@@ -135,8 +136,8 @@ std::optional<std::pair<Pose, Pose>> PosePairs::next() {
     const PoseSource& longer = a ? a_ : b_;
     throw Error(
         ErrorKind::bad_file,
-        fmt::format("{}: ends after {} poses, {} goes on", shorter.name(), rows_, longer.name()),
-        "give files of equal length, or a single pose for one of them");
+        fmt::format("{}: has {} poses, but {} has more", shorter.name(), rows_, longer.name()),
+        "give the same number of poses in both, or a single pose for one of them");
   }
   return std::nullopt;
 }

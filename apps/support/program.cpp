@@ -62,7 +62,7 @@ const Verb& find_verb(const Program& program, const std::string& word) {
   }
   if (word.starts_with("-")) {
     throw usage(
-        fmt::format("{} stands before the verb", word),
+        fmt::format("{} is given before the verb", word),
         fmt::format("write {0} VERB, then its options; {0} --help lists the verbs", program.name));
   }
   std::vector<std::string> names;
@@ -87,12 +87,12 @@ void check_rest(const ParsedVerb& verb) {
   });
   const std::string help = verb.app().get_name() + " --help";
   if (option == options_end) {
-    throw usage(fmt::format("{} is one argument too many", rest.front()), "see " + help);
+    throw usage(fmt::format("unexpected argument {}", rest.front()), "see " + help);
   }
   std::error_code unknown;
   if (std::filesystem::exists(*option, unknown)) {
     throw usage("unknown option " + *option,
-                fmt::format("for the file of that name write ./{}, or -- before it", *option));
+                fmt::format("for a file of that name, write ./{}, or put -- before it", *option));
   }
   const std::string word = option->substr(0, option->find('='));
   throw usage("unknown option " + word, remedy_for(word, verb.option_names(), help));
@@ -144,7 +144,7 @@ int run_verb(const Program& program, const Verb& entry, const std::vector<std::s
 /// Throws if there are more words than `most`.
 void check_count(const Program& program, const std::vector<std::string>& words, std::size_t most) {
   if (words.size() > most) {
-    throw usage(fmt::format("{} is one argument too many", words[most]),
+    throw usage(fmt::format("unexpected argument {}", words[most]),
                 fmt::format("see {} --help", program.name));
   }
 }

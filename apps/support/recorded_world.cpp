@@ -36,9 +36,10 @@ std::filesystem::path find_file(const std::string& source, const std::filesystem
   }
   std::error_code ignored;
   if (source.empty() || source == "-" || std::filesystem::exists(given, ignored)) {
-    throw Error(ErrorKind::bad_file,
-                fmt::format("the recording names as a model \"{}\", which is not a file", source),
-                "record again, with models from files");
+    throw Error(
+        ErrorKind::bad_file,
+        fmt::format("the recording refers to the model \"{}\", which is not a file", source),
+        "record it again with models from files");
   }
   return given;
 }
@@ -61,14 +62,15 @@ MoverKind mover_named(const RecordedMesh& recorded) {
       return kind;
     }
   }
-  throw Error(ErrorKind::bad_file, fmt::format("the recording names a mover {}", recorded.source),
+  throw Error(ErrorKind::bad_file,
+              fmt::format("the recording names an unknown mover: {}", recorded.source),
               "movers are car, person and drone");
 }
 
 /// The city of a recording, once it is plain that it can be the one that was recorded.
 Mesh make_city(const RecordedMesh& recorded, const Parallel& parallel) {
   const auto refuse = [](const std::string& fault) {
-    throw Error(ErrorKind::bad_file, "the recording names a city that cannot be: " + fault,
+    throw Error(ErrorKind::bad_file, "the recording describes an invalid city: " + fault,
                 "record again");
   };
   if (recorded.city_triangles != recorded.triangles) {
@@ -113,11 +115,11 @@ Shape find_shape(const RecordedMesh& recorded, const std::filesystem::path& reco
   const RecordedMesh found = with_mesh(recorded, mesh);
   if (found != recorded) {
     throw Error(ErrorKind::bad_file,
-                fmt::format("{}: not the model that was recorded: {}, hash {:016x}; then {}, hash "
-                            "{:016x}",
+                fmt::format("{}: not the model that was recorded: it has {} and hash {:016x}, the "
+                            "recording has {} and hash {:016x}",
                             recorded.source, counted(found.triangles, "triangle"), found.hash,
                             counted(recorded.triangles, "triangle"), recorded.hash),
-                "bring back the old one beside the recording, or record again");
+                "put the original file beside the recording, or record it again");
   }
   const bool needs_trees = how.traversal.traversal != Traversal::fast;
   return build_shape(std::move(mesh),

@@ -10,9 +10,9 @@ namespace soms::command {
 
 void add_shared_options(CLI::App& app, Shared& shared) {
   const char* const group = kSharedGroup;
-  app.add_flag("--json", shared.json, "answers as JSON, for programs")->group(group);
+  app.add_flag("--json", shared.json, "print answers as JSON")->group(group);
   app.add_flag("-q,--quiet", shared.quiet, "print only errors on standard error")->group(group);
-  add_count(app, "--threads", shared.threads, 0, 1024, "threads to use; 0: all processors")
+  add_count(app, "--threads", shared.threads, 0, 1024, "number of threads; 0: one per processor")
       ->group(group);
   add_count(app, "--seed", shared.seed, 0, ~std::uint64_t{0}, "seed of all random choices (1)")
       ->group(group);
@@ -38,8 +38,8 @@ Error out_of_memory(const Shared& shared, const std::string& place) {
             "free some memory, or use a smaller model"};
   }
   return {ErrorKind::out_of_memory,
-          fmt::format("{}--max-memory {} is too little", where, size_words(shared.max_memory)),
-          "allow more, or use a smaller model"};
+          fmt::format("{}--max-memory {} is not enough", where, size_words(shared.max_memory)),
+          "raise the limit, or use a smaller model"};
 }
 
 }  // namespace soms::command

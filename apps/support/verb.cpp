@@ -44,7 +44,7 @@ ParsedVerb::ParsedVerb(std::string_view program, const Verb& verb)
   app_.get_formatter()->label("Positionals", "Arguments");
   app_.get_formatter()->label("REQUIRED", "");
   action_ = verb.add(app_, shared_);
-  app_.set_help_flag("-h,--help", "this text")->group(kSharedGroup);
+  app_.set_help_flag("-h,--help", "print this help")->group(kSharedGroup);
   add_shared_options(app_, shared_);
 }
 

@@ -60,16 +60,15 @@ Upright read_upright(const std::string& path, const ModelOptions& options,
   model.origin.file_size = unknown ? 0 : size;
   const UpAxis up = model.mesh.up;
   if (options.up == UpAxis::unknown && (up == UpAxis::x || up == UpAxis::y)) {
-    console.note(fmt::format("{}: its up axis is {}; turned to z ({} z leaves it)", path,
+    console.note(fmt::format("{}: the up axis is {}; rotated to z (give {} z to keep it)", path,
                              up == UpAxis::x ? "x" : "y", option));
     model.mesh = transformed(std::move(model.mesh), 1, up);
     model.origin.up = up;
   }
   if (says_other_unit(model.mesh, options)) {
     const double unit = model.mesh.unit;
-    console.note(
-        fmt::format("{}: its unit is {:g} m; assuming meters (--{}scale {:g} makes them so)", path,
-                    unit, option == "--up" ? "" : "mover-", unit));
+    console.note(fmt::format("{}: the unit is {:g} m; assuming meters (--{}scale {:g} converts it)",
+                             path, unit, option == "--up" ? "" : "mover-", unit));
   }
   const std::string scale_option = option == "--up" ? "--scale" : "--mover-scale";
   model.frame = named_frame(model.mesh, options, scale_option, option);
@@ -126,7 +125,7 @@ std::vector<Model> load_models(const WorldOptions& options, std::vector<NamedFra
     const double size = std::max(2 * model.ground_radius, model.height);
     if (!unit_reported && (size > 30 || size < 0.05)) {
       console.note(
-          fmt::format("{}: {:.4g} across, assuming meters; --mover-scale changes it", path, size));
+          fmt::format("{}: {:.4g} across, assuming meters; --mover-scale rescales it", path, size));
     }
   }
   return models;
@@ -151,8 +150,8 @@ std::optional<City> load_city(World& world, const WorldOptions& options,
     world.title = "embedded city";
     frames.push_back(built_in_frame("the embedded city", mesh));
     if (options.city_model.scale_is_given || options.city_model.up != UpAxis::unknown) {
-      throw Error(ErrorKind::usage, "--scale and --up are for a city from files",
-                  "name a city, or leave them out");
+      throw Error(ErrorKind::usage, "--scale and --up need a city from files",
+                  "give the file of a city, or leave them out");
     }
     build_into_city(world,
                     {std::move(mesh),
@@ -295,7 +294,7 @@ World load_world(const WorldOptions& options, Console& console) {
     inputs += std::count(names->begin(), names->end(), "-");
   }
   if (inputs > 1) {
-    throw Error(ErrorKind::usage, "standard input is named twice", "give one of them as a file");
+    throw Error(ErrorKind::usage, "standard input is given twice", "give one of them as a file");
   }
   World world;
   std::vector<NamedFrame> city_frames;

@@ -14,12 +14,12 @@ void add_world_options(CLI::App& app, WorldOptions& options) {
   app.add_option("CITY", options.cities,
                  "static models, in one coordinate frame; - is standard input")
       ->option_text("FILE...");
-  app.add_option("--mover", options.movers, "model that moves; may be repeated")
+  app.add_option("--mover", options.movers, "moving model; may be repeated")
       ->option_text("FILE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   app.add_option("--route", options.routes,
-                 "CSV file of points or poses; may be repeated; - is standard input")
+                 "route, a CSV file of points or poses; may be repeated; - is standard input")
       ->option_text("FILE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -127,7 +127,7 @@ TEST(Bench, TellsBeforeTheWorkThatAFolderCannotBeMade) {
                                        "--out", (folder.path() / place).string()});
     EXPECT_EQ(result.status, 5) << result.err;
     EXPECT_EQ(result.out, "");
-    EXPECT_NE(result.err.find("cannot make the folder"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("cannot create the folder"), std::string::npos) << result.err;
   }
 }
 
@@ -144,11 +144,11 @@ TEST(Bench, AsksNothingElseWherePosesAreMissing) {
   const RunResult file =
       soms_run({"bench", box(), box(), "--pose", (folder.path() / "none.csv").string()});
   EXPECT_EQ(file.status, 3) << file.out;
-  EXPECT_NE(file.err.find("none.csv: no row; give at least one pose"), std::string::npos)
+  EXPECT_NE(file.err.find("none.csv: no rows; give at least one pose"), std::string::npos)
       << file.err;
   const RunResult piped = soms_run({"bench", box(), box(), "--pose", "-"}, "x,y,z\n");
   EXPECT_EQ(piped.status, 3) << piped.out;
-  EXPECT_NE(piped.err.find("standard input: no row"), std::string::npos) << piped.err;
+  EXPECT_NE(piped.err.find("standard input: no rows"), std::string::npos) << piped.err;
 }
 
 }  // namespace

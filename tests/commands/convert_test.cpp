@@ -44,8 +44,8 @@ TEST(Convert, TellsThatStlAnd3dsRound) {
   const TemporaryFolder folder;
   write_text(folder.path() / "a.off", triangle_off("0.1 0 0", "1 0 0", "0 1 0"));
   const std::string input = (folder.path() / "a.off").string();
-  for (const auto& [name, words] : {std::pair("a.stl", "binary STL holds floats: 1 of 3 vertices"),
-                                    std::pair("a.3ds", "were rounded, by 1.5e-09 at most")}) {
+  for (const auto& [name, words] : {std::pair("a.stl", "binary STL stores floats: 1 of 3 vertices"),
+                                    std::pair("a.3ds", "were rounded, by at most 1.5e-09")}) {
     const std::string output = (folder.path() / name).string();
     const RunResult result = soms_run({"convert", input, output});
     EXPECT_EQ(result.status, 0);
@@ -94,19 +94,19 @@ TEST(Convert, KeepsAxesOfGlbUnlessTheyAreTurned) {
   EXPECT_NE(
       soms_run({"convert", path("a.off"), path("a.glb")})
           .err.find(
-              "a.glb: other programs take y for up in GLB; this model does not say what is up"),
+              "a.glb: in GLB other programs take y as up; this model does not state its up axis"),
       std::string::npos);
   const Json read = info_of(path("a.glb"));
   EXPECT_EQ(read.at("bounds"), Json::parse("[[0,0,0],[1,2,3]]"));
   EXPECT_TRUE(read.at("up").is_null());
   EXPECT_TRUE(read.at("unit").is_null());
   const RunResult turned = soms_run({"convert", path("a.glb"), path("b.glb"), "--up", "y"});
-  EXPECT_NE(turned.err.find("b.glb: other programs take y for up in GLB"), std::string::npos)
+  EXPECT_NE(turned.err.find("b.glb: in GLB other programs take y as up"), std::string::npos)
       << turned.err;
   EXPECT_EQ(info_of(path("b.glb")).at("bounds"), Json::parse("[[0,-3,0],[1,0,2]]"));
   // What needs an up axis turns the one that a file states, and says so.
   const std::string stated = test::data("formats/nodes_trs.gltf").string();
-  const std::string note = "nodes_trs.gltf: its up axis is y; turned to z";
+  const std::string note = "nodes_trs.gltf: the up axis is y; rotated to z";
   const std::vector<std::string> words = {"simulate", stated, "--frames", "1", "--count", "1"};
   EXPECT_NE(soms_run(words).err.find(note), std::string::npos);
   std::vector<std::string> as_is = words;
@@ -164,7 +164,8 @@ TEST(Convert, RefusesANameThatSaysAnotherFormat) {
   const RunResult wrong = convert("a.stl", "obj");
   EXPECT_EQ(wrong.status, 2);
   EXPECT_EQ(wrong.err,
-            "soms convert: --format obj: the name ends in .stl; use the extension .obj, or leave "
+            "soms convert: --format obj does not match the extension .stl; use the extension .obj, "
+            "or leave "
             "--format out\n");
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.stl"));
   for (const auto& [name, format] :

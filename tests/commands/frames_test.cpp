@@ -40,7 +40,7 @@ TEST(FrameRegressions, R117OverlapWarnsWhereAxesOrUnitsMayDiffer) {
   EXPECT_EQ(text.status, 0);
   EXPECT_EQ(text.out, "no triangles overlap: the boxes of the models are 1.5 apart\n");
   EXPECT_EQ(text.err, "warning: " + kAxis + "; give --up-b y if z is up in " + hall() +
-                          ", and --up y, too, if y is\nwarning: " + kUnit + "; give --scale 1 if " +
+                          ", and also --up y if y is\nwarning: " + kUnit + "; give --scale 1 if " +
                           hall() + " is in the same unit, or the --scale that converts it\n");
   const Json answer = json_lines(overlap_run({"--json"}).out).at(0);
   EXPECT_EQ(kinds(answer), (Kinds{"axis_unknown", "unit_unknown"}));
@@ -148,9 +148,9 @@ TEST(FrameRegressions, R117SimulateTurnsWhatStatesItsAxisAndWarnsOfWhatDoesNot) 
   };
   const RunResult text = with({});
   EXPECT_EQ(text.status, 0);
-  EXPECT_NE(text.err.find(duct() + ": its up axis is y; turned to z"), std::string::npos);
+  EXPECT_NE(text.err.find(duct() + ": the up axis is y; rotated to z"), std::string::npos);
   EXPECT_NE(text.err.find("warning: the up axis is z in " + duct() + ", and unknown in " + hall() +
-                          "; give --up z if z is up in " + hall() + ", too, or --up y if y is"),
+                          "; give --up z if z is also up in " + hall() + ", or --up y if y is"),
             std::string::npos)
       << text.err;
   EXPECT_EQ(kinds(Json::parse(with({"--json"}).out)), (Kinds{"axis_unknown", "unit_unknown"}));

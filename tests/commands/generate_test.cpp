@@ -53,9 +53,9 @@ TEST(Generate, NamesTheNearestCountsOfATeapot) {
   };
   EXPECT_NE(words("6000").find("--triangles 6000: a teapot has 64 n^2 - 8 n triangles"),
             std::string::npos);
-  EXPECT_NE(words("6000").find("take 5112 or 6320"), std::string::npos);
-  EXPECT_NE(words("3").find("take 240\n"), std::string::npos);
-  EXPECT_NE(words("5000000").find("take 4192256\n"), std::string::npos);
+  EXPECT_NE(words("6000").find("use 5112 or 6320"), std::string::npos);
+  EXPECT_NE(words("3").find("use 240\n"), std::string::npos);
+  EXPECT_NE(words("5000000").find("use 4192256\n"), std::string::npos);
 }
 
 TEST(Generate, WritesTheSameBytesForTheSameSeedAndOthersForAnother) {

@@ -264,8 +264,8 @@ TEST(Info, SaysWhatARecordingIsAndWhoReadsIt) {
             0);
   for (const RunResult& result : {soms_run({"info", path}), soms_run({"overlap", path, path})}) {
     EXPECT_EQ(result.status, 3);
-    EXPECT_NE(result.err.find(path + ": a recording of soms simulate, not a model; soms view plays "
-                                     "it, soms render draws a frame of it\n"),
+    EXPECT_NE(result.err.find(path + ": a recording of soms simulate, not a model; play it with "
+                                     "soms view, or draw a frame with soms render\n"),
               std::string::npos)
         << result.err;
   }

@@ -24,7 +24,7 @@ TEST(OverlapReportText, SaysThatALesserPairMayBeThereWhenTimeIsUp) {
   EXPECT_EQ(printed(first, answer), "overlap: triangle 3 of m and 4 of m\n");
   answer.coverage = Coverage::cut;
   EXPECT_EQ(printed(first, answer),
-            "overlap: triangle 3 of m and 4 of m (out of time: there may be a lesser one)\n");
+            "overlap: triangle 3 of m and 4 of m (out of time: there may be an earlier pair)\n");
   const OverlapReport any{.a = mesh, .b = mesh, .mode = OverlapMode::any};
   EXPECT_EQ(printed(any, answer), "overlap: triangle 3 of m and 4 of m\n");
 }

@@ -129,7 +129,7 @@ TEST(OverlapVerb, GivesTheSameLinesForAnyThreadsRuleAndTraversal) {
   const RunResult idle = soms_run({"overlap", box(), box(), "--descent", "cross"});
   EXPECT_EQ(idle.status, 2);
   EXPECT_NE(idle.err.find("--descent has no effect: only E-Node has a descent; leave it out, or "
-                          "give --traversal e-node or e-node-front, too"),
+                          "also give --traversal e-node or e-node-front"),
             std::string::npos)
       << idle.err;
 }
@@ -160,7 +160,7 @@ TEST(OverlapVerb, ListsAFewPairsWithTheirPartsForPeople) {
   EXPECT_NE(result.out.find("pairs of triangles overlap"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("0 (" + part + ") and 0 (" + part + ")"), std::string::npos)
       << result.out;
-  EXPECT_NE(result.out.find("more: --json lists all"), std::string::npos);
+  EXPECT_NE(result.out.find("more; --json lists all"), std::string::npos);
   EXPECT_LE(std::count(result.out.begin(), result.out.end(), '\n'), 23);
   // A box within the box touches nothing of it; one beside it cannot be within.
   EXPECT_NE(soms_run({"overlap", box(), box(), "--scale", "0.5"}).out.find("surfaces only"),
@@ -183,7 +183,7 @@ TEST(OverlapVerb, SaysALineAPoseAndATotalForPeople) {
 }
 
 TEST(OverlapVerb, HelpSaysSurfacesOnly) {
-  EXPECT_NE(soms_run({"overlap", "--help"}).out.find("Surfaces only"), std::string::npos);
+  EXPECT_NE(soms_run({"overlap", "--help"}).out.find("Only surfaces"), std::string::npos);
 }
 
 TEST(OverlapVerb, ScalesAndTurnsEachModel) {

@@ -32,10 +32,10 @@ TEST(PassedOn, TheManualLeavesOutAPageWhoseProgramIsMissing) {
   const TemporaryFolder folder;
   const RunResult result = alone(folder, "man --output .");
   EXPECT_EQ(result.status, 0) << result.err;
-  EXPECT_NE(result.err.find("soms-reproduce.1 is left out: soms-reproduce is not installed"),
+  EXPECT_NE(result.err.find("soms-reproduce.1 is not written: soms-reproduce is not installed"),
             std::string::npos)
       << result.err;
-  EXPECT_NE(result.err.find("soms-view.1 is left out: soms-view is not installed"),
+  EXPECT_NE(result.err.find("soms-view.1 is not written: soms-view is not installed"),
             std::string::npos)
       << result.err;
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "soms-overlap.1"));

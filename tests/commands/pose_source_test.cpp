@@ -54,7 +54,7 @@ TEST(PoseSource, RefusesFilesOfUnequalLength) {
       with_rows(folder, "x,y,z\n0,0,0\n1,0,0\n2,0,0\n", "x,y,z\n0,0,0\n1,0,0\n");
   EXPECT_EQ(result.status, 3);
   EXPECT_EQ(json_lines(result.out).size(), 2U);
-  EXPECT_NE(result.err.find("b.csv: ends after 2 poses"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("b.csv: has 2 poses"), std::string::npos) << result.err;
 }
 
 TEST(PoseSource, RefusesAFileWithoutRows) {
@@ -62,11 +62,11 @@ TEST(PoseSource, RefusesAFileWithoutRows) {
   const RunResult result = with_rows(folder, "x,y,z\n", "");
   EXPECT_EQ(result.status, 3);
   EXPECT_EQ(result.out, "");
-  EXPECT_NE(result.err.find("a.csv: no row; give at least one pose"), std::string::npos)
+  EXPECT_NE(result.err.find("a.csv: no rows; give at least one pose"), std::string::npos)
       << result.err;
   const RunResult piped = soms_run({"overlap", box(), box(), "--pose", "-"}, "x,y,z\n");
   EXPECT_EQ(piped.status, 3);
-  EXPECT_NE(piped.err.find("standard input: no row"), std::string::npos) << piped.err;
+  EXPECT_NE(piped.err.find("standard input: no rows"), std::string::npos) << piped.err;
 }
 
 TEST(PoseSource, NamesFileAndLineOfAPoseThatIsNotRigid) {
@@ -189,7 +189,7 @@ TEST(PoseSource, CallsStandardInputByItsName) {
             std::string::npos)
       << message("x,y,z\n0,0,0\n1,2\n");
   EXPECT_NE(message("a,b\n").find("standard input, line 1: the header"), std::string::npos);
-  EXPECT_NE(message("x,y,z\n").find("standard input: no row"), std::string::npos);
+  EXPECT_NE(message("x,y,z\n").find("standard input: no rows"), std::string::npos);
   EXPECT_EQ(shell("$soms overlap '" + box() + "' '" + box() + "' --pose - </dev/null").err,
             "soms overlap: standard input is empty; pipe poses into it, or name a file\n");
   const RunResult model =

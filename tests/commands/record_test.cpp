@@ -173,7 +173,7 @@ TEST(Record, TellsAtOnceWhatCannotBeRecorded) {
   const RunResult piped = shell("cat '" + town.path("town.ply") +
                                 "' | $soms simulate - --record '" + town.path("run") + "'");
   EXPECT_EQ(piped.status, 2);
-  EXPECT_NE(piped.err.find("find again"), std::string::npos) << piped.err;
+  EXPECT_NE(piped.err.find("read again"), std::string::npos) << piped.err;
   EXPECT_EQ(town.files(), (std::vector<std::string>{"car.ply", "town.ply"}));
 }
 

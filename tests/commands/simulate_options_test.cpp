@@ -75,7 +75,7 @@ TEST_F(SimulateOptions, R119OptionsThatChangeNothingAreRefused) {
   };
   says({"--empty-side", "stop"}, "--empty-side has no effect: the rules fast and quality leave");
   says({"--rule", "soms", "--root-level", "0"},
-       "--root-level has no effect: levels are not limited; leave it out, or give --levels N, too");
+       "--root-level has no effect: levels are not limited; leave it out, or also give --levels N");
   says({"--traversal", "larger", "--descent", "both"}, "--descent has no effect");
   says({"--route", beside("a.csv"), "--route", beside("a.csv"), "--count", "1"},
        "--count 1 leaves 1 of 2 --route without a mover; give --count 2 or more");
@@ -83,7 +83,7 @@ TEST_F(SimulateOptions, R119OptionsThatChangeNothingAreRefused) {
   says({"--picture-frame", "0"}, "--picture-frame without --picture");
   const RunResult embedded = simulate({"--scale", "1", "--frames", "1"});
   EXPECT_EQ(embedded.status, 2);
-  EXPECT_NE(embedded.err.find("--scale and --up are for a city from files"), std::string::npos);
+  EXPECT_NE(embedded.err.find("--scale and --up need a city from files"), std::string::npos);
 }
 
 TEST_F(SimulateOptions, RefusesNamesWhoseExtensionsAreThoseOfOtherFiles) {
@@ -92,8 +92,7 @@ TEST_F(SimulateOptions, RefusesNamesWhoseExtensionsAreThoseOfOtherFiles) {
     const RunResult result =
         simulate({town(), "--frames", "1", "--count", "1", option, beside(name)});
     EXPECT_EQ(result.status, 2) << result.err;
-    EXPECT_NE(result.err.find("give a name with the extension " + extension), std::string::npos)
-        << result.err;
+    EXPECT_NE(result.err.find("use the extension " + extension), std::string::npos) << result.err;
   };
   refused("--map", "x.txt", ".svg");
   refused("--report", "x.svg", ".html");
@@ -149,7 +148,7 @@ TEST_F(SimulateOptions, ReadsARouteFromStandardInputButOneThingOnly) {
   for (const char* const option : {"--mover", "--route"}) {
     const RunResult twice = soms_run({"simulate", "-", option, "-"}, "OFF\n0 0 0\n");
     EXPECT_EQ(twice.status, 2) << twice.err;
-    EXPECT_NE(twice.err.find("standard input is named twice"), std::string::npos) << twice.err;
+    EXPECT_NE(twice.err.find("standard input is given twice"), std::string::npos) << twice.err;
   }
 }
 

@@ -108,8 +108,10 @@ TEST(Simulate, RefusesToOverwriteItsOwnFiles) {
   refused({town.path(), "--map", town.path()}, "town.off: CITY names the same file");
   refused({town.path(), "--mover", "a.ply", "--events", "./a.ply"}, "--mover names");
   refused({town.path(), "--route", "r.csv", "--events", "r.csv"}, "--route names");
-  refused({town.path(), "--map", "-"}, "standard output holds the table; give a file");
-  refused({town.path(), "--events", "/dev/stdout", "--json"}, "standard output holds the table");
+  refused({town.path(), "--map", "-"},
+          "the answer is already written to standard output; give the name of a file");
+  refused({town.path(), "--events", "/dev/stdout", "--json"},
+          "the answer is already written to standard output");
   EXPECT_EQ(read_text(town.path()), before);
   EXPECT_EQ(town.files(), 1U);
   EXPECT_EQ(simulate({town.path(), "--frames", "1", "--count", "1", "--map", "/dev/null",
@@ -138,7 +140,7 @@ TEST(Simulate, PrintsATableForPeople) {
                            "queries a second", "contacts"}) {
     EXPECT_NE(result.out.find(word), std::string::npos) << word << " in\n" << result.out;
   }
-  EXPECT_EQ(result.out.find("look at it"), std::string::npos) << "a hint in a pipe";
+  EXPECT_EQ(result.out.find("see it"), std::string::npos) << "a hint in a pipe";
 }
 
 TEST(Simulate, CountsMoversOfAFileByItsName) {
@@ -463,18 +465,17 @@ TEST(Simulate, SaysWhatUnitAndAxisAFileStates) {
   const std::string model = test::data("formats/z_up_cm.dae").string();
   const test::RunResult small =
       simulate({town.path(), "--mover", model, "--count", "1", "--frames", "1"});
-  EXPECT_NE(
-      small.err.find("its unit is 0.01 m; assuming meters (--mover-scale 0.01 makes them so)"),
-      std::string::npos)
+  EXPECT_NE(small.err.find("the unit is 0.01 m; assuming meters (--mover-scale 0.01 converts it)"),
+            std::string::npos)
       << small.err;
   EXPECT_EQ(small.err.find("across, taken"), std::string::npos) << small.err;
   const test::RunResult scaled = simulate(
       {town.path(), "--mover", model, "--mover-scale", "0.01", "--count", "1", "--frames", "1"});
-  EXPECT_EQ(scaled.err.find("its unit"), std::string::npos) << scaled.err;
+  EXPECT_EQ(scaled.err.find("the unit"), std::string::npos) << scaled.err;
   const std::string turned = test::data("formats/x_up.dae").string();
-  EXPECT_NE(
-      simulate({turned, "--count", "1", "--frames", "1"}).err.find("its up axis is x; turned to z"),
-      std::string::npos);
+  EXPECT_NE(simulate({turned, "--count", "1", "--frames", "1"})
+                .err.find("the up axis is x; rotated to z"),
+            std::string::npos);
 }
 
 TEST(Simulate, ConfirmsRealCitiesByBruteForce) {

@@ -21,16 +21,18 @@ TEST(Version, TellsWhetherTheInstructionSetThatIsRequestedForIsThere) {
   EXPECT_EQ(plain.at("instruction_sets").at(0), "scalar");
   const RunResult unknown = shell("SOMS_ISA=foo $soms version");
   EXPECT_EQ(unknown.status, 0) << unknown.err;
-  EXPECT_NE(unknown.out.find("instruction set none, queries fail: SOMS_ISA: foo is no instruction "
-                             "set; take one of scalar"),
-            std::string::npos)
+  EXPECT_NE(
+      unknown.out.find("instruction set none, queries fail: SOMS_ISA: foo is not an instruction "
+                       "set; use one of scalar"),
+      std::string::npos)
       << unknown.out;
   // What asks no question needs no instruction set; what asks one fails.
   const std::string mesh = test::data("truth/meshes/box2.ply").string();
   EXPECT_EQ(shell("SOMS_ISA=foo $soms info '" + mesh + "'").status, 0);
   const RunResult query = shell("SOMS_ISA=foo $soms overlap '" + mesh + "' '" + mesh + "'");
   EXPECT_EQ(query.status, 2);
-  EXPECT_NE(query.err.find("SOMS_ISA: foo is no instruction set"), std::string::npos) << query.err;
+  EXPECT_NE(query.err.find("SOMS_ISA: foo is not an instruction set"), std::string::npos)
+      << query.err;
 }
 
 }  // namespace

@@ -176,7 +176,7 @@ TEST(Viewer, DrawsFromNoRecordingThatIsAPipe) {
   const std::string good = "echo picture > \"$6\"";
   const RunResult pipe = picture_by(folder, good, "mkfifo pipe;", "--frames 2 --record pipe");
   EXPECT_EQ(pipe.status, 2) << pipe.err;
-  EXPECT_NE(pipe.err.find("--record pipe: no file"), std::string::npos) << pipe.err;
+  EXPECT_NE(pipe.err.find("--record pipe is not a regular file"), std::string::npos) << pipe.err;
   EXPECT_EQ(picture_by(folder, good, "", "--frames 2 --record /dev/null").status, 0);
 }
 
@@ -203,9 +203,9 @@ TEST(Viewer, CompletesTheWordsThatItsHelpLists) {
 Options:
   -o,--output FILE       a|b is a file's name
   --flag                 no value
-  --rule WORD            splitting rule (soms): mean|median|
+  --rule NAME            splitting rule (soms): mean|median|
                          quality
-  --very-long-name WORD
+  --very-long-name NAME
                          meaning: one|two
 
 END)");

@@ -38,8 +38,14 @@ WORDS = {
                                               r"|catalogue|\bdefence\b|\b\w*(travell|labell|modell|levell)(ed|ing)\b"
                                               r"|\b(optim|normal|initial|recogn|organ|serial|minim|maxim|summar|general|quant|visual)is(e|ed|es|ing|ation)\b"),
     "option of the command": ("the library's own argument: the command adds its options", r'(?<!//)"[^"\n]*--[a-z]'),
+    "message nobody writes": ("what happened, where, and what to do, as SQLite or ripgrep would", r'(?<!//)"[^"\n]*('
+                              r"\bstands? (still|twice|before|where)\b|\bwholly (in|out)side\b|\blimit leaves\b|\bwhose words\b|\btake one of\b"
+                              r"|\bbytes that are left\b|\bnone of the named\b|\bto and fro\b|\bwhat is warned of\b|\bshown in the shape\b"
+                              r"|\bis no (item|file|whole|instruction|regular|base64|well-formed)|\bthe name says\b|\bnamed twice\b|\bwould not end\b"
+                              r"|\bmend\b|\bmake room\b|\b(is|its|are) turned\b|\b(a|one) number a column\b|\bones? row a (line|pair|pose)\b)"),
 }
-WHERE = {"option of the command": re.compile(r"^soms/.*\.(h|cpp)$")}  # elsewhere: everywhere
+WHERE = {"option of the command": re.compile(r"^soms/.*\.(h|cpp)$"),
+         "message nobody writes": re.compile(r"^(soms|apps|bench/peers|reproduce)/.*\.(h|cpp)$")}  # elsewhere: everywhere
 
 # (word or *, path, line or None, reason)
 ALLOWED = [
