@@ -70,6 +70,11 @@ Scene own_files_scene(const std::filesystem::path& a, const std::filesystem::pat
   for (const Pose& pose : poses) {
     scene.sets[0].poses.push_back(about_middles(pose, box_a.center(), box_b.center()));
   }
+  for (const Mesh* mesh : {&mover, &fixed}) {
+    for (const std::string& note : mesh->notes) {
+      scene.warnings.push_back(mesh->source + ": " + note);
+    }
+  }
   doubt_frames(scene, mover, fixed, strict);
   if (poses.empty()) {
     const Vec3 half_a = 0.5 * box_a.extent();

@@ -37,7 +37,7 @@ struct Scene {
   std::vector<PoseSet> sets;
   std::vector<MovingBoxSet> moving_sets = {};
   std::vector<FrameDoubt> doubts = {};     ///< of files whose numbers may not mean the same
-  std::vector<std::string> warnings = {};  ///< the same in words
+  std::vector<std::string> warnings = {};  ///< these in words, and notes of the files
 };
 
 inline constexpr std::size_t kPoses = 1000;
