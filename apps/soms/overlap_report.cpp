@@ -180,8 +180,8 @@ void print_totals(const OverlapReport& report, const OverlapTotals& totals, Cons
         totals.undecided == 0 ? "" : fmt::format(", {} undecided", with_commas(totals.undecided))));
     if (totals.overlapping + totals.undecided < totals.poses) {
       console.print(
-          "surfaces only, at these poses: a body wholly inside the other is not seen, nor what "
-          "happens between two poses\n");
+          "only surfaces are compared, at these poses: a body inside the other is not found, nor "
+          "what happens between two poses\n");
     }
   }
   if (report.verified) {

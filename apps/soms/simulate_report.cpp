@@ -55,7 +55,7 @@ std::string contacts_of(const World& world, const Outcome& outcome) {
   const std::uint64_t all = outcome.contacts.contacts().size();
   const std::uint64_t between = outcome.contacts.between_movers();
   if (all == 0) {
-    return "none (surfaces only: a mover wholly inside a closed building touches nothing)";
+    return "none (surfaces only: a mover entirely inside a closed building touches nothing)";
   }
   return fmt::format("{} ({} with triangles of the city, {} between movers) by {} of {} movers",
                      with_commas(all), with_commas(all - between), with_commas(between),

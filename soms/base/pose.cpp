@@ -178,8 +178,7 @@ Pose Pose::from_quaternion(double w, double x, double y, double z, const Vec3& t
   if (std::abs(norm - 1) > kRigidTolerance) {
     throw Error(ErrorKind::not_rigid,
                 "pose: the quaternion's squared length is " + shortest(norm) + ", not 1",
-                "divide the four numbers (qw qx qy qz) by the quaternion's length, and write them with seven "
-                "digits or more");
+                "normalize the quaternion (qw qx qy qz), and write it with seven digits or more");
   }
   // Twice the inverse of the squared length instead of 2: a quaternion written with six digits is
   // off length 1 by less than the tolerance, and still gives a rotation to the last bits.

@@ -113,7 +113,7 @@ TEST(Pose, FromQuaternionGivesARotationForEveryLengthItAccepts) {
 TEST(Pose, FromQuaternionRefusesOtherLengths) {
   EXPECT_NO_THROW(static_cast<void>(Pose::from_quaternion(1 + 4e-7, 0, 0, 0)));
   expect_error([] { static_cast<void>(Pose::from_quaternion(1 + 6e-7, 0, 0, 0)); },
-               ErrorKind::not_rigid, "normalize");
+               ErrorKind::not_rigid, "seven digits");
   expect_error([] { static_cast<void>(Pose::from_quaternion(0, 0, 0, 0)); }, ErrorKind::not_rigid,
                "quaternion");
   expect_error([] { static_cast<void>(Pose::from_quaternion(kNaN, 0, 0, 1)); },

@@ -56,7 +56,8 @@ std::map<std::string, Row> readme_rows() {
   return rows;
 }
 
-/// What the table must say, from the files of a run: by rule, single-triangle leaves and visits on three models.
+/// What the table must say, from the files of a run: by rule, single-triangle leaves and visits on
+/// three models.
 std::map<std::string, Row> measured_rows(const std::filesystem::path& tables) {
   const std::vector<std::string> models{"bunny", "u_plain", "u_mixed"};
   std::map<std::string, Row> rows;
