@@ -232,10 +232,10 @@ Mesh read_model(const std::string& path, const ModelOptions& options, const Cons
     }
   });
   if (options.up != UpAxis::unknown && mesh.up != UpAxis::unknown && mesh.up != options.up) {
-    const std::string note =
-        fmt::format("the file declares that {} is up, but the command line says that {} is, and is "
-                    "followed",
-                    letter(mesh.up), letter(options.up));
+    const std::string note = fmt::format(
+        "the file declares that {} is up, but the command line says that {} is, and is "
+        "followed",
+        letter(mesh.up), letter(options.up));
     if (options.strict) {
       throw Error(ErrorKind::bad_file, path + ": " + note,
                   fmt::format("name the axis that points up in the file as it is stored, {}",
