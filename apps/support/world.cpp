@@ -181,7 +181,15 @@ void doubt_frames(World& world, const std::vector<NamedFrame>& city,
   for (const std::vector<NamedFrame>* const models : {&city, &movers}) {
     for (const NamedFrame& model : *models) {
       const bool itself = &model == &city.front();
-      const auto found = itself ? std::vector<FrameWarning>() : frame_warnings(city.front(), model);
+      std::vector<FrameWarning> found;
+      if (!itself) {
+        found = frame_warnings(city.front(), model);
+      }
+      if (models == &city) {  // --up and --scale would change all files of the city alike
+        for (FrameWarning& warning : found) {
+          warning.remedy = "convert one of them first: soms convert IN OUT --up AXIS --scale X";
+        }
+      }
       world.warnings.insert(world.warnings.end(), found.begin(), found.end());
     }
   }

@@ -166,6 +166,13 @@ TEST(FrameRegressions, R117SimulateTurnsWhatStatesItsAxisAndWarnsOfWhatDoesNot) 
   EXPECT_EQ(soms_run({"simulate", hall(), "--count", "1", "--frames", "1", "--strict"}).err, "");
 }
 
+TEST(FrameRegressions, R117OptionsForAllFilesOfACityAreNotTheRemedyForOne) {
+  const RunResult result = soms_run({"simulate", hall(), duct(), "--count", "1", "--frames", "1"});
+  EXPECT_NE(result.err.find("convert one of them first: soms convert"), std::string::npos)
+      << result.err;
+  EXPECT_EQ(result.err.find("if z is up"), std::string::npos) << result.err;
+}
+
 TEST(FrameRegressions, R117SimulateWarnsOfMoversThatNeverComeNear) {
   const TemporaryFolder folder;
   const auto route = [&](const std::string& rows) {
