@@ -36,7 +36,8 @@ void grow_by_contact(Box& box, std::uint64_t count, const Triangle& a, const Tri
   const Vec3 extent = both.extent();
   const double error = kCrossingError * std::max({extent.x, extent.y, extent.z});
   Box tight;
-  for (const Vec3& corner : crossing(a, b).points()) {
+  const Crossing common = crossing(a, b);
+  for (const Vec3& corner : common.points()) {
     tight.grow(corner - Vec3{error, error, error});
     tight.grow(corner + Vec3{error, error, error});
   }
