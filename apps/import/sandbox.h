@@ -12,8 +12,8 @@ namespace soms::import_program {
 /// with EPERM: no file is opened, created or removed, no program or process started, no other
 /// process reached, no network. A system call of another architecture (32-bit x86, x32) kills.
 /// Call it while there is one thread and all files are open.
-/// Returns the empty string if that holds from here on; else why it does not, as words for the
-/// middle of a sentence, and nothing is taken away.
+/// Returns the empty string if that holds from here on; otherwise the
+/// reason, worded for the middle of a sentence, and nothing is taken away.
 /// \threads Of the calling thread and those that it starts.
 [[nodiscard]] std::string enter_sandbox();
 
