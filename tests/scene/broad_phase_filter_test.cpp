@@ -100,7 +100,7 @@ TEST(BroadPhaseFilter, OfOneGroupInOnePlaceTakesMemoryForOtherPairsAlone) {
   for (const std::uint32_t others : {0U, 1U, 5U}) {
     std::vector<std::uint32_t> groups(kBoxes, 9);
     for (std::uint32_t k = 0; k < others; ++k) {
-      groups[700 * k] = k % 2;  // none or another
+      groups[std::size_t{700} * k] = k % 2;  // none or another
     }
     BroadPhase phase;
     phase.set_filter(groups, {});
@@ -109,7 +109,7 @@ TEST(BroadPhaseFilter, OfOneGroupInOnePlaceTakesMemoryForOtherPairsAlone) {
       ASSERT_EQ(pairs_of(phase, boxes), reference::meeting_pairs(boxes, groups)) << others;
     }
     const std::size_t pairs = pairs_of(phase, boxes).size();
-    EXPECT_LT(phase.memory(), 512 * kBoxes + 128 * pairs);
+    EXPECT_LT(phase.memory(), std::size_t{512} * kBoxes + 128 * pairs);
     EXPECT_LT(watch.peak(), std::size_t{4} << 20);
   }
 }
@@ -129,7 +129,7 @@ TEST(BroadPhaseFilter, OfIgnoredPairsInOnePlaceTakesMemoryForThesePairsAlone) {
   const std::size_t all = phase.memory();
   phase.set_filter({}, ignored);
   EXPECT_TRUE(pairs_of(phase, boxes).empty());
-  EXPECT_LT(phase.memory(), 512 * kBoxes + 5 * ignored.size());
+  EXPECT_LT(phase.memory(), std::size_t{512} * kBoxes + 5 * ignored.size());
   phase.set_filter({}, {});
   EXPECT_EQ(pairs_of(phase, boxes).size(), ignored.size());
   EXPECT_LE(phase.memory(), all + 1024);
