@@ -32,7 +32,7 @@ constexpr std::uint32_t kMostCallsWithoutGrid = 64;
 constexpr float kMostGrowth = 2;
 /// Sides above this, in widths of the set, do not count.
 constexpr float kLongest = 1e30F;
-/// More kept pairs a box than this, and the next call starts from nothing.
+/// More kept pairs a box than this, and the call starts from nothing.
 constexpr std::size_t kMostKeptOfABox = 256;
 /// Bytes that a call needs for each box, and for each kept pair, beside its grid.
 constexpr std::size_t kBytesOfABox = 128;

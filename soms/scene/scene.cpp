@@ -269,16 +269,18 @@ void Scene::ignore(MoverId a, MoverId b) {
     throw Error(ErrorKind::usage, "scene: mover " + std::to_string(a) + " cannot ignore itself",
                 "name two movers; a mover is never compared with itself");
   }
-  detail::insert_mutually(first.ignored_movers, b, second.ignored_movers, a);
-  state_->filter_changed = true;
+  if (detail::insert_mutually(first.ignored_movers, b, second.ignored_movers, a)) {
+    state_->filter_changed = true;
+  }
 }
 
 void Scene::unignore(MoverId a, MoverId b) {
   Resident& first = state_->movers.at(a);
   Resident& second = state_->movers.at(b);
-  state_->filter_changed = true;
-  detail::erase(first.ignored_movers, b);
-  detail::erase(second.ignored_movers, a);
+  if (detail::erase(first.ignored_movers, b)) {
+    detail::erase(second.ignored_movers, a);
+    state_->filter_changed = true;
+  }
 }
 
 void Scene::set_group(MoverId id, std::uint32_t group) {

@@ -244,8 +244,8 @@ TEST(PlyRegressions, R91DoublesVerticesWithoutFacesAndCountsBeyondTheFile) {
     const std::string whole = file(order, "8", "6");
     EXPECT_EQ(read_text(whole, "cube.ply").vertices.size(), 8U);  // as the header says
     std::string vertices = file(order, "8", "0");
-    const std::size_t faces =
-        order == Order::text ? vertices.find("4 0 2 3 1") : vertices.size() - 6 * (1 + 4 * 4);
+    const std::size_t faces = order == Order::text ? vertices.find("4 0 2 3 1")
+                                                   : vertices.size() - std::size_t{6} * (1 + 4 * 4);
     vertices.resize(faces);
     expect_refused(vertices, "cube.ply", ErrorKind::empty_mesh, "no triangles");
     const Mesh points = read_text(vertices, "cube.ply", {.allow_empty = true});

@@ -215,6 +215,27 @@ TEST(Scene, IgnoresThePairsItWasReportedTo) {
   EXPECT_EQ(report.box_pairs, 4U);  // two parts for each mover; the movers ignore each other
 }
 
+// What holds already costs a step nothing: a program may repeat its list in every frame.
+TEST(Scene, KeepsTheFilterWhereAnIgnoredPairIsRepeated) {
+  Scene scene;
+  const MoverId a = scene.add_mover(body_at(box_shape(), 0));
+  const MoverId b = scene.add_mover(body_at(box_shape(), 0.5));
+  const MoverId c = scene.add_mover(body_at(box_shape(), 0.7));
+  scene.ignore(a, b);
+  const auto allocations_of_a_step = [&] {
+    const test::AllocationWatch watch;
+    EXPECT_FALSE(scene.step().movers.empty());
+    return watch.count();
+  };
+  for (int warm_up = 0; warm_up < 3; ++warm_up) {
+    allocations_of_a_step();
+  }
+  const std::uint64_t usual = allocations_of_a_step();
+  scene.ignore(b, a);
+  scene.unignore(a, c);
+  EXPECT_EQ(allocations_of_a_step(), usual);
+}
+
 TEST(Scene, ForgetsIgnoredPairsOfWhatWasRemoved) {
   Scene scene;
   const MoverId stays = scene.add_mover(body_at(box_shape(), 0));

@@ -60,8 +60,11 @@ bool holds(const std::vector<std::uint32_t>& sorted, std::uint32_t id) {
   return std::binary_search(sorted.begin(), sorted.end(), id);
 }
 
-void insert_mutually(std::vector<std::uint32_t>& list_a, std::uint32_t b,
+bool insert_mutually(std::vector<std::uint32_t>& list_a, std::uint32_t b,
                      std::vector<std::uint32_t>& list_b, std::uint32_t a) {
+  if (holds(list_a, b)) {
+    return false;
+  }
   const auto make_room = [](std::vector<std::uint32_t>& list) {
     if (list.size() == list.capacity()) {
       list.reserve(2 * list.size() + 1);
@@ -71,14 +74,17 @@ void insert_mutually(std::vector<std::uint32_t>& list_a, std::uint32_t b,
   make_room(list_b);
   insert(list_a, b);
   insert(list_b, a);
+  return true;
 }
 
-void erase(std::vector<std::uint32_t>& sorted, std::uint32_t id) {
+bool erase(std::vector<std::uint32_t>& sorted, std::uint32_t id) {
   const auto at = std::lower_bound(sorted.begin(), sorted.end(), id);
-  if (at != sorted.end() && *at == id) {
-    sorted.erase(at);
-    give_back(sorted, sorted.size(), kLeastOfAList);
+  if (at == sorted.end() || *at != id) {
+    return false;
   }
+  sorted.erase(at);
+  give_back(sorted, sorted.size(), kLeastOfAList);
+  return true;
 }
 
 }  // namespace soms::detail

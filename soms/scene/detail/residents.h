@@ -42,11 +42,12 @@ void collect_boxes(const Residents& residents, std::vector<Box>& boxes);
 /// Lists of ignored bodies are sorted.
 [[nodiscard]] bool holds(const std::vector<std::uint32_t>& sorted, std::uint32_t id);
 
-/// Each into the other's list: into both or, where memory runs short, into none.
-void insert_mutually(std::vector<std::uint32_t>& list_a, std::uint32_t b,
+/// Each into the other's list: into both or, where memory runs short, into none. \returns false if
+/// they were there before.
+bool insert_mutually(std::vector<std::uint32_t>& list_a, std::uint32_t b,
                      std::vector<std::uint32_t>& list_b, std::uint32_t a);
 
-/// Without effect where `id` is not there.
-void erase(std::vector<std::uint32_t>& sorted, std::uint32_t id);
+/// Without effect where `id` is not there. \returns whether it was.
+bool erase(std::vector<std::uint32_t>& sorted, std::uint32_t id);
 
 }  // namespace soms::detail
