@@ -58,7 +58,7 @@ double stored_unit(const NamedFrame& model) {
 std::string keeping_words(const NamedFrame& scaled, const NamedFrame& other) {
   for (const NamedFrame* const model : {&scaled, &other}) {
     if (!model->built_in && !model->is_shared && model->frame.scale == 1) {
-      return fmt::format(", or {} 1 to keep the numbers", model->scale_option);
+      return fmt::format(", or give {} 1 to keep the numbers", model->scale_option);
     }
   }
   return {};

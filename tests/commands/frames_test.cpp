@@ -242,7 +242,7 @@ TEST(FrameRegressions, AScaleThatDoesNotFitBothUnitsIsWarnedOf) {
   const RunResult wrong = strict({"--scale", "0.1"});
   EXPECT_EQ(wrong.status, 3);
   EXPECT_NE(wrong.err.find("; give --scale 0.01 to convert " + centimeters() +
-                           ", or --scale-b 1 to keep the numbers"),
+                           ", or give --scale-b 1 to keep the numbers"),
             std::string::npos)
       << wrong.err;
   EXPECT_NE(strict({"--scale-b", "10"}).err.find("give --scale-b 100"), std::string::npos);
