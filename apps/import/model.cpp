@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -77,6 +78,17 @@ constexpr std::array<std::string_view, 13> kOwnRoot = {
 constexpr std::array<std::string_view, 3> kBuildings = {".ifc", ".step", ".stp"};
 /// Formats whose axes are left-handed; Assimp negates z.
 constexpr std::array<std::string_view, 3> kLeftHanded = {".lwo", ".lxo", ".x"};
+/// Formats whose files may state a unit that Assimp does not give.
+constexpr std::array<std::string_view, 3> kUnitNotRead = {".3mf", ".amf", ".dxf"};
+
+/// What a file says that a float was read from: 0.1, not 0.100000001490116.
+double shortest_decimal(float number) {
+  std::array<char, 32> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), number);
+  double decimal = number;
+  std::from_chars(text.data(), written.ptr, decimal);
+  return decimal;
+}
 
 class SceneWriter {
  public:
@@ -88,7 +100,7 @@ class SceneWriter {
  private:
   void enter(const aiNode& node);
   void tell_axes(bool turned);
-  bool tell_settings();
+  std::string tell_settings();
   void write_mesh(const aiMesh& mesh, const Affine& transform);
 
   const aiScene& scene_;
@@ -146,32 +158,42 @@ void SceneWriter::tell_axes(bool turned) {
   if (!turned && is_among(extension_, kLeftHanded)) {
     note += "z is negated, since the format's axes are left-handed";
   } else if (!turned) {
-    note += extension_ == ".fbx" && tell_settings() ? "unit and axes are the file's"
-                                                    : "axes and unit as it gives them";
+    note += extension_ == ".fbx" ? tell_settings() : "axes and unit as it gives them";
+  }
+  if (is_among(extension_, kUnitNotRead)) {
+    note += "; the unit is not read, even if the file states one";
   }
   answer_.note(note);
 }
 
 /// What an FBX file says of its unit, in centimeters, and its axes; Assimp applies neither.
-bool SceneWriter::tell_settings() {
+std::string SceneWriter::tell_settings() {
+  const std::string unknown = "axes and unit as it gives them";
   const aiMetadata* const said = scene_.mMetaData;
+  if (said == nullptr) {
+    return unknown;
+  }
+  double unit = 0;
+  float rough = 0;
+  if (!said->Get("UnitScaleFactor", unit) && said->Get("UnitScaleFactor", rough)) {
+    unit = shortest_decimal(rough);
+  }
+  if (unit > 0) {
+    answer_.unit(unit / 100);
+  }
   std::int32_t up = -1;
   std::int32_t sign = 0;
-  float rough = 0;
-  double unit = 0;
-  if (said == nullptr || !said->Get("UpAxis", up) || !said->Get("UpAxisSign", sign) || up < 0 ||
-      up > 2 || sign != 1) {
-    return false;
+  if (!said->Get("UpAxis", up) || !said->Get("UpAxisSign", sign) || up < 0 || up > 2) {
+    return unknown;
   }
-  if (!said->Get("UnitScaleFactor", unit) && said->Get("UnitScaleFactor", rough)) {
-    unit = rough;
+  const char axis = "xyz"[up];
+  if (sign != 1) {
+    // There is no record for it: the axis stays unknown.
+    return std::string("axes are the file's, which declares that ") + axis +
+           " points down; so the up axis is unknown";
   }
-  if (!(unit > 0)) {
-    return false;
-  }
-  answer_.up("xyz"[up]);
-  answer_.unit(unit / 100);
-  return true;
+  answer_.up(axis);
+  return unit > 0 ? "unit and axes are the file's" : "axes are the file's";
 }
 
 void SceneWriter::enter(const aiNode& node) {

@@ -6,8 +6,10 @@
 #include "apps/support/models.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace soms::command {
 
@@ -34,6 +36,9 @@ std::string turning_words(const NamedFrame& a, const NamedFrame& b) {
 
 /// `known` declares its axis, `other` does not.
 std::string axis_remedy(const NamedFrame& known, const NamedFrame& other) {
+  if (other.is_shared) {
+    return fmt::format("convert {0} first: soms convert {0} OUT.glb --up AXIS", other.file);
+  }
   if (known.frame.up == UpAxis::z) {
     return fmt::format("give {0} z if z is also up in {1}, or {0} y if y is", other.up_option,
                        other.file);
@@ -43,6 +48,88 @@ std::string axis_remedy(const NamedFrame& known, const NamedFrame& other) {
                      other.file, up_words(other, up), kAxes[static_cast<std::size_t>(up)]);
 }
 
+/// The unit that the file itself declares.
+double stored_unit(const NamedFrame& model) {
+  return model.frame.unit * model.frame.scale;
+}
+
+/// What states that the numbers of two models mean the same as they are: --scale 1 of either, as
+/// long as it is not scaled; empty where there is no such option.
+std::string keeping_words(const NamedFrame& scaled, const NamedFrame& other) {
+  for (const NamedFrame* const model : {&scaled, &other}) {
+    if (!model->built_in && !model->is_shared && model->frame.scale == 1) {
+      return fmt::format(", or give {} 1 to keep the numbers", model->scale_option);
+    }
+  }
+  return {};
+}
+
+std::string scaling_words(const NamedFrame& model, double unit, std::string_view to) {
+  const double factor = stored_unit(model) / unit;
+  return same_unit(factor, 1) ? "leave out " + model.scale_option
+                              : fmt::format("give {} {:.9g} to convert {}{}", model.scale_option,
+                                            factor, model.file, to);
+}
+
+/// Two models of known units: one is brought to the unit of the other.
+std::string units_remedy(const NamedFrame& a, const NamedFrame& b) {
+  // A model that soms made is not scaled; otherwise the one that already is.
+  const bool scales_b = a.built_in || (!b.built_in && a.frame.scale == 1 && b.frame.scale != 1);
+  const NamedFrame& scaled = scales_b ? b : a;
+  const NamedFrame& other = scales_b ? a : b;
+  return scaling_words(scaled, other.frame.unit, "") + keeping_words(scaled, other);
+}
+
+/// The same in a world: what is not in meters is brought to them.
+std::string meters_remedy(const NamedFrame& a, const NamedFrame& b) {
+  std::vector<std::string> steps;
+  std::string shared_scale;
+  const NamedFrame* scaled = nullptr;
+  for (const NamedFrame* const model : {&a, &b}) {
+    if (model->built_in) {
+      continue;
+    }
+    if (model->is_shared) {
+      if (!same_unit(stored_unit(*model), 1)) {
+        steps.push_back(
+            fmt::format("convert {0} to meters first (soms convert {0} OUT.glb "
+                        "--scale {1:.9g})",
+                        model->file, stored_unit(*model)));
+      }
+      shared_scale = model->frame.scale == 1 ? shared_scale : model->scale_option;
+    } else if (!same_unit(model->frame.unit, 1)) {
+      steps.push_back(scaling_words(*model, 1, " to meters"));
+      scaled = scaled == nullptr ? model : scaled;
+    }
+  }
+  if (!shared_scale.empty()) {
+    steps.push_back("leave out " + shared_scale);
+  }
+  return fmt::format("{}", fmt::join(steps, " and ")) +
+         (scaled == &b ? keeping_words(b, a) : keeping_words(a, b));
+}
+
+/// `known` declares its unit, `other` does not.
+std::string unit_remedy(const NamedFrame& known, const NamedFrame& other) {
+  if (other.is_shared) {
+    return fmt::format(
+        "give {0} 1 if {1} is in the same unit; otherwise convert {1} first (soms convert {1} "
+        "OUT.glb --scale X), then give {0} 1",
+        other.scale_option, other.file);
+  }
+  if (other.in_meters && !known.is_shared && !same_unit(known.frame.unit, 1)) {
+    return fmt::format("{} if {} is in meters, or {} 1 if it is in the same unit",
+                       scaling_words(known, 1, " to meters"), other.file, other.scale_option);
+  }
+  constexpr double kMillimeter = 0.001;
+  const bool in_millimeters = same_unit(known.frame.unit, kMillimeter);
+  return fmt::format(
+      "give {0} 1 if {1} is in the same unit, or the {0} that converts it ({2:.9g} if it is in "
+      "{3})",
+      other.scale_option, other.file, (in_millimeters ? 1 : kMillimeter) / known.frame.unit,
+      in_millimeters ? "meters" : "millimeters");
+}
+
 std::string remedy_of(FrameDoubt doubt, const NamedFrame& a, const NamedFrame& b) {
   switch (doubt) {
     case FrameDoubt::axes_differ:
@@ -50,20 +137,55 @@ std::string remedy_of(FrameDoubt doubt, const NamedFrame& a, const NamedFrame& b
     case FrameDoubt::axis_unknown:
       return a.frame.up == UpAxis::unknown ? axis_remedy(b, a) : axis_remedy(a, b);
     case FrameDoubt::units_differ:
-      // A model that soms made is not scaled.
-      return a.built_in ? fmt::format("give {} {} to convert, or {} 1 to keep it", b.scale_option,
-                                      b.frame.unit / a.frame.unit, b.scale_option)
-                        : fmt::format("give {} {} to convert, or {} 1 to keep it", a.scale_option,
-                                      a.frame.unit / b.frame.unit, a.scale_option);
-    case FrameDoubt::unit_unknown: {
-      const NamedFrame& other = a.frame.unit > 0 ? b : a;
-      return fmt::format("give {0} 1 if {1} is in the same unit, or the {0} that converts it",
-                         other.scale_option, other.file);
-    }
+      return a.in_meters ? meters_remedy(a, b) : units_remedy(a, b);
+    case FrameDoubt::unit_unknown:
+      return a.frame.unit > 0 ? unit_remedy(a, b) : unit_remedy(b, a);
     case FrameDoubt::boxes_apart:
       break;
   }
   return kLookFor;
+}
+
+/// What soms made has no unit and axis that a file could lack, nor one that the caller's word about
+/// a file would contradict.
+bool is_settled_by_built_in(FrameDoubt doubt, const NamedFrame& a, const NamedFrame& b) {
+  const bool stated = a.frame.unit_is_stated || b.frame.unit_is_stated;
+  return (a.built_in || b.built_in) &&
+         (doubt == FrameDoubt::axis_unknown || doubt == FrameDoubt::unit_unknown ||
+          (doubt == FrameDoubt::units_differ && stated));
+}
+
+bool knows_unit(const NamedFrame& model) {
+  return model.frame.unit > 0;
+}
+
+bool knows_axis(const NamedFrame& model) {
+  return model.frame.up != UpAxis::unknown;
+}
+
+/// The first model of which `knows` holds, or else the first.
+const NamedFrame& first_that(const std::vector<NamedFrame>& models,
+                             bool (*knows)(const NamedFrame&)) {
+  const auto found = std::find_if(models.begin(), models.end(), knows);
+  return found == models.end() ? models.front() : *found;
+}
+
+/// Warnings of two files that one --scale goes to. It does not say how known units compare; 1 does
+/// say that an unknown one is the other's.
+std::vector<FrameWarning> shared_warnings(NamedFrame a, NamedFrame b) {
+  const bool settles = (!knows_unit(a) || !knows_unit(b)) && a.frame.scale == 1;
+  a.frame.unit_is_stated = a.frame.unit_is_stated && settles;
+  b.frame.unit_is_stated = b.frame.unit_is_stated && settles;
+  return frame_warnings(a, b);
+}
+
+bool is_about_axes(const FrameWarning& warning) {
+  return warning.doubt == FrameDoubt::axes_differ || warning.doubt == FrameDoubt::axis_unknown;
+}
+
+void append_if(std::vector<FrameWarning>& all, const std::vector<FrameWarning>& found, bool axes) {
+  std::copy_if(found.begin(), found.end(), std::back_inserter(all),
+               [axes](const FrameWarning& warning) { return is_about_axes(warning) == axes; });
 }
 
 }  // namespace
@@ -75,6 +197,7 @@ NamedFrame named_frame(const Mesh& mesh, const ModelOptions& options,
                    .scale_option = scale_option,
                    .up_option = up_option};
   model.frame.unit_is_stated = options.scale_is_given;
+  model.frame.scale = options.scale;
   model.frame.up_is_stated = options.up != UpAxis::unknown;
   return model;
 }
@@ -82,12 +205,38 @@ NamedFrame named_frame(const Mesh& mesh, const ModelOptions& options,
 std::vector<FrameWarning> frame_warnings(const NamedFrame& a, const NamedFrame& b) {
   std::vector<FrameWarning> warnings;
   for (const FrameDoubt doubt : compare_frames(a.frame, b.frame)) {
-    const bool unknown = doubt == FrameDoubt::axis_unknown || doubt == FrameDoubt::unit_unknown;
-    if (unknown && (a.built_in || b.built_in)) {
-      continue;
+    if (!is_settled_by_built_in(doubt, a, b)) {
+      warnings.push_back(
+          {doubt, explain(doubt, a.frame, a.file, b.frame, b.file), remedy_of(doubt, a, b)});
     }
-    warnings.push_back(
-        {doubt, explain(doubt, a.frame, a.file, b.frame, b.file), remedy_of(doubt, a, b)});
+  }
+  return warnings;
+}
+
+std::vector<FrameWarning> world_warnings(const std::vector<NamedFrame>& city,
+                                         const std::vector<NamedFrame>& movers) {
+  std::vector<FrameWarning> warnings;
+  const NamedFrame& of_axis = first_that(city, knows_axis);
+  const NamedFrame& of_unit = first_that(city, knows_unit);
+  for (const NamedFrame& model : city) {
+    if (&model != &of_axis) {
+      append_if(warnings, shared_warnings(of_axis, model), true);
+    }
+    if (&model != &of_unit) {
+      append_if(warnings, shared_warnings(of_unit, model), false);
+    }
+  }
+  for (const NamedFrame& model : movers) {
+    append_if(warnings, frame_warnings(of_axis, model), true);
+    append_if(warnings, frame_warnings(of_unit, model), false);
+  }
+  if (!knows_unit(of_unit) && !movers.empty()) {
+    const NamedFrame& of_movers = first_that(movers, knows_unit);
+    for (const NamedFrame& model : movers) {
+      if (knows_unit(of_movers) && knows_unit(model)) {
+        append_if(warnings, shared_warnings(of_movers, model), false);
+      }
+    }
   }
   return warnings;
 }
@@ -115,7 +264,9 @@ void tell_warnings(const std::vector<FrameWarning>& warnings, bool strict, const
     std::string remedies;
     for (const FrameWarning& warning : warnings) {
       places += (places.empty() ? "--strict: " : "; ") + warning.place;
-      remedies += (remedies.empty() ? "" : "; ") + warning.remedy;
+      if (remedies.find(warning.remedy) == std::string::npos) {  // one may settle several
+        remedies += (remedies.empty() ? "" : "; ") + warning.remedy;
+      }
     }
     throw Error(ErrorKind::bad_file, places, remedies);
   }

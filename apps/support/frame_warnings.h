@@ -21,6 +21,8 @@ struct NamedFrame {
   std::string scale_option = {};  ///< "--scale-b"
   std::string up_option = {};     ///< "--up-b"
   bool built_in = false;  ///< made by soms in meters, z up; what declares nothing is taken for such
+  bool is_shared = false;  ///< its options go to other files, too
+  bool in_meters = false;  ///< of a world, whose lengths are taken for meters
 };
 
 /// The frame of a model as it was read by `options`.
@@ -38,6 +40,13 @@ struct FrameWarning {
 
 /// Warnings about what two models declare (`compare_frames`).
 [[nodiscard]] std::vector<FrameWarning> frame_warnings(const NamedFrame& a, const NamedFrame& b);
+
+/// Warnings about the models of a world: files of the city among themselves, movers against the
+/// city. Each is compared with the first one that declares what is compared: where none differs
+/// from it, none do.
+/// \pre `city` is not empty.
+[[nodiscard]] std::vector<FrameWarning> world_warnings(const std::vector<NamedFrame>& city,
+                                                       const std::vector<NamedFrame>& movers);
 
 /// The warning that the boxes of two bodies are `gap` apart, `where` ("at every pose ") or just so.
 [[nodiscard]] FrameWarning apart_warning(const std::string& a, const std::string& b, double gap,

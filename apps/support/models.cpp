@@ -238,8 +238,9 @@ Mesh read_model(const std::string& path, const ModelOptions& options, const Cons
         letter(mesh.up), letter(options.up));
     if (options.strict) {
       throw Error(ErrorKind::bad_file, path + ": " + note,
-                  fmt::format("name the axis that points up in the file as it is stored, {}",
-                              letter(mesh.up)));
+                  fmt::format("name {} if that axis points up; if the file is wrong, correct it "
+                              "first: soms convert {} OUT.glb --up {}",
+                              letter(mesh.up), path, letter(options.up)));
     }
     mesh.notes.push_back(note);
   }

@@ -40,17 +40,52 @@ NamedFrame built_in_frame(const std::string& name, const Mesh& mesh) {
           .frame = frame_of(mesh),
           .scale_option = "--mover-scale",
           .up_option = "--mover-up",
-          .built_in = true};
+          .built_in = true,
+          .in_meters = true};
 }
 
-/// True if the file states a unit of other than a meter that no option deals with.
-bool says_other_unit(const Mesh& mesh, const ModelOptions& options) {
-  return options.scale == 1 && mesh.unit > 0 && mesh.unit != 1;
+/// What files are to a world, and the options that say more of them than they do.
+struct Role {
+  const ModelOptions& options;
+  std::string scale_option;
+  std::string up_option;
+  bool is_shared;  ///< the options go to several files
+};
+
+/// Adds to what reading noted, and says it.
+void note(Mesh& mesh, const std::string& text, const Console& console) {
+  mesh.notes.push_back(text);
+  console.note(mesh.source + ": " + text);
 }
 
-/// Reads a model and turns the up axis that its file states to z, unless `option` named one.
-Upright read_upright(const std::string& path, const ModelOptions& options,
-                     const std::string& option, Console& console) {
+/// Lengths are taken for meters: says so of a unit that differs and that no option deals with.
+void note_unit(Mesh& mesh, const Role& role, const Console& console) {
+  if (role.options.scale_is_given || !(mesh.unit > 0) || same_unit(mesh.unit, 1)) {
+    return;
+  }
+  const std::string remedy =
+      role.is_shared ? fmt::format("soms convert {} OUT.glb", mesh.source) : "";
+  note(mesh,
+       fmt::format("the unit is {0:.9g} m; assuming meters ({1}{2} {0:.9g} converts it)", mesh.unit,
+                   role.is_shared ? remedy + " " : "",
+                   role.is_shared ? "--scale" : role.scale_option),
+       console);
+}
+
+/// Of a mover of unknown unit: says how large it is where that is no usual size in meters.
+void note_size(Mesh& mesh, const Role& role, const Console& console) {
+  const Vec3 extent = bounds(mesh).extent();
+  const double size = std::max(std::hypot(extent.x, extent.y), extent.z);
+  if (mesh.unit > 0 || role.options.scale_is_given || (size <= 30 && size >= 0.05)) {
+    return;
+  }
+  note(mesh, fmt::format("{:.4g} across, assuming meters; {} rescales it", size, role.scale_option),
+       console);
+}
+
+/// Reads a model and turns the up axis that its file states to z, unless an option named one.
+Upright read_upright(const std::string& path, const Role& role, Console& console) {
+  const ModelOptions& options = role.options;
   Upright model{
       .mesh = read_model(path, options, console),
       .origin = {
@@ -60,18 +95,17 @@ Upright read_upright(const std::string& path, const ModelOptions& options,
   model.origin.file_size = unknown ? 0 : size;
   const UpAxis up = model.mesh.up;
   if (options.up == UpAxis::unknown && (up == UpAxis::x || up == UpAxis::y)) {
-    console.note(fmt::format("{}: the up axis is {}; rotated to z (give {} z to keep it)", path,
-                             up == UpAxis::x ? "x" : "y", option));
     model.mesh = transformed(std::move(model.mesh), 1, up);
     model.origin.up = up;
+    note(model.mesh,
+         fmt::format("the up axis is {}; rotated to z (give {} z to keep it)",
+                     up == UpAxis::x ? "x" : "y", role.up_option),
+         console);
   }
-  if (says_other_unit(model.mesh, options)) {
-    const double unit = model.mesh.unit;
-    console.note(fmt::format("{}: the unit is {:g} m; assuming meters (--{}scale {:g} converts it)",
-                             path, unit, option == "--up" ? "" : "mover-", unit));
-  }
-  const std::string scale_option = option == "--up" ? "--scale" : "--mover-scale";
-  model.frame = named_frame(model.mesh, options, scale_option, option);
+  note_unit(model.mesh, role, console);
+  model.frame = named_frame(model.mesh, options, role.scale_option, role.up_option);
+  model.frame.is_shared = role.is_shared;
+  model.frame.in_meters = true;
   return model;
 }
 
@@ -113,20 +147,15 @@ std::vector<Model> load_models(const WorldOptions& options, std::vector<NamedFra
                               .up = changes.up};
     }
   }
+  const Role role{options.mover_model, "--mover-scale", "--mover-up", options.movers.size() > 1};
   for (const std::string& path : options.movers) {
-    Upright read = read_upright(path, options.mover_model, "--mover-up", console);
-    const bool unit_reported = says_other_unit(read.mesh, options.mover_model);
+    Upright read = read_upright(path, role, console);
+    note_size(read.mesh, role, console);
     frames.push_back(read.frame);
     const std::string name = short_name(path);
     models.push_back(
         make_model(build_named(std::move(read.mesh), name, options, console), name, Kind::model));
     models.back().origin = std::move(read.origin);
-    const Model& model = models.back();
-    const double size = std::max(2 * model.ground_radius, model.height);
-    if (!unit_reported && (size > 30 || size < 0.05)) {
-      console.note(
-          fmt::format("{}: {:.4g} across, assuming meters; --mover-scale rescales it", path, size));
-    }
   }
   return models;
 }
@@ -164,36 +193,16 @@ std::optional<City> load_city(World& world, const WorldOptions& options,
                     options, console);
     return city;
   }
+  const Role role{options.city_model, "--scale", "--up", options.cities.size() > 1};
   for (const std::string& path : options.cities) {
     const auto start = Clock::now();
-    Upright model = read_upright(path, options.city_model, "--up", console);
+    Upright model = read_upright(path, role, console);
     frames.push_back(model.frame);
     world.read_ms += milliseconds_since(start);
     world.title += (world.title.empty() ? "" : " + ") + short_name(path);
     build_into_city(world, std::move(model), options, console);
   }
   return std::nullopt;
-}
-
-/// Models are compared with the first of the city: where none differs from it, none do.
-void doubt_frames(World& world, const std::vector<NamedFrame>& city,
-                  const std::vector<NamedFrame>& movers, bool strict, const Console& console) {
-  for (const std::vector<NamedFrame>* const models : {&city, &movers}) {
-    for (const NamedFrame& model : *models) {
-      const bool itself = &model == &city.front();
-      std::vector<FrameWarning> found;
-      if (!itself) {
-        found = frame_warnings(city.front(), model);
-      }
-      if (models == &city) {  // --up and --scale would change all files of the city alike
-        for (FrameWarning& warning : found) {
-          warning.remedy = "convert one of them first: soms convert IN OUT --up AXIS --scale X";
-        }
-      }
-      world.warnings.insert(world.warnings.end(), found.begin(), found.end());
-    }
-  }
-  tell_warnings(world.warnings, strict, console);
 }
 
 /// Poses of several bodies belong together, row by row: where one list is shorter, it starts over
@@ -317,7 +326,8 @@ World load_world(const WorldOptions& options, Console& console) {
     meshes.push_back(&model.shape.mesh());
   }
   world.notes = notes_of(meshes);
-  doubt_frames(world, city_frames, mover_frames, options.city_model.strict, console);
+  world.warnings = world_warnings(city_frames, mover_frames);
+  tell_warnings(world.warnings, options.city_model.strict, console);
   plan_routes(world, options, city ? &*city : nullptr, console);
   note_uneven_routes(world, options.city_model.strict, console);
   return world;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <locale>
 #include <sstream>
@@ -20,11 +21,25 @@ std::string_view axis_word(UpAxis up) {
   return kWords.at(static_cast<std::size_t>(up));
 }
 
-std::string unit_words(double unit) {
+std::string unit_words(const CoordinateFrame& frame) {
   std::ostringstream out;
   out.imbue(std::locale::classic());
-  out << unit << " m";
+  out.precision(9);
+  out << frame.unit << " m";
+  if (frame.scale != 1) {
+    out << " (after scaling by " << frame.scale << ")";
+  }
   return out.str();
+}
+
+/// The caller says that the numbers mean what those of the other model mean, as they are.
+bool keeps_unit(const CoordinateFrame& frame) {
+  return frame.unit_is_stated && frame.scale == 1;
+}
+
+bool units_are_in_doubt(const CoordinateFrame& a, const CoordinateFrame& b) {
+  return a.unit > 0 && b.unit > 0 ? !keeps_unit(a) && !keeps_unit(b) && !same_unit(a.unit, b.unit)
+                                  : !a.unit_is_stated && !b.unit_is_stated && a.unit != b.unit;
 }
 
 }  // namespace
@@ -39,6 +54,11 @@ std::string_view name(FrameDoubt doubt) {
   return kNames.at(static_cast<std::size_t>(doubt));
 }
 
+bool same_unit(double a, double b) {
+  constexpr double kRounding = 1e-6;  // of a float: 6e-8
+  return std::abs(a - b) <= kRounding * std::max(a, b);
+}
+
 std::vector<FrameDoubt> compare_frames(const CoordinateFrame& a, const CoordinateFrame& b) {
   std::vector<FrameDoubt> doubts;
   const bool knows_up_a = a.up != UpAxis::unknown;
@@ -49,7 +69,7 @@ std::vector<FrameDoubt> compare_frames(const CoordinateFrame& a, const Coordinat
   if (knows_up_a != knows_up_b && !a.up_is_stated && !b.up_is_stated) {
     doubts.push_back(FrameDoubt::axis_unknown);
   }
-  if (!a.unit_is_stated && !b.unit_is_stated && a.unit != b.unit) {
+  if (units_are_in_doubt(a, b)) {
     const bool both = a.unit > 0 && b.unit > 0;
     doubts.push_back(both ? FrameDoubt::units_differ : FrameDoubt::unit_unknown);
   }
@@ -63,9 +83,7 @@ std::string explain(FrameDoubt doubt, const CoordinateFrame& a, const std::strin
     return axes ? frame.up != UpAxis::unknown : frame.unit > 0;
   };
   const auto word = [&](const CoordinateFrame& frame) {
-    return !known(frame) ? "unknown"
-           : axes        ? std::string(axis_word(frame.up))
-                         : unit_words(frame.unit);
+    return !known(frame) ? "unknown" : axes ? std::string(axis_word(frame.up)) : unit_words(frame);
   };
   // What is known comes first.
   const bool swapped = known(b) && !known(a);

@@ -16,8 +16,9 @@ namespace soms {
 struct CoordinateFrame {
   double unit = 0;              ///< meters a unit; 0: not declared
   UpAxis up = UpAxis::unknown;  ///< as the coordinates stand now
-  bool unit_is_stated = false;  ///< the caller answers for the unit: it is not questioned
+  bool unit_is_stated = false;  ///< the caller answers for the unit, which two files may contradict
   bool up_is_stated = false;    ///< the caller answers for `up`, which a file may contradict
+  double scale = 1;  ///< the caller multiplied the coordinates by it; `unit` is that of the product
 
   [[nodiscard]] bool operator==(const CoordinateFrame&) const = default;
 };
@@ -37,10 +38,15 @@ enum class FrameDoubt {
 /// Name of a doubt, in snake_case.
 [[nodiscard]] std::string_view name(FrameDoubt doubt);
 
+/// True if two units, in meters, are the same but for the rounding of a float.
+[[nodiscard]] bool same_unit(double a, double b);
+
 /// Doubts about what two models declare, axes before units; none where neither declares anything.
 /// Axes that are known and differ are always a doubt. An axis that is unknown is none where the
-/// other is stated by the caller, who has looked at both; a unit is none where either is stated.
-/// Symmetric. Units differ when their numbers do, by however little.
+/// other is stated by the caller, who has looked at both; an unknown unit is none where either is
+/// stated. Units that are known and not `same_unit` are a doubt unless the caller states the unit
+/// of either and left its numbers alone (`scale` 1): a scale that does not fit contradicts the
+/// files. Symmetric.
 [[nodiscard]] std::vector<FrameDoubt> compare_frames(const CoordinateFrame& a,
                                                      const CoordinateFrame& b);
 

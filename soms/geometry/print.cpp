@@ -128,7 +128,8 @@ std::ostream& operator<<(std::ostream& out, const CoordinateFrame& value) {
                     .add("unit", value.unit)
                     .add("up", value.up)
                     .add("unit_is_stated", value.unit_is_stated)
-                    .add("up_is_stated", value.up_is_stated);
+                    .add("up_is_stated", value.up_is_stated)
+                    .add("scale", value.scale);
 }
 
 std::ostream& operator<<(std::ostream& out, FrameDoubt value) {

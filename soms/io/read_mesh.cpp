@@ -4,6 +4,7 @@
 #include "soms/base/error.h"
 #include "soms/io/detail/file.h"
 #include "soms/io/detail/format.h"
+#include "soms/io/detail/import.h"
 #include "soms/io/detail/left_out.h"
 #include "soms/io/detail/source.h"
 
@@ -45,13 +46,16 @@ std::optional<std::filesystem::path> folder_of(const std::filesystem::path& path
   return folder;
 }
 
-/// Fails where a mesh has notes: the error has their texts.
-void refuse_notes(const detail::Source& source, const Mesh& mesh) {
+/// Fails where a mesh has notes: the error has their texts. Those of an imported mesh never end, so
+/// that no repair helps.
+void refuse_notes(const detail::Source& source, const Mesh& mesh, bool imported) {
   if (mesh.notes.empty()) {
     return;
   }
   source.fail(ErrorKind::bad_file, detail::joined(mesh.notes),
-              "repair the model, or read it without `strict`");
+              imported ? "convert the model first (soms convert IN OUT.glb), or read it without "
+                         "`strict`"
+                       : "repair the model, or read it without `strict`");
 }
 
 /// Whose memory the bytes of a file are.
@@ -79,10 +83,11 @@ Mesh read_bytes(std::string_view bytes, const std::string& name, Owner owner,
     source.skipped = kByteOrderMark.size();
     source.bytes.remove_prefix(source.skipped);
   }
-  Mesh mesh = detail::identify(source).read(source);
+  const detail::ReadFormat& format = detail::identify(source);
+  Mesh mesh = format.read(source);
   source.tick(source.bytes.size());
   if (options.strict) {
-    refuse_notes(source, mesh);
+    refuse_notes(source, mesh, format.read == detail::read_import);
   }
   return mesh;
 }

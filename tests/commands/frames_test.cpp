@@ -41,7 +41,9 @@ TEST(FrameRegressions, R117OverlapWarnsWhereAxesOrUnitsMayDiffer) {
   EXPECT_EQ(text.out, "no triangles overlap: the boxes of the models are 1.5 apart\n");
   EXPECT_EQ(text.err, "warning: " + kAxis + "; give --up-b y if z is up in " + hall() +
                           ", and also --up y if y is\nwarning: " + kUnit + "; give --scale 1 if " +
-                          hall() + " is in the same unit, or the --scale that converts it\n");
+                          hall() +
+                          " is in the same unit, or the --scale that converts it (0.001 if it is "
+                          "in millimeters)\n");
   const Json answer = json_lines(overlap_run({"--json"}).out).at(0);
   EXPECT_EQ(kinds(answer), (Kinds{"axis_unknown", "unit_unknown"}));
   EXPECT_NE(answer["warnings"][0]["message"].get<std::string>().find(kAxis), std::string::npos);
@@ -168,9 +170,126 @@ TEST(FrameRegressions, R117SimulateTurnsWhatStatesItsAxisAndWarnsOfWhatDoesNot) 
 
 TEST(FrameRegressions, R117OptionsForAllFilesOfACityAreNotTheRemedyForOne) {
   const RunResult result = soms_run({"simulate", hall(), duct(), "--count", "1", "--frames", "1"});
-  EXPECT_NE(result.err.find("convert one of them first: soms convert"), std::string::npos)
+  EXPECT_NE(result.err.find("convert " + hall() + " first: soms convert"), std::string::npos)
       << result.err;
   EXPECT_EQ(result.err.find("if z is up"), std::string::npos) << result.err;
+}
+
+std::string meters() {
+  return data("formats/z_up.dae").string();
+}
+
+std::string centimeters() {
+  return data("formats/z_up_cm.dae").string();
+}
+
+RunResult simulate_run(std::vector<std::string> words) {
+  words.insert(words.begin(), "simulate");
+  words.insert(words.end(), {"--frames", "1", "--count", "1"});
+  return soms_run(std::move(words));
+}
+
+TEST(FrameRegressions, OneScaleForSeveralCitiesDoesNotSettleTheirUnits) {
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{}, {"--scale", "0.01"}, {"--scale", "1"}}) {
+    std::vector<std::string> words{centimeters(), meters(), "--strict"};
+    words.insert(words.end(), more.begin(), more.end());
+    const RunResult refused = simulate_run(words);
+    EXPECT_EQ(refused.status, 3);
+    EXPECT_NE(refused.err.find("soms convert " + centimeters() + " OUT.glb --scale 0.01"),
+              std::string::npos)
+        << refused.err;
+    EXPECT_EQ(refused.err.find("give --scale"), std::string::npos) << refused.err;
+  }
+  // What the message says ends it.
+  const TemporaryFolder folder;
+  const std::string converted = (folder.path() / "a.glb").string();
+  ASSERT_EQ(soms_run({"convert", centimeters(), converted, "--scale", "0.01"}).status, 0);
+  const RunResult settled = simulate_run({converted, meters(), "--strict"});
+  EXPECT_EQ(settled.status, 0) << settled.err;
+}
+
+TEST(FrameRegressions, AScaleStatesAnUnknownUnitOfSeveralCitiesOnlyWhereItIsOne) {
+  const std::vector<std::string> words{hall(), meters(), "--up", "z", "--strict", "--scale"};
+  const auto with = [&](const char* scale) {
+    std::vector<std::string> all = words;
+    all.emplace_back(scale);
+    return simulate_run(all);
+  };
+  EXPECT_EQ(with("0.01").status, 3);
+  EXPECT_EQ(with("1").status, 0) << with("1").err;
+}
+
+TEST(FrameRegressions, OneScaleForSeveralMoversDoesNotSettleTheirUnits) {
+  const std::vector<std::string> words{
+      "simulate", hall(), "--up",          "z",    "--mover",  meters(), "--mover", centimeters(),
+      "--count",  "2",    "--mover-scale", "0.01", "--frames", "1",      "--strict"};
+  const RunResult refused = soms_run(words);
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_NE(refused.err.find("OUT.glb --scale 0.01) and leave out --mover-scale"),
+            std::string::npos)
+      << refused.err;
+}
+
+TEST(FrameRegressions, AScaleThatDoesNotFitBothUnitsIsWarnedOf) {
+  const auto strict = [](std::vector<std::string> more) {
+    more.insert(more.begin(), {"overlap", centimeters(), meters(), "--strict"});
+    return soms_run(std::move(more));
+  };
+  EXPECT_EQ(strict({"--scale", "0.01"}).status, 0);
+  EXPECT_EQ(strict({"--scale", "1"}).status, 0);
+  EXPECT_EQ(strict({"--scale-b", "100"}).status, 0);
+  const RunResult wrong = strict({"--scale", "0.1"});
+  EXPECT_EQ(wrong.status, 3);
+  EXPECT_NE(wrong.err.find("; give --scale 0.01 to convert " + centimeters() +
+                           ", or give --scale-b 1 to keep the numbers"),
+            std::string::npos)
+      << wrong.err;
+  EXPECT_NE(strict({"--scale-b", "10"}).err.find("give --scale-b 100"), std::string::npos);
+  EXPECT_EQ(strict({"--scale", "0.1", "--scale-b", "1"}).status, 0);
+}
+
+TEST(FrameRegressions, InAWorldWhatIsNotInMetersIsToBeScaled) {
+  const RunResult mover = simulate_run({meters(), "--mover", centimeters(), "--strict"});
+  EXPECT_NE(mover.err.find("; give --mover-scale 0.01 to convert"), std::string::npos) << mover.err;
+  const RunResult city = simulate_run({centimeters(), "--mover", meters(), "--strict"});
+  EXPECT_NE(city.err.find("; give --scale 0.01 to convert"), std::string::npos) << city.err;
+}
+
+TEST(FrameRegressions, RemarksOfAWorldAreInItsJson) {
+  const RunResult result =
+      simulate_run({duct(), "--mover", centimeters(), "--json", "--mover-scale", "0.01"});
+  const Json notes = Json::parse(result.out).at("notes");
+  ASSERT_EQ(notes.size(), 1U) << notes;
+  EXPECT_EQ(notes.at(0), duct() + ": the up axis is y; rotated to z (give --up z to keep it)");
+  const Json unit = Json::parse(simulate_run({meters(), "--mover", centimeters(), "--json"}).out);
+  EXPECT_EQ(
+      unit.at("notes").at(0),
+      centimeters() + ": the unit is 0.01 m; assuming meters (--mover-scale 0.01 converts it)");
+}
+
+TEST(FrameRegressions, TheSizeOfAMoverIsQuestionedOnlyWhereItsUnitIsUnknown) {
+  const TemporaryFolder folder;
+  const std::string large = (folder.path() / "large.off").string();
+  write_text(large, triangle_off("0 0 0", "100 0 0", "0 0 100"));
+  const std::string words = "100 across, assuming meters; --mover-scale rescales it";
+  const RunResult unknown = simulate_run({hall(), "--mover", large, "--json"});
+  EXPECT_EQ(Json::parse(unknown.out).at("notes").at(0), large + ": " + words);
+  EXPECT_EQ(simulate_run({hall(), "--mover", large, "--mover-scale", "1"}).err.find("across"),
+            std::string::npos);
+  EXPECT_EQ(simulate_run({meters(), "--mover", meters(), "--mover-scale", "20"}).err.find("across"),
+            std::string::npos);
+}
+
+TEST(FrameRegressions, AnAxisThatContradictsTheFileHasAWayOut) {
+  const RunResult refused = soms_run({"info", duct(), "--up", "z", "--strict"});
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_NE(refused.err.find("soms convert " + duct() + " OUT.glb --up z"), std::string::npos)
+      << refused.err;
+  const TemporaryFolder folder;
+  const std::string converted = (folder.path() / "a.glb").string();
+  ASSERT_EQ(soms_run({"convert", duct(), converted, "--up", "z"}).status, 0);
+  EXPECT_EQ(soms_run({"info", converted, "--strict"}).status, 0);
 }
 
 TEST(FrameRegressions, R117SimulateWarnsOfMoversThatNeverComeNear) {

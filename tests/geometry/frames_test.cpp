@@ -33,8 +33,7 @@ TEST(Frames, R117AreDoubtedWhereTheyDifferOrOneIsUnknown) {
   EXPECT_EQ(both_orders(kInches, kGltf),
             (Doubts{FrameDoubt::axes_differ, FrameDoubt::units_differ}));
   EXPECT_EQ(both_orders({.up = UpAxis::z}, kObj), Doubts{FrameDoubt::axis_unknown});
-  EXPECT_EQ(both_orders({.unit = 1}, {.unit = std::nextafter(1, 2)}),
-            Doubts{FrameDoubt::units_differ});
+  EXPECT_EQ(both_orders({.unit = 1}, {.unit = 1.00001}), Doubts{FrameDoubt::units_differ});
   EXPECT_EQ(both_orders(kGltf, kGltf), Doubts{});
   EXPECT_EQ(both_orders(kObj, kObj), Doubts{}) << "neither declares anything";
 }
@@ -46,6 +45,26 @@ TEST(Frames, R117WhatTheCallerStatesIsNotDoubted) {
   EXPECT_EQ(both_orders(kInches, stated(kGltf, true, true)), Doubts{});
   // One was turned to z, of the other its file says y: no word of the caller makes these the same.
   EXPECT_EQ(both_orders(stated(kObj, true, true), kGltf), Doubts{FrameDoubt::axes_differ});
+}
+
+TEST(Frames, UnitsThatDifferByTheRoundingOfAFloatAreTheSame) {
+  EXPECT_EQ(both_orders({.unit = 0.001}, {.unit = double{0.1F} / 100}), Doubts{});
+  EXPECT_TRUE(same_unit(0.3048, 0.3048));
+  EXPECT_FALSE(same_unit(0.3048, 1200.0 / 3937)) << "the foot and the US survey foot";
+}
+
+TEST(Frames, AScaleThatDoesNotFitContradictsDeclaredUnits) {
+  const CoordinateFrame meters{.unit = 1};
+  const auto scaled = [](double unit, double scale) {
+    return CoordinateFrame{.unit = unit / scale, .unit_is_stated = true, .scale = scale};
+  };
+  EXPECT_EQ(both_orders(meters, scaled(0.001, 0.001)), Doubts{});
+  EXPECT_EQ(both_orders(meters, scaled(0.001, 0.01)), Doubts{FrameDoubt::units_differ});
+  EXPECT_EQ(both_orders(meters, scaled(0.001, 1)), Doubts{}) << "the numbers fit as they are";
+  EXPECT_EQ(both_orders(scaled(1, 1), scaled(0.001, 0.01)), Doubts{});
+  EXPECT_EQ(both_orders(kObj, scaled(0.001, 0.01)), Doubts{}) << "no file contradicts";
+  EXPECT_EQ(explain(FrameDoubt::units_differ, meters, "a", scaled(0.001, 0.01), "b"),
+            "the unit is 1 m in a, and 0.1 m (after scaling by 0.01) in b");
 }
 
 TEST(Frames, AreExplainedWithWhatIsKnownFirst) {

@@ -128,7 +128,7 @@ TEST(Import, StrictNamesTheFirstNotesAndCountsTheOthers) {
   ImportedBy(kWrite, kMagic + notes + kCorners + face({0, 1, 2}) + ".")
       .expect_refused(ErrorKind::bad_file,
                       "town/a.lwo: note a; note b; note c; note d; note e; note f; note g; note h; "
-                      "and 4 more notes; repair the model",
+                      "and 4 more notes; convert the model first",
                       {.strict = true});
 }
 
@@ -397,6 +397,43 @@ DATA;
 ENDSEC;
 END-ISO-10303-21;
 )";
+
+/// `text` with `word` replaced.
+std::string with(std::string text, const std::string& word, const std::string& other) {
+  return text.replace(text.find(word), word.size(), other);
+}
+
+TEST(Import, FbxKeepsItsUnitWhereItsUpAxisPointsDown) {
+  const InPlace program(SOMS_IMPORT_PROGRAM);
+  const Mesh mesh =
+      read_text(with(kFbx, "    P: \"UnitS",
+                     "    P: \"UpAxisSign\", \"int\", \"Integer\", \"\",-1\n    P: \"UnitS"),
+                "a.fbx");
+  EXPECT_EQ(mesh.unit, 0.025);
+  EXPECT_EQ(mesh.up, UpAxis::unknown);
+  EXPECT_NE(mesh.notes.at(0).find("declares that x points down"), std::string::npos)
+      << mesh.notes.at(0);
+}
+
+TEST(Import, FbxUnitIsTheDecimalThatTheFileHolds) {
+  const InPlace program(SOMS_IMPORT_PROGRAM);
+  const std::string millimeters = with(kFbx, "2.5", "0.1");
+  EXPECT_EQ(read_text(millimeters, "a.fbx").unit, 0.001);
+  const std::string rough = with(millimeters, "\"double\"", "\"float\"");
+  EXPECT_EQ(read_text(rough, "a.fbx").unit, 0.001);
+}
+
+TEST(Import, StrictSaysToConvertWhatAlwaysHasANote) {
+  const InPlace program(SOMS_IMPORT_PROGRAM);
+  expect_refused(
+      [] { (void)read_text(kFbx, "a.fbx", {.strict = true}); }, ErrorKind::bad_file,
+      "; convert the model first (soms convert IN OUT.glb), or read it without `strict`");
+}
+
+TEST(Import, SaysThatAUnitIsNotRead) {
+  const InPlace program(SOMS_IMPORT_PROGRAM);
+  EXPECT_NE(read_text(kDxf, "a.dxf").notes.at(0).find("the unit is not read"), std::string::npos);
+}
 
 TEST(Import, SaysOrUndoesWhatAssimpDoesToAxesAndUnits) {
   const InPlace program(SOMS_IMPORT_PROGRAM);
