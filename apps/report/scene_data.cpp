@@ -148,7 +148,8 @@ class Writer {
     const Triangle b = triangle(contact.b, j, scene_.pose(contact.b, contact.begin));
     const auto [from, to] = crossing_line(a, b);
     view.focus = (from + to) * 0.5;
-    const double smaller = std::min(length(box_of(a).extent()), length(box_of(b).extent()));
+    const double smaller =
+        std::min(length(soms::bounds(a).extent()), length(soms::bounds(b).extent()));
     const double size = std::max(length(to - from), kLeastOfTriangle * smaller);
     if (size > 0) {
       view.reach = std::min(view.reach, kAround * size);

@@ -79,10 +79,16 @@ OverlapPage::OverlapPage(const Mesh& a, std::string name_a, const Mesh& b, std::
       rows_(a, b, report::SceneLimits().contacts) {
 }
 
-void OverlapPage::add(const Pose& a, const Pose& b, const Overlap& answer) {
+std::vector<PartPair> OverlapPage::parts(const Pose& a, const Pose& b, const Overlap& answer,
+                                         const Parallel& parallel) const {
+  return rows_.parts({a, b}, answer.pairs, parallel);
+}
+
+void OverlapPage::add(const Pose& a, const Pose& b, const Overlap& answer,
+                      std::span<const PartPair> parts) {
   follow(a, b);
   count_pairs(answer);
-  rows_.add(poses_, {a, b}, answer.pairs);
+  rows_.add(poses_, {a, b}, answer.pairs, parts);
   ++poses_;
 }
 

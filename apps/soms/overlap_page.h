@@ -25,8 +25,13 @@ class OverlapPage {
   /// Meshes must stay; `name_a` and `name_b` are their files.
   OverlapPage(const Mesh& a, std::string name_a, const Mesh& b, std::string name_b);
 
-  /// Adds the answer of the next pose.
-  void add(const Pose& a, const Pose& b, const Overlap& answer);
+  /// The pairs of parts of the next answer, as `add` takes them.
+  /// \errors ErrorKind::cancelled.
+  [[nodiscard]] std::vector<PartPair> parts(const Pose& a, const Pose& b, const Overlap& answer,
+                                            const Parallel& parallel) const;
+
+  /// Adds the answer of the next pose. `parts` are those of `parts`, or of `part_pairs`.
+  void add(const Pose& a, const Pose& b, const Overlap& answer, std::span<const PartPair> parts);
 
   /// Writes the page of the answers so far.
   void write(std::ostream& out, const OverlapReport& report, const OverlapTotals& totals) const;

@@ -17,12 +17,8 @@ Box mover_box(const World& world, MoverId mover, std::uint64_t frame) {
 }
 
 /// Where the boxes of two bodies meet that touch.
-Box common_box(const Box& a, const Box& b) {
-  Box common;
-  common.lower = {std::max(a.lower.x, b.lower.x), std::max(a.lower.y, b.lower.y),
-                  std::max(a.lower.z, b.lower.z)};
-  common.upper = {std::min(a.upper.x, b.upper.x), std::min(a.upper.y, b.upper.y),
-                  std::min(a.upper.z, b.upper.z)};
+Box meeting_box(const Box& a, const Box& b) {
+  const Box common = report::common_box(a, b);
   return common.empty() ? a : common;  // apart by the rounding of a box
 }
 
@@ -73,7 +69,7 @@ class Gathering {
             ? mover_box(world_, contact.other, contact.begin)
             : report::moved(bounds(world_.city[contact.part].shape.mesh().triangle(contact.other)),
                             world_.city[contact.part].pose);
-    row.box.grow(common_box(mover_box(world_, contact.mover, contact.begin), other));
+    row.box.grow(meeting_box(mover_box(world_, contact.mover, contact.begin), other));
   }
 
   std::uint32_t number_of(std::uint32_t body, std::uint32_t part) {
