@@ -113,9 +113,9 @@ TEST(PartPairs, EndWhenAStopIsRequested) {
   const Pose still;
   const std::vector<TrianglePair> pairs(10'000, {0, 0});
   std::stop_source stop;
-  int asked = 0;
+  int begun = 0;
   const auto earlier = [&](std::uint32_t, std::uint32_t) {
-    ++asked;
+    ++begun;
     stop.request_stop();  // amid the work
     return std::pair(std::uint64_t{0}, Box());
   };
@@ -126,7 +126,7 @@ TEST(PartPairs, EndWhenAStopIsRequested) {
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::cancelled);
   }
-  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(begun, 1);
 }
 
 TEST(OverlapRows, BoxIsTheSameFromPairsOfPartsThatAreKnown) {
