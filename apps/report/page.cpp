@@ -69,6 +69,7 @@ class Writer {
 
   Shown write() {
     head();
+    warnings();
     facts();
     out_ << kView;
     line_of_time();
@@ -96,6 +97,13 @@ class Writer {
         kPolicy, title, reproduce::kPageStyle, kViewStyle, title);
     if (!page_.lead.empty()) {
       out_ << fmt::format("<p class=\"lead\">{}</p>\n", xml_text(page_.lead));
+    }
+  }
+
+  void warnings() {
+    for (const std::string& warning : page_.warnings) {
+      out_ << fmt::format("<p class=\"warn\" role=\"note\"><strong>Warning:</strong> {}</p>\n",
+                          xml_text(warning));
     }
   }
 

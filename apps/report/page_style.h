@@ -42,13 +42,15 @@ min-height:26rem}
 #list{position:relative;flex:1;min-height:0;overflow-y:auto;border:1px solid var(--line);
 border-radius:.4rem}
 #rows{position:relative}
-.line{position:absolute;left:0;right:0;height:72px;box-sizing:border-box;padding:.2rem .6rem;
+.line{position:absolute;left:0;right:0;height:92px;box-sizing:border-box;padding:.2rem .6rem;
 cursor:pointer;border-bottom:1px solid var(--line);border-left:4px solid transparent;overflow:hidden;
 font-size:.88rem;line-height:1.35}
 .line:hover{background:var(--soft)}
 .line.lasts{border-left-color:#d55e00}
+.line.perhaps{border-left:4px dotted #d55e00}
 .line[aria-selected=true]{background:var(--soft);box-shadow:inset 0 0 0 2px var(--link)}
-.line b{display:block;white-space:nowrap;overflow:hidden;text-overflow:ellipsis}
+.line b{display:-webkit-box;-webkit-line-clamp:2;-webkit-box-orient:vertical;overflow:hidden;
+overflow-wrap:anywhere}
 .line .what{display:-webkit-box;-webkit-line-clamp:2;-webkit-box-orient:vertical;overflow:hidden}
 .line b{font-weight:600}
 .line .what{color:var(--faint)}
@@ -58,7 +60,7 @@ line-height:2}
 .line.contact,.line.left{padding-left:2.9rem}
 .line.contact b{font-weight:400}
 .line.left{cursor:default}
-.line.left .what{-webkit-line-clamp:3;font-style:italic}
+.line.left .what{-webkit-line-clamp:4;font-style:italic}
 .line .when{position:relative;display:block;height:5px;margin-top:3px;background:var(--line);
 border-radius:3px;overflow:hidden}
 .line .when i{position:absolute;top:0;bottom:0;min-width:3px;background:#d55e00}

@@ -32,18 +32,10 @@ Triangle moved(const Triangle& t, const Pose& pose) {
   return {pose.apply(t.a), pose.apply(t.b), pose.apply(t.c)};
 }
 
-Box box_of(const Triangle& t) {
-  Box box;
-  box.grow(t.a);
-  box.grow(t.b);
-  box.grow(t.c);
-  return box;
-}
-
 std::array<Vec3, 2> crossing_line(const Triangle& a, const Triangle& b) {
   const Crossing common = crossing(a, b);
   if (common.empty()) {
-    return {box_of(a).center(), box_of(b).center()};
+    return {bounds(a).center(), bounds(b).center()};
   }
   std::array<Vec3, 2> line{common.corners[0], common.corners[0]};
   for (const Vec3& from : common.points()) {

@@ -5,6 +5,7 @@
 #include "soms/base/box.h"
 #include "soms/base/pose.h"
 
+#include <algorithm>
 #include <array>
 
 namespace soms::report {
@@ -16,7 +17,15 @@ namespace soms::report {
 
 [[nodiscard]] Triangle moved(const Triangle& t, const Pose& pose);
 
-[[nodiscard]] Box box_of(const Triangle& t);
+/// What two boxes have in common; empty where they are apart.
+[[nodiscard]] constexpr Box common_box(const Box& a, const Box& b) {
+  Box common;
+  common.lower = {std::max(a.lower.x, b.lower.x), std::max(a.lower.y, b.lower.y),
+                  std::max(a.lower.z, b.lower.z)};
+  common.upper = {std::min(a.upper.x, b.upper.x), std::min(a.upper.y, b.upper.y),
+                  std::min(a.upper.z, b.upper.z)};
+  return common;
+}
 
 /// Two points of the set that two triangles share, as far apart as its corners are; the middles of
 /// the triangles where they share nothing.

@@ -17,7 +17,6 @@ namespace soms::report {
 
 namespace {
 
-constexpr std::size_t kLongestName = 200;
 constexpr std::uint32_t kNone = 0xffffffffU;
 /// Scenes of other sizes are scaled by a power of two, so that floats hold them.
 constexpr double kSmallest = 1e-3;
@@ -148,7 +147,8 @@ class Writer {
     const Triangle b = triangle(contact.b, j, scene_.pose(contact.b, contact.begin));
     const auto [from, to] = crossing_line(a, b);
     view.focus = (from + to) * 0.5;
-    const double smaller = std::min(length(box_of(a).extent()), length(box_of(b).extent()));
+    const double smaller =
+        std::min(length(soms::bounds(a).extent()), length(soms::bounds(b).extent()));
     const double size = std::max(length(to - from), kLeastOfTriangle * smaller);
     if (size > 0) {
       view.reach = std::min(view.reach, kAround * size);
@@ -196,7 +196,7 @@ class Writer {
       shown_.triangles_in_all += mesh.all;
       models_ += fmt::format("{}{{\"name\":{},\"triangles\":{},\"drawn\":{},\"vertices\":{}}}",
                              k == 0 ? "" : ",",
-                             script_text(shortened(scene_.models[k].name, kLongestName)), mesh.all,
+                             script_text(shortened(scene_.models[k].name, kLongestText)), mesh.all,
                              mesh.triangles(), mesh.vertices.size() / 3);
       open(fmt::format("model-{}", k));
       Base64Writer data(out_);
@@ -333,7 +333,7 @@ class Writer {
     out_ << ",\"bodies\":{\"model\":" << list_of(bodies_, [&](auto k) { return body(k).model; })
          << ",\"moves\":" << list_of(bodies_, [&](auto k) { return body(k).moves ? 1 : 0; })
          << ",\"names\":" << list_of(bodies_, [&](auto k) {
-              return script_text(shortened(body(k).name, kLongestName));
+              return script_text(shortened(body(k).name, kLongestText));
             });
     out_ << fmt::format(",\"all\":{}}}", shown_.bodies_in_all);
     out_ << fmt::format(
@@ -342,19 +342,22 @@ class Writer {
                 scene_.steps.smooth)
          << list_of(steps_, [](auto step) { return step; }) << "}";
     out_ << fmt::format(
-        ",\"rows\":{},\"contacts\":{{\"listed\":{},\"all\":{},\"pairs\":{},\"one\":{},\"many\":{}}"
+        ",\"complete\":{},\"rows\":{},\"contacts\":{{\"listed\":{},\"all\":{},\"pairs\":{},\"one\":"
+        "{},\"many\":{}}"
         "}",
-        shown_.rows, shown_.contacts, shown_.contacts_in_all, pairs_,
+        scene_.complete, shown_.rows, shown_.contacts, shown_.contacts_in_all, pairs_,
         script_text(scene_.contact.one), script_text(scene_.contact.many));
     const auto words = [](const std::string& text) {
-      return script_text(shortened(text, kLongestName));
+      return script_text(shortened(text, kLongestText));
     };
     out_ << ",\"parts\":"
          << list_of(scene_.parts, [&](const auto& part) { return words(part.name); })
          << ",\"paths\":"
          << list_of(scene_.parts,
                     [&](const auto& part) {
-                      return part.path == part.name ? "\"\"" : words(part.path);
+                      return part.path == part.name
+                                 ? "\"\""
+                                 : script_text(shortened_front(part.path, kLongestText));
                     })
          << "}</script>\n";
   }

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace soms::report {
 
 std::string script_text(std::string_view words) {
@@ -43,6 +45,17 @@ std::string shortened(std::string_view words, std::size_t most) {
     end += size;
   }
   return std::string(words.substr(0, end)) + "...";
+}
+
+std::string shortened_front(std::string_view words, std::size_t most) {
+  if (words.size() <= most) {
+    return std::string(words);
+  }
+  std::size_t begin = 0;
+  while (words.size() - begin > most) {
+    begin += std::max<std::size_t>(1, utf8_character(words, begin));
+  }
+  return "..." + std::string(words.substr(begin));
 }
 
 }  // namespace soms::report

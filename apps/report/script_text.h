@@ -14,4 +14,8 @@ namespace soms::report {
 /// At most `most` bytes of `words`, cut between characters; "..." stands for what was cut.
 [[nodiscard]] std::string shortened(std::string_view words, std::size_t most);
 
+/// At most `most` bytes of the end of `words`, cut between characters, after "..." for what was
+/// cut.
+[[nodiscard]] std::string shortened_front(std::string_view words, std::size_t most);
+
 }  // namespace soms::report

@@ -2,6 +2,7 @@
 
 #include "soms/base/text.h"
 
+#include "apps/report/script_text.h"
 #include "apps/soms/map_city.h"
 #include "apps/soms/map_marks.h"
 #include "apps/soms/outline.h"
@@ -209,7 +210,7 @@ class Panel {
 
 /// "400 cars"; a file's name has no plural: "2 of car".
 std::string counted_models(std::uint64_t count, const Model& model) {
-  return model.kind == Kind::model ? with_commas(count) + " of " + shortened(model.name, 28)
+  return model.kind == Kind::model ? with_commas(count) + " of " + report::shortened(model.name, 28)
                                    : counted(count, model.name);
 }
 
@@ -250,7 +251,7 @@ void write_most_touched(Panel& panel, const World& world, const std::vector<Touc
   }
   panel.head("Most touched");
   for (std::size_t k = 0; k < most.size(); ++k) {
-    panel.keyed(number_mark(0, 0, k + 1), shortened(name_of(world, most[k]), 38));
+    panel.keyed(number_mark(0, 0, k + 1), report::shortened(name_of(world, most[k]), 38));
     panel.line(counts_of(most[k]), 24);
   }
 }
@@ -297,7 +298,7 @@ void draw_map(std::ostream& out, const World& world, const Outcome& outcome) {
   out << "</g>\n";
   draw_scale_bar(out, page);
   Panel panel(out, panel_left);
-  panel.title(shortened(world.title, 24));
+  panel.title(report::shortened(world.title, 24));
   panel.line(fmt::format("{} triangles, {} frames of 1/60 s", with_commas(world.triangles),
                          with_commas(outcome.frames)));
   write_movers(panel, world);

@@ -1,7 +1,5 @@
 #include "apps/soms/map_marks.h"
 
-#include "soms/base/text.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -49,20 +47,6 @@ double round_length(double meters) {
   const double power = std::pow(10, std::floor(std::log10(meters)));
   const double digits = meters / power;
   return power * (digits >= 5 ? 5 : digits >= 2 ? 2 : 1);
-}
-
-std::string shortened(std::string_view words, std::size_t most) {
-  if (words.size() <= most) {
-    return std::string(words);
-  }
-  std::size_t end = 0;
-  for (std::size_t size = 1; end < words.size() && size > 0 && end + size <= most; end += size) {
-    size = std::max<std::size_t>(1, utf8_character(words, end));
-    if (end + size > most) {
-      break;
-    }
-  }
-  return std::string(words.substr(0, end)) + "...";
 }
 
 }  // namespace soms::command

@@ -29,7 +29,4 @@ struct Mark {
 /// A round length not above `meters`: 1, 2 or 5 times a power of ten.
 [[nodiscard]] double round_length(double meters);
 
-/// `words`, cut to about `most` bytes with "..." where longer.
-[[nodiscard]] std::string shortened(std::string_view words, std::size_t most);
-
 }  // namespace soms::command

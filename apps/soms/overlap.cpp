@@ -13,6 +13,7 @@
 #include "apps/support/output.h"
 #include "apps/support/parse.h"
 #include "apps/support/pose_source.h"
+#include "apps/support/stated_options.h"
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
@@ -59,7 +60,9 @@ class OverlapRun {
                 // Whoever reads a program's answers needs no other form for a single row.
                 .single = poses_.is_stated() || (!console.shared().json && poses_.is_single()),
                 .verified = options.verify,
-                .by_part = options.by_part},
+                .by_part = options.by_part,
+                .read_a = stated_options(options.model_a, "--scale", "--up"),
+                .read_b = stated_options(options.model_b, "--scale-b", "--up-b")},
         bar_(console.progress("overlap")) {
     options_.query.deadline = console.deadline();
     const std::array<const Mesh*, 2> meshes{&a_.mesh(), &b_.mesh()};
@@ -90,6 +93,7 @@ class OverlapRun {
     }
     if (!interrupted || totals_.poses > 0) {
       report_.interrupted = interrupted;
+      report_.timed_out = late_;
       output_.finish(totals_);
     }
     if (interrupted) {
@@ -302,9 +306,10 @@ class OverlapRun {
         break;
       }
       doubt_boxes(k);
+      report_.timed_out = ended_by_time(answers_[k]);
       output_.add(totals_.poses, block_[k].first, block_[k].second, answers_[k], right, console_);
       totals_.add(answers_[k]);
-      if (ended_by_time(answers_[k])) {
+      if (report_.timed_out) {
         end_by_time();
         break;
       }

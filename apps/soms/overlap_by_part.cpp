@@ -38,10 +38,11 @@ std::string pairs_of_parts(std::size_t count) {
 
 void print_parts_as_text(const OverlapReport& report, const Overlap& answer,
                          std::span<const PartPair> parts, Console& console) {
-  console.print(fmt::format(
-      "{}{} of triangles overlap{}, in {}{}\n", answer.coverage == Coverage::cut ? "at least " : "",
-      counted(answer.pairs.size(), "pair"), answer.pairs.size() == 1 ? "s" : "",
-      pairs_of_parts(parts.size()), report.single ? ":" : ""));
+  const char* const at_least = answer.coverage == Coverage::cut ? "at least " : "";
+  console.print(fmt::format("{}{} of triangles overlap{}, in {}{}{}\n", at_least,
+                            counted(answer.pairs.size(), "pair"),
+                            answer.pairs.size() == 1 ? "s" : "", at_least,
+                            pairs_of_parts(parts.size()), report.single ? ":" : ""));
   if (!report.single) {
     return;
   }

@@ -35,8 +35,11 @@ void OverlapOutput::add(std::uint64_t pose, const Pose& a, const Pose& b, const 
                         bool right, Console& console) {
   const PosedParts of_a{report_->a, parts_a_, a};
   const PosedParts of_b{report_->b, parts_b_, b};
-  const std::vector<PartPair> parts =
-      report_->by_part ? part_pairs(of_a, of_b, answer.pairs) : std::vector<PartPair>();
+  // Before any output: this is what may take long and be interrupted.
+  const std::vector<PartPair> parts = report_->by_part
+                                          ? part_pairs(of_a, of_b, answer.pairs, console.parallel())
+                                      : page_ ? page_->parts(a, b, answer, console.parallel())
+                                              : std::vector<PartPair>();
   print_answer(*report_, pose, answer, right, console, parts);
   if (csv_file_) {
     write_csv_rows(csv_file_->stream(), *report_, pose, of_a, of_b, answer, parts);
@@ -45,7 +48,7 @@ void OverlapOutput::add(std::uint64_t pose, const Pose& a, const Pose& b, const 
     }
   }
   if (page_) {
-    page_->add(a, b, answer);
+    page_->add(a, b, answer, parts);
   }
 }
 

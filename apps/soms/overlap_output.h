@@ -22,7 +22,7 @@ class OverlapOutput {
   void begin(const OverlapReport& report);
 
   /// Adds the answer of pose number `pose` to each output. `right` is as in `print_answer`.
-  /// \errors ErrorKind::cannot_write; ClosedPipe.
+  /// \errors ErrorKind::cannot_write; ErrorKind::cancelled, before anything is added; ClosedPipe.
   void add(std::uint64_t pose, const Pose& a, const Pose& b, const Overlap& answer, bool right,
            Console& console);
 

@@ -31,13 +31,17 @@ void keep_multiples(std::map<std::uint64_t, Value>& values, std::uint64_t pause)
 std::vector<report::Plot> bars_of_parts(const Mesh& mesh, const std::vector<OverlapRows::Row>& rows,
                                         std::uint32_t OverlapRows::Row::*part,
                                         const std::string& name) {
-  std::map<std::string, double> by_name;
+  std::map<std::uint32_t, double> by_part;  // not by name: several parts may have the same
   for (const OverlapRows::Row& row : rows) {
-    if (!part_named(mesh, row.*part).empty()) {
-      by_name[part_named(mesh, row.*part)] += static_cast<double>(row.count);
+    if (!mesh.parts.empty()) {
+      by_part[row.*part] += static_cast<double>(row.count);
     }
   }
-  return bars_of({by_name.begin(), by_name.end()}, "Parts of " + name, "pairs",
+  std::vector<std::pair<std::string, double>> bars;
+  for (const auto& [number, count] : by_part) {
+    bars.emplace_back(part_label(mesh, number), count);
+  }
+  return bars_of(std::move(bars), "Parts of " + name, "pairs",
                  "Overlapping pairs of triangles by the part of " + name +
                      " that they lie in, summed over all poses; the parts with the most pairs.");
 }
@@ -54,7 +58,8 @@ class PagedParts {
     }
     const auto [at, added] = numbers_.try_emplace(part, static_cast<std::uint32_t>(parts_.size()));
     if (added) {
-      parts_.push_back({part_label(mesh_, part), part_path_label(mesh_, part)});
+      parts_.push_back(
+          {part_label(mesh_, part), part_path_label(mesh_, part, report::kLongestText)});
     }
     return at->second;
   }
@@ -79,10 +84,16 @@ OverlapPage::OverlapPage(const Mesh& a, std::string name_a, const Mesh& b, std::
       rows_(a, b, report::SceneLimits().contacts) {
 }
 
-void OverlapPage::add(const Pose& a, const Pose& b, const Overlap& answer) {
+std::vector<PartPair> OverlapPage::parts(const Pose& a, const Pose& b, const Overlap& answer,
+                                         const Parallel& parallel) const {
+  return rows_.parts({a, b}, answer.pairs, parallel);
+}
+
+void OverlapPage::add(const Pose& a, const Pose& b, const Overlap& answer,
+                      std::span<const PartPair> parts) {
   follow(a, b);
   count_pairs(answer);
-  rows_.add(poses_, {a, b}, answer.pairs);
+  rows_.add(poses_, {a, b}, answer.pairs, parts);
   ++poses_;
 }
 
@@ -99,7 +110,7 @@ void OverlapPage::follow(const Pose& a, const Pose& b) {
 
 void OverlapPage::count_pairs(const Overlap& answer) {
   pairs_ += answer.pairs.size();
-  cut_ = cut_ || answer.coverage == Coverage::cut;
+  complete_ = complete_ && answer.coverage == Coverage::complete;
   cost_ += answer.cost;
   if (poses_ % poses_of_count_ == 0) {
     counts_.push_back(0);
@@ -147,8 +158,13 @@ void OverlapPage::add_rows(report::Scene& scene) const {
   });
 }
 
-report::Scene OverlapPage::scene() const {
+bool OverlapPage::is_complete(const OverlapReport& report) const {
+  return complete_ && !report.interrupted && !report.timed_out;
+}
+
+report::Scene OverlapPage::scene(const OverlapReport& report) const {
   report::Scene scene;
+  scene.complete = is_complete(report);
   std::map<std::uint64_t, Poses> kept = track_;
   kept.insert(rows_.placed().begin(), rows_.placed().end());
   const Pose first = kept.empty() ? Pose() : kept.begin()->second.second;
@@ -205,13 +221,11 @@ std::vector<report::Plot> OverlapPage::plots() const {
 
 std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
                                              const OverlapTotals& totals) const {
-  std::vector<report::Fact> facts{{"A", fmt::format("{}, {}", name_a_, triangles_of(a_))},
-                                  {"B", fmt::format("{}, {}", name_b_, triangles_of(b_))}};
+  std::vector<report::Fact> facts{
+      {"A", fmt::format("{}, {}{}", name_a_, triangles_of(a_), report.read_a)},
+      {"B", fmt::format("{}, {}{}", name_b_, triangles_of(b_), report.read_b)}};
   for (const std::string& note : report.notes) {
     facts.push_back({"note", note});
-  }
-  for (const FrameWarning& warning : report.warnings) {
-    facts.push_back({"warning", warning.text()});
   }
   facts.push_back({"query", report.mode == OverlapMode::all ? "every pair of triangles"
                             : report.mode == OverlapMode::first
@@ -219,17 +233,18 @@ std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
                                 : "any pair of triangles"});
   facts.push_back(
       {"poses", fmt::format("{}{}: {} with overlap, {} without{}",
-                            report.interrupted ? "interrupted after " : "",
+                            report.interrupted ? "interrupted after "
+                            : report.timed_out ? "out of time after "
+                                               : "",
                             with_commas(totals.poses), with_commas(totals.overlapping),
                             with_commas(totals.poses - totals.overlapping - totals.undecided),
                             totals.undecided == 0
                                 ? ""
                                 : fmt::format(", {} undecided", with_commas(totals.undecided)))});
-  facts.push_back(
-      {"pairs found", fmt::format("{}{}", cut_ ? "at least " : "", with_commas(pairs_))});
+  const char* const at_least = is_complete(report) ? "" : "at least ";
+  facts.push_back({"pairs found", at_least + with_commas(pairs_)});
   if (!a_.parts.empty() || !b_.parts.empty()) {
-    facts.push_back({"pairs of parts", fmt::format("{}{}", cut_ ? "at least " : "",
-                                                   with_commas(rows_.rows().size()))});
+    facts.push_back({"pairs of parts", at_least + with_commas(rows_.rows().size())});
   }
   facts.push_back(
       {"tests",
@@ -253,7 +268,10 @@ void OverlapPage::write(std::ostream& out, const OverlapReport& report,
       .notes = {"Touching counts as overlap: corners and edges belong to their triangles. Only "
                 "surfaces are tested: a body entirely inside another one does not overlap it. "
                 "The picture may be simplified; the answers never are."},
-      .scene = scene()};
+      .scene = scene(report)};
+  for (const FrameWarning& warning : report.warnings) {
+    page.warnings.push_back(warning.text());
+  }
   report::write_page(out, page);
 }
 

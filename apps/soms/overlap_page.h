@@ -25,8 +25,13 @@ class OverlapPage {
   /// Meshes must stay; `name_a` and `name_b` are their files.
   OverlapPage(const Mesh& a, std::string name_a, const Mesh& b, std::string name_b);
 
-  /// Adds the answer of the next pose.
-  void add(const Pose& a, const Pose& b, const Overlap& answer);
+  /// The pairs of parts of the next answer, as `add` takes them.
+  /// \errors ErrorKind::cancelled.
+  [[nodiscard]] std::vector<PartPair> parts(const Pose& a, const Pose& b, const Overlap& answer,
+                                            const Parallel& parallel) const;
+
+  /// Adds the answer of the next pose. `parts` are those of `parts`, or of `part_pairs`.
+  void add(const Pose& a, const Pose& b, const Overlap& answer, std::span<const PartPair> parts);
 
   /// Writes the page of the answers so far.
   void write(std::ostream& out, const OverlapReport& report, const OverlapTotals& totals) const;
@@ -37,7 +42,8 @@ class OverlapPage {
   void follow(const Pose& a, const Pose& b);
   void count_pairs(const Overlap& answer);
   void add_rows(report::Scene& scene) const;
-  [[nodiscard]] report::Scene scene() const;
+  [[nodiscard]] bool is_complete(const OverlapReport& report) const;
+  [[nodiscard]] report::Scene scene(const OverlapReport& report) const;
   [[nodiscard]] std::vector<report::Plot> plots() const;
   [[nodiscard]] std::vector<report::Fact> facts(const OverlapReport& report,
                                                 const OverlapTotals& totals) const;
@@ -48,7 +54,7 @@ class OverlapPage {
   std::string name_b_;
   std::uint64_t poses_ = 0;
   std::uint64_t pairs_ = 0;
-  bool cut_ = false;
+  bool complete_ = true;  ///< no answer was cut or stopped at its first pair
   Cost cost_;
   std::map<std::uint64_t, Poses> track_;  ///< every so many poses
   std::uint64_t pause_ = 1;               ///< between them

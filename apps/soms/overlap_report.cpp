@@ -80,6 +80,9 @@ void print_json(const OverlapReport& report, std::uint64_t pose, const Overlap& 
   if (report.verified) {
     text += right ? ",\"verified\":true" : ",\"verified\":false";
   }
+  if (report.timed_out) {
+    text += ",\"timed_out\":true";
+  }
   console.print(text + notes_key(report, pose) + warnings_key(report, pose));
   if (report.by_part) {
     print_parts_as_json(report, parts, console);

@@ -25,9 +25,12 @@ struct OverlapReport {
   bool single = true;     ///< one pose: pairs are listed; else a line a pose
   bool verified = false;  ///< compared with brute force
   bool interrupted = false;
+  bool timed_out = false;                   ///< --timeout ended the run; there may be more poses
   bool by_part = false;                     ///< pairs of parts are listed, not of triangles
   std::vector<std::string> notes = {};      ///< of the models' files; JSON gives them with pose 0
   std::vector<FrameWarning> warnings = {};  ///< about the models; JSON gives them with pose 0
+  std::string read_a = {};  ///< ", --up y": the options that A was scaled or turned by
+  std::string read_b = {};
   double gap = 0;            ///< of the boxes, at the pose that is reported next; 0: they meet
   bool boxes_apart = false;  ///< that gap is a `FrameDoubt`
 };

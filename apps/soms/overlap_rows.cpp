@@ -1,7 +1,5 @@
 #include "apps/soms/overlap_rows.h"
 
-#include "apps/soms/overlap_parts.h"
-
 #include <algorithm>
 #include <unordered_set>
 
@@ -11,32 +9,50 @@ OverlapRows::OverlapRows(const Mesh& a, const Mesh& b, std::size_t most)
     : a_(a), b_(b), parts_a_(a), parts_b_(b), most_(most), share_(most) {
 }
 
-OverlapRows::Row& OverlapRows::row_of(const TrianglePair& pair) {
-  const std::uint32_t part_a = parts_a_(pair.first);
-  const std::uint32_t part_b = parts_b_(pair.second);
-  const std::uint64_t key = (std::uint64_t{part_a} << 32) | part_b;
-  const auto [at, added] = numbers_.try_emplace(key, rows_.size());
-  if (added) {
-    Row& row = rows_.emplace_back();
-    row.part_a = part_a;
-    row.part_b = part_b;
-  }
-  return rows_[at->second];
+std::vector<PartPair> OverlapRows::parts(const Poses& poses, std::span<const TrianglePair> pairs,
+                                         const Parallel& parallel) const {
+  const auto earlier = [this](std::uint32_t part_a, std::uint32_t part_b) {
+    const auto at = numbers_.find(part_key(part_a, part_b));
+    return at == numbers_.end() ? std::pair(std::uint64_t{0}, Box())
+                                : std::pair(rows_[at->second].count, rows_[at->second].box);
+  };
+  return part_pairs({a_, parts_a_, poses.first}, {b_, parts_b_, poses.second}, pairs, parallel,
+                    earlier);
 }
 
-void OverlapRows::add(std::uint64_t pose, const Poses& poses, std::span<const TrianglePair> pairs) {
-  const PosedParts a{a_, parts_a_, poses.first};
-  const PosedParts b{b_, parts_b_, poses.second};
+void OverlapRows::begin_rows(std::uint64_t pose, std::span<const PartPair> parts) {
+  std::vector<const PartPair*> added;
+  for (const PartPair& part : parts) {
+    const auto at = numbers_.find(part_key(part.a, part.b));
+    if (at == numbers_.end()) {
+      added.push_back(&part);
+      continue;
+    }
+    Row& row = rows_[at->second];
+    ++row.poses;
+    row.end = pose;
+    row.box.grow(part.box);
+  }
+  std::sort(added.begin(), added.end(),
+            [](const PartPair* x, const PartPair* y) { return x->first < y->first; });
+  for (const PartPair* part : added) {
+    numbers_.emplace(part_key(part->a, part->b), rows_.size());
+    rows_.push_back({.part_a = part->a,
+                     .part_b = part->b,
+                     .poses = 1,
+                     .begin = pose,
+                     .end = pose,
+                     .first = part->first,
+                     .box = part->box});
+  }
+}
+
+void OverlapRows::add(std::uint64_t pose, const Poses& poses, std::span<const TrianglePair> pairs,
+                      std::span<const PartPair> parts) {
+  begin_rows(pose, parts);
   bool kept = false;
   for (const TrianglePair& pair : pairs) {
-    Row& row = row_of(pair);
-    if (row.count == 0) {
-      row.begin = pose;
-      row.first = pair;
-    }
-    row.poses += row.count == 0 || row.end != pose ? 1U : 0U;
-    row.end = pose;
-    grow_by_contact(row.box, row.count, a.triangle(pair.first), b.triangle(pair.second));
+    Row& row = rows_[numbers_.at(part_key(parts_a_(pair.first), parts_b_(pair.second)))];
     kept = keep(row, pose, pair) || kept;
     ++row.count;
   }

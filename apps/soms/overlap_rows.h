@@ -7,6 +7,8 @@
 #include "soms/geometry/parts_of.h"
 #include "soms/query/overlap.h"
 
+#include "apps/soms/overlap_parts.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -38,7 +40,7 @@ class OverlapRows {
     std::uint64_t poses = 0;  ///< at which they touch
     std::uint64_t begin = 0;  ///< the first of them
     std::uint64_t end = 0;    ///< the last
-    TrianglePair first;       ///< the least at pose `begin`
+    TrianglePair first = {};  ///< the least at pose `begin`
     Box box = {};             ///< holds every point where they touch
     std::vector<Sample> samples = {};
     std::uint64_t pause = 1;  ///< every so many pairs are kept; 0: none
@@ -48,8 +50,15 @@ class OverlapRows {
   /// while there are at most so many rows.
   OverlapRows(const Mesh& a, const Mesh& b, std::size_t most);
 
-  /// Adds the pairs of a pose; poses come in ascending order.
-  void add(std::uint64_t pose, const Poses& poses, std::span<const TrianglePair> pairs);
+  /// The pairs of parts of an answer, their boxes grown from those of the rows so far.
+  /// \errors ErrorKind::cancelled.
+  [[nodiscard]] std::vector<PartPair> parts(const Poses& poses, std::span<const TrianglePair> pairs,
+                                            const Parallel& parallel) const;
+
+  /// Adds the pairs of a pose, and the pairs of parts that these make, from `parts` or
+  /// `part_pairs`; poses come in ascending order.
+  void add(std::uint64_t pose, const Poses& poses, std::span<const TrianglePair> pairs,
+           std::span<const PartPair> parts);
 
   /// In the order in which they first touched.
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
@@ -61,7 +70,7 @@ class OverlapRows {
   [[nodiscard]] std::size_t held() const { return held_; }
 
  private:
-  Row& row_of(const TrianglePair& pair);
+  void begin_rows(std::uint64_t pose, std::span<const PartPair> parts);
   bool keep(Row& row, std::uint64_t pose, const TrianglePair& pair);
   void halve(Row& row);
   void thin_out();

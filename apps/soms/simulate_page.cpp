@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -61,7 +62,7 @@ class MoverParts {
         numbers_.try_emplace({model, part}, static_cast<std::uint32_t>(parts_.size()));
     if (added) {
       const Mesh& mesh = world.models[model].shape.mesh();
-      parts_.push_back({part_label(mesh, part), part_path_label(mesh, part)});
+      parts_.push_back({part_label(mesh, part), part_path_label(mesh, part, report::kLongestText)});
     }
     return at->second;
   }
@@ -88,6 +89,8 @@ report::SceneContact contact_of(const World& world, const Contact& contact, std:
     shown.part_a = parts.number(world, contact.mover, i);
     shown.part_b = between ? parts.number(world, contact.other, j) : row.part_b;
   }
+  shown.pairs.resize(std::min(shown.pairs.size(), report::SceneLimits().pairs_of_contact));
+  shown.pairs.shrink_to_fit();  // of two movers there may be very many
   return shown;
 }
 
@@ -120,6 +123,7 @@ report::Scene scene_of(const World& world, const Outcome& outcome) {
     scene.contacts.push_back(contact_of(world, contacts[k], row, gathered.rows[row], parts));
   }
   scene.rows = std::move(gathered.rows);
+  scene.complete = outcome.extension == Extension::whole;
   scene.contacts_in_all = contacts.size();
   scene.steps = {.count = std::max<std::uint64_t>(1, outcome.frames),
                  .noun = "frame",
@@ -232,7 +236,7 @@ void write_page(std::ostream& out, const World& world, const Outcome& outcome,
     page.facts.push_back({"note", note});
   }
   for (const FrameWarning& warning : world.warnings) {
-    page.facts.push_back({"warning", warning.text()});
+    page.warnings.push_back(warning.text());
   }
   if (outcome.extension != Extension::whole) {
     page.notes.emplace_back("This run ended early; the page shows the frames that were done.");

@@ -17,12 +17,8 @@ Box mover_box(const World& world, MoverId mover, std::uint64_t frame) {
 }
 
 /// Where the boxes of two bodies meet that touch.
-Box common_box(const Box& a, const Box& b) {
-  Box common;
-  common.lower = {std::max(a.lower.x, b.lower.x), std::max(a.lower.y, b.lower.y),
-                  std::max(a.lower.z, b.lower.z)};
-  common.upper = {std::min(a.upper.x, b.upper.x), std::min(a.upper.y, b.upper.y),
-                  std::min(a.upper.z, b.upper.z)};
+Box meeting_box(const Box& a, const Box& b) {
+  const Box common = report::common_box(a, b);
   return common.empty() ? a : common;  // apart by the rounding of a box
 }
 
@@ -73,7 +69,7 @@ class Gathering {
             ? mover_box(world_, contact.other, contact.begin)
             : report::moved(bounds(world_.city[contact.part].shape.mesh().triangle(contact.other)),
                             world_.city[contact.part].pose);
-    row.box.grow(common_box(mover_box(world_, contact.mover, contact.begin), other));
+    row.box.grow(meeting_box(mover_box(world_, contact.mover, contact.begin), other));
   }
 
   std::uint32_t number_of(std::uint32_t body, std::uint32_t part) {
@@ -84,7 +80,8 @@ class Gathering {
         part_numbers_.try_emplace({body, part}, static_cast<std::uint32_t>(gathered_.parts.size()));
     if (added) {
       const Mesh& mesh = world_.city[body].shape.mesh();
-      gathered_.parts.push_back({part_label(mesh, part), part_path_label(mesh, part)});
+      gathered_.parts.push_back(
+          {part_label(mesh, part), part_path_label(mesh, part, report::kLongestText)});
     }
     return at->second;
   }
@@ -122,12 +119,17 @@ std::vector<std::size_t> fair_sample(const ContactRows& rows, const std::vector<
   const std::vector<std::uint64_t> shares = report::fair_shares(counts, most);
   std::vector<std::size_t> chosen;
   for (std::size_t r = 0; r < members.size(); ++r) {
-    std::vector<report::Span> spans;
-    for (const std::size_t k : members[r]) {
-      spans.push_back({contacts[k].begin, contacts[k].end});
+    if (shares[r] == 0) {
+      continue;
     }
-    for (const std::size_t k : report::longest(spans, static_cast<std::size_t>(shares[r]))) {
-      chosen.push_back(members[r][k]);
+    // The first however short it is: the page shows it where the row is chosen.
+    chosen.push_back(members[r].front());
+    std::vector<report::Span> spans;
+    for (std::size_t k = 1; k < members[r].size(); ++k) {
+      spans.push_back({contacts[members[r][k]].begin, contacts[members[r][k]].end});
+    }
+    for (const std::size_t k : report::longest(spans, static_cast<std::size_t>(shares[r]) - 1)) {
+      chosen.push_back(members[r][k + 1]);
     }
   }
   std::sort(chosen.begin(), chosen.end());

@@ -30,6 +30,8 @@ set(SOMS_SUPPORT_FILES
   shared.h
   standard_input.cpp
   standard_input.h
+  stated_options.cpp
+  stated_options.h
   suggest.cpp
   suggest.h
   text.cpp

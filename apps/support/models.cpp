@@ -8,6 +8,7 @@
 #include "apps/support/console.h"
 #include "apps/support/parse.h"
 #include "apps/support/standard_input.h"
+#include "apps/support/stated_options.h"
 
 #include <fmt/format.h>
 
@@ -19,10 +20,6 @@
 namespace soms::command {
 
 namespace {
-
-char letter(UpAxis axis) {
-  return axis == UpAxis::x ? 'x' : axis == UpAxis::y ? 'y' : 'z';
-}
 
 const char* const kTreeGroup = "Trees (answers do not depend on these)";
 
@@ -235,12 +232,12 @@ Mesh read_model(const std::string& path, const ModelOptions& options, const Cons
     const std::string note = fmt::format(
         "the file declares that {} is up, but the command line says that {} is, and is "
         "followed",
-        letter(mesh.up), letter(options.up));
+        axis_letter(mesh.up), axis_letter(options.up));
     if (options.strict) {
       throw Error(ErrorKind::bad_file, path + ": " + note,
                   fmt::format("name {} if that axis points up; if the file is wrong, correct it "
                               "first: soms convert {} OUT.glb --up {}",
-                              letter(mesh.up), path, letter(options.up)));
+                              axis_letter(mesh.up), path, axis_letter(options.up)));
     }
     mesh.notes.push_back(note);
   }

@@ -1,11 +1,11 @@
 #include "apps/support/part_names.h"
 
-#include "soms/geometry/parts_of.h"
-
 #include "apps/support/world.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace soms::command {
@@ -18,15 +18,22 @@ std::string part_label(const Mesh& mesh, std::uint32_t part) {
   return name.empty() ? fmt::format("part {}", part) : name;
 }
 
-std::string part_path_label(const Mesh& mesh, std::uint32_t part) {
+std::string part_path_label(const Mesh& mesh, std::uint32_t part, std::size_t most) {
   if (part == Part::kNoParent) {
     return {};
   }
-  std::string label;
-  for (const std::string& name : part_path(mesh, mesh.parts[part].parent)) {
-    label += (name.empty() ? "..." : name) + "/";
+  // From the inside out, so that where parts are nested deeply the outer ones need not be visited.
+  std::vector<std::string> names{part_label(mesh, part)};
+  std::size_t size = names.front().size();
+  for (std::uint32_t at = mesh.parts[part].parent;
+       at != Part::kNoParent && size <= most && names.size() < mesh.parts.size();
+       at = mesh.parts[at].parent) {
+    const std::string& name = mesh.parts[at].name;
+    names.push_back(name.empty() ? "..." : name);
+    size += names.back().size() + 1;
   }
-  return label + part_label(mesh, part);
+  std::reverse(names.begin(), names.end());
+  return fmt::format("{}", fmt::join(names, "/"));
 }
 
 }  // namespace soms::command

@@ -4,7 +4,9 @@
 
 #include "soms/geometry/mesh.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace soms::command {
@@ -14,7 +16,9 @@ namespace soms::command {
 [[nodiscard]] std::string part_label(const Mesh& mesh, std::uint32_t part);
 
 /// The labels of the parts around a part, the outermost first, and its own, with a slash between;
-/// empty for Part::kNoParent.
-[[nodiscard]] std::string part_path_label(const Mesh& mesh, std::uint32_t part);
+/// empty for Part::kNoParent. Of a path longer than `most` bytes at least the last `most`.
+[[nodiscard]] std::string part_path_label(
+    const Mesh& mesh, std::uint32_t part,
+    std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace soms::command

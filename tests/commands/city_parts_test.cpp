@@ -1,4 +1,5 @@
 #include "apps/support/models.h"
+#include "apps/support/part_names.h"
 #include "apps/support/world.h"
 #include "tests/commands/run.h"
 
@@ -28,6 +29,15 @@ TEST(CityParts, AreThoseOfPartName) {
   }
   EXPECT_EQ(parts.name(0, 2), "house");
   EXPECT_EQ(parts.name(1, 6), "other");
+}
+
+TEST(PartPathLabel, KeepsItsEndWhereItIsLong) {
+  Mesh mesh = nested();
+  mesh.parts.push_back({.name = "door", .parent = 2, .first = 4, .count = 1});
+  EXPECT_EQ(part_path_label(mesh, 3), "street/.../door");
+  EXPECT_EQ(part_path_label(mesh, 3, 15), "street/.../door");
+  EXPECT_EQ(part_path_label(mesh, 3, 5), ".../door");
+  EXPECT_EQ(part_path_label(mesh, Part::kNoParent), "");
 }
 
 }  // namespace

@@ -240,6 +240,64 @@ TEST_F(OverlapParts, ByPartListsAllInText) {
       << run.out;
 }
 
+TEST_F(OverlapParts, ByPartSaysAtLeastOfPartsWhereTheListIsCut) {
+  const std::vector<std::string> files = fins(6, 1);
+  const test::RunResult run =
+      test::soms_run({"overlap", files[0], files[1], "--by", "part", "--limit", "5"});
+  const std::string line = run.out.substr(0, run.out.find('\n'));
+  EXPECT_EQ(line.find("at least 5 pairs of triangles overlap, in at least "), 0U) << line;
+}
+
+TEST_F(OverlapParts, PageSaysWhereTheSearchEndedEarly) {
+  const std::vector<std::string> files = fins(6, 1);
+
+  struct Case {
+    std::vector<std::string> options;
+    bool complete;
+    std::string pairs;
+  };
+
+  for (const Case& c : std::vector<Case>{{{}, true, "36"},
+                                         {{"--limit", "36"}, true, "36"},
+                                         {{"--limit", "5"}, false, "at least 5"},
+                                         {{"--any"}, false, "at least 1"},
+                                         {{"--first"}, false, "at least 1"},
+                                         {{"--any", "--pose", "0 0 20000"}, true, "0"}}) {
+    std::vector<std::string> words{files[0], files[1]};
+    words.insert(words.end(), c.options.begin(), c.options.end());
+    const std::string page = page_of(words);
+    EXPECT_EQ(test::scene_of(page)["complete"], c.complete) << testing::PrintToString(c.options);
+    EXPECT_NE(page.find("<dt>pairs found</dt><dd>" + c.pairs + "</dd>"), std::string::npos)
+        << testing::PrintToString(c.options);
+  }
+}
+
+TEST_F(OverlapParts, PlotsKeepPartsOfOneNameApart) {
+  std::string walls;
+  for (const char* name : {"wall", "wall", ""}) {
+    walls += fmt::format("o {}\nv -10 0 -10\nv 20 0 -10\nv 0 0 40\nf -3 -2 -1\n", name);
+  }
+  const std::string page =
+      page_of({write("a.obj", walls), write("b.obj", test::fins_obj("duct", 1, 1, false))});
+  std::size_t labels = 0;
+  for (std::size_t at = page.find(">wall<"); at != std::string::npos;
+       at = page.find(">wall<", at + 1)) {
+    ++labels;
+  }
+  EXPECT_EQ(labels, 2U);
+  EXPECT_NE(page.find(">part 2<"), std::string::npos);
+}
+
+TEST_F(OverlapParts, PageSetsWarningsApartAndSaysHowModelsWereRead) {
+  const std::vector<std::string> files = fins(1, 1);
+  const std::string page =
+      page_of({files[0], files[1], "--pose", "0 0 9000000", "--scale", "0.5", "--up-b", "y"});
+  EXPECT_NE(page.find("<strong>Warning:</strong> "), std::string::npos);
+  EXPECT_EQ(page.find("<dt>warning</dt>"), std::string::npos);
+  EXPECT_NE(page.find("<dd>beams, 1 triangle, --scale 0.5</dd>"), std::string::npos);
+  EXPECT_NE(page.find("<dd>ducts, 1 triangle, --up-b y</dd>"), std::string::npos);
+}
+
 TEST_F(OverlapParts, CsvHasARowForEachPairOfPartsAndPose) {
   const std::vector<std::string> files = fins(3, 2);
   const std::string poses = write("poses.csv", "x,y,z\n0,0,0\n0,0,1\n");

@@ -230,6 +230,7 @@ TEST(OverlapVerb, RefusesCoordinatesThatMovingTakesOutOfRange) {
 
 TEST(OverlapVerb, AnswersAreCutWhenTimeIsUp) {
   const TemporaryFolder folder;
+  const std::string page = (folder.path() / "page.html").string();
   const std::string poses = (folder.path() / "poses.csv").string();
   std::string rows = "x,y,z\n";
   for (int i = 0; i < 2'000'000; ++i) {
@@ -239,7 +240,7 @@ TEST(OverlapVerb, AnswersAreCutWhenTimeIsUp) {
   const RunResult result = run_with_time(
       [&](const std::string& seconds) {
         return soms_run({"overlap", box(), box(), "--pose", poses, "--no-pairs", "--json",
-                         "--timeout", seconds});
+                         "--report", page, "--timeout", seconds});
       },
       [](const RunResult& run) { return run.status != 4; });
   EXPECT_EQ(result.status, 0) << result.err;
@@ -248,6 +249,11 @@ TEST(OverlapVerb, AnswersAreCutWhenTimeIsUp) {
   ASSERT_FALSE(answers.empty());
   EXPECT_LT(answers.size(), 2'000'000U);
   EXPECT_EQ(answers.back().at("coverage"), "cut");
+  EXPECT_EQ(answers.back().at("timed_out"), true);
+  EXPECT_FALSE(answers.front().contains("timed_out"));
+  const std::string html = read_text(page);
+  EXPECT_NE(html.find("<dd>out of time after "), std::string::npos);
+  EXPECT_NE(html.find("\"complete\":false"), std::string::npos);
   for (std::size_t k = 0; k + 1 < answers.size(); ++k) {
     ASSERT_EQ(answers[k].at("coverage"), "complete");
   }

@@ -44,6 +44,14 @@ std::string written(const Page& page) {
   return out.str();
 }
 
+TEST(ReportPage, SetsWarningsApart) {
+  const Mesh mesh = generate_knot(500);
+  Page page = small_page(mesh, "words");
+  page.warnings = {"a < b"};
+  EXPECT_NE(written(page).find("class=\"warn\" role=\"note\"><strong>Warning:</strong> a &lt; b"),
+            std::string::npos);
+}
+
 TEST(ReportPage, IsOneWholeDocumentWithAllItsParts) {
   const Mesh mesh = generate_knot(500);
   const std::string text = written(small_page(mesh, "words"));

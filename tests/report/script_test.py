@@ -2,7 +2,7 @@
 
 `hash`: the sources have not changed since it was made. `rebuild`: making it again gives the same
 bytes; skipped where node or the packages (`npm ci`) are missing. `search`: what the list of contacts
-finds; skipped where node is missing.
+finds; `words`: what the page says of rows that touch. The last two are skipped where node is missing.
 """
 import hashlib
 import pathlib
@@ -51,7 +51,7 @@ def check_rebuild(web):
 
 # A contact of triangle 12345 of "crate, 12,345" in frames 1,234 to 2,000, queries, and if they find it.
 SEARCH = """
-import { haystack, holds, rowHaystack } from '%s';
+import { haystack, holds, rowHaystack } from '%(words)s';
 const names = ['crate, 12,345', 'dock'];
 const all = {
   scene: { bodies: { names, moves: [1, 0] }, moving: 1, parts: ['lid'], paths: ['crates/lid'], steps: { noun: 'frame', count: 3000 } },
@@ -82,13 +82,55 @@ for (const [query, found] of [
 """
 
 
-def check_search(web):
+# Two movers that touch each other and a part of the city; pages whose contacts are not all there.
+WORDS = """
+import { counts, notDrawn, rowNoun, shortName, whatIsDrawn } from '%(words)s';
+import { Entries, NO, PERHAPS, YES } from '%(entries)s';
+const NONE = 0xffffffff;
+const page = ({ parts = [0, NONE], complete = true, held = [[0], [1]], all = 2, spans = [[3, 9, 7], [3, 9, 3]] }) => ({
+  scene: { complete, models: [], parts: ['lid'], bodies: { names: [], all: 0 },
+    contacts: { listed: held.flat().length, all, one: 'contact', many: 'contacts' },
+    steps: { kept: [0], count: 1, noun: 'frame' } },
+  contacts: { begin: (k) => [3, 5][k], end: (k) => [3, 6][k] },
+  rows: { count: parts.length, part: (r, side) => (side === 1 ? parts[r] : NONE), contacts: (r) => held[r],
+    total: () => 9, begin: (r) => spans[r][0], end: (r) => spans[r][1], steps: (r) => spans[r][2] },
+});
+const check = (found, expected) => {
+  if (found !== expected) {
+    console.log(`"${found}" should be "${expected}"`);
+    process.exitCode = 1;
+  }
+};
+check(counts(page({}), 2), 'All 2 pairs of parts or bodies that touch; 2 contacts in all');
+check(counts(page({}), 1), '1 of 2 pairs of parts or bodies that touch; 2 contacts in all');
+const cut = page({ complete: false, parts: [0, 0] });
+check(counts(cut, 2), '2 pairs of parts and 2 contacts found so far; there may be more');
+check(whatIsDrawn(cut).includes('all'), false);
+check(counts(page({ complete: false, parts: [] }), 0), 'Nothing found so far.');
+check(counts(page({ parts: [] }), 0), 'Nothing touches.');
+check(rowNoun(page({ parts: [NONE] }), 1), '1 pair of bodies');
+check(rowNoun(page({ parts: [0] }), 1), '1 pair of parts');
+check(notDrawn(page({})), '');
+check(notDrawn(page({ all: 12 })), 'Drawn: 2 of 12 contacts, spread over all 2 pairs of parts or bodies');
+check(notDrawn(page({ held: [[0], []], all: 12 })), 'Drawn: 1 of 12 contacts, from 1 of 2 pairs of parts or bodies');
+check(shortName('Slab:Level 0:Concrete 250'), 'Slab:Level 0:Concrete 250');
+check(shortName('x'.repeat(60) + ' 17'), 'x'.repeat(13) + '...' + 'x'.repeat(25) + ' 17');
+const entries = new Entries(page({}));
+// The first row touches at each step; of the second three of seven are known, and two contacts are there.
+for (const [r, step, expected] of [[0, 2, NO], [0, 4, YES], [1, 3, YES], [1, 4, PERHAPS], [1, 5, YES],
+  [1, 8, PERHAPS], [1, 9, YES], [1, 10, NO]]) {
+  check(entries.lasts(r, step), expected);
+}
+"""
+
+
+def run_script(web, script):
     node = shutil.which("node")
     if node is None:
         print("skipped: node is not installed")
         return SKIPPED
-    words = (web / "src/words.js").as_uri()
-    return subprocess.run([node, "--input-type=module", "-e", SEARCH % words], check=False).returncode
+    names = {name: (web / f"src/{name}.js").as_uri() for name in ("words", "entries")}
+    return subprocess.run([node, "--input-type=module", "-e", script % names], check=False).returncode
 
 
 def main():
@@ -97,7 +139,8 @@ def main():
     if "resolved" in lock or "://" in lock:
         print("package-lock.json names the host of a registry")
         return 1
-    return {"hash": check_hash, "rebuild": check_rebuild, "search": check_search}[check](web)
+    return {"hash": check_hash, "rebuild": check_rebuild, "search": lambda web: run_script(web, SEARCH),
+            "words": lambda web: run_script(web, WORDS)}[check](web)
 
 
 if __name__ == "__main__":

@@ -37,6 +37,10 @@ TEST(Shortened, CutsBetweenCharacters) {
   EXPECT_EQ(shortened("ab\xc3\xa9z", 3), "ab...");
   EXPECT_EQ(shortened("ab\xc3\xa9z", 4), "ab\xc3\xa9...");
   EXPECT_EQ(shortened("\xff\xff\xff", 2), "\xff\xff...");
+  EXPECT_EQ(shortened_front("short", 5), "short");
+  EXPECT_EQ(shortened_front("longer", 4), "...nger");
+  EXPECT_EQ(shortened_front("ab\xc3\xa9z", 2), "...z");
+  EXPECT_EQ(shortened_front("ab\xc3\xa9z", 3), "...\xc3\xa9z");
 }
 
 }  // namespace

@@ -6,6 +6,10 @@ export const ROW = 0;
 export const CONTACT = 1;
 export const MISSING = 2;
 
+export const NO = 0;
+export const PERHAPS = 1;
+export const YES = 2;
+
 const ORDERS = {
   count: (rows) => (a, b) => rows.total(b) - rows.total(a) || a - b,
   begin: (rows) => (a, b) => rows.begin(a) - rows.begin(b) || a - b,
@@ -47,14 +51,19 @@ export class Entries {
     return contacts.begin(k) <= step && step <= contacts.end(k);
   }
 
-  // A row lasts with its contacts; where some of them are missing, from its first to its last.
+  // Whether the two of a row touch at a step. Where contacts of it are missing, nobody knows, unless
+  // it touches at every step from its first to its last.
   lasts(r, step) {
     const { rows } = this.all;
     if (step < rows.begin(r) || step > rows.end(r)) {
-      return false;
+      return NO;
     }
     const members = rows.contacts(r);
-    return members.length < rows.total(r) || members.some((k) => this.lastsContact(k, step));
+    if (step === rows.begin(r) || step === rows.end(r) || rows.steps(r) === rows.end(r) - rows.begin(r) + 1
+      || members.some((k) => this.lastsContact(k, step))) {
+      return YES;
+    }
+    return members.length < rows.total(r) ? PERHAPS : NO;
   }
 
   // Contacts of a row that a search finds, where the row itself is not found.
@@ -70,7 +79,7 @@ export class Entries {
     this.found = new Map();
     this.order = [];
     for (let r = 0; r < rows.count; ++r) {
-      if (step !== undefined && !this.lasts(r, step)) {
+      if (step !== undefined && this.lasts(r, step) === NO) {
         continue;
       }
       if (query !== '' && !holds(this.hay(r), query)) {

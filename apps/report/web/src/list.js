@@ -1,11 +1,11 @@
 // The list: a row for each two that touch, their contacts below it where it is open. Searched, ordered,
 // and drawn only where it is seen, so that 100,000 rows are as quick as ten.
-import { CONTACT, Entries, MISSING, ROW } from './entries.js';
+import { CONTACT, Entries, MISSING, NO, PERHAPS, ROW, YES } from './entries.js';
 import {
-  counted, missing, number, place, rowNoun, rowPaths, rowPlace, rowTitle, rowWhen, title, triangles, when,
+  counted, counts, missing, number, place, rowPaths, rowPlace, rowTitle, rowWhen, shortRowTitle, title, triangles, when,
 } from './words.js';
 
-const HEIGHT = 72; // pixels of a line, as in the page's style
+const HEIGHT = 92; // pixels of a line, as in the page's style
 const TALLEST = 8e6; // pixels; browsers draw no element that is much taller
 const MORE = 6; // lines beyond each end
 
@@ -42,11 +42,7 @@ export class List {
   sift() {
     this.entries.sift(this.find.value.trim(), this.order.value,
       this.onlyNow.checked ? Math.floor(this.step) : undefined);
-    const { rows } = this.all;
-    const shown = this.entries.order.length;
-    this.count.textContent = rows.count === 0 ? 'Nothing touches.'
-      : `${shown === rows.count ? 'All ' : `${number(shown)} of `}${rowNoun(this.all, rows.count)} that touch; ${
-        counted(this.all, this.all.scene.contacts.all)} in all`;
+    this.count.textContent = counts(this.all, this.entries.order.length);
     this.resize();
   }
 
@@ -140,18 +136,20 @@ export class List {
     const { rows, scene } = this.all;
     const open = Boolean(this.entries.isOpen(r));
     line.dataset.row = r;
-    line.className = `line pair${this.entries.lasts(r, Math.floor(this.step)) && scene.steps.count > 1 ? ' lasts' : ''}`;
+    const touching = scene.steps.count > 1 ? this.entries.lasts(r, Math.floor(this.step)) : NO;
+    line.className = `line pair${touching === YES ? ' lasts' : touching === PERHAPS ? ' perhaps' : ''}`;
     line.setAttribute('aria-expanded', open);
     const fold = add('span', 'fold', open ? '\u25be' : '\u25b8');
     fold.setAttribute('aria-hidden', true);
     const text = rowTitle(this.all, r);
-    add('b', 'who', text).title = rowPaths(this.all, r) || text;
+    add('b', 'who', shortRowTitle(this.all, r)).title = rowPaths(this.all, r) || text;
     const left = rows.total(r) - rows.contacts(r).length;
     const parts = [counted(this.all, rows.total(r))];
     if (left > 0) {
       parts[0] += ` (${number(left)} not drawn)`;
     }
-    add('span', 'what', [...parts, rowWhen(this.all, r), rowPlace(this.all, r)].filter(Boolean).join('; '));
+    const now = touching === PERHAPS ? 'perhaps now' : ''; // of the contacts that are not on the page
+    add('span', 'what', [...parts, now, rowWhen(this.all, r), rowPlace(this.all, r)].filter(Boolean).join('; '));
     if (scene.steps.count > 1) {
       const bar = document.createElement('i');
       bar.style.left = `${100 * rows.begin(r) / scene.steps.count}%`;

@@ -43,6 +43,22 @@ export function rowTitle({ scene, rows }, r) {
   return `${side(scene, rows.a(r), rows.part(r, 0))} touches ${side(scene, rows.b(r), rows.part(r, 1))}`;
 }
 
+// A name with its middle left out where it is long: names of parts often differ in their last words.
+export function shortName(name, most = 44) {
+  const letters = [...name];
+  if (letters.length <= most) {
+    return name;
+  }
+  const begin = Math.floor((most - 3) / 3);
+  return `${letters.slice(0, begin).join('')}...${letters.slice(letters.length - (most - 3 - begin)).join('')}`;
+}
+
+// The title of a row as the list has room for it.
+export function shortRowTitle({ scene, rows }, r) {
+  return [0, 1].map((which) => shortName(side(scene, which === 0 ? rows.a(r) : rows.b(r), rows.part(r, which))))
+    .join(' touches ');
+}
+
 // Where parts lie in the hierarchy of their files; empty where that says no more than their names.
 export function rowPaths({ scene, rows }, r) {
   return [0, 1].map((which) => pathOf(scene, rows.part(r, which))).filter(Boolean).join(' touches ');
@@ -136,18 +152,49 @@ export function moment({ scene }, step) {
   return `${noun} ${number(Math.floor(step))} of ${number(count)}${time}`;
 }
 
-// What rows are: "pairs of parts", where parts have names, or "pairs of bodies".
-export function rowNoun({ scene }, count) {
-  const what = scene.parts.length > 0 ? 'parts' : 'bodies';
-  return `${number(count)} pair${count === 1 ? '' : 's'} of ${what}`;
+const rowsWhere = (rows, accept) => {
+  let found = 0;
+  for (let r = 0; r < rows.count; ++r) {
+    found += accept(r) ? 1 : 0;
+  }
+  return found;
+};
+
+const nouns = new WeakMap();
+
+// What rows are: "pairs of parts" or "pairs of bodies"; where movers touch parts and each other, both.
+export function rowNoun({ rows }, count) {
+  if (!nouns.has(rows)) {
+    const ofParts = rowsWhere(rows, (r) => rows.part(r, 0) !== NO_PART || rows.part(r, 1) !== NO_PART);
+    nouns.set(rows, ofParts === 0 ? 'bodies' : ofParts === rows.count ? 'parts' : 'parts or bodies');
+  }
+  return `${number(count)} pair${count === 1 ? '' : 's'} of ${nouns.get(rows)}`;
 }
 
-// "7,462 of 13,252 pairs of triangles are in this page and drawn"; empty where all are.
+// "All 260 pairs of parts that touch; 13,252 pairs of triangles in all", or what is known of them.
+export function counts(all, shown) {
+  const { rows, scene } = all;
+  if (rows.count === 0) {
+    return scene.complete ? 'Nothing touches.' : 'Nothing found so far.';
+  }
+  const which = shown < rows.count ? `${number(shown)} of ` : '';
+  const inAll = counted(all, scene.contacts.all);
+  return scene.complete ? `${which || 'All '}${rowNoun(all, rows.count)} that touch; ${inAll} in all`
+    : `${which}${rowNoun(all, rows.count)} and ${inAll} found so far; there may be more`;
+}
+
+// "spread over all 260 pairs of parts"; where there are more rows than contacts, "of 10,000 of 14,400 ...".
+function spread(all) {
+  const { rows } = all;
+  const held = rowsWhere(rows, (r) => rows.contacts(r).length > 0);
+  return held < rows.count ? `from ${number(held)} of ${rowNoun(all, rows.count)}`
+    : `spread over all ${rowNoun(all, rows.count)}`;
+}
+
+// "Drawn: 7,462 of 13,252 pairs of triangles, ..."; empty where all are.
 export function notDrawn(all) {
   const { listed, all: inAll, many } = all.scene.contacts;
-  return listed < inAll
-    ? `Drawn: ${number(listed)} of ${number(inAll)} ${many}, spread over all ${rowNoun(all, all.rows.count)}`
-    : '';
+  return listed < inAll ? `Drawn: ${number(listed)} of ${number(inAll)} ${many}, ${spread(all)}` : '';
 }
 
 export function whatIsDrawn(all) {
@@ -158,10 +205,12 @@ export function whatIsDrawn(all) {
     parts[0] += ' (simplified far from contacts; the answers are exact)';
   }
   const { listed, all: inAll, many } = scene.contacts;
-  parts.push(`listed: all ${rowNoun(all, all.rows.count)} that touch`);
-  parts.push(listed < inAll
-    ? `${number(listed)} of their ${number(inAll)} ${many} are on this page, spread over all rows`
-    : `with all their ${number(inAll)} ${many}`);
+  if (all.rows.count > 0) {
+    parts.push(`listed: ${counts(all, all.rows.count).replace(/^All/, 'all')}`);
+  }
+  if (listed < inAll) {
+    parts.push(`${number(listed)} of the ${number(inAll)} ${many} are on this page, ${spread(all)}`);
+  }
   if (scene.bodies.names.length < scene.bodies.all) {
     parts.push(`bodies: ${number(scene.bodies.names.length)} of ${number(scene.bodies.all)}`);
   }

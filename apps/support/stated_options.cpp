@@ -1,0 +1,25 @@
+#include "apps/support/stated_options.h"
+
+#include "apps/support/models.h"
+
+#include <fmt/format.h>
+
+namespace soms::command {
+
+char axis_letter(UpAxis axis) {
+  return axis == UpAxis::x ? 'x' : axis == UpAxis::y ? 'y' : 'z';
+}
+
+std::string stated_options(const ModelOptions& options, const std::string& scale_name,
+                           const std::string& up_name) {
+  std::string text;
+  if (options.scale_is_given) {
+    text += fmt::format(", {} {}", scale_name, options.scale);
+  }
+  if (options.up != UpAxis::unknown) {
+    text += fmt::format(", {} {}", up_name, axis_letter(options.up));
+  }
+  return text;
+}
+
+}  // namespace soms::command
