@@ -102,6 +102,7 @@ TEST(Losses, OfGoodFilesOnlyThoseWithMoreThanTrianglesHaveNotes) {
         "line "
         "61"}},
       {"two_scenes.gltf", {"the file has 2 scenes; only scene 1, the default, was read"}},
+      {"full.3ds", {"unknown chunks, not read: 1, at byte 2293"}},
       {"groups.obj", {"lines and points, which are not triangles: 2, the first in line 137"}},
   };
   for (const auto& row : rows_of("formats/FORMATS.csv", 1)) {
