@@ -269,6 +269,20 @@ TEST(Collada, RefusesWhatItCannotShowRightly) {
   };
   refuse_faces("<polygons count=\"1\">" + kInput + "<ph><p>0 1 2 3</p><h>0 1 4</h></ph></polygons>",
                ErrorKind::unsupported, "a polygon with holes");
+  for (const std::string list : {"triangles", "polylist", "tristrips", "trifans"}) {
+    const std::string sizes = list == "polylist" ? "<vcount>3</vcount>" : "";
+    refuse_faces("<" + list + " count=\"1\">" + kInput + sizes +
+                     "<p>0 1 2</p><ph><p>0 2 3</p></ph></" + list + ">",
+                 ErrorKind::unsupported, "a polygon with holes");
+  }
+  for (const std::string list : {"triangles", "polygons", "tristrips", "trifans"}) {
+    refuse_faces("<" + list + " count=\"1\">" + kInput +
+                     "<vcount>3 3</vcount><p>0 1 2 0 2 3</p></" + list + ">",
+                 ErrorKind::bad_file, "has a <vcount>, which only <polylist> has");
+  }
+  refuse_faces("<polylist count=\"1\">" + kInput +
+                   "<vcount>3</vcount><vcount>3</vcount><p>0 1 2</p></polylist>",
+               ErrorKind::bad_file, "a second <vcount>");
   refuse_faces("<triangles count=\"2\">" + kInput + "<p>0 1 2</p></triangles>", ErrorKind::bad_file,
                "line 4: <triangles> states 2 and holds 1");
   refuse_faces("<triangles count=\"1\"><p>0 1 2</p></triangles>", ErrorKind::bad_file,
