@@ -253,6 +253,21 @@ TEST(Collada, TellsOfGeometriesAndScenesThatAreNotShown) {
                                       "geometries that are not in the scene: 1"}));
 }
 
+TEST(Collada, RefusesElementsAmongNumbers) {
+  const auto refuse = [](const std::string& points, const std::string& faces,
+                         const std::string& words) {
+    expect_refused(document(geometry(faces, "g", points), node(kShow)), "a.dae",
+                   ErrorKind::bad_file, words);
+  };
+  const std::string words = "<q> stands among the numbers of ";
+  refuse(kPoints, "<triangles>" + kInput + "<p>0 1 2 <q>0 2 3</q></p></triangles>", words + "<p>");
+  refuse(kPoints, "<triangles>" + kInput + "<p><q/>0 1 2</p></triangles>", words + "<p>");
+  refuse(kPoints, "<triangles>" + kInput + "<p><q>0 1 2</q></p></triangles>", words + "<p>");
+  refuse(kPoints, "<polylist>" + kInput + "<vcount>3<q>3</q></vcount><p>0 1 2 0 2 3</p></polylist>",
+         words + "<vcount>");
+  refuse("0 0 0 <q>1 1 1</q> 1 0 0 1 1 0 0 1 0 0.5 0.5 2", kTriangle, words + "<float_array id=");
+}
+
 TEST(Collada, ReadsNumbersAroundCommentsButNotThroughThem) {
   const std::string good =
       document(geometry(kTriangle, "g", "0 0 0 <!-- a --> 1 0 0 <![CDATA[1 1 0 ]]>0 1 0 0.5 0.5 2"),

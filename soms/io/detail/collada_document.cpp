@@ -339,7 +339,12 @@ void ColladaDocument::fail(pugi::xml_node at, const std::string& what, const std
 
 ColladaTokens::ColladaTokens(const ColladaDocument& document, pugi::xml_node element)
     : document_(document), element_(element) {
-  enter(element.find_child(is_text));
+  for (const pugi::xml_node child : element.children()) {
+    if (!is_text(child)) {
+      document.fail(child, describe(child) + " stands among the numbers of " + describe(element));
+    }
+  }
+  enter(element.first_child());
 }
 
 void ColladaTokens::enter(pugi::xml_node text) {
@@ -352,7 +357,7 @@ void ColladaTokens::enter(pugi::xml_node text) {
 std::size_t ColladaTokens::most_left() const {
   std::size_t bytes = static_cast<std::size_t>(end_ - at_) + 1;
   for (pugi::xml_node next = text_.next_sibling(); next; next = next.next_sibling()) {
-    bytes += is_text(next) ? std::strlen(next.value()) + 1 : 0;
+    bytes += std::strlen(next.value()) + 1;
   }
   return bytes / 2;
 }
@@ -365,10 +370,7 @@ bool ColladaTokens::at_end() {
     if (at_ != end_) {
       return false;
     }
-    pugi::xml_node next = text_.next_sibling();
-    while (next && !is_text(next)) {
-      next = next.next_sibling();
-    }
+    const pugi::xml_node next = text_.next_sibling();
     if (!next) {
       return true;
     }

@@ -94,6 +94,7 @@ class ColladaDocument {
 /// The words of an element's text. Comments may stand between them.
 class ColladaTokens {
  public:
+  /// \errors ErrorKind::bad_file: an element inside the element.
   ColladaTokens(const ColladaDocument& document, pugi::xml_node element);
 
   /// Most words that may be left.
