@@ -204,7 +204,7 @@ TEST(Collada, ShowsSkinsAsTheyWereBound) {
   const std::string skin = R"(<library_controllers><controller id="c"><skin source="#g">
     <bind_shape_matrix>1 0 0 7 0 1 0 0 0 0 1 0 0 0 0 1</bind_shape_matrix></skin></controller>
     <controller id="m"><morph source="#g"/></controller></library_controllers>
-    <library_animations/>)";
+    <library_animations><animation/><animation/></library_animations>)";
   const Mesh mesh =
       read_text(document(geometry(kTriangle),
                          node("<translate>0 5 0</translate><instance_controller url=\"#c\"/>") +
@@ -213,9 +213,10 @@ TEST(Collada, ShowsSkinsAsTheyWereBound) {
                 "a.dae");
   EXPECT_EQ(mesh.vertices[0], (Vec3{7, 0, 0}));
   EXPECT_EQ(mesh.vertices[5], (Vec3{0, 5, 0}));
-  EXPECT_EQ(mesh.notes, (std::vector<std::string>{"skins read in their bind shape, not posed: 1",
-                                                  "morphs read in their base shape: 1",
-                                                  "animations are not applied"}));
+  EXPECT_EQ(mesh.notes,
+            (std::vector<std::string>{"skins read in their bind shape, not posed: 1, in line 1",
+                                      "morphs read in their base shape: 1, in line 3",
+                                      "animations, not applied: 2, the first in line 4"}));
 }
 
 TEST(Collada, ShowsTheBaseShapeOfAMorphThatHasASkin) {
@@ -228,8 +229,9 @@ TEST(Collada, ShowsTheBaseShapeOfAMorphThatHasASkin) {
   };
   const Mesh mesh = read_text(skin_of("m"), "a.dae");
   EXPECT_EQ(mesh.vertices, read_text(skin_of("g"), "a.dae").vertices);
-  EXPECT_EQ(mesh.notes, (std::vector<std::string>{"skins read in their bind shape, not posed: 1",
-                                                  "morphs read in their base shape: 1"}));
+  EXPECT_EQ(mesh.notes,
+            (std::vector<std::string>{"skins read in their bind shape, not posed: 1, in line 1",
+                                      "morphs read in their base shape: 1, in line 3"}));
   expect_refused(skin_of("c"), "a.dae", ErrorKind::bad_file,
                  "<controller id=\"c\"> is not a morph");
   expect_refused(skin_of("h"), "a.dae", ErrorKind::bad_file, "which does not exist");
@@ -246,11 +248,36 @@ TEST(Collada, ShowsEveryGeometryOfALibraryWithoutAScene) {
 }
 
 TEST(Collada, TellsOfGeometriesAndScenesThatAreNotShown) {
-  std::string text = document(geometry(kTriangle) + geometry(kTriangle, "h"), node(kShow));
-  text.replace(text.find("<visual_scene "), 0, "<visual_scene id=\"t\"/>");
+  // Those without an id, which nothing can show, count too.
+  std::string text = document(
+      geometry(kTriangle) + "\n" + geometry(kTriangle, "h") + "<geometry/>\n", node(kShow));
+  text.replace(text.find("<visual_scene "), 0, "<visual_scene/>\n<visual_scene id=\"t\"/>");
+  EXPECT_EQ(
+      read_text(text, "a.dae").notes,
+      (std::vector<std::string>{"scenes that were not read: 2, the first in line 11",
+                                "geometries that are not in the scene: 2, the first in line 6"}));
+}
+
+/// A scene may show the end of a file before its beginning.
+TEST(Collada, PlacesNotesByTheFileAndNotByTheScene) {
+  const std::string lines = "\n<lines count=\"2\"/>\n";
+  const std::string text =
+      document(geometry(kTriangle + lines) + geometry(kTriangle + lines, "h"),
+               node("\n<odd/><instance_geometry url=\"#h\"/>" + kShow) + node("<odd/>"));
+  EXPECT_EQ(
+      read_text(text, "a.dae").notes,
+      (std::vector<std::string>{"lines, which are not triangles: 4, the first in line 6",
+                                "unknown elements, not read: 2, the first in line 14: <odd>"}));
+}
+
+TEST(Collada, TellsOfUnitsAndAxesThatAreNotApplied) {
+  const std::string asset = "\n<asset><unit meter=\"0.1\"/></asset>";
+  const std::string text = document(geometry(kTriangle), node(asset + kShow) + node(asset),
+                                    "<asset><up_axis>\nW_UP</up_axis></asset>");
   EXPECT_EQ(read_text(text, "a.dae").notes,
-            (std::vector<std::string>{"scenes that were not read: 1",
-                                      "geometries that are not in the scene: 1"}));
+            (std::vector<std::string>{
+                "up axes that are not known: 1, in line 1: \"W_UP\"",
+                "units and up axes of parts of the file, not applied: 2, the first in line 7"}));
 }
 
 TEST(Collada, RefusesElementsAmongNumbers) {

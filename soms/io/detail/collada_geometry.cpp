@@ -179,7 +179,7 @@ void GeometryReader::note_surplus(const Accessor& accessor, pugi::xml_node array
     filling = accessor.stride - 1 - last;
   }
   const std::uint64_t left = numbers - std::min(numbers, used);
-  geometry_.surplus.add([&] { return document_.place_of(array); }, left - std::min(left, filling));
+  geometry_.surplus.add(array, left - std::min(left, filling));
 }
 
 /// \errors ErrorKind::bad_file: no VERTEX, two of them, or one that is not of this mesh.
@@ -380,7 +380,7 @@ void GeometryReader::read_faces(pugi::xml_node element, std::string_view name) {
 void GeometryReader::leave_out_unknown(pugi::xml_node element) {
   const std::string_view name = element.name();
   if (element.type() == pugi::node_element && name != "asset" && name != "extra") {
-    geometry_.unknown.add([&] { return document_.place_of(element) + ": " + describe(element); });
+    geometry_.unknown.add(element);
   }
 }
 
@@ -389,7 +389,7 @@ void GeometryReader::read_mesh(pugi::xml_node mesh) {
   for (const pugi::xml_node child : mesh.children()) {
     const std::string_view name = child.name();
     if (name == "lines" || name == "linestrips") {
-      geometry_.lines.add([&] { return document_.place_of(child); },
+      geometry_.lines.add(child,
                           std::min(document_.whole_number(child, "count", 1), kMaxPrimitives));
     } else if (name == "triangles" || name == "polylist" || name == "polygons" ||
                name == "tristrips" || name == "trifans") {
@@ -409,7 +409,7 @@ ColladaGeometry GeometryReader::read(pugi::xml_node geometry) {
       }
       read_mesh(child);
     } else if (name == "spline" || name == "brep" || name == "convex_mesh") {
-      geometry_.curved.add([&] { return document_.place_of(child); });
+      geometry_.curved.add(child);
     } else {
       leave_out_unknown(child);
     }
