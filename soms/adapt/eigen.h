@@ -88,6 +88,11 @@ template <class Scalar, int kMode, int kOptions>
   return {points.empty() ? nullptr : &points[0].x, static_cast<Eigen::Index>(points.size()), 3};
 }
 
+/// A vector would fit both.
+[[nodiscard]] inline Eigen::Map<PointRows> as_matrix(std::vector<Vec3>& points) {
+  return as_matrix(std::span(points));
+}
+
 /// Triangles as a matrix of n rows: a view.
 [[nodiscard]] inline Eigen::Map<const TriangleRows> as_matrix(
     std::span<const std::array<std::uint32_t, 3>> triangles) {

@@ -94,7 +94,8 @@ int NewFile::open(const std::filesystem::path& path) {
   }
   if (exists) {
     (void)!fchmod(descriptor_, status.st_mode & 07777);
-    other_names_ = status.st_nlink - 1;
+    // Some file systems count no links.
+    other_names_ = status.st_nlink > 0 ? status.st_nlink - 1 : 0;
   }
   return 0;
 }

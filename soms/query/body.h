@@ -10,7 +10,7 @@
 
 namespace soms {
 
-/// A shape with a pose and a name: what queries are queried about. A value; copies share the shape.
+/// A shape with a pose and a name, as queries take it. A value; copies share the shape.
 struct Body {
   Shape shape = {};
   Pose pose = {};

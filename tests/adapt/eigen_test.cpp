@@ -84,6 +84,10 @@ TEST(Eigen, SeesVerticesAndTrianglesWithoutACopy) {
   const double z = mesh.vertices[3].z;
   as_matrix(std::span(mesh.vertices)).rowwise() += Eigen::RowVector3d(0, 0, 8);
   EXPECT_EQ(mesh.vertices[3].z, z + 8);
+  as_matrix(mesh.vertices).rowwise() += Eigen::RowVector3d(0, 0, 8);
+  EXPECT_EQ(mesh.vertices[3].z, z + 8 + 8);
+  const Mesh& unchanged = mesh;
+  EXPECT_EQ(as_matrix(unchanged.vertices).data(), &mesh.vertices[0].x);
   EXPECT_EQ(as_matrix(std::span<const Vec3>()).rows(), 0);
 }
 

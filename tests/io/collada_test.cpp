@@ -204,7 +204,7 @@ TEST(Collada, ShowsSkinsAsTheyWereBound) {
   const std::string skin = R"(<library_controllers><controller id="c"><skin source="#g">
     <bind_shape_matrix>1 0 0 7 0 1 0 0 0 0 1 0 0 0 0 1</bind_shape_matrix></skin></controller>
     <controller id="m"><morph source="#g"/></controller></library_controllers>
-    <library_animations/>)";
+    <library_animations><animation/><animation/></library_animations>)";
   const Mesh mesh =
       read_text(document(geometry(kTriangle),
                          node("<translate>0 5 0</translate><instance_controller url=\"#c\"/>") +
@@ -213,9 +213,10 @@ TEST(Collada, ShowsSkinsAsTheyWereBound) {
                 "a.dae");
   EXPECT_EQ(mesh.vertices[0], (Vec3{7, 0, 0}));
   EXPECT_EQ(mesh.vertices[5], (Vec3{0, 5, 0}));
-  EXPECT_EQ(mesh.notes, (std::vector<std::string>{"skins read in their bind shape, not posed: 1",
-                                                  "morphs read in their base shape: 1",
-                                                  "animations are not applied"}));
+  EXPECT_EQ(mesh.notes,
+            (std::vector<std::string>{"skins read in their bind shape, not posed: 1, in line 1",
+                                      "morphs read in their base shape: 1, in line 3",
+                                      "animations, not applied: 2, the first in line 4"}));
 }
 
 TEST(Collada, ShowsTheBaseShapeOfAMorphThatHasASkin) {
@@ -228,8 +229,9 @@ TEST(Collada, ShowsTheBaseShapeOfAMorphThatHasASkin) {
   };
   const Mesh mesh = read_text(skin_of("m"), "a.dae");
   EXPECT_EQ(mesh.vertices, read_text(skin_of("g"), "a.dae").vertices);
-  EXPECT_EQ(mesh.notes, (std::vector<std::string>{"skins read in their bind shape, not posed: 1",
-                                                  "morphs read in their base shape: 1"}));
+  EXPECT_EQ(mesh.notes,
+            (std::vector<std::string>{"skins read in their bind shape, not posed: 1, in line 1",
+                                      "morphs read in their base shape: 1, in line 3"}));
   expect_refused(skin_of("c"), "a.dae", ErrorKind::bad_file,
                  "<controller id=\"c\"> is not a morph");
   expect_refused(skin_of("h"), "a.dae", ErrorKind::bad_file, "which does not exist");
@@ -246,11 +248,51 @@ TEST(Collada, ShowsEveryGeometryOfALibraryWithoutAScene) {
 }
 
 TEST(Collada, TellsOfGeometriesAndScenesThatAreNotShown) {
-  std::string text = document(geometry(kTriangle) + geometry(kTriangle, "h"), node(kShow));
-  text.replace(text.find("<visual_scene "), 0, "<visual_scene id=\"t\"/>");
+  // Those without an id, which nothing can show, count too.
+  std::string text = document(
+      geometry(kTriangle) + "\n" + geometry(kTriangle, "h") + "<geometry/>\n", node(kShow));
+  text.replace(text.find("<visual_scene "), 0, "<visual_scene/>\n<visual_scene id=\"t\"/>");
+  EXPECT_EQ(
+      read_text(text, "a.dae").notes,
+      (std::vector<std::string>{"scenes that were not read: 2, the first in line 11",
+                                "geometries that are not in the scene: 2, the first in line 6"}));
+}
+
+/// A scene may show the end of a file before its beginning.
+TEST(Collada, PlacesNotesByTheFileAndNotByTheScene) {
+  const std::string lines = "\n<lines count=\"2\"/>\n";
+  const std::string text =
+      document(geometry(kTriangle + lines) + geometry(kTriangle + lines, "h"),
+               node("\n<odd/><instance_geometry url=\"#h\"/>" + kShow) + node("<odd/>"));
+  EXPECT_EQ(
+      read_text(text, "a.dae").notes,
+      (std::vector<std::string>{"lines, which are not triangles: 4, the first in line 6",
+                                "unknown elements, not read: 2, the first in line 14: <odd>"}));
+}
+
+TEST(Collada, TellsOfUnitsAndAxesThatAreNotApplied) {
+  const std::string asset = "\n<asset><unit meter=\"0.1\"/></asset>";
+  const std::string text = document(geometry(kTriangle), node(asset + kShow) + node(asset),
+                                    "<asset><up_axis>\nW_UP</up_axis></asset>");
   EXPECT_EQ(read_text(text, "a.dae").notes,
-            (std::vector<std::string>{"scenes that were not read: 1",
-                                      "geometries that are not in the scene: 1"}));
+            (std::vector<std::string>{
+                "up axes that are not known: 1, in line 1: \"W_UP\"",
+                "units and up axes of parts of the file, not applied: 2, the first in line 7"}));
+}
+
+TEST(Collada, RefusesElementsAmongNumbers) {
+  const auto refuse = [](const std::string& points, const std::string& faces,
+                         const std::string& words) {
+    expect_refused(document(geometry(faces, "g", points), node(kShow)), "a.dae",
+                   ErrorKind::bad_file, words);
+  };
+  const std::string words = "<q> stands among the numbers of ";
+  refuse(kPoints, "<triangles>" + kInput + "<p>0 1 2 <q>0 2 3</q></p></triangles>", words + "<p>");
+  refuse(kPoints, "<triangles>" + kInput + "<p><q/>0 1 2</p></triangles>", words + "<p>");
+  refuse(kPoints, "<triangles>" + kInput + "<p><q>0 1 2</q></p></triangles>", words + "<p>");
+  refuse(kPoints, "<polylist>" + kInput + "<vcount>3<q>3</q></vcount><p>0 1 2 0 2 3</p></polylist>",
+         words + "<vcount>");
+  refuse("0 0 0 <q>1 1 1</q> 1 0 0 1 1 0 0 1 0 0.5 0.5 2", kTriangle, words + "<float_array id=");
 }
 
 TEST(Collada, ReadsNumbersAroundCommentsButNotThroughThem) {
@@ -269,6 +311,20 @@ TEST(Collada, RefusesWhatItCannotShowRightly) {
   };
   refuse_faces("<polygons count=\"1\">" + kInput + "<ph><p>0 1 2 3</p><h>0 1 4</h></ph></polygons>",
                ErrorKind::unsupported, "a polygon with holes");
+  for (const std::string list : {"triangles", "polylist", "tristrips", "trifans"}) {
+    const std::string sizes = list == "polylist" ? "<vcount>3</vcount>" : "";
+    refuse_faces("<" + list + " count=\"1\">" + kInput + sizes +
+                     "<p>0 1 2</p><ph><p>0 2 3</p></ph></" + list + ">",
+                 ErrorKind::unsupported, "a polygon with holes");
+  }
+  for (const std::string list : {"triangles", "polygons", "tristrips", "trifans"}) {
+    refuse_faces("<" + list + " count=\"1\">" + kInput +
+                     "<vcount>3 3</vcount><p>0 1 2 0 2 3</p></" + list + ">",
+                 ErrorKind::bad_file, "has a <vcount>, which only <polylist> has");
+  }
+  refuse_faces("<polylist count=\"1\">" + kInput +
+                   "<vcount>3</vcount><vcount>3</vcount><p>0 1 2</p></polylist>",
+               ErrorKind::bad_file, "a second <vcount>");
   refuse_faces("<triangles count=\"2\">" + kInput + "<p>0 1 2</p></triangles>", ErrorKind::bad_file,
                "line 4: <triangles> states 2 and holds 1");
   refuse_faces("<triangles count=\"1\"><p>0 1 2</p></triangles>", ErrorKind::bad_file,

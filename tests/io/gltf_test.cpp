@@ -208,6 +208,23 @@ TEST(Gltf, ReadsTheDefaultSceneAndSaysWhichWasRead) {
   EXPECT_EQ(all.notes[0], "the file has no scene: all nodes were read");
 }
 
+/// The mesh of a node that no scene reaches may be shown by another node.
+TEST(Gltf, NotesNodesWithMeshesThatNoSceneReaches) {
+  const Mesh mesh = read_text(
+      placed(R"("nodes":[{"mesh":0},{"name":"empty"},{"children":[3]},{"mesh":0},{"mesh":0}])"),
+      "a.glb");
+  EXPECT_EQ(mesh.triangles.size(), 2U);
+  EXPECT_EQ(mesh.notes,
+            (std::vector<std::string>{
+                "nodes with a mesh that are not in the scene: 2, the first at nodes[3]"}));
+}
+
+TEST(Gltf, CountsAndPlacesAnimations) {
+  const Mesh mesh = read_text(placed(std::string(kOneNode) + R"(,"animations":[{},{}])"), "a.glb");
+  EXPECT_EQ(mesh.notes,
+            (std::vector<std::string>{"animations, not applied: 2, the first at animations[0]"}));
+}
+
 TEST(Gltf, RefusesNodesThatAreNoTrees) {
   const auto refuse = [](const std::string& nodes, const std::string& words,
                          const std::string& scenes = {}) {

@@ -101,7 +101,10 @@ TEST(Losses, OfGoodFilesOnlyThoseWithMoreThanTrianglesHaveNotes) {
        {"face rows with one value after their corners, assumed to be a color: 15, the first in "
         "line "
         "61"}},
-      {"two_scenes.gltf", {"the file has 2 scenes; only scene 1, the default, was read"}},
+      {"two_scenes.gltf",
+       {"the file has 2 scenes; only scene 1, the default, was read",
+        "nodes with a mesh that are not in the scene: 1, at nodes[0]"}},
+      {"full.3ds", {"unknown chunks, not read: 1, at byte 2293"}},
       {"groups.obj", {"lines and points, which are not triangles: 2, the first in line 137"}},
   };
   for (const auto& row : rows_of("formats/FORMATS.csv", 1)) {

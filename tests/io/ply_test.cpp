@@ -69,6 +69,17 @@ TEST(Ply, TurnsEverySecondTriangleOfAStripAndBeginsAnewAtMinusOne) {
   EXPECT_EQ(mesh.triangles, expected);
 }
 
+TEST(Ply, NotesStripsOfFewerThanThreeCorners) {
+  std::string head = kHead;
+  head.replace(head.find("element face 1"), 14, "element tristrips 4");
+  const Mesh mesh =
+      read_text(head + kVertexRows + "6 0 1 2 3 -1 -1\n2 0 1\n8 0 1 -1 1 2 3 -1 3\n0\n", "a.ply");
+  EXPECT_EQ(mesh.triangles.size(), 3U);
+  EXPECT_EQ(mesh.notes,
+            (std::vector<std::string>{"strips with fewer than three corners, not read: "
+                                      "3, the first in row 1 of element \"tristrips\""}));
+}
+
 TEST(Ply, ReadsFacesInTheOrderOfTheFileWhereSomeStandBeforeTheVertices) {
   const std::string text =
       "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_index\n"

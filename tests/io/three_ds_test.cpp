@@ -4,10 +4,14 @@
 #include "soms/io/read_mesh.h"
 
 #include "tests/io/files.h"
+#include "tests/support/support.h"
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace soms::test {
 namespace {
@@ -53,14 +57,80 @@ TEST(ThreeDs, KeepsObjectsAsPartsInTheOrderOfTheFile) {
   EXPECT_TRUE(mesh.notes.empty());
 }
 
-TEST(ThreeDs, ReportsMasterScaleAndKeyframesAndAppliesNeither) {
-  const std::string editor = chunk(0x0100, bytes_of(2.5F)) + object("a", vertices(1) + faces(2));
+TEST(ThreeDs, ReportsMasterScalesAndKeyframesAndAppliesNeither) {
+  const std::string editor = chunk(0x0100, bytes_of(2.5F)) + object("a", vertices(1) + faces(2)) +
+                             chunk(0x0100, bytes_of(1.0F)) + chunk(0x0100, bytes_of(3.0F));
   const Mesh mesh = read_text(file(editor, chunk(0xb000, chunk(0xb008, ""))), "a.3ds");
-  EXPECT_EQ(mesh.notes, (std::vector<std::string>{"master scale 2.5 is not applied",
-                                                  "keyframes are not applied"}));
+  EXPECT_EQ(mesh.notes,
+            (std::vector<std::string>{
+                "master scales other than 1, not applied: 2, the first at byte 12: 2.5",
+                "keyframes, not applied: 1, at byte " + std::to_string(12 + editor.size())}));
   EXPECT_EQ(mesh.vertices[0].z, 1.0);
   EXPECT_EQ(mesh.unit, 0.0);
   EXPECT_EQ(mesh.up, UpAxis::unknown);
+}
+
+/// A mesh chunk whose name is damaged holds triangles that nothing else would tell of.
+TEST(ThreeDs, NotesChunksOfUnknownNamesAtEachDepth) {
+  const std::string good = object("a", vertices(0) + faces(2));
+  const std::string lost = chunk(0x4101, vertices(0) + faces(2));
+  const std::string lost_object = chunk(0x4000, std::string("b") + '\0' + lost);
+  const std::string lost_faces =
+      chunk(0x4000, std::string("b") + '\0' + chunk(0x4100, vertices(0) + chunk(0x4121, "faces")));
+  const auto at = [&](std::size_t inside) {
+    return ", at byte " + std::to_string(12 + good.size() + inside);
+  };
+  for (const auto& [text, place] : std::vector<std::pair<std::string, std::string>>{
+           {file(good + lost), at(0)},
+           {file(good + lost_object), at(8)},
+           {file(good + lost_faces), at(14 + vertices(0).size())},
+           {file(good, chunk(0x3d3f, lost_object)), at(0)}}) {
+    const Mesh mesh = read_text(text, "a.3ds");
+    EXPECT_EQ(mesh.triangles.size(), 1U);
+    EXPECT_EQ(mesh.notes, (std::vector<std::string>{"unknown chunks, not read: 1" + place}));
+    expect_refused([&] { static_cast<void>(read_text(text, "a.3ds", {.strict = true})); },
+                   ErrorKind::bad_file, "unknown chunks, not read: 1" + place);
+  }
+}
+
+TEST(ThreeDs, PassesOverWhatAddsNoShape) {
+  std::string editor = chunk(0x3d3e, bytes_of(3, 4)) + chunk(0xafff, "") + chunk(0x2100, "") +
+                       chunk(0x1400, "") + chunk(0x7001, "");
+  editor += chunk(0x4000,
+                  std::string("a") + '\0' + chunk(0x4010, "") +
+                      chunk(0x4100, vertices(0) + faces(2) + chunk(0x4111, "") + chunk(0x4140, "") +
+                                        chunk(0x4160, "") + chunk(0x4165, "")));
+  editor += chunk(0x4000, std::string("lamp") + '\0' + chunk(0x4600, ""));
+  editor += chunk(0x4000, std::string("camera") + '\0' + chunk(0x4700, ""));
+  const Mesh mesh = read_text(file(editor, chunk(0x0002, bytes_of(3, 4))), "a.3ds");
+  EXPECT_EQ(mesh.notes, std::vector<std::string>());
+}
+
+/// Two mesh chunks with lists of their own are two parts; two lists in one are an error.
+TEST(ThreeDs, ReadsEachMeshOfAnObjectAndOneListInEach) {
+  const std::string twice =
+      chunk(0x4000, std::string("a") + '\0' + chunk(0x4100, vertices(0) + faces(2)) +
+                        chunk(0x4100, vertices(1) + faces(2)));
+  const Mesh mesh = read_text(file(twice), "a.3ds");
+  EXPECT_EQ(mesh.triangles.size(), 2U);
+  const std::vector<Part> parts = {{"a", Part::kNoParent, 0, 1}, {"a", Part::kNoParent, 1, 1}};
+  EXPECT_EQ(mesh.parts, parts);
+  expect_refused(file(object("a", vertices(0) + faces(2) + faces(1))), "a.3ds", ErrorKind::bad_file,
+                 "a second list of vertices or faces");
+}
+
+TEST(ThreeDs, OfOthersHasNoUnknownChunks) {
+  SOMS_NEEDS_OUTSIDE_DATA("files of 3ds/");
+  for (const auto& entry : std::filesystem::directory_iterator(*outside_data("3ds"))) {
+    const std::string file = entry.path().filename().string();
+    if (!is_read(file)) {
+      continue;
+    }
+    EXPECT_EQ(testing::PrintToString(read_mesh(entry.path(), {.allow_empty = true}).notes)
+                  .find("unknown chunks"),
+              std::string::npos)
+        << file;
+  }
 }
 
 TEST(ThreeDs, RefusesAnIndexBeyondItsOwnObject) {

@@ -1,6 +1,6 @@
 #include "soms/io/detail/collada.h"
 
-#include "soms/io/detail/collada_document.h"
+#include "soms/io/detail/collada_left_out.h"
 #include "soms/io/detail/collada_scene.h"
 #include "soms/io/detail/mesh_builder.h"
 #include "soms/io/detail/text.h"
@@ -45,7 +45,9 @@ UpAxis read_up(const ColladaDocument& document, MeshBuilder& builder) {
   const auto* axis = std::find_if(kAxes.begin(), kAxes.end(),
                                   [&](const auto& known) { return known.first == text; });
   if (axis == kAxes.end()) {
-    builder.note("up axis " + in_quotes(text) + " is not known");
+    LeftOut unknown;
+    unknown.add([&] { return document.place_of(up) + ": " + in_quotes(text); });
+    builder.note(unknown, "up axes that are not known");
     return UpAxis::unknown;
   }
   return axis->second;
@@ -54,12 +56,16 @@ UpAxis read_up(const ColladaDocument& document, MeshBuilder& builder) {
 /// The visual scene to show, or nothing where the file has none.
 pugi::xml_node find_scene(const ColladaDocument& document, MeshBuilder& builder) {
   const pugi::xml_node instance = document.root().child("scene").child("instance_visual_scene");
-  const std::size_t scenes = document.count_of("visual_scene");
   if (instance) {
-    if (scenes > 1) {
-      builder.note("scenes that were not read: " + std::to_string(scenes - 1));
-    }
-    return document.referred(instance, "url", "visual_scene");
+    const pugi::xml_node shown = document.referred(instance, "url", "visual_scene");
+    ColladaLeftOut others;
+    document.for_each("visual_scene", [&](pugi::xml_node scene) {
+      if (scene != shown) {
+        others.add(scene);
+      }
+    });
+    builder.note(others.in_line(document), "scenes that were not read");
+    return shown;
   }
   const pugi::xml_node library = document.root().child("library_visual_scenes");
   const pugi::xml_node only = library.child("visual_scene");

@@ -97,15 +97,17 @@ Piece first_piece(std::string_view bytes) {
   return {bytes, false};
 }
 
-/// The element behind another in the order of the file, below `root`.
-pugi::xml_node next_element(pugi::xml_node node, pugi::xml_node root) {
-  if (node.first_child()) {
-    return node.first_child();
-  }
+/// The node behind another and what it holds in the order of the file, below `root`.
+pugi::xml_node next_outside(pugi::xml_node node, pugi::xml_node root) {
   while (node != root && !node.next_sibling()) {
     node = node.parent();
   }
   return node == root ? pugi::xml_node() : node.next_sibling();
+}
+
+/// The node behind another in the order of the file, below `root`.
+pugi::xml_node next_node(pugi::xml_node node, pugi::xml_node root) {
+  return node.first_child() ? node.first_child() : next_outside(node, root);
 }
 
 }  // namespace
@@ -195,7 +197,7 @@ void ColladaDocument::refuse_zeros() const {
 
 void ColladaDocument::index_ids() {
   const auto for_each_id = [&](const auto& use) {
-    for (pugi::xml_node node = root(); node; node = next_element(node, root())) {
+    for (pugi::xml_node node = root(); node; node = next_node(node, root())) {
       const auto* name = std::find(kReferred.begin(), kReferred.end(), node.name());
       const pugi::xml_attribute id = node.attribute("id");
       if (name != kReferred.end() && id) {
@@ -213,9 +215,15 @@ void ColladaDocument::index_ids() {
   });
 }
 
-std::size_t ColladaDocument::count_of(std::string_view name) const {
-  return static_cast<std::size_t>(
-      std::count_if(ids_.begin(), ids_.end(), [&](const Identified& i) { return i.name == name; }));
+void ColladaDocument::for_each(std::string_view name,
+                               const std::function<void(pugi::xml_node)>& use) const {
+  for (pugi::xml_node node = root(); node;) {
+    const std::string_view found = node.name();
+    if (found == name) {
+      use(node);
+    }
+    node = found == "extra" ? next_outside(node, root()) : next_node(node, root());
+  }
 }
 
 std::string_view ColladaDocument::fragment(pugi::xml_node from, const char* attribute) const {
@@ -339,7 +347,12 @@ void ColladaDocument::fail(pugi::xml_node at, const std::string& what, const std
 
 ColladaTokens::ColladaTokens(const ColladaDocument& document, pugi::xml_node element)
     : document_(document), element_(element) {
-  enter(element.find_child(is_text));
+  for (const pugi::xml_node child : element.children()) {
+    if (!is_text(child)) {
+      document.fail(child, describe(child) + " stands among the numbers of " + describe(element));
+    }
+  }
+  enter(element.first_child());
 }
 
 void ColladaTokens::enter(pugi::xml_node text) {
@@ -352,7 +365,7 @@ void ColladaTokens::enter(pugi::xml_node text) {
 std::size_t ColladaTokens::most_left() const {
   std::size_t bytes = static_cast<std::size_t>(end_ - at_) + 1;
   for (pugi::xml_node next = text_.next_sibling(); next; next = next.next_sibling()) {
-    bytes += is_text(next) ? std::strlen(next.value()) + 1 : 0;
+    bytes += std::strlen(next.value()) + 1;
   }
   return bytes / 2;
 }
@@ -365,10 +378,7 @@ bool ColladaTokens::at_end() {
     if (at_ != end_) {
       return false;
     }
-    pugi::xml_node next = text_.next_sibling();
-    while (next && !is_text(next)) {
-      next = next.next_sibling();
-    }
+    const pugi::xml_node next = text_.next_sibling();
     if (!next) {
       return true;
     }

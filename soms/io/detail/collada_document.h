@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <pugixml.hpp>
 #include <span>
 #include <string>
@@ -30,8 +31,8 @@ class ColladaDocument {
   /// The element COLLADA.
   [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
 
-  /// Elements of one name in the whole document that have an id.
-  [[nodiscard]] std::size_t count_of(std::string_view name) const;
+  /// Calls `use` for each element `name` of the whole document but those inside of <extra>.
+  void for_each(std::string_view name, const std::function<void(pugi::xml_node)>& use) const;
 
   /// The element `name` that an attribute of `from` refers to.
   /// \errors ErrorKind::bad_file (no such attribute or element, an id given twice), unsupported (in
@@ -94,6 +95,7 @@ class ColladaDocument {
 /// The words of an element's text. Comments may stand between them.
 class ColladaTokens {
  public:
+  /// \errors ErrorKind::bad_file: an element inside the element.
   ColladaTokens(const ColladaDocument& document, pugi::xml_node element);
 
   /// Most words that may be left.

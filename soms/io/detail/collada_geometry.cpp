@@ -179,7 +179,7 @@ void GeometryReader::note_surplus(const Accessor& accessor, pugi::xml_node array
     filling = accessor.stride - 1 - last;
   }
   const std::uint64_t left = numbers - std::min(numbers, used);
-  geometry_.surplus.add([&] { return document_.place_of(array); }, left - std::min(left, filling));
+  geometry_.surplus.add(array, left - std::min(left, filling));
 }
 
 /// \errors ErrorKind::bad_file: no VERTEX, two of them, or one that is not of this mesh.
@@ -291,10 +291,12 @@ void GeometryReader::read_triangles(pugi::xml_node element, const Layout& layout
 }
 
 void GeometryReader::read_polylist(pugi::xml_node element, const Layout& layout) {
-  const pugi::xml_node p = element.child("p");
-  if (p.next_sibling("p")) {
-    document_.fail(p.next_sibling("p"), "a second <p> in " + describe(element));
+  for (const char* const single : {"p", "vcount"}) {
+    if (const pugi::xml_node second = element.child(single).next_sibling(single)) {
+      document_.fail(second, "a second " + describe(second) + " in " + describe(element));
+    }
   }
+  const pugi::xml_node p = element.child("p");
   corners_.clear();
   if (p) {
     read_corners(p, layout);
@@ -326,10 +328,6 @@ void GeometryReader::read_polylist(pugi::xml_node element, const Layout& layout)
 /// Polygons, strips or fans: one for each <p>.
 void GeometryReader::read_each_p(pugi::xml_node element, const Layout& layout,
                                  std::string_view name) {
-  if (const pugi::xml_node holes = element.child("ph")) {
-    document_.fail(holes, "a polygon with holes is not read", "export it with triangles only",
-                   ErrorKind::unsupported);
-  }
   std::uint64_t found = 0;
   for (const pugi::xml_node p : element.children("p")) {
     if (++found % kRowsPerTick == 0) {
@@ -357,7 +355,14 @@ void GeometryReader::read_faces(pugi::xml_node element, std::string_view name) {
   document_.tick(element);
   for (const pugi::xml_node child : element.children()) {
     const std::string_view part = child.name();
-    if (part != "p" && part != "input" && part != "vcount" && part != "ph") {
+    if (part == "ph") {
+      document_.fail(child, "a polygon with holes is not read", "export it with triangles only",
+                     ErrorKind::unsupported);
+    }
+    if (part == "vcount" && name != "polylist") {
+      document_.fail(child, describe(element) + " has a <vcount>, which only <polylist> has");
+    }
+    if (part != "p" && part != "input" && part != "vcount") {
       leave_out_unknown(child);
     }
   }
@@ -375,7 +380,7 @@ void GeometryReader::read_faces(pugi::xml_node element, std::string_view name) {
 void GeometryReader::leave_out_unknown(pugi::xml_node element) {
   const std::string_view name = element.name();
   if (element.type() == pugi::node_element && name != "asset" && name != "extra") {
-    geometry_.unknown.add([&] { return document_.place_of(element) + ": " + describe(element); });
+    geometry_.unknown.add(element);
   }
 }
 
@@ -384,7 +389,7 @@ void GeometryReader::read_mesh(pugi::xml_node mesh) {
   for (const pugi::xml_node child : mesh.children()) {
     const std::string_view name = child.name();
     if (name == "lines" || name == "linestrips") {
-      geometry_.lines.add([&] { return document_.place_of(child); },
+      geometry_.lines.add(child,
                           std::min(document_.whole_number(child, "count", 1), kMaxPrimitives));
     } else if (name == "triangles" || name == "polylist" || name == "polygons" ||
                name == "tristrips" || name == "trifans") {
@@ -404,7 +409,7 @@ ColladaGeometry GeometryReader::read(pugi::xml_node geometry) {
       }
       read_mesh(child);
     } else if (name == "spline" || name == "brep" || name == "convex_mesh") {
-      geometry_.curved.add([&] { return document_.place_of(child); });
+      geometry_.curved.add(child);
     } else {
       leave_out_unknown(child);
     }

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "soms/geometry/mesh.h"
-#include "soms/io/detail/collada_document.h"
-#include "soms/io/detail/left_out.h"
+#include "soms/io/detail/collada_left_out.h"
 
 #include <cstdint>
 
@@ -13,10 +12,10 @@ namespace soms::detail {
 struct ColladaGeometry {
   Mesh mesh;                ///< vertices as stored; no parts
   std::uint32_t faces = 0;  ///< faces of the file, those without triangles too
-  LeftOut lines;            ///< lines and strips of lines
-  LeftOut curved;           ///< splines, curved surfaces and hulls
-  LeftOut unknown;          ///< elements that COLLADA does not have there
-  LeftOut surplus;          ///< numbers of positions that no vertex has
+  ColladaLeftOut lines;     ///< lines and strips of lines
+  ColladaLeftOut curved;    ///< splines, curved surfaces and hulls
+  ColladaLeftOut unknown;   ///< elements that COLLADA does not have there
+  ColladaLeftOut surplus;   ///< numbers of positions that no vertex has
 };
 
 /// Reads an element <geometry>: triangles, polylists, polygons, strips and fans.

@@ -26,14 +26,14 @@ constexpr std::uint64_t kBytesOfSetEntry = 64;
 
 /// What is counted and reported in the notes of the mesh.
 struct Unreported {
-  LeftOut lines;
-  LeftOut curved;
-  LeftOut thin;
-  LeftOut unknown;
-  LeftOut surplus;
-  std::uint64_t skins = 0;
-  std::uint64_t morphs = 0;
-  bool nested_asset = false;
+  ColladaLeftOut lines;
+  ColladaLeftOut curved;
+  ColladaLeftOut thin;
+  ColladaLeftOut unknown;
+  ColladaLeftOut surplus;
+  ColladaLeftOut skins;
+  ColladaLeftOut morphs;
+  ColladaLeftOut assets;  ///< with a unit or an up axis
 };
 
 /// A node whose children are looked at.
@@ -135,8 +135,9 @@ void SceneReader::count_element(pugi::xml_node element) {
 
 void SceneReader::note_asset(pugi::xml_node owner) {
   const pugi::xml_node asset = owner.child("asset");
-  unreported_.nested_asset =
-      unreported_.nested_asset || asset.child("unit") || asset.child("up_axis");
+  if (asset.child("unit") || asset.child("up_axis")) {
+    unreported_.assets.add(asset);
+  }
 }
 
 void SceneReader::enter(pugi::xml_node node) {
@@ -183,8 +184,7 @@ const ColladaGeometry& SceneReader::geometry_of(pugi::xml_node element) {
   unreported_.curved.add(geometry.curved);
   unreported_.unknown.add(geometry.unknown);
   unreported_.surplus.add(geometry.surplus);
-  unreported_.thin.add([&] { return document_.place_of(element); },
-                       geometry.faces - faces_with_triangles(geometry.mesh));
+  unreported_.thin.add(element, geometry.faces - faces_with_triangles(geometry.mesh));
   return geometries_.emplace(element.internal_object(), std::move(geometry)).first->second;
 }
 
@@ -220,7 +220,7 @@ pugi::xml_node SceneReader::morph_of(pugi::xml_node controller) {
   if (!morph) {
     document_.fail(controller, describe(controller) + " is not a morph");
   }
-  ++unreported_.morphs;
+  unreported_.morphs.add(morph);
   count_element(morph);
   return morph;
 }
@@ -231,7 +231,7 @@ void SceneReader::show_controller(pugi::xml_node instance) {
   const pugi::xml_node controller = document_.referred(instance, "url", "controller");
   count_element(controller);
   if (const pugi::xml_node skin = controller.child("skin")) {
-    ++unreported_.skins;
+    unreported_.skins.add(skin);
     count_element(skin);
     Affine bound;
     if (const pugi::xml_node matrix = skin.child("bind_shape_matrix")) {
@@ -269,7 +269,7 @@ void SceneReader::look_at(pugi::xml_node element) {
   } else if (name == "instance_controller") {
     show_controller(element);
   } else if (element.type() == pugi::node_element && !is_known_in_node(name)) {
-    unreported_.unknown.add([&] { return document_.place_of(element) + ": " + describe(element); });
+    unreported_.unknown.add(element);
   }
 }
 
@@ -297,27 +297,31 @@ void SceneReader::show_all_geometries() {
 }
 
 void SceneReader::write_notes() {
-  const auto tell = [&](std::uint64_t count, const char* what) {
-    if (count > 0) {
-      builder_.note(what + std::to_string(count));
+  ColladaLeftOut unseen;
+  document_.for_each("geometry", [&](pugi::xml_node geometry) {
+    if (geometries_.count(geometry.internal_object()) == 0) {
+      unseen.add(geometry);
     }
+  });
+  ColladaLeftOut animations;
+  for (const pugi::xml_node library : document_.root().children("library_animations")) {
+    for (const pugi::xml_node animation : library.children("animation")) {
+      animations.add(animation);
+    }
+  }
+  const auto tell = [&](const ColladaLeftOut& left_out, std::string_view what) {
+    builder_.note(left_out.in_line(document_), what);
   };
-  builder_.note(unreported_.thin, kThinFaces);
-  builder_.note(unreported_.lines, "lines, which are not triangles");
-  builder_.note(unreported_.curved, "splines, curved surfaces and hulls, not read");
-  builder_.note(unreported_.unknown, "unknown elements, not read");
-  builder_.note(unreported_.surplus, "surplus numbers after the last position");
-  tell(unreported_.skins, "skins read in their bind shape, not posed: ");
-  tell(unreported_.morphs, "morphs read in their base shape: ");
-  tell(
-      document_.count_of("geometry") - std::min(document_.count_of("geometry"), geometries_.size()),
-      "geometries that are not in the scene: ");
-  if (unreported_.nested_asset) {
-    builder_.note("a unit or up axis of a part of the file is not applied");
-  }
-  if (document_.root().child("library_animations")) {
-    builder_.note("animations are not applied");
-  }
+  tell(unreported_.thin, kThinFaces);
+  tell(unreported_.lines, "lines, which are not triangles");
+  tell(unreported_.curved, "splines, curved surfaces and hulls, not read");
+  builder_.note(unreported_.unknown.by_name(document_), "unknown elements, not read");
+  tell(unreported_.surplus, "surplus numbers after the last position");
+  tell(unreported_.skins, "skins read in their bind shape, not posed");
+  tell(unreported_.morphs, "morphs read in their base shape");
+  tell(unseen, "geometries that are not in the scene");
+  tell(unreported_.assets, "units and up axes of parts of the file, not applied");
+  tell(animations, "animations, not applied");
 }
 
 }  // namespace

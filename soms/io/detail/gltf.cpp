@@ -310,9 +310,9 @@ void GltfReader::add_notes() {
   builder_.note(unused, "meshes that no node of the scene uses");
   builder_.note(skinned_, "skins read in their bind shape, not posed by their joints");
   builder_.note(buffers_.surplus(), "surplus bytes after the stated length of a buffer");
-  if (const std::size_t animations = length_of("animations"); animations > 0) {
-    builder_.note("animations, not applied: " + std::to_string(animations));
-  }
+  LeftOut animations;
+  animations.add([] { return "at animations[0]"; }, length_of("animations"));
+  builder_.note(animations, "animations, not applied");
 }
 
 Mesh GltfReader::read() {

@@ -1,5 +1,7 @@
 #include "soms/io/detail/gltf_scene.h"
 
+#include "soms/io/detail/left_out.h"
+
 #include <array>
 #include <cmath>
 #include <limits>
@@ -98,6 +100,7 @@ class NodePlacer {
   [[nodiscard]] std::optional<JsonValue> scene();
   void begin_at(const JsonValue& roots);
   void begin_at_all();
+  void note_unplaced();
 
   struct Open {
     std::uint32_t node = 0;
@@ -109,6 +112,7 @@ class NodePlacer {
   std::vector<std::string>& notes_;
   std::optional<JsonValue> nodes_;
   std::vector<std::uint32_t> parents_;
+  std::vector<std::uint8_t> is_placed_;
   std::vector<Open> open_;  ///< to be placed, the next one last
 };
 
@@ -177,6 +181,17 @@ void NodePlacer::begin_at_all() {
   }
 }
 
+/// A mesh that the scene shows may have other places, in which it does not.
+void NodePlacer::note_unplaced() {
+  LeftOut unplaced;
+  for (std::uint32_t i = 0; i < is_placed_.size(); ++i) {
+    if (is_placed_[i] == 0 && nodes_->at(i).find("mesh")) {
+      unplaced.add([&] { return "at nodes[" + std::to_string(i) + "]"; });
+    }
+  }
+  add_note(notes_, unplaced, "nodes with a mesh that are not in the scene");
+}
+
 std::vector<PlacedNode> NodePlacer::place() {
   if (nodes_) {
     find_parents();
@@ -189,12 +204,15 @@ std::vector<PlacedNode> NodePlacer::place() {
   }
   std::vector<PlacedNode> placed;
   reserve(placed, parents_.size());
+  reserve(is_placed_, parents_.size());
+  is_placed_.resize(parents_.size(), 0);
   while (!open_.empty()) {
     if (placed.size() % kRowsPerTick == 0) {
       check_stop(source_.parallel);
     }
     const auto [number, within] = open_.back();
     open_.pop_back();
+    is_placed_[number] = 1;
     const JsonValue node = nodes_->at(number);
     const Affine local = local_of(node);
     const auto here = static_cast<std::uint32_t>(placed.size());
@@ -212,6 +230,7 @@ std::vector<PlacedNode> NodePlacer::place() {
   if (!shown && placed.size() < parents_.size()) {
     nodes_->fail("some nodes form a cycle");
   }
+  note_unplaced();
   return placed;
 }
 

@@ -4,6 +4,7 @@
 #include "soms/io/detail/ply_text.h"
 
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -82,6 +83,7 @@ bool may_be_seen(const PlyElement& element) {
 
 void PlyBody::read_strips(const PlyElement& element, std::size_t column) {
   begin_element(element);
+  LeftOut thin;
   for (std::uint64_t row = 0; row < element.count; ++row) {
     source_.tick(position());
     read_row(element, column, -1);
@@ -89,7 +91,12 @@ void PlyBody::read_strips(const PlyElement& element, std::size_t column) {
     for (const std::int64_t corner : corners_) {
       strip.add(corner);
     }
+    strip.end();
+    thin.add(
+        [&] { return "in row " + std::to_string(row) + " of element " + in_quotes(element.name); },
+        strip.thin());
   }
+  builder_.note(thin, "strips with fewer than three corners, not read");
 }
 
 Mesh read_ply(Source& source) {

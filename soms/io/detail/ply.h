@@ -53,7 +53,7 @@ class PlyBody {
   std::vector<std::int64_t> corners_;
 };
 
-/// A triangle strip that is fed corner by corner; -1 start over.
+/// A row of triangle strips, corner by corner; -1 ends a strip.
 class PlyStrip {
  public:
   explicit PlyStrip(MeshBuilder& builder) : builder_(builder) {}
@@ -61,7 +61,7 @@ class PlyStrip {
   /// `corner` is -1 or a vertex that exists.
   void add(std::int64_t corner) {
     if (corner < 0) {
-      length_ = 0;
+      end();
       return;
     }
     const auto v = static_cast<std::uint32_t>(corner);
@@ -78,8 +78,18 @@ class PlyStrip {
     ++length_;
   }
 
+  /// Ends the last strip.
+  void end() {
+    thin_ += length_ == 1 || length_ == 2 ? 1U : 0U;
+    length_ = 0;
+  }
+
+  /// Strips of one or two corners, which give no triangle.
+  [[nodiscard]] std::uint64_t thin() const { return thin_; }
+
  private:
   MeshBuilder& builder_;
+  std::uint64_t thin_ = 0;
   std::uint64_t length_ = 0;
   std::uint32_t first_ = 0;
   std::uint32_t second_ = 0;

@@ -51,7 +51,7 @@ class ThreeDsReader {
     }
   }
 
-  /// The same, and notes a chunk of geometry that is none of `expected`: it is passed.
+  /// The same for chunks of `expected`. Others are passed, and noted unless they add no shape.
   template <class Use>
   void for_each_expected(std::size_t at, std::size_t end,
                          std::initializer_list<std::uint16_t> expected, const Use& use) {
@@ -59,12 +59,18 @@ class ThreeDsReader {
       if (std::find(expected.begin(), expected.end(), chunk.name) != expected.end()) {
         use(chunk);
       } else if (three_ds::holds_geometry(chunk.name)) {
-        misplaced_.add([&] { return at_byte(chunk.begin - three_ds::kChunkHeader); });
+        misplaced_.add([&] { return at_chunk(chunk); });
+      } else if (!three_ds::adds_no_shape(chunk.name)) {
+        unknown_.add([&] { return at_chunk(chunk); });
       }
     });
   }
 
   [[nodiscard]] std::string at_byte(std::size_t at) const { return "at " + source_.byte_of(at); }
+
+  [[nodiscard]] std::string at_chunk(const Chunk& chunk) const {
+    return at_byte(chunk.begin - three_ds::kChunkHeader);
+  }
 
   void leave_out(std::size_t begin, std::size_t end) {
     surplus_.add([&] { return at_byte(begin); }, end - begin);
@@ -85,6 +91,9 @@ class ThreeDsReader {
   MeshBuilder builder_;
   LeftOut surplus_;    ///< bytes behind the list of a chunk
   LeftOut misplaced_;  ///< chunks of geometry
+  LeftOut unknown_;    ///< chunks that 3DS does not have
+  LeftOut scales_;     ///< master scales other than 1
+  LeftOut keyframes_;
 };
 
 Chunk ThreeDsReader::chunk_at(std::size_t at, std::size_t end) const {
@@ -120,9 +129,11 @@ void ThreeDsReader::read_master_scale(const Chunk& chunk) {
   }
   const auto scale = little_endian<float>(source_.bytes, chunk.begin);
   if (scale != 1) {
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), scale).ptr;
-    builder_.note("master scale " + std::string(text.data(), end) + " is not applied");
+    scales_.add([&] {
+      std::array<char, 32> text{};
+      const auto end = std::to_chars(text.data(), text.data() + text.size(), scale).ptr;
+      return at_chunk(chunk) + ": " + std::string(text.data(), end);
+    });
   }
 }
 
@@ -235,20 +246,19 @@ Mesh ThreeDsReader::read() {
   if (main.name != three_ds::kMain) {
     fail(0, "the file does not begin with the main chunk of 3DS");
   }
-  bool has_keyframes = false;
   for_each_expected(main.begin, main.end, {three_ds::kEditor, three_ds::kKeyframes},
                     [&](const Chunk& part) {
                       if (part.name == three_ds::kKeyframes) {
-                        has_keyframes = true;
+                        keyframes_.add([&] { return at_chunk(part); });
                       } else {
                         read_editor(part);
                       }
                     });
-  if (has_keyframes) {
-    builder_.note("keyframes are not applied");
-  }
+  builder_.note(scales_, "master scales other than 1, not applied");
+  builder_.note(keyframes_, "keyframes, not applied");
   builder_.note(surplus_, "surplus bytes after the vertices or faces that a list counts");
   builder_.note(misplaced_, "misplaced mesh chunks, not read");
+  builder_.note(unknown_, "unknown chunks, not read");
   check_behind_main(main.end);
   return builder_.finish();
 }

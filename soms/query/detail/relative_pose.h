@@ -158,7 +158,7 @@ class RelativePose {
 
   [[nodiscard]] const PoseNumbers& numbers() const { return numbers_; }
 
-  /// Sees reference `x`, a node or block of tree x, from reference `y` of tree y.
+  /// Where `x`, a node or block of tree x, is as seen from `y`, one of tree y.
   template <class X, class Y>
   void relate(const X& x, const Y& y, Relation& relation) const {
     relation.offset = numbers_.offset(x.origin, y.origin);

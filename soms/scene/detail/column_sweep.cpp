@@ -219,13 +219,13 @@ bool ColumnSweep::enter(std::span<const FloatBox> boxes) {
     const std::uint32_t y1 = across_.at(box.upper[across_.axis]);
     const std::uint32_t z0 = upward_.at(box.lower[upward_.axis]);
     const std::uint32_t z1 = upward_.at(box.upper[upward_.axis]);
-    const std::size_t column_sweep = std::size_t{y1 - y0 + 1} * (z1 - z0 + 1);
-    if (column_sweep > most_of_a_box) {
+    const std::size_t columns = std::size_t{y1 - y0 + 1} * (z1 - z0 + 1);
+    if (columns > most_of_a_box) {
       wide_.push_back(k);
       continue;
     }
-    if (size + column_sweep > entries_.size()) {
-      entries_.resize(2 * (size + column_sweep) + boxes.size());
+    if (size + columns > entries_.size()) {
+      entries_.resize(2 * (size + columns) + boxes.size());
     }
     const std::uint32_t start = along_.at(box.lower[along_.axis]);
     for (std::uint32_t z = z0; z <= z1; ++z) {

@@ -8,7 +8,7 @@ namespace {
 
 /// Looking at a pair costs this part of an entry.
 constexpr double kPairCost = 0.2;
-/// Boxes that move this many times as far as before have jumped: their routes tell nothing.
+/// Boxes that move this many times as far as before have jumped: earlier motions predict nothing.
 constexpr double kJump = 4;
 constexpr std::uint32_t kRest = 32;
 
@@ -16,7 +16,7 @@ constexpr std::uint32_t kRest = 32;
 
 std::uint32_t RebuildInterval::next(double speed) {
   const bool jumped = speed > kJump * speed_ && speed_ > 0;
-  // After a jump the way before it is what to go by again.
+  // After a jump, the next call goes back to the length from before it.
   if (jumped) {
     calls_ = 0;
     speed_ = 0;
@@ -24,7 +24,7 @@ std::uint32_t RebuildInterval::next(double speed) {
   }
   speed_ = speed;
   if (calls_ == 0 && kLengths[at_] != 0) {
-    calls_ = kLengths[at_];  // boxes had no ways to judge by
+    calls_ = kLengths[at_];  // boxes had no motions to judge by
     return calls_;
   }
   const double cost =
