@@ -63,13 +63,13 @@ void check_recording(const SimulateOptions& options) {
   }
 }
 
-RecordingEnding extension_of(const Outcome& outcome) {
-  switch (outcome.extension) {
-    case Extension::whole:
+RecordingEnding ending_of(const Outcome& outcome) {
+  switch (outcome.ending) {
+    case Ending::whole:
       return RecordingEnding::complete;
-    case Extension::timed_out:
+    case Ending::timed_out:
       return RecordingEnding::timed_out;
-    case Extension::interrupted:
+    case Ending::interrupted:
       break;
   }
   return RecordingEnding::interrupted;
@@ -86,7 +86,7 @@ int status_of(const Outcome& outcome, const SimulateOptions& options, int drawn)
   if (outcome.verified && outcome.verified->wrong > 0) {
     return kDifference;
   }
-  if (outcome.extension == Extension::interrupted) {
+  if (outcome.ending == Ending::interrupted) {
     return kInterrupted;
   }
   if (drawn != 0) {
@@ -99,7 +99,7 @@ int status_of(const Outcome& outcome, const SimulateOptions& options, int drawn)
     return kConditionHolds;
   }
   // "Not found" is no proof of "free" when time ran out.
-  return outcome.extension == Extension::timed_out ? kOutOfTime : 0;
+  return outcome.ending == Ending::timed_out ? kOutOfTime : 0;
 }
 
 /// Movers that never come near the city cannot touch it: a shift, unit or axis may be missing.
@@ -177,7 +177,7 @@ int run_simulate(const SimulateOptions& options, Console& console) {
   }
   const Outcome outcome = run_frames(world, options, console, recorder ? &*recorder : nullptr);
   if (recorder) {
-    recorder->finish(extension_of(outcome));
+    recorder->finish(ending_of(outcome));
   }
   doubt_boxes(world, outcome, options.world.city_model.strict, console);
   if (events) {

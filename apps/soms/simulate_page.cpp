@@ -234,7 +234,7 @@ void write_page(std::ostream& out, const World& world, const Outcome& outcome,
   for (const FrameWarning& warning : world.warnings) {
     page.facts.push_back({"warning", warning.text()});
   }
-  if (outcome.extension != Extension::whole) {
+  if (outcome.ending != Ending::whole) {
     page.notes.emplace_back("This run ended early; the page shows the frames that were done.");
   }
   page.notes.emplace_back(

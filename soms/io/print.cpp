@@ -23,7 +23,7 @@ std::ostream& operator<<(std::ostream& out, const WritableFormat& value) {
   return out << PrintedFields("WritableFormat")
                     .add("format", value.format)
                     .add("title", value.title)
-                    .add("ending", value.extension)
+                    .add("extension", value.extension)
                     .add("doubles", value.doubles)
                     .add("names", value.names)
                     .add("unit_and_axis", value.unit_and_axis);
