@@ -1,6 +1,6 @@
-// soms-import ENDING: reads a model from standard input by Assimp, as a file with that ending, and
-// writes it to standard output. Exit status 1: it cannot be read, and standard output says why;
-// 4: too little memory; 5: it cannot be written.
+// soms-import .EXTENSION: reads a model from standard input by Assimp, as a file with that
+// extension, and writes it to standard output. Exit status 1: it cannot be read, and standard
+// output says why; 4: too little memory; 5: it cannot be written.
 #include "apps/import/model.h"
 #include "apps/import/sandbox.h"
 

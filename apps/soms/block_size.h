@@ -9,8 +9,10 @@
 
 namespace soms::command {
 
-/// How many poses to read and answer at once: as many as take about a tenth of a second, so that
-/// memory stays bounded, answers come steadily and Ctrl-C loses little.
+/// How many poses to read and answer at once: as many as took about a tenth of a second in the last
+/// block, so that answers come steadily and Ctrl-C loses little. Learned from the past, it bounds
+/// no memory: of a block of 4,096 poses after ones that were free, all pairs are held, however
+/// many.
 class BlockSize {
  public:
   [[nodiscard]] std::size_t value() const { return value_; }

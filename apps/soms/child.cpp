@@ -166,18 +166,18 @@ int run_child(const std::filesystem::path& program, const std::vector<std::strin
               const Console& console, const ChildOptions& options) {
   const pid_t child = start(program, words, options.called, nullptr);
   int status = 0;
-  bool extension = false;
+  bool terminated = false;
   while (::waitpid(child, &status, WNOHANG) == 0) {
-    if (!extension && (console.interrupted() || (options.timed && console.out_of_time()))) {
+    if (!terminated && (console.interrupted() || (options.timed && console.out_of_time()))) {
       ::kill(child, SIGTERM);
-      extension = true;
+      terminated = true;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   if (console.interrupted()) {
     throw Error(ErrorKind::cancelled, "interrupted", "");
   }
-  if (extension) {
+  if (terminated) {
     throw Error(ErrorKind::timed_out, "out of time while " + program.filename().string() + " ran",
                 "allow more time with --timeout");
   }

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace soms::command {
 
@@ -41,12 +43,14 @@ int run_convert(const ConvertOptions& options, Console& console) {
   write_model(mesh, options.output, console);
   note_losses(mesh, options.output, console);
   if (console.shared().json) {
-    console.print(json_line({{"schema", "soms.convert/1"},
-                             {"from", options.input},
-                             {"file", options.output.path},
-                             {"format", format_name(format)},
-                             {"triangles", mesh.triangles.size()},
-                             {"vertices", mesh.vertices.size()}}));
+    Json answer{{"schema", "soms.convert/1"},         {"from", options.input},
+                {"file", options.output.path},        {"format", format_name(format)},
+                {"triangles", mesh.triangles.size()}, {"vertices", mesh.vertices.size()}};
+    const Mesh* const one = &mesh;
+    if (const std::vector<std::string> notes = notes_of({&one, 1}); !notes.empty()) {
+      answer["notes"] = notes;
+    }
+    console.print(json_line(answer));
   } else {
     console.note(
         fmt::format("{}: {}", options.output.path, counted(mesh.triangles.size(), "triangle")));

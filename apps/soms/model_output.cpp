@@ -161,6 +161,11 @@ void note_losses(const Mesh& mesh, const ModelOutput& output, const Console& con
   if (!format.names && named > 0) {
     lost.push_back("the names of " + counted(static_cast<std::uint64_t>(named), "part"));
   }
+  if (const std::uint64_t renamed = count_renamed(mesh, format.format); renamed != 0) {
+    lost.push_back(fmt::format("{} of {} (cut or changed to fit 10 characters)",
+                               with_commas(renamed),
+                               counted(static_cast<std::uint64_t>(named), "name")));
+  }
   if (!lost.empty()) {
     console.note(fmt::format("{}: {} does not keep {}",
                              output.path == "-" ? "standard output" : output.path, format.title,

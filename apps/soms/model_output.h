@@ -25,8 +25,8 @@ struct ModelOutput {
 /// Adds --format.
 void add_format(CLI::App& app, ModelOutput& output);
 
-/// The format to write. \errors ErrorKind::usage for a folder, for an unknown ending, naming those
-/// that are offered, and for one that says another format than --format.
+/// The format to write. \errors ErrorKind::usage for a folder, for an unknown extension, naming
+/// those that are offered, and for one that says another format than --format.
 [[nodiscard]] MeshFormat format_of(const ModelOutput& output);
 
 /// Throws ErrorKind::usage if there is no name, or if --json and the model would share standard

@@ -60,6 +60,7 @@ std::vector<OptionWords> passed_options(const Verb& verb) {
   // An option begins a line, "  -o,--output FILE    picture to write"; its meaning may go on below,
   // far to the right.
   static const std::regex option_line("  (?:(-[a-z]),)?(--[a-z][a-z-]*)(?: (\\S+))?(?:  +(.*))?");
+  constexpr std::size_t kIndent = 6;
   std::vector<OptionWords> options;
   std::string label;
   std::string meaning;
@@ -81,8 +82,10 @@ std::vector<OptionWords> passed_options(const Verb& verb) {
       options.push_back(std::move(option));
       label = parts[3];
       meaning = parts[4];
-    } else if (line.starts_with("      ")) {
-      meaning += line.substr(line.find_first_not_of(' '));
+    } else if (const std::size_t text = line.find_first_not_of(' '); text == line.npos) {
+      end_option();  // an empty line, or one of blanks
+    } else if (text >= kIndent) {
+      meaning += line.substr(text);
     } else {
       end_option();
     }

@@ -63,13 +63,13 @@ void check_recording(const SimulateOptions& options) {
   }
 }
 
-RecordingEnding extension_of(const Outcome& outcome) {
-  switch (outcome.extension) {
-    case Extension::whole:
+RecordingEnding ending_of(const Outcome& outcome) {
+  switch (outcome.ending) {
+    case Ending::whole:
       return RecordingEnding::complete;
-    case Extension::timed_out:
+    case Ending::timed_out:
       return RecordingEnding::timed_out;
-    case Extension::interrupted:
+    case Ending::interrupted:
       break;
   }
   return RecordingEnding::interrupted;
@@ -86,7 +86,7 @@ int status_of(const Outcome& outcome, const SimulateOptions& options, int drawn)
   if (outcome.verified && outcome.verified->wrong > 0) {
     return kDifference;
   }
-  if (outcome.extension == Extension::interrupted) {
+  if (outcome.ending == Ending::interrupted) {
     return kInterrupted;
   }
   if (drawn != 0) {
@@ -99,16 +99,17 @@ int status_of(const Outcome& outcome, const SimulateOptions& options, int drawn)
     return kConditionHolds;
   }
   // "Not found" is no proof of "free" when time ran out.
-  return outcome.extension == Extension::timed_out ? kOutOfTime : 0;
+  return outcome.ending == Ending::timed_out ? kOutOfTime : 0;
 }
 
-/// Movers that never come near the city cannot touch it: a shift, unit or axis may be missing.
-void doubt_boxes(World& world, const Outcome& outcome, bool strict, const Console& console) {
-  if (outcome.boxes.always_apart()) {
-    world.warnings.push_back(
-        apart_warning("the movers", world.title, outcome.boxes.least_gap(), "in every frame "));
-    tell_warnings({world.warnings.back()}, strict, console);
+/// Movers that never come near the city cannot touch it: a shift, unit or axis may be missing. A
+/// run that was interrupted may not have come to where they do; a wrong answer says enough.
+std::vector<FrameWarning> doubt_boxes(const World& world, const Outcome& outcome) {
+  const bool wrong = outcome.verified && outcome.verified->wrong > 0;
+  if (!outcome.boxes.always_apart() || outcome.ending == Ending::interrupted || wrong) {
+    return {};
   }
+  return {apart_warning("the movers", world.title, outcome.boxes.least_gap(), "in every frame ")};
 }
 
 /// Draws the picture, then tells what was found, whatever became of the picture.
@@ -177,9 +178,14 @@ int run_simulate(const SimulateOptions& options, Console& console) {
   }
   const Outcome outcome = run_frames(world, options, console, recorder ? &*recorder : nullptr);
   if (recorder) {
-    recorder->finish(extension_of(outcome));
+    recorder->finish(ending_of(outcome));
   }
-  doubt_boxes(world, outcome, options.world.city_model.strict, console);
+  const std::vector<FrameWarning> doubts = doubt_boxes(world, outcome);
+  world.warnings.insert(world.warnings.end(), doubts.begin(), doubts.end());
+  const bool strict = options.world.city_model.strict;
+  if (!strict) {
+    tell_warnings(doubts, strict, console);
+  }
   if (events) {
     write_events(events->stream(), world, outcome);
     events->commit();
@@ -192,7 +198,11 @@ int run_simulate(const SimulateOptions& options, Console& console) {
     write_page(page->stream(), world, outcome, options);
     page->commit();
   }
-  return finish(world, outcome, picture, options, console);
+  const int status = finish(world, outcome, picture, options, console);
+  if (strict) {
+    tell_warnings(doubts, strict, console);  // an error, after all that was found is in its place
+  }
+  return status;
 }
 
 }  // namespace soms::command

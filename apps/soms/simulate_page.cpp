@@ -238,7 +238,7 @@ void write_page(std::ostream& out, const World& world, const Outcome& outcome,
   for (const FrameWarning& warning : world.warnings) {
     page.warnings.push_back(warning.text());
   }
-  if (outcome.extension != Extension::whole) {
+  if (outcome.ending != Ending::whole) {
     page.notes.emplace_back("This run ended early; the page shows the frames that were done.");
   }
   page.notes.emplace_back(

@@ -68,9 +68,9 @@ std::optional<int> Picture::draw(const Outcome& outcome, const Console& console)
   if (options_.picture.empty()) {
     return std::nullopt;
   }
-  if (outcome.extension == Extension::interrupted || outcome.frames == 0) {
-    console.note(outcome.extension == Extension::interrupted ? "no picture: interrupted"
-                                                             : "no picture: out of time");
+  if (outcome.ending == Ending::interrupted || outcome.frames == 0) {
+    console.note(outcome.ending == Ending::interrupted ? "no picture: interrupted"
+                                                       : "no picture: out of time");
     return std::nullopt;
   }
   const std::uint64_t frame =

@@ -27,8 +27,8 @@ void Recorder::add(std::span<const Pose> poses, const StepReport& report) {
   write([&] { writer_.add(poses, report); });
 }
 
-void Recorder::finish(RecordingEnding extension) {
-  write([&] { writer_.finish(extension); });
+void Recorder::finish(RecordingEnding ending) {
+  write([&] { writer_.finish(ending); });
   file_.commit();
 }
 

@@ -20,7 +20,7 @@ class Recorder {
 
   void add(std::span<const Pose> poses, const StepReport& report);
 
-  void finish(RecordingEnding extension);
+  void finish(RecordingEnding ending);
 
  private:
   template <class Write>

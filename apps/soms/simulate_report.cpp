@@ -64,10 +64,9 @@ std::string contacts_of(const World& world, const Outcome& outcome) {
 
 std::string frames_of(const Outcome& outcome, const SimulateOptions& options) {
   std::string text = with_commas(outcome.frames);
-  if (outcome.extension != Extension::whole) {
-    text +=
-        fmt::format(" of {}, {}", with_commas(options.frames),
-                    outcome.extension == Extension::interrupted ? "interrupted" : "out of time");
+  if (outcome.ending != Ending::whole) {
+    text += fmt::format(" of {}, {}", with_commas(options.frames),
+                        outcome.ending == Ending::interrupted ? "interrupted" : "out of time");
   }
   text += fmt::format(" ({:.4g} s of simulated time)",
                       static_cast<double>(outcome.frames) / kFramesASecond);
@@ -82,8 +81,8 @@ void add_most_touched(Figures& figures, const World& world, const Outcome& outco
   }
 }
 
-const char* extension_name(Extension extension) {
-  return extension == Extension::whole ? "complete" : "cut";
+const char* ending_name(Ending ending) {
+  return ending == Ending::whole ? "complete" : "cut";
 }
 
 double rounded(double value) {
@@ -160,8 +159,8 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
   json["movers_requested"] = world.requested;
   json["frames"] = outcome.frames;
   json["frames_requested"] = options.frames;
-  json["coverage"] = extension_name(outcome.extension);
-  json["interrupted"] = outcome.extension == Extension::interrupted;
+  json["coverage"] = ending_name(outcome.ending);
+  json["interrupted"] = outcome.ending == Ending::interrupted;
   json["fps"] = {{"median", rounded(outcome.median_fps())},
                  {"worst", rounded(outcome.worst_fps())}};
   json["build_ms"] = rounded(world.build_ms);

@@ -89,11 +89,11 @@ class Run {
  private:
   bool ended() {
     if (console_.interrupted()) {
-      outcome_.extension = Extension::interrupted;
+      outcome_.ending = Ending::interrupted;
     } else if (console_.out_of_time()) {
-      outcome_.extension = Extension::timed_out;
+      outcome_.ending = Ending::timed_out;
     }
-    return outcome_.extension != Extension::whole;
+    return outcome_.ending != Ending::whole;
   }
 
   /// One frame, whole or (by an exception) not at all.

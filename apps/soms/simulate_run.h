@@ -25,7 +25,7 @@ struct Place {
 };
 
 /// How a simulation ended.
-enum class Extension { whole, timed_out, interrupted };
+enum class Ending { whole, timed_out, interrupted };
 
 /// What a simulation found.
 struct Outcome {
@@ -37,7 +37,7 @@ struct Outcome {
   ContactLog contacts;
   std::optional<Verified> verified = std::nullopt;
   std::vector<std::vector<Place>> tracks;  ///< where each mover was, at some hundred frames
-  Extension extension = Extension::whole;
+  Ending ending = Ending::whole;
   BoxWatch boxes;  ///< of movers and the city, until one is near
 
   [[nodiscard]] double median_fps() const;

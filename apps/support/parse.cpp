@@ -55,7 +55,10 @@ std::uint64_t parse_count(std::string_view option, std::string_view text, std::u
 double parse_number(std::string_view option, std::string_view text) {
   const auto number = leading_number<double>(text);
   if (!number || !number->second.empty() || !std::isfinite(number->first)) {
-    throw not_this(option, text, "give a finite number");
+    const bool comma = text.find(',') != text.npos && text.find('.') == text.npos;
+    throw not_this(
+        option, text,
+        comma ? "give a finite number, with a decimal point, not a comma" : "give a finite number");
   }
   return number->first;
 }
@@ -165,7 +168,7 @@ std::vector<std::string> listed_words(const std::string& text) {
 
 Error unknown_choice(std::string_view option, std::string_view word,
                      const std::vector<std::string>& names) {
-  const std::string near = nearest_word(word, names);
+  const std::string near = nearest_words(word, names);
   return not_this(
       option, word,
       fmt::format("{}choose one of {}", near.empty() ? "" : fmt::format("did you mean {}? ", near),

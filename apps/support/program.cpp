@@ -32,7 +32,7 @@ Error usage(std::string place, std::string remedy) {
 /// "did you mean ...?" or, with nothing near, where the right words are listed.
 std::string remedy_for(std::string_view word, const std::vector<std::string>& known,
                        std::string_view list) {
-  const std::string near = nearest_word(word, known);
+  const std::string near = nearest_words(word, known);
   return near.empty() ? fmt::format("{} lists them", list)
                       : fmt::format("did you mean {}? ({} lists them)", near, list);
 }
@@ -95,7 +95,13 @@ void check_rest(const ParsedVerb& verb) {
                 fmt::format("for a file of that name, write ./{}, or put -- before it", *option));
   }
   const std::string word = option->substr(0, option->find('='));
-  throw usage("unknown option " + word, remedy_for(word, verb.option_names(), help));
+  const std::vector<std::string> known = verb.option_names();
+  if (word.starts_with("--unit") &&
+      std::find(known.begin(), known.end(), "--scale") != known.end()) {
+    throw usage("unknown option " + word,
+                "--scale converts units, such as --scale 0.001 from millimeters to meters");
+  }
+  throw usage("unknown option " + word, remedy_for(word, known, help));
 }
 
 /// The parser's words for an option with too many values, or with none, in ours.

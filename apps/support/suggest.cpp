@@ -1,5 +1,8 @@
 #include "apps/support/suggest.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cstddef>
 
@@ -40,7 +43,8 @@ std::string lower(std::string_view word) {
 
 }  // namespace
 
-std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {
+std::string nearest_words(std::string_view word, const std::vector<std::string>& known) {
+  constexpr std::size_t kMostNamed = 3;
   // Very long words are not typing errors, and the distance takes quadratic time.
   if (word.size() > 64) {
     return {};
@@ -53,15 +57,17 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
     return same == known.end() ? std::string() : *same;
   }
   std::size_t best = std::clamp<std::size_t>(word.size() / 3, 1, 3) + 1;
-  std::string answer;
+  std::vector<std::string> nearest;
   for (const std::string& candidate : known) {
     const std::size_t distance = candidate.starts_with(word) ? 1 : edit_distance(word, candidate);
     if (distance < best) {
       best = distance;
-      answer = candidate;
+      nearest = {candidate};
+    } else if (distance == best && nearest.size() < kMostNamed && !nearest.empty()) {
+      nearest.push_back(candidate);
     }
   }
-  return answer;
+  return fmt::to_string(fmt::join(nearest, " or "));
 }
 
 }  // namespace soms::command

@@ -6,6 +6,7 @@
 #include "soms/io/detail/glb_writer.h"
 #include "soms/io/detail/mesh_writer.h"
 #include "soms/io/detail/output.h"
+#include "soms/io/detail/three_ds_writer.h"
 #include "soms/io/formats.h"
 
 #include <algorithm>
@@ -98,6 +99,10 @@ Rounding rounding(const Mesh& mesh, MeshFormat format) {
 
 std::uint64_t count_rounded(const Mesh& mesh, MeshFormat format) {
   return rounding(mesh, format).count;
+}
+
+std::uint64_t count_renamed(const Mesh& mesh, MeshFormat format) {
+  return format == MeshFormat::three_ds ? detail::renamed_in_three_ds(mesh) : 0;
 }
 
 }  // namespace soms

@@ -75,6 +75,22 @@ TEST(Convert, SaysOnceWhatAFormatDoesNotKeep) {
             std::string::npos);
 }
 
+TEST(Convert, SaysHowManyNames3dsChanges) {
+  const TemporaryFolder folder;
+  const auto path = [&](const char* name) { return (folder.path() / name).string(); };
+  write_text(path("a.obj"),
+             "v 0 0 0\nv 1 0 0\nv 0 1 0\ng Pipe:CW-101\nf 1 2 3\ng Pipe:CW-102\nf 1 2 3\n"
+             "g ten_chars_\nf 1 2 3\ng roof\nf 1 2 3\ng d\xC3\xBC\nf 1 2 3\n");
+  const RunResult result = soms_run({"convert", path("a.obj"), path("a.3ds")});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.err.find("a.3ds: 3DS does not keep 3 of 5 names (cut or changed to fit 10 "
+                            "characters)\n"),
+            std::string::npos)
+      << result.err;
+  const RunResult again = soms_run({"convert", path("a.3ds"), path("b.3ds")});
+  EXPECT_EQ(again.err.find("not keep"), std::string::npos) << again.err;
+}
+
 TEST(Convert, ScalesAndTurns) {
   const TemporaryFolder folder;
   write_text(folder.path() / "a.off", triangle_off("1 2 3", "1 0 0", "0 1 0"));

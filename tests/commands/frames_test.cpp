@@ -2,6 +2,8 @@
 #include "tests/commands/run.h"
 
 #include <algorithm>
+#include <csignal>
+#include <utility>
 
 namespace soms::test {
 namespace {
@@ -309,6 +311,45 @@ TEST(FrameRegressions, R117SimulateWarnsOfMoversThatNeverComeNear) {
   const RunResult near = soms_run(route(far + "8,0,0,1,0,0,0\n" + far));
   EXPECT_EQ(near.status, 0) << near.err;
   EXPECT_FALSE(Json::parse(near.out).contains("warnings"));
+}
+
+/// A run of movers that are far from the city in every frame.
+std::vector<std::string> far_run(const TemporaryFolder& folder, const std::string& frames) {
+  const std::string route = (folder.path() / "far.csv").string();
+  write_text(route, "x,y,z,qw,qx,qy,qz\n500000,0,0,1,0,0,0\n");
+  return {"simulate", hall(),   "--mover",  hall(), "--route",
+          route,      "--json", "--frames", frames, "--strict"};
+}
+
+TEST(FrameRegressions, StrictRefusesMoversThatStayAwayAfterAllThatWasFoundIsWritten) {
+  const TemporaryFolder folder;
+  std::vector<std::string> words = far_run(folder, "3");
+  for (const auto& [option, file] :
+       {std::pair("--events", "events.csv"), std::pair("--map", "map.svg"),
+        std::pair("--report", "page.html"), std::pair("--record", "run.somsrec")}) {
+    words.insert(words.end(), {option, (folder.path() / file).string()});
+  }
+  const RunResult result = soms_run(words);
+  EXPECT_EQ(result.status, 3) << result.err;
+  EXPECT_EQ(kinds(Json::parse(result.out)), Kinds{"boxes_apart"});
+  EXPECT_EQ(files_in(folder.path()), (std::vector<std::string>{"events.csv", "far.csv", "map.svg",
+                                                               "page.html", "run.somsrec"}));
+}
+
+TEST(FrameRegressions, AnInterruptedRunIsNotRefusedForMoversThatStayedAway) {
+  const TemporaryFolder folder;
+  const TemporaryFolder streams;
+  std::vector<std::string> words = far_run(folder, "100000000");
+  words.insert(words.begin(), command().string());
+  words.insert(words.end(), {"--record", (folder.path() / "run.somsrec").string()});
+  Child child(words, streams.path());
+  ASSERT_TRUE(child.wait_for_writing(100'000));  // the recording, so frames have been made
+  child.send(SIGINT);
+  const RunResult result = child.wait();
+  EXPECT_EQ(result.status, 130) << result.err;
+  const Json answer = Json::parse(result.out);
+  EXPECT_EQ(answer["interrupted"], true);
+  EXPECT_FALSE(answer.contains("warnings"));
 }
 
 TEST(FrameRegressions, R117StrictMakesAnErrorOfWhatReadingNotes) {

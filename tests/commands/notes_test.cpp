@@ -43,6 +43,15 @@ TEST(Notes, R115OfALossyFileReachWhoSimulates) {
   EXPECT_NE(read_text(page).find(kNote), std::string::npos);
 }
 
+TEST(Notes, OfALossyFileAreInTheJsonOfConvert) {
+  const TemporaryFolder folder;
+  const std::string copy = (folder.path() / "copy.ply").string();
+  const RunResult result = soms_run({"convert", lossy(folder), copy, "--json"});
+  const Json notes = json_lines(result.out).at(0).at("notes");
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_NE(notes.at(0).get<std::string>().find(kNote), std::string::npos);
+}
+
 std::string write(const TemporaryFolder& folder, const char* name, const std::string& text) {
   const std::string path = (folder.path() / name).string();
   std::ofstream(path) << text;

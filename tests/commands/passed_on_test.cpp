@@ -52,6 +52,17 @@ TEST(PassedOn, TheProgramGetsTheWordsAndGivesItsStatus) {
   EXPECT_EQ(result.out, "<reproduce>\n<--item>\n<a b>\n<--quick>\n<--help>\n");
 }
 
+TEST(PassedOn, LinesOfBlanksInTheHelpOfAProgramArePassedOver) {
+  const TemporaryFolder folder;
+  const std::filesystem::path program = folder.path() / "program";
+  write_text(program, "#!/bin/sh\necho '  --size WxH  width'\necho '          '\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const RunResult result =
+      shell("export SOMS_VIEW='" + program.string() + "'; $soms completion bash");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("--size"), std::string::npos);
+}
+
 TEST(PassedOn, TheBuiltProgramSpeaksAsTheCommand) {
   const RunResult help = soms_run({"reproduce", "--help"});
   EXPECT_EQ(help.status, 0) << help.err;

@@ -163,6 +163,29 @@ TEST(Program, SuggestsTheOptionThatWasMeant) {
       << result.err;
 }
 
+TEST(Program, SuggestsEveryOptionThatIsEquallyNear) {
+  const RunResult result = soms_run({"overlap", "a.ply", "b.ply", "--upb", "y"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("unknown option --upb; did you mean --up or --up-b?"),
+            std::string::npos)
+      << result.err;
+}
+
+TEST(Program, NamesTheOptionThatConvertsUnits) {
+  const RunResult result = soms_run({"convert", "a.ply", "b.ply", "--unit", "mm"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("unknown option --unit; --scale converts units"), std::string::npos)
+      << result.err;
+}
+
+TEST(Program, NamesTheDecimalPointWhereANumberHasAComma) {
+  const RunResult result = soms_run({"convert", "a.ply", "b.ply", "--scale", "0,001"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("--scale 0,001; give a finite number, with a decimal point, not a "),
+            std::string::npos)
+      << result.err;
+}
+
 TEST(Program, SuggestsNothingForAShortWordUnlessItsCaseDiffers) {
   const RunResult same = soms_run({"info", "a.ply", "--up", "Z"});
   EXPECT_EQ(same.status, 2);

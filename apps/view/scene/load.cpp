@@ -3,7 +3,10 @@
 #include "soms/base/error.h"
 #include "soms/io/read_mesh.h"
 
+#include "apps/support/models.h"
 #include "apps/support/recorded_world.h"
+
+#include <fmt/format.h>
 
 #include <memory>
 #include <utility>
@@ -14,6 +17,8 @@ SceneContent content_of(command::World world) {
   SceneContent content;
   content.title = std::move(world.title);
   content.city = std::move(world.city);
+  content.notes = std::move(world.notes);
+  content.warnings = std::move(world.warnings);
   for (command::MoverRoute& mover_route : world.routes) {
     const command::Model& model = world.models[mover_route.model];
     const auto shared = std::make_shared<const command::MoverRoute>(std::move(mover_route));
@@ -74,13 +79,22 @@ SceneContent two_bodies(Body still, Body moving) {
   return content;
 }
 
-Body read_body(const std::filesystem::path& path, const Parallel& parallel) {
+DroppedBody read_body(const std::filesystem::path& path, const Parallel& parallel) {
   Mesh mesh = read_mesh(path, {}, parallel);
+  const Mesh* const one = &mesh;
+  std::vector<std::string> notes = command::notes_of({&one, 1});
   const UpAxis up = mesh.up;
   if (up == UpAxis::x || up == UpAxis::y) {
+    notes.push_back(fmt::format("{}: the up axis is {}; rotated to z", path.string(),
+                                up == UpAxis::x ? "x" : "y"));
     mesh = transformed(std::move(mesh), 1, up);
   }
-  return Body(Shape(std::move(mesh), {}, parallel), {}, command::short_name(path.string()));
+  if (mesh.unit > 0 && mesh.unit != 1) {
+    notes.push_back(
+        fmt::format("{}: the unit is {:g} m; assuming meters", path.string(), mesh.unit));
+  }
+  return {Body(Shape(std::move(mesh), {}, parallel), {}, command::short_name(path.string())),
+          std::move(notes)};
 }
 
 }  // namespace soms::view

@@ -10,6 +10,8 @@
 #include "apps/view/scene/scene_content.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace soms::view {
 
@@ -31,9 +33,16 @@ namespace soms::view {
 /// Two bodies for the orientation tests: `moving` comes at `still`.
 [[nodiscard]] SceneContent two_bodies(Body still, Body moving);
 
+/// A body, and what the reader should know of how it was read.
+struct DroppedBody {
+  Body body;
+  std::vector<std::string> notes;
+};
+
 /// A body from a file that was dropped: where the file puts it, turned to z up where the file
-/// states another axis, named after the file.
-/// \errors As `read_mesh` and `Shape`.
-[[nodiscard]] Body read_body(const std::filesystem::path& path, const Parallel& parallel = {});
+/// states another axis, named after the file. The notes are those of the file, of the turn, and of
+/// a unit other than a meter, which is not converted. \errors As `read_mesh` and `Shape`.
+[[nodiscard]] DroppedBody read_body(const std::filesystem::path& path,
+                                    const Parallel& parallel = {});
 
 }  // namespace soms::view

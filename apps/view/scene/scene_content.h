@@ -6,6 +6,8 @@
 #include "soms/query/body.h"
 #include "soms/scene/replay.h"
 
+#include "apps/support/frame_warnings.h"
+
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -32,6 +34,7 @@ struct SceneContent {
   std::vector<Body> city;
   std::vector<MovingBody> movers;
   std::vector<std::string> notes;  ///< what the reader should know of how it was made
+  std::vector<command::FrameWarning> warnings = {};  ///< where the models' numbers may not agree
   /// Frames that are played: poses of the movers in their order, and contacts. Null: none.
   std::shared_ptr<Replay> recording = nullptr;
 };

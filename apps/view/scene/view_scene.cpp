@@ -50,6 +50,7 @@ struct TraceKey {
 struct ViewScene::State {
   std::string title;
   std::vector<std::string> notes;
+  std::vector<command::FrameWarning> warnings;
   Parallel parallel;
   Scene scene;
   std::vector<EnvironmentId> city;
@@ -189,6 +190,7 @@ ViewScene::ViewScene(SceneContent content, const Parallel& parallel)
   State& s = *state_;
   s.title = std::move(content.title);
   s.notes = std::move(content.notes);
+  s.warnings = std::move(content.warnings);
   s.parallel.threads = parallel.threads;
   s.parallel.stop = parallel.stop;
   for (Body& body : content.city) {
@@ -219,6 +221,10 @@ const std::vector<std::string>& ViewScene::notes() const {
   return state_->notes;
 }
 
+const std::vector<command::FrameWarning>& ViewScene::warnings() const {
+  return state_->warnings;
+}
+
 std::uint32_t ViewScene::city_parts() const {
   return static_cast<std::uint32_t>(state_->city.size());
 }
@@ -244,6 +250,14 @@ Box ViewScene::bounds() const {
     }
   }
   return box;
+}
+
+void ViewScene::add_notes(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) {
+    if (std::find(state_->notes.begin(), state_->notes.end(), note) == state_->notes.end()) {
+      state_->notes.push_back(note);
+    }
+  }
 }
 
 BodyRef ViewScene::add_city(Body body) {

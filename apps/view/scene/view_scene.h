@@ -80,6 +80,7 @@ class ViewScene {
 
   [[nodiscard]] const std::string& title() const;
   [[nodiscard]] const std::vector<std::string>& notes() const;
+  [[nodiscard]] const std::vector<command::FrameWarning>& warnings() const;
   [[nodiscard]] std::uint32_t city_parts() const;
   [[nodiscard]] std::uint32_t movers() const;
 
@@ -94,6 +95,10 @@ class ViewScene {
 
   /// Adds a body, such as a dropped file; the other contacts are found again.
   BodyRef add_city(Body body);
+
+  /// Adds to `notes` what is not there yet.
+  void add_notes(const std::vector<std::string>& notes);
+
   BodyRef add_mover(MovingBody mover);
 
   /// Frame that is shown, from 0.

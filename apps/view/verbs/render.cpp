@@ -164,17 +164,19 @@ void report(const RenderOptions& options, const ViewScene& scene, const GlRender
                              GlRenderer::device()));
     return;
   }
-  console.print(command::json_line({{"schema", "soms.render/2"},
-                                    {"file", options.output},
-                                    {"width", options.size.width},
-                                    {"height", options.size.height},
-                                    {"frame", scene.frame()},
-                                    {"triangles", facts.triangles},
-                                    {"movers", scene.movers()},
-                                    {"touching_pairs", facts.contacts},
-                                    {"boxes", drawn.boxes},
-                                    {"draw_calls", drawn.draw_calls},
-                                    {"device", GlRenderer::device()}}));
+  command::Json answer{{"schema", "soms.render/2"},     {"file", options.output},
+                       {"width", options.size.width},   {"height", options.size.height},
+                       {"frame", scene.frame()},        {"triangles", facts.triangles},
+                       {"movers", scene.movers()},      {"touching_pairs", facts.contacts},
+                       {"boxes", drawn.boxes},          {"draw_calls", drawn.draw_calls},
+                       {"device", GlRenderer::device()}};
+  if (!scene.notes().empty()) {
+    answer["notes"] = scene.notes();
+  }
+  if (!scene.warnings().empty()) {
+    answer["warnings"] = command::warnings_json(scene.warnings());
+  }
+  console.print(command::json_line(answer));
 }
 
 /// What the options name. What was left out is reported on the way.

@@ -179,6 +179,9 @@ Facts SceneSubject::facts(const ViewState& state) const {
   for (const std::string& note : scene_.notes()) {
     facts.note += facts.note.empty() ? note : "; " + note;
   }
+  for (const command::FrameWarning& warning : scene_.warnings()) {
+    facts.note += (facts.note.empty() ? "warning: " : "; warning: ") + warning.place;
+  }
   facts.triangles = now.triangles;
   facts.movers = scene_.movers();
   facts.frame = now.frame;
@@ -338,8 +341,9 @@ void SceneSubject::deselect() {
 }
 
 void SceneSubject::open(const std::string& path) {
-  Body body = read_body(path, parallel_);
+  auto [body, notes] = read_body(path, parallel_);
   changed();
+  scene_.add_notes(notes);
   const bool first = scene_.city_parts() == 0 && scene_.movers() == 0;
   if (first) {
     scene_.add_city(std::move(body));

@@ -91,57 +91,72 @@ struct Object {
   }
 };
 
-class ThreeDsWriter {
+/// The objects that a mesh becomes.
+class ThreeDsPlan {
  public:
-  ThreeDsWriter(Output& output, const std::string& name, const Mesh& mesh, const Parallel& parallel)
-      : output_(output), name_(name), mesh_(mesh), parallel_(parallel) {}
+  /// `name` of the file, for messages. \errors ErrorKind::out_of_range, cancelled.
+  ThreeDsPlan(const std::string& name, const Mesh& mesh, const Parallel& parallel);
 
-  void write();
+  [[nodiscard]] const std::vector<Object>& objects() const { return objects_; }
+
+  /// Length of the chunk that holds them.
+  [[nodiscard]] std::uint64_t editor() const { return editor_; }
+
+  /// Parts whose first object could not have their name as it is.
+  [[nodiscard]] std::uint64_t renamed() const { return renamed_; }
 
  private:
-  void plan();
-  void plan_run(std::size_t first, std::size_t end, std::string_view name);
-  void put_chunk(std::uint16_t name, std::uint64_t length);
-  void put_version(std::uint16_t name);
-  void put_coordinate(double value, std::size_t vertex);
-  void put_object(const Object& object);
-  void tick(double share) const;
+  void plan_run(std::size_t first, std::size_t end, std::string_view part);
 
-  Output& output_;
   const std::string& name_;
   const Mesh& mesh_;
   const Parallel& parallel_;
   ObjectNames names_;
   std::vector<Object> objects_;
-  std::uint64_t editor_ = three_ds::kChunkHeader + 2 * kNumberChunk;  ///< length of that chunk
-  std::vector<std::uint32_t> numbers_;  ///< of vertices: last object that uses it, or number in it
+  std::uint64_t editor_ = three_ds::kChunkHeader + 2 * kNumberChunk;
+  std::uint64_t renamed_ = 0;
+  std::vector<std::uint32_t> last_use_;  ///< of vertices: the last object that uses it
 };
 
-void ThreeDsWriter::tick(double share) const {
-  check_stop(parallel_);
-  if (parallel_.progress) {
-    parallel_.progress(share);
+ThreeDsPlan::ThreeDsPlan(const std::string& name, const Mesh& mesh, const Parallel& parallel)
+    : name_(name),
+      mesh_(mesh),
+      parallel_(parallel),
+      last_use_(mesh.vertices.size(), std::numeric_limits<std::uint32_t>::max()) {
+  const std::vector<PartRun> runs = part_runs(mesh_);
+  std::vector<bool> seen(mesh.parts.size());
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const std::size_t end = i + 1 < runs.size() ? runs[i + 1].first : mesh_.triangles.size();
+    const std::uint32_t part = runs[i].part;
+    const bool named = part != Part::kNoParent && !mesh_.parts[part].name.empty();
+    const std::string_view wanted = named ? std::string_view(mesh_.parts[part].name) : "";
+    const std::size_t object = objects_.size();
+    plan_run(runs[i].first, end, wanted);
+    if (named && !seen[part]) {
+      seen[part] = true;
+      renamed_ += objects_.size() > object && objects_[object].name != wanted ? 1U : 0U;
+    }
   }
 }
 
 /// Cuts triangles `[first, end)`, which are of one part, into objects.
-void ThreeDsWriter::plan_run(std::size_t first, std::size_t end, std::string_view name) {
+void ThreeDsPlan::plan_run(std::size_t first, std::size_t end, std::string_view part) {
   while (first < end) {
     check_stop(parallel_);
-    Object object{first, 0, 0, names_.next(name)};
+    Object object{first, 0, 0, names_.next(part)};
     const auto mark = static_cast<std::uint32_t>(objects_.size());
     for (; first < end && object.count < kMostItems; ++first, ++object.count) {
       std::array<std::uint32_t, 3> corners = mesh_.triangles[first];
       std::sort(corners.begin(), corners.end());
       const auto last = std::unique(corners.begin(), corners.end());
       const auto fresh = static_cast<std::size_t>(
-          std::count_if(corners.begin(), last, [&](auto v) { return numbers_[v] != mark; }));
+          std::count_if(corners.begin(), last, [&](auto v) { return last_use_[v] != mark; }));
       if (object.vertices + fresh > kMostItems) {
         break;
       }
       object.vertices += fresh;
       for (const std::uint32_t v : mesh_.triangles[first]) {
-        numbers_[v] = mark;
+        last_use_[v] = mark;
       }
     }
     editor_ += object.length();
@@ -153,13 +168,31 @@ void ThreeDsWriter::plan_run(std::size_t first, std::size_t end, std::string_vie
   }
 }
 
-void ThreeDsWriter::plan() {
-  numbers_.assign(mesh_.vertices.size(), std::numeric_limits<std::uint32_t>::max());
-  const std::vector<PartRun> runs = part_runs(mesh_);
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const std::size_t end = i + 1 < runs.size() ? runs[i + 1].first : mesh_.triangles.size();
-    plan_run(runs[i].first, end,
-             runs[i].part == Part::kNoParent ? std::string_view() : mesh_.parts[runs[i].part].name);
+class ThreeDsWriter {
+ public:
+  ThreeDsWriter(Output& output, const std::string& name, const Mesh& mesh, const Parallel& parallel)
+      : output_(output), name_(name), mesh_(mesh), parallel_(parallel) {}
+
+  void write();
+
+ private:
+  void put_chunk(std::uint16_t name, std::uint64_t length);
+  void put_version(std::uint16_t name);
+  void put_coordinate(double value, std::size_t vertex);
+  void put_object(const Object& object);
+  void tick(double share) const;
+
+  Output& output_;
+  const std::string& name_;
+  const Mesh& mesh_;
+  const Parallel& parallel_;
+  std::vector<std::uint32_t> numbers_;  ///< of vertices, in the object that is written
+};
+
+void ThreeDsWriter::tick(double share) const {
+  check_stop(parallel_);
+  if (parallel_.progress) {
+    parallel_.progress(share);
   }
 }
 
@@ -217,14 +250,15 @@ void ThreeDsWriter::put_object(const Object& object) {
 
 void ThreeDsWriter::write() {
   tick(0);
-  plan();
-  put_chunk(three_ds::kMain, kBeforeEditor + editor_);
+  const ThreeDsPlan plan(name_, mesh_, parallel_);
+  numbers_.resize(mesh_.vertices.size());
+  put_chunk(three_ds::kMain, kBeforeEditor + plan.editor());
   put_version(three_ds::kVersion);
-  put_chunk(three_ds::kEditor, editor_);
+  put_chunk(three_ds::kEditor, plan.editor());
   put_version(three_ds::kMeshVersion);
   put_chunk(three_ds::kMasterScale, kNumberChunk);
   output_.put_bits(std::bit_cast<std::uint32_t>(1.0F), 4);
-  for (const Object& object : objects_) {
+  for (const Object& object : plan.objects()) {
     tick(static_cast<double>(object.first) / static_cast<double>(mesh_.triangles.size()));
     put_object(object);
   }
@@ -235,6 +269,12 @@ void ThreeDsWriter::write() {
 void write_three_ds(Output& output, const std::string& name, const Mesh& mesh,
                     const Parallel& parallel) {
   ThreeDsWriter(output, name, mesh, parallel).write();
+}
+
+std::uint64_t renamed_in_three_ds(const Mesh& mesh) {
+  const std::string none;
+  const Parallel alone;
+  return ThreeDsPlan(none, mesh, alone).renamed();
 }
 
 }  // namespace soms::detail

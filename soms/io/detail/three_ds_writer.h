@@ -6,6 +6,7 @@
 #include "soms/geometry/mesh.h"
 #include "soms/io/detail/output.h"
 
+#include <cstdint>
 #include <string>
 
 namespace soms::detail {
@@ -16,5 +17,9 @@ namespace soms::detail {
 /// \errors ErrorKind::out_of_range, cancelled.
 void write_three_ds(Output& output, const std::string& name, const Mesh& mesh,
                     const Parallel& parallel);
+
+/// Named parts whose objects `write_three_ds` names otherwise: names are cut, made ASCII and made
+/// different from one another. \errors ErrorKind::out_of_range.
+[[nodiscard]] std::uint64_t renamed_in_three_ds(const Mesh& mesh);
 
 }  // namespace soms::detail

@@ -205,7 +205,8 @@ TEST(Load, ReadsADroppedFile) {
   test::TemporaryFolder folder;
   const auto path = folder.path() / "block.stl";
   write_mesh(path, test::box_body({0, 0, 0}, {1, 2, 3}), MeshFormat::stl);
-  const Body body = read_body(path);
+  const auto [body, notes] = read_body(path);
+  EXPECT_TRUE(notes.empty());
   EXPECT_EQ(body.name, "block");
   EXPECT_EQ(body.shape.bounds().upper, (Vec3{1, 2, 3}));
   EXPECT_THROW((void)read_body(folder.path() / "none.ply"), Error);

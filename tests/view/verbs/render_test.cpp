@@ -211,6 +211,27 @@ TEST_F(Render, DrawsAFrameOfAnOrientationTest) {
   EXPECT_GT(contacts("100"), 0);
 }
 
+TEST_F(Render, NotesAndWarningsAreInJson) {
+  SOMS_NEEDS_EGL();
+  const std::string lossy = (folder_.path() / "lossy.obj").string();
+  std::ofstream(lossy) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nF 3 2 1\n";
+  const std::string other = (folder_.path() / "ball.glb").string();
+  Mesh ball = generate_sphere(200);
+  ball.unit = 1;
+  ball.up = UpAxis::z;
+  write_mesh(other, ball, MeshFormat::glb);
+  const test::RunResult result = render(
+      {lossy, "--mover", other, "--pose", "0 0 0", "-o", picture_, "--size", "90x60", "--json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("\"notes\":[\"" + lossy + ": lines that start with"), std::string::npos)
+      << result.out;
+  EXPECT_NE(result.out.find("\"warnings\":[{\"kind\":\"axis_unknown\""), std::string::npos)
+      << result.out;
+  const test::RunResult clean = render({ball_, "-o", picture_, "--size", "90x60", "--json"});
+  EXPECT_EQ(clean.out.find("\"notes\""), std::string::npos) << clean.out;
+  EXPECT_EQ(clean.out.find("\"warnings\""), std::string::npos) << clean.out;
+}
+
 TEST_F(Render, WritesToStandardOutput) {
   SOMS_NEEDS_EGL();
   const test::RunResult result = render({ball_, "-o", "-", "--size", "20x10", "--quiet"});

@@ -420,6 +420,21 @@ TEST(SceneSubject, OpensADroppedModelAsTheNewObjectAndRefusesABrokenOne) {
   EXPECT_FALSE(subject.facts(state).orientation_test);
 }
 
+TEST(SceneSubject, SaysWhatADroppedFileStatesAndWhatBecameOfIt) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "van.glb";
+  Mesh mesh = test::box_body({30, 0, 0}, {33, 2, 2});
+  mesh.up = UpAxis::y;
+  write_mesh(path, mesh, MeshFormat::glb);
+  SceneSubject subject(block_and_cube());
+  EXPECT_EQ(subject.facts({}).note, "");
+  subject.open(path.string());
+  EXPECT_NE(subject.facts({}).note.find("van.glb: the up axis is y; rotated to z"),
+            std::string::npos);
+  subject.open((test::data("formats/groups.obj")).string());
+  EXPECT_NE(subject.facts({}).note.find("groups.obj: "), std::string::npos);
+}
+
 TEST(SceneSubject, AnEmptySceneCanBeShownAndFilled) {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "block.ply";
