@@ -194,16 +194,22 @@ std::vector<report::Plot> plots_of(const World& world, const Outcome& outcome) {
   const CityParts names(world);
   std::map<std::string, double> parts;
   std::map<std::string, double> models;
+  const auto count_model = [&](MoverId mover) {
+    ++models[world.models[world.routes[mover].model].name];
+  };
   for (const Contact& contact : outcome.contacts.contacts()) {
-    ++models[world.models[world.routes[contact.mover].model].name];
-    if (contact.part != Contact::kMover) {
+    count_model(contact.mover);
+    if (contact.part == Contact::kMover) {
+      count_model(contact.other);
+    } else {
       ++parts[names.name(contact.part, contact.other)];
     }
   }
   for (const auto& [counts, title, caption] :
        {std::tuple(&parts, "Parts of the city by contacts",
                    "The parts with the most contacts; a contact is a mover and a triangle."),
-        std::tuple(&models, "Models by contacts", "Contacts by moving model.")}) {
+        std::tuple(&models, "Models by contacts",
+                   "Contacts by moving model; a contact of two movers counts for each of them.")}) {
     for (report::Plot& bars :
          bars_of({counts->begin(), counts->end()}, title, "contacts", caption)) {
       plots.push_back(std::move(bars));

@@ -35,9 +35,11 @@ using TriangleRows = Eigen::Matrix<std::uint32_t, Eigen::Dynamic, 3, Eigen::RowM
 }
 
 /// The pose of a 4x4 matrix that moves column vectors, however Eigen stores it; floats become the
-/// equal doubles. \errors As `Pose::from_row_major`.
+/// equal doubles, and where they are too coarse, Rotation::nearest corrects them.
+/// \errors As `Pose::from_row_major`.
 template <class Derived>
-[[nodiscard]] Pose to_pose(const Eigen::MatrixBase<Derived>& matrix) {
+[[nodiscard]] Pose to_pose(const Eigen::MatrixBase<Derived>& matrix,
+                           Rotation rotation = Rotation::as_given) {
   EIGEN_STATIC_ASSERT_MATRIX_SPECIFIC_SIZE(Derived, 4, 4)
   std::array<double, 16> rows{};
   for (Eigen::Index i = 0; i < 4; ++i) {
@@ -45,16 +47,18 @@ template <class Derived>
       rows[static_cast<std::size_t>(4 * i + j)] = static_cast<double>(matrix(i, j));
     }
   }
-  return Pose::from_row_major(rows);
+  return Pose::from_row_major(rows, rotation);
 }
 
 /// The pose of an Isometry3d, or of an Affine3d that neither scales nor shears; likewise of floats.
 /// \errors As `Pose::from_row_major`.
 template <class Scalar, int kMode, int kOptions>
-[[nodiscard]] Pose to_pose(const Eigen::Transform<Scalar, 3, kMode, kOptions>& transform) {
+[[nodiscard]] Pose to_pose(const Eigen::Transform<Scalar, 3, kMode, kOptions>& transform,
+                           Rotation rotation = Rotation::as_given) {
   static_assert(kMode != Eigen::Projective, "a projection is no rigid motion");
   return to_pose(
-      Eigen::Transform<Scalar, 3, Eigen::Affine, Eigen::ColMajor>(transform.affine()).matrix());
+      Eigen::Transform<Scalar, 3, Eigen::Affine, Eigen::ColMajor>(transform.affine()).matrix(),
+      rotation);
 }
 
 /// Rotation, then shift. \errors As `Pose::from_quaternion`.

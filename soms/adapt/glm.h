@@ -27,18 +27,19 @@ namespace soms::adapt {
 
 /// The pose of a matrix that moves column vectors, as glm's do.
 /// \errors As `Pose::from_column_major`.
-[[nodiscard]] inline Pose to_pose(const glm::dmat4& matrix) {
+[[nodiscard]] inline Pose to_pose(const glm::dmat4& matrix,
+                                  Rotation rotation = Rotation::as_given) {
   std::array<double, 16> columns{};
   for (std::size_t i = 0; i < 16; ++i) {
     columns[i] = matrix[static_cast<int>(i / 4)][static_cast<int>(i % 4)];
   }
-  return Pose::from_column_major(columns);
+  return Pose::from_column_major(columns, rotation);
 }
 
 /// The same of floats, which become the equal doubles: a rotation in floats is off one by 1e-7 or
-/// so, and one that is the product of many may be refused.
-[[nodiscard]] inline Pose to_pose(const glm::mat4& matrix) {
-  return to_pose(glm::dmat4(matrix));
+/// so, and the product of many needs Rotation::nearest.
+[[nodiscard]] inline Pose to_pose(const glm::mat4& matrix, Rotation rotation = Rotation::as_given) {
+  return to_pose(glm::dmat4(matrix), rotation);
 }
 
 /// Rotation, then shift. \errors As `Pose::from_quaternion`.

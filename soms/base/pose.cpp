@@ -55,15 +55,23 @@ double determinant(const Pose& pose) {
          m[2] * (m[4] * m[9] - m[5] * m[8]);
 }
 
+/// What is rigid has 0 in each: the entries of RtR - I, less those that are equal.
+std::array<double, 6> off_rigid(const Pose& pose) {
+  return {gram(pose, 0, 0) - 1, gram(pose, 1, 1) - 1, gram(pose, 2, 2) - 1,
+          gram(pose, 0, 1),     gram(pose, 0, 2),     gram(pose, 1, 2)};
+}
+
+/// The greatest magnitude of six numbers.
+double greatest(const std::array<double, 6>& off) {
+  return std::max(std::max(std::max(std::abs(off[0]), std::abs(off[1])), std::abs(off[2])),
+                  std::max(std::max(std::abs(off[3]), std::abs(off[4])), std::abs(off[5])));
+}
+
 /// What `require_rigid` asks, without branches and without saying what is wrong.
 bool is_rigid(const Pose& pose) {
   const auto& m = pose.m;
-  const std::array<double, 6> off = {gram(pose, 0, 0) - 1, gram(pose, 1, 1) - 1,
-                                     gram(pose, 2, 2) - 1, gram(pose, 0, 1),
-                                     gram(pose, 0, 2),     gram(pose, 1, 2)};
-  const double most =
-      std::max(std::max(std::max(std::abs(off[0]), std::abs(off[1])), std::abs(off[2])),
-               std::max(std::max(std::abs(off[3]), std::abs(off[4])), std::abs(off[5])));
+  const std::array<double, 6> off = off_rigid(pose);
+  const double most = greatest(off);
   // Not a number where any entry is not finite; `most` may have lost it.
   const double sum = (((off[0] + off[1]) + (off[2] + off[3])) + (off[4] + off[5])) +
                      ((m[3] * 0 + m[7] * 0) + m[11] * 0);
@@ -71,8 +79,13 @@ bool is_rigid(const Pose& pose) {
   return (near & (sum == sum ? 1U : 0U) & (determinant(pose) > 0 ? 1U : 0U)) != 0;
 }
 
-/// What to do about a matrix with another length of its columns, or another angle between them.
-std::string remedy_for(const Pose& pose) {
+/// What to do about a matrix with another length of its columns, or another angle between them, of
+/// which one is off by `off`.
+std::string remedy_for(const Pose& pose, double off) {
+  if (off <= kNearlyRigid.value) {
+    return "print the rotation with more digits, such as nine after the point (%.9f); in C++, "
+           "Rotation::nearest corrects rounded matrices";
+  }
   constexpr double kAlike = 1e-3;
   const double square = (gram(pose, 0, 0) + gram(pose, 1, 1) + gram(pose, 2, 2)) / 3;
   bool scales = square > 0 && std::isfinite(square) && std::abs(square - 1) > kAlike;
@@ -82,8 +95,7 @@ std::string remedy_for(const Pose& pose) {
     }
   }
   if (!scales) {
-    return "give a rotation in seven digits or more, and scale the mesh instead (in C++, "
-           "Pose::normalized corrects a rotation of few digits)";
+    return "give a rotation in seven digits or more, and scale the mesh instead";
   }
   std::array<char, 32> text;
   char* const end = std::to_chars(text.data(), text.data() + text.size(), std::sqrt(square),
@@ -103,7 +115,7 @@ void require_rigid(const Pose& pose, const RigidLimit& limit) {
         throw Error(ErrorKind::not_rigid,
                     "pose: entry " + std::to_string(i) + "," + std::to_string(j) +
                         " of RtR - I is " + shortest(off) + ", above " + limit.text,
-                    remedy_for(pose));
+                    remedy_for(pose, greatest(off_rigid(pose))));
       }
     }
   }
@@ -150,10 +162,13 @@ std::array<double, 16> transposed(std::span<const double, 16> m) {
 }
 
 /// The pose of a matrix row by row.
-Pose from_matrix(const std::array<double, 16>& matrix, std::string_view other) {
+Pose from_matrix(const std::array<double, 16>& matrix, Rotation rotation, std::string_view other) {
   check_last_row(matrix, other);
   Pose pose;
   std::copy_n(matrix.begin(), pose.m.size(), pose.m.begin());
+  if (rotation == Rotation::nearest) {
+    return pose.normalized();
+  }
   check(pose);
   return pose;
 }
@@ -180,8 +195,8 @@ Pose Pose::from_quaternion(double w, double x, double y, double z, const Vec3& t
                 "pose: the quaternion's squared length is " + shortest(norm) + ", not 1",
                 "normalize the quaternion (qw qx qy qz), and write it with seven digits or more");
   }
-  // Twice the inverse of the squared length instead of 2: a quaternion written with six digits is
-  // off length 1 by less than the tolerance, and still gives a rotation to the last bits.
+  // Twice the inverse of the squared length instead of 2: a quaternion that is off length 1 by up
+  // to the tolerance still gives a rotation to the last bits.
   const double s = 2 / norm;
   Pose pose;
   pose.m = {1 - s * (y * y + z * z), s * (x * y - w * z),     s * (x * z + w * y),     t.x,
@@ -218,14 +233,14 @@ Pose Pose::from_axis_angle(const Vec3& axis, double angle, const Vec3& t) {
   return from_quaternion(std::cos(angle / 2), k * u.x, k * u.y, k * u.z, t);
 }
 
-Pose Pose::from_row_major(std::span<const double, 16> matrix) {
+Pose Pose::from_row_major(std::span<const double, 16> matrix, Rotation rotation) {
   std::array<double, 16> rows{};
   std::copy(matrix.begin(), matrix.end(), rows.begin());
-  return from_matrix(rows, "from_column_major");
+  return from_matrix(rows, rotation, "from_column_major");
 }
 
-Pose Pose::from_column_major(std::span<const double, 16> matrix) {
-  return from_matrix(transposed(matrix), "from_row_major");
+Pose Pose::from_column_major(std::span<const double, 16> matrix, Rotation rotation) {
+  return from_matrix(transposed(matrix), rotation, "from_row_major");
 }
 
 std::array<double, 16> Pose::to_row_major() const {

@@ -10,6 +10,13 @@
 
 namespace soms {
 
+/// What a pose made of a matrix takes as its rotation. Floats and printed digits are often too
+/// coarse for a pose as they are.
+enum class Rotation {
+  as_given,  ///< entries as they are, off a rotation by at most 1e-6
+  nearest,   ///< what `Pose::normalized` makes of entries that are off by at most 1e-3
+};
+
 /// Rigid motion `[R | t]`, row-major 3x4 doubles: `r00 r01 r02 tx  r10 r11 r12 ty  r20 r21 r22 tz`.
 /// A default pose is the identity. Queries check a pose once, when they start (`check`).
 struct Pose {
@@ -44,14 +51,18 @@ struct Pose {
   [[nodiscard]] static Pose from_axis_angle(const Vec3& axis, double angle, const Vec3& t = {});
 
   /// The pose of a 4x4 matrix that moves column vectors, stored row by row: entries 3, 7 and 11 are
-  /// the shift. Entries are taken as they are, and the pose passes `check`.
-  /// \errors ErrorKind::not_finite; not_rigid unless the last row is 0 0 0 1, and as `check`. A
-  ///         matrix that is stored by columns, or that scales, is named as such.
-  [[nodiscard]] static Pose from_row_major(std::span<const double, 16> matrix);
+  /// the shift. The pose passes `check`.
+  /// \errors ErrorKind::not_finite; not_rigid unless the last row is 0 0 0 1, and as `check`, or
+  /// with
+  ///         Rotation::nearest as `normalized`. A matrix that is stored by columns, or that scales,
+  ///         is named as such.
+  [[nodiscard]] static Pose from_row_major(std::span<const double, 16> matrix,
+                                           Rotation rotation = Rotation::as_given);
 
   /// The same, stored column by column, as OpenGL, glm and Eigen do: entries 12, 13 and 14 are the
   /// shift. \errors As `from_row_major`.
-  [[nodiscard]] static Pose from_column_major(std::span<const double, 16> matrix);
+  [[nodiscard]] static Pose from_column_major(std::span<const double, 16> matrix,
+                                              Rotation rotation = Rotation::as_given);
 
   /// The 4x4 matrix whose last row is 0 0 0 1, row by row, or column by column.
   [[nodiscard]] std::array<double, 16> to_row_major() const;
@@ -63,10 +74,11 @@ struct Pose {
   /// R and by 1e-14 of |tx| + |ty| + |tz| in the shift. \errors As `check`.
   [[nodiscard]] Pose inverse() const;
 
-  /// The rotation nearest to R with the same shift: for products of very many poses, and for
-  /// matrices that were written with few digits. Three steps of `R := R + (R * (I - RtR)) / 2`,
-  /// whose rounding leaves entries of RtR - I of at most 4e-15. \errors ErrorKind::not_rigid where
-  /// an entry of RtR - I is above 1e-3 before, or where R mirrors; not_finite.
+  /// The rotation nearest to R with the same shift: for products of very many poses. For a
+  /// matrix that is too far off a rotation to be a pose, see Rotation::nearest. Three steps of `R
+  /// := R + (R * (I - RtR)) / 2`, whose rounding leaves entries of RtR - I of at most 4e-15.
+  /// \errors ErrorKind::not_rigid where an entry of RtR - I is above 1e-3 before, or where R
+  /// mirrors; not_finite.
   [[nodiscard]] Pose normalized() const;
 
   [[nodiscard]] Vec3 shift() const { return {m[3], m[7], m[11]}; }

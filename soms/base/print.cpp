@@ -53,6 +53,10 @@ std::ostream& operator<<(std::ostream& out, const Pose& value) {
   return out << rows;
 }
 
+std::ostream& operator<<(std::ostream& out, Rotation value) {
+  return out << printed_name("Rotation", static_cast<int>(value), {"as_given", "nearest"});
+}
+
 std::ostream& operator<<(std::ostream& out, ErrorKind value) {
   return out << name(value);
 }

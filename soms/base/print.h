@@ -8,6 +8,7 @@ namespace soms {
 
 class Error;
 enum class ErrorKind;
+enum class Rotation;
 struct Box;
 struct Pose;
 struct Triangle;
@@ -19,6 +20,7 @@ std::ostream& operator<<(std::ostream& out, const Vec3& value);
 std::ostream& operator<<(std::ostream& out, const Triangle& value);
 std::ostream& operator<<(std::ostream& out, const Box& value);
 std::ostream& operator<<(std::ostream& out, const Pose& value);
+std::ostream& operator<<(std::ostream& out, Rotation value);
 std::ostream& operator<<(std::ostream& out, ErrorKind value);
 std::ostream& operator<<(std::ostream& out, const Error& value);
 

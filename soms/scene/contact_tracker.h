@@ -17,10 +17,10 @@ enum class ContactChange : std::uint8_t {
   end,    ///< they do not touch, and did before; one of them may have been removed
 };
 
-/// Change of a contact between a mover and a part of the environment.
+/// Change of a contact between a mover and a part of the environment, which is a whole body.
 struct EnvironmentEvent {
   MoverId mover = 0;
-  EnvironmentId part = 0;
+  EnvironmentId part = 0;  ///< number of the body, not of a part of its mesh
   ContactChange change = ContactChange::begin;
 
   [[nodiscard]] auto operator<=>(const EnvironmentEvent&) const = default;

@@ -18,9 +18,9 @@ using EnvironmentId = std::uint32_t;
 /// A triangle of a mover touches a triangle of the environment.
 struct EnvironmentContact {
   MoverId mover = 0;
-  EnvironmentId part = 0;
-  TriangleId i = 0;  ///< triangle of the mover
-  TriangleId j = 0;  ///< triangle of the part
+  EnvironmentId part = 0;  ///< number of the body, not of a part of its mesh (see PartsOf)
+  TriangleId i = 0;        ///< triangle of the mover
+  TriangleId j = 0;        ///< triangle of that body
 
   [[nodiscard]] auto operator<=>(const EnvironmentContact&) const = default;
 };

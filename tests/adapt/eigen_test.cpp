@@ -52,6 +52,19 @@ TEST(Eigen, TakesMatricesOfEitherStorageAndOfFloats) {
   EXPECT_EQ(to_pose(Eigen::AffineCompact3d(to_isometry(pose))), pose);
 }
 
+// As of the product of some dozens of rotations in floats.
+TEST(Eigen, CorrectsFloatsOnRequest) {
+  Eigen::Isometry3f drifted(Eigen::Translation3f(7, 8, 9) *
+                            Eigen::AngleAxisf(0.7F, Eigen::Vector3f::UnitZ()));
+  drifted.linear() *= 1.0000015F;
+  EXPECT_THROW(static_cast<void>(to_pose(drifted)), Error);
+  const Pose pose = to_pose(drifted, Rotation::nearest);
+  check(pose);
+  EXPECT_EQ(pose, to_pose(drifted.matrix(), Rotation::nearest));
+  EXPECT_EQ(pose.shift(), (Vec3{7, 8, 9}));
+  EXPECT_LE((to_isometry(pose).matrix() - drifted.matrix().cast<double>()).norm(), 4e-6);
+}
+
 TEST(Eigen, RefusesScaleAsThePoseDoes) {
   Eigen::Affine3d scaled = Eigen::Affine3d::Identity();
   scaled.scale(2);

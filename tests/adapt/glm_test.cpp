@@ -58,6 +58,17 @@ TEST(Glm, TakesFloatsAsTheyAre) {
   EXPECT_TRUE(to_mat4(pose) == matrix);
 }
 
+// As of the product of some dozens of rotations in floats.
+TEST(Glm, CorrectsFloatsOnRequest) {
+  const glm::mat4 drifted =
+      glm::scale(glm::rotate(glm::mat4(1), 0.7F, glm::vec3(0, 0, 1)), glm::vec3(1.0000015F));
+  EXPECT_THROW(static_cast<void>(to_pose(drifted)), Error);
+  const Pose pose = to_pose(drifted, Rotation::nearest);
+  check(pose);
+  EXPECT_EQ(pose, to_pose(glm::dmat4(drifted), Rotation::nearest));
+  EXPECT_NEAR(pose.m[0], static_cast<double>(drifted[0][0]), 2e-6);
+}
+
 TEST(Glm, RefusesScaleAndTheOtherOrder) {
   EXPECT_THROW(static_cast<void>(to_pose(glm::scale(glm::dmat4(1), glm::dvec3(2)))), Error);
   try {

@@ -325,6 +325,40 @@ TEST(PoseMatrix, RefusesProjectionsAndNumbersThatAreNone) {
                    {ErrorKind::not_finite, "entry tx", "finite"});
 }
 
+/// 45 degrees about z, written with three digits, and a shift.
+std::array<double, 16> rough_rotation() {
+  return {0.707, -0.707, 0, 5, 0.707, 0.707, 0, 6, 0, 0, 1, 7, 0, 0, 0, 1};
+}
+
+TEST(PoseMatrix, IsMadeTheNearestRotationOnRequest) {
+  const std::array<double, 16> rows = rough_rotation();
+  expect_complaint([&] { static_cast<void>(Pose::from_row_major(rows)); },
+                   {ErrorKind::not_rigid, "of RtR - I", "Rotation::nearest"});
+  const Pose pose = Pose::from_row_major(rows, Rotation::nearest);
+  check(pose);
+  EXPECT_LE(off_a_rotation(pose), 4e-15);
+  EXPECT_EQ(pose.shift(), (Vec3{5, 6, 7}));
+  Pose given;
+  std::copy_n(rows.begin(), 12, given.m.begin());
+  EXPECT_EQ(pose, given.normalized());
+  const std::array<double, 16> columns{0.707, 0.707, 0, 0, -0.707, 0.707, 0, 0,
+                                       0,     0,     1, 0, 5,      6,     7, 1};
+  EXPECT_EQ(Pose::from_column_major(columns, Rotation::nearest), pose);
+}
+
+TEST(PoseMatrix, IsMadeNoRotationWhereItIsFarFromOne) {
+  std::array<double, 16> matrix = rough_rotation();
+  const auto make = [&] { static_cast<void>(Pose::from_row_major(matrix, Rotation::nearest)); };
+  matrix[0] = 0.71;
+  expect_complaint(make, {ErrorKind::not_rigid, "above 1e-3", "give a rotation"});
+  matrix = Pose{}.to_row_major();
+  matrix[0] = -1;
+  expect_complaint(make, {ErrorKind::not_rigid, "mirrors", "mirror the mesh"});
+  matrix = rough_rotation();
+  matrix[15] = 2;
+  expect_complaint(make, {ErrorKind::not_rigid, "is 0 0 0 2, not 0 0 0 1", "without projection"});
+}
+
 TEST(PoseMatrix, SaysWhatToDoAboutScale) {
   std::array<double, 16> matrix = Pose::about_z(1).to_row_major();
   for (const std::size_t i : {0U, 1U, 2U, 4U, 5U, 6U, 8U, 9U, 10U}) {

@@ -29,6 +29,7 @@ TEST(Print, ShowsVectorsBoxesAndPosesOnOneLine) {
 }
 
 TEST(Print, ShowsErrorsWithTheirKind) {
+  EXPECT_EQ(printed(Rotation::nearest), "nearest");
   EXPECT_EQ(printed(ErrorKind::not_rigid), "not_rigid");
   EXPECT_EQ(printed(Error(ErrorKind::usage, "a\tb", "c")), R"(Error{usage, "a\x09b; c"})");
 }

@@ -85,6 +85,25 @@ TEST_F(Report, OfASimulationCountsAsTheAnswerDoes) {
   EXPECT_EQ(page.substr(page.size() - 8), "</html>\n");
 }
 
+TEST_F(Report, CountsAContactOfTwoMoversForBothModels) {
+  const std::string town = write("town.off", test::triangle_off("50 0 0", "51 0 0", "50 1 0"));
+  const std::string hammer = write("hammer.off", test::triangle_off("0 0 0", "1 0 0", "0 1 0"));
+  const std::string anvil =
+      write("anvil.off", test::triangle_off("0.2 0.2 -1", "0.2 0.2 1", "3 3 1"));
+  const std::string route = write("route.csv", "x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n");
+  const test::RunResult run = test::soms_run({"simulate", town, "--mover", hammer, "--mover", anvil,
+                                              "--route", route, "--route", route, "--frames", "1",
+                                              "--report", at("page.html"), "--json", "--quiet"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  ASSERT_EQ(test::Json::parse(run.out)["contacts_between_movers"], 1) << run.out;
+  const std::string page = test::read_text(at("page.html"));
+  const std::size_t begin = page.find("<title>Models by contacts</title>");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string chart = page.substr(begin, page.find("</svg>", begin) - begin);
+  EXPECT_EQ(count(chart, ">hammer</text>"), 1U);
+  EXPECT_EQ(count(chart, ">anvil</text>"), 1U);
+}
+
 TEST_F(Report, OfTheSameRunIsTheSameButForTimes) {
   const std::string town = write("town.obj", town_obj());
   std::vector<std::string> scenes;

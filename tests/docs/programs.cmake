@@ -17,3 +17,4 @@ endfunction()
 
 soms_page_program(scene 1)
 soms_page_program(scene 2)
+soms_page_program(scene 3)

@@ -4,13 +4,15 @@
 
 Installs the build into a scratch prefix, moves it elsewhere, and builds the first C++ block of
 README.md there with find_package(soms); without flags (those of a sanitizer) with pkg-config, too.
-The programs beside the command, the manual and the words for the shell are found there.
+The programs beside the command, the manual and the words for the shell are found there. A component
+that is not installed is refused, and CMake says why.
 """
 import pathlib
+import subprocess
 import sys
 import tempfile
 
-from outside import Models, by_cmake, by_pkg_config, install, readme_program, run
+from outside import CONSUMER, Models, by_cmake, by_pkg_config, install, readme_program, run
 
 
 # Of a format that soms-import reads.
@@ -53,6 +55,23 @@ def check_command(prefix, build, folder):
             sys.exit(f"share/{name} is not installed")
 
 
+def check_missing_components(prefix, folder, compiler):
+    """find_package says what to do about a component that is not installed."""
+    shared = any(prefix.rglob("soms_shared.cmake"))
+    missing, reason = (("static", "only the shared library is installed") if shared else
+                       ("shared", "only the static library is installed; build soms with "
+                                  "-D SOMS_SHARED=ON"))
+    for component, expected in ((missing, reason), ("viewer", 'soms has no component "viewer"')):
+        done = subprocess.run(
+            ["cmake", "-S", CONSUMER, "-B", folder / f"without-{component}", "-G", "Ninja",
+             f"-DCMAKE_CXX_COMPILER={compiler}", f"-DCMAKE_PREFIX_PATH={prefix}",
+             f"-DCONSUMER_COMPONENTS={component}"], check=False, capture_output=True, text=True)
+        if done.returncode == 0 or expected not in " ".join(done.stderr.split()):
+            sys.exit(f"find_package(soms COMPONENTS {component}): status {done.returncode}, not "
+                     f"'{expected}':\n{done.stderr}")
+        print(f"find_package(soms COMPONENTS {component}): refused with its reason", flush=True)
+
+
 def main():
     source, build, compiler = map(pathlib.Path, sys.argv[1:4])
     flags = " ".join(sys.argv[4:])
@@ -60,6 +79,7 @@ def main():
         folder = pathlib.Path(name)
         prefix = install(build, folder / "moved")
         check_command(prefix, build, folder)
+        check_missing_components(prefix, folder, compiler)
         program = readme_program(source)
         models = Models(folder, prefix / "bin/soms", program)
         models.check("find_package(soms)", *by_cmake(

@@ -113,6 +113,11 @@ TEST(PoseReader, NamesFileAndLine) {
   expect_no_poses("x,y,z,qw,qx,qy,qz\n\n1,2,3,2,0,0,0\n", ErrorKind::not_rigid, "line 3: pose:");
   expect_no_poses("r00,r01,r02,tx,r10,r11,r12,ty,r20,r21,r22,tz\n2,0,0,0,0,1,0,0,0,0,1,0\n",
                   ErrorKind::not_rigid, "line 2: pose: entry 0,0");
+  // 39.52 degrees about z as printf's %.6f prints it.
+  expect_no_poses(
+      "r00,r01,r02,tx,r10,r11,r12,ty,r20,r21,r22,tz\n"
+      "0.771403,-0.636348,0,0,0.636348,0.771403,0,0,0,0,1,0\n",
+      ErrorKind::not_rigid, "print the rotation with more digits");
   expect_no_poses("x,y,z\n" + std::string(1100000, '1') + ",2,3\n", ErrorKind::bad_file,
                   "line 2: longer than 1 MiB");
 }

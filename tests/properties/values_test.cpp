@@ -28,7 +28,7 @@ concept Value = std::copyable<T> && std::equality_comparable<T> &&
 template <class... T>
 constexpr bool kValues = (Value<T> && ...);
 
-static_assert(kValues<Vec3, Triangle, Box, Pose, ErrorKind>);
+static_assert(kValues<Vec3, Triangle, Box, Pose, Rotation, ErrorKind>);
 static_assert(kValues<Mesh, Part, PartRun, UpAxis, Defects, DefectPlaces, DefectOptions, EdgeCounts,
                       EdgePlace, TriangleCopy, VertexCopy, Crossing, Sign, Projection, Midpoint,
                       CoordinateFrame, FrameDoubt>);
