@@ -17,3 +17,5 @@ endfunction()
 
 soms_page_program(scene 1)
 soms_page_program(scene 2)
+soms_page_program(trees 1)
+soms_page_program(trees 2)
