@@ -157,7 +157,7 @@ TEST(OverlapVerb, CountsTheTrianglePairsOfANamedTraversal) {
 }
 
 TEST(OverlapVerb, CountsANamedTraversalPoseByPose) {
-  const TempFolder folder;
+  const TemporaryFolder folder;
   const std::string poses = (folder.path() / "poses.csv").string();
   write_text(poses, "x,y,z\n1.5,0.25,0.25\n9,0,0\n");
   const std::vector<Json> answers =
