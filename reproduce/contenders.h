@@ -24,6 +24,12 @@ inline constexpr std::string_view kThesisOptions =
     " Rules of the thesis with the thesis' options: midpoint thesis, axis of the outer box (SOMS: "
     "inner), empty side stop, C = 2.";
 
+/// The options of `all_builds`, for captions of charts that show all of them.
+inline constexpr std::string_view kComparedOptions =
+    " Rules of the thesis with the thesis' options. SAH: to the same level and with one triangle a "
+    "leaf, too, but midpoint aabb and empty side object_median. The library's default: rule fast, "
+    "leaves of at most 8 triangles, no limit of levels.";
+
 /// Object median, object mean, spatial median and SOMS with the thesis' options, in this order.
 [[nodiscard]] std::vector<Contender> thesis_rules(int level);
 

@@ -55,13 +55,14 @@ Panel level_panel(const Mesh& mesh, const Tree& tree, int level, std::string tit
                : count.nodes == 1 ? "1 box"
                                   : fmt::format("{} boxes", to_text(count.nodes));
   if (count.ended > 0) {
-    panel.note += fmt::format(", {} {} ended above", to_text(count.ended),
-                              count.ended == 1 ? "leaf" : "leaves");
+    panel.note +=
+        fmt::format(" and {} {} above", to_text(count.ended), count.ended == 1 ? "leaf" : "leaves");
   }
   panel.note +=
       count.fewest == count.most
-          ? fmt::format("; {} triangle{}", to_text(count.most), count.most == 1 ? "" : "s")
-          : fmt::format("; {} to {} triangles", to_text(count.fewest), to_text(count.most));
+          ? fmt::format(": {} triangle{}", to_text(count.most), count.most == 1 ? "" : "s")
+          : fmt::format(": {} to {} triangles", to_text(count.fewest), to_text(count.most));
+  panel.note += count.nodes + count.ended > 1 ? " each" : "";
   return panel;
 }
 

@@ -505,6 +505,8 @@ DRAWINGS = {
 
 def main():
     root = pathlib.Path(__file__).resolve().parent.parent
+    if len(sys.argv) > 2 or any(word.startswith("-") for word in sys.argv[1:]):
+        sys.exit("usage: draw_terms.py [FOLDER]   (without it: docs/pictures/terms)")
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else root / "docs/pictures/terms"
     folder.mkdir(parents=True, exist_ok=True)
     for name, draw in DRAWINGS.items():

@@ -34,7 +34,7 @@ for level in 1 3 5 6; do
     --camera 200:15 --size 640x480
 done
 draw bunny_traversal "$data/ply/bun_zipper_res2.ply" --up y --mover "$data/ply/bun_zipper_res3.ply" \
-  --mover-up y --pose "0.1 -0.04 0.05" --trace --rule soms --traversal e-node --colors plain \
+  --mover-up y --pose "0.1 -0.04 0.05" --trace --rule soms --traversal e-node --descent larger --colors plain \
   --camera 200:20 --size 960x640
 
 draw new_york "$data/cities/new_york_south.ply" "$data/cities/new_york_mid.ply" \

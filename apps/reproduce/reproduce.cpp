@@ -6,6 +6,7 @@
 #include "apps/support/exit_status.h"
 #include "apps/support/output.h"
 #include "apps/support/parse.h"
+#include "apps/support/suggest.h"
 #include "apps/support/text.h"
 #include "reproduce/report.h"
 
@@ -49,6 +50,22 @@ std::vector<std::string_view> words_of(const std::vector<std::string>& items) {
   return words;
 }
 
+/// The item that was meant by the first word that names none; empty if none is near.
+std::string meant_item(const std::vector<std::string_view>& words) {
+  std::vector<std::string> items;
+  for (const reproduce::Experiment& experiment : reproduce::experiments()) {
+    items.emplace_back(experiment.item);
+  }
+  for (const std::string_view& word : words) {
+    try {
+      static_cast<void>(reproduce::experiments_named({&word, 1}));
+    } catch (const Error&) {
+      return nearest_words(word, items);
+    }
+  }
+  return {};
+}
+
 std::vector<const reproduce::Experiment*> chosen(const ReproduceOptions& options) {
   const std::vector<std::string_view> words = words_of(options.items);
   if (words.empty() && !options.items.empty()) {
@@ -57,7 +74,9 @@ std::vector<const reproduce::Experiment*> chosen(const ReproduceOptions& options
   try {
     return reproduce::experiments_named(words);
   } catch (const Error& error) {
-    throw Error(error.kind(), "--item: " + error.place(), error.remedy());
+    const std::string near = meant_item(words);
+    throw Error(error.kind(), "--item: " + error.place(),
+                (near.empty() ? "" : "did you mean " + near + "? ") + error.remedy());
   }
 }
 

@@ -51,6 +51,7 @@ Json to_json(const RuleReport& r) {
           {"single_triangle_leaves", counts.one},
           {"leaves_below_5_triangles", counts.lt5},
           {"largest_leaf_triangles", counts.largest_leaf},
+          {"undividable", counts.undividable},
           {"sah_cost", r.sah},
           {"build_ms", r.build_ms},
           {"build_runs", r.build_runs},
@@ -68,12 +69,14 @@ std::string describe_trees(const std::vector<RuleReport>& trees, int per_leaf) {
   }
   std::string text = fmt::format("  trees with at most {} per leaf\n",
                                  counted(static_cast<std::uint64_t>(per_leaf), "triangle"));
-  text += fmt::format("    {:<14}{:>7}{:>6}{:>12}{:>13}{:>10}{:>10}{:>8}\n", "rule", "levels",
-                      "full", "leaves", "1-triangle", "SAH cost", "build ms", "builds");
+  text +=
+      fmt::format("    {:<14}{:>7}{:>6}{:>12}{:>13}{:>13}{:>10}{:>10}{:>8}\n", "rule", "levels",
+                  "full", "leaves", "1-triangle", "undividable", "SAH cost", "build ms", "builds");
   for (const RuleReport& r : trees) {
-    text += fmt::format("    {:<14}{:>7}{:>6}{:>12}{:>13}{:>10.2f}{:>10.2f}{:>8}\n", r.rule,
+    text += fmt::format("    {:<14}{:>7}{:>6}{:>12}{:>13}{:>13}{:>10.2f}{:>10.2f}{:>8}\n", r.rule,
                         r.levels, r.counts.balanced_level, with_commas(r.counts.leaves),
-                        with_commas(r.counts.one), r.sah, r.build_ms, r.build_runs);
+                        with_commas(r.counts.one), with_commas(r.counts.undividable), r.sah,
+                        r.build_ms, r.build_runs);
   }
   return text;
 }

@@ -60,6 +60,7 @@ class OverlapRun {
                 // Whoever reads a program's answers needs no other form for a single row.
                 .single = poses_.is_stated() || (!console.shared().json && poses_.is_single()),
                 .verified = options.verify,
+                .traversal = options.query.traversal.traversal,
                 .by_part = options.by_part,
                 .read_a = stated_options(options.model_a, "--scale", "--up"),
                 .read_b = stated_options(options.model_b, "--scale-b", "--up-b")},
@@ -253,7 +254,8 @@ class OverlapRun {
     return {.any = batch.any[k] != 0,
             .pairs = {pairs.begin(), pairs.end()},
             .coverage = batch.coverage[k],
-            .cost = batch.costs[k]};
+            .cost = batch.costs[k],
+            .traversal = batch.traversals.empty() ? TraversalCounts{} : batch.traversals[k]};
   }
 
   /// One pose uses the threads inside its query, several share them out.

@@ -1,5 +1,7 @@
 #include "apps/soms/overlap_report.h"
 
+#include "soms/query/traversal/traversals.h"
+
 #include "apps/soms/overlap_by_part.h"
 #include "apps/support/console.h"
 #include "apps/support/json.h"
@@ -63,6 +65,17 @@ std::string warnings_key(const OverlapReport& report, std::uint64_t pose) {
   return list.empty() ? std::string() : ",\"warnings\":" + json_text(list);
 }
 
+/// The counts of a named traversal; nothing for the default, which has none.
+std::string traversal_keys(const OverlapReport& report, const TraversalCounts& counts) {
+  return report.traversal == Traversal::fast
+             ? std::string()
+             : fmt::format(
+                   ",\"entered\":{},\"leaf_pairs\":{},\"triangle_pairs\":{},\"first_tests\":{},"
+                   "\"max_stack\":{}",
+                   counts.entered, counts.leaf_pairs, counts.triangle_pairs, counts.first_tests,
+                   counts.max_stack);
+}
+
 void print_json(const OverlapReport& report, std::uint64_t pose, const Overlap& answer, bool right,
                 Console& console, std::span<const PartPair> parts) {
   const char* const overlap = is_undecided(answer) ? "null" : answer.any ? "true" : "false";
@@ -74,9 +87,9 @@ void print_json(const OverlapReport& report, std::uint64_t pose, const Overlap& 
   }
   text += fmt::format(
       ",\"coverage\":\"{}\",\"cost\":{{\"node_tests\":{},\"triangle_tests\":{},"
-      "\"exact_tests\":{}}}",
+      "\"exact_tests\":{}{}}}",
       coverage_name(answer.coverage), answer.cost.node_tests, answer.cost.triangle_tests,
-      answer.cost.exact_tests);
+      answer.cost.exact_tests, traversal_keys(report, answer.traversal));
   if (report.verified) {
     text += right ? ",\"verified\":true" : ",\"verified\":false";
   }
@@ -124,17 +137,32 @@ std::string summary(const OverlapReport& report, const Overlap& answer) {
                      counted(answer.pairs.size(), "pair"), one ? "s" : "");
 }
 
+/// What a named traversal did, in a line: who names one wants to compare.
+void print_traversal(const OverlapReport& report, const Overlap& answer, Console& console) {
+  if (!report.single || report.traversal == Traversal::fast) {
+    return;
+  }
+  const TraversalCounts& counts = answer.traversal;
+  console.print(fmt::format(
+      "  traversal {}: {}, {} entered, {}, {}, {} of them decided\n", entry(report.traversal).kebab,
+      counted(counts.box_tests, "box test"), counted(counts.entered, "pair"),
+      counted(counts.leaf_pairs, "leaf pair"), counted(counts.triangle_pairs, "triangle pair"),
+      with_commas(answer.cost.triangle_tests)));
+}
+
 void print_text(const OverlapReport& report, std::uint64_t pose, const Overlap& answer,
                 Console& console, std::span<const PartPair> parts) {
   if (report.by_part && answer.any) {
     console.print(report.single ? "" : fmt::format("pose {}: ", pose));
     print_parts_as_text(report, answer, parts, console);
+    print_traversal(report, answer, console);
     return;
   }
   const bool strong = console.colored() && answer.any;
   console.print(fmt::format("{}{}{}{}\n", report.single ? "" : fmt::format("pose {}: ", pose),
                             strong ? "\x1b[1m" : "", summary(report, answer),
                             strong ? "\x1b[0m" : ""));
+  print_traversal(report, answer, console);
   if (!report.single || !report.list_pairs || report.mode != OverlapMode::all) {
     return;
   }

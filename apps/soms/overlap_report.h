@@ -22,8 +22,9 @@ struct OverlapReport {
   const Mesh& b;
   OverlapMode mode = OverlapMode::all;
   bool list_pairs = true;
-  bool single = true;     ///< one pose: pairs are listed; else a line a pose
-  bool verified = false;  ///< compared with brute force
+  bool single = true;                     ///< one pose: pairs are listed; else a line a pose
+  bool verified = false;                  ///< compared with brute force
+  Traversal traversal = Traversal::fast;  ///< counts of any other are reported
   bool interrupted = false;
   bool timed_out = false;                   ///< --timeout ended the run; there may be more poses
   bool by_part = false;                     ///< pairs of parts are listed, not of triangles

@@ -33,10 +33,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return above[b.size()];
 }
 
-std::string lower(std::string_view word) {
+/// In small letters, with `-` for `_`: how names of options are written.
+std::string kebab(std::string_view word) {
   std::string result(word);
   std::transform(result.begin(), result.end(), result.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c == '_' ? '-' : c;
   });
   return result;
 }
@@ -49,11 +50,11 @@ std::string nearest_words(std::string_view word, const std::vector<std::string>&
   if (word.size() > 64) {
     return {};
   }
+  const auto same = std::find_if(known.begin(), known.end(), [&](const std::string& candidate) {
+    return kebab(candidate) == kebab(word);
+  });
   // Of one or two letters, every other such word is near.
-  if (word.size() <= 2) {
-    const auto same = std::find_if(known.begin(), known.end(), [&](const std::string& candidate) {
-      return lower(candidate) == lower(word);
-    });
+  if (same != known.end() || word.size() <= 2) {
     return same == known.end() ? std::string() : *same;
   }
   std::size_t best = std::clamp<std::size_t>(word.size() / 3, 1, 3) + 1;

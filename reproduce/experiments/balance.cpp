@@ -15,10 +15,10 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::array<std::string_view, 13> kColumns{
-    "model",          "origin", "triangles",      "rule",           "axis_from",
-    "empty_side",     "level",  "possible_level", "balanced_level", "min_leaf_depth",
-    "max_leaf_depth", "leaves", "largest_leaf"};
+constexpr std::array<std::string_view, 14> kColumns{
+    "model",          "origin",         "triangles", "rule",           "midpoint",
+    "axis_from",      "empty_side",     "level",     "possible_level", "balanced_level",
+    "min_leaf_depth", "max_leaf_depth", "leaves",    "largest_leaf"};
 
 constexpr std::array kPolicies{EmptySide::stop, EmptySide::next_axis};
 
@@ -147,8 +147,8 @@ Result balance(const Context& context) {
               note,
           kColumns, counts)},
       .figures = {{.id = "balance",
-                   .caption =
-                       "Balanced level with the thesis' options: higher is more balanced." + note,
+                   .caption = fmt::format("Balanced level: higher is more balanced.{}{}",
+                                          kComparedOptions, note),
                    .svg = bars_of("Balanced level", "level", with_usual_options(counts),
                                   balanced_level)}},
       .findings = {against_spatial_median(tasks, counts, note)},

@@ -42,18 +42,18 @@ Result table_5_10(const Context& context) {
   const std::vector<Counted> counts = count_all(
       scenes, with_each(all_builds_and_axes(kSceneLevel), kAllPolicies), context.parallel);
   const std::string note = note_on_stand_ins(scenes);
-  return {.tables = {count_table(
-              "table_5_10",
-              fmt::format("Leaves with fewer than five triangles, urban scenes at level {}; "
-                          "lt5_percent is their share of the leaves.{}",
-                          kSceneLevel, note),
-              kColumns, counts)},
-          .figures = {{.id = "table_5_10",
-                       .caption = fmt::format("Leaves with fewer than five triangles at level {}, "
-                                              "with the thesis' options.{}",
-                                              kSceneLevel, note),
-                       .svg = bars_of("Leaves with fewer than five triangles", "leaves",
-                                      with_usual_options(counts), lt5)}}};
+  return {
+      .tables = {count_table(
+          "table_5_10",
+          fmt::format("Leaves with fewer than five triangles, urban scenes at level {}; "
+                      "lt5_percent is their share of the leaves.{}",
+                      kSceneLevel, note),
+          kColumns, counts)},
+      .figures = {{.id = "table_5_10",
+                   .caption = fmt::format("Leaves with fewer than five triangles at level {}.{}{}",
+                                          kSceneLevel, kComparedOptions, note),
+                   .svg = bars_of("Leaves with fewer than five triangles", "leaves",
+                                  with_usual_options(counts), lt5)}}};
 }
 
 }  // namespace soms::reproduce

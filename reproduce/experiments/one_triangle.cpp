@@ -45,9 +45,8 @@ Result tables_of(const std::string& id, std::span<const Model> models, int level
       level, note);
   return {.tables = {count_table(id, caption, kColumns, counts)},
           .figures = {{.id = id,
-                       .caption = fmt::format("Triangles alone in a leaf at level {}, with the "
-                                              "thesis' options.{}",
-                                              level, note),
+                       .caption = fmt::format("Triangles alone in a leaf at level {}.{}{}", level,
+                                              kComparedOptions, note),
                        .svg = bars_of("Triangles that are alone in a leaf", "% of all triangles",
                                       with_usual_options(counts), one_percent)}}};
 }

@@ -131,21 +131,20 @@ Result table_5_11(const Context& context) {
   const std::vector<Counted> counts = count_all(
       scenes, with_each(all_builds_and_axes(kSceneLevel), kAllPolicies), context.parallel);
   const std::string note = note_on_stand_ins(scenes);
-  return {
-      .tables = {count_table("table_5_11",
-                             fmt::format("Nodes that cannot be divided, urban scenes at level "
-                                         "{}.{}",
-                                         kSceneLevel, note),
-                             kColumns, counts)},
-      .figures = {{.id = "table_5_11",
-                   .caption = fmt::format(
-                       "Nodes that cannot be divided at level {}, with the thesis' options. One "
-                       "near the root is worse than a thousand at the bottom: see column "
-                       "largest_leaf.{}",
-                       kSceneLevel, note),
-                   .svg = bars_of("Nodes that cannot be divided", "nodes",
-                                  with_usual_options(counts), undividable)}},
-      .findings = {goes_on(scenes, kSceneLevel, context.parallel)}};
+  return {.tables = {count_table("table_5_11",
+                                 fmt::format("Nodes that cannot be divided, urban scenes at level "
+                                             "{}.{}",
+                                             kSceneLevel, note),
+                                 kColumns, counts)},
+          .figures =
+              {{.id = "table_5_11",
+                .caption = fmt::format(
+                    "Nodes that cannot be divided at level {}. One near the root is worse than a "
+                    "thousand at the bottom: see column largest_leaf.{}{}",
+                    kSceneLevel, kComparedOptions, note),
+                .svg = bars_of("Nodes that cannot be divided", "nodes", with_usual_options(counts),
+                               undividable)}},
+          .findings = {goes_on(scenes, kSceneLevel, context.parallel)}};
 }
 
 }  // namespace soms::reproduce

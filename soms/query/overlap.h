@@ -6,6 +6,7 @@
 #include "soms/base/parallel.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
+#include "soms/query/traversal/pair_traversal.h"
 #include "soms/query/traversal_options.h"
 
 #include <array>
@@ -54,6 +55,7 @@ struct Overlap {
   std::vector<TrianglePair> pairs;  ///< sorted by first, then second; one pair in modes any, first
   Coverage coverage = Coverage::complete;
   Cost cost;
+  TraversalCounts traversal = {};  ///< of a named traversal; zeros for the default
 
   [[nodiscard]] bool operator==(const Overlap&) const = default;
 
@@ -82,6 +84,7 @@ struct OverlapBatch {
   std::vector<TrianglePair> pairs;     ///< in modes any and first: the pair found, if any
   std::vector<Cost> costs;             ///< n
   Cost cost;                           ///< of all poses together
+  std::vector<TraversalCounts> traversals = {};  ///< n with a named traversal, else none
 
   [[nodiscard]] bool operator==(const OverlapBatch&) const = default;
 

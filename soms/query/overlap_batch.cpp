@@ -43,6 +43,8 @@ void join(std::span<const RunAnswers> blocks, OverlapBatch& batch) {
       batch.costs.push_back(answer.cost);
       batch.cost += answer.cost;
     }
+    batch.traversals.insert(batch.traversals.end(), block.traversals.begin(),
+                            block.traversals.end());
   }
 }
 

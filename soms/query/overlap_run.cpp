@@ -207,6 +207,7 @@ void query_named(const PoseQueries& run_input, RunAnswers& answers) {
   for (std::size_t i = 0; i < run_input.poses.size(); ++i) {
     add(ask(*run_input.poses[i], run_input.fixed.pose, run_input.options, run_input.parallel), i,
         answers);
+    answers.traversals.push_back(ask.counts());
   }
 }
 
@@ -231,6 +232,7 @@ void OverlapRun::ask(const Shape& mover, std::span<const Pose* const> poses, con
   check(options);
   const PoseQueries run_input{mover, poses, fixed, options, parallel};
   answers.pairs.clear();
+  answers.traversals.clear();
   answers.poses.assign(poses.size(), {});
   if (options.traversal.traversal != Traversal::fast) {
     query_named(run_input, answers);

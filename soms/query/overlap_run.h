@@ -30,6 +30,7 @@ struct RunAnswers {
 
   std::vector<Answer> poses;
   std::vector<TrianglePair> pairs;
+  std::vector<TraversalCounts> traversals = {};  ///< pose by pose with a named traversal, else none
 
   [[nodiscard]] bool operator==(const RunAnswers&) const = default;
 

@@ -45,11 +45,15 @@ std::ostream& operator<<(std::ostream& out, Coverage value) {
 }
 
 std::ostream& operator<<(std::ostream& out, const Overlap& value) {
-  return out << PrintedFields("Overlap")
-                    .add("any", value.any)
-                    .item(pairs_in_words(value.pairs))
-                    .add("coverage", value.coverage)
-                    .add("cost", value.cost);
+  PrintedFields fields("Overlap");
+  fields.add("any", value.any)
+      .item(pairs_in_words(value.pairs))
+      .add("coverage", value.coverage)
+      .add("cost", value.cost);
+  if (value.traversal != TraversalCounts{}) {
+    fields.add("traversal", value.traversal);
+  }
+  return out << fields;
 }
 
 std::ostream& operator<<(std::ostream& out, const OverlapBatch& value) {
@@ -80,6 +84,20 @@ std::ostream& operator<<(std::ostream& out, const OverlapOptions& value) {
 
 std::ostream& operator<<(std::ostream& out, OverlapMode value) {
   return out << printed_name("OverlapMode", static_cast<int>(value), {"all", "any", "first"});
+}
+
+std::ostream& operator<<(std::ostream& out, const TraversalCounts& value) {
+  return out << PrintedFields("TraversalCounts")
+                    .add("box_tests", value.box_tests)
+                    .add("entered", value.entered)
+                    .add("leaf_pairs", value.leaf_pairs)
+                    .add("triangle_pairs", value.triangle_pairs)
+                    .add("first_tests", value.first_tests)
+                    .add("max_stack", value.max_stack);
+}
+
+std::ostream& operator<<(std::ostream& out, const NodePair& value) {
+  return out << PrintedFields("NodePair").add("a", value.a).add("b", value.b);
 }
 
 std::ostream& operator<<(std::ostream& out, const TraversalOptions& value) {

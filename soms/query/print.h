@@ -15,10 +15,12 @@ enum class OverlapMode;
 enum class Traversal;
 struct Body;
 struct Cost;
+struct NodePair;
 struct Overlap;
 struct OverlapBatch;
 struct OverlapOptions;
 struct RunAnswers;
+struct TraversalCounts;
 struct TraversalOptions;
 
 /// One line, as in soms/base/print.h. Lists are counted, not listed.
@@ -30,6 +32,8 @@ std::ostream& operator<<(std::ostream& out, const OverlapBatch& value);
 std::ostream& operator<<(std::ostream& out, const RunAnswers& value);
 std::ostream& operator<<(std::ostream& out, const OverlapOptions& value);
 std::ostream& operator<<(std::ostream& out, OverlapMode value);
+std::ostream& operator<<(std::ostream& out, const TraversalCounts& value);
+std::ostream& operator<<(std::ostream& out, const NodePair& value);
 std::ostream& operator<<(std::ostream& out, const TraversalOptions& value);
 std::ostream& operator<<(std::ostream& out, Traversal value);
 std::ostream& operator<<(std::ostream& out, Descent value);

@@ -5,6 +5,7 @@
 #include "soms/base/parallel.h"
 #include "soms/geometry/mesh.h"
 #include "soms/tree/build_options.h"
+#include "soms/tree/rule/split.h"
 #include "soms/tree/tree.h"
 
 namespace soms {
@@ -25,6 +26,18 @@ class WideTree;
 /// \source  thesis, chapter 4; Ericson 2005, section 6.2.1.
 [[nodiscard]] Tree build(const Mesh& mesh, const BuildOptions& options = {},
                          const Parallel& parallel = {});
+
+/// The tree by a rule of your own: as `build`, with `rule` in place of that of `options.rule`,
+/// which is not looked at. The axis that it is given is that of the inner box unless `axis_from`
+/// says otherwise; it sees the outer box, and triangles in ascending order of their numbers. What
+/// happens where it leaves a side empty is `empty_side`. Only the tree is made; shapes use named
+/// rules.
+///
+/// \pre     `check(mesh)` passes. `rule` depends on its arguments alone, returns an axis below 3,
+///          throws nothing, and may be called by several threads at once.
+/// \errors  As `build`; ErrorKind::usage without a rule.
+[[nodiscard]] Tree build_by(const Mesh& mesh, RuleFunction rule, BuildOptions options = {},
+                            const Parallel& parallel = {});
 
 /// The layout of the same tree, which is never put together: `WideTree(build(mesh, options), mesh)`
 /// byte for byte, sooner and with less memory in between.

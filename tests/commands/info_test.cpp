@@ -60,6 +60,7 @@ TEST(Info, CountsTheTreeOfTheThesis) {
   EXPECT_EQ(tree.at("leaves"), 924);
   EXPECT_EQ(tree.at("single_triangle_leaves"), 904);
   EXPECT_EQ(tree.at("full_levels"), 6);
+  EXPECT_EQ(tree.at("undividable"), 20);
   EXPECT_LE(tree.at("levels"), 15);
 }
 
@@ -97,10 +98,17 @@ TEST(Info, TimesAsManyBuildsAsFitIntoATenthOfASecond) {
 
 TEST(Info, SaysOfHowManyBuildsATimeIsTheMedian) {
   const RunResult text = soms_run({"info", test::data("truth/meshes/box2.ply").string()});
-  EXPECT_NE(text.out.find("    rule           levels  full      leaves   1-triangle  SAH cost  "
-                          "build ms  builds\n"),
+  EXPECT_NE(text.out.find("    rule           levels  full      leaves   1-triangle  undividable  "
+                          "SAH cost  build ms  builds\n"),
             std::string::npos)
       << text.out;
+}
+
+// Two equal triangles have one midpoint: no plane parts them.
+TEST(Info, CountsNodesThatARuleCannotDivide) {
+  const std::string path = test::data("nasty/two_triangles_same.ply").string();
+  const Json report = info({path, "--rule", "soms", "--empty-side", "stop"});
+  EXPECT_EQ(report.at("trees").at(0).at("undividable"), 1);
 }
 
 TEST(Info, TellsPartsInJsonAndInText) {

@@ -134,6 +134,40 @@ TEST(OverlapVerb, GivesTheSameLinesForAnyThreadsRuleAndTraversal) {
       << idle.err;
 }
 
+TEST(OverlapVerb, CountsTheTrianglePairsOfANamedTraversal) {
+  // One node a tree: its leaf holds all 12 triangles, so 12 x 12 pairs are looked at.
+  const Json cost =
+      ask({"--traversal", "larger", "--levels", "1", "--pose", "1.5 0.25 0.25"}).at(0).at("cost");
+  EXPECT_EQ(cost.at("node_tests"), 1);
+  EXPECT_EQ(cost.at("entered"), 1);
+  EXPECT_EQ(cost.at("leaf_pairs"), 1);
+  EXPECT_EQ(cost.at("triangle_pairs"), 144);
+  EXPECT_EQ(cost.at("first_tests"), 1);
+  EXPECT_EQ(cost.at("max_stack"), 1);
+  EXPECT_LT(cost.at("triangle_tests"), 144);
+  EXPECT_FALSE(ask({}).at(0).at("cost").contains("triangle_pairs"));
+  const RunResult text = soms_run({"overlap", box(), box(), "--traversal", "larger", "--levels",
+                                   "1", "--pose", "1.5 0.25 0.25"});
+  EXPECT_NE(
+      text.out.find("  traversal larger: 1 box test, 1 pair entered, 1 leaf pair, 144 "
+                    "triangle pairs, " +
+                    std::to_string(cost.at("triangle_tests").get<int>()) + " of them decided\n"),
+      std::string::npos)
+      << text.out;
+}
+
+TEST(OverlapVerb, CountsANamedTraversalPoseByPose) {
+  const TemporaryFolder folder;
+  const std::string poses = (folder.path() / "poses.csv").string();
+  write_text(poses, "x,y,z\n1.5,0.25,0.25\n9,0,0\n");
+  const std::vector<Json> answers =
+      ask({"--traversal", "simultaneous", "--levels", "1", "--pose", poses});
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(answers[0].at("cost").at("triangle_pairs"), 144);
+  EXPECT_EQ(answers[1].at("cost").at("triangle_pairs"), 0);
+  EXPECT_EQ(answers[1].at("cost").at("node_tests"), 1);
+}
+
 TEST(OverlapVerb, VerifiesByBruteForce) {
   const Json answer = ask({"--verify", "--pose", "0.5 0 0"}).at(0);
   EXPECT_EQ(answer.at("verified"), true);

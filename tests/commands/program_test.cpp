@@ -291,6 +291,13 @@ TEST(Program, ListsTheWordsOfAChoice) {
   EXPECT_NE(rule.err.find("--rule shah; did you mean sah? choose one of object-median"),
             std::string::npos)
       << rule.err;
+  for (const auto& [given, meant] :
+       {std::pair("SAH", "sah"), std::pair("object_median", "object-median"),
+        std::pair("Object_Median", "object-median"), std::pair("SOMS", "soms")}) {
+    const RunResult other = soms_run({"info", "a", "--rule", given});
+    EXPECT_NE(other.err.find(std::string("did you mean ") + meant + "? "), std::string::npos)
+        << other.err;
+  }
   const RunResult traversal = soms_run({"overlap", "a", "b", "--traversal", "zig-zag"});
   EXPECT_EQ(traversal.status, 2);
   EXPECT_NE(traversal.err.find("e-node"), std::string::npos) << traversal.err;

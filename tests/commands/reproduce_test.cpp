@@ -158,6 +158,11 @@ TEST(Reproduce, UnknownItemIsAUsageErrorThatListsThem) {
   EXPECT_EQ(result.status, 2);
   EXPECT_NE(result.err.find("--item: unknown item '5.99'"), std::string::npos) << result.err;
   EXPECT_NE(result.err.find("table-5.3"), std::string::npos) << result.err;
+  const RunResult near = reproduce(folder.path(), {"--item", "5.4,table5.3"});
+  EXPECT_EQ(near.status, 2);
+  EXPECT_NE(near.err.find("--item: unknown item 'table5.3'; did you mean table-5.3? "),
+            std::string::npos)
+      << near.err;
 }
 
 TEST(Reproduce, WordsThatNameNothingAreUsageErrorsAndMakeNoFolder) {

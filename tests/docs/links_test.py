@@ -1,4 +1,5 @@
-"""Links of the repository's pages lead somewhere, and pictures say in words what they show.
+"""Links of the repository's pages lead somewhere, also where only the pages are installed, and
+pictures say in words what they show.
 
 usage: links_test.py ROOT
 """
@@ -7,6 +8,7 @@ import re
 import sys
 
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|!\[[^\]]*\]\([^)]*\))*)\]\(([^)\s]+)\)")
+INSTALLED = {"README.md", "CHANGELOG.md", "CONTRIBUTING.md", "LICENSE"}  # and docs/
 LEAST_WORDS = 3  # of what is said of a picture
 
 
@@ -26,6 +28,11 @@ def anchors(page):
     return found
 
 
+def is_installed(root, file):
+    """True for what cmake/install.cmake puts into share/doc/soms."""
+    return file.parent == root and file.name in INSTALLED or root / "docs" in [file, *file.parents]
+
+
 def faults(root, page):
     for picture, words, target in LINK.findall(prose(page.read_text(encoding="utf-8"))):
         name = f"{page.relative_to(root)}: {target}"
@@ -37,6 +44,8 @@ def faults(root, page):
         file = (page.parent / path).resolve() if path else page
         if not file.exists() or root not in file.parents:
             yield f"{name} is not there"
+        elif is_installed(root, page) and not is_installed(root, file):
+            yield f"{name} is not installed beside the page: name the file instead"
         elif anchor and file.suffix == ".md" and anchor not in anchors(file):
             yield f"{name}: no such heading"
 

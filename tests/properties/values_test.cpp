@@ -35,7 +35,8 @@ static_assert(kValues<Mesh, Part, PartRun, UpAxis, Defects, DefectPlaces, Defect
 static_assert(kValues<Tree, Node, TreeStatistics, Visits, ExpectedVisits, BuildOptions, Rule,
                       AxisFrom, EmptySide, Shape, ShapeOptions, Layout>);
 static_assert(kValues<Body, Cost, Coverage, Overlap, OverlapBatch, RunAnswers, OverlapOptions,
-                      OverlapMode, TraversalOptions, Traversal, Descent, EntryOrder, BoxUpdate>);
+                      OverlapMode, TraversalOptions, TraversalCounts, NodePair, Traversal, Descent,
+                      EntryOrder, BoxUpdate>);
 static_assert(kValues<ContactChange, ContactEvents, EnvironmentEvent, MoverEvent, StepScope>);
 static_assert(kValues<EnvironmentContact, MoverContact, StepReport, StepOptions, RecordedMesh,
                       RecordedBody, RecordingHead, RecordedFrame, RecordingEnding, RecordingEnd>);
@@ -156,6 +157,10 @@ TEST(Values, PrintAndCompareBodiesAndAnswers) {
   EXPECT_EQ(printed(batch).rfind("OverlapBatch{1 of 2 poses with an overlap, ", 0), 0U) << batch;
   EXPECT_EQ(batch, overlap(body.shape, poses, body));
   EXPECT_FALSE(batch == OverlapBatch{});
+  EXPECT_EQ(printed(TraversalCounts{.box_tests = 3, .leaf_pairs = 1}),
+            "TraversalCounts{box_tests: 3, entered: 0, leaf_pairs: 1, triangle_pairs: 0, "
+            "first_tests: 0, max_stack: 0}");
+  EXPECT_EQ(printed(NodePair{1, 2}), "NodePair{a: 1, b: 2}");
   EXPECT_EQ(printed(RunAnswers{}), "RunAnswers{0 of 0 poses with an overlap, 0 pairs}");
 }
 

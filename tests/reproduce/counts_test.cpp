@@ -275,6 +275,40 @@ TEST(Counts, SharedCaptionTellsTheOptionsOfTheThesis) {
   }
 }
 
+TEST(Counts, CaptionsOfAllBuildsTellTheOptionsOfEach) {
+  const std::vector<Contender> builds = all_builds(kSceneLevel);
+  const BuildOptions& sah = builds.at(4).options;
+  EXPECT_EQ(sah, (BuildOptions{.rule = Rule::sah, .level = kSceneLevel, .per_leaf = 1}));
+  EXPECT_EQ(sah.midpoint, Midpoint::aabb);
+  EXPECT_EQ(sah.empty_side, EmptySide::object_median);
+  const BuildOptions& library = builds.at(5).options;
+  EXPECT_EQ(library.rule, Rule::fast);
+  EXPECT_EQ(library.per_leaf, 8);
+  EXPECT_EQ(library.level, 0);
+  for (const char* const part : {"midpoint aabb", "object_median", "rule fast",
+                                 "leaves of at most 8 triangles", "no limit of levels"}) {
+    EXPECT_NE(kComparedOptions.find(part), std::string_view::npos) << part;
+  }
+  const Models models = scenes_only();
+  for (const auto run : {table_5_9, table_5_10, table_5_11}) {
+    const std::string& caption = run({.models = models}).figures.at(0).caption;
+    EXPECT_NE(caption.find(kComparedOptions), std::string::npos) << caption;
+  }
+}
+
+TEST(Counts, BalanceSaysWhichMidpointEachTreeUses) {
+  Models models;
+  models.objects.push_back(small_model("sphere", generate_sphere(200), false));
+  const Result result = balance({.models = models});
+  EXPECT_NE(result.figures.at(0).caption.find(kComparedOptions), std::string::npos);
+  const Table& table = result.tables.at(0);
+  for (const std::vector<Cell>& row : table.rows) {
+    Counts cells = named_cells(table, row);
+    const bool of_library = cells.at("rule") == "sah" || cells.at("rule") == "default";
+    EXPECT_EQ(cells.at("midpoint"), of_library ? "aabb" : "thesis") << cells.at("rule");
+  }
+}
+
 TEST(Counts, ClaimOfTwentySixPercentCannotBeCheckedOnOtherScenes) {
   Models models;
   models.scenes.push_back(small_model("sphere", generate_sphere(200), false));

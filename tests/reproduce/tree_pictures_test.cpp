@@ -45,7 +45,7 @@ TEST(TreePictures, DrawTheLevelAndDashTheLeavesAbove) {
   EXPECT_EQ(std::count_if(panel.boxes.begin(), panel.boxes.end(),
                           [](const DrawnBox& box) { return box.dashed; }),
             1);
-  EXPECT_EQ(panel.note, "2 boxes, 1 leaf ended above; 1 triangle");
+  EXPECT_EQ(panel.note, "2 boxes and 1 leaf above: 1 triangle each");
 }
 
 }  // namespace

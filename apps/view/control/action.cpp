@@ -1,9 +1,13 @@
 #include "apps/view/control/action.h"
 
+#include "soms/query/traversal/traversals.h"
+#include "soms/tree/rule/rules.h"
+
 #include "apps/view/scene/orientation_menu.h"
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace soms::view {
 
@@ -101,8 +105,11 @@ Enum cycled(Enum value, int by, int count) {
   return static_cast<Enum>((static_cast<int>(value) + by + count) % count);
 }
 
-constexpr int kRules = static_cast<int>(Rule::quality) + 1;
-constexpr int kTraversals = static_cast<int>(Traversal::e_node_front) + 1;
+/// The entry `by` places on in a table that has the order of its enumeration, and round.
+template <typename Enum, typename Entry>
+Enum cycled(Enum value, int by, std::span<const Entry> table) {
+  return cycled(value, by, static_cast<int>(table.size()));
+}
 
 /// None, then the tests in order, and round. Each needs an object.
 void cycle_orientation(ViewState& state, bool forward) {
@@ -254,12 +261,12 @@ bool apply_tree(ViewState& state, Action action) {
   switch (action) {
     case Action::rule_next:
     case Action::rule_previous:
-      state.rule = cycled(state.rule, action == Action::rule_next ? 1 : -1, kRules);
+      state.rule = cycled(state.rule, action == Action::rule_next ? 1 : -1, rules());
       return true;
     case Action::traversal_next:
     case Action::traversal_previous:
       state.traversal =
-          cycled(state.traversal, action == Action::traversal_next ? 1 : -1, kTraversals);
+          cycled(state.traversal, action == Action::traversal_next ? 1 : -1, traversals());
       return true;
     case Action::orientation_next:
     case Action::orientation_previous:

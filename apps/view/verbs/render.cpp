@@ -11,6 +11,7 @@
 #include "apps/view/drawing/headless_context.h"
 #include "apps/view/scene/draw_scene.h"
 #include "apps/view/scene/orientation_menu.h"
+#include "apps/view/scene/shown_boxes.h"
 #include "apps/view/scene/traversal_trace.h"
 #include "apps/view/verbs/render_scene.h"
 
@@ -66,7 +67,8 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
   command::add_count(app, "--frame", options.frame, 0, 1'000'000'000,
                      "frame of the simulation to draw, at 60 frames per second (0)");
   command::add_count(app, "--level", options.level, 1, 1000,
-                     "draw the boxes of this level of the tree; the root is level 1");
+                     "draw the boxes of this level of the tree, and paler the\nleaves above it; "
+                     "the root is level 1");
   command::add_choice<LevelOf>(app, "--level-of", options.level_of,
                                {{"city", LevelOf::city}, {"mover", LevelOf::mover}},
                                "tree that --level draws (city)");
@@ -76,7 +78,8 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
       "draw edges of boxes, faces, or both (wire)");
   app.add_flag("--trace", options.trace,
                "draw the boxes that --traversal visited, pruned and found in the city and the\n"
-               "mover; with --mover but no --count, there is one mover");
+               "mover (e-node with --descent larger); with --mover but no --count, there is\n"
+               "one mover");
   app.add_flag_callback(
       "--no-prune", [&options] { options.shown.trees.traversal.prune = false; },
       "with --trace: descend into disjoint boxes, too, to see what pruning saves");
@@ -107,7 +110,7 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
 }
 
 /// \errors ErrorKind::usage for a level below the deepest leaf, where no box is.
-void check_level(int level, const Tree& tree) {
+void check_level(int level, const Tree& tree, int per_leaf) {
   std::uint32_t levels = 0;
   for (const Node& node : tree.nodes) {
     levels = std::max(levels, node.depth + 1);
@@ -116,8 +119,14 @@ void check_level(int level, const Tree& tree) {
     throw Error(
         ErrorKind::usage,
         fmt::format("--level {}: the tree has only {}", level, command::counted(levels, "level")),
-        levels == 0 ? std::string("leave it out") : fmt::format("give 1 to {}", levels));
+        levels == 0     ? std::string("leave it out")
+        : per_leaf == 1 ? fmt::format("give 1 to {}", levels)
+                        : fmt::format("give 1 to {}, or --leaf below {}", levels, per_leaf));
   }
+}
+
+BodyRef level_body(const RenderOptions& options) {
+  return options.level_of == LevelOf::mover ? mover(0) : city_part(0);
 }
 
 ViewOptions what_is_shown(const RenderOptions& options, ViewScene& scene) {
@@ -135,9 +144,9 @@ ViewOptions what_is_shown(const RenderOptions& options, ViewScene& scene) {
     if ((of_mover ? scene.movers() : scene.city_parts()) == 0) {
       throw Error(ErrorKind::usage, "--level: there is no mover", "give a --mover");
     }
-    const BodyRef body = of_mover ? mover(0) : city_part(0);
+    const BodyRef body = level_body(options);
     scene.set_trees(options.shown.trees);
-    check_level(*options.level, scene.tree(body));
+    check_level(*options.level, scene.tree(body), options.shown.trees.build.per_leaf);
     shown.level = LevelBoxes{.body = body, .level = *options.level, .style = options.boxes};
   }
   if (options.trace) {
@@ -149,7 +158,7 @@ ViewOptions what_is_shown(const RenderOptions& options, ViewScene& scene) {
   return shown;
 }
 
-void report(const RenderOptions& options, const ViewScene& scene, const GlRenderer& renderer,
+void report(const RenderOptions& options, ViewScene& scene, const GlRenderer& renderer,
             command::Console& console) {
   const DrawStatistics drawn = renderer.statistics();
   const SceneStatistics facts = scene.statistics();
@@ -170,6 +179,12 @@ void report(const RenderOptions& options, const ViewScene& scene, const GlRender
                        {"movers", scene.movers()},      {"touching_pairs", facts.contacts},
                        {"boxes", drawn.boxes},          {"draw_calls", drawn.draw_calls},
                        {"device", GlRenderer::device()}};
+  if (options.level) {
+    const Tree& tree = scene.tree(level_body(options));
+    const std::size_t on_level = nodes_of_level(tree, *options.level, false).size();
+    answer["level_boxes"] = on_level;
+    answer["leaves_above"] = nodes_of_level(tree, *options.level, true).size() - on_level;
+  }
   if (!scene.notes().empty()) {
     answer["notes"] = scene.notes();
   }
@@ -329,7 +344,11 @@ command::Action add_render(CLI::App& app, command::Shared&) {
   app.footer(kFooter);
   return [options, &app](command::Console& console) {
     check_effects(app, *options);
-    // E-Node's descent, with which the options start, has no effect beside other traversals.
+    // The descent with which the options start is for who names no traversal: a named one has its
+    // own, as in `overlap`.
+    if (app.count("--traversal") > 0 && app.count("--descent") == 0) {
+      options->shown.trees.traversal.descent = TraversalOptions{}.descent;
+    }
     options->shown.trees.traversal = without_idle(options->shown.trees.traversal);
     return run_render(*options, console);
   };

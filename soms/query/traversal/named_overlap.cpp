@@ -93,10 +93,11 @@ class Decider {
   /// Counts work; false when the deadline has passed. \errors ErrorKind::cancelled.
   [[nodiscard]] bool keep_going(std::uint64_t work) { return !watch_.spend(work); }
 
-  [[nodiscard]] Overlap finish(std::uint64_t box_tests) {
+  [[nodiscard]] Overlap finish(const TraversalCounts& counts) {
     collector_.finish();
     answer_.any = collector_.any();
-    answer_.cost.node_tests = box_tests;
+    answer_.cost.node_tests = counts.box_tests;
+    answer_.traversal = counts;
     const bool found = mode_ != OverlapMode::all && answer_.any;
     if (collector_.full()) {
       answer_.coverage = Coverage::cut;
@@ -182,7 +183,7 @@ Overlap NamedOverlap::operator()(const Pose& pose_a, const Pose& pose_b,
     move(pose_a, pose_b);
     state.run(visitor);
   }
-  return decider.finish(state.counts.box_tests);
+  return decider.finish(state.counts);
 }
 
 void NamedOverlap::move(const Pose& pose_a, const Pose& pose_b) {

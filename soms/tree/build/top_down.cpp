@@ -1,4 +1,5 @@
 #include "soms/base/arithmetic.h"
+#include "soms/base/error.h"
 #include "soms/tree/build.h"
 #include "soms/tree/build/detail/by_reference.h"
 #include "soms/tree/build/detail/divide.h"
@@ -23,8 +24,9 @@ constexpr std::size_t kPrepareChunk = 16384;
 
 class Builder {
  public:
-  Builder(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel)
-      : mesh_(mesh), parallel_(parallel), divider_(mesh, options) {}
+  Builder(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& options,
+          const Parallel& parallel)
+      : mesh_(mesh), parallel_(parallel), divider_(mesh, rule, options) {}
 
   Subtrees run() {
     prepare();
@@ -167,27 +169,43 @@ class Builder {
   Subtrees subtrees_;
 };
 
-Subtrees grow(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel) {
-  return entry(options.rule).in_float ? detail::grow_by_reference(mesh, options, parallel)
-                                      : Builder(mesh, options, parallel).run();
+Subtrees grow(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& options,
+              const Parallel& parallel) {
+  return rule.in_float ? detail::grow_by_reference(mesh, options, parallel)
+                       : Builder(mesh, rule, options, parallel).run();
 }
 
-}  // namespace
-
-Tree build(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel) {
+Tree build_checked(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& options,
+                   const Parallel& parallel) {
   const PlainArithmetic plain;
-  check(options);
   check_stop(parallel);
   if (mesh.triangles.empty()) {
     return {};
   }
-  Subtrees subtrees = grow(mesh, options, within(parallel, 0, 0.9));
+  Subtrees subtrees = grow(mesh, rule, options, within(parallel, 0, 0.9));
   detail::finish(subtrees, mesh, within(parallel, 0.9, 1));
   Tree tree = detail::join(std::move(subtrees), parallel);
   if (parallel.progress) {
     parallel.progress(1);
   }
   return tree;
+}
+
+}  // namespace
+
+Tree build(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel) {
+  check(options);
+  return build_checked(mesh, entry(options.rule), options, parallel);
+}
+
+Tree build_by(const Mesh& mesh, RuleFunction rule, BuildOptions options, const Parallel& parallel) {
+  if (rule == nullptr) {
+    throw Error(ErrorKind::usage, "build_by: no rule", "give a function");
+  }
+  options.rule = Rule::soms;  // which uses every option, as a rule of one's own does
+  check(options);
+  return build_checked(mesh, {.split = rule, .needs_outer = true, .needs_order = true}, options,
+                       parallel);
 }
 
 WideTree build_wide(const Mesh& mesh, const BuildOptions& options, const Parallel& parallel) {
@@ -197,7 +215,7 @@ WideTree build_wide(const Mesh& mesh, const BuildOptions& options, const Paralle
   if (mesh.triangles.empty()) {
     return {};
   }
-  Subtrees subtrees = grow(mesh, options, within(parallel, 0, 0.6));
+  Subtrees subtrees = grow(mesh, entry(options.rule), options, within(parallel, 0, 0.6));
   return WideTree(detail::parts_of(subtrees, mesh), mesh, within(parallel, 0.6, 1));
 }
 

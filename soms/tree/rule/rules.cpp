@@ -10,28 +10,42 @@ namespace soms {
 
 namespace {
 
-constexpr std::array<RuleEntry, 8> kRules{{
-    {Rule::object_median, "object_median", "object-median",
-     "equal counts on both sides, by midpoint", &rule::object_median, AxisFrom::outer, false, false,
-     false},
-    {Rule::object_mean, "object_mean", "object-mean", "plane at the mean of the midpoints",
-     &rule::object_mean, AxisFrom::outer, false, true, false},
-    {Rule::spatial_median, "spatial_median", "spatial-median",
-     "plane in the middle of the outer box", &rule::spatial_median, AxisFrom::outer, true, false,
-     false},
-    {Rule::soms, "soms", "soms", "plane in the middle of the midpoints' box (the thesis' rule)",
-     &rule::soms, AxisFrom::inner, false, false, false},
-    {Rule::sah, "sah", "sah", "least surface area cost over 16 bins of the midpoints' box",
-     &rule::sah, AxisFrom::inner, false, false, false},
-    {Rule::soms_sah, "soms_sah", "soms-sah",
-     "as soms where triangles are small against the node, else as sah", &rule::soms_sah,
-     AxisFrom::inner, false, false, false},
-    {Rule::fast, "fast", "fast", "as soms-sah, by boxes in float: builds fastest", &rule::soms_sah,
-     AxisFrom::inner, false, false, true},
-    {Rule::quality, "quality", "quality",
-     "as sah, by boxes in float and blocks of leaves: enters the fewest boxes", &rule::sah,
-     AxisFrom::inner, false, false, true},
-}};
+constexpr std::array kRules{
+    RuleEntry{Rule::object_median, "object_median", "object-median",
+              "equal counts on both sides, by midpoint", &rule::object_median, AxisFrom::outer,
+              false, false, false},
+    RuleEntry{Rule::object_mean, "object_mean", "object-mean", "plane at the mean of the midpoints",
+              &rule::object_mean, AxisFrom::outer, false, true, false},
+    RuleEntry{Rule::spatial_median, "spatial_median", "spatial-median",
+              "plane in the middle of the outer box", &rule::spatial_median, AxisFrom::outer, true,
+              false, false},
+    RuleEntry{Rule::soms, "soms", "soms",
+              "plane in the middle of the midpoints' box (the thesis' rule)", &rule::soms,
+              AxisFrom::inner, false, false, false},
+    RuleEntry{Rule::sah, "sah", "sah", "least surface area cost over 16 bins of the midpoints' box",
+              &rule::sah, AxisFrom::inner, false, false, false},
+    RuleEntry{Rule::soms_sah, "soms_sah", "soms-sah",
+              "as soms where triangles are small against the node, else as sah", &rule::soms_sah,
+              AxisFrom::inner, false, false, false},
+    RuleEntry{Rule::fast, "fast", "fast",
+              "as soms-sah, by boxes in float: builds fastest with leaves of 8", &rule::soms_sah,
+              AxisFrom::inner, false, false, true},
+    RuleEntry{Rule::quality, "quality", "quality",
+              "as sah, by boxes in float and blocks of leaves: enters the fewest boxes", &rule::sah,
+              AxisFrom::inner, false, false, true},
+};
+
+constexpr bool in_order_of_enumeration() {
+  for (std::size_t i = 0; i < kRules.size(); ++i) {
+    if (kRules[i].rule != static_cast<Rule>(i)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// `entry` finds rows by their place.
+static_assert(in_order_of_enumeration());
 
 }  // namespace
 

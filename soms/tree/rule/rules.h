@@ -12,17 +12,18 @@ namespace soms {
 
 /// A row of the table of rules.
 struct RuleEntry {
-  Rule rule;
-  std::string_view name;         ///< snake_case, as in files
-  std::string_view kebab;        ///< kebab-case, as on the command line
-  std::string_view description;  ///< one line for help texts and pages
-  RuleFunction split;
-  AxisFrom axis_from;  ///< box whose longest axis is split unless the options say otherwise
-  bool needs_outer;    ///< it looks at SplitNode::outer
-  bool needs_order;    ///< it looks at primitives in ascending order of their numbers
+  Rule rule = Rule::soms;
+  std::string_view name = {};         ///< snake_case, as in files
+  std::string_view kebab = {};        ///< kebab-case, as on the command line
+  std::string_view description = {};  ///< one line for help texts and pages
+  RuleFunction split = nullptr;
+  AxisFrom axis_from =
+      AxisFrom::inner;       ///< box whose longest axis is split unless the options say otherwise
+  bool needs_outer = false;  ///< it looks at SplitNode::outer
+  bool needs_order = false;  ///< it looks at primitives in ascending order of their numbers
   /// Trees are made by a builder of their own, from boxes in float, which divides nearly as `split`
   /// would; midpoint, axis_from and empty_side have no effect (`idle_options`).
-  bool in_float;
+  bool in_float = false;
 };
 
 /// All rules, in the order of `Rule`.

@@ -100,6 +100,11 @@ TEST(NamedOverlap, TellsTheCountsOfItsTraversal) {
       EXPECT_EQ(session.counts(), traverse(a.view(), b.view(), settings))
           << test::describe(settings);
       EXPECT_EQ(session.counts().box_tests, answer.cost.node_tests);
+      EXPECT_EQ(answer.traversal, session.counts());
+      const OverlapBatch batch =
+          overlap(c.a.shape, std::vector<Pose>{c.a.pose}, c.b, {.traversal = settings});
+      ASSERT_EQ(batch.traversals.size(), 1U);
+      EXPECT_EQ(batch.traversals[0], session.counts());
     }
   });
 }

@@ -1,4 +1,5 @@
 #include "soms/base/error.h"
+#include "soms/generate/shapes.h"
 #include "soms/generate/urban.h"
 #include "soms/tree/build.h"
 #include "soms/tree/check.h"
@@ -149,6 +150,41 @@ TEST(Build, PermutingTheTrianglesKeepsTheBoxes) {
   for (std::size_t i = 0; i < before.nodes.size(); ++i) {
     EXPECT_EQ(before.nodes[i].bounds, after.nodes[i].bounds);
   }
+}
+
+TEST(Build, ByAFunctionEqualsTheRuleOfThatFunction) {
+  const Mesh mesh = generate_sphere(500);
+  for (const RuleEntry& row : rules()) {
+    if (row.in_float) {
+      continue;
+    }
+    for (const EmptySide empty : {EmptySide::stop, EmptySide::object_median}) {
+      const BuildOptions options{.rule = row.rule,
+                                 .midpoint = Midpoint::thesis,
+                                 .axis_from = row.axis_from,
+                                 .empty_side = empty,
+                                 .per_leaf = 2};
+      EXPECT_EQ(tree_hash(build_by(mesh, row.split, options)), tree_hash(build(mesh, options)))
+          << row.name;
+    }
+  }
+}
+
+TEST(Build, ByARuleOfOnesOwnNeedsNoNamedRule) {
+  const RuleFunction third = [](const SplitNode& node, std::size_t axis) {
+    const double lower = node.inner.lower[axis];
+    return Split{.axis = axis, .value = lower + (node.inner.upper[axis] - lower) / 3};
+  };
+  const Mesh mesh = generate_sphere(500);
+  const Tree tree = build_by(mesh, third);
+  EXPECT_EQ(find_fault(tree, mesh), "");
+  EXPECT_NE(tree_hash(tree), tree_hash(build(mesh, {.rule = Rule::soms})));
+  // The rule of the options is not looked at; `fast`, the default, would refuse the midpoint.
+  EXPECT_EQ(find_fault(build_by(mesh, third, {.midpoint = Midpoint::thesis}), mesh), "");
+  EXPECT_EQ(tree_hash(tree), tree_hash(build_by(mesh, third, {}, {.threads = 3})));
+  EXPECT_TRUE(build_by(Mesh{}, third).nodes.empty());
+  EXPECT_THROW((void)build_by(mesh, nullptr), Error);
+  EXPECT_THROW((void)build_by(mesh, third, {.per_leaf = 0}), Error);
 }
 
 TEST(Build, AboveDepth63HasNoIdsAndNoLimit) {

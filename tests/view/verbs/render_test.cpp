@@ -6,11 +6,14 @@
 #include "soms/io/write_mesh.h"
 #include "soms/scene/recording.h"
 #include "soms/scene/replay.h"
+#include "soms/tree/build.h"
+#include "soms/tree/statistics.h"
 
 #include "apps/view/drawing/headless_context.h"
 #include "apps/view/drawing/picture.h"
 #include "tests/support/support.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -128,6 +131,46 @@ TEST_F(Render, DrawsTheTreeByLevelAndTheBoxesOfATraversal) {
   const int pruned = boxes({"--mover", ball_, "--pose", "1 0 0", "--trace"});
   EXPECT_GT(pruned, 10);
   EXPECT_GT(boxes({"--mover", ball_, "--pose", "1 0 0", "--trace", "--no-prune"}), pruned);
+}
+
+TEST_F(Render, CountsTheLevelAndTheLeavesAboveIt) {
+  SOMS_NEEDS_EGL();
+  const Mesh mesh = read_mesh(ball_);
+  const Tree tree = build(mesh, {.rule = Rule::soms, .per_leaf = 1});
+  const TreeStatistics counts = statistics(tree, {.rule = Rule::soms, .per_leaf = 1});
+  const int level = static_cast<int>(counts.depth) + 1;
+  const auto last = static_cast<std::uint64_t>(
+      std::count_if(tree.nodes.begin(), tree.nodes.end(),
+                    [&](const Node& node) { return node.depth == counts.depth; }));
+  ASSERT_LT(last, counts.leaves) << "a ball whose leaves are on several levels";
+  const test::RunResult result = render({ball_, "-o", picture_, "--size", "90x60", "--json",
+                                         "--leaf", "1", "--level", std::to_string(level)});
+  EXPECT_NE(result.out.find("\"boxes\":" + std::to_string(counts.leaves) + ","), std::string::npos);
+  EXPECT_NE(result.out.find("\"level_boxes\":" + std::to_string(last) +
+                            ",\"leaves_above\":" + std::to_string(counts.leaves - last)),
+            std::string::npos)
+      << result.out;
+  const test::RunResult below = render({ball_, "-o", picture_, "--level", "99"});
+  EXPECT_NE(below.err.find(", or --leaf below 8"), std::string::npos) << below.err;
+  const test::RunResult single = render({ball_, "-o", picture_, "--level", "99", "--leaf", "1"});
+  EXPECT_EQ(single.err.find("--leaf"), std::string::npos) << single.err;
+}
+
+TEST_F(Render, ANamedTraversalHasItsOwnDescent) {
+  SOMS_NEEDS_EGL();
+  const auto drawn = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {ball_, "--mover", ball_, "--pose", "1.9 0 0", "-o", picture_,
+                                 "--size", "90x60", "--json", "--trace", "--leaf", "1"});
+    const test::RunResult result = render(words);
+    EXPECT_EQ(result.status, 0) << result.err;
+    const std::size_t at = result.out.find("\"boxes\":");
+    return at == std::string::npos ? std::string() : result.out.substr(at, 16);
+  };
+  const std::string both = drawn({"--traversal", "e-node", "--descent", "both"});
+  const std::string larger = drawn({"--traversal", "e-node", "--descent", "larger"});
+  ASSERT_NE(both, larger);
+  EXPECT_EQ(drawn({}), larger);
+  EXPECT_EQ(drawn({"--traversal", "e-node"}), both);
 }
 
 TEST_F(Render, SaysThatTreesAreThoseOfTheFirstFileOfACity) {

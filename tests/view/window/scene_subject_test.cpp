@@ -2,6 +2,8 @@
 
 #include "soms/base/error.h"
 #include "soms/io/write_mesh.h"
+#include "soms/query/traversal/traversals.h"
+#include "soms/tree/rule/rules.h"
 
 #include "apps/view/control/session.h"
 #include "apps/view/scene/load.h"
@@ -129,15 +131,15 @@ TEST(SceneSubject, EachRuleAndTraversalCanBeShown) {
   const std::uint64_t contacts = subject.facts({}).contacts;
   ViewState state;
   state.shown.visited = state.shown.pruned = state.shown.found = true;
-  for (int rule = 0; rule <= static_cast<int>(Rule::quality); ++rule) {
-    state.rule = static_cast<Rule>(rule);
+  for (const RuleEntry& row : rules()) {
+    state.rule = row.rule;
     subject.choose(state);
-    EXPECT_FALSE(subject.draw_list(state).box_groups.empty()) << rule;
+    EXPECT_FALSE(subject.draw_list(state).box_groups.empty()) << row.name;
   }
-  for (int traversal = 1; traversal <= static_cast<int>(Traversal::e_node_front); ++traversal) {
-    state.traversal = static_cast<Traversal>(traversal);
+  for (const TraversalEntry& row : traversals().subspan(1)) {  // all but `fast`
+    state.traversal = row.traversal;
     subject.choose(state);
-    EXPECT_FALSE(subject.draw_list(state).box_groups.empty()) << traversal;
+    EXPECT_FALSE(subject.draw_list(state).box_groups.empty()) << row.name;
     EXPECT_TRUE(subject.facts(state).traversed);
     EXPECT_EQ(subject.facts(state).contacts, contacts);
   }

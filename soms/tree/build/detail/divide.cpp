@@ -78,17 +78,17 @@ double largest(const Vec3& v) {
 
 }  // namespace
 
-Divider::Divider(const Mesh& mesh, const BuildOptions& options)
+Divider::Divider(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& options)
     : mesh_(mesh),
       options_(options),
-      rule_(entry(options.rule).split),
-      axis_from_(options.axis_from.value_or(entry(options.rule).axis_from)),
+      rule_(rule),
+      axis_from_(options.axis_from.value_or(rule.axis_from)),
       last_depth_(options.level == 0
                       ? std::numeric_limits<std::uint32_t>::max()
                       : static_cast<std::uint32_t>(options.level - options.root_level)) {
   const double size = largest(bounds(mesh).extent());
   unit_ = size > 0 ? std::ldexp(1.0, std::ilogb(size)) : 1;
-  if (axis_from_ == AxisFrom::outer || entry(options.rule).needs_outer) {
+  if (axis_from_ == AxisFrom::outer || rule.needs_outer) {
     bounds_.resize(mesh.triangles.size());
   }
 }
@@ -145,8 +145,7 @@ std::array<std::size_t, 3> Divider::axes(const SplitNode& node) const {
 }
 
 Division Divider::partition(std::span<Primitive> run, const Split& split) const {
-  return entry(options_.rule).needs_order ? partition_in_order(run, split)
-                                          : partition_in_place(run, split);
+  return rule_.needs_order ? partition_in_order(run, split) : partition_in_place(run, split);
 }
 
 Division Divider::divide(std::span<Primitive> run, const Box& inner, std::uint32_t depth) const {
@@ -166,7 +165,7 @@ Division Divider::divide(std::span<Primitive> run, const Box& inner, std::uint32
   const std::size_t tries = options_.empty_side == EmptySide::next_axis ? order.size() : 1;
   Division division;
   for (std::size_t k = 0; k < tries && !division.divided; ++k) {
-    division = partition(run, rule_(node, order[k]));
+    division = partition(run, rule_.split(node, order[k]));
   }
   if (division.divided) {
     return division;

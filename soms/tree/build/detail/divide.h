@@ -24,7 +24,8 @@ struct Division {
 /// Turns a mesh into primitives, and divides nodes as the options say.
 class Divider {
  public:
-  Divider(const Mesh& mesh, const BuildOptions& options);
+  /// `options.rule` is not looked at.
+  Divider(const Mesh& mesh, const RuleEntry& rule, const BuildOptions& options);
 
   /// Writes primitives `begin` to `end`, and what the rule needs to know of them besides.
   /// Returns the bounds of their midpoints. Chunks may run at once.
@@ -43,7 +44,7 @@ class Divider {
 
   const Mesh& mesh_;
   BuildOptions options_;
-  RuleFunction rule_;
+  RuleEntry rule_;
   AxisFrom axis_from_;
   std::uint32_t last_depth_;  ///< nodes of this depth are never divided
   double unit_ = 1;
