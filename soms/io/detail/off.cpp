@@ -180,19 +180,14 @@ void OffReader::refuse_behind_counts() {
     static_cast<void>(scanner_.token_in_line());
   }
   if (!scanner_.at_line_end()) {
-    const TextScanner before = scanner_;
-    before.fail(ErrorKind::bad_file, in_quotes(scanner_.token_in_line()) + " follows the counts",
-                "put the first vertex on its own line");
+    scanner_.fail_surplus("the counts", "put the first vertex on its own line");
   }
 }
 
 /// Rows behind those that were counted contradict the counts.
 void OffReader::refuse_more() {
   if (scanner_.find_line()) {
-    const TextScanner before = scanner_;
-    before.fail(ErrorKind::bad_file,
-                in_quotes(scanner_.token_in_line()) + " follows the last declared face",
-                "correct the counts, or delete the surplus");
+    scanner_.fail_surplus("the last declared face", "correct the counts, or delete the surplus");
   }
 }
 

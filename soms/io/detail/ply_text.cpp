@@ -135,10 +135,8 @@ bool PlyText::flows(const PlyElement& element) const {
 
 void PlyText::end_row() {
   if (!flows_ && !scanner_.at_line_end()) [[unlikely]] {
-    const TextScanner before = scanner_;
-    before.fail(ErrorKind::bad_file,
-                in_quotes(scanner_.token_in_line()) + " follows the last value of the row",
-                "correct the row, or put each row on its own line");
+    scanner_.fail_surplus("the last value of the row",
+                          "correct the row, or put each row on its own line");
   }
 }
 
@@ -293,14 +291,10 @@ void PlyText::read_faces(const PlyElement& element, std::size_t column) {
 
 void PlyText::finish() {
   scanner_.skip_space();
-  if (scanner_.at_end()) {
-    return;
+  if (!scanner_.at_end()) {
+    scanner_.fail_surplus("the last row that the header declares",
+                          "correct the counts in the header, or delete the surplus");
   }
-  const TextScanner before = scanner_;
-  before.fail(
-      ErrorKind::bad_file,
-      in_quotes(scanner_.token_in_line()) + " follows the last row that the header declares",
-      "correct the counts in the header, or delete the surplus");
 }
 
 }  // namespace

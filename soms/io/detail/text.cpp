@@ -185,6 +185,12 @@ void TextScanner::fail_missing(std::string_view what) const {
                 : "repair the file, or put all values of a row on one line");
 }
 
+void TextScanner::fail_surplus(std::string_view what, const std::string& remedy) const {
+  TextScanner surplus = *this;
+  fail(ErrorKind::bad_file, in_quotes(surplus.token_in_line()) + " follows " + std::string(what),
+       remedy);
+}
+
 void TextScanner::fail_number(std::string_view what, std::string_view expected) const {
   const std::string_view found = peek();
   if (found.empty()) {

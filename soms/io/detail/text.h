@@ -83,6 +83,10 @@ class TextScanner {
   /// The line, or the file, ends where `what` should be. \errors ErrorKind::bad_file.
   [[noreturn]] void fail_missing(std::string_view what) const;
 
+  /// The next word of this line, which follows `what`, is one too many. \errors
+  /// ErrorKind::bad_file.
+  [[noreturn]] void fail_surplus(std::string_view what, const std::string& remedy) const;
+
   [[noreturn]] void fail(ErrorKind kind, const std::string& what, const std::string& remedy) const {
     source_->fail_line(position(), kind, what, remedy);
   }
