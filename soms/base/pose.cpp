@@ -55,7 +55,7 @@ double determinant(const Pose& pose) {
          m[2] * (m[4] * m[9] - m[5] * m[8]);
 }
 
-/// What is rigid has 0 in each: the entries of RtR - I, less those that are equal.
+/// Entries of RtR - I, which is symmetric: the diagonal, and those above it.
 std::array<double, 6> off_rigid(const Pose& pose) {
   return {gram(pose, 0, 0) - 1, gram(pose, 1, 1) - 1, gram(pose, 2, 2) - 1,
           gram(pose, 0, 1),     gram(pose, 0, 2),     gram(pose, 1, 2)};
@@ -79,12 +79,12 @@ bool is_rigid(const Pose& pose) {
   return (near & (sum == sum ? 1U : 0U) & (determinant(pose) > 0 ? 1U : 0U)) != 0;
 }
 
-/// What to do about a matrix with another length of its columns, or another angle between them, of
-/// which one is off by `off`.
+/// What to do about a matrix with another length of its columns, or another angle between them;
+/// `off` is the greatest magnitude in RtR - I.
 std::string remedy_for(const Pose& pose, double off) {
   if (off <= kNearlyRigid.value) {
     return "print the rotation with more digits, such as nine after the point (%.9f); in C++, "
-           "Rotation::nearest corrects rounded matrices";
+           "Rotation::nearest corrects a rounded matrix, and Pose::normalized a product";
   }
   constexpr double kAlike = 1e-3;
   const double square = (gram(pose, 0, 0) + gram(pose, 1, 1) + gram(pose, 2, 2)) / 3;
