@@ -159,7 +159,7 @@ TEST_F(Render, CountsTheLevelAndTheLeavesAboveIt) {
 TEST_F(Render, ANamedTraversalHasItsOwnDescent) {
   SOMS_NEEDS_EGL();
   const auto drawn = [&](std::vector<std::string> words) {
-    words.insert(words.begin(), {ball_, "--mover", ball_, "--pose", "1.9 0 0", "-o", picture_,
+    words.insert(words.begin(), {ball_, "--mover", ball_, "--pose", "1.2 0 0", "-o", picture_,
                                  "--size", "90x60", "--json", "--trace", "--leaf", "1"});
     const test::RunResult result = render(words);
     EXPECT_EQ(result.status, 0) << result.err;
