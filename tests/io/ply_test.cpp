@@ -180,13 +180,13 @@ TEST(Ply, RefusesHugeCountsBeforeAllocating) {
   }
 }
 
-/// What follows a row in its line is the next row, of the element or of the next one.
+/// What follows the only row of an element in its line is a row of the next one.
 TEST(Ply, RefusesWhatFollowsARowUnlessItIsAnotherRow) {
   std::string two = kHead;
   two.replace(two.find("face 1"), 6, "face 2");
   expect_refused(two + kVertexRows + "3 0 1 2 3\n3 0 1 3\n", "a.ply", ErrorKind::bad_file,
                  "line 14: \"3\" follows the last value of the row");
-  EXPECT_EQ(read_text(two + kVertexRows + "3 0 1 2 3\n0 1 3\n", "a.ply").triangles.size(), 2U);
+  EXPECT_EQ(read_text(two + kVertexRows + "3 0 1 2 3 0 1 3\n", "a.ply").triangles.size(), 2U);
   expect_refused(kHead + kVertexRows + "3 0 1 2 3\n", "a.ply", ErrorKind::bad_file,
                  "line 14: \"3\" follows the last row that the header declares");
   std::string strips = kHead;

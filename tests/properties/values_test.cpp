@@ -234,10 +234,9 @@ TEST(Values, PrintRecordings) {
 TEST(Values, PrintFormatsAndWhatIsGenerated) {
   EXPECT_NE(printed(ReadOptions{}).find("allow_empty: false"), std::string::npos);
   EXPECT_EQ(printed(readable_formats().at(0)).rfind(R"(ReadableFormat{PLY, ".ply")", 0), 0U);
-  EXPECT_EQ(
-      printed(entry(MeshFormat::three_ds)),
-      R"(WritableFormat{format: three_ds, name: "3ds", title: "3DS", extension: ".3ds", doubles: false, )"
-      R"(names: true, unit_and_axis: false})");
+  EXPECT_EQ(printed(entry(MeshFormat::three_ds)),
+            R"(WritableFormat{format: three_ds, name: "3ds", title: "3DS", extension: ".3ds", )"
+            R"(doubles: false, names: true, unit_and_axis: false})");
   EXPECT_EQ(printed(Rounding{2, 0.5}), "Rounding{count: 2, most: 0.5}");
   EXPECT_EQ(printed(CityOptions{.triangles = 5000}),
             "CityOptions{triangles: 5000, size: 4000, seed: 1}");
