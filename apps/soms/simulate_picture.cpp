@@ -29,9 +29,9 @@ std::filesystem::path make_folder() {
 }  // namespace
 
 void check_picture_frame(const SimulateOptions& options) {
-  if (!options.picture.empty() && options.picture_frame.value_or(0) >= options.frames) {
-    throw Error(ErrorKind::usage,
-                fmt::format("--picture of frame {} of {}", *options.picture_frame, options.frames),
+  const std::uint64_t frame = options.picture_frame.value_or(0);
+  if (!options.picture.empty() && frame >= options.frames) {
+    throw Error(ErrorKind::usage, fmt::format("--picture of frame {} of {}", frame, options.frames),
                 "frames count from 0");
   }
 }
