@@ -12,6 +12,7 @@
 #include "apps/support/console.h"
 #include "apps/support/exit_status.h"
 #include "apps/support/output.h"
+#include "apps/support/route_notes.h"
 #include "apps/support/world.h"
 
 #include <algorithm>
@@ -112,6 +113,30 @@ std::vector<FrameWarning> doubt_boxes(const World& world, const Outcome& outcome
   return {apart_warning("the movers", world.title, outcome.boxes.least_gap(), "in every frame ")};
 }
 
+/// The pairs of --ignore. \errors ErrorKind::usage for what is no pair, or changes nothing.
+std::vector<NamedPair> parse_ignored(const SimulateOptions& options) {
+  if (!options.ignored.empty() && !options.between_movers) {
+    throw Error(ErrorKind::usage, "--ignore has no effect with --no-between-movers",
+                "leave out one of the two");
+  }
+  std::vector<NamedPair> pairs;
+  for (const std::string& text : options.ignored) {
+    pairs.push_back(parse_pair(text));
+  }
+  return pairs;
+}
+
+/// How many frames there are, once the routes are known; says what does not fit them.
+void settle_frames(World& world, SimulateOptions& options, const Console& console) {
+  const bool strict = options.world.city_model.strict;
+  if (!options.frames_given) {
+    options.frames = frames_of_routes(world, options.frames);
+  }
+  check_picture_frame(options);
+  note_unused_rows(world, options.frames, strict, console);
+  note_long_steps(world, strict, console);
+}
+
 /// Draws the picture, then tells what was found, whatever became of the picture.
 int finish(const World& world, const Outcome& outcome, const Picture& picture,
            const SimulateOptions& options, Console& console) {
@@ -141,8 +166,9 @@ int finish(const World& world, const Outcome& outcome, const Picture& picture,
 int run_window(const SimulateOptions& options, const Console& console) {
   const bool answers = options.verify || options.fail_if_contact || console.shared().json;
   if (answers || !options.report.empty() || !options.map.empty() || !options.events.empty() ||
-      !options.record.empty() || !options.picture.empty() || options.picture_frame) {
-    throw Error(ErrorKind::usage, "--view cannot be combined with an output option",
+      !options.record.empty() || !options.picture.empty() || options.picture_frame ||
+      !options.between_movers || !options.ignored.empty()) {
+    throw Error(ErrorKind::usage, "--view cannot be combined with an option of outputs or contacts",
                 "leave out --view, or the other option");
   }
   std::vector<std::string> more;
@@ -154,14 +180,19 @@ int run_window(const SimulateOptions& options, const Console& console) {
 
 }  // namespace
 
-int run_simulate(const SimulateOptions& options, Console& console) {
-  check_count(options.world);
-  if (options.view) {
-    return run_window(options, console);
+int run_simulate(const SimulateOptions& given, Console& console) {
+  check_count(given.world);
+  const std::vector<NamedPair> ignored = parse_ignored(given);
+  if (given.view) {
+    return run_window(given, console);
   }
-  check_files(options);
-  check_recording(options);
-  const Picture picture(options);
+  check_files(given);
+  check_recording(given);
+  if (given.frames_given || given.world.routes.empty()) {
+    check_picture_frame(given);
+  }
+  const Picture picture(given);
+  SimulateOptions options = given;
   // Places that cannot be written to are reported before the work, not after it.
   std::optional<OutputFile> events;
   std::optional<OutputFile> map;
@@ -172,6 +203,8 @@ int run_simulate(const SimulateOptions& options, Console& console) {
   open(page, options.report);
   open(record, picture.recording());
   World world = load_world(options.world, console);
+  world.filter = {.between = options.between_movers, .ignored = ignored_pairs(world, ignored)};
+  settle_frames(world, options, console);
   std::optional<Recorder> recorder;
   if (record) {
     recorder.emplace(*record, world, options.frames);

@@ -8,13 +8,14 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace soms::command {
 
 /// Options of the verb `simulate`.
 struct SimulateOptions {
   WorldOptions world = {};
-  std::uint64_t frames = 600;
+  std::uint64_t frames = 600;  ///< unless given, routes of poses change it
   bool verify = false;
   std::string map = {};     ///< empty: none
   std::string events = {};  ///< empty: none
@@ -25,6 +26,8 @@ struct SimulateOptions {
   std::string picture = {};                                   ///< empty: none
   std::optional<std::uint64_t> picture_frame = std::nullopt;  ///< unset: the last
   bool fail_if_contact = false;
+  bool between_movers = true;             ///< test movers against each other
+  std::vector<std::string> ignored = {};  ///< pairs of movers that are not, "A,B"
 };
 
 [[nodiscard]] Action add_simulate(CLI::App& app, Shared& shared);

@@ -31,9 +31,18 @@ Action add_simulate(CLI::App& app, Shared&) {
   add_world_options(app, options->world);
   add_world_tree_options(app, options->world);
   const CLI::Option* frames =
-      add_count(app, "--frames", options->frames, 0, kMostFrames, "number of frames (600)");
+      add_count(app, "--frames", options->frames, 1, kMostFrames,
+                "number of frames (600; with --route of poses, as many as the longest has rows)");
   app.add_flag("--verify", options->verify,
                "check contacts, and a sample of free movers, by brute force");
+  app.add_flag_callback(
+      "--no-between-movers", [options] { options->between_movers = false; },
+      "test movers against the city alone, not against each other");
+  add_repeatable(
+      app, "--ignore", options->ignored,
+      "do not test two movers against each other, as neighboring links of\n"
+      "a robot; each is a number as in --events or the name of a model;\nmay be repeated",
+      "A,B");
   add_output(app, "--map", options->map, "draw the city, its movers and contacts as SVG");
   add_output(app, "--report", options->report,
              "write an HTML report with figures, a time line and the scene in 3-D");

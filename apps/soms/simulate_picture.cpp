@@ -28,18 +28,20 @@ std::filesystem::path make_folder() {
 
 }  // namespace
 
+void check_picture_frame(const SimulateOptions& options) {
+  const std::uint64_t frame = options.picture_frame.value_or(0);
+  if (!options.picture.empty() && frame >= options.frames) {
+    throw Error(ErrorKind::usage, fmt::format("--picture of frame {} of {}", frame, options.frames),
+                "frames count from 0");
+  }
+}
+
 Picture::Picture(const SimulateOptions& options) : options_(options), recording_(options.record) {
   if (options.picture.empty()) {
     if (options.picture_frame) {
       throw Error(ErrorKind::usage, "--picture-frame without --picture", "give --picture FILE");
     }
     return;
-  }
-  if (options.frames == 0 || options.picture_frame.value_or(0) >= options.frames) {
-    throw Error(ErrorKind::usage,
-                fmt::format("--picture of frame {} of {}", options.picture_frame.value_or(0),
-                            options.frames),
-                "frames count from 0");
   }
   const bool kept = !recording_.empty() && recording_ != "/dev/null";
   std::error_code ignored;

@@ -11,11 +11,14 @@
 
 namespace soms::command {
 
+/// Throws ErrorKind::usage for a --picture of a frame that will not be.
+void check_picture_frame(const SimulateOptions& options);
+
 /// The recording that a picture is drawn from: that of --record, or one that goes with the object.
 class Picture {
  public:
-  /// Nothing where no picture is requested. \errors ErrorKind::usage for a frame that will not be,
-  /// or a recording that cannot be read again; unsupported where soms-view is missing;
+  /// Nothing where no picture is requested. \errors ErrorKind::usage for --picture-frame alone, or
+  /// a recording that cannot be read again; unsupported where soms-view is missing;
   /// cannot_write where no picture can be.
   explicit Picture(const SimulateOptions& options);
   ~Picture();

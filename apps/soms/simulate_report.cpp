@@ -4,6 +4,7 @@
 
 #include "apps/support/json.h"
 #include "apps/support/models.h"
+#include "apps/support/route_notes.h"
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
@@ -57,12 +58,12 @@ std::string contacts_of(const World& world, const Outcome& outcome) {
   if (all == 0) {
     return "none (surfaces only: a mover entirely inside a closed building touches nothing)";
   }
-  return fmt::format("{} ({} with triangles of the city, {} between movers) by {} of {} movers",
+  return fmt::format("{} ({} with triangles of the city, {} between movers) by {} of {}",
                      with_commas(all), with_commas(all - between), with_commas(between),
-                     with_commas(outcome.contacts.movers()), with_commas(world.routes.size()));
+                     with_commas(outcome.contacts.movers()), counted(world.routes.size(), "mover"));
 }
 
-std::string frames_of(const Outcome& outcome, const SimulateOptions& options) {
+std::string frames_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
   std::string text = with_commas(outcome.frames);
   if (outcome.ending != Ending::whole) {
     text += fmt::format(" of {}, {}", with_commas(options.frames),
@@ -70,6 +71,9 @@ std::string frames_of(const Outcome& outcome, const SimulateOptions& options) {
   }
   text += fmt::format(" ({:.4g} s of simulated time)",
                       static_cast<double>(outcome.frames) / kFramesASecond);
+  if (!options.frames_given && options.frames == longest_poses(world)) {
+    text += ", one for each row of the longest route";
+  }
   return text;
 }
 
@@ -109,12 +113,18 @@ Figures figures_of(const World& world, const Outcome& outcome, const SimulateOpt
       "built in", fmt::format("{:.0f} ms, after {:.0f} ms to {} it", world.build_ms, world.read_ms,
                               options.world.cities.empty() ? "make" : "read"));
   figures.emplace_back("movers", movers_of(world));
-  figures.emplace_back("frames", frames_of(outcome, options));
+  figures.emplace_back("frames", frames_of(world, outcome, options));
   figures.emplace_back(
       "speed", fmt::format("{} frames a second (worst {}), {} queries a second",
                            whole_number(outcome.median_fps()), whole_number(outcome.worst_fps()),
                            whole_number(outcome.queries_a_second())));
   figures.emplace_back("contacts", contacts_of(world, outcome));
+  if (!world.filter.between) {
+    figures.emplace_back("not tested", "movers against each other (--no-between-movers)");
+  } else if (!world.filter.ignored.empty()) {
+    figures.emplace_back("not tested",
+                         counted(world.filter.ignored.size(), "pair") + " of movers (--ignore)");
+  }
   add_most_touched(figures, world, outcome);
   if (outcome.verified) {
     const Verified& v = *outcome.verified;
@@ -172,6 +182,8 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
                   {"exact_tests", outcome.cost.exact_tests}};
   json["contacts"] = outcome.contacts.contacts().size();
   json["contacts_between_movers"] = outcome.contacts.between_movers();
+  json["between_movers"] = world.filter.between;
+  json["ignored_pairs"] = world.filter.ignored.size();
   json["hash"] = fmt::format("{:016x}", outcome.hash);
   json["most_touched"] = Json::array();
   for (const Touched& touched : outcome.contacts.most_touched(kMostTouched)) {

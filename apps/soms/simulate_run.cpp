@@ -101,8 +101,9 @@ class Run {
     float seconds = 0;
     const Parallel parallel = console_.limited();
     const StepReport report =
-        run_frame(scene_, world_, frame, {.traversal = options_.world.traversal}, parallel, poses_,
-                  lines_, seconds);
+        run_frame(scene_, world_, frame,
+                  {.mover_mover = world_.filter.between, .traversal = options_.world.traversal},
+                  parallel, poses_, lines_, seconds);
     if (verifier_) {
       verifier_->verify(report, poses_, parallel);
     }

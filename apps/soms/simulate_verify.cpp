@@ -184,7 +184,7 @@ bool Verifier::touches_unsaid(const Subject& subject, const MoverPairs& said,
   const MoverId mover = subject.mover;
   for (MoverId other = 0; other < poses.size(); ++other) {
     check_stop(alone);
-    if (other != mover && !far_apart(mover, other, poses) &&
+    if (other != mover && world_.filter.tests(mover, other) && !far_apart(mover, other, poses) &&
         !std::binary_search(said.begin(), said.end(),
                             std::pair<MoverId, MoverId>(std::minmax(mover, other))) &&
         overlaps(subject.box, moved_box(other, poses)) &&
@@ -213,7 +213,7 @@ void Verifier::verify_movers(const StepReport& report, const std::vector<Pose>& 
     const auto [begin, end] = runs[k];
     const MoverContact& first = all[begin];
     const auto pairs = pairs_of(first.a, first.b, poses, {.stop = parallel.stop});
-    bool right = pairs.size() == end - begin;
+    bool right = world_.filter.tests(first.a, first.b) && pairs.size() == end - begin;
     for (std::size_t p = 0; right && p < pairs.size(); ++p) {
       right = all[begin + p] == MoverContact{first.a, first.b, pairs[p].first, pairs[p].second};
     }

@@ -26,6 +26,8 @@ set(SOMS_SUPPORT_FILES
   progress.h
   recorded_world.cpp
   recorded_world.h
+  route_notes.cpp
+  route_notes.h
   shared.cpp
   shared.h
   standard_input.cpp
@@ -38,6 +40,8 @@ set(SOMS_SUPPORT_FILES
   text.h
   verb.cpp
   verb.h
+  mover_filter.cpp
+  mover_filter.h
   mover_routes.cpp
   mover_routes.h
   world.cpp

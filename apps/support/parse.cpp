@@ -137,6 +137,16 @@ CLI::Option* add_output(CLI::App& app, const std::string& name, std::string& tar
       ->option_text(kind);
 }
 
+CLI::Option* add_repeatable(CLI::App& app, const std::string& name,
+                            std::vector<std::string>& target, const std::string& text,
+                            const std::string& kind) {
+  return app.add_option(name, target, text)
+      ->option_text(kind)
+      ->expected(1)
+      ->allow_extra_args(false)  // a list would swallow the names of models that follow
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 std::string word_list(const std::vector<std::string>& words) {
   constexpr std::size_t kWidth = 64;
   std::string text;

@@ -60,6 +60,12 @@ CLI::Option* add_bytes(CLI::App& app, const std::string& name, std::uint64_t& ta
 CLI::Option* add_output(CLI::App& app, const std::string& name, std::string& target,
                         const std::string& text, const std::string& kind = "FILE");
 
+/// Adds an option that may be repeated and takes one value each time: what follows the value is no
+/// second one.
+CLI::Option* add_repeatable(CLI::App& app, const std::string& name,
+                            std::vector<std::string>& target, const std::string& text,
+                            const std::string& kind);
+
 /// Names and the values they stand for.
 template <class T>
 using Choices = std::vector<std::pair<std::string, T>>;

@@ -23,8 +23,9 @@ RecordedMesh with_mesh(RecordedMesh origin, const Mesh& mesh) {
   return origin;
 }
 
-/// The first place where the file is; its path as it was given where it is at none.
-/// \errors ErrorKind::bad_file for what no recording can name: a pipe, which could block for ever.
+/// The first place where the file is.
+/// \errors ErrorKind::cannot_open where it is at none; bad_file for what no recording can name: a
+/// pipe, which could block for ever.
 std::filesystem::path find_file(const std::string& source, const std::filesystem::path& recording) {
   std::filesystem::path given(source);
   const std::filesystem::path folder = recording.parent_path();
@@ -41,7 +42,10 @@ std::filesystem::path find_file(const std::string& source, const std::filesystem
         fmt::format("the recording refers to the model \"{}\", which is not a file", source),
         "record it again with models from files");
   }
-  return given;
+  throw Error(ErrorKind::cannot_open,
+              fmt::format("{}: the recorded model {} is neither at that path nor at {}",
+                          recording.string(), source, (folder / given.filename()).string()),
+              "put the file beside the recording");
 }
 
 Kind kind_named(const RecordedMesh& recorded) {

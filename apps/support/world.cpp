@@ -6,6 +6,7 @@
 
 #include "apps/support/models.h"
 #include "apps/support/mover_routes.h"
+#include "apps/support/route_notes.h"
 #include "apps/support/standard_input.h"
 
 #include <fmt/format.h>
@@ -224,11 +225,7 @@ void note_uneven_routes(World& world, bool strict, const Console& console) {
       "--route: the files of poses have {} to {} rows; the shorter ones start over "
       "while the others go on",
       least, most);
-  if (strict) {
-    throw Error(ErrorKind::bad_file, note, "give files of equal length");
-  }
-  console.note(note);
-  world.notes.push_back(note);
+  note_route(world, note, "give files of equal length", strict, console);
 }
 
 }  // namespace
@@ -284,6 +281,9 @@ Scene make_scene(const World& world, const Parallel& parallel) {
     const Model& model = world.models[mover_route.model];
     check_stop(parallel);
     scene.add_mover(Body(model.shape, mover_route.at(0), model.name));
+  }
+  for (const auto& [a, b] : world.filter.ignored) {
+    scene.ignore(a, b);
   }
   return scene;
 }

@@ -14,6 +14,7 @@
 
 #include "apps/support/console.h"
 #include "apps/support/frame_warnings.h"
+#include "apps/support/mover_filter.h"
 #include "apps/support/world_options.h"
 
 #include <cstdint>
@@ -73,6 +74,7 @@ struct World {
   std::uint64_t requested = 0;              ///< movers requested; fewer routes if there was no room
   std::vector<std::string> notes = {};      ///< what reading the files noted, "FILE: NOTE"
   std::vector<FrameWarning> warnings = {};  ///< where numbers of city and movers may not agree
+  MoverFilter filter = {};                  ///< movers that are not tested against each other
 };
 
 /// Reads or generates everything and finds free places for the movers.

@@ -14,15 +14,10 @@ void add_world_options(CLI::App& app, WorldOptions& options) {
   app.add_option("CITY", options.cities,
                  "static models, in one coordinate frame; - is standard input")
       ->option_text("FILE...");
-  app.add_option("--mover", options.movers, "moving model; may be repeated")
-      ->option_text("FILE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  app.add_option("--route", options.routes,
-                 "route, a CSV file of points or poses; may be repeated; - is standard input")
-      ->option_text("FILE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_repeatable(app, "--mover", options.movers, "moving model; may be repeated", "FILE");
+  add_repeatable(app, "--route", options.routes,
+                 "route, a CSV file of points or poses; may be repeated; - is standard input",
+                 "FILE");
   add_model_options(app, options.city_model, "--scale", "--up", "the city");
   add_model_options(app, options.mover_model, "--mover-scale", "--mover-up", "the movers");
   app.add_flag_callback(

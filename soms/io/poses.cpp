@@ -145,6 +145,7 @@ struct PoseReader::State {
   }
 
   void read_header();
+  [[nodiscard]] std::string unknown_column() const;
   bool take_columns(std::span<const std::string_view> wanted);
 };
 
@@ -164,6 +165,17 @@ bool PoseReader::State::take_columns(std::span<const std::string_view> wanted) {
   return names.size() == wanted.size();
 }
 
+/// The first column that no header has, such as a time.
+std::string PoseReader::State::unknown_column() const {
+  const auto is_known = [](std::string_view cell) {
+    return std::find(kShiftAndTurn.begin(), kShiftAndTurn.end(), cell) != kShiftAndTurn.end() ||
+           std::find(kMatrix.begin(), kMatrix.end(), cell) != kMatrix.end();
+  };
+  const auto found = std::find_if_not(cells.begin(), cells.end(), is_known);
+  const bool others = std::any_of(cells.begin(), cells.end(), is_known);
+  return found == cells.end() || !others ? std::string() : detail::in_quotes(*found);
+}
+
 void PoseReader::State::read_header() {
   const std::string remedy =
       "begin with x,y,z or x,y,z,qw,qx,qy,qz or r00,r01,r02,tx,r10,r11,r12,ty,r20,r21,r22,tz";
@@ -174,7 +186,9 @@ void PoseReader::State::read_header() {
   split(*line, cells);
   if (!take_columns(std::span(kShiftAndTurn).first(3)) && !take_columns(kShiftAndTurn) &&
       !take_columns(kMatrix)) {
-    fail(ErrorKind::bad_file, "the header " + detail::in_quotes(*line) + " is not known", remedy);
+    const std::string column = unknown_column();
+    fail(ErrorKind::bad_file, "the header " + detail::in_quotes(*line) + " is not known",
+         column.empty() ? remedy : "remove the column " + column + ", or " + remedy);
   }
 }
 

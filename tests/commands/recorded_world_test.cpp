@@ -73,7 +73,11 @@ TEST_F(RecordedWorld, IsFoundBesideTheRecording) {
   const RecordingHead head = record({path("car.ply")});
   std::filesystem::rename(path("car.ply"), path("elsewhere/car.ply"));
   std::filesystem::rename(path("town.ply"), path("elsewhere/town.ply"));
-  EXPECT_NE(fault(head, "run.somsrec").find("town.ply"), std::string::npos);
+  const std::string gone = fault(head, "run.somsrec");
+  EXPECT_NE(gone.find(path("run.somsrec") + ": the recorded model " + path("town.ply") +
+                      " is neither at that path nor at " + path("town.ply")),
+            std::string::npos)
+      << gone;
   EXPECT_EQ(recording_head(load(head, "elsewhere/run.somsrec"), 7), head);
 }
 

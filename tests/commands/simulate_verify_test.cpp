@@ -83,6 +83,18 @@ TEST_F(VerifierTest, SeesALostPairOfMoversThatTouchSomethingElse) {
   EXPECT_EQ(judge(report).wrong, 2U);  // both movers are
 }
 
+TEST_F(VerifierTest, TestsOnlyThePairsOfMoversThatTheRunDoes) {
+  StepReport report = report_;
+  std::erase_if(report.movers, [](const MoverContact& c) { return c.a == 0 && c.b == 1; });
+  world_.filter.ignored = {{0, 1}};
+  EXPECT_EQ(judge(report).wrong, 0U);
+  EXPECT_EQ(judge(report_).wrong, 1U) << "a pair that was to be ignored";
+  report.movers.clear();
+  world_.filter = {.between = false};
+  EXPECT_EQ(judge(report).wrong, 0U);
+  EXPECT_GT(judge(report_).wrong, 0U);
+}
+
 TEST_F(VerifierTest, SeesASingleLostOrInventedPairOfTriangles) {
   StepReport lost = report_;
   lost.environment.pop_back();

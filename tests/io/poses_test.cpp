@@ -103,6 +103,8 @@ TEST(PoseReader, NamesFileAndLine) {
        {"1,2,3", "x,y", "x,y,z,w", "x,y,z,qw", "x,x,z", "x y z", "x,y,z,", "X,Y,Z"}) {
     expect_no_poses("\n" + header + "\n1,2,3\n", ErrorKind::bad_file, "line 2: the header");
   }
+  expect_no_poses("t,x,y,z\n0,1,2,3\n", ErrorKind::bad_file,
+                  "remove the column \"t\", or begin with x,y,z");
   expect_no_poses("x,y,z\n1,2,3\n1,2\n", ErrorKind::bad_file,
                   "line 3: 2 numbers, but the header has 3");
   expect_no_poses("x,y,z\r\n1,2,3\r\n1,2,3,4\r\n", ErrorKind::bad_file, "line 3: 4 numbers");

@@ -49,6 +49,7 @@ TEST(ReadMesh, NamesWhatOtherContentIs) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {" {\"type\":", "a JSON file"},
       {"<?xml version=", "an XML file"},
+      {"<?xml version=\"1.0\"?>\n<robot name=\"arm\">", "give the meshes that it names"},
       {"<!DOCTYPE html>", "a web page"},
       {"version https://git-lfs.github.com", "git lfs pull"},
       {"\x1f\x8b\x08", "a gzip file; unpack it first"},

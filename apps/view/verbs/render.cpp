@@ -62,7 +62,8 @@ void add_picture_options(CLI::App& app, RenderOptions& options) {
 
 void add_content_options(CLI::App& app, RenderOptions& options) {
   app.add_option("--pose", options.pose,
-                 "pose of the mover: \"x y z [qw qx qy qz]\", or a CSV file of poses")
+                 "pose of the mover: \"x y z [qw qx qy qz]\", or a CSV file of poses,\n"
+                 "which are drawn all at once")
       ->option_text("POSE");
   command::add_count(app, "--frame", options.frame, 0, 1'000'000'000,
                      "frame of the simulation to draw, at 60 frames per second (0)");
@@ -373,9 +374,12 @@ int run_render(const RenderOptions& options, command::Console& console) {
   command::OutputFile file(options.output);
   ViewScene scene = make_scene(options, console);
   if (options.frame > 0 && stands_still(options, scene)) {
+    const bool posed = !options.pose.empty();
     throw Error(ErrorKind::usage,
-                fmt::format("--frame {} has no effect: nothing moves here", options.frame),
-                "leave it out");
+                fmt::format("--frame {} has no effect: {}", options.frame,
+                            posed ? "--pose draws the mover at every pose, in one picture"
+                                  : "nothing moves here"),
+                posed ? "leave it out, or give the poses as --route" : "leave it out");
   }
   remark_parts(options, scene, console);
   const auto [drawn, camera] = compose(options, scene, console);

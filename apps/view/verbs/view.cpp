@@ -51,7 +51,8 @@ command::Action add_view(CLI::App& app, command::Shared&) {
   const auto options = std::make_shared<ViewVerbOptions>();
   command::add_world_options(app, options->world);
   app.add_option("--pose", options->pose,
-                 "pose of the mover: \"x y z [qw qx qy qz]\", or a CSV file of poses")
+                 "pose of the mover: \"x y z [qw qx qy qz]\", or a CSV file of poses,\n"
+                 "which are drawn all at once")
       ->option_text("POSE");
   app.add_option_function<std::string>(
          "--size", [options](const std::string& text) { options->viewer.size = parse_size(text); },

@@ -101,6 +101,10 @@ void refuse_foreign(const Source& source, std::string_view extension) {
         (!extension.empty() && extension == foreign.unless)) {
       continue;
     }
+    if (foreign.begin == "<" && source.bytes.find("<robot") != std::string_view::npos) {
+      source.fail(ErrorKind::unsupported, "a robot description (URDF), not a model",
+                  "give the meshes that it names, one for each link");
+    }
     if (foreign.remedy == kConvert) {
       fail_unsupported(source, std::string(foreign.what), std::string(foreign.remedy));
     }

@@ -214,6 +214,9 @@ TEST_F(Render, R119OptionsThatThePictureIgnoresAreRefused) {
        "--descent has no effect: only E-Node has a descent"},
       {{"--mover", ball_, "--trace", "--traversal", "e-node-front", "--no-prune"},
        "--no-prune: --traversal e-node-front needs pruning"},
+      {{"--mover", ball_, "--pose", "3 0 0", "--frame", "7"},
+       "--frame 7 has no effect: --pose draws the mover at every pose, in one picture; leave it "
+       "out, or give the poses as --route"},
       {{"--frame", "7"}, "--frame 7 has no effect: nothing moves here; leave it out"},
   };
   for (const Case& c : cases) {
