@@ -123,7 +123,7 @@ report::Scene scene_of(const World& world, const Outcome& outcome) {
     scene.contacts.push_back(contact_of(world, contacts[k], row, gathered.rows[row], parts));
   }
   scene.rows = std::move(gathered.rows);
-  scene.complete = outcome.extension == Extension::whole;
+  scene.complete = outcome.ending == Ending::whole;
   scene.contacts_in_all = contacts.size();
   scene.steps = {.count = std::max<std::uint64_t>(1, outcome.frames),
                  .noun = "frame",
