@@ -52,8 +52,8 @@ class BroadPhase {
   void forget();
 
   /// Bytes held: O(n + p + k) for n boxes and p pairs of the last call and k pairs of the filter,
-  /// whatever calls before needed. A filter that names boxes beyond those counts as if the last call
-  /// had them: 8 bytes a number.
+  /// whatever calls before needed. A filter that names boxes beyond those counts as if the last
+  /// call had them: 8 bytes a number.
   [[nodiscard]] std::size_t memory() const;
 
  private:
