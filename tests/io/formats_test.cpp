@@ -68,7 +68,9 @@ TEST(Formats, StandOnTheirPage) {
     std::string text = "| ";
     text.append(row.title).append(" | `").append(row.name).append("` | ");
     text.append(row.doubles ? "every bit" : "floats").append(" | ");
-    text.append(row.names ? "yes" : "no").append(row.unit_and_axis ? " | yes |" : " | no |");
+    const bool cuts_names = row.format == MeshFormat::three_ds;
+    text.append(!row.names ? "no" : cuts_names ? "10 characters" : "yes");
+    text.append(row.unit_and_axis ? " | yes |" : " | no |");
     EXPECT_NE(convert.find(text), std::string::npos) << text;
   }
 }
