@@ -38,6 +38,7 @@ std::vector<report::Plot> bars_of_parts(const Mesh& mesh, const std::vector<Over
     }
   }
   std::vector<std::pair<std::string, double>> bars;
+  bars.reserve(by_part.size());
   for (const auto& [number, count] : by_part) {
     bars.emplace_back(part_label(mesh, number), count);
   }

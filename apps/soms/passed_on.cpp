@@ -82,12 +82,11 @@ std::vector<OptionWords> passed_options(const Verb& verb) {
       options.push_back(std::move(option));
       label = parts[3];
       meaning = parts[4];
-    } else if (const std::size_t text = line.find_first_not_of(' '); text == line.npos) {
-      end_option();  // an empty line, or one of blanks
-    } else if (text >= kIndent) {
+    } else if (const std::size_t text = line.find_first_not_of(' ');
+               text != line.npos && text >= kIndent) {
       meaning += line.substr(text);
     } else {
-      end_option();
+      end_option();  // another heading, an empty line, or one of blanks
     }
   }
   return options;

@@ -31,6 +31,6 @@ struct SimulateOptions {
 };
 
 [[nodiscard]] Action add_simulate(CLI::App& app, Shared& shared);
-[[nodiscard]] int run_simulate(const SimulateOptions& options, Console& console);
+[[nodiscard]] int run_simulate(const SimulateOptions& given, Console& console);
 
 }  // namespace soms::command
