@@ -260,15 +260,17 @@ void BoxWatch::look(const Box& a, const Box& b) {
 
 void tell_warnings(const std::vector<FrameWarning>& warnings, bool strict, const Console& console) {
   if (strict && !warnings.empty()) {
-    std::string places;
-    std::string remedies;
+    std::vector<std::string> places;
+    std::vector<std::string> remedies;
     for (const FrameWarning& warning : warnings) {
-      places += (places.empty() ? "--strict: " : "; ") + warning.place;
-      if (remedies.find(warning.remedy) == std::string::npos) {  // one may settle several
-        remedies += (remedies.empty() ? "" : "; ") + warning.remedy;
+      places.push_back(warning.place);
+      // One remedy may settle several.
+      if (std::find(remedies.begin(), remedies.end(), warning.remedy) == remedies.end()) {
+        remedies.push_back(warning.remedy);
       }
     }
-    throw Error(ErrorKind::bad_file, places, remedies);
+    throw Error(ErrorKind::bad_file, fmt::format("--strict: {}", fmt::join(places, "; ")),
+                fmt::format("{}", fmt::join(remedies, "; ")));
   }
   for (const FrameWarning& warning : warnings) {
     console.note("warning: " + warning.text());

@@ -10,6 +10,9 @@
 
 namespace soms::command {
 
+namespace {
+
+/// Says `note` on standard error and in the answer; with `strict` it is an error instead.
 void note_route(World& world, const std::string& note, const std::string& remedy, bool strict,
                 const Console& console) {
   if (strict) {
@@ -18,6 +21,8 @@ void note_route(World& world, const std::string& note, const std::string& remedy
   console.note(note);
   world.notes.push_back(note);
 }
+
+}  // namespace
 
 std::uint64_t longest_poses(const World& world) {
   std::uint64_t most = 0;
@@ -35,6 +40,26 @@ std::uint64_t frames_of_routes(const World& world, std::uint64_t usual) {
       rows > 0 && std::all_of(world.routes.begin(), world.routes.end(),
                               [](const MoverRoute& route) { return route.recorded != nullptr; });
   return all_poses ? rows : std::max(rows, usual);
+}
+
+void note_uneven_routes(World& world, bool strict, const Console& console) {
+  std::size_t least = 0;
+  std::size_t most = 0;
+  for (const MoverRoute& route : world.routes) {
+    if (route.recorded != nullptr) {
+      const std::size_t rows = route.recorded->size();
+      least = least == 0 ? rows : std::min(least, rows);
+      most = std::max(most, rows);
+    }
+  }
+  if (least == most) {
+    return;
+  }
+  const std::string note = fmt::format(
+      "--route: the files of poses have {} to {} rows; the shorter ones start over "
+      "while the others go on",
+      least, most);
+  note_route(world, note, "give files of equal length", strict, console);
 }
 
 void note_unused_rows(World& world, std::uint64_t frames, bool strict, const Console& console) {

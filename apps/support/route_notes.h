@@ -9,11 +9,6 @@
 
 namespace soms::command {
 
-/// Says `note` on standard error and in the answer; with `strict` it is an error instead.
-/// \errors ErrorKind::bad_file.
-void note_route(World& world, const std::string& note, const std::string& remedy, bool strict,
-                const Console& console);
-
 /// Rows of the longest route of poses; 0 where there is none.
 [[nodiscard]] std::uint64_t longest_poses(const World& world);
 
@@ -21,11 +16,17 @@ void note_route(World& world, const std::string& note, const std::string& remedy
 /// poses. Beside such routes, those of points need `usual` frames or more.
 [[nodiscard]] std::uint64_t frames_of_routes(const World& world, std::uint64_t usual);
 
-/// Notes that the run ends before the last row of a route of poses. \errors As `note_route`.
+/// Notes routes of poses of different lengths. Their rows belong together, row by row: where one is
+/// shorter, it starts over while the others go on.
+/// \errors ErrorKind::bad_file instead of the note, with `strict`.
+void note_uneven_routes(World& world, bool strict, const Console& console);
+
+/// Notes that the run ends before the last row of a route of poses.
+/// \errors As `note_uneven_routes`.
 void note_unused_rows(World& world, std::uint64_t frames, bool strict, const Console& console);
 
 /// Notes movers that follow a line in steps longer than themselves: between two frames they can
-/// pass what is thin. \errors As `note_route`.
+/// pass what is thin. \errors As `note_uneven_routes`.
 void note_long_steps(World& world, bool strict, const Console& console);
 
 }  // namespace soms::command

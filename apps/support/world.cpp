@@ -206,28 +206,6 @@ std::optional<City> load_city(World& world, const WorldOptions& options,
   return std::nullopt;
 }
 
-/// Poses of several bodies belong together, row by row: where one list is shorter, it starts over
-/// while the others go on.
-void note_uneven_routes(World& world, bool strict, const Console& console) {
-  std::size_t least = 0;
-  std::size_t most = 0;
-  for (const MoverRoute& route : world.routes) {
-    if (route.recorded != nullptr) {
-      const std::size_t rows = route.recorded->size();
-      least = least == 0 ? rows : std::min(least, rows);
-      most = std::max(most, rows);
-    }
-  }
-  if (least == most) {
-    return;
-  }
-  const std::string note = fmt::format(
-      "--route: the files of poses have {} to {} rows; the shorter ones start over "
-      "while the others go on",
-      least, most);
-  note_route(world, note, "give files of equal length", strict, console);
-}
-
 }  // namespace
 
 void check_count(const WorldOptions& options) {

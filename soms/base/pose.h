@@ -52,10 +52,9 @@ struct Pose {
 
   /// The pose of a 4x4 matrix that moves column vectors, stored row by row: entries 3, 7 and 11 are
   /// the shift. The pose passes `check`.
-  /// \errors ErrorKind::not_finite; not_rigid unless the last row is 0 0 0 1, and as `check`, or
-  /// with
-  ///         Rotation::nearest as `normalized`. A matrix that is stored by columns, or that scales,
-  ///         is named as such.
+  /// \errors ErrorKind::not_finite; not_rigid unless the last row is 0 0 0 1, and as `check` or,
+  ///         with Rotation::nearest, as `normalized`. A matrix that is stored by columns, or that
+  ///         scales, is named as such.
   [[nodiscard]] static Pose from_row_major(std::span<const double, 16> matrix,
                                            Rotation rotation = Rotation::as_given);
 
