@@ -29,8 +29,7 @@ struct Page {
   std::string title;
   std::string lead;
   std::vector<Fact> facts;
-  std::vector<std::string> warnings =
-      {};  ///< reasons to doubt the answer: each in a box of its own
+  std::vector<std::string> warnings = {};  ///< reasons to doubt the answer, a box for each
   std::vector<Plot> plots;
   std::vector<std::string> notes;
   Scene scene = {};

@@ -92,10 +92,9 @@ struct Scene {
   std::vector<ScenePart> parts = {};        ///< those of rows and contacts
   std::vector<SceneRow> rows = {};          ///< all of them: none is ever left out of a page
   std::vector<SceneContact> contacts = {};  ///< of all or some, in order of `begin`
-  bool complete =
-      true;  ///< false where the search ended early: there may be more rows and contacts
-  std::uint64_t contacts_in_all = 0;       ///< the sum of `SceneRow::count`
-  Noun contact = {"contact", "contacts"};  ///< what the page calls them
+  bool complete = true;                     ///< false: the search ended early, there may be more
+  std::uint64_t contacts_in_all = 0;        ///< the sum of `SceneRow::count`
+  Noun contact = {"contact", "contacts"};   ///< what the page calls them
   Steps steps = {};
   std::function<Pose(std::uint32_t body, std::uint64_t step)> pose = {};
   bool y_is_up = false;

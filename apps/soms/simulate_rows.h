@@ -28,7 +28,7 @@ struct ContactRows {
 /// \cost O(n log r) for n contacts and r rows.
 [[nodiscard]] ContactRows rows_of(const World& world, const std::vector<Contact>& contacts);
 
-/// Numbers, ascending, of at most `most` contacts: each row has a fair share: its
+/// Numbers, ascending, of at most `most` contacts: each row has a fair share, its
 /// first and its longest.
 [[nodiscard]] std::vector<std::size_t> fair_sample(const ContactRows& rows,
                                                    const std::vector<Contact>& contacts,

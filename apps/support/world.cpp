@@ -8,6 +8,7 @@
 #include "apps/support/mover_routes.h"
 #include "apps/support/route_notes.h"
 #include "apps/support/standard_input.h"
+#include "apps/support/stated_options.h"
 
 #include <fmt/format.h>
 
@@ -99,8 +100,8 @@ Upright read_upright(const std::string& path, const Role& role, Console& console
     model.mesh = transformed(std::move(model.mesh), 1, up);
     model.origin.up = up;
     note(model.mesh,
-         fmt::format("the up axis is {}; rotated to z (give {} z to keep it)",
-                     up == UpAxis::x ? "x" : "y", role.up_option),
+         fmt::format("the up axis is {}; rotated to z (give {} z to keep it)", axis_letter(up),
+                     role.up_option),
          console);
   }
   note_unit(model.mesh, role, console);

@@ -291,7 +291,8 @@ TEST(Counts, CaptionsOfAllBuildsTellTheOptionsOfEach) {
   }
   const Models models = scenes_only();
   for (const auto run : {table_5_9, table_5_10, table_5_11}) {
-    const std::string& caption = run({.models = models}).figures.at(0).caption;
+    const Result result = run({.models = models});
+    const std::string& caption = result.figures.at(0).caption;
     EXPECT_NE(caption.find(kComparedOptions), std::string::npos) << caption;
   }
 }

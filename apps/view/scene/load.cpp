@@ -5,6 +5,7 @@
 
 #include "apps/support/models.h"
 #include "apps/support/recorded_world.h"
+#include "apps/support/stated_options.h"
 
 #include <fmt/format.h>
 
@@ -86,12 +87,12 @@ DroppedBody read_body(const std::filesystem::path& path, const Parallel& paralle
   const UpAxis up = mesh.up;
   if (up == UpAxis::x || up == UpAxis::y) {
     notes.push_back(fmt::format("{}: the up axis is {}; rotated to z", path.string(),
-                                up == UpAxis::x ? "x" : "y"));
+                                command::axis_letter(up)));
     mesh = transformed(std::move(mesh), 1, up);
   }
-  if (mesh.unit > 0 && mesh.unit != 1) {
+  if (mesh.unit > 0 && !same_unit(mesh.unit, 1)) {
     notes.push_back(
-        fmt::format("{}: the unit is {:g} m; assuming meters", path.string(), mesh.unit));
+        fmt::format("{}: the unit is {:.9g} m; assuming meters", path.string(), mesh.unit));
   }
   return {Body(Shape(std::move(mesh), {}, parallel), {}, command::short_name(path.string())),
           std::move(notes)};
