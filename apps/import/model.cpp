@@ -168,7 +168,7 @@ void SceneWriter::tell_axes(bool turned) {
 
 /// What an FBX file says of its unit, in centimeters, and its axes; Assimp applies neither.
 std::string SceneWriter::tell_settings() {
-  const std::string unknown = "axes and unit as it gives them";
+  const char* const unknown = "axes and unit as it gives them";
   const aiMetadata* const said = scene_.mMetaData;
   if (said == nullptr) {
     return unknown;
