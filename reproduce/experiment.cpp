@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace soms::reproduce {
 
@@ -112,9 +115,19 @@ constexpr std::array kExperiments{
                20, spread},
 };
 
+constexpr std::array<std::pair<std::string_view, Chapter>, 3> kChapters{
+    {{"claims", Chapter::claims}, {"thesis", Chapter::thesis}, {"beyond", Chapter::beyond}}};
+
+/// The chapter of this name; nothing if there is none.
+std::optional<Chapter> chapter_named(std::string_view word) {
+  const auto found = std::find_if(kChapters.begin(), kChapters.end(),
+                                  [&](const auto& entry) { return entry.first == word; });
+  return found == kChapters.end() ? std::nullopt : std::optional(found->second);
+}
+
 bool is_named(const Experiment& experiment, std::string_view word) {
-  if (word == "thesis" || word == "beyond") {
-    return (experiment.chapter == Chapter::thesis) == (word == "thesis");
+  if (const std::optional<Chapter> chapter = chapter_named(word)) {
+    return experiment.chapter == *chapter;
   }
   const std::string_view item = experiment.item;
   return item == word || item == fmt::format("table-{}", word) ||
@@ -122,7 +135,7 @@ bool is_named(const Experiment& experiment, std::string_view word) {
 }
 
 Error unknown(std::string_view word) {
-  std::string items = "thesis, beyond";
+  std::string items = "claims, thesis, beyond";
   for (const Experiment& experiment : kExperiments) {
     items += fmt::format(", {}", experiment.item);
   }
@@ -142,7 +155,7 @@ std::span<const Experiment> experiments() {
 std::vector<const Experiment*> experiments_named(std::span<const std::string_view> words) {
   std::vector<bool> wanted(kExperiments.size(), words.empty());
   for (const std::string_view word : words) {
-    bool found = word == "thesis" || word == "beyond";
+    bool found = chapter_named(word).has_value();
     for (std::size_t i = 0; i < kExperiments.size(); ++i) {
       if (is_named(kExperiments[i], word)) {
         wanted[i] = true;

@@ -4,19 +4,12 @@
 #include "soms/query/traversal/traversals.h"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <utility>
 
 namespace soms::reproduce {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds(Clock::time_point from, Clock::time_point to) {
-  return std::chrono::duration<double, std::milli>(to - from).count();
-}
 
 Shape shape_of(std::shared_ptr<const Mesh> mesh, const Contender& build) {
   return Shape(std::move(mesh), {.build = build.options, .keep_tree = true});
@@ -58,13 +51,13 @@ void time_trip(const Trip& trip, const NamedTraversal& traversal, const Parallel
   detail::NamedOverlap query = query_of(trip, traversal);
   for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
     const Pose pose = trip.pose(k);
-    const auto start = Clock::now();
+    const double start = processor_milliseconds();
     query.move(Pose::identity(), pose);
-    const auto moved = Clock::now();
+    const double moved = processor_milliseconds();
     const Overlap answer = query(Pose::identity(), pose, {}, parallel);
-    const auto end = Clock::now();
-    samples.collision[k].push_back(milliseconds(moved, end));
-    samples.frame[k].push_back(milliseconds(start, end));
+    const double end = processor_milliseconds();
+    samples.collision[k].push_back(end - moved);
+    samples.frame[k].push_back(end - start);
   }
 }
 
@@ -74,9 +67,9 @@ double time_traversal(const Trip& trip, const NamedTraversal& traversal, const P
   for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
     check_stop(parallel);
     leaves.move(k);
-    const auto start = Clock::now();
+    const double start = processor_milliseconds();
     (void)leaves.run();
-    sum += milliseconds(start, Clock::now());
+    sum += processor_milliseconds() - start;
   }
   return sum;
 }
@@ -227,7 +220,8 @@ std::vector<FrameTimes> time_frames(const Trip& trip, std::span<const NamedTrave
     time_trip(trip, traversal, parallel, warm_up);
   }
   for (int round = 0; round < repetitions; ++round) {
-    for (std::size_t i = 0; i < traversals.size(); ++i) {
+    for (std::size_t k = 0; k < traversals.size(); ++k) {
+      const std::size_t i = round % 2 == 0 ? k : traversals.size() - 1 - k;
       time_trip(trip, traversals[i], parallel, samples[i]);
     }
   }
@@ -248,13 +242,13 @@ Timing time_beside_traversal(const Trip& trip, const NamedTraversal& traversal, 
     LeafTraversal leaves(trip, traversal.options);
     double sum = 0;
     for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
-      const auto start = Clock::now();
+      const double start = processor_milliseconds();
       (void)query(Pose::identity(), trip.pose(k), {}, parallel);
-      const auto end = Clock::now();
+      const double end = processor_milliseconds();
       leaves.move(k);
-      const auto start_of_traversal = Clock::now();
+      const double start_of_traversal = processor_milliseconds();
       (void)leaves.run();
-      sum += milliseconds(start, end) - milliseconds(start_of_traversal, Clock::now());
+      sum += (end - start) - (processor_milliseconds() - start_of_traversal);
     }
     samples.push_back(sum);
   }
@@ -265,7 +259,8 @@ std::vector<Timing> time_traversals(const Trip& trip, std::span<const NamedTrave
                                     int repetitions, const Parallel& parallel) {
   std::vector<std::vector<double>> samples(traversals.size());
   for (int round = -1; round < repetitions; ++round) {  // the first warms up
-    for (std::size_t i = 0; i < traversals.size(); ++i) {
+    for (std::size_t k = 0; k < traversals.size(); ++k) {
+      const std::size_t i = round % 2 == 0 ? k : traversals.size() - 1 - k;
       const double sample = time_traversal(trip, traversals[i], parallel);
       if (round >= 0) {
         samples[i].push_back(sample);

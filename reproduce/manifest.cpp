@@ -51,6 +51,21 @@ Json findings_of(const Result& result) {
   return list;
 }
 
+Json claims_of(const Result& result) {
+  Json list = Json::array();
+  for (const Claim& claim : result.claims) {
+    list.push_back({{"id", claim.id},
+                    {"claim", claim.statement},
+                    {"source", claim.source},
+                    {"verdict", name(verdict_of(claim))},
+                    {"where", where(claim)},
+                    {"rows", claim.rows.size()},
+                    {"matrix", file_of(claim_table(claim)).generic_string()},
+                    {"timed", is_timed(claim)}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string manifest(const Report& report) {
@@ -60,6 +75,7 @@ std::string manifest(const Report& report) {
                      {"title", entry.experiment->title},
                      {"seconds", entry.seconds},
                      {"files", files_of(entry)},
+                     {"claims", claims_of(entry.result)},
                      {"findings", findings_of(entry.result)}});
   }
   Json missing = Json::array();

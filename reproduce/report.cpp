@@ -64,6 +64,9 @@ class Runner {
     const auto start = std::chrono::steady_clock::now();
     Entry entry{.experiment = &experiment, .result = experiment.run(context)};
     const auto end = std::chrono::steady_clock::now();
+    for (const Claim& claim : entry.result.claims) {
+      entry.result.tables.push_back(claim_table(claim));
+    }
     entry.seconds = std::chrono::duration<double>(end - start).count();
     done_ += experiment.weight;
     return entry;

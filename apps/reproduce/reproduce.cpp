@@ -147,6 +147,10 @@ reproduce::Report run_experiments(const ReproduceOptions& options, const reprodu
 std::string summary(const reproduce::Report& report, const ReproduceOptions& options) {
   std::string text;
   for (const reproduce::Entry& entry : report.entries) {
+    for (const reproduce::Claim& claim : entry.result.claims) {
+      text += fmt::format("{:<28}{:<17}{}\n", name(verdict_of(claim)), entry.experiment->item,
+                          claim.statement);
+    }
     for (const reproduce::Finding& finding : entry.result.findings) {
       text += fmt::format("{:<20}{:<13}{}\n", name(finding.verdict), entry.experiment->item,
                           finding.claim);
