@@ -23,6 +23,10 @@ constexpr Needs kScenes{.scenes = true};
 constexpr Needs kObjectsAndScenes{.objects = true, .scenes = true};
 
 constexpr std::array kExperiments{
+    Experiment{"claim-balanced", "Is a balanced tree traversed faster?", Chapter::claims,
+               kObjectsAndScenes, 5, claim_balanced},
+    Experiment{"claim-cheaper", "Is SOMS cheaper to query than spatial median?", Chapter::claims,
+               kObjectsAndScenes, 10, claim_cheaper},
     Experiment{"table-3.1", "The objects: specification of the PLY models", Chapter::thesis,
                kObjects, 1, table_3_1},
     Experiment{"table-3.2", "The orientation tests: axis and direction", Chapter::thesis, kObjects,

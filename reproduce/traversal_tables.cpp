@@ -1,5 +1,7 @@
 #include "reproduce/traversal_tables.h"
 
+#include "reproduce/statistics.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -56,6 +58,23 @@ void add_statistics_cells(std::vector<Cell>& row, const std::vector<double>& num
   }
   const Timing summary = summarize(numbers);
   for (const double number : {summary.mean, summary.median, summary.min, summary.max}) {
+    row.emplace_back(number);
+  }
+}
+
+void add_estimate_columns(Table& table, std::string_view unit) {
+  for (const char* const name : {"median", "low", "high"}) {
+    table.columns.push_back({name, std::string(unit), ColumnKind::timed});
+  }
+}
+
+void add_estimate_cells(std::vector<Cell>& row, std::span<const double> rounds) {
+  if (rounds.empty()) {
+    row.resize(row.size() + 3);
+    return;
+  }
+  const Estimate time = estimate(rounds);
+  for (const double number : {time.value, time.interval.low, time.interval.high}) {
     row.emplace_back(number);
   }
 }

@@ -6,6 +6,11 @@
 
 namespace soms::reproduce {
 
+/// Premises of the thesis: a balanced tree is traversed faster; a tree by SOMS is cheaper to query.
+/// \source thesis, abstract and chapter 1.
+[[nodiscard]] Result claim_balanced(const Context& context);
+[[nodiscard]] Result claim_cheaper(const Context& context);
+
 /// Objects and urban scenes: what their files hold. \source thesis, tables 3.1 and 3.3.
 [[nodiscard]] Result table_3_1(const Context& context);
 [[nodiscard]] Result table_3_3(const Context& context);
