@@ -12,7 +12,7 @@ namespace soms::reproduce {
 namespace {
 
 /// Readings that are named in a sentence; the matrix has them all.
-constexpr std::size_t kNamed = 6;
+constexpr std::size_t kNamed = 4;
 
 /// The number as the CSV has it.
 double written(double number) {
@@ -22,9 +22,9 @@ double written(double number) {
   return value;
 }
 
-/// The rows of one reading and metric, over its subjects.
+/// The rows of one reading, by all metrics and on all subjects.
 struct Group {
-  std::string name;
+  std::string reading;
   std::size_t rows = 0;
   std::size_t hold = 0;
 };
@@ -35,12 +35,11 @@ std::vector<Group> groups_of(const Claim& claim) {
     if (!row.unjudged.empty()) {
       continue;
     }
-    const std::string name =
-        row.reading.empty() ? row.metric : fmt::format("{}, {}", row.metric, row.reading);
+    const std::string& reading = row.reading.empty() ? row.metric : row.reading;
     auto group = std::find_if(groups.begin(), groups.end(),
-                              [&](const Group& other) { return other.name == name; });
+                              [&](const Group& other) { return other.reading == reading; });
     if (group == groups.end()) {
-      group = groups.insert(groups.end(), {name});
+      group = groups.insert(groups.end(), {reading});
     }
     ++group->rows;
     group->hold += stand_of(row) == Verdict::holds ? 1U : 0U;
@@ -112,27 +111,30 @@ std::string where(const Claim& claim) {
   if (judged == 0) {
     return "No row of its matrix can be judged.";
   }
-  std::vector<std::string> everywhere;
-  std::vector<std::string> somewhere;
-  for (const Group& group : groups_of(claim)) {
-    if (group.hold == group.rows) {
-      everywhere.push_back(group.rows == 1 ? group.name
-                                           : fmt::format("{} ({})", group.name, group.rows));
-    } else if (group.hold > 0) {
-      somewhere.push_back(fmt::format("{} ({} of {})", group.name, group.hold, group.rows));
-    }
-  }
-  std::string text =
-      fmt::format("Holds in {} of {} rows, undecided in {}.", count_of(claim, Verdict::holds),
-                  judged, count_of(claim, Verdict::undecided));
+  const std::size_t open = count_of(claim, Verdict::undecided);
+  std::string text = fmt::format("Holds in {} of {} rows{}.", count_of(claim, Verdict::holds),
+                                 judged, open == 0 ? "" : fmt::format(", undecided in {}", open));
   if (verdict_of(claim) != Verdict::holds_under) {
     return text;
   }
-  if (!everywhere.empty()) {
-    text += fmt::format(" On every subject: {}.", listed(everywhere));
+  std::vector<std::string> everywhere;
+  std::vector<std::string> somewhere;
+  std::vector<std::string> nowhere;
+  for (const Group& group : groups_of(claim)) {
+    if (group.hold == group.rows) {
+      everywhere.push_back(group.reading);
+    } else if (group.hold == 0) {
+      nowhere.push_back(group.reading);
+    } else {
+      somewhere.push_back(fmt::format("{} ({} of {})", group.reading, group.hold, group.rows));
+    }
   }
-  if (!somewhere.empty()) {
-    text += fmt::format(" On some: {}.", listed(somewhere));
+  for (const auto& [words, readings] :
+       {std::pair("In every row", &everywhere), std::pair("In some", &somewhere),
+        std::pair("In none", &nowhere)}) {
+    if (!readings->empty()) {
+      text += fmt::format(" {}: {}.", words, listed(*readings));
+    }
   }
   return text;
 }

@@ -83,7 +83,8 @@ struct Claim {
 /// What follows from the rows, by the rule above.
 [[nodiscard]] Verdict verdict_of(const Claim& claim);
 
-/// Where it holds: "in 12 of 30 rows; for every subject: ...; for some: ...", from the rows alone.
+/// Where it holds, from the rows alone: in how many, and the readings of which every row, some or
+/// none holds.
 [[nodiscard]] std::string where(const Claim& claim);
 
 /// True if a row was measured, not counted.

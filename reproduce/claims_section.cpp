@@ -154,10 +154,10 @@ std::string row_of(const Tested& tested, bool open) {
   std::string html = fmt::format(
       "<tr id=\"claim-{}\"><td>{} <span class=\"faint\">({})</span></td><td "
       "class=\"verdict\">{}</td>"
-      "<td{}>{}\n<details{}>\n<summary>Matrix of {}, and why</summary>\n",
+      "<td>{}\n<details{}>\n<summary>Matrix of {}, and why</summary>\n",
       xml_text(claim->id), xml_text(claim->statement), xml_text(claim->source),
-      badge(verdict_of(*claim)), is_timed(*claim) ? " class=\"timed\"" : "",
-      xml_text(where(*claim)), open ? " open" : "", counted(claim->rows.size(), "row"));
+      badge(verdict_of(*claim)), xml_text(where(*claim)), open ? " open" : "",
+      counted(claim->rows.size(), "row"));
   if (!claim->why.empty()) {
     html += fmt::format("<p>{}</p>\n", xml_text(claim->why));
   }

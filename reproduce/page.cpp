@@ -63,10 +63,10 @@ class Page {
 
   std::string write() {
     head();
-    how_it_was_run();
-    models();
     out_ += claims_section(report_, false);
     contents();
+    how_it_was_run();
+    models();
     for (const auto& [which, title] : kChapters) {
       chapter(which, title);
     }
@@ -119,7 +119,7 @@ class Page {
 
   void how_it_was_run() {
     const Machine& machine = report_.machine;
-    put("<dl class=\"run\">\n");
+    put("<h2 id=\"run\">This run</h2>\n<dl class=\"run\">\n");
     const auto row = [&](std::string_view what, std::string_view value) {
       put("<dt>{}</dt><dd>{}</dd>\n", what, xml_text(value));
     };

@@ -43,7 +43,7 @@ std::vector<BuildPairing> builds() {
   const std::vector<Contender> objects = all_builds(kObjectLevel);
   const BuildPairing spatial = pairing(scenes, objects, "spatial_median");
   return {pairing(scenes, objects, "object_median"),
-          {"spatial median, next_axis", with(spatial.of_scene, EmptySide::next_axis),
+          {"spatial median (next_axis)", with(spatial.of_scene, EmptySide::next_axis),
            with(spatial.of_object, EmptySide::next_axis)},
           pairing(scenes, objects, "soms"),
           pairing(scenes, objects, "sah")};
@@ -62,7 +62,7 @@ double over(std::uint64_t one, std::uint64_t other) {
 void compare(std::vector<ClaimRow>& rows, const Ride& more, const Ride& less) {
   const Demand cheaper{.below = 1};
   const std::string reading =
-      fmt::format("{} over {}, which is less balanced", more.build.title, less.build.title);
+      fmt::format("{} over the less balanced {}", more.build.title, less.build.title);
   const std::string subject = subject_of(more.trip);
   rows.push_back(counted_row(reading, "box tests", subject, "", cheaper,
                              over(more.sum.counts.box_tests, less.sum.counts.box_tests)));
@@ -95,8 +95,8 @@ void compare_shares(std::vector<ClaimRow>& rows, const Trip& trip, const Paralle
   const TraversalCounts half = count_uneven(trip, 0.5, parallel);
   for (const Share& share : kShares) {
     const TraversalCounts less = count_uneven(trip, share.share, parallel);
-    const std::string reading = fmt::format(
-        "each node's triangles in the same order, cut at 1/2 over cut at {} (ours)", share.words);
+    const std::string reading =
+        fmt::format("nodes cut at 1/2 over cut at {}, all else alike (ours)", share.words);
     rows.push_back(counted_row(reading, "box tests", subject_of(trip), "", {.below = 1},
                                over(half.box_tests, less.box_tests)));
   }

@@ -32,8 +32,8 @@ std::vector<BuildPairing> builds() {
   std::vector<BuildPairing> list{pairing(scenes, objects, "soms")};
   const BuildPairing spatial = pairing(scenes, objects, "spatial_median");
   for (const EmptySide policy : kPolicies) {
-    list.push_back({fmt::format("spatial median, {}", name(policy)), with(spatial.of_scene, policy),
-                    with(spatial.of_object, policy)});
+    list.push_back({fmt::format("spatial median ({})", name(policy)),
+                    with(spatial.of_scene, policy), with(spatial.of_object, policy)});
   }
   return list;
 }

@@ -58,9 +58,11 @@ TEST(Claim, RowsThatAreNotJudgedDecideNothing) {
 }
 
 TEST(Claim, SaysWhereItHolds) {
-  EXPECT_EQ(where(claim({count(1), count(-2, "stop", "venus"), count(3, "chain")})),
-            "Holds in 2 of 3 rows, undecided in 0. On every subject: leaves, chain. On some: "
-            "leaves, stop (1 of 2).");
+  EXPECT_EQ(
+      where(
+          claim({count(1), count(-2, "stop", "venus"), count(3, "chain"), count(0, "next axis")})),
+      "Holds in 2 of 4 rows. In every row: chain. In some: stop (1 of 2). In none: next axis.");
+  EXPECT_EQ(where(claim({count(-1), measured(7, 8, 9)})), "Holds in 0 of 2 rows, undecided in 1.");
 }
 
 TEST(Claim, TableHasAllThatTheVerdictNeeds) {
