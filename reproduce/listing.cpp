@@ -86,7 +86,7 @@ class ListingPage {
     top_ = beside_ ? kTop : kTop + code_height_ + 44;
   }
 
-  std::string draw() const {
+  [[nodiscard]] std::string draw() const {
     const double width = std::max({kWidth, left_ + steps_width_ + kMargin, examples_right()});
     Svg svg(width, height(), listing_.title);
     svg.text({kMargin, 30}, listing_.title, {.size = 17, .bold = true});

@@ -321,8 +321,9 @@ Result figure_4_12(const Context&) {
   std::uint64_t seen = 0;
   std::size_t number = 0;
   for (const Face& face : faces()) {
+    const std::size_t row = number / 3;
     const Spot place{30 + 315 * static_cast<double>(number % 3),
-                     74 + 275 * static_cast<double>(number / 3)};
+                     74 + 275 * static_cast<double>(row)};
     draw_face(svg, box, face, ++number, place);
     seen += BoxSketch(box, {{0, 0}, 1, 1}).shows(face) ? 1U : 0U;
     for (const std::size_t k : face.corners) {

@@ -11,7 +11,6 @@ namespace {
 
 using soms::test::count_of;
 using test::run_quick;
-using test::table_of;
 
 Result result_of(int number) {
   return run_quick(fmt::format("figure-4.{}", number), {});
