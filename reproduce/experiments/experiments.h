@@ -72,6 +72,27 @@ namespace soms::reproduce {
 [[nodiscard]] Result figure_4_6(const Context& context);
 [[nodiscard]] Result figure_4_7(const Context& context);
 
+/// Boxes: how one is found and follows its set, its corners and their numbers, how it is drawn.
+/// \source  thesis, figures 4.8 to 4.13, by their captions.
+[[nodiscard]] Result figure_4_8(const Context& context);
+[[nodiscard]] Result figure_4_9(const Context& context);
+[[nodiscard]] Result figure_4_10(const Context& context);
+[[nodiscard]] Result figure_4_11(const Context& context);
+[[nodiscard]] Result figure_4_12(const Context& context);
+[[nodiscard]] Result figure_4_13(const Context& context);
+
+/// The tree as a class, what TreeIDs tell, how nodes come to be, and which axis is divided.
+/// \source  thesis, figures 4.14 to 4.22, by their captions.
+[[nodiscard]] Result figure_4_14(const Context& context);
+[[nodiscard]] Result figure_4_15(const Context& context);
+[[nodiscard]] Result figure_4_16(const Context& context);
+[[nodiscard]] Result figure_4_17(const Context& context);
+[[nodiscard]] Result figure_4_18(const Context& context);
+[[nodiscard]] Result figure_4_19(const Context& context);
+[[nodiscard]] Result figure_4_20(const Context& context);
+[[nodiscard]] Result figure_4_21(const Context& context);
+[[nodiscard]] Result figure_4_22(const Context& context);
+
 /// The bunny's tree at levels 1, 3, 5 and 6, for each rule. \source thesis, figure 4.30.
 [[nodiscard]] Result figure_4_30(const Context& context);
 
