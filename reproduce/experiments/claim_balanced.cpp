@@ -107,7 +107,7 @@ Table table_of(const std::vector<Ride>& rides) {
       .id = "balance_and_cost",
       .caption = fmt::format(
           "Balance of trees and what they cost to traverse: balanced level of the tree of "
-          "the body that stands still, counts of the generic traversal over all frames, "
+          "the static body, counts of the generic traversal over all frames, "
           "times over the frames in which the roots overlap (trees of level {}, scenes {}).",
           kObjectLevel, kSceneLevel),
       .columns = {{"course"}, {"build"}, {"balanced_level"}}};
