@@ -37,7 +37,7 @@ std::vector<std::string> faults_of_numbers(std::span<const ThesisItem> items) {
   std::set<std::string> names;
   for (const ThesisItem& item : items) {
     if (!names.insert(item_name(item)).second) {
-      faults.push_back(item_name(item) + " stands twice");
+      faults.push_back(item_name(item) + " is listed twice");
     }
   }
   std::set<std::string> wanted;
@@ -76,7 +76,7 @@ std::string fault_of(const ThesisItem& item, std::span<const Experiment> experim
     return name + " is both shown and explained";
   }
   if (!item.elsewhere.empty() && experiment_of(experiments, item.elsewhere) == nullptr) {
-    return fmt::format("{} is to be shown by {}, which is no item", name, item.elsewhere);
+    return fmt::format("{} refers to {}, which is not an item", name, item.elsewhere);
   }
   return {};
 }

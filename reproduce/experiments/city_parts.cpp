@@ -62,6 +62,29 @@ std::vector<TriangleId> triangles_of(const Quarters& quarters, std::size_t part)
   return ids;
 }
 
+/// An object of the file, as far as it lies in part 1.
+struct PlacedObject {
+  std::string name;
+  std::vector<TriangleId> triangles = {};
+};
+
+/// Most stages of figure 4.39 that are drawn; the last holds all objects.
+constexpr std::size_t kStages = 4;
+
+std::vector<PlacedObject> objects_of_part_1(const Mesh& mesh, const Quarters& quarters) {
+  std::vector<PlacedObject> objects;
+  std::map<std::string, std::size_t> places;
+  for (const TriangleId id : triangles_of(quarters, 0)) {
+    const std::string name = object_of(mesh, id);
+    const auto [place, added] = places.try_emplace(name, objects.size());
+    if (added) {
+      objects.push_back({name});
+    }
+    objects[place->second].triangles.push_back(id);
+  }
+  return objects;
+}
+
 Table parts_table(std::span<const Model> scenes) {
   Table table{.id = "figure_4_40_parts",
               .caption =
@@ -88,43 +111,44 @@ Result figure_4_39(const Context& context) {
   const Model& scene = context.models.scenes.front();
   const Mesh& mesh = *scene.mesh;
   const Quarters quarters = quarters_of(mesh);
-  std::vector<std::string> names;
-  std::map<std::string, std::vector<TriangleId>> ids;
-  for (const TriangleId id : triangles_of(quarters, 0)) {
-    const std::string name = object_of(mesh, id);
-    if (!ids.contains(name)) {
-      names.push_back(name);
-    }
-    ids[name].push_back(id);
-  }
-  Table table{
-      .id = "figure_4_39_objects",
-      .caption = "Part 1 of the scene, object by object." + note_on_stand_ins(std::span(&scene, 1)),
-      .columns = {{"object"}, {"triangles"}, {"so_far"}}};
+  Table table{.id = "figure_4_39_objects",
+              .caption = "Part 1 of the scene, object by object in the order of the file." +
+                         note_on_stand_ins(std::span(&scene, 1)),
+              .columns = {{"object"}, {"triangles"}, {"so_far"}}};
   Drawing drawing{.title = fmt::format("Part 1 of {}, put together", short_title(scene)),
                   .view = axonometric(UpAxis::z)};
+  const std::vector<PlacedObject> objects = objects_of_part_1(mesh, quarters);
   std::vector<TriangleId> placed;
   std::vector<Mesh> stages;
-  stages.reserve(names.size());
+  stages.reserve(kStages);
   std::string alt;
-  for (const std::string& name : names) {
-    placed.insert(placed.end(), ids[name].begin(), ids[name].end());
-    stages.push_back(some_of(mesh, placed));
-    table.rows.push_back({name, count_cell(ids[name].size()), count_cell(placed.size())});
-    drawing.panels.push_back({.title = (stages.size() == 1 ? "" : "with ") + name,
-                              .note = fmt::format("{} triangles", words(placed.size())),
-                              .meshes = {{.mesh = &stages.back()}}});
-    alt += fmt::format("{}: {}. ", drawing.panels.back().title, drawing.panels.back().note);
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    placed.insert(placed.end(), objects[k].triangles.begin(), objects[k].triangles.end());
+    table.rows.push_back(
+        {objects[k].name, count_cell(objects[k].triangles.size()), count_cell(placed.size())});
+    if (k + 1 < kStages || k + 1 == objects.size()) {
+      stages.push_back(some_of(mesh, placed));
+      drawing.panels.push_back({.title = k == 0 ? objects[k].name
+                                         : k < kStages
+                                             ? "with " + objects[k].name
+                                             : fmt::format("with all {} objects", objects.size()),
+                                .note = fmt::format("{} triangles", words(placed.size())),
+                                .meshes = {{.mesh = &stages.back()}}});
+      alt += fmt::format("{}: {}. ", drawing.panels.back().title, drawing.panels.back().note);
+    }
   }
-  return {.tables = {std::move(table)},
-          .figures = {{.id = "figure_4_39",
-                       .caption = fmt::format("A part of {:.4g} by {:.4g} of the scene: terrain "
-                                              "first, then what is placed on it.",
+  Result result{.tables = {std::move(table)},
+                .remarks = {"The scene of the thesis was put together by hand. What lies in more "
+                            "than one part, such as long roads, is not in part 1."}};
+  if (!objects.empty()) {
+    result.figures = {{.id = "figure_4_39",
+                       .caption = fmt::format("A part of {:.4g} by {:.4g} of the scene, put "
+                                              "together object by object.",
                                               0.5 * quarters.extent.x, 0.5 * quarters.extent.y),
                        .svg = draw(drawing),
-                       .alt = alt}},
-          .remarks = {"The scene of the thesis was put together by hand; this one is generated. "
-                      "What lies in more than one part, such as long roads, is not in it."}};
+                       .alt = alt}};
+  }
+  return result;
 }
 
 Result figure_4_40(const Context& context) {
@@ -147,7 +171,10 @@ Result figure_4_40(const Context& context) {
               .note = fmt::format("{} triangles", words(first.triangles.size())),
               .meshes = {{.mesh = &first}}};
   std::string alt = fmt::format("{}: {}. {}: {}.", plan.title, plan.note, alone.title, alone.note);
-  drawing.panels = {std::move(plan), std::move(alone)};
+  drawing.panels = {std::move(plan)};
+  if (!first.triangles.empty()) {
+    drawing.panels.push_back(std::move(alone));
+  }
   return {
       .tables = {parts_table(scenes)},
       .figures = {{.id = "figure_4_40",

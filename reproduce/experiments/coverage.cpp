@@ -95,12 +95,13 @@ Result coverage(const Context&) {
 
 Result sources(const Context&) {
   const std::vector<SourcedOption> options = sourced_options();
-  return {.tables = {options_table(options), contradictions_table()},
-          .remarks = {fmt::format(
-              "Of {} options {} are stated, {} follow from a caption or heading, {} are ours. What "
-              "they change stands in the item options.",
-              options.size(), count(options, Basis::stated), count(options, Basis::caption),
-              count(options, Basis::ours))}};
+  return {
+      .tables = {options_table(options), contradictions_table()},
+      .remarks = {fmt::format(
+          "Of {} options {} are stated, {} follow from a caption or heading, {} are ours. The item "
+          "options shows what they change.",
+          options.size(), count(options, Basis::stated), count(options, Basis::caption),
+          count(options, Basis::ours))}};
 }
 
 }  // namespace soms::reproduce

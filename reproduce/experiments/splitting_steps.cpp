@@ -184,8 +184,8 @@ Result figure_4_23(const Context&) {
   return {.tables = {std::move(table)},
           .figures = {std::move(figure)},
           .remarks = {"The center always lies on the line from f to C, at its middle; the centroid "
-                      "lies at a third of it. What other corners change in trees stands in the "
-                      "item options."}};
+                      "lies at a third of it. The item options shows what another corner changes "
+                      "in trees."}};
 }
 
 Result figure_4_24(const Context&) {

@@ -53,11 +53,11 @@ TEST(Coverage, PlantedFaultsAreFound) {
   all = items();
   item_of(all, "figure-2.12").elsewhere = "figure-9.9";
   EXPECT_EQ(faults(all),
-            std::vector<std::string>{"figure-2.12 is to be shown by figure-9.9, which is no item"});
+            std::vector<std::string>{"figure-2.12 refers to figure-9.9, which is not an item"});
 
   all = items();
   all.push_back(item_of(all, "table-2.1"));
-  EXPECT_EQ(faults(all), std::vector<std::string>{"table-2.1 stands twice"});
+  EXPECT_EQ(faults(all), std::vector<std::string>{"table-2.1 is listed twice"});
 
   all = items();
   item_of(all, "table-2.1").number = "2.3";
