@@ -12,6 +12,8 @@ namespace soms::reproduce {
 namespace {
 
 constexpr double kWidth = 1000;
+/// Up to here the page grows to keep steps beside the code.
+constexpr double kWidest = 1100;
 constexpr double kMargin = 20;
 constexpr double kTop = 104;
 constexpr double kCodeLeft = 64;
@@ -78,15 +80,14 @@ class ListingPage {
                                           : step_columns(*listing.steps)),
         code_height_(kCodeLine * static_cast<double>(listing.lines.size())),
         right_of_code_(code_right() + kBesideCode) {
-    const double steps = width_of(columns_);
-    beside_ = right_of_code_ + std::max(steps, text_width(listing.heading, kStepSize)) + kMargin <=
-              std::max(kWidth, examples_right());
+    steps_width_ = std::max(width_of(columns_), text_width(listing.heading, kStepSize));
+    beside_ = listing.steps == nullptr || right_of_code_ + steps_width_ + kMargin <= kWidest;
     left_ = beside_ ? right_of_code_ : kCodeLeft;
     top_ = beside_ ? kTop : kTop + code_height_ + 44;
   }
 
-  std::string draw() const {
-    const double width = std::max({kWidth, left_ + width_of(columns_) + kMargin});
+  [[nodiscard]] std::string draw() const {
+    const double width = std::max({kWidth, left_ + steps_width_ + kMargin, examples_right()});
     Svg svg(width, height(), listing_.title);
     svg.text({kMargin, 30}, listing_.title, {.size = 17, .bold = true});
     draw_code(svg);
@@ -168,6 +169,7 @@ class ListingPage {
   std::vector<StepColumn> columns_;
   double code_height_;
   double right_of_code_;
+  double steps_width_ = 0;
   bool beside_ = true;  ///< what a run made of it stands at the right of the code
   double left_ = 0;     ///< of what a run made of it
   double top_ = 0;

@@ -25,7 +25,7 @@ struct CodeLine {
 struct Listing {
   std::string title;
   std::vector<CodeLine> lines;
-  std::string heading;  ///< above the examples or the steps: which set it is
+  std::string heading = {};  ///< above the examples or the steps: which set it is
   /// The steps of a run, as they are written as CSV; no columns: the examples are shown instead.
   const Table* steps = nullptr;
 };

@@ -113,10 +113,10 @@ ToySet solid_toy_set() {
 
 ToySet space_toy_set() {
   Mesh mesh;
-  add(mesh, {{2, 2, 1}, {4, 2, 1}, {3, 4, 2}});
-  add(mesh, {{5, 1, 0}, {7, 3, 1}, {6, 2, 3}});
-  add(mesh, {{1, 4, 2}, {3, 6, 3}, {0, 5, 1}});
-  add(mesh, {{4, 5, 4}, {6, 6, 2}, {5, 3, 1}});
+  add(mesh, {{2, 2, 2}, {4, 2, 2}, {3, 4, 3}});
+  add(mesh, {{5, 1, 1}, {7, 2, 2}, {6, 3, 4}});
+  add(mesh, {{1, 4, 4}, {3, 6, 3}, {0, 5, 2}});
+  add(mesh, {{4, 5, 5}, {6, 6, 3}, {5, 3, 2}});
   return {"space", "Four triangles in space", std::move(mesh)};
 }
 

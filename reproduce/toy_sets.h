@@ -30,7 +30,7 @@ struct ToySet {
 /// Small houses on a large ground triangle, z up.
 [[nodiscard]] ToySet solid_toy_set();
 
-/// Four triangles in space, z up; none is parallel to an axis.
+/// Four triangles in space, z up.
 [[nodiscard]] ToySet space_toy_set();
 
 /// Eight triangles alike in two rows, in the plane z = 0: SOMS halves them three times.

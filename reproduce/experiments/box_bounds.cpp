@@ -230,8 +230,8 @@ Result figure_4_13(const Context&) {
        .caption = fmt::format(
            "The box of a set that moves, by two ways. Refit takes the bounds of the moved "
            "triangles; rebox takes the bounds of the eight moved corners of each box, which is "
-           "cheaper but looser: after this turn the root's box has {:.3g} times the volume. Which "
-           "way the thesis takes is not known.",
+           "cheaper but looser: after this turn the root's box has {:.3g} times the volume. Drawn "
+           "from the caption; which way the thesis takes is not known.",
            volume(updated.rebox.boxes().front()) / volume(updated.refit.boxes().front())),
        .svg = draw(drawing),
        .alt = "Four triangles with the boxes of their tree: before, turned with refitted boxes, "

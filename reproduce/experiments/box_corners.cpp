@@ -299,12 +299,11 @@ Result figure_4_11(const Context&) {
        .lines = {{0, "draw (least, greatest):"},
                  {1, "for corner = 0 to 7:"},
                  {2, "take the greatest x, y, z for the bits 1, 2, 4, else the least"},
-                 {1, "for each axis z, y, x; first and second are the axes after it:"},
-                 {2, "for its least side: start = 0"},
-                 {3, "face = start, + second, + first + second, + first"},
-                 {2, "for its greatest side: start = the bit of the axis"},
-                 {3, "face = start, + first, + first + second, + second"},
-                 {1, "draw each face as a quadrilateral of its four corners"}},
+                 {1, "for each axis z, y, x:"},
+                 {2, "a, b = the bits of the next two axes in turn"},
+                 {2, "draw the corners 0, b, a + b, a"},
+                 {2, "c = the bit of the axis"},
+                 {2, "draw the corners c, c + a, c + a + b, c + b"}},
        .heading = "the faces by number of corner"},
       std::move(steps));
 }
@@ -322,9 +321,10 @@ Result figure_4_12(const Context&) {
   std::uint64_t seen = 0;
   std::size_t number = 0;
   for (const Face& face : faces()) {
-    draw_face(svg, box, face, ++number,
-              {30 + 315 * static_cast<double>((number - 1) % 3),
-               74 + 275 * static_cast<double>((number - 1) / 3)});
+    const std::size_t row = number / 3;
+    const Spot place{30 + 315 * static_cast<double>(number % 3),
+                     74 + 275 * static_cast<double>(row)};
+    draw_face(svg, box, face, ++number, place);
     seen += BoxSketch(box, {{0, 0}, 1, 1}).shows(face) ? 1U : 0U;
     for (const std::size_t k : face.corners) {
       table.rows.push_back({count_cell(table.rows.size() + 1), count_cell(number),

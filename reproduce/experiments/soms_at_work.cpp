@@ -134,8 +134,9 @@ Result figure_4_5(const Context&) {
   }
   Result result;
   result.figures = {listing_figure("figure_4_5",
-                                   "SOMS in pseudo code of our own, and at the right what each "
-                                   "line does with one of the small sets.",
+                                   fmt::format("SOMS in pseudo code of our own, and at the right "
+                                               "what each line does with one of the small sets.{}",
+                                               kFromCaption),
                                    listing)};
   result.tables = {std::move(table)};
   return result;

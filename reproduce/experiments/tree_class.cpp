@@ -118,7 +118,7 @@ std::string half(TreeId id) {
 Result figure_4_14(const Context&) {
   const ToySet set = eight_toy_set();
   const ImplicitTree tree = to_implicit(tree_of(set.mesh), kCompleteLevels);
-  return listing_result(
+  Result result = listing_result(
       "figure_4_14",
       "The tree of boxes as a class: what it holds and what follows from a TreeID. Beside it the "
       "fields of a node, from the tree of eight triangles.",
@@ -136,6 +136,11 @@ Result figure_4_14(const Context&) {
                  {1, "its triangles: count of them from first"}},
        .heading = fmt::format("the set \"{}\", SOMS", set.title)},
       field_table(tree));
+  result.remarks = {fmt::format(
+      "A node takes {} bytes, padding included. The library stores trees by TreeID on request; by "
+      "default only nodes that exist are stored.",
+      sizeof(ImplicitTree::Slot))};
+  return result;
 }
 
 Result figure_4_15(const Context&) {

@@ -36,7 +36,7 @@ std::string row_of(const Table& of, std::size_t row) {
   return words;
 }
 
-TEST(CaptionFigures, AreWellFormedAndSmall) {
+TEST(CaptionedRuns, AreWellFormedAndSmall) {
   for (const char* const item :
        {"figure-4.23", "figure-4.24", "figure-4.25", "figure-4.26", "figure-4.27", "figure-4.28",
         "figure-4.29", "figure-4.31", "figure-4.32", "figure-4.33", "figure-4.34", "figure-4.36",
@@ -50,7 +50,7 @@ TEST(CaptionFigures, AreWellFormedAndSmall) {
   }
 }
 
-TEST(CaptionFigures, CenterOfATriangleDependsOnCornerC) {
+TEST(CaptionedRuns, CenterOfATriangleDependsOnCornerC) {
   const std::string csv = to_csv(table("4_23", "centers"));
   // By hand: C is (6, 9), f the middle of (0, 0) and (12, 0); then C is (0, 0).
   EXPECT_NE(csv.find("isosceles,2,6,0,6,4.5,6,3,6,4.5,yes"), std::string::npos) << csv;
@@ -58,7 +58,7 @@ TEST(CaptionFigures, CenterOfATriangleDependsOnCornerC) {
   EXPECT_NE(csv.find("oblique,2,4,0,10,4,"), std::string::npos) << csv;
 }
 
-TEST(CaptionFigures, SidesAreCountedTriangleByTriangle) {
+TEST(CaptionedRuns, SidesAreCountedTriangleByTriangle) {
   const Table steps = table("4_24", "steps");
   ASSERT_EQ(steps.rows.size(), 4U);
   EXPECT_EQ(cell(steps, 0, "side"), "right");
@@ -69,7 +69,7 @@ TEST(CaptionFigures, SidesAreCountedTriangleByTriangle) {
   EXPECT_EQ(row_of(stored, 7), "2,1,3");
 }
 
-TEST(CaptionFigures, NodesAreDividedDepthFirst) {
+TEST(CaptionedRuns, NodesAreDividedDepthFirst) {
   const Table steps = table("4_26", "steps");
   ASSERT_EQ(steps.rows.size(), 7U);
   EXPECT_EQ(cell(steps, 2, "tree_id"), "3");
@@ -80,7 +80,7 @@ TEST(CaptionFigures, NodesAreDividedDepthFirst) {
   EXPECT_EQ(row_of(grid, 3), "7,3,2,,,,,leaf: last level");
 }
 
-TEST(CaptionFigures, ArraysKeepPlacesOfNodesThatDoNotExist) {
+TEST(CaptionedRuns, ArraysKeepPlacesOfNodesThatDoNotExist) {
   const Table arrays = table("4_27", "arrays");
   ASSERT_EQ(arrays.rows.size(), 14U);
   EXPECT_EQ(row_of(arrays, 2), "one_large,2,yes,2,3 0,6");
@@ -88,7 +88,7 @@ TEST(CaptionFigures, ArraysKeepPlacesOfNodesThatDoNotExist) {
   EXPECT_EQ(row_of(arrays, 8), "one_midpoint,1,no,,,");
 }
 
-TEST(CaptionFigures, TraversalsOfTheSmallTreesMakeNineTests) {
+TEST(CaptionedRuns, TraversalsOfTheSmallTreesMakeNineTests) {
   const Table steps = table("4_31", "steps");
   ASSERT_EQ(steps.rows.size(), 9U);
   EXPECT_EQ(cell(steps, 4, "pair"), "5|3");
@@ -102,7 +102,7 @@ TEST(CaptionFigures, TraversalsOfTheSmallTreesMakeNineTests) {
   EXPECT_EQ(row_of(nodes, 3), "3,yes,7,no");
 }
 
-TEST(CaptionFigures, RootsMeetInSeventeenOf49Frames) {
+TEST(CaptionedRuns, RootsMeetInSeventeenOf49Frames) {
   const Table roots = table("4_32", "roots");
   ASSERT_EQ(roots.rows.size(), 7U);
   for (std::size_t row = 0; row < 6; ++row) {
@@ -111,7 +111,7 @@ TEST(CaptionFigures, RootsMeetInSeventeenOf49Frames) {
   }
 }
 
-TEST(CaptionFigures, BoxesAreApartIfOneAxisIs) {
+TEST(CaptionedRuns, BoxesAreApartIfOneAxisIs) {
   const Table boxes = table("4_33", "boxes");
   ASSERT_EQ(boxes.rows.size(), 5U);
   EXPECT_EQ(row_of(boxes, 0), "overlap,yes,yes,yes,yes");
@@ -119,7 +119,7 @@ TEST(CaptionFigures, BoxesAreApartIfOneAxisIs) {
   EXPECT_EQ(row_of(boxes, 4), "apart_z,yes,yes,no,no");
 }
 
-TEST(CaptionFigures, GeneratedCityIsFourPartsAndRoads) {
+TEST(CaptionedRuns, GeneratedCityIsFourPartsAndRoads) {
   const Models cities = find_models({}, {.scenes = true});
   const Table parts = table_of(run_quick("figure-4.40", cities), "figure_4_40_parts");
   ASSERT_EQ(parts.rows.size(), 15U);
@@ -134,7 +134,7 @@ TEST(CaptionFigures, GeneratedCityIsFourPartsAndRoads) {
   EXPECT_EQ(row_of(objects, 2), "signs,280,1434");
 }
 
-TEST(CaptionFigures, PartOneOfManyObjectsIsDrawnInFourStages) {
+TEST(CaptionedRuns, PartOneOfManyObjectsIsDrawnInFourStages) {
   Models many = test::small_models();
   Mesh mesh = *many.scenes.at(0).mesh;
   mesh.parts.clear();
@@ -151,7 +151,7 @@ TEST(CaptionFigures, PartOneOfManyObjectsIsDrawnInFourStages) {
       << result.figures.at(0).alt;
 }
 
-TEST(CaptionFigures, TestingProcedureHasEveryTestOfChapter5Once) {
+TEST(CaptionedRuns, TestingProcedureHasEveryTestOfChapter5Once) {
   const Table steps = table("5_1", "steps");
   std::multiset<std::string> items;
   for (std::size_t row = 0; row < steps.rows.size(); ++row) {
@@ -166,7 +166,7 @@ TEST(CaptionFigures, TestingProcedureHasEveryTestOfChapter5Once) {
   }
 }
 
-TEST(CaptionFigures, CountsOfTheBunnyAreGolden) {
+TEST(CaptionedRuns, CountsOfTheBunnyAreGolden) {
   SOMS_NEEDS_OUTSIDE_DATA("counts of the bunny's trees");
   const Models bunny = find_models(*soms::test::outside_data(""), {.objects = true});
   Models all = bunny;
