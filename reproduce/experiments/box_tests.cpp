@@ -169,8 +169,11 @@ Result figure_4_33(const Context&) {
   std::string alt;
   for (std::size_t k = 0; k < kCases.size(); ++k) {
     const BoxCase& one = kCases[k];
-    draw_case(svg, one,
-              {20 + 490 * static_cast<double>(k % 2), 66 + 138 * static_cast<double>(k / 2)});
+    const std::size_t column = k % 2;
+    const std::size_t row_of_case = k / 2;
+    draw_case(
+        svg, one,
+        {20 + 490 * static_cast<double>(column), 66 + 138 * static_cast<double>(row_of_case)});
     std::vector<Cell> row{word_cell(one.name)};
     bool all = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
