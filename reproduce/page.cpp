@@ -1,6 +1,7 @@
 #include "soms/base/text.h"
 
 #include "reproduce/page_style.h"
+#include "reproduce/provenance.h"
 #include "reproduce/report.h"
 
 #include <fmt/format.h>
@@ -145,20 +146,7 @@ class Page {
   }
 
   void how_it_was_run() {
-    const Machine& machine = report_.machine;
-    put("<dl class=\"run\">\n");
-    const auto row = [&](std::string_view what, std::string_view value) {
-      put("<dt>{}</dt><dd>{}</dd>\n", what, xml_text(value));
-    };
-    row("Run", report_.date);
-    row("Options", report_.quick ? "quick: fewer repetitions and smaller sweeps" : "full");
-    row("Program", fmt::format("soms {}", machine.version));
-    row("Processor", fmt::format("{} ({}; what is timed uses one)", machine.processor,
-                                 counted(static_cast<std::size_t>(std::max(0, machine.processors)),
-                                         "processor")));
-    row("System", machine.system);
-    row("Compiler", machine.compiler);
-    put("</dl>\n");
+    out_ += run_facts(report_) + load_warning(report_.load);
     if (report_.quick) {
       put("<p class=\"warn\"><strong>Quick run.</strong> Counts of the thesis' own tables are "
           "those "
@@ -200,6 +188,7 @@ class Page {
       }
     }
     put("</tbody>\n</table>\n</div>\n");
+    out_ += model_files(report_.models);
     for (const std::string& remark : report_.models.remarks) {
       put("<p class=\"note\">{}</p>\n", xml_text(remark));
     }
