@@ -171,7 +171,8 @@ class Writer {
     }
     const std::string_view size = size_for(width);
     if (is_long) {
-      put("\\begingroup\n{}\n\\setlength{{\\tabcolsep}}{{3pt}}\n\\begin{{longtable}}{{@{{}}{}@{{}}"
+      put("\\begingroup\n{}\n\\setlength{{\\tabcolsep}}{{3pt}}\n"
+          "\\setlength{{\\LTcapwidth}}{{\\linewidth}}\n\\begin{{longtable}}{{@{{}}{}@{{}}"
           "}}\n{}\\\\\n\\toprule\n",
           size, columns(), caption());
       put_head();
@@ -279,6 +280,7 @@ std::string latex_of_all(const Report& report) {
   const Machine& machine = report.machine;
   std::string text = fmt::format(
       "% Written by soms {}, commit {}, {}.\n"
+      "% Long tables have the right widths after LaTeX ran three or four times.\n"
       "\\documentclass{{article}}\n"
       "\\usepackage[T1]{{fontenc}}\n"
       "\\IfFileExists{{lmodern.sty}}{{\\usepackage{{lmodern}}}}{{}}\n"

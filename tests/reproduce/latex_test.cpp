@@ -90,6 +90,7 @@ TEST(Latex, HasADocumentThatReadsTheTablesOfEachExperiment) {
   result.tables = {nasty_table(), long_table(1)};
   report.entries = {{&kOne, result, 1}, {&kNone, {}, 1}};
   EXPECT_EQ(latex_of_all(report), R"tex(% Written by soms 1.2.3, commit abc, 2026-01-01T00:00:00Z.
+% Long tables have the right widths after LaTeX ran three or four times.
 \documentclass{article}
 \usepackage[T1]{fontenc}
 \IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
