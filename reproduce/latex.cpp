@@ -81,18 +81,18 @@ std::string cell_text(const Cell& cell) {
   return text;
 }
 
-/// Words of a column's name, a line each, and its unit.
+/// Words of a column's name and of its unit, a line each.
 std::vector<std::string> lines_of(const Column& column) {
+  std::string words = column.name;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  words += column.unit.empty() ? "" : " [" + column.unit + "]";
   std::vector<std::string> lines(1);
-  for (const char c : column.name) {
-    if (c == '_' || c == ' ') {
+  for (const char c : words) {
+    if (c == ' ') {
       lines.emplace_back();
     } else {
       lines.back() += c;
     }
-  }
-  if (!column.unit.empty()) {
-    lines.push_back("[" + column.unit + "]");
   }
   return lines;
 }
@@ -120,13 +120,14 @@ Setting setting_of(const Table& table, std::size_t column) {
   return setting;
 }
 
-/// A smaller size for wide tables, so that they fit on a page in landscape.
-std::string_view size_for(std::size_t characters) {
+/// A smaller size for wide and for high tables, so that they fit on a page of A4 in landscape.
+std::string_view size_for(std::size_t characters, std::size_t rows) {
+  constexpr std::size_t kMostRowsAtFullSize = 28;
   constexpr std::array<std::pair<std::size_t, std::string_view>, 4> kSizes{
-      {{100, "\\normalsize"}, {120, "\\small"}, {140, "\\footnotesize"}, {170, "\\scriptsize"}}};
-  for (const auto& [most, size] : kSizes) {
-    if (characters <= most) {
-      return size;
+      {{130, "\\normalsize"}, {145, "\\small"}, {165, "\\footnotesize"}, {190, "\\scriptsize"}}};
+  for (std::size_t k = rows > kMostRowsAtFullSize ? 2 : 0; k < kSizes.size(); ++k) {
+    if (characters <= kSizes[k].first) {
+      return kSizes[k].second;
     }
   }
   return "\\tiny";
@@ -169,7 +170,7 @@ class Writer {
     for (const Setting& setting : settings_) {
       width += setting.width + kBetweenColumns;
     }
-    const std::string_view size = size_for(width);
+    const std::string_view size = size_for(width, is_long ? 0 : table_.rows.size());
     if (is_long) {
       put("\\begingroup\n{}\n\\setlength{{\\tabcolsep}}{{3pt}}\n"
           "\\setlength{{\\LTcapwidth}}{{\\linewidth}}\n\\begin{{longtable}}{{@{{}}{}@{{}}"
@@ -180,7 +181,8 @@ class Writer {
       put_head();
       put("\\endhead\n\\bottomrule\n\\endfoot\n");
     } else {
-      put("\\begin{{table}}[htbp]\n\\centering\n{}\n{}\n\\setlength{{\\tabcolsep}}{{3pt}}\n"
+      put("\\begin{{table}}[htbp]\n\\centering\n\\setlength{{\\belowcaptionskip}}{{6pt}}\n{}\n{}"
+          "\n\\setlength{{\\tabcolsep}}{{3pt}}\n"
           "\\begin{{tabular}}{{@{{}}{}@{{}}}}\n\\toprule\n",
           caption(), size, columns());
       put_head();

@@ -25,6 +25,7 @@ Table nasty_table() {
 TEST(Latex, EscapesWhateverATableHolds) {
   EXPECT_EQ(to_latex(nasty_table()), R"tex(\begin{table}[htbp]
 \centering
+\setlength{\belowcaptionskip}{6pt}
 \caption{50 \% of \$x\_1\$ \& \{more\} \#1, by -{}-empty-side. Times, in italics, differ from run to run.}
 \label{tab:table_9_9}
 \normalsize
@@ -71,7 +72,10 @@ TEST(Latex, WritesTheFirstRowsOfVeryLongTablesAndSaysWhereAllAre) {
   EXPECT_EQ(test::count_of(text, "\n400 \\\\\n"), 0U);
 }
 
-TEST(Latex, SetsWideTablesSmaller) {
+TEST(Latex, SetsWideAndHighTablesSmaller) {
+  EXPECT_EQ(test::count_of(to_latex(long_table(28)), "\\normalsize\n"), 1U);
+  EXPECT_EQ(test::count_of(to_latex(long_table(29)), "\\footnotesize\n"), 1U);
+  EXPECT_EQ(test::count_of(to_latex(long_table(41)), "\\normalsize\n"), 1U);
   Table table = nasty_table();
   for (int k = 0; k < 20; ++k) {
     table.columns.push_back({"another_number"});
