@@ -3,6 +3,7 @@
 #include "reproduce/claims_section.h"
 #include "reproduce/html.h"
 #include "reproduce/page_style.h"
+#include "reproduce/provenance.h"
 #include "reproduce/report.h"
 
 #include <fmt/format.h>
@@ -63,6 +64,7 @@ class Page {
 
   std::string write() {
     head();
+    out_ += load_warning(report_.load);
     out_ += claims_section(report_, false);
     contents();
     how_it_was_run();
@@ -118,20 +120,8 @@ class Page {
   }
 
   void how_it_was_run() {
-    const Machine& machine = report_.machine;
-    put("<h2 id=\"run\">This run</h2>\n<dl class=\"run\">\n");
-    const auto row = [&](std::string_view what, std::string_view value) {
-      put("<dt>{}</dt><dd>{}</dd>\n", what, xml_text(value));
-    };
-    row("Run", report_.date);
-    row("Options", report_.quick ? "quick: fewer repetitions and smaller sweeps" : "full");
-    row("Program", fmt::format("soms {}", machine.version));
-    row("Processor", fmt::format("{} ({}; what is timed uses one)", machine.processor,
-                                 counted(static_cast<std::size_t>(std::max(0, machine.processors)),
-                                         "processor")));
-    row("System", machine.system);
-    row("Compiler", machine.compiler);
-    put("</dl>\n");
+    put("<h2 id=\"run\">This run</h2>\n");
+    out_ += run_facts(report_);
     if (report_.quick) {
       put("<p class=\"warn\"><strong>Quick run.</strong> Counts of the thesis' own tables are "
           "those "
@@ -173,6 +163,7 @@ class Page {
       }
     }
     put("</tbody>\n</table>\n</div>\n");
+    out_ += model_files(report_.models);
     for (const std::string& remark : report_.models.remarks) {
       put("<p class=\"note\">{}</p>\n", xml_text(remark));
     }
