@@ -1,6 +1,9 @@
 #include "soms/base/text.h"
 
 #include "reproduce/page_style.h"
+#include "reproduce/paper.h"
+#include "reproduce/percent_encoding.h"
+#include "reproduce/print_style.h"
 #include "reproduce/report.h"
 
 #include <fmt/format.h>
@@ -55,21 +58,6 @@ std::string spoken(std::string_view item) {
   return words;
 }
 
-/// Bytes as a part of an address.
-std::string percent_encoded(std::string_view bytes) {
-  constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.~,:;/()+*=";
-  std::string address;
-  for (const char c : bytes) {
-    if (kPlain.find(c) != std::string_view::npos) {
-      address += c;
-    } else {
-      address += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    }
-  }
-  return address;
-}
-
 /// A drawing as part of the page: what precedes its root is dropped, and its ids, if any, are made
 /// the figure's own.
 std::string inlined(const Figure& figure) {
@@ -92,6 +80,7 @@ class Page {
   std::string write() {
     head();
     how_it_was_run();
+    out_ += report_.golden ? markup_of(*report_.golden) : std::string();
     models();
     claims();
     contents();
@@ -112,13 +101,17 @@ class Page {
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<title>SOMS: the experiments of the thesis, run again</title>\n<link rel=\"icon\" "
         "href=\"data:,\">\n"
-        "<style>{}</style>\n</head>\n<body>\n<main>\n<h1>SOMS: the experiments of the thesis, run "
-        "again</h1>\n",
-        kPageStyle);
+        "<style>{}{}</style>\n</head>\n<body>\n<main>\n<header class=\"title\">\n<h1>SOMS: the "
+        "experiments of the thesis, run again</h1>\n",
+        kPageStyle, files_ == PageFiles::paper ? kPaperStyle : kPrintStyle);
     put("<p class=\"lead\">Tables and figures of <cite>Spatial object median rules in bounding-"
         "volume hierarchies for complex environments</cite> (Hamzah Asyrani bin Sulaiman, master's "
         "thesis, Universiti Teknologi Malaysia, 2010), run again by the program <code>soms</code>, "
-        "and each claim of the thesis beside what was measured.</p>\n<p class=\"note\">Only its "
+        "and each claim of the thesis beside what was measured.</p>\n");
+    put("<p class=\"byline\">soms {}, {} run of {}</p>\n</header>\n",
+        xml_text(report_.machine.version), report_.quick ? "quick" : "full",
+        xml_text(report_.date.substr(0, report_.date.find('T'))));
+    put("<p class=\"note\">Only its "
         "abstract, lists of contents, tables and figures, and first chapter are public: the "
         "numbers "
         "of its tables are not known here, and what they leave open is an option with a "
@@ -174,7 +167,11 @@ class Page {
       }
       put("</p>\n");
     }
-    if (files_ == PageFiles::inside) {
+    if (files_ == PageFiles::paper) {
+      put("<p class=\"note\">Beside it this run wrote a CSV file of each table, with all rows, an "
+          "SVG file of each figure, and <code>run.json</code>, which lists them; their names are "
+          "given below.</p>\n");
+    } else if (files_ == PageFiles::inside) {
       put("<p class=\"note\">This page needs no other file: a link below each table gives it as "
           "CSV.</p>\n");
     } else {
@@ -352,37 +349,76 @@ class Page {
   }
 
   void put_table(const Table& table) {
+    const bool on_paper = files_ == PageFiles::paper;
+    const std::size_t shown =
+        on_paper ? rows_on_paper(table) : std::min(table.rows.size(), kMostRows);
+    const std::vector<bool> none(table.columns.size(), false);
+    const TableFit fit = on_paper ? fit_on_paper(table, shown) : TableFit{0, none, none};
     const bool folded = table.rows.size() > kFoldedFrom;
     if (folded) {
       put("<details>\n<summary>{} <span class=\"faint\">({})</span></summary>\n",
           xml_text(table.caption), counted(table.rows.size(), "row"));
     }
     put("<div class=\"scroll{}\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">\n"
-        "<table id=\"t-{}\">\n",
-        folded ? " tall" : "", xml_text(table.caption), xml_text(table.id));
+        "<table id=\"t-{}\"{}>\n",
+        folded ? " tall" : "", xml_text(table.caption), xml_text(table.id),
+        on_paper ? fmt::format(" style=\"font-size:{}pt\"", fit.type_size) : "");
     if (!folded) {
       put("<caption>{}</caption>\n", xml_text(table.caption));
     }
+    put_rows(table, shown, fit);
+    put("</table>\n</div>\n");
+    put_left_out(table, fit);
+    put_rows_and_file(table, shown);
+    put("{}", folded ? "</details>\n" : "");
+  }
+
+  void put_rows(const Table& table, std::size_t shown, const TableFit& fit) {
     std::vector<std::string> classes;
     put("<thead><tr>");
     for (std::size_t k = 0; k < table.columns.size(); ++k) {
       classes.push_back(class_of(table, k));
-      put("<th{}>{}</th>", classes[k], title_of(table.columns[k]));
+      if (fit.turned[k] && !fit.left_out[k]) {
+        put("<th class=\"turned\"><div>{}</div></th>", title_of(table.columns[k]));
+      } else if (!fit.left_out[k]) {
+        put("<th{}>{}</th>", classes[k], title_of(table.columns[k]));
+      }
     }
     put("</tr></thead>\n<tbody>\n");
-    const std::size_t shown = std::min(table.rows.size(), kMostRows);
     for (std::size_t row = 0; row < shown; ++row) {
       put("<tr>");
       for (std::size_t k = 0; k < table.rows[row].size(); ++k) {
-        put("<td{}>{}</td>", k < classes.size() ? classes[k] : std::string(),
-            xml_text(to_text(table.rows[row][k])));
+        if (k >= fit.left_out.size() || !fit.left_out[k]) {
+          put("<td{}>{}</td>", k < classes.size() ? classes[k] : std::string(),
+              xml_text(to_text(table.rows[row][k])));
+        }
       }
       put("</tr>\n");
     }
-    put("</tbody>\n</table>\n</div>\n<p class=\"note\">");
+    put("</tbody>\n");
+  }
+
+  /// The columns that are left out, with the one value of each.
+  void put_left_out(const Table& table, const TableFit& fit) {
+    std::string words;
+    for (std::size_t k = 0; k < table.columns.size(); ++k) {
+      if (fit.left_out[k]) {
+        const std::string value = to_text(table.rows.front()[k]);
+        words += fmt::format("{}{}: {}", words.empty() ? "" : ", ", title_of(table.columns[k]),
+                             value.empty() ? "none" : xml_text(value));
+      }
+    }
+    if (!words.empty()) {
+      put("<p class=\"note\">In all rows {}.</p>\n", words);
+    }
+  }
+
+  /// How many rows of all the page shows, and the file that has them.
+  void put_rows_and_file(const Table& table, std::size_t shown) {
+    put("<p class=\"note\">");
     if (shown < table.rows.size()) {
-      put("The first {} of {} rows; all of them are in the ",
-          to_text(static_cast<std::int64_t>(shown)), counted(table.rows.size(), "row"));
+      put("The first {} of {}; all of them are in {}", to_text(static_cast<std::int64_t>(shown)),
+          counted(table.rows.size(), "row"), files_ == PageFiles::paper ? "" : "the ");
     }
     if (files_ == PageFiles::inside) {
       put("<a href=\"data:text/csv;charset=utf-8,{}\" download=\"{}.csv\">CSV</a>",
@@ -390,7 +426,7 @@ class Page {
     } else {
       put("<a href=\"{}\">CSV</a>", xml_text(file_of(table).generic_string()));
     }
-    put("</p>\n{}", folded ? "</details>\n" : "");
+    put("</p>\n");
   }
 
   [[nodiscard]] static std::string title_of(const Column& column) {
@@ -423,7 +459,8 @@ class Page {
 }  // namespace
 
 std::string page(const Report& report, PageFiles files) {
-  return Page(report, files).write();
+  std::string html = Page(report, files).write();
+  return files == PageFiles::paper ? opened_for_paper(html) : html;
 }
 
 }  // namespace soms::reproduce

@@ -13,9 +13,12 @@ namespace soms::reproduce {
 
 namespace {
 
-Needs all_needs(std::span<const Experiment* const> experiments) {
-  Needs needs;
-  for (const Experiment* experiment : experiments) {
+/// Share of a comparison with golden tables beside the weights of the experiments.
+constexpr int kGoldenWeight = 30;
+
+Needs all_needs(const RunOptions& options) {
+  Needs needs{.objects = options.golden.has_value(), .scenes = options.golden.has_value()};
+  for (const Experiment* experiment : options.experiments) {
     needs.objects |= experiment->needs.objects;
     needs.scenes |= experiment->needs.scenes;
     needs.cities |= experiment->needs.cities;
@@ -55,12 +58,12 @@ class Runner {
     for (const Experiment* experiment : options.experiments) {
       all_ += experiment->weight;
     }
+    all_ += options.golden ? kGoldenWeight : 0;
   }
 
   Entry operator()(const Experiment& experiment, const Models& models) {
-    Context context{.models = models, .quick = options_.quick, .parallel = parallel_};
-    context.parallel.progress = [&](double share) { show(experiment, share); };
-    show(experiment, 0);
+    Context context{.models = models, .quick = options_.quick};
+    context.parallel = watched(experiment.item, experiment.weight);
     const auto start = std::chrono::steady_clock::now();
     Entry entry{.experiment = &experiment, .result = experiment.run(context)};
     const auto end = std::chrono::steady_clock::now();
@@ -69,11 +72,23 @@ class Runner {
     return entry;
   }
 
+  /// \pre The tables are there.
+  GoldenComparison compare(const Models& models) const {
+    return compare_with_golden(*options_.golden, models, watched("golden tables", kGoldenWeight));
+  }
+
  private:
-  void show(const Experiment& experiment, double share) const {
-    if (visitor_.progress) {
-      visitor_.progress(experiment, (done_ + share * experiment.weight) / std::max(1, all_));
-    }
+  /// What work of this weight gets; its start is shown.
+  [[nodiscard]] Parallel watched(std::string_view now, int weight) const {
+    const auto show = [this, now, weight](double share) {
+      if (visitor_.progress) {
+        visitor_.progress(now, (done_ + share * weight) / std::max(1, all_));
+      }
+    };
+    show(0);
+    Parallel parallel = parallel_;
+    parallel.progress = show;
+    return parallel;
   }
 
   const RunOptions& options_;
@@ -96,13 +111,13 @@ std::filesystem::path file_of(const Figure& figure) {
 Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel& parallel) {
   Report report{.machine = this_machine(), .date = now(), .quick = options.quick};
   report.missing = options.experiments;
+  Runner runner(options, visitor, parallel);
   try {
-    report.models = find_models(options.models, all_needs(options.experiments), parallel);
+    report.models = find_models(options.models, all_needs(options), parallel);
     if (visitor.found) {
       visitor.found(report.models);
     }
     write_scenes(report, visitor);
-    Runner runner(options, visitor, parallel);
     while (!report.missing.empty()) {
       check_stop(parallel);
       report.entries.push_back(runner(*report.missing.front(), report.models));
@@ -113,6 +128,9 @@ Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel&
     if (error.kind() != ErrorKind::cancelled) {
       throw;
     }
+  }
+  if (options.golden) {
+    report.golden = runner.compare(report.models);
   }
   visitor.write("index.html", page(report));
   visitor.write("run.json", manifest(report));

@@ -5,6 +5,7 @@
 namespace soms::command {
 
 inline constexpr int kConditionHolds = 1;  ///< what --fail-if asks for
+inline constexpr int kGoldenDiffers = 3;   ///< `reproduce --golden` found another count
 inline constexpr int kOutOfTime = 4;
 inline constexpr int kDifference = 6;  ///< found by --verify
 inline constexpr int kInterrupted = 130;
