@@ -261,7 +261,7 @@ std::string markup_of(const GoldenComparison& comparison) {
   }
   html += "</tbody>\n</table>\n</div>\n</details>\n";
   if (!comparison.differences.empty()) {
-    html += fmt::format("<details open>\n<summary>{}</summary>\n<ul>\n",
+    html += fmt::format("<details open=\"\">\n<summary>{}</summary>\n<ul>\n",
                         comparison.different() > comparison.differences.size()
                             ? fmt::format("The first {} differences", comparison.differences.size())
                             : "The differences");

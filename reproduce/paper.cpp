@@ -109,7 +109,7 @@ std::string opened_for_paper(std::string_view page) {
     const std::string_view tag = page.substr(0, std::min(page.find('>'), page.size()));
     if (at == fold && fold != std::string_view::npos) {
       out += kFold;
-      out += tag.find(" open") == std::string_view::npos ? " open" : "";
+      out += tag.find(" open") == std::string_view::npos ? " open=\"\"" : "";
       page.remove_prefix(kFold.size());
     } else if (at == link && link != std::string_view::npos) {
       const std::string_view target = value_in(tag, "href=\"");

@@ -37,7 +37,7 @@ header.title .byline{font-size:9pt;color:var(--faint);text-align:center;margin:0
 h2{font-size:14pt;margin:9mm 0 2mm;padding:0;border:0}
 h3{font-size:11pt;margin:6mm 0 1mm}
 h2,h3,h4,summary,caption,thead,h3+p,summary+*{break-after:avoid}
-h2,h3,h4,summary,li,dt,dd,nav,.warn{break-inside:avoid}
+h2,h3,h4,summary,caption,li,dt,dd,nav,.warn,.scroll:not(.tall):not(:has(.claims)){break-inside:avoid}
 .note{font-size:8pt;margin:.3em 0}
 .warn{border-left-width:2pt;padding:2mm 3mm;margin:2mm 0;font-size:9pt}
 .lead{font-size:inherit}
@@ -52,6 +52,7 @@ figure svg{min-width:0;width:auto;max-width:100%;height:auto;max-height:196mm;ma
 figure svg[width="720"]{max-width:128mm}
 figcaption{font-size:8.5pt;line-height:1.3;padding-top:1.5mm}
 details{margin:2mm 0}
+details ul{font-size:9pt;margin:1mm 0;padding-left:5mm}
 summary{list-style:none;color:inherit;font-size:8.5pt;line-height:1.3}
 summary::-webkit-details-marker{display:none}
 .scroll,.scroll.tall{overflow:visible;max-height:none;margin:1.5mm 0 .5mm;border:0}

@@ -42,9 +42,9 @@ struct Report {
   std::vector<std::string> model_files = {};  ///< generated scenes as written: "scenes/u_mixed.3ds"
   std::vector<Entry> entries = {};
   std::vector<const Experiment*> missing = {};  ///< not run: the run was interrupted
-  std::optional<GoldenComparison> golden = {};  ///< nothing if it was not asked for
+  std::optional<GoldenComparison> golden = {};  ///< nothing if it was not requested
 
-  /// True if all that was asked for was done.
+  /// True if all that was requested was done.
   [[nodiscard]] bool whole() const { return missing.empty() && (!golden || golden->whole); }
 };
 

@@ -302,7 +302,7 @@ TEST(Reproduce, CountThatDiffersFromTheGoldenTablesIsNamed) {
   const TemporaryFolder golden;
   const TemporaryFolder folder;
   for (const char* const name : {"thesis_counts.csv", "thesis_traversal.csv"}) {
-    write_text(golden.path() / name, read_text(data(std::string("thesis/") + name)));
+    write_text(golden.path() / name, read_text(test::data(std::string("thesis/") + name)));
   }
   const std::vector<std::string> words{"--item", "table-3.2", "--golden", golden.path().string()};
   const RunResult equal = reproduce(folder.path(), words);

@@ -1,4 +1,4 @@
-// The page for paper, and how Chromium is asked to print it.
+// The page for paper, and how Chromium is told to print it.
 #include "reproduce/paper.h"
 
 #include "reproduce/report.h"
@@ -50,7 +50,7 @@ TEST(Paper, PageIsWellFormedAndOpenAndHasNoScript) {
   EXPECT_EQ(test::markup_fault(html, kVoid), "");
   EXPECT_EQ(test::count_of(html, "<script"), 0U);
   EXPECT_GE(test::count_of(html, "<details"), 1U);
-  EXPECT_EQ(test::count_of(html, "<details"), test::count_of(html, "<details open"));
+  EXPECT_EQ(test::count_of(html, "<details"), test::count_of(html, "<details open=\"\""));
   EXPECT_EQ(test::count_of(html, "@page"), 2U);
   EXPECT_GE(test::count_of(html, "soms 0.1.0, full run of 2026-01-01<"), 1U);
 }
@@ -66,9 +66,9 @@ TEST(Paper, LinksToFilesAreTheirNamesAndLinksWithinThePageStay) {
 
 TEST(Paper, OpensWhatIsFoldedOnceAndKeepsTheRest) {
   EXPECT_EQ(opened_for_paper("<details><summary>x</summary></details>"),
-            "<details open><summary>x</summary></details>");
-  EXPECT_EQ(opened_for_paper("<details class=\"item\" open>y</details>"),
-            "<details class=\"item\" open>y</details>");
+            "<details open=\"\"><summary>x</summary></details>");
+  EXPECT_EQ(opened_for_paper("<details class=\"item\" open=\"\">y</details>"),
+            "<details class=\"item\" open=\"\">y</details>");
   EXPECT_EQ(opened_for_paper("a <a href=\"#b\">b</a> <a href=\"c.csv\">CSV</a>, d"),
             "a <a href=\"#b\">b</a> <code>c.csv</code>, d");
   EXPECT_EQ(opened_for_paper("<a href=\"data:text/csv,1\" download=\"x\">CSV</a>."), ".");
@@ -123,7 +123,7 @@ TEST(Paper, ColumnsThatAreLeftOutAreSaidWithTheirValue) {
   EXPECT_EQ(test::count_of(page(report_of(wide)), "In all rows"), 0U);
 }
 
-TEST(Paper, ChromiumIsAskedForNothingButThePage) {
+TEST(Paper, ChromiumReadsNothingButThePage) {
   PrintJob job{.page = "/tmp/a b/page.html", .pdf = "/tmp/a b/page.pdf", .profile = "/tmp/a b/p"};
   const std::vector<std::string> words = chromium_words(job);
   const auto has = [](const std::vector<std::string>& all, std::string_view word) {
