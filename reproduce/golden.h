@@ -48,7 +48,7 @@ struct GoldenComparison {
   [[nodiscard]] std::size_t different() const;
 };
 
-/// Differences that are told one by one.
+/// Differences that are named one by one.
 inline constexpr std::size_t kMostDifferences = 20;
 
 /// Counts every row again whose models are there, by the hashes of their corners: each tree is

@@ -67,7 +67,7 @@ td code{overflow-wrap:break-word}
 td.short,th.number{white-space:normal}
 .scroll td:first-child{min-width:0}
 tr{break-inside:avoid}
-th.turned{vertical-align:bottom;text-align:left;padding-left:.3em;padding-right:.3em}
+th.turned{vertical-align:bottom;text-align:left;padding-top:.6em;padding-left:.3em;padding-right:.3em}
 th.turned>div{writing-mode:vertical-rl;transform:rotate(180deg);white-space:nowrap;
 display:inline-block;text-align:left}
 table.claims{font-size:8pt}

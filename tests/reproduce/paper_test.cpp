@@ -1,4 +1,4 @@
-// The page for paper, and how Chromium is told to print it.
+// The page for paper, and the command line that prints it.
 #include "reproduce/paper.h"
 
 #include "reproduce/report.h"
