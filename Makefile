@@ -2,12 +2,14 @@
 JOBS ?= $(shell nproc)
 ARGS ?=
 
-.PHONY: help run build view install test headers large check asan tsan tidy arm64 determinism memcheck endurance packages bare fuzz bench format clean
+.PHONY: help run build view thesis install test headers large check asan tsan tidy arm64 determinism memcheck endurance packages bare fuzz bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
 	@echo "make build   the rest, too: soms-reproduce, and what installed packages allow"
 	@echo "make view    install what is missing, build, and open the viewer on the embedded city"
+	@echo "make thesis  the thesis' experiments on the models of MODELS=DIR, compared with the golden tables;"
+	@echo "             page, tables and PDF go to OUT=soms-thesis (ARGS=--quick: two minutes)"
 	@echo "make install  install what is missing, build all of soms, and put it into PREFIX=/usr/local"
 	@echo "make test    install what is missing, build, and run every test of the release build"
 	@echo "make check   make test, then the suite under ASan+UBSan, the library under TSan, clang-tidy, ARM,"
@@ -34,6 +36,18 @@ view:
 	cmake --preset release -D SOMS_BUILD_TESTS=OFF
 	cmake --build --preset release -j $(JOBS) --target soms_command soms_view_command
 	build/release/bin/soms view $(ARGS)
+
+# The experiments of the thesis, checked and printed. Without MODELS generated stand-ins are used; PDF= leaves the PDF
+# out, and Chromium with it.
+MODELS ?=
+OUT ?= soms-thesis
+PDF ?= $(OUT)/thesis.pdf
+thesis:
+	@tools/install_packages.sh run $(if $(PDF),thesis)
+	cmake --preset release -D SOMS_BUILD_TESTS=OFF
+	cmake --build --preset release -j $(JOBS) --target soms_command soms_reproduce_command
+	build/release/bin/soms reproduce $(if $(MODELS),--models "$(MODELS)") --golden tests/data/thesis -o "$(OUT)" \
+	  $(if $(PDF),--pdf "$(PDF)") $(ARGS)
 
 # Whatever `make run` or `make test` left in the build, the rest of what is installed is built first. DESTDIR= goes
 # before the prefix, as packagers want it.

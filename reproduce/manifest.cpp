@@ -99,6 +99,36 @@ Json claims_of(const Result& result) {
   return list;
 }
 
+Json golden_of(const std::optional<GoldenComparison>& golden) {
+  if (!golden) {
+    return nullptr;
+  }
+  Json files = Json::array();
+  for (const GoldenFile& file : golden->files) {
+    files.push_back({{"file", file.file},
+                     {"rows", file.rows},
+                     {"compared", file.compared},
+                     {"equal", file.compared - file.different},
+                     {"different", file.different}});
+  }
+  Json differences = Json::array();
+  for (const GoldenDifference& difference : golden->differences) {
+    differences.push_back({{"file", difference.file},
+                           {"line", difference.line},
+                           {"row", difference.row},
+                           {"difference", difference.what}});
+  }
+  Json not_given = Json::array();
+  for (const NotGiven& model : golden->not_given) {
+    not_given.push_back({{"model", model.model}, {"rows", model.rows}});
+  }
+  return {{"files", files},
+          {"differences", differences},
+          {"models_not_given", not_given},
+          {"whole", golden->whole},
+          {"seconds", golden->seconds}};
+}
+
 }  // namespace
 
 std::string manifest(const Report& report) {
@@ -137,6 +167,7 @@ std::string manifest(const Report& report) {
                     {"files", report.model_files}}},
                   {"latex", report.latex ? Json(kLatexOfAll) : Json(nullptr)},
                   {"items", items},
+                  {"golden", golden_of(report.golden)},
                   {"not_run", missing}};
   // File names may be any bytes.
   return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";

@@ -3,6 +3,9 @@
 #include "reproduce/claims_section.h"
 #include "reproduce/html.h"
 #include "reproduce/page_style.h"
+#include "reproduce/page_table.h"
+#include "reproduce/paper.h"
+#include "reproduce/print_style.h"
 #include "reproduce/provenance.h"
 #include "reproduce/report.h"
 
@@ -17,31 +20,10 @@ namespace soms::reproduce {
 
 namespace {
 
-/// Tables with more rows are folded; of still longer ones the page shows the first rows.
-constexpr std::size_t kFoldedFrom = 24;
-constexpr std::size_t kMostRows = 400;
-/// Bytes of words that stay on one line.
-constexpr std::size_t kShortWords = 24;
-
 constexpr std::array<std::pair<Chapter, std::string_view>, 3> kChapters{
     {{Chapter::claims, "The claims, one by one"},
      {Chapter::thesis, "Tables and figures of the thesis"},
      {Chapter::beyond, "Beyond the thesis"}}};
-
-/// Bytes as a part of an address.
-std::string percent_encoded(std::string_view bytes) {
-  constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.~,:;/()+*=";
-  std::string address;
-  for (const char c : bytes) {
-    if (kPlain.find(c) != std::string_view::npos) {
-      address += c;
-    } else {
-      address += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    }
-  }
-  return address;
-}
 
 /// A drawing as part of the page: what precedes its root is dropped, and its ids, if any, are made
 /// the figure's own.
@@ -68,6 +50,7 @@ class Page {
     out_ += claims_section(report_, false);
     contents();
     how_it_was_run();
+    out_ += report_.golden ? markup_of(*report_.golden) : std::string();
     models();
     for (const auto& [which, title] : kChapters) {
       chapter(which, title);
@@ -87,13 +70,17 @@ class Page {
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<title>SOMS: the experiments of the thesis, run again</title>\n<link rel=\"icon\" "
         "href=\"data:,\">\n"
-        "<style>{}</style>\n</head>\n<body>\n<main>\n<h1>SOMS: the experiments of the thesis, run "
-        "again</h1>\n",
-        kPageStyle);
+        "<style>{}{}</style>\n</head>\n<body>\n<main>\n<header class=\"title\">\n<h1>SOMS: the "
+        "experiments of the thesis, run again</h1>\n",
+        kPageStyle, files_ == PageFiles::paper ? kPaperStyle : kPrintStyle);
     put("<p class=\"lead\">Tables and figures of <cite>Spatial object median rules in bounding-"
         "volume hierarchies for complex environments</cite> (Hamzah Asyrani bin Sulaiman, master's "
         "thesis, Universiti Teknologi Malaysia, 2010), run again by the program <code>soms</code>, "
-        "and each claim of the thesis beside what was measured.</p>\n<p class=\"note\">Only its "
+        "and each claim of the thesis beside what was measured.</p>\n");
+    put("<p class=\"byline\">soms {}, {} run of {}</p>\n</header>\n",
+        xml_text(report_.machine.version), report_.quick ? "quick" : "full",
+        xml_text(report_.date.substr(0, report_.date.find('T'))));
+    put("<p class=\"note\">Only its "
         "abstract, lists of contents, tables and figures, and first chapter are public: the "
         "numbers "
         "of its tables are not known here, and what they leave open is an option with a "
@@ -137,7 +124,11 @@ class Page {
       }
       put("</p>\n");
     }
-    if (files_ == PageFiles::inside) {
+    if (files_ == PageFiles::paper) {
+      put("<p class=\"note\">Beside it this run wrote a CSV file of each table, with all rows, an "
+          "SVG file of each figure, and <code>run.json</code>, which lists them; their names are "
+          "given below.</p>\n");
+    } else if (files_ == PageFiles::inside) {
       put("<p class=\"note\">This page needs no other file: a link below each table gives it as "
           "CSV.</p>\n");
     } else {
@@ -253,7 +244,7 @@ class Page {
       put("<p>{}</p>\n", xml_text(remark));
     }
     for (const Table& table : entry.result.tables) {
-      put_table(table);
+      out_ += markup_of(table, files_);
     }
     for (const Finding& finding : entry.result.findings) {
       put("<p>{} {} <span class=\"faint\">Measured: {}</span></p>\n", badge(finding.verdict),
@@ -275,70 +266,6 @@ class Page {
         figure.timed ? "<em>Times: differ from run to run.</em> " : "", link);
   }
 
-  void put_table(const Table& table) {
-    const bool folded = table.rows.size() > kFoldedFrom;
-    if (folded) {
-      put("<details>\n<summary>{} <span class=\"faint\">({})</span></summary>\n",
-          xml_text(table.caption), counted(table.rows.size(), "row"));
-    }
-    put("<div class=\"scroll{}\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">\n"
-        "<table id=\"t-{}\">\n",
-        folded ? " tall" : "", xml_text(table.caption), xml_text(table.id));
-    if (!folded) {
-      put("<caption>{}</caption>\n", xml_text(table.caption));
-    }
-    std::vector<std::string> classes;
-    put("<thead><tr>");
-    for (std::size_t k = 0; k < table.columns.size(); ++k) {
-      classes.push_back(class_of(table, k));
-      put("<th{}>{}</th>", classes[k], title_of(table.columns[k]));
-    }
-    put("</tr></thead>\n<tbody>\n");
-    const std::size_t shown = std::min(table.rows.size(), kMostRows);
-    for (std::size_t row = 0; row < shown; ++row) {
-      put("<tr>");
-      for (std::size_t k = 0; k < table.rows[row].size(); ++k) {
-        put("<td{}>{}</td>", k < classes.size() ? classes[k] : std::string(),
-            xml_text(to_text(table.rows[row][k])));
-      }
-      put("</tr>\n");
-    }
-    put("</tbody>\n</table>\n</div>\n<p class=\"note\">");
-    if (shown < table.rows.size()) {
-      put("The first {} of {} rows; all of them are in the ",
-          to_text(static_cast<std::int64_t>(shown)), counted(table.rows.size(), "row"));
-    }
-    if (files_ == PageFiles::inside) {
-      put("<a href=\"data:text/csv;charset=utf-8,{}\" download=\"{}.csv\">CSV</a>",
-          percent_encoded(to_csv(table)), xml_text(table.id));
-    } else {
-      put("<a href=\"{}\">CSV</a>", xml_text(file_of(table).generic_string()));
-    }
-    put("</p>\n{}", folded ? "</details>\n" : "");
-  }
-
-  [[nodiscard]] static std::string title_of(const Column& column) {
-    std::string words = column.name;
-    std::replace(words.begin(), words.end(), '_', ' ');
-    words = xml_text(words);
-    return column.unit.empty() ? words
-                               : fmt::format("{} <span>[{}]</span>", words, xml_text(column.unit));
-  }
-
-  /// Attribute of a column's cells: numbers stand right, times lean, short words do not wrap.
-  [[nodiscard]] static std::string class_of(const Table& table, std::size_t column) {
-    std::size_t longest = 0;
-    for (const std::vector<Cell>& row : table.rows) {
-      const auto* words = column < row.size() ? std::get_if<std::string>(&row[column]) : nullptr;
-      longest = words == nullptr ? longest : std::max(longest, words->size());
-    }
-    std::string names = longest == 0 ? "number" : longest <= kShortWords ? "short" : "";
-    if (table.columns[column].kind == ColumnKind::timed) {
-      names += names.empty() ? "timed" : " timed";
-    }
-    return names.empty() ? names : fmt::format(" class=\"{}\"", names);
-  }
-
   const Report& report_;
   PageFiles files_;
   std::string out_;
@@ -347,7 +274,8 @@ class Page {
 }  // namespace
 
 std::string page(const Report& report, PageFiles files) {
-  return Page(report, files).write();
+  std::string html = Page(report, files).write();
+  return files == PageFiles::paper ? opened_for_paper(html) : html;
 }
 
 }  // namespace soms::reproduce

@@ -1,5 +1,5 @@
 /// \file
-/// How the page looks: one style sheet, light and dark, for screens of any width and for paper.
+/// How the page looks on screens of any width, light and dark.
 #pragma once
 
 #include <string_view>
@@ -74,9 +74,6 @@ table.matrix td{min-width:0}table.matrix td.number{white-space:normal;min-width:
 {display:block}table.claims thead{display:none}table.claims tr{padding:.6rem 0}
 table.claims td{border:0;padding:.15rem .25rem}table.claims td:first-child{font-weight:600}
 table.claims td:nth-child(2)::before{content:"Measured: ";color:var(--faint)}}
-@media print{body{max-width:none;font-size:10pt;padding:0}h2,h3{break-after:avoid}
-figure,tr{break-inside:avoid}.scroll,.scroll.tall,figure .picture{overflow:visible;
-max-height:none}figure svg{min-width:0}thead th{position:static}}
 )css";
 
 }  // namespace soms::reproduce

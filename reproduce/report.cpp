@@ -15,9 +15,12 @@ namespace soms::reproduce {
 
 namespace {
 
-Needs all_needs(std::span<const Experiment* const> experiments) {
-  Needs needs;
-  for (const Experiment* experiment : experiments) {
+/// Share of a comparison with golden tables beside the weights of the experiments.
+constexpr int kGoldenWeight = 30;
+
+Needs all_needs(const RunOptions& options) {
+  Needs needs{.objects = options.golden.has_value(), .scenes = options.golden.has_value()};
+  for (const Experiment* experiment : options.experiments) {
     needs.objects |= experiment->needs.objects;
     needs.scenes |= experiment->needs.scenes;
     needs.cities |= experiment->needs.cities;
@@ -90,12 +93,12 @@ class Runner {
     for (const Experiment* experiment : options.experiments) {
       all_ += experiment->weight;
     }
+    all_ += options.golden ? kGoldenWeight : 0;
   }
 
   Entry operator()(const Experiment& experiment, const Models& models) {
-    Context context{.models = models, .quick = options_.quick, .parallel = parallel_};
-    context.parallel.progress = [&](double share) { show(experiment, share); };
-    show(experiment, 0);
+    Context context{.models = models, .quick = options_.quick};
+    context.parallel = watched(experiment.item, experiment.weight);
     const Stopwatch watch;
     Entry entry{.experiment = &experiment, .result = experiment.run(context)};
     for (const Claim& claim : entry.result.claims) {
@@ -107,11 +110,23 @@ class Runner {
     return entry;
   }
 
+  /// \pre The tables are there.
+  GoldenComparison compare(const Models& models) const {
+    return compare_with_golden(*options_.golden, models, watched("golden tables", kGoldenWeight));
+  }
+
  private:
-  void show(const Experiment& experiment, double share) const {
-    if (visitor_.progress) {
-      visitor_.progress(experiment, (done_ + share * experiment.weight) / std::max(1, all_));
-    }
+  /// What work of this weight gets; its start is shown.
+  [[nodiscard]] Parallel watched(std::string_view now, int weight) const {
+    const auto show = [this, now, weight](double share) {
+      if (visitor_.progress) {
+        visitor_.progress(now, (done_ + share * weight) / std::max(1, all_));
+      }
+    };
+    show(0);
+    Parallel parallel = parallel_;
+    parallel.progress = show;
+    return parallel;
   }
 
   const RunOptions& options_;
@@ -138,13 +153,13 @@ Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel&
   report.command = command_line();
   report.load = {.start = load_averages(), .processors = report.machine.processors};
   report.latex = options.latex;
+  Runner runner(options, visitor, parallel);
   try {
-    report.models = find_models(options.models, all_needs(options.experiments), parallel);
+    report.models = find_models(options.models, all_needs(options), parallel);
     if (visitor.found) {
       visitor.found(report.models);
     }
     write_scenes(report, visitor);
-    Runner runner(options, visitor, parallel);
     while (!report.missing.empty()) {
       check_stop(parallel);
       report.entries.push_back(runner(*report.missing.front(), report.models));
@@ -155,6 +170,9 @@ Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel&
     if (error.kind() != ErrorKind::cancelled) {
       throw;
     }
+  }
+  if (options.golden) {
+    report.golden = runner.compare(report.models);
   }
   close(report, watch);
   if (report.latex) {

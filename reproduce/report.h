@@ -3,11 +3,13 @@
 #pragma once
 
 #include "reproduce/experiment.h"
+#include "reproduce/golden.h"
 #include "reproduce/load.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -64,7 +66,11 @@ struct Report {
   double seconds = 0;                           ///< wall time, reading models included
   double processor_seconds = 0;                 ///< of all threads
   Load load = {};
-  bool latex = false;  ///< tables were also written for LaTeX
+  bool latex = false;                           ///< tables were also written for LaTeX
+  std::optional<GoldenComparison> golden = {};  ///< nothing if it was not requested
+
+  /// True if all that was requested was done.
+  [[nodiscard]] bool whole() const { return missing.empty() && (!golden || golden->whole); }
 };
 
 /// How a run goes.
@@ -72,7 +78,8 @@ struct RunOptions {
   std::filesystem::path models = {};  ///< folder of models; empty for stand-ins
   std::vector<const Experiment*> experiments = {};
   bool quick = false;
-  bool latex = false;  ///< also write tables for LaTeX (latex.h)
+  bool latex = false;                       ///< also write tables for LaTeX (latex.h)
+  std::optional<GoldenTables> golden = {};  ///< to compare with, after the experiments
 };
 
 /// What a run calls.
@@ -81,20 +88,23 @@ struct RunVisitor {
   std::function<void(const Models& models)> found = {};
   /// A file that is to appear whole under the output folder: its name there and its bytes.
   std::function<void(const std::filesystem::path& name, std::string_view bytes)> write = {};
-  /// The experiment that runs now and the share of the whole run that is done.
-  std::function<void(const Experiment& now, double share)> progress = {};
+  /// The item of the experiment that runs now, or "golden tables", and the share of the whole run
+  /// that is done.
+  std::function<void(std::string_view now, double share)> progress = {};
 };
 
 /// Writes the generated scenes as scenes/NAME.3ds, runs experiments one after the other and writes
-/// each one's files as soon as it ends, then the page and the list of files. A stop request ends it
-/// early: what is written is whole, and the page names what is missing. \errors Those of
-/// find_models but cancelled; those of `visitor`.
+/// each one's files as soon as it ends, compares with the golden tables if there are any, then
+/// writes the page and the list of files. A stop request ends it early: what is written is whole,
+/// and the page names what is missing. \errors Those of find_models but cancelled; those of
+/// `visitor`.
 Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel& parallel = {});
 
 /// Where the reader of the page finds tables as CSV and the list of files.
 enum class PageFiles {
   beside,  ///< as files in the folder of the page
   inside,  ///< in the page itself, which then needs no folder
+  paper,   ///< nowhere: the page is for printing, all open, and gives their names
 };
 
 /// The page: one HTML document without scripts or anything from a network.

@@ -2,6 +2,7 @@
 
 #include "soms/base/error.h"
 
+#include "apps/reproduce/print_pdf.h"
 #include "apps/support/console.h"
 #include "apps/support/exit_status.h"
 #include "apps/support/output.h"
@@ -141,8 +142,8 @@ reproduce::Report run_experiments(const ReproduceOptions& options, const reprodu
     make_folder((folder / name).parent_path());
     write_whole(folder / name, bytes);
   };
-  visitor.progress = [&](const reproduce::Experiment& now, double share) {
-    bar.rename(fmt::format("{:<18}", now.item));
+  visitor.progress = [&](std::string_view now, double share) {
+    bar.rename(fmt::format("{:<18}", now));
     bar.show(share);
   };
   return console.run("reproducing", [&](const Parallel& limits) {
@@ -165,27 +166,73 @@ std::string summary(const reproduce::Report& report, const ReproduceOptions& opt
                           finding.claim);
     }
   }
+  if (report.golden) {
+    text += fmt::format("golden tables: {}\n", reproduce::summary_of(*report.golden));
+  }
   const std::size_t items = report.entries.size() + report.missing.size();
   text += fmt::format("{} of {} written; see {}\n", report.entries.size(), counted(items, "item"),
                       printable((fs::path(options.output) / "index.html").string()));
   return text;
 }
 
+/// An option that names a folder to read.
+void add_folder(CLI::App& app, const std::string& option, std::string& folder,
+                const std::string& help) {
+  app.add_option_function<std::string>(
+         option,
+         [&folder, option](const std::string& name) {
+           if (name.empty()) {
+             throw Error(ErrorKind::usage, option + ": the name is empty",
+                         "give the name of a folder, or leave it out");
+           }
+           folder = name;
+         },
+         help)
+      ->option_text("DIR");
+}
+
+/// The tables to compare with, if any.
+std::optional<reproduce::GoldenTables> golden_tables(const ReproduceOptions& options) {
+  if (options.golden.empty()) {
+    return std::nullopt;
+  }
+  try {
+    return reproduce::read_golden(options.golden);
+  } catch (const Error& error) {
+    throw Error(error.kind(), "--golden: " + error.place(), error.remedy());
+  }
+}
+
+/// Reports counts that differ from the golden tables; true if there are any.
+bool tell_differences(const reproduce::Report& report) {
+  if (!report.golden || report.golden->different() == 0) {
+    return false;
+  }
+  for (const reproduce::GoldenDifference& difference : report.golden->differences) {
+    tell_fault(reproduce::sentence_of(difference));
+  }
+  tell_fault("golden tables: " + reproduce::summary_of(*report.golden));
+  return true;
+}
+
+/// The exit status, with a line on standard error for each one but 0.
+int status_of(const reproduce::Report& report, const Console& console) {
+  const bool differs = tell_differences(report);
+  if (report.whole()) {
+    return differs ? kDifference : 0;
+  }
+  tell_fault(
+      fmt::format("ended early, before {}; the files written so far are complete",
+                  report.missing.empty() ? "the last golden row" : report.missing.front()->item));
+  return console.interrupted() ? kInterrupted : kOutOfTime;
+}
+
 }  // namespace
 
 Action add_reproduce(CLI::App& app, Shared&) {
   const auto options = std::make_shared<ReproduceOptions>();
-  app.add_option_function<std::string>(
-         "--models",
-         [options](const std::string& folder) {
-           if (folder.empty()) {
-             throw Error(ErrorKind::usage, "--models: the name is empty",
-                         "give the name of a folder, or leave it out");
-           }
-           options->models = folder;
-         },
-         "folder of the thesis' models; missing models are generated; see below")
-      ->option_text("DIR");
+  add_folder(app, "--models", options->models,
+             "folder of the thesis' models; missing models are generated; see below");
   app.add_option("--item", options->items,
                  "run only these, separated by commas: table-5.3, figure-5.2,\n"
                  "5.3 for both, thesis, beyond; see below")
@@ -194,6 +241,10 @@ Action add_reproduce(CLI::App& app, Shared&) {
              "folder to write, created if missing (default: soms-thesis)", "DIR");
   add_output(app, "--report", options->report,
              "also write the page as a single, self-contained file");
+  add_folder(app, "--golden", options->golden,
+             "compare all counts with thesis_counts.csv and\n"
+             "thesis_traversal.csv in this folder; a difference gives exit status 6");
+  add_output(app, "--pdf", options->pdf, "also print the page as a PDF; needs Chromium");
   app.add_flag("--latex", options->latex, "also write the tables for LaTeX, into DIR/latex");
   app.add_flag("--quick", options->quick, "run a tenth of the repetitions and smaller sweeps");
   app.footer(std::string(reproduce::kModelsHelp) + "\n" + help_of_items() +
@@ -208,14 +259,21 @@ int run_reproduce(const ReproduceOptions& options, Console& console) {
   const reproduce::RunOptions run{.models = options.models,
                                   .experiments = chosen(options),
                                   .quick = options.quick,
-                                  .latex = options.latex};
+                                  .latex = options.latex,
+                                  .golden = golden_tables(options)};
   check_outputs({{"--output", (fs::path(options.output) / "index.html").string()}},
-                {{"--report", options.report}});
+                {{"--report", options.report}, {"--pdf", options.pdf}});
   check_extension("--report", options.report, {".html", ".htm"});
+  check_extension("--pdf", options.pdf, {".pdf"});
+  const fs::path chromium = options.pdf.empty() ? fs::path() : find_chromium();
   make_folder(options.output);
   std::optional<OutputFile> page;
   if (!options.report.empty()) {
     page.emplace(options.report);
+  }
+  std::optional<OutputFile> pdf;
+  if (!options.pdf.empty()) {
+    pdf.emplace(options.pdf);
   }
   const reproduce::Report report = run_experiments(options, run, console);
   tell_load(report.load, console);
@@ -224,12 +282,13 @@ int run_reproduce(const ReproduceOptions& options, Console& console) {
     page->commit();
   }
   console.print(console.shared().json ? reproduce::manifest(report) : summary(report, options));
-  if (report.missing.empty()) {
-    return 0;
+  console.flush();
+  if (pdf && report.whole()) {
+    pdf->stream() << printed_pdf(chromium, reproduce::page(report, reproduce::PageFiles::paper),
+                                 console);
+    pdf->commit();
   }
-  tell_fault(fmt::format("ended early, before {}; the files written so far are complete",
-                         report.missing.front()->item));
-  return console.interrupted() ? kInterrupted : kOutOfTime;
+  return status_of(report, console);
 }
 
 }  // namespace soms::command

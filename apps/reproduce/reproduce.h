@@ -16,12 +16,14 @@ struct ReproduceOptions {
   bool quick = false;
   std::string report = {};  ///< empty: none
   bool latex = false;
+  std::string pdf = {};     ///< empty: none
+  std::string golden = {};  ///< folder of golden tables; empty: none
 };
 
 Action add_reproduce(CLI::App& app, Shared& shared);
 
 /// Runs the experiments. Status 130 if it was interrupted, 4 if time ran out; what is written by
-/// then is whole.
+/// then is whole. Status 3 if a count differs from the golden tables.
 int run_reproduce(const ReproduceOptions& options, Console& console);
 
 }  // namespace soms::command

@@ -2,8 +2,8 @@
 
 #include "soms/base/error.h"
 
-#include "apps/soms/child.h"
 #include "apps/soms/viewer.h"
+#include "apps/support/child.h"
 #include "apps/support/parse.h"
 
 #include <regex>

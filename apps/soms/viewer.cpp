@@ -1,6 +1,6 @@
 #include "apps/soms/viewer.h"
 
-#include "apps/soms/child.h"
+#include "apps/support/child.h"
 #include "apps/support/parse.h"
 
 #include <fmt/format.h>

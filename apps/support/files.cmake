@@ -1,4 +1,6 @@
 set(SOMS_SUPPORT_FILES
+  child.cpp
+  child.h
   console.cpp
   console.h
   exit_status.h

@@ -252,6 +252,133 @@ TEST(Reproduce, RefusesToReplaceThePageOfItsFolder) {
   EXPECT_FALSE(fs::exists(out));
 }
 
+/// A program in the place of Chromium: a line of the shell, with `$pdf` for the file to write and
+/// `$page` for the page.
+fs::path browser(const TemporaryFolder& folder, const std::string& line) {
+  const fs::path path = folder.path() / "browser";
+  write_text(path,
+             "#!/bin/sh\nfor word; do\n  case $word in --print-to-pdf=*) pdf=${word#*=} ;; esac\n"
+             "  page=${word#file://}\ndone\n" +
+                 line + "\n");
+  fs::permissions(path, fs::perms::owner_all);
+  return path;
+}
+
+TEST(Reproduce, PrintsThePageForPaperAndLeavesNothingBehind) {
+  const TemporaryFolder tools;
+  const TemporaryFolder temporary;
+  const TemporaryFolder folder;
+  const fs::path chromium = browser(tools,
+                                    "{ printf '%%PDF-'; cat \"$page\"; } > \"$pdf\"; "
+                                    "pwd > \"$HOME/x\"; echo said");
+  const fs::path pdf = folder.path() / "out" / "thesis.pdf";
+  const RunResult result =
+      shell("SOMS_CHROMIUM='" + chromium.string() + "' TMPDIR='" + temporary.path().string() +
+            "' $soms reproduce --quick --item table-3.2 -o '" + (folder.path() / "out").string() +
+            "' --pdf '" + pdf.string() + "'");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.out.find("said"), std::string::npos);
+  EXPECT_NE(read_text(pdf).find("@page"), std::string::npos);
+  EXPECT_TRUE(files_in(temporary.path()).empty());
+}
+
+TEST(Reproduce, ReportsABrowserThatDoesNotPrint) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"echo no display; exit 7", "ended with status 7: no display"},
+      {"exit 0", "wrote no PDF"},
+      {": > \"$pdf\"", "wrote no PDF"},
+      {"kill -9 $$", "ended with status 137"}};
+  for (const auto& [line, message] : cases) {
+    const TemporaryFolder tools;
+    const TemporaryFolder folder;
+    const fs::path pdf = folder.path() / "thesis.pdf";
+    const RunResult result = shell("SOMS_CHROMIUM='" + browser(tools, line).string() +
+                                   "' $soms reproduce --quick --item table-3.2 -o '" +
+                                   folder.path().string() + "' --pdf '" + pdf.string() + "'");
+    EXPECT_EQ(result.status, 3) << line << result.err;
+    EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+    EXPECT_NE(result.out.find("1 of 1 item written"), std::string::npos) << result.out;
+    EXPECT_FALSE(fs::exists(pdf)) << line;
+  }
+}
+
+TEST(Reproduce, MissingBrowserIsReportedBeforeTheRun) {
+  const TemporaryFolder folder;
+  const fs::path out = folder.path() / "out";
+  const std::string words = " reproduce --quick --item table-3.2 --pdf '" +
+                            (folder.path() / "a.pdf").string() + "' -o '" + out.string() + "'";
+  const RunResult none = shell("PATH=/nowhere $soms" + words);
+  EXPECT_EQ(none.status, 3) << none.err;
+  EXPECT_NE(none.err.find("--pdf needs Chromium or Chrome"), std::string::npos) << none.err;
+  const RunResult wrong = shell("SOMS_CHROMIUM=/nowhere/chromium $soms" + words);
+  EXPECT_EQ(wrong.status, 3) << wrong.err;
+  EXPECT_NE(wrong.err.find("SOMS_CHROMIUM does not name a program"), std::string::npos)
+      << wrong.err;
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(Reproduce, InterruptEndsTheBrowserWithAllThatItStarted) {
+  const TemporaryFolder tools;
+  const TemporaryFolder streams;
+  const TemporaryFolder folder;
+  const fs::path started = tools.path() / "started";
+  const fs::path chromium =
+      browser(tools, "sleep 3600 & echo $! > '" + started.string() + ".new'; mv '" +
+                         started.string() + ".new' '" + started.string() + "'; wait");
+  Child child({"/usr/bin/env", "SOMS_CHROMIUM=" + chromium.string(), command().string(),
+               "reproduce", "--quick", "--item", "table-3.2", "-o", folder.path().string(), "--pdf",
+               (folder.path() / "thesis.pdf").string()},
+              streams.path());
+  ASSERT_TRUE(child.wait_until([&] { return fs::exists(started); }));
+  child.send(SIGINT);
+  const RunResult result = child.wait();
+  EXPECT_EQ(result.status, 130) << result.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "thesis.pdf"));
+  // It may stay as a dead process until somebody collects it.
+  const fs::path state = fs::path("/proc") / std::to_string(std::stoi(read_text(started))) / "stat";
+  EXPECT_TRUE(!fs::exists(state) || read_text(state).find(") Z ") != std::string::npos);
+}
+
+TEST(Reproduce, CountThatDiffersFromTheGoldenTablesIsNamed) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
+  const TemporaryFolder golden;
+  const TemporaryFolder folder;
+  for (const char* const name : {"thesis_counts.csv", "thesis_traversal.csv"}) {
+    write_text(golden.path() / name, read_text(test::data(std::string("thesis/") + name)));
+  }
+  const std::vector<std::string> words{"--item", "table-3.2", "--golden", golden.path().string()};
+  const RunResult equal = reproduce(folder.path(), words);
+  EXPECT_EQ(equal.status, 0) << equal.err;
+  EXPECT_NE(equal.out.find("golden tables: 3,744 of 8,961 rows compared, all equal"),
+            std::string::npos)
+      << equal.out;
+  std::string text = read_text(golden.path() / "thesis_counts.csv");
+  const std::string row = "u_plain,5672,soms,thesis,inner,stop,13,6537,";
+  const std::size_t at = text.find(row);
+  ASSERT_NE(at, std::string::npos);
+  text[at + row.size() - 2] = '8';
+  write_text(golden.path() / "thesis_counts.csv", text);
+  const RunResult result = reproduce(folder.path(), words);
+  EXPECT_EQ(result.status, 6) << result.err;
+  const std::string said = "u_plain 5672 soms thesis inner stop level 13: nodes 6538, here 6537";
+  EXPECT_NE(result.err.find(said), std::string::npos) << result.err;
+  EXPECT_NE(result.out.find("3,744 of 8,961 rows compared, 1 different"), std::string::npos);
+  EXPECT_NE(read_text(folder.path() / "index.html").find(said), std::string::npos);
+  const Json compared = run_json(folder.path()).at("golden");
+  EXPECT_EQ(compared.at("differences").size(), 1U);
+  EXPECT_EQ(compared.at("files").at(0).at("equal"), 3743);
+}
+
+TEST(Reproduce, FolderWithoutGoldenTablesIsReportedBeforeTheRun) {
+  const TemporaryFolder folder;
+  const fs::path out = folder.path() / "out";
+  const RunResult result =
+      reproduce(out, {"--item", "table-3.2", "--golden", (folder.path() / "none").string()});
+  EXPECT_EQ(result.status, 3) << result.err;
+  EXPECT_NE(result.err.find("--golden: cannot open"), std::string::npos) << result.err;
+  EXPECT_FALSE(fs::exists(out));
+}
+
 TEST(Reproduce, FolderThatCannotBeMadeIsReported) {
   const TemporaryFolder folder;
   write_text(folder.path() / "file", "x");

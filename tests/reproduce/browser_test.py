@@ -6,6 +6,7 @@ test says so and is skipped.
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -17,6 +18,7 @@ PATIENCE = 1200  # seconds, a guard: the machine may be busy
 ITEMS = "3.1,3.9,4.6,4.30,5.3,5.6"
 PHONE = (390, 800)
 DESK = (1200, 900)
+A4 = (595.28, 841.89)  # points
 
 # Everything about the page that is to be judged, in one answer.
 LOOK = """
@@ -165,6 +167,20 @@ def faults_of(browser, folder):
             yield f"requested {address}"
 
 
+def pdf_faults(pdf):
+    """The pages of the PDF: there are some, and all are A4."""
+    pages = re.findall(rb"/Type /Page\b", pdf)
+    boxes = re.findall(rb"/MediaBox \[([^]]*)\]", pdf)
+    if not pdf.startswith(b"%PDF-") or not pages:
+        yield "the PDF has no pages"
+    if len(boxes) != len(pages):
+        yield f"{len(pages)} pages, {len(boxes)} media boxes"
+    for box in boxes:
+        numbers = [float(number) for number in box.split()]
+        if any(abs(a - b) > 0.5 for a, b in zip(numbers, (0, 0, *A4))):
+            yield f"a page of the PDF is {numbers}"
+
+
 def main():
     soms = sys.argv[1]
     with tempfile.TemporaryDirectory() as name:
@@ -172,9 +188,11 @@ def main():
         browser = start_browser(folder)
         try:
             out = folder / "out"
-            subprocess.run([soms, "reproduce", "--quick", "--quiet", "--item", ITEMS, "-o", out],
+            subprocess.run([soms, "reproduce", "--quick", "--quiet", "--item", ITEMS, "-o", out,
+                            "--pdf", out / "thesis.pdf"],
                            check=True, stdout=subprocess.DEVNULL)
             found = list(faults_of(browser, out))
+            found += pdf_faults((out / "thesis.pdf").read_bytes())
         finally:
             browser.quit()
     for line in found:

@@ -7,6 +7,7 @@
 #include "soms/tree/option_names.h"
 
 #include "reproduce/experiments/experiments.h"
+#include "reproduce/golden_tables.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"
 
@@ -26,13 +27,14 @@ constexpr std::array<std::string_view, 6> kKey{"model",     "rule",       "midpo
 using Counts = std::map<std::string, std::string>;
 using Golden = std::map<std::string, Counts>;
 
-Golden read_golden() {
-  const auto lines = test::read_csv(test::data("thesis/thesis_counts.csv"));
+Golden golden_rows() {
   Golden golden;
-  for (std::size_t i = 1; i < lines.size(); ++i) {
+  const auto& columns = golden_trees().columns;
+  for (const GoldenTree& tree :
+       read_golden(test::data("thesis/thesis_counts.csv").parent_path()).trees) {
     Counts row;
-    for (std::size_t k = 0; k < lines[i].size(); ++k) {
-      row[lines[0][k]] = lines[i][k];
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      row[std::string(columns[k])] = tree.row.cells[k];
     }
     std::string key;
     for (const std::string_view name : kKey) {
@@ -44,7 +46,7 @@ Golden read_golden() {
 }
 
 const Golden& golden() {
-  static const Golden rows = read_golden();
+  static const Golden rows = golden_rows();
   return rows;
 }
 

@@ -7,6 +7,7 @@
 #include "soms/query/traversal/thesis_frames.h"
 
 #include "reproduce/frames.h"
+#include "reproduce/golden.h"
 #include "reproduce/traversal_tables.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"
@@ -271,35 +272,21 @@ TEST(Figure59, BothTraversalsTestTheSamePairsAndENodeEntersOnlyOverlappingOnes) 
   }
 }
 
-/// Columns of counts of thesis_traversal.csv.
-constexpr std::array<const char*, 8> kGolden{
-    "frames",  "root_overlap_frames", "hit_frames",     "box_tests",
-    "entered", "leaf_pairs",          "triangle_pairs", "first_tests"};
-
 using Counts = std::vector<std::string>;
 
-/// Rows of the golden table by static, rule, test and algorithm.
+/// Counts of the golden table by static, rule, test and algorithm.
 const std::map<std::string, Counts>& golden() {
   static const std::map<std::string, Counts> rows = [] {
     std::map<std::string, Counts> read;
-    for (const auto& line : soms::test::read_csv(soms::test::data("thesis/thesis_traversal.csv"))) {
-      read[line[0] + " " + line[2] + " " + line[3] + " " + line[4]] =
-          Counts(line.begin() + 5, line.end());
+    const std::size_t keys = golden_traversals().keys;
+    for (const GoldenTraversal& one :
+         read_golden(soms::test::data("thesis/thesis_traversal.csv").parent_path()).traversals) {
+      read[one.trip.still + " " + one.trip.rule + " " + one.trip.test + " " + one.traversal.name] =
+          Counts(one.row.cells.begin() + static_cast<std::ptrdiff_t>(keys), one.row.cells.end());
     }
-    read.erase("static rule test algorithm");
     return read;
   }();
   return rows;
-}
-
-Counts counts_of(const Totals& sum) {
-  Counts counts;
-  for (const std::uint64_t count : {sum.frames, sum.root_overlap_frames, sum.hit_frames,
-                                    sum.counts.box_tests, sum.counts.entered, sum.counts.leaf_pairs,
-                                    sum.counts.triangle_pairs, sum.counts.first_tests}) {
-    counts.push_back(std::to_string(count));
-  }
-  return counts;
 }
 
 /// The bunny and the scenes, with one of the scenes only where `scene` names it.
@@ -325,8 +312,10 @@ std::size_t compare_rows(const Table& table, const std::string& still, const std
                              word(test, "test") + " " + word(algorithm, "algorithm");
     const auto row = golden().find(name);
     if (row != golden().end()) {
-      for (std::size_t k = 0; k < kGolden.size(); ++k) {
-        EXPECT_EQ(cell(table, i, kGolden[k]), row->second[k]) << name << ' ' << kGolden[k];
+      const GoldenLayout& layout = golden_traversals();
+      for (std::size_t k = layout.keys; k < layout.columns.size(); ++k) {
+        EXPECT_EQ(cell(table, i, layout.columns[k]), row->second[k - layout.keys])
+            << name << ' ' << layout.columns[k];
       }
       ++compared;
     }
@@ -337,33 +326,12 @@ std::size_t compare_rows(const Table& table, const std::string& still, const std
 TEST(GoldenTraversals, EveryRowIsFoundByTraverseFrames) {
   SOMS_SKIP_IN_SLOW_BUILDS();
   SOMS_NEEDS_OUTSIDE_DATA("225 rows of thesis_traversal.csv (the mover is the bunny)");
-  const Models models = golden_models();
-  const Model& bunny = models.objects.front();
-  ASSERT_EQ(bunny.hash, 0x23e1390559ce62edU);
-  const std::vector<Contender> of_object = thesis_rules(kObjectLevel);
-  const std::vector<Contender> of_scene = thesis_rules(kSceneLevel);
-  std::size_t compared = 0;
-  const auto compare = [&](const Trip& trip) {
-    for (const NamedTraversal& traversal : all_traversals()) {
-      const auto row =
-          golden().find(trip.still + " " + trip.rule + " " + trip.test + " " + traversal.name);
-      if (row != golden().end()) {
-        EXPECT_EQ(counts_of(totals(traverse_frames(trip, traversal, {}))), row->second)
-            << row->first;
-        ++compared;
-      }
-    }
-  };
-  for (std::size_t i = 0; i < of_object.size(); ++i) {
-    for (const auto& [from, name] : kAllApproaches) {
-      compare(orientation_trip(bunny, from, of_object[i]));
-    }
-    for (const Model& scene : models.scenes) {
-      compare(drive_trip(scene, bunny, of_scene[i], of_object[i]));
-    }
-  }
-  EXPECT_EQ(compared, golden().size());
-  EXPECT_EQ(compared, 225U);
+  GoldenTables tables = read_golden(soms::test::data("thesis/thesis_traversal.csv").parent_path());
+  tables.trees.clear();
+  const GoldenComparison found = compare_with_golden(tables, golden_models(), {});
+  EXPECT_EQ(found.compared(), 225U);
+  EXPECT_EQ(found.compared(), golden().size());
+  EXPECT_EQ(found.different(), 0U) << sentence_of(found.differences.front());
 }
 
 TEST(GoldenTraversals, CellsOfTheTableOfTraversalsAreThoseOfTheGoldenTable) {

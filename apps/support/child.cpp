@@ -1,9 +1,10 @@
-#include "apps/soms/child.h"
+#include "apps/support/child.h"
 
 #include "soms/base/error.h"
 
 #include "apps/support/console.h"
 
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,8 +17,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 namespace soms::command {
 
@@ -46,8 +49,10 @@ std::vector<std::filesystem::path> folders() {
 /// Words as a program takes them; pointers last as long as the object.
 class Arguments {
  public:
-  Arguments(const std::string& first, const std::vector<std::string>& words) : words_(words) {
-    words_.insert(words_.begin(), first);
+  Arguments(const std::string& first, std::vector<std::string> words)
+      : Arguments(with_first(first, std::move(words))) {}
+
+  explicit Arguments(std::vector<std::string> words) : words_(std::move(words)) {
     for (std::string& word : words_) {
       pointers_.push_back(word.data());
     }
@@ -57,6 +62,12 @@ class Arguments {
   [[nodiscard]] char* const* get() { return pointers_.data(); }
 
  private:
+  static std::vector<std::string> with_first(const std::string& first,
+                                             std::vector<std::string> words) {
+    words.insert(words.begin(), first);
+    return words;
+  }
+
   std::vector<std::string> words_;
   std::vector<char*> pointers_;
 };
@@ -72,10 +83,32 @@ Error not_started(const std::filesystem::path& program, int fault) {
                "rebuild or reinstall it");
 }
 
+/// The environment, for a child with a home of its own with that in the place of the user's.
+std::vector<std::string> environment_of(const std::filesystem::path& home) {
+  std::vector<std::string> variables;
+  for (char* const* variable = environ; *variable != nullptr; ++variable) {
+    const std::string_view text = *variable;
+    if (home.empty() || !(text.starts_with("HOME=") || text.starts_with("XDG_"))) {
+      variables.emplace_back(text);
+    }
+  }
+  if (!home.empty()) {
+    variables.push_back("HOME=" + home.string());
+  }
+  return variables;
+}
+
+/// What a child has for standard streams, and who it is.
+struct Surroundings {
+  const posix_spawn_file_actions_t* files = nullptr;
+  std::filesystem::path home = {};  ///< as ChildOptions has it; then it leads a process group
+};
+
 /// Starts a child to which signals mean what they usually do.
 pid_t start(const std::filesystem::path& program, const std::vector<std::string>& words,
-            const std::string& called, const posix_spawn_file_actions_t* files) {
+            const std::string& called, const Surroundings& around) {
   Arguments arguments(called.empty() ? program.string() : called, words);
+  Arguments variables(environment_of(around.home));
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t none;
@@ -86,15 +119,44 @@ pid_t start(const std::filesystem::path& program, const std::vector<std::string>
   sigaddset(&usual, SIGXFSZ);
   posix_spawnattr_setsigmask(&attributes, &none);
   posix_spawnattr_setsigdefault(&attributes, &usual);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  const int group = around.home.empty() ? 0 : POSIX_SPAWN_SETPGROUP;
+  posix_spawnattr_setflags(
+      &attributes, static_cast<short>(POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | group));
   pid_t child = -1;
-  const int fault =
-      posix_spawn(&child, program.c_str(), files, &attributes, arguments.get(), environ);
+  const int fault = posix_spawn(&child, program.c_str(), around.files, &attributes, arguments.get(),
+                                variables.get());
   posix_spawnattr_destroy(&attributes);
   if (fault != 0) {
     throw not_started(program, fault);
   }
   return child;
+}
+
+/// True once a child has ended, which stays to be collected.
+bool has_ended(pid_t child) {
+  siginfo_t info{};
+  return ::waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+         info.si_pid != 0;
+}
+
+/// Starts a child that reads nothing and speaks into a file of its home.
+pid_t start_at_home(const std::filesystem::path& program, const std::vector<std::string>& words,
+                    const ChildOptions& options) {
+  const std::filesystem::path said = options.home / "said";
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, 1, said.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  posix_spawn_file_actions_adddup2(&files, 1, 2);
+  try {
+    const pid_t child = start(program, words, options.called, {&files, options.home});
+    posix_spawn_file_actions_destroy(&files);
+    return child;
+  } catch (...) {
+    posix_spawn_file_actions_destroy(&files);
+    throw;
+  }
 }
 
 }  // namespace
@@ -108,9 +170,13 @@ std::filesystem::path find_program(const ChildProgram& program) {
     }
     return named;
   }
-  for (const std::filesystem::path& folder : folders()) {
-    if (runs(folder / program.name)) {
-      return folder / program.name;
+  std::vector<std::string> names = program.other_names;
+  names.insert(names.begin(), program.name);
+  for (const std::string& name : names) {
+    for (const std::filesystem::path& folder : folders()) {
+      if (runs(folder / name)) {
+        return folder / name;
+      }
     }
   }
   throw Error(ErrorKind::unsupported, "the program " + program.name + " is not installed",
@@ -144,7 +210,7 @@ std::string output_of(const std::filesystem::path& program, const std::vector<st
   std::string text;
   pid_t child = -1;
   try {
-    child = start(program, words, called, &files);
+    child = start(program, words, called, {&files});
   } catch (const Error&) {
     child = -1;
   }
@@ -164,16 +230,22 @@ std::string output_of(const std::filesystem::path& program, const std::vector<st
 
 int run_child(const std::filesystem::path& program, const std::vector<std::string>& words,
               const Console& console, const ChildOptions& options) {
-  const pid_t child = start(program, words, options.called, nullptr);
+  const bool stranger = !options.home.empty();
+  const pid_t child =
+      stranger ? start_at_home(program, words, options) : start(program, words, options.called, {});
   int status = 0;
   bool terminated = false;
-  while (::waitpid(child, &status, WNOHANG) == 0) {
+  while (!has_ended(child)) {
     if (!terminated && (console.interrupted() || (options.timed && console.out_of_time()))) {
-      ::kill(child, SIGTERM);
+      ::kill(stranger ? -child : child, stranger ? SIGKILL : SIGTERM);
       terminated = true;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
+  if (stranger) {
+    ::kill(-child, SIGKILL);  // what it left running, while its number is still its own
+  }
+  ::waitpid(child, &status, 0);
   if (console.interrupted()) {
     throw Error(ErrorKind::cancelled, "interrupted", "");
   }

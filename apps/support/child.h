@@ -1,5 +1,5 @@
 /// \file
-/// Other programs of soms, run in the place of the command.
+/// Other programs, run in the place of the command or for it.
 #pragma once
 
 #include <filesystem>
@@ -10,16 +10,17 @@ namespace soms::command {
 
 class Console;
 
-/// A program of soms and how it is come by.
+/// A program and how it is come by.
 struct ChildProgram {
-  std::string name;      ///< of its file
-  std::string variable;  ///< of the environment, which names another file
-  std::string remedy;    ///< what to do where it is missing
+  std::string name;                           ///< of its file
+  std::string variable;                       ///< of the environment, which names another file
+  std::string remedy;                         ///< what to do where it is missing
+  std::vector<std::string> other_names = {};  ///< of its file, elsewhere
 };
 
 /// Its file: the one that the variable names, else the one beside the command, else
-/// libexec/soms/NAME under the command's prefix, else the first on PATH.
-/// \errors ErrorKind::unsupported where there is none.
+/// libexec/soms/NAME under the command's prefix, else the first on PATH; other names, in their
+/// order, where none has the first. \errors ErrorKind::unsupported where there is none.
 [[nodiscard]] std::filesystem::path find_program(const ChildProgram& program);
 
 /// A path that a child does not take for an option.
@@ -29,10 +30,15 @@ struct ChildProgram {
 struct ChildOptions {
   std::string called = {};  ///< its first argument; empty: its path
   bool timed = true;        ///< --timeout ends it
+  /// Folder of a child that is a stranger to soms: its home, so that it writes nothing elsewhere.
+  /// It reads nothing, what it says goes to the file `said` there, and it is killed with all that
+  /// it started. Empty: a program of soms.
+  std::filesystem::path home = {};
 };
 
-/// Runs `program` with `words`, on the command's own standard input, output and error, and waits.
-/// Returns its exit status, 128 + n where signal n ended it. Ctrl-C and --timeout end it.
+/// Runs `program` with `words` and waits: on the command's own standard input, output and error,
+/// unless it has a home. Returns its exit status, 128 + n where signal n ended it. Ctrl-C and
+/// --timeout end it.
 /// \errors ErrorKind::unsupported where it cannot be started; ErrorKind::timed_out; cancelled.
 [[nodiscard]] int run_child(const std::filesystem::path& program,
                             const std::vector<std::string>& words, const Console& console,
