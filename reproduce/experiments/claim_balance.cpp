@@ -173,7 +173,8 @@ Result claim_balance(const Context& context) {
                           "Both rules halve a length, and neither counts triangles: which of the "
                           "two halves is fuller is a matter of the model. What SOMS has ahead is "
                           "that it is not stuck where one large triangle keeps spatial median from "
-                          "dividing at all. With {}, over the models, {}.",
+                          "dividing at all; by the depths of leaves alone such a tree looks even. "
+                          "With {}, over the models, {}.",
                           usual, leads_of(measured, usual)),
                       .settles = "what the thesis calls a balanced level (section 3.5.3), and what "
                                  "its program does with a node that spatial median cannot divide",

@@ -21,6 +21,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -53,7 +54,7 @@ std::vector<Subject> subjects_of(const Models& models) {
   }
   for (const double ratio : {1.0, 10.0, 100.0, 1000.0, 10'000.0}) {
     subjects.push_back(
-        {fmt::format("spread 1 to {:.0f}", ratio),
+        {fmt::format("spread of edges 1 to {:.0f}", ratio),
          model_of(generate_spread({.triangles = kSpreadTriangles, .ratio = ratio})), kObjectLevel,
          ratio > 1 ? "" : "its triangles are all of one size, and the claim is about others"});
   }
@@ -134,6 +135,21 @@ double sum_of(const Claim& claim, std::string_view rule, std::string_view readin
   return sum;
 }
 
+/// What spatial median does where only the sizes change: from one size to edges far apart.
+std::string spread_words(std::span<const Subject> subjects, const Parallel& parallel) {
+  const auto is_spread = [](const Subject& subject) { return subject.name.starts_with("spread"); };
+  const auto alike = std::find_if(subjects.begin(), subjects.end(), is_spread);
+  const auto unlike = std::find_if(subjects.rbegin(), subjects.rend(), is_spread);
+  const StuckNodes from = stuck(*alike, Rule::spatial_median, {}, parallel);
+  const StuckNodes to = stuck(*unlike, Rule::spatial_median, {}, parallel);
+  return fmt::format(
+      "Unlike sizes are not what it takes to stop spatial median, but they decide where it stops: "
+      "on triangles of one size it is stuck at {} nodes of at most {} triangles, on the {} at {} "
+      "nodes of up to {}.",
+      words(from.partable), words(from.largest), unlike->name, words(to.partable),
+      words(to.largest));
+}
+
 Claim claim_of(std::span<const Subject> subjects, const Parallel& parallel) {
   Claim claim{.id = "no_fallback",
               .statement =
@@ -154,12 +170,12 @@ Claim claim_of(std::span<const Subject> subjects, const Parallel& parallel) {
       "corners, which may lie far from all midpoints: one large triangle is enough. Over all that "
       "is judged, with the midpoint of the thesis and empty side stop, SOMS is stuck at {} nodes "
       "on the inner axis and at {} on the outer, spatial median at {}. With the other axes tried, "
-      "SOMS on the outer axis is stuck at {}, spatial median at {}.",
+      "SOMS on the outer axis is stuck at {}, spatial median at {}. {}",
       total("SOMS", AxisFrom::inner, EmptySide::stop),
       total("SOMS", AxisFrom::outer, EmptySide::stop),
       total("spatial", AxisFrom::outer, EmptySide::stop),
       total("SOMS", AxisFrom::outer, EmptySide::next_axis),
-      total("spatial", AxisFrom::outer, EmptySide::next_axis));
+      total("spatial", AxisFrom::outer, EmptySide::next_axis), spread_words(subjects, parallel));
   claim.settles =
       "chapter 4 of the thesis, which says from which box SOMS takes its axis; the abstract (\"the "
       "longest axis between the midpoint of the triangles\") speaks for the inner one";

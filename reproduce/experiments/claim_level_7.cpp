@@ -58,8 +58,8 @@ Result claim_level_7(const Context& context) {
                   "5.5 takes level 7 as given.",
            .settles = "the scene of the thesis (put a SketchUp export of 5,672 triangles into "
                       "the folder of --models), and section 3.5.3, which defines the level",
-           .revision =
-               Revision{Verdict::cannot_be_checked, "a scene of the thesis' size was given"}}}};
+           .revision = Revision{Verdict::cannot_be_checked,
+                                "a scene of the thesis' size that you give is judged now"}}}};
 }
 
 }  // namespace soms::reproduce

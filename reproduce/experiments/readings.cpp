@@ -109,8 +109,9 @@ Judgment judge_hybrid(std::span<const Read> own, std::span<const Read> /*taken*/
   }
   return {"excluded by count",
           fmt::format("Its tree has every node of spatial median's, divided by the same plane, and "
-                      "up to {} more on these models, so it cannot be built faster than spatial "
-                      "median, as the abstract has it. Besides, \"the process starts\" between the "
+                      "up to {} more on these models, so at the same level the same "
+                      "program cannot build it faster than spatial median, as the abstract has it. "
+                      "Besides, \"the process starts\" between the "
                       "midpoints.",
                       words(more))};
 }
@@ -162,7 +163,8 @@ Judgment judge_objects(std::span<const Read> own, std::span<const Read> /*taken*
 constexpr std::string_view kMidpointQuote =
     "Abstract: \"splitting the longest axis between the midpoint of the triangles based on their "
     "minimum and maximum points\". Abstract in Malay: \"Peraturan Pemecahan Ruang Median "
-    "berdasarkan Objek\" (object-based spatial median) and \"memotong paksi terpanjang yang dikira "
+    "berdasarkan Objek\" (object-based spatial median splitting rule) and \"memotong paksi "
+    "terpanjang yang dikira "
     "antara titik tengah segitiga-segitiga berdasarkan titik minimum dan maksimum\" (the longest "
     "axis, computed between the midpoints of the triangles by minimum and maximum).";
 
