@@ -21,11 +21,11 @@ BuildOptions options_of(Rule rule, int level, const OpenOptions& open) {
 }
 
 std::string words_of(EmptySide empty_side) {
-  return fmt::format("empty side {}", name(empty_side));
+  return std::string(name(empty_side));
 }
 
 std::string words_of(EmptySide empty_side, AxisFrom soms_axis) {
-  return fmt::format("{}, SOMS on the {} axis", words_of(empty_side), name(soms_axis));
+  return fmt::format("{}, {} axis", words_of(empty_side), name(soms_axis));
 }
 
 std::vector<Leveled> at_greatest_level(const Models& models) {

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace soms::reproduce {
@@ -29,10 +30,16 @@ inline constexpr std::array kEmptySides{EmptySide::stop, EmptySide::next_axis,
 /// Both axes of SOMS: "between the midpoints" (abstract), and that of spatial median.
 inline constexpr std::array kSomsAxes{AxisFrom::inner, AxisFrom::outer};
 
+/// How the readings in a matrix are to be read, for the page.
+inline constexpr std::string_view kReadingWords =
+    " A reading names what becomes of a node that a rule cannot divide (the empty side) and the "
+    "axis "
+    "of SOMS.";
+
 /// The thesis' options for a rule at a level, with these in the place of what is open.
 [[nodiscard]] BuildOptions options_of(Rule rule, int level, const OpenOptions& open);
 
-/// "empty side stop, SOMS on the inner axis": the reading in a row of a claim.
+/// "stop" and "stop, inner axis": the reading in a row of a claim; `kReadingWords` explains it.
 [[nodiscard]] std::string words_of(EmptySide empty_side);
 [[nodiscard]] std::string words_of(EmptySide empty_side, AxisFrom soms_axis);
 

@@ -76,22 +76,20 @@ StuckNodes stuck(const Subject& subject, Rule rule, const OpenOptions& open,
   return stuck_nodes(build(mesh, options, {1, parallel.stop, {}}), mesh, options);
 }
 
-/// "inner axis, empty side stop, midpoint thesis".
+/// "stop, inner axis, midpoint thesis".
 std::string reading_of(AxisFrom axis, const OpenOptions& open) {
-  return fmt::format("{} axis, {}, midpoint {}{}", name(axis), words_of(open.empty_side),
-                     name(open.midpoint), open.midpoint == Midpoint::thesis ? "" : " (ours)");
+  return fmt::format("{}, midpoint {}{}", words_of(open.empty_side, axis), name(open.midpoint),
+                     open.midpoint == Midpoint::thesis ? "" : " (ours)");
 }
 
 ClaimRow row_of(const Subject& subject, Rule rule, const OpenOptions& open,
                 const Parallel& parallel) {
   const bool of_soms = rule == Rule::soms;
   const StuckNodes count = stuck(subject, rule, open, parallel);
-  ClaimRow row =
-      counted_row(reading_of(of_soms ? open.soms_axis : AxisFrom::outer, open),
-                  fmt::format("nodes that {} cannot divide although their midpoints differ",
-                              of_soms ? "SOMS" : "spatial median"),
-                  subject.name, "", of_soms ? Demand{.below = 1} : Demand{.above = 0},
-                  static_cast<double>(count.partable));
+  ClaimRow row = counted_row(
+      reading_of(of_soms ? open.soms_axis : AxisFrom::outer, open),
+      fmt::format("nodes where {} is stuck", of_soms ? "SOMS" : "spatial median"), subject.name, "",
+      of_soms ? Demand{.below = 1} : Demand{.above = 0}, static_cast<double>(count.partable));
   row.unjudged = subject.unjudged;
   return row;
 }
@@ -164,13 +162,17 @@ Claim claim_of(std::span<const Subject> subjects, const Parallel& parallel) {
         sum_of(claim, rule, reading_of(axis, {.soms_axis = axis, .empty_side = empty_side}))));
   };
   claim.why = fmt::format(
-      "SOMS puts its plane between the least and the greatest midpoint of the inner box's longest "
+      "A rule is stuck at a node if its plane leaves one side empty although the midpoints of the "
+      "triangles differ. SOMS puts its plane between the least and the greatest midpoint of the "
+      "inner box's longest "
       "axis, so it fails only where that box is a point. On the longest axis of the outer box all "
       "midpoints may agree, and then it fails as well. Spatial median's plane is the middle of "
       "corners, which may lie far from all midpoints: one large triangle is enough. Over all that "
       "is judged, with the midpoint of the thesis and empty side stop, SOMS is stuck at {} nodes "
       "on the inner axis and at {} on the outer, spatial median at {}. With the other axes tried, "
-      "SOMS on the outer axis is stuck at {}, spatial median at {}. {}",
+      "SOMS on the outer axis is stuck at {}, spatial median at {}. {} A reading names the empty "
+      "side, the axis "
+      "of the rule and the midpoint.",
       total("SOMS", AxisFrom::inner, EmptySide::stop),
       total("SOMS", AxisFrom::outer, EmptySide::stop),
       total("spatial", AxisFrom::outer, EmptySide::stop),

@@ -43,7 +43,7 @@ Singles singles_of(const Model& model, int level, const OpenOptions& open,
 }
 
 ClaimRow row_of(std::string reading, const Model& model, const Singles& singles) {
-  ClaimRow row = counted_row(std::move(reading), "leaves with one triangle, SOMS - spatial median",
+  ClaimRow row = counted_row(std::move(reading), "lead of SOMS in leaves with one triangle",
                              label_of(model), "", {.above = 0}, singles.soms - singles.spatial);
   if (singles.soms == 0 && singles.spatial == 0) {
     row.unjudged =
@@ -53,18 +53,13 @@ ClaimRow row_of(std::string reading, const Model& model, const Singles& singles)
   return row;
 }
 
-std::string greatest_level_words() {
-  return fmt::format("greatest level ({} for objects, {} for scenes)", kObjectLevel, kSceneLevel);
-}
-
 std::vector<ClaimRow> rows_at_greatest(std::span<const Leveled> models, Steps& steps) {
   std::vector<ClaimRow> rows;
   for (const EmptySide empty_side : kEmptySides) {
     for (const AxisFrom axis : kSomsAxes) {
       for (const auto& [model, level] : models) {
-        rows.push_back(
-            row_of(fmt::format("{}, {}", greatest_level_words(), words_of(empty_side, axis)),
-                   *model, singles_of(*model, level, {axis, empty_side}, steps.quiet())));
+        rows.push_back(row_of(fmt::format("greatest level, {}", words_of(empty_side, axis)), *model,
+                              singles_of(*model, level, {axis, empty_side}, steps.quiet())));
       }
     }
     steps.done_one();
@@ -126,8 +121,8 @@ std::string why_of(std::span<const Ladder> ladders) {
       "median has stopped: at deep levels, and the more the less is done for a node that a rule "
       "cannot divide. Around the balanced level both divide nearly every node, and which plane "
       "happens to leave more triangles alone is a matter of the model. With empty side stop SOMS "
-      "has more: {}.",
-      where);
+      "has more: {}. The greatest level is {} for objects and {} for scenes.{}",
+      where, kObjectLevel, kSceneLevel, kReadingWords);
 }
 
 double share(const Ladder& ladder, double singles) {

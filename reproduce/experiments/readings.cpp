@@ -201,12 +201,12 @@ constexpr std::array kReadings{
             .thesis_says =
                 "Abstract: more leaf nodes with a single triangle; figure 4.23, caption: "
                 "\"find the Midpoint between A and B and then calculate The Midpoint "
-                "between f and C to get Centre of Triangle\".",
+                "between f and C\".",
             .midpoint = Midpoint::aabb,
             .judge = judge_aabb},
     Reading{.name = "centroid",
             .title = "centroid",
-            .speaks_for = "Figure 4.23, caption: \"Centre of Triangle\".",
+            .speaks_for = "Figure 4.23, caption, which calls its point the center of the triangle.",
             .thesis_says = "Figure 4.23, caption: \"find the Midpoint between A and B and then "
                            "calculate The Midpoint between f and C\".",
             .midpoint = Midpoint::centroid,
