@@ -16,6 +16,7 @@ std::vector<Mesh> object_meshes(const Mesh& mesh) {
     object.triangles.push_back({first, first + 1, first + 2});
   }
   std::vector<Mesh> objects;
+  objects.reserve(by_part.size());
   for (auto& [part, object] : by_part) {
     objects.push_back(std::move(object));
   }

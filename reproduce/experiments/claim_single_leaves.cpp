@@ -189,6 +189,7 @@ Figure ratio_figure(std::span<const Ladder> ladders) {
 Result claim_single_leaves(const Context& context) {
   const std::vector<Leveled> models = at_greatest_level(context.models);
   std::vector<Ladder> ladders;
+  ladders.reserve(models.size());
   for (const Leveled& one : models) {
     ladders.push_back({one.model});
   }
