@@ -23,6 +23,18 @@ constexpr Needs kScenes{.scenes = true};
 constexpr Needs kObjectsAndScenes{.objects = true, .scenes = true};
 
 constexpr std::array kExperiments{
+    Experiment{"claim-models", "Claim: objects and scene of the sizes named", Chapter::claims,
+               kObjectsAndScenes, 1, claim_models},
+    Experiment{"claim-fallback", "Claim: SOMS goes on where spatial median stops", Chapter::claims,
+               kObjectsAndScenes, 1, claim_fallback},
+    Experiment{"claim-single-leaves", "Claim: more leaves with a single triangle", Chapter::claims,
+               kObjectsAndScenes, 1, claim_single_leaves},
+    Experiment{"claim-26-percent", "Claim: 26 % more of them in the urban scene", Chapter::claims,
+               kScenes, 1, claim_26_percent},
+    Experiment{"claim-balance", "Claim: a more balanced tree", Chapter::claims, kObjectsAndScenes,
+               1, claim_balance},
+    Experiment{"claim-level-7", "Claim: level 7 is the balanced level of the urban scene",
+               Chapter::claims, kScenes, 1, claim_level_7},
     Experiment{"claim-balanced", "Is a balanced tree traversed faster?", Chapter::claims,
                kObjectsAndScenes, 5, claim_balanced},
     Experiment{"claim-cheaper", "Is SOMS cheaper to query than spatial median?", Chapter::claims,
@@ -167,6 +179,8 @@ constexpr std::array kExperiments{
     Experiment{"options",
                "What midpoint, vertex C, axis, empty side, root level and leaf size change",
                Chapter::beyond, kObjectsAndScenes, 1, options},
+    Experiment{"readings", "What else SOMS might be, and what excludes it", Chapter::beyond,
+               kObjectsAndScenes, 1, readings},
     Experiment{"modern", "The models and scenes by modern measures", Chapter::beyond,
                kObjectsAndScenes, 20, modern},
     Experiment{"cities", "Real cities by modern measures", Chapter::beyond, kCities, 60, cities},

@@ -158,7 +158,7 @@ std::string summary(const reproduce::Report& report, const ReproduceOptions& opt
   std::string text;
   for (const reproduce::Entry& entry : report.entries) {
     for (const reproduce::Claim& claim : entry.result.claims) {
-      text += fmt::format("{:<28}{:<17}{}\n", name(verdict_of(claim)), entry.experiment->item,
+      text += fmt::format("{:<28}{:<21}{}\n", name(verdict_of(claim)), entry.experiment->item,
                           claim.statement);
     }
     for (const reproduce::Finding& finding : entry.result.findings) {

@@ -1,6 +1,4 @@
 // Is a tree by SOMS more balanced? Balanced levels and depths of leaves, by rule and model.
-#include "soms/tree/option_names.h"
-
 #include "reproduce/count_charts.h"
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/steps.h"
@@ -58,37 +56,6 @@ Score score_against(Rule rule, EmptySide policy, std::span<const Task> tasks,
 std::string words(const Score& score) {
   return fmt::format("higher on {}, equal on {}, lower on {}", score.higher, score.equal,
                      score.lower);
-}
-
-Finding against_spatial_median(std::span<const Task> tasks, std::span<const Counted> counts,
-                               const std::string& note) {
-  Finding finding{.claim = "SOMS makes a more balanced tree than spatial median",
-                  .source = "abstract; figure 4.2 by its caption"};
-  int higher = 0;
-  int all = 0;
-  const auto stand_ins = std::count_if(tasks.begin(), tasks.end(),
-                                       [](const Task& task) { return task.model->stand_in; });
-  finding.measured =
-      fmt::format("Balanced level, SOMS to spatial median, on {} models, {} of them stand-ins.",
-                  tasks.size(), stand_ins);
-  for (const EmptySide policy : kPolicies) {
-    const Score score = score_against(Rule::spatial_median, policy, tasks, counts);
-    finding.measured += fmt::format(" Empty side {}: {}.", name(policy), score.text);
-    finding.reason += fmt::format(
-        "{}With empty side {} the balanced level of SOMS is {} of {} "
-        "models.",
-        finding.reason.empty() ? "" : " ", name(policy), words(score), tasks.size());
-    higher += score.higher;
-    all += score.higher + score.equal + score.lower;
-  }
-  finding.measured += note;
-  if (higher > 0 && higher < all) {
-    finding.reason += " It is a matter of the model, not of the rule alone.";
-  }
-  finding.verdict = higher == all ? Verdict::holds
-                    : higher > 0  ? Verdict::holds_under
-                                  : Verdict::does_not_hold;
-  return finding;
 }
 
 std::string against_object_rules(std::span<const Task> tasks, std::span<const Counted> counts) {
@@ -151,7 +118,6 @@ Result balance(const Context& context) {
                                           kComparedOptions, note),
                    .svg = bars_of("Balanced level", "level", with_usual_options(counts),
                                   balanced_level)}},
-      .findings = {against_spatial_median(tasks, counts, note)},
       .remarks = {against_object_rules(tasks, counts), leaf_depths(tasks, counts),
                   "In today's terms SOMS is midpoint splitting of the bounds of the centroids, the "
                   "\"middle\" of PBRT, with an unusual centroid: it divides wherever two midpoints "

@@ -128,24 +128,6 @@ int fixed_level(const Model& /*model*/, const Parallel& /*parallel*/) {
   return level;
 }
 
-Finding balanced_at_seven(std::span<const Model> scenes, const Parallel& parallel) {
-  Finding finding{.claim = "The balanced level of SOMS on the urban scene is 7",
-                  .source = "figure 5.5 by its caption"};
-  bool all_seven = !scenes.empty();
-  for (const Model& scene : scenes) {
-    const int level = balanced_level_of<Rule::soms, kSceneLevel>(scene, parallel);
-    finding.measured +=
-        fmt::format("{}{} {}", finding.measured.empty() ? "" : ", ", scene.name, level);
-    all_seven = all_seven && level == 7;
-  }
-  finding.measured += fmt::format(".{}", note_on_stand_ins(scenes));
-  finding.reason = all_seven ? "Every scene agrees, but the thesis' own is not available."
-                             : "The thesis' scene is not available, and it does not define the "
-                               "balanced level; here it is the greatest level of which every node "
-                               "exists and holds a triangle. Level 7 is taken as given.";
-  return finding;
-}
-
 }  // namespace
 
 Result figure_5_2(const Context& context) {
@@ -219,7 +201,6 @@ Result figure_5_5(const Context& context) {
        .whose = RepetitionsOf::thesis,
        .average = true},
       context, fixed_level<7>, result);
-  result.findings = {balanced_at_seven(context.models.scenes, {1, context.parallel.stop, {}})};
   return result;
 }
 

@@ -6,6 +6,16 @@
 
 namespace soms::reproduce {
 
+/// Claims that are counts: the sizes of the models, that SOMS needs no fallback, more leaves with
+/// one triangle, 26 % more of them, a more balanced tree, the balanced level 7 of the urban scene.
+/// \source  thesis, abstract, chapter 1, figures 4.2 and 5.5, tables 5.3 and 5.9.
+[[nodiscard]] Result claim_models(const Context& context);
+[[nodiscard]] Result claim_fallback(const Context& context);
+[[nodiscard]] Result claim_single_leaves(const Context& context);
+[[nodiscard]] Result claim_26_percent(const Context& context);
+[[nodiscard]] Result claim_balance(const Context& context);
+[[nodiscard]] Result claim_level_7(const Context& context);
+
 /// Premises of the thesis: a balanced tree is traversed faster; a tree by SOMS is cheaper to query.
 /// \source thesis, abstract and chapter 1.
 [[nodiscard]] Result claim_balanced(const Context& context);
@@ -48,6 +58,9 @@ namespace soms::reproduce {
 
 /// The effect of each option that the thesis leaves open, on the first object and the scenes.
 [[nodiscard]] Result options(const Context& context);
+
+/// Other readings of the rule, and what excludes them. \source thesis, abstract, figures 4.6, 4.23.
+[[nodiscard]] Result readings(const Context& context);
 
 /// Which rule balances best, on objects and scenes. \source thesis, abstract.
 [[nodiscard]] Result balance(const Context& context);

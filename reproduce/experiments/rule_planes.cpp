@@ -60,26 +60,6 @@ Figure rules_figure(std::string id, std::string caption, Drawing drawing,
   return {.id = std::move(id), .caption = std::move(caption), .svg = draw(drawing), .alt = alt};
 }
 
-/// How many sets of triangles of unlike size, whose midpoints are not all equal, a rule divides.
-struct Divided {
-  std::size_t sets = 0;
-  std::size_t by_rule = 0;
-};
-
-Divided count_divided(Rule rule) {
-  Divided count;
-  std::vector<ToySet> sets = flat_toy_sets();
-  sets.push_back(solid_toy_set());
-  for (const ToySet& set : sets) {
-    const ToySplit split = split_toy(set.mesh, rule);
-    if (set.unlike && split.inner.lower != split.inner.upper) {
-      ++count.sets;
-      count.by_rule += split.divides() ? 1U : 0U;
-    }
-  }
-  return count;
-}
-
 }  // namespace
 
 Result figure_4_1(const Context&) {
@@ -169,19 +149,6 @@ Result figure_4_6(const Context&) {
       "all midpoints are equal.",
       {.title = "The plane of SOMS", .view = flat_view()}, flat_toy_sets(), kRules, table)};
   result.tables = {std::move(table)};
-  const Divided soms = count_divided(Rule::soms);
-  const Divided spatial = count_divided(Rule::spatial_median);
-  const bool holds = soms.by_rule == soms.sets && spatial.by_rule < spatial.sets;
-  result.findings = {
-      {.claim = "Triangles of unlike size stop spatial median, which then needs a fallback; SOMS "
-                "goes on without one",
-       .source = "statement of the problem",
-       .measured = fmt::format("of {} toy sets of triangles of unlike size whose midpoints are not "
-                               "all equal, SOMS divides {}, spatial median {}",
-                               soms.sets, soms.by_rule, spatial.by_rule),
-       .verdict = holds ? Verdict::holds : Verdict::does_not_hold,
-       .reason = "SOMS puts its plane between two different midpoints wherever there are two; "
-                 "spatial median's plane depends on corners, which may lie far beyond them."}};
   return result;
 }
 

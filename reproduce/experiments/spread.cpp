@@ -204,33 +204,6 @@ std::string against(const std::vector<Step>& steps, std::size_t other) {
       steps.back().decades);
 }
 
-/// The problem that the thesis starts from, put to the test by the sweep.
-Finding early_stop(const std::vector<Step>& steps) {
-  const std::size_t stop = index_of("spatial_median", "stop");
-  const std::size_t soms = index_of("soms");
-  const TreeStatistics& alike = steps.front().points[stop].counts;
-  const TreeStatistics& unlike = steps.back().points[stop].counts;
-  const TreeStatistics& of_soms = steps.back().points[soms].counts;
-  const bool stops = unlike.undividable > 2 * alike.undividable + 10;
-  const bool goes_on = of_soms.undividable == 0;
-  return {
-      .claim =
-          "With triangles of unlike size spatial median comes to nodes that it cannot "
-          "divide; SOMS goes on without a heuristic.",
-      .source = "chapter 1 (problem)",
-      .measured = fmt::format(
-          "Nodes that cannot be divided, from alike to {} decades: spatial median {} to {}, its "
-          "largest leaf {} to {} triangles; SOMS {}, largest leaf {}.",
-          steps.back().decades, alike.undividable, unlike.undividable, alike.largest_leaf,
-          unlike.largest_leaf, of_soms.undividable, of_soms.largest_leaf),
-      .verdict = stops && goes_on ? Verdict::holds : Verdict::does_not_hold,
-      .reason = fmt::format(
-          "Under `stop`, with nothing but sizes changed. Under `next_axis` spatial median goes "
-          "on as well and, against SOMS, looks at {} at the same spread.",
-          more_or_fewer(steps.back().points[index_of("spatial_median", "next_axis")].looks() /
-                        steps.back().points[soms].looks()))};
-}
-
 }  // namespace
 
 Result spread(const Context& context) {
@@ -245,9 +218,7 @@ Result spread(const Context& context) {
       context.parallel.progress((halves + 1.0) / (kLast + 1));
     }
   }
-  Result result{.tables = {table_of(steps, triangles)},
-                .figures = {figure_of(steps)},
-                .findings = {early_stop(steps)}};
+  Result result{.tables = {table_of(steps, triangles)}, .figures = {figure_of(steps)}};
   for (std::size_t i = 0; i < kComparedBuilds.size(); ++i) {
     if (i != index_of("soms")) {
       result.remarks.push_back(against(steps, i));

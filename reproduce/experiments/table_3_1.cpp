@@ -50,40 +50,16 @@ Table specification(std::string id, std::string caption, std::span<const Model> 
   return table;
 }
 
-/// The thesis names a number of triangles: is there a model of so many, and is it the thesis' own?
-Finding number_of_triangles(std::string claim, std::span<const Model> models,
-                            std::size_t triangles) {
-  Finding finding{.claim = std::move(claim), .source = "abstract"};
-  std::string stand_ins;
-  for (const Model& model : models) {
-    if (model.mesh->triangles.size() == triangles) {
-      stand_ins += fmt::format("{}{}", stand_ins.empty() ? "" : ", ", label_of(model));
-    }
-  }
-  finding.measured = stand_ins.empty()
-                         ? fmt::format("no model of {} triangles", words(triangles))
-                         : fmt::format("{} triangles: {}", words(triangles), stand_ins);
-  if (original_of(models, triangles) != nullptr) {
-    finding.verdict = Verdict::holds;
-    finding.reason = "A model that was given has exactly this count.";
-  } else {
-    finding.reason = "The thesis' own model was not given; a stand-in of this count shows nothing.";
-  }
-  return finding;
-}
-
 }  // namespace
 
 Result table_3_1(const Context& context) {
   const std::span<const Model> objects = context.models.objects;
-  return {.tables = {specification("table_3_1", "The PLY objects.", objects)},
-          .findings = {number_of_triangles("An object has 948 triangles", objects, 948)}};
+  return {.tables = {specification("table_3_1", "The PLY objects.", objects)}};
 }
 
 Result table_3_3(const Context& context) {
   const std::span<const Model> scenes = context.models.scenes;
-  return {.tables = {specification("table_3_3", "The urban scenes, as 3DS.", scenes)},
-          .findings = {number_of_triangles("The urban scene has 5,672 triangles", scenes, 5672)}};
+  return {.tables = {specification("table_3_3", "The urban scenes, as 3DS.", scenes)}};
 }
 
 }  // namespace soms::reproduce

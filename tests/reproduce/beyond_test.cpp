@@ -54,9 +54,6 @@ std::string counted(const Result& result) {
   for (const Figure& figure : result.figures) {
     text += figure.id + figure.caption + (figure.timed ? "" : figure.svg);
   }
-  for (const Finding& finding : result.findings) {
-    text += finding.timed ? "" : finding.measured + finding.reason;
-  }
   for (const std::string& remark : result.remarks) {
     text += remark + '\n';
   }
@@ -207,7 +204,7 @@ TEST(Beyond, TheSweepsMessageFollowsFromItsTable) {
   }
 }
 
-TEST(Beyond, TheSweepsVerdictFollowsFromItsCounts) {
+TEST(Beyond, SpatialMedianStopsMoreOftenOnUnlikeTrianglesAndSomsNever) {
   const Result result = run(spread, Models{});
   const Table& table = table_named(result, "spread");
   const auto stop = rows_of(table, "spatial_median", "stop");
@@ -215,7 +212,6 @@ TEST(Beyond, TheSweepsVerdictFollowsFromItsCounts) {
   EXPECT_GT(number(table, stop.back(), "undividable"),
             2 * number(table, stop.front(), "undividable") + 10);
   EXPECT_EQ(number(table, soms.back(), "undividable"), 0);
-  EXPECT_EQ(result.findings.at(0).verdict, Verdict::holds);
   EXPECT_LT(number(table, soms.back(), "visits_over_sah"),
             number(table, stop.back(), "visits_over_sah"));
 }

@@ -15,7 +15,6 @@
 #include <array>
 #include <map>
 #include <memory>
-#include <optional>
 
 namespace soms::reproduce {
 namespace {
@@ -125,20 +124,6 @@ Model small_model(std::string name, Mesh mesh, bool stand_in) {
   return model;
 }
 
-/// 5,672 triangles in a row, each twice but for the last two.
-Mesh piles() {
-  Mesh mesh;
-  for (int i = 0; i < 2836; ++i) {
-    const double x = i;
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}});
-    mesh.triangles.push_back({first, first + 1, first + 2});
-    mesh.triangles.push_back({first, first + 1, first + 2});
-  }
-  mesh.triangles.back()[0] = 3;
-  return mesh;
-}
-
 TEST(Counts, TablesOfTheScenesShowTheGoldenCounts) {
   const Models models = scenes_only();
   ASSERT_EQ(models.scenes.size(), 3U);
@@ -169,65 +154,6 @@ TEST(Counts, OptionsAndBalanceShowTheGoldenCounts) {
   const Result varied = options({.models = models});
   // Two rules, with each of 24 combinations and with the root at level 0.
   EXPECT_EQ(compare_with_golden(varied.tables.at(1)), 4U * 2 * (24 + 1));
-}
-
-TEST(Counts, ClaimOfTwentySixPercentHoldsAtBestUnderOptions) {
-  const Models models = scenes_only();
-  const Result result = table_5_9({.models = models});
-  ASSERT_EQ(result.findings.size(), 1U);
-  const Finding& finding = result.findings.front();
-  EXPECT_EQ(finding.verdict, Verdict::holds_under);
-  for (const char* const part : {"+26.4 % on u_plain, empty side next_axis, outer axis",
-                                 "+22.3 % on u_plain", "scene is not available"}) {
-    EXPECT_NE(finding.reason.find(part), std::string::npos) << part << " in " << finding.reason;
-  }
-  EXPECT_NE(finding.measured.find("u_plain 1,893 to 288 (+557 %)"), std::string::npos)
-      << finding.measured;
-}
-
-TEST(Counts, ClaimOfTwentySixPercentSaysOverWhatItWasSought) {
-  const Models models = scenes_only();
-  const std::string reason = table_5_9({.models = models}).findings.front().reason;
-  for (const char* const part :
-       {"Over empty side and SOMS' axis, the other options as in the thesis",
-        "item options shows the others", "among these: "}) {
-    EXPECT_NE(reason.find(part), std::string::npos) << part << " in " << reason;
-  }
-  EXPECT_EQ(reason.find("all options"), std::string::npos) << reason;
-}
-
-TEST(Counts, GoingOnIsShownOnlyWhereSpatialMedianStops) {
-  // One triangle, and many at the same place: no rule stops at triangles that a plane could part.
-  Mesh pile = generate_sphere(20);
-  pile.triangles.assign(200, pile.triangles.front());
-  Mesh one = pile;
-  one.triangles.resize(1);
-  for (const Mesh& mesh : {one, pile}) {
-    Models models;
-    models.objects.push_back(small_model("same", mesh, false));
-    models.scenes = models.objects;
-    for (const auto run : {table_5_5, table_5_11}) {
-      const Finding finding = run({.models = models}).findings.front();
-      EXPECT_EQ(finding.verdict, Verdict::cannot_be_checked) << finding.measured;
-      EXPECT_NE(finding.reason.find("nothing where SOMS could go on"), std::string::npos);
-    }
-  }
-  const Models scenes = scenes_only();
-  const Finding on_stand_ins = table_5_11({.models = scenes}).findings.front();
-  EXPECT_EQ(on_stand_ins.verdict, Verdict::holds);
-  EXPECT_NE(on_stand_ins.reason.find("on stand-ins only"), std::string::npos);
-  Models given = scenes;
-  given.scenes.front().stand_in = false;
-  const Finding on_a_given_one = table_5_11({.models = given}).findings.front();
-  EXPECT_EQ(on_a_given_one.verdict, Verdict::holds);
-  EXPECT_EQ(on_a_given_one.reason.find("stand-ins"), std::string::npos);
-}
-
-TEST(Counts, BalanceSaysHowManyModelsAreStandIns) {
-  Models models = scenes_only();
-  models.objects.push_back(small_model("ball", generate_sphere(80), false));
-  const std::string measured = balance({.models = models}).findings.front().measured;
-  EXPECT_NE(measured.find("on 4 models, 3 of them stand-ins"), std::string::npos) << measured;
 }
 
 TEST(Counts, GeneratedScenesHaveTheirFileAndItsBytes) {
@@ -312,29 +238,10 @@ TEST(Counts, BalanceSaysWhichMidpointEachTreeUses) {
   }
 }
 
-TEST(Counts, ClaimOfTwentySixPercentCannotBeCheckedOnOtherScenes) {
-  Models models;
-  models.scenes.push_back(small_model("sphere", generate_sphere(200), false));
-  const Finding of_other_size = table_5_9({.models = models}).findings.front();
-  EXPECT_EQ(of_other_size.verdict, Verdict::cannot_be_checked);
-  EXPECT_NE(of_other_size.reason.find("none that was given has 5,672"), std::string::npos);
-  // Of 5,672 triangles all but two lie twice in the same place: no rule's plane parts them.
-  models.scenes = {small_model("piles", piles(), false)};
-  const Finding of_this_size = table_5_9({.models = models}).findings.front();
-  EXPECT_EQ(of_this_size.verdict, Verdict::cannot_be_checked);
-  EXPECT_NE(of_this_size.reason.find("no scene of this size"), std::string::npos)
-      << of_this_size.reason;
-}
-
-TEST(Counts, SomsIsMoreBalancedThanSpatialMedianOnSomeModelsOnly) {
-  SOMS_NEEDS_OUTSIDE_DATA("the verdict on balance");
+TEST(Counts, ObjectMedianBalancesBetterThanSomsOnEveryModel) {
+  SOMS_NEEDS_OUTSIDE_DATA("the remark on balance");
   const Models models = original_models();
   const Result result = balance({.models = models});
-  ASSERT_EQ(result.findings.size(), 1U);
-  EXPECT_EQ(result.findings.front().verdict, Verdict::holds_under);
-  EXPECT_NE(result.findings.front().reason.find("higher on 4, equal on 1, lower on 2 of 7"),
-            std::string::npos)
-      << result.findings.front().reason;
   EXPECT_NE(result.remarks.front().find("higher on 0, equal on 0, lower on 7 of 7"),
             std::string::npos)
       << result.remarks.front();
@@ -353,9 +260,6 @@ TEST(Counts, StandInsAreNamedInCaptionsAndRows) {
     for (const Figure& figure : result.figures) {
       EXPECT_NE(figure.svg.find("(stand-in)"), std::string::npos) << figure.id;
     }
-  }
-  for (const auto run : {table_3_1, table_3_3, table_5_3}) {
-    EXPECT_EQ(run({.models = models}).findings.front().verdict, Verdict::cannot_be_checked);
   }
 }
 
@@ -397,10 +301,6 @@ TEST(Counts, TwoRunsAreTheSameBytes) {
     for (std::size_t i = 0; i < first.figures.size(); ++i) {
       EXPECT_EQ(first.figures[i].svg, second.figures.at(i).svg);
       EXPECT_FALSE(first.figures[i].timed);
-    }
-    for (std::size_t i = 0; i < first.findings.size(); ++i) {
-      EXPECT_EQ(first.findings[i].measured, second.findings.at(i).measured);
-      EXPECT_FALSE(first.findings[i].timed);
     }
     EXPECT_EQ(first.remarks, second.remarks);
   }

@@ -94,14 +94,6 @@ TEST(DrawnRules, PseudoCodeShowsWhatSomsDoesWithASet) {
   }
 }
 
-TEST(DrawnRules, OnlySetsOfUnlikeSizeCountForTheClaimOnThem) {
-  const Finding finding = run_quick("figure-4.6", models()).findings.at(0);
-  EXPECT_EQ(finding.measured,
-            "of 3 toy sets of triangles of unlike size whose midpoints are not all equal, SOMS "
-            "divides 3, spatial median 0");
-  EXPECT_EQ(finding.verdict, Verdict::holds);
-}
-
 TEST(DrawnRules, RulesInSpaceStandInTheOrderOfTheThesis) {
   const Table table = table_of(run_quick("figure-4.7", models()), "figure_4_7_planes");
   ASSERT_EQ(table.rows.size(), 4U);

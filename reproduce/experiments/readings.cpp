@@ -1,0 +1,339 @@
+// What else SOMS might be: other readings of its captions, each with what speaks for it, what it
+// counts, and whether the thesis' own words or numbers exclude it.
+//
+// A reading is excluded by count only if what it counts contradicts the thesis on every model it
+// could be tried on for a reason that lies in the rule, not in the model; else by words, or it is
+// open. The reading that all other experiments take is the first.
+#include "soms/tree/build.h"
+
+#include "reproduce/alternative_rules.h"
+#include "reproduce/counts.h"
+#include "reproduce/experiments/experiments.h"
+#include "reproduce/grouped_bars.h"
+#include "reproduce/object_meshes.h"
+#include "reproduce/open_options.h"
+#include "reproduce/steps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace soms::reproduce {
+
+namespace {
+
+/// A model's tree by a reading, beside spatial median's with the same midpoints and meshes.
+struct Read {
+  const Model* model = nullptr;
+  int level = 0;
+  std::size_t trees = 1;
+  TreeStatistics counts = {};
+  TreeStatistics spatial = {};
+
+  /// Greatest balanced level that so many triangles and the limit of levels allow.
+  [[nodiscard]] std::uint64_t possible_level() const {
+    return std::min<std::uint64_t>(
+        static_cast<std::uint64_t>(std::bit_width(model->mesh->triangles.size())),
+        static_cast<std::uint64_t>(level));
+  }
+};
+
+/// What became of a reading, and why.
+struct Judgment {
+  std::string_view stands;  ///< "taken", "open", "excluded by count", "excluded by words"
+  std::string why;
+};
+
+/// A reading of the rule.
+struct Reading {
+  std::string_view name;
+  std::string_view title;
+  std::string_view speaks_for;  ///< quotation, with its place
+  std::string_view thesis_says;
+  Midpoint midpoint = Midpoint::thesis;
+  RuleFunction rule = nullptr;  ///< nullptr for SOMS itself
+  AxisFrom axis = AxisFrom::inner;
+  bool by_object = false;  ///< a tree for each object of the file
+  /// The reading taken comes second. \pre As many of one as of the other.
+  Judgment (*judge)(std::span<const Read> own, std::span<const Read> taken) = nullptr;
+};
+
+bool is_scene(const Read& read) {
+  return read.level == kSceneLevel;
+}
+
+Judgment judge_taken(std::span<const Read> /*own*/, std::span<const Read> /*taken*/) {
+  return {"taken",
+          "\"between the midpoint of the triangles\" names the box of the midpoints, and the "
+          "abstract in Malay says so plainly: object-based spatial median, the middle of space as "
+          "the midpoints of the objects span it."};
+}
+
+/// Levels near the greatest possible, on scenes unlike each other, are a trait of the rule.
+Judgment judge_pair(std::span<const Read> own, std::span<const Read> /*taken*/) {
+  constexpr std::uint64_t kSays = 7;
+  std::uint64_t least = ~std::uint64_t{0};
+  std::uint64_t gap = 0;
+  for (const Read& read : own) {
+    if (is_scene(read)) {
+      least = std::min(least, read.counts.balanced_level);
+      gap = std::max(gap, read.possible_level() - read.counts.balanced_level);
+    }
+  }
+  if (least == ~std::uint64_t{0} || gap > 1 || least <= kSays) {
+    return {"open", "On these scenes its balanced level does not follow from the rule alone."};
+  }
+  return {
+      "excluded by count",
+      fmt::format("It halves the triangles by count, so it fills every level, or all but one, "
+                  "that their number allows: its balanced level is at least {} on every scene, "
+                  "whatever the scene. A balanced level of {} on a scene of this size is out of "
+                  "its reach. It is object median by another name, which figure 4.7 shows apart "
+                  "from SOMS.",
+                  least, kSays)};
+}
+
+/// It does all that spatial median does, and then more.
+Judgment judge_hybrid(std::span<const Read> own, std::span<const Read> /*taken*/) {
+  const bool never_fewer = std::all_of(own.begin(), own.end(), [](const Read& read) {
+    return read.counts.nodes >= read.spatial.nodes;
+  });
+  if (own.empty() || !never_fewer) {
+    return {"open", "On some model it has fewer nodes than spatial median."};
+  }
+  std::uint64_t more = 0;
+  for (const Read& read : own) {
+    more = std::max(more, read.counts.nodes - read.spatial.nodes);
+  }
+  return {"excluded by count",
+          fmt::format("Its tree has every node of spatial median's, divided by the same plane, and "
+                      "up to {} more on these models, so at the same level the same "
+                      "program cannot build it faster than spatial median, as the abstract has it. "
+                      "Besides, \"the process starts\" between the "
+                      "midpoints.",
+                      words(more))};
+}
+
+Judgment judge_aabb(std::span<const Read> own, std::span<const Read> /*taken*/) {
+  std::size_t scenes = 0;
+  std::size_t none = 0;
+  for (const Read& read : own) {
+    scenes += is_scene(read) ? 1U : 0U;
+    none += is_scene(read) && read.counts.one == 0 ? 1U : 0U;
+  }
+  const std::string_view caption =
+      "Figure 4.23 constructs another point: f between A and B, then the middle of f and C.";
+  if (none == 0) {
+    return {"excluded by words", std::string(caption)};
+  }
+  return {"excluded by count",
+          fmt::format("The two triangles of a rectangle share the middle of their box, so no plane "
+                      "parts them: on {} of {} scenes it has no leaf with one triangle at all, and "
+                      "so no more than spatial median. {}",
+                      none, scenes, caption)};
+}
+
+Judgment judge_centroid(std::span<const Read> own, std::span<const Read> taken) {
+  double most = 0;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const double base = static_cast<double>(std::max<std::uint64_t>(1, taken[i].counts.one));
+    const double change = 100 * (static_cast<double>(own[i].counts.one) / base - 1);
+    most = change * change > most * most ? change : most;
+  }
+  return {"excluded by words",
+          fmt::format("Figure 4.23 constructs another point: f between A and B, then the middle of "
+                      "f and C. The counts do not decide: leaves with one triangle change by at "
+                      "most {:+.1f} %.",
+                      most)};
+}
+
+Judgment judge_objects(std::span<const Read> own, std::span<const Read> /*taken*/) {
+  if (own.empty()) {
+    return {"open", "No model that was given has more than one object."};
+  }
+  return {"open",
+          "Figures 5.4 and 5.5 speak of one balanced level of the whole simulation, which trees of "
+          "single objects do not have; section 4.6.2 and table 3.3 leave it open. Claim "
+          "claim-26-percent "
+          "judges both."};
+}
+
+constexpr std::string_view kMidpointQuote =
+    "Abstract: \"splitting the longest axis between the midpoint of the triangles based on their "
+    "minimum and maximum points\". Abstract in Malay: \"Peraturan Pemecahan Ruang Median "
+    "berdasarkan Objek\" (object-based spatial median splitting rule) and \"memotong paksi "
+    "terpanjang yang dikira "
+    "antara titik tengah segitiga-segitiga berdasarkan titik minimum dan maksimum\" (the longest "
+    "axis, computed between the midpoints of the triangles by minimum and maximum).";
+
+constexpr std::array kReadings{
+    Reading{.name = "soms",
+            .title = "SOMS as taken",
+            .speaks_for = kMidpointQuote,
+            .thesis_says = "This is the reading of all other experiments.",
+            .judge = judge_taken},
+    Reading{.name = "middle_pair",
+            .title = "middle pair",
+            .speaks_for = "Figure 4.6, caption: \"using the Spatial Midpoint between Midpoints of "
+                          "Two Triangles which will become their Separating Plane\", the two being "
+                          "those in the middle of the order.",
+            .thesis_says =
+                "Figure 5.5, caption: level 7 is the balanced level of SOMS on the urban "
+                "scene.",
+            .rule = middle_pair,
+            .judge = judge_pair},
+    Reading{.name = "spatial_then_soms",
+            .title = "spatial median, then SOMS",
+            .speaks_for =
+                "Section 1.2: \"without using heuristic at the earlier phase\", which may "
+                "leave SOMS to the later phase, where spatial median stops.",
+            .thesis_says = "Abstract: SOMS is built 8 % faster than spatial median, and \"the "
+                           "process starts by splitting the longest axis between the midpoint of "
+                           "the triangles\".",
+            .rule = spatial_then_soms,
+            .axis = AxisFrom::outer,
+            .judge = judge_hybrid},
+    Reading{.name = "aabb_midpoint",
+            .title = "middle of the triangle's box",
+            .speaks_for = "Abstract: \"based on their minimum and maximum points\".",
+            .thesis_says =
+                "Abstract: more leaf nodes with a single triangle; figure 4.23, caption: "
+                "\"find the Midpoint between A and B and then calculate The Midpoint "
+                "between f and C\".",
+            .midpoint = Midpoint::aabb,
+            .judge = judge_aabb},
+    Reading{.name = "centroid",
+            .title = "centroid",
+            .speaks_for = "Figure 4.23, caption, which calls its point the center of the triangle.",
+            .thesis_says = "Figure 4.23, caption: \"find the Midpoint between A and B and then "
+                           "calculate The Midpoint between f and C\".",
+            .midpoint = Midpoint::centroid,
+            .judge = judge_centroid},
+    Reading{.name = "tree_per_object",
+            .title = "a tree for each object",
+            .speaks_for = "Abstract: \"the total object triangle count for the complex environment "
+                          "are 5672 triangles\"; figure 4.27, caption: \"Array for Each Object by "
+                          "TreeID\".",
+            .thesis_says = "Figure 5.5, caption: one level for the whole urban simulation.",
+            .by_object = true,
+            .judge = judge_objects},
+};
+
+void add(TreeStatistics& sum, const TreeStatistics& one) {
+  sum.nodes += one.nodes;
+  sum.leaves += one.leaves;
+  sum.one += one.one;
+  sum.undividable += one.undividable;
+  sum.balanced_level = one.balanced_level;
+}
+
+TreeStatistics counts_by(const Reading& reading, const Mesh& mesh, int level,
+                         const Parallel& parallel) {
+  if (reading.rule == nullptr) {
+    return counts_of(mesh, Rule::soms, level, {.midpoint = reading.midpoint}, parallel);
+  }
+  BuildOptions options = options_of(Rule::soms, level, {.midpoint = reading.midpoint});
+  options.axis_from = reading.axis;
+  return statistics(build_by(mesh, reading.rule, options, {1, parallel.stop, {}}), options);
+}
+
+Read read(const Reading& reading, const Leveled& one, std::span<const Mesh> meshes,
+          const Parallel& parallel) {
+  Read result{one.model, one.level, meshes.size()};
+  for (const Mesh& mesh : meshes) {
+    add(result.counts, counts_by(reading, mesh, one.level, parallel));
+    add(result.spatial,
+        counts_of(mesh, Rule::spatial_median, one.level, {.midpoint = reading.midpoint}, parallel));
+  }
+  return result;
+}
+
+/// A reading of trees by object is tried only where there are several objects.
+std::vector<Read> read_all(const Reading& reading, std::span<const Leveled> models,
+                           const Parallel& parallel) {
+  std::vector<Read> all;
+  for (const Leveled& one : models) {
+    if (!reading.by_object) {
+      all.push_back(read(reading, one, {one.model->mesh.get(), 1}, parallel));
+      continue;
+    }
+    const std::vector<Mesh> objects = object_meshes(*one.model->mesh);
+    if (objects.size() > 1) {
+      all.push_back(read(reading, one, objects, parallel));
+    }
+  }
+  return all;
+}
+
+Table counts_table(const std::string& note) {
+  return {.id = "readings",
+          .caption =
+              "What each reading of SOMS counts, beside spatial median with the same "
+              "midpoints: leaves with one triangle, nodes, balanced level and the greatest "
+              "that the triangles and the level allow. Level 15 for objects, 13 for scenes, "
+              "empty side stop; sums over the trees where there are several." +
+              note,
+          .columns = {{"reading"},
+                      {"model"},
+                      {"trees"},
+                      {"one"},
+                      {"spatial_median_one"},
+                      {"nodes"},
+                      {"spatial_median_nodes"},
+                      {"balanced_level"},
+                      {"possible_level"},
+                      {"stands"}}};
+}
+
+void add_row(Table& table, const Reading& reading, const Read& read, std::string_view stands) {
+  const auto count = [](std::uint64_t n) { return Cell{static_cast<std::int64_t>(n)}; };
+  const bool one_tree = read.trees == 1;
+  table.rows.push_back({std::string(reading.name), read.model->name, count(read.trees),
+                        count(read.counts.one), count(read.spatial.one), count(read.counts.nodes),
+                        count(read.spatial.nodes),
+                        one_tree ? count(read.counts.balanced_level) : Cell{},
+                        one_tree ? count(read.possible_level()) : Cell{}, std::string(stands)});
+}
+
+}  // namespace
+
+Result readings(const Context& context) {
+  const std::vector<Leveled> models = at_greatest_level(context.models);
+  Table counts = counts_table(note_on_stand_ins(context.models.objects) +
+                              note_on_stand_ins(context.models.scenes));
+  Table reasons{.id = "readings_reasons",
+                .caption =
+                    "What speaks for each reading of SOMS, what the thesis says against it, "
+                    "and whether it is excluded.",
+                .columns = {{"reading"}, {"speaks_for"}, {"thesis_says"}, {"stands"}, {"why"}}};
+  std::vector<Datum> data;
+  std::vector<Read> taken;
+  Steps steps(context.parallel, kReadings.size());
+  for (const Reading& reading : kReadings) {
+    const std::vector<Read> own = read_all(reading, models, steps.quiet());
+    taken = taken.empty() ? own : taken;
+    const Judgment judgment = reading.judge(own, taken);
+    for (const Read& one : own) {
+      add_row(counts, reading, one, judgment.stands);
+      const double triangles =
+          static_cast<double>(std::max<std::size_t>(1, one.model->mesh->triangles.size()));
+      data.push_back({label_of(*one.model), std::string(reading.title),
+                      100 * static_cast<double>(one.counts.one) / triangles});
+    }
+    reasons.rows.push_back({std::string(reading.name), std::string(reading.speaks_for),
+                            std::string(reading.thesis_says), std::string(judgment.stands),
+                            judgment.why});
+    steps.done_one();
+  }
+  return {.tables = {std::move(reasons), std::move(counts)},
+          .figures = {{.id = "readings",
+                       .caption = "Triangles alone in a leaf by each reading of SOMS, at level 15 "
+                                  "for objects and 13 for scenes, with empty side stop. A tree for "
+                                  "each object is tried where a file has several.",
+                       .svg = draw(grouped_bars("What each reading of SOMS leaves alone",
+                                                "% of all triangles", data))}}};
+}
+
+}  // namespace soms::reproduce

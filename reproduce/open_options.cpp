@@ -1,0 +1,62 @@
+#include "reproduce/open_options.h"
+
+#include "soms/tree/build.h"
+#include "soms/tree/option_names.h"
+
+#include "reproduce/counts.h"
+#include "reproduce/levels.h"
+
+#include <fmt/format.h>
+
+namespace soms::reproduce {
+
+BuildOptions options_of(Rule rule, int level, const OpenOptions& open) {
+  BuildOptions options = thesis_options(rule, level);
+  options.empty_side = open.empty_side;
+  options.midpoint = open.midpoint;
+  if (rule == Rule::soms) {
+    options.axis_from = open.soms_axis;
+  }
+  return without_idle(options);
+}
+
+std::string words_of(EmptySide empty_side) {
+  return std::string(name(empty_side));
+}
+
+std::string words_of(EmptySide empty_side, AxisFrom soms_axis) {
+  return fmt::format("{}, {} axis", words_of(empty_side), name(soms_axis));
+}
+
+std::vector<Leveled> at_greatest_level(const Models& models) {
+  std::vector<Leveled> leveled;
+  for (const Model& object : models.objects) {
+    leveled.push_back({&object, kObjectLevel});
+  }
+  for (const Model& scene : models.scenes) {
+    leveled.push_back({&scene, kSceneLevel});
+  }
+  return leveled;
+}
+
+TreeStatistics counts_of(const Mesh& mesh, Rule rule, int level, const OpenOptions& open,
+                         const Parallel& parallel) {
+  const BuildOptions options = options_of(rule, level, open);
+  return statistics(build(mesh, options, {1, parallel.stop, {}}), options);
+}
+
+std::string not_of_thesis(const Model& model, std::size_t triangles) {
+  if (model.stand_in) {
+    return fmt::format(
+        "the thesis' own model of {} triangles was not given, and a stand-in shows "
+        "nothing about it",
+        words(triangles));
+  }
+  if (model.mesh->triangles.size() != triangles) {
+    return fmt::format("the claim is about a model of {} triangles, and this is another",
+                       words(triangles));
+  }
+  return "";
+}
+
+}  // namespace soms::reproduce

@@ -1,0 +1,310 @@
+// Claims that are counts: golden values by an independent implementation of the rules, and what is
+// judged on which models.
+#include "soms/base/error.h"
+#include "soms/generate/shapes.h"
+
+#include "reproduce/claim.h"
+#include "reproduce/experiments/experiments.h"
+#include "tests/support/slow_build.h"
+#include "tests/support/support.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soms::reproduce {
+namespace {
+
+constexpr std::array kScenes{"u_mixed (stand-in)", "u_boxes (stand-in)", "u_plain (stand-in)"};
+constexpr std::array kClaims{claim_models,     claim_fallback, claim_single_leaves,
+                             claim_26_percent, claim_balance,  claim_level_7};
+
+Models scenes_only() {
+  return find_models({}, {.scenes = true});
+}
+
+Models original_models() {
+  return find_models(*test::outside_data(""), {.objects = true, .scenes = true});
+}
+
+Model model_of(std::string name, Mesh mesh, bool stand_in) {
+  Model model{.name = std::move(name), .title = "a test's", .stand_in = stand_in};
+  model.mesh = std::make_shared<const Mesh>(std::move(mesh));
+  return model;
+}
+
+Claim claim_by(Result (*experiment)(const Context&), const Models& models) {
+  return experiment({.models = models, .quick = true}).claims.at(0);
+}
+
+/// The row whose metric begins so, with this reading and subject.
+ClaimRow row_of(const Claim& claim, std::string_view metric, std::string_view reading,
+                std::string_view subject) {
+  const auto found = std::find_if(claim.rows.begin(), claim.rows.end(), [&](const ClaimRow& row) {
+    return row.metric.starts_with(metric) && row.reading == reading && row.subject == subject;
+  });
+  if (found == claim.rows.end()) {
+    ADD_FAILURE() << metric << " | " << reading << " | " << subject;
+    return {};
+  }
+  return *found;
+}
+
+/// Values of a reading on the three scenes.
+std::array<double, 3> on_scenes(const Claim& claim, std::string_view metric,
+                                std::string_view reading) {
+  std::array<double, 3> values{};
+  for (std::size_t i = 0; i < kScenes.size(); ++i) {
+    values.at(i) = row_of(claim, metric, reading, kScenes.at(i)).value;
+  }
+  return values;
+}
+
+using Three = std::array<double, 3>;
+
+TEST(CountClaims, FallbackCountsNodesThatAPlaneCouldPart) {
+  const Models models = scenes_only();
+  const Claim claim = claim_by(claim_fallback, models);
+  constexpr auto kSoms = "nodes where SOMS";
+  constexpr auto kSpatial = "nodes where spatial";
+  EXPECT_EQ(on_scenes(claim, kSoms, "stop, inner axis, midpoint thesis"), (Three{0, 0, 0}));
+  EXPECT_EQ(on_scenes(claim, kSoms, "stop, outer axis, midpoint thesis"), (Three{145, 316, 308}));
+  EXPECT_EQ(on_scenes(claim, kSoms, "next_axis, outer axis, midpoint thesis"), (Three{0, 0, 0}));
+  EXPECT_EQ(on_scenes(claim, kSpatial, "stop, outer axis, midpoint thesis"), (Three{2, 8, 1158}));
+  EXPECT_EQ(on_scenes(claim, kSpatial, "next_axis, outer axis, midpoint thesis"),
+            (Three{129, 122, 163}));
+  EXPECT_EQ(verdict_of(claim), Verdict::holds_under);
+}
+
+TEST(CountClaims, FallbackIsJudgedWhereTrianglesDifferInSizeOnly) {
+  const Claim claim = claim_by(claim_fallback, Models{});
+  for (const ClaimRow& row : claim.rows) {
+    EXPECT_EQ(row.unjudged.empty(), row.subject != "spread of edges 1 to 1") << row.subject;
+    if (row.reading.starts_with("stop, inner axis")) {
+      EXPECT_EQ(row.value, 0) << row.subject << " " << row.reading;
+    }
+  }
+  const auto toys = std::count_if(claim.rows.begin(), claim.rows.end(), [](const ClaimRow& row) {
+    return row.subject.starts_with("toy set") && row.metric.starts_with("nodes where spatial") &&
+           row.reading.ends_with("stop, outer axis, midpoint thesis");
+  });
+  EXPECT_EQ(toys, 3);
+}
+
+TEST(CountClaims, SingleLeavesAreComparedLevelByLevel) {
+  const Models models = scenes_only();
+  const Claim claim = claim_by(claim_single_leaves, models);
+  constexpr auto kMetric = "lead of SOMS";
+  const auto below = [&](int level) {
+    return on_scenes(claim, kMetric, "level " + std::to_string(level) + ", stop, inner axis");
+  };
+  EXPECT_EQ(below(12), (Three{638, 628, 340}));
+  EXPECT_EQ(below(11), (Three{119, 83, 11}));
+  EXPECT_EQ(below(10), (Three{5, 5, -4}));
+  EXPECT_EQ(below(9), (Three{0, 0, 2}));
+  const auto greatest = [&](const std::string& rest) {
+    return on_scenes(claim, kMetric, "greatest level, " + rest);
+  };
+  EXPECT_EQ(greatest("stop, inner axis"), (Three{1944, 1901, 1605}));
+  EXPECT_EQ(greatest("next_axis, inner axis"), (Three{1019, 996, 345}));
+  EXPECT_EQ(greatest("object_median, inner axis"), (Three{115, -33, 152}));
+  EXPECT_EQ(greatest("next_axis, outer axis"), (Three{1005, 1036, 408}));
+  EXPECT_EQ(verdict_of(claim), Verdict::holds_under);
+  EXPECT_NE(claim.why.find("u_plain from level 11 on (1 level with fewer)"), std::string::npos)
+      << claim.why;
+}
+
+TEST(CountClaims, LevelsWithoutSingleLeavesAreNotJudged) {
+  const Models models = scenes_only();
+  const Claim claim = claim_by(claim_single_leaves, models);
+  const std::string reading = "level 9, stop, inner axis";
+  EXPECT_FALSE(row_of(claim, "lead", reading, kScenes[0]).unjudged.empty());
+  EXPECT_TRUE(row_of(claim, "lead", reading, kScenes[2]).unjudged.empty());
+}
+
+TEST(CountClaims, TwentySixPercentIsReadAsAPercentageAndAsPoints) {
+  const Models models = scenes_only();
+  const Claim claim = claim_by(claim_26_percent, models);
+  const auto points = [&](std::string_view reading, double mixed, double boxes, double plain) {
+    const Three values = on_scenes(claim, "gain in points", reading);
+    EXPECT_NEAR(values[0], mixed, 5e-4) << reading;
+    EXPECT_NEAR(values[1], boxes, 5e-4) << reading;
+    EXPECT_NEAR(values[2], plain, 5e-4) << reading;
+  };
+  points("one tree, stop, inner axis", 34.2736, 33.5155, 28.2969);
+  points("one tree, stop, outer axis", 30.6241, 25.1939, 20.0635);
+  const auto relative = [&](std::string_view reading, std::string_view scene) {
+    return row_of(claim, "relative gain", reading, scene);
+  };
+  const std::string next = "next_axis, ";
+  EXPECT_NEAR(relative("one tree, " + next + "inner axis", kScenes[2]).value, 22.2868, 5e-4);
+  EXPECT_NEAR(relative("one tree, " + next + "outer axis", kScenes[2]).value, 26.3566, 5e-4);
+  const std::string stop = "stop, inner axis";
+  EXPECT_NEAR(relative("one tree, " + stop, kScenes[2]).value, 557.292, 5e-3);
+  const ClaimRow from_none = relative("one tree, " + stop, kScenes[0]);
+  EXPECT_TRUE(std::isinf(from_none.value));
+  EXPECT_EQ(stand_of(from_none), Verdict::does_not_hold);
+  EXPECT_EQ(verdict_of(claim), Verdict::holds_under);
+  EXPECT_NE(claim.why.find("Nearest to 26: +26.4 % (u_plain (stand-in)"), std::string::npos)
+      << claim.why;
+}
+
+TEST(CountClaims, TwentySixPercentIsReadByObjectWhereThereAreSeveral) {
+  const Models models = scenes_only();
+  const Claim claim = claim_by(claim_26_percent, models);
+  const std::string apart = "a tree for each object, ";
+  const auto value = [&](std::string_view metric, const std::string& rest) {
+    return row_of(claim, metric, apart + rest, kScenes[0]).value;
+  };
+  EXPECT_NEAR(value("relative", "stop, inner axis"), 138.375, 5e-3);
+  EXPECT_NEAR(value("relative", "next_axis, inner axis"), 50.7502, 5e-4);
+  EXPECT_NEAR(value("gain", "next_axis, inner axis"), 23.854, 5e-4);
+  // The other scenes are one object each: the same trees, so no rows.
+  for (const ClaimRow& row : claim.rows) {
+    EXPECT_TRUE(!row.reading.starts_with(apart) || row.subject == kScenes[0]) << row.subject;
+  }
+}
+
+TEST(CountClaims, TwentySixPercentIsNotJudgedOnAnotherSize) {
+  Models models;
+  models.scenes.push_back(model_of("ball", generate_sphere(200), false));
+  const Claim claim = claim_by(claim_26_percent, models);
+  EXPECT_EQ(verdict_of(claim), Verdict::cannot_be_checked);
+  EXPECT_FALSE(claim.rows.empty());
+  EXPECT_FALSE(claim.revision.has_value());
+}
+
+TEST(CountClaims, BalanceIsMeasuredInFourWays) {
+  const Models models = scenes_only();
+  const Claim claim = claim_by(claim_balance, models);
+  const std::string stop = "stop, inner axis";
+  EXPECT_EQ(on_scenes(claim, "lead of SOMS in balanced", stop), (Three{8, 6, -1}));
+  EXPECT_EQ(on_scenes(claim, "lead in spread", stop), (Three{-3, -3, -1}));
+  const Three sides = on_scenes(claim, "lead in even sides", stop);
+  const Three depths = on_scenes(claim, "lead in mean leaf depth", stop);
+  constexpr Three kSides{0.4315385, 0.2805440, 0.3511330};
+  constexpr Three kDepths{-0.0419012, -0.0298598, 0.0140386};
+  for (std::size_t i = 0; i < kSides.size(); ++i) {
+    EXPECT_NEAR(sides.at(i), kSides.at(i), 2e-6);
+    EXPECT_NEAR(depths.at(i), kDepths.at(i), 2e-7);
+  }
+  EXPECT_EQ(on_scenes(claim, "lead of SOMS in balanced", "next_axis, outer axis"),
+            (Three{3, 4, -1}));
+  EXPECT_EQ(verdict_of(claim), Verdict::holds_under);
+}
+
+TEST(CountClaims, LevelSevenIsJudgedOnAGivenSceneOfTheSizeOnly) {
+  Models models = scenes_only();
+  const Claim on_stand_ins = claim_by(claim_level_7, models);
+  EXPECT_EQ(on_scenes(on_stand_ins, "balanced level", "inner axis, the root is level 1"),
+            (Three{10, 10, 9}));
+  EXPECT_EQ(on_scenes(on_stand_ins, "balanced level", "outer axis, the root is level 0 (ours)"),
+            (Three{9, 9, 8}));
+  EXPECT_EQ(verdict_of(on_stand_ins), Verdict::cannot_be_checked);
+  models.scenes.resize(1);
+  models.scenes.front().stand_in = false;
+  EXPECT_EQ(verdict_of(claim_by(claim_level_7, models)), Verdict::does_not_hold);
+  models.scenes = {model_of("ball", generate_sphere(200), false)};
+  EXPECT_EQ(verdict_of(claim_by(claim_level_7, models)), Verdict::cannot_be_checked);
+}
+
+TEST(CountClaims, SizesOfModelsAreShownByGivenOnesOnly) {
+  Models models = find_models({}, {.objects = true, .scenes = true});
+  const auto verdicts = [&] {
+    const Result result = claim_models({.models = models});
+    return std::pair{verdict_of(result.claims.at(0)), verdict_of(result.claims.at(1))};
+  };
+  EXPECT_EQ(verdicts(), std::pair(Verdict::cannot_be_checked, Verdict::cannot_be_checked));
+  models.objects.front().stand_in = false;
+  models.scenes.back().stand_in = false;
+  EXPECT_EQ(verdicts(), std::pair(Verdict::holds, Verdict::holds));
+  models = {};
+  EXPECT_EQ(verdicts(), std::pair(Verdict::cannot_be_checked, Verdict::cannot_be_checked));
+}
+
+TEST(CountClaims, TheBunnysCountsAreGolden) {
+  SOMS_NEEDS_OUTSIDE_DATA("the claims that are counts, on the bunny");
+  SOMS_SKIP_IN_SLOW_BUILDS();
+  const Models models = original_models();
+  const Claim fallback = claim_by(claim_fallback, models);
+  constexpr auto kSpatial = "nodes where spatial";
+  const auto spatial = [&](std::string_view reading) {
+    return row_of(fallback, kSpatial, reading, "bunny").value;
+  };
+  EXPECT_EQ(spatial("stop, outer axis, midpoint thesis"), 206);
+  EXPECT_EQ(spatial("next_axis, outer axis, midpoint thesis"), 85);
+  const Claim leaves = claim_by(claim_single_leaves, models);
+  const auto lead = [&](std::string_view level, std::string_view object) {
+    return row_of(leaves, "lead of SOMS", std::string(level) + ", stop, inner axis", object).value;
+  };
+  EXPECT_EQ(lead("level 7", "bunny"), -1);
+  EXPECT_EQ(lead("level 8", "bunny"), 3);
+  EXPECT_EQ(lead("level 9", "bunny"), -11);
+  EXPECT_EQ(lead("level 9", "venus"), -9);
+  EXPECT_EQ(lead("level 9", "teapot_1177"), -11);
+  EXPECT_EQ(lead("level 10", "bunny"), 26);
+  EXPECT_EQ(lead("greatest level", "bunny"), 481);
+  EXPECT_NE(leaves.why.find("bunny from level 10 on (2 levels with fewer)"), std::string::npos);
+  const Claim balance = claim_by(claim_balance, models);
+  const std::string stop = "stop, inner axis";
+  EXPECT_EQ(row_of(balance, "lead of SOMS in balanced", stop, "bunny").value, 0);
+  EXPECT_NEAR(row_of(balance, "lead in even sides", stop, "bunny").value, 0.2464389, 2e-6);
+  EXPECT_NEAR(row_of(balance, "lead in mean leaf depth", stop, "bunny").value, 0.0318462, 2e-6);
+}
+
+TEST(CountClaims, TwoRunsAreTheSameBytes) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
+  Models models = scenes_only();
+  models.objects.push_back(model_of("knot", generate_knot(300), true));
+  const auto bytes = [&](Result (*experiment)(const Context&), bool quick) {
+    std::string text;
+    const Result result = experiment({.models = models, .quick = quick});
+    for (const Claim& claim : result.claims) {
+      EXPECT_FALSE(is_timed(claim));
+      text += to_csv(claim_table(claim)) + claim.why + claim.settles + where(claim);
+    }
+    for (const Table& table : result.tables) {
+      text += to_csv(table);
+    }
+    for (const Figure& figure : result.figures) {
+      EXPECT_FALSE(figure.timed);
+      text += figure.svg + figure.caption;
+    }
+    return text;
+  };
+  for (const auto experiment : kClaims) {
+    EXPECT_EQ(bytes(experiment, false), bytes(experiment, true));
+  }
+  EXPECT_EQ(bytes(readings, false), bytes(readings, true));
+}
+
+TEST(CountClaims, AnEmptyModelIsNoTrouble) {
+  Models models;
+  models.objects.push_back(model_of("nothing", Mesh{}, true));
+  models.scenes = models.objects;
+  for (const auto experiment : kClaims) {
+    EXPECT_FALSE(experiment({.models = models}).claims.empty());
+  }
+  EXPECT_FALSE(readings({.models = models}).tables.empty());
+}
+
+TEST(CountClaims, AStopRequestEndsTheCounting) {
+  const Models models = scenes_only();
+  std::stop_source stop;
+  stop.request_stop();
+  Context context{.models = models};
+  context.parallel.stop = stop.get_token();
+  for (const auto run : {claim_fallback, claim_single_leaves, claim_26_percent, claim_balance,
+                         claim_level_7, readings}) {
+    EXPECT_THROW(static_cast<void>(run(context)), Error);
+  }
+}
+
+}  // namespace
+}  // namespace soms::reproduce
