@@ -42,9 +42,10 @@ enum class RepetitionsOf { thesis, ours };
                                                   int repetitions, Steps& steps);
 
 /// A row for each build: model, rule, level, nodes and the number of builds; then, timed, median,
-/// quartiles, mean, least time and standard deviation in ms, mean and median time for a node in us,
-/// and by how much the median is above that of spatial median at the same level (builds without a
-/// limit: at the greatest level that was timed; empty where it was not timed); then the options.
+/// quartiles, mean, least time, standard deviation and the 95 % interval of the median in ms, mean
+/// and median time for a node in us, and by how much the median is above that of spatial median at
+/// the same level (builds without a limit: at the greatest level that was timed; empty where it was
+/// not timed); then the options.
 [[nodiscard]] Table time_table(std::string id, std::string caption,
                                std::span<const TimedBuild> builds);
 
