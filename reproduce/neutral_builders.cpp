@@ -16,7 +16,8 @@ namespace soms::reproduce {
 namespace {
 
 using Item = NeutralBuilder::Item;
-using Lists = std::vector<std::vector<Item>>;
+using ListItem = NeutralBuilder::ListItem;
+using Lists = std::vector<std::vector<ListItem>>;
 using Point = std::array<double, 3>;
 
 /// A box that grows by arrays, which compilers turn into vector instructions for both rules alike.
@@ -38,39 +39,61 @@ struct Range {
   }
 };
 
-/// Spatial median: it divides the outer box.
-struct SpatialMedian {
-  static constexpr bool kOuter = true;
+/// What tells the rules apart. A value and not a type, so that one machine code serves both: a
+/// compiler that made two of them would give one rule the better registers.
+struct RuleParts {
+  Point Item::*least = &Item::lower;  ///< what the box that is divided grows by
+  Point Item::*greatest = &Item::upper;
+  bool soms = false;
 
-  static void grow(Range& box, const Item& item) { box.grow(item.lower, item.upper); }
-
-  static double plane(double lower, double upper) { return 0.5 * (lower + upper); }
-};
-
-/// SOMS: it divides the inner box.
-struct Soms {
-  static constexpr bool kOuter = false;
-
-  static void grow(Range& box, const Item& item) { box.grow(item.midpoint, item.midpoint); }
-
-  static double plane(double lower, double upper) {
+  [[nodiscard]] double plane(double lower, double upper) const {
     const double middle = 0.5 * (lower + upper);
-    return middle > lower ? middle : upper;
+    return soms && !(middle > lower) ? upper : middle;
+  }
+
+  /// Where boxes grown are counted.
+  [[nodiscard]] std::uint64_t& grown(BuildWork& work) const {
+    return soms ? work.inner : work.outer;
   }
 };
 
-/// Counts boxes grown by `items` triangles where they belong.
-template <typename R>
-void count_grown(BuildWork& work, std::size_t items) {
-  (R::kOuter ? work.outer : work.inner) += items;
-}
+constexpr RuleParts kSpatialMedian{};
+constexpr RuleParts kSoms{&Item::midpoint, &Item::midpoint, true};
 
-Range outer_of(std::span<const Item> items, BuildWork& work) {
+// Passes over triangles are never inlined: what surrounds them must not decide how well they are
+// compiled, for it differs from rule to rule.
+
+/// The box that `rule` divides, of a run in place.
+[[gnu::noinline]] Range box_of(std::span<const Item> items, const RuleParts& rule,
+                               BuildWork& work) {
+  const auto least = rule.least;
+  const auto greatest = rule.greatest;
   Range box;
   for (const Item& item : items) {
-    box.grow(item.lower, item.upper);
+    box.grow(item.*least, item.*greatest);
   }
-  work.outer += items.size();
+  rule.grown(work) += items.size();
+  return box;
+}
+
+/// The boxes of a list: of all corners, and of all midpoints.
+[[gnu::noinline]] Range outer_box_of(std::span<const ListItem> list, BuildWork& work) {
+  Range box;
+  for (const ListItem& item : list) {
+    for (const Point& corner : item.corners) {
+      box.grow(corner, corner);
+    }
+  }
+  work.outer += list.size();
+  return box;
+}
+
+[[gnu::noinline]] Range inner_box_of(std::span<const ListItem> list, BuildWork& work) {
+  Range box;
+  for (const ListItem& item : list) {
+    box.grow(item.midpoint, item.midpoint);
+  }
+  work.inner += list.size();
   return box;
 }
 
@@ -90,10 +113,11 @@ std::array<std::size_t, 3> axes_of(const Range& box) {
 }
 
 /// The first triangle of the right half by midpoint on the axis, ties by number.
-std::pair<double, TriangleId> middle_of(std::span<const Item> items, std::size_t axis) {
+template <typename Any>
+std::pair<double, TriangleId> middle_of(std::span<const Any> items, std::size_t axis) {
   std::vector<std::pair<double, TriangleId>> keys(items.size());
   std::transform(items.begin(), items.end(), keys.begin(),
-                 [axis](const Item& item) { return std::pair(item.midpoint[axis], item.id); });
+                 [axis](const Any& item) { return std::pair(item.midpoint[axis], item.id); });
   const auto middle = keys.begin() + static_cast<std::ptrdiff_t>(keys.size() / 2);
   std::nth_element(keys.begin(), middle, keys.end());
   return *middle;
@@ -106,16 +130,16 @@ struct Division {
 };
 
 /// Divides a node as the options say. `partition(is_left)` brings the triangles apart.
-template <typename R, typename Partition>
-Division divide(Node& node, std::span<const Item> items, const Range& box, EmptySide empty_side,
-                BuildWork& work, const Partition& partition) {
+template <typename Any, typename Partition>
+Division divide(Node& node, std::span<const Any> items, const Range& box, const RuleParts& rule,
+                EmptySide empty_side, BuildWork& work, const Partition& partition) {
   const std::array<std::size_t, 3> order = axes_of(box);
   const std::size_t tries = empty_side == EmptySide::next_axis ? order.size() : 1;
   for (std::size_t k = 0; k < tries; ++k) {
     const std::size_t axis = order[k];
-    const double plane = R::plane(box.lower[axis], box.upper[axis]);
+    const double plane = rule.plane(box.lower[axis], box.upper[axis]);
     const Division division =
-        partition([axis, plane](const Item& item) { return item.midpoint[axis] < plane; });
+        partition([axis, plane](const Any& item) { return item.midpoint[axis] < plane; });
     work.compared += items.size();
     if (division.left > 0 && division.left < items.size()) {
       return division;
@@ -127,7 +151,7 @@ Division divide(Node& node, std::span<const Item> items, const Range& box, Empty
   }
   const auto [value, id] = middle_of(items, order[0]);
   work.compared += items.size();
-  return partition([axis = order[0], value = value, id = id](const Item& item) {
+  return partition([axis = order[0], value = value, id = id](const Any& item) {
     const double m = item.midpoint[axis];
     return m < value || (m == value && item.id < id);
   });
@@ -175,64 +199,66 @@ std::vector<Node> nodes_of(std::size_t triangles, const Range& root_box, const V
   return nodes;
 }
 
-template <typename R>
-Tree build_by_lists(Lists& lists, const BuildOptions& options, BuildWork& work) {
+/// Copies what lies left of the plane to the front of the children's place, the rest to its end.
+template <typename IsLeft>
+[[gnu::noinline]] std::size_t partition_lists(std::span<const ListItem> list,
+                                              std::span<ListItem> children, const IsLeft& is_left) {
+  std::size_t left = 0;
+  std::size_t right = children.size();
+  for (const ListItem& item : list) {
+    children[is_left(item) ? left++ : --right] = item;
+  }
+  return left;
+}
+
+Tree build_by_lists(Lists& lists, const RuleParts& rule, const BuildOptions& options,
+                    BuildWork& work) {
   const std::size_t triangles = lists.front().size();
+  lists.resize(static_cast<std::size_t>(options.level));
   const auto visit = [&](Node& node, const Range& /*box*/) -> Division {
-    if (lists.size() < node.depth + std::size_t{2}) {
-      lists.emplace_back();
-    }
-    const auto list = std::span<const Item>(lists[node.depth]).subspan(node.first, node.count);
-    const Range outer = outer_of(list, work);
+    const auto list = std::span<const ListItem>(lists[node.depth]).subspan(node.first, node.count);
+    const Range outer = outer_box_of(list, work);
     node.bounds = outer.box();
     if (node.count <= 1 || static_cast<int>(node.depth) >= options.level - 1) {
       return {};
     }
-    Range needed = outer;
-    if (!R::kOuter) {
-      needed = {};
-      for (const Item& item : list) {
-        R::grow(needed, item);
-      }
-      work.inner += list.size();
-    }
-    std::vector<Item>& next = lists[node.depth + 1];
+    const Range needed = rule.soms ? inner_box_of(list, work) : outer;
+    std::vector<ListItem>& next = lists[node.depth + std::size_t{1}];
     if (next.size() < triangles) {
       next.resize(triangles);
     }
     const auto children = std::span(next).subspan(node.first, node.count);
-    return divide<R>(node, list, needed, options.empty_side, work, [&](const auto& is_left) {
-      std::size_t left = 0;
-      std::size_t right = children.size();
-      for (const Item& item : list) {
-        children[is_left(item) ? left++ : --right] = item;
-      }
-      return Division{.left = left};
+    return divide(node, list, needed, rule, options.empty_side, work, [&](const auto& is_left) {
+      return Division{.left = partition_lists(list, children, is_left)};
     });
   };
   Tree tree{nodes_of(triangles, {}, visit), std::vector<TriangleId>(triangles)};
   for (const Node& node : tree.nodes) {
     if (node.is_leaf()) {
-      const auto list = std::span<const Item>(lists[node.depth]).subspan(node.first, node.count);
+      const auto list =
+          std::span<const ListItem>(lists[node.depth]).subspan(node.first, node.count);
       std::transform(list.begin(), list.end(), tree.primitives.begin() + node.first,
-                     [](const Item& item) { return item.id; });
+                     [](const ListItem& item) { return item.id; });
     }
   }
   return tree;
 }
 
 /// Swaps what lies on the wrong side, and grows the box of each side.
-template <typename R, typename IsLeft>
-Division partition_in_place(std::span<Item> run, const IsLeft& is_left) {
+template <typename IsLeft>
+[[gnu::noinline]] Division partition_in_place(std::span<Item> run, const RuleParts& rule,
+                                              const IsLeft& is_left) {
+  const auto least = rule.least;
+  const auto greatest = rule.greatest;
   Division division;
   std::size_t left = 0;
   std::size_t right = run.size();
   while (true) {
     for (; left < right && is_left(run[left]); ++left) {
-      R::grow(division.boxes[0], run[left]);
+      division.boxes[0].grow(run[left].*least, run[left].*greatest);
     }
     for (; left < right && !is_left(run[right - 1]); --right) {
-      R::grow(division.boxes[1], run[right - 1]);
+      division.boxes[1].grow(run[right - 1].*least, run[right - 1].*greatest);
     }
     if (left == right) {
       division.left = left;
@@ -255,36 +281,37 @@ void merge_up(std::vector<Node>& nodes, BuildWork& work) {
   }
 }
 
-template <typename R>
-Tree build_in_place(std::vector<Item>& items, const BuildOptions& options, BuildWork& work) {
-  Range root;
-  for (const Item& item : items) {
-    R::grow(root, item);
-  }
-  count_grown<R>(work, items.size());
+Tree build_in_place(std::vector<Item>& items, const RuleParts& rule, const BuildOptions& options,
+                    BuildWork& work) {
+  const Range root = box_of(items, rule, work);
   const auto visit = [&](Node& node, const Range& box) {
     const auto run = std::span(items).subspan(node.first, node.count);
     Division division;
     if (node.count > 1 && static_cast<int>(node.depth) < options.level - 1) {
-      division = divide<R>(node, run, box, options.empty_side, work, [&](const auto& is_left) {
-        count_grown<R>(work, run.size());
-        return partition_in_place<R>(run, is_left);
-      });
+      division = divide(node, std::span<const Item>(run), box, rule, options.empty_side, work,
+                        [&](const auto& is_left) {
+                          rule.grown(work) += run.size();
+                          return partition_in_place(run, rule, is_left);
+                        });
     }
-    if (R::kOuter) {
+    if (!rule.soms) {
       node.bounds = box.box();
     } else if (division.left == 0) {
-      node.bounds = outer_of(run, work).box();
+      node.bounds = box_of(run, kSpatialMedian, work).box();
     }
     return division;
   };
   Tree tree{nodes_of(items.size(), root, visit), std::vector<TriangleId>(items.size())};
-  if (!R::kOuter) {
+  if (rule.soms) {
     merge_up(tree.nodes, work);
   }
   std::transform(items.begin(), items.end(), tree.primitives.begin(),
                  [](const Item& item) { return item.id; });
   return tree;
+}
+
+Point point_of(const Vec3& v) {
+  return {v.x, v.y, v.z};
 }
 
 void prepare(const Mesh& mesh, std::vector<Item>& items) {
@@ -293,18 +320,22 @@ void prepare(const Mesh& mesh, std::vector<Item>& items) {
     const auto id = static_cast<TriangleId>(i);
     const Triangle t = mesh.triangle(id);
     const Box box = bounds(t);
-    const Vec3 m = midpoint(t, Midpoint::thesis);
-    items[i] = {.lower = {box.lower.x, box.lower.y, box.lower.z},
-                .upper = {box.upper.x, box.upper.y, box.upper.z},
-                .midpoint = {m.x, m.y, m.z},
+    items[i] = {.lower = point_of(box.lower),
+                .upper = point_of(box.upper),
+                .midpoint = point_of(midpoint(t, Midpoint::thesis)),
                 .id = id};
   }
 }
 
-template <typename R>
-Tree build_by_rule(NeutralWay way, Lists& lists, const BuildOptions& options, BuildWork& work) {
-  return way == NeutralWay::thesis_like ? build_by_lists<R>(lists, options, work)
-                                        : build_in_place<R>(lists.front(), options, work);
+void prepare(const Mesh& mesh, std::vector<ListItem>& list) {
+  list.resize(mesh.triangles.size());
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto id = static_cast<TriangleId>(i);
+    const Triangle t = mesh.triangle(id);
+    list[i] = {.corners = {point_of(t.a), point_of(t.b), point_of(t.c)},
+               .midpoint = point_of(midpoint(t, Midpoint::thesis)),
+               .id = id};
+  }
 }
 
 bool is_usable(const BuildOptions& options) {
@@ -329,9 +360,13 @@ Tree NeutralBuilder::build(const Mesh& mesh) {
   if (mesh.triangles.empty()) {
     return {};
   }
+  const RuleParts& rule = options_.rule == Rule::soms ? kSoms : kSpatialMedian;
+  if (way_ == NeutralWay::in_place) {
+    prepare(mesh, items_);
+    return build_in_place(items_, rule, options_, work_);
+  }
   prepare(mesh, lists_.front());
-  return options_.rule == Rule::soms ? build_by_rule<Soms>(way_, lists_, options_, work_)
-                                     : build_by_rule<SpatialMedian>(way_, lists_, options_, work_);
+  return build_by_lists(lists_, rule, options_, work_);
 }
 
 }  // namespace soms::reproduce

@@ -1,6 +1,6 @@
 /// \file
 /// Builders of spatial median and of SOMS in which neither rule has an advantage of implementation:
-/// one code for both, which differs in the box that the rule divides and in nothing else.
+/// one machine code serves both; they differ in the box that is divided and in nothing else.
 #pragma once
 
 #include "soms/tree/build_options.h"
@@ -27,7 +27,7 @@ enum class NeutralWay {
 /// What a build did, in steps that each look at one triangle; the same on every machine.
 struct BuildWork {
   std::uint64_t compared = 0;  ///< midpoints compared with a plane, planes that failed included
-  std::uint64_t outer = 0;     ///< boxes of triangles that an outer box took in
+  std::uint64_t outer = 0;     ///< triangles that an outer box took in
   std::uint64_t inner = 0;     ///< midpoints that an inner box took in
   std::uint64_t merged = 0;    ///< outer boxes put together from those of two children
 
@@ -52,7 +52,7 @@ class NeutralBuilder {
   /// What the last build did.
   [[nodiscard]] const BuildWork& work() const { return work_; }
 
-  /// A triangle as these builders see it.
+  /// A triangle as the builder in place sees it.
   struct Item {
     std::array<double, 3> lower = {};     ///< of its box
     std::array<double, 3> upper = {};     ///< of its box
@@ -60,13 +60,21 @@ class NeutralBuilder {
     TriangleId id = 0;
   };
 
+  /// A triangle as the lists of the thesis hold it.
+  struct ListItem {
+    std::array<std::array<double, 3>, 3> corners = {};
+    std::array<double, 3> midpoint = {};
+    TriangleId id = 0;
+  };
+
  private:
   NeutralWay way_;
   BuildOptions options_;
   BuildWork work_;
+  std::vector<Item> items_;
   /// By depth, each with a place for every triangle: a node's list is the run [first, first +
-  /// count) of its depth. In place: one only.
-  std::vector<std::vector<Item>> lists_;
+  /// count) of its depth.
+  std::vector<std::vector<ListItem>> lists_;
 };
 
 }  // namespace soms::reproduce
