@@ -16,9 +16,10 @@ namespace soms::reproduce {
 
 namespace {
 
-/// Triangles built between two readings of the clock, at least: a reading costs some tenths of a
-/// microsecond, which would draw the ratio of short times towards one.
+/// Triangles built between two readings of the clock, and most builds: a reading costs some tenths
+/// of a microsecond, which would draw the ratio of short times towards one.
 constexpr std::size_t kBetweenReadings = 4000;
+constexpr std::size_t kMostBuilds = 4;
 
 constexpr int kWarmUp = 4;
 
@@ -121,8 +122,8 @@ std::size_t race_steps(int rounds) {
 
 std::vector<Race> race(const RaceTask& task, int rounds, Steps& steps) {
   const Mesh& mesh = *task.model->mesh;
-  const std::size_t builds =
-      std::max<std::size_t>(1, kBetweenReadings / std::max<std::size_t>(1, mesh.triangles.size()));
+  const std::size_t builds = std::clamp<std::size_t>(
+      kBetweenReadings / std::max<std::size_t>(1, mesh.triangles.size()), 1, kMostBuilds);
   std::vector<Runner> runners = runners_of(task);
   std::vector<std::function<void()>> works;
   for (Runner& runner : runners) {

@@ -65,8 +65,8 @@ struct RaceTask {
 [[nodiscard]] std::size_t race_steps(int rounds);
 
 /// Races both rules by all builders, in the order of `kBuilders`: from the triangles in memory to
-/// the finished tree, midpoints included, on one thread. A round has as many builds of each kind
-/// between two readings of the clock as make some thousand triangles. \errors cancelled.
+/// the finished tree, midpoints included, on one thread. A round has up to four builds of each
+/// kind between two readings of the clock, for small models. \errors cancelled.
 [[nodiscard]] std::vector<Race> race(const RaceTask& task, int rounds, Steps& steps);
 
 /// How much less time SOMS takes than spatial median, in percent of the latter's: 100 * (1 - SOMS /

@@ -103,6 +103,7 @@ std::vector<TimedBuild> run(const Task& task, const Context& context,
                                            : ""),
        .svg = draw(chart),
        .timed = true});
+  result.remarks.emplace_back(kWhoseTimes);
   return all;
 }
 

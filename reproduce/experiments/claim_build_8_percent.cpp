@@ -80,9 +80,10 @@ std::string why(std::span<const Race> races, const Model& object) {
       "have it grows boxes {} times for spatial median and {} times for SOMS, which needs the box "
       "of the midpoints besides; one in place {} and {} times, for dividing a node can give its "
       "children the outer box as well as the inner one, and SOMS must get outer boxes afterwards. "
-      "So SOMS saves time only for a node, for its further nodes are small ones, or in a builder "
-      "that favors it. The library's does: it grows inner boxes for every rule, and for spatial "
-      "median makes another pass over each node for the outer box.",
+      "The mean node is another matter: the nodes that SOMS adds are small, so its mean node can "
+      "be "
+      "cheaper while its tree is not. The library's builder is not neutral: it grows inner boxes "
+      "for every rule, and gives spatial median one more pass over each node for the outer box.",
       kObjectLevel, words(lists.spatial_median.counts.nodes),
       words(lists.spatial_median.work.compared), words(lists.soms.counts.nodes),
       words(lists.soms.work.compared), words(lists.spatial_median.work.grown()),
