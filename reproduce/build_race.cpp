@@ -17,7 +17,7 @@ namespace soms::reproduce {
 namespace {
 
 /// Triangles built between two readings of the clock, and most builds: a reading costs some tenths
-/// of a microsecond, which would draw the ratio of short times towards one.
+/// of a microsecond, which would draw the ratio of short times toward one.
 constexpr std::size_t kBetweenReadings = 4000;
 constexpr std::size_t kMostBuilds = 4;
 
