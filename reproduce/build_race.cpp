@@ -126,6 +126,7 @@ std::vector<Race> race(const RaceTask& task, int rounds, Steps& steps) {
       kBetweenReadings / std::max<std::size_t>(1, mesh.triangles.size()), 1, kMostBuilds);
   std::vector<Runner> runners = runners_of(task);
   std::vector<std::function<void()>> works;
+  works.reserve(runners.size() + 1);
   for (Runner& runner : runners) {
     works.emplace_back([&runner, &mesh, builds] {
       for (std::size_t i = 0; i < builds; ++i) {
