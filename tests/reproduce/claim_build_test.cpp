@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -49,8 +50,13 @@ TEST(ClaimBuild, OnlyTheObjectOf948TrianglesIsJudged) {
   EXPECT_EQ(verdict("claim-build-8-percent"), Verdict::cannot_be_checked);
   models.objects.front().mesh = std::make_shared<const Mesh>(generate_knot(948));
   const Claim claim = test::run_quick("claim-build-8-percent", models).claims.at(0);
-  // 3 builders, the tree and its mean node, 12 levels and two fallbacks at the last.
-  EXPECT_EQ(claim.rows.size(), 3U * 2U * (12U + 2U));
+  const auto of_trees = std::count_if(claim.rows.begin(), claim.rows.end(), [](const auto& row) {
+    return row.metric.starts_with("time of the tree");
+  });
+  EXPECT_EQ(of_trees, 3 * (12 + 2));  // builders; levels, and two fallbacks at the last
+  // Mean nodes only where the trees differ in nodes, which those of few levels do not.
+  EXPECT_GT(claim.rows.size(), 3U * (12U + 2U));
+  EXPECT_LT(claim.rows.size(), 3U * 2U * (12U + 2U));
   for (const ClaimRow& row : claim.rows) {
     EXPECT_TRUE(row.unjudged.empty());
     EXPECT_EQ(row.rounds, 60);
