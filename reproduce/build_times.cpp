@@ -2,6 +2,8 @@
 
 #include "soms/tree/build.h"
 
+#include "reproduce/statistics.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -114,7 +116,7 @@ Table time_table(std::string id, std::string caption, std::span<const TimedBuild
   Table table{std::move(id), std::move(caption), columns_of(kBuilt), {}};
   table.columns.push_back({"builds"});
   for (const char* const name :
-       {"median", "lower_quartile", "upper_quartile", "mean", "min", "deviation"}) {
+       {"median", "lower_quartile", "upper_quartile", "mean", "min", "deviation", "low", "high"}) {
     table.columns.push_back({name, "ms", ColumnKind::timed});
   }
   table.columns.push_back({"mean_per_node", "us", ColumnKind::timed});
@@ -130,6 +132,9 @@ Table time_table(std::string id, std::string caption, std::span<const TimedBuild
          {t.median, t.lower_quartile, t.upper_quartile, t.mean, t.min, t.deviation}) {
       row.emplace_back(ms);
     }
+    const Interval interval = estimate(t.rounds).interval;
+    row.emplace_back(interval.low);
+    row.emplace_back(interval.high);
     row.push_back(per_node(one, t.mean));
     row.push_back(per_node(one, t.median));
     row.push_back(above(one, base_of(one, builds)));

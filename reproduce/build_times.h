@@ -10,9 +10,17 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace soms::reproduce {
+
+/// Whose the times of the rules are, for the remarks of the experiments that compare them.
+inline constexpr std::string_view kWhoseTimes =
+    "These are times of the library's builder, which serves many rules: it grows the box of the "
+    "midpoints for all of them, and gives spatial median one more pass over each node for the "
+    "outer box. What is the rule's own and what the builder's, the items claim-build-8-percent and "
+    "claim-build-city tell apart.";
 
 /// A build, what it counted and how long it took.
 struct TimedBuild {
@@ -42,9 +50,10 @@ enum class RepetitionsOf { thesis, ours };
                                                   int repetitions, Steps& steps);
 
 /// A row for each build: model, rule, level, nodes and the number of builds; then, timed, median,
-/// quartiles, mean, least time and standard deviation in ms, mean and median time for a node in us,
-/// and by how much the median is above that of spatial median at the same level (builds without a
-/// limit: at the greatest level that was timed; empty where it was not timed); then the options.
+/// quartiles, mean, least time, standard deviation and the 95 % interval of the median in ms, mean
+/// and median time for a node in us, and by how much the median is above that of spatial median at
+/// the same level (builds without a limit: at the greatest level that was timed; empty where it was
+/// not timed); then the options.
 [[nodiscard]] Table time_table(std::string id, std::string caption,
                                std::span<const TimedBuild> builds);
 

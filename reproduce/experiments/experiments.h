@@ -21,6 +21,12 @@ namespace soms::reproduce {
 [[nodiscard]] Result claim_balanced(const Context& context);
 [[nodiscard]] Result claim_cheaper(const Context& context);
 
+/// Claims on build times: SOMS against spatial median by the library's builder and by two neutral
+/// ones. \source thesis, abstract; chapter 1; captions of figures 5.4, 5.5 and table 5.8.
+[[nodiscard]] Result claim_build_8_percent(const Context& context);
+[[nodiscard]] Result claim_build_43_ms(const Context& context);
+[[nodiscard]] Result claim_build_city(const Context& context);
+
 /// Objects and urban scenes: what their files hold. \source thesis, tables 3.1 and 3.3.
 [[nodiscard]] Result table_3_1(const Context& context);
 [[nodiscard]] Result table_3_3(const Context& context);

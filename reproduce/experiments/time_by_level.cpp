@@ -112,6 +112,7 @@ Result by_level(const Context& context, const std::string& id, std::span<const M
          .timed = true});
   }
   result.tables.push_back(std::move(table));
+  result.remarks.emplace_back(kWhoseTimes);
   return result;
 }
 
