@@ -100,6 +100,8 @@ constexpr std::array kExperiments{
                kObjects, 1, orientation_back},
     Experiment{"traversals", "Every traversal on every test", Chapter::beyond, kObjectsAndScenes,
                60, traversals},
+    Experiment{"drives", "Drives through the scenes, with contact and without", Chapter::beyond,
+               kObjectsAndScenes, 10, drives},
     Experiment{"balance", "Which rule balances best", Chapter::beyond, kObjectsAndScenes, 1,
                balance},
     Experiment{"options",

@@ -60,6 +60,21 @@ void add_statistics_cells(std::vector<Cell>& row, const std::vector<double>& num
   }
 }
 
+Cell rate_cell(double milliseconds) {
+  return milliseconds > 0 ? number_cell(1000 / milliseconds) : Cell{};
+}
+
+void add_rate_cells(std::vector<Cell>& row, const std::vector<double>& milliseconds) {
+  if (milliseconds.empty()) {
+    row.resize(row.size() + 4);
+    return;
+  }
+  const Timing summary = summarize(milliseconds);
+  for (const double ms : {summary.mean, summary.median, summary.max, summary.min}) {
+    row.push_back(rate_cell(ms));
+  }
+}
+
 std::vector<double> medians_where_roots_overlap(std::span<const Timing> timings,
                                                 std::span<const Frame> frames) {
   std::vector<double> medians;
