@@ -102,6 +102,8 @@ constexpr std::array kExperiments{
                60, traversals},
     Experiment{"drives", "Drives through the scenes, with contact and without", Chapter::beyond,
                kObjectsAndScenes, 10, drives},
+    Experiment{"drives-drawn", "The drives with drawing and without", Chapter::beyond,
+               kObjectsAndScenes, 10, drives_drawn},
     Experiment{"balance", "Which rule balances best", Chapter::beyond, kObjectsAndScenes, 1,
                balance},
     Experiment{"options",

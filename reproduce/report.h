@@ -47,6 +47,7 @@ struct RunOptions {
   std::filesystem::path models = {};  ///< folder of models; empty for stand-ins
   std::vector<const Experiment*> experiments = {};
   bool quick = false;
+  DrawFrames draw = {};  ///< what draws for experiments that do; empty where nothing does
 };
 
 /// What a run calls.

@@ -1,4 +1,6 @@
 set(SOMS_REPRODUCE_FILES
+  draw_frames.cpp
+  draw_frames.h
   main.cpp
   reproduce.cpp
   reproduce.h

@@ -2,6 +2,7 @@
 
 #include "soms/base/error.h"
 
+#include "apps/reproduce/draw_frames.h"
 #include "apps/support/console.h"
 #include "apps/support/exit_status.h"
 #include "apps/support/output.h"
@@ -191,8 +192,10 @@ Action add_reproduce(CLI::App& app, Shared&) {
 }
 
 int run_reproduce(const ReproduceOptions& options, Console& console) {
-  const reproduce::RunOptions run{
-      .models = options.models, .experiments = chosen(options), .quick = options.quick};
+  const reproduce::RunOptions run{.models = options.models,
+                                  .experiments = chosen(options),
+                                  .quick = options.quick,
+                                  .draw = draw_frames};
   check_outputs({{"--output", (fs::path(options.output) / "index.html").string()}},
                 {{"--report", options.report}});
   check_extension("--report", options.report, {".html", ".htm"});

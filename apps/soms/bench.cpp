@@ -2,7 +2,7 @@
 
 #include "soms/base/error.h"
 
-#include "apps/soms/child.h"
+#include "apps/support/child.h"
 #include "apps/support/console.h"
 #include "apps/support/models.h"
 #include "apps/support/parse.h"

@@ -2,8 +2,6 @@ set(SOMS_COMMAND_FILES
   bench.cpp
   bench.h
   block_size.h
-  child.cpp
-  child.h
   completion.cpp
   completion.h
   convert.cpp

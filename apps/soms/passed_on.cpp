@@ -2,8 +2,7 @@
 
 #include "soms/base/error.h"
 
-#include "apps/soms/child.h"
-#include "apps/soms/viewer.h"
+#include "apps/support/child.h"
 #include "apps/support/parse.h"
 
 #include <regex>

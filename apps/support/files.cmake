@@ -1,4 +1,6 @@
 set(SOMS_SUPPORT_FILES
+  child.cpp
+  child.h
   console.cpp
   console.h
   exit_status.h
@@ -36,6 +38,8 @@ set(SOMS_SUPPORT_FILES
   stated_options.h
   suggest.cpp
   suggest.h
+  temporary_folder.cpp
+  temporary_folder.h
   text.cpp
   text.h
   verb.cpp

@@ -1,5 +1,6 @@
 // Drives through the scenes: frames in which triangles touch apart from those in which none do.
 #include "reproduce/chart.h"
+#include "reproduce/drive_contenders.h"
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/frames.h"
 #include "reproduce/steps.h"
@@ -18,22 +19,11 @@ namespace soms::reproduce {
 
 namespace {
 
-/// E-Node as it suits a small object in a city, and the traversal after Larsson.
-enum Compared : std::size_t { e_node_larger, larsson, compared };
-
-std::array<NamedTraversal, compared> drive_traversals() {
-  return {{named_traversal("enode_larger"), {"larsson", {.traversal = Traversal::larsson}}}};
-}
-
-constexpr std::array<std::string_view, compared> kTraversalTitles{"E-Node, larger node first",
-                                                                  "Larsson's DFS"};
-constexpr std::array<std::string_view, 2> kRules{"soms", "spatial_median"};
-
 /// A drive on the trees of one rule, by all traversals.
 struct Ride {
   std::string title;  ///< of the rule
   Trip trip;
-  std::array<Totals, compared> sums = {};
+  std::array<Totals, drive_traversal_count> sums = {};
   std::vector<Frame> frames = {};      ///< with contacts; empty if there are too many pairs
   std::vector<FrameTimes> times = {};  ///< empty likewise, else one a traversal
 
@@ -58,13 +48,13 @@ struct Ride {
 
 void run(Ride& ride, const Context& context) {
   const auto traversals = drive_traversals();
-  for (std::size_t i = 0; i < compared; ++i) {
+  for (std::size_t i = 0; i < drive_traversal_count; ++i) {
     ride.sums[i] = totals(traverse_frames(ride.trip, traversals[i], context.parallel));
   }
-  if (ride.sums[larsson].counts.triangle_pairs > kManyTrianglePairs) {
+  if (has_too_many_pairs(ride.sums[larsson])) {
     return;
   }
-  for (std::size_t i = 0; i < compared; ++i) {
+  for (std::size_t i = 0; i < drive_traversal_count; ++i) {
     std::vector<Frame> frames = answer_frames(ride.trip, traversals[i], context.parallel);
     ride.sums[i] = totals(frames);
     for (std::size_t k = 0; i > 0 && k < frames.size(); ++k) {
@@ -114,7 +104,7 @@ Table drive_table(const std::vector<Ride>& rides, int repetitions) {
     table.columns.push_back({fmt::format("{}_fps", kind), "", ColumnKind::timed});
   }
   for (const Ride& ride : rides) {
-    for (std::size_t i = 0; i < compared; ++i) {
+    for (std::size_t i = 0; i < drive_traversal_count; ++i) {
       const Totals& sum = ride.sums[i];
       std::vector<Cell> row{
           ride.trip.still, ride.trip.moving,           ride.trip.rule,
@@ -145,14 +135,14 @@ Figure time_figure(const std::vector<Ride>& rides, bool contact) {
   BarChart chart{.title = fmt::format("Time of a frame {}, by drive", kind),
                  .y_label = "ms a frame, drawing off",
                  .y_scale = Scale::log};
-  for (const std::string_view rule : kRules) {
-    for (std::size_t i = 0; i < compared; ++i) {
+  for (const std::string_view rule : kDriveRules) {
+    for (std::size_t i = 0; i < drive_traversal_count; ++i) {
       Bars bars;
       chart.groups.clear();
       for (const Ride& ride : rides) {
         if (ride.trip.rule == rule) {
           const double ms = ride.is_timed() ? ride.mean_time(i, contact) : 0;
-          bars.name = fmt::format("{}, {}", ride.title, kTraversalTitles[i]);
+          bars.name = fmt::format("{}, {}", ride.title, kDriveTraversalTitles[i]);
           bars.values.push_back(ms > 0 ? ms : std::numeric_limits<double>::quiet_NaN());
           chart.groups.push_back(group_of(ride));
         }
@@ -190,7 +180,7 @@ Result drives(const Context& context) {
   const Model& object = context.models.objects.front();
   const std::vector<Contender> of_object = thesis_rules(kObjectLevel);
   const std::vector<Contender> of_scene = thesis_rules(kSceneLevel);
-  Steps steps(context.parallel, context.models.scenes.size() * 2 * kRules.size());
+  Steps steps(context.parallel, context.models.scenes.size() * 2 * kDriveRules.size());
   Result result{.remarks = {object_remark(object)}};
   const std::vector<std::string> scenes = scene_remarks(context.models.scenes);
   result.remarks.insert(result.remarks.end(), scenes.begin(), scenes.end());
@@ -200,7 +190,7 @@ Result drives(const Context& context) {
     result.remarks.push_back(touching_drive_remark(scene, touching));
     for (const bool is_touching : {false, true}) {
       const std::size_t first = rides.size();
-      for (const std::string_view rule : kRules) {
+      for (const std::string_view rule : kDriveRules) {
         const Contender& build = build_named(of_scene, rule);
         const Contender& build_of_object = build_named(of_object, rule);
         Ride ride{.title = build.title,
