@@ -34,10 +34,10 @@ struct CollisionTime {
   [[nodiscard]] double sum() const { return move + query; }
 };
 
-/// What a frame took, and what it found.
+/// What a frame took (medians over the passes), and what it found.
 struct DrawnFrame {
-  CollisionTime alone = {};  ///< in a pass over all frames that draws none
-  CollisionTime drawn = {};  ///< in a pass that draws each frame
+  CollisionTime alone = {};  ///< in passes that draw nothing
+  CollisionTime drawn = {};  ///< in passes that draw each frame
   double draw = 0;           ///< milliseconds of drawing, until the device has finished
   std::size_t contacts = 0;
 };
@@ -47,6 +47,7 @@ struct DrawnFrames {
   std::string device = {};  ///< the driver, in its own words
   int width = 0;            ///< of the pictures, in pixels
   int height = 0;
+  int passes = 0;                       ///< over all frames, drawing and not
   std::vector<DrawnFrame> frames = {};  ///< as many as offsets; empty if nothing could be drawn
   std::string trouble = {};             ///< why not; empty if all is well
 };

@@ -58,7 +58,8 @@ class Runner {
   }
 
   Entry operator()(const Experiment& experiment, const Models& models) {
-    Context context{.models = models, .quick = options_.quick, .parallel = parallel_, .draw = options_.draw};
+    Context context{
+        .models = models, .quick = options_.quick, .parallel = parallel_, .draw = options_.draw};
     context.parallel.progress = [&](double share) { show(experiment, share); };
     show(experiment, 0);
     const auto start = std::chrono::steady_clock::now();

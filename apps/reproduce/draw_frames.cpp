@@ -82,7 +82,8 @@ reproduce::DrawnFrames parse_drawn_frames(const std::string& text) {
     const Json answer = Json::parse(text);
     reproduce::DrawnFrames drawn{.device = answer.at("device").get<std::string>(),
                                  .width = answer.at("width").get<int>(),
-                                 .height = answer.at("height").get<int>()};
+                                 .height = answer.at("height").get<int>(),
+                                 .passes = answer.at("passes").get<int>()};
     for (const Json& frame : answer.at("frames")) {
       drawn.frames.push_back({.alone = collision_of(frame.at("alone")),
                               .drawn = collision_of(frame.at("drawn")),

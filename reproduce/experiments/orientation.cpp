@@ -307,8 +307,8 @@ std::vector<std::string> remarks(const Context& context, const std::vector<Ride>
                       "tests, so compare times.",
                       least->build.title, to_text(count_cell(box_tests(*least))), most->build.title,
                       to_text(count_cell(box_tests(*most)))),
-          "Drawing is off in all times: no viewer takes part in this run. A frame is moving the "
-          "boxes, traversing the trees and testing the triangles."};
+          "Drawing is off in these times; drives-drawn has frames that are drawn. A frame is "
+          "moving the boxes, traversing the trees and testing the triangles."};
 }
 
 Result orientation(const Context& context, const std::string& id, Approach from) {

@@ -1,5 +1,6 @@
 // The experiment of the drives: contact frames apart from free ones, and rates of mean frames.
 #include "soms/generate/shapes.h"
+#include "soms/query/reference/overlap.h"
 
 #include "reproduce/touching_drive.h"
 #include "reproduce/traversal_tables.h"
@@ -9,7 +10,10 @@
 
 #include <map>
 #include <memory>
+#include <span>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace soms::reproduce {
@@ -84,6 +88,72 @@ TEST(Drives, TimeFramesOfEachKindOnlyWhereThereAreSome) {
                        1000 / std::get<double>(value("contact_frame_time")));
     }
   }
+}
+
+/// Draws nothing, finds the contacts by brute force, and takes 1 ms without drawing, 2 and 6 with.
+DrawnFrames pretend_to_draw(const DrawRequest& request) {
+  DrawnFrames drawn{.device = "none", .width = 640, .height = 480, .passes = 1};
+  for (const Vec3& by : request.offsets) {
+    drawn.frames.push_back(
+        {.alone = {.move = 0.25, .query = 0.75},
+         .drawn = {.move = 1, .query = 1},
+         .draw = 6,
+         .contacts = reference::overlap(*request.still, Pose::identity(), *request.moving,
+                                        Pose::translation(by.x, by.y, by.z))
+                         .pairs.size()});
+  }
+  return drawn;
+}
+
+Result run_drawn(const DrawFrames& draw) {
+  const Models models = test::small_models();
+  const std::string_view item = "drives-drawn";
+  return experiments_named(std::span(&item, 1))
+      .front()
+      ->run({.models = models, .quick = true, .draw = draw});
+}
+
+TEST(DrivesDrawn, HaveRatesWithDrawingAndWithout) {
+  const Result result = run_drawn(pretend_to_draw);
+  const Table& table = table_of(result, "drives_drawn");
+  ASSERT_EQ(table.rows.size(), 2U * 2 * 2);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    EXPECT_EQ(cell(table, i, "frames"), "23");
+    EXPECT_NE(cell(table, i, "contact_frames"), "0");
+  }
+  const std::string csv = to_csv(table);
+  EXPECT_NE(csv.find(",1,2,6,1000,125,1,2,6,1000,125,none\n"), std::string::npos) << csv;
+  ASSERT_EQ(result.figures.size(), 1U);
+  EXPECT_TRUE(result.figures[0].timed);
+  EXPECT_NE(result.figures[0].caption.find("Drawing takes 75.0 to 75.0 % of a drawn frame"),
+            std::string::npos)
+      << result.figures[0].caption;
+}
+
+TEST(DrivesDrawn, SayWhyNothingWasDrawn) {
+  for (const DrawFrames& draw : {DrawFrames{}, DrawFrames{[](const DrawRequest&) {
+                                   return DrawnFrames{.trouble = "dark"};
+                                 }}}) {
+    const Result result = run_drawn(draw);
+    const Table& table = table_of(result, "drives_drawn");
+    EXPECT_NE(table.caption.find(draw ? "nothing was drawn (dark)"
+                                      : "nothing was drawn (this run has no program that draws)"),
+              std::string::npos)
+        << table.caption;
+    EXPECT_TRUE(result.figures.empty());
+    for (const auto& row : table.rows) {
+      EXPECT_EQ(row.back(), Cell{});
+    }
+  }
+}
+
+TEST(DrivesDrawn, EndTheRunWhereADrawnFrameHasOtherContacts) {
+  EXPECT_THROW((void)run_drawn([](const DrawRequest& request) {
+                 DrawnFrames drawn = pretend_to_draw(request);
+                 ++drawn.frames.front().contacts;
+                 return drawn;
+               }),
+               std::logic_error);
 }
 
 TEST(FrameRates, AreThoseOfTheMeanFrameNotTheMeanOfRates) {

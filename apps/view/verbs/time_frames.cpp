@@ -18,6 +18,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <memory>
@@ -33,9 +34,10 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kMostFrames = 100'000;
 
 const char* const kFooter =
-    "Each frame moves the trees' boxes and finds all contacts by --traversal. A first pass draws\n"
-    "nothing; a second one draws each frame off screen until the driver has finished. Reading\n"
-    "models, their first upload, and what finds the contacts that are marked red are not timed.\n"
+    "Each frame moves the trees' boxes and finds all contacts by --traversal. Passes that\n"
+    "draw nothing alternate with passes that draw each frame off screen until the driver has\n"
+    "finished. Reading models, their first upload, and what finds the contacts that are marked red "
+    "are not timed.\n"
     "Pictures are drawn without smoothing or shading of creases unless --samples is above 1.\n\n"
     "Example:\n"
     "  soms generate city --triangles 20000 -o town.ply\n"
@@ -143,6 +145,56 @@ class FrameClock {
   GlRenderer renderer_;
 };
 
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// The median of a number over passes.
+template <class Number>
+double median_of(const std::vector<FrameTime>& passes, const Number& number) {
+  std::vector<double> values;
+  for (const FrameTime& pass : passes) {
+    values.push_back(number(pass));
+  }
+  return median(std::move(values));
+}
+
+FrameTime median_frame(const std::vector<FrameTime>& passes) {
+  FrameTime frame = passes.front();
+  frame.alone.move = median_of(passes, [](const FrameTime& pass) { return pass.alone.move; });
+  frame.alone.query = median_of(passes, [](const FrameTime& pass) { return pass.alone.query; });
+  frame.drawn.move = median_of(passes, [](const FrameTime& pass) { return pass.drawn.move; });
+  frame.drawn.query = median_of(passes, [](const FrameTime& pass) { return pass.drawn.query; });
+  frame.draw = median_of(passes, [](const FrameTime& pass) { return pass.draw; });
+  return frame;
+}
+
+/// Medians over passes that do not draw and passes that do, in turn.
+std::vector<FrameTime> time_passes(FrameClock& clock, const std::vector<Pose>& poses, int passes,
+                                   const Parallel& parallel) {
+  (void)clock.find(poses.front(), parallel);
+  (void)clock.draw(poses.front());  // uploads the models
+  std::vector<std::vector<FrameTime>> times(poses.size());
+  for (int pass = 0; pass < passes; ++pass) {
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      times[k].push_back({.alone = clock.find(poses[k], parallel)});
+    }
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      check_stop(parallel);
+      times[k].back().drawn = clock.find(poses[k], parallel);
+      times[k].back().draw = clock.draw(poses[k]);
+    }
+  }
+  std::vector<FrameTime> medians;
+  medians.reserve(times.size());
+  for (const std::vector<FrameTime>& of_frame : times) {
+    medians.push_back(median_frame(of_frame));
+  }
+  return medians;
+}
+
 void report(const TimeFramesOptions& options, const std::vector<FrameTime>& frames,
             std::size_t triangles, command::Console& console) {
   if (console.shared().json) {
@@ -160,6 +212,7 @@ void report(const TimeFramesOptions& options, const std::vector<FrameTime>& fram
                                       {"width", options.size.width},
                                       {"height", options.size.height},
                                       {"samples", options.samples},
+                                      {"passes", options.passes},
                                       {"triangles", triangles},
                                       {"frames", std::move(rows)}}));
     return;
@@ -198,6 +251,8 @@ command::Action add_time_frames(CLI::App& app, command::Shared&) {
       ->option_text("WxH");
   command::add_count(app, "--samples", options->samples, 1, 16,
                      "samples per pixel; above 1 creases are shaded, too (1)");
+  command::add_count(app, "--passes", options->passes, 1, 1000,
+                     "passes over all frames; each time is the median of them (3)");
   command::add_count(app, "--mover-levels", options->mover_levels, 0, 64,
                      "as --levels, for the tree of the mover (as --levels)");
   command::add_world_tree_options(app, options->world);
@@ -225,19 +280,7 @@ int run_time_frames(const TimeFramesOptions& options, command::Console& console)
   const std::vector<FrameTime> frames = console.run("timing frames", [&](const Parallel& parallel) {
     const Parallel one_thread{1, parallel.stop, {}};
     FrameClock clock(options, timed, poses.front(), one_thread);
-    (void)clock.find(poses.front(), one_thread);
-    std::vector<FrameTime> times;
-    for (const Pose& pose : poses) {
-      check_stop(one_thread);
-      times.push_back({.alone = clock.find(pose, one_thread)});
-    }
-    (void)clock.draw(poses.front());  // uploads the models
-    for (std::size_t k = 0; k < poses.size(); ++k) {
-      check_stop(one_thread);
-      times[k].drawn = clock.find(poses[k], one_thread);
-      times[k].draw = clock.draw(poses[k]);
-    }
-    return times;
+    return time_passes(clock, poses, options.passes, one_thread);
   });
   const std::size_t triangles =
       timed.still.shape.mesh().triangles.size() + timed.mover.mesh().triangles.size();

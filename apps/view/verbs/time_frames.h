@@ -17,6 +17,7 @@ struct TimeFramesOptions {
   int mover_levels = -1;  ///< of the mover's tree; below 0: those of the city's
   Size size{640, 480};    ///< a usual size of windows in 2009
   int samples = 1;
+  int passes = 3;  ///< over all frames, drawing and not; each time is the median of them
 };
 
 /// Adds the options and returns what times the frames.
