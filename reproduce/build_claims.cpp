@@ -70,13 +70,13 @@ Finding eight_percent(const BuildPair& at_balanced, const BuildPair& at_greatest
     finding.reason =
         fmt::format("By at least as much both at {}, on this machine. {}", levels, kWhy);
   } else if (balanced) {
-    finding.verdict = Verdict::holds_under_options;
+    finding.verdict = Verdict::holds_under;
     finding.reason = fmt::format(
         "By at least as much at SOMS' balanced level, {}, but not at level {}, on this machine; "
         "the thesis does not say at which level. {}",
         level_of(at_balanced), level_of(at_greatest), kWhy);
   } else if (greatest) {
-    finding.verdict = Verdict::holds_under_options;
+    finding.verdict = Verdict::holds_under;
     finding.reason = fmt::format(
         "By at least as much at level {}, but not at SOMS' balanced level, {}, on this machine; "
         "the thesis does not say at which level. {}",

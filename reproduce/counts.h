@@ -91,6 +91,9 @@ struct Counted {
 /// The model's name, marked if it is a stand-in; for charts and sentences.
 [[nodiscard]] std::string label_of(const Model& model);
 
+/// The model's title without what stands in brackets; its name if it has no title.
+[[nodiscard]] std::string short_title(const Model& model);
+
 /// The model of this number of triangles that is not known to be a stand-in: the first of `models`
 /// that has it, or nullptr.
 [[nodiscard]] const Model* original_of(std::span<const Model> models, std::size_t triangles);

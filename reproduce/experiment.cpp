@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace soms::reproduce {
 
@@ -20,6 +23,10 @@ constexpr Needs kScenes{.scenes = true};
 constexpr Needs kObjectsAndScenes{.objects = true, .scenes = true};
 
 constexpr std::array kExperiments{
+    Experiment{"claim-balanced", "Is a balanced tree traversed faster?", Chapter::claims,
+               kObjectsAndScenes, 5, claim_balanced},
+    Experiment{"claim-cheaper", "Is SOMS cheaper to query than spatial median?", Chapter::claims,
+               kObjectsAndScenes, 10, claim_cheaper},
     Experiment{"table-3.1", "The objects: specification of the PLY models", Chapter::thesis,
                kObjects, 1, table_3_1},
     Experiment{"table-3.2", "The orientation tests: axis and direction", Chapter::thesis, kObjects,
@@ -42,16 +49,67 @@ constexpr std::array kExperiments{
     Experiment{"figure-4.6", "The plane of SOMS", Chapter::thesis, kNothing, 1, figure_4_6},
     Experiment{"figure-4.7", "Planes of all rules in space", Chapter::thesis, kNothing, 1,
                figure_4_7},
+    Experiment{"figure-4.8", "How the box of a set is found", Chapter::thesis, kNothing, 1,
+               figure_4_8},
+    Experiment{"figure-4.9", "The coordinates of a box", Chapter::thesis, kNothing, 1, figure_4_9},
+    Experiment{"figure-4.10", "The numbers of a box's corners", Chapter::thesis, kNothing, 1,
+               figure_4_10},
+    Experiment{"figure-4.11", "How a box is drawn, in pseudo code", Chapter::thesis, kNothing, 1,
+               figure_4_11},
+    Experiment{"figure-4.12", "The six faces of a box", Chapter::thesis, kNothing, 1, figure_4_12},
+    Experiment{"figure-4.13", "The box of a set that moves", Chapter::thesis, kNothing, 1,
+               figure_4_13},
+    Experiment{"figure-4.14", "The class of a tree", Chapter::thesis, kNothing, 1, figure_4_14},
+    Experiment{"figure-4.15", "How a tree begins", Chapter::thesis, kNothing, 1, figure_4_15},
+    Experiment{"figure-4.16", "A tree of depth 3", Chapter::thesis, kNothing, 1, figure_4_16},
+    Experiment{"figure-4.17", "Calls of split", Chapter::thesis, kNothing, 1, figure_4_17},
+    Experiment{"figure-4.18", "Depth and level from the TreeID", Chapter::thesis, kNothing, 1,
+               figure_4_18},
+    Experiment{"figure-4.19", "How the nodes of a tree are made", Chapter::thesis, kNothing, 1,
+               figure_4_19},
+    Experiment{"figure-4.20", "How a node is made", Chapter::thesis, kNothing, 1, figure_4_20},
+    Experiment{"figure-4.21", "TreeIDs and parents", Chapter::thesis, kNothing, 1, figure_4_21},
+    Experiment{"figure-4.22", "Which axis is the longest", Chapter::thesis, kNothing, 1,
+               figure_4_22},
+    Experiment{"figure-4.23", "The center of a triangle", Chapter::thesis, kNothing, 1,
+               figure_4_23},
+    Experiment{"figure-4.24", "Triangles stored left and right", Chapter::thesis, kNothing, 1,
+               figure_4_24},
+    Experiment{"figure-4.25", "Triangles of the left and of the right child", Chapter::thesis,
+               kNothing, 1, figure_4_25},
+    Experiment{"figure-4.26", "Splitting an object in pseudo code", Chapter::thesis, kNothing, 1,
+               figure_4_26},
+    Experiment{"figure-4.27", "Triangles of each node in arrays by TreeID", Chapter::thesis,
+               kObjectsAndScenes, 1, figure_4_27},
+    Experiment{"figure-4.28", "A tree divided node by node", Chapter::thesis, kNothing, 1,
+               figure_4_28},
+    Experiment{"figure-4.29", "Rendering a level of a tree", Chapter::thesis, kObjects, 1,
+               figure_4_29},
     Experiment{"figure-4.30", "The bunny's tree at levels 1, 3, 5 and 6", Chapter::thesis, kObjects,
                1, figure_4_30},
+    Experiment{"figure-4.31", "Collision of two trees in pseudo code", Chapter::thesis, kNothing, 1,
+               figure_4_31},
+    Experiment{"figure-4.32", "The roots are tested first: broad phase", Chapter::thesis,
+               kObjectsAndScenes, 1, figure_4_32},
+    Experiment{"figure-4.33", "Overlap of two boxes", Chapter::thesis, kNothing, 1, figure_4_33},
+    Experiment{"figure-4.34", "Is a node internal, in pseudo code", Chapter::thesis, kNothing, 1,
+               figure_4_34},
     Experiment{"figure-4.35", "Traversal with pruning and without", Chapter::thesis, kObjects, 1,
                figure_4_35},
+    Experiment{"figure-4.36", "Depth-first traversal in pseudo code", Chapter::thesis, kNothing, 1,
+               figure_4_36},
+    Experiment{"figure-4.37", "Ericson's generic traversal in pseudo code", Chapter::thesis,
+               kObjects, 1, figure_4_37},
+    Experiment{"figure-4.39", "A part of the city: terrain, then buildings", Chapter::thesis,
+               kScenes, 1, figure_4_39},
+    Experiment{"figure-4.40", "Part 1 of the city", Chapter::thesis, kScenes, 1, figure_4_40},
     Experiment{"figure-4.41", "The whole city", Chapter::thesis, kScenes, 1, figure_4_41},
     Experiment{"figure-4.42", "The city as it is loaded", Chapter::thesis, kScenes, 1, figure_4_42},
     Experiment{"figure-4.43", "The city written as 3DS and read back", Chapter::thesis, kScenes, 1,
                figure_4_43},
     Experiment{"figure-4.44", "The city's tree at levels 1, 3, 5 and 7", Chapter::thesis, kScenes,
                1, figure_4_44},
+    Experiment{"figure-5.1", "The testing procedure", Chapter::thesis, kNothing, 1, figure_5_1},
     Experiment{"table-5.1", "Build time for each node, objects", Chapter::thesis, kObjects, 2,
                table_5_1},
     Experiment{"table-5.2", "Percentage of build time by level, objects", Chapter::thesis, kObjects,
@@ -92,6 +150,10 @@ constexpr std::array kExperiments{
                kObjectsAndScenes, 10, figure_5_10},
     Experiment{"table-5.11", "Nodes that cannot be divided at level 13, urban scenes",
                Chapter::thesis, kScenes, 1, table_5_11},
+    Experiment{"coverage", "What of the thesis is shown, and why the rest is not", Chapter::beyond,
+               kNothing, 1, coverage},
+    Experiment{"sources", "Where options come from, and contradictions of the thesis",
+               Chapter::beyond, kNothing, 1, sources},
     Experiment{"orientation-bottom", "Orientation test bottom, generic traversal", Chapter::beyond,
                kObjects, 1, orientation_bottom},
     Experiment{"orientation-front", "Orientation test front, generic traversal", Chapter::beyond,
@@ -116,9 +178,19 @@ constexpr std::array kExperiments{
                20, spread},
 };
 
+constexpr std::array<std::pair<std::string_view, Chapter>, 3> kChapters{
+    {{"claims", Chapter::claims}, {"thesis", Chapter::thesis}, {"beyond", Chapter::beyond}}};
+
+/// The chapter of this name; nothing if there is none.
+std::optional<Chapter> chapter_named(std::string_view word) {
+  const auto found = std::find_if(kChapters.begin(), kChapters.end(),
+                                  [&](const auto& entry) { return entry.first == word; });
+  return found == kChapters.end() ? std::nullopt : std::optional(found->second);
+}
+
 bool is_named(const Experiment& experiment, std::string_view word) {
-  if (word == "thesis" || word == "beyond") {
-    return (experiment.chapter == Chapter::thesis) == (word == "thesis");
+  if (const std::optional<Chapter> chapter = chapter_named(word)) {
+    return experiment.chapter == *chapter;
   }
   const std::string_view item = experiment.item;
   return item == word || item == fmt::format("table-{}", word) ||
@@ -126,7 +198,7 @@ bool is_named(const Experiment& experiment, std::string_view word) {
 }
 
 Error unknown(std::string_view word) {
-  std::string items = "thesis, beyond";
+  std::string items = "claims, thesis, beyond";
   for (const Experiment& experiment : kExperiments) {
     items += fmt::format(", {}", experiment.item);
   }
@@ -146,7 +218,7 @@ std::span<const Experiment> experiments() {
 std::vector<const Experiment*> experiments_named(std::span<const std::string_view> words) {
   std::vector<bool> wanted(kExperiments.size(), words.empty());
   for (const std::string_view word : words) {
-    bool found = word == "thesis" || word == "beyond";
+    bool found = chapter_named(word).has_value();
     for (std::size_t i = 0; i < kExperiments.size(); ++i) {
       if (is_named(kExperiments[i], word)) {
         wanted[i] = true;

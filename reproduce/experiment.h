@@ -26,10 +26,14 @@ struct Context {
 
   /// `whole` repetitions, or a tenth of them (at least 5) in a quick run.
   [[nodiscard]] int repetitions(int whole) const;
+
+  /// Paired rounds behind an interval of 95 %: 100, in a quick run 20.
+  [[nodiscard]] int rounds() const { return quick ? 20 : 100; }
 };
 
 /// Part of the report that an experiment belongs to.
 enum class Chapter {
+  claims,  ///< a claim of the thesis, by all its readings and metrics
   thesis,  ///< a table or figure of the thesis
   beyond,  ///< what we add
 };
@@ -49,8 +53,8 @@ struct Experiment {
 [[nodiscard]] std::span<const Experiment> experiments();
 
 /// The experiments that words name: an item ("table-5.3"), a number ("5.3": the table and the
-/// figure), or "thesis" and "beyond". Each once, in the order of the report; all if `words` is
-/// empty. \errors ErrorKind::usage, which lists the items.
+/// figure), or "claims", "thesis" and "beyond". Each once, in the order of the report; all if
+/// `words` is empty. \errors ErrorKind::usage, which lists the items.
 [[nodiscard]] std::vector<const Experiment*> experiments_named(
     std::span<const std::string_view> words);
 

@@ -3,20 +3,16 @@
 #include "soms/query/traversal/named_overlap.h"
 #include "soms/query/traversal/traversals.h"
 
+#include "reproduce/statistics.h"
+
 #include <algorithm>
-#include <chrono>
+#include <functional>
 #include <memory>
 #include <utility>
 
 namespace soms::reproduce {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds(Clock::time_point from, Clock::time_point to) {
-  return std::chrono::duration<double, std::milli>(to - from).count();
-}
 
 Shape shape_of(std::shared_ptr<const Mesh> mesh, const Contender& build) {
   return Shape(std::move(mesh), {.build = build.options, .keep_tree = true});
@@ -53,18 +49,31 @@ detail::NamedOverlap query_of(const Trip& trip, const NamedTraversal& traversal)
   return query;
 }
 
+/// What reading the processor clock adds to what is timed between two readings, in milliseconds.
+double clock_cost() {
+  static const double cost = [] {
+    std::vector<double> pairs(1001);
+    for (double& pair : pairs) {
+      const double start = processor_milliseconds();
+      pair = processor_milliseconds() - start;
+    }
+    return median(std::move(pairs));
+  }();
+  return cost;
+}
+
 void time_trip(const Trip& trip, const NamedTraversal& traversal, const Parallel& parallel,
                FrameSamples& samples) {
   detail::NamedOverlap query = query_of(trip, traversal);
   for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
     const Pose pose = trip.pose(k);
-    const auto start = Clock::now();
+    const double start = processor_milliseconds();
     query.move(Pose::identity(), pose);
-    const auto moved = Clock::now();
+    const double moved = processor_milliseconds();
     const Overlap answer = query(Pose::identity(), pose, {}, parallel);
-    const auto end = Clock::now();
-    samples.collision[k].push_back(milliseconds(moved, end));
-    samples.frame[k].push_back(milliseconds(start, end));
+    const double end = processor_milliseconds();
+    samples.collision[k].push_back(std::max(0.0, end - moved - clock_cost()));
+    samples.frame[k].push_back(std::max(0.0, end - start - 2 * clock_cost()));
   }
 }
 
@@ -74,9 +83,9 @@ double time_traversal(const Trip& trip, const NamedTraversal& traversal, const P
   for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
     check_stop(parallel);
     leaves.move(k);
-    const auto start = Clock::now();
+    const double start = processor_milliseconds();
     (void)leaves.run();
-    sum += milliseconds(start, Clock::now());
+    sum += std::max(0.0, processor_milliseconds() - start - clock_cost());
   }
   return sum;
 }
@@ -222,26 +231,48 @@ std::vector<Frame> answer_frames(const Trip& trip, const NamedTraversal& travers
   return frames;
 }
 
-std::vector<FrameTimes> time_frames(const Trip& trip, std::span<const NamedTraversal> traversals,
-                                    int repetitions, const Parallel& parallel) {
-  const std::vector<std::vector<double>> none(trip.offsets.size());
-  FrameSamples warm_up{none, none};
-  std::vector<FrameSamples> samples(traversals.size(), warm_up);
-  for (const NamedTraversal& traversal : traversals) {
-    time_trip(trip, traversal, parallel, warm_up);
+std::vector<FrameTimes> time_trips(std::span<const TripRun> runs, int repetitions,
+                                   const Parallel& parallel) {
+  std::vector<FrameSamples> samples;
+  for (const TripRun& run : runs) {
+    const std::vector<std::vector<double>> none(run.trip->offsets.size());
+    samples.push_back({none, none});
+    FrameSamples warm_up{none, none};
+    time_trip(*run.trip, run.traversal, parallel, warm_up);
   }
   for (int round = 0; round < repetitions; ++round) {
-    for (std::size_t i = 0; i < traversals.size(); ++i) {
-      time_trip(trip, traversals[i], parallel, samples[i]);
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      const std::size_t i = round % 2 == 0 ? k : runs.size() - 1 - k;
+      time_trip(*runs[i].trip, runs[i].traversal, parallel, samples[i]);
     }
   }
   std::vector<FrameTimes> times;
   times.reserve(samples.size());
-  for (FrameSamples& of_traversal : samples) {
-    times.push_back(
-        {summarized(std::move(of_traversal.collision)), summarized(std::move(of_traversal.frame))});
+  for (FrameSamples& of_run : samples) {
+    times.push_back({summarized(std::move(of_run.collision)), summarized(std::move(of_run.frame))});
   }
   return times;
+}
+
+std::vector<double> sums_by_round(std::span<const Timing> times, std::span<const Frame> frames) {
+  std::vector<double> sums;
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    if (frames[k].roots_overlap) {
+      sums.resize(times[k].rounds.size());
+      std::transform(sums.begin(), sums.end(), times[k].rounds.begin(), sums.begin(),
+                     std::plus<>());
+    }
+  }
+  return sums;
+}
+
+std::vector<FrameTimes> time_frames(const Trip& trip, std::span<const NamedTraversal> traversals,
+                                    int repetitions, const Parallel& parallel) {
+  std::vector<TripRun> runs;
+  for (const NamedTraversal& traversal : traversals) {
+    runs.push_back({&trip, traversal});
+  }
+  return time_trips(runs, repetitions, parallel);
 }
 
 Timing time_beside_traversal(const Trip& trip, const NamedTraversal& traversal, int repetitions,
@@ -252,13 +283,13 @@ Timing time_beside_traversal(const Trip& trip, const NamedTraversal& traversal, 
     LeafTraversal leaves(trip, traversal.options);
     double sum = 0;
     for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
-      const auto start = Clock::now();
+      const double start = processor_milliseconds();
       (void)query(Pose::identity(), trip.pose(k), {}, parallel);
-      const auto end = Clock::now();
+      const double end = processor_milliseconds();
       leaves.move(k);
-      const auto start_of_traversal = Clock::now();
+      const double start_of_traversal = processor_milliseconds();
       (void)leaves.run();
-      sum += milliseconds(start, end) - milliseconds(start_of_traversal, Clock::now());
+      sum += (end - start) - (processor_milliseconds() - start_of_traversal);
     }
     samples.push_back(sum);
   }
@@ -269,7 +300,8 @@ std::vector<Timing> time_traversals(const Trip& trip, std::span<const NamedTrave
                                     int repetitions, const Parallel& parallel) {
   std::vector<std::vector<double>> samples(traversals.size());
   for (int round = -1; round < repetitions; ++round) {  // the first warms up
-    for (std::size_t i = 0; i < traversals.size(); ++i) {
+    for (std::size_t k = 0; k < traversals.size(); ++k) {
+      const std::size_t i = round % 2 == 0 ? k : traversals.size() - 1 - k;
       const double sample = time_traversal(trip, traversals[i], parallel);
       if (round >= 0) {
         samples[i].push_back(sample);

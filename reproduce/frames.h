@@ -134,8 +134,23 @@ struct FrameTimes {
   std::vector<Timing> frame;
 };
 
-/// Times whole trips by several traversals in turn, frame by frame. \shape one FrameTimes a
-/// traversal.
+/// A trip by a traversal, to be timed.
+struct TripRun {
+  const Trip* trip = nullptr;
+  NamedTraversal traversal = {};
+};
+
+/// Times whole trips in turn, frame by frame, every other round in the reverse order: round i of
+/// one and round i of another are a pair. \shape one FrameTimes a run. \errors
+/// ErrorKind::cancelled.
+[[nodiscard]] std::vector<FrameTimes> time_trips(std::span<const TripRun> runs, int repetitions,
+                                                 const Parallel& parallel);
+
+/// Milliseconds by round, summed over the frames in which the roots overlap.
+[[nodiscard]] std::vector<double> sums_by_round(std::span<const Timing> times,
+                                                std::span<const Frame> frames);
+
+/// `time_trips` of several traversals on one trip. \shape one FrameTimes a traversal.
 /// \errors ErrorKind::cancelled.
 [[nodiscard]] std::vector<FrameTimes> time_frames(const Trip& trip,
                                                   std::span<const NamedTraversal> traversals,

@@ -1,5 +1,7 @@
+#include "reproduce/latex.h"
 #include "reproduce/report.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace soms::reproduce {
@@ -16,12 +18,40 @@ Json models_of(const std::vector<Model>& models) {
                     {"file", model.file.empty() ? Json(nullptr) : Json(model.file)},
                     {"stand_in", model.stand_in},
                     {"trouble", model.trouble.empty() ? Json(nullptr) : Json(model.trouble)},
-                    {"triangles", model.mesh->triangles.size()}});
+                    {"triangles", model.mesh->triangles.size()},
+                    {"corner_hash", fmt::format("{:016x}", model.hash)},
+                    {"bytes", model.bytes == 0 ? Json(nullptr) : Json(model.bytes)},
+                    {"sha256", model.sha256.empty() ? Json(nullptr) : Json(model.sha256)}});
   }
   return list;
 }
 
-Json files_of(const Entry& entry) {
+Json averages_of(const LoadAverages& averages) {
+  return averages ? Json(*averages) : Json(nullptr);
+}
+
+Json load_of(const Load& load) {
+  const std::vector<std::string> signs = signs_of_load(load);
+  return {{"busy", !signs.empty()},
+          {"signs", signs},
+          {"start", averages_of(load.start)},
+          {"end", averages_of(load.end)},
+          {"processors", load.processors},
+          {"timed_seconds", load.timed_seconds},
+          {"timed_processor_seconds", load.timed_processor_seconds}};
+}
+
+Json machine_of(const Machine& machine) {
+  return {{"processor", machine.processor},
+          {"processors", machine.processors},
+          {"usable_processors", machine.usable_processors},
+          {"instruction_set", machine.instruction_set},
+          {"memory", machine.memory == 0 ? Json(nullptr) : Json(machine.memory)},
+          {"system", machine.system},
+          {"compiler", machine.compiler}};
+}
+
+Json files_of(const Entry& entry, bool latex) {
   Json files = Json::array();
   for (const Table& table : entry.result.tables) {
     Json timed = Json::array();
@@ -31,6 +61,9 @@ Json files_of(const Entry& entry) {
       }
     }
     files.push_back({{"file", file_of(table).generic_string()}, {"timed_columns", timed}});
+    if (latex) {
+      files.back()["latex"] = latex_file_of(table).generic_string();
+    }
   }
   for (const Figure& figure : entry.result.figures) {
     files.push_back({{"file", file_of(figure).generic_string()}, {"timed", figure.timed}});
@@ -51,6 +84,21 @@ Json findings_of(const Result& result) {
   return list;
 }
 
+Json claims_of(const Result& result) {
+  Json list = Json::array();
+  for (const Claim& claim : result.claims) {
+    list.push_back({{"id", claim.id},
+                    {"claim", claim.statement},
+                    {"source", claim.source},
+                    {"verdict", name(verdict_of(claim))},
+                    {"where", where(claim)},
+                    {"rows", claim.rows.size()},
+                    {"matrix", file_of(claim_table(claim)).generic_string()},
+                    {"timed", is_timed(claim)}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string manifest(const Report& report) {
@@ -59,7 +107,9 @@ std::string manifest(const Report& report) {
     items.push_back({{"item", entry.experiment->item},
                      {"title", entry.experiment->title},
                      {"seconds", entry.seconds},
-                     {"files", files_of(entry)},
+                     {"processor_seconds", entry.processor_seconds},
+                     {"files", files_of(entry, report.latex)},
+                     {"claims", claims_of(entry.result)},
                      {"findings", findings_of(entry.result)}});
   }
   Json missing = Json::array();
@@ -69,19 +119,23 @@ std::string manifest(const Report& report) {
   const Machine& machine = report.machine;
   const Json json{{"schema", "soms.reproduce/1"},
                   {"version", machine.version},
+                  {"commit", machine.commit},
+                  {"command", report.command},
                   {"date", report.date},
+                  {"ended", report.ended},
+                  {"seconds", report.seconds},
+                  {"processor_seconds", report.processor_seconds},
                   {"quick", report.quick},
-                  {"machine",
-                   {{"processor", machine.processor},
-                    {"processors", machine.processors},
-                    {"system", machine.system},
-                    {"compiler", machine.compiler}}},
+                  {"build", {{"type", machine.build_type}, {"flags", machine.flags}}},
+                  {"machine", machine_of(machine)},
+                  {"load", load_of(report.load)},
                   {"models",
                    {{"objects", models_of(report.models.objects)},
                     {"scenes", models_of(report.models.scenes)},
                     {"cities", models_of(report.models.cities)},
                     {"remarks", report.models.remarks},
                     {"files", report.model_files}}},
+                  {"latex", report.latex ? Json(kLatexOfAll) : Json(nullptr)},
                   {"items", items},
                   {"not_run", missing}};
   // File names may be any bytes.

@@ -5,10 +5,12 @@
 #include "soms/io/read_mesh.h"
 #include "soms/io/write_mesh.h"
 
+#include "reproduce/sha256.h"
 #include "reproduce/stand_ins.h"
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 #include <span>
 #include <sstream>
@@ -79,6 +81,12 @@ bool is_object(const fs::path& path) {
   });
 }
 
+std::optional<fs::file_time_type> last_change(const fs::path& path) {
+  std::error_code error;
+  const fs::file_time_type time = fs::last_write_time(path, error);
+  return error ? std::nullopt : std::optional(time);
+}
+
 void set_mesh(Model& model, Mesh mesh) {
   model.hash = corner_hash(mesh);
   model.mesh = std::make_shared<const Mesh>(std::move(mesh));
@@ -144,6 +152,7 @@ std::string Finder::read(const fs::path& path, Model& model) {
   if (fs::is_fifo(status) || fs::is_socket(status)) {
     return words({path.string(), ": not a file"});  // opening it would wait for a writer
   }
+  const auto before = last_change(path);
   try {
     set_mesh(model, read_mesh(path, {}, for_one()));
   } catch (const Error& error) {
@@ -153,6 +162,11 @@ std::string Finder::read(const fs::path& path, Model& model) {
     return error.what();
   }
   model.file = path.filename().string();
+  model.sha256 = sha256_of_file(path);
+  if (last_change(path) != before) {
+    model.sha256.clear();  // perhaps of other bytes than those that were read
+    models_.remarks.push_back(words({path.string(), ": changed while it was read"}));
+  }
   std::error_code error;
   const std::uintmax_t bytes = fs::file_size(path, error);
   model.bytes = error ? 0 : bytes;
@@ -286,6 +300,7 @@ Model Finder::generated_scene(const KnownScene& known) {
   model.title = words({known.title, " (stand-in: generated, written as .3ds and read back)"});
   model.stand_in = true;
   model.bytes = file.size();
+  model.sha256 = sha256(file);
   Mesh mesh = read_mesh(std::as_bytes(std::span(file)), words({known.name, ".3ds"}), {}, for_one());
   mesh.up = made.up;  // 3DS keeps neither
   mesh.unit = made.unit;

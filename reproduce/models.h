@@ -25,6 +25,8 @@ struct Model {
   std::shared_ptr<const Mesh> mesh = {};  ///< never null
   std::uint64_t hash = 0;                 ///< FNV-1a 64 of all coordinates, triangle by triangle
   std::uint64_t bytes = 0;  ///< size of its file, of a generated scene that of its .3ds; or 0
+  /// SHA-256 of the same bytes; empty if there are none, or the file changed while it was read
+  std::string sha256 = {};
 };
 
 /// All models of a run. No two have one name.

@@ -1,6 +1,9 @@
 #include "soms/base/text.h"
 
+#include "reproduce/claims_section.h"
+#include "reproduce/html.h"
 #include "reproduce/page_style.h"
+#include "reproduce/provenance.h"
 #include "reproduce/report.h"
 
 #include <fmt/format.h>
@@ -8,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 namespace soms::reproduce {
 
@@ -19,41 +23,10 @@ constexpr std::size_t kMostRows = 400;
 /// Bytes of words that stay on one line.
 constexpr std::size_t kShortWords = 24;
 
-constexpr std::array kVerdicts{Verdict::holds, Verdict::holds_under_options, Verdict::does_not_hold,
-                               Verdict::cannot_be_checked};
-/// For each verdict a sign, so that color is not all that tells them apart.
-constexpr std::array<std::string_view, 4> kSigns{"&#10003;", "&#8776;", "&#10007;", "?"};
-constexpr std::array<std::string_view, 4> kClasses{"holds", "holds_under_options", "does_not_hold",
-                                                   "cannot_be_checked"};
-
-std::string counted(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", to_text(static_cast<std::int64_t>(count)), noun,
-                     count == 1 ? "" : "s");
-}
-
-std::string badge(Verdict verdict) {
-  const auto k = static_cast<std::size_t>(verdict);
-  return fmt::format("<span class=\"badge {}\">{} {}</span>", kClasses[k], kSigns[k],
-                     name(verdict));
-}
-
-/// Words as a sentence: with a stop at the end.
-std::string sentence(std::string words) {
-  if (!words.empty() && words.back() != '.') {
-    words += '.';
-  }
-  return words;
-}
-
-/// "table-5.3" as people write it: "Table 5.3".
-std::string spoken(std::string_view item) {
-  std::string words(item);
-  std::replace(words.begin(), words.end(), '-', ' ');
-  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') {
-    words[0] = static_cast<char>(words[0] - 'a' + 'A');
-  }
-  return words;
-}
+constexpr std::array<std::pair<Chapter, std::string_view>, 3> kChapters{
+    {{Chapter::claims, "The claims, one by one"},
+     {Chapter::thesis, "Tables and figures of the thesis"},
+     {Chapter::beyond, "Beyond the thesis"}}};
 
 /// Bytes as a part of an address.
 std::string percent_encoded(std::string_view bytes) {
@@ -91,12 +64,14 @@ class Page {
 
   std::string write() {
     head();
+    out_ += load_warning(report_.load);
+    out_ += claims_section(report_, false);
+    contents();
     how_it_was_run();
     models();
-    claims();
-    contents();
-    chapter(Chapter::thesis, "The thesis, item by item");
-    chapter(Chapter::beyond, "Beyond the thesis");
+    for (const auto& [which, title] : kChapters) {
+      chapter(which, title);
+    }
     out_ += "</main>\n</body>\n</html>\n";
     return std::move(out_);
   }
@@ -145,20 +120,8 @@ class Page {
   }
 
   void how_it_was_run() {
-    const Machine& machine = report_.machine;
-    put("<dl class=\"run\">\n");
-    const auto row = [&](std::string_view what, std::string_view value) {
-      put("<dt>{}</dt><dd>{}</dd>\n", what, xml_text(value));
-    };
-    row("Run", report_.date);
-    row("Options", report_.quick ? "quick: fewer repetitions and smaller sweeps" : "full");
-    row("Program", fmt::format("soms {}", machine.version));
-    row("Processor", fmt::format("{} ({}; what is timed uses one)", machine.processor,
-                                 counted(static_cast<std::size_t>(std::max(0, machine.processors)),
-                                         "processor")));
-    row("System", machine.system);
-    row("Compiler", machine.compiler);
-    put("</dl>\n");
+    put("<h2 id=\"run\">This run</h2>\n");
+    out_ += run_facts(report_);
     if (report_.quick) {
       put("<p class=\"warn\"><strong>Quick run.</strong> Counts of the thesis' own tables are "
           "those "
@@ -200,6 +163,7 @@ class Page {
       }
     }
     put("</tbody>\n</table>\n</div>\n");
+    out_ += model_files(report_.models);
     for (const std::string& remark : report_.models.remarks) {
       put("<p class=\"note\">{}</p>\n", xml_text(remark));
     }
@@ -218,47 +182,6 @@ class Page {
                               : "<span class=\"mark\">trouble</span> " + xml_text(model.trouble));
   }
 
-  void claims() {
-    std::array<std::size_t, 4> counts = {};
-    std::size_t all = 0;
-    for (const Entry& entry : report_.entries) {
-      for (const Finding& finding : entry.result.findings) {
-        ++counts[static_cast<std::size_t>(finding.verdict)];
-        ++all;
-      }
-    }
-    put("<h2 id=\"claims\">What the thesis claims, and what was measured</h2>\n");
-    if (all == 0) {
-      put("<p>None of the experiments of this run tests a claim of the thesis.</p>\n");
-      return;
-    }
-    put("<p>{}:", counted(all, "claim"));
-    std::string_view comma;
-    for (const Verdict verdict : kVerdicts) {
-      const std::size_t count = counts[static_cast<std::size_t>(verdict)];
-      if (count > 0) {
-        put("{} {} {}", comma, count, badge(verdict));
-        comma = ",";
-      }
-    }
-    put(".</p>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Claims\">\n"
-        "<table class=\"claims\">\n<thead><tr><th>claim</th><th>measured here</th><th>verdict</th>"
-        "<th>reason</th></tr></thead>\n<tbody>\n");
-    for (const Entry& entry : report_.entries) {
-      for (const Finding& finding : entry.result.findings) {
-        put("<tr><td>{} <span class=\"faint\">({})</span></td><td{}>{}</td>"
-            "<td class=\"verdict\">{}<br><a href=\"#item-{}\">{}</a></td><td>{}</td></tr>\n",
-            xml_text(finding.claim), xml_text(finding.source),
-            finding.timed ? " class=\"timed\"" : "", xml_text(finding.measured),
-            badge(finding.verdict), xml_text(entry.experiment->item),
-            xml_text(spoken(entry.experiment->item)), xml_text(finding.reason));
-      }
-    }
-    put("</tbody>\n</table>\n</div>\n<p class=\"note\">Times are in italics: they differ "
-        "from run to run and from machine to machine. Times of the thesis' machine of 2009 stand "
-        "beside ours where the thesis states one; no verdict follows from that.</p>\n");
-  }
-
   [[nodiscard]] bool has(Chapter which) const {
     return std::any_of(report_.entries.begin(), report_.entries.end(),
                        [&](const Entry& e) { return e.experiment->chapter == which; }) ||
@@ -268,14 +191,13 @@ class Page {
 
   void contents() {
     put("<h2 id=\"contents\">Contents</h2>\n<nav aria-label=\"Contents\">\n");
-    for (const Chapter which : {Chapter::thesis, Chapter::beyond}) {
+    for (const auto& [which, title] : kChapters) {
       if (!has(which)) {
         continue;
       }
-      put("<b>{}</b>\n<ul>\n",
-          which == Chapter::thesis ? "Tables and figures of the thesis" : "Beyond the thesis");
-      const auto row = [&](const Experiment& experiment, std::string_view mark) {
-        if (experiment.chapter == which) {
+      put("<b>{}</b>\n<ul>\n", title);
+      const auto row = [&, chapter = which](const Experiment& experiment, std::string_view mark) {
+        if (experiment.chapter == chapter) {
           put("<li><a href=\"#item-{}\">{}</a>: {}{}</li>\n", xml_text(experiment.item),
               xml_text(spoken(experiment.item)), xml_text(experiment.title), mark);
         }
@@ -305,15 +227,17 @@ class Page {
       if (experiment->chapter == which) {
         heading(*experiment);
         put("<p class=\"warn\">Not run: the run was interrupted first. "
-            "<code>soms reproduce --item {}</code> runs it alone.</p>\n</section>\n",
+            "<code>soms reproduce --item {}</code> runs it alone.</p>\n</details>\n</section>\n",
             xml_text(experiment->item));
       }
     }
   }
 
   void heading(const Experiment& experiment) {
-    put("<section id=\"item-{0}\">\n<h3>{1}. {2}</h3>\n", xml_text(experiment.item),
-        xml_text(spoken(experiment.item)), xml_text(experiment.title));
+    // The anchor is inside, so that a link to it unfolds the item.
+    put("<section>\n<details class=\"item\">\n<summary><h3>{1}. {2}</h3></summary>\n"
+        "<div class=\"anchor\" id=\"item-{0}\"></div>\n",
+        xml_text(experiment.item), xml_text(spoken(experiment.item)), xml_text(experiment.title));
   }
 
   void put_entry(const Entry& entry) {
@@ -335,7 +259,7 @@ class Page {
       put("<p>{} {} <span class=\"faint\">Measured: {}</span></p>\n", badge(finding.verdict),
           xml_text(sentence(finding.claim)), xml_text(sentence(finding.measured)));
     }
-    put("</section>\n");
+    put("</details>\n</section>\n");
   }
 
   void put_figure(const Figure& figure) {

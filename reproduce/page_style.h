@@ -49,7 +49,7 @@ table.claims td.verdict{min-width:0}
 table.claims tbody tr:nth-child(even){background:var(--soft)}
 .badge{display:inline-block;border:1.5px solid currentColor;border-radius:1rem;
 padding:.05rem .6rem;font-size:.85rem;font-weight:600;white-space:nowrap}
-.holds{color:var(--good)}.holds_under_options{color:var(--part)}
+.holds{color:var(--good)}.holds_under{color:var(--part)}.undecided{color:var(--link)}
 .does_not_hold{color:var(--bad)}.cannot_be_checked{color:var(--open)}
 .mark{display:inline-block;border:1px dashed var(--warn-line);background:var(--warn);
 border-radius:.3rem;padding:0 .4rem;font-size:.82rem;white-space:nowrap}
@@ -63,6 +63,12 @@ figure svg{display:block;width:100%;min-width:36rem;height:auto}
 figcaption{max-width:46rem;padding-top:.5rem;font-size:.95rem}
 details{margin:.75rem 0}
 summary{cursor:pointer;color:var(--link)}
+details.item{margin:.15rem 0}details.item>summary>h3{display:inline;margin:0;font-size:1rem;
+font-weight:500}details.item[open]>summary>h3{font-size:1.12rem;font-weight:700}
+details.item[open]{margin:1rem 0 2rem}.anchor{scroll-margin-top:3rem}
+.changed{background:var(--soft);border-left:4px solid var(--link);padding:.6rem .9rem;
+max-width:none}
+table.matrix td{min-width:0}table.matrix td.number{white-space:normal;min-width:6rem}
 .scroll td:first-child{min-width:7rem}
 @media (max-width:40rem){table.claims,table.claims tbody,table.claims tr,table.claims td
 {display:block}table.claims thead{display:none}table.claims tr{padding:.6rem 0}

@@ -2,6 +2,8 @@
 
 #include "soms/base/error.h"
 
+#include "reproduce/latex.h"
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -29,9 +31,42 @@ std::string now() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(seconds));
 }
 
-void write_files(const Result& result, const RunVisitor& visitor) {
+/// Wall and processor time since it was made.
+class Stopwatch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+  [[nodiscard]] double processor_seconds() const {
+    return reproduce::processor_seconds() - processor_start_;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double processor_start_ = reproduce::processor_seconds();
+};
+
+/// Fills in what is known at the end of a run only.
+void close(Report& report, const Stopwatch& watch) {
+  report.ended = now();
+  report.seconds = watch.seconds();
+  report.processor_seconds = watch.processor_seconds();
+  report.load.end = load_averages();
+  for (const Entry& entry : report.entries) {
+    if (shows_times(entry.result)) {
+      report.load.timed_seconds += entry.seconds;
+      report.load.timed_processor_seconds += entry.processor_seconds;
+    }
+  }
+}
+
+void write_files(const Result& result, bool latex, const RunVisitor& visitor) {
   for (const Table& table : result.tables) {
     visitor.write(file_of(table), to_csv(table));
+    if (latex) {
+      visitor.write(latex_file_of(table), to_latex(table));
+    }
   }
   for (const Figure& figure : result.figures) {
     visitor.write(file_of(figure), figure.svg);
@@ -62,10 +97,13 @@ class Runner {
         .models = models, .quick = options_.quick, .parallel = parallel_, .draw = options_.draw};
     context.parallel.progress = [&](double share) { show(experiment, share); };
     show(experiment, 0);
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     Entry entry{.experiment = &experiment, .result = experiment.run(context)};
-    const auto end = std::chrono::steady_clock::now();
-    entry.seconds = std::chrono::duration<double>(end - start).count();
+    for (const Claim& claim : entry.result.claims) {
+      entry.result.tables.push_back(claim_table(claim));
+    }
+    entry.seconds = watch.seconds();
+    entry.processor_seconds = watch.processor_seconds();
     done_ += experiment.weight;
     return entry;
   }
@@ -95,8 +133,12 @@ std::filesystem::path file_of(const Figure& figure) {
 }
 
 Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel& parallel) {
+  const Stopwatch watch;
   Report report{.machine = this_machine(), .date = now(), .quick = options.quick};
   report.missing = options.experiments;
+  report.command = command_line();
+  report.load = {.start = load_averages(), .processors = report.machine.processors};
+  report.latex = options.latex;
   try {
     report.models = find_models(options.models, all_needs(options.experiments), parallel);
     if (visitor.found) {
@@ -108,12 +150,16 @@ Report run(const RunOptions& options, const RunVisitor& visitor, const Parallel&
       check_stop(parallel);
       report.entries.push_back(runner(*report.missing.front(), report.models));
       report.missing.erase(report.missing.begin());
-      write_files(report.entries.back().result, visitor);
+      write_files(report.entries.back().result, options.latex, visitor);
     }
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::cancelled) {
       throw;
     }
+  }
+  close(report, watch);
+  if (report.latex) {
+    visitor.write(kLatexOfAll, latex_of_all(report));
   }
   visitor.write("index.html", page(report));
   visitor.write("run.json", manifest(report));

@@ -3,9 +3,12 @@
 #pragma once
 
 #include "reproduce/experiment.h"
+#include "reproduce/load.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,16 +22,32 @@ struct Machine {
   std::string compiler;
   std::string version;  ///< of soms
   int processors = 0;
+  std::string usable_processors = {};  ///< numbers of those that the program may use: "0-3,6"
+  std::uint64_t memory = 0;            ///< bytes; 0 where the system does not say
+  std::string instruction_set = {};    ///< of the kernels that run here: "avx2"
+  std::string commit = {};             ///< as Build::commit
+  std::string build_type = {};         ///< as Build::type
+  std::string flags = {};              ///< as Build::flags
 };
 
 /// This machine and this build.
 [[nodiscard]] Machine this_machine();
 
+/// The command line of this process, as a shell takes it.
+[[nodiscard]] std::string command_line();
+
+/// Words as a line for a POSIX shell, quoted where needed.
+[[nodiscard]] std::string shell_line(std::span<const std::string> words);
+
+/// Ascending numbers in short: "0-3,6".
+[[nodiscard]] std::string joined_ranges(std::span<const int> numbers);
+
 /// An experiment that ran.
 struct Entry {
   const Experiment* experiment = nullptr;
   Result result = {};
-  double seconds = 0;
+  double seconds = 0;            ///< wall time
+  double processor_seconds = 0;  ///< of all threads
 };
 
 /// All of a run.
@@ -40,6 +59,12 @@ struct Report {
   std::vector<std::string> model_files = {};  ///< generated scenes as written: "scenes/u_mixed.3ds"
   std::vector<Entry> entries = {};
   std::vector<const Experiment*> missing = {};  ///< not run: the run was interrupted
+  std::string ended = {};                       ///< as `date`
+  std::string command = {};                     ///< command line
+  double seconds = 0;                           ///< wall time, reading models included
+  double processor_seconds = 0;                 ///< of all threads
+  Load load = {};
+  bool latex = false;  ///< tables were also written for LaTeX
 };
 
 /// How a run goes.
@@ -48,6 +73,7 @@ struct RunOptions {
   std::vector<const Experiment*> experiments = {};
   bool quick = false;
   DrawFrames draw = {};  ///< what draws for experiments that do; empty where nothing does
+  bool latex = false;    ///< also write tables for LaTeX (latex.h)
 };
 
 /// What a run calls.

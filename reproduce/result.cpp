@@ -54,18 +54,38 @@ std::string csv_line(const std::vector<std::string>& cells) {
 
 }  // namespace
 
-std::string_view name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::holds:
-      return "holds";
-    case Verdict::holds_under_options:
-      return "holds under options";
-    case Verdict::does_not_hold:
-      return "does not hold";
-    case Verdict::cannot_be_checked:
-      break;
+Table claim_table(const Claim& claim) {
+  const ColumnKind kind = is_timed(claim) ? ColumnKind::timed : ColumnKind::counted;
+  Table table{
+      .id = "claim_" + claim.id,
+      .caption = fmt::format("The matrix of the claim: {}. A row holds if its number, with the "
+                             "whole interval of 95 % where it is measured, lies above the "
+                             "column above and below the column below.",
+                             claim.statement),
+      .columns = {{"metric"},
+                  {"reading"},
+                  {"subject"},
+                  {"unit"},
+                  {"above"},
+                  {"below"},
+                  {"value", "", kind},
+                  {"low", "", kind},
+                  {"high", "", kind},
+                  {"rounds"},
+                  {"stands", "", kind},
+                  {"unjudged"}}};
+  for (const ClaimRow& row : claim.rows) {
+    const auto bound = [](double end) { return std::isinf(end) ? Cell{} : Cell{end}; };
+    const auto end_of = [&](double Interval::*end) {
+      return row.interval ? Cell{(*row.interval).*end} : Cell{};
+    };
+    table.rows.push_back({row.metric, row.reading, row.subject, row.unit, bound(row.demand.above),
+                          bound(row.demand.below), row.value, end_of(&Interval::low),
+                          end_of(&Interval::high),
+                          row.rounds == 0 ? Cell{} : Cell{std::int64_t{row.rounds}},
+                          std::string(stand_word(row)), row.unjudged});
   }
-  return "cannot be checked";
+  return table;
 }
 
 std::string to_csv(const Table& table) {

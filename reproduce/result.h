@@ -1,10 +1,11 @@
 /// \file
-/// What an experiment finds: tables, figures, verdicts on claims of the thesis, remarks.
+/// What an experiment finds: tables, figures, claims of the thesis with their matrices, remarks.
 #pragma once
+
+#include "reproduce/claim.h"
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -43,14 +44,6 @@ struct Figure {
   std::string alt = {};  ///< what it shows, in words for who cannot see it; the caption if empty
 };
 
-/// How a claim of the thesis stands after the run.
-enum class Verdict {
-  holds,                ///< as stated
-  holds_under_options,  ///< with some of the options that the thesis leaves open
-  does_not_hold,        ///< contradicted by what was measured
-  cannot_be_checked,    ///< what it was measured on is not available
-};
-
 /// A claim of the thesis beside what was measured.
 struct Finding {
   std::string claim;          ///< in our words: "AABB tree of 948 triangles: 8 % faster than ..."
@@ -65,12 +58,15 @@ struct Finding {
 struct Result {
   std::vector<Table> tables = {};
   std::vector<Figure> figures = {};
+  std::vector<Claim> claims = {};
   std::vector<Finding> findings = {};
   std::vector<std::string> remarks = {};  ///< sentences for the page, in order
 };
 
-/// "holds", "holds under options", "does not hold", "cannot be checked".
-[[nodiscard]] std::string_view name(Verdict verdict);
+/// The matrix of a claim as a table "claim_ID": a row for each of its rows, with the ends of the
+/// range that is demanded (`above`, `below`; empty where there is none) and how the row stands. The
+/// verdict follows from the columns `value`, `low`, `high`, `above`, `below` and `unjudged` alone.
+[[nodiscard]] Table claim_table(const Claim& claim);
 
 /// The table as CSV (RFC 4180): a line of column names, units in brackets where there are any, then
 /// the rows. Numbers of double are written with six significant digits, "." as the mark.

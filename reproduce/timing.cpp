@@ -1,9 +1,10 @@
 #include "reproduce/timing.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <numeric>
+#include <utility>
 
 namespace soms::reproduce {
 
@@ -18,15 +19,21 @@ double quantile(const std::vector<double>& ascending, double share) {
 }
 
 double milliseconds_of(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
+  const double start = processor_milliseconds();
   work();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
+  return processor_milliseconds() - start;
 }
 
 }  // namespace
 
+double processor_milliseconds() {
+  timespec used{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  return 1e3 * static_cast<double>(used.tv_sec) + 1e-6 * static_cast<double>(used.tv_nsec);
+}
+
 Timing summarize(std::vector<double> milliseconds) {
+  std::vector<double> rounds = milliseconds;
   std::sort(milliseconds.begin(), milliseconds.end());
   const auto count = static_cast<double>(milliseconds.size());
   const double mean = std::accumulate(milliseconds.begin(), milliseconds.end(), 0.0) / count;
@@ -41,7 +48,8 @@ Timing summarize(std::vector<double> milliseconds) {
           .min = milliseconds.front(),
           .max = milliseconds.back(),
           .deviation = milliseconds.size() < 2 ? 0 : std::sqrt(squares / (count - 1)),
-          .repetitions = static_cast<int>(milliseconds.size())};
+          .repetitions = static_cast<int>(milliseconds.size()),
+          .rounds = std::move(rounds)};
 }
 
 Timing time_repeatedly(int repetitions, const Parallel& parallel, const std::function<void()>& work,
@@ -53,7 +61,8 @@ std::vector<Timing> time_in_turn(int repetitions, const Parallel& parallel,
                                  std::span<const std::function<void()>> works, int warm_up) {
   std::vector<std::vector<double>> samples(works.size());
   for (int round = -warm_up; round < repetitions; ++round) {
-    for (std::size_t i = 0; i < works.size(); ++i) {
+    for (std::size_t k = 0; k < works.size(); ++k) {
+      const std::size_t i = round % 2 == 0 ? k : works.size() - 1 - k;
       check_stop(parallel);
       const double sample = milliseconds_of(works[i]);
       if (round >= 0) {

@@ -10,6 +10,10 @@
 
 namespace soms::reproduce {
 
+/// Milliseconds of processor time that this thread has used since it began: what other programs do
+/// meanwhile does not count, though they may slow it through shared caches.
+[[nodiscard]] double processor_milliseconds();
+
 /// Milliseconds of repeated runs.
 struct Timing {
   double median = 0;
@@ -20,18 +24,20 @@ struct Timing {
   double max = 0;
   double deviation = 0;  ///< standard deviation
   int repetitions = 0;
+  std::vector<double> rounds = {};  ///< the samples, in the order they were taken
 };
 
 /// Order statistics of samples in milliseconds. \pre not empty.
 [[nodiscard]] Timing summarize(std::vector<double> milliseconds);
 
-/// Runs `work` `warm_up` times unmeasured, then `repetitions` times by a monotonic clock.
+/// Runs `work` `warm_up` times unmeasured, then `repetitions` times by the thread's processor time.
 /// \errors ErrorKind::cancelled between runs; those of `work`.
 [[nodiscard]] Timing time_repeatedly(int repetitions, const Parallel& parallel,
                                      const std::function<void()>& work, int warm_up = 10);
 
-/// Times several works in turn, round by round, so that a change of the machine's speed meets all
-/// alike. \shape one Timing a work.
+/// Times several works in turn, round by round, every other round in the reverse order, so that a
+/// change of the machine's speed meets all alike: round i of one and round i of another are a pair.
+/// \shape one Timing a work.
 [[nodiscard]] std::vector<Timing> time_in_turn(int repetitions, const Parallel& parallel,
                                                std::span<const std::function<void()>> works,
                                                int warm_up = 10);

@@ -111,6 +111,44 @@ ToySet solid_toy_set() {
   return {"houses", "Four houses on a large ground triangle", std::move(mesh), true};
 }
 
+ToySet space_toy_set() {
+  Mesh mesh;
+  add(mesh, {{2, 2, 2}, {4, 2, 2}, {3, 4, 3}});
+  add(mesh, {{5, 1, 1}, {7, 2, 2}, {6, 3, 4}});
+  add(mesh, {{1, 4, 4}, {3, 6, 3}, {0, 5, 2}});
+  add(mesh, {{4, 5, 5}, {6, 6, 3}, {5, 3, 2}});
+  return {"space", "Four triangles in space", std::move(mesh)};
+}
+
+ToySet eight_toy_set() {
+  Mesh mesh;
+  for (const double y : {1.0, 3.5}) {
+    for (const double x : {1.0, 3.0, 5.0, 7.0}) {
+      add(mesh, around(x, y, 1.5, 1.5));
+    }
+  }
+  return {"eight", "Eight triangles alike", std::move(mesh)};
+}
+
+Mesh triangles_at(const std::vector<Vec3>& midpoints) {
+  Mesh mesh;
+  for (const Vec3& at : midpoints) {
+    const Triangle flat = around(at.x, at.y, 0.5, 0.5);
+    const Vec3 up{0, 0, at.z};
+    add(mesh, {flat.a + up, flat.b + up, flat.c + up});
+  }
+  return mesh;
+}
+
+Mesh some_of(const Mesh& mesh, const std::vector<TriangleId>& which) {
+  Mesh part;
+  part.vertices = mesh.vertices;
+  for (const TriangleId id : which) {
+    part.triangles.push_back(mesh.triangles[id]);
+  }
+  return part;
+}
+
 ToySplit split_toy(const Mesh& mesh, Rule rule) {
   const BuildOptions options = thesis_options(rule);
   const RuleEntry& row = entry(rule);

@@ -30,6 +30,18 @@ struct ToySet {
 /// Small houses on a large ground triangle, z up.
 [[nodiscard]] ToySet solid_toy_set();
 
+/// Four triangles in space, z up.
+[[nodiscard]] ToySet space_toy_set();
+
+/// Eight triangles alike in two rows, in the plane z = 0: SOMS halves them three times.
+[[nodiscard]] ToySet eight_toy_set();
+
+/// Triangles alike and small, parallel to the plane z = 0, with these midpoints.
+[[nodiscard]] Mesh triangles_at(const std::vector<Vec3>& midpoints);
+
+/// Some triangles of a mesh, in the order of `which`, with all of its vertices.
+[[nodiscard]] Mesh some_of(const Mesh& mesh, const std::vector<TriangleId>& which);
+
 /// A rule at work on all triangles of a mesh.
 struct ToySplit {
   std::vector<Vec3> midpoints;  ///< of each triangle, as in the thesis

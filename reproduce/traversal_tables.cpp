@@ -1,5 +1,7 @@
 #include "reproduce/traversal_tables.h"
 
+#include "reproduce/statistics.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -72,6 +74,23 @@ void add_rate_cells(std::vector<Cell>& row, const std::vector<double>& milliseco
   const Timing summary = summarize(milliseconds);
   for (const double ms : {summary.mean, summary.median, summary.max, summary.min}) {
     row.push_back(rate_cell(ms));
+  }
+}
+
+void add_estimate_columns(Table& table, std::string_view unit) {
+  for (const char* const name : {"median", "low", "high"}) {
+    table.columns.push_back({name, std::string(unit), ColumnKind::timed});
+  }
+}
+
+void add_estimate_cells(std::vector<Cell>& row, std::span<const double> rounds) {
+  if (rounds.empty()) {
+    row.resize(row.size() + 3);
+    return;
+  }
+  const Estimate time = estimate(rounds);
+  for (const double number : {time.value, time.interval.low, time.interval.high}) {
+    row.emplace_back(number);
   }
 }
 

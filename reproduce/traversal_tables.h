@@ -50,6 +50,13 @@ void add_statistics_cells(std::vector<Cell>& row, const std::vector<double>& num
 /// longest and shortest frame; empty cells where there are no numbers.
 void add_rate_cells(std::vector<Cell>& row, const std::vector<double>& milliseconds);
 
+/// Appends the median of rounds and the ends of its interval of 95 % as columns that differ from
+/// run to run.
+void add_estimate_columns(Table& table, std::string_view unit);
+
+/// Appends the cells of those columns; empty ones where there are no rounds.
+void add_estimate_cells(std::vector<Cell>& row, std::span<const double> rounds);
+
 /// Medians of the timings of those frames in which the roots overlap.
 [[nodiscard]] std::vector<double> medians_where_roots_overlap(std::span<const Timing> timings,
                                                               std::span<const Frame> frames);

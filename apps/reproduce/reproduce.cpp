@@ -123,6 +123,15 @@ void tell_models(const reproduce::Models& models, const ReproduceOptions& option
   }
 }
 
+/// Warns of times measured on a busy machine.
+void tell_load(const reproduce::Load& load, const Console& console) {
+  const std::vector<std::string> signs = reproduce::signs_of_load(load);
+  if (!signs.empty()) {
+    console.note(
+        fmt::format("the machine was busy, so times may be too long: {}", fmt::join(signs, "; ")));
+  }
+}
+
 reproduce::Report run_experiments(const ReproduceOptions& options, const reproduce::RunOptions& run,
                                   const Console& console) {
   const fs::path folder = options.output;
@@ -148,6 +157,10 @@ reproduce::Report run_experiments(const ReproduceOptions& options, const reprodu
 std::string summary(const reproduce::Report& report, const ReproduceOptions& options) {
   std::string text;
   for (const reproduce::Entry& entry : report.entries) {
+    for (const reproduce::Claim& claim : entry.result.claims) {
+      text += fmt::format("{:<28}{:<17}{}\n", name(verdict_of(claim)), entry.experiment->item,
+                          claim.statement);
+    }
     for (const reproduce::Finding& finding : entry.result.findings) {
       text += fmt::format("{:<20}{:<13}{}\n", name(finding.verdict), entry.experiment->item,
                           finding.claim);
@@ -182,6 +195,7 @@ Action add_reproduce(CLI::App& app, Shared&) {
              "folder to write, created if missing (default: soms-thesis)", "DIR");
   add_output(app, "--report", options->report,
              "also write the page as a single, self-contained file");
+  app.add_flag("--latex", options->latex, "also write the tables for LaTeX, into DIR/latex");
   app.add_flag("--quick", options->quick, "run a tenth of the repetitions and smaller sweeps");
   app.footer(std::string(reproduce::kModelsHelp) + "\n" + help_of_items() +
              "\nWrites DIR/index.html, a page with all results, tables/*.csv, figures/*.svg,\n"
@@ -195,7 +209,8 @@ int run_reproduce(const ReproduceOptions& options, Console& console) {
   const reproduce::RunOptions run{.models = options.models,
                                   .experiments = chosen(options),
                                   .quick = options.quick,
-                                  .draw = draw_frames};
+                                  .draw = draw_frames,
+                                  .latex = options.latex};
   check_outputs({{"--output", (fs::path(options.output) / "index.html").string()}},
                 {{"--report", options.report}});
   check_extension("--report", options.report, {".html", ".htm"});
@@ -205,6 +220,7 @@ int run_reproduce(const ReproduceOptions& options, Console& console) {
     page.emplace(options.report);
   }
   const reproduce::Report report = run_experiments(options, run, console);
+  tell_load(report.load, console);
   if (page) {
     page->stream() << reproduce::page(report, reproduce::PageFiles::inside);
     page->commit();

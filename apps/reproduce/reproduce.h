@@ -15,6 +15,7 @@ struct ReproduceOptions {
   std::string output = "soms-thesis";
   bool quick = false;
   std::string report = {};  ///< empty: none
+  bool latex = false;
 };
 
 Action add_reproduce(CLI::App& app, Shared& shared);

@@ -86,7 +86,7 @@ Finding against_spatial_median(std::span<const Task> tasks, std::span<const Coun
     finding.reason += " It is a matter of the model, not of the rule alone.";
   }
   finding.verdict = higher == all ? Verdict::holds
-                    : higher > 0  ? Verdict::holds_under_options
+                    : higher > 0  ? Verdict::holds_under
                                   : Verdict::does_not_hold;
   return finding;
 }

@@ -6,9 +6,17 @@
 
 namespace soms::reproduce {
 
+/// Premises of the thesis: a balanced tree is traversed faster; a tree by SOMS is cheaper to query.
+/// \source thesis, abstract and chapter 1.
+[[nodiscard]] Result claim_balanced(const Context& context);
+[[nodiscard]] Result claim_cheaper(const Context& context);
+
 /// Objects and urban scenes: what their files hold. \source thesis, tables 3.1 and 3.3.
 [[nodiscard]] Result table_3_1(const Context& context);
 [[nodiscard]] Result table_3_3(const Context& context);
+
+/// The testing procedure: which items are which step. \source thesis, figure 5.1.
+[[nodiscard]] Result figure_5_1(const Context& context);
 
 /// Build times of all builds of a model at one level: the objects at the balanced level of spatial
 /// median and of SOMS, the urban scenes at that of spatial median and at level 7; the time for a
@@ -67,11 +75,62 @@ namespace soms::reproduce {
 [[nodiscard]] Result figure_4_6(const Context& context);
 [[nodiscard]] Result figure_4_7(const Context& context);
 
+/// Boxes: how one is found and follows its set, its corners and their numbers, how it is drawn.
+/// \source  thesis, figures 4.8 to 4.13, by their captions.
+[[nodiscard]] Result figure_4_8(const Context& context);
+[[nodiscard]] Result figure_4_9(const Context& context);
+[[nodiscard]] Result figure_4_10(const Context& context);
+[[nodiscard]] Result figure_4_11(const Context& context);
+[[nodiscard]] Result figure_4_12(const Context& context);
+[[nodiscard]] Result figure_4_13(const Context& context);
+
+/// The tree as a class, what TreeIDs tell, how nodes come to be, and which axis is divided.
+/// \source  thesis, figures 4.14 to 4.22, by their captions.
+[[nodiscard]] Result figure_4_14(const Context& context);
+[[nodiscard]] Result figure_4_15(const Context& context);
+[[nodiscard]] Result figure_4_16(const Context& context);
+[[nodiscard]] Result figure_4_17(const Context& context);
+[[nodiscard]] Result figure_4_18(const Context& context);
+[[nodiscard]] Result figure_4_19(const Context& context);
+[[nodiscard]] Result figure_4_20(const Context& context);
+[[nodiscard]] Result figure_4_21(const Context& context);
+[[nodiscard]] Result figure_4_22(const Context& context);
+
+/// The center of a triangle, and how the triangles of a node are divided and stored: small sets.
+/// \source  thesis, figures 4.23 to 4.26.
+[[nodiscard]] Result figure_4_23(const Context& context);
+[[nodiscard]] Result figure_4_24(const Context& context);
+[[nodiscard]] Result figure_4_25(const Context& context);
+[[nodiscard]] Result figure_4_26(const Context& context);
+
+/// Triangles by TreeID, a tree divided node by node, and how a level of a tree is drawn.
+/// \source  thesis, figures 4.27 to 4.29.
+[[nodiscard]] Result figure_4_27(const Context& context);
+[[nodiscard]] Result figure_4_28(const Context& context);
+[[nodiscard]] Result figure_4_29(const Context& context);
+
 /// The bunny's tree at levels 1, 3, 5 and 6, for each rule. \source thesis, figure 4.30.
 [[nodiscard]] Result figure_4_30(const Context& context);
 
+/// Traversals in pseudo code, each beside a run; is a node internal.
+/// \source  thesis, figures 4.31, 4.34, 4.36 and 4.37.
+[[nodiscard]] Result figure_4_31(const Context& context);
+[[nodiscard]] Result figure_4_34(const Context& context);
+[[nodiscard]] Result figure_4_36(const Context& context);
+[[nodiscard]] Result figure_4_37(const Context& context);
+
+/// The test of the roots frame by frame, and that of two boxes axis by axis.
+/// \source  thesis, figures 4.32 and 4.33.
+[[nodiscard]] Result figure_4_32(const Context& context);
+[[nodiscard]] Result figure_4_33(const Context& context);
+
 /// What pruning saves, in counts and as a picture. \source thesis, figure 4.35.
 [[nodiscard]] Result figure_4_35(const Context& context);
+
+/// The first quarter of the city, object by object and in the whole.
+/// \source  thesis, figures 4.39 and 4.40.
+[[nodiscard]] Result figure_4_39(const Context& context);
+[[nodiscard]] Result figure_4_40(const Context& context);
 
 /// The city whole and as it is loaded, its way through a 3DS file, and its tree level by level.
 /// \source  thesis, figures 4.41 to 4.44.
@@ -91,6 +150,11 @@ namespace soms::reproduce {
 
 /// E-Node against the traversal after Larsson. \source thesis, figure 5.10.
 [[nodiscard]] Result figure_5_10(const Context& context);
+
+/// What of the thesis is shown; where options come from. \source thesis, lists of tables and
+/// figures.
+[[nodiscard]] Result coverage(const Context& context);
+[[nodiscard]] Result sources(const Context& context);
 
 /// The tests from the sides of which the thesis has no figure, as figures 5.6 to 5.8.
 [[nodiscard]] Result orientation_bottom(const Context& context);

@@ -294,7 +294,7 @@ Finding claim_of_earlier(const std::vector<Match>& matches) {
           "{}, after more in {}; {:.1f} to {:.1f} times fewer pairs entered",
           matches.size(), same_tests, earlier, later, least, most),
       .verdict = earlier == matches.size() ? Verdict::holds
-                 : earlier > 0             ? Verdict::holds_under_options
+                 : earlier > 0             ? Verdict::holds_under
                                            : Verdict::does_not_hold,
       .reason =
           "E-Node tests all child pairs before it enters one, so the same pairs are "
@@ -334,7 +334,7 @@ Finding claim_of_faster(const std::vector<Match>& matches) {
                               "(by more than {:.0f} %)",
                               least, most, matches.size(), faster, slower, 100 * kNoise),
       .verdict = faster == matches.size() ? Verdict::holds
-                 : faster > slower        ? Verdict::holds_under_options
+                 : faster > slower        ? Verdict::holds_under
                                           : Verdict::does_not_hold,
       .reason = fmt::format(
           "The box tests are the same in number, so any gain is in the overhead of entering "

@@ -1,150 +1,19 @@
 // E-Node explained: in which order it tests and enters pairs, beside the simultaneous traversal,
 // drawn from runs on two small trees.
-#include "soms/query/traversal/posed_boxes.h"
-#include "soms/query/traversal/traversals.h"
-#include "soms/tree/build.h"
-
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/side_view.h"
+#include "reproduce/traversal_course.h"
 #include "reproduce/traversal_tables.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <utility>
 
 namespace soms::reproduce {
 
 namespace {
-
-/// Right triangles of a size with their right angles at points of the plane.
-Mesh toy(const std::vector<Vec3>& corners, double size) {
-  Mesh mesh;
-  for (const Vec3& corner : corners) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(),
-                         {corner, corner + Vec3{size, 0, 0}, corner + Vec3{0, size, 0}});
-    mesh.triangles.push_back({first, first + 1, first + 2});
-  }
-  return mesh;
-}
-
-/// Two bodies of four triangles each, that overlap in the middle.
-struct Toy {
-  Toy()
-      : mesh_a(toy({{0, 0, 0}, {0.4, 2.6, 0}, {3.2, 2.2, 0}, {4, 0.4, 0}}, 1.6)),
-        mesh_b(toy({{4.6, 1.2, 0}, {4.3, 3.2, 0}, {7.4, 3.6, 0}, {7.8, 0.6, 0}}, 1.6)),
-        tree_a(build(mesh_a, thesis_options(Rule::soms))),
-        tree_b(build(mesh_b, thesis_options(Rule::soms))),
-        boxes_a(mesh_a, tree_a),
-        boxes_b(mesh_b, tree_b) {
-    boxes_a.move(Pose::identity());
-    boxes_b.move(Pose::identity());
-  }
-
-  Mesh mesh_a;
-  Mesh mesh_b;
-  Tree tree_a;
-  Tree tree_b;
-  PosedBoxes boxes_a;
-  PosedBoxes boxes_b;
-};
-
-/// What happened to a pair of nodes, by number of the step; 0 where it did not.
-struct Story {
-  NodePair pair;
-  std::size_t tested = 0;
-  std::size_t entered = 0;
-  std::size_t reported = 0;
-  bool overlap = false;
-  std::size_t parent = 0;  ///< index of the pair it came from; its own for the roots
-};
-
-struct Event {
-  std::string what;
-  NodePair pair;
-  std::string outcome;
-};
-
-/// A traversal as it went.
-struct Course {
-  std::string name;
-  std::vector<Story> stories = {};
-  std::vector<Event> events = {};
-  TraversalCounts counts = {};
-};
-
-/// Writes down what a traversal does. Both traversals descend both nodes, so the parent of a pair
-/// is the pair of the parents.
-class Recorder {
- public:
-  explicit Recorder(const Toy& toy) : toy_(toy) {}
-
-  Course record(const std::string& name, const TraversalOptions& options) {
-    Course course{.name = name};
-    TraversalVisitor visitor;
-    visitor.tested = [&](NodePair p, bool overlap) {
-      Story& story = at(course, p);
-      story.tested = ++tests_;
-      story.overlap = overlap;
-      course.events.push_back({"test", p, overlap ? "overlap" : "apart"});
-    };
-    visitor.entered = [&](NodePair p) {
-      at(course, p).entered = ++entries_;
-      course.events.push_back({"enter", p, ""});
-    };
-    visitor.leaf_pair = [&](NodePair p) {
-      at(course, p).reported = ++reports_;
-      course.events.push_back({"report", p, fmt::format("after {} tests", tests_)});
-      return true;
-    };
-    course.counts = traverse(toy_.boxes_a.view(), toy_.boxes_b.view(), options, visitor);
-    for (Story& story : course.stories) {
-      story.parent = index_.at(key(parent(story.pair)));
-    }
-    return course;
-  }
-
- private:
-  using Key = std::pair<std::uint32_t, std::uint32_t>;
-
-  static Key key(NodePair p) { return {p.a, p.b}; }
-
-  Story& at(Course& course, NodePair p) {
-    const auto [place, added] = index_.try_emplace(key(p), course.stories.size());
-    if (added) {
-      course.stories.push_back({p});
-    }
-    return course.stories[place->second];
-  }
-
-  /// Index of the parent of a node at the deeper side, else the node itself.
-  static std::uint32_t up(const Tree& tree, std::uint32_t node) {
-    const TreeId id = parent_of(tree.nodes[node].id);
-    return id == kNoTreeId ? node
-                           : static_cast<std::uint32_t>(find_node(tree, id) - tree.nodes.data());
-  }
-
-  [[nodiscard]] NodePair parent(NodePair p) const {
-    const std::uint32_t depth_a = toy_.tree_a.nodes[p.a].depth;
-    const std::uint32_t depth_b = toy_.tree_b.nodes[p.b].depth;
-    return {depth_a >= depth_b ? up(toy_.tree_a, p.a) : p.a,
-            depth_b >= depth_a ? up(toy_.tree_b, p.b) : p.b};
-  }
-
-  const Toy& toy_;
-  std::map<Key, std::size_t> index_;
-  std::size_t tests_ = 0;
-  std::size_t entries_ = 0;
-  std::size_t reports_ = 0;
-};
-
-/// "1|2": TreeIDs of the still node and the moving node.
-std::string words(const Toy& toy, NodePair p) {
-  return fmt::format("{}|{}", toy.tree_a.nodes[p.a].id, toy.tree_b.nodes[p.b].id);
-}
 
 /// Boxes share corners, so each depth has its own: roots above the box, leaves in the upper left,
 /// what is between in the lower right.
@@ -158,7 +27,7 @@ Spot label_place(const SideView& view, const Node& node) {
                         : Spot{lower_right.x - 13, lower_right.y - 5};
 }
 
-void draw_bodies(Svg& svg, const Toy& toy) {
+void draw_bodies(Svg& svg, const ToyPair& toy) {
   Box shown = toy.boxes_a.boxes().front();
   shown.grow(toy.boxes_b.boxes().front());
   const SideView view(Side::front, shown, {{40, 76}, 880, 206});
@@ -212,7 +81,7 @@ std::vector<Spot> places(const Course& course, double top) {
   return spots;
 }
 
-void draw_pair(Svg& svg, const Toy& toy, const Story& story, Spot at) {
+void draw_pair(Svg& svg, const ToyPair& toy, const Story& story, Spot at) {
   const std::string_view look =
       story.reported > 0 ? "fill=\"#d55e00\" class=\"f1\" stroke=\"#d55e00\" stroke-width=\"2\""
       : story.overlap
@@ -220,7 +89,7 @@ void draw_pair(Svg& svg, const Toy& toy, const Story& story, Spot at) {
           : "fill=\"#fff\" class=\"paper axis\" stroke=\"#9aa0a6\" stroke-width=\"1.2\" "
             "stroke-dasharray=\"3 3\"";
   svg.circle(at, 16, look);
-  svg.text({at.x, at.y + 4}, words(toy, story.pair), {.size = 12, .anchor = Anchor::middle});
+  svg.text({at.x, at.y + 4}, pair_words(toy, story.pair), {.size = 12, .anchor = Anchor::middle});
   svg.text({at.x + 14, at.y - 14}, fmt::format("{}", story.tested),
            {.size = 14, .bold = true, .haloed = true});
   if (story.entered > 0) {
@@ -229,7 +98,7 @@ void draw_pair(Svg& svg, const Toy& toy, const Story& story, Spot at) {
   }
 }
 
-void draw_course(Svg& svg, const Toy& toy, const Course& course, double top) {
+void draw_course(Svg& svg, const ToyPair& toy, const Course& course, double top) {
   svg.text({30, top}, course.name, {.size = 16, .bold = true});
   svg.text({30, top + 22}, fmt::format("{} tests, {} pairs entered,", course.counts.box_tests,
                                        course.counts.entered));
@@ -245,7 +114,7 @@ void draw_course(Svg& svg, const Toy& toy, const Course& course, double top) {
   }
 }
 
-Figure drawing(const Toy& toy, const std::array<Course, 2>& courses) {
+Figure drawing(const ToyPair& toy, const std::array<Course, 2>& courses) {
   const std::string title = "E-Node tests a whole family before it enters any of it";
   Svg svg(960, 830, title);
   svg.text({30, 30}, title, {.size = 18, .bold = true});
@@ -268,7 +137,7 @@ Figure drawing(const Toy& toy, const std::array<Course, 2>& courses) {
           .svg = svg.document()};
 }
 
-Table event_table(const Toy& toy, const std::array<Course, 2>& courses) {
+Table event_table(const ToyPair& toy, const std::array<Course, 2>& courses) {
   Table table{.id = "figure_5_9_steps",
               .caption =
                   "Both traversals step by step on the small trees; pairs are TreeIDs of the "
@@ -278,7 +147,7 @@ Table event_table(const Toy& toy, const std::array<Course, 2>& courses) {
     for (std::size_t i = 0; i < course.events.size(); ++i) {
       const Event& event = course.events[i];
       table.rows.push_back(
-          {course.name, count_cell(i + 1), event.what, words(toy, event.pair), event.outcome});
+          {course.name, count_cell(i + 1), event.what, pair_words(toy, event.pair), event.outcome});
     }
   }
   return table;
@@ -288,10 +157,9 @@ Table event_table(const Toy& toy, const std::array<Course, 2>& courses) {
 
 Result figure_5_9(const Context& context) {
   check_stop(context.parallel);
-  const Toy toy;
-  const std::array courses{
-      Recorder(toy).record("simultaneous", {.traversal = Traversal::simultaneous}),
-      Recorder(toy).record("E-Node", {.traversal = Traversal::e_node})};
+  const ToyPair toy;
+  const std::array courses{record(toy, "simultaneous", {.traversal = Traversal::simultaneous}),
+                           record(toy, "E-Node", {.traversal = Traversal::e_node})};
   require(courses[0].counts.leaf_pairs == courses[1].counts.leaf_pairs,
           "E-Node and the simultaneous traversal on the small trees");
   return {.tables = {event_table(toy, courses)},

@@ -98,7 +98,7 @@ Finding more_single_triangles(std::span<const Model> objects, std::span<const Co
         "cannot divide; by how much depends on that.",
         kObjectLevel);
   } else if (policies > 0) {
-    finding.verdict = Verdict::holds_under_options;
+    finding.verdict = Verdict::holds_under;
     finding.reason = fmt::format("On every object that was given with empty side {}, at level {}.",
                                  where, kObjectLevel);
   } else {
@@ -188,7 +188,7 @@ Finding twenty_six_percent(std::span<const Model> scenes, std::span<const Counte
         kNear, kVaried);
     return finding;
   }
-  finding.verdict = Verdict::holds_under_options;
+  finding.verdict = Verdict::holds_under;
   const auto [least, most] = std::minmax_element(
       all.begin(), all.end(),
       [](const Candidate& a, const Candidate& b) { return a.percent < b.percent; });

@@ -4,7 +4,7 @@
 #include "soms/tree/statistics.h"
 
 #include "reproduce/experiments/experiments.h"
-#include "reproduce/svg.h"
+#include "reproduce/listing.h"
 #include "reproduce/toy_pictures.h"
 #include "reproduce/tree_pictures.h"
 
@@ -33,13 +33,6 @@ ToyTree toy_tree(const char* title, Rule rule, const Mesh& mesh) {
   const std::uint64_t balanced = statistics(tree, options).balanced_level;
   return {title, rule, std::move(tree), balanced};
 }
-
-/// A line of pseudo code and what it does with the set that is shown beside it.
-struct CodeLine {
-  int indent = 0;
-  std::string code = {};
-  std::string example = {};
-};
 
 std::string point(const Vec3& at) {
   return fmt::format("({:.4g}, {:.4g})", at.x, at.y);
@@ -72,28 +65,6 @@ std::vector<CodeLine> pseudo_code(const ToySplit& split) {
       {1, "divide (left, level + 1)", fmt::format("{} triangles", split.left_count)},
       {1, "divide (right, level + 1)", fmt::format("{} triangles", right)},
   };
-}
-
-std::string draw_code(const std::vector<CodeLine>& lines, const std::string& title,
-                      const std::string& set) {
-  constexpr double kLine = 27;
-  constexpr double kTop = 104;
-  constexpr double kExample = 590;
-  const double height = kTop + kLine * static_cast<double>(lines.size()) + 6;
-  Svg svg(1000, height, title);
-  svg.text({20, 30}, title, {.size = 17, .bold = true});
-  svg.text({20, kTop - 32}, "line", {.size = 13, .faint = true});
-  svg.text({kExample, kTop - 32}, fmt::format("the set \"{}\"", set), {.size = 13, .faint = true});
-  svg.line({kExample - 18, kTop - 46}, {kExample - 18, height - 16},
-           "class=\"axis\" stroke=\"#8a8d91\"");
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    const CodeLine& line = lines[k];
-    const double y = kTop + kLine * static_cast<double>(k);
-    svg.text({44, y}, fmt::format("{}", k + 1), {.size = 13, .anchor = Anchor::end, .faint = true});
-    svg.text({64 + 30.0 * line.indent, y}, line.code, {.size = 16, .bold = line.indent == 0});
-    svg.text({kExample, y}, line.example, {.size = 14});
-  }
-  return svg.document();
 }
 
 }  // namespace
@@ -148,25 +119,25 @@ Result figure_4_5(const Context&) {
   const std::vector<ToySet> sets = flat_toy_sets();
   const auto shown = std::find_if(sets.begin(), sets.end(),
                                   [](const ToySet& set) { return set.name == "one_large"; });
-  const std::vector<CodeLine> lines = pseudo_code(split_toy(shown->mesh, Rule::soms));
+  const Listing listing{.title = "How SOMS divides",
+                        .lines = pseudo_code(split_toy(shown->mesh, Rule::soms)),
+                        .heading = fmt::format("the set \"{}\"", shown->title)};
   Table table{.id = "figure_4_5_lines",
               .caption = fmt::format("SOMS line by line, with the thesis' options, and what each "
                                      "line does with the set \"{}\".",
                                      shown->title),
               .columns = {{"line"}, {"indent"}, {"code"}, {"example"}}};
-  std::string alt;
-  for (const CodeLine& line : lines) {
+  for (const CodeLine& line : listing.lines) {
     table.rows.push_back({static_cast<std::int64_t>(table.rows.size() + 1),
                           static_cast<std::int64_t>(line.indent), line.code,
                           line.example.empty() ? Cell{} : Cell{line.example}});
-    alt += fmt::format("{}: {} ", table.rows.size(), line.code);
   }
   Result result;
-  result.figures = {{.id = "figure_4_5",
-                     .caption = "SOMS in pseudo code of our own, and at the right what each line "
-                                "does with one of the small sets.",
-                     .svg = draw_code(lines, "How SOMS divides", shown->title),
-                     .alt = alt}};
+  result.figures = {listing_figure("figure_4_5",
+                                   fmt::format("SOMS in pseudo code of our own, and at the right "
+                                               "what each line does with one of the small sets.{}",
+                                               kFromCaption),
+                                   listing)};
   result.tables = {std::move(table)};
   return result;
 }

@@ -2,6 +2,7 @@
 #include "soms/tree/build.h"
 
 #include "reproduce/contenders.h"
+#include "reproduce/counts.h"
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/tree_pictures.h"
 
@@ -17,8 +18,6 @@ namespace {
 
 constexpr std::array<int, 4> kObjectLevels{1, 3, 5, 6};
 constexpr std::array<int, 4> kSceneLevels{1, 3, 5, 7};
-constexpr int kObjectLevel = 15;
-constexpr int kSceneLevel = 13;
 
 Table levels_table(std::string id, std::string caption) {
   return {.id = std::move(id),
@@ -36,11 +35,6 @@ void add_row(Table& table, const Model& model, const Contender& rule, int level,
              const LevelCount& count) {
   table.rows.push_back({model.name, rule.name, static_cast<std::int64_t>(level), count.nodes,
                         count.ended, count.fewest, count.most});
-}
-
-/// The title without what stands in brackets.
-std::string short_title(const Model& model) {
-  return model.title.substr(0, model.title.find(" ("));
 }
 
 /// The boxes of a tree at some levels, which go into the table too.

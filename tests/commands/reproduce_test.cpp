@@ -86,6 +86,48 @@ TEST(Reproduce, WritesTablesFiguresPageAndListOfFiles) {
   EXPECT_EQ(files_below(folder.path()), listed);
 }
 
+TEST(Reproduce, ListsWhereItsResultsComeFrom) {
+  const TemporaryFolder folder;
+  const RunResult result = reproduce(folder.path(), {"--item", "table-3.3"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const Json run = run_json(folder.path());
+  EXPECT_NE(run.at("command").get<std::string>().find("reproduce --quick -o "), std::string::npos)
+      << run.at("command");
+  for (const char* const key : {"version", "commit", "date", "ended"}) {
+    EXPECT_FALSE(run.at(key).get<std::string>().empty()) << key;
+  }
+  for (const char* const key : {"seconds", "processor_seconds"}) {
+    EXPECT_GT(run.at(key).get<double>(), 0) << key;
+  }
+  EXPECT_FALSE(run.at("load").at("busy").get<bool>());  // nothing of this run is timed
+  EXPECT_EQ(result.err.find("busy"), std::string::npos) << result.err;
+  EXPECT_EQ(run.at("latex"), nullptr);
+  const Json scene = run.at("models").at("scenes").at(0);
+  EXPECT_EQ(scene.at("corner_hash"), "5e44b5637f4cb56c");
+  EXPECT_EQ(scene.at("bytes"), fs::file_size(folder.path() / "scenes/u_mixed.3ds"));
+  EXPECT_EQ(scene.at("sha256").get<std::string>().size(), 64U);
+}
+
+TEST(Reproduce, WritesTablesForLatex) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(reproduce(folder.path(), {"--item", "3.1,3.2", "--latex"}).status, 0);
+  const Json run = run_json(folder.path());
+  EXPECT_EQ(run.at("latex"), "latex/all.tex");
+  const std::string all = read_text(folder.path() / "latex/all.tex");
+  int tables = 0;
+  for (const Json& item : run.at("items")) {
+    for (const Json& file : item.at("files")) {
+      if (file.contains("latex")) {
+        const fs::path path = folder.path() / file.at("latex").get<std::string>();
+        EXPECT_NE(all.find("\\input{" + path.filename().string() + "}"), std::string::npos);
+        EXPECT_NE(read_text(path).find("\\caption{"), std::string::npos);
+        ++tables;
+      }
+    }
+  }
+  EXPECT_EQ(tables, 2);
+}
+
 TEST(Reproduce, TwoRunsAgreeOnAllButTimes) {
   SOMS_SKIP_IN_SLOW_BUILDS();
   const TemporaryFolder one;

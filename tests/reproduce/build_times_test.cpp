@@ -167,11 +167,11 @@ TEST(BuildTimes, ClaimOfEightPercentHoldsOnlyIfItDoesAtBothLevels) {
   EXPECT_EQ(verdict(0.90, 0.91).verdict, Verdict::holds);
   EXPECT_EQ(verdict(0.93, 1.10).verdict, Verdict::does_not_hold);
   const Finding balanced_only = verdict(0.90, 0.98);
-  EXPECT_EQ(balanced_only.verdict, Verdict::holds_under_options);
+  EXPECT_EQ(balanced_only.verdict, Verdict::holds_under);
   EXPECT_NE(balanced_only.reason.find("balanced level, 6, but not at level 15"), std::string::npos)
       << balanced_only.reason;
   const Finding greatest_only = verdict(0.98, 0.90);
-  EXPECT_EQ(greatest_only.verdict, Verdict::holds_under_options);
+  EXPECT_EQ(greatest_only.verdict, Verdict::holds_under);
   EXPECT_NE(greatest_only.reason.find("at level 15, but not at SOMS' balanced level, 6"),
             std::string::npos)
       << greatest_only.reason;

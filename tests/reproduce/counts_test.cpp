@@ -174,7 +174,7 @@ TEST(Counts, ClaimOfTwentySixPercentHoldsAtBestUnderOptions) {
   const Result result = table_5_9({.models = models});
   ASSERT_EQ(result.findings.size(), 1U);
   const Finding& finding = result.findings.front();
-  EXPECT_EQ(finding.verdict, Verdict::holds_under_options);
+  EXPECT_EQ(finding.verdict, Verdict::holds_under);
   for (const char* const part : {"+26.4 % on u_plain, empty side next_axis, outer axis",
                                  "+22.3 % on u_plain", "scene is not available"}) {
     EXPECT_NE(finding.reason.find(part), std::string::npos) << part << " in " << finding.reason;
@@ -329,7 +329,7 @@ TEST(Counts, SomsIsMoreBalancedThanSpatialMedianOnSomeModelsOnly) {
   const Models models = original_models();
   const Result result = balance({.models = models});
   ASSERT_EQ(result.findings.size(), 1U);
-  EXPECT_EQ(result.findings.front().verdict, Verdict::holds_under_options);
+  EXPECT_EQ(result.findings.front().verdict, Verdict::holds_under);
   EXPECT_NE(result.findings.front().reason.find("higher on 4, equal on 1, lower on 2 of 7"),
             std::string::npos)
       << result.findings.front().reason;

@@ -6,6 +6,7 @@
 #include "soms/io/read_mesh.h"
 #include "soms/io/write_mesh.h"
 
+#include "reproduce/sha256.h"
 #include "tests/generate/closed.h"
 #include "tests/support/support.h"
 
@@ -79,6 +80,20 @@ TEST(Models, AreAllGeneratedWithoutAFolder) {
   }
   EXPECT_EQ(models.objects[0].trouble, "no folder of models was given");
   EXPECT_EQ(models.scenes[0].trouble, "");
+}
+
+TEST(Models, HaveTheSha256OfTheirFiles) {
+  const Folder folder;
+  folder.put("bun_zipper_res4.ply", 20);
+  folder.put("cities/town.ply", 30);
+  const Models models = find_models(folder.path(), kAll);
+  EXPECT_EQ(models.objects[0].sha256, sha256_of_file(folder.path() / "bun_zipper_res4.ply"));
+  EXPECT_EQ(models.cities.at(0).sha256, sha256_of_file(folder.path() / "cities/town.ply"));
+  EXPECT_EQ(models.objects[0].sha256.size(), 64U);
+  EXPECT_EQ(models.objects[1].sha256, "");  // a stand-in has no file
+  for (const Model& scene : models.scenes) {
+    EXPECT_EQ(scene.sha256, sha256(scene_file(scene)));
+  }
 }
 
 TEST(Models, AreOnlyThoseThatAreNeeded) {

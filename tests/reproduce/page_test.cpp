@@ -38,10 +38,20 @@ Report small_report() {
                    .columns = {{"model"}, {"one_leaf", ""}, {"time", "ms", ColumnKind::timed}},
                    .rows = {{std::string("<bunny>"), std::int64_t{1904}, 0.04321}, {{}, {}, {}}}}};
   first.figures = {figure("figure_a"), figure("figure_b")};
-  first.findings = {{"26 % more", "abstract", "25 % more", Verdict::holds_under_options,
-                     "Only with the next axis."},
-                    {"more balanced", "title", "9 to 10 levels", Verdict::does_not_hold,
-                     "Object median balances better."}};
+  first.claims = {
+      {.id = "more",
+       .statement = "26 % more",
+       .source = "abstract",
+       .rows = {counted_row("next axis", "relative", "bunny", "%", {.above = 21, .below = 31}, 25),
+                counted_row("stop", "relative", "bunny", "%", {.above = 21, .below = 31}, 114)},
+       .why = "Only with the next axis."},
+      {.id = "balanced",
+       .statement = "more balanced",
+       .source = "title",
+       .rows = {counted_row("", "balanced level", "venus", "", {.above = 0}, -1)},
+       .why = "Object median balances better.",
+       .settles = "the scene",
+       .revision = Revision{Verdict::holds, "it had one metric"}}};
   first.remarks = {"Remark one & only."};
   Result second;
   second.tables = {{.id = "long_table", .caption = "Many rows", .columns = {{"n"}}}};
@@ -112,13 +122,22 @@ TEST(Page, KeepsIdsOfDrawingsApart) {
   EXPECT_EQ(test::count_of(html, "url(#f-figure_b-c)"), 1U);
 }
 
-TEST(Page, PutsClaimsBesideWhatWasMeasuredWithTheVerdictInWords) {
+TEST(Page, PutsClaimsBesideTheirMatrixWithTheVerdictInWords) {
   const std::string html = page(small_report());
-  for (const char* words : {"26 % more", "25 % more", "holds under options", "does not hold",
-                            "Only with the next axis.", "Object median balances better."}) {
+  for (const char* words :
+       {"26 % more", "+25.0 %", "holds under some readings", "does not hold in any reading",
+        "Only with the next axis.", "Object median balances better.",
+        "What would settle it:", "Holds in 1 of 2 rows. In every row: next axis. In none: stop."}) {
     EXPECT_GE(test::count_of(html, words), 1U) << words;
   }
   EXPECT_EQ(test::count_of(html, "2 claims"), 1U);
+}
+
+TEST(Page, SaysInOneParagraphWhichVerdictsChanged) {
+  Report report = small_report();
+  EXPECT_EQ(test::count_of(page(report), "for it had one metric."), 1U);
+  report.entries[0].result.claims[1].revision->before = Verdict::does_not_hold;
+  EXPECT_EQ(test::count_of(page(report), "Verdicts that changed"), 0U);
 }
 
 TEST(Page, MarksStandInsAndTroubles) {
@@ -134,14 +153,14 @@ TEST(Page, SaysWhatAnInterruptedRunLacks) {
   const std::string html = page(report);
   EXPECT_GE(test::count_of(html, "interrupted"), 2U);
   EXPECT_EQ(test::count_of(html, ">not run<"), 1U);
-  EXPECT_EQ(test::count_of(html, "<section id=\"item-figure-5.10\""), 1U);
+  EXPECT_EQ(test::count_of(html, "id=\"item-figure-5.10\""), 1U);
   report.entries.clear();
   EXPECT_EQ(test::markup_fault(page(report), kVoid), "");
 }
 
 TEST(Page, FoldsLongTablesAndCutsVeryLongOnes) {
   const std::string html = page(small_report());
-  EXPECT_EQ(test::count_of(html, "<details>"), 1U);
+  EXPECT_EQ(test::count_of(html, "<details>\n<summary>Many rows"), 1U);
   EXPECT_EQ(test::count_of(html, "The first 400 of 1,000 rows"), 1U);
   EXPECT_EQ(test::count_of(html, ">399<"), 1U);
   EXPECT_EQ(test::count_of(html, ">400<"), 0U);

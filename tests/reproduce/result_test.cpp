@@ -28,12 +28,5 @@ TEST(Result, CellsAreReadable) {
   EXPECT_EQ(to_text(999.99), "1,000");
 }
 
-TEST(Result, VerdictsHaveNames) {
-  EXPECT_EQ(name(Verdict::holds), "holds");
-  EXPECT_EQ(name(Verdict::holds_under_options), "holds under options");
-  EXPECT_EQ(name(Verdict::does_not_hold), "does not hold");
-  EXPECT_EQ(name(Verdict::cannot_be_checked), "cannot be checked");
-}
-
 }  // namespace
 }  // namespace soms::reproduce

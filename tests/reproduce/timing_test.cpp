@@ -22,6 +22,7 @@ TEST(Timing, SummarizesByOrderStatistics) {
   EXPECT_EQ(timing.max, 10);
   EXPECT_NEAR(timing.deviation, 3.5355339, 1e-6);
   EXPECT_EQ(timing.repetitions, 5);
+  EXPECT_EQ(timing.rounds, (std::vector<double>{4, 1, 3, 2, 10}));
 }
 
 TEST(Timing, OneSampleHasNoSpread) {
@@ -31,11 +32,11 @@ TEST(Timing, OneSampleHasNoSpread) {
   EXPECT_EQ(timing.deviation, 0);
 }
 
-TEST(Timing, WorksAreRunInTurnAfterTheWarmUp) {
+TEST(Timing, WorksAreRunInTurnEveryOtherRoundInReverse) {
   std::string order;
   const std::array<std::function<void()>, 2> works{[&] { order += 'a'; }, [&] { order += 'b'; }};
   const std::vector<Timing> timings = time_in_turn(3, {}, works, 2);
-  EXPECT_EQ(order, "ababababab");
+  EXPECT_EQ(order, "abbaabbaab");
   ASSERT_EQ(timings.size(), 2U);
   EXPECT_EQ(timings[0].repetitions, 3);
 }

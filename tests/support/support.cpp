@@ -117,13 +117,21 @@ std::vector<std::vector<std::string>> read_csv(const std::filesystem::path& file
   std::string line;
   while (std::getline(in, line)) {
     std::vector<std::string>& row = rows.emplace_back();
-    std::size_t begin = 0;
-    for (std::size_t comma = line.find(','); comma != std::string::npos;
-         comma = line.find(',', begin)) {
-      row.push_back(line.substr(begin, comma - begin));
-      begin = comma + 1;
+    row.emplace_back();
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      if (line[i] == '"') {
+        const bool doubled = quoted && line.compare(i, 2, "\"\"") == 0;
+        quoted = doubled || !quoted;
+        if (doubled) {
+          row.back() += line[++i];
+        }
+      } else if (line[i] == ',' && !quoted) {
+        row.emplace_back();
+      } else {
+        row.back() += line[i];
+      }
     }
-    row.push_back(line.substr(begin));
   }
   return rows;
 }

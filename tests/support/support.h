@@ -30,7 +30,7 @@ void for_each_case(std::string_view tag, int n, const std::function<void(Rng&)>&
 /// The built command.
 [[nodiscard]] std::filesystem::path command();
 
-/// Lines of a text file, split at commas; no quotes.
+/// Lines of a CSV file, split at commas outside of quotes; no field holds a line break.
 [[nodiscard]] std::vector<std::vector<std::string>> read_csv(const std::filesystem::path& file);
 
 /// A fresh folder that is removed when the object ends.

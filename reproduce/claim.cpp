@@ -1,0 +1,185 @@
+#include "reproduce/claim.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+
+namespace soms::reproduce {
+
+namespace {
+
+/// Readings that are named in a sentence; the matrix has them all.
+constexpr std::size_t kNamed = 4;
+
+/// The number as the CSV has it.
+double written(double number) {
+  const std::string digits = fmt::format("{:.6g}", number);
+  double value = number;
+  std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  return value;
+}
+
+/// The rows of one reading, by all metrics and on all subjects.
+struct Group {
+  std::string reading;
+  std::size_t rows = 0;
+  std::size_t hold = 0;
+};
+
+std::vector<Group> groups_of(const Claim& claim) {
+  std::vector<Group> groups;
+  for (const ClaimRow& row : claim.rows) {
+    if (!row.unjudged.empty()) {
+      continue;
+    }
+    const std::string& reading = row.reading.empty() ? row.metric : row.reading;
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const Group& other) { return other.reading == reading; });
+    if (group == groups.end()) {
+      group = groups.insert(groups.end(), {reading});
+    }
+    ++group->rows;
+    group->hold += stand_of(row) == Verdict::holds ? 1U : 0U;
+  }
+  return groups;
+}
+
+std::size_t count_of(const Claim& claim, Verdict verdict) {
+  return static_cast<std::size_t>(
+      std::count_if(claim.rows.begin(), claim.rows.end(),
+                    [&](const ClaimRow& row) { return stand_of(row) == verdict; }));
+}
+
+/// "a; b; c; and 4 more".
+std::string listed(const std::vector<std::string>& names) {
+  const std::size_t shown = std::min(names.size(), kNamed);
+  std::string text = fmt::format(
+      "{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown), "; "));
+  if (shown < names.size()) {
+    text += fmt::format("; and {} more", names.size() - shown);
+  }
+  return text;
+}
+
+}  // namespace
+
+Verdict stand_of(const ClaimRow& row) {
+  if (!row.unjudged.empty()) {
+    return Verdict::cannot_be_checked;
+  }
+  const Interval range = row.interval.value_or(Interval{row.value, row.value});
+  const double low = written(range.low);
+  const double high = written(range.high);
+  if (low > row.demand.above && high < row.demand.below) {
+    return Verdict::holds;
+  }
+  return high <= row.demand.above || low >= row.demand.below ? Verdict::does_not_hold
+                                                             : Verdict::undecided;
+}
+
+std::string_view stand_word(const ClaimRow& row) {
+  switch (stand_of(row)) {
+    case Verdict::holds:
+      return "holds";
+    case Verdict::undecided:
+      return "undecided";
+    case Verdict::does_not_hold:
+      return "fails";
+    default:
+      return "not judged";
+  }
+}
+
+Verdict verdict_of(const Claim& claim) {
+  const std::size_t hold = count_of(claim, Verdict::holds);
+  const std::size_t open = count_of(claim, Verdict::undecided);
+  const std::size_t fail = count_of(claim, Verdict::does_not_hold);
+  if (hold + open + fail == 0) {
+    return Verdict::cannot_be_checked;
+  }
+  if (hold > 0) {
+    return open + fail == 0 ? Verdict::holds : Verdict::holds_under;
+  }
+  return open > 0 ? Verdict::undecided : Verdict::does_not_hold;
+}
+
+std::string where(const Claim& claim) {
+  const std::size_t judged = claim.rows.size() - count_of(claim, Verdict::cannot_be_checked);
+  if (judged == 0) {
+    return "No row of its matrix can be judged.";
+  }
+  const std::size_t open = count_of(claim, Verdict::undecided);
+  std::string text = fmt::format("Holds in {} of {} rows{}.", count_of(claim, Verdict::holds),
+                                 judged, open == 0 ? "" : fmt::format(", undecided in {}", open));
+  if (verdict_of(claim) != Verdict::holds_under) {
+    return text;
+  }
+  std::vector<std::string> everywhere;
+  std::vector<std::string> somewhere;
+  std::vector<std::string> nowhere;
+  for (const Group& group : groups_of(claim)) {
+    if (group.hold == group.rows) {
+      everywhere.push_back(group.reading);
+    } else if (group.hold == 0) {
+      nowhere.push_back(group.reading);
+    } else {
+      somewhere.push_back(fmt::format("{} ({} of {})", group.reading, group.hold, group.rows));
+    }
+  }
+  for (const auto& [words, readings] :
+       {std::pair("In every row", &everywhere), std::pair("In some", &somewhere),
+        std::pair("In none", &nowhere)}) {
+    if (!readings->empty()) {
+      text += fmt::format(" {}: {}.", words, listed(*readings));
+    }
+  }
+  return text;
+}
+
+bool is_timed(const Claim& claim) {
+  return std::any_of(claim.rows.begin(), claim.rows.end(),
+                     [](const ClaimRow& row) { return row.interval.has_value(); });
+}
+
+std::string_view name(Verdict verdict) {
+  constexpr std::array<std::string_view, kVerdictCount> kNames{
+      "holds in all readings", "holds under some readings", "undecided",
+      "does not hold in any reading", "cannot be checked"};
+  return kNames[static_cast<std::size_t>(verdict)];
+}
+
+ClaimRow counted_row(std::string reading, std::string metric, std::string subject, std::string unit,
+                     Demand demand, double value) {
+  return {.reading = std::move(reading),
+          .metric = std::move(metric),
+          .subject = std::move(subject),
+          .unit = std::move(unit),
+          .demand = demand,
+          .value = value};
+}
+
+ClaimRow measured_row(std::string reading, std::string metric, std::string subject,
+                      std::string unit, Demand demand, const Estimate& estimate) {
+  ClaimRow row = counted_row(std::move(reading), std::move(metric), std::move(subject),
+                             std::move(unit), demand, estimate.value);
+  row.interval = estimate.interval;
+  row.rounds = estimate.rounds;
+  return row;
+}
+
+std::string words_of(const ClaimRow& row) {
+  const bool percent = row.unit == "%" || row.unit == "points";
+  const auto number = [&](double value) {
+    return percent ? fmt::format("{:+.1f}", value) : fmt::format("{:.4g}", value);
+  };
+  std::string text = number(row.value);
+  if (row.interval) {
+    text += fmt::format(" ({} to {})", number(row.interval->low), number(row.interval->high));
+  }
+  return row.unit.empty() ? text : fmt::format("{} {}", text, row.unit);
+}
+
+}  // namespace soms::reproduce

@@ -1,0 +1,106 @@
+/// \file
+/// A claim of the thesis as a matrix of readings and metrics, and the verdict that follows from it.
+///
+/// The rule: each row holds a number, a range the claim demands of it, and for a measured number
+/// its 95 % interval. A row holds if its whole interval lies inside the range, fails if all of it
+/// lies outside, and is undecided if it lies across an end. Of the rows that are judged the claim
+/// then
+///
+/// - holds in all readings, if every row holds;
+/// - holds under some readings, if at least one row holds, but not all do;
+/// - does not hold in any reading, if every row fails;
+/// - is undecided, if no row holds and at least one is undecided;
+/// - cannot be checked, if there is no row to judge.
+#pragma once
+
+#include "reproduce/statistics.h"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soms::reproduce {
+
+/// How a row of a matrix, or a whole claim, stands.
+enum class Verdict {
+  holds,              ///< in all readings
+  holds_under,        ///< in some of the readings that the thesis leaves open
+  undecided,          ///< measurements lie on both sides of what is claimed
+  does_not_hold,      ///< in no reading
+  cannot_be_checked,  ///< what it was measured on is not available
+};
+
+/// All verdicts, in the order of the enumeration.
+inline constexpr std::size_t kVerdictCount = 5;
+
+/// The open range a number must lie in: above one bound, below another.
+struct Demand {
+  double above = -std::numeric_limits<double>::infinity();
+  double below = std::numeric_limits<double>::infinity();
+};
+
+/// One reading of a claim by one metric on one subject.
+struct ClaimRow {
+  std::string
+      reading;  ///< how what the thesis leaves open is settled: "empty side stop, inner axis"
+  std::string metric;   ///< what is counted or measured: "leaves with one triangle, SOMS - spatial"
+  std::string subject;  ///< on what: a model, or a trip
+  std::string unit = {};
+  Demand demand = {};
+  double value = 0;
+  std::optional<Interval> interval = std::nullopt;  ///< of a measured value; nothing for a count
+  int rounds = 0;                                   ///< measurements behind it; 0 for a count
+  std::string unjudged = {};  ///< why this row is shown but not judged; empty if it is judged
+};
+
+/// Whose verdict was another one before, and why it changed.
+struct Revision {
+  Verdict before = Verdict::cannot_be_checked;
+  std::string reason;  ///< a clause: "it raced one kind of depth-first traversal"
+};
+
+/// A claim of the thesis.
+struct Claim {
+  std::string id;         ///< snake_case, unique: "more_single_triangle_leaves"
+  std::string statement;  ///< in our words
+  std::string source;     ///< where the thesis says so: "abstract", "table 5.9 by its caption"
+  std::vector<ClaimRow> rows = {};
+  std::string why = {};      ///< what explains the numbers, true whatever the verdict
+  std::string settles = {};  ///< what would settle what is open; empty if nothing is
+  std::optional<Revision> revision = std::nullopt;
+};
+
+/// How a row stands: holds, undecided or does_not_hold; cannot_be_checked if it is not judged.
+/// Numbers are taken as the CSV has them, with six significant digits.
+[[nodiscard]] Verdict stand_of(const ClaimRow& row);
+
+/// "holds", "undecided", "fails", or "not judged".
+[[nodiscard]] std::string_view stand_word(const ClaimRow& row);
+
+/// What follows from the rows, by the rule above.
+[[nodiscard]] Verdict verdict_of(const Claim& claim);
+
+/// Where it holds, from the rows alone: in how many, and the readings of which every row, some or
+/// none holds.
+[[nodiscard]] std::string where(const Claim& claim);
+
+/// True if a row was measured, not counted.
+[[nodiscard]] bool is_timed(const Claim& claim);
+
+/// "holds in all readings", "holds under some readings", "undecided", "does not hold in any
+/// reading", "cannot be checked".
+[[nodiscard]] std::string_view name(Verdict verdict);
+
+/// A row that counts, and one that was measured.
+[[nodiscard]] ClaimRow counted_row(std::string reading, std::string metric, std::string subject,
+                                   std::string unit, Demand demand, double value);
+[[nodiscard]] ClaimRow measured_row(std::string reading, std::string metric, std::string subject,
+                                    std::string unit, Demand demand, const Estimate& estimate);
+
+/// "+26.4 %" or "0.931 (0.92 to 0.94)": a row's number for people.
+[[nodiscard]] std::string words_of(const ClaimRow& row);
+
+}  // namespace soms::reproduce

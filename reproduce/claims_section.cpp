@@ -1,0 +1,237 @@
+#include "reproduce/claims_section.h"
+
+#include "soms/base/text.h"
+
+#include "reproduce/html.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace soms::reproduce {
+
+namespace {
+
+/// How a verdict follows, for the reader; the header of claim.h has the same rule.
+constexpr std::string_view kRule =
+    "<p>A claim is read in every way that the thesis leaves open and by every metric that fits its "
+    "words. Each row of its matrix is one reading by one metric on one subject: a number, the "
+    "range "
+    "that the claim demands of it and, where it is measured, its interval of 95 % (seeded "
+    "bootstrap "
+    "over paired rounds of processor time). A row holds if all of the interval lies in the range, "
+    "fails if all of it lies outside, and is undecided if it lies across an end. The claim "
+    "<em>holds "
+    "in all readings</em> if every row holds, <em>holds under some readings</em> if some do, "
+    "<em>does not hold in any reading</em> if every row fails, is <em>undecided</em> if no row "
+    "holds "
+    "and some are undecided, and <em>cannot be checked</em> if there is no row to judge. Of many "
+    "measured rows one in forty may fall on either side by chance; counts never do. The intervals "
+    "tell of the rounds of this run: another machine, compiler or placement in memory can move a "
+    "ratio of times by some per cent more.</p>\n";
+
+/// Marks of a row for those who cannot tell colors apart.
+std::string_view mark_of(const ClaimRow& row) {
+  switch (stand_of(row)) {
+    case Verdict::holds:
+      return "&#10003;";
+    case Verdict::undecided:
+      return "&#177;";
+    case Verdict::does_not_hold:
+      return "&#10007;";
+    default:
+      return "&#8211;";
+  }
+}
+
+std::vector<std::string> subjects_of(const Claim& claim) {
+  std::vector<std::string> subjects;
+  for (const ClaimRow& row : claim.rows) {
+    if (std::find(subjects.begin(), subjects.end(), row.subject) == subjects.end()) {
+      subjects.push_back(row.subject);
+    }
+  }
+  return subjects;
+}
+
+std::string demand_words(const Demand& demand) {
+  const bool above = demand.above > -std::numeric_limits<double>::infinity();
+  const bool below = demand.below < std::numeric_limits<double>::infinity();
+  return above && below ? fmt::format("{:.4g} to {:.4g}", demand.above, demand.below)
+         : above        ? fmt::format("&gt; {:.4g}", demand.above)
+         : below        ? fmt::format("&lt; {:.4g}", demand.below)
+                        : std::string();
+}
+
+/// One line of the matrix: a metric and a reading, with a row for each subject.
+using Line = std::vector<const ClaimRow*>;
+
+std::vector<Line> lines_of(const Claim& claim) {
+  std::vector<Line> lines;
+  for (const ClaimRow& row : claim.rows) {
+    const auto line = std::find_if(lines.begin(), lines.end(), [&](const Line& other) {
+      return other[0]->metric == row.metric && other[0]->reading == row.reading &&
+             other[0]->demand.above == row.demand.above &&
+             other[0]->demand.below == row.demand.below;
+    });
+    (line == lines.end() ? lines.emplace_back() : *line).push_back(&row);
+  }
+  return lines;
+}
+
+std::string cell_of(const Line& line, const std::string& subject) {
+  const auto row = std::find_if(line.begin(), line.end(),
+                                [&](const ClaimRow* one) { return one->subject == subject; });
+  if (row == line.end()) {
+    return "<td></td>";
+  }
+  return fmt::format("<td class=\"number {}{}\"{}>{} {}</td>", class_of(stand_of(**row)),
+                     (*row)->interval ? " timed" : "",
+                     (*row)->unjudged.empty()
+                         ? std::string()
+                         : fmt::format(" title=\"{}\"", xml_text((*row)->unjudged)),
+                     mark_of(**row), xml_text(words_of(**row)));
+}
+
+std::string matrix_of(const Claim& claim) {
+  const std::vector<std::string> subjects = subjects_of(claim);
+  std::string html = fmt::format(
+      "<div class=\"scroll tall\" tabindex=\"0\" role=\"region\" aria-label=\"Matrix: {}\">\n"
+      "<table class=\"matrix\">\n<thead><tr><th>metric</th><th>reading</th><th>demanded</th>",
+      xml_text(claim.statement));
+  for (const std::string& subject : subjects) {
+    html += fmt::format("<th class=\"number\">{}</th>", xml_text(subject));
+  }
+  html += "</tr></thead>\n<tbody>\n";
+  for (const Line& line : lines_of(claim)) {
+    html += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"short\">{}</td>",
+                        xml_text(line[0]->metric), xml_text(line[0]->reading),
+                        demand_words(line[0]->demand));
+    for (const std::string& subject : subjects) {
+      html += cell_of(line, subject);
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody>\n</table>\n</div>\n";
+}
+
+/// A claim with the experiment that tested it.
+using Tested = std::pair<const Claim*, const Experiment*>;
+
+std::vector<Tested> tested_claims(const Report& report) {
+  std::vector<Tested> tested;
+  for (const Entry& entry : report.entries) {
+    for (const Claim& claim : entry.result.claims) {
+      tested.emplace_back(&claim, entry.experiment);
+    }
+  }
+  return tested;
+}
+
+/// Sentences about rows that are shown and not judged, each reason once.
+std::string unjudged_words(const Claim& claim) {
+  std::vector<std::string> reasons;
+  for (const ClaimRow& row : claim.rows) {
+    if (!row.unjudged.empty() &&
+        std::find(reasons.begin(), reasons.end(), row.unjudged) == reasons.end()) {
+      reasons.push_back(row.unjudged);
+    }
+  }
+  std::string html;
+  for (const std::string& reason : reasons) {
+    html += fmt::format("<p>Shown, not judged (&#8211;): {}</p>\n", xml_text(sentence(reason)));
+  }
+  return html;
+}
+
+std::string row_of(const Tested& tested, bool open) {
+  const auto& [claim, experiment] = tested;
+  std::string html = fmt::format(
+      "<tr id=\"claim-{}\"><td>{} <span class=\"faint\">({})</span></td><td "
+      "class=\"verdict\">{}</td>"
+      "<td>{}\n<details{}>\n<summary>Matrix of {}, and why</summary>\n",
+      xml_text(claim->id), xml_text(claim->statement), xml_text(claim->source),
+      badge(verdict_of(*claim)), xml_text(where(*claim)), open ? " open" : "",
+      counted(claim->rows.size(), "row"));
+  if (!claim->why.empty()) {
+    html += fmt::format("<p>{}</p>\n", xml_text(claim->why));
+  }
+  if (!claim->settles.empty()) {
+    html += fmt::format("<p><strong>What would settle it:</strong> {}</p>\n",
+                        xml_text(sentence(claim->settles)));
+  }
+  html += unjudged_words(*claim);
+  if (!claim->rows.empty()) {
+    html += matrix_of(*claim);
+  }
+  return html + fmt::format(
+                    "<p class=\"note\">Tables and figures: <a href=\"#item-{}\">{}</a>.</p>\n"
+                    "</details></td></tr>\n",
+                    xml_text(experiment->item), xml_text(spoken(experiment->item)));
+}
+
+/// "3 hold in all readings, ...": how many claims have each verdict.
+std::string tally(const std::vector<Tested>& claims) {
+  std::array<std::size_t, kVerdictCount> counts = {};
+  for (const Tested& tested : claims) {
+    ++counts[static_cast<std::size_t>(verdict_of(*tested.first))];
+  }
+  std::string html = fmt::format("<p>{}:", counted(claims.size(), "claim"));
+  std::string_view comma;
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    if (counts[k] > 0) {
+      html += fmt::format("{} {} {}", comma, counts[k], badge(static_cast<Verdict>(k)));
+      comma = ",";
+    }
+  }
+  return html + ".</p>\n";
+}
+
+/// The paragraph on verdicts that are not what they were.
+std::string revisions(const std::vector<Tested>& claims) {
+  std::string html;
+  for (const auto& [claim, experiment] : claims) {
+    const std::optional<Revision>& revision = claim->revision;
+    if (revision && revision->before != verdict_of(*claim)) {
+      html += fmt::format(
+          " <a href=\"#claim-{}\">{}</a>: was &#8220;{}&#8221;, is "
+          "&#8220;{}&#8221;, for {}",
+          xml_text(claim->id), xml_text(claim->statement), name(revision->before),
+          name(verdict_of(*claim)), xml_text(sentence(revision->reason)));
+    }
+  }
+  return html.empty() ? html
+                      : fmt::format(
+                            "<p class=\"changed\"><strong>Verdicts that changed since "
+                            "version 0.1.0.</strong>{}</p>\n",
+                            html);
+}
+
+}  // namespace
+
+std::string claims_section(const Report& report, bool open) {
+  const std::vector<Tested> claims = tested_claims(report);
+  std::string html = "<h2 id=\"claims\">What the thesis claims, and how it stands</h2>\n";
+  if (claims.empty()) {
+    return html + "<p>None of the experiments of this run tests a claim of the thesis.</p>\n";
+  }
+  html += tally(claims) + revisions(claims);
+  html += fmt::format("<details{}>\n<summary>How a verdict follows</summary>\n{}</details>\n",
+                      open ? " open" : "", kRule);
+  html +=
+      "<table class=\"claims\">\n<thead><tr><th>claim</th><th>verdict</th><th>where it holds</th>"
+      "</tr></thead>\n<tbody>\n";
+  for (const Tested& tested : claims) {
+    html += row_of(tested, open);
+  }
+  return html +
+         "</tbody>\n</table>\n<p class=\"note\">Times are in italics: they differ from run to "
+         "run and from machine to machine.</p>\n";
+}
+
+}  // namespace soms::reproduce

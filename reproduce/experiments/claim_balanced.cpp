@@ -1,0 +1,161 @@
+// A premise: a balanced tree is traversed faster than an unbalanced one.
+#include "soms/query/traversal/posed_boxes.h"
+#include "soms/query/traversal/traversals.h"
+#include "soms/tree/statistics.h"
+
+#include "reproduce/counts.h"
+#include "reproduce/experiments/experiments.h"
+#include "reproduce/rides.h"
+#include "reproduce/steps.h"
+#include "reproduce/traversal_tables.h"
+#include "reproduce/uneven_tree.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <iterator>
+#include <utility>
+
+namespace soms::reproduce {
+
+namespace {
+
+constexpr std::string_view kReason =
+    "Balance bounds the depth of a tree; what a traversal tests depends on how well the boxes keep "
+    "apart what is apart, which the plane of a rule decides. Of trees that differ in nothing but "
+    "where the same order is cut, the more balanced one is cheaper.";
+
+/// Shares of a node's triangles that go to the left in trees out of balance.
+struct Share {
+  double share;
+  std::string_view words;
+};
+
+constexpr std::array kShares{Share{0.375, "3/8"}, Share{0.25, "1/4"}, Share{0.125, "1/8"}};
+
+NamedTraversal generic() {
+  return {"ericson", {.traversal = Traversal::ericson}};
+}
+
+/// Rules whose trees differ in balance and divide every node that they can.
+std::vector<BuildPairing> builds() {
+  const std::vector<Contender> scenes = all_builds(kSceneLevel);
+  const std::vector<Contender> objects = all_builds(kObjectLevel);
+  const BuildPairing spatial = pairing(scenes, objects, "spatial_median");
+  return {pairing(scenes, objects, "object_median"),
+          {"spatial median (next_axis)", with(spatial.of_scene, EmptySide::next_axis),
+           with(spatial.of_object, EmptySide::next_axis)},
+          pairing(scenes, objects, "soms"),
+          pairing(scenes, objects, "sah")};
+}
+
+/// Levels of a ride's trees at which every node exists, the still body's first.
+std::uint64_t balanced_level(const Ride& ride) {
+  return statistics(*ride.trip.a.tree(), ride.build.of_scene.options).balanced_level;
+}
+
+double over(std::uint64_t one, std::uint64_t other) {
+  return static_cast<double>(one) / static_cast<double>(other);
+}
+
+/// Of two trees by different rules the more balanced over the less balanced one.
+void compare(std::vector<ClaimRow>& rows, const Ride& more, const Ride& less) {
+  const Demand cheaper{.below = 1};
+  const std::string reading =
+      fmt::format("{} over the less balanced {}", more.build.title, less.build.title);
+  const std::string subject = subject_of(more.trip);
+  rows.push_back(counted_row(reading, "box tests", subject, "", cheaper,
+                             over(more.sum.counts.box_tests, less.sum.counts.box_tests)));
+  rows.push_back(counted_row(reading, "box tests and pairs of triangles together", subject, "",
+                             cheaper, over(more.tests(), less.tests())));
+  if (!more.rounds.empty() && !less.rounds.empty()) {
+    rows.push_back(measured_row(reading, "processor time", subject, "", cheaper,
+                                paired_ratio(more.rounds, less.rounds)));
+  }
+}
+
+/// Counts of a course on trees that are cut off the middle, both bodies alike.
+TraversalCounts count_uneven(const Trip& trip, double share, const Parallel& parallel) {
+  const Tree tree_a = uneven_tree(trip.a.mesh(), share);
+  const Tree tree_b = uneven_tree(trip.b.mesh(), share);
+  PosedBoxes a(trip.a.mesh(), tree_a);
+  PosedBoxes b(trip.b.mesh(), tree_b);
+  a.move(Pose::identity());
+  TraversalCounts sum;
+  for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
+    check_stop(parallel);
+    b.move(trip.pose(k));
+    sum += traverse(a.view(), b.view(), generic().options);
+  }
+  return sum;
+}
+
+/// The same order, cut in the middle and beside it: nothing differs but balance.
+void compare_shares(std::vector<ClaimRow>& rows, const Trip& trip, const Parallel& parallel) {
+  const TraversalCounts half = count_uneven(trip, 0.5, parallel);
+  for (const Share& share : kShares) {
+    const TraversalCounts less = count_uneven(trip, share.share, parallel);
+    const std::string reading =
+        fmt::format("nodes cut at 1/2 over cut at {}, all else alike (ours)", share.words);
+    rows.push_back(counted_row(reading, "box tests", subject_of(trip), "", {.below = 1},
+                               over(half.box_tests, less.box_tests)));
+  }
+}
+
+Table table_of(const std::vector<Ride>& rides) {
+  Table table{
+      .id = "balance_and_cost",
+      .caption = fmt::format(
+          "Balance of trees and what they cost to traverse: balanced level of the tree of "
+          "the static body, counts of the generic traversal over all frames, "
+          "times over the frames in which the roots overlap (trees of level {}, scenes {}).",
+          kObjectLevel, kSceneLevel),
+      .columns = {{"course"}, {"build"}, {"balanced_level"}}};
+  add_count_columns(table);
+  add_estimate_columns(table, "ms");
+  for (const Ride& ride : rides) {
+    std::vector<Cell> row{subject_of(ride.trip), ride.build.title,
+                          count_cell(balanced_level(ride))};
+    add_count_cells(row, ride.sum.counts);
+    add_estimate_cells(row, ride.rounds);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace
+
+Result claim_balanced(const Context& context) {
+  const std::vector<BuildPairing> pairings = builds();
+  const std::vector<TraversalTest> courses = thesis_courses(context);
+  Steps steps(context.parallel, 2 * courses.size());
+  Claim claim{.id = "balanced_trees_are_traversed_faster",
+              .statement = "A balanced tree is traversed faster than an unbalanced one",
+              .source =
+                  "abstract: \"the speed of BVH tree traversal algorithm dropped for "
+                  "unbalanced tree\"",
+              .why = std::string(kReason),
+              .settles = "what the thesis calls balanced: it has no definition in the public text"};
+  std::vector<Ride> all;
+  for (const TraversalTest& course : courses) {
+    std::vector<Ride> rides = ride(context, course, pairings, generic());
+    if (rides[0].sum.root_overlap_frames > 0) {
+      for (const Ride& more : rides) {
+        for (const Ride& less : rides) {
+          if (balanced_level(more) > balanced_level(less)) {
+            compare(claim.rows, more, less);
+          }
+        }
+      }
+    }
+    steps.done_one();
+    if (rides[0].sum.root_overlap_frames > 0) {
+      compare_shares(claim.rows, rides[0].trip, steps.quiet());
+    }
+    std::move(rides.begin(), rides.end(), std::back_inserter(all));
+    steps.done_one();
+  }
+  return {.tables = {table_of(all)}, .claims = {std::move(claim)}};
+}
+
+}  // namespace soms::reproduce

@@ -1,0 +1,51 @@
+#include "reproduce/html.h"
+
+#include "reproduce/result.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace soms::reproduce {
+
+namespace {
+
+constexpr std::array<std::string_view, kVerdictCount> kSigns{"&#10003;", "&#8776;", "&#177;",
+                                                             "&#10007;", "?"};
+constexpr std::array<std::string_view, kVerdictCount> kClasses{
+    "holds", "holds_under", "undecided", "does_not_hold", "cannot_be_checked"};
+
+}  // namespace
+
+std::string counted(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", to_text(static_cast<std::int64_t>(count)), noun,
+                     count == 1 ? "" : "s");
+}
+
+std::string badge(Verdict verdict) {
+  return fmt::format("<span class=\"badge {}\">{} {}</span>", class_of(verdict),
+                     kSigns[static_cast<std::size_t>(verdict)], name(verdict));
+}
+
+std::string_view class_of(Verdict verdict) {
+  return kClasses[static_cast<std::size_t>(verdict)];
+}
+
+std::string sentence(std::string words) {
+  if (!words.empty() && words.back() != '.') {
+    words += '.';
+  }
+  return words;
+}
+
+std::string spoken(std::string_view item) {
+  std::string words(item);
+  std::replace(words.begin(), words.end(), '-', ' ');
+  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') {
+    words[0] = static_cast<char>(words[0] - 'a' + 'A');
+  }
+  return words;
+}
+
+}  // namespace soms::reproduce

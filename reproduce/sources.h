@@ -1,0 +1,44 @@
+/// \file
+/// Where each option of the runs comes from, and where the thesis contradicts itself.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soms::reproduce {
+
+/// How well the public part of the thesis supports an option.
+enum class Basis {
+  stated,   ///< said in the abstract or in chapter 1
+  caption,  ///< follows from a caption or a heading
+  ours,     ///< the thesis is silent where it is public: a reconstruction
+};
+
+/// "stated", "caption", "ours".
+[[nodiscard]] std::string_view name(Basis basis);
+
+/// An option of the runs and what supports its value.
+struct SourcedOption {
+  std::string_view group;  ///< "rules", "trees", "counts", "traversals", "tests", "times", "models"
+  std::string_view option;  ///< snake_case: "midpoint"
+  std::string value;        ///< as the runs use it
+  Basis basis = Basis::ours;
+  std::string_view where;  ///< section or caption, and what it leaves open
+};
+
+/// All of them, by group.
+[[nodiscard]] std::vector<SourcedOption> sourced_options();
+
+/// Two places of the thesis that do not go together.
+struct Contradiction {
+  std::string_view subject;
+  std::string_view one;      ///< what one place says
+  std::string_view other;    ///< what the other says
+  std::string_view outcome;  ///< what this run does about it
+};
+
+[[nodiscard]] std::span<const Contradiction> contradictions();
+
+}  // namespace soms::reproduce

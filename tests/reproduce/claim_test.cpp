@@ -1,0 +1,85 @@
+#include "reproduce/claim.h"
+
+#include "reproduce/result.h"
+#include "tests/reproduce/trips.h"
+
+#include <gtest/gtest.h>
+
+namespace soms::reproduce {
+namespace {
+
+constexpr Demand kMore{.above = 0};
+
+ClaimRow measured(double low, double value, double high) {
+  return measured_row("", "time", "bunny", "%", {.above = 8}, {value, {low, high}, 20});
+}
+
+ClaimRow count(double value, const std::string& reading = "stop",
+               const std::string& subject = "bunny") {
+  return counted_row(reading, "leaves", subject, "", kMore, value);
+}
+
+Claim claim(std::vector<ClaimRow> rows) {
+  return {.id = "c", .statement = "More", .source = "abstract", .rows = std::move(rows)};
+}
+
+TEST(Claim, RowHoldsOnlyIfItsWholeIntervalDoes) {
+  EXPECT_EQ(stand_of(measured(8.1, 9, 10)), Verdict::holds);
+  EXPECT_EQ(stand_of(measured(7.9, 9, 10)), Verdict::undecided);
+  EXPECT_EQ(stand_of(measured(6, 7, 8.1)), Verdict::undecided);
+  EXPECT_EQ(stand_of(measured(5, 6, 7.9)), Verdict::does_not_hold);
+  EXPECT_EQ(stand_of(measured(5, 6, 8)), Verdict::does_not_hold);
+}
+
+TEST(Claim, CountIsOnOneSideOrTheOther) {
+  EXPECT_EQ(stand_of(count(1)), Verdict::holds);
+  EXPECT_EQ(stand_of(count(0)), Verdict::does_not_hold);
+  EXPECT_EQ(stand_of(count(-1)), Verdict::does_not_hold);
+  const Demand near{.above = 21, .below = 31};
+  EXPECT_EQ(stand_of(counted_row("", "m", "s", "%", near, 26)), Verdict::holds);
+  EXPECT_EQ(stand_of(counted_row("", "m", "s", "%", near, 31)), Verdict::does_not_hold);
+}
+
+TEST(Claim, VerdictFollowsFromTheRows) {
+  EXPECT_EQ(verdict_of(claim({})), Verdict::cannot_be_checked);
+  EXPECT_EQ(verdict_of(claim({count(1), count(2)})), Verdict::holds);
+  EXPECT_EQ(verdict_of(claim({count(1), count(-2)})), Verdict::holds_under);
+  EXPECT_EQ(verdict_of(claim({count(-1), count(-2)})), Verdict::does_not_hold);
+  EXPECT_EQ(verdict_of(claim({count(-1), measured(7, 8, 9)})), Verdict::undecided);
+  EXPECT_EQ(verdict_of(claim({count(1), measured(7, 8, 9)})), Verdict::holds_under);
+}
+
+TEST(Claim, RowsThatAreNotJudgedDecideNothing) {
+  ClaimRow aside = count(5);
+  aside.unjudged = "a stand-in";
+  EXPECT_EQ(verdict_of(claim({aside})), Verdict::cannot_be_checked);
+  EXPECT_EQ(verdict_of(claim({aside, count(-1)})), Verdict::does_not_hold);
+  EXPECT_EQ(where(claim({aside})), "No row of its matrix can be judged.");
+}
+
+TEST(Claim, SaysWhereItHolds) {
+  EXPECT_EQ(
+      where(
+          claim({count(1), count(-2, "stop", "venus"), count(3, "chain"), count(0, "next axis")})),
+      "Holds in 2 of 4 rows. In every row: chain. In some: stop (1 of 2). In none: next axis.");
+  EXPECT_EQ(where(claim({count(-1), measured(7, 8, 9)})), "Holds in 0 of 2 rows, undecided in 1.");
+}
+
+TEST(Claim, TableHasAllThatTheVerdictNeeds) {
+  const Table table = claim_table(claim({count(12), measured(7, 9, 10)}));
+  EXPECT_EQ(table.id, "claim_c");
+  EXPECT_EQ(test::cell(table, 0, "stands"), "holds");
+  EXPECT_EQ(test::cell(table, 1, "stands"), "undecided");
+  EXPECT_EQ(to_csv(table),
+            "metric,reading,subject,unit,above,below,value,low,high,rounds,stands,unjudged\n"
+            "leaves,stop,bunny,,0,,12,,,,holds,\n"
+            "time,,bunny,%,8,,9,7,10,20,undecided,\n");
+}
+
+TEST(Claim, NumbersAreReadable) {
+  EXPECT_EQ(words_of(measured(7, 9.04, 10)), "+9.0 (+7.0 to +10.0) %");
+  EXPECT_EQ(words_of(count(12)), "12");
+}
+
+}  // namespace
+}  // namespace soms::reproduce
