@@ -4,6 +4,7 @@
 
 #include "soms/base/parallel.h"
 
+#include "reproduce/drawn_frames.h"
 #include "reproduce/models.h"
 #include "reproduce/result.h"
 
@@ -21,6 +22,7 @@ struct Context {
   /// One thread for all that is timed; `stop` and `progress` (0 to 1 of this experiment) are
   /// heeded.
   Parallel parallel = {};
+  DrawFrames draw = {};  ///< what draws; empty where nothing does
 
   /// `whole` repetitions, or a tenth of them (at least 5) in a quick run.
   [[nodiscard]] int repetitions(int whole) const;

@@ -97,7 +97,7 @@ class Runner {
   }
 
   Entry operator()(const Experiment& experiment, const Models& models) {
-    Context context{.models = models, .quick = options_.quick};
+    Context context{.models = models, .quick = options_.quick, .draw = options_.draw};
     context.parallel = watched(experiment.item, experiment.weight);
     const Stopwatch watch;
     Entry entry{.experiment = &experiment, .result = experiment.run(context)};

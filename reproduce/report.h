@@ -78,7 +78,8 @@ struct RunOptions {
   std::filesystem::path models = {};  ///< folder of models; empty for stand-ins
   std::vector<const Experiment*> experiments = {};
   bool quick = false;
-  bool latex = false;                       ///< also write tables for LaTeX (latex.h)
+  DrawFrames draw = {};  ///< what draws for experiments that do; empty where nothing does
+  bool latex = false;    ///< also write tables for LaTeX (latex.h)
   std::optional<GoldenTables> golden = {};  ///< to compare with, after the experiments
 };
 

@@ -62,6 +62,21 @@ void add_statistics_cells(std::vector<Cell>& row, const std::vector<double>& num
   }
 }
 
+Cell rate_cell(double milliseconds) {
+  return milliseconds > 0 ? number_cell(1000 / milliseconds) : Cell{};
+}
+
+void add_rate_cells(std::vector<Cell>& row, const std::vector<double>& milliseconds) {
+  if (milliseconds.empty()) {
+    row.resize(row.size() + 4);
+    return;
+  }
+  const Timing summary = summarize(milliseconds);
+  for (const double ms : {summary.mean, summary.median, summary.max, summary.min}) {
+    row.push_back(rate_cell(ms));
+  }
+}
+
 void add_estimate_columns(Table& table, std::string_view unit) {
   for (const char* const name : {"median", "low", "high"}) {
     table.columns.push_back({name, std::string(unit), ColumnKind::timed});

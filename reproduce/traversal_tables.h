@@ -42,6 +42,14 @@ void add_statistics_columns(Table& table);
 /// Appends the cells of those columns; empty ones where there are no numbers.
 void add_statistics_cells(std::vector<Cell>& row, const std::vector<double>& numbers);
 
+/// Frames a second where one takes so many `milliseconds`; empty where that is 0. For mean
+/// times only: a mean of the rates of single frames would weigh short frames most.
+[[nodiscard]] Cell rate_cell(double milliseconds);
+
+/// Appends to the columns of `add_statistics_columns` the frames a second of the mean, median,
+/// longest and shortest frame; empty cells where there are no numbers.
+void add_rate_cells(std::vector<Cell>& row, const std::vector<double>& milliseconds);
+
 /// Appends the median of rounds and the ends of its interval of 95 % as columns that differ from
 /// run to run.
 void add_estimate_columns(Table& table, std::string_view unit);

@@ -1,4 +1,6 @@
 set(SOMS_REPRODUCE_FILES
+  draw_frames.cpp
+  draw_frames.h
   main.cpp
   print_pdf.cpp
   print_pdf.h

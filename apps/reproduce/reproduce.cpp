@@ -2,6 +2,7 @@
 
 #include "soms/base/error.h"
 
+#include "apps/reproduce/draw_frames.h"
 #include "apps/reproduce/print_pdf.h"
 #include "apps/support/console.h"
 #include "apps/support/exit_status.h"
@@ -259,6 +260,7 @@ int run_reproduce(const ReproduceOptions& options, Console& console) {
   const reproduce::RunOptions run{.models = options.models,
                                   .experiments = chosen(options),
                                   .quick = options.quick,
+                                  .draw = draw_frames,
                                   .latex = options.latex,
                                   .golden = golden_tables(options)};
   check_outputs({{"--output", (fs::path(options.output) / "index.html").string()}},

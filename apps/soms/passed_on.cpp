@@ -2,7 +2,6 @@
 
 #include "soms/base/error.h"
 
-#include "apps/soms/viewer.h"
 #include "apps/support/child.h"
 #include "apps/support/parse.h"
 

@@ -3,30 +3,15 @@
 #include "soms/base/error.h"
 
 #include "apps/soms/viewer.h"
+#include "apps/support/child.h"
 #include "apps/support/output.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <system_error>
 
 namespace soms::command {
-
-namespace {
-
-std::filesystem::path make_folder() {
-  std::error_code unknown;
-  std::filesystem::path base = std::filesystem::temp_directory_path(unknown);
-  std::string pattern = ((unknown ? std::filesystem::path("/tmp") : base) / "soms-XXXXXX").string();
-  if (::mkdtemp(pattern.data()) == nullptr) {
-    throw Error(ErrorKind::cannot_write, pattern + ": cannot create a temporary recording",
-                "set TMPDIR to another folder");
-  }
-  return pattern;
-}
-
-}  // namespace
 
 void check_picture_frame(const SimulateOptions& options) {
   const std::uint64_t frame = options.picture_frame.value_or(0);
@@ -54,15 +39,8 @@ Picture::Picture(const SimulateOptions& options) : options_(options), recording_
   (void)viewer_program();
   { const OutputFile probe(options.picture); }
   if (!kept) {
-    folder_ = make_folder();
-    recording_ = (folder_ / "run.somsrec").string();
-  }
-}
-
-Picture::~Picture() {
-  if (!folder_.empty()) {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
+    folder_.emplace("recording");
+    recording_ = (folder_->path() / "run.somsrec").string();
   }
 }
 

@@ -4,8 +4,8 @@
 
 #include "apps/soms/simulate.h"
 #include "apps/soms/simulate_run.h"
+#include "apps/support/temporary_folder.h"
 
-#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -21,9 +21,6 @@ class Picture {
   /// a recording that cannot be read again; unsupported where soms-view is missing;
   /// cannot_write where no picture can be.
   explicit Picture(const SimulateOptions& options);
-  ~Picture();
-  Picture(const Picture&) = delete;
-  Picture& operator=(const Picture&) = delete;
 
   /// The file to record to; empty where nothing is.
   [[nodiscard]] const std::string& recording() const { return recording_; }
@@ -34,7 +31,7 @@ class Picture {
 
  private:
   const SimulateOptions& options_;
-  std::filesystem::path folder_;  ///< ours; empty: none
+  std::optional<TemporaryFolder> folder_;  ///< ours; nothing where the recording is kept
   std::string recording_;
 };
 

@@ -27,14 +27,6 @@ void add_model_words(std::vector<std::string>& words, const ModelOptions& model,
 
 }  // namespace
 
-std::filesystem::path viewer_program() {
-  return find_program(
-      {.name = "soms-view",
-       .variable = "SOMS_VIEW",
-       .remedy = "make view installs what it needs and builds it, or set SOMS_VIEW to its path; "
-                 "see docs/view.md"});
-}
-
 std::vector<std::string> words_of(const WorldOptions& world, const Shared& shared) {
   std::vector<std::string> words;
   const auto add_all = [&](const std::string& name, const std::vector<std::string>& values) {

@@ -15,10 +15,6 @@
 
 namespace soms::command {
 
-/// The program, sought as `find_program` does.
-/// \errors ErrorKind::unsupported where there is none; the remedy says how to get it.
-[[nodiscard]] std::filesystem::path viewer_program();
-
 /// The words that make soms-view load the world that `simulate` would.
 [[nodiscard]] std::vector<std::string> words_of(const WorldOptions& world, const Shared& shared);
 

@@ -16,6 +16,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
+#include <initializer_list>
 #include <sstream>
 #include <string_view>
 #include <system_error>
@@ -133,6 +135,10 @@ pid_t start(const std::filesystem::path& program, const std::vector<std::string>
   return child;
 }
 
+int exit_status_of(int status) {
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
 /// True once a child has ended, which stays to be collected.
 bool has_ended(pid_t child) {
   siginfo_t info{};
@@ -159,6 +165,45 @@ pid_t start_at_home(const std::filesystem::path& program, const std::vector<std:
   }
 }
 
+/// Runs a child to its end and reads what it writes to these of its descriptors.
+ChildAnswer read_child(const std::filesystem::path& program, const std::vector<std::string>& words,
+                       const std::string& called, std::initializer_list<int> descriptors) {
+  std::array<int, 2> ends{};
+  if (::pipe(ends.data()) != 0) {
+    throw not_started(program, errno);
+  }
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  for (const int descriptor : descriptors) {
+    posix_spawn_file_actions_adddup2(&files, ends[1], descriptor);
+  }
+  posix_spawn_file_actions_addclose(&files, ends[0]);
+  posix_spawn_file_actions_addclose(&files, ends[1]);
+  pid_t child = -1;
+  std::exception_ptr fault;
+  try {
+    child = start(program, words, called, {&files});
+  } catch (const Error&) {
+    fault = std::current_exception();
+  }
+  posix_spawn_file_actions_destroy(&files);
+  ::close(ends[1]);
+  ChildAnswer answer;
+  std::array<char, 4096> bytes{};
+  for (ssize_t got = 1; child > 0 && got > 0;) {
+    got = ::read(ends[0], bytes.data(), bytes.size());
+    answer.text.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+  }
+  ::close(ends[0]);
+  if (fault) {
+    std::rethrow_exception(fault);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  answer.status = exit_status_of(status);
+  return answer;
+}
+
 }  // namespace
 
 std::filesystem::path find_program(const ChildProgram& program) {
@@ -183,6 +228,14 @@ std::filesystem::path find_program(const ChildProgram& program) {
               program.remedy);
 }
 
+std::filesystem::path viewer_program() {
+  return find_program(
+      {.name = "soms-view",
+       .variable = "SOMS_VIEW",
+       .remedy = "make view installs what it needs and builds it, or set SOMS_VIEW to its path; "
+                 "see docs/view.md"});
+}
+
 std::string as_argument(const std::string& path) {
   return path.size() > 1 && path[0] == '-' ? "./" + path : path;
 }
@@ -198,34 +251,15 @@ void become(const std::filesystem::path& program, const std::string& called,
 
 std::string output_of(const std::filesystem::path& program, const std::vector<std::string>& words,
                       const std::string& called) {
-  std::array<int, 2> ends{};
-  if (::pipe(ends.data()) != 0) {
+  try {
+    return read_child(program, words, called, {1}).text;
+  } catch (const Error&) {
     return {};
   }
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_adddup2(&files, ends[1], 1);
-  posix_spawn_file_actions_addclose(&files, ends[0]);
-  posix_spawn_file_actions_addclose(&files, ends[1]);
-  std::string text;
-  pid_t child = -1;
-  try {
-    child = start(program, words, called, {&files});
-  } catch (const Error&) {
-    child = -1;
-  }
-  posix_spawn_file_actions_destroy(&files);
-  ::close(ends[1]);
-  std::array<char, 4096> bytes{};
-  for (ssize_t got = 1; child > 0 && got > 0;) {
-    got = ::read(ends[0], bytes.data(), bytes.size());
-    text.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
-  }
-  ::close(ends[0]);
-  if (child > 0) {
-    ::waitpid(child, nullptr, 0);
-  }
-  return text;
+}
+
+ChildAnswer answer_of(const std::filesystem::path& program, const std::vector<std::string>& words) {
+  return read_child(program, words, {}, {1, 2});
 }
 
 int run_child(const std::filesystem::path& program, const std::vector<std::string>& words,
@@ -253,7 +287,7 @@ int run_child(const std::filesystem::path& program, const std::vector<std::strin
     throw Error(ErrorKind::timed_out, "out of time while " + program.filename().string() + " ran",
                 "allow more time with --timeout");
   }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return exit_status_of(status);
 }
 
 }  // namespace soms::command

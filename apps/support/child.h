@@ -23,6 +23,10 @@ struct ChildProgram {
 /// order, where none has the first. \errors ErrorKind::unsupported where there is none.
 [[nodiscard]] std::filesystem::path find_program(const ChildProgram& program);
 
+/// The program soms-view, sought as `find_program` does.
+/// \errors ErrorKind::unsupported where there is none; the remedy says how to get it.
+[[nodiscard]] std::filesystem::path viewer_program();
+
 /// A path that a child does not take for an option.
 [[nodiscard]] std::string as_argument(const std::string& path);
 
@@ -54,5 +58,16 @@ struct ChildOptions {
 [[nodiscard]] std::string output_of(const std::filesystem::path& program,
                                     const std::vector<std::string>& words,
                                     const std::string& called = {});
+
+/// What a child said on standard output and standard error, in the order in which it came.
+struct ChildAnswer {
+  int status = 0;  ///< its exit status, 128 + n where signal n ended it
+  std::string text = {};
+};
+
+/// Runs `program` with `words` and waits.
+/// \errors ErrorKind::unsupported where it cannot be started; ErrorKind::out_of_memory.
+[[nodiscard]] ChildAnswer answer_of(const std::filesystem::path& program,
+                                    const std::vector<std::string>& words);
 
 }  // namespace soms::command

@@ -38,6 +38,8 @@ set(SOMS_SUPPORT_FILES
   stated_options.h
   suggest.cpp
   suggest.h
+  temporary_folder.cpp
+  temporary_folder.h
   text.cpp
   text.h
   verb.cpp

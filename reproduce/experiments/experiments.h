@@ -183,6 +183,12 @@ namespace soms::reproduce {
 /// Every traversal of two trees on the orientation tests and the city drives.
 [[nodiscard]] Result traversals(const Context& context);
 
+/// Drives through the scenes: frames in which triangles touch apart from those in which none do.
+[[nodiscard]] Result drives(const Context& context);
+
+/// The drives as the viewer draws them, beside the same without drawing.
+[[nodiscard]] Result drives_drawn(const Context& context);
+
 /// The thesis' models and scenes by modern measures: SAH cost, expected and measured visits,
 /// memory, build rate, exact queries; every rule with the thesis' options and with the product's.
 [[nodiscard]] Result modern(const Context& context);

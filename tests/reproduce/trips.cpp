@@ -28,7 +28,8 @@ Model model(std::string name, Mesh mesh) {
 std::vector<std::string_view> traversal_items() {
   return {"table-3.2",  "figure-3.8",         "figure-4.35",       "figure-5.6",
           "figure-5.7", "figure-5.8",         "figure-5.9",        "figure-5.10",
-          "traversals", "orientation-bottom", "orientation-front", "orientation-back"};
+          "traversals", "orientation-bottom", "orientation-front", "orientation-back",
+          "drives",     "drives-drawn"};
 }
 
 Models small_models() {

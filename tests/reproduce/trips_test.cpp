@@ -68,8 +68,27 @@ TEST_P(Traversals, GiveTheSameBytesTwiceWhereNothingIsTimed) {
 }
 
 TEST_P(Traversals, MarkTimesAsTimed) {
-  const std::set<std::string> times{"collision", "frame_time", "fps", "traversal",
-                                    "mean",      "median",     "min", "max"};
+  const std::set<std::string> times{"collision",
+                                    "frame_time",
+                                    "fps",
+                                    "traversal",
+                                    "mean",
+                                    "median",
+                                    "min",
+                                    "max",
+                                    "contact_frame_time",
+                                    "contact_fps",
+                                    "free_frame_time",
+                                    "free_fps",
+                                    "contact_collision",
+                                    "contact_collision_drawn",
+                                    "contact_drawing",
+                                    "contact_fps_drawn",
+                                    "free_collision",
+                                    "free_collision_drawn",
+                                    "free_drawing",
+                                    "free_fps_drawn",
+                                    "renderer"};
   const Models models = small_models();
   for (const Table& table : run_quick(GetParam(), models).tables) {
     for (const Column& column : table.columns) {

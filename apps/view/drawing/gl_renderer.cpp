@@ -216,6 +216,10 @@ DrawStatistics GlRenderer::statistics() const {
   return parts_->statistics;
 }
 
+void GlRenderer::finish() {
+  glFinish();
+}
+
 std::string GlRenderer::device() {
   return words(GL_RENDERER) + ", OpenGL " + words(GL_VERSION);
 }

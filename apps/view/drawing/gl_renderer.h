@@ -32,6 +32,9 @@ class GlRenderer final : public Renderer {
   [[nodiscard]] Picture read_pixels() override;
   [[nodiscard]] DrawStatistics statistics() const override;
 
+  /// Waits until the device has drawn everything so far.
+  static void finish();
+
   /// The device and its driver, in their own words.
   [[nodiscard]] static std::string device();
 

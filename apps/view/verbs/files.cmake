@@ -3,6 +3,7 @@ set(SOMS_VIEW_HEADERS
   render.h
   render_camera.h
   render_scene.h
+  time_frames.h
   verbs.h
   view.h
 )
@@ -10,6 +11,7 @@ set(SOMS_VIEW_SOURCES
   render.cpp
   render_camera.cpp
   render_scene.cpp
+  time_frames.cpp
   verbs.cpp
   view.cpp
 )

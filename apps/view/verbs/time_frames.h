@@ -1,0 +1,30 @@
+/// \file
+/// The verb `time-frames`: what each frame of a moving model takes, drawing and without.
+#pragma once
+
+#include "apps/support/verb.h"
+#include "apps/support/world_options.h"
+#include "apps/view/drawing/camera.h"
+
+#include <string>
+
+namespace soms::view {
+
+/// Options of the verb `time-frames`.
+struct TimeFramesOptions {
+  command::WorldOptions world = {};
+  std::string pose = {};  ///< CSV file of poses, a frame each
+  int mover_levels = -1;  ///< of the mover's tree; below 0: those of the city's
+  Size size{640, 480};    ///< a usual size of windows in 2009
+  int samples = 1;
+  int passes = 3;  ///< over all frames, drawing and not; each time is the median of them
+};
+
+/// Adds the options and returns what times the frames.
+[[nodiscard]] command::Action add_time_frames(CLI::App& app, command::Shared& shared);
+
+/// \errors As `HeadlessContext` and `command::load_world`; ErrorKind::usage unless there are one
+///         mover and a file of poses.
+[[nodiscard]] int run_time_frames(const TimeFramesOptions& options, command::Console& console);
+
+}  // namespace soms::view

@@ -1,0 +1,214 @@
+// Drives through the scenes: frames in which triangles touch apart from those in which none do.
+#include "reproduce/chart.h"
+#include "reproduce/drive_contenders.h"
+#include "reproduce/experiments/experiments.h"
+#include "reproduce/frames.h"
+#include "reproduce/steps.h"
+#include "reproduce/touching_drive.h"
+#include "reproduce/traversal_match.h"
+#include "reproduce/traversal_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace soms::reproduce {
+
+namespace {
+
+/// A drive on the trees of one rule, by all traversals.
+struct Ride {
+  std::string title;  ///< of the rule
+  Trip trip;
+  std::array<Totals, drive_traversal_count> sums = {};
+  std::vector<Frame> frames = {};      ///< with contacts; empty if there are too many pairs
+  std::vector<FrameTimes> times = {};  ///< empty likewise, else one a traversal
+
+  [[nodiscard]] bool is_timed() const { return !times.empty(); }
+
+  [[nodiscard]] std::size_t contact_frames() const {
+    return static_cast<std::size_t>(std::count_if(
+        frames.begin(), frames.end(), [](const Frame& frame) { return !frame.contacts.empty(); }));
+  }
+
+  /// Mean milliseconds of a whole frame, of those with contacts or of those without; 0 of none.
+  [[nodiscard]] double mean_time(std::size_t traversal, bool contact) const {
+    std::vector<double> medians;
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+      if (!frames[k].contacts.empty() == contact) {
+        medians.push_back(times[traversal].frame[k].median);
+      }
+    }
+    return mean_of(medians);
+  }
+};
+
+void run(Ride& ride, const Context& context) {
+  const auto traversals = drive_traversals();
+  for (std::size_t i = 0; i < drive_traversal_count; ++i) {
+    ride.sums[i] = totals(traverse_frames(ride.trip, traversals[i], context.parallel));
+  }
+  if (has_too_many_pairs(ride.sums[larsson])) {
+    return;
+  }
+  for (std::size_t i = 0; i < drive_traversal_count; ++i) {
+    std::vector<Frame> frames = answer_frames(ride.trip, traversals[i], context.parallel);
+    ride.sums[i] = totals(frames);
+    for (std::size_t k = 0; i > 0 && k < frames.size(); ++k) {
+      require(frames[k].contacts == ride.frames[k].contacts,
+              fmt::format("{} of {} past {}, frame {}: contacts by {} and by {}", ride.trip.test,
+                          ride.trip.moving, ride.trip.still, k, traversals[i].name,
+                          traversals[0].name));
+    }
+    ride.frames = std::move(frames);
+  }
+  ride.times = time_frames(ride.trip, traversals, context.repetitions(50), context.parallel);
+}
+
+/// Contacts do not depend on the trees.
+void check_same_contacts(const Ride& one, const Ride& other) {
+  for (std::size_t k = 0; one.is_timed() && other.is_timed() && k < one.frames.size(); ++k) {
+    require(one.frames[k].contacts == other.frames[k].contacts,
+            fmt::format("{} of {} past {}, frame {}: contacts by {} and by {}", one.trip.test,
+                        one.trip.moving, one.trip.still, k, one.title, other.title));
+  }
+}
+
+Table drive_table(const std::vector<Ride>& rides, int repetitions) {
+  Table table{
+      .id = "drives",
+      .caption = fmt::format(
+          "Drives through the scenes: counts summed over all frames, and milliseconds and frames "
+          "a second (1000 / mean ms) of the frames with contact and of those without, each frame "
+          "by its median of {} repetitions (the number is ours). A frame is moving the boxes, "
+          "traversing the trees and testing the triangles, drawing off. Trees of level {}, scenes "
+          "{}. Cells are empty where the leaves that overlap hold over {} million pairs of "
+          "triangles.{}",
+          repetitions, kObjectLevel, kSceneLevel, kManyTrianglePairs / 1'000'000, kThesisOptions),
+      .columns = {{"static"},
+                  {"moving"},
+                  {"rule"},
+                  {"test"},
+                  {"algorithm"},
+                  {"frames"},
+                  {"root_overlap_frames"},
+                  {"contact_frames"},
+                  {"contacts"}}};
+  add_count_columns(table);
+  table.columns.push_back({"triangle_tests"});
+  for (const char* const kind : {"contact", "free"}) {
+    table.columns.push_back({fmt::format("{}_frame_time", kind), "ms", ColumnKind::timed});
+    table.columns.push_back({fmt::format("{}_fps", kind), "", ColumnKind::timed});
+  }
+  for (const Ride& ride : rides) {
+    for (std::size_t i = 0; i < drive_traversal_count; ++i) {
+      const Totals& sum = ride.sums[i];
+      std::vector<Cell> row{
+          ride.trip.still, ride.trip.moving,           ride.trip.rule,
+          ride.trip.test,  drive_traversals()[i].name, count_cell(ride.trip.offsets.size())};
+      row.push_back(count_cell(sum.root_overlap_frames));
+      row.push_back(ride.is_timed() ? count_cell(ride.contact_frames()) : Cell{});
+      row.push_back(ride.is_timed() ? count_cell(sum.contacts) : Cell{});
+      add_count_cells(row, sum.counts);
+      row.push_back(ride.is_timed() ? count_cell(sum.triangle_tests) : Cell{});
+      for (const bool contact : {true, false}) {
+        const double ms = ride.is_timed() ? ride.mean_time(i, contact) : 0;
+        row.push_back(ms > 0 ? number_cell(ms) : Cell{});
+        row.push_back(rate_cell(ms));
+      }
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+/// "u_mixed, drive": a group of bars.
+std::string group_of(const Ride& ride) {
+  return fmt::format("{}, {}", ride.trip.still, ride.trip.test == "drive" ? "drive" : "touching");
+}
+
+Figure time_figure(const std::vector<Ride>& rides, bool contact) {
+  const std::string_view kind = contact ? "with contact" : "without contact";
+  BarChart chart{.title = fmt::format("Time of a frame {}, by drive", kind),
+                 .y_label = "ms a frame, drawing off",
+                 .y_scale = Scale::log};
+  for (const std::string_view rule : kDriveRules) {
+    for (std::size_t i = 0; i < drive_traversal_count; ++i) {
+      Bars bars;
+      chart.groups.clear();
+      for (const Ride& ride : rides) {
+        if (ride.trip.rule == rule) {
+          const double ms = ride.is_timed() ? ride.mean_time(i, contact) : 0;
+          bars.name = fmt::format("{}, {}", ride.title, kDriveTraversalTitles[i]);
+          bars.values.push_back(ms > 0 ? ms : std::numeric_limits<double>::quiet_NaN());
+          chart.groups.push_back(group_of(ride));
+        }
+      }
+      chart.bars.push_back(std::move(bars));
+    }
+  }
+  return {.id = contact ? "drives_contact" : "drives_free",
+          .caption = fmt::format("Milliseconds of a whole frame {}, mean over such frames of a "
+                                 "drive; no bar where there are no such frames, or too many pairs "
+                                 "of triangles to test.{}",
+                                 kind, kThesisOptions),
+          .svg = draw(chart),
+          .timed = true};
+}
+
+/// Drives that were left out, by name.
+std::vector<std::string> left_out(const std::vector<Ride>& rides) {
+  std::vector<std::string> words;
+  for (const Ride& ride : rides) {
+    if (!ride.is_timed()) {
+      words.push_back(fmt::format(
+          "Left out: {} through {} on {} trees, whose overlapping leaves hold {} pairs of "
+          "triangles over the drive.",
+          ride.trip.test, ride.trip.still, ride.title,
+          to_text(count_cell(ride.sums[larsson].counts.triangle_pairs))));
+    }
+  }
+  return words;
+}
+
+}  // namespace
+
+Result drives(const Context& context) {
+  const Model& object = context.models.objects.front();
+  const std::vector<Contender> of_object = thesis_rules(kObjectLevel);
+  const std::vector<Contender> of_scene = thesis_rules(kSceneLevel);
+  Steps steps(context.parallel, context.models.scenes.size() * 2 * kDriveRules.size());
+  Result result{.remarks = {object_remark(object)}};
+  const std::vector<std::string> scenes = scene_remarks(context.models.scenes);
+  result.remarks.insert(result.remarks.end(), scenes.begin(), scenes.end());
+  std::vector<Ride> rides;
+  for (const Model& scene : context.models.scenes) {
+    const TouchingDrive touching = find_touching_drive(scene, object, context.parallel);
+    result.remarks.push_back(touching_drive_remark(scene, touching));
+    for (const bool is_touching : {false, true}) {
+      const std::size_t first = rides.size();
+      for (const std::string_view rule : kDriveRules) {
+        const Contender& build = build_named(of_scene, rule);
+        const Contender& build_of_object = build_named(of_object, rule);
+        Ride ride{.title = build.title,
+                  .trip = is_touching
+                              ? touching_drive_trip(scene, object, build, build_of_object, touching)
+                              : drive_trip(scene, object, build, build_of_object)};
+        run(ride, context);
+        rides.push_back(std::move(ride));
+        steps.done_one();
+      }
+      check_same_contacts(rides[first], rides[first + 1]);
+    }
+  }
+  const std::vector<std::string> out = left_out(rides);
+  result.remarks.insert(result.remarks.end(), out.begin(), out.end());
+  result.tables = {drive_table(rides, context.repetitions(50))};
+  result.figures = {time_figure(rides, true), time_figure(rides, false)};
+  return result;
+}
+
+}  // namespace soms::reproduce
