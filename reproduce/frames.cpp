@@ -89,9 +89,13 @@ Trip orientation_trip(const Model& object, Approach from, const Contender& build
   return trip;
 }
 
+Mesh driven(const Mesh& object) {
+  return transformed(object, kDriveScale, UpAxis::y);
+}
+
 Trip drive_trip(const Model& scene, const Model& object, const Contender& build_of_scene,
                 const Contender& build_of_object) {
-  auto mover = std::make_shared<const Mesh>(transformed(*object.mesh, kDriveScale, UpAxis::y));
+  auto mover = std::make_shared<const Mesh>(driven(*object.mesh));
   return {.still = scene.name,
           .moving = object.name + std::to_string(static_cast<int>(kDriveScale)),
           .test = "drive",

@@ -49,6 +49,9 @@ struct Trip {
 /// An object comes at another of its kind (y up), both trees by the same build.
 [[nodiscard]] Trip orientation_trip(const Model& object, Approach from, const Contender& build);
 
+/// An object as it drives through a scene: turned z up and `kDriveScale` times as large.
+[[nodiscard]] Mesh driven(const Mesh& object);
+
 /// An object, turned z up and enlarged, drives through a scene.
 [[nodiscard]] Trip drive_trip(const Model& scene, const Model& object,
                               const Contender& build_of_scene, const Contender& build_of_object);

@@ -1,0 +1,126 @@
+#include "reproduce/touching_drive.h"
+
+#include "soms/base/arithmetic.h"
+#include "soms/query/overlap.h"
+#include "soms/query/traversal/thesis_frames.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <utility>
+
+namespace soms::reproduce {
+
+namespace {
+
+constexpr std::size_t kAcross = 8;
+constexpr std::size_t kHeights = 8;
+
+/// A candidate line: where it runs, as parts of the scene's box.
+struct DriveLine {
+  std::size_t axis;    ///< 0: along x, 1: along y
+  std::size_t across;  ///< one of `kAcross` strips of equal width; the object is centered on it
+  std::size_t height;  ///< the object's underside is at so many `kHeights`-ths of the height
+};
+
+std::vector<DriveLine> drive_lines() {
+  std::vector<DriveLine> lines;
+  for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+    for (std::size_t height = 0; height < kHeights; ++height) {
+      for (std::size_t across = 0; across < kAcross; ++across) {
+        lines.push_back({axis, across, height});
+      }
+    }
+  }
+  return lines;
+}
+
+std::vector<Vec3> offsets_along(const DriveLine& line, const Box& scene, const Box& mover) {
+  const PlainArithmetic plain;
+  const std::size_t side = 1 - line.axis;
+  Vec3 offset{};
+  offset[side] = scene.lower[side] +
+                 scene.extent()[side] * (2 * static_cast<double>(line.across) + 1) /
+                     (2 * static_cast<double>(kAcross)) -
+                 0.5 * (mover.lower[side] + mover.upper[side]);
+  offset.z = scene.lower.z +
+             scene.extent().z * static_cast<double>(line.height) / static_cast<double>(kHeights) -
+             mover.lower.z;
+  const double from = scene.lower[line.axis] - mover.upper[line.axis];
+  const double to = scene.upper[line.axis] - mover.lower[line.axis];
+  std::vector<Vec3> offsets(city_drive().size(), offset);
+  const auto last = static_cast<double>(offsets.size() - 1);
+  for (std::size_t k = 0; k < offsets.size(); ++k) {
+    offsets[k][line.axis] = from + (to - from) * (static_cast<double>(k) / last);
+  }
+  return offsets;
+}
+
+std::size_t contact_frames(const Shape& scene, const Shape& mover, const std::vector<Vec3>& offsets,
+                           const Parallel& parallel) {
+  std::size_t count = 0;
+  for (const Vec3& by : offsets) {
+    const Pose pose = Pose::translation(by.x, by.y, by.z);
+    count += overlap(Body(scene), Body(mover, pose), {.mode = OverlapMode::any}, parallel).any;
+  }
+  return count;
+}
+
+/// Twice the distance of a number of contact frames from half of all.
+std::size_t off_half(std::size_t contact_frames, std::size_t frames) {
+  const std::size_t twice = 2 * contact_frames;
+  return twice < frames ? frames - twice : twice - frames;
+}
+
+}  // namespace
+
+TouchingDrive find_touching_drive(const Model& scene, const Model& object,
+                                  const Parallel& parallel) {
+  const Shape still(scene.mesh);
+  const Shape mover(std::make_shared<const Mesh>(driven(*object.mesh)));
+  const Parallel quiet{1, parallel.stop, {}};
+  TouchingDrive best{.offsets = city_drive()};
+  if (still.bounds().empty() || mover.bounds().empty()) {
+    return best;
+  }
+  for (const DriveLine& line : drive_lines()) {
+    check_stop(quiet);
+    std::vector<Vec3> offsets = offsets_along(line, still.bounds(), mover.bounds());
+    const std::size_t count = contact_frames(still, mover, offsets, quiet);
+    best.touching_lines += count > 0 ? 1U : 0U;
+    if (best.lines == 0 ||
+        off_half(count, offsets.size()) < off_half(best.contact_frames, offsets.size())) {
+      best.offsets = std::move(offsets);
+      best.contact_frames = count;
+    }
+    ++best.lines;
+  }
+  return best;
+}
+
+Trip touching_drive_trip(const Model& scene, const Model& object, const Contender& build_of_scene,
+                         const Contender& build_of_object, const TouchingDrive& drive) {
+  Trip trip = drive_trip(scene, object, build_of_scene, build_of_object);
+  trip.test = "touching_drive";
+  trip.offsets = drive.offsets;
+  return trip;
+}
+
+std::string touching_drive_remark(const Model& scene, const TouchingDrive& drive) {
+  if (drive.contact_frames == 0) {
+    return fmt::format(
+        "touching_drive through {}: on none of {} lines does the object touch the "
+        "scene, so this drive has no contact frames.",
+        scene.name, drive.lines);
+  }
+  const Vec3& from = drive.offsets.front();
+  const bool along_x = from.y == drive.offsets.back().y;
+  return fmt::format(
+      "touching_drive through {}: along {} at {} = {:.6g}, z = {:.6g} (offsets of "
+      "the object), contact in {} of {} frames, the nearest to half of them on "
+      "{} lines.",
+      scene.name, along_x ? "x" : "y", along_x ? "y" : "x", along_x ? from.y : from.x, from.z,
+      drive.contact_frames, drive.offsets.size(), drive.lines);
+}
+
+}  // namespace soms::reproduce
