@@ -1,9 +1,11 @@
 #include "soms/query/traversal/e_node.h"
 
 #include "soms/query/traversal/detail/e_node_step.h"
+#include "soms/query/traversal/detail/recursion.h"
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 
@@ -17,6 +19,19 @@ struct Outcome {
   ChildPairs report;  ///< overlapping pairs of leaves
 };
 
+// By insertion: at most four pairs, and no memory. Child pairs come in the order of their TreeIDs
+// and equal volumes are not swapped, so ties stay in that order.
+void sort_by_volume(const Probe& probe, ChildPairs& pairs) {
+  std::array<double, 4> volumes{};
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    volumes[i] = probe.shared_volume(pairs[i]);
+    for (std::size_t k = i; k > 0 && volumes[k] > volumes[k - 1]; --k) {
+      std::swap(volumes[k], volumes[k - 1]);
+      std::swap(pairs.begin()[k], pairs.begin()[k - 1]);
+    }
+  }
+}
+
 /// Tests the child pairs of one pair.
 class Step {
  public:
@@ -24,6 +39,16 @@ class Step {
       : probe_(probe), options_(options), front_(front) {}
 
   [[nodiscard]] Outcome operator()(NodePair p) {
+    Outcome children = children_of(p);
+    if (options_.order == EntryOrder::volume) {
+      sort_by_volume(probe_, children.enter);
+      sort_by_volume(probe_, children.report);
+    }
+    return children;
+  }
+
+ private:
+  [[nodiscard]] Outcome children_of(NodePair p) {
     const bool inner = !probe_.node_a(p.a).is_leaf() && !probe_.node_b(p.b).is_leaf();
     if (options_.descent == Descent::fewest && inner) {
       return {fewest(p), {}};
@@ -38,7 +63,6 @@ class Step {
     }
   }
 
- private:
   [[nodiscard]] ChildPairs survivors(const ChildPairs& candidates) {
     ChildPairs out;
     for (const NodePair p : candidates) {
@@ -106,15 +130,22 @@ class Step {
   std::vector<NodePair>* front_;
 };
 
-// By insertion: at most four pairs, and no memory. Child pairs come in the order of their TreeIDs
-// and equal volumes are not swapped, so ties stay in that order.
-void sort_by_volume(const Probe& probe, ChildPairs& pairs) {
-  std::array<double, 4> volumes{};
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    volumes[i] = probe.shared_volume(pairs[i]);
-    for (std::size_t k = i; k > 0 && volumes[k] > volumes[k - 1]; --k) {
-      std::swap(volumes[k], volumes[k - 1]);
-      std::swap(pairs.begin()[k], pairs.begin()[k - 1]);
+void report_all(Probe& probe, const ChildPairs& pairs) {
+  for (const NodePair pair : pairs) {
+    if (!probe.stopped()) {
+      probe.report(pair);
+    }
+  }
+}
+
+// Depth is at most that of both trees together, which `check_recursion` has bounded.
+void recurse(Probe& probe, Step& step, NodePair p, std::uint64_t nesting) {
+  probe.enter(p, nesting);
+  const Outcome children = step(p);
+  report_all(probe, children.report);
+  for (const NodePair child : children.enter) {
+    if (!probe.stopped()) {
+      recurse(probe, step, child, nesting + 1);
     }
   }
 }
@@ -136,23 +167,18 @@ void enter_all(Probe& probe, const TraversalOptions& options, std::vector<NodePa
                std::vector<NodePair>* front) {
   Step step(probe, options, front);
   while (!stack.empty() && !probe.stopped()) {
-    Outcome children = step(probe.pop(stack));
-    if (options.order == EntryOrder::volume) {
-      sort_by_volume(probe, children.enter);
-      sort_by_volume(probe, children.report);
-    }
+    const Outcome children = step(probe.pop(stack));
     stack.insert(stack.end(), std::make_reverse_iterator(children.enter.end()),
                  std::make_reverse_iterator(children.enter.begin()));
-    for (const NodePair pair : children.report) {
-      if (!probe.stopped()) {
-        probe.report(pair);
-      }
-    }
+    report_all(probe, children.report);
   }
 }
 
 TraversalCounts e_node(const PosedTree& a, const PosedTree& b, const TraversalOptions& options,
                        const TraversalVisitor& visitor, TraversalWorkspace& workspace) {
+  if (options.recursive) {
+    check_recursion(a, b);
+  }
   Probe probe(a, b, visitor);
   const NodePair roots;
   const bool hit = probe.test(roots);
@@ -161,8 +187,13 @@ TraversalCounts e_node(const PosedTree& a, const PosedTree& b, const TraversalOp
       probe.report(roots);
     }
   } else if (hit || !options.prune) {
-    workspace.stack.assign(1, roots);
-    enter_all(probe, options, workspace.stack, nullptr);
+    if (options.recursive && !probe.stopped()) {
+      Step step(probe, options, nullptr);
+      recurse(probe, step, roots, 1);
+    } else {
+      workspace.stack.assign(1, roots);
+      enter_all(probe, options, workspace.stack, nullptr);
+    }
   }
   return probe.counts;
 }
