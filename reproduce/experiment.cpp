@@ -23,6 +23,12 @@ constexpr Needs kScenes{.scenes = true};
 constexpr Needs kObjectsAndScenes{.objects = true, .scenes = true};
 
 constexpr std::array kExperiments{
+    Experiment{"claim-enode-faster", "E-Node is faster than Larsson's traversal", Chapter::claims,
+               kObjectsAndScenes, 14, claim_enode_faster},
+    Experiment{"claim-enode-earlier", "E-Node detects overlapping nodes earlier", Chapter::claims,
+               kObjectsAndScenes, 6, claim_enode_earlier},
+    Experiment{"claim-enode-time", "E-Node detects an overlap in 0.2 ms", Chapter::claims,
+               kObjectsAndScenes, 4, claim_enode_time},
     Experiment{"table-3.1", "The objects: specification of the PLY models", Chapter::thesis,
                kObjects, 1, table_3_1},
     Experiment{"table-3.2", "The orientation tests: axis and direction", Chapter::thesis, kObjects,
