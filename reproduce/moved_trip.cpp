@@ -8,9 +8,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace soms::reproduce {
 
@@ -119,9 +121,16 @@ std::uint64_t ask(const MovedTrip& moved, FrameTraversal& traversal, Question qu
   return answer;
 }
 
+std::vector<std::size_t> middle_of(std::span<const std::size_t> frames, std::size_t share) {
+  const std::size_t count =
+      std::min(frames.size(), std::max<std::size_t>(1, frames.size() / share));
+  const auto first = frames.begin() + static_cast<std::ptrdiff_t>((frames.size() - count) / 2);
+  return {first, first + static_cast<std::ptrdiff_t>(count)};
+}
+
 std::vector<Timing> race(const MovedTrip& moved, std::span<const Racer> racers, Question question,
-                         std::span<const std::size_t> frames, int rounds,
-                         const Parallel& parallel) {
+                         std::span<const std::size_t> frames, int rounds, const Parallel& parallel,
+                         std::size_t passes) {
   std::vector<FrameTraversal> traversals;
   for (const Racer& racer : racers) {
     traversals.emplace_back(moved, racer);
@@ -129,13 +138,23 @@ std::vector<Timing> race(const MovedTrip& moved, std::span<const Racer> racers, 
   std::vector<std::uint64_t> answers(racers.size());
   std::vector<std::function<void()>> works;
   for (std::size_t i = 0; i < racers.size(); ++i) {
-    works.emplace_back([&, i] { answers[i] = ask(moved, traversals[i], question, frames); });
+    works.emplace_back([&, i] {
+      for (std::size_t pass = 0; pass < passes; ++pass) {
+        answers[i] = ask(moved, traversals[i], question, frames);
+      }
+    });
   }
   std::vector<Timing> timings = time_in_turn(rounds, parallel, works, kWarmUp);
   for (std::size_t i = 1; i < racers.size(); ++i) {
     require(answers[i] == answers[0],
             fmt::format("{} of {} past {}: answers by {} and by {}", moved.trip().test,
                         moved.trip().moving, moved.trip().still, racers[i].name, racers[0].name));
+  }
+  for (Timing& timing : timings) {
+    for (double& round : timing.rounds) {
+      round /= static_cast<double>(passes);
+    }
+    timing = summarize(std::move(timing.rounds));
   }
   return timings;
 }

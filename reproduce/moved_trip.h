@@ -90,11 +90,18 @@ enum class Question {
 std::uint64_t ask(const MovedTrip& moved, FrameTraversal& traversal, Question question,
                   std::span<const std::size_t> frames);
 
+/// The middle `share`-th of frames, neighbors as before; at least one if there is one.
+[[nodiscard]] std::vector<std::size_t> middle_of(std::span<const std::size_t> frames,
+                                                 std::size_t share);
+
 /// Times the question by several traversals in turn, one reading of the processor clock before and
-/// one after all of the frames. \shape one Timing a racer.
+/// one after all of the frames, which are gone through `passes` times where they take less time
+/// than would be seen.
+/// \shape one Timing a racer, of the frames once.
 /// \errors std::logic_error where answers disagree; ErrorKind::cancelled.
 [[nodiscard]] std::vector<Timing> race(const MovedTrip& moved, std::span<const Racer> racers,
                                        Question question, std::span<const std::size_t> frames,
-                                       int rounds, const Parallel& parallel);
+                                       int rounds, const Parallel& parallel,
+                                       std::size_t passes = 1);
 
 }  // namespace soms::reproduce

@@ -38,17 +38,8 @@ class Step {
   Step(Probe& probe, const TraversalOptions& options, std::vector<NodePair>* front)
       : probe_(probe), options_(options), front_(front) {}
 
-  [[nodiscard]] Outcome operator()(NodePair p) {
-    Outcome children = children_of(p);
-    if (options_.order == EntryOrder::volume) {
-      sort_by_volume(probe_, children.enter);
-      sort_by_volume(probe_, children.report);
-    }
-    return children;
-  }
-
- private:
-  [[nodiscard]] Outcome children_of(NodePair p) {
+  // Called in two places; out of line it makes the loop over the stack a fifth slower.
+  [[nodiscard, gnu::always_inline]] inline Outcome operator()(NodePair p) {
     const bool inner = !probe_.node_a(p.a).is_leaf() && !probe_.node_b(p.b).is_leaf();
     if (options_.descent == Descent::fewest && inner) {
       return {fewest(p), {}};
@@ -63,6 +54,9 @@ class Step {
     }
   }
 
+  [[nodiscard]] const TraversalOptions& options() const { return options_; }
+
+ private:
   [[nodiscard]] ChildPairs survivors(const ChildPairs& candidates) {
     ChildPairs out;
     for (const NodePair p : candidates) {
@@ -130,6 +124,13 @@ class Step {
   std::vector<NodePair>* front_;
 };
 
+void put_in_order(const Probe& probe, const TraversalOptions& options, Outcome& children) {
+  if (options.order == EntryOrder::volume) {
+    sort_by_volume(probe, children.enter);
+    sort_by_volume(probe, children.report);
+  }
+}
+
 void report_all(Probe& probe, const ChildPairs& pairs) {
   for (const NodePair pair : pairs) {
     if (!probe.stopped()) {
@@ -138,10 +139,16 @@ void report_all(Probe& probe, const ChildPairs& pairs) {
   }
 }
 
+// Apart from `recurse`, whose frame stays small.
+[[gnu::noinline]] Outcome divide(Step& step, NodePair p) {
+  return step(p);
+}
+
 // Depth is at most that of both trees together, which `check_recursion` has bounded.
 void recurse(Probe& probe, Step& step, NodePair p, std::uint64_t nesting) {
   probe.enter(p, nesting);
-  const Outcome children = step(p);
+  Outcome children = divide(step, p);
+  put_in_order(probe, step.options(), children);
   report_all(probe, children.report);
   for (const NodePair child : children.enter) {
     if (!probe.stopped()) {
@@ -167,7 +174,8 @@ void enter_all(Probe& probe, const TraversalOptions& options, std::vector<NodePa
                std::vector<NodePair>* front) {
   Step step(probe, options, front);
   while (!stack.empty() && !probe.stopped()) {
-    const Outcome children = step(probe.pop(stack));
+    Outcome children = step(probe.pop(stack));
+    put_in_order(probe, options, children);
     stack.insert(stack.end(), std::make_reverse_iterator(children.enter.end()),
                  std::make_reverse_iterator(children.enter.begin()));
     report_all(probe, children.report);
