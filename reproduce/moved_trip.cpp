@@ -1,5 +1,6 @@
 #include "reproduce/moved_trip.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/geometry/triangle_overlap.h"
 #include "soms/query/traversal/traversals.h"
 
@@ -67,7 +68,9 @@ std::uint64_t MovedTrip::contacts(std::size_t frame, NodePair leaves, std::uint6
 }
 
 FrameTraversal::FrameTraversal(const MovedTrip& moved, const Racer& racer)
-    : moved_(&moved), racer_(&racer) {
+    : moved_(&moved), racer_(&racer), function_(entry(racer.options.traversal).function) {
+  // Checks the trees once: to look for their depths in each frame would slow recursion alone.
+  (void)traverse(moved.still(), moved.moving(0), racer.options);
   if (racer.options.traversal == Traversal::e_node_front) {
     front_.emplace(*moved.trip().a.tree(), *moved.trip().b.tree(), racer.options.descent,
                    racer.options.order);
@@ -81,13 +84,14 @@ void FrameTraversal::restart() {
 }
 
 TraversalCounts FrameTraversal::run(std::size_t frame, const TraversalVisitor& visitor) {
+  const PlainArithmetic plain;
   const PosedTree still = moved_->still();
   const PosedTree moving = moved_->moving(frame);
   if (front_) {
     return front_->next(still.boxes, moving.boxes, visitor);
   }
   return racer_->chain ? e_node_chain(still, moving, visitor, workspace_)
-                       : traverse(still, moving, racer_->options, visitor, workspace_);
+                       : function_(still, moving, racer_->options, visitor, workspace_);
 }
 
 std::uint64_t ask(const MovedTrip& moved, FrameTraversal& traversal, Question question,

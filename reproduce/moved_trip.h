@@ -7,6 +7,7 @@
 #include "soms/query/traversal/e_node_front.h"
 #include "soms/query/traversal/pair_traversal.h"
 #include "soms/query/traversal/posed_boxes.h"
+#include "soms/query/traversal/traversals.h"
 #include "soms/query/traversal_options.h"
 
 #include "reproduce/frames.h"
@@ -62,7 +63,7 @@ struct Racer {
 /// Traverses the frames of a moved trip; E-Node from the last front goes from frame to frame.
 class FrameTraversal {
  public:
-  /// Both must outlive the object.
+  /// Both must outlive the object. \pre Both trees have a node, the trip has a frame.
   FrameTraversal(const MovedTrip& moved, const Racer& racer);
 
   /// Forgets the frames before.
@@ -73,6 +74,7 @@ class FrameTraversal {
  private:
   const MovedTrip* moved_;
   const Racer* racer_;
+  TraversalFunction function_;
   std::optional<EnodeFront> front_;
   TraversalWorkspace workspace_;
 };

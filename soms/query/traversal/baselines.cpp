@@ -2,7 +2,6 @@
 
 #include "soms/query/traversal/detail/child_pairs.h"
 #include "soms/query/traversal/detail/probe.h"
-#include "soms/query/traversal/detail/recursion.h"
 
 #include <iterator>
 
@@ -28,7 +27,7 @@ void traverse_by_stack(Probe& probe, Traversal rule, bool prune, std::vector<Nod
   }
 }
 
-// Depth is at most that of both trees together, which `check_recursion` has bounded.
+// Depth is at most that of both trees together, which `traverse` has bounded.
 void recurse(Probe& probe, Traversal rule, bool prune, NodePair p, std::uint32_t nesting) {
   probe.enter(p, nesting);
   const bool hit = probe.test(p);
@@ -54,7 +53,6 @@ TraversalCounts run(Traversal rule, const PosedTree& a, const PosedTree& b,
                     TraversalWorkspace& workspace) {
   Probe probe(a, b, visitor);
   if (options.recursive) {
-    check_recursion(a, b);
     recurse(probe, rule, options.prune, NodePair{}, 1);
   } else {
     traverse_by_stack(probe, rule, options.prune, workspace.stack);

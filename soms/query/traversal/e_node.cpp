@@ -1,7 +1,6 @@
 #include "soms/query/traversal/e_node.h"
 
 #include "soms/query/traversal/detail/e_node_step.h"
-#include "soms/query/traversal/detail/recursion.h"
 
 #include <algorithm>
 #include <array>
@@ -38,7 +37,7 @@ class Step {
   Step(Probe& probe, const TraversalOptions& options, std::vector<NodePair>* front)
       : probe_(probe), options_(options), front_(front) {}
 
-  // Called in two places; out of line it makes the loop over the stack a fifth slower.
+  // Called in two places; out of line it slows the loop over the stack.
   [[nodiscard, gnu::always_inline]] inline Outcome operator()(NodePair p) {
     const bool inner = !probe_.node_a(p.a).is_leaf() && !probe_.node_b(p.b).is_leaf();
     if (options_.descent == Descent::fewest && inner) {
@@ -144,7 +143,7 @@ void report_all(Probe& probe, const ChildPairs& pairs) {
   return step(p);
 }
 
-// Depth is at most that of both trees together, which `check_recursion` has bounded.
+// Depth is at most that of both trees together, which `traverse` has bounded.
 void recurse(Probe& probe, Step& step, NodePair p, std::uint64_t nesting) {
   probe.enter(p, nesting);
   Outcome children = divide(step, p);
@@ -184,9 +183,6 @@ void enter_all(Probe& probe, const TraversalOptions& options, std::vector<NodePa
 
 TraversalCounts e_node(const PosedTree& a, const PosedTree& b, const TraversalOptions& options,
                        const TraversalVisitor& visitor, TraversalWorkspace& workspace) {
-  if (options.recursive) {
-    check_recursion(a, b);
-  }
   Probe probe(a, b, visitor);
   const NodePair roots;
   const bool hit = probe.test(roots);

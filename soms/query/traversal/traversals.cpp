@@ -3,6 +3,7 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/query/traversal/baselines.h"
+#include "soms/query/traversal/detail/recursion.h"
 #include "soms/query/traversal/e_node.h"
 #include "soms/query/traversal/e_node_front.h"
 
@@ -230,6 +231,9 @@ TraversalCounts traverse(const PosedTree& a, const PosedTree& b, const Traversal
   detail::check_boxes(a, b);
   if (a.tree->nodes.empty() || b.tree->nodes.empty()) {
     return {};
+  }
+  if (options.recursive) {
+    detail::check_recursion(a, b);
   }
   return named.function(a, b, options, visitor, workspace);
 }
