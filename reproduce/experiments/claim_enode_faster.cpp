@@ -155,11 +155,12 @@ Claim claim_of(const std::vector<Kind>& kinds) {
       .rows = rows_of(kinds),
       .why =
           "The family test makes the same box tests as the depth-first traversal that descends "
-          "the same nodes, one for one; what it saves is entering pairs that are apart. That is "
-          "worth much where entering a pair is a call of a function, and little where it is a "
-          "step of an explicit stack. A start from the last front also saves box tests, if the "
-          "bodies stay near each other. A subject is all trips of a kind: counts and times are "
-          "summed over them; the table has each trip.",
+          "the same nodes, one for one. It saves entering pairs that are apart, and pays with "
+          "gathering a family before it enters one of it; so the ratio depends on what entering "
+          "a pair costs, a step of an explicit stack or a call of a function. A start from the "
+          "last front keeps a list of pairs from frame to frame, which costs time whether it "
+          "saves box tests or not. A subject is all trips of a kind: counts and times are summed "
+          "over them; the table has each trip.",
       .settles =
           "the pseudo code of E-Node and of Larsson's traversal in chapter 4, and whether "
           "the program of the thesis recurses",

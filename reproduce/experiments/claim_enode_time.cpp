@@ -50,6 +50,7 @@ struct Mean {
 
 std::vector<Racer> racers_of_readings() {
   std::vector<Racer> racers;
+  racers.reserve(kReadings.size());
   for (const Reading& reading : kReadings) {
     racers.push_back(enode_racers()[static_cast<std::size_t>(reading.place)]);
   }
@@ -105,8 +106,8 @@ Claim claim_of(const std::vector<Mean>& means) {
                   "average, in the complex environment",
               .source = "abstract",
               .why =
-                  "A time belongs to its scene, program and machine. Which node is descended "
-                  "matters far more in a city than what E-Node is compared with.",
+                  "A time belongs to its scene, program and machine, and in a city to which of two "
+                  "nodes is descended. Boxes are moved beforehand.",
               .settles = "the scene of the thesis and a machine of 2009"};
   for (const Mean& mean : means) {
     claim.rows.push_back(measured_row(mean.reading, mean.metric, mean.subject, "ms",
