@@ -133,7 +133,7 @@ reproduce::Report run_experiments(const ReproduceOptions& options, const reprodu
     write_whole(folder / name, bytes);
   };
   visitor.progress = [&](const reproduce::Experiment& now, double share) {
-    bar.rename(fmt::format("{:<18}", now.item));
+    bar.rename(fmt::format("{:<20}", now.item));
     bar.show(share);
   };
   return console.run("reproducing", [&](const Parallel& limits) {
@@ -148,7 +148,7 @@ std::string summary(const reproduce::Report& report, const ReproduceOptions& opt
   std::string text;
   for (const reproduce::Entry& entry : report.entries) {
     for (const reproduce::Claim& claim : entry.result.claims) {
-      text += fmt::format("{:<28}{:<17}{}\n", name(verdict_of(claim)), entry.experiment->item,
+      text += fmt::format("{:<29}{:<28}{}\n", name(verdict_of(claim)), entry.experiment->item,
                           claim.statement);
     }
     for (const reproduce::Finding& finding : entry.result.findings) {
