@@ -105,17 +105,6 @@ std::vector<double> medians_where_roots_overlap(std::span<const Timing> timings,
   return medians;
 }
 
-double median_ratio_where_roots_overlap(std::span<const Timing> one, std::span<const Timing> other,
-                                        std::span<const Frame> frames) {
-  std::vector<double> ratios;
-  for (std::size_t k = 0; k < frames.size(); ++k) {
-    if (frames[k].roots_overlap && other[k].median > 0) {
-      ratios.push_back(one[k].median / other[k].median);
-    }
-  }
-  return ratios.empty() ? 1 : summarize(std::move(ratios)).median;
-}
-
 std::string id_word(std::string_view name, std::size_t number) {
   const bool fit = std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';

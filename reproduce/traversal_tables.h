@@ -61,12 +61,6 @@ void add_estimate_cells(std::vector<Cell>& row, std::span<const double> rounds);
 [[nodiscard]] std::vector<double> medians_where_roots_overlap(std::span<const Timing> timings,
                                                               std::span<const Frame> frames);
 
-/// The median, over the frames in which the roots overlap, of the ratio of two traversals' medians
-/// in that frame: one frame that was disturbed does not move it. 1 where there is no such frame.
-[[nodiscard]] double median_ratio_where_roots_overlap(std::span<const Timing> one,
-                                                      std::span<const Timing> other,
-                                                      std::span<const Frame> frames);
-
 /// A model's name where it may be part of an id (snake_case), else "modelN" by its number.
 [[nodiscard]] std::string id_word(std::string_view name, std::size_t number);
 

@@ -144,7 +144,7 @@ reproduce::Report run_experiments(const ReproduceOptions& options, const reprodu
     write_whole(folder / name, bytes);
   };
   visitor.progress = [&](std::string_view now, double share) {
-    bar.rename(fmt::format("{:<18}", now));
+    bar.rename(fmt::format("{:<24}", now));
     bar.show(share);
   };
   return console.run("reproducing", [&](const Parallel& limits) {
@@ -159,7 +159,7 @@ std::string summary(const reproduce::Report& report, const ReproduceOptions& opt
   std::string text;
   for (const reproduce::Entry& entry : report.entries) {
     for (const reproduce::Claim& claim : entry.result.claims) {
-      text += fmt::format("{:<28}{:<21}{}\n", name(verdict_of(claim)), entry.experiment->item,
+      text += fmt::format("{:<31}{:<24}{}\n", name(verdict_of(claim)), entry.experiment->item,
                           claim.statement);
     }
     for (const reproduce::Finding& finding : entry.result.findings) {

@@ -27,6 +27,12 @@ namespace soms::reproduce {
 [[nodiscard]] Result claim_build_43_ms(const Context& context);
 [[nodiscard]] Result claim_build_city(const Context& context);
 
+/// The claims about E-Node: that it is faster and detects overlaps earlier than Larsson's
+/// traversal, and in 0.2 ms. \source thesis, abstract, section 5.5 and figure 5.10.
+[[nodiscard]] Result claim_enode_faster(const Context& context);
+[[nodiscard]] Result claim_enode_earlier(const Context& context);
+[[nodiscard]] Result claim_enode_time(const Context& context);
+
 /// Objects and urban scenes: what their files hold. \source thesis, tables 3.1 and 3.3.
 [[nodiscard]] Result table_3_1(const Context& context);
 [[nodiscard]] Result table_3_3(const Context& context);

@@ -1,4 +1,5 @@
-// E-Node against the traversal after Larsson: counts and times by frame, and the claim of 0.2 ms.
+// E-Node against the traversal after Larsson: counts and times by frame. What the thesis claims of
+// it is tested by the experiments claim-enode-*.
 #include "reproduce/chart.h"
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/frames.h"
@@ -17,11 +18,6 @@
 namespace soms::reproduce {
 
 namespace {
-
-constexpr double kClaimedMilliseconds = 0.2;
-
-/// A difference in time that repeated runs of one program may show.
-constexpr double kNoise = 0.03;
 
 /// So many times the box tests matter more than the order in which they are made.
 constexpr double kFarMore = 2;
@@ -60,18 +56,6 @@ struct Match {
   /// How many times the box tests of E-Node that descends the larger node Larsson's DFS makes.
   [[nodiscard]] double tests_over_larger() const {
     return ratio(sum(larsson).counts.box_tests, sum(e_node_larger).counts.box_tests);
-  }
-
-  /// The median over the frames with root overlap of E-Node's time to Larsson's, frame by frame: a
-  /// frame in which the machine did something else does not decide.
-  [[nodiscard]] double e_node_share() const {
-    return median_ratio_where_roots_overlap(times[e_node].collision, times[larsson].collision,
-                                            frames[larsson]);
-  }
-
-  /// Mean milliseconds of a frame with root overlap, collision only.
-  [[nodiscard]] double mean_time(std::size_t traversal) const {
-    return mean_of(medians_where_roots_overlap(times[traversal].collision, frames[traversal]));
   }
 };
 
@@ -231,78 +215,6 @@ std::pair<double, double> range(const std::vector<Match>& matches, const Number&
   return {least, most};
 }
 
-/// "0.0123 to 0.0456 ms": mean milliseconds of E-Node over trips.
-std::string times_of(const std::vector<Match>& matches) {
-  const auto [least, most] =
-      range(matches, [](const Match& match) { return match.mean_time(e_node); });
-  return fmt::format("{:.3g} to {:.3g} ms", least, most);
-}
-
-/// The claim is about the urban scene with SOMS' tree.
-Finding claim_of_time(const std::vector<Match>& matches) {
-  std::vector<Match> drives;
-  std::vector<Match> others;
-  for (const Match& match : matches) {
-    (match.is_drive() && match.trip.rule == "soms" ? drives : others).push_back(match);
-  }
-  Finding finding{
-      .claim = "E-Node detects the overlap of a moving and a static object in 0.2 ms on average",
-      .source = "abstract",
-      .verdict = Verdict::cannot_be_checked,
-      .timed = true};
-  finding.reason = "The figure belongs to a machine of 2009 and to a scene that is not available.";
-  if (drives.empty()) {
-    finding.measured = "no drive on SOMS trees in which the bodies come near each other";
-  } else {
-    const auto [least, most] =
-        range(drives, [](const Match& match) { return match.mean_time(e_node); });
-    finding.measured = fmt::format(
-        "{} on average over the frames with root overlap, by drive through a scene on SOMS trees",
-        times_of(drives));
-    finding.reason += fmt::format(" On this machine it is {} drive through our scenes.",
-                                  most <= kClaimedMilliseconds    ? "below the claim in every"
-                                  : least <= kClaimedMilliseconds ? "below the claim in some, but "
-                                                                    "not every"
-                                                                  : "above the claim in every");
-  }
-  if (!others.empty()) {
-    finding.measured += fmt::format("; {} in the orientation tests and the drives on other trees",
-                                    times_of(others));
-  }
-  return finding;
-}
-
-Finding claim_of_earlier(const std::vector<Match>& matches) {
-  std::size_t same_tests = 0;
-  std::size_t earlier = 0;
-  std::size_t later = 0;
-  for (const Match& match : matches) {
-    const TraversalCounts one = match.sum(e_node).counts;
-    const TraversalCounts other = match.sum(larsson).counts;
-    same_tests += one.box_tests == other.box_tests ? 1U : 0U;
-    earlier += one.first_tests < other.first_tests ? 1U : 0U;
-    later += one.first_tests > other.first_tests ? 1U : 0U;
-  }
-  const auto [least, most] = range(matches, [](const Match& match) {
-    return ratio(match.sum(larsson).counts.entered, match.sum(e_node).counts.entered);
-  });
-  return {
-      .claim = "Earlier Node detection: E-Node finds overlapping nodes earlier than Larsson's DFS",
-      .source = "section 5.5 (E-Node) by its heading",
-      .measured = fmt::format(
-          "of {} trips: as many box tests in {}; first overlapping leaves after fewer tests in "
-          "{}, after more in {}; {:.1f} to {:.1f} times fewer pairs entered",
-          matches.size(), same_tests, earlier, later, least, most),
-      .verdict = earlier == matches.size() ? Verdict::holds
-                 : earlier > 0             ? Verdict::holds_under
-                                           : Verdict::does_not_hold,
-      .reason =
-          "E-Node tests all child pairs before it enters one, so the same pairs are "
-          "tested, a whole family before the first of its leaves; what is saved is "
-          "entering pairs that are apart. The thesis gives no pseudo code: this is a "
-          "reconstruction."};
-}
-
 /// Least and greatest number of times that Larsson's DFS makes the box tests of E-Node that opens
 /// the larger node, in the drives; nothing where there are none.
 std::optional<std::pair<double, double>> range_in_drives(const std::vector<Match>& matches) {
@@ -313,36 +225,6 @@ std::optional<std::pair<double, double>> range_in_drives(const std::vector<Match
     return std::nullopt;
   }
   return range(drives, [](const Match& match) { return match.tests_over_larger(); });
-}
-
-Finding claim_of_faster(const std::vector<Match>& matches) {
-  std::size_t faster = 0;
-  std::size_t slower = 0;
-  for (const Match& match : matches) {
-    const double share = match.e_node_share();
-    faster += share < 1 - kNoise ? 1U : 0U;
-    slower += share > 1 + kNoise ? 1U : 0U;
-  }
-  const auto [least, most] =
-      range(matches, [](const Match& match) { return match.e_node_share(); });
-  const auto in_drives = range_in_drives(matches);
-  return {
-      .claim = "E-Node is faster than Larsson's DFS",
-      .source = "abstract (\"more efficient and faster\"); the comparison: caption of figure 5.10",
-      .measured = fmt::format("{:.2f} to {:.2f} times the time of Larsson's DFS in the median "
-                              "frame with root overlap; of {} trips faster in {}, slower in {} "
-                              "(by more than {:.0f} %)",
-                              least, most, matches.size(), faster, slower, 100 * kNoise),
-      .verdict = faster == matches.size() ? Verdict::holds
-                 : faster > slower        ? Verdict::holds_under
-                                          : Verdict::does_not_hold,
-      .reason = fmt::format(
-          "The box tests are the same in number, so any gain is in the overhead of entering "
-          "pairs{}.",
-          in_drives && in_drives->first >= kFarMore
-              ? "; in the drives, which node is descended matters far more"
-              : ""),
-      .timed = true};
 }
 
 std::vector<std::string> remarks(const Context& context, const std::vector<Match>& matches) {
@@ -381,9 +263,6 @@ Result figure_5_10(const Context& context) {
       result.figures.push_back(
           chart(fmt::format("figure_5_10_{}_{}", still, match.trip.test), match));
     }
-  }
-  if (!matches.empty()) {
-    result.findings = {claim_of_time(matches), claim_of_earlier(matches), claim_of_faster(matches)};
   }
   return result;
 }

@@ -41,6 +41,7 @@ set(SOMS_SOURCES
   print.cpp
   reference/overlap.cpp
   traversal/baselines.cpp
+  traversal/detail/recursion.cpp
   traversal/e_node.cpp
   traversal/e_node_front.cpp
   traversal/named_overlap.cpp

@@ -41,7 +41,7 @@ struct TraversalOptions {
   Descent descent = Descent::both;             ///< of E-Node
   EntryOrder order = EntryOrder::tree;         ///< of E-Node
   Traversal ericson_rule = Traversal::larger;  ///< descent rule of `ericson`
-  bool recursive = false;                      ///< baselines: recursion instead of a stack
+  bool recursive = false;                      ///< baselines, e_node: recursion, not a stack
   bool prune = true;                           ///< false only to show its cost (fig. 4.35)
   BoxUpdate update = BoxUpdate::refit;
 
@@ -50,7 +50,7 @@ struct TraversalOptions {
 
 /// Options that have no effect beside `traversal`, in the order of the fields: `fast` has none of
 /// them, `descent` and `order` are E-Node's, `ericson_rule` is that of `ericson`, `recursive` that
-/// of the baselines (`a_first` to `larsson`).
+/// of the baselines (`a_first` to `larsson`) and of `e_node`.
 [[nodiscard]] std::vector<IdleOption> idle_options(const TraversalOptions& options);
 
 /// The same options, those that have no effect set to their defaults: what a traversal makes of

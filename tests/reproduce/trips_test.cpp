@@ -62,9 +62,6 @@ TEST_P(Traversals, GiveTheSameBytesTwiceWhereNothingIsTimed) {
         << one.figures[i].id;
   }
   EXPECT_EQ(one.remarks, other.remarks);
-  for (std::size_t i = 0; i < one.findings.size(); ++i) {
-    EXPECT_TRUE(one.findings[i].timed || one.findings[i].measured == other.findings[i].measured);
-  }
 }
 
 TEST_P(Traversals, MarkTimesAsTimed) {
@@ -72,6 +69,7 @@ TEST_P(Traversals, MarkTimesAsTimed) {
                                     "frame_time",
                                     "fps",
                                     "traversal",
+                                    "query",
                                     "mean",
                                     "median",
                                     "min",
@@ -168,51 +166,17 @@ TEST(TraversalsOfScenes, DoWithASceneOffThePathOfTheDrive) {
   const Table& table = table_of(result, "figure_5_10");
   EXPECT_EQ(cell(table, table.rows.size() - 1, "root_overlap_frames"), "0");
   EXPECT_EQ(result.figures.size(), 1U);
-  for (const Finding& finding : result.findings) {
-    EXPECT_EQ(finding.measured.find("nan"), std::string::npos) << finding.measured;
-  }
   EXPECT_EQ(run_quick("traversals", models).figures.size(), 2U);
 }
 
-TEST(TraversalTables, OneDisturbedFrameDoesNotMoveTheMedianRatio) {
-  std::vector<Timing> one(4);
-  std::vector<Timing> other(4);
-  std::vector<Frame> frames(4);
-  for (std::size_t k = 0; k < frames.size(); ++k) {
-    one[k].median = 0.9;
-    other[k].median = 1;
-    frames[k].roots_overlap = k > 0;
-  }
-  one[1].median = 4;
-  EXPECT_DOUBLE_EQ(median_ratio_where_roots_overlap(one, other, frames), 0.9);
-  EXPECT_DOUBLE_EQ(median_ratio_where_roots_overlap({}, {}, {}), 1);
-}
-
-TEST(Figure510, ClaimsNameTheirSourcesAndTheUrbanSceneIsApart) {
+// On two equal objects it hardly matters which node is descended.
+TEST(Figure510, ACaptionTellsOfTheLargerNodeOnlyWhereItMatters) {
   const Result result = run_quick("figure-5.10", small_models());
-  ASSERT_EQ(result.findings.size(), 3U);
-  const auto has = [](const std::string& text, const char* part) {
-    return text.find(part) != std::string::npos;
-  };
-  EXPECT_TRUE(has(result.findings[0].measured, "scene on SOMS trees; "))
-      << result.findings[0].measured;
-  EXPECT_TRUE(has(result.findings[0].measured, "in the orientation tests"));
-  EXPECT_EQ(result.findings[1].source, "section 5.5 (E-Node) by its heading");
-  EXPECT_EQ(result.findings[2].source.find("abstract"), 0U);
-  EXPECT_TRUE(has(result.findings[2].measured, "median frame"));
-  // On two equal objects it hardly matters which node is descended.
   for (const Figure& figure : result.figures) {
-    EXPECT_FALSE(has(figure.id, "right") && has(figure.caption, "larger node")) << figure.caption;
+    EXPECT_TRUE(figure.id.find("right") == std::string::npos ||
+                figure.caption.find("larger node") == std::string::npos)
+        << figure.caption;
   }
-}
-
-TEST(Figure510, WithoutADriveThatMeetsTheUrbanClaimHasNoNumber) {
-  Models models = small_models();
-  models.scenes.clear();
-  const Result result = run_quick("figure-5.10", models);
-  EXPECT_EQ(result.findings.at(0).measured.find("no drive on SOMS trees"), 0U)
-      << result.findings[0].measured;
-  EXPECT_EQ(result.findings.at(2).reason.find("drives"), std::string::npos);
 }
 
 TEST(TraversalTables, CaptionsTellTheOptionsOfTheTrees) {

@@ -1,12 +1,9 @@
 #include "soms/query/traversal/baselines.h"
 
-#include "soms/base/error.h"
 #include "soms/query/traversal/detail/child_pairs.h"
 #include "soms/query/traversal/detail/probe.h"
-#include "soms/query/traversal/traversals.h"
 
-#include <algorithm>
-#include <string>
+#include <iterator>
 
 namespace soms::detail {
 
@@ -30,7 +27,7 @@ void traverse_by_stack(Probe& probe, Traversal rule, bool prune, std::vector<Nod
   }
 }
 
-// Depth is at most that of both trees together, which `check_depth` has bounded.
+// Depth is at most that of both trees together, which `traverse` has bounded.
 void recurse(Probe& probe, Traversal rule, bool prune, NodePair p, std::uint32_t nesting) {
   probe.enter(p, nesting);
   const bool hit = probe.test(p);
@@ -51,30 +48,11 @@ void recurse(Probe& probe, Traversal rule, bool prune, NodePair p, std::uint32_t
   }
 }
 
-std::uint32_t depth(const Tree& tree) {
-  const auto deepest = std::max_element(
-      tree.nodes.begin(), tree.nodes.end(),
-      [](const Node& left, const Node& right) { return left.depth < right.depth; });
-  return deepest->depth;
-}
-
-void check_depth(const PosedTree& a, const PosedTree& b) {
-  const std::uint64_t nesting = std::uint64_t{depth(*a.tree)} + depth(*b.tree) + 1;
-  if (nesting > kMaxRecursion) {
-    throw Error(ErrorKind::usage,
-                "recursive traversal: depths of " + std::to_string(depth(*a.tree)) + " and " +
-                    std::to_string(depth(*b.tree)) + " need " + std::to_string(nesting) +
-                    " nested calls, above " + std::to_string(kMaxRecursion),
-                "leave `recursive` off: the explicit stack has no limit");
-  }
-}
-
 TraversalCounts run(Traversal rule, const PosedTree& a, const PosedTree& b,
                     const TraversalOptions& options, const TraversalVisitor& visitor,
                     TraversalWorkspace& workspace) {
   Probe probe(a, b, visitor);
   if (options.recursive) {
-    check_depth(a, b);
     recurse(probe, rule, options.prune, NodePair{}, 1);
   } else {
     traverse_by_stack(probe, rule, options.prune, workspace.stack);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 
@@ -17,13 +18,27 @@ struct Outcome {
   ChildPairs report;  ///< overlapping pairs of leaves
 };
 
+// By insertion: at most four pairs, and no memory. Child pairs come in the order of their TreeIDs
+// and equal volumes are not swapped, so ties stay in that order.
+void sort_by_volume(const Probe& probe, ChildPairs& pairs) {
+  std::array<double, 4> volumes{};
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    volumes[i] = probe.shared_volume(pairs[i]);
+    for (std::size_t k = i; k > 0 && volumes[k] > volumes[k - 1]; --k) {
+      std::swap(volumes[k], volumes[k - 1]);
+      std::swap(pairs.begin()[k], pairs.begin()[k - 1]);
+    }
+  }
+}
+
 /// Tests the child pairs of one pair.
 class Step {
  public:
   Step(Probe& probe, const TraversalOptions& options, std::vector<NodePair>* front)
       : probe_(probe), options_(options), front_(front) {}
 
-  [[nodiscard]] Outcome operator()(NodePair p) {
+  // Called in two places; out of line it slows the loop over the stack.
+  [[nodiscard, gnu::always_inline]] inline Outcome operator()(NodePair p) {
     const bool inner = !probe_.node_a(p.a).is_leaf() && !probe_.node_b(p.b).is_leaf();
     if (options_.descent == Descent::fewest && inner) {
       return {fewest(p), {}};
@@ -37,6 +52,8 @@ class Step {
         return tested(child_pairs(probe_, p, Traversal::larger));
     }
   }
+
+  [[nodiscard]] const TraversalOptions& options() const { return options_; }
 
  private:
   [[nodiscard]] ChildPairs survivors(const ChildPairs& candidates) {
@@ -106,15 +123,35 @@ class Step {
   std::vector<NodePair>* front_;
 };
 
-// By insertion: at most four pairs, and no memory. Child pairs come in the order of their TreeIDs
-// and equal volumes are not swapped, so ties stay in that order.
-void sort_by_volume(const Probe& probe, ChildPairs& pairs) {
-  std::array<double, 4> volumes{};
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    volumes[i] = probe.shared_volume(pairs[i]);
-    for (std::size_t k = i; k > 0 && volumes[k] > volumes[k - 1]; --k) {
-      std::swap(volumes[k], volumes[k - 1]);
-      std::swap(pairs.begin()[k], pairs.begin()[k - 1]);
+void put_in_order(const Probe& probe, const TraversalOptions& options, Outcome& children) {
+  if (options.order == EntryOrder::volume) {
+    sort_by_volume(probe, children.enter);
+    sort_by_volume(probe, children.report);
+  }
+}
+
+void report_all(Probe& probe, const ChildPairs& pairs) {
+  for (const NodePair pair : pairs) {
+    if (!probe.stopped()) {
+      probe.report(pair);
+    }
+  }
+}
+
+// Apart from `recurse`, whose frame stays small.
+[[gnu::noinline]] Outcome divide(Step& step, NodePair p) {
+  return step(p);
+}
+
+// Depth is at most that of both trees together, which `traverse` has bounded.
+void recurse(Probe& probe, Step& step, NodePair p, std::uint64_t nesting) {
+  probe.enter(p, nesting);
+  Outcome children = divide(step, p);
+  put_in_order(probe, step.options(), children);
+  report_all(probe, children.report);
+  for (const NodePair child : children.enter) {
+    if (!probe.stopped()) {
+      recurse(probe, step, child, nesting + 1);
     }
   }
 }
@@ -137,17 +174,10 @@ void enter_all(Probe& probe, const TraversalOptions& options, std::vector<NodePa
   Step step(probe, options, front);
   while (!stack.empty() && !probe.stopped()) {
     Outcome children = step(probe.pop(stack));
-    if (options.order == EntryOrder::volume) {
-      sort_by_volume(probe, children.enter);
-      sort_by_volume(probe, children.report);
-    }
+    put_in_order(probe, options, children);
     stack.insert(stack.end(), std::make_reverse_iterator(children.enter.end()),
                  std::make_reverse_iterator(children.enter.begin()));
-    for (const NodePair pair : children.report) {
-      if (!probe.stopped()) {
-        probe.report(pair);
-      }
-    }
+    report_all(probe, children.report);
   }
 }
 
@@ -161,8 +191,13 @@ TraversalCounts e_node(const PosedTree& a, const PosedTree& b, const TraversalOp
       probe.report(roots);
     }
   } else if (hit || !options.prune) {
-    workspace.stack.assign(1, roots);
-    enter_all(probe, options, workspace.stack, nullptr);
+    if (options.recursive && !probe.stopped()) {
+      Step step(probe, options, nullptr);
+      recurse(probe, step, roots, 1);
+    } else {
+      workspace.stack.assign(1, roots);
+      enter_all(probe, options, workspace.stack, nullptr);
+    }
   }
   return probe.counts;
 }

@@ -15,7 +15,8 @@ namespace soms::detail {
 /// detection") in captions without pseudo code: this is a reconstruction.
 ///
 /// Makes exactly as many box tests as the baseline that descends the same nodes: descent both as
-/// `simultaneous`, descent larger as `larger`.
+/// `simultaneous`, descent larger as `larger`. By an explicit stack, or with `options.recursive` by
+/// recursion: the same pairs in the same order, the same counts but `max_stack`.
 /// \source thesis, section 4.5.2 and figs. 5.9, 5.10, by their captions.
 TraversalCounts e_node(const PosedTree& a, const PosedTree& b, const TraversalOptions& options,
                        const TraversalVisitor& visitor, TraversalWorkspace& workspace);

@@ -3,6 +3,7 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/query/traversal/baselines.h"
+#include "soms/query/traversal/detail/recursion.h"
 #include "soms/query/traversal/e_node.h"
 #include "soms/query/traversal/e_node_front.h"
 
@@ -94,8 +95,9 @@ constexpr std::array<Row, 6> kRows{{
      [](const TraversalOptions& o) { return o.traversal != Traversal::ericson; },
      [](const TraversalOptions& o) { return o.ericson_rule != TraversalOptions{}.ericson_rule; },
      [](TraversalOptions& o) { o.ericson_rule = TraversalOptions{}.ericson_rule; }},
-    {{"recursive", "only the baselines, a_first to larsson, may recurse", "traversal", ""},
-     [](const TraversalOptions& o) { return is_fast(o) || is_e_node(o); },
+    {{"recursive", "only the baselines, a_first to larsson, and e_node may recurse", "traversal",
+      ""},
+     [](const TraversalOptions& o) { return is_fast(o) || o.traversal == Traversal::e_node_front; },
      [](const TraversalOptions& o) { return o.recursive != TraversalOptions{}.recursive; },
      [](TraversalOptions& o) { o.recursive = TraversalOptions{}.recursive; }},
     {{"prune", kFast, "traversal", ""},
@@ -229,6 +231,9 @@ TraversalCounts traverse(const PosedTree& a, const PosedTree& b, const Traversal
   detail::check_boxes(a, b);
   if (a.tree->nodes.empty() || b.tree->nodes.empty()) {
     return {};
+  }
+  if (options.recursive) {
+    detail::check_recursion(a, b);
   }
   return named.function(a, b, options, visitor, workspace);
 }

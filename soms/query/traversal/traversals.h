@@ -11,7 +11,8 @@
 namespace soms {
 
 /// The one signature of traversals: reports every pair of leaves whose boxes overlap, each once,
-/// and counts the work. Options were checked, both trees have a node.
+/// and counts the work. Options were checked, both trees have a node, and with `recursive` they are
+/// not too deep.
 using TraversalFunction = TraversalCounts (*)(const PosedTree& a, const PosedTree& b,
                                               const TraversalOptions& options,
                                               const TraversalVisitor& visitor,

@@ -136,10 +136,13 @@ std::vector<TraversalOptions> every_traversal_options() {
   for (const EntryOrder order : {EntryOrder::tree, EntryOrder::volume}) {
     for (const DescentEntry& descent : descents()) {
       for (const bool prune : {true, false}) {
-        out.push_back({.traversal = Traversal::e_node,
-                       .descent = descent.descent,
-                       .order = order,
-                       .prune = prune});
+        for (const bool recursive : {false, true}) {
+          out.push_back({.traversal = Traversal::e_node,
+                         .descent = descent.descent,
+                         .order = order,
+                         .recursive = recursive,
+                         .prune = prune});
+        }
       }
     }
     for (const Descent descent : {Descent::both, Descent::larger}) {

@@ -283,7 +283,8 @@ TEST(Traversals, R119OptionsThatTheTraversalIgnoresAreRefused) {
       {{.descent = Descent::larger}, e_node},
       {{.order = EntryOrder::volume}, e_node},
       {{.ericson_rule = Traversal::a_first}, [](Traversal t) { return t == Traversal::ericson; }},
-      {{.recursive = true}, [&](Traversal t) { return t != Traversal::fast && !e_node(t); }},
+      {{.recursive = true},
+       [](Traversal t) { return t != Traversal::fast && t != Traversal::e_node_front; }},
       {{.prune = false}, [](Traversal t) { return t != Traversal::fast; }},
       {{.update = BoxUpdate::rebox}, [](Traversal t) { return t != Traversal::fast; }},
   };

@@ -1,0 +1,275 @@
+// The claims about E-Node: the variant that only the experiments have, exact counts up to the first
+// hit, and rows that are the same in two runs.
+#include "soms/query/traversal/traversals.h"
+
+#include "reproduce/e_node_chain.h"
+#include "reproduce/enode_racers.h"
+#include "reproduce/moved_trip.h"
+#include "reproduce/traversal_tables.h"
+#include "reproduce/until_hit.h"
+#include "tests/reproduce/trips.h"
+#include "tests/support/slow_build.h"
+#include "tests/support/support.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace soms::reproduce {
+namespace {
+
+/// What a traversal did, in order.
+struct Watched {
+  TraversalCounts counts;
+  std::vector<NodePair> reported;
+  std::vector<std::pair<NodePair, bool>> tested;
+  std::vector<NodePair> entered;
+};
+
+Watched watch(const MovedTrip& moved, std::string_view name, std::size_t frame,
+              std::size_t most = 1'000'000) {
+  const auto racers = enode_racers();
+  const auto racer = std::find_if(racers.begin(), racers.end(),
+                                  [&](const Racer& entry) { return entry.name == name; });
+  FrameTraversal traversal(moved, *racer);
+  Watched seen;
+  seen.counts = traversal.run(
+      frame, {.leaf_pair =
+                  [&](NodePair p) {
+                    seen.reported.push_back(p);
+                    return seen.reported.size() < most;
+                  },
+              .tested = [&](NodePair p, bool hit) { seen.tested.emplace_back(p, hit); },
+              .entered = [&](NodePair p) { seen.entered.push_back(p); }});
+  return seen;
+}
+
+EnodeTrips small_trips(const Models& models) {
+  return enode_trips({.models = models, .quick = true});
+}
+
+TEST(EnodeChain, TestsAndReportsWhatENodeDoesInTheSameOrderAndEntersFewer) {
+  const Models models = test::small_models();
+  std::uint64_t saved = 0;
+  for (const TripKind& kind : small_trips(models).kinds) {
+    for (const Trip& trip : kind.trips) {
+      const MovedTrip moved(trip, {});
+      for (std::size_t k = 0; k < moved.frames(); ++k) {
+        const Watched chain = watch(moved, "enode_both_chain", k);
+        const Watched e_node = watch(moved, "enode_both", k);
+        ASSERT_EQ(chain.tested, e_node.tested);
+        ASSERT_EQ(chain.reported, e_node.reported);
+        EXPECT_EQ(chain.counts.first_tests, e_node.counts.first_tests);
+        EXPECT_EQ(chain.counts.entered, chain.entered.size());
+        saved += e_node.counts.entered - chain.counts.entered;
+        std::size_t found = 0;  // what it enters is entered by E-Node in the same order
+        for (const NodePair p : e_node.entered) {
+          found += found < chain.entered.size() && chain.entered[found] == p ? 1U : 0U;
+        }
+        EXPECT_EQ(found, chain.entered.size());
+      }
+    }
+  }
+  EXPECT_GT(saved, 0U);
+}
+
+TEST(EnodeChain, StopsAtTheFirstReportAndTakesEmptyTrees) {
+  const Models models = test::small_models();
+  const EnodeTrips trips = small_trips(models);
+  const MovedTrip moved(trips.kinds[0].trips[0], {});
+  for (std::size_t k = 0; k < moved.frames(); ++k) {
+    EXPECT_LE(watch(moved, "enode_both_chain", k, 1).reported.size(), 1U);
+    EXPECT_EQ(watch(moved, "enode_both_chain", k, 1).tested,
+              watch(moved, "enode_both", k, 1).tested);
+  }
+  const Tree empty;
+  TraversalWorkspace workspace;
+  EXPECT_EQ(e_node_chain({&empty, {}}, {&empty, {}}, {}, workspace), TraversalCounts{});
+}
+
+TEST(EnodeRacers, RecursionMakesTheSameTestsReportsAndEntries) {
+  const Models models = test::small_models();
+  for (const TripKind& kind : small_trips(models).kinds) {
+    const MovedTrip moved(kind.trips[0], {});
+    for (const std::string name : {"simultaneous", "larger", "enode_both", "enode_larger"}) {
+      for (std::size_t k = 0; k < moved.frames(); k += 7) {
+        const Watched by_stack = watch(moved, name, k);
+        const Watched nested = watch(moved, name + "_recursive", k);
+        EXPECT_EQ(by_stack.tested, nested.tested);
+        EXPECT_EQ(by_stack.reported, nested.reported);
+        EXPECT_EQ(by_stack.entered, nested.entered);
+      }
+    }
+  }
+}
+
+TEST(EnodeRacers, AllFindTheSameLeafPairsContactsAndFramesWithAHit) {
+  const Models models = test::small_models();
+  for (const TripKind& kind : small_trips(models).kinds) {
+    for (const Trip& trip : kind.trips) {
+      const Totals truth = totals(answer_frames(trip, named_traversal("larger"), {}));
+      const MovedTrip moved(trip, {});
+      for (const Racer& racer : enode_racers()) {
+        SCOPED_TRACE(racer.name);
+        FrameTraversal traversal(moved, racer);
+        const std::vector<std::size_t> all = moved.all_frames();
+        EXPECT_EQ(ask(moved, traversal, Question::leaf_pairs, all), truth.counts.leaf_pairs);
+        EXPECT_EQ(ask(moved, traversal, Question::contacts, all), truth.contacts);
+        EXPECT_EQ(ask(moved, traversal, Question::first_leaf_pair, all), truth.hit_frames);
+      }
+    }
+  }
+}
+
+TEST(UntilHit, FromAFreshStartAQueryThatStopsDoesTheSameWorkUpToTheHit) {
+  const Models models = test::small_models();
+  for (const TripKind& kind : small_trips(models).kinds) {
+    const MovedTrip moved(kind.trips[0], {});
+    const std::vector<std::size_t> all = moved.all_frames();
+    for (const Racer& racer : enode_racers()) {
+      for (const Hit hit : {Hit::leaf_pair, Hit::contact}) {
+        const UntilHit whole = until_hit(moved, racer, hit, false, all, {});
+        const UntilHit stopped = until_hit(moved, racer, hit, true, all, {});
+        EXPECT_EQ(whole.frames, stopped.frames);
+        if (racer.options.traversal != Traversal::e_node_front) {
+          EXPECT_EQ(whole.box_tests, stopped.box_tests) << racer.name;
+          EXPECT_EQ(whole.entered, stopped.entered) << racer.name;
+        }
+      }
+    }
+  }
+}
+
+/// "box tests/pairs entered" up to the first leaf pair, and up to the first contact, of queries
+/// that go on.
+std::vector<std::string> until_hits(const Trip& trip, std::string_view name) {
+  const MovedTrip moved(trip, {});
+  const auto racers = enode_racers();
+  const auto racer = std::find_if(racers.begin(), racers.end(),
+                                  [&](const Racer& entry) { return entry.name == name; });
+  std::vector<std::string> counts;
+  for (const Hit hit : {Hit::leaf_pair, Hit::contact}) {
+    const UntilHit sum = until_hit(moved, *racer, hit, false, moved.all_frames(), {});
+    counts.push_back(std::to_string(sum.box_tests) + "/" + std::to_string(sum.entered));
+  }
+  return counts;
+}
+
+using Counts = std::vector<std::string>;
+
+TEST(UntilHit, GoldenCountsOnGeneratedShapes) {
+  const Models models = test::small_models();
+  const EnodeTrips trips = small_trips(models);
+  const Trip& right = trips.kinds[0].trips[0];
+  EXPECT_EQ(until_hits(right, "simultaneous"), (Counts{"238/238", "1443/1443"}));
+  EXPECT_EQ(until_hits(right, "enode_both"), (Counts{"435/111", "1540/512"}));
+  EXPECT_EQ(until_hits(right, "enode_both_chain"), (Counts{"435/86", "1540/393"}));
+  EXPECT_EQ(until_hits(right, "enode_start_both"), (Counts{"94/12", "84/0"}));
+  EXPECT_EQ(until_hits(right, "enode_start"), (Counts{"69/18", "82/0"}));
+}
+
+TEST(UntilHit, GoldenCountsOnTheBunny) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
+  SOMS_NEEDS_OUTSIDE_DATA("ply/bun_zipper_res4.ply");
+  const Models models = find_models(*soms::test::outside_data(""), {.objects = true});
+  const std::vector<Contender> builds = thesis_rules(kObjectLevel);
+  const auto trip = [&](Approach from) {
+    return orientation_trip(models.objects.front(), from, build_named(builds, "soms"));
+  };
+  const Trip right = trip(Approach::right);
+  EXPECT_EQ(until_hits(right, "simultaneous")[0], "573/573");
+  EXPECT_EQ(until_hits(right, "enode_both")[0], "871/230");
+  EXPECT_EQ(until_hits(right, "enode_start")[0].substr(0, 4), "189/");
+  const Trip top = trip(Approach::top);
+  EXPECT_EQ(until_hits(top, "simultaneous")[0], "540/540");
+  EXPECT_EQ(until_hits(top, "enode_both")[0], "860/230");
+  EXPECT_EQ(until_hits(top, "enode_start")[0].substr(0, 4), "218/");
+}
+
+class EnodeClaims : public testing::TestWithParam<std::string_view> {};
+
+TEST_P(EnodeClaims, HaveTheSameCountsInTwoRunsAndWholeIntervals) {
+  const Models models = test::small_models();
+  const Result one = test::run_quick(GetParam(), models);
+  const Result other = test::run_quick(GetParam(), models);
+  ASSERT_EQ(one.claims.size(), 1U);
+  const std::vector<ClaimRow>& rows = one.claims[0].rows;
+  ASSERT_EQ(rows.size(), other.claims.at(0).rows.size());
+  EXPECT_FALSE(rows.empty());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const ClaimRow& again = other.claims[0].rows[i];
+    EXPECT_EQ(rows[i].metric + rows[i].reading + rows[i].subject,
+              again.metric + again.reading + again.subject);
+    EXPECT_TRUE(std::isfinite(rows[i].value)) << rows[i].metric << ", " << rows[i].reading;
+    if (rows[i].interval) {
+      EXPECT_LE(rows[i].interval->low, rows[i].value);
+      EXPECT_GE(rows[i].interval->high, rows[i].value);
+      EXPECT_GE(rows[i].rounds, 20);
+    } else {
+      EXPECT_EQ(rows[i].value, again.value) << rows[i].metric << ", " << rows[i].reading;
+    }
+  }
+}
+
+TEST_P(EnodeClaims, DoWithoutScenesAndOffTheirPath) {
+  Models models = test::small_models();
+  Mesh away = *models.scenes[0].mesh;
+  for (Vec3& v : away.vertices) {
+    v += {0, 90000, 0};
+  }
+  models.scenes[0].mesh = std::make_shared<const Mesh>(std::move(away));
+  for (const bool scene : {true, false}) {
+    if (!scene) {
+      models.scenes.clear();
+    }
+    const Result result = test::run_quick(GetParam(), models);
+    EXPECT_EQ(result.claims.size(), 1U);
+    for (const Figure& figure : result.figures) {
+      EXPECT_EQ(figure.svg.find("nan"), std::string::npos);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Reproduce, EnodeClaims,
+                         testing::Values("claim-enode-faster", "claim-enode-earlier",
+                                         "claim-enode-time"),
+                         [](const auto& test) {
+                           std::string name(test.param);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(EnodeClaim, TheFamilyTestSavesEntriesAndNoBoxTests) {
+  const Models models = test::small_models();
+  const Result result = test::run_quick("claim-enode-faster", models);
+  std::size_t seen = 0;
+  for (const ClaimRow& row : result.claims[0].rows) {
+    if (row.reading == "family test, both nodes" && !row.interval) {
+      const bool tests = row.metric.starts_with("box tests");
+      EXPECT_EQ(stand_of(row), tests ? Verdict::does_not_hold : Verdict::holds) << row.metric;
+      ++seen;
+    }
+  }
+  EXPECT_GE(seen, 4U);
+}
+
+TEST(EnodeClaim, TheTimeOfAnotherSceneAndMachineIsNotJudged) {
+  const Result result = test::run_quick("claim-enode-time", test::small_models());
+  EXPECT_EQ(verdict_of(result.claims[0]), Verdict::cannot_be_checked);
+}
+
+TEST(MiddleOf, TakesNeighborsFromTheMiddle) {
+  std::vector<std::size_t> frames(10);
+  std::iota(frames.begin(), frames.end(), 100U);
+  EXPECT_EQ(middle_of(frames, 5), (std::vector<std::size_t>{104, 105}));
+  EXPECT_EQ(middle_of(frames, 100), (std::vector<std::size_t>{104}));
+  EXPECT_TRUE(middle_of({}, 4).empty());
+}
+
+}  // namespace
+}  // namespace soms::reproduce
