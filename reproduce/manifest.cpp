@@ -71,19 +71,6 @@ Json files_of(const Entry& entry, bool latex) {
   return files;
 }
 
-Json findings_of(const Result& result) {
-  Json list = Json::array();
-  for (const Finding& finding : result.findings) {
-    list.push_back({{"claim", finding.claim},
-                    {"source", finding.source},
-                    {"measured", finding.measured},
-                    {"verdict", name(finding.verdict)},
-                    {"reason", finding.reason},
-                    {"timed", finding.timed}});
-  }
-  return list;
-}
-
 Json claims_of(const Result& result) {
   Json list = Json::array();
   for (const Claim& claim : result.claims) {
@@ -139,8 +126,7 @@ std::string manifest(const Report& report) {
                      {"seconds", entry.seconds},
                      {"processor_seconds", entry.processor_seconds},
                      {"files", files_of(entry, report.latex)},
-                     {"claims", claims_of(entry.result)},
-                     {"findings", findings_of(entry.result)}});
+                     {"claims", claims_of(entry.result)}});
   }
   Json missing = Json::array();
   for (const Experiment* experiment : report.missing) {

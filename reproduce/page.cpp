@@ -246,10 +246,6 @@ class Page {
     for (const Table& table : entry.result.tables) {
       out_ += markup_of(table, files_);
     }
-    for (const Finding& finding : entry.result.findings) {
-      put("<p>{} {} <span class=\"faint\">Measured: {}</span></p>\n", badge(finding.verdict),
-          xml_text(sentence(finding.claim)), xml_text(sentence(finding.measured)));
-    }
     put("</details>\n</section>\n");
   }
 

@@ -44,22 +44,11 @@ struct Figure {
   std::string alt = {};  ///< what it shows, in words for who cannot see it; the caption if empty
 };
 
-/// A claim of the thesis beside what was measured.
-struct Finding {
-  std::string claim;          ///< in our words: "AABB tree of 948 triangles: 8 % faster than ..."
-  std::string source;         ///< where the thesis says so: "abstract", "table 5.9 by its caption"
-  std::string measured = {};  ///< with figures of this run
-  Verdict verdict = Verdict::cannot_be_checked;
-  std::string reason = {};  ///< why this verdict, in one to three sentences
-  bool timed = false;       ///< true if `measured` holds times
-};
-
 /// All that one experiment found.
 struct Result {
   std::vector<Table> tables = {};
   std::vector<Figure> figures = {};
   std::vector<Claim> claims = {};
-  std::vector<Finding> findings = {};
   std::vector<std::string> remarks = {};  ///< sentences for the page, in order
 };
 

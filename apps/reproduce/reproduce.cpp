@@ -162,10 +162,6 @@ std::string summary(const reproduce::Report& report, const ReproduceOptions& opt
       text += fmt::format("{:<31}{:<24}{}\n", name(verdict_of(claim)), entry.experiment->item,
                           claim.statement);
     }
-    for (const reproduce::Finding& finding : entry.result.findings) {
-      text += fmt::format("{:<20}{:<13}{}\n", name(finding.verdict), entry.experiment->item,
-                          finding.claim);
-    }
   }
   if (report.golden) {
     text += fmt::format("golden tables: {}\n", reproduce::summary_of(*report.golden));
