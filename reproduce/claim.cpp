@@ -64,7 +64,26 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
+/// " Nearest to the text (stop, inner axis): in 3 of 7."
+std::string nearest_words(const Claim& claim) {
+  std::size_t rows = 0;
+  std::size_t hold = 0;
+  for (const ClaimRow& row : claim.rows) {
+    if (row.unjudged.empty() && is_nearest(claim, row)) {
+      ++rows;
+      hold += stand_of(row) == Verdict::holds ? 1U : 0U;
+    }
+  }
+  return rows == 0
+             ? std::string()
+             : fmt::format(" Nearest to the text ({}): in {} of {}.", claim.nearest, hold, rows);
+}
+
 }  // namespace
+
+bool is_nearest(const Claim& claim, const ClaimRow& row) {
+  return !claim.nearest.empty() && row.reading.starts_with(claim.nearest);
+}
 
 Verdict stand_of(const ClaimRow& row) {
   if (!row.unjudged.empty()) {
@@ -117,6 +136,7 @@ std::string where(const Claim& claim) {
   if (verdict_of(claim) != Verdict::holds_under) {
     return text;
   }
+  text += nearest_words(claim);
   std::vector<std::string> everywhere;
   std::vector<std::string> somewhere;
   std::vector<std::string> nowhere;
@@ -137,6 +157,30 @@ std::string where(const Claim& claim) {
     }
   }
   return text;
+}
+
+std::vector<std::string> subjects_of(const Claim& claim) {
+  std::vector<std::string> subjects;
+  for (const ClaimRow& row : claim.rows) {
+    if (std::find(subjects.begin(), subjects.end(), row.subject) == subjects.end()) {
+      subjects.push_back(row.subject);
+    }
+  }
+  return subjects;
+}
+
+std::vector<std::vector<const ClaimRow*>> lines_of(const Claim& claim) {
+  using Line = std::vector<const ClaimRow*>;
+  std::vector<Line> lines;
+  for (const ClaimRow& row : claim.rows) {
+    const auto line = std::find_if(lines.begin(), lines.end(), [&](const Line& other) {
+      return other[0]->metric == row.metric && other[0]->reading == row.reading &&
+             other[0]->demand.above == row.demand.above &&
+             other[0]->demand.below == row.demand.below;
+    });
+    (line == lines.end() ? lines.emplace_back() : *line).push_back(&row);
+  }
+  return lines;
 }
 
 bool is_timed(const Claim& claim) {
@@ -168,6 +212,15 @@ ClaimRow measured_row(std::string reading, std::string metric, std::string subje
   row.interval = estimate.interval;
   row.rounds = estimate.rounds;
   return row;
+}
+
+std::string words_of(const Demand& demand) {
+  const bool above = demand.above > -std::numeric_limits<double>::infinity();
+  const bool below = demand.below < std::numeric_limits<double>::infinity();
+  return above && below ? fmt::format("{:.4g} to {:.4g}", demand.above, demand.below)
+         : above        ? fmt::format("> {:.4g}", demand.above)
+         : below        ? fmt::format("< {:.4g}", demand.below)
+                        : std::string();
 }
 
 std::string words_of(const ClaimRow& row) {

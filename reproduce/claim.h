@@ -68,6 +68,9 @@ struct Claim {
   std::string statement;  ///< in our words
   std::string source;     ///< where the thesis says so: "abstract", "table 5.9 by its caption"
   std::vector<ClaimRow> rows = {};
+  /// How the readings nearest to the text begin: all that the text or a caption states as it states
+  /// it, the rest at the defaults; empty if none is nearer than another.
+  std::string nearest = {};
   std::string why = {};      ///< what explains the numbers, true whatever the verdict
   std::string settles = {};  ///< what would settle what is open; empty if nothing is
   std::optional<Revision> revision = std::nullopt;
@@ -83,9 +86,18 @@ struct Claim {
 /// What follows from the rows, by the rule above.
 [[nodiscard]] Verdict verdict_of(const Claim& claim);
 
-/// Where it holds, from the rows alone: in how many, and the readings of which every row, some or
-/// none holds.
+/// True if a row's reading is one of those nearest to the text.
+[[nodiscard]] bool is_nearest(const Claim& claim, const ClaimRow& row);
+
+/// Where it holds, from the rows alone: in how many, how the reading nearest to the text stands, and
+/// the readings of which every row, some or none holds.
 [[nodiscard]] std::string where(const Claim& claim);
+
+/// The subjects of a claim, each once, in the order of its rows.
+[[nodiscard]] std::vector<std::string> subjects_of(const Claim& claim);
+
+/// The rows by line of the matrix: those of one metric, reading and demand, on all subjects.
+[[nodiscard]] std::vector<std::vector<const ClaimRow*>> lines_of(const Claim& claim);
 
 /// True if a row was measured, not counted.
 [[nodiscard]] bool is_timed(const Claim& claim);
@@ -99,6 +111,9 @@ struct Claim {
                                    std::string unit, Demand demand, double value);
 [[nodiscard]] ClaimRow measured_row(std::string reading, std::string metric, std::string subject,
                                     std::string unit, Demand demand, const Estimate& estimate);
+
+/// "> 8", "< 1", "21 to 31".
+[[nodiscard]] std::string words_of(const Demand& demand);
 
 /// "+26.4 %" or "0.931 (0.92 to 0.94)": a row's number for people.
 [[nodiscard]] std::string words_of(const ClaimRow& row);

@@ -3,6 +3,7 @@
 #include "soms/base/text.h"
 
 #include "reproduce/html.h"
+#include "reproduce/page_table.h"
 
 #include <fmt/format.h>
 
@@ -49,42 +50,7 @@ std::string_view mark_of(const ClaimRow& row) {
   }
 }
 
-std::vector<std::string> subjects_of(const Claim& claim) {
-  std::vector<std::string> subjects;
-  for (const ClaimRow& row : claim.rows) {
-    if (std::find(subjects.begin(), subjects.end(), row.subject) == subjects.end()) {
-      subjects.push_back(row.subject);
-    }
-  }
-  return subjects;
-}
-
-std::string demand_words(const Demand& demand) {
-  const bool above = demand.above > -std::numeric_limits<double>::infinity();
-  const bool below = demand.below < std::numeric_limits<double>::infinity();
-  return above && below ? fmt::format("{:.4g} to {:.4g}", demand.above, demand.below)
-         : above        ? fmt::format("&gt; {:.4g}", demand.above)
-         : below        ? fmt::format("&lt; {:.4g}", demand.below)
-                        : std::string();
-}
-
-/// One line of the matrix: a metric and a reading, with a row for each subject.
-using Line = std::vector<const ClaimRow*>;
-
-std::vector<Line> lines_of(const Claim& claim) {
-  std::vector<Line> lines;
-  for (const ClaimRow& row : claim.rows) {
-    const auto line = std::find_if(lines.begin(), lines.end(), [&](const Line& other) {
-      return other[0]->metric == row.metric && other[0]->reading == row.reading &&
-             other[0]->demand.above == row.demand.above &&
-             other[0]->demand.below == row.demand.below;
-    });
-    (line == lines.end() ? lines.emplace_back() : *line).push_back(&row);
-  }
-  return lines;
-}
-
-std::string cell_of(const Line& line, const std::string& subject) {
+std::string cell_of(const std::vector<const ClaimRow*>& line, const std::string& subject) {
   const auto row = std::find_if(line.begin(), line.end(),
                                 [&](const ClaimRow* one) { return one->subject == subject; });
   if (row == line.end()) {
@@ -108,10 +74,10 @@ std::string matrix_of(const Claim& claim) {
     html += fmt::format("<th class=\"number\">{}</th>", xml_text(subject));
   }
   html += "</tr></thead>\n<tbody>\n";
-  for (const Line& line : lines_of(claim)) {
+  for (const std::vector<const ClaimRow*>& line : lines_of(claim)) {
     html += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"short\">{}</td>",
                         xml_text(line[0]->metric), xml_text(line[0]->reading),
-                        demand_words(line[0]->demand));
+                        xml_text(words_of(line[0]->demand)));
     for (const std::string& subject : subjects) {
       html += cell_of(line, subject);
     }
@@ -149,30 +115,15 @@ std::string unjudged_words(const Claim& claim) {
   return html;
 }
 
-std::string row_of(const Tested& tested, bool open) {
+std::string row_of(const Tested& tested) {
   const auto& [claim, experiment] = tested;
-  std::string html = fmt::format(
-      "<tr id=\"claim-{}\"><td>{} <span class=\"faint\">({})</span></td><td "
-      "class=\"verdict\">{}</td>"
-      "<td>{}\n<details{}>\n<summary>Matrix of {}, and why</summary>\n",
+  return fmt::format(
+      "<tr id=\"claim-{}\"><td>{} <span class=\"faint\">({})</span></td>"
+      "<td class=\"verdict\">{}</td><td>{} <a href=\"#item-{}\">Matrix of {}, and "
+      "why</a></td></tr>\n",
       xml_text(claim->id), xml_text(claim->statement), xml_text(claim->source),
-      badge(verdict_of(*claim)), xml_text(where(*claim)), open ? " open" : "",
+      badge(verdict_of(*claim)), xml_text(where(*claim)), xml_text(experiment->item),
       counted(claim->rows.size(), "row"));
-  if (!claim->why.empty()) {
-    html += fmt::format("<p>{}</p>\n", xml_text(claim->why));
-  }
-  if (!claim->settles.empty()) {
-    html += fmt::format("<p><strong>What would settle it:</strong> {}</p>\n",
-                        xml_text(sentence(claim->settles)));
-  }
-  html += unjudged_words(*claim);
-  if (!claim->rows.empty()) {
-    html += matrix_of(*claim);
-  }
-  return html + fmt::format(
-                    "<p class=\"note\">Tables and figures: <a href=\"#item-{}\">{}</a>.</p>\n"
-                    "</details></td></tr>\n",
-                    xml_text(experiment->item), xml_text(spoken(experiment->item)));
 }
 
 /// "3 hold in all readings, ...": how many claims have each verdict.
@@ -214,6 +165,28 @@ std::string revisions(const std::vector<Tested>& claims) {
 
 }  // namespace
 
+std::string claim_part(const Claim& claim, PageFiles files) {
+  std::string html =
+      fmt::format("<p><strong>{}</strong> <span class=\"faint\">({})</span> {}</p>\n<p>{}</p>\n",
+                  xml_text(sentence(claim.statement)), xml_text(claim.source),
+                  badge(verdict_of(claim)), xml_text(where(claim)));
+  if (!claim.why.empty()) {
+    html += fmt::format("<p>{}</p>\n", xml_text(claim.why));
+  }
+  if (!claim.settles.empty()) {
+    html += fmt::format("<p><strong>What would settle it:</strong> {}</p>\n",
+                        xml_text(sentence(claim.settles)));
+  }
+  html += unjudged_words(claim);
+  if (claim.rows.empty()) {
+    return html;
+  }
+  if (files == PageFiles::paper) {
+    return html + markup_of(matrix_table(claim), files, claim_table(claim));
+  }
+  return html + matrix_of(claim) + file_note(claim_table(claim), files);
+}
+
 std::string claims_section(const Report& report, bool open) {
   const std::vector<Tested> claims = tested_claims(report);
   std::string html = "<h2 id=\"claims\">What the thesis claims, and how it stands</h2>\n";
@@ -227,7 +200,7 @@ std::string claims_section(const Report& report, bool open) {
       "<table class=\"claims\">\n<thead><tr><th>claim</th><th>verdict</th><th>where it holds</th>"
       "</tr></thead>\n<tbody>\n";
   for (const Tested& tested : claims) {
-    html += row_of(tested, open);
+    html += row_of(tested);
   }
   return html +
          "</tbody>\n</table>\n<p class=\"note\">Times are in italics: they differ from run to "

@@ -1,5 +1,6 @@
 /// \file
-/// The section of the page that sets each claim of the thesis beside its matrix and its verdict.
+/// What the page says of the claims of the thesis: all with their verdicts, and each with its
+/// matrix.
 #pragma once
 
 #include "reproduce/report.h"
@@ -8,7 +9,11 @@
 
 namespace soms::reproduce {
 
-/// The section as HTML. \param open Whether matrices are unfolded, as on paper.
+/// A claim with its verdict, reasons and matrix, as HTML.
+[[nodiscard]] std::string claim_part(const Claim& claim, PageFiles files);
+
+/// All claims with their verdicts and where they hold, as HTML. \param open Whether the rule is
+/// unfolded, as on paper.
 [[nodiscard]] std::string claims_section(const Report& report, bool open);
 
 }  // namespace soms::reproduce

@@ -39,6 +39,12 @@ std::string inlined(const Figure& figure) {
   return svg;
 }
 
+/// True if a table is the matrix of a claim, which the page shows with the claim.
+bool is_matrix(const Table& table, const Result& result) {
+  return std::any_of(result.claims.begin(), result.claims.end(),
+                     [&](const Claim& claim) { return table.id == "claim_" + claim.id; });
+}
+
 /// Writes the page section by section.
 class Page {
  public:
@@ -237,6 +243,9 @@ class Page {
         xml_text(entry.experiment->item),
         entry.seconds < 0.1 ? std::string("less than 0.1 s")
                             : fmt::format("{:.1f} s", entry.seconds));
+    for (const Claim& claim : entry.result.claims) {
+      out_ += claim_part(claim, files_);
+    }
     for (const Figure& figure : entry.result.figures) {
       put_figure(figure);
     }
@@ -244,7 +253,9 @@ class Page {
       put("<p>{}</p>\n", xml_text(remark));
     }
     for (const Table& table : entry.result.tables) {
-      out_ += markup_of(table, files_);
+      if (!is_matrix(table, entry.result)) {
+        out_ += markup_of(table, files_);
+      }
     }
     put("</details>\n</section>\n");
   }

@@ -23,10 +23,19 @@ constexpr std::size_t kMostRows = 400;
 /// Bytes of words that stay on one line.
 constexpr std::size_t kShortWords = 24;
 
+/// A link to the file of a table, or to one inside the link.
+std::string link_to(const Table& table, PageFiles files) {
+  if (files == PageFiles::inside) {
+    return fmt::format("<a href=\"data:text/csv;charset=utf-8,{}\" download=\"{}.csv\">CSV</a>",
+                       percent_encoded(to_csv(table)), xml_text(table.id));
+  }
+  return fmt::format("<a href=\"{}\">CSV</a>", xml_text(file_of(table).generic_string()));
+}
+
 /// Writes a table part by part.
 class TablePart {
  public:
-  explicit TablePart(PageFiles files) : files_(files) {}
+  TablePart(PageFiles files, const Table& of_file) : files_(files), of_file_(of_file) {}
 
   std::string write(const Table& table) {
     const bool on_paper = files_ == PageFiles::paper;
@@ -107,13 +116,7 @@ class TablePart {
       put("The first {} of {}; all of them are in {}", to_text(static_cast<std::int64_t>(shown)),
           counted(table.rows.size(), "row"), files_ == PageFiles::paper ? "" : "the ");
     }
-    if (files_ == PageFiles::inside) {
-      put("<a href=\"data:text/csv;charset=utf-8,{}\" download=\"{}.csv\">CSV</a>",
-          percent_encoded(to_csv(table)), xml_text(table.id));
-    } else {
-      put("<a href=\"{}\">CSV</a>", xml_text(file_of(table).generic_string()));
-    }
-    put("</p>\n");
+    put("{}</p>\n", link_to(of_file_, files_));
   }
 
   [[nodiscard]] static std::string title_of(const Column& column) {
@@ -139,13 +142,22 @@ class TablePart {
   }
 
   PageFiles files_;
+  const Table& of_file_;
   std::string out_;
 };
 
 }  // namespace
 
 std::string markup_of(const Table& table, PageFiles files) {
-  return TablePart(files).write(table);
+  return TablePart(files, table).write(table);
+}
+
+std::string markup_of(const Table& table, PageFiles files, const Table& of_file) {
+  return TablePart(files, of_file).write(table);
+}
+
+std::string file_note(const Table& table, PageFiles files) {
+  return fmt::format("<p class=\"note\">All numbers: {}</p>\n", link_to(table, files));
 }
 
 }  // namespace soms::reproduce

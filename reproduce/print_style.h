@@ -36,7 +36,9 @@ header.title .lead{font-size:10.5pt;text-align:center;margin:0 0 4mm}
 header.title .byline{font-size:9pt;color:var(--faint);text-align:center;margin:0}
 h2{font-size:14pt;margin:9mm 0 2mm;padding:0;border:0}
 h3{font-size:11pt;margin:6mm 0 1mm}
-h2,h3,h4,summary,caption,thead,h3+p,summary+*{break-after:avoid}
+h2,h3,h4,summary,caption,thead,h3+p,summary+*,.anchor,.anchor+p{break-after:avoid}
+details.item>summary>h3{display:block;font-size:11pt;font-weight:700;margin:6mm 0 1mm}
+details.item{margin:0}
 h2,h3,h4,summary,caption,li,dt,dd,nav,.warn,.scroll:not(.tall):not(:has(.claims)){break-inside:avoid}
 .note{font-size:8pt;margin:.3em 0}
 .warn{border-left-width:2pt;padding:2mm 3mm;margin:2mm 0;font-size:9pt}

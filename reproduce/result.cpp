@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace soms::reproduce {
 
@@ -48,6 +50,20 @@ struct PageCell {
   std::string operator()(double number) const { return three_digits(number); }
 };
 
+/// A row's number with the sign of how it stands.
+std::string marked(const ClaimRow& row) {
+  switch (stand_of(row)) {
+    case Verdict::holds:
+      return "\u2713 " + words_of(row);
+    case Verdict::undecided:
+      return "\u00b1 " + words_of(row);
+    case Verdict::does_not_hold:
+      return "\u2717 " + words_of(row);
+    default:
+      return fmt::format("({})", words_of(row));
+  }
+}
+
 std::string csv_line(const std::vector<std::string>& cells) {
   return fmt::format("{}\n", fmt::join(cells, ","));
 }
@@ -64,6 +80,7 @@ Table claim_table(const Claim& claim) {
                              claim.statement),
       .columns = {{"metric"},
                   {"reading"},
+                  {"nearest"},
                   {"subject"},
                   {"unit"},
                   {"above"},
@@ -79,11 +96,34 @@ Table claim_table(const Claim& claim) {
     const auto end_of = [&](double Interval::*end) {
       return row.interval ? Cell{(*row.interval).*end} : Cell{};
     };
-    table.rows.push_back({row.metric, row.reading, row.subject, row.unit, bound(row.demand.above),
-                          bound(row.demand.below), row.value, end_of(&Interval::low),
-                          end_of(&Interval::high),
+    table.rows.push_back({row.metric, row.reading, std::string(is_nearest(claim, row) ? "yes" : ""),
+                          row.subject, row.unit, bound(row.demand.above), bound(row.demand.below),
+                          row.value, end_of(&Interval::low), end_of(&Interval::high),
                           row.rounds == 0 ? Cell{} : Cell{std::int64_t{row.rounds}},
                           std::string(stand_word(row)), row.unjudged});
+  }
+  return table;
+}
+
+Table matrix_table(const Claim& claim) {
+  Table table{.id = "matrix_" + claim.id,
+              .caption = fmt::format(
+                  "Matrix of the claim: {}. \u2713 holds, \u00b1 undecided, \u2717 fails, "
+                  "(number) not judged.",
+                  claim.statement),
+              .columns = {{"metric"}, {"reading"}, {"demanded"}}};
+  const std::vector<std::string> subjects = subjects_of(claim);
+  for (const std::string& subject : subjects) {
+    table.columns.push_back({subject});
+  }
+  for (const std::vector<const ClaimRow*>& line : lines_of(claim)) {
+    std::vector<Cell> cells{line[0]->metric, line[0]->reading, words_of(line[0]->demand)};
+    for (const std::string& subject : subjects) {
+      const auto row = std::find_if(line.begin(), line.end(),
+                                    [&](const ClaimRow* one) { return one->subject == subject; });
+      cells.push_back(row == line.end() ? Cell{} : Cell{marked(**row)});
+    }
+    table.rows.push_back(std::move(cells));
   }
   return table;
 }

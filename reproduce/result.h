@@ -57,6 +57,10 @@ struct Result {
 /// verdict follows from the columns `value`, `low`, `high`, `above`, `below` and `unjudged` alone.
 [[nodiscard]] Table claim_table(const Claim& claim);
 
+/// The same for readers on paper, "matrix_ID": a line for each metric and reading, a column for
+/// each subject.
+[[nodiscard]] Table matrix_table(const Claim& claim);
+
 /// The table as CSV (RFC 4180): a line of column names, units in brackets where there are any, then
 /// the rows. Numbers of double are written with six significant digits, "." as the mark.
 [[nodiscard]] std::string to_csv(const Table& table);

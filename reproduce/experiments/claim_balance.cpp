@@ -171,6 +171,7 @@ Result claim_balance(const Context& context) {
            .statement = "SOMS makes a more balanced tree than spatial median",
            .source = "abstract; figure 4.2 by its caption",
            .rows = rows_of(measured),
+           .nearest = "stop, inner axis",
            .why = fmt::format(
                "Both rules halve a length, and neither counts triangles: which of the "
                "two halves is fuller is a matter of the model. What SOMS has ahead is "

@@ -120,6 +120,7 @@ Claim claim_of(std::span<const Race> races, const Model& object) {
           .statement = "SOMS builds the tree of 948 triangles 8 % faster than spatial median",
           .source = "abstract",
           .rows = rows_of(races, object),
+          .nearest = "neutral builder, thesis-like, level 6",
           .why = why(races, object),
           .settles =
               "the thesis' program, or its chapter 5: the level, and what each rule's builder "

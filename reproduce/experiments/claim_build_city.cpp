@@ -229,6 +229,7 @@ Result claim_build_city(const Context& context) {
                         "median",
            .source = "chapter 1, 1.2; figures 5.4 and 5.5 and table 5.8 by their captions",
            .rows = rows_of(entrants, races),
+           .nearest = "level 7 (figure 5.5); a node stays whole",
            .why = why(scenes, races),
            .settles = "the thesis' scene, and what its program does where a side is empty"}}};
 }

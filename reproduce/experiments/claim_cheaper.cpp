@@ -104,6 +104,7 @@ Result claim_cheaper(const Context& context) {
       .source =
           "chapter 1 (problem, aim): \"increase the efficiency in collision detection "
           "handling\"; figures 5.6 to 5.8 by their captions",
+      .nearest = "empty side stop, traversal ericson",
       .why =
           "SOMS divides where spatial median has stopped, so its leaves are smaller: it tests "
           "more boxes and fewer pairs of triangles. What that is worth depends on how many "

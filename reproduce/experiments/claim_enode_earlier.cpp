@@ -181,6 +181,7 @@ Claim claim_of(const std::vector<Kind>& kinds) {
           "depth-first traversal",
       .source = "name of E-Node: heading of section 5.5",
       .rows = rows_of(kinds),
+      .nearest = "family test, both nodes",
       .why =
           "A family is tested as a whole before one of its pairs is entered. So by pairs entered "
           "the first overlap may come earlier though by box tests it comes later. The front of "

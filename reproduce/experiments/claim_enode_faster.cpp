@@ -153,6 +153,7 @@ Claim claim_of(const std::vector<Kind>& kinds) {
       .statement = "E-Node is faster than Larsson's depth-first traversal",
       .source = "abstract (\"more efficient and faster\"); the opponent: caption of figure 5.10",
       .rows = rows_of(kinds),
+      .nearest = "family test, both nodes",
       .why =
           "The family test makes the same box tests as the depth-first traversal that descends "
           "the same nodes, one for one. It saves entering pairs that are apart, and pays with "

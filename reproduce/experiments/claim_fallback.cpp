@@ -161,6 +161,7 @@ Claim claim_of(std::span<const Subject> subjects, const Parallel& parallel) {
     return words(static_cast<std::uint64_t>(
         sum_of(claim, rule, reading_of(axis, {.soms_axis = axis, .empty_side = empty_side}))));
   };
+  claim.nearest = "stop, inner axis, midpoint thesis";
   claim.why = fmt::format(
       "A rule is stuck at a node if its plane leaves one side empty although the midpoints of the "
       "triangles differ. SOMS puts its plane between the least and the greatest midpoint of the "

@@ -203,6 +203,7 @@ Result claim_single_leaves(const Context& context) {
                                    "spatial median",
                       .source = "abstract; levels by the captions of tables 5.3 and 5.9",
                       .rows = std::move(rows),
+                      .nearest = "greatest level, stop, inner axis",
                       .why = why_of(ladders),
                       .settles = "the level that the abstract calls optimum, and what the thesis' "
                                  "program does with a node that spatial median cannot divide",

@@ -65,15 +65,34 @@ TEST(Claim, SaysWhereItHolds) {
   EXPECT_EQ(where(claim({count(-1), measured(7, 8, 9)})), "Holds in 0 of 2 rows, undecided in 1.");
 }
 
+TEST(Claim, SaysHowTheReadingNearestToTheTextStands) {
+  Claim one = claim({count(1), count(-2, "stop", "venus"), count(3, "chain")});
+  one.nearest = "stop";
+  EXPECT_EQ(where(one),
+            "Holds in 2 of 3 rows. Nearest to the text (stop): in 1 of 2. In every row: chain. In "
+            "some: stop (1 of 2).");
+  EXPECT_EQ(test::cell(claim_table(one), 0, "nearest"), "yes");
+  EXPECT_EQ(test::cell(claim_table(one), 2, "nearest"), "");
+}
+
+TEST(Claim, MatrixHasALineForEachReadingAndAColumnForEachSubject) {
+  ClaimRow aside = count(5, "chain");
+  aside.unjudged = "a stand-in";
+  EXPECT_EQ(to_csv(matrix_table(claim({count(1), count(-2, "stop", "venus"), aside}))),
+            "metric,reading,demanded,bunny,venus\nleaves,stop,> 0,\u2713 1,\u2717 "
+            "-2\nleaves,chain,> 0,(5),\n");
+}
+
 TEST(Claim, TableHasAllThatTheVerdictNeeds) {
   const Table table = claim_table(claim({count(12), measured(7, 9, 10)}));
   EXPECT_EQ(table.id, "claim_c");
   EXPECT_EQ(test::cell(table, 0, "stands"), "holds");
   EXPECT_EQ(test::cell(table, 1, "stands"), "undecided");
-  EXPECT_EQ(to_csv(table),
-            "metric,reading,subject,unit,above,below,value,low,high,rounds,stands,unjudged\n"
-            "leaves,stop,bunny,,0,,12,,,,holds,\n"
-            "time,,bunny,%,8,,9,7,10,20,undecided,\n");
+  EXPECT_EQ(
+      to_csv(table),
+      "metric,reading,nearest,subject,unit,above,below,value,low,high,rounds,stands,unjudged\n"
+      "leaves,stop,,bunny,,0,,12,,,,holds,\n"
+      "time,,,bunny,%,8,,9,7,10,20,undecided,\n");
 }
 
 TEST(Claim, NumbersAreReadable) {
