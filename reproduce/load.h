@@ -48,7 +48,7 @@ inline constexpr double kLeastSeconds = 1;
 /// Of now.
 [[nodiscard]] LoadAverages load_averages();
 
-/// Processor time of this process so far, of all its threads.
+/// Processor time so far of this process, with all its threads, and of the children it waited for.
 [[nodiscard]] double processor_seconds();
 
 }  // namespace soms::reproduce
