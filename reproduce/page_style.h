@@ -68,7 +68,7 @@ font-weight:500}details.item[open]>summary>h3{font-size:1.12rem;font-weight:700}
 details.item[open]{margin:1rem 0 2rem}.anchor{scroll-margin-top:3rem}
 .changed{background:var(--soft);border-left:4px solid var(--link);padding:.6rem .9rem;
 max-width:none}
-table.matrix td{min-width:0}table.matrix td.number{white-space:normal;min-width:6rem}
+table.matrix td{min-width:0}table.matrix td:nth-child(-n+2){min-width:11rem}table.matrix td.number{white-space:normal;min-width:6rem}
 .scroll td:first-child{min-width:7rem}
 @media (max-width:40rem){table.claims,table.claims tbody,table.claims tr,table.claims td
 {display:block}table.claims thead{display:none}table.claims tr{padding:.6rem 0}
