@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 namespace soms::reproduce {
@@ -79,6 +82,18 @@ std::string nearest_words(const Claim& claim) {
              : fmt::format(" Nearest to the text ({}): in {} of {}.", claim.nearest, hold, rows);
 }
 
+/// True if all rows of a line that are judged hold, and there are some.
+bool has_whole_line(const Claim& claim) {
+  const auto lines = lines_of(claim);
+  return std::any_of(lines.begin(), lines.end(), [](const std::vector<const ClaimRow*>& line) {
+    const auto with = [&](Verdict stand) {
+      return std::count_if(line.begin(), line.end(),
+                           [&](const ClaimRow* row) { return stand_of(*row) == stand; });
+    };
+    return with(Verdict::holds) > 0 && with(Verdict::undecided) + with(Verdict::does_not_hold) == 0;
+  });
+}
+
 }  // namespace
 
 bool is_nearest(const Claim& claim, const ClaimRow& row) {
@@ -120,9 +135,17 @@ Verdict verdict_of(const Claim& claim) {
     return Verdict::cannot_be_checked;
   }
   if (hold > 0) {
-    return open + fail == 0 ? Verdict::holds : Verdict::holds_under;
+    return open + fail == 0        ? Verdict::holds
+           : has_whole_line(claim) ? Verdict::holds_under
+                                   : Verdict::holds_on_some;
   }
   return open > 0 ? Verdict::undecided : Verdict::does_not_hold;
+}
+
+std::string share_words(const Claim& claim) {
+  const std::size_t judged = claim.rows.size() - count_of(claim, Verdict::cannot_be_checked);
+  return judged == 0 ? std::string()
+                     : fmt::format("{} of {} rows", count_of(claim, Verdict::holds), judged);
 }
 
 std::string where(const Claim& claim) {
@@ -133,7 +156,8 @@ std::string where(const Claim& claim) {
   const std::size_t open = count_of(claim, Verdict::undecided);
   std::string text = fmt::format("Holds in {} of {} rows{}.", count_of(claim, Verdict::holds),
                                  judged, open == 0 ? "" : fmt::format(", undecided in {}", open));
-  if (verdict_of(claim) != Verdict::holds_under) {
+  const Verdict verdict = verdict_of(claim);
+  if (verdict != Verdict::holds_under && verdict != Verdict::holds_on_some) {
     return text;
   }
   text += nearest_words(claim);
@@ -190,7 +214,8 @@ bool is_timed(const Claim& claim) {
 
 std::string_view name(Verdict verdict) {
   constexpr std::array<std::string_view, kVerdictCount> kNames{
-      "holds in all readings", "holds under some readings", "undecided",
+      "holds in all readings",        "holds under some readings",
+      "holds on some subjects",       "undecided",
       "does not hold in any reading", "cannot be checked"};
   return kNames[static_cast<std::size_t>(verdict)];
 }
@@ -215,6 +240,10 @@ ClaimRow measured_row(std::string reading, std::string metric, std::string subje
 }
 
 std::string words_of(const Demand& demand) {
+  const double middle = std::midpoint(demand.above, demand.below);
+  if (demand.below - demand.above == 1 && middle == std::floor(middle)) {
+    return fmt::format("= {}", middle);
+  }
   const bool above = demand.above > -std::numeric_limits<double>::infinity();
   const bool below = demand.below < std::numeric_limits<double>::infinity();
   return above && below ? fmt::format("{:.4g} to {:.4g}", demand.above, demand.below)

@@ -7,7 +7,10 @@
 /// then
 ///
 /// - holds in all readings, if every row holds;
-/// - holds under some readings, if at least one row holds, but not all do;
+/// - holds under some readings, if not all rows hold, but a whole line does: all rows of one
+/// metric,
+///   reading and demand, whatever the subject;
+/// - holds on some subjects, if rows hold, but no whole line does;
 /// - does not hold in any reading, if every row fails;
 /// - is undecided, if no row holds and at least one is undecided;
 /// - cannot be checked, if there is no row to judge.
@@ -28,13 +31,14 @@ namespace soms::reproduce {
 enum class Verdict {
   holds,              ///< in all readings
   holds_under,        ///< in some of the readings that the thesis leaves open
+  holds_on_some,      ///< on some models or trips, in no reading on all of them
   undecided,          ///< measurements lie on both sides of what is claimed
   does_not_hold,      ///< in no reading
   cannot_be_checked,  ///< what it was measured on is not available
 };
 
 /// All verdicts, in the order of the enumeration.
-inline constexpr std::size_t kVerdictCount = 5;
+inline constexpr std::size_t kVerdictCount = 6;
 
 /// The open range a number must lie in: above one bound, below another.
 struct Demand {
@@ -56,9 +60,9 @@ struct ClaimRow {
   std::string unjudged = {};  ///< why this row is shown but not judged; empty if it is judged
 };
 
-/// Whose verdict was another one before, and why it changed.
+/// Whose verdict was another one in the first edition of the page, and why it changed.
 struct Revision {
-  Verdict before = Verdict::cannot_be_checked;
+  Verdict before = Verdict::cannot_be_checked;  ///< holds, holds_under, does_not_hold
   std::string reason;  ///< a clause: "it raced one kind of depth-first traversal"
 };
 
@@ -71,6 +75,7 @@ struct Claim {
   /// How the readings nearest to the text begin: all that the text or a caption states as it states
   /// it, the rest at the defaults; empty if none is nearer than another.
   std::string nearest = {};
+  std::string note = {};     ///< computed, beside the verdict
   std::string why = {};      ///< what explains the numbers, true whatever the verdict
   std::string settles = {};  ///< what would settle what is open; empty if nothing is
   std::optional<Revision> revision = std::nullopt;
@@ -89,8 +94,8 @@ struct Claim {
 /// True if a row's reading is one of those nearest to the text.
 [[nodiscard]] bool is_nearest(const Claim& claim, const ClaimRow& row);
 
-/// Where it holds, from the rows alone: in how many, how the reading nearest to the text stands, and
-/// the readings of which every row, some or none holds.
+/// Where it holds, from the rows alone: in how many, how the reading nearest to the text stands,
+/// and the readings of which every row, some or none holds.
 [[nodiscard]] std::string where(const Claim& claim);
 
 /// The subjects of a claim, each once, in the order of its rows.
@@ -102,8 +107,11 @@ struct Claim {
 /// True if a row was measured, not counted.
 [[nodiscard]] bool is_timed(const Claim& claim);
 
-/// "holds in all readings", "holds under some readings", "undecided", "does not hold in any
-/// reading", "cannot be checked".
+/// "27 of 75 rows": how many of the rows that are judged hold.
+[[nodiscard]] std::string share_words(const Claim& claim);
+
+/// "holds in all readings", "holds under some readings", "holds on some subjects", "undecided",
+/// "does not hold in any reading", "cannot be checked".
 [[nodiscard]] std::string_view name(Verdict verdict);
 
 /// A row that counts, and one that was measured.

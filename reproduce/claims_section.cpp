@@ -21,20 +21,20 @@ namespace {
 /// How a verdict follows, for the reader; the header of claim.h has the same rule.
 constexpr std::string_view kRule =
     "<p>A claim is read in every way that the thesis leaves open and by every metric that fits its "
-    "words. Each row of its matrix is one reading by one metric on one subject: a number, the "
-    "range "
-    "that the claim demands of it and, where it is measured, its interval of 95 % (seeded "
-    "bootstrap "
-    "over paired rounds of processor time). A row holds if all of the interval lies in the range, "
-    "fails if all of it lies outside, and is undecided if it lies across an end. The claim "
-    "<em>holds "
-    "in all readings</em> if every row holds, <em>holds under some readings</em> if some do, "
-    "<em>does not hold in any reading</em> if every row fails, is <em>undecided</em> if no row "
-    "holds "
-    "and some are undecided, and <em>cannot be checked</em> if there is no row to judge. Of many "
-    "measured rows one in forty may fall on either side by chance; counts never do. The intervals "
-    "tell of the rounds of this run: another machine, compiler or placement in memory can move a "
-    "ratio of times by some per cent more.</p>\n";
+    "words. Each row of its matrix is one reading by one metric on one subject, a model or a trip: "
+    "a number, the range that the claim demands of it and, where it is measured, its interval of "
+    "95 "
+    "% (seeded bootstrap over paired rounds of processor time, ratios widened by 2 % at either end "
+    "for what differs from process to process). A row holds if all of the interval lies in the "
+    "range, fails if all of it lies outside, and is undecided if it lies across an end. The claim "
+    "<em>holds in all readings</em> if every row holds; <em>holds under some readings</em> if a "
+    "reading by a metric holds on all its subjects; <em>holds on some subjects</em> if rows hold, "
+    "but no reading by a metric does on all of them; <em>does not hold in any reading</em> if "
+    "every "
+    "row fails; is <em>undecided</em> if no row holds and some are undecided; and <em>cannot be "
+    "checked</em> if there is no row to judge. Rows that are shown but not judged say why. Counts "
+    "are the same in every run. Of measured rows a few in a hundred may stand otherwise in another "
+    "run, and more on another machine or with another compiler.</p>\n";
 
 /// Marks of a row for those who cannot tell colors apart.
 std::string_view mark_of(const ClaimRow& row) {
@@ -119,11 +119,13 @@ std::string row_of(const Tested& tested) {
   const auto& [claim, experiment] = tested;
   return fmt::format(
       "<tr id=\"claim-{}\"><td>{} <span class=\"faint\">({})</span></td>"
-      "<td class=\"verdict\">{}</td><td>{} <a href=\"#item-{}\">Matrix of {}, and "
+      "<td class=\"verdict\">{}<br><span class=\"faint\">{}</span></td><td>{}{} <a "
+      "href=\"#item-{}\">Matrix of {}, and "
       "why</a></td></tr>\n",
       xml_text(claim->id), xml_text(claim->statement), xml_text(claim->source),
-      badge(verdict_of(*claim)), xml_text(where(*claim)), xml_text(experiment->item),
-      counted(claim->rows.size(), "row"));
+      badge(verdict_of(*claim)), share_words(*claim), xml_text(where(*claim)),
+      claim->note.empty() ? std::string() : fmt::format(" {}", xml_text(claim->note)),
+      xml_text(experiment->item), counted(claim->rows.size(), "row"));
 }
 
 /// "3 hold in all readings, ...": how many claims have each verdict.
@@ -143,6 +145,13 @@ std::string tally(const std::vector<Tested>& claims) {
   return html + ".</p>\n";
 }
 
+/// How the first edition of the page named a verdict.
+std::string_view name_before(Verdict verdict) {
+  return verdict == Verdict::holds         ? "holds"
+         : verdict == Verdict::holds_under ? "holds under options"
+                                           : "does not hold";
+}
+
 /// The paragraph on verdicts that are not what they were.
 std::string revisions(const std::vector<Tested>& claims) {
   std::string html;
@@ -152,14 +161,14 @@ std::string revisions(const std::vector<Tested>& claims) {
       html += fmt::format(
           " <a href=\"#claim-{}\">{}</a>: was &#8220;{}&#8221;, is "
           "&#8220;{}&#8221;, for {}",
-          xml_text(claim->id), xml_text(claim->statement), name(revision->before),
+          xml_text(claim->id), xml_text(claim->statement), name_before(revision->before),
           name(verdict_of(*claim)), xml_text(sentence(revision->reason)));
     }
   }
   return html.empty() ? html
                       : fmt::format(
-                            "<p class=\"changed\"><strong>Verdicts that changed since "
-                            "version 0.1.0.</strong>{}</p>\n",
+                            "<p class=\"changed\"><strong>Verdicts that are not those of the "
+                            "first edition of this page.</strong>{}</p>\n",
                             html);
 }
 
@@ -170,6 +179,9 @@ std::string claim_part(const Claim& claim, PageFiles files) {
       fmt::format("<p><strong>{}</strong> <span class=\"faint\">({})</span> {}</p>\n<p>{}</p>\n",
                   xml_text(sentence(claim.statement)), xml_text(claim.source),
                   badge(verdict_of(claim)), xml_text(where(claim)));
+  if (!claim.note.empty()) {
+    html += fmt::format("<p>{}</p>\n", xml_text(claim.note));
+  }
   if (!claim.why.empty()) {
     html += fmt::format("<p>{}</p>\n", xml_text(claim.why));
   }

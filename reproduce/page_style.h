@@ -49,7 +49,7 @@ table.claims td.verdict{min-width:0}
 table.claims tbody tr:nth-child(even){background:var(--soft)}
 .badge{display:inline-block;border:1.5px solid currentColor;border-radius:1rem;
 padding:.05rem .6rem;font-size:.85rem;font-weight:600;white-space:nowrap}
-.holds{color:var(--good)}.holds_under{color:var(--part)}.undecided{color:var(--link)}
+.holds{color:var(--good)}.holds_under,.holds_on_some{color:var(--part)}.undecided{color:var(--link)}
 .does_not_hold{color:var(--bad)}.cannot_be_checked{color:var(--open)}
 .mark{display:inline-block;border:1px dashed var(--warn-line);background:var(--warn);
 border-radius:.3rem;padding:0 .4rem;font-size:.82rem;white-space:nowrap}

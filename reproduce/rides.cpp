@@ -1,12 +1,38 @@
 #include "reproduce/rides.h"
 
+#include "reproduce/touching_drive.h"
+#include "reproduce/traversal_match.h"
 #include "reproduce/traversal_tables.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace soms::reproduce {
+
+namespace {
+
+/// A ride that is timed, and the frames of each of its trips.
+struct Timed {
+  Ride* ride = nullptr;
+  std::vector<std::vector<Frame>> frames = {};
+};
+
+Ride count_ride(const Context& context, const Course& course, const BuildPairing& build,
+                const NamedTraversal& traversal, std::vector<std::vector<Frame>>& frames) {
+  Ride ride{.subject = course.subject, .build = build, .traversal = traversal.name};
+  for (const auto& trip : course.trips) {
+    ride.trips.push_back(trip(build));
+    frames.push_back(traverse_frames(ride.trips.back(), traversal, context.parallel));
+    for (const Frame& frame : frames.back()) {
+      ride.sum.add(frame);
+    }
+  }
+  return ride;
+}
+
+}  // namespace
 
 BuildPairing pairing(std::span<const Contender> of_scene, std::span<const Contender> of_object,
                      std::string_view name) {
@@ -14,43 +40,58 @@ BuildPairing pairing(std::span<const Contender> of_scene, std::span<const Conten
   return {scene.title, scene, build_named(of_object, name)};
 }
 
-std::vector<TraversalTest> thesis_courses(const Context& context) {
-  std::vector<TraversalTest> courses;
+std::vector<Course> thesis_courses(const Context& context) {
+  const Model& object = context.models.objects.front();
+  Course sides{fmt::format("{}, four sides", object.name), {}};
   for (const auto& [from, name] : kApproaches) {
-    courses.push_back({nullptr, from});
+    sides.trips.emplace_back([&object, side = from](const BuildPairing& build) {
+      return orientation_trip(object, side, build.of_object);
+    });
   }
+  std::vector<Course> courses{std::move(sides)};
   for (const Model& scene : context.models.scenes) {
-    courses.push_back({&scene});
+    const auto drive = [&](const BuildPairing& build) {
+      return drive_trip(scene, object, build.of_scene, build.of_object);
+    };
+    courses.push_back({fmt::format("{} drive", scene.name), {drive}});
+    const TouchingDrive found = find_touching_drive(scene, object, {1, context.parallel.stop, {}});
+    if (found.contact_frames > 0) {
+      courses.push_back(
+          {fmt::format("{} touching drive", scene.name), {[&, found](const BuildPairing& build) {
+             return touching_drive_trip(scene, object, build.of_scene, build.of_object, found);
+           }}});
+    }
   }
   return courses;
 }
 
-std::string subject_of(const Trip& trip) {
-  return fmt::format("{} {}", trip.still, trip.test);
-}
-
-std::vector<Ride> ride(const Context& context, const TraversalTest& test,
+std::vector<Ride> ride(const Context& context, const Course& course,
                        std::span<const BuildPairing> builds, const NamedTraversal& traversal) {
   std::vector<Ride> rides;
-  for (const BuildPairing& build : builds) {
-    Ride one{.build = build,
-             .traversal = traversal.name,
-             .trip = trip_of(context, test, build.of_scene, build.of_object)};
-    one.frames = traverse_frames(one.trip, traversal, context.parallel);
-    one.sum = totals(one.frames);
-    rides.push_back(std::move(one));
-  }
+  rides.reserve(builds.size());
+  std::vector<Timed> timed;
   std::vector<TripRun> runs;
-  std::vector<Ride*> timed;
-  for (Ride& one : rides) {
+  for (const BuildPairing& build : builds) {
+    std::vector<std::vector<Frame>> frames;
+    rides.push_back(count_ride(context, course, build, traversal, frames));
+    Ride& one = rides.back();
     if (one.sum.counts.triangle_pairs <= kManyTrianglePairs && one.sum.root_overlap_frames > 0) {
-      runs.push_back({&one.trip, traversal});
-      timed.push_back(&one);
+      for (const Trip& trip : one.trips) {
+        runs.push_back({&trip, traversal});
+      }
+      timed.push_back({&one, std::move(frames)});
     }
   }
   const std::vector<FrameTimes> times = time_trips(runs, context.rounds(), context.parallel);
-  for (std::size_t i = 0; i < timed.size(); ++i) {
-    timed[i]->rounds = sums_by_round(times[i].collision, timed[i]->frames);
+  std::size_t next = 0;
+  for (const Timed& one : timed) {
+    for (const std::vector<Frame>& frames : one.frames) {
+      const std::vector<double> sums = sums_by_round(times[next++].collision, frames);
+      one.ride->rounds.resize(std::max(one.ride->rounds.size(), sums.size()));
+      for (std::size_t i = 0; i < sums.size(); ++i) {
+        one.ride->rounds[i] += sums[i];
+      }
+    }
   }
   return rides;
 }

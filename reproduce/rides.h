@@ -1,14 +1,16 @@
 /// \file
-/// One course, ridden on the trees of several builds: what each costs.
+/// Courses of a body past another, on the trees of several builds: what each costs.
 #pragma once
 
 #include "reproduce/contenders.h"
+#include "reproduce/experiment.h"
 #include "reproduce/frames.h"
-#include "reproduce/traversal_match.h"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace soms::reproduce {
@@ -24,13 +26,24 @@ struct BuildPairing {
 [[nodiscard]] BuildPairing pairing(std::span<const Contender> of_scene,
                                    std::span<const Contender> of_object, std::string_view name);
 
-/// A course on the trees of one build.
+/// Trips that are one subject of a claim, whatever the trees.
+struct Course {
+  std::string subject;  ///< "bunny, four sides", "u_mixed drive"
+  std::vector<std::function<Trip(const BuildPairing&)>> trips = {};
+};
+
+/// The four sides that the thesis names as one course, since opposite sides cost the same; then for
+/// each scene the drive and, where something can be touched, the drive that touches. `context` must
+/// outlive the courses. \errors ErrorKind::cancelled.
+[[nodiscard]] std::vector<Course> thesis_courses(const Context& context);
+
+/// A course on the trees of one build, by one traversal.
 struct Ride {
+  std::string subject = {};
   BuildPairing build = {};
   std::string traversal = {};
-  Trip trip = {};
-  std::vector<Frame> frames = {};  ///< pairs of leaves only
-  Totals sum = {};
+  std::vector<Trip> trips = {};
+  Totals sum = {};  ///< pairs of leaves only
   /// Milliseconds of collision detection by round, over the frames in which the roots overlap.
   /// Empty where the leaves hold more than kManyTrianglePairs.
   std::vector<double> rounds = {};
@@ -41,14 +54,8 @@ struct Ride {
   }
 };
 
-/// The three sides that the thesis has figures for, then a drive through each scene.
-[[nodiscard]] std::vector<TraversalTest> thesis_courses(const Context& context);
-
-/// "bunny right", "u_mixed drive".
-[[nodiscard]] std::string subject_of(const Trip& trip);
-
 /// The course on all builds by a traversal, times taken in turn. \errors ErrorKind::cancelled.
-[[nodiscard]] std::vector<Ride> ride(const Context& context, const TraversalTest& test,
+[[nodiscard]] std::vector<Ride> ride(const Context& context, const Course& course,
                                      std::span<const BuildPairing> builds,
                                      const NamedTraversal& traversal);
 

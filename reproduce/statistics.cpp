@@ -57,7 +57,10 @@ Estimate paired_ratio(std::span<const double> one, std::span<const double> other
       ratios.push_back(one[i] / other[i]);
     }
   }
-  return estimate(ratios);
+  Estimate ratio = estimate(ratios);
+  ratio.interval.low *= 1 - kBetweenProcesses;
+  ratio.interval.high *= 1 + kBetweenProcesses;
+  return ratio;
 }
 
 Estimate percent_above(const Estimate& ratio) {

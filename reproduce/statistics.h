@@ -29,8 +29,13 @@ struct Estimate {
 /// \source Efron and Tibshirani, An Introduction to the Bootstrap, 1993, chapter 13.
 [[nodiscard]] Estimate estimate(std::span<const double> samples);
 
-/// The median ratio of paired rounds, `one[i] / other[i]`, with its 95 % interval: what slows the
-/// machine for a while slows both halves of a pair. Pairs whose second half is 0 are left out.
+/// What an interval of a ratio of times is widened by at either end, as a share of it, for what
+/// rounds of one process cannot show: placement in memory differs from process to process.
+inline constexpr double kBetweenProcesses = 0.02;
+
+/// The median ratio of paired rounds, `one[i] / other[i]`, with its 95 % interval, widened by
+/// kBetweenProcesses: what slows the machine for a while slows both halves of a pair. Pairs whose
+/// second half is 0 are left out.
 /// \pre as many of one as of the other, and a pair is left.
 [[nodiscard]] Estimate paired_ratio(std::span<const double> one, std::span<const double> other);
 

@@ -323,7 +323,7 @@ TEST(Reproduce, InterruptEndsTheBrowserWithAllThatItStarted) {
   const TemporaryFolder folder;
   const fs::path started = tools.path() / "started";
   const fs::path chromium =
-      browser(tools, "sleep 3600 & echo $! > '" + started.string() + ".new'; mv '" +
+      browser(tools, "tail -f /dev/null & echo $! > '" + started.string() + ".new'; mv '" +
                          started.string() + ".new' '" + started.string() + "'; wait");
   Child child({"/usr/bin/env", "SOMS_CHROMIUM=" + chromium.string(), command().string(),
                "reproduce", "--quick", "--item", "table-3.2", "-o", folder.path().string(), "--pdf",

@@ -43,7 +43,10 @@ TEST(Claim, CountIsOnOneSideOrTheOther) {
 TEST(Claim, VerdictFollowsFromTheRows) {
   EXPECT_EQ(verdict_of(claim({})), Verdict::cannot_be_checked);
   EXPECT_EQ(verdict_of(claim({count(1), count(2)})), Verdict::holds);
-  EXPECT_EQ(verdict_of(claim({count(1), count(-2)})), Verdict::holds_under);
+  EXPECT_EQ(verdict_of(claim({count(1), count(-2, "chain")})), Verdict::holds_under);
+  EXPECT_EQ(verdict_of(claim({count(1), count(-2, "stop", "venus")})), Verdict::holds_on_some);
+  EXPECT_EQ(verdict_of(claim({count(1), count(-2, "stop", "venus"), count(3, "chain")})),
+            Verdict::holds_under);
   EXPECT_EQ(verdict_of(claim({count(-1), count(-2)})), Verdict::does_not_hold);
   EXPECT_EQ(verdict_of(claim({count(-1), measured(7, 8, 9)})), Verdict::undecided);
   EXPECT_EQ(verdict_of(claim({count(1), measured(7, 8, 9)})), Verdict::holds_under);
@@ -81,6 +84,14 @@ TEST(Claim, MatrixHasALineForEachReadingAndAColumnForEachSubject) {
   EXPECT_EQ(to_csv(matrix_table(claim({count(1), count(-2, "stop", "venus"), aside}))),
             "metric,reading,demanded,bunny,venus\nleaves,stop,> 0,\u2713 1,\u2717 "
             "-2\nleaves,chain,> 0,(5),\n");
+}
+
+TEST(Claim, SaysTheShareOfRowsAndReadableDemands) {
+  EXPECT_EQ(share_words(claim({count(1), count(-2)})), "1 of 2 rows");
+  EXPECT_EQ(share_words(claim({})), "");
+  EXPECT_EQ(words_of(Demand{.above = 6.5, .below = 7.5}), "= 7");
+  EXPECT_EQ(words_of(Demand{.above = 21, .below = 31}), "21 to 31");
+  EXPECT_EQ(words_of(Demand{.below = 1}), "< 1");
 }
 
 TEST(Claim, TableHasAllThatTheVerdictNeeds) {

@@ -137,7 +137,7 @@ TEST(Page, SaysInOneParagraphWhichVerdictsChanged) {
   Report report = small_report();
   EXPECT_EQ(test::count_of(page(report), "for it had one metric."), 1U);
   report.entries[0].result.claims[1].revision->before = Verdict::does_not_hold;
-  EXPECT_EQ(test::count_of(page(report), "Verdicts that changed"), 0U);
+  EXPECT_EQ(test::count_of(page(report), "first edition"), 0U);
 }
 
 TEST(Page, MarksStandInsAndTroubles) {

@@ -42,8 +42,8 @@ TEST(Statistics, RatioIsOfPairsNotOfMedians) {
   const std::vector<double> other{1, 2, 4, 8, 16};
   const Estimate ratio = paired_ratio(one, other);
   EXPECT_EQ(ratio.value, 2);
-  EXPECT_EQ(ratio.interval.low, 2);
-  EXPECT_EQ(ratio.interval.high, 2);
+  EXPECT_DOUBLE_EQ(ratio.interval.low, 2 * (1 - kBetweenProcesses));
+  EXPECT_DOUBLE_EQ(ratio.interval.high, 2 * (1 + kBetweenProcesses));
   const Estimate percent = percent_above(ratio);
   EXPECT_EQ(percent.value, 100);
   EXPECT_EQ(percent.rounds, 5);
