@@ -5,6 +5,7 @@
 #include "soms/tree/rule/rules.h"
 
 #include "reproduce/counts.h"
+#include "reproduce/open_options.h"
 
 #include <fmt/format.h>
 
@@ -79,7 +80,7 @@ void add(std::vector<Cell>& row, const Estimate& estimate) {
 
 std::vector<Cell> row_of(const Race& race, Rule rule) {
   const bool soms = rule == Rule::soms;
-  const Racer& racer = soms ? race.soms : race.spatial_median;
+  const RaceHalf& racer = soms ? race.soms : race.spatial_median;
   const auto count = [](std::uint64_t value) { return Cell{static_cast<std::int64_t>(value)}; };
   std::vector<Cell> row{race.model->name,
                         std::string(name_of(race.builder)),
@@ -116,6 +117,25 @@ std::string_view title_of(Builder builder) {
   return kTitles[static_cast<std::size_t>(builder)];
 }
 
+std::string_view reading_of(Builder builder) {
+  return builder == Builder::library ? "library's builder, gives spatial median one pass more"
+                                     : title_of(builder);
+}
+
+std::string_view fallback_words(EmptySide empty_side) {
+  constexpr std::array<std::string_view, kFallbacks.size()> kWords{
+      "a node stays whole where a side is empty", "other axes where a side is empty",
+      "object median where a side is empty",
+      "a node without triangles where a side is empty (table 5.5)"};
+  return kWords[static_cast<std::size_t>(empty_side)];
+}
+
+bool has_empty_sides(const Model& model, int level, const Parallel& parallel) {
+  return std::any_of(kRules.begin(), kRules.end(), [&](Rule rule) {
+    return counts_of(*model.mesh, rule, level, {}, parallel).undividable > 0;
+  });
+}
+
 std::size_t race_steps(int rounds) {
   return static_cast<std::size_t>(rounds) + kWarmUp;
 }
@@ -139,11 +159,11 @@ std::vector<Race> race(const RaceTask& task, int rounds, Steps& steps) {
   std::vector<Race> races;
   for (std::size_t b = 0; b < kBuilders.size(); ++b) {
     Race& one = races.emplace_back(
-        Race{task.model, task.level, task.empty_side, kBuilders[b], Racer{}, Racer{}});
+        Race{task.model, task.level, task.empty_side, kBuilders[b], RaceHalf{}, RaceHalf{}});
     for (const std::size_t r : {std::size_t{0}, std::size_t{1}}) {
       const std::size_t i = kRules.size() * b + r;
       Runner& runner = runners[i];
-      Racer& racer = kRules[r] == Rule::soms ? one.soms : one.spatial_median;
+      RaceHalf& racer = kRules[r] == Rule::soms ? one.soms : one.spatial_median;
       racer.counts = statistics(runner.tree, runner.options);
       // A neutral builder tells for the library's, too: its last pair is that of `in_place`.
       const Runner& counted = runners[runners.size() - kRules.size() + r];
@@ -165,8 +185,9 @@ Estimate gain_per_node(const Race& race) {
 }
 
 double gain_in_work(const Race& race) {
-  return 100 * (1 - static_cast<double>(race.soms.work.compared) /
-                        static_cast<double>(race.spatial_median.work.compared));
+  const auto spatial = static_cast<double>(race.spatial_median.work.compared);
+  // Trees of the root alone compare nothing, by either rule.
+  return spatial > 0 ? 100 * (1 - static_cast<double>(race.soms.work.compared) / spatial) : 0;
 }
 
 Table race_table(std::string id, std::string caption, std::span<const Race> races) {

@@ -2,6 +2,8 @@
 /// SOMS against spatial median: builds timed in pairs by several builders, and what they did.
 #pragma once
 
+#include "soms/base/parallel.h"
+#include "soms/tree/build_options.h"
 #include "soms/tree/statistics.h"
 
 #include "reproduce/models.h"
@@ -35,8 +37,24 @@ inline constexpr std::array kBuilders{Builder::library, Builder::thesis_like, Bu
 [[nodiscard]] std::string_view name_of(Builder builder);
 [[nodiscard]] std::string_view title_of(Builder builder);
 
+/// The title with what is not alike for both rules: "library's builder, gives spatial median one
+/// pass more". The library's builder grows the boxes of the midpoints for every rule, and those of
+/// the corners, in a pass of its own, only for a rule that divides them.
+[[nodiscard]] std::string_view reading_of(Builder builder);
+
+/// What can become of a node that a rule leaves a side of empty.
+inline constexpr std::array kFallbacks{EmptySide::stop, EmptySide::next_axis,
+                                       EmptySide::object_median, EmptySide::chain};
+
+/// "a node stays whole where a side is empty", "other axes where a side is empty", ...
+[[nodiscard]] std::string_view fallback_words(EmptySide empty_side);
+
+/// True if spatial median or SOMS leaves a side empty somewhere in the model's tree of this level:
+/// else every empty side gives the same trees. \errors cancelled.
+[[nodiscard]] bool has_empty_sides(const Model& model, int level, const Parallel& parallel);
+
 /// One rule's half of a race.
-struct Racer {
+struct RaceHalf {
   TreeStatistics counts = {};
   /// What the build did; of the library's builder only `compared`, which depends on rule and
   /// options alone.
@@ -50,8 +68,8 @@ struct Race {
   int level = 0;
   EmptySide empty_side = EmptySide::stop;
   Builder builder = Builder::library;
-  Racer spatial_median = {};
-  Racer soms = {};
+  RaceHalf spatial_median = {};
+  RaceHalf soms = {};
 };
 
 /// What a race of one model is run for.

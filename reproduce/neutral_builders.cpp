@@ -125,7 +125,8 @@ std::pair<double, TriangleId> middle_of(std::span<const Any> items, std::size_t 
 
 /// What a node is divided into; none where it stays whole.
 struct Division {
-  std::size_t left = 0;             ///< triangles of the left child; 0 if there are no children
+  bool divided = false;             ///< it has two children, one of which may be empty
+  std::size_t left = 0;             ///< triangles of the left child
   std::array<Range, 2> boxes = {};  ///< of each side, where the builder grows them by now
 };
 
@@ -135,26 +136,28 @@ Division divide(Node& node, std::span<const Any> items, const Range& box, const 
                 EmptySide empty_side, BuildWork& work, const Partition& partition) {
   const std::array<std::size_t, 3> order = axes_of(box);
   const std::size_t tries = empty_side == EmptySide::next_axis ? order.size() : 1;
-  for (std::size_t k = 0; k < tries; ++k) {
+  Division division;
+  for (std::size_t k = 0; k < tries && !division.divided; ++k) {
     const std::size_t axis = order[k];
     const double plane = rule.plane(box.lower[axis], box.upper[axis]);
-    const Division division =
-        partition([axis, plane](const Any& item) { return item.midpoint[axis] < plane; });
+    division = partition([axis, plane](const Any& item) { return item.midpoint[axis] < plane; });
+    division.divided = division.left > 0 && division.left < items.size();
     work.compared += items.size();
-    if (division.left > 0 && division.left < items.size()) {
-      return division;
-    }
+  }
+  if (division.divided) {
+    return division;
   }
   node.undividable = true;
-  if (empty_side != EmptySide::object_median) {
-    return {};
+  if (empty_side == EmptySide::object_median) {
+    const auto [value, id] = middle_of(items, order[0]);
+    work.compared += items.size();
+    division = partition([axis = order[0], value = value, id = id](const Any& item) {
+      const double m = item.midpoint[axis];
+      return m < value || (m == value && item.id < id);
+    });
   }
-  const auto [value, id] = middle_of(items, order[0]);
-  work.compared += items.size();
-  return partition([axis = order[0], value = value, id = id](const Any& item) {
-    const double m = item.midpoint[axis];
-    return m < value || (m == value && item.id < id);
-  });
+  division.divided = empty_side == EmptySide::object_median || empty_side == EmptySide::chain;
+  return division;
 }
 
 Node child_of(const Node& parent, bool right, std::size_t left_count) {
@@ -187,7 +190,7 @@ std::vector<Node> nodes_of(std::size_t triangles, const Range& root_box, const V
     const auto i = static_cast<std::uint32_t>(nodes.size());
     Node& node = nodes.emplace_back(start);
     const Division division = visit(node, box);
-    if (division.left > 0) {
+    if (division.divided) {
       pending.push_back({child_of(node, true, division.left), division.boxes[1], i});
       pending.push_back({child_of(node, false, division.left), division.boxes[0], Node::kNone});
       node.left = i + 1;
@@ -296,7 +299,7 @@ Tree build_in_place(std::vector<Item>& items, const RuleParts& rule, const Build
     }
     if (!rule.soms) {
       node.bounds = box.box();
-    } else if (division.left == 0) {
+    } else if (!division.divided) {
       node.bounds = box_of(run, kSpatialMedian, work).box();
     }
     return division;
@@ -341,7 +344,7 @@ void prepare(const Mesh& mesh, std::vector<ListItem>& list) {
 bool is_usable(const BuildOptions& options) {
   BuildOptions usual = thesis_options(options.rule, options.level);
   usual.empty_side = options.empty_side;
-  return options == usual && options.empty_side != EmptySide::chain && options.level > 0 &&
+  return options == usual && options.level > 0 &&
          (options.rule == Rule::soms || options.rule == Rule::spatial_median);
 }
 

@@ -41,8 +41,8 @@ struct BuildWork {
 /// of the triangles within a leaf differs.
 class NeutralBuilder {
  public:
-  /// \pre `options` are `thesis_options` of spatial_median or soms, but for an `empty_side` that
-  ///      may also be next_axis or object_median. \errors std::logic_error for others.
+  /// \pre `options` are `thesis_options` of spatial_median or soms at a level above 0, but for
+  ///      `empty_side`, which may be any. \errors std::logic_error for others.
   NeutralBuilder(NeutralWay way, const BuildOptions& options);
 
   /// From the triangles in memory to the finished tree, boxes and midpoints of triangles included.

@@ -28,7 +28,7 @@ std::vector<ClaimRow> rows_of(std::span<const Race> races, const Model& object) 
                                 "time of the tree by SOMS", label_of(object), "ms", kRounded,
                                 estimate(one.soms.timing.rounds)));
     rows.back().unjudged =
-        fmt::format("a time of a program and a machine of 2009, neither of which is available{}{}",
+        fmt::format("a time of a program on a machine of its time, and neither is available{}{}",
                     trouble.empty() ? "" : "; ", trouble);
   }
   return rows;

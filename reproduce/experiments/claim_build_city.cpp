@@ -20,8 +20,6 @@ namespace {
 
 constexpr Demand kLess{.above = 0};
 
-constexpr std::array kPolicies{EmptySide::stop, EmptySide::next_axis, EmptySide::object_median};
-
 constexpr std::array kRules{Rule::spatial_median, Rule::soms};
 
 constexpr int kRounds = 150;
@@ -30,24 +28,13 @@ constexpr int kQuickRounds = 25;
 /// A level that the thesis times the city at.
 struct Occasion {
   int level = 0;  ///< 0: the balanced level of spatial median
-  std::string_view words = {};
+  std::string_view source = {};
 };
 
-constexpr std::array kOccasions{Occasion{0, "balanced level of spatial median (figure 5.4)"},
-                                Occasion{7, "level 7 (figure 5.5)"},
-                                Occasion{12, "level 12 (table 5.8)"},
-                                Occasion{kSceneLevel, "level 13 (table 5.9)"}};
+constexpr std::string_view kBalancedSource = "figure 5.4";
 
-std::string_view words_of(EmptySide empty_side) {
-  switch (empty_side) {
-    case EmptySide::next_axis:
-      return "other axes where a side is empty";
-    case EmptySide::object_median:
-      return "object median where a side is empty";
-    default:
-      return "a node stays whole where a side is empty";
-  }
-}
+constexpr std::array kOccasions{Occasion{0, kBalancedSource}, Occasion{7, "figure 5.5"},
+                                Occasion{12, "table 5.8"}, Occasion{kSceneLevel, "table 5.9"}};
 
 Contender contender_of(Rule rule, int level, EmptySide empty_side) {
   BuildOptions options = thesis_options(rule, level);
@@ -55,61 +42,111 @@ Contender contender_of(Rule rule, int level, EmptySide empty_side) {
   return {std::string(entry(rule).name), std::string(entry(rule).name), true, options};
 }
 
-int level_of(const Occasion& occasion, const Model& scene, EmptySide empty_side,
-             const Parallel& parallel) {
-  return occasion.level > 0
-             ? occasion.level
-             : balanced_level(scene, contender_of(Rule::spatial_median, kSceneLevel, empty_side),
-                              parallel);
+/// A scene with the balanced level of its tree by spatial median.
+struct Balanced {
+  const Model* scene = nullptr;
+  int level = 0;
+};
+
+std::vector<Balanced> balanced_of(std::span<const Model> scenes, EmptySide empty_side,
+                                  const Parallel& parallel) {
+  std::vector<Balanced> balanced;
+  balanced.reserve(scenes.size());
+  for (const Model& scene : scenes) {
+    balanced.push_back(
+        {&scene, balanced_level(scene, contender_of(Rule::spatial_median, kSceneLevel, empty_side),
+                                parallel)});
+  }
+  return balanced;
 }
 
-/// True if a rule leaves a side empty somewhere: else the readings of it give the same trees.
-bool has_empty_sides(const Model& scene, int level, const Parallel& parallel) {
-  return std::any_of(kRules.begin(), kRules.end(), [&](Rule rule) {
-    return count(scene, contender_of(rule, level, EmptySide::stop), parallel).counts.undividable >
-           0;
+bool is_fixed_occasion(int level) {
+  return std::any_of(kOccasions.begin(), kOccasions.end(),
+                     [level](const Occasion& occasion) { return occasion.level == level; });
+}
+
+/// The reading of an occasion. Where it is the balanced level, too, it stands for both; the words
+/// are the same for all scenes, whose rows make one line.
+std::string words_of(const Occasion& occasion, std::span<const Balanced> balanced) {
+  const auto same = std::count_if(balanced.begin(), balanced.end(), [&](const Balanced& one) {
+    return occasion.level > 0 ? one.level == occasion.level : is_fixed_occasion(one.level);
   });
+  if (occasion.level == 0) {
+    return fmt::format("balanced level of spatial median{} ({})",
+                       same > 0 ? ", where it has no row of its own" : "", occasion.source);
+  }
+  return same == 0
+             ? fmt::format("level {} ({})", occasion.level, occasion.source)
+             : fmt::format("level {} ({}; {}, too, where it is spatial median's balanced level)",
+                           occasion.level, occasion.source, kBalancedSource);
 }
 
-/// A race, with the figure or table that it stands for.
+/// A race, with the reading that it stands for.
 struct Entrant {
-  const Occasion* occasion = nullptr;
+  std::string reading;
   RaceTask task = {};
 };
 
-std::vector<Entrant> entrants_of(std::span<const Model> scenes, const Parallel& parallel) {
-  std::vector<Entrant> entrants;
-  for (const Model& scene : scenes) {
-    for (const Occasion& occasion : kOccasions) {
-      for (const EmptySide empty_side : kPolicies) {
-        const int level = level_of(occasion, scene, empty_side, parallel);
-        if (empty_side == EmptySide::stop || has_empty_sides(scene, level, parallel)) {
-          entrants.push_back({&occasion, {&scene, level, empty_side}});
-        }
+/// The entrants of one empty side, occasion by occasion. One race that two occasions ask for is one
+/// entrant; an empty side other than `stop` races only where a side is empty.
+void add_entrants(std::span<const Model> scenes, EmptySide empty_side, const Parallel& parallel,
+                  std::vector<Entrant>& entrants) {
+  const std::vector<Balanced> balanced = balanced_of(scenes, empty_side, parallel);
+  for (const Occasion& occasion : kOccasions) {
+    const std::string reading =
+        fmt::format("{}; {}", words_of(occasion, balanced), fallback_words(empty_side));
+    for (const Balanced& one : balanced) {
+      if (occasion.level == 0 && is_fixed_occasion(one.level)) {
+        continue;
+      }
+      const int level = occasion.level > 0 ? occasion.level : one.level;
+      if (empty_side == EmptySide::stop || has_empty_sides(*one.scene, level, parallel)) {
+        entrants.push_back({reading, {one.scene, level, empty_side}});
       }
     }
   }
+}
+
+std::vector<Entrant> entrants_of(std::span<const Model> scenes, const Parallel& parallel) {
+  std::vector<Entrant> entrants;
+  for (const EmptySide empty_side : kFallbacks) {
+    add_entrants(scenes, empty_side, parallel, entrants);
+  }
   return entrants;
+}
+
+/// Why a race says nothing about rules; empty if it does.
+std::string_view unjudged_reason(const Race& race) {
+  return race.spatial_median.counts.nodes == 1 && race.soms.counts.nodes == 1
+             ? "both trees are the root alone: neither rule has divided anything"
+             : "";
 }
 
 std::vector<ClaimRow> rows_of(std::span<const Entrant> entrants, std::span<const Race> races) {
   std::vector<ClaimRow> rows;
   for (const Entrant& one : entrants) {
-    const std::string reading =
-        fmt::format("{}; {}", one.occasion->words, words_of(one.task.empty_side));
     const std::string subject = label_of(*one.task.model);
     const Race& counted = *find_race(races, one.task, Builder::in_place);
-    rows.push_back(counted_row(reading, "midpoints compared with planes, saved by SOMS", subject,
-                               "%", kLess, gain_in_work(counted)));
+    rows.push_back(counted_row(one.reading, "midpoints compared with planes, saved by SOMS",
+                               subject, "%", kLess, gain_in_work(counted)));
     rows.back().unjudged =
         "comparisons are a part of the work and not its time; they are the same on every machine";
     for (const Builder builder : kBuilders) {
+      const Race& timed = *find_race(races, one.task, builder);
       rows.push_back(measured_row(
-          reading, fmt::format("time of the tree, saved by SOMS, {}", title_of(builder)), subject,
-          "%", kLess, gain(*find_race(races, one.task, builder))));
+          one.reading, fmt::format("time of the tree, saved by SOMS, {}", reading_of(builder)),
+          subject, "%", kLess, gain(timed)));
+      rows.back().unjudged = unjudged_reason(timed);
     }
   }
   return rows;
+}
+
+/// The reading of level 7 in which a node stays whole.
+std::string nearest_of(std::span<const Model> scenes, const Parallel& parallel) {
+  return fmt::format("{}; {}",
+                     words_of(kOccasions[1], balanced_of(scenes, EmptySide::stop, parallel)),
+                     fallback_words(EmptySide::stop));
 }
 
 /// Nodes and triangles of the trees, depth by depth.
@@ -125,7 +162,7 @@ Table depths_table(std::span<const Model> scenes, const std::string& note) {
   }
   for (const Model& scene : scenes) {
     for (const Rule rule : kRules) {
-      for (const EmptySide empty_side : kPolicies) {
+      for (const EmptySide empty_side : kFallbacks) {
         std::array<std::array<std::int64_t, 4>, kSceneLevel> of_depth = {};
         const Tree tree = build(*scene.mesh, contender_of(rule, kSceneLevel, empty_side).options);
         for (const Node& node : tree.nodes) {
@@ -151,20 +188,28 @@ Table depths_table(std::span<const Model> scenes, const std::string& note) {
 /// Counts of every scene at the greatest level.
 std::string why(std::span<const Model> scenes, std::span<const Race> races) {
   std::string text = fmt::format(
-      "A build takes as long as the nodes that it divides are large and many. Where a node stays "
-      "whole when a side is empty, spatial median stops at its first large triangle: what it saves "
-      "is a tree not built. Chapter 1 speaks of a heuristic that others need to go on, and that "
-      "takes time; so the readings with a fallback are the ones it may mean, and they are given to "
-      "both rules. Where trees of both rules divide as much, a neutral builder shows the price of "
-      "the box of the midpoints, and the library's builder that of the outer boxes which it grows "
-      "for spatial median in a pass of their own. Nodes, and midpoints compared with planes, at "
-      "level {}, spatial median and SOMS:",
+      "Where a node stays whole when a side is empty, spatial median's tree can end at a large "
+      "triangle near its root: fewer nodes, fewer comparisons and no tree below. Chapter 1 speaks "
+      "of "
+      "a heuristic that others need to go on, and that takes time; so the readings with a fallback "
+      "are the ones it may mean, and they are given to both rules. A node without triangles is "
+      "what "
+      "table 5.5 counts: the other child has all of them, and is tried again at every level below. "
+      "A "
+      "neutral builder grows the boxes of the midpoints for SOMS alone; the library's grows them "
+      "for "
+      "both rules, and for spatial median the boxes of the corners in a pass of their own. A scene "
+      "in which no side is empty up to a level has one row there, for its trees are the same "
+      "whatever would become of an empty side. Nodes, and midpoints compared with planes, at level "
+      "{}, spatial median and SOMS (build_city.csv has all):",
       kSceneLevel);
   std::string_view mark = " ";
   for (const Race& one : races) {
-    if (one.level == kSceneLevel && one.builder == Builder::in_place) {
-      const Racer& s = one.spatial_median;
-      const Racer& o = one.soms;
+    const bool extreme =
+        one.empty_side == EmptySide::stop || one.empty_side == EmptySide::object_median;
+    if (extreme && one.level == kSceneLevel && one.builder == Builder::in_place) {
+      const RaceHalf& s = one.spatial_median;
+      const RaceHalf& o = one.soms;
       text += fmt::format("{}{}, {}, nodes {} and {}, comparisons {} and {}", mark, one.model->name,
                           name(one.empty_side), words(s.counts.nodes), words(o.counts.nodes),
                           words(s.work.compared), words(o.work.compared));
@@ -194,14 +239,12 @@ std::string draw_ratios(std::span<const Race> races) {
 
 Result claim_build_city(const Context& context) {
   const std::vector<Model>& scenes = context.models.scenes;
-  const std::vector<Entrant> entrants = entrants_of(scenes, {1, context.parallel.stop, {}});
+  const Parallel quiet{1, context.parallel.stop, {}};
+  const std::vector<Entrant> entrants = entrants_of(scenes, quiet);
   const int rounds = context.quick ? kQuickRounds : kRounds;
   Steps steps(context.parallel, entrants.size() * race_steps(rounds));
   std::vector<Race> races;
   for (const Entrant& one : entrants) {
-    if (find_race(races, one.task, Builder::library) != nullptr) {
-      continue;  // the balanced level is one of the others
-    }
     const std::vector<Race> of_task = race(one.task, rounds, steps);
     races.insert(races.end(), of_task.begin(), of_task.end());
   }
@@ -229,7 +272,7 @@ Result claim_build_city(const Context& context) {
                         "median",
            .source = "chapter 1, 1.2; figures 5.4 and 5.5 and table 5.8 by their captions",
            .rows = rows_of(entrants, races),
-           .nearest = "level 7 (figure 5.5); a node stays whole",
+           .nearest = nearest_of(scenes, quiet),
            .why = why(scenes, races),
            .settles = "the thesis' scene, and what its program does where a side is empty"}}};
 }

@@ -6,13 +6,17 @@
 #include "tests/reproduce/trips.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/support.h"
+#include "tests/tree/inputs.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace soms::reproduce {
@@ -48,27 +52,105 @@ TEST(ClaimBuild, OnlyTheObjectOf948TrianglesIsJudged) {
   models.objects.front().stand_in = false;
   EXPECT_EQ(verdict("claim-build-8-percent"), Verdict::cannot_be_checked);
   models.objects.front().mesh = std::make_shared<const Mesh>(generate_knot(948));
-  const Claim claim = test::run_quick("claim-build-8-percent", models).claims.at(0);
-  const auto of_trees = std::count_if(claim.rows.begin(), claim.rows.end(), [](const auto& row) {
-    return row.metric.starts_with("time of the tree");
-  });
-  EXPECT_EQ(of_trees, 3 * (12 + 2));  // builders; levels, and two fallbacks at the last
-  // Mean nodes only where the trees differ in nodes, which those of few levels do not.
-  EXPECT_GT(claim.rows.size(), 3U * (12U + 2U));
-  EXPECT_LT(claim.rows.size(), 3U * 2U * (12U + 2U));
-  for (const ClaimRow& row : claim.rows) {
-    EXPECT_TRUE(row.unjudged.empty());
-    EXPECT_EQ(row.rounds, 60);
-    EXPECT_EQ(row.demand.above, 7.5);
-  }
   EXPECT_EQ(verdict("claim-build-43-ms"), Verdict::cannot_be_checked);
+}
+
+TEST(ClaimBuild, EightPercentIsReadInTwoWays) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
+  Models models = test::small_models();
+  models.objects.front().stand_in = false;
+  models.objects.front().mesh = std::make_shared<const Mesh>(generate_knot(948));
+  const Claim claim = test::run_quick("claim-build-8-percent", models).claims.at(0);
+  const auto rows_where = [&](const auto& is) {
+    return std::count_if(claim.rows.begin(), claim.rows.end(), is);
+  };
+  // Builders; five levels, with the balanced one among them, and three fallbacks at the last.
+  constexpr std::ptrdiff_t kOfTrees = 3 * (5 + 3);
+  EXPECT_EQ(rows_where([](const ClaimRow& row) {
+              return row.unjudged.empty() && row.reading.ends_with("; at least 8 % (7.5)") &&
+                     row.demand.above == 7.5 && std::isinf(row.demand.below);
+            }),
+            kOfTrees);
+  EXPECT_EQ(rows_where([](const ClaimRow& row) {
+              return row.unjudged.empty() &&
+                     row.reading.ends_with("; about 8 %, within 5 points (ours)") &&
+                     row.demand.above == 3 && row.demand.below == 13;
+            }),
+            kOfTrees);
+  EXPECT_EQ(rows_where([](const ClaimRow& row) {
+              return row.metric == "time for a node, saved by SOMS" && !row.unjudged.empty();
+            }),
+            3);
+  EXPECT_EQ(claim.rows.size(), 2 * kOfTrees + 3);
+  EXPECT_EQ(rows_where([](const ClaimRow& row) { return row.rounds == 60; }), 2 * kOfTrees + 3);
+  EXPECT_EQ(rows_where([&](const ClaimRow& row) { return is_nearest(claim, row); }), 2);
+  EXPECT_EQ(rows_where([](const ClaimRow& row) {
+              return row.reading.starts_with("library's builder, gives spatial median one pass");
+            }),
+            (2 * kOfTrees + 3) / 3);
+}
+
+TEST(ClaimBuild, EveryRaceOfTheCityHasItsRowsOnce) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
+  Models models = test::small_models();
+  models.scenes.front().mesh = std::make_shared<const Mesh>(generate_urban(UrbanScene::boxes));
+  const Result result = test::run_quick("claim-build-city", models);
+  const Claim& claim = result.claims.at(0);
+  // A race has a row of counts and one for each builder; in the table one for builder and rule.
+  const std::size_t races = test::table_of(result, "build_city").rows.size() / 6;
+  EXPECT_EQ(claim.rows.size(), 4 * races);
+  std::set<std::array<std::string, 3>> seen;
+  for (const ClaimRow& row : claim.rows) {
+    EXPECT_TRUE(seen.insert({row.reading, row.metric, row.subject}).second) << row.reading;
+    EXPECT_EQ(row.unjudged.empty(), row.interval.has_value());
+  }
+  EXPECT_EQ(std::count_if(claim.rows.begin(), claim.rows.end(),
+                          [&](const ClaimRow& row) { return is_nearest(claim, row); }),
+            4);
+}
+
+TEST(ClaimBuild, ALevelThatTwoFiguresShareIsOneReading) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
+  Models models = test::small_models();
+  models.scenes.front().mesh = std::make_shared<const Mesh>(generate_urban(UrbanScene::mixed));
+  const Claim claim = test::run_quick("claim-build-city", models).claims.at(0);
+  const auto has = [&](std::string_view reading) {
+    return std::any_of(claim.rows.begin(), claim.rows.end(),
+                       [&](const ClaimRow& row) { return row.reading == reading; });
+  };
+  EXPECT_TRUE(
+      has("balanced level of spatial median (figure 5.4); a node stays whole where a side "
+          "is empty"));
+  EXPECT_TRUE(
+      has("level 7 (figure 5.5; figure 5.4, too, where it is spatial median's balanced "
+          "level); other axes where a side is empty"));
+  EXPECT_FALSE(std::any_of(claim.rows.begin(), claim.rows.end(), [](const ClaimRow& row) {
+    return row.reading.starts_with("balanced") &&
+           row.reading.find("other axes") != std::string::npos;
+  }));
+}
+
+TEST(ClaimBuild, TreesOfTheRootAloneAreNotJudged) {
+  Models models = test::small_models();
+  models.scenes.front().mesh =
+      std::make_shared<const Mesh>(soms::test::make_input(soms::test::Input::coincident, 20));
+  const Claim claim = test::run_quick("claim-build-city", models).claims.at(0);
+  for (const ClaimRow& row : claim.rows) {
+    EXPECT_TRUE(std::isfinite(row.value)) << row.reading;
+    if (row.reading.find("stays whole") != std::string::npos) {
+      EXPECT_FALSE(row.unjudged.empty()) << row.reading;
+    }
+  }
 }
 
 /// Nodes; midpoints compared; outer, inner and merged boxes.
 using Counts = std::array<std::uint64_t, 5>;
 
-Counts counts_of(const Mesh& mesh, NeutralWay way, Rule rule, int level) {
-  NeutralBuilder builder(way, thesis_options(rule, level));
+Counts counts_of(const Mesh& mesh, NeutralWay way, Rule rule, int level,
+                 EmptySide empty_side = EmptySide::stop) {
+  BuildOptions options = thesis_options(rule, level);
+  options.empty_side = empty_side;
+  NeutralBuilder builder(way, options);
   const std::uint64_t nodes = builder.build(mesh).nodes.size();
   const BuildWork& work = builder.work();
   return {nodes, work.compared, work.outer, work.inner, work.merged};
@@ -87,6 +169,14 @@ TEST(ClaimBuild, GoldenWorkOnTheScenes) {
   EXPECT_EQ(counts_of(mixed, lists, Rule::spatial_median, 13), (Counts{3, 11344, 11344, 0, 0}));
   EXPECT_EQ(counts_of(mixed, lists, Rule::soms, 13), (Counts{6395, 67302, 72970, 67302, 0}));
   EXPECT_EQ(counts_of(mixed, in_place, Rule::soms, 7), (Counts{127, 34032, 5672, 39704, 63}));
+  const auto chain = EmptySide::chain;
+  EXPECT_EQ(counts_of(mixed, lists, Rule::spatial_median, 13, chain),
+            (Counts{47, 68064, 73736, 0, 0}));
+  EXPECT_EQ(counts_of(mixed, lists, Rule::soms, 13, chain), (Counts{6399, 67302, 72974, 67302, 0}));
+  EXPECT_EQ(counts_of(plain, in_place, Rule::spatial_median, 13, chain),
+            (Counts{6157, 67703, 73375, 0, 0}));
+  EXPECT_EQ(counts_of(plain, in_place, Rule::soms, 13, chain),
+            (Counts{6537, 67354, 5672, 73026, 3268}));
 }
 
 TEST(ClaimBuild, GoldenWorkOnTheBunny) {
@@ -100,6 +190,10 @@ TEST(ClaimBuild, GoldenWorkOnTheBunny) {
   EXPECT_EQ(counts_of(bunny, in_place, Rule::spatial_median, 15),
             (Counts{1267, 9783, 10731, 0, 0}));
   EXPECT_EQ(counts_of(bunny, in_place, Rule::soms, 15), (Counts{1847, 9857, 948, 10805, 923}));
+  const auto chain = EmptySide::chain;
+  EXPECT_EQ(counts_of(bunny, lists, Rule::spatial_median, 15, chain),
+            (Counts{3091, 11565, 12513, 0, 0}));
+  EXPECT_EQ(counts_of(bunny, lists, Rule::soms, 15, chain), (Counts{1983, 9962, 10910, 9962, 0}));
 }
 
 TEST(ClaimBuild, GainIsTimeSavedOverPairs) {
@@ -113,8 +207,9 @@ TEST(ClaimBuild, GainIsTimeSavedOverPairs) {
   race.soms.timing.rounds = {0.5, 1.8, 1.1};
   const Estimate spread = gain(race);
   EXPECT_NEAR(spread.value, 10, 1e-9);
-  EXPECT_NEAR(spread.interval.low, -10, 1e-9);
-  EXPECT_NEAR(spread.interval.high, 50, 1e-9);
+  // At least as wide as the rounds; `paired_ratio` may add what differs from process to process.
+  EXPECT_LE(spread.interval.low, -10 + 1e-9);
+  EXPECT_GE(spread.interval.high, 50 - 1e-9);
 }
 
 }  // namespace

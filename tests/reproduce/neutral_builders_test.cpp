@@ -23,6 +23,8 @@ namespace {
 
 constexpr std::array kRules{Rule::spatial_median, Rule::soms};
 constexpr std::array kWays{NeutralWay::thesis_like, NeutralWay::in_place};
+constexpr std::array kEmptySides{EmptySide::stop, EmptySide::next_axis, EmptySide::object_median,
+                                 EmptySide::chain};
 
 BuildOptions options_of(Rule rule, int level, EmptySide empty_side = EmptySide::stop) {
   BuildOptions options = thesis_options(rule, level);
@@ -65,8 +67,7 @@ TEST(NeutralBuilders, MakeTheLibrarysTreesOfAwkwardMeshes) {
   for (const test::Input input : test::kInputs) {
     SCOPED_TRACE(test::name(input));
     for (const std::size_t count : {0U, 1U, 2U, 3U, 60U, 400U}) {
-      for (const EmptySide empty_side :
-           {EmptySide::stop, EmptySide::next_axis, EmptySide::object_median}) {
+      for (const EmptySide empty_side : kEmptySides) {
         expect_the_librarys_trees(test::make_input(input, count, count + 1), empty_side, 1, 15);
       }
       if (HasFailure()) {
@@ -85,6 +86,7 @@ TEST(NeutralBuilders, MakeTheLibrarysTreesFarAwayAndTiny) {
       v = size * (v + Vec3{far, -far, far});
     }
     expect_the_librarys_trees(mesh, EmptySide::stop, 1, 15);
+    expect_the_librarys_trees(mesh, EmptySide::chain, 15, 15);
   });
 }
 
@@ -93,8 +95,9 @@ TEST(NeutralBuilders, MakeTheLibrarysTreesOfTheScenes) {
   for (const UrbanScene scene : {UrbanScene::mixed, UrbanScene::boxes, UrbanScene::plain}) {
     const Mesh mesh = generate_urban(scene);
     expect_the_librarys_trees(mesh, EmptySide::stop, 1, 15);
-    expect_the_librarys_trees(mesh, EmptySide::next_axis, 13, 13);
-    expect_the_librarys_trees(mesh, EmptySide::object_median, 13, 13);
+    for (const EmptySide empty_side : kEmptySides) {
+      expect_the_librarys_trees(mesh, empty_side, 13, 13);
+    }
   }
 }
 
@@ -130,10 +133,12 @@ TEST(NeutralBuilders, WorkIsWhatTheTreeTells) {
   for (const NeutralWay way : kWays) {
     for (const Rule rule : kRules) {
       for (const int level : {1, 7, 13}) {
-        NeutralBuilder builder(way, options_of(rule, level));
-        const Tree tree = builder.build(mesh);
-        EXPECT_EQ(builder.work(), work_from(tree, way, rule))
-            << entry(rule).name << ", level " << level;
+        for (const EmptySide empty_side : {EmptySide::stop, EmptySide::chain}) {
+          NeutralBuilder builder(way, options_of(rule, level, empty_side));
+          const Tree tree = builder.build(mesh);
+          EXPECT_EQ(builder.work(), work_from(tree, way, rule))
+              << entry(rule).name << ", level " << level << ", " << name(empty_side);
+        }
       }
     }
   }
@@ -144,7 +149,7 @@ TEST(NeutralBuilders, RefuseWhatTheyDoNotKnow) {
     EXPECT_THROW(NeutralBuilder(NeutralWay::in_place, options), std::logic_error);
   };
   refuses(options_of(Rule::object_mean, 15));
-  refuses(options_of(Rule::soms, 15, EmptySide::chain));
+  refuses(options_of(Rule::soms, 0));
   refuses(BuildOptions{});
   BuildOptions outer = options_of(Rule::soms, 15);
   outer.axis_from = AxisFrom::outer;
