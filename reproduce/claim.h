@@ -71,6 +71,7 @@ struct Claim {
   /// How the readings nearest to the text begin: all that the text or a caption states as it states
   /// it, the rest at the defaults; empty if none is nearer than another.
   std::string nearest = {};
+  std::string note = {};     ///< computed, beside the verdict
   std::string why = {};      ///< what explains the numbers, true whatever the verdict
   std::string settles = {};  ///< what would settle what is open; empty if nothing is
   std::optional<Revision> revision = std::nullopt;
