@@ -7,17 +7,16 @@
 
 namespace soms::reproduce {
 
-/// Measures of a tree's balance. All are reconstructions: the thesis defines none.
+/// Measures of a tree's balance.
 struct BalanceMeasures {
-  /// Greatest level of which every node exists and holds a triangle; greater is more balanced.
+  /// Leaves with 1 to 4 triangles, the "balance mode" of the thesis; more is more balanced.
+  /// \source  thesis, tables 5.4 and 5.10 by their captions.
+  double small_leaves = 0;
+  /// Greatest level of which every node exists and holds a triangle; greater is more balanced. A
+  /// reconstruction: the thesis does not define it.
   double balanced_level = 0;
-  /// Greatest less least depth of a leaf; 0 or 1 in a balanced tree of a textbook.
-  double depth_spread = 0;
-  /// Mean depth of the leaves less the least that a binary tree of as many leaves can have; 0 is
-  /// best.
-  double depth_excess = 0;
   /// Mean of |left - right| / n over the nodes that the rule had to divide, n triangles each; one
-  /// that stays undivided counts 1, for all its triangles lie on one side. 0 is best.
+  /// that stays undivided counts 1, for all its triangles lie on one side. 0 is best. Ours.
   double unevenness = 0;
 };
 

@@ -39,7 +39,7 @@ std::size_t place_of(std::vector<std::string>& names, const std::string& name) {
   return place;
 }
 
-/// The numbers of a mark that must be seen.
+/// The numbers of a mark that has a dot.
 std::vector<double> numbers_of(const IntervalMark& mark) {
   if (!std::isfinite(mark.value)) {
     return {};
@@ -82,7 +82,7 @@ Axis axis_of(const IntervalChart& chart) {
   };
   for (const IntervalMark& mark : chart.marks) {
     for (const double number : numbers_of(mark)) {
-      show(number);
+      show(std::min(number, chart.most));
     }
   }
   show(chart.above);
@@ -215,6 +215,13 @@ class IntervalDrawing {
     return plot_.left + plot_.width * axis_.share(value);
   }
 
+  /// An arrow stands for it at this edge: 1 the right one, -1 the left one, 0 none.
+  [[nodiscard]] int beyond(double value) const {
+    return value > chart_.most || value == std::numeric_limits<double>::infinity() ? 1
+           : value == -std::numeric_limits<double>::infinity()                     ? -1
+                                                                                   : 0;
+  }
+
   void draw_range() {
     const bool from_below = std::isfinite(chart_.above);
     const bool to_above = std::isfinite(chart_.below);
@@ -269,19 +276,38 @@ class IntervalDrawing {
   }
 
   void draw_mark(const IntervalMark& mark, std::size_t series, double y) {
-    if (!std::isfinite(mark.value)) {
+    if (std::isnan(mark.value)) {
       return;
     }
-    if (mark.interval) {
+    const int edge = beyond(mark.value);
+    if (mark.interval && std::isfinite(mark.value)) {
       const std::size_t color = series % kSeriesColors;
-      draw_whisker(svg_, {x_of(mark.interval->low), y}, {x_of(mark.interval->high), y},
+      draw_whisker(svg_, {x_of(std::min(mark.interval->low, chart_.most)), y},
+                   {x_of(std::min(mark.interval->high, chart_.most)), y},
                    fmt::format("class=\"s{}\" stroke=\"{}\" stroke-width=\"1.6\"", color,
                                series_color(color)));
     }
-    draw_marker(svg_, series, {x_of(mark.value), y});
-    if (series_.size() == 1) {
+    if (edge != 0) {
+      draw_arrow(mark.value, edge, series, y);
+    } else {
+      draw_marker(svg_, series, {x_of(mark.value), y});
+    }
+    if (series_.size() == 1 && edge == 0) {
       svg_.text({plot_.right() + 8, y + 4.5}, value_label(mark.value), {.size = kValueSize});
     }
+  }
+
+  /// Points out of the plot at its edge, with the number inside.
+  void draw_arrow(double value, int edge, std::size_t series, double y) {
+    const double tip = edge > 0 ? plot_.right() : plot_.left;
+    const std::size_t color = series % kSeriesColors;
+    PathData arrow;
+    arrow.move({tip, y}).line({tip - 9 * edge, y - 5}).line({tip - 9 * edge, y + 5}).close();
+    svg_.path(arrow.data(), fmt::format("class=\"f{}\" fill=\"{}\"", color, series_color(color)));
+    svg_.text(
+        {tip - 14 * edge, y + 4.5},
+        std::isfinite(value) ? value_label(value) : (edge > 0 ? "\u221e" : "-\u221e"),
+        {.size = kValueSize, .anchor = edge > 0 ? Anchor::end : Anchor::start, .haloed = true});
   }
 
   const IntervalChart& chart_;

@@ -18,7 +18,7 @@ struct IntervalMark {
   std::string group = {};   ///< heading above its row: the kind of trip, say; may be empty
   std::string label;        ///< of its row: the trip, say
   std::string series = {};  ///< which of the dots in the row: the opponent, say; may be empty
-  double value = 0;         ///< not finite: no dot
+  double value = 0;         ///< not a number: no dot
   std::optional<Interval> interval = std::nullopt;  ///< a whisker; nothing for a count
 };
 
@@ -31,6 +31,10 @@ struct IntervalChart {
   /// at 1. Without an end nothing is shaded.
   double above = -std::numeric_limits<double>::infinity();
   double below = std::numeric_limits<double>::infinity();
+  /// The greatest value with a dot of its own, so that a few far away do not press the others
+  /// together. A greater one, or an infinite one, is an arrow at the edge with its number; whiskers
+  /// end there.
+  double most = std::numeric_limits<double>::infinity();
   std::vector<IntervalMark> marks = {};
 };
 

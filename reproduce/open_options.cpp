@@ -28,6 +28,12 @@ std::string words_of(EmptySide empty_side, AxisFrom soms_axis) {
   return fmt::format("{}, {} axis", words_of(empty_side), name(soms_axis));
 }
 
+std::string axis_unjudged(AxisFrom soms_axis) {
+  return soms_axis == AxisFrom::inner
+             ? std::string()
+             : "the abstract in Malay takes the axis between the midpoints";
+}
+
 std::vector<Leveled> at_greatest_level(const Models& models) {
   std::vector<Leveled> leveled;
   for (const Model& object : models.objects) {

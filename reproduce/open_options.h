@@ -27,14 +27,19 @@ struct OpenOptions {
 inline constexpr std::array kEmptySides{EmptySide::stop, EmptySide::next_axis,
                                         EmptySide::object_median};
 
-/// Both axes of SOMS: "between the midpoints" (abstract), and that of spatial median.
+/// Both axes of SOMS: "between the midpoints" (both abstracts), and that of spatial median.
 inline constexpr std::array kSomsAxes{AxisFrom::inner, AxisFrom::outer};
 
 /// How the readings in a matrix are to be read, for the page.
 inline constexpr std::string_view kReadingWords =
     " A reading names what becomes of a node that a rule cannot divide (the empty side) and the "
-    "axis "
-    "of SOMS.";
+    "axis of SOMS. Empty side chain, which makes the nodes of table 5.5's \"No Triangle\", is no "
+    "reading of its own here: its leaves hold what those of stop hold.";
+
+/// Why a row with this axis of SOMS is shown and not judged; empty for the inner one.
+/// \source thesis, abstract in Malay: "paksi terpanjang yang dikira antara titik tengah
+///         segitiga-segitiga" (the longest axis, computed between the midpoints of the triangles).
+[[nodiscard]] std::string axis_unjudged(AxisFrom soms_axis);
 
 /// The thesis' options for a rule at a level, with these in the place of what is open.
 [[nodiscard]] BuildOptions options_of(Rule rule, int level, const OpenOptions& open);

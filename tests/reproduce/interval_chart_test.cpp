@@ -84,6 +84,26 @@ TEST(IntervalChart, ValuesThatAreMissingHaveNoDot) {
   EXPECT_EQ(test::count_of(svg, "stroke-width=\"1.6\""), 2U);
 }
 
+TEST(IntervalChart, ValuesBeyondTheAxisAreArrowsWithTheirNumber) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  IntervalChart chart{.title = "far", .most = 150};
+  chart.marks = {{"", "a", "one", 20},
+                 {"", "b", "one", 557.292},
+                 {"", "c", "two", kInfinity},
+                 {"", "d", "two", -kInfinity}};
+  const std::string svg = draw(chart);
+  EXPECT_EQ(test::markup_fault(svg), "");
+  // Each text twice: the rim of the paper's color, then the letters.
+  EXPECT_EQ(test::count_of(svg, ">557<"), 2U);
+  EXPECT_EQ(test::count_of(svg, ">\u221e<"), 2U);
+  EXPECT_EQ(test::count_of(svg, ">-\u221e<"), 2U);
+  EXPECT_EQ(test::count_of(svg, ">500<"), 0U) << "the axis reaches no further than it must";
+  chart.marks.resize(1);
+  chart.marks[0].series = "";
+  chart.marks[0].value = kInfinity;
+  EXPECT_EQ(test::count_of(draw(chart), ">\u221e<"), 2U) << "one series: not beside it again";
+}
+
 TEST(IntervalChart, RefusesWhatItCannotDraw) {
   IntervalChart chart = two_groups();
   chart.marks[0].interval->high = std::numeric_limits<double>::infinity();
