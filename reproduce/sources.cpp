@@ -210,7 +210,7 @@ std::vector<SourcedOption> test_options() {
        "neither section 1.5 nor the captions of table 3.2 and figure 3.8 name an axis"},
       {kGroup, "top", line_used(Approach::top), Basis::ours,
        "neither section 1.5 nor the captions of table 3.2 and figure 3.8 name an axis"},
-      {kGroup, "what moves", "an object toward one that stands still", Basis::stated,
+      {kGroup, "motion", "a moving object against a static one", Basis::stated,
        "section 1.5, item 5"},
       {kGroup, "object that moves", "a second one of the same kind; on drives the first object",
        Basis::ours, "figure 3.9 shows a test object; which it is is not said"},
