@@ -221,7 +221,7 @@ Figure looks_figure(const std::string& prefix, std::span<const Compared> models)
   BarChart chart{.title = fmt::format("SOMS looks at up to {:.0f} % more than SAH; a "
                                       "second look: {:.0f} %",
                                       soms.greatest, second.greatest),
-                 .y_label = "boxes looked at, SAH = 1",
+                 .y_label = "nodes and triangles visited, SAH = 1",
                  .groups = names(models)};
   for (const Shown& shown : kShown) {
     if (shown.rule == "sah") {

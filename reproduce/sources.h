@@ -1,5 +1,6 @@
 /// \file
-/// Where each option of the runs comes from, and where the thesis contradicts itself.
+/// Where each option of the runs comes from, where the thesis contradicts itself, and which of its
+/// statements no run judges.
 #pragma once
 
 #include <span>
@@ -31,7 +32,7 @@ struct SourcedOption {
 /// All of them, by group.
 [[nodiscard]] std::vector<SourcedOption> sourced_options();
 
-/// Two places of the thesis that do not go together.
+/// Two places of the thesis that do not go together, or one place and what is known.
 struct Contradiction {
   std::string_view subject;
   std::string_view one;      ///< what one place says
@@ -40,5 +41,17 @@ struct Contradiction {
 };
 
 [[nodiscard]] std::span<const Contradiction> contradictions();
+
+/// A statement of the thesis for which there is no claim with a matrix.
+struct UnjudgedStatement {
+  std::string_view words;      ///< of the thesis
+  std::string_view where;      ///< "section 1.6"
+  std::string_view why;        ///< there is no matrix
+  std::string_view item = {};  ///< item of a run that shows what can be shown of it; may be empty
+};
+
+/// Statements about results in the abstract and in chapter 1. What chapter 1 says of the work of
+/// others is left out.
+[[nodiscard]] std::span<const UnjudgedStatement> unjudged_statements();
 
 }  // namespace soms::reproduce

@@ -65,7 +65,8 @@ constexpr std::array kItems{
     not_shown("2.4", "Classes of collision detection", kOnlyTitle),
     not_shown("2.5", "Tangential and boundary collision", kPictureOfOthers),
     not_shown("2.6", "Discrete and continuous collision detection",
-              "Literature review; the thesis tests frame by frame, never between frames."),
+              "Literature review; no caption of the thesis' own tests speaks of continuous "
+              "detection."),
     not_shown("2.7", "Space subdivision and bounding-volume hierarchy",
               "Literature review; the thesis builds hierarchies and does not subdivide space."),
     not_shown("2.8", "Top-down, bottom-up and insertion",
@@ -138,7 +139,7 @@ constexpr std::array kItems{
     shown("4.36", "Pseudo code: depth-first traversal"),
     shown("4.37", "Pseudo code: Ericson's generic traversal"),
     not_shown("4.38", "SketchUp 7.0, in which the urban scene was modeled",
-              "A screenshot of software of its time; the scene itself is lost."),
+              "A screenshot of software of its time; the scene itself is not available."),
     shown("4.39", "Terrain and buildings of a part of 2 km by 2 km"),
     shown("4.40", "Part 1 of the urban scene"),
     shown("4.41", "The whole city of 4 km by 4 km"),

@@ -232,7 +232,7 @@ Action add_reproduce(CLI::App& app, Shared&) {
              "folder of the thesis' models; missing models are generated; see below");
   app.add_option("--item", options->items,
                  "run only these, separated by commas: table-5.3, figure-5.2,\n"
-                 "5.3 for both, thesis, beyond; see below")
+                 "5.3 for both, or a chapter: claims, thesis, beyond; see below")
       ->option_text("LIST");
   add_output(app, "-o,--output", options->output,
              "folder to write, created if missing (default: soms-thesis)", "DIR");

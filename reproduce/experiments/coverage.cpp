@@ -1,4 +1,5 @@
-// What of the thesis is shown and what is not, and where each option comes from.
+// What of the thesis is shown and what is not, where each option comes from, and what of the text
+// contradicts itself or is not judged.
 #include "reproduce/coverage.h"
 
 #include "reproduce/experiments/experiments.h"
@@ -60,11 +61,26 @@ Table options_table(std::span<const SourcedOption> options) {
 
 Table contradictions_table() {
   Table table{.id = "sources_contradictions",
-              .caption = "Places of the thesis that do not go together, and what this run does.",
+              .caption =
+                  "Places of the thesis that do not go together with one another or with what is "
+                  "known, and what this run does.",
               .columns = {{"subject"}, {"one_place"}, {"other_place"}, {"this_run"}}};
   for (const Contradiction& one : contradictions()) {
     table.rows.push_back({std::string(one.subject), std::string(one.one), std::string(one.other),
                           std::string(one.outcome)});
+  }
+  return table;
+}
+
+Table unjudged_table() {
+  Table table{.id = "sources_unjudged",
+              .caption =
+                  "Statements of the abstract and of chapter 1 that have no matrix, why, and "
+                  "the item that shows what can be shown of them.",
+              .columns = {{"words"}, {"where"}, {"why_not_judged"}, {"item"}}};
+  for (const UnjudgedStatement& one : unjudged_statements()) {
+    table.rows.push_back({std::string(one.words), std::string(one.where), std::string(one.why),
+                          one.item.empty() ? Cell{} : Cell{std::string(one.item)}});
   }
   return table;
 }
@@ -96,7 +112,7 @@ Result coverage(const Context&) {
 Result sources(const Context&) {
   const std::vector<SourcedOption> options = sourced_options();
   return {
-      .tables = {options_table(options), contradictions_table()},
+      .tables = {options_table(options), contradictions_table(), unjudged_table()},
       .remarks = {fmt::format(
           "Of {} options {} are stated, {} follow from a caption or heading, {} are ours. The item "
           "options shows what they change.",

@@ -251,7 +251,7 @@ std::string outcome_of(const std::vector<Showing>& showings) {
   for (const Showing& showing : showings) {
     if (!showing.drawn.frames.empty()) {
       return fmt::format(
-          "{}x{} pixels, a usual size in 2009, one sample a pixel, "
+          "{}x{} pixels, a usual size when the thesis was written, one sample a pixel, "
           "each time the median of {} passes.",
           showing.drawn.width, showing.drawn.height, showing.drawn.passes);
     }

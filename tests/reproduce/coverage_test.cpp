@@ -4,9 +4,12 @@
 #include "reproduce/sources.h"
 #include "tests/reproduce/trips.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <set>
 #include <string>
 
@@ -143,6 +146,9 @@ TEST(Sources, ValuesAreThoseOfTheRuns) {
   EXPECT_EQ(value("midpoint"), "caption: thesis");
   EXPECT_EQ(value("c_vertex"), "ours: 2");
   EXPECT_EQ(value("axis_from of soms"), "stated: inner");
+  EXPECT_EQ(value("per_leaf"), "ours: 1");
+  EXPECT_EQ(value("kind of tree"), "stated: binary, of boxes along the axes");
+  EXPECT_EQ(value("nodes with one triangle"), "stated: leaves with exactly one triangle");
   EXPECT_EQ(value("axis_from of spatial_median"), "ours: outer");
   EXPECT_EQ(value("empty_side"), "ours: stop");
   EXPECT_EQ(value("level of the objects"), "caption: 15");
@@ -157,10 +163,39 @@ TEST(Sources, ValuesAreThoseOfTheRuns) {
 }
 
 TEST(Sources, ContradictionsNameBothPlaces) {
-  EXPECT_GE(contradictions().size(), 5U);
+  EXPECT_GE(contradictions().size(), 13U);
+  std::set<std::string_view> subjects;
   for (const Contradiction& one : contradictions()) {
+    EXPECT_TRUE(subjects.insert(one.subject).second) << one.subject;
     EXPECT_FALSE(one.one.empty() || one.other.empty() || one.outcome.empty()) << one.subject;
   }
+  EXPECT_TRUE(subjects.contains("pages of the appendices"));
+}
+
+TEST(Sources, UnjudgedStatementsSayWhyAndNameItems) {
+  const Table table = table_of(run_quick("sources", {}), "sources_unjudged");
+  ASSERT_EQ(table.rows.size(), unjudged_statements().size());
+  for (const UnjudgedStatement& one : unjudged_statements()) {
+    EXPECT_FALSE(one.words.empty() || one.where.empty() || one.why.empty()) << one.words;
+    if (!one.item.empty()) {
+      const std::array words{one.item};
+      EXPECT_EQ(experiments_named(words).size(), 1U) << one.item;
+    }
+  }
+  EXPECT_EQ(cell(table, 0, "where"), "section 1.6");
+}
+
+TEST(Sources, TheRemarkCountsWhatTheTableSays) {
+  const Result result = run_quick("sources", {});
+  const Table table = table_of(result, "sources_options");
+  std::map<std::string, int> bases;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    ++bases[cell(table, row, "basis")];
+  }
+  const std::string counts =
+      fmt::format("Of {} options {} are stated, {} follow from a caption or heading, {} are ours.",
+                  table.rows.size(), bases["stated"], bases["caption"], bases["ours"]);
+  EXPECT_NE(result.remarks.at(0).find(counts), std::string::npos) << result.remarks.at(0);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ struct TimeFramesOptions {
   command::WorldOptions world = {};
   std::string pose = {};  ///< CSV file of poses, a frame each
   int mover_levels = -1;  ///< of the mover's tree; below 0: those of the city's
-  Size size{640, 480};    ///< a usual size of windows in 2009
+  Size size{640, 480};    ///< a usual size when the thesis was written
   int samples = 1;
   int passes = 3;  ///< over all frames, drawing and not; each time is the median of them
 };
