@@ -5,7 +5,9 @@
 #include "soms/query/traversal/detail/probe.h"
 #include "soms/query/traversal/traversals.h"
 
+#include <cstdint>
 #include <iterator>
+#include <vector>
 
 namespace soms::reproduce {
 
@@ -31,9 +33,37 @@ ChildPairs divide(Probe& probe, NodePair p) {
   return enter;
 }
 
+/// Goes down from an entered pair while one child pair alone is to be divided; returns the first
+/// that are several, or none. Apart from `recurse`, whose frame stays small.
+[[gnu::noinline]] ChildPairs descend_on(Probe& probe, NodePair p) {
+  ChildPairs enter = divide(probe, p);
+  while (enter.size() == 1 && !probe.stopped()) {
+    enter = divide(probe, enter[0]);
+  }
+  return enter;
+}
+
+void recurse(Probe& probe, NodePair p, std::uint64_t nesting) {
+  probe.enter(p, nesting);
+  for (const NodePair child : descend_on(probe, p)) {
+    if (!probe.stopped()) {
+      recurse(probe, child, nesting + 1);
+    }
+  }
+}
+
+void enter_all(Probe& probe, NodePair roots, std::vector<NodePair>& stack) {
+  stack.assign(1, roots);
+  while (!stack.empty() && !probe.stopped()) {
+    const ChildPairs enter = descend_on(probe, probe.pop(stack));
+    stack.insert(stack.end(), std::make_reverse_iterator(enter.end()),
+                 std::make_reverse_iterator(enter.begin()));
+  }
+}
+
 }  // namespace
 
-TraversalCounts e_node_chain(const PosedTree& a, const PosedTree& b,
+TraversalCounts e_node_chain(const PosedTree& a, const PosedTree& b, bool recursive,
                              const TraversalVisitor& visitor, TraversalWorkspace& workspace) {
   const PlainArithmetic plain;
   detail::check_boxes(a, b);
@@ -42,21 +72,14 @@ TraversalCounts e_node_chain(const PosedTree& a, const PosedTree& b,
   }
   Probe probe(a, b, visitor);
   const NodePair roots;
-  workspace.stack.clear();
   if (probe.test(roots) && !probe.stopped()) {
     if (probe.leaves(roots)) {
       probe.report(roots);
+    } else if (recursive) {
+      recurse(probe, roots, 1);
     } else {
-      workspace.stack.push_back(roots);
+      enter_all(probe, roots, workspace.stack);
     }
-  }
-  while (!workspace.stack.empty() && !probe.stopped()) {
-    ChildPairs enter = divide(probe, probe.pop(workspace.stack));
-    while (enter.size() == 1 && !probe.stopped()) {
-      enter = divide(probe, enter[0]);
-    }
-    workspace.stack.insert(workspace.stack.end(), std::make_reverse_iterator(enter.end()),
-                           std::make_reverse_iterator(enter.begin()));
   }
   return probe.counts;
 }

@@ -7,6 +7,7 @@
 #include "reproduce/moved_trip.h"
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,44 +22,64 @@ enum class RacerPlace : std::size_t {
   e_node,
   e_node_recursive,
   e_node_chain,
+  e_node_chain_recursive,
   e_node_start,  ///< from the last front
   larger,
-  larger_recursive,
   e_node_larger,
-  e_node_larger_recursive,
   e_node_larger_start,
 };
 
 /// All that are compared, by place.
-[[nodiscard]] std::span<const Racer> enode_racers();
+[[nodiscard]] std::span<const TripRacer> enode_racers();
 
-/// E-Node in one of its readings, and the traversal that descends the same nodes.
+/// E-Node in one of its readings against an opponent.
 struct Pairing {
-  std::string_view reading;
-  RacerPlace one;    ///< E-Node
-  RacerPlace other;  ///< its opponent
-  /// What E-Node tests is that of an earlier pairing by construction; only the pairs entered
-  /// differ.
-  bool same_tests = false;
+  std::string_view e_node;         ///< "family test, both nodes"
+  std::string_view opponent;       ///< "Larsson's (simultaneous)"
+  std::string_view manner;         ///< "stack / recursion"; empty for counts, where it is the same
+  RacerPlace one;                  ///< E-Node
+  RacerPlace other;                ///< its opponent
+  std::string_view unjudged = {};  ///< why it is shown but not judged; empty if it is judged
 };
 
-/// Pairings for counts, which are the same by stack and by recursion.
+/// How the readings nearest to the text begin.
+inline constexpr std::string_view kNearestEnode =
+    "family test, both nodes, against Larsson's (simultaneous)";
+
+/// "family test, both nodes, against Larsson's (simultaneous): stack / stack".
+[[nodiscard]] std::string reading_of(const Pairing& pairing);
+
+/// The readings that are judged, against Larsson's traversal: family test, descending on, last
+/// front; for counts, which are the same by stack and by recursion.
 [[nodiscard]] std::span<const Pairing> counted_pairings();
 
-/// Pairings for times.
+/// The same for times: the reading nearest to the text in all four ways to program both, the others
+/// like against like. The start from the last front goes along a list and has no recursive form.
 [[nodiscard]] std::span<const Pairing> timed_pairings();
+
+/// What a skeptic asks and is not judged: Ericson's traversal as the opponent, the larger node. By
+/// explicit stack.
+[[nodiscard]] std::span<const Pairing> pairings_aside();
+
+/// What version 0.1.0 said, that a claim about E-Node does not hold. `reason` is what it left out:
+/// it is given if the rows that it judged still say so, else that its numbers were others.
+[[nodiscard]] Revision revision_of(std::span<const ClaimRow> rows,
+                                   const std::function<bool(const ClaimRow&)>& judged_before,
+                                   std::string_view reason);
+
+/// The trees that E-Node is made for by the abstract, and that are judged.
+inline constexpr const char* kEnodeRule = "soms";
 
 /// Trips of one kind.
 struct TripKind {
-  std::string name;  ///< "orientation tests, SOMS trees"
-  std::string tests;
+  std::string tests;  ///< "orientation tests": the subject of a claim
   std::string rule;
   std::vector<Trip> trips = {};
 };
 
-/// The orientation tests right, left and top of the first object on trees of SOMS and spatial
-/// median; both drives through the scenes on trees of SOMS and object median. Trips on which the
-/// bodies never come near each other are left out.
+/// The four orientation tests of the first object on trees of SOMS and spatial median; both drives
+/// through the scenes on trees of SOMS and object median. Trips on which the bodies never come near
+/// each other are left out.
 struct EnodeTrips {
   std::vector<TripKind> kinds = {};
   std::vector<std::string> remarks = {};  ///< what the models and drives are

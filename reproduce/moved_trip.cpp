@@ -67,7 +67,7 @@ std::uint64_t MovedTrip::contacts(std::size_t frame, NodePair leaves, std::uint6
   return count;
 }
 
-FrameTraversal::FrameTraversal(const MovedTrip& moved, const Racer& racer)
+FrameTraversal::FrameTraversal(const MovedTrip& moved, const TripRacer& racer)
     : moved_(&moved), racer_(&racer), function_(entry(racer.options.traversal).function) {
   // Checks the trees once: to look for their depths in each frame would slow recursion alone.
   (void)traverse(moved.still(), moved.moving(0), racer.options);
@@ -90,7 +90,7 @@ TraversalCounts FrameTraversal::run(std::size_t frame, const TraversalVisitor& v
   if (front_) {
     return front_->next(still.boxes, moving.boxes, visitor);
   }
-  return racer_->chain ? e_node_chain(still, moving, visitor, workspace_)
+  return racer_->chain ? e_node_chain(still, moving, racer_->options.recursive, visitor, workspace_)
                        : function_(still, moving, racer_->options, visitor, workspace_);
 }
 
@@ -132,11 +132,11 @@ std::vector<std::size_t> middle_of(std::span<const std::size_t> frames, std::siz
   return {first, first + static_cast<std::ptrdiff_t>(count)};
 }
 
-std::vector<Timing> race(const MovedTrip& moved, std::span<const Racer> racers, Question question,
-                         std::span<const std::size_t> frames, int rounds, const Parallel& parallel,
-                         std::size_t passes) {
+std::vector<Timing> race(const MovedTrip& moved, std::span<const TripRacer> racers,
+                         Question question, std::span<const std::size_t> frames, int rounds,
+                         const Parallel& parallel, std::size_t passes) {
   std::vector<FrameTraversal> traversals;
-  for (const Racer& racer : racers) {
+  for (const TripRacer& racer : racers) {
     traversals.emplace_back(moved, racer);
   }
   std::vector<std::uint64_t> answers(racers.size());

@@ -54,7 +54,7 @@ class MovedTrip {
 };
 
 /// A traversal that is compared with others.
-struct Racer {
+struct TripRacer {
   std::string name;  ///< as in the tables: "enode_both"
   TraversalOptions options = {};
   bool chain = false;  ///< `e_node_chain` instead of what `options` say
@@ -64,7 +64,7 @@ struct Racer {
 class FrameTraversal {
  public:
   /// Both must outlive the object. \pre Both trees have a node, the trip has a frame.
-  FrameTraversal(const MovedTrip& moved, const Racer& racer);
+  FrameTraversal(const MovedTrip& moved, const TripRacer& racer);
 
   /// Forgets the frames before.
   void restart();
@@ -73,7 +73,7 @@ class FrameTraversal {
 
  private:
   const MovedTrip* moved_;
-  const Racer* racer_;
+  const TripRacer* racer_;
   TraversalFunction function_;
   std::optional<EnodeFront> front_;
   TraversalWorkspace workspace_;
@@ -101,7 +101,7 @@ std::uint64_t ask(const MovedTrip& moved, FrameTraversal& traversal, Question qu
 /// than would be seen.
 /// \shape one Timing a racer, of the frames once.
 /// \errors std::logic_error where answers disagree; ErrorKind::cancelled.
-[[nodiscard]] std::vector<Timing> race(const MovedTrip& moved, std::span<const Racer> racers,
+[[nodiscard]] std::vector<Timing> race(const MovedTrip& moved, std::span<const TripRacer> racers,
                                        Question question, std::span<const std::size_t> frames,
                                        int rounds, const Parallel& parallel,
                                        std::size_t passes = 1);

@@ -37,7 +37,7 @@ class Watcher {
 
 }  // namespace
 
-UntilHit until_hit(const MovedTrip& moved, const Racer& racer, Hit hit, bool stops,
+UntilHit until_hit(const MovedTrip& moved, const TripRacer& racer, Hit hit, bool stops,
                    std::span<const std::size_t> frames, const Parallel& parallel) {
   FrameTraversal traversal(moved, racer);
   Watcher watcher(moved, hit, stops);

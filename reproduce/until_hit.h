@@ -30,7 +30,8 @@ struct UntilHit {
 /// last front goes on from what was left then; else each frame is traversed to its end. From a
 /// fresh start both do the same work up to the hit.
 /// \errors ErrorKind::cancelled.
-[[nodiscard]] UntilHit until_hit(const MovedTrip& moved, const Racer& racer, Hit hit, bool stops,
-                                 std::span<const std::size_t> frames, const Parallel& parallel);
+[[nodiscard]] UntilHit until_hit(const MovedTrip& moved, const TripRacer& racer, Hit hit,
+                                 bool stops, std::span<const std::size_t> frames,
+                                 const Parallel& parallel);
 
 }  // namespace soms::reproduce

@@ -18,8 +18,7 @@ namespace {
 
 constexpr double kClaimedMilliseconds = 0.2;
 
-constexpr std::string_view kUnjudged =
-    "the scene and the machine of the thesis, of 2009, are not available";
+constexpr std::string_view kUnjudged = "the scene and the machine of the thesis are not available";
 
 /// E-Node in two readings.
 struct Reading {
@@ -48,8 +47,8 @@ struct Mean {
   Estimate milliseconds;
 };
 
-std::vector<Racer> racers_of_readings() {
-  std::vector<Racer> racers;
+std::vector<TripRacer> racers_of_readings() {
+  std::vector<TripRacer> racers;
   racers.reserve(kReadings.size());
   for (const Reading& reading : kReadings) {
     racers.push_back(enode_racers()[static_cast<std::size_t>(reading.place)]);
@@ -67,7 +66,7 @@ Estimate mean_of_frames(std::vector<double> rounds, std::size_t frames) {
 /// Frames with contact and the others are timed apart; all frames are the sum of both.
 void add_means(std::vector<Mean>& means, const std::string& subject, const MovedTrip& moved,
                const Context& context, const Parallel& quiet) {
-  const std::vector<Racer> racers = racers_of_readings();
+  const std::vector<TripRacer> racers = racers_of_readings();
   std::vector<std::size_t> all = moved.all_frames();
   if (context.quick) {
     std::erase_if(all, [](std::size_t frame) { return frame % 4 != 0; });
@@ -108,7 +107,7 @@ Claim claim_of(const std::vector<Mean>& means) {
               .why =
                   "A time belongs to its scene, program and machine, and in a city to which of two "
                   "nodes is descended. Boxes are moved beforehand.",
-              .settles = "the scene of the thesis and a machine of 2009"};
+              .settles = "the scene of the thesis and a machine of its time"};
   for (const Mean& mean : means) {
     claim.rows.push_back(measured_row(mean.reading, mean.metric, mean.subject, "ms",
                                       {.below = kClaimedMilliseconds}, mean.milliseconds));
@@ -143,7 +142,7 @@ Figure figure_of(const std::vector<Mean>& means) {
 Result claim_enode_time(const Context& context) {
   EnodeTrips trips = enode_trips(context);
   std::erase_if(trips.kinds, [](const TripKind& kind) {
-    return kind.tests == "orientation tests" || kind.rule != "soms";
+    return kind.tests == "orientation tests" || kind.rule != kEnodeRule;
   });
   Steps steps(context.parallel, trips.trips());
   std::vector<Mean> means;

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,6 +23,12 @@
 
 namespace soms::reproduce {
 namespace {
+
+const TripRacer& racer_named(std::string_view name) {
+  const auto racers = enode_racers();
+  return *std::find_if(racers.begin(), racers.end(),
+                       [&](const TripRacer& entry) { return entry.name == name; });
+}
 
 /// What a traversal did, in order.
 struct Watched {
@@ -33,10 +40,7 @@ struct Watched {
 
 Watched watch(const MovedTrip& moved, std::string_view name, std::size_t frame,
               std::size_t most = 1'000'000) {
-  const auto racers = enode_racers();
-  const auto racer = std::find_if(racers.begin(), racers.end(),
-                                  [&](const Racer& entry) { return entry.name == name; });
-  FrameTraversal traversal(moved, *racer);
+  FrameTraversal traversal(moved, racer_named(name));
   Watched seen;
   seen.counts = traversal.run(
       frame, {.leaf_pair =
@@ -89,14 +93,14 @@ TEST(EnodeChain, StopsAtTheFirstReportAndTakesEmptyTrees) {
   }
   const Tree empty;
   TraversalWorkspace workspace;
-  EXPECT_EQ(e_node_chain({&empty, {}}, {&empty, {}}, {}, workspace), TraversalCounts{});
+  EXPECT_EQ(e_node_chain({&empty, {}}, {&empty, {}}, false, {}, workspace), TraversalCounts{});
 }
 
 TEST(EnodeRacers, RecursionMakesTheSameTestsReportsAndEntries) {
   const Models models = test::small_models();
   for (const TripKind& kind : small_trips(models).kinds) {
     const MovedTrip moved(kind.trips[0], {});
-    for (const std::string name : {"simultaneous", "larger", "enode_both", "enode_larger"}) {
+    for (const std::string name : {"simultaneous", "enode_both", "enode_both_chain"}) {
       for (std::size_t k = 0; k < moved.frames(); k += 7) {
         const Watched by_stack = watch(moved, name, k);
         const Watched nested = watch(moved, name + "_recursive", k);
@@ -114,7 +118,7 @@ TEST(EnodeRacers, AllFindTheSameLeafPairsContactsAndFramesWithAHit) {
     for (const Trip& trip : kind.trips) {
       const Totals truth = totals(answer_frames(trip, named_traversal("larger"), {}));
       const MovedTrip moved(trip, {});
-      for (const Racer& racer : enode_racers()) {
+      for (const TripRacer& racer : enode_racers()) {
         SCOPED_TRACE(racer.name);
         FrameTraversal traversal(moved, racer);
         const std::vector<std::size_t> all = moved.all_frames();
@@ -131,7 +135,7 @@ TEST(UntilHit, FromAFreshStartAQueryThatStopsDoesTheSameWorkUpToTheHit) {
   for (const TripKind& kind : small_trips(models).kinds) {
     const MovedTrip moved(kind.trips[0], {});
     const std::vector<std::size_t> all = moved.all_frames();
-    for (const Racer& racer : enode_racers()) {
+    for (const TripRacer& racer : enode_racers()) {
       for (const Hit hit : {Hit::leaf_pair, Hit::contact}) {
         const UntilHit whole = until_hit(moved, racer, hit, false, all, {});
         const UntilHit stopped = until_hit(moved, racer, hit, true, all, {});
@@ -145,16 +149,82 @@ TEST(UntilHit, FromAFreshStartAQueryThatStopsDoesTheSameWorkUpToTheHit) {
   }
 }
 
+/// Box tests and pairs entered up to the first hit of one frame.
+UntilHit until_hit_of(const MovedTrip& moved, std::string_view name, Hit hit, std::size_t frame) {
+  return until_hit(moved, racer_named(name), hit, true, std::array{frame}, {});
+}
+
+TEST(UntilHit, InEachFrameTheFamilyTestEntersFewerPairsThanItsOpponent) {
+  const Models models = test::small_models();
+  std::size_t seen = 0;
+  for (const TripKind& kind : small_trips(models).kinds) {
+    for (const Trip& trip : kind.trips) {
+      const MovedTrip moved(trip, {});
+      for (const Hit hit : {Hit::leaf_pair, Hit::contact}) {
+        for (std::size_t k = 0; k < moved.frames(); ++k) {
+          const UntilHit opponent = until_hit_of(moved, "simultaneous", hit, k);
+          if (!opponent.frames.empty()) {
+            const std::uint64_t entered = until_hit_of(moved, "enode_both", hit, k).entered;
+            EXPECT_LT(entered, opponent.entered);
+            EXPECT_LE(until_hit_of(moved, "enode_both_chain", hit, k).entered, entered);
+            EXPECT_LT(until_hit_of(moved, "enode_larger", hit, k).entered,
+                      until_hit_of(moved, "larger", hit, k).entered);
+            ++seen;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(seen, 50U);
+}
+
+/// A tree of boxes alone: a leaf, or children left and right.
+std::uint32_t plant(Tree& tree, const Box& box) {
+  tree.nodes.push_back({.bounds = box});
+  return static_cast<std::uint32_t>(tree.nodes.size() - 1);
+}
+
+std::vector<Box> boxes_of(const Tree& tree) {
+  std::vector<Box> boxes;
+  for (const Node& node : tree.nodes) {
+    boxes.push_back(node.bounds);
+  }
+  return boxes;
+}
+
+// The opponent goes down to four leaves beside a leaf before it comes to the leaf on it.
+TEST(UntilHit, BoxTestsUpToTheFirstLeavesMayComeOutEitherWay) {
+  const auto slab = [](double from, double to) { return Box{{from, 0, 0}, {to, 1, 1}}; };
+  Tree a;
+  plant(a, slab(0, 10));
+  a.nodes[0].left = plant(a, slab(0, 1));
+  a.nodes[0].right = plant(a, slab(9, 10));
+  Tree b;
+  plant(b, slab(-3, 4));
+  b.nodes[0].left = plant(b, slab(-3, 4));
+  for (const bool right : {false, true}) {
+    const std::uint32_t inner = plant(b, slab(-3, 4));
+    (right ? b.nodes[1].right : b.nodes[1].left) = inner;
+    b.nodes[inner].left = plant(b, slab(-3, -2));
+    b.nodes[inner].right = plant(b, slab(3, 4));
+  }
+  b.nodes[0].right = plant(b, slab(0, 1));
+  const std::vector<Box> of_a = boxes_of(a);
+  const std::vector<Box> of_b = boxes_of(b);
+  const auto first_tests = [&](std::string_view name) {
+    return traverse({&a, of_a}, {&b, of_b}, racer_named(name).options).first_tests;
+  };
+  EXPECT_EQ(first_tests("enode_both"), 5U);
+  EXPECT_EQ(first_tests("simultaneous"), 9U);
+}
+
 /// "box tests/pairs entered" up to the first leaf pair, and up to the first contact, of queries
 /// that go on.
 std::vector<std::string> until_hits(const Trip& trip, std::string_view name) {
   const MovedTrip moved(trip, {});
-  const auto racers = enode_racers();
-  const auto racer = std::find_if(racers.begin(), racers.end(),
-                                  [&](const Racer& entry) { return entry.name == name; });
   std::vector<std::string> counts;
   for (const Hit hit : {Hit::leaf_pair, Hit::contact}) {
-    const UntilHit sum = until_hit(moved, *racer, hit, false, moved.all_frames(), {});
+    const UntilHit sum = until_hit(moved, racer_named(name), hit, false, moved.all_frames(), {});
     counts.push_back(std::to_string(sum.box_tests) + "/" + std::to_string(sum.entered));
   }
   return counts;
@@ -244,18 +314,69 @@ INSTANTIATE_TEST_SUITE_P(Reproduce, EnodeClaims,
                            return name;
                          });
 
-TEST(EnodeClaim, TheFamilyTestSavesEntriesAndNoBoxTests) {
-  const Models models = test::small_models();
-  const Result result = test::run_quick("claim-enode-faster", models);
+TEST(EnodeClaim, FasterJudgesTimesAlone) {
+  const Result result = test::run_quick("claim-enode-faster", test::small_models());
   std::size_t seen = 0;
   for (const ClaimRow& row : result.claims[0].rows) {
-    if (row.reading == "family test, both nodes" && !row.interval) {
-      const bool tests = row.metric.starts_with("box tests");
-      EXPECT_EQ(stand_of(row), tests ? Verdict::does_not_hold : Verdict::holds) << row.metric;
+    const bool larsson = row.reading.find("both nodes, against Larsson") != std::string::npos;
+    EXPECT_EQ(row.unjudged.empty(), row.interval && larsson) << row.metric << ", " << row.reading;
+    if (row.reading == kNearestEnode) {
+      EXPECT_FALSE(row.interval);
+      EXPECT_TRUE(row.metric.starts_with("box tests") ? row.value == 1 : row.value <= 0.5)
+          << row.metric;
       ++seen;
     }
   }
-  EXPECT_GE(seen, 4U);
+  EXPECT_EQ(seen, 6U);
+}
+
+TEST(EnodeClaim, EarlierJudgesAllThatIsNotDecidedByConstruction) {
+  const Result result = test::run_quick("claim-enode-earlier", test::small_models());
+  for (const ClaimRow& row : result.claims[0].rows) {
+    const bool larsson = row.reading.find("both nodes, against Larsson") != std::string::npos;
+    const bool decided = row.metric.starts_with("pairs entered") && row.reading == kNearestEnode;
+    EXPECT_EQ(row.unjudged.empty(), larsson && !decided) << row.metric << ", " << row.reading;
+  }
+}
+
+TEST(EnodeClaim, StandsOnSomsTreesInAllFourWaysToProgramIt) {
+  for (const std::string_view item : {"claim-enode-faster", "claim-enode-earlier"}) {
+    const Result result = test::run_quick(item, test::small_models());
+    EXPECT_EQ(subjects_of(result.claims[0]),
+              (std::vector<std::string>{"orientation tests", "drives", "touching drives"}));
+    std::set<std::string> ways;
+    for (const ClaimRow& row : result.claims[0].rows) {
+      if (is_nearest(result.claims[0], row) && row.interval) {
+        ways.insert(row.reading.substr(kNearestEnode.size()));
+      }
+    }
+    EXPECT_EQ(ways, (std::set<std::string>{": stack / stack", ": stack / recursion",
+                                           ": recursion / stack", ": recursion / recursion"}));
+  }
+}
+
+TEST(EnodeTrips, ComeFromAllFourSidesOnSomsTreesAndOthers) {
+  const Models models = test::small_models();
+  std::vector<std::string> names;
+  for (const TripKind& kind : small_trips(models).kinds) {
+    names.push_back(kind.tests + ", " + kind.rule + ":");
+    for (const Trip& trip : kind.trips) {
+      names.back() += " " + label_in_kind(trip);
+    }
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{
+                       "orientation tests, soms: right left top bottom",
+                       "orientation tests, spatial_median: right left top bottom",
+                       "drives, soms: ball", "touching drives, soms: ball",
+                       "drives, object_median: ball", "touching drives, object_median: ball"}));
+}
+
+TEST(EnodeClaim, WhatChangedAVerdictIsSaidOnlyIfItDid) {
+  const auto all = [](const ClaimRow&) { return true; };
+  const std::vector<ClaimRow> fails{counted_row("r", "m", "s", "", {.below = 1}, 2)};
+  const std::vector<ClaimRow> holds{counted_row("r", "m", "s", "", {.below = 1}, 0.5)};
+  EXPECT_EQ(revision_of(fails, all, "of this").reason, "of this");
+  EXPECT_NE(revision_of(holds, all, "of this").reason, "of this");
 }
 
 TEST(EnodeClaim, TheTimeOfAnotherSceneAndMachineIsNotJudged) {
