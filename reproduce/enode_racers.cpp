@@ -162,6 +162,24 @@ Revision revision_of(std::span<const ClaimRow> rows,
                       : "its numbers were of other models or of another machine"};
 }
 
+std::string ericson_words(std::span<const ClaimRow> rows, std::string_view metric) {
+  const std::string reading = fmt::format("{}, against {}", kFamily, kEricson);
+  std::vector<double> values;
+  for (const ClaimRow& row : rows) {
+    if (row.metric.starts_with(metric) && row.reading.starts_with(reading)) {
+      values.push_back(row.value);
+    }
+  }
+  if (values.empty()) {
+    return {};
+  }
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return fmt::format(
+      "Against Ericson's traversal, which descends the larger node: ratio of {} from {:.3g} to "
+      "{:.3g} (not judged).",
+      metric, *low, *high);
+}
+
 std::size_t EnodeTrips::trips() const {
   std::size_t count = 0;
   for (const TripKind& kind : kinds) {

@@ -67,6 +67,11 @@ inline constexpr std::string_view kNearestEnode =
                                    const std::function<bool(const ClaimRow&)>& judged_before,
                                    std::string_view reason);
 
+/// "Against Ericson's ...: ratio of ... from 1.05 to 10.8 (not judged).": the rows of this metric
+/// by the reading nearest to the text with the other opponent, in a sentence; empty if there are
+/// none.
+[[nodiscard]] std::string ericson_words(std::span<const ClaimRow> rows, std::string_view metric);
+
 /// The trees that E-Node is made for by the abstract, and that are judged.
 inline constexpr const char* kEnodeRule = "soms";
 

@@ -19,8 +19,8 @@ namespace {
 constexpr Demand kLess{.below = 1};
 
 constexpr std::string_view kFewerEntered =
-    "decided by construction: up to the pair of leaves that its opponent finds first, or to an "
-    "earlier report, E-Node enters only pairs that the opponent enters before it, and not all";
+    "decided by construction: E-Node comes to the hit that its opponent finds first, or to another "
+    "one before it, having entered only pairs that the opponent entered too, and not all of them";
 
 /// So small a share of the frames of a drive with a hit is timed in a quick run.
 constexpr std::size_t kQuickShare = 4;
@@ -224,6 +224,7 @@ Claim claim_of(const std::vector<Kind>& kinds) {
           "other trees, and the larger node from the last front.",
       .settles = "the pseudo code of E-Node in chapter 4: what it does earlier, and than what",
   };
+  claim.note = ericson_words(claim.rows, fmt::format("box tests up to {}", kHits.front().until));
   claim.revision = revision_of(
       claim.rows,
       [](const ClaimRow& row) {

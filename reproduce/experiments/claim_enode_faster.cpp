@@ -192,6 +192,7 @@ Claim claim_of(const std::vector<Kind>& kinds) {
           "the pseudo code of E-Node and of Larsson's traversal in chapter 4, and whether "
           "the program of the thesis recurses",
   };
+  claim.note = ericson_words(claim.rows, "time of the traversal");
   claim.revision = revision_of(
       claim.rows, [](const ClaimRow& row) { return row.reading.ends_with("stack / stack"); },
       "it raced explicit stacks alone");

@@ -371,6 +371,19 @@ TEST(EnodeTrips, ComeFromAllFourSidesOnSomsTreesAndOthers) {
                        "drives, object_median: ball", "touching drives, object_median: ball"}));
 }
 
+TEST(EnodeClaim, TheOtherOpponentStandsBesideTheVerdict) {
+  const std::string reading = "family test, both nodes, against Ericson's (larger node)";
+  const std::vector<ClaimRow> rows{
+      counted_row(reading, "tests, a / b", "s", "", {}, 2),
+      counted_row(reading, "tests, a / b", "t", "", {}, 0.5),
+      counted_row(reading, "time, a / b", "s", "", {}, 9),
+      counted_row(std::string(kNearestEnode), "tests", "s", "", {}, 8)};
+  EXPECT_EQ(ericson_words(rows, "tests"),
+            "Against Ericson's traversal, which descends the larger node: ratio of tests from 0.5 "
+            "to 2 (not judged).");
+  EXPECT_EQ(ericson_words(rows, "pairs"), "");
+}
+
 TEST(EnodeClaim, WhatChangedAVerdictIsSaidOnlyIfItDid) {
   const auto all = [](const ClaimRow&) { return true; };
   const std::vector<ClaimRow> fails{counted_row("r", "m", "s", "", {.below = 1}, 2)};
