@@ -19,7 +19,7 @@ struct Timed {
   std::vector<std::vector<Frame>> frames = {};
 };
 
-Ride count_ride(const Context& context, const Course& course, const BuildPairing& build,
+Ride count_ride(const Context& context, const RideCourse& course, const BuildPairing& build,
                 const NamedTraversal& traversal, std::vector<std::vector<Frame>>& frames) {
   Ride ride{.subject = course.subject, .build = build, .traversal = traversal.name};
   for (const auto& trip : course.trips) {
@@ -40,15 +40,15 @@ BuildPairing pairing(std::span<const Contender> of_scene, std::span<const Conten
   return {scene.title, scene, build_named(of_object, name)};
 }
 
-std::vector<Course> thesis_courses(const Context& context) {
+std::vector<RideCourse> thesis_courses(const Context& context) {
   const Model& object = context.models.objects.front();
-  Course sides{fmt::format("{}, four sides", object.name), {}};
+  RideCourse sides{fmt::format("{}, four sides", object.name), {}};
   for (const auto& [from, name] : kApproaches) {
     sides.trips.emplace_back([&object, side = from](const BuildPairing& build) {
       return orientation_trip(object, side, build.of_object);
     });
   }
-  std::vector<Course> courses{std::move(sides)};
+  std::vector<RideCourse> courses{std::move(sides)};
   for (const Model& scene : context.models.scenes) {
     const auto drive = [&](const BuildPairing& build) {
       return drive_trip(scene, object, build.of_scene, build.of_object);
@@ -65,7 +65,7 @@ std::vector<Course> thesis_courses(const Context& context) {
   return courses;
 }
 
-std::vector<Ride> ride(const Context& context, const Course& course,
+std::vector<Ride> ride(const Context& context, const RideCourse& course,
                        std::span<const BuildPairing> builds, const NamedTraversal& traversal) {
   std::vector<Ride> rides;
   rides.reserve(builds.size());

@@ -27,7 +27,7 @@ struct BuildPairing {
                                    std::span<const Contender> of_object, std::string_view name);
 
 /// Trips that are one subject of a claim, whatever the trees.
-struct Course {
+struct RideCourse {
   std::string subject;  ///< "bunny, four sides", "u_mixed drive"
   std::vector<std::function<Trip(const BuildPairing&)>> trips = {};
 };
@@ -35,7 +35,7 @@ struct Course {
 /// The four sides that the thesis names as one course, since opposite sides cost the same; then for
 /// each scene the drive and, where something can be touched, the drive that touches. `context` must
 /// outlive the courses. \errors ErrorKind::cancelled.
-[[nodiscard]] std::vector<Course> thesis_courses(const Context& context);
+[[nodiscard]] std::vector<RideCourse> thesis_courses(const Context& context);
 
 /// A course on the trees of one build, by one traversal.
 struct Ride {
@@ -55,7 +55,7 @@ struct Ride {
 };
 
 /// The course on all builds by a traversal, times taken in turn. \errors ErrorKind::cancelled.
-[[nodiscard]] std::vector<Ride> ride(const Context& context, const Course& course,
+[[nodiscard]] std::vector<Ride> ride(const Context& context, const RideCourse& course,
                                      std::span<const BuildPairing> builds,
                                      const NamedTraversal& traversal);
 

@@ -139,7 +139,7 @@ Table table_of(const std::vector<Ride>& rides) {
 
 Result claim_balanced(const Context& context) {
   const std::vector<BuildPairing> pairings = builds();
-  const std::vector<Course> courses = thesis_courses(context);
+  const std::vector<RideCourse> courses = thesis_courses(context);
   Steps steps(context.parallel, 2 * courses.size());
   Claim claim{.id = "balanced_trees_are_traversed_faster",
               .statement = "A balanced tree is traversed faster than an unbalanced one",
@@ -153,7 +153,7 @@ Result claim_balanced(const Context& context) {
                   "defines neither; here the tree of the higher balanced level is the more "
                   "balanced one (ours)"};
   std::vector<Ride> all;
-  for (const Course& course : courses) {
+  for (const RideCourse& course : courses) {
     std::vector<Ride> rides = ride(context, course, pairings, generic());
     if (rides[0].sum.root_overlap_frames > 0) {
       for (const Ride& more : rides) {

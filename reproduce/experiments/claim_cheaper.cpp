@@ -118,7 +118,7 @@ Table table_of(const std::vector<Ride>& rides) {
 
 Result claim_cheaper(const Context& context) {
   const std::vector<BuildPairing> pairings = builds();
-  const std::vector<Course> courses = thesis_courses(context);
+  const std::vector<RideCourse> courses = thesis_courses(context);
   const auto traversals = generic_traversals();
   Steps steps(context.parallel, courses.size() * traversals.size());
   Claim claim{
@@ -136,7 +136,7 @@ Result claim_cheaper(const Context& context) {
       .settles =
           "what the thesis does with a node that spatial median cannot divide, and its scene"};
   std::vector<Ride> all;
-  for (const Course& course : courses) {
+  for (const RideCourse& course : courses) {
     for (const NamedTraversal& traversal : traversals) {
       std::vector<Ride> rides = ride(context, course, pairings, traversal);
       for (std::size_t i = 1; i < rides.size(); ++i) {
