@@ -6,6 +6,10 @@
 #include <numeric>
 #include <utility>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace soms::reproduce {
 
 namespace {
@@ -22,6 +26,18 @@ double milliseconds_of(const std::function<void()>& work) {
   const double start = processor_milliseconds();
   work();
   return processor_milliseconds() - start;
+}
+
+/// Left to itself, glibc hands freed memory back to the system or keeps it, as what the process did
+/// before has it. Fresh pages can cost as much as half of a build, and one of two works may pay for
+/// them in one run and the other in the next.
+void keep_freed_memory() {
+#if defined(__GLIBC__)
+  constexpr int kGreatestThreshold = 32 << 20;  // that glibc accepts; blocks above it are mapped
+  constexpr int kNever = -1;
+  mallopt(M_MMAP_THRESHOLD, kGreatestThreshold);
+  mallopt(M_TRIM_THRESHOLD, kNever);
+#endif
 }
 
 }  // namespace
@@ -59,6 +75,7 @@ Timing time_repeatedly(int repetitions, const Parallel& parallel, const std::fun
 
 std::vector<Timing> time_in_turn(int repetitions, const Parallel& parallel,
                                  std::span<const std::function<void()>> works, int warm_up) {
+  keep_freed_memory();
   std::vector<std::vector<double>> samples(works.size());
   for (int round = -warm_up; round < repetitions; ++round) {
     for (std::size_t k = 0; k < works.size(); ++k) {

@@ -2,12 +2,21 @@
 
 #include "soms/base/error.h"
 
+#include "tests/support/slow_build.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <stop_token>
 #include <string>
 #include <tuple>
+#include <vector>
+
+#if defined(__GLIBC__)
+#include <unistd.h>
+#endif
 
 namespace soms::reproduce {
 namespace {
@@ -40,6 +49,25 @@ TEST(Timing, WorksAreRunInTurnEveryOtherRoundInReverse) {
   ASSERT_EQ(timings.size(), 2U);
   EXPECT_EQ(timings[0].repetitions, 3);
 }
+
+#if defined(__GLIBC__)
+TEST(Timing, WorksFindTheMemoryAgainThatTheyFreed) {
+  SOMS_SKIP_IN_SLOW_BUILDS();  // sanitizers bring an allocator of their own
+  const void* end_while_used = nullptr;
+  const auto end_of_heap = [] { return static_cast<const void*>(sbrk(0)); };
+  const auto work = [&] {
+    // Left to itself glibc maps the first block, and trims the heap from 40 MB on.
+    { const std::vector<std::byte> first(std::size_t{20} << 20); }
+    const std::array<std::vector<std::byte>, 3> blocks{
+        std::vector<std::byte>(std::size_t{15} << 20),
+        std::vector<std::byte>(std::size_t{15} << 20),
+        std::vector<std::byte>(std::size_t{15} << 20)};
+    end_while_used = end_of_heap();
+  };
+  std::ignore = time_repeatedly(2, {}, work, 1);
+  EXPECT_EQ(end_of_heap(), end_while_used);
+}
+#endif
 
 TEST(Timing, StopRequestEndsIt) {
   std::stop_source source;
