@@ -195,7 +195,7 @@ constexpr std::array kExperiments{
     Experiment{"options",
                "What midpoint, vertex C, axis, empty side, root level and leaf size change",
                Chapter::beyond, kObjectsAndScenes, 1, options},
-    Experiment{"readings", "What else SOMS might be, and what excludes it", Chapter::beyond,
+    Experiment{"readings", "What else SOMS might be, and what speaks against it", Chapter::beyond,
                kObjectsAndScenes, 1, readings},
     Experiment{"modern", "The models and scenes by modern measures", Chapter::beyond,
                kObjectsAndScenes, 20, modern},

@@ -71,7 +71,8 @@ namespace soms::reproduce {
 /// The effect of each option that the thesis leaves open, on the first object and the scenes.
 [[nodiscard]] Result options(const Context& context);
 
-/// Other readings of the rule, and what excludes them. \source thesis, abstract, figures 4.6, 4.23.
+/// Other readings of the rule, and what speaks against them. \source thesis, abstract,
+/// figures 4.6, 4.23.
 [[nodiscard]] Result readings(const Context& context);
 
 /// Which rule balances best, on objects and scenes. \source thesis, abstract.
