@@ -110,5 +110,31 @@ TEST(Claims, VerdictOfEachFollowsFromItsCsvByTheRule) {
   EXPECT_GE(claims, 2);
 }
 
+TEST(Claims, VerdictsInTheDocumentationAreThoseOfARun) {
+  SOMS_NEEDS_OUTSIDE_DATA("the verdicts in docs/reproduce.md: they need the bunny");
+  SOMS_SKIP_IN_SLOW_BUILDS();
+  const TemporaryFolder folder;
+  const RunResult result =
+      soms_run({"reproduce", "--quick", "--item",
+                "claim-models,claim-fallback,claim-single-leaves,claim-26-percent,claim-balance,"
+                "claim-level-7",
+                "--models", outside_data("")->string(), "-o", folder.path().string()});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const std::string page = read_text(std::string(SOMS_DOCS) + "/reproduce.md");
+  const Json run = Json::parse(read_text(folder.path() / "run.json"));
+  for (const Json& item : run.at("items")) {
+    for (const Json& claim : item.at("claims")) {
+      const std::string row =
+          "| " + std::string(claim.at("claim")) + " | " + std::string(claim.at("verdict")) + " | ";
+      EXPECT_NE(page.find(row), std::string::npos) << row;
+      const std::string where = claim.at("where");
+      if (where.starts_with("Holds in ")) {
+        const std::string share = where.substr(9, where.find_first_of(".,") - 9);
+        EXPECT_NE(page.find(row + share), std::string::npos) << row << share;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace soms::test
