@@ -3,14 +3,13 @@
 #include "soms/base/error.h"
 
 #include "apps/support/child.h"
+#include "apps/support/temporary_folder.h"
 #include "apps/support/text.h"
 #include "reproduce/paper.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <system_error>
@@ -24,43 +23,6 @@ namespace fs = std::filesystem;
 
 /// Bytes of what Chromium said that an error shows: its last lines tell what went wrong.
 constexpr std::size_t kShownBytes = 400;
-
-Error no_folder(const fs::path& parent, const std::string& why) {
-  return Error(
-      ErrorKind::cannot_write,
-      fmt::format("--pdf: cannot create a temporary folder in {}: {}", parent.string(), why),
-      "set TMPDIR to a folder with free space");
-}
-
-/// A fresh folder that is removed when the object ends.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::error_code failed;
-    const fs::path parent = fs::temp_directory_path(failed);
-    if (failed) {
-      throw no_folder("TMPDIR", failed.message());
-    }
-    std::string name = (fs::absolute(parent) / "soms-pdf-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw no_folder(parent, std::strerror(errno));
-    }
-    path_ = name;
-  }
-
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 std::string bytes_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -92,7 +54,7 @@ fs::path find_chromium() {
 }
 
 std::string printed_pdf(const fs::path& chromium, std::string_view html, const Console& console) {
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("folder for the PDF");
   const reproduce::PrintJob job{.page = folder.path() / "page.html",
                                 .pdf = folder.path() / "page.pdf",
                                 .profile = folder.path() / "profile",
@@ -100,7 +62,9 @@ std::string printed_pdf(const fs::path& chromium, std::string_view html, const C
   std::ofstream(job.page, std::ios::binary) << html;
   std::error_code unknown;
   if (fs::file_size(job.page, unknown) != html.size()) {
-    throw no_folder(folder.path(), "the page does not fit");
+    throw Error(ErrorKind::cannot_write,
+                fmt::format("--pdf: the page does not fit into {}", folder.path().string()),
+                "set TMPDIR to a folder with free space");
   }
   const Progress bar = console.progress("printing");
   const int status =

@@ -13,7 +13,8 @@ namespace soms::command {
 TemporaryFolder::TemporaryFolder(std::string_view what) {
   std::error_code unknown;
   const std::filesystem::path base = std::filesystem::temp_directory_path(unknown);
-  std::string pattern = ((unknown ? std::filesystem::path("/tmp") : base) / "soms-XXXXXX").string();
+  const std::filesystem::path parent = std::filesystem::absolute(unknown ? "/tmp" : base);
+  std::string pattern = (parent / "soms-XXXXXX").string();
   if (::mkdtemp(pattern.data()) == nullptr) {
     throw Error(ErrorKind::cannot_write,
                 fmt::format("{}: cannot create a temporary {}", pattern, what),
