@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace soms::reproduce {
@@ -25,27 +26,34 @@ double written(double number) {
   return value;
 }
 
-/// The rows of one reading, by all metrics and on all subjects.
+/// A line of the matrix: the rows of one reading by one metric, on all subjects that are judged.
 struct Group {
-  std::string reading;
+  std::string name;
   std::size_t rows = 0;
   std::size_t hold = 0;
 };
 
+/// The lines that have a row to judge; named by the reading alone if the claim has one metric.
 std::vector<Group> groups_of(const Claim& claim) {
-  std::vector<Group> groups;
+  std::set<std::string_view> metrics;
   for (const ClaimRow& row : claim.rows) {
-    if (!row.unjudged.empty()) {
-      continue;
+    if (row.unjudged.empty()) {
+      metrics.insert(row.metric);
     }
-    const std::string& reading = row.reading.empty() ? row.metric : row.reading;
-    auto group = std::find_if(groups.begin(), groups.end(),
-                              [&](const Group& other) { return other.reading == reading; });
-    if (group == groups.end()) {
-      group = groups.insert(groups.end(), {reading});
+  }
+  std::vector<Group> groups;
+  for (const std::vector<const ClaimRow*>& line : lines_of(claim)) {
+    const ClaimRow& first = *line.front();
+    Group group{first.reading.empty() ? first.metric
+                : metrics.size() == 1 ? first.reading
+                                      : fmt::format("{}: {}", first.reading, first.metric)};
+    for (const ClaimRow* row : line) {
+      group.rows += row->unjudged.empty() ? 1U : 0U;
+      group.hold += stand_of(*row) == Verdict::holds ? 1U : 0U;
     }
-    ++group->rows;
-    group->hold += stand_of(row) == Verdict::holds ? 1U : 0U;
+    if (group.rows > 0) {
+      groups.push_back(std::move(group));
+    }
   }
   return groups;
 }
@@ -166,16 +174,16 @@ std::string where(const Claim& claim) {
   std::vector<std::string> nowhere;
   for (const Group& group : groups_of(claim)) {
     if (group.hold == group.rows) {
-      everywhere.push_back(group.reading);
+      everywhere.push_back(fmt::format("{} ({})", group.name, group.rows));
     } else if (group.hold == 0) {
-      nowhere.push_back(group.reading);
+      nowhere.push_back(group.name);
     } else {
-      somewhere.push_back(fmt::format("{} ({} of {})", group.reading, group.hold, group.rows));
+      somewhere.push_back(fmt::format("{} ({} of {})", group.name, group.hold, group.rows));
     }
   }
   for (const auto& [words, readings] :
-       {std::pair("In every row", &everywhere), std::pair("In some", &somewhere),
-        std::pair("In none", &nowhere)}) {
+       {std::pair("On every subject", &everywhere), std::pair("On some", &somewhere),
+        std::pair("On none", &nowhere)}) {
     if (!readings->empty()) {
       text += fmt::format(" {}: {}.", words, listed(*readings));
     }

@@ -36,6 +36,26 @@ constexpr std::string_view kRule =
     "are the same in every run. Of measured rows a few in a hundred may stand otherwise in another "
     "run, and more on another machine or with another compiler.</p>\n";
 
+/// The words of the matrices, for a reader who meets them here first.
+constexpr std::string_view kWords =
+    "<p><strong>Empty side</strong> is what becomes of a node that a rule cannot divide: with "
+    "<em>stop</em> it stays whole, with <em>next_axis</em> the other axes are tried, with "
+    "<em>object_median</em> its triangles are halved by number, with <em>chain</em> it gets a "
+    "child "
+    "without triangles. The <strong>inner axis</strong> is the longest of the box of the "
+    "midpoints, "
+    "the <strong>outer axis</strong> that of the box of the triangles. <strong>E-Node</strong> may "
+    "be a <em>family test</em> (all child pairs are tested before one is entered), a start "
+    "<em>from "
+    "the last front</em> (where the frame before ended), or going on down <em>while one child "
+    "overlaps</em>. <em>Larsson's</em> traversal descends both nodes at once, <em>Ericson's</em> "
+    "the "
+    "larger one. In an <strong>orientation test</strong> an object comes at its like from one "
+    "side; "
+    "in a <strong>drive</strong> it moves through a scene, in a <strong>touching drive</strong> "
+    "along a line on which it touches in about half of the frames. <strong>(ours)</strong> marks "
+    "what the thesis does not state.</p>\n";
+
 /// Marks of a row for those who cannot tell colors apart.
 std::string_view mark_of(const ClaimRow& row) {
   switch (stand_of(row)) {
@@ -206,8 +226,10 @@ std::string claims_section(const Report& report, bool open) {
     return html + "<p>None of the experiments of this run tests a claim of the thesis.</p>\n";
   }
   html += tally(claims) + revisions(claims);
-  html += fmt::format("<details{}>\n<summary>How a verdict follows</summary>\n{}</details>\n",
-                      open ? " open" : "", kRule);
+  html += fmt::format(
+      "<details{}>\n<summary>How a verdict follows, and what the words mean</summary>\n"
+      "{}{}</details>\n",
+      open ? " open" : "", kRule, kWords);
   html +=
       "<table class=\"claims\">\n<thead><tr><th>claim</th><th>verdict</th><th>where it holds</th>"
       "</tr></thead>\n<tbody>\n";

@@ -97,12 +97,14 @@ class Page {
         "What is particular to the thesis is the midpoint: halfway between corner C and the middle "
         "of A and B, which is not the centroid and depends on the order of the corners. It cuts "
         "wherever two midpoints differ, so it needs no fallback where spatial median, which cuts "
-        "the box of the triangles themselves, gets stuck; only triangles of one midpoint stay "
-        "together.</p>\n");
+        "the box of the triangles themselves, gets stuck; given levels enough, only "
+        "triangles of one midpoint stay together.</p>\n");
     put("<p><strong>Two things follow without any run.</strong> Object median gives half of the "
-        "triangles to each side, so no rule balances better{}. And E-Node, as it is reconstructed "
-        "here, tests the same pairs of boxes as a traversal that descends both trees at once, in "
-        "another order{}: what it can save is entering pairs, not testing them.</p>\n",
+        "triangles to each side, so no rule balances better{}. And E-Node, in the "
+        "reading nearest to its captions, tests the same pairs of boxes as a traversal that "
+        "descends "
+        "both trees at once, in another order{}: what it can save is entering pairs, not testing "
+        "them.</p>\n",
         reference("balance"), reference("figure-5.10"));
   }
 

@@ -72,6 +72,13 @@ constexpr std::array kUnjudged{
                       "what is least would need every other technique; SOMS against spatial "
                       "median is judged, and the rules by cost are compared",
                       "modern"},
+    UnjudgedStatement{
+        "efficiently splitting the irregular triangles so that each of them can be "
+        "bounded with single Axis-Aligned Bounding Box",
+        "abstract",
+        "a purpose, not a result; taken as one it fails at the greatest levels, where "
+        "SOMS leaves triangles together: the item has the counts",
+        "claim-single-leaves"},
     UnjudgedStatement{"SOMS is capable of creating an optimum level of BVH", "abstract",
                       "what is optimum is not defined; the text goes on with leaves of a single "
                       "triangle, which are judged",

@@ -172,8 +172,8 @@ std::string reach_of(const Claim& claim) {
   if (nearest == nullptr) {
     return "No scene of this size was counted.";
   }
-  return fmt::format("Nearest to {:.0f}: {}. Least: {}. Most: {}.", kClaimed, words_on(*nearest),
-                     words_on(*least), words_on(*most));
+  return fmt::format("Of the rows that are judged, nearest to {:.0f}: {}. Least: {}. Most: {}.",
+                     kClaimed, words_on(*nearest), words_on(*least), words_on(*most));
 }
 
 Claim claim_of(std::span<const Gain> gains) {

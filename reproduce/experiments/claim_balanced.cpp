@@ -23,7 +23,7 @@ namespace {
 constexpr std::string_view kReason =
     "Balance bounds the depth of a tree; what a traversal tests depends on how well the boxes keep "
     "apart what is apart, which the plane of a rule decides. Of trees that differ in nothing but "
-    "where the same order is cut, the more balanced one is cheaper.";
+    "where the same order is cut, the more balanced one usually makes fewer box tests.";
 
 /// Shares of a node's triangles that go to the left in trees out of balance.
 struct Share {

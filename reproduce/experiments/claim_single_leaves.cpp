@@ -157,8 +157,8 @@ std::string why_of(std::span<const Ladder> ladders) {
   }
   return fmt::format(
       "SOMS gains where spatial median has stopped: at deep levels, and the more the less is done "
-      "for a node that a rule cannot divide. Around the balanced level both divide nearly every "
-      "node, and which plane happens to leave more triangles alone is a matter of the model. Not "
+      "for a node that a rule cannot divide. Where both still divide nearly every node, around the "
+      "balanced level of most models, it is a matter of the model which leaves more alone. Not "
       "even SOMS leaves each triangle alone: at the greatest level, with empty side stop, it does "
       "so with {} of {} triangles on all models together, and of its other {} leaves {} hold "
       "triangles of one midpoint and {} are where the levels end. Spatial median leaves {} alone, "

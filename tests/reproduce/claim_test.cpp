@@ -61,10 +61,10 @@ TEST(Claim, RowsThatAreNotJudgedDecideNothing) {
 }
 
 TEST(Claim, SaysWhereItHolds) {
-  EXPECT_EQ(
-      where(
-          claim({count(1), count(-2, "stop", "venus"), count(3, "chain"), count(0, "next axis")})),
-      "Holds in 2 of 4 rows. In every row: chain. In some: stop (1 of 2). In none: next axis.");
+  EXPECT_EQ(where(claim(
+                {count(1), count(-2, "stop", "venus"), count(3, "chain"), count(0, "next axis")})),
+            "Holds in 2 of 4 rows. On every subject: chain (1). On some: stop (1 of 2). On none: "
+            "next axis.");
   EXPECT_EQ(where(claim({count(-1), measured(7, 8, 9)})), "Holds in 0 of 2 rows, undecided in 1.");
 }
 
@@ -72,7 +72,8 @@ TEST(Claim, SaysHowTheReadingNearestToTheTextStands) {
   Claim one = claim({count(1), count(-2, "stop", "venus"), count(3, "chain")});
   one.nearest = "stop";
   EXPECT_EQ(where(one),
-            "Holds in 2 of 3 rows. Nearest to the text (stop): in 1 of 2. In every row: chain. In "
+            "Holds in 2 of 3 rows. Nearest to the text (stop): in 1 of 2. On every subject: chain "
+            "(1). On "
             "some: stop (1 of 2).");
   EXPECT_EQ(test::cell(claim_table(one), 0, "nearest"), "yes");
   EXPECT_EQ(test::cell(claim_table(one), 2, "nearest"), "");

@@ -126,8 +126,8 @@ TEST(Page, PutsClaimsBesideTheirMatrixWithTheVerdictInWords) {
   const std::string html = page(small_report());
   for (const char* words :
        {"26 % more", "+25.0 %", "holds under some readings", "does not hold in any reading",
-        "Only with the next axis.", "Object median balances better.",
-        "What would settle it:", "Holds in 1 of 2 rows. In every row: next axis. In none: stop."}) {
+        "Only with the next axis.", "Object median balances better.", "What would settle it:",
+        "Holds in 1 of 2 rows. On every subject: next axis (1). On none: stop."}) {
     EXPECT_GE(test::count_of(html, words), 1U) << words;
   }
   EXPECT_EQ(test::count_of(html, "2 claims"), 1U);
