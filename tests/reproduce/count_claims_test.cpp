@@ -209,7 +209,8 @@ TEST(CountClaims, TwentySixPercentIsReadAsAPercentageAndAsPoints) {
   EXPECT_TRUE(std::isinf(from_none.value));
   EXPECT_FALSE(from_none.unjudged.empty());
   EXPECT_EQ(verdict_of(claim), Verdict::holds_under);
-  EXPECT_TRUE(claim.note.starts_with("Nearest to 26: +23.9 points (u_mixed (stand-in)"))
+  EXPECT_TRUE(claim.note.starts_with(
+      "Of the rows that are judged, nearest to 26: +23.9 points (u_mixed (stand-in)"))
       << claim.note;
 }
 
