@@ -11,8 +11,8 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::array<std::string_view, kVerdictCount> kSigns{"&#10003;", "&#8776;", "&#8764;", "&#177;",
-                                                             "&#10007;", "&#63;"};
+constexpr std::array<std::string_view, kVerdictCount> kSigns{"&#10003;", "&#8776;",  "&#8764;",
+                                                             "&#177;",   "&#10007;", "&#63;"};
 constexpr std::array<std::string_view, kVerdictCount> kClasses{
     "holds", "holds_under", "holds_on_some", "undecided", "does_not_hold", "cannot_be_checked"};
 
