@@ -219,7 +219,7 @@ std::string claim_part(const Claim& claim, PageFiles files) {
   return html + matrix_of(claim) + file_note(claim_table(claim), files);
 }
 
-std::string claims_section(const Report& report, bool open) {
+std::string claims_section(const Report& report) {
   const std::vector<Tested> claims = tested_claims(report);
   std::string html = "<h2 id=\"claims\">What the thesis claims, and how it stands</h2>\n";
   if (claims.empty()) {
@@ -227,9 +227,9 @@ std::string claims_section(const Report& report, bool open) {
   }
   html += tally(claims) + revisions(claims);
   html += fmt::format(
-      "<details{}>\n<summary>How a verdict follows, and what the words mean</summary>\n"
+      "<details>\n<summary>How a verdict follows, and what the words mean</summary>\n"
       "{}{}</details>\n",
-      open ? " open" : "", kRule, kWords);
+      kRule, kWords);
   html +=
       "<table class=\"claims\">\n<thead><tr><th>claim</th><th>verdict</th><th>where it holds</th>"
       "</tr></thead>\n<tbody>\n";

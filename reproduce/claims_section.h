@@ -12,8 +12,8 @@ namespace soms::reproduce {
 /// A claim with its verdict, reasons and matrix, as HTML.
 [[nodiscard]] std::string claim_part(const Claim& claim, PageFiles files);
 
-/// All claims with their verdicts and where they hold, as HTML. \param open Whether the rule is
+/// All claims with their verdicts and where they hold, as HTML.
 /// unfolded, as on paper.
-[[nodiscard]] std::string claims_section(const Report& report, bool open);
+[[nodiscard]] std::string claims_section(const Report& report);
 
 }  // namespace soms::reproduce

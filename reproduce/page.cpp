@@ -53,7 +53,7 @@ class Page {
   std::string write() {
     head();
     out_ += load_warning(report_.load);
-    out_ += claims_section(report_, false);
+    out_ += claims_section(report_);
     contents();
     how_it_was_run();
     out_ += report_.golden ? markup_of(*report_.golden) : std::string();

@@ -63,11 +63,4 @@ Estimate paired_ratio(std::span<const double> one, std::span<const double> other
   return ratio;
 }
 
-Estimate percent_above(const Estimate& ratio) {
-  const auto percent = [](double value) { return 100 * (value - 1); };
-  return {percent(ratio.value),
-          {percent(ratio.interval.low), percent(ratio.interval.high)},
-          ratio.rounds};
-}
-
 }  // namespace soms::reproduce

@@ -39,7 +39,4 @@ inline constexpr double kBetweenProcesses = 0.02;
 /// \pre as many of one as of the other, and a pair is left.
 [[nodiscard]] Estimate paired_ratio(std::span<const double> one, std::span<const double> other);
 
-/// The estimate of a ratio as "so many percent more": 1.26 becomes 26.
-[[nodiscard]] Estimate percent_above(const Estimate& ratio);
-
 }  // namespace soms::reproduce

@@ -14,6 +14,13 @@ namespace soms::reproduce {
 
 namespace {
 
+Trip trip_of(const Context& context, const TraversalTest& test, const Contender& of_scene,
+             const Contender& of_object) {
+  const Model& object = context.models.objects.front();
+  return test.scene == nullptr ? orientation_trip(object, test.from, of_object)
+                               : drive_trip(*test.scene, object, of_scene, of_object);
+}
+
 std::string place(const Trip& trip, std::size_t frame) {
   return fmt::format("{} of {} past {}, {} trees, frame {}", trip.test, trip.moving, trip.still,
                      trip.rule, frame);
@@ -99,13 +106,6 @@ void answer_all(const Context& context, const TraversalTruth& truth, TraversalMa
 }
 
 }  // namespace
-
-Trip trip_of(const Context& context, const TraversalTest& test, const Contender& of_scene,
-             const Contender& of_object) {
-  const Model& object = context.models.objects.front();
-  return test.scene == nullptr ? orientation_trip(object, test.from, of_object)
-                               : drive_trip(*test.scene, object, of_scene, of_object);
-}
 
 std::vector<NamedTraversal> compared_traversals(const Context& context) {
   std::vector<NamedTraversal> traversals = all_traversals();

@@ -24,10 +24,6 @@ struct TraversalTest {
   Approach from = Approach::right;  ///< from this side
 };
 
-/// The trip of a test on the trees of two builds; without a scene only the object's is used.
-[[nodiscard]] Trip trip_of(const Context& context, const TraversalTest& test,
-                           const Contender& of_scene, const Contender& of_object);
-
 /// What is true about a test, found without any canonical tree: by the library's own query and, in
 /// some frames, by brute force.
 struct TraversalTruth {

@@ -105,14 +105,4 @@ Tree uneven_tree(const Mesh& mesh, double share) {
   return Builder(mesh, share).build();
 }
 
-double mean_leaf_depth(const Tree& tree) {
-  std::uint64_t leaves = 0;
-  std::uint64_t depths = 0;
-  for (const Node& node : tree.nodes) {
-    leaves += node.is_leaf() ? 1U : 0U;
-    depths += node.is_leaf() ? node.depth : 0U;
-  }
-  return leaves == 0 ? 0 : static_cast<double>(depths) / static_cast<double>(leaves);
-}
-
 }  // namespace soms::reproduce

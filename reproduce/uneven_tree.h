@@ -5,8 +5,6 @@
 #include "soms/geometry/mesh.h"
 #include "soms/tree/tree.h"
 
-#include <cstddef>
-
 namespace soms::reproduce {
 
 /// Divides each node's triangles, sorted by their midpoints on the longest axis of the outer box,
@@ -15,8 +13,5 @@ namespace soms::reproduce {
 /// at least one triangle goes to either side.
 /// \pre 0 < share <= 0.5.
 [[nodiscard]] Tree uneven_tree(const Mesh& mesh, double share);
-
-/// Mean depth of the leaves, each counted once; the root has depth 0. 0 for an empty tree.
-[[nodiscard]] double mean_leaf_depth(const Tree& tree);
 
 }  // namespace soms::reproduce

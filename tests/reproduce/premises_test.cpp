@@ -16,6 +16,17 @@
 namespace soms::reproduce {
 namespace {
 
+/// Each leaf counted once; the root has depth 0.
+double mean_leaf_depth(const Tree& tree) {
+  std::uint64_t leaves = 0;
+  std::uint64_t depths = 0;
+  for (const Node& node : tree.nodes) {
+    leaves += node.is_leaf() ? 1U : 0U;
+    depths += node.is_leaf() ? node.depth : 0U;
+  }
+  return leaves == 0 ? 0 : static_cast<double>(depths) / static_cast<double>(leaves);
+}
+
 TEST(UnevenTree, CutInTheMiddleIsObjectMedian) {
   for (const Mesh& mesh :
        {generate_sphere(80), generate_knot(500), generate_sphere(1000), Mesh{}}) {
