@@ -13,7 +13,6 @@ namespace soms::reproduce {
 [[nodiscard]] std::string claim_part(const Claim& claim, PageFiles files);
 
 /// All claims with their verdicts and where they hold, as HTML.
-/// unfolded, as on paper.
 [[nodiscard]] std::string claims_section(const Report& report);
 
 }  // namespace soms::reproduce
