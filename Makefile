@@ -46,7 +46,7 @@ thesis:
 	@tools/install_packages.sh run $(if $(PDF),thesis)
 	cmake --preset release -D SOMS_BUILD_TESTS=OFF
 	cmake --build --preset release -j $(JOBS) --target soms_command soms_reproduce_command
-	build/release/bin/soms reproduce $(if $(MODELS),--models "$(MODELS)") --golden tests/data/thesis -o "$(OUT)" \
+	build/release/bin/soms reproduce $(if $(MODELS),--models "$(MODELS)") --golden tests/data/thesis --latex -o "$(OUT)" \
 	  $(if $(PDF),--pdf "$(PDF)") $(ARGS)
 
 # Whatever `make run` or `make test` left in the build, the rest of what is installed is built first. DESTDIR= goes
