@@ -2,6 +2,7 @@ set(SOMS_HEADERS
   arithmetic.h
   assert.h
   box.h
+  bracket.h
   error.h
   hash.h
   idle_option.h

@@ -1,6 +1,7 @@
 #include "soms/base/print.h"
 
 #include "soms/base/box.h"
+#include "soms/base/bracket.h"
 #include "soms/base/error.h"
 #include "soms/base/pose.h"
 #include "soms/base/print_fields.h"
@@ -42,6 +43,10 @@ std::ostream& operator<<(std::ostream& out, const Box& value) {
     return out << PrintedFields("Box").item("empty");
   }
   return out << PrintedFields("Box").item(point(value.lower) + " to " + point(value.upper));
+}
+
+std::ostream& operator<<(std::ostream& out, const Bracket& value) {
+  return out << PrintedFields("Bracket").add("lower", value.lower).add("upper", value.upper);
 }
 
 std::ostream& operator<<(std::ostream& out, const Pose& value) {

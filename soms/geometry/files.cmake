@@ -10,15 +10,23 @@ set(SOMS_HEADERS
   parts_of.h
   polygon.h
   print.h
+  triangle_distance.h
   triangle_overlap.h
 )
 set(SOMS_SOURCES
   counts.cpp
   crossing_segment.cpp
   defects.cpp
+  detail/common_corners.cpp
+  detail/distance_ends.cpp
+  detail/exact_distance.cpp
+  detail/feature_proof.cpp
   detail/flat_overlap.cpp
   detail/joined.cpp
+  detail/nearest_guess.cpp
+  detail/nearest_points.cpp
   detail/orientation_exact.cpp
+  detail/pair_distance.cpp
   frames.cpp
   mesh.cpp
   midpoint.cpp
@@ -27,5 +35,6 @@ set(SOMS_SOURCES
   parts_of.cpp
   polygon.cpp
   print.cpp
+  triangle_distance.cpp
   triangle_overlap.cpp
 )

@@ -9,6 +9,7 @@
 #include "soms/geometry/midpoint.h"
 #include "soms/geometry/orientation.h"
 #include "soms/geometry/part_runs.h"
+#include "soms/geometry/triangle_distance.h"
 
 namespace soms {
 
@@ -101,6 +102,13 @@ std::ostream& operator<<(std::ostream& out, const TriangleCopy& value) {
 std::ostream& operator<<(std::ostream& out, const VertexCopy& value) {
   return out
          << PrintedFields("VertexCopy").add("vertex", value.vertex).add("original", value.original);
+}
+
+std::ostream& operator<<(std::ostream& out, const TriangleDistance& value) {
+  return out << PrintedFields("TriangleDistance")
+                    .add("distance", value.distance)
+                    .add("point_a", value.point_a)
+                    .add("point_b", value.point_b);
 }
 
 std::ostream& operator<<(std::ostream& out, const Crossing& value) {

@@ -22,6 +22,7 @@ struct Mesh;
 struct Part;
 struct PartRun;
 struct TriangleCopy;
+struct TriangleDistance;
 struct VertexCopy;
 
 /// One line, as in soms/base/print.h. Lists are counted, not listed.
@@ -37,6 +38,7 @@ std::ostream& operator<<(std::ostream& out, const EdgePlace& value);
 std::ostream& operator<<(std::ostream& out, const TriangleCopy& value);
 std::ostream& operator<<(std::ostream& out, const VertexCopy& value);
 std::ostream& operator<<(std::ostream& out, const Crossing& value);
+std::ostream& operator<<(std::ostream& out, const TriangleDistance& value);
 std::ostream& operator<<(std::ostream& out, Sign value);
 std::ostream& operator<<(std::ostream& out, Projection value);
 std::ostream& operator<<(std::ostream& out, Midpoint value);

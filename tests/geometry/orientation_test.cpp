@@ -149,6 +149,15 @@ TEST(Orientation, DecidesWhereProductsUnderflow) {
   EXPECT_EQ(orientation2d({1, 1, 0}, {2, 2, 0}, {3, 3, least}, Projection::xy), Sign::zero);
 }
 
+// Both components of the normal are rounded by nearly half the least double there is, against each
+// other, and then multiplied by coordinates that are as large as they may be.
+TEST(Orientation, DecidesWhereTheNormalUnderflowsAndThePointIsFar) {
+  const double c = 0x1p-537;
+  const Vec3 far{-0x1p299, 1.3 * 0x1p299, 0};
+  EXPECT_EQ(orientation({0, 0, 0}, {-1.4 * c, 1.6 * c, 0}, {0, 0, c}, far), Sign::positive);
+  EXPECT_EQ(orientation({0, 0, 0}, {-1.4 * c, 1.6 * c, 0}, {0, 0, c}, -far), Sign::negative);
+}
+
 TEST(Orientation, DecidesAtTheLargestCoordinates) {
   const double m = 0x1p300;
   EXPECT_EQ(orientation({-m, -m, -m}, {m, -m, -m}, {-m, m, -m}, {m, m, m}), Sign::positive);

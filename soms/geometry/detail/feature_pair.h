@@ -1,0 +1,57 @@
+/// \file
+/// The corners, edges and faces of two triangles between which a shortest segment runs.
+#pragma once
+
+#include "soms/base/vector.h"
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace soms::detail {
+
+/// A corner, an edge or the face of a triangle: the set of its corners, one bit each.
+using Feature = std::uint8_t;
+
+inline constexpr Feature kFace = 7;
+
+/// 1 for a corner, 2 for an edge, 3 for the face.
+[[nodiscard]] constexpr int corner_count(Feature feature) {
+  return std::popcount(feature);
+}
+
+/// The lowest of a feature's corners, and the highest.
+[[nodiscard]] constexpr std::size_t first_corner(Feature feature) {
+  return static_cast<std::size_t>(std::countr_zero(feature));
+}
+
+[[nodiscard]] constexpr std::size_t last_corner(Feature feature) {
+  return feature >= 4 ? 2 : feature >= 2 ? 1 : 0;
+}
+
+/// Features of two triangles, that of the first in [0].
+using FeaturePair = std::array<Feature, 2>;
+
+/// All that can be nearest: corners, edges and corners, faces and corners, and edges.
+inline constexpr std::array<FeaturePair, 42> kFeaturePairs = [] {
+  std::array<FeaturePair, 42> pairs{};
+  std::size_t count = 0;
+  constexpr std::array<Feature, 7> kFeatures{1, 2, 4, 3, 5, 6, kFace};
+  for (const Feature a : kFeatures) {
+    for (const Feature b : kFeatures) {
+      if (corner_count(a) + corner_count(b) <= 4) {
+        pairs[count++] = {a, b};
+      }
+    }
+  }
+  return pairs;
+}();
+
+static_assert(kFeaturePairs.back()[0] == kFace);
+
+[[nodiscard]] constexpr const Vec3& corner(const Triangle& t, std::size_t i) {
+  return i == 0 ? t.a : i == 1 ? t.b : t.c;
+}
+
+}  // namespace soms::detail

@@ -1,0 +1,200 @@
+#include "soms/geometry/detail/pair_distance.h"
+
+#include "soms/base/arithmetic.h"
+#include "soms/geometry/detail/feature_proof.h"
+#include "soms/geometry/detail/nearest_guess.h"
+#include "soms/geometry/detail/nearest_points.h"
+#include "soms/geometry/triangle_overlap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace soms::detail {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The largest double that is not above x, and the least that is not below it.
+double below(const DoubleDouble& x) {
+  return x.low < 0 ? std::nextafter(x.high, -kInfinity) : x.high;
+}
+
+double above(const DoubleDouble& x) {
+  return x.low > 0 ? std::nextafter(x.high, kInfinity) : x.high;
+}
+
+/// x * 2^exponent, and not above it.
+DoubleDouble scaled_down(const DoubleDouble& x, int exponent) {
+  if (exponent == 0) {
+    return x;
+  }
+  const double least = std::max(below(x), 0.0);
+  const double scaled = std::ldexp(least, exponent);
+  return std::ldexp(scaled, -exponent) > least ? std::nextafter(scaled, 0.0) : scaled;
+}
+
+DoubleDouble scaled_up(const DoubleDouble& x, int exponent) {
+  if (exponent == 0) {
+    return x;
+  }
+  const double most = above(x);
+  const double scaled = std::ldexp(most, exponent);
+  return std::ldexp(scaled, -exponent) < most ? std::nextafter(scaled, kInfinity) : scaled;
+}
+
+/// Whether a feature of each has the same corners.
+bool same_corners(const Triangle& s, Feature f, const Triangle& t, Feature g) {
+  if (corner_count(f) != corner_count(g)) {
+    return false;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    bool found = (f >> i & 1) == 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      found = found || ((g >> j & 1) != 0 && corner(s, i) == corner(t, j));
+    }
+    if (!found) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+PairDistance::PairDistance(const Triangle& a, const Triangle& b)
+    : a_(a), b_(b), stage_(Stage::doubles) {
+  const PlainArithmetic plain;
+  const AboutCorner<double> place(a, b);
+  if (place.reach == 0) {
+    settle_zero();
+    return;
+  }
+  features_ = guess_features(place);
+  upper_ = kInfinity;
+  take(place, ends(place, features_));
+}
+
+template <class T>
+void PairDistance::take(const AboutCorner<T>& place, const Ends<T>& found) {
+  const DoubleDouble lower = scaled_down(found.lower, place.exponent);
+  const DoubleDouble upper = scaled_up(found.upper, place.exponent);
+  lower_ = std::max(lower_, lower);
+  upper_ = std::min(upper_, upper);
+}
+
+Bracket PairDistance::bounds() const {
+  return {below(lower_), above(upper_)};
+}
+
+void PairDistance::settle_zero() {
+  stage_ = Stage::exact;
+  lower_ = 0;
+  upper_ = 0;
+}
+
+void PairDistance::refine() {
+  if (stage_ == Stage::exact) {
+    return;
+  }
+  if (stage_ == Stage::double_doubles) {
+    decide();
+    return;
+  }
+  if (!(lower_ > 0) && triangles_overlap(a_, b_, &exact_tests_)) {
+    settle_zero();
+    return;
+  }
+  const AboutCorner<DoubleDouble> place(a_, b_);
+  take(place, ends(place, features_));
+  stage_ = Stage::double_doubles;
+}
+
+void PairDistance::decide() {
+  if (!(lower_ > 0) && triangles_overlap(a_, b_)) {
+    settle_zero();
+    return;
+  }
+  ++exact_tests_;
+  const ExactPair pair(a_, b_);
+  exact_ = std::make_shared<const ExactDistance>(exact_distance(pair, features_));
+  features_ = exact_->features;
+  stage_ = Stage::exact;
+}
+
+std::strong_ordering PairDistance::compare(PairDistance& other) {
+  const PlainArithmetic plain;
+  for (;;) {
+    if (lower_ > other.upper_) {
+      return std::strong_ordering::greater;
+    }
+    if (upper_ < other.lower_) {
+      return std::strong_ordering::less;
+    }
+    if (has_features_of(other)) {
+      return std::strong_ordering::equal;
+    }
+    if (stage_ == Stage::exact && other.stage_ == Stage::exact) {
+      break;
+    }
+    PairDistance& next = stage_ < other.stage_ ? *this : other;
+    next.refine();
+  }
+  if (is_zero() || other.is_zero()) {
+    return other.is_zero() <=> is_zero();
+  }
+  return detail::compare(exact_->squared, other.exact_->squared);
+}
+
+std::strong_ordering PairDistance::compare(double distance) {
+  const PlainArithmetic plain;
+  for (;;) {
+    if (lower_ > distance) {
+      return std::strong_ordering::greater;
+    }
+    if (upper_ < distance) {
+      return std::strong_ordering::less;
+    }
+    if (stage_ == Stage::exact) {
+      return is_zero() ? 0.0 == distance ? std::strong_ordering::equal : std::strong_ordering::less
+                       : detail::compare(exact_->squared, distance);
+    }
+    refine();
+  }
+}
+
+Bracket PairDistance::distance() {
+  const PlainArithmetic plain;
+  for (;;) {
+    if (below(lower_) == below(upper_) && above(lower_) == above(upper_)) {
+      return bounds();
+    }
+    if (stage_ == Stage::exact) {
+      break;
+    }
+    refine();
+  }
+  const Bracket found = bracket(exact_->squared);
+  lower_ = found.lower;
+  upper_ = found.upper;
+  return found;
+}
+
+bool PairDistance::has_features_of(const PairDistance& other) const {
+  const auto are_nearest = [](const PairDistance& pair) {
+    return pair.exact_ != nullptr || prove(pair.a_, pair.b_, pair.features_).nearest;
+  };
+  return !is_zero() && !other.is_zero() &&
+         same_corners(a_, features_[0], other.a_, other.features_[0]) &&
+         same_corners(b_, features_[1], other.b_, other.features_[1]) && are_nearest(*this) &&
+         are_nearest(other);
+}
+
+std::array<Vec3, 2> PairDistance::points() const {
+  const PlainArithmetic plain;
+  return nearest_points(a_, b_);
+}
+
+}  // namespace soms::detail
