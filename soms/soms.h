@@ -2,6 +2,7 @@
 /// The facade: all that most programs need.
 #pragma once
 
+#include "soms/base/bracket.h"
 #include "soms/base/error.h"
 #include "soms/base/parallel.h"
 #include "soms/base/pose.h"
@@ -23,14 +24,17 @@
 #include "soms/geometry/part_runs.h"
 #include "soms/geometry/parts_of.h"
 #include "soms/geometry/print.h"
+#include "soms/geometry/triangle_distance.h"
 #include "soms/geometry/triangle_overlap.h"
 #include "soms/io/formats.h"
 #include "soms/io/poses.h"
 #include "soms/io/print.h"
 #include "soms/io/read_mesh.h"
 #include "soms/io/write_mesh.h"
+#include "soms/query/distance.h"
 #include "soms/query/overlap.h"
 #include "soms/query/print.h"
+#include "soms/query/within.h"
 #include "soms/scene/broad_phase.h"
 #include "soms/scene/contact_tracker.h"
 #include "soms/scene/print.h"

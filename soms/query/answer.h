@@ -2,9 +2,15 @@
 /// What every answer carries: how much of the question it covers, and what it cost.
 #pragma once
 
+#include "soms/geometry/mesh.h"
+
 #include <cstdint>
+#include <utility>
 
 namespace soms {
+
+/// A triangle of the first body and a triangle of the second.
+using TrianglePair = std::pair<TriangleId, TriangleId>;
 
 /// How much of the question an answer covers.
 enum class Coverage {

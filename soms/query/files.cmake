@@ -1,10 +1,12 @@
 set(SOMS_HEADERS
   answer.h
   body.h
+  distance.h
   instruction_set.h
   overlap.h
   overlap_run.h
   print.h
+  reference/distance.h
   reference/overlap.h
   traversal/baselines.h
   traversal/e_node.h
@@ -15,10 +17,15 @@ set(SOMS_HEADERS
   traversal/thesis_frames.h
   traversal/traversals.h
   traversal_options.h
+  within.h
 )
 set(SOMS_SOURCES
   detail/collector.cpp
-  detail/compact_traversal.cpp
+  detail/engine/batch.cpp
+  detail/engine/block_source.cpp
+  detail/engine/limit.cpp
+  detail/engine/pair_frame.cpp
+  detail/engine/pair_list.cpp
   detail/kernels/avx2.cpp
   detail/kernels/avx512.cpp
   detail/kernels/instruction_set.cpp
@@ -28,9 +35,14 @@ set(SOMS_SOURCES
   detail/leaf_pairs.cpp
   detail/single_box_descent.cpp
   detail/overlap_query.cpp
-  detail/pair_list.cpp
+  detail/near/keyed_pairs.cpp
+  detail/near/near_goal.cpp
+  detail/near/near_pose.cpp
+  detail/near/near_query.cpp
+  detail/near/near_traversal.cpp
+  detail/overlap_traversal.cpp
   detail/pair_sort.cpp
-  detail/wide_pair_traversal.cpp
+  distance.cpp
   detail/relative_pose.cpp
   detail/batched_root_descent.cpp
   detail/triangle_tests.cpp
@@ -39,6 +51,8 @@ set(SOMS_SOURCES
   overlap_batch.cpp
   overlap_run.cpp
   print.cpp
+  reference/detail/moved_triangles.cpp
+  reference/distance.cpp
   reference/overlap.cpp
   traversal/baselines.cpp
   traversal/detail/recursion.cpp
@@ -48,4 +62,5 @@ set(SOMS_SOURCES
   traversal/posed_boxes.cpp
   traversal/thesis_frames.cpp
   traversal/traversals.cpp
+  within.cpp
 )

@@ -2,9 +2,11 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/hash.h"
-#include "soms/query/detail/compact_traversal.h"
+#include "soms/query/detail/engine/block_source.h"
+#include "soms/query/detail/engine/limit.h"
+#include "soms/query/detail/engine/pair_frame.h"
 #include "soms/query/detail/overlap_query.h"
-#include "soms/query/detail/wide_pair_traversal.h"
+#include "soms/query/detail/overlap_traversal.h"
 #include "soms/query/traversal/named_overlap.h"
 #include "soms/query/traversal/traversals.h"
 
@@ -16,34 +18,16 @@ namespace soms {
 namespace {
 
 using detail::Collector;
+using detail::CompactSource;
+using detail::Limit;
 using detail::NodeRefPair;
-using detail::PairTraversal;
-using detail::ReferenceFrame;
-using detail::RelativePose;
+using detail::OverlapTraversal;
+using detail::PairFrame;
 using detail::TraversalMemory;
-using detail::TraversalSide;
-using detail::Watch;
+using detail::WideSource;
 
 /// Pairs of nodes that a query is cut into for several threads.
 constexpr std::size_t kFrontier = 256;
-
-/// Two bodies as a traversal sees them.
-struct Sides {
-  Sides(const Body& a, const Body& b)
-      : swapped(detail::first_is_reference(a.shape.layout(), b.shape.layout())),
-        x{swapped ? &b.shape : &a.shape, swapped ? &b.pose : &a.pose},
-        y{swapped ? &a.shape : &b.shape, swapped ? &a.pose : &b.pose},
-        relative(x.shape->layout(), *x.pose, ReferenceFrame(y.shape->layout(), *y.pose)) {}
-
-  [[nodiscard]] PairTraversal traversal(const OverlapOptions& options, TraversalMemory& memory) {
-    return {relative, x, y, swapped, options.mode, memory};
-  }
-
-  bool swapped;
-  TraversalSide x;
-  TraversalSide y;
-  RelativePose relative;
-};
 
 /// What one part of a shared query found.
 struct Part {
@@ -70,10 +54,10 @@ void join(const std::vector<Part>& parts, const OverlapOptions& options, Overlap
 }
 
 /// One query on several threads.
-void run_parallel(Sides& sides, const OverlapOptions& options, const Parallel& parallel,
+void run_parallel(PairFrame& frame, const OverlapOptions& options, const Parallel& parallel,
                   Overlap& answer) {
   TraversalMemory memory;
-  PairTraversal head = sides.traversal(options, memory);
+  OverlapTraversal<WideSource> head(frame, options.mode, memory);
   const std::vector<NodeRefPair> frontier = head.frontier(kFrontier);
   answer.cost = head.cost();
   std::vector<Part> parts(frontier.size());
@@ -84,14 +68,14 @@ void run_parallel(Sides& sides, const OverlapOptions& options, const Parallel& p
     }
     Part& part = parts[begin];
     TraversalMemory own;
-    Watch watch(options, parallel, &done);
-    PairTraversal traversal = sides.traversal(options, own);
+    Limit limit(options.deadline, parallel, &done);
+    OverlapTraversal<WideSource> traversal(frame, options.mode, own);
     Collector collector(options.mode, options.limit, part.pairs);
     traversal.start(frontier[begin]);
-    traversal.run(collector, watch);
+    traversal.run(collector, limit);
     collector.finish();
     part.cost = traversal.cost();
-    part.late = watch.late();
+    part.late = limit.late();
     if (options.mode == OverlapMode::any && collector.any()) {
       done = true;
     }
@@ -100,31 +84,18 @@ void run_parallel(Sides& sides, const OverlapOptions& options, const Parallel& p
 }
 
 /// One query on the caller's thread.
-void run_single(Sides& sides, const OverlapOptions& options, const Parallel& parallel,
+template <class Source>
+void run_single(PairFrame& frame, const OverlapOptions& options, const Parallel& parallel,
                 Overlap& answer) {
   TraversalMemory memory;
-  Watch watch(options, parallel);
-  PairTraversal traversal = sides.traversal(options, memory);
+  Limit limit(options.deadline, parallel);
+  OverlapTraversal<Source> traversal(frame, options.mode, memory);
   Collector collector(options.mode, options.limit, answer.pairs);
   traversal.start();
-  traversal.run(collector, watch);
+  traversal.run(collector, limit);
   collector.finish();
   answer.any = collector.any();
-  answer.coverage = coverage_of(options.mode, collector, watch.late());
-  answer.cost = traversal.cost();
-}
-
-/// One query of which one side at least is compact: always on the caller's thread.
-void run_compact(Sides& sides, const OverlapOptions& options, const Parallel& parallel,
-                 Overlap& answer) {
-  Watch watch(options, parallel);
-  sides.relative.prepare();
-  detail::CompactTraversal traversal(sides.relative, sides.x, sides.y, sides.swapped);
-  Collector collector(options.mode, options.limit, answer.pairs);
-  traversal.run(collector, watch);
-  collector.finish();
-  answer.any = collector.any();
-  answer.coverage = coverage_of(options.mode, collector, watch.late());
+  answer.coverage = coverage_of(options.mode, collector, limit.late());
   answer.cost = traversal.cost();
 }
 
@@ -162,15 +133,15 @@ Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options,
   if (detail::is_empty(a.shape) || detail::is_empty(b.shape)) {
     return answer;
   }
-  Sides sides(a, b);
+  PairFrame frame(a, b);
   // The first pairs in the order of one thread are best found by one thread.
   const bool limited = options.limit != std::numeric_limits<std::uint64_t>::max();
   if (detail::any_compact(a.shape, b.shape)) {
-    run_compact(sides, options, parallel, answer);
+    run_single<CompactSource>(frame, options, parallel, answer);
   } else if (parallel.threads != 1 && !limited) {
-    run_parallel(sides, options, parallel, answer);
+    run_parallel(frame, options, parallel, answer);
   } else {
-    run_single(sides, options, parallel, answer);
+    run_single<WideSource>(frame, options, parallel, answer);
   }
   return answer;
 }

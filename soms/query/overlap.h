@@ -15,13 +15,9 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace soms {
-
-/// A triangle of the first body and a triangle of the second that share a point.
-using TrianglePair = std::pair<TriangleId, TriangleId>;
 
 /// How much of an overlap is wanted.
 enum class OverlapMode {

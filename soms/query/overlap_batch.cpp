@@ -1,51 +1,50 @@
 #include "soms/base/arithmetic.h"
-#include "soms/base/error.h"
-#include "soms/query/detail/overlap_query.h"
+#include "soms/query/detail/engine/batch.h"
+#include "soms/query/detail/engine/pair_frame.h"
 #include "soms/query/overlap.h"
 #include "soms/query/overlap_run.h"
 
-#include <algorithm>
-#include <string>
+#include <utility>
 
 namespace soms {
 
 namespace {
 
-/// Poses that a thread takes at a time.
-constexpr std::size_t kBlock = 256;
-
-/// Checks all poses of a batch; an error names the first one at fault.
-void check_poses(std::span<const Pose> poses, const Shape& shape) {
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    try {
-      detail::check_pose(poses[i], shape);
-    } catch (const Error& error) {
-      throw Error(error.kind(), "pose " + std::to_string(i) + ": " + error.place(), error.remedy());
-    }
+std::vector<const Pose*> addresses(std::span<const Pose> poses) {
+  std::vector<const Pose*> result;
+  result.reserve(poses.size());
+  for (const Pose& pose : poses) {
+    result.push_back(&pose);
   }
+  return result;
 }
 
-/// Puts the blocks' answers into the batch, in the order of poses.
-void join(std::span<const RunAnswers> blocks, OverlapBatch& batch) {
-  std::size_t total = 0;
-  for (const RunAnswers& block : blocks) {
-    total += block.pairs.size();
+/// Puts the blocks' answers one after the other.
+OverlapBatch join(std::span<OverlapBatch> blocks) {
+  if (blocks.size() == 1) {
+    return std::move(blocks[0]);
   }
-  batch.pairs.reserve(total);
-  for (const RunAnswers& block : blocks) {
-    for (std::size_t i = 0; i < block.poses.size(); ++i) {
-      const RunAnswers::Answer& answer = block.poses[i];
-      const auto pairs = block.pairs_of(i);
-      batch.any.push_back(answer.any ? 1 : 0);
-      batch.coverage.push_back(answer.coverage);
-      batch.pairs.insert(batch.pairs.end(), pairs.begin(), pairs.end());
-      batch.offsets.push_back(batch.pairs.size());
-      batch.costs.push_back(answer.cost);
-      batch.cost += answer.cost;
-    }
-    batch.traversals.insert(batch.traversals.end(), block.traversals.begin(),
-                            block.traversals.end());
+  std::size_t poses = 0;
+  std::size_t pairs = 0;
+  for (const OverlapBatch& block : blocks) {
+    poses += block.size();
+    pairs += block.pairs.size();
   }
+  OverlapBatch batch;
+  batch.any.reserve(poses);
+  batch.coverage.reserve(poses);
+  batch.offsets.reserve(poses + 1);
+  batch.pairs.reserve(pairs);
+  batch.costs.reserve(poses);
+  batch.offsets.push_back(0);
+  for (const OverlapBatch& block : blocks) {
+    detail::append(batch.any, block.any);
+    detail::append(batch.coverage, block.coverage);
+    detail::append_rows(batch.offsets, batch.pairs, block.offsets, block.pairs);
+    detail::append(batch.costs, block.costs);
+    batch.cost += block.cost;
+  }
+  return batch;
 }
 
 }  // namespace
@@ -54,28 +53,23 @@ OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses, const Body
                      const OverlapOptions& options, const Parallel& parallel) {
   const PlainArithmetic plain;
   check(options);
-  check_poses(poses, mover);
+  detail::check_poses(poses, mover);
   detail::check_pose(fixed.pose, fixed.shape);
-  // A named traversal may go on from where its last pose ended.
-  const bool named = options.traversal.traversal != Traversal::fast;
-  const std::size_t size = named ? std::max<std::size_t>(poses.size(), 1) : kBlock;
-  std::vector<RunAnswers> blocks(std::max<std::size_t>((poses.size() + size - 1) / size, 1));
-  const auto ask = [&](std::size_t begin, std::size_t end) {
-    std::vector<const Pose*> block;
-    for (const Pose& pose : poses.subspan(begin, end - begin)) {
-      block.push_back(&pose);
-    }
-    OverlapRun().ask(mover, block, fixed, options, parallel, blocks[begin / size]);
-  };
-  if (named) {
-    ask(0, poses.size());
-  } else {
-    for_each_chunk(poses.size(), size, parallel, ask);
+  if (options.traversal.traversal != Traversal::fast) {
+    // A named traversal may go on from where its last pose ended.
+    OverlapBatch batch;
+    OverlapRun().ask(mover, addresses(poses), fixed, options, parallel, batch);
+    return batch;
   }
-  OverlapBatch batch;
-  batch.offsets.push_back(0);
-  join(blocks, batch);
-  return batch;
+  std::vector<OverlapBatch> blocks((poses.size() + detail::kPosesOfBlock - 1) /
+                                   detail::kPosesOfBlock);
+  detail::for_each_block(
+      poses.size(), parallel, [] { return OverlapRun(); },
+      [&](OverlapRun& run, std::size_t begin, std::size_t end) {
+        run.ask(mover, addresses(poses.subspan(begin, end - begin)), fixed, options, parallel,
+                blocks[begin / detail::kPosesOfBlock]);
+      });
+  return join(blocks);
 }
 
 }  // namespace soms

@@ -3,9 +3,12 @@
 #include "soms/base/arithmetic.h"
 #include "soms/query/detail/batched_root_descent.h"
 #include "soms/query/detail/collector.h"
+#include "soms/query/detail/engine/batch.h"
+#include "soms/query/detail/engine/limit.h"
+#include "soms/query/detail/engine/pair_frame.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/overlap_query.h"
-#include "soms/query/detail/wide_pair_traversal.h"
+#include "soms/query/detail/overlap_traversal.h"
 #include "soms/query/traversal/named_overlap.h"
 
 #include <algorithm>
@@ -19,16 +22,15 @@ namespace {
 
 using detail::BatchedRootDescent;
 using detail::Collector;
-using detail::first_is_reference;
 using detail::Kernels;
-using detail::PairTraversal;
-using detail::ReferenceFrame;
-using detail::RelativePose;
+using detail::Limit;
+using detail::OverlapTraversal;
+using detail::PoseFrames;
 using detail::RootDescent;
+using detail::RowWriter;
 using detail::TraversalMemory;
 using detail::TraversalRound;
-using detail::TraversalSide;
-using detail::Watch;
+using detail::WideSource;
 
 /// Where both trees are larger than what a core has close at hand, queries wait for memory.
 constexpr std::size_t kClose = std::size_t{2} << 20;
@@ -42,9 +44,9 @@ std::size_t queries_in_flight(const Shape& a, const Shape& b) {
 
 /// A query in flight.
 struct InFlightQuery {
-  std::optional<PairTraversal> traversal;
+  std::optional<OverlapTraversal<WideSource>> traversal;
   std::optional<Collector> collector;
-  std::optional<Watch> watch;
+  std::optional<Limit> limit;
   TraversalMemory memory;
   std::vector<TrianglePair> pairs;
   std::size_t number = 0;
@@ -63,14 +65,48 @@ struct PoseQueries {
   const Parallel& parallel;
 };
 
+/// Takes the answers to a run's poses, in any order.
+class Answers {
+ public:
+  /// Every pose is answered by "nothing" first.
+  Answers(OverlapBatch& batch, RowWriter<TrianglePair>& pairs, std::size_t poses)
+      : batch_(batch), pairs_(pairs) {
+    batch.any.assign(poses, 0);
+    batch.coverage.assign(poses, Coverage::complete);
+    batch.costs.assign(poses, {});
+    batch.cost = {};
+    batch.traversals.clear();
+    pairs.begin(poses, batch.offsets, batch.pairs);
+  }
+
+  void add(std::size_t pose, bool any, std::span<const TrianglePair> pairs, Coverage coverage,
+           const Cost& cost) {
+    batch_.any[pose] = any ? 1 : 0;
+    batch_.coverage[pose] = coverage;
+    batch_.costs[pose] = cost;
+    batch_.cost += cost;
+    pairs_.add(pose, pairs);
+  }
+
+  void add(std::size_t pose, const Overlap& answer) {
+    add(pose, answer.any, answer.pairs, answer.coverage, answer.cost);
+  }
+
+  void add(const TraversalCounts& counts) { batch_.traversals.push_back(counts); }
+
+  void finish() { pairs_.finish(); }
+
+ private:
+  OverlapBatch& batch_;
+  RowWriter<TrianglePair>& pairs_;
+};
+
 /// One run. Root descents go first; queries that end there are never put in flight.
 class Run {
  public:
-  Run(const PoseQueries& run_input, RunAnswers& answers, BatchedRootDescent& descents)
+  Run(const PoseQueries& run_input, Answers& answers, BatchedRootDescent& descents)
       : input_(run_input),
-        mover_is_reference_(
-            first_is_reference(run_input.mover.layout(), run_input.fixed.shape.layout())),
-        fixed_frame_(run_input.fixed.shape.layout(), run_input.fixed.pose),
+        frames_(run_input.mover, run_input.fixed),
         answers_(answers),
         descents_(descents) {
     descents_.clear();
@@ -98,10 +134,10 @@ class Run {
           in_flight[i] = in_flight[--count];
         }
       }
-      PairTraversal::test(tests, round);
+      detail::test_round(tests, round);
       for (std::size_t i = 0; i < count; ++i) {
         InFlightQuery& query = *in_flight[i];
-        query.over = !query.traversal->take_up(round, *query.collector, *query.watch);
+        query.over = !query.traversal->take_up(round, *query.collector, *query.limit);
       }
     }
   }
@@ -112,17 +148,10 @@ class Run {
     check_stop(input_.parallel);
     descents_.clear();
     begun_ = 0;
-    const WideTree& mover = input_.mover.layout();
-    const WideTree& fixed = input_.fixed.shape.layout();
     for (; next_ < input_.poses.size() && !descents_.full(); ++next_) {
-      const Pose& pose = *input_.poses[next_];
-      if (mover_is_reference_) {
-        descents_.add(fixed, input_.fixed.pose, ReferenceFrame(mover, pose));
-      } else {
-        descents_.add(mover, pose, fixed_frame_);
-      }
+      descents_.add(frames_, *input_.poses[next_]);
     }
-    descents_.look(mover_is_reference_ ? mover : fixed);
+    descents_.look(frames_.reference());
     return descents_.size() != 0;
   }
 
@@ -140,10 +169,9 @@ class Run {
       }
       query.pairs.clear();
       const Collector nothing(input_.options.mode, input_.options.limit, query.pairs);
-      const Watch watch(input_.options, input_.parallel);
-      const std::uint64_t end = answers_.pairs.size();
-      answers_.poses[pose] = {end, end, descent.cost,
-                              coverage_of(input_.options.mode, nothing, watch.late()), false};
+      const Limit limit(input_.options.deadline, input_.parallel);
+      answers_.add(pose, false, {}, coverage_of(input_.options.mode, nothing, limit.late()),
+                   descent.cost);
     }
     return false;
   }
@@ -151,63 +179,44 @@ class Run {
   void begin_query(InFlightQuery& query, std::size_t i, std::size_t pose) {
     query.pose = pose;
     const RootDescent& descent = descents_[i];
-    RelativePose& relative = descents_.take(i, query.number);
-    const Body& fixed = input_.fixed;
-    const TraversalSide mover_side{&input_.mover, input_.poses[pose]};
-    const TraversalSide fixed_side{&fixed.shape, &fixed.pose};
     query.pairs.clear();
     query.collector.emplace(input_.options.mode, input_.options.limit, query.pairs);
-    query.watch.emplace(input_.options, input_.parallel);
-    query.traversal.emplace(relative, mover_is_reference_ ? fixed_side : mover_side,
-                            mover_is_reference_ ? mover_side : fixed_side, mover_is_reference_,
-                            input_.options.mode, query.memory);
+    query.limit.emplace(input_.options.deadline, input_.parallel);
+    query.traversal.emplace(descents_.take(i, query.number), input_.options.mode, query.memory);
     query.traversal->start(descent.seeds, descent.cost);
     query.over = false;
   }
 
   void finish_query(InFlightQuery& query) {
     query.collector->finish();
-    std::vector<TrianglePair>& pairs = answers_.pairs;
-    const std::uint64_t first = pairs.size();
-    pairs.insert(pairs.end(), query.pairs.begin(), query.pairs.end());
-    answers_.poses[query.pose] = {
-        first, pairs.size(), query.traversal->cost(),
-        coverage_of(input_.options.mode, *query.collector, query.watch->late()),
-        query.collector->any()};
+    answers_.add(query.pose, query.collector->any(), query.pairs,
+                 coverage_of(input_.options.mode, *query.collector, query.limit->late()),
+                 query.traversal->cost());
   }
 
   const PoseQueries& input_;
-  bool mover_is_reference_;
-  ReferenceFrame fixed_frame_;
-  RunAnswers& answers_;
+  PoseFrames frames_;
+  Answers& answers_;
   BatchedRootDescent& descents_;
   std::size_t begun_ = 0;
   std::size_t next_ = 0;
 };
 
-/// Puts the answer to a single query in its place; poses come in order.
-void add(const Overlap& answer, std::size_t pose, RunAnswers& answers) {
-  const std::uint64_t first = answers.pairs.size();
-  answers.pairs.insert(answers.pairs.end(), answer.pairs.begin(), answer.pairs.end());
-  answers.poses[pose] = {first, answers.pairs.size(), answer.cost, answer.coverage, answer.any};
-}
-
 /// Poses one by one: what compact layouts write out is of no use to other queries.
-void query_compact(const PoseQueries& run_input, RunAnswers& answers) {
+void query_compact(const PoseQueries& run_input, Answers& answers) {
   const Parallel alone{1, run_input.parallel.stop, {}};
   for (std::size_t i = 0; i < run_input.poses.size(); ++i) {
-    add(overlap(Body{run_input.mover, *run_input.poses[i]}, run_input.fixed, run_input.options,
-                alone),
-        i, answers);
+    answers.add(i, overlap(Body{run_input.mover, *run_input.poses[i]}, run_input.fixed,
+                           run_input.options, alone));
   }
 }
 
-void query_named(const PoseQueries& run_input, RunAnswers& answers) {
+void query_named(const PoseQueries& run_input, Answers& answers) {
   detail::NamedOverlap ask(run_input.mover, run_input.fixed.shape, run_input.options.traversal);
   for (std::size_t i = 0; i < run_input.poses.size(); ++i) {
-    add(ask(*run_input.poses[i], run_input.fixed.pose, run_input.options, run_input.parallel), i,
-        answers);
-    answers.traversals.push_back(ask.counts());
+    answers.add(
+        i, ask(*run_input.poses[i], run_input.fixed.pose, run_input.options, run_input.parallel));
+    answers.add(ask.counts());
   }
 }
 
@@ -215,6 +224,7 @@ void query_named(const PoseQueries& run_input, RunAnswers& answers) {
 
 struct OverlapRun::Memory {
   BatchedRootDescent descents;
+  RowWriter<TrianglePair> pairs;
   std::unique_ptr<InFlightQuery[]> queries;
   std::size_t count = 0;
 };
@@ -227,13 +237,11 @@ OverlapRun::OverlapRun(OverlapRun&&) noexcept = default;
 OverlapRun& OverlapRun::operator=(OverlapRun&&) noexcept = default;
 
 void OverlapRun::ask(const Shape& mover, std::span<const Pose* const> poses, const Body& fixed,
-                     const OverlapOptions& options, const Parallel& parallel, RunAnswers& answers) {
+                     const OverlapOptions& options, const Parallel& parallel, OverlapBatch& batch) {
   const PlainArithmetic plain;
   check(options);
   const PoseQueries run_input{mover, poses, fixed, options, parallel};
-  answers.pairs.clear();
-  answers.traversals.clear();
-  answers.poses.assign(poses.size(), {});
+  Answers answers(batch, memory_->pairs, poses.size());
   if (options.traversal.traversal != Traversal::fast) {
     query_named(run_input, answers);
   } else if (detail::any_compact(mover, fixed.shape)) {
@@ -246,6 +254,7 @@ void OverlapRun::ask(const Shape& mover, std::span<const Pose* const> poses, con
     }
     Run(run_input, answers, memory_->descents).go(std::span(memory_->queries.get(), most));
   }
+  answers.finish();
 }
 
 }  // namespace soms

@@ -2,8 +2,9 @@
 
 #include "soms/base/print.h"
 #include "soms/base/print_fields.h"
+#include "soms/query/distance.h"
 #include "soms/query/overlap.h"
-#include "soms/query/overlap_run.h"
+#include "soms/query/within.h"
 #include "soms/tree/print.h"
 
 #include <algorithm>
@@ -16,12 +17,26 @@ std::string pairs_in_words(const std::vector<TrianglePair>& pairs) {
   return printed_count(pairs.size(), "pair", "pairs");
 }
 
-/// Poses with an answer of at least one pair, of all.
-template <class Answers, class Hit>
-std::string hits_in_words(const Answers& answers, const Hit& hit) {
-  const auto hits = std::count_if(answers.begin(), answers.end(), hit);
-  return std::to_string(hits) + " of " + printed_count(answers.size(), "pose", "poses") +
+/// Poses with an overlap, of all.
+std::string hits_in_words(const std::vector<std::uint8_t>& any) {
+  const auto hits = std::count(any.begin(), any.end(), 1);
+  return std::to_string(hits) + " of " + printed_count(any.size(), "pose", "poses") +
          " with an overlap";
+}
+
+/// Triangle i of the first body, j of the second.
+std::string pair_in_words(const TrianglePair& pair) {
+  return "triangles " + std::to_string(pair.first) + " and " + std::to_string(pair.second);
+}
+
+/// The pair of triangles that an answer names, if any, and its points.
+template <class Answer>
+void add_nearest(const Answer& value, PrintedFields& fields) {
+  if (value.triangles) {
+    fields.item(pair_in_words(*value.triangles))
+        .add("point_a", value.point_a)
+        .add("point_b", value.point_b);
+  }
 }
 
 }  // namespace
@@ -56,18 +71,56 @@ std::ostream& operator<<(std::ostream& out, const Overlap& value) {
   return out << fields;
 }
 
-std::ostream& operator<<(std::ostream& out, const OverlapBatch& value) {
-  return out << PrintedFields("OverlapBatch")
-                    .item(hits_in_words(value.any, [](std::uint8_t any) { return any != 0; }))
-                    .item(pairs_in_words(value.pairs))
+std::ostream& operator<<(std::ostream& out, const Distance& value) {
+  PrintedFields fields("Distance");
+  fields.add("distance", value.distance).add("farther", value.farther);
+  add_nearest(value, fields);
+  return out << fields.add("coverage", value.coverage).add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const DistanceBatch& value) {
+  return out << PrintedFields("DistanceBatch")
+                    .item(printed_count(value.size(), "pose", "poses"))
                     .add("cost", value.cost);
 }
 
-std::ostream& operator<<(std::ostream& out, const RunAnswers& value) {
-  return out << PrintedFields("RunAnswers")
-                    .item(hits_in_words(value.poses,
-                                        [](const RunAnswers::Answer& a) { return a.any; }))
-                    .item(pairs_in_words(value.pairs));
+std::ostream& operator<<(std::ostream& out, const DistanceOptions& value) {
+  PrintedFields fields("DistanceOptions");
+  fields.add("at_most", value.at_most);
+  if (value.deadline) {
+    fields.item("deadline set");
+  }
+  return out << fields;
+}
+
+std::ostream& operator<<(std::ostream& out, const Within& value) {
+  PrintedFields fields("Within");
+  fields.add("within", value.within).add("at_least", value.at_least);
+  add_nearest(value, fields);
+  return out << fields.add("coverage", value.coverage).add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const WithinBatch& value) {
+  const auto near = std::count(value.within.begin(), value.within.end(), 1);
+  return out << PrintedFields("WithinBatch")
+                    .item(std::to_string(near) + " of " +
+                          printed_count(value.size(), "pose", "poses") + " within the clearance")
+                    .add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const WithinOptions& value) {
+  PrintedFields fields("WithinOptions");
+  if (value.deadline) {
+    fields.item("deadline set");
+  }
+  return out << fields;
+}
+
+std::ostream& operator<<(std::ostream& out, const OverlapBatch& value) {
+  return out << PrintedFields("OverlapBatch")
+                    .item(hits_in_words(value.any))
+                    .item(pairs_in_words(value.pairs))
+                    .add("cost", value.cost);
 }
 
 std::ostream& operator<<(std::ostream& out, const OverlapOptions& value) {

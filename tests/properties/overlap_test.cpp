@@ -5,6 +5,7 @@
 #include "soms/geometry/triangle_overlap.h"
 #include "soms/query/reference/overlap.h"
 
+#include "tests/properties/meshes.h"
 #include "tests/properties/near_touch.h"
 #include "tests/properties/property.h"
 #include "tests/support/bodies.h"
@@ -21,31 +22,11 @@ namespace soms {
 namespace {
 
 using Pairs = std::vector<TrianglePair>;
+using test::any_pose;
 using test::check_property;
+using test::lattice_corners;
+using test::lattice_mesh;
 using test::mapped;
-
-/// Corners of a lattice of 9 x 9 x 9 points, three for a triangle: touching, coplanar, doubled and
-/// degenerate triangles abound, and shrinking leaves the few that matter.
-using Corners = std::vector<std::uint16_t>;
-
-rc::Gen<Corners> lattice_corners() {
-  return rc::gen::container<Corners>(rc::gen::inRange<std::uint16_t>(0, 729));
-}
-
-Mesh lattice_mesh(const Corners& corners, double unit) {
-  std::vector<Triangle> triangles;
-  const auto at = [&](std::size_t i) {
-    const int n = corners[i];
-    const int column = n / 9 % 9;
-    const int layer = n / 81;
-    return unit * Vec3{static_cast<double>(n % 9), static_cast<double>(column),
-                       static_cast<double>(layer)};
-  };
-  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-    triangles.push_back({at(i), at(i + 1), at(i + 2)});
-  }
-  return test::soup_body(triangles);
-}
 
 Pairs pairs_of(const Mesh& a, const Mesh& b) {
   return overlap(Body(a), Body(b)).pairs;
@@ -111,20 +92,6 @@ TEST(OverlapProperty, ACommonShiftOnAGridChangesNothing) {
   });
 }
 
-Pose any_pose(Rng& rng, double reach) {
-  double q[4];
-  double n = 0;
-  while (n < 0.1) {
-    for (double& x : q) {
-      x = rng.uniform(-1, 1);
-    }
-    n = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-  }
-  return Pose::from_quaternion(
-      q[0] / n, q[1] / n, q[2] / n, q[3] / n,
-      {rng.uniform(-reach, reach), rng.uniform(-reach, reach), rng.uniform(-reach, reach)});
-}
-
 Triangle moved(const Pose& pose, const Triangle& t) {
   return {pose.apply(t.a), pose.apply(t.b), pose.apply(t.c)};
 }
@@ -170,64 +137,17 @@ TEST(OverlapProperty, ACommonMotionChangesOnlyPairsThatNearlyTouch) {
   EXPECT_GT(kept, 1000U);
 }
 
-/// Bodies of one kind each: random, touching, nested, flat, tiny, far, degenerate.
-struct Bodies {
-  Mesh a;
-  Mesh b;
-};
-
-Mesh soup(Rng& rng, int count, double size) {
-  std::vector<Triangle> triangles;
-  const auto point = [&](double reach) {
-    return Vec3{rng.uniform(-reach, reach), rng.uniform(-reach, reach), rng.uniform(-reach, reach)};
-  };
-  for (int i = 0; i < count; ++i) {
-    const Vec3 at = point(1);
-    triangles.push_back({at, at + point(size), at + point(size)});
-  }
-  return test::soup_body(triangles);
-}
-
-Bodies bodies_of_kind(int kind, Rng& rng) {
-  const int most = static_cast<int>(rng.below(40));
-  const Mesh a = soup(rng, most + 1, 0.5);
-  const Mesh b = soup(rng, static_cast<int>(rng.below(40)), 0.3);
-  const Mesh cube = test::box_body({-1, -1, -1}, {1, 1, 1}, 3);
-  const auto flatten = [](const Vec3& v) { return Vec3{v.x, v.y, 0.25}; };
-  const auto shrink = [](const Vec3& v) { return v * 0x1p-70; };
-  const auto send = [](const Vec3& v) { return v + Vec3{4e5, -5.5e6, 1e8}; };
-  const auto line = [](const Vec3& v) { return Vec3{v.x, v.x, 0.5}; };
-  switch (kind) {
-    case 0:
-      return {a, b};
-    case 1:
-      return {cube, mapped(cube, [](const Vec3& v) { return v + Vec3{2, 0.5, 0}; })};
-    case 2:
-      return {cube, mapped(cube, [](const Vec3& v) { return 0.75 * v; })};
-    case 3:
-      return {mapped(a, flatten), mapped(b, flatten)};
-    case 4:
-      return {mapped(a, shrink), mapped(b, shrink)};
-    case 5:
-      return {mapped(a, send), mapped(b, send)};
-    case 6:
-      return {mapped(a, line), mapped(b, line)};
-    default:
-      return {a, mapped(a, line)};
-  }
-}
-
 TEST(OverlapProperty, AnyAndFirstEqualBruteForceOnEveryKindOfBody) {
   check_property("any", [](std::uint64_t seed) {
-    const int kind = *rc::gen::inRange(0, 8);
+    const int kind = *rc::gen::inRange(0, test::kBodyKinds);
     Rng rng(seed);
-    const auto [a, b] = bodies_of_kind(kind, rng);
+    const auto [a, b] = test::meshes_of_kind(kind, rng);
     // The tiny ones are turned but not carried off, the others are both.
-    const Pose pose = any_pose(rng, kind == 4 ? 0x1p-70 : 0.5);
+    const Pose pose = any_pose(rng, test::is_tiny(kind) ? 0x1p-70 : 0.5);
     const Pairs expected =
-        reference::overlap(a, {}, b, kind == 1 || kind == 2 ? Pose{} : pose).pairs;
+        reference::overlap(a, {}, b, test::touches_in_place(kind) ? Pose{} : pose).pairs;
     const Body x(a);
-    const Body y(b, kind == 1 || kind == 2 ? Pose{} : pose);
+    const Body y(b, test::touches_in_place(kind) ? Pose{} : pose);
     OverlapOptions options;
     options.mode = OverlapMode::any;
     const Overlap any = overlap(x, y, options);

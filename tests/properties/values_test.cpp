@@ -1,6 +1,6 @@
 // Every value of the library is copied, compared and printed alike, whichever room it is of.
 #include "soms/base/print_fields.h"
-#include "soms/query/overlap_run.h"
+#include "soms/query/overlap.h"
 #include "soms/query/traversal/traversals.h"
 #include "soms/soms.h"
 #include "soms/tree/option_names.h"
@@ -34,12 +34,13 @@ static_assert(kValues<Mesh, Part, PartRun, UpAxis, Defects, DefectPlaces, Defect
                       CoordinateFrame, FrameDoubt>);
 static_assert(kValues<Tree, Node, TreeStatistics, Visits, ExpectedVisits, BuildOptions, Rule,
                       AxisFrom, EmptySide, Shape, ShapeOptions, Layout>);
-static_assert(kValues<Body, Cost, Coverage, Overlap, OverlapBatch, RunAnswers, OverlapOptions,
-                      OverlapMode, TraversalOptions, TraversalCounts, NodePair, Traversal, Descent,
-                      EntryOrder, BoxUpdate>);
+static_assert(kValues<Body, Cost, Coverage, Overlap, OverlapBatch, OverlapOptions, OverlapMode,
+                      TraversalOptions, TraversalCounts, NodePair, Traversal, Descent, EntryOrder,
+                      BoxUpdate>);
 static_assert(kValues<ContactChange, ContactEvents, EnvironmentEvent, MoverEvent, StepScope>);
-static_assert(kValues<EnvironmentContact, MoverContact, StepReport, StepOptions, RecordedMesh,
-                      RecordedBody, RecordingHead, RecordedFrame, RecordingEnding, RecordingEnd>);
+static_assert(kValues<EnvironmentContact, MoverContact, EnvironmentGap, MoverGap, StepReport,
+                      StepOptions, RecordedMesh, RecordedBody, RecordingHead, RecordedFrame,
+                      RecordingEnding, RecordingEnd>);
 static_assert(kValues<ReadOptions, ReadableFormat, WritableFormat, MeshFormat, Rounding>);
 static_assert(kValues<City, CityOptions, Route, SpreadOptions, MoverKind, UrbanScene>);
 // An exception is copied by its constructor alone where it is thrown.
@@ -161,7 +162,6 @@ TEST(Values, PrintAndCompareBodiesAndAnswers) {
             "TraversalCounts{box_tests: 3, entered: 0, leaf_pairs: 1, triangle_pairs: 0, "
             "first_tests: 0, max_stack: 0}");
   EXPECT_EQ(printed(NodePair{1, 2}), "NodePair{a: 1, b: 2}");
-  EXPECT_EQ(printed(RunAnswers{}), "RunAnswers{0 of 0 poses with an overlap, 0 pairs}");
 }
 
 TEST(Values, PrintOptionsOfQueries) {
@@ -211,6 +211,11 @@ TEST(Values, PrintAndCompareWhatHappensInAScene) {
   EXPECT_FALSE(report == StepReport{});
   EXPECT_EQ(printed(report.environment.at(0)), "EnvironmentContact{mover: 0, part: 0, i: 0, j: 0}");
   EXPECT_EQ(printed(MoverContact{1, 2, 3, 4}), "MoverContact{a: 1, b: 2, i: 3, j: 4}");
+  EXPECT_EQ(printed(MoverGap{1, 2, 3, 4, {0.5, 0.75}, {0, 0, 1}, {0, 0, 2}}),
+            "MoverGap{a: 1, b: 2, i: 3, j: 4, lower: 0.5, upper: 0.75, point_a: Vec3{0, 0, "
+            "1}, point_b: Vec3{0, 0, 2}}");
+  EXPECT_EQ(printed(EnvironmentGap{}).rfind("EnvironmentGap{mover: 0, part: 0, i: 0, j: 0, ", 0),
+            0U);
   EXPECT_EQ(printed(StepOptions{}).rfind("StepOptions{mode: all, scope: every_pair, ", 0), 0U);
 }
 

@@ -176,6 +176,23 @@ BuildOptions awkward_options(Rng& rng) {
   return without_idle(options);
 }
 
+Two likely_to_meet(Rng& rng, int most, double scale_a, double scale_b, double far) {
+  const Vec3 place = {far, -0.5 * far, 0.25 * far};
+  const Vec3 zero = {};
+  const Mesh a = placed(awkward_mesh(rng, most), scale_a, rng.below(2) ? place : zero);
+  const Mesh b = placed(awkward_mesh(rng, most), scale_b, rng.below(2) ? place : zero);
+  Pose pose_b = awkward_rotation(rng);
+  pose_b.m[3] = rng.below(2) ? 0 : far * rng.unit();
+  Vec3 meet = pose_b.apply(b.vertices[rng.below(b.vertices.size())]);
+  if (rng.below(2)) {
+    meet += Vec3{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)} *
+            (0.5 * std::min(scale_a, scale_b));
+  }
+  const Pose pose_a = moving(awkward_rotation(rng), a.vertices[rng.below(a.vertices.size())], meet);
+  return {Body(Shape(a, {awkward_options(rng)}), pose_a),
+          Body(Shape(b, {awkward_options(rng)}), pose_b)};
+}
+
 Vec3 point_in(Rng& rng, const Box& box) {
   return {rng.uniform(box.lower.x, box.upper.x), rng.uniform(box.lower.y, box.upper.y),
           rng.uniform(box.lower.z, box.upper.z)};

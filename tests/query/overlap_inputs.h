@@ -1,10 +1,11 @@
 /// \file
-/// Inputs that try the default traversal: meshes of every awkward kind, poses of every allowed one.
+/// Inputs that try queries of bodies: meshes of every awkward kind, poses of every allowed one.
 #pragma once
 
 #include "soms/base/pose.h"
 #include "soms/base/random.h"
 #include "soms/geometry/mesh.h"
+#include "soms/query/body.h"
 #include "soms/tree/build_options.h"
 
 namespace soms::test {
@@ -23,6 +24,16 @@ namespace soms::test {
 
 /// Any rule, with leaves of 1, 4, 8 or 1000.
 [[nodiscard]] BuildOptions awkward_options(Rng& rng);
+
+/// Two bodies that are likely to meet.
+struct Two {
+  Body a;
+  Body b;
+};
+
+/// Awkward meshes of up to `most` triangles, scaled, at most `far` from the origin, by any rule at
+/// awkward poses that bring a vertex of each together, or nearly.
+[[nodiscard]] Two likely_to_meet(Rng& rng, int most, double scale_a, double scale_b, double far);
 
 /// A point drawn evenly from a box.
 [[nodiscard]] Vec3 point_in(Rng& rng, const Box& box);

@@ -17,29 +17,8 @@
 namespace soms {
 namespace {
 
-/// Two bodies that are likely to meet.
-struct Two {
-  Body a;
-  Body b;
-};
-
-Two likely_to_meet(Rng& rng, int most, double scale_a, double scale_b, double far) {
-  const Vec3 place = {far, -0.5 * far, 0.25 * far};
-  const Vec3 zero = {};
-  const Mesh a = test::placed(test::awkward_mesh(rng, most), scale_a, rng.below(2) ? place : zero);
-  const Mesh b = test::placed(test::awkward_mesh(rng, most), scale_b, rng.below(2) ? place : zero);
-  Pose pose_b = test::awkward_rotation(rng);
-  pose_b.m[3] = rng.below(2) ? 0 : far * rng.unit();
-  Vec3 meet = pose_b.apply(b.vertices[rng.below(b.vertices.size())]);
-  if (rng.below(2)) {
-    meet += Vec3{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)} *
-            (0.5 * std::min(scale_a, scale_b));
-  }
-  const Pose pose_a =
-      test::moving(test::awkward_rotation(rng), a.vertices[rng.below(a.vertices.size())], meet);
-  return {Body(Shape(a, {test::awkward_options(rng)}), pose_a),
-          Body(Shape(b, {test::awkward_options(rng)}), pose_b)};
-}
+using test::likely_to_meet;
+using test::Two;
 
 Overlap twin(const Two& two) {
   return reference::overlap(two.a.shape.mesh(), two.a.pose, two.b.shape.mesh(), two.b.pose);
@@ -227,6 +206,8 @@ TEST(Overlap, IsTheSameForAnyNumberOfThreads) {
       const Overlap any = overlap(two.a, two.b, {.mode = OverlapMode::any}, {.threads = threads});
       ASSERT_EQ(any.any, one.any);
       ASSERT_EQ(any.pairs.size(), one.any ? 1U : 0U);
+      ASSERT_EQ(any.coverage, one.any ? Coverage::first : Coverage::complete);
+      ASSERT_EQ(overlap(two.a, two.b, {.mode = OverlapMode::any}).coverage, any.coverage);
     }
   });
 }

@@ -1,5 +1,6 @@
 #include "tests/support/bodies.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -62,6 +63,27 @@ Mesh soup_body(const std::vector<Triangle>& triangles) {
 Mesh joined(Mesh a, const Mesh& b) {
   append(a, b);
   return a;
+}
+
+std::vector<Pose> cube_rotations() {
+  std::vector<Pose> rotations;
+  std::array<std::size_t, 3> order{0, 1, 2};
+  do {
+    for (unsigned signs = 0; signs < 8; ++signs) {
+      Pose pose;
+      pose.m.fill(0);
+      for (std::size_t row = 0; row < 3; ++row) {
+        pose.m[4 * row + order[row]] = (signs >> row & 1U) != 0 ? -1 : 1;
+      }
+      const Vec3 x = pose.apply({1, 0, 0});
+      const Vec3 y = pose.apply({0, 1, 0});
+      const Vec3 z = pose.apply({0, 0, 1});
+      if (dot(cross(x, y), z) > 0) {
+        rotations.push_back(pose);
+      }
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return rotations;
 }
 
 }  // namespace soms::test

@@ -2,6 +2,7 @@
 /// Small bodies that tests build by hand.
 #pragma once
 
+#include "soms/base/pose.h"
 #include "soms/geometry/mesh.h"
 
 #include <vector>
@@ -17,6 +18,9 @@ namespace soms::test {
 
 /// Both meshes as one, triangles of `a` first.
 [[nodiscard]] Mesh joined(Mesh a, const Mesh& b);
+
+/// The 24 rotations of the cube: signed permutations of determinant 1.
+[[nodiscard]] std::vector<Pose> cube_rotations();
 
 /// The mesh with every vertex replaced by `f(vertex)`.
 template <class Function>

@@ -1,7 +1,7 @@
 #include "soms/query/detail/batched_root_descent.h"
 
-#include "soms/query/detail/fetch.h"
-#include "soms/query/detail/kernels/kernels.h"
+#include "soms/query/detail/engine/fetch.h"
+#include "soms/query/detail/engine/node_id.h"
 
 namespace soms::detail {
 
@@ -11,9 +11,9 @@ namespace {
 void fetch_seeds(const PairList& seeds, const WideTree& y) {
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     const std::uint32_t node_id = seeds.at(i).y;
-    const WideNode& node = y.nodes()[node_id >> 3];
-    if ((node_id & NodeTask::kLane) != 0) {
-      fetch(y.blocks()[node.child[node_id & 3] & (WideNode::kMost - 1)]);
+    const WideNode& node = y.nodes()[index_of(node_id)];
+    if (is_lane(node_id)) {
+      fetch(y.blocks()[begin_of(node.child[lane_of(node_id)])]);
     } else {
       fetch(node);
     }
@@ -24,16 +24,16 @@ void fetch_seeds(const PairList& seeds, const WideTree& y) {
 
 BatchedRootDescent::BatchedRootDescent() {
   for (std::size_t i = 0; i < kMost; ++i) {
-    descents_[i].relative = &poses_[i];
+    descents_[i].frame = &frames_[i];
   }
   for (std::size_t k = 0; k < kTraversals; ++k) {
-    taken_[k] = &poses_[kMost + k];
+    taken_[k] = &frames_[kMost + k];
   }
 }
 
-void BatchedRootDescent::add(const WideTree& x, const Pose& pose_x, const ReferenceFrame& y) {
+void BatchedRootDescent::add(const PoseFrames& frames, const Pose& pose) {
   RootDescent& descent = descents_[count_++];
-  descent.relative->emplace(x, pose_x, y);
+  frames.place(pose, *descent.frame);
   descent.stack.clear();
   descent.seeds.clear();
   descent.cost = {};
@@ -46,14 +46,15 @@ void BatchedRootDescent::look(const WideTree& y) {
   std::size_t going = 0;
   for (std::size_t i = 0; i < count_; ++i) {
     RootDescent& descent = descents_[i];
-    if ((*descent.relative)->apart()) {
+    const RelativePose& relative = (*descent.frame)->relative();
+    if (relative.apart()) {
       continue;
     }
-    descent.box = (*descent.relative)->single_box();
+    descent.box = relative.single_box();
     if (descent.box.pays(nodes[0])) {
       going_[going++] = &descent;
     } else {
-      descent.seeds.push({0, 0});
+      descent.seeds.push({kRootId, kRootId});
     }
   }
   if (!y.min_max_grid().empty()) {

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "soms/query/answer.h"
-#include "soms/query/detail/pair_list.h"
-#include "soms/query/detail/relative_pose.h"
+#include "soms/query/detail/engine/pair_frame.h"
+#include "soms/query/detail/engine/pair_list.h"
 #include "soms/query/detail/single_box_descent.h"
 #include "soms/tree/layout/wide_tree.h"
 
@@ -20,7 +20,7 @@ namespace soms::detail {
 
 /// What is known of a query before its traversal. It is over unless there are seeds.
 struct RootDescent {
-  std::optional<RelativePose>* relative;
+  std::optional<PairFrame>* frame;
   SingleBox box;
   PairList stack;
   PairList seeds;
@@ -47,22 +47,21 @@ class BatchedRootDescent {
 
   [[nodiscard]] RootDescent& operator[](std::size_t i) { return descents_[i]; }
 
-  /// The relative pose of descent `i`, which is traversal `k`'s from now on, until that takes
-  /// another.
-  [[nodiscard]] RelativePose& take(std::size_t i, std::size_t k) {
-    std::swap(descents_[i].relative, taken_[k]);
+  /// The frame of descent `i`, which is traversal `k`'s from now on, until that takes another.
+  [[nodiscard]] PairFrame& take(std::size_t i, std::size_t k) {
+    std::swap(descents_[i].frame, taken_[k]);
     return **taken_[k];
   }
 
   /// Adds a query. \pre Not full.
-  void add(const WideTree& x, const Pose& pose_x, const ReferenceFrame& y);
+  void add(const PoseFrames& frames, const Pose& pose);
 
-  /// Finds the seeds of all: those of `PairTraversal::start`, at the same costs.
+  /// Finds the seeds of all: those of `OverlapTraversal::start`, at the same costs.
   void look(const WideTree& y);
 
  private:
-  std::array<std::optional<RelativePose>, kMost + kTraversals> poses_;  ///< not copied: pointed to
-  std::array<std::optional<RelativePose>*, kTraversals> taken_;
+  std::array<std::optional<PairFrame>, kMost + kTraversals> frames_;  ///< not copied: pointed to
+  std::array<std::optional<PairFrame>*, kTraversals> taken_;
   std::array<RootDescent, kMost> descents_;
   std::array<RootDescent*, kMost> going_ = {};
   std::size_t count_ = 0;

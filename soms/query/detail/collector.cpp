@@ -6,13 +6,6 @@
 
 namespace soms::detail {
 
-void Watch::look() {
-  spent_ = 0;
-  check_stop(*parallel_);
-  late_ = late_ || (deadline_ && std::chrono::steady_clock::now() >= *deadline_);
-  over_ = done_ != nullptr && done_->load(std::memory_order_relaxed);
-}
-
 bool Collector::add_to_few(const TrianglePair& pair) {
   if (mode_ == OverlapMode::first) {
     if (!any_ || pair < least_) {

@@ -1,54 +1,14 @@
 /// \file
-/// Where a traversal puts the pairs it finds, and what tells it to stop.
+/// Where a traversal puts the pairs it finds.
 #pragma once
 
-#include "soms/base/parallel.h"
 #include "soms/query/overlap.h"
 
-#include <atomic>
-#include <chrono>
+#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace soms::detail {
-
-/// Ends long work: by request with an error, by deadline or another's hit with a verdict. Looks at
-/// the clock once in a while only.
-class Watch {
- public:
-  Watch(const OverlapOptions& options, const Parallel& parallel,
-        const std::atomic<bool>* done = nullptr)
-      : deadline_(options.deadline), parallel_(&parallel), done_(done) {
-    late_ = deadline_ && std::chrono::steady_clock::now() >= *deadline_;
-  }
-
-  /// Counts work; true when it is time to stop.
-  [[nodiscard]] bool spend(std::uint64_t work) {
-    spent_ += work;
-    if (spent_ >= kInterval) {
-      look();
-    }
-    return stopped();
-  }
-
-  /// The deadline passed.
-  [[nodiscard]] bool late() const { return late_; }
-
-  [[nodiscard]] bool stopped() const { return late_ || over_; }
-
- private:
-  static constexpr std::uint64_t kInterval = 4096;  // about 100 us of work
-
-  void look();
-
-  std::optional<std::chrono::steady_clock::time_point> deadline_;
-  const Parallel* parallel_;
-  const std::atomic<bool>* done_;
-  std::uint64_t spent_ = 0;
-  bool late_ = false;
-  bool over_ = false;
-};
 
 /// Takes pairs in the order of a traversal and keeps what the mode asks for.
 class Collector {

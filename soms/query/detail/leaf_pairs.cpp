@@ -7,22 +7,23 @@
 
 namespace soms::detail {
 
-namespace {
-
-Triangle moved(const TraversalSide& side, TriangleId id) {
+Triangle moved(const PosedShape& side, TriangleId id) {
   const Triangle t = side.shape->mesh().triangle(id);
   return {side.pose->apply(t.a), side.pose->apply(t.b), side.pose->apply(t.c)};
 }
 
-}  // namespace
-
 void LeafQueue::add(const Kernels& kernels, const BlockTask& task) {
-  TriangleSlot& slot = slots_[slots_used_];
-  std::uint64_t pairs = kernels.test_boxes(task, slot);
+  take(task, kernels.test_boxes(task, slots_[slots_used_]));
+}
+
+void LeafQueue::add(const Kernels& kernels, const BlockTask& task, const NearFilter& filter) {
+  take(task, kernels.near_boxes(task, filter, slots_[slots_used_]));
+}
+
+void LeafQueue::take(const BlockTask& task, std::uint64_t pairs) {
   if (pairs == 0) {
     return;
   }
-  constexpr std::uint32_t kToY = sizeof(TriangleSlot::Corners) / sizeof(float);
   const auto begin = static_cast<std::uint32_t>(slots_used_ * kSlotFloats);
   const auto number = static_cast<std::uint32_t>(slots_used_ << 6);
   // The smaller triangle comes first: floats decide more pairs so.
@@ -38,11 +39,22 @@ void LeafQueue::add(const Kernels& kernels, const BlockTask& task) {
   ++slots_used_;
 }
 
-Verdicts LeafQueue::judge(const Kernels& kernels, std::size_t begin) {
+std::size_t LeafQueue::fill(std::size_t begin) {
   const std::size_t count = std::min(kJudged, size_ - begin);
   std::fill(first_.begin() + size_, first_.begin() + size_ + (kJudged - count), first_[begin]);
   std::fill(second_.begin() + size_, second_.begin() + size_ + (kJudged - count), second_[begin]);
+  return count;
+}
+
+Verdicts LeafQueue::judge(const Kernels& kernels, std::size_t begin) {
+  const std::size_t count = fill(begin);
   return kernels.judge(slots_.data(), first_.data() + begin, second_.data() + begin, count);
+}
+
+void LeafQueue::gaps(const Kernels& kernels, std::size_t begin, float reach, PairGaps& gaps) {
+  const std::size_t count = fill(begin);
+  kernels.near_pairs(slots_.data(), first_.data() + begin, second_.data() + begin, count, reach,
+                     gaps);
 }
 
 bool LeafPairs::decide(std::span<const BlockTask> tasks, bool last, Collector& collector,
@@ -66,14 +78,16 @@ bool LeafPairs::decide_queue(Collector& collector, Cost& cost) {
     for (std::uint32_t hit = verdicts.hit; hit != 0; hit &= hit - 1) {
       ++cost.triangle_tests;
       const auto lane = static_cast<std::size_t>(std::countr_zero(hit));
-      if (collector.add(ordered(queue_->ids(begin + lane)))) {
+      const auto [x, y] = queue_->ids(begin + lane);
+      if (collector.add(frame_->in_callers_order(x, y))) {
         return true;
       }
     }
     for (std::uint32_t open = verdicts.open; open != 0; open &= open - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(open));
       const TrianglePair ids = queue_->ids(begin + lane);
-      if (collector.wants(ordered(ids)) && overlap(ids, cost) && collector.add(ordered(ids))) {
+      const TrianglePair pair = frame_->in_callers_order(ids.first, ids.second);
+      if (collector.wants(pair) && overlap(ids, cost) && collector.add(pair)) {
         return true;
       }
     }
@@ -83,8 +97,8 @@ bool LeafPairs::decide_queue(Collector& collector, Cost& cost) {
 }
 
 bool LeafPairs::overlap(const TrianglePair& ids, Cost& cost) const {
-  const Triangle s = moved(x_, ids.first);
-  const Triangle t = moved(y_, ids.second);
+  const Triangle s = moved(frame_->x(), ids.first);
+  const Triangle t = moved(frame_->y(), ids.second);
   if (!overlaps(bounds(s), bounds(t))) {
     return false;
   }

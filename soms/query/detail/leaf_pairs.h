@@ -4,9 +4,9 @@
 
 #include "soms/query/answer.h"
 #include "soms/query/detail/collector.h"
+#include "soms/query/detail/engine/pair_frame.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/kernels/kernels.h"
-#include "soms/tree/shape.h"
 
 #include <array>
 #include <cstdint>
@@ -14,11 +14,8 @@
 
 namespace soms::detail {
 
-/// A shape at a pose, as one side of a traversal.
-struct TraversalSide {
-  const Shape* shape;
-  const Pose* pose;
-};
+/// A triangle at the side's pose.
+[[nodiscard]] Triangle moved(const PosedShape& side, TriangleId id);
 
 /// Pairs of triangles that wait to be judged together, so that no lane idles: those of few pairs of
 /// blocks, each with a slot.
@@ -42,10 +39,19 @@ class LeafQueue {
   /// \pre Not full.
   void add(const Kernels& kernels, const BlockTask& task);
 
+  /// The same for pairs whose boxes are near. \pre Not full.
+  void add(const Kernels& kernels, const BlockTask& task, const NearFilter& filter);
+
   [[nodiscard]] std::size_t size() const { return size_; }
 
   /// Judges pairs `begin` to `begin + kJudged`, or as many as there are.
   [[nodiscard]] Verdicts judge(const Kernels& kernels, std::size_t begin);
+
+  /// Bounds the distances of pairs `begin` to `begin + kJudged`, or as many as there are.
+  void gaps(const Kernels& kernels, std::size_t begin, float reach, PairGaps& gaps);
+
+  /// The first triangle of the pair is y's.
+  [[nodiscard]] bool flipped(std::size_t i) const { return first_[i] % kSlotFloats >= kToY; }
 
   /// Triangles of x and y.
   [[nodiscard]] TrianglePair ids(std::size_t i) const {
@@ -54,6 +60,13 @@ class LeafQueue {
   }
 
  private:
+  void take(const BlockTask& task, std::uint64_t pairs);
+
+  /// Fills the lists up to a multiple of kJudged; returns how many pairs there are from `begin` on.
+  std::size_t fill(std::size_t begin);
+
+  /// From a triangle of x in a slot to that of y.
+  static constexpr std::uint32_t kToY = sizeof(TriangleSlot::Corners) / sizeof(float);
   static constexpr std::size_t kSlots = 16;
   static constexpr std::size_t kRoom = 64 * kSlots + kJudged;
 
@@ -65,11 +78,11 @@ class LeafQueue {
   std::size_t slots_used_ = 0;
 };
 
-/// The leaves of one query. Sides x and y are the caller's a and b, or b and a when `swapped`.
+/// The leaves of one query.
 class LeafPairs {
  public:
-  LeafPairs(const TraversalSide& x, const TraversalSide& y, bool swapped, LeafQueue& queue)
-      : x_(x), y_(y), swapped_(swapped), kernels_(&kernels()), queue_(&queue) {}
+  LeafPairs(const PairFrame& frame, LeafQueue& queue)
+      : frame_(&frame), kernels_(&kernels()), queue_(&queue) {}
 
   /// Decides pairs of blocks whose slabs have been tested; true when the traversal is to stop.
   /// Where all pairs are requested, some wait in the queue until there are more, or these are the
@@ -84,14 +97,7 @@ class LeafPairs {
   /// Decides exactly what floats left open.
   [[nodiscard]] bool overlap(const TrianglePair& ids, Cost& cost) const;
 
-  /// The caller's order.
-  [[nodiscard]] TrianglePair ordered(const TrianglePair& ids) const {
-    return swapped_ ? TrianglePair{ids.second, ids.first} : ids;
-  }
-
-  TraversalSide x_;
-  TraversalSide y_;
-  bool swapped_;
+  const PairFrame* frame_;
   const Kernels* kernels_;
   LeafQueue* queue_;
 };

@@ -10,6 +10,65 @@ namespace soms::detail {
 namespace {
 
 constexpr double kUnitRoundoff = 0x1p-53;
+
+// Constants of the proof in relative_pose.h, and its addends. "Largest seen" is the most that tests
+// and tests/query/margins/margin_search.cpp ever needed of one. What is left over was never met;
+// that it cannot be is not claimed.
+
+/// Errors of a product of three and of a moved coordinate, and of a coordinate's place about its
+/// tree's origin.
+constexpr double kOfProduct = 3.01;
+constexpr double kOfMoved = 4.01;
+constexpr double kReach = 3.47;
+constexpr double kRowOfInverse = 1.74;
+
+/// W's rounding, in units of u64 V. Largest seen: 0.023 of W (4.5 u64 V), and 0.013 of the 2 W that
+/// roots give way by (4.9 u64 V).
+constexpr double kSlackOfRounding = 192;
+constexpr double kSumOfRounding =
+    3 * kOfProduct * kReach                               // N
+    + (2 * kOfMoved + 1.01 + kOfProduct) * kRowOfInverse  // D
+    + 3 * kOfProduct * kReach                             // measuring the residual
+    + kRowOfInverse * kOfMoved                            // X e
+    + (kOfProduct * kRowOfInverse * kReach + 2 * 11.3)    // offsets of nodes
+    + 4 * 10                                              // the roots' test
+    + (kRowOfInverse + 1) * kReach;                       // corners of blocks
+static_assert(kSumOfRounding <= 184 && 184 <= kSlackOfRounding);
+
+/// W's share of the residual, in units of V. No answer needs it: `inverse_of` leaves a residual of
+/// a few u64, for which kSlackOfRounding has room. Largest seen with a worse inverse: 0.125 of it.
+constexpr double kSlackOfResidual = 12;
+static_assert(3 * kReach <= 10.5 && 10.5 <= kSlackOfResidual);
+
+/// Underflow of all products, in the mesh's units, and of lengths, in those of the layout.
+constexpr double kSlackOfUnderflow = 0x1p-1064;
+constexpr double kSlackOfLengths = 0x1p-100;
+
+/// The margin for floats, in units of S. Largest seen: 0.033 of it, defects included.
+constexpr double kMarginOfFloats = 0x1p-17;
+constexpr double kSumOfFloats = 28 * kRowOfInverse    // the gap between centers, turned
+                                + 13 * kRowOfInverse  // the turn itself
+                                + 13 + 8 + 7;         // radii, M^T M - I, comparisons
+static_assert(10 + 7 + 4 + 2 + 5 <= 28);              // M, d, corners, Q_y^T Q_y, products and sums
+static_assert(kSumOfFloats <= 100 && 100 * 0x1p-24 <= kMarginOfFloats);
+
+/// The margin for axes that are not quite at right angles, in units of the defect and S: once along
+/// x's axes, three times for d seen in them. No answer was found that needs it: poses are
+/// orthonormal to 1e-6, so the defect is at most 2.1e-6, a fourth of kMarginOfFloats, of which
+/// floats were never seen to take so much that as little was left.
+constexpr double kMarginOfDefect = 4;
+static_assert(1 + 3 <= kMarginOfDefect);
+
+/// S in units of radius_x + radius_y, sqrt(3) being below 1.73206.
+constexpr double kSumOfRadii = 2.75;
+static_assert(1 + 1.73206 * (1 + 1e-5) <= 2.733 && 2.733 <= kSumOfRadii);
+
+/// What lengths of gaps are shortened by to be lower bounds (near/near_pose.h): the axes of two
+/// nodes and eight roundings, and N, by its defect.
+constexpr double kLengthsOfFloats = 0x1p-19;
+constexpr double kLengthsOfDefect = 2;
+static_assert(0x1p-21 + 0x1p-21 <= kLengthsOfFloats && 1.5 <= kLengthsOfDefect);
+
 constexpr Matrix3 kIdentity = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 /// At least `x`, which is normal as a float and not negative.
@@ -103,6 +162,7 @@ ReferenceFrame::ReferenceFrame(const WideTree& t, const Pose& p)
 
 RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const ReferenceFrame& y)
     : matrix_(y.rotated ? product(y.inverse, rotation(pose_x)) : rotation(pose_x)),
+      residual_(y.residual),
       exponents_(y.tree->exponent() - x.exponent()) {
   numbers_.scale = y.tree->scale();
   const Vec3 between = moved(pose_x, x.origin()) - y.origin;
@@ -112,15 +172,18 @@ RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const Referenc
         (y.inverse[i][0] * between.x + y.inverse[i][1] * between.y) + y.inverse[i][2] * between.z;
   }
   const double extent = y.extent + moved_extent(pose_x, x.bounds());
-  const double slack = 2 * ((192 * kUnitRoundoff + 12 * y.residual) * extent + 0x1p-1064);
+  const double slack =
+      2 * ((kSlackOfRounding * kUnitRoundoff + kSlackOfResidual * y.residual) * extent +
+           kSlackOfUnderflow);
   apart_ = roots_apart(x.bounds(), y.tree->bounds(), slack);
   // Where rounding outweighs the body a thousandfold and more, every box meets every other.
   if (slack * numbers_.scale <= 0x1p40) {
-    numbers_.slack = rounded_up(slack * numbers_.scale + 0x1p-100);
+    numbers_.slack = rounded_up(slack * numbers_.scale + kSlackOfLengths);
   } else {
     numbers_.slack = 0x1p100F;
     numbers_.scale = 0;
   }
+  numbers_.rounding = numbers_.slack;
 }
 
 void RelativePose::prepare() {
@@ -145,8 +208,9 @@ void RelativePose::prepare() {
       transposed[i][j] = matrix_[j][i];
     }
   }
-  numbers_.relative =
-      rounded_up(2.75 * (0x1p-17 + 4 * distance_from_identity(product(transposed, matrix_))));
+  const double defect = distance_from_identity(product(transposed, matrix_));
+  numbers_.relative = rounded_up(kSumOfRadii * (kMarginOfFloats + kMarginOfDefect * defect));
+  numbers_.shrink = static_cast<float>(1 - (kLengthsOfFloats + kLengthsOfDefect * defect));
   numbers_.ratio = exponents_ == 0 ? 1 : static_cast<float>(std::ldexp(1.0, exponents_));
 }
 

@@ -158,6 +158,9 @@ class RelativePose {
 
   [[nodiscard]] const PoseNumbers& numbers() const { return numbers_; }
 
+  /// That of the reference frame.
+  [[nodiscard]] double residual() const { return residual_; }
+
   /// Where `x`, a node or block of tree x, is as seen from `y`, one of tree y.
   template <class X, class Y>
   void relate(const X& x, const Y& y, Relation& relation) const {
@@ -179,6 +182,7 @@ class RelativePose {
 
   PoseNumbers numbers_;
   Matrix3 matrix_;
+  double residual_ = 0;
   int exponents_ = 0;                     // by which the units of the layouts differ
   std::array<double, 3> half_seen_ = {};  // of x's box along y's axes
   Turn turn_;                             // N in float, once prepared

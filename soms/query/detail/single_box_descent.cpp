@@ -1,6 +1,7 @@
 #include "soms/query/detail/single_box_descent.h"
 
-#include "soms/query/detail/fetch.h"
+#include "soms/query/detail/engine/fetch.h"
+#include "soms/query/detail/engine/node_id.h"
 #include "soms/query/detail/kernels/kernels.h"
 #include "soms/query/detail/query_lanes.h"
 
@@ -13,7 +14,6 @@ namespace {
 /// A tree of at least so many times the box's size is descended by the box alone.
 constexpr float kMuchLarger = 8;
 constexpr float kMargin = 0x1p-19F;
-constexpr std::uint32_t kIndexShift = 3;  // of a node id: see NodeTask
 
 }  // namespace
 
@@ -55,7 +55,7 @@ bool SingleBox::step(const WideNode* nodes, std::uint32_t& index, PairList& stac
   const WideNode& node = nodes[index];
   std::uint32_t inner = 0;
   if (node.oriented != 0) {
-    seeds.push({0, index << kIndexShift});
+    seeds.push({kRootId, node_id_of(index)});
   } else {
     cost.node_tests += node.count;
     const F4 longest = max(max(load(node.half[0]), load(node.half[1])), load(node.half[2]));
@@ -64,8 +64,7 @@ bool SingleBox::step(const WideNode* nodes, std::uint32_t& index, PairList& stac
     inner = meet & ~ends;
     for (std::uint32_t left = meet & ends; left != 0; left &= left - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
-      seeds.push({0, (node.leaves >> lane & 1U) != 0 ? index << kIndexShift | NodeTask::kLane | lane
-                                                     : node.child[lane] << kIndexShift});
+      seeds.push({kRootId, child_id(node, node_id_of(index), lane)});
     }
   }
   // Mostly one child goes on: it takes no way through memory.

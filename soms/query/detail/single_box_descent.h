@@ -14,7 +14,7 @@
 #pragma once
 
 #include "soms/query/answer.h"
-#include "soms/query/detail/pair_list.h"
+#include "soms/query/detail/engine/pair_list.h"
 #include "soms/tree/layout/wide_tree.h"
 
 #include <array>

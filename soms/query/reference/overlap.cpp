@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/geometry/triangle_overlap.h"
+#include "soms/query/reference/detail/moved_triangles.h"
 
 #include <algorithm>
 #include <array>
@@ -18,39 +19,8 @@ constexpr std::size_t kChunk = 16;
 /// Boxes of `b` that are swept together: 96 KiB, so that they stay in the cache for a whole chunk.
 constexpr std::size_t kTile = 2048;
 
-std::vector<Triangle> moved_triangles(const Mesh& mesh, const Pose& pose) {
-  check(mesh);
-  check(pose);
-  check_range(pose, bounds(mesh));
-  std::vector<Vec3> vertices;
-  vertices.reserve(mesh.vertices.size());
-  for (const Vec3& v : mesh.vertices) {
-    vertices.push_back(pose.apply(v));
-  }
-  std::vector<Triangle> triangles;
-  triangles.reserve(mesh.triangles.size());
-  for (const auto& t : mesh.triangles) {
-    triangles.push_back({vertices[t[0]], vertices[t[1]], vertices[t[2]]});
-  }
-  return triangles;
-}
-
-/// Boxes as one array for each side, which compilers turn into vector code.
-struct BoxArrays {
-  std::array<std::vector<double>, 3> lower;
-  std::array<std::vector<double>, 3> upper;
-
-  explicit BoxArrays(const std::vector<Triangle>& triangles) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      lower[axis].reserve(triangles.size());
-      upper[axis].reserve(triangles.size());
-      for (const Triangle& t : triangles) {
-        lower[axis].push_back(std::min({t.a[axis], t.b[axis], t.c[axis]}));
-        upper[axis].push_back(std::max({t.a[axis], t.b[axis], t.c[axis]}));
-      }
-    }
-  }
-};
+using detail::BoxArrays;
+using detail::moved_triangles;
 
 using Flags = std::array<std::uint64_t, kTile>;
 

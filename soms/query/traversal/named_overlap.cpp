@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/geometry/triangle_overlap.h"
 #include "soms/query/detail/collector.h"
+#include "soms/query/detail/engine/limit.h"
 #include "soms/query/traversal/e_node_front.h"
 #include "soms/query/traversal/posed_boxes.h"
 #include "soms/query/traversal/traversals.h"
@@ -56,7 +57,7 @@ class Decider {
         b_(b),
         mode_(options.mode),
         scratch_(scratch),
-        watch_(options, parallel),
+        limit_(options.deadline, parallel),
         collector_(options.mode, options.limit, answer_.pairs) {}
 
   /// False once nothing more is wanted.
@@ -91,7 +92,7 @@ class Decider {
   }
 
   /// Counts work; false when the deadline has passed. \errors ErrorKind::cancelled.
-  [[nodiscard]] bool keep_going(std::uint64_t work) { return !watch_.spend(work); }
+  [[nodiscard]] bool keep_going(std::uint64_t work) { return !limit_.spend(work); }
 
   [[nodiscard]] Overlap finish(const TraversalCounts& counts) {
     collector_.finish();
@@ -101,7 +102,7 @@ class Decider {
     const bool found = mode_ != OverlapMode::all && answer_.any;
     if (collector_.full()) {
       answer_.coverage = Coverage::cut;
-    } else if (watch_.late()) {
+    } else if (limit_.late()) {
       answer_.coverage = mode_ == OverlapMode::any && found ? Coverage::first : Coverage::cut;
     } else {
       answer_.coverage = found ? Coverage::first : Coverage::complete;
@@ -127,7 +128,7 @@ class Decider {
   OverlapMode mode_;
   std::vector<MovedTriangle>& scratch_;
   Overlap answer_;
-  Watch watch_;
+  Limit limit_;
   Collector collector_;
 };
 

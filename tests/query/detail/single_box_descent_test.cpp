@@ -74,9 +74,10 @@ struct Touching {
   Pose pose;
 };
 
-Touching touching(Rng& rng, const Mesh& many_triangles) {
-  const double scale = rng.below(2) ? 1 : std::exp2(rng.uniform(-1000, 280));
-  const double far = rng.below(2) ? 0 : scale * std::exp2(rng.uniform(-8, 8));
+/// Up to 2^`reach` sizes away from the origin.
+Touching touching(Rng& rng, const Mesh& many_triangles, double reach = 8) {
+  const double scale = rng.below(2) ? 1 : std::exp2(rng.uniform(-1000, 280 - reach));
+  const double far = rng.below(2) ? 0 : scale * std::exp2(rng.uniform(-8, reach));
   const Vec3 place{far, -0.5 * far, 0.25 * far};
   Touching two{
       Shape(test::placed(many_triangles, scale, rng.below(2) ? place : Vec3{})), Pose{},
@@ -110,35 +111,54 @@ Touching touching(Rng& rng, const Mesh& many_triangles) {
   return two;
 }
 
+/// How many cases there were.
+struct Cases {
+  std::size_t alone = 0;  // the box is descended by itself
+  std::size_t few = 0;    // and leads to less than a quarter of the triangles
+};
+
+void expect_leads_to_what_touches(const Touching& two, Cases& cases) {
+  const auto& [large, fixed, small, pose] = two;
+  const RelativePose relative(small.layout(), pose, ReferenceFrame(large.layout(), fixed));
+  const Overlap expected = reference::overlap(small.mesh(), pose, large.mesh(), fixed);
+  const SingleBox box = relative.single_box();
+  if (relative.apart() || !box.pays(large.layout().nodes()[0])) {
+    ASSERT_TRUE(!relative.apart() || !expected.any);
+    return;
+  }
+  ++cases.alone;
+  PairList stack;
+  PairList seeds;
+  Cost cost;
+  box.descend(large.layout().nodes().data(), stack, seeds, cost);
+  EXPECT_TRUE(stack.empty());
+  EXPECT_GT(cost.node_tests, 0U);
+  const std::set<TriangleId> found = below(seeds, large.layout());
+  for (const auto& [i, j] : expected.pairs) {
+    ASSERT_EQ(found.count(j), 1U);
+  }
+  cases.few += 4 * found.size() < large.mesh().triangles.size() ? 1U : 0U;
+}
+
 // Without a margin 2 of 288 such cases lose a triangle.
 TEST(SingleBox, LeadsToEveryTriangleThatTheBodyTouches) {
-  std::size_t alone = 0;
-  std::size_t few = 0;
+  Cases cases;
   test::for_each_case("single-box/touch", 300, [&](Rng& rng) {
-    const Touching two = touching(rng, many_triangles(rng));
-    const auto& [large, fixed, small, pose] = two;
-    const RelativePose relative(small.layout(), pose, ReferenceFrame(large.layout(), fixed));
-    const Overlap expected = reference::overlap(small.mesh(), pose, large.mesh(), fixed);
-    const SingleBox box = relative.single_box();
-    if (relative.apart() || !box.pays(large.layout().nodes()[0])) {
-      ASSERT_TRUE(!relative.apart() || !expected.any);
-      return;
-    }
-    ++alone;
-    PairList stack;
-    PairList seeds;
-    Cost cost;
-    box.descend(large.layout().nodes().data(), stack, seeds, cost);
-    EXPECT_TRUE(stack.empty());
-    EXPECT_GT(cost.node_tests, 0U);
-    const std::set<TriangleId> found = below(seeds, large.layout());
-    for (const auto& [i, j] : expected.pairs) {
-      ASSERT_EQ(found.count(j), 1U);
-    }
-    few += 4 * found.size() < large.mesh().triangles.size() ? 1U : 0U;
+    const Mesh mesh = many_triangles(rng);
+    expect_leads_to_what_touches(touching(rng, mesh), cases);
   });
-  EXPECT_GT(alone, 150U);
-  EXPECT_GT(few, 100U);
+  EXPECT_GT(cases.alone, 150U);
+  EXPECT_GT(cases.few, 100U);
+}
+
+// There the rounding of moved vertices outweighs that of floats.
+TEST(SingleBox, LeadsToEveryTriangleThatTheBodyTouchesFarFromTheOrigin) {
+  Cases cases;
+  test::for_each_case("single-box/far", 300, [&](Rng& rng) {
+    const Mesh mesh = many_triangles(rng);
+    expect_leads_to_what_touches(touching(rng, mesh, 45), cases);
+  });
+  EXPECT_GT(cases.alone, 100U);
 }
 
 /// Many triangles on hills over two axes, now and then with two triangles as wide as all of it.

@@ -185,6 +185,33 @@ TEST(NamedOverlap, AnswersABatchAsSingleQueries) {
   });
 }
 
+// A batch of the default traversal is cut into blocks of 256 poses; what one front sees is not.
+TEST(NamedOverlap, GoesOnFromItsFrontThroughABatchOfAnySize) {
+  Rng rng(13);
+  const test::Kind kind = test::Kind::random;
+  const Body fixed(shape(test::body(rng, kind, 12), {}));
+  const Shape mover = shape(test::body(rng, kind, 12), {});
+  std::vector<Pose> poses;
+  while (poses.size() < 600) {
+    poses.push_back(test::pose(rng, kind, 0.5));
+  }
+  const TraversalOptions settings{.traversal = Traversal::e_node_front};
+  const OverlapBatch batch = overlap(mover, poses, fixed, {.traversal = settings}, {.threads = 2});
+  ASSERT_EQ(batch.size(), poses.size());
+  ASSERT_EQ(batch.traversals.size(), poses.size());
+  detail::NamedOverlap session(mover, fixed.shape, settings);
+  std::size_t otherwise = 0;  // frames whose counts tell that the front went on
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const Overlap answer = session(poses[k], fixed.pose, {}, {});
+    const auto pairs = batch.pairs_of(k);
+    ASSERT_EQ(std::vector<TrianglePair>(pairs.begin(), pairs.end()), answer.pairs) << k;
+    ASSERT_EQ(batch.traversals[k], session.counts()) << k;
+    const Overlap alone = overlap(Body(mover, poses[k]), fixed, {.traversal = settings});
+    otherwise += alone.traversal == batch.traversals[k] ? 0U : 1U;
+  }
+  EXPECT_GT(otherwise, 500U);
+}
+
 TEST(NamedOverlap, OfAnEmptyMeshIsEmpty) {
   Rng rng(1);
   const Body full(shape(test::body(rng, test::Kind::random, 5), {}));

@@ -8,6 +8,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 
 SOMS_TARGET_BEGIN("avx2,popcnt,bmi")
 
@@ -29,6 +30,9 @@ namespace {
 #include "soms/query/detail/kernels/triangles.h"
 //
 #include "soms/query/detail/kernels/triangle_pairs.h"
+//
+#include "soms/query/detail/kernels/near_nodes.h"
+#include "soms/query/detail/kernels/near_triangles.h"
 
 /// Pairs of lanes, rotations 0 and 1 and rotations 2 and 3, that some axis parts.
 struct Apart {
@@ -143,8 +147,8 @@ void test_nodes(NodeTask* tasks, std::size_t count) {
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"avx2",     test_nodes, test_larger, append,
-                                  test_slabs, test_boxes, judge};
+  static constexpr Kernels kTable{"avx2",     test_nodes, test_larger, append,     test_slabs,
+                                  test_boxes, judge,      bound_nodes, near_boxes, near_pairs};
   return kTable;
 }
 

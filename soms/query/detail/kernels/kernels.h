@@ -24,7 +24,9 @@ struct alignas(64) PoseNumbers {
   double scale = 1;    ///< turns the mesh's units into those of y's layout
   float ratio = 1;     ///< turns lengths of x's layout into those of y's
   float relative = 0;  ///< margin for each unit of the nodes' L1 radius
-  float slack = 0;     ///< margin for the poses' rounding
+  float slack = 0;     ///< margin for the poses' rounding, and for gaps that count as none
+  float rounding = 0;  ///< margin for the poses' rounding alone
+  float shrink = 0;    ///< what lengths of gaps are multiplied by to be lower bounds (near_pose.h)
 
   [[nodiscard]] float n(std::size_t i, std::size_t j) const { return rows[4 * i + j]; }
 
@@ -118,6 +120,27 @@ inline void put_last(const PairSink& sink, std::size_t which, std::size_t count)
   }
 }
 
+/// Lower bounds of the distances of a task's pairs, by the bits of NodeTask::pairs. Where boxes
+/// meet, the largest gap of an axis, which is at most 0. Those of pairs not wanted may be anything.
+struct alignas(64) NodeKeys {
+  std::array<float, 16> key;
+  std::uint32_t near;  ///< wanted pairs whose keys do not exceed the limit
+};
+
+/// Distances of pairs of triangles.
+struct alignas(64) PairGaps {
+  std::array<float, kJudged> lower;                ///< proved lower bounds, some below 0
+  std::array<float, kJudged> estimate;             ///< the distances, more or less, if near
+  std::array<std::array<float, kJudged>, 3> line;  ///< from the first triangle to the second
+  std::uint32_t near;                              ///< pairs whose bounds are within the reach
+};
+
+/// What makes a pair of triangles near, in units of y's layout.
+struct NearFilter {
+  float reach;                     ///< what counts as near (near_pose.h)
+  std::array<float, 3> direction;  ///< some direction from x to y, of length 1 or below
+};
+
 /// One instruction set's tests.
 struct Kernels {
   const char* name;
@@ -143,6 +166,17 @@ struct Kernels {
   /// counted in floats from the first one's x; those from `count` on may be any in use.
   Verdicts (*judge)(const TriangleSlot* slots, const std::uint32_t* first,
                     const std::uint32_t* second, std::size_t count);
+
+  /// Bounds the distances of pairs of lanes (near_nodes.h).
+  void (*bound_nodes)(const NodeTask* tasks, std::size_t count, float limit, NodeKeys* keys);
+
+  /// As `test_boxes`, for triangles whose boxes are near.
+  std::uint64_t (*near_boxes)(const BlockTask& task, const NearFilter& filter, TriangleSlot& slot);
+
+  /// Bounds the distances of pairs of triangles, in the layout's units; lists as for `judge`. Those
+  /// beyond `reach` have a bound, but perhaps no estimate: infinity.
+  void (*near_pairs)(const TriangleSlot* slots, const std::uint32_t* first,
+                     const std::uint32_t* second, std::size_t count, float reach, PairGaps& gaps);
 };
 
 /// Where rotation r pairs lanes k of `x` with lanes (k + r) mod 4 of `y`.

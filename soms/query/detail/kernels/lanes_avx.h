@@ -51,6 +51,14 @@ inline F8 operator*(F8 a, F8 b) {
   return F8(_mm256_mul_ps(a.v, b.v));
 }
 
+inline F8 operator/(F8 a, F8 b) {
+  return F8(_mm256_div_ps(a.v, b.v));
+}
+
+inline F8 sqrt(F8 a) {
+  return F8(_mm256_sqrt_ps(a.v));
+}
+
 inline M8 operator>(F8 a, F8 b) {
   return {_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)};
 }
@@ -69,6 +77,17 @@ inline F8 abs(F8 a) {
 
 inline F8 select(M8 where, F8 a, F8 b) {
   return F8(_mm256_blendv_ps(b.v, a.v, where.v));
+}
+
+/// Four lanes, again and again.
+inline F8 repeated(F4 a) {
+  return F8(_mm256_insertf128_ps(_mm256_castps128_ps256(a.v), a.v, 1));
+}
+
+/// Four lanes turned by R, then by one more.
+template <int R>
+inline F8 rotations(F4 a) {
+  return F8(_mm256_insertf128_ps(_mm256_castps128_ps256(rotate<R>(a).v), rotate<R + 1>(a).v, 1));
 }
 
 /// The most lanes that are worked on at once.

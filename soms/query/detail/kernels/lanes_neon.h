@@ -51,6 +51,14 @@ inline F4 operator*(F4 a, F4 b) {
   return F4(vmulq_f32(a.v, b.v));
 }
 
+inline F4 operator/(F4 a, F4 b) {
+  return F4(vdivq_f32(a.v, b.v));
+}
+
+inline F4 sqrt(F4 a) {
+  return F4(vsqrtq_f32(a.v));
+}
+
 inline M4 operator>(F4 a, F4 b) {
   return {vcgtq_f32(a.v, b.v)};
 }

@@ -55,6 +55,14 @@ inline F8 operator*(F8 a, F8 b) {
   return {a.low * b.low, a.high * b.high};
 }
 
+inline F8 operator/(F8 a, F8 b) {
+  return {a.low / b.low, a.high / b.high};
+}
+
+inline F8 sqrt(F8 a) {
+  return {sqrt(a.low), sqrt(a.high)};
+}
+
 inline M8 operator>(F8 a, F8 b) {
   return {a.low > b.low, a.high > b.high};
 }
@@ -73,6 +81,17 @@ inline F8 abs(F8 a) {
 
 inline F8 select(M8 where, F8 a, F8 b) {
   return {select(where.low, a.low, b.low), select(where.high, a.high, b.high)};
+}
+
+/// Four lanes, again and again.
+inline F8 repeated(F4 a) {
+  return {a, a};
+}
+
+/// Four lanes turned by R, then by one more.
+template <int R>
+inline F8 rotations(F4 a) {
+  return {rotate<R>(a), rotate<R + 1>(a)};
 }
 
 /// The most lanes that are worked on at once.

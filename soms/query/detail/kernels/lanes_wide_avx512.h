@@ -31,6 +31,8 @@ struct F16 {
     return F16(_mm512_i32gather_ps(_mm512_loadu_si512(at), from, sizeof(float)));
   }
 
+  void store(float* to) const { _mm512_storeu_ps(to, v); }
+
   __m512 v;
 };
 
@@ -44,6 +46,14 @@ inline F16 operator-(F16 a, F16 b) {
 
 inline F16 operator*(F16 a, F16 b) {
   return F16(_mm512_mul_ps(a.v, b.v));
+}
+
+inline F16 operator/(F16 a, F16 b) {
+  return F16(_mm512_div_ps(a.v, b.v));
+}
+
+inline F16 sqrt(F16 a) {
+  return F16(_mm512_sqrt_ps(a.v));
 }
 
 inline M16 operator>(F16 a, F16 b) {
@@ -64,6 +74,19 @@ inline F16 abs(F16 a) {
 
 inline F16 select(M16 where, F16 a, F16 b) {
   return F16(_mm512_mask_blend_ps(where.v, b.v, a.v));
+}
+
+/// Four lanes, again and again.
+inline F16 repeated(F4 a) {
+  return F16(_mm512_broadcast_f32x4(a.v));
+}
+
+/// Four lanes, then turned by one, by two and by three.
+template <int R>
+inline F16 rotations(F4 a) {
+  static_assert(R == 0);
+  const __m512i from = _mm512_setr_epi32(0, 1, 2, 3, 1, 2, 3, 0, 2, 3, 0, 1, 3, 0, 1, 2);
+  return F16(_mm512_permutexvar_ps(from, _mm512_castps128_ps512(a.v)));
 }
 
 /// The most lanes that are worked on at once.

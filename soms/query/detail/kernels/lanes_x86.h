@@ -51,6 +51,14 @@ inline F4 operator*(F4 a, F4 b) {
   return F4(_mm_mul_ps(a.v, b.v));
 }
 
+inline F4 operator/(F4 a, F4 b) {
+  return F4(_mm_div_ps(a.v, b.v));
+}
+
+inline F4 sqrt(F4 a) {
+  return F4(_mm_sqrt_ps(a.v));
+}
+
 inline M4 operator>(F4 a, F4 b) {
   return {_mm_cmpgt_ps(a.v, b.v)};
 }

@@ -6,6 +6,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace soms::detail::neon {
 
@@ -25,12 +26,15 @@ namespace {
 #include "soms/query/detail/kernels/triangles.h"
 //
 #include "soms/query/detail/kernels/triangle_pairs.h"
+//
+#include "soms/query/detail/kernels/near_nodes.h"
+#include "soms/query/detail/kernels/near_triangles.h"
 
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"neon",     test_nodes, test_larger, append,
-                                  test_slabs, test_boxes, judge};
+  static constexpr Kernels kTable{"neon",     test_nodes, test_larger, append,     test_slabs,
+                                  test_boxes, judge,      bound_nodes, near_boxes, near_pairs};
   return kTable;
 }
 

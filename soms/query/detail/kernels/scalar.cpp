@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace soms::detail::scalar {
 
@@ -79,6 +80,14 @@ F4 operator*(F4 a, F4 b) {
   return each([&](std::size_t k) { return a.v[k] * b.v[k]; });
 }
 
+F4 operator/(F4 a, F4 b) {
+  return each([&](std::size_t k) { return a.v[k] / b.v[k]; });
+}
+
+F4 sqrt(F4 a) {
+  return each([&](std::size_t k) { return std::sqrt(a.v[k]); });
+}
+
 M4 operator>(F4 a, F4 b) {
   std::uint32_t set = 0;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -126,12 +135,15 @@ F4 with_last(F4 a, float x) {
 #include "soms/query/detail/kernels/triangles.h"
 //
 #include "soms/query/detail/kernels/triangle_pairs.h"
+//
+#include "soms/query/detail/kernels/near_nodes.h"
+#include "soms/query/detail/kernels/near_triangles.h"
 
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"scalar",   test_nodes, test_larger, append,
-                                  test_slabs, test_boxes, judge};
+  static constexpr Kernels kTable{"scalar",   test_nodes, test_larger, append,     test_slabs,
+                                  test_boxes, judge,      bound_nodes, near_boxes, near_pairs};
   return kTable;
 }
 

@@ -8,6 +8,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 
 SOMS_TARGET_BEGIN("sse4.1,popcnt")
 
@@ -30,12 +31,15 @@ namespace {
 #include "soms/query/detail/kernels/triangles.h"
 //
 #include "soms/query/detail/kernels/triangle_pairs.h"
+//
+#include "soms/query/detail/kernels/near_nodes.h"
+#include "soms/query/detail/kernels/near_triangles.h"
 
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"sse4",     test_nodes, test_larger, append,
-                                  test_slabs, test_boxes, judge};
+  static constexpr Kernels kTable{"sse4",     test_nodes, test_larger, append,     test_slabs,
+                                  test_boxes, judge,      bound_nodes, near_boxes, near_pairs};
   return kTable;
 }
 

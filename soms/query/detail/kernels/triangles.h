@@ -100,7 +100,7 @@ inline float error_of(const BlockTask& task) {
   const auto& d = task.offset;
   const float distance = (std::abs(d[0]) + std::abs(d[1])) + std::abs(d[2]);
   const float l1_radius = task.x->l1_radius * task.pose->ratio + task.y->l1_radius;
-  return (l1_radius + distance) * 0x1p-21F + task.pose->slack * 0x1p-1F;
+  return (l1_radius + distance) * 0x1p-21F + task.pose->rounding * 0x1p-1F;
 }
 
 /// Moves the corners of x into the slot; gives their boxes, for each axis the rows of lower and
@@ -126,6 +126,18 @@ inline std::array<Row8, 6> move_corners(const BlockTask& task, TriangleSlot& slo
   return box;
 }
 
+/// What `move_corners` leaves to be filled in.
+inline void complete_slot(const BlockTask& task, const Corners& y, TriangleSlot& slot) {
+  const F8 error(error_of(task));
+  for (std::size_t row = 0; row < 9; ++row) {
+    y[row / 3][row % 3].store(slot.y[row].data());
+  }
+  error.store(slot.x[TriangleSlot::kErrorRow].data());
+  error.store(slot.y[TriangleSlot::kErrorRow].data());
+  slot.id_x = task.x->id;
+  slot.id_y = task.y->id;
+}
+
 inline std::uint64_t test_boxes(const BlockTask& task, TriangleSlot& slot) {
   const std::array<Row8, 6> box = move_corners(task, slot);
   const Corners q = corners_of(*task.y);
@@ -145,16 +157,8 @@ inline std::uint64_t test_boxes(const BlockTask& task, TriangleSlot& slot) {
     }
     rows |= std::uint64_t{~bits(miss) & task.lanes_y} << (8 * i);
   }
-  if (rows == 0) {
-    return 0;
+  if (rows != 0) {
+    complete_slot(task, q, slot);
   }
-  const F8 error(error_of(task));
-  for (std::size_t row = 0; row < 9; ++row) {
-    q[row / 3][row % 3].store(slot.y[row].data());
-  }
-  error.store(slot.x[TriangleSlot::kErrorRow].data());
-  error.store(slot.y[TriangleSlot::kErrorRow].data());
-  slot.id_x = task.x->id;
-  slot.id_y = task.y->id;
   return rows;
 }

@@ -5,6 +5,7 @@
 #include "soms/query/detail/relative_pose.h"
 #include "soms/tree/shape.h"
 
+#include "tests/query/margins/touch.h"
 #include "tests/support/support.h"
 
 #include <array>
@@ -166,6 +167,64 @@ TEST(Kernels, FindTheNearestPairThatMeets) {
     }
   });
   EXPECT_GT(found, 200U);
+}
+
+/// Two points, each a leaf: boxes without size in a node as large as their distance.
+Shape two_points(const Vec3& first, const Vec3& second) {
+  Mesh mesh;
+  mesh.vertices = {first, second};
+  mesh.triangles = {{0, 0, 0}, {1, 1, 1}};
+  ShapeOptions options;
+  options.build.per_leaf = 1;
+  return Shape(mesh, options);
+}
+
+/// The root's lane that holds triangle 0.
+std::uint32_t lane_of_first(const WideTree& tree) {
+  const WideNode& root = tree.nodes()[0];
+  std::uint32_t lane = 0;
+  while (tree.blocks()[root.child[lane] & (WideNode::kMost - 1)].id[0] != 0) {
+    ++lane;
+  }
+  return lane;
+}
+
+// Near the origin, where nearly all that is granted is for the rounding of floats.
+TEST(Kernels, KeepPointsThatTouchAtACorner) {
+  std::array<std::size_t, 2> larger{};  // how often x or y was
+  test::for_each_case("kernels/touch", 6000, [&](Rng& rng) {
+    test::Touch touch = test::random_touch(rng, 0.5);
+    if (!test::bring_together(touch)) {
+      return;
+    }
+    const Shape x = two_points(touch.x, touch.end_x);
+    const Shape y = two_points(touch.y, touch.end_y);
+    RelativePose relative(x.layout(), touch.pose_x, ReferenceFrame(y.layout(), touch.pose_y));
+    relative.prepare();
+    const std::uint32_t lane_x = lane_of_first(x.layout());
+    const std::uint32_t lane_y = lane_of_first(y.layout());
+    NodeTask task{&relative.numbers(),
+                  x.layout().nodes().data(),
+                  y.layout().nodes().data(),
+                  0,
+                  0,
+                  pairs_of_lanes(1U << lane_x, 1U << lane_y),
+                  0,
+                  0};
+    NodeTask alone = task;
+    alone.pairs = 1U << (task.descends_x() ? lane_x : lane_y);
+    ++larger[task.descends_x() ? 0 : 1];
+    for (const Kernels* kernels : kernels_here()) {
+      NodeTask both = task;
+      kernels->test_nodes(&both, 1);
+      ASSERT_EQ(both.pairs, task.pairs) << kernels->name;
+      NodeTask one = alone;
+      kernels->test_larger(&one, 1);
+      ASSERT_EQ(one.pairs, alone.pairs) << kernels->name;
+    }
+  });
+  EXPECT_GT(larger[0], 500U);
+  EXPECT_GT(larger[1], 500U);
 }
 
 TEST(Kernels, AppendTheSamePairsInTheSameOrder) {

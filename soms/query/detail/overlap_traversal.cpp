@@ -1,6 +1,6 @@
-#include "soms/query/detail/wide_pair_traversal.h"
+#include "soms/query/detail/overlap_traversal.h"
 
-#include "soms/query/detail/fetch.h"
+#include "soms/query/detail/engine/node_id.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/single_box_descent.h"
 #include "soms/query/detail/triangle_tests.h"
@@ -17,16 +17,23 @@ constexpr float kSimilar = 2;
 
 /// Pairs descended at once. Where bodies touch, a hit is mostly found within few pairs, and what
 /// was descended beside the way to it is lost; a traversal that has gone on for long descends
-/// everything anyway.
+/// everything anyway. What a source writes out does not last for more than one.
+template <class Source>
 std::size_t group_of(std::size_t descended) {
-  return descended < 24 ? 2 : descended < 48 ? 4 : TraversalRound::kEach;
+  if constexpr (Source::kInPlace) {
+    return descended < 24 ? 2 : descended < 48 ? 4 : TraversalRound::kEach;
+  } else {
+    return 1;
+  }
 }
+
+/// Pairs of blocks tested at once.
+template <class Source>
+constexpr std::size_t kBlocks = Source::kInPlace ? TraversalRound::kEach : 1;
 
 /// Pairs descended with the nearest of their children first. It halves the way to a hit; a
 /// traversal that has found none by then mostly finds none.
 constexpr std::size_t kOrdered = 24;
-
-constexpr std::uint32_t kIndexShift = 3;  // of a node id: see NodeTask
 
 float longest(const std::array<float, 3>& half) {
   return std::max({half[0], half[1], half[2]});
@@ -34,14 +41,6 @@ float longest(const std::array<float, 3>& half) {
 
 std::size_t lowest(std::uint32_t bits) {
   return static_cast<std::size_t>(std::countr_zero(bits));
-}
-
-bool is_lane(std::uint32_t node_id) {
-  return (node_id & NodeTask::kLane) != 0;
-}
-
-std::uint32_t lane_of(std::uint32_t node_id) {
-  return node_id & 3;
 }
 
 /// What a node id means, without a branch that nobody could foresee.
@@ -56,8 +55,8 @@ struct CodeTable {
   constexpr CodeTable() {
     for (std::uint32_t count = 0; count < 5; ++count) {
       for (std::uint32_t bits = 0; bits < 8; ++bits) {
-        const bool lane = (bits & NodeTask::kLane) != 0;
-        const std::uint32_t lanes = lane ? 1U << (bits & 3) : (1U << count) - 1;
+        const bool lane = is_lane(bits);
+        const std::uint32_t lanes = lane ? 1U << lane_of(bits) : (1U << count) - 1;
         entries[count][bits] = {static_cast<std::uint8_t>(lanes),
                                 static_cast<std::uint8_t>(lane ? 1 : count)};
       }
@@ -67,48 +66,52 @@ struct CodeTable {
 
 constexpr CodeTable kCodes;
 
-/// Id of a node's child.
-std::uint32_t node_id_of(const WideNode& node, std::uint32_t own, std::uint32_t lane) {
-  return (node.leaves >> lane & 1U) != 0 ? own | NodeTask::kLane | lane
-                                         : node.child[lane] << kIndexShift;
-}
-
 }  // namespace
 
-PairTraversal::PairTraversal(RelativePose& relative, const TraversalSide& x, const TraversalSide& y,
-                             bool swapped, OverlapMode mode, TraversalMemory& memory)
-    : relative_(relative),
-      leaves_(x, y, swapped, memory.leaves),
-      nodes_x_(x.shape->layout().nodes().data()),
-      nodes_y_(y.shape->layout().nodes().data()),
-      blocks_x_(x.shape->layout().blocks().data()),
-      blocks_y_(y.shape->layout().blocks().data()),
-      grid_y_(y.shape->layout().min_max_grid()),
+template <class Source>
+OverlapTraversal<Source>::OverlapTraversal(PairFrame& frame, OverlapMode mode,
+                                           TraversalMemory& memory)
+    : relative_(frame.relative()),
+      leaves_(frame, memory.leaves),
+      x_(*frame.x().shape),
+      y_(*frame.y().shape),
+      grid_y_(frame.y().layout().min_max_grid()),
       kernels_(kernels()),
       nearest_first_(mode == OverlapMode::any),
       memory_(memory) {
 }
 
-void PairTraversal::start() {
+template <class Source>
+bool OverlapTraversal<Source>::descend_single_box() {
+  if constexpr (Source::kInPlace) {
+    const SingleBox box = relative_.single_box();
+    if (box.pays(y_.node(0))) {
+      if (grid_y_.empty() || !box.clear_of(grid_y_)) {
+        box.descend(y_.nodes(), memory_.blocks, memory_.node_ids, cost_);
+      }
+      return true;
+    }
+  }
+  return false;
+}
+
+template <class Source>
+void OverlapTraversal<Source>::start() {
   ++cost_.node_tests;
   memory_.clear();
   if (relative_.apart()) {
     return;
   }
-  const SingleBox box = relative_.single_box();
-  if (box.pays(nodes_y_[0])) {
-    if (grid_y_.empty() || !box.clear_of(grid_y_)) {
-      box.descend(nodes_y_, memory_.blocks, memory_.node_ids, cost_);
-    }
-  } else {
-    memory_.node_ids.push({0, 0});
+  if (!descend_single_box()) {
+    memory_.node_ids.push({kRootId, kRootId});
   }
   if (!memory_.node_ids.empty()) {
     relative_.prepare();
   }
 }
 
-void PairTraversal::start(const PairList& seeds, const Cost& cost) {
+template <class Source>
+void OverlapTraversal<Source>::start(const PairList& seeds, const Cost& cost) {
   cost_ = cost;
   memory_.clear();
   for (std::size_t i = 0; i < seeds.size(); ++i) {
@@ -117,69 +120,71 @@ void PairTraversal::start(const PairList& seeds, const Cost& cost) {
   relative_.prepare();
 }
 
-void PairTraversal::start(const NodeRefPair& from) {
+template <class Source>
+void OverlapTraversal<Source>::start(const NodeRefPair& from) {
   memory_.clear();
   (from.blocks() ? memory_.blocks : memory_.node_ids).push(from);
 }
 
-void PairTraversal::push(const NodeTask& task) {
+template <class Source>
+void OverlapTraversal<Source>::push(const NodeTask& task) {
   const bool descends_x = task.descends_x();
   for (std::uint32_t meet = task.pairs; meet != 0; meet &= meet - 1) {
     const auto lane = static_cast<std::uint32_t>(lowest(meet));
     if (descends_x) {
-      const std::uint32_t node_id = node_id_of(*task.x, task.node_id_x, lane);
+      const std::uint32_t node_id = child_id(*task.x, task.node_id_x, lane);
       memory_.node_ids.push({node_id, task.node_id_y});
-      fetch(nodes_x_[node_id >> kIndexShift]);
+      x_.fetch_node(index_of(node_id));
     } else {
-      const std::uint32_t node_id = node_id_of(*task.y, task.node_id_y, lane);
+      const std::uint32_t node_id = child_id(*task.y, task.node_id_y, lane);
       memory_.node_ids.push({task.node_id_x, node_id});
-      fetch(nodes_y_[node_id >> kIndexShift]);
+      y_.fetch_node(index_of(node_id));
     }
   }
 }
 
-bool PairTraversal::large_leaf_meets(const NodeRefPair& pair, const WideNode& x,
-                                     const WideNode& y) {
+template <class Source>
+bool OverlapTraversal<Source>::large_leaf_meets(const NodeRefPair& pair, const WideNode& x,
+                                                const WideNode& y) {
   Relation relation;
   if (is_lane(pair.x)) {
     const std::uint32_t lane = lane_of(pair.x);
     const float size = longest({x.half[0][lane], x.half[1][lane], x.half[2][lane]});
-    if (size * relative_.ratio() <= y.l1_radius) {
-      return true;
-    }
-    for (const TriangleBlock* block = &block_x(x.child[lane]);; ++block) {
-      relative_.relate(*block, y, relation);
-      cost_.node_tests += block->count;
-      ++scanned_;
-      if (box_against_x(relation, *block, y.own_half()) != 0) {
-        return true;
-      }
-      if (block->following == 0) {
-        return false;
-      }
-    }
+    return size * relative_.ratio() <= y.l1_radius ||
+           any_block(x_, x.child[lane], [&](const TriangleBlock& block) {
+             relative_.relate(block, y, relation);
+             return box_against_x(relation, block, y.own_half()) != 0;
+           });
   }
   const std::uint32_t lane = lane_of(pair.y);
   const float size = longest({y.half[0][lane], y.half[1][lane], y.half[2][lane]});
-  if (size <= x.l1_radius * relative_.ratio()) {
-    return true;
-  }
-  for (const TriangleBlock* block = &block_y(y.child[lane]);; ++block) {
-    relative_.relate(x, *block, relation);
-    cost_.node_tests += block->count;
+  return size <= x.l1_radius * relative_.ratio() ||
+         any_block(y_, y.child[lane], [&](const TriangleBlock& block) {
+           relative_.relate(x, block, relation);
+           return box_against_y(relation, x.own_half(), block) != 0;
+         });
+}
+
+template <class Source>
+template <class Meets>
+bool OverlapTraversal<Source>::any_block(Source& source, std::uint32_t token, const Meets& meets) {
+  for (;; token = source.next(token)) {
+    const TriangleBlock& block = source.block(token);
+    cost_.node_tests += block.count;
     ++scanned_;
-    if (box_against_y(relation, x.own_half(), *block) != 0) {
+    if (meets(block)) {
       return true;
     }
-    if (block->following == 0) {
+    if (block.following == 0) {
       return false;
     }
   }
 }
 
-void PairTraversal::gather_nodes(TraversalRound& round) {
+template <class Source>
+void OverlapTraversal<Source>::gather_nodes(TraversalRound& round) {
   PairList& node_ids = memory_.node_ids;
-  const std::size_t taken = std::min(group_of(descended_), node_ids.size());
+  const std::size_t taken = std::min(group_of<Source>(descended_), node_ids.size());
   const std::uint32_t order = nearest_first_ && descended_ < kOrdered ? 1 : 0;
   descended_ += taken;
   node_ids.drop(taken);
@@ -188,8 +193,8 @@ void PairTraversal::gather_nodes(TraversalRound& round) {
   // What was on top comes last, so that its children end on top.
   for (std::size_t i = node_ids.size(); i < node_ids.size() + taken; ++i) {
     const NodeRefPair pair = node_ids.at(i);
-    const WideNode& x = nodes_x_[pair.x >> kIndexShift];
-    const WideNode& y = nodes_y_[pair.y >> kIndexShift];
+    const WideNode& x = x_.node(index_of(pair.x));
+    const WideNode& y = y_.node(index_of(pair.y));
     const float size_x = x.l1_radius * numbers.ratio;
     if (size_x > kSimilar * y.l1_radius || y.l1_radius > kSimilar * size_x) {
       if (!is_lane(pair.x | pair.y)) {
@@ -202,18 +207,27 @@ void PairTraversal::gather_nodes(TraversalRound& round) {
       if (!large_leaf_meets(pair, x, y)) {
         continue;
       }
+    } else if (!Source::kInPlace && is_lane(pair.x | pair.y) && !large_leaf_meets(pair, x, y)) {
+      // To write out what lies below the node would cost more than this look.
+      continue;
     }
     const CodeTable::Entry& in_x = kCodes.entries[x.count][pair.x & 7];
     const CodeTable::Entry& in_y = kCodes.entries[y.count][pair.y & 7];
     cost_.node_tests += std::uint64_t{in_x.number} * in_y.number;
-    *next++ = {
-        &numbers, &x, &y, pair.x & ~7U, pair.y & ~7U, kLanePairs.bits[in_x.lanes][in_y.lanes],
-        order,    0};
+    *next++ = {&numbers,
+               &x,
+               &y,
+               without_lane(pair.x),
+               without_lane(pair.y),
+               kLanePairs.bits[in_x.lanes][in_y.lanes],
+               order,
+               0};
   }
   round.node_count = static_cast<std::size_t>(next - round.nodes.data());
 }
 
-void PairTraversal::append(std::span<const NodeTask> tasks) {
+template <class Source>
+void OverlapTraversal<Source>::append(std::span<const NodeTask> tasks) {
   PairList& node_ids = memory_.node_ids;
   PairList& blocks = memory_.blocks;
   constexpr std::size_t kMost = 16;
@@ -223,20 +237,21 @@ void PairTraversal::append(std::span<const NodeTask> tasks) {
   kernels_.append(tasks.data(), tasks.size(), sink);
   node_ids.add(sink.node_ids);
   blocks.add(sink.blocks);
-  const std::size_t next = std::min(group_of(descended_), node_ids.size());
+  const std::size_t next = std::min(group_of<Source>(descended_), node_ids.size());
   for (std::size_t i = node_ids.size() - next; i < node_ids.size(); ++i) {
     const NodeRefPair pair = node_ids.at(i);
-    fetch(nodes_x_[pair.x >> kIndexShift]);
-    fetch(nodes_y_[pair.y >> kIndexShift]);
+    x_.fetch_node(index_of(pair.x));
+    y_.fetch_node(index_of(pair.y));
   }
   for (std::size_t i = blocks.size() - sink.blocks; i < blocks.size(); ++i) {
     const NodeRefPair pair = blocks.at(i);
-    fetch(block_x(pair.x));
-    fetch(block_y(pair.y));
+    x_.fetch_block(pair.x);
+    y_.fetch_block(pair.y);
   }
 }
 
-bool PairTraversal::gather(TraversalRound& round) {
+template <class Source>
+bool OverlapTraversal<Source>::gather(TraversalRound& round) {
   node_begin_ = round.node_count;
   larger_begin_ = round.larger_count;
   block_begin_ = round.block_count;
@@ -254,13 +269,15 @@ bool PairTraversal::gather(TraversalRound& round) {
   return true;
 }
 
-void PairTraversal::test(const Kernels& kernels, TraversalRound& round) {
+void test_round(const Kernels& kernels, TraversalRound& round) {
   kernels.test_nodes(round.nodes.data(), round.node_count);
   kernels.test_larger(round.larger.data(), round.larger_count);
   kernels.test_slabs(round.blocks.data(), round.block_count);
 }
 
-bool PairTraversal::take_up(const TraversalRound& round, Collector& collector, Watch& watch) {
+template <class Source>
+bool OverlapTraversal<Source>::take_up(const TraversalRound& round, Collector& collector,
+                                       Limit& limit) {
   for (std::size_t i = 0; i < larger_count_; ++i) {
     push(round.larger[larger_begin_ + i]);
   }
@@ -273,21 +290,23 @@ bool PairTraversal::take_up(const TraversalRound& round, Collector& collector, W
                      cost_)) {
     return false;
   }
-  return !watch.spend(1 + node_count_ + larger_count_ + 2 * block_count_ + scanned_);
+  return !limit.spend(1 + node_count_ + larger_count_ + 2 * block_count_ + scanned_);
 }
 
-void PairTraversal::run(Collector& collector, Watch& watch) {
+template <class Source>
+void OverlapTraversal<Source>::run(Collector& collector, Limit& limit) {
   TraversalRound round;
   while (gather(round)) {
-    test(kernels_, round);
-    if (!take_up(round, collector, watch)) {
+    test_round(kernels_, round);
+    if (!take_up(round, collector, limit)) {
       return;
     }
     round.clear();
   }
 }
 
-std::vector<NodeRefPair> PairTraversal::frontier(std::size_t enough) {
+template <class Source>
+std::vector<NodeRefPair> OverlapTraversal<Source>::frontier(std::size_t enough) {
   start();
   std::vector<NodeRefPair> level;
   for (std::size_t i = 0; i < memory_.node_ids.size(); ++i) {
@@ -306,7 +325,7 @@ std::vector<NodeRefPair> PairTraversal::frontier(std::size_t enough) {
       start(pair);
       TraversalRound round;
       gather_nodes(round);
-      test(kernels_, round);
+      test_round(kernels_, round);
       for (std::size_t i = 0; i < round.larger_count; ++i) {
         push(round.larger[i]);
       }
@@ -323,29 +342,34 @@ std::vector<NodeRefPair> PairTraversal::frontier(std::size_t enough) {
   return level;
 }
 
-NodeRefPair PairTraversal::take_blocks() {
+template <class Source>
+NodeRefPair OverlapTraversal<Source>::take_blocks() {
   constexpr std::uint32_t kRun = WideNode::kRunBit;
   const NodeRefPair pair = memory_.blocks.pop();
   const NodeRefPair here{pair.x & ~kRun, pair.y & ~kRun};
   // Row by row: only the head of a row, whose y is still a run too, goes on to the next row.
-  if ((pair.x & kRun) != 0 && block_x(here.x).following > 0) {
-    memory_.blocks.push({pair.x + 1, pair.y});
+  if ((pair.x & kRun) != 0 && x_.block(here.x).following > 0) {
+    memory_.blocks.push({x_.next(pair.x), pair.y});
   }
-  if ((pair.y & kRun) != 0 && block_y(here.y).following > 0) {
-    memory_.blocks.push({here.x, pair.y + 1});
+  if ((pair.y & kRun) != 0 && y_.block(here.y).following > 0) {
+    memory_.blocks.push({here.x, y_.next(pair.y)});
   }
   return here;
 }
 
-void PairTraversal::gather_blocks(TraversalRound& round) {
-  for (std::size_t i = 0; i < TraversalRound::kEach && !memory_.blocks.empty(); ++i) {
+template <class Source>
+void OverlapTraversal<Source>::gather_blocks(TraversalRound& round) {
+  for (std::size_t i = 0; i < kBlocks<Source> && !memory_.blocks.empty(); ++i) {
     const NodeRefPair pair = take_blocks();
     BlockTask& task = round.blocks[round.block_count++];
     task.pose = &relative_.numbers();
-    task.x = &block_x(pair.x);
-    task.y = &block_y(pair.y);
+    task.x = &x_.block(pair.x);
+    task.y = &y_.block(pair.y);
     cost_.node_tests += task.x->count + task.y->count;
   }
 }
+
+template class OverlapTraversal<WideSource>;
+template class OverlapTraversal<CompactSource>;
 
 }  // namespace soms::detail

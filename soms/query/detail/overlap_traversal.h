@@ -1,12 +1,14 @@
 /// \file
-/// The default traversal: two wide trees traversed together, with lists of pairs that grow.
+/// The default traversal: two trees traversed together, with lists of pairs that grow.
 #pragma once
 
 #include "soms/query/answer.h"
 #include "soms/query/detail/collector.h"
+#include "soms/query/detail/engine/block_source.h"
+#include "soms/query/detail/engine/limit.h"
+#include "soms/query/detail/engine/pair_list.h"
 #include "soms/query/detail/kernels/kernels.h"
 #include "soms/query/detail/leaf_pairs.h"
-#include "soms/query/detail/pair_list.h"
 #include "soms/query/detail/relative_pose.h"
 
 #include <array>
@@ -49,13 +51,16 @@ struct TraversalRound {
   }
 };
 
-/// One query. Sides x and y are the caller's a and b, or b and a when `swapped`.
-class PairTraversal {
- public:
-  PairTraversal(RelativePose& relative, const TraversalSide& x, const TraversalSide& y,
-                bool swapped, OverlapMode mode, TraversalMemory& memory);
+/// Makes the tests of a round.
+void test_round(const Kernels& kernels, TraversalRound& round);
 
-  /// Begins at the roots, or below that of y where x is small beside it.
+/// One query, of layouts that `Source` reads.
+template <class Source>
+class OverlapTraversal {
+ public:
+  OverlapTraversal(PairFrame& frame, OverlapMode mode, TraversalMemory& memory);
+
+  /// Begins at the roots, or below that of y where x is small beside it and y lies in place.
   void start();
 
   /// Begins where `start` would have led to, at that cost (see BatchedRootDescent).
@@ -68,28 +73,20 @@ class PairTraversal {
   [[nodiscard]] bool gather(TraversalRound& round);
 
   /// Takes up what the tests of the round said; false when the traversal is over.
-  [[nodiscard]] bool take_up(const TraversalRound& round, Collector& collector, Watch& watch);
-
-  /// Makes the tests of a round.
-  static void test(const Kernels& kernels, TraversalRound& round);
+  [[nodiscard]] bool take_up(const TraversalRound& round, Collector& collector, Limit& limit);
 
   /// Traverses until the end, alone.
-  void run(Collector& collector, Watch& watch);
+  void run(Collector& collector, Limit& limit);
 
-  /// Opens pairs in order, level by level, until there are `enough` or only blocks are left: the
+  /// Descends pairs in order, level by level, until there are `enough` or only blocks are left: the
   /// same pairs whatever the number of threads.
   [[nodiscard]] std::vector<NodeRefPair> frontier(std::size_t enough);
 
   [[nodiscard]] const Cost& cost() const { return cost_; }
 
  private:
-  [[nodiscard]] const TriangleBlock& block_x(std::uint32_t token) const {
-    return blocks_x_[token & (WideNode::kMost - 1)];
-  }
-
-  [[nodiscard]] const TriangleBlock& block_y(std::uint32_t token) const {
-    return blocks_y_[token & (WideNode::kMost - 1)];
-  }
+  /// Lets x go down y as one box where that pays; false where it does not.
+  [[nodiscard]] bool descend_single_box();
 
   void gather_nodes(TraversalRound& round);
   void gather_blocks(TraversalRound& round);
@@ -104,15 +101,17 @@ class PairTraversal {
   [[nodiscard]] bool large_leaf_meets(const NodeRefPair& pair, const WideNode& x,
                                       const WideNode& y);
 
+  /// Whether `meets` holds for a block of the leaf that begins with `token`.
+  template <class Meets>
+  [[nodiscard]] bool any_block(Source& source, std::uint32_t token, const Meets& meets);
+
   /// Pops a pair of blocks. Of a run of blocks it gives the first and leaves the rest.
   [[nodiscard]] NodeRefPair take_blocks();
 
   RelativePose& relative_;
   LeafPairs leaves_;
-  const WideNode* nodes_x_;
-  const WideNode* nodes_y_;
-  const TriangleBlock* blocks_x_;
-  const TriangleBlock* blocks_y_;
+  Source x_;
+  Source y_;
   const layout::MinMaxGrid& grid_y_;
   const Kernels& kernels_;
   bool nearest_first_;
@@ -127,5 +126,8 @@ class PairTraversal {
   std::size_t block_count_ = 0;
   std::size_t scanned_ = 0;  // blocks of leaves larger than a node, in this round
 };
+
+extern template class OverlapTraversal<WideSource>;
+extern template class OverlapTraversal<CompactSource>;
 
 }  // namespace soms::detail

@@ -54,7 +54,7 @@ void expect_answers(const Body& a, const Body& b, const std::vector<TrianglePair
   ASSERT_EQ(threaded.cost, all.cost);
 }
 
-TEST(CompactTraversal, HoldsForAllCasesOfTheTruthSet) {
+TEST(CompactSource, HoldsForAllCasesOfTheTruthSet) {
   const auto cases = test::truth_cases(test::Models::own);
   ASSERT_EQ(cases.size(), 3780U);
   for (const test::TruthCase& truth : cases) {
@@ -70,8 +70,8 @@ TEST(CompactTraversal, HoldsForAllCasesOfTheTruthSet) {
 }
 
 // Each side of either layout, in every mode, alone and in batches.
-TEST(CompactTraversal, AnswersAsBruteForceWithEitherLayoutOnEitherSide) {
-  test::for_each_case("compact_traversal/answers", 400, [](Rng& rng) {
+TEST(CompactSource, AnswersAsBruteForceWithEitherLayoutOnEitherSide) {
+  test::for_each_case("compact_source/answers", 400, [](Rng& rng) {
     const double scale = std::exp2(rng.below(3) == 0 ? rng.uniform(-200, 200) : 0);
     const Vec3 far = rng.below(3) == 0 ? scale * Vec3{1e7, -3e6, 11} : Vec3{};
     const Mesh mesh_a = test::placed(test::awkward_mesh(rng, 120), scale, far);
@@ -99,7 +99,7 @@ TEST(CompactTraversal, AnswersAsBruteForceWithEitherLayoutOnEitherSide) {
   });
 }
 
-TEST(CompactTraversal, OverlapsNothingWithAnEmptyMesh) {
+TEST(CompactSource, OverlapsNothingWithAnEmptyMesh) {
   EXPECT_FALSE(overlap(Body{compact({})}, Body{compact(generate_sphere(80))}).any);
 }
 

@@ -1,4 +1,4 @@
-#include "soms/query/detail/pair_list.h"
+#include "soms/query/detail/engine/pair_list.h"
 
 #include <algorithm>
 

@@ -1,0 +1,63 @@
+#include "soms/query/detail/engine/pair_frame.h"
+
+#include <algorithm>
+
+namespace soms::detail {
+
+namespace {
+
+/// True if a pair of trees is seen in the axes of `a`.
+bool first_is_reference(const WideTree& a, const WideTree& b) {
+  if (a.exponent() != b.exponent()) {
+    return a.exponent() < b.exponent();
+  }
+  const auto size = [](const WideTree& tree) {
+    const Vec3 extent = tree.bounds().extent();
+    return std::max({extent.x, extent.y, extent.z});
+  };
+  return size(a) > size(b);
+}
+
+}  // namespace
+
+bool is_empty(const Shape& shape) {
+  return shape.layout().empty();
+}
+
+bool any_compact(const Shape& a, const Shape& b) {
+  return a.layout().compact() != nullptr || b.layout().compact() != nullptr;
+}
+
+void check_pose(const Pose& pose, const Shape& shape) {
+  check(pose);
+  check_range(pose, shape.bounds());
+}
+
+PairFrame::PairFrame(const Body& a, const Body& b)
+    : PairFrame({&a.shape, &a.pose}, {&b.shape, &b.pose},
+                first_is_reference(a.shape.layout(), b.shape.layout())) {
+}
+
+PairFrame::PairFrame(const PosedShape& a, const PosedShape& b, bool swapped)
+    : PairFrame(swapped ? b : a, swapped ? a : b,
+                swapped ? ReferenceFrame(a.layout(), *a.pose) : ReferenceFrame(b.layout(), *b.pose),
+                swapped) {
+}
+
+PoseFrames::PoseFrames(const Shape& mover, const Body& fixed)
+    : mover_(&mover),
+      fixed_{&fixed.shape, &fixed.pose},
+      mover_is_reference_(first_is_reference(mover.layout(), fixed.shape.layout())),
+      fixed_frame_(fixed.shape.layout(), fixed.pose) {
+}
+
+void PoseFrames::place(const Pose& pose, std::optional<PairFrame>& frame) const {
+  const PosedShape mover{mover_, &pose};
+  if (mover_is_reference_) {
+    frame.emplace(fixed_, mover, ReferenceFrame(mover_->layout(), pose), true);
+  } else {
+    frame.emplace(mover, fixed_, fixed_frame_, false);
+  }
+}
+
+}  // namespace soms::detail

@@ -1,0 +1,213 @@
+#include "soms/query/detail/near/near_pose.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace soms::detail {
+
+namespace {
+
+constexpr double kUnitRoundoff = 0x1p-53;
+
+/// Bodies are far apart from this many times their radii on.
+constexpr double kFar = 32;
+
+/// At least `x`, not negative.
+float rounded_up(double x) {
+  return static_cast<float>((x + 0x1p-100) * (1 + 0x1p-22));
+}
+
+/// At most `x`.
+float rounded_down(double x) {
+  return static_cast<float>(x - (std::abs(x) * 0x1p-22 + 0x1p-100));
+}
+
+double length(const Vec3& v) {
+  return std::sqrt(dot(v, v));
+}
+
+/// `max |R^T R - I|`.
+double skew(const Matrix3& r) {
+  double most = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double entry = (r[0][i] * r[0][j] + r[1][i] * r[1][j]) + r[2][i] * r[2][j];
+      most = std::max(most, std::abs(entry - (i == j ? 1 : 0)));
+    }
+  }
+  return most;
+}
+
+/// The stretch of near_pose.h: by how much lengths seen in the axes of y differ.
+constexpr double kSkewShare = 2;
+constexpr double kResidualShare = 4;
+constexpr double kStretchRounding = 32 * kUnitRoundoff;
+static_assert(1.53 < kSkewShare && 3.1 < kResidualShare);
+static_assert((1.53 * 4 + 3.1 * 3.01) * kUnitRoundoff < kStretchRounding);
+
+/// Margins of far bodies, in units of V.
+constexpr double kFarRounding = 256 * kUnitRoundoff;
+static_assert((23 + 12 * 3.5) * kUnitRoundoff < kFarRounding);
+
+/// Margins of sums over boxes of far bodies, in units of their radii.
+constexpr double kFarBoxes = 0x1p-19;
+
+/// `relative` of the numbers is 2.75 m; keys may exceed a distance by 3.02 m of it.
+constexpr double kOffsetShare = 1.5;
+static_assert(kOffsetShare * 2.75 > 4);
+
+Vec3 vector(const std::array<double, 3>& v) {
+  return {v[0], v[1], v[2]};
+}
+
+/// `w` along the axes of a mesh that a pose moves, then along those of a node.
+std::array<float, 3> seen(const Pose& pose, const Vec3& w, const layout::Axes& axes) {
+  const Matrix3 r = rotation(pose);
+  std::array<double, 3> v = {};
+  for (std::size_t j = 0; j < 3; ++j) {
+    v[j] = (r[0][j] * w.x + r[1][j] * w.y) + r[2][j] * w.z;
+  }
+  std::array<float, 3> turned = {};
+  for (std::size_t j = 0; j < 3; ++j) {
+    turned[j] = static_cast<float>((axes[j] * v[0] + axes[3 + j] * v[1]) + axes[6 + j] * v[2]);
+  }
+  return turned;
+}
+
+/// Least values of `sign` times boxes' points along `w`.
+std::array<float, WideNode::kWidth> supports(const WideNode& node, const std::array<float, 3>& w,
+                                             float sign) {
+  std::array<float, WideNode::kWidth> least = {};
+  for (std::size_t k = 0; k < WideNode::kWidth; ++k) {
+    const float center =
+        (w[0] * node.center[0][k] + w[1] * node.center[1][k]) + w[2] * node.center[2][k];
+    const float radius = (std::abs(w[0]) * node.half[0][k] + std::abs(w[1]) * node.half[1][k]) +
+                         std::abs(w[2]) * node.half[2][k];
+    least[k] = sign * center - radius;
+  }
+  return least;
+}
+
+/// Least values of `sign` times triangles' points along `w`.
+std::array<float, TriangleBlock::kWidth> supports(const TriangleBlock& block,
+                                                  const std::array<float, 3>& w, float sign) {
+  std::array<float, TriangleBlock::kWidth> least = {};
+  for (std::size_t k = 0; k < TriangleBlock::kWidth; ++k) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const float here =
+          sign * ((w[0] * block.corner[3 * corner][k] + w[1] * block.corner[3 * corner + 1][k]) +
+                  w[2] * block.corner[3 * corner + 2][k]);
+      least[k] = corner == 0 ? here : std::min(least[k], here);
+    }
+  }
+  return least;
+}
+
+/// V of relative_pose.h, a body's share.
+double moved_extent(const Pose& pose, const Box& box) {
+  const std::array<double, 3> far = {std::max(std::abs(box.lower.x), std::abs(box.upper.x)),
+                                     std::max(std::abs(box.lower.y), std::abs(box.upper.y)),
+                                     std::max(std::abs(box.lower.z), std::abs(box.upper.z))};
+  double most = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double sum = ((std::abs(pose.m[4 * k + 3]) + std::abs(pose.m[4 * k]) * far[0]) +
+                        std::abs(pose.m[4 * k + 1]) * far[1]) +
+                       std::abs(pose.m[4 * k + 2]) * far[2];
+    most = std::max(most, sum);
+  }
+  return most;
+}
+
+}  // namespace
+
+NearPose::NearPose(PairFrame& frame)
+    : x_(frame.x()),
+      y_(frame.y()),
+      stretch_(kSkewShare * skew(rotation(*y_.pose)) +
+               kResidualShare * frame.relative().residual() + kStretchRounding) {
+  frame.relative().prepare();
+  numbers_ = frame.relative().numbers();
+  scale_ = numbers_.scale;
+  const WideTree& tree_x = x_.layout();
+  const WideTree& tree_y = y_.layout();
+  const Vec3 half_x = tree_x.bounds().extent() * 0.5;
+  const Vec3 half_y = tree_y.bounds().extent() * 0.5;
+  const double apart = length(place_of(x_, {0, 0, 0}) - place_of(y_, {0, 0, 0}));
+  if (scale_ != 0 && apart > kFar * (length(half_x) + length(half_y))) {
+    far_ = true;
+    base_ = apart;
+    const double extent =
+        moved_extent(*x_.pose, tree_x.bounds()) + moved_extent(*y_.pose, tree_y.bounds());
+    slack_ = (kFarRounding * extent + 0x1p-1064) * scale_ + 0x1p-100;
+  }
+  set_limit(std::numeric_limits<double>::infinity());
+}
+
+void NearPose::set_limit(double upper) {
+  if (far_) {
+    const double beyond = (upper - base_) * scale_;
+    limit_ = static_cast<float>(beyond + (std::abs(beyond) * 0x1p-22 + 0x1p-100));
+    return;
+  }
+  const double near = upper * (1 + stretch_) * scale_ * (1 + kOffsetShare * numbers_.relative);
+  limit_ = rounded_up(near);
+  numbers_.slack = rounded_up(static_cast<double>(numbers_.rounding) + near);
+}
+
+double NearPose::distance_of(float key) const {
+  if (scale_ == 0) {
+    return 0;
+  }
+  constexpr double kDown = 1 - 0x1p-40;
+  if (far_) {
+    const double beyond = static_cast<double>(key) / scale_;
+    return std::max((base_ + beyond) * kDown, 0.0);
+  }
+  const double seen = static_cast<double>(key) / (1 + kOffsetShare * numbers_.relative);
+  return std::max(seen / ((1 + stretch_) * scale_) * kDown, 0.0);
+}
+
+Vec3 NearPose::place_of(const PosedShape& side, const std::array<double, 3>& origin) const {
+  return side.pose->apply(side.layout().origin() + vector(origin));
+}
+
+template <class X, class Y>
+NearPose::Heading NearPose::heading(const X& x, const Y& y) const {
+  const Vec3 way = place_of(x_, x.origin) - place_of(y_, y.origin);
+  const Vec3 unit = way * (1 / length(way));
+  return {seen(*x_.pose, unit, axes_of(x)), seen(*y_.pose, unit, axes_of(y)),
+          (dot(unit, way) / length(unit) - base_) * scale_,
+          slack_ + kFarBoxes * (static_cast<double>(x.l1_radius) * numbers_.ratio + y.l1_radius)};
+}
+
+void NearPose::far_keys(const NodeTask& task, float limit, NodeKeys& keys) const {
+  const Heading way = heading(*task.x, *task.y);
+  const auto of_x = supports(*task.x, way.in_x, 1);
+  const auto of_y = supports(*task.y, way.in_y, -1);
+  keys.near = 0;
+  for (std::size_t r = 0; r < WideNode::kWidth; ++r) {
+    for (std::size_t k = 0; k < WideNode::kWidth; ++k) {
+      const double sum = (way.between + static_cast<double>(of_x[k]) * numbers_.ratio) +
+                         static_cast<double>(of_y[(k + r) % WideNode::kWidth]);
+      const float key = rounded_down(sum - way.margin);
+      keys.key[4 * r + k] = key;
+      keys.near |= (key > limit ? 0U : 1U) << (4 * r + k);
+    }
+  }
+  keys.near &= task.pairs;
+}
+
+void NearPose::far_keys(const TriangleBlock& x, const TriangleBlock& y, BlockKeys& keys) const {
+  const Heading way = heading(x, y);
+  const auto of_x = supports(x, way.in_x, 1);
+  const auto of_y = supports(y, way.in_y, -1);
+  for (std::size_t i = 0; i < TriangleBlock::kWidth; ++i) {
+    for (std::size_t k = 0; k < TriangleBlock::kWidth; ++k) {
+      const double sum = (way.between + static_cast<double>(of_x[i]) * numbers_.ratio) +
+                         static_cast<double>(of_y[k]);
+      keys[i][k] = rounded_down(sum - way.margin);
+    }
+  }
+}
+
+}  // namespace soms::detail

@@ -1,0 +1,82 @@
+/// \file
+/// Are two surfaces within a clearance of each other? Decided exactly, and sooner than their
+/// distance is known.
+#pragma once
+
+#include "soms/base/parallel.h"
+#include "soms/base/vector.h"
+#include "soms/query/answer.h"
+#include "soms/query/body.h"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace soms {
+
+/// Options of a query of clearance.
+struct WithinOptions {
+  /// Ends the query with coverage `cut` when it passes.
+  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
+
+  [[nodiscard]] bool operator==(const WithinOptions&) const = default;
+};
+
+/// Answer of a query of clearance.
+struct Within {
+  bool within = false;
+  /// A pair of triangles within the clearance; which one is not promised.
+  std::optional<TrianglePair> triangles = std::nullopt;
+  Vec3 point_a = {};  ///< of that pair as `Distance` has them
+  Vec3 point_b = {};
+  /// A lower bound of the distance: the clearance where nothing is within it, what was proved so
+  /// far where coverage is `cut`, infinity where a mesh is empty; 0 where `within` holds.
+  double at_least = 0;
+  /// Where it is `cut`, `within` is false and means nothing.
+  Coverage coverage = Coverage::complete;
+  Cost cost = {};
+
+  [[nodiscard]] bool operator==(const Within&) const = default;
+};
+
+/// Whether the least distance of two surfaces is at most `clearance`, decided exactly on the moved
+/// vertices. Clearance 0 asks for overlap.
+///
+/// \errors  As `distance`; ErrorKind::usage for a clearance that is negative or not a number.
+/// \cost    At most that of `distance`, as a rule far less.
+/// \threads Any number of callers; one query takes one thread, and of `parallel` only `stop`
+/// counts.
+[[nodiscard]] Within within(const Body& a, const Body& b, double clearance,
+                            const WithinOptions& options = {}, const Parallel& parallel = {});
+
+/// Answers for a batch of poses: columns, one entry a pose, as those of `Within`.
+struct WithinBatch {
+  std::vector<std::uint8_t> within;                    ///< n flags, 0 or 1
+  std::vector<std::optional<TrianglePair>> triangles;  ///< n
+  std::vector<Vec3> point_a;                           ///< n
+  std::vector<Vec3> point_b;                           ///< n
+  std::vector<double> at_least;                        ///< n
+  std::vector<Coverage> coverage;                      ///< n
+  std::vector<Cost> costs;                             ///< n
+  Cost cost;                                           ///< of all poses together
+
+  [[nodiscard]] bool operator==(const WithinBatch&) const = default;
+
+  [[nodiscard]] std::size_t size() const { return within.size(); }
+
+  /// The answer for a pose.
+  [[nodiscard]] Within at(std::size_t pose) const;
+};
+
+/// `within` of `mover` at each of `poses` and `fixed`: the answers of single queries.
+///
+/// \shape   `poses`: n.
+/// \errors  As `within`; a pose at fault is named by its index.
+[[nodiscard]] WithinBatch within(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
+                                 double clearance, const WithinOptions& options = {},
+                                 const Parallel& parallel = {});
+
+}  // namespace soms

@@ -1,0 +1,339 @@
+// What holds for every question, whatever it means: one loop over the table of questions.
+#include "tests/support/query_table.h"
+
+#include "soms/base/error.h"
+#include "soms/generate/shapes.h"
+#include "soms/query/instruction_set.h"
+#include "soms/tree/rule/rules.h"
+
+#include "tests/query/overlap_inputs.h"
+#include "tests/support/support.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stop_token>
+#include <vector>
+
+namespace soms {
+namespace {
+
+using test::Answer;
+using test::PairTruth;
+using test::QueryRow;
+using test::Two;
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+/// Skips where SOMS_ISA names what this processor lacks.
+class QueryTable : public testing::Test {
+ protected:
+  void SetUp() override {
+    try {
+      static_cast<void>(instruction_set());
+    } catch (const Error& error) {
+      ASSERT_EQ(error.kind(), ErrorKind::unsupported) << error.what();
+      GTEST_SKIP() << error.what();
+    }
+  }
+};
+
+/// Every question about the two bodies, at every length that is worth it.
+template <class Check>
+void for_each_question(const PairTruth& truth, const Check& check) {
+  for (const QueryRow& row : test::query_table()) {
+    for (const double length : test::lengths_around(row, truth.distance.distance)) {
+      SCOPED_TRACE(std::string(row.name) + " at " + std::to_string(length));
+      ASSERT_NO_FATAL_FAILURE(check(row, test::RowOptions{.length = length}));
+    }
+  }
+}
+
+void expect_right(const Two& two) {
+  const PairTruth truth = test::truth_of(two.a, two.b);
+  const PairTruth exchanged = test::truth_of(two.b, two.a);
+  for_each_question(truth, [&](const QueryRow& row, const test::RowOptions& options) {
+    const Answer answer = row.ask(two.a, two.b, options, {});
+    ASSERT_EQ(row.fault(answer, truth, two.a, two.b, options.length), "") << row.text(answer);
+    const Answer other = row.ask(two.b, two.a, options, {});
+    ASSERT_EQ(row.fault(other, exchanged, two.b, two.a, options.length), "") << row.text(other);
+    ASSERT_EQ(row.symmetric(answer, false), row.symmetric(other, true)) << row.text(answer) << '\n'
+                                                                        << row.text(other);
+  });
+}
+
+TEST_F(QueryTable, EqualsTheTwinsOnBodiesOfUsualSize) {
+  test::for_each_case("table/usual", 150, [](Rng& rng) {
+    expect_right(test::likely_to_meet(rng, 40, 1, rng.uniform(0.1, 1), 0));
+  });
+}
+
+TEST_F(QueryTable, EqualsTheTwinsWhereSizesDiffer) {
+  test::for_each_case("table/sizes", 100, [](Rng& rng) {
+    const double small = std::exp2(-rng.uniform(0, 60));
+    expect_right(test::likely_to_meet(rng, 40, rng.below(2) ? 1 : small, small, 0));
+  });
+}
+
+TEST_F(QueryTable, EqualsTheTwinsFarFromTheOrigin) {
+  test::for_each_case("table/far", 100, [](Rng& rng) {
+    expect_right(test::likely_to_meet(rng, 40, 1, 1, std::exp2(rng.uniform(0, 60))));
+  });
+}
+
+TEST_F(QueryTable, EqualsTheTwinsAtEveryScale) {
+  test::for_each_case("table/scales", 100, [](Rng& rng) {
+    const double scale = std::exp2(rng.uniform(-1070, 297));
+    const double other = rng.below(2) ? scale : std::exp2(rng.uniform(-1070, 297));
+    expect_right(test::likely_to_meet(rng, 25, scale, other, 0));
+  });
+}
+
+/// Bodies that do not touch: the second is moved off by up to 1e9 sizes.
+Two apart(Rng& rng, int most) {
+  Two two = test::likely_to_meet(rng, most, 1, rng.uniform(0.1, 1), 0);
+  const double by = std::exp2(rng.uniform(-3, rng.below(4) == 0 ? 30 : 3));
+  const std::array<Vec3, 3> directions{
+      Vec3{1, 0, 0}, Vec3{0, -1, 1},
+      Vec3{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)}};
+  const Vec3 shift = directions[rng.below(3)] * by;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    two.b.pose.m[4 * axis + 3] += shift[axis];
+  }
+  return two;
+}
+
+TEST_F(QueryTable, EqualsTheTwinsOnBodiesApart) {
+  test::for_each_case("table/apart", 200, [](Rng& rng) { expect_right(apart(rng, 40)); });
+}
+
+// Costs, too, where the whole question was answered.
+TEST_F(QueryTable, IsTheSameForAnyNumberOfThreads) {
+  test::for_each_case("table/threads", 40, [](Rng& rng) {
+    const Two two = rng.below(2) == 0 ? apart(rng, 200) : test::likely_to_meet(rng, 200, 1, 0.5, 0);
+    const PairTruth facts = {{}, distance(two.a, two.b)};
+    for_each_question(facts, [&](const QueryRow& row, const test::RowOptions& options) {
+      const Answer one = row.ask(two.a, two.b, options, {});
+      for (const int threads : {2, 3, 8}) {
+        const Answer many = row.ask(two.a, two.b, options, {.threads = threads});
+        ASSERT_EQ(row.promised(many), row.promised(one)) << row.text(many);
+        ASSERT_EQ(test::cost_of(many), test::cost_of(one)) << row.text(many);
+      }
+    });
+  });
+}
+
+TEST_F(QueryTable, IsTheSameForEveryRuleAndLayout) {
+  test::for_each_case("table/layouts", 25, [](Rng& rng) {
+    const Two two = rng.below(2) == 0 ? apart(rng, 100) : test::likely_to_meet(rng, 100, 1, 0.5, 0);
+    const PairTruth facts = {{}, distance(two.a, two.b)};
+    for (const RuleEntry& rule : rules()) {
+      for (const Layout layout : {Layout::wide, Layout::compact}) {
+        const auto built = [&](const Body& old, int per_leaf) {
+          const BuildOptions build{.rule = rule.rule, .per_leaf = per_leaf};
+          return Body(Shape(old.shape.mesh(), {.build = build, .layout = layout}), old.pose);
+        };
+        const Two other{built(two.a, 4), built(two.b, 1)};
+        for_each_question(facts, [&](const QueryRow& row, const test::RowOptions& options) {
+          const Answer expected = row.promised(row.ask(two.a, two.b, options, {}));
+          const Answer answer = row.ask(other.a, other.b, options, {});
+          ASSERT_EQ(row.promised(answer), expected) << rule.name << ' ' << row.text(answer);
+        });
+      }
+    }
+  });
+}
+
+TEST_F(QueryTable, AnswersABatchAsItAnswersSingleQueries) {
+  test::for_each_case("table/batch", 30, [](Rng& rng) {
+    const Two two = test::likely_to_meet(rng, 60, 1, rng.below(2) ? 0.2 : 3, 0);
+    std::vector<Pose> poses;
+    for (std::uint64_t i = rng.below(300); i > 0; --i) {
+      poses.push_back(
+          test::moving(test::awkward_rotation(rng), {}, test::point_in(rng, two.b.shape.bounds())));
+      poses.back().m[3] += rng.below(3) == 0 ? 2 : 0;
+    }
+    const int threads = rng.below(2) == 0 ? 1 : 2;
+    for (const QueryRow& row : test::query_table()) {
+      for (const double length : {0.0, 0.25, kNoLimit}) {
+        const test::BatchAnswer batch =
+            row.ask_batch(two.a.shape, poses, two.b, {.length = length}, {.threads = threads});
+        ASSERT_EQ(batch.answers.size(), poses.size());
+        Cost cost;
+        for (std::size_t k = 0; k < poses.size(); ++k) {
+          const Answer single = row.ask(Body(two.a.shape, poses[k]), two.b, {.length = length}, {});
+          ASSERT_EQ(batch.answers[k], single) << row.text(batch.answers[k]) << '\n'
+                                              << row.text(single);
+          cost += test::cost_of(single);
+        }
+        ASSERT_EQ(batch.cost, cost) << row.name;
+      }
+    }
+  });
+}
+
+TEST_F(QueryTable, AnswersForEmptyMeshes) {
+  const Body nothing;
+  const Body one{generate_sphere(80)};
+  const std::vector<Pose> poses(3);
+  for (const auto& [a, b] : {Two{nothing, one}, Two{one, nothing}, Two{nothing, nothing}}) {
+    expect_right({a, b});
+    for (const QueryRow& row : test::query_table()) {
+      for (const Answer& answer :
+           row.ask_batch(a.shape, poses, b, {.length = 1}, {.threads = 2}).answers) {
+        EXPECT_EQ(row.promised(answer), row.promised(row.ask(a, b, {.length = 1}, {})));
+      }
+    }
+  }
+}
+
+/// The kind and the place of the error that a query ends with.
+template <class Query>
+Error error_of(const Query& query) {
+  try {
+    query();
+  } catch (const Error& error) {
+    return error;
+  }
+  ADD_FAILURE() << "it was answered";
+  return {ErrorKind::usage, "", ""};
+}
+
+TEST_F(QueryTable, NamesThePoseAtFault) {
+  const Body one{generate_sphere(80)};
+  for (const QueryRow& row : test::query_table()) {
+    SCOPED_TRACE(row.name);
+    const auto error_at = [&](std::size_t k, const Pose& pose) {
+      std::vector<Pose> poses(5);
+      poses[k] = pose;
+      const Error single = error_of(
+          [&] { static_cast<void>(row.ask(Body(one.shape, pose), one, {.length = 1}, {})); });
+      const Error fixed = error_of(
+          [&] { static_cast<void>(row.ask(one, Body(one.shape, pose), {.length = 1}, {})); });
+      const Error batch = error_of([&] {
+        static_cast<void>(row.ask_batch(one.shape, poses, one, {.length = 1}, {.threads = 2}));
+      });
+      EXPECT_EQ(single.kind(), batch.kind());
+      EXPECT_EQ(fixed.kind(), batch.kind());
+      EXPECT_NE(batch.place().find("pose " + std::to_string(k)), std::string::npos)
+          << batch.place();
+      return batch.kind();
+    };
+    Pose stretched;
+    stretched.m[5] = 2;
+    EXPECT_EQ(error_at(3, stretched), ErrorKind::not_rigid);
+    EXPECT_EQ(error_at(4, Pose::translation(0x1p301, 0, 0)), ErrorKind::out_of_range);
+    EXPECT_EQ(error_at(0, Pose::translation(0, std::numeric_limits<double>::quiet_NaN(), 0)),
+              ErrorKind::not_finite);
+  }
+}
+
+TEST_F(QueryTable, RefusesALengthThatIsNegativeOrNotANumber) {
+  const Body one{generate_sphere(80)};
+  const std::vector<Pose> poses(2, Pose::translation(3, 0, 0));
+  const std::array lengths{-0.1, -0x1p-1074, -kNoLimit, std::numeric_limits<double>::quiet_NaN()};
+  for (const QueryRow& row : test::query_table()) {
+    if (!row.takes_length) {
+      continue;
+    }
+    for (const double length : lengths) {
+      SCOPED_TRACE(std::string(row.name) + " at " + std::to_string(length));
+      const test::RowOptions options{.length = length};
+      const Error single = error_of([&] { static_cast<void>(row.ask(one, one, options, {})); });
+      EXPECT_EQ(single.kind(), ErrorKind::usage);
+      EXPECT_FALSE(single.place().empty());
+      EXPECT_EQ(error_of([&] {
+                  static_cast<void>(row.ask_batch(one.shape, poses, one, options, {}));
+                }).kind(),
+                ErrorKind::usage);
+      EXPECT_EQ(error_of([&] {
+                  static_cast<void>(row.ask_batch(one.shape, {}, one, options, {}));
+                }).kind(),
+                ErrorKind::usage);
+      EXPECT_EQ(error_of([&] { static_cast<void>(row.ask(Body(), one, options, {})); }).kind(),
+                ErrorKind::usage);
+    }
+    EXPECT_EQ(row.promised(row.ask(one, one, {.length = -0.0}, {})),
+              row.promised(row.ask(one, one, {.length = 0.0}, {})));
+  }
+}
+
+// A cut answer says so, and says nothing that is wrong. A question that the root boxes decide may
+// be answered all the same.
+TEST_F(QueryTable, EndsAtADeadline) {
+  const Body knot{generate_knot(600)};
+  for (const double x : {0.125, 2.5}) {
+    const Body other(knot.shape, Pose::from_quaternion(0.8, 0.36, 0.48, 0, {x, 0.25, 0.125}));
+    const PairTruth truth = test::truth_of(knot, other);
+    for_each_question(truth, [&](const QueryRow& row, test::RowOptions options) {
+      options.late = true;
+      std::vector<Answer> answers =
+          row.ask_batch(knot.shape, std::vector<Pose>(3), other, options, {}).answers;
+      answers.push_back(row.ask(knot, other, options, {}));
+      answers.push_back(row.ask(knot, other, options, {.threads = 2}));
+      for (const Answer& answer : answers) {
+        const bool must_be_cut =
+            row.takes_length ? row.name == "distance" && options.length > 2 : truth.overlap.any;
+        ASSERT_TRUE(test::coverage_of(answer) == Coverage::cut || !must_be_cut) << row.text(answer);
+        ASSERT_EQ(row.fault(answer, truth, knot, other, options.length), "") << row.text(answer);
+      }
+    });
+  }
+}
+
+TEST_F(QueryTable, EndsWhenAStopIsRequested) {
+  const Body knot{generate_knot(600)};
+  const std::vector<Pose> poses(600);
+  std::stop_source source;
+  source.request_stop();
+  const Parallel stopped{.stop = source.get_token()};
+  for (const QueryRow& row : test::query_table()) {
+    EXPECT_EQ(
+        error_of([&] { static_cast<void>(row.ask(knot, knot, {.length = 1}, stopped)); }).kind(),
+        ErrorKind::cancelled);
+    EXPECT_EQ(error_of([&] {
+                static_cast<void>(row.ask_batch(knot.shape, poses, knot, {.length = 1}, stopped));
+              }).kind(),
+              ErrorKind::cancelled);
+  }
+}
+
+// The check of the table itself: each kind of wrong answer is found.
+TEST(QueryTableFault, IsFound) {
+  const Body a{generate_sphere(80)};
+  const Body b(a.shape, Pose::translation(0, 0, 3));
+  const PairTruth truth = test::truth_of(a, b);
+  const QueryRow& row = test::query_row("distance");
+  const auto fault = [&](const Distance& answer, double length = kNoLimit) {
+    return row.fault(answer, truth, a, b, length);
+  };
+  const Distance right = distance(a, b);
+  EXPECT_EQ(right.distance, (Bracket{1, 1}));
+  EXPECT_EQ(fault(right), "");
+  Distance wrong = right;
+  wrong.distance.upper = std::nextafter(wrong.distance.upper, 2);
+  EXPECT_NE(fault(wrong), "");
+  wrong = right;
+  ++wrong.triangles->second;
+  EXPECT_NE(fault(wrong), "");
+  wrong = right;
+  wrong.point_b.z -= 0x1p-40;
+  EXPECT_NE(fault(wrong), "");
+  EXPECT_NE(fault(right, 0.5), "");
+  Distance far{.distance = {0.75, kNoLimit}, .farther = true};
+  EXPECT_EQ(fault(far, 0.5), "");
+  EXPECT_NE(fault(far, 1), "");
+  far.distance.lower = 1.25;
+  EXPECT_NE(fault(far, 0.5), "");
+  const QueryRow& near = test::query_row("within");
+  EXPECT_EQ(near.fault(within(a, b, 1), truth, a, b, 1), "");
+  EXPECT_NE(near.fault(within(a, b, 1), truth, a, b, 0.875), "");
+  EXPECT_EQ(near.fault(Within{.at_least = 0.9375}, truth, a, b, 0.875), "");
+  EXPECT_NE(near.fault(Within{.at_least = 1.0625}, truth, a, b, 0.875), "");
+  Within other = within(a, b, 1);
+  other.triangles->first = 40;
+  EXPECT_NE(near.fault(other, truth, a, b, 1), "");
+}
+
+}  // namespace
+}  // namespace soms
