@@ -4,6 +4,7 @@ set(SOMS_HEADERS
   print.h
   recording.h
   reference/broad_phase.h
+  reference/gaps.h
   replay.h
   scene.h
   step_report.h
@@ -17,15 +18,19 @@ set(SOMS_SOURCES
   detail/float_box.cpp
   detail/moved_bounds.cpp
   detail/narrow_phase.cpp
+  detail/near_phase.cpp
   detail/rebuild_interval.cpp
   detail/pair_filter.cpp
   detail/pair_rows.cpp
   detail/recording_reader.cpp
   detail/residents.cpp
+  detail/widened.cpp
   print.cpp
   recording.cpp
   reference/broad_phase.cpp
+  reference/gaps.cpp
   replay.cpp
   scene.cpp
+  step.cpp
   step_report.cpp
 )

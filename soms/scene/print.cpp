@@ -26,6 +26,30 @@ std::ostream& operator<<(std::ostream& out, const MoverContact& value) {
                     .add("j", value.j);
 }
 
+std::ostream& operator<<(std::ostream& out, const EnvironmentGap& value) {
+  return out << PrintedFields("EnvironmentGap")
+                    .add("mover", value.mover)
+                    .add("part", value.part)
+                    .add("i", value.i)
+                    .add("j", value.j)
+                    .add("lower", value.distance.lower)
+                    .add("upper", value.distance.upper)
+                    .add("point_a", value.point_a)
+                    .add("point_b", value.point_b);
+}
+
+std::ostream& operator<<(std::ostream& out, const MoverGap& value) {
+  return out << PrintedFields("MoverGap")
+                    .add("a", value.a)
+                    .add("b", value.b)
+                    .add("i", value.i)
+                    .add("j", value.j)
+                    .add("lower", value.distance.lower)
+                    .add("upper", value.distance.upper)
+                    .add("point_a", value.point_a)
+                    .add("point_b", value.point_b);
+}
+
 std::ostream& operator<<(std::ostream& out, ContactChange value) {
   return out << printed_name("ContactChange", static_cast<int>(value), {"begin", "stay", "end"});
 }
@@ -64,7 +88,11 @@ std::ostream& operator<<(std::ostream& out, const StepReport& value) {
                     .add("box_pairs", value.box_pairs)
                     .add("scope", value.scope)
                     .add("mover_mover", value.mover_mover)
-                    .add("shapes_set", value.shapes_set);
+                    .add("shapes_set", value.shapes_set)
+                    .add("clearance", value.clearance)
+                    .add("environment_gaps", value.environment_gaps.size())
+                    .add("mover_gaps", value.mover_gaps.size())
+                    .add("gap_queries", value.gap_queries);
 }
 
 std::ostream& operator<<(std::ostream& out, const StepOptions& value) {
@@ -73,7 +101,8 @@ std::ostream& operator<<(std::ostream& out, const StepOptions& value) {
                     .add("scope", value.scope)
                     .add("mover_mover", value.mover_mover)
                     .add("coherent", value.coherent)
-                    .add("traversal", value.traversal);
+                    .add("traversal", value.traversal)
+                    .add("clearance", value.clearance);
 }
 
 std::ostream& operator<<(std::ostream& out, const RecordedMesh& value) {

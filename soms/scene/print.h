@@ -1,5 +1,5 @@
 /// \file
-/// Contacts, reports and recordings, printed by `<<`:
+/// Contacts, gaps, reports and recordings, printed by `<<`:
 /// "MoverContact{a: 0, b: 3, i: 17, j: 4}".
 #pragma once
 
@@ -14,8 +14,10 @@ enum class StepScope;
 struct ContactEvents;
 struct EnvironmentContact;
 struct EnvironmentEvent;
+struct EnvironmentGap;
 struct MoverContact;
 struct MoverEvent;
+struct MoverGap;
 struct RecordedBody;
 struct RecordedFrame;
 struct RecordedMesh;
@@ -27,6 +29,8 @@ struct StepReport;
 /// One line, as in soms/base/print.h. Lists are counted, not listed.
 std::ostream& operator<<(std::ostream& out, const EnvironmentContact& value);
 std::ostream& operator<<(std::ostream& out, const MoverContact& value);
+std::ostream& operator<<(std::ostream& out, const EnvironmentGap& value);
+std::ostream& operator<<(std::ostream& out, const MoverGap& value);
 std::ostream& operator<<(std::ostream& out, ContactChange value);
 std::ostream& operator<<(std::ostream& out, const EnvironmentEvent& value);
 std::ostream& operator<<(std::ostream& out, const MoverEvent& value);

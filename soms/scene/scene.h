@@ -1,5 +1,5 @@
 /// \file
-/// Many movers in a static environment: who touches whom, step by step.
+/// Many movers in a static environment: who touches whom, and who is near, step by step.
 #pragma once
 
 #include "soms/base/parallel.h"
@@ -26,9 +26,16 @@ struct StepOptions {
   bool coherent = true;
   /// As of OverlapOptions: named ones need shapes that keep their trees.
   TraversalOptions traversal = {};
+  /// Pairs of bodies that do not touch but are at most this far apart are reported as gaps; 0: none
+  /// are searched for, at no cost. Needs StepScope::every_pair.
+  double clearance = 0;
 
   [[nodiscard]] bool operator==(const StepOptions&) const = default;
 };
+
+/// Throws ErrorKind::usage if the clearance is negative, infinite or not a number, or goes with
+/// StepScope::first_contact, which leaves pairs out; and as `check(OverlapOptions)`.
+void check(const StepOptions& options);
 
 /// A static environment of meshes and movers that share shapes. Poses are set through the scene, so
 /// no stale box can exist and there is nothing to update, set up or clear.
@@ -93,10 +100,15 @@ class Scene {
   /// ascending, until its first contact. No pair is compared twice, so no more comparisons are made
   /// than by querying one mover after the other, and no more pairs of bodies touch in the report
   /// than there are movers.
-  /// \errors  ErrorKind::cancelled; usage for a named traversal without kept trees.
-  /// \cost    Time and memory linear in the pairs of bodies whose boxes meet. Where many movers of
-  /// no
-  ///          group, or of many groups, are in one place, that is quadratic in the movers.
+  ///
+  /// With a clearance D the least distance of each pair of bodies within D is reported as well: the
+  /// answer of `distance` for the two, decided exactly, wherever the bodies lie. Groups and ignored
+  /// pairs are left out as for contacts, and contacts are those of a step without it.
+  /// \errors  ErrorKind::cancelled; usage as `check(StepOptions)`, and for a named traversal
+  ///          without kept trees.
+  /// \cost    Time and memory linear in the pairs of bodies whose boxes meet, or, with a clearance,
+  ///          are within it. Where many movers of no group, or of many groups, are in one place,
+  ///          that is quadratic in the movers.
   [[nodiscard]] StepReport step(const StepOptions& options = {}, const Parallel& parallel = {});
 
  private:

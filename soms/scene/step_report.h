@@ -1,7 +1,9 @@
 /// \file
-/// What a step of a scene finds: who touches whom, and with which triangles.
+/// What a step of a scene finds: who touches whom, and with which triangles; who is near whom.
 #pragma once
 
+#include "soms/base/bracket.h"
+#include "soms/base/vector.h"
 #include "soms/geometry/mesh.h"
 #include "soms/query/answer.h"
 
@@ -35,6 +37,32 @@ struct MoverContact {
   [[nodiscard]] auto operator<=>(const MoverContact&) const = default;
 };
 
+/// A mover is within the clearance of a body of the environment and does not touch it.
+struct EnvironmentGap {
+  MoverId mover = 0;
+  EnvironmentId part = 0;  ///< number of the body, not of a part of its mesh
+  TriangleId i = 0;        ///< triangle of the mover, of the pair that `Distance` names
+  TriangleId j = 0;        ///< triangle of that body
+  Bracket distance = {};   ///< least distance of the two, as of `Distance`; above 0
+  Vec3 point_a = {};       ///< the end of a shortest segment on the mover, in world
+  Vec3 point_b = {};       ///< the other end
+
+  [[nodiscard]] bool operator==(const EnvironmentGap&) const = default;
+};
+
+/// Two movers are within the clearance of each other and do not touch; `a` is less than `b`.
+struct MoverGap {
+  MoverId a = 0;
+  MoverId b = 0;
+  TriangleId i = 0;       ///< triangle of a, of the pair that `Distance` names
+  TriangleId j = 0;       ///< triangle of b
+  Bracket distance = {};  ///< least distance of the two, as of `Distance`; above 0
+  Vec3 point_a = {};      ///< the end of a shortest segment on a, in world
+  Vec3 point_b = {};      ///< the other end, on b
+
+  [[nodiscard]] bool operator==(const MoverGap&) const = default;
+};
+
 /// Which pairs of bodies a step compares.
 enum class StepScope {
   every_pair,  ///< all whose boxes meet: every pair of bodies that touch is reported
@@ -43,7 +71,8 @@ enum class StepScope {
   first_contact,
 };
 
-/// What a step found: two sorted lists, the same bytes for any number of threads.
+/// What a step found: sorted lists, the same bytes for any number of threads. A pair of bodies has
+/// contacts or one gap, never both.
 struct StepReport {
   std::vector<EnvironmentContact> environment;
   std::vector<MoverContact> movers;
@@ -56,13 +85,18 @@ struct StepReport {
   StepScope scope = StepScope::every_pair;  ///< as of StepOptions
   bool mover_mover = true;                  ///< as of StepOptions
   std::uint64_t shapes_set = 0;  ///< shapes that were set in the scene before this step, in all
+  double clearance = 0;          ///< as of StepOptions
+  std::vector<EnvironmentGap> environment_gaps;  ///< by mover, then part; empty without clearance
+  std::vector<MoverGap> mover_gaps;              ///< by a, then b; likewise
+  std::uint64_t gap_queries = 0;  ///< distances of two bodies queried; not in `queries`
 
   [[nodiscard]] bool operator==(const StepReport&) const = default;
 
   /// Movers that touch anything, ascending. \cost O(n log n), n contacts.
   [[nodiscard]] std::vector<MoverId> touching_movers() const;
 
-  /// FNV-1a 64 over both lists as little-endian u32.
+  /// FNV-1a 64 over both lists of contacts as little-endian u32. Gaps do not count, so a step with
+  /// a clearance has the hash of one without.
   [[nodiscard]] std::uint64_t hash() const;
 };
 

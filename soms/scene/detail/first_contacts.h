@@ -13,6 +13,8 @@ namespace soms::detail {
 struct Candidate {
   std::uint32_t mover = 0;
   std::uint32_t other = 0;
+
+  [[nodiscard]] bool operator==(const Candidate&) const = default;
 };
 
 /// Rounds of comparisons. In each round every mover that touches nothing yet has the first of its

@@ -102,8 +102,8 @@ void NarrowPhase::ask_together(std::span<const BodyPair> questions, const Overla
     run.ask(shape, batch.poses, *batch.other, options, parallel, batch.answers);
     for (std::size_t p = 0; p < batch.questions.size(); ++p) {
       chunk.answers[batch.questions[p]] = batch.answers.pairs_of(p);
-      chunk.cost += batch.answers.poses[p].cost;
     }
+    chunk.cost += batch.answers.cost;
   }
 }
 
@@ -154,8 +154,10 @@ std::size_t NarrowPhase::memory() const {
       size += bytes(answer.pairs);
     }
     for (const Batch& batch : chunk.batches) {
-      size += bytes(batch.questions) + bytes(batch.poses) + bytes(batch.answers.poses) +
-              bytes(batch.answers.pairs);
+      const OverlapBatch& answers = batch.answers;
+      size += bytes(batch.questions) + bytes(batch.poses) + bytes(answers.any) +
+              bytes(answers.coverage) + bytes(answers.offsets) + bytes(answers.pairs) +
+              bytes(answers.costs) + bytes(answers.traversals);
     }
   }
   return size;

@@ -42,7 +42,7 @@ class NarrowPhase {
     const Body* other = nullptr;
     std::vector<std::uint32_t> questions;
     std::vector<const Pose*> poses;
-    RunAnswers answers;
+    OverlapBatch answers;
   };
 
   /// One chunk of questions and its answers.

@@ -1,0 +1,41 @@
+#include "soms/scene/detail/near_phase.h"
+
+#include "soms/scene/detail/kept_memory.h"
+
+namespace soms::detail {
+
+namespace {
+
+/// Fewer questions than this are each worth all threads.
+constexpr std::size_t kFew = 4;
+
+}  // namespace
+
+Cost NearPhase::ask(std::span<const BodyPair> questions, const DistanceOptions& options,
+                    const Parallel& parallel) {
+  const bool few = questions.size() < kFew;
+  const Parallel shared{few ? 1 : parallel.threads, parallel.stop, {}};
+  const Parallel inside{few ? parallel.threads : 1, parallel.stop, {}};
+  answers_.assign(questions.size(), {});
+  for_each_chunk(questions.size(), 1, shared, [&](std::size_t k, std::size_t) {
+    answers_[k] = distance(*questions[k].mover, *questions[k].other, options, inside);
+  });
+  Cost cost;
+  for (const Distance& answer : answers_) {
+    cost += answer.cost;
+  }
+  return cost;
+}
+
+void NearPhase::give_back(std::size_t questions) {
+  answers_.clear();
+  if (is_far_above(bytes(answers_), questions * sizeof(Distance))) {
+    release(answers_);
+  }
+}
+
+std::size_t NearPhase::memory() const {
+  return bytes(answers_);
+}
+
+}  // namespace soms::detail

@@ -1,0 +1,79 @@
+/// \file
+/// What a scene holds: its bodies, and the memory of its steps.
+#pragma once
+
+#include "soms/scene/broad_phase.h"
+#include "soms/scene/detail/box_index.h"
+#include "soms/scene/detail/first_contacts.h"
+#include "soms/scene/detail/narrow_phase.h"
+#include "soms/scene/detail/near_phase.h"
+#include "soms/scene/detail/residents.h"
+#include "soms/scene/scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace soms {
+
+struct Scene::State {
+  detail::Residents movers{"mover"};
+  detail::Residents parts{"part of the environment"};
+  bool parts_changed = false;
+  bool filter_changed = false;
+  bool has_filter = false;
+  std::uint64_t shapes_set = 0;
+  detail::BoxIndex part_index;
+  BroadPhase broad_phase;
+
+  // Memory of a step, kept for the next.
+  std::vector<Box> boxes;
+  std::vector<std::uint32_t> met;
+  std::vector<detail::Candidate> candidates;  ///< pairs of bodies whose boxes meet
+  std::vector<detail::Candidate> near;        ///< within the clearance: `candidates` and more
+  std::vector<detail::BodyPair> questions;
+  std::size_t most_candidates = 0;  ///< of this step
+  std::size_t most_near = 0;        ///< of this step
+  detail::FirstContacts first_contacts;
+  detail::NarrowPhase environment;
+  detail::NarrowPhase mutual;
+  detail::NearPhase near_phase;
+
+  [[nodiscard]] StepReport step(const StepOptions& options, const Parallel& parallel);
+
+ private:
+  void refresh_index();
+  void refresh_filter();
+  void find_environment_candidates(double clearance, StepReport& report);
+  void find_mover_candidates(double clearance, StepReport& report);
+  template <typename Contact, typename Gap>
+  void compare(detail::NarrowPhase& narrow_phase, const detail::Residents& others,
+               const StepOptions& options, const Parallel& parallel, std::vector<Contact>& contacts,
+               std::vector<Gap>& gaps, StepReport& report);
+  template <typename Contact>
+  void ask(detail::NarrowPhase& narrow_phase, const detail::Residents& others,
+           const OverlapOptions& options, const Parallel& parallel, std::vector<Contact>& contacts,
+           StepReport& report);
+  template <typename Contact>
+  void ask_until_first(detail::NarrowPhase& narrow_phase, const detail::Residents& others,
+                       const OverlapOptions& options, const Parallel& parallel,
+                       std::vector<Contact>& contacts, StepReport& report);
+  template <typename Contact>
+  void append(const detail::Candidate& candidate, const detail::Residents& others,
+              std::span<const TrianglePair> pairs, std::vector<Contact>& contacts) const;
+  void keep_apart(const detail::NarrowPhase& narrow_phase);
+  template <typename Gap>
+  void measure(const detail::Residents& others, double clearance, const Parallel& parallel,
+               std::vector<Gap>& gaps, StepReport& report);
+
+  [[nodiscard]] detail::BodyPair question(const detail::Candidate& candidate,
+                                          const detail::Residents& others) const {
+    return {&movers.places()[candidate.mover].value.body,
+            &others.places()[candidate.other].value.body};
+  }
+
+  void give_back();
+};
+
+}  // namespace soms
