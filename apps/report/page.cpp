@@ -73,6 +73,7 @@ class Writer {
     facts();
     out_ << kView;
     line_of_time();
+    tables();
     plots();
     notes();
     out_ << "</main>\n";
@@ -136,6 +137,29 @@ class Writer {
                                     page_.scene.contact.many)
                       : std::string())});
       out_ << "</section>\n";
+    }
+  }
+
+  void row(const std::vector<std::string>& texts, const char* tag) {
+    out_ << "<tr>";
+    for (const std::string& text : texts) {
+      out_ << fmt::format("<{0}>{1}</{0}>", tag, xml_text(text));
+    }
+    out_ << "</tr>\n";
+  }
+
+  void tables() {
+    for (const Table& table : page_.tables) {
+      out_ << fmt::format(
+          "<section>\n<h2>{}</h2>\n<div class=\"picture\" tabindex=\"0\">\n<table>\n<thead>",
+          xml_text(table.title));
+      row(table.columns, "th");
+      out_ << "</thead>\n<tbody>\n";
+      for (const std::vector<std::string>& texts : table.rows) {
+        row(texts, "td");
+      }
+      out_ << fmt::format("</tbody>\n</table>\n</div>\n<p class=\"note\">{}</p>\n</section>\n",
+                          xml_text(table.caption));
     }
   }
 

@@ -24,6 +24,14 @@ struct Plot {
   std::string caption;
 };
 
+/// A table of plain texts.
+struct Table {
+  std::string title;
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;  ///< a text for each column
+  std::string caption = {};
+};
+
 /// All that a page says. Texts are plain: markup in them is shown, not obeyed.
 struct Page {
   std::string title;
@@ -31,6 +39,7 @@ struct Page {
   std::vector<Fact> facts;
   std::vector<std::string> warnings = {};  ///< reasons to doubt the answer, a box for each
   std::vector<Plot> plots;
+  std::vector<Table> tables = {};
   std::vector<std::string> notes;
   Scene scene = {};
 };

@@ -36,8 +36,12 @@ Action add_bench(CLI::App& app, Shared&) {
       ->excludes(pose)
       ->group(group);
   add_choice<std::string>(app, "--ask", options->jobs,
-                          {{"any", "any"}, {"all", "all"}, {"both", "any,all"}},
-                          "time whether A and B touch, finding all pairs, or both")
+                          {{"any", "any"},
+                           {"all", "all"},
+                           {"both", "any,all"},
+                           {"distance", "distance"},
+                           {"within", "within"}},
+                          "what to time (both: any and all)")
       ->group(group);
   add_count(app, "--rounds", options->rounds, 1, 1000,
             "timed rounds, in which libraries alternate (default 7)")

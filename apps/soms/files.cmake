@@ -1,11 +1,14 @@
 set(SOMS_COMMAND_FILES
   bench.cpp
   bench.h
-  block_size.h
   completion.cpp
   completion.h
   convert.cpp
   convert.h
+  distance.cpp
+  distance.h
+  distance_verify.cpp
+  distance_verify.h
   generate.cpp
   generate.h
   info.cpp
@@ -27,6 +30,11 @@ set(SOMS_COMMAND_FILES
   map_marks.h
   model_output.cpp
   model_output.h
+  near_options.cpp
+  near_options.h
+  near_output.cpp
+  near_output.h
+  near_run.h
   outline.cpp
   outline.h
   overlap.cpp
@@ -47,14 +55,24 @@ set(SOMS_COMMAND_FILES
   overlap_rows.h
   overlap_verify.cpp
   overlap_verify.h
+  pair_options.cpp
+  pair_options.h
+  pair_report.cpp
+  pair_report.h
   page_plots.cpp
   page_plots.h
   passed_on.cpp
   passed_on.h
+  pose_run.cpp
+  pose_run.h
   simulate.cpp
   simulate.h
   simulate_contacts.cpp
   simulate_contacts.h
+  simulate_near.cpp
+  simulate_near.h
+  simulate_near_report.cpp
+  simulate_near_report.h
   simulate_options.cpp
   simulate_page.cpp
   simulate_page.h
@@ -70,10 +88,14 @@ set(SOMS_COMMAND_FILES
   simulate_run.h
   simulate_verify.cpp
   simulate_verify.h
+  simulate_verify_near.cpp
+  simulate_verify_near.h
   verbs.cpp
   verbs.h
   version.cpp
   version.h
   viewer.cpp
   viewer.h
+  within.cpp
+  within.h
 )

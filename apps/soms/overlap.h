@@ -4,30 +4,22 @@
 
 #include "soms/query/overlap.h"
 
-#include "apps/support/models.h"
+#include "apps/soms/pair_options.h"
 #include "apps/support/verb.h"
 
-#include <optional>
 #include <string>
 
 namespace soms::command {
 
 /// Options of the verb `overlap`.
-struct OverlapVerbOptions {
-  std::string a;
-  std::string b;
-  std::optional<std::string> pose_a;  ///< unset: not moved
-  std::optional<std::string> pose_b;
-  ModelOptions model_a;
-  ModelOptions model_b;
-  BuildOptions build;
+struct OverlapVerbOptions : PairOptions {
   OverlapOptions query;
   bool list_pairs = true;
-  bool fail_if_overlap = false;
-  bool verify = false;
-  std::string report = {};  ///< empty: none
-  std::string csv = {};     ///< empty: none
-  bool by_part = false;     ///< lists pairs of parts, not of triangles
+  std::string report = {};   ///< empty: none
+  std::string csv = {};      ///< empty: none
+  bool by_part = false;      ///< lists pairs of parts, not of triangles
+  std::string fail_if = {};  ///< "overlap" or "within"; empty: no condition
+  double within = 0;         ///< with --within: the clearance
 };
 
 [[nodiscard]] Action add_overlap(CLI::App& app, Shared& shared);

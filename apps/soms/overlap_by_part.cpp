@@ -42,16 +42,16 @@ void print_parts_as_text(const OverlapReport& report, const Overlap& answer,
   console.print(fmt::format("{}{} of triangles overlap{}, in {}{}{}\n", at_least,
                             counted(answer.pairs.size(), "pair"),
                             answer.pairs.size() == 1 ? "s" : "", at_least,
-                            pairs_of_parts(parts.size()), report.single ? ":" : ""));
-  if (!report.single) {
+                            pairs_of_parts(parts.size()), report.pair.single ? ":" : ""));
+  if (!report.pair.single) {
     return;
   }
   for (const PartPair& pair : parts) {
     const Vec3 at = pair.box.center();
     console.print(fmt::format("  {} and {}: {} of triangles around ({}, {}, {})\n",
-                              label_in_text(report.a, pair.a), label_in_text(report.b, pair.b),
-                              counted(pair.count, "pair"), readable(at.x), readable(at.y),
-                              readable(at.z)));
+                              label_in_text(report.pair.a, pair.a),
+                              label_in_text(report.pair.b, pair.b), counted(pair.count, "pair"),
+                              readable(at.x), readable(at.y), readable(at.z)));
   }
 }
 
@@ -59,8 +59,8 @@ void print_parts_as_json(const OverlapReport& report, std::span<const PartPair> 
                          Console& console) {
   std::string piece = ",\"parts\":[";
   for (const PartPair& pair : parts) {
-    piece += json_text({{"a", part_as_json(report.a, pair.a)},
-                        {"b", part_as_json(report.b, pair.b)},
+    piece += json_text({{"a", part_as_json(report.pair.a, pair.a)},
+                        {"b", part_as_json(report.pair.b, pair.b)},
                         {"count", pair.count},
                         {"first", {pair.first.first, pair.first.second}},
                         {"box", json_box(pair.box)}});

@@ -12,22 +12,17 @@ namespace soms::command {
 
 namespace {
 
-/// Index of a part and its name, which are empty where there is none.
-std::string part_fields(const Mesh& mesh, std::uint32_t part) {
-  return part == Part::kNoParent ? std::string(",")
-                                 : fmt::format("{},{}", part, csv_field(mesh.parts[part].name));
-}
-
 std::string fields_of(const Vec3& v) {
   return fmt::format("{},{},{}", v.x, v.y, v.z);
 }
 
 std::string row_of(const OverlapReport& report, std::uint64_t pose, const PartPair& pair) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", pose, part_fields(report.a, pair.a),
-                     csv_field(part_path_label(report.a, pair.a)), part_fields(report.b, pair.b),
-                     csv_field(part_path_label(report.b, pair.b)), pair.count, pair.first.first,
-                     pair.first.second, fields_of(pair.box.center()), fields_of(pair.box.lower),
-                     fields_of(pair.box.upper));
+  return fmt::format(
+      "{},{},{},{},{},{},{},{},{},{},{}\n", pose, part_csv_fields(report.pair.a, pair.a),
+      csv_field(part_path_label(report.pair.a, pair.a)), part_csv_fields(report.pair.b, pair.b),
+      csv_field(part_path_label(report.pair.b, pair.b)), pair.count, pair.first.first,
+      pair.first.second, fields_of(pair.box.center()), fields_of(pair.box.lower),
+      fields_of(pair.box.upper));
 }
 
 }  // namespace
@@ -48,8 +43,8 @@ void write_csv_rows(std::ostream& out, const OverlapReport& report, std::uint64_
     return;
   }
   for (const auto& [i, j] : answer.pairs) {
-    out << fmt::format("{},{},{},{},{}\n", pose, i, part_fields(a.mesh, a.parts(i)), j,
-                       part_fields(b.mesh, b.parts(j)));
+    out << fmt::format("{},{},{},{},{}\n", pose, i, part_csv_fields(a.mesh, a.parts(i)), j,
+                       part_csv_fields(b.mesh, b.parts(j)));
   }
 }
 

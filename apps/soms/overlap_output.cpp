@@ -20,11 +20,11 @@ OverlapOutput::OverlapOutput(const OverlapVerbOptions& options)
 void OverlapOutput::begin(const OverlapReport& report) {
   report_ = &report;
   if (report.by_part || csv_file_) {
-    parts_a_ = PartsOf(report.a);
-    parts_b_ = PartsOf(report.b);
+    parts_a_ = PartsOf(report.pair.a);
+    parts_b_ = PartsOf(report.pair.b);
   }
   if (page_file_) {
-    page_.emplace(report.a, name_a_, report.b, name_b_);
+    page_.emplace(report.pair.a, name_a_, report.pair.b, name_b_);
   }
   if (csv_file_) {
     write_csv_head(csv_file_->stream(), report);
@@ -33,8 +33,8 @@ void OverlapOutput::begin(const OverlapReport& report) {
 
 void OverlapOutput::add(std::uint64_t pose, const Pose& a, const Pose& b, const Overlap& answer,
                         bool right, Console& console) {
-  const PosedParts of_a{report_->a, parts_a_, a};
-  const PosedParts of_b{report_->b, parts_b_, b};
+  const PosedParts of_a{report_->pair.a, parts_a_, a};
+  const PosedParts of_b{report_->pair.b, parts_b_, b};
   // Before any output: this is what may take long and be interrupted.
   const std::vector<PartPair> parts = report_->by_part
                                           ? part_pairs(of_a, of_b, answer.pairs, console.parallel())
@@ -52,7 +52,7 @@ void OverlapOutput::add(std::uint64_t pose, const Pose& a, const Pose& b, const 
   }
 }
 
-void OverlapOutput::finish(const OverlapTotals& totals) {
+void OverlapOutput::finish(const RowTotals& totals) {
   if (page_) {
     page_->write(page_file_->stream(), *report_, totals);
     page_file_->commit();

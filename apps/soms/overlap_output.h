@@ -28,7 +28,7 @@ class OverlapOutput {
 
   /// Makes the files appear.
   /// \errors As `add`.
-  void finish(const OverlapTotals& totals);
+  void finish(const RowTotals& totals);
 
  private:
   std::string name_a_;

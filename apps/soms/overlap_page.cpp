@@ -160,7 +160,7 @@ void OverlapPage::add_rows(report::Scene& scene) const {
 }
 
 bool OverlapPage::is_complete(const OverlapReport& report) const {
-  return complete_ && !report.interrupted && !report.timed_out;
+  return complete_ && !report.pair.interrupted && !report.pair.timed_out;
 }
 
 report::Scene OverlapPage::scene(const OverlapReport& report) const {
@@ -221,11 +221,11 @@ std::vector<report::Plot> OverlapPage::plots() const {
 }
 
 std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
-                                             const OverlapTotals& totals) const {
+                                             const RowTotals& totals) const {
   std::vector<report::Fact> facts{
-      {"A", fmt::format("{}, {}{}", name_a_, triangles_of(a_), report.read_a)},
-      {"B", fmt::format("{}, {}{}", name_b_, triangles_of(b_), report.read_b)}};
-  for (const std::string& note : report.notes) {
+      {"A", fmt::format("{}, {}{}", name_a_, triangles_of(a_), report.pair.read_a)},
+      {"B", fmt::format("{}, {}{}", name_b_, triangles_of(b_), report.pair.read_b)}};
+  for (const std::string& note : report.pair.notes) {
     facts.push_back({"note", note});
   }
   facts.push_back({"query", report.mode == OverlapMode::all ? "every pair of triangles"
@@ -234,11 +234,11 @@ std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
                                 : "any pair of triangles"});
   facts.push_back(
       {"poses", fmt::format("{}{}: {} with overlap, {} without{}",
-                            report.interrupted ? "interrupted after "
-                            : report.timed_out ? "out of time after "
-                                               : "",
-                            with_commas(totals.poses), with_commas(totals.overlapping),
-                            with_commas(totals.poses - totals.overlapping - totals.undecided),
+                            report.pair.interrupted ? "interrupted after "
+                            : report.pair.timed_out ? "out of time after "
+                                                    : "",
+                            with_commas(totals.rows), with_commas(totals.found),
+                            with_commas(totals.rows - totals.found - totals.undecided),
                             totals.undecided == 0
                                 ? ""
                                 : fmt::format(", {} undecided", with_commas(totals.undecided)))});
@@ -251,16 +251,16 @@ std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
       {"tests",
        fmt::format("{} of boxes, {} of triangles, {} of them exact", with_commas(cost_.node_tests),
                    with_commas(cost_.triangle_tests), with_commas(cost_.exact_tests))});
-  if (report.verified) {
+  if (report.pair.verified) {
     facts.push_back({"verified", fmt::format("by brute force: {} of {} equal",
-                                             with_commas(totals.poses - totals.wrong),
-                                             counted(totals.poses, "answer"))});
+                                             with_commas(totals.rows - totals.wrong),
+                                             counted(totals.rows, "answer"))});
   }
   return facts;
 }
 
 void OverlapPage::write(std::ostream& out, const OverlapReport& report,
-                        const OverlapTotals& totals) const {
+                        const RowTotals& totals) const {
   report::Page page{
       .title = fmt::format("{} and {}", name_a_, name_b_),
       .lead = "Which triangles share a point, decided exactly.",
@@ -270,7 +270,7 @@ void OverlapPage::write(std::ostream& out, const OverlapReport& report,
                 "surfaces are tested: a body entirely inside another one does not overlap it. "
                 "The picture may be simplified; the answers never are."},
       .scene = scene(report)};
-  for (const FrameWarning& warning : report.warnings) {
+  for (const FrameWarning& warning : report.pair.warnings) {
     page.warnings.push_back(warning.text());
   }
   report::write_page(out, page);

@@ -34,7 +34,7 @@ class OverlapPage {
   void add(const Pose& a, const Pose& b, const Overlap& answer, std::span<const PartPair> parts);
 
   /// Writes the page of the answers so far.
-  void write(std::ostream& out, const OverlapReport& report, const OverlapTotals& totals) const;
+  void write(std::ostream& out, const OverlapReport& report, const RowTotals& totals) const;
 
  private:
   using Poses = OverlapRows::Poses;
@@ -46,7 +46,7 @@ class OverlapPage {
   [[nodiscard]] report::Scene scene(const OverlapReport& report) const;
   [[nodiscard]] std::vector<report::Plot> plots() const;
   [[nodiscard]] std::vector<report::Fact> facts(const OverlapReport& report,
-                                                const OverlapTotals& totals) const;
+                                                const RowTotals& totals) const;
 
   const Mesh& a_;
   const Mesh& b_;

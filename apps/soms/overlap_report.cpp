@@ -5,7 +5,7 @@
 #include "apps/soms/overlap_by_part.h"
 #include "apps/support/console.h"
 #include "apps/support/json.h"
-#include "apps/support/models.h"
+#include "apps/support/part_names.h"
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
@@ -21,22 +21,6 @@ namespace {
 constexpr std::size_t kListed = 20;                   // pairs that a person may want to read
 constexpr std::size_t kPiece = std::size_t{1} << 16;  // bytes handed on at once
 
-std::string_view coverage_name(Coverage coverage) {
-  switch (coverage) {
-    case Coverage::complete:
-      return "complete";
-    case Coverage::first:
-      return "first";
-    case Coverage::cut:
-      break;
-  }
-  return "cut";
-}
-
-bool is_undecided(const Overlap& answer) {
-  return answer.coverage == Coverage::cut && !answer.any;
-}
-
 void print_pairs_as_json(const std::vector<TrianglePair>& pairs, Console& console) {
   std::string piece = ",\"pairs\":[";
   for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -49,20 +33,6 @@ void print_pairs_as_json(const std::vector<TrianglePair>& pairs, Console& consol
     }
   }
   console.print(piece + "]");
-}
-
-/// What reading the files noted, with the first pose alone, so that rows stay small.
-std::string notes_key(const OverlapReport& report, std::uint64_t pose) {
-  return pose > 0 || report.notes.empty() ? std::string() : ",\"notes\":" + json_text(report.notes);
-}
-
-/// About the models with the first pose alone; about boxes with each.
-std::string warnings_key(const OverlapReport& report, std::uint64_t pose) {
-  Json list = pose == 0 ? warnings_json(report.warnings) : Json::array();
-  if (report.boxes_apart) {
-    list.push_back({{"kind", name(FrameDoubt::boxes_apart)}});
-  }
-  return list.empty() ? std::string() : ",\"warnings\":" + json_text(list);
 }
 
 /// The counts of a named traversal; nothing for the default, which has none.
@@ -85,18 +55,8 @@ void print_json(const OverlapReport& report, std::uint64_t pose, const Overlap& 
   if (report.mode != OverlapMode::any) {
     text += fmt::format(",\"count\":{},\"hash\":\"{:016x}\"", answer.pairs.size(), answer.hash());
   }
-  text += fmt::format(
-      ",\"coverage\":\"{}\",\"cost\":{{\"node_tests\":{},\"triangle_tests\":{},"
-      "\"exact_tests\":{}{}}}",
-      coverage_name(answer.coverage), answer.cost.node_tests, answer.cost.triangle_tests,
-      answer.cost.exact_tests, traversal_keys(report, answer.traversal));
-  if (report.verified) {
-    text += right ? ",\"verified\":true" : ",\"verified\":false";
-  }
-  if (report.timed_out) {
-    text += ",\"timed_out\":true";
-  }
-  console.print(text + notes_key(report, pose) + warnings_key(report, pose));
+  text += coverage_keys(answer.coverage, answer.cost, traversal_keys(report, answer.traversal));
+  console.print(text + report_keys(report.pair, pose, right));
   if (report.by_part) {
     print_parts_as_json(report, parts, console);
   } else if (report.list_pairs) {
@@ -105,30 +65,26 @@ void print_json(const OverlapReport& report, std::uint64_t pose, const Overlap& 
   console.print("}\n");
 }
 
-std::string triangle_name(const Mesh& mesh, TriangleId i) {
-  const std::string part = part_name(mesh, i);
-  return part.empty() ? fmt::format("{}", i) : fmt::format("{} ({})", i, printable(part));
-}
-
 std::string summary(const OverlapReport& report, const Overlap& answer) {
   if (is_undecided(answer)) {
     return "undecided: out of time";
   }
-  if (!answer.any && report.single && report.gap > 0) {
+  if (!answer.any && report.pair.single && report.pair.gap > 0) {
     return fmt::format("no triangles overlap: the boxes of the models are {:.4g} apart",
-                       report.gap);
+                       report.pair.gap);
   }
   if (!answer.any) {
-    return report.single ? "no triangles overlap (surfaces only: a body entirely inside the other "
-                           "is not detected)"
-                         : "no overlap";
+    return report.pair.single
+               ? "no triangles overlap (surfaces only: a body entirely inside the other "
+                 "is not detected)"
+               : "no overlap";
   }
   if (report.mode != OverlapMode::all) {
     const auto& [i, j] = answer.pairs.front();
     const bool late = report.mode == OverlapMode::first && answer.coverage == Coverage::cut;
-    return fmt::format("overlap: triangle {} of {} and {} of {}{}", triangle_name(report.a, i),
-                       printable(report.a.source), triangle_name(report.b, j),
-                       printable(report.b.source),
+    return fmt::format("overlap: triangle {} of {} and {} of {}{}",
+                       triangle_label(report.pair.a, i), printable(report.pair.a.source),
+                       triangle_label(report.pair.b, j), printable(report.pair.b.source),
                        late ? " (out of time: there may be an earlier pair)" : "");
   }
   const bool one = answer.pairs.size() == 1;
@@ -139,7 +95,7 @@ std::string summary(const OverlapReport& report, const Overlap& answer) {
 
 /// What a named traversal did, in a line: who names one wants to compare.
 void print_traversal(const OverlapReport& report, const Overlap& answer, Console& console) {
-  if (!report.single || report.traversal == Traversal::fast) {
+  if (!report.pair.single || report.traversal == Traversal::fast) {
     return;
   }
   const TraversalCounts& counts = answer.traversal;
@@ -153,28 +109,28 @@ void print_traversal(const OverlapReport& report, const Overlap& answer, Console
 void print_text(const OverlapReport& report, std::uint64_t pose, const Overlap& answer,
                 Console& console, std::span<const PartPair> parts) {
   if (report.by_part && answer.any) {
-    console.print(report.single ? "" : fmt::format("pose {}: ", pose));
+    console.print(report.pair.single ? "" : fmt::format("pose {}: ", pose));
     print_parts_as_text(report, answer, parts, console);
     print_traversal(report, answer, console);
     return;
   }
   const bool strong = console.colored() && answer.any;
-  console.print(fmt::format("{}{}{}{}\n", report.single ? "" : fmt::format("pose {}: ", pose),
+  console.print(fmt::format("{}{}{}{}\n", report.pair.single ? "" : fmt::format("pose {}: ", pose),
                             strong ? "\x1b[1m" : "", summary(report, answer),
                             strong ? "\x1b[0m" : ""));
   print_traversal(report, answer, console);
-  if (!report.single || !report.list_pairs || report.mode != OverlapMode::all) {
+  if (!report.pair.single || !report.list_pairs || report.mode != OverlapMode::all) {
     return;
   }
   const std::size_t listed = std::min(kListed, answer.pairs.size());
   if (listed > 0) {
-    console.print(fmt::format("  triangle of {} and triangle of {}:\n", printable(report.a.source),
-                              printable(report.b.source)));
+    console.print(fmt::format("  triangle of {} and triangle of {}:\n",
+                              printable(report.pair.a.source), printable(report.pair.b.source)));
   }
   for (std::size_t k = 0; k < listed; ++k) {
     const auto& [i, j] = answer.pairs[k];
-    console.print(
-        fmt::format("  {} and {}\n", triangle_name(report.a, i), triangle_name(report.b, j)));
+    console.print(fmt::format("  {} and {}\n", triangle_label(report.pair.a, i),
+                              triangle_label(report.pair.b, j)));
   }
   if (listed < answer.pairs.size()) {
     console.print(fmt::format("  and {} more; --json lists all\n",
@@ -184,10 +140,8 @@ void print_text(const OverlapReport& report, std::uint64_t pose, const Overlap& 
 
 }  // namespace
 
-void OverlapTotals::add(const Overlap& answer) {
-  ++poses;
-  overlapping += answer.any ? 1U : 0U;
-  undecided += is_undecided(answer) ? 1U : 0U;
+bool is_undecided(const Overlap& answer) {
+  return answer.coverage == Coverage::cut && !answer.any;
 }
 
 void print_answer(const OverlapReport& report, std::uint64_t pose, const Overlap& answer,
@@ -199,26 +153,17 @@ void print_answer(const OverlapReport& report, std::uint64_t pose, const Overlap
   }
 }
 
-void print_totals(const OverlapReport& report, const OverlapTotals& totals, Console& console) {
-  if (console.shared().json) {
-    return;
-  }
-  if (!report.single) {
+void print_totals(const OverlapReport& report, const RowTotals& totals, Console& console) {
+  if (!report.pair.single) {
     console.print(fmt::format(
-        "{}: {} with overlap, {} without{}\n", counted(totals.poses, "pose"),
-        with_commas(totals.overlapping),
-        with_commas(totals.poses - totals.overlapping - totals.undecided),
+        "{}: {} with overlap, {} without{}\n", counted(totals.rows, "pose"),
+        with_commas(totals.found), with_commas(totals.rows - totals.found - totals.undecided),
         totals.undecided == 0 ? "" : fmt::format(", {} undecided", with_commas(totals.undecided))));
-    if (totals.overlapping + totals.undecided < totals.poses) {
+    if (totals.found + totals.undecided < totals.rows) {
       console.print(
           "only surfaces are compared, at these poses: a body inside the other is not found, nor "
           "what happens between two poses\n");
     }
-  }
-  if (report.verified) {
-    console.print(fmt::format("verified by brute force: {} of {} equal\n",
-                              with_commas(totals.poses - totals.wrong),
-                              counted(totals.poses, "answer")));
   }
 }
 

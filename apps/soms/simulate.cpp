@@ -84,7 +84,7 @@ void open(std::optional<OutputFile>& file, const std::string& path) {
 
 /// `drawn`: the exit status of who drew the picture.
 int status_of(const Outcome& outcome, const SimulateOptions& options, int drawn) {
-  if (outcome.verified && outcome.verified->wrong > 0) {
+  if (outcome.is_wrong()) {
     return kDifference;
   }
   if (outcome.ending == Ending::interrupted) {
@@ -106,8 +106,8 @@ int status_of(const Outcome& outcome, const SimulateOptions& options, int drawn)
 /// Movers that never come near the city cannot touch it: a shift, unit or axis may be missing. A
 /// run that was interrupted may not have come to where they do; a wrong answer says enough.
 std::vector<FrameWarning> doubt_boxes(const World& world, const Outcome& outcome) {
-  const bool wrong = outcome.verified && outcome.verified->wrong > 0;
-  if (!outcome.boxes.always_apart() || outcome.ending == Ending::interrupted || wrong) {
+  if (!outcome.boxes.always_apart() || outcome.ending == Ending::interrupted ||
+      outcome.is_wrong()) {
     return {};
   }
   return {apart_warning("the movers", world.title, outcome.boxes.least_gap(), "in every frame ")};
@@ -167,7 +167,7 @@ int run_window(const SimulateOptions& options, const Console& console) {
   const bool answers = options.verify || options.fail_if_contact || console.shared().json;
   if (answers || !options.report.empty() || !options.map.empty() || !options.events.empty() ||
       !options.record.empty() || !options.picture.empty() || options.picture_frame ||
-      !options.between_movers || !options.ignored.empty()) {
+      !options.between_movers || !options.ignored.empty() || options.clearance > 0) {
     throw Error(ErrorKind::usage, "--view cannot be combined with an option of outputs or contacts",
                 "leave out --view, or the other option");
   }
@@ -220,7 +220,7 @@ int run_simulate(const SimulateOptions& given, Console& console) {
     tell_warnings(doubts, strict, console);
   }
   if (events) {
-    write_events(events->stream(), world, outcome);
+    write_events(events->stream(), world, outcome, options);
     events->commit();
   }
   if (map) {

@@ -25,6 +25,7 @@ struct SimulateOptions {
   bool frames_given = false;
   std::string picture = {};                                   ///< empty: none
   std::optional<std::uint64_t> picture_frame = std::nullopt;  ///< unset: the last
+  double clearance = 0;  ///< pairs at most this far apart are near; 0: none are
   bool fail_if_contact = false;
   bool between_movers = true;             ///< test movers against each other
   std::vector<std::string> ignored = {};  ///< pairs of movers that are not, "A,B"

@@ -14,9 +14,10 @@ const char* const kFooter =
     "and drones fly above them. In a city from files, movers go back and forth on straight, level\n"
     "lines at street height. Movers start free of contact and pass through whatever they touch.\n"
     "60 frames are one second. A contact is one mover and one triangle of the city, or two\n"
-    "movers, from the first frame in which they touch to the last. A route is a CSV file: x,y,z\n"
-    "are points of a line that is followed at constant speed; with qw,qx,qy,qz, or as\n"
-    "r00,...,tz, each row is the pose of one frame.\n"
+    "movers, from the first frame in which they touch to the last. With --clearance, so is\n"
+    "what stays within that distance: a mover and a model of the city, or two movers. A route is\n"
+    "a CSV file: x,y,z are points of a line that is followed at constant speed; with\n"
+    "qw,qx,qy,qz, or as r00,...,tz, each row is the pose of one frame.\n"
     "Only surfaces are tested: a mover entirely inside a closed building touches nothing.\n\n"
     "Example:\n"
     "  soms simulate --map city.svg\n"
@@ -43,10 +44,13 @@ Action add_simulate(CLI::App& app, Shared&) {
       "do not test two movers against each other, as neighboring links of\n"
       "a robot; each is a number as in --events or the name of a model;\nmay be repeated",
       "A,B");
+  add_positive(app, "--clearance", options->clearance,
+               "report what comes within this distance, too, and how near");
   add_output(app, "--map", options->map, "draw the city, its movers and contacts as SVG");
   add_output(app, "--report", options->report,
              "write an HTML report with figures, a time line and the scene in 3-D");
-  add_output(app, "--events", options->events, "write the begin and end of every contact as CSV");
+  add_output(app, "--events", options->events,
+             "write the begin and end of every contact (and near event) as CSV");
   add_output(app, "--record", options->record,
              "write poses and contacts of every frame; soms view plays the file");
   app.add_flag("--view", options->view, "show the simulation in a window instead of reporting it");

@@ -4,6 +4,7 @@
 
 #include "apps/report/page.h"
 #include "apps/soms/page_plots.h"
+#include "apps/soms/simulate_near_report.h"
 #include "apps/soms/simulate_report.h"
 #include "apps/soms/simulate_rows.h"
 #include "apps/support/part_names.h"
@@ -252,6 +253,9 @@ void write_page(std::ostream& out, const World& world, const Outcome& outcome,
       "which they touch to the last in a row. Only surfaces are tested: a mover entirely inside a "
       "closed building touches nothing. The picture may be simplified; the answers never are.");
   page.plots = plots_of(world, outcome);
+  if (options.clearance > 0) {
+    page.tables.push_back(near_table(world, outcome, options));
+  }
   page.scene = scene_of(world, outcome);
   report::write_page(out, page);
 }

@@ -2,6 +2,7 @@
 
 #include "soms/base/text.h"
 
+#include "apps/soms/simulate_near_report.h"
 #include "apps/support/json.h"
 #include "apps/support/models.h"
 #include "apps/support/route_notes.h"
@@ -126,12 +127,18 @@ Figures figures_of(const World& world, const Outcome& outcome, const SimulateOpt
                          counted(world.filter.ignored.size(), "pair") + " of movers (--ignore)");
   }
   add_most_touched(figures, world, outcome);
+  if (options.clearance > 0) {
+    add_near_figures(figures, world, outcome, options);
+  }
   if (outcome.verified) {
     const Verified& v = *outcome.verified;
     figures.emplace_back(
         "verified", fmt::format("{} of bodies and {} by brute force, {} wrong",
                                 counted(v.contacts, "touching pair"), counted(v.free, "free mover"),
                                 with_commas(v.wrong)));
+  }
+  if (outcome.verified_gaps) {
+    figures.emplace_back("verified gaps", gaps_verified(*outcome.verified_gaps));
   }
   return figures;
 }
@@ -204,15 +211,25 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
                         {"free", outcome.verified->free},
                         {"wrong", outcome.verified->wrong}};
   }
+  if (outcome.verified_gaps) {
+    json["verified_gaps"] = {{"near", outcome.verified_gaps->near},
+                             {"free", outcome.verified_gaps->free},
+                             {"wrong", outcome.verified_gaps->wrong}};
+  }
+  if (options.clearance > 0) {
+    add_near_json(json, world, outcome, options);
+  }
   return json_line(json);
 }
 
-void write_events(std::ostream& out, const World& world, const Outcome& outcome) {
+void write_events(std::ostream& out, const World& world, const Outcome& outcome,
+                  const SimulateOptions& options) {
   const auto model_name = [&](MoverId mover) {
     return csv_field(world.models[world.routes[mover].model].name);
   };
   const CityParts parts(world);
-  out << "mover,model,touched,part,triangle,begin,end\n";
+  const bool with_near = options.clearance > 0;
+  out << "mover,model,touched,part,triangle,begin,end" << (with_near ? kNearColumns : "") << '\n';
   for (const Contact& contact : outcome.contacts.contacts()) {
     out << contact.mover << ',' << model_name(contact.mover) << ',';
     if (contact.part == Contact::kMover) {
@@ -221,7 +238,10 @@ void write_events(std::ostream& out, const World& world, const Outcome& outcome)
       out << csv_field(world.city[contact.part].name) << ','
           << csv_field(parts.name(contact.part, contact.other)) << ',' << contact.other << ',';
     }
-    out << contact.begin << ',' << contact.end << '\n';
+    out << contact.begin << ',' << contact.end << (with_near ? kNearFieldsOfContact : "") << '\n';
+  }
+  if (with_near) {
+    write_near_events(out, world, outcome);
   }
 }
 

@@ -61,6 +61,10 @@ class Run {
     outcome_.tracks.resize(world.routes.size());
     if (options.verify) {
       verifier_.emplace(world, console.shared().seed);
+      if (options.clearance > 0) {
+        gap_verifier_.emplace(world, options.clearance, console.shared().seed);
+        outcome_.verified_gaps.emplace();
+      }
     }
   }
 
@@ -79,6 +83,7 @@ class Run {
       bar.show(static_cast<double>(frame + 1) / static_cast<double>(options_.frames));
     }
     outcome_.contacts.finish();
+    outcome_.near.finish();
     outcome_.hash = hash.value();
     if (verifier_) {
       outcome_.verified = verifier_->result();
@@ -100,10 +105,15 @@ class Run {
   std::uint64_t run(std::uint64_t frame) {
     float seconds = 0;
     const Parallel parallel = console_.limited();
-    const StepReport report =
-        run_frame(scene_, world_, frame,
-                  {.mover_mover = world_.filter.between, .traversal = options_.world.traversal},
-                  parallel, poses_, lines_, seconds);
+    const StepReport report = run_frame(scene_, world_, frame,
+                                        {.mover_mover = world_.filter.between,
+                                         .traversal = options_.world.traversal,
+                                         .clearance = options_.clearance},
+                                        parallel, poses_, lines_, seconds);
+    VerifiedGaps gaps;
+    if (gap_verifier_) {
+      gaps = gap_verifier_->verify(report, poses_, parallel);
+    }
     if (verifier_) {
       verifier_->verify(report, poses_, parallel);
     }
@@ -112,7 +122,13 @@ class Run {
     }
     look_for_neighbors();
     outcome_.contacts.add(report, frame);
-    outcome_.queries += report.queries;
+    if (options_.clearance > 0) {
+      outcome_.near.add(report, frame);
+    }
+    if (outcome_.verified_gaps) {
+      *outcome_.verified_gaps += gaps;
+    }
+    outcome_.queries += report.queries + report.gap_queries;
     outcome_.cost += report.cost;
     outcome_.frame_seconds.push_back(seconds);
     if (frame % pause_ == 0 || frame + 1 == options_.frames) {
@@ -143,6 +159,7 @@ class Run {
   std::uint64_t pause_;
   bool near_ = false;  ///< a mover was near the city
   std::optional<Verifier> verifier_;
+  std::optional<GapVerifier> gap_verifier_;
   Outcome outcome_;
 };
 
@@ -151,6 +168,10 @@ double fps(double seconds) {
 }
 
 }  // namespace
+
+bool Outcome::is_wrong() const {
+  return (verified && verified->wrong > 0) || (verified_gaps && verified_gaps->wrong > 0);
+}
 
 double Outcome::median_fps() const {
   if (frame_seconds.empty()) {

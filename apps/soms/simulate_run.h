@@ -6,8 +6,10 @@
 
 #include "apps/soms/simulate.h"
 #include "apps/soms/simulate_contacts.h"
+#include "apps/soms/simulate_near.h"
 #include "apps/soms/simulate_record.h"
 #include "apps/soms/simulate_verify.h"
+#include "apps/soms/simulate_verify_near.h"
 #include "apps/support/console.h"
 #include "apps/support/frame_warnings.h"
 #include "apps/support/world.h"
@@ -35,10 +37,15 @@ struct Outcome {
   Cost cost;
   std::uint64_t hash = 0;  ///< of all frames' reports, in order
   ContactLog contacts;
+  NearLog near;  ///< filled with a clearance alone
   std::optional<Verified> verified = std::nullopt;
+  std::optional<VerifiedGaps> verified_gaps = std::nullopt;
   std::vector<std::vector<Place>> tracks;  ///< where each mover was, at some hundred frames
   Ending ending = Ending::whole;
   BoxWatch boxes;  ///< of movers and the city, until one is near
+
+  /// A verification found a difference.
+  [[nodiscard]] bool is_wrong() const;
 
   [[nodiscard]] double median_fps() const;
   [[nodiscard]] double worst_fps() const;

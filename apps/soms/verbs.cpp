@@ -3,6 +3,7 @@
 #include "apps/soms/bench.h"
 #include "apps/soms/completion.h"
 #include "apps/soms/convert.h"
+#include "apps/soms/distance.h"
 #include "apps/soms/generate.h"
 #include "apps/soms/info.h"
 #include "apps/soms/man.h"
@@ -10,6 +11,7 @@
 #include "apps/soms/passed_on.h"
 #include "apps/soms/simulate.h"
 #include "apps/soms/version.h"
+#include "apps/soms/within.h"
 
 #include <array>
 
@@ -21,6 +23,7 @@ constexpr std::array kVerbs{
     Verb{"bench", "compare soms with the installed peers on your own two models", add_bench},
     Verb{"completion", "print a shell completion script", add_completion},
     Verb{"convert", "convert a model to PLY, 3DS, STL, OFF, OBJ or GLB", add_convert},
+    Verb{"distance", "find how far apart two models are, and where they are nearest", add_distance},
     Verb{"generate", "create a model with an exact number of triangles", add_generate},
     Verb{"info", "report triangles, bounds, parts, defects and trees of models", add_info},
     Verb{"man", "print the man page of the command or of a verb", add_man},
@@ -33,6 +36,7 @@ constexpr std::array kVerbs{
          add_simulate},
     Verb{"version", "print the version, the instruction set and the file formats", add_version},
     Verb{"view", "fly through a city and see what touches what, and why", nullptr, pass_to_viewer},
+    Verb{"within", "decide whether two models are within a clearance of each other", add_within},
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 set(SOMS_SUPPORT_FILES
+  block_size.h
   child.cpp
   child.h
   console.cpp
@@ -30,6 +31,8 @@ set(SOMS_SUPPORT_FILES
   recorded_world.h
   route_notes.cpp
   route_notes.h
+  row_run.cpp
+  row_run.h
   shared.cpp
   shared.h
   standard_input.cpp

@@ -37,6 +37,23 @@ std::string upper_case(std::string_view text) {
   return upper;
 }
 
+/// Adds an option that is a finite number for which `fits` holds; where it does not, the error has
+/// this remedy.
+template <class Target>
+CLI::Option* add_number(CLI::App& app, const std::string& name, Target& target,
+                        const std::string& text, bool (*fits)(double), const char* remedy) {
+  return app.add_option_function<std::string>(
+      name,
+      [name, &target, fits, remedy](const std::string& value) {
+        const double number = parse_number(name, value);
+        if (!fits(number)) {
+          throw not_this(name, value, remedy);
+        }
+        target = number;
+      },
+      text);
+}
+
 }  // namespace
 
 std::uint64_t parse_count(std::string_view option, std::string_view text, std::uint64_t least,
@@ -83,31 +100,24 @@ std::uint64_t parse_bytes(std::string_view option, std::string_view text) {
 
 CLI::Option* add_positive(CLI::App& app, const std::string& name, double& target,
                           const std::string& text) {
-  return app
-      .add_option_function<std::string>(
-          name,
-          [name, &target](const std::string& value) {
-            target = parse_number(name, value);
-            if (target <= 0) {
-              throw not_this(name, value, "give a number greater than 0");
-            }
-          },
-          text)
+  return add_number(
+             app, name, target, text, [](double x) { return x > 0; },
+             "give a number greater than 0")
       ->option_text("X");
+}
+
+CLI::Option* add_length(CLI::App& app, const std::string& name, double& target,
+                        const std::string& text) {
+  return add_number(
+             app, name, target, text, [](double x) { return x >= 0; }, "give a length of 0 or more")
+      ->option_text("D");
 }
 
 CLI::Option* add_seconds(CLI::App& app, const std::string& name, std::optional<double>& target,
                          const std::string& text) {
-  return app
-      .add_option_function<std::string>(
-          name,
-          [name, &target](const std::string& value) {
-            target = parse_number(name, value);
-            if (*target < 0 || *target > 1e9) {
-              throw not_this(name, value, "give a number of seconds from 0 to 1e9");
-            }
-          },
-          text)
+  return add_number(
+             app, name, target, text, [](double x) { return x >= 0 && x <= 1e9; },
+             "give a number of seconds from 0 to 1e9")
       ->option_text("SECONDS");
 }
 

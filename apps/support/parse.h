@@ -47,6 +47,10 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, T& target, std::u
 CLI::Option* add_positive(CLI::App& app, const std::string& name, double& target,
                           const std::string& text);
 
+/// Adds an option that is a finite length, 0 or more.
+CLI::Option* add_length(CLI::App& app, const std::string& name, double& target,
+                        const std::string& text);
+
 /// Adds an option that is a number of seconds, 0 or more.
 CLI::Option* add_seconds(CLI::App& app, const std::string& name, std::optional<double>& target,
                          const std::string& text);

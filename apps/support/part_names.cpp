@@ -1,5 +1,8 @@
 #include "apps/support/part_names.h"
 
+#include "soms/base/text.h"
+
+#include "apps/support/models.h"
 #include "apps/support/world.h"
 
 #include <fmt/format.h>
@@ -34,6 +37,16 @@ std::string part_path_label(const Mesh& mesh, std::uint32_t part, std::size_t mo
   }
   std::reverse(names.begin(), names.end());
   return fmt::format("{}", fmt::join(names, "/"));
+}
+
+std::string triangle_label(const Mesh& mesh, TriangleId i) {
+  const std::string part = part_name(mesh, i);
+  return part.empty() ? fmt::format("{}", i) : fmt::format("{} ({})", i, printable(part));
+}
+
+std::string part_csv_fields(const Mesh& mesh, std::uint32_t part) {
+  return part == Part::kNoParent ? std::string(",")
+                                 : fmt::format("{},{}", part, csv_field(mesh.parts[part].name));
 }
 
 }  // namespace soms::command

@@ -21,4 +21,11 @@ namespace soms::command {
     const Mesh& mesh, std::uint32_t part,
     std::size_t most = std::numeric_limits<std::size_t>::max());
 
+/// The number of a triangle as people read it: "12", or "12 (wall)" where its part has a name.
+/// \cost O(p) for p parts.
+[[nodiscard]] std::string triangle_label(const Mesh& mesh, TriangleId i);
+
+/// Number and name of a part as two fields of CSV, empty for Part::kNoParent.
+[[nodiscard]] std::string part_csv_fields(const Mesh& mesh, std::uint32_t part);
+
 }  // namespace soms::command

@@ -75,6 +75,31 @@ TEST(Bench, ComparesAnswersAndTimesOfTwoFiles) {
   EXPECT_EQ(ours, (std::vector<std::string>{"soms any", "soms-batch any", "soms all"}));
 }
 
+TEST(Bench, AsksForDistancesAndClearances) {
+  const std::string ask =
+      "$soms bench '" + box() + "' '" + box() + "' --random 20 --rounds 1 --json -q --ask ";
+  for (const auto& [job, sets] :
+       {std::pair<std::string, std::vector<std::string>>{"distance", {"random", "random"}},
+        {"within",
+         {"half random", "half random", "0.99 random", "0.99 random", "1.01 random",
+          "1.01 random"}}}) {
+    const RunResult result = shell(ask + job);
+    ASSERT_EQ(result.status, 0) << result.err;
+    std::vector<std::string> ours;
+    for (const Json& row : json_lines(result.out)) {
+      EXPECT_EQ(row.at("job"), job);
+      EXPECT_EQ(row.at("sum") > 0, !row.at("set").get<std::string>().starts_with("half") &&
+                                       !row.at("set").get<std::string>().starts_with("0.99"))
+          << row;
+      if (row.at("library").get<std::string>().starts_with("soms")) {
+        EXPECT_EQ(row.at("wrong"), 0) << row;
+        ours.push_back(row.at("set"));
+      }
+    }
+    EXPECT_EQ(ours, sets);
+  }
+}
+
 TEST(Bench, CountsWhatOverlapCounts) {
   const std::string a = test::data("truth/meshes/torus.ply").string();
   const RunResult bench = soms_run(

@@ -19,13 +19,14 @@ std::string printed(const OverlapReport& report, const Overlap& answer) {
 TEST(OverlapReportText, SaysThatALesserPairMayBeThereWhenTimeIsUp) {
   Mesh mesh;
   mesh.source = "m";
-  const OverlapReport first{.a = mesh, .b = mesh, .mode = OverlapMode::first};
+  const PairReport pair{.a = mesh, .b = mesh};
+  const OverlapReport first{.pair = pair, .mode = OverlapMode::first};
   Overlap answer{.any = true, .pairs = {{3, 4}}, .coverage = Coverage::first, .cost = {}};
   EXPECT_EQ(printed(first, answer), "overlap: triangle 3 of m and 4 of m\n");
   answer.coverage = Coverage::cut;
   EXPECT_EQ(printed(first, answer),
             "overlap: triangle 3 of m and 4 of m (out of time: there may be an earlier pair)\n");
-  const OverlapReport any{.a = mesh, .b = mesh, .mode = OverlapMode::any};
+  const OverlapReport any{.pair = pair, .mode = OverlapMode::any};
   EXPECT_EQ(printed(any, answer), "overlap: triangle 3 of m and 4 of m\n");
 }
 

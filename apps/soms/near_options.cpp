@@ -1,0 +1,14 @@
+#include "apps/soms/near_options.h"
+
+#include "apps/support/parse.h"
+
+namespace soms::command {
+
+void add_near_options(CLI::App& app, NearOptions& options) {
+  add_output(app, "--csv", options.csv, "write the answers as CSV, one row per pose")
+      ->group(kQuestionGroup);
+  add_verify(app, options);
+  add_model_reading(app, options);
+}
+
+}  // namespace soms::command

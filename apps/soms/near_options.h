@@ -1,0 +1,19 @@
+/// \file
+/// Options that `distance` and `within` share.
+#pragma once
+
+#include "apps/soms/pair_options.h"
+
+#include <string>
+
+namespace soms::command {
+
+/// Two models at rows of poses, and where answers about their distance go.
+struct NearOptions : PairOptions {
+  std::string csv = {};  ///< empty: none
+};
+
+/// Adds what follows the options of the question: --csv, --verify, and those of the models.
+void add_near_options(CLI::App& app, NearOptions& options);
+
+}  // namespace soms::command

@@ -1,0 +1,44 @@
+/// \file
+/// What a simulation tells of who came near whom: for people, for programs, and as rows.
+#pragma once
+
+#include "apps/report/page.h"
+#include "apps/soms/simulate.h"
+#include "apps/soms/simulate_report.h"
+#include "apps/soms/simulate_run.h"
+#include "apps/support/json.h"
+#include "apps/support/world.h"
+
+#include <ostream>
+#include <string>
+#include <string_view>
+
+namespace soms::command {
+
+/// Columns of the events that follow those of a contact, where there is a clearance.
+inline constexpr std::string_view kNearColumns =
+    ",event,lower,upper,nearest,mover_triangle,ax,ay,az,bx,by,bz";
+
+/// Their fields in the row of a contact.
+inline constexpr std::string_view kNearFieldsOfContact = ",contact,,,,,,,,,,";
+
+/// Lines on how many came within the clearance, and on the nearest of them.
+void add_near_figures(Figures& figures, const World& world, const Outcome& outcome,
+                      const SimulateOptions& options);
+
+/// What brute force said to gaps.
+[[nodiscard]] std::string gaps_verified(const VerifiedGaps& verified);
+
+/// The figures as members of the answer.
+void add_near_json(Json& json, const World& world, const Outcome& outcome,
+                   const SimulateOptions& options);
+
+/// Rows of events, after those of contacts; `nearest` is the frame of the least distance, and
+/// there are no points where the two touch in it.
+void write_near_events(std::ostream& out, const World& world, const Outcome& outcome);
+
+/// The events without a touch, the nearest first, as many as a page has room for.
+[[nodiscard]] report::Table near_table(const World& world, const Outcome& outcome,
+                                       const SimulateOptions& options);
+
+}  // namespace soms::command

@@ -1,0 +1,182 @@
+#include "apps/soms/within.h"
+
+#include "soms/query/reference/distance.h"
+#include "soms/query/within.h"
+
+#include "apps/soms/near_output.h"
+#include "apps/soms/near_run.h"
+#include "apps/support/console.h"
+#include "apps/support/parse.h"
+#include "apps/support/row_run.h"
+#include "apps/support/text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace soms::command {
+
+namespace {
+
+/// One triangle of a body, where it stands.
+Body only(const Body& body, TriangleId i) {
+  const Triangle t = body.shape.mesh().triangle(i);
+  Mesh mesh;
+  mesh.vertices = {t.a, t.b, t.c};
+  mesh.triangles = {{0, 1, 2}};
+  return Body(std::move(mesh), body.pose);
+}
+
+/// The question of a `NearRun`: are two bodies within a clearance?
+class WithinQuestion {
+ public:
+  using Answer = Within;
+  static constexpr std::string_view kSchema = "soms.within/1";
+  static constexpr std::string_view kColumns = "within,at_least";
+
+  WithinQuestion(double clearance, const WithinOptions& options)
+      : clearance_(clearance), options_(options) {}
+
+  [[nodiscard]] Within ask(const Body& a, const Body& b, const Parallel& parallel) const;
+  [[nodiscard]] WithinBatch ask(const Shape& a, std::span<const Pose> poses, const Body& b,
+                                const Parallel& parallel) const;
+
+  [[nodiscard]] bool found(const Within& answer) const { return answer.within; }
+
+  [[nodiscard]] bool undecided(const Within& answer) const;
+
+  [[nodiscard]] std::string title() const;
+  [[nodiscard]] std::string cell(const Within& answer) const;
+  [[nodiscard]] std::string text(const Within& answer) const;
+  [[nodiscard]] std::string json(const Within& answer) const;
+  [[nodiscard]] std::string csv(const Within& answer) const;
+
+  void add(std::uint64_t, const Within&) {}
+
+  [[nodiscard]] std::string totals(const RowTotals& totals) const;
+
+  /// \errors ErrorKind::timed_out, cancelled.
+  [[nodiscard]] std::optional<std::string> difference(const Body& a, const Body& b,
+                                                      const Within& answer,
+                                                      const Console& console) const;
+
+ private:
+  double clearance_;
+  WithinOptions options_;
+};
+
+Within WithinQuestion::ask(const Body& a, const Body& b, const Parallel& parallel) const {
+  return within(a, b, clearance_, options_, parallel);
+}
+
+WithinBatch WithinQuestion::ask(const Shape& a, std::span<const Pose> poses, const Body& b,
+                                const Parallel& parallel) const {
+  return within(a, poses, b, clearance_, options_, parallel);
+}
+
+bool WithinQuestion::undecided(const Within& answer) const {
+  return answer.coverage == Coverage::cut && !answer.within;
+}
+
+std::string WithinQuestion::title() const {
+  return "within " + readable(clearance_);
+}
+
+std::string WithinQuestion::cell(const Within& answer) const {
+  return undecided(answer) ? "undecided" : answer.within ? "yes" : "no";
+}
+
+std::string WithinQuestion::text(const Within& answer) const {
+  if (undecided(answer)) {
+    return "undecided: out of time";
+  }
+  if (answer.within) {
+    return title();
+  }
+  return std::isfinite(answer.at_least) ? fmt::format("not {}: the distance is at least {}",
+                                                      title(), readable(answer.at_least))
+                                        : fmt::format("not {}: a model has no triangles", title());
+}
+
+std::string WithinQuestion::json(const Within& answer) const {
+  return answer.within
+             ? std::string("\"within\":true")
+             : fmt::format("\"within\":{},\"at_least\":{}", undecided(answer) ? "null" : "false",
+                           json_number(answer.at_least));
+}
+
+std::string WithinQuestion::csv(const Within& answer) const {
+  return fmt::format("{},{}",
+                     undecided(answer) ? ""
+                     : answer.within   ? "true"
+                                       : "false",
+                     answer.at_least);
+}
+
+std::string WithinQuestion::totals(const RowTotals& totals) const {
+  return fmt::format(
+      "{}: {} within {}, {} not{}", counted(totals.rows, "pose"), with_commas(totals.found),
+      readable(clearance_), with_commas(totals.rows - totals.found - totals.undecided),
+      totals.undecided == 0 ? "" : fmt::format(", {} undecided", with_commas(totals.undecided)));
+}
+
+std::optional<std::string> WithinQuestion::difference(const Body& a, const Body& b,
+                                                      const Within& answer,
+                                                      const Console& console) const {
+  if (undecided(answer)) {
+    return std::nullopt;
+  }
+  const bool truth = console.run("verifying", [&](const Parallel& parallel) {
+    return reference::within_by_brute_force(a, b, clearance_, parallel);
+  });
+  if (answer.within != truth) {
+    return fmt::format("brute force finds them {}within {}", truth ? "" : "not ", clearance_);
+  }
+  // The pair that is named must prove it.
+  if (answer.within && !(answer.triangles && reference::within_by_brute_force(
+                                                 only(a, answer.triangles->first),
+                                                 only(b, answer.triangles->second), clearance_))) {
+    return fmt::format("brute force finds the pair that is named not within {}", clearance_);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Action add_within(CLI::App& app, Shared&) {
+  const auto options = std::make_shared<WithinVerbOptions>();
+  add_posed_models(app, *options);
+  add_length(app, "--clearance", options->clearance,
+             "the distance to stay above; 0 asks for overlap")
+      ->required()
+      ->group(kQuestionGroup);
+  add_choice<bool>(app, "--fail-if", options->fail_if_within, {{"within", true}},
+                   "exit with status 1 if this is found")
+      ->group(kQuestionGroup);
+  add_near_options(app, *options);
+  app.footer(
+      "True if the distance of the surfaces is at most D, decided exactly; a body entirely inside\n"
+      "another one is as far from it as its surface is. One pair of triangles that proves it is\n"
+      "named." +
+      example_of_pair("within knot.ply ball.off --clearance 0.5 --pose \"2.2 0 0\""));
+  return [options, &app](Console& console) {
+    settle(app, *options);
+    return run_within(*options, console);
+  };
+}
+
+int run_within(const WithinVerbOptions& options, Console& console) {
+  return run_near(options,
+                  {.verb = options.verb,
+                   .fail_if_found = options.fail_if_within,
+                   .expected_gap = options.clearance},
+                  WithinQuestion(options.clearance, {.deadline = console.deadline()}), console);
+}
+
+}  // namespace soms::command
