@@ -21,7 +21,7 @@ Usage: soms-bench [OPTIONS]        generated scenes, models and cities
        soms-bench A B [OPTIONS]    two meshes of your own: A moves, B does not
 
   --quick           a few minutes: fewer rounds, and fewer scenes unless --scenes is given
-  --jobs LIST       of any,all,still,broad (default: all of them)
+  --jobs LIST       of any,all,still,broad,distance,within (default: all of them)
   --scenes LIST     scenes whose names begin with these, such as twins-knot,city,real
   --sets LIST       pose sets, such as random,near-0.001
   --least N         leave out scenes of fewer than N triangles or boxes (default 0)
@@ -76,7 +76,8 @@ std::vector<Job> jobs(const std::string& list) {
       }
     }
     if (!known) {
-      throw Error(ErrorKind::usage, "--jobs " + word, "choose any, all, still or broad");
+      throw Error(ErrorKind::usage, "--jobs " + word,
+                  "choose any, all, still, broad, distance or within");
     }
   }
   return chosen;

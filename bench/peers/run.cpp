@@ -1,11 +1,15 @@
 #include "bench/peers/run.h"
 
+#include "soms/query/distance.h"
+
 #include "bench/peers/core/machine.h"
 #include "bench/peers/scenarios/solids.h"
 
 #include <algorithm>
+#include <initializer_list>
+#include <memory>
 #include <numeric>
-#include <optional>
+#include <utility>
 
 namespace soms::bench {
 
@@ -58,49 +62,76 @@ Cell new_cell(const Scene& scene, Job job, const std::string& set) {
   return cell;
 }
 
-using Judge = std::function<std::vector<Verdict>(std::span<const std::vector<std::uint64_t>>)>;
+using Judge = std::function<std::vector<Verdict>(std::span<const Answers>)>;
 
 /// Races the lanes of a cell and has the answers judged.
 Cell settle(Cell cell, std::span<const Ready> ready, std::span<const Lane> lanes,
             std::size_t questions, const RaceOptions& options, const Judge& judge) {
   const std::vector<Outcome> outcomes = race(lanes, questions, options);
-  std::vector<std::vector<std::uint64_t>> answers;
-  for (const Outcome& outcome : outcomes) {
-    answers.push_back(outcome.answers);
-    cell.questions = std::max(cell.questions, outcome.answers.size());
+  std::vector<Answers> answers;
+  for (std::size_t k = 0; k < lanes.size(); ++k) {
+    answers.push_back({outcomes[k].answers, ready[k].library->precision()});
+    cell.questions = std::max(cell.questions, answers[k].values.size());
   }
   const std::vector<Verdict> verdicts = judge(answers);
   for (std::size_t k = 0; k < lanes.size(); ++k) {
     const Library& c = *ready[k].library;
+    const std::vector<double>& values = answers[k].values;
     cell.entries.push_back({c.name(), c.version(), ready[k].build, ready[k].bytes, c.keeps_tree(),
-                            answers[k].size(), outcomes[k].timing, verdicts[k]});
-    if (answers[k].size() == cell.questions && verdicts[k].wrong == 0) {
-      cell.sum = std::accumulate(answers[k].begin(), answers[k].end(), std::uint64_t{0});
+                            values.size(), outcomes[k].timing, verdicts[k]});
+    if (values.size() == cell.questions && verdicts[k].wrong == 0) {
+      cell.sum = std::accumulate(values.begin(), values.end(), 0.0);
     }
   }
   return cell;
 }
 
-/// The libraries for `job`, with lanes that ask their only match.
-void run_poses(const Scene& scene, const PoseSet& set, Job job, std::span<Ready> ready,
-               const PairCounter& counter, const RunOptions& options, const Sink& sink) {
+/// Judges the answers to questions about poses.
+using PoseJudge = std::function<std::vector<Verdict>(const Questions& questions,
+                                                     std::span<const Answers> answers)>;
+
+/// The libraries for the job, with lanes that ask their only match.
+void run_questions(const Scene& scene, const std::string& set, const Questions& questions,
+                   std::span<const Ready> ready, const PoseJudge& judge, const RunOptions& options,
+                   const Sink& sink) {
   std::vector<Lane> lanes;
   std::vector<Ready> racing;
-  for (Ready& r : ready) {
-    if (r.library->does(job)) {
+  for (const Ready& r : ready) {
+    if (r.library->does(questions.job)) {
       Match* match = r.matches.front().get();
-      lanes.push_back({r.library->name(), [match, job, &set](std::span<std::uint64_t> answers) {
-                         match->answer(job, std::span(set.poses).first(answers.size()), answers);
+      lanes.push_back({r.library->name(), [match, &questions](std::span<double> answers) {
+                         match->answer(questions.first(answers.size()), answers);
                        }});
       racing.push_back({r.library, {}, r.build, r.bytes});
     }
   }
-  const Judge decide = [&](std::span<const std::vector<std::uint64_t>> answers) {
-    return judge(counter, job, set.poses, answers, options.judge);
-  };
-  if (!lanes.empty()) {
-    sink(settle(new_cell(scene, job, set.name), racing, lanes, set.poses.size(), options.race,
-                decide));
+  if (!lanes.empty() && !questions.poses.empty()) {
+    sink(settle(new_cell(scene, questions.job, set), racing, lanes, questions.poses.size(),
+                options.race,
+                [&](std::span<const Answers> answers) { return judge(questions, answers); }));
+  }
+}
+
+/// Clearances as shares of the true distance, at the poses that leave one: one set for each share.
+void run_clearances(const Scene& scene, const PoseSet& set, std::span<const Ready> ready,
+                    const PoseJudge& judge, const RunOptions& options, const Sink& sink) {
+  const DistanceBatch all =
+      distance(Shape(widened(scene.mover)), set.poses, Body(widened(scene.fixed)));
+  std::vector<Pose> poses;
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all.lower[i] > 0) {
+      poses.push_back(set.poses[i]);
+      distances.push_back(all.lower[i]);
+    }
+  }
+  for (const auto& [name, share] : {std::pair{"half ", 0.5}, {"0.99 ", 0.99}, {"1.01 ", 1.01}}) {
+    std::vector<double> clearances = distances;
+    for (double& clearance : clearances) {
+      clearance *= share;
+    }
+    run_questions(scene, name + set.name, {Job::within, poses, clearances}, ready, judge, options,
+                  sink);
   }
 }
 
@@ -130,28 +161,17 @@ void run_still(const Scene& scene, const PoseSet& set, const Roster& roster,
   }
   lanes.reserve(ready.size());
   for (const Ready& r : ready) {
-    lanes.push_back({r.library->name(), [&r](std::span<std::uint64_t> answers) {
+    lanes.push_back({r.library->name(), [&r](std::span<double> answers) {
                        const Pose here;
                        for (std::size_t i = 0; i < answers.size(); ++i) {
-                         r.matches[i]->answer(Job::still, {&here, 1}, answers.subspan(i, 1));
+                         r.matches[i]->answer({Job::still, {&here, 1}}, answers.subspan(i, 1));
                        }
                      }});
   }
-  const Judge decide = [&](std::span<const std::vector<std::uint64_t>> answers) {
-    std::vector<Verdict> verdicts(answers.size());
-    for (std::size_t i = 0; i < movers.size(); ++i) {
-      const std::uint64_t truth = PairCounter(movers[i], scene.fixed).count({}, false);
-      for (std::size_t k = 0; k < answers.size(); ++k) {
-        if (i < answers[k].size()) {
-          ++verdicts[k].checked;
-          if (answers[k][i] != truth) {
-            ++verdicts[k].wrong;
-            verdicts[k].wrong_questions.push_back(i);
-          }
-        }
-      }
-    }
-    return verdicts;
+  const Judge decide = [&](std::span<const Answers> answers) {
+    return judge(answers, rules_of_counts([&](std::size_t i) {
+                   return PairCounter(movers[i], scene.fixed).count({}, false);
+                 }));
   };
   if (!lanes.empty()) {
     sink(settle(new_cell(scene, Job::still, set.name), ready, lanes, movers.size(), options.race,
@@ -172,29 +192,27 @@ void run_moving_boxes(const Scene& scene, const MovingBoxSet& set, const Roster&
     moving_sets.push_back(library->moving_boxes(set.frames.front()));
     ready.push_back({library.get(), {}, processor_seconds() - start, 0});
     MovingBoxes* moving_boxes = moving_sets.back().get();
-    lanes.push_back({library->name(), [moving_boxes, &set](std::span<std::uint64_t> answers) {
+    lanes.push_back({library->name(), [moving_boxes, &set](std::span<double> answers) {
                        for (std::size_t i = 0; i < answers.size(); ++i) {
-                         answers[i] = moving_boxes->step(set.frames[i]);
+                         answers[i] = static_cast<double>(moving_boxes->step(set.frames[i]));
                        }
                      }});
   }
   Cell cell = new_cell(scene, Job::broad, set.name);
   cell.triangles = set.frames.front().size();
-  const Judge decide = [&](std::span<const std::vector<std::uint64_t>> answers) {
-    return judge(set.frames, answers);
-  };
+  const Judge decide = [&](std::span<const Answers> answers) { return judge(set.frames, answers); };
   if (!lanes.empty()) {
     sink(settle(std::move(cell), ready, lanes, set.frames.size(), options.race, decide));
   }
 }
 
-std::vector<Ready> prepare_all(const Scene& scene, const Roster& roster,
+std::vector<Ready> prepare_all(const Scene& scene, const Roster& roster, std::span<const Job> jobs,
                                const RunOptions& options) {
+  const std::size_t larger = std::max(scene.mover.triangles.size(), scene.fixed.triangles.size());
   std::vector<Ready> ready;
   for (const auto& library : roster) {
-    const bool requested = (library->does(Job::any) && has(options.jobs, Job::any)) ||
-                           (library->does(Job::all) && has(options.jobs, Job::all));
-    const std::size_t larger = std::max(scene.mover.triangles.size(), scene.fixed.triangles.size());
+    const bool requested =
+        std::any_of(jobs.begin(), jobs.end(), [&](Job job) { return library->does(job); });
     if (requested && library->takes(larger) && wanted(options, *library)) {
       ready.push_back(prepare(*library, {&scene.mover, 1}, scene.fixed));
     }
@@ -202,34 +220,63 @@ std::vector<Ready> prepare_all(const Scene& scene, const Roster& roster,
   return ready;
 }
 
+bool chosen(const RunOptions& options, const std::string& set) {
+  return options.sets.empty() || has(options.sets, set);
+}
+
+/// Jobs about poses that one judge decides; the libraries are prepared once for all of them.
+void run_group(const Scene& scene, const Roster& roster, std::initializer_list<Job> group,
+               const RunOptions& options, const std::function<PoseJudge()>& make_judge,
+               const Sink& sink) {
+  std::vector<std::pair<const PoseSet*, Job>> planned;
+  std::vector<Job> jobs;
+  for (const PoseSet& set : scene.sets) {
+    for (const Job job : group) {
+      if (has(options.jobs, job) && chosen(options, set.name) && has(set.jobs, job)) {
+        planned.emplace_back(&set, job);
+        jobs.push_back(job);
+      }
+    }
+  }
+  if (planned.empty()) {
+    return;
+  }
+  const std::vector<Ready> ready = prepare_all(scene, roster, jobs, options);
+  const PoseJudge judge = make_judge();
+  for (const auto& [set, job] : planned) {
+    if (job == Job::within) {
+      run_clearances(scene, *set, ready, judge, options, sink);
+    } else {
+      run_questions(scene, set->name, {job, set->poses}, ready, judge, options, sink);
+    }
+  }
+}
+
 }  // namespace
 
 void run_scene(const Scene& scene, const Roster& roster, const RunOptions& options,
                const Sink& sink) {
-  const auto chosen = [&](const std::string& set) {
-    return options.sets.empty() || has(options.sets, set);
-  };
   for (const MovingBoxSet& set : scene.moving_sets) {
-    if (has(options.jobs, Job::broad) && chosen(set.name)) {
+    if (has(options.jobs, Job::broad) && chosen(options, set.name)) {
       run_moving_boxes(scene, set, roster, options, sink);
     }
   }
-  if (scene.sets.empty()) {
-    return;
-  }
-  if (has(options.jobs, Job::any) || has(options.jobs, Job::all)) {
-    std::vector<Ready> ready = prepare_all(scene, roster, options);
-    const PairCounter counter(scene.mover, scene.fixed);
-    for (const PoseSet& set : scene.sets) {
-      for (const Job job : {Job::any, Job::all}) {
-        if (has(options.jobs, job) && chosen(set.name) && (job == Job::any || set.all)) {
-          run_poses(scene, set, job, ready, counter, options, sink);
-        }
-      }
-    }
-  }
+  const auto of_counts = [&]() -> PoseJudge {
+    const auto counter = std::make_shared<PairCounter>(scene.mover, scene.fixed);
+    return [counter, &options](const Questions& questions, std::span<const Answers> answers) {
+      return judge(*counter, questions.job, questions.poses, answers, options.judge);
+    };
+  };
+  const auto of_distances = [&]() -> PoseJudge {
+    const auto measure = std::make_shared<DistanceJudge>(scene.mover, scene.fixed);
+    return [measure, &options](const Questions& questions, std::span<const Answers> answers) {
+      return judge(*measure, questions, answers, options.judge);
+    };
+  };
+  run_group(scene, roster, {Job::any, Job::all}, options, of_counts, sink);
+  run_group(scene, roster, {Job::distance, Job::within}, options, of_distances, sink);
   for (const PoseSet& set : scene.sets) {
-    if (has(options.jobs, Job::still) && chosen(set.name) && set.still != 0) {
+    if (has(options.jobs, Job::still) && chosen(options, set.name) && set.still != 0) {
       run_still(scene, set, roster, options, sink);
     }
   }

@@ -47,6 +47,27 @@ TEST(Goals, OfTheBroadPhaseDifferByWhatAPeerKeeps) {
   EXPECT_EQ(goals[1].times, 5);
 }
 
+// Against the best peer nothing is promised, but the ratio is shown.
+TEST(Goals, OfClearancesAreAboutTheDistanceAndNotHalved) {
+  for (const auto& [set, times] : {std::pair{"half random", 2.0}, {"0.99 random", 1.0}}) {
+    const auto goals = goals_of(Job::within, "twins-knot", set, 1'000, "avx2");
+    ASSERT_EQ(goals.size(), 2U) << set;
+    EXPECT_EQ(goals[0].against, Against::by_distance);
+    EXPECT_EQ(goals[0].times, times) << set;
+    EXPECT_EQ(goals[1].against, Against::all);
+    EXPECT_EQ(goals[1].times, 0);
+  }
+}
+
+TEST(Goals, OfDistancesAreForPathsTooAndNoneFarApart) {
+  for (const char* const library : {"soms", "soms-batch"}) {
+    EXPECT_EQ(goal(goals_of(Job::distance, "twins-knot", "random", 1'000, "avx512"), library), 10);
+    EXPECT_EQ(goal(goals_of(Job::distance, "city-car", "car-path", 5'672, "avx512"), library), 20);
+    EXPECT_EQ(goal(goals_of(Job::distance, "real-delft-van", "near", 9, "avx512"), library), 20);
+  }
+  EXPECT_TRUE(goals_of(Job::distance, "far-knot", "far-3", 1'000, "avx512").empty());
+}
+
 TEST(Goals, AreNoneForAJobThatNoneWasSetFor) {
   EXPECT_TRUE(goals_of(Job::any, "streets", "routes", 5'672, "avx512").empty());
 }

@@ -8,15 +8,6 @@
 namespace soms::bench {
 namespace {
 
-Mesh widened(const FloatMesh& mesh) {
-  Mesh result;
-  for (const auto& v : mesh.vertices) {
-    result.vertices.push_back(wide(v));
-  }
-  result.triangles = mesh.triangles;
-  return result;
-}
-
 /// Small boxes on a floor of two triangles, which are large beside a cell of the grid.
 FloatMesh yard() {
   FloatMesh mesh{{{-500, -500, 0}, {500, -500, 0}, {0, 700, 0}}, {{0, 1, 2}}};
@@ -81,13 +72,14 @@ TEST(Judge, LooksAtEveryQuestionOnWhichTwoDifferHoweverLittleItMayLookAt) {
   for (int i = 0; i < 100; ++i) {
     poses.push_back(Pose::translation(0.05 * i, 0, 0));
   }
-  std::vector<std::vector<std::uint64_t>> answers(3, std::vector<std::uint64_t>(100));
+  std::vector<Answers> answers(3, Answers{std::vector<double>(100)});
   for (std::size_t i = 0; i < 100; ++i) {
-    answers[0][i] = answers[1][i] = i <= 40 ? 1 : 0;
+    answers[0].values[i] = answers[1].values[i] = i <= 40 ? 1 : 0;
   }
-  answers[2].assign(answers[0].begin(), answers[0].begin() + 60);
-  answers[1][77] = 1;
-  answers[2][13] = 0;
+  answers[2] = answers[0];
+  answers[2].values.resize(60);
+  answers[1].values[77] = 1;
+  answers[2].values[13] = 0;
   const auto verdicts = judge(counter, Job::any, poses, answers, 1);
   EXPECT_EQ(verdicts[0].wrong, 0U);
   EXPECT_EQ(verdicts[0].checked, 3U);
@@ -100,7 +92,7 @@ TEST(Judge, FindsAFaultThatAllShareWhereItMayLook) {
   const FloatMesh cube = box({0, 0, 0}, {1, 1, 1});
   const PairCounter counter(cube, cube);
   const std::vector<Pose> poses(5, Pose::translation(0.5, 0, 0));
-  const std::vector<std::vector<std::uint64_t>> answers(2, std::vector<std::uint64_t>(5, 0));
+  const std::vector<Answers> answers(2, Answers{std::vector<double>(5, 0)});
   const auto verdicts = judge(counter, Job::any, poses, answers, 1e6);
   EXPECT_EQ(verdicts[0].wrong, 5U);
   EXPECT_EQ(verdicts[1].wrong, 5U);
@@ -111,7 +103,7 @@ TEST(Judge, CountsBoxesThatOverlapOrTouch) {
   const FloatBox b{{1, 1, 1}, {2, 2, 2}};
   const FloatBox c{{0, 3, 0}, {2, 4, 2}};
   const std::vector<std::vector<FloatBox>> frames{{a, b, c}, {a, a, b}};
-  const std::vector<std::vector<std::uint64_t>> answers{{1, 3}, {1, 2}};
+  const std::vector<Answers> answers{{{1, 3}}, {{1, 2}}};
   const auto verdicts = judge(frames, answers);
   EXPECT_EQ(verdicts[0].wrong, 0U);
   EXPECT_EQ(verdicts[1].wrong_questions, std::vector<std::size_t>{1});
@@ -126,15 +118,15 @@ TEST(Judge, CountsBoxesOfAllSizesAsEveryPairRequestedAloneDoes) {
       const Vec3 extent{side * rng.unit(), side * rng.unit(), rng.unit()};
       boxes.push_back({narrow(lower), narrow(lower + extent)});
     }
-    std::uint64_t pairs = 0;
+    double pairs = 0;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        pairs += overlaps(boxes[i], boxes[j]) ? 1U : 0U;
+        pairs += overlaps(boxes[i], boxes[j]) ? 1 : 0;
       }
     }
     const std::vector<std::vector<FloatBox>> frames{boxes};
-    EXPECT_EQ(judge(frames, std::vector<std::vector<std::uint64_t>>{{pairs}})[0].wrong, 0U);
-    EXPECT_EQ(judge(frames, std::vector<std::vector<std::uint64_t>>{{pairs + 1}})[0].wrong, 1U);
+    EXPECT_EQ(judge(frames, std::vector<Answers>{{{pairs}}})[0].wrong, 0U);
+    EXPECT_EQ(judge(frames, std::vector<Answers>{{{pairs + 1}}})[0].wrong, 1U);
   });
 }
 

@@ -10,10 +10,10 @@ class Race : public testing::Test {
  protected:
   /// Takes `seconds` an answer and answers with the question's number.
   Lane lane(const std::string& name, double seconds) {
-    return {name, [this, seconds](std::span<std::uint64_t> answers) {
+    return {name, [this, seconds](std::span<double> answers) {
               for (std::size_t i = 0; i < answers.size(); ++i) {
                 now_ += seconds;
-                answers[i] = i;
+                answers[i] = static_cast<double>(i);
               }
             }};
   }
@@ -32,7 +32,7 @@ TEST_F(Race, CutsTheSetForAllToWhatTheFastestPeerDoesInTime) {
   EXPECT_EQ(outcomes[0].answers.size(), 50U);
   EXPECT_EQ(outcomes[1].answers.size(), 50U);
   EXPECT_EQ(outcomes[2].answers.size(), 50U);
-  EXPECT_EQ(outcomes[0].answers.back(), 49U);
+  EXPECT_EQ(outcomes[0].answers.back(), 49);
 }
 
 TEST_F(Race, LetsAVerySlowLaneAnswerFewer) {

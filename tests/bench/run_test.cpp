@@ -17,10 +17,11 @@ class FakeMatch final : public Match {
   FakeMatch(const FloatMesh& mover, const FloatMesh& fixed, std::size_t lies)
       : counter_(mover, fixed), lies_(lies) {}
 
-  void answer(Job job, std::span<const Pose> poses, std::span<std::uint64_t> answers) override {
-    for (std::size_t i = 0; i < poses.size(); ++i) {
+  void answer(const Questions& questions, std::span<double> answers) override {
+    for (std::size_t i = 0; i < answers.size(); ++i) {
       const bool lie = i < lies_;
-      answers[i] = counter_.count(poses[i], job == Job::any);
+      answers[i] =
+          static_cast<double>(counter_.count(questions.poses[i], questions.job == Job::any));
       answers[i] = lie ? (answers[i] == 0 ? 1 : answers[i] - 1) : answers[i];
     }
   }
@@ -54,7 +55,7 @@ constexpr std::size_t kQuestions = 100;
 
 Scene cubes() {
   const FloatMesh cube = box({0, 0, 0}, {1, 1, 1});
-  Scene scene{"cubes", cube, cube, {{"row", {}, true}}};
+  Scene scene{"cubes", cube, cube, {{"row", {}, {Job::any, Job::all}}}};
   for (std::size_t i = 0; i < kQuestions; ++i) {
     scene.sets[0].poses.push_back(Pose::translation(0.04 * static_cast<double>(i), 0.1, 0.2));
   }
@@ -153,11 +154,43 @@ TEST(RunScene, ComparesSomsWithBruteForceInEveryJob) {
   options.race = {.rounds = 1, .budget = 1, .least_pass = 0};
   Scene scene = cubes();
   scene.sets[0].still = 3;
+  scene.sets[0].jobs = kEveryPoseJob;
   std::vector<Cell> cells;
   run_scene(scene, roster, options, [&](Cell cell) { cells.push_back(std::move(cell)); });
-  ASSERT_EQ(cells.size(), 3U);
-  EXPECT_EQ(cells[2].job, Job::still);
-  EXPECT_EQ(cells[2].questions, 3U);
+  std::vector<std::string> queried;
+  for (const Cell& cell : cells) {
+    queried.push_back(name(cell.job) + " " + cell.set);
+  }
+  EXPECT_EQ(queried,
+            (std::vector<std::string>{"any row", "all row", "distance row", "within half row",
+                                      "within 0.99 row", "within 1.01 row", "still row"}));
+  EXPECT_EQ(cells.back().questions, 3U);
+  EXPECT_TRUE(sound(cells));
+}
+
+// Cubes touch up to x = 2: the distances of the 49 poses beyond are their x less 2.
+TEST(RunScene, AsksForClearancesWhereThereIsOne) {
+  Roster roster;
+  add_soms(roster);
+  RunOptions options;
+  options.jobs = {Job::distance, Job::within};
+  options.race = {.rounds = 1, .budget = 1, .least_pass = 0};
+  Scene scene = cubes();
+  scene.sets[0].jobs = kEveryPoseJob;
+  std::vector<Cell> cells;
+  run_scene(scene, roster, options, [&](Cell cell) { cells.push_back(std::move(cell)); });
+  ASSERT_EQ(cells.size(), 4U);
+  EXPECT_EQ(cells[0].questions, kQuestions);
+  EXPECT_NEAR(cells[0].sum, 49 * 0.04 * 25, 1e-9);
+  for (const auto& [cell, near] : {std::pair{1, 0.0}, {2, 0.0}, {3, 49.0}}) {
+    const Cell& within = cells[static_cast<std::size_t>(cell)];
+    EXPECT_EQ(within.questions, 49U);
+    EXPECT_EQ(within.sum, near) << within.set;
+    EXPECT_EQ(within.entries.size(), 2U);
+    EXPECT_EQ(best_peer(within), nullptr);
+    ASSERT_NE(best_peer(within, Against::by_distance), nullptr);
+    EXPECT_TRUE(ratio(within, "soms", Against::by_distance).has_value());
+  }
   EXPECT_TRUE(sound(cells));
 }
 

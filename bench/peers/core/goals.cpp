@@ -42,12 +42,21 @@ constexpr std::array kRows{
     Row{Job::still, "", "", kAnySize, "soms", 4},
     Row{Job::broad, "", "", kAnySize, "soms", 2, Against::keeps_tree},
     Row{Job::broad, "", "", kAnySize, "soms", 5, Against::from_scratch},
+    Row{Job::distance, "twins", "", kAnySize, "soms", 10},
+    Row{Job::distance, "city", "", kAnySize, "soms", 20},
+    Row{Job::distance, "real", "", kAnySize, "soms", 20},
+    Row{Job::distance, "twins", "", kAnySize, "soms-batch", 10},
+    Row{Job::distance, "city", "", kAnySize, "soms-batch", 20},
+    Row{Job::distance, "real", "", kAnySize, "soms-batch", 20},
+    Row{Job::within, "", "half ", kAnySize, "soms", 2, Against::by_distance},
+    Row{Job::within, "", "", kAnySize, "soms", 1, Against::by_distance},
+    Row{Job::within, "", "", kAnySize, "soms", 0},
 };
 
 bool fits(const Row& row, Job job, const std::string& scene, const std::string& set,
           std::uint64_t triangles) {
   // The goals of batches name sets of unlike poses, not paths.
-  const bool path = set.ends_with("-path") && row.library == "soms-batch";
+  const bool path = job == Job::any && set.ends_with("-path") && row.library == "soms-batch";
   return row.job == job && scene.starts_with(row.scene) && set.starts_with(row.set) &&
          triangles <= row.most && !path;
 }
@@ -64,7 +73,8 @@ std::vector<Goal> goals_of(Job job, const std::string& scene, const std::string&
       first = first && (goal.library != row.library || goal.against != row.against);
     }
     if (first && fits(row, job, scene, set, triangles)) {
-      goals.push_back({std::string(row.library), share * row.times, row.against});
+      const double part = row.against == Against::by_distance ? 1 : share;
+      goals.push_back({std::string(row.library), part * row.times, row.against});
     }
   }
   return goals;

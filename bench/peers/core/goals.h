@@ -15,9 +15,10 @@ enum class Against {
   all,           ///< every peer of the cell
   keeps_tree,    ///< those whose tree lasts from frame to frame
   from_scratch,  ///< those that start over in each frame
+  by_distance,   ///< soms itself, which works out the distance: not halved without AVX-512
 };
 
-/// So many times as fast as the best peer.
+/// So many times as fast as the best peer; 0 where only the ratio is shown.
 struct Goal {
   std::string library;  ///< `soms` or `soms-batch`
   double times = 0;

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <limits>
+#include <memory>
 #include <numeric>
 
 namespace soms::bench {
@@ -28,38 +29,45 @@ double cell_side(std::span<const Box> boxes) {
   return mean > 0 ? 1.5 * mean : 1;
 }
 
-bool differ(std::span<const std::vector<std::uint64_t>> answers, std::size_t question) {
-  const std::vector<std::uint64_t>* first = nullptr;
-  for (const auto& a : answers) {
-    if (question < a.size()) {
-      if (first != nullptr && a[question] != (*first)[question]) {
+bool any_contradiction(std::span<const Answers> answers, const Rules& rules, std::size_t question) {
+  for (std::size_t k = 0; k < answers.size(); ++k) {
+    for (std::size_t l = 0; l < k; ++l) {
+      if (question < std::min(answers[k].values.size(), answers[l].values.size()) &&
+          rules.contradict(question, answers[k], answers[l])) {
         return true;
       }
-      first = &a;
     }
   }
   return false;
 }
 
-void compare(std::vector<Verdict>& verdicts, std::span<const std::vector<std::uint64_t>> answers,
-             std::size_t question, std::uint64_t truth) {
-  for (std::size_t k = 0; k < answers.size(); ++k) {
-    if (question < answers[k].size()) {
-      ++verdicts[k].checked;
-      if (answers[k][question] != truth) {
-        ++verdicts[k].wrong;
-        verdicts[k].wrong_questions.push_back(question);
-      }
-    }
-  }
-}
-
-std::size_t longest(std::span<const std::vector<std::uint64_t>> answers) {
+std::size_t longest(std::span<const Answers> answers) {
   std::size_t n = 0;
-  for (const auto& a : answers) {
-    n = std::max(n, a.size());
+  for (const Answers& a : answers) {
+    n = std::max(n, a.values.size());
   }
   return n;
+}
+
+/// Every how many questions one is looked at, of `n` that look at `each` triangles.
+std::size_t stride_of(std::size_t n, std::size_t each, double budget) {
+  const double looks = budget / static_cast<double>(std::max<std::size_t>(1, each));
+  const auto most = static_cast<std::size_t>(std::max(1.0, looks));
+  return std::max<std::size_t>(1, (n + most - 1) / most);
+}
+
+bool differ(std::size_t question, const Answers& a, const Answers& b) {
+  return a.values[question] != b.values[question];
+}
+
+/// Exact answers are 0 where the bodies touch and nowhere else.
+Right right_distances(double distance, Precision precision, double slack) {
+  if (precision != Precision::exact) {
+    return {distance - slack, distance + slack};
+  }
+  return distance == 0 ? Right{}
+                       : Right{std::max(distance - slack, std::numeric_limits<double>::min()),
+                               distance + slack};
 }
 
 /// Twice the mean side along y: the width of a strip.
@@ -191,31 +199,77 @@ std::uint64_t PairCounter::count(const Pose& pose, bool any) const {
   return any ? std::min<std::uint64_t>(found, 1) : found;
 }
 
-std::vector<Verdict> judge(const PairCounter& counter, Job job, std::span<const Pose> poses,
-                           std::span<const std::vector<std::uint64_t>> answers, double budget) {
-  const std::size_t n = longest(answers);
-  const auto each = static_cast<double>(std::max<std::size_t>(1, counter.mover_triangles()));
-  const auto most = static_cast<std::size_t>(std::max(1.0, budget / each));
-  const std::size_t stride = std::max<std::size_t>(1, (n + most - 1) / most);
+std::vector<Verdict> judge(std::span<const Answers> answers, const Rules& rules) {
   std::vector<Verdict> verdicts(answers.size());
-  for (std::size_t i = 0; i < n; ++i) {
-    if (i % stride == 0 || differ(answers, i)) {
-      compare(verdicts, answers, i, counter.count(poses[i], job == Job::any));
+  for (std::size_t i = 0; i < longest(answers); ++i) {
+    if (!rules.sampled(i) && !any_contradiction(answers, rules, i)) {
+      continue;
+    }
+    for (std::size_t k = 0; k < answers.size(); ++k) {
+      if (i < answers[k].values.size()) {
+        const Right right = rules.right(i, answers[k].precision);
+        const double value = answers[k].values[i];
+        ++verdicts[k].checked;
+        if (!(right.least <= value && value <= right.most)) {
+          ++verdicts[k].wrong;
+          verdicts[k].wrong_questions.push_back(i);
+        }
+      }
     }
   }
   return verdicts;
 }
 
+Rules rules_of_counts(const std::function<std::uint64_t(std::size_t)>& count) {
+  const auto known = std::make_shared<std::unordered_map<std::size_t, double>>();
+  return {[count, known](std::size_t i, Precision) {
+            const auto [at, first] = known->try_emplace(i, 0);
+            at->second = first ? static_cast<double>(count(i)) : at->second;
+            return Right{at->second, at->second};
+          },
+          differ, [](std::size_t) { return true; }};
+}
+
+std::vector<Verdict> judge(const PairCounter& counter, Job job, std::span<const Pose> poses,
+                           std::span<const Answers> answers, double budget) {
+  const std::size_t stride = stride_of(longest(answers), counter.mover_triangles(), budget);
+  Rules rules =
+      rules_of_counts([&](std::size_t i) { return counter.count(poses[i], job == Job::any); });
+  rules.sampled = [stride](std::size_t i) { return i % stride == 0; };
+  return judge(answers, rules);
+}
+
 std::vector<Verdict> judge(std::span<const std::vector<FloatBox>> frames,
-                           std::span<const std::vector<std::uint64_t>> answers) {
+                           std::span<const Answers> answers) {
   const std::size_t n = longest(answers);
-  std::vector<Verdict> verdicts(answers.size());
-  for (std::size_t i = 0; i < n; ++i) {
-    if (i == 0 || i == n / 2 || i + 1 == n || differ(answers, i)) {
-      compare(verdicts, answers, i, count_pairs(frames[i]));
+  Rules rules = rules_of_counts([&](std::size_t i) { return count_pairs(frames[i]); });
+  rules.sampled = [n](std::size_t i) { return i == 0 || i == n / 2 || i + 1 == n; };
+  return judge(answers, rules);
+}
+
+std::vector<Verdict> judge(const DistanceJudge& measure, const Questions& questions,
+                           std::span<const Answers> answers, double budget) {
+  const std::size_t stride = stride_of(longest(answers), measure.mover_triangles(), budget);
+  std::unordered_map<std::size_t, double> known;
+  const auto right = [&](std::size_t i, Precision precision) {
+    const auto [at, first] = known.try_emplace(i, 0);
+    at->second = first ? measure.distance(questions.poses[i]) : at->second;
+    const Right near =
+        right_distances(at->second, precision, measure.slack(precision, questions.poses[i]));
+    if (questions.job == Job::distance) {
+      return near;
     }
-  }
-  return verdicts;
+    const double clearance = questions.clearances[i];
+    return Right{near.most <= clearance ? 1.0 : 0.0, near.least <= clearance ? 1.0 : 0.0};
+  };
+  const auto contradict = [&](std::size_t i, const Answers& a, const Answers& b) {
+    const double slack = questions.job == Job::within
+                             ? 0
+                             : measure.slack(a.precision, questions.poses[i]) +
+                                   measure.slack(b.precision, questions.poses[i]);
+    return !(std::abs(a.values[i] - b.values[i]) <= slack);
+  };
+  return judge(answers, {right, contradict, [stride](std::size_t i) { return i % stride == 0; }});
 }
 
 }  // namespace soms::bench

@@ -4,14 +4,22 @@
 
 #include "soms/base/box.h"
 
+#include "bench/peers/core/distance_judge.h"
 #include "bench/peers/libraries/library.h"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <unordered_map>
 #include <vector>
 
 namespace soms::bench {
+
+/// One library's answers to a set, from its first question on.
+struct Answers {
+  std::vector<double> values;
+  Precision precision = Precision::exact;
+};
 
 /// What the judge found about one library's answers to a set.
 struct Verdict {
@@ -19,6 +27,30 @@ struct Verdict {
   std::size_t wrong = 0;    ///< of these, wrong ones
   std::vector<std::size_t> wrong_questions;
 };
+
+/// The right answers to a question: from `least` to `most`, both included.
+struct Right {
+  double least = 0;
+  double most = 0;
+};
+
+/// How a job is judged.
+struct Rules {
+  /// The right answers to a question, by what a library computes in.
+  std::function<Right(std::size_t question, Precision precision)> right;
+  /// True if one of two answers to a question must be wrong, as far as that shows without `right`.
+  std::function<bool(std::size_t question, const Answers& a, const Answers& b)> contradict;
+  /// True for a question that is decided although no two answers contradict each other.
+  std::function<bool(std::size_t question)> sampled;
+};
+
+/// Judges the answers of several libraries to one set: every question on which two contradict each
+/// other, and the sampled ones. A library's list may be shorter than the others'.
+[[nodiscard]] std::vector<Verdict> judge(std::span<const Answers> answers, const Rules& rules);
+
+/// Of counts, which have to be right to the last one: `count` is called once a question, all of
+/// them are decided.
+[[nodiscard]] Rules rules_of_counts(const std::function<std::uint64_t(std::size_t)>& count);
 
 /// Counts pairs of triangles that share a point: every pair whose boxes meet, found by a grid, is
 /// decided exactly on vertices moved by Pose::apply. No tree, no filter, nothing kept from pose to
@@ -58,17 +90,21 @@ class PairCounter {
   std::vector<std::uint32_t> large_;  // triangles of very many cells
 };
 
-/// Judges the answers of several libraries to one set: every question on which two differ, and as
-/// many others, evenly spread, as fit when `budget` triangles of the mover are looked at. A
-/// library's list may be shorter than the others'.
+/// Judges counts, which have to be right to the last one: every question on which two differ, and
+/// as many others, evenly spread, as fit when `budget` triangles of the mover are looked at.
 [[nodiscard]] std::vector<Verdict> judge(const PairCounter& counter, Job job,
                                          std::span<const Pose> poses,
-                                         std::span<const std::vector<std::uint64_t>> answers,
-                                         double budget);
+                                         std::span<const Answers> answers, double budget);
 
 /// The same of frames of boxes: the first frame, the last, the middle one and those on which two
 /// differ, counted by a sweep.
 [[nodiscard]] std::vector<Verdict> judge(std::span<const std::vector<FloatBox>> frames,
-                                         std::span<const std::vector<std::uint64_t>> answers);
+                                         std::span<const Answers> answers);
+
+/// Judges distances, or flags of `within`. A distance is right that rounding may have taken from
+/// the true one; where a clearance is as near to the distance, both flags are right. Looked at as
+/// with counts.
+[[nodiscard]] std::vector<Verdict> judge(const DistanceJudge& measure, const Questions& questions,
+                                         std::span<const Answers> answers, double budget);
 
 }  // namespace soms::bench

@@ -13,7 +13,7 @@ constexpr std::size_t kFewestQuestions = 20;
 constexpr double kSlow = 3;  // times the pass of the fastest peer, or the budget
 constexpr int kSlowRounds = 3;
 
-double run(const Lane& lane, std::span<std::uint64_t> answers, std::size_t repeats,
+double run(const Lane& lane, std::span<double> answers, std::size_t repeats,
            const RaceOptions& options) {
   const double start = options.clock();
   for (std::size_t i = 0; i < repeats; ++i) {
@@ -24,7 +24,7 @@ double run(const Lane& lane, std::span<std::uint64_t> answers, std::size_t repea
 
 /// Seconds an answer, roughly: the second of two passes over the first questions.
 double rough(const Lane& lane, std::size_t questions, const RaceOptions& options) {
-  std::vector<std::uint64_t> answers(std::min(questions, kFirstQuestions));
+  std::vector<double> answers(std::min(questions, kFirstQuestions));
   run(lane, answers, 1, options);
   return std::max(1e-9, run(lane, answers, 1, options));
 }
@@ -77,7 +77,7 @@ std::vector<Outcome> race(std::span<const Lane> lanes, std::size_t questions,
     for (std::size_t k = 0; k < lanes.size(); ++k) {
       const std::size_t i = (k + static_cast<std::size_t>(round)) % lanes.size();
       if (outcomes[i].answers.size() == common || round < kSlowRounds) {
-        std::vector<std::uint64_t> again(outcomes[i].answers.size());
+        std::vector<double> again(outcomes[i].answers.size());
         seconds[i].push_back(run(lanes[i], again, repeats[i], options));
       }
     }

@@ -5,7 +5,6 @@
 #include "bench/peers/core/machine.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -16,7 +15,7 @@ namespace soms::bench {
 /// One library of a race: answers questions 0 to `answers.size()` - 1 of a set.
 struct Lane {
   std::string library;
-  std::function<void(std::span<std::uint64_t> answers)> run;
+  std::function<void(std::span<double> answers)> run;
 };
 
 struct RaceOptions {
@@ -36,7 +35,7 @@ struct Timing {
 /// What a lane did. A slow one answered fewer questions than the others (`answers.size()`).
 struct Outcome {
   Timing timing;
-  std::vector<std::uint64_t> answers;  ///< of an untimed pass before
+  std::vector<double> answers;  ///< of an untimed pass before
 };
 
 /// True for soms itself, by the name of a library.

@@ -12,6 +12,10 @@ std::string name(Job job) {
       return "all";
     case Job::still:
       return "still";
+    case Job::distance:
+      return "distance";
+    case Job::within:
+      return "within";
     case Job::broad:
       break;
   }
@@ -28,12 +32,28 @@ bool ranked(const Cell& cell, const Entry& entry) {
   return entry.answered == cell.questions && static_cast<double>(entry.verdict.wrong) <= most;
 }
 
+namespace {
+
+bool meant(const Entry& entry, Against against) {
+  switch (against) {
+    case Against::by_distance:
+      return entry.library == kByDistance;
+    case Against::keeps_tree:
+      return !is_ours(entry.library) && entry.keeps_tree;
+    case Against::from_scratch:
+      return !is_ours(entry.library) && !entry.keeps_tree;
+    case Against::all:
+      break;
+  }
+  return !is_ours(entry.library);
+}
+
+}  // namespace
+
 const Entry* best_peer(const Cell& cell, Against against) {
   const Entry* best = nullptr;
   for (const Entry& entry : cell.entries) {
-    const bool meant =
-        against == Against::all || entry.keeps_tree == (against == Against::keeps_tree);
-    if (meant && !is_ours(entry.library) && ranked(cell, entry) &&
+    if (meant(entry, against) && ranked(cell, entry) &&
         (best == nullptr || entry.timing.median < best->timing.median)) {
       best = &entry;
     }

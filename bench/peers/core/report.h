@@ -33,7 +33,7 @@ struct Cell {
   std::uint64_t triangles = 0;  ///< of the fixed body, or boxes
   std::uint64_t mover = 0;      ///< triangles of the mover
   std::size_t questions = 0;    ///< the same for all
-  std::uint64_t sum = 0;        ///< of the answers: touching poses, or pairs
+  double sum = 0;               ///< of the answers: touching or near poses, pairs, distances
   std::vector<Entry> entries;
 };
 
@@ -49,7 +49,7 @@ inline constexpr double kMostWrong = 0.02;
 /// than the others.
 [[nodiscard]] bool ranked(const Cell& cell, const Entry& entry);
 
-/// The fastest ranked peer, or null where there is none.
+/// The fastest ranked peer, or null where there is none. Against::by_distance: soms's own distance.
 [[nodiscard]] const Entry* best_peer(const Cell& cell, Against against = Against::all);
 
 /// How many times as fast as the best peer a library is; nothing where there is none or where

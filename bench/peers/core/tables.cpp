@@ -31,6 +31,16 @@ std::string times(const std::optional<double>& value) {
   return value ? fixed(*value, 2) : "void";
 }
 
+/// Counts are whole numbers; distances are not, and may be of any size.
+std::string sum_of(const Cell& cell) {
+  if (cell.job != Job::distance) {
+    return fixed(cell.sum, 0);
+  }
+  std::ostringstream text;
+  text << std::setprecision(7) << cell.sum;
+  return text.str();
+}
+
 std::string where(const Cell& cell) {
   return "| " + name(cell.job) + " | " + cell.scene + " | " + cell.set + " | " +
          std::to_string(cell.triangles);
@@ -86,7 +96,7 @@ void goals(std::ostream& out, const std::vector<Cell>& cells, const std::string&
     for (const Entry& entry : cell.entries) {
       const bool named = std::any_of(wanted.begin(), wanted.end(),
                                      [&](const Goal& g) { return g.library == entry.library; });
-      if (is_ours(entry.library) && !named) {
+      if (is_ours(entry.library) && entry.library != kByDistance && !named) {
         wanted.push_back({entry.library, 0});
       }
     }
@@ -115,7 +125,8 @@ void builds(std::ostream& out, const std::vector<Cell>& cells) {
     for (const Entry& e : cell.entries) {
       const std::string row =
           "| " + cell.scene + " | " + std::to_string(cell.triangles) + " | " + e.library + " | ";
-      if (cell.job != Job::any || !reported.insert(row).second) {
+      const bool bodies_move = cell.job != Job::still && cell.job != Job::broad;
+      if (!bodies_move || !reported.insert(row).second) {
         continue;
       }
       out << row << fixed(1e3 * e.build, e.build < 0.1 ? 2 : 0) << " | " << fixed(e.bytes, 0)
@@ -186,10 +197,10 @@ void write_csv(const std::filesystem::path& path, const std::vector<Cell>& cells
     for (const Entry& e : cell.entries) {
       const auto reached = ratio(cell, e.library);
       out << name(cell.job) << ',' << csv_field(cell.scene) << ',' << csv_field(cell.set) << ','
-          << cell.triangles << ',' << cell.mover << ',' << cell.questions << ',' << cell.sum << ','
-          << csv_field(e.library) << ',' << csv_field(e.version) << ',' << fixed(e.build, 6) << ','
-          << fixed(e.bytes, 1) << ',' << e.answered << ',' << fixed(1e6 * e.timing.median, 4) << ','
-          << fixed(1e6 * e.timing.least, 4) << ',' << fixed(1e6 * e.timing.most, 4) << ','
+          << cell.triangles << ',' << cell.mover << ',' << cell.questions << ',' << sum_of(cell)
+          << ',' << csv_field(e.library) << ',' << csv_field(e.version) << ',' << fixed(e.build, 6)
+          << ',' << fixed(e.bytes, 1) << ',' << e.answered << ',' << fixed(1e6 * e.timing.median, 4)
+          << ',' << fixed(1e6 * e.timing.least, 4) << ',' << fixed(1e6 * e.timing.most, 4) << ','
           << e.verdict.checked << ',' << e.verdict.wrong << ','
           << (reached ? fixed(*reached, 3) : "") << '\n';
     }
@@ -204,7 +215,7 @@ void print_times(std::ostream& out, const std::vector<Cell>& cells) {
     for (const Entry& e : cell.entries) {
       const auto reached = ratio(cell, e.library);
       const std::string reported = best_peer(cell) == nullptr ? "" : times(reached);
-      out << where(cell) << " | " << cell.questions << " | " << cell.sum << " | " << e.library
+      out << where(cell) << " | " << cell.questions << " | " << sum_of(cell) << " | " << e.library
           << " | " << micro(e.timing.median) << " (" << micro(e.timing.least) << " - "
           << micro(e.timing.most) << ") | " << (e.answered == cell.questions ? reported : "")
           << " | " << e.verdict.checked << " |" << mark(cell, e) << " |\n";
@@ -224,7 +235,8 @@ void write_markdown(const std::filesystem::path& path, const std::vector<Cell>& 
   out << "- Selection: " << facts.selection << "; median of " << facts.rounds
       << " rounds in turn, processor time.\n\n";
   goals(out, cells, facts.isa);
-  out << "\n## Every library\n\n`sum`: of the answers, touching poses or pairs. `ratio`: the "
+  out << "\n## Every library\n\n`sum`: of the answers: touching or near poses, pairs, or "
+         "distances. `ratio`: the "
          "best peer's time over this one's. `first n`: too slow for the whole set, not "
          "ranked.\n\n";
   print_times(out, cells);
@@ -246,7 +258,7 @@ void print_json(std::ostream& out, const std::vector<Cell>& cells,
       const auto reached = ratio(cell, e.library);
       out << R"({"schema":"soms.bench/2","job":")" << name(cell.job) << R"(","set":")" << cell.set
           << R"(","library":")" << e.library << R"(","version":")" << e.version << R"(","queried":)"
-          << cell.questions << R"(,"answered":)" << e.answered << R"(,"sum":)" << cell.sum
+          << cell.questions << R"(,"answered":)" << e.answered << R"(,"sum":)" << sum_of(cell)
           << R"(,"median_us":)" << fixed(1e6 * e.timing.median, 4) << R"(,"least_us":)"
           << fixed(1e6 * e.timing.least, 4) << R"(,"most_us":)" << fixed(1e6 * e.timing.most, 4)
           << R"(,"build_ms":)" << fixed(1e3 * e.build, 4) << R"(,"bytes_a_triangle":)"

@@ -31,19 +31,19 @@ class GimpactMatch final : public Match {
   GimpactMatch(const FloatMesh& mover, const FloatMesh& fixed, const Loan& loan)
       : mover_(mover), fixed_(fixed), loan_(loan) {}
 
-  void answer(Job job, std::span<const Pose> poses, std::span<std::uint64_t> answers) override {
-    for (std::size_t i = 0; i < poses.size(); ++i) {
+  void answer(const Questions& questions, std::span<double> answers) override {
+    for (std::size_t i = 0; i < answers.size(); ++i) {
       btPairSet candidates;
-      btGImpactBoxSet::find_collision(mover_.tree(), to_bullet(poses[i]), fixed_.tree(),
+      btGImpactBoxSet::find_collision(mover_.tree(), to_bullet(questions.poses[i]), fixed_.tree(),
                                       btTransform::getIdentity(), candidates);
       std::uint64_t count = 0;
-      for (int k = 0; k < candidates.size() && !(job == Job::any && count != 0); ++k) {
-        count += triangles_touch(moved(poses[i], mover_.triangle(candidates[k].m_index1)),
+      for (int k = 0; k < candidates.size() && !(questions.job == Job::any && count != 0); ++k) {
+        count += triangles_touch(moved(questions.poses[i], mover_.triangle(candidates[k].m_index1)),
                                  fixed_.triangle(candidates[k].m_index2), loan_)
                      ? 1U
                      : 0U;
       }
-      answers[i] = count;
+      answers[i] = static_cast<double>(count);
     }
   }
 

@@ -52,9 +52,9 @@ class TreeMatch final : public Match {
   TreeMatch(const FloatMesh& mover, const FloatMesh& fixed, const Loan& loan)
       : mover_(mover), fixed_(fixed), loan_(loan) {}
 
-  void answer(Job job, std::span<const Pose> poses, std::span<std::uint64_t> answers) override {
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-      answers[i] = count(poses[i], job == Job::any);
+  void answer(const Questions& questions, std::span<double> answers) override {
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      answers[i] = static_cast<double>(count(questions.poses[i], questions.job == Job::any));
     }
   }
 

@@ -52,9 +52,11 @@ class CgalMatch final : public Match {
  public:
   CgalMatch(const FloatMesh& mover, const FloatMesh& fixed) : mover_(mover), fixed_(fixed) {}
 
-  void answer(Job job, std::span<const Pose> poses, std::span<std::uint64_t> answers) override {
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-      answers[i] = job == Job::any ? (any(poses[i]) ? 1 : 0) : count(poses[i]);
+  void answer(const Questions& questions, std::span<double> answers) override {
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      const Pose& pose = questions.poses[i];
+      answers[i] =
+          questions.job == Job::any ? (any(pose) ? 1 : 0) : static_cast<double>(count(pose));
     }
   }
 

@@ -107,15 +107,15 @@ class EmbreeMatch final : public Match {
   EmbreeMatch(const FloatMesh& mover, const FloatMesh& fixed, bool moves, const Loan& loan)
       : mover_(mover, moves), fixed_(fixed, false), moves_(moves), loan_(loan) {}
 
-  void answer(Job job, std::span<const Pose> poses, std::span<std::uint64_t> answers) override {
-    for (std::size_t i = 0; i < poses.size(); ++i) {
+  void answer(const Questions& questions, std::span<double> answers) override {
+    for (std::size_t i = 0; i < answers.size(); ++i) {
       if (moves_) {
-        mover_.move_to(poses[i]);
+        mover_.move_to(questions.poses[i]);
       }
-      first_only_ = job == Job::any;
+      first_only_ = questions.job == Job::any;
       count_ = 0;
       rtcCollide(mover_.scene(), fixed_.scene(), candidates, this);
-      answers[i] = count_;
+      answers[i] = static_cast<double>(count_);
     }
   }
 

@@ -1,40 +1,11 @@
 // FCL's mesh models in float, queried through its traversal nodes directly: what fcl::collide does
 // for them after its dispatch, without the dispatch, and no contact points. Its dynamic tree of
 // boxes as a broad phase.
-#include "bench/peers/libraries/fcl_headers.h"
-#include "bench/peers/libraries/library.h"
+#include "bench/peers/libraries/fcl_mesh.h"
 
 namespace soms::bench {
 
 namespace {
-
-template <class Volume>
-void fill(fcl::BVHModel<Volume>& model, const FloatMesh& mesh) {
-  std::vector<fcl::Vector3f> points;
-  points.reserve(mesh.vertices.size());
-  for (const auto& v : mesh.vertices) {
-    points.emplace_back(v[0], v[1], v[2]);
-  }
-  std::vector<fcl::Triangle> triangles;
-  triangles.reserve(mesh.triangles.size());
-  for (const auto& t : mesh.triangles) {
-    triangles.emplace_back(t[0], t[1], t[2]);
-  }
-  model.beginModel(static_cast<int>(triangles.size()), static_cast<int>(points.size()));
-  model.addSubModel(points, triangles);
-  model.endModel();
-}
-
-fcl::Transform3f placed(const Pose& pose) {
-  fcl::Transform3f transform = fcl::Transform3f::Identity();
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      transform.linear()(i, j) = static_cast<float>(pose.m[static_cast<std::size_t>(4 * i + j)]);
-    }
-    transform.translation()(i) = static_cast<float>(pose.m[static_cast<std::size_t>(4 * i + 3)]);
-  }
-  return transform;
-}
 
 template <class Volume, class Traversal>
 class FclMatch final : public Match {
@@ -44,16 +15,16 @@ class FclMatch final : public Match {
     fill(fixed_, fixed);
   }
 
-  void answer(Job job, std::span<const Pose> poses, std::span<std::uint64_t> answers) override {
+  void answer(const Questions& questions, std::span<double> answers) override {
     constexpr std::size_t kNoLimit = std::size_t{1} << 40;
-    for (std::size_t i = 0; i < poses.size(); ++i) {
+    for (std::size_t i = 0; i < answers.size(); ++i) {
       Traversal node;
-      const fcl::CollisionRequest<float> request(job == Job::any ? 1 : kNoLimit, false);
+      const fcl::CollisionRequest<float> request(questions.job == Job::any ? 1 : kNoLimit, false);
       fcl::CollisionResult<float> result;
-      fcl::detail::initialize(node, mover_, placed(poses[i]), fixed_, fcl::Transform3f::Identity(),
-                              request, result);
+      fcl::detail::initialize(node, mover_, placed<float>(questions.poses[i]), fixed_,
+                              fcl::Transform3f::Identity(), request, result);
       fcl::detail::collide(&node);
-      answers[i] = result.numContacts();
+      answers[i] = static_cast<double>(result.numContacts());
     }
   }
 
@@ -154,12 +125,16 @@ using TreeArray = fcl::DynamicAABBTreeCollisionManager_Array<float>;
 
 }  // namespace
 
-}  // namespace soms::bench
-
-extern "C" void soms_bench_peer(soms::bench::Roster& roster, const soms::bench::Loan&) {
-  using namespace soms::bench;
+void add_fcl_overlap(Roster& roster) {
   roster.push_back(std::make_unique<FclMesh<Obb>>("fcl-obb"));
   roster.push_back(std::make_unique<FclMesh<ObbRss>>("fcl-obbrss"));
   roster.push_back(std::make_unique<FclBroad<Tree>>("fcl-dynamic-tree"));
   roster.push_back(std::make_unique<FclBroad<TreeArray>>("fcl-dynamic-array"));
+}
+
+}  // namespace soms::bench
+
+extern "C" void soms_bench_peer(soms::bench::Roster& roster, const soms::bench::Loan&) {
+  soms::bench::add_fcl_overlap(roster);
+  soms::bench::add_fcl_distance(roster);
 }

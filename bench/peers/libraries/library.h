@@ -47,10 +47,28 @@ struct FloatBox {
 
 /// The kinds of queries.
 enum class Job {
-  any,    ///< do the mover, at each pose, and the fixed body share a point? 1 or 0
-  all,    ///< how many pairs of triangles share a point at each pose?
-  still,  ///< the same of two bodies that both stand where they were built
-  broad,  ///< boxes all move: how many pairs of them overlap in each frame?
+  any,       ///< do the mover, at each pose, and the fixed body share a point? 1 or 0
+  all,       ///< how many pairs of triangles share a point at each pose?
+  still,     ///< the same of two bodies that both stand where they were built
+  broad,     ///< boxes all move: how many pairs of them overlap in each frame?
+  distance,  ///< how far is the mover, at each pose, from the fixed body? 0 where they touch
+  within,    ///< are they within a clearance of each other, one for each pose? 1 or 0
+};
+
+/// What a library computes in, which says how near to the truth an answer has to be.
+enum class Precision { exact, doubles, floats };
+
+/// Questions to a match. The columns that a job does not read are empty; the others have an entry
+/// a question.
+struct Questions {
+  Job job = Job::any;
+  std::span<const Pose> poses;              ///< of the mover
+  std::span<const double> clearances = {};  ///< of `within`
+
+  /// The first `count` of them.
+  [[nodiscard]] Questions first(std::size_t count) const {
+    return {job, poses.first(count), clearances.empty() ? clearances : clearances.first(count)};
+  }
 };
 
 /// A mover and a fixed body, ready to be queried.
@@ -58,8 +76,9 @@ class Match {
  public:
   virtual ~Match() = default;
 
-  /// Answers `any` or, of `all` and `still`, the counts; one answer a pose.
-  virtual void answer(Job job, std::span<const Pose> poses, std::span<std::uint64_t> answers) = 0;
+  /// One answer a question: 1 or 0 of `any` and `within`, the count of `all` and `still`, the
+  /// distance of `distance`.
+  virtual void answer(const Questions& questions, std::span<double> answers) = 0;
 
   /// Bytes that it holds and that malloc does not know of.
   [[nodiscard]] virtual std::size_t unseen_bytes() const { return 0; }
@@ -82,6 +101,9 @@ class Library {
   [[nodiscard]] virtual std::string name() const = 0;
   [[nodiscard]] virtual std::string version() const = 0;
   [[nodiscard]] virtual bool does(Job job) const = 0;
+
+  /// Of distances and clearances; counts have to be right whatever they are computed in.
+  [[nodiscard]] virtual Precision precision() const { return Precision::exact; }
 
   /// False where the library cannot hold a body of so many triangles.
   [[nodiscard]] virtual bool takes(std::size_t /*triangles*/) const { return true; }
@@ -110,7 +132,10 @@ struct Loan {
   bool (*triangles_overlap)(const Triangle&, const Triangle&);
 };
 
-/// Adds soms, queried pose by pose and in batches.
+/// The library that decides clearances by soms's distance: what `within` has to beat.
+inline constexpr const char* kByDistance = "soms-distance";
+
+/// Adds soms, queried pose by pose, in batches, and for clearances by its distance.
 void add_soms(Roster& roster);
 
 }  // namespace soms::bench

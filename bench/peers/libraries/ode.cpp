@@ -47,9 +47,9 @@ class OdeMatch final : public Match {
  public:
   OdeMatch(const FloatMesh& mover, const FloatMesh& fixed) : mover_(mover), fixed_(fixed) {}
 
-  void answer(Job, std::span<const Pose> poses, std::span<std::uint64_t> answers) override {
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-      const auto& m = poses[i].m;
+  void answer(const Questions& questions, std::span<double> answers) override {
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      const auto& m = questions.poses[i].m;
       const dMatrix3 turn{m[0], m[1], m[2], 0, m[4], m[5], m[6], 0, m[8], m[9], m[10], 0};
       dGeomSetPosition(mover_.geom(), m[3], m[7], m[11]);
       dGeomSetRotation(mover_.geom(), turn);

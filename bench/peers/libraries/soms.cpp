@@ -19,28 +19,56 @@ Shape shape_of(const FloatMesh& mesh) {
 
 constexpr OverlapOptions kAny{.mode = OverlapMode::any};
 
+/// Ways to query soms: pose by pose, all poses in one call, or, of clearances, by the distance.
+enum class Manner { single, batch, distance };
+
 class SomsMatch final : public Match {
  public:
-  SomsMatch(const FloatMesh& mover, const FloatMesh& fixed, bool batch)
-      : mover_(shape_of(mover)), fixed_(shape_of(fixed)), batch_(batch) {}
+  SomsMatch(const FloatMesh& mover, const FloatMesh& fixed, Manner manner)
+      : mover_(shape_of(mover)), fixed_(shape_of(fixed)), manner_(manner) {}
 
-  void answer(Job job, std::span<const Pose> poses, std::span<std::uint64_t> answers) override {
-    if (batch_) {
-      const OverlapBatch found = overlap(mover_.shape, poses, fixed_, kAny);
-      std::copy(found.any.begin(), found.any.end(), answers.begin());
+  void answer(const Questions& questions, std::span<double> answers) override {
+    if (manner_ == Manner::batch) {
+      answer_batch(questions, answers);
       return;
     }
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-      mover_.pose = poses[i];
-      answers[i] = job == Job::any ? (overlap(mover_, fixed_, kAny).any ? 1U : 0U)
-                                   : overlap(mover_, fixed_).pairs.size();
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      mover_.pose = questions.poses[i];
+      answers[i] = answer_one(questions, i);
     }
   }
 
  private:
+  [[nodiscard]] double answer_one(const Questions& questions, std::size_t i) const {
+    switch (questions.job) {
+      case Job::any:
+        return overlap(mover_, fixed_, kAny).any ? 1 : 0;
+      case Job::distance:
+        return distance(mover_, fixed_).distance.lower;
+      case Job::within:
+        return (manner_ == Manner::distance
+                    ? distance(mover_, fixed_).distance.upper <= questions.clearances[i]
+                    : within(mover_, fixed_, questions.clearances[i]).within)
+                   ? 1
+                   : 0;
+      default:
+        return static_cast<double>(overlap(mover_, fixed_).pairs.size());
+    }
+  }
+
+  void answer_batch(const Questions& questions, std::span<double> answers) const {
+    if (questions.job == Job::distance) {
+      const DistanceBatch found = distance(mover_.shape, questions.poses, fixed_);
+      std::copy(found.lower.begin(), found.lower.end(), answers.begin());
+    } else {
+      const OverlapBatch found = overlap(mover_.shape, questions.poses, fixed_, kAny);
+      std::copy(found.any.begin(), found.any.end(), answers.begin());
+    }
+  }
+
   Body mover_;
   Body fixed_;
-  bool batch_;
+  Manner manner_;
 };
 
 class SomsMovingBoxes final : public MovingBoxes {
@@ -61,13 +89,27 @@ class SomsMovingBoxes final : public MovingBoxes {
 
 class Soms final : public Library {
  public:
-  explicit Soms(bool batch) : batch_(batch) {}
+  explicit Soms(Manner manner) : manner_(manner) {}
 
-  [[nodiscard]] std::string name() const override { return batch_ ? "soms-batch" : "soms"; }
+  [[nodiscard]] std::string name() const override {
+    return manner_ == Manner::single  ? "soms"
+           : manner_ == Manner::batch ? "soms-batch"
+                                      : kByDistance;
+  }
 
   [[nodiscard]] std::string version() const override { return SOMS_VERSION; }
 
-  [[nodiscard]] bool does(Job job) const override { return job == Job::any || !batch_; }
+  [[nodiscard]] bool does(Job job) const override {
+    switch (manner_) {
+      case Manner::batch:
+        return job == Job::any || job == Job::distance;
+      case Manner::distance:
+        return job == Job::within;
+      case Manner::single:
+        break;
+    }
+    return true;
+  }
 
   [[nodiscard]] bool keeps_tree() const override { return true; }
 
@@ -78,18 +120,19 @@ class Soms final : public Library {
 
   [[nodiscard]] std::unique_ptr<Match> prepare(const FloatMesh& mover,
                                                const FloatMesh& fixed) const override {
-    return std::make_unique<SomsMatch>(mover, fixed, batch_);
+    return std::make_unique<SomsMatch>(mover, fixed, manner_);
   }
 
  private:
-  bool batch_;
+  Manner manner_;
 };
 
 }  // namespace
 
 void add_soms(Roster& roster) {
-  roster.push_back(std::make_unique<Soms>(false));
-  roster.push_back(std::make_unique<Soms>(true));
+  for (const Manner manner : {Manner::single, Manner::batch, Manner::distance}) {
+    roster.push_back(std::make_unique<Soms>(manner));
+  }
 }
 
 }  // namespace soms::bench

@@ -28,14 +28,31 @@ constexpr std::array kGenerated{
     Generated{"city-drone", 100'000, false, city_drone_scene},
     Generated{"city-drone", 1'000'000, true, city_drone_scene},
     Generated{"city-drone", 5'000'000, false, city_drone_scene},
+    Generated{"far-knot", 1'000, true, far_scene},
+    Generated{"far-knot", 100'000, false, far_scene},
     Generated{"streets", 5'672, false, street_scene},
     Generated{"streets", 1'000'000, false, street_scene},
 };
 
 constexpr std::array<std::string_view, 7> kModels{
     "bun_zipper", "igea", "cow", "galleon", "teapot", "beethoven", "big_porsche"};
-constexpr std::array<std::string_view, 6> kCities{"rotterdam", "new_york_south", "new_york_mid",
-                                                  "lyon",      "delft",          "berlin_sample"};
+
+struct City {
+  std::string_view name;
+  std::string_view file;
+  std::string_view mover;
+};
+
+constexpr std::array kCities{
+    City{"real-rotterdam", "rotterdam", "car_disim"},
+    City{"real-new_york_south", "new_york_south", "car_disim"},
+    City{"real-new_york_mid", "new_york_mid", "car_disim"},
+    City{"real-lyon", "lyon", "car_disim"},
+    City{"real-delft", "delft", "car_disim"},
+    City{"real-berlin_sample", "berlin_sample", "car_disim"},
+    City{"real-delft-van", "delft", "van_disim"},
+    City{"real-lyon-truck", "lyon", "truck_disim"},
+};
 
 }  // namespace
 
@@ -56,11 +73,12 @@ std::vector<Offer> catalog(const std::filesystem::path& data) {
     add("twins-" + std::string(model), file, model == kModels[0],
         [file] { return model_scene(file); });
   }
-  for (const std::string_view city : kCities) {
-    const auto file = data / "cities" / (std::string(city) + ".ply");
-    const auto mover = data / "3ds" / "car_disim.3ds";
-    add("real-" + std::string(city), file, city == kCities[0],
-        [file, mover] { return real_city_scene(file, mover); });
+  for (const City& city : kCities) {
+    const std::string name(city.name);
+    const auto file = data / "cities" / (std::string(city.file) + ".ply");
+    const auto mover = data / "3ds" / (std::string(city.mover) + ".3ds");
+    add(name, file, &city == kCities.data(),
+        [name, file, mover] { return real_city_scene(name, file, mover); });
   }
   for (const std::uint64_t boxes : {std::uint64_t{10'000}, std::uint64_t{100'000}}) {
     offers.push_back(

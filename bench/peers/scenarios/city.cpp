@@ -252,7 +252,8 @@ Pose car_at(const BoxCity& city, const Spot& spot) {
 
 Scene city_car_scene(std::uint64_t triangles) {
   const BoxCity city = make_city(triangles);
-  Scene scene{"city-car", referee_car(), city.mesh, {{"car", {}, true}, {"car-path", {}}}};
+  Scene scene{
+      "city-car", referee_car(), city.mesh, {{"car", {}, kEveryPoseJob}, {"car-path", {}, kNear}}};
   Rng rng(21);
   for (std::size_t i = 0; i < kPoses; ++i) {
     const bool wall = rng.unit() < 0.15;
@@ -267,7 +268,8 @@ Scene city_car_scene(std::uint64_t triangles) {
 
 Scene city_drone_scene(std::uint64_t triangles) {
   const BoxCity city = make_city(triangles);
-  Scene scene{"city-drone", referee_drone(), city.mesh, {{"drone", {}}, {"drone-path", {}}}};
+  Scene scene{
+      "city-drone", referee_drone(), city.mesh, {{"drone", {}, kNear}, {"drone-path", {}, kNear}}};
   Rng rng(22);
   for (std::size_t i = 0; i < kPoses; ++i) {
     const bool wall = rng.unit() < 0.15;

@@ -66,7 +66,7 @@ Scene own_files_scene(const std::filesystem::path& a, const std::filesystem::pat
   Scene scene{"own",
               float_mesh(mover, box_a.center()),
               float_mesh(fixed, box_b.center()),
-              {{poses.empty() ? "random" : "poses", {}, true}}};
+              {{poses.empty() ? "random" : "poses", {}, kEveryPoseJob}}};
   for (const Pose& pose : poses) {
     scene.sets[0].poses.push_back(about_middles(pose, box_a.center(), box_b.center()));
   }

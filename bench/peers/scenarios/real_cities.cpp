@@ -39,15 +39,6 @@ double lowest_surface(const Mesh& mesh, double x, double y, double otherwise) {
   return std::isfinite(lowest) ? lowest : otherwise;
 }
 
-Mesh widened(const FloatMesh& mesh) {
-  Mesh result;
-  for (const auto& v : mesh.vertices) {
-    result.vertices.push_back(wide(v));
-  }
-  result.triangles = mesh.triangles;
-  return result;
-}
-
 /// How far the mover can go along `direction` until it touches, or nothing below 0 if it does not
 /// within 40 m or touches from the start.
 double distance_to_touch(Body& mover, const Body& city, const Pose& start, const Vec3& direction) {
@@ -105,19 +96,21 @@ FloatMesh float_mesh(const Mesh& mesh, const Vec3& middle, double scale) {
   return result;
 }
 
-Scene real_city_scene(const std::filesystem::path& city, const std::filesystem::path& mover) {
+Scene real_city_scene(const std::string& name, const std::filesystem::path& city,
+                      const std::filesystem::path& mover) {
   const Mesh whole = read_mesh(city);
   const FloatMesh fixed = float_mesh(whole, bounds_of(whole).center());
   const FloatMesh moving = float_mesh(read_mesh(mover), {});
   const Body town(widened(fixed));
   Body car(widened(moving));
   const double wheels = bounds_of(car.shape.mesh()).lower.z;
-  Scene scene{"real-" + city.stem().string(),
-              moving,
-              fixed,
-              {{"street", on_streets(town.shape.mesh(), bounds_of(town.shape.mesh()), wheels)},
-               {"grazing", {}},
-               {"near", {}}}};
+  Scene scene{
+      name,
+      moving,
+      fixed,
+      {{"street", on_streets(town.shape.mesh(), bounds_of(town.shape.mesh()), wheels), kNear},
+       {"grazing", {}},
+       {"near", {}, kNear}}};
   Rng rng(32);
   for (std::size_t k = 0; k < 20 * kPoses && scene.sets[1].poses.size() < kPoses; ++k) {
     const Pose& start = scene.sets[0].poses[k % kPoses];

@@ -18,7 +18,7 @@ namespace soms::bench {
 struct PoseSet {
   std::string name;
   std::vector<Pose> poses;
-  bool all = false;       ///< ask for all pairs, too
+  std::vector<Job> jobs{Job::any};
   std::size_t still = 0;  ///< so many poses are queried of bodies that stand still, too
 };
 
@@ -42,6 +42,10 @@ struct Scene {
 
 inline constexpr std::size_t kPoses = 1000;
 
+/// Does it touch, how far is it, is it within a clearance?
+inline const std::vector<Job> kNear{Job::any, Job::distance, Job::within};
+inline const std::vector<Job> kEveryPoseJob{Job::any, Job::all, Job::distance, Job::within};
+
 /// `twins-knot`: a (2,3) torus knot of reach 1 against its twin at the origin. `random`: any
 /// rotation, centers 1.0 to 1.9 apart, where about half touch; `near-0.001`, `near-0.01`: slid
 /// together until that distance is left, to 2 %; `deep`: centers within 0.2.
@@ -63,11 +67,15 @@ inline constexpr std::size_t kPoses = 1000;
 /// half a second apart. Its road slabs are large and slope under the car.
 [[nodiscard]] Scene street_scene(std::uint64_t triangles);
 
-/// `real-<city>`: a city of a file and a mover of another. `street`: 1,000 random places on the
+/// `name`: a city of a file and a mover of another. `street`: 1,000 random places on the
 /// lowest surface, 0.1 m above it; `grazing`: from there forward until it touches and up to 0.05 m
 /// on; `near`: forward until 0.01 m more would touch.
-[[nodiscard]] Scene real_city_scene(const std::filesystem::path& city,
+[[nodiscard]] Scene real_city_scene(const std::string& name, const std::filesystem::path& city,
                                     const std::filesystem::path& mover);
+
+/// `far-knot`: the knot and its twin, far apart: `far-3`, `far-300`, `far-3e4` and `far-3e5`, any
+/// rotation, centers so many reaches apart.
+[[nodiscard]] Scene far_scene(std::uint64_t triangles);
 
 /// `moving_boxes`: boxes, 20 frames at 60 a second, up to 20 m/s. `spread`: sides of 1 to 4.5 m in
 /// 4 km x 4 km x 100 m; `dense`: the same where each meets about ten others; `mixed`: sides of 1 to

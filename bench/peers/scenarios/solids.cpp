@@ -26,6 +26,15 @@ Vec3 wide(const std::array<float, 3>& v) {
   return {v[0], v[1], v[2]};
 }
 
+Mesh widened(const FloatMesh& mesh) {
+  Mesh result;
+  for (const auto& v : mesh.vertices) {
+    result.vertices.push_back(wide(v));
+  }
+  result.triangles = mesh.triangles;
+  return result;
+}
+
 Vec3 unit(const Vec3& v) {
   return (1 / std::sqrt(dot(v, v))) * v;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "soms/base/random.h"
+#include "soms/geometry/mesh.h"
 
 #include "bench/peers/libraries/library.h"
 
@@ -15,6 +16,7 @@ inline constexpr double kPi = 3.14159265358979323846;
 
 [[nodiscard]] std::array<float, 3> narrow(const Vec3& v);
 [[nodiscard]] Vec3 wide(const std::array<float, 3>& v);
+[[nodiscard]] Mesh widened(const FloatMesh& mesh);
 [[nodiscard]] Vec3 unit(const Vec3& v);
 
 /// Uniform on the unit sphere.

@@ -21,8 +21,10 @@ FloatMesh narrowed(const Mesh& mesh) {
 
 Scene street_scene(std::uint64_t triangles) {
   const City city = generate_city({.triangles = triangles});
-  Scene scene{
-      "streets", narrowed(generate_mover(MoverKind::car)), narrowed(city.mesh), {{"routes", {}}}};
+  Scene scene{"streets",
+              narrowed(generate_mover(MoverKind::car)),
+              narrowed(city.mesh),
+              {{"routes", {}, kNear}}};
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const Route route = street_route(city, seed, 12, 0.12);
     for (int i = 0; i < 20; ++i) {

@@ -1,13 +1,14 @@
 // A body against its twin, at any angle.
 #include "soms/base/error.h"
 #include "soms/io/read_mesh.h"
+#include "soms/query/distance.h"
 #include "soms/query/overlap.h"
 
-#include "bench/peers/scenarios/gap.h"
 #include "bench/peers/scenarios/scene.h"
 #include "bench/peers/scenarios/solids.h"
 
 #include <optional>
+#include <utility>
 
 namespace soms::bench {
 
@@ -36,11 +37,11 @@ Pose shifted(Pose pose, const Vec3& t) {
   return pose;
 }
 
-/// Finds poses that leave a gap. Sliding stops where soms finds the first touch; the distance that
-/// is left is then measured by a tree of the referee's own, and the judge decides every answer.
+/// Finds poses that leave a gap. soms says where sliding stops and how far apart the bodies are;
+/// the judge, who has no tree, decides every answer about them.
 class NearMisses {
  public:
-  explicit NearMisses(const FloatMesh& mesh) : tree_(mesh), twin_(widened(mesh)), body_(twin_) {}
+  explicit NearMisses(const FloatMesh& mesh) : twin_(widened(mesh)), body_(twin_) {}
 
   /// `count` poses at which the bodies are `gap` apart, to 2 %.
   [[nodiscard]] std::vector<Pose> find(double gap, std::size_t count) {
@@ -58,25 +59,16 @@ class NearMisses {
   }
 
  private:
-  static Mesh widened(const FloatMesh& mesh) {
-    Mesh result;
-    for (const auto& v : mesh.vertices) {
-      result.vertices.push_back(wide(v));
-    }
-    result.triangles = mesh.triangles;
-    return result;
-  }
-
   bool touches(const Pose& pose) {
     body_.pose = pose;
     return overlap(body_, twin_, {.mode = OverlapMode::any}).any;
   }
 
-  /// Distance at `s` along the line: 0 where the bodies touch, 2 gaps where it is more, any value
-  /// below where it is too small by more than may be.
-  double distance(const Pose& turned, const Vec3& direction, double s, double gap) {
-    const Pose pose = shifted(turned, s * direction);
-    return touches(pose) ? 0 : tree_.distance(tree_, pose, 2 * gap, 0.98 * gap);
+  /// At `s` along the line; 2 gaps where it is more.
+  double distance_at(const Pose& turned, const Vec3& direction, double s, double gap) {
+    body_.pose = shifted(turned, s * direction);
+    const Distance found = distance(body_, twin_, {.at_most = 2 * gap});
+    return found.farther ? 2 * gap : found.distance.lower;
   }
 
   /// In along the line until it touches, then out until the distance is right.
@@ -87,13 +79,13 @@ class NearMisses {
     }
     double close = touching;
     double apart = touching + gap;
-    while (apart < 2.5 && distance(turned, direction, apart, gap) < gap) {
+    while (apart < 2.5 && distance_at(turned, direction, apart, gap) < gap) {
       close = apart;
       apart += apart - touching;
     }
     for (int i = 0; i < 40 && touching > -2.5; ++i) {
       const double middle = 0.5 * (close + apart);
-      const double left = distance(turned, direction, middle, gap);
+      const double left = distance_at(turned, direction, middle, gap);
       if (std::abs(left - gap) < 0.02 * gap) {
         return shifted(turned, middle * direction);
       }
@@ -102,7 +94,6 @@ class NearMisses {
     return std::nullopt;
   }
 
-  GapTree tree_;
   Body twin_;
   Body body_;
 };
@@ -117,8 +108,8 @@ Scene twins(const std::string& name, FloatMesh mesh) {
   // Enough of a knot's random poses touch for a question that leaves nothing to be moved.
   const bool still = name == "knot" && n >= 10'000 && n <= 100'000;
   Scene scene{"twins-" + name, mesh, std::move(mesh), {}};
-  PoseSet random{"random", {}, true, still ? std::size_t{16} : std::size_t{0}};
-  PoseSet deep{"deep", {}, true};
+  PoseSet random{"random", {}, kEveryPoseJob, still ? std::size_t{16} : std::size_t{0}};
+  PoseSet deep{"deep", {}, {Job::any, Job::all}};
   Rng rng(11);
   Rng deep_rng(12);
   for (std::size_t i = 0; i < kPoses; ++i) {
@@ -130,8 +121,8 @@ Scene twins(const std::string& name, FloatMesh mesh) {
   NearMisses misses(scene.fixed);
   scene.sets = {std::move(random),
                 std::move(deep),
-                {"near-0.001", misses.find(0.001, near_misses(n))},
-                {"near-0.01", misses.find(0.01, near_misses(n))}};
+                {"near-0.001", misses.find(0.001, near_misses(n)), kNear},
+                {"near-0.01", misses.find(0.01, near_misses(n)), kNear}};
   return scene;
 }
 
@@ -139,6 +130,22 @@ Scene twins(const std::string& name, FloatMesh mesh) {
 
 Scene knot_scene(std::uint64_t triangles) {
   return twins("knot", knot_of(triangles));
+}
+
+Scene far_scene(std::uint64_t triangles) {
+  const FloatMesh knot = knot_of(triangles);
+  Scene scene{"far-knot", knot, knot, {}};
+  for (const auto& [name, apart] :
+       {std::pair{"far-3", 3.0}, {"far-300", 300.0}, {"far-3e4", 3e4}, {"far-3e5", 3e5}}) {
+    PoseSet set{name, {}, {Job::distance, Job::within}};
+    Rng rng(14);
+    for (std::size_t i = 0; i < kPoses; ++i) {
+      const Pose turned = random_rotation(rng, {});
+      set.poses.push_back(shifted(turned, apart * random_direction(rng)));
+    }
+    scene.sets.push_back(std::move(set));
+  }
+  return scene;
 }
 
 Scene model_scene(const std::filesystem::path& file) {
