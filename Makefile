@@ -2,7 +2,7 @@
 JOBS ?= $(shell nproc)
 ARGS ?=
 
-.PHONY: help run build view thesis install test headers large check asan tsan tidy arm64 determinism memcheck endurance packages bare fuzz bench format clean
+.PHONY: help run build view thesis install test headers large check asan tsan tidy arm64 determinism memcheck endurance packages bare fuzz faults bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
@@ -15,6 +15,7 @@ help:
 	@echo "make check   make test, then the suite under ASan+UBSan, the library under TSan, clang-tidy, ARM,"
 	@echo "             packages, and the README's commands on a bare Debian"
 	@echo "make fuzz    every fuzzer for a minute (FUZZ_SECONDS=600)"
+	@echo "make faults  faults put into a copy of the source, one at a time: which test finds each? (ARGS='--only NAME')"
 	@echo "make bench   soms beside its peers, in one run (ARGS=--quick: a few minutes)"
 	@echo "make format  clang-format on every source"
 	@echo "make clean   remove build/"
@@ -140,6 +141,12 @@ fuzz:
 	cmake --preset fuzz
 	cmake --build --preset fuzz -j $(JOBS)
 	@tools/run_fuzzers.py --seconds $(FUZZ_SECONDS)
+
+# Each fault of tools/faults/*.toml is put into a copy of the source, built and looked for: an hour or more. The copy
+# stays in build/faults; `tools/faults.py --help` says how faults are added.
+faults:
+	@tools/install_packages.sh run test
+	@tools/faults.py -j $(JOBS) $(ARGS)
 
 # What takes too long for every run of the suite: builds of 5 million triangles.
 large: test

@@ -3,8 +3,8 @@
 
 usage: tools/draw_terms.py [FOLDER]
 
-The triangles of a drawing are data (SCENES), so that a test asks soms whether they overlap as the
-drawing says. Only sums, products and square roots: every machine writes the same bytes.
+The triangles of a drawing are data (SCENES, NEAREST), so that a test asks soms whether they overlap, or
+how far apart they are, as the drawing says. Only sums, products and square roots: every machine writes the same bytes.
 """
 import pathlib
 import sys
@@ -199,6 +199,14 @@ SCENES = {
         ("apart by nothing", [FLOOR], [tip(0.0)], True)],
 }
 
+# (words, triangles of A, triangles of B, their distance, its ends on A and B where there is one such pair)
+NEAREST = [
+    ("corner and face", [FLOOR], [tip(0.75)], 0.75, [(1.25, 0.75, 0.0), (1.25, 0.75, 0.75)]),
+    ("edge and edge", [FLOOR], [((1.0, -1.0, -0.4), (2.0, -1.0, 0.4), (1.2, -1.6, 1.4))], 1.0,
+     [(1.5, 0.0, 0.0), (1.5, -1.0, 0.0)]),
+    ("one inside the other", triangles_of(sum(faces(*HALL), [])), triangles_of(sum(faces(*CAR), [])), 0.4, None),
+]
+
 
 def verdict(x, y, title, overlaps):
     return [words(x, y, title),
@@ -295,6 +303,27 @@ def gap():
             made.append(line([place, view((1.25, 0.75, 0))], "dashed faint-line"))
         made += verdict(x, 190, title, overlaps)
     return drawing("Gap: without a tolerance the least gap parts, and none touches", 226, made)
+
+
+def nearest():
+    made = []
+    for k, (title, a, b, distance, ends) in enumerate(NEAREST):
+        x = WIDTH * (2 * k + 1) / 6
+        if ends:
+            view = View(x - 80, 118, 46)
+            made += two_triangles(view, a[0], b[0])
+        else:
+            view = View(x - 82, 134, 33)
+            hall, car = faces(*HALL), faces(*CAR)
+            made += [polygon(view.path(f), "a pale a-line") for f in hall[0]]
+            made += [polygon(view.path(f), "b solid b-line") for f in car[1]]
+            (u, v, top), (w, z, _) = CAR
+            ends = [((u + w) / 2, v, 0), ((u + w) / 2, v, top)]
+            made += [line(view.path([*f, f[0]]), "a-line") for f in hall[1]]
+        made.append(line(view.path(ends), "thick both-line"))
+        made += [dot(view(p), "both", 4) for p in ends]
+        made += [words(x, 190, title), words(x, 211, f"distance {distance:g}", "both strong")]
+    return drawing("Distance: the length of a shortest segment between two surfaces", 228, made)
 
 
 # --- Drawings without triangles to test -----------------------------------------------------------
@@ -462,6 +491,25 @@ def hashes():
     return drawing("Hash: sixteen hex digits that stand for a whole list of pairs", 166, made)
 
 
+def bracket():
+    """The line of numbers near the root of 8, which lies between two doubles."""
+    left, step, y = 80, 80, 70
+    ticks = [left + step * k for k in range(7)]
+    lower, upper = ticks[3], ticks[4]
+    truth = lower + 0.43 * step  # where it lies between them
+    made = [line([(40, y), (600, y)], "ink-line")]
+    made += [line([(x, y - 8), (x, y + 8)], "ink-line") for x in ticks]
+    made += [line([(lower, y), (upper, y)], "thick both-line"), dot((truth, y), "both"),
+             words(truth, y - 22, "the distance", "both strong"),
+             words(lower - 8, y + 30, "lower", "both strong"), words(upper + 8, y + 30, "upper", "both strong"),
+             words(left - 40, y - 22, "each line is a double", "faint", "start")]
+    y = 142
+    made += [arrow((lower, y), (44, y), "a"), arrow((upper, y), (596, y), "b"), dot((lower, y), "a", 4),
+             dot((upper, y), "b", 4), words((44 + lower) / 2, y + 24, "D up to here: not within D", "a"),
+             words((596 + upper) / 2, y + 24, "D from here on: within D", "b")]
+    return drawing("Bracket: the doubles next to a distance, and within, which is decided exactly", 182, made)
+
+
 def own_axes(view, origin, up, color):
     """The axes x and `up` of a file, named at their ends."""
     made = []
@@ -500,6 +548,7 @@ def two_axes():
 DRAWINGS = {
     "axes": two_axes, "touching": touching, "crossing": crossing, "coplanar": coplanar, "inside": inside, "gap": gap,
     "pose": pose, "parts": parts, "traversal": traversal, "coverage": coverage, "hash": hashes,
+    "nearest": nearest, "bracket": bracket,
 }
 
 

@@ -17,7 +17,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "fuzz"
 COLUMNS = ["target", "inputs", "seconds", "found"]
 LONGEST_SEED = 1 << 14
-LONGEST_INPUT = {"triangles": 256, "options": 64, "overlap": 1500}
+LONGEST_INPUT = {"triangles": 256, "options": 64, "overlap": 1500, "queries": 800}
 
 
 def seed_files(target):
