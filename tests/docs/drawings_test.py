@@ -8,6 +8,8 @@ import subprocess
 import sys
 import tempfile
 
+ROUNDING = 4 * 2.0 ** -51  # of points whose largest coordinate is less than 4: 4 units in the last place
+
 
 def off(triangles):
     corners = [" ".join(repr(float(x)) for x in p) for t in triangles for p in t]
@@ -15,12 +17,12 @@ def off(triangles):
     return "\n".join(["OFF", f"{len(corners)} {len(faces)} 0", *corners, *faces, ""])
 
 
-def answer(command, folder, a, b):
-    """What soms says of two lists of triangles."""
+def answer(command, folder, verb, a, b):
+    """What a verb of soms says of two lists of triangles."""
     for name, triangles in (("a.off", a), ("b.off", b)):
         (folder / name).write_text(off(triangles), encoding="utf-8")
     return json.loads(subprocess.run(
-        [command, "overlap", folder / "a.off", folder / "b.off", "--json", "--verify"],
+        [command, verb, folder / "a.off", folder / "b.off", "--json", "--verify"],
         check=True, capture_output=True, text=True).stdout)
 
 
@@ -40,11 +42,17 @@ def faults(root, command, folder):
         yield f"drawings that nothing draws: {sorted(extra)}"
     for name, scenes in draw_terms.SCENES.items():
         for title, a, b, overlaps in scenes:
-            said = answer(command, folder, a, b)
+            said = answer(command, folder, "overlap", a, b)
             if said["overlap"] != overlaps or not said["verified"]:
                 yield f"{name}, {title}: drawn as {overlaps}, soms says {said}"
             if said["hash"] != draw_terms.fnv(draw_terms.bytes_of(said["pairs"])):
                 yield f"{name}, {title}: soms hashes otherwise: {said}"
+    for title, a, b, distance, ends in draw_terms.NEAREST:
+        said = answer(command, folder, "distance", a, b)
+        if [said["lower"], said["upper"]] != [distance, distance] or not said["verified"]:
+            yield f"{title}: drawn with distance {distance}, soms says {said}"
+        if ends and any(abs(x - y) > ROUNDING for p, q in zip(ends, said["points"]) for x, y in zip(p, q)):
+            yield f"{title}: drawn between {ends}, soms says {said}"
 
 
 def main():

@@ -85,8 +85,8 @@ def check_installed(packages, source, work):
     shutil.copytree(CONSUMER, consumer)
     (consumer / "example.cpp").write_text(readme_program(source), encoding="utf-8")
     said = debian.run("sh", "-c", DEVELOP).stdout.splitlines()
-    if " touches " not in said[-3] or said[-2:] != ["caught cannot_open"] * 2:
-        sys.exit(f"what the packages build says {said[-3:]}")
+    if " touches " not in said[-4] or " apart" not in said[-3] or said[-2:] != ["caught cannot_open"] * 2:
+        sys.exit(f"what the packages build says {said[-4:]}")
     debian.run(*install, "libgl1-mesa-dri")
     debian.run("sh", "-c", DRAW)
     if not (debian.root / "tmp/town.png").read_bytes().startswith(b"\x89PNG"):

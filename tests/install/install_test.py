@@ -1,4 +1,4 @@
-"""The README's ten lines build against an installed soms and say what the command says.
+"""The README's program builds against an installed soms and says what the command says.
 
     install_test.py SOURCE BUILD COMPILER [FLAG...]
 

@@ -35,15 +35,17 @@ def readme_program(source):
 
 
 class Models:
-    """The models of the README in a folder, and how many pairs the command finds in them."""
+    """The models of the README in a folder, how many pairs the command finds in them, and their distance."""
 
     def __init__(self, folder, soms, program):
         self.folder = folder
         run(soms, "generate", "city", "--triangles", "5672", "-o", "city.ply", cwd=folder)
         run(soms, "generate", "car", "-o", "car.ply", cwd=folder)
-        shift = re.search(r"translation\(([^)]*)\)", program).group(1).replace(",", " ")
-        said = run(soms, "overlap", "car.ply", "city.ply", "--pose", shift, "--json", cwd=folder)
+        touching, apart = (shift.replace(",", " ") for shift in re.findall(r"translation\(([^)]*)\)", program))
+        said = run(soms, "overlap", "car.ply", "city.ply", "--pose", touching, "--json", cwd=folder)
         self.count = int(re.search(r'"count":(\d+)', said).group(1))
+        said = run(soms, "distance", "car.ply", "city.ply", "--pose", apart, "--json", cwd=folder)
+        self.distance = float(re.search(r'"lower":([^,]+)', said).group(1))
         if self.count == 0:
             sys.exit("the README's models do not touch: nothing would be compared")
 
@@ -54,6 +56,8 @@ class Models:
         lines = [line for line in said.splitlines() if " touches " in line]
         if len(lines) != self.count:
             sys.exit(f"{how}: the program names {len(lines)} pairs, the command {self.count}")
+        if not said.endswith(f": {self.distance:g} apart\n"):
+            sys.exit(f"{how}: the program says {said.splitlines()[-1]!r}, the command {self.distance}")
         caught = run(catcher, cwd=self.folder, env=environment)
         if caught != "caught cannot_open\n":
             sys.exit(f"{how}: the program caught {caught!r}")

@@ -7,6 +7,7 @@
 #include "soms/geometry/triangle_overlap.h"
 #include "soms/query/reference/overlap.h"
 
+#include "tests/regressions/bodies.h"
 #include "tests/regressions/variations.h"
 #include "tests/support/bodies.h"
 #include "tests/support/slow_build.h"
@@ -24,15 +25,14 @@ namespace soms {
 namespace {
 
 using test::box_body;
+using test::channel_body;
+using test::deep_pose;
 using test::expect_overlap;
 using test::mapped;
 using test::overlap_under_variations;
+using test::rod_body;
 using test::soup_body;
-
-const Mesh& unit_box() {
-  static const Mesh box = box_body({0, 0, 0}, {1, 1, 1});
-  return box;
-}
+using test::unit_box;
 
 // Two walls on one axis overlap by 50 mm with all side faces flush.
 TEST(Regression, R01FlushWallsThatRunIntoEachOtherOverlap) {
@@ -74,14 +74,8 @@ TEST(Regression, R04PointsAndSegmentsOverlapOnlyWhatTheyTouch) {
 
 /// Expects two triangles to be apart in all 72 orders and under all variations.
 void expect_apart(const Triangle& s, const Triangle& t) {
-  constexpr std::array<std::array<std::size_t, 3>, 6> kOrders{
-      {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
-  const std::array first{s.a, s.b, s.c};
-  const std::array second{t.a, t.b, t.c};
-  for (const auto& p : kOrders) {
-    for (const auto& q : kOrders) {
-      const Triangle u{first[p[0]], first[p[1]], first[p[2]]};
-      const Triangle v{second[q[0]], second[q[1]], second[q[2]]};
+  for (const Triangle& u : test::corner_orders(s)) {
+    for (const Triangle& v : test::corner_orders(t)) {
       EXPECT_FALSE(triangles_overlap(u, v));
       EXPECT_FALSE(triangles_overlap(v, u));
     }
@@ -90,12 +84,8 @@ void expect_apart(const Triangle& s, const Triangle& t) {
 }
 
 TEST(Regression, R05TheAnswerForTwoTrianglesHasNoOrder) {
-  expect_apart({{32.22699737548828, 1.2630000114440918, -11.8149995803833},
-                {31.316997528076172, 1.2630000114440918, -11.739999771118164},
-                {32.22699737548828, 1.2630000114440918, -11.739999771118164}},
-               {{31.316997528076172, 1.933000087738037, -7.585000038146973},
-                {31.316997528076172, -0.8669999837875366, -7.295000076293945},
-                {31.316997528076172, -0.8669999837875366, -7.585000038146973}});
+  const auto [s, t] = test::triangles_of_r05();
+  expect_apart(s, t);
 }
 
 // The first triangle is off its plane by 1e-16.
@@ -116,19 +106,6 @@ TEST(Regression, R07ParallelTrianglesOverlapAtGapZeroOnly) {
   expect_overlap(ground, ground, true);
 }
 
-/// A rotation drawn evenly, and a shift shorter than 0.4.
-Pose deep_pose(Rng& rng) {
-  while (true) {
-    const std::array q{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1),
-                       rng.uniform(-1, 1)};
-    const Vec3 shift{rng.uniform(-0.4, 0.4), rng.uniform(-0.4, 0.4), rng.uniform(-0.4, 0.4)};
-    const double n = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-    if (n > 0.1 && n < 1 && dot(shift, shift) < 0.16) {
-      return Pose::from_quaternion(q[0] / n, q[1] / n, q[2] / n, q[3] / n, shift);
-    }
-  }
-}
-
 // Equal cubes cannot hold one another, so cubes this deep always cross.
 TEST(Regression, R08DeepCubesAlwaysOverlap) {
   const std::size_t count = test::kSlowBuild ? 20000 : 1000000;
@@ -144,20 +121,11 @@ TEST(Regression, R08DeepCubesAlwaysOverlap) {
 
 // Cubes that kiss, the gap swept in units of the last place: the answer is the sign of the gap.
 TEST(Regression, R09KissingContactFollowsTheGapToTheLastBit) {
-  const Mesh wall = box_body({0, 0, 0}, {0.25, 0.25, 0.25});
-  const Mesh cube = box_body({-0.125, -0.125, -0.125}, {0.125, 0.125, 0.125});
-  test::for_each_case("regression/R09", 12, [&](Rng& rng) {
-    Pose pose = deep_pose(rng);
-    pose.m[3] = pose.m[7] = pose.m[11] = 0.125;
-    // The corner furthest back meets the middle of the wall's face x = 0.25.
-    Vec3 tip = pose.apply(cube.vertices[0]);
-    for (const Vec3& v : cube.vertices) {
-      const Vec3 moved = pose.apply(v);
-      tip = moved.x < tip.x ? moved : tip;
-    }
-    pose.m[3] += 0.25 - tip.x;
-    pose.m[7] += 0.125 - tip.y;
-    pose.m[11] += 0.125 - tip.z;
+  test::for_each_case("regression/R09", 12, [](Rng& rng) {
+    test::KissingCube kiss = test::kissing_cube(rng);
+    const Mesh& wall = kiss.wall;
+    const Mesh& cube = kiss.cube;
+    Pose& pose = kiss.pose;
     const double start = pose.m[3];
     for (int ulps = -8; ulps <= 8; ++ulps) {
       pose.m[3] = start + ulps * 0x1p-54;
@@ -171,29 +139,10 @@ TEST(Regression, R09KissingContactFollowsTheGapToTheLastBit) {
   });
 }
 
-/// A rod of radius 0.2 about the y axis at height 0.5, from y = 0.1 to 1.9.
-Mesh rod() {
-  constexpr int kSides = 16;
-  std::vector<Triangle> triangles;
-  const auto rim = [](int i, double y) {
-    const double angle = 2 * 3.141592653589793 * (i % kSides) / kSides;
-    return Vec3{0.2 * std::cos(angle), y, 0.5 + 0.2 * std::sin(angle)};
-  };
-  for (int i = 0; i < kSides; ++i) {
-    triangles.push_back({rim(i, 0.1), rim(i, 1.9), rim(i + 1, 1.9)});
-    triangles.push_back({rim(i, 0.1), rim(i + 1, 1.9), rim(i + 1, 0.1)});
-    triangles.push_back({{0, 0.1, 0.5}, rim(i, 0.1), rim(i + 1, 0.1)});
-    triangles.push_back({{0, 1.9, 0.5}, rim(i + 1, 1.9), rim(i, 1.9)});
-  }
-  return soup_body(triangles);
-}
-
 TEST(Regression, R10ARodInAChannelIsClear) {
-  const Mesh channel = test::joined(
-      test::joined(box_body({-0.6, 0, 0}, {-0.5, 2, 1}), box_body({0.5, 0, 0}, {0.6, 2, 1})),
-      box_body({-0.6, 0, -0.1}, {0.6, 2, 0}));
-  expect_overlap(rod(), channel, false);
-  const Mesh leaning = mapped(rod(), [](const Vec3& v) { return v + Vec3{0.35, 0, 0}; });
+  const Mesh channel = channel_body();
+  expect_overlap(rod_body(), channel, false);
+  const Mesh leaning = mapped(rod_body(), [](const Vec3& v) { return v + Vec3{0.35, 0, 0}; });
   expect_overlap(leaning, channel, true);
 }
 

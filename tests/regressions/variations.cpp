@@ -6,6 +6,7 @@
 #include "soms/tree/rule/rules.h"
 
 #include "tests/support/bodies.h"
+#include "tests/support/query_table.h"
 
 #include <gtest/gtest.h>
 
@@ -23,28 +24,6 @@ namespace {
 
 using Pairs = std::vector<TrianglePair>;
 
-/// The 24 rotations of the cube: signed permutations of determinant 1.
-std::vector<Pose> cube_rotations() {
-  std::vector<Pose> rotations;
-  std::array<std::size_t, 3> order{0, 1, 2};
-  do {
-    for (unsigned signs = 0; signs < 8; ++signs) {
-      Pose pose;
-      pose.m.fill(0);
-      for (std::size_t row = 0; row < 3; ++row) {
-        pose.m[4 * row + order[row]] = (signs >> row & 1U) != 0 ? -1 : 1;
-      }
-      const Vec3 x = pose.apply({1, 0, 0});
-      const Vec3 y = pose.apply({0, 1, 0});
-      const Vec3 z = pose.apply({0, 0, 1});
-      if (dot(cross(x, y), z) > 0) {
-        rotations.push_back(pose);
-      }
-    }
-  } while (std::next_permutation(order.begin(), order.end()));
-  return rotations;
-}
-
 /// The mesh after `there`, or nothing if `back` does not restore every vertex.
 template <class There, class Back>
 std::optional<Mesh> exactly_mapped(const Mesh& mesh, const There& there, const Back& back) {
@@ -52,21 +31,17 @@ std::optional<Mesh> exactly_mapped(const Mesh& mesh, const There& there, const B
   return mapped(changed, back).vertices == mesh.vertices ? std::optional(changed) : std::nullopt;
 }
 
-void expect_pairs(const Body& a, const Body& b, const Pairs& expected, const std::string& what,
-                  const OverlapOptions& options = {}, int threads = 1) {
-  Parallel parallel;
-  parallel.threads = threads;
-  const Overlap answer = overlap(a, b, options, parallel);
-  EXPECT_EQ(answer.any, !expected.empty()) << what;
-  EXPECT_EQ(answer.pairs, expected) << what;
-  EXPECT_EQ(answer.coverage, Coverage::complete) << what;
+Body at(const Mesh& mesh, const Pose& pose = {}) {
+  return Body(mesh, pose);
 }
 
-void vary_vertices(const Mesh& a, const Mesh& b, const Pairs& expected) {
+using Check = std::function<void(const Variation&)>;
+
+void vary_vertices(const Mesh& a, const Mesh& b, const Check& check) {
   for (const Pose& turn : cube_rotations()) {
     const auto rotate = [&turn](const Vec3& v) { return turn.apply(v); };
-    expect_pairs(Body(mapped(a, rotate)), Body(mapped(b, rotate)), expected, "rotated vertices");
-    expect_pairs(Body(a, turn), Body(b, turn), expected, "rotated by pose");
+    check({.what = "rotated vertices", .a = at(mapped(a, rotate)), .b = at(mapped(b, rotate))});
+    check({.what = "rotated by pose", .a = at(a, turn), .b = at(b, turn)});
   }
   for (int k = -40; k <= 40; ++k) {
     const auto scaled = [k](int sign) {
@@ -75,7 +50,10 @@ void vary_vertices(const Mesh& a, const Mesh& b, const Pairs& expected) {
     const auto scaled_a = exactly_mapped(a, scaled(1), scaled(-1));
     const auto scaled_b = exactly_mapped(b, scaled(1), scaled(-1));
     if (scaled_a && scaled_b) {
-      expect_pairs(Body(*scaled_a), Body(*scaled_b), expected, "scaled by 2^" + std::to_string(k));
+      check({.what = "scaled by 2^" + std::to_string(k),
+             .a = at(*scaled_a),
+             .b = at(*scaled_b),
+             .exponent = k});
     }
   }
   const Vec3 shift{0x1p20, -0x1p21, 0x1p19};
@@ -84,9 +62,9 @@ void vary_vertices(const Mesh& a, const Mesh& b, const Pairs& expected) {
   const auto far_a = exactly_mapped(a, there, back);
   const auto far_b = exactly_mapped(b, there, back);
   if (far_a && far_b) {
-    expect_pairs(Body(*far_a), Body(*far_b), expected, "shifted");
+    check({.what = "shifted", .a = at(*far_a), .b = at(*far_b)});
     const Pose pose = Pose::translation(shift.x, shift.y, shift.z);
-    expect_pairs(Body(a, pose), Body(b, pose), expected, "shifted by pose");
+    check({.what = "shifted by pose", .a = at(a, pose), .b = at(b, pose)});
   }
 }
 
@@ -117,47 +95,65 @@ Shuffled shuffled(const Mesh& mesh, std::uint64_t seed) {
   return result;
 }
 
-void vary_order(const Mesh& a, const Mesh& b, const Pairs& expected) {
-  Pairs swapped;
-  for (const auto& [i, j] : expected) {
-    swapped.emplace_back(j, i);
-  }
-  std::sort(swapped.begin(), swapped.end());
-  expect_pairs(Body(b), Body(a), swapped, "swapped");
+void vary_order(const Mesh& a, const Mesh& b, const Check& check) {
+  check({.what = "swapped", .a = at(b), .b = at(a), .exchanged = true});
   const Shuffled x = shuffled(a, 1);
   const Shuffled y = shuffled(b, 2);
-  Pairs renamed;
-  for (const auto& [i, j] : expected) {
-    renamed.emplace_back(x.place[i], y.place[j]);
-  }
-  std::sort(renamed.begin(), renamed.end());
-  expect_pairs(Body(x.mesh), Body(y.mesh), renamed, "permuted");
+  check({.what = "permuted",
+         .a = at(x.mesh),
+         .b = at(y.mesh),
+         .place_a = x.place,
+         .place_b = y.place});
 }
 
-void vary_machinery(const Mesh& a, const Mesh& b, const Pairs& expected) {
+void vary_machinery(const Mesh& a, const Mesh& b, const Check& check) {
   for (const RuleEntry& rule : rules()) {
     for (const int leaf : {1, 4, 1000}) {
-      ShapeOptions options;
-      options.build.rule = rule.rule;
-      options.build.per_leaf = leaf;
-      expect_pairs(Body(Shape(a, options)), Body(Shape(b, options)), expected,
-                   std::string(rule.name) + ", leaves of " + std::to_string(leaf));
-      options.layout = Layout::compact;
-      expect_pairs(Body(Shape(a, options)), Body(Shape(b, options)), expected,
-                   std::string(rule.name) + ", compact, leaves of " + std::to_string(leaf));
+      for (const Layout layout : {Layout::wide, Layout::compact}) {
+        const ShapeOptions options{.build = {.rule = rule.rule, .per_leaf = leaf},
+                                   .layout = layout};
+        check({.what = std::string(rule.name) + (layout == Layout::compact ? ", compact" : "") +
+                       ", leaves of " + std::to_string(leaf),
+               .a = Body(Shape(a, options)),
+               .b = Body(Shape(b, options))});
+      }
     }
   }
-  ShapeOptions kept;
-  kept.keep_tree = true;
+  for (const int threads : {2, 8}) {
+    check({.what = std::to_string(threads) + " threads",
+           .a = at(a),
+           .b = at(b),
+           .parallel = {.threads = threads}});
+  }
+}
+
+void expect_pairs(const Body& a, const Body& b, const Pairs& expected, const std::string& what,
+                  const OverlapOptions& options = {}, const Parallel& parallel = {}) {
+  const Overlap answer = overlap(a, b, options, parallel);
+  EXPECT_EQ(answer.any, !expected.empty()) << what;
+  EXPECT_EQ(answer.pairs, expected) << what;
+  EXPECT_EQ(answer.coverage, Coverage::complete) << what;
+}
+
+/// The pairs as the variation names them.
+Pairs renamed(const Pairs& pairs, const Variation& variation) {
+  Pairs result;
+  for (const auto& [i, j] : pairs) {
+    const TriangleId x = variation.place_a.empty() ? i : variation.place_a[i];
+    const TriangleId y = variation.place_b.empty() ? j : variation.place_b[j];
+    result.emplace_back(variation.exchanged ? TrianglePair(y, x) : TrianglePair(x, y));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+void vary_traversals(const Mesh& a, const Mesh& b, const Pairs& expected) {
+  const ShapeOptions kept{.keep_tree = true};
   const Body body_a{Shape(a, kept)};
   const Body body_b{Shape(b, kept)};
   for (const TraversalEntry& entry : traversals()) {
-    OverlapOptions options;
-    options.traversal.traversal = entry.traversal;
-    expect_pairs(body_a, body_b, expected, std::string(entry.name), options);
-  }
-  for (const int threads : {2, 8}) {
-    expect_pairs(body_a, body_b, expected, std::to_string(threads) + " threads", {}, threads);
+    expect_pairs(body_a, body_b, expected, std::string(entry.name),
+                 {.traversal = {.traversal = entry.traversal}});
   }
 }
 
@@ -179,9 +175,73 @@ void vary_modes(const Mesh& a, const Mesh& b, const Pairs& expected) {
   }
 }
 
-/// The case as pose 777 of 1000: the others only fill the batch.
 void vary_batch(const Mesh& a, const Mesh& b, const Pairs& expected) {
-  constexpr std::size_t kPlace = 777;
+  const std::vector<Pose> poses = poses_around(a);
+  for (const int threads : {1, 2}) {
+    const OverlapBatch batch = overlap(Shape(a), poses, Body(b), {}, {.threads = threads});
+    ASSERT_EQ(batch.size(), poses.size());
+    const auto pairs = batch.pairs_of(kPlaceInBatch);
+    EXPECT_EQ(Pairs(pairs.begin(), pairs.end()), expected) << "in a batch";
+    EXPECT_EQ(batch.any[kPlaceInBatch] != 0, !expected.empty()) << "in a batch";
+  }
+}
+
+/// What is true of the variation, given what is true of the case. Of equally near pairs a variation
+/// that renames may have another that is the least; the twin says which.
+PairTruth truth_for(const Variation& variation, const PairTruth& truth) {
+  if (variation.exchanged || !variation.place_a.empty()) {
+    PairTruth other = truth_of(variation.a, variation.b);
+    EXPECT_EQ(other.distance.distance, truth.distance.distance) << variation.what;
+    return other;
+  }
+  PairTruth scaled = truth;
+  Bracket& d = scaled.distance.distance;
+  d = {std::ldexp(d.lower, variation.exponent), std::ldexp(d.upper, variation.exponent)};
+  return scaled;
+}
+
+/// The rows about lengths, where their answers turn.
+void expect_near(const Variation& variation, const PairTruth& truth) {
+  for (const QueryRow& row : query_table()) {
+    if (!row.takes_length) {
+      continue;
+    }
+    for (const double length : lengths_around(row, truth.distance.distance)) {
+      const Answer answer =
+          row.ask(variation.a, variation.b, {.length = length}, variation.parallel);
+      EXPECT_EQ(row.fault(answer, truth, variation.a, variation.b, length), "")
+          << variation.what << ", " << row.name << " at " << length << ": " << row.text(answer);
+    }
+  }
+}
+
+void expect_near_in_batch(const Mesh& a, const Mesh& b, const PairTruth& truth) {
+  const Body x(a);
+  const Body y(b);
+  const std::vector<Pose> poses = poses_around(a);
+  for (const QueryRow& row : query_table()) {
+    for (const int threads : {1, 2}) {
+      const double length = truth.distance.distance.upper;
+      const BatchAnswer batch =
+          row.ask_batch(x.shape, poses, y, {.length = length}, {.threads = threads});
+      ASSERT_EQ(batch.answers.size(), poses.size());
+      const Answer& answer = batch.answers[kPlaceInBatch];
+      EXPECT_EQ(row.fault(answer, truth, x, y, length), "")
+          << "in a batch, " << row.name << ": " << row.text(answer);
+    }
+  }
+}
+
+}  // namespace
+
+void for_each_variation(const Mesh& a, const Mesh& b, const Check& check) {
+  check({.what = "as given", .a = at(a), .b = at(b)});
+  vary_vertices(a, b, check);
+  vary_order(a, b, check);
+  vary_machinery(a, b, check);
+}
+
+std::vector<Pose> poses_around(const Mesh& a) {
   const Vec3 size = bounds(a).extent();
   Rng rng(3);
   std::vector<Pose> poses(1000);
@@ -190,26 +250,17 @@ void vary_batch(const Mesh& a, const Mesh& b, const Pairs& expected) {
         rng.uniform(-3, 3),
         {size.x * rng.uniform(-1, 1), size.y * rng.uniform(-1, 1), size.z * rng.uniform(-1, 1)});
   }
-  poses[kPlace] = {};
-  for (const int threads : {1, 2}) {
-    Parallel parallel;
-    parallel.threads = threads;
-    const OverlapBatch batch = overlap(Shape(a), poses, Body(b), {}, parallel);
-    ASSERT_EQ(batch.size(), poses.size());
-    const auto pairs = batch.pairs_of(kPlace);
-    EXPECT_EQ(Pairs(pairs.begin(), pairs.end()), expected) << "in a batch";
-    EXPECT_EQ(batch.any[kPlace] != 0, !expected.empty()) << "in a batch";
-  }
+  poses[kPlaceInBatch] = {};
+  return poses;
 }
-
-}  // namespace
 
 std::vector<TrianglePair> overlap_under_variations(const Mesh& a, const Mesh& b) {
   Pairs expected = reference::overlap(a, {}, b, {}).pairs;
-  expect_pairs(Body(a), Body(b), expected, "as given");
-  vary_vertices(a, b, expected);
-  vary_order(a, b, expected);
-  vary_machinery(a, b, expected);
+  for_each_variation(a, b, [&](const Variation& variation) {
+    expect_pairs(variation.a, variation.b, renamed(expected, variation), variation.what, {},
+                 variation.parallel);
+  });
+  vary_traversals(a, b, expected);
   vary_modes(a, b, expected);
   vary_batch(a, b, expected);
   return expected;
@@ -217,6 +268,19 @@ std::vector<TrianglePair> overlap_under_variations(const Mesh& a, const Mesh& b)
 
 void expect_overlap(const Mesh& a, const Mesh& b, bool expected) {
   EXPECT_EQ(!overlap_under_variations(a, b).empty(), expected);
+}
+
+Distance distance_under_variations(const Mesh& a, const Mesh& b) {
+  const PairTruth truth = truth_of(Body(a), Body(b));
+  for_each_variation(a, b, [&](const Variation& variation) {
+    expect_near(variation, truth_for(variation, truth));
+  });
+  expect_near_in_batch(a, b, truth);
+  return truth.distance;
+}
+
+void expect_distance(const Mesh& a, const Mesh& b, const Bracket& expected) {
+  EXPECT_EQ(distance_under_variations(a, b).distance, expected);
 }
 
 }  // namespace soms::test

@@ -1,0 +1,154 @@
+// Two meshes of awkward numbers at awkward poses, by any rule in either layout: every question of
+// the table, at lengths at and beside the distance, against brute force.
+#include "soms/tree/rule/rules.h"
+#include "soms/tree/shape.h"
+
+#include "tests/fuzz/bytes.h"
+#include "tests/fuzz/poses.h"
+#include "tests/fuzz/require.h"
+#include "tests/support/query_table.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace soms {
+namespace {
+
+using fuzz::Bytes;
+using fuzz::require;
+
+/// How the coordinates of a mesh are drawn: a lattice makes features tie, powers of two mix all
+/// sizes, steps of the last place make near ties, and slivers are thin along one axis.
+struct Numbers {
+  explicit Numbers(Bytes& bytes)
+      : kind(bytes.below(4)),
+        unit(std::ldexp(1.0, static_cast<int>(bytes.below(120)) - 60)),
+        shift(bytes.below(4) == 0 ? std::ldexp(unit, static_cast<int>(bytes.below(50))) : 0),
+        thin(bytes.below(4)) {}
+
+  double coordinate(Bytes& bytes, std::uint32_t axis) const {
+    const double on_lattice = static_cast<double>(bytes.below(5)) - 1;
+    double x = 0;
+    switch (kind) {
+      case 0:
+        x = on_lattice;
+        break;
+      case 1:
+        x = std::ldexp(on_lattice, static_cast<int>(bytes.below(80)) - 60);
+        break;
+      case 2:
+        x = on_lattice + std::ldexp(static_cast<double>(bytes.below(7)) - 3, -52);
+        break;
+      default:
+        x = 4 * bytes.fraction();
+    }
+    return shift + unit * (axis == thin ? std::ldexp(x, -30) : x);
+  }
+
+  std::uint32_t kind;
+  double unit;
+  double shift;
+  std::uint32_t thin;
+};
+
+Mesh mesh_of(Bytes& bytes, const Numbers& numbers) {
+  constexpr std::uint32_t kMost = 12;
+  Mesh mesh;
+  const std::uint32_t triangles = bytes.below(kMost);
+  for (std::uint32_t i = 0; i < triangles; ++i) {
+    std::array<std::uint32_t, 3> corners = {};
+    for (std::uint32_t& corner : corners) {
+      const std::uint32_t choice = bytes.byte();
+      if (choice < 160 || mesh.vertices.empty()) {
+        Vec3 v;
+        for (std::uint32_t axis = 0; axis < 3; ++axis) {
+          v[axis] = numbers.coordinate(bytes, axis);
+        }
+        mesh.vertices.push_back(v);
+        corner = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+      } else {
+        corner = choice % static_cast<std::uint32_t>(mesh.vertices.size());
+      }
+    }
+    mesh.triangles.push_back(corners);
+  }
+  return mesh;
+}
+
+/// A pose, now and then off orthonormal by up to 9e-7, or far away.
+Pose awkward_pose_of(Bytes& bytes, double unit) {
+  Pose pose = fuzz::pose_of(bytes, unit);
+  const std::uint32_t change = bytes.below(8);
+  if (change < 2) {
+    const std::uint32_t from = bytes.below(3);
+    const std::uint32_t to = bytes.below(3);
+    const double off = (from == to ? 4.5e-7 : 9e-7) * bytes.fraction();
+    for (std::size_t row = 0; row < 3; ++row) {
+      pose.m[4 * row + to] += off * pose.m[4 * row + from];
+    }
+  } else if (change == 2) {
+    pose.m[4 * bytes.below(3) + 3] += std::ldexp(unit, static_cast<int>(bytes.below(64)));
+  } else if (change == 3) {
+    double& shift = pose.m[4 * bytes.below(3) + 3];
+    shift = std::nextafter(shift, bytes.below(2) == 0 ? -1e300 : 1e300);
+  }
+  return pose;
+}
+
+Shape shape_of(const Mesh& mesh, Bytes& bytes) {
+  const auto table = rules();
+  ShapeOptions options;
+  options.build.rule = table[bytes.below(static_cast<std::uint32_t>(table.size()))].rule;
+  options.build.per_leaf = static_cast<int>(1 + bytes.below(8));
+  options.layout = bytes.below(3) == 0 ? Layout::compact : Layout::wide;
+  return Shape(mesh, options);
+}
+
+/// What is wrong ends the program, with the question and the answer.
+void expect_right(const test::QueryRow& row, const test::Answer& answer,
+                  const test::PairTruth& truth, const Body& a, const Body& b, double length) {
+  const std::string fault = row.fault(answer, truth, a, b, length);
+  require(fault.empty(), (std::string(row.name) + ": " + fault + ": " + row.text(answer)).c_str());
+}
+
+void check_pair(const Body& a, const Body& b) {
+  const test::PairTruth truth = test::truth_of(a, b);
+  for (const test::QueryRow& row : test::query_table()) {
+    for (const double length : test::lengths_around(row, truth.distance.distance)) {
+      const test::RowOptions options{.length = length};
+      const test::Answer answer = row.ask(a, b, options, {});
+      expect_right(row, answer, truth, a, b, length);
+      const test::Answer threaded = row.ask(a, b, options, {.threads = 2});
+      require(row.promised(threaded) == row.promised(answer), "two threads");
+      require(test::cost_of(threaded) == test::cost_of(answer), "cost of two threads");
+      require(row.symmetric(row.ask(b, a, options, {}), true) == row.symmetric(answer, false),
+              "bodies exchanged");
+      const std::array poses{Pose(), a.pose, a.pose};
+      const test::BatchAnswer batch = row.ask_batch(a.shape, poses, b, options, {});
+      require(batch.answers[1] == answer && batch.answers[2] == answer, "a batch");
+    }
+  }
+}
+
+void check_input(Bytes& bytes) {
+  const Numbers first(bytes);
+  const Numbers second = bytes.below(2) == 0 ? first : Numbers(bytes);
+  const Shape a = shape_of(mesh_of(bytes, first), bytes);
+  const Shape b = shape_of(mesh_of(bytes, second), bytes);
+  for (std::uint32_t k = 0, count = 1 + bytes.below(3); k < count; ++k) {
+    const Body x(a, awkward_pose_of(bytes, first.unit));
+    check_pair(x, Body(b, awkward_pose_of(bytes, second.unit)));
+  }
+}
+
+}  // namespace
+}  // namespace soms
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  soms::fuzz::Bytes bytes({data, size});
+  soms::check_input(bytes);
+  return 0;
+}
