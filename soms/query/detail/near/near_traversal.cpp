@@ -44,6 +44,7 @@ NearTraversal<Source>::NearTraversal(const PairFrame& frame, NearPose& pose, Nea
       memory_(memory),
       x_(*frame.x().shape),
       y_(*frame.y().shape),
+      large_leaf_(frame.relative(), x_, y_),
       kernels_(kernels()) {
   pose_.set_limit(goal_.upper());
   best_estimate_ = pose_.limit();
@@ -99,6 +100,11 @@ template <class Source>
 void NearTraversal<Source>::open(const NodeRefPair& pair) {
   const WideNode& x = x_.node(index_of(pair.x));
   const WideNode& y = y_.node(index_of(pair.y));
+  if (is_lane(pair.x | pair.y) && !pose_.far() &&
+      pose_.limit() < std::numeric_limits<float>::infinity() &&
+      !large_leaf_.meets(pair, x, y, pose_.numbers().slack, cost_)) {
+    return;
+  }
   NodeTask& task = tasks_[task_count_];
   Opening& opening = openings_[task_count_++];
   task.pose = &pose_.numbers();
@@ -262,6 +268,7 @@ bool NearTraversal<Source>::empty_queue() {
 template <class Source>
 bool NearTraversal<Source>::look_at(const PairGaps& gaps, std::size_t begin, std::size_t count) {
   cost_.triangle_tests += count;
+  turn_filter(gaps, begin, count);
   std::size_t best = count;
   for (std::uint32_t left = gaps.near; left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
@@ -270,11 +277,8 @@ bool NearTraversal<Source>::look_at(const PairGaps& gaps, std::size_t begin, std
       best = i;
     }
   }
-  if (best != count) {
-    turn_filter(gaps, begin, best);
-    if (offer(memory_.leaves.ids(begin + best))) {
-      return true;
-    }
+  if (best != count && offer(memory_.leaves.ids(begin + best))) {
+    return true;
   }
   for (std::uint32_t left = gaps.near; left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
@@ -286,11 +290,19 @@ bool NearTraversal<Source>::look_at(const PairGaps& gaps, std::size_t begin, std
 }
 
 template <class Source>
-void NearTraversal<Source>::turn_filter(const PairGaps& gaps, std::size_t begin, std::size_t best) {
-  const float length = std::max(gaps.estimate[best], 0x1p-60F) * (1 + 0x1p-10F);
-  const float factor = (memory_.leaves.flipped(begin + best) ? -1 : 1) / length;
-  for (std::size_t i = 0; i < 3; ++i) {
-    filter_.direction[i] = gaps.line[i][best] * factor;
+void NearTraversal<Source>::turn_filter(const PairGaps& gaps, std::size_t begin,
+                                        std::size_t count) {
+  const auto first = gaps.estimate.begin();
+  const auto nearest = std::min_element(first, first + static_cast<std::ptrdiff_t>(count));
+  if (!(*nearest < turned_to_)) {
+    return;
+  }
+  turned_to_ = *nearest;
+  const auto i = static_cast<std::size_t>(nearest - first);
+  const float length = std::max(turned_to_, 0x1p-60F) * (1 + 0x1p-10F);
+  const float factor = (memory_.leaves.flipped(begin + i) ? -1 : 1) / length;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    filter_.direction[axis] = gaps.line[axis][i] * factor;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "soms/query/answer.h"
 #include "soms/query/detail/engine/block_source.h"
+#include "soms/query/detail/engine/large_leaf.h"
 #include "soms/query/detail/engine/limit.h"
 #include "soms/query/detail/kernels/kernels.h"
 #include "soms/query/detail/leaf_pairs.h"
@@ -74,6 +75,7 @@ class NearTraversal {
   /// Looks at the next pairs; false when the traversal is over.
   [[nodiscard]] bool step(Limit& limit);
 
+  /// Has the children of a pair bounded next, unless it is a leaf out of reach of a smaller node.
   void open(const NodeRefPair& pair);
   void push_children(std::size_t i);
 
@@ -82,8 +84,8 @@ class NearTraversal {
   [[nodiscard]] bool look_at_blocks(const TriangleBlock& x, const TriangleBlock& y);
   [[nodiscard]] bool empty_queue();
   [[nodiscard]] bool look_at(const PairGaps& gaps, std::size_t begin, std::size_t count);
-  /// Triangles are parted next along the line between those of the nearest pair.
-  void turn_filter(const PairGaps& gaps, std::size_t begin, std::size_t best);
+  /// Triangles are parted next along the line between those of the pair that seems nearest.
+  void turn_filter(const PairGaps& gaps, std::size_t begin, std::size_t count);
   [[nodiscard]] bool look_at_far(const TriangleBlock& x, const TriangleBlock& y);
   [[nodiscard]] bool offer(const TrianglePair& ids);
   [[nodiscard]] bool keep(const NearCandidate& candidate);
@@ -95,10 +97,12 @@ class NearTraversal {
   NearMemory& memory_;
   Source x_;
   Source y_;
+  LargeLeaf<Source> large_leaf_;
   const Kernels& kernels_;
   Cost cost_;
   float unfinished_ = std::numeric_limits<float>::infinity();
   float best_estimate_;
+  float turned_to_ = std::numeric_limits<float>::infinity();  // estimate of the filter's pair
   NearFilter filter_ = {0, {0, 0, 0}};
   std::array<NodeTask, kGroup> tasks_;
   std::array<Opening, kGroup> openings_;
