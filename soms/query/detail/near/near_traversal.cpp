@@ -196,8 +196,9 @@ bool NearTraversal<Source>::step(Limit& limit) {
   for (std::size_t i = 0; i < leaf_count; ++i) {
     complete_ = look_at_leaves(leaves[i].nodes, limit);
     if (complete_ || limit.late()) {
-      for (; i < leaf_count; ++i) {
-        unfinished_ = std::min(unfinished_, leaves[i].key);
+      // Triangles of the leaves before may still wait in the queue.
+      for (std::size_t k = 0; k < leaf_count; ++k) {
+        unfinished_ = std::min(unfinished_, leaves[k].key);
       }
       return false;
     }
