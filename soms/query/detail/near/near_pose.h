@@ -55,7 +55,8 @@ namespace soms::detail {
 class NearPose {
  public:
   explicit NearPose(PairFrame& frame);
-  NearPose(const NearPose&) = delete;
+  /// A copy has a limit of its own.
+  NearPose(const NearPose&) = default;
   NearPose& operator=(const NearPose&) = delete;
   ~NearPose() = default;
 

@@ -54,14 +54,69 @@ NearTraversal<Source>::NearTraversal(const PairFrame& frame, NearPose& pose, Nea
 }
 
 template <class Source>
-void NearTraversal<Source>::run(Limit& limit) {
-  start();
-  while (step(limit)) {
-    KeyedPairs& pairs = memory_.pairs;
-    if (!pairs.sorted() && pose_.limit() < std::numeric_limits<float>::infinity()) {
-      pairs.sort(pose_.far() ? pairs.least_left() : 0, pose_.limit());
+bool NearTraversal<Source>::run(Limit& limit, std::uint64_t steps) {
+  for (; steps != 0; --steps) {
+    if (!step(limit)) {
+      return true;
+    }
+    if (!memory_.pairs.sorted() && pose_.limit() < std::numeric_limits<float>::infinity()) {
+      sort();
     }
   }
+  return false;
+}
+
+template <class Source>
+void NearTraversal<Source>::sort() {
+  KeyedPairs& pairs = memory_.pairs;
+  pairs.sort(pose_.far() ? pairs.least_left() : 0, pose_.limit());
+}
+
+template <class Source>
+void NearTraversal<Source>::start_part(const NearTraversal& whole,
+                                       std::span<const KeyedPair> pairs) {
+  filter_ = whole.filter_;
+  turned_to_ = whole.turned_to_;
+  best_estimate_ = whole.best_estimate_;
+  for (const KeyedPair& pair : pairs) {
+    memory_.pairs.push(pair);
+  }
+  sort();
+}
+
+template <class Source>
+void NearTraversal<Source>::give(std::size_t count, std::vector<KeyedPair>& pairs) {
+  KeyedPair pair;
+  while (pairs.size() < count && memory_.pairs.pop(pose_.limit(), pair)) {
+    pairs.push_back(pair);
+  }
+}
+
+template <class Source>
+void NearTraversal<Source>::finish() {
+  // Either way nothing is left to be done.
+  static_cast<void>(empty_queue() || settle());
+  complete_ = true;
+}
+
+template <class Source>
+bool NearTraversal<Source>::take(const NearTraversal& part) {
+  cost_ += part.cost_;
+  unfinished_ = std::min(unfinished_, part.unfinished_);
+  for (const NearCandidate& candidate : part.memory_.candidates) {
+    unfinished_ = std::min(unfinished_, candidate.key);
+  }
+  KeyedPair pair;
+  while (part.memory_.pairs.pop(std::numeric_limits<float>::infinity(), pair)) {
+    memory_.pairs.push(pair);
+  }
+  if (part.turned_to_ < turned_to_) {
+    filter_ = part.filter_;
+    turned_to_ = part.turned_to_;
+  }
+  best_estimate_ = std::min(best_estimate_, part.best_estimate_);
+  complete_ = part.goal_.kept() && offer(*part.goal_.kept());
+  return complete_;
 }
 
 template <class Source>
@@ -178,9 +233,7 @@ bool NearTraversal<Source>::step(Limit& limit) {
     }
   }
   if (task_count_ + leaf_count == 0) {
-    // Either way nothing is left to be done.
-    static_cast<void>(empty_queue() || settle());
-    complete_ = true;
+    finish();
     return false;
   }
   if (pose_.far()) {

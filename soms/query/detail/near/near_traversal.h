@@ -15,6 +15,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace soms::detail {
@@ -44,11 +45,33 @@ class NearTraversal {
  public:
   NearTraversal(const PairFrame& frame, NearPose& pose, NearGoal& goal, NearMemory& memory);
 
-  /// Traverses until the end, or until the limit ends it.
-  void run(Limit& limit);
+  /// Begins at the roots, or, where it is known what is near, below that of y.
+  void start();
+
+  /// Begins, as a part of `whole`, at pairs that it gave away. \pre whole.sorted()
+  void start_part(const NearTraversal& whole, std::span<const KeyedPair> pairs);
+
+  /// Traverses until the end, until the limit ends it, or for so many steps; true unless steps are
+  /// left to be made.
+  [[nodiscard]] bool run(Limit& limit, std::uint64_t steps);
 
   /// Everything that mattered was offered to the goal.
   [[nodiscard]] bool complete() const { return complete_; }
+
+  /// Gives away up to `count` of the nearest pairs. \pre sorted()
+  void give(std::size_t count, std::vector<KeyedPair>& pairs);
+
+  /// Offers the goal what waits to be decided, after a part's `run` that time did not end.
+  void settle_part() { static_cast<void>(settle()); }
+
+  /// Ends a traversal that has no pairs left.
+  void finish();
+
+  /// Takes what a part found and what it left; true when the query is over.
+  [[nodiscard]] bool take(const NearTraversal& part);
+
+  /// A distance is known, and pairs wait by their distance.
+  [[nodiscard]] bool sorted() const { return memory_.pairs.sorted(); }
 
   /// Nothing that was left for want of time, nor what is beyond the goal's bound, is nearer than
   /// this in the world. \cost O(n) in what is left.
@@ -69,8 +92,7 @@ class NearTraversal {
     WideNode box = {};  // the box of all lanes of the node that is not
   };
 
-  /// Begins at the roots, or, where it is known what is near, below that of y.
-  void start();
+  void sort();
 
   /// Looks at the next pairs; false when the traversal is over.
   [[nodiscard]] bool step(Limit& limit);
