@@ -100,8 +100,8 @@ BlockTask task_of_blocks(const Seen& seen, const PoseNumbers& numbers) {
 
 /// From the triangle of x to that of y in y's axes, of length 1 as floats have it.
 std::array<float, 3> line_between(const Seen& seen) {
-  const TriangleDistance d = triangle_distance(detail::moved(seen.frame.x(), 0),
-                                               detail::moved(seen.frame.y(), 0));
+  const TriangleDistance d =
+      triangle_distance(detail::moved(seen.frame.x(), 0), detail::moved(seen.frame.y(), 0));
   const Vec3 way = d.point_b - d.point_a;
   const Pose& pose = *seen.frame.y().pose;
   std::array<double, 3> line{};
@@ -165,7 +165,8 @@ Gap random_gap(Rng& rng, double far) {
 Gap random_far_gap(Rng& rng, double far) {
   const double size_x = std::exp2(-rng.uniform(0, 8));
   const double size_y = std::exp2(-rng.uniform(0, 8));
-  const double length = 64 * (size_x + size_y) * std::exp2(rng.below(2) * rng.uniform(0, 30));
+  const double length =
+      64 * (size_x + size_y) * (rng.below(2) == 0 ? 1 : std::exp2(rng.uniform(0, 30)));
   return gap_of(rng, far, size_x, size_y, length);
 }
 
