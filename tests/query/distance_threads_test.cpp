@@ -22,38 +22,38 @@ constexpr int kTurns = 3;
 /// more steps than one that is not dealt out.
 struct Spheres {
   Shape inner;
-  Shape outer;
+  Body outer;
 
   explicit Spheres(Layout layout = Layout::wide)
       : inner(test::mapped(generate_sphere(20'000), [](const Vec3& v) { return 0.999 * v; }),
               {.layout = layout}),
-        outer(generate_sphere(20'000), {.layout = layout}) {}
+        outer(Shape(generate_sphere(20'000), {.layout = layout})) {}
 
   [[nodiscard]] Body turned(int turn) const {
-    return {inner, Pose::from_quaternion(std::cos(0.3 * turn), 0, 0, std::sin(0.3 * turn), {})};
+    return Body(inner, Pose::from_quaternion(std::cos(0.3 * turn), 0, 0, std::sin(0.3 * turn), {}));
   }
 };
 
 TEST(DistanceThreads, AnswersAndCostsAreThoseOfOneThread) {
   for (const Layout layout : {Layout::wide, Layout::compact}) {
     const Spheres spheres(layout);
-    const Body outer(spheres.outer);
     for (int turn = 1; turn <= kTurns; ++turn) {
       const Body inner = spheres.turned(turn);
-      const Distance one = distance(inner, outer);
+      const Distance one = distance(inner, spheres.outer);
       ASSERT_TRUE(one.triangles);
       EXPECT_GT(one.distance.lower, 0);
       const double d = one.distance.upper;
-      const Within near = within(inner, outer, d);
-      const Within far = within(inner, outer, std::nextafter(one.distance.lower, 0));
+      const Within near = within(inner, spheres.outer, d);
+      const Within far = within(inner, spheres.outer, std::nextafter(one.distance.lower, 0));
       EXPECT_TRUE(near.within);
       EXPECT_FALSE(far.within);
       for (const int threads : {2, 3, 8}) {
         SCOPED_TRACE(threads);
         const Parallel parallel{.threads = threads};
-        EXPECT_EQ(distance(inner, outer, {}, parallel), one);
-        EXPECT_EQ(within(inner, outer, d, {}, parallel), near);
-        EXPECT_EQ(within(inner, outer, std::nextafter(one.distance.lower, 0), {}, parallel), far);
+        EXPECT_EQ(distance(inner, spheres.outer, {}, parallel), one);
+        EXPECT_EQ(within(inner, spheres.outer, d, {}, parallel), near);
+        EXPECT_EQ(within(inner, spheres.outer, std::nextafter(one.distance.lower, 0), {}, parallel),
+                  far);
       }
     }
   }
@@ -61,17 +61,17 @@ TEST(DistanceThreads, AnswersAndCostsAreThoseOfOneThread) {
 
 // A small part of the spheres is dealt out, too: what one thread finds alone is the same.
 TEST(DistanceThreads, PartsFindWhatAWholeQueryFinds) {
-  const Mesh ball = generate_sphere(20'000);
   const Spheres spheres;
   const Distance whole = distance(spheres.turned(1), spheres.outer);
   ASSERT_TRUE(whole.triangles);
   EXPECT_GT(whole.cost.node_tests, 8192U * 16);  // beyond what is looked at alone
   // The nearest triangle by itself is asked without parts.
   const Mesh& inner = spheres.inner.mesh();
-  Mesh single = inner;
+  Mesh single;
+  single.vertices = inner.vertices;
   single.triangles = {inner.triangles[whole.triangles->first]};
   const Shape one(single);
-  const Distance alone = distance({one, spheres.turned(1).pose}, spheres.outer);
+  const Distance alone = distance(Body(one, spheres.turned(1).pose), spheres.outer);
   EXPECT_EQ(alone.distance, whole.distance);
   EXPECT_EQ(alone.triangles->second, whole.triangles->second);
 }
