@@ -18,6 +18,7 @@ set(SOMS_SOURCES
   crossing_segment.cpp
   defects.cpp
   detail/common_corners.cpp
+  detail/crossing.cpp
   detail/distance_ends.cpp
   detail/exact_distance.cpp
   detail/feature_proof.cpp

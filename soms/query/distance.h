@@ -64,9 +64,9 @@ struct Distance {
 /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose (checked in O(1)); usage as
 ///          `check(DistanceOptions)`; cancelled.
 /// \cost    Typically logarithmic in the triangle counts. Equally near pairs cost time, not memory.
-/// \threads Any number of callers; one query takes one thread, and of `parallel` only `stop`
-/// counts. \source  Larsen, Gottschalk, Lin and Manocha 2000 (distance by box hierarchies), Dial
-/// 1969
+/// \threads Any number of callers. A query that takes long is dealt out to as many threads as
+///          `parallel` says; most end before that pays.
+/// \source  Larsen, Gottschalk, Lin and Manocha 2000 (distance by box hierarchies), Dial 1969
 ///          (buckets).
 [[nodiscard]] Distance distance(const Body& a, const Body& b, const DistanceOptions& options = {},
                                 const Parallel& parallel = {});

@@ -40,6 +40,7 @@ set(SOMS_SOURCES
   detail/near/near_pose.cpp
   detail/near/near_query.cpp
   detail/near/near_traversal.cpp
+  detail/near/near_waves.cpp
   detail/overlap_traversal.cpp
   detail/pair_sort.cpp
   distance.cpp

@@ -47,8 +47,7 @@ struct Within {
 ///
 /// \errors  As `distance`; ErrorKind::usage for a clearance that is negative or not a number.
 /// \cost    At most that of `distance`, as a rule far less.
-/// \threads Any number of callers; one query takes one thread, and of `parallel` only `stop`
-/// counts.
+/// \threads As `distance`.
 [[nodiscard]] Within within(const Body& a, const Body& b, double clearance,
                             const WithinOptions& options = {}, const Parallel& parallel = {});
 

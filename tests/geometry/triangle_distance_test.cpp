@@ -203,6 +203,26 @@ TEST(TriangleDistance, NamesTheMiddleOfWhatIsInCommon) {
   EXPECT_EQ(found, (TriangleDistance{{0, 0}, {0, 0, 0}, {0, 0, 0}}));
 }
 
+// Edges that cross at an angle of 2^-2 to 2^-26, and corners above faces as thin.
+TEST(TriangleDistance, NamesPointsOfNearlyParallelEdgesAndThinFaces) {
+  test::for_each_case("triangle-distance/thin", 3000, [](Rng& rng) {
+    const auto any = [&] {
+      return Vec3{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
+    };
+    const double angle = std::exp2(-rng.uniform(2, 26));
+    const Vec3 edge = any();
+    const Vec3 turned = edge + angle * any();
+    const Vec3 up = rng.unit() * Vec3{-edge.y, edge.x, 0};
+    const Vec3 p = any();
+    const Triangle thin{p - edge, p + edge, p + turned - up * angle};
+    const Triangle other = rng.below(2) == 0
+                               ? Triangle{p + up - turned, p + up + turned, p + 2 * up}
+                               : Triangle{p + up, p + 2 * up + any(), p + 3 * up};
+    expect_right_points(thin, other, triangle_distance(thin, other));
+    expect_right_points(other, thin, triangle_distance(other, thin));
+  });
+}
+
 TEST(TriangleDistance, TakesTrianglesWithoutAreaAsSegmentsAndPoints) {
   const Triangle segment{{0, 0, 0}, {4, 0, 0}, {1, 0, 0}};
   const Triangle point = at_point({1, 3, 4});

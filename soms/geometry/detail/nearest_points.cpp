@@ -1,6 +1,7 @@
 #include "soms/geometry/detail/nearest_points.h"
 
 #include "soms/geometry/detail/common_corners.h"
+#include "soms/geometry/detail/crossing.h"
 #include "soms/geometry/detail/distance_ends.h"
 #include "soms/geometry/detail/double_double.h"
 #include "soms/geometry/detail/exact_distance.h"
@@ -95,6 +96,9 @@ std::array<Vec3, 2> nearest_points(const Triangle& a, const Triangle& b) {
   const FeaturePair guess = guess_features(a, b);
   if (prove(a, b, guess).steady) {
     return single_points(a, b, guess);
+  }
+  if (const std::optional<Vec3> middle = crossing_middle(a, b)) {
+    return {*middle, *middle};
   }
   const ExactPair pair(a, b);
   std::optional<IntegerVec> n;

@@ -3,7 +3,6 @@
 #include "soms/query/detail/engine/node_id.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/single_box_descent.h"
-#include "soms/query/detail/triangle_tests.h"
 
 #include <algorithm>
 #include <bit>
@@ -34,10 +33,6 @@ constexpr std::size_t kBlocks = Source::kInPlace ? TraversalRound::kEach : 1;
 /// Pairs descended with the nearest of their children first. It halves the way to a hit; a
 /// traversal that has found none by then mostly finds none.
 constexpr std::size_t kOrdered = 24;
-
-float longest(const std::array<float, 3>& half) {
-  return std::max({half[0], half[1], half[2]});
-}
 
 std::size_t lowest(std::uint32_t bits) {
   return static_cast<std::size_t>(std::countr_zero(bits));
@@ -75,6 +70,7 @@ OverlapTraversal<Source>::OverlapTraversal(PairFrame& frame, OverlapMode mode,
       leaves_(frame, memory.leaves),
       x_(*frame.x().shape),
       y_(*frame.y().shape),
+      large_leaf_(relative_, x_, y_),
       grid_y_(frame.y().layout().min_max_grid()),
       kernels_(kernels()),
       nearest_first_(mode == OverlapMode::any),
@@ -144,44 +140,6 @@ void OverlapTraversal<Source>::push(const NodeTask& task) {
 }
 
 template <class Source>
-bool OverlapTraversal<Source>::large_leaf_meets(const NodeRefPair& pair, const WideNode& x,
-                                                const WideNode& y) {
-  Relation relation;
-  if (is_lane(pair.x)) {
-    const std::uint32_t lane = lane_of(pair.x);
-    const float size = longest({x.half[0][lane], x.half[1][lane], x.half[2][lane]});
-    return size * relative_.ratio() <= y.l1_radius ||
-           any_block(x_, x.child[lane], [&](const TriangleBlock& block) {
-             relative_.relate(block, y, relation);
-             return box_against_x(relation, block, y.own_half()) != 0;
-           });
-  }
-  const std::uint32_t lane = lane_of(pair.y);
-  const float size = longest({y.half[0][lane], y.half[1][lane], y.half[2][lane]});
-  return size <= x.l1_radius * relative_.ratio() ||
-         any_block(y_, y.child[lane], [&](const TriangleBlock& block) {
-           relative_.relate(x, block, relation);
-           return box_against_y(relation, x.own_half(), block) != 0;
-         });
-}
-
-template <class Source>
-template <class Meets>
-bool OverlapTraversal<Source>::any_block(Source& source, std::uint32_t token, const Meets& meets) {
-  for (;; token = source.next(token)) {
-    const TriangleBlock& block = source.block(token);
-    cost_.node_tests += block.count;
-    ++scanned_;
-    if (meets(block)) {
-      return true;
-    }
-    if (block.following == 0) {
-      return false;
-    }
-  }
-}
-
-template <class Source>
 void OverlapTraversal<Source>::gather_nodes(TraversalRound& round) {
   PairList& node_ids = memory_.node_ids;
   const std::size_t taken = std::min(group_of<Source>(descended_), node_ids.size());
@@ -204,10 +162,11 @@ void OverlapTraversal<Source>::gather_nodes(TraversalRound& round) {
                                               (1U << count) - 1, 0,  0};
         continue;
       }
-      if (!large_leaf_meets(pair, x, y)) {
+      if (!large_leaf_.meets(pair, x, y, numbers.slack, cost_)) {
         continue;
       }
-    } else if (!Source::kInPlace && is_lane(pair.x | pair.y) && !large_leaf_meets(pair, x, y)) {
+    } else if (!Source::kInPlace && is_lane(pair.x | pair.y) &&
+               !large_leaf_.meets(pair, x, y, numbers.slack, cost_)) {
       // To write out what lies below the node would cost more than this look.
       continue;
     }
@@ -255,7 +214,6 @@ bool OverlapTraversal<Source>::gather(TraversalRound& round) {
   node_begin_ = round.node_count;
   larger_begin_ = round.larger_count;
   block_begin_ = round.block_count;
-  scanned_ = 0;
   if (!memory_.blocks.empty()) {
     gather_blocks(round);
   } else if (!memory_.node_ids.empty()) {
@@ -290,7 +248,8 @@ bool OverlapTraversal<Source>::take_up(const TraversalRound& round, Collector& c
                      cost_)) {
     return false;
   }
-  return !limit.spend(1 + node_count_ + larger_count_ + 2 * block_count_ + scanned_);
+  return !limit.spend(1 + node_count_ + larger_count_ + 2 * block_count_ +
+                      large_leaf_.take_scanned());
 }
 
 template <class Source>

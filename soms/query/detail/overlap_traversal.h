@@ -5,6 +5,7 @@
 #include "soms/query/answer.h"
 #include "soms/query/detail/collector.h"
 #include "soms/query/detail/engine/block_source.h"
+#include "soms/query/detail/engine/large_leaf.h"
 #include "soms/query/detail/engine/limit.h"
 #include "soms/query/detail/engine/pair_list.h"
 #include "soms/query/detail/kernels/kernels.h"
@@ -97,14 +98,6 @@ class OverlapTraversal {
   /// Pushes the lanes of the larger node that met.
   void push(const NodeTask& task);
 
-  /// False if a leaf that is larger than a node has no triangle near it.
-  [[nodiscard]] bool large_leaf_meets(const NodeRefPair& pair, const WideNode& x,
-                                      const WideNode& y);
-
-  /// Whether `meets` holds for a block of the leaf that begins with `token`.
-  template <class Meets>
-  [[nodiscard]] bool any_block(Source& source, std::uint32_t token, const Meets& meets);
-
   /// Pops a pair of blocks. Of a run of blocks it gives the first and leaves the rest.
   [[nodiscard]] NodeRefPair take_blocks();
 
@@ -112,6 +105,7 @@ class OverlapTraversal {
   LeafPairs leaves_;
   Source x_;
   Source y_;
+  LargeLeaf<Source> large_leaf_;
   const layout::MinMaxGrid& grid_y_;
   const Kernels& kernels_;
   bool nearest_first_;
@@ -124,7 +118,6 @@ class OverlapTraversal {
   std::size_t larger_count_ = 0;
   std::size_t block_begin_ = 0;
   std::size_t block_count_ = 0;
-  std::size_t scanned_ = 0;  // blocks of leaves larger than a node, in this round
 };
 
 extern template class OverlapTraversal<WideSource>;

@@ -27,6 +27,7 @@ bool NearestGoal::offer(const TrianglePair& ids, Cost& cost) {
     cost.exact_tests += here.exact_tests();
     nearest_ = here;
     triangles_ = pair;
+    keep(ids, true);
     return true;
   }
   bool nearer = true;
@@ -42,6 +43,7 @@ bool NearestGoal::offer(const TrianglePair& ids, Cost& cost) {
   if (nearer) {
     nearest_ = here;
     triangles_ = pair;
+    keep(ids, false);
     upper_ = std::min(upper_, here.bounds().upper);
   }
   return false;
@@ -56,6 +58,7 @@ bool WithinGoal::offer(const TrianglePair& ids, Cost& cost) {
   if (within) {
     found_ = here;
     triangles_ = pair;
+    keep(ids, true);
   }
   return within;
 }

@@ -8,6 +8,7 @@
 #include "soms/query/detail/engine/pair_frame.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 
 namespace soms::detail {
@@ -27,14 +28,31 @@ class NearGoal {
   /// Takes a triangle of x and one of y; true when the query is over.
   [[nodiscard]] virtual bool offer(const TrianglePair& ids, Cost& cost) = 0;
 
+  /// The same goal, with nothing offered yet, for a part of what is left: what does not matter to
+  /// this one by now does not matter to it.
+  [[nodiscard]] virtual std::unique_ptr<NearGoal> for_part() const = 0;
+
+  /// The pair of x and y that was kept of those offered, if any.
+  [[nodiscard]] const std::optional<TrianglePair>& kept() const { return kept_; }
+
+  /// The kept pair ended the query.
+  [[nodiscard]] bool over() const { return over_; }
+
  protected:
   [[nodiscard]] const PairFrame& frame() const { return *frame_; }
 
   /// The caller's first triangle and the second of a pair of x and y.
   [[nodiscard]] PairDistance measure(const TrianglePair& ids) const;
 
+  void keep(const TrianglePair& ids, bool over) {
+    kept_ = ids;
+    over_ = over;
+  }
+
  private:
   const PairFrame* frame_;
+  std::optional<TrianglePair> kept_;
+  bool over_ = false;
 };
 
 /// The nearest pair, the least (i, j) of equally near ones, unless all are beyond `at_most`.
@@ -47,6 +65,10 @@ class NearestGoal final : public NearGoal {
 
   /// Over at the first pair that overlaps.
   [[nodiscard]] bool offer(const TrianglePair& ids, Cost& cost) override;
+
+  [[nodiscard]] std::unique_ptr<NearGoal> for_part() const override {
+    return std::make_unique<NearestGoal>(frame(), upper_);
+  }
 
   /// `triangles` overlap; they need not be the least pair that does.
   [[nodiscard]] bool touching() const { return touching_; }
@@ -72,6 +94,10 @@ class WithinGoal final : public NearGoal {
   [[nodiscard]] double upper() const override { return clearance_; }
 
   [[nodiscard]] bool offer(const TrianglePair& ids, Cost& cost) override;
+
+  [[nodiscard]] std::unique_ptr<NearGoal> for_part() const override {
+    return std::make_unique<WithinGoal>(frame(), clearance_);
+  }
 
   [[nodiscard]] const std::optional<TrianglePair>& triangles() const { return triangles_; }
 

@@ -138,7 +138,7 @@ NearPose::NearPose(PairFrame& frame)
     base_ = apart;
     const double extent =
         moved_extent(*x_.pose, tree_x.bounds()) + moved_extent(*y_.pose, tree_y.bounds());
-    slack_ = (kFarRounding * extent + 0x1p-1064) * scale_ + 0x1p-100;
+    slack_ = kFarRounding * extent * scale_ + 0x1p-100;
   }
   set_limit(std::numeric_limits<double>::infinity());
 }

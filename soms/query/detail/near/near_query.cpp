@@ -2,16 +2,32 @@
 
 #include "soms/base/error.h"
 #include "soms/query/detail/engine/limit.h"
+#include "soms/query/detail/near/near_waves.h"
+
+#include <cstdint>
 
 namespace soms::detail {
 
 namespace {
 
+/// Steps of a query that is not worth parts: about 10 ms.
+constexpr std::uint64_t kWholeSteps = 8192;
+
 template <class Source>
-NearEnd traverse(PairFrame& frame, NearPose& pose, NearGoal& goal, Limit& limit,
-                 NearMemory& memory) {
+NearEnd traverse(PairFrame& frame, NearGoal& goal,
+                 std::optional<std::chrono::steady_clock::time_point> deadline,
+                 const Parallel& parallel, NearMemory& memory) {
+  NearPose pose(frame);
   NearTraversal<Source> traversal(frame, pose, goal, memory);
-  traversal.run(limit);
+  Limit limit(deadline, parallel);
+  traversal.start();
+  bool ended = traversal.run(limit, kWholeSteps);
+  while (!ended && !traversal.sorted()) {
+    ended = traversal.run(limit, kWholeSteps);
+  }
+  if (!ended) {
+    NearWaves<Source>(frame, pose, goal).run(traversal, deadline, parallel);
+  }
   return {traversal.complete(), traversal.at_least(), traversal.cost()};
 }
 
@@ -20,11 +36,9 @@ NearEnd traverse(PairFrame& frame, NearPose& pose, NearGoal& goal, Limit& limit,
 NearEnd pursue(PairFrame& frame, NearGoal& goal,
                std::optional<std::chrono::steady_clock::time_point> deadline,
                const Parallel& parallel, NearMemory& memory) {
-  Limit limit(deadline, parallel);
-  NearPose pose(frame);
   return any_compact(*frame.x().shape, *frame.y().shape)
-             ? traverse<CompactSource>(frame, pose, goal, limit, memory)
-             : traverse<WideSource>(frame, pose, goal, limit, memory);
+             ? traverse<CompactSource>(frame, goal, deadline, parallel, memory)
+             : traverse<WideSource>(frame, goal, deadline, parallel, memory);
 }
 
 NearBatch::NearBatch(const Shape& mover, const Body& fixed)

@@ -44,6 +44,7 @@ NearTraversal<Source>::NearTraversal(const PairFrame& frame, NearPose& pose, Nea
       memory_(memory),
       x_(*frame.x().shape),
       y_(*frame.y().shape),
+      large_leaf_(frame.relative(), x_, y_),
       kernels_(kernels()) {
   pose_.set_limit(goal_.upper());
   best_estimate_ = pose_.limit();
@@ -53,14 +54,69 @@ NearTraversal<Source>::NearTraversal(const PairFrame& frame, NearPose& pose, Nea
 }
 
 template <class Source>
-void NearTraversal<Source>::run(Limit& limit) {
-  start();
-  while (step(limit)) {
-    KeyedPairs& pairs = memory_.pairs;
-    if (!pairs.sorted() && pose_.limit() < std::numeric_limits<float>::infinity()) {
-      pairs.sort(pose_.far() ? pairs.least_left() : 0, pose_.limit());
+bool NearTraversal<Source>::run(Limit& limit, std::uint64_t steps) {
+  for (; steps != 0; --steps) {
+    if (!step(limit)) {
+      return true;
+    }
+    if (!memory_.pairs.sorted() && pose_.limit() < std::numeric_limits<float>::infinity()) {
+      sort();
     }
   }
+  return false;
+}
+
+template <class Source>
+void NearTraversal<Source>::sort() {
+  KeyedPairs& pairs = memory_.pairs;
+  pairs.sort(pose_.far() ? pairs.least_left() : 0, pose_.limit());
+}
+
+template <class Source>
+void NearTraversal<Source>::start_part(const NearTraversal& whole,
+                                       std::span<const KeyedPair> pairs) {
+  filter_ = whole.filter_;
+  turned_to_ = whole.turned_to_;
+  best_estimate_ = whole.best_estimate_;
+  for (const KeyedPair& pair : pairs) {
+    memory_.pairs.push(pair);
+  }
+  sort();
+}
+
+template <class Source>
+void NearTraversal<Source>::give(std::size_t count, std::vector<KeyedPair>& pairs) {
+  KeyedPair pair;
+  while (pairs.size() < count && memory_.pairs.pop(pose_.limit(), pair)) {
+    pairs.push_back(pair);
+  }
+}
+
+template <class Source>
+void NearTraversal<Source>::finish() {
+  // Either way nothing is left to be done.
+  static_cast<void>(empty_queue() || settle());
+  complete_ = true;
+}
+
+template <class Source>
+bool NearTraversal<Source>::take(const NearTraversal& part) {
+  cost_ += part.cost_;
+  unfinished_ = std::min(unfinished_, part.unfinished_);
+  for (const NearCandidate& candidate : part.memory_.candidates) {
+    unfinished_ = std::min(unfinished_, candidate.key);
+  }
+  KeyedPair pair;
+  while (part.memory_.pairs.pop(std::numeric_limits<float>::infinity(), pair)) {
+    memory_.pairs.push(pair);
+  }
+  if (part.turned_to_ < turned_to_) {
+    filter_ = part.filter_;
+    turned_to_ = part.turned_to_;
+  }
+  best_estimate_ = std::min(best_estimate_, part.best_estimate_);
+  complete_ = part.goal_.kept() && offer(*part.goal_.kept());
+  return complete_;
 }
 
 template <class Source>
@@ -99,6 +155,11 @@ template <class Source>
 void NearTraversal<Source>::open(const NodeRefPair& pair) {
   const WideNode& x = x_.node(index_of(pair.x));
   const WideNode& y = y_.node(index_of(pair.y));
+  if (is_lane(pair.x | pair.y) && !pose_.far() &&
+      pose_.limit() < std::numeric_limits<float>::infinity() &&
+      !large_leaf_.meets(pair, x, y, pose_.numbers().slack, cost_)) {
+    return;
+  }
   NodeTask& task = tasks_[task_count_];
   Opening& opening = openings_[task_count_++];
   task.pose = &pose_.numbers();
@@ -172,9 +233,7 @@ bool NearTraversal<Source>::step(Limit& limit) {
     }
   }
   if (task_count_ + leaf_count == 0) {
-    // Either way nothing is left to be done.
-    static_cast<void>(empty_queue() || settle());
-    complete_ = true;
+    finish();
     return false;
   }
   if (pose_.far()) {
@@ -190,8 +249,9 @@ bool NearTraversal<Source>::step(Limit& limit) {
   for (std::size_t i = 0; i < leaf_count; ++i) {
     complete_ = look_at_leaves(leaves[i].nodes, limit);
     if (complete_ || limit.late()) {
-      for (; i < leaf_count; ++i) {
-        unfinished_ = std::min(unfinished_, leaves[i].key);
+      // Triangles of the leaves before may still wait in the queue.
+      for (std::size_t k = 0; k < leaf_count; ++k) {
+        unfinished_ = std::min(unfinished_, leaves[k].key);
       }
       return false;
     }
@@ -262,6 +322,7 @@ bool NearTraversal<Source>::empty_queue() {
 template <class Source>
 bool NearTraversal<Source>::look_at(const PairGaps& gaps, std::size_t begin, std::size_t count) {
   cost_.triangle_tests += count;
+  turn_filter(gaps, begin, count);
   std::size_t best = count;
   for (std::uint32_t left = gaps.near; left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
@@ -270,11 +331,8 @@ bool NearTraversal<Source>::look_at(const PairGaps& gaps, std::size_t begin, std
       best = i;
     }
   }
-  if (best != count) {
-    turn_filter(gaps, begin, best);
-    if (offer(memory_.leaves.ids(begin + best))) {
-      return true;
-    }
+  if (best != count && offer(memory_.leaves.ids(begin + best))) {
+    return true;
   }
   for (std::uint32_t left = gaps.near; left != 0; left &= left - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(left));
@@ -286,11 +344,19 @@ bool NearTraversal<Source>::look_at(const PairGaps& gaps, std::size_t begin, std
 }
 
 template <class Source>
-void NearTraversal<Source>::turn_filter(const PairGaps& gaps, std::size_t begin, std::size_t best) {
-  const float length = std::max(gaps.estimate[best], 0x1p-60F) * (1 + 0x1p-10F);
-  const float factor = (memory_.leaves.flipped(begin + best) ? -1 : 1) / length;
-  for (std::size_t i = 0; i < 3; ++i) {
-    filter_.direction[i] = gaps.line[i][best] * factor;
+void NearTraversal<Source>::turn_filter(const PairGaps& gaps, std::size_t begin,
+                                        std::size_t count) {
+  const auto first = gaps.estimate.begin();
+  const auto nearest = std::min_element(first, first + static_cast<std::ptrdiff_t>(count));
+  if (!(*nearest < turned_to_)) {
+    return;
+  }
+  turned_to_ = *nearest;
+  const auto i = static_cast<std::size_t>(nearest - first);
+  const float length = std::max(turned_to_, 0x1p-60F) * (1 + 0x1p-10F);
+  const float factor = (memory_.leaves.flipped(begin + i) ? -1 : 1) / length;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    filter_.direction[axis] = gaps.line[axis][i] * factor;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "soms/query/answer.h"
 #include "soms/query/detail/engine/block_source.h"
+#include "soms/query/detail/engine/large_leaf.h"
 #include "soms/query/detail/engine/limit.h"
 #include "soms/query/detail/kernels/kernels.h"
 #include "soms/query/detail/leaf_pairs.h"
@@ -14,6 +15,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace soms::detail {
@@ -43,11 +45,33 @@ class NearTraversal {
  public:
   NearTraversal(const PairFrame& frame, NearPose& pose, NearGoal& goal, NearMemory& memory);
 
-  /// Traverses until the end, or until the limit ends it.
-  void run(Limit& limit);
+  /// Begins at the roots, or, where it is known what is near, below that of y.
+  void start();
+
+  /// Begins, as a part of `whole`, at pairs that it gave away. \pre whole.sorted()
+  void start_part(const NearTraversal& whole, std::span<const KeyedPair> pairs);
+
+  /// Traverses until the end, until the limit ends it, or for so many steps; true unless steps are
+  /// left to be made.
+  [[nodiscard]] bool run(Limit& limit, std::uint64_t steps);
 
   /// Everything that mattered was offered to the goal.
   [[nodiscard]] bool complete() const { return complete_; }
+
+  /// Gives away up to `count` of the nearest pairs. \pre sorted()
+  void give(std::size_t count, std::vector<KeyedPair>& pairs);
+
+  /// Offers the goal what waits to be decided, after a part's `run` that time did not end.
+  void settle_part() { static_cast<void>(settle()); }
+
+  /// Ends a traversal that has no pairs left.
+  void finish();
+
+  /// Takes what a part found and what it left; true when the query is over.
+  [[nodiscard]] bool take(const NearTraversal& part);
+
+  /// A distance is known, and pairs wait by their distance.
+  [[nodiscard]] bool sorted() const { return memory_.pairs.sorted(); }
 
   /// Nothing that was left for want of time, nor what is beyond the goal's bound, is nearer than
   /// this in the world. \cost O(n) in what is left.
@@ -68,12 +92,12 @@ class NearTraversal {
     WideNode box = {};  // the box of all lanes of the node that is not
   };
 
-  /// Begins at the roots, or, where it is known what is near, below that of y.
-  void start();
+  void sort();
 
   /// Looks at the next pairs; false when the traversal is over.
   [[nodiscard]] bool step(Limit& limit);
 
+  /// Has the children of a pair bounded next, unless it is a leaf out of reach of a smaller node.
   void open(const NodeRefPair& pair);
   void push_children(std::size_t i);
 
@@ -82,8 +106,8 @@ class NearTraversal {
   [[nodiscard]] bool look_at_blocks(const TriangleBlock& x, const TriangleBlock& y);
   [[nodiscard]] bool empty_queue();
   [[nodiscard]] bool look_at(const PairGaps& gaps, std::size_t begin, std::size_t count);
-  /// Triangles are parted next along the line between those of the nearest pair.
-  void turn_filter(const PairGaps& gaps, std::size_t begin, std::size_t best);
+  /// Triangles are parted next along the line between those of the pair that seems nearest.
+  void turn_filter(const PairGaps& gaps, std::size_t begin, std::size_t count);
   [[nodiscard]] bool look_at_far(const TriangleBlock& x, const TriangleBlock& y);
   [[nodiscard]] bool offer(const TrianglePair& ids);
   [[nodiscard]] bool keep(const NearCandidate& candidate);
@@ -95,10 +119,12 @@ class NearTraversal {
   NearMemory& memory_;
   Source x_;
   Source y_;
+  LargeLeaf<Source> large_leaf_;
   const Kernels& kernels_;
   Cost cost_;
   float unfinished_ = std::numeric_limits<float>::infinity();
   float best_estimate_;
+  float turned_to_ = std::numeric_limits<float>::infinity();  // estimate of the filter's pair
   NearFilter filter_ = {0, {0, 0, 0}};
   std::array<NodeTask, kGroup> tasks_;
   std::array<Opening, kGroup> openings_;

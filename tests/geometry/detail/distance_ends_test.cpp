@@ -1,0 +1,73 @@
+// Bounds of distances where least is left of what they grant, and where products underflow.
+#include "soms/geometry/detail/distance_ends.h"
+
+#include "soms/geometry/detail/exact_distance.h"
+#include "soms/geometry/detail/feature_proof.h"
+#include "soms/geometry/detail/nearest_guess.h"
+#include "soms/geometry/triangle_distance.h"
+
+#include "tests/support/distance_truth.h"
+#include "tests/support/support.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace soms::detail {
+namespace {
+
+/// Two triangles about the z-axis whose sides are `thin` across it, and about 1 apart.
+std::array<Triangle, 2> thin_pair(Rng& rng, double thin) {
+  const auto side = [&] { return thin * rng.uniform(-1, 1); };
+  const auto at = [&](double z) { return Vec3{side(), side(), z}; };
+  const Triangle a{{0, 0, 0}, at(side()), at(side())};
+  return {a, {at(1), at(1), at(1)}};
+}
+
+template <class T>
+void expect_bounds(const std::array<Triangle, 2>& pair, const Bracket& distance) {
+  const AboutCorner<T> place(pair[0], pair[1]);
+  ASSERT_EQ(place.exponent, 0);
+  for (const FeaturePair& features : kFeaturePairs) {
+    const Ends<T> found = ends(place, features);
+    ASSERT_LE(DoubleDouble(found.lower).high, distance.upper);
+    ASSERT_GE(DoubleDouble(found.upper).high, distance.lower);
+  }
+}
+
+// Products of edges are directions of any size, down to nothing.
+TEST(DistanceEnds, HoldAlongTinyDirections) {
+  test::for_each_case("distance-ends/tiny", 1500, [](Rng& rng) {
+    const std::array<Triangle, 2> pair = thin_pair(rng, std::exp2(-rng.uniform(100, 540)));
+    const Bracket distance = triangle_distance(pair[0], pair[1]).distance;
+    ASSERT_NO_FATAL_FAILURE(expect_bounds<double>(pair, distance));
+    ASSERT_NO_FATAL_FAILURE(expect_bounds<DoubleDouble>(pair, distance));
+  });
+}
+
+Triangle scaled_by(const Triangle& t, int power) {
+  const double factor = std::ldexp(1.0, power);
+  return {t.a * factor, t.b * factor, t.c * factor};
+}
+
+// Products of two to four lengths underflow, more or less of them.
+TEST(FeatureProof, AgreesWithWholeNumbersWhereProductsUnderflow) {
+  const std::vector<test::TriangleDistanceRow>& rows = test::triangle_distances();
+  const std::size_t step = std::max<std::size_t>(1, rows.size() / 300);
+  for (std::size_t i = 0; i < rows.size(); i += step) {
+    SCOPED_TRACE(rows[i].kind + ", row " + std::to_string(i));
+    for (const int power : {-178, -214, -262, -266, -268, -352, -356, -358, -534, -538}) {
+      const Triangle a = scaled_by(rows[i].a, power);
+      const Triangle b = scaled_by(rows[i].b, power);
+      const ExactPair pair(a, b);
+      for (const FeaturePair& features : kFeaturePairs) {
+        ASSERT_TRUE(!prove(a, b, features).nearest || pair.squared_distance(features)) << power;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace soms::detail

@@ -1,0 +1,114 @@
+// Long queries of nearness in parts, on any number of threads.
+#include "soms/base/error.h"
+#include "soms/generate/shapes.h"
+#include "soms/query/distance.h"
+#include "soms/query/within.h"
+
+#include "tests/support/bodies.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <stop_token>
+
+namespace soms {
+namespace {
+
+constexpr int kTurns = 3;
+
+/// A sphere inside another: all of it is nearly as near as the nearest, so that a query takes far
+/// more steps than one that is not dealt out.
+struct Spheres {
+  Shape inner;
+  Body outer;
+
+  explicit Spheres(Layout layout = Layout::wide)
+      : inner(test::mapped(generate_sphere(20'000), [](const Vec3& v) { return 0.999 * v; }),
+              {.layout = layout}),
+        outer(Shape(generate_sphere(20'000), {.layout = layout})) {}
+
+  [[nodiscard]] Body turned(int turn) const {
+    return Body(inner, Pose::from_quaternion(std::cos(0.3 * turn), 0, 0, std::sin(0.3 * turn), {}));
+  }
+};
+
+TEST(DistanceThreads, AnswersAndCostsAreThoseOfOneThread) {
+  for (const Layout layout : {Layout::wide, Layout::compact}) {
+    const Spheres spheres(layout);
+    for (int turn = 1; turn <= kTurns; ++turn) {
+      const Body inner = spheres.turned(turn);
+      const Distance one = distance(inner, spheres.outer);
+      ASSERT_TRUE(one.triangles);
+      EXPECT_GT(one.distance.lower, 0);
+      const double d = one.distance.upper;
+      const Within near = within(inner, spheres.outer, d);
+      const Within far = within(inner, spheres.outer, std::nextafter(one.distance.lower, 0));
+      EXPECT_TRUE(near.within);
+      EXPECT_FALSE(far.within);
+      for (const int threads : {2, 3, 8}) {
+        SCOPED_TRACE(threads);
+        const Parallel parallel{.threads = threads};
+        EXPECT_EQ(distance(inner, spheres.outer, {}, parallel), one);
+        EXPECT_EQ(within(inner, spheres.outer, d, {}, parallel), near);
+        EXPECT_EQ(within(inner, spheres.outer, std::nextafter(one.distance.lower, 0), {}, parallel),
+                  far);
+      }
+    }
+  }
+}
+
+// A small part of the spheres is dealt out, too: what one thread finds alone is the same.
+TEST(DistanceThreads, PartsFindWhatAWholeQueryFinds) {
+  const Spheres spheres;
+  const Distance whole = distance(spheres.turned(1), spheres.outer);
+  ASSERT_TRUE(whole.triangles);
+  EXPECT_GT(whole.cost.node_tests, 8192U * 16);  // beyond what is looked at alone
+  // The nearest triangle by itself is asked without parts.
+  const Mesh& inner = spheres.inner.mesh();
+  Mesh single;
+  single.vertices = inner.vertices;
+  single.triangles = {inner.triangles[whole.triangles->first]};
+  const Shape one(single);
+  const Distance alone = distance(Body(one, spheres.turned(1).pose), spheres.outer);
+  EXPECT_EQ(alone.distance, whole.distance);
+  EXPECT_EQ(alone.triangles->second, whole.triangles->second);
+}
+
+// Wherever a deadline ends it, a bound holds the distance.
+TEST(DistanceThreads, ADeadlineLeavesABracketThatHolds) {
+  const Spheres spheres;
+  const Body inner = spheres.turned(1);
+  const Distance whole = distance(inner, spheres.outer);
+  for (const int threads : {1, 2}) {
+    for (std::int64_t us = 0; us < 60'000; us = us * 2 + 500) {
+      const auto deadline = std::chrono::steady_clock::now() + std::chrono::microseconds(us);
+      const Distance cut =
+          distance(inner, spheres.outer, {.deadline = deadline}, {.threads = threads});
+      EXPECT_LE(cut.distance.lower, whole.distance.lower);
+      EXPECT_GE(cut.distance.upper, whole.distance.upper);
+      const Within near =
+          within(inner, spheres.outer, whole.distance.upper * 2,
+                 {.deadline = std::chrono::steady_clock::now() + std::chrono::microseconds(us)},
+                 {.threads = threads});
+      EXPECT_TRUE(near.within || near.at_least <= whole.distance.lower);
+    }
+  }
+}
+
+TEST(DistanceThreads, AStopEndsAllParts) {
+  const Spheres spheres;
+  std::stop_source source;
+  source.request_stop();
+  try {
+    static_cast<void>(
+        distance(spheres.turned(1), spheres.outer, {}, {.threads = 2, .stop = source.get_token()}));
+    ADD_FAILURE() << "not cancelled";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::cancelled);
+  }
+}
+
+}  // namespace
+}  // namespace soms

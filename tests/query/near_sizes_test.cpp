@@ -1,0 +1,71 @@
+// A small body beside a large one: near it, beyond its size, and where poses round to more than
+// either.
+#include "soms/generate/shapes.h"
+
+#include "tests/query/overlap_inputs.h"
+#include "tests/support/bodies.h"
+#include "tests/support/query_table.h"
+#include "tests/support/support.h"
+
+#include <cmath>
+
+namespace soms {
+namespace {
+
+/// Distance and clearance at every length that is worth it, from either side.
+void expect_true_of_both(const Body& a, const Body& b) {
+  for (const bool exchanged : {false, true}) {
+    const Body& first = exchanged ? b : a;
+    const Body& second = exchanged ? a : b;
+    const test::PairTruth truth = test::truth_of(first, second);
+    for (const test::QueryRow& row : test::query_table()) {
+      for (const double length : test::lengths_around(row, truth.distance.distance)) {
+        const test::Answer answer = row.ask(first, second, {.length = length}, {});
+        ASSERT_EQ(row.fault(answer, truth, first, second, length), "")
+            << row.name << " at " << length << ": " << row.text(answer);
+      }
+    }
+  }
+}
+
+/// A ball of about 1, and one a thousandth to a tenth of it.
+test::Two ball_and_small_one(Rng& rng, double distance, std::uint64_t triangles) {
+  const double size = std::exp2(-rng.uniform(4, 10));
+  const Mesh ball = generate_sphere(triangles);
+  const Mesh small = test::placed(generate_sphere(24), size, {});
+  const Vec3 way{rng.uniform(-1, 1), rng.uniform(-1, 1), 1};
+  const Pose pose = test::moving(test::awkward_rotation(rng), {},
+                                 way * ((1 + size + distance) / std::sqrt(dot(way, way))));
+  return {Body(small, pose), Body(ball, test::awkward_rotation(rng))};
+}
+
+TEST(NearSizes, ASmallBodyNearALargeOneAnswersAsBruteForce) {
+  test::for_each_case("near-sizes/near", 40, [](Rng& rng) {
+    const test::Two two = ball_and_small_one(rng, std::exp2(-rng.uniform(2, 16)), 360);
+    ASSERT_NO_FATAL_FAILURE(expect_true_of_both(two.a, two.b));
+  });
+}
+
+TEST(NearSizes, ASmallBodyFarFromALargeOneAnswersAsBruteForce) {
+  test::for_each_case("near-sizes/far", 20, [](Rng& rng) {
+    const test::Two two = ball_and_small_one(rng, std::exp2(rng.uniform(6, 30)), 360);
+    ASSERT_NO_FATAL_FAILURE(expect_true_of_both(two.a, two.b));
+  });
+}
+
+// Nothing is known of distances then but what is decided exactly.
+TEST(NearSizes, BodiesThatRoundingOutweighsAnswerAsBruteForce) {
+  test::for_each_case("near-sizes/rounding", 20, [](Rng& rng) {
+    const double place = std::exp2(rng.uniform(90, 290));
+    const test::Two two = ball_and_small_one(rng, 1, 24);
+    Pose far = two.a.pose;
+    far.m[3] = place;
+    far.m[7] = rng.below(2) == 0 ? 0 : place * std::exp2(-rng.uniform(0, 60));
+    Pose other = two.b.pose;
+    other.m[3] = rng.below(2) == 0 ? place : place * (1 + 0x1p-50);
+    ASSERT_NO_FATAL_FAILURE(expect_true_of_both(Body(two.a.shape, far), Body(two.b.shape, other)));
+  });
+}
+
+}  // namespace
+}  // namespace soms
