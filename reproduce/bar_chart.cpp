@@ -15,15 +15,9 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr double kPlotHeight = 320;
-constexpr double kTextSize = 14;
-constexpr double kValueSize = 13;
-constexpr double kLegendRow = 24;
 constexpr double kThickest = 64;
 constexpr double kLyingBar = 19;
-constexpr double kMostNameWidth = 210;
-constexpr std::string_view kGrid = "class=\"grid\" stroke=\"#e3e3e0\" stroke-width=\"1\"";
-constexpr std::string_view kAxis = "class=\"axis\" stroke=\"#6b6f74\" stroke-width=\"1.2\"";
+constexpr double kMostBarNameWidth = 210;
 
 void check(const BarChart& chart) {
   const auto refuse = [&](const std::string& what) {
@@ -95,7 +89,7 @@ class BarDrawing {
     }
     const double base = value_at(chart_.y_scale == Scale::log ? axis_.low() : 0);
     svg_.line(lying_ ? Spot{base, plot_.top} : Spot{plot_.left, base},
-              lying_ ? Spot{base, plot_.bottom()} : Spot{plot_.right(), base}, kAxis);
+              lying_ ? Spot{base, plot_.bottom()} : Spot{plot_.right(), base}, kAxisLine);
     return svg_.document();
   }
 
@@ -119,9 +113,9 @@ class BarDrawing {
       }
     }
     return std::all_of(chart_.groups.begin(), chart_.groups.end(), [&](const std::string& name) {
-      const std::vector<std::string> lines = wrapped(name, kTextSize, slot - 6);
+      const std::vector<std::string> lines = wrapped(name, kNameSize, slot - 6);
       return lines.size() <= 3 && std::all_of(lines.begin(), lines.end(), [&](const auto& line) {
-               return text_width(line, kTextSize) <= slot - 6;
+               return text_width(line, kNameSize) <= slot - 6;
              });
     });
   }
@@ -136,7 +130,7 @@ class BarDrawing {
     std::vector<Entry> entries;
     Entry next{0, kChartMargin};
     for (const Bars& bars : chart_.bars) {
-      const double width = text_width(bars.name, kTextSize) + 42;
+      const double width = text_width(bars.name, kNameSize) + 42;
       if (next.x > kChartMargin && next.x + width > kChartWidth - kChartMargin) {
         next = {next.row + 1, kChartMargin};
       }
@@ -155,8 +149,8 @@ class BarDrawing {
   }
 
   [[nodiscard]] std::vector<std::string> name_lines(std::size_t group) const {
-    return wrapped(chart_.groups[group], kTextSize,
-                   lying_ ? kMostNameWidth : plot_.width / groups() - 6);
+    return wrapped(chart_.groups[group], kNameSize,
+                   lying_ ? kMostBarNameWidth : plot_.width / groups() - 6);
   }
 
   [[nodiscard]] Plot make_plot() const {
@@ -168,14 +162,14 @@ class BarDrawing {
     double labels = 0;
     if (lying_) {
       for (const std::string& name : chart_.groups) {
-        for (const std::string& line : wrapped(name, kTextSize, kMostNameWidth)) {
-          labels = std::max(labels, text_width(line, kTextSize));
+        for (const std::string& line : wrapped(name, kNameSize, kMostBarNameWidth)) {
+          labels = std::max(labels, text_width(line, kNameSize));
         }
       }
       plot.height = groups() * (series() * kLyingBar + 16);
     } else {
       for (const Tick& tick : axis_.ticks()) {
-        labels = std::max(labels, text_width(tick.label, kTextSize));
+        labels = std::max(labels, text_width(tick.label, kNameSize));
       }
       plot.height = kPlotHeight;
     }
@@ -192,7 +186,7 @@ class BarDrawing {
     for (std::size_t group = 0; group < chart_.groups.size(); ++group) {
       lines = std::max(lines, name_lines(group).size());
     }
-    return plot_.bottom() + 16 + 1.25 * kTextSize * static_cast<double>(lines);
+    return plot_.bottom() + 16 + 1.25 * kNameSize * static_cast<double>(lines);
   }
 
   /// Pixel of a value along the bars.
@@ -226,7 +220,7 @@ class BarDrawing {
     for (std::size_t k = 0; k < chart_.bars.size(); ++k) {
       const double y = heading_.height() + kLegendRow * static_cast<double>(legend_rows_[k].row);
       fill_bar(k, {legend_rows_[k].x, y}, 20, 13);
-      svg_.text({legend_rows_[k].x + 26, y + 12}, chart_.bars[k].name, {.size = kTextSize});
+      svg_.text({legend_rows_[k].x + 26, y + 12}, chart_.bars[k].name, {.size = kNameSize});
     }
   }
 
@@ -238,13 +232,13 @@ class BarDrawing {
     for (const Tick& tick : axis_.ticks()) {
       const double along = value_at(tick.value);
       if (lying_) {
-        svg_.line({along, plot_.top}, {along, plot_.bottom()}, kGrid);
+        svg_.line({along, plot_.top}, {along, plot_.bottom()}, kGridLine);
         svg_.text({along, plot_.bottom() + 19}, tick.label,
-                  {.size = kTextSize, .anchor = Anchor::middle, .faint = true});
+                  {.size = kNameSize, .anchor = Anchor::middle, .faint = true});
       } else {
-        svg_.line({plot_.left, along}, {plot_.right(), along}, kGrid);
+        svg_.line({plot_.left, along}, {plot_.right(), along}, kGridLine);
         svg_.text({plot_.left - 8, along + 5}, tick.label,
-                  {.size = kTextSize, .anchor = Anchor::end, .faint = true});
+                  {.size = kNameSize, .anchor = Anchor::end, .faint = true});
       }
     }
     if (lying_ && !chart_.y_label.empty()) {
@@ -257,11 +251,11 @@ class BarDrawing {
     const std::vector<std::string> lines = name_lines(group);
     if (lying_) {
       const double middle = plot_.top + slot() * (static_cast<double>(group) + 0.5);
-      const double first = middle + 5 - 0.625 * kTextSize * static_cast<double>(lines.size() - 1);
-      svg_.lines({plot_.left - 8, first}, lines, {.size = kTextSize, .anchor = Anchor::end});
+      const double first = middle + 5 - 0.625 * kNameSize * static_cast<double>(lines.size() - 1);
+      svg_.lines({plot_.left - 8, first}, lines, {.size = kNameSize, .anchor = Anchor::end});
     } else {
       svg_.lines({plot_.left + slot() * (static_cast<double>(group) + 0.5), plot_.bottom() + 20},
-                 lines, {.size = kTextSize, .anchor = Anchor::middle});
+                 lines, {.size = kNameSize, .anchor = Anchor::middle});
     }
   }
 

@@ -22,12 +22,12 @@ namespace {
 constexpr std::size_t kBetweenReadings = 4000;
 constexpr std::size_t kMostBuilds = 4;
 
-constexpr int kWarmUp = 4;
+constexpr int kUncountedBuilds = 4;
 
-constexpr std::array kRules{Rule::spatial_median, Rule::soms};
+constexpr std::array kRacedRules{Rule::spatial_median, Rule::soms};
 
 /// A build that can be run again and again.
-struct Runner {
+struct RacedBuilder {
   BuildOptions options = {};
   std::optional<NeutralBuilder> neutral = {};  ///< none for the library's builder
   Tree tree = {};
@@ -35,8 +35,8 @@ struct Runner {
   void run(const Mesh& mesh) { tree = neutral ? neutral->build(mesh) : build(mesh, options); }
 };
 
-Runner runner_of(Builder builder, const BuildOptions& options) {
-  Runner runner{.options = options};
+RacedBuilder runner_of(Builder builder, const BuildOptions& options) {
+  RacedBuilder runner{.options = options};
   if (builder != Builder::library) {
     runner.neutral.emplace(
         builder == Builder::in_place ? NeutralWay::in_place : NeutralWay::thesis_like, options);
@@ -44,10 +44,10 @@ Runner runner_of(Builder builder, const BuildOptions& options) {
   return runner;
 }
 
-std::vector<Runner> runners_of(const RaceTask& task) {
-  std::vector<Runner> runners;
+std::vector<RacedBuilder> runners_of(const RaceTask& task) {
+  std::vector<RacedBuilder> runners;
   for (const Builder builder : kBuilders) {
-    for (const Rule rule : kRules) {
+    for (const Rule rule : kRacedRules) {
       BuildOptions options = thesis_options(rule, task.level);
       options.empty_side = task.empty_side;
       runners.push_back(runner_of(builder, options));
@@ -131,23 +131,23 @@ std::string_view fallback_words(EmptySide empty_side) {
 }
 
 bool has_empty_sides(const Model& model, int level, const Parallel& parallel) {
-  return std::any_of(kRules.begin(), kRules.end(), [&](Rule rule) {
+  return std::any_of(kRacedRules.begin(), kRacedRules.end(), [&](Rule rule) {
     return counts_of(*model.mesh, rule, level, {}, parallel).undividable > 0;
   });
 }
 
 std::size_t race_steps(int rounds) {
-  return static_cast<std::size_t>(rounds) + kWarmUp;
+  return static_cast<std::size_t>(rounds) + kUncountedBuilds;
 }
 
 std::vector<Race> race(const RaceTask& task, int rounds, Steps& steps) {
   const Mesh& mesh = *task.model->mesh;
   const std::size_t builds = std::clamp<std::size_t>(
       kBetweenReadings / std::max<std::size_t>(1, mesh.triangles.size()), 1, kMostBuilds);
-  std::vector<Runner> runners = runners_of(task);
+  std::vector<RacedBuilder> runners = runners_of(task);
   std::vector<std::function<void()>> works;
   works.reserve(runners.size() + 1);
-  for (Runner& runner : runners) {
+  for (RacedBuilder& runner : runners) {
     works.emplace_back([&runner, &mesh, builds] {
       for (std::size_t i = 0; i < builds; ++i) {
         runner.run(mesh);
@@ -155,18 +155,18 @@ std::vector<Race> race(const RaceTask& task, int rounds, Steps& steps) {
     });
   }
   works.emplace_back([&steps] { steps.done_one(); });
-  const std::vector<Timing> timings = time_in_turn(rounds, steps.quiet(), works, kWarmUp);
+  const std::vector<Timing> timings = time_in_turn(rounds, steps.quiet(), works, kUncountedBuilds);
   std::vector<Race> races;
   for (std::size_t b = 0; b < kBuilders.size(); ++b) {
     Race& one = races.emplace_back(
         Race{task.model, task.level, task.empty_side, kBuilders[b], RaceHalf{}, RaceHalf{}});
     for (const std::size_t r : {std::size_t{0}, std::size_t{1}}) {
-      const std::size_t i = kRules.size() * b + r;
-      Runner& runner = runners[i];
-      RaceHalf& racer = kRules[r] == Rule::soms ? one.soms : one.spatial_median;
+      const std::size_t i = kRacedRules.size() * b + r;
+      RacedBuilder& runner = runners[i];
+      RaceHalf& racer = kRacedRules[r] == Rule::soms ? one.soms : one.spatial_median;
       racer.counts = statistics(runner.tree, runner.options);
       // A neutral builder tells for the library's, too: its last pair is that of `in_place`.
-      const Runner& counted = runners[runners.size() - kRules.size() + r];
+      const RacedBuilder& counted = runners[runners.size() - kRacedRules.size() + r];
       racer.work = runner.neutral ? runner.neutral->work()
                                   : BuildWork{.compared = counted.neutral->work().compared};
       racer.timing = per_build(timings[i], builds);

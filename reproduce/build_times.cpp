@@ -16,12 +16,6 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kBuilt{"model", "rule", "level", "nodes"};
-
-/// Last, so that a reader meets the times before them.
-constexpr std::array<std::string_view, 5> kOptions{"triangles", "origin", "midpoint", "axis_from",
-                                                   "empty_side"};
-
 /// Models of more triangles are larger than the thesis' and are built less often.
 constexpr std::size_t kLarge = 10'000;
 
@@ -113,7 +107,7 @@ std::vector<TimedBuild> time_builds(const Model& model, std::span<const Contende
 }
 
 Table time_table(std::string id, std::string caption, std::span<const TimedBuild> builds) {
-  Table table{std::move(id), std::move(caption), columns_of(kBuilt), {}};
+  Table table{std::move(id), std::move(caption), columns_of(kBuildColumns), {}};
   table.columns.push_back({"builds"});
   for (const char* const name :
        {"median", "lower_quartile", "upper_quartile", "mean", "min", "deviation", "low", "high"}) {
@@ -122,11 +116,11 @@ Table time_table(std::string id, std::string caption, std::span<const TimedBuild
   table.columns.push_back({"mean_per_node", "us", ColumnKind::timed});
   table.columns.push_back({"median_per_node", "us", ColumnKind::timed});
   table.columns.push_back({"above_spatial_median", "%", ColumnKind::timed});
-  const std::vector<Column> last = columns_of(kOptions);
+  const std::vector<Column> last = columns_of(kBuildOptionColumns);
   table.columns.insert(table.columns.end(), last.begin(), last.end());
   for (const TimedBuild& one : builds) {
     const Timing& t = one.timing;
-    std::vector<Cell> row = cells_of(one.counted, kBuilt);
+    std::vector<Cell> row = cells_of(one.counted, kBuildColumns);
     row.emplace_back(std::int64_t{t.repetitions});
     for (const double ms :
          {t.median, t.lower_quartile, t.upper_quartile, t.mean, t.min, t.deviation}) {
@@ -138,7 +132,7 @@ Table time_table(std::string id, std::string caption, std::span<const TimedBuild
     row.push_back(per_node(one, t.mean));
     row.push_back(per_node(one, t.median));
     row.push_back(above(one, base_of(one, builds)));
-    const std::vector<Cell> options = cells_of(one.counted, kOptions);
+    const std::vector<Cell> options = cells_of(one.counted, kBuildOptionColumns);
     row.insert(row.end(), options.begin(), options.end());
     table.rows.push_back(std::move(row));
   }

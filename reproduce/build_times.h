@@ -7,6 +7,7 @@
 #include "reproduce/steps.h"
 #include "reproduce/timing.h"
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -21,6 +22,13 @@ inline constexpr std::string_view kWhoseTimes =
     "midpoints for all of them, and gives spatial median one more pass over each node for the "
     "outer box. What is the rule's own and what the builder's, the items claim-build-8-percent and "
     "claim-build-city tell apart.";
+
+/// Columns of a timed build, before its times.
+inline constexpr std::array<std::string_view, 4> kBuildColumns{"model", "rule", "level", "nodes"};
+
+/// Last, so that a reader meets the times before them.
+inline constexpr std::array<std::string_view, 5> kBuildOptionColumns{
+    "triangles", "origin", "midpoint", "axis_from", "empty_side"};
 
 /// A build, what it counted and how long it took.
 struct TimedBuild {

@@ -17,13 +17,10 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr double kPlotHeight = 320;
 constexpr double kTickSize = 14;
 constexpr double kSwatch = 26;
 constexpr double kNameWidth = 170;
 constexpr std::size_t kMostMarkers = 40;
-constexpr std::string_view kGrid = "class=\"grid\" stroke=\"#e3e3e0\" stroke-width=\"1\"";
-constexpr std::string_view kAxis = "class=\"axis\" stroke=\"#6b6f74\" stroke-width=\"1.2\"";
 
 [[noreturn]] void refuse(const std::string& chart, const std::string& what) {
   throw Error(ErrorKind::usage, "chart \"" + chart + "\": " + what, "correct the chart's data");
@@ -173,14 +170,14 @@ class LineDrawing {
   void draw_grid() {
     for (const Tick& tick : y_.ticks()) {
       const double y = spot(x_.low(), tick.value).y;
-      svg_.line({plot_.left, y}, {plot_.right(), y}, kGrid);
+      svg_.line({plot_.left, y}, {plot_.right(), y}, kGridLine);
       svg_.text({plot_.left - 8, y + 5}, tick.label,
                 {.size = kTickSize, .anchor = Anchor::end, .faint = true});
     }
     double clear_from = 0;
     for (const Tick& tick : x_.ticks()) {
       const double x = spot(tick.value, y_.low()).x;
-      svg_.line({x, plot_.bottom()}, {x, plot_.bottom() + 5}, kAxis);
+      svg_.line({x, plot_.bottom()}, {x, plot_.bottom() + 5}, kAxisLine);
       const double half = text_width(tick.label, kTickSize) / 2;
       if (x - half < clear_from) {
         continue;
@@ -189,7 +186,7 @@ class LineDrawing {
       svg_.text({x, plot_.bottom() + 21}, tick.label,
                 {.size = kTickSize, .anchor = Anchor::middle, .faint = true});
     }
-    svg_.line({plot_.left, plot_.bottom()}, {plot_.right(), plot_.bottom()}, kAxis);
+    svg_.line({plot_.left, plot_.bottom()}, {plot_.right(), plot_.bottom()}, kAxisLine);
     if (!chart_.x_label.empty()) {
       svg_.text({plot_.left + plot_.width / 2, plot_.bottom() + 44}, chart_.x_label,
                 {.size = kLabelSize, .anchor = Anchor::middle, .faint = true});

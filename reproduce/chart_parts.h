@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace soms::reproduce {
@@ -15,6 +16,14 @@ inline constexpr double kChartWidth = 720;
 inline constexpr double kChartMargin = 14;
 inline constexpr double kTitleSize = 18;
 inline constexpr double kLabelSize = 14.5;
+inline constexpr double kNameSize = 14;
+inline constexpr double kValueSize = 13;
+inline constexpr double kPlotHeight = 320;
+inline constexpr double kLegendRow = 24;
+inline constexpr std::string_view kGridLine =
+    "class=\"grid\" stroke=\"#e3e3e0\" stroke-width=\"1\"";
+inline constexpr std::string_view kAxisLine =
+    "class=\"axis\" stroke=\"#6b6f74\" stroke-width=\"1.2\"";
 
 /// The part of the page where data are drawn.
 struct Plot {

@@ -202,10 +202,10 @@ std::vector<std::string> subjects_of(const Claim& claim) {
 }
 
 std::vector<std::vector<const ClaimRow*>> lines_of(const Claim& claim) {
-  using Line = std::vector<const ClaimRow*>;
-  std::vector<Line> lines;
+  using ClaimLine = std::vector<const ClaimRow*>;
+  std::vector<ClaimLine> lines;
   for (const ClaimRow& row : claim.rows) {
-    const auto line = std::find_if(lines.begin(), lines.end(), [&](const Line& other) {
+    const auto line = std::find_if(lines.begin(), lines.end(), [&](const ClaimLine& other) {
       return other[0]->metric == row.metric && other[0]->reading == row.reading &&
              other[0]->demand.above == row.demand.above &&
              other[0]->demand.below == row.demand.below;

@@ -18,7 +18,7 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::array kShares{0.001, 0.01, 0.1};
+constexpr std::array kCubeShares{0.001, 0.01, 0.1};
 
 Box cube(const Vec3& center, const Vec3& size) {
   const Vec3 half = 0.5 * size;
@@ -77,8 +77,8 @@ ExpectedVisits mean_visits(const Tree& tree, std::span<const Box> queries) {
 }
 
 /// What can be counted. The tree is dropped afterwards, the shape is kept for the timing.
-Measured count(const Shape& shape, const ComparedBuild& build, const Workload& workload,
-               const Parallel& parallel) {
+Measured measure(const Shape& shape, const ComparedBuild& build, const Workload& workload,
+                 const Parallel& parallel) {
   const Tree tree = soms::build(shape.mesh(), build.build, parallel);
   Measured m{
       .build = build,
@@ -95,13 +95,13 @@ Measured count(const Shape& shape, const ComparedBuild& build, const Workload& w
   return m;
 }
 
-OverlapBatch ask(const Workload& workload, const Shape& shape, OverlapMode mode,
-                 const Parallel& parallel) {
+OverlapBatch ask_all(const Workload& workload, const Shape& shape, OverlapMode mode,
+                     const Parallel& parallel) {
   return overlap(workload.mover, workload.poses, Body(shape), {.mode = mode}, parallel);
 }
 
-void time_builds(std::vector<Measured>& measured, const std::shared_ptr<const Mesh>& mesh,
-                 int repetitions, const Parallel& parallel) {
+void time_compared(std::vector<Measured>& measured, const std::shared_ptr<const Mesh>& mesh,
+                   int repetitions, const Parallel& parallel) {
   std::vector<std::function<void()>> works;
   for (const Measured& m : measured) {
     works.emplace_back(
@@ -124,7 +124,7 @@ void time_queries(std::vector<Measured>& measured, const std::vector<Shape>& sha
     works.reserve(shapes.size());
     for (const Shape& shape : shapes) {
       works.emplace_back([&shape, &workload, mode, &parallel] {
-        static_cast<void>(ask(workload, shape, mode, parallel));
+        static_cast<void>(ask_all(workload, shape, mode, parallel));
       });
     }
     const std::vector<Timing> timings = time_in_turn(repetitions, parallel, works, 1);
@@ -162,7 +162,7 @@ Workload make_workload(const Mesh& mesh, const Mesh& mover, std::string mover_na
   const Box whole = bounds(mesh);
   Rng rng(mesh.triangles.size());
   Workload workload;
-  for (const double share : kShares) {
+  for (const double share : kCubeShares) {
     // Large cubes look at a large part of the tree each, so fewer will do.
     const int count = share < 0.1 ? cubes : std::max(1, cubes / 5);
     workload.cubes.push_back(draw_cubes(mesh, whole, share, count, rng));
@@ -188,15 +188,15 @@ Compared compare(const Model& model, std::span<const ComparedBuild> builds,
   std::vector<Shape> shapes;
   for (const ComparedBuild& build : builds) {
     shapes.emplace_back(model.mesh, ShapeOptions{.build = build.build}, alone);
-    Measured& m = compared.builds.emplace_back(count(shapes.back(), build, workload, alone));
-    const OverlapBatch any = ask(workload, shapes.back(), OverlapMode::any, alone);
-    const OverlapBatch all = ask(workload, shapes.back(), OverlapMode::all, alone);
+    Measured& m = compared.builds.emplace_back(measure(shapes.back(), build, workload, alone));
+    const OverlapBatch any = ask_all(workload, shapes.back(), OverlapMode::any, alone);
+    const OverlapBatch all = ask_all(workload, shapes.back(), OverlapMode::all, alone);
     m.any = any.cost;
     m.all = all.cost;
     m.hits = static_cast<std::uint64_t>(std::count(all.any.begin(), all.any.end(), 1));
     m.pairs = all.pairs.size();
   }
-  time_builds(compared.builds, model.mesh, repetitions, alone);
+  time_compared(compared.builds, model.mesh, repetitions, alone);
   time_queries(compared.builds, shapes, workload, repetitions, alone);
   return compared;
 }

@@ -13,7 +13,7 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr ColumnKind kTimed = ColumnKind::timed;
+constexpr ColumnKind kTimedColumn = ColumnKind::timed;
 
 Cell whole(std::uint64_t n) {
   return static_cast<std::int64_t>(n);
@@ -71,12 +71,12 @@ Table trees_table(const std::string& prefix, std::span<const Compared> models) {
                           {"sah_cost"},
                           {"tree", "bytes/triangle"},
                           {"layout", "bytes/triangle"},
-                          {"build", "ms", kTimed},
-                          {"build_low", "ms", kTimed},
-                          {"build_high", "ms", kTimed},
-                          {"build_rate", "million triangles/s", kTimed},
-                          {"shape", "ms", kTimed},
-                          {"shape_rate", "million triangles/s", kTimed}}};
+                          {"build", "ms", kTimedColumn},
+                          {"build_low", "ms", kTimedColumn},
+                          {"build_high", "ms", kTimedColumn},
+                          {"build_rate", "million triangles/s", kTimedColumn},
+                          {"shape", "ms", kTimedColumn},
+                          {"shape_rate", "million triangles/s", kTimedColumn}}};
   for (const Compared& c : models) {
     for (const Measured& m : c.builds) {
       table.rows.push_back({c.model, m.build.rule, m.build.options, whole(m.counts.nodes),
@@ -131,8 +131,8 @@ Table queries_table(const std::string& prefix, std::span<const Compared> models)
                           {"any_box_tests"},
                           {"all_box_tests"},
                           {"all_triangle_tests"},
-                          {"any", "us", kTimed},
-                          {"all", "us", kTimed}}};
+                          {"any", "us", kTimedColumn},
+                          {"all", "us", kTimedColumn}}};
   for (const Compared& c : models) {
     for (const Measured& m : c.builds) {
       table.rows.push_back(
@@ -163,17 +163,17 @@ double looks_over_sah(const Compared& c, std::string_view rule) {
 }
 
 /// A build with the product's options that the figures show.
-struct Shown {
+struct ShownBuild {
   std::string_view rule;
   std::string_view title;
 };
 
-constexpr std::array kShown{Shown{"spatial_median", "spatial median, goes on"},
-                            Shown{"soms", "SOMS"},
-                            Shown{"soms_sah", "SOMS with a second look"},
-                            Shown{"fast", "library's fast"},
-                            Shown{"quality", "library's quality"},
-                            Shown{"sah", "SAH"}};
+constexpr std::array kShown{ShownBuild{"spatial_median", "spatial median, goes on"},
+                            ShownBuild{"soms", "SOMS"},
+                            ShownBuild{"soms_sah", "SOMS with a second look"},
+                            ShownBuild{"fast", "library's fast"},
+                            ShownBuild{"quality", "library's quality"},
+                            ShownBuild{"sah", "SAH"}};
 
 std::vector<std::string> names(std::span<const Compared> models) {
   std::vector<std::string> all;
@@ -207,7 +207,7 @@ Excess excess(std::span<const Compared> models, std::string_view rule) {
   return e;
 }
 
-std::string sentence(std::string_view title, const Excess& e) {
+std::string excess_sentence(std::string_view title, const Excess& e) {
   if (e.where_least == e.where_greatest) {
     return fmt::format("{} looks at {:+.0f} % ({}) against SAH.", title, e.least, e.where_least);
   }
@@ -223,7 +223,7 @@ Figure looks_figure(const std::string& prefix, std::span<const Compared> models)
                                       soms.greatest, second.greatest),
                  .y_label = "nodes and triangles visited, SAH = 1",
                  .groups = names(models)};
-  for (const Shown& shown : kShown) {
+  for (const ShownBuild& shown : kShown) {
     if (shown.rule == "sah") {
       continue;
     }
@@ -238,7 +238,7 @@ Figure looks_figure(const std::string& prefix, std::span<const Compared> models)
               "Nodes and triangles whose boxes a small body looks at (a cube of 0.1 % of the "
               "longest side near the model's triangles), relative to SAH; all builds with the "
               "product's options. {} {}",
-              sentence("SOMS", soms), sentence("With a second look it", second)),
+              excess_sentence("SOMS", soms), excess_sentence("With a second look it", second)),
           .svg = draw(chart)};
 }
 
@@ -246,7 +246,7 @@ Figure rate_figure(const std::string& prefix, std::span<const Compared> models) 
   BarChart chart{.title = "How fast a mesh becomes ready for queries",
                  .y_label = "million triangles a second",
                  .groups = names(models)};
-  for (const Shown& shown : kShown) {
+  for (const ShownBuild& shown : kShown) {
     Bars bars{.name = std::string(shown.title)};
     for (const Compared& c : models) {
       const Measured* m = find(c, shown.rule);
@@ -294,13 +294,13 @@ Result report(const std::string& prefix, std::span<const Compared> models) {
   return {.tables = {models_table(prefix, models), trees_table(prefix, models),
                      visits_table(prefix, models), queries_table(prefix, models)},
           .figures = {looks_figure(prefix, models), rate_figure(prefix, models)},
-          .remarks = {sentence("SOMS", excess(models, "soms")),
-                      sentence("SOMS with a second look", excess(models, "soms_sah")),
-                      sentence("Spatial median that goes on by object median",
-                               excess(models, "spatial_median")),
-                      sentence("Object median", excess(models, "object_median")),
-                      sentence("The library's fast build", excess(models, "fast")),
-                      sentence("The library's quality build", excess(models, "quality")),
+          .remarks = {excess_sentence("SOMS", excess(models, "soms")),
+                      excess_sentence("SOMS with a second look", excess(models, "soms_sah")),
+                      excess_sentence("Spatial median that goes on by object median",
+                                      excess(models, "spatial_median")),
+                      excess_sentence("Object median", excess(models, "object_median")),
+                      excess_sentence("The library's fast build", excess(models, "fast")),
+                      excess_sentence("The library's quality build", excess(models, "quality")),
                       agreement(models)}};
 }
 

@@ -5,6 +5,7 @@
 
 #include "soms/tree/build_options.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,10 @@ struct Contender {
   bool of_thesis = false;  ///< one of the four rules of the thesis
   BuildOptions options = {};
 };
+
+/// All that can become of a node whose rule leaves one side empty.
+inline constexpr std::array kAllEmptySides{EmptySide::stop, EmptySide::next_axis,
+                                           EmptySide::object_median, EmptySide::chain};
 
 /// What `thesis_options` sets, for captions of tables and charts that have no columns for it.
 inline constexpr std::string_view kThesisOptions =

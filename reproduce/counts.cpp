@@ -25,7 +25,7 @@ struct Field {
   Cell (*cell)(const Counted& row);
 };
 
-Cell number(std::uint64_t value) {
+Cell whole_cell(std::uint64_t value) {
   return static_cast<std::int64_t>(value);
 }
 
@@ -33,7 +33,7 @@ Cell word(std::string_view value) {
   return std::string(value);
 }
 
-Cell percent(std::uint64_t part, std::uint64_t whole) {
+Cell percent_cell(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? Cell{} : Cell{100 * static_cast<double>(part) / static_cast<double>(whole)};
 }
 
@@ -64,7 +64,7 @@ constexpr std::array kFields{
     Field{"origin", "",
           [](const Counted& r) { return word(r.model->stand_in ? "stand-in" : r.model->file); }},
     Field{"triangles", "",
-          [](const Counted& r) { return number(r.model->mesh->triangles.size()); }},
+          [](const Counted& r) { return whole_cell(r.model->mesh->triangles.size()); }},
     Field{"rule", "", [](const Counted& r) { return word(r.contender.name); }},
     Field{"midpoint", "",
           [](const Counted& r) { return word(name(r.contender.options.midpoint)); }},
@@ -78,23 +78,28 @@ constexpr std::array kFields{
     Field{"level", "", [](const Counted& r) { return limit(r.contender.options.level); }},
     Field{"per_leaf", "",
           [](const Counted& r) { return Cell{std::int64_t{r.contender.options.per_leaf}}; }},
-    Field{"nodes", "", [](const Counted& r) { return number(r.counts.nodes); }},
-    Field{"leaves", "", [](const Counted& r) { return number(r.counts.leaves); }},
-    Field{"one", "", [](const Counted& r) { return number(r.counts.one); }},
-    Field{"lt5", "", [](const Counted& r) { return number(r.counts.lt5); }},
-    Field{"undividable", "", [](const Counted& r) { return number(r.counts.undividable); }},
-    Field{"capped", "", [](const Counted& r) { return number(r.counts.capped); }},
-    Field{"empty", "", [](const Counted& r) { return number(r.counts.empty); }},
-    Field{"depth", "", [](const Counted& r) { return number(r.counts.depth); }},
-    Field{"min_leaf_depth", "", [](const Counted& r) { return number(r.counts.min_leaf_depth); }},
-    Field{"max_leaf_depth", "", [](const Counted& r) { return number(r.counts.max_leaf_depth); }},
-    Field{"largest_leaf", "", [](const Counted& r) { return number(r.counts.largest_leaf); }},
-    Field{"balanced_level", "", [](const Counted& r) { return number(r.counts.balanced_level); }},
-    Field{"possible_level", "", [](const Counted& r) { return number(possible_level(r)); }},
+    Field{"nodes", "", [](const Counted& r) { return whole_cell(r.counts.nodes); }},
+    Field{"leaves", "", [](const Counted& r) { return whole_cell(r.counts.leaves); }},
+    Field{"one", "", [](const Counted& r) { return whole_cell(r.counts.one); }},
+    Field{"lt5", "", [](const Counted& r) { return whole_cell(r.counts.lt5); }},
+    Field{"undividable", "", [](const Counted& r) { return whole_cell(r.counts.undividable); }},
+    Field{"capped", "", [](const Counted& r) { return whole_cell(r.counts.capped); }},
+    Field{"empty", "", [](const Counted& r) { return whole_cell(r.counts.empty); }},
+    Field{"depth", "", [](const Counted& r) { return whole_cell(r.counts.depth); }},
+    Field{"min_leaf_depth", "",
+          [](const Counted& r) { return whole_cell(r.counts.min_leaf_depth); }},
+    Field{"max_leaf_depth", "",
+          [](const Counted& r) { return whole_cell(r.counts.max_leaf_depth); }},
+    Field{"largest_leaf", "", [](const Counted& r) { return whole_cell(r.counts.largest_leaf); }},
+    Field{"balanced_level", "",
+          [](const Counted& r) { return whole_cell(r.counts.balanced_level); }},
+    Field{"possible_level", "", [](const Counted& r) { return whole_cell(possible_level(r)); }},
     Field{"one_percent", "%",
-          [](const Counted& r) { return percent(r.counts.one, r.model->mesh->triangles.size()); }},
+          [](const Counted& r) {
+            return percent_cell(r.counts.one, r.model->mesh->triangles.size());
+          }},
     Field{"lt5_percent", "%",
-          [](const Counted& r) { return percent(r.counts.lt5, r.counts.leaves); }},
+          [](const Counted& r) { return percent_cell(r.counts.lt5, r.counts.leaves); }},
 };
 
 const Field& field_named(std::string_view name) {

@@ -16,10 +16,10 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr double kWidth = 720;
-constexpr double kMargin = 14;
+constexpr double kDrawingWidth = 720;
+constexpr double kDrawingMargin = 14;
 constexpr double kGap = 18;
-constexpr double kTitleSize = 18;
+constexpr double kDrawingTitleSize = 18;
 constexpr double kTextSize = 14;
 constexpr double kNoteSize = 13;
 constexpr double kKeyRow = 24;
@@ -48,7 +48,7 @@ std::string stroke_attributes(int color) {
 }
 
 /// Bounds on the page.
-struct Frame {
+struct PageBounds {
   double left = 1e300;
   double top = 1e300;
   double right = -1e300;
@@ -72,8 +72,8 @@ struct Frame {
   [[nodiscard]] double height() const { return std::max(bottom - top, 0.0); }
 };
 
-Frame frame_of(std::span<const Panel> panels, const Projection& projection) {
-  Frame frame;
+PageBounds frame_of(std::span<const Panel> panels, const Projection& projection) {
+  PageBounds frame;
   for (const Panel& panel : panels) {
     for (const DrawnMesh& drawn : panel.meshes) {
       for (const auto& triangle : drawn.mesh->triangles) {
@@ -94,15 +94,15 @@ Frame frame_of(std::span<const Panel> panels, const Projection& projection) {
       frame.take(projection.see(point.at));
     }
   }
-  return frame.left > frame.right ? Frame{0, 0, 1, 1} : frame;
+  return frame.left > frame.right ? PageBounds{0, 0, 1, 1} : frame;
 }
 
 /// What each panel shows: the same part of the page for all, or each its own.
-std::vector<Frame> frames_of(const Drawing& drawing, const Projection& projection) {
+std::vector<PageBounds> frames_of(const Drawing& drawing, const Projection& projection) {
   if (drawing.same_scale) {
-    return std::vector<Frame>(drawing.panels.size(), frame_of(drawing.panels, projection));
+    return std::vector<PageBounds>(drawing.panels.size(), frame_of(drawing.panels, projection));
   }
-  std::vector<Frame> frames;
+  std::vector<PageBounds> frames;
   for (const Panel& panel : drawing.panels) {
     frames.push_back(frame_of({&panel, 1}, projection));
   }
@@ -117,13 +117,14 @@ class Board {
         projection_(drawing.view),
         frames_(frames_of(drawing, projection_)),
         columns_(std::max(1, std::min(drawing.columns, static_cast<int>(drawing.panels.size())))),
-        panel_width_((kWidth - 2 * kMargin - kGap * (columns_ - 1)) / columns_),
+        panel_width_((kDrawingWidth - 2 * kDrawingMargin - kGap * (columns_ - 1)) / columns_),
         picture_height_(tallest() + 2 * kRim),
-        title_(wrapped(drawing.title, kTitleSize, kWidth - 2 * kMargin, true)),
-        svg_(kWidth, page_height(), drawing.title) {}
+        title_(wrapped(drawing.title, kDrawingTitleSize, kDrawingWidth - 2 * kDrawingMargin, true)),
+        svg_(kDrawingWidth, page_height(), drawing.title) {}
 
   std::string draw() {
-    svg_.lines({kMargin, kMargin + 0.9 * kTitleSize}, title_, {.size = kTitleSize, .bold = true});
+    svg_.lines({kDrawingMargin, kDrawingMargin + 0.9 * kDrawingTitleSize}, title_,
+               {.size = kDrawingTitleSize, .bold = true});
     draw_keys();
     for (std::size_t k = 0; k < drawing_.panels.size(); ++k) {
       draw_panel(drawing_.panels[k], k);
@@ -135,14 +136,14 @@ class Board {
   static constexpr double kTallest = 560;
 
   /// Pixels a unit.
-  [[nodiscard]] double scale_of(const Frame& frame) const {
+  [[nodiscard]] double scale_of(const PageBounds& frame) const {
     return std::min(panel_width_ - 2 * kRim, kTallest * (frame.width() / frame.height())) /
            frame.width();
   }
 
   [[nodiscard]] double tallest() const {
     double height = 0;
-    for (const Frame& frame : frames_) {
+    for (const PageBounds& frame : frames_) {
       height = std::max(height, frame.height() * scale_of(frame));
     }
     return height;
@@ -150,16 +151,16 @@ class Board {
 
   [[nodiscard]] double title_height() const {
     const auto lines = static_cast<double>(title_.size());
-    return kMargin + (drawing_.title.empty() ? 0 : 1.25 * kTitleSize * lines) + 6;
+    return kDrawingMargin + (drawing_.title.empty() ? 0 : 1.25 * kDrawingTitleSize * lines) + 6;
   }
 
   [[nodiscard]] std::vector<Spot> key_spots() const {
     std::vector<Spot> spots;
-    Spot next{kMargin, title_height()};
+    Spot next{kDrawingMargin, title_height()};
     for (const Key& key : drawing_.keys) {
       const double width = text_width(key.words, kTextSize) + 40;
-      if (next.x > kMargin && next.x + width > kWidth - kMargin) {
-        next = {kMargin, next.y + kKeyRow};
+      if (next.x > kDrawingMargin && next.x + width > kDrawingWidth - kDrawingMargin) {
+        next = {kDrawingMargin, next.y + kKeyRow};
       }
       spots.push_back(next);
       next.x += width;
@@ -213,7 +214,7 @@ class Board {
 
   [[nodiscard]] double page_height() const {
     const auto columns = static_cast<std::size_t>(columns_);
-    return row_top((drawing_.panels.size() + columns - 1) / columns) - kGap + kMargin;
+    return row_top((drawing_.panels.size() + columns - 1) / columns) - kGap + kDrawingMargin;
   }
 
   void draw_keys() {
@@ -261,7 +262,8 @@ class Board {
   void draw_panel(const Panel& panel, std::size_t number) {
     const auto columns = static_cast<std::size_t>(columns_);
     const Row row = row_of(number / columns);
-    const double left = kMargin + (panel_width_ + kGap) * static_cast<double>(number % columns);
+    const double left =
+        kDrawingMargin + (panel_width_ + kGap) * static_cast<double>(number % columns);
     const double top = row_top(number / columns);
     if (!panel.title.empty()) {
       svg_.lines({left, top + kTextSize}, title_lines(panel), {.size = kTextSize, .bold = true});
@@ -395,7 +397,7 @@ class Board {
     const std::array<Vec3, 8> all = corners(drawn.box);
     const std::string_view dashes = drawn.dashed ? " stroke-dasharray=\"5 4\"" : "";
     if (projection_.flat()) {
-      Frame frame;
+      PageBounds frame;
       for (const Vec3& corner : all) {
         frame.take(place(corner));
       }
@@ -425,7 +427,7 @@ class Board {
 
   const Drawing& drawing_;
   Projection projection_;
-  std::vector<Frame> frames_;
+  std::vector<PageBounds> frames_;
   int columns_;
   double panel_width_;
   double picture_height_;
@@ -433,7 +435,7 @@ class Board {
   Svg svg_;
   // Of the panel that is being drawn:
   Spot origin_;
-  Frame frame_;
+  PageBounds frame_;
   double scale_ = 1;
   Spot indent_;
 };

@@ -45,7 +45,7 @@ constexpr std::array<Pairing, 3> kCounted{
      {kChain, kLarsson, {}, Place::e_node_chain, Place::simultaneous},
      {kFront, kLarsson, {}, Place::e_node_start, Place::simultaneous}}};
 
-constexpr std::array<Pairing, 7> kTimed{
+constexpr std::array<Pairing, 7> kTimedPairings{
     {{kFamily, kLarsson, kStacks, Place::e_node, Place::simultaneous},
      {kFamily, kLarsson, "stack / recursion", Place::e_node, Place::simultaneous_recursive},
      {kFamily, kLarsson, "recursion / stack", Place::e_node_recursive, Place::simultaneous},
@@ -138,7 +138,7 @@ std::span<const Pairing> counted_pairings() {
 }
 
 std::span<const Pairing> timed_pairings() {
-  return kTimed;
+  return kTimedPairings;
 }
 
 std::span<const Pairing> pairings_aside() {

@@ -35,7 +35,7 @@ std::string difference_of(const GoldenRow& row, const GoldenLayout& layout,
 }
 
 /// What was counted, in words.
-std::string name_of(const GoldenRow& row, const GoldenLayout& layout) {
+std::string model_name(const GoldenRow& row, const GoldenLayout& layout) {
   std::string words;
   for (std::size_t k = 0; k < layout.keys; ++k) {
     words += fmt::format("{}{}{}", words.empty() ? "" : " ",
@@ -90,7 +90,7 @@ std::vector<NotGiven> missing(const GoldenTables& tables, const Present& present
   return found;
 }
 
-std::vector<std::string> counts_of(const Counted& counted) {
+std::vector<std::string> golden_counts(const Counted& counted) {
   const GoldenLayout& layout = golden_trees();
   std::vector<std::string> counts;
   for (const Cell& cell : cells_of(counted, std::span(layout.columns).subspan(layout.keys))) {
@@ -99,7 +99,7 @@ std::vector<std::string> counts_of(const Counted& counted) {
   return counts;
 }
 
-std::vector<std::string> counts_of(const Totals& sums) {
+std::vector<std::string> golden_counts(const Totals& sums) {
   std::vector<std::string> counts;
   for (const std::uint64_t count :
        {sums.frames, sums.root_overlap_frames, sums.hit_frames, sums.counts.box_tests,
@@ -127,7 +127,8 @@ class Comparer {
   void compare() {
     for (const GoldenTree& tree : tables_.trees) {
       if (const Model* const model = present_(tree.model)) {
-        judge(0, golden_trees(), tree.row, counts_of(count(*model, tree.build, steps_.quiet())));
+        judge(0, golden_trees(), tree.row,
+              golden_counts(count(*model, tree.build, steps_.quiet())));
       }
       steps_.done_one();
     }
@@ -151,7 +152,7 @@ class Comparer {
     for (const GoldenTraversal* const traversal : traversals) {
       if (trip) {
         judge(1, golden_traversals(), traversal->row,
-              counts_of(totals(traverse_frames(*trip, traversal->traversal, steps_.quiet()))));
+              golden_counts(totals(traverse_frames(*trip, traversal->traversal, steps_.quiet()))));
       }
       steps_.done_one();
     }
@@ -167,7 +168,7 @@ class Comparer {
     ++found_.files[file].different;
     if (found_.differences.size() < kMostDifferences) {
       found_.differences.push_back(
-          {std::string(layout.file), row.line, name_of(row, layout), std::move(what)});
+          {std::string(layout.file), row.line, model_name(row, layout), std::move(what)});
     }
   }
 

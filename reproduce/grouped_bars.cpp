@@ -19,7 +19,7 @@ std::size_t group_of(BarChart& chart, const std::string& name) {
   return at;
 }
 
-Bars& bars_of(BarChart& chart, const std::string& name) {
+Bars& bars_in_group(BarChart& chart, const std::string& name) {
   const auto found = std::find_if(chart.bars.begin(), chart.bars.end(),
                                   [&](const Bars& bars) { return bars.name == name; });
   if (found != chart.bars.end()) {
@@ -35,7 +35,7 @@ BarChart grouped_bars(std::string title, std::string y_label, std::span<const Da
   BarChart chart{.title = std::move(title), .y_label = std::move(y_label)};
   for (const Datum& datum : data) {
     group_of(chart, datum.group);
-    bars_of(chart, datum.bar);
+    bars_in_group(chart, datum.bar);
   }
   const bool spread = !data.empty() && std::isfinite(data.front().low);
   for (Bars& bars : chart.bars) {
@@ -47,7 +47,7 @@ BarChart grouped_bars(std::string title, std::string y_label, std::span<const Da
   }
   for (const Datum& datum : data) {
     const std::size_t group = group_of(chart, datum.group);
-    Bars& bars = bars_of(chart, datum.bar);
+    Bars& bars = bars_in_group(chart, datum.bar);
     bars.values[group] = datum.value;
     if (spread) {
       bars.low[group] = datum.low;

@@ -17,15 +17,11 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr double kTextSize = 14;
-constexpr double kValueSize = 13;
-constexpr double kLegendRow = 24;
 constexpr double kGroupHeight = 30;
 constexpr double kDotHeight = 15;
 constexpr double kRowGap = 9;
-constexpr double kMostNameWidth = 230;
+constexpr double kMostRowNameWidth = 230;
 constexpr double kLogRim = 1.15;
-constexpr std::string_view kGrid = "class=\"grid\" stroke=\"#e3e3e0\" stroke-width=\"1\"";
 constexpr std::string_view kEnd =
     "class=\"axis\" stroke=\"#6b6f74\" stroke-width=\"1.4\" stroke-dasharray=\"5 4\"";
 
@@ -124,7 +120,7 @@ class IntervalDrawing {
     for (std::size_t k = 0; k < rows_.size(); ++k) {
       if (begins_group(k)) {
         svg_.text({kChartMargin, rows_[k].middle - row_height() / 2 - 7}, rows_[k].group,
-                  {.size = kTextSize, .bold = true});
+                  {.size = kNameSize, .bold = true});
       }
       draw_row(rows_[k]);
     }
@@ -179,7 +175,7 @@ class IntervalDrawing {
     std::vector<Entry> entries;
     Entry next{0, kChartMargin};
     for (const std::string& name : series_) {
-      const double width = text_width(name, kTextSize) + 42;
+      const double width = text_width(name, kNameSize) + 42;
       if (next.x > kChartMargin && next.x + width > kChartWidth - kChartMargin) {
         next = {next.row + 1, kChartMargin};
       }
@@ -201,8 +197,8 @@ class IntervalDrawing {
       y += begins_group(k) ? kGroupHeight : 0;
       rows_[k].middle = y + row_height() / 2;
       y += row_height();
-      for (const std::string& line : wrapped(rows_[k].label, kTextSize, kMostNameWidth)) {
-        labels = std::max(labels, text_width(line, kTextSize));
+      for (const std::string& line : wrapped(rows_[k].label, kNameSize, kMostRowNameWidth)) {
+        labels = std::max(labels, text_width(line, kNameSize));
       }
     }
     plot.height = std::max(y - plot.top, 20.0);
@@ -237,9 +233,9 @@ class IntervalDrawing {
   void draw_axis() {
     for (const Tick& tick : axis_.ticks()) {
       const double x = x_of(tick.value);
-      svg_.line({x, plot_.top}, {x, plot_.bottom()}, kGrid);
+      svg_.line({x, plot_.top}, {x, plot_.bottom()}, kGridLine);
       svg_.text({x, plot_.bottom() + 19}, tick.label,
-                {.size = kTextSize, .anchor = Anchor::middle, .faint = true});
+                {.size = kNameSize, .anchor = Anchor::middle, .faint = true});
     }
     for (const double end : {chart_.above, chart_.below}) {
       if (std::isfinite(end)) {
@@ -259,14 +255,14 @@ class IntervalDrawing {
     for (std::size_t k = 0; k < series_.size(); ++k) {
       const double y = heading_.height() + kLegendRow * static_cast<double>(legend_[k].row);
       draw_marker(svg_, k, {legend_[k].x + 8, y + 7});
-      svg_.text({legend_[k].x + 22, y + 12}, series_[k], {.size = kTextSize});
+      svg_.text({legend_[k].x + 22, y + 12}, series_[k], {.size = kNameSize});
     }
   }
 
   void draw_row(const Row& row) {
-    const std::vector<std::string> lines = wrapped(row.label, kTextSize, kMostNameWidth);
-    const double first = row.middle + 5 - 0.625 * kTextSize * static_cast<double>(lines.size() - 1);
-    svg_.lines({plot_.left - 10, first}, lines, {.size = kTextSize, .anchor = Anchor::end});
+    const std::vector<std::string> lines = wrapped(row.label, kNameSize, kMostRowNameWidth);
+    const double first = row.middle + 5 - 0.625 * kNameSize * static_cast<double>(lines.size() - 1);
+    svg_.lines({plot_.left - 10, first}, lines, {.size = kNameSize, .anchor = Anchor::end});
     for (const IntervalMark* mark : row.marks) {
       const std::size_t series = place_of(series_, mark->series);
       const double offset =

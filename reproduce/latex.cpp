@@ -16,7 +16,7 @@ namespace {
 
 /// A table with more rows may break between pages; of still longer ones the first rows are written.
 constexpr std::size_t kMostRowsOnAPage = 40;
-constexpr std::size_t kMostRows = 400;
+constexpr std::size_t kMostRowsInLatex = 400;
 /// Columns of longer words have lines of this length.
 constexpr std::size_t kMostInALine = 32;
 
@@ -69,20 +69,20 @@ bool is_ligature(char last, char next) {
   return last == next && (next == '-' || next == '\'' || next == ',');
 }
 
-bool is_number(const Cell& cell) {
+bool is_numeric(const Cell& cell) {
   return std::holds_alternative<std::int64_t>(cell) || std::holds_alternative<double>(cell);
 }
 
 std::string cell_text(const Cell& cell) {
   std::string text = latex_text(to_text(cell));
-  if (is_number(cell) && text.starts_with('-')) {
+  if (is_numeric(cell) && text.starts_with('-')) {
     text.replace(0, 1, "$-$");
   }
   return text;
 }
 
 /// Words of a column's name and of its unit, a line each.
-std::vector<std::string> lines_of(const Column& column) {
+std::vector<std::string> latex_lines(const Column& column) {
   std::string words = column.name;
   std::replace(words.begin(), words.end(), '_', ' ');
   words += column.unit.empty() ? "" : " [" + column.unit + "]";
@@ -106,7 +106,7 @@ struct Setting {
 
 Setting setting_of(const Table& table, std::size_t column) {
   Setting setting{.numbers = true};
-  for (const std::string& line : lines_of(table.columns[column])) {
+  for (const std::string& line : latex_lines(table.columns[column])) {
     setting.width = std::max(setting.width, line.size());
   }
   for (const std::vector<Cell>& row : table.rows) {
@@ -123,11 +123,11 @@ Setting setting_of(const Table& table, std::size_t column) {
 /// A smaller size for wide and for high tables, so that they fit on a page of A4 in landscape.
 std::string_view size_for(std::size_t characters, std::size_t rows) {
   constexpr std::size_t kMostRowsAtFullSize = 28;
-  constexpr std::array<std::pair<std::size_t, std::string_view>, 4> kSizes{
+  constexpr std::array<std::pair<std::size_t, std::string_view>, 4> kSizesByCharacters{
       {{130, "\\normalsize"}, {145, "\\small"}, {165, "\\footnotesize"}, {190, "\\scriptsize"}}};
-  for (std::size_t k = rows > kMostRowsAtFullSize ? 2 : 0; k < kSizes.size(); ++k) {
-    if (characters <= kSizes[k].first) {
-      return kSizes[k].second;
+  for (std::size_t k = rows > kMostRowsAtFullSize ? 2 : 0; k < kSizesByCharacters.size(); ++k) {
+    if (characters <= kSizesByCharacters[k].first) {
+      return kSizesByCharacters[k].second;
     }
   }
   return "\\tiny";
@@ -143,7 +143,7 @@ class Writer {
   }
 
   std::string write() {
-    const std::size_t shown = std::min(table_.rows.size(), kMostRows);
+    const std::size_t shown = std::min(table_.rows.size(), kMostRowsInLatex);
     if (shown < table_.rows.size()) {
       put("% The first {} of {} rows; all of them are in {}.\n", shown, table_.rows.size(),
           file_of(table_).generic_string());
@@ -165,10 +165,10 @@ class Writer {
   }
 
   void begin(bool is_long) {
-    constexpr std::size_t kBetweenColumns = 2;
+    constexpr std::size_t kCharactersBetween = 2;
     std::size_t width = 0;
     for (const Setting& setting : settings_) {
-      width += setting.width + kBetweenColumns;
+      width += setting.width + kCharactersBetween;
     }
     const std::string_view size = size_for(width, is_long ? 0 : table_.rows.size());
     if (is_long) {
@@ -194,10 +194,10 @@ class Writer {
     if (!text.empty() && text.back() != '.') {
       text += '.';
     }
-    if (table_.rows.size() > kMostRows) {
-      text +=
-          fmt::format(" The first {} of {} rows.", to_text(static_cast<std::int64_t>(kMostRows)),
-                      to_text(static_cast<std::int64_t>(table_.rows.size())));
+    if (table_.rows.size() > kMostRowsInLatex) {
+      text += fmt::format(" The first {} of {} rows.",
+                          to_text(static_cast<std::int64_t>(kMostRowsInLatex)),
+                          to_text(static_cast<std::int64_t>(table_.rows.size())));
     }
     if (std::any_of(table_.columns.begin(), table_.columns.end(),
                     [](const Column& column) { return column.kind == ColumnKind::timed; })) {
@@ -224,7 +224,7 @@ class Writer {
     for (std::size_t k = 0; k < settings_.size(); ++k) {
       put("{}\\shortstack[{}]{{", k == 0 ? "" : " & ", settings_[k].numbers ? "r" : "l");
       std::string_view between;
-      for (const std::string& line : lines_of(table_.columns[k])) {
+      for (const std::string& line : latex_lines(table_.columns[k])) {
         put("{}{}", between, latex_text(line));
         between = "\\\\";
       }

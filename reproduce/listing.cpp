@@ -11,11 +11,11 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr double kWidth = 1000;
+constexpr double kListingWidth = 1000;
 /// Up to here the page grows to keep steps beside the code.
 constexpr double kWidest = 1100;
 constexpr double kMargin = 20;
-constexpr double kTop = 104;
+constexpr double kListingTop = 104;
 constexpr double kCodeLeft = 64;
 constexpr double kIndent = 26;
 constexpr double kCodeLine = 27;
@@ -27,7 +27,7 @@ constexpr double kBesideCode = 44;
 constexpr double kBetweenColumns = 16;
 
 /// A number as in the CSV, where the page's three digits would hide what a step changed.
-std::string words_of(const Cell& cell) {
+std::string cell_words(const Cell& cell) {
   if (const double* const number = std::get_if<double>(&cell)) {
     return fmt::format("{:.6g}", *number);
   }
@@ -53,7 +53,7 @@ std::vector<StepColumn> step_columns(const Table& table) {
     std::replace(column.name.begin(), column.name.end(), '_', ' ');
     column.width = text_width(column.name, kStepSize);
     for (const std::vector<Cell>& row : table.rows) {
-      column.cells.push_back(words_of(row[k]));
+      column.cells.push_back(cell_words(row[k]));
       column.width = std::max(column.width, text_width(column.cells.back(), kStepSize));
       column.numbers =
           column.numbers && (is_number(row[k]) || std::holds_alternative<std::monostate>(row[k]));
@@ -83,11 +83,12 @@ class ListingPage {
     steps_width_ = std::max(width_of(columns_), text_width(listing.heading, kStepSize));
     beside_ = listing.steps == nullptr || right_of_code_ + steps_width_ + kMargin <= kWidest;
     left_ = beside_ ? right_of_code_ : kCodeLeft;
-    top_ = beside_ ? kTop : kTop + code_height_ + 44;
+    top_ = beside_ ? kListingTop : kListingTop + code_height_ + 44;
   }
 
   [[nodiscard]] std::string draw() const {
-    const double width = std::max({kWidth, left_ + steps_width_ + kMargin, examples_right()});
+    const double width =
+        std::max({kListingWidth, left_ + steps_width_ + kMargin, examples_right()});
     Svg svg(width, height(), listing_.title);
     svg.text({kMargin, 30}, listing_.title, {.size = 17, .bold = true});
     draw_code(svg);
@@ -123,17 +124,17 @@ class ListingPage {
   }
 
   [[nodiscard]] double height() const {
-    return std::max(kTop + code_height_ + 6, top_ + steps_height() + 6);
+    return std::max(kListingTop + code_height_ + 6, top_ + steps_height() + 6);
   }
 
   void draw_code(Svg& svg) const {
-    svg.text({kMargin, kTop - 32}, "line", {.size = 13, .faint = true});
+    svg.text({kMargin, kListingTop - 32}, "line", {.size = 13, .faint = true});
     if (beside_) {
-      svg.text({left_, kTop - 32}, listing_.heading, {.size = 13, .faint = true});
-      svg.line({left_ - 18, kTop - 46}, {left_ - 18, height() - 16},
+      svg.text({left_, kListingTop - 32}, listing_.heading, {.size = 13, .faint = true});
+      svg.line({left_ - 18, kListingTop - 46}, {left_ - 18, height() - 16},
                "class=\"axis\" stroke=\"#8a8d91\"");
     }
-    double y = kTop;
+    double y = kListingTop;
     for (std::size_t k = 0; k < listing_.lines.size(); ++k, y += kCodeLine) {
       const CodeLine& line = listing_.lines[k];
       svg.text({44, y}, fmt::format("{}", k + 1),

@@ -36,7 +36,7 @@ struct KnownObject {
 constexpr std::string_view kSmallTeapot = "teapot_1177";
 constexpr std::string_view kTeapot = "teapot";
 
-constexpr std::array<KnownObject, 4> kObjects = {{
+constexpr std::array<KnownObject, 4> kKnownObjects = {{
     {"bunny", "Stanford bunny", "bun_zipper_res4.ply", 0x23e1390559ce62edULL,
      "a generated statue of 948 triangles", stand_in_bunny},
     {"venus", "Venus", "venus.ply", 0xb4c5b8d4374d26cdULL, "a generated statue of 1,416 triangles",
@@ -53,13 +53,13 @@ struct KnownScene {
   UrbanScene scene = UrbanScene::mixed;
 };
 
-constexpr std::array<KnownScene, 3> kScenes = {{
+constexpr std::array<KnownScene, 3> kKnownScenes = {{
     {"u_mixed", "U-mixed", UrbanScene::mixed},
     {"u_boxes", "U-boxes", UrbanScene::boxes},
     {"u_plain", "U-plain", UrbanScene::plain},
 }};
 
-std::string words(std::initializer_list<std::string_view> parts) {
+std::string joined(std::initializer_list<std::string_view> parts) {
   std::string text;
   for (const std::string_view part : parts) {
     text += part;
@@ -76,7 +76,7 @@ bool ends_with(const fs::path& path, std::string_view extension) {
 }
 
 bool is_object(const fs::path& path) {
-  return std::any_of(kObjects.begin(), kObjects.end(), [&](const KnownObject& object) {
+  return std::any_of(kKnownObjects.begin(), kKnownObjects.end(), [&](const KnownObject& object) {
     return path.filename().string() == object.file;
   });
 }
@@ -150,7 +150,7 @@ std::string Finder::read(const fs::path& path, Model& model) {
   std::error_code unknown;
   const fs::file_status status = fs::status(path, unknown);
   if (fs::is_fifo(status) || fs::is_socket(status)) {
-    return words({path.string(), ": not a file"});  // opening it would wait for a writer
+    return joined({path.string(), ": not a file"});  // opening it would wait for a writer
   }
   const auto before = last_change(path);
   try {
@@ -165,7 +165,7 @@ std::string Finder::read(const fs::path& path, Model& model) {
   model.sha256 = sha256_of_file(path);
   if (last_change(path) != before) {
     model.sha256.clear();  // perhaps of other bytes than those that were read
-    models_.remarks.push_back(words({path.string(), ": changed while it was read"}));
+    models_.remarks.push_back(joined({path.string(), ": changed while it was read"}));
   }
   std::error_code error;
   const std::uintmax_t bytes = fs::file_size(path, error);
@@ -187,22 +187,22 @@ fs::path Finder::place_of(std::string_view file) const {
 Model Finder::object(const KnownObject& known) {
   Model model;
   model.name = known.name;
-  model.title = words({known.title, " (", known.file, ")"});
+  model.title = joined({known.title, " (", known.file, ")"});
   if (folder_.empty()) {
     model.trouble = "no folder of models was given";
   } else if (const fs::path place = place_of(known.file); place.empty()) {
-    model.trouble = words({known.file, " is not in ", folder_.string(), " or its folder ply"});
+    model.trouble = joined({known.file, " is not in ", folder_.string(), " or its folder ply"});
   } else {
     model.trouble = read(place, model);
     if (model.trouble.empty() && model.hash != known.hash) {
       models_.remarks.push_back(
-          words({place.string(), " does not have the triangles of the ", known.file,
-                 " used here: its counts may differ from those expected"}));
+          joined({place.string(), " does not have the triangles of the ", known.file,
+                  " used here: its counts may differ from those expected"}));
     }
   }
   if (!model.mesh) {
     model.stand_in = true;
-    model.title = words({known.title, " (stand-in: ", known.stand_in, ")"});
+    model.title = joined({known.title, " (stand-in: ", known.stand_in, ")"});
     set_mesh(model, known.make());
   }
   return model;
@@ -210,7 +210,7 @@ Model Finder::object(const KnownObject& known) {
 
 void Finder::find_objects() {
   bool has_teapot = false;
-  for (const KnownObject& known : kObjects) {
+  for (const KnownObject& known : kKnownObjects) {
     const bool given = !folder_.empty() && !place_of(known.file).empty();
     // Two files are known as the teapot: one that is missing is not missed when the other is there,
     // and one stand-in is enough.
@@ -237,7 +237,7 @@ std::vector<fs::path> Finder::files_in(const fs::path& folder, std::string_view 
     }
   }
   if (error) {
-    models_.remarks.push_back(words({folder.string(), ": ", error.message()}));
+    models_.remarks.push_back(joined({folder.string(), ": ", error.message()}));
   }
   std::sort(files.begin(), files.end());
   return files;
@@ -279,9 +279,9 @@ std::vector<fs::path> Finder::scene_files() {
   const fs::path beside = folder_ / "3ds";
   const std::size_t others = files.empty() ? files_in(beside, ".3ds").size() : 0;
   if (others != 0) {
-    models_.remarks.push_back(words({beside.string(), ": its .3ds files (", std::to_string(others),
-                                     ") were not used as scenes; scenes are read from ",
-                                     folder_.string(), " and its folder scenes"}));
+    models_.remarks.push_back(joined({beside.string(), ": its .3ds files (", std::to_string(others),
+                                      ") were not used as scenes; scenes are read from ",
+                                      folder_.string(), " and its folder scenes"}));
   }
   return files;
 }
@@ -297,11 +297,12 @@ Model Finder::generated_scene(const KnownScene& known) {
   const std::string file = to_three_ds(made);
   Model model;
   model.name = unused_name(known.name);
-  model.title = words({known.title, " (stand-in: generated, written as .3ds and read back)"});
+  model.title = joined({known.title, " (stand-in: generated, written as .3ds and read back)"});
   model.stand_in = true;
   model.bytes = file.size();
   model.sha256 = sha256(file);
-  Mesh mesh = read_mesh(std::as_bytes(std::span(file)), words({known.name, ".3ds"}), {}, for_one());
+  Mesh mesh =
+      read_mesh(std::as_bytes(std::span(file)), joined({known.name, ".3ds"}), {}, for_one());
   mesh.up = made.up;  // 3DS keeps neither
   mesh.unit = made.unit;
   set_mesh(model, std::move(mesh));
@@ -315,9 +316,9 @@ void Finder::find_scenes(const std::vector<fs::path>& files) {
     return;
   }
   // Beside scenes of the user one is enough.
-  const std::size_t wanted = models_.scenes.empty() ? kScenes.size() : 1;
+  const std::size_t wanted = models_.scenes.empty() ? kKnownScenes.size() : 1;
   for (std::size_t i = 0; i < wanted; ++i) {
-    models_.scenes.push_back(generated_scene(kScenes[i]));
+    models_.scenes.push_back(generated_scene(kKnownScenes[i]));
     models_.scenes.back().trouble = trouble;
     step();
   }
@@ -350,24 +351,24 @@ Models Finder::find(Needs needs) {
   std::error_code error;
   if (!folder_.empty() && !fs::is_directory(folder_, error)) {
     throw Error(ErrorKind::cannot_open,
-                words({folder_.string(), error ? ": " + error.message() : ": this is no folder"}),
+                joined({folder_.string(), error ? ": " + error.message() : ": this is no folder"}),
                 "give the folder of the models");
   }
   if (!folder_.empty()) {
     const fs::directory_iterator listed(folder_, error);
     if (error) {
-      throw Error(ErrorKind::cannot_open, words({folder_.string(), ": ", error.message()}),
+      throw Error(ErrorKind::cannot_open, joined({folder_.string(), ": ", error.message()}),
                   "make the folder readable");
     }
   }
   check_stop(parallel_);
-  for (const KnownObject& known : kObjects) {
+  for (const KnownObject& known : kKnownObjects) {
     names_.emplace(known.name);
   }
   const std::vector<fs::path> scenes = needs.scenes ? scene_files() : std::vector<fs::path>();
   const std::vector<fs::path> cities = needs.cities ? city_files() : std::vector<fs::path>();
-  all_ = (needs.objects ? kObjects.size() : 0) +
-         (needs.scenes ? scenes.size() + kScenes.size() : 0) + cities.size() + 1;
+  all_ = (needs.objects ? kKnownObjects.size() : 0) +
+         (needs.scenes ? scenes.size() + kKnownScenes.size() : 0) + cities.size() + 1;
   if (needs.objects) {
     find_objects();
   }

@@ -57,8 +57,8 @@ struct RuleParts {
   }
 };
 
-constexpr RuleParts kSpatialMedian{};
-constexpr RuleParts kSoms{&Item::midpoint, &Item::midpoint, true};
+constexpr RuleParts kSpatialMedianParts{};
+constexpr RuleParts kSomsParts{&Item::midpoint, &Item::midpoint, true};
 
 // Passes over triangles are never inlined: what surrounds them must not decide how well they are
 // compiled, for it differs from rule to rule.
@@ -114,7 +114,7 @@ std::array<std::size_t, 3> axes_of(const Range& box) {
 
 /// The first triangle of the right half by midpoint on the axis, ties by number.
 template <typename Any>
-std::pair<double, TriangleId> middle_of(std::span<const Any> items, std::size_t axis) {
+std::pair<double, TriangleId> middle_item(std::span<const Any> items, std::size_t axis) {
   std::vector<std::pair<double, TriangleId>> keys(items.size());
   std::transform(items.begin(), items.end(), keys.begin(),
                  [axis](const Any& item) { return std::pair(item.midpoint[axis], item.id); });
@@ -149,7 +149,7 @@ Division divide(Node& node, std::span<const Any> items, const Range& box, const 
   }
   node.undividable = true;
   if (empty_side == EmptySide::object_median) {
-    const auto [value, id] = middle_of(items, order[0]);
+    const auto [value, id] = middle_item(items, order[0]);
     work.compared += items.size();
     division = partition([axis = order[0], value = value, id = id](const Any& item) {
       const double m = item.midpoint[axis];
@@ -300,7 +300,7 @@ Tree build_in_place(std::vector<Item>& items, const RuleParts& rule, const Build
     if (!rule.soms) {
       node.bounds = box.box();
     } else if (!division.divided) {
-      node.bounds = box_of(run, kSpatialMedian, work).box();
+      node.bounds = box_of(run, kSpatialMedianParts, work).box();
     }
     return division;
   };
@@ -363,7 +363,7 @@ Tree NeutralBuilder::build(const Mesh& mesh) {
   if (mesh.triangles.empty()) {
     return {};
   }
-  const RuleParts& rule = options_.rule == Rule::soms ? kSoms : kSpatialMedian;
+  const RuleParts& rule = options_.rule == Rule::soms ? kSomsParts : kSpatialMedianParts;
   if (way_ == NeutralWay::in_place) {
     prepare(mesh, items_);
     return build_in_place(items_, rule, options_, work_);

@@ -20,7 +20,7 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::array<std::pair<Chapter, std::string_view>, 3> kChapters{
+constexpr std::array<std::pair<Chapter, std::string_view>, 3> kChapterTitles{
     {{Chapter::claims, "The claims, one by one"},
      {Chapter::thesis, "Tables and figures of the thesis"},
      {Chapter::beyond, "Beyond the thesis"}}};
@@ -58,7 +58,7 @@ class Page {
     how_it_was_run();
     out_ += report_.golden ? markup_of(*report_.golden) : std::string();
     models();
-    for (const auto& [which, title] : kChapters) {
+    for (const auto& [which, title] : kChapterTitles) {
       chapter(which, title);
     }
     out_ += "</main>\n</body>\n</html>\n";
@@ -191,7 +191,7 @@ class Page {
 
   void contents() {
     put("<h2 id=\"contents\">Contents</h2>\n<nav aria-label=\"Contents\">\n");
-    for (const auto& [which, title] : kChapters) {
+    for (const auto& [which, title] : kChapterTitles) {
       if (!has(which)) {
         continue;
       }

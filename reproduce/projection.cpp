@@ -11,7 +11,7 @@ namespace {
 /// Samples a pixel in each direction.
 constexpr double kSampling = 2;
 constexpr double kAmbient = 0.42;
-constexpr std::uint32_t kNothing = 0xffffffffU;
+constexpr std::uint32_t kNoTriangle = 0xffffffffU;
 
 Vec3 unit(const Vec3& v) {
   const double length = std::sqrt(dot(v, v));
@@ -24,7 +24,7 @@ class SampleGrid {
   SampleGrid(double width, double height)
       : columns_(std::max(1, static_cast<int>(width * kSampling))),
         rows_(std::max(1, static_cast<int>(height * kSampling))),
-        nearest_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kNothing),
+        nearest_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kNoTriangle),
         depth_(nearest_.size(), std::numeric_limits<double>::infinity()) {}
 
   void add(const Facet& facet, std::uint32_t number) {
@@ -136,7 +136,7 @@ void keep_visible(std::vector<Facet>& facets, double width, double height) {
     grid.add(facets[k], static_cast<std::uint32_t>(k));
   }
   for (const std::uint32_t number : grid.nearest()) {
-    if (number != kNothing) {
+    if (number != kNoTriangle) {
       ++facets[number].samples;
     }
   }

@@ -14,7 +14,7 @@ namespace soms::reproduce {
 namespace {
 
 /// A ride that is timed, and the frames of each of its trips.
-struct Timed {
+struct TimedTrip {
   Ride* ride = nullptr;
   std::vector<std::vector<Frame>> frames = {};
 };
@@ -69,7 +69,7 @@ std::vector<Ride> ride(const Context& context, const RideCourse& course,
                        std::span<const BuildPairing> builds, const NamedTraversal& traversal) {
   std::vector<Ride> rides;
   rides.reserve(builds.size());
-  std::vector<Timed> timed;
+  std::vector<TimedTrip> timed;
   std::vector<TripRun> runs;
   for (const BuildPairing& build : builds) {
     std::vector<std::vector<Frame>> frames;
@@ -84,7 +84,7 @@ std::vector<Ride> ride(const Context& context, const RideCourse& course,
   }
   const std::vector<FrameTimes> times = time_trips(runs, context.rounds(), context.parallel);
   std::size_t next = 0;
-  for (const Timed& one : timed) {
+  for (const TimedTrip& one : timed) {
     for (const std::vector<Frame>& frames : one.frames) {
       const std::vector<double> sums = sums_by_round(times[next++].collision, frames);
       one.ride->rounds.resize(std::max(one.ride->rounds.size(), sums.size()));

@@ -13,13 +13,14 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::size_t kAcross = 8;
+constexpr std::size_t kStripsAcross = 8;
 constexpr std::size_t kHeights = 8;
 
 /// A candidate line: where it runs, as parts of the scene's box.
 struct DriveLine {
-  std::size_t axis;    ///< 0: along x, 1: along y
-  std::size_t across;  ///< one of `kAcross` strips of equal width; the object is centered on it
+  std::size_t axis;  ///< 0: along x, 1: along y
+  std::size_t
+      across;  ///< one of `kStripsAcross` strips of equal width; the object is centered on it
   std::size_t height;  ///< the object's underside is at so many `kHeights`-ths of the height
 };
 
@@ -27,7 +28,7 @@ std::vector<DriveLine> drive_lines() {
   std::vector<DriveLine> lines;
   for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
     for (std::size_t height = 0; height < kHeights; ++height) {
-      for (std::size_t across = 0; across < kAcross; ++across) {
+      for (std::size_t across = 0; across < kStripsAcross; ++across) {
         lines.push_back({axis, across, height});
       }
     }
@@ -41,7 +42,7 @@ std::vector<Vec3> offsets_along(const DriveLine& line, const Box& scene, const B
   Vec3 offset{};
   offset[side] = scene.lower[side] +
                  scene.extent()[side] * (2 * static_cast<double>(line.across) + 1) /
-                     (2 * static_cast<double>(kAcross)) -
+                     (2 * static_cast<double>(kStripsAcross)) -
                  0.5 * (mover.lower[side] + mover.upper[side]);
   offset.z = scene.lower.z +
              scene.extent().z * static_cast<double>(line.height) / static_cast<double>(kHeights) -

@@ -6,8 +6,8 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr int kLeft = 5;
-constexpr int kRight = 4;
+constexpr int kLeftColor = 5;
+constexpr int kRightColor = 4;
 constexpr int kOuter = 6;
 constexpr int kInner = 3;
 constexpr int kPlane = 1;
@@ -18,8 +18,8 @@ constexpr int kMidpoint = 6;
 std::vector<Key> toy_keys(bool sides) {
   std::vector<Key> all;
   if (sides) {
-    all = {{KeyKind::fill, kLeft, "left"},
-           {KeyKind::fill, kRight, "right"},
+    all = {{KeyKind::fill, kLeftColor, "left"},
+           {KeyKind::fill, kRightColor, "right"},
            {KeyKind::fill, kClay, "undivided"},
            {KeyKind::plane, kPlane, "plane"}};
   }
@@ -44,7 +44,7 @@ Panel divided_toy_panel(const Mesh& mesh, const ToySplit& split) {
   Panel panel = toy_panel(mesh, split);
   if (split.divides()) {
     for (const bool left : split.left) {
-      panel.meshes[0].colors.push_back(left ? kLeft : kRight);
+      panel.meshes[0].colors.push_back(left ? kLeftColor : kRightColor);
     }
   }
   Box within = split.outer;

@@ -10,10 +10,10 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr double kWidth = 1000;
-constexpr double kLeft = 130;
-constexpr double kTop = 100;
-constexpr double kRow = 100;
+constexpr double kDiagramWidth = 1000;
+constexpr double kFirstNodeX = 130;
+constexpr double kRootY = 100;
+constexpr double kRowHeight = 100;
 constexpr double kRadius = 17;
 constexpr double kWordSize = 12;
 
@@ -21,13 +21,13 @@ constexpr double kWordSize = 12;
 std::vector<Spot> spots_of(const Tree& tree) {
   const auto leaves = std::count_if(tree.nodes.begin(), tree.nodes.end(),
                                     [](const Node& node) { return node.is_leaf(); });
-  const double step = (kWidth - 20 - kLeft) / static_cast<double>(leaves);
+  const double step = (kDiagramWidth - 20 - kFirstNodeX) / static_cast<double>(leaves);
   std::vector<Spot> spots(tree.nodes.size());
-  double x = kWidth - 20 + step / 2;
+  double x = kDiagramWidth - 20 + step / 2;
   // Children come after their parents, so that backwards both are placed before it.
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
     const Node& node = tree.nodes[i];
-    spots[i].y = kTop + kRow * node.depth;
+    spots[i].y = kRootY + kRowHeight * node.depth;
     if (node.is_leaf()) {
       x -= step;
       spots[i].x = x;
@@ -61,11 +61,11 @@ std::string draw_tree(const TreeDiagram& diagram) {
   for (const Node& node : tree.nodes) {
     deepest = std::max(deepest, node.depth);
   }
-  Svg svg(kWidth, kTop + kRow * deepest + 66, diagram.title);
+  Svg svg(kDiagramWidth, kRootY + kRowHeight * deepest + 66, diagram.title);
   svg.text({20, 30}, diagram.title, {.size = 17, .bold = true});
   svg.text({20, 52}, diagram.subtitle, {.size = 13, .faint = true});
   for (std::uint32_t depth = 0; diagram.row_words && depth <= deepest; ++depth) {
-    draw_lines(svg, {20, kTop + kRow * depth}, diagram.row_words(depth), Anchor::start);
+    draw_lines(svg, {20, kRootY + kRowHeight * depth}, diagram.row_words(depth), Anchor::start);
   }
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     if (!tree.nodes[i].is_leaf()) {

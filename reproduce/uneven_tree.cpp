@@ -22,9 +22,9 @@ struct Open {
   bool right;
 };
 
-class Builder {
+class UnevenBuilder {
  public:
-  Builder(const Mesh& mesh, double share) : mesh_(mesh), share_(share) {
+  UnevenBuilder(const Mesh& mesh, double share) : mesh_(mesh), share_(share) {
     tree_.primitives.resize(mesh.triangles.size());
     std::iota(tree_.primitives.begin(), tree_.primitives.end(), TriangleId{0});
     for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
@@ -102,7 +102,7 @@ class Builder {
 }  // namespace
 
 Tree uneven_tree(const Mesh& mesh, double share) {
-  return Builder(mesh, share).build();
+  return UnevenBuilder(mesh, share).build();
 }
 
 }  // namespace soms::reproduce

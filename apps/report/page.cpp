@@ -62,9 +62,9 @@ role="presentation"></div></div>
 )html";
 
 /// Writes one page.
-class Writer {
+class PageWriter {
  public:
-  Writer(std::ostream& out, const Page& page, const SceneLimits& limits)
+  PageWriter(std::ostream& out, const Page& page, const SceneLimits& limits)
       : out_(out), page_(page), limits_(limits) {}
 
   Shown write() {
@@ -188,7 +188,7 @@ class Writer {
 }  // namespace
 
 Shown write_page(std::ostream& out, const Page& page, const SceneLimits& limits) {
-  return Writer(out, page, limits).write();
+  return PageWriter(out, page, limits).write();
 }
 
 }  // namespace soms::report

@@ -43,9 +43,9 @@ std::string list_of(const Values& values, const Text& text) {
 }
 
 /// Writes one scene.
-class Writer {
+class SceneWriter {
  public:
-  Writer(std::ostream& out, const Scene& scene, const SceneLimits& limits)
+  SceneWriter(std::ostream& out, const Scene& scene, const SceneLimits& limits)
       : out_(out), scene_(scene), limits_(limits) {
     bodies_ = chosen_bodies(scene, limits.bodies);
     number_.assign(scene.bodies.size(), kNone);
@@ -383,7 +383,7 @@ class Writer {
 }  // namespace
 
 Shown write_scene(std::ostream& out, const Scene& scene, const SceneLimits& limits) {
-  return Writer(out, scene, limits).write();
+  return SceneWriter(out, scene, limits).write();
 }
 
 }  // namespace soms::report

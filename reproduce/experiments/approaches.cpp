@@ -31,9 +31,9 @@ bool in_thesis(Approach from) {
 }
 
 /// One view: the object in the middle, the same object where it touches on each side, and arrows.
-class View {
+class ApproachView {
  public:
-  View(Svg& svg, const Mesh& mesh, Side side, Spot corner)
+  ApproachView(Svg& svg, const Mesh& mesh, Side side, Spot corner)
       : svg_(svg),
         mesh_(mesh),
         box_(bounds(mesh)),
@@ -118,8 +118,8 @@ Result figure_3_8(const Context& context) {
            {.anchor = Anchor::middle, .faint = true});
   svg.text({730, 524}, "seen from the right (-z to the right, y up)",
            {.anchor = Anchor::middle, .faint = true});
-  View from_front(svg, *object.mesh, Side::front, {20, 30});
-  View from_right(svg, *object.mesh, Side::right, {500, 30});
+  ApproachView from_front(svg, *object.mesh, Side::front, {20, 30});
+  ApproachView from_right(svg, *object.mesh, Side::right, {500, 30});
   for (const auto& [from, name] : kAllApproaches) {
     (approach_line(from).axis == 2 ? from_right : from_front).approach(from, name);
   }

@@ -13,19 +13,19 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::array<std::string_view, 14> kColumns{
+constexpr std::array<std::string_view, 14> kBalanceColumns{
     "model",          "origin",         "triangles", "rule",           "midpoint",
     "axis_from",      "empty_side",     "level",     "possible_level", "balanced_level",
     "min_leaf_depth", "max_leaf_depth", "leaves",    "largest_leaf"};
 
-constexpr std::array kPolicies{EmptySide::stop, EmptySide::next_axis};
+constexpr std::array kThesisEmptySides{EmptySide::stop, EmptySide::next_axis};
 
-struct Task {
+struct BalanceTask {
   const Model* model = nullptr;
   int level = 0;
 };
 
-std::uint64_t balanced(std::span<const Counted> counts, const Task& task, Rule rule,
+std::uint64_t balanced(std::span<const Counted> counts, const BalanceTask& task, Rule rule,
                        EmptySide policy) {
   BuildOptions options = thesis_options(rule, task.level);
   options.empty_side = rule == Rule::object_median ? EmptySide::stop : policy;
@@ -40,10 +40,10 @@ struct Score {
   std::string text = {};
 };
 
-Score score_against(Rule rule, EmptySide policy, std::span<const Task> tasks,
+Score score_against(Rule rule, EmptySide policy, std::span<const BalanceTask> tasks,
                     std::span<const Counted> counts) {
   Score score;
-  for (const Task& task : tasks) {
+  for (const BalanceTask& task : tasks) {
     const std::uint64_t soms = balanced(counts, task, Rule::soms, policy);
     const std::uint64_t other = balanced(counts, task, rule, policy);
     ++(soms > other ? score.higher : soms == other ? score.equal : score.lower);
@@ -53,29 +53,30 @@ Score score_against(Rule rule, EmptySide policy, std::span<const Task> tasks,
   return score;
 }
 
-std::string words(const Score& score) {
+std::string score_words(const Score& score) {
   return fmt::format("higher on {}, equal on {}, lower on {}", score.higher, score.equal,
                      score.lower);
 }
 
-std::string against_object_rules(std::span<const Task> tasks, std::span<const Counted> counts) {
+std::string against_object_rules(std::span<const BalanceTask> tasks,
+                                 std::span<const Counted> counts) {
   const Score median = score_against(Rule::object_median, EmptySide::stop, tasks, counts);
   const Score mean = score_against(Rule::object_mean, EmptySide::stop, tasks, counts);
   return fmt::format(
       "Object median halves the number of triangles at every node, so no rule balances better: the "
       "balanced level of SOMS is {} of {} models ({}). Against object mean it is {} ({}).",
-      words(median), tasks.size(), median.text, words(mean), mean.text);
+      score_words(median), tasks.size(), median.text, score_words(mean), mean.text);
 }
 
-std::string leaf_depths(std::span<const Task> tasks, std::span<const Counted> counts) {
+std::string leaf_depths(std::span<const BalanceTask> tasks, std::span<const Counted> counts) {
   int even = 0;
   int even_soms = 0;
-  const auto spread = [&](const Task& task, Rule rule) {
+  const auto spread = [&](const BalanceTask& task, Rule rule) {
     const TreeStatistics& s =
         find_count(counts, *task.model, thesis_options(rule, task.level))->counts;
     return s.max_leaf_depth - s.min_leaf_depth;
   };
-  for (const Task& task : tasks) {
+  for (const BalanceTask& task : tasks) {
     even += spread(task, Rule::object_median) <= 1 ? 1 : 0;
     even_soms += spread(task, Rule::soms) <= 1 ? 1 : 0;
   }
@@ -88,7 +89,7 @@ std::string leaf_depths(std::span<const Task> tasks, std::span<const Counted> co
 }  // namespace
 
 Result balance(const Context& context) {
-  std::vector<Task> tasks;
+  std::vector<BalanceTask> tasks;
   for (const Model& model : context.models.objects) {
     tasks.push_back({&model, kObjectLevel});
   }
@@ -97,8 +98,8 @@ Result balance(const Context& context) {
   }
   Steps steps(context.parallel, tasks.size());
   std::vector<Counted> counts;
-  for (const Task& task : tasks) {
-    for (const Contender& contender : with_each(all_builds(task.level), kPolicies)) {
+  for (const BalanceTask& task : tasks) {
+    for (const Contender& contender : with_each(all_builds(task.level), kThesisEmptySides)) {
       counts.push_back(count(*task.model, contender, steps.quiet()));
     }
     steps.done_one();
@@ -112,7 +113,7 @@ Result balance(const Context& context) {
           "triangle) and depths of leaves; possible_level is the greatest that so "
           "many triangles allow." +
               note,
-          kColumns, counts)},
+          kBalanceColumns, counts)},
       .figures = {{.id = "balance",
                    .caption = fmt::format("Balanced level: higher is more balanced.{}{}",
                                           kComparedOptions, note),

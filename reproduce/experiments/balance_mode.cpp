@@ -10,12 +10,9 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::array<std::string_view, 12> kColumns{
+constexpr std::array<std::string_view, 12> kLeafSizeColumns{
     "model",      "origin", "triangles", "rule", "midpoint",    "axis_from",
     "empty_side", "level",  "leaves",    "lt5",  "lt5_percent", "largest_leaf"};
-
-constexpr std::array kAllPolicies{EmptySide::stop, EmptySide::next_axis, EmptySide::object_median,
-                                  EmptySide::chain};
 
 }  // namespace
 
@@ -29,7 +26,7 @@ Result table_5_4(const Context& context) {
               "Leaves with fewer than five triangles by greatest level; lt5_percent is their share "
               "of the leaves." +
                   note_on_stand_ins(objects),
-              kColumns, counts)},
+              kLeafSizeColumns, counts)},
           .figures = {{.id = "table_5_4",
                        .caption = fmt::format("Share of leaves with fewer than five triangles, {}.",
                                               label_of(bunny)),
@@ -40,7 +37,7 @@ Result table_5_4(const Context& context) {
 Result table_5_10(const Context& context) {
   const std::span<const Model> scenes = context.models.scenes;
   const std::vector<Counted> counts = count_all(
-      scenes, with_each(all_builds_and_axes(kSceneLevel), kAllPolicies), context.parallel);
+      scenes, with_each(all_builds_and_axes(kSceneLevel), kAllEmptySides), context.parallel);
   const std::string note = note_on_stand_ins(scenes);
   return {
       .tables = {count_table(
@@ -48,7 +45,7 @@ Result table_5_10(const Context& context) {
           fmt::format("Leaves with fewer than five triangles, urban scenes at level {}; "
                       "lt5_percent is their share of the leaves.{}",
                       kSceneLevel, note),
-          kColumns, counts)},
+          kLeafSizeColumns, counts)},
       .figures = {{.id = "table_5_10",
                    .caption = fmt::format("Leaves with fewer than five triangles at level {}.{}{}",
                                           kSceneLevel, kComparedOptions, note),

@@ -77,7 +77,7 @@ double enclosed(const Mesh& mesh) {
   return sum / 6;
 }
 
-std::string words_of(const Vec3& at) {
+std::string point_words(const Vec3& at) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", at.x, at.y, at.z);
 }
 
@@ -232,7 +232,7 @@ Result figure_4_9(const Context&) {
     svg.circle(at, given ? 6 : 3.5, "class=\"f1\" fill=\"#d55e00\"");
     const double y = side_of(k, 2) == "least" ? at.y + 22 : at.y - 12;
     const std::string_view name = k == 0 ? "least " : k == 7 ? "greatest " : "";
-    svg.text({at.x, y}, fmt::format("{}{}", name, words_of(all[k])),
+    svg.text({at.x, y}, fmt::format("{}{}", name, point_words(all[k])),
              {.size = 14, .anchor = Anchor::middle, .bold = given, .haloed = true});
   };
   Result result;

@@ -97,7 +97,7 @@ struct BoxCase {
 
 constexpr Box kStill{{0, 0, 0}, {6, 5, 4}};
 
-constexpr std::array<BoxCase, 5> kCases{
+constexpr std::array<BoxCase, 5> kBoxCases{
     {{"overlap", "on all axes: overlap", {{4, 2, 1}, {10, 8, 6}}},
      {"touching", "touching on x: overlap", {{6, 2, 1}, {10, 8, 6}}},
      {"apart_x", "apart on x", {{7, 2, 1}, {10, 8, 6}}},
@@ -167,8 +167,8 @@ Result figure_4_33(const Context&) {
                   "boxes do.",
               .columns = {{"case"}, {"x"}, {"y"}, {"z"}, {"overlap"}}};
   std::string alt;
-  for (std::size_t k = 0; k < kCases.size(); ++k) {
-    const BoxCase& one = kCases[k];
+  for (std::size_t k = 0; k < kBoxCases.size(); ++k) {
+    const BoxCase& one = kBoxCases[k];
     const std::size_t column = k % 2;
     const std::size_t row_of_case = k / 2;
     draw_case(

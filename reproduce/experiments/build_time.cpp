@@ -17,7 +17,7 @@ namespace {
 enum class Unit { milliseconds, per_node, per_thousand_triangles };
 
 /// What one of these experiments varies.
-struct Task {
+struct TimedTask {
   std::string id;
   std::string caption;  ///< how the level is chosen
   std::string title;    ///< of the chart
@@ -28,7 +28,7 @@ struct Task {
   Unit unit = Unit::milliseconds;
 };
 
-std::string_view label_of(Unit unit) {
+std::string_view unit_label(Unit unit) {
   switch (unit) {
     case Unit::per_node:
       return "us for a node";
@@ -69,8 +69,8 @@ std::vector<Datum> data_of(std::span<const TimedBuild> builds, Unit unit) {
 }
 
 /// Times all builds of each model at the level that `level_of` gives. Fills in table and chart.
-std::vector<TimedBuild> run(const Task& task, const Context& context,
-                            int (*level_of)(const Model&, const Parallel&), Result& result) {
+std::vector<TimedBuild> time_task(const TimedTask& task, const Context& context,
+                                  int (*level_of)(const Model&, const Parallel&), Result& result) {
   std::size_t count = 0;
   for (const Model& model : task.models) {
     count += rounds(repetitions(context, task.repetitions, model));
@@ -91,7 +91,7 @@ std::vector<TimedBuild> run(const Task& task, const Context& context,
                   words_on_repetitions(context, task.repetitions, task.whose, task.models),
                   kThesisOptions, note_on_stand_ins(task.models));
   result.tables.push_back(time_table(task.id, caption, all));
-  BarChart chart = grouped_bars(task.title, std::string(label_of(task.unit)), data);
+  BarChart chart = grouped_bars(task.title, std::string(unit_label(task.unit)), data);
   chart.y_scale = task.unit == Unit::per_node ? Scale::log : Scale::linear;
   result.figures.push_back(
       {.id = task.id,
@@ -126,92 +126,92 @@ int fixed_level(const Model& /*model*/, const Parallel& /*parallel*/) {
 
 Result figure_5_2(const Context& context) {
   Result result;
-  run({.id = "figure_5_2",
-       .caption = "Build time, every object at the balanced level of spatial median.",
-       .title = "Build time at the balanced level of spatial median",
-       .models = context.models.objects,
-       .repetitions = 1000,
-       .average = true,
-       .unit = Unit::per_thousand_triangles},
-      context, balanced_level_of<Rule::spatial_median, kObjectLevel>, result);
+  time_task({.id = "figure_5_2",
+             .caption = "Build time, every object at the balanced level of spatial median.",
+             .title = "Build time at the balanced level of spatial median",
+             .models = context.models.objects,
+             .repetitions = 1000,
+             .average = true,
+             .unit = Unit::per_thousand_triangles},
+            context, balanced_level_of<Rule::spatial_median, kObjectLevel>, result);
   return result;
 }
 
 Result figure_5_3(const Context& context) {
   Result result;
-  run({.id = "figure_5_3",
-       .caption = "Build time, every object at the balanced level of SOMS.",
-       .title = "Build time at the balanced level of SOMS",
-       .models = context.models.objects,
-       .repetitions = 1000,
-       .average = true,
-       .unit = Unit::per_thousand_triangles},
-      context, balanced_level_of<Rule::soms, kObjectLevel>, result);
+  time_task({.id = "figure_5_3",
+             .caption = "Build time, every object at the balanced level of SOMS.",
+             .title = "Build time at the balanced level of SOMS",
+             .models = context.models.objects,
+             .repetitions = 1000,
+             .average = true,
+             .unit = Unit::per_thousand_triangles},
+            context, balanced_level_of<Rule::soms, kObjectLevel>, result);
   return result;
 }
 
 Result table_5_1(const Context& context) {
   Result result;
-  run({.id = "table_5_1",
-       .caption =
-           fmt::format("Build time and time for a node of the objects at level {}.", kObjectLevel),
-       .title = fmt::format("Build time for a node, objects at level {}", kObjectLevel),
-       .models = context.models.objects,
-       .repetitions = 100,
-       .unit = Unit::per_node},
-      context, fixed_level<kObjectLevel>, result);
+  time_task({.id = "table_5_1",
+             .caption = fmt::format("Build time and time for a node of the objects at level {}.",
+                                    kObjectLevel),
+             .title = fmt::format("Build time for a node, objects at level {}", kObjectLevel),
+             .models = context.models.objects,
+             .repetitions = 100,
+             .unit = Unit::per_node},
+            context, fixed_level<kObjectLevel>, result);
   return result;
 }
 
 Result figure_5_4(const Context& context) {
   Result result;
-  run({.id = "figure_5_4",
-       .caption = "Build time, every urban scene at the balanced level of spatial median.",
-       .title = "Urban scenes at the balanced level of spatial median",
-       .models = context.models.scenes,
-       .repetitions = 1000,
-       .whose = RepetitionsOf::thesis,
-       .average = true},
-      context, balanced_level_of<Rule::spatial_median, kSceneLevel>, result);
+  time_task({.id = "figure_5_4",
+             .caption = "Build time, every urban scene at the balanced level of spatial median.",
+             .title = "Urban scenes at the balanced level of spatial median",
+             .models = context.models.scenes,
+             .repetitions = 1000,
+             .whose = RepetitionsOf::thesis,
+             .average = true},
+            context, balanced_level_of<Rule::spatial_median, kSceneLevel>, result);
   return result;
 }
 
 Result figure_5_5(const Context& context) {
   Result result;
-  run({.id = "figure_5_5",
-       .caption = "Build time of the urban scenes at level 7.",
-       .title = "Urban scenes at level 7",
-       .models = context.models.scenes,
-       .repetitions = 1000,
-       .whose = RepetitionsOf::thesis,
-       .average = true},
-      context, fixed_level<7>, result);
+  time_task({.id = "figure_5_5",
+             .caption = "Build time of the urban scenes at level 7.",
+             .title = "Urban scenes at level 7",
+             .models = context.models.scenes,
+             .repetitions = 1000,
+             .whose = RepetitionsOf::thesis,
+             .average = true},
+            context, fixed_level<7>, result);
   return result;
 }
 
 Result table_5_6(const Context& context) {
   Result result;
-  run({.id = "table_5_6",
-       .caption = fmt::format("Build time and time for a node of the urban scenes at level {}.",
-                              kSceneLevel),
-       .title = fmt::format("Build time for a node, urban scenes at level {}", kSceneLevel),
-       .models = context.models.scenes,
-       .repetitions = 100,
-       .unit = Unit::per_node},
-      context, fixed_level<kSceneLevel>, result);
+  time_task({.id = "table_5_6",
+             .caption = fmt::format(
+                 "Build time and time for a node of the urban scenes at level {}.", kSceneLevel),
+             .title = fmt::format("Build time for a node, urban scenes at level {}", kSceneLevel),
+             .models = context.models.scenes,
+             .repetitions = 100,
+             .unit = Unit::per_node},
+            context, fixed_level<kSceneLevel>, result);
   return result;
 }
 
 Result table_5_8(const Context& context) {
   Result result;
-  run({.id = "table_5_8",
-       .caption = "Build time of the urban scenes at level 12.",
-       .title = "Urban scenes at level 12",
-       .models = context.models.scenes,
-       .repetitions = 100,
-       .whose = RepetitionsOf::thesis,
-       .average = true},
-      context, fixed_level<12>, result);
+  time_task({.id = "table_5_8",
+             .caption = "Build time of the urban scenes at level 12.",
+             .title = "Urban scenes at level 12",
+             .models = context.models.scenes,
+             .repetitions = 100,
+             .whose = RepetitionsOf::thesis,
+             .average = true},
+            context, fixed_level<12>, result);
   return result;
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 /// Which of the four parts holds a triangle; the last: none alone.
 constexpr std::size_t kParts = 4;
-constexpr std::size_t kAcross = kParts;
+constexpr std::size_t kAcrossParts = kParts;
 
 /// A scene cut in four by the middles of x and y.
 struct Quarters {
@@ -35,7 +35,7 @@ Quarters quarters_of(const Mesh& mesh) {
                         (box.lower.y < quarters.middle.y && box.upper.y > quarters.middle.y);
     const std::size_t right = box.upper.x > quarters.middle.x ? 1 : 0;
     const std::size_t upper = box.upper.y > quarters.middle.y ? 2 : 0;
-    quarters.part.push_back(across ? kAcross : right + upper);
+    quarters.part.push_back(across ? kAcrossParts : right + upper);
   }
   return quarters;
 }
@@ -49,7 +49,7 @@ std::string object_of(const Mesh& mesh, TriangleId id) {
 }
 
 std::string part_name(std::size_t part) {
-  return part == kAcross ? "across" : std::to_string(part + 1);
+  return part == kAcrossParts ? "across" : std::to_string(part + 1);
 }
 
 std::vector<TriangleId> triangles_of(const Quarters& quarters, std::size_t part) {
@@ -69,7 +69,7 @@ struct PlacedObject {
 };
 
 /// Most stages of figure 4.39 that are drawn; the last holds all objects.
-constexpr std::size_t kStages = 4;
+constexpr std::size_t kDrawnStages = 4;
 
 std::vector<PlacedObject> objects_of_part_1(const Mesh& mesh, const Quarters& quarters) {
   std::vector<PlacedObject> objects;
@@ -95,10 +95,10 @@ Table parts_table(std::span<const Model> scenes) {
               .columns = {{"model"}, {"part"}, {"width_x"}, {"width_y"}, {"triangles"}}};
   for (const Model& scene : scenes) {
     const Quarters quarters = quarters_of(*scene.mesh);
-    for (std::size_t part = 0; part <= kAcross; ++part) {
+    for (std::size_t part = 0; part <= kAcrossParts; ++part) {
       table.rows.push_back({scene.name, part_name(part),
-                            part == kAcross ? Cell{} : Cell{0.5 * quarters.extent.x},
-                            part == kAcross ? Cell{} : Cell{0.5 * quarters.extent.y},
+                            part == kAcrossParts ? Cell{} : Cell{0.5 * quarters.extent.x},
+                            part == kAcrossParts ? Cell{} : Cell{0.5 * quarters.extent.y},
                             count_cell(triangles_of(quarters, part).size())});
     }
   }
@@ -120,16 +120,16 @@ Result figure_4_39(const Context& context) {
   const std::vector<PlacedObject> objects = objects_of_part_1(mesh, quarters);
   std::vector<TriangleId> placed;
   std::vector<Mesh> stages;
-  stages.reserve(kStages);
+  stages.reserve(kDrawnStages);
   std::string alt;
   for (std::size_t k = 0; k < objects.size(); ++k) {
     placed.insert(placed.end(), objects[k].triangles.begin(), objects[k].triangles.end());
     table.rows.push_back(
         {objects[k].name, count_cell(objects[k].triangles.size()), count_cell(placed.size())});
-    if (k + 1 < kStages || k + 1 == objects.size()) {
+    if (k + 1 < kDrawnStages || k + 1 == objects.size()) {
       stages.push_back(some_of(mesh, placed));
       drawing.panels.push_back({.title = k == 0 ? objects[k].name
-                                         : k < kStages
+                                         : k < kDrawnStages
                                              ? "with " + objects[k].name
                                              : fmt::format("with all {} objects", objects.size()),
                                 .note = fmt::format("{} triangles", words(placed.size())),

@@ -26,11 +26,11 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr double kClaimed = 26;
+constexpr double kClaimedPercent = 26;
 constexpr double kNear = 5;  ///< ours
-constexpr Demand kAbout{.above = kClaimed - kNear, .below = kClaimed + kNear};
+constexpr Demand kAbout{.above = kClaimedPercent - kNear, .below = kClaimedPercent + kNear};
 constexpr std::string_view kAboutWords = "about 26 %, within 5 points (ours)";
-constexpr Demand kAtLeast{.above = kClaimed - 0.5};
+constexpr Demand kAtLeast{.above = kClaimedPercent - 0.5};
 constexpr std::string_view kAtLeastWords = "at least 26 % (25.5)";
 constexpr std::size_t kTriangles = 5672;
 constexpr double kMostDrawn = 150;  ///< a dot at +557 % would press the others together
@@ -164,7 +164,9 @@ std::string reach_of(const Claim& claim) {
     if (!row.unjudged.empty() || !row.reading.ends_with(kAboutWords)) {
       continue;
     }
-    const auto distance = [](const ClaimRow* one) { return std::abs(one->value - kClaimed); };
+    const auto distance = [](const ClaimRow* one) {
+      return std::abs(one->value - kClaimedPercent);
+    };
     nearest = nearest == nullptr || distance(&row) < distance(nearest) ? &row : nearest;
     least = least == nullptr || row.value < least->value ? &row : least;
     most = most == nullptr || row.value > most->value ? &row : most;
@@ -173,7 +175,7 @@ std::string reach_of(const Claim& claim) {
     return "No scene of this size was counted.";
   }
   return fmt::format("Of the rows that are judged, nearest to {:.0f}: {}. Least: {}. Most: {}.",
-                     kClaimed, words_on(*nearest), words_on(*least), words_on(*most));
+                     kClaimedPercent, words_on(*nearest), words_on(*least), words_on(*most));
 }
 
 Claim claim_of(std::span<const Gain> gains) {

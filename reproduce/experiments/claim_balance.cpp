@@ -48,7 +48,7 @@ constexpr std::array kMetrics{
            }}};
 
 /// A model's tree by one rule with one set of options.
-struct Measured {
+struct MeasuredBalance {
   const Model* model = nullptr;
   AxisFrom soms_axis = AxisFrom::inner;
   std::string reading;
@@ -62,8 +62,9 @@ BalanceMeasures measure(const Leveled& one, Rule rule, const OpenOptions& open,
   return balance_of(build(*one.model->mesh, options, {1, parallel.stop, {}}), options);
 }
 
-std::vector<Measured> measure_all(std::span<const Leveled> models, const Parallel& parallel) {
-  std::vector<Measured> all;
+std::vector<MeasuredBalance> measure_all(std::span<const Leveled> models,
+                                         const Parallel& parallel) {
+  std::vector<MeasuredBalance> all;
   Steps steps(parallel, kEmptySides.size() * kSomsAxes.size() * models.size());
   for (const EmptySide empty_side : kEmptySides) {
     for (const AxisFrom axis : kSomsAxes) {
@@ -79,10 +80,10 @@ std::vector<Measured> measure_all(std::span<const Leveled> models, const Paralle
   return all;
 }
 
-std::vector<ClaimRow> rows_of(std::span<const Measured> measured) {
+std::vector<ClaimRow> rows_of(std::span<const MeasuredBalance> measured) {
   std::vector<ClaimRow> rows;
   for (const Metric& metric : kMetrics) {
-    for (const Measured& one : measured) {
+    for (const MeasuredBalance& one : measured) {
       rows.push_back(counted_row(fmt::format("{}{}", metric.reading, one.reading), metric.name,
                                  label_of(*one.model), "", {.above = 0},
                                  metric.lead(one.soms, one.spatial)));
@@ -92,7 +93,7 @@ std::vector<ClaimRow> rows_of(std::span<const Measured> measured) {
   return rows;
 }
 
-Table table_of(std::span<const Measured> measured) {
+Table table_of(std::span<const MeasuredBalance> measured) {
   Table table{.id = "claim_balance",
               .caption =
                   "Balance of the trees of both rules at the greatest level (15 for objects, "
@@ -107,7 +108,7 @@ Table table_of(std::span<const Measured> measured) {
                           {"soms_unevenness"},
                           {"spatial_unevenness"}}};
   const auto whole = [](double value) { return static_cast<std::int64_t>(value); };
-  for (const Measured& one : measured) {
+  for (const MeasuredBalance& one : measured) {
     const BalanceMeasures& s = one.soms;
     const BalanceMeasures& m = one.spatial;
     table.rows.push_back({one.model->name, one.reading, whole(s.small_leaves),
@@ -118,13 +119,13 @@ Table table_of(std::span<const Measured> measured) {
 }
 
 /// On how many of the models SOMS leads, by metric, with the thesis' options.
-std::string leads_of(std::span<const Measured> measured, const std::string& reading) {
+std::string leads_of(std::span<const MeasuredBalance> measured, const std::string& reading) {
   std::string text;
   for (const Metric& metric : kMetrics) {
     std::size_t ahead = 0;
     std::size_t behind = 0;
     std::size_t models = 0;
-    for (const Measured& one : measured) {
+    for (const MeasuredBalance& one : measured) {
       if (one.reading == reading) {
         const double lead = metric.lead(one.soms, one.spatial);
         ahead += lead > 0 ? 1U : 0U;
@@ -139,9 +140,9 @@ std::string leads_of(std::span<const Measured> measured, const std::string& read
   return text;
 }
 
-Figure figure_of(std::span<const Measured> measured, const std::string& reading) {
+Figure figure_of(std::span<const MeasuredBalance> measured, const std::string& reading) {
   std::vector<Datum> data;
-  for (const Measured& one : measured) {
+  for (const MeasuredBalance& one : measured) {
     if (one.reading == reading) {
       data.push_back({label_of(*one.model), "SOMS", one.soms.unevenness});
       data.push_back({label_of(*one.model), "spatial median", one.spatial.unevenness});
@@ -161,7 +162,7 @@ Figure figure_of(std::span<const Measured> measured, const std::string& reading)
 
 Result claim_balance(const Context& context) {
   const std::vector<Leveled> models = at_greatest_level(context.models);
-  const std::vector<Measured> measured = measure_all(models, context.parallel);
+  const std::vector<MeasuredBalance> measured = measure_all(models, context.parallel);
   const std::string usual = words_of(EmptySide::stop, AxisFrom::inner);
   return {
       .tables = {table_of(measured)},

@@ -33,12 +33,12 @@ struct Share {
 
 constexpr std::array kShares{Share{0.375, "3/8"}, Share{0.25, "1/4"}, Share{0.125, "1/8"}};
 
-NamedTraversal generic() {
+NamedTraversal generic_traversal() {
   return {"ericson", {.traversal = Traversal::ericson}};
 }
 
 /// Rules whose trees differ in balance.
-std::vector<BuildPairing> builds() {
+std::vector<BuildPairing> differing_builds() {
   const std::vector<Contender> scenes = all_builds(kSceneLevel);
   const std::vector<Contender> objects = all_builds(kObjectLevel);
   const BuildPairing spatial = pairing(scenes, objects, "spatial_median");
@@ -51,16 +51,16 @@ std::vector<BuildPairing> builds() {
 }
 
 /// Levels of a ride's trees at which every node exists, the still body's first.
-std::uint64_t balanced_level(const Ride& ride) {
+std::uint64_t ride_balanced_level(const Ride& ride) {
   return statistics(*ride.trips.front().a.tree(), ride.build.of_scene.options).balanced_level;
 }
 
-double over(std::uint64_t one, std::uint64_t other) {
+double tests_over(std::uint64_t one, std::uint64_t other) {
   return static_cast<double>(one) / static_cast<double>(other);
 }
 
 /// Of two trees by different rules the more balanced over the less balanced one.
-void compare(std::vector<ClaimRow>& rows, const Ride& more, const Ride& less) {
+void add_comparison(std::vector<ClaimRow>& rows, const Ride& more, const Ride& less) {
   const Demand cheaper{.below = 1};
   const std::string reading =
       fmt::format("{} over the less balanced {}", more.build.title, less.build.title);
@@ -69,13 +69,13 @@ void compare(std::vector<ClaimRow>& rows, const Ride& more, const Ride& less) {
           ? ""
           : "SAH is no rule of the thesis; it shows that balance does not decide";
   ClaimRow boxes = counted_row(reading, "box tests", more.subject, "", cheaper,
-                               over(more.sum.counts.box_tests, less.sum.counts.box_tests));
+                               tests_over(more.sum.counts.box_tests, less.sum.counts.box_tests));
   boxes.unjudged = unjudged.empty() ? "box tests alone: a tree with larger leaves makes fewer of "
                                       "them and more triangle tests"
                                     : unjudged;
   rows.push_back(std::move(boxes));
   rows.push_back(counted_row(reading, "box tests and pairs of triangles together", more.subject, "",
-                             cheaper, over(more.tests(), less.tests())));
+                             cheaper, tests_over(more.tests(), less.tests())));
   rows.back().unjudged = unjudged;
   if (!more.rounds.empty() && !less.rounds.empty()) {
     rows.push_back(measured_row(reading, "processor time", more.subject, "", cheaper,
@@ -96,7 +96,7 @@ std::uint64_t count_uneven(std::span<const Trip> trips, double share, const Para
     for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
       check_stop(parallel);
       b.move(trip.pose(k));
-      box_tests += traverse(a.view(), b.view(), generic().options).box_tests;
+      box_tests += traverse(a.view(), b.view(), generic_traversal().options).box_tests;
     }
   }
   return box_tests;
@@ -111,11 +111,11 @@ void compare_shares(std::vector<ClaimRow>& rows, const Ride& ride, const Paralle
         fmt::format("nodes cut at 1/2 over cut at {}, all else alike (ours)", share.words);
     rows.push_back(counted_row(reading, "box tests, one triangle a leaf", ride.subject, "",
                                {.below = 1},
-                               over(half, count_uneven(ride.trips, share.share, parallel))));
+                               tests_over(half, count_uneven(ride.trips, share.share, parallel))));
   }
 }
 
-Table table_of(const std::vector<Ride>& rides) {
+Table pairs_table(const std::vector<Ride>& rides) {
   Table table{
       .id = "balance_and_cost",
       .caption = fmt::format(
@@ -127,7 +127,7 @@ Table table_of(const std::vector<Ride>& rides) {
   add_count_columns(table);
   add_estimate_columns(table, "ms");
   for (const Ride& ride : rides) {
-    std::vector<Cell> row{ride.subject, ride.build.title, count_cell(balanced_level(ride))};
+    std::vector<Cell> row{ride.subject, ride.build.title, count_cell(ride_balanced_level(ride))};
     add_count_cells(row, ride.sum.counts);
     add_estimate_cells(row, ride.rounds);
     table.rows.push_back(std::move(row));
@@ -138,7 +138,7 @@ Table table_of(const std::vector<Ride>& rides) {
 }  // namespace
 
 Result claim_balanced(const Context& context) {
-  const std::vector<BuildPairing> pairings = builds();
+  const std::vector<BuildPairing> pairings = differing_builds();
   const std::vector<RideCourse> courses = thesis_courses(context);
   Steps steps(context.parallel, 2 * courses.size());
   Claim claim{.id = "balanced_trees_are_traversed_faster",
@@ -154,12 +154,12 @@ Result claim_balanced(const Context& context) {
                   "balanced one (ours)"};
   std::vector<Ride> all;
   for (const RideCourse& course : courses) {
-    std::vector<Ride> rides = ride(context, course, pairings, generic());
+    std::vector<Ride> rides = ride(context, course, pairings, generic_traversal());
     if (rides[0].sum.root_overlap_frames > 0) {
       for (const Ride& more : rides) {
         for (const Ride& less : rides) {
-          if (balanced_level(more) > balanced_level(less)) {
-            compare(claim.rows, more, less);
+          if (ride_balanced_level(more) > ride_balanced_level(less)) {
+            add_comparison(claim.rows, more, less);
           }
         }
       }
@@ -171,7 +171,7 @@ Result claim_balanced(const Context& context) {
     std::move(rides.begin(), rides.end(), std::back_inserter(all));
     steps.done_one();
   }
-  return {.tables = {table_of(all)}, .claims = {std::move(claim)}};
+  return {.tables = {pairs_table(all)}, .claims = {std::move(claim)}};
 }
 
 }  // namespace soms::reproduce

@@ -11,10 +11,10 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr double kClaimed = 43;
+constexpr double kClaimedBuildMs = 43;
 
 /// 43 ms is a rounded number.
-constexpr Demand kRounded{.above = kClaimed - 0.5, .below = kClaimed + 0.5};
+constexpr Demand kRounded{.above = kClaimedBuildMs - 0.5, .below = kClaimedBuildMs + 0.5};
 
 int soms_balanced_level(const Model& model, const Parallel& parallel) {
   return balanced_level(model, thesis_rules(kObjectLevel).back(), parallel);

@@ -42,7 +42,7 @@ int rounds_of_others(const Context& context) {
 }
 
 /// The object that the claim is about, or what stands for it.
-struct Subject {
+struct RacedObject {
   const Model* model = nullptr;
   int balanced_level = 0;  ///< by SOMS
 
@@ -52,13 +52,13 @@ struct Subject {
   }
 };
 
-Subject subject_of(std::span<const Model> objects, const Parallel& parallel) {
+RacedObject subject_of(std::span<const Model> objects, const Parallel& parallel) {
   const Model* const given = original_of(objects, 948);
   const Model& model = given != nullptr ? *given : objects.front();
   return {&model, balanced_level(model, thesis_rules(kObjectLevel).back(), parallel)};
 }
 
-std::vector<RaceTask> tasks_of(const Model& model, const Subject& subject,
+std::vector<RaceTask> tasks_of(const Model& model, const RacedObject& subject,
                                const Parallel& parallel) {
   std::vector<RaceTask> tasks;
   for (int level = kLeastLevel; level <= kObjectLevel; ++level) {
@@ -78,7 +78,7 @@ std::vector<RaceTask> tasks_of(const Model& model, const Subject& subject,
   return tasks;
 }
 
-std::string reading_of(const Race& race) {
+std::string race_reading(const Race& race) {
   return race.empty_side == EmptySide::stop
              ? fmt::format("{}, level {}", reading_of(race.builder), race.level)
              : fmt::format("{}, {}, level {}", reading_of(race.builder),
@@ -86,7 +86,7 @@ std::string reading_of(const Race& race) {
 }
 
 /// The races of the subject that have rows, by builder.
-std::vector<const Race*> races_in_rows(std::span<const Race> races, const Subject& subject) {
+std::vector<const Race*> races_in_rows(std::span<const Race> races, const RacedObject& subject) {
   std::vector<const Race*> chosen;
   for (const Builder builder : kBuilders) {
     for (const Race& one : races) {
@@ -100,13 +100,13 @@ std::vector<const Race*> races_in_rows(std::span<const Race> races, const Subjec
 
 ClaimRow row_of(const Race& race, const Meaning& meaning, const char* metric,
                 const Estimate& saved) {
-  ClaimRow row = measured_row(fmt::format("{}; {}", reading_of(race), meaning.words), metric,
+  ClaimRow row = measured_row(fmt::format("{}; {}", race_reading(race), meaning.words), metric,
                               label_of(*race.model), "%", meaning.demand, saved);
   row.unjudged = not_the_object_of_948(*race.model);
   return row;
 }
 
-std::vector<ClaimRow> rows_of(std::span<const Race> races, const Subject& subject) {
+std::vector<ClaimRow> rows_of(std::span<const Race> races, const RacedObject& subject) {
   std::vector<ClaimRow> rows;
   const std::vector<const Race*> chosen = races_in_rows(races, subject);
   for (const Meaning& meaning : kMeanings) {
@@ -139,7 +139,7 @@ std::string counts_words(const Race& race) {
 }
 
 /// What the counts say at the balanced level and at the greatest.
-std::string why(std::span<const Race> races, const Subject& subject) {
+std::string why(std::span<const Race> races, const RacedObject& subject) {
   const auto counts = [&](int level, Builder builder, EmptySide empty_side = EmptySide::stop) {
     const Race* const found = find_race(races, {subject.model, level, empty_side}, builder);
     return found == nullptr ? std::string() : counts_words(*found);
@@ -191,7 +191,7 @@ std::string draw_gain(std::span<const Race> races, const Model& object) {
   return draw(chart);
 }
 
-Claim claim_of(std::span<const Race> races, const Subject& subject) {
+Claim claim_of(std::span<const Race> races, const RacedObject& subject) {
   return {.id = "build_8_percent",
           .statement = "SOMS builds the tree of 948 triangles 8 % faster than spatial median",
           .source = "abstract",
@@ -207,7 +207,7 @@ Claim claim_of(std::span<const Race> races, const Subject& subject) {
                                "it does not use"}};
 }
 
-std::vector<Race> races_of(const Context& context, const Subject& subject) {
+std::vector<Race> races_of(const Context& context, const RacedObject& subject) {
   const std::vector<Model>& objects = context.models.objects;
   const Parallel quiet{1, context.parallel.stop, {}};
   const auto rounds_of = [&](const Model& model) {
@@ -233,7 +233,7 @@ std::vector<Race> races_of(const Context& context, const Subject& subject) {
 
 Result claim_build_8_percent(const Context& context) {
   const std::vector<Model>& objects = context.models.objects;
-  const Subject subject = subject_of(objects, {1, context.parallel.stop, {}});
+  const RacedObject subject = subject_of(objects, {1, context.parallel.stop, {}});
   const std::vector<Race> races = races_of(context, subject);
   const std::string note = note_on_stand_ins(objects);
   return {

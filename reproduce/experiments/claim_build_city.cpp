@@ -18,9 +18,9 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr Demand kLess{.above = 0};
+constexpr Demand kAnyGain{.above = 0};
 
-constexpr std::array kRules{Rule::spatial_median, Rule::soms};
+constexpr std::array kCityRules{Rule::spatial_median, Rule::soms};
 
 constexpr int kRounds = 150;
 constexpr int kQuickRounds = 25;
@@ -67,7 +67,7 @@ bool is_fixed_occasion(int level) {
 
 /// The reading of an occasion. Where it is the balanced level, too, it stands for both; the words
 /// are the same for all scenes, whose rows make one line.
-std::string words_of(const Occasion& occasion, std::span<const Balanced> balanced) {
+std::string occasion_words(const Occasion& occasion, std::span<const Balanced> balanced) {
   const auto same = std::count_if(balanced.begin(), balanced.end(), [&](const Balanced& one) {
     return occasion.level > 0 ? one.level == occasion.level : is_fixed_occasion(one.level);
   });
@@ -94,7 +94,7 @@ void add_entrants(std::span<const Model> scenes, EmptySide empty_side, const Par
   const std::vector<Balanced> balanced = balanced_of(scenes, empty_side, parallel);
   for (const Occasion& occasion : kOccasions) {
     const std::string reading =
-        fmt::format("{}; {}", words_of(occasion, balanced), fallback_words(empty_side));
+        fmt::format("{}; {}", occasion_words(occasion, balanced), fallback_words(empty_side));
     for (const Balanced& one : balanced) {
       if (occasion.level == 0 && is_fixed_occasion(one.level)) {
         continue;
@@ -128,14 +128,14 @@ std::vector<ClaimRow> rows_of(std::span<const Entrant> entrants, std::span<const
     const std::string subject = label_of(*one.task.model);
     const Race& counted = *find_race(races, one.task, Builder::in_place);
     rows.push_back(counted_row(one.reading, "midpoints compared with planes, saved by SOMS",
-                               subject, "%", kLess, gain_in_work(counted)));
+                               subject, "%", kAnyGain, gain_in_work(counted)));
     rows.back().unjudged =
         "comparisons are a part of the work and not its time; they are the same on every machine";
     for (const Builder builder : kBuilders) {
       const Race& timed = *find_race(races, one.task, builder);
       rows.push_back(measured_row(
           one.reading, fmt::format("time of the tree, saved by SOMS, {}", reading_of(builder)),
-          subject, "%", kLess, gain(timed)));
+          subject, "%", kAnyGain, gain(timed)));
       rows.back().unjudged = unjudged_reason(timed);
     }
   }
@@ -145,7 +145,7 @@ std::vector<ClaimRow> rows_of(std::span<const Entrant> entrants, std::span<const
 /// The reading of level 7 in which a node stays whole.
 std::string nearest_of(std::span<const Model> scenes, const Parallel& parallel) {
   return fmt::format("{}; {}",
-                     words_of(kOccasions[1], balanced_of(scenes, EmptySide::stop, parallel)),
+                     occasion_words(kOccasions[1], balanced_of(scenes, EmptySide::stop, parallel)),
                      fallback_words(EmptySide::stop));
 }
 
@@ -161,7 +161,7 @@ Table depths_table(std::span<const Model> scenes, const std::string& note) {
     table.columns.push_back({column});
   }
   for (const Model& scene : scenes) {
-    for (const Rule rule : kRules) {
+    for (const Rule rule : kCityRules) {
       for (const EmptySide empty_side : kFallbacks) {
         std::array<std::array<std::int64_t, 4>, kSceneLevel> of_depth = {};
         const Tree tree = build(*scene.mesh, contender_of(rule, kSceneLevel, empty_side).options);

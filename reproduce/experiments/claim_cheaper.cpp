@@ -19,9 +19,6 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::array kPolicies{EmptySide::stop, EmptySide::next_axis, EmptySide::object_median,
-                               EmptySide::chain};
-
 /// The two that the thesis names: Ericson's generic one and Larsson's.
 std::array<NamedTraversal, 2> generic_traversals() {
   return {{{"ericson", {.traversal = Traversal::ericson}},
@@ -29,12 +26,12 @@ std::array<NamedTraversal, 2> generic_traversals() {
 }
 
 /// SOMS, then spatial median with each empty side.
-std::vector<BuildPairing> builds() {
+std::vector<BuildPairing> builds_by_empty_side() {
   const std::vector<Contender> scenes = thesis_rules(kSceneLevel);
   const std::vector<Contender> objects = thesis_rules(kObjectLevel);
   std::vector<BuildPairing> list{pairing(scenes, objects, "soms")};
   const BuildPairing spatial = pairing(scenes, objects, "spatial_median");
-  for (const EmptySide policy : kPolicies) {
+  for (const EmptySide policy : kAllEmptySides) {
     list.push_back({fmt::format("spatial median ({})", name(policy)),
                     with(spatial.of_scene, policy), with(spatial.of_object, policy)});
   }
@@ -85,7 +82,7 @@ std::string untimed_words(std::span<const Ride> rides) {
                              kManyTrianglePairs / 1'000'000, fmt::join(names, "; "));
 }
 
-Table table_of(const std::vector<Ride>& rides) {
+Table cheaper_table(const std::vector<Ride>& rides) {
   Table table{.id = "query_cost",
               .caption = fmt::format(
                   "Cost of collision detection by rule, empty side and traversal, summed over all "
@@ -117,7 +114,7 @@ Table table_of(const std::vector<Ride>& rides) {
 }  // namespace
 
 Result claim_cheaper(const Context& context) {
-  const std::vector<BuildPairing> pairings = builds();
+  const std::vector<BuildPairing> pairings = builds_by_empty_side();
   const std::vector<RideCourse> courses = thesis_courses(context);
   const auto traversals = generic_traversals();
   Steps steps(context.parallel, courses.size() * traversals.size());
@@ -140,14 +137,14 @@ Result claim_cheaper(const Context& context) {
     for (const NamedTraversal& traversal : traversals) {
       std::vector<Ride> rides = ride(context, course, pairings, traversal);
       for (std::size_t i = 1; i < rides.size(); ++i) {
-        add_rows(claim.rows, rides[0], rides[i], traversal.name, kPolicies[i - 1]);
+        add_rows(claim.rows, rides[0], rides[i], traversal.name, kAllEmptySides[i - 1]);
       }
       std::move(rides.begin(), rides.end(), std::back_inserter(all));
       steps.done_one();
     }
   }
   claim.note = untimed_words(all);
-  return {.tables = {table_of(all)}, .claims = {std::move(claim)}};
+  return {.tables = {cheaper_table(all)}, .claims = {std::move(claim)}};
 }
 
 }  // namespace soms::reproduce

@@ -15,7 +15,7 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr Demand kLess{.below = 1};
+constexpr Demand kFaster{.below = 1};
 
 constexpr std::string_view kSameTests =
     "decided by construction: E-Node tests the boxes that its opponent tests, one for one";
@@ -47,7 +47,7 @@ struct Kind {
 };
 
 using Counter = std::uint64_t TraversalCounts::*;
-using Timed = std::vector<Timing> Raced::*;
+using TripTimes = std::vector<Timing> Raced::*;
 
 /// Frames to time: all; of a drive in a quick run the middle of those in which the roots overlap.
 std::vector<std::size_t> timed_frames(const MovedTrip& moved, bool quick) {
@@ -64,8 +64,8 @@ std::vector<std::size_t> timed_frames(const MovedTrip& moved, bool quick) {
 }
 
 /// Counts of all frames. \errors std::logic_error where a frame's leaf pairs differ.
-TraversalCounts counts_of(const MovedTrip& moved, const TripRacer& racer,
-                          std::vector<std::uint64_t>& leaf_pairs, const Parallel& parallel) {
+TraversalCounts racer_counts(const MovedTrip& moved, const TripRacer& racer,
+                             std::vector<std::uint64_t>& leaf_pairs, const Parallel& parallel) {
   FrameTraversal traversal(moved, racer);
   TraversalCounts sum;
   const bool first = leaf_pairs.empty();
@@ -90,7 +90,7 @@ Raced raced(const Trip& trip, const Context& context, Steps& steps) {
   Raced result{&trip, frames.size()};
   std::vector<std::uint64_t> leaf_pairs;
   for (const TripRacer& racer : enode_racers()) {
-    result.counts.push_back(counts_of(moved, racer, leaf_pairs, quiet));
+    result.counts.push_back(racer_counts(moved, racer, leaf_pairs, quiet));
   }
   const int rounds = enode_rounds(context);
   if (trip.rule == kEnodeRule || !context.quick) {
@@ -112,14 +112,14 @@ ClaimRow count_row(const Kind& kind, const Pairing& pairing, std::string metric,
     one += trip.count(pairing.one).*counter;
     other += trip.count(pairing.other).*counter;
   }
-  ClaimRow row = counted_row(reading_of(pairing), std::move(metric), kind.of->tests, "", kLess,
+  ClaimRow row = counted_row(reading_of(pairing), std::move(metric), kind.of->tests, "", kFaster,
                              static_cast<double>(one) / static_cast<double>(other));
   row.unjudged = unjudged;
   return row;
 }
 
 /// The ratio of the sums over trips.
-Estimate ratio_of(std::span<const Raced> trips, const Pairing& pairing, Timed timed) {
+Estimate ratio_of(std::span<const Raced> trips, const Pairing& pairing, TripTimes timed) {
   std::vector<double> one;
   std::vector<double> other;
   for (const Raced& trip : trips) {
@@ -129,10 +129,11 @@ Estimate ratio_of(std::span<const Raced> trips, const Pairing& pairing, Timed ti
   return paired_ratio(one, other);
 }
 
-ClaimRow time_row(const Kind& kind, const Pairing& pairing, std::string_view what, Timed timed) {
+ClaimRow time_row(const Kind& kind, const Pairing& pairing, std::string_view what,
+                  TripTimes timed) {
   ClaimRow row =
       measured_row(reading_of(pairing), fmt::format("time of {}, E-Node / opponent", what),
-                   kind.of->tests, "", kLess, ratio_of(kind.raced, pairing, timed));
+                   kind.of->tests, "", kFaster, ratio_of(kind.raced, pairing, timed));
   row.unjudged = pairing.unjudged;
   return row;
 }

@@ -18,15 +18,16 @@ namespace {
 
 constexpr double kClaimedMilliseconds = 0.2;
 
-constexpr std::string_view kUnjudged = "the scene and the machine of the thesis are not available";
+constexpr std::string_view kThesisUnavailable =
+    "the scene and the machine of the thesis are not available";
 
 /// E-Node in two readings.
-struct Reading {
+struct EnodeReading {
   std::string_view words;
   RacerPlace place;
 };
 
-constexpr std::array<Reading, 2> kReadings{
+constexpr std::array<EnodeReading, 2> kEnodeReadings{
     {{"family test, both nodes", RacerPlace::e_node},
      {"ours: family test, larger node", RacerPlace::e_node_larger}}};
 
@@ -49,8 +50,8 @@ struct Mean {
 
 std::vector<TripRacer> racers_of_readings() {
   std::vector<TripRacer> racers;
-  racers.reserve(kReadings.size());
-  for (const Reading& reading : kReadings) {
+  racers.reserve(kEnodeReadings.size());
+  for (const EnodeReading& reading : kEnodeReadings) {
     racers.push_back(enode_racers()[static_cast<std::size_t>(reading.place)]);
   }
   return racers;
@@ -86,7 +87,7 @@ void add_means(std::vector<Mean>& means, const std::string& subject, const Moved
       const auto add = [&](std::string_view which, const std::vector<double>& rounds,
                            std::size_t frames) {
         means.push_back({subject, fmt::format("mean time of {}, {}", question.words, which),
-                         std::string(kReadings[i].words), mean_of_frames(rounds, frames)});
+                         std::string(kEnodeReadings[i].words), mean_of_frames(rounds, frames)});
       };
       if (!contact.empty()) {
         add("frames with contact", with[i].rounds, contact.size());
@@ -111,7 +112,7 @@ Claim claim_of(const std::vector<Mean>& means) {
   for (const Mean& mean : means) {
     claim.rows.push_back(measured_row(mean.reading, mean.metric, mean.subject, "ms",
                                       {.below = kClaimedMilliseconds}, mean.milliseconds));
-    claim.rows.back().unjudged = kUnjudged;
+    claim.rows.back().unjudged = kThesisUnavailable;
   }
   return claim;
 }

@@ -36,7 +36,7 @@ constexpr std::array kWithoutFallback{EmptySide::stop, EmptySide::next_axis};
 constexpr std::uint64_t kSpreadTriangles = 5000;
 
 /// What the rows are counted on.
-struct Subject {
+struct StuckSubject {
   std::string name;
   Model model = {};
   int level = kObjectLevel;
@@ -46,7 +46,7 @@ struct Subject {
 
 /// Where both rules are stuck on a subject under one reading.
 struct Stuck {
-  const Subject* subject = nullptr;
+  const StuckSubject* subject = nullptr;
   OpenOptions open = {};
   StuckNodes soms = {};
   StuckNodes spatial = {};
@@ -58,8 +58,8 @@ Model model_of(Mesh mesh) {
   return model;
 }
 
-std::vector<Subject> subjects_of(const Models& models) {
-  std::vector<Subject> subjects;
+std::vector<StuckSubject> stuck_subjects(const Models& models) {
+  std::vector<StuckSubject> subjects;
   for (const auto& [model, level] : at_greatest_level(models)) {
     subjects.push_back({label_of(*model), *model, level});
   }
@@ -74,7 +74,7 @@ std::vector<Subject> subjects_of(const Models& models) {
   for (ToySet& toy : toys) {
     const ToySplit split = split_toy(toy.mesh, Rule::soms);
     if (toy.unlike && split.inner.lower != split.inner.upper) {
-      Subject subject{"toy set " + toy.name, model_of(std::move(toy.mesh))};
+      StuckSubject subject{"toy set " + toy.name, model_of(std::move(toy.mesh))};
       subject.decided_by_stop = "it was made so that the first plane of spatial median fails";
       subjects.push_back(std::move(subject));
     }
@@ -82,7 +82,7 @@ std::vector<Subject> subjects_of(const Models& models) {
   return subjects;
 }
 
-StuckNodes stuck(const Subject& subject, Rule rule, const OpenOptions& open,
+StuckNodes stuck(const StuckSubject& subject, Rule rule, const OpenOptions& open,
                  const Parallel& parallel) {
   const Mesh& mesh = *subject.model.mesh;
   const BuildOptions options = options_of(rule, subject.level, open);
@@ -90,7 +90,7 @@ StuckNodes stuck(const Subject& subject, Rule rule, const OpenOptions& open,
 }
 
 /// "stop, inner axis, midpoint thesis".
-std::string reading_of(const OpenOptions& open) {
+std::string open_reading(const OpenOptions& open) {
   return fmt::format("{}, midpoint {}{}", words_of(open.empty_side, open.soms_axis),
                      name(open.midpoint), open.midpoint == Midpoint::thesis ? "" : " (ours)");
 }
@@ -110,12 +110,12 @@ std::vector<OpenOptions> all_options() {
   return all;
 }
 
-std::vector<Stuck> count_all(std::span<const Subject> subjects, const Parallel& parallel) {
+std::vector<Stuck> count_stuck(std::span<const StuckSubject> subjects, const Parallel& parallel) {
   std::vector<Stuck> all;
   const std::vector<OpenOptions> options = all_options();
   Steps steps(parallel, options.size() * subjects.size());
   for (const OpenOptions& open : options) {
-    for (const Subject& subject : subjects) {
+    for (const StuckSubject& subject : subjects) {
       all.push_back({&subject, open, stuck(subject, Rule::soms, open, steps.quiet()),
                      stuck(subject, Rule::spatial_median, open, steps.quiet())});
       steps.done_one();
@@ -139,7 +139,7 @@ std::string unjudged_of(const Stuck& one) {
 ClaimRow row_of(const Stuck& one) {
   const auto count = [](const StuckNodes& nodes) { return static_cast<double>(nodes.partable); };
   ClaimRow row =
-      counted_row(reading_of(one.open),
+      counted_row(open_reading(one.open),
                   "nodes where spatial median is stuck; if SOMS is stuck anywhere, minus its nodes",
                   one.subject->name, "", {.above = 0},
                   one.soms.partable == 0 ? count(one.spatial) : -count(one.soms));
@@ -210,8 +210,10 @@ std::string totals_of(std::span<const Stuck> all) {
 }
 
 /// What spatial median does where only the sizes change: from one size to edges far apart.
-std::string spread_words(std::span<const Subject> subjects, const Parallel& parallel) {
-  const auto is_spread = [](const Subject& subject) { return subject.name.starts_with("spread"); };
+std::string spread_words(std::span<const StuckSubject> subjects, const Parallel& parallel) {
+  const auto is_spread = [](const StuckSubject& subject) {
+    return subject.name.starts_with("spread");
+  };
   const auto alike = std::find_if(subjects.begin(), subjects.end(), is_spread);
   const auto unlike = std::find_if(subjects.rbegin(), subjects.rend(), is_spread);
   const StuckNodes from = stuck(*alike, Rule::spatial_median, {}, parallel);
@@ -224,7 +226,7 @@ std::string spread_words(std::span<const Subject> subjects, const Parallel& para
       words(to.largest));
 }
 
-Claim claim_of(std::span<const Subject> subjects, std::span<const Stuck> all,
+Claim claim_of(std::span<const StuckSubject> subjects, std::span<const Stuck> all,
                const Parallel& parallel) {
   Claim claim{.id = "no_fallback",
               .statement =
@@ -283,8 +285,8 @@ Figure figure_of(std::span<const Stuck> all) {
 }  // namespace
 
 Result claim_fallback(const Context& context) {
-  const std::vector<Subject> subjects = subjects_of(context.models);
-  const std::vector<Stuck> all = count_all(subjects, context.parallel);
+  const std::vector<StuckSubject> subjects = stuck_subjects(context.models);
+  const std::vector<Stuck> all = count_stuck(subjects, context.parallel);
   Result result;
   result.claims = {claim_of(subjects, all, context.parallel)};
   result.tables = {table_of(all)};

@@ -20,8 +20,8 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr int kClaimed = 7;
-constexpr std::size_t kTriangles = 5672;
+constexpr int kClaimedLevel = 7;
+constexpr std::size_t kObjectTriangles = 5672;
 constexpr std::array kRootLevels{1, 0};
 
 std::vector<ClaimRow> rows_of(std::span<const Model> scenes, const Parallel& parallel) {
@@ -32,12 +32,12 @@ std::vector<ClaimRow> rows_of(std::span<const Model> scenes, const Parallel& par
         const auto level = static_cast<double>(
             counts_of(*scene.mesh, Rule::soms, kSceneLevel, {.soms_axis = axis}, parallel)
                 .balanced_level);
-        ClaimRow row =
-            counted_row(fmt::format("{} axis, the root is level {}{}", name(axis), root,
-                                    root == 1 ? "" : " (ours)"),
-                        "balanced level (complete and filled, ours)", label_of(scene), "",
-                        {.above = kClaimed - 0.5, .below = kClaimed + 0.5}, level - (1 - root));
-        row.unjudged = not_of_thesis(scene, kTriangles);
+        ClaimRow row = counted_row(fmt::format("{} axis, the root is level {}{}", name(axis), root,
+                                               root == 1 ? "" : " (ours)"),
+                                   "balanced level (complete and filled, ours)", label_of(scene),
+                                   "", {.above = kClaimedLevel - 0.5, .below = kClaimedLevel + 0.5},
+                                   level - (1 - root));
+        row.unjudged = not_of_thesis(scene, kObjectTriangles);
         if (row.unjudged.empty()) {
           row.unjudged = root == 1 ? axis_unjudged(axis) : "figure 4.30 has the root as level 1";
         }

@@ -101,7 +101,7 @@ std::vector<ClaimRow> rows_below(std::span<const Leveled> models, std::vector<La
 
 /// "bunny from level 10 on (balanced level 6; fewer at 7, 9)": when the gain of a ladder begins for
 /// good, and where it is a loss.
-std::string words_of(const Ladder& ladder) {
+std::string ladder_words(const Ladder& ladder) {
   std::string fewer;
   std::size_t from = ladder.levels.size();
   for (std::size_t i = ladder.levels.size(); i-- > 0;) {
@@ -122,7 +122,7 @@ std::string words_of(const Ladder& ladder) {
 std::string note_of(std::span<const Ladder> ladders) {
   std::string where;
   for (const Ladder& ladder : ladders) {
-    where += fmt::format("{}{}", where.empty() ? "" : "; ", words_of(ladder));
+    where += fmt::format("{}{}", where.empty() ? "" : "; ", ladder_words(ladder));
   }
   return where.empty() ? where
                        : fmt::format(

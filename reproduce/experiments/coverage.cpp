@@ -13,7 +13,7 @@ namespace soms::reproduce {
 
 namespace {
 
-std::string_view name(CoverageState state) {
+std::string_view state_name(CoverageState state) {
   switch (state) {
     case CoverageState::shown:
       return "yes";
@@ -25,23 +25,25 @@ std::string_view name(CoverageState state) {
   return "no";
 }
 
-std::int64_t count(std::span<const Coverage> entries, ThesisItemKind kind, CoverageState state) {
+std::int64_t count_entries(std::span<const Coverage> entries, ThesisItemKind kind,
+                           CoverageState state) {
   return std::count_if(entries.begin(), entries.end(), [&](const Coverage& entry) {
     return entry.item->kind == kind && entry.state == state;
   });
 }
 
 /// "14 of 16 tables have an item of their own, 0 are shown by another item, 2 are not shown."
-std::string sentence(std::span<const Coverage> entries, ThesisItemKind kind, std::size_t all) {
+std::string coverage_sentence(std::span<const Coverage> entries, ThesisItemKind kind,
+                              std::size_t all) {
   return fmt::format(
       "{} of {} {} have an item of their own, {} are shown by another item, {} are not shown.",
-      count(entries, kind, CoverageState::shown), all,
+      count_entries(entries, kind, CoverageState::shown), all,
       kind == ThesisItemKind::table ? "tables" : "figures",
-      count(entries, kind, CoverageState::elsewhere),
-      count(entries, kind, CoverageState::not_shown));
+      count_entries(entries, kind, CoverageState::elsewhere),
+      count_entries(entries, kind, CoverageState::not_shown));
 }
 
-std::int64_t count(std::span<const SourcedOption> options, Basis basis) {
+std::int64_t count_options(std::span<const SourcedOption> options, Basis basis) {
   return std::count_if(options.begin(), options.end(),
                        [&](const SourcedOption& option) { return option.basis == basis; });
 }
@@ -98,13 +100,13 @@ Result coverage(const Context&) {
     const ThesisItem& item = *entry.item;
     table.rows.push_back(
         {std::string(item.kind == ThesisItemKind::table ? "table" : "figure"),
-         std::string(item.number), std::string(item.subject), std::string(name(entry.state)),
+         std::string(item.number), std::string(item.subject), std::string(state_name(entry.state)),
          entry.experiment == nullptr ? Cell{} : Cell{std::string(entry.experiment->item)},
          item.why_not.empty() ? Cell{} : Cell{std::string(item.why_not)}});
   }
   return {.tables = {std::move(table)},
-          .remarks = {sentence(entries, ThesisItemKind::table, kThesisTables),
-                      sentence(entries, ThesisItemKind::figure, kThesisFigures),
+          .remarks = {coverage_sentence(entries, ThesisItemKind::table, kThesisTables),
+                      coverage_sentence(entries, ThesisItemKind::figure, kThesisFigures),
                       "Shown means: the same subject on our models by our code. Where only a "
                       "caption is public, the drawing is ours."}};
 }
@@ -116,8 +118,8 @@ Result sources(const Context&) {
       .remarks = {fmt::format(
           "Of {} options {} are stated, {} follow from a caption or heading, {} are ours. The item "
           "options shows what they change.",
-          options.size(), count(options, Basis::stated), count(options, Basis::caption),
-          count(options, Basis::ours))}};
+          options.size(), count_options(options, Basis::stated),
+          count_options(options, Basis::caption), count_options(options, Basis::ours))}};
 }
 
 }  // namespace soms::reproduce

@@ -20,7 +20,7 @@ namespace soms::reproduce {
 namespace {
 
 /// A drive on the trees of one rule, by all traversals.
-struct Ride {
+struct Drive {
   std::string title;  ///< of the rule
   Trip trip;
   std::array<Totals, drive_traversal_count> sums = {};
@@ -46,7 +46,7 @@ struct Ride {
   }
 };
 
-void run(Ride& ride, const Context& context) {
+void run_drive(Drive& ride, const Context& context) {
   const auto traversals = drive_traversals();
   for (std::size_t i = 0; i < drive_traversal_count; ++i) {
     ride.sums[i] = totals(traverse_frames(ride.trip, traversals[i], context.parallel));
@@ -69,7 +69,7 @@ void run(Ride& ride, const Context& context) {
 }
 
 /// Contacts do not depend on the trees.
-void check_same_contacts(const Ride& one, const Ride& other) {
+void check_same_contacts(const Drive& one, const Drive& other) {
   for (std::size_t k = 0; one.is_timed() && other.is_timed() && k < one.frames.size(); ++k) {
     require(one.frames[k].contacts == other.frames[k].contacts,
             fmt::format("{} of {} past {}, frame {}: contacts by {} and by {}", one.trip.test,
@@ -77,7 +77,7 @@ void check_same_contacts(const Ride& one, const Ride& other) {
   }
 }
 
-Table drive_table(const std::vector<Ride>& rides, int repetitions) {
+Table drive_table(const std::vector<Drive>& rides, int repetitions) {
   Table table{
       .id = "drives",
       .caption = fmt::format(
@@ -103,7 +103,7 @@ Table drive_table(const std::vector<Ride>& rides, int repetitions) {
     table.columns.push_back({fmt::format("{}_frame_time", kind), "ms", ColumnKind::timed});
     table.columns.push_back({fmt::format("{}_fps", kind), "", ColumnKind::timed});
   }
-  for (const Ride& ride : rides) {
+  for (const Drive& ride : rides) {
     for (std::size_t i = 0; i < drive_traversal_count; ++i) {
       const Totals& sum = ride.sums[i];
       std::vector<Cell> row{
@@ -126,11 +126,11 @@ Table drive_table(const std::vector<Ride>& rides, int repetitions) {
 }
 
 /// "u_mixed, drive": a group of bars.
-std::string group_of(const Ride& ride) {
+std::string group_of(const Drive& ride) {
   return fmt::format("{}, {}", ride.trip.still, ride.trip.test == "drive" ? "drive" : "touching");
 }
 
-Figure time_figure(const std::vector<Ride>& rides, bool contact) {
+Figure time_figure(const std::vector<Drive>& rides, bool contact) {
   const std::string_view kind = contact ? "with contact" : "without contact";
   BarChart chart{.title = fmt::format("Time of a frame {}, by drive", kind),
                  .y_label = "ms a frame, drawing off",
@@ -139,7 +139,7 @@ Figure time_figure(const std::vector<Ride>& rides, bool contact) {
     for (std::size_t i = 0; i < drive_traversal_count; ++i) {
       Bars bars;
       chart.groups.clear();
-      for (const Ride& ride : rides) {
+      for (const Drive& ride : rides) {
         if (ride.trip.rule == rule) {
           const double ms = ride.is_timed() ? ride.mean_time(i, contact) : 0;
           bars.name = fmt::format("{}, {}", ride.title, kDriveTraversalTitles[i]);
@@ -160,9 +160,9 @@ Figure time_figure(const std::vector<Ride>& rides, bool contact) {
 }
 
 /// Drives that were left out, by name.
-std::vector<std::string> left_out(const std::vector<Ride>& rides) {
+std::vector<std::string> left_out(const std::vector<Drive>& rides) {
   std::vector<std::string> words;
-  for (const Ride& ride : rides) {
+  for (const Drive& ride : rides) {
     if (!ride.is_timed()) {
       words.push_back(fmt::format(
           "Left out: {} through {} on {} trees, whose overlapping leaves hold {} pairs of "
@@ -184,7 +184,7 @@ Result drives(const Context& context) {
   Result result{.remarks = {object_remark(object)}};
   const std::vector<std::string> scenes = scene_remarks(context.models.scenes);
   result.remarks.insert(result.remarks.end(), scenes.begin(), scenes.end());
-  std::vector<Ride> rides;
+  std::vector<Drive> rides;
   for (const Model& scene : context.models.scenes) {
     const TouchingDrive touching = find_touching_drive(scene, object, context.parallel);
     result.remarks.push_back(touching_drive_remark(scene, touching));
@@ -193,11 +193,11 @@ Result drives(const Context& context) {
       for (const std::string_view rule : kDriveRules) {
         const Contender& build = build_named(of_scene, rule);
         const Contender& build_of_object = build_named(of_object, rule);
-        Ride ride{.title = build.title,
-                  .trip = is_touching
-                              ? touching_drive_trip(scene, object, build, build_of_object, touching)
-                              : drive_trip(scene, object, build, build_of_object)};
-        run(ride, context);
+        Drive ride{.title = build.title,
+                   .trip = is_touching ? touching_drive_trip(scene, object, build, build_of_object,
+                                                             touching)
+                                       : drive_trip(scene, object, build, build_of_object)};
+        run_drive(ride, context);
         rides.push_back(std::move(ride));
         steps.done_one();
       }

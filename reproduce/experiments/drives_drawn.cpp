@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t kQuickStep = 10;
 
 /// Frames that are drawn of both drives through a scene, one after the other.
-struct Course {
+struct DrivenCourse {
   const Model* scene;
   std::vector<Vec3> offsets;
   std::size_t touching_from;  ///< the first frame of the touching drive
@@ -32,7 +32,7 @@ struct Course {
 
 /// A rule and a traversal on a course.
 struct Showing {
-  const Course* course;
+  const DrivenCourse* course;
   Contender build;  ///< of the scene
   std::size_t traversal;
   std::vector<Frame> frames = {};  ///< empty where there are too many pairs of triangles
@@ -72,8 +72,8 @@ MeanTimes mean_times(const Showing& showing, bool touching, bool contact) {
   return {mean_of(alone), mean_of(drawn), mean_of(draw)};
 }
 
-Course course_of(const Model& scene, const Model& object, const Context& context) {
-  Course course{&scene, {}, 0};
+DrivenCourse course_of(const Model& scene, const Model& object, const Context& context) {
+  DrivenCourse course{&scene, {}, 0};
   const std::size_t step = context.quick ? kQuickStep : 1;
   const auto add = [&](const std::vector<Vec3>& offsets) {
     for (std::size_t k = 0; k < offsets.size(); k += step) {
@@ -86,8 +86,8 @@ Course course_of(const Model& scene, const Model& object, const Context& context
   return course;
 }
 
-void run(Showing& showing, const Model& object, const Contender& build_of_object,
-         const Context& context) {
+void run_showing(Showing& showing, const Model& object, const Contender& build_of_object,
+                 const Context& context) {
   Trip trip = drive_trip(*showing.course->scene, object, showing.build, build_of_object);
   trip.offsets = showing.course->offsets;
   const NamedTraversal traversal = drive_traversals()[showing.traversal];
@@ -221,7 +221,7 @@ Figure drawn_figure(const std::vector<Showing>& showings) {
 
 /// The pictures are the same for all rules and traversals on a course: each frame's drawing time
 /// becomes the median over them, so that what a busy machine added does not look like a rule's.
-void share_drawing(std::vector<Showing>& showings, const Course& course) {
+void share_drawing(std::vector<Showing>& showings, const DrivenCourse& course) {
   for (std::size_t k = 0; k < course.offsets.size(); ++k) {
     std::vector<double> times;
     for (const Showing& showing : showings) {
@@ -259,10 +259,10 @@ std::string outcome_of(const std::vector<Showing>& showings) {
   return "there was nothing to draw, so the times are empty.";
 }
 
-std::vector<Showing> showings_on(const std::vector<Course>& courses) {
+std::vector<Showing> showings_on(const std::vector<DrivenCourse>& courses) {
   std::vector<Showing> showings;
   const std::vector<Contender> builds = thesis_rules(kSceneLevel);
-  for (const Course& course : courses) {
+  for (const DrivenCourse& course : courses) {
     for (const std::string_view rule : kDriveRules) {
       for (std::size_t i = 0; i < drive_traversal_count; ++i) {
         showings.push_back({&course, build_named(builds, rule), i});
@@ -277,7 +277,7 @@ std::vector<Showing> showings_on(const std::vector<Course>& courses) {
 Result drives_drawn(const Context& context) {
   const Model& object = context.models.objects.front();
   const std::vector<Contender> of_object = thesis_rules(kObjectLevel);
-  std::vector<Course> courses;
+  std::vector<DrivenCourse> courses;
   Result result{.remarks = {object_remark(object)}};
   for (const Model& scene : context.models.scenes) {
     courses.push_back(course_of(scene, object, context));
@@ -285,7 +285,7 @@ Result drives_drawn(const Context& context) {
   std::vector<Showing> showings = showings_on(courses);
   Steps steps(context.parallel, showings.size());
   for (Showing& showing : showings) {
-    run(showing, object, build_named(of_object, showing.build.name), context);
+    run_showing(showing, object, build_named(of_object, showing.build.name), context);
     if (showing.frames.empty() && showing.traversal == larsson) {
       result.remarks.push_back(fmt::format(
           "Left out: {} trees of {}, whose overlapping leaves hold too many pairs of triangles.",
@@ -301,7 +301,7 @@ Result drives_drawn(const Context& context) {
     result.remarks.push_back(
         fmt::format("Quick run: every {}th frame of a drive is drawn.", kQuickStep));
   }
-  for (const Course& course : courses) {
+  for (const DrivenCourse& course : courses) {
     share_drawing(showings, course);
   }
   result.tables = {drawn_table(showings, outcome_of(showings))};

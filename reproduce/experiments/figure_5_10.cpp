@@ -24,9 +24,9 @@ constexpr double kFarMore = 2;
 
 /// Larsson's traversal is taken to be the simultaneous one; E-Node descends the same nodes; the
 /// third is E-Node as it suits a small object in a city.
-enum Compared : std::size_t { larsson, e_node, e_node_larger, compared };
+enum ComparedPictures : std::size_t { larsson, e_node, e_node_larger, compared };
 
-std::array<NamedTraversal, compared> compared_traversals() {
+std::array<NamedTraversal, compared> drawn_traversals() {
   return {{{"larsson", {.traversal = Traversal::larsson}},
            named_traversal("enode_both"),
            named_traversal("enode_larger")}};
@@ -82,8 +82,8 @@ std::vector<Match> trips(const Context& context) {
   return matches;
 }
 
-void run(Match& match, const Context& context) {
-  const auto traversals = compared_traversals();
+void run_match(Match& match, const Context& context) {
+  const auto traversals = drawn_traversals();
   for (std::size_t i = 0; i < compared; ++i) {
     match.frames[i] = answer_frames(match.trip, traversals[i], context.parallel);
     for (std::size_t k = 0; k < match.frames[i].size(); ++k) {
@@ -99,7 +99,7 @@ void run(Match& match, const Context& context) {
 
 std::vector<Cell> name_cells(const Match& match, std::size_t traversal) {
   return {match.trip.still, match.trip.moving, match.trip.rule, match.trip.test,
-          compared_traversals()[traversal].name};
+          drawn_traversals()[traversal].name};
 }
 
 const std::vector<Column> kNameColumns{{"static"}, {"moving"}, {"rule"}, {"test"}, {"algorithm"}};
@@ -249,7 +249,7 @@ Result figure_5_10(const Context& context) {
   std::vector<Match> matches = trips(context);
   Steps steps(context.parallel, matches.size());
   for (Match& match : matches) {
-    run(match, context);
+    run_match(match, context);
     steps.done_one();
   }
   Result result;

@@ -21,13 +21,13 @@ struct AxisCase {
   Vec3 extent;
 };
 
-constexpr std::array<AxisCase, 7> kCases{{{"x longest", {6, 2, 1}},
-                                          {"y longest", {2, 6, 1}},
-                                          {"z longest", {1, 2, 6}},
-                                          {"x and y equal", {6, 6, 1}},
-                                          {"x and z equal", {6, 1, 6}},
-                                          {"y and z equal", {1, 6, 6}},
-                                          {"all equal", {6, 6, 6}}}};
+constexpr std::array<AxisCase, 7> kAxisCases{{{"x longest", {6, 2, 1}},
+                                              {"y longest", {2, 6, 1}},
+                                              {"z longest", {1, 2, 6}},
+                                              {"x and y equal", {6, 6, 1}},
+                                              {"x and z equal", {6, 1, 6}},
+                                              {"y and z equal", {1, 6, 6}},
+                                              {"all equal", {6, 6, 6}}}};
 
 /// The three functions of the listing: exactly one is true.
 struct Longest {
@@ -82,7 +82,7 @@ Result figure_4_22(const Context&) {
                           {"is_y"},
                           {"is_z"},
                           {"divided_on"}}};
-  for (const auto& [name, extent] : kCases) {
+  for (const auto& [name, extent] : kAxisCases) {
     const Longest longest(extent);
     const std::size_t axis = built_axis(triangles_of(extent));
     require(longest.axis() == axis, "the functions of figure 4.22 and the tree");

@@ -15,7 +15,7 @@ namespace soms::reproduce {
 namespace {
 
 /// Models of more triangles are built by fewer rules, and timed fewer times.
-constexpr std::size_t kLarge = 400'000;
+constexpr std::size_t kLargeScene = 400'000;
 
 /// A model and what moves through it.
 struct Case {
@@ -50,12 +50,12 @@ Result compare_all(const std::string& prefix, const std::vector<Case>& cases,
   for (const Case& c : cases) {
     check_stop(context.parallel);
     const std::size_t size = c.model->mesh->triangles.size();
-    if (size > kLarge) {
+    if (size > kLargeScene) {
       large.push_back(c.model->title);
     }
     if (size > 0) {
-      const int repetitions = size > kLarge / 4 ? 3 : context.quick ? 9 : 15;
-      all.push_back(compare(*c.model, compared_builds(c.level, size > kLarge),
+      const int repetitions = size > kLargeScene / 4 ? 3 : context.quick ? 9 : 15;
+      all.push_back(compare(*c.model, compared_builds(c.level, size > kLargeScene),
                             workload_for(c, context.quick), repetitions, context.parallel));
     }
     done += size;
@@ -67,7 +67,7 @@ Result compare_all(const std::string& prefix, const std::vector<Case>& cases,
   if (!large.empty()) {
     result.remarks.push_back(
         fmt::format("Of more than {} triangles, so built by fewer rules and timed 3 times: {}.",
-                    kLarge, fmt::join(large, "; ")));
+                    kLargeScene, fmt::join(large, "; ")));
   }
   return result;
 }

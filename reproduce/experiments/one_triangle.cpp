@@ -1,6 +1,7 @@
 // Tables 5.3 and 5.9: nodes with one triangle.
 #include "reproduce/count_charts.h"
 #include "reproduce/experiments/experiments.h"
+#include "reproduce/open_options.h"
 
 #include <fmt/format.h>
 
@@ -10,14 +11,9 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::array<std::string_view, 12> kColumns{
+constexpr std::array<std::string_view, 12> kSingleLeafColumns{
     "model",      "origin", "triangles", "rule",   "midpoint", "axis_from",
     "empty_side", "level",  "nodes",     "leaves", "one",      "one_percent"};
-
-/// `chain` has the leaves of `stop`.
-constexpr std::array kPolicies{EmptySide::stop, EmptySide::next_axis, EmptySide::object_median};
-constexpr std::array kAllPolicies{EmptySide::stop, EmptySide::next_axis, EmptySide::object_median,
-                                  EmptySide::chain};
 
 Result tables_of(const std::string& id, std::span<const Model> models, int level,
                  std::span<const Counted> counts) {
@@ -27,7 +23,7 @@ Result tables_of(const std::string& id, std::span<const Model> models, int level
       "alone "
       "in a leaf.{}",
       level, note);
-  return {.tables = {count_table(id, caption, kColumns, counts)},
+  return {.tables = {count_table(id, caption, kSingleLeafColumns, counts)},
           .figures = {{.id = id,
                        .caption = fmt::format("Triangles alone in a leaf at level {}.{}{}", level,
                                               kComparedOptions, note),
@@ -39,15 +35,15 @@ Result tables_of(const std::string& id, std::span<const Model> models, int level
 
 Result table_5_3(const Context& context) {
   const std::span<const Model> objects = context.models.objects;
-  const std::vector<Counted> counts =
-      count_all(objects, with_each(all_builds_and_axes(kObjectLevel), kPolicies), context.parallel);
+  const std::vector<Counted> counts = count_all(
+      objects, with_each(all_builds_and_axes(kObjectLevel), kEmptySides), context.parallel);
   return tables_of("table_5_3", objects, kObjectLevel, counts);
 }
 
 Result table_5_9(const Context& context) {
   const std::span<const Model> scenes = context.models.scenes;
   const std::vector<Counted> counts = count_all(
-      scenes, with_each(all_builds_and_axes(kSceneLevel), kAllPolicies), context.parallel);
+      scenes, with_each(all_builds_and_axes(kSceneLevel), kAllEmptySides), context.parallel);
   return tables_of("table_5_9", scenes, kSceneLevel, counts);
 }
 

@@ -17,7 +17,7 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::array<std::string_view, 19> kColumns{
+constexpr std::array<std::string_view, 19> kOptionColumns{
     "model",       "origin",    "triangles",    "rule",          "midpoint",
     "c_vertex",    "axis_from", "empty_side",   "root_level",    "level",
     "per_leaf",    "nodes",     "leaves",       "one",           "lt5",
@@ -233,7 +233,7 @@ Result options(const Context& context) {
                                        "Every combination of midpoint, axis and empty side; vertex "
                                        "C, root level and leaf size (per_leaf) one at a time." +
                                            note,
-                                       kColumns, counts)},
+                                       kOptionColumns, counts)},
                 .figures = {chart_of(*models.front().first, effects)}};
   for (const auto& [model, level] : models) {
     result.remarks.push_back(range_of_gain(*model, effects));

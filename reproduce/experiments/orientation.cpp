@@ -23,12 +23,12 @@ constexpr std::array<std::size_t, 4> kPictured{0, 32, 40, 48};
 
 /// The traversal that the captions call generic: Ericson's, which descends the node of greater
 /// volume.
-NamedTraversal generic() {
+NamedTraversal ericson_traversal() {
   return {"ericson", {.traversal = Traversal::ericson}};
 }
 
 /// A rule's trip, what it found, and how long it took.
-struct Ride {
+struct RuleTrip {
   Contender build;
   Trip trip;
   std::vector<Frame> frames;
@@ -37,29 +37,29 @@ struct Ride {
 
 /// The first frame with a property; the number of frames where none has it.
 template <class Property>
-std::size_t first_frame(const Ride& ride, const Property& property) {
+std::size_t first_frame(const RuleTrip& ride, const Property& property) {
   return static_cast<std::size_t>(std::find_if(ride.frames.begin(), ride.frames.end(), property) -
                                   ride.frames.begin());
 }
 
-std::size_t first_root_frame(const Ride& ride) {
+std::size_t first_root_frame(const RuleTrip& ride) {
   return first_frame(ride, [](const Frame& frame) { return frame.roots_overlap; });
 }
 
-std::size_t first_leaf_frame(const Ride& ride) {
+std::size_t first_leaf_frame(const RuleTrip& ride) {
   return first_frame(ride, [](const Frame& frame) { return frame.counts.leaf_pairs > 0; });
 }
 
-std::size_t first_contact_frame(const Ride& ride) {
+std::size_t first_contact_frame(const RuleTrip& ride) {
   return first_frame(ride, [](const Frame& frame) { return !frame.contacts.empty(); });
 }
 
-Cell frame_cell(const Ride& ride, std::size_t frame) {
+Cell frame_cell(const RuleTrip& ride, std::size_t frame) {
   return frame < ride.frames.size() ? count_cell(frame) : Cell{};
 }
 
 /// What overlaps in this frame for the first time.
-std::string first_overlap(const Ride& ride, std::size_t frame) {
+std::string first_overlap(const RuleTrip& ride, std::size_t frame) {
   std::string words;
   for (const auto& [first, name] :
        {std::pair(first_root_frame(ride), "roots"), std::pair(first_leaf_frame(ride), "leaves"),
@@ -71,7 +71,7 @@ std::string first_overlap(const Ride& ride, std::size_t frame) {
   return words;
 }
 
-Table frame_table(const std::string& id, const std::vector<Ride>& rides) {
+Table frame_table(const std::string& id, const std::vector<RuleTrip>& rides) {
   Table table{
       .id = id + "_frames",
       .caption = fmt::format(
@@ -90,7 +90,7 @@ Table frame_table(const std::string& id, const std::vector<Ride>& rides) {
   add_count_columns(table);
   table.columns.push_back({"triangle_tests"});
   table.columns.push_back({"contacts"});
-  for (const Ride& ride : rides) {
+  for (const RuleTrip& ride : rides) {
     for (std::size_t k = 0; k < ride.frames.size(); ++k) {
       const Frame& frame = ride.frames[k];
       const Vec3& offset = ride.trip.offsets[k];
@@ -113,7 +113,7 @@ Table frame_table(const std::string& id, const std::vector<Ride>& rides) {
   return table;
 }
 
-Table count_table(const std::string& id, const std::vector<Ride>& rides) {
+Table test_counts_table(const std::string& id, const std::vector<RuleTrip>& rides) {
   Table table{.id = id + "_counts",
               .caption = fmt::format("Test {}: counts of the generic traversal, summed over all "
                                      "frames (max_stack: the greatest), trees of level {}.{}",
@@ -128,7 +128,7 @@ Table count_table(const std::string& id, const std::vector<Ride>& rides) {
   add_count_columns(table);
   table.columns.push_back({"triangle_tests"});
   table.columns.push_back({"contacts"});
-  for (const Ride& ride : rides) {
+  for (const RuleTrip& ride : rides) {
     const Totals sum = totals(ride.frames);
     std::vector<Cell> row{ride.build.name,
                           count_cell(sum.frames),
@@ -145,7 +145,7 @@ Table count_table(const std::string& id, const std::vector<Ride>& rides) {
   return table;
 }
 
-Table time_table(const std::string& id, const std::vector<Ride>& rides) {
+Table test_times_table(const std::string& id, const std::vector<RuleTrip>& rides) {
   Table table{
       .id = id + "_times",
       .caption = fmt::format(
@@ -156,7 +156,7 @@ Table time_table(const std::string& id, const std::vector<Ride>& rides) {
           rides[0].trip.test, rides[0].times.frame[0].repetitions, kObjectLevel, kThesisOptions),
       .columns = {{"rule"}, {"quantity"}}};
   add_statistics_columns(table);
-  for (const Ride& ride : rides) {
+  for (const RuleTrip& ride : rides) {
     const auto collision = medians_where_roots_overlap(ride.times.collision, ride.frames);
     const auto whole = medians_where_roots_overlap(ride.times.frame, ride.frames);
     for (const auto& [quantity, numbers] :
@@ -173,11 +173,11 @@ Table time_table(const std::string& id, const std::vector<Ride>& rides) {
 
 /// A chart over the frames from a little before the roots can touch.
 template <class Value>
-LineChart frame_chart(const std::vector<Ride>& rides, const Value& value) {
+LineChart frame_chart(const std::vector<RuleTrip>& rides, const Value& value) {
   constexpr std::size_t kFrom = 28;
   LineChart chart;
   chart.x_label = "frame";
-  for (const Ride& ride : rides) {
+  for (const RuleTrip& ride : rides) {
     Line line{.name = ride.build.title};
     for (std::size_t k = kFrom; k < ride.frames.size(); ++k) {
       line.x.push_back(static_cast<double>(k));
@@ -188,8 +188,8 @@ LineChart frame_chart(const std::vector<Ride>& rides, const Value& value) {
   return chart;
 }
 
-Figure box_test_figure(const std::string& id, const std::vector<Ride>& rides) {
-  LineChart chart = frame_chart(rides, [](const Ride& ride, std::size_t k) {
+Figure box_test_figure(const std::string& id, const std::vector<RuleTrip>& rides) {
+  LineChart chart = frame_chart(rides, [](const RuleTrip& ride, std::size_t k) {
     return static_cast<double>(ride.frames[k].counts.box_tests);
   });
   chart.title = fmt::format("Box tests by frame, object coming from the {}", rides[0].trip.test);
@@ -208,9 +208,9 @@ Figure box_test_figure(const std::string& id, const std::vector<Ride>& rides) {
           .svg = draw(chart)};
 }
 
-Figure time_figure(const std::string& id, const std::vector<Ride>& rides) {
+Figure time_figure(const std::string& id, const std::vector<RuleTrip>& rides) {
   LineChart chart = frame_chart(
-      rides, [](const Ride& ride, std::size_t k) { return ride.times.collision[k].median; });
+      rides, [](const RuleTrip& ride, std::size_t k) { return ride.times.collision[k].median; });
   chart.title = fmt::format("Time of collision detection by frame, object coming from the {}",
                             rides[0].trip.test);
   chart.y_label = "ms a frame, collision only";
@@ -224,7 +224,7 @@ Figure time_figure(const std::string& id, const std::vector<Ride>& rides) {
 }
 
 /// One frame: both bodies, and the triangles that touch in red.
-void draw_frame(Svg& svg, const SideView& view, const Ride& ride, std::size_t k) {
+void draw_frame(Svg& svg, const SideView& view, const RuleTrip& ride, std::size_t k) {
   const Mesh& mesh = ride.trip.a.mesh();
   const Vec3& offset = ride.trip.offsets[k];
   std::set<TriangleId> still;
@@ -249,7 +249,7 @@ void draw_frame(Svg& svg, const SideView& view, const Ride& ride, std::size_t k)
   svg.path(view.triangles(ride.trip.b.mesh(), moving_ids, offset), kContact);
 }
 
-Figure picture(const std::string& id, const Ride& ride, Approach from) {
+Figure picture(const std::string& id, const RuleTrip& ride, Approach from) {
   const bool upright = approach_line(from).axis == 1;
   const bool deep = approach_line(from).axis == 2;
   Box shown = ride.trip.a.bounds();
@@ -286,8 +286,8 @@ Figure picture(const std::string& id, const Ride& ride, Approach from) {
 }
 
 /// Contacts do not depend on the tree.
-void check_same_contacts(const std::vector<Ride>& rides) {
-  for (const Ride& ride : rides) {
+void check_same_contacts(const std::vector<RuleTrip>& rides) {
+  for (const RuleTrip& ride : rides) {
     for (std::size_t k = 0; k < ride.frames.size(); ++k) {
       require(ride.frames[k].contacts == rides[0].frames[k].contacts,
               fmt::format("test {}, frame {}: contacts by {} and by {}", ride.trip.test, k,
@@ -296,11 +296,12 @@ void check_same_contacts(const std::vector<Ride>& rides) {
   }
 }
 
-std::vector<std::string> remarks(const Context& context, const std::vector<Ride>& rides) {
-  const auto box_tests = [](const Ride& ride) { return totals(ride.frames).counts.box_tests; };
-  const auto [least, most] = std::minmax_element(
-      rides.begin(), rides.end(),
-      [&](const Ride& one, const Ride& other) { return box_tests(one) < box_tests(other); });
+std::vector<std::string> remarks(const Context& context, const std::vector<RuleTrip>& rides) {
+  const auto box_tests = [](const RuleTrip& ride) { return totals(ride.frames).counts.box_tests; };
+  const auto [least, most] = std::minmax_element(rides.begin(), rides.end(),
+                                                 [&](const RuleTrip& one, const RuleTrip& other) {
+                                                   return box_tests(one) < box_tests(other);
+                                                 });
   return {object_remark(context.models.objects.front()),
           fmt::format("All four rules give the same contacts in every frame. Fewest box tests: {} "
                       "({}), most: {} ({}); larger leaves make fewer box tests and more triangle "
@@ -314,11 +315,11 @@ std::vector<std::string> remarks(const Context& context, const std::vector<Ride>
 Result orientation(const Context& context, const std::string& id, Approach from) {
   const Model& object = context.models.objects.front();
   const std::vector<Contender> builds = thesis_rules(kObjectLevel);
-  const NamedTraversal traversal = generic();
+  const NamedTraversal traversal = ericson_traversal();
   Steps steps(context.parallel, builds.size());
-  std::vector<Ride> rides;
+  std::vector<RuleTrip> rides;
   for (const Contender& build : builds) {
-    Ride ride{build, orientation_trip(object, from, build), {}, {}};
+    RuleTrip ride{build, orientation_trip(object, from, build), {}, {}};
     ride.frames = answer_frames(ride.trip, traversal, context.parallel);
     ride.times =
         time_frames(ride.trip, std::span(&traversal, 1), context.repetitions(100), context.parallel)
@@ -328,7 +329,8 @@ Result orientation(const Context& context, const std::string& id, Approach from)
   }
   check_same_contacts(rides);
   Result result;
-  result.tables = {time_table(id, rides), count_table(id, rides), frame_table(id, rides)};
+  result.tables = {test_times_table(id, rides), test_counts_table(id, rides),
+                   frame_table(id, rides)};
   result.figures = {time_figure(id, rides), box_test_figure(id, rides),
                     picture(id, rides.back(), from)};
   result.remarks = remarks(context, rides);

@@ -17,7 +17,7 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr int kLastLevel = 5;
+constexpr int kLastDrawnLevel = 5;
 
 /// A tree of the toy set and up to which level it is full.
 struct ToyTree {
@@ -87,7 +87,7 @@ Result figure_4_2(const Context&) {
                           {"most_triangles"},
                           {"balanced_level"}}};
   std::string alt;
-  for (int level = 2; level <= kLastLevel; ++level) {
+  for (int level = 2; level <= kLastDrawnLevel; ++level) {
     for (const ToyTree& of : trees) {
       Panel panel =
           level_panel(set.mesh, of.tree, level, fmt::format("{}, level {}", of.title, level));

@@ -18,7 +18,7 @@ namespace soms::reproduce {
 namespace {
 
 /// A triangle of figure 4.23.
-struct Shown {
+struct ShownTriangle {
   const char* name = nullptr;
   const char* title = nullptr;
   Triangle triangle;
@@ -26,7 +26,7 @@ struct Shown {
 
 /// In the first, the line from the middle of A and B to C is upright on the side, as the caption
 /// says it need not be.
-constexpr std::array<Shown, 2> kTriangles{
+constexpr std::array<ShownTriangle, 2> kShownTriangles{
     {{"isosceles", "Isosceles", {{0, 0, 0}, {12, 0, 0}, {6, 9, 0}}},
      {"oblique", "Oblique", {{0, 0, 0}, {8, 0, 0}, {16, 8, 0}}}}};
 
@@ -110,7 +110,7 @@ std::string draw_all_centers(const std::string& title) {
     x += 40 + text_width(words, 13);
   }
   double y = 78;
-  for (const Shown& shown : kTriangles) {
+  for (const ShownTriangle& shown : kShownTriangles) {
     for (int c = 0; c < 3; ++c) {
       const double left = 20 + kWidth * c;
       const Centers centers = centers_of(shown.triangle, c);
@@ -159,7 +159,7 @@ Result figure_4_23(const Context&) {
                           {"box_x"},
                           {"box_y"},
                           {"upright"}}};
-  for (const Shown& shown : kTriangles) {
+  for (const ShownTriangle& shown : kShownTriangles) {
     for (int c = 0; c < 3; ++c) {
       const Centers of = centers_of(shown.triangle, c);
       table.rows.push_back({word_cell(shown.name), static_cast<std::int64_t>(c), of.f.x, of.f.y,
@@ -173,7 +173,7 @@ Result figure_4_23(const Context&) {
                     "middle f of A and B, beside the centroid and the middle of the box: "
                     "three corners can be C and give three centers.",
                 .svg = draw_all_centers("The center of a triangle depends on which corner is C")};
-  for (const Shown& shown : kTriangles) {
+  for (const ShownTriangle& shown : kShownTriangles) {
     for (int c = 0; c < 3; ++c) {
       const Centers of = centers_of(shown.triangle, c);
       figure.alt += fmt::format(

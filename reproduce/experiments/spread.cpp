@@ -23,7 +23,7 @@ namespace {
 constexpr double kSide = 1;  ///< of the cube that asks: a hundredth of the scene
 
 /// A build of the sweep.
-struct ComparedBuild {
+struct SweptBuild {
   std::string_view rule;
   std::string_view empty_side;  ///< "" where the rule does not fail here
   std::string_view title;
@@ -35,22 +35,22 @@ constexpr BuildOptions product(Rule rule, EmptySide empty_side = EmptySide::obje
 }
 
 /// SAH comes first: the others are set against it.
-constexpr std::array kComparedBuilds{
-    ComparedBuild{"sah", "", "SAH", product(Rule::sah)},
-    ComparedBuild{"soms", "", "SOMS", product(Rule::soms)},
-    ComparedBuild{"soms_sah", "", "SOMS with a second look", product(Rule::soms_sah)},
-    ComparedBuild{"object_median", "", "object median", product(Rule::object_median)},
-    ComparedBuild{"object_mean", "", "object mean", product(Rule::object_mean)},
-    ComparedBuild{"spatial_median", "stop", "spatial median, stops",
-                  product(Rule::spatial_median, EmptySide::stop)},
-    ComparedBuild{"spatial_median", "next_axis", "spatial median, goes on",
-                  product(Rule::spatial_median, EmptySide::next_axis)},
-    ComparedBuild{"spatial_median", "object_median", "spatial median, then object median",
-                  product(Rule::spatial_median)},
+constexpr std::array kSweptBuilds{
+    SweptBuild{"sah", "", "SAH", product(Rule::sah)},
+    SweptBuild{"soms", "", "SOMS", product(Rule::soms)},
+    SweptBuild{"soms_sah", "", "SOMS with a second look", product(Rule::soms_sah)},
+    SweptBuild{"object_median", "", "object median", product(Rule::object_median)},
+    SweptBuild{"object_mean", "", "object mean", product(Rule::object_mean)},
+    SweptBuild{"spatial_median", "stop", "spatial median, stops",
+               product(Rule::spatial_median, EmptySide::stop)},
+    SweptBuild{"spatial_median", "next_axis", "spatial median, goes on",
+               product(Rule::spatial_median, EmptySide::next_axis)},
+    SweptBuild{"spatial_median", "object_median", "spatial median, then object median",
+               product(Rule::spatial_median)},
 };
 
 /// One build at one spread.
-struct Point {
+struct SpreadPoint {
   TreeStatistics counts = {};
   double sah_cost = 0;
   ExpectedVisits visits = {};
@@ -62,7 +62,7 @@ struct Point {
 /// All builds at one spread.
 struct Step {
   double decades = 0;
-  std::array<Point, kComparedBuilds.size()> points = {};
+  std::array<SpreadPoint, kSweptBuilds.size()> points = {};
 
   [[nodiscard]] double over_sah(std::size_t i) const {
     return points[i].visited() / points[0].visited();
@@ -82,8 +82,8 @@ Step measure(int half_decades, std::uint64_t triangles, int repetitions, const P
   const Mesh mesh = generate_spread({.triangles = triangles, .ratio = power_of_ten(half_decades)});
   Step step{.decades = 0.5 * half_decades};
   std::vector<std::function<void()>> works;
-  for (std::size_t i = 0; i < kComparedBuilds.size(); ++i) {
-    const BuildOptions& options = kComparedBuilds[i].build;
+  for (std::size_t i = 0; i < kSweptBuilds.size(); ++i) {
+    const BuildOptions& options = kSweptBuilds[i].build;
     const Tree tree = build(mesh, options, parallel);
     step.points[i] = {.counts = statistics(tree, options),
                       .sah_cost = sah_cost(tree),
@@ -119,11 +119,11 @@ Table table_of(const std::vector<Step>& steps, std::uint64_t triangles) {
                   {"visits_over_sah"},
                   {"build", "ms", ColumnKind::timed}}};
   for (const Step& step : steps) {
-    for (std::size_t i = 0; i < kComparedBuilds.size(); ++i) {
-      const Point& p = step.points[i];
+    for (std::size_t i = 0; i < kSweptBuilds.size(); ++i) {
+      const SpreadPoint& p = step.points[i];
       const auto count = [](std::uint64_t n) { return static_cast<std::int64_t>(n); };
-      table.rows.push_back({step.decades, std::string(kComparedBuilds[i].rule),
-                            std::string(kComparedBuilds[i].empty_side), count(p.counts.nodes),
+      table.rows.push_back({step.decades, std::string(kSweptBuilds[i].rule),
+                            std::string(kSweptBuilds[i].empty_side), count(p.counts.nodes),
                             count(p.counts.leaves), count(p.counts.largest_leaf),
                             count(p.counts.undividable), p.sah_cost, p.visits.nodes,
                             p.visits.triangles, step.over_sah(i), p.build_ms.median});
@@ -134,9 +134,9 @@ Table table_of(const std::vector<Step>& steps, std::uint64_t triangles) {
 
 std::size_t index_of(std::string_view rule, std::string_view empty_side = "") {
   const auto* const at = std::find_if(
-      kComparedBuilds.begin(), kComparedBuilds.end(),
-      [&](const ComparedBuild& c) { return c.rule == rule && c.empty_side == empty_side; });
-  return static_cast<std::size_t>(at - kComparedBuilds.begin());
+      kSweptBuilds.begin(), kSweptBuilds.end(),
+      [&](const SweptBuild& c) { return c.rule == rule && c.empty_side == empty_side; });
+  return static_cast<std::size_t>(at - kSweptBuilds.begin());
 }
 
 int percent_over_sah(const Step& step, std::size_t i) {
@@ -154,11 +154,11 @@ bool is_hurt(const std::vector<Step>& steps, std::size_t i) {
 std::string message(const std::vector<Step>& steps) {
   std::string spared;
   bool hurt = false;
-  for (std::size_t i = 1; i < kComparedBuilds.size(); ++i) {
+  for (std::size_t i = 1; i < kSweptBuilds.size(); ++i) {
     if (is_hurt(steps, i)) {
       hurt = true;
     } else {
-      spared += fmt::format("{}{}", spared.empty() ? "" : "; ", kComparedBuilds[i].title);
+      spared += fmt::format("{}{}", spared.empty() ? "" : "; ", kSweptBuilds[i].title);
     }
   }
   if (!hurt) {
@@ -171,8 +171,8 @@ std::string message(const std::vector<Step>& steps) {
 /// The shares behind the message.
 std::string shares(const std::vector<Step>& steps) {
   std::string words;
-  for (std::size_t i = 1; i < kComparedBuilds.size(); ++i) {
-    words += fmt::format("{} {} {} %, {} %", i == 1 ? "" : ";", kComparedBuilds[i].title,
+  for (std::size_t i = 1; i < kSweptBuilds.size(); ++i) {
+    words += fmt::format("{} {} {} %, {} %", i == 1 ? "" : ";", kSweptBuilds[i].title,
                          percent_over_sah(steps.front(), i), percent_over_sah(steps.back(), i));
   }
   return fmt::format("At both ends:{}. Hurt means: by {} points or more (ours).", words,
@@ -185,7 +185,7 @@ Figure figure_of(const std::vector<Step>& steps) {
                   .y_label = "more nodes and triangles visited than with SAH, %"};
   const Step& last = steps.back();
   const auto add = [&](std::size_t i, bool dashed) {
-    Line line{.name = std::string(kComparedBuilds[i].title), .dashed = dashed};
+    Line line{.name = std::string(kSweptBuilds[i].title), .dashed = dashed};
     for (const Step& step : steps) {
       line.x.push_back(step.decades);
       line.y.push_back(100 * (step.over_sah(i) - 1));
@@ -224,7 +224,7 @@ std::string against(const std::vector<Step>& steps, std::size_t other) {
   };
   return fmt::format(
       "Against {} SOMS visits {} where all triangles are alike, and {} over {} decades.",
-      kComparedBuilds[other].title, percent(steps.front()), percent(steps.back()),
+      kSweptBuilds[other].title, percent(steps.front()), percent(steps.back()),
       steps.back().decades);
 }
 
@@ -243,7 +243,7 @@ Result spread(const Context& context) {
     }
   }
   Result result{.tables = {table_of(steps, triangles)}, .figures = {figure_of(steps)}};
-  for (std::size_t i = 0; i < kComparedBuilds.size(); ++i) {
+  for (std::size_t i = 0; i < kSweptBuilds.size(); ++i) {
     if (i != index_of("soms")) {
       result.remarks.push_back(against(steps, i));
     }

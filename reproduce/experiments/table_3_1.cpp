@@ -16,7 +16,7 @@ Cell integer(std::uint64_t value) {
 
 /// The file that a model was read from, of a generated scene the one that the run writes; empty
 /// where there is none.
-Cell file_of(const Model& model) {
+Cell file_name(const Model& model) {
   if (model.file.empty() && model.bytes > 0) {
     return fmt::format("scenes/{}.3ds", model.name);
   }
@@ -41,7 +41,7 @@ Table specification(std::string id, std::string caption, std::span<const Model> 
   for (const Model& model : models) {
     const Mesh& mesh = *model.mesh;
     const Vec3 width = bounds(mesh).upper - bounds(mesh).lower;
-    table.rows.push_back({model.name, model.title, file_of(model), model.stand_in ? "yes" : "no",
+    table.rows.push_back({model.name, model.title, file_name(model), model.stand_in ? "yes" : "no",
                           model.bytes == 0 ? Cell{} : integer(model.bytes),
                           integer(mesh.parts.empty() ? 1 : mesh.parts.size()),
                           integer(mesh.vertices.size()), integer(mesh.triangles.size()), width.x,

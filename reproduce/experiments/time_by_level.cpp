@@ -14,12 +14,6 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kBuilt{"model", "rule", "level", "nodes"};
-
-/// Last, so that a reader meets the times before them.
-constexpr std::array<std::string_view, 5> kOptions{"triangles", "origin", "midpoint", "axis_from",
-                                                   "empty_side"};
-
 /// The rules of the thesis and SAH: those that a greatest level limits.
 std::vector<Contender> limited_builds(int level) {
   std::vector<Contender> builds = all_builds(level);
@@ -43,14 +37,14 @@ void add_rows(Table& table, std::span<const TimedBuild> builds, int greatest) {
     const int level = one.counted.contender.options.level;
     const double whole = median_at(builds, one, greatest);
     const double before = median_at(builds, one, level - 1);
-    std::vector<Cell> row = cells_of(one.counted, kBuilt);
+    std::vector<Cell> row = cells_of(one.counted, kBuildColumns);
     row.emplace_back(std::int64_t{one.timing.repetitions});
     for (const double value :
          {one.timing.median, one.timing.lower_quartile, one.timing.upper_quartile,
           100 * (one.timing.median - before) / whole, 100 * one.timing.median / whole}) {
       row.emplace_back(value);
     }
-    const std::vector<Cell> options = cells_of(one.counted, kOptions);
+    const std::vector<Cell> options = cells_of(one.counted, kBuildOptionColumns);
     row.insert(row.end(), options.begin(), options.end());
     table.rows.push_back(std::move(row));
   }
@@ -85,14 +79,14 @@ Result by_level(const Context& context, const std::string& id, std::span<const M
       "the level adds to the one before, up_to_level all so far.{}{}{}",
       greatest, words_on_repetitions(context, kWhole, RepetitionsOf::ours, models), kThesisOptions,
       note_on_stand_ins(models));
-  Table table{.id = id, .caption = caption, .columns = columns_of(kBuilt)};
+  Table table{.id = id, .caption = caption, .columns = columns_of(kBuildColumns)};
   table.columns.push_back({"builds"});
   for (const char* const name : {"median", "lower_quartile", "upper_quartile"}) {
     table.columns.push_back({name, "ms", ColumnKind::timed});
   }
   table.columns.push_back({"of_level", "%", ColumnKind::timed});
   table.columns.push_back({"up_to_level", "%", ColumnKind::timed});
-  const std::vector<Column> last = columns_of(kOptions);
+  const std::vector<Column> last = columns_of(kBuildOptionColumns);
   table.columns.insert(table.columns.end(), last.begin(), last.end());
   Result result;
   std::size_t count = 0;

@@ -34,7 +34,7 @@ std::string numbers_of(std::span<const TriangleId> triangles) {
   return words;
 }
 
-std::string words_of(const Box& box) {
+std::string box_words(const Box& box) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g})", box.lower.x,
                      box.lower.y, box.lower.z, box.upper.x, box.upper.y, box.upper.z);
 }
@@ -59,8 +59,8 @@ Table field_table(const ImplicitTree& tree) {
     table.rows.push_back({word_cell(name), count_cell(bytes), word_cell(meaning), std::move(root),
                           std::move(child)});
   };
-  add("bounds", sizeof bounds, "least and greatest point", words_of(bounds),
-      words_of(right.bounds));
+  add("bounds", sizeof bounds, "least and greatest point", box_words(bounds),
+      box_words(right.bounds));
   add("first", sizeof first, "place of its first triangle", std::to_string(first),
       std::to_string(right.first));
   add("count", sizeof count, "triangles below", std::to_string(count), std::to_string(right.count));

@@ -31,7 +31,7 @@ Numbers all_of(const Mesh& mesh) {
   return all;
 }
 
-std::string words_of(const Numbers& triangles) {
+std::string number_words(const Numbers& triangles) {
   return fmt::format("{}", fmt::join(triangles, " "));
 }
 
@@ -70,7 +70,7 @@ class Splitter {
   void split(TreeId id, const Numbers& triangles, int depth) {
     const std::size_t call = calls_.rows.size();
     calls_.rows.push_back({count_cell(call + 1), count_cell(id), static_cast<std::int64_t>(depth),
-                           words_of(triangles), Cell{}});
+                           number_words(triangles), Cell{}});
     const auto outcome = [&](std::string words) { calls_.rows[call][4] = std::move(words); };
     check(id, triangles, depth);
     if (triangles.size() == 1) {
@@ -134,8 +134,9 @@ std::vector<MadeNode> make_nodes(const Mesh& mesh, Table& steps) {
     if (!sides.divided()) {
       continue;
     }
-    steps.rows.push_back({count_cell(id), words_of(slots[id].triangles), count_cell(2 * id + 1),
-                          words_of(sides.left), count_cell(2 * id + 2), words_of(sides.right)});
+    steps.rows.push_back({count_cell(id), number_words(slots[id].triangles), count_cell(2 * id + 1),
+                          number_words(sides.left), count_cell(2 * id + 2),
+                          number_words(sides.right)});
     slots[2 * id + 1] = make_node(mesh, std::move(sides.left));
     slots[2 * id + 2] = make_node(mesh, std::move(sides.right));
   }
@@ -237,7 +238,7 @@ Result figure_4_20(const Context&) {
   for (std::size_t id = 0; id < made.size(); ++id) {
     const auto& [triangles, box] = made[id];
     if (!triangles.empty()) {
-      steps.rows.push_back({count_cell(id), count_cell(triangles.size()), words_of(triangles),
+      steps.rows.push_back({count_cell(id), count_cell(triangles.size()), number_words(triangles),
                             box.lower.x, box.lower.y, box.upper.x, box.upper.y});
     }
   }

@@ -10,13 +10,11 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::array<std::string_view, 12> kColumns{
+constexpr std::array<std::string_view, 12> kUndividableColumns{
     "model",      "origin", "triangles", "rule",        "midpoint", "axis_from",
     "empty_side", "level",  "nodes",     "undividable", "empty",    "largest_leaf"};
 
 constexpr std::array kStopAndChain{EmptySide::stop, EmptySide::chain};
-constexpr std::array kAllPolicies{EmptySide::stop, EmptySide::next_axis, EmptySide::object_median,
-                                  EmptySide::chain};
 
 std::vector<Contender> stop_and_chain(int level) {
   return with_each(all_builds(level), kStopAndChain);
@@ -34,7 +32,7 @@ Result table_5_5(const Context& context) {
               "Nodes that cannot be divided by greatest level: undividable is the nodes whose rule "
               "left one side empty; with chain, empty is the nodes without triangles." +
                   note_on_stand_ins(objects),
-              kColumns, counts)},
+              kUndividableColumns, counts)},
           .figures = {{.id = "table_5_5",
                        .caption = fmt::format("Nodes that cannot be divided, {}, empty side stop.",
                                               label_of(bunny)),
@@ -45,13 +43,13 @@ Result table_5_5(const Context& context) {
 Result table_5_11(const Context& context) {
   const std::span<const Model> scenes = context.models.scenes;
   const std::vector<Counted> counts = count_all(
-      scenes, with_each(all_builds_and_axes(kSceneLevel), kAllPolicies), context.parallel);
+      scenes, with_each(all_builds_and_axes(kSceneLevel), kAllEmptySides), context.parallel);
   const std::string note = note_on_stand_ins(scenes);
   return {.tables = {count_table("table_5_11",
                                  fmt::format("Nodes that cannot be divided, urban scenes at level "
                                              "{}.{}",
                                              kSceneLevel, note),
-                                 kColumns, counts)},
+                                 kUndividableColumns, counts)},
           .figures = {
               {.id = "table_5_11",
                .caption = fmt::format(

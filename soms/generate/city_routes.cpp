@@ -16,7 +16,7 @@ constexpr std::uint64_t kLongest = 5;  ///< blocks along a side of a loop
 constexpr std::size_t kArc = 8;        ///< lines of a quarter turn
 
 /// A crossing of a loop by the numbers of its street lines.
-struct Crossing {
+struct StreetCrossing {
   std::int64_t i = 0;
   std::int64_t j = 0;
 };
@@ -38,7 +38,7 @@ std::vector<Step> stairs(Step first, std::uint64_t x, std::uint64_t y, Step last
 
 /// A closed walk over crossings, one block a step, that never turns back: stairs up to the opposite
 /// corner and other stairs home, turned over at random.
-std::vector<Crossing> draw_loop(const City& city, Rng& rng) {
+std::vector<StreetCrossing> draw_loop(const City& city, Rng& rng) {
   const std::uint64_t blocks = city.street_lines.size() - 1;
   const std::uint64_t most = std::min(blocks, kLongest);
   const std::uint64_t x = 1 + rng.below(most);
@@ -46,8 +46,8 @@ std::vector<Crossing> draw_loop(const City& city, Rng& rng) {
   const auto i = static_cast<std::int64_t>(rng.below(blocks - x + 1));
   const auto j = static_cast<std::int64_t>(rng.below(blocks - y + 1));
   const bool mirrored = rng.unit() < 0.5;
-  std::vector<Crossing> loop;
-  Crossing at;
+  std::vector<StreetCrossing> loop;
+  StreetCrossing at;
   const auto walk = [&](const std::vector<Step>& steps, std::int64_t sign) {
     for (const Step step : steps) {
       const std::int64_t u = mirrored ? static_cast<std::int64_t>(x) - at.i : at.i;
@@ -68,7 +68,7 @@ struct Lane {
   double level = 0;       ///< half the length over which it stays level at a crossing
 };
 
-Vec3 direction(const Crossing& from, const Crossing& to) {
+Vec3 direction(const StreetCrossing& from, const StreetCrossing& to) {
   return {static_cast<double>(to.i - from.i), static_cast<double>(to.j - from.j), 0};
 }
 
@@ -105,15 +105,15 @@ void add_crossing(std::vector<Vec3>& points, const Vec3& center, const Vec3& in,
 
 /// The loop's polyline; `lift` gives the height above ground at each crossing.
 template <class Lift>
-Route follow(const City& city, const std::vector<Crossing>& loop, const Lane& lane, Lift&& lift,
-             std::size_t first, double past) {
+Route follow(const City& city, const std::vector<StreetCrossing>& loop, const Lane& lane,
+             Lift&& lift, std::size_t first, double past) {
   Route route;
   route.closed = true;
   std::size_t marked = 0;
   for (std::size_t k = 0; k < loop.size(); ++k) {
-    const Crossing& here = loop[k];
-    const Crossing& before = loop[k == 0 ? loop.size() - 1 : k - 1];
-    const Crossing& after = loop[k + 1 == loop.size() ? 0 : k + 1];
+    const StreetCrossing& here = loop[k];
+    const StreetCrossing& before = loop[k == 0 ? loop.size() - 1 : k - 1];
+    const StreetCrossing& after = loop[k + 1 == loop.size() ? 0 : k + 1];
     const auto i = static_cast<std::size_t>(here.i);
     const auto j = static_cast<std::size_t>(here.j);
     const Vec3 center{city.street_lines[i], city.street_lines[j],

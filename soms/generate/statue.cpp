@@ -20,11 +20,11 @@ namespace {
 constexpr double kUnevenness = 0.04;    // shift of a new point, in lengths of the edge it cuts
 constexpr double kMostUneven = 0.0025;  // and at most
 
-Vec3 unit(const Vec3& v) {
+Vec3 unit_vector(const Vec3& v) {
   return (1 / std::sqrt(dot(v, v))) * v;
 }
 
-double distance(const Vec3& a, const Vec3& b) {
+double distance_between(const Vec3& a, const Vec3& b) {
   const Vec3 off = b - a;
   return std::sqrt(dot(off, off));
 }
@@ -200,9 +200,10 @@ void Surface::add_edge(Slot s, Slot t) {
 void Surface::await(EdgeId edge) {
   const std::uint32_t a = start(slots_[edge]);
   const std::uint32_t b = start(twins_[slots_[edge]]);
-  const Vec3 middle = unit(directions_[a] + directions_[b]);
+  const Vec3 middle = unit_vector(directions_[a] + directions_[b]);
   const Vec3 over = on_figure(middle);
-  const double length = distance(positions_[a], over) + distance(over, positions_[b]);
+  const double length =
+      distance_between(positions_[a], over) + distance_between(over, positions_[b]);
   const double fine =
       std::max({fineness(directions_[a]), fineness(middle), fineness(directions_[b])});
   waiting_.emplace(length * fine * random_.uniform(0.65, 1.25), edge);
@@ -217,8 +218,9 @@ void Surface::cut() {
   const std::uint32_t b = start(t);
   const std::uint32_t c = start(previous(s));
   const std::uint32_t d = start(previous(t));
-  const Vec3 direction = unit(directions_[a] + directions_[b]);
-  const double shift = std::min(kMostUneven, kUnevenness * distance(positions_[a], positions_[b]));
+  const Vec3 direction = unit_vector(directions_[a] + directions_[b]);
+  const double shift =
+      std::min(kMostUneven, kUnevenness * distance_between(positions_[a], positions_[b]));
   Vec3 position = on_figure(direction);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     position[axis] += shift * random_.uniform(-1, 1);

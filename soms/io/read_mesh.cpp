@@ -33,7 +33,7 @@ std::uint64_t memory_limit(const ReadOptions& options, std::uint64_t size) {
 
 /// Where to look for files that a model names: a pipe or a device has no folder of its own, nor has
 /// a file that is named by its descriptor (/dev/stdin, /dev/fd/3, /proc/self/fd/3).
-std::optional<std::filesystem::path> folder_of(const std::filesystem::path& path) {
+std::optional<std::filesystem::path> references_folder(const std::filesystem::path& path) {
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(path, unknown)) {
     return std::nullopt;
@@ -104,7 +104,8 @@ Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options,
   try {
     check_stop(parallel);
     const detail::FileBytes bytes = detail::read_file(path, options.max_memory, parallel);
-    return read_bytes(bytes.view(), path.string(), Owner::us, folder_of(path), options, parallel);
+    return read_bytes(bytes.view(), path.string(), Owner::us, references_folder(path), options,
+                      parallel);
   } catch (const std::bad_alloc&) {
     fail_machine(path.string());
   }

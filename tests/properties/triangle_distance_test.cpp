@@ -30,7 +30,7 @@ namespace {
 using detail::PairDistance;
 using Pair = std::pair<Triangle, Triangle>;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 /// Small whole numbers, thirds and ulps beside them: where features tie, and nearly tie.
 rc::Gen<double> coordinate() {
@@ -40,7 +40,7 @@ rc::Gen<double> coordinate() {
         const auto [whole, kind, ulps] = parts;
         double x = kind == 0 ? whole / 3.0 : whole;
         for (int i = 0; kind == 1 && i < std::abs(ulps); ++i) {
-          x = std::nextafter(x, ulps > 0 ? kInfinity : -kInfinity);
+          x = std::nextafter(x, ulps > 0 ? kUnbounded : -kUnbounded);
         }
         return x;
       });
@@ -187,7 +187,7 @@ std::array<double, 2> excess(const Triangle& a, const Triangle& b) {
 
 // Climbs on the excess, from many starts.
 TEST(TriangleDistanceProperty, BoundsWithstandASearch) {
-  std::array<double, 2> most{-kInfinity, -kInfinity};
+  std::array<double, 2> most{-kUnbounded, -kUnbounded};
   test::for_each_case("triangle-distance/search", 24, [&](Rng& rng) {
     const std::size_t goal = rng.below(2);
     const double apart = std::ldexp(1.0, static_cast<int>(rng.below(12)) - 6);

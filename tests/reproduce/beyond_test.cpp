@@ -19,27 +19,27 @@
 namespace soms::reproduce {
 namespace {
 
-Model model_of(std::string name, Mesh mesh) {
+Model titled_model(std::string name, Mesh mesh) {
   Model model{.name = std::move(name), .title = "a test's", .stand_in = true};
   model.hash = corner_hash(mesh);
   model.mesh = std::make_shared<const Mesh>(std::move(mesh));
   return model;
 }
 
-Models small_models() {
+Models beyond_models() {
   Models models;
-  models.objects.push_back(model_of("knot", generate_knot(600)));
+  models.objects.push_back(titled_model("knot", generate_knot(600)));
   models.scenes.push_back(
-      model_of("unlike", generate_spread({.triangles = 800, .ratio = 1000, .size = 400})));
+      titled_model("unlike", generate_spread({.triangles = 800, .ratio = 1000, .size = 400})));
   return models;
 }
 
-Result run(Result (*experiment)(const Context&), const Models& models) {
+Result run_beyond(Result (*experiment)(const Context&), const Models& models) {
   return experiment({.models = models, .quick = true});
 }
 
 /// The counted columns of all tables, and the figures that show no times.
-std::string counted(const Result& result) {
+std::string counted_rows(const Result& result) {
   std::string text;
   for (Table table : result.tables) {
     for (std::size_t k = 0; k < table.columns.size(); ++k) {
@@ -67,7 +67,7 @@ const Table& table_named(const Result& result, std::string_view id) {
   return *at;
 }
 
-std::size_t column(const Table& table, std::string_view name) {
+std::size_t column_index(const Table& table, std::string_view name) {
   const auto at = std::find_if(table.columns.begin(), table.columns.end(),
                                [&](const Column& c) { return c.name == name; });
   EXPECT_NE(at, table.columns.end()) << name;
@@ -75,13 +75,13 @@ std::size_t column(const Table& table, std::string_view name) {
 }
 
 double number(const Table& table, std::size_t row, std::string_view name) {
-  const Cell& cell = table.rows.at(row).at(column(table, name));
+  const Cell& cell = table.rows.at(row).at(column_index(table, name));
   const auto* count = std::get_if<std::int64_t>(&cell);
   return count != nullptr ? static_cast<double>(*count) : std::get<double>(cell);
 }
 
 std::string word(const Table& table, std::size_t row, std::string_view name) {
-  return std::get<std::string>(table.rows.at(row).at(column(table, name)));
+  return std::get<std::string>(table.rows.at(row).at(column_index(table, name)));
 }
 
 /// Rows of the sweep for a rule, in the order of the spread.
@@ -98,14 +98,14 @@ std::vector<std::size_t> rows_of(const Table& table, std::string_view rule,
 
 TEST(Beyond, CountedResultsAreTheSameInTwoRuns) {
   SOMS_SKIP_IN_SLOW_BUILDS();
-  const Models models = small_models();
+  const Models models = beyond_models();
   const auto experiments =
       test::kSlowBuild ? std::vector{spread} : std::vector{modern, cities, spread};
   for (const auto experiment : experiments) {
-    const Result result = run(experiment, models);
+    const Result result = run_beyond(experiment, models);
     EXPECT_FALSE(result.tables.empty());
     EXPECT_FALSE(result.remarks.empty());
-    EXPECT_EQ(counted(result), counted(run(experiment, models)));
+    EXPECT_EQ(counted_rows(result), counted_rows(run_beyond(experiment, models)));
   }
 }
 
@@ -126,7 +126,7 @@ TEST(Beyond, EveryRuleIsBuiltWithTheProductsOptionsAndThoseOfTheThesisWithItsOwn
 }
 
 TEST(Beyond, AnswersOfAllBuildsAreEqualAndWorkIsCounted) {
-  const Model scene = model_of("plain", generate_urban(UrbanScene::plain));
+  const Model scene = titled_model("plain", generate_urban(UrbanScene::plain));
   const Workload workload =
       make_workload(*scene.mesh, generate_mover(MoverKind::car), "car", 10, 40);
   const Compared compared = compare(scene, compared_builds(13, false), workload, 1, {});
@@ -146,7 +146,7 @@ TEST(Beyond, AnswersOfAllBuildsAreEqualAndWorkIsCounted) {
 }
 
 TEST(Beyond, ExpectedVisitsAreMetByCubesDrawnEvenly) {
-  const Model model = model_of("knot", generate_knot(600));
+  const Model model = titled_model("knot", generate_knot(600));
   const Workload workload =
       make_workload(*model.mesh, generate_mover(MoverKind::drone), "drone", 20'000, 1);
   const Compared compared = compare(model, compared_builds(15, true), workload, 1, {});
@@ -187,7 +187,7 @@ TEST(Beyond, SpreadOfSizesIsInDecades) {
 }
 
 TEST(Beyond, TheSweepsMessageFollowsFromItsTable) {
-  const Result result = run(spread, Models{});
+  const Result result = run_beyond(spread, Models{});
   const Table& table = table_named(result, "spread");
   const auto soms = rows_of(table, "soms", "");
   ASSERT_EQ(soms.size(), 5U);
@@ -218,7 +218,7 @@ TEST(Beyond, TheSweepsMessageFollowsFromItsTable) {
 }
 
 TEST(Beyond, SpatialMedianStopsMoreOftenOnUnlikeTrianglesAndSomsNever) {
-  const Result result = run(spread, Models{});
+  const Result result = run_beyond(spread, Models{});
   const Table& table = table_named(result, "spread");
   const auto stop = rows_of(table, "spatial_median", "stop");
   const auto soms = rows_of(table, "soms", "");
@@ -231,7 +231,7 @@ TEST(Beyond, SpatialMedianStopsMoreOftenOnUnlikeTrianglesAndSomsNever) {
 
 TEST(Beyond, WithoutCitiesAGeneratedOneIsUsedAndSaysHowToGiveOne) {
   SOMS_SKIP_IN_SLOW_BUILDS();
-  const Result result = run(cities, Models{});
+  const Result result = run_beyond(cities, Models{});
   EXPECT_EQ(word(table_named(result, "cities_models"), 0, "model"), "generated_city");
   EXPECT_NE(result.remarks.back().find("--models"), std::string::npos);
 }
@@ -240,15 +240,16 @@ TEST(Beyond, AQuickRunTakesTheTwoSmallestCitiesAndSaysSo) {
   SOMS_SKIP_IN_SLOW_BUILDS();
   Models models;
   for (const std::uint64_t triangles : {100U, 200U, 400U}) {
-    models.cities.push_back(model_of(fmt::format("city_{}", triangles), generate_knot(triangles)));
+    models.cities.push_back(
+        titled_model(fmt::format("city_{}", triangles), generate_knot(triangles)));
   }
-  const Result result = run(cities, models);
+  const Result result = run_beyond(cities, models);
   EXPECT_EQ(table_named(result, "cities_models").rows.size(), 2U);
   EXPECT_NE(result.remarks.back().find("2 smallest of 3"), std::string::npos);
 }
 
 TEST(Beyond, AStopRequestEndsAnExperiment) {
-  const Models models = small_models();
+  const Models models = beyond_models();
   std::stop_source source;
   source.request_stop();
   for (const auto experiment : {modern, cities, spread}) {

@@ -25,7 +25,7 @@ Model model_of(std::string name, Mesh mesh) {
   return model;
 }
 
-Models small_models() {
+Models timed_models() {
   Models models;
   models.objects.push_back(model_of("knot", generate_knot(120)));
   models.objects.push_back(model_of("ball", generate_sphere(80)));
@@ -57,7 +57,7 @@ std::string counted_part(Table table) {
 
 TEST(BuildTimes, TimesAreMarkedAndTheRestIsTheSameInTwoRuns) {
   SOMS_SKIP_IN_SLOW_BUILDS();
-  const Models models = small_models();
+  const Models models = timed_models();
   const Context context{.models = models, .quick = true};
   for (const auto run : kTimed) {
     const Result first = run(context);
@@ -80,7 +80,7 @@ TEST(BuildTimes, TimesAreMarkedAndTheRestIsTheSameInTwoRuns) {
 }
 
 TEST(BuildTimes, ShareOfTheGreatestLevelIsTheWholeAndLevelsAddUp) {
-  const Models models = small_models();
+  const Models models = timed_models();
   const Table table = table_5_2({.models = models, .quick = true}).tables.front();
   const std::size_t up_to = column(table, "up_to_level");
   const std::size_t rule = column(table, "rule");
@@ -135,7 +135,7 @@ TEST(BuildTimes, PercentageIsAgainstSpatialMedianOfTheSameModelAndLevel) {
 }
 
 TEST(BuildTimes, CaptionsTellOptionsAndWhoseTheRepetitionsAre) {
-  const Models models = small_models();
+  const Models models = timed_models();
   const Context context{.models = models, .quick = true};
   for (const auto run : kTimed) {
     const Result result = run(context);
@@ -181,7 +181,7 @@ TEST(BuildTimes, LargeModelsAreBuiltFewerTimes) {
 }
 
 TEST(BuildTimes, ProgressEndsAtOne) {
-  const Models models = small_models();
+  const Models models = timed_models();
   Context context{.models = models, .quick = true};
   double last = 0;
   bool ascends = true;

@@ -10,7 +10,7 @@ namespace soms::reproduce {
 namespace {
 
 using soms::test::count_of;
-using test::run_quick;
+using trips::run_quick;
 
 Result result_of(int number) {
   return run_quick(fmt::format("figure-4.{}", number), {});

@@ -11,12 +11,12 @@
 namespace soms::reproduce {
 namespace {
 
-using test::cell;
-using test::run_quick;
-using test::table_of;
+using trips::cell;
+using trips::run_quick;
+using trips::table_of;
 
 const Models& models() {
-  static const Models some = test::small_models();
+  static const Models some = trips::small_models();
   return some;
 }
 
@@ -28,7 +28,7 @@ Table table(const std::string& figure, const std::string& name) {
 }
 
 /// A row as text.
-std::string row_of(const Table& of, std::size_t row) {
+std::string run_row(const Table& of, std::size_t row) {
   std::string words;
   for (const Column& column : of.columns) {
     words += (words.empty() ? "" : ",") + cell(of, row, column.name);
@@ -65,8 +65,8 @@ TEST(CaptionedRuns, SidesAreCountedTriangleByTriangle) {
   EXPECT_EQ(cell(steps, 3, "left_count"), "2");
   EXPECT_EQ(cell(steps, 3, "right_count"), "2");
   const Table stored = table("4_25", "triangles");
-  EXPECT_EQ(row_of(stored, 4), "1,0,1");
-  EXPECT_EQ(row_of(stored, 7), "2,1,3");
+  EXPECT_EQ(run_row(stored, 4), "1,0,1");
+  EXPECT_EQ(run_row(stored, 7), "2,1,3");
 }
 
 TEST(CaptionedRuns, NodesAreDividedDepthFirst) {
@@ -76,16 +76,16 @@ TEST(CaptionedRuns, NodesAreDividedDepthFirst) {
   EXPECT_EQ(cell(steps, 2, "outcome"), "leaf: one triangle");
   const Table grid = table("4_28", "steps");
   ASSERT_EQ(grid.rows.size(), 15U);
-  EXPECT_EQ(row_of(grid, 0), "0,0,16,x,,8,8,divided");
-  EXPECT_EQ(row_of(grid, 3), "7,3,2,,,,,leaf: last level");
+  EXPECT_EQ(run_row(grid, 0), "0,0,16,x,,8,8,divided");
+  EXPECT_EQ(run_row(grid, 3), "7,3,2,,,,,leaf: last level");
 }
 
 TEST(CaptionedRuns, ArraysKeepPlacesOfNodesThatDoNotExist) {
   const Table arrays = table("4_27", "arrays");
   ASSERT_EQ(arrays.rows.size(), 14U);
-  EXPECT_EQ(row_of(arrays, 2), "one_large,2,yes,2,3 0,6");
-  EXPECT_EQ(row_of(arrays, 7), "one_midpoint,0,yes,3,0 1 2,9");
-  EXPECT_EQ(row_of(arrays, 8), "one_midpoint,1,no,,,");
+  EXPECT_EQ(run_row(arrays, 2), "one_large,2,yes,2,3 0,6");
+  EXPECT_EQ(run_row(arrays, 7), "one_midpoint,0,yes,3,0 1 2,9");
+  EXPECT_EQ(run_row(arrays, 8), "one_midpoint,1,no,,,");
 }
 
 TEST(CaptionedRuns, TraversalsOfTheSmallTreesMakeNineTests) {
@@ -94,12 +94,12 @@ TEST(CaptionedRuns, TraversalsOfTheSmallTreesMakeNineTests) {
   EXPECT_EQ(cell(steps, 4, "pair"), "5|3");
   const Table stack = table("4_36", "steps");
   ASSERT_EQ(stack.rows.size(), 9U);
-  EXPECT_EQ(row_of(stack, 0), "1,0|0,overlap: push 4,1|1 1|2 2|1 2|2");
-  EXPECT_EQ(row_of(stack, 8), "9,2|2,apart,empty");
+  EXPECT_EQ(run_row(stack, 0), "1,0|0,overlap: push 4,1|1 1|2 2|1 2|2");
+  EXPECT_EQ(run_row(stack, 8), "9,2|2,apart,empty");
   const Table nodes = table("4_34", "nodes");
   ASSERT_EQ(nodes.rows.size(), 15U);
-  EXPECT_EQ(row_of(nodes, 2), "2,yes,5,yes");
-  EXPECT_EQ(row_of(nodes, 3), "3,yes,7,no");
+  EXPECT_EQ(run_row(nodes, 2), "2,yes,5,yes");
+  EXPECT_EQ(run_row(nodes, 3), "3,yes,7,no");
 }
 
 TEST(CaptionedRuns, RootsMeetInSeventeenOf49Frames) {
@@ -114,9 +114,9 @@ TEST(CaptionedRuns, RootsMeetInSeventeenOf49Frames) {
 TEST(CaptionedRuns, BoxesAreApartIfOneAxisIs) {
   const Table boxes = table("4_33", "boxes");
   ASSERT_EQ(boxes.rows.size(), 5U);
-  EXPECT_EQ(row_of(boxes, 0), "overlap,yes,yes,yes,yes");
-  EXPECT_EQ(row_of(boxes, 1), "touching,yes,yes,yes,yes");
-  EXPECT_EQ(row_of(boxes, 4), "apart_z,yes,yes,no,no");
+  EXPECT_EQ(run_row(boxes, 0), "overlap,yes,yes,yes,yes");
+  EXPECT_EQ(run_row(boxes, 1), "touching,yes,yes,yes,yes");
+  EXPECT_EQ(run_row(boxes, 4), "apart_z,yes,yes,no,no");
 }
 
 TEST(CaptionedRuns, GeneratedCityIsFourPartsAndRoads) {
@@ -130,12 +130,12 @@ TEST(CaptionedRuns, GeneratedCityIsFourPartsAndRoads) {
   }
   const Table objects = table_of(run_quick("figure-4.39", cities), "figure_4_39_objects");
   ASSERT_EQ(objects.rows.size(), 3U);
-  EXPECT_EQ(row_of(objects, 0), "terrain,128,128");
-  EXPECT_EQ(row_of(objects, 2), "signs,280,1434");
+  EXPECT_EQ(run_row(objects, 0), "terrain,128,128");
+  EXPECT_EQ(run_row(objects, 2), "signs,280,1434");
 }
 
 TEST(CaptionedRuns, PartOneOfManyObjectsIsDrawnInFourStages) {
-  Models many = test::small_models();
+  Models many = trips::small_models();
   Mesh mesh = *many.scenes.at(0).mesh;
   mesh.parts.clear();
   for (std::uint32_t id = 0; id < mesh.triangles.size(); ++id) {
@@ -170,14 +170,14 @@ TEST(CaptionedRuns, CountsOfTheBunnyAreGolden) {
   SOMS_NEEDS_OUTSIDE_DATA("counts of the bunny's trees");
   const Models bunny = find_models(*soms::test::outside_data(""), {.objects = true});
   Models all = bunny;
-  all.scenes = test::small_models().scenes;
+  all.scenes = trips::small_models().scenes;
   const Table slots = table_of(run_quick("figure-4.27", all), "figure_4_27_slots");
   EXPECT_EQ(cell(slots, 0, "slots"), "32767");
   EXPECT_EQ(cell(slots, 0, "used"), "1847");
   const Table levels = table_of(run_quick("figure-4.29", all), "figure_4_29_levels");
   ASSERT_EQ(levels.rows.size(), 15U);
-  EXPECT_EQ(row_of(levels, 5), "6,63,32,0,192");
-  EXPECT_EQ(row_of(levels, 14), "15,1847,924,920,5544");
+  EXPECT_EQ(run_row(levels, 5), "6,63,32,0,192");
+  EXPECT_EQ(run_row(levels, 14), "15,1847,924,920,5544");
   const Table descents = table_of(run_quick("figure-4.37", all), "figure_4_37_descents");
   const std::vector<std::string> tests{"96407", "117039", "54249", "50987", "48619"};
   for (std::size_t row = 0; row < tests.size(); ++row) {

@@ -13,7 +13,7 @@
 namespace soms::reproduce {
 namespace {
 
-const double kNone = std::numeric_limits<double>::quiet_NaN();
+const double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 LineChart two_lines() {
   LineChart chart{.title = "Nodes by <level>", .x_label = "level", .y_label = "nodes & leaves"};
@@ -56,7 +56,7 @@ TEST(LineChart, BreaksALineWhereAValueIsMissing) {
   chart.markers = false;
   const std::size_t whole = test::count_of(draw(chart), "stroke-width=\"2.4\"");
   chart.lines[0].x = {1, 2, 3, 4, 5};
-  chart.lines[0].y = {1, 2, kNone, 4, 5};
+  chart.lines[0].y = {1, 2, kNoValue, 4, 5};
   EXPECT_EQ(test::count_of(draw(chart), "stroke-width=\"2.4\""), whole + 1);
 }
 
@@ -66,7 +66,7 @@ TEST(LineChart, DrawsWithoutDataOrWithOnePoint) {
   EXPECT_EQ(test::count_of(draw(chart), "no data"), 1U);
   chart.lines = {{.name = "one", .x = {0}, .y = {0}, .low = {0}, .high = {0}}};
   EXPECT_EQ(test::markup_fault(draw(chart)), "");
-  chart.lines = {{.name = "none", .x = {1, 2}, .y = {kNone, kNone}}};
+  chart.lines = {{.name = "none", .x = {1, 2}, .y = {kNoValue, kNoValue}}};
   EXPECT_EQ(test::count_of(draw(chart), "no data"), 1U);
   EXPECT_EQ(test::count_of(draw(chart), "nan"), 0U);
 }
@@ -84,7 +84,7 @@ TEST(LineChart, RefusesListsThatDifferAndLogsOfNothing) {
   chart.y_scale = Scale::log;
   expect_refused(chart);
   chart = two_lines();
-  chart.lines[0].x[0] = kNone;
+  chart.lines[0].x[0] = kNoValue;
   expect_refused(chart);
 }
 
@@ -108,7 +108,7 @@ TEST(BarChart, ShowsGroupsNamesAndValues) {
   BarChart chart{.title = "Leaves", .y_label = "leaves with one triangle"};
   chart.groups = {"bunny", "a very long name of a model that nobody could put below a bar, teapot"};
   chart.bars = {{.name = "SOMS", .values = {904, 1234}},
-                {.name = "spatial", .values = {423, kNone}, .low = {400, 1}, .high = {430, 2}}};
+                {.name = "spatial", .values = {423, kNoValue}, .low = {400, 1}, .high = {430, 2}}};
   const std::string svg = draw(chart);
   EXPECT_EQ(test::markup_fault(svg), "");
   for (const char* words : {">bunny<", ">SOMS<", ">904<", ">1,234<", ">423<"}) {

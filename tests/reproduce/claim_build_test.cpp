@@ -22,18 +22,18 @@
 namespace soms::reproduce {
 namespace {
 
-constexpr std::array kClaims{"claim-build-8-percent", "claim-build-43-ms", "claim-build-city"};
+constexpr std::array kBuildClaims{"claim-build-8-percent", "claim-build-43-ms", "claim-build-city"};
 
 TEST(ClaimBuild, RunsAgreeButForTimes) {
   SOMS_SKIP_IN_SLOW_BUILDS();
-  const Models models = test::small_models();
-  for (const char* const item : kClaims) {
-    const Result first = test::run_quick(item, models);
-    const Result second = test::run_quick(item, models);
+  const Models models = trips::small_models();
+  for (const char* const item : kBuildClaims) {
+    const Result first = trips::run_quick(item, models);
+    const Result second = trips::run_quick(item, models);
     ASSERT_EQ(first.claims.size(), 1U) << item;
     ASSERT_EQ(first.tables.size(), second.tables.size());
     for (std::size_t i = 0; i < first.tables.size(); ++i) {
-      EXPECT_EQ(test::masked_csv(first.tables[i]), test::masked_csv(second.tables[i]));
+      EXPECT_EQ(trips::masked_csv(first.tables[i]), trips::masked_csv(second.tables[i]));
     }
     for (const Figure& figure : first.figures) {
       EXPECT_TRUE(figure.timed) << figure.id;
@@ -44,9 +44,9 @@ TEST(ClaimBuild, RunsAgreeButForTimes) {
 
 TEST(ClaimBuild, OnlyTheObjectOf948TrianglesIsJudged) {
   SOMS_SKIP_IN_SLOW_BUILDS();
-  Models models = test::small_models();
+  Models models = trips::small_models();
   const auto verdict = [&](const char* item) {
-    return verdict_of(test::run_quick(item, models).claims.at(0));
+    return verdict_of(trips::run_quick(item, models).claims.at(0));
   };
   EXPECT_EQ(verdict("claim-build-8-percent"), Verdict::cannot_be_checked);
   models.objects.front().stand_in = false;
@@ -57,10 +57,10 @@ TEST(ClaimBuild, OnlyTheObjectOf948TrianglesIsJudged) {
 
 TEST(ClaimBuild, EightPercentIsReadInTwoWays) {
   SOMS_SKIP_IN_SLOW_BUILDS();
-  Models models = test::small_models();
+  Models models = trips::small_models();
   models.objects.front().stand_in = false;
   models.objects.front().mesh = std::make_shared<const Mesh>(generate_knot(948));
-  const Claim claim = test::run_quick("claim-build-8-percent", models).claims.at(0);
+  const Claim claim = trips::run_quick("claim-build-8-percent", models).claims.at(0);
   const auto rows_where = [&](const auto& is) {
     return std::count_if(claim.rows.begin(), claim.rows.end(), is);
   };
@@ -92,12 +92,12 @@ TEST(ClaimBuild, EightPercentIsReadInTwoWays) {
 
 TEST(ClaimBuild, EveryRaceOfTheCityHasItsRowsOnce) {
   SOMS_SKIP_IN_SLOW_BUILDS();
-  Models models = test::small_models();
+  Models models = trips::small_models();
   models.scenes.front().mesh = std::make_shared<const Mesh>(generate_urban(UrbanScene::boxes));
-  const Result result = test::run_quick("claim-build-city", models);
+  const Result result = trips::run_quick("claim-build-city", models);
   const Claim& claim = result.claims.at(0);
   // A race has a row of counts and one for each builder; in the table one for builder and rule.
-  const std::size_t races = test::table_of(result, "build_city").rows.size() / 6;
+  const std::size_t races = trips::table_of(result, "build_city").rows.size() / 6;
   EXPECT_EQ(claim.rows.size(), 4 * races);
   std::set<std::array<std::string, 3>> seen;
   for (const ClaimRow& row : claim.rows) {
@@ -111,9 +111,9 @@ TEST(ClaimBuild, EveryRaceOfTheCityHasItsRowsOnce) {
 
 TEST(ClaimBuild, ALevelThatTwoFiguresShareIsOneReading) {
   SOMS_SKIP_IN_SLOW_BUILDS();
-  Models models = test::small_models();
+  Models models = trips::small_models();
   models.scenes.front().mesh = std::make_shared<const Mesh>(generate_urban(UrbanScene::mixed));
-  const Claim claim = test::run_quick("claim-build-city", models).claims.at(0);
+  const Claim claim = trips::run_quick("claim-build-city", models).claims.at(0);
   const auto has = [&](std::string_view reading) {
     return std::any_of(claim.rows.begin(), claim.rows.end(),
                        [&](const ClaimRow& row) { return row.reading == reading; });
@@ -131,10 +131,10 @@ TEST(ClaimBuild, ALevelThatTwoFiguresShareIsOneReading) {
 }
 
 TEST(ClaimBuild, TreesOfTheRootAloneAreNotJudged) {
-  Models models = test::small_models();
+  Models models = trips::small_models();
   models.scenes.front().mesh =
       std::make_shared<const Mesh>(soms::test::make_input(soms::test::Input::coincident, 20));
-  const Claim claim = test::run_quick("claim-build-city", models).claims.at(0);
+  const Claim claim = trips::run_quick("claim-build-city", models).claims.at(0);
   for (const ClaimRow& row : claim.rows) {
     EXPECT_TRUE(std::isfinite(row.value)) << row.reading;
     if (row.reading.find("stays whole") != std::string::npos) {
@@ -144,10 +144,10 @@ TEST(ClaimBuild, TreesOfTheRootAloneAreNotJudged) {
 }
 
 /// Nodes; midpoints compared; outer, inner and merged boxes.
-using Counts = std::array<std::uint64_t, 5>;
+using ClaimCounts = std::array<std::uint64_t, 5>;
 
-Counts counts_of(const Mesh& mesh, NeutralWay way, Rule rule, int level,
-                 EmptySide empty_side = EmptySide::stop) {
+ClaimCounts neutral_counts(const Mesh& mesh, NeutralWay way, Rule rule, int level,
+                           EmptySide empty_side = EmptySide::stop) {
   BuildOptions options = thesis_options(rule, level);
   options.empty_side = empty_side;
   NeutralBuilder builder(way, options);
@@ -161,22 +161,29 @@ TEST(ClaimBuild, GoldenWorkOnTheScenes) {
   const Mesh mixed = generate_urban(UrbanScene::mixed);
   const auto lists = NeutralWay::thesis_like;
   const auto in_place = NeutralWay::in_place;
-  EXPECT_EQ(counts_of(plain, lists, Rule::spatial_median, 13), (Counts{2929, 65634, 66004, 0, 0}));
-  EXPECT_EQ(counts_of(plain, lists, Rule::soms, 13), (Counts{6537, 67354, 73026, 67354, 0}));
-  EXPECT_EQ(counts_of(plain, in_place, Rule::spatial_median, 13),
-            (Counts{2929, 65634, 71306, 0, 0}));
-  EXPECT_EQ(counts_of(plain, in_place, Rule::soms, 13), (Counts{6537, 67354, 5672, 73026, 3268}));
-  EXPECT_EQ(counts_of(mixed, lists, Rule::spatial_median, 13), (Counts{3, 11344, 11344, 0, 0}));
-  EXPECT_EQ(counts_of(mixed, lists, Rule::soms, 13), (Counts{6395, 67302, 72970, 67302, 0}));
-  EXPECT_EQ(counts_of(mixed, in_place, Rule::soms, 7), (Counts{127, 34032, 5672, 39704, 63}));
+  EXPECT_EQ(neutral_counts(plain, lists, Rule::spatial_median, 13),
+            (ClaimCounts{2929, 65634, 66004, 0, 0}));
+  EXPECT_EQ(neutral_counts(plain, lists, Rule::soms, 13),
+            (ClaimCounts{6537, 67354, 73026, 67354, 0}));
+  EXPECT_EQ(neutral_counts(plain, in_place, Rule::spatial_median, 13),
+            (ClaimCounts{2929, 65634, 71306, 0, 0}));
+  EXPECT_EQ(neutral_counts(plain, in_place, Rule::soms, 13),
+            (ClaimCounts{6537, 67354, 5672, 73026, 3268}));
+  EXPECT_EQ(neutral_counts(mixed, lists, Rule::spatial_median, 13),
+            (ClaimCounts{3, 11344, 11344, 0, 0}));
+  EXPECT_EQ(neutral_counts(mixed, lists, Rule::soms, 13),
+            (ClaimCounts{6395, 67302, 72970, 67302, 0}));
+  EXPECT_EQ(neutral_counts(mixed, in_place, Rule::soms, 7),
+            (ClaimCounts{127, 34032, 5672, 39704, 63}));
   const auto chain = EmptySide::chain;
-  EXPECT_EQ(counts_of(mixed, lists, Rule::spatial_median, 13, chain),
-            (Counts{47, 68064, 73736, 0, 0}));
-  EXPECT_EQ(counts_of(mixed, lists, Rule::soms, 13, chain), (Counts{6399, 67302, 72974, 67302, 0}));
-  EXPECT_EQ(counts_of(plain, in_place, Rule::spatial_median, 13, chain),
-            (Counts{6157, 67703, 73375, 0, 0}));
-  EXPECT_EQ(counts_of(plain, in_place, Rule::soms, 13, chain),
-            (Counts{6537, 67354, 5672, 73026, 3268}));
+  EXPECT_EQ(neutral_counts(mixed, lists, Rule::spatial_median, 13, chain),
+            (ClaimCounts{47, 68064, 73736, 0, 0}));
+  EXPECT_EQ(neutral_counts(mixed, lists, Rule::soms, 13, chain),
+            (ClaimCounts{6399, 67302, 72974, 67302, 0}));
+  EXPECT_EQ(neutral_counts(plain, in_place, Rule::spatial_median, 13, chain),
+            (ClaimCounts{6157, 67703, 73375, 0, 0}));
+  EXPECT_EQ(neutral_counts(plain, in_place, Rule::soms, 13, chain),
+            (ClaimCounts{6537, 67354, 5672, 73026, 3268}));
 }
 
 TEST(ClaimBuild, GoldenWorkOnTheBunny) {
@@ -185,15 +192,19 @@ TEST(ClaimBuild, GoldenWorkOnTheBunny) {
   const Mesh& bunny = *models.objects.front().mesh;
   const auto lists = NeutralWay::thesis_like;
   const auto in_place = NeutralWay::in_place;
-  EXPECT_EQ(counts_of(bunny, lists, Rule::spatial_median, 15), (Counts{1267, 9783, 10208, 0, 0}));
-  EXPECT_EQ(counts_of(bunny, lists, Rule::soms, 15), (Counts{1847, 9857, 10761, 9857, 0}));
-  EXPECT_EQ(counts_of(bunny, in_place, Rule::spatial_median, 15),
-            (Counts{1267, 9783, 10731, 0, 0}));
-  EXPECT_EQ(counts_of(bunny, in_place, Rule::soms, 15), (Counts{1847, 9857, 948, 10805, 923}));
+  EXPECT_EQ(neutral_counts(bunny, lists, Rule::spatial_median, 15),
+            (ClaimCounts{1267, 9783, 10208, 0, 0}));
+  EXPECT_EQ(neutral_counts(bunny, lists, Rule::soms, 15),
+            (ClaimCounts{1847, 9857, 10761, 9857, 0}));
+  EXPECT_EQ(neutral_counts(bunny, in_place, Rule::spatial_median, 15),
+            (ClaimCounts{1267, 9783, 10731, 0, 0}));
+  EXPECT_EQ(neutral_counts(bunny, in_place, Rule::soms, 15),
+            (ClaimCounts{1847, 9857, 948, 10805, 923}));
   const auto chain = EmptySide::chain;
-  EXPECT_EQ(counts_of(bunny, lists, Rule::spatial_median, 15, chain),
-            (Counts{3091, 11565, 12513, 0, 0}));
-  EXPECT_EQ(counts_of(bunny, lists, Rule::soms, 15, chain), (Counts{1983, 9962, 10910, 9962, 0}));
+  EXPECT_EQ(neutral_counts(bunny, lists, Rule::spatial_median, 15, chain),
+            (ClaimCounts{3091, 11565, 12513, 0, 0}));
+  EXPECT_EQ(neutral_counts(bunny, lists, Rule::soms, 15, chain),
+            (ClaimCounts{1983, 9962, 10910, 9962, 0}));
 }
 
 TEST(ClaimBuild, GainIsTimeSavedOverPairs) {

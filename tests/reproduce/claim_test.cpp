@@ -14,8 +14,8 @@ ClaimRow measured(double low, double value, double high) {
   return measured_row("", "time", "bunny", "%", {.above = 8}, {value, {low, high}, 20});
 }
 
-ClaimRow count(double value, const std::string& reading = "stop",
-               const std::string& subject = "bunny") {
+ClaimRow count_row(double value, const std::string& reading = "stop",
+                   const std::string& subject = "bunny") {
   return counted_row(reading, "leaves", subject, "", kMore, value);
 }
 
@@ -32,9 +32,9 @@ TEST(Claim, RowHoldsOnlyIfItsWholeIntervalDoes) {
 }
 
 TEST(Claim, CountIsOnOneSideOrTheOther) {
-  EXPECT_EQ(stand_of(count(1)), Verdict::holds);
-  EXPECT_EQ(stand_of(count(0)), Verdict::does_not_hold);
-  EXPECT_EQ(stand_of(count(-1)), Verdict::does_not_hold);
+  EXPECT_EQ(stand_of(count_row(1)), Verdict::holds);
+  EXPECT_EQ(stand_of(count_row(0)), Verdict::does_not_hold);
+  EXPECT_EQ(stand_of(count_row(-1)), Verdict::does_not_hold);
   const Demand near{.above = 21, .below = 31};
   EXPECT_EQ(stand_of(counted_row("", "m", "s", "%", near, 26)), Verdict::holds);
   EXPECT_EQ(stand_of(counted_row("", "m", "s", "%", near, 31)), Verdict::does_not_hold);
@@ -42,53 +42,56 @@ TEST(Claim, CountIsOnOneSideOrTheOther) {
 
 TEST(Claim, VerdictFollowsFromTheRows) {
   EXPECT_EQ(verdict_of(claim({})), Verdict::cannot_be_checked);
-  EXPECT_EQ(verdict_of(claim({count(1), count(2)})), Verdict::holds);
-  EXPECT_EQ(verdict_of(claim({count(1), count(-2, "chain")})), Verdict::holds_under);
-  EXPECT_EQ(verdict_of(claim({count(1), count(-2, "stop", "venus")})), Verdict::holds_on_some);
-  EXPECT_EQ(verdict_of(claim({count(1), count(-2, "stop", "venus"), count(3, "chain")})),
-            Verdict::holds_under);
-  EXPECT_EQ(verdict_of(claim({count(-1), count(-2)})), Verdict::does_not_hold);
-  EXPECT_EQ(verdict_of(claim({count(-1), measured(7, 8, 9)})), Verdict::undecided);
-  EXPECT_EQ(verdict_of(claim({count(1), measured(7, 8, 9)})), Verdict::holds_under);
+  EXPECT_EQ(verdict_of(claim({count_row(1), count_row(2)})), Verdict::holds);
+  EXPECT_EQ(verdict_of(claim({count_row(1), count_row(-2, "chain")})), Verdict::holds_under);
+  EXPECT_EQ(verdict_of(claim({count_row(1), count_row(-2, "stop", "venus")})),
+            Verdict::holds_on_some);
+  EXPECT_EQ(
+      verdict_of(claim({count_row(1), count_row(-2, "stop", "venus"), count_row(3, "chain")})),
+      Verdict::holds_under);
+  EXPECT_EQ(verdict_of(claim({count_row(-1), count_row(-2)})), Verdict::does_not_hold);
+  EXPECT_EQ(verdict_of(claim({count_row(-1), measured(7, 8, 9)})), Verdict::undecided);
+  EXPECT_EQ(verdict_of(claim({count_row(1), measured(7, 8, 9)})), Verdict::holds_under);
 }
 
 TEST(Claim, RowsThatAreNotJudgedDecideNothing) {
-  ClaimRow aside = count(5);
+  ClaimRow aside = count_row(5);
   aside.unjudged = "a stand-in";
   EXPECT_EQ(verdict_of(claim({aside})), Verdict::cannot_be_checked);
-  EXPECT_EQ(verdict_of(claim({aside, count(-1)})), Verdict::does_not_hold);
+  EXPECT_EQ(verdict_of(claim({aside, count_row(-1)})), Verdict::does_not_hold);
   EXPECT_EQ(where(claim({aside})), "No row of its matrix can be judged.");
 }
 
 TEST(Claim, SaysWhereItHolds) {
-  EXPECT_EQ(where(claim(
-                {count(1), count(-2, "stop", "venus"), count(3, "chain"), count(0, "next axis")})),
+  EXPECT_EQ(where(claim({count_row(1), count_row(-2, "stop", "venus"), count_row(3, "chain"),
+                         count_row(0, "next axis")})),
             "Holds in 2 of 4 rows. On every subject: chain (1). On some: stop (1 of 2). On none: "
             "next axis.");
-  EXPECT_EQ(where(claim({count(-1), measured(7, 8, 9)})), "Holds in 0 of 2 rows, undecided in 1.");
+  EXPECT_EQ(where(claim({count_row(-1), measured(7, 8, 9)})),
+            "Holds in 0 of 2 rows, undecided in 1.");
 }
 
 TEST(Claim, SaysHowTheReadingNearestToTheTextStands) {
-  Claim one = claim({count(1), count(-2, "stop", "venus"), count(3, "chain")});
+  Claim one = claim({count_row(1), count_row(-2, "stop", "venus"), count_row(3, "chain")});
   one.nearest = "stop";
   EXPECT_EQ(where(one),
             "Holds in 2 of 3 rows. Nearest to the text (stop): in 1 of 2. On every subject: chain "
             "(1). On "
             "some: stop (1 of 2).");
-  EXPECT_EQ(test::cell(claim_table(one), 0, "nearest"), "yes");
-  EXPECT_EQ(test::cell(claim_table(one), 2, "nearest"), "");
+  EXPECT_EQ(trips::cell(claim_table(one), 0, "nearest"), "yes");
+  EXPECT_EQ(trips::cell(claim_table(one), 2, "nearest"), "");
 }
 
 TEST(Claim, MatrixHasALineForEachReadingAndAColumnForEachSubject) {
-  ClaimRow aside = count(5, "chain");
+  ClaimRow aside = count_row(5, "chain");
   aside.unjudged = "a stand-in";
-  EXPECT_EQ(to_csv(matrix_table(claim({count(1), count(-2, "stop", "venus"), aside}))),
+  EXPECT_EQ(to_csv(matrix_table(claim({count_row(1), count_row(-2, "stop", "venus"), aside}))),
             "metric,reading,demanded,bunny,venus\nleaves,stop,> 0,\u2713 1,\u2717 "
             "-2\nleaves,chain,> 0,(5),\n");
 }
 
 TEST(Claim, SaysTheShareOfRowsAndReadableDemands) {
-  EXPECT_EQ(share_words(claim({count(1), count(-2)})), "1 of 2 rows");
+  EXPECT_EQ(share_words(claim({count_row(1), count_row(-2)})), "1 of 2 rows");
   EXPECT_EQ(share_words(claim({})), "");
   EXPECT_EQ(words_of(Demand{.above = 6.5, .below = 7.5}), "= 7");
   EXPECT_EQ(words_of(Demand{.above = 21, .below = 31}), "21 to 31");
@@ -96,10 +99,10 @@ TEST(Claim, SaysTheShareOfRowsAndReadableDemands) {
 }
 
 TEST(Claim, TableHasAllThatTheVerdictNeeds) {
-  const Table table = claim_table(claim({count(12), measured(7, 9, 10)}));
+  const Table table = claim_table(claim({count_row(12), measured(7, 9, 10)}));
   EXPECT_EQ(table.id, "claim_c");
-  EXPECT_EQ(test::cell(table, 0, "stands"), "holds");
-  EXPECT_EQ(test::cell(table, 1, "stands"), "undecided");
+  EXPECT_EQ(trips::cell(table, 0, "stands"), "holds");
+  EXPECT_EQ(trips::cell(table, 1, "stands"), "undecided");
   EXPECT_EQ(
       to_csv(table),
       "metric,reading,nearest,subject,unit,above,below,value,low,high,rounds,stands,unjudged\n"
@@ -109,7 +112,7 @@ TEST(Claim, TableHasAllThatTheVerdictNeeds) {
 
 TEST(Claim, NumbersAreReadable) {
   EXPECT_EQ(words_of(measured(7, 9.04, 10)), "+9.0 (+7.0 to +10.0) %");
-  EXPECT_EQ(words_of(count(12)), "12");
+  EXPECT_EQ(words_of(count_row(12)), "12");
 }
 
 }  // namespace

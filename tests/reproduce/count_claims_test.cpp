@@ -23,21 +23,21 @@
 namespace soms::reproduce {
 namespace {
 
-constexpr std::array kScenes{"u_mixed (stand-in)", "u_boxes (stand-in)", "u_plain (stand-in)"};
+constexpr std::array kClaimScenes{"u_mixed (stand-in)", "u_boxes (stand-in)", "u_plain (stand-in)"};
 constexpr auto kAbout = ", about 26 %, within 5 points (ours)";
 constexpr auto kAtLeast = ", at least 26 % (25.5)";
-constexpr std::array kClaims{claim_models,     claim_fallback, claim_single_leaves,
-                             claim_26_percent, claim_balance,  claim_level_7};
+constexpr std::array kCountClaims{claim_models,     claim_fallback, claim_single_leaves,
+                                  claim_26_percent, claim_balance,  claim_level_7};
 
-Models scenes_only() {
+Models scenes_of_claims() {
   return find_models({}, {.scenes = true});
 }
 
-Models original_models() {
+Models originals() {
   return find_models(*soms::test::outside_data(""), {.objects = true, .scenes = true});
 }
 
-Model model_of(std::string name, Mesh mesh, bool stand_in) {
+Model judged_model(std::string name, Mesh mesh, bool stand_in) {
   Model model{.name = std::move(name), .title = "a test's", .stand_in = stand_in};
   model.mesh = std::make_shared<const Mesh>(std::move(mesh));
   return model;
@@ -64,8 +64,8 @@ ClaimRow row_of(const Claim& claim, std::string_view metric, std::string_view re
 std::array<double, 3> on_scenes(const Claim& claim, std::string_view metric,
                                 std::string_view reading) {
   std::array<double, 3> values{};
-  for (std::size_t i = 0; i < kScenes.size(); ++i) {
-    values.at(i) = row_of(claim, metric, reading, kScenes.at(i)).value;
+  for (std::size_t i = 0; i < kClaimScenes.size(); ++i) {
+    values.at(i) = row_of(claim, metric, reading, kClaimScenes.at(i)).value;
   }
   return values;
 }
@@ -73,7 +73,7 @@ std::array<double, 3> on_scenes(const Claim& claim, std::string_view metric,
 using Three = std::array<double, 3>;
 
 TEST(CountClaims, FallbackJudgesBothRulesInOneRow) {
-  const Models models = scenes_only();
+  const Models models = scenes_of_claims();
   const Claim claim = claim_by(claim_fallback, models);
   const auto values = [&](std::string_view reading) {
     return on_scenes(claim, "nodes where spatial", reading);
@@ -90,18 +90,18 @@ TEST(CountClaims, FallbackJudgesBothRulesInOneRow) {
 }
 
 TEST(CountClaims, FallbackTableHasTheCountsOfEachRule) {
-  const Models models = scenes_only();
+  const Models models = scenes_of_claims();
   const Result result = claim_fallback({.models = models, .quick = true});
-  const Table& table = test::table_of(result, "claim_fallback");
+  const Table& table = trips::table_of(result, "claim_fallback");
   std::size_t found = 0;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    if (test::cell(table, i, "subject") == kScenes[0] &&
-        test::cell(table, i, "midpoint") == "thesis" &&
-        test::cell(table, i, "empty_side") == "stop") {
-      const bool inner = test::cell(table, i, "soms_axis") == "inner";
-      EXPECT_EQ(test::cell(table, i, "soms_stuck"), inner ? "0" : "145");
-      EXPECT_EQ(test::cell(table, i, "spatial_stuck"), "2");
-      EXPECT_EQ(test::cell(table, i, "spatial_largest"), "2874");
+    if (trips::cell(table, i, "subject") == kClaimScenes[0] &&
+        trips::cell(table, i, "midpoint") == "thesis" &&
+        trips::cell(table, i, "empty_side") == "stop") {
+      const bool inner = trips::cell(table, i, "soms_axis") == "inner";
+      EXPECT_EQ(trips::cell(table, i, "soms_stuck"), inner ? "0" : "145");
+      EXPECT_EQ(trips::cell(table, i, "spatial_stuck"), "2");
+      EXPECT_EQ(trips::cell(table, i, "spatial_largest"), "2874");
       ++found;
     }
   }
@@ -127,7 +127,7 @@ TEST(CountClaims, FallbackIsJudgedWhereTheTextSpeaksAndNothingIsDecidedBefore) {
 }
 
 TEST(CountClaims, SingleLeavesAreJudgedAtTheGreatestLevel) {
-  const Models models = scenes_only();
+  const Models models = scenes_of_claims();
   const Claim claim = claim_by(claim_single_leaves, models);
   constexpr auto kMetric = "lead of SOMS";
   const auto below = [&](int level) {
@@ -136,7 +136,7 @@ TEST(CountClaims, SingleLeavesAreJudgedAtTheGreatestLevel) {
   EXPECT_EQ(below(12), (Three{638, 628, 340}));
   EXPECT_EQ(below(11), (Three{119, 83, 11}));
   EXPECT_EQ(below(10), (Three{5, 5, -4}));
-  EXPECT_EQ(row_of(claim, kMetric, "level 9, stop, inner axis", kScenes[2]).value, 2);
+  EXPECT_EQ(row_of(claim, kMetric, "level 9, stop, inner axis", kClaimScenes[2]).value, 2);
   const auto greatest = [&](const std::string& rest) {
     return on_scenes(claim, kMetric, "greatest level, " + rest);
   };
@@ -155,20 +155,20 @@ TEST(CountClaims, SingleLeavesAreJudgedAtTheGreatestLevel) {
 }
 
 TEST(CountClaims, LevelsBelowTheGreatestAndTheOuterAxisAreShownOnly) {
-  const Models models = scenes_only();
+  const Models models = scenes_of_claims();
   const Claim claim = claim_by(claim_single_leaves, models);
   for (const ClaimRow& row : claim.rows) {
     EXPECT_EQ(row.unjudged.empty(),
               row.reading.starts_with("greatest") && row.reading.ends_with("inner axis"))
         << row.reading;
     // Where neither rule has a leaf with one triangle there is nothing to show.
-    EXPECT_FALSE(row.reading == "level 9, stop, inner axis" && row.subject != kScenes[2]);
+    EXPECT_FALSE(row.reading == "level 9, stop, inner axis" && row.subject != kClaimScenes[2]);
   }
 }
 
 TEST(CountClaims, ChainHasTheLeavesOfStop) {
-  Models models = scenes_only();
-  models.objects.push_back(model_of("knot", generate_knot(300), true));
+  Models models = scenes_of_claims();
+  models.objects.push_back(judged_model("knot", generate_knot(300), true));
   for (const auto& [model, level] : at_greatest_level(models)) {
     for (const Rule rule : {Rule::soms, Rule::spatial_median}) {
       for (const AxisFrom axis : kSomsAxes) {
@@ -186,7 +186,7 @@ TEST(CountClaims, ChainHasTheLeavesOfStop) {
 }
 
 TEST(CountClaims, TwentySixPercentIsReadAsAPercentageAndAsPoints) {
-  const Models models = scenes_only();
+  const Models models = scenes_of_claims();
   const Claim claim = claim_by(claim_26_percent, models);
   const auto points = [&](std::string_view reading, double mixed, double boxes, double plain) {
     const Three values =
@@ -201,11 +201,11 @@ TEST(CountClaims, TwentySixPercentIsReadAsAPercentageAndAsPoints) {
     return row_of(claim, "relative gain", std::string(reading) + kAbout, scene);
   };
   const std::string next = "next_axis, ";
-  EXPECT_NEAR(relative("one tree, " + next + "inner axis", kScenes[2]).value, 22.2868, 5e-4);
-  EXPECT_NEAR(relative("one tree, " + next + "outer axis", kScenes[2]).value, 26.3566, 5e-4);
+  EXPECT_NEAR(relative("one tree, " + next + "inner axis", kClaimScenes[2]).value, 22.2868, 5e-4);
+  EXPECT_NEAR(relative("one tree, " + next + "outer axis", kClaimScenes[2]).value, 26.3566, 5e-4);
   const std::string stop = "stop, inner axis";
-  EXPECT_NEAR(relative("one tree, " + stop, kScenes[2]).value, 557.292, 5e-3);
-  const ClaimRow from_none = relative("one tree, " + stop, kScenes[0]);
+  EXPECT_NEAR(relative("one tree, " + stop, kClaimScenes[2]).value, 557.292, 5e-3);
+  const ClaimRow from_none = relative("one tree, " + stop, kClaimScenes[0]);
   EXPECT_TRUE(std::isinf(from_none.value));
   EXPECT_FALSE(from_none.unjudged.empty());
   EXPECT_EQ(verdict_of(claim), Verdict::holds_under);
@@ -215,15 +215,16 @@ TEST(CountClaims, TwentySixPercentIsReadAsAPercentageAndAsPoints) {
 }
 
 TEST(CountClaims, TwentySixPercentIsReadAsAFloorAndAsAFigure) {
-  const Models models = scenes_only();
+  const Models models = scenes_of_claims();
   const Claim claim = claim_by(claim_26_percent, models);
   const std::string next = "one tree, next_axis, inner axis";
-  const ClaimRow mixed = row_of(claim, "relative", next + kAtLeast, kScenes[0]);
+  const ClaimRow mixed = row_of(claim, "relative", next + kAtLeast, kClaimScenes[0]);
   EXPECT_EQ(stand_of(mixed), Verdict::holds);
-  EXPECT_EQ(stand_of(row_of(claim, "relative", next + kAbout, kScenes[0])), Verdict::does_not_hold);
-  EXPECT_EQ(stand_of(row_of(claim, "relative", next + kAtLeast, kScenes[2])),
+  EXPECT_EQ(stand_of(row_of(claim, "relative", next + kAbout, kClaimScenes[0])),
             Verdict::does_not_hold);
-  EXPECT_EQ(stand_of(row_of(claim, "relative", next + kAbout, kScenes[2])), Verdict::holds);
+  EXPECT_EQ(stand_of(row_of(claim, "relative", next + kAtLeast, kClaimScenes[2])),
+            Verdict::does_not_hold);
+  EXPECT_EQ(stand_of(row_of(claim, "relative", next + kAbout, kClaimScenes[2])), Verdict::holds);
   for (const ClaimRow& row : claim.rows) {
     EXPECT_FALSE(row.unjudged.empty() && row.reading.find("outer axis") != std::string::npos);
     // Points of all triangles are not what the words say.
@@ -232,26 +233,26 @@ TEST(CountClaims, TwentySixPercentIsReadAsAFloorAndAsAFigure) {
 }
 
 TEST(CountClaims, TwentySixPercentIsReadByObjectWhereThereAreSeveral) {
-  const Models models = scenes_only();
+  const Models models = scenes_of_claims();
   const Claim claim = claim_by(claim_26_percent, models);
   const std::string apart = "a tree for each object, ";
   const auto value = [&](std::string_view metric, const std::string& rest) {
     const std::string points = metric == "gain" ? "points, " : "";
-    return row_of(claim, metric, points + apart + rest + kAbout, kScenes[0]).value;
+    return row_of(claim, metric, points + apart + rest + kAbout, kClaimScenes[0]).value;
   };
   EXPECT_NEAR(value("relative", "stop, inner axis"), 138.375, 5e-3);
   EXPECT_NEAR(value("relative", "next_axis, inner axis"), 50.7502, 5e-4);
   EXPECT_NEAR(value("gain", "next_axis, inner axis"), 23.854, 5e-4);
   // The other scenes are one object each: the same trees, so no rows.
   for (const ClaimRow& row : claim.rows) {
-    EXPECT_TRUE(row.reading.find(apart) == std::string::npos || row.subject == kScenes[0])
+    EXPECT_TRUE(row.reading.find(apart) == std::string::npos || row.subject == kClaimScenes[0])
         << row.subject;
   }
 }
 
 TEST(CountClaims, TwentySixPercentIsNotJudgedOnAnotherSize) {
   Models models;
-  models.scenes.push_back(model_of("ball", generate_sphere(200), false));
+  models.scenes.push_back(judged_model("ball", generate_sphere(200), false));
   const Claim claim = claim_by(claim_26_percent, models);
   EXPECT_EQ(verdict_of(claim), Verdict::cannot_be_checked);
   EXPECT_FALSE(claim.rows.empty());
@@ -259,7 +260,7 @@ TEST(CountClaims, TwentySixPercentIsNotJudgedOnAnotherSize) {
 }
 
 TEST(CountClaims, BalanceIsMeasuredByTheCaptionsAndInTwoWaysOfOurs) {
-  const Models models = scenes_only();
+  const Models models = scenes_of_claims();
   const Claim claim = claim_by(claim_balance, models);
   const auto small = [&](const std::string& rest) {
     return on_scenes(claim, "lead of SOMS in leaves with fewer than five",
@@ -277,7 +278,7 @@ TEST(CountClaims, BalanceIsMeasuredByTheCaptionsAndInTwoWaysOfOurs) {
   }
   const std::string outer = "next_axis, outer axis";
   EXPECT_EQ(on_scenes(claim, "lead in balanced", outer), (Three{3, 4, -1}));
-  EXPECT_FALSE(row_of(claim, "lead in balanced", outer, kScenes[0]).unjudged.empty());
+  EXPECT_FALSE(row_of(claim, "lead in balanced", outer, kClaimScenes[0]).unjudged.empty());
   EXPECT_EQ(verdict_of(claim), Verdict::holds_under);
   for (const ClaimRow& row : claim.rows) {
     EXPECT_EQ(is_nearest(claim, row), row.reading.find("tables 5.4") != std::string::npos &&
@@ -286,7 +287,7 @@ TEST(CountClaims, BalanceIsMeasuredByTheCaptionsAndInTwoWaysOfOurs) {
 }
 
 TEST(CountClaims, LevelSevenIsJudgedOnAGivenSceneOfTheSizeOnly) {
-  Models models = scenes_only();
+  Models models = scenes_of_claims();
   const Claim on_stand_ins = claim_by(claim_level_7, models);
   EXPECT_EQ(on_scenes(on_stand_ins, "balanced level", "inner axis, the root is level 1"),
             (Three{10, 10, 9}));
@@ -296,7 +297,7 @@ TEST(CountClaims, LevelSevenIsJudgedOnAGivenSceneOfTheSizeOnly) {
   models.scenes.resize(1);
   models.scenes.front().stand_in = false;
   EXPECT_EQ(verdict_of(claim_by(claim_level_7, models)), Verdict::does_not_hold);
-  models.scenes = {model_of("ball", generate_sphere(200), false)};
+  models.scenes = {judged_model("ball", generate_sphere(200), false)};
   EXPECT_EQ(verdict_of(claim_by(claim_level_7, models)), Verdict::cannot_be_checked);
 }
 
@@ -320,7 +321,7 @@ TEST(CountClaims, SizesOfModelsThatWereChosenByTheirSizeAreNotJudged) {
 TEST(CountClaims, TheBunnysCountsAreGolden) {
   SOMS_NEEDS_OUTSIDE_DATA("the claims that are counts, on the bunny");
   SOMS_SKIP_IN_SLOW_BUILDS();
-  const Models models = original_models();
+  const Models models = originals();
   const Claim fallback = claim_by(claim_fallback, models);
   const auto spatial = [&](std::string_view reading) {
     return row_of(fallback, "nodes where spatial", reading, "bunny").value;
@@ -353,8 +354,8 @@ TEST(CountClaims, TheBunnysCountsAreGolden) {
 
 TEST(CountClaims, TwoRunsAreTheSameBytes) {
   SOMS_SKIP_IN_SLOW_BUILDS();
-  Models models = scenes_only();
-  models.objects.push_back(model_of("knot", generate_knot(300), true));
+  Models models = scenes_of_claims();
+  models.objects.push_back(judged_model("knot", generate_knot(300), true));
   const auto bytes = [&](Result (*experiment)(const Context&), bool quick) {
     std::string text;
     const Result result = experiment({.models = models, .quick = quick});
@@ -371,7 +372,7 @@ TEST(CountClaims, TwoRunsAreTheSameBytes) {
     }
     return text;
   };
-  for (const auto experiment : kClaims) {
+  for (const auto experiment : kCountClaims) {
     EXPECT_EQ(bytes(experiment, false), bytes(experiment, true));
   }
   EXPECT_EQ(bytes(readings, false), bytes(readings, true));
@@ -379,16 +380,16 @@ TEST(CountClaims, TwoRunsAreTheSameBytes) {
 
 TEST(CountClaims, AnEmptyModelIsNoTrouble) {
   Models models;
-  models.objects.push_back(model_of("nothing", Mesh{}, true));
+  models.objects.push_back(judged_model("nothing", Mesh{}, true));
   models.scenes = models.objects;
-  for (const auto experiment : kClaims) {
+  for (const auto experiment : kCountClaims) {
     EXPECT_FALSE(experiment({.models = models}).claims.empty());
   }
   EXPECT_FALSE(readings({.models = models}).tables.empty());
 }
 
 TEST(CountClaims, AStopRequestEndsTheCounting) {
-  const Models models = scenes_only();
+  const Models models = scenes_of_claims();
   std::stop_source stop;
   stop.request_stop();
   Context context{.models = models};

@@ -23,15 +23,15 @@ constexpr std::array<std::string_view, 6> kKey{"model",     "rule",       "midpo
                                                "axis_from", "empty_side", "level"};
 
 /// Numbers by the names of their columns.
-using Counts = std::map<std::string, std::string>;
-using Golden = std::map<std::string, Counts>;
+using CountsByName = std::map<std::string, std::string>;
+using Golden = std::map<std::string, CountsByName>;
 
 Golden golden_rows() {
   Golden golden;
   const auto& columns = golden_trees().columns;
   for (const GoldenTree& tree :
        read_golden(test::data("thesis/thesis_counts.csv").parent_path()).trees) {
-    Counts row;
+    CountsByName row;
     for (std::size_t k = 0; k < columns.size(); ++k) {
       row[std::string(columns[k])] = tree.row.cells[k];
     }
@@ -49,7 +49,7 @@ const Golden& golden() {
   return rows;
 }
 
-std::string words(const Cell& cell) {
+std::string cell_text(const Cell& cell) {
   if (const auto* const count = std::get_if<std::int64_t>(&cell)) {
     return std::to_string(*count);
   }
@@ -57,16 +57,16 @@ std::string words(const Cell& cell) {
   return text == nullptr ? "" : *text;
 }
 
-Counts named_cells(const Table& table, const std::vector<Cell>& row) {
-  Counts cells;
+CountsByName named_cells(const Table& table, const std::vector<Cell>& row) {
+  CountsByName cells;
   for (std::size_t i = 0; i < row.size(); ++i) {
-    cells[table.columns[i].name] = words(row[i]);
+    cells[table.columns[i].name] = cell_text(row[i]);
   }
   return cells;
 }
 
 /// Key of the golden row that has these counts; rows with other options have none.
-std::string key_of(Counts cells) {
+std::string key_of(CountsByName cells) {
   if (cells.contains("c_vertex") && cells["midpoint"] == "thesis" && cells["c_vertex"] != "2") {
     return "";
   }
@@ -85,10 +85,10 @@ std::string key_of(Counts cells) {
 }
 
 /// How many rows of a table were compared with golden ones.
-std::size_t compare_with_golden(const Table& table) {
+std::size_t rows_in_golden(const Table& table) {
   std::size_t compared = 0;
   for (const std::vector<Cell>& row : table.rows) {
-    Counts cells = named_cells(table, row);
+    CountsByName cells = named_cells(table, row);
     const auto found = golden().find(key_of(cells));
     if (found == golden().end()) {
       continue;
@@ -104,11 +104,11 @@ std::size_t compare_with_golden(const Table& table) {
   return compared;
 }
 
-Models scenes_only() {
+Models with_scenes_only() {
   return find_models({}, {.scenes = true});
 }
 
-Models original_models() {
+Models models_of_thesis() {
   return find_models(*test::outside_data(""), {.objects = true, .scenes = true});
 }
 
@@ -125,43 +125,43 @@ Model small_model(std::string name, Mesh mesh, bool stand_in) {
 }
 
 TEST(Counts, TablesOfTheScenesShowTheGoldenCounts) {
-  const Models models = scenes_only();
+  const Models models = with_scenes_only();
   ASSERT_EQ(models.scenes.size(), 3U);
   for (const auto run : {table_5_9, table_5_10, table_5_11}) {
     const Result result = run({.models = models});
     ASSERT_EQ(result.tables.size(), 1U);
     // Object median, and object mean, spatial median and SOMS on two axes with each policy.
-    EXPECT_EQ(compare_with_golden(result.tables.front()), 3U * (1 + 4 * 4));
+    EXPECT_EQ(rows_in_golden(result.tables.front()), 3U * (1 + 4 * 4));
   }
 }
 
 TEST(Counts, TablesOfTheObjectsShowTheGoldenCounts) {
   SOMS_SKIP_IN_SLOW_BUILDS();
   SOMS_NEEDS_OUTSIDE_DATA("tables 5.3 to 5.5 of four objects");
-  const Models models = original_models();
+  const Models models = models_of_thesis();
   ASSERT_EQ(models.objects.size(), 4U);
   const Context context{.models = models};
-  EXPECT_EQ(compare_with_golden(table_5_3(context).tables.front()), 4U * (1 + 4 * 3));
-  EXPECT_EQ(compare_with_golden(table_5_4(context).tables.front()), 4U * 15 * 4);
-  EXPECT_EQ(compare_with_golden(table_5_5(context).tables.front()), 4U * 15 * (1 + 3 * 2));
+  EXPECT_EQ(rows_in_golden(table_5_3(context).tables.front()), 4U * (1 + 4 * 3));
+  EXPECT_EQ(rows_in_golden(table_5_4(context).tables.front()), 4U * 15 * 4);
+  EXPECT_EQ(rows_in_golden(table_5_5(context).tables.front()), 4U * 15 * (1 + 3 * 2));
 }
 
 TEST(Counts, OptionsAndBalanceShowTheGoldenCounts) {
   SOMS_NEEDS_OUTSIDE_DATA("options and balance of the objects and scenes");
-  const Models models = original_models();
+  const Models models = models_of_thesis();
   const Result balanced = balance({.models = models});
-  EXPECT_EQ(compare_with_golden(balanced.tables.front()), 7U * (1 + 3 * 2));
+  EXPECT_EQ(rows_in_golden(balanced.tables.front()), 7U * (1 + 3 * 2));
   const Result varied = options({.models = models});
   // Two rules, with each of 24 combinations and with the root at level 0.
-  EXPECT_EQ(compare_with_golden(varied.tables.at(1)), 4U * 2 * (24 + 1));
+  EXPECT_EQ(rows_in_golden(varied.tables.at(1)), 4U * 2 * (24 + 1));
 }
 
 TEST(Counts, GeneratedScenesHaveTheirFileAndItsBytes) {
-  const Models models = scenes_only();
+  const Models models = with_scenes_only();
   const Table table = table_3_3({.models = models}).tables.front();
   ASSERT_EQ(table.rows.size(), models.scenes.size());
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    Counts cells = named_cells(table, table.rows[i]);
+    CountsByName cells = named_cells(table, table.rows[i]);
     EXPECT_EQ(cells["file"], "scenes/" + models.scenes[i].name + ".3ds");
     EXPECT_EQ(cells["bytes"], std::to_string(scene_file(models.scenes[i]).size()));
   }
@@ -179,7 +179,7 @@ TEST(Counts, OptionsVaryTheSizeOfLeavesToo) {
   EXPECT_EQ(rows["5"], per_value);
   EXPECT_EQ(rows["1"], per_value * (24 + 3));
   for (const std::vector<Cell>& row : result.tables.at(0).rows) {
-    Counts cells = named_cells(result.tables[0], row);
+    CountsByName cells = named_cells(result.tables[0], row);
     if (cells["option"] == "per_leaf") {
       EXPECT_TRUE(cells["value"] == "2" || cells["value"] == "5") << cells["value"];
     }
@@ -195,7 +195,7 @@ TEST(Counts, SharedCaptionTellsTheOptionsOfTheThesis) {
     EXPECT_EQ(options.c_vertex, 2);
     Table table = count_table("t", "T", std::array<std::string_view, 1>{"axis_from"},
                               std::array{Counted{nullptr, {"r", "R", true, options}, {}}});
-    EXPECT_EQ(words(table.rows[0][0]), rule == Rule::soms ? "inner" : "outer");
+    EXPECT_EQ(cell_text(table.rows[0][0]), rule == Rule::soms ? "inner" : "outer");
   }
   for (const char* const part :
        {"midpoint thesis", "outer box (SOMS: inner)", "empty side stop", "C = 2"}) {
@@ -217,7 +217,7 @@ TEST(Counts, CaptionsOfAllBuildsTellTheOptionsOfEach) {
                                  "leaves of at most 8 triangles", "no limit of levels"}) {
     EXPECT_NE(kComparedOptions.find(part), std::string_view::npos) << part;
   }
-  const Models models = scenes_only();
+  const Models models = with_scenes_only();
   for (const auto run : {table_5_9, table_5_10, table_5_11}) {
     const Result result = run({.models = models});
     const std::string& caption = result.figures.at(0).caption;
@@ -232,7 +232,7 @@ TEST(Counts, BalanceSaysWhichMidpointEachTreeUses) {
   EXPECT_NE(result.figures.at(0).caption.find(kComparedOptions), std::string::npos);
   const Table& table = result.tables.at(0);
   for (const std::vector<Cell>& row : table.rows) {
-    Counts cells = named_cells(table, row);
+    CountsByName cells = named_cells(table, row);
     const bool of_library = cells.at("rule") == "sah" || cells.at("rule") == "default";
     EXPECT_EQ(cells.at("midpoint"), of_library ? "aabb" : "thesis") << cells.at("rule");
   }
@@ -240,7 +240,7 @@ TEST(Counts, BalanceSaysWhichMidpointEachTreeUses) {
 
 TEST(Counts, ObjectMedianBalancesBetterThanSomsOnEveryModel) {
   SOMS_NEEDS_OUTSIDE_DATA("the remark on balance");
-  const Models models = original_models();
+  const Models models = models_of_thesis();
   const Result result = balance({.models = models});
   EXPECT_NE(result.remarks.front().find("higher on 0, equal on 0, lower on 7 of 7"),
             std::string::npos)
@@ -285,7 +285,7 @@ TEST(Counts, EmptyModelHasARowAndNoShare) {
 
 TEST(Counts, TwoRunsAreTheSameBytes) {
   SOMS_SKIP_IN_SLOW_BUILDS();
-  Models models = scenes_only();
+  Models models = with_scenes_only();
   models.objects.push_back(small_model("knot", generate_knot(300), true));
   for (const auto run : {table_3_1, table_3_3, table_5_3, table_5_4, table_5_5, table_5_9,
                          table_5_10, table_5_11, options, balance}) {
@@ -334,7 +334,7 @@ TEST(Counts, ComparisonFromNoneHasNoPercentage) {
 }
 
 TEST(Counts, StopRequestEndsTheCounting) {
-  const Models models = scenes_only();
+  const Models models = with_scenes_only();
   std::stop_source stop;
   stop.request_stop();
   Context context{.models = models};

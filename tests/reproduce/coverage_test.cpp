@@ -16,9 +16,9 @@
 namespace soms::reproduce {
 namespace {
 
-using test::cell;
-using test::run_quick;
-using test::table_of;
+using trips::cell;
+using trips::run_quick;
+using trips::table_of;
 
 std::vector<ThesisItem> items() {
   const std::span<const ThesisItem> all = thesis_items();

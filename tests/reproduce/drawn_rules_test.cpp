@@ -9,12 +9,12 @@
 namespace soms::reproduce {
 namespace {
 
-using test::cell;
-using test::run_quick;
-using test::table_of;
+using trips::cell;
+using trips::run_quick;
+using trips::table_of;
 
-const Models& models() {
-  static const Models some = test::small_models();
+const Models& shared_models() {
+  static const Models some = trips::small_models();
   return some;
 }
 
@@ -30,7 +30,7 @@ TEST(DrawnRules, FiguresOfChapters3And4AreWellFormedAndSmall) {
   for (const char* const item :
        {"figure-3.9", "figure-4.1", "figure-4.2", "figure-4.3", "figure-4.4", "figure-4.5",
         "figure-4.6", "figure-4.7", "figure-4.41", "figure-4.42", "figure-4.44"}) {
-    const Result result = run_quick(item, models());
+    const Result result = run_quick(item, shared_models());
     EXPECT_FALSE(result.figures.empty()) << item;
     for (const Figure& figure : result.figures) {
       EXPECT_EQ(soms::test::markup_fault(figure.svg), "") << item;
@@ -42,14 +42,14 @@ TEST(DrawnRules, FiguresOfChapters3And4AreWellFormedAndSmall) {
 }
 
 TEST(DrawnRules, TheTestObjectStandsLeftOfAScene) {
-  const Figure figure = run_quick("figure-3.9", models()).figures.at(0);
+  const Figure figure = run_quick("figure-3.9", shared_models()).figures.at(0);
   EXPECT_EQ(figure.alt.find("Test object: "), 0U) << figure.alt;
   EXPECT_NE(figure.alt.find("500 times as large"), std::string::npos) << figure.alt;
-  EXPECT_NE(figure.alt.find(models().scenes.at(0).title), std::string::npos) << figure.alt;
+  EXPECT_NE(figure.alt.find(shared_models().scenes.at(0).title), std::string::npos) << figure.alt;
 }
 
 TEST(DrawnRules, CommonRulesAreObjectMedianObjectMeanAndSpatialMedian) {
-  const Table table = table_of(run_quick("figure-4.1", models()), "figure_4_1_planes");
+  const Table table = table_of(run_quick("figure-4.1", shared_models()), "figure_4_1_planes");
   EXPECT_EQ(cell(table, 0, "rule"), "object_median");
   EXPECT_EQ(cell(table, 1, "rule"), "object_mean");
   EXPECT_EQ(cell(table, 2, "rule"), "spatial_median");
@@ -57,7 +57,7 @@ TEST(DrawnRules, CommonRulesAreObjectMedianObjectMeanAndSpatialMedian) {
 }
 
 TEST(DrawnRules, SomsKeepsMoreLevelsOfTheSmallSetBalanced) {
-  const Result result = run_quick("figure-4.2", models());
+  const Result result = run_quick("figure-4.2", shared_models());
   const Table& table = table_of(result, "figure_4_2_levels");
   // By hand: the large triangle moves spatial median's plane, so that two midpoints of sixteen, of
   // one x, are left on its other side; SOMS halves the grid four times.
@@ -74,7 +74,7 @@ TEST(DrawnRules, SomsKeepsMoreLevelsOfTheSmallSetBalanced) {
 }
 
 TEST(DrawnRules, SpatialMedianDividesNoSetOfFigure4Dot3) {
-  const Table table = table_of(run_quick("figure-4.3", models()), "figure_4_3_planes");
+  const Table table = table_of(run_quick("figure-4.3", shared_models()), "figure_4_3_planes");
   ASSERT_EQ(table.rows.size(), 8U);
   for (std::size_t row = 0; row < table.rows.size(); row += 2) {
     const std::string set = cell(table, row, "set");
@@ -86,7 +86,7 @@ TEST(DrawnRules, SpatialMedianDividesNoSetOfFigure4Dot3) {
 }
 
 TEST(DrawnRules, PseudoCodeShowsWhatSomsDoesWithASet) {
-  const Result result = run_quick("figure-4.5", models());
+  const Result result = run_quick("figure-4.5", shared_models());
   const std::string& svg = result.figures.at(0).svg;
   for (const char* const words :
        {"(8, 3.25) (1, 3) (3, 3) (5, 3)", "(1, 3) to (8, 3.25)", "x = 4.5", "2 left, 2 right"}) {
@@ -95,7 +95,7 @@ TEST(DrawnRules, PseudoCodeShowsWhatSomsDoesWithASet) {
 }
 
 TEST(DrawnRules, RulesInSpaceStandInTheOrderOfTheThesis) {
-  const Table table = table_of(run_quick("figure-4.7", models()), "figure_4_7_planes");
+  const Table table = table_of(run_quick("figure-4.7", shared_models()), "figure_4_7_planes");
   ASSERT_EQ(table.rows.size(), 4U);
   EXPECT_EQ(cell(table, 0, "rule"), "object_median");
   EXPECT_EQ(cell(table, 1, "rule"), "spatial_median");
@@ -117,7 +117,7 @@ TEST(DrawnRules, ACityIsReadBackAsItWasWritten) {
 }
 
 TEST(DrawnRules, ACityThatThe3DSFileCannotHoldIsReportedAsUnequal) {
-  Models models = test::small_models();
+  Models models = trips::small_models();
   Mesh mesh = *models.scenes.at(0).mesh;
   mesh.vertices.at(0).x += 1e-12;  // 3DS keeps single precision
   models.scenes.at(0).hash = corner_hash(mesh);
@@ -127,7 +127,7 @@ TEST(DrawnRules, ACityThatThe3DSFileCannotHoldIsReportedAsUnequal) {
 }
 
 TEST(DrawnRules, TheCitysTreeIsShownAtFourLevelsSomsFirst) {
-  const Result result = run_quick("figure-4.44", models());
+  const Result result = run_quick("figure-4.44", shared_models());
   ASSERT_EQ(result.figures.size(), 2U);
   EXPECT_EQ(result.figures[0].id, "figure_4_44");
   EXPECT_EQ(result.figures[0].caption, "Boxes of the tree of SOMS at levels 1, 3, 5 and 7.");

@@ -19,9 +19,9 @@
 namespace soms::reproduce {
 namespace {
 
-using test::cell;
-using test::run_quick;
-using test::table_of;
+using trips::cell;
+using trips::run_quick;
+using trips::table_of;
 
 /// The generated scenes, and a knot about as large as the bunny in its place.
 Models knot_and_scenes() {
@@ -66,7 +66,7 @@ TEST(Drives, HaveGoldenCounts) {
 }
 
 TEST(Drives, TimeFramesOfEachKindOnlyWhereThereAreSome) {
-  const Models models = test::small_models();
+  const Models models = trips::small_models();
   const Result result = run_quick("drives", models);
   const Table& table = table_of(result, "drives");
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
@@ -106,7 +106,7 @@ DrawnFrames pretend_to_draw(const DrawRequest& request) {
 }
 
 Result run_drawn(const DrawFrames& draw) {
-  const Models models = test::small_models();
+  const Models models = trips::small_models();
   const std::string_view item = "drives-drawn";
   return experiments_named(std::span(&item, 1))
       .front()

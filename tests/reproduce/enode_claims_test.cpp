@@ -58,7 +58,7 @@ EnodeTrips small_trips(const Models& models) {
 }
 
 TEST(EnodeChain, TestsAndReportsWhatENodeDoesInTheSameOrderAndEntersFewer) {
-  const Models models = test::small_models();
+  const Models models = trips::small_models();
   std::uint64_t saved = 0;
   for (const TripKind& kind : small_trips(models).kinds) {
     for (const Trip& trip : kind.trips) {
@@ -83,7 +83,7 @@ TEST(EnodeChain, TestsAndReportsWhatENodeDoesInTheSameOrderAndEntersFewer) {
 }
 
 TEST(EnodeChain, StopsAtTheFirstReportAndTakesEmptyTrees) {
-  const Models models = test::small_models();
+  const Models models = trips::small_models();
   const EnodeTrips trips = small_trips(models);
   const MovedTrip moved(trips.kinds[0].trips[0], {});
   for (std::size_t k = 0; k < moved.frames(); ++k) {
@@ -97,7 +97,7 @@ TEST(EnodeChain, StopsAtTheFirstReportAndTakesEmptyTrees) {
 }
 
 TEST(EnodeRacers, RecursionMakesTheSameTestsReportsAndEntries) {
-  const Models models = test::small_models();
+  const Models models = trips::small_models();
   for (const TripKind& kind : small_trips(models).kinds) {
     const MovedTrip moved(kind.trips[0], {});
     for (const std::string name : {"simultaneous", "enode_both", "enode_both_chain"}) {
@@ -113,7 +113,7 @@ TEST(EnodeRacers, RecursionMakesTheSameTestsReportsAndEntries) {
 }
 
 TEST(EnodeRacers, AllFindTheSameLeafPairsContactsAndFramesWithAHit) {
-  const Models models = test::small_models();
+  const Models models = trips::small_models();
   for (const TripKind& kind : small_trips(models).kinds) {
     for (const Trip& trip : kind.trips) {
       const Totals truth = totals(answer_frames(trip, named_traversal("larger"), {}));
@@ -131,7 +131,7 @@ TEST(EnodeRacers, AllFindTheSameLeafPairsContactsAndFramesWithAHit) {
 }
 
 TEST(UntilHit, FromAFreshStartAQueryThatStopsDoesTheSameWorkUpToTheHit) {
-  const Models models = test::small_models();
+  const Models models = trips::small_models();
   for (const TripKind& kind : small_trips(models).kinds) {
     const MovedTrip moved(kind.trips[0], {});
     const std::vector<std::size_t> all = moved.all_frames();
@@ -155,7 +155,7 @@ UntilHit until_hit_of(const MovedTrip& moved, std::string_view name, Hit hit, st
 }
 
 TEST(UntilHit, InEachFrameTheFamilyTestEntersFewerPairsThanItsOpponent) {
-  const Models models = test::small_models();
+  const Models models = trips::small_models();
   std::size_t seen = 0;
   for (const TripKind& kind : small_trips(models).kinds) {
     for (const Trip& trip : kind.trips) {
@@ -230,17 +230,17 @@ std::vector<std::string> until_hits(const Trip& trip, std::string_view name) {
   return counts;
 }
 
-using Counts = std::vector<std::string>;
+using CountColumns = std::vector<std::string>;
 
 TEST(UntilHit, GoldenCountsOnGeneratedShapes) {
-  const Models models = test::small_models();
+  const Models models = trips::small_models();
   const EnodeTrips trips = small_trips(models);
   const Trip& right = trips.kinds[0].trips[0];
-  EXPECT_EQ(until_hits(right, "simultaneous"), (Counts{"238/238", "1443/1443"}));
-  EXPECT_EQ(until_hits(right, "enode_both"), (Counts{"435/111", "1540/512"}));
-  EXPECT_EQ(until_hits(right, "enode_both_chain"), (Counts{"435/86", "1540/393"}));
-  EXPECT_EQ(until_hits(right, "enode_start_both"), (Counts{"94/12", "84/0"}));
-  EXPECT_EQ(until_hits(right, "enode_start"), (Counts{"69/18", "82/0"}));
+  EXPECT_EQ(until_hits(right, "simultaneous"), (CountColumns{"238/238", "1443/1443"}));
+  EXPECT_EQ(until_hits(right, "enode_both"), (CountColumns{"435/111", "1540/512"}));
+  EXPECT_EQ(until_hits(right, "enode_both_chain"), (CountColumns{"435/86", "1540/393"}));
+  EXPECT_EQ(until_hits(right, "enode_start_both"), (CountColumns{"94/12", "84/0"}));
+  EXPECT_EQ(until_hits(right, "enode_start"), (CountColumns{"69/18", "82/0"}));
 }
 
 TEST(UntilHit, GoldenCountsOnTheBunny) {
@@ -264,9 +264,9 @@ TEST(UntilHit, GoldenCountsOnTheBunny) {
 class EnodeClaims : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(EnodeClaims, HaveTheSameCountsInTwoRunsAndWholeIntervals) {
-  const Models models = test::small_models();
-  const Result one = test::run_quick(GetParam(), models);
-  const Result other = test::run_quick(GetParam(), models);
+  const Models models = trips::small_models();
+  const Result one = trips::run_quick(GetParam(), models);
+  const Result other = trips::run_quick(GetParam(), models);
   ASSERT_EQ(one.claims.size(), 1U);
   const std::vector<ClaimRow>& rows = one.claims[0].rows;
   ASSERT_EQ(rows.size(), other.claims.at(0).rows.size());
@@ -287,7 +287,7 @@ TEST_P(EnodeClaims, HaveTheSameCountsInTwoRunsAndWholeIntervals) {
 }
 
 TEST_P(EnodeClaims, DoWithoutScenesAndOffTheirPath) {
-  Models models = test::small_models();
+  Models models = trips::small_models();
   Mesh away = *models.scenes[0].mesh;
   for (Vec3& v : away.vertices) {
     v += {0, 90000, 0};
@@ -297,7 +297,7 @@ TEST_P(EnodeClaims, DoWithoutScenesAndOffTheirPath) {
     if (!scene) {
       models.scenes.clear();
     }
-    const Result result = test::run_quick(GetParam(), models);
+    const Result result = trips::run_quick(GetParam(), models);
     EXPECT_EQ(result.claims.size(), 1U);
     for (const Figure& figure : result.figures) {
       EXPECT_EQ(figure.svg.find("nan"), std::string::npos);
@@ -315,7 +315,7 @@ INSTANTIATE_TEST_SUITE_P(Reproduce, EnodeClaims,
                          });
 
 TEST(EnodeClaim, FasterJudgesTimesAlone) {
-  const Result result = test::run_quick("claim-enode-faster", test::small_models());
+  const Result result = trips::run_quick("claim-enode-faster", trips::small_models());
   std::size_t seen = 0;
   for (const ClaimRow& row : result.claims[0].rows) {
     const bool larsson = row.reading.find("both nodes, against Larsson") != std::string::npos;
@@ -331,7 +331,7 @@ TEST(EnodeClaim, FasterJudgesTimesAlone) {
 }
 
 TEST(EnodeClaim, EarlierJudgesAllThatIsNotDecidedByConstruction) {
-  const Result result = test::run_quick("claim-enode-earlier", test::small_models());
+  const Result result = trips::run_quick("claim-enode-earlier", trips::small_models());
   for (const ClaimRow& row : result.claims[0].rows) {
     const bool larsson = row.reading.find("both nodes, against Larsson") != std::string::npos;
     const bool decided = row.metric.starts_with("pairs entered") && row.reading == kNearestEnode;
@@ -341,7 +341,7 @@ TEST(EnodeClaim, EarlierJudgesAllThatIsNotDecidedByConstruction) {
 
 TEST(EnodeClaim, StandsOnSomsTreesInAllFourWaysToProgramIt) {
   for (const std::string_view item : {"claim-enode-faster", "claim-enode-earlier"}) {
-    const Result result = test::run_quick(item, test::small_models());
+    const Result result = trips::run_quick(item, trips::small_models());
     EXPECT_EQ(subjects_of(result.claims[0]),
               (std::vector<std::string>{"orientation tests", "drives", "touching drives"}));
     std::set<std::string> ways;
@@ -356,7 +356,7 @@ TEST(EnodeClaim, StandsOnSomsTreesInAllFourWaysToProgramIt) {
 }
 
 TEST(EnodeTrips, ComeFromAllFourSidesOnSomsTreesAndOthers) {
-  const Models models = test::small_models();
+  const Models models = trips::small_models();
   std::vector<std::string> names;
   for (const TripKind& kind : small_trips(models).kinds) {
     names.push_back(kind.tests + ", " + kind.rule + ":");
@@ -393,7 +393,7 @@ TEST(EnodeClaim, WhatChangedAVerdictIsSaidOnlyIfItDid) {
 }
 
 TEST(EnodeClaim, TheTimeOfAnotherSceneAndMachineIsNotJudged) {
-  const Result result = test::run_quick("claim-enode-time", test::small_models());
+  const Result result = trips::run_quick("claim-enode-time", trips::small_models());
   EXPECT_EQ(verdict_of(result.claims[0]), Verdict::cannot_be_checked);
 }
 

@@ -56,7 +56,7 @@ GoldenTables few_rows(GoldenTables tables, std::string_view model) {
   return tables;
 }
 
-Models scenes_only() {
+Models golden_scenes() {
   return find_models({}, {.scenes = true});
 }
 
@@ -130,7 +130,7 @@ TEST(GoldenTables, FolderWithoutThemIsAnErrorThatNamesThem) {
 TEST(Golden, EveryRowOfTheGeneratedScenesIsEqual) {
   SOMS_SKIP_IN_SLOW_BUILDS();
   const GoldenComparison found =
-      compare_with_golden(read_golden(golden_folder()), scenes_only(), {});
+      compare_with_golden(read_golden(golden_folder()), golden_scenes(), {});
   EXPECT_TRUE(found.whole);
   EXPECT_EQ(found.rows(), 8961U);
   EXPECT_EQ(found.compared(), 3U * 1248U);
@@ -153,7 +153,7 @@ TEST(Golden, ChangedRowsAreNamedAndCountedBeyondTheFirst) {
     }
   });
   const GoldenTables tables = few_rows(read_golden(copy.path()), "u_plain");
-  const GoldenComparison found = compare_with_golden(tables, scenes_only(), {});
+  const GoldenComparison found = compare_with_golden(tables, golden_scenes(), {});
   const auto changed = static_cast<std::size_t>(
       std::count_if(tables.trees.begin(), tables.trees.end(),
                     [](const GoldenTree& tree) { return tree.build.name == "soms"; }));
@@ -194,7 +194,7 @@ TEST(Golden, StopRequestEndsTheComparisonWhichSaysSo) {
                       }
                     }};
   const GoldenTables tables = few_rows(read_golden(golden_folder()), "u_plain");
-  const GoldenComparison found = compare_with_golden(tables, scenes_only(), parallel);
+  const GoldenComparison found = compare_with_golden(tables, golden_scenes(), parallel);
   EXPECT_FALSE(found.whole);
   EXPECT_EQ(found.compared(), 3U);
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr Needs kObjects{.objects = true};
-constexpr Needs kScenes{.scenes = true};
+constexpr Needs kOnlyScenes{.scenes = true};
 constexpr Needs kCities{.cities = true};
 constexpr Needs kAll{.objects = true, .scenes = true, .cities = true};
 
@@ -98,7 +98,7 @@ TEST(Models, HaveTheSha256OfTheirFiles) {
 
 TEST(Models, AreOnlyThoseThatAreNeeded) {
   EXPECT_TRUE(find_models({}, kObjects).scenes.empty());
-  EXPECT_TRUE(find_models({}, kScenes).objects.empty());
+  EXPECT_TRUE(find_models({}, kOnlyScenes).objects.empty());
   EXPECT_TRUE(find_models({}, {}).objects.empty());
 }
 
@@ -126,7 +126,7 @@ TEST(Models, HaveStandInsOfTheSizeAndPlaceOfTheirModels) {
 }
 
 TEST(Models, HaveTheScenesOfTheGoldenTablesReadFrom3ds) {
-  const Models models = find_models({}, kScenes);
+  const Models models = find_models({}, kOnlyScenes);
   const std::vector<std::pair<UrbanScene, std::uint64_t>> expected{
       {UrbanScene::mixed, 0x5e44b5637f4cb56cULL},
       {UrbanScene::boxes, 0x57cb92e64471a071ULL},
@@ -219,7 +219,7 @@ TEST(Models, TakeTheUsersScenesInPlaceOfTheGenerated) {
   folder.put("scenes/town.3ds", 40);
   folder.put("scenes/bunny.3ds", 50);
   folder.put("3ds/car.3ds", 60);
-  const Models models = find_models(folder.path(), kScenes);
+  const Models models = find_models(folder.path(), kOnlyScenes);
   EXPECT_EQ(names_of(models.scenes), (Names{"town", "a", "bunny_2", "town_2"}));
   EXPECT_EQ(models.scenes[1].title, "a.3DS");
   EXPECT_EQ(models.scenes[1].file, "a.3DS");
@@ -232,7 +232,7 @@ TEST(Models, TakeTheUsersScenesInPlaceOfTheGenerated) {
 TEST(Models, LeaveTheFolder3dsAloneAndSaySo) {
   const Folder folder;
   folder.put("3ds/car.3ds", 60);
-  const Models models = find_models(folder.path(), kScenes);
+  const Models models = find_models(folder.path(), kOnlyScenes);
   EXPECT_EQ(names_of(models.scenes), (Names{"u_mixed", "u_boxes", "u_plain"}));
   ASSERT_EQ(models.remarks.size(), 1U);
   EXPECT_TRUE(holds(models.remarks[0], "its .3ds files (1) were not used")) << models.remarks[0];
@@ -242,14 +242,14 @@ TEST(Models, HaveStandInsForScenesThatCannotBeRead) {
   const Folder folder;
   folder.put_broken("one.3ds");
   folder.put_broken("two.3ds");
-  const Models none = find_models(folder.path(), kScenes);
+  const Models none = find_models(folder.path(), kOnlyScenes);
   EXPECT_EQ(names_of(none.scenes), (Names{"u_mixed", "u_boxes", "u_plain"}));
   for (const Model& scene : none.scenes) {
     EXPECT_TRUE(holds(scene.trouble, "one.3ds")) << scene.trouble;
     EXPECT_TRUE(holds(scene.trouble, "two.3ds")) << scene.trouble;
   }
   folder.put("u_mixed.3ds", 20);
-  const Models some = find_models(folder.path(), kScenes);
+  const Models some = find_models(folder.path(), kOnlyScenes);
   EXPECT_EQ(names_of(some.scenes), (Names{"u_mixed", "u_mixed_2"}));
   EXPECT_EQ(some.scenes[0].trouble, "");
   EXPECT_FALSE(some.scenes[0].stand_in);

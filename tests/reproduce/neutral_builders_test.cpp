@@ -23,10 +23,10 @@ namespace {
 
 constexpr std::array kRules{Rule::spatial_median, Rule::soms};
 constexpr std::array kWays{NeutralWay::thesis_like, NeutralWay::in_place};
-constexpr std::array kEmptySides{EmptySide::stop, EmptySide::next_axis, EmptySide::object_median,
-                                 EmptySide::chain};
+constexpr std::array kTestedEmptySides{EmptySide::stop, EmptySide::next_axis,
+                                       EmptySide::object_median, EmptySide::chain};
 
-BuildOptions options_of(Rule rule, int level, EmptySide empty_side = EmptySide::stop) {
+BuildOptions neutral_options(Rule rule, int level, EmptySide empty_side = EmptySide::stop) {
   BuildOptions options = thesis_options(rule, level);
   options.empty_side = empty_side;
   return options;
@@ -47,7 +47,7 @@ Tree with_sorted_leaves(Tree tree) {
 void expect_the_librarys_trees(const Mesh& mesh, EmptySide empty_side, int least, int greatest) {
   for (const Rule rule : kRules) {
     for (int level = least; level <= greatest; ++level) {
-      const BuildOptions options = options_of(rule, level, empty_side);
+      const BuildOptions options = neutral_options(rule, level, empty_side);
       const Tree expected = build(mesh, options);
       for (const NeutralWay way : kWays) {
         NeutralBuilder builder(way, options);
@@ -67,7 +67,7 @@ TEST(NeutralBuilders, MakeTheLibrarysTreesOfAwkwardMeshes) {
   for (const test::Input input : test::kInputs) {
     SCOPED_TRACE(test::name(input));
     for (const std::size_t count : {0U, 1U, 2U, 3U, 60U, 400U}) {
-      for (const EmptySide empty_side : kEmptySides) {
+      for (const EmptySide empty_side : kTestedEmptySides) {
         expect_the_librarys_trees(test::make_input(input, count, count + 1), empty_side, 1, 15);
       }
       if (HasFailure()) {
@@ -95,7 +95,7 @@ TEST(NeutralBuilders, MakeTheLibrarysTreesOfTheScenes) {
   for (const UrbanScene scene : {UrbanScene::mixed, UrbanScene::boxes, UrbanScene::plain}) {
     const Mesh mesh = generate_urban(scene);
     expect_the_librarys_trees(mesh, EmptySide::stop, 1, 15);
-    for (const EmptySide empty_side : kEmptySides) {
+    for (const EmptySide empty_side : kTestedEmptySides) {
       expect_the_librarys_trees(mesh, empty_side, 13, 13);
     }
   }
@@ -103,10 +103,11 @@ TEST(NeutralBuilders, MakeTheLibrarysTreesOfTheScenes) {
 
 TEST(NeutralBuilders, OneBuilderServesMeshesOfAnySize) {
   for (const NeutralWay way : kWays) {
-    NeutralBuilder builder(way, options_of(Rule::soms, 15));
+    NeutralBuilder builder(way, neutral_options(Rule::soms, 15));
     for (const std::uint64_t count : {500U, 0U, 20U, 900U, 100U}) {
       const Mesh mesh = count == 0 ? Mesh{} : generate_knot(count);
-      EXPECT_EQ(builder.build(mesh).nodes, build(mesh, options_of(Rule::soms, 15)).nodes) << count;
+      EXPECT_EQ(builder.build(mesh).nodes, build(mesh, neutral_options(Rule::soms, 15)).nodes)
+          << count;
     }
   }
 }
@@ -134,7 +135,7 @@ TEST(NeutralBuilders, WorkIsWhatTheTreeTells) {
     for (const Rule rule : kRules) {
       for (const int level : {1, 7, 13}) {
         for (const EmptySide empty_side : {EmptySide::stop, EmptySide::chain}) {
-          NeutralBuilder builder(way, options_of(rule, level, empty_side));
+          NeutralBuilder builder(way, neutral_options(rule, level, empty_side));
           const Tree tree = builder.build(mesh);
           EXPECT_EQ(builder.work(), work_from(tree, way, rule))
               << entry(rule).name << ", level " << level << ", " << name(empty_side);
@@ -148,10 +149,10 @@ TEST(NeutralBuilders, RefuseWhatTheyDoNotKnow) {
   const auto refuses = [](const BuildOptions& options) {
     EXPECT_THROW(NeutralBuilder(NeutralWay::in_place, options), std::logic_error);
   };
-  refuses(options_of(Rule::object_mean, 15));
-  refuses(options_of(Rule::soms, 0));
+  refuses(neutral_options(Rule::object_mean, 15));
+  refuses(neutral_options(Rule::soms, 0));
   refuses(BuildOptions{});
-  BuildOptions outer = options_of(Rule::soms, 15);
+  BuildOptions outer = neutral_options(Rule::soms, 15);
   outer.axis_from = AxisFrom::outer;
   refuses(outer);
 }

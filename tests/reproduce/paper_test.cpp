@@ -12,12 +12,12 @@
 namespace soms::reproduce {
 namespace {
 
-const std::vector<std::string_view> kVoid{"meta", "link", "br"};
+const std::vector<std::string_view> kVoidElements{"meta", "link", "br"};
 
 constexpr Experiment kItem{"table-5.3", "Leaves with one triangle", Chapter::thesis, {}, 1, {}};
 
 /// A table of `columns` columns of counts, the first two the same in every row.
-Table table_of(std::size_t columns, std::size_t rows) {
+Table table_with_rows(std::size_t columns, std::size_t rows) {
   Table table{.id = "wide", .caption = "Many numbers"};
   for (std::size_t k = 0; k < columns; ++k) {
     table.columns.push_back({"a_count_of_something_" + std::to_string(k)});
@@ -46,8 +46,8 @@ bool none(const std::vector<bool>& marks) {
 }
 
 TEST(Paper, PageIsWellFormedAndOpenAndHasNoScript) {
-  const std::string html = page(report_of(table_of(3, 1000)), PageFiles::paper);
-  EXPECT_EQ(test::markup_fault(html, kVoid), "");
+  const std::string html = page(report_of(table_with_rows(3, 1000)), PageFiles::paper);
+  EXPECT_EQ(test::markup_fault(html, kVoidElements), "");
   EXPECT_EQ(test::count_of(html, "<script"), 0U);
   EXPECT_GE(test::count_of(html, "<details"), 1U);
   EXPECT_EQ(test::count_of(html, "<details"), test::count_of(html, "<details open=\"\""));
@@ -56,7 +56,7 @@ TEST(Paper, PageIsWellFormedAndOpenAndHasNoScript) {
 }
 
 TEST(Paper, LinksToFilesAreTheirNamesAndLinksWithinThePageStay) {
-  const std::string html = page(report_of(table_of(3, 4)), PageFiles::paper);
+  const std::string html = page(report_of(table_with_rows(3, 4)), PageFiles::paper);
   for (const char* const name : {"tables/wide.csv", "figures/figure_a.svg", "run.json"}) {
     EXPECT_GE(test::count_of(html, "<code>" + std::string(name) + "</code>"), 1U) << name;
     EXPECT_EQ(test::count_of(html, "href=\"" + std::string(name)), 0U) << name;
@@ -77,12 +77,12 @@ TEST(Paper, OpensWhatIsFoldedOnceAndKeepsTheRest) {
 }
 
 TEST(Paper, LongTablesAreCutAndSayHowManyRowsTheFileHas) {
-  EXPECT_EQ(rows_on_paper(table_of(3, 64)), 64U);
-  EXPECT_EQ(rows_on_paper(table_of(3, 65)), 16U);
-  Table of_frames = table_of(3, 65);
+  EXPECT_EQ(rows_on_paper(table_with_rows(3, 64)), 64U);
+  EXPECT_EQ(rows_on_paper(table_with_rows(3, 65)), 16U);
+  Table of_frames = table_with_rows(3, 65);
   of_frames.columns[1].name = "frame";
   EXPECT_EQ(rows_on_paper(of_frames), 6U);
-  const std::string html = page(report_of(table_of(3, 1000)), PageFiles::paper);
+  const std::string html = page(report_of(table_with_rows(3, 1000)), PageFiles::paper);
   EXPECT_EQ(test::count_of(html,
                            "The first 16 of 1,000 rows; all of them are in "
                            "<code>tables/wide.csv</code>"),
@@ -90,14 +90,14 @@ TEST(Paper, LongTablesAreCutAndSayHowManyRowsTheFileHas) {
 }
 
 TEST(Paper, WideTablesGetSmallerTypeThenFewerColumnsThenTurnedTitles) {
-  const TableFit narrow = fit_on_paper(table_of(4, 3), 3);
+  const TableFit narrow = fit_on_paper(table_with_rows(4, 3), 3);
   EXPECT_EQ(narrow.type_size, 8);
   EXPECT_TRUE(none(narrow.left_out));
   EXPECT_TRUE(none(narrow.turned));
   double before = narrow.type_size;
   bool turned = false;
   for (std::size_t columns = 5; columns < 40; ++columns) {
-    const TableFit fit = fit_on_paper(table_of(columns, 3), 3);
+    const TableFit fit = fit_on_paper(table_with_rows(columns, 3), 3);
     ASSERT_EQ(fit.left_out.size(), columns);
     ASSERT_EQ(fit.turned.size(), columns);
     EXPECT_EQ(fit.left_out[0], fit.left_out[1]);
@@ -114,7 +114,7 @@ TEST(Paper, WideTablesGetSmallerTypeThenFewerColumnsThenTurnedTitles) {
 }
 
 TEST(Paper, ColumnsThatAreLeftOutAreSaidWithTheirValue) {
-  const Table wide = table_of(20, 3);
+  const Table wide = table_with_rows(20, 3);
   ASSERT_TRUE(fit_on_paper(wide, 3).left_out[0]);
   const std::string html = page(report_of(wide), PageFiles::paper);
   EXPECT_EQ(

@@ -72,13 +72,13 @@ std::size_t rows_that(const Claim& claim, Verdict stand, bool counted) {
 
 TEST(Premises, CountsAreTheSameInTwoRuns) {
   SOMS_SKIP_IN_SLOW_BUILDS();
-  const Models models = test::small_models();
+  const Models models = trips::small_models();
   for (const std::string_view item : {"claim-balanced", "claim-cheaper"}) {
-    const Result first = test::run_quick(item, models);
-    const Result again = test::run_quick(item, models);
+    const Result first = trips::run_quick(item, models);
+    const Result again = trips::run_quick(item, models);
     ASSERT_EQ(first.tables.size(), again.tables.size());
     for (std::size_t i = 0; i < first.tables.size(); ++i) {
-      EXPECT_EQ(test::masked_csv(first.tables[i]), test::masked_csv(again.tables[i])) << item;
+      EXPECT_EQ(trips::masked_csv(first.tables[i]), trips::masked_csv(again.tables[i])) << item;
     }
     const Claim& one = only_claim(first);
     const Claim& other = only_claim(again);
@@ -94,7 +94,7 @@ TEST(Premises, CountsAreTheSameInTwoRuns) {
 TEST(Premises, OnTheGeneratedScenesMoreBalanceDoesNotMeanFewerTests) {
   SOMS_SKIP_IN_SLOW_BUILDS();
   const Models models = find_models({}, {.objects = true, .scenes = true});
-  const Result result = test::run_quick("claim-balanced", models);
+  const Result result = trips::run_quick("claim-balanced", models);
   const Claim& claim = only_claim(result);
   EXPECT_EQ(verdict_of(claim), Verdict::holds_under);
   // Golden: counts of rows, whatever the times are.
@@ -105,7 +105,7 @@ TEST(Premises, OnTheGeneratedScenesMoreBalanceDoesNotMeanFewerTests) {
 TEST(Premises, OnTheGeneratedScenesSomsIsCheaperInMostRows) {
   SOMS_SKIP_IN_SLOW_BUILDS();
   const Models models = find_models({}, {.objects = true, .scenes = true});
-  const Result result = test::run_quick("claim-cheaper", models);
+  const Result result = trips::run_quick("claim-cheaper", models);
   const Claim& claim = only_claim(result);
   EXPECT_EQ(rows_that(claim, Verdict::holds, true), 43U);
   EXPECT_EQ(rows_that(claim, Verdict::does_not_hold, true), 13U);

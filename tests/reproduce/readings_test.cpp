@@ -21,8 +21,8 @@
 namespace soms::reproduce {
 namespace {
 
-using test::cell;
-using test::table_of;
+using trips::cell;
+using trips::table_of;
 
 TreeStatistics counts_by(const Mesh& mesh, RuleFunction rule, AxisFrom axis, int level) {
   BuildOptions options = thesis_options(Rule::soms, level);

@@ -69,7 +69,7 @@ TEST(TouchingDrive, TouchesInGoldenNumbersOfFramesWithTheBunny) {
 }
 
 TEST(TouchingDrive, CountsWhatBruteForceFinds) {
-  const Models models = test::small_models();
+  const Models models = trips::small_models();
   const Model& object = models.objects.front();
   const Mesh mover = driven(*object.mesh);
   const TouchingDrive drive = find_touching_drive(models.scenes.front(), object);
@@ -87,7 +87,7 @@ TEST(TouchingDrive, CountsWhatBruteForceFinds) {
 }
 
 TEST(TouchingDrive, FollowsTheSceneWhereverItIs) {
-  const Models models = test::small_models();
+  const Models models = trips::small_models();
   Mesh away = *models.scenes.front().mesh;
   for (Vec3& v : away.vertices) {
     v += {0, 65536, 4096};
@@ -119,7 +119,7 @@ TEST(TouchingDrive, SaysWhereNothingCanBeTouched) {
 }
 
 TEST(TouchingDrive, EndsOnRequest) {
-  const Models models = test::small_models();
+  const Models models = trips::small_models();
   std::stop_source source;
   source.request_stop();
   try {

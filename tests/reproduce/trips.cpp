@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace soms::reproduce::test {
+namespace soms::reproduce::trips {
 
 namespace {
 
@@ -85,4 +85,4 @@ std::string masked_csv(Table table) {
   return to_csv(table);
 }
 
-}  // namespace soms::reproduce::test
+}  // namespace soms::reproduce::trips

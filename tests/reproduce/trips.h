@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace soms::reproduce::test {
+namespace soms::reproduce::trips {
 
 /// Experiments about traversals: their items.
 [[nodiscard]] std::vector<std::string_view> traversal_items();
@@ -31,4 +31,4 @@ namespace soms::reproduce::test {
 /// The table as CSV with empty cells where runs may differ.
 [[nodiscard]] std::string masked_csv(Table table);
 
-}  // namespace soms::reproduce::test
+}  // namespace soms::reproduce::trips

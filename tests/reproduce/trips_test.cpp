@@ -23,10 +23,10 @@
 namespace soms::reproduce {
 namespace {
 
-using test::cell;
-using test::run_quick;
-using test::small_models;
-using test::table_of;
+using trips::cell;
+using trips::run_quick;
+using trips::small_models;
+using trips::table_of;
 
 class Traversals : public testing::TestWithParam<std::string_view> {};
 
@@ -54,7 +54,7 @@ TEST_P(Traversals, GiveTheSameBytesTwiceWhereNothingIsTimed) {
   const Result other = run_quick(GetParam(), models);
   ASSERT_EQ(one.tables.size(), other.tables.size());
   for (std::size_t i = 0; i < one.tables.size(); ++i) {
-    EXPECT_EQ(test::masked_csv(one.tables[i]), test::masked_csv(other.tables[i]));
+    EXPECT_EQ(trips::masked_csv(one.tables[i]), trips::masked_csv(other.tables[i]));
   }
   ASSERT_EQ(one.figures.size(), other.figures.size());
   for (std::size_t i = 0; i < one.figures.size(); ++i) {
@@ -124,7 +124,7 @@ TEST_P(Traversals, ReportTheirProgress) {
   EXPECT_TRUE(last == 0 || last == 1) << last;
 }
 
-INSTANTIATE_TEST_SUITE_P(Reproduce, Traversals, testing::ValuesIn(test::traversal_items()),
+INSTANTIATE_TEST_SUITE_P(Reproduce, Traversals, testing::ValuesIn(trips::traversal_items()),
                          [](const auto& test) {
                            std::string name(test.param);
                            std::replace_if(
@@ -255,17 +255,18 @@ TEST(Figure59, BothTraversalsTestTheSamePairsAndENodeEntersOnlyOverlappingOnes) 
   }
 }
 
-using Counts = std::vector<std::string>;
+using TripCounts = std::vector<std::string>;
 
 /// Counts of the golden table by static, rule, test and algorithm.
-const std::map<std::string, Counts>& golden() {
-  static const std::map<std::string, Counts> rows = [] {
-    std::map<std::string, Counts> read;
+const std::map<std::string, TripCounts>& golden_trips() {
+  static const std::map<std::string, TripCounts> rows = [] {
+    std::map<std::string, TripCounts> read;
     const std::size_t keys = golden_traversals().keys;
     for (const GoldenTraversal& one :
          read_golden(soms::test::data("thesis/thesis_traversal.csv").parent_path()).traversals) {
       read[one.trip.still + " " + one.trip.rule + " " + one.trip.test + " " + one.traversal.name] =
-          Counts(one.row.cells.begin() + static_cast<std::ptrdiff_t>(keys), one.row.cells.end());
+          TripCounts(one.row.cells.begin() + static_cast<std::ptrdiff_t>(keys),
+                     one.row.cells.end());
     }
     return read;
   }();
@@ -293,8 +294,8 @@ std::size_t compare_rows(const Table& table, const std::string& still, const std
     };
     const std::string name = word(still, "static") + " " + cell(table, i, "rule") + " " +
                              word(test, "test") + " " + word(algorithm, "algorithm");
-    const auto row = golden().find(name);
-    if (row != golden().end()) {
+    const auto row = golden_trips().find(name);
+    if (row != golden_trips().end()) {
       const GoldenLayout& layout = golden_traversals();
       for (std::size_t k = layout.keys; k < layout.columns.size(); ++k) {
         EXPECT_EQ(cell(table, i, layout.columns[k]), row->second[k - layout.keys])
@@ -313,7 +314,7 @@ TEST(GoldenTraversals, EveryRowIsFoundByTraverseFrames) {
   tables.trees.clear();
   const GoldenComparison found = compare_with_golden(tables, golden_models(), {});
   EXPECT_EQ(found.compared(), 225U);
-  EXPECT_EQ(found.compared(), golden().size());
+  EXPECT_EQ(found.compared(), golden_trips().size());
   EXPECT_EQ(found.different(), 0U) << sentence_of(found.differences.front());
 }
 

@@ -13,10 +13,10 @@ namespace soms::test {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kPositiveInfinity = std::numeric_limits<double>::infinity();
 
 double ulp(double x) {
-  return std::nextafter(x, kInfinity) - x;
+  return std::nextafter(x, kPositiveInfinity) - x;
 }
 
 double largest_coordinate(const Triangle& s, const Triangle& t) {

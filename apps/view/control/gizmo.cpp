@@ -13,7 +13,7 @@ namespace soms::view {
 
 namespace {
 
-constexpr std::array<Vec3, 3> kAxes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+constexpr std::array<Vec3, 3> kAxisDirections{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 constexpr std::array<Color, 3> kColors{palette::kOrange, palette::kGreen, palette::kBlue};
 constexpr double kSquareFrom = 0.28;  ///< of the arrow's length
 constexpr double kSquareTo = 0.52;
@@ -24,7 +24,7 @@ constexpr std::size_t kRingParts = 48;
 /// Least sine of the angle to the view at which a drag still makes sense: about 3 degrees.
 constexpr double kLeastSine = 0.05;
 
-double length(const Vec3& v) {
+double norm(const Vec3& v) {
   return std::sqrt(dot(v, v));
 }
 
@@ -35,9 +35,9 @@ bool is_axis(Handle handle) {
 /// Axis of an arrow, normal of a square, axis of the ring.
 const Vec3& direction(Handle handle) {
   if (handle == Handle::turn) {
-    return kAxes[2];
+    return kAxisDirections[2];
   }
-  return kAxes[static_cast<std::size_t>(handle) % 3];
+  return kAxisDirections[static_cast<std::size_t>(handle) % 3];
 }
 
 Vec3 ring_point(const Gizmo& gizmo, std::size_t i) {
@@ -50,8 +50,8 @@ Vec3 ring_point(const Gizmo& gizmo, std::size_t i) {
 /// Corners of a plane handle in order round it.
 std::array<Vec3, 4> square(const Gizmo& gizmo, Handle handle) {
   const std::size_t normal = static_cast<std::size_t>(handle) % 3;
-  const Vec3 u = kAxes[(normal + 1) % 3] * gizmo.size;
-  const Vec3 v = kAxes[(normal + 2) % 3] * gizmo.size;
+  const Vec3 u = kAxisDirections[(normal + 1) % 3] * gizmo.size;
+  const Vec3 v = kAxisDirections[(normal + 2) % 3] * gizmo.size;
   const Vec3& c = gizmo.center;
   return {c + u * kSquareFrom + v * kSquareFrom, c + u * kSquareTo + v * kSquareFrom,
           c + u * kSquareTo + v * kSquareTo, c + u * kSquareFrom + v * kSquareTo};
@@ -99,8 +99,8 @@ bool in_square(const Gizmo& gizmo, Handle handle, const Ray& ray) {
 /// An arrow can be dragged unless it points to the eye or away from it.
 bool axis_is_usable(const Gizmo& gizmo, const Camera& camera, const Vec3& axis) {
   const Vec3 view = gizmo.center - camera.eye;
-  const double far = length(view);
-  return far > 0 && length(cross(view, axis)) > 3 * kLeastSine * far;
+  const double far = norm(view);
+  return far > 0 && norm(cross(view, axis)) > 3 * kLeastSine * far;
 }
 
 }  // namespace
@@ -138,7 +138,7 @@ std::optional<Handle> handle_at(const Gizmo& gizmo, const Camera& camera, Size s
     }
   }
   const bool ring = pixels_to_ring(gizmo, camera, size, pixel) <= slack &&
-                    meet_plane(ray, gizmo.center, kAxes[2]).has_value();
+                    meet_plane(ray, gizmo.center, kAxisDirections[2]).has_value();
   return ring ? std::optional(Handle::turn) : std::nullopt;
 }
 
@@ -149,11 +149,11 @@ void draw(const Gizmo& gizmo, std::optional<Handle> chosen, DrawList& list) {
   for (std::size_t i = 0; i < 3; ++i) {
     const auto handle = static_cast<Handle>(i);
     const Color ink = color(handle, kColors[i]);
-    const Vec3 tip = gizmo.center + kAxes[i] * gizmo.size;
+    const Vec3 tip = gizmo.center + kAxisDirections[i] * gizmo.size;
     list.lines.push_back({gizmo.center, tip, ink, 3, true});
-    const Vec3 neck = gizmo.center + kAxes[i] * (gizmo.size * (1 - kHeadLength));
+    const Vec3 neck = gizmo.center + kAxisDirections[i] * (gizmo.size * (1 - kHeadLength));
     for (const std::size_t other : {(i + 1) % 3, (i + 2) % 3}) {
-      const Vec3 side = kAxes[other] * (gizmo.size * kHeadWidth);
+      const Vec3 side = kAxisDirections[other] * (gizmo.size * kHeadWidth);
       list.marks.push_back({{neck - side, neck + side, tip}, ink, true});
     }
     const auto plane = static_cast<Handle>(i + 3);
@@ -170,8 +170,8 @@ void draw(const Gizmo& gizmo, std::optional<Handle> chosen, DrawList& list) {
 
 std::array<Vec3, 3> tips(const Gizmo& gizmo) {
   const double reach = 1.1 * gizmo.size;
-  return {gizmo.center + kAxes[0] * reach, gizmo.center + kAxes[1] * reach,
-          gizmo.center + kAxes[2] * reach};
+  return {gizmo.center + kAxisDirections[0] * reach, gizmo.center + kAxisDirections[1] * reach,
+          gizmo.center + kAxisDirections[2] * reach};
 }
 
 GizmoDrag::GizmoDrag(const Gizmo& gizmo, Handle handle, const Pose& object, const Ray& ray)
@@ -235,9 +235,9 @@ Pose turned_about(const Pose& pose, const Vec3& center, double angle) {
     columns[j] = {c * v.x - s * v.y, s * v.x + c * v.y, v.z};
   }
   // Gram and Schmidt, so that the rounding of many turns does not add up.
-  columns[0] = columns[0] * (1 / length(columns[0]));
+  columns[0] = columns[0] * (1 / norm(columns[0]));
   columns[1] = columns[1] - columns[0] * dot(columns[0], columns[1]);
-  columns[1] = columns[1] * (1 / length(columns[1]));
+  columns[1] = columns[1] * (1 / norm(columns[1]));
   columns[2] = cross(columns[0], columns[1]);
   const Vec3 arm = pose.shift() - center;
   const Vec3 shift = center + Vec3{c * arm.x - s * arm.y, s * arm.x + c * arm.y, arm.z};

@@ -12,12 +12,12 @@ namespace soms::view {
 
 namespace {
 
-constexpr std::string_view kAxes = "xyz";
+constexpr std::string_view kAxisNames = "xyz";
 
 bool has_area(const Triangle& t) {
-  return orientation2d(t.a, t.b, t.c, Projection::xy) != Sign::zero ||
-         orientation2d(t.a, t.b, t.c, Projection::yz) != Sign::zero ||
-         orientation2d(t.a, t.b, t.c, Projection::zx) != Sign::zero;
+  return orientation2d(t.a, t.b, t.c, soms::Projection::xy) != Sign::zero ||
+         orientation2d(t.a, t.b, t.c, soms::Projection::yz) != Sign::zero ||
+         orientation2d(t.a, t.b, t.c, soms::Projection::zx) != Sign::zero;
 }
 
 CornerSide side(const Triangle& plane, const Vec3& corner) {
@@ -136,7 +136,7 @@ std::string describe(const std::array<CornerSide, 3>& s) {
   return fmt::format("{}, {}, {}", describe(s[0]), describe(s[1]), describe(s[2]));
 }
 
-double length(const Crossing& crossing) {
+double segment_length(const Crossing& crossing) {
   const Vec3 d = crossing.corners[1] - crossing.corners[0];
   return std::hypot(d.x, d.y, d.z);
 }
@@ -147,7 +147,7 @@ std::string describe(const Crossing& crossing) {
     case 1:
       return fmt::format("in the point ({:.9g}, {:.9g}, {:.9g})", p.x, p.y, p.z);
     case 2:
-      return fmt::format("in a segment of length {:.4g}", length(crossing));
+      return fmt::format("in a segment of length {:.4g}", segment_length(crossing));
     default:
       return fmt::format("in an area with {} corners", crossing.count);
   }
@@ -172,7 +172,7 @@ std::string verdict(const Explanation& e) {
 std::string reason(const Explanation& e) {
   switch (e.stage) {
     case Stage::boxes:
-      return fmt::format("their boxes are {:.3g} apart along {}", e.gap, kAxes[e.axis]);
+      return fmt::format("their boxes are {:.3g} apart along {}", e.gap, kAxisNames[e.axis]);
     case Stage::plane_of_b:
       return "all corners of the first lie on one side of the second's plane";
     case Stage::plane_of_a:

@@ -22,7 +22,7 @@ constexpr std::array<OrientationTest, 7> kTests{
      {"back", "Back", "comes from the back and ends half inside"},
      {kDrive, "Drive", "drives through the middle along x, partly below the ground"}}};
 
-Pose shifted(const Vec3& by) {
+Pose shift_by(const Vec3& by) {
   return Pose::translation(by.x, by.y, by.z);
 }
 
@@ -40,7 +40,7 @@ std::vector<Pose> drive(const Box& still, const Box& moving, const Vec3& to_midd
     by[0] = still.lower.x - margin + share * (extent.x + 2 * margin) - moving.center().x;
     by[side] = to_middle[side];
     by[up] = still.lower[up] - 0.01 * extent[up] - moving.lower[up];
-    poses.push_back(shifted(by));
+    poses.push_back(shift_by(by));
   }
   return poses;
 }
@@ -62,7 +62,7 @@ std::vector<Pose> orientation_poses(std::string_view name, const Box& still, con
     if (approach_name == name) {
       std::vector<Pose> poses;
       for (const Vec3& offset : orientation_test(still, approach, up)) {
-        poses.push_back(shifted(to_middle + offset));
+        poses.push_back(shift_by(to_middle + offset));
       }
       return poses;
     }

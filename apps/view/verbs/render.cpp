@@ -26,13 +26,13 @@ namespace soms::view {
 
 namespace {
 
-constexpr int kMostSide = 16'384;
+constexpr int kMostImageSide = 16'384;
 constexpr std::uint64_t kLeastMemory = std::uint64_t{256} << 20;  // drivers crash with less
 constexpr std::size_t kMostContacts = 1'000'000;
 constexpr std::uint8_t kGlass = 70;  // opacity of --see-through
 constexpr std::uint8_t kBoxFaces = 60;
 
-const char* const kFooter =
+const char* const kRenderFooter =
     "Without CITY, an embedded city of 1,000,000 triangles is used, with cars, persons and\n"
     "drones. A city from files has movers only if --mover, --route or --count is given. Touching\n"
     "triangles are red. A camera is a subject (scene, contact or mover:N), a side (north,\n"
@@ -308,8 +308,8 @@ std::pair<DrawnScene, Camera> compose(const RenderOptions& options, ViewScene& s
 }
 
 /// Draws and reads in parts, so that a software driver can be interrupted, too.
-Picture draw(const RenderOptions& options, const DrawList& list, const Camera& camera,
-             GlRenderer& renderer, const command::Console& console) {
+Picture draw_image(const RenderOptions& options, const DrawList& list, const Camera& camera,
+                   GlRenderer& renderer, const command::Console& console) {
   return console.run("drawing " + options.output, [&](const Parallel& parallel) {
     renderer.watch(parallel);
     renderer.draw(list, camera, options.size, {.samples = options.samples});
@@ -327,7 +327,7 @@ Size parse_picture_size(const std::string& text) {
   const auto read = [&](std::size_t from, std::size_t to, int& side) {
     const char* const end = text.data() + to;
     const auto result = std::from_chars(text.data() + from, end, side);
-    return result.ec == std::errc{} && result.ptr == end && side >= 1 && side <= kMostSide;
+    return result.ec == std::errc{} && result.ptr == end && side >= 1 && side <= kMostImageSide;
   };
   if (cross == std::string::npos || !read(0, cross, size.width) ||
       !read(cross + 1, text.size(), size.height)) {
@@ -342,7 +342,7 @@ command::Action add_render(CLI::App& app, command::Shared&) {
   command::add_world_options(app, options->world);
   add_picture_options(app, *options);
   add_content_options(app, *options);
-  app.footer(kFooter);
+  app.footer(kRenderFooter);
   return [options, &app](command::Console& console) {
     check_effects(app, *options);
     // The descent with which the options start is for who names no traversal: a named one has its
@@ -383,7 +383,7 @@ int run_render(const RenderOptions& options, command::Console& console) {
   }
   remark_parts(options, scene, console);
   const auto [drawn, camera] = compose(options, scene, console);
-  const Picture picture = draw(options, drawn.list, camera, renderer, console);
+  const Picture picture = draw_image(options, drawn.list, camera, renderer, console);
   file.stream() << console.run("writing " + options.output,
                                [&](const Parallel& parallel) { return to_png(picture, parallel); });
   file.commit();

@@ -25,23 +25,25 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMostZoom = 1e6;  ///< farther on, rounding would make eye and target one point
-constexpr const char* kRemedy =
+constexpr const char* kCameraRemedy =
     "give for example scene,southwest,1.5x or contact or \"0 -50 20 0 0 0\"; see --help";
 
-struct Side {
+struct NamedSide {
   std::string_view name;
   double bearing;
   double elevation;
 };
 
 constexpr std::array kSides{
-    Side{"north", 0, 20},       Side{"northeast", 45, 30},  Side{"east", 90, 20},
-    Side{"southeast", 135, 30}, Side{"south", 180, 20},     Side{"southwest", 225, 30},
-    Side{"west", 270, 20},      Side{"northwest", 315, 30}, Side{"top", 180, 90},
+    NamedSide{"north", 0, 20},   NamedSide{"northeast", 45, 30},
+    NamedSide{"east", 90, 20},   NamedSide{"southeast", 135, 30},
+    NamedSide{"south", 180, 20}, NamedSide{"southwest", 225, 30},
+    NamedSide{"west", 270, 20},  NamedSide{"northwest", 315, 30},
+    NamedSide{"top", 180, 90},
 };
 
 [[noreturn]] void refuse(const std::string& word) {
-  throw Error(ErrorKind::usage, fmt::format("--camera: {}", word), kRemedy);
+  throw Error(ErrorKind::usage, fmt::format("--camera: {}", word), kCameraRemedy);
 }
 
 std::vector<std::string> words_of(std::string text) {
@@ -63,7 +65,7 @@ bool starts_a_number(const std::string& word) {
 }
 
 bool read_side(const std::string& word, CameraChoice& choice) {
-  for (const Side& side : kSides) {
+  for (const NamedSide& side : kSides) {
     if (side.name == word) {
       choice.bearing = side.bearing;
       choice.elevation = side.elevation;
@@ -117,7 +119,7 @@ Vec3 toward_eye(double bearing, double elevation) {
           std::sin(elevation * kDegree)};
 }
 
-double length(const Vec3& v) {
+double line_length(const Vec3& v) {
   return std::sqrt(dot(v, v));
 }
 
@@ -192,7 +194,7 @@ Aimed aimed(const CameraChoice& choice, const Aim& aim, const ViewScene& scene, 
       check_stop(parallel);
       const Camera camera = from(choice.bearing + 45 * turn, elevation);
       const Vec3 line = aim.point - camera.eye;
-      const double whole = length(line);
+      const double whole = line_length(line);
       const auto first = scene.pick({camera.eye, line * (1 / whole)});
       if (!first || first->body == aim.body || first->distance > 0.98 * whole) {
         return {camera, 1};

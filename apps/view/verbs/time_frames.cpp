@@ -31,9 +31,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMostFrames = 100'000;
+constexpr std::size_t kMostPoses = 100'000;
 
-const char* const kFooter =
+const char* const kTimeFramesFooter =
     "Each frame moves the trees' boxes and finds all contacts by --traversal. Passes that\n"
     "draw nothing alternate with passes that draw each frame off screen until the driver has\n"
     "finished. Reading models, their first upload, and what finds the contacts that are marked red "
@@ -68,8 +68,8 @@ std::vector<Pose> read_poses(const std::string& name, const command::Console& co
   const bool single = source.is_constant();
   std::vector<Pose> poses;
   while (const auto pose = source.next()) {
-    if (poses.size() == kMostFrames) {
-      throw Error(ErrorKind::usage, fmt::format("--pose {}: more than {} poses", name, kMostFrames),
+    if (poses.size() == kMostPoses) {
+      throw Error(ErrorKind::usage, fmt::format("--pose {}: more than {} poses", name, kMostPoses),
                   "time fewer at a time");
     }
     poses.push_back(*pose);
@@ -256,7 +256,7 @@ command::Action add_time_frames(CLI::App& app, command::Shared&) {
   command::add_count(app, "--mover-levels", options->mover_levels, 0, 64,
                      "as --levels, for the tree of the mover (as --levels)");
   command::add_world_tree_options(app, options->world);
-  app.footer(kFooter);
+  app.footer(kTimeFramesFooter);
   return [options, &app](command::Console& console) {
     command::check_build(app, options->world.build);
     command::check_traversal(app, options->world.traversal);

@@ -22,7 +22,7 @@ constexpr std::uint64_t kLeastSide = 320;
 constexpr std::uint64_t kMostSide = 16'384;
 constexpr std::uint64_t kMostFrames = 1'000'000'000;
 
-const char* const kFooter =
+const char* const kViewFooter =
     "Without CITY, an embedded city of 1,000,000 triangles is used, with cars, persons and\n"
     "drones. A city from files has movers only if --mover, --route or --count is given. Press H\n"
     "in the window to see all keys. The left mouse button rotates the view, the middle button\n"
@@ -71,7 +71,7 @@ command::Action add_view(CLI::App& app, command::Shared&) {
          },
          "stop after this many frames, at 60 frames per second")
       ->option_text("N");
-  app.footer(kFooter);
+  app.footer(kViewFooter);
   return [options](command::Console& console) { return run_view(*options, console); };
 }
 

@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kFrame = 1.0 / 60;
 /// Seconds after the last motion before all triangles are drawn again.
-constexpr double kRest = 0.25;
+constexpr double kRestSeconds = 0.25;
 /// Frames after an event: the panels answer to the mouse one frame late.
 constexpr int kEcho = 3;
 
@@ -99,7 +99,7 @@ class Loop {
     if (due_ > 0 || session_.animating()) {
       return std::max(0.0, kFrame - seconds_between(last_, Clock::now()));
     }
-    return coarse_ ? kRest : -1;
+    return coarse_ ? kRestSeconds : -1;
   }
 
   void take_events() {
@@ -115,7 +115,9 @@ class Loop {
     }
   }
 
-  [[nodiscard]] bool rested() const { return seconds_between(moved_, Clock::now()) >= kRest; }
+  [[nodiscard]] bool rested() const {
+    return seconds_between(moved_, Clock::now()) >= kRestSeconds;
+  }
 
   void frame(Size pixels) {
     const Clock::time_point begin = Clock::now();

@@ -37,21 +37,21 @@ constexpr std::array kGenerated{
 constexpr std::array<std::string_view, 7> kModels{
     "bun_zipper", "igea", "cow", "galleon", "teapot", "beethoven", "big_porsche"};
 
-struct City {
+struct ListedCity {
   std::string_view name;
   std::string_view file;
   std::string_view mover;
 };
 
 constexpr std::array kCities{
-    City{"real-rotterdam", "rotterdam", "car_disim"},
-    City{"real-new_york_south", "new_york_south", "car_disim"},
-    City{"real-new_york_mid", "new_york_mid", "car_disim"},
-    City{"real-lyon", "lyon", "car_disim"},
-    City{"real-delft", "delft", "car_disim"},
-    City{"real-berlin_sample", "berlin_sample", "car_disim"},
-    City{"real-delft-van", "delft", "van_disim"},
-    City{"real-lyon-truck", "lyon", "truck_disim"},
+    ListedCity{"real-rotterdam", "rotterdam", "car_disim"},
+    ListedCity{"real-new_york_south", "new_york_south", "car_disim"},
+    ListedCity{"real-new_york_mid", "new_york_mid", "car_disim"},
+    ListedCity{"real-lyon", "lyon", "car_disim"},
+    ListedCity{"real-delft", "delft", "car_disim"},
+    ListedCity{"real-berlin_sample", "berlin_sample", "car_disim"},
+    ListedCity{"real-delft-van", "delft", "van_disim"},
+    ListedCity{"real-lyon-truck", "lyon", "truck_disim"},
 };
 
 }  // namespace
@@ -73,7 +73,7 @@ std::vector<Offer> catalog(const std::filesystem::path& data) {
     add("twins-" + std::string(model), file, model == kModels[0],
         [file] { return model_scene(file); });
   }
-  for (const City& city : kCities) {
+  for (const ListedCity& city : kCities) {
     const std::string name(city.name);
     const auto file = data / "cities" / (std::string(city.file) + ".ply");
     const auto mover = data / "3ds" / (std::string(city.mover) + ".3ds");

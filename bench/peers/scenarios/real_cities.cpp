@@ -12,7 +12,7 @@ namespace soms::bench {
 
 namespace {
 
-Box bounds_of(const Mesh& mesh) {
+Box city_bounds(const Mesh& mesh) {
   Box box;
   for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
     box.grow(bounds(mesh.triangle(i)));
@@ -99,16 +99,16 @@ FloatMesh float_mesh(const Mesh& mesh, const Vec3& middle, double scale) {
 Scene real_city_scene(const std::string& name, const std::filesystem::path& city,
                       const std::filesystem::path& mover) {
   const Mesh whole = read_mesh(city);
-  const FloatMesh fixed = float_mesh(whole, bounds_of(whole).center());
+  const FloatMesh fixed = float_mesh(whole, city_bounds(whole).center());
   const FloatMesh moving = float_mesh(read_mesh(mover), {});
   const Body town(widened(fixed));
   Body car(widened(moving));
-  const double wheels = bounds_of(car.shape.mesh()).lower.z;
+  const double wheels = city_bounds(car.shape.mesh()).lower.z;
   Scene scene{
       name,
       moving,
       fixed,
-      {{"street", on_streets(town.shape.mesh(), bounds_of(town.shape.mesh()), wheels), kNear},
+      {{"street", on_streets(town.shape.mesh(), city_bounds(town.shape.mesh()), wheels), kNear},
        {"grazing", {}},
        {"near", {}, kNear}}};
   Rng rng(32);

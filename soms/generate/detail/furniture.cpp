@@ -13,7 +13,7 @@ constexpr double kClear = 6;           ///< meters without furniture beside a cr
 constexpr double kBay = 8;             ///< least length of a bay: a van and room to spare
 constexpr std::uint64_t kBayKind = 5;  ///< tags of `rng_for`
 constexpr std::uint64_t kShapeKind = 6;
-constexpr std::uint64_t kOrderKind = 7;
+constexpr std::uint64_t kOrderFurniture = 7;
 
 /// Bays of all streets: `along` bays on both sides between two crossings.
 struct Bays {
@@ -33,7 +33,7 @@ Bays bays_of(const City& city) {
   return bays;
 }
 
-FurnitureKind draw_kind(Rng& rng) {
+FurnitureKind draw_furniture(Rng& rng) {
   const double r = rng.unit();
   return r < 0.12   ? FurnitureKind::lamp
          : r < 0.28 ? FurnitureKind::tree
@@ -62,7 +62,7 @@ Furniture draw_piece(const City& city, const Bays& bays, std::uint64_t bay) {
   Rng rng = rng_for(city, kBayKind, bay);
   Furniture piece;
   piece.index = bay;
-  piece.kind = draw_kind(rng);
+  piece.kind = draw_furniture(rng);
   const std::uint64_t place = bay % bays.along;
   const std::uint64_t segment = bay / bays.along / 4;
   const bool left = bay / bays.along % 2 == 0;
@@ -207,7 +207,7 @@ std::vector<Furniture> plan_furniture(const City& city, std::uint64_t budget) {
   for (std::uint64_t i = 0; i < order.size(); ++i) {
     order[i] = i;
   }
-  Rng rng = rng_for(city, kOrderKind, 0);
+  Rng rng = rng_for(city, kOrderFurniture, 0);
   std::vector<Furniture> pieces;
   std::uint64_t left = budget;
   // A shuffle that stops when the money is spent.

@@ -16,7 +16,7 @@ namespace soms::detail {
 
 namespace {
 
-constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t kGreatestCount = std::numeric_limits<std::uint64_t>::max();
 
 /// Where x, y and z of each vertex lie in an array of numbers.
 struct Accessor {
@@ -71,14 +71,14 @@ Accessor GeometryReader::read_accessor(pugi::xml_node source, pugi::xml_node ele
   accessor.count = document_.whole_number(element, "count", 0);
   accessor.offset = document_.whole_number(element, "offset", 0);
   accessor.stride = document_.whole_number(element, "stride", 1);
-  std::array<std::uint64_t, 3> by_name = {kMost, kMost, kMost};
+  std::array<std::uint64_t, 3> by_name = {kGreatestCount, kGreatestCount, kGreatestCount};
   std::uint64_t named = 0;
   std::uint64_t column = 0;
   for (const pugi::xml_node param : element.children("param")) {
     const std::string_view name = param.attribute("name").value();
     if (name == "X" || name == "Y" || name == "Z") {
       std::uint64_t& known = by_name[static_cast<std::size_t>(name[0] - 'X')];
-      if (known != kMost) {
+      if (known != kGreatestCount) {
         document_.fail(param, "the positions in " + describe(source) + " have two columns " +
                                   std::string(name));
       }
@@ -92,7 +92,7 @@ Accessor GeometryReader::read_accessor(pugi::xml_node source, pugi::xml_node ele
     }
     ++column;
   }
-  if (std::count(by_name.begin(), by_name.end(), kMost) == 0) {
+  if (std::count(by_name.begin(), by_name.end(), kGreatestCount) == 0) {
     accessor.columns = by_name;
   } else if (named != 3) {
     document_.fail(element, "the positions in " + describe(source) + " have " +
@@ -124,7 +124,7 @@ void GeometryReader::read_vertices() {
 
 void GeometryReader::read_positions(const Accessor& accessor, pugi::xml_node array) {
   ColladaTokens tokens(document_, array);
-  const std::uint64_t stated = document_.whole_number(array, "count", kMost);
+  const std::uint64_t stated = document_.whole_number(array, "count", kGreatestCount);
   const std::uint64_t last = *std::max_element(accessor.columns.begin(), accessor.columns.end());
   if (accessor.count > tokens.most_left()) {
     document_.fail(array, std::to_string(accessor.count) + " vertices are stated, " +
@@ -156,7 +156,7 @@ void GeometryReader::read_positions(const Accessor& accessor, pugi::xml_node arr
     }
     column = column + 1 == accessor.stride ? 0 : column + 1;
   }
-  if (stated != kMost && stated != index) {
+  if (stated != kGreatestCount && stated != index) {
     document_.fail(array, describe(array) + " states " + std::to_string(stated) + " numbers and " +
                               "holds " + std::to_string(index));
   }
@@ -194,7 +194,7 @@ Layout GeometryReader::read_layout(pugi::xml_node element) {
       document_.fail(input, "an <input> of " + describe(element) + " has no offset");
     }
     const std::uint64_t offset = document_.whole_number(input, "offset", 0);
-    if (offset == kMost) {
+    if (offset == kGreatestCount) {
       document_.fail(input, "an <input> of " + describe(element) + " has too large an offset");
     }
     layout.stride = std::max(layout.stride, offset + 1);

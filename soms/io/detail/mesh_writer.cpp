@@ -61,9 +61,9 @@ class MeshWriter {
 
 template <class Use>
 void MeshWriter::each(std::size_t count, double from, double to, const Use& use) const {
-  constexpr std::size_t kItemsPerTick = 1 << 16;
+  constexpr std::size_t kPiecesPerTick = 1 << 16;
   for (std::size_t i = 0; i < count; ++i) {
-    if (i % kItemsPerTick == 0) {
+    if (i % kPiecesPerTick == 0) {
       check_stop(parallel_);
       if (parallel_.progress) {
         parallel_.progress(from +

@@ -8,7 +8,7 @@
 namespace soms::view {
 namespace {
 
-constexpr Size kSize{800, 600};
+constexpr Size kGizmoView{800, 600};
 constexpr double kSlack = 6;
 
 Camera corner_camera() {
@@ -19,14 +19,14 @@ Camera corner_camera() {
 }
 
 Gizmo gizmo_of(const Camera& camera) {
-  return *gizmo_at(camera, kSize, {0, 0, 0}, 100);
+  return *gizmo_at(camera, kGizmoView, {0, 0, 0}, 100);
 }
 
 PixelPoint pixel_of(const Camera& camera, const Vec3& point) {
-  return project(camera, kSize, point)->pixel;
+  return project(camera, kGizmoView, point)->pixel;
 }
 
-double apart(const Vec3& a, const Vec3& b) {
+double point_distance(const Vec3& a, const Vec3& b) {
   const Vec3 d = a - b;
   return std::sqrt(dot(d, d));
 }
@@ -44,7 +44,7 @@ TEST(Gizmo, ArrowsLookAsLongAsRequestedAtAnyDistance) {
 
 TEST(Gizmo, IsNotThereBehindTheEye) {
   const Camera camera = corner_camera();
-  EXPECT_FALSE(gizmo_at(camera, kSize, camera.eye * 3, 100));
+  EXPECT_FALSE(gizmo_at(camera, kGizmoView, camera.eye * 3, 100));
 }
 
 TEST(Gizmo, FindsEachHandleWhereItIsDrawn) {
@@ -57,10 +57,10 @@ TEST(Gizmo, FindsEachHandleWhereItIsDrawn) {
       {Handle::plane_zx, {0.4 * s, 0, 0.4 * s}}, {Handle::plane_xy, {0.4 * s, 0.4 * s, 0}},
       {Handle::turn, {-0.85 * s, 0, 0}}};
   for (const auto& [handle, place] : places) {
-    EXPECT_EQ(handle_at(gizmo, camera, kSize, pixel_of(camera, place), kSlack), handle)
+    EXPECT_EQ(handle_at(gizmo, camera, kGizmoView, pixel_of(camera, place), kSlack), handle)
         << static_cast<int>(handle);
   }
-  EXPECT_FALSE(handle_at(gizmo, camera, kSize, {5, 5}, kSlack));
+  EXPECT_FALSE(handle_at(gizmo, camera, kGizmoView, {5, 5}, kSlack));
 }
 
 TEST(Gizmo, DoesNotOfferAnArrowSeenEndOnNorASquareSeenEdgeOn) {
@@ -69,22 +69,24 @@ TEST(Gizmo, DoesNotOfferAnArrowSeenEndOnNorASquareSeenEdgeOn) {
   const Gizmo gizmo = gizmo_of(camera);
   const double s = gizmo.size;
   // The y arrow points away from the eye and covers a few pixels about the center.
-  EXPECT_NE(handle_at(gizmo, camera, kSize, pixel_of(camera, {0, 0.9 * s, 0}), kSlack),
+  EXPECT_NE(handle_at(gizmo, camera, kGizmoView, pixel_of(camera, {0, 0.9 * s, 0}), kSlack),
             Handle::axis_y);
-  EXPECT_FALSE(handle_at(gizmo, camera, kSize, pixel_of(camera, {-0.4 * s, 0, 0}), kSlack));
+  EXPECT_FALSE(handle_at(gizmo, camera, kGizmoView, pixel_of(camera, {-0.4 * s, 0, 0}), kSlack));
 }
 
 TEST(Gizmo, DragAlongAnArrowKeepsToItsAxisAndFollowsTheMouse) {
   const Camera camera = corner_camera();
   const Gizmo gizmo = gizmo_of(camera);
   const double s = gizmo.size;
-  const auto ray = [&](const Vec3& p) { return ray_through(camera, kSize, pixel_of(camera, p)); };
+  const auto ray = [&](const Vec3& p) {
+    return ray_through(camera, kGizmoView, pixel_of(camera, p));
+  };
   const std::vector<std::pair<Handle, Vec3>> axes{
       {Handle::axis_x, {1, 0, 0}}, {Handle::axis_y, {0, 1, 0}}, {Handle::axis_z, {0, 0, 1}}};
   for (const auto& [handle, axis] : axes) {
     GizmoDrag drag(gizmo, handle, Pose::translation(5, 6, 7), ray(axis * (0.7 * s)));
     const Pose moved = drag.dragged(ray(axis * (1.9 * s)));
-    EXPECT_LT(apart(moved.shift(), Vec3{5, 6, 7} + axis * (1.2 * s)), 1e-6 * s);
+    EXPECT_LT(point_distance(moved.shift(), Vec3{5, 6, 7} + axis * (1.2 * s)), 1e-6 * s);
     EXPECT_EQ(drag.handle(), handle);
     EXPECT_EQ(drag.start(), Pose::translation(5, 6, 7));
   }
@@ -94,10 +96,12 @@ TEST(Gizmo, DragOfASquareKeepsToItsPlane) {
   const Camera camera = corner_camera();
   const Gizmo gizmo = gizmo_of(camera);
   const double s = gizmo.size;
-  const auto ray = [&](const Vec3& p) { return ray_through(camera, kSize, pixel_of(camera, p)); };
+  const auto ray = [&](const Vec3& p) {
+    return ray_through(camera, kGizmoView, pixel_of(camera, p));
+  };
   GizmoDrag drag(gizmo, Handle::plane_xy, {}, ray({0.4 * s, 0.4 * s, 0}));
   const Vec3 shift = drag.dragged(ray({2 * s, -1 * s, 0})).shift();
-  EXPECT_LT(apart(shift, {1.6 * s, -1.4 * s, 0}), 1e-6 * s);
+  EXPECT_LT(point_distance(shift, {1.6 * s, -1.4 * s, 0}), 1e-6 * s);
   EXPECT_NEAR(shift.z, 0, 1e-12);
 }
 
@@ -105,11 +109,13 @@ TEST(Gizmo, DragOfTheRingTurnsAboutTheVerticalThroughTheCenter) {
   const Camera camera = corner_camera();
   const Gizmo gizmo = gizmo_of(camera);
   const double r = 0.85 * gizmo.size;
-  const auto ray = [&](const Vec3& p) { return ray_through(camera, kSize, pixel_of(camera, p)); };
+  const auto ray = [&](const Vec3& p) {
+    return ray_through(camera, kGizmoView, pixel_of(camera, p));
+  };
   GizmoDrag drag(gizmo, Handle::turn, Pose::translation(1, 0, 2), ray({r, 0, 0}));
   const Pose quarter = drag.dragged(ray({0, r, 0}));
-  EXPECT_LT(apart(quarter.shift(), {0, 1, 2}), 1e-9);
-  EXPECT_LT(apart(quarter.apply({1, 0, 0}), {0, 2, 2}), 1e-9);
+  EXPECT_LT(point_distance(quarter.shift(), {0, 1, 2}), 1e-9);
+  EXPECT_LT(point_distance(quarter.apply({1, 0, 0}), {0, 2, 2}), 1e-9);
   EXPECT_NO_THROW(check(quarter));
 }
 
@@ -117,9 +123,9 @@ TEST(Gizmo, ADragBeyondTheHorizonKeepsTheLastPlace) {
   Camera camera;
   camera.eye = {0, -10, 3};
   const Gizmo gizmo = gizmo_of(camera);
-  GizmoDrag drag(gizmo, Handle::plane_xy, {}, ray_through(camera, kSize, {400, 300}));
-  const Pose before = drag.dragged(ray_through(camera, kSize, {420, 320}));
-  EXPECT_EQ(drag.dragged(ray_through(camera, kSize, {420, 1})), before);
+  GizmoDrag drag(gizmo, Handle::plane_xy, {}, ray_through(camera, kGizmoView, {400, 300}));
+  const Pose before = drag.dragged(ray_through(camera, kGizmoView, {420, 320}));
+  EXPECT_EQ(drag.dragged(ray_through(camera, kGizmoView, {420, 1})), before);
 }
 
 TEST(Gizmo, NearestPointOnAnAxisIsNearestIndeed) {
@@ -161,9 +167,9 @@ TEST(Gizmo, TenThousandTurnsStayRigid) {
     pose = turned_about(pose, {1, 1, 1}, 0.1);
   }
   EXPECT_NO_THROW(check(pose));
-  EXPECT_NEAR(apart(pose.shift(), {1, 1, 5}), std::hypot(2, 3), 1e-9);
+  EXPECT_NEAR(point_distance(pose.shift(), {1, 1, 5}), std::hypot(2, 3), 1e-9);
   const Pose back = turned_about(turned_about({}, {7, 0, 0}, 1), {7, 0, 0}, -1);
-  EXPECT_LT(apart(back.apply({1, 2, 3}), {1, 2, 3}), 1e-12);
+  EXPECT_LT(point_distance(back.apply({1, 2, 3}), {1, 2, 3}), 1e-12);
 }
 
 TEST(Gizmo, IsDrawnOnTopAndTheChosenHandleDiffers) {
@@ -179,7 +185,7 @@ TEST(Gizmo, IsDrawnOnTopAndTheChosenHandleDiffers) {
     different += plain.lines[i].color == chosen.lines[i].color ? 0U : 1U;
   }
   EXPECT_EQ(different, 1U);
-  EXPECT_LT(apart(tips(gizmo)[2], {1, 2, 5.2}), 1e-12);
+  EXPECT_LT(point_distance(tips(gizmo)[2], {1, 2, 5.2}), 1e-12);
 }
 
 }  // namespace

@@ -10,10 +10,10 @@
 namespace soms::view {
 namespace {
 
-constexpr Size kSize{1280, 720};
+constexpr Size kWindowSize{1280, 720};
 constexpr double kTick = 1.0 / 60;
 
-double apart(const Vec3& a, const Vec3& b) {
+double eye_distance(const Vec3& a, const Vec3& b) {
   const Vec3 d = a - b;
   return std::sqrt(dot(d, d));
 }
@@ -59,24 +59,26 @@ class SessionTest : public testing::Test {
     }
   }
 
-  PixelPoint pixel_of(const Vec3& point) { return project(session_.camera(), kSize, point)->pixel; }
+  PixelPoint pixel_of(const Vec3& point) {
+    return project(session_.camera(), kWindowSize, point)->pixel;
+  }
 
   /// A place of the ground away from the handles.
   PixelPoint ground() { return pixel_of({50, -60, 0}); }
 
   MockSubject subject_;
-  Session session_{subject_, kSize};
+  Session session_{subject_, kWindowSize};
   double now_ = 100;
 };
 
 TEST_F(SessionTest, BeginsWithAllInView) {
   for (const Vec3& corner : {Vec3{-100, -100, 0}, Vec3{100, 100, 50}, Vec3{100, -100, 0}}) {
-    const auto seen = project(session_.camera(), kSize, corner);
+    const auto seen = project(session_.camera(), kWindowSize, corner);
     ASSERT_TRUE(seen);
     EXPECT_GT(seen->pixel.x, 0);
-    EXPECT_LT(seen->pixel.x, kSize.width);
+    EXPECT_LT(seen->pixel.x, kWindowSize.width);
     EXPECT_GT(seen->pixel.y, 0);
-    EXPECT_LT(seen->pixel.y, kSize.height);
+    EXPECT_LT(seen->pixel.y, kWindowSize.height);
   }
 }
 
@@ -89,7 +91,7 @@ TEST_F(SessionTest, DraggingTurnsAndShiftDraggingShifts) {
   drag(MouseButton::left, {900, 600}, {960, 600}, true);
   EXPECT_NE(session_.camera().target, turned.target);
   drag(MouseButton::middle, {960, 600}, {900, 600});
-  EXPECT_LT(apart(session_.camera().target, turned.target), 1e-6);
+  EXPECT_LT(eye_distance(session_.camera().target, turned.target), 1e-6);
   drag(MouseButton::right, {900, 600}, {900, 500});
   EXPECT_LT(distance_to_target(session_.camera()), distance_to_target(turned));
 }
@@ -135,7 +137,7 @@ TEST_F(SessionTest, DoubleClickMakesThePlaceThePivot) {
   const Vec3 point = session_.picked()->point;
   click({800, 500}, 1.2);
   rest();
-  EXPECT_LT(apart(session_.camera().target, point), 1e-9);
+  EXPECT_LT(eye_distance(session_.camera().target, point), 1e-9);
 }
 
 TEST_F(SessionTest, TwoSlowClicksAreNoDoubleClick) {
@@ -148,7 +150,7 @@ TEST_F(SessionTest, TwoSlowClicksAreNoDoubleClick) {
 
 TEST_F(SessionTest, WheelKeepsThePlaceUnderTheCursor) {
   const PixelPoint cursor{800, 500};
-  const Vec3 under = subject_.pick(ray_through(session_.camera(), kSize, cursor))->point;
+  const Vec3 under = subject_.pick(ray_through(session_.camera(), kWindowSize, cursor))->point;
   session_.push(Wheel{3, cursor});
   frame();
   EXPECT_NEAR(pixel_of(under).x, cursor.x, 1e-6);
@@ -165,7 +167,7 @@ TEST_F(SessionTest, ManyTurnsOfTheWheelEndAndComeBack) {
     const double distance = distance_to_target(session_.camera());
     EXPECT_GT(distance, 1e-8);
     EXPECT_LT(distance, 1e7);
-    EXPECT_LT(apart(view::frame(session_.camera()).forward, forward), 1e-3) << notches;
+    EXPECT_LT(eye_distance(view::frame(session_.camera()).forward, forward), 1e-3) << notches;
   }
 }
 
@@ -175,7 +177,7 @@ TEST_F(SessionTest, DraggingAnArrowMovesTheObjectAlongItsAxis) {
   const Vec3 grip = gizmo.center + Vec3{0.8 * gizmo.size, 0, 0};
   const Vec3 goal = grip + Vec3{30, 0, 0};
   drag(MouseButton::left, pixel_of(grip), pixel_of(goal));
-  EXPECT_LT(apart(subject_.object.shift(), {30, 0, 10}), 1e-6);
+  EXPECT_LT(eye_distance(subject_.object.shift(), {30, 0, 10}), 1e-6);
   EXPECT_EQ(session_.camera(), before);
   EXPECT_FALSE(session_.picked());
 }
@@ -220,22 +222,22 @@ TEST_F(SessionTest, KeysMoveTheObjectAsTheCameraSeesIt) {
   press(Action::view_front);
   rest();
   press(Action::object_right);
-  EXPECT_LT(apart(subject_.object.shift(), {0.4, 0, 10}), 1e-12);
+  EXPECT_LT(eye_distance(subject_.object.shift(), {0.4, 0, 10}), 1e-12);
   press(Action::object_forward);
-  EXPECT_LT(apart(subject_.object.shift(), {0.4, 0.4, 10}), 1e-12);
+  EXPECT_LT(eye_distance(subject_.object.shift(), {0.4, 0.4, 10}), 1e-12);
   press(Action::object_up_fine);
-  EXPECT_LT(apart(subject_.object.shift(), {0.4, 0.4, 10.04}), 1e-12);
+  EXPECT_LT(eye_distance(subject_.object.shift(), {0.4, 0.4, 10.04}), 1e-12);
   press(Action::view_right);
   rest();
   press(Action::object_right);  // from +x, right is +y
-  EXPECT_LT(apart(subject_.object.shift(), {0.4, 0.8, 10.04}), 1e-12);
+  EXPECT_LT(eye_distance(subject_.object.shift(), {0.4, 0.8, 10.04}), 1e-12);
   press(Action::object_home);
   EXPECT_EQ(subject_.object, Pose::translation(0, 0, 10));
 }
 
 TEST_F(SessionTest, KeysTurnTheObjectAboutItsMiddle) {
   press(Action::object_turn_left);
-  EXPECT_LT(apart(subject_.object.shift(), {0, 0, 10}), 1e-12);
+  EXPECT_LT(eye_distance(subject_.object.shift(), {0, 0, 10}), 1e-12);
   EXPECT_NEAR(subject_.object.m[4], std::sin(std::acos(-1.0) / 36), 1e-12);
   press(Action::object_turn_right);
   EXPECT_NEAR(subject_.object.m[4], 0, 1e-12);
@@ -316,7 +318,8 @@ TEST_F(SessionTest, FollowsAMoverAndTheNext) {
   for (int i = 0; i < 30; ++i) {
     frame();
   }
-  EXPECT_LT(apart(session_.camera().target - session_.facts().followed->shift(), to_mover), 1e-9);
+  EXPECT_LT(eye_distance(session_.camera().target - session_.facts().followed->shift(), to_mover),
+            1e-9);
   EXPECT_GT(session_.facts().followed->shift().x, 20);
   press(Action::next_mover);
   EXPECT_NEAR(session_.camera().target.y, 10, 1e-9);
@@ -328,11 +331,11 @@ TEST_F(SessionTest, FliesWhileKeysAreHeldAndStopsWhenTheFocusIsLost) {
   session_.push(KeyDown{{key_of('W')}});
   frame(0.1);
   EXPECT_TRUE(session_.animating());
-  EXPECT_NEAR(apart(session_.camera().eye, before.eye), 200 * 0.1 * 0.1, 1e-9);
+  EXPECT_NEAR(eye_distance(session_.camera().eye, before.eye), 200 * 0.1 * 0.1, 1e-9);
   session_.push(FocusLost{});
   frame(0.1);
   EXPECT_FALSE(session_.animating());
-  EXPECT_NEAR(apart(session_.camera().eye, before.eye), 200 * 0.1 * 0.1, 1e-9);
+  EXPECT_NEAR(eye_distance(session_.camera().eye, before.eye), 200 * 0.1 * 0.1, 1e-9);
 }
 
 TEST_F(SessionTest, PanelsKeepWhatIsTheirs) {
@@ -373,14 +376,14 @@ TEST_F(SessionTest, AMessageStaysWhileTimePasses) {
 TEST_F(SessionTest, FocusGoesToWhatIsPickedElseToTheObject) {
   press(Action::focus);
   rest();
-  EXPECT_LT(apart(session_.camera().target, {0, 0, 10}), 1e-9);
+  EXPECT_LT(eye_distance(session_.camera().target, {0, 0, 10}), 1e-9);
   press(Action::view_top);
   rest();
   click({500, 300}, 1);
   const Vec3 point = session_.picked()->bounds.center();
   press(Action::focus);
   rest();
-  EXPECT_LT(apart(session_.camera().target, point), 1e-9);
+  EXPECT_LT(eye_distance(session_.camera().target, point), 1e-9);
 }
 
 TEST_F(SessionTest, TheSubjectsListIsMadeAnewOnlyAfterAChange) {
@@ -428,7 +431,7 @@ TEST_F(SessionTest, ResizingChangesTheRayUnderAPixel) {
   const Vec3 place{50, -60, 0};
   click(project(session_.camera(), {640, 360}, place)->pixel, 1);
   ASSERT_TRUE(session_.picked());
-  EXPECT_LT(apart(session_.picked()->point, place), 1e-6);
+  EXPECT_LT(eye_distance(session_.picked()->point, place), 1e-6);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@
 namespace soms::view {
 namespace {
 
-bool can_draw() {
+bool has_renderer() {
   try {
     const HeadlessContext context;
     return true;
@@ -31,7 +31,7 @@ bool can_draw() {
 class TimeFrames : public testing::Test {
  protected:
   void SetUp() override {
-    if (!can_draw()) {
+    if (!has_renderer()) {
       GTEST_SKIP() << "nothing is drawn here without EGL, so this is untested";
     }
     ball_ = (folder_.path() / "ball.ply").string();

@@ -26,15 +26,15 @@ Body named(const Mesh& mesh, const Pose& pose, std::string name) {
 /// A block of 20 x 20 x 10 on the ground and a cube of side 2 beside it.
 SceneContent block_and_cube() {
   return two_bodies(
-      named(test::box_body({-10, -10, 0}, {10, 10, 10}, 8), {}, "block"),
-      named(test::box_body({-1, -1, -1}, {1, 1, 1}, 2), Pose::translation(20, 0, 5), "cube"));
+      named(soms::test::box_body({-10, -10, 0}, {10, 10, 10}, 8), {}, "block"),
+      named(soms::test::box_body({-1, -1, -1}, {1, 1, 1}, 2), Pose::translation(20, 0, 5), "cube"));
 }
 
 /// As before, but a second cube drives along x and there are two more frames than it needs.
 SceneContent with_traffic() {
   SceneContent content = block_and_cube();
   content.movers.push_back(
-      {named(test::box_body({-1, -1, -1}, {1, 1, 1}), Pose::translation(0, -20, 1), "car"),
+      {named(soms::test::box_body({-1, -1, -1}, {1, 1, 1}), Pose::translation(0, -20, 1), "car"),
        [](std::uint64_t frame) { return Pose::translation(static_cast<double>(frame), -20, 1); }});
   return content;
 }
@@ -114,7 +114,7 @@ TEST(SceneSubject, LevelsAreThoseOfTheTreeOnceItIsShown) {
 TEST(SceneSubject, TreeOfTheCityIsShownWithoutMoversToo) {
   SceneContent content;
   content.title = "block";
-  content.city.push_back(named(test::box_body({-1, -1, 0}, {1, 1, 1}, 4), {}, "block"));
+  content.city.push_back(named(soms::test::box_body({-1, -1, 0}, {1, 1, 1}, 4), {}, "block"));
   SceneSubject subject(std::move(content));
   ViewState state;
   state.shown.tree_boxes = true;
@@ -219,7 +219,7 @@ TEST(SceneSubject, CountsOfATraceGoWithItsBoxes) {
 }
 
 TEST(SceneSubject, SaysThatATraceWasCut) {
-  const Mesh cube = test::box_body({-1, -1, -1}, {1, 1, 1}, 40);
+  const Mesh cube = soms::test::box_body({-1, -1, -1}, {1, 1, 1}, 40);
   SceneSubject subject(
       two_bodies(named(cube, {}, "still"), named(cube, Pose::translation(20, 0, 5), "moving")));
   ViewState state;
@@ -232,7 +232,7 @@ TEST(SceneSubject, SaysThatATraceWasCut) {
 }
 
 TEST(SceneSubject, SaysHowManyContactsAPictureHolds) {
-  const Mesh cube = test::box_body({-1, -1, -1}, {1, 1, 1}, 12);
+  const Mesh cube = soms::test::box_body({-1, -1, -1}, {1, 1, 1}, 12);
   SceneSubject subject(two_bodies(named(cube, {}, "still"), named(cube, {}, "moving")));
   ViewState state;
   (void)subject.draw_list(state);
@@ -406,9 +406,9 @@ TEST(SceneSubject, ACarThatTheHandMovedGoesOnAlongItsWayFromHome) {
 }
 
 TEST(SceneSubject, OpensADroppedModelAsTheNewObjectAndRefusesABrokenOne) {
-  const test::TemporaryFolder folder;
+  const soms::test::TemporaryFolder folder;
   const auto path = folder.path() / "van.ply";
-  write_mesh(path, test::box_body({30, 0, 0}, {33, 2, 2}), MeshFormat::ply);
+  write_mesh(path, soms::test::box_body({30, 0, 0}, {33, 2, 2}), MeshFormat::ply);
   SceneSubject subject(block_and_cube());
   subject.open(path.string());
   EXPECT_EQ(subject.facts({}).movers, 2U);
@@ -423,9 +423,9 @@ TEST(SceneSubject, OpensADroppedModelAsTheNewObjectAndRefusesABrokenOne) {
 }
 
 TEST(SceneSubject, SaysWhatADroppedFileStatesAndWhatBecameOfIt) {
-  const test::TemporaryFolder folder;
+  const soms::test::TemporaryFolder folder;
   const auto path = folder.path() / "van.glb";
-  Mesh mesh = test::box_body({30, 0, 0}, {33, 2, 2});
+  Mesh mesh = soms::test::box_body({30, 0, 0}, {33, 2, 2});
   mesh.up = UpAxis::y;
   write_mesh(path, mesh, MeshFormat::glb);
   SceneSubject subject(block_and_cube());
@@ -433,14 +433,14 @@ TEST(SceneSubject, SaysWhatADroppedFileStatesAndWhatBecameOfIt) {
   subject.open(path.string());
   EXPECT_NE(subject.facts({}).note.find("van.glb: the up axis is y; rotated to z"),
             std::string::npos);
-  subject.open((test::data("formats/groups.obj")).string());
+  subject.open((soms::test::data("formats/groups.obj")).string());
   EXPECT_NE(subject.facts({}).note.find("groups.obj: "), std::string::npos);
 }
 
 TEST(SceneSubject, AnEmptySceneCanBeShownAndFilled) {
-  const test::TemporaryFolder folder;
+  const soms::test::TemporaryFolder folder;
   const auto path = folder.path() / "block.ply";
-  write_mesh(path, test::box_body({-1, -1, 0}, {1, 1, 1}), MeshFormat::ply);
+  write_mesh(path, soms::test::box_body({-1, -1, 0}, {1, 1, 1}), MeshFormat::ply);
   SceneSubject subject(SceneContent{});
   Session session(subject, {640, 480});
   EXPECT_TRUE(session.picture().instances.empty());
