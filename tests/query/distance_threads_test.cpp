@@ -59,13 +59,13 @@ TEST(DistanceThreads, AnswersAndCostsAreThoseOfOneThread) {
   }
 }
 
-// A small part of the spheres is dealt out, too: what one thread finds alone is the same.
+// A small part of the spheres is dealt out, too: what a query without parts finds is the same.
 TEST(DistanceThreads, PartsFindWhatAWholeQueryFinds) {
   const Spheres spheres;
   const Distance whole = distance(spheres.turned(1), spheres.outer);
   ASSERT_TRUE(whole.triangles);
   EXPECT_GT(whole.cost.node_tests, 8192U * 16);  // beyond what is looked at alone
-  // The nearest triangle by itself is asked without parts.
+  // A query of the nearest triangle by itself ends before there are parts.
   const Mesh& inner = spheres.inner.mesh();
   Mesh single;
   single.vertices = inner.vertices;
@@ -88,10 +88,9 @@ TEST(DistanceThreads, ADeadlineLeavesABracketThatHolds) {
           distance(inner, spheres.outer, {.deadline = deadline}, {.threads = threads});
       EXPECT_LE(cut.distance.lower, whole.distance.lower);
       EXPECT_GE(cut.distance.upper, whole.distance.upper);
-      const Within near =
-          within(inner, spheres.outer, whole.distance.upper * 2,
-                 {.deadline = std::chrono::steady_clock::now() + std::chrono::microseconds(us)},
-                 {.threads = threads});
+      const auto another = std::chrono::steady_clock::now() + std::chrono::microseconds(us);
+      const Within near = within(inner, spheres.outer, whole.distance.upper * 2,
+                                 {.deadline = another}, {.threads = threads});
       EXPECT_TRUE(near.within || near.at_least <= whole.distance.lower);
     }
   }
