@@ -98,7 +98,7 @@ std::optional<Vec3> crossing_middle(const Triangle& a, const Triangle& b) {
   if (!of_b.sure || !of_b.steady) {
     return std::nullopt;
   }
-  // Edge k of a, from its lone corner on, passes edge m of b, likewise, on the positive side.
+  // Edge k of a, from the corner alone on, passes edge m of b, likewise, on the positive side.
   std::array<std::array<bool, 2>, 2> passes = {};
   const Vec3& tip_a = corner(a, of_a.alone);
   const Vec3& tip_b = corner(b, of_b.alone);

@@ -162,11 +162,11 @@ void OverlapTraversal<Source>::gather_nodes(TraversalRound& round) {
                                               (1U << count) - 1, 0,  0};
         continue;
       }
-      if (!large_leaf_.meets(pair, x, y, numbers.slack, cost_)) {
+      if (!large_leaf_.meets(pair, x, y, 0, cost_)) {
         continue;
       }
     } else if (!Source::kInPlace && is_lane(pair.x | pair.y) &&
-               !large_leaf_.meets(pair, x, y, numbers.slack, cost_)) {
+               !large_leaf_.meets(pair, x, y, 0, cost_)) {
       // To write out what lies below the node would cost more than this look.
       continue;
     }

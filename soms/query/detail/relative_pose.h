@@ -162,15 +162,15 @@ class RelativePose {
   [[nodiscard]] double residual() const { return residual_; }
 
   /// Where `x`, a node or block of tree x, is as seen from `y`, one of tree y.
-  /// Gaps up to `slack` count as none, beside what rounding takes.
   template <class X, class Y>
-  void relate(const X& x, const Y& y, float slack, Relation& relation) const {
+  void relate(const X& x, const Y& y, Relation& relation) const {
     relation.offset = numbers_.offset(x.origin, y.origin);
     relation.turn = &turn_;
     if (is_oriented(x) || is_oriented(y)) {
       turn(axes_of(x), axes_of(y), relation);
     }
-    relation.margin = numbers_.relative * (x.l1_radius * numbers_.ratio + y.l1_radius) + slack;
+    relation.margin =
+        numbers_.relative * (x.l1_radius * numbers_.ratio + y.l1_radius) + numbers_.slack;
     relation.ratio = numbers_.ratio;
   }
 

@@ -3,6 +3,8 @@
 #include "soms/query/detail/query_lanes.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 
 namespace soms::detail {
 
@@ -40,6 +42,14 @@ Three normal_of(const std::array<F4, 9>& q) {
   return cross({q[3] - q[0], q[4] - q[1], q[5] - q[2]}, {q[6] - q[0], q[7] - q[1], q[8] - q[2]});
 }
 
+/// Square roots, rounded as those of floats are.
+F4 root(F4 v) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    v[k] = std::sqrt(v[k]);
+  }
+  return v;
+}
+
 /// A box seen from the triangles' frame: axis j of the box is column j of `axis`.
 struct SeenBox {
   std::array<float, 3> center;
@@ -47,12 +57,13 @@ struct SeenBox {
   std::array<std::array<float, 4>, 3> axis;  // rows padded to four
   std::array<float, 3> radius;               // along the triangles' axes, margin included
   float margin;
+  float reach;  // what may lie between, beside the margin
 
   void finish() {
     for (std::size_t i = 0; i < 3; ++i) {
       radius[i] = ((std::abs(axis[i][0]) * half[0] + std::abs(axis[i][1]) * half[1]) +
                    std::abs(axis[i][2]) * half[2]) +
-                  margin;
+                  (margin + reach);
     }
   }
 };
@@ -60,6 +71,10 @@ struct SeenBox {
 /// Triangles that miss the box along their own directions `n`.
 M4 apart_along(const SeenBox& box, const std::array<F4, 9>& q, const Three& n) {
   F4 bound = sum_of_magnitudes(n) * box.margin + kLeastProduct;
+  if (box.reach != 0) {
+    // The length rounds by 2^-21 at most.
+    bound += root(dot(n, n[0], n[1], n[2])) * (box.reach * (1 + 0x1p-20F));
+  }
   for (std::size_t j = 0; j < 3; ++j) {
     const F4 along = (n[0] * box.axis[0][j] + n[1] * box.axis[1][j]) + n[2] * box.axis[2][j];
     bound += (abs(along) + kLeastAlong) * box.half[j];
@@ -82,7 +97,7 @@ std::uint32_t apart(const SeenBox& box, const std::array<F4, 9>& q, bool small) 
     const F4 a = dot(axis, q[0], q[1], q[2]);
     const F4 b = dot(axis, q[3], q[4], q[5]);
     const F4 c = dot(axis, q[6], q[7], q[8]);
-    const float bound = box.half[j] + box.margin;
+    const float bound = box.half[j] + (box.margin + box.reach);
     sum |= (least(a, b, c) > splat(bound)) | (greatest(a, b, c) < splat(-bound));
   }
   if (bits_of(sum) == 0xf) {
@@ -120,19 +135,20 @@ std::uint32_t meeting(const SeenBox& box, const TriangleBlock& block, float rati
 }  // namespace
 
 std::uint32_t box_against_y(const Relation& relation, const std::array<float, 3>& half_x,
-                            const TriangleBlock& y) {
+                            const TriangleBlock& y, float reach) {
   const float ratio = relation.ratio;
   SeenBox box;
   box.center = relation.offset;
   box.half = {half_x[0] * ratio, half_x[1] * ratio, half_x[2] * ratio};
   box.axis = relation.turn->entry;
   box.margin = relation.margin;
+  box.reach = reach;
   box.finish();
   return meeting(box, y, 1);
 }
 
 std::uint32_t box_against_x(const Relation& relation, const TriangleBlock& x,
-                            const std::array<float, 3>& half_y) {
+                            const std::array<float, 3>& half_y, float reach) {
   const auto& n = relation.turn->entry;
   const auto& d = relation.offset;
   SeenBox box;
@@ -142,6 +158,7 @@ std::uint32_t box_against_x(const Relation& relation, const TriangleBlock& x,
   }
   box.half = half_y;
   box.margin = relation.margin;
+  box.reach = reach;
   box.finish();
   return meeting(box, x, relation.ratio);
 }

@@ -12,13 +12,14 @@
 namespace soms::detail {
 
 /// Triangles of y's block against a box about the origin of x's node: bit k for lane k. Seven
-/// axes: three of each, and the triangle's normal.
+/// axes: three of each, and the triangle's normal. What is at most `reach` apart, in units of y,
+/// counts as meeting: near_pose.h proves that a limit of nearness is enough.
 [[nodiscard]] std::uint32_t box_against_y(const Relation& relation,
                                           const std::array<float, 3>& half_x,
-                                          const TriangleBlock& y);
+                                          const TriangleBlock& y, float reach = 0);
 
 /// Triangles of x's block against a box about the origin of y's node.
 [[nodiscard]] std::uint32_t box_against_x(const Relation& relation, const TriangleBlock& x,
-                                          const std::array<float, 3>& half_y);
+                                          const std::array<float, 3>& half_y, float reach = 0);
 
 }  // namespace soms::detail

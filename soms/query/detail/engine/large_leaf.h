@@ -27,25 +27,26 @@ class LargeLeaf {
   LargeLeaf& operator=(const LargeLeaf&) = delete;
   ~LargeLeaf() = default;
 
-  /// False only if the leaf of `pair` is larger than the node and none of its triangles is within
-  /// `slack` (PoseNumbers::slack) of the node. `x` and `y` are the pair's nodes. \pre One side of
-  /// the pair is a lane with a leaf.
+  /// False only if the leaf of `pair` is larger than the node and all of its triangles are more
+  /// than `reach`, in units of y, from what is in the node: 0, or a limit of nearness
+  /// (near_pose.h). `x` and `y` are the pair's nodes. \pre One side of the pair is a lane with a
+  /// leaf.
   [[nodiscard]] bool meets(const NodeRefPair& pair, const WideNode& x, const WideNode& y,
-                           float slack, Cost& cost) {
+                           float reach, Cost& cost) {
     Relation relation;
     if (is_lane(pair.x)) {
       const std::uint32_t lane = lane_of(pair.x);
       return half_of(x, lane) * relative_.ratio() <= y.l1_radius ||
              any_block(x_, x.child[lane], cost, [&](const TriangleBlock& block) {
-               relative_.relate(block, y, slack, relation);
-               return box_against_x(relation, block, y.own_half()) != 0;
+               relative_.relate(block, y, relation);
+               return box_against_x(relation, block, y.own_half(), reach) != 0;
              });
     }
     const std::uint32_t lane = lane_of(pair.y);
     return half_of(y, lane) <= x.l1_radius * relative_.ratio() ||
            any_block(y_, y.child[lane], cost, [&](const TriangleBlock& block) {
-             relative_.relate(x, block, slack, relation);
-             return box_against_y(relation, x.own_half(), block) != 0;
+             relative_.relate(x, block, relation);
+             return box_against_y(relation, x.own_half(), block, reach) != 0;
            });
   }
 

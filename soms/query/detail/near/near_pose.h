@@ -25,7 +25,8 @@
 /// 1.74 m z on an axis, is sqrt(3) times that in a vector of three: the key is at most
 /// z (1 + 3.02 m). So a pair whose key exceeds (1 + 4 m) z has no points that near: `limit`. Tests
 /// of slabs and of triangles' boxes along one axis take z and 1.74 m z more than for overlap, with
-/// axes and normals of length 1 to 2^-22: `slack` of the numbers here has z (1 + 4 m) added.
+/// axes and normals of length 1 to 2^-22: `slack` of the numbers here has z (1 + 4 m) added. Large
+/// leaves take `limit` along axes, and |n|_2 times it along other directions n (LargeLeaf).
 ///
 /// Far bodies. Where bodies are many times their size apart, 2^-17 of the offset outweighs them.
 /// Then directions differ little, and one decides: with w = c_x - c_y, the world difference of the

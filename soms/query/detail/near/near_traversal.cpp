@@ -157,7 +157,7 @@ void NearTraversal<Source>::open(const NodeRefPair& pair) {
   const WideNode& y = y_.node(index_of(pair.y));
   if (is_lane(pair.x | pair.y) && !pose_.far() &&
       pose_.limit() < std::numeric_limits<float>::infinity() &&
-      !large_leaf_.meets(pair, x, y, pose_.numbers().slack, cost_)) {
+      !large_leaf_.meets(pair, x, y, pose_.limit(), cost_)) {
     return;
   }
   NodeTask& task = tasks_[task_count_];
