@@ -56,17 +56,30 @@ Triangle facing(Rng& rng, const Pose& pose, const Vec3& way, double size) {
   return {corner, -corner, third};
 }
 
+/// A triangle or a segment through the origin, across `way`.
+Triangle across(Rng& rng, const Pose& pose, const Vec3& way, double size) {
+  const auto corner = [&] {
+    const Vec3 p = cross(way, anywhere(rng, 1));
+    return size * Vec3{pose.m[0] * p.x + pose.m[4] * p.y + pose.m[8] * p.z,
+                       pose.m[1] * p.x + pose.m[5] * p.y + pose.m[9] * p.z,
+                       pose.m[2] * p.x + pose.m[6] * p.y + pose.m[10] * p.z};
+  };
+  const Vec3 first = corner();
+  return {first, -first, rng.below(2) == 0 ? first : corner()};
+}
+
 Gap gap_of(Rng& rng, double far, double size_x, double size_y, double length) {
   Gap gap;
   gap.pose_x = any_rotation(rng);
-  gap.pose_y = any_rotation(rng);
+  gap.pose_y = rng.below(3) == 0 ? gap.pose_x : any_rotation(rng);
   Vec3 way = anywhere(rng, 1);
   if (rng.below(2) == 0) {
     way = rng.below(2) == 0 ? Vec3{1, 1, 1} : Vec3{0, 0, 1};
   }
   way = way * (1 / std::sqrt(dot(way, way)));
-  gap.x = facing(rng, gap.pose_x, way, size_x);
-  gap.y = facing(rng, gap.pose_y, -way, size_y);
+  const bool flat = rng.below(4) == 0;
+  gap.x = flat ? across(rng, gap.pose_x, way, size_x) : facing(rng, gap.pose_x, way, size_x);
+  gap.y = flat ? across(rng, gap.pose_y, way, size_y) : facing(rng, gap.pose_y, -way, size_y);
   const Vec3 place = rng.below(2) == 0 ? Vec3{} : anywhere(rng, far);
   gap.pose_x = moving(gap.pose_x, gap.x.a, place);
   gap.pose_y = moving(gap.pose_y, gap.y.a, place + length * way);
@@ -157,8 +170,10 @@ Shape shape_of(const Triangle& t) {
 Gap random_gap(Rng& rng, double far) {
   const double size_x = std::exp2(-rng.uniform(0, 8));
   const double size_y = std::exp2(-rng.uniform(0, 8));
-  const double length =
-      rng.below(2) == 0 ? std::exp2(-rng.uniform(0, 60)) : rng.uniform(0, 40) * (size_x + size_y);
+  const double sizes = size_x + size_y;
+  const double length = rng.below(3) == 0   ? std::exp2(-rng.uniform(0, 60))
+                        : rng.below(2) == 0 ? std::exp2(-rng.uniform(10, 16)) * sizes
+                                            : rng.uniform(0, 40) * sizes;
   return gap_of(rng, far, size_x, size_y, length);
 }
 
