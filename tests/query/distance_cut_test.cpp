@@ -59,13 +59,13 @@ Body in_large_leaves(const Mesh& mesh) {
   return Body(Shape(mesh, options));
 }
 
-// Three leaves over a strip, by the distances of their boxes: one with nothing as near, which gives
-// a first distance; the one with the nearest triangle; one with nothing near, again. The last two
-// are looked at together, and the nearest triangle waits in a queue until both were.
+// Three leaves over a strip, by the distances of their boxes: one of a triangle that is not as
+// near, which gives a first distance; the one with the nearest triangle; one with nothing near,
+// again. The last two are looked at together, and the nearest triangle waits in a queue until both
+// were.
 TEST(DistanceCut, BoundsHoldAmongLeaves) {
   const Body a = in_large_leaves(strip());
-  std::vector<Triangle> triangles;
-  add_cluster(1, {1.5, 0.5, 0.5}, triangles);
+  std::vector<Triangle> triangles{{{1.5, 0.5, 0.5}, {1.5, 0.5, 0.5}, {1.5, 0.5, 0.5}}};
   add_cluster(14, {14.49, 0, 0.55}, triangles);
   add_cluster(28, {28.5, 0.5, 0.6}, triangles);
   const Body b = in_large_leaves(test::soup_body(triangles));

@@ -113,10 +113,6 @@ void PairDistance::refine() {
 }
 
 void PairDistance::decide() {
-  if (!(lower_ > 0) && triangles_overlap(a_, b_)) {
-    settle_zero();
-    return;
-  }
   ++exact_tests_;
   const ExactPair pair(a_, b_);
   exact_ = std::make_shared<const ExactDistance>(exact_distance(pair, features_));

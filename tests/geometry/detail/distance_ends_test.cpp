@@ -18,6 +18,31 @@
 namespace soms::detail {
 namespace {
 
+/// Both bounds in doubles, of the features that doubles take for the nearest.
+void expect_granted(const Triangle& a, const Triangle& b) {
+  const AboutCorner<double> place(a, b);
+  const Ends<double> found = ends(place, guess_features(place));
+  const Bracket distance = triangle_distance(a, b).distance;
+  EXPECT_LE(found.lower, distance.lower);
+  EXPECT_GE(found.upper, distance.upper);
+}
+
+// They need 0.08 of what is taken off gaps, and 0.05 of what is added to lengths.
+TEST(DistanceEnds, HoldAtTheWorstInputs) {
+  expect_granted({{0x1.1015112bc1e9dp-2, -0x1.aad439d68f04p-2, 0x1.442cb25c46c33p-1},
+                  {-0x1.3b578a83c326p-8, 0x1.ce9a5848d140bp-2, -0x1.b48c37ffddaaep-3},
+                  {-0x1.2728608612fe4p-1, 0x1.9ec521af1de8fp-2, 0x1.bbca49f33a123p-11}},
+                 {{0x1.0383fb2a3ad97p-2, -0x1.17131cec1d876p-3, 0x1.4b7f8c6ba56e1p-7},
+                  {0x1.493d101087c3p-7, 0x1.ae66e17c66aeap-3, -0x1.b4864c7888d5ap-3},
+                  {-0x1.dfdd3996a33e6p-1, -0x1.4f91b1c070972p-2, 0x1.b21602784f9fep-5}});
+  expect_granted({{0x1.800000000021cp-1, 0x1.7ffffffe0bf46p-1, 0x1.0000000000002p-1},
+                  {0x1.ffffffffffffep-3, 0x1.0000000000002p-3, 0x1.ffffffffffffbp-3},
+                  {0x1.fffffffffffffp-4, 0x1.000000000962p-1, 0x1p-3}},
+                 {{0x0.0000000000001p-1022, 0x1.ffffffffffffbp-3, 0x1p+0},
+                  {0x1.8000000000001p-2, 0x0p+0, 0x1.0000000000001p-2},
+                  {0x1.3fffffffff246p-1, 0x0p+0, 0x1.0000000000002p+0}});
+}
+
 /// Two triangles about the z-axis whose sides are `thin` across it, and about 1 apart.
 std::array<Triangle, 2> thin_pair(Rng& rng, double thin) {
   const auto side = [&] { return thin * rng.uniform(-1, 1); };

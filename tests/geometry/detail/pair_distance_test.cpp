@@ -156,6 +156,42 @@ TEST(PairDistance, SharedFeaturesTieWithoutWholeNumbers) {
   EXPECT_EQ(edge.exact_tests() + same_edge.exact_tests(), 0U);
 }
 
+/// A point, and the order of its distances to two triangles as whole numbers have it.
+void expect_exact_order(const Triangle& p, const Triangle& b, const Triangle& c) {
+  const auto exact = [&](const Triangle& t) {
+    return exact_distance(ExactPair(p, t), {0, 0}).squared;
+  };
+  PairDistance to_b(p, b);
+  PairDistance to_c(p, c);
+  ASSERT_EQ(to_b.compare(to_c), compare(exact(b), exact(c)));
+}
+
+// A corner in common that is guessed to be nearest, where it is not, by less than doubles tell.
+TEST(PairDistance, CornersThatAreNearlyNearestDoNotTie) {
+  test::for_each_case("pair-distance/nearly", 500, [](Rng& rng) {
+    const auto any = [&] {
+      return Vec3{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
+    };
+    const Triangle origin{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    const Vec3 q = any();
+    const Triangle beyond{q, 2 * q + cross(q, any()), 3 * q + cross(q, any())};
+    const Triangle beside{q, q + cross(q, any()), 2 * q + cross(q, any())};
+    ASSERT_NO_FATAL_FAILURE(expect_exact_order(origin, beyond, beside));
+  });
+}
+
+// The distance from a corner, and from the inside of an edge that ends in it.
+TEST(PairDistance, AnEdgeDoesNotTieWithItsCorner) {
+  const Vec3 q{0x1p-40, 1, 0};
+  const Triangle above{q, q + Vec3{0, 1, 0.5}, q + Vec3{0.25, 1, -0.5}};
+  const Triangle corner_first{{0, 0, 0}, {-1, 0, 0}, {-1, -1, 0}};
+  const Triangle edge_first{{0, 0, 0}, {1, 0, 0}, {0.5, -1, 0}};
+  PairDistance from_corner(corner_first, above);
+  PairDistance from_edge(edge_first, above);
+  EXPECT_EQ(from_corner.compare(from_edge), std::strong_ordering::greater);
+  EXPECT_EQ(from_edge.compare(from_corner), std::strong_ordering::less);
+}
+
 TEST(FeatureProof, AgreesWithWholeNumbers) {
   std::size_t proved = 0;
   for (const Row& row : test::triangle_distances()) {

@@ -56,17 +56,30 @@ Triangle facing(Rng& rng, const Pose& pose, const Vec3& way, double size) {
   return {corner, -corner, third};
 }
 
+/// A triangle or a segment through the origin, across `way`.
+Triangle across(Rng& rng, const Pose& pose, const Vec3& way, double size) {
+  const auto corner = [&] {
+    const Vec3 p = cross(way, anywhere(rng, 1));
+    return size * Vec3{pose.m[0] * p.x + pose.m[4] * p.y + pose.m[8] * p.z,
+                       pose.m[1] * p.x + pose.m[5] * p.y + pose.m[9] * p.z,
+                       pose.m[2] * p.x + pose.m[6] * p.y + pose.m[10] * p.z};
+  };
+  const Vec3 first = corner();
+  return {first, -first, rng.below(2) == 0 ? first : corner()};
+}
+
 Gap gap_of(Rng& rng, double far, double size_x, double size_y, double length) {
   Gap gap;
   gap.pose_x = any_rotation(rng);
-  gap.pose_y = any_rotation(rng);
+  gap.pose_y = rng.below(3) == 0 ? gap.pose_x : any_rotation(rng);
   Vec3 way = anywhere(rng, 1);
   if (rng.below(2) == 0) {
     way = rng.below(2) == 0 ? Vec3{1, 1, 1} : Vec3{0, 0, 1};
   }
   way = way * (1 / std::sqrt(dot(way, way)));
-  gap.x = facing(rng, gap.pose_x, way, size_x);
-  gap.y = facing(rng, gap.pose_y, -way, size_y);
+  const bool flat = rng.below(4) == 0;
+  gap.x = flat ? across(rng, gap.pose_x, way, size_x) : facing(rng, gap.pose_x, way, size_x);
+  gap.y = flat ? across(rng, gap.pose_y, way, size_y) : facing(rng, gap.pose_y, -way, size_y);
   const Vec3 place = rng.below(2) == 0 ? Vec3{} : anywhere(rng, far);
   gap.pose_x = moving(gap.pose_x, gap.x.a, place);
   gap.pose_y = moving(gap.pose_y, gap.y.a, place + length * way);
@@ -145,6 +158,37 @@ double least_share(const Keeps& keeps) {
   return upper;
 }
 
+/// V of relative_pose.h, a body's share.
+double moved_extent(const detail::PosedShape& side) {
+  const Box& box = side.layout().bounds();
+  double most = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double sum = std::abs(side.pose->m[4 * k + 3]);
+    for (std::size_t j = 0; j < 3; ++j) {
+      sum += std::abs(side.pose->m[4 * k + j]) *
+             std::max(std::abs(box.lower[j]), std::abs(box.upper[j]));
+    }
+    most = std::max(most, sum);
+  }
+  return most;
+}
+
+/// The share of 256 u64 V and of 2^-19 of the radii (near_pose.h) that far triangles need.
+double needed_of_far(const Seen& seen) {
+  const detail::PosedShape& x = seen.frame.x();
+  const detail::PosedShape& y = seen.frame.y();
+  const Vec3 way = x.pose->apply(x.layout().origin()) - y.pose->apply(y.layout().origin());
+  const double base = std::sqrt(dot(way, way));
+  const PoseNumbers& numbers = seen.pose.numbers();
+  const double exact = (seen.distance - base) * numbers.scale;
+  const double radii = static_cast<double>(x.layout().blocks()[0].l1_radius) * numbers.ratio +
+                       static_cast<double>(y.layout().blocks()[0].l1_radius);
+  const double margin =
+      256 * 0x1p-53 * (moved_extent(x) + moved_extent(y)) * numbers.scale + 0x1p-19 * radii;
+  const double key = far_bounds_of(seen).of_triangles;
+  return 1 + (key + 0x1p-22 * std::abs(key) - exact) / margin;
+}
+
 }  // namespace
 
 Shape shape_of(const Triangle& t) {
@@ -157,17 +201,20 @@ Shape shape_of(const Triangle& t) {
 Gap random_gap(Rng& rng, double far) {
   const double size_x = std::exp2(-rng.uniform(0, 8));
   const double size_y = std::exp2(-rng.uniform(0, 8));
-  const double length =
-      rng.below(2) == 0 ? std::exp2(-rng.uniform(0, 60)) : rng.uniform(0, 40) * (size_x + size_y);
+  const double sizes = size_x + size_y;
+  const double length = rng.below(3) == 0   ? std::exp2(-rng.uniform(0, 60))
+                        : rng.below(2) == 0 ? std::exp2(-rng.uniform(10, 16)) * sizes
+                                            : rng.uniform(0, 40) * sizes;
   return gap_of(rng, far, size_x, size_y, length);
 }
 
 Gap random_far_gap(Rng& rng, double far) {
+  const double scale = rng.below(2) == 0 ? 1 : 0x1p-30;
   const double size_x = std::exp2(-rng.uniform(0, 8));
   const double size_y = std::exp2(-rng.uniform(0, 8));
   const double length =
       64 * (size_x + size_y) * (rng.below(2) == 0 ? 1 : std::exp2(rng.uniform(0, 30)));
-  return gap_of(rng, far, size_x, size_y, length);
+  return gap_of(rng, far, scale * size_x, scale * size_y, length);
 }
 
 Gap changed(Rng& rng, Gap gap) {
@@ -229,8 +276,12 @@ FarBounds far_bounds_of(const Seen& seen) {
   return {keys.key[0], of_triangles[0][0]};
 }
 
-NeededOfGap needed(Seen& seen, const Kernels& kernels) {
+NeededOfGap needed(const Seen& seen, const Kernels& kernels) {
   NeededOfGap most;
+  if (seen.pose.far()) {
+    most.far = needed_of_far(seen);
+    return most;
+  }
   most.nodes = least_share([&](double share) {
     float limit = 0;
     const PoseNumbers numbers = with_share(seen, share, limit);

@@ -65,13 +65,14 @@ struct FarBounds {
 
 [[nodiscard]] FarBounds far_bounds_of(const Seen& seen);
 
-/// Least share of the margins of nodes and of slabs with which they keep the triangles; above 1 if
-/// the proof is wrong. What lengths are granted counts as a part of it.
+/// Shares of the margins that a gap needs; above 1 if a proof is wrong.
 struct NeededOfGap {
-  double nodes = 0;
-  double slabs = 0;
+  double nodes = 0;  ///< least share with which the roots' keys keep it, that of the limit included
+  double slabs = 0;  ///< the same of the blocks' slabs
+  double far = 0;    ///< what the keys of far triangles are above the distance, margins left out
 };
 
-[[nodiscard]] NeededOfGap needed(Seen& seen, const detail::Kernels& kernels);
+/// By one instruction set; `far` of far bodies, and the others of near ones.
+[[nodiscard]] NeededOfGap needed(const Seen& seen, const detail::Kernels& kernels);
 
 }  // namespace soms::test

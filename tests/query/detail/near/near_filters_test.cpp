@@ -84,32 +84,35 @@ TEST(NearFilters, LengthsNeedNothingOfTheLimit) {
   });
 }
 
-/// A body of two leaves: a triangle, and one of size 1 far from it, by which layouts are scaled.
-Body beside_a_large_one(const Triangle& t, double side) {
-  const Vec3 p{side * 8, side * 8, 8};
+/// A body of three leaves: a triangle, and points at `q` and -q, by which layouts are scaled.
+Body between_points(const Triangle& t, const Vec3& q) {
   ShapeOptions options;
   options.build.per_leaf = 1;
-  return Body(Shape(test::soup_body({t, {p, p + Vec3{1, 0, 0}, p + Vec3{0, 1, 0}}}), options));
+  return Body(Shape(test::soup_body({t, {q, q, q}, {-q, -q, -q}}), options));
 }
 
-// A corner in common, in one plane: products of the smaller one's normal underflow.
+void expect_touching(const Triangle& large, const Triangle& small) {
+  const Body a = between_points(large, {-1, -2, 0.75});
+  const Body b = between_points(small, {1, 2, 1.25});
+  EXPECT_TRUE(within(a, b, 0).within);
+  EXPECT_TRUE(within(b, a, 0).within);
+}
+
+// The smaller one is across the other. Products of its normal, 2^-116, and the other's corners,
+// 2^-31, are a few of the least floats, and seem to be apart by one more.
 TEST(NearFilters, KeepTrianglesWhoseProductsUnderflow) {
-  test::for_each_case("near-filters/underflow", 1000, [](Rng& rng) {
-    const auto any = [&] {
-      return Vec3{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
-    };
-    const double size = std::exp2(-rng.uniform(25, 35));
-    const double tiny = std::exp2(-rng.uniform(53, 66));
-    const Vec3 p = size * any();
-    const Vec3 e = any();
-    const Vec3 f = any();
-    const Triangle large{p, p + size * e, p + size * f};
-    const Triangle small{p, p - tiny * e, p - tiny * f};
-    const Body a = beside_a_large_one(large, 1);
-    const Body b = beside_a_large_one(small, -1);
-    ASSERT_TRUE(within(a, b, 0).within);
-    ASSERT_TRUE(within(b, a, 0).within);
-  });
+  expect_touching({{-0x1.2947056d3edp-31, 0x1.5d6085de01ff4p-31, 0x1.2a20f67c02fdp-34},
+                   {-0x1.c51ced56fec16p-31, -0x1.0ebbef78efdfp-32, -0x1.6aeb83ff777fp-33},
+                   {-0x1.109a3fd944958p-32, -0x1.cb7765ff1215p-32, -0x1.197821ad7490ep-31}},
+                  {{-0x1.89d59a525c8fep-31, -0x1.923e7aa54642cp-33, -0x1.a20a6ed502dd3p-33},
+                   {-0x1.89d59a48bf044p-31, -0x1.923e7b597abdp-33, -0x1.a20a6f3632fb6p-33},
+                   {-0x1.89d59a21147f7p-31, -0x1.923e7b1e745b8p-33, -0x1.a20a6f4e48d5bp-33}});
+  expect_touching({{0x1.f62ab217863d4p-32, -0x1.350ed1d5480c8p-31, -0x1.2d5aa80413bf4p-32},
+                   {-0x1.2e2b06a0777fp-31, -0x1.db7c72e562644p-32, -0x1.9fbff170976ap-31},
+                   {-0x1.9d2f6c17f3f5p-34, -0x1.82cae44b31e18p-33, 0x1.fe8bed4c3976ap-31}},
+                  {{-0x1.e6d0a0db1b6cp-32, -0x1.a3eb1e9b5d8bep-32, -0x1.be42a6266b0dep-32},
+                   {-0x1.e6d0a0fe53dffp-32, -0x1.a3eb1e6e662abp-32, -0x1.be42a5eae9c9ep-32},
+                   {-0x1.e6d0a11e63504p-32, -0x1.a3eb1e58dcf28p-32, -0x1.be42a5fe559e1p-32}});
 }
 
 }  // namespace

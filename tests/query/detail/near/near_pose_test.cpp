@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace soms::detail {
 namespace {
@@ -129,14 +130,17 @@ TEST(NearPose, ShrinkingMakesUpForAxesAndRoundings) {
   });
 }
 
-// Bodies that are not so far that a distance's own rounding hides that of the limit.
+// Distances are rounded down by 2^-40; where a far body's limit, what is left without its base, is
+// small beside that, nothing can be seen of its own rounding.
 TEST(NearPose, AKeyBeyondTheLimitIsBeyondTheDistance) {
   std::size_t far = 0;
   test::for_each_case("near-pose/limit", 1500, [&](Rng& rng) {
     const test::Gap gap =
         rng.below(2) == 0 ? test::random_gap(rng, 2) : test::random_far_gap(rng, 2);
     test::Seen seen(test::shape_of(gap.x), gap.pose_x, test::shape_of(gap.y), gap.pose_y);
-    if (seen.pose.numbers().scale == 0 || seen.distance > 200) {
+    const double unit = seen.pose.numbers().scale;
+    if (unit == 0 ||
+        (seen.pose.far() && std::abs(seen.pose.limit()) < 0x1p-12 * seen.distance * unit)) {
       return;
     }
     far += seen.pose.far() ? 1U : 0U;
@@ -210,6 +214,60 @@ TEST(NearPose, FarKeysAreBoundsOfSmallParts) {
         const Bracket distance =
             triangle_distance(moved(frame.x(), x.id[0]), moved(frame.y(), y.id[0])).distance;
         ASSERT_LE(pose.distance_of(keys[0][0]), distance.upper);
+      }
+    }
+  });
+}
+
+/// Points of one leaf, in a plane through the middle of their box.
+struct FlatPoints {
+  FlatPoints(Rng& rng, const Vec3& way) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec3 p = cross(way, {rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)});
+      points.push_back(p);
+      points.push_back(-p);
+    }
+  }
+
+  /// Moved back by the rotation that will move them there.
+  [[nodiscard]] Shape seen_from(const Pose& pose) const {
+    const auto& m = pose.m;
+    Mesh mesh;
+    for (const Vec3& p : points) {
+      const auto i = static_cast<std::uint32_t>(mesh.vertices.size());
+      mesh.vertices.push_back({m[0] * p.x + m[4] * p.y + m[8] * p.z,
+                               m[1] * p.x + m[5] * p.y + m[9] * p.z,
+                               m[2] * p.x + m[6] * p.y + m[10] * p.z});
+      mesh.triangles.push_back({i, i, i});
+    }
+    return Shape(mesh);
+  }
+
+  std::vector<Vec3> points;
+};
+
+// Beside their rounding hardly anything is left of keys without their base.
+TEST(NearPose, FarKeysAreBoundsOfFlatBodies) {
+  test::for_each_case("near-pose/far-flat", 60, [](Rng& rng) {
+    Vec3 way{rng.uniform(-1, 1), rng.uniform(-1, 1), 1};
+    way = way * (1 / std::sqrt(dot(way, way)));
+    const FlatPoints flat(rng, way);
+    const Pose turn_a = test::awkward_rotation(rng);
+    const Pose turn_b = test::awkward_rotation(rng);
+    const Body a(flat.seen_from(turn_a), turn_a);
+    const Body b(flat.seen_from(turn_b), test::moving(turn_b, {}, 200 * way));
+    PairFrame frame(a, b);
+    const NearPose pose(frame);
+    ASSERT_TRUE(pose.far());
+    const TriangleBlock& x = frame.x().layout().blocks()[0];
+    const TriangleBlock& y = frame.y().layout().blocks()[0];
+    NearPose::BlockKeys keys;
+    pose.far_keys(x, y, keys);
+    for (std::size_t i = 0; i < x.count; ++i) {
+      for (std::size_t k = 0; k < y.count; ++k) {
+        const Bracket distance =
+            triangle_distance(moved(frame.x(), x.id[i]), moved(frame.y(), y.id[k])).distance;
+        ASSERT_LE(pose.distance_of(keys[i][k]), distance.upper);
       }
     }
   });
