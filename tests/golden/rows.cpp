@@ -53,18 +53,6 @@ std::array<BuildOptions, 2> options_of(Rule rule) {
   return {BuildOptions{.rule = rule}, thesis_options(rule, 9)};
 }
 
-using Pair = std::pair<const char*, const char*>;
-
-constexpr std::array<Pair, 9> kPairs{{{"ring", "soup"},
-                                      {"soup", "slivers"},
-                                      {"slivers", "degen"},
-                                      {"degen", "needles"},
-                                      {"needles", "star"},
-                                      {"star", "knot"},
-                                      {"subnormal", "subnormal"},
-                                      {"subnormal", "star"},
-                                      {"huge", "huge"}}};
-
 }  // namespace
 
 void add_geometry(const Inputs& inputs, Rows& rows) {
@@ -158,10 +146,10 @@ void add_trees(const Inputs& inputs, const Parallel& parallel, Rows& rows) {
 namespace {
 
 /// What each way of asking about a pair says, all poses together.
-void add_pair(const Pair& pair, const Inputs& inputs, const Parallel& parallel, Rows& rows) {
+void add_pair(const ModelPair& pair, const Inputs& inputs, const Parallel& parallel, Rows& rows) {
   const Mesh& mesh_a = inputs.models.at(pair.first);
   const Mesh& mesh_b = inputs.models.at(pair.second);
-  const std::string name = std::string(pair.first) + "-" + pair.second;
+  const std::string name = pair.name();
   const Shape a(mesh_a, {.keep_tree = true}, parallel);
   const Shape b(mesh_b, {.build = {.rule = Rule::soms}, .keep_tree = true}, parallel);
   const Shape compact(mesh_b, {.layout = Layout::compact}, parallel);
@@ -199,7 +187,7 @@ void add_pair(const Pair& pair, const Inputs& inputs, const Parallel& parallel, 
 }  // namespace
 
 void add_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows) {
-  for (const Pair& pair : kPairs) {
+  for (const ModelPair& pair : inputs.pairs) {
     add_pair(pair, inputs, parallel, rows);
   }
 }
@@ -253,6 +241,7 @@ Rows all_rows(const Inputs& inputs, int threads) {
   add_files(inputs, rows);
   add_trees(inputs, parallel, rows);
   add_answers(inputs, parallel, rows);
+  add_near_answers(inputs, parallel, rows);
   add_scene(parallel, rows);
   return rows;
 }
