@@ -13,8 +13,9 @@
 #include "soms/io/read_mesh.h"
 #include "soms/io/write_mesh.h"
 #include "soms/query/reference/overlap.h"
-#include "soms/query/traversal/traversals.h"
 #include "soms/scene/scene.h"
+#include "soms/thesis/overlap.h"
+#include "soms/thesis/traversals.h"
 #include "soms/tree/build.h"
 #include "soms/tree/check.h"
 #include "soms/tree/layout/compact_node.h"
@@ -145,6 +146,23 @@ void add_trees(const Inputs& inputs, const Parallel& parallel, Rows& rows) {
 
 namespace {
 
+/// As a batch has them: where the pairs of each pose begin and end, all pairs, all costs.
+std::uint64_t hash_of(const std::vector<thesis::CountedOverlap>& answers) {
+  std::vector<std::uint64_t> offsets{0};
+  Hash hash;
+  for (const auto& [answer, counts] : answers) {
+    offsets.push_back(offsets.back() + answer.pairs.size());
+  }
+  hash << offsets;
+  for (const auto& [answer, counts] : answers) {
+    hash << answer.pairs;
+  }
+  for (const auto& [answer, counts] : answers) {
+    hash << answer.cost;
+  }
+  return hash.value();
+}
+
 /// What each way of asking about a pair says, all poses together.
 void add_pair(const ModelPair& pair, const Inputs& inputs, const Parallel& parallel, Rows& rows) {
   const Mesh& mesh_a = inputs.models.at(pair.first);
@@ -175,11 +193,10 @@ void add_pair(const ModelPair& pair, const Inputs& inputs, const Parallel& paral
       (Hash() << batch.any << batch.offsets << batch.pairs << batch.costs).value();
   for (const TraversalEntry& traversal : traversals()) {
     if (traversal.traversal != Traversal::fast) {
-      const OverlapOptions options{.traversal = {.traversal = traversal.traversal}};
-      const OverlapBatch named =
-          overlap(a, std::span(inputs.poses).last(2), Body(b), options, parallel);
-      rows[std::string(traversal.name) + " " + name] =
-          (Hash() << named.offsets << named.pairs << named.costs).value();
+      const std::vector<thesis::CountedOverlap> named =
+          thesis::overlap(a, std::span(inputs.poses).last(2), Body(b),
+                          {.traversal = traversal.traversal}, {}, parallel);
+      rows[std::string(traversal.name) + " " + name] = hash_of(named);
     }
   }
 }

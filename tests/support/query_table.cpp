@@ -134,7 +134,6 @@ std::string overlap_fault(const Answer& any_answer, const PairTruth& truth, cons
 Answer overlap_promised(const Answer& answer) {
   auto copy = std::get<Overlap>(answer);
   copy.cost = {};
-  copy.traversal = {};
   return copy;
 }
 
