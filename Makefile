@@ -76,7 +76,7 @@ asan:
 	ctest --preset $@ -j $(JOBS)
 
 # What uses threads, the library, with std::jthread in place of TBB.
-THREADED = base geometry tree query traversal scene io generate properties regressions
+THREADED = base geometry tree query thesis scene io generate properties regressions
 tsan:
 	@tools/install_packages.sh run import test
 	cmake --preset $@ -D SOMS_BUILD_VIEW=OFF

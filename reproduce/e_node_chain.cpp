@@ -1,9 +1,9 @@
 #include "reproduce/e_node_chain.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/query/traversal/detail/child_pairs.h"
-#include "soms/query/traversal/detail/probe.h"
-#include "soms/query/traversal/traversals.h"
+#include "soms/thesis/detail/child_pairs.h"
+#include "soms/thesis/detail/probe.h"
+#include "soms/thesis/traversals.h"
 
 #include <cstdint>
 #include <iterator>

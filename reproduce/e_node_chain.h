@@ -3,7 +3,7 @@
 /// detection" that the library does not have.
 #pragma once
 
-#include "soms/query/traversal/pair_traversal.h"
+#include "soms/thesis/pair_traversal.h"
 
 namespace soms::reproduce {
 

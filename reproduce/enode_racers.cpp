@@ -1,6 +1,6 @@
 #include "reproduce/enode_racers.h"
 
-#include "soms/query/traversal/thesis_frames.h"
+#include "soms/thesis/thesis_frames.h"
 
 #include "reproduce/touching_drive.h"
 #include "reproduce/traversal_tables.h"

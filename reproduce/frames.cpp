@@ -1,7 +1,7 @@
 #include "reproduce/frames.h"
 
-#include "soms/query/traversal/named_overlap.h"
-#include "soms/query/traversal/traversals.h"
+#include "soms/thesis/named_overlap.h"
+#include "soms/thesis/traversals.h"
 
 #include "reproduce/statistics.h"
 
@@ -43,8 +43,8 @@ struct FrameSamples {
 };
 
 /// A query of a trip whose still body was moved before.
-detail::NamedOverlap query_of(const Trip& trip, const NamedTraversal& traversal) {
-  detail::NamedOverlap query(trip.a, trip.b, traversal.options);
+thesis::NamedOverlap query_of(const Trip& trip, const NamedTraversal& traversal) {
+  thesis::NamedOverlap query(trip.a, trip.b, traversal.options);
   query.move(Pose::identity(), Pose::identity());
   return query;
 }
@@ -64,7 +64,7 @@ double clock_cost() {
 
 void time_trip(const Trip& trip, const NamedTraversal& traversal, const Parallel& parallel,
                FrameSamples& samples) {
-  detail::NamedOverlap query = query_of(trip, traversal);
+  thesis::NamedOverlap query = query_of(trip, traversal);
   for (std::size_t k = 0; k < trip.offsets.size(); ++k) {
     const Pose pose = trip.pose(k);
     const double start = processor_milliseconds();
@@ -218,7 +218,7 @@ std::vector<Frame> traverse_frames(const Trip& trip, const NamedTraversal& trave
 
 std::vector<Frame> answer_frames(const Trip& trip, const NamedTraversal& traversal,
                                  const Parallel& parallel) {
-  detail::NamedOverlap query(trip.a, trip.b, traversal.options);
+  thesis::NamedOverlap query(trip.a, trip.b, traversal.options);
   std::vector<Frame> frames(trip.offsets.size());
   for (std::size_t k = 0; k < frames.size(); ++k) {
     Overlap answer = query(Pose::identity(), trip.pose(k), {}, parallel);
@@ -279,7 +279,7 @@ Timing time_beside_traversal(const Trip& trip, const NamedTraversal& traversal, 
                              const Parallel& parallel) {
   std::vector<double> samples;
   for (int round = 0; round < repetitions; ++round) {
-    detail::NamedOverlap query = query_of(trip, traversal);
+    thesis::NamedOverlap query = query_of(trip, traversal);
     LeafTraversal leaves(trip, traversal.options);
     double sum = 0;
     for (std::size_t k = 0; k < trip.offsets.size(); ++k) {

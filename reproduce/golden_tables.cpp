@@ -1,7 +1,7 @@
 #include "reproduce/golden_tables.h"
 
 #include "soms/base/error.h"
-#include "soms/query/traversal/thesis_frames.h"
+#include "soms/thesis/thesis_frames.h"
 #include "soms/tree/option_names.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/geometry/triangle_overlap.h"
-#include "soms/query/traversal/traversals.h"
+#include "soms/thesis/traversals.h"
 
 #include "reproduce/e_node_chain.h"
 #include "reproduce/traversal_tables.h"

@@ -4,11 +4,11 @@
 #pragma once
 
 #include "soms/base/parallel.h"
-#include "soms/query/traversal/e_node_front.h"
-#include "soms/query/traversal/pair_traversal.h"
-#include "soms/query/traversal/posed_boxes.h"
-#include "soms/query/traversal/traversals.h"
-#include "soms/query/traversal_options.h"
+#include "soms/thesis/e_node_front.h"
+#include "soms/thesis/pair_traversal.h"
+#include "soms/thesis/posed_boxes.h"
+#include "soms/thesis/traversal_options.h"
+#include "soms/thesis/traversals.h"
 
 #include "reproduce/frames.h"
 

@@ -1,6 +1,6 @@
 #include "reproduce/sources.h"
 
-#include "soms/query/traversal/thesis_frames.h"
+#include "soms/thesis/thesis_frames.h"
 #include "soms/tree/option_names.h"
 #include "soms/tree/rule/rules.h"
 

@@ -2,7 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/query/overlap.h"
-#include "soms/query/traversal/thesis_frames.h"
+#include "soms/thesis/thesis_frames.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "reproduce/traversal_course.h"
 
-#include "soms/query/traversal/traversals.h"
+#include "soms/thesis/traversals.h"
 #include "soms/tree/build.h"
 
 #include <fmt/format.h>

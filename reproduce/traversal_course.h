@@ -2,8 +2,8 @@
 /// What traversals do step by step, on two bodies small enough to be drawn.
 #pragma once
 
-#include "soms/query/traversal/posed_boxes.h"
-#include "soms/query/traversal_options.h"
+#include "soms/thesis/posed_boxes.h"
+#include "soms/thesis/traversal_options.h"
 
 #include <cstddef>
 #include <string>

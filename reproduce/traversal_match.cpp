@@ -1,7 +1,7 @@
 #include "reproduce/traversal_match.h"
 
 #include "soms/query/reference/overlap.h"
-#include "soms/query/traversal/named_overlap.h"
+#include "soms/thesis/named_overlap.h"
 
 #include "reproduce/traversal_tables.h"
 
@@ -67,7 +67,7 @@ void traverse_all(const Context& context, TraversalMatch& match) {
 void check_by_force(const Context& context, const TraversalTruth& truth,
                     const TraversalMatch& match) {
   for (const NamedTraversal& traversal : compared_traversals(context)) {
-    detail::NamedOverlap query(match.trip.a, match.trip.b, traversal.options);
+    thesis::NamedOverlap query(match.trip.a, match.trip.b, traversal.options);
     for (std::size_t i = 0; i < truth.checked.size(); ++i) {
       const std::size_t k = truth.checked[i];
       const Overlap answer = query(Pose::identity(), match.trip.pose(k), {}, quiet(context));

@@ -2,7 +2,7 @@
 
 #include "soms/base/error.h"
 #include "soms/io/write_mesh.h"
-#include "soms/query/traversal/traversals.h"
+#include "soms/thesis/traversals.h"
 #include "soms/tree/rule/rules.h"
 
 #include "apps/support/child.h"

@@ -1,6 +1,7 @@
 #include "apps/soms/overlap.h"
 
 #include "soms/query/reference/overlap.h"
+#include "soms/thesis/overlap.h"
 
 #include "apps/soms/overlap_output.h"
 #include "apps/soms/overlap_report.h"
@@ -13,6 +14,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -30,14 +33,15 @@ class OverlapRun : public PoseRun {
       : PoseRun(options,
                 {.verb = "overlap",
                  .fail_if_found = !options.fail_if.empty(),
-                 .keep_trees = options.query.traversal.traversal != Traversal::fast},
+                 .keep_trees = options.traversal.traversal != Traversal::fast},
                 console),
         query_(options.query),
+        traversal_(options.traversal),
         output_(output),
         report_{.pair = report(),
                 .mode = query_.mode,
                 .list_pairs = options.list_pairs,
-                .traversal = query_.traversal.traversal,
+                .traversal = traversal_.traversal,
                 .by_part = options.by_part} {
     query_.deadline = console.deadline();
     output_.begin(report_);
@@ -47,36 +51,27 @@ class OverlapRun : public PoseRun {
   void reserve(std::size_t rows) override { answers_.assign(rows, {}); }
 
   void ask(std::size_t k, const Body& a, const Body& b, const Parallel& parallel) override {
-    answers_[k] = overlap(a, b, query_, parallel);
+    answers_[k] = thesis::overlap(a, b, traversal_, query_, parallel);
   }
 
   void ask(std::size_t begin, const Shape& a, std::span<const Pose> poses, const Body& b,
            const Parallel& parallel) override {
-    const OverlapBatch batch = overlap(a, poses, b, query_, parallel);
-    for (std::size_t k = 0; k < batch.size(); ++k) {
-      answers_[begin + k] = answer_of(batch, k);
-    }
-  }
-
-  static Overlap answer_of(const OverlapBatch& batch, std::size_t k) {
-    const auto pairs = batch.pairs_of(k);
-    return {.any = batch.any[k] != 0,
-            .pairs = {pairs.begin(), pairs.end()},
-            .coverage = batch.coverage[k],
-            .cost = batch.costs[k],
-            .traversal = batch.traversals.empty() ? TraversalCounts{} : batch.traversals[k]};
+    std::vector<thesis::CountedOverlap> answers =
+        thesis::overlap(a, poses, b, traversal_, query_, parallel);
+    std::move(answers.begin(), answers.end(),
+              answers_.begin() + static_cast<std::ptrdiff_t>(begin));
   }
 
   [[nodiscard]] std::uint64_t held() const override {
     std::uint64_t pairs = 0;
-    for (const Overlap& answer : answers_) {
-      pairs += answer.pairs.size();
+    for (const thesis::CountedOverlap& counted : answers_) {
+      pairs += counted.answer.pairs.size();
     }
     return pairs;
   }
 
   [[nodiscard]] Outcome outcome(std::size_t k) const override {
-    const Overlap& answer = answers_[k];
+    const Overlap& answer = answers_[k].answer;
     return {.found = answer.any,
             .undecided = is_undecided(answer),
             .cut = answer.coverage == Coverage::cut && answer.pairs.size() < query_.limit};
@@ -86,11 +81,11 @@ class OverlapRun : public PoseRun {
     const Overlap truth = console().run("verifying", [&](const Parallel& parallel) {
       return reference::overlap(report().a, pose_a(k), report().b, pose_b(k), parallel);
     });
-    if (agrees(answers_[k], truth, query_.mode)) {
+    if (agrees(answers_[k].answer, truth, query_.mode)) {
       return std::nullopt;
     }
     return fmt::format("brute force finds {}, but the answer has {}",
-                       counted(truth.pairs.size(), "pair"), answers_[k].pairs.size());
+                       counted(truth.pairs.size(), "pair"), answers_[k].answer.pairs.size());
   }
 
   void print_answer(std::size_t k, bool right) override {
@@ -102,9 +97,10 @@ class OverlapRun : public PoseRun {
   void finish_outputs() override { output_.finish(totals()); }
 
   OverlapOptions query_;
+  TraversalOptions traversal_;
   OverlapOutput& output_;
   OverlapReport report_;
-  std::vector<Overlap> answers_;
+  std::vector<thesis::CountedOverlap> answers_;
 };
 
 void add_questions(CLI::App& app, OverlapVerbOptions& options) {
@@ -192,7 +188,7 @@ Action add_overlap(CLI::App& app, Shared&) {
   add_posed_models(app, *options);
   add_questions(app, *options);
   add_model_reading(app, *options);
-  add_traversal_options(app, options->query.traversal);
+  add_traversal_options(app, options->traversal);
   app.footer(
       "Touching counts as overlap: corners and edges belong to their triangles. Only surfaces are\n"
       "tested: a body entirely inside another one does not overlap it." +
@@ -204,7 +200,7 @@ Action add_overlap(CLI::App& app, Shared&) {
     if (within) {
       return run_within_of(app, *options, console);
     }
-    check_traversal(app, options->query.traversal);
+    check_traversal(app, options->traversal);
     if (!options->list_pairs && options->query.mode != OverlapMode::all && !console.shared().json) {
       throw Error(ErrorKind::usage,
                   "--no-pairs has no effect: --any and --first list no pairs without --json",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/query/overlap.h"
+#include "soms/thesis/traversal_options.h"
 
 #include "apps/soms/pair_options.h"
 #include "apps/support/verb.h"
@@ -14,6 +15,7 @@ namespace soms::command {
 /// Options of the verb `overlap`.
 struct OverlapVerbOptions : PairOptions {
   OverlapOptions query;
+  TraversalOptions traversal = {};
   bool list_pairs = true;
   std::string report = {};   ///< empty: none
   std::string csv = {};      ///< empty: none

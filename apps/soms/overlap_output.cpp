@@ -31,8 +31,9 @@ void OverlapOutput::begin(const OverlapReport& report) {
   }
 }
 
-void OverlapOutput::add(std::uint64_t pose, const Pose& a, const Pose& b, const Overlap& answer,
-                        bool right, Console& console) {
+void OverlapOutput::add(std::uint64_t pose, const Pose& a, const Pose& b,
+                        const thesis::CountedOverlap& result, bool right, Console& console) {
+  const Overlap& answer = result.answer;
   const PosedParts of_a{report_->pair.a, parts_a_, a};
   const PosedParts of_b{report_->pair.b, parts_b_, b};
   // Before any output: this is what may take long and be interrupted.
@@ -40,7 +41,7 @@ void OverlapOutput::add(std::uint64_t pose, const Pose& a, const Pose& b, const 
                                           ? part_pairs(of_a, of_b, answer.pairs, console.parallel())
                                       : page_ ? page_->parts(a, b, answer, console.parallel())
                                               : std::vector<PartPair>();
-  print_answer(*report_, pose, answer, right, console, parts);
+  print_answer(*report_, pose, result, right, console, parts);
   if (csv_file_) {
     write_csv_rows(csv_file_->stream(), *report_, pose, of_a, of_b, answer, parts);
     if (!csv_file_->stream().good()) {

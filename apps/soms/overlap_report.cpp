@@ -1,6 +1,6 @@
 #include "apps/soms/overlap_report.h"
 
-#include "soms/query/traversal/traversals.h"
+#include "soms/thesis/traversals.h"
 
 #include "apps/soms/overlap_by_part.h"
 #include "apps/support/console.h"
@@ -46,8 +46,10 @@ std::string traversal_keys(const OverlapReport& report, const TraversalCounts& c
                    counts.max_stack);
 }
 
-void print_json(const OverlapReport& report, std::uint64_t pose, const Overlap& answer, bool right,
-                Console& console, std::span<const PartPair> parts) {
+void print_json(const OverlapReport& report, std::uint64_t pose,
+                const thesis::CountedOverlap& result, bool right, Console& console,
+                std::span<const PartPair> parts) {
+  const Overlap& answer = result.answer;
   const char* const overlap = is_undecided(answer) ? "null" : answer.any ? "true" : "false";
   std::string text =
       fmt::format("{{\"schema\":\"soms.overlap/1\",\"pose\":{},\"overlap\":{}", pose, overlap);
@@ -55,7 +57,7 @@ void print_json(const OverlapReport& report, std::uint64_t pose, const Overlap& 
   if (report.mode != OverlapMode::any) {
     text += fmt::format(",\"count\":{},\"hash\":\"{:016x}\"", answer.pairs.size(), answer.hash());
   }
-  text += coverage_keys(answer.coverage, answer.cost, traversal_keys(report, answer.traversal));
+  text += coverage_keys(answer.coverage, answer.cost, traversal_keys(report, result.counts));
   console.print(text + report_keys(report.pair, pose, right));
   if (report.by_part) {
     print_parts_as_json(report, parts, console);
@@ -94,31 +96,34 @@ std::string summary(const OverlapReport& report, const Overlap& answer) {
 }
 
 /// What a named traversal did, in a line: who names one wants to compare.
-void print_traversal(const OverlapReport& report, const Overlap& answer, Console& console) {
+void print_traversal(const OverlapReport& report, const thesis::CountedOverlap& result,
+                     Console& console) {
   if (!report.pair.single || report.traversal == Traversal::fast) {
     return;
   }
-  const TraversalCounts& counts = answer.traversal;
+  const TraversalCounts& counts = result.counts;
   console.print(fmt::format(
       "  traversal {}: {}, {} entered, {}, {}, {} of them decided\n", entry(report.traversal).kebab,
       counted(counts.box_tests, "box test"), counted(counts.entered, "pair"),
       counted(counts.leaf_pairs, "leaf pair"), counted(counts.triangle_pairs, "triangle pair"),
-      with_commas(answer.cost.triangle_tests)));
+      with_commas(result.answer.cost.triangle_tests)));
 }
 
-void print_text(const OverlapReport& report, std::uint64_t pose, const Overlap& answer,
-                Console& console, std::span<const PartPair> parts) {
+void print_text(const OverlapReport& report, std::uint64_t pose,
+                const thesis::CountedOverlap& result, Console& console,
+                std::span<const PartPair> parts) {
+  const Overlap& answer = result.answer;
   if (report.by_part && answer.any) {
     console.print(report.pair.single ? "" : fmt::format("pose {}: ", pose));
     print_parts_as_text(report, answer, parts, console);
-    print_traversal(report, answer, console);
+    print_traversal(report, result, console);
     return;
   }
   const bool strong = console.colored() && answer.any;
   console.print(fmt::format("{}{}{}{}\n", report.pair.single ? "" : fmt::format("pose {}: ", pose),
                             strong ? "\x1b[1m" : "", summary(report, answer),
                             strong ? "\x1b[0m" : ""));
-  print_traversal(report, answer, console);
+  print_traversal(report, result, console);
   if (!report.pair.single || !report.list_pairs || report.mode != OverlapMode::all) {
     return;
   }
@@ -144,12 +149,13 @@ bool is_undecided(const Overlap& answer) {
   return answer.coverage == Coverage::cut && !answer.any;
 }
 
-void print_answer(const OverlapReport& report, std::uint64_t pose, const Overlap& answer,
-                  bool right, Console& console, std::span<const PartPair> parts) {
+void print_answer(const OverlapReport& report, std::uint64_t pose,
+                  const thesis::CountedOverlap& result, bool right, Console& console,
+                  std::span<const PartPair> parts) {
   if (console.shared().json) {
-    print_json(report, pose, answer, right, console, parts);
+    print_json(report, pose, result, right, console, parts);
   } else {
-    print_text(report, pose, answer, console, parts);
+    print_text(report, pose, result, console, parts);
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/query/overlap.h"
+#include "soms/thesis/overlap.h"
 
 #include "apps/soms/pair_report.h"
 #include "apps/support/row_run.h"
@@ -29,8 +30,9 @@ struct OverlapReport {
 
 /// Prints the answer of pose number `pose`: JSON with --json, text without. `right` says whether
 /// brute force agrees, where requested. `parts` are those of the answer, for `report.by_part`.
-void print_answer(const OverlapReport& report, std::uint64_t pose, const Overlap& answer,
-                  bool right, Console& console, std::span<const PartPair> parts = {});
+void print_answer(const OverlapReport& report, std::uint64_t pose,
+                  const thesis::CountedOverlap& result, bool right, Console& console,
+                  std::span<const PartPair> parts = {});
 
 /// Prints a line over all poses as text, where there may be several.
 void print_totals(const OverlapReport& report, const RowTotals& totals, Console& console);

@@ -2,12 +2,14 @@
 
 #include "soms/base/error.h"
 #include "soms/base/hash.h"
+#include "soms/thesis/overlap.h"
 
 #include "apps/report/placing.h"
 
 #include <algorithm>
 #include <chrono>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace soms::command {
@@ -58,6 +60,9 @@ class Run {
         poses_(world.routes.size()),
         lines_(world.routes.size()),
         pause_(std::max<std::uint64_t>(1, options.frames / kPlacesOfATrack)) {
+    if (options.world.traversal.traversal != Traversal::fast) {
+      method_.emplace(options.world.traversal);
+    }
     outcome_.tracks.resize(world.routes.size());
     if (options.verify) {
       verifier_.emplace(world, console.shared().seed);
@@ -107,7 +112,7 @@ class Run {
     const Parallel parallel = console_.limited();
     const StepReport report = run_frame(scene_, world_, frame,
                                         {.mover_mover = world_.filter.between,
-                                         .traversal = options_.world.traversal,
+                                         .method = method_ ? &*method_ : nullptr,
                                          .clearance = options_.clearance},
                                         parallel, poses_, lines_, seconds);
     VerifiedGaps gaps;
@@ -157,7 +162,8 @@ class Run {
   std::vector<Pose> poses_;
   std::vector<std::size_t> lines_;  ///< of the routes, on which the movers are
   std::uint64_t pause_;
-  bool near_ = false;  ///< a mover was near the city
+  std::optional<thesis::TraversalMethod> method_;  ///< none: the default
+  bool near_ = false;                              ///< a mover was near the city
   std::optional<Verifier> verifier_;
   std::optional<GapVerifier> gap_verifier_;
   Outcome outcome_;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/geometry/mesh.h"
-#include "soms/query/traversal_options.h"
+#include "soms/thesis/traversal_options.h"
 #include "soms/tree/build_options.h"
 #include "soms/tree/shape.h"
 

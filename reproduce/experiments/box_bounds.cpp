@@ -1,5 +1,5 @@
 // Figures 4.8 and 4.13: how the box of a set is found, and how it follows a set that moves.
-#include "soms/query/traversal/posed_boxes.h"
+#include "soms/thesis/posed_boxes.h"
 #include "soms/tree/build.h"
 
 #include "reproduce/experiments/experiments.h"

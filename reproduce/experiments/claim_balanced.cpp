@@ -1,6 +1,6 @@
 // A premise: a balanced tree is traversed faster than an unbalanced one.
-#include "soms/query/traversal/posed_boxes.h"
-#include "soms/query/traversal/traversals.h"
+#include "soms/thesis/posed_boxes.h"
+#include "soms/thesis/traversals.h"
 #include "soms/tree/statistics.h"
 
 #include "reproduce/counts.h"

@@ -1,6 +1,6 @@
 // Figures 4.31, 4.34, 4.36 and 4.37: traversals in pseudo code, each beside a run.
-#include "soms/query/traversal/traversals.h"
-#include "soms/tree/implicit.h"
+#include "soms/thesis/implicit.h"
+#include "soms/thesis/traversals.h"
 
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/frames.h"

@@ -1,6 +1,6 @@
 // Figures 4.14 to 4.16, 4.18 and 4.21: the tree as an array by TreeID, and what TreeIDs tell.
+#include "soms/thesis/implicit.h"
 #include "soms/tree/build.h"
-#include "soms/tree/implicit.h"
 
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/levels.h"

@@ -1,7 +1,7 @@
 // Figures 4.17, 4.19 and 4.20: how nodes come to be. Each listing is run as it is written, and what
 // it makes is compared with the tree that the library builds.
+#include "soms/thesis/implicit.h"
 #include "soms/tree/build.h"
-#include "soms/tree/implicit.h"
 
 #include "reproduce/experiments/experiments.h"
 #include "reproduce/listing.h"

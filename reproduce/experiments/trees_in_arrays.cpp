@@ -1,7 +1,7 @@
 // Figures 4.27 to 4.29: triangles by TreeID, how a tree is divided node by node, and how a level of
 // it is drawn.
+#include "soms/thesis/implicit.h"
 #include "soms/tree/build.h"
-#include "soms/tree/implicit.h"
 
 #include "reproduce/counts.h"
 #include "reproduce/drawing.h"

@@ -4,19 +4,11 @@ set(SOMS_HEADERS
   distance.h
   instruction_set.h
   overlap.h
+  overlap_method.h
   overlap_run.h
   print.h
   reference/distance.h
   reference/overlap.h
-  traversal/baselines.h
-  traversal/e_node.h
-  traversal/e_node_front.h
-  traversal/named_overlap.h
-  traversal/pair_traversal.h
-  traversal/posed_boxes.h
-  traversal/thesis_frames.h
-  traversal/traversals.h
-  traversal_options.h
   within.h
 )
 set(SOMS_SOURCES
@@ -55,13 +47,5 @@ set(SOMS_SOURCES
   reference/detail/moved_triangles.cpp
   reference/distance.cpp
   reference/overlap.cpp
-  traversal/baselines.cpp
-  traversal/detail/recursion.cpp
-  traversal/e_node.cpp
-  traversal/e_node_front.cpp
-  traversal/named_overlap.cpp
-  traversal/posed_boxes.cpp
-  traversal/thesis_frames.cpp
-  traversal/traversals.cpp
   within.cpp
 )

@@ -2,13 +2,12 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/hash.h"
+#include "soms/base/idle_option.h"
 #include "soms/query/detail/engine/block_source.h"
 #include "soms/query/detail/engine/limit.h"
 #include "soms/query/detail/engine/pair_frame.h"
 #include "soms/query/detail/overlap_query.h"
 #include "soms/query/detail/overlap_traversal.h"
-#include "soms/query/traversal/named_overlap.h"
-#include "soms/query/traversal/traversals.h"
 
 #include <atomic>
 #include <limits>
@@ -111,7 +110,6 @@ std::uint64_t Overlap::hash() const {
 }
 
 void check(const OverlapOptions& options) {
-  check(options.traversal);
   const bool limited = options.limit != OverlapOptions{}.limit && options.limit > 0;
   if (limited && options.mode != OverlapMode::all) {
     refuse_idle("overlap options",
@@ -123,9 +121,6 @@ Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options,
                 const Parallel& parallel) {
   const PlainArithmetic plain;
   check(options);
-  if (options.traversal.traversal != Traversal::fast) {
-    return detail::named_overlap(a, b, options, parallel);
-  }
   detail::check_pose(a.pose, a.shape);
   detail::check_pose(b.pose, b.shape);
   check_stop(parallel);

@@ -6,8 +6,6 @@
 #include "soms/base/parallel.h"
 #include "soms/query/answer.h"
 #include "soms/query/body.h"
-#include "soms/query/traversal/pair_traversal.h"
-#include "soms/query/traversal_options.h"
 
 #include <array>
 #include <chrono>
@@ -34,15 +32,12 @@ struct OverlapOptions {
   std::uint64_t limit = std::numeric_limits<std::uint64_t>::max();
   /// Ends the query with coverage `cut` when it passes.
   std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
-  /// The default traverses the layout; a named traversal traverses the canonical trees
-  /// (ShapeOptions::keep_tree).
-  TraversalOptions traversal = {};
 
   [[nodiscard]] bool operator==(const OverlapOptions&) const = default;
 };
 
-/// Throws ErrorKind::usage unless the options go together and none is without effect: as
-/// `check(TraversalOptions)`, and no `limit` above 0 with modes `any` and `first`.
+/// Throws ErrorKind::usage for an option without effect: a `limit` above 0 with modes `any` and
+/// `first`.
 void check(const OverlapOptions& options);
 
 /// Answer of an overlap query of two bodies.
@@ -51,7 +46,6 @@ struct Overlap {
   std::vector<TrianglePair> pairs;  ///< sorted by first, then second; one pair in modes any, first
   Coverage coverage = Coverage::complete;
   Cost cost;
-  TraversalCounts traversal = {};  ///< of a named traversal; zeros for the default
 
   [[nodiscard]] bool operator==(const Overlap&) const = default;
 
@@ -66,7 +60,7 @@ struct Overlap {
 /// Surfaces only: a car wholly inside a closed hall does not overlap its walls.
 ///
 /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose (checked in O(1)); usage as
-///          `check(OverlapOptions)` and for a named traversal without kept trees; cancelled.
+///          `check(OverlapOptions)`; cancelled.
 /// \cost    Typically logarithmic in the triangle counts plus linear in the answer.
 /// \threads Any number of callers; `parallel` splits one query.
 [[nodiscard]] Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options = {},
@@ -80,7 +74,6 @@ struct OverlapBatch {
   std::vector<TrianglePair> pairs;     ///< in modes any and first: the pair found, if any
   std::vector<Cost> costs;             ///< n
   Cost cost;                           ///< of all poses together
-  std::vector<TraversalCounts> traversals = {};  ///< n with a named traversal, else none
 
   [[nodiscard]] bool operator==(const OverlapBatch&) const = default;
 
@@ -92,9 +85,7 @@ struct OverlapBatch {
 };
 
 /// `overlap` of `mover` at each of `poses` with `fixed`; answers and costs equal those of single
-/// queries, whatever the batch and the number of threads. `limit` counts for each pose. Only the
-/// front of Traversal::e_node_front goes from pose to pose: with it costs, the pair of mode `any`
-/// and the pairs that a limit lets through follow the poses before, too.
+/// queries, whatever the batch and the number of threads. `limit` counts for each pose.
 ///
 /// \shape   `poses`: n; the answer's arrays are described there.
 /// \errors  As `overlap`; a pose at fault is named by its index.

@@ -55,12 +55,6 @@ OverlapBatch overlap(const Shape& mover, std::span<const Pose> poses, const Body
   check(options);
   detail::check_poses(poses, mover);
   detail::check_pose(fixed.pose, fixed.shape);
-  if (options.traversal.traversal != Traversal::fast) {
-    // A named traversal may go on from where its last pose ended.
-    OverlapBatch batch;
-    OverlapRun().ask(mover, addresses(poses), fixed, options, parallel, batch);
-    return batch;
-  }
   std::vector<OverlapBatch> blocks((poses.size() + detail::kPosesOfBlock - 1) /
                                    detail::kPosesOfBlock);
   detail::for_each_block(

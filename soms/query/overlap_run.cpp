@@ -9,7 +9,6 @@
 #include "soms/query/detail/kernels/instruction_set.h"
 #include "soms/query/detail/overlap_query.h"
 #include "soms/query/detail/overlap_traversal.h"
-#include "soms/query/traversal/named_overlap.h"
 
 #include <algorithm>
 #include <array>
@@ -75,7 +74,6 @@ class Answers {
     batch.coverage.assign(poses, Coverage::complete);
     batch.costs.assign(poses, {});
     batch.cost = {};
-    batch.traversals.clear();
     pairs.begin(poses, batch.offsets, batch.pairs);
   }
 
@@ -91,8 +89,6 @@ class Answers {
   void add(std::size_t pose, const Overlap& answer) {
     add(pose, answer.any, answer.pairs, answer.coverage, answer.cost);
   }
-
-  void add(const TraversalCounts& counts) { batch_.traversals.push_back(counts); }
 
   void finish() { pairs_.finish(); }
 
@@ -211,15 +207,6 @@ void query_compact(const PoseQueries& run_input, Answers& answers) {
   }
 }
 
-void query_named(const PoseQueries& run_input, Answers& answers) {
-  detail::NamedOverlap ask(run_input.mover, run_input.fixed.shape, run_input.options.traversal);
-  for (std::size_t i = 0; i < run_input.poses.size(); ++i) {
-    answers.add(
-        i, ask(*run_input.poses[i], run_input.fixed.pose, run_input.options, run_input.parallel));
-    answers.add(ask.counts());
-  }
-}
-
 }  // namespace
 
 struct OverlapRun::Memory {
@@ -242,9 +229,7 @@ void OverlapRun::ask(const Shape& mover, std::span<const Pose* const> poses, con
   check(options);
   const PoseQueries run_input{mover, poses, fixed, options, parallel};
   Answers answers(batch, memory_->pairs, poses.size());
-  if (options.traversal.traversal != Traversal::fast) {
-    query_named(run_input, answers);
-  } else if (detail::any_compact(mover, fixed.shape)) {
+  if (detail::any_compact(mover, fixed.shape)) {
     query_compact(run_input, answers);
   } else if (!detail::is_empty(mover) && !detail::is_empty(fixed.shape)) {
     const std::size_t most = queries_in_flight(mover, fixed.shape);

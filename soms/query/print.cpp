@@ -60,15 +60,11 @@ std::ostream& operator<<(std::ostream& out, Coverage value) {
 }
 
 std::ostream& operator<<(std::ostream& out, const Overlap& value) {
-  PrintedFields fields("Overlap");
-  fields.add("any", value.any)
-      .item(pairs_in_words(value.pairs))
-      .add("coverage", value.coverage)
-      .add("cost", value.cost);
-  if (value.traversal != TraversalCounts{}) {
-    fields.add("traversal", value.traversal);
-  }
-  return out << fields;
+  return out << PrintedFields("Overlap")
+                    .add("any", value.any)
+                    .item(pairs_in_words(value.pairs))
+                    .add("coverage", value.coverage)
+                    .add("cost", value.cost);
 }
 
 std::ostream& operator<<(std::ostream& out, const Distance& value) {
@@ -132,55 +128,11 @@ std::ostream& operator<<(std::ostream& out, const OverlapOptions& value) {
   if (value.deadline) {
     fields.item("deadline set");
   }
-  return out << fields.add("traversal", value.traversal);
+  return out << fields;
 }
 
 std::ostream& operator<<(std::ostream& out, OverlapMode value) {
   return out << printed_name("OverlapMode", static_cast<int>(value), {"all", "any", "first"});
-}
-
-std::ostream& operator<<(std::ostream& out, const TraversalCounts& value) {
-  return out << PrintedFields("TraversalCounts")
-                    .add("box_tests", value.box_tests)
-                    .add("entered", value.entered)
-                    .add("leaf_pairs", value.leaf_pairs)
-                    .add("triangle_pairs", value.triangle_pairs)
-                    .add("first_tests", value.first_tests)
-                    .add("max_stack", value.max_stack);
-}
-
-std::ostream& operator<<(std::ostream& out, const NodePair& value) {
-  return out << PrintedFields("NodePair").add("a", value.a).add("b", value.b);
-}
-
-std::ostream& operator<<(std::ostream& out, const TraversalOptions& value) {
-  return out << PrintedFields("TraversalOptions")
-                    .add("traversal", value.traversal)
-                    .add("descent", value.descent)
-                    .add("order", value.order)
-                    .add("ericson_rule", value.ericson_rule)
-                    .add("recursive", value.recursive)
-                    .add("prune", value.prune)
-                    .add("update", value.update);
-}
-
-std::ostream& operator<<(std::ostream& out, Traversal value) {
-  return out << printed_name("Traversal", static_cast<int>(value),
-                             {"fast", "a_first", "b_first", "alternate", "larger", "simultaneous",
-                              "ericson", "larsson", "e_node", "e_node_front"});
-}
-
-std::ostream& operator<<(std::ostream& out, Descent value) {
-  return out << printed_name("Descent", static_cast<int>(value),
-                             {"both", "larger", "cross", "fewest"});
-}
-
-std::ostream& operator<<(std::ostream& out, EntryOrder value) {
-  return out << printed_name("EntryOrder", static_cast<int>(value), {"tree", "volume"});
-}
-
-std::ostream& operator<<(std::ostream& out, BoxUpdate value) {
-  return out << printed_name("BoxUpdate", static_cast<int>(value), {"refit", "rebox"});
 }
 
 }  // namespace soms

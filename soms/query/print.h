@@ -7,23 +7,16 @@
 
 namespace soms {
 
-enum class BoxUpdate;
 enum class Coverage;
-enum class Descent;
-enum class EntryOrder;
 enum class OverlapMode;
-enum class Traversal;
 struct Body;
 struct Cost;
 struct Distance;
 struct DistanceBatch;
 struct DistanceOptions;
-struct NodePair;
 struct Overlap;
 struct OverlapBatch;
 struct OverlapOptions;
-struct TraversalCounts;
-struct TraversalOptions;
 struct Within;
 struct WithinBatch;
 struct WithinOptions;
@@ -42,12 +35,5 @@ std::ostream& operator<<(std::ostream& out, const Overlap& value);
 std::ostream& operator<<(std::ostream& out, const OverlapBatch& value);
 std::ostream& operator<<(std::ostream& out, const OverlapOptions& value);
 std::ostream& operator<<(std::ostream& out, OverlapMode value);
-std::ostream& operator<<(std::ostream& out, const TraversalCounts& value);
-std::ostream& operator<<(std::ostream& out, const NodePair& value);
-std::ostream& operator<<(std::ostream& out, const TraversalOptions& value);
-std::ostream& operator<<(std::ostream& out, Traversal value);
-std::ostream& operator<<(std::ostream& out, Descent value);
-std::ostream& operator<<(std::ostream& out, EntryOrder value);
-std::ostream& operator<<(std::ostream& out, BoxUpdate value);
 
 }  // namespace soms

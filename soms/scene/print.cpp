@@ -96,13 +96,16 @@ std::ostream& operator<<(std::ostream& out, const StepReport& value) {
 }
 
 std::ostream& operator<<(std::ostream& out, const StepOptions& value) {
-  return out << PrintedFields("StepOptions")
-                    .add("mode", value.mode)
-                    .add("scope", value.scope)
-                    .add("mover_mover", value.mover_mover)
-                    .add("coherent", value.coherent)
-                    .add("traversal", value.traversal)
-                    .add("clearance", value.clearance);
+  PrintedFields fields("StepOptions");
+  fields.add("mode", value.mode)
+      .add("scope", value.scope)
+      .add("mover_mover", value.mover_mover)
+      .add("coherent", value.coherent)
+      .add("clearance", value.clearance);
+  if (value.method != nullptr) {
+    fields.item("method set");
+  }
+  return out << fields;
 }
 
 std::ostream& operator<<(std::ostream& out, const RecordedMesh& value) {

@@ -5,6 +5,7 @@
 #include "soms/base/parallel.h"
 #include "soms/query/body.h"
 #include "soms/query/overlap.h"
+#include "soms/query/overlap_method.h"
 #include "soms/scene/step_report.h"
 
 #include <cstddef>
@@ -24,8 +25,8 @@ struct StepOptions {
   bool mover_mover = true;  ///< compare movers with each other, too
   /// Use what the steps before left (see `BroadPhase`); the answers are the same without.
   bool coherent = true;
-  /// As of OverlapOptions: named ones need shapes that keep their trees.
-  TraversalOptions traversal = {};
+  /// What finds the overlaps of a pair of bodies, if not `overlap`. Not owned.
+  const OverlapMethod* method = nullptr;
   /// Pairs of bodies that do not touch but are at most this far apart are reported as gaps; 0: none
   /// are searched for, at no cost. Needs StepScope::every_pair.
   double clearance = 0;
@@ -34,7 +35,7 @@ struct StepOptions {
 };
 
 /// Throws ErrorKind::usage if the clearance is negative, infinite or not a number, or goes with
-/// StepScope::first_contact, which leaves pairs out; and as `check(OverlapOptions)`.
+/// StepScope::first_contact, which leaves pairs out.
 void check(const StepOptions& options);
 
 /// A static environment of meshes and movers that share shapes. Poses are set through the scene, so
@@ -104,8 +105,8 @@ class Scene {
   /// With a clearance D the least distance of each pair of bodies within D is reported as well: the
   /// answer of `distance` for the two, decided exactly, wherever the bodies lie. Groups and ignored
   /// pairs are left out as for contacts, and contacts are those of a step without it.
-  /// \errors  ErrorKind::cancelled; usage as `check(StepOptions)`, and for a named traversal
-  ///          without kept trees.
+  /// \errors  ErrorKind::cancelled; usage as `check(StepOptions)`; what
+  ///          StepOptions::method throws.
   /// \cost    Time and memory linear in the pairs of bodies whose boxes meet, or, with a clearance,
   ///          are within it. Where many movers of no group, or of many groups, are in one place,
   ///          that is quadratic in the movers.

@@ -26,7 +26,7 @@ constexpr std::size_t kBytesOfAFind = 16;
 }  // namespace
 
 void check(const StepOptions& options) {
-  check(OverlapOptions{.mode = options.mode, .traversal = options.traversal});
+  check(OverlapOptions{.mode = options.mode});
   if (!(options.clearance >= 0) || std::isinf(options.clearance)) {
     throw Error(ErrorKind::usage,
                 "step options: the clearance is negative, infinite or not a number",
@@ -150,14 +150,14 @@ void Scene::State::append(const Candidate& candidate, const Residents& others,
 /// Asks about all candidates and appends what touches to `contacts`, in their order.
 template <typename Contact>
 void Scene::State::ask(detail::NarrowPhase& narrow_phase, const Residents& others,
-                       const OverlapOptions& options, const Parallel& parallel,
+                       const detail::PairQuery& query, const Parallel& parallel,
                        std::vector<Contact>& contacts, StepReport& report) {
   questions.clear();
   for (const Candidate& candidate : candidates) {
     questions.push_back(question(candidate, others));
   }
   report.queries += questions.size();
-  report.cost += narrow_phase.ask(questions, options, parallel);
+  report.cost += narrow_phase.ask(questions, query, parallel);
   std::size_t found = 0;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     found += narrow_phase.pairs_of(k).size();
@@ -171,7 +171,7 @@ void Scene::State::ask(detail::NarrowPhase& narrow_phase, const Residents& other
 /// Asks about the candidates round by round until each mover has its first contact or none.
 template <typename Contact>
 void Scene::State::ask_until_first(detail::NarrowPhase& narrow_phase, const Residents& others,
-                                   const OverlapOptions& options, const Parallel& parallel,
+                                   const detail::PairQuery& query, const Parallel& parallel,
                                    std::vector<Contact>& contacts, StepReport& report) {
   first_contacts.begin(candidates, &others == &movers);
   for (auto round = first_contacts.next_round(); !round.empty();
@@ -181,7 +181,7 @@ void Scene::State::ask_until_first(detail::NarrowPhase& narrow_phase, const Resi
       questions.push_back(question(candidates[k], others));
     }
     report.queries += questions.size();
-    report.cost += narrow_phase.ask(questions, options, parallel);
+    report.cost += narrow_phase.ask(questions, query, parallel);
     for (std::size_t at = 0; at < round.size(); ++at) {
       const auto pairs = narrow_phase.pairs_of(at);
       if (!pairs.empty()) {
@@ -230,7 +230,7 @@ void Scene::State::compare(detail::NarrowPhase& narrow_phase, const Residents& o
                            StepReport& report) {
   most_candidates = std::max(most_candidates, candidates.size());
   most_near = std::max(most_near, near.size());
-  const OverlapOptions query{.mode = options.mode, .traversal = options.traversal};
+  const detail::PairQuery query{{.mode = options.mode}, options.method};
   if (options.scope == StepScope::first_contact) {
     ask_until_first(narrow_phase, others, query, parallel, contacts, report);
   } else {

@@ -2,7 +2,6 @@ set(SOMS_HEADERS
   build.h
   build_options.h
   check.h
-  implicit.h
   layout/min_max_grid.h
   layout/compact_node.h
   layout/node_axes.h
@@ -27,7 +26,6 @@ set(SOMS_SOURCES
   build/top_down.cpp
   build_options.cpp
   check.cpp
-  implicit.cpp
   layout/min_max_grid.cpp
   layout/compact.cpp
   layout/compact_node.cpp

@@ -10,7 +10,7 @@ std::string printed(const OverlapReport& report, const Overlap& answer) {
   testing::internal::CaptureStdout();
   {
     Console console(Shared{});
-    print_answer(report, 0, answer, true, console);
+    print_answer(report, 0, {answer, {}}, true, console);
     console.flush();
   }
   return testing::internal::GetCapturedStdout();

@@ -2,7 +2,8 @@
 // to ask for their overlap against brute force.
 #include "soms/query/overlap.h"
 #include "soms/query/reference/overlap.h"
-#include "soms/query/traversal/traversals.h"
+#include "soms/thesis/overlap.h"
+#include "soms/thesis/traversals.h"
 #include "soms/tree/check.h"
 #include "soms/tree/refit.h"
 #include "soms/tree/rule/rules.h"
@@ -98,7 +99,7 @@ void check_one(const Body& a, const Body& b, const std::vector<TrianglePair>& tr
   settings.traversal = table[bytes.below(static_cast<std::uint32_t>(table.size()))].traversal;
   settings.update = bytes.below(2) == 0 ? BoxUpdate::refit : BoxUpdate::rebox;
   settings = without_idle(settings);
-  require(overlap(a, b, {.traversal = settings}).pairs == truth, "a named traversal");
+  require(thesis::overlap(a, b, settings).answer.pairs == truth, "a named traversal");
 }
 
 /// Answers of a batch equal those of single queries, costs too.

@@ -75,6 +75,16 @@ class Hash {
   Fnv1a hash_;
 };
 
+/// Two models whose rows are made.
+struct ModelPair {
+  std::string first;
+  std::string second;
+  std::vector<Pose>
+      near_poses;  ///< of the first, for questions of nearness; the last leave it free
+
+  [[nodiscard]] std::string name() const { return first + "-" + second; }
+};
+
 /// What rows are made from that this program calculates itself.
 struct Inputs {
   explicit Inputs(std::filesystem::path folder);
@@ -82,8 +92,9 @@ struct Inputs {
   std::filesystem::path data;          ///< tests/data
   std::vector<Vec3> points;            ///< nearly in one plane, four by four, at all scales
   std::vector<Triangle> triangles;     ///< two by two, on a small lattice and beside it
-  std::vector<Pose> poses;             ///< near enough for the models to touch
+  std::vector<Pose> poses;             ///< near enough for models of size 1 to touch
   std::map<std::string, Mesh> models;  ///< small ones, of all scales
+  std::vector<ModelPair> pairs;        ///< of the models
   Mesh bent;                           ///< models["ring"], moved unevenly
 };
 
@@ -98,6 +109,7 @@ void add_geometry(const Inputs& inputs, Rows& rows);
 void add_files(const Inputs& inputs, Rows& rows);
 void add_trees(const Inputs& inputs, const Parallel& parallel, Rows& rows);
 void add_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows);
+void add_near_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows);
 void add_scene(const Parallel& parallel, Rows& rows);
 
 }  // namespace soms::golden

@@ -5,6 +5,8 @@
 
 #include "tests/golden/golden.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -97,7 +99,7 @@ void add_near_coplanar(Rng& rng, std::vector<Vec3>& points) {
   }
 }
 
-std::vector<Pose> near_poses() {
+std::vector<Pose> touching_poses() {
   return {Pose(),
           Pose::translation(0.25, 0.125, 0),
           Pose::translation(0x1p-1050, 0, 0),
@@ -106,9 +108,47 @@ std::vector<Pose> near_poses() {
           Pose::from_quaternion(0.5, -0.5, 0.5, 0.5)};
 }
 
+/// The greatest magnitude of a coordinate.
+double reach(const Box& box) {
+  double most = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    most = std::max({most, -box.lower[axis], box.upper[axis]});
+  }
+  return most;
+}
+
+/// Those of `poses` whose shift does not dwarf both models (a shift that does makes points of them,
+/// and of all pairs of triangles ties, which take seconds), and four that leave them apart. Turned,
+/// `a` reaches as far as sqrt(3) times its greatest coordinate, so shifts of 1.75 `r` and more
+/// along an axis leave it clear of `b`. In the first of the four the boxes are a millionth apart.
+std::vector<Pose> poses_around(const Box& a, const Box& b, const std::vector<Pose>& poses) {
+  const double r = reach(a) + reach(b);
+  std::vector<Pose> result;
+  for (const Pose& pose : poses) {
+    if (std::max({std::abs(pose.m[3]), std::abs(pose.m[7]), std::abs(pose.m[11])}) <= 0x1p16 * r) {
+      result.push_back(pose);
+    }
+  }
+  result.push_back(Pose::translation((b.upper.x - a.lower.x) + 0x1p-20 * r, 0, 0));
+  result.push_back(Pose::translation(0.125 * r, -0.5 * r, 1.75 * r));
+  result.push_back(Pose::from_quaternion(0.8, 0.36, 0.48, 0, {-1.75 * r, 1.5 * r, 0.25 * r}));
+  result.push_back(Pose::from_quaternion(0, 0, 0.6, 0.8, {0.5 * r, 3 * r, -0.25 * r}));
+  return result;
+}
+
+constexpr std::array<std::pair<const char*, const char*>, 9> kPairs{{{"ring", "soup"},
+                                                                     {"soup", "slivers"},
+                                                                     {"slivers", "degen"},
+                                                                     {"degen", "needles"},
+                                                                     {"needles", "star"},
+                                                                     {"star", "knot"},
+                                                                     {"subnormal", "subnormal"},
+                                                                     {"subnormal", "star"},
+                                                                     {"huge", "huge"}}};
+
 }  // namespace
 
-Inputs::Inputs(std::filesystem::path folder) : data(std::move(folder)), poses(near_poses()) {
+Inputs::Inputs(std::filesystem::path folder) : data(std::move(folder)), poses(touching_poses()) {
   Rng rng(12);
   for (int i = 0; i < 1000; ++i) {
     add_near_coplanar(rng, points);
@@ -126,6 +166,10 @@ Inputs::Inputs(std::filesystem::path folder) : data(std::move(folder)), poses(ne
   // Corners keep all or only some of their bits as subnormal numbers.
   models["subnormal"] = scaled(models["knot"], -1055);
   models["huge"] = scaled(models["knot"], 295);
+  for (const auto& [first, second] : kPairs) {
+    pairs.push_back(
+        {first, second, poses_around(bounds(models[first]), bounds(models[second]), poses)});
+  }
   bent = models["ring"];
   for (Vec3& v : bent.vertices) {
     v = {v.x + 0.1 * v.y * v.y, 1.25 * v.y, v.z - 0.2 * v.x};

@@ -13,8 +13,9 @@
 #include "soms/io/read_mesh.h"
 #include "soms/io/write_mesh.h"
 #include "soms/query/reference/overlap.h"
-#include "soms/query/traversal/traversals.h"
 #include "soms/scene/scene.h"
+#include "soms/thesis/overlap.h"
+#include "soms/thesis/traversals.h"
 #include "soms/tree/build.h"
 #include "soms/tree/check.h"
 #include "soms/tree/layout/compact_node.h"
@@ -52,18 +53,6 @@ Mesh mesh_of(const std::string& bytes) {
 std::array<BuildOptions, 2> options_of(Rule rule) {
   return {BuildOptions{.rule = rule}, thesis_options(rule, 9)};
 }
-
-using Pair = std::pair<const char*, const char*>;
-
-constexpr std::array<Pair, 9> kPairs{{{"ring", "soup"},
-                                      {"soup", "slivers"},
-                                      {"slivers", "degen"},
-                                      {"degen", "needles"},
-                                      {"needles", "star"},
-                                      {"star", "knot"},
-                                      {"subnormal", "subnormal"},
-                                      {"subnormal", "star"},
-                                      {"huge", "huge"}}};
 
 }  // namespace
 
@@ -157,11 +146,28 @@ void add_trees(const Inputs& inputs, const Parallel& parallel, Rows& rows) {
 
 namespace {
 
+/// As a batch has them: where the pairs of each pose begin and end, all pairs, all costs.
+std::uint64_t hash_of(const std::vector<thesis::CountedOverlap>& answers) {
+  std::vector<std::uint64_t> offsets{0};
+  Hash hash;
+  for (const auto& [answer, counts] : answers) {
+    offsets.push_back(offsets.back() + answer.pairs.size());
+  }
+  hash << offsets;
+  for (const auto& [answer, counts] : answers) {
+    hash << answer.pairs;
+  }
+  for (const auto& [answer, counts] : answers) {
+    hash << answer.cost;
+  }
+  return hash.value();
+}
+
 /// What each way of asking about a pair says, all poses together.
-void add_pair(const Pair& pair, const Inputs& inputs, const Parallel& parallel, Rows& rows) {
+void add_pair(const ModelPair& pair, const Inputs& inputs, const Parallel& parallel, Rows& rows) {
   const Mesh& mesh_a = inputs.models.at(pair.first);
   const Mesh& mesh_b = inputs.models.at(pair.second);
-  const std::string name = std::string(pair.first) + "-" + pair.second;
+  const std::string name = pair.name();
   const Shape a(mesh_a, {.keep_tree = true}, parallel);
   const Shape b(mesh_b, {.build = {.rule = Rule::soms}, .keep_tree = true}, parallel);
   const Shape compact(mesh_b, {.layout = Layout::compact}, parallel);
@@ -187,11 +193,10 @@ void add_pair(const Pair& pair, const Inputs& inputs, const Parallel& parallel, 
       (Hash() << batch.any << batch.offsets << batch.pairs << batch.costs).value();
   for (const TraversalEntry& traversal : traversals()) {
     if (traversal.traversal != Traversal::fast) {
-      const OverlapOptions options{.traversal = {.traversal = traversal.traversal}};
-      const OverlapBatch named =
-          overlap(a, std::span(inputs.poses).last(2), Body(b), options, parallel);
-      rows[std::string(traversal.name) + " " + name] =
-          (Hash() << named.offsets << named.pairs << named.costs).value();
+      const std::vector<thesis::CountedOverlap> named =
+          thesis::overlap(a, std::span(inputs.poses).last(2), Body(b),
+                          {.traversal = traversal.traversal}, {}, parallel);
+      rows[std::string(traversal.name) + " " + name] = hash_of(named);
     }
   }
 }
@@ -199,7 +204,7 @@ void add_pair(const Pair& pair, const Inputs& inputs, const Parallel& parallel, 
 }  // namespace
 
 void add_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows) {
-  for (const Pair& pair : kPairs) {
+  for (const ModelPair& pair : inputs.pairs) {
     add_pair(pair, inputs, parallel, rows);
   }
 }
@@ -253,6 +258,7 @@ Rows all_rows(const Inputs& inputs, int threads) {
   add_files(inputs, rows);
   add_trees(inputs, parallel, rows);
   add_answers(inputs, parallel, rows);
+  add_near_answers(inputs, parallel, rows);
   add_scene(parallel, rows);
   return rows;
 }

@@ -2,15 +2,15 @@
 // trees a thousand levels deep on a stack of 256 KiB.
 #include "soms/base/error.h"
 #include "soms/query/reference/overlap.h"
-#include "soms/query/traversal/e_node_front.h"
-#include "soms/query/traversal/named_overlap.h"
-#include "soms/query/traversal/posed_boxes.h"
-#include "soms/query/traversal/traversals.h"
+#include "soms/thesis/e_node_front.h"
+#include "soms/thesis/named_overlap.h"
+#include "soms/thesis/posed_boxes.h"
+#include "soms/thesis/traversals.h"
 #include "soms/tree/build_options.h"
 
-#include "tests/query/traversal/cases.h"
 #include "tests/support/small_stack.h"
 #include "tests/support/support.h"
+#include "tests/thesis/cases.h"
 
 #include <cmath>
 #include <numeric>
@@ -121,7 +121,7 @@ TEST(Regression, R76NamedOverlapsAreRightInDeepTreesOnASmallStack) {
   test::on_small_stack([&] {
     for (const TraversalOptions& settings : test::every_traversal_options()) {
       if (!settings.recursive && settings.prune) {
-        detail::NamedOverlap session(deep, deep, settings);
+        thesis::NamedOverlap session(deep, deep, settings);
         for (std::size_t i = 0; i < truth.size(); ++i) {
           EXPECT_EQ(session(poses()[i], {}, {}, {}).pairs, truth[i].pairs)
               << test::describe(settings) << ", pose " << i;

@@ -2,7 +2,8 @@
 
 #include "soms/base/random.h"
 #include "soms/query/reference/overlap.h"
-#include "soms/query/traversal/traversals.h"
+#include "soms/thesis/overlap.h"
+#include "soms/thesis/traversals.h"
 #include "soms/tree/rule/rules.h"
 
 #include "tests/support/bodies.h"
@@ -127,9 +128,7 @@ void vary_machinery(const Mesh& a, const Mesh& b, const Check& check) {
   }
 }
 
-void expect_pairs(const Body& a, const Body& b, const Pairs& expected, const std::string& what,
-                  const OverlapOptions& options = {}, const Parallel& parallel = {}) {
-  const Overlap answer = overlap(a, b, options, parallel);
+void expect_pairs(const Overlap& answer, const Pairs& expected, const std::string& what) {
   EXPECT_EQ(answer.any, !expected.empty()) << what;
   EXPECT_EQ(answer.pairs, expected) << what;
   EXPECT_EQ(answer.coverage, Coverage::complete) << what;
@@ -152,8 +151,8 @@ void vary_traversals(const Mesh& a, const Mesh& b, const Pairs& expected) {
   const Body body_a{Shape(a, kept)};
   const Body body_b{Shape(b, kept)};
   for (const TraversalEntry& entry : traversals()) {
-    expect_pairs(body_a, body_b, expected, std::string(entry.name),
-                 {.traversal = {.traversal = entry.traversal}});
+    const Overlap answer = thesis::overlap(body_a, body_b, {.traversal = entry.traversal}).answer;
+    expect_pairs(answer, expected, std::string(entry.name));
   }
 }
 
@@ -257,8 +256,8 @@ std::vector<Pose> poses_around(const Mesh& a) {
 std::vector<TrianglePair> overlap_under_variations(const Mesh& a, const Mesh& b) {
   Pairs expected = reference::overlap(a, {}, b, {}).pairs;
   for_each_variation(a, b, [&](const Variation& variation) {
-    expect_pairs(variation.a, variation.b, renamed(expected, variation), variation.what, {},
-                 variation.parallel);
+    expect_pairs(overlap(variation.a, variation.b, {}, variation.parallel),
+                 renamed(expected, variation), variation.what);
   });
   vary_traversals(a, b, expected);
   vary_modes(a, b, expected);

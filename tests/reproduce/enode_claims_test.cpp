@@ -1,6 +1,6 @@
 // The claims about E-Node: the variant that only the experiments have, exact counts up to the first
 // hit, and rows that are the same in two runs.
-#include "soms/query/traversal/traversals.h"
+#include "soms/thesis/traversals.h"
 
 #include "reproduce/e_node_chain.h"
 #include "reproduce/enode_racers.h"

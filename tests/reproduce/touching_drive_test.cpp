@@ -4,7 +4,7 @@
 #include "soms/base/error.h"
 #include "soms/generate/shapes.h"
 #include "soms/query/reference/overlap.h"
-#include "soms/query/traversal/thesis_frames.h"
+#include "soms/thesis/thesis_frames.h"
 
 #include "tests/reproduce/trips.h"
 #include "tests/support/support.h"

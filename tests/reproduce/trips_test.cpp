@@ -4,7 +4,7 @@
 
 #include "soms/base/error.h"
 #include "soms/query/reference/overlap.h"
-#include "soms/query/traversal/thesis_frames.h"
+#include "soms/thesis/thesis_frames.h"
 
 #include "reproduce/frames.h"
 #include "reproduce/golden.h"

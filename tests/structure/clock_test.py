@@ -34,7 +34,7 @@ ALLOWED = {
     "tests/query/distance_cut_test.cpp": (("clock",), "deadlines, each later than the one before, until the query is complete"),
     "tests/query/overlap_test.cpp": (("clock",), DEADLINE),
     "tests/support/query_table.cpp": (("clock",), DEADLINE),
-    "tests/query/traversal/named_overlap_test.cpp": (("clock",), DEADLINE),
+    "tests/thesis/named_overlap_test.cpp": (("clock",), DEADLINE),
     "tests/properties/values_test.cpp": (("clock",), "a moment that is compared and printed"),
     "tests/regressions/growth_regressions_test.cpp": (("clock",), "printed, not judged"),
     "tests/commands/output_test.cpp": (("pause",), "a bar shows itself after a second, or later"),

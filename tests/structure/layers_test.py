@@ -11,6 +11,7 @@ MAY_INCLUDE = {
     "geometry": {"base", "geometry"},
     "tree": {"base", "geometry", "tree"},
     "query": {"base", "geometry", "tree", "query"},
+    "thesis": {"base", "geometry", "tree", "query", "thesis"},
     "scene": {"base", "geometry", "tree", "query", "scene"},
     "io": {"base", "geometry", "io"},
     "generate": {"base", "geometry", "generate"},
@@ -21,6 +22,9 @@ LENT = {
     ("query", "soms/geometry/detail/pair_distance.h"): "what a traversal knows of a candidate pair",
     ("query", "soms/geometry/detail/exact_distance.h"): "the brute-force twin decides in whole numbers alone",
     ("query", "soms/geometry/detail/nearest_points.h"): "as exact_distance.h",
+    ("thesis", "soms/query/detail/collector.h"): "modes and limits mean the same by every traversal",
+    ("thesis", "soms/query/detail/engine/limit.h"): "so do deadlines",
+    ("thesis", "soms/query/detail/engine/batch.h"): "poses of batches are checked alike",
 }
 PROGRAMS = {"support": {"support"}, "report": {"report"}, "soms": {"soms", "support", "report"},
             "reproduce": {"reproduce", "support"}, "view": {"view", "support"}, "import": {"import"}}

@@ -30,12 +30,6 @@ bool is_empty(const PairTruth& truth) {
   return truth.distance.distance.lower == kInfinity;
 }
 
-void add(Fnv1a& hash, const Cost& cost) {
-  hash.add(cost.node_tests);
-  hash.add(cost.triangle_tests);
-  hash.add(cost.exact_tests);
-}
-
 void add(Fnv1a& hash, Coverage coverage) {
   hash.add(static_cast<std::uint64_t>(coverage));
 }
@@ -140,7 +134,6 @@ std::string overlap_fault(const Answer& any_answer, const PairTruth& truth, cons
 Answer overlap_promised(const Answer& answer) {
   auto copy = std::get<Overlap>(answer);
   copy.cost = {};
-  copy.traversal = {};
   return copy;
 }
 
@@ -160,7 +153,6 @@ void add_overlap(Fnv1a& hash, const Answer& any_answer) {
   add(hash, answer.any);
   hash.add(answer.hash());
   add(hash, answer.coverage);
-  add(hash, answer.cost);
 }
 
 std::string overlap_text(const Answer& any_answer) {
@@ -253,7 +245,6 @@ void add_distance(Fnv1a& hash, const Answer& any_answer) {
   add(hash, answer.point_b);
   add(hash, answer.farther);
   add(hash, answer.coverage);
-  add(hash, answer.cost);
 }
 
 std::string distance_text(const Answer& any_answer) {
@@ -320,7 +311,6 @@ void add_within(Fnv1a& hash, const Answer& any_answer) {
   add(hash, answer.within);
   hash.add(answer.at_least);
   add(hash, answer.coverage);
-  add(hash, answer.cost);
 }
 
 std::string within_text(const Answer& any_answer) {

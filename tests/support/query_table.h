@@ -67,7 +67,8 @@ struct QueryRow {
   /// answer of (a, b), and that of (b, a) with `exchanged`.
   Answer (*symmetric)(const Answer& answer, bool exchanged) = nullptr;
 
-  /// Adds what golden rows keep, cost included.
+  /// Adds what golden rows keep of an answer, which no compiler or processor changes: all that is
+  /// promised, and no cost.
   void (*add_to)(Fnv1a& hash, const Answer& answer) = nullptr;
 
   /// One line of JSON, for messages.

@@ -4,6 +4,7 @@
 #include "soms/generate/shapes.h"
 #include "soms/query/overlap.h"
 #include "soms/query/reference/overlap.h"
+#include "soms/thesis/overlap.h"
 #include "soms/tree/build.h"
 #include "soms/tree/check.h"
 #include "soms/tree/layout/wide_tree.h"
@@ -171,12 +172,9 @@ TEST(Refit, AnswersAsANewBuildAndAsBruteForce) {
               reference::overlap(moved, body.pose, other.shape.mesh(), other.pose).pairs);
     EXPECT_EQ(answer.pairs, overlap(Body{Shape(moved), body.pose}, other).pairs);
     EXPECT_EQ(overlap(body, other, {.mode = OverlapMode::any}).any, answer.any);
-    OverlapOptions named;
-    named.traversal.traversal = Traversal::e_node;
-    EXPECT_EQ(
-        overlap(body, Body{Shape(other.shape.mesh(), with_tree(Rule::soms)), other.pose}, named)
-            .pairs,
-        answer.pairs);
+    const Body by_soms{Shape(other.shape.mesh(), with_tree(Rule::soms)), other.pose};
+    EXPECT_EQ(thesis::overlap(body, by_soms, {.traversal = Traversal::e_node}).answer.pairs,
+              answer.pairs);
   });
 }
 

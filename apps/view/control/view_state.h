@@ -2,7 +2,7 @@
 /// All that a user chose: what is shown, how it runs, what was requested and not yet done.
 #pragma once
 
-#include "soms/query/traversal_options.h"
+#include "soms/thesis/traversal_options.h"
 #include "soms/tree/build_options.h"
 
 #include <cstddef>

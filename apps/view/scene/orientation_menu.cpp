@@ -1,7 +1,7 @@
 #include "apps/view/scene/orientation_menu.h"
 
 #include "soms/base/error.h"
-#include "soms/query/traversal/thesis_frames.h"
+#include "soms/thesis/thesis_frames.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "apps/view/scene/traversal_trace.h"
 
-#include "soms/query/traversal/traversals.h"
+#include "soms/thesis/traversals.h"
 
 #include <algorithm>
 #include <chrono>

@@ -4,9 +4,9 @@
 
 #include "soms/base/box.h"
 #include "soms/base/parallel.h"
-#include "soms/query/traversal/pair_traversal.h"
-#include "soms/query/traversal/posed_boxes.h"
-#include "soms/query/traversal_options.h"
+#include "soms/thesis/pair_traversal.h"
+#include "soms/thesis/posed_boxes.h"
+#include "soms/thesis/traversal_options.h"
 
 #include <cstdint>
 #include <vector>

@@ -4,7 +4,7 @@
 
 #include "soms/base/parallel.h"
 #include "soms/query/body.h"
-#include "soms/query/traversal/posed_boxes.h"
+#include "soms/thesis/posed_boxes.h"
 #include "soms/tree/build_options.h"
 #include "soms/tree/statistics.h"
 #include "soms/tree/tree.h"

@@ -2,7 +2,7 @@
 /// What of a scene is shown, and how. Plain values, right for most as they are.
 #pragma once
 
-#include "soms/query/traversal_options.h"
+#include "soms/thesis/traversal_options.h"
 #include "soms/tree/build_options.h"
 
 #include "apps/view/drawing/draw_list.h"

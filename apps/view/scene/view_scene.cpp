@@ -1,7 +1,7 @@
 #include "apps/view/scene/view_scene.h"
 
 #include "soms/base/error.h"
-#include "soms/query/traversal/traversals.h"
+#include "soms/thesis/traversals.h"
 #include "soms/tree/rule/rules.h"
 
 #include "apps/view/scene/orientation_menu.h"

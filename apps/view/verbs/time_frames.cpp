@@ -1,7 +1,7 @@
 #include "apps/view/verbs/time_frames.h"
 
 #include "soms/base/error.h"
-#include "soms/query/traversal/named_overlap.h"
+#include "soms/thesis/named_overlap.h"
 
 #include "apps/support/console.h"
 #include "apps/support/json.h"
@@ -139,7 +139,7 @@ class FrameClock {
  private:
   const TimeFramesOptions& options_;
   Pose still_pose_;
-  detail::NamedOverlap query_;
+  thesis::NamedOverlap query_;
   ViewScene scene_;
   Camera camera_;
   GlRenderer renderer_;

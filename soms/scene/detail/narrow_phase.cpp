@@ -18,6 +18,17 @@ std::size_t chunk_of(std::size_t questions) {
 /// Fewer questions than this are each worth all threads.
 constexpr std::size_t kFew = 4;
 
+Overlap ask_pair(const BodyPair& question, const PairQuery& query, const Parallel& parallel) {
+  const auto& [mover, other] = question;
+  if (query.method == nullptr) {
+    return overlap(*mover, *other, query.options, parallel);
+  }
+  const Pose* const pose = &mover->pose;
+  OverlapBatch batch =
+      query.method->ask(mover->shape, std::span(&pose, 1), *other, query.options, parallel);
+  return {batch.any[0] != 0, std::move(batch.pairs), batch.coverage[0], batch.costs[0]};
+}
+
 }  // namespace
 
 void NarrowPhase::order_by_shape(std::span<const BodyPair> questions) {
@@ -72,11 +83,11 @@ std::span<NarrowPhase::Batch> NarrowPhase::gather(std::span<const BodyPair> ques
   return std::span(memory).first(count);
 }
 
-void NarrowPhase::ask_one_by_one(std::span<const BodyPair> questions, const OverlapOptions& options,
+void NarrowPhase::ask_one_by_one(std::span<const BodyPair> questions, const PairQuery& query,
                                  const Parallel& parallel, Chunk& chunk) {
   chunk.alone.clear();
   for (const BodyPair& question : questions) {
-    chunk.alone.push_back(overlap(*question.mover, *question.other, options, parallel));
+    chunk.alone.push_back(ask_pair(question, query, parallel));
     chunk.cost += chunk.alone.back().cost;
   }
   for (const Overlap& answer : chunk.alone) {
@@ -85,7 +96,7 @@ void NarrowPhase::ask_one_by_one(std::span<const BodyPair> questions, const Over
 }
 
 /// By batches, which is faster where movers share shapes.
-void NarrowPhase::ask_together(std::span<const BodyPair> questions, const OverlapOptions& options,
+void NarrowPhase::ask_together(std::span<const BodyPair> questions, const PairQuery& query,
                                const Parallel& parallel, Chunk& chunk) {
   chunk.alone.clear();
   chunk.answers.resize(questions.size());
@@ -93,13 +104,17 @@ void NarrowPhase::ask_together(std::span<const BodyPair> questions, const Overla
   for (Batch& batch : gather(questions, chunk.batches)) {
     if (batch.questions.size() == 1) {
       const std::uint32_t k = batch.questions[0];
-      chunk.alone.push_back(overlap(*questions[k].mover, *questions[k].other, options, parallel));
+      chunk.alone.push_back(ask_pair(questions[k], query, parallel));
       chunk.answers[k] = chunk.alone.back().pairs;  // stays where it is when `alone` grows
       chunk.cost += chunk.alone.back().cost;
       continue;
     }
     const Shape& shape = questions[batch.questions[0]].mover->shape;
-    run.ask(shape, batch.poses, *batch.other, options, parallel, batch.answers);
+    if (query.method != nullptr) {
+      batch.answers = query.method->ask(shape, batch.poses, *batch.other, query.options, parallel);
+    } else {
+      run.ask(shape, batch.poses, *batch.other, query.options, parallel, batch.answers);
+    }
     for (std::size_t p = 0; p < batch.questions.size(); ++p) {
       chunk.answers[batch.questions[p]] = batch.answers.pairs_of(p);
     }
@@ -107,7 +122,7 @@ void NarrowPhase::ask_together(std::span<const BodyPair> questions, const Overla
   }
 }
 
-Cost NarrowPhase::ask(std::span<const BodyPair> questions, const OverlapOptions& options,
+Cost NarrowPhase::ask(std::span<const BodyPair> questions, const PairQuery& query,
                       const Parallel& parallel) {
   order_by_shape(questions);
   chunk_ = chunk_of(questions.size());
@@ -118,7 +133,7 @@ Cost NarrowPhase::ask(std::span<const BodyPair> questions, const OverlapOptions&
   // A single pair of large meshes is split inside; many pairs are shared out. Where one pair will
   // do, which one would depend on the threads inside.
   const bool few = questions.size() < kFew;
-  const bool split = few && options.mode == OverlapMode::all;
+  const bool split = few && query.options.mode == OverlapMode::all;
   const Parallel shared{split ? 1 : parallel.threads, parallel.stop, {}};
   const Parallel inside{split ? parallel.threads : 1, parallel.stop, {}};
   for_each_chunk(questions.size(), chunk_, shared, [&](std::size_t begin, std::size_t end) {
@@ -127,9 +142,9 @@ Cost NarrowPhase::ask(std::span<const BodyPair> questions, const OverlapOptions&
     chunk.cost = {};
     const std::span part = std::span<const BodyPair>(ordered_).subspan(begin, end - begin);
     if (few) {
-      ask_one_by_one(part, options, inside, chunk);
+      ask_one_by_one(part, query, inside, chunk);
     } else {
-      ask_together(part, options, inside, chunk);
+      ask_together(part, query, inside, chunk);
     }
   });
   Cost cost;
@@ -157,7 +172,7 @@ std::size_t NarrowPhase::memory() const {
       const OverlapBatch& answers = batch.answers;
       size += bytes(batch.questions) + bytes(batch.poses) + bytes(answers.any) +
               bytes(answers.coverage) + bytes(answers.offsets) + bytes(answers.pairs) +
-              bytes(answers.costs) + bytes(answers.traversals);
+              bytes(answers.costs);
     }
   }
   return size;

@@ -5,6 +5,7 @@
 #include "soms/base/parallel.h"
 #include "soms/query/body.h"
 #include "soms/query/overlap.h"
+#include "soms/query/overlap_method.h"
 #include "soms/query/overlap_run.h"
 
 #include <cstddef>
@@ -22,13 +23,18 @@ struct BodyPair {
   const Body* other = nullptr;
 };
 
+/// The question about every pair, and what answers it if not `overlap`.
+struct PairQuery {
+  OverlapOptions options = {};
+  const OverlapMethod* method = nullptr;
+};
+
 /// Brings questions about the same shape together, asks them as batches on the threads given, and
 /// hands out the answers in the order of the questions. Keeps its memory from call to call.
 class NarrowPhase {
  public:
   /// Answers depend on each question alone. \errors As `overlap`.
-  Cost ask(std::span<const BodyPair> questions, const OverlapOptions& options,
-           const Parallel& parallel);
+  Cost ask(std::span<const BodyPair> questions, const PairQuery& query, const Parallel& parallel);
 
   /// Pairs of question `k` of the last call.
   [[nodiscard]] std::span<const TrianglePair> pairs_of(std::size_t k) const;
@@ -56,9 +62,9 @@ class NarrowPhase {
   void order_by_shape(std::span<const BodyPair> questions);
   [[nodiscard]] static std::span<Batch> gather(std::span<const BodyPair> questions,
                                                std::vector<Batch>& memory);
-  static void ask_one_by_one(std::span<const BodyPair> questions, const OverlapOptions& options,
+  static void ask_one_by_one(std::span<const BodyPair> questions, const PairQuery& query,
                              const Parallel& parallel, Chunk& chunk);
-  static void ask_together(std::span<const BodyPair> questions, const OverlapOptions& options,
+  static void ask_together(std::span<const BodyPair> questions, const PairQuery& query,
                            const Parallel& parallel, Chunk& chunk);
 
   std::unordered_map<const WideTree*, std::uint32_t> numbers_;  ///< of shapes, as they come

@@ -53,11 +53,11 @@ struct Scene::State {
                std::vector<Gap>& gaps, StepReport& report);
   template <typename Contact>
   void ask(detail::NarrowPhase& narrow_phase, const detail::Residents& others,
-           const OverlapOptions& options, const Parallel& parallel, std::vector<Contact>& contacts,
+           const detail::PairQuery& query, const Parallel& parallel, std::vector<Contact>& contacts,
            StepReport& report);
   template <typename Contact>
   void ask_until_first(detail::NarrowPhase& narrow_phase, const detail::Residents& others,
-                       const OverlapOptions& options, const Parallel& parallel,
+                       const detail::PairQuery& query, const Parallel& parallel,
                        std::vector<Contact>& contacts, StepReport& report);
   template <typename Contact>
   void append(const detail::Candidate& candidate, const detail::Residents& others,

@@ -1,6 +1,6 @@
 #include "apps/view/control/panels.h"
 
-#include "soms/query/traversal/traversals.h"
+#include "soms/thesis/traversals.h"
 #include "soms/tree/rule/rules.h"
 
 #include "apps/view/control/help.h"

@@ -2,7 +2,7 @@
 
 #include "soms/base/error.h"
 #include "soms/generate/shapes.h"
-#include "soms/query/traversal/traversals.h"
+#include "soms/thesis/traversals.h"
 #include "soms/tree/build.h"
 
 #include "apps/view/scene/load.h"

@@ -1,7 +1,7 @@
 #include "apps/view/scene/traversal_trace.h"
 
 #include "soms/generate/shapes.h"
-#include "soms/query/traversal/traversals.h"
+#include "soms/thesis/traversals.h"
 #include "soms/tree/build.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,27 @@
+set(SOMS_HEADERS
+  baselines.h
+  e_node.h
+  e_node_front.h
+  implicit.h
+  named_overlap.h
+  overlap.h
+  pair_traversal.h
+  posed_boxes.h
+  print.h
+  thesis_frames.h
+  traversals.h
+  traversal_options.h
+)
+set(SOMS_SOURCES
+  baselines.cpp
+  detail/recursion.cpp
+  e_node.cpp
+  e_node_front.cpp
+  implicit.cpp
+  named_overlap.cpp
+  overlap.cpp
+  posed_boxes.cpp
+  print.cpp
+  thesis_frames.cpp
+  traversals.cpp
+)
