@@ -64,7 +64,8 @@ constexpr double kSumOfRadii = 2.75;
 static_assert(1 + 1.73206 * (1 + 1e-5) <= 2.733 && 2.733 <= kSumOfRadii);
 
 /// What lengths of gaps are shortened by to be lower bounds (near/near_pose.h): the axes of two
-/// nodes and eight roundings, and N, by its defect.
+/// nodes and eight roundings, and N, by its defect. Largest seen of the second: 0.75, where entries
+/// of R are all off by as much. Answers need neither beside what limits grant (near_pose.cpp).
 constexpr double kLengthsOfFloats = 0x1p-19;
 constexpr double kLengthsOfDefect = 2;
 static_assert(0x1p-21 + 0x1p-21 <= kLengthsOfFloats && 1.5 <= kLengthsOfDefect);

@@ -22,7 +22,7 @@ using detail::NodeKeys;
 using detail::NodeTask;
 using detail::PoseNumbers;
 
-Vec3 anywhere(Rng& rng, double reach) {
+Vec3 point_within(Rng& rng, double reach) {
   return {rng.uniform(-reach, reach), rng.uniform(-reach, reach), rng.uniform(-reach, reach)};
 }
 
@@ -59,7 +59,7 @@ Triangle facing(Rng& rng, const Pose& pose, const Vec3& way, double size) {
 /// A triangle or a segment through the origin, across `way`.
 Triangle across(Rng& rng, const Pose& pose, const Vec3& way, double size) {
   const auto corner = [&] {
-    const Vec3 p = cross(way, anywhere(rng, 1));
+    const Vec3 p = cross(way, point_within(rng, 1));
     return size * Vec3{pose.m[0] * p.x + pose.m[4] * p.y + pose.m[8] * p.z,
                        pose.m[1] * p.x + pose.m[5] * p.y + pose.m[9] * p.z,
                        pose.m[2] * p.x + pose.m[6] * p.y + pose.m[10] * p.z};
@@ -72,7 +72,7 @@ Gap gap_of(Rng& rng, double far, double size_x, double size_y, double length) {
   Gap gap;
   gap.pose_x = any_rotation(rng);
   gap.pose_y = rng.below(3) == 0 ? gap.pose_x : any_rotation(rng);
-  Vec3 way = anywhere(rng, 1);
+  Vec3 way = point_within(rng, 1);
   if (rng.below(2) == 0) {
     way = rng.below(2) == 0 ? Vec3{1, 1, 1} : Vec3{0, 0, 1};
   }
@@ -80,13 +80,13 @@ Gap gap_of(Rng& rng, double far, double size_x, double size_y, double length) {
   const bool flat = rng.below(4) == 0;
   gap.x = flat ? across(rng, gap.pose_x, way, size_x) : facing(rng, gap.pose_x, way, size_x);
   gap.y = flat ? across(rng, gap.pose_y, way, size_y) : facing(rng, gap.pose_y, -way, size_y);
-  const Vec3 place = rng.below(2) == 0 ? Vec3{} : anywhere(rng, far);
+  const Vec3 place = rng.below(2) == 0 ? Vec3{} : point_within(rng, far);
   gap.pose_x = moving(gap.pose_x, gap.x.a, place);
   gap.pose_y = moving(gap.pose_y, gap.y.a, place + length * way);
   return gap;
 }
 
-double& number_of(Gap& gap, std::uint64_t which) {
+double& entry_of(Gap& gap, std::uint64_t which) {
   if (which < 24) {
     return (which < 12 ? gap.pose_x : gap.pose_y).m[which % 12];
   }
@@ -219,7 +219,7 @@ Gap random_far_gap(Rng& rng, double far) {
 
 Gap changed(Rng& rng, Gap gap) {
   for (std::uint64_t left = 1 + rng.below(3); left > 0; --left) {
-    double& number = number_of(gap, rng.below(42));
+    double& number = entry_of(gap, rng.below(42));
     if (rng.below(3) == 0) {
       constexpr double kInfinity = std::numeric_limits<double>::infinity();
       number = std::nextafter(number, rng.below(2) == 0 ? kInfinity : -kInfinity);

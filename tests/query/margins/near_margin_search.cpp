@@ -11,6 +11,7 @@
 
 #include "tests/query/margins/gap.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -24,8 +25,9 @@ namespace {
 using test::Gap;
 using test::NeededOfGap;
 
-/// Steps without a better gap before the next climb begins.
+/// Steps without a better gap, and steps in all, before the next climb begins.
 constexpr int kFutile = 200;
+constexpr long kSteps = 2000;
 
 struct Peak {
   const char* name;
@@ -97,7 +99,7 @@ int search_peaks(long gaps, std::uint64_t seed) {
                {"slabs", &NeededOfGap::slabs},
                {"far bodies", &NeededOfGap::far}}};
   for (std::size_t turn = 0; gaps > 0; ++turn) {
-    gaps -= climb_peak(rng, peaks[turn % 3], turn % 3 == 2, gaps);
+    gaps -= climb_peak(rng, peaks[turn % 3], turn % 3 == 2, std::min(gaps, kSteps));
   }
   bool granted = true;
   for (const Peak& peak : peaks) {

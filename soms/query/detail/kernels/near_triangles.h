@@ -6,7 +6,8 @@
 // each add 3.01 u |v|_1 S at most to that, u S being e / 8, and their difference u |v|_1 S: the gap
 // is off by less than 2 e |v|_1. 2^-140 covers what underflows. The length is off by 2^-21 of it,
 // the quotient by 2^-24: a factor of 1 - 2^-20. So it does not matter with what error v was
-// computed, and v is the shortest line that floats find between the triangles.
+// computed, and v is the shortest line that floats find between the triangles. No answer needs that
+// factor, nor the one of the squared reach below: e is at least 2^-21 of the distance.
 
 /// Edges of a facet, from each corner to the next.
 struct Edges {
