@@ -42,12 +42,16 @@ Three normal_of(const std::array<F4, 9>& q) {
   return cross({q[3] - q[0], q[4] - q[1], q[5] - q[2]}, {q[6] - q[0], q[7] - q[1], q[8] - q[2]});
 }
 
-/// Square roots, rounded as those of floats are.
-F4 root(F4 v) {
+/// At least the lengths but for 2^-21 of them. Squares of small coordinates underflow.
+F4 lengths_of(const Three& n) {
+  constexpr float kSmall = 0x1p-40F;
+  const F4 squares = dot(n, n[0], n[1], n[2]);
+  const F4 magnitudes = sum_of_magnitudes(n);
+  F4 lengths = {};
   for (std::size_t k = 0; k < 4; ++k) {
-    v[k] = std::sqrt(v[k]);
+    lengths[k] = magnitudes[k] < kSmall ? magnitudes[k] : std::sqrt(squares[k]);
   }
-  return v;
+  return lengths;
 }
 
 /// A box seen from the triangles' frame: axis j of the box is column j of `axis`.
@@ -72,8 +76,7 @@ struct SeenBox {
 M4 apart_along(const SeenBox& box, const std::array<F4, 9>& q, const Three& n) {
   F4 bound = sum_of_magnitudes(n) * box.margin + kLeastProduct;
   if (box.reach != 0) {
-    // The length rounds by 2^-21 at most.
-    bound += root(dot(n, n[0], n[1], n[2])) * (box.reach * (1 + 0x1p-20F));
+    bound += lengths_of(n) * (box.reach * (1 + 0x1p-20F));
   }
   for (std::size_t j = 0; j < 3; ++j) {
     const F4 along = (n[0] * box.axis[0][j] + n[1] * box.axis[1][j]) + n[2] * box.axis[2][j];
