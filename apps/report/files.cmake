@@ -15,6 +15,8 @@ set(SOMS_REPORT_FILES
   scene_data.h
   script_text.cpp
   script_text.h
+  sight.cpp
+  sight.h
   time_line.cpp
   time_line.h
 )

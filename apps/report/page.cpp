@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 namespace soms::report {
@@ -28,12 +29,13 @@ are whole.</p></noscript>
 <div id="stage">
 <canvas id="canvas" tabindex="0" role="application" aria-label="The scene with its contacts; arrow keys
 turn it, plus and minus come closer and go away, N and P go to the next and the previous line of the list"></canvas>
+<svg id="gaps" aria-hidden="true"></svg>
 <p id="trouble" class="warn" role="alert" hidden></p>
 <div id="tools"><button id="whole" type="button">Whole scene</button>
 <button id="above" type="button">From above</button></div>
 <p id="missing" hidden></p>
 <details id="keys"><summary>Keys</summary><div>Drag: turn. Right button, or two fingers: move. Wheel,
-after a click on the picture: zoom in and out. Click a marker: show what touches there. Arrows: turn, with Shift
+after a click on the picture: zoom in and out. Click a marker or a gap: show what touches or is near there. Arrows: turn, with Shift
 move. + and -: zoom in and out. Home: the whole scene. N, P: next and previous line of the list. Space:
 play, pause. In the list: arrow keys choose, Right and Left open and close a row.</div></details>
 </div>
@@ -55,7 +57,8 @@ role="presentation"></div></div>
 <input id="step" type="range" min="0" max="0" step="1" value="0" aria-label="Time">
 <output id="moment" for="step"></output></div>
 <p class="note" id="legend"><span class="key moves"></span>moves <span class="key touch"></span>touches now
-<span class="key was"></span>touches at another time</p>
+<span class="key was"></span>touches at another time<span id="near" hidden><span class="key gap"></span>gap: a shortest segment with
+its length<span id="near-time"> (dashed: at another time)</span></span></p>
 <p id="drawn" class="note"></p>
 </div>
 </section>
@@ -140,10 +143,12 @@ class PageWriter {
     }
   }
 
-  void row(const std::vector<std::string>& texts, const char* tag) {
+  void row(const std::vector<std::string>& texts, const char* tag, std::string_view link = {}) {
     out_ << "<tr>";
     for (const std::string& text : texts) {
-      out_ << fmt::format("<{0}>{1}</{0}>", tag, xml_text(text));
+      const bool leads = !link.empty() && &text == &texts.front();
+      out_ << (leads ? fmt::format("<{0}><a href=\"#{2}\">{1}</a></{0}>", tag, xml_text(text), link)
+                     : fmt::format("<{0}>{1}</{0}>", tag, xml_text(text)));
     }
     out_ << "</tr>\n";
   }
@@ -155,8 +160,9 @@ class PageWriter {
           xml_text(table.title));
       row(table.columns, "th");
       out_ << "</thead>\n<tbody>\n";
-      for (const std::vector<std::string>& texts : table.rows) {
-        row(texts, "td");
+      const std::size_t gaps = table.of_gaps ? std::min(page_.scene.gaps.size(), limits_.gaps) : 0;
+      for (std::size_t k = 0; k < table.rows.size(); ++k) {
+        row(table.rows[k], "td", k < gaps ? fmt::format("gap={}", k) : std::string());
       }
       out_ << fmt::format("</tbody>\n</table>\n</div>\n<p class=\"note\">{}</p>\n</section>\n",
                           xml_text(table.caption));

@@ -19,6 +19,12 @@ h1,.lead,#picked,.note{overflow-wrap:anywhere}
 border-radius:.4rem;overflow:hidden}
 #canvas{display:block;width:100%;height:100%}
 #canvas:focus-visible,#list:focus-visible{outline:3px solid var(--link);outline-offset:-3px}
+#gaps{position:absolute;inset:0;width:100%;height:100%;overflow:hidden;pointer-events:none}
+#gaps line{stroke:var(--ink);stroke-width:2.5}#gaps .halo{stroke:var(--paper);stroke-width:6;stroke-opacity:.8}
+#gaps circle{fill:var(--ink);stroke:var(--paper)}
+#gaps .was .ink{stroke-dasharray:6 4}#gaps .far{opacity:.45}#gaps .chosen .ink{stroke-width:3.5}
+#gaps text{font:600 13px system-ui,sans-serif;fill:var(--ink);stroke:var(--paper);stroke-width:4;
+stroke-linejoin:round;paint-order:stroke;text-anchor:middle}
 #trouble{position:absolute;inset:0;margin:0;padding:2rem;background:var(--warn);max-width:none}
 #tools{position:absolute;top:.5rem;left:.5rem;display:flex;flex-wrap:wrap;gap:.4rem}
 #missing{position:absolute;left:.5rem;bottom:.5rem;max-width:70%;margin:0;padding:.1rem .5rem;
@@ -72,6 +78,7 @@ border-radius:3px;overflow:hidden}
 .key{display:inline-block;width:.8em;height:.8em;border-radius:.2em;vertical-align:-.05em;
 margin:0 .3em 0 .6em}
 .key.moves{background:#0072b2}.key.still{background:#c3beb2}.key.touch{background:#d55e00}.key.was{background:#e6a36f}
+.key.gap{height:.2em;vertical-align:.25em;border-radius:0;background:var(--ink)}
 @media screen and (prefers-color-scheme:dark){.key.moves{background:#56b4e9}
 .key.still{background:#7b8087}.key.touch{background:#ff7a1a}.key.was{background:#a8683a}}
 #plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,34rem),1fr));gap:0 1.5rem}

@@ -70,6 +70,10 @@ std::vector<std::uint32_t> chosen_bodies(const Scene& scene, std::size_t most) {
     choose(row.a);
     choose(row.b);
   }
+  for (const SceneGap& gap : scene.gaps) {
+    choose(gap.a);
+    choose(gap.b);
+  }
   const std::size_t left = scene.bodies.size() - count;
   const std::size_t room = most > count ? std::min(left, most - count) : 0;
   std::size_t number = 0;  // of a body not chosen so far

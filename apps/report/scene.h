@@ -1,5 +1,6 @@
 /// \file
-/// What the view of a page shows: models, bodies at steps of time, and where they touch.
+/// What the view of a page shows: models, bodies at steps of time, where they touch, and how near
+/// they come.
 #pragma once
 
 #include "soms/base/pose.h"
@@ -69,6 +70,19 @@ struct SceneContact {
   std::uint64_t pairs_in_all = 0;        ///< at step `begin`
 };
 
+/// Body `a` is near body `b` in each step from `begin` to `end`. What is drawn is a shortest
+/// segment between the two at step `nearest`.
+struct SceneGap {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  std::uint64_t begin = 0;
+  std::uint64_t end = 0;
+  std::uint64_t nearest = 0;
+  Vec3 point_a = {};  ///< end of the segment on `a`, in the coordinates of the scene
+  Vec3 point_b = {};
+  std::string length = {};  ///< as it is written beside the segment
+};
+
 /// Steps of time, or poses one after the other.
 struct Steps {
   std::uint64_t count = 1;
@@ -95,6 +109,8 @@ struct Scene {
   bool complete = true;                     ///< false: the search ended early, there may be more
   std::uint64_t contacts_in_all = 0;        ///< the sum of `SceneRow::count`
   Noun contact = {"contact", "contacts"};   ///< what the page calls them
+  std::vector<SceneGap> gaps = {};          ///< of all or some, in the order of their table
+  std::uint64_t gaps_in_all = 0;
   Steps steps = {};
   std::function<Pose(std::uint32_t body, std::uint64_t step)> pose = {};
   bool y_is_up = false;
@@ -109,6 +125,7 @@ struct SceneLimits {
   std::uint64_t pose_bytes = 3'000'000;
   std::size_t bodies = 20'000;
   std::size_t contacts = 10'000;
+  std::size_t gaps = 1000;
   std::size_t pairs = 20'000;
   std::size_t pairs_of_contact = 16;
 };
@@ -131,8 +148,8 @@ struct Span {
 /// \pre most >= 2.
 [[nodiscard]] std::vector<std::uint64_t> spread_steps(std::uint64_t count, std::uint64_t most);
 
-/// Bodies to be drawn, ascending: all that stand still, those of contacts, then every so many of
-/// the others, `most` in all or as many as the first two are.
+/// Bodies to be drawn, ascending: all that stand still, those of contacts and gaps, then every so
+/// many of the others, `most` in all or as many as the first are.
 [[nodiscard]] std::vector<std::uint32_t> chosen_bodies(const Scene& scene, std::size_t most);
 
 /// How many triangles of each model may be drawn: all of small ones, and what they leave over is

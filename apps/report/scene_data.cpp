@@ -4,13 +4,16 @@
 #include "apps/report/drawn_mesh.h"
 #include "apps/report/placing.h"
 #include "apps/report/script_text.h"
+#include "apps/report/sight.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace soms::report {
@@ -21,12 +24,6 @@ constexpr std::uint32_t kNone = 0xffffffffU;
 /// Scenes of other sizes are scaled by a power of two, so that floats hold them.
 constexpr double kSmallest = 1e-3;
 constexpr double kLargest = 1e7;
-/// So many times the length of a crossing is worth seeing around it; a crossing that is a point
-/// counts as this share of the smaller triangle.
-constexpr double kAround = 6;
-constexpr double kLeastOfTriangle = 0.1;
-/// Of the whole scene no more than this share: a contact is something to fly to.
-constexpr double kShareOfScene = 0.1;
 constexpr std::uint64_t kBytesOfPose = 28;
 
 std::uint32_t short_number(std::uint64_t value) {
@@ -72,6 +69,7 @@ class SceneWriter {
     write_rows();
     write_contacts();
     write_pairs();
+    write_gaps();
     write_json();
     return shown_;
   }
@@ -108,6 +106,8 @@ class SceneWriter {
     shown_.rows = scene_.rows.size();
     shown_.contacts = std::min(scene_.contacts.size(), limits_.contacts);
     shown_.contacts_in_all = scene_.contacts_in_all;
+    shown_.gaps = std::min(scene_.gaps.size(), limits_.gaps);
+    shown_.gaps_in_all = scene_.gaps_in_all;
     std::vector<std::uint64_t> wanted;
     for (std::size_t k = 0; k < shown_.contacts; ++k) {
       wanted.push_back(std::min(scene_.contacts[k].pairs.size(), limits_.pairs_of_contact));
@@ -127,45 +127,31 @@ class SceneWriter {
     return moved(scene_.models[scene_.bodies[body].model].mesh->triangle(i), pose);
   }
 
-  /// Where to look at a contact, and how much around it is worth seeing.
-  struct View {
-    Vec3 focus;
-    double reach = 0;
-  };
-
-  [[nodiscard]] View view(const SceneContact& contact) const {
-    const Pose pose_a = scene_.pose(contact.a, contact.begin);
-    View view{.focus = pose_a.apply(bounds_of(contact.a).center()),
-              .reach = std::min({0.5 * length(bounds_of(contact.a).extent()),
-                                 0.5 * length(bounds_of(contact.b).extent()),
-                                 kShareOfScene * length(box_.extent())})};
-    if (contact.pairs.empty()) {
-      return view;
-    }
-    const auto& [i, j] = contact.pairs.front();
-    const Triangle a = triangle(contact.a, i, pose_a);
-    const Triangle b = triangle(contact.b, j, scene_.pose(contact.b, contact.begin));
-    const auto [from, to] = crossing_line(a, b);
-    view.focus = (from + to) * 0.5;
-    const double smaller =
-        std::min(length(soms::bounds(a).extent()), length(soms::bounds(b).extent()));
-    const double size = std::max(length(to - from), kLeastOfTriangle * smaller);
-    if (size > 0) {
-      view.reach = std::min(view.reach, kAround * size);
-    }
-    return view;
+  template <typename Shown>
+  [[nodiscard]] Sight sight(const Shown& shown) const {
+    return sight_of(shown, scene_, bounds_, length(box_.extent()));
   }
 
-  /// Places in the coordinates of a model that contacts are at.
+  /// Places in the coordinates of a model that contacts and gaps are at.
   [[nodiscard]] Detail detail_of(std::size_t model) const {
     Detail detail;
     for (std::size_t k = 0; k < shown_.contacts; ++k) {
       const SceneContact& contact = scene_.contacts[k];
       for (const std::uint32_t body : {contact.a, contact.b}) {
         if (scene_.bodies[body].model == model) {
-          const View at = view(contact);
+          const Sight at = sight(contact);
           detail.points.push_back(moved_back(at.focus, scene_.pose(body, contact.begin)));
           detail.radius = std::max(detail.radius, at.reach);
+        }
+      }
+    }
+    for (std::size_t k = 0; k < shown_.gaps; ++k) {
+      const SceneGap& gap = scene_.gaps[k];
+      for (const auto& [body, point] :
+           {std::pair(gap.a, gap.point_a), std::pair(gap.b, gap.point_b)}) {
+        if (scene_.bodies[body].model == model) {
+          detail.points.push_back(moved_back(point, scene_.pose(body, gap.nearest)));
+          detail.radius = std::max(detail.radius, sight(gap).reach);
         }
       }
     }
@@ -283,7 +269,7 @@ class SceneWriter {
             short_number(pairs_of(k))}) {
         data.put(value);
       }
-      const View at = view(contact);
+      const Sight at = sight(contact);
       put(data, place(at.focus));
       data.put(static_cast<float>(at.reach * scale_));
       put_pose(data, contact.a, contact.begin);
@@ -321,6 +307,25 @@ class SceneWriter {
     close();
   }
 
+  void write_gaps() {
+    open("gaps");
+    Base64Writer data(out_);
+    for (std::size_t k = 0; k < shown_.gaps; ++k) {
+      const SceneGap& gap = scene_.gaps[k];
+      for (const std::uint32_t value : {number_[gap.a], number_[gap.b], short_number(gap.begin),
+                                        short_number(gap.end), short_number(gap.nearest)}) {
+        data.put(value);
+      }
+      put(data, place(gap.point_a));
+      put(data, place(gap.point_b));
+      data.put(static_cast<float>(sight(gap).reach * scale_));
+      put_pose(data, gap.a, gap.nearest);
+      put_pose(data, gap.b, gap.nearest);
+    }
+    data.finish();
+    close();
+  }
+
   static std::string numbers(const Vec3& v) { return fmt::format("[{},{},{}]", v.x, v.y, v.z); }
 
   void write_json() {
@@ -347,6 +352,13 @@ class SceneWriter {
         "}",
         scene_.complete, shown_.rows, shown_.contacts, shown_.contacts_in_all, pairs_,
         script_text(scene_.contact.one), script_text(scene_.contact.many));
+    out_ << fmt::format(",\"gaps\":{{\"listed\":{},\"all\":{},\"lengths\":", shown_.gaps,
+                        shown_.gaps_in_all)
+         << list_of(std::span(scene_.gaps).first(shown_.gaps),
+                    [](const SceneGap& gap) {
+                      return script_text(shortened(gap.length, kLongestText));
+                    })
+         << "}";
     const auto words = [](const std::string& text) {
       return script_text(shortened(text, kLongestText));
     };

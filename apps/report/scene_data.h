@@ -18,6 +18,8 @@ struct Shown {
   std::uint64_t rows = 0;  ///< of pairs of parts or bodies: always all
   std::uint64_t contacts = 0;
   std::uint64_t contacts_in_all = 0;
+  std::uint64_t gaps = 0;
+  std::uint64_t gaps_in_all = 0;
   std::uint64_t steps = 0;
   std::uint64_t steps_in_all = 0;
 
@@ -25,8 +27,9 @@ struct Shown {
 };
 
 /// Writes script elements that hold the scene: one of JSON, "soms-scene", schema soms.scene/2, and
-/// one of base64 for each model, for the poses, the rows and the contacts. Lengths are floats
-/// around an origin near the scene; docs/report.md describes them. \errors Those of `scene.pose`.
+/// one of base64 for each model, for the poses, the rows, the contacts and the gaps. Lengths are
+/// floats around an origin near the scene; docs/report.md describes them. \errors Those of
+/// `scene.pose`.
 Shown write_scene(std::ostream& out, const Scene& scene, const SceneLimits& limits = {});
 
 }  // namespace soms::report

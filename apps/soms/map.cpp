@@ -6,6 +6,7 @@
 #include "apps/soms/map_city.h"
 #include "apps/soms/map_marks.h"
 #include "apps/soms/outline.h"
+#include "apps/soms/simulate_near_report.h"
 #include "apps/soms/simulate_report.h"
 #include "apps/support/text.h"
 
@@ -17,6 +18,8 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace soms::command {
 
@@ -29,6 +32,11 @@ constexpr double kMargin = 24;
 constexpr std::size_t kCityBudget = 200'000;
 /// Tracks and movers drawn at most; of more, every so many.
 constexpr std::size_t kMostDrawn = 2500;
+/// Gaps drawn at most, and those whose lengths are written: the nearest.
+constexpr std::size_t kMostGaps = 1000;
+constexpr std::size_t kMostLengths = 40;
+constexpr double kLengthWidth = 62;
+constexpr double kLengthHeight = 14;
 constexpr const char* kPaper = "#f3efe6";
 constexpr const char* kInk = "#2b2a28";
 constexpr const char* kContact = "#d1002f";
@@ -50,6 +58,11 @@ struct Page {
   [[nodiscard]] double x(double at) const { return kMargin + (at - area.lower.x) * scale; }
 
   [[nodiscard]] double y(double at) const { return kMargin + (area.upper.y - at) * scale; }
+
+  [[nodiscard]] bool holds(const Vec3& at) const {
+    return area.lower.x <= at.x && at.x <= area.upper.x && area.lower.y <= at.y &&
+           at.y <= area.upper.y;
+  }
 };
 
 Page make_page(const World& world) {
@@ -166,14 +179,76 @@ void draw_marks(std::ostream& out, const Page& page, const std::vector<Mark>& ma
   out << "</g>\n";
 }
 
-/// The places where the most touched triangles were touched first, numbered as in the list.
-void draw_most_touched(std::ostream& out, const Page& page, const World& world,
-                       const std::vector<Touched>& most) {
-  for (std::size_t k = most.size(); k-- > 0;) {  // the first on top
-    const MoverRoute& mover_route = world.routes[most[k].mover];
-    const Vec3 at = mover_route.at(most[k].begin).apply(world.models[mover_route.model].foot);
-    out << number_mark(page.x(at.x), page.y(at.y), k + 1);
+/// The places where the most touched triangles were touched first.
+std::vector<Label> places_of(const Page& page, const World& world,
+                             const std::vector<Touched>& most) {
+  std::vector<Label> places;
+  for (const Touched& touched : most) {
+    const MoverRoute& mover_route = world.routes[touched.mover];
+    const Vec3 at = mover_route.at(touched.begin).apply(world.models[mover_route.model].foot);
+    places.push_back({page.x(at.x), page.y(at.y)});
   }
+  return places;
+}
+
+/// Numbers them as in the list.
+void draw_most_touched(std::ostream& out, const std::vector<Label>& places) {
+  for (std::size_t k = places.size(); k-- > 0;) {  // the first on top
+    out << number_mark(places[k].x, places[k].y, k + 1);
+  }
+}
+
+/// The least gaps of two bodies each, as many as are drawn, the nearest first.
+struct MapGaps {
+  std::vector<NearEvent> drawn;
+  std::size_t all = 0;
+};
+
+MapGaps gaps_of(const Outcome& outcome) {
+  const std::vector<std::size_t> numbers = outcome.near.nearest_of_pairs();
+  MapGaps gaps{.drawn = {}, .all = numbers.size()};
+  for (std::size_t k = 0; k < std::min(numbers.size(), kMostGaps); ++k) {
+    gaps.drawn.push_back(outcome.near.events()[numbers[k]]);
+  }
+  return gaps;
+}
+
+/// A shortest segment with a halo and a dot at either end, which are seen however short it is.
+/// Lengths keep clear of what is `taken`.
+void draw_gaps(std::ostream& out, const Page& page, const std::vector<NearEvent>& gaps,
+               const std::vector<Label>& taken) {
+  std::string path;
+  std::vector<Label> labels;
+  for (std::size_t k = gaps.size(); k-- > 0;) {  // the nearest on top
+    const Vec3& a = gaps[k].point_a;
+    const Vec3& b = gaps[k].point_b;
+    path += fmt::format("M{:.1f} {:.1f}h.1M{:.1f} {:.1f}L{:.1f} {:.1f}h.1", page.x(a.x),
+                        page.y(a.y), page.x(a.x), page.y(a.y), page.x(b.x), page.y(b.y));
+  }
+  std::vector<std::string> texts;
+  for (const NearEvent& gap : gaps) {
+    const Vec3 middle = (gap.point_a + gap.point_b) * 0.5;
+    if (page.holds(middle)) {
+      const double least = kMargin + kLengthWidth / 2;
+      const double most = std::max(least, kMargin + page.width - kLengthWidth / 2);
+      labels.push_back({std::clamp(page.x(middle.x), least, most), page.y(middle.y) - 7});
+      texts.push_back(meters_in_text(gap.distance.lower));
+    }
+  }
+  out << fmt::format("<defs><path id=\"gaps\" d=\"{}\"/></defs>\n", path);
+  for (const auto& [color, width] : {std::pair("#fff", 6.5), std::pair(kInk, 3.2)}) {
+    out << fmt::format(
+        "<use href=\"#gaps\" fill=\"none\" stroke-linecap=\"round\" stroke=\"{}\" "
+        "stroke-width=\"{}\"/>\n",
+        color, width);
+  }
+  out << "<g text-anchor=\"middle\" font-weight=\"700\" stroke=\"#fff\" stroke-width=\"3\" "
+         "stroke-linejoin=\"round\" paint-order=\"stroke\">\n";
+  for (const std::size_t k :
+       labels_with_room(labels, taken, kLengthWidth, kLengthHeight, kMostLengths)) {
+    out << text(labels[k].x, labels[k].y, 11, texts[k]);
+  }
+  out << "</g>\n";
 }
 
 /// Writes the panel beside the map, line by line downwards.
@@ -244,6 +319,19 @@ void write_contacts(Panel& panel, const Outcome& outcome, const std::vector<Mark
   }
 }
 
+void write_gaps(Panel& panel, const MapGaps& gaps) {
+  if (gaps.all > 0) {
+    panel.head(gaps.all > gaps.drawn.size()
+                   ? fmt::format("The {} nearest of {}", with_commas(gaps.drawn.size()),
+                                 counted(gaps.all, "gap"))
+                   : counted(gaps.all, "gap") + " without a touch");
+    panel.keyed(fmt::format("<path d=\"M-8 0H8\" stroke=\"{}\" stroke-width=\"2.5\" "
+                            "stroke-linecap=\"round\"/>",
+                            kInk),
+                "least of two bodies, with its length");
+  }
+}
+
 /// The list of the table.
 void write_most_touched(Panel& panel, const World& world, const std::vector<Touched>& most) {
   if (most.empty()) {
@@ -276,6 +364,8 @@ void draw_map(std::ostream& out, const World& world, const Outcome& outcome) {
   const MapCity city = outline_city(world, page.area, kCityBudget);
   const std::vector<Touched> most = outcome.contacts.most_touched(kMostTouched);
   const std::vector<Mark> marks = find_marks(world, outcome, 13 / page.scale);
+  const std::vector<Label> places = places_of(page, world, most);
+  const MapGaps gaps = gaps_of(outcome);
   const double panel_left = kMargin + page.width + kMargin;
   const double width = panel_left + kPanel;
   const double height = std::max(page.height, 560.0) + 2 * kMargin + 16;
@@ -293,8 +383,11 @@ void draw_map(std::ostream& out, const World& world, const Outcome& outcome) {
   draw_city(out, page, city);
   draw_tracks(out, page, world, outcome);
   draw_movers(out, page, world, outcome);
+  if (gaps.all > 0) {
+    draw_gaps(out, page, gaps.drawn, places);
+  }
   draw_marks(out, page, marks);
-  draw_most_touched(out, page, world, most);
+  draw_most_touched(out, places);
   out << "</g>\n";
   draw_scale_bar(out, page);
   Panel panel(out, panel_left);
@@ -304,6 +397,7 @@ void draw_map(std::ostream& out, const World& world, const Outcome& outcome) {
   write_movers(panel, world);
   write_contacts(panel, outcome, marks);
   write_most_touched(panel, world, most);
+  write_gaps(panel, gaps);
   panel.head("City, from above");
   for (const MapLayer& layer : city.layers) {
     panel.keyed(fmt::format("<rect x=\"-8\" y=\"-6\" width=\"16\" height=\"12\" fill=\"{}\" "

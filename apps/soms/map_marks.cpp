@@ -43,6 +43,24 @@ double mark_radius(std::uint64_t contacts) {
   return std::min(2.2 + 0.9 * std::sqrt(static_cast<double>(contacts)), 13.0);
 }
 
+std::vector<std::size_t> labels_with_room(const std::vector<Label>& labels,
+                                          const std::vector<Label>& taken, double width,
+                                          double height, std::size_t most) {
+  std::vector<std::size_t> written;
+  const auto apart = [&](const Label& a, const Label& b) {
+    return std::abs(a.x - b.x) >= width || std::abs(a.y - b.y) >= height;
+  };
+  for (std::size_t k = 0; k < labels.size() && written.size() < most; ++k) {
+    if (std::all_of(taken.begin(), taken.end(),
+                    [&](const Label& other) { return apart(labels[k], other); }) &&
+        std::all_of(written.begin(), written.end(),
+                    [&](std::size_t other) { return apart(labels[k], labels[other]); })) {
+      written.push_back(k);
+    }
+  }
+  return written;
+}
+
 double round_length(double meters) {
   const double power = std::pow(10, std::floor(std::log10(meters)));
   const double digits = meters / power;

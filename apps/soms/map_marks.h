@@ -1,5 +1,5 @@
 /// \file
-/// Contacts as marks on the map, and words fit for it.
+/// Contacts and gaps as marks on the map, and words fit for it.
 #pragma once
 
 #include "apps/soms/simulate_run.h"
@@ -25,6 +25,19 @@ struct Mark {
 
 /// Radius of a mark in pixels: its area grows with the contacts, up to a limit.
 [[nodiscard]] double mark_radius(std::uint64_t contacts);
+
+/// Where a text stands on the map, in pixels.
+struct Label {
+  double x = 0;
+  double y = 0;
+};
+
+/// Numbers of the labels that are written, `most` of them: each but those that would cover what is
+/// `taken` or one before. `width` and `height` are those of the texts.
+[[nodiscard]] std::vector<std::size_t> labels_with_room(const std::vector<Label>& labels,
+                                                        const std::vector<Label>& taken,
+                                                        double width, double height,
+                                                        std::size_t most);
 
 /// A round length not above `meters`: 1, 2 or 5 times a power of ten.
 [[nodiscard]] double round_length(double meters);

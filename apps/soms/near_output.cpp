@@ -14,10 +14,6 @@ namespace {
 
 constexpr std::uint64_t kRowsInText = 20;  // that a person may want to read
 
-std::string point_in_text(const Vec3& p) {
-  return fmt::format("({}, {}, {})", readable(p.x), readable(p.y), readable(p.z));
-}
-
 std::string side_in_text(const Mesh& mesh, TriangleId i, const Vec3& at) {
   return fmt::format("triangle {} of {} at {}", triangle_label(mesh, i), printable(mesh.source),
                      point_in_text(at));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <tuple>
 
 namespace soms::command {
@@ -121,6 +122,13 @@ std::vector<std::size_t> NearLog::nearest(std::size_t n) const {
   std::partial_sort(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(most),
                     numbers.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
   numbers.resize(most);
+  return numbers;
+}
+
+std::vector<std::size_t> NearLog::nearest_of_pairs() const {
+  std::vector<std::size_t> numbers = nearest(events_.size());
+  std::set<decltype(pair_of(NearEvent()))> seen;
+  std::erase_if(numbers, [&](std::size_t k) { return !seen.insert(pair_of(events_[k])).second; });
   return numbers;
 }
 

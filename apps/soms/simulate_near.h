@@ -50,6 +50,10 @@ class NearLog {
   /// Events in which the two never touch.
   [[nodiscard]] std::uint64_t without_touch() const;
 
+  /// Numbers of the events that are the nearest of their two bodies without a touch; the nearest
+  /// first.
+  [[nodiscard]] std::vector<std::size_t> nearest_of_pairs() const;
+
   /// Numbers of the `n` events of least distance among those without a touch; of equal ones the
   /// first.
   [[nodiscard]] std::vector<std::size_t> nearest(std::size_t n) const;

@@ -13,9 +13,6 @@ namespace soms::command {
 
 namespace {
 
-/// Events that a page lists.
-constexpr std::size_t kMostOfAPage = 1000;
-
 const std::string& model_name(const World& world, MoverId mover) {
   return world.models[world.routes[mover].model].name;
 }
@@ -29,27 +26,26 @@ std::string other_name(const World& world, const NearEvent& event) {
                                 : part_name(world, event.part, event.j);
 }
 
-/// "0.0123 m": what people compare; programs get all digits.
-std::string length(double meters) {
-  return fmt::format("{:.4g} m", meters);
-}
-
 Json point_json(const Vec3& point) {
   return Json::array({point.x, point.y, point.z});
 }
 
 }  // namespace
 
+std::string meters_in_text(double meters) {
+  return four_digits(meters) + " m";
+}
+
 void add_near_figures(Figures& figures, const World& world, const Outcome& outcome,
                       const SimulateOptions& options) {
   const std::uint64_t all = outcome.near.events().size();
   const std::uint64_t between = outcome.near.between_movers();
-  std::string text = fmt::format("none within {}", length(options.clearance));
+  std::string text = fmt::format("none within {}", meters_in_text(options.clearance));
   if (all > 0) {
     text = fmt::format(
         "{} within {} ({} with models of the city, {} between movers), {} of them "
         "without a touch",
-        with_commas(all), length(options.clearance), with_commas(all - between),
+        with_commas(all), meters_in_text(options.clearance), with_commas(all - between),
         with_commas(between), with_commas(outcome.near.without_touch()));
   }
   figures.emplace_back("near", std::move(text));
@@ -58,7 +54,7 @@ void add_near_figures(Figures& figures, const World& world, const Outcome& outco
     const NearEvent& event = outcome.near.events()[k];
     figures.emplace_back(std::exchange(name, ""),
                          fmt::format("{} and {}: {} in frame {}", mover_name(world, event.mover),
-                                     other_name(world, event), length(event.distance.lower),
+                                     other_name(world, event), meters_in_text(event.distance.lower),
                                      with_commas(event.nearest)));
   }
 }
@@ -118,28 +114,41 @@ void write_near_events(std::ostream& out, const World& world, const Outcome& out
   }
 }
 
-report::Table near_table(const World& world, const Outcome& outcome,
-                         const SimulateOptions& options) {
+void add_near(report::Page& page, const World& world, const Outcome& outcome,
+              const SimulateOptions& options) {
   const std::uint64_t all = outcome.near.without_touch();
+  const std::size_t most = report::SceneLimits().gaps;
   report::Table table{
-      .title = fmt::format("Near, within {}, without a touch", length(options.clearance)),
-      .columns = {"mover", "near to", "least gap", "in frame", "from", "to"},
+      .title = fmt::format("Near, within {}, without a touch", meters_in_text(options.clearance)),
+      .columns = {"mover", "near to", "least gap", "in frame", "from", "to", "point on the mover",
+                  "nearest point"},
       .rows = {},
-      .caption = "The nearest first. What touches in these frames is among the contacts."};
-  if (all > kMostOfAPage) {
+      .caption = "The nearest first. What touches in these frames is among the contacts.",
+      .of_gaps = true};
+  if (all > most) {
     table.caption = fmt::format("The nearest {} of {}, the nearest first; --events lists all.",
-                                with_commas(kMostOfAPage), with_commas(all));
+                                with_commas(most), with_commas(all));
   }
   const CityParts parts(world);
-  for (const std::size_t k : outcome.near.nearest(kMostOfAPage)) {
+  const auto bodies = static_cast<std::uint32_t>(world.city.size());  // of the city, before movers
+  for (const std::size_t k : outcome.near.nearest(most)) {
     const NearEvent& event = outcome.near.events()[k];
     table.rows.push_back(
         {mover_name(world, event.mover),
          event.between_movers() ? mover_name(world, event.other) : parts.name(event.part, event.j),
-         length(event.distance.lower), with_commas(event.nearest), with_commas(event.begin),
-         with_commas(event.end)});
+         meters_in_text(event.distance.lower), with_commas(event.nearest), with_commas(event.begin),
+         with_commas(event.end), point_in_text(event.point_a), point_in_text(event.point_b)});
+    page.scene.gaps.push_back({.a = bodies + event.mover,
+                               .b = event.between_movers() ? bodies + event.other : event.part,
+                               .begin = event.begin,
+                               .end = event.end,
+                               .nearest = event.nearest,
+                               .point_a = event.point_a,
+                               .point_b = event.point_b,
+                               .length = meters_in_text(event.distance.lower)});
   }
-  return table;
+  page.scene.gaps_in_all = all;
+  page.tables.push_back(std::move(table));
 }
 
 }  // namespace soms::command

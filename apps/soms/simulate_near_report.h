@@ -22,6 +22,9 @@ inline constexpr std::string_view kNearColumns =
 /// Their fields in the row of a contact.
 inline constexpr std::string_view kNearFieldsOfContact = ",contact,,,,,,,,,,";
 
+/// "0.0123 m": what people compare; programs get all digits.
+[[nodiscard]] std::string meters_in_text(double meters);
+
 /// Lines on how many came within the clearance, and on the nearest of them.
 void add_near_figures(Figures& figures, const World& world, const Outcome& outcome,
                       const SimulateOptions& options);
@@ -37,8 +40,10 @@ void add_near_json(Json& json, const World& world, const Outcome& outcome,
 /// there are no points where the two touch in it.
 void write_near_events(std::ostream& out, const World& world, const Outcome& outcome);
 
-/// The events without a touch, the nearest first, as many as a page has room for.
-[[nodiscard]] report::Table near_table(const World& world, const Outcome& outcome,
-                                       const SimulateOptions& options);
+/// Adds to a page the events without a touch, the nearest first, as many as it has room for: as a
+/// table, and as gaps of the scene. \pre `page.scene.bodies` are those of the city, then the
+/// movers.
+void add_near(report::Page& page, const World& world, const Outcome& outcome,
+              const SimulateOptions& options);
 
 }  // namespace soms::command

@@ -45,7 +45,8 @@ Action add_simulate(CLI::App& app, Shared&) {
       "a robot; each is a number as in --events or the name of a model;\nmay be repeated",
       "A,B");
   add_positive(app, "--clearance", options->clearance,
-               "report what comes within this distance, too, and how near");
+               "report what comes within this distance, too, and how near; --map\n"
+               "and --report draw it");
   add_output(app, "--map", options->map, "draw the city, its movers and contacts as SVG");
   add_output(app, "--report", options->report,
              "write an HTML report with figures, a time line and the scene in 3-D");

@@ -253,10 +253,10 @@ void write_page(std::ostream& out, const World& world, const Outcome& outcome,
       "which they touch to the last in a row. Only surfaces are tested: a mover entirely inside a "
       "closed building touches nothing. The picture may be simplified; the answers never are.");
   page.plots = plots_of(world, outcome);
-  if (options.clearance > 0) {
-    page.tables.push_back(near_table(world, outcome, options));
-  }
   page.scene = scene_of(world, outcome);
+  if (options.clearance > 0) {
+    add_near(page, world, outcome, options);
+  }
   report::write_page(out, page);
 }
 

@@ -31,6 +31,14 @@ std::string readable(double number) {
   return digits <= kDigits ? whole : fmt::format("{:.{}g}", number, kDigits);
 }
 
+std::string four_digits(double number) {
+  return fmt::format("{:.4g}", number);
+}
+
+std::string point_in_text(const Vec3& point) {
+  return fmt::format("({}, {}, {})", readable(point.x), readable(point.y), readable(point.z));
+}
+
 std::string counted(std::uint64_t number, const std::string& noun) {
   return with_commas(number) + " " + noun + (number == 1 ? "" : "s");
 }

@@ -1,8 +1,10 @@
 // What comes near in a simulation: the log, its judge, and what the command writes.
 #include "apps/soms/simulate_near.h"
 
+#include "apps/soms/map_marks.h"
 #include "apps/soms/simulate_verify_near.h"
 #include "tests/commands/run.h"
+#include "tests/report/reading.h"
 
 #include <cstddef>
 #include <string>
@@ -45,6 +47,21 @@ TEST(NearLog, KeepsTheLeastGapOfEachStretchOfFrames) {
   EXPECT_EQ(events[2].end, 5U);
   EXPECT_EQ(log.nearest(2), (std::vector<std::size_t>{2, 0}));
   EXPECT_EQ(log.without_touch(), 3U);
+}
+
+TEST(NearLog, NamesTheNearestEventOfEachPair) {
+  NearLog log;
+  auto add = [&, frame = 0U](std::vector<EnvironmentGap> gaps) mutable {
+    StepReport report;
+    report.environment_gaps = std::move(gaps);
+    log.add(report, frame++);
+  };
+  add({gap_at(1, 5), gap_at(3, 2)});
+  add({});
+  add({gap_at(1, 4), gap_at(3, 3)});
+  log.finish();
+  ASSERT_EQ(log.events().size(), 4U);
+  EXPECT_EQ(log.nearest_of_pairs(), (std::vector<std::size_t>{1, 2}));
 }
 
 TEST(NearLog, CountsTouchingAsDistanceNothing) {
@@ -246,9 +263,41 @@ TEST_F(NearRun, ListsTheNearestOnItsPage) {
   ASSERT_EQ(run({"--clearance", "1", "--report", at("p.html")}).status, 0);
   const std::string page = test::read_text(at("p.html"));
   EXPECT_NE(page.find("<h2>Near, within 1 m, without a touch</h2>"), std::string::npos);
-  EXPECT_NE(page.find("<tr><td>kite 0</td><td>wall</td><td>0.25 m</td><td>7</td><td>7</td>"
-                      "<td>7</td></tr>"),
+  EXPECT_NE(page.find("<tr><td><a href=\"#gap=0\">kite 0</a></td><td>wall</td><td>0.25 m</td>"
+                      "<td>7</td><td>7</td><td>7</td><td>(0.25, 0, 0)</td>"),
             std::string::npos);
+  const test::Json scene = test::scene_of(page);
+  EXPECT_EQ(scene["gaps"]["lengths"], (std::vector<std::string>{"0.25 m", "0.5 m"}));
+  EXPECT_EQ(scene["gaps"]["all"], 2);
+  const std::vector<std::uint32_t> words = test::words_of(test::element(page, "gaps"));
+  ASSERT_EQ(words.size(), 52U);
+  const auto bodies = [&](std::size_t gap) {
+    return std::pair(scene["bodies"]["names"][words[26 * gap]].get<std::string>(),
+                     scene["bodies"]["names"][words[26 * gap + 1]].get<std::string>());
+  };
+  EXPECT_EQ(bodies(0), std::pair(std::string("kite 0"), std::string("wall")));
+  EXPECT_EQ(bodies(1), std::pair(std::string("kite 0"), std::string("kite 1")));
+  EXPECT_EQ(words[4], 7U) << "the frame of the least distance";
+  ASSERT_EQ(run({"--report", at("plain.html")}).status, 0);
+  EXPECT_EQ(test::scene_of(test::read_text(at("plain.html")))["gaps"]["listed"], 0);
+}
+
+TEST_F(NearRun, DrawsTheLeastGapOfEachPairOnItsMap) {
+  ASSERT_EQ(run({"--clearance", "1", "--map", at("m.svg")}).status, 0);
+  const std::string map = test::read_text(at("m.svg"));
+  EXPECT_NE(map.find(">0.25 m</text>"), std::string::npos);
+  EXPECT_EQ(map.find(">0.5 m</text>"), std::string::npos) << "it lies beyond the map";
+  EXPECT_NE(map.find(">2 gaps without a touch</text>"), std::string::npos);
+  ASSERT_EQ(run({"--map", at("plain.svg")}).status, 0);
+  EXPECT_EQ(test::read_text(at("plain.svg")).find("id=\"gaps\""), std::string::npos);
+}
+
+TEST(MapLabels, LeaveOutWhatWouldCoverAnother) {
+  const std::vector<Label> labels{{0, 0}, {59, 0}, {60, 0}, {0, 9}, {0, 10}, {500, 500}};
+  EXPECT_EQ(labels_with_room(labels, {}, 60, 10, 9), (std::vector<std::size_t>{0, 2, 4, 5}));
+  EXPECT_EQ(labels_with_room(labels, {}, 60, 10, 2), (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ(labels_with_room(labels, {{500, 491}, {60, -9}}, 60, 10, 9),
+            (std::vector<std::size_t>{0, 4}));
 }
 
 TEST_F(NearRun, LeavesOutWhatIsNotTested) {

@@ -381,6 +381,47 @@ def simulate_faults(browser, file, answer):
     yield from log_faults(browser)
 
 
+def gap_faults(browser, soms, folder):
+    """A link of the table shows its gap: a line between the two, with its length."""
+    file = folder / "near.html"
+    subprocess.run([soms, "simulate", folder / "to<b>wn&.obj", "--count", "60", "--frames", "60",
+                    "--clearance", "2", "--report", file, "--quiet"], check=True,
+                   capture_output=True)
+    page = Look(browser, file, DESK)
+    links = page.browser.find_elements("css selector", 'a[href^="#gap="]')
+    if not 2 < len(links) == page.soms("gaps"):
+        yield f"{len(links)} links to {page.soms('gaps')} gaps"
+    if not page.run("return document.getElementById('near').offsetWidth"):
+        yield "nothing says what the lines of gaps are"
+    row = page.run("return [...arguments[0].closest('tr').children].map(e => e.textContent)", links[1])
+    page.run("arguments[0].click()", links[1])
+    page.canvas()
+    if page.soms("chosenGap()") != 1 or page.run("return location.hash") != "#gap=1":
+        yield "a link does not choose its gap"
+    if away(page.soms("target()"), page.soms("middle(1)")) > 1e-3:
+        yield "the camera does not look at the gap"
+    if str(page.soms("step()")) != row[3] or row[2] not in page.element("picked").text:
+        yield f"the gap of {row} is reported as '{page.element('picked').text}'"
+    shown = page.run("""const g = document.querySelector('#gaps .chosen');
+        const line = g.querySelector('.ink'), box = document.getElementById('gaps').getBoundingClientRect();
+        const at = (name) => Number(line.getAttribute(name));
+        return [g.textContent, Math.hypot(at('x2') - at('x1'), at('y2') - at('y1')),
+                (at('x1') + at('x2')) / 2 / box.width, (at('y1') + at('y2')) / 2 / box.height,
+                g.querySelector('text').style.display, g.classList.contains('is')];""")
+    if shown[0] != row[2] or shown[4] == "none" or not shown[5]:
+        yield f"the length {row[2]} is drawn as {shown}"
+    if shown[1] < 5 or abs(shown[2] - 0.5) > 0.05 or abs(shown[3] - 0.5) > 0.05:
+        yield f"the line of the gap is not in the middle: {shown}"
+    linked = Look(browser, file, DESK, mark="#gap=2")
+    if not linked.wait("return soms.chosenGap() === 2"):
+        yield "an address that names a gap does not show it"
+    lines(linked, "pair")[0].click()
+    linked.landed()
+    if linked.soms("chosenGap()") != -1:
+        yield "a gap stays chosen beside a contact"
+    yield from log_faults(browser)
+
+
 def plain_faults(folder, file):
     """Without WebGL: figures, list and time line are there, and it is said what is not."""
     browser = start_browser(folder, False)
@@ -523,6 +564,7 @@ def main():
                                   "--report", file, "--json"], check=True, capture_output=True,
                                  text=True)
             found += simulate_faults(browser, file, json.loads(run.stdout))
+            found += gap_faults(browser, soms, folder)
             found += overlap_faults(browser, soms, folder)
             found += many_rows_faults(browser, soms, folder)
             found += reproduce_faults(browser, soms, folder)

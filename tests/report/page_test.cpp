@@ -52,6 +52,20 @@ TEST(ReportPage, SetsWarningsApart) {
             std::string::npos);
 }
 
+TEST(ReportPage, LinksRowsOfATableToItsGaps) {
+  const Mesh mesh = generate_knot(500);
+  Page page = small_page(mesh, "words");
+  page.scene.gaps = {{.a = 0, .b = 1, .length = "3 m"}};
+  page.tables = {{.title = "Near",
+                  .columns = {"who", "what"},
+                  .rows = {{"<first>", "3 m"}, {"second", "4 m"}},
+                  .of_gaps = true}};
+  const std::string text = written(page);
+  EXPECT_NE(text.find("<tr><td><a href=\"#gap=0\">&lt;first&gt;</a></td><td>3 m</td></tr>\n"
+                      "<tr><td>second</td><td>4 m</td></tr>"),
+            std::string::npos);
+}
+
 TEST(ReportPage, IsOneWholeDocumentWithAllItsParts) {
   const Mesh mesh = generate_knot(500);
   const std::string text = written(small_page(mesh, "words"));

@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t kWordsOfContact = 28;
 constexpr std::size_t kWordsOfRow = 17;
 constexpr std::size_t kWordsOfPair = 26;
+constexpr std::size_t kWordsOfGap = 26;
 
 Mesh triangle_mesh(const Vec3& a, const Vec3& b, const Vec3& c) {
   Mesh mesh;
@@ -143,6 +144,42 @@ TEST(SceneData, PlacesAContactWhereItIs) {
   }
   EXPECT_NEAR(std::abs(static_cast<double>(pairs[20] - pairs[23])), 0.25, 1e-4);
   EXPECT_EQ(words[27], 0U) << "its row";
+}
+
+TEST(SceneData, PlacesAGapWhereItIs) {
+  Field field;
+  field.scene.gaps = {{.a = 1,
+                       .b = 0,
+                       .begin = 1,
+                       .end = 4,
+                       .nearest = 2,
+                       .point_a = {1'000'006, 2'000'001, 401},
+                       .point_b = {1'000'006, 2'000'001, 400},
+                       .length = "1 </script>"},
+                      {.a = 1, .b = 0}};
+  field.scene.gaps_in_all = 7;
+  const std::string page = field.write({.gaps = 1});
+  EXPECT_EQ(field.shown.gaps, 1U);
+  EXPECT_EQ(field.shown.gaps_in_all, 7U);
+  const auto json = test::scene_of(page);
+  EXPECT_EQ(json["gaps"]["listed"], 1);
+  EXPECT_EQ(json["gaps"]["all"], 7);
+  EXPECT_EQ(json["gaps"]["lengths"], std::vector<std::string>{"1 </script>"});
+  const std::vector<std::uint32_t> words = test::words_of(test::element(page, "gaps"));
+  const std::vector<float> floats = test::floats_of(test::element(page, "gaps"));
+  ASSERT_EQ(words.size(), kWordsOfGap);
+  EXPECT_EQ(std::vector<std::uint32_t>(words.begin(), words.begin() + 5),
+            (std::vector<std::uint32_t>{1, 0, 1, 4, 2}));
+  const std::vector<double> expected{1'000'006, 2'000'001, 401, 1'000'006, 2'000'001, 400};
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_NEAR(json["origin"][k % 3].get<double>() + static_cast<double>(floats[5 + k]),
+                expected[k], 1e-4);
+  }
+  EXPECT_GE(floats[11], 1.0F) << "all of the segment is seen";
+  const double middle = bounds(field.needle).center().x;
+  EXPECT_NEAR(json["origin"][0].get<double>() + static_cast<double>(floats[12]), 1'000'006 + middle,
+              1e-4)
+      << "the pose at the nearest step";
 }
 
 TEST(SceneData, KeepsWithinItsLimits) {

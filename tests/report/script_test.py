@@ -84,11 +84,11 @@ for (const [query, found] of [
 
 # Two movers that touch each other and a part of the city; pages whose contacts are not all there.
 WORDS = """
-import { counts, notDrawn, rowNoun, shortName, whatIsDrawn } from '%(words)s';
+import { counts, gapWords, notDrawn, rowNoun, shortName, whatIsDrawn } from '%(words)s';
 import { Entries, NO, PERHAPS, YES } from '%(entries)s';
 const NONE = 0xffffffff;
 const page = ({ parts = [0, NONE], complete = true, held = [[0], [1]], all = 2, spans = [[3, 9, 7], [3, 9, 3]] }) => ({
-  scene: { complete, models: [], parts: ['lid'], bodies: { names: [], all: 0 },
+  scene: { complete, models: [], parts: ['lid'], bodies: { names: [], all: 0 }, gaps: { listed: 2, all: 9 },
     contacts: { listed: held.flat().length, all, one: 'contact', many: 'contacts' },
     steps: { kept: [0], count: 1, noun: 'frame' } },
   contacts: { begin: (k) => [3, 5][k], end: (k) => [3, 6][k] },
@@ -115,6 +115,14 @@ check(notDrawn(page({ all: 12 })), 'Drawn: 2 of 12 contacts, spread over all 2 p
 check(notDrawn(page({ held: [[0], []], all: 12 })), 'Drawn: 1 of 12 contacts, from 1 of 2 pairs of parts or bodies');
 check(shortName('Slab:Level 0:Concrete 250'), 'Slab:Level 0:Concrete 250');
 check(shortName('x'.repeat(60) + ' 17'), 'x'.repeat(13) + '...' + 'x'.repeat(25) + ' 17');
+check(whatIsDrawn(page({})).includes('gaps: the nearest 2 of 9'), true);
+const near = (count, end) => ({
+  scene: { bodies: { names: ['car 3', 'wall'] }, steps: { count, noun: 'frame' }, size: 10, scale: 2, origin: [1, 0, 0] },
+  gaps: { a: () => 0, b: () => 1, begin: () => 3, end: () => end, nearest: () => 3, lengths: ['2 m'], point: (g, side) => [4 * side, 0, 0] },
+});
+check(gapWords(near(9, 5), 0), 'car 3 and wall: 2 m at frame 3; near in frames 3 to 5; from (1, 0, 0) to (3, 0, 0)');
+check(gapWords(near(9, 3), 0), 'car 3 and wall: 2 m at frame 3; from (1, 0, 0) to (3, 0, 0)');
+check(gapWords(near(1, 3), 0), 'car 3 and wall: 2 m; from (1, 0, 0) to (3, 0, 0)');
 const entries = new Entries(page({}));
 // The first row touches at each step; of the second three of seven are known, and two contacts are there.
 for (const [r, step, expected] of [[0, 2, NO], [0, 4, YES], [1, 3, YES], [1, 4, PERHAPS], [1, 5, YES],

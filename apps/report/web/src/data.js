@@ -4,6 +4,7 @@ const NONE = 0xffffffff;
 const WORDS_OF_CONTACT = 28;
 const WORDS_OF_ROW = 17;
 const WORDS_OF_PAIR = 26;
+const WORDS_OF_GAP = 26;
 
 function takeText(id) {
   const element = document.getElementById(`soms-${id}`);
@@ -152,6 +153,45 @@ class Rows {
   contacts(r) { return this.members.subarray(this.starts[r], this.starts[r + 1]); }
 }
 
+// Shortest segments between two bodies that are near each other, each at the step where it is least.
+class Gaps {
+  constructor(scene) {
+    const buffer = takeBytes('gaps');
+    this.words = new Uint32Array(buffer);
+    this.floats = new Float32Array(buffer);
+    this.lengths = scene.gaps.lengths;
+    this.count = scene.gaps.listed;
+  }
+
+  word(g, column) { return this.words[g * WORDS_OF_GAP + column]; }
+
+  slice(g, column, count) {
+    const at = g * WORDS_OF_GAP + column;
+    return this.floats.subarray(at, at + count);
+  }
+
+  a(g) { return this.word(g, 0); }
+
+  b(g) { return this.word(g, 1); }
+
+  begin(g) { return this.word(g, 2); }
+
+  end(g) { return this.word(g, 3); }
+
+  nearest(g) { return this.word(g, 4); }
+
+  point(g, side) { return this.slice(g, 5 + 3 * side, 3); }
+
+  middle(g) {
+    const [a, b] = [this.point(g, 0), this.point(g, 1)];
+    return [0, 1, 2].map((axis) => (a[axis] + b[axis]) / 2);
+  }
+
+  reach(g) { return this.slice(g, 11, 1)[0]; }
+
+  pose(g, side) { return this.slice(g, 12 + 7 * side, 7); }
+}
+
 export function load() {
   const scene = JSON.parse(takeText('scene'));
   scene.size = 2 * Math.hypot(...scene.half) || 1;
@@ -164,5 +204,5 @@ export function load() {
   scene.poses = new Float32Array(takeBytes('poses'));
   scene.moving = scene.bodies.moves.reduce((sum, moves) => sum + moves, 0);
   const contacts = new Contacts(scene);
-  return { scene, contacts, rows: new Rows(scene, contacts) };
+  return { scene, contacts, rows: new Rows(scene, contacts), gaps: new Gaps(scene) };
 }

@@ -4,7 +4,7 @@ import { List } from './list.js';
 import { Time } from './time.js';
 import { View } from './view.js';
 import {
-  bodyName, counted, missing, moment, notDrawn, place, rowPlace, rowTitle, rowWhen, title, triangles, whatIsDrawn, when,
+  bodyName, counted, gapWords, missing, moment, notDrawn, place, rowPlace, rowTitle, rowWhen, title, triangles, whatIsDrawn, when,
 } from './words.js';
 
 const byId = (id) => document.getElementById(id);
@@ -51,17 +51,21 @@ function addKeys(view, time, list) {
   });
 }
 
-// A press that does not turn the view chooses the contact below it.
-function addPicking(view, choose) {
+// A press that does not turn the view chooses the contact or the gap below it.
+function addPicking(view, choose, chooseGap) {
   const canvas = byId('canvas');
   let down = null;
   canvas.addEventListener('pointerdown', (event) => { down = event; });
   canvas.addEventListener('pointerup', (event) => {
     if (down && Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) < 5) {
       const frame = canvas.getBoundingClientRect();
-      const spot = view.spotAt(event.clientX - frame.left, event.clientY - frame.top);
+      const [x, y] = [event.clientX - frame.left, event.clientY - frame.top];
+      const spot = view.spotAt(x, y);
+      const gap = spot ? -1 : view.gapAt(x, y);
       if (spot) {
         choose(spot.row, spot.contact);
+      } else if (gap >= 0) {
+        chooseGap(gap);
       }
     }
     down = null;
@@ -84,6 +88,17 @@ function addTimeLine(all, choose) {
   }
 }
 
+// Links of a table lead to its gaps, however often they are followed.
+function addGapLinks(chooseGap) {
+  for (const link of document.querySelectorAll('a[href^="#gap="]')) {
+    link.addEventListener('click', (event) => {
+      event.preventDefault();
+      byId('view').scrollIntoView();
+      chooseGap(Number(link.hash.slice('#gap='.length)));
+    });
+  }
+}
+
 // What is said of the row or contact that is chosen.
 function wordsOf(all, r, k) {
   return (k >= 0 ? [title(all, k), when(all, k), triangles(all, k), place(all, k)]
@@ -91,25 +106,30 @@ function wordsOf(all, r, k) {
     .filter(Boolean).join('; ');
 }
 
-// The row and contact that an address names: "#row=3" or "#contact=12".
-function linked(all) {
-  const [, what, digits] = /^#(row|contact)=(\d+)$/.exec(location.hash) ?? [];
+// Shows what an address names: "#row=3", "#contact=12" or "#gap=4"; nothing if it names none.
+function linked(all, choose, chooseGap) {
+  const [, what, digits] = /^#(row|contact|gap)=(\d+)$/.exec(location.hash) ?? [];
   const named = Number(digits);
-  if (what === 'contact' && named < all.contacts.count) {
-    return [all.contacts.row(named), named];
+  if (what === 'gap' && named < all.gaps.count) {
+    return () => chooseGap(named);
   }
-  return what === 'row' && named < all.rows.count ? [named, -1] : null;
+  if (what === 'contact' && named < all.contacts.count) {
+    return () => choose(all.contacts.row(named), named);
+  }
+  return what === 'row' && named < all.rows.count ? () => choose(named, -1) : null;
 }
 
 // Of two bodies at one pose: which is which, and what the lines are.
-function nameColors({ scene }) {
+function nameColors({ scene, contacts, gaps }) {
+  byId('near').hidden = gaps.count === 0;
+  byId('near-time').hidden = scene.steps.count < 2;
   if (scene.steps.count < 2 && scene.bodies.names.length === 2) {
     byId('legend').replaceChildren(...[['moves', bodyName(scene, 0)], ['still', bodyName(scene, 1)],
-      ['touch', 'where they cross']].flatMap(([key, words]) => {
+      ...(contacts.count > 0 ? [['touch', 'where they cross']] : [])].flatMap(([key, words]) => {
       const mark = document.createElement('span');
       mark.className = `key ${key}`;
       return [mark, words];
-    }));
+    }), byId('near'));
   }
 }
 
@@ -137,21 +157,30 @@ function start() {
     byId('picked').textContent = wordsOf(all, r, k);
     history.replaceState(null, '', k >= 0 ? `#contact=${k}` : `#row=${r}`);
   };
+  const chooseGap = (g) => {
+    const step = all.gaps.nearest(g);
+    time.stop();
+    time.show(step);
+    list.setStep(step);
+    list.mark(-1, -1);
+    view?.chooseGap(g);
+    byId('moment').textContent = moment(all, step);
+    byId('picked').textContent = gapWords(all, g);
+    history.replaceState(null, '', `#gap=${g}`);
+  };
   const list = new List(all, choose);
   byId('next').addEventListener('click', () => list.neighbor(1));
   byId('previous').addEventListener('click', () => list.neighbor(-1));
   addTimeLine(all, choose);
+  addGapLinks(chooseGap);
   if (view) {
     byId('whole').addEventListener('click', () => view.whole());
     byId('above').addEventListener('click', () => view.above());
     addKeys(view, time, list);
-    addPicking(view, choose);
+    addPicking(view, choose, chooseGap);
   }
   time.go(0);
-  const named = linked(all);
-  if (named) {
-    choose(...named);
-  }
+  linked(all, choose, chooseGap)?.();
   // For scripts that look at the page, our tests among them.
   window.soms = {
     rows: all.rows.count,
@@ -164,10 +193,13 @@ function start() {
     target: () => view?.controls.target.toArray(),
     chosen: () => list.chosen.contact,
     chosenRow: () => list.chosen.row,
+    gaps: all.gaps.count,
+    chosenGap: () => view?.gapLines.chosen ?? -1,
     step: () => time.step,
     flying: () => Boolean(view?.flight),
     focus: (k) => [...all.contacts.focus(k)],
     center: (r) => [...all.rows.center(r)],
+    middle: (g) => all.gaps.middle(g),
     calls: () => view?.renderer.info.render.calls,
   };
 }

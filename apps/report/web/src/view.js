@@ -1,6 +1,7 @@
 // The scene in three dimensions. Drawn when something changed, and only then.
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { GapLines } from './gaps.js';
 import { calm, colors, whenSchemeChanges } from './look.js';
 import { Poses } from './poses.js';
 
@@ -59,7 +60,7 @@ export class View {
     this.canvas = canvas;
     this.all = all;
     this.step = 0;
-    this.chosen = -1; // the contact whose poses are shown
+    this.exact = null; // a step, and the poses of two bodies at it: those of what is chosen
     this.chosenBodies = [];
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
@@ -78,6 +79,7 @@ export class View {
     this.addTouched();
     this.addSpots();
     this.addChosen();
+    this.gapLines = new GapLines(all);
     this.paint();
     this.fit();
     this.whole(false);
@@ -242,7 +244,8 @@ export class View {
   // Shows the bodies and contacts of a step.
   setStep(step) {
     this.step = step;
-    const { scene, contacts } = this.all;
+    this.gapLines.step = Math.floor(step);
+    const { contacts } = this.all;
     const touching = new Set();
     const now = Math.floor(step);
     for (let k = 0; k < contacts.count; ++k) {
@@ -269,16 +272,15 @@ export class View {
   }
 
   placeBodies(step, touching) {
-    const { contacts } = this.all;
     const place = new THREE.Vector3();
     const turn = new THREE.Quaternion();
     const size = new THREE.Vector3(1, 1, 1);
     const matrix = new THREE.Matrix4();
-    const exact = this.chosen >= 0 && contacts.begin(this.chosen) === step ? this.chosen : -1;
+    const exact = this.exact?.step === step ? this.exact : null;
     this.slots.forEach((slot, body) => {
-      const side = exact < 0 ? -1 : [contacts.a(exact), contacts.b(exact)].indexOf(body);
+      const side = exact ? exact.bodies.indexOf(body) : -1;
       if (side >= 0) {
-        const pose = contacts.pose(exact, side);
+        const pose = exact.poses[side];
         place.fromArray(pose, 0);
         turn.fromArray(pose, 3);
       } else {
@@ -308,8 +310,12 @@ export class View {
     const { contacts, rows } = this.all;
     const members = k >= 0 ? [k]
       : [...rows.contacts(r)].filter((member) => contacts.begin(member) === rows.begin(r));
-    this.chosen = members[0] ?? -1;
     this.chosenBodies = [rows.a(r), rows.b(r)];
+    const first = members[0];
+    this.exact = first === undefined ? null : {
+      step: contacts.begin(first), bodies: [contacts.a(first), contacts.b(first)], poses: [0, 1].map((side) => contacts.pose(first, side)),
+    };
+    this.gapLines.chosen = -1;
     this.chosenParts.forEach(({ mesh, edges }, side) => {
       const corners = [];
       const seen = new Set();
@@ -332,10 +338,26 @@ export class View {
     });
     this.frameRow(r, k < 0);
     this.setStep(k >= 0 ? contacts.begin(k) : rows.begin(r));
-    const target = new THREE.Vector3().fromArray(k >= 0 ? contacts.focus(k) : rows.center(r));
-    const reach = k >= 0 ? contacts.reach(k) : this.reachOf(r);
+    this.flyTo(k >= 0 ? contacts.focus(k) : rows.center(r), k >= 0 ? contacts.reach(k) : this.reachOf(r));
+  }
+
+  // Shows gap g and flies there.
+  chooseGap(g) {
+    const { gaps } = this.all;
+    this.chosenBodies = [];
+    this.exact = { step: gaps.nearest(g), bodies: [gaps.a(g), gaps.b(g)], poses: [0, 1].map((side) => gaps.pose(g, side)) };
+    this.gapLines.chosen = g;
+    this.box.visible = false;
+    this.chosenParts.forEach(({ mesh, edges }) => { mesh.visible = edges.visible = false; });
+    this.setStep(gaps.nearest(g));
+    const [a, b] = [0, 1].map((side) => new THREE.Vector3().fromArray(gaps.point(g, side)));
+    this.flyTo(gaps.middle(g), gaps.reach(g), b.sub(a));
+  }
+
+  flyTo(place, reach, along) {
+    const target = new THREE.Vector3().fromArray(place);
     const distance = Math.max(AROUND * this.narrow() * reach, 1e-5 * this.all.scene.size);
-    this.fly(target, target.clone().addScaledVector(this.clearDirection(target, distance), distance));
+    this.fly(target, target.clone().addScaledVector(this.clearDirection(target, distance, along), distance));
   }
 
   // How much around the place of a row is worth seeing: more than its box, less than the scene.
@@ -355,8 +377,8 @@ export class View {
   }
 
   // A direction from which nothing that stands still hides the target, if there is one: near the
-  // present one first, then around it, then steeper.
-  clearDirection(target, distance) {
+  // present one first, then around it, then steeper. A segment `along` is looked at from aside.
+  clearDirection(target, distance, along) {
     const { up } = this.camera;
     const away = this.camera.position.clone().sub(this.controls.target);
     away.addScaledVector(up, -away.dot(up));
@@ -365,7 +387,7 @@ export class View {
     }
     away.normalize();
     const ray = new THREE.Raycaster();
-    const candidates = [35, 60].flatMap((rise) => [0, 90, -90, 180].map((turn) => {
+    const candidates = along?.lengthSq() > 0 ? this.asideOf(along.normalize(), away) : [35, 60].flatMap((rise) => [0, 90, -90, 180].map((turn) => {
       const level = away.clone().applyAxisAngle(up, THREE.MathUtils.degToRad(turn));
       const angle = THREE.MathUtils.degToRad(rise);
       return level.multiplyScalar(Math.cos(angle)).addScaledVector(up, Math.sin(angle));
@@ -376,6 +398,19 @@ export class View {
       return ray.intersectObjects(this.stillMeshes, false).length === 0;
     });
     return clear ?? candidates[4];
+  }
+
+  // Directions at right angles to a segment but for some rise, those from above first.
+  asideOf(along, away) {
+    const { up } = this.camera;
+    const first = away.clone().addScaledVector(along, -away.dot(along));
+    if (first.lengthSq() < 1e-6) {
+      first.crossVectors(along, up);
+    }
+    first.normalize();
+    return [0, 45, -45, 90, -90, 135, -135, 180].map((turn) => first.clone()
+      .applyAxisAngle(along, THREE.MathUtils.degToRad(turn)).addScaledVector(up, 0.2).normalize())
+      .sort((a, b) => (b.dot(up) > 0.1) - (a.dot(up) > 0.1));
   }
 
   // The camera goes to `eye` and looks at `target`, in an instant for who wants no motion.
@@ -470,6 +505,11 @@ export class View {
     return best;
   }
 
+  // The gap at a place on the canvas; -1 if none is near.
+  gapAt(x, y) {
+    return this.gapLines.at(x, y, this.camera, this.canvas.clientWidth, this.canvas.clientHeight);
+  }
+
   // Asks for one picture; many wishes before it are one.
   draw() {
     if (this.asked) {
@@ -486,6 +526,7 @@ export class View {
       this.camera.far = distance + 3 * this.all.scene.size;
       this.camera.updateProjectionMatrix();
       this.renderer.render(this.world, this.camera);
+      this.gapLines.draw(this.camera, this.canvas.clientWidth, this.canvas.clientHeight);
       if (this.flight) {
         this.draw();
       }

@@ -96,6 +96,15 @@ export const place = ({ scene, contacts }, k) => `at ${point(scene, contacts.foc
 
 export const rowPlace = ({ scene, rows }, r) => `around ${point(scene, rows.center(r))}`;
 
+// "car 3 and house_1: 0.0123 m at frame 35; near in frames 20 to 41; from (1, 2, 3) to (1, 2, 3.0123)"
+export function gapWords({ scene, gaps }, g) {
+  const one = scene.steps.count < 2;
+  const at = one ? '' : ` at ${scene.steps.noun} ${number(gaps.nearest(g))}`;
+  const lasting = gaps.begin(g) < gaps.end(g) ? [`near in ${span(scene, gaps.begin(g), gaps.end(g))}`] : [];
+  return [`${bodyName(scene, gaps.a(g))} and ${bodyName(scene, gaps.b(g))}: ${gaps.lengths[g]}${at}`, ...lasting,
+    `from ${point(scene, gaps.point(g, 0))} to ${point(scene, gaps.point(g, 1))}`].join('; ');
+}
+
 // "triangles 3, 5 and 4,711"
 export function triangles({ contacts }, k) {
   const a = contacts.triangles(k, 0);
@@ -213,6 +222,9 @@ export function whatIsDrawn(all) {
   }
   if (scene.bodies.names.length < scene.bodies.all) {
     parts.push(`bodies: ${number(scene.bodies.names.length)} of ${number(scene.bodies.all)}`);
+  }
+  if (scene.gaps.listed < scene.gaps.all) {
+    parts.push(`gaps: the nearest ${number(scene.gaps.listed)} of ${number(scene.gaps.all)}`);
   }
   const { kept, count, noun, smooth } = scene.steps;
   if (kept.length < count) {
