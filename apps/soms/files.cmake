@@ -7,6 +7,8 @@ set(SOMS_COMMAND_FILES
   convert.h
   distance.cpp
   distance.h
+  distance_page.cpp
+  distance_page.h
   distance_verify.cpp
   distance_verify.h
   generate.cpp
@@ -57,6 +59,8 @@ set(SOMS_COMMAND_FILES
   overlap_verify.h
   pair_options.cpp
   pair_options.h
+  pair_page.cpp
+  pair_page.h
   pair_report.cpp
   pair_report.h
   page_plots.cpp

@@ -10,7 +10,8 @@ namespace soms::command {
 
 /// Two models at rows of poses, and where answers about their distance go.
 struct NearOptions : PairOptions {
-  std::string csv = {};  ///< empty: none
+  std::string csv = {};     ///< empty: none
+  std::string report = {};  ///< likewise; `distance` alone has a page
 };
 
 /// Adds what follows the options of the question: --csv, --verify, and those of the models.

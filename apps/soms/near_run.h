@@ -4,6 +4,7 @@
 
 #include "apps/soms/near_options.h"
 #include "apps/soms/near_output.h"
+#include "apps/soms/pair_page.h"
 #include "apps/soms/pose_run.h"
 #include "apps/support/console.h"
 
@@ -24,7 +25,10 @@ namespace soms::command {
 ///     Answer ask(a, b, parallel); auto ask(mover, poses, fixed, parallel);   // a batch has at(k)
 ///     bool found(answer), undecided(answer);       // for --fail-if and the totals
 ///     std::string title(), cell(answer), text(answer), json(answer), csv(answer), totals(...);
-///     void add(pose, answer);                      // to what `totals` says
+///     void open();                                 // files of its own, before the models are read
+///     void begin(report);                          // the report stays, as do its meshes
+///     void add(pose, poses, answer);               // to what `totals` says, and to its files
+///     void finish(report, totals);                 // of its files
 ///     std::optional<std::string> difference(a, b, answer, console);  // from brute force
 template <class Question>
 class NearRun : public PoseRun {
@@ -33,6 +37,7 @@ class NearRun : public PoseRun {
           Console& console)
       : PoseRun(options, std::move(about), console), question_(std::move(question)), csv_(csv) {
     csv_.begin(report(), Question::kColumns);
+    question_.begin(report());
   }
 
  private:
@@ -78,7 +83,7 @@ class NearRun : public PoseRun {
       table_.add(report(), pose, question_.title(), question_.cell(answer), pair, console());
     }
     csv_.add(pose, fmt::format("{},{}", question_.csv(answer), name(answer.coverage)), pair);
-    question_.add(pose, answer);
+    question_.add(pose, {pose_a(k), pose_b(k)}, answer);
   }
 
   void print_totals() override {
@@ -88,7 +93,10 @@ class NearRun : public PoseRun {
     }
   }
 
-  void finish_outputs() override { csv_.finish(); }
+  void finish_outputs() override {
+    csv_.finish();
+    question_.finish(report(), totals());
+  }
 
   Question question_;
   NearCsv& csv_;
@@ -99,9 +107,11 @@ class NearRun : public PoseRun {
 /// Answers every pose; the exit status.
 template <class Question>
 int run_near(const NearOptions& options, PoseQuestion about, Question question, Console& console) {
-  check_files(options, {{"--csv", options.csv}});
+  check_files(options, {{"--csv", options.csv}, {"--report", options.report}});
+  check_extension("--report", options.report, {".html", ".htm"});
   check_extension("--csv", options.csv, {".csv"});
   NearCsv csv(options.csv);
+  question.open();
   return NearRun<Question>(options, std::move(about), std::move(question), csv, console).run();
 }
 

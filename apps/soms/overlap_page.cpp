@@ -16,16 +16,7 @@ namespace soms::command {
 
 namespace {
 
-constexpr std::size_t kMostTracked = 2048;
 constexpr std::size_t kMostCounts = 1024;
-
-/// Drops what is not at a multiple of `pause`.
-template <typename Value>
-void keep_multiples(std::map<std::uint64_t, Value>& values, std::uint64_t pause) {
-  for (auto at = values.begin(); at != values.end();) {
-    at = at->first % pause == 0 ? std::next(at) : values.erase(at);
-  }
-}
 
 /// Which parts take part in most pairs of triangles: those of A, or of B.
 std::vector<report::Plot> bars_of_parts(const Mesh& mesh, const std::vector<OverlapRows::Row>& rows,
@@ -71,10 +62,6 @@ class PagedParts {
   std::unordered_map<std::uint32_t, std::uint32_t> numbers_;
 };
 
-std::string triangles_of(const Mesh& mesh) {
-  return counted(mesh.triangles.size(), "triangle");
-}
-
 }  // namespace
 
 OverlapPage::OverlapPage(const Mesh& a, std::string name_a, const Mesh& b, std::string name_b)
@@ -92,28 +79,17 @@ std::vector<PartPair> OverlapPage::parts(const Pose& a, const Pose& b, const Ove
 
 void OverlapPage::add(const Pose& a, const Pose& b, const Overlap& answer,
                       std::span<const PartPair> parts) {
-  follow(a, b);
-  count_pairs(answer);
-  rows_.add(poses_, {a, b}, answer.pairs, parts);
-  ++poses_;
+  const std::uint64_t pose = track_.rows();
+  track_.add({a, b});
+  count_pairs(pose, answer);
+  rows_.add(pose, {a, b}, answer.pairs, parts);
 }
 
-void OverlapPage::follow(const Pose& a, const Pose& b) {
-  if (poses_ % pause_ != 0) {
-    return;
-  }
-  track_[poses_] = {a, b};
-  if (track_.size() > kMostTracked) {
-    pause_ *= 2;
-    keep_multiples(track_, pause_);
-  }
-}
-
-void OverlapPage::count_pairs(const Overlap& answer) {
+void OverlapPage::count_pairs(std::uint64_t pose, const Overlap& answer) {
   pairs_ += answer.pairs.size();
   complete_ = complete_ && answer.coverage == Coverage::complete;
   cost_ += answer.cost;
-  if (poses_ % poses_of_count_ == 0) {
+  if (pose % poses_of_count_ == 0) {
     counts_.push_back(0);
   }
   counts_.back() = std::max<std::uint64_t>(counts_.back(), answer.pairs.size());
@@ -164,37 +140,19 @@ bool OverlapPage::is_complete(const OverlapReport& report) const {
 }
 
 report::Scene OverlapPage::scene(const OverlapReport& report) const {
-  report::Scene scene;
-  scene.complete = is_complete(report);
-  std::map<std::uint64_t, Poses> kept = track_;
+  std::map<std::uint64_t, PosesOfPair> kept = track_.kept();
   kept.insert(rows_.placed().begin(), rows_.placed().end());
-  const Pose first = kept.empty() ? Pose() : kept.begin()->second.second;
-  const bool b_moves = std::any_of(
-      kept.begin(), kept.end(), [&](const auto& step) { return !(step.second.second == first); });
-  scene.models = {{&a_, name_a_}, {&b_, name_b_}};
-  scene.bodies = {{0, name_a_, true}, {1, name_b_, b_moves}};
+  report::Scene scene = scene_of_pair({a_, name_a_, b_, name_b_}, std::move(kept), track_.rows());
+  scene.complete = is_complete(report);
   add_rows(scene);
   scene.contacts_in_all = pairs_;
   scene.contact = {"pair of triangles", "pairs of triangles"};
-  scene.steps = {.count = std::max<std::uint64_t>(1, poses_), .noun = "pose", .smooth = false};
-  for (const auto& [step, poses] : kept) {
-    scene.steps.kept.push_back(step);
-  }
-  scene.y_is_up = b_.up == UpAxis::y;
-  scene.pose = [kept = std::move(kept)](std::uint32_t body, std::uint64_t step) {
-    const auto next = kept.upper_bound(step);
-    if (next == kept.begin()) {
-      return Pose();
-    }
-    const Poses& poses = std::prev(next)->second;
-    return body == 0 ? poses.first : poses.second;
-  };
   return scene;
 }
 
 std::vector<report::Plot> OverlapPage::plots() const {
   std::vector<report::Plot> plots;
-  if (poses_ > 1) {
+  if (track_.rows() > 1) {
     reproduce::LineChart chart{.title = "Overlapping pairs of triangles by pose",
                                .x_label = "pose",
                                .y_label = "pairs",
@@ -222,40 +180,19 @@ std::vector<report::Plot> OverlapPage::plots() const {
 
 std::vector<report::Fact> OverlapPage::facts(const OverlapReport& report,
                                              const RowTotals& totals) const {
-  std::vector<report::Fact> facts{
-      {"A", fmt::format("{}, {}{}", name_a_, triangles_of(a_), report.pair.read_a)},
-      {"B", fmt::format("{}, {}{}", name_b_, triangles_of(b_), report.pair.read_b)}};
-  for (const std::string& note : report.pair.notes) {
-    facts.push_back({"note", note});
-  }
+  std::vector<report::Fact> facts = facts_of_models({a_, name_a_, b_, name_b_}, report.pair);
   facts.push_back({"query", report.mode == OverlapMode::all ? "every pair of triangles"
                             : report.mode == OverlapMode::first
                                 ? "the first pair of triangles in order"
                                 : "any pair of triangles"});
-  facts.push_back(
-      {"poses", fmt::format("{}{}: {} with overlap, {} without{}",
-                            report.pair.interrupted ? "interrupted after "
-                            : report.pair.timed_out ? "out of time after "
-                                                    : "",
-                            with_commas(totals.rows), with_commas(totals.found),
-                            with_commas(totals.rows - totals.found - totals.undecided),
-                            totals.undecided == 0
-                                ? ""
-                                : fmt::format(", {} undecided", with_commas(totals.undecided)))});
+  facts.push_back(fact_of_poses(report.pair, totals));
   const char* const at_least = is_complete(report) ? "" : "at least ";
   facts.push_back({"pairs found", at_least + with_commas(pairs_)});
   if (!a_.parts.empty() || !b_.parts.empty()) {
     facts.push_back({"pairs of parts", at_least + with_commas(rows_.rows().size())});
   }
-  facts.push_back(
-      {"tests",
-       fmt::format("{} of boxes, {} of triangles, {} of them exact", with_commas(cost_.node_tests),
-                   with_commas(cost_.triangle_tests), with_commas(cost_.exact_tests))});
-  if (report.pair.verified) {
-    facts.push_back({"verified", fmt::format("by brute force: {} of {} equal",
-                                             with_commas(totals.rows - totals.wrong),
-                                             counted(totals.rows, "answer"))});
-  }
+  const std::vector<report::Fact> work = facts_of_work(report.pair, totals, cost_);
+  facts.insert(facts.end(), work.begin(), work.end());
   return facts;
 }
 

@@ -8,10 +8,10 @@
 #include "apps/report/page.h"
 #include "apps/soms/overlap_report.h"
 #include "apps/soms/overlap_rows.h"
+#include "apps/soms/pair_page.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -37,10 +37,7 @@ class OverlapPage {
   void write(std::ostream& out, const OverlapReport& report, const RowTotals& totals) const;
 
  private:
-  using Poses = OverlapRows::Poses;
-
-  void follow(const Pose& a, const Pose& b);
-  void count_pairs(const Overlap& answer);
+  void count_pairs(std::uint64_t pose, const Overlap& answer);
   void add_rows(report::Scene& scene) const;
   [[nodiscard]] bool is_complete(const OverlapReport& report) const;
   [[nodiscard]] report::Scene scene(const OverlapReport& report) const;
@@ -52,12 +49,10 @@ class OverlapPage {
   const Mesh& b_;
   std::string name_a_;
   std::string name_b_;
-  std::uint64_t poses_ = 0;
   std::uint64_t pairs_ = 0;
   bool complete_ = true;  ///< no answer was cut or stopped at its first pair
   Cost cost_;
-  std::map<std::uint64_t, Poses> track_;  ///< every so many poses
-  std::uint64_t pause_ = 1;               ///< between them
+  PoseTrack track_;
   OverlapRows rows_;
   std::vector<std::uint64_t> counts_;  ///< pairs: the most of each few poses
   std::uint64_t poses_of_count_ = 1;

@@ -57,7 +57,13 @@ class WithinQuestion {
   [[nodiscard]] std::string json(const Within& answer) const;
   [[nodiscard]] std::string csv(const Within& answer) const;
 
-  void add(std::uint64_t, const Within&) {}
+  void open() {}
+
+  void begin(const PairReport&) {}
+
+  void add(std::uint64_t, const PosesOfPair&, const Within&) {}
+
+  void finish(const PairReport&, const RowTotals&) {}
 
   [[nodiscard]] std::string totals(const RowTotals& totals) const;
 

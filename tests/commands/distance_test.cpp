@@ -1,10 +1,12 @@
 #include "apps/soms/distance_verify.h"
 #include "tests/commands/near.h"
+#include "tests/report/reading.h"
 #include "tests/support/pipe.h"
 
 #include <cmath>
 #include <csignal>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace soms::test {
@@ -58,6 +60,72 @@ TEST(DistanceVerb, WritesNumbersThatReadBackExactly) {
     EXPECT_EQ(answer.at("upper").get<double>(), x) << result.out;
     EXPECT_EQ(answer.at("points").at(1).at(0).get<double>(), x) << result.out;
   }
+}
+
+TEST(DistanceVerb, DrawsTheNearestPointsOnItsPage) {
+  const TemporaryFolder folder;
+  const std::string poses = file_of(folder, "p.csv", "x,y,z\n5,0,0\n2,0,0\n3,0,0\n9,0,0\n");
+  const std::string path = (folder.path() / "page.html").string();
+  const RunResult result =
+      soms_run({"distance", box(), box(), "--pose", poses, "--at-most", "6", "--report", path});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const std::string page = read_text(path);
+  const Json scene = scene_of(page);
+  EXPECT_EQ(scene["gaps"]["lengths"], (std::vector<std::string>{"0", "1", "3"}))
+      << "the nearest first; what is farther has none";
+  EXPECT_EQ(scene["gaps"]["all"], 3);
+  const std::vector<std::uint32_t> words = words_of(element(page, "gaps"));
+  const std::vector<float> floats = floats_of(element(page, "gaps"));
+  ASSERT_EQ(words.size(), 3U * 26U);
+  for (const auto& [gap, pose, from, to] : {std::tuple(1U, 2U, 2.0, 1.0), {2U, 0U, 4.0, 1.0}}) {
+    EXPECT_EQ(words[26 * gap + 4], pose);
+    const double origin = scene["origin"][0];
+    EXPECT_NEAR(origin + static_cast<double>(floats[26 * gap + 5]), from, 1e-5);
+    EXPECT_NEAR(origin + static_cast<double>(floats[26 * gap + 8]), to, 1e-5);
+  }
+  EXPECT_EQ(scene["contacts"]["all"], 1) << "the pose with overlap";
+  EXPECT_EQ(scene["contacts"]["one"], "pose with overlap");
+  EXPECT_EQ(scene["rows"], 1);
+  EXPECT_EQ(scene["complete"], true);
+  EXPECT_NE(page.find("<tr><td><a href=\"#gap=2\">0</a></td><td>3</td>"), std::string::npos);
+  EXPECT_NE(page.find("<dd>4 poses: the least distance is 0 at pose 1, the greatest 3 at pose 0; 1 "
+                      "with overlap; 1 farther than 6</dd>"),
+            std::string::npos);
+  EXPECT_NE(page.find("Distance by pose"), std::string::npos);
+}
+
+TEST(DistanceVerb, HoldsTheNearestOfManyPosesOnItsPage) {
+  const TemporaryFolder folder;
+  std::string rows = "x,y,z\n";
+  for (int k = 0; k < 5000; ++k) {
+    rows += std::to_string(5000 - k) + ",0,0\n";
+  }
+  const std::string path = (folder.path() / "page.html").string();
+  ASSERT_EQ(soms_run({"distance", box(), box(), "--pose", file_of(folder, "p.csv", rows),
+                      "--report", path})
+                .status,
+            0);
+  const Json scene = scene_of(read_text(path));
+  EXPECT_EQ(scene["gaps"]["listed"], 1000);
+  EXPECT_EQ(scene["gaps"]["all"], 5000);
+  EXPECT_EQ(scene["gaps"]["lengths"][0], "0");
+  EXPECT_EQ(scene["gaps"]["lengths"][999], "998") << "1,000 from middle to middle";
+  EXPECT_EQ(scene["contacts"]["all"], 2);
+  EXPECT_EQ(scene["steps"]["count"], 5000);
+  const std::vector<int> kept = scene["steps"]["kept"];
+  EXPECT_EQ(std::vector<int>(kept.begin(), kept.begin() + 3), (std::vector<int>{0, 4, 8}));
+  EXPECT_EQ(std::vector<int>(kept.end() - 1000, kept.end() - 997),
+            (std::vector<int>{4000, 4001, 4002}));
+}
+
+TEST(DistanceVerb, RefusesAPageThatIsAnotherFile) {
+  const TemporaryFolder folder;
+  const std::string path = (folder.path() / "x").string();
+  EXPECT_EQ(soms_run({"distance", box(), box(), "--report", path, "--csv", path}).status, 2);
+  EXPECT_EQ(soms_run({"distance", box(), box(), "--report", path + ".svg"}).status, 2);
+  EXPECT_NE(soms_run({"distance", box(), box(), "--report", path + "/no/page.html"}).status, 0);
+  EXPECT_EQ(soms_run({"within", box(), box(), "--clearance", "1", "--report", path}).status, 2)
+      << "distance alone has a page";
 }
 
 TEST(DistanceVerb, IsZeroExactlyWhereTrianglesOverlap) {

@@ -419,6 +419,19 @@ def gap_faults(browser, soms, folder):
     linked.landed()
     if linked.soms("chosenGap()") != -1:
         yield "a gap stays chosen beside a contact"
+    for name, shape in (("a.ply", "sphere"), ("b.ply", "knot")):
+        subprocess.run([soms, "generate", shape, "--triangles", "800", "-o", folder / name],
+                       check=True, capture_output=True)
+    subprocess.run([soms, "distance", folder / "a.ply", folder / "b.ply", "--pose", "4 0 0",
+                    "--report", file], check=True, capture_output=True)
+    page = Look(browser, file, DESK, "dark")
+    page.canvas()
+    shown = page.run("""return [...document.querySelectorAll('#gaps g')].map(g => [g.style.display,
+        g.textContent, getComputedStyle(g.querySelector('.ink')).stroke])""")
+    if len(shown) != 1 or shown[0][0] == "none" or not 0 < float(shown[0][1]) < 4:
+        yield f"the distance of a single pose is drawn as {shown}"
+    elif shown[0][2] != page.run("return getComputedStyle(document.body).color"):
+        yield f"in the dark the line is {shown[0][2]}"
     yield from log_faults(browser)
 
 

@@ -122,7 +122,7 @@ function linked(all, choose, chooseGap) {
 // Of two bodies at one pose: which is which, and what the lines are.
 function nameColors({ scene, contacts, gaps }) {
   byId('near').hidden = gaps.count === 0;
-  byId('near-time').hidden = scene.steps.count < 2;
+  byId('near-time').hidden = !scene.steps.smooth || scene.steps.count < 2;
   if (scene.steps.count < 2 && scene.bodies.names.length === 2) {
     byId('legend').replaceChildren(...[['moves', bodyName(scene, 0)], ['still', bodyName(scene, 1)],
       ...(contacts.count > 0 ? [['touch', 'where they cross']] : [])].flatMap(([key, words]) => {
