@@ -21,7 +21,7 @@ namespace soms::command {
 namespace {
 
 /// One defect: a triangle, an edge of one, or a vertex. What a kind does not have stays empty.
-struct Place {
+struct DefectPlace {
   const Mesh* mesh;
   bool of_vertex = false;
   std::uint32_t number = 0;  ///< of the triangle or vertex
@@ -32,26 +32,26 @@ struct Place {
   std::vector<std::uint32_t> vertices;  ///< corners, or ends
 };
 
-Place place_of(const Mesh& mesh, TriangleId triangle) {
+DefectPlace place_of(const Mesh& mesh, TriangleId triangle) {
   const auto& t = mesh.triangles[triangle];
   return {&mesh, false, triangle, triangle, false, 0, {t.begin(), t.end()}};
 }
 
-Place place_of(const Mesh& mesh, const TriangleCopy& copy) {
-  Place place = place_of(mesh, copy.triangle);
+DefectPlace place_of(const Mesh& mesh, const TriangleCopy& copy) {
+  DefectPlace place = place_of(mesh, copy.triangle);
   place.other = copy.original;
   place.has_original = true;
   return place;
 }
 
-Place place_of(const Mesh& mesh, const EdgePlace& edge) {
+DefectPlace place_of(const Mesh& mesh, const EdgePlace& edge) {
   const auto& t = mesh.triangles[edge.triangle];
   const std::uint32_t from = t[edge.corner];
   return {
       &mesh, false, edge.triangle, edge.other, false, edge.uses, {from, t[(edge.corner + 1) % 3]}};
 }
 
-Place place_of(const Mesh& mesh, const VertexCopy& copy) {
+DefectPlace place_of(const Mesh& mesh, const VertexCopy& copy) {
   return {&mesh, true, copy.vertex, copy.original, true, 0, {copy.vertex}};
 }
 
@@ -60,7 +60,9 @@ template <class Tell>
 void for_each_kind(const Mesh& mesh, const Defects& d, const Tell& tell) {
   const DefectPlaces& p = d.places;
   const auto place = [&mesh](const auto& entry) { return place_of(mesh, entry); };
-  const auto vertex = [&mesh](std::uint32_t v) { return Place{&mesh, true, v, v, false, 0, {v}}; };
+  const auto vertex = [&mesh](std::uint32_t v) {
+    return DefectPlace{&mesh, true, v, v, false, 0, {v}};
+  };
   tell("repeated_corner", "triangles with a repeated corner", d.repeated_corner, p.repeated_corner,
        place);
   tell("collinear", "triangles with collinear corners", d.collinear(), p.collinear, place);
@@ -74,7 +76,7 @@ void for_each_kind(const Mesh& mesh, const Defects& d, const Tell& tell) {
   tell("repeated_vertices", "repeated vertices", d.repeated_vertices, p.repeated_vertices, place);
 }
 
-Json to_json(const Place& place, const PartsOf& part_of) {
+Json to_json(const DefectPlace& place, const PartsOf& part_of) {
   const Mesh& mesh = *place.mesh;
   Json json;
   json[place.of_vertex ? "vertex" : "triangle"] = place.number;
@@ -100,7 +102,7 @@ Json to_json(const Place& place, const PartsOf& part_of) {
   return json;
 }
 
-std::string to_text(const Place& place, const PartsOf& part_of) {
+std::string to_text(const DefectPlace& place, const PartsOf& part_of) {
   const Mesh& mesh = *place.mesh;
   std::string text;
   if (!place.of_vertex) {
