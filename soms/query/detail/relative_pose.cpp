@@ -119,7 +119,16 @@ double distance_from_identity(const Matrix3& m) {
   return most;
 }
 
-/// Largest coordinate, and partial sum of one, that moving a vertex of `box` can give.
+/// `Pose::apply`, close at hand.
+Vec3 moved(const Pose& pose, const Vec3& v) {
+  const auto& m = pose.m;
+  return {((m[0] * v.x + m[1] * v.y) + m[2] * v.z) + m[3],
+          ((m[4] * v.x + m[5] * v.y) + m[6] * v.z) + m[7],
+          ((m[8] * v.x + m[9] * v.y) + m[10] * v.z) + m[11]};
+}
+
+}  // namespace
+
 double moved_extent(const Pose& pose, const Box& box) {
   const std::array<double, 3> far = {std::max(std::abs(box.lower.x), std::abs(box.upper.x)),
                                      std::max(std::abs(box.lower.y), std::abs(box.upper.y)),
@@ -133,16 +142,6 @@ double moved_extent(const Pose& pose, const Box& box) {
   }
   return most;
 }
-
-/// `Pose::apply`, close at hand.
-Vec3 moved(const Pose& pose, const Vec3& v) {
-  const auto& m = pose.m;
-  return {((m[0] * v.x + m[1] * v.y) + m[2] * v.z) + m[3],
-          ((m[4] * v.x + m[5] * v.y) + m[6] * v.z) + m[7],
-          ((m[8] * v.x + m[9] * v.y) + m[10] * v.z) + m[11]};
-}
-
-}  // namespace
 
 Matrix3 rotation(const Pose& pose) {
   const auto& m = pose.m;

@@ -88,6 +88,10 @@ using Matrix3 = std::array<std::array<double, 3>, 3>;
 /// Rotation of a pose.
 [[nodiscard]] Matrix3 rotation(const Pose& pose);
 
+/// Largest coordinate, and partial sum of one, that moving a vertex of `box` can give: a body's
+/// share of V.
+[[nodiscard]] double moved_extent(const Pose& pose, const Box& box);
+
 /// A tree at a place, prepared to be the one in whose axes a pair is seen.
 struct ReferenceFrame {
   ReferenceFrame(const WideTree& t, const Pose& p);

@@ -111,21 +111,6 @@ std::array<float, TriangleBlock::kWidth> supports(const TriangleBlock& block,
   return least;
 }
 
-/// V of relative_pose.h, a body's share.
-double moved_extent(const Pose& pose, const Box& box) {
-  const std::array<double, 3> far = {std::max(std::abs(box.lower.x), std::abs(box.upper.x)),
-                                     std::max(std::abs(box.lower.y), std::abs(box.upper.y)),
-                                     std::max(std::abs(box.lower.z), std::abs(box.upper.z))};
-  double most = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double sum = ((std::abs(pose.m[4 * k + 3]) + std::abs(pose.m[4 * k]) * far[0]) +
-                        std::abs(pose.m[4 * k + 1]) * far[1]) +
-                       std::abs(pose.m[4 * k + 2]) * far[2];
-    most = std::max(most, sum);
-  }
-  return most;
-}
-
 }  // namespace
 
 NearPose::NearPose(PairFrame& frame)
