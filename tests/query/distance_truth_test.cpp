@@ -249,6 +249,41 @@ void run(const std::vector<test::TriangleDistanceRow>& rows) {
   EXPECT_GT(scalable, rows.size() / 2);
 }
 
+/// Within 4 ulp of the largest coordinate of the pair.
+void expect_near(const Vec3& nearest, const test::ClosestPointRow& row, const Mesh& mesh) {
+  const Triangle t = mesh.triangle(row.triangle);
+  double size = 0;
+  for (const Vec3& corner : {t.a, t.b, t.c, row.point}) {
+    size = std::max({size, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
+  }
+  const double ulp = std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
+  const Vec3 off = nearest - row.nearest;
+  EXPECT_LE(std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}), 4 * ulp);
+}
+
+/// A point is a body of one triangle whose corners are equal.
+void run(const std::vector<test::ClosestPointRow>& rows) {
+  SetupsByKind by_kind(rows);
+  for (const test::ClosestPointRow& row : rows) {
+    SCOPED_TRACE(row.kind + ", " + row.mesh + ", triangle " + std::to_string(row.triangle));
+    const Body point = test::body_of({row.point, row.point, row.point});
+    const Body body(shape_of(row.mesh, {}));
+    const PairTruth truth = truth_of(row.distance, {0, row.triangle});
+    ASSERT_NO_FATAL_FAILURE(expect_right_at_all_lengths(truth, point, body));
+    ASSERT_NO_FATAL_FAILURE(
+        expect_right_at_all_lengths(truth_of(row.distance, {row.triangle, 0}), body, point));
+    const Distance answer = distance(point, body);
+    ASSERT_EQ(answer.point_a, row.point);
+    expect_near(answer.point_b, row, body.shape.mesh());
+    for (const Setup& setup : by_kind.next(row.kind)) {
+      SCOPED_TRACE(text(setup));
+      const ShapeOptions options{.build = {.rule = setup.rule}, .layout = setup.layout};
+      ASSERT_NO_FATAL_FAILURE(
+          expect_right_by(setup, truth, point, Body(shape_of(row.mesh, options)), {}));
+    }
+  }
+}
+
 /// Skips where SOMS_ISA names what this processor lacks.
 class DistanceTruth : public testing::Test {
  protected:
@@ -274,6 +309,12 @@ TEST_F(DistanceTruth, HoldsForTheTrianglesHere) {
   run(rows);
 }
 
+TEST_F(DistanceTruth, HoldsForThePointsHere) {
+  const auto rows = test::read_closest_points(test::data("distance/closest.csv"));
+  ASSERT_EQ(rows.size(), 345U);
+  run(rows);
+}
+
 TEST_F(DistanceTruth, HoldsForAllCases) {
   const auto file = test::outside_distance("cases.csv");
   if (!file) {
@@ -292,6 +333,17 @@ TEST_F(DistanceTruth, HoldsForAllTriangles) {
   }
   const auto rows = test::read_triangle_distances(*file);
   ASSERT_EQ(rows.size(), 8200U);
+  run(rows);
+}
+
+TEST_F(DistanceTruth, HoldsForAllPoints) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
+  const auto file = test::outside_distance("closest.csv");
+  if (!file) {
+    GTEST_SKIP() << "SOMS_DATA has no distance/closest.csv: skipped 10,164 points";
+  }
+  const auto rows = test::read_closest_points(*file);
+  ASSERT_EQ(rows.size(), 10'164U);
   run(rows);
 }
 

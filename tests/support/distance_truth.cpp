@@ -17,6 +17,11 @@ TrianglePair pair(const TruthRow& row, std::size_t first, std::size_t second) {
   return {truth_number<TriangleId>(row[first]), truth_number<TriangleId>(row[second])};
 }
 
+Vec3 point(const TruthRow& row, std::size_t first) {
+  return {truth_number<double>(row[first]), truth_number<double>(row[first + 1]),
+          truth_number<double>(row[first + 2])};
+}
+
 DistanceCase distance_case(const TruthRow& row) {
   DistanceCase c;
   c.number = truth_number<int>(row[0]);
@@ -54,6 +59,15 @@ std::vector<TriangleDistanceRow> read_triangle_distances(const std::filesystem::
                      row[23] == "1"});
   }
   return pairs;
+}
+
+std::vector<ClosestPointRow> read_closest_points(const std::filesystem::path& file) {
+  std::vector<ClosestPointRow> rows;
+  for (const TruthRow& row : truth_rows(file, 14)) {
+    rows.push_back({row[0], row[1], point(row, 2), bracket(row, 5),
+                    truth_number<TriangleId>(row[7]), point(row, 11)});
+  }
+  return rows;
 }
 
 const std::vector<TriangleDistanceRow>& triangle_distances() {

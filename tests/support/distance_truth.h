@@ -1,10 +1,12 @@
 /// \file
-/// The truth set of distances: posed meshes and single pairs of triangles whose least distances
-/// were decided by independent exact methods. tests/data/distance has a part of it, SOMS_DATA all.
+/// The truth set of distances: posed meshes, single pairs of triangles, and points beside meshes
+/// whose least distances were decided by independent exact methods. tests/data/distance has a part
+/// of it, SOMS_DATA all.
 #pragma once
 
 #include "soms/base/bracket.h"
 #include "soms/base/pose.h"
+#include "soms/base/vector.h"
 #include "soms/query/answer.h"
 
 #include <filesystem>
@@ -40,10 +42,21 @@ struct TriangleDistanceRow {
   bool zero = false;
 };
 
+/// A point, a mesh without pose (by name) and the facts about the nearest points of the mesh.
+struct ClosestPointRow {
+  std::string kind;
+  std::string mesh;
+  Vec3 point;
+  Bracket distance;         ///< the doubles next to d
+  TriangleId triangle = 0;  ///< the least that is at exactly d
+  Vec3 nearest;             ///< of that triangle's points, each coordinate to the nearest double
+};
+
 /// Rows of a file of the set. \errors std::runtime_error for a row that is not as described there.
 [[nodiscard]] std::vector<DistanceCase> read_distance_cases(const std::filesystem::path& file);
 [[nodiscard]] std::vector<TriangleDistanceRow> read_triangle_distances(
     const std::filesystem::path& file);
+[[nodiscard]] std::vector<ClosestPointRow> read_closest_points(const std::filesystem::path& file);
 
 /// All 8,200 rows where SOMS_DATA has them, otherwise the 313 of tests/data. Read once a process.
 [[nodiscard]] const std::vector<TriangleDistanceRow>& triangle_distances();
