@@ -112,6 +112,7 @@ int run_near(const NearOptions& options, PoseQuestion about, Question question, 
   check_extension("--csv", options.csv, {".csv"});
   NearCsv csv(options.csv);
   question.open();
+  about.has_files = !options.csv.empty() || !options.report.empty();
   return NearRun<Question>(options, std::move(about), std::move(question), csv, console).run();
 }
 

@@ -33,6 +33,7 @@ class OverlapRun : public PoseRun {
       : PoseRun(options,
                 {.verb = "overlap",
                  .fail_if_found = !options.fail_if.empty(),
+                 .has_files = !options.csv.empty() || !options.report.empty(),
                  .keep_trees = options.traversal.traversal != Traversal::fast},
                 console),
         query_(options.query),
