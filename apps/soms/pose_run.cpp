@@ -77,10 +77,10 @@ bool PoseRun::read_row() {
   return row.has_value();
 }
 
-/// Of many rows one that takes a body too far is named before its block is answered; a single one
-/// is the query's to refuse.
+/// A row that takes a body too far is named before its block is answered; a pose that was stated is
+/// the query's to refuse.
 void PoseRun::check_row(const std::pair<Pose, Pose>& row) const {
-  if (report_.single) {
+  if (poses_.is_stated()) {
     return;
   }
   check_pose(row.first, a_, poses_.name_a());

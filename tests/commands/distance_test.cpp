@@ -124,8 +124,6 @@ TEST(DistanceVerb, RefusesAPageThatIsAnotherFile) {
   EXPECT_EQ(soms_run({"distance", box(), box(), "--report", path, "--csv", path}).status, 2);
   EXPECT_EQ(soms_run({"distance", box(), box(), "--report", path + ".svg"}).status, 2);
   EXPECT_NE(soms_run({"distance", box(), box(), "--report", path + "/no/page.html"}).status, 0);
-  EXPECT_EQ(soms_run({"within", box(), box(), "--clearance", "1", "--report", path}).status, 2)
-      << "distance alone has a page";
 }
 
 TEST(DistanceVerb, IsZeroExactlyWhereTrianglesOverlap) {
