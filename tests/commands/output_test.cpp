@@ -157,7 +157,7 @@ TEST(Output, InFilesAndTheStatusAreWholeWhenTheReaderIsGone) {
   const std::string box = test::data("truth/meshes/box2.ply").string();
   std::string rows = "x,y,z\n";
   for (int i = 0; i < 20'000; ++i) {
-    rows += "9,0,0\n";
+    rows += "4,0,0\n";
   }
   write_text(at + "/apart.csv", rows);
   write_text(at + "/once.csv", rows + "0.5,0,0\n");
