@@ -54,6 +54,16 @@ def truth():
     yield "single pairs of triangles", sum(single.values()), kinds
 
 
+def distances():
+    for file, what, all_rows in (("tridist", "distances of single pairs of triangles", 8200),
+                                 ("cases", "distances of posed pairs of meshes", 1010),
+                                 ("closest", "distances of a point and a mesh", 10164)):
+        here = rows(DATA / f"distance/{file}.csv.xz")
+        zero = sum(float(row["hi"]) == 0 for row in here)
+        yield what, all_rows, (f"{len(here)} in this repository, the others need `SOMS_DATA`; of the "
+                               f"{len(here)}, {zero} are 0")
+
+
 def files():
     bad = rows(DATA / "bad/EXPECTED.csv")
     said = collections.Counter("error" if row["expectation"] == "error" else "mesh" if
@@ -102,7 +112,7 @@ def regressions():
 def counted():
     yield "| what | how many | of these |"
     yield "|---|---:|---|"
-    for part in (truth, files, regressions, thesis, golden):
+    for part in (truth, distances, files, regressions, thesis, golden):
         for what, number, note in part():
             yield f"| {what} | {number:,} | {note} |"
 

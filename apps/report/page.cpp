@@ -21,8 +21,7 @@ constexpr std::string_view kPolicy =
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: "
     "blob:";
 
-constexpr std::string_view kView = R"html(<section id="view">
-<h2>The scene</h2>
+constexpr std::string_view kView = R"html(<h2>The scene</h2>
 <noscript><p class="warn">Scripts are switched off: the scene is not drawn. Figures and pictures below
 are whole.</p></noscript>
 <div id="look" hidden>
@@ -56,8 +55,8 @@ role="presentation"></div></div>
 <div id="time"><button id="play" type="button">Play</button>
 <input id="step" type="range" min="0" max="0" step="1" value="0" aria-label="Time">
 <output id="moment" for="step"></output></div>
-<p class="note" id="legend"><span class="key moves"></span>moves <span class="key touch"></span>touches now
-<span class="key was"></span>touches at another time<span id="near" hidden><span class="key gap"></span>gap: a shortest segment with
+<p class="note" id="legend"><span class="key moves"></span>moves<span class="touching">
+<span class="key touch"></span>touches now <span class="key was"></span>touches at another time</span><span id="near" hidden><span class="key gap"></span>gap: a shortest segment with
 its length<span id="near-time"> (dashed: at another time)</span></span></p>
 <p id="drawn" class="note"></p>
 </div>
@@ -74,7 +73,9 @@ class PageWriter {
     head();
     warnings();
     facts();
-    out_ << kView;
+    out_ << (page_.scene.lists_contacts ? "<section id=\"view\">\n"
+                                        : "<section id=\"view\" class=\"no-list\">\n")
+         << kView;
     line_of_time();
     tables();
     plots();

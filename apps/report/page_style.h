@@ -83,6 +83,7 @@ margin:0 .3em 0 .6em}
 .key.still{background:#7b8087}.key.touch{background:#ff7a1a}.key.was{background:#a8683a}}
 #plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,34rem),1fr));gap:0 1.5rem}
 #plots figure{min-width:0}
+.no-list #side,.no-list .touching{display:none}.no-list #look{grid-template-columns:minmax(0,1fr)}
 @media (max-width:60rem){#look{grid-template-columns:minmax(0,1fr)}#stage{height:60vh;
 min-height:18rem}#side{height:24rem;min-height:0}dl.facts{grid-template-columns:minmax(0,1fr);
 gap:0}dl.facts dd{margin-bottom:.4rem}}

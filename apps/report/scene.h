@@ -106,6 +106,7 @@ struct Scene {
   std::vector<ScenePart> parts = {};        ///< those of rows and contacts
   std::vector<SceneRow> rows = {};          ///< all of them: none is ever left out of a page
   std::vector<SceneContact> contacts = {};  ///< of all or some, in order of `begin`
+  bool lists_contacts = true;               ///< false: what touches is not known
   bool complete = true;                     ///< false: the search ended early, there may be more
   std::uint64_t contacts_in_all = 0;        ///< the sum of `SceneRow::count`
   Noun contact = {"contact", "contacts"};   ///< what the page calls them

@@ -3,16 +3,13 @@
 #include "soms/query/distance.h"
 #include "soms/query/reference/distance.h"
 
-#include "apps/soms/distance_page.h"
 #include "apps/soms/distance_verify.h"
 #include "apps/soms/near_output.h"
 #include "apps/soms/near_run.h"
 #include "apps/support/console.h"
-#include "apps/support/output.h"
 #include "apps/support/parse.h"
 #include "apps/support/row_run.h"
 #include "apps/support/text.h"
-#include "apps/support/world.h"
 
 #include <fmt/format.h>
 
@@ -25,6 +22,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace soms::command {
 
@@ -45,12 +43,7 @@ class DistanceQuestion {
   static constexpr std::string_view kSchema = "soms.distance/1";
   static constexpr std::string_view kColumns = "lower,upper,farther";
 
-  /// `models` name the two, and the file of the page.
-  DistanceQuestion(const DistanceOptions& options, const NearOptions& models)
-      : options_(options),
-        name_a_(short_name(models.a)),
-        name_b_(short_name(models.b)),
-        report_(models.report) {}
+  explicit DistanceQuestion(const DistanceOptions& options) : options_(options) {}
 
   [[nodiscard]] Distance ask(const Body& a, const Body& b, const Parallel& parallel) const;
   [[nodiscard]] DistanceBatch ask(const Shape& a, std::span<const Pose> poses, const Body& b,
@@ -67,10 +60,9 @@ class DistanceQuestion {
   [[nodiscard]] std::string json(const Distance& answer) const;
   [[nodiscard]] std::string csv(const Distance& answer) const;
 
-  void open();
-  void begin(const PairReport& report);
-  void add(std::uint64_t pose, const PosesOfPair& poses, const Distance& answer);
-  void finish(const PairReport& report, const RowTotals& totals);
+  void add(std::uint64_t pose, const Distance& answer);
+  [[nodiscard]] NearWords words() const;
+  [[nodiscard]] NearFinding finding(const Distance& answer, const Body& a, const Body& b) const;
   [[nodiscard]] std::string totals(const RowTotals& totals) const;
 
   /// \errors ErrorKind::timed_out, cancelled.
@@ -79,20 +71,7 @@ class DistanceQuestion {
                                                       const Console& console) const;
 
  private:
-  /// A page and its file.
-  struct PageFile {
-    explicit PageFile(const std::string& path) : file(path) {}
-
-    OutputFile file;
-    std::optional<DistancePage> page = std::nullopt;
-    std::string answer = {};  ///< of the last pose, in words
-  };
-
   DistanceOptions options_;
-  std::string name_a_;
-  std::string name_b_;
-  std::string report_;  ///< the name of the page's file; empty: none
-  std::unique_ptr<PageFile> page_;
   double least_ = std::numeric_limits<double>::infinity();
   double greatest_ = 0;
   std::uint64_t least_pose_ = 0;
@@ -141,8 +120,7 @@ std::string DistanceQuestion::text(const Distance& answer) const {
     return "no distance: a model has no triangles";
   }
   if (answer.farther) {
-    return fmt::format("farther than {}: the distance is at least {}", readable(options_.at_most),
-                       readable(lower));
+    return "farther than " + readable(options_.at_most);
   }
   return overlap_was_found(answer) ? "distance 0, the surfaces overlap"
                                    : "distance " + readable(lower);
@@ -156,34 +134,39 @@ std::string DistanceQuestion::json(const Distance& answer) const {
 }
 
 std::string DistanceQuestion::csv(const Distance& answer) const {
-  return fmt::format("{},{},{}", answer.distance.lower, answer.distance.upper, answer.farther);
+  return answer.farther ? fmt::format("{},,true", answer.distance.lower)
+                        : fmt::format("{},{},false", answer.distance.lower, answer.distance.upper);
 }
 
-void DistanceQuestion::open() {
-  if (!report_.empty()) {
-    page_ = std::make_unique<PageFile>(report_);
-  }
+NearWords DistanceQuestion::words() const {
+  return {.lead = "How far apart the surfaces are, exact to the last bit.",
+          .note =
+              "The distance is that of the surfaces: 0 if they overlap, and above 0 if a body is "
+              "entirely inside another one. The picture may be simplified; the answers never are.",
+          .touching = {"pose with overlap", "poses with overlap"},
+          .table = "Nearest points",
+          .column = "distance",
+          .order = "The nearest come first.",
+          .plot = "Distance by pose",
+          .least = "least",
+          .greatest = "greatest",
+          .each = "The distance of the surfaces at each pose; a line that breaks off: not known.",
+          .of_few = "The distance of the surfaces: the least and the greatest in"};
 }
 
-void DistanceQuestion::begin(const PairReport& report) {
-  if (page_) {
-    page_->page.emplace(PageModels{report.a, name_a_, report.b, name_b_});
+NearFinding DistanceQuestion::finding(const Distance& answer, const Body&, const Body&) const {
+  NearFinding finding{.pair = {answer.triangles, answer.point_a, answer.point_b},
+                      .length = answer.distance,
+                      .at_least = answer.distance.lower,
+                      .coverage = answer.coverage,
+                      .cost = answer.cost};
+  if (undecided(answer)) {
+    finding.pair.triangles = std::nullopt;  // a nearer one is possible
   }
+  return finding;
 }
 
-void DistanceQuestion::finish(const PairReport& report, const RowTotals& rows) {
-  if (page_) {
-    page_->page->write(page_->file.stream(), report, rows,
-                       report.single ? page_->answer : totals(rows));
-    page_->file.commit();
-  }
-}
-
-void DistanceQuestion::add(std::uint64_t pose, const PosesOfPair& poses, const Distance& answer) {
-  if (page_) {
-    page_->page->add(poses.first, poses.second, answer);
-    page_->answer = text(answer);
-  }
+void DistanceQuestion::add(std::uint64_t pose, const Distance& answer) {
   farther_ += answer.farther ? 1U : 0U;
   const double d = answer.distance.lower;
   if (answer.farther || undecided(answer) || !std::isfinite(d)) {
@@ -201,16 +184,29 @@ void DistanceQuestion::add(std::uint64_t pose, const PosesOfPair& poses, const D
 }
 
 std::string DistanceQuestion::totals(const RowTotals& totals) const {
-  std::string text = counted(totals.rows, "pose") + ": ";
-  text += known_ ? fmt::format("the least distance is {} at pose {}, the greatest {} at pose {}",
-                               readable(least_), least_pose_, readable(greatest_), greatest_pose_)
-                 : "no distance";
-  text += totals.found == 0 ? "" : fmt::format("; {} with overlap", with_commas(totals.found));
-  text += farther_ == 0 ? ""
-                        : fmt::format("; {} farther than {}", with_commas(farther_),
-                                      readable(options_.at_most));
-  text += totals.undecided == 0 ? "" : fmt::format("; {} undecided", with_commas(totals.undecided));
-  return text;
+  std::vector<std::string> parts;
+  const bool all = farther_ == 0 && totals.undecided == 0;  // the greatest is known
+  if (known_) {
+    parts.push_back(
+        fmt::format("the least distance is {} at pose {}", readable(least_), least_pose_));
+    if (all && totals.rows > 1) {
+      parts.back() +=
+          fmt::format(", the greatest {} at pose {}", readable(greatest_), greatest_pose_);
+    }
+  } else if (all) {
+    parts.emplace_back("no distance");
+  }
+  if (totals.found != 0) {
+    parts.push_back(with_commas(totals.found) + " with overlap");
+  }
+  if (farther_ != 0) {
+    parts.push_back(
+        fmt::format("{} farther than {}", with_commas(farther_), readable(options_.at_most)));
+  }
+  if (totals.undecided != 0) {
+    parts.push_back(with_commas(totals.undecided) + " undecided");
+  }
+  return fmt::format("{}: {}", counted(totals.rows, "pose"), fmt::join(parts, "; "));
 }
 
 std::optional<std::string> DistanceQuestion::difference(const Body& a, const Body& b,
@@ -234,9 +230,6 @@ Action add_distance(CLI::App& app, Shared&) {
   add_length(app, "--at-most", options->at_most,
              "only say that they are farther apart than D, if they are")
       ->group(kQuestionGroup);
-  add_output(app, "--report", options->report,
-             "write an HTML report with figures and a 3-D view of the nearest points")
-      ->group(kQuestionGroup);
   add_near_options(app, *options);
   app.footer(
       "The distance of surfaces, exact to the last bit: 0 if they overlap, and greater if a body\n"
@@ -250,8 +243,8 @@ Action add_distance(CLI::App& app, Shared&) {
 
 int run_distance(const DistanceVerbOptions& options, Console& console) {
   const DistanceOptions query{.at_most = options.at_most, .deadline = console.deadline()};
-  return run_near(options, {.verb = "distance", .doubts_gaps = false},
-                  DistanceQuestion(query, options), console);
+  return run_near(options, {.verb = "distance", .doubts_gaps = false}, DistanceQuestion(query),
+                  console);
 }
 
 }  // namespace soms::command

@@ -7,8 +7,6 @@ set(SOMS_COMMAND_FILES
   convert.h
   distance.cpp
   distance.h
-  distance_page.cpp
-  distance_page.h
   distance_verify.cpp
   distance_verify.h
   generate.cpp
@@ -36,6 +34,8 @@ set(SOMS_COMMAND_FILES
   near_options.h
   near_output.cpp
   near_output.h
+  near_page.cpp
+  near_page.h
   near_run.h
   outline.cpp
   outline.h

@@ -11,10 +11,11 @@ namespace soms::command {
 /// Two models at rows of poses, and where answers about their distance go.
 struct NearOptions : PairOptions {
   std::string csv = {};     ///< empty: none
-  std::string report = {};  ///< likewise; `distance` alone has a page
+  std::string report = {};  ///< likewise
 };
 
-/// Adds what follows the options of the question: --csv, --verify, and those of the models.
+/// Adds what follows the options of the question: --report, --csv, --verify, and those of the
+/// models.
 void add_near_options(CLI::App& app, NearOptions& options);
 
 }  // namespace soms::command

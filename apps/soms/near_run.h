@@ -4,9 +4,12 @@
 
 #include "apps/soms/near_options.h"
 #include "apps/soms/near_output.h"
+#include "apps/soms/near_page.h"
 #include "apps/soms/pair_page.h"
 #include "apps/soms/pose_run.h"
 #include "apps/support/console.h"
+#include "apps/support/output.h"
+#include "apps/support/world.h"
 
 #include <fmt/format.h>
 
@@ -18,6 +21,18 @@
 
 namespace soms::command {
 
+/// Files of answers, opened before the models are read.
+struct NearFiles {
+  explicit NearFiles(const NearOptions& options) : csv(options.csv) {
+    if (!options.report.empty()) {
+      page.emplace(options.report);
+    }
+  }
+
+  NearCsv csv;
+  std::optional<OutputFile> page;
+};
+
 /// `Question` asks the library and says what it answered:
 ///
 ///     using Answer = ...;                          // with triangles, point_a, point_b, coverage
@@ -25,19 +40,22 @@ namespace soms::command {
 ///     Answer ask(a, b, parallel); auto ask(mover, poses, fixed, parallel);   // a batch has at(k)
 ///     bool found(answer), undecided(answer);       // for --fail-if and the totals
 ///     std::string title(), cell(answer), text(answer), json(answer), csv(answer), totals(...);
-///     void open();                                 // files of its own, before the models are read
-///     void begin(report);                          // the report stays, as do its meshes
-///     void add(pose, poses, answer);               // to what `totals` says, and to its files
-///     void finish(report, totals);                 // of its files
+///     void add(pose, answer);                      // to what `totals` says
+///     NearWords words();                           // of the page
+///     NearFinding finding(answer, a, b);           // for the page
 ///     std::optional<std::string> difference(a, b, answer, console);  // from brute force
 template <class Question>
 class NearRun : public PoseRun {
  public:
-  NearRun(const PairOptions& options, PoseQuestion about, Question question, NearCsv& csv,
+  NearRun(const PairOptions& options, PoseQuestion about, Question question, NearFiles& files,
           Console& console)
-      : PoseRun(options, std::move(about), console), question_(std::move(question)), csv_(csv) {
-    csv_.begin(report(), Question::kColumns);
-    question_.begin(report());
+      : PoseRun(options, std::move(about), console), question_(std::move(question)), files_(files) {
+    files_.csv.begin(report(), Question::kColumns);
+    if (files_.page) {
+      page_.emplace(
+          PageModels{report().a, short_name(options.a), report().b, short_name(options.b)},
+          question_.words());
+    }
   }
 
  private:
@@ -82,8 +100,12 @@ class NearRun : public PoseRun {
     } else {
       table_.add(report(), pose, question_.title(), question_.cell(answer), pair, console());
     }
-    csv_.add(pose, fmt::format("{},{}", question_.csv(answer), name(answer.coverage)), pair);
-    question_.add(pose, {pose_a(k), pose_b(k)}, answer);
+    files_.csv.add(pose, fmt::format("{},{}", question_.csv(answer), name(answer.coverage)), pair);
+    question_.add(pose, answer);
+    if (page_) {
+      page_->add({pose_a(k), pose_b(k)}, question_.finding(answer, body_a(k), body_b(k)));
+      answer_ = report().single ? question_.text(answer) : "";
+    }
   }
 
   void print_totals() override {
@@ -94,12 +116,18 @@ class NearRun : public PoseRun {
   }
 
   void finish_outputs() override {
-    csv_.finish();
-    question_.finish(report(), totals());
+    files_.csv.finish();
+    if (page_) {
+      page_->write(files_.page->stream(), report(), totals(),
+                   report().single ? answer_ : question_.totals(totals()));
+      files_.page->commit();
+    }
   }
 
   Question question_;
-  NearCsv& csv_;
+  NearFiles& files_;
+  std::optional<NearPage> page_;
+  std::string answer_;  ///< of a single pose, in words, for the page
   NearTable table_;
   std::vector<Answer> answers_;
 };
@@ -110,9 +138,9 @@ int run_near(const NearOptions& options, PoseQuestion about, Question question, 
   check_files(options, {{"--csv", options.csv}, {"--report", options.report}});
   check_extension("--report", options.report, {".html", ".htm"});
   check_extension("--csv", options.csv, {".csv"});
-  NearCsv csv(options.csv);
-  question.open();
-  return NearRun<Question>(options, std::move(about), std::move(question), csv, console).run();
+  about.has_files = !options.csv.empty() || !options.report.empty();
+  NearFiles files(options);
+  return NearRun<Question>(options, std::move(about), std::move(question), files, console).run();
 }
 
 }  // namespace soms::command

@@ -33,6 +33,7 @@ class OverlapRun : public PoseRun {
       : PoseRun(options,
                 {.verb = "overlap",
                  .fail_if_found = !options.fail_if.empty(),
+                 .has_files = !options.csv.empty() || !options.report.empty(),
                  .keep_trees = options.traversal.traversal != Traversal::fast},
                 console),
         query_(options.query),
@@ -165,8 +166,8 @@ void check_condition(const std::string& condition, bool within) {
 
 /// The question of `soms within`.
 int run_within_of(const CLI::App& app, const OverlapVerbOptions& options, Console& console) {
-  for (const char* const idle : {"--all", "--any", "--first", "--limit", "--no-pairs", "--by",
-                                 "--report", "--traversal", "--descent"}) {
+  for (const char* const idle :
+       {"--all", "--any", "--first", "--limit", "--no-pairs", "--by", "--traversal", "--descent"}) {
     if (app.count(idle) > 0) {
       throw Error(ErrorKind::usage, fmt::format("{} has no effect with --within", idle),
                   "leave one of them out");
@@ -178,6 +179,7 @@ int run_within_of(const CLI::App& app, const OverlapVerbOptions& options, Consol
   within.clearance = options.within;
   within.fail_if_within = !options.fail_if.empty();
   within.csv = options.csv;
+  within.report = options.report;
   return run_within(within, console);
 }
 

@@ -65,13 +65,14 @@ std::vector<report::Fact> facts_of_models(const PageModels& models, const PairRe
   return facts;
 }
 
-report::Fact fact_of_poses(const PairReport& report, const RowTotals& totals) {
-  return {"poses", fmt::format("{}{}: {} with overlap, {} without{}",
+report::Fact fact_of_poses(const PairReport& report, const RowTotals& totals,
+                           const PoseWords& words) {
+  return {"poses", fmt::format("{}{}: {} {}, {} {}{}",
                                report.interrupted ? "interrupted after "
                                : report.timed_out ? "out of time after "
                                                   : "",
-                               with_commas(totals.rows), with_commas(totals.found),
-                               with_commas(totals.rows - totals.found - totals.undecided),
+                               with_commas(totals.rows), with_commas(totals.found), words.yes,
+                               with_commas(totals.rows - totals.found - totals.undecided), words.no,
                                totals.undecided == 0
                                    ? ""
                                    : fmt::format(", {} undecided", with_commas(totals.undecided)))};

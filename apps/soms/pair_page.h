@@ -53,8 +53,15 @@ class PoseTrack {
 [[nodiscard]] std::vector<report::Fact> facts_of_models(const PageModels& models,
                                                         const PairReport& report);
 
+/// What is said of poses for which the answer is yes, and of the others.
+struct PoseWords {
+  std::string yes = "with overlap";
+  std::string no = "without";
+};
+
 /// "interrupted after 7: 2 with overlap, 4 without, 1 undecided".
-[[nodiscard]] report::Fact fact_of_poses(const PairReport& report, const RowTotals& totals);
+[[nodiscard]] report::Fact fact_of_poses(const PairReport& report, const RowTotals& totals,
+                                         const PoseWords& words = {});
 
 /// Tests, and what brute force said with --verify.
 [[nodiscard]] std::vector<report::Fact> facts_of_work(const PairReport& report,

@@ -29,7 +29,8 @@ PoseRun::PoseRun(const PairOptions& options, PoseQuestion question, Console& con
     : RowRun({.verb = question.verb,
               .noun = "pose",
               .verify = options.verify,
-              .fail_if_found = question.fail_if_found},
+              .fail_if_found = question.fail_if_found,
+              .has_files = question.has_files},
              console),
       options_(options),
       question_(std::move(question)),
@@ -76,10 +77,10 @@ bool PoseRun::read_row() {
   return row.has_value();
 }
 
-/// Of many rows one that takes a body too far is named before its block is answered; a single one
-/// is the query's to refuse.
+/// A row that takes a body too far is named before its block is answered; a pose that was stated is
+/// the query's to refuse.
 void PoseRun::check_row(const std::pair<Pose, Pose>& row) const {
-  if (report_.single) {
+  if (poses_.is_stated()) {
     return;
   }
   check_pose(row.first, a_, poses_.name_a());

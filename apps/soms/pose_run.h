@@ -23,6 +23,7 @@ namespace soms::command {
 struct PoseQuestion {
   std::string verb;            ///< as messages name it
   bool fail_if_found = false;  ///< --fail-if is given
+  bool has_files = false;      ///< answers go to files, too
   bool keep_trees = false;     ///< a named traversal needs the canonical trees
   bool doubts_gaps = true;     ///< boxes that are far apart make the answer doubtful
   double expected_gap = 0;     ///< up to here they do not

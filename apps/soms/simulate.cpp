@@ -93,10 +93,11 @@ int status_of(const Outcome& outcome, const SimulateOptions& options, int drawn)
   if (drawn != 0) {
     return drawn <= kMostOfAProgram ? drawn : exit_code(ErrorKind::cannot_write);
   }
-  if (!options.fail_if_contact) {
+  if (options.fail_if == FailIf::never) {
     return 0;
   }
-  if (!outcome.contacts.contacts().empty()) {
+  if (!outcome.contacts.contacts().empty() ||
+      (options.fail_if == FailIf::near && !outcome.near.events().empty())) {
     return kConditionHolds;
   }
   // "Not found" is no proof of "free" when time ran out.
@@ -124,6 +125,13 @@ std::vector<NamedPair> parse_ignored(const SimulateOptions& options) {
     pairs.push_back(parse_pair(text));
   }
   return pairs;
+}
+
+void check_fail_if(const SimulateOptions& options) {
+  if (options.fail_if == FailIf::near && !(options.clearance > 0)) {
+    throw Error(ErrorKind::usage, "--fail-if near has no effect without --clearance",
+                "also give --clearance D");
+  }
 }
 
 /// How many frames there are, once the routes are known; says what does not fit them.
@@ -164,7 +172,7 @@ int finish(const World& world, const Outcome& outcome, const Picture& picture,
 
 /// A window instead of an answer.
 int run_window(const SimulateOptions& options, const Console& console) {
-  const bool answers = options.verify || options.fail_if_contact || console.shared().json;
+  const bool answers = options.verify || options.fail_if != FailIf::never || console.shared().json;
   if (answers || !options.report.empty() || !options.map.empty() || !options.events.empty() ||
       !options.record.empty() || !options.picture.empty() || options.picture_frame ||
       !options.between_movers || !options.ignored.empty() || options.clearance > 0) {
@@ -191,6 +199,9 @@ int run_simulate(const SimulateOptions& given, Console& console) {
   if (given.frames_given || given.world.routes.empty()) {
     check_picture_frame(given);
   }
+  check_fail_if(given);
+  // The answer is printed last: its reader is not waited for.
+  console.go_on_without_reader();
   const Picture picture(given);
   SimulateOptions options = given;
   // Places that cannot be written to are reported before the work, not after it.

@@ -45,8 +45,8 @@ Action add_simulate(CLI::App& app, Shared&) {
       "a robot; each is a number as in --events or the name of a model;\nmay be repeated",
       "A,B");
   add_positive(app, "--clearance", options->clearance,
-               "report what comes within this distance, too, and how near; --map\n"
-               "and --report draw it");
+               "report what comes within this distance (above 0), too, and how\n"
+               "near; --map and --report draw it");
   add_output(app, "--map", options->map, "draw the city, its movers and contacts as SVG");
   add_output(app, "--report", options->report,
              "write an HTML report with figures, a time line and the scene in 3-D");
@@ -63,9 +63,10 @@ Action add_simulate(CLI::App& app, Shared&) {
          },
          "frame to draw with --picture, counted from 0 (the last)")
       ->option_text("N");
-  add_choice<bool>(app, "--fail-if", options->fail_if_contact,
-                   {{"overlap", true}, {"contact", true}},
-                   "exit with status 1 if anything touches");
+  add_choice<FailIf>(
+      app, "--fail-if", options->fail_if,
+      {{"overlap", FailIf::contact}, {"contact", FailIf::contact}, {"near", FailIf::near}},
+      "exit with status 1 if anything touches, or comes within the\n--clearance");
   app.footer(kFooter);
   return [options, frames, &app](Console& console) {
     options->frames_given = frames->count() > 0;

@@ -1,8 +1,10 @@
 #include "apps/soms/within.h"
 
+#include "soms/geometry/triangle_distance.h"
 #include "soms/query/reference/distance.h"
 #include "soms/query/within.h"
 
+#include "apps/report/placing.h"
 #include "apps/soms/near_output.h"
 #include "apps/soms/near_run.h"
 #include "apps/support/console.h"
@@ -57,14 +59,10 @@ class WithinQuestion {
   [[nodiscard]] std::string json(const Within& answer) const;
   [[nodiscard]] std::string csv(const Within& answer) const;
 
-  void open() {}
+  void add(std::uint64_t pose, const Within& answer);
 
-  void begin(const PairReport&) {}
-
-  void add(std::uint64_t, const PosesOfPair&, const Within&) {}
-
-  void finish(const PairReport&, const RowTotals&) {}
-
+  [[nodiscard]] NearWords words() const;
+  [[nodiscard]] NearFinding finding(const Within& answer, const Body& a, const Body& b) const;
   [[nodiscard]] std::string totals(const RowTotals& totals) const;
 
   /// \errors ErrorKind::timed_out, cancelled.
@@ -75,6 +73,7 @@ class WithinQuestion {
  private:
   double clearance_;
   WithinOptions options_;
+  std::optional<std::uint64_t> first_;  ///< pose that is within
 };
 
 Within WithinQuestion::ask(const Body& a, const Body& b, const Parallel& parallel) const {
@@ -105,9 +104,13 @@ std::string WithinQuestion::text(const Within& answer) const {
   if (answer.within) {
     return title();
   }
-  return std::isfinite(answer.at_least) ? fmt::format("not {}: the distance is at least {}",
-                                                      title(), readable(answer.at_least))
-                                        : fmt::format("not {}: a model has no triangles", title());
+  if (!std::isfinite(answer.at_least)) {
+    return fmt::format("not {}: a model has no triangles", title());
+  }
+  return answer.at_least > clearance_
+             ? fmt::format("not {}: the distance is at least {}", title(),
+                           readable(answer.at_least))
+             : fmt::format("not {}: the distance is more than that", title());
 }
 
 std::string WithinQuestion::json(const Within& answer) const {
@@ -118,17 +121,63 @@ std::string WithinQuestion::json(const Within& answer) const {
 }
 
 std::string WithinQuestion::csv(const Within& answer) const {
-  return fmt::format("{},{}",
-                     undecided(answer) ? ""
-                     : answer.within   ? "true"
-                                       : "false",
-                     answer.at_least);
+  return answer.within ? "true,"
+                       : fmt::format("{},{}", undecided(answer) ? "" : "false", answer.at_least);
+}
+
+NearWords WithinQuestion::words() const {
+  return {
+      .lead = fmt::format("Whether the distance of the surfaces is at most {}, decided exactly.",
+                          readable(clearance_)),
+      .note =
+          "One pair of triangles proves that a pose is within the clearance; others may be "
+          "nearer, so its length is not the distance: soms distance says that. The picture may "
+          "be simplified; the answers never are.",
+      .poses = {.yes = title(), .no = "not"},
+      .table = "Pose by pose",
+      .column = title(),
+      .named = "yes, at most ",
+      .apart = "no, at least ",
+      .order = "Poses within the clearance come first, the nearest named pair before the others.",
+      .plot = title() + " by pose",
+      .least = "yes: at most",
+      .greatest = "no: at least",
+      .each =
+          "For a pose within the clearance the length of the pair that proves it, for another "
+          "one a lower bound of the distance.",
+      .of_few =
+          "The least length of a pair that proves a pose to be within the clearance, and the "
+          "greatest lower bound of the distance at another pose, in"};
+}
+
+NearFinding WithinQuestion::finding(const Within& answer, const Body& a, const Body& b) const {
+  NearFinding finding{.pair = {answer.triangles, answer.point_a, answer.point_b},
+                      .at_least = answer.at_least,
+                      .coverage = answer.coverage,
+                      .cost = answer.cost};
+  if (answer.triangles) {
+    // Not from the points, which are rounded, and whose length may underflow to 0.
+    const auto triangle = [](const Body& body, TriangleId i) {
+      return report::moved(body.shape.mesh().triangle(i), body.pose);
+    };
+    finding.length = triangle_distance(triangle(a, answer.triangles->first),
+                                       triangle(b, answer.triangles->second))
+                         .distance;
+  }
+  return finding;
+}
+
+void WithinQuestion::add(std::uint64_t pose, const Within& answer) {
+  if (answer.within && !first_) {
+    first_ = pose;
+  }
 }
 
 std::string WithinQuestion::totals(const RowTotals& totals) const {
   return fmt::format(
-      "{}: {} within {}, {} not{}", counted(totals.rows, "pose"), with_commas(totals.found),
-      readable(clearance_), with_commas(totals.rows - totals.found - totals.undecided),
+      "{}: {} within {}{}, {} not{}", counted(totals.rows, "pose"), with_commas(totals.found),
+      readable(clearance_), first_ ? fmt::format(" (the first at pose {})", *first_) : "",
+      with_commas(totals.rows - totals.found - totals.undecided),
       totals.undecided == 0 ? "" : fmt::format(", {} undecided", with_commas(totals.undecided)));
 }
 

@@ -47,14 +47,28 @@ Console::Console(const Shared& shared)
 }
 
 void Console::print(std::string_view text) {
-  out_ << text;
-  if (!out_.good()) {
-    out_.finish();
-  }
+  write(text, false);
 }
 
 void Console::flush() {
-  out_.finish();
+  write({}, true);
+}
+
+void Console::write(std::string_view text, bool all) {
+  if (unread_) {
+    return;
+  }
+  try {
+    out_ << text;
+    if (all || !out_.good()) {
+      out_.finish();
+    }
+  } catch (const ClosedPipe&) {
+    if (!goes_on_) {
+      throw;
+    }
+    unread_ = true;
+  }
 }
 
 void Console::note(std::string_view line) const {

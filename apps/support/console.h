@@ -28,8 +28,12 @@ class Console {
   [[nodiscard]] const Shared& shared() const { return shared_; }
 
   /// Adds to the answers, which are written when there are many and by `flush`.
-  /// \errors ErrorKind::cannot_write; ClosedPipe.
+  /// \errors ErrorKind::cannot_write; ClosedPipe, unless the work goes on without a reader.
   void print(std::string_view text);
+
+  /// From now on the reader of standard output may go away without ending the work: files, or the
+  /// exit status, are wanted whether or not anybody reads the answers.
+  void go_on_without_reader() { goes_on_ = true; }
 
   /// \errors As `print`.
   void flush();
@@ -84,6 +88,7 @@ class Console {
   }
 
  private:
+  void write(std::string_view text, bool all);
   [[noreturn]] static void throw_out_of_time(const std::string& doing);
 
   Shared shared_;
@@ -92,6 +97,8 @@ class Console {
   Interrupts interrupts_;
   FileStream out_;
   bool colored_;
+  bool goes_on_ = false;
+  bool unread_ = false;  ///< the reader went away
 };
 
 /// \errors ErrorKind::usage with --json, which a verb without answers would ignore, for this

@@ -14,6 +14,9 @@ namespace soms::command {
 
 RowRun::RowRun(RowRunOptions options, Console& console)
     : options_(std::move(options)), console_(console) {
+  if (options_.has_files || options_.verify || options_.fail_if_found) {
+    console_.go_on_without_reader();
+  }
 }
 
 int RowRun::run() {

@@ -28,11 +28,13 @@ struct RowRunOptions {
   std::string noun;  ///< what a row is called: "pose"
   bool verify = false;
   bool fail_if_found = false;
+  bool has_files = false;  ///< answers go to files, too
 };
 
 /// Reads rows in blocks, answers each block, and prints its rows in order. Ctrl-C and --timeout end
-/// it between two rows, or within one, with what is answered by then. A verb derives from it and
-/// says how to read, answer, verify and print.
+/// it between two rows, or within one, with what is answered by then. Where nobody reads standard
+/// output any more, the run goes on for its files and its exit status, if it has any. A verb
+/// derives from it and says how to read, answer, verify and print.
 class RowRun {
  public:
   virtual ~RowRun() = default;

@@ -1,9 +1,8 @@
 #include "soms/query/distance.h"
 
 #include "soms/base/arithmetic.h"
-#include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/leaf_pairs.h"
-#include "soms/query/detail/near/near_query.h"
+#include "soms/query/detail/near/near_question.h"
 #include "soms/query/overlap.h"
 
 #include <algorithm>
@@ -12,7 +11,6 @@ namespace soms {
 
 namespace {
 
-using detail::NearBatch;
 using detail::NearEnd;
 using detail::NearestGoal;
 using detail::NearMemory;
@@ -59,47 +57,40 @@ void name_nearest(const NearEnd& end, const DistanceOptions& options, NearestGoa
   }
 }
 
-Distance ask(const Body& a, const Body& b, PairFrame& frame, const DistanceOptions& options,
-             const Parallel& parallel, NearMemory& memory) {
-  NearestGoal goal(frame, options.at_most);
-  const NearEnd end = detail::pursue(frame, goal, options.deadline, parallel, memory);
-  Distance answer;
-  answer.cost = end.cost;
-  if (goal.touching()) {
-    name_overlap(a, b, options, parallel, goal, answer);
-  } else {
-    name_nearest(end, options, goal, answer);
+/// How far apart?
+class DistanceQuery {
+ public:
+  explicit DistanceQuery(const DistanceOptions& options) : options_(options) {}
+
+  [[nodiscard]] Distance ask(const Body& a, const Body& b, PairFrame& frame,
+                             const Parallel& parallel, NearMemory& memory) const {
+    NearestGoal goal(frame, options_.at_most);
+    const NearEnd end = detail::pursue(frame, goal, options_.deadline, parallel, memory);
+    Distance answer;
+    answer.cost = end.cost;
+    if (goal.touching()) {
+      name_overlap(a, b, options_, parallel, goal, answer);
+    } else {
+      name_nearest(end, options_, goal, answer);
+    }
+    return answer;
   }
-  return answer;
-}
 
-Distance of_empty() {
-  Distance answer;
-  answer.distance = {kInfinity, kInfinity};
-  return answer;
-}
+  [[nodiscard]] Distance of_empty() const { return {.distance = {kInfinity, kInfinity}}; }
 
-void resize(DistanceBatch& batch, std::size_t count) {
-  batch.lower.resize(count);
-  batch.upper.resize(count);
-  batch.triangles.resize(count);
-  batch.point_a.resize(count);
-  batch.point_b.resize(count);
-  batch.farther.resize(count);
-  batch.coverage.resize(count);
-  batch.costs.resize(count);
-}
+  void resize(DistanceBatch& batch, std::size_t size) const {
+    detail::resize_columns(size, batch.lower, batch.upper, batch.farther);
+  }
 
-void put(const Distance& answer, std::size_t pose, DistanceBatch& batch) {
-  batch.lower[pose] = answer.distance.lower;
-  batch.upper[pose] = answer.distance.upper;
-  batch.triangles[pose] = answer.triangles;
-  batch.point_a[pose] = answer.point_a;
-  batch.point_b[pose] = answer.point_b;
-  batch.farther[pose] = answer.farther ? 1 : 0;
-  batch.coverage[pose] = answer.coverage;
-  batch.costs[pose] = answer.cost;
-}
+  void put(const Distance& answer, std::size_t pose, DistanceBatch& batch) const {
+    batch.lower[pose] = answer.distance.lower;
+    batch.upper[pose] = answer.distance.upper;
+    batch.farther[pose] = answer.farther ? 1 : 0;
+  }
+
+ private:
+  DistanceOptions options_;
+};
 
 }  // namespace
 
@@ -111,15 +102,7 @@ Distance distance(const Body& a, const Body& b, const DistanceOptions& options,
                   const Parallel& parallel) {
   const PlainArithmetic plain;
   check(options);
-  detail::check_pose(a.pose, a.shape);
-  detail::check_pose(b.pose, b.shape);
-  check_stop(parallel);
-  if (detail::is_empty(a.shape) || detail::is_empty(b.shape)) {
-    return of_empty();
-  }
-  PairFrame frame(a, b);
-  NearMemory memory;
-  return ask(a, b, frame, options, parallel, memory);
+  return detail::ask_near(DistanceQuery(options), a, b, parallel);
 }
 
 Distance DistanceBatch::at(std::size_t pose) const {
@@ -131,24 +114,8 @@ DistanceBatch distance(const Shape& mover, std::span<const Pose> poses, const Bo
                        const DistanceOptions& options, const Parallel& parallel) {
   const PlainArithmetic plain;
   check(options);
-  DistanceBatch batch;
-  resize(batch, poses.size());
-  detail::check_pose(fixed.pose, fixed.shape);
-  check_stop(parallel);
-  const bool empty = detail::is_empty(mover) || detail::is_empty(fixed.shape);
-  const Parallel alone = {.stop = parallel.stop};
-  detail::for_each_pose(
-      poses, mover, parallel, [&] { return NearBatch(mover, fixed); },
-      [&](NearBatch& memory, const Pose& pose, std::size_t i) {
-        put(empty ? of_empty()
-                  : ask(Body(mover, pose), fixed, memory.place(pose), options, alone,
-                        memory.memory()),
-            i, batch);
-      });
-  for (const Cost& cost : batch.costs) {
-    batch.cost += cost;
-  }
-  return batch;
+  return detail::ask_near_batch<DistanceBatch>(DistanceQuery(options), mover, poses, fixed,
+                                               parallel);
 }
 
 }  // namespace soms

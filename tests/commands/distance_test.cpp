@@ -88,8 +88,8 @@ TEST(DistanceVerb, DrawsTheNearestPointsOnItsPage) {
   EXPECT_EQ(scene["rows"], 1);
   EXPECT_EQ(scene["complete"], true);
   EXPECT_NE(page.find("<tr><td><a href=\"#gap=2\">0</a></td><td>3</td>"), std::string::npos);
-  EXPECT_NE(page.find("<dd>4 poses: the least distance is 0 at pose 1, the greatest 3 at pose 0; 1 "
-                      "with overlap; 1 farther than 6</dd>"),
+  EXPECT_NE(page.find("<dd>4 poses: the least distance is 0 at pose 1; 1 with overlap; 1 farther "
+                      "than 6</dd>"),
             std::string::npos);
   EXPECT_NE(page.find("Distance by pose"), std::string::npos);
 }
@@ -124,8 +124,6 @@ TEST(DistanceVerb, RefusesAPageThatIsAnotherFile) {
   EXPECT_EQ(soms_run({"distance", box(), box(), "--report", path, "--csv", path}).status, 2);
   EXPECT_EQ(soms_run({"distance", box(), box(), "--report", path + ".svg"}).status, 2);
   EXPECT_NE(soms_run({"distance", box(), box(), "--report", path + "/no/page.html"}).status, 0);
-  EXPECT_EQ(soms_run({"within", box(), box(), "--clearance", "1", "--report", path}).status, 2)
-      << "distance alone has a page";
 }
 
 TEST(DistanceVerb, IsZeroExactlyWhereTrianglesOverlap) {
@@ -172,8 +170,8 @@ TEST(DistanceVerb, SaysNoMoreThanFartherBeyondTheLimit) {
   for (const char* key : {"upper", "triangles", "points"}) {
     EXPECT_FALSE(far.contains(key)) << key;
   }
-  EXPECT_TRUE(soms_run({"distance", box(), box(), "--pose", "5 0 0", "--at-most", "1"})
-                  .out.starts_with("farther than 1: the distance is at least "));
+  EXPECT_EQ(soms_run({"distance", box(), box(), "--pose", "5 0 0", "--at-most", "1"}).out,
+            "farther than 1\n");
 }
 
 TEST(DistanceVerb, RefusesALimitThatIsNone) {
@@ -234,8 +232,8 @@ TEST(DistanceVerb, PrintsATableAndTotalsForPeople) {
                             "     1  0.5               "))
       << table.out;
   EXPECT_NE(
-      table.out.find("3 poses: the least distance is 0 at pose 2, the greatest 0.5 at pose 1; "
-                     "1 with overlap; 1 farther than 4\n"),
+      table.out.find("3 poses: the least distance is 0 at pose 2; 1 with overlap; 1 farther than "
+                     "4\n"),
       std::string::npos)
       << table.out;
   std::string rows = "x,y,z\n";
@@ -277,7 +275,7 @@ TEST(DistanceVerb, WritesATable) {
                        "triangle_b,part_b,name_b,x_a,y_a,z_a,x_b,y_b,z_b\n"
                        "0,1,1,false,complete,1,1,near,0,,,1,1,0,1,1,1\n1,"))
       << text;
-  EXPECT_TRUE(text.ends_with(",inf,true,complete,,,,,,,,,,,,\n")) << text;
+  EXPECT_TRUE(text.ends_with(",,true,complete,,,,,,,,,,,,\n")) << text;
   const RunResult other = soms_run({"distance", box(), box(), "--csv", "table.html"});
   EXPECT_EQ(other.status, 2);
   EXPECT_NE(other.err.find(".csv"), std::string::npos) << other.err;

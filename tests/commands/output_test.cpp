@@ -6,6 +6,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace soms::test {
@@ -147,6 +148,35 @@ TEST(Output, EndsQuietlyWhenThePipeIsClosed) {
                                    "; echo $? > '" + status + "'; } | head -c 0");
     EXPECT_EQ(read_text(status), "0\n") << line;
     EXPECT_EQ(result.err, "") << line;
+  }
+}
+
+TEST(Output, InFilesAndTheStatusAreWholeWhenTheReaderIsGone) {
+  const TemporaryFolder folder;
+  const std::string at = folder.path().string();
+  const std::string box = test::data("truth/meshes/box2.ply").string();
+  std::string rows = "x,y,z\n";
+  for (int i = 0; i < 20'000; ++i) {
+    rows += "4,0,0\n";
+  }
+  write_text(at + "/apart.csv", rows);
+  write_text(at + "/once.csv", rows + "0.5,0,0\n");
+  const auto run = [&](const std::string& verb, const std::string& more) {
+    std::string line = "cd '";
+    line += at + "'; rm -f status; { (trap '' PIPE; while echo 2>&-; do :; done); $soms " + verb +
+            " '" + box + "' '" + box + "' " + more + "; echo $? > status; } | head -c 0";
+    EXPECT_EQ(shell(line).err, "") << line;
+    return read_text(at + "/status");
+  };
+  for (const std::string json : {"", " --json"}) {
+    for (const std::string verb : {"overlap", "distance", "within --clearance 1"}) {
+      EXPECT_EQ(run(verb, "--pose apart.csv --csv rows.csv" + json), "0\n") << verb;
+      const std::string csv = read_text(at + "/rows.csv");
+      EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), verb == "overlap" ? 1 : 20'001) << verb;
+    }
+    EXPECT_EQ(run("within --clearance 1", "--pose apart.csv --fail-if within" + json), "0\n");
+    EXPECT_EQ(run("within --clearance 1", "--pose once.csv --fail-if within" + json), "1\n");
+    EXPECT_EQ(run("overlap", "--pose once.csv --fail-if overlap" + json), "1\n");
   }
 }
 

@@ -227,6 +227,22 @@ TEST_F(NearRun, WritesNearEventsBehindContacts) {
             "mover,model,touched,part,triangle,begin,end\n0,kite,wall,wall,0,4,4\n");
 }
 
+TEST_F(NearRun, FailsOnRequestWhereSomethingComesNear) {
+  const std::vector<std::string> apart{"--no-between-movers", "--frames", "2"};
+  const auto status = [&](std::vector<std::string> words) {
+    words.insert(words.end(), apart.begin(), apart.end());
+    return run(words).status;
+  };
+  EXPECT_EQ(status({"--clearance", "1", "--fail-if", "near"}), 0) << "3 and 2 from the wall";
+  EXPECT_EQ(status({"--clearance", "2", "--fail-if", "near"}), 1);
+  EXPECT_EQ(status({"--clearance", "2", "--fail-if", "contact"}), 0);
+  EXPECT_EQ(run({"--clearance", "0.125", "--no-between-movers", "--fail-if", "near"}).status, 1)
+      << "it touches in frame 4";
+  const test::RunResult idle = run({"--fail-if", "near"});
+  EXPECT_EQ(idle.status, 2);
+  EXPECT_NE(idle.err.find("--fail-if near has no effect without --clearance"), std::string::npos);
+}
+
 TEST_F(NearRun, TellsTheNearestToPeopleAndPrograms) {
   const test::RunResult table = run({"--clearance", "1", "--verify"});
   EXPECT_EQ(table.status, 0) << table.err;

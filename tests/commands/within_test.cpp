@@ -1,7 +1,12 @@
+#include "apps/soms/near_page.h"
 #include "tests/commands/near.h"
+#include "tests/report/reading.h"
 #include "tests/support/pipe.h"
 
 #include <csignal>
+#include <limits>
+#include <sstream>
+#include <tuple>
 #include <utility>
 
 namespace soms::test {
@@ -71,7 +76,7 @@ TEST(WithinVerb, NamesThePairForPeople) {
   EXPECT_EQ(near.out, "within 1.5: triangle 1 (near) of " + walls.a +
                           " at (1, 1, 0) and triangle 0 of " + walls.b + " at (1, 1, 1)\n");
   EXPECT_TRUE(soms_run({"within", walls.a, walls.b, "--clearance", "0.5"})
-                  .out.starts_with("not within 0.5: the distance is at least "));
+                  .out.starts_with("not within 0.5: the distance is "));
 }
 
 TEST(WithinVerb, FailsOnRequestWhereTheClearanceIsNotKept) {
@@ -127,15 +132,129 @@ TEST(WithinVerb, AnswersRowsOfPoses) {
       text.out.starts_with("  pose  within 1          triangle of A         triangle of B\n"
                            "     0  no\n     1  yes               "))
       << text.out;
-  EXPECT_TRUE(text.out.ends_with("4 poses: 2 within 1, 2 not\n")) << text.out;
+  EXPECT_TRUE(text.out.ends_with("4 poses: 2 within 1 (the first at pose 1), 2 not\n")) << text.out;
   const std::string table = read_text(csv);
   EXPECT_TRUE(table.starts_with("pose,within,at_least,coverage,triangle_a,")) << table;
-  EXPECT_NE(table.find("\n1,true,0,complete,"), std::string::npos) << table;
+  EXPECT_NE(table.find("\n1,true,,complete,"), std::string::npos) << table;
 }
 
 TEST(WithinVerb, VerifiesByBruteForce) {
   EXPECT_EQ(answers_within("1.5", {"--verify", "--pose", "3.5 0 0"}).at(0).at("verified"), true);
   EXPECT_EQ(answers_within("1", {"--verify", "--pose", "3.5 0 0"}).at(0).at("verified"), true);
+}
+
+/// Two parallel triangles at z = 0, one of each model, so that the pair that is named is known; and
+/// poses that lift the first.
+struct TwoSheets {
+  TemporaryFolder folder;
+  std::string sheet = file_of(folder, "sheet.off", triangle_off("0 0 0", "1 0 0", "0 1 0"));
+  std::string poses = file_of(folder, "p.csv", "x,y,z\n0,0,3\n0,0,1\n0,0,0\n0,0,0.25\n");
+  std::string page = (folder.path() / "page.html").string();
+};
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(WithinVerb, DrawsThePairThatProvesItOnItsPage) {
+  const TwoSheets sheets;
+  const RunResult result = soms_run({"within", sheets.sheet, sheets.sheet, "--clearance", "1",
+                                     "--pose", sheets.poses, "--report", sheets.page});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const std::string page = read_text(sheets.page);
+  const Json scene = scene_of(page);
+  EXPECT_EQ(scene["gaps"]["lengths"], (std::vector<std::string>{"0", "0.25", "1"}))
+      << "the nearest first; a pose that is not within has none";
+  EXPECT_EQ(scene["gaps"]["all"], 3);
+  const std::vector<std::uint32_t> words = words_of(element(page, "gaps"));
+  const std::vector<float> floats = floats_of(element(page, "gaps"));
+  ASSERT_EQ(words.size(), 3U * 26U);
+  const double origin = scene["origin"][2];
+  for (const auto& [gap, pose, z] : {std::tuple(0U, 2U, 0.0), {1U, 3U, 0.25}, {2U, 1U, 1.0}}) {
+    EXPECT_EQ(words[26 * gap + 4], pose);
+    EXPECT_NEAR(origin + static_cast<double>(floats[26 * gap + 7]), z, 1e-5);
+    EXPECT_NEAR(origin + static_cast<double>(floats[26 * gap + 10]), 0, 1e-5);
+  }
+  EXPECT_EQ(scene["contacts"]["all"], 0);
+  EXPECT_TRUE(contains(page, "<section id=\"view\" class=\"no-list\">"))
+      << "what touches without being named is not known";
+  EXPECT_EQ(scene["complete"], true);
+  EXPECT_TRUE(contains(page, "<tr><td><a href=\"#gap=2\">1</a></td><td>yes, at most 1</td>"));
+  EXPECT_TRUE(contains(page, "<tr><td>0</td><td>no, at least 1</td>")) << "a pose without a line";
+  EXPECT_TRUE(contains(page, "<dd>4 poses: 3 within 1 (the first at pose 1), 1 not</dd>"));
+  EXPECT_TRUE(contains(page, "<dt>poses</dt><dd>4: 3 within 1, 1 not</dd>"));
+  EXPECT_TRUE(contains(page, "within 1 by pose"));
+}
+
+TEST(WithinVerb, SaysOnItsPageWhatIsApart) {
+  const TwoSheets sheets;
+  ASSERT_EQ(soms_run({"within", sheets.sheet, sheets.sheet, "--clearance", "2", "--pose", "0 0 3",
+                      "--report", sheets.page})
+                .status,
+            0);
+  const std::string page = read_text(sheets.page);
+  EXPECT_EQ(scene_of(page)["gaps"]["all"], 0);
+  EXPECT_TRUE(contains(page, "<dd>not within 2: the distance is more than that</dd>"));
+  EXPECT_TRUE(contains(page, "<tr><td>0</td><td>no, at least 2</td>"));
+  EXPECT_FALSE(contains(page, "within 2 by pose")) << "a plot of one pose";
+}
+
+// The square of this length is no double.
+TEST(WithinVerb, ShowsATinyLength) {
+  const TwoSheets sheets;
+  ASSERT_EQ(soms_run({"within", sheets.sheet, sheets.sheet, "--clearance", "1", "--pose",
+                      "0 0 1e-200", "--report", sheets.page})
+                .status,
+            0);
+  EXPECT_TRUE(contains(read_text(sheets.page), "<td>yes, at most 1e-200</td>"));
+}
+
+TEST(WithinVerb, ListsAsManyPosesAsItsPageHasRoomFor) {
+  const TwoSheets sheets;
+  std::string rows = "x,y,z\n";
+  for (int k = 0; k < 1500; ++k) {
+    rows += k % 3 == 0 ? "0,0,0.5\n" : "0,0,7\n";
+  }
+  ASSERT_EQ(soms_run({"within", sheets.sheet, sheets.sheet, "--clearance", "1", "--pose",
+                      file_of(sheets.folder, "many.csv", rows), "--report", sheets.page})
+                .status,
+            0);
+  const std::string page = read_text(sheets.page);
+  EXPECT_EQ(scene_of(page)["gaps"]["all"], 500);
+  EXPECT_TRUE(contains(page, "1,000 of 1,500 poses. Poses within the clearance come first"));
+  EXPECT_TRUE(contains(page, "<tr><td>749</td><td>no, at least 1</td>"));
+  EXPECT_FALSE(contains(page, "<tr><td>751</td>"));
+  EXPECT_TRUE(contains(page, "at another pose, in 2 poses each."));
+}
+
+TEST(WithinVerb, RefusesAPageThatIsAnotherFile) {
+  const TwoSheets sheets;
+  const auto status = [&](const std::string& page, const std::string& csv) {
+    return soms_run({"within", sheets.sheet, sheets.sheet, "--clearance", "1", "--report", page,
+                     "--csv", csv})
+        .status;
+  };
+  EXPECT_EQ(status(sheets.page, sheets.page), 2);
+  EXPECT_EQ(status(sheets.page + ".svg", sheets.page + ".csv"), 2);
+  EXPECT_NE(status(sheets.page + "/no/page.html", sheets.page + ".csv"), 0);
+}
+
+// A pose that time cut short, and a model without triangles: neither has a pair.
+TEST(NearPage, SaysWhatItDoesNotKnow) {
+  Mesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}};
+  const command::PairReport report{.a = mesh, .b = mesh};
+  command::NearPage page(
+      {mesh, "a", mesh, "b"},
+      {.column = "within 1", .named = "yes, at most ", .apart = "no, at least "});
+  page.add({}, {.at_least = 0.25, .coverage = Coverage::cut});
+  page.add({}, {.at_least = std::numeric_limits<double>::infinity()});
+  std::ostringstream out;
+  page.write(out, report, {.rows = 2, .undecided = 1}, "answer");
+  EXPECT_TRUE(contains(out.str(), "<td>undecided, at least 0.25</td>"));
+  EXPECT_TRUE(contains(out.str(), "<td>no: a model has no triangles</td>"));
+  EXPECT_EQ(scene_of(out.str())["complete"], false);
 }
 
 TEST(WithinVerb, WarnsOfGapsBeyondTheClearance) {
@@ -170,6 +289,12 @@ TEST(WithinVerb, IsWhatOverlapAsksWithAClearance) {
     EXPECT_EQ(soms_run({"overlap", box(), box(), "--within", "1", "--pose", poses, form}).out,
               soms_run({"within", box(), box(), "--clearance", "1", "--pose", poses, form}).out);
   }
+  const std::string page = (folder.path() / "page.html").string();
+  ASSERT_EQ(soms_run({"overlap", box(), box(), "--within", "1", "--pose", poses, "--report", page})
+                .status,
+            0);
+  EXPECT_NE(read_text(page).find("3 poses: 2 within 1 (the first at pose 1), 1 not"),
+            std::string::npos);
   const auto status = [](std::vector<std::string> words) {
     words.insert(words.begin(), {"overlap", box(), box(), "--pose", "5 0 0"});
     return soms_run(words).status;
@@ -185,7 +310,6 @@ TEST(WithinVerb, RefusesWhatOverlapCannotAskWithAClearance) {
                                                     {"--limit", "3"},
                                                     {"--no-pairs"},
                                                     {"--by", "part"},
-                                                    {"--report", "r"},
                                                     {"--descent", "both"},
                                                     {"--traversal", "a-first"},
                                                     {"--fail-if", "overlap"}};

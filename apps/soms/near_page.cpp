@@ -1,4 +1,4 @@
-#include "apps/soms/distance_page.h"
+#include "apps/soms/near_page.h"
 
 #include "apps/soms/page_plots.h"
 #include "apps/support/models.h"
@@ -22,36 +22,44 @@ constexpr std::size_t kMostOfCourse = 1024;
 
 }  // namespace
 
-bool DistancePage::Near::operator<(const Near& other) const {
-  return std::tie(distance.upper, distance.lower, pose) <
-         std::tie(other.distance.upper, other.distance.lower, other.pose);
+bool NearPage::Near::operator<(const Near& other) const {
+  return std::tie(length.upper, length.lower, pose) <
+         std::tie(other.length.upper, other.length.lower, other.pose);
 }
 
-void DistancePage::Extremes::grow(const Extremes& other) {
+void NearPage::Extremes::grow(const Extremes& other) {
   least = std::fmin(least, other.least);  // of a number and none the number
   greatest = std::fmax(greatest, other.greatest);
 }
 
-DistancePage::DistancePage(PageModels models) : models_(std::move(models)) {
+NearPage::NearPage(PageModels models, NearWords words)
+    : models_(std::move(models)), words_(std::move(words)) {
 }
 
-void DistancePage::add(const Pose& a, const Pose& b, const Distance& answer) {
+void NearPage::add(const PosesOfPair& poses, const NearFinding& finding) {
   const std::uint64_t pose = track_.rows();
-  track_.add({a, b});
-  cost_ += answer.cost;
-  complete_ = complete_ && answer.coverage == Coverage::complete;
-  if (answer.coverage != Coverage::complete || !answer.triangles) {
-    follow(pose, {});
+  track_.add(poses);
+  cost_ += finding.cost;
+  complete_ = complete_ && finding.coverage == Coverage::complete;
+  if (const NearPair& pair = finding.pair; pair.triangles) {
+    keep({finding.length, pose, *pair.triangles, pair.point_a, pair.point_b, poses});
+    follow(pose, has_bounds() ? Extremes{.least = finding.length.lower}
+                              : Extremes{finding.length.lower, finding.length.lower});
     return;
   }
-  follow(pose, {answer.distance.lower, answer.distance.lower});
-  ++known_;
-  nearest_.push_back(
-      {answer.distance, pose, *answer.triangles, answer.point_a, answer.point_b, {a, b}});
-  if (nearest_.back().touches()) {
-    first_overlap_ = overlaps_++ == 0 ? pose : first_overlap_;
-    last_overlap_ = pose;
+  follow(pose, has_bounds() ? Extremes{.greatest = finding.at_least} : Extremes{});
+  if (has_bounds() && apart_.size() < report::SceneLimits().gaps) {
+    apart_.push_back({pose, finding.at_least, finding.coverage == Coverage::cut});
   }
+}
+
+void NearPage::keep(const Near& near) {
+  ++known_;
+  if (near.touches()) {
+    first_overlap_ = overlaps_++ == 0 ? near.pose : first_overlap_;
+    last_overlap_ = near.pose;
+  }
+  nearest_.push_back(near);
   std::push_heap(nearest_.begin(), nearest_.end());
   if (nearest_.size() > report::SceneLimits().gaps) {
     std::pop_heap(nearest_.begin(), nearest_.end());
@@ -59,7 +67,7 @@ void DistancePage::add(const Pose& a, const Pose& b, const Distance& answer) {
   }
 }
 
-void DistancePage::follow(std::uint64_t pose, const Extremes& distance) {
+void NearPage::follow(std::uint64_t pose, const Extremes& distance) {
   if (pose % poses_of_point_ == 0) {
     course_.emplace_back();
   }
@@ -80,8 +88,8 @@ void DistancePage::follow(std::uint64_t pose, const Extremes& distance) {
 
 /// The poses with overlap as contacts of the two models; the answers name one pair of triangles of
 /// each.
-void DistancePage::add_overlaps(report::Scene& scene, const std::vector<Near>& nearest) const {
-  scene.contact = {"pose with overlap", "poses with overlap"};
+void NearPage::add_overlaps(report::Scene& scene, const std::vector<Near>& nearest) const {
+  scene.contact = words_.touching;
   scene.contacts_in_all = overlaps_;
   for (const Near& near : nearest) {
     if (near.touches()) {
@@ -110,13 +118,16 @@ void DistancePage::add_overlaps(report::Scene& scene, const std::vector<Near>& n
   }
 }
 
-report::Scene DistancePage::scene(const std::vector<Near>& nearest) const {
+report::Scene NearPage::scene(const std::vector<Near>& nearest) const {
   std::map<std::uint64_t, PosesOfPair> kept = track_.kept();
   for (const Near& near : nearest) {
     kept[near.pose] = near.poses;
   }
   report::Scene scene = scene_of_pair(models_, std::move(kept), track_.rows());
-  add_overlaps(scene, nearest);
+  scene.lists_contacts = !words_.touching.one.empty();
+  if (scene.lists_contacts) {
+    add_overlaps(scene, nearest);
+  }
   scene.gaps_in_all = known_;
   for (const Near& near : nearest) {
     scene.gaps.push_back({.a = 0,
@@ -126,43 +137,60 @@ report::Scene DistancePage::scene(const std::vector<Near>& nearest) const {
                           .nearest = near.pose,
                           .point_a = near.point_a,
                           .point_b = near.point_b,
-                          .length = four_digits(near.distance.lower)});
+                          .length = four_digits(near.length.lower)});
   }
   return scene;
 }
 
-report::Table DistancePage::table(const std::vector<Near>& nearest) const {
-  report::Table table{
-      .title = "Nearest points",
-      .columns = {"pose", "distance", "triangle of A", "triangle of B", "point on A", "point on B"},
-      .rows = {},
-      .caption = "A distance is written with at most nine digits.",
-      .of_gaps = true};
-  if (known_ > nearest.size()) {
-    table.caption =
-        fmt::format("The nearest {} of {}, the nearest first; --csv and --json have all.",
-                    with_commas(nearest.size()), counted(known_, "pose"));
-  } else if (known_ > 1) {
-    table.caption += " The nearest come first.";
+/// Of a table of `rows`: what it leaves out.
+std::string NearPage::caption(std::size_t rows) const {
+  const std::uint64_t all = has_bounds() ? track_.rows() : known_;
+  if (all > rows) {
+    return fmt::format("{} of {}. {} --csv and --json have all.", with_commas(rows),
+                       counted(all, "pose"), words_.order);
   }
+  return "A distance is written with at most nine digits." + (all > 1 ? " " + words_.order : "");
+}
+
+report::Table NearPage::table(const std::vector<Near>& nearest) const {
+  report::Table table{.title = words_.table,
+                      .columns = {"pose", words_.column, "triangle of A", "triangle of B",
+                                  "point on A", "point on B"},
+                      .rows = {},
+                      .of_gaps = true};
   for (const Near& near : nearest) {
-    table.rows.push_back({with_commas(near.pose), readable(near.distance.lower),
+    table.rows.push_back({with_commas(near.pose), words_.named + readable(near.length.lower),
                           triangle_label(models_.a, near.triangles.first),
                           triangle_label(models_.b, near.triangles.second),
                           point_in_text(near.point_a), point_in_text(near.point_b)});
   }
+  for (const Apart& apart : apart_) {
+    if (table.rows.size() == report::SceneLimits().gaps) {
+      break;
+    }
+    const std::string answer = apart.undecided ? "undecided, at least " + readable(apart.at_least)
+                               : std::isfinite(apart.at_least)
+                                   ? words_.apart + readable(apart.at_least)
+                                   : "no: a model has no triangles";
+    table.rows.push_back({with_commas(apart.pose), answer, "", "", "", ""});
+  }
+  table.caption = caption(table.rows.size());
   return table;
 }
 
-std::vector<report::Plot> DistancePage::plots() const {
-  if (track_.rows() < 2 || known_ == 0) {
+std::vector<report::Plot> NearPage::plots() const {
+  const bool any = std::any_of(course_.begin(), course_.end(), [](const Extremes& point) {
+    return std::isfinite(point.least) || std::isfinite(point.greatest);
+  });
+  if (track_.rows() < 2 || !any) {
     return {};
   }
   reproduce::LineChart chart{
-      .title = "Distance by pose", .x_label = "pose", .y_label = "distance", .markers = false};
+      .title = words_.plot, .x_label = "pose", .y_label = "distance", .markers = false};
   const bool each = poses_of_point_ == 1;
-  reproduce::Line least{.name = each ? "distance" : "least"};
-  reproduce::Line greatest{.name = "greatest"};
+  const bool same = each && !has_bounds();  // the least and the greatest of one pose
+  reproduce::Line least{.name = same ? "distance" : words_.least};
+  reproduce::Line greatest{.name = words_.greatest};
   for (std::size_t k = 0; k < course_.size(); ++k) {
     for (const auto& [line, value] :
          {std::pair(&least, course_[k].least), std::pair(&greatest, course_[k].greatest)}) {
@@ -171,36 +199,31 @@ std::vector<report::Plot> DistancePage::plots() const {
     }
   }
   chart.lines.push_back(std::move(least));
-  if (!each) {
+  if (!same) {
     chart.lines.push_back(std::move(greatest));
   }
-  return {plot(reproduce::draw(chart),
-               each
-                   ? "The distance of the surfaces at each pose; a line that breaks off: not known."
-                   : fmt::format("The distance of the surfaces: the least and the greatest in {} "
-                                 "poses each.",
-                                 poses_of_point_))};
+  return {
+      plot(reproduce::draw(chart),
+           each ? words_.each : fmt::format("{} {} poses each.", words_.of_few, poses_of_point_))};
 }
 
-void DistancePage::write(std::ostream& out, const PairReport& report, const RowTotals& totals,
-                         const std::string& answer) const {
+void NearPage::write(std::ostream& out, const PairReport& report, const RowTotals& totals,
+                     const std::string& answer) const {
   std::vector<Near> nearest = nearest_;
   std::sort(nearest.begin(), nearest.end());
   report::Page page{.title = fmt::format("{} and {}", models_.name_a, models_.name_b),
-                    .lead = "How far apart the surfaces are, exact to the last bit.",
+                    .lead = words_.lead,
                     .facts = facts_of_models(models_, report),
                     .plots = plots(),
-                    .notes = {"The distance is that of the surfaces: 0 if they overlap, and above "
-                              "0 if a body is entirely inside another one. The picture may be "
-                              "simplified; the answers never are."},
+                    .notes = {words_.note},
                     .scene = scene(nearest)};
   page.facts.push_back({"answer", answer});
-  page.facts.push_back(fact_of_poses(report, totals));
+  page.facts.push_back(fact_of_poses(report, totals, words_.poses));
   const std::vector<report::Fact> work = facts_of_work(report, totals, cost_);
   page.facts.insert(page.facts.end(), work.begin(), work.end());
   page.scene.complete = complete_ && !report.interrupted && !report.timed_out;
-  if (!nearest.empty()) {
-    page.tables.push_back(table(nearest));
+  if (report::Table answers = table(nearest); !answers.rows.empty()) {
+    page.tables.push_back(std::move(answers));
   }
   for (const FrameWarning& warning : report.warnings) {
     page.warnings.push_back(warning.text());
