@@ -1,5 +1,10 @@
-// Two meshes of awkward numbers at awkward poses, by any rule in either layout: every question of
-// the table, at lengths at and beside the distance, against brute force.
+// Two meshes of awkward numbers at awkward poses, by any rule in either layout, as built or
+// refitted: every question of the table, at lengths at and beside the distance, and a named
+// traversal, against brute force.
+#include "soms/thesis/overlap.h"
+#include "soms/thesis/traversals.h"
+#include "soms/tree/check.h"
+#include "soms/tree/refit.h"
 #include "soms/tree/rule/rules.h"
 #include "soms/tree/shape.h"
 
@@ -12,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace soms {
@@ -21,13 +27,15 @@ using fuzz::Bytes;
 using fuzz::require;
 
 /// How the coordinates of a mesh are drawn: a lattice makes features tie, powers of two mix all
-/// sizes, steps of the last place make near ties, and slivers are thin along one axis.
+/// sizes, steps of the last place make near ties, and slivers are thin along one axis. Some meshes
+/// are flatter, as cities are.
 struct Numbers {
   explicit Numbers(Bytes& bytes)
-      : kind(bytes.below(4)),
+      : kind(bytes.below(5)),
         unit(std::ldexp(1.0, static_cast<int>(bytes.below(120)) - 60)),
         shift(bytes.below(4) == 0 ? std::ldexp(unit, static_cast<int>(bytes.below(50))) : 0),
-        thin(bytes.below(4)) {}
+        thin(bytes.below(4)),
+        thinness(bytes.below(3) == 0 ? -3 : -30) {}
 
   double coordinate(Bytes& bytes, std::uint32_t axis) const {
     const double on_lattice = static_cast<double>(bytes.below(5)) - 1;
@@ -42,22 +50,27 @@ struct Numbers {
       case 2:
         x = on_lattice + std::ldexp(static_cast<double>(bytes.below(7)) - 3, -52);
         break;
+      case 3:
+        x = bytes.below(9);
+        break;
       default:
         x = 4 * bytes.fraction();
     }
-    return shift + unit * (axis == thin ? std::ldexp(x, -30) : x);
+    return shift + unit * (axis == thin ? std::ldexp(x, thinness) : x);
   }
 
   std::uint32_t kind;
   double unit;
   double shift;
   std::uint32_t thin;
+  int thinness;
 };
 
 Mesh mesh_of(Bytes& bytes, const Numbers& numbers) {
-  constexpr std::uint32_t kMost = 12;
+  // Brute force about lengths takes its time: few meshes are as large as a tree of some levels.
+  const std::uint32_t most = bytes.below(4) == 0 ? 40 : 12;
   Mesh mesh;
-  const std::uint32_t triangles = bytes.below(kMost);
+  const std::uint32_t triangles = bytes.below(most);
   for (std::uint32_t i = 0; i < triangles; ++i) {
     std::array<std::uint32_t, 3> corners = {};
     for (std::uint32_t& corner : corners) {
@@ -98,13 +111,33 @@ Pose awkward_pose_of(Bytes& bytes, double unit) {
   return pose;
 }
 
-Shape shape_of(const Mesh& mesh, Bytes& bytes) {
+ShapeOptions options_of(Bytes& bytes) {
   const auto table = rules();
   ShapeOptions options;
   options.build.rule = table[bytes.below(static_cast<std::uint32_t>(table.size()))].rule;
-  options.build.per_leaf = static_cast<int>(1 + bytes.below(8));
+  options.build.per_leaf = static_cast<int>(1 + bytes.below(16));
+  options.build.level = static_cast<int>(bytes.below(3) == 0 ? 1 + bytes.below(7) : 0);
   options.layout = bytes.below(3) == 0 ? Layout::compact : Layout::wide;
-  return Shape(mesh, options);
+  options.keep_tree = true;
+  return options;
+}
+
+/// The shape of a mesh. One in two was built for vertices at other places, and then refitted.
+Shape shape_of(const Mesh& mesh, const Numbers& numbers, Bytes& bytes) {
+  const ShapeOptions options = options_of(bytes);
+  Mesh before = mesh;
+  const bool refitted = bytes.below(2) == 0;
+  for (std::size_t k = 0; refitted && k < before.vertices.size(); ++k) {
+    const std::uint32_t axis = 2 * bytes.below(2);
+    before.vertices[k][axis] = numbers.coordinate(bytes, axis);
+  }
+  Shape shape(std::move(before), options);
+  if (refitted) {
+    shape = refit(shape, mesh.vertices);
+    require(shape.mesh() == mesh, "the mesh of a refitted shape");
+  }
+  require(find_fault(*shape.tree(), shape.mesh()).empty(), "a whole tree");
+  return shape;
 }
 
 /// What is wrong ends the program, with the question and the answer.
@@ -114,8 +147,8 @@ void expect_right(const test::QueryRow& row, const test::Answer& answer,
   require(fault.empty(), (std::string(row.name) + ": " + fault + ": " + row.text(answer)).c_str());
 }
 
-void check_pair(const Body& a, const Body& b) {
-  const test::PairTruth truth = test::truth_of(a, b);
+/// Threads, and the other order of the bodies.
+void check_pair(const Body& a, const Body& b, const test::PairTruth& truth) {
   for (const test::QueryRow& row : test::query_table()) {
     for (const double length : test::lengths_around(row, truth.distance.distance)) {
       const test::RowOptions options{.length = length};
@@ -123,25 +156,60 @@ void check_pair(const Body& a, const Body& b) {
       expect_right(row, answer, truth, a, b, length);
       const test::Answer threaded = row.ask(a, b, options, {.threads = 2});
       require(row.promised(threaded) == row.promised(answer), "two threads");
-      require(test::cost_of(threaded) == test::cost_of(answer), "cost of two threads");
+      require(test::coverage_of(answer) == Coverage::first ||
+                  test::cost_of(threaded) == test::cost_of(answer),
+              "cost of two threads");
       require(row.symmetric(row.ask(b, a, options, {}), true) == row.symmetric(answer, false),
               "bodies exchanged");
-      const std::array poses{Pose(), a.pose, a.pose};
-      const test::BatchAnswer batch = row.ask_batch(a.shape, poses, b, options, {});
-      require(batch.answers[1] == answer && batch.answers[2] == answer, "a batch");
+    }
+  }
+}
+
+void check_traversal(const Body& a, const Body& b, const test::PairTruth& truth, Bytes& bytes) {
+  const auto table = traversals();
+  TraversalOptions settings;
+  settings.traversal = table[bytes.below(static_cast<std::uint32_t>(table.size()))].traversal;
+  settings.update = bytes.below(2) == 0 ? BoxUpdate::refit : BoxUpdate::rebox;
+  settings = without_idle(settings);
+  require(thesis::overlap(a, b, settings).answer.pairs == truth.overlap.pairs, "a named traversal");
+}
+
+/// Answers of a batch equal those of single queries, costs too, at lengths around one distance.
+void check_batch(const Shape& mover, const std::vector<Pose>& poses, const Body& fixed,
+                 const Bracket& distance) {
+  for (const test::QueryRow& row : test::query_table()) {
+    for (const double length : test::lengths_around(row, distance)) {
+      const test::BatchAnswer batch = row.ask_batch(mover, poses, fixed, {.length = length}, {});
+      for (std::size_t k = 0; k < poses.size(); ++k) {
+        require(batch.answers[k] == row.ask(Body(mover, poses[k]), fixed, {.length = length}, {}),
+                "a batch");
+      }
     }
   }
 }
 
 void check_input(Bytes& bytes) {
   const Numbers first(bytes);
-  const Numbers second = bytes.below(2) == 0 ? first : Numbers(bytes);
-  const Shape a = shape_of(mesh_of(bytes, first), bytes);
-  const Shape b = shape_of(mesh_of(bytes, second), bytes);
-  for (std::uint32_t k = 0, count = 1 + bytes.below(3); k < count; ++k) {
-    const Body x(a, awkward_pose_of(bytes, first.unit));
-    check_pair(x, Body(b, awkward_pose_of(bytes, second.unit)));
+  Numbers second = bytes.below(2) == 0 ? first : Numbers(bytes);
+  // Often small beside the first.
+  second.unit = std::ldexp(second.unit, -static_cast<int>(bytes.below(2) * bytes.below(12)));
+  const Shape a = shape_of(mesh_of(bytes, first), first, bytes);
+  const Shape b = shape_of(mesh_of(bytes, second), second, bytes);
+  const Body fixed(b, awkward_pose_of(bytes, second.unit));
+  std::vector<Pose> poses;
+  for (std::uint32_t k = 0, count = 1 + bytes.below(6); k < count; ++k) {
+    poses.push_back(awkward_pose_of(bytes, first.unit));
   }
+  test::PairTruth truth;
+  for (const Pose& pose : poses) {
+    const Body mover(a, pose);
+    truth = test::truth_of(mover, fixed);
+    check_pair(mover, fixed, truth);
+    check_traversal(mover, fixed, truth, bytes);
+  }
+  poses.insert(poses.begin(), Pose());
+  poses.push_back(poses.back());
+  check_batch(a, poses, fixed, truth.distance.distance);
 }
 
 }  // namespace

@@ -56,26 +56,11 @@ Bracket distance_of(const Mesh& a, const Mesh& b) {
   return distance(Body(a), Body(b)).distance;
 }
 
-/// What is wrong with the answers about distance, at every length that is worth it.
-std::string first_fault(const Body& a, const Body& b) {
-  const test::PairTruth truth = test::truth_of(a, b);
-  for (const test::QueryRow& row : test::query_table()) {
-    for (const double length : test::lengths_around(row, truth.distance.distance)) {
-      const test::Answer answer = row.ask(a, b, {.length = length}, {});
-      const std::string fault = row.fault(answer, truth, a, b, length);
-      if (!fault.empty()) {
-        return std::string(row.name) + ": " + fault + ", " + row.text(answer);
-      }
-    }
-  }
-  return {};
-}
-
 TEST(DistanceProperty, LatticesAnswerAsBruteForce) {
   check_property("distance/lattice", [] {
     const Body a(lattice_mesh(*lattice_corners(), 0x1p-20));
     const Body b(moved_by_units(lattice_mesh(*lattice_corners(), 0x1p-20), 0x1p-20));
-    RC_ASSERT(first_fault(a, b) == "");
+    RC_ASSERT(test::first_fault(a, b) == "");
   });
 }
 
@@ -86,7 +71,7 @@ TEST(DistanceProperty, EveryKindOfBodyAnswersAsBruteForce) {
     const auto [a, b] = test::meshes_of_kind(kind, rng);
     const double reach = test::is_tiny(kind) ? 0x1p-70 : *rc::gen::element(0.5, 4.0, 1e6);
     const Pose pose = test::touches_in_place(kind) ? Pose{} : test::any_pose(rng, reach);
-    RC_ASSERT(first_fault(Body(a), Body(b, pose)) == "");
+    RC_ASSERT(test::first_fault(Body(a), Body(b, pose)) == "");
   });
 }
 
@@ -103,7 +88,7 @@ TEST(DistanceProperty, PosesThatAreOffAnswerAsBruteForce) {
       pose_a.m[4 * axis + 3] = shared;
       pose_b.m[4 * axis + 3] = shared + rng.uniform(-reach, reach);
     }
-    RC_ASSERT(first_fault(Body(a, pose_a), Body(b, pose_b)) == "");
+    RC_ASSERT(test::first_fault(Body(a, pose_a), Body(b, pose_b)) == "");
   });
 }
 
@@ -116,8 +101,8 @@ TEST(DistanceProperty, TrianglesThatNearlyTouchAnswerAsBruteForce) {
       first.push_back(s);
       second.push_back(t);
     }
-    ASSERT_EQ(first_fault(Body(test::soup_body(first)), Body(test::soup_body(second))), "");
-    ASSERT_EQ(first_fault(test::body_of(first[0]), test::body_of(second[0])), "");
+    ASSERT_EQ(test::first_fault(Body(test::soup_body(first)), Body(test::soup_body(second))), "");
+    ASSERT_EQ(test::first_fault(test::body_of(first[0]), test::body_of(second[0])), "");
   });
 }
 

@@ -34,7 +34,7 @@ ALLOWED = {
     "tests/query/distance_cut_test.cpp": (("clock",), "deadlines, each later than the one before, until the query is complete"),
     "tests/query/distance_threads_test.cpp": (("clock",), "deadlines; what is claimed holds wherever they end a query"),
     "tests/query/overlap_test.cpp": (("clock",), DEADLINE),
-    "tests/support/query_table.cpp": (("clock",), DEADLINE),
+    "tests/support/query_row_parts.h": (("clock",), DEADLINE),
     "tests/thesis/named_overlap_test.cpp": (("clock",), DEADLINE),
     "tests/properties/values_test.cpp": (("clock",), "a moment that is compared and printed"),
     "tests/regressions/growth_regressions_test.cpp": (("clock",), "printed, not judged"),

@@ -4,22 +4,28 @@
 #include "soms/query/reference/distance.h"
 #include "soms/query/reference/overlap.h"
 
+#include "tests/support/overlap_rows.h"
+#include "tests/support/query_row_parts.h"
 #include "tests/support/shortest_segment.h"
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
-#include <cstdint>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 
 namespace soms::test {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using detail::add;
+using detail::answers_of;
+using detail::deadline_of;
+using detail::finished;
+using detail::kInfinity;
+using detail::Line;
+using detail::overlap_row;
+using detail::write_pair;
 
 /// The least distance is at most `length`: no double is between the ends of the bracket.
 bool holds_within(const PairTruth& truth, double length) {
@@ -28,143 +34,6 @@ bool holds_within(const PairTruth& truth, double length) {
 
 bool is_empty(const PairTruth& truth) {
   return truth.distance.distance.lower == kInfinity;
-}
-
-void add(Fnv1a& hash, Coverage coverage) {
-  hash.add(static_cast<std::uint64_t>(coverage));
-}
-
-void add(Fnv1a& hash, bool flag) {
-  hash.add(static_cast<std::uint64_t>(flag));
-}
-
-void add(Fnv1a& hash, const Vec3& v) {
-  hash.add(v.x);
-  hash.add(v.y);
-  hash.add(v.z);
-}
-
-/// One line of JSON. Numbers of a triangle and coordinates are written by the functions below.
-using Line = std::ostringstream;
-
-void write(Line& line, const TrianglePair& pair) {
-  line << '[' << pair.first << ',' << pair.second << ']';
-}
-
-void write(Line& line, const Vec3& v) {
-  line << '[' << shortest(v.x) << ',' << shortest(v.y) << ',' << shortest(v.z) << ']';
-}
-
-/// A pair with its points, as `distance` and `within` name them.
-template <class Named>
-void write_pair(Line& line, const Named& answer) {
-  if (answer.triangles) {
-    line << ",\"triangles\":";
-    write(line, *answer.triangles);
-    line << ",\"points\":[";
-    write(line, answer.point_a);
-    line << ',';
-    write(line, answer.point_b);
-    line << ']';
-  }
-}
-
-/// What every line ends with.
-std::string finished(Line& line, Coverage coverage, const Cost& cost) {
-  constexpr std::array<std::string_view, 3> kNames{"complete", "first", "cut"};
-  line << ",\"coverage\":\"" << kNames[static_cast<std::size_t>(coverage)]
-       << "\",\"cost\":{\"node_tests\":" << cost.node_tests
-       << ",\"triangle_tests\":" << cost.triangle_tests << ",\"exact_tests\":" << cost.exact_tests
-       << "}}";
-  return line.str();
-}
-
-/// Columns of a batch as answers.
-template <class Batch>
-BatchAnswer answers_of(const Batch& batch) {
-  BatchAnswer result;
-  for (std::size_t k = 0; k < batch.size(); ++k) {
-    result.answers.emplace_back(batch.at(k));
-  }
-  result.cost = batch.cost;
-  return result;
-}
-
-std::optional<std::chrono::steady_clock::time_point> deadline_of(const RowOptions& options) {
-  return options.late ? std::optional(std::chrono::steady_clock::now() - std::chrono::seconds(1))
-                      : std::nullopt;
-}
-
-// overlap
-
-Answer ask_overlap(const Body& a, const Body& b, const RowOptions& options,
-                   const Parallel& parallel) {
-  return overlap(a, b, {.deadline = deadline_of(options)}, parallel);
-}
-
-BatchAnswer ask_overlap_batch(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
-                              const RowOptions& options, const Parallel& parallel) {
-  const OverlapBatch batch =
-      overlap(mover, poses, fixed, {.deadline = deadline_of(options)}, parallel);
-  BatchAnswer result;
-  for (std::size_t k = 0; k < batch.size(); ++k) {
-    const auto pairs = batch.pairs_of(k);
-    result.answers.emplace_back(Overlap{
-        batch.any[k] != 0, {pairs.begin(), pairs.end()}, batch.coverage[k], batch.costs[k]});
-  }
-  result.cost = batch.cost;
-  return result;
-}
-
-std::string overlap_fault(const Answer& any_answer, const PairTruth& truth, const Body&,
-                          const Body&, double) {
-  const auto& answer = std::get<Overlap>(any_answer);
-  const std::vector<TrianglePair>& pairs = truth.overlap.pairs;
-  if (answer.any != !answer.pairs.empty()) {
-    return "any and the pairs disagree";
-  }
-  if (answer.coverage == Coverage::cut) {
-    return std::includes(pairs.begin(), pairs.end(), answer.pairs.begin(), answer.pairs.end())
-               ? ""
-               : "a pair that does not overlap";
-  }
-  return answer.pairs == pairs ? "" : "other pairs than the twin's";
-}
-
-Answer overlap_promised(const Answer& answer) {
-  auto copy = std::get<Overlap>(answer);
-  copy.cost = {};
-  return copy;
-}
-
-Answer overlap_symmetric(const Answer& answer, bool exchanged) {
-  auto copy = std::get<Overlap>(overlap_promised(answer));
-  if (exchanged) {
-    for (TrianglePair& pair : copy.pairs) {
-      std::swap(pair.first, pair.second);
-    }
-    std::sort(copy.pairs.begin(), copy.pairs.end());
-  }
-  return copy;
-}
-
-void add_overlap(Fnv1a& hash, const Answer& any_answer) {
-  const auto& answer = std::get<Overlap>(any_answer);
-  add(hash, answer.any);
-  hash.add(answer.hash());
-  add(hash, answer.coverage);
-}
-
-std::string overlap_text(const Answer& any_answer) {
-  const auto& answer = std::get<Overlap>(any_answer);
-  Line line;
-  line << "{\"pairs\":[";
-  for (std::size_t k = 0; k < answer.pairs.size(); ++k) {
-    line << (k == 0 ? "" : ",");
-    write(line, answer.pairs[k]);
-  }
-  line << ']';
-  return finished(line, answer.coverage, answer.cost);
 }
 
 // distance
@@ -322,20 +191,68 @@ std::string within_text(const Answer& any_answer) {
   return finished(line, answer.coverage, answer.cost);
 }
 
-constexpr std::array<QueryRow, 3> kRows{{
-    {"overlap", false, ask_overlap, ask_overlap_batch, overlap_fault, overlap_promised,
-     overlap_symmetric, add_overlap, overlap_text},
+constexpr std::array<QueryRow, 5> kRows{{
+    overlap_row<OverlapMode::all>("overlap"),
+    overlap_row<OverlapMode::any>("overlap any"),
+    overlap_row<OverlapMode::first>("overlap first"),
     {"distance", true, ask_distance, ask_distance_batch, distance_fault, distance_promised,
      distance_symmetric, add_distance, distance_text},
     {"within", true, ask_within, ask_within_batch, within_fault, within_promised, within_symmetric,
      add_within, within_text},
 }};
 
+Overlap overlap_by_brute_force(const Body& a, const Body& b) {
+  return reference::overlap(a.shape.mesh(), a.pose, b.shape.mesh(), b.pose);
+}
+
+/// What is wrong with the answers to a question about (a, b) and about (b, a).
+std::string fault_of_row(const QueryRow& row, double length, const Body& a, const Body& b,
+                         const PairTruth& truth, const PairTruth& exchanged) {
+  const Answer answer = row.ask(a, b, {.length = length}, {});
+  const Answer other = row.ask(b, a, {.length = length}, {});
+  std::string fault = row.fault(answer, truth, a, b, length);
+  if (fault.empty()) {
+    fault = row.fault(other, exchanged, b, a, length);
+  }
+  if (fault.empty() && !(row.symmetric(answer, false) == row.symmetric(other, true))) {
+    fault = "another answer where the bodies are exchanged";
+  }
+  return fault.empty() ? ""
+                       : std::string(row.name) + " at " + shortest(length) + ": " + fault + ": " +
+                             row.text(answer) + ", exchanged " + row.text(other);
+}
+
 }  // namespace
 
 PairTruth truth_of(const Body& a, const Body& b) {
-  return {reference::overlap(a.shape.mesh(), a.pose, b.shape.mesh(), b.pose),
-          reference::distance_by_brute_force(a, b)};
+  return {overlap_by_brute_force(a, b), reference::distance_by_brute_force(a, b)};
+}
+
+std::string first_fault(const Body& a, const Body& b) {
+  const PairTruth truth = truth_of(a, b);
+  const PairTruth exchanged = truth_of(b, a);
+  for (const QueryRow& row : kRows) {
+    for (const double length : lengths_around(row, truth.distance.distance)) {
+      std::string fault = fault_of_row(row, length, a, b, truth, exchanged);
+      if (!fault.empty()) {
+        return fault;
+      }
+    }
+  }
+  return {};
+}
+
+std::string first_fault_of_overlap(const Body& a, const Body& b) {
+  const PairTruth truth{overlap_by_brute_force(a, b), {}};
+  const PairTruth exchanged{overlap_by_brute_force(b, a), {}};
+  for (const QueryRow& row : kRows) {
+    std::string fault =
+        row.takes_length ? "" : fault_of_row(row, kInfinity, a, b, truth, exchanged);
+    if (!fault.empty()) {
+      return fault;
+    }
+  }
+  return {};
 }
 
 std::span<const QueryRow> query_table() {

@@ -81,6 +81,13 @@ struct QueryRow {
 /// The row with this name. \pre There is one.
 [[nodiscard]] const QueryRow& query_row(std::string_view name);
 
+/// What is wrong with the answers about two bodies: each question at each of `lengths_around`,
+/// about (a, b) and about (b, a), which must agree. Empty if nothing is.
+[[nodiscard]] std::string first_fault(const Body& a, const Body& b);
+
+/// The same of questions that take no length, whose twin is quick.
+[[nodiscard]] std::string first_fault_of_overlap(const Body& a, const Body& b);
+
 /// Coverage and cost of an answer.
 [[nodiscard]] Coverage coverage_of(const Answer& answer);
 [[nodiscard]] const Cost& cost_of(const Answer& answer);
