@@ -75,6 +75,7 @@ struct ViewScene::State {
   std::optional<TraceKey> trace_key;
   std::uint64_t trace_version = 0;
   MeshFactsStore facts;
+  GapStore gaps;
 
   void add_city(Body body) {
     triangles += body.shape.mesh().triangles.size();
@@ -161,6 +162,32 @@ struct ViewScene::State {
     place_movers();
     find_contacts();
     step_milliseconds = milliseconds_since(begin);
+  }
+
+  /// Whose gap is sought; nothing where a body is missing, or where contacts say that they touch.
+  [[nodiscard]] std::optional<GapQuestion> gap_question() const {
+    if (!pair) {
+      return city.size() == 2 && movers.empty()
+                 ? std::optional(GapQuestion{{city_part(0)}, city_part(1)})
+                 : std::nullopt;
+    }
+    const auto [a, b] = *pair;
+    const bool with_city = a.role == Role::city;
+    const BodyRef first = with_city ? b : std::min(a, b);
+    const BodyRef second = with_city ? city_part(0) : std::max(a, b);
+    const auto touch = std::lower_bound(touches.begin(), touches.end(), Touch{first, second, 0, 0});
+    if (touch != touches.end() && touch->a == first &&
+        (with_city ? touch->b.role == Role::city : touch->b == second)) {
+      return std::nullopt;
+    }
+    GapQuestion question{{a}, b};
+    if (with_city) {
+      question.a.clear();
+      for (std::uint32_t k = 0; k < city.size(); ++k) {
+        question.a.push_back(city_part(k));
+      }
+    }
+    return question;
   }
 
   [[nodiscard]] const Body& body(BodyRef ref) const {
@@ -377,6 +404,19 @@ std::optional<std::string_view> ViewScene::test() const {
 
 const std::vector<Touch>& ViewScene::contacts() const {
   return state_->touches;
+}
+
+const std::optional<Gap>& ViewScene::gap() const {
+  static const std::optional<Gap> kNone;
+  const auto question = state_->gap_question();
+  return question ? state_->gaps.find(
+                        *question, [this](BodyRef ref) -> const Body& { return state_->body(ref); },
+                        state_->parallel)
+                  : kNone;
+}
+
+std::uint64_t ViewScene::gap_questions() const {
+  return state_->gaps.questions();
 }
 
 Triangle ViewScene::triangle(BodyRef ref, TriangleId i) const {
