@@ -368,11 +368,11 @@ void Session::do_camera_requests() {
   }
   if (wishes.fit_gap) {
     wishes.fit_gap = false;
-    if (facts_.gap) {
+    if (facts_.gap && !facts_.gap->surroundings.empty()) {
       go(fitted(facts_.gap->surroundings, camera_.eye - camera_.target, window_,
                 camera_.field_of_view));
     } else {
-      message_ = "there is no gap: it is not shown, or the object touches something";
+      message_ = "there is no gap: it is not shown, not known, or the object touches something";
     }
   }
   if (wishes.fit_object) {

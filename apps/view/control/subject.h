@@ -32,9 +32,9 @@ struct PickedFacts {
 
 /// The gap of the object in words and numbers.
 struct GapFacts {
-  std::string length;                                        ///< as it is written beside its line
+  std::string length;  ///< as it is written beside its line; empty: the gap is not known
   std::vector<std::pair<std::string, std::string>> numbers;  ///< label and value, in order
-  Box surroundings;                                          ///< what is worth seeing of it
+  Box surroundings;  ///< what is worth seeing of it, if it is known
 
   [[nodiscard]] bool operator==(const GapFacts&) const = default;
 };

@@ -207,11 +207,11 @@ class Drawing {
     return body.role == Role::city ? !options_.city : !options_.movers;
   }
 
-  /// The gap of the pair, and the two triangles that are nearest.
+  /// The gap of the pair, if it is known, and the two triangles that are nearest.
   void add_nearest() {
     static const std::optional<Gap> kNone;
     const std::optional<Gap>& gap = options_.gap ? scene_.gap() : kNone;
-    if (gap && !hidden(gap->a) && !hidden(gap->b)) {
+    if (gap && gap->known() && !hidden(gap->a) && !hidden(gap->b)) {
       const Distance& near = gap->distance;
       const Color tint = with_alpha(options_.colors.gap, kNearTint);
       for (const auto& [body, i] :

@@ -78,9 +78,14 @@ const std::optional<Gap>& GapStore::find(const GapQuestion& question, const Body
   question_.reset();  // an error leaves no answer of other poses
   gap_.reset();
   DistanceOptions options;
+  if (patience_) {
+    options.deadline = std::chrono::steady_clock::now() + *patience_;
+  }
+  Coverage coverage = Coverage::complete;
   for (const BodyRef a : question.a) {
     Distance answer = distance(body(a), body(question.b), options, parallel);
     ++queries_;
+    coverage = answer.coverage == Coverage::complete ? coverage : answer.coverage;
     // An upper end of 0 is a shared point; a gap may be so small that its lower end rounds to 0.
     if (answer.distance.upper == 0) {
       gap_.reset();
@@ -90,6 +95,9 @@ const std::optional<Gap>& GapStore::find(const GapQuestion& question, const Body
       options.at_most = answer.distance.upper;
       gap_ = Gap{a, question.b, std::move(answer)};
     }
+  }
+  if (gap_) {
+    gap_->distance.coverage = coverage;
   }
   question_ = question;
   poses_ = std::move(poses);

@@ -10,6 +10,7 @@
 
 #include "apps/view/scene/touch.h"
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -24,7 +25,10 @@ namespace soms::view {
 struct Gap {
   BodyRef a;
   BodyRef b;
-  Distance distance;  ///< of `a` to `b`, complete and above 0; it names triangles and points
+  Distance distance;  ///< of `a` to `b`, above 0; it names triangles and points
+
+  /// False where time ran out: then they are at most as far apart as `distance.distance.upper`.
+  [[nodiscard]] bool known() const { return distance.coverage == Coverage::complete; }
 
   [[nodiscard]] bool operator==(const Gap&) const = default;
 };
@@ -55,6 +59,10 @@ struct GapQuestion {
 class GapStore {
  public:
   using BodyOf = std::function<const Body&(BodyRef)>;
+  using Patience = std::optional<std::chrono::steady_clock::duration>;
+
+  /// Ends a search after this time, whose answer may not be `known` then; nothing: never.
+  void set_patience(Patience patience) { patience_ = patience; }
 
   /// Nothing where they share a point, or where a mesh is empty. \errors As `distance`.
   [[nodiscard]] const std::optional<Gap>& find(const GapQuestion& question, const BodyOf& body,
@@ -68,6 +76,7 @@ class GapStore {
   std::vector<Pose> poses_;
   std::optional<Gap> gap_;
   std::uint64_t queries_ = 0;
+  Patience patience_;
 };
 
 }  // namespace soms::view

@@ -389,6 +389,10 @@ const std::optional<Gap>& ViewScene::gap() const {
                   : kNone;
 }
 
+void ViewScene::set_gap_patience(GapStore::Patience patience) {
+  state_->gaps.set_patience(patience);
+}
+
 std::uint64_t ViewScene::gap_queries() const {
   return state_->gaps.queries();
 }

@@ -145,6 +145,10 @@ class ViewScene {
   /// \errors As `distance`.
   [[nodiscard]] const std::optional<Gap>& gap() const;
 
+  /// Ends the search for a gap after this time. A window needs it: surfaces that are everywhere
+  /// equally near, as of two concentric balls of a million triangles, take seconds.
+  void set_gap_patience(GapStore::Patience patience);
+
   /// Distance queries that gaps took so far.
   [[nodiscard]] std::uint64_t gap_queries() const;
 

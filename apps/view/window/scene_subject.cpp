@@ -105,6 +105,10 @@ SceneSubject::SceneSubject(SceneContent content, const Parallel& parallel)
     : has_motion_(motions_of(content)), parallel_(parallel), scene_(std::move(content), parallel) {
 }
 
+void SceneSubject::set_gap_patience(GapStore::Patience patience) {
+  scene_.set_gap_patience(patience);
+}
+
 std::optional<std::uint32_t> SceneSubject::object() const {
   const auto pair = scene_.pair();
   return pair ? std::optional(pair->second.index) : std::nullopt;
@@ -227,6 +231,11 @@ std::optional<GapFacts> SceneSubject::gap_facts() const {
     return fmt::format("{} of {}", i, scene_.body(body).name);
   };
   const Distance& near = gap->distance;
+  if (!gap->known()) {
+    return GapFacts{.length = {},
+                    .numbers = {{"Gap", fmt::format("at most {:.6g}", near.distance.upper)}},
+                    .surroundings = {}};
+  }
   return GapFacts{.length = length_in_text(*gap),
                   .numbers = {{"Gap", fmt::format("{:.6g}", near.distance.lower)},
                               {"from triangle", side(gap->a, near.triangles->first)},

@@ -21,6 +21,9 @@ class SceneSubject final : public Subject {
  public:
   explicit SceneSubject(SceneContent content, const Parallel& parallel = {});
 
+  /// As `ViewScene::set_gap_patience`.
+  void set_gap_patience(GapStore::Patience patience);
+
   void choose(const ViewState& state) override;
   [[nodiscard]] Facts facts(const ViewState& state) const override;
   void advance(int count) override;

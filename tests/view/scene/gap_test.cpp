@@ -7,7 +7,9 @@
 #include "tests/support/bodies.h"
 #include "tests/support/support.h"
 
+#include <chrono>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -143,6 +145,27 @@ TEST(Gap, AsSmallAsItMayBeIsDrawn) {
   const DrawList list = make_draw_list(scene, {});
   ASSERT_EQ(list.labels.size(), 1U);
   EXPECT_EQ(list.labels[0].text, "4.441e-16");
+}
+
+TEST(Gap, IsNotDrawnWhereTimeRanOut) {
+  // Concentric: all of either ball is equally near to the other, so the search is long.
+  const Mesh inner = generate_sphere(20'000);
+  Mesh outer = inner;
+  for (Vec3& v : outer.vertices) {
+    v = v * 2;
+  }
+  ViewScene scene(two_bodies(Body(outer), Body(inner)));
+  scene.set_gap_patience(std::chrono::nanoseconds(0));
+  const std::optional<Gap> cut = scene.gap();
+  EXPECT_TRUE(make_draw_list(scene, {}).labels.empty());
+  if (cut) {
+    EXPECT_FALSE(cut->known());
+  }
+  scene.set_gap_patience(std::nullopt);
+  scene.set_pose(0, Pose::translation(0, 0, 0.25));
+  ASSERT_TRUE(scene.gap().has_value());
+  EXPECT_TRUE(scene.gap()->known());
+  EXPECT_EQ(make_draw_list(scene, {}).labels.size(), 1U);
 }
 
 TEST(Gap, WithoutTrianglesThereIsNone) {

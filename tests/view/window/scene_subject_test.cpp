@@ -11,7 +11,9 @@
 #include "tests/support/bodies.h"
 #include "tests/support/support.h"
 
+#include <chrono>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace soms::view {
@@ -417,6 +419,20 @@ TEST(SceneSubject, TheGapFollowsTheObjectAndIsSaidInNumbers) {
   subject.place_object(Pose::translation(10, 0, 5));
   EXPECT_FALSE(subject.facts({}).gap.has_value()) << "it touches the block";
   EXPECT_TRUE(subject.draw_list({}).labels.empty());
+}
+
+TEST(SceneSubject, AGapThatIsNotKnownInTimeIsBoundedInNumbersAndNotDrawn) {
+  SceneSubject subject(block_and_cube());
+  subject.set_gap_patience(std::chrono::nanoseconds(0));
+  subject.place_object(Pose::translation(14, 0, 5));
+  EXPECT_TRUE(subject.draw_list({}).labels.empty());
+  if (const auto gap = subject.facts({}).gap) {
+    EXPECT_EQ(gap->numbers[0].second.find("at most "), 0U);
+    EXPECT_TRUE(gap->surroundings.empty());
+  }
+  subject.set_gap_patience(std::nullopt);
+  subject.place_object(Pose::translation(15, 0, 5));
+  EXPECT_EQ(subject.draw_list({}).labels.size(), 1U);
 }
 
 TEST(SceneSubject, PickingAMoverMakesItTheObject) {
