@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::string_view kLetters = "0123456789.-+ ecmkinft";
 
-using Shape = std::multiset<std::pair<std::pair<double, double>, std::pair<double, double>>>;
+using StrokeShape = std::multiset<std::pair<std::pair<double, double>, std::pair<double, double>>>;
 
-Shape shape_of(std::string_view text) {
-  Shape shape;
+StrokeShape shape_of(std::string_view text) {
+  StrokeShape shape;
   for (const TextStroke& s : strokes_of(text, 10)) {
     shape.insert({{s.from.x, s.from.y}, {s.to.x, s.to.y}});
   }
@@ -25,7 +25,7 @@ Shape shape_of(std::string_view text) {
 }
 
 TEST(StrokeFont, LettersDifferAndOthersAreBoxes) {
-  std::set<Shape> shapes;
+  std::set<StrokeShape> shapes;
   for (const char c : kLetters) {
     shapes.insert(shape_of({&c, 1}));
   }
