@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 
 #include "apps/support/text.h"
+#include "apps/view/drawing/gap_marks.h"
 #include "apps/view/scene/shown_boxes.h"
 
 #include <algorithm>
@@ -16,6 +17,8 @@ namespace {
 
 /// Diameter of the dots of touching movers, in pixels.
 constexpr float kSpot = 7;
+/// Opacity of the two nearest triangles: large ones shall not swamp what they belong to.
+constexpr std::uint8_t kNearTint = 80;
 
 /// One of four tints of a color, so that movers of one kind that touch are distinguished.
 Color tint(Color color, std::uint32_t mover) {
@@ -36,6 +39,7 @@ class Drawing {
     add_bodies();
     add_boxes();
     add_contacts();
+    add_nearest();
     return {std::move(list_), counts_};
   }
 
@@ -196,6 +200,33 @@ class Drawing {
     }
     if (options_.chosen) {
       add_chosen(*options_.chosen);
+    }
+  }
+
+  [[nodiscard]] bool hidden(BodyRef body) const {
+    return body.role == Role::city ? !options_.city : !options_.movers;
+  }
+
+  /// The gap of the pair, if it is known, and the two triangles that are nearest.
+  void add_nearest() {
+    static const std::optional<Gap> kNone;
+    const std::optional<Gap>& gap = options_.gap ? scene_.gap() : kNone;
+    if (gap && gap->known() && !hidden(gap->a) && !hidden(gap->b)) {
+      const Distance& near = gap->distance;
+      const Color tint = with_alpha(options_.colors.gap, kNearTint);
+      for (const auto& [body, i] :
+           {std::pair(gap->a, near.triangles->first), std::pair(gap->b, near.triangles->second)}) {
+        add_mark(body, i, tint, false);
+        const Triangle t = scene_.triangle(body, i);
+        for (const auto& [from, to] :
+             {std::pair(t.a, t.b), std::pair(t.b, t.c), std::pair(t.c, t.a)}) {
+          list_.lines.push_back({.a = from, .b = to, .color = options_.colors.gap});
+        }
+      }
+      add_gap(list_, {.point_a = near.point_a,
+                      .point_b = near.point_b,
+                      .length = length_in_text(*gap),
+                      .color = options_.colors.gap});
     }
   }
 

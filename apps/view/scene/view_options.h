@@ -69,6 +69,7 @@ struct ViewColors {
   Color contact = palette::kContact;
   Color part = {240, 150, 130, 255};
   Color segment = palette::kYellow;
+  Color gap = palette::kGap;
   Color line = palette::kPurple;
   Color level = palette::kBlue;
   Color leaf_above = palette::kSkyBlue;
@@ -91,6 +92,8 @@ struct ViewOptions {
   std::optional<LevelBoxes> level;  ///< nothing: no boxes of a level
   std::optional<TraceBoxes> trace;  ///< nothing: no boxes of a traversal
   ContactMarks contacts;
+  bool gap =
+      true;  ///< nearest points of the pair, if its bodies share none: a line with its length
   std::optional<BodyRef> highlighted;  ///< drawn brighter
   std::optional<Touch> chosen;         ///< a contact drawn through everything
   std::size_t most_boxes = 50'000;     ///< of a level or a traversal; the largest are drawn

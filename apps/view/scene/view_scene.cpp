@@ -75,6 +75,7 @@ struct ViewScene::State {
   std::optional<TraceKey> trace_key;
   std::uint64_t trace_version = 0;
   MeshFactsStore facts;
+  GapStore gaps;
 
   void add_city(Body body) {
     triangles += body.shape.mesh().triangles.size();
@@ -377,6 +378,23 @@ std::optional<std::string_view> ViewScene::test() const {
 
 const std::vector<Touch>& ViewScene::contacts() const {
   return state_->touches;
+}
+
+const std::optional<Gap>& ViewScene::gap() const {
+  static const std::optional<Gap> kNone;
+  const auto question = gap_question(state_->pair, city_parts(), movers(), state_->touches);
+  return question ? state_->gaps.find(
+                        *question, [this](BodyRef ref) -> const Body& { return state_->body(ref); },
+                        state_->parallel)
+                  : kNone;
+}
+
+void ViewScene::set_gap_patience(GapStore::Patience patience) {
+  state_->gaps.set_patience(patience);
+}
+
+std::uint64_t ViewScene::gap_queries() const {
+  return state_->gaps.queries();
 }
 
 Triangle ViewScene::triangle(BodyRef ref, TriangleId i) const {

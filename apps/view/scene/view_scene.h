@@ -9,6 +9,7 @@
 #include "apps/view/drawing/camera.h"
 #include "apps/view/drawing/draw_list.h"
 #include "apps/view/scene/explain.h"
+#include "apps/view/scene/gap.h"
 #include "apps/view/scene/mesh_facts.h"
 #include "apps/view/scene/scene_content.h"
 #include "apps/view/scene/touch.h"
@@ -137,6 +138,19 @@ class ViewScene {
 
   /// All contacts at the present poses, sorted.
   [[nodiscard]] const std::vector<Touch>& contacts() const;
+
+  /// Where the bodies of the pair are nearest, if they share no point; queried again only when
+  /// one of them moved. The whole city counts as the pair's first body where that is a part of it.
+  /// Where nothing moves at all, the pair are the two parts of a city of two.
+  /// \errors As `distance`.
+  [[nodiscard]] const std::optional<Gap>& gap() const;
+
+  /// Ends the search for a gap after this time. A window needs it: surfaces that are everywhere
+  /// equally near, as of two concentric balls of a million triangles, take seconds.
+  void set_gap_patience(GapStore::Patience patience);
+
+  /// Distance queries that gaps took so far.
+  [[nodiscard]] std::uint64_t gap_queries() const;
 
   /// World corners of a triangle at its body's present pose.
   [[nodiscard]] Triangle triangle(BodyRef ref, TriangleId i) const;

@@ -9,6 +9,7 @@
 #include "apps/view/window/app_window.h"
 #include "apps/view/window/scene_subject.h"
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -21,6 +22,9 @@ namespace {
 constexpr std::uint64_t kLeastSide = 320;
 constexpr std::uint64_t kMostSide = 16'384;
 constexpr std::uint64_t kMostFrames = 1'000'000'000;
+
+/// A search for the nearest points may not hold up a frame longer.
+constexpr std::chrono::milliseconds kGapPatience{20};
 
 const char* const kViewFooter =
     "Without CITY, an embedded city of 1,000,000 triangles is used, with cars, persons and\n"
@@ -84,6 +88,7 @@ int run_view(const ViewVerbOptions& options, command::Console& console) {
   AppWindow::require_display();
   SceneContent content = load_content(options.world, options.pose, console);
   SceneSubject subject(std::move(content), console.parallel());
+  subject.set_gap_patience(kGapPatience);
   run_viewer(subject, options.viewer, console.parallel().stop);
   if (console.interrupted()) {
     throw Error(ErrorKind::cancelled, "interrupted", "");

@@ -97,11 +97,16 @@ ViewOptions options_of(const ViewState& state) {
   options.contacts.segments = shown.crossing_segments;
   options.contacts.lines = shown.contact_lines;
   options.contacts.on_top = shown.contacts_on_top;
+  options.gap = shown.gap;
   return options;
 }
 
 SceneSubject::SceneSubject(SceneContent content, const Parallel& parallel)
     : has_motion_(motions_of(content)), parallel_(parallel), scene_(std::move(content), parallel) {
+}
+
+void SceneSubject::set_gap_patience(GapStore::Patience patience) {
+  scene_.set_gap_patience(patience);
 }
 
 std::optional<std::uint32_t> SceneSubject::object() const {
@@ -193,6 +198,9 @@ Facts SceneSubject::facts(const ViewState& state) const {
   facts.limits = limits();
   facts.orientation_test = test_;
   facts.bounds = scene_.bounds();
+  if (state.shown.gap) {
+    facts.gap = gap_facts();
+  }
   if (const auto held = object()) {
     facts.object = scene_.body(mover(*held)).pose;
     facts.object_bounds = scene_.bounds(mover(*held));
@@ -212,6 +220,28 @@ Facts SceneSubject::facts(const ViewState& state) const {
     facts.trace_cut = now.trace_cut;
   }
   return facts;
+}
+
+std::optional<GapFacts> SceneSubject::gap_facts() const {
+  const std::optional<Gap>& gap = scene_.gap();
+  if (!gap) {
+    return std::nullopt;
+  }
+  const auto side = [&](BodyRef body, TriangleId i) {
+    return fmt::format("{} of {}", i, scene_.body(body).name);
+  };
+  const Distance& near = gap->distance;
+  if (!gap->known()) {
+    return GapFacts{.length = {},
+                    .numbers = {{"Gap", fmt::format("at most {:.6g}", near.distance.upper)}},
+                    .surroundings = {}};
+  }
+  return GapFacts{.length = length_in_text(*gap),
+                  .numbers = {{"Gap", fmt::format("{:.6g}", near.distance.lower)},
+                              {"from triangle", side(gap->a, near.triangles->first)},
+                              {"to triangle", side(gap->b, near.triangles->second)}},
+                  .surroundings = surroundings(*gap, scene_.bounds(gap->a), scene_.bounds(gap->b),
+                                               scene_.bounds())};
 }
 
 void SceneSubject::advance(int count) {

@@ -21,6 +21,9 @@ class SceneSubject final : public Subject {
  public:
   explicit SceneSubject(SceneContent content, const Parallel& parallel = {});
 
+  /// As `ViewScene::set_gap_patience`.
+  void set_gap_patience(GapStore::Patience patience);
+
   void choose(const ViewState& state) override;
   [[nodiscard]] Facts facts(const ViewState& state) const override;
   void advance(int count) override;
@@ -44,6 +47,7 @@ class SceneSubject final : public Subject {
 
   [[nodiscard]] PickedFacts triangle_facts(const Picked& picked) const;
   [[nodiscard]] PickedFacts contact_facts(const Touch& touch) const;
+  [[nodiscard]] std::optional<GapFacts> gap_facts() const;
   [[nodiscard]] std::optional<std::uint32_t> object() const;
   [[nodiscard]] std::optional<BodyRef> tree_body(TreeOf tree) const;
   [[nodiscard]] int levels_of(TreeOf tree) const;

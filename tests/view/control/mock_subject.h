@@ -36,6 +36,7 @@ class MockSubject final : public Subject {
     facts.contacts = 42;
     facts.orientation_test = last_choice.orientation_test;
     facts.traversed = true;
+    facts.gap = gap;
     facts.limits = {7, 5, frames, 3, can_seek, has_object, 4, 200};
     facts.bounds = {{-100, -100, 0}, {100, 100, 50}};
     if (has_object) {
@@ -119,6 +120,7 @@ class MockSubject final : public Subject {
   Pose object = Pose::translation(0, 0, 10);
   std::string note;
   std::vector<std::string> left_out;
+  std::optional<GapFacts> gap;
 
   int chosen = 0;
   Choice last_choice;
