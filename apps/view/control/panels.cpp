@@ -269,6 +269,10 @@ void Panels::counts_panel(const Facts& facts) {
   row("Movers", grouped(facts.movers));
   row("Touching movers", grouped(facts.bodies));
   row("Touching pairs", grouped(facts.contacts));
+  if (!facts.clearance.empty()) {
+    row("Near", grouped(facts.gaps) + " within " + facts.clearance);
+    row("Least gap", facts.least_gap.empty() ? "none" : facts.least_gap);
+  }
   row("Collision", milliseconds(facts.collision_ms));
   row("Box tests", grouped(facts.cost.node_tests));
   row("Triangle tests", grouped(facts.cost.triangle_tests));

@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 
 #include "apps/support/text.h"
+#include "apps/view/drawing/gap_marks.h"
 #include "apps/view/scene/shown_boxes.h"
 
 #include <algorithm>
@@ -36,6 +37,7 @@ class Drawing {
     add_bodies();
     add_boxes();
     add_contacts();
+    add_gaps();
     return {std::move(list_), counts_};
   }
 
@@ -199,6 +201,21 @@ class Drawing {
     }
   }
 
+  /// The nearest first: of lengths that would cover each other theirs is written.
+  void add_gaps() {
+    if (!options_.gaps.shown) {
+      return;
+    }
+    const std::vector<Gap>& gaps = scene_.gaps();
+    counts_.gaps = gaps.size();
+    counts_.gaps_drawn = std::min(gaps.size(), options_.gaps.most);
+    for (std::size_t k = 0; k < counts_.gaps_drawn; ++k) {
+      add_gap(
+          list_,
+          {.point_a = gaps[k].point_a, .point_b = gaps[k].point_b, .length = length_of(gaps[k])});
+    }
+  }
+
   void add_chosen(const Touch& touch) {
     add_mark(touch.a, touch.i, with_alpha(options_.colors.contact, 170), true);
     add_mark(touch.b, touch.j, with_alpha(options_.colors.contact, 170), true);
@@ -245,6 +262,7 @@ std::vector<std::string> left_out(const ShownCounts& counts) {
     }
   };
   add(counts.contacts_drawn, counts.contacts, " contacts");
+  add(counts.gaps_drawn, counts.gaps, " gaps");
   add(counts.part_triangles_drawn, counts.part_triangles, " triangles of parts");
   add(counts.boxes_drawn, counts.boxes, " boxes");
   return lines;

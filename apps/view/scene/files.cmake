@@ -1,6 +1,7 @@
 set(SOMS_VIEW_HEADERS
   draw_scene.h
   explain.h
+  gaps.h
   load.h
   mesh_facts.h
   orientation_menu.h
@@ -16,6 +17,7 @@ set(SOMS_VIEW_HEADERS
 set(SOMS_VIEW_SOURCES
   draw_scene.cpp
   explain.cpp
+  gaps.cpp
   load.cpp
   mesh_facts.cpp
   orientation_menu.cpp

@@ -64,6 +64,14 @@ struct ContactMarks {
   [[nodiscard]] bool operator==(const ContactMarks&) const = default;
 };
 
+/// What is shown of gaps.
+struct GapMarks {
+  bool shown = true;        ///< lines between the nearest points, with their lengths
+  std::size_t most = 1000;  ///< most gaps drawn, the nearest; `DrawnScene` says how many there are
+
+  [[nodiscard]] bool operator==(const GapMarks&) const = default;
+};
+
 /// Colors of marks. The default ones are distinguished by people who see fewer colors.
 struct ViewColors {
   Color contact = palette::kContact;
@@ -91,6 +99,7 @@ struct ViewOptions {
   std::optional<LevelBoxes> level;  ///< nothing: no boxes of a level
   std::optional<TraceBoxes> trace;  ///< nothing: no boxes of a traversal
   ContactMarks contacts;
+  GapMarks gaps;
   std::optional<BodyRef> highlighted;  ///< drawn brighter
   std::optional<Touch> chosen;         ///< a contact drawn through everything
   std::size_t most_boxes = 50'000;     ///< of a level or a traversal; the largest are drawn

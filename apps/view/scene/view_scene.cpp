@@ -66,6 +66,7 @@ struct ViewScene::State {
   StepReport report;
   bool replayed = false;  ///< the report is the recording's
   std::vector<Touch> touches;
+  std::vector<Gap> gaps;
   double step_milliseconds = 0;
 
   TreeChoice choice;
@@ -135,6 +136,8 @@ struct ViewScene::State {
     }
   }
 
+  [[nodiscard]] double clearance() const { return recording ? recording->head().clearance : 0; }
+
   void find_contacts() {
     const bool recorded = as_recorded();
     if (recorded) {
@@ -142,8 +145,10 @@ struct ViewScene::State {
       report = {};
       report.environment = shown.environment;
       report.movers = shown.movers;
+      report.environment_gaps = shown.environment_gaps;
+      report.mover_gaps = shown.mover_gaps;
     } else {
-      report = scene.step({}, parallel);
+      report = scene.step({.clearance = clearance()}, parallel);
     }
     replayed = recorded;
     touches.clear();
@@ -154,6 +159,7 @@ struct ViewScene::State {
       touches.push_back({mover(c.a), mover(c.b), c.i, c.j});
     }
     std::sort(touches.begin(), touches.end());
+    gaps = gaps_of(report);
   }
 
   void show_frame() {
@@ -379,6 +385,10 @@ const std::vector<Touch>& ViewScene::contacts() const {
   return state_->touches;
 }
 
+const std::vector<Gap>& ViewScene::gaps() const {
+  return state_->gaps;
+}
+
 Triangle ViewScene::triangle(BodyRef ref, TriangleId i) const {
   const Body& b = body(ref);
   const Triangle t = b.shape.mesh().triangle(i);
@@ -474,6 +484,11 @@ SceneStatistics ViewScene::statistics() const {
     }
   }
   out.touching_movers = touching.size();
+  out.clearance = s.clearance();
+  out.gaps = s.gaps.size();
+  if (!s.gaps.empty()) {
+    out.least_gap = s.gaps.front();
+  }
   out.queries = s.report.queries;
   out.box_pairs = s.report.box_pairs;
   out.cost = s.report.cost;

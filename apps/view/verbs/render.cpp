@@ -13,6 +13,7 @@
 #include "apps/view/scene/orientation_menu.h"
 #include "apps/view/scene/shown_boxes.h"
 #include "apps/view/scene/traversal_trace.h"
+#include "apps/view/verbs/render_gaps.h"
 #include "apps/view/verbs/render_scene.h"
 
 #include <fmt/format.h>
@@ -168,10 +169,10 @@ void report(const RenderOptions& options, ViewScene& scene, const GlRenderer& re
                              command::counted(kMostWatchedTests, "box test")));
   }
   if (!console.shared().json) {
-    console.note(fmt::format("{}: {}x{}, {}, {}, drawn by {}", options.output, options.size.width,
+    console.note(fmt::format("{}: {}x{}, {}, {}{}, drawn by {}", options.output, options.size.width,
                              options.size.height, command::counted(facts.triangles, "triangle"),
                              command::counted(facts.contacts, "touching pair"),
-                             GlRenderer::device()));
+                             gaps_in_words(scene), GlRenderer::device()));
     return;
   }
   command::Json answer{{"schema", "soms.render/2"},     {"file", options.output},
@@ -186,6 +187,7 @@ void report(const RenderOptions& options, ViewScene& scene, const GlRenderer& re
     answer["level_boxes"] = on_level;
     answer["leaves_above"] = nodes_of_level(tree, *options.level, true).size() - on_level;
   }
+  add_gaps(answer, scene);
   if (!scene.notes().empty()) {
     answer["notes"] = scene.notes();
   }
