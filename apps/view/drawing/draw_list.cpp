@@ -39,6 +39,10 @@ Box bounds_beside_meshes(const DrawList& list) {
   for (const Point& point : list.points) {
     all.grow(point.at);
   }
+  for (const Label& label : list.labels) {
+    all.grow(label.a);
+    all.grow(label.b);
+  }
   return all;
 }
 

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace soms::view {
@@ -91,13 +92,27 @@ struct Line {
   Color color{0, 0, 0, 255};
   float width = 1;      ///< in pixels
   bool on_top = false;  ///< seen through everything
+  Color rim{255, 255, 255, 255};
+  float rim_width = 0;  ///< of a border beside the line, on either side, in pixels
 };
 
 struct Point {
   Vec3 at = {};
   Color color{0, 0, 0, 255};
-  float diameter = 6;   ///< in pixels
-  bool on_top = false;  ///< seen through everything
+  float diameter = 6;          ///< in pixels
+  bool on_top = false;         ///< seen through everything
+  Color rim{26, 26, 26, 255};  ///< of points wider than 6 pixels
+};
+
+/// A number with its unit beside the middle of a segment, on top of everything, unless it would
+/// cover a label before it. `stroke_font.h` says which letters there are.
+struct Label {
+  Vec3 a = {};
+  Vec3 b = {};
+  std::string text = {};
+  Color color{0, 0, 0, 255};
+  Color rim{255, 255, 255, 255};  ///< around the letters
+  float height = 13;              ///< of digits, in pixels
 };
 
 /// Fills the picture before anything is drawn; from lower to upper edge.
@@ -113,7 +128,7 @@ struct Light {
 };
 
 /// One picture. Order within each list does not matter, except that later marks, lines and points
-/// lie over earlier ones of equal depth.
+/// lie over earlier ones of equal depth, and earlier labels are written first.
 struct DrawList {
   std::vector<DrawMesh> meshes = {};
   std::vector<Instance> instances = {};
@@ -121,6 +136,7 @@ struct DrawList {
   std::vector<BoxGroup> box_groups = {};
   std::vector<Line> lines = {};
   std::vector<Point> points = {};
+  std::vector<Label> labels = {};
   Background background;
   Light light;
 };
@@ -130,7 +146,7 @@ struct DrawList {
 /// \cost O(vertices) of the shared meshes; ask once a scene, not once a frame.
 [[nodiscard]] Box bounds(const DrawList& list);
 
-/// Bounds of marks, boxes, lines and points; empty where there are none.
+/// Bounds of marks, boxes, lines, points and segments of labels; empty where there are none.
 [[nodiscard]] Box bounds_beside_meshes(const DrawList& list);
 
 /// Bounds of a box that was moved by a pose; empty for an empty box.

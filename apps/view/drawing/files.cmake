@@ -1,7 +1,9 @@
 set(SOMS_VIEW_HEADERS
   camera.h
   draw_list.h
+  gap_marks.h
   gl_boxes.h
+  gl_labels.h
   gl_objects.h
   gl_slicer.h
   gl_renderer.h
@@ -11,17 +13,21 @@ set(SOMS_VIEW_HEADERS
   gl_target.h
   gl_view.h
   headless_context.h
+  labels.h
   palette.h
   picture.h
   recording_renderer.h
   renderer.h
+  stroke_font.h
   tiles.h
   visibility.h
 )
 set(SOMS_VIEW_SOURCES
   camera.cpp
   draw_list.cpp
+  gap_marks.cpp
   gl_boxes.cpp
+  gl_labels.cpp
   gl_objects.cpp
   gl_slicer.cpp
   gl_renderer.cpp
@@ -31,9 +37,11 @@ set(SOMS_VIEW_SOURCES
   gl_target.cpp
   gl_view.cpp
   headless_context.cpp
+  labels.cpp
   palette.cpp
   picture.cpp
   recording_renderer.cpp
+  stroke_font.cpp
   tiles.cpp
   visibility.cpp
 )

@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 
 #include "apps/view/drawing/gl_boxes.h"
+#include "apps/view/drawing/gl_labels.h"
 #include "apps/view/drawing/gl_objects.h"
 #include "apps/view/drawing/gl_shaders.h"
 #include "apps/view/drawing/gl_strokes.h"
@@ -155,6 +156,7 @@ struct GlRenderer::Parts {
   GlSurfaces surfaces;
   GlBoxes boxes;
   GlStrokes strokes;
+  GlLabels labels;
   DrawStatistics statistics;
   bool drawn = false;
 };
@@ -189,6 +191,7 @@ void GlRenderer::draw(const DrawList& list, const Camera& camera, Size size,
   p.surfaces.draw_translucent(view, p.slicer, p.statistics);
   glDisable(GL_DEPTH_TEST);
   p.draw_layer(list, view, true);
+  p.labels.draw(list, camera, size, p.statistics);
   p.reset_state();
   p.target.finish(p.slicer);
   check_device("drawing a frame");

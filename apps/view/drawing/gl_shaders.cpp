@@ -75,6 +75,7 @@ uniform float nearest;
 uniform float slope;  // width of a pixel at distance 1
 uniform vec2 half_size;
 out vec4 color;
+noperspective out float across_pixels;  // from the middle of the stroke
 void stroke(vec3 from, vec3 to, int corner, float width) {
   float nearer = lift - 0.75 * width * slope;
   vec4 a = clip * vec4(from * nearer, 1.0);
@@ -92,6 +93,7 @@ void stroke(vec3 from, vec3 to, int corner, float width) {
   vec4 end = (corner & 2) == 0 ? cut_a : cut_b;
   float out_of = (corner & 2) == 0 ? -0.5 : 0.5;
   float side = (corner & 1) == 0 ? -0.5 : 0.5;
+  across_pixels = side * width;
   vec2 shift = (across * side + along * out_of * 0.9) * width / half_size;
   gl_Position = vec4(end.xy + shift * end.w, end.zw);
 }
@@ -102,10 +104,25 @@ layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
 layout(location = 2) in vec4 paint;
 layout(location = 3) in float width;
+layout(location = 4) in vec4 rim_paint;
+layout(location = 5) in float rim_width;
+flat out vec4 rim;
+flat out float inner;
 void main() {
   color = paint;
-  stroke(from, to, gl_VertexID, width);
+  rim = rim_paint;
+  inner = rim_width > 0.0 ? 0.5 * width : 1e9;
+  stroke(from, to, gl_VertexID, width + 2.0 * rim_width);
 }
+)";
+
+const char* const kLineFragment = R"(#version 330 core
+in vec4 color;
+noperspective in float across_pixels;
+flat in vec4 rim;
+flat in float inner;
+out vec4 pixel;
+void main() { pixel = mix(color, rim, clamp(abs(across_pixels) - inner + 0.5, 0.0, 1.0)); }
 )";
 
 const char* const kEdgeVertex = R"(
@@ -145,6 +162,7 @@ const char* const kPointVertex = R"(#version 330 core
 layout(location = 0) in vec3 at;
 layout(location = 1) in vec4 paint;
 layout(location = 2) in float diameter;
+layout(location = 3) in vec4 rim_paint;
 uniform mat4 clip;
 uniform float lift;
 uniform float slope;
@@ -152,12 +170,14 @@ uniform vec2 half_size;
 out vec4 color;
 out vec2 offset;  // in pixels from the middle
 flat out float radius;
+flat out vec3 rim;
 void main() {
   vec4 p = clip * vec4(at * (lift - 0.5 * diameter * slope), 1.0);
   vec2 corner = vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID & 2) - 1);
   radius = 0.5 * diameter;
   offset = corner * (radius + 1.0);
   color = paint;
+  rim = rim_paint.rgb;
   gl_Position = vec4(p.xy + offset / half_size * p.w, p.zw);
 }
 )";
@@ -166,6 +186,7 @@ const char* const kPointFragment = R"(#version 330 core
 in vec4 color;
 in vec2 offset;
 flat in float radius;
+flat in vec3 rim;
 out vec4 pixel;
 void main() {
   float inside = radius - length(offset);
@@ -173,9 +194,53 @@ void main() {
   if (cover <= 0.0) {
     discard;
   }
-  // A dark rim sets large points off from any ground.
-  float rim = radius > 3.0 ? clamp(1.7 - inside, 0.0, 1.0) : 0.0;
-  pixel = vec4(mix(color.rgb, vec3(0.1), rim), color.a * cover);
+  // A rim sets large points off from any ground.
+  float share = radius > 3.0 ? clamp(1.7 - inside, 0.0, 1.0) : 0.0;
+  pixel = vec4(mix(color.rgb, rim, share), color.a * cover);
+}
+)";
+
+const char* const kLetterVertex = R"(#version 330 core
+layout(location = 0) in vec2 from;  // in pixels from the middle of the picture, y up
+layout(location = 1) in vec2 to;
+layout(location = 2) in vec4 paint;
+layout(location = 3) in float width;
+uniform vec2 half_size;
+out vec4 color;
+out vec2 at;
+flat out vec4 ends;
+flat out float radius;
+void main() {
+  vec2 along = to - from;
+  along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
+  vec2 across = vec2(-along.y, along.x);
+  radius = 0.5 * width;
+  float reach = radius + 1.0;
+  float side = (gl_VertexID & 1) == 0 ? -reach : reach;
+  at = (gl_VertexID & 2) == 0 ? from - along * reach : to + along * reach;
+  at += across * side;
+  color = paint;
+  ends = vec4(from, to);
+  gl_Position = vec4(at / half_size, 0.0, 1.0);
+}
+)";
+
+// Round at both ends, so that strokes of a letter join.
+const char* const kLetterFragment = R"(#version 330 core
+in vec4 color;
+in vec2 at;
+flat in vec4 ends;
+flat in float radius;
+out vec4 pixel;
+void main() {
+  vec2 line = ends.zw - ends.xy;
+  float square = dot(line, line);
+  float t = square > 0.0 ? clamp(dot(at - ends.xy, line) / square, 0.0, 1.0) : 0.0;
+  float cover = clamp(radius + 0.5 - distance(at, ends.xy + t * line), 0.0, 1.0);
+  if (cover <= 0.0) {
+    discard;
+  }
+  pixel = vec4(color.rgb, color.a * cover);
 }
 )";
 

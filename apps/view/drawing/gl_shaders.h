@@ -16,9 +16,13 @@ extern const char* const kStrokeHead;  ///< stands before the next two
 extern const char* const kLineVertex;
 extern const char* const kEdgeVertex;  ///< twelve edges a box
 extern const char* const kStrokeFragment;
+extern const char* const kLineFragment;  ///< with a rim on either side
 
 extern const char* const kPointVertex;
 extern const char* const kPointFragment;
+
+extern const char* const kLetterVertex;  ///< strokes of letters, in pixels
+extern const char* const kLetterFragment;
 
 extern const char* const kBackgroundVertex;
 extern const char* const kBackgroundFragment;

@@ -19,12 +19,15 @@ struct LineRow {
   std::array<float, 3> b;
   Color color;
   float width;
+  Color rim;
+  float rim_width;
 };
 
 struct PointRow {
   std::array<float, 3> at;
   Color color;
   float diameter;
+  Color rim;
 };
 
 void begin(const GlProgram& program, const GlView& view) {
@@ -40,15 +43,18 @@ void begin(const GlProgram& program, const GlView& view) {
 
 GlStrokes::GlStrokes()
     : line_program_("line", std::string(shader::kStrokeHead) + shader::kLineVertex,
-                    shader::kStrokeFragment),
+                    shader::kLineFragment),
       point_program_("point", shader::kPointVertex, shader::kPointFragment) {
   lines_reading_.floats(0, 3, lines_, sizeof(LineRow), offsetof(LineRow, a), 1);
   lines_reading_.floats(1, 3, lines_, sizeof(LineRow), offsetof(LineRow, b), 1);
   lines_reading_.color(2, lines_, sizeof(LineRow), offsetof(LineRow, color), 1);
   lines_reading_.floats(3, 1, lines_, sizeof(LineRow), offsetof(LineRow, width), 1);
+  lines_reading_.color(4, lines_, sizeof(LineRow), offsetof(LineRow, rim), 1);
+  lines_reading_.floats(5, 1, lines_, sizeof(LineRow), offsetof(LineRow, rim_width), 1);
   points_reading_.floats(0, 3, points_, sizeof(PointRow), offsetof(PointRow, at), 1);
   points_reading_.color(1, points_, sizeof(PointRow), offsetof(PointRow, color), 1);
   points_reading_.floats(2, 1, points_, sizeof(PointRow), offsetof(PointRow, diameter), 1);
+  points_reading_.color(3, points_, sizeof(PointRow), offsetof(PointRow, rim), 1);
 }
 
 void GlStrokes::draw(const DrawList& list, const GlView& view, bool on_top,
@@ -62,7 +68,8 @@ void GlStrokes::draw_lines(const DrawList& list, const GlView& view, bool on_top
   std::vector<LineRow> rows;
   for (const Line& line : list.lines) {
     if (line.on_top == on_top) {
-      rows.push_back({view.relative(line.a), view.relative(line.b), line.color, line.width});
+      rows.push_back({view.relative(line.a), view.relative(line.b), line.color, line.width,
+                      line.rim, line.rim_width});
     }
   }
   if (rows.empty()) {
@@ -81,7 +88,7 @@ void GlStrokes::draw_points(const DrawList& list, const GlView& view, bool on_to
   std::vector<PointRow> rows;
   for (const Point& point : list.points) {
     if (point.on_top == on_top) {
-      rows.push_back({view.relative(point.at), point.color, point.diameter});
+      rows.push_back({view.relative(point.at), point.color, point.diameter, point.rim});
     }
   }
   if (rows.empty()) {

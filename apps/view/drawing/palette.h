@@ -8,7 +8,8 @@
 
 namespace soms::view {
 
-/// Eight colors by Okabe and Ito. `vermilion` is for what touches, and for nothing else.
+/// Eight colors by Okabe and Ito. `vermilion` is for what touches, and for nothing else. Gaps are
+/// drawn in ink on paper, as on report pages and maps.
 /// \source Okabe, Ito 2008, Color Universal Design.
 namespace palette {
 
@@ -22,6 +23,8 @@ inline constexpr Color kVermilion{213, 94, 0, 255};
 inline constexpr Color kPurple{204, 121, 167, 255};
 
 inline constexpr Color kContact{222, 32, 12, 255};  ///< red of contacts: vermilion, stronger
+inline constexpr Color kGap{43, 42, 40, 255};       ///< ink
+inline constexpr Color kPaper{255, 255, 255, 255};  ///< sets ink off from any surface
 
 }  // namespace palette
 

@@ -2,6 +2,8 @@
 
 #include "soms/base/error.h"
 
+#include "apps/view/drawing/labels.h"
+
 namespace soms::view {
 
 void RecordingRenderer::draw(const DrawList& list, const Camera& camera, Size size,
@@ -20,6 +22,7 @@ void RecordingRenderer::draw(const DrawList& list, const Camera& camera, Size si
   statistics_.marks = list.marks.size();
   statistics_.lines = list.lines.size();
   statistics_.points = list.points.size();
+  statistics_.labels = place_labels(list.labels, camera, size).size();
   for (const Instance& instance : list.instances) {
     statistics_.triangles += list.meshes[instance.mesh].mesh->triangles.size();
   }

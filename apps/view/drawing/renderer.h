@@ -36,6 +36,7 @@ struct DrawStatistics {
   std::uint64_t boxes = 0;
   std::uint64_t lines = 0;
   std::uint64_t points = 0;
+  std::uint64_t labels = 0;   ///< written: those that had room
   std::uint64_t uploads = 0;  ///< meshes and box groups brought to the device in this frame
 };
 

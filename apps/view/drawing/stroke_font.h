@@ -1,0 +1,30 @@
+/// \file
+/// Letters as strokes of a round pen, for numbers with units: sharp at any size, and the same
+/// everywhere.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace soms::view {
+
+/// A place in a line of text: x to the right from its start, y up from its base line.
+struct TextPoint {
+  double x = 0;
+  double y = 0;
+};
+
+/// A straight stroke; one without length is a dot.
+struct TextStroke {
+  TextPoint from;
+  TextPoint to;
+};
+
+/// The strokes of `text`, whose digits are `height` high. There are digits, ". - +", space, and the
+/// letters of m, cm, mm, km, in, ft and e; other bytes become boxes.
+[[nodiscard]] std::vector<TextStroke> strokes_of(std::string_view text, double height);
+
+/// From the start of the first letter to the end of the last.
+[[nodiscard]] double width_of(std::string_view text, double height);
+
+}  // namespace soms::view
