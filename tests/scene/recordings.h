@@ -34,7 +34,7 @@ struct Recorded {
 [[nodiscard]] Recorded record_drive();
 
 /// Two movers, one of which comes nearer to the other and to what stands still, until it touches
-/// both; its clearance is 2. In about 2 KB: two chunks of frames, in all but a few of which nothing
+/// both; its clearance is 2. In about 4 KB: two chunks of frames, in all but a few of which nothing
 /// is near.
 [[nodiscard]] Recorded record_approach();
 
