@@ -16,8 +16,8 @@ namespace soms::view {
 /// Body `a`, a mover, is within the clearance of body `b`, a part of the city or a mover of greater
 /// number, and does not touch it.
 struct Gap {
-  BodyRef a;
-  BodyRef b;
+  BodyRef a = {};
+  BodyRef b = {};
   TriangleId i = 0;  ///< the least pair of triangles that is as near as the bodies
   TriangleId j = 0;
   Bracket distance = {};

@@ -159,7 +159,9 @@ TEST(Gaps, AreDrawnFromPointToPointWithTheirLengths) {
       return l.a == gap.point_a && l.b == gap.point_b;
     }));
   }
-  EXPECT_TRUE(make_draw_list(scene, {.gaps = {.shown = false}}).labels.empty());
+  ViewOptions without;
+  without.gaps.shown = false;
+  EXPECT_TRUE(make_draw_list(scene, without).labels.empty());
 }
 
 TEST(Gaps, ThatFindNoRoomAreTheFarthestAndCounted) {
@@ -167,7 +169,9 @@ TEST(Gaps, ThatFindNoRoomAreTheFarthestAndCounted) {
   ViewScene scene = recorded.open();
   scene.go_to(6);
   ASSERT_EQ(scene.gaps().size(), 2U);
-  const DrawnScene drawn = draw_scene(scene, {.gaps = {.most = 1}});
+  ViewOptions one;
+  one.gaps.most = 1;
+  const DrawnScene drawn = draw_scene(scene, one);
   ASSERT_EQ(drawn.list.labels.size(), 1U);
   EXPECT_EQ(drawn.list.labels[0].text, length_of(scene.gaps()[0]));
   EXPECT_EQ(left_out(drawn.counts), std::vector<std::string>{"1 of 2 gaps"});
