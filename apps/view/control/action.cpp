@@ -32,7 +32,7 @@ constexpr std::string_view kTree = "Tree and traversal";
 constexpr std::string_view kShow = "Show";
 constexpr std::string_view kObject = "Move the object";
 
-constexpr std::array<ActionRow, 59> kActions{{
+constexpr std::array<ActionRow, 61> kActions{{
     {Action::help, key('H'), {Key::f1}, kGeneral, "this help"},
     {Action::back, {Key::escape}, {}, kGeneral, "close the help, deselect, quit"},
     {Action::quit, control('Q'), {}, kGeneral, "quit"},
@@ -57,6 +57,7 @@ constexpr std::array<ActionRow, 59> kActions{{
     {Action::next_mover, key('M'), {}, kCamera, "follow the next mover"},
     {Action::previous_mover, shift('M'), {}, kCamera, "follow the previous mover"},
     {Action::focus, key('F'), {}, kCamera, "go to the selection"},
+    {Action::focus_gap, shift('F'), {}, kCamera, "go to the gap"},
 
     {Action::rule_next, key('R'), {}, kTree, "next rule"},
     {Action::rule_previous, shift('R'), {}, kTree, "previous rule"},
@@ -75,6 +76,7 @@ constexpr std::array<ActionRow, 59> kActions{{
     {Action::pruning, key('U'), {}, kShow, "with or without pruning"},
     {Action::contact_triangles, key('X'), {}, kShow, "triangles that touch"},
     {Action::crossing_segments, key('G'), {}, kShow, "segments in which they cross"},
+    {Action::gap, shift('G'), {}, kShow, "nearest points of the object, with the gap"},
     {Action::contact_lines, key('L'), {}, kShow, "lines from bodies to contacts"},
     {Action::contact_parts, key('J'), {}, kShow, "parts that touch"},
     {Action::contacts_on_top, key('I'), {}, kShow, "contacts drawn on top of everything"},
@@ -252,6 +254,9 @@ bool apply_camera(ViewState& state, Action action) {
     case Action::focus:
       state.requests.fit_object = true;
       return true;
+    case Action::focus_gap:
+      state.requests.fit_gap = true;
+      return true;
     default:
       return false;
   }
@@ -306,6 +311,8 @@ bool* shown_flag(ViewState& state, Action action) {
       return &state.shown.contact_triangles;
     case Action::crossing_segments:
       return &state.shown.crossing_segments;
+    case Action::gap:
+      return &state.shown.gap;
     case Action::contact_lines:
       return &state.shown.contact_lines;
     case Action::contact_parts:

@@ -122,6 +122,7 @@ void Panels::menu_bar(Session& session) {
   if (widgets_.begin_menu("Camera")) {
     item("Show everything", Action::reset_camera);
     item("Go to the selection", Action::focus);
+    item("Go to the gap", Action::focus_gap);
     item("Front", Action::view_front);
     item("Right", Action::view_right);
     item("Above", Action::view_top);
@@ -258,6 +259,7 @@ void Panels::show_panel(ViewState& state) {
   cell("Pruning", state.prune, Action::pruning);
   cell("Edges", shown.edges, Action::edges);
   cell("Handles", shown.gizmo, Action::gizmo);
+  cell("Gap", shown.gap, Action::gap);
   ImGui::EndTable();
 }
 
@@ -272,6 +274,11 @@ void Panels::counts_panel(const Facts& facts) {
   if (!facts.clearance.empty()) {
     row("Near", grouped(facts.gaps) + " within " + facts.clearance);
     row("Least gap", facts.least_gap.empty() ? "none" : facts.least_gap);
+  }
+  if (facts.gap) {
+    for (const auto& [label, value] : facts.gap->numbers) {
+      row(label.c_str(), value);
+    }
   }
   row("Collision", milliseconds(facts.collision_ms));
   row("Box tests", grouped(facts.cost.node_tests));

@@ -366,6 +366,15 @@ void Session::do_camera_requests() {
     go(seen_from(all, *wishes.look_from, window_, camera_.field_of_view));
     wishes.look_from.reset();
   }
+  if (wishes.fit_gap) {
+    wishes.fit_gap = false;
+    if (facts_.gap) {
+      go(fitted(facts_.gap->surroundings, camera_.eye - camera_.target, window_,
+                camera_.field_of_view));
+    } else {
+      message_ = "there is no gap: it is not shown, or the object touches something";
+    }
+  }
   if (wishes.fit_object) {
     wishes.fit_object = false;
     const Box box = picked_ ? picked_->bounds : facts_.object_bounds;

@@ -30,6 +30,15 @@ struct PickedFacts {
   [[nodiscard]] bool operator==(const PickedFacts&) const = default;
 };
 
+/// The gap of the object in words and numbers.
+struct GapFacts {
+  std::string length;                                        ///< as it is written beside its line
+  std::vector<std::pair<std::string, std::string>> numbers;  ///< label and value, in order
+  Box surroundings;                                          ///< what is worth seeing of it
+
+  [[nodiscard]] bool operator==(const GapFacts&) const = default;
+};
+
 /// Numbers for the panels: of the last step, and of the thing as a whole.
 struct Facts {
   std::string name;  ///< of what is shown, for the title
@@ -54,6 +63,7 @@ struct Facts {
   Limits limits;
   std::optional<std::size_t> orientation_test;  ///< that runs; moving the object by hand ends it
   Box bounds;                                   ///< of all that is shown
+  std::optional<GapFacts> gap;                  ///< where it is shown and there is one
   std::optional<Pose> object;                   ///< of what is moved by hand
   Box object_bounds;                            ///< in the world
   std::optional<Pose> followed;                 ///< of the mover that the camera follows

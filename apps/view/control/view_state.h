@@ -34,6 +34,7 @@ struct Shown {
   bool found = false;             ///< boxes of the leaves whose triangles it decided
   bool contact_triangles = true;  ///< triangles that touch, in red
   bool crossing_segments = true;  ///< where they cross
+  bool gap = true;                ///< nearest points of the object, if it does not touch
   bool contact_lines = false;     ///< from each body to its contacts
   bool contact_parts = false;     ///< the whole parts that touch, in a paler red
   bool contacts_on_top = false;   ///< contacts seen through everything
@@ -75,6 +76,7 @@ struct Requests {
   bool fullscreen = false;   ///< change to full screen or back
   bool restart = false;      ///< the simulation from its first frame
   bool fit_all = false;      ///< camera to where all is seen
+  bool fit_gap = false;      ///< camera to where the object is nearest to something
   bool fit_object = false;   ///< camera to the object or to what was picked
   bool object_home = false;  ///< the object back to where it was at first
   bool deselect = false;

@@ -32,6 +32,8 @@ const void* index_offset(std::uint32_t triangle) {
 GlSurfaces::GlSurfaces() : program_("surface", shader::kSurfaceVertex, shader::kSurfaceFragment) {
   marks_reading_.floats(0, 3, marks_, sizeof(MarkVertex), offsetof(MarkVertex, at), 0);
   marks_reading_.color(1, marks_, sizeof(MarkVertex), offsetof(MarkVertex, color), 0);
+  marks_reading_.color(5, marks_, sizeof(MarkVertex), offsetof(MarkVertex, color),
+                       0);  // for its opacity
 }
 
 void GlSurfaces::upload(const DrawMesh& mesh, OnDevice& place, const GlSlicer& slicer) {
@@ -191,7 +193,6 @@ void GlSurfaces::draw_marks(const DrawList& list, const GlView& view, bool on_to
   glVertexAttrib4f(2, 1, 0, 0, 0);
   glVertexAttrib4f(3, 0, 1, 0, 0);
   glVertexAttrib4f(4, 0, 0, 1, 0);
-  glVertexAttrib4f(5, 1, 1, 1, 1);
   glVertexAttrib2f(6, 0, 0);
   const std::size_t triangles = corners.size() / 3;
   const std::size_t most = slicer.copies(triangles, 1);

@@ -17,6 +17,8 @@ namespace {
 
 /// Diameter of the dots of touching movers, in pixels.
 constexpr float kSpot = 7;
+/// Opacity of the two nearest triangles: large ones shall not swamp what they belong to.
+constexpr std::uint8_t kNearTint = 80;
 
 /// One of four tints of a color, so that movers of one kind that touch are distinguished.
 Color tint(Color color, std::uint32_t mover) {
@@ -37,7 +39,8 @@ class Drawing {
     add_bodies();
     add_boxes();
     add_contacts();
-    add_gaps();
+    add_frame_gaps();
+    add_nearest();
     return {std::move(list_), counts_};
   }
 
@@ -202,17 +205,56 @@ class Drawing {
   }
 
   /// The nearest first: of lengths that would cover each other theirs is written.
-  void add_gaps() {
-    if (!options_.gaps.shown) {
+  void add_frame_gaps() {
+    if (!options_.frame_gaps.shown) {
       return;
     }
-    const std::vector<Gap>& gaps = scene_.gaps();
+    const std::vector<Gap>& gaps = scene_.frame_gaps();
     counts_.gaps = gaps.size();
-    counts_.gaps_drawn = std::min(gaps.size(), options_.gaps.most);
+    counts_.gaps_drawn = std::min(gaps.size(), options_.frame_gaps.most);
     for (std::size_t k = 0; k < counts_.gaps_drawn; ++k) {
-      add_gap(
-          list_,
-          {.point_a = gaps[k].point_a, .point_b = gaps[k].point_b, .length = length_of(gaps[k])});
+      add_gap(list_, {.point_a = gaps[k].distance.point_a,
+                      .point_b = gaps[k].distance.point_b,
+                      .length = meters_in_text(gaps[k]),
+                      .color = options_.colors.gap});
+    }
+  }
+
+  /// True if the gap of these two is drawn as one of the frame.
+  [[nodiscard]] bool is_drawn(const Gap& gap) const {
+    const auto begin = scene_.frame_gaps().begin();
+    return std::any_of(begin, begin + static_cast<std::ptrdiff_t>(counts_.gaps_drawn),
+                       [&](const Gap& drawn) {
+                         return std::minmax(drawn.a, drawn.b) == std::minmax(gap.a, gap.b);
+                       });
+  }
+
+  [[nodiscard]] bool hidden(BodyRef body) const {
+    return body.role == Role::city ? !options_.city : !options_.movers;
+  }
+
+  /// The gap of the pair, and the two triangles that are nearest.
+  void add_nearest() {
+    static const std::optional<Gap> kNone;
+    const std::optional<Gap>& gap = options_.gap ? scene_.gap() : kNone;
+    if (gap && !hidden(gap->a) && !hidden(gap->b)) {
+      const Distance& near = gap->distance;
+      const Color tint = with_alpha(options_.colors.gap, kNearTint);
+      for (const auto& [body, i] :
+           {std::pair(gap->a, near.triangles->first), std::pair(gap->b, near.triangles->second)}) {
+        add_mark(body, i, tint, false);
+        const Triangle t = scene_.triangle(body, i);
+        for (const auto& [from, to] :
+             {std::pair(t.a, t.b), std::pair(t.b, t.c), std::pair(t.c, t.a)}) {
+          list_.lines.push_back({.a = from, .b = to, .color = options_.colors.gap});
+        }
+      }
+      if (!is_drawn(*gap)) {
+        add_gap(list_, {.point_a = near.point_a,
+                        .point_b = near.point_b,
+                        .length = length_in_text(*gap),
+                        .color = options_.colors.gap});
+      }
     }
   }
 

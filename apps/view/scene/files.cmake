@@ -1,7 +1,8 @@
 set(SOMS_VIEW_HEADERS
   draw_scene.h
   explain.h
-  gaps.h
+  frame_gaps.h
+  gap.h
   load.h
   mesh_facts.h
   orientation_menu.h
@@ -17,7 +18,8 @@ set(SOMS_VIEW_HEADERS
 set(SOMS_VIEW_SOURCES
   draw_scene.cpp
   explain.cpp
-  gaps.cpp
+  frame_gaps.cpp
+  gap.cpp
   load.cpp
   mesh_facts.cpp
   orientation_menu.cpp

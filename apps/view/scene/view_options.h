@@ -64,8 +64,8 @@ struct ContactMarks {
   [[nodiscard]] bool operator==(const ContactMarks&) const = default;
 };
 
-/// What is shown of gaps.
-struct GapMarks {
+/// What is shown of the gaps of a recording's frame.
+struct FrameGapMarks {
   bool shown = true;        ///< lines between the nearest points, with their lengths
   std::size_t most = 1000;  ///< most gaps drawn, the nearest; `DrawnScene` says how many there are
 
@@ -77,6 +77,7 @@ struct ViewColors {
   Color contact = palette::kContact;
   Color part = {240, 150, 130, 255};
   Color segment = palette::kYellow;
+  Color gap = palette::kGap;
   Color line = palette::kPurple;
   Color level = palette::kBlue;
   Color leaf_above = palette::kSkyBlue;
@@ -99,7 +100,9 @@ struct ViewOptions {
   std::optional<LevelBoxes> level;  ///< nothing: no boxes of a level
   std::optional<TraceBoxes> trace;  ///< nothing: no boxes of a traversal
   ContactMarks contacts;
-  GapMarks gaps;
+  FrameGapMarks frame_gaps;
+  bool gap =
+      true;  ///< nearest points of the pair, if its bodies share none: a line with its length
   std::optional<BodyRef> highlighted;  ///< drawn brighter
   std::optional<Touch> chosen;         ///< a contact drawn through everything
   std::size_t most_boxes = 50'000;     ///< of a level or a traversal; the largest are drawn

@@ -66,7 +66,7 @@ struct ViewScene::State {
   StepReport report;
   bool replayed = false;  ///< the report is the recording's
   std::vector<Touch> touches;
-  std::vector<Gap> gaps;
+  std::vector<Gap> frame_gaps;
   double step_milliseconds = 0;
 
   TreeChoice choice;
@@ -76,6 +76,7 @@ struct ViewScene::State {
   std::optional<TraceKey> trace_key;
   std::uint64_t trace_version = 0;
   MeshFactsStore facts;
+  GapStore gaps;
 
   void add_city(Body body) {
     triangles += body.shape.mesh().triangles.size();
@@ -159,7 +160,7 @@ struct ViewScene::State {
       touches.push_back({mover(c.a), mover(c.b), c.i, c.j});
     }
     std::sort(touches.begin(), touches.end());
-    gaps = gaps_of(report);
+    frame_gaps = gaps_of(report);
   }
 
   void show_frame() {
@@ -167,6 +168,32 @@ struct ViewScene::State {
     place_movers();
     find_contacts();
     step_milliseconds = milliseconds_since(begin);
+  }
+
+  /// Whose gap is sought; nothing where a body is missing, or where contacts say that they touch.
+  [[nodiscard]] std::optional<GapQuestion> gap_question() const {
+    if (!pair) {
+      return city.size() == 2 && movers.empty()
+                 ? std::optional(GapQuestion{{city_part(0)}, city_part(1)})
+                 : std::nullopt;
+    }
+    const auto [a, b] = *pair;
+    const bool with_city = a.role == Role::city;
+    const BodyRef first = with_city ? b : std::min(a, b);
+    const BodyRef second = with_city ? city_part(0) : std::max(a, b);
+    const auto touch = std::lower_bound(touches.begin(), touches.end(), Touch{first, second, 0, 0});
+    if (touch != touches.end() && touch->a == first &&
+        (with_city ? touch->b.role == Role::city : touch->b == second)) {
+      return std::nullopt;
+    }
+    GapQuestion question{{a}, b};
+    if (with_city) {
+      question.a.clear();
+      for (std::uint32_t k = 0; k < city.size(); ++k) {
+        question.a.push_back(city_part(k));
+      }
+    }
+    return question;
   }
 
   [[nodiscard]] const Body& body(BodyRef ref) const {
@@ -385,8 +412,21 @@ const std::vector<Touch>& ViewScene::contacts() const {
   return state_->touches;
 }
 
-const std::vector<Gap>& ViewScene::gaps() const {
-  return state_->gaps;
+const std::vector<Gap>& ViewScene::frame_gaps() const {
+  return state_->frame_gaps;
+}
+
+const std::optional<Gap>& ViewScene::gap() const {
+  static const std::optional<Gap> kNone;
+  const auto question = state_->gap_question();
+  return question ? state_->gaps.find(
+                        *question, [this](BodyRef ref) -> const Body& { return state_->body(ref); },
+                        state_->parallel)
+                  : kNone;
+}
+
+std::uint64_t ViewScene::gap_questions() const {
+  return state_->gaps.questions();
 }
 
 Triangle ViewScene::triangle(BodyRef ref, TriangleId i) const {
@@ -485,9 +525,9 @@ SceneStatistics ViewScene::statistics() const {
   }
   out.touching_movers = touching.size();
   out.clearance = s.clearance();
-  out.gaps = s.gaps.size();
-  if (!s.gaps.empty()) {
-    out.least_gap = s.gaps.front();
+  out.gaps = s.frame_gaps.size();
+  if (!s.frame_gaps.empty()) {
+    out.least_gap = s.frame_gaps.front();
   }
   out.queries = s.report.queries;
   out.box_pairs = s.report.box_pairs;

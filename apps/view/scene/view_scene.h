@@ -9,7 +9,8 @@
 #include "apps/view/drawing/camera.h"
 #include "apps/view/drawing/draw_list.h"
 #include "apps/view/scene/explain.h"
-#include "apps/view/scene/gaps.h"
+#include "apps/view/scene/frame_gaps.h"
+#include "apps/view/scene/gap.h"
 #include "apps/view/scene/mesh_facts.h"
 #include "apps/view/scene/scene_content.h"
 #include "apps/view/scene/touch.h"
@@ -144,7 +145,16 @@ class ViewScene {
 
   /// Who is within the clearance without touching, at the present poses; the nearest first. A
   /// recording with gaps has a clearance, and all else none.
-  [[nodiscard]] const std::vector<Gap>& gaps() const;
+  [[nodiscard]] const std::vector<Gap>& frame_gaps() const;
+
+  /// Where the bodies of the pair are nearest, if they share no point; asked for again only when
+  /// one of them moved. The whole city counts as the pair's first body where that is a part of it.
+  /// Where nothing moves at all, the pair are the two parts of a city of two.
+  /// \errors As `distance`.
+  [[nodiscard]] const std::optional<Gap>& gap() const;
+
+  /// Distance queries that gaps took so far.
+  [[nodiscard]] std::uint64_t gap_questions() const;
 
   /// World corners of a triangle at its body's present pose.
   [[nodiscard]] Triangle triangle(BodyRef ref, TriangleId i) const;

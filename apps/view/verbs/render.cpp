@@ -36,7 +36,8 @@ constexpr std::uint8_t kBoxFaces = 60;
 const char* const kRenderFooter =
     "Without CITY, an embedded city of 1,000,000 triangles is used, with cars, persons and\n"
     "drones. A city from files has movers only if --mover, --route or --count is given. Touching\n"
-    "triangles are red. A camera is a subject (scene, contact or mover:N), a side (north,\n"
+    "triangles are red. Two models that touch nowhere have a line between their nearest points,\n"
+    "with its length. A camera is a subject (scene, contact, gap or mover:N), a side (north,\n"
     "southwest, top, or bearing:elevation in degrees) and a zoom, in any order, as in\n"
     "contact,45:30,2x; or six numbers: the position of the eye and the point that it looks at.\n\n"
     "Example:\n"
@@ -105,6 +106,9 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
       ->description("also draw the edges of triangles");
   app.add_flag("--contacts-on-top", options.shown.contacts.on_top,
                "draw contacts over everything that hides them");
+  app.add_flag("--no-gap", options.no_gap,
+               "do not draw the nearest points of two models that touch nowhere, nor\n"
+               "the gaps of a recording");
   app.add_flag("--spots", options.shown.contacts.spots,
                "mark each touching mover with a dot, at any distance");
   command::add_build_options(app, options.shown.trees.build);
@@ -131,9 +135,17 @@ BodyRef level_body(const RenderOptions& options) {
   return options.level_of == LevelOf::mover ? mover(0) : city_part(0);
 }
 
+/// True if it is clear whose gap is meant: that of one mover, or of two models.
+bool draws_gap(const RenderOptions& options, const ViewScene& scene) {
+  const bool clear = scene.movers() == 1 || scene.movers() + scene.city_parts() == 2;
+  return !options.no_gap && clear;
+}
+
 ViewOptions what_is_shown(const RenderOptions& options, ViewScene& scene) {
   ViewOptions shown = options.shown;
   shown.contacts.most = kMostContacts;
+  shown.gap = draws_gap(options, scene);
+  shown.frame_gaps.shown = !options.no_gap;
   if (options.see_through) {
     shown.colors.plain_city.a = kGlass;
   }
@@ -160,10 +172,21 @@ ViewOptions what_is_shown(const RenderOptions& options, ViewScene& scene) {
   return shown;
 }
 
+/// With the keys of `soms distance --json`.
+command::Json gap_json(const Gap& gap) {
+  const auto point = [](const Vec3& p) { return command::Json::array({p.x, p.y, p.z}); };
+  const Distance& near = gap.distance;
+  return {{"lower", near.distance.lower},
+          {"upper", near.distance.upper},
+          {"triangles", command::Json::array({near.triangles->first, near.triangles->second})},
+          {"points", command::Json::array({point(near.point_a), point(near.point_b)})}};
+}
+
 void report(const RenderOptions& options, ViewScene& scene, const GlRenderer& renderer,
             command::Console& console) {
   const DrawStatistics drawn = renderer.statistics();
   const SceneStatistics facts = scene.statistics();
+  const std::optional<Gap> gap = draws_gap(options, scene) ? scene.gap() : std::nullopt;
   if (options.trace && facts.trace_cut) {
     console.note(fmt::format("--trace: stopped after {}; the rest is not drawn",
                              command::counted(kMostWatchedTests, "box test")));
@@ -172,7 +195,7 @@ void report(const RenderOptions& options, ViewScene& scene, const GlRenderer& re
     console.note(fmt::format("{}: {}x{}, {}, {}{}, drawn by {}", options.output, options.size.width,
                              options.size.height, command::counted(facts.triangles, "triangle"),
                              command::counted(facts.contacts, "touching pair"),
-                             gaps_in_words(scene), GlRenderer::device()));
+                             words_of_gaps(scene, gap), GlRenderer::device()));
     return;
   }
   command::Json answer{{"schema", "soms.render/2"},     {"file", options.output},
@@ -186,6 +209,9 @@ void report(const RenderOptions& options, ViewScene& scene, const GlRenderer& re
     const std::size_t on_level = nodes_of_level(tree, *options.level, false).size();
     answer["level_boxes"] = on_level;
     answer["leaves_above"] = nodes_of_level(tree, *options.level, true).size() - on_level;
+  }
+  if (gap) {
+    answer["gap"] = gap_json(*gap);
   }
   add_gaps(answer, scene);
   if (!scene.notes().empty()) {
@@ -303,6 +329,7 @@ std::pair<DrawnScene, Camera> compose(const RenderOptions& options, ViewScene& s
   return console.run("choosing what is shown", [&](const Parallel& parallel) {
     const Vec3 origin = options.center ? scene_bounds(scene).center() : Vec3{};
     CameraChoice choice = options.camera;
+    choice.with_gap = draws_gap(options, scene);
     choice.boxes = options.level || options.trace;
     const Camera camera = place_camera(choice, scene, options.size, origin, parallel);
     return std::pair(draw_scene(scene, what_is_shown(options, scene)), camera);

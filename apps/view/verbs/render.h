@@ -33,6 +33,7 @@ struct RenderOptions {
   BoxStyle boxes = BoxStyle::wire;
   bool trace = false;
   bool see_through = false;
+  bool no_gap = false;
 };
 
 /// Adds the options and returns what draws the picture.

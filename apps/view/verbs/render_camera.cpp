@@ -91,6 +91,8 @@ bool read_subject(const std::string& word, CameraChoice& choice) {
     choice.subject = CameraChoice::Subject::scene;
   } else if (word == "contact") {
     choice.subject = CameraChoice::Subject::contact;
+  } else if (word == "gap") {
+    choice.subject = CameraChoice::Subject::gap;
   } else if (word == "mover" || word.starts_with("mover:")) {
     choice.subject = CameraChoice::Subject::mover;
     choice.mover = word == "mover" ? 0
@@ -130,14 +132,22 @@ struct Aim {
   BodyRef body;
 };
 
-Aim aim_at_mover(std::uint32_t number, const ViewScene& scene) {
+Aim aim_at_mover(std::uint32_t number, bool with_gap, const ViewScene& scene) {
   if (number >= scene.movers()) {
     throw Error(ErrorKind::usage,
                 fmt::format("--camera mover:{}: the scene has {} movers", number, scene.movers()),
                 "movers are numbered from 0; --count sets how many there are");
   }
-  const Box box = scene.bounds(mover(number));
-  return {box.center(), box, mover(number)};
+  const BodyRef body = mover(number);
+  Aim aim{scene.bounds(body).center(), scene.bounds(body), body};
+  if (!with_gap) {
+    return aim;
+  }
+  if (const auto& gap = scene.gap(); gap && (gap->a == body || gap->b == body)) {
+    aim.around.grow(gap->distance.point_a);
+    aim.around.grow(gap->distance.point_b);
+  }
+  return aim;
 }
 
 /// Movers that touch anything, those with most contacts first.
@@ -222,6 +232,40 @@ Camera at_contact(const CameraChoice& choice, const ViewScene& scene, Size size,
     }
   }
   return best.camera;
+}
+
+/// A camera on a gap, from the side where most of the way is free and its segment looks longest.
+Camera at_gap(const CameraChoice& choice, const ViewScene& scene, Size size,
+              const Parallel& parallel) {
+  const std::optional<Gap> gap = choice.with_gap ? scene.gap() : std::nullopt;
+  if (!gap) {
+    throw Error(ErrorKind::usage, "--camera gap: no gap is drawn in this picture",
+                "name two models that touch nowhere, without --no-gap");
+  }
+  const Box around =
+      surroundings(*gap, scene.bounds(gap->a), scene.bounds(gap->b), scene_bounds(scene));
+  const Vec3 along = gap->distance.point_b - gap->distance.point_a;
+  const auto from = [&](double bearing, double elevation) {
+    return dollied(fitted(around, toward_eye(bearing, elevation), size), 1 / choice.zoom);
+  };
+  Camera best = from(choice.bearing, choice.elevation);
+  double most = -1;
+  for (const double elevation : {25.0, 45.0, 65.0}) {
+    for (int turn = 0; choice.free_side && turn < 8; ++turn) {
+      check_stop(parallel);
+      const Camera camera = from(choice.bearing + 45 * turn, elevation);
+      const Vec3 line = around.center() - camera.eye;
+      const double whole = line_length(line);
+      const auto first = scene.pick({camera.eye, line * (1 / whole)});
+      const double free = first ? std::min(1.0, first->distance / whole) : 1;
+      const double seen = free * line_length(cross(along, line)) / whole;
+      if (seen > most) {
+        best = camera;
+        most = seen;
+      }
+    }
+  }
+  return best;
 }
 
 /// The corners of a body's triangles that are farthest out on each side of a picture, and nearest.
@@ -328,7 +372,11 @@ Camera place_camera(const CameraChoice& choice, const ViewScene& scene, Size siz
     case CameraChoice::Subject::place:
       return {choice.eye + origin, choice.target + origin};
     case CameraChoice::Subject::mover:
-      return aimed(choice, aim_at_mover(choice.mover, scene), scene, size, parallel).camera;
+      return aimed(choice, aim_at_mover(choice.mover, choice.with_gap, scene), scene, size,
+                   parallel)
+          .camera;
+    case CameraChoice::Subject::gap:
+      return at_gap(choice, scene, size, parallel);
     case CameraChoice::Subject::contact:
       return at_contact(choice, scene, size, parallel);
     case CameraChoice::Subject::scene:

@@ -18,6 +18,7 @@ struct CameraChoice {
   enum class Subject : std::uint8_t {
     scene,    ///< all of it
     mover,    ///< one mover
+    gap,      ///< where two bodies are nearest
     contact,  ///< the mover with most contacts that can be seen
     place,    ///< `eye` and `target`
   };
@@ -28,20 +29,21 @@ struct CameraChoice {
   double elevation = 30;  ///< of the eye, degrees above the horizon
   bool free_side = true;  ///< for movers and contacts: look for a side with nothing between
   double zoom = 1;        ///< above 1 goes nearer
+  bool with_gap = false;  ///< the gap is drawn: it shall fit, too
   bool boxes = false;     ///< for scenes: the bodies' boxes shall fit, not only their triangles
   Vec3 eye = {};
   Vec3 target = {};
 };
 
 /// Reads a camera: `SUBJECT[,SIDE][,ZOOM]` in any order, or six numbers. A subject is scene,
-/// contact, or mover and its number (mover:3); a side is north, northeast and so on, top, or
+/// contact, gap, or mover and its number (mover:3); a side is north, northeast and so on, top, or
 /// bearing:elevation in degrees; a zoom is a factor with an x (2x). Six numbers are the eye and
 /// what it looks at. \errors ErrorKind::usage.
 [[nodiscard]] CameraChoice parse_camera(const std::string& text);
 
 /// The camera for a picture of a scene. Six numbers count from `origin`.
-/// \errors ErrorKind::usage for a mover that is not there, and for contacts where there are none;
-///         ErrorKind::cancelled.
+/// \errors ErrorKind::usage for a mover that is not there, and for contacts or a gap where there
+///         are none; ErrorKind::cancelled; as `ViewScene::gap`.
 [[nodiscard]] Camera place_camera(const CameraChoice& choice, const ViewScene& scene, Size size,
                                   const Vec3& origin, const Parallel& parallel = {});
 

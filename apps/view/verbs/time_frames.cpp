@@ -130,7 +130,9 @@ class FrameClock {
   double draw(const Pose& pose) {
     scene_.set_pose(0, pose);
     const auto placed = Clock::now();
-    renderer_.draw(draw_scene(scene_, {}).list, camera_, options_.size,
+    ViewOptions shown;
+    shown.gap = false;  // its query is none of drawing
+    renderer_.draw(draw_scene(scene_, shown).list, camera_, options_.size,
                    {.samples = options_.samples, .relief = options_.samples > 1});
     GlRenderer::finish();
     return milliseconds(placed, Clock::now());

@@ -98,6 +98,8 @@ ViewOptions options_of(const ViewState& state) {
   options.contacts.segments = shown.crossing_segments;
   options.contacts.lines = shown.contact_lines;
   options.contacts.on_top = shown.contacts_on_top;
+  options.gap = shown.gap;
+  options.frame_gaps.shown = shown.gap;
   return options;
 }
 
@@ -191,7 +193,7 @@ Facts SceneSubject::facts(const ViewState& state) const {
   if (now.clearance > 0) {
     facts.clearance = command::four_digits(now.clearance) + " m";
     facts.gaps = now.gaps;
-    facts.least_gap = now.least_gap ? length_of(*now.least_gap) : "";
+    facts.least_gap = now.least_gap ? meters_in_text(*now.least_gap) : "";
   }
   facts.cost = now.cost;
   facts.collision_ms = now.step_milliseconds;
@@ -199,6 +201,9 @@ Facts SceneSubject::facts(const ViewState& state) const {
   facts.limits = limits();
   facts.orientation_test = test_;
   facts.bounds = scene_.bounds();
+  if (state.shown.gap) {
+    facts.gap = gap_facts();
+  }
   if (const auto held = object()) {
     facts.object = scene_.body(mover(*held)).pose;
     facts.object_bounds = scene_.bounds(mover(*held));
@@ -218,6 +223,23 @@ Facts SceneSubject::facts(const ViewState& state) const {
     facts.trace_cut = now.trace_cut;
   }
   return facts;
+}
+
+std::optional<GapFacts> SceneSubject::gap_facts() const {
+  const std::optional<Gap>& gap = scene_.gap();
+  if (!gap) {
+    return std::nullopt;
+  }
+  const auto side = [&](BodyRef body, TriangleId i) {
+    return fmt::format("{} of {}", i, scene_.body(body).name);
+  };
+  const Distance& near = gap->distance;
+  return GapFacts{.length = length_in_text(*gap),
+                  .numbers = {{"Gap", fmt::format("{:.6g}", near.distance.lower)},
+                              {"Nearest", side(gap->a, near.triangles->first)},
+                              {"and", side(gap->b, near.triangles->second)}},
+                  .surroundings = surroundings(*gap, scene_.bounds(gap->a), scene_.bounds(gap->b),
+                                               scene_.bounds())};
 }
 
 void SceneSubject::advance(int count) {

@@ -44,6 +44,7 @@ class SceneSubject final : public Subject {
 
   [[nodiscard]] PickedFacts triangle_facts(const Picked& picked) const;
   [[nodiscard]] PickedFacts contact_facts(const Touch& touch) const;
+  [[nodiscard]] std::optional<GapFacts> gap_facts() const;
   [[nodiscard]] std::optional<std::uint32_t> object() const;
   [[nodiscard]] std::optional<BodyRef> tree_body(TreeOf tree) const;
   [[nodiscard]] int levels_of(TreeOf tree) const;

@@ -145,6 +145,16 @@ TEST(GlStrokes, OnSurfacesShowWholeWithoutFlicker) {
   EXPECT_EQ(count_near(over, kWhite, 2), count_near(top, kWhite, 2));
 }
 
+TEST(GlMarks, AreAsOpaqueAsTheirColor) {
+  SOMS_NEEDS_GL(drawing);
+  DrawList list = on_marks_ground(list_of(wall(0, -9, -9, 9, 9), {200, 200, 200, 255}));
+  const Color surface = drawn(*drawing.renderer, list).at(80, 60);
+  list.marks.push_back({.corners = {{-9, 0, -9}, {9, 0, -9}, {0, 0, 9}}, .color = {0, 0, 0, 255}});
+  EXPECT_LT(drawn(*drawing.renderer, list).at(80, 60).r, 5);
+  list.marks[0].color.a = 128;
+  EXPECT_NEAR(drawn(*drawing.renderer, list).at(80, 60).r, surface.r / 2, 4);
+}
+
 TEST(GlSurfaces, TranslucentBodiesShowWhatIsBehindOnce) {
   SOMS_NEEDS_GL(drawing);
   Mesh two = wall(-1, -3, -3, 3, 3);

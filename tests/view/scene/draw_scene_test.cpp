@@ -36,9 +36,15 @@ std::size_t count(const std::vector<TriangleMark>& marks, const Triangle& t) {
       marks.begin(), marks.end(), [&](const TriangleMark& m) { return same(m.corners, t); }));
 }
 
+ViewOptions without_gap() {
+  ViewOptions options;
+  options.gap = false;
+  return options;
+}
+
 /// Every triangle of every body is red exactly if it touches one of another body, by brute force.
 void expect_red_where_touching(ViewScene& scene) {
-  const DrawList list = make_draw_list(scene, {});
+  const DrawList list = make_draw_list(scene, without_gap());
   check(list);
   const BodyRef a = city_part(0);
   const BodyRef b = mover(0);
@@ -73,7 +79,7 @@ TEST(DrawScene, MarksTouchingTrianglesAndNoOthers) {
 TEST(DrawScene, DrawsNothingRedWhereNothingTouches) {
   ViewScene scene = cubes();
   scene.set_pose(0, Pose::translation(5, 0, 0));
-  const DrawList list = make_draw_list(scene, {});
+  const DrawList list = make_draw_list(scene, without_gap());
   EXPECT_TRUE(list.marks.empty());
   EXPECT_TRUE(list.lines.empty());
   EXPECT_TRUE(list.points.empty());

@@ -370,7 +370,8 @@ TEST_F(Render, DrawsFramesThatARecordingHasAndRefusesOthers) {
   EXPECT_FALSE(std::filesystem::exists(picture_));
 }
 
-/// The ball and another, 3 along x, in a recording of one frame with a clearance; where it is.
+/// The ball and two others, 3 and -3.5 along x, in a recording of one frame with a clearance; its
+/// path.
 std::string record_balls(const std::filesystem::path& folder, const std::string& ball,
                          double clearance) {
   RecordingHead head;
@@ -383,11 +384,12 @@ std::string record_balls(const std::filesystem::path& folder, const std::string&
   mesh.triangles = shape.mesh().triangles.size();
   mesh.hash = corner_hash(shape.mesh());
   head.models = {mesh};
-  head.movers = {0};
+  head.movers = {0, 0};
   Scene scene;
   scene.add_environment(Body(shape));
-  const std::vector<Pose> poses{Pose::translation(3, 0, 0)};
+  const std::vector<Pose> poses{Pose::translation(3, 0, 0), Pose::translation(-3.5, 0, 0)};
   scene.add_mover(Body(shape, poses[0]));
+  scene.add_mover(Body(shape, poses[1]));
   const std::filesystem::path path = folder / "balls.somsrec";
   std::ofstream out(path, std::ios::binary);
   RecordingWriter writer(out, head);
@@ -413,7 +415,7 @@ TEST_F(Render, DrawsAndTellsTheGapsOfARecording) {
   EXPECT_FALSE(far.contains("least_gap"));
   EXPECT_EQ(empty, plain);
   const auto [near, lined] = drawn(2);
-  EXPECT_EQ(near["gaps"], 1);
+  EXPECT_EQ(near["gaps"], 2);
   const command::Json& gap = near["least_gap"];
   EXPECT_EQ(gap["city"], "ball");
   EXPECT_EQ(gap["mover"], 0);
@@ -421,9 +423,10 @@ TEST_F(Render, DrawsAndTellsTheGapsOfARecording) {
   EXPECT_NEAR(gap["points"][0][0].get<double>(), 2, 0.1);
   EXPECT_NEAR(gap["points"][1][0].get<double>(), 1, 0.1);
   EXPECT_NE(lined, plain);
-  const test::RunResult text =
-      render({(folder_.path() / "balls.somsrec").string(), "-o", picture_});
-  EXPECT_NE(text.err.find(", 1 gap of at most 2 m, the least "), std::string::npos) << text.err;
+  const test::RunResult text = render({(folder_.path() / "balls.somsrec").string(), "-o", picture_,
+                                       "--size", "300x200", "--no-gap"});
+  EXPECT_EQ(read_png(picture_), plain);
+  EXPECT_NE(text.err.find(", 2 gaps of at most 2 m, the least "), std::string::npos) << text.err;
 }
 
 TEST_F(Render, SaysWhatIsMissingWhereNothingCanBeDrawn) {

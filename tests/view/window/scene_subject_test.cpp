@@ -90,6 +90,9 @@ TEST(SceneSubject, TellsTheGapsOfARecording) {
   EXPECT_EQ(near.facts({}).gaps, 1U);
   EXPECT_EQ(near.facts({}).least_gap, "9 m");
   EXPECT_EQ(near.draw_list({}).labels.size(), 1U);
+  ViewState hidden;
+  hidden.shown.gap = false;
+  EXPECT_TRUE(near.draw_list(hidden).labels.empty());
   const SceneSubject far(recorded_with(8));
   EXPECT_EQ(far.facts({}).clearance, "8 m");
   EXPECT_EQ(far.facts({}).gaps, 0U);

@@ -1,4 +1,4 @@
-#include "apps/view/scene/gaps.h"
+#include "apps/view/scene/frame_gaps.h"
 
 #include "soms/query/distance.h"
 #include "soms/scene/recording.h"
@@ -64,35 +64,43 @@ struct NearWall {
   }
 };
 
+Gap found(BodyRef a, BodyRef b, Bracket distance, TrianglePair triangles, Vec3 point_a,
+          Vec3 point_b) {
+  return {
+      a, b,
+      Distance{
+          .distance = distance, .triangles = triangles, .point_a = point_a, .point_b = point_b}};
+}
+
 /// The gap of two bodies as `distance` has it; nothing where they touch or are farther.
 std::vector<Gap> gap_between(const ViewScene& scene, BodyRef a, BodyRef b) {
   const Distance answer = distance(scene.body(a), scene.body(b));
   if (answer.distance.upper == 0 || answer.distance.upper > kNear) {
     return {};
   }
-  return {{a, b, answer.triangles->first, answer.triangles->second, answer.distance, answer.point_a,
-           answer.point_b}};
+  return {found(a, b, answer.distance, *answer.triangles, answer.point_a, answer.point_b)};
 }
 
-TEST(Gaps, AreThoseOfAStepTheNearestFirst) {
+TEST(FrameGaps, AreThoseOfAStepTheNearestFirst) {
   StepReport report;
   report.environment_gaps = {{0, 1, 2, 3, {0.5, 0.5}, {1, 0, 0}, {2, 0, 0}},
                              {1, 0, 4, 5, {0.25, 0.25}, {0, 1, 0}, {0, 2, 0}}};
   report.mover_gaps = {{0, 1, 6, 7, {0.5, 0.75}, {0, 0, 1}, {0, 0, 2}}};
-  EXPECT_EQ(gaps_of(report), (std::vector<Gap>{
-                                 {mover(1), city_part(0), 4, 5, {0.25, 0.25}, {0, 1, 0}, {0, 2, 0}},
-                                 {mover(0), city_part(1), 2, 3, {0.5, 0.5}, {1, 0, 0}, {2, 0, 0}},
-                                 {mover(0), mover(1), 6, 7, {0.5, 0.75}, {0, 0, 1}, {0, 0, 2}},
-                             }));
+  EXPECT_EQ(gaps_of(report),
+            (std::vector{
+                found(mover(1), city_part(0), {0.25, 0.25}, {4, 5}, {0, 1, 0}, {0, 2, 0}),
+                found(mover(0), city_part(1), {0.5, 0.5}, {2, 3}, {1, 0, 0}, {2, 0, 0}),
+                found(mover(0), mover(1), {0.5, 0.75}, {6, 7}, {0, 0, 1}, {0, 0, 2}),
+            }));
   EXPECT_TRUE(gaps_of({}).empty());
 }
 
-TEST(Gaps, AreWrittenWithFourDigitsAndTheUnit) {
-  EXPECT_EQ(length_of({.distance = {0.123456, 0.123457}}), "0.1235 m");
-  EXPECT_EQ(length_of({.distance = {2, 2}}), "2 m");
+TEST(FrameGaps, AreWrittenWithFourDigitsAndTheUnit) {
+  EXPECT_EQ(meters_in_text(found({}, {}, {0.123456, 0.123457}, {}, {}, {})), "0.1235 m");
+  EXPECT_EQ(meters_in_text(found({}, {}, {2, 2}, {}, {}, {})), "2 m");
 }
 
-TEST(Gaps, OfAReplayAreThoseOfItsFrame) {
+TEST(FrameGaps, OfAReplayAreThoseOfItsFrame) {
   const NearWall recorded(24);
   ViewScene scene = recorded.open();
   std::size_t gaps = 0;
@@ -105,17 +113,18 @@ TEST(Gaps, OfAReplayAreThoseOfItsFrame) {
       expected.insert(expected.end(), more.begin(), more.end());
     }
     std::stable_sort(expected.begin(), expected.end(), [](const Gap& x, const Gap& y) {
-      return x.distance.upper < y.distance.upper;
+      return x.distance.distance.upper < y.distance.distance.upper;
     });
-    ASSERT_EQ(scene.gaps().size(), expected.size()) << k;
+    ASSERT_EQ(scene.frame_gaps().size(), expected.size()) << k;
     for (const Gap& gap : expected) {
-      EXPECT_NE(std::find(scene.gaps().begin(), scene.gaps().end(), gap), scene.gaps().end());
+      EXPECT_NE(std::find(scene.frame_gaps().begin(), scene.frame_gaps().end(), gap),
+                scene.frame_gaps().end());
     }
     const SceneStatistics facts = scene.statistics();
     EXPECT_EQ(facts.clearance, kNear);
     EXPECT_EQ(facts.gaps, expected.size());
     ASSERT_TRUE(facts.least_gap);  // the blocks are always near each other
-    EXPECT_EQ(facts.least_gap->distance, expected.front().distance);
+    EXPECT_EQ(facts.least_gap->distance.distance, expected.front().distance.distance);
     gaps += expected.size();
     none += gap_between(scene, mover(0), city_part(0)).empty() ? 1U : 0U;
     scene.step();
@@ -124,56 +133,73 @@ TEST(Gaps, OfAReplayAreThoseOfItsFrame) {
   EXPECT_GT(none, 0U);
 }
 
-TEST(Gaps, AreSoughtAgainWhereTheHandMovesARecordedMover) {
+TEST(FrameGaps, AreSoughtAgainWhereTheHandMovesARecordedMover) {
   const NearWall recorded(24);
   ViewScene scene = recorded.open();
-  ASSERT_EQ(scene.gaps().size(), 1U);
+  ASSERT_EQ(scene.frame_gaps().size(), 1U);
   scene.set_pose(0, Pose::translation(1.5, 0, 1));
   EXPECT_FALSE(scene.replaying());
-  EXPECT_EQ(scene.gaps(), gap_between(scene, mover(0), city_part(0)));
-  EXPECT_EQ(scene.gaps().front().distance, (Bracket{0.5, 0.5}));
+  EXPECT_EQ(scene.frame_gaps(), gap_between(scene, mover(0), city_part(0)));
+  EXPECT_EQ(scene.frame_gaps().front().distance.distance, (Bracket{0.5, 0.5}));
 }
 
-TEST(Gaps, AreNoneWithoutAClearance) {
+TEST(FrameGaps, AreNoneWithoutAClearance) {
   const NearWall recorded(6, 0);
   ViewScene scene = recorded.open();
-  EXPECT_TRUE(scene.gaps().empty());
+  EXPECT_TRUE(scene.frame_gaps().empty());
   EXPECT_EQ(scene.statistics().clearance, 0);
   EXPECT_FALSE(scene.statistics().least_gap);
-  EXPECT_TRUE(make_draw_list(scene, {}).labels.empty());
+  ViewOptions frame_alone;
+  frame_alone.gap = false;
+  EXPECT_TRUE(make_draw_list(scene, frame_alone).labels.empty());
 }
 
-TEST(Gaps, AreDrawnFromPointToPointWithTheirLengths) {
+TEST(FrameGaps, AreDrawnFromPointToPointWithTheirLengths) {
   const NearWall recorded(24);
   ViewScene scene = recorded.open();
   scene.go_to(6);
-  ASSERT_EQ(scene.gaps().size(), 2U);
+  ASSERT_EQ(scene.frame_gaps().size(), 2U);
   const DrawnScene drawn = draw_scene(scene, {});
   EXPECT_EQ(drawn.counts.gaps, 2U);
   EXPECT_EQ(drawn.counts.gaps_drawn, 2U);
   ASSERT_EQ(drawn.list.labels.size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) {
-    const Gap& gap = scene.gaps()[k];
-    EXPECT_EQ(drawn.list.labels[k].text, length_of(gap));
+    const Gap& gap = scene.frame_gaps()[k];
+    EXPECT_EQ(drawn.list.labels[k].text, meters_in_text(gap));
     EXPECT_TRUE(std::any_of(drawn.list.lines.begin(), drawn.list.lines.end(), [&](const Line& l) {
-      return l.a == gap.point_a && l.b == gap.point_b;
+      return l.a == gap.distance.point_a && l.b == gap.distance.point_b;
     }));
   }
   ViewOptions without;
-  without.gaps.shown = false;
+  without.gap = false;
+  without.frame_gaps.shown = false;
   EXPECT_TRUE(make_draw_list(scene, without).labels.empty());
 }
 
-TEST(Gaps, ThatFindNoRoomAreTheFarthestAndCounted) {
+// The gap of the pair is drawn on its own, without a unit, only where it is none of the frame's.
+TEST(FrameGaps, AreDrawnOnceWhereThePairHasOne) {
   const NearWall recorded(24);
   ViewScene scene = recorded.open();
   scene.go_to(6);
-  ASSERT_EQ(scene.gaps().size(), 2U);
+  ASSERT_TRUE(scene.gap());
+  const auto labels = [&] { return make_draw_list(scene, {}).labels; };
+  EXPECT_EQ(labels().size(), 2U);
+  scene.go_to(0);  // the wall is farther than the clearance
+  ASSERT_EQ(scene.frame_gaps().size(), 1U);
+  ASSERT_EQ(labels().size(), 2U);
+  EXPECT_EQ(labels()[1].text, "2");
+}
+
+TEST(FrameGaps, ThatFindNoRoomAreTheFarthestAndCounted) {
+  const NearWall recorded(24);
+  ViewScene scene = recorded.open();
+  scene.go_to(6);
+  ASSERT_EQ(scene.frame_gaps().size(), 2U);
   ViewOptions one;
-  one.gaps.most = 1;
+  one.frame_gaps.most = 1;
   const DrawnScene drawn = draw_scene(scene, one);
   ASSERT_EQ(drawn.list.labels.size(), 1U);
-  EXPECT_EQ(drawn.list.labels[0].text, length_of(scene.gaps()[0]));
+  EXPECT_EQ(drawn.list.labels[0].text, meters_in_text(scene.frame_gaps()[0]));
   EXPECT_EQ(left_out(drawn.counts), std::vector<std::string>{"1 of 2 gaps"});
 }
 

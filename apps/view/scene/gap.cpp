@@ -1,0 +1,73 @@
+#include "apps/view/scene/gap.h"
+
+#include "apps/support/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace soms::view {
+
+namespace {
+
+/// So many times the length of a gap is worth seeing around it; a small one counts as this share of
+/// the smaller body.
+constexpr double kAroundGap = 3;
+constexpr double kLeastOfBody = 0.3;
+/// Of the whole scene no more than this share, unless the gap itself is longer.
+constexpr double kShareOfScene = 0.1;
+
+double length_of(const Vec3& v) {
+  return std::sqrt(dot(v, v));
+}
+
+}  // namespace
+
+std::string length_in_text(const Gap& gap) {
+  return command::four_digits(gap.distance.distance.lower);
+}
+
+Box surroundings(const Gap& gap, const Box& a, const Box& b, const Box& scene) {
+  const double segment = length_of(gap.distance.point_b - gap.distance.point_a);
+  const double smaller = 0.5 * std::min(length_of(a.extent()), length_of(b.extent()));
+  const double reach =
+      std::max(segment, std::min({smaller, kShareOfScene * length_of(scene.extent()),
+                                  std::max(kAroundGap * segment, kLeastOfBody * smaller)}));
+  const Vec3 middle = (gap.distance.point_a + gap.distance.point_b) * 0.5;
+  const Vec3 half{reach, reach, reach};
+  return {middle - half, middle + half};
+}
+
+const std::optional<Gap>& GapStore::find(const GapQuestion& question, const BodyOf& body,
+                                         const Parallel& parallel) {
+  std::vector<Pose> poses;
+  poses.reserve(question.a.size() + 1);
+  for (const BodyRef a : question.a) {
+    poses.push_back(body(a).pose);
+  }
+  poses.push_back(body(question.b).pose);
+  if (question_ == question && poses_ == poses) {
+    return gap_;
+  }
+  question_.reset();  // an error leaves no answer of other poses
+  gap_.reset();
+  DistanceOptions options;
+  for (const BodyRef a : question.a) {
+    Distance answer = distance(body(a), body(question.b), options, parallel);
+    ++questions_;
+    // An upper end of 0 is a shared point; a gap may be so small that its lower end rounds to 0.
+    if (answer.distance.upper == 0) {
+      gap_.reset();
+      break;
+    }
+    if (answer.triangles && (!gap_ || answer.distance.upper < gap_->distance.distance.upper)) {
+      options.at_most = answer.distance.upper;
+      gap_ = Gap{a, question.b, std::move(answer)};
+    }
+  }
+  question_ = question;
+  poses_ = std::move(poses);
+  return gap_;
+}
+
+}  // namespace soms::view
