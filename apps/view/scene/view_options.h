@@ -69,7 +69,7 @@ struct FrameGapMarks {
   bool shown = true;        ///< lines between the nearest points, with their lengths
   std::size_t most = 1000;  ///< most gaps drawn, the nearest; `DrawnScene` says how many there are
 
-  [[nodiscard]] bool operator==(const GapMarks&) const = default;
+  [[nodiscard]] bool operator==(const FrameGapMarks&) const = default;
 };
 
 /// Colors of marks. The default ones are distinguished by people who see fewer colors.
