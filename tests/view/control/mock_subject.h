@@ -39,6 +39,7 @@ class MockSubject final : public Subject {
     facts.least_gap = least_gap;
     facts.orientation_test = last_choice.orientation_test;
     facts.traversed = true;
+    facts.gap = gap;
     facts.limits = {7, 5, frames, 3, can_seek, has_object, 4, 200};
     facts.bounds = {{-100, -100, 0}, {100, 100, 50}};
     if (has_object) {
@@ -124,6 +125,7 @@ class MockSubject final : public Subject {
   std::string clearance;  ///< empty: no gaps
   std::string least_gap;
   std::vector<std::string> left_out;
+  std::optional<GapFacts> gap;
 
   int chosen = 0;
   Choice last_choice;

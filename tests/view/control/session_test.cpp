@@ -386,6 +386,19 @@ TEST_F(SessionTest, FocusGoesToWhatIsPickedElseToTheObject) {
   EXPECT_LT(eye_distance(session_.camera().target, point), 1e-9);
 }
 
+TEST_F(SessionTest, TheGapIsGoneToWhereThereIsOne) {
+  const Camera before = session_.camera();
+  press(Action::focus_gap);
+  rest();
+  EXPECT_EQ(session_.camera(), before);
+  EXPECT_NE(session_.message().find("no gap"), std::string::npos) << session_.message();
+  subject_.gap = GapFacts{"0.5", {{"Gap", "0.5"}}, {{29, -1, 4}, {31, 1, 6}}};
+  press(Action::focus_gap);
+  rest();
+  EXPECT_LT(eye_distance(session_.camera().target, {30, 0, 5}), 1e-9);
+  EXPECT_LT(distance_to_target(session_.camera()), 10);
+}
+
 TEST_F(SessionTest, TheSubjectsListIsMadeAnewOnlyAfterAChange) {
   (void)session_.picture();
   const int before = subject_.lists;

@@ -100,6 +100,46 @@ TEST(PlaceCamera, FindsAFreeSideOfTheContact) {
   EXPECT_THROW((void)place_camera(parse_camera("mover:1"), scene, {300, 200}, {}), Error);
 }
 
+bool is_seen(const Camera& camera, const Vec3& point) {
+  const auto seen = project(camera, {300, 200}, point);
+  return seen && seen->pixel.x > 0 && seen->pixel.x < 300 && seen->pixel.y > 0 &&
+         seen->pixel.y < 200;
+}
+
+TEST(PlaceCamera, KeepsTheGapInThePicture) {
+  for (const double apart : {2.01, 3.0, 9.0, 400.0}) {
+    const ViewScene scene = two_spheres(apart);
+    const Distance near = scene.gap()->distance;
+    for (const char* text : {"scene", "top", "north", "gap", "gap,top", "gap,90:10", "mover:0"}) {
+      CameraChoice choice = parse_camera(text);
+      choice.with_gap = true;
+      const Camera camera = place_camera(choice, scene, {300, 200}, {});
+      EXPECT_TRUE(is_seen(camera, near.point_a)) << text << ' ' << apart;
+      EXPECT_TRUE(is_seen(camera, near.point_b)) << text << ' ' << apart;
+    }
+  }
+}
+
+TEST(PlaceCamera, SeesAGapFromBesideItNotAlongIt) {
+  const ViewScene scene = two_spheres(3);
+  CameraChoice choice = parse_camera("gap");
+  choice.with_gap = true;
+  const Camera camera = place_camera(choice, scene, {300, 200}, {});
+  const Distance near = scene.gap()->distance;
+  const Vec3 along = near.point_b - near.point_a;
+  const Vec3 line = camera.target - camera.eye;
+  EXPECT_LT(std::abs(dot(along, line)), 0.5 * std::sqrt(dot(along, along) * dot(line, line)));
+  const auto first = scene.pick({camera.eye, frame(camera).forward});
+  EXPECT_TRUE(!first || first->distance > distance_to_target(camera)) << "nothing stands before it";
+}
+
+TEST(PlaceCamera, RefusesAGapThatIsNotDrawn) {
+  CameraChoice choice = parse_camera("gap");
+  EXPECT_THROW((void)place_camera(choice, two_spheres(5), {300, 200}, {}), Error);
+  choice.with_gap = true;
+  EXPECT_THROW((void)place_camera(choice, two_spheres(1), {300, 200}, {}), Error);
+}
+
 TEST(PlaceCamera, CountsContactsOfBothMovers) {
   // Movers 0 to 2 touch mover 3, each from another side; nobody touches more than it.
   const Shape cube(test::box_body({-1, -1, -1}, {1, 1, 1}, 4));

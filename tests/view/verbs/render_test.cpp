@@ -4,6 +4,7 @@
 #include "soms/generate/shapes.h"
 #include "soms/io/read_mesh.h"
 #include "soms/io/write_mesh.h"
+#include "soms/query/distance.h"
 #include "soms/scene/recording.h"
 #include "soms/scene/replay.h"
 #include "soms/scene/scene.h"
@@ -11,7 +12,9 @@
 #include "soms/tree/statistics.h"
 
 #include "apps/support/json.h"
+#include "apps/support/text.h"
 #include "apps/view/drawing/headless_context.h"
+#include "apps/view/drawing/palette.h"
 #include "apps/view/drawing/picture.h"
 #include "tests/support/support.h"
 
@@ -105,6 +108,67 @@ TEST_F(Render, ShowsRedWhereBodiesTouchAndNoneWhereTheyDoNot) {
   const auto [touches, touching] = red("1.2 0 0");
   EXPECT_TRUE(touches);
   EXPECT_GT(touching, 50U);
+}
+
+TEST_F(Render, DrawsTheGapOfTwoModelsAlikeEachTimeUnlessItIsTurnedOff) {
+  SOMS_NEEDS_EGL();
+  const auto picture = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"-o", picture_, "--size", "300x200", "--json"});
+    const test::RunResult result = render(words);
+    EXPECT_EQ(result.status, 0) << result.err;
+    const bool reported = result.out.find("\"gap\":{\"lower\":") != std::string::npos;
+    return std::pair(read_png(picture_), reported);
+  };
+  const auto ink = [](const Picture& p) { return count_near(p, palette::kGap, 12); };
+  const auto [drawn, reported] = picture({ball_, "--mover", ball_, "--pose", "4 0 0"});
+  EXPECT_TRUE(reported);
+  EXPECT_GT(ink(drawn), 150U);
+  EXPECT_EQ(drawn.bytes, picture({ball_, "--mover", ball_, "--pose", "4 0 0"}).first.bytes);
+  const auto [off, off_reported] =
+      picture({ball_, "--mover", ball_, "--pose", "4 0 0", "--no-gap"});
+  EXPECT_FALSE(off_reported);
+  EXPECT_EQ(ink(off), 0U);
+  const auto [touching, touching_reported] = picture({ball_, "--mover", ball_, "--pose", "1 0 0"});
+  EXPECT_FALSE(touching_reported);
+  EXPECT_EQ(ink(touching), 0U);
+}
+
+TEST_F(Render, ReportsTheGapThatTheLibraryFinds) {
+  SOMS_NEEDS_EGL();
+  const std::string other = (folder_.path() / "other.ply").string();
+  Mesh shifted = read_mesh(ball_);
+  for (Vec3& v : shifted.vertices) {
+    v = v + Vec3{3, 1, 0.5};
+  }
+  write_mesh(other, shifted, MeshFormat::ply);
+  const Distance near = distance(Body(read_mesh(ball_)), Body(read_mesh(other)));
+  // As two models that stand still, and as one that is placed.
+  for (const std::vector<std::string>& models :
+       {std::vector<std::string>{ball_, other},
+        std::vector<std::string>{ball_, "--mover", other, "--pose", "0 0 0"}}) {
+    std::vector<std::string> words = models;
+    words.insert(words.end(), {"-o", picture_, "--size", "90x60", "--json"});
+    const test::RunResult result = render(words);
+    ASSERT_EQ(result.status, 0) << result.err;
+    const command::Json gap = command::Json::parse(result.out).at("gap");
+    EXPECT_EQ(gap.at("lower"), near.distance.lower);
+    EXPECT_EQ(gap.at("upper"), near.distance.upper);
+    EXPECT_EQ(gap.at("triangles"),
+              command::Json::array({near.triangles->first, near.triangles->second}));
+    EXPECT_EQ(gap.at("points").at(0),
+              command::Json::array({near.point_a.x, near.point_a.y, near.point_a.z}));
+    EXPECT_EQ(gap.at("points").at(1),
+              command::Json::array({near.point_b.x, near.point_b.y, near.point_b.z}));
+  }
+  const test::RunResult beside =
+      render({ball_, other, "--camera", "gap", "-o", picture_, "--size", "90x60"});
+  EXPECT_EQ(beside.status, 0) << beside.err;
+  EXPECT_NE(beside.err.find(", gap " + command::four_digits(near.distance.lower)),
+            std::string::npos)
+      << beside.err;
+  const test::RunResult none =
+      render({ball_, other, "--camera", "gap", "--no-gap", "-o", picture_, "--size", "90x60"});
+  EXPECT_EQ(none.status, 2) << none.err;
 }
 
 TEST_F(Render, DrawsOneMoverForEachPoseOfAFile) {

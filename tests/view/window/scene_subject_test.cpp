@@ -103,7 +103,9 @@ TEST(SceneSubject, TellsTheGapsOfARecording) {
 
 TEST(SceneSubject, MovingTheObjectIntoTheBlockGivesContactsAndRedTrianglesAndHomeNone) {
   SceneSubject subject(block_and_cube());
-  EXPECT_TRUE(subject.draw_list({}).marks.empty());
+  ViewState plain;
+  plain.shown.gap = false;
+  EXPECT_TRUE(subject.draw_list(plain).marks.empty());
   subject.place_object(Pose::translation(10, 0, 5));
   EXPECT_GT(subject.facts({}).contacts, 0U);
   EXPECT_EQ(subject.facts({}).bodies, 1U);
@@ -199,6 +201,7 @@ TEST(SceneSubject, AChoiceThatCannotBeIsTakenBackAndThePictureGoesOn) {
   };
   session.state().paused = true;
   session.state().shown.gizmo = false;  // which has marks, too
+  session.state().shown.gap = false;
   session.state().traversal = Traversal::e_node_front;
   EXPECT_EQ(tick(), 0U);
   EXPECT_EQ(session.message(), "");
@@ -424,7 +427,40 @@ TEST(SceneSubject, AChosenContactThatIsNoMoreIsNotDrawn) {
   (void)subject.draw_list({});
   subject.place_object(Pose::translation(0, 0, 40));
   EXPECT_NO_THROW((void)subject.draw_list({}));
-  EXPECT_TRUE(subject.draw_list({}).marks.empty());
+  ViewState plain;
+  plain.shown.gap = false;
+  EXPECT_TRUE(subject.draw_list(plain).marks.empty());
+}
+
+TEST(SceneSubject, TheGapFollowsTheObjectAndIsSaidInNumbers) {
+  SceneSubject subject(block_and_cube());
+  for (const auto& [x, length] :
+       {std::pair(20.0, "9"), std::pair(14.5, "3.5"), std::pair(11.25, "0.25")}) {
+    subject.place_object(Pose::translation(x, 0, 5));
+    const auto gap = subject.facts({}).gap;
+    ASSERT_TRUE(gap.has_value()) << x;
+    EXPECT_EQ(gap->length, length);
+    ASSERT_EQ(gap->numbers.size(), 3U);
+    EXPECT_EQ(gap->numbers[0].second, length);
+    EXPECT_NE(gap->numbers[1].second.find(" of block"), std::string::npos);
+    EXPECT_NE(gap->numbers[2].second.find(" of cube"), std::string::npos);
+    const DrawList list = subject.draw_list({});
+    ASSERT_EQ(list.labels.size(), 1U);
+    EXPECT_EQ(list.labels[0].text, gap->length);
+    EXPECT_EQ(list.labels[0].a.x, 10);
+    EXPECT_EQ(list.labels[0].b.x, x - 1);
+    Box segment;
+    segment.grow(list.labels[0].a);
+    segment.grow(list.labels[0].b);
+    EXPECT_TRUE(gap->surroundings.contains(segment));
+  }
+  ViewState without;
+  without.shown.gap = false;
+  EXPECT_FALSE(subject.facts(without).gap.has_value());
+  EXPECT_TRUE(subject.draw_list(without).labels.empty());
+  subject.place_object(Pose::translation(10, 0, 5));
+  EXPECT_FALSE(subject.facts({}).gap.has_value()) << "it touches the block";
+  EXPECT_TRUE(subject.draw_list({}).labels.empty());
 }
 
 TEST(SceneSubject, PickingAMoverMakesItTheObject) {
