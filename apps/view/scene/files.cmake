@@ -2,6 +2,7 @@ set(SOMS_VIEW_HEADERS
   draw_scene.h
   explain.h
   frame_gaps.h
+  frame_report.h
   gap.h
   load.h
   mesh_facts.h
@@ -19,6 +20,7 @@ set(SOMS_VIEW_SOURCES
   draw_scene.cpp
   explain.cpp
   frame_gaps.cpp
+  frame_report.cpp
   gap.cpp
   load.cpp
   mesh_facts.cpp

@@ -7,7 +7,6 @@
 #include "soms/query/distance.h"
 #include "soms/scene/recording.h"
 #include "soms/scene/replay.h"
-#include "soms/scene/scene.h"
 #include "soms/tree/build.h"
 #include "soms/tree/statistics.h"
 
@@ -432,65 +431,6 @@ TEST_F(Render, DrawsFramesThatARecordingHasAndRefusesOthers) {
   EXPECT_EQ(behind.status, 2);
   EXPECT_NE(behind.err.find("there are frames from 0 to 1 only"), std::string::npos) << behind.err;
   EXPECT_FALSE(std::filesystem::exists(picture_));
-}
-
-/// The ball and two others, 3 and -3.5 along x, in a recording of one frame with a clearance; its
-/// path.
-std::string record_balls(const std::filesystem::path& folder, const std::string& ball,
-                         double clearance) {
-  RecordingHead head;
-  head.clearance = clearance;
-  head.environment.emplace_back();
-  RecordedMesh& mesh = head.environment[0].mesh;
-  mesh.name = "ball";
-  mesh.source = ball;
-  const Shape shape(read_mesh(ball));
-  mesh.triangles = shape.mesh().triangles.size();
-  mesh.hash = corner_hash(shape.mesh());
-  head.models = {mesh};
-  head.movers = {0, 0};
-  Scene scene;
-  scene.add_environment(Body(shape));
-  const std::vector<Pose> poses{Pose::translation(3, 0, 0), Pose::translation(-3.5, 0, 0)};
-  scene.add_mover(Body(shape, poses[0]));
-  scene.add_mover(Body(shape, poses[1]));
-  const std::filesystem::path path = folder / "balls.somsrec";
-  std::ofstream out(path, std::ios::binary);
-  RecordingWriter writer(out, head);
-  writer.add(poses, scene.step({.clearance = clearance}));
-  writer.finish(RecordingEnding::complete);
-  return path.string();
-}
-
-TEST_F(Render, DrawsAndTellsTheGapsOfARecording) {
-  SOMS_NEEDS_EGL();
-  const auto drawn = [&](double clearance) {
-    const std::string recording = record_balls(folder_.path(), ball_, clearance);
-    const test::RunResult result =
-        render({recording, "-o", picture_, "--size", "300x200", "--json"});
-    EXPECT_EQ(result.status, 0) << result.err;
-    return std::pair(command::Json::parse(result.out), read_png(picture_));
-  };
-  const auto [without, plain] = drawn(0);
-  EXPECT_FALSE(without.contains("gaps"));
-  const auto [far, empty] = drawn(0.5);
-  EXPECT_EQ(far["clearance"], 0.5);
-  EXPECT_EQ(far["gaps"], 0);
-  EXPECT_FALSE(far.contains("least_gap"));
-  EXPECT_EQ(empty, plain);
-  const auto [near, lined] = drawn(2);
-  EXPECT_EQ(near["gaps"], 2);
-  const command::Json& gap = near["least_gap"];
-  EXPECT_EQ(gap["city"], "ball");
-  EXPECT_EQ(gap["mover"], 0);
-  EXPECT_NEAR(gap["lower"].get<double>(), 1, 0.1);  // the balls have radius 1, about
-  EXPECT_NEAR(gap["points"][0][0].get<double>(), 2, 0.1);
-  EXPECT_NEAR(gap["points"][1][0].get<double>(), 1, 0.1);
-  EXPECT_NE(lined, plain);
-  const test::RunResult text = render({(folder_.path() / "balls.somsrec").string(), "-o", picture_,
-                                       "--size", "300x200", "--no-gap"});
-  EXPECT_EQ(read_png(picture_), plain);
-  EXPECT_NE(text.err.find(", 2 gaps of at most 2 m, the least "), std::string::npos) << text.err;
 }
 
 TEST_F(Render, SaysWhatIsMissingWhereNothingCanBeDrawn) {

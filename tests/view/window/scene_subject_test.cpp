@@ -2,8 +2,6 @@
 
 #include "soms/base/error.h"
 #include "soms/io/write_mesh.h"
-#include "soms/scene/recording.h"
-#include "soms/scene/scene.h"
 #include "soms/thesis/traversals.h"
 #include "soms/tree/rule/rules.h"
 
@@ -14,10 +12,7 @@
 #include "tests/support/support.h"
 
 #include <cmath>
-#include <memory>
-#include <sstream>
 #include <utility>
-#include <vector>
 
 namespace soms::view {
 namespace {
@@ -60,45 +55,6 @@ TEST(SceneSubject, TellsWhatThereIs) {
   EXPECT_EQ(facts.object, Pose::translation(20, 0, 5));
   EXPECT_EQ(facts.object_bounds, (Box{{19, -1, 4}, {21, 1, 6}}));
   EXPECT_TRUE(facts.bounds.contains(facts.object_bounds));
-}
-
-/// The block and the cube beside it, 9 m apart, in a recording of one frame with a clearance.
-SceneContent recorded_with(double clearance) {
-  SceneContent content = block_and_cube();
-  Scene scene;
-  scene.add_environment(content.city[0]);
-  scene.add_mover(content.movers[0].body);
-  RecordingHead head;
-  head.clearance = clearance;
-  head.environment.emplace_back();
-  head.environment[0].mesh.triangles = content.city[0].shape.mesh().triangles.size();
-  head.models.emplace_back();
-  head.models[0].triangles = content.movers[0].body.shape.mesh().triangles.size();
-  head.movers = {0};
-  std::ostringstream out;
-  RecordingWriter writer(out, head);
-  writer.add(std::vector{content.movers[0].body.pose}, scene.step({.clearance = clearance}));
-  writer.finish(RecordingEnding::complete);
-  content.recording =
-      std::make_shared<Replay>(std::make_unique<std::istringstream>(out.str()), "recorded");
-  return content;
-}
-
-TEST(SceneSubject, TellsTheGapsOfARecording) {
-  SceneSubject near(recorded_with(10));
-  EXPECT_EQ(near.facts({}).clearance, "10 m");
-  EXPECT_EQ(near.facts({}).gaps, 1U);
-  EXPECT_EQ(near.facts({}).least_gap, "9 m");
-  EXPECT_EQ(near.draw_list({}).labels.size(), 1U);
-  ViewState hidden;
-  hidden.shown.gap = false;
-  EXPECT_TRUE(near.draw_list(hidden).labels.empty());
-  const SceneSubject far(recorded_with(8));
-  EXPECT_EQ(far.facts({}).clearance, "8 m");
-  EXPECT_EQ(far.facts({}).gaps, 0U);
-  EXPECT_EQ(far.facts({}).least_gap, "");
-  const SceneSubject without(recorded_with(0));
-  EXPECT_EQ(without.facts({}).clearance, "");
 }
 
 TEST(SceneSubject, MovingTheObjectIntoTheBlockGivesContactsAndRedTrianglesAndHomeNone) {
