@@ -38,6 +38,32 @@ Box surroundings(const Gap& gap, const Box& a, const Box& b, const Box& scene) {
   return {middle - half, middle + half};
 }
 
+std::optional<GapQuestion> gap_question(const std::optional<std::pair<BodyRef, BodyRef>>& pair,
+                                        std::uint32_t city_parts, std::uint32_t movers,
+                                        std::span<const Touch> touches) {
+  if (!pair) {
+    return city_parts == 2 && movers == 0 ? std::optional(GapQuestion{{city_part(0)}, city_part(1)})
+                                          : std::nullopt;
+  }
+  const auto& [a, b] = *pair;
+  const bool with_city = a.role == Role::city;
+  const BodyRef first = with_city ? b : std::min(a, b);
+  const BodyRef second = with_city ? city_part(0) : std::max(a, b);
+  const auto touch = std::lower_bound(touches.begin(), touches.end(), Touch{first, second, 0, 0});
+  if (touch != touches.end() && touch->a == first &&
+      (with_city ? touch->b.role == Role::city : touch->b == second)) {
+    return std::nullopt;
+  }
+  GapQuestion question{{}, b};
+  for (std::uint32_t k = 0; with_city && k < city_parts; ++k) {
+    question.a.push_back(city_part(k));
+  }
+  if (!with_city) {
+    question.a.push_back(a);
+  }
+  return question;
+}
+
 const std::optional<Gap>& GapStore::find(const GapQuestion& question, const BodyOf& body,
                                          const Parallel& parallel) {
   std::vector<Pose> poses;
@@ -54,7 +80,7 @@ const std::optional<Gap>& GapStore::find(const GapQuestion& question, const Body
   DistanceOptions options;
   for (const BodyRef a : question.a) {
     Distance answer = distance(body(a), body(question.b), options, parallel);
-    ++questions_;
+    ++queries_;
     // An upper end of 0 is a shared point; a gap may be so small that its lower end rounds to 0.
     if (answer.distance.upper == 0) {
       gap_.reset();

@@ -13,7 +13,9 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace soms::view {
@@ -42,7 +44,14 @@ struct GapQuestion {
   [[nodiscard]] bool operator==(const GapQuestion&) const = default;
 };
 
-/// Keeps the last answer: asking again while nothing moved costs a comparison of poses.
+/// Whose gap a scene shows: that of its pair, for a part of the city with all of the city; without
+/// movers that of the parts of a city of two. Nothing of other scenes, and where `touches`, which
+/// are sorted, say that they touch.
+[[nodiscard]] std::optional<GapQuestion> gap_question(
+    const std::optional<std::pair<BodyRef, BodyRef>>& pair, std::uint32_t city_parts,
+    std::uint32_t movers, std::span<const Touch> touches);
+
+/// Keeps the last answer: a query again while nothing moved costs a comparison of poses.
 class GapStore {
  public:
   using BodyOf = std::function<const Body&(BodyRef)>;
@@ -51,14 +60,14 @@ class GapStore {
   [[nodiscard]] const std::optional<Gap>& find(const GapQuestion& question, const BodyOf& body,
                                                const Parallel& parallel);
 
-  /// How often bodies were asked for their distance.
-  [[nodiscard]] std::uint64_t questions() const { return questions_; }
+  /// Distance queries so far.
+  [[nodiscard]] std::uint64_t queries() const { return queries_; }
 
  private:
   std::optional<GapQuestion> question_;
   std::vector<Pose> poses_;
   std::optional<Gap> gap_;
-  std::uint64_t questions_ = 0;
+  std::uint64_t queries_ = 0;
 };
 
 }  // namespace soms::view

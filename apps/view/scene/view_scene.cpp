@@ -144,32 +144,6 @@ struct ViewScene::State {
     step_milliseconds = milliseconds_since(begin);
   }
 
-  /// Whose gap is sought; nothing where a body is missing, or where contacts say that they touch.
-  [[nodiscard]] std::optional<GapQuestion> gap_question() const {
-    if (!pair) {
-      return city.size() == 2 && movers.empty()
-                 ? std::optional(GapQuestion{{city_part(0)}, city_part(1)})
-                 : std::nullopt;
-    }
-    const auto [a, b] = *pair;
-    const bool with_city = a.role == Role::city;
-    const BodyRef first = with_city ? b : std::min(a, b);
-    const BodyRef second = with_city ? city_part(0) : std::max(a, b);
-    const auto touch = std::lower_bound(touches.begin(), touches.end(), Touch{first, second, 0, 0});
-    if (touch != touches.end() && touch->a == first &&
-        (with_city ? touch->b.role == Role::city : touch->b == second)) {
-      return std::nullopt;
-    }
-    GapQuestion question{{a}, b};
-    if (with_city) {
-      question.a.clear();
-      for (std::uint32_t k = 0; k < city.size(); ++k) {
-        question.a.push_back(city_part(k));
-      }
-    }
-    return question;
-  }
-
   [[nodiscard]] const Body& body(BodyRef ref) const {
     return ref.role == Role::city ? scene.environment(city[ref.index])
                                   : scene.mover(movers[ref.index].id);
@@ -392,15 +366,15 @@ const std::vector<Gap>& ViewScene::frame_gaps() const {
 
 const std::optional<Gap>& ViewScene::gap() const {
   static const std::optional<Gap> kNone;
-  const auto question = state_->gap_question();
+  const auto question = gap_question(state_->pair, city_parts(), movers(), state_->touches);
   return question ? state_->gaps.find(
                         *question, [this](BodyRef ref) -> const Body& { return state_->body(ref); },
                         state_->parallel)
                   : kNone;
 }
 
-std::uint64_t ViewScene::gap_questions() const {
-  return state_->gaps.questions();
+std::uint64_t ViewScene::gap_queries() const {
+  return state_->gaps.queries();
 }
 
 Triangle ViewScene::triangle(BodyRef ref, TriangleId i) const {

@@ -147,14 +147,14 @@ class ViewScene {
   /// recording with gaps has a clearance, and all else none.
   [[nodiscard]] const std::vector<Gap>& frame_gaps() const;
 
-  /// Where the bodies of the pair are nearest, if they share no point; asked for again only when
+  /// Where the bodies of the pair are nearest, if they share no point; queried again only when
   /// one of them moved. The whole city counts as the pair's first body where that is a part of it.
   /// Where nothing moves at all, the pair are the two parts of a city of two.
   /// \errors As `distance`.
   [[nodiscard]] const std::optional<Gap>& gap() const;
 
   /// Distance queries that gaps took so far.
-  [[nodiscard]] std::uint64_t gap_questions() const;
+  [[nodiscard]] std::uint64_t gap_queries() const;
 
   /// World corners of a triangle at its body's present pose.
   [[nodiscard]] Triangle triangle(BodyRef ref, TriangleId i) const;

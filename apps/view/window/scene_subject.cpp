@@ -236,8 +236,8 @@ std::optional<GapFacts> SceneSubject::gap_facts() const {
   const Distance& near = gap->distance;
   return GapFacts{.length = length_in_text(*gap),
                   .numbers = {{"Gap", fmt::format("{:.6g}", near.distance.lower)},
-                              {"Nearest", side(gap->a, near.triangles->first)},
-                              {"and", side(gap->b, near.triangles->second)}},
+                              {"from triangle", side(gap->a, near.triangles->first)},
+                              {"to triangle", side(gap->b, near.triangles->second)}},
                   .surroundings = surroundings(*gap, scene_.bounds(gap->a), scene_.bounds(gap->b),
                                                scene_.bounds())};
 }

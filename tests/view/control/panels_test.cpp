@@ -326,7 +326,9 @@ TEST_F(PanelsTest, DrawEveryStateWithoutComplaint) {
   subject_.note = "The recording ends early: 12 of 100 frames can be read.";
   drawn_.triangles_left = 800'000;
   subject_.gap = GapFacts{
-      "0.1235", {{"Gap", "0.123457"}, {"Nearest", "12 of city.ply"}, {"and", "4 of car.ply"}}, {}};
+      "0.1235",
+      {{"Gap", "0.123457"}, {"from triangle", "12 of city.ply"}, {"to triangle", "4 of car.ply"}},
+      {}};
   subject_.left_out = {"2,000 of 12,345 contacts", "50,000 of 1,000,000 boxes"};
   times_.add(16.6, 1.0 / 60);
   session_.set_message("broken.ply, line 3: no vertices; repair the file");
@@ -357,7 +359,9 @@ TEST_F(PanelsTest, CountGapsWhereThereIsAClearance) {
 TEST_F(PanelsTest, TheGapTakesThreeRowsWhereThereIsOne) {
   const double before = find("Drawing")->top;
   subject_.gap = GapFacts{
-      "0.1235", {{"Gap", "0.123457"}, {"Nearest", "12 of city.ply"}, {"and", "4 of car.ply"}}, {}};
+      "0.1235",
+      {{"Gap", "0.123457"}, {"from triangle", "12 of city.ply"}, {"to triangle", "4 of car.ply"}},
+      {}};
   settle();
   const double rows = (find("Drawing")->top - before) / ImGui::GetTextLineHeight();
   EXPECT_GT(rows, 3);

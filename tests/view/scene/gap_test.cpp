@@ -59,7 +59,7 @@ TEST(Gap, IsNotDrawnWhereBodiesTouchNorWhereItIsNotShown) {
     EXPECT_FALSE(scene.gap().has_value()) << x;
     EXPECT_TRUE(make_draw_list(scene, options).labels.empty()) << x;
   }
-  EXPECT_EQ(scene.gap_questions(), 0U) << "contacts are known, so nothing was asked for";
+  EXPECT_EQ(scene.gap_queries(), 0U) << "contacts are known, so nothing was queried";
   scene.set_pose(0, Pose::translation(5, 0, 0));
   EXPECT_EQ(make_draw_list(scene, options).labels.size(), 1U);
   options.movers = false;
@@ -73,23 +73,23 @@ TEST(Gap, IsNotDrawnWhereBodiesTouchNorWhereItIsNotShown) {
   EXPECT_TRUE(without.marks.empty());
 }
 
-TEST(Gap, IsAskedForOnceAPoseAndNeverWhereItIsNotShown) {
+TEST(Gap, IsQueriedOnceAPoseAndNeverWhereItIsNotShown) {
   ViewScene scene(two_bodies(cube_at({0, 0, 0}, 2), cube_at({0, 0, 0}, 2)));
   scene.set_pose(0, Pose::translation(5, 0, 0));
   ViewOptions off;
   off.gap = false;
   (void)make_draw_list(scene, off);
-  EXPECT_EQ(scene.gap_questions(), 0U);
+  EXPECT_EQ(scene.gap_queries(), 0U);
   for (int frame = 0; frame < 5; ++frame) {
     (void)make_draw_list(scene, {});
     EXPECT_EQ(scene.gap()->distance.distance, (Bracket{3, 3}));
   }
-  EXPECT_EQ(scene.gap_questions(), 1U);
+  EXPECT_EQ(scene.gap_queries(), 1U);
   scene.set_pose(0, Pose::translation(6, 0, 0));
   EXPECT_EQ(scene.gap()->distance.distance, (Bracket{4, 4}));
   scene.set_pose(0, Pose::translation(6, 0, 0));
   EXPECT_EQ(scene.gap()->distance.distance, (Bracket{4, 4}));
-  EXPECT_EQ(scene.gap_questions(), 2U);
+  EXPECT_EQ(scene.gap_queries(), 2U);
   scene.set_pose(0, Pose::translation(1, 0, 0));
   EXPECT_FALSE(scene.gap().has_value());
   scene.set_pose(0, Pose::translation(6, 0, 0));
