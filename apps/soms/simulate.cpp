@@ -218,7 +218,7 @@ int run_simulate(const SimulateOptions& given, Console& console) {
   settle_frames(world, options, console);
   std::optional<Recorder> recorder;
   if (record) {
-    recorder.emplace(*record, world, options.frames);
+    recorder.emplace(*record, world, options.frames, options.clearance);
   }
   const Outcome outcome = run_frames(world, options, console, recorder ? &*recorder : nullptr);
   if (recorder) {

@@ -45,15 +45,17 @@ Action add_simulate(CLI::App& app, Shared&) {
       "a robot; each is a number as in --events or the name of a model;\nmay be repeated",
       "A,B");
   add_positive(app, "--clearance", options->clearance,
-               "report what comes within this distance (above 0), too, and how\n"
-               "near; --map and --report draw it");
+               "report what comes within this distance (above 0), too, and how
+"
+               "near; --map, --report and --picture draw it, --record keeps it");
   add_output(app, "--map", options->map, "draw the city, its movers and contacts as SVG");
   add_output(app, "--report", options->report,
              "write an HTML report with figures, a time line and the scene in 3-D");
   add_output(app, "--events", options->events,
              "write the begin and end of every contact (and near event) as CSV");
   add_output(app, "--record", options->record,
-             "write poses and contacts of every frame; soms view plays the file");
+             "write poses and contacts (and gaps) of every frame; soms view plays the\n"
+             "file");
   app.add_flag("--view", options->view, "show the simulation in a window instead of reporting it");
   add_output(app, "--picture", options->picture, "draw the last frame and its contacts as PNG");
   app.add_option_function<std::string>(

@@ -19,8 +19,8 @@ void Recorder::write(const Write& write) {
   }
 }
 
-Recorder::Recorder(OutputFile& file, const World& world, std::uint64_t frames)
-    : file_(file), writer_(file.stream(), recording_head(world, frames)) {
+Recorder::Recorder(OutputFile& file, const World& world, std::uint64_t frames, double clearance)
+    : file_(file), writer_(file.stream(), recording_head(world, frames, clearance)) {
 }
 
 void Recorder::add(std::span<const Pose> poses, const StepReport& report) {

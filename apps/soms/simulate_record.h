@@ -15,8 +15,9 @@ namespace soms::command {
 /// A recording that appears whole, with its end, or not at all.
 class Recorder {
  public:
+  /// `clearance`: of the steps, meters; 0: none.
   /// \errors ErrorKind::cannot_write, here and below.
-  Recorder(OutputFile& file, const World& world, std::uint64_t frames);
+  Recorder(OutputFile& file, const World& world, std::uint64_t frames, double clearance);
 
   void add(std::span<const Pose> poses, const StepReport& report);
 

@@ -132,11 +132,12 @@ Shape find_shape(const RecordedMesh& recorded, const std::filesystem::path& reco
 
 }  // namespace
 
-RecordingHead recording_head(const World& world, std::uint64_t frames) {
+RecordingHead recording_head(const World& world, std::uint64_t frames, double clearance) {
   RecordingHead head;
   head.title = world.title;
   head.frames_a_second = kFramesASecond;
   head.frames_requested = frames;
+  head.clearance = clearance;
   for (std::size_t k = 0; k < world.city.size(); ++k) {
     const Body& body = world.city[k];
     head.environment.push_back({with_mesh(world.origins[k], body.shape.mesh()), body.pose});

@@ -12,9 +12,10 @@
 
 namespace soms::command {
 
-/// The head of a recording of `world`.
+/// The head of a recording of `world` with steps of this clearance, in meters; 0: none.
 /// \cost Hashes all meshes: about 0.2 s for a million triangles.
-[[nodiscard]] RecordingHead recording_head(const World& world, std::uint64_t frames);
+[[nodiscard]] RecordingHead recording_head(const World& world, std::uint64_t frames,
+                                           double clearance = 0);
 
 /// Reads or generates again what was recorded. Its routes name the movers' models only: poses come
 /// from the recording's frames. A file is sought under its path, then under its path from the

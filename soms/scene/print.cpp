@@ -128,14 +128,17 @@ std::ostream& operator<<(std::ostream& out, const RecordingHead& value) {
                     .add("frames_requested", value.frames_requested)
                     .add("environment", value.environment.size())
                     .add("models", value.models.size())
-                    .add("movers", value.movers.size());
+                    .add("movers", value.movers.size())
+                    .add("clearance", value.clearance);
 }
 
 std::ostream& operator<<(std::ostream& out, const RecordedFrame& value) {
   return out << PrintedFields("RecordedFrame")
                     .add("poses", value.poses.size())
                     .add("environment", value.environment.size())
-                    .add("movers", value.movers.size());
+                    .add("movers", value.movers.size())
+                    .add("environment_gaps", value.environment_gaps.size())
+                    .add("mover_gaps", value.mover_gaps.size());
 }
 
 std::ostream& operator<<(std::ostream& out, RecordingEnding value) {

@@ -1,6 +1,7 @@
 #include "soms/scene/recording.h"
 
 #include "soms/base/error.h"
+#include "soms/base/text.h"
 #include "soms/scene/detail/recording_format.h"
 
 #include <algorithm>
@@ -54,12 +55,15 @@ std::string bytes_of(const RecordingHead& head) {
   for (const std::uint32_t model : head.movers) {
     put(bytes, model);
   }
+  if (head.clearance > 0) {
+    put(bytes, head.clearance);
+  }
   return bytes;
 }
 
-std::string file_head() {
+std::string file_head(double clearance) {
   std::string bytes(detail::kRecordingMagic);
-  put(bytes, detail::kRecordingVersion);
+  put(bytes, clearance > 0 ? detail::kGapsVersion : detail::kContactsVersion);
   put(bytes, static_cast<std::uint32_t>(detail::hash_of(bytes)));
   return bytes;
 }
@@ -99,6 +103,18 @@ void put_contact(std::string& bytes, std::uint32_t first, std::uint32_t second,
   put(bytes, contact.j);
 }
 
+template <class Gap>
+void put_gap(std::string& bytes, std::uint32_t first, std::uint32_t second, const Gap& gap) {
+  put_contact(bytes, first, second, gap);
+  put(bytes, gap.distance.lower);
+  put(bytes, gap.distance.upper);
+  for (const Vec3& point : {gap.point_a, gap.point_b}) {
+    put(bytes, point.x);
+    put(bytes, point.y);
+    put(bytes, point.z);
+  }
+}
+
 void check(const RecordingHead& head) {
   const auto refuse = [](const char* what) {
     throw Error(ErrorKind::usage, std::string("recording: ") + what, "give a valid value");
@@ -113,6 +129,9 @@ void check(const RecordingHead& head) {
                    [&](const RecordedBody& body) { return scaled(body.mesh); })) {
     refuse("a scale is not positive");
   }
+  if (!std::isfinite(head.clearance) || head.clearance < 0) {
+    refuse("the clearance is not a length of 0 or more");
+  }
   if (std::any_of(head.movers.begin(), head.movers.end(),
                   [&](std::uint32_t model) { return model >= head.models.size(); })) {
     refuse("a mover refers to a model that does not exist");
@@ -121,11 +140,12 @@ void check(const RecordingHead& head) {
 
 }  // namespace
 
-RecordingWriter::RecordingWriter(std::ostream& out, RecordingHead head) : out_(out) {
+RecordingWriter::RecordingWriter(std::ostream& out, RecordingHead head)
+    : out_(out), clearance_(head.clearance) {
   check(head);
   before_.resize(head.movers.size());
   const std::string content = bytes_of(head);
-  write(file_head());
+  write(file_head(head.clearance));
   write(chunk_head(detail::kHeadTag, 0, 0, content.size()));
   write(content);
   std::string sum;
@@ -151,6 +171,12 @@ void RecordingWriter::add(std::span<const Pose> poses, const StepReport& report)
     throw Error(ErrorKind::usage,
                 "recording: the report of a step with StepScope::first_contact lacks contacts",
                 "step with StepScope::every_pair");
+  }
+  if (report.clearance != clearance_) {
+    throw Error(ErrorKind::usage,
+                "recording: the report of a step with a clearance of " +
+                    shortest(report.clearance) + ", where the head says " + shortest(clearance_),
+                "step with the clearance of RecordingHead");
   }
   if (end_.frames > 0 && report.shapes_set != shapes_set_) {
     throw Error(
@@ -191,6 +217,17 @@ void RecordingWriter::put_frame(std::span<const Pose> poses, const StepReport& r
   put(chunk_, static_cast<std::uint64_t>(report.movers.size()));
   for (const MoverContact& contact : report.movers) {
     put_contact(chunk_, contact.a, contact.b, contact);
+  }
+  if (!(clearance_ > 0)) {
+    return;
+  }
+  put(chunk_, static_cast<std::uint64_t>(report.environment_gaps.size()));
+  for (const EnvironmentGap& gap : report.environment_gaps) {
+    put_gap(chunk_, gap.mover, gap.part, gap);
+  }
+  put(chunk_, static_cast<std::uint64_t>(report.mover_gaps.size()));
+  for (const MoverGap& gap : report.mover_gaps) {
+    put_gap(chunk_, gap.a, gap.b, gap);
   }
 }
 

@@ -56,15 +56,20 @@ struct RecordingHead {
   std::vector<RecordedBody> environment;
   std::vector<RecordedMesh> models;
   std::vector<std::uint32_t> movers;  ///< model of each mover; mover k is the k-th
+  /// `StepOptions::clearance` of every frame, meters. 0: frames have no gaps, and the file is of
+  /// version 1, which older programs read; above 0 it is of version 2.
+  double clearance = 0;
 
   [[nodiscard]] bool operator==(const RecordingHead&) const = default;
 };
 
-/// One frame: where the movers are, and what they touch.
+/// One frame: where the movers are, what they touch, and what they are near.
 struct RecordedFrame {
-  std::vector<Pose> poses;                      ///< of each mover
-  std::vector<EnvironmentContact> environment;  ///< sorted, as in StepReport
-  std::vector<MoverContact> movers;             ///< sorted, as in StepReport
+  std::vector<Pose> poses;                            ///< of each mover
+  std::vector<EnvironmentContact> environment;        ///< sorted, as in StepReport
+  std::vector<MoverContact> movers;                   ///< sorted, as in StepReport
+  std::vector<EnvironmentGap> environment_gaps = {};  ///< likewise; empty without a clearance
+  std::vector<MoverGap> mover_gaps = {};              ///< likewise
 
   [[nodiscard]] bool operator==(const RecordedFrame&) const = default;
 };
@@ -91,14 +96,15 @@ class RecordingWriter {
  public:
   /// Writes the head. `out` must live as long as the writer.
   /// \errors ErrorKind::usage for a mover of no model, and for numbers that no recording can have
-  ///         (a scale or frame rate that is not positive); cannot_write.
+  ///         (a scale or frame rate that is not positive, a clearance below 0); cannot_write.
   RecordingWriter(std::ostream& out, RecordingHead head);
 
   /// Adds the next frame.
   /// \pre     `report` is of the bodies that the head names: movers 0 to n-1.
   /// \errors  ErrorKind::usage where there are not as many poses as movers, for the report of a
-  ///          step with StepScope::first_contact, and where a shape was set in the scene since the
-  ///          frame before (`Scene::set_shape`): a recording holds one mesh for each mover.
+  ///          step with StepScope::first_contact or with another clearance than the head's, and
+  ///          where a shape was set in the scene since the frame before (`Scene::set_shape`): a
+  ///          recording holds one mesh for each mover.
   ///          cannot_write. Frames before stay good. Where memory runs short, `so_far` tells
   ///          whether the frame was added.
   void add(std::span<const Pose> poses, const StepReport& report);
@@ -119,6 +125,7 @@ class RecordingWriter {
   std::string chunk_;
   std::uint32_t chunk_frames_ = 0;
   std::uint64_t shapes_set_ = 0;  ///< in the scene, at the frame before
+  double clearance_ = 0;          ///< as of the head
   RecordingEnd end_;
   Fnv1a hash_;
 };

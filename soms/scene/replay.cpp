@@ -83,8 +83,7 @@ struct Replay::State {
   std::uint64_t next = 0;  ///< frame that `playing` stands before
 
   void open(const Parallel& parallel) {
-    read_file_head(bytes);
-    read_the_head();
+    read_the_head(detail::read_file_head(bytes));
     try {
       while (!end) {
         check_stop(parallel);
@@ -107,14 +106,14 @@ struct Replay::State {
     }
   }
 
-  void read_the_head() {
+  void read_the_head(std::uint32_t version) {
     const std::uint64_t begin = bytes.position();
     const ChunkHead chunk = detail::read_chunk_head(bytes);
     if (!chunk.is(detail::kHeadTag) || chunk.frames != 0 || chunk.first != 0) {
       throw bytes.fault(begin, "the recording does not begin with its head");
     }
     static_cast<void>(read_content(
-        bytes, chunk, [&](ChunkContent& content) { head = detail::read_head(content); }));
+        bytes, chunk, [&](ChunkContent& content) { head = detail::read_head(content, version); }));
   }
 
   /// Frames, or the end.

@@ -45,7 +45,8 @@ class Replay {
   /// Frame `i`; the reference lasts until the next call.
   /// \errors  ErrorKind::usage unless `i` is less than `frames()`; bad_file if the chunk of frame
   ///          `i` was changed since the file was opened.
-  /// \cost    The next frame: linear in movers and contacts. Any other, and the first of a chunk:
+  /// \cost    The next frame: linear in movers, contacts and gaps. Any other, and the first of a
+  /// chunk:
   ///          the chunk's checksum, and up to 64 frames are read.
   [[nodiscard]] const RecordedFrame& frame(std::uint64_t i);
 

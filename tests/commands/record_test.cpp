@@ -115,14 +115,58 @@ TEST(Record, HoldsPosesAtWhichTheContactsAreFoundAgain) {
   EXPECT_GT(contacts, 0U);
 }
 
+TEST(Record, HoldsTheGapsOfEveryFrameWithAClearance) {
+  const Town town;
+  const std::vector<std::string> words{"--count", "30", "--frames", "70"};
+  const auto record = [&](const std::string& file, std::vector<std::string> more) {
+    more.insert(more.end(), words.begin(), words.end());
+    more.insert(more.end(), {"--json", "--record", town.path(file)});
+    const RunResult result = town.simulate(more);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return Json::parse(result.out);
+  };
+  const Json said = record("near.somsrec", {"--clearance", "0.75"});
+  const Json without = record("run.somsrec", {});
+  Replay near(town.path("near.somsrec"));
+  Replay plain(town.path("run.somsrec"));
+  EXPECT_EQ(near.head().clearance, 0.75);
+  EXPECT_EQ(plain.head().clearance, 0);
+  EXPECT_EQ(near.end(), plain.end());  // contacts and their hash
+  Scene scene;
+  scene.add_environment(Body(read_mesh(town.path("town.ply"))));
+  const Shape car(read_mesh(town.path("car.ply")));
+  for (std::size_t k = 0; k < near.head().movers.size(); ++k) {
+    scene.add_mover(Body(car));
+  }
+  double least = 1;
+  for (std::uint64_t i = 0; i < near.frames(); ++i) {
+    const RecordedFrame& frame = near.frame(i);
+    for (MoverId k = 0; k < frame.poses.size(); ++k) {
+      scene.set_pose(k, frame.poses[k]);
+    }
+    const StepReport report = scene.step({.clearance = 0.75});
+    ASSERT_EQ(report.environment_gaps, frame.environment_gaps) << i;
+    ASSERT_EQ(report.mover_gaps, frame.mover_gaps) << i;
+    EXPECT_TRUE(plain.frame(i).environment_gaps.empty());
+    for (const EnvironmentGap& gap : frame.environment_gaps) {
+      least = std::min(least, gap.distance.lower);
+    }
+    for (const MoverGap& gap : frame.mover_gaps) {
+      least = std::min(least, gap.distance.lower);
+    }
+  }
+  ASSERT_LT(least, 0.75);
+  EXPECT_LE(least, said["nearest"][0]["lower"]);
+}
+
 TEST(Record, IsTheSameFileForAnyNumberOfThreads) {
   const Town town;
   for (const char* threads : {"1", "3"}) {
     const std::string file = town.path(std::string("run") + threads);
-    ASSERT_EQ(
-        town.simulate({"--count", "30", "--frames", "70", "--threads", threads, "--record", file})
-            .status,
-        0);
+    ASSERT_EQ(town.simulate({"--count", "30", "--frames", "70", "--clearance", "0.5", "--threads",
+                             threads, "--record", file})
+                  .status,
+              0);
   }
   EXPECT_EQ(read_text(town.path("run1")), read_text(town.path("run3")));
 }

@@ -93,6 +93,9 @@ void check_recorded_again(const Replay& replay, const std::vector<RecordedFrame>
     StepReport report;
     report.environment = frame.environment;
     report.movers = frame.movers;
+    report.clearance = replay.head().clearance;
+    report.environment_gaps = frame.environment_gaps;
+    report.mover_gaps = frame.mover_gaps;
     writer.add(frame.poses, report);
   }
   writer.finish(replay.end() ? replay.end()->ending : RecordingEnding::interrupted);

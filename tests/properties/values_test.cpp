@@ -235,8 +235,10 @@ TEST(Values, PrintRecordings) {
   EXPECT_EQ(
       printed(head),
       R"(RecordingHead{"run", frames_a_second: 60, frames_requested: 0, environment: 0, models: )"
-      R"(0, movers: 0})");
-  EXPECT_EQ(printed(RecordedFrame{}), "RecordedFrame{poses: 0, environment: 0, movers: 0}");
+      R"(0, movers: 0, clearance: 0})");
+  EXPECT_EQ(
+      printed(RecordedFrame{}),
+      "RecordedFrame{poses: 0, environment: 0, movers: 0, environment_gaps: 0, mover_gaps: 0}");
   EXPECT_EQ(printed(RecordingEnd{.ending = RecordingEnding::timed_out, .frames = 3}),
             "RecordingEnd{ending: timed_out, frames: 3, environment_contacts: 0, mover_contacts: "
             "0, hash: 0}");

@@ -1,5 +1,7 @@
 #include "tests/scene/recordings.h"
 
+#include "soms/scene/detail/recording_format.h"
+
 #include "tests/scene/random_bodies.h"
 
 #include <memory>
@@ -23,13 +25,14 @@ RecordedMesh recorded(const Mesh& mesh, const std::string& name) {
 
 }  // namespace
 
-Recorded record_scene(Rng& rng, std::uint64_t movers, std::uint64_t frames,
-                      RecordingEnding ending) {
+Recorded record_scene(Rng& rng, std::uint64_t movers, std::uint64_t frames, RecordingEnding ending,
+                      double clearance) {
   Recorded result;
   Scene scene;
   result.head.title = "test";
+  result.head.clearance = clearance;
   result.head.frames_requested = frames;
-  std::vector<Shape> shapes;
+  std::vector<Shape>& shapes = result.shapes;
   for (int k = 0; k < 3; ++k) {
     shapes.emplace_back(random_mesh(rng));
     const std::string name = "model " + std::to_string(k);
@@ -52,9 +55,10 @@ Recorded record_scene(Rng& rng, std::uint64_t movers, std::uint64_t frames,
       }
       scene.set_pose(k, poses[k]);
     }
-    StepReport report = scene.step();
+    StepReport report = scene.step({.clearance = clearance});
     writer.add(poses, report);
-    result.frames.push_back({poses, std::move(report.environment), std::move(report.movers)});
+    result.frames.push_back({poses, std::move(report.environment), std::move(report.movers),
+                             std::move(report.environment_gaps), std::move(report.mover_gaps)});
   }
   writer.finish(ending);
   result.end = writer.so_far();
@@ -93,6 +97,44 @@ Recorded record_drive() {
   return result;
 }
 
+Recorded record_approach() {
+  constexpr std::uint64_t kFrames = 66;
+  Recorded result;
+  result.head.title = "approach";
+  result.head.models.resize(1);
+  result.head.models[0].name = "cube";
+  result.head.models[0].triangles = 12;
+  result.head.environment = {{result.head.models[0], Pose{}}};
+  result.head.movers = {0, 0};
+  result.head.clearance = 2;
+  std::ostringstream out;
+  RecordingWriter writer(out, result.head);
+  for (std::uint64_t frame = 0; frame < kFrames; ++frame) {
+    RecordedFrame now;
+    const double x = frame < 60 ? 8 : static_cast<double>(65 - frame) / 2;
+    now.poses = {Pose::translation(x, 0, 0), Pose::translation(0, 0, 1)};
+    if (x == 0) {
+      now.environment = {{0, 0, 3, 5}};
+      now.movers = {{0, 1, 4, 7}};
+    } else if (x <= 2) {
+      now.environment_gaps = {{0, 0, 3, 5, {x, x}, {1 + x, 0.5, 0.5}, {1, 0.5, 0.5}}};
+      now.mover_gaps = {{0, 1, 4, 7, {x, x}, {1 + x, 0.5, 1}, {1, 0.5, 1}}};
+    }
+    StepReport report;
+    report.clearance = result.head.clearance;
+    report.environment = now.environment;
+    report.movers = now.movers;
+    report.environment_gaps = now.environment_gaps;
+    report.mover_gaps = now.mover_gaps;
+    writer.add(now.poses, report);
+    result.frames.push_back(std::move(now));
+  }
+  writer.finish(RecordingEnding::complete);
+  result.end = writer.so_far();
+  result.bytes = out.str();
+  return result;
+}
+
 Recorded record_nothing(std::uint64_t frames) {
   Recorded result;
   result.frames.resize(frames);
@@ -109,6 +151,26 @@ Recorded record_nothing(std::uint64_t frames) {
 
 Replay replay_of(const std::string& bytes) {
   return Replay(std::make_unique<std::istringstream>(bytes), "run");
+}
+
+std::string forged(const std::string& bytes, std::size_t begin,
+                   const std::function<void(std::string& content)>& change) {
+  const auto length =
+      static_cast<std::size_t>(detail::get<std::uint64_t>(bytes.data() + begin + 16));
+  std::string content = bytes.substr(begin + detail::kChunkHeadSize, length);
+  const std::string rest = bytes.substr(begin + detail::kChunkHeadSize + length + 8);
+  std::string head = bytes.substr(begin, 16);
+  change(content);
+  detail::put(head, static_cast<std::uint64_t>(content.size()));
+  detail::put(head, detail::hash_of(head));
+  detail::put(content, detail::hash_of(content));
+  return bytes.substr(0, begin) + head + content + rest;
+}
+
+std::size_t second_chunk(const std::string& bytes) {
+  return detail::kFileHeadSize + detail::kChunkHeadSize + 8 +
+         static_cast<std::size_t>(
+             detail::get<std::uint64_t>(bytes.data() + detail::kFileHeadSize + 16));
 }
 
 std::vector<RecordedFrame> frames_of(Replay& replay) {

@@ -43,31 +43,11 @@ bool is_prefix(const std::vector<RecordedFrame>& frames, const std::vector<Recor
   return frames.size() <= all.size() && std::equal(frames.begin(), frames.end(), all.begin());
 }
 
-/// `bytes` with the content of the chunk that begins at `begin` changed by `change`, and its
-/// checksums made good: what a faulty program would write.
-template <class Change>
-std::string forged(std::string bytes, std::size_t begin, const Change& change) {
-  const auto length =
-      static_cast<std::size_t>(detail::get<std::uint64_t>(bytes.data() + begin + 16));
-  std::string content = bytes.substr(begin + detail::kChunkHeadSize, length);
-  const std::string rest = bytes.substr(begin + detail::kChunkHeadSize + length + 8);
-  std::string head = bytes.substr(begin, 16);
-  change(content);
-  detail::put(head, static_cast<std::uint64_t>(content.size()));
-  detail::put(head, detail::hash_of(head));
-  detail::put(content, detail::hash_of(content));
-  return bytes.substr(0, begin) + head + content + rest;
-}
-
-std::size_t second_chunk(const std::string& bytes) {
-  return detail::kFileHeadSize + detail::kChunkHeadSize + 8 +
-         static_cast<std::size_t>(
-             detail::get<std::uint64_t>(bytes.data() + detail::kFileHeadSize + 16));
-}
-
 TEST(Replay, PlaysAnyFrameInAnyOrder) {
-  test::for_each_case("replay/random-access", 5, [](Rng& rng) {
-    const test::Recorded recorded = test::record_scene(rng, 3, 300);
+  test::for_each_case("replay/random-access", 6, [](Rng& rng) {
+    const double clearance = rng.below(2) == 0 ? 0 : 1.5;
+    const test::Recorded recorded =
+        test::record_scene(rng, 3, 300, RecordingEnding::complete, clearance);
     Replay replay = test::replay_of(recorded.bytes);
     ASSERT_EQ(replay.frames(), 300U);
     for (int k = 0; k < 300; ++k) {
@@ -87,8 +67,7 @@ TEST(Replay, RefusesAFrameThatIsNotThere) {
   EXPECT_EQ(replay.frame(65).poses.size(), 2U);
 }
 
-TEST(Replay, TellsEveryLengthOfACutFileAndPlaysWhatIsWhole) {
-  const test::Recorded recorded = test::record_drive();
+void tells_every_length(const test::Recorded& recorded) {
   std::size_t most = 0;
   for (std::size_t length = 0; length < recorded.bytes.size(); ++length) {
     const Verdict verdict = judge(recorded.bytes.substr(0, length));
@@ -104,8 +83,15 @@ TEST(Replay, TellsEveryLengthOfACutFileAndPlaysWhatIsWhole) {
   EXPECT_EQ(most, 66U);  // only the end is missing
 }
 
-TEST(Replay, TellsEveryAlteredByteAndPlaysWhatIsWhole) {
-  const test::Recorded recorded = test::record_drive();
+TEST(Replay, TellsEveryLengthOfACutFileAndPlaysWhatIsWhole) {
+  tells_every_length(test::record_drive());
+}
+
+TEST(Replay, TellsEveryLengthOfACutFileWithGapsAndPlaysWhatIsWhole) {
+  tells_every_length(test::record_approach());
+}
+
+void tells_every_altered_byte(const test::Recorded& recorded) {
   for (std::size_t at = 0; at < recorded.bytes.size(); ++at) {
     for (const int change : {0x01, 0x02, 0x04, 0x08, 0x10, 0x20, 0x40, 0x80, 0xff}) {
       std::string bytes = recorded.bytes;
@@ -118,13 +104,21 @@ TEST(Replay, TellsEveryAlteredByteAndPlaysWhatIsWhole) {
   }
 }
 
+TEST(Replay, TellsEveryAlteredByteAndPlaysWhatIsWhole) {
+  tells_every_altered_byte(test::record_drive());
+}
+
+TEST(Replay, TellsEveryAlteredByteOfAFileWithGapsAndPlaysWhatIsWhole) {
+  tells_every_altered_byte(test::record_approach());
+}
+
 TEST(Replay, TellsBytesThatWereAddedTakenOrMoved) {
   Rng rng(3);
   const test::Recorded recorded = test::record_scene(rng, 1, 200);
   const std::string& bytes = recorded.bytes;
   EXPECT_TRUE(judge(bytes + 'x').reported);
   EXPECT_TRUE(judge(bytes + bytes).reported);
-  const std::size_t first = second_chunk(bytes);
+  const std::size_t first = test::second_chunk(bytes);
   const auto size_of = [&](std::size_t begin) {
     return detail::kChunkHeadSize + 8 +
            static_cast<std::size_t>(detail::get<std::uint64_t>(bytes.data() + begin + 16));
@@ -145,26 +139,29 @@ TEST(Replay, TellsBytesThatWereAddedTakenOrMoved) {
 TEST(Replay, SaysThatAVersionOfTheFutureNeedsANewerProgram) {
   std::string bytes = test::record_drive().bytes;
   std::string head(detail::kRecordingMagic);
-  detail::put(head, std::uint32_t{2});
+  detail::put(head, std::uint32_t{3});
   detail::put(head, static_cast<std::uint32_t>(detail::hash_of(head)));
   bytes.replace(0, head.size(), head);
   const Verdict verdict = judge(bytes);
   EXPECT_EQ(verdict.kind, ErrorKind::unsupported);
-  EXPECT_NE(verdict.words.find("version 2"), std::string::npos) << verdict.words;
+  EXPECT_NE(verdict.words.find("a recording of version 3; this soms reads versions 1 and 2"),
+            std::string::npos)
+      << verdict.words;
 }
 
 TEST(Replay, TakesNoMemoryForCountsThatCannotBe) {
   const std::string bytes = test::record_drive().bytes;
-  const std::size_t frames = second_chunk(bytes);
+  const std::size_t frames = test::second_chunk(bytes);
   const std::string huge(8, '\xff');
   const std::vector<std::string> all = {
       // Length of the title, of frames' contacts, of a chunk.
-      forged(bytes, 16, [&](std::string& content) { content.replace(0, 4, huge, 0, 4); }),
-      forged(bytes, 16,
-             [&](std::string& content) { content.replace(content.size() - 8, 4, huge, 0, 4); }),
-      forged(bytes, frames,
-             [&](std::string& content) { content.replace(content.size() - 8, 8, huge); }),
-      forged(bytes, frames, [&](std::string& content) { content.assign(huge + huge); }),
+      test::forged(bytes, 16, [&](std::string& content) { content.replace(0, 4, huge, 0, 4); }),
+      test::forged(
+          bytes, 16,
+          [&](std::string& content) { content.replace(content.size() - 8, 4, huge, 0, 4); }),
+      test::forged(bytes, frames,
+                   [&](std::string& content) { content.replace(content.size() - 8, 8, huge); }),
+      test::forged(bytes, frames, [&](std::string& content) { content.assign(huge + huge); }),
   };
   for (const std::string& one : all) {
     const test::AllocationWatch watch;
@@ -184,16 +181,16 @@ TEST(Replay, TellsContentThatNoSceneGives) {
   const std::size_t end = nothing.bytes.size() - detail::kChunkHeadSize - 25 - 8;
   // An ending that is unknown, contacts that no frame holds, another hash.
   for (const std::size_t at : {0U, 1U, 9U, 17U}) {
-    const Verdict verdict = judge(forged(nothing.bytes, end, [at](std::string& content) {
+    const Verdict verdict = judge(test::forged(nothing.bytes, end, [at](std::string& content) {
       content[at] = static_cast<char>(content[at] + 9);
     }));
     EXPECT_TRUE(verdict.reported);
     EXPECT_EQ(verdict.frames.size(), 2U);
   }
   const std::string bytes = test::record_drive().bytes;
-  const std::size_t frames = second_chunk(bytes);
+  const std::size_t frames = test::second_chunk(bytes);
   const auto frame_with = [&](const std::string& frame) {
-    return judge(forged(bytes, frames, [&](std::string& content) { content = frame; })).words;
+    return judge(test::forged(bytes, frames, [&](std::string& content) { content = frame; })).words;
   };
   std::string not_finite;
   detail::put(not_finite, std::uint16_t{8});
@@ -208,9 +205,8 @@ TEST(Replay, TellsContentThatNoSceneGives) {
   EXPECT_NE(frame_with(nobody).find("does not exist"), std::string::npos);
 }
 
-TEST(Replay, EndsWellForAnyBytes) {
-  const test::Recorded recorded = test::record_drive();
-  test::for_each_case("replay/mutations", 3000, [&](Rng& rng) {
+void ends_well(const char* tag, const test::Recorded& recorded) {
+  test::for_each_case(tag, 3000, [&](Rng& rng) {
     std::string bytes = recorded.bytes;
     for (std::uint64_t k = 1 + rng.below(8); k > 0 && !bytes.empty(); --k) {
       const std::size_t at = rng.below(bytes.size());
@@ -229,16 +225,25 @@ TEST(Replay, EndsWellForAnyBytes) {
       }
     }
     // Half of them with good checksums, so that the content is read.
-    const std::size_t begin = second_chunk(recorded.bytes);
+    const std::size_t begin = test::second_chunk(recorded.bytes);
     if (rng.below(2) == 0) {
-      bytes = forged(recorded.bytes, rng.below(2) == 0 ? 16 : begin, [&](std::string& content) {
-        for (int k = 0; k < 3; ++k) {
-          content[rng.below(content.size())] = static_cast<char>(rng.below(256));
-        }
-      });
+      bytes =
+          test::forged(recorded.bytes, rng.below(2) == 0 ? 16 : begin, [&](std::string& content) {
+            for (int k = 0; k < 3; ++k) {
+              content[rng.below(content.size())] = static_cast<char>(rng.below(256));
+            }
+          });
     }
     (void)judge(bytes);
   });
+}
+
+TEST(Replay, EndsWellForAnyBytes) {
+  ends_well("replay/mutations", test::record_drive());
+}
+
+TEST(Replay, EndsWellForAnyBytesOfAFileWithGaps) {
+  ends_well("replay/mutations-of-gaps", test::record_approach());
 }
 
 TEST(Replay, OpensFilesAndKnowsThemByTheirFirstBytes) {
@@ -266,13 +271,13 @@ TEST(Replay, OpensFilesAndKnowsThemByTheirFirstBytes) {
 
 TEST(Replay, TellsThatTheFileWasChangedSinceItWasOpened) {
   const std::string bytes = test::record_drive().bytes;
-  const std::size_t first = second_chunk(bytes);
+  const std::size_t first = test::second_chunk(bytes);
   const std::size_t last =
       first + detail::kChunkHeadSize + 8 +
       static_cast<std::size_t>(detail::get<std::uint64_t>(bytes.data() + first + 16));
   // Another shift of the first mover, with checksums that are good.
   const std::string changed =
-      forged(bytes, last, [](std::string& content) { content[8] = static_cast<char>(0x31); });
+      test::forged(bytes, last, [](std::string& content) { content[8] = static_cast<char>(0x31); });
   ASSERT_EQ(changed.size(), bytes.size());
   ASSERT_EQ(test::replay_of(changed).frames(), 66U);
   const test::TemporaryFolder folder;

@@ -271,6 +271,10 @@ void Panels::counts_panel(const Facts& facts) {
   row("Movers", grouped(facts.movers));
   row("Touching movers", grouped(facts.bodies));
   row("Touching pairs", grouped(facts.contacts));
+  if (!facts.clearance.empty()) {
+    row("Near", grouped(facts.gaps) + " within " + facts.clearance);
+    row("Least gap", facts.least_gap.empty() ? "none" : facts.least_gap);
+  }
   if (facts.gap) {
     for (const auto& [label, value] : facts.gap->numbers) {
       row(label.c_str(), value);

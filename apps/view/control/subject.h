@@ -48,6 +48,9 @@ struct Facts {
   std::uint64_t frame = 0;     ///< that is shown
   std::uint64_t contacts = 0;  ///< pairs of triangles that touch
   std::uint64_t bodies = 0;    ///< movers that touch something
+  std::string clearance;       ///< within which gaps are counted, with its unit; empty: none are
+  std::uint64_t gaps = 0;      ///< pairs of bodies within it that do not touch
+  std::string least_gap;       ///< length of the least, with its unit; empty where there is none
   bool traversed = false;      ///< the next three were counted
   bool trace_cut = false;      ///< and are of a part of the traversal: there is more
   std::uint64_t visited = 0;   ///< boxes, or pairs of boxes, of the last traversal

@@ -39,6 +39,7 @@ class Drawing {
     add_bodies();
     add_boxes();
     add_contacts();
+    add_frame_gaps();
     add_nearest();
     return {std::move(list_), counts_};
   }
@@ -203,6 +204,31 @@ class Drawing {
     }
   }
 
+  /// The nearest first: of lengths that would cover each other theirs is written.
+  void add_frame_gaps() {
+    if (!options_.frame_gaps.shown) {
+      return;
+    }
+    const std::vector<Gap>& gaps = scene_.frame_gaps();
+    counts_.gaps = gaps.size();
+    counts_.gaps_drawn = std::min(gaps.size(), options_.frame_gaps.most);
+    for (std::size_t k = 0; k < counts_.gaps_drawn; ++k) {
+      add_gap(list_, {.point_a = gaps[k].distance.point_a,
+                      .point_b = gaps[k].distance.point_b,
+                      .length = meters_in_text(gaps[k]),
+                      .color = options_.colors.gap});
+    }
+  }
+
+  /// True if the gap of these two is drawn as one of the frame.
+  [[nodiscard]] bool is_drawn(const Gap& gap) const {
+    const auto begin = scene_.frame_gaps().begin();
+    return std::any_of(begin, begin + static_cast<std::ptrdiff_t>(counts_.gaps_drawn),
+                       [&](const Gap& drawn) {
+                         return std::minmax(drawn.a, drawn.b) == std::minmax(gap.a, gap.b);
+                       });
+  }
+
   [[nodiscard]] bool hidden(BodyRef body) const {
     return body.role == Role::city ? !options_.city : !options_.movers;
   }
@@ -223,10 +249,12 @@ class Drawing {
           list_.lines.push_back({.a = from, .b = to, .color = options_.colors.gap});
         }
       }
-      add_gap(list_, {.point_a = near.point_a,
-                      .point_b = near.point_b,
-                      .length = length_in_text(*gap),
-                      .color = options_.colors.gap});
+      if (!is_drawn(*gap)) {
+        add_gap(list_, {.point_a = near.point_a,
+                        .point_b = near.point_b,
+                        .length = length_in_text(*gap),
+                        .color = options_.colors.gap});
+      }
     }
   }
 
@@ -276,6 +304,7 @@ std::vector<std::string> left_out(const ShownCounts& counts) {
     }
   };
   add(counts.contacts_drawn, counts.contacts, " contacts");
+  add(counts.gaps_drawn, counts.gaps, " gaps");
   add(counts.part_triangles_drawn, counts.part_triangles, " triangles of parts");
   add(counts.boxes_drawn, counts.boxes, " boxes");
   return lines;

@@ -17,6 +17,8 @@ namespace soms::view {
 struct ShownCounts {
   std::uint64_t contacts = 0;  ///< 0 where none of their marks is to be shown
   std::uint64_t contacts_drawn = 0;
+  std::uint64_t gaps = 0;  ///< 0 where they are not to be shown
+  std::uint64_t gaps_drawn = 0;
   std::uint64_t part_triangles = 0;  ///< of the parts that contacts drawn belong to
   std::uint64_t part_triangles_drawn = 0;
   std::uint64_t boxes = 0;
@@ -34,7 +36,7 @@ struct DrawnScene {
 /// `options` need when they are shown for the first time.
 /// \errors ErrorKind::usage for a body that is not there, a level below 1, and tree options out of
 ///         range.
-/// \cost   O(bodies + contacts drawn + boxes drawn).
+/// \cost   O(bodies + contacts drawn + gaps drawn + boxes drawn).
 [[nodiscard]] DrawnScene draw_scene(ViewScene& scene, const ViewOptions& options);
 
 /// Its list alone.

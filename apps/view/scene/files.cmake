@@ -1,6 +1,8 @@
 set(SOMS_VIEW_HEADERS
   draw_scene.h
   explain.h
+  frame_gaps.h
+  frame_report.h
   gap.h
   load.h
   mesh_facts.h
@@ -17,6 +19,8 @@ set(SOMS_VIEW_HEADERS
 set(SOMS_VIEW_SOURCES
   draw_scene.cpp
   explain.cpp
+  frame_gaps.cpp
+  frame_report.cpp
   gap.cpp
   load.cpp
   mesh_facts.cpp

@@ -64,6 +64,14 @@ struct ContactMarks {
   [[nodiscard]] bool operator==(const ContactMarks&) const = default;
 };
 
+/// What is shown of the gaps of a recording's frame.
+struct FrameGapMarks {
+  bool shown = true;        ///< lines between the nearest points, with their lengths
+  std::size_t most = 1000;  ///< most gaps drawn, the nearest; `DrawnScene` says how many there are
+
+  [[nodiscard]] bool operator==(const FrameGapMarks&) const = default;
+};
+
 /// Colors of marks. The default ones are distinguished by people who see fewer colors.
 struct ViewColors {
   Color contact = palette::kContact;
@@ -92,6 +100,7 @@ struct ViewOptions {
   std::optional<LevelBoxes> level;  ///< nothing: no boxes of a level
   std::optional<TraceBoxes> trace;  ///< nothing: no boxes of a traversal
   ContactMarks contacts;
+  FrameGapMarks frame_gaps;
   bool gap =
       true;  ///< nearest points of the pair, if its bodies share none: a line with its length
   std::optional<BodyRef> highlighted;  ///< drawn brighter

@@ -4,12 +4,12 @@
 #include "soms/thesis/traversals.h"
 #include "soms/tree/rule/rules.h"
 
+#include "apps/view/scene/frame_report.h"
 #include "apps/view/scene/orientation_menu.h"
 #include "apps/view/scene/tree_store.h"
 
 #include <algorithm>
 #include <chrono>
-#include <set>
 #include <utility>
 
 namespace soms::view {
@@ -66,6 +66,7 @@ struct ViewScene::State {
   StepReport report;
   bool replayed = false;  ///< the report is the recording's
   std::vector<Touch> touches;
+  std::vector<Gap> frame_gaps;
   double step_milliseconds = 0;
 
   TreeChoice choice;
@@ -113,19 +114,10 @@ struct ViewScene::State {
            std::none_of(movers.begin(), movers.end(), [](const Mover& m) { return m.held; });
   }
 
-  /// Pose of a mover in the recording at the present frame.
-  [[nodiscard]] const Pose* recorded_pose(std::uint32_t k) const {
-    if (recording == nullptr || frame >= recording->frames()) {
-      return nullptr;
-    }
-    const RecordedFrame& shown = recording->frame(frame);
-    return k < shown.poses.size() ? &shown.poses[k] : nullptr;
-  }
-
   /// Brings movers to the present frame.
   void place_movers() {
     for (std::uint32_t k = 0; k < movers.size(); ++k) {
-      const Pose* recorded = recorded_pose(k);
+      const Pose* recorded = recorded_pose(recording.get(), frame, k);
       if (test && test->mover == k) {
         scene.set_pose(movers[k].id, test->poses[frame]);
       } else if (recorded != nullptr && !movers[k].held) {
@@ -138,23 +130,11 @@ struct ViewScene::State {
 
   void find_contacts() {
     const bool recorded = as_recorded();
-    if (recorded) {
-      const RecordedFrame& shown = recording->frame(frame);
-      report = {};
-      report.environment = shown.environment;
-      report.movers = shown.movers;
-    } else {
-      report = scene.step({}, parallel);
-    }
+    report = recorded ? report_of(recording->frame(frame))
+                      : scene.step({.clearance = clearance_of(recording.get())}, parallel);
     replayed = recorded;
-    touches.clear();
-    for (const EnvironmentContact& c : report.environment) {
-      touches.push_back({mover(c.mover), city_part(c.part), c.i, c.j});
-    }
-    for (const MoverContact& c : report.movers) {
-      touches.push_back({mover(c.a), mover(c.b), c.i, c.j});
-    }
-    std::sort(touches.begin(), touches.end());
+    touches = touches_of(report);
+    frame_gaps = gaps_of(report);
   }
 
   void show_frame() {
@@ -380,6 +360,10 @@ const std::vector<Touch>& ViewScene::contacts() const {
   return state_->touches;
 }
 
+const std::vector<Gap>& ViewScene::frame_gaps() const {
+  return state_->frame_gaps;
+}
+
 const std::optional<Gap>& ViewScene::gap() const {
   static const std::optional<Gap> kNone;
   const auto question = gap_question(state_->pair, city_parts(), movers(), state_->touches);
@@ -484,14 +468,12 @@ SceneStatistics ViewScene::statistics() const {
   out.triangles = s.triangles;
   out.frame = s.frame;
   out.contacts = s.touches.size();
-  std::set<std::uint32_t> touching;
-  for (const Touch& touch : s.touches) {
-    touching.insert(touch.a.index);
-    if (touch.b.role == Role::mover) {
-      touching.insert(touch.b.index);
-    }
+  out.touching_movers = s.report.touching_movers().size();
+  out.clearance = clearance_of(s.recording.get());
+  out.gaps = s.frame_gaps.size();
+  if (!s.frame_gaps.empty()) {
+    out.least_gap = s.frame_gaps.front();
   }
-  out.touching_movers = touching.size();
   out.queries = s.report.queries;
   out.box_pairs = s.report.box_pairs;
   out.cost = s.report.cost;

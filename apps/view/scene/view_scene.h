@@ -9,6 +9,7 @@
 #include "apps/view/drawing/camera.h"
 #include "apps/view/drawing/draw_list.h"
 #include "apps/view/scene/explain.h"
+#include "apps/view/scene/frame_gaps.h"
 #include "apps/view/scene/gap.h"
 #include "apps/view/scene/mesh_facts.h"
 #include "apps/view/scene/scene_content.h"
@@ -50,6 +51,9 @@ struct SceneStatistics {
   std::uint64_t frame = 0;
   std::uint64_t contacts = 0;            ///< touching pairs of triangles
   std::uint64_t touching_movers = 0;     ///< movers that touch anything
+  double clearance = 0;                  ///< within which there are gaps; 0: none are searched for
+  std::uint64_t gaps = 0;                ///< pairs of bodies within it that do not touch
+  std::optional<Gap> least_gap;          ///< the nearest of them
   std::uint64_t queries = 0;             ///< of the last step
   std::uint64_t box_pairs = 0;           ///< of the last step
   Cost cost;                             ///< of the last step
@@ -138,6 +142,10 @@ class ViewScene {
 
   /// All contacts at the present poses, sorted.
   [[nodiscard]] const std::vector<Touch>& contacts() const;
+
+  /// Who is within the clearance without touching, at the present poses; the nearest first. A
+  /// recording with gaps has a clearance, and all else none.
+  [[nodiscard]] const std::vector<Gap>& frame_gaps() const;
 
   /// Where the bodies of the pair are nearest, if they share no point; queried again only when
   /// one of them moved. The whole city counts as the pair's first body where that is a part of it.

@@ -2,6 +2,7 @@
 set(SOMS_VIEW_HEADERS
   render.h
   render_camera.h
+  render_gaps.h
   render_scene.h
   time_frames.h
   verbs.h
@@ -10,6 +11,7 @@ set(SOMS_VIEW_HEADERS
 set(SOMS_VIEW_SOURCES
   render.cpp
   render_camera.cpp
+  render_gaps.cpp
   render_scene.cpp
   time_frames.cpp
   verbs.cpp

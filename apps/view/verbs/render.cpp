@@ -13,6 +13,7 @@
 #include "apps/view/scene/orientation_menu.h"
 #include "apps/view/scene/shown_boxes.h"
 #include "apps/view/scene/traversal_trace.h"
+#include "apps/view/verbs/render_gaps.h"
 #include "apps/view/verbs/render_scene.h"
 
 #include <fmt/format.h>
@@ -106,7 +107,8 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
   app.add_flag("--contacts-on-top", options.shown.contacts.on_top,
                "draw contacts over everything that hides them");
   app.add_flag("--no-gap", options.no_gap,
-               "do not draw the nearest points of two models that touch nowhere");
+               "do not draw the nearest points of two models that touch nowhere, nor\n"
+               "the gaps of a recording");
   app.add_flag("--spots", options.shown.contacts.spots,
                "mark each touching mover with a dot, at any distance");
   command::add_build_options(app, options.shown.trees.build);
@@ -143,6 +145,7 @@ ViewOptions what_is_shown(const RenderOptions& options, ViewScene& scene) {
   ViewOptions shown = options.shown;
   shown.contacts.most = kMostContacts;
   shown.gap = draws_gap(options, scene);
+  shown.frame_gaps.shown = !options.no_gap;
   if (options.see_through) {
     shown.colors.plain_city.a = kGlass;
   }
@@ -192,7 +195,7 @@ void report(const RenderOptions& options, ViewScene& scene, const GlRenderer& re
     console.note(fmt::format("{}: {}x{}, {}, {}{}, drawn by {}", options.output, options.size.width,
                              options.size.height, command::counted(facts.triangles, "triangle"),
                              command::counted(facts.contacts, "touching pair"),
-                             gap ? ", gap " + length_in_text(*gap) : "", GlRenderer::device()));
+                             words_of_gaps(scene, gap), GlRenderer::device()));
     return;
   }
   command::Json answer{{"schema", "soms.render/2"},     {"file", options.output},
@@ -210,6 +213,7 @@ void report(const RenderOptions& options, ViewScene& scene, const GlRenderer& re
   if (gap) {
     answer["gap"] = gap_json(*gap);
   }
+  add_gaps(answer, scene);
   if (!scene.notes().empty()) {
     answer["notes"] = scene.notes();
   }

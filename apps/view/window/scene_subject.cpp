@@ -1,5 +1,6 @@
 #include "apps/view/window/scene_subject.h"
 
+#include "apps/support/text.h"
 #include "apps/view/scene/draw_scene.h"
 #include "apps/view/scene/load.h"
 #include "apps/view/scene/orientation_menu.h"
@@ -98,6 +99,7 @@ ViewOptions options_of(const ViewState& state) {
   options.contacts.lines = shown.contact_lines;
   options.contacts.on_top = shown.contacts_on_top;
   options.gap = shown.gap;
+  options.frame_gaps.shown = shown.gap;
   return options;
 }
 
@@ -192,6 +194,11 @@ Facts SceneSubject::facts(const ViewState& state) const {
   facts.frame = now.frame;
   facts.contacts = now.contacts;
   facts.bodies = now.touching_movers;
+  if (now.clearance > 0) {
+    facts.clearance = command::four_digits(now.clearance) + " m";
+    facts.gaps = now.gaps;
+    facts.least_gap = now.least_gap ? meters_in_text(*now.least_gap) : "";
+  }
   facts.cost = now.cost;
   facts.collision_ms = now.step_milliseconds;
   facts.left_out = left_out_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <tuple>
 #include <utility>
 
 namespace soms::detail {
@@ -12,7 +14,6 @@ namespace {
 constexpr std::size_t kBuffer = std::size_t{1} << 16;
 /// Least bytes of a mesh: lengths of two texts, two small numbers, seven large ones.
 constexpr std::size_t kLeastMesh = 4 + 1 + 1 + 4 + 7 * 8;
-constexpr std::size_t kContact = 16;
 
 Pose read_pose(ChunkContent& content) {
   Pose pose;
@@ -75,7 +76,7 @@ RecordedMesh read_mesh(ChunkContent& content) {
 /// Contacts in strictly ascending order, each of what there is.
 template <class Contact, class Check>
 void read_contacts(ChunkContent& content, std::vector<Contact>& contacts, const Check& exists) {
-  const auto count = content.count<std::uint64_t>(kContact);
+  const auto count = content.count<std::uint64_t>(kContactSize);
   contacts.clear();
   for (std::uint64_t k = 0; k < count; ++k) {
     const auto first = content.number<std::uint32_t>();
@@ -90,6 +91,71 @@ void read_contacts(ChunkContent& content, std::vector<Contact>& contacts, const 
       throw content.fault("the contacts are not sorted");
     }
     contacts.push_back(contact);
+  }
+}
+
+Vec3 read_point(ChunkContent& content) {
+  Vec3 point;
+  for (double* const entry : {&point.x, &point.y, &point.z}) {
+    *entry = content.real();
+    if (!std::isfinite(*entry)) {
+      throw content.fault("a point of a gap is not finite");
+    }
+  }
+  return point;
+}
+
+/// The distance of two bodies that are within the clearance and do not touch. The clearance is a
+/// double, so no bracket's upper end is beyond it; the lower end is 0 where the distance is less
+/// than any double.
+Bracket read_distance(ChunkContent& content, double clearance) {
+  const double lower = content.real();
+  const double upper = content.real();
+  if (!(0 <= lower && lower <= upper && 0 < upper && upper <= clearance)) {
+    throw content.fault("the distance of a gap is no distance within the clearance");
+  }
+  return {lower, upper};
+}
+
+/// The two bodies of a gap or a contact.
+template <class Pair>
+auto bodies_of(const Pair& pair) {
+  if constexpr (requires { pair.part; }) {
+    return std::tuple(pair.mover, pair.part);
+  } else {
+    return std::tuple(pair.a, pair.b);
+  }
+}
+
+/// Gaps in strictly ascending order of their bodies, each of what there is. `contacts` are those
+/// of the frame: bodies that touch have no gap.
+template <class Gap, class Contact, class Check>
+void read_gaps(ChunkContent& content, double clearance, const std::vector<Contact>& contacts,
+               std::vector<Gap>& gaps, const Check& exists) {
+  const auto count = content.count<std::uint64_t>(kGapSize);
+  gaps.clear();
+  auto contact = contacts.begin();
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const auto first = content.number<std::uint32_t>();
+    const auto second = content.number<std::uint32_t>();
+    const auto i = content.number<std::uint32_t>();
+    const auto j = content.number<std::uint32_t>();
+    if (!exists(Contact{first, second, i, j})) {
+      throw content.fault("a gap refers to a mover or part that does not exist");
+    }
+    const Bracket distance = read_distance(content, clearance);
+    const Vec3 point_a = read_point(content);
+    const Gap gap{first, second, i, j, distance, point_a, read_point(content)};
+    if (!gaps.empty() && !(bodies_of(gaps.back()) < bodies_of(gap))) {
+      throw content.fault("the gaps are not sorted");
+    }
+    while (contact != contacts.end() && bodies_of(*contact) < bodies_of(gap)) {
+      ++contact;
+    }
+    if (contact != contacts.end() && bodies_of(*contact) == bodies_of(gap)) {
+      throw content.fault("a gap between bodies that touch");
+    }
+    gaps.push_back(gap);
   }
 }
 
@@ -186,7 +252,7 @@ bool ChunkContent::is_unaltered() {
   return get<std::uint64_t>(check.data()) == hash_.value();
 }
 
-void read_file_head(RecordingBytes& bytes) {
+std::uint32_t read_file_head(RecordingBytes& bytes) {
   std::array<char, kFileHeadSize> head{};
   const std::size_t there = std::min<std::uint64_t>(head.size(), bytes.size());
   bytes.read(head.data(), there);
@@ -204,12 +270,13 @@ void read_file_head(RecordingBytes& bytes) {
     throw bytes.fault(8, "the version is corrupt");
   }
   const auto version = get<std::uint32_t>(head.data() + 8);
-  if (version != kRecordingVersion) {
+  if (version != kContactsVersion && version != kGapsVersion) {
     throw Error(ErrorKind::unsupported,
                 bytes.fault(8, "a recording of version " + std::to_string(version)).place(),
-                "this soms reads version " + std::to_string(kRecordingVersion) +
-                    "; use a newer version of soms");
+                "this soms reads versions " + std::to_string(kContactsVersion) + " and " +
+                    std::to_string(kGapsVersion) + "; use a newer version of soms");
   }
+  return version;
 }
 
 ChunkHead read_chunk_head(RecordingBytes& bytes) {
@@ -234,7 +301,7 @@ ChunkHead read_chunk_head(RecordingBytes& bytes) {
   return head;
 }
 
-RecordingHead read_head(ChunkContent& content) {
+RecordingHead read_head(ChunkContent& content, std::uint32_t version) {
   RecordingHead head;
   head.title = content.text();
   head.frames_a_second = read_positive(content, "a frame rate");
@@ -256,6 +323,9 @@ RecordingHead read_head(ChunkContent& content) {
     if (head.movers.back() >= models) {
       throw content.fault("mover " + std::to_string(k) + " refers to no model");
     }
+  }
+  if (version == kGapsVersion) {
+    head.clearance = read_positive(content, "a clearance");
   }
   return head;
 }
@@ -279,13 +349,20 @@ void read_frame(ChunkContent& content, const RecordingHead& head, RecordedFrame&
   const auto triangles_of = [&](MoverId mover) {
     return head.models[head.movers[mover]].triangles;
   };
-  read_contacts(content, frame.environment, [&](const EnvironmentContact& c) {
+  const auto environment_exists = [&](const EnvironmentContact& c) {
     return c.mover < movers && c.part < head.environment.size() && c.i < triangles_of(c.mover) &&
            c.j < head.environment[c.part].mesh.triangles;
-  });
-  read_contacts(content, frame.movers, [&](const MoverContact& c) {
+  };
+  const auto movers_exist = [&](const MoverContact& c) {
     return c.a < c.b && c.b < movers && c.i < triangles_of(c.a) && c.j < triangles_of(c.b);
-  });
+  };
+  read_contacts(content, frame.environment, environment_exists);
+  read_contacts(content, frame.movers, movers_exist);
+  if (head.clearance > 0) {
+    read_gaps(content, head.clearance, frame.environment, frame.environment_gaps,
+              environment_exists);
+    read_gaps(content, head.clearance, frame.movers, frame.mover_gaps, movers_exist);
+  }
 }
 
 RecordingEnd read_end(ChunkContent& content, std::uint64_t frames) {

@@ -93,15 +93,15 @@ class ChunkContent {
   Fnv1a hash_;
 };
 
-/// The first bytes of a file. \errors ErrorKind::bad_file, unsupported.
-void read_file_head(RecordingBytes& bytes);
+/// The first bytes of a file; returns its version. \errors ErrorKind::bad_file, unsupported.
+[[nodiscard]] std::uint32_t read_file_head(RecordingBytes& bytes);
 
 /// What the next chunk says of itself, compared with what is left of the file.
 /// \errors ErrorKind::bad_file.
 [[nodiscard]] ChunkHead read_chunk_head(RecordingBytes& bytes);
 
 /// \errors ErrorKind::bad_file, here and below.
-[[nodiscard]] RecordingHead read_head(ChunkContent& content);
+[[nodiscard]] RecordingHead read_head(ChunkContent& content, std::uint32_t version);
 
 /// The next frame over the one before, which must be identities at the start of a chunk.
 void read_frame(ChunkContent& content, const RecordingHead& head, RecordedFrame& frame);

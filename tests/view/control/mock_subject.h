@@ -34,6 +34,9 @@ class MockSubject final : public Subject {
     facts.movers = 3;
     facts.frame = frame;
     facts.contacts = 42;
+    facts.clearance = clearance;
+    facts.gaps = 7;
+    facts.least_gap = least_gap;
     facts.orientation_test = last_choice.orientation_test;
     facts.traversed = true;
     facts.gap = gap;
@@ -119,6 +122,8 @@ class MockSubject final : public Subject {
   bool has_object = true;
   Pose object = Pose::translation(0, 0, 10);
   std::string note;
+  std::string clearance;  ///< empty: no gaps
+  std::string least_gap;
   std::vector<std::string> left_out;
   std::optional<GapFacts> gap;
 

@@ -342,6 +342,20 @@ TEST_F(PanelsTest, DrawEveryStateWithoutComplaint) {
   }
 }
 
+TEST_F(PanelsTest, CountGapsWhereThereIsAClearance) {
+  const auto drawn = [&] {
+    settle();
+    return ImGui::GetDrawData()->TotalVtxCount;
+  };
+  const int without = drawn();
+  subject_.clearance = "0.5 m";
+  const int none = drawn();
+  subject_.least_gap = "0.1234 m";
+  const int some = drawn();
+  EXPECT_GT(none, without);
+  EXPECT_GT(some, none);  // "0.1234 m" has more letters than "none"
+}
+
 TEST_F(PanelsTest, TheGapTakesThreeRowsWhereThereIsOne) {
   const double before = find("Drawing")->top;
   subject_.gap = GapFacts{
