@@ -45,8 +45,7 @@ Action add_simulate(CLI::App& app, Shared&) {
       "a robot; each is a number as in --events or the name of a model;\nmay be repeated",
       "A,B");
   add_positive(app, "--clearance", options->clearance,
-               "report what comes within this distance (above 0), too, and how
-"
+               "report what comes within this distance (above 0), too, and how\n"
                "near; --map, --report and --picture draw it, --record keeps it");
   add_output(app, "--map", options->map, "draw the city, its movers and contacts as SVG");
   add_output(app, "--report", options->report,
