@@ -15,7 +15,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace soms::view::test {
+namespace soms::view::test_window {
 
 namespace {
 
@@ -216,4 +216,4 @@ std::string RunningProgram::errors() const {
   return text.str();
 }
 
-}  // namespace soms::view::test
+}  // namespace soms::view::test_window

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace soms::view::test {
+namespace soms::view::test_window {
 
 class RunningProgram;
 
@@ -78,4 +78,4 @@ class RunningProgram {
   std::filesystem::path errors_;
 };
 
-}  // namespace soms::view::test
+}  // namespace soms::view::test_window

@@ -19,8 +19,8 @@
 namespace soms::view {
 namespace {
 
-using view::test::Display;
-using view::test::RunningProgram;
+using view::test_window::Display;
+using view::test_window::RunningProgram;
 
 constexpr Size kSize{960, 540};
 
