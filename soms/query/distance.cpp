@@ -47,8 +47,8 @@ void name_nearest(const NearEnd& end, const DistanceOptions& options, NearestGoa
   answer.distance = {end.at_least, kInfinity};
   if (found.triangles()) {
     answer.triangles = found.triangles();
-    name_points(found.nearest(), answer);
     const Bracket nearest = found.nearest().distance();
+    name_points(found.nearest(), answer);  // which profits from what the distance needed
     answer.distance = {end.complete ? nearest.lower : std::min(end.at_least, nearest.lower),
                        nearest.upper};
   } else if (end.complete) {

@@ -90,71 +90,148 @@ T lower_bound(const AboutCorner<T>& place, const Vector<T>& n) {
   return rest / sqrt(product(n, n)) * (T(1) - T(8 * kUnit));
 }
 
+/// The points of two features that are nearest to each other, and the normal that gave them: of the
+/// face, or of both edges; nothing for corners and a corner with an edge.
 template <class T>
-void finish(const AboutCorner<T>& place, const Vector<T>& a, const Vector<T>& b, Ends<T>& result) {
-  constexpr double kUnit = std::is_same_v<T, double> ? kUnitOfDouble : kUnitOfDoubleDouble;
-  const Vector<T> between = minus(b, a);
-  result.point_a = a;
-  result.point_b = b;
-  result.upper = sqrt(product(between, between)) + T(kUpperUnits * kUnit * place.reach);
+struct Feet {
+  Vector<T> point_a = {};
+  Vector<T> point_b = {};
+  Vector<T> normal = {};
+};
+
+/// The corners of the features of both triangles.
+template <class T>
+struct FeatureCorners {
+  const Vector<T>* a;
+  const Vector<T>* b;
+  const Vector<T>& first_a;
+  const Vector<T>& last_a;
+  const Vector<T>& first_b;
+  const Vector<T>& last_b;
+
+  FeatureCorners(const AboutCorner<T>& place, const FeaturePair& features)
+      : a(place.corners.data()),
+        b(a + 3),
+        first_a(a[first_corner(features[0])]),
+        last_a(a[last_corner(features[0])]),
+        first_b(b[first_corner(features[1])]),
+        last_b(b[last_corner(features[1])]) {}
+};
+
+enum class FeatureKind : std::uint8_t {
+  corners,
+  edge_of_b,
+  edge_of_a,
+  edges,
+  face_of_a,
+  face_of_b
+};
+
+FeatureKind kind_of(const FeaturePair& features) {
+  if (features[0] == kFace) {
+    return FeatureKind::face_of_a;
+  }
+  if (features[1] == kFace) {
+    return FeatureKind::face_of_b;
+  }
+  switch (2 * corner_count(features[0]) + corner_count(features[1])) {
+    case 3:
+      return FeatureKind::corners;
+    case 4:
+      return FeatureKind::edge_of_b;
+    case 5:
+      return FeatureKind::edge_of_a;
+    default:
+      return FeatureKind::edges;
+  }
 }
 
 template <class T>
-Ends<T> ends_of_corners(const AboutCorner<T>& place, const Vector<T>& a, const Vector<T>& b) {
-  Ends<T> result;
-  finish(place, a, b, result);
-  result.lower = lower_bound(place, minus(b, a));
-  return result;
-}
-
-/// A corner, and an edge of the other triangle.
-template <class T>
-Ends<T> ends_of_edge(const AboutCorner<T>& place, const Vector<T>& tip, const Vector<T>& begin,
-                     const Vector<T>& end, bool tip_first) {
+Vector<T> foot_on_edge(const Vector<T>& tip, const Vector<T>& begin, const Vector<T>& end) {
   const Vector<T> e = minus(end, begin);
   const Vector<T> r = minus(tip, begin);
-  const Vector<T> foot = plus(begin, e, clamped(T(product(r, e) / product(e, e)), T(1)));
-  Ends<T> result;
-  finish(place, tip_first ? tip : foot, tip_first ? foot : tip, result);
-  result.lower = lower_bound(place, across(e, r));
-  return result;
+  return plus(begin, e, clamped(T(product(r, e) / product(e, e)), T(1)));
 }
 
 template <class T>
-Ends<T> ends_of_face(const AboutCorner<T>& place, const Vector<T>& tip, const Vector<T>* face,
-                     bool tip_first) {
+Vector<T> foot_on_face(const Vector<T>& tip, const Vector<T>* face, Vector<T>& normal) {
   const Vector<T> e = minus(face[1], face[0]);
   const Vector<T> f = minus(face[2], face[0]);
   const Vector<T> r = minus(tip, face[0]);
-  const Vector<T> n = cross_product(e, f);
-  const T square = product(n, n);
-  const T s = clamped(T(product(cross_product(r, f), n) / square), T(1));
-  const T t = clamped(T(product(cross_product(e, r), n) / square), T(1) - s);
-  const Vector<T> foot = plus(plus(face[0], e, s), f, t);
-  Ends<T> result;
-  finish(place, tip_first ? tip : foot, tip_first ? foot : tip, result);
-  result.lower = lower_bound(place, n);
-  return result;
+  normal = cross_product(e, f);
+  const T square = product(normal, normal);
+  const T s = clamped(T(product(cross_product(r, f), normal) / square), T(1));
+  const T t = clamped(T(product(cross_product(e, r), normal) / square), T(1) - s);
+  return plus(plus(face[0], e, s), f, t);
 }
 
 template <class T>
-Ends<T> ends_of_edges(const AboutCorner<T>& place, const std::array<const Vector<T>*, 4>& at) {
-  const Vector<T> e = minus(*at[1], *at[0]);
-  const Vector<T> f = minus(*at[3], *at[2]);
-  const Vector<T> r = minus(*at[2], *at[0]);
+Feet<T> feet_of_edges(const FeatureCorners<T>& at) {
+  const Vector<T> e = minus(at.last_a, at.first_a);
+  const Vector<T> f = minus(at.last_b, at.first_b);
+  const Vector<T> r = minus(at.first_b, at.first_a);
   const Vector<T> n = cross_product(e, f);
   const T square = product(n, n);
   const T s = clamped(T(product(cross_product(r, f), n) / square), T(1));
   const T t = clamped(T(product(cross_product(r, e), n) / square), T(1));
-  Ends<T> result;
-  finish(place, plus(*at[0], e, s), plus(*at[2], f, t), result);
-  result.lower = lower_bound(place, n);
-  // The product of nearly parallel edges is mostly rounding; what is across one of them is not.
-  if (first_part(square) < 0x1p-20 * first_part(product(e, e)) * first_part(product(f, f))) {
-    const T other = lower_bound(place, across(e, r));
-    result.lower = std::max(result.lower, other);
+  return {plus(at.first_a, e, s), plus(at.first_b, f, t), n};
+}
+
+template <class T>
+Feet<T> feet(const FeatureCorners<T>& at, FeatureKind kind) {
+  Feet<T> result;
+  switch (kind) {
+    case FeatureKind::corners:
+      return {at.first_a, at.first_b};
+    case FeatureKind::edge_of_b:
+      return {at.first_a, foot_on_edge(at.first_a, at.first_b, at.last_b)};
+    case FeatureKind::edge_of_a:
+      return {foot_on_edge(at.first_b, at.first_a, at.last_a), at.first_b};
+    case FeatureKind::edges:
+      return feet_of_edges(at);
+    case FeatureKind::face_of_a:
+      result.point_b = at.first_b;
+      result.point_a = foot_on_face(at.first_b, at.a, result.normal);
+      return result;
+    case FeatureKind::face_of_b:
+      result.point_a = at.first_a;
+      result.point_b = foot_on_face(at.first_a, at.b, result.normal);
+      return result;
   }
   return result;
+}
+
+/// The lower bound of edges. The product of nearly parallel ones is mostly rounding; what is across
+/// one of them is not.
+template <class T>
+T lower_of_edges(const AboutCorner<T>& place, const FeatureCorners<T>& at, const Vector<T>& n) {
+  const T lower = lower_bound(place, n);
+  const Vector<T> e = minus(at.last_a, at.first_a);
+  const Vector<T> f = minus(at.last_b, at.first_b);
+  if (first_part(product(n, n)) < 0x1p-20 * first_part(product(e, e)) * first_part(product(f, f))) {
+    const T other = lower_bound(place, across(e, minus(at.first_b, at.first_a)));
+    return std::max(lower, other);
+  }
+  return lower;
+}
+
+template <class T>
+T lower_end(const AboutCorner<T>& place, const FeatureCorners<T>& at, FeatureKind kind,
+            const Feet<T>& found) {
+  switch (kind) {
+    case FeatureKind::corners:
+      return lower_bound(place, minus(at.first_b, at.first_a));
+    case FeatureKind::edge_of_b:
+      return lower_bound(place,
+                         across(minus(at.last_b, at.first_b), minus(at.first_a, at.first_b)));
+    case FeatureKind::edge_of_a:
+      return lower_bound(place,
+                         across(minus(at.last_a, at.first_a), minus(at.first_b, at.first_a)));
+    case FeatureKind::edges:
+      return lower_of_edges(place, at, found.normal);
+    default:
+      return lower_bound(place, found.normal);
+  }
 }
 
 /// The exponent of a number above 0, without that of the number's unit.
@@ -197,33 +274,28 @@ AboutCorner<T>::AboutCorner(const Triangle& a, const Triangle& b) {
 
 template <class T>
 Ends<T> ends(const AboutCorner<T>& place, const FeaturePair& features) {
-  const Vector<T>* const a = place.corners.data();
-  const Vector<T>* const b = a + 3;
-  const Vector<T>& first_a = a[first_corner(features[0])];
-  const Vector<T>& first_b = b[first_corner(features[1])];
-  const Vector<T>& last_a = a[last_corner(features[0])];
-  const Vector<T>& last_b = b[last_corner(features[1])];
-  if (features[0] == kFace) {
-    return ends_of_face(place, first_b, a, false);
-  }
-  if (features[1] == kFace) {
-    return ends_of_face(place, first_a, b, true);
-  }
-  switch (2 * corner_count(features[0]) + corner_count(features[1])) {
-    case 3:
-      return ends_of_corners(place, first_a, first_b);
-    case 4:
-      return ends_of_edge(place, first_a, first_b, last_b, true);
-    case 5:
-      return ends_of_edge(place, first_b, first_a, last_a, false);
-    default:
-      return ends_of_edges(place, {&first_a, &last_a, &first_b, &last_b});
-  }
+  constexpr double kUnit = std::is_same_v<T, double> ? kUnitOfDouble : kUnitOfDoubleDouble;
+  const FeatureCorners<T> at(place, features);
+  const FeatureKind kind = kind_of(features);
+  const Feet<T> found = feet(at, kind);
+  const Vector<T> between = minus(found.point_b, found.point_a);
+  Ends<T> result;
+  result.points = {found.point_a, found.point_b};
+  result.upper = sqrt(product(between, between)) + T(kUpperUnits * kUnit * place.reach);
+  result.lower = lower_end(place, at, kind, found);
+  return result;
+}
+
+template <class T>
+EndPoints<T> end_points(const AboutCorner<T>& place, const FeaturePair& features) {
+  const Feet<T> found = feet(FeatureCorners<T>(place, features), kind_of(features));
+  return {found.point_a, found.point_b};
 }
 
 template struct AboutCorner<double>;
 template struct AboutCorner<DoubleDouble>;
 template Ends<double> ends(const AboutCorner<double>&, const FeaturePair&);
 template Ends<DoubleDouble> ends(const AboutCorner<DoubleDouble>&, const FeaturePair&);
+template EndPoints<DoubleDouble> end_points(const AboutCorner<DoubleDouble>&, const FeaturePair&);
 
 }  // namespace soms::detail

@@ -68,17 +68,24 @@ struct AboutCorner {
   AboutCorner(const Triangle& a, const Triangle& b);
 };
 
+/// A point of each triangle.
+template <class T>
+using EndPoints = std::array<Coordinates3<T>, 2>;
+
 /// Bounds in units of the coordinates, and the points between which `upper` was measured.
 template <class T>
 struct Ends {
   T lower = 0;
   T upper = 0;
-  Coordinates3<T> point_a = {};
-  Coordinates3<T> point_b = {};
+  EndPoints<T> points = {};
 };
 
 /// \pre  `place.reach` is above 0.
 template <class T>
 [[nodiscard]] Ends<T> ends(const AboutCorner<T>& place, const FeaturePair& features);
+
+/// The points of `ends` alone.
+template <class T>
+[[nodiscard]] EndPoints<T> end_points(const AboutCorner<T>& place, const FeaturePair& features);
 
 }  // namespace soms::detail

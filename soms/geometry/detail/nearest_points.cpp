@@ -2,7 +2,6 @@
 
 #include "soms/geometry/detail/common_corners.h"
 #include "soms/geometry/detail/crossing.h"
-#include "soms/geometry/detail/distance_ends.h"
 #include "soms/geometry/detail/double_double.h"
 #include "soms/geometry/detail/exact_distance.h"
 #include "soms/geometry/detail/feature_proof.h"
@@ -73,29 +72,24 @@ struct Mean {
   }
 };
 
-/// Where there is one shortest segment, between features that are known: off by less than 2^-60 of
-/// the largest difference. Shares of edges are quotients whose parts are off by 2^9 u times their
-/// lengths, u = 2^-102, and whose lower part is 2^-30 of them at least.
-std::array<Vec3, 2> single_points(const Triangle& a, const Triangle& b,
-                                  const FeaturePair& features) {
-  const AboutCorner<DoubleDouble> place(a, b);
-  const Ends<DoubleDouble> found = ends(place, features);
-  const auto world = [&](const Coordinates3<DoubleDouble>& p) {
-    Vec3 result;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      result[axis] = (scaled(p[axis], place.exponent) + a.a[axis]).high;
-    }
-    return result;
-  };
-  return {world(found.point_a), world(found.point_b)};
-}
-
 }  // namespace
+
+std::array<Vec3, 2> in_world(const EndPoints<DoubleDouble>& points, int exponent,
+                             const Triangle& a) {
+  std::array<Vec3, 2> result;
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      result[side][axis] = (scaled(points[side][axis], exponent) + a.a[axis]).high;
+    }
+  }
+  return result;
+}
 
 std::array<Vec3, 2> nearest_points(const Triangle& a, const Triangle& b) {
   const FeaturePair guess = guess_features(a, b);
   if (prove(a, b, guess).steady) {
-    return single_points(a, b, guess);
+    const AboutCorner<DoubleDouble> place(a, b);
+    return in_world(end_points(place, guess), place.exponent, a);
   }
   if (const std::optional<Vec3> middle = crossing_middle(a, b)) {
     return {*middle, *middle};

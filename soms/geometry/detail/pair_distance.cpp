@@ -108,7 +108,10 @@ void PairDistance::refine() {
     return;
   }
   const AboutCorner<DoubleDouble> place(a_, b_);
-  take(place, ends(place, features_));
+  const Ends<DoubleDouble> found = ends(place, features_);
+  take(place, found);
+  points_ = found.points;
+  exponent_ = place.exponent;
   stage_ = Stage::double_doubles;
 }
 
@@ -190,6 +193,9 @@ bool PairDistance::has_features_of(const PairDistance& other) const {
 
 std::array<Vec3, 2> PairDistance::points() const {
   const PlainArithmetic plain;
+  if (stage_ == Stage::double_doubles && prove(a_, b_, features_).steady) {
+    return in_world(points_, exponent_, a_);
+  }
   return nearest_points(a_, b_);
 }
 

@@ -76,6 +76,8 @@ class PairDistance {
   DoubleDouble lower_;
   DoubleDouble upper_;
   std::shared_ptr<const ExactDistance> exact_;  ///< null before that stage, and for distance 0
+  EndPoints<DoubleDouble> points_ = {};         ///< of stage `double_doubles`, about `a_`
+  int exponent_ = 0;                            ///< of their coordinates
   std::uint64_t exact_tests_ = 0;
   FeaturePair features_ = {1, 1};
   Stage stage_ = Stage::exact;
