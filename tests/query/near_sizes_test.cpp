@@ -41,6 +41,19 @@ TEST(NearSizes, ASmallBodyFarFromALargeOneAnswersAsBruteForce) {
   });
 }
 
+// Squares of such distances are below the least normal double, or 0.
+TEST(NearSizes, FarBodiesWhoseSquaredDistanceUnderflowsAnswerAsBruteForce) {
+  test::for_each_case("near-sizes/underflow", 150, [](Rng& rng) {
+    const double distance = std::exp2(-rng.uniform(500, 1070));
+    const double size = distance * std::exp2(-rng.uniform(6, 12));
+    const Pose pose = test::moving(test::awkward_rotation(rng), {},
+                                   Vec3{rng.uniform(-1, 1), rng.uniform(-1, 1), 1} * distance);
+    const Body a(test::placed(generate_sphere(60), size, {}), pose);
+    const Body b(test::placed(generate_sphere(24), size, {}), test::awkward_rotation(rng));
+    ASSERT_NO_FATAL_FAILURE(expect_true_of_both(a, b));
+  });
+}
+
 // Nothing is known of distances then but what is decided exactly.
 TEST(NearSizes, BodiesThatRoundingOutweighsAnswerAsBruteForce) {
   test::for_each_case("near-sizes/rounding", 20, [](Rng& rng) {

@@ -22,8 +22,36 @@ float rounded_down(double x) {
   return static_cast<float>(x - (std::abs(x) * 0x1p-22 + 0x1p-100));
 }
 
+double largest(const Vec3& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+Vec3 scaled(const Vec3& v, int exponent) {
+  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+}
+
+/// The exponent of a power of two by which `v` is to be divided before its entries are squared: 0
+/// where neither the squares nor their rounding underflow as it is, and none overflows.
+int exponent_of(const Vec3& v) {
+  const double most = largest(v);
+  return most == 0 || (most > 0x1p-450 && most < 0x1p450) ? 0 : std::ilogb(most);
+}
+
 double length(const Vec3& v) {
-  return std::sqrt(dot(v, v));
+  const int exponent = exponent_of(v);
+  const Vec3 usual = exponent == 0 ? v : scaled(v, -exponent);
+  const double root = std::sqrt(dot(usual, usual));
+  return exponent == 0 ? root : std::ldexp(root, exponent);
+}
+
+/// The direction of `v`, of length 1 to a few roundings; any where it is 0.
+Vec3 direction(const Vec3& v) {
+  if (largest(v) == 0) {
+    return {1, 0, 0};
+  }
+  const int exponent = exponent_of(v);
+  const Vec3 usual = exponent == 0 ? v : scaled(v, -exponent);
+  return usual * (1 / length(usual));
 }
 
 /// `max |R^T R - I|`.
@@ -56,6 +84,7 @@ static_assert((1.53 * 4 + 3.1 * 3.01) * kUnitRoundoff < kStretchRounding);
 /// Largest seen: 0.097 of both together.
 constexpr double kFarRounding = 256 * kUnitRoundoff;
 constexpr double kFarBoxes = 0x1p-19;
+constexpr double kFarUnderflow = 0x1p-1064;  // a length in the world
 static_assert((23 + 12 * 3.5) * kUnitRoundoff < kFarRounding);
 
 /// `relative` of the numbers is 2.75 m; keys may exceed a distance by 3.02 m of it. Largest seen,
@@ -131,7 +160,7 @@ NearPose::NearPose(PairFrame& frame)
     base_ = apart;
     const double extent =
         moved_extent(*x_.pose, tree_x.bounds()) + moved_extent(*y_.pose, tree_y.bounds());
-    slack_ = kFarRounding * extent * scale_ + 0x1p-100;
+    slack_ = (kFarRounding * extent + kFarUnderflow) * scale_ + 0x1p-100;
   }
   set_limit(std::numeric_limits<double>::infinity());
 }
@@ -167,7 +196,7 @@ Vec3 NearPose::place_of(const PosedShape& side, const std::array<double, 3>& ori
 template <class X, class Y>
 NearPose::Heading NearPose::heading(const X& x, const Y& y) const {
   const Vec3 way = place_of(x_, x.origin) - place_of(y_, y.origin);
-  const Vec3 unit = way * (1 / length(way));
+  const Vec3 unit = direction(way);
   return {seen(*x_.pose, unit, axes_of(x)), seen(*y_.pose, unit, axes_of(y)),
           (dot(unit, way) / length(unit) - base_) * scale_,
           slack_ + kFarBoxes * (static_cast<double>(x.l1_radius) * numbers_.ratio + y.l1_radius)};

@@ -35,8 +35,8 @@
 /// the distance of the roots' origins: what is left is as small as the bodies. In units of u64 V, V
 /// as in relative_pose.h: moved origins 4.01 each and their difference 1.01 on an axis, the moved
 /// vertices 4.01; times sqrt(3) below 23; the product with w / |w| and the base another 12 of |c_x
-/// - c_y|, which is below 3.5 V: below 65. The slack is 256 u64 V, beside which nothing
-/// that underflows counts: a distance above 0 is at least 2^-537. Sums over boxes in float are off
+/// - c_y|, which is below 3.5 V: below 65. The slack is 256 u64 V, and 2^-1064 for products that
+/// underflow; w is scaled before it is squared, so |w| does not. Sums over boxes in float are off
 /// by less than 2^-19 (radius_x + radius_y), since no more than twelve roundings and the axes'
 /// 2^-23 meet.
 #pragma once
