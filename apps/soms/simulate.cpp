@@ -106,9 +106,10 @@ int status_of(const Outcome& outcome, const SimulateOptions& options, int drawn)
 
 /// Movers that never come near the city cannot touch it: a shift, unit or axis may be missing. A
 /// run that was interrupted may not have come to where they do; a wrong answer says enough.
-std::vector<FrameWarning> doubt_boxes(const World& world, const Outcome& outcome) {
-  if (!outcome.boxes.always_apart() || outcome.ending == Ending::interrupted ||
-      outcome.is_wrong()) {
+std::vector<FrameWarning> doubt_boxes(const World& world, double clearance,
+                                      const Outcome& outcome) {
+  if (!outcome.boxes.always_apart() || outcome.boxes.least_gap() <= clearance ||
+      outcome.ending == Ending::interrupted || outcome.is_wrong()) {
     return {};
   }
   return {apart_warning("the movers", world.title, outcome.boxes.least_gap(), "in every frame ")};
@@ -224,7 +225,7 @@ int run_simulate(const SimulateOptions& given, Console& console) {
   if (recorder) {
     recorder->finish(ending_of(outcome));
   }
-  const std::vector<FrameWarning> doubts = doubt_boxes(world, outcome);
+  const std::vector<FrameWarning> doubts = doubt_boxes(world, options.clearance, outcome);
   world.warnings.insert(world.warnings.end(), doubts.begin(), doubts.end());
   const bool strict = options.world.city_model.strict;
   if (!strict) {

@@ -5,7 +5,9 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <type_traits>
 
 namespace soms::command {
 
@@ -23,7 +25,13 @@ std::optional<std::pair<T, std::string_view>> leading_number(std::string_view te
     text.remove_prefix(1);
   }
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc()) {
+  if constexpr (std::is_floating_point_v<T>) {
+    if (error == std::errc::result_out_of_range) {
+      value = std::strtod(std::string(text).c_str(), nullptr);  // 0 where it is too small
+    } else if (error != std::errc()) {
+      return std::nullopt;
+    }
+  } else if (error != std::errc()) {
     return std::nullopt;
   }
   return std::pair(value, text.substr(static_cast<std::size_t>(end - text.data())));
@@ -70,7 +78,10 @@ std::uint64_t parse_count(std::string_view option, std::string_view text, std::u
 }
 
 double parse_number(std::string_view option, std::string_view text) {
-  const auto number = leading_number<double>(text);
+  auto number = leading_number<double>(text);
+  if (number && std::abs(number->first) == 0) {
+    number->first = 0;  // of either sign
+  }
   if (!number || !number->second.empty() || !std::isfinite(number->first)) {
     const bool comma = text.find(',') != text.npos && text.find('.') == text.npos;
     throw not_this(

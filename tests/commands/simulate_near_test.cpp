@@ -227,6 +227,18 @@ TEST_F(NearRun, WritesNearEventsBehindContacts) {
             "mover,model,touched,part,triangle,begin,end\n0,kite,wall,wall,0,4,4\n");
 }
 
+TEST_F(NearRun, DoubtsNoBoxesWhoseGapIsWithinTheClearance) {
+  test::write_text(at("t.off"), test::triangle_off("0 0 0", "1 0 0", "0 1 0"));
+  test::write_text(at("p.csv"), "x,y,z\n0,0,3\n");
+  const auto status = [&](const char* clearance) {
+    return test::soms_run({"simulate", at("t.off"), "--mover", at("t.off"), "--route", at("p.csv"),
+                           "--clearance", clearance, "--strict"})
+        .status;
+  };
+  EXPECT_EQ(status("3"), 0);
+  EXPECT_EQ(status("2.5"), 3) << "farther apart than either is long, and than the clearance";
+}
+
 TEST_F(NearRun, FailsOnRequestWhereSomethingComesNear) {
   const std::vector<std::string> apart{"--no-between-movers", "--frames", "2"};
   const auto status = [&](std::vector<std::string> words) {

@@ -3,6 +3,7 @@
 #include "tests/report/reading.h"
 #include "tests/support/pipe.h"
 
+#include <cmath>
 #include <csignal>
 #include <limits>
 #include <sstream>
@@ -45,6 +46,15 @@ TEST(WithinVerb, DecidesExactly) {
   // Clearance 0 asks for overlap.
   EXPECT_EQ(answers_within("0", {"--pose", "2 0 0"}).at(0).at("within"), true);
   EXPECT_EQ(answers_within("0", {"--pose", "2.0000000000000004 0 0"}).at(0).at("within"), false);
+}
+
+TEST(WithinVerb, RoundsAClearanceToTheNearestDouble) {
+  EXPECT_EQ(answers_within("1e-400", {"--pose", "2 0 0"}).at(0).at("within"), true);
+  const Json apart = answers_within("1e-400", {"--pose", "2.5 0 0"}).at(0);
+  EXPECT_EQ(apart.at("within"), false);
+  EXPECT_EQ(answers_within("-0", {"--pose", "2.5 0 0"}).at(0), apart);
+  EXPECT_FALSE(
+      std::signbit(answers_within("-0", {"--pose", "2.5 0 0"}).at(0).at("at_least").get<double>()));
 }
 
 TEST(WithinVerb, IsAboutSurfaces) {
