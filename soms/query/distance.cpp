@@ -3,7 +3,7 @@
 #include "soms/base/arithmetic.h"
 #include "soms/query/detail/leaf_pairs.h"
 #include "soms/query/detail/near/near_question.h"
-#include "soms/query/overlap.h"
+#include "soms/query/detail/overlap_query.h"
 
 #include <algorithm>
 
@@ -26,15 +26,14 @@ void name_points(PairDistance& pair, Distance& answer) {
 }
 
 /// The bodies overlap at `found`: names the least pair that does.
-void name_overlap(const Body& a, const Body& b, const DistanceOptions& options,
+void name_overlap(const Body& a, const Body& b, PairFrame& frame, const DistanceOptions& options,
                   const Parallel& parallel, NearestGoal& found, Distance& answer) {
-  // On one thread, so that the cost is the same for any number of them.
-  const Overlap least = overlap(a, b, {.mode = OverlapMode::first, .deadline = options.deadline},
-                                {.stop = parallel.stop});
+  const detail::LeastOverlap least =
+      detail::least_overlap(frame, *found.triangles(), options.deadline, parallel);
   answer.distance = {0, 0};
   answer.cost += least.cost;
-  answer.coverage = least.coverage == Coverage::cut ? Coverage::cut : Coverage::complete;
-  answer.triangles = least.any ? least.pairs.front() : *found.triangles();
+  answer.coverage = least.late ? Coverage::cut : Coverage::complete;
+  answer.triangles = least.triangles;
   PairDistance pair(detail::moved({&a.shape, &a.pose}, answer.triangles->first),
                     detail::moved({&b.shape, &b.pose}, answer.triangles->second));
   name_points(pair, answer);
@@ -69,7 +68,7 @@ class DistanceQuery {
     Distance answer;
     answer.cost = end.cost;
     if (goal.touching()) {
-      name_overlap(a, b, options_, parallel, goal, answer);
+      name_overlap(a, b, frame, options_, parallel, goal, answer);
     } else {
       name_nearest(end, options_, goal, answer);
     }

@@ -129,11 +129,12 @@ Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options,
     return answer;
   }
   PairFrame frame(a, b);
-  // The first pairs in the order of one thread are best found by one thread.
+  // The first pairs in the order of one thread are best found by one thread, and so is the least
+  // pair, which rules out most of what is left.
   const bool limited = options.limit != std::numeric_limits<std::uint64_t>::max();
   if (detail::any_compact(a.shape, b.shape)) {
     run_single<CompactSource>(frame, options, parallel, answer);
-  } else if (parallel.threads != 1 && !limited) {
+  } else if (parallel.threads != 1 && !limited && options.mode != OverlapMode::first) {
     run_parallel(frame, options, parallel, answer);
   } else {
     run_single<WideSource>(frame, options, parallel, answer);

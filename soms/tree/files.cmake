@@ -29,6 +29,7 @@ set(SOMS_SOURCES
   layout/min_max_grid.cpp
   layout/compact.cpp
   layout/compact_node.cpp
+  layout/detail/least_ids.cpp
   layout/detail/refit_layout.cpp
   layout/detail/block.cpp
   layout/detail/lay_out.cpp

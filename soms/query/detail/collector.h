@@ -33,8 +33,13 @@ class Collector {
 
   [[nodiscard]] bool any() const { return any_; }
 
-  /// The first pair found ends the traversal.
-  [[nodiscard]] bool one() const { return mode_ == OverlapMode::any; }
+  /// What is found decides what is looked at next.
+  [[nodiscard]] bool steers() const { return mode_ != OverlapMode::all; }
+
+  /// The least pair so far, where no other is wanted that is not less.
+  [[nodiscard]] const TrianglePair* least() const {
+    return mode_ == OverlapMode::first && any_ ? &least_ : nullptr;
+  }
 
   /// More pairs exist than the limit lets through.
   [[nodiscard]] bool full() const { return full_; }

@@ -7,6 +7,17 @@
 
 namespace soms::detail {
 
+namespace {
+
+/// Leaves of a block's lanes those of triangles up to `id`.
+void keep_up_to(TriangleId id, const TriangleBlock& block, std::uint32_t& lanes) {
+  for (std::size_t k = 0; k < TriangleBlock::kWidth; ++k) {
+    lanes &= ~((block.id[k] > id ? 1U : 0U) << k);
+  }
+}
+
+}  // namespace
+
 Triangle moved(const PosedShape& side, TriangleId id) {
   const Triangle t = side.shape->mesh().triangle(id);
   return {side.pose->apply(t.a), side.pose->apply(t.b), side.pose->apply(t.c)};
@@ -67,9 +78,18 @@ bool LeafPairs::decide(std::span<const BlockTask> tasks, bool last, Collector& c
     if (queue_->full() && decide_queue(collector, cost)) {
       return true;
     }
-    queue_->add(*kernels_, task);
+    if (const TrianglePair* const least = collector.least()) {
+      BlockTask less = task;
+      frame_->swapped() ? keep_up_to(least->first, *task.y, less.lanes_y)
+                        : keep_up_to(least->first, *task.x, less.lanes_x);
+      if (less.lanes_x != 0 && less.lanes_y != 0) {
+        queue_->add(*kernels_, less);
+      }
+    } else {
+      queue_->add(*kernels_, task);
+    }
   }
-  return (last || collector.one()) && decide_queue(collector, cost);
+  return (last || collector.steers()) && decide_queue(collector, cost);
 }
 
 bool LeafPairs::decide_queue(Collector& collector, Cost& cost) {

@@ -1,5 +1,10 @@
 #include "soms/query/detail/overlap_query.h"
 
+#include "soms/query/detail/engine/limit.h"
+#include "soms/query/detail/overlap_traversal.h"
+
+#include <vector>
+
 namespace soms::detail {
 
 Coverage coverage_of(OverlapMode mode, const Collector& collector, bool late) {
@@ -13,6 +18,32 @@ Coverage coverage_of(OverlapMode mode, const Collector& collector, bool late) {
     return Coverage::cut;
   }
   return mode == OverlapMode::first && collector.any() ? Coverage::first : Coverage::complete;
+}
+
+namespace {
+
+template <class Source>
+LeastOverlap search(PairFrame& frame, const TrianglePair& known, Limit& limit) {
+  TraversalMemory memory;
+  std::vector<TrianglePair> pairs;
+  Collector collector(OverlapMode::first, 1, pairs);
+  static_cast<void>(collector.add(known));
+  OverlapTraversal<Source> traversal(frame, OverlapMode::first, memory);
+  traversal.start();
+  traversal.run(collector, limit);
+  collector.finish();
+  return {pairs.front(), traversal.cost(), limit.late()};
+}
+
+}  // namespace
+
+LeastOverlap least_overlap(PairFrame& frame, const TrianglePair& known,
+                           std::optional<std::chrono::steady_clock::time_point> deadline,
+                           const Parallel& parallel) {
+  Limit limit(deadline, parallel);
+  return any_compact(*frame.x().shape, *frame.y().shape)
+             ? search<CompactSource>(frame, known, limit)
+             : search<WideSource>(frame, known, limit);
 }
 
 }  // namespace soms::detail

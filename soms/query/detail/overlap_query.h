@@ -6,9 +6,25 @@
 #include "soms/query/detail/engine/pair_frame.h"
 #include "soms/query/overlap.h"
 
+#include <chrono>
+#include <optional>
+
 namespace soms::detail {
 
 /// Coverage of a traversal that ended with `collector`; `late` if a deadline ended it.
 [[nodiscard]] Coverage coverage_of(OverlapMode mode, const Collector& collector, bool late);
+
+/// The least pair of triangles that overlap, by (i, j).
+struct LeastOverlap {
+  TrianglePair triangles;
+  Cost cost;
+  bool late = false;  ///< a deadline ended the search; there may be a lesser pair
+};
+
+/// The least pair of a and b, given one that overlaps.
+/// \errors ErrorKind::cancelled.
+[[nodiscard]] LeastOverlap least_overlap(
+    PairFrame& frame, const TrianglePair& known,
+    std::optional<std::chrono::steady_clock::time_point> deadline, const Parallel& parallel);
 
 }  // namespace soms::detail

@@ -16,11 +16,14 @@ constexpr float kSimilar = 2;
 
 /// Pairs descended at once. Where bodies touch, a hit is mostly found within few pairs, and what
 /// was descended beside the way to it is lost; a traversal that has gone on for long descends
-/// everything anyway. What a source writes out does not last for more than one.
+/// everything anyway, unless the least pair that it has found rules most of it out. What a source
+/// writes out does not last for more than one.
 template <class Source>
-std::size_t group_of(std::size_t descended) {
+std::size_t group_of(OverlapMode mode, std::size_t descended) {
   if constexpr (Source::kInPlace) {
-    return descended < 24 ? 2 : descended < 48 ? 4 : TraversalRound::kEach;
+    return descended < 24 || mode == OverlapMode::first ? 2
+           : descended < 48                             ? 4
+                                                        : TraversalRound::kEach;
   } else {
     return 1;
   }
@@ -66,14 +69,17 @@ constexpr CodeTable kCodes;
 template <class Source>
 OverlapTraversal<Source>::OverlapTraversal(PairFrame& frame, OverlapMode mode,
                                            TraversalMemory& memory)
-    : relative_(frame.relative()),
+    : frame_(frame),
+      relative_(frame.relative()),
       leaves_(frame, memory.leaves),
       x_(*frame.x().shape),
       y_(*frame.y().shape),
       large_leaf_(relative_, x_, y_),
       grid_y_(frame.y().layout().min_max_grid()),
       kernels_(kernels()),
-      nearest_first_(mode == OverlapMode::any),
+      least_x_(frame.x().layout().least_ids()),
+      least_y_(frame.y().layout().least_ids()),
+      mode_(mode),
       memory_(memory) {
 }
 
@@ -142,8 +148,8 @@ void OverlapTraversal<Source>::push(const NodeTask& task) {
 template <class Source>
 void OverlapTraversal<Source>::gather_nodes(TraversalRound& round) {
   PairList& node_ids = memory_.node_ids;
-  const std::size_t taken = std::min(group_of<Source>(descended_), node_ids.size());
-  const std::uint32_t order = nearest_first_ && descended_ < kOrdered ? 1 : 0;
+  const std::size_t taken = std::min(group_of<Source>(mode_, descended_), node_ids.size());
+  const std::uint32_t order = mode_ == OverlapMode::any && descended_ < kOrdered ? 1 : 0;
   descended_ += taken;
   node_ids.drop(taken);
   const PoseNumbers& numbers = relative_.numbers();
@@ -196,7 +202,7 @@ void OverlapTraversal<Source>::append(std::span<const NodeTask> tasks) {
   kernels_.append(tasks.data(), tasks.size(), sink);
   node_ids.add(sink.node_ids);
   blocks.add(sink.blocks);
-  const std::size_t next = std::min(group_of<Source>(descended_), node_ids.size());
+  const std::size_t next = std::min(group_of<Source>(mode_, descended_), node_ids.size());
   for (std::size_t i = node_ids.size() - next; i < node_ids.size(); ++i) {
     const NodeRefPair pair = node_ids.at(i);
     x_.fetch_node(index_of(pair.x));
@@ -236,11 +242,16 @@ void test_round(const Kernels& kernels, TraversalRound& round) {
 template <class Source>
 bool OverlapTraversal<Source>::take_up(const TraversalRound& round, Collector& collector,
                                        Limit& limit) {
+  const std::size_t added = memory_.node_ids.size();
   for (std::size_t i = 0; i < larger_count_; ++i) {
     push(round.larger[larger_begin_ + i]);
   }
   if (node_count_ != 0) {
     append(std::span(round.nodes).subspan(node_begin_, node_count_));
+  }
+  if (mode_ == OverlapMode::first) {
+    order_by_least(added);
+    drop_unwanted(collector);
   }
   const bool last = memory_.node_ids.empty() && memory_.blocks.empty();
   if ((block_count_ != 0 || last) &&
@@ -250,6 +261,28 @@ bool OverlapTraversal<Source>::take_up(const TraversalRound& round, Collector& c
   }
   return !limit.spend(1 + node_count_ + larger_count_ + 2 * block_count_ +
                       large_leaf_.take_scanned());
+}
+
+template <class Source>
+void OverlapTraversal<Source>::order_by_least(std::size_t begin) {
+  PairList& node_ids = memory_.node_ids;
+  for (std::size_t i = begin + 1; i < node_ids.size(); ++i) {
+    const NodeRefPair pair = node_ids.at(i);
+    const TrianglePair least = least_below(pair);
+    std::size_t at = i;
+    for (; at > begin && least_below(node_ids.at(at - 1)) < least; --at) {
+      node_ids.set(at, node_ids.at(at - 1));
+    }
+    node_ids.set(at, pair);
+  }
+}
+
+template <class Source>
+void OverlapTraversal<Source>::drop_unwanted(const Collector& collector) {
+  PairList& node_ids = memory_.node_ids;
+  while (!node_ids.empty() && !collector.wants(least_below(node_ids.at(node_ids.size() - 1)))) {
+    node_ids.drop(1);
+  }
 }
 
 template <class Source>

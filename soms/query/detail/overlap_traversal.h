@@ -7,6 +7,7 @@
 #include "soms/query/detail/engine/block_source.h"
 #include "soms/query/detail/engine/large_leaf.h"
 #include "soms/query/detail/engine/limit.h"
+#include "soms/query/detail/engine/node_id.h"
 #include "soms/query/detail/engine/pair_list.h"
 #include "soms/query/detail/kernels/kernels.h"
 #include "soms/query/detail/leaf_pairs.h"
@@ -92,6 +93,17 @@ class OverlapTraversal {
   void gather_nodes(TraversalRound& round);
   void gather_blocks(TraversalRound& round);
 
+  /// The least pair of triangles that may lie below a pair of nodes.
+  [[nodiscard]] TrianglePair least_below(const NodeRefPair& pair) const {
+    return frame_.in_callers_order(least_x_[index_of(pair.x)], least_y_[index_of(pair.y)]);
+  }
+
+  /// Puts the pairs of nodes from `begin` on in order, that of the least triangles on top.
+  void order_by_least(std::size_t begin);
+
+  /// Drops pairs of nodes on top that have nothing which the collector wants.
+  void drop_unwanted(const Collector& collector);
+
   /// Appends what met to the lists.
   void append(std::span<const NodeTask> tasks);
 
@@ -101,6 +113,7 @@ class OverlapTraversal {
   /// Pops a pair of blocks. Of a run of blocks it gives the first and leaves the rest.
   [[nodiscard]] NodeRefPair take_blocks();
 
+  const PairFrame& frame_;
   RelativePose& relative_;
   LeafPairs leaves_;
   Source x_;
@@ -108,7 +121,9 @@ class OverlapTraversal {
   LargeLeaf<Source> large_leaf_;
   const layout::MinMaxGrid& grid_y_;
   const Kernels& kernels_;
-  bool nearest_first_;
+  std::span<const TriangleId> least_x_;
+  std::span<const TriangleId> least_y_;
+  OverlapMode mode_;
   TraversalMemory& memory_;
   Cost cost_;
   std::size_t descended_ = 0;   // pairs so far

@@ -87,6 +87,7 @@ WideTree WideTree::compacted(const Parallel& parallel) const {
   result.exponent_ = exponent_;
   result.scale_ = scale_;
   result.compact_ = compact_;
+  result.least_ids_ = least_ids_;
   if (nodes_.empty()) {
     return result;
   }
@@ -130,6 +131,7 @@ WideTree WideTree::expanded(const Mesh& mesh, const Parallel& parallel) const {
   result.bounds_ = bounds_;
   result.exponent_ = exponent_;
   result.scale_ = scale_;
+  result.least_ids_ = least_ids_;
   const Runs runs(compact_->ids);
   result.blocks_.resize(runs.first.size());
   for_each_chunk(runs.first.size(), kChunk, silent(parallel),

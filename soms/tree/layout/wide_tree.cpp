@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/tree/layout/compact_node.h"
+#include "soms/tree/layout/detail/least_ids.h"
 #include "soms/tree/layout/detail/refit_layout.h"
 #include "soms/tree/layout/detail/widen.h"
 
@@ -91,6 +92,7 @@ WideTree::WideTree(layout::Parts tree, const Mesh& mesh, const Parallel& paralle
   const PlainArithmetic plain;
   const double size = settle();
   layout::widen(std::move(tree), mesh, {origin_, scale_, size}, parallel, nodes_, blocks_);
+  least_ids_ = layout::least_ids(nodes_, blocks_);
   min_max_grid_ = layout::MinMaxGrid(blocks_, bounds_, scale_, parallel);
 }
 
@@ -103,6 +105,7 @@ WideTree::WideTree(const WideTree& tree, const Mesh& mesh, const Parallel& paral
     const double size = settle();
     nodes_.resize(tree.nodes_.size());
     blocks_.resize(tree.blocks_.size());
+    least_ids_ = tree.least_ids_;
     layout::refit_layout(tree, mesh, {origin_, scale_, size}, parallel, nodes_, blocks_);
     min_max_grid_ = layout::MinMaxGrid(blocks_, bounds_, scale_, parallel);
   }
@@ -130,7 +133,8 @@ double WideTree::sah_area_ratio(const Mesh& mesh, const Parallel& parallel) cons
 
 std::size_t WideTree::memory() const {
   return sizeof *this + nodes_.capacity() * sizeof(WideNode) +
-         blocks_.capacity() * sizeof(TriangleBlock) + min_max_grid_.memory() +
+         blocks_.capacity() * sizeof(TriangleBlock) + least_ids_.capacity() * sizeof(TriangleId) +
+         min_max_grid_.memory() +
          (compact_ ? sizeof *compact_ + compact_->nodes.capacity() * sizeof(CompactNode) +
                          compact_->ids.capacity() * sizeof(std::uint32_t)
                    : 0);

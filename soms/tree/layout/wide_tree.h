@@ -136,6 +136,9 @@ class WideTree {
 
   [[nodiscard]] std::span<const TriangleBlock> blocks() const { return blocks_; }
 
+  /// The least triangle below each node, of a compact tree, too.
+  [[nodiscard]] std::span<const TriangleId> least_ids() const { return least_ids_; }
+
   /// Where a tree of a flat mesh has nothing; empty for others, and where the tree is compact.
   [[nodiscard]] const layout::MinMaxGrid& min_max_grid() const { return min_max_grid_; }
 
@@ -172,6 +175,7 @@ class WideTree {
 
   layout::Pages<WideNode> nodes_;
   layout::Pages<TriangleBlock> blocks_;
+  layout::Pages<TriangleId> least_ids_;
   layout::MinMaxGrid min_max_grid_;
   std::shared_ptr<const CompactParts> compact_;
   Vec3 origin_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace soms::test {
@@ -87,6 +88,8 @@ void expect_whole(const WideTree& tree, const Mesh& mesh) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> above;  // node, lane
   };
 
+  ASSERT_EQ(tree.least_ids().size(), tree.nodes().size());
+  std::vector<TriangleId> least(tree.nodes().size(), std::numeric_limits<TriangleId>::max());
   std::vector<int> seen(mesh.triangles.size(), 0);
   std::size_t nodes = 0;
   std::vector<Pending> pending{{0, {}}};
@@ -117,6 +120,7 @@ void expect_whole(const WideTree& tree, const Mesh& mesh) {
           ++seen[block->id[k]];
           const Triangle t = mesh.triangle(block->id[k]);
           for (const auto& [index, place] : above) {
+            least[index] = std::min(least[index], block->id[k]);
             for (const Vec3* corner : {&t.a, &t.b, &t.c}) {
               ASSERT_NO_FATAL_FAILURE(expect_inside(tree, tree.nodes()[index], place, *corner));
             }
@@ -126,6 +130,7 @@ void expect_whole(const WideTree& tree, const Mesh& mesh) {
     }
   }
   ASSERT_EQ(nodes, tree.nodes().size());
+  ASSERT_TRUE(std::equal(least.begin(), least.end(), tree.least_ids().begin()));
   ASSERT_TRUE(std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; }));
 }
 

@@ -50,6 +50,11 @@ class PairList {
 
   [[nodiscard]] NodeRefPair at(std::size_t i) const { return {x_[i], y_[i]}; }
 
+  void set(std::size_t i, const NodeRefPair& pair) {
+    x_[i] = pair.x;
+    y_[i] = pair.y;
+  }
+
   /// Makes room for `more` pairs at `end_x` and `end_y`, which `add` then counts.
   void reserve(std::size_t more) {
     if (size_ + more > capacity_) {
