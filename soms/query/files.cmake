@@ -27,6 +27,8 @@ set(SOMS_SOURCES
   detail/leaf_pairs.cpp
   detail/single_box_descent.cpp
   detail/overlap_query.cpp
+  detail/near/far_search.cpp
+  detail/near/far_support.cpp
   detail/near/keyed_pairs.cpp
   detail/near/near_goal.cpp
   detail/near/near_pose.cpp

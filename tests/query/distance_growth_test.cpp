@@ -2,9 +2,11 @@
 // timed.
 #include "soms/generate/shapes.h"
 #include "soms/query/distance.h"
+#include "soms/query/overlap.h"
 #include "soms/query/reference/overlap.h"
 #include "soms/query/within.h"
 
+#include "tests/query/overlap_inputs.h"
 #include "tests/support/allocation.h"
 #include "tests/support/bodies.h"
 #include "tests/support/query_table.h"
@@ -186,6 +188,38 @@ TEST(DistanceGrowth, ABodyInsideAnotherIsAnsweredAsBruteForce) {
       }
     }
   });
+}
+
+TEST(DistanceGrowth, FarBodiesCostWhatTheirNearestTrianglesDo) {
+  // A traversal of pairs of nodes looks at some 20,000 boxes here.
+  Rng rng(5);
+  const Shape knot(generate_knot(20000));
+  for (const double apart : {100.0, 1e4, 1e6}) {
+    Body far(knot, test::awkward_rotation(rng));
+    far.pose.m[3] = apart;
+    const Distance answer = distance(far, Body(knot));
+    EXPECT_LT(answer.cost.node_tests, 4000U) << apart;
+    EXPECT_LT(answer.cost.triangle_tests, 4000U) << apart;
+  }
+}
+
+TEST(DistanceGrowth, FarGridsTieInAllTheirTriangles) {
+  const Mesh below = grid(40, 0);
+  const Mesh above = grid(30, 5000);
+  const Distance answer = distance(Body(below), Body(above));
+  EXPECT_EQ(answer.distance, (Bracket{5000, 5000}));
+  EXPECT_EQ(answer.triangles, least_tie(below, above));
+}
+
+TEST(DistanceGrowth, TheLeastOverlapRulesOutMostOthers) {
+  const Body a(generate_knot(20000));
+  Body b(a.shape);
+  b.pose = Pose::translation(0.3, 0.1, 0.2);
+  const Overlap all = overlap(a, b);
+  const Overlap first = overlap(a, b, {.mode = OverlapMode::first});
+  ASSERT_FALSE(all.pairs.empty());
+  EXPECT_EQ(first.pairs.front(), all.pairs.front());
+  EXPECT_LT(4 * first.cost.node_tests, all.cost.node_tests);
 }
 
 }  // namespace

@@ -41,6 +41,21 @@ TEST(NearSizes, ASmallBodyFarFromALargeOneAnswersAsBruteForce) {
   });
 }
 
+// Of the triangles on one side of each ball few matter, and the pairs of these differ by less than
+// where the bodies lie is rounded, or by more.
+TEST(NearSizes, FarBodiesOfManyTrianglesAnswerAsBruteForce) {
+  test::for_each_case("near-sizes/many-far", 40, [](Rng& rng) {
+    const double distance = std::exp2(rng.uniform(6, 40));
+    const Vec3 place = Vec3{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)} *
+                       std::exp2(rng.uniform(0, 52));
+    const Vec3 way{rng.uniform(-1, 1), rng.uniform(-1, 1), 1};
+    const Body a(generate_sphere(120), test::moving(test::awkward_rotation(rng), {}, place));
+    const Body b(generate_sphere(120),
+                 test::moving(test::awkward_rotation(rng), {}, place + way * distance));
+    ASSERT_NO_FATAL_FAILURE(expect_true_of_both(a, b));
+  });
+}
+
 // Squares of such distances are below the least normal double, or 0.
 TEST(NearSizes, FarBodiesWhoseSquaredDistanceUnderflowsAnswerAsBruteForce) {
   test::for_each_case("near-sizes/underflow", 150, [](Rng& rng) {

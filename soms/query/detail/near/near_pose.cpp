@@ -1,5 +1,7 @@
 #include "soms/query/detail/near/near_pose.h"
 
+#include "soms/query/detail/near/far_support.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,38 +22,6 @@ float rounded_up(double x) {
 /// At most `x`.
 float rounded_down(double x) {
   return static_cast<float>(x - (std::abs(x) * 0x1p-22 + 0x1p-100));
-}
-
-double largest(const Vec3& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-Vec3 scaled(const Vec3& v, int exponent) {
-  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
-}
-
-/// The exponent of a power of two by which `v` is to be divided before its entries are squared: 0
-/// where neither the squares nor their rounding underflow as it is, and none overflows.
-int exponent_of(const Vec3& v) {
-  const double most = largest(v);
-  return most == 0 || (most > 0x1p-450 && most < 0x1p450) ? 0 : std::ilogb(most);
-}
-
-double length(const Vec3& v) {
-  const int exponent = exponent_of(v);
-  const Vec3 usual = exponent == 0 ? v : scaled(v, -exponent);
-  const double root = std::sqrt(dot(usual, usual));
-  return exponent == 0 ? root : std::ldexp(root, exponent);
-}
-
-/// The direction of `v`, of length 1 to a few roundings; any where it is 0.
-Vec3 direction(const Vec3& v) {
-  if (largest(v) == 0) {
-    return {1, 0, 0};
-  }
-  const int exponent = exponent_of(v);
-  const Vec3 usual = exponent == 0 ? v : scaled(v, -exponent);
-  return usual * (1 / length(usual));
 }
 
 /// `max |R^T R - I|`.
@@ -80,50 +50,11 @@ constexpr double kStretchRounding = 32 * kUnitRoundoff;
 static_assert(1.53 < kSkewShare && 3.1 < kResidualShare);
 static_assert((1.53 * 4 + 3.1 * 3.01) * kUnitRoundoff < kStretchRounding);
 
-/// Margins of far bodies, in units of V, and of sums over their boxes, in units of their radii.
-/// Largest seen: 0.097 of both together.
-constexpr double kFarRounding = 256 * kUnitRoundoff;
-constexpr double kFarBoxes = 0x1p-19;
-constexpr double kFarUnderflow = 0x1p-1064;  // a length in the world
-static_assert((23 + 12 * 3.5) * kUnitRoundoff < kFarRounding);
-
 /// `relative` of the numbers is 2.75 m; keys may exceed a distance by 3.02 m of it. Largest seen,
 /// of this, the numbers' margins and the stretch together: 0.054 for keys of nodes, 0.028 for
 /// slabs.
 constexpr double kOffsetShare = 1.5;
 static_assert(kOffsetShare * 2.75 > 4);
-
-Vec3 vector(const std::array<double, 3>& v) {
-  return {v[0], v[1], v[2]};
-}
-
-/// `w` along the axes of a mesh that a pose moves, then along those of a node.
-std::array<float, 3> seen(const Pose& pose, const Vec3& w, const layout::Axes& axes) {
-  const Matrix3 r = rotation(pose);
-  std::array<double, 3> v = {};
-  for (std::size_t j = 0; j < 3; ++j) {
-    v[j] = (r[0][j] * w.x + r[1][j] * w.y) + r[2][j] * w.z;
-  }
-  std::array<float, 3> turned = {};
-  for (std::size_t j = 0; j < 3; ++j) {
-    turned[j] = static_cast<float>((axes[j] * v[0] + axes[3 + j] * v[1]) + axes[6 + j] * v[2]);
-  }
-  return turned;
-}
-
-/// Least values of `sign` times boxes' points along `w`.
-std::array<float, WideNode::kWidth> supports(const WideNode& node, const std::array<float, 3>& w,
-                                             float sign) {
-  std::array<float, WideNode::kWidth> least = {};
-  for (std::size_t k = 0; k < WideNode::kWidth; ++k) {
-    const float center =
-        (w[0] * node.center[0][k] + w[1] * node.center[1][k]) + w[2] * node.center[2][k];
-    const float radius = (std::abs(w[0]) * node.half[0][k] + std::abs(w[1]) * node.half[1][k]) +
-                         std::abs(w[2]) * node.half[2][k];
-    least[k] = sign * center - radius;
-  }
-  return least;
-}
 
 /// Least values of `sign` times triangles' points along `w`.
 std::array<float, TriangleBlock::kWidth> supports(const TriangleBlock& block,
@@ -154,7 +85,7 @@ NearPose::NearPose(PairFrame& frame)
   const WideTree& tree_y = y_.layout();
   const Vec3 half_x = tree_x.bounds().extent() * 0.5;
   const Vec3 half_y = tree_y.bounds().extent() * 0.5;
-  const double apart = length(place_of(x_, {0, 0, 0}) - place_of(y_, {0, 0, 0}));
+  const double apart = length(place_of(x_, {}) - place_of(y_, {}));
   if (scale_ != 0 && apart > kFar * (length(half_x) + length(half_y))) {
     far_ = true;
     base_ = apart;
@@ -187,10 +118,6 @@ double NearPose::distance_of(float key) const {
   }
   const double seen = static_cast<double>(key) / (1 + kOffsetShare * numbers_.relative);
   return std::max(seen / ((1 + stretch_) * scale_) * kDown, 0.0);
-}
-
-Vec3 NearPose::place_of(const PosedShape& side, const std::array<double, 3>& origin) const {
-  return side.pose->apply(side.layout().origin() + vector(origin));
 }
 
 template <class X, class Y>

@@ -29,7 +29,8 @@
 /// leaves take `limit` along axes, and |n|_2 times it along other directions n (LargeLeaf).
 ///
 /// Far bodies. Where bodies are many times their size apart, 2^-17 of the offset outweighs them.
-/// Then directions differ little, and one decides: with w = c_x - c_y, the world difference of the
+/// Then directions differ little, and one decides (FarSearch asks first what few triangles reach
+/// farthest along one for all): with w = c_x - c_y, the world difference of the
 /// nodes' origins rounded to float, |g| >= w.g / |w|, and w.g = w.(c_x - c_y) + (R_x^T w).p -
 /// (R_y^T w).q. No rotation is inverted, so none need be orthonormal. Keys are bounds less `base`,
 /// the distance of the roots' origins: what is left is as small as the bodies. In units of u64 V, V
@@ -92,8 +93,6 @@ class NearPose {
     double between = 0;  ///< of the origins along it, less `base_`, in units of y
     double margin = 0;   ///< what bounds give way by
   };
-
-  [[nodiscard]] Vec3 place_of(const PosedShape& side, const std::array<double, 3>& origin) const;
 
   /// Of two nodes or two blocks.
   template <class X, class Y>

@@ -2,6 +2,7 @@
 
 #include "soms/base/error.h"
 #include "soms/query/detail/engine/limit.h"
+#include "soms/query/detail/near/far_search.h"
 #include "soms/query/detail/near/near_waves.h"
 
 #include <cstdint>
@@ -18,8 +19,17 @@ NearEnd traverse(PairFrame& frame, NearGoal& goal,
                  std::optional<std::chrono::steady_clock::time_point> deadline,
                  const Parallel& parallel, NearMemory& memory) {
   NearPose pose(frame);
-  NearTraversal<Source> traversal(frame, pose, goal, memory);
   Limit limit(deadline, parallel);
+  Cost cost;
+  if (pose.far()) {
+    FarSearch<Source> search(frame, goal);
+    const bool complete = search.run(limit);
+    cost = search.cost();
+    if (complete) {
+      return {true, goal.upper(), cost};
+    }
+  }
+  NearTraversal<Source> traversal(frame, pose, goal, memory);
   traversal.start();
   bool ended = traversal.run(limit, kWholeSteps);
   while (!ended && !traversal.sorted()) {
@@ -28,7 +38,8 @@ NearEnd traverse(PairFrame& frame, NearGoal& goal,
   if (!ended) {
     NearWaves<Source>(frame, pose, goal).run(traversal, deadline, parallel);
   }
-  return {traversal.complete(), traversal.at_least(), traversal.cost()};
+  cost += traversal.cost();
+  return {traversal.complete(), traversal.at_least(), cost};
 }
 
 }  // namespace

@@ -189,6 +189,7 @@ void NearTraversal<Source>::push_children(std::size_t i) {
   const NodeTask& task = tasks_[i];
   const Opening& opening = openings_[i];
   const NodeRefPair& from = opening.from;
+  const bool sorted = memory_.pairs.sorted();
   std::array<KeyedPair, 16> children;
   std::size_t count = 0;
   for (std::uint32_t left = keys_[i].near; left != 0; left &= left - 1) {
@@ -204,12 +205,14 @@ void NearTraversal<Source>::push_children(std::size_t i) {
     }
     x_.fetch_node(index_of(child.nodes.x));
     y_.fetch_node(index_of(child.nodes.y));
+    if (sorted) {
+      memory_.pairs.push(child);
+      continue;
+    }
+    // The nearest comes last.
     std::size_t at = count++;
-    if (!memory_.pairs.sorted()) {
-      // The nearest comes last.
-      for (; at > 0 && children[at - 1].key < child.key; --at) {
-        children[at] = children[at - 1];
-      }
+    for (; at > 0 && children[at - 1].key < child.key; --at) {
+      children[at] = children[at - 1];
     }
     children[at] = child;
   }
