@@ -17,6 +17,7 @@ set(SOMS_SOURCES
   counts.cpp
   crossing_segment.cpp
   defects.cpp
+  detail/axis_gap.cpp
   detail/common_corners.cpp
   detail/crossing.cpp
   detail/distance_ends.cpp

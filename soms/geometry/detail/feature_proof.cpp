@@ -31,6 +31,19 @@ bool surely_in(double part, double lengths, double whole, double whole_lengths) 
          surely_above(whole - part, std::max(lengths, whole_lengths));
 }
 
+/// A bit for each coordinate that is not 0.
+unsigned filled(const Vec3& v) {
+  return (v.x != 0 ? 1U : 0U) | (v.y != 0 ? 2U : 0U) | (v.z != 0 ? 4U : 0U);
+}
+
+/// n.w is 0 without doubt.
+bool surely_square(const Vec3& n, const Vec3& w) {
+  return (filled(n) & filled(w)) == 0;
+}
+
+/// How the other corners lie to the planes across a segment.
+enum class Parted { no, touched, surely };
+
 class Prover {
  public:
   Prover(const Triangle& a, const Triangle& b, const FeaturePair& features)
@@ -57,9 +70,12 @@ class Prover {
     return at(t, last_corner(features_[t])) - first(t);
   }
 
-  /// All other corners are beyond the planes across n, which points from triangle `from` to the
-  /// other and is made of `lengths`.
-  [[nodiscard]] bool parts(const Vec3& n, double lengths, std::size_t from) const {
+  /// Whether all other corners are beyond the planes across n, which points from triangle `from`
+  /// to the other and is made of `lengths`; those of which `in_plane` is sure may be in them.
+  template <class InPlane>
+  [[nodiscard]] Parted parts(const Vec3& n, double lengths, std::size_t from,
+                             const InPlane& in_plane) const {
+    Parted parted = Parted::surely;
     for (std::size_t t = 0; t < 2; ++t) {
       const double inward = t == from ? -1 : 1;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -67,18 +83,24 @@ class Prover {
           continue;
         }
         const Vec3 w = at(t, i) - first(t);
-        if (!surely_above(inward * dot(n, w), lengths * length(w))) {
-          return false;
+        if (surely_above(inward * dot(n, w), lengths * length(w))) {
+          continue;
         }
+        if (!in_plane(w)) {
+          return Parted::no;
+        }
+        parted = Parted::touched;
       }
     }
-    return true;
+    return parted;
   }
 
   [[nodiscard]] FeatureProof corners() const {
     const Vec3 r = first(1) - first(0);
-    const bool nearest = parts(r, length(r), 0);
-    return {nearest, nearest};
+    const Parted parted =
+        length(r) > 0 ? parts(r, length(r), 0, [&](const Vec3& w) { return surely_square(r, w); })
+                      : Parted::no;
+    return {parted != Parted::no, parted == Parted::surely};
   }
 
   [[nodiscard]] FeatureProof corner_and_edge(std::size_t corner_of) const {
@@ -89,7 +111,8 @@ class Prover {
     const double long_e = length(e);
     const double long_r = length(r);
     const bool nearest = surely_in(-re, long_r * long_e, ee, long_e * long_e) &&
-                         parts(r * ee - e * re, long_r * long_e * long_e, corner_of);
+                         parts(r * ee - e * re, long_r * long_e * long_e, corner_of,
+                               [](const Vec3&) { return false; }) == Parted::surely;
     return {nearest, nearest};
   }
 
@@ -102,8 +125,12 @@ class Prover {
     const Vec3 n = cross(e, f);
     const double lengths = length(e) * length(f);
     const double height = dot(n, r);
-    if (!surely_above(std::abs(height), lengths * length(r)) ||
-        !parts(height > 0 ? n : -n, lengths, corner_of)) {
+    if (!surely_above(std::abs(height), lengths * length(r))) {
+      return {};
+    }
+    const Parted parted = parts(height > 0 ? n : -n, lengths, corner_of,
+                                [&](const Vec3& w) { return surely_coplanar(e, f, w); });
+    if (parted == Parted::no) {
       return {};
     }
     for (std::size_t i = 0; i < 3; ++i) {
@@ -113,7 +140,8 @@ class Prover {
         return {};
       }
     }
-    return {true, dot(n, n) > kSteady * lengths * lengths};
+    const bool alone = parted == Parted::surely;
+    return {true, alone && dot(n, n) > kSteady * lengths * lengths};
   }
 
   [[nodiscard]] FeatureProof edges() const {
@@ -124,15 +152,20 @@ class Prover {
     const double long_r = length(r);
     const double lengths = length(e) * length(f);
     const double height = dot(n, r);
-    if (!surely_above(std::abs(height), lengths * long_r) ||
-        !parts(height > 0 ? n : -n, lengths, 0)) {
+    if (!surely_above(std::abs(height), lengths * long_r)) {
+      return {};
+    }
+    const Parted parted = parts(height > 0 ? n : -n, lengths, 0,
+                                [&](const Vec3& w) { return surely_coplanar(e, f, w); });
+    if (parted == Parted::no) {
       return {};
     }
     const double nn = dot(n, n);
     const bool nearest =
         surely_in(dot(cross(r, f), n), long_r * length(f) * lengths, nn, lengths * lengths) &&
         surely_in(dot(cross(r, e), n), long_r * length(e) * lengths, nn, lengths * lengths);
-    return {nearest, nearest && nn > kSteady * lengths * lengths};
+    const bool alone = nearest && parted == Parted::surely;
+    return {nearest, alone && nn > kSteady * lengths * lengths};
   }
 
   std::array<const Triangle*, 2> triangles_;
@@ -140,6 +173,17 @@ class Prover {
 };
 
 }  // namespace
+
+bool surely_coplanar(const Vec3& e, const Vec3& f, const Vec3& w) {
+  const unsigned in_e = filled(e);
+  const unsigned in_f = filled(f);
+  const unsigned in_w = filled(w);
+  const auto product = [&](unsigned i, unsigned j, unsigned k) {
+    return (in_e >> i & in_f >> j & in_w >> k & 1U) != 0;
+  };
+  return !(product(0, 1, 2) || product(0, 2, 1) || product(1, 0, 2) || product(1, 2, 0) ||
+           product(2, 0, 1) || product(2, 1, 0));
+}
 
 FeatureProof prove(const Triangle& a, const Triangle& b, const FeaturePair& features) {
   return Prover(a, b, features).prove();

@@ -15,6 +15,10 @@
 ///   for itself: below 282.
 /// Each must exceed 2^9 u of its lengths, which are rounded up no more than 2^-40 by their product.
 ///
+/// Or a product n.w with n = e x f or n = r is 0 without doubt: where each of the products that it
+/// is the sum of has a factor 0. Differences of doubles are 0 only where these are equal. So it is
+/// with edges and faces along the axes, and there alone do corners often lie in one plane.
+///
 /// Lengths are in [2^-150, 2^150], and at most four are multiplied, so nothing overflows. A product
 /// that underflows is off by 2^-1074, and later multiplied by the same lengths as what it stands
 /// beside: nothing beside 2^-44 of two or more lengths, 2^-344 for two.
@@ -31,14 +35,18 @@ inline constexpr double kSureShare = 0x1p-44;
 static_assert(282 * 0x1p-53 * (1 + 0x1p-40) < kSureShare);
 
 struct FeatureProof {
-  /// A shortest segment joins the insides of these features, and it is the only one.
+  /// A shortest segment joins the insides of these features.
   bool nearest = false;
-  /// And edges, or those of a face, are not so nearly parallel that its ends are hard to find.
+  /// And it is the only one, and edges, or those of a face, are not so nearly parallel that its
+  /// ends are hard to find.
   bool steady = false;
 };
 
-/// `nearest` is false for contact, for ties, and where doubles cannot tell.
+/// All false for contact, for most ties, and where doubles cannot tell.
 /// \pre Coordinates are finite and of magnitude at most 2^300.
 [[nodiscard]] FeatureProof prove(const Triangle& a, const Triangle& b, const FeaturePair& features);
+
+/// The determinant of three vectors is 0 without doubt. \pre Entries are differences of doubles.
+[[nodiscard]] bool surely_coplanar(const Vec3& e, const Vec3& f, const Vec3& w);
 
 }  // namespace soms::detail

@@ -1,6 +1,7 @@
 #include "soms/geometry/detail/pair_distance.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/geometry/detail/axis_gap.h"
 #include "soms/geometry/detail/feature_proof.h"
 #include "soms/geometry/detail/nearest_guess.h"
 #include "soms/geometry/detail/nearest_points.h"
@@ -107,12 +108,18 @@ void PairDistance::refine() {
     settle_zero();
     return;
   }
+  stage_ = Stage::double_doubles;
+  if (const std::optional<DoubleDouble> gap = axis_gap(a_, b_, lower_, upper_)) {
+    lower_ = *gap;
+    upper_ = *gap;
+    return;
+  }
   const AboutCorner<DoubleDouble> place(a_, b_);
   const Ends<DoubleDouble> found = ends(place, features_);
   take(place, found);
   points_ = found.points;
   exponent_ = place.exponent;
-  stage_ = Stage::double_doubles;
+  has_points_ = true;
 }
 
 void PairDistance::decide() {
@@ -132,13 +139,13 @@ std::strong_ordering PairDistance::compare(PairDistance& other) {
     if (upper_ < other.lower_) {
       return std::strong_ordering::less;
     }
-    if (has_features_of(other)) {
+    if ((is_number() && other.is_number()) || has_features_of(other)) {
       return std::strong_ordering::equal;
     }
     if (stage_ == Stage::exact && other.stage_ == Stage::exact) {
       break;
     }
-    PairDistance& next = stage_ < other.stage_ ? *this : other;
+    PairDistance& next = less_refined(other) ? *this : other;
     next.refine();
   }
   if (is_zero() || other.is_zero()) {
@@ -155,6 +162,9 @@ std::strong_ordering PairDistance::compare(double distance) {
     }
     if (upper_ < distance) {
       return std::strong_ordering::less;
+    }
+    if (is_number()) {
+      return std::strong_ordering::equal;
     }
     if (stage_ == Stage::exact) {
       return is_zero() ? 0.0 == distance ? std::strong_ordering::equal : std::strong_ordering::less
@@ -181,19 +191,38 @@ Bracket PairDistance::distance() {
   return found;
 }
 
+bool PairDistance::are_alike(const PairDistance& other) const {
+  const bool same_a = same_corners(a_, features_[0], other.a_, other.features_[0]);
+  const bool same_b = same_corners(b_, features_[1], other.b_, other.features_[1]);
+  if (same_a && same_b) {
+    return true;
+  }
+  const std::size_t face_of = same_a ? 0 : 1;
+  const std::size_t corner_of = 1 - face_of;
+  if (!(same_a || same_b) || features_[face_of] != kFace ||
+      corner_count(features_[corner_of]) != 1 || corner_count(other.features_[corner_of]) != 1) {
+    return false;
+  }
+  const Triangle& face = face_of == 0 ? a_ : b_;
+  const Vec3& tip = corner(face_of == 0 ? b_ : a_, first_corner(features_[corner_of]));
+  const Vec3& other_tip =
+      corner(face_of == 0 ? other.b_ : other.a_, first_corner(other.features_[corner_of]));
+  return surely_coplanar(face.b - face.a, face.c - face.a, other_tip - tip);
+}
+
 bool PairDistance::has_features_of(const PairDistance& other) const {
+  if (is_zero() || other.is_zero() || !are_alike(other)) {
+    return false;
+  }
   const auto are_nearest = [](const PairDistance& pair) {
     return pair.exact_ != nullptr || prove(pair.a_, pair.b_, pair.features_).nearest;
   };
-  return !is_zero() && !other.is_zero() &&
-         same_corners(a_, features_[0], other.a_, other.features_[0]) &&
-         same_corners(b_, features_[1], other.b_, other.features_[1]) && are_nearest(*this) &&
-         are_nearest(other);
+  return are_nearest(*this) && are_nearest(other);
 }
 
 std::array<Vec3, 2> PairDistance::points() const {
   const PlainArithmetic plain;
-  if (stage_ == Stage::double_doubles && prove(a_, b_, features_).steady) {
+  if (stage_ == Stage::double_doubles && has_points_ && prove(a_, b_, features_).steady) {
     return in_world(points_, exponent_, a_);
   }
   return nearest_points(a_, b_);

@@ -55,6 +55,14 @@ class PairDistance {
  private:
   enum class Stage : std::uint8_t { doubles, double_doubles, exact };
 
+  /// The distance is `lower_`, and so is `upper_`.
+  [[nodiscard]] bool is_number() const { return lower_ == upper_; }
+
+  /// This one is to be refined before the other.
+  [[nodiscard]] bool less_refined(const PairDistance& other) const {
+    return stage_ != other.stage_ ? stage_ < other.stage_ : other.is_number();
+  }
+
   [[nodiscard]] bool is_zero() const { return stage_ == Stage::exact && exact_ == nullptr; }
 
   template <class T>
@@ -68,7 +76,10 @@ class PairDistance {
 
   void settle_zero();
 
-  /// Whether both distances are above 0 and certainly those of the same features.
+  /// The features are the same, or a face and corners that are surely as far from its plane.
+  [[nodiscard]] bool are_alike(const PairDistance& other) const;
+
+  /// Whether both distances are above 0, and surely those of features that are alike.
   [[nodiscard]] bool has_features_of(const PairDistance& other) const;
 
   Triangle a_;
@@ -78,6 +89,7 @@ class PairDistance {
   std::shared_ptr<const ExactDistance> exact_;  ///< null before that stage, and for distance 0
   EndPoints<DoubleDouble> points_ = {};         ///< of stage `double_doubles`, about `a_`
   int exponent_ = 0;                            ///< of their coordinates
+  bool has_points_ = false;                     ///< `points_` were found
   std::uint64_t exact_tests_ = 0;
   FeaturePair features_ = {1, 1};
   Stage stage_ = Stage::exact;

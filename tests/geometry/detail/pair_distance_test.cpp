@@ -208,16 +208,17 @@ TEST(FeatureProof, AgreesWithWholeNumbers) {
 }
 
 TEST(PairDistance, CountsWholeNumbers) {
-  const Triangle flat{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  PairDistance simple(flat, {{0.3, 0.3, 1.7}, {0.5, 0.1, 2.9}, {0.1, 0.5, 3.1}});
-  EXPECT_EQ(simple.exact_tests(), 0U);
-  EXPECT_EQ(simple.compare(1), std::strong_ordering::greater);
-  EXPECT_EQ(simple.compare(2), std::strong_ordering::less);
-  EXPECT_EQ(simple.exact_tests(), 0U);
-  EXPECT_EQ(simple.compare(1.7), std::strong_ordering::equal);
-  EXPECT_EQ(simple.exact_tests(), 1U);
-  EXPECT_EQ(simple.compare(1.7), std::strong_ordering::equal);
-  EXPECT_EQ(simple.exact_tests(), 1U);
+  const Triangle slanted{{0, 0, 0}, {-4, 3, 0}, {0, 0, 1}};
+  const Vec3 tip{2, 4.75, 0.25};  // (3, 4, 0) above it
+  PairDistance five(slanted, {tip, tip + Vec3{3, 4, 1}, tip + Vec3{3, 4, -1}});
+  EXPECT_EQ(five.exact_tests(), 0U);
+  EXPECT_EQ(five.compare(4), std::strong_ordering::greater);
+  EXPECT_EQ(five.compare(6), std::strong_ordering::less);
+  EXPECT_EQ(five.exact_tests(), 0U);
+  EXPECT_EQ(five.compare(5), std::strong_ordering::equal);
+  EXPECT_EQ(five.exact_tests(), 1U);
+  EXPECT_EQ(five.compare(5), std::strong_ordering::equal);
+  EXPECT_EQ(five.exact_tests(), 1U);
 }
 
 TEST(PairDistance, IsZeroByDefault) {
