@@ -3,6 +3,8 @@ set(SOMS_COMMAND_FILES
   bench.h
   completion.cpp
   completion.h
+  contains.cpp
+  contains.h
   convert.cpp
   convert.h
   distance.cpp
