@@ -15,6 +15,8 @@ set(SOMS_COMMAND_FILES
   generate.h
   info.cpp
   info.h
+  info_closedness.cpp
+  info_closedness.h
   info_defects.cpp
   info_defects.h
   info_trees.cpp

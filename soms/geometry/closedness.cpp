@@ -47,8 +47,7 @@ void judge(const Mesh& mesh, std::span<const OddEdge> edges, const Pose& pose,
     part.odd_edges += edge.among_all ? 1U : 0U;
     part.odd_proper_edges += edge.among_proper ? 1U : 0U;
   }
-  part.closed =
-      part.odd_edges == 0 || detail::covers_evenly(detail::moved_segments(mesh, edges, pose));
+  part.closed = detail::cover_evenly(mesh, edges, pose);
 }
 
 /// A mesh whose vertices are joined, and what is known of its triangles.

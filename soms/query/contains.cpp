@@ -3,7 +3,6 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/base/text.h"
-#include "soms/geometry/detail/joined.h"
 #include "soms/geometry/detail/odd_edges.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/engine/pair_frame.h"
@@ -30,14 +29,6 @@ std::string in_text(const Vec3& p) {
   std::string text = "(";
   text += shortest(p.x) + ", " + shortest(p.y) + ", " + shortest(p.z) + ")";
   return text;
-}
-
-std::vector<OddEdge> odd_edges_of(const Mesh& mesh, const Parallel& parallel) {
-  detail::Work work(parallel, detail::joining_work(mesh) + mesh.triangles.size() +
-                                  detail::odd_edges_work(mesh) + 1);
-  const auto joined = detail::joined_by_position(mesh, work);
-  const auto degenerate = detail::degenerate_triangles(mesh, work);
-  return detail::odd_edges(mesh, joined, degenerate, work);
 }
 
 /// "triangle 4 from (0, 0, 1) to (1, 0, 1)", for the first few.
@@ -82,7 +73,8 @@ Error fault_of(const Vec3& p, const std::string& whose) {
 ClosedBody::ClosedBody(Body body, const Parallel& parallel) : body_(std::move(body)) {
   const PlainArithmetic plain;
   detail::check_pose(body_.pose, body_.shape);
-  odd_ = std::make_shared<const std::vector<OddEdge>>(odd_edges_of(body_.shape.mesh(), parallel));
+  odd_ =
+      std::make_shared<const std::vector<OddEdge>>(detail::odd_edges(body_.shape.mesh(), parallel));
   check_closed();
 }
 
@@ -101,7 +93,7 @@ ClosedBody ClosedBody::at(const Pose& pose) const {
 
 void ClosedBody::check_closed() const {
   const Mesh& mesh = body_.shape.mesh();
-  if (detail::covers_evenly(detail::moved_segments(mesh, *odd_, body_.pose))) {
+  if (detail::cover_evenly(mesh, *odd_, body_.pose)) {
     return;
   }
   const auto count = static_cast<std::size_t>(

@@ -30,8 +30,8 @@ enum class Side : unsigned char {
   undecided,  ///< the deadline passed before
 };
 
-/// A body whose surface was found to be closed where its pose moves it. Checked once, asked often:
-/// a value; copies share what was found.
+/// A body whose surface was found to be closed where its pose moves it. Checked once, queried
+/// often: a value; copies share what was found.
 class ClosedBody {
  public:
   /// Checks that the moved, rounded surface is closed, as `closedness` decides it.

@@ -2,6 +2,7 @@
 
 #include "soms/base/error.h"
 
+#include "tests/support/bodies.h"
 #include "tests/support/question_truth.h"
 #include "tests/support/support.h"
 
@@ -76,6 +77,19 @@ TEST(Closedness, OfATJunctionDependsOnThePose) {
   EXPECT_EQ(open.odd_edges, 3U);
   mesh.triangles.push_back({0, 1, 4});  // fills the gap, wherever it is
   EXPECT_EQ(closedness(mesh, {.pose = turned}).whole, (PartClosedness{true, 0, 6, 1, 0, 3}));
+}
+
+// The first odd edges cancel out, the others do not.
+TEST(Closedness, FindsAHoleBehindATJunction) {
+  const Mesh mesh =
+      test::joined(mesh_of("tjunction"), test::mapped(mesh_of("onegone"), [](const Vec3& v) {
+                     return v + Vec3{100, 0, 0};
+                   }));
+  const Closedness found = closedness(mesh, {.connected = true});
+  EXPECT_EQ(found.whole, (PartClosedness{false, 0, 24, 0, 6, 6}));
+  ASSERT_EQ(found.connected.size(), 2U);
+  EXPECT_TRUE(found.connected[0].closed);
+  EXPECT_FALSE(found.connected[1].closed);
 }
 
 TEST(Closedness, IsDecidedForEachPart) {

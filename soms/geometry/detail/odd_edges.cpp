@@ -1,5 +1,6 @@
 #include "soms/geometry/detail/odd_edges.h"
 
+#include "soms/geometry/detail/joined.h"
 #include "soms/geometry/orientation.h"
 
 #include <algorithm>
@@ -14,10 +15,9 @@ namespace {
 struct EdgeUse {
   std::uint32_t end = 0;  ///< the greater end
   TriangleId triangle = 0;
-  std::uint32_t corner = 0;  ///< at which the edge begins
 
   [[nodiscard]] bool operator<(const EdgeUse& use) const {
-    return std::tie(end, triangle, corner) < std::tie(use.end, use.triangle, use.corner);
+    return std::tie(end, triangle) < std::tie(use.end, use.triangle);
   }
 };
 
@@ -31,26 +31,37 @@ struct LooseUse {
   }
 };
 
-/// Puts the edges of a triangle between two places as (lesser end, use).
-template <class Put>
-void put_edges(const Mesh& mesh, const std::vector<std::uint32_t>& joined, std::size_t triangle,
-               const Put& put) {
-  const auto& t = mesh.triangles[triangle];
-  for (std::uint32_t corner = 0; corner < 3; ++corner) {
+/// A mesh as its edges are counted.
+struct CountedMesh {
+  const Mesh& mesh;
+  const std::vector<std::uint32_t>& joined;
+  const std::vector<bool>& degenerate;
+
+  /// The ends of the edge that begins at a triangle's corner, the lesser one first.
+  [[nodiscard]] std::array<std::uint32_t, 2> edge(std::size_t triangle,
+                                                  std::uint32_t corner) const {
+    const auto& t = mesh.triangles[triangle];
     const std::uint32_t from = joined[t[corner]];
     const std::uint32_t to = joined[t[(corner + 1) % 3]];
-    if (from != to) {
-      put(std::min(from, to),
-          EdgeUse{std::max(from, to), static_cast<TriangleId>(triangle), corner});
+    return {std::min(from, to), std::max(from, to)};
+  }
+
+  /// Puts the edges of a triangle between two places as (lesser end, use).
+  template <class Put>
+  void put_edges(std::size_t triangle, const Put& put) const {
+    for (std::uint32_t corner = 0; corner < 3; ++corner) {
+      const auto [low, high] = edge(triangle, corner);
+      if (low != high) {
+        put(low, EdgeUse{high, static_cast<TriangleId>(triangle)});
+      }
     }
   }
-}
+};
 
 /// Uses of one edge, as they come.
 class Uses {
  public:
-  Uses(const std::vector<bool>& degenerate, std::vector<OddEdge>& odd)
-      : degenerate_(degenerate), odd_(odd) {}
+  Uses(const CountedMesh& mesh, std::vector<OddEdge>& odd) : mesh_(mesh), odd_(odd) {}
 
   void add(std::uint32_t low, const EdgeUse& use) {
     if (all_ == 0 || low != low_ || use.end != first_.end) {
@@ -62,23 +73,26 @@ class Uses {
       second_ = use.triangle;
     }
     ++all_;
-    proper_ += degenerate_[use.triangle] ? 0U : 1U;
+    proper_ += mesh_.degenerate[use.triangle] ? 0U : 1U;
   }
 
   /// Keeps the edge if it is odd.
   void finish() {
     if ((all_ | proper_) % 2 != 0) {
-      odd_.push_back({{low_, first_.end},
-                      {first_.triangle, first_.corner, second_, all_},
-                      all_ % 2 != 0,
-                      proper_ % 2 != 0});
+      const std::array<std::uint32_t, 2> ends{low_, first_.end};
+      std::uint32_t corner = 0;
+      while (mesh_.edge(first_.triangle, corner) != ends) {
+        ++corner;
+      }
+      odd_.push_back(
+          {ends, {first_.triangle, corner, second_, all_}, all_ % 2 != 0, proper_ % 2 != 0});
     }
     all_ = 0;
     proper_ = 0;
   }
 
  private:
-  const std::vector<bool>& degenerate_;
+  CountedMesh mesh_;
   std::vector<OddEdge>& odd_;
   std::uint32_t low_ = 0;
   EdgeUse first_;
@@ -162,16 +176,37 @@ bool covers_evenly(std::span<const Segment> segments) {
   return true;
 }
 
-std::vector<Segment> moved_segments(const Mesh& mesh, std::span<const OddEdge> edges,
-                                    const Pose& pose) {
+bool cover_evenly(const Mesh& mesh, std::span<const OddEdge> edges, const Pose& pose) {
+  const auto moved = [&](const OddEdge& edge) {
+    return Segment{pose.apply(mesh.vertices[edge.ends[0]]),
+                   pose.apply(mesh.vertices[edge.ends[1]])};
+  };
+  const auto first = std::find_if(edges.begin(), edges.end(), [&](const OddEdge& edge) {
+    const Segment s = moved(edge);
+    return edge.among_all && s[0] != s[1];
+  });
+  if (first == edges.end()) {
+    return true;
+  }
+  const Segment line = moved(*first);
+  std::uint64_t ends = 0;  // of edges on this line, at the first one's end
+  for (const OddEdge& edge : edges) {
+    const Segment s = moved(edge);
+    if (edge.among_all && s[0] != s[1] && (s[0] == line[0] || s[1] == line[0])) {
+      const Vec3& other = s[0] == line[0] ? s[1] : s[0];
+      ends += compare_lines(line[0], line[1], other) == 0 ? 1U : 0U;
+    }
+  }
+  if (ends % 2 != 0) {
+    return false;
+  }
   std::vector<Segment> segments;
   for (const OddEdge& edge : edges) {
     if (edge.among_all) {
-      segments.push_back(
-          {pose.apply(mesh.vertices[edge.ends[0]]), pose.apply(mesh.vertices[edge.ends[1]])});
+      segments.push_back(moved(edge));
     }
   }
-  return segments;
+  return covers_evenly(segments);
 }
 
 std::vector<bool> degenerate_triangles(const Mesh& mesh, Work& work) {
@@ -184,11 +219,12 @@ std::vector<bool> degenerate_triangles(const Mesh& mesh, Work& work) {
 
 std::vector<OddEdge> odd_edges(const Mesh& mesh, const std::vector<std::uint32_t>& joined,
                                const std::vector<bool>& degenerate, Work& work) {
+  const CountedMesh counted{mesh, joined, degenerate};
   auto edges = sort_into_buckets<EdgeUse>(
       mesh.vertices.size(), mesh.triangles.size(), work,
-      [&](std::size_t i, const auto& put) { put_edges(mesh, joined, i, put); });
+      [&](std::size_t i, const auto& put) { counted.put_edges(i, put); });
   std::vector<OddEdge> odd;
-  Uses uses(degenerate, odd);
+  Uses uses(counted, odd);
   work.run(edges.size(), [&](std::size_t low) {
     const auto bucket = edges[low];
     std::sort(bucket.begin(), bucket.end());
@@ -202,22 +238,30 @@ std::vector<OddEdge> odd_edges(const Mesh& mesh, const std::vector<std::uint32_t
   return odd;
 }
 
+std::vector<OddEdge> odd_edges(const Mesh& mesh, const Parallel& parallel) {
+  Work work(parallel, joining_work(mesh) + mesh.triangles.size() + odd_edges_work(mesh) + 1);
+  const auto joined = joined_by_position(mesh, work);
+  const auto degenerate = degenerate_triangles(mesh, work);
+  return odd_edges(mesh, joined, degenerate, work);
+}
+
 std::uint64_t odd_edges_work(const Mesh& mesh) {
   return 2 * std::uint64_t{mesh.triangles.size()} + mesh.vertices.size();
 }
 
 std::vector<OddEdge> odd_edges_of_run(const Mesh& mesh, const std::vector<std::uint32_t>& joined,
                                       const std::vector<bool>& degenerate, const Part& run) {
+  const CountedMesh counted{mesh, joined, degenerate};
   std::vector<LooseUse> edges;
   edges.reserve(3 * std::size_t{run.count});
   for (std::size_t i = run.first; i < std::size_t{run.first} + run.count; ++i) {
-    put_edges(mesh, joined, i, [&](std::uint32_t low, const EdgeUse& use) {
+    counted.put_edges(i, [&](std::uint32_t low, const EdgeUse& use) {
       edges.push_back({low, use});
     });
   }
   std::sort(edges.begin(), edges.end());
   std::vector<OddEdge> odd;
-  Uses uses(degenerate, odd);
+  Uses uses(counted, odd);
   for (const LooseUse& edge : edges) {
     uses.add(edge.low, edge.use);
   }

@@ -33,9 +33,10 @@ using Segment = std::array<Vec3, 2>;
 /// \cost O(n log n) comparisons for n segments.
 [[nodiscard]] bool covers_evenly(std::span<const Segment> segments);
 
-/// The segments of edges that are odd among all triangles, where a pose moves them.
-[[nodiscard]] std::vector<Segment> moved_segments(const Mesh& mesh, std::span<const OddEdge> edges,
-                                                  const Pose& pose);
+/// `covers_evenly` of the edges that are odd among all triangles, where a pose moves their ends.
+/// \cost O(n) where an end of the first edge tells that they do not, as mostly; else as
+///       `covers_evenly`.
+[[nodiscard]] bool cover_evenly(const Mesh& mesh, std::span<const OddEdge> edges, const Pose& pose);
 
 /// Triangles without area, by number: exactly. Takes one loop over the triangles of `work`.
 [[nodiscard]] std::vector<bool> degenerate_triangles(const Mesh& mesh, Work& work);
@@ -45,6 +46,10 @@ using Segment = std::array<Vec3, 2>;
 [[nodiscard]] std::vector<OddEdge> odd_edges(const Mesh& mesh,
                                              const std::vector<std::uint32_t>& joined,
                                              const std::vector<bool>& degenerate, Work& work);
+
+/// The same of a mesh whose vertices are not joined yet.
+/// \errors ErrorKind::cancelled.
+[[nodiscard]] std::vector<OddEdge> odd_edges(const Mesh& mesh, const Parallel& parallel);
 
 /// Loops of `odd_edges`.
 [[nodiscard]] std::uint64_t odd_edges_work(const Mesh& mesh);

@@ -47,7 +47,7 @@ bool counted_evenly(const std::vector<std::array<int, 3>>& intervals) {
   return std::all_of(cover.begin(), cover.end(), [](const auto& c) { return c.second % 2 == 0; });
 }
 
-// Lines through one point in all directions, some along an axis, and their intervals cut anew.
+// Lines through one point in all directions, some along an axis, and their intervals cut again.
 TEST(CoversEvenly, AgreesWithCounting) {
   const std::vector<Vec3> directions{{1, 0, 0}, {0, 1, 0},  {0, 0, 1}, {0, 3, -5},
                                      {7, 0, 2}, {1, -1, 0}, {5, 3, 7}, {-5, 3, 7}};

@@ -20,7 +20,7 @@ struct alignas(64) RayNumbers {
   double scale = 1;                                 ///< turns the mesh's units into the layout's
 };
 
-/// A ray: from a point, towards greater coordinates (1) or lesser ones (-1).
+/// A ray: from a point, toward greater coordinates (1) or lesser ones (-1).
 struct RayStart {
   std::array<double, 3> from = {};  ///< from the point to the tree's origin: D of parity_frame.h
   float sign = 1;

@@ -11,11 +11,12 @@
 /// In the world. Write O for the tree's origin, o for that of a node or block relative to it, s for
 /// the layout's scale, u64 = 2^-53, and V for max_k (sum_j |R_kj| max|x_j| + |t_k|), as
 /// relative_pose.h does for one body. A moved vertex is off R x + t by 4.01 u64 V on an axis at
-/// most. Computed are D = fl(R O + t) - p and B = s (D + R o), in double. `outside` has told of all
-/// points with |D_k| > H_k + 64 u64 V, H the half sides of the moved box: so |D_k| is below 3.5 V
-/// here, and each entry of o and x - O at most 3.47 V. In units of u64 V, D is off by 4.01 and 3.5,
-/// R o by 3.01 * 3.47 = 10.5 (Cauchy), the sum by 7: together 25. Stored corners c were taken about
-/// O and o in double, off by 3.47 and 6.94, seen along a row of R by 1.74 times that: 18.1. So
+/// most. Computed are D = fl(R O + t) - p and B = s (D + R o), in double. `outside` was true for
+/// all points with |D_k| > H_k + 64 u64 V, H the half sides of the moved box: so |D_k| is below 3.5
+/// V here, and each entry of o and x - O at most 3.47 V. In units of u64 V, D is off by 4.01
+/// and 3.5, R o by 3.01 * 3.47 = 10.5 (Cauchy), the sum by 7: together 25. Stored corners c were
+/// taken about O and o in double, off by 3.47 and 6.94, seen along a row of R by 1.74 times
+/// that: 18.1. So
 ///   s (m - p)_k = (R c)_k + B_k + e,  |e| <= W = s (64 u64 V + 2^-1064),
 /// since 25 + 18.1 + 4.01 < 64; the last term covers all products that underflow. `slack` is W
 /// rounded up, and 2^-100 for what underflows in float. Without a rotation less is rounded.

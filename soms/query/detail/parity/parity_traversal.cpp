@@ -17,7 +17,7 @@ namespace soms::detail {
 namespace {
 
 /// A point whose ray is on its way.
-struct Flight {
+struct Ray {
   RayStart start;
   Vec3 point;
   std::size_t index = 0;
@@ -39,11 +39,11 @@ class ParityTraversal : public ParityMemory {
     std::size_t next = 0;
     std::size_t count = 0;
     for (;;) {
-      for (; count < kFlights && next < points.size(); ++next) {
+      for (; count < kInFlight && next < points.size(); ++next) {
         if (frame_.outside(points[next])) {
           sides[next] = Side::outside;
         } else {
-          launch(flights_[count++], points[next], next);
+          launch(rays_[count++], points[next], next);
         }
       }
       if (count == 0 || limit.spend(count)) {
@@ -54,46 +54,46 @@ class ParityTraversal : public ParityMemory {
   }
 
  private:
-  static constexpr std::size_t kFlights = Source::kInPlace ? 16 : 1;
+  static constexpr std::size_t kInFlight = Source::kInPlace ? 16 : 1;
 
-  void launch(Flight& flight, const Vec3& point, std::size_t index) {
-    flight.start = frame_.start(point);
-    flight.point = point;
-    flight.index = index;
-    flight.odd = false;
-    flight.stack.assign(1, kRootId);
+  void launch(Ray& ray, const Vec3& point, std::size_t index) {
+    ray.start = frame_.start(point);
+    ray.point = point;
+    ray.index = index;
+    ray.odd = false;
+    ray.stack.assign(1, kRootId);
     sides_[index] = Side::undecided;
   }
 
-  /// Takes each flight a node or a block further; returns how many are still on their way, which
+  /// Takes each ray a node or a block further; returns how many are still on their way, which
   /// are the first ones then.
   std::size_t advance(std::size_t count) {
     std::size_t nodes = 0;
     std::size_t blocks = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      Flight& flight = flights_[i];
-      const std::uint32_t token = flight.stack.back();
-      flight.stack.pop_back();
+      Ray& ray = rays_[i];
+      const std::uint32_t token = ray.stack.back();
+      ray.stack.pop_back();
       if ((token & WideNode::kLeafBit) == 0) {
-        node_flight_[nodes] = i;
-        node_task_[nodes++] = {&frame_.numbers(), &flight.start, &source_.node(token), 0};
+        node_ray_[nodes] = i;
+        node_task_[nodes++] = {&frame_.numbers(), &ray.start, &source_.node(token), 0};
       } else {
-        block_flight_[blocks] = i;
+        block_ray_[blocks] = i;
         block_token_[blocks] = token;
-        block_task_[blocks++] = {&frame_.numbers(), &flight.start, &source_.block(token), 0, 0};
+        block_task_[blocks++] = {&frame_.numbers(), &ray.start, &source_.block(token), 0, 0};
       }
     }
     kernels_.ray_nodes(node_task_.data(), nodes);
     for (std::size_t k = 0; k < nodes; ++k) {
-      descend(node_task_[k], flights_[node_flight_[k]]);
+      descend(node_task_[k], rays_[node_ray_[k]]);
     }
     kernels_.ray_blocks(block_task_.data(), blocks);
     for (std::size_t k = 0; k < blocks; ++k) {
-      count_crossings(block_task_[k], block_token_[k], flights_[block_flight_[k]]);
+      count_crossings(block_task_[k], block_token_[k], rays_[block_ray_[k]]);
     }
     for (std::size_t i = 0; i < count;) {
-      if (arrived(flights_[i])) {
-        std::swap(flights_[i], flights_[--count]);
+      if (arrived(rays_[i])) {
+        std::swap(rays_[i], rays_[--count]);
       } else {
         ++i;
       }
@@ -101,40 +101,40 @@ class ParityTraversal : public ParityMemory {
     return count;
   }
 
-  void descend(const RayNodeTask& task, Flight& flight) {
-    costs_[flight.index].node_tests += task.node->count;
+  void descend(const RayNodeTask& task, Ray& ray) {
+    costs_[ray.index].node_tests += task.node->count;
     for (std::uint32_t left = task.lanes; left != 0; left &= left - 1) {
-      flight.stack.push_back(task.node->child[static_cast<std::size_t>(std::countr_zero(left))]);
+      ray.stack.push_back(task.node->child[static_cast<std::size_t>(std::countr_zero(left))]);
     }
   }
 
-  void count_crossings(const RayBlockTask& task, std::uint32_t token, Flight& flight) {
+  void count_crossings(const RayBlockTask& task, std::uint32_t token, Ray& ray) {
     const TriangleBlock& block = *task.block;
-    Cost& cost = costs_[flight.index];
+    Cost& cost = costs_[ray.index];
     cost.triangle_tests += block.count;
-    flight.odd = flight.odd != (std::popcount(task.cross) % 2 != 0);
+    ray.odd = ray.odd != (std::popcount(task.cross) % 2 != 0);
     for (std::uint32_t left = task.open; left != 0; left &= left - 1) {
       const TriangleId id = block.id[static_cast<std::size_t>(std::countr_zero(left))];
       bool exact = false;
       const RayHit hit =
-          triangle_crossing(moved(id), flight.point, frame_.axis(), flight.start.sign > 0, exact);
+          triangle_crossing(moved(id), ray.point, frame_.axis(), ray.start.sign > 0, exact);
       cost.exact_tests += exact ? 1U : 0U;
       if (hit == RayHit::on) {
-        sides_[flight.index] = Side::on;
-        flight.stack.clear();
+        sides_[ray.index] = Side::on;
+        ray.stack.clear();
         return;
       }
-      flight.odd = flight.odd != (hit == RayHit::cross);
+      ray.odd = ray.odd != (hit == RayHit::cross);
     }
     if (block.following != 0) {
-      flight.stack.push_back(source_.next(token));
+      ray.stack.push_back(source_.next(token));
     }
   }
 
-  /// Starts to load what comes next, or ends the flight.
-  bool arrived(const Flight& flight) {
-    if (!flight.stack.empty()) {
-      const std::uint32_t token = flight.stack.back();
+  /// Starts to load what comes next, or ends it.
+  bool arrived(const Ray& ray) {
+    if (!ray.stack.empty()) {
+      const std::uint32_t token = ray.stack.back();
       if ((token & WideNode::kLeafBit) == 0) {
         source_.fetch_node(token);
       } else {
@@ -142,9 +142,9 @@ class ParityTraversal : public ParityMemory {
       }
       return false;
     }
-    Side& side = sides_[flight.index];
+    Side& side = sides_[ray.index];
     if (side == Side::undecided) {
-      side = flight.odd ? Side::inside : Side::outside;
+      side = ray.odd ? Side::inside : Side::outside;
     }
     return true;
   }
@@ -160,12 +160,12 @@ class ParityTraversal : public ParityMemory {
   Source source_;
   std::span<Side> sides_;
   std::span<Cost> costs_;
-  std::array<Flight, kFlights> flights_;
-  std::array<RayNodeTask, kFlights> node_task_;
-  std::array<RayBlockTask, kFlights> block_task_;
-  std::array<std::size_t, kFlights> node_flight_;
-  std::array<std::size_t, kFlights> block_flight_;
-  std::array<std::uint32_t, kFlights> block_token_;
+  std::array<Ray, kInFlight> rays_;
+  std::array<RayNodeTask, kInFlight> node_task_;
+  std::array<RayBlockTask, kInFlight> block_task_;
+  std::array<std::size_t, kInFlight> node_ray_;
+  std::array<std::size_t, kInFlight> block_ray_;
+  std::array<std::uint32_t, kInFlight> block_token_;
 };
 
 }  // namespace

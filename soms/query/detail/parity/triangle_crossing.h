@@ -15,7 +15,7 @@ enum class RayHit {
   on,  ///< the ray's start is a point of the triangle
 };
 
-/// The ray from `p` along `axis` (0 is x), towards greater coordinates if `forward`.
+/// The ray from `p` along `axis` (0 is x), toward greater coordinates if `forward`.
 ///
 /// A ray through an edge or a corner is taken as one beside it: from (p1 + e, p2 + e^2) across the
 /// axis, for a positive e that is less than anything here. So of the triangles around an edge or a
