@@ -1,6 +1,7 @@
 #include "apps/soms/contains.h"
 
 #include "soms/base/error.h"
+#include "soms/geometry/closedness.h"
 #include "soms/query/contains.h"
 #include "soms/query/reference/contains.h"
 
@@ -70,9 +71,12 @@ class ContainsRun : public RowRun {
         body_(closed_body(options)) {}
 
  private:
-  [[nodiscard]] ClosedBody closed_body(const ContainsVerbOptions& options) const {
-    Shape shape = build_shape(read_model(options.model, options.reading, console()),
-                              {.build = options.build}, console());
+  [[nodiscard]] ClosedBody closed_body(const ContainsVerbOptions& options) {
+    Mesh mesh = read_model(options.model, options.reading, console());
+    if (options.closed_parts) {
+      mesh = without_open_parts(std::move(mesh));
+    }
+    Shape shape = build_shape(std::move(mesh), {.build = options.build}, console());
     try {
       return console().run("looking for edges of an odd number of triangles",
                            [&](const Parallel& parallel) {
@@ -83,8 +87,26 @@ class ContainsRun : public RowRun {
         throw;
       }
       throw Error(error.kind(), printable(error.place()),
-                  "soms info lists these edges; close the surface there");
+                  "soms info lists these edges; close the surface there, or add --closed-parts");
     }
+  }
+
+  /// What --closed-parts asks about. Says what is left out.
+  [[nodiscard]] Mesh without_open_parts(Mesh mesh) {
+    const std::uint64_t all = mesh.triangles.size();
+    Mesh left = console().run("looking for closed parts", [&](const Parallel& parallel) {
+      return closed_parts(mesh, pose_, parallel);
+    });
+    if (left.triangles.empty() && all != 0) {
+      throw Error(ErrorKind::not_closed, printable(mesh.source) + ": no connected part is closed",
+                  "soms info lists the edges where they are open");
+    }
+    left_out_ = all - left.triangles.size();
+    if (left_out_ != 0) {
+      console().note(fmt::format("{}: {} of open parts left out", printable(mesh.source),
+                                 counted(left_out_, "triangle")));
+    }
+    return left;
   }
 
   void begin() override {}
@@ -170,6 +192,9 @@ class ContainsRun : public RowRun {
     const std::array<const Mesh*, 1> meshes{&body_.body().shape.mesh()};
     const std::vector<std::string> notes =
         totals().rows == 0 ? notes_of(meshes) : std::vector<std::string>{};
+    if (left_out_ != 0 && totals().rows == 0) {
+      more += fmt::format(",\"triangles_left_out\":{}", left_out_);
+    }
     if (!notes.empty()) {
       more += ",\"notes\":" + json_text(notes);
     }
@@ -202,6 +227,7 @@ class ContainsRun : public RowRun {
   bool verified_;
   PointSource points_;
   Pose pose_;
+  std::uint64_t left_out_ = 0;  // triangles of open parts
   ClosedBody body_;
   std::vector<Vec3> block_;
   ContainsBatch answers_;
@@ -223,6 +249,9 @@ Action add_contains(CLI::App& app, Shared&) {
   app.add_option("--pose", options->pose,
                  "pose of the model: \"x y z [qw qx qy qz]\", or a CSV file of one row")
       ->option_text("POSE")
+      ->group(kQuestionGroup);
+  app.add_flag("--closed-parts", options->closed_parts,
+               "leave out connected parts that are not closed by themselves")
       ->group(kQuestionGroup);
   app.add_flag("--verify", options->verify,
                "compare with brute force; exit with status 6 if they differ")

@@ -19,6 +19,7 @@ struct ContainsVerbOptions {
   std::optional<std::string> pose;  ///< unset: not moved
   ModelOptions reading;
   BuildOptions build;
+  bool closed_parts = false;  ///< leave open connected parts out
   bool verify = false;
 };
 

@@ -64,8 +64,16 @@ PartClosedness counted(const Joined& joined, TriangleId first, std::uint32_t cou
   return part;
 }
 
-std::vector<PartClosedness> connected_parts(const Joined& joined, std::vector<OddEdge> odd,
-                                            const Pose& pose, Work& work) {
+/// Connected parts, and to which one each vertex belongs.
+struct Connected {
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+
+  std::vector<PartClosedness> parts;
+  std::vector<std::uint32_t> part_of;  ///< of joined vertices that triangles use
+};
+
+/// Takes two loops over the triangles and one over the vertices of `work`.
+Connected connect(const Joined& joined, Work& work) {
   const Mesh& mesh = joined.mesh;
   Sets sets(mesh.vertices.size());
   work.run(mesh.triangles.size(), [&](std::size_t i) {
@@ -73,19 +81,26 @@ std::vector<PartClosedness> connected_parts(const Joined& joined, std::vector<Od
     sets.unite(joined.vertices[t[0]], joined.vertices[t[1]]);
     sets.unite(joined.vertices[t[0]], joined.vertices[t[2]]);
   });
-  constexpr std::uint32_t kNone = 0xffffffffU;
-  std::vector<std::uint32_t> part_of(mesh.vertices.size(), kNone);
-  std::vector<PartClosedness> parts;
+  Connected connected;
+  connected.part_of.assign(mesh.vertices.size(), Connected::kNone);
   work.run(mesh.triangles.size(), [&](std::size_t i) {
-    std::uint32_t& part = part_of[sets.find(joined.vertices[mesh.triangles[i][0]])];
-    if (part == kNone) {
-      part = static_cast<std::uint32_t>(parts.size());
-      parts.push_back({.first = static_cast<TriangleId>(i)});
+    std::uint32_t& part = connected.part_of[sets.find(joined.vertices[mesh.triangles[i][0]])];
+    if (part == Connected::kNone) {
+      part = static_cast<std::uint32_t>(connected.parts.size());
+      connected.parts.push_back({.first = static_cast<TriangleId>(i)});
     }
-    ++parts[part].triangles;
-    parts[part].degenerate += joined.degenerate[i] ? 1U : 0U;
+    ++connected.parts[part].triangles;
+    connected.parts[part].degenerate += joined.degenerate[i] ? 1U : 0U;
   });
-  const auto part = [&](const OddEdge& edge) { return part_of[sets.find(edge.ends[0])]; };
+  work.run(mesh.vertices.size(), [&](std::size_t v) {
+    connected.part_of[v] = connected.part_of[sets.find(static_cast<std::uint32_t>(v))];
+  });
+  return connected;
+}
+
+/// Decides for each connected part.
+void judge(const Mesh& mesh, std::vector<OddEdge> odd, const Pose& pose, Connected& connected) {
+  const auto part = [&](const OddEdge& edge) { return connected.part_of[edge.ends[0]]; };
   std::stable_sort(odd.begin(), odd.end(),
                    [&](const OddEdge& a, const OddEdge& b) { return part(a) < part(b); });
   for (std::size_t begin = 0; begin < odd.size();) {
@@ -93,10 +108,14 @@ std::vector<PartClosedness> connected_parts(const Joined& joined, std::vector<Od
     while (end < odd.size() && part(odd[end]) == part(odd[begin])) {
       ++end;
     }
-    judge(mesh, std::span(odd).subspan(begin, end - begin), pose, parts[part(odd[begin])]);
+    judge(mesh, std::span(odd).subspan(begin, end - begin), pose,
+          connected.parts[part(odd[begin])]);
     begin = end;
   }
-  return parts;
+}
+
+std::uint64_t connecting_work(const Mesh& mesh) {
+  return 2 * std::uint64_t{mesh.triangles.size()} + mesh.vertices.size();
 }
 
 /// Triangles to look at for the parts of a mesh; 0 where that would be too often.
@@ -135,7 +154,7 @@ Closedness closedness(const Mesh& mesh, const ClosednessOptions& options,
   const std::uint64_t triangles = mesh.triangles.size();
   const std::uint64_t of_parts = options.parts ? part_work(mesh) : 0;
   Work work(parallel, detail::joining_work(mesh) + triangles + detail::odd_edges_work(mesh) +
-                          (options.connected ? 2 * triangles : 0) + of_parts + 1);
+                          (options.connected ? connecting_work(mesh) : 0) + of_parts + 1);
   Joined joined{mesh, detail::joined_by_position(mesh, work), {}};
   joined.degenerate = detail::degenerate_triangles(mesh, work);
   const std::vector<OddEdge> odd =
@@ -149,12 +168,46 @@ Closedness closedness(const Mesh& mesh, const ClosednessOptions& options,
     }
   }
   if (options.connected) {
-    answer.connected = connected_parts(joined, odd, options.pose, work);
+    Connected connected = connect(joined, work);
+    judge(mesh, odd, options.pose, connected);
+    answer.connected = std::move(connected.parts);
   }
   if (of_parts != 0) {
     answer.parts = named_parts(joined, answer.whole, options.pose, work);
   }
   return answer;
+}
+
+Mesh closed_parts(const Mesh& mesh, const Pose& pose, const Parallel& parallel) {
+  const PlainArithmetic plain;
+  check(pose);
+  check_range(pose, bounds(mesh));
+  Work work(parallel, detail::joining_work(mesh) + mesh.triangles.size() +
+                          detail::odd_edges_work(mesh) + connecting_work(mesh) + 1);
+  Joined joined{mesh, detail::joined_by_position(mesh, work), {}};
+  joined.degenerate = detail::degenerate_triangles(mesh, work);
+  const std::vector<OddEdge> odd =
+      detail::odd_edges(mesh, joined.vertices, joined.degenerate, work);
+  Connected connected = connect(joined, work);
+  judge(mesh, odd, pose, connected);
+  Mesh left = mesh;
+  left.triangles.clear();
+  left.faces.clear();
+  std::vector<std::uint32_t> place{0};  // of each triangle, and of the end, among those left
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& t = mesh.triangles[i];
+    if (connected.parts[connected.part_of[joined.vertices[t[0]]]].closed) {
+      left.triangles.push_back(t);
+      left.faces.push_back(mesh.faces.empty() ? static_cast<std::uint32_t>(i) : mesh.faces[i]);
+    }
+    place.push_back(static_cast<std::uint32_t>(left.triangles.size()));
+  }
+  for (Part& part : left.parts) {
+    const std::uint32_t end = place[part.first + part.count];
+    part.first = place[part.first];
+    part.count = end - part.first;
+  }
+  return left;
 }
 
 }  // namespace soms

@@ -66,4 +66,12 @@ struct ClosednessOptions {
 [[nodiscard]] Closedness closedness(const Mesh& mesh, const ClosednessOptions& options = {},
                                     const Parallel& parallel = {});
 
+/// The mesh without the triangles of connected parts that are open: what is left is closed, and may
+/// be nothing. Vertices stay; parts of the mesh keep their names, with the triangles that are left.
+/// `pose` is where closedness is decided, as in ClosednessOptions.
+/// \errors  As `closedness`.
+/// \cost    As `closedness`.
+[[nodiscard]] Mesh closed_parts(const Mesh& mesh, const Pose& pose = {},
+                                const Parallel& parallel = {});
+
 }  // namespace soms

@@ -104,7 +104,7 @@ void ClosedBody::check_closed() const {
       (whose.empty() ? std::string("the body") : whose) + ": not closed: " +
           (count == 1 ? std::string("1 edge belongs") : std::to_string(count) + " edges belong") +
           " to an odd number of triangles, " + places_of(body_, *odd_),
-      "close the surface, or ask only about its closed parts");
+      "close the surface, or take its closed parts alone (closed_parts)");
 }
 
 Contains contains(const ClosedBody& body, const Vec3& point, const ContainsOptions& options) {

@@ -111,6 +111,29 @@ TEST(ContainsVerb, RefusesAnOpenModelAndNamesItsEdges) {
   EXPECT_NE(result.err.find("; soms info lists these edges"), std::string::npos) << result.err;
 }
 
+TEST(ContainsVerb, LeavesOpenPartsOutOnRequest) {
+  const TemporaryFolder folder;
+  const std::string both = file_of(folder, "both.obj",
+                                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no whole\nf 1 3 2\nf 1 2 4\n"
+                                   "f 2 3 4\nf 3 1 4\n"
+                                   "o sheet\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 5 6 7\n");
+  const std::string points = "x,y,z\n0.125,0.125,0.125\n5,0,0\n";
+  EXPECT_EQ(soms_run({"contains", both, "--points", "-"}, points).status, 3);
+  const RunResult result =
+      soms_run({"contains", both, "--points", "-", "--closed-parts", "--json"}, points);
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.err.find("both.obj: 1 triangle of open parts left out"), std::string::npos)
+      << result.err;
+  const std::vector<Json> lines = json_lines(result.out);
+  EXPECT_EQ(sides(lines), (std::vector<std::string>{"inside", "outside"}));
+  EXPECT_EQ(lines[0].at("triangles_left_out"), 1);
+  EXPECT_FALSE(lines[1].contains("triangles_left_out"));
+  const std::string sheet = file_of(folder, "sheet.off", triangle_off("0 0 0", "1 0 0", "0 1 0"));
+  const RunResult none = soms_run({"contains", sheet, "--points", "-", "--closed-parts"}, points);
+  EXPECT_EQ(none.status, 3);
+  EXPECT_NE(none.err.find("no connected part is closed"), std::string::npos) << none.err;
+}
+
 TEST(ContainsVerb, NamesWhatIsWrongWithPoints) {
   const std::vector<std::pair<const char*, const char*>> cases{
       {"", "standard input: no header"},

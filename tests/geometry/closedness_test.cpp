@@ -110,6 +110,23 @@ TEST(Closedness, IsDecidedForEachPart) {
   EXPECT_EQ(found.parts[3], (PartClosedness{.first = 3}));
 }
 
+TEST(Closedness, ClosedPartsAreWhatIsLeftOfAMesh) {
+  Mesh mesh = mesh_of("closedandopen");
+  mesh.parts = {{"all", Part::kNoParent, 0, 23}, {"open", 0, 0, 11}, {"closed", 0, 11, 12}};
+  const Mesh left = closed_parts(mesh);
+  EXPECT_TRUE(closedness(left).whole.closed);
+  EXPECT_EQ(left.triangles,
+            decltype(left.triangles)(mesh.triangles.begin() + 11, mesh.triangles.end()));
+  EXPECT_EQ(left.faces.at(0), 11U);
+  EXPECT_EQ(left.parts,
+            (std::vector<Part>{
+                {"all", Part::kNoParent, 0, 12}, {"open", 0, 0, 0}, {"closed", 0, 0, 12}}));
+  EXPECT_NO_THROW(check(left));
+  EXPECT_TRUE(closed_parts(mesh_of("onegone")).triangles.empty());
+  EXPECT_EQ(closed_parts(mesh_of("nestfive")).triangles, mesh_of("nestfive").triangles);
+  EXPECT_TRUE(closed_parts({}).triangles.empty());
+}
+
 TEST(Closedness, RefusesPosesAndStops) {
   const auto kind_of = [](const ClosednessOptions& options, const Parallel& parallel) {
     try {
