@@ -37,8 +37,8 @@ class ClosedBody {
   /// Checks that the moved, rounded surface is closed, as `closedness` decides it.
   /// \errors  ErrorKind::not_closed, which counts the odd edges and names the first; not_rigid,
   ///          not_finite, out_of_range for the pose; cancelled.
-  /// \cost    O(n) time, as `closedness` of the whole mesh: about a second for 10 million
-  ///          triangles. Keeps the odd edges, of which most closed meshes have none.
+  /// \cost    O(n) time, as `closedness` of the whole mesh. Keeps the odd edges, of which most
+  ///          closed meshes have none.
   explicit ClosedBody(Body body, const Parallel& parallel = {});
 
   [[nodiscard]] const Body& body() const { return body_; }
@@ -112,7 +112,7 @@ struct ContainsBatch {
   [[nodiscard]] Contains at(std::size_t point) const;
 };
 
-/// `contains` for each of `points`: the answers of single queries, several times as fast.
+/// `contains` for each of `points`: the answers of single queries, about four times as fast.
 ///
 /// \shape   `points`: n.
 /// \errors  As `contains`; a point at fault is named by its index, before any is answered. Also
