@@ -30,7 +30,7 @@ namespace soms::command {
 
 namespace {
 
-constexpr std::uint64_t kRowsInText = 20;  // that a person may want to read
+constexpr std::uint64_t kPointsInText = 20;  // that a person may want to read
 
 std::string_view side_name(Side side) {
   switch (side) {
@@ -174,7 +174,7 @@ class ContainsRun : public RowRun {
     if (totals().rows == 0) {
       console().print(fmt::format("{:>6}  {:<9}  at\n", "point", "side"));
     }
-    if (totals().rows < kRowsInText) {
+    if (totals().rows < kPointsInText) {
       console().print(fmt::format("{:>6}  {:<9}  {}\n", totals().rows, side_name(side),
                                   point_in_text(block_[k])));
     }
@@ -204,9 +204,9 @@ class ContainsRun : public RowRun {
   }
 
   void print_totals() override {
-    if (totals().rows > kRowsInText) {
+    if (totals().rows > kPointsInText) {
       console().print(fmt::format("   and {} more; --json lists all\n",
-                                  counted(totals().rows - kRowsInText, "point")));
+                                  counted(totals().rows - kPointsInText, "point")));
     }
     const auto count = [&](Side side) {
       return with_commas(counts_[static_cast<std::size_t>(side)]);

@@ -16,8 +16,6 @@
 namespace soms {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// The box from (0, 0, 0) to (1, 1, 1).
 Mesh unit_cube() {
   Mesh mesh;
@@ -31,7 +29,7 @@ Mesh unit_cube() {
 }
 
 template <class Ask>
-Error error_of(const Ask& ask) {
+Error contains_error(const Ask& ask) {
   try {
     ask();
   } catch (const Error& error) {
@@ -64,13 +62,13 @@ TEST(Contains, RefusesAnOpenBodyAndNamesItsEdges) {
   Mesh mesh = unit_cube();
   mesh.source = "box.ply";
   mesh.triangles.erase(mesh.triangles.begin() + 2, mesh.triangles.begin() + 4);  // the lid
-  const Error error = error_of([&] { static_cast<void>(ClosedBody(Body(mesh))); });
+  const Error error = contains_error([&] { static_cast<void>(ClosedBody(Body(mesh))); });
   EXPECT_EQ(error.kind(), ErrorKind::not_closed);
   EXPECT_EQ(error.place(),
             "box.ply: not closed: 4 edges belong to an odd number of triangles, the first of "
             "triangle 3 from (1, 0, 1) to (0, 0, 1), of triangle 5 from (0, 1, 1) to (1, 1, 1), of "
             "triangle 7 from (0, 0, 1) to (0, 1, 1)");
-  const Error moved = error_of(
+  const Error moved = contains_error(
       [&] { static_cast<void>(contains(Body(mesh, Pose::translation(8, 0, 0)), Vec3{})); });
   EXPECT_EQ(moved.kind(), ErrorKind::not_closed);
   EXPECT_NE(moved.place().find("from (9, 0, 1) to (8, 0, 1)"), std::string::npos);
@@ -78,22 +76,26 @@ TEST(Contains, RefusesAnOpenBodyAndNamesItsEdges) {
 
 TEST(Contains, RefusesPointsAndPosesThatAreNone) {
   const ClosedBody cube{Body(unit_cube())};
-  const Error nan = error_of([&] {
+  const Error nan = contains_error([&] {
     static_cast<void>(contains(cube, Vec3{0, std::numeric_limits<double>::quiet_NaN(), 0}));
   });
   EXPECT_EQ(nan.kind(), ErrorKind::not_finite);
   EXPECT_EQ(nan.place(), "point: y is not a finite number");
-  const std::vector<Vec3> points{{0, 0, 0}, {0, 0, kInfinity}};
-  const Error infinite = error_of([&] { static_cast<void>(contains(cube, points)); });
+  const std::vector<Vec3> points{{0, 0, 0}, {0, 0, std::numeric_limits<double>::infinity()}};
+  const Error infinite = contains_error([&] { static_cast<void>(contains(cube, points)); });
   EXPECT_EQ(infinite.kind(), ErrorKind::not_finite);
   EXPECT_EQ(infinite.place(), "point 1: z is not a finite number");
-  const Error far = error_of([&] { static_cast<void>(contains(cube, Vec3{0x1.1p300, 0, 0})); });
+  const Error far = contains_error([&] {
+    static_cast<void>(contains(cube, Vec3{0x1.1p300, 0, 0}));
+  });
   EXPECT_EQ(far.kind(), ErrorKind::out_of_range);
   Pose skewed;
   skewed.m[1] = 0.5;
-  EXPECT_EQ(error_of([&] { static_cast<void>(cube.at(skewed)); }).kind(), ErrorKind::not_rigid);
-  EXPECT_EQ(error_of([&] { static_cast<void>(ClosedBody(Body(unit_cube(), skewed))); }).kind(),
+  EXPECT_EQ(contains_error([&] { static_cast<void>(cube.at(skewed)); }).kind(),
             ErrorKind::not_rigid);
+  EXPECT_EQ(
+      contains_error([&] { static_cast<void>(ClosedBody(Body(unit_cube(), skewed))); }).kind(),
+      ErrorKind::not_rigid);
 }
 
 TEST(Contains, IsCutByADeadlineAndSaysSo) {
@@ -108,7 +110,7 @@ TEST(Contains, IsCutByADeadlineAndSaysSo) {
   EXPECT_EQ(batch.coverage, Coverage::cut);
   std::stop_source source;
   source.request_stop();
-  EXPECT_EQ(error_of([&] {
+  EXPECT_EQ(contains_error([&] {
               static_cast<void>(contains(cube, points, {}, {.stop = source.get_token()}));
             }).kind(),
             ErrorKind::cancelled);
@@ -141,7 +143,8 @@ TEST(Contains, OfABodyWithATJunctionDependsOnItsPose) {
   const Pose shift = Pose::translation(4, -8, 16);
   EXPECT_EQ(contains(body.at(shift), shift.apply(middle)).side, Side::inside);
   const Pose turn = Pose::from_axis_angle({1, 2, 3}, 0.7);
-  EXPECT_EQ(error_of([&] { static_cast<void>(body.at(turn)); }).kind(), ErrorKind::not_closed);
+  EXPECT_EQ(contains_error([&] { static_cast<void>(body.at(turn)); }).kind(),
+            ErrorKind::not_closed);
   mesh.triangles.push_back({0, 1, 4});  // fills the gap
   EXPECT_EQ(contains(ClosedBody(Body(mesh, turn)), turn.apply(middle)).side, Side::inside);
 }

@@ -51,9 +51,9 @@ bool is_on(const Triangle& t, const Vec3& p) {
 }
 
 /// A body's triangles, and where they end.
-class Scan {
+class PointScan {
  public:
-  explicit Scan(const Body& body)
+  explicit PointScan(const Body& body)
       : triangles_(detail::moved_triangles(body.shape.mesh(), body.pose)) {
     for (const Triangle& t : triangles_) {
       box_.grow(bounds(t));
@@ -114,7 +114,7 @@ Side contains_by_brute_force(const Body& body, const Vec3& point) {
 
 std::vector<Side> contains_by_brute_force(const Body& body, std::span<const Vec3> points) {
   const PlainArithmetic plain;
-  const Scan scan(body);
+  const PointScan scan(body);
   std::vector<Side> sides;
   for (const Vec3& point : points) {
     sides.push_back(scan.side(point));
