@@ -124,10 +124,10 @@ Contains ContainsBatch::at(std::size_t point) const {
           costs[point]};
 }
 
-ContainsBatch contains(const ClosedBody& closed, std::span<const Vec3> points,
+ContainsBatch contains(const ClosedBody& body, std::span<const Vec3> points,
                        const ContainsOptions& options, const Parallel& parallel) {
   const PlainArithmetic plain;
-  const Body& body = closed.body();
+  const Shape& shape = body.body().shape;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!in_range(points[i])) {
       throw fault_of(points[i], "point " + std::to_string(i));
@@ -135,17 +135,17 @@ ContainsBatch contains(const ClosedBody& closed, std::span<const Vec3> points,
   }
   ContainsBatch answer;
   answer.costs.resize(points.size());
-  if (detail::is_empty(body.shape)) {
+  if (detail::is_empty(shape)) {
     answer.side.assign(points.size(), Side::outside);
     return answer;
   }
   answer.side.assign(points.size(), Side::undecided);
-  const ParityFrame frame(body.shape.layout(), body.pose);
+  const ParityFrame frame(shape.layout(), body.body().pose);
   const std::span<Side> sides(answer.side);
   const std::span<Cost> costs(answer.costs);
   detail::MemoryPool<std::unique_ptr<detail::ParityMemory>> pool;
   for_each_chunk(points.size(), kPointsOfBlock, parallel, [&](std::size_t begin, std::size_t end) {
-    auto place = pool.take([&] { return detail::parity_memory(body, frame); });
+    auto place = pool.take([&] { return detail::parity_memory(body.body(), frame); });
     detail::Limit limit(options.deadline, parallel);
     const std::size_t count = end - begin;
     place->memory->decide(points.subspan(begin, count), sides.subspan(begin, count),
