@@ -64,6 +64,17 @@ def distances():
                                f"{len(here)}, {zero} are 0")
 
 
+def questions():
+    here = rows(DATA / "questions/inside.csv.xz")
+    sides = collections.Counter(row["answer"] for row in here)
+    yield ("points beside closed meshes, their sides decided by two exact methods", 20000,
+           f"{len(here):,} in this repository, the others need `SOMS_DATA`; of these, "
+           + ", ".join(f"{side} {n:,}" for side, n in sorted(sides.items())))
+    here = rows(DATA / "questions/closed.csv.xz")
+    yield ("meshes and connected parts whose odd edges were counted by two methods", 511,
+           f"{len(here)} in this repository, the others need `SOMS_DATA`")
+
+
 def files():
     bad = rows(DATA / "bad/EXPECTED.csv")
     said = collections.Counter("error" if row["expectation"] == "error" else "mesh" if
@@ -112,7 +123,7 @@ def regressions():
 def counted():
     yield "| what | how many | of these |"
     yield "|---|---:|---|"
-    for part in (truth, distances, files, regressions, thesis, golden):
+    for part in (truth, distances, questions, files, regressions, thesis, golden):
         for what, number, note in part():
             yield f"| {what} | {number:,} | {note} |"
 

@@ -3,6 +3,8 @@ set(SOMS_COMMAND_FILES
   bench.h
   completion.cpp
   completion.h
+  contains.cpp
+  contains.h
   convert.cpp
   convert.h
   distance.cpp
@@ -13,6 +15,8 @@ set(SOMS_COMMAND_FILES
   generate.h
   info.cpp
   info.h
+  info_closedness.cpp
+  info_closedness.h
   info_defects.cpp
   info_defects.h
   info_trees.cpp

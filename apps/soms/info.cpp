@@ -1,10 +1,12 @@
 #include "apps/soms/info.h"
 
 #include "soms/base/error.h"
+#include "soms/geometry/closedness.h"
 #include "soms/geometry/defects.h"
 #include "soms/tree/rule/rules.h"
 #include "soms/tree/shape.h"
 
+#include "apps/soms/info_closedness.h"
 #include "apps/soms/info_defects.h"
 #include "apps/soms/info_trees.h"
 #include "apps/support/console.h"
@@ -29,6 +31,7 @@ struct ModelReport {
   std::string file;
   Mesh mesh;
   Defects defects;
+  Closedness closedness;
   /// Of a shape by the default options, its mesh included; unless trees are left out.
   std::optional<std::size_t> bytes_ready = std::nullopt;
   std::vector<RuleReport> trees;
@@ -53,6 +56,11 @@ ModelReport examine(const std::string& file, const InfoOptions& options, const C
   report.defects =
       console.run("looking for defects of " + printable(file), [&](const Parallel& parallel) {
         return find_defects(report.mesh, {.places = options.places}, parallel);
+      });
+  report.closedness =
+      console.run("looking for edges of an odd number of triangles", [&](const Parallel& parallel) {
+        return closedness(report.mesh, {.places = options.places, .connected = true, .parts = true},
+                          parallel);
       });
   if (!options.trees) {
     return report;
@@ -117,6 +125,7 @@ Json to_json(const ModelReport& report) {
           {"notes", mesh.notes},
           {"defects", defect_counts(report.defects)},
           {"places", defect_places(mesh, report.defects)},
+          {"closedness", closedness_json(mesh, report.closedness)},
           {"trees", trees},
           // Names of version 0.1, for scripts that know them.
           {"unit", unit},
@@ -164,6 +173,7 @@ std::string describe_model(const ModelReport& report) {
   }
   add_line(text, "parts", describe_parts(mesh, report.defects));
   add_line(text, "defects", describe_defects(report.defects));
+  add_line(text, "inside", describe_closedness(report.closedness));
   if (report.defects.repeated_vertices != 0) {
     add_line(text, "joined", describe_joining(mesh, report.defects));
   }
@@ -185,6 +195,7 @@ void print(const ModelReport& report, const InfoOptions& options, Console& conso
   } else {
     console.print(describe_model(report));
     print_places(report.mesh, report.defects, console);
+    print_odd_edges(report.mesh, report.closedness, report.defects.open_edges, console);
     console.print(describe_trees(report.trees, options.build.per_leaf));
   }
   console.flush();

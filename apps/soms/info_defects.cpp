@@ -128,6 +128,22 @@ std::string to_text(const DefectPlace& place, const PartsOf& part_of) {
   return text;
 }
 
+/// Prints places below a line with their title; nothing where there is none.
+template <class List, class Place>
+void print_list(const PartsOf& parts, std::string_view title, const List& list, std::uint64_t count,
+                const Place& place, Console& console) {
+  if (list.empty()) {
+    return;
+  }
+  console.print(list.size() < count ? fmt::format("  {}, the first {} of {}\n", title,
+                                                  with_commas(list.size()), with_commas(count))
+                                    : fmt::format("  {}, all {}\n", title, with_commas(count)));
+  for (const auto& entry : list) {
+    check_stop(console.parallel());
+    console.print(fmt::format("    {}\n", to_text(place(entry), parts)));
+  }
+}
+
 }  // namespace
 
 std::string name_or_number(const Mesh& mesh, std::size_t part) {
@@ -166,6 +182,15 @@ Json defect_places(const Mesh& mesh, const Defects& defects) {
         }
       });
   return json;
+}
+
+Json edge_places(const Mesh& mesh, std::span<const EdgePlace> edges) {
+  const PartsOf parts(mesh);
+  Json entries = Json::array();
+  for (const EdgePlace& edge : edges) {
+    entries.push_back(to_json(place_of(mesh, edge), parts));
+  }
+  return entries;
 }
 
 std::string describe_defects(const Defects& d) {
@@ -208,22 +233,21 @@ std::string describe_part(const Mesh& mesh, const Defects& defects, std::size_t 
   return edges.none ? "without area" : edges.closed() ? "closed" : "open";
 }
 
+void print_edges(const Mesh& mesh, std::string_view title, std::span<const EdgePlace> edges,
+                 std::uint64_t count, Console& console) {
+  print_list(
+      PartsOf(mesh), title, edges, count,
+      [&](const EdgePlace& edge) { return place_of(mesh, edge); }, console);
+}
+
 void print_places(const Mesh& mesh, const Defects& defects, Console& console) {
   const PartsOf parts(mesh);
   for_each_kind(mesh, defects,
                 [&](std::string_view key, std::string_view title, std::uint64_t count,
                     const auto& list, const auto& place) {
                   // Vertices that are joined are most of those of an STL file: JSON names them.
-                  if (list.empty() || key == "repeated_vertices") {
-                    return;
-                  }
-                  console.print(list.size() < count
-                                    ? fmt::format("  {}, the first {} of {}\n", title,
-                                                  with_commas(list.size()), with_commas(count))
-                                    : fmt::format("  {}, all {}\n", title, with_commas(count)));
-                  for (const auto& entry : list) {
-                    check_stop(console.parallel());
-                    console.print(fmt::format("    {}\n", to_text(place(entry), parts)));
+                  if (key != "repeated_vertices") {
+                    print_list(parts, title, list, count, place, console);
                   }
                 });
 }

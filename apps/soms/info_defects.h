@@ -8,7 +8,10 @@
 #include "apps/support/json.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace soms::command {
 
@@ -25,6 +28,14 @@ class Console;
 
 /// The places, as the member `places` of the JSON: a list for each kind.
 [[nodiscard]] Json defect_places(const Mesh& mesh, const Defects& defects);
+
+/// Places of edges, as a list of JSON.
+[[nodiscard]] Json edge_places(const Mesh& mesh, std::span<const EdgePlace> edges);
+
+/// Prints places of edges below a line with their `title`; `count` is how many there are in all.
+/// \errors ErrorKind::cancelled; those of Console::print.
+void print_edges(const Mesh& mesh, std::string_view title, std::span<const EdgePlace> edges,
+                 std::uint64_t count, Console& console);
 
 /// The counts in one line.
 [[nodiscard]] std::string describe_defects(const Defects& defects);

@@ -2,6 +2,7 @@
 
 #include "apps/soms/bench.h"
 #include "apps/soms/completion.h"
+#include "apps/soms/contains.h"
 #include "apps/soms/convert.h"
 #include "apps/soms/distance.h"
 #include "apps/soms/generate.h"
@@ -22,6 +23,7 @@ namespace {
 constexpr std::array kVerbs{
     Verb{"bench", "compare soms with the installed peers on your own two models", add_bench},
     Verb{"completion", "print a shell completion script", add_completion},
+    Verb{"contains", "decide which points are inside a closed model", add_contains},
     Verb{"convert", "convert a model to PLY, 3DS, STL, OFF, OBJ or GLB", add_convert},
     Verb{"distance", "find how far apart two models are, and where they are nearest", add_distance},
     Verb{"generate", "create a model with an exact number of triangles", add_generate},

@@ -20,6 +20,8 @@ std::string_view name(ErrorKind kind) {
       return "out_of_range";
     case ErrorKind::not_rigid:
       return "not_rigid";
+    case ErrorKind::not_closed:
+      return "not_closed";
     case ErrorKind::unsupported:
       return "unsupported";
     case ErrorKind::out_of_memory:

@@ -17,6 +17,7 @@ enum class ErrorKind {
   not_finite,     ///< NaN or infinity where a number is needed
   out_of_range,   ///< a coordinate beyond 2^300, a count beyond 2^31
   not_rigid,      ///< a pose that is not a rotation and a shift
+  not_closed,     ///< a surface with a boundary where one without is needed
   unsupported,    ///< a format or feature that is known and not offered
   out_of_memory,  ///< a stated memory limit was reached
   timed_out,      ///< a stated time limit was reached

@@ -1,4 +1,5 @@
 set(SOMS_HEADERS
+  closedness.h
   counts.h
   crossing_segment.h
   defects.h
@@ -14,6 +15,7 @@ set(SOMS_HEADERS
   triangle_overlap.h
 )
 set(SOMS_SOURCES
+  closedness.cpp
   counts.cpp
   crossing_segment.cpp
   defects.cpp
@@ -27,6 +29,7 @@ set(SOMS_SOURCES
   detail/joined.cpp
   detail/nearest_guess.cpp
   detail/nearest_points.cpp
+  detail/odd_edges.cpp
   detail/orientation_exact.cpp
   detail/pair_distance.cpp
   frames.cpp

@@ -2,6 +2,7 @@
 
 #include "soms/base/print.h"
 #include "soms/base/print_fields.h"
+#include "soms/geometry/closedness.h"
 #include "soms/geometry/crossing_segment.h"
 #include "soms/geometry/defects.h"
 #include "soms/geometry/frames.h"
@@ -109,6 +110,32 @@ std::ostream& operator<<(std::ostream& out, const TriangleDistance& value) {
                     .add("distance", value.distance)
                     .add("point_a", value.point_a)
                     .add("point_b", value.point_b);
+}
+
+std::ostream& operator<<(std::ostream& out, const Closedness& value) {
+  return out << PrintedFields("Closedness")
+                    .add("whole", value.whole)
+                    .add("places", value.places.size())
+                    .add("connected", value.connected.size())
+                    .add("parts", value.parts.size());
+}
+
+std::ostream& operator<<(std::ostream& out, const ClosednessOptions& value) {
+  return out << PrintedFields("ClosednessOptions")
+                    .add("pose", value.pose)
+                    .add("places", value.places)
+                    .add("connected", value.connected)
+                    .add("parts", value.parts);
+}
+
+std::ostream& operator<<(std::ostream& out, const PartClosedness& value) {
+  return out << PrintedFields("PartClosedness")
+                    .add("closed", value.closed)
+                    .add("first", value.first)
+                    .add("triangles", value.triangles)
+                    .add("degenerate", value.degenerate)
+                    .add("odd_edges", value.odd_edges)
+                    .add("odd_proper_edges", value.odd_proper_edges);
 }
 
 std::ostream& operator<<(std::ostream& out, const Crossing& value) {

@@ -1,17 +1,20 @@
 set(SOMS_HEADERS
   answer.h
   body.h
+  contains.h
   distance.h
   instruction_set.h
   overlap.h
   overlap_method.h
   overlap_run.h
   print.h
+  reference/contains.h
   reference/distance.h
   reference/overlap.h
   within.h
 )
 set(SOMS_SOURCES
+  contains.cpp
   detail/collector.cpp
   detail/engine/batch.cpp
   detail/engine/block_source.cpp
@@ -36,6 +39,9 @@ set(SOMS_SOURCES
   detail/near/near_traversal.cpp
   detail/near/near_waves.cpp
   detail/overlap_traversal.cpp
+  detail/parity/parity_frame.cpp
+  detail/parity/parity_traversal.cpp
+  detail/parity/triangle_crossing.cpp
   detail/pair_sort.cpp
   distance.cpp
   detail/relative_pose.cpp
@@ -47,6 +53,7 @@ set(SOMS_SOURCES
   overlap_run.cpp
   print.cpp
   reference/detail/moved_triangles.cpp
+  reference/contains.cpp
   reference/distance.cpp
   reference/overlap.cpp
   within.cpp

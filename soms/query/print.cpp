@@ -2,6 +2,7 @@
 
 #include "soms/base/print.h"
 #include "soms/base/print_fields.h"
+#include "soms/query/contains.h"
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
 #include "soms/query/within.h"
@@ -46,6 +47,36 @@ std::ostream& operator<<(std::ostream& out, const Body& value) {
                     .item(quoted_text(value.name))
                     .item(printed(value.shape))
                     .item(printed(value.pose));
+}
+
+std::ostream& operator<<(std::ostream& out, const ClosedBody& value) {
+  return out << PrintedFields("ClosedBody").item(printed(value.body()));
+}
+
+std::ostream& operator<<(std::ostream& out, const Contains& value) {
+  return out << PrintedFields("Contains")
+                    .add("side", value.side)
+                    .add("coverage", value.coverage)
+                    .add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const ContainsBatch& value) {
+  const auto inside = std::count(value.side.begin(), value.side.end(), Side::inside);
+  const auto on = std::count(value.side.begin(), value.side.end(), Side::on);
+  return out << PrintedFields("ContainsBatch")
+                    .item(std::to_string(inside) + " of " +
+                          printed_count(value.size(), "point", "points") + " inside, " +
+                          std::to_string(on) + " on the surface")
+                    .add("coverage", value.coverage)
+                    .add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const ContainsOptions& value) {
+  PrintedFields fields("ContainsOptions");
+  if (value.deadline) {
+    fields.item("deadline set");
+  }
+  return out << fields;
 }
 
 std::ostream& operator<<(std::ostream& out, const Cost& value) {
@@ -133,6 +164,11 @@ std::ostream& operator<<(std::ostream& out, const OverlapOptions& value) {
 
 std::ostream& operator<<(std::ostream& out, OverlapMode value) {
   return out << printed_name("OverlapMode", static_cast<int>(value), {"all", "any", "first"});
+}
+
+std::ostream& operator<<(std::ostream& out, Side value) {
+  return out << printed_name("Side", static_cast<int>(value),
+                             {"outside", "inside", "on", "undecided"});
 }
 
 }  // namespace soms

@@ -9,7 +9,12 @@ namespace soms {
 
 enum class Coverage;
 enum class OverlapMode;
+enum class Side : unsigned char;
+class ClosedBody;
 struct Body;
+struct Contains;
+struct ContainsBatch;
+struct ContainsOptions;
 struct Cost;
 struct Distance;
 struct DistanceBatch;
@@ -23,6 +28,10 @@ struct WithinOptions;
 
 /// One line, as in soms/base/print.h. Lists are counted, not listed.
 std::ostream& operator<<(std::ostream& out, const Body& value);
+std::ostream& operator<<(std::ostream& out, const ClosedBody& value);
+std::ostream& operator<<(std::ostream& out, const Contains& value);
+std::ostream& operator<<(std::ostream& out, const ContainsBatch& value);
+std::ostream& operator<<(std::ostream& out, const ContainsOptions& value);
 std::ostream& operator<<(std::ostream& out, const Cost& value);
 std::ostream& operator<<(std::ostream& out, Coverage value);
 std::ostream& operator<<(std::ostream& out, const Distance& value);
@@ -35,5 +44,6 @@ std::ostream& operator<<(std::ostream& out, const Overlap& value);
 std::ostream& operator<<(std::ostream& out, const OverlapBatch& value);
 std::ostream& operator<<(std::ostream& out, const OverlapOptions& value);
 std::ostream& operator<<(std::ostream& out, OverlapMode value);
+std::ostream& operator<<(std::ostream& out, Side value);
 
 }  // namespace soms

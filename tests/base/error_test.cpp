@@ -22,10 +22,11 @@ TEST(Error, KindsHaveNamesOfTheirOwnAndStatesOfTheCommand) {
   for (int i = 0; i < kKinds; ++i) {
     names.insert(std::string(name(static_cast<ErrorKind>(i))));
   }
-  EXPECT_EQ(names.size(), 12U);
+  EXPECT_EQ(names.size(), 13U);
   EXPECT_EQ(names.count("unknown"), 0U);
   EXPECT_EQ(exit_code(ErrorKind::usage), 2);
   EXPECT_EQ(exit_code(ErrorKind::not_rigid), 3);
+  EXPECT_EQ(exit_code(ErrorKind::not_closed), 3);
   EXPECT_EQ(exit_code(ErrorKind::bad_file), 3);
   EXPECT_EQ(exit_code(ErrorKind::timed_out), 4);
   EXPECT_EQ(exit_code(ErrorKind::out_of_memory), 4);

@@ -226,6 +226,33 @@ TEST(Info, CallsNothingClosedThatHasNoArea) {
             std::string::npos);
 }
 
+TEST(Info, SaysWhetherInsideIsDefined) {
+  const auto line = [](const std::string& path) {
+    const std::string out = soms_run({"info", path, "--no-trees"}).out;
+    const std::size_t at = out.find("  inside     ");
+    return at == std::string::npos ? out : out.substr(at + 13, out.find('\n', at) - at - 13);
+  };
+  const auto mesh = [](const std::string& name) {
+    return test::data("questions/meshes/" + name + ".ply").string();
+  };
+  EXPECT_EQ(line(mesh("randflip")), "defined: every edge belongs to an even number of triangles");
+  EXPECT_EQ(line(mesh("tjunction")),
+            "defined: 3 edges belong to an odd number of triangles, but together they cancel out");
+  EXPECT_EQ(line(mesh("onegone")), "not defined: 3 edges belong to an odd number of triangles");
+  EXPECT_EQ(line(mesh("openandclosed")),
+            "not defined: 3 edges belong to an odd number of triangles; 1 of 2 connected parts are "
+            "closed");
+  const Json open = info({mesh("openandclosed"), "--no-trees", "--list", "2"}).at("closedness");
+  EXPECT_EQ(open.at("closed"), false);
+  EXPECT_EQ(open.at("odd_edges"), 3);
+  EXPECT_EQ(open.at("odd_proper_edges"), 3);
+  EXPECT_EQ(open.at("connected_parts"), 2);
+  EXPECT_EQ(open.at("closed_connected_parts"), 1);
+  EXPECT_EQ(open.at("places").size(), 2U);
+  EXPECT_EQ(open.at("places").at(0).at("uses"), 1);
+  EXPECT_EQ(info({mesh("tfilled"), "--no-trees"}).at("closedness").at("odd_proper_edges"), 3);
+}
+
 TEST(Info, GoesOnAfterABadFile) {
   const std::string good = test::data("truth/meshes/box2.ply").string();
   const std::string bad = test::data("bad/ply_wrong_magic.ply").string();

@@ -33,9 +33,10 @@ constexpr bool kValues = (Value<T> && ...);
 static_assert(kValues<Vec3, Triangle, Box, Pose, Rotation, ErrorKind>);
 static_assert(kValues<Mesh, Part, PartRun, UpAxis, Defects, DefectPlaces, DefectOptions, EdgeCounts,
                       EdgePlace, TriangleCopy, VertexCopy, Crossing, Sign, Projection, Midpoint,
-                      CoordinateFrame, FrameDoubt>);
+                      CoordinateFrame, FrameDoubt, Closedness, PartClosedness, ClosednessOptions>);
 static_assert(kValues<Tree, Node, TreeStatistics, Visits, ExpectedVisits, BuildOptions, Rule,
                       AxisFrom, EmptySide, Shape, ShapeOptions, Layout>);
+static_assert(kValues<ClosedBody, Contains, ContainsBatch, ContainsOptions, Side>);
 static_assert(kValues<Body, Cost, Coverage, Overlap, OverlapBatch, OverlapOptions, OverlapMode,
                       TraversalOptions, TraversalCounts, NodePair, Traversal, Descent, EntryOrder,
                       BoxUpdate, thesis::CountedOverlap>);
@@ -56,6 +57,24 @@ Mesh small_mesh() {
   mesh.parts = {{.name = "square", .first = 0, .count = 2},
                 {.name = "fin", .first = 2, .count = 1}};
   return mesh;
+}
+
+TEST(Values, PrintWhatIsInside) {
+  const Closedness open = closedness(small_mesh(), {.parts = true});
+  EXPECT_EQ(printed(open),
+            "Closedness{whole: PartClosedness{closed: false, first: 0, triangles: 3, degenerate: "
+            "0, odd_edges: 7, odd_proper_edges: 7}, places: 7, connected: 0, parts: 2}");
+  EXPECT_EQ(printed(ClosednessOptions{}).substr(0, 24), "ClosednessOptions{pose: ");
+  EXPECT_EQ(printed(Side::inside) + printed(Side::on) + printed(Side::undecided),
+            "insideonundecided");
+  EXPECT_EQ(printed(ContainsOptions{}), "ContainsOptions{}");
+  const ClosedBody nothing{Body{}};
+  EXPECT_EQ(printed(nothing).substr(0, 16), "ClosedBody{Body{");
+  EXPECT_EQ(printed(contains(nothing, Vec3{})),
+            "Contains{side: outside, coverage: complete, cost: " + printed(Cost{}) + "}");
+  EXPECT_EQ(printed(contains(nothing, std::vector<Vec3>(2))),
+            "ContainsBatch{0 of 2 points inside, 0 on the surface, coverage: complete, cost: " +
+                printed(Cost{}) + "}");
 }
 
 TEST(Values, PrintMeshesAndWhatIsFoundInThem) {

@@ -53,6 +53,7 @@ ALLOWED = [
     ("walk", r"^(soms|tests)/generate/|^docs/(generate|simulate|commands)\.md", r"(?i)walk", "persons walk on sidewalks"),
     ("scouts, flight", r"", r"CameraFlight", "the camera flies"),
     ("looseness, decline, pace", r"^tests/", r"\bDecline[A-Z]|\bDeclines?\b", "to refuse"),
+    ("crowd, forest", r"^tests/geometry/closedness_test", r'"forest"', "the name of a mesh of the truth set"),
     ("crowd, forest", r"^docs/data\.md", r"MagicForest", "the name of a repository"),
     ("British spelling", r"^tests/io/import_test\.cpp", r"METRE", "a keyword of IFC"),
     ("British spelling", r"^tests/io/losses_test\.cpp", r"face_colours\.off", "the name of a file"),

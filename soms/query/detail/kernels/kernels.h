@@ -4,6 +4,7 @@
 /// the same order. A bit that is not set means surely apart; relative_pose.h proves the margins.
 #pragma once
 
+#include "soms/query/detail/kernels/parity_tasks.h"
 #include "soms/tree/layout/wide_tree.h"
 
 #include <array>
@@ -177,6 +178,12 @@ struct Kernels {
   /// beyond `reach` have a bound, but perhaps no estimate: infinity.
   void (*near_pairs)(const TriangleSlot* slots, const std::uint32_t* first,
                      const std::uint32_t* second, std::size_t count, float reach, PairGaps& gaps);
+
+  /// Lanes of nodes that a ray may meet (parity.h).
+  void (*ray_nodes)(RayNodeTask* tasks, std::size_t count);
+
+  /// Triangles of blocks that a ray surely meets, and those that floats cannot decide.
+  void (*ray_blocks)(RayBlockTask* tasks, std::size_t count);
 };
 
 /// Where rotation r pairs lanes k of `x` with lanes (k + r) mod 4 of `y`.

@@ -1,0 +1,283 @@
+#include "apps/soms/contains.h"
+
+#include "soms/base/error.h"
+#include "soms/geometry/closedness.h"
+#include "soms/query/contains.h"
+#include "soms/query/reference/contains.h"
+
+#include "apps/soms/pair_options.h"
+#include "apps/soms/pair_report.h"
+#include "apps/support/console.h"
+#include "apps/support/json.h"
+#include "apps/support/point_source.h"
+#include "apps/support/pose_source.h"
+#include "apps/support/row_run.h"
+#include "apps/support/text.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace soms::command {
+
+namespace {
+
+constexpr std::uint64_t kPointsInText = 20;  // that a person may want to read
+
+std::string_view side_name(Side side) {
+  switch (side) {
+    case Side::outside:
+      return "outside";
+    case Side::inside:
+      return "inside";
+    case Side::on:
+      return "on";
+    case Side::undecided:
+      break;
+  }
+  return "undecided";
+}
+
+/// The pose that --pose gives, by its text or a file of one row.
+Pose stated_pose(const ContainsVerbOptions& options, const Console& console) {
+  if (!options.pose) {
+    return {};
+  }
+  PoseSource source("--pose", *options.pose, console);
+  const Pose pose = source.next().value_or(Pose{});
+  if (!source.is_constant()) {
+    throw Error(ErrorKind::usage, source.name() + ": has more than one pose",
+                "give one pose of the model, and many points");
+  }
+  return pose;
+}
+
+/// A run whose rows are points beside one model.
+class ContainsRun : public RowRun {
+ public:
+  ContainsRun(const ContainsVerbOptions& options, Console& console)
+      : RowRun({.verb = "contains", .noun = "point", .verify = options.verify}, console),
+        verified_(options.verify),
+        points_(options.points, console),
+        pose_(stated_pose(options, console)),
+        body_(closed_body(options)) {}
+
+ private:
+  [[nodiscard]] ClosedBody closed_body(const ContainsVerbOptions& options) {
+    Mesh mesh = read_model(options.model, options.reading, console());
+    if (options.closed_parts) {
+      mesh = without_open_parts(std::move(mesh));
+    }
+    Shape shape = build_shape(std::move(mesh), {.build = options.build}, console());
+    try {
+      return console().run("looking for edges of an odd number of triangles",
+                           [&](const Parallel& parallel) {
+                             return ClosedBody(Body(std::move(shape), pose_), parallel);
+                           });
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::not_closed) {
+        throw;
+      }
+      throw Error(error.kind(), printable(error.place()),
+                  "soms info lists these edges; close the surface there, or add --closed-parts");
+    }
+  }
+
+  /// What --closed-parts asks about. Says what is left out.
+  [[nodiscard]] Mesh without_open_parts(Mesh mesh) {
+    const std::uint64_t all = mesh.triangles.size();
+    Mesh left = console().run("looking for closed parts", [&](const Parallel& parallel) {
+      return closed_parts(mesh, pose_, parallel);
+    });
+    if (left.triangles.empty() && all != 0) {
+      throw Error(ErrorKind::not_closed, printable(mesh.source) + ": no connected part is closed",
+                  "soms info lists the edges where they are open");
+    }
+    left_out_ = all - left.triangles.size();
+    if (left_out_ != 0) {
+      console().note(fmt::format("{}: {} of open parts left out", printable(mesh.source),
+                                 counted(left_out_, "triangle")));
+    }
+    return left;
+  }
+
+  void begin() override {}
+
+  /// Whoever reads a program's answers needs no other form for a single row.
+  [[nodiscard]] bool is_single() const override { return false; }
+
+  void clear_block() override { block_.clear(); }
+
+  bool ready() override { return points_.ready(); }
+
+  bool read_row() override {
+    const std::optional<Vec3> point = points_.next();
+    if (point) {
+      check_range(Pose::translation(point->x, point->y, point->z));
+      block_.push_back(*point);
+    }
+    return point.has_value();
+  }
+
+  /// A point that is too far is named before its block is answered.
+  void check_range(const Pose& as_pose) const {
+    Box origin;
+    origin.grow(Vec3{});
+    try {
+      soms::check_range(as_pose, origin);
+    } catch (const Error& error) {
+      throw Error(error.kind(),
+                  fmt::format("{}: point {}: a coordinate is beyond 2^300", points_.name(),
+                              totals().rows + block_.size()),
+                  "use a larger unit of length");
+    }
+  }
+
+  std::uint64_t answer_block() override {
+    answers_ = contains(body_, block_, {.deadline = console().deadline()}, console().parallel());
+    return 0;
+  }
+
+  [[nodiscard]] Outcome outcome(std::size_t k) const override {
+    const bool undecided = answers_.side[k] == Side::undecided;
+    return {.found = answers_.side[k] == Side::inside, .undecided = undecided, .cut = undecided};
+  }
+
+  [[nodiscard]] std::optional<std::string> difference(std::size_t k) override {
+    const Side side = answers_.side[k];
+    if (side == Side::undecided) {
+      return std::nullopt;
+    }
+    const Side truth = console().run("verifying", [&](const Parallel&) {
+      return reference::contains_by_brute_force(body_.body(), block_[k]);
+    });
+    return truth == side ? std::nullopt
+                         : std::optional(fmt::format("brute force finds {}, but the answer is {}",
+                                                     side_name(truth), side_name(side)));
+  }
+
+  void print_row(std::size_t k, bool right, bool last) override {
+    const Side side = answers_.side[k];
+    ++counts_[static_cast<std::size_t>(side)];
+    if (console().shared().json) {
+      print_json(k, right, last);
+      return;
+    }
+    if (totals().rows == 0) {
+      console().print(fmt::format("{:>6}  {:<9}  at\n", "point", "side"));
+    }
+    if (totals().rows < kPointsInText) {
+      console().print(fmt::format("{:>6}  {:<9}  {}\n", totals().rows, side_name(side),
+                                  point_in_text(block_[k])));
+    }
+  }
+
+  void print_json(std::size_t k, bool right, bool last) {
+    const Contains answer = answers_.at(k);
+    std::string more;
+    if (verified_) {
+      more += right ? ",\"verified\":true" : ",\"verified\":false";
+    }
+    if (last) {
+      more += ",\"timed_out\":true";
+    }
+    const std::array<const Mesh*, 1> meshes{&body_.body().shape.mesh()};
+    const std::vector<std::string> notes =
+        totals().rows == 0 ? notes_of(meshes) : std::vector<std::string>{};
+    if (left_out_ != 0 && totals().rows == 0) {
+      more += fmt::format(",\"triangles_left_out\":{}", left_out_);
+    }
+    if (!notes.empty()) {
+      more += ",\"notes\":" + json_text(notes);
+    }
+    console().print(fmt::format(
+        "{{\"schema\":\"soms.contains/1\",\"point\":{},\"side\":\"{}\"{}{}}}\n", totals().rows,
+        side_name(answer.side), coverage_keys(answer.coverage, answer.cost), more));
+  }
+
+  void print_totals() override {
+    if (totals().rows > kPointsInText) {
+      console().print(fmt::format("   and {} more; --json lists all\n",
+                                  counted(totals().rows - kPointsInText, "point")));
+    }
+    const auto count = [&](Side side) {
+      return with_commas(counts_[static_cast<std::size_t>(side)]);
+    };
+    std::string line =
+        fmt::format("{}: {} inside, {} outside, {} on the surface", counted(totals().rows, "point"),
+                    count(Side::inside), count(Side::outside), count(Side::on));
+    if (totals().undecided != 0) {
+      line += fmt::format(", {} undecided", count(Side::undecided));
+    }
+    console().print(line + "\n");
+  }
+
+  void doubt() override {}
+
+  void finish(End) override {}
+
+  bool verified_;
+  PointSource points_;
+  Pose pose_;
+  std::uint64_t left_out_ = 0;  // triangles of open parts
+  ClosedBody body_;
+  std::vector<Vec3> block_;
+  ContainsBatch answers_;
+  std::array<std::uint64_t, 4> counts_ = {};  // of each side
+};
+
+}  // namespace
+
+Action add_contains(CLI::App& app, Shared&) {
+  const auto options = std::make_shared<ContainsVerbOptions>();
+  app.add_option("MODEL", options->model, "a closed model; - is standard input")
+      ->required()
+      ->type_name("");
+  app.add_option("--points", options->points,
+                 "CSV file of points with the header x,y,z; - is standard input")
+      ->required()
+      ->option_text("FILE")
+      ->group(kQuestionGroup);
+  app.add_option("--pose", options->pose,
+                 "pose of the model: \"x y z [qw qx qy qz]\", or a CSV file of one row")
+      ->option_text("POSE")
+      ->group(kQuestionGroup);
+  app.add_flag("--closed-parts", options->closed_parts,
+               "leave out connected parts that are not closed by themselves")
+      ->group(kQuestionGroup);
+  app.add_flag("--verify", options->verify,
+               "compare with brute force; exit with status 6 if they differ")
+      ->group(kQuestionGroup);
+  add_model_options(app, options->reading, "--scale", "--up", "the model");
+  add_allow_empty(app, options->reading);
+  add_strict(app, options->reading.strict);
+  add_build_options(app, options->build);
+  app.footer(
+      "Exact for every point: inside, outside, or on the surface. The model must be closed; soms\n"
+      "info says whether it is. Which way its triangles face does not matter.\n\nExample:\n"
+      "  soms generate sphere --triangles 800 -o ball.off\n"
+      "  printf 'x,y,z\\n0,0,0\\n2,0,0\\n' | soms contains ball.off --points -");
+  return [options, &app](Console& console) {
+    options->reading.offers_empty = true;
+    check_build(app, options->build);
+    return run_contains(*options, console);
+  };
+}
+
+int run_contains(const ContainsVerbOptions& options, Console& console) {
+  const std::array<std::string, 3> inputs{options.model, options.points, options.pose.value_or("")};
+  if (std::count(inputs.begin(), inputs.end(), "-") > 1) {
+    throw Error(ErrorKind::usage, "standard input is given twice", "give one of them as a file");
+  }
+  return ContainsRun(options, console).run();
+}
+
+}  // namespace soms::command

@@ -1,0 +1,213 @@
+#include "soms/geometry/closedness.h"
+
+#include "soms/base/arithmetic.h"
+#include "soms/geometry/detail/joined.h"
+#include "soms/geometry/detail/odd_edges.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <utility>
+
+namespace soms {
+
+namespace {
+
+using detail::OddEdge;
+using detail::Work;
+
+/// Sets of vertices that grow together.
+class Sets {
+ public:
+  explicit Sets(std::size_t size) : above_(size) { std::iota(above_.begin(), above_.end(), 0U); }
+
+  [[nodiscard]] std::uint32_t find(std::uint32_t v) {
+    while (above_[v] != v) {
+      above_[v] = above_[above_[v]];
+      v = above_[v];
+    }
+    return v;
+  }
+
+  void unite(std::uint32_t v, std::uint32_t w) {
+    v = find(v);
+    w = find(w);
+    // The lesser one stays, and paths are halved: logarithmic on average, whatever the order.
+    above_[std::max(v, w)] = std::min(v, w);
+  }
+
+ private:
+  std::vector<std::uint32_t> above_;
+};
+
+/// What the odd edges of a part say of it.
+void judge(const Mesh& mesh, std::span<const OddEdge> edges, const Pose& pose,
+           PartClosedness& part) {
+  for (const OddEdge& edge : edges) {
+    part.odd_edges += edge.among_all ? 1U : 0U;
+    part.odd_proper_edges += edge.among_proper ? 1U : 0U;
+  }
+  part.closed = detail::cover_evenly(mesh, edges, pose);
+}
+
+/// A mesh whose vertices are joined, and what is known of its triangles.
+struct Joined {
+  const Mesh& mesh;
+  std::vector<std::uint32_t> vertices;
+  std::vector<bool> degenerate;
+};
+
+PartClosedness counted(const Joined& joined, TriangleId first, std::uint32_t count) {
+  PartClosedness part{.first = first, .triangles = count};
+  const auto begin = joined.degenerate.begin() + first;
+  part.degenerate = static_cast<std::uint64_t>(std::count(begin, begin + count, true));
+  return part;
+}
+
+/// Connected parts, and to which one each vertex belongs.
+struct Connected {
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+
+  std::vector<PartClosedness> parts;
+  std::vector<std::uint32_t> part_of;  ///< of joined vertices that triangles use
+};
+
+/// Takes two loops over the triangles and one over the vertices of `work`.
+Connected connect(const Joined& joined, Work& work) {
+  const Mesh& mesh = joined.mesh;
+  Sets sets(mesh.vertices.size());
+  work.run(mesh.triangles.size(), [&](std::size_t i) {
+    const auto& t = mesh.triangles[i];
+    sets.unite(joined.vertices[t[0]], joined.vertices[t[1]]);
+    sets.unite(joined.vertices[t[0]], joined.vertices[t[2]]);
+  });
+  Connected connected;
+  connected.part_of.assign(mesh.vertices.size(), Connected::kNone);
+  work.run(mesh.triangles.size(), [&](std::size_t i) {
+    std::uint32_t& part = connected.part_of[sets.find(joined.vertices[mesh.triangles[i][0]])];
+    if (part == Connected::kNone) {
+      part = static_cast<std::uint32_t>(connected.parts.size());
+      connected.parts.push_back({.first = static_cast<TriangleId>(i)});
+    }
+    ++connected.parts[part].triangles;
+    connected.parts[part].degenerate += joined.degenerate[i] ? 1U : 0U;
+  });
+  work.run(mesh.vertices.size(), [&](std::size_t v) {
+    connected.part_of[v] = connected.part_of[sets.find(static_cast<std::uint32_t>(v))];
+  });
+  return connected;
+}
+
+/// Decides for each connected part.
+void judge(const Mesh& mesh, std::vector<OddEdge> odd, const Pose& pose, Connected& connected) {
+  const auto part = [&](const OddEdge& edge) { return connected.part_of[edge.ends[0]]; };
+  std::stable_sort(odd.begin(), odd.end(),
+                   [&](const OddEdge& a, const OddEdge& b) { return part(a) < part(b); });
+  for (std::size_t begin = 0; begin < odd.size();) {
+    std::size_t end = begin + 1;
+    while (end < odd.size() && part(odd[end]) == part(odd[begin])) {
+      ++end;
+    }
+    judge(mesh, std::span(odd).subspan(begin, end - begin), pose,
+          connected.parts[part(odd[begin])]);
+    begin = end;
+  }
+}
+
+std::uint64_t connecting_work(const Mesh& mesh) {
+  return 2 * std::uint64_t{mesh.triangles.size()} + mesh.vertices.size();
+}
+
+/// Triangles to look at for the parts of a mesh; 0 where that would be too often.
+std::uint64_t part_work(const Mesh& mesh) {
+  std::uint64_t triangles = 0;
+  for (const Part& part : mesh.parts) {
+    triangles += part.count;
+  }
+  return triangles <= 64 * std::uint64_t{mesh.triangles.size()} ? triangles : 0;
+}
+
+std::vector<PartClosedness> named_parts(const Joined& joined, const PartClosedness& whole,
+                                        const Pose& pose, Work& work) {
+  std::vector<PartClosedness> parts;
+  for (const Part& run : joined.mesh.parts) {
+    if (run.count == joined.mesh.triangles.size()) {
+      parts.push_back(whole);
+    } else {
+      parts.push_back(counted(joined, run.first, run.count));
+      judge(joined.mesh,
+            detail::odd_edges_of_run(joined.mesh, joined.vertices, joined.degenerate, run), pose,
+            parts.back());
+    }
+    work.skip(run.count);
+  }
+  return parts;
+}
+
+}  // namespace
+
+Closedness closedness(const Mesh& mesh, const ClosednessOptions& options,
+                      const Parallel& parallel) {
+  const PlainArithmetic plain;
+  check(options.pose);
+  check_range(options.pose, bounds(mesh));
+  const std::uint64_t triangles = mesh.triangles.size();
+  const std::uint64_t of_parts = options.parts ? part_work(mesh) : 0;
+  Work work(parallel, detail::joining_work(mesh) + triangles + detail::odd_edges_work(mesh) +
+                          (options.connected ? connecting_work(mesh) : 0) + of_parts + 1);
+  Joined joined{mesh, detail::joined_by_position(mesh, work), {}};
+  joined.degenerate = detail::degenerate_triangles(mesh, work);
+  const std::vector<OddEdge> odd =
+      detail::odd_edges(mesh, joined.vertices, joined.degenerate, work);
+  Closedness answer;
+  answer.whole = counted(joined, 0, static_cast<std::uint32_t>(triangles));
+  judge(mesh, odd, options.pose, answer.whole);
+  for (const OddEdge& edge : odd) {
+    if (answer.places.size() < options.places && edge.among_all) {
+      answer.places.push_back(edge.place);
+    }
+  }
+  if (options.connected) {
+    Connected connected = connect(joined, work);
+    judge(mesh, odd, options.pose, connected);
+    answer.connected = std::move(connected.parts);
+  }
+  if (of_parts != 0) {
+    answer.parts = named_parts(joined, answer.whole, options.pose, work);
+  }
+  return answer;
+}
+
+Mesh closed_parts(const Mesh& mesh, const Pose& pose, const Parallel& parallel) {
+  const PlainArithmetic plain;
+  check(pose);
+  check_range(pose, bounds(mesh));
+  Work work(parallel, detail::joining_work(mesh) + mesh.triangles.size() +
+                          detail::odd_edges_work(mesh) + connecting_work(mesh) + 1);
+  Joined joined{mesh, detail::joined_by_position(mesh, work), {}};
+  joined.degenerate = detail::degenerate_triangles(mesh, work);
+  const std::vector<OddEdge> odd =
+      detail::odd_edges(mesh, joined.vertices, joined.degenerate, work);
+  Connected connected = connect(joined, work);
+  judge(mesh, odd, pose, connected);
+  Mesh left = mesh;
+  left.triangles.clear();
+  left.faces.clear();
+  std::vector<std::uint32_t> place{0};  // of each triangle, and of the end, among those left
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& t = mesh.triangles[i];
+    if (connected.parts[connected.part_of[joined.vertices[t[0]]]].closed) {
+      left.triangles.push_back(t);
+      left.faces.push_back(mesh.faces.empty() ? static_cast<std::uint32_t>(i) : mesh.faces[i]);
+    }
+    place.push_back(static_cast<std::uint32_t>(left.triangles.size()));
+  }
+  for (Part& part : left.parts) {
+    const std::uint32_t end = place[part.first + part.count];
+    part.first = place[part.first];
+    part.count = end - part.first;
+  }
+  return left;
+}
+
+}  // namespace soms

@@ -1,0 +1,170 @@
+#include "soms/query/contains.h"
+
+#include "soms/base/arithmetic.h"
+#include "soms/base/error.h"
+#include "soms/base/text.h"
+#include "soms/geometry/detail/odd_edges.h"
+#include "soms/query/detail/engine/batch.h"
+#include "soms/query/detail/engine/pair_frame.h"
+#include "soms/query/detail/parity/parity_traversal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace soms {
+
+namespace {
+
+using detail::OddEdge;
+using detail::ParityFrame;
+
+/// Points that a thread takes at a time: some hundred microseconds' work.
+constexpr std::size_t kPointsOfBlock = 1024;
+
+constexpr std::size_t kEdgesInMessage = 3;
+
+std::string in_text(const Vec3& p) {
+  std::string text = "(";
+  text += shortest(p.x) + ", " + shortest(p.y) + ", " + shortest(p.z) + ")";
+  return text;
+}
+
+/// "triangle 4 from (0, 0, 1) to (1, 0, 1)", for the first few.
+std::string places_of(const Body& body, const std::vector<OddEdge>& odd) {
+  const Mesh& mesh = body.shape.mesh();
+  std::string text;
+  std::size_t named = 0;
+  for (const OddEdge& edge : odd) {
+    if (edge.among_all && named < kEdgesInMessage) {
+      const auto& t = mesh.triangles[edge.place.triangle];
+      const Vec3 from = body.pose.apply(mesh.vertices[t[edge.place.corner]]);
+      const Vec3 to = body.pose.apply(mesh.vertices[t[(edge.place.corner + 1) % 3]]);
+      text += (named == 0 ? "the first of triangle " : ", of triangle ") +
+              std::to_string(edge.place.triangle) + " from " + in_text(from) + " to " + in_text(to);
+      ++named;
+    }
+  }
+  return text;
+}
+
+bool in_range(const Vec3& p) {
+  return std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate &&
+         std::abs(p.z) <= kMaxCoordinate;
+}
+
+/// What is wrong with a point that is not in range; `whose` names it.
+Error fault_of(const Vec3& p, const std::string& whose) {
+  constexpr std::array<const char*, 3> kNames{": x", ": y", ": z"};
+  std::size_t axis = 0;
+  while (axis < 2 && std::abs(p[axis]) <= kMaxCoordinate) {
+    ++axis;
+  }
+  return std::isfinite(p[axis])
+             ? Error(ErrorKind::out_of_range, whose + kNames[axis] + " is beyond 2^300",
+                     "use a larger unit of length")
+             : Error(ErrorKind::not_finite, whose + kNames[axis] + " is not a finite number",
+                     "give three finite coordinates");
+}
+
+}  // namespace
+
+ClosedBody::ClosedBody(Body body, const Parallel& parallel) : body_(std::move(body)) {
+  const PlainArithmetic plain;
+  detail::check_pose(body_.pose, body_.shape);
+  odd_ =
+      std::make_shared<const std::vector<OddEdge>>(detail::odd_edges(body_.shape.mesh(), parallel));
+  check_closed();
+}
+
+ClosedBody::ClosedBody(Body body, std::shared_ptr<const std::vector<OddEdge>> odd)
+    : body_(std::move(body)), odd_(std::move(odd)) {
+  const PlainArithmetic plain;
+  detail::check_pose(body_.pose, body_.shape);
+  check_closed();
+}
+
+ClosedBody ClosedBody::at(const Pose& pose) const {
+  Body body = body_;
+  body.pose = pose;
+  return {std::move(body), odd_};
+}
+
+void ClosedBody::check_closed() const {
+  const Mesh& mesh = body_.shape.mesh();
+  if (detail::cover_evenly(mesh, *odd_, body_.pose)) {
+    return;
+  }
+  const auto count = static_cast<std::size_t>(
+      std::count_if(odd_->begin(), odd_->end(), [](const OddEdge& e) { return e.among_all; }));
+  const std::string whose = !body_.name.empty() ? body_.name : mesh.source;
+  throw Error(
+      ErrorKind::not_closed,
+      (whose.empty() ? std::string("the body") : whose) + ": not closed: " +
+          (count == 1 ? std::string("1 edge belongs") : std::to_string(count) + " edges belong") +
+          " to an odd number of triangles, " + places_of(body_, *odd_),
+      "close the surface, or take its closed parts alone (closed_parts)");
+}
+
+Contains contains(const ClosedBody& body, const Vec3& point, const ContainsOptions& options) {
+  if (!in_range(point)) {
+    throw fault_of(point, "point");
+  }
+  const ContainsBatch batch = contains(body, std::span(&point, 1), options);
+  return batch.at(0);
+}
+
+Contains contains(const Body& body, const Vec3& point, const ContainsOptions& options) {
+  return contains(ClosedBody(body), point, options);
+}
+
+Contains ContainsBatch::at(std::size_t point) const {
+  return {side[point], side[point] == Side::undecided ? Coverage::cut : Coverage::complete,
+          costs[point]};
+}
+
+ContainsBatch contains(const ClosedBody& body, std::span<const Vec3> points,
+                       const ContainsOptions& options, const Parallel& parallel) {
+  const PlainArithmetic plain;
+  const Shape& shape = body.body().shape;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!in_range(points[i])) {
+      throw fault_of(points[i], "point " + std::to_string(i));
+    }
+  }
+  ContainsBatch answer;
+  answer.costs.resize(points.size());
+  if (detail::is_empty(shape)) {
+    answer.side.assign(points.size(), Side::outside);
+    return answer;
+  }
+  answer.side.assign(points.size(), Side::undecided);
+  const ParityFrame frame(shape.layout(), body.body().pose);
+  const std::span<Side> sides(answer.side);
+  const std::span<Cost> costs(answer.costs);
+  detail::MemoryPool<std::unique_ptr<detail::ParityMemory>> pool;
+  for_each_chunk(points.size(), kPointsOfBlock, parallel, [&](std::size_t begin, std::size_t end) {
+    auto place = pool.take([&] { return detail::parity_memory(body.body(), frame); });
+    detail::Limit limit(options.deadline, parallel);
+    const std::size_t count = end - begin;
+    place->memory->decide(points.subspan(begin, count), sides.subspan(begin, count),
+                          costs.subspan(begin, count), limit);
+    pool.give_back(std::move(place));
+  });
+  for (const Cost& cost : answer.costs) {
+    answer.cost += cost;
+  }
+  if (std::find(answer.side.begin(), answer.side.end(), Side::undecided) != answer.side.end()) {
+    answer.coverage = Coverage::cut;
+  }
+  return answer;
+}
+
+ContainsBatch contains(const Body& body, std::span<const Vec3> points,
+                       const ContainsOptions& options, const Parallel& parallel) {
+  return contains(ClosedBody(body, {.threads = parallel.threads, .stop = parallel.stop}), points,
+                  options, parallel);
+}
+
+}  // namespace soms

@@ -1,0 +1,180 @@
+#include "soms/query/detail/parity/parity_traversal.h"
+
+#include "soms/query/detail/engine/block_source.h"
+#include "soms/query/detail/kernels/instruction_set.h"
+#include "soms/query/detail/parity/triangle_crossing.h"
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace soms::detail {
+
+namespace {
+
+/// A point whose ray is on its way.
+struct Ray {
+  RayStart start;
+  Vec3 point;
+  std::size_t index = 0;
+  bool odd = false;                  // crossings so far
+  std::vector<std::uint32_t> stack;  // tokens of nodes and of blocks, the next one last
+};
+
+/// Rays through one tree. Those in flight take turns, so that one computes while others load.
+template <class Source>
+class ParityTraversal : public ParityMemory {
+ public:
+  ParityTraversal(const Body& body, const ParityFrame& frame)
+      : body_(body), frame_(frame), kernels_(kernels()), source_(body.shape) {}
+
+  void decide(std::span<const Vec3> points, std::span<Side> sides, std::span<Cost> costs,
+              Limit& limit) override {
+    sides_ = sides;
+    costs_ = costs;
+    std::size_t next = 0;
+    std::size_t count = 0;
+    for (;;) {
+      for (; count < kInFlight && next < points.size(); ++next) {
+        if (frame_.outside(points[next])) {
+          sides[next] = Side::outside;
+        } else {
+          launch(rays_[count++], points[next], next);
+        }
+      }
+      if (count == 0 || limit.spend(count)) {
+        return;
+      }
+      count = advance(count);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kInFlight = Source::kInPlace ? 16 : 1;
+
+  void launch(Ray& ray, const Vec3& point, std::size_t index) {
+    ray.start = frame_.start(point);
+    ray.point = point;
+    ray.index = index;
+    ray.odd = false;
+    ray.stack.assign(1, kRootId);
+    sides_[index] = Side::undecided;
+  }
+
+  /// Takes each ray a node or a block further; returns how many are still on their way, which
+  /// are the first ones then.
+  std::size_t advance(std::size_t count) {
+    std::size_t nodes = 0;
+    std::size_t blocks = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      Ray& ray = rays_[i];
+      const std::uint32_t token = ray.stack.back();
+      ray.stack.pop_back();
+      if ((token & WideNode::kLeafBit) == 0) {
+        node_ray_[nodes] = i;
+        node_task_[nodes++] = {&frame_.numbers(), &ray.start, &source_.node(token), 0};
+      } else {
+        block_ray_[blocks] = i;
+        block_token_[blocks] = token;
+        block_task_[blocks++] = {&frame_.numbers(), &ray.start, &source_.block(token), 0, 0};
+      }
+    }
+    kernels_.ray_nodes(node_task_.data(), nodes);
+    for (std::size_t k = 0; k < nodes; ++k) {
+      descend(node_task_[k], rays_[node_ray_[k]]);
+    }
+    kernels_.ray_blocks(block_task_.data(), blocks);
+    for (std::size_t k = 0; k < blocks; ++k) {
+      count_crossings(block_task_[k], block_token_[k], rays_[block_ray_[k]]);
+    }
+    for (std::size_t i = 0; i < count;) {
+      if (arrived(rays_[i])) {
+        std::swap(rays_[i], rays_[--count]);
+      } else {
+        ++i;
+      }
+    }
+    return count;
+  }
+
+  void descend(const RayNodeTask& task, Ray& ray) {
+    costs_[ray.index].node_tests += task.node->count;
+    for (std::uint32_t left = task.lanes; left != 0; left &= left - 1) {
+      ray.stack.push_back(task.node->child[static_cast<std::size_t>(std::countr_zero(left))]);
+    }
+  }
+
+  void count_crossings(const RayBlockTask& task, std::uint32_t token, Ray& ray) {
+    const TriangleBlock& block = *task.block;
+    Cost& cost = costs_[ray.index];
+    cost.triangle_tests += block.count;
+    ray.odd = ray.odd != (std::popcount(task.cross) % 2 != 0);
+    for (std::uint32_t left = task.open; left != 0; left &= left - 1) {
+      const TriangleId id = block.id[static_cast<std::size_t>(std::countr_zero(left))];
+      bool exact = false;
+      const RayHit hit =
+          triangle_crossing(moved(id), ray.point, frame_.axis(), ray.start.sign > 0, exact);
+      cost.exact_tests += exact ? 1U : 0U;
+      if (hit == RayHit::on) {
+        sides_[ray.index] = Side::on;
+        ray.stack.clear();
+        return;
+      }
+      ray.odd = ray.odd != (hit == RayHit::cross);
+    }
+    if (block.following != 0) {
+      ray.stack.push_back(source_.next(token));
+    }
+  }
+
+  /// Starts to load what comes next, or ends it.
+  bool arrived(const Ray& ray) {
+    if (!ray.stack.empty()) {
+      const std::uint32_t token = ray.stack.back();
+      if ((token & WideNode::kLeafBit) == 0) {
+        source_.fetch_node(token);
+      } else {
+        source_.fetch_block(token);
+      }
+      return false;
+    }
+    Side& side = sides_[ray.index];
+    if (side == Side::undecided) {
+      side = ray.odd ? Side::inside : Side::outside;
+    }
+    return true;
+  }
+
+  [[nodiscard]] Triangle moved(TriangleId id) const {
+    const Triangle t = body_.shape.mesh().triangle(id);
+    return {body_.pose.apply(t.a), body_.pose.apply(t.b), body_.pose.apply(t.c)};
+  }
+
+  const Body& body_;
+  const ParityFrame& frame_;
+  const Kernels& kernels_;
+  Source source_;
+  std::span<Side> sides_;
+  std::span<Cost> costs_;
+  std::array<Ray, kInFlight> rays_;
+  std::array<RayNodeTask, kInFlight> node_task_;
+  std::array<RayBlockTask, kInFlight> block_task_;
+  std::array<std::size_t, kInFlight> node_ray_;
+  std::array<std::size_t, kInFlight> block_ray_;
+  std::array<std::uint32_t, kInFlight> block_token_;
+};
+
+}  // namespace
+
+std::unique_ptr<ParityMemory> parity_memory(const Body& body, const ParityFrame& frame) {
+  if (body.shape.layout().compact() != nullptr) {
+    return std::make_unique<ParityTraversal<CompactSource>>(body, frame);
+  }
+  return std::make_unique<ParityTraversal<WideSource>>(body, frame);
+}
+
+}  // namespace soms::detail

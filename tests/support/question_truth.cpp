@@ -1,0 +1,71 @@
+#include "tests/support/question_truth.h"
+
+#include "soms/io/read_mesh.h"
+
+#include "tests/support/support.h"
+#include "tests/support/truth.h"
+#include "tests/support/truth_row.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+namespace soms::test {
+
+namespace {
+
+Side side_named(const std::string& name) {
+  if (name == "on") {
+    return Side::on;
+  }
+  if (name != "inside" && name != "outside") {
+    throw std::runtime_error("truth set: no side is named " + name);
+  }
+  return name == "inside" ? Side::inside : Side::outside;
+}
+
+}  // namespace
+
+std::vector<InsideRow> read_inside_rows(const std::filesystem::path& file) {
+  std::vector<InsideRow> rows;
+  for (const TruthRow& row : truth_rows(file, 6)) {
+    rows.push_back(
+        {row[0],
+         row[1],
+         {truth_number<double>(row[2]), truth_number<double>(row[3]), truth_number<double>(row[4])},
+         side_named(row[5])});
+  }
+  return rows;
+}
+
+std::vector<ClosedRow> read_closed_rows(const std::filesystem::path& file) {
+  std::vector<ClosedRow> rows;
+  for (const TruthRow& row : truth_rows(file, 7)) {
+    rows.push_back({row[0], truth_number<int>(row[1]), truth_number<TriangleId>(row[2]),
+                    truth_number<std::uint64_t>(row[3]), truth_number<std::uint64_t>(row[4]),
+                    truth_number<std::uint64_t>(row[5]), truth_number<std::uint64_t>(row[6])});
+  }
+  return rows;
+}
+
+const Mesh* question_mesh(std::string_view name) {
+  static std::map<std::string, std::unique_ptr<const Mesh>, std::less<>> meshes;
+  const auto known = meshes.find(name);
+  if (known != meshes.end()) {
+    return known->second.get();
+  }
+  const std::filesystem::path file = test::data("questions/meshes/" + std::string(name) + ".ply");
+  if (!std::filesystem::exists(file)) {
+    return truth_mesh(name);
+  }
+  auto mesh = std::make_unique<const Mesh>(read_mesh(file));
+  return meshes.emplace(name, std::move(mesh)).first->second.get();
+}
+
+std::optional<std::filesystem::path> outside_question(std::string_view name) {
+  const auto file = outside_data("questions/" + std::string(name));
+  return file && std::filesystem::exists(*file) ? file : std::nullopt;
+}
+
+}  // namespace soms::test

@@ -1,0 +1,49 @@
+/// \file
+/// The truth set of points in bodies and of closed meshes: rows that were decided by two
+/// independent exact methods. tests/data/questions has a part of it, SOMS_DATA all.
+#pragma once
+
+#include "soms/base/vector.h"
+#include "soms/geometry/mesh.h"
+#include "soms/query/contains.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soms::test {
+
+/// A point, a closed mesh without pose (by name), and the side that the point is on.
+struct InsideRow {
+  std::string mesh;
+  std::string kind;  ///< what the point was meant to try
+  Vec3 point;
+  Side side = Side::undecided;
+};
+
+/// A mesh, or a part of it, and its odd edges.
+struct ClosedRow {
+  std::string mesh;
+  int part = -1;  ///< -1: the whole mesh
+  TriangleId first = 0;
+  std::uint64_t triangles = 0;
+  std::uint64_t flat = 0;  ///< triangles without area
+  std::uint64_t odd = 0;
+  std::uint64_t odd_proper = 0;
+};
+
+/// Rows of a file of the set. \errors std::runtime_error for a row that is not as described there.
+[[nodiscard]] std::vector<InsideRow> read_inside_rows(const std::filesystem::path& file);
+[[nodiscard]] std::vector<ClosedRow> read_closed_rows(const std::filesystem::path& file);
+
+/// A mesh of the set by name, of tests/data/questions or of the truth set of overlaps; null for
+/// models of others where SOMS_DATA is unset.
+[[nodiscard]] const Mesh* question_mesh(std::string_view name);
+
+/// A file of the whole set in SOMS_DATA, or nothing where that is unset or lacks it.
+[[nodiscard]] std::optional<std::filesystem::path> outside_question(std::string_view name);
+
+}  // namespace soms::test
