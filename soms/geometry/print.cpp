@@ -9,6 +9,7 @@
 #include "soms/geometry/midpoint.h"
 #include "soms/geometry/orientation.h"
 #include "soms/geometry/part_runs.h"
+#include "soms/geometry/point_distance.h"
 #include "soms/geometry/triangle_distance.h"
 
 namespace soms {
@@ -109,6 +110,18 @@ std::ostream& operator<<(std::ostream& out, const TriangleDistance& value) {
                     .add("distance", value.distance)
                     .add("point_a", value.point_a)
                     .add("point_b", value.point_b);
+}
+
+std::ostream& operator<<(std::ostream& out, const PointDistance& value) {
+  return out << PrintedFields("PointDistance")
+                    .add("distance", value.distance)
+                    .add("point", value.point)
+                    .add("feature", value.feature);
+}
+
+std::ostream& operator<<(std::ostream& out, TriangleFeature value) {
+  return out << printed_name("TriangleFeature", static_cast<int>(value),
+                             {"vertex", "edge", "face"});
 }
 
 std::ostream& operator<<(std::ostream& out, const Crossing& value) {

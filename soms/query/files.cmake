@@ -1,12 +1,14 @@
 set(SOMS_HEADERS
   answer.h
   body.h
+  closest.h
   distance.h
   instruction_set.h
   overlap.h
   overlap_method.h
   overlap_run.h
   print.h
+  reference/closest.h
   reference/distance.h
   reference/overlap.h
   within.h
@@ -48,4 +50,12 @@ set(SOMS_SOURCES
   reference/distance.cpp
   reference/overlap.cpp
   within.cpp
+  closest.cpp
+  near_triangles.cpp
+  reference/closest.cpp
+  detail/near/direction.cpp
+  detail/near/point_goal.cpp
+  detail/near/point_pose.cpp
+  detail/near/point_query.cpp
+  detail/near/point_traversal.cpp
 )

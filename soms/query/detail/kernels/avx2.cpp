@@ -33,6 +33,8 @@ namespace {
 //
 #include "soms/query/detail/kernels/near_nodes.h"
 #include "soms/query/detail/kernels/near_triangles.h"
+//
+#include "soms/query/detail/kernels/point_bounds.h"
 
 /// Pairs of lanes, rotations 0 and 1 and rotations 2 and 3, that some axis parts.
 struct Apart {
@@ -147,8 +149,9 @@ void test_nodes(NodeTask* tasks, std::size_t count) {
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"avx2",     test_nodes, test_larger, append,     test_slabs,
-                                  test_boxes, judge,      bound_nodes, near_boxes, near_pairs};
+  static constexpr Kernels kTable{"avx2",     test_nodes, test_larger, append,
+                                  test_slabs, test_boxes, judge,       bound_nodes,
+                                  near_boxes, near_pairs, bound_boxes, bound_triangles};
   return kTable;
 }
 

@@ -29,12 +29,15 @@ namespace {
 //
 #include "soms/query/detail/kernels/near_nodes.h"
 #include "soms/query/detail/kernels/near_triangles.h"
+//
+#include "soms/query/detail/kernels/point_bounds.h"
 
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"neon",     test_nodes, test_larger, append,     test_slabs,
-                                  test_boxes, judge,      bound_nodes, near_boxes, near_pairs};
+  static constexpr Kernels kTable{"neon",     test_nodes, test_larger, append,
+                                  test_slabs, test_boxes, judge,       bound_nodes,
+                                  near_boxes, near_pairs, bound_boxes, bound_triangles};
   return kTable;
 }
 

@@ -1,5 +1,7 @@
 #include "soms/query/detail/near/near_pose.h"
 
+#include "soms/query/detail/near/direction.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,50 +22,6 @@ float rounded_up(double x) {
 /// At most `x`.
 float rounded_down(double x) {
   return static_cast<float>(x - (std::abs(x) * 0x1p-22 + 0x1p-100));
-}
-
-double largest(const Vec3& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-Vec3 scaled(const Vec3& v, int exponent) {
-  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
-}
-
-/// The exponent of a power of two by which `v` is to be divided before its entries are squared: 0
-/// where neither the squares nor their rounding underflow as it is, and none overflows.
-int exponent_of(const Vec3& v) {
-  const double most = largest(v);
-  return most == 0 || (most > 0x1p-450 && most < 0x1p450) ? 0 : std::ilogb(most);
-}
-
-double length(const Vec3& v) {
-  const int exponent = exponent_of(v);
-  const Vec3 usual = exponent == 0 ? v : scaled(v, -exponent);
-  const double root = std::sqrt(dot(usual, usual));
-  return exponent == 0 ? root : std::ldexp(root, exponent);
-}
-
-/// The direction of `v`, of length 1 to a few roundings; any where it is 0.
-Vec3 direction(const Vec3& v) {
-  if (largest(v) == 0) {
-    return {1, 0, 0};
-  }
-  const int exponent = exponent_of(v);
-  const Vec3 usual = exponent == 0 ? v : scaled(v, -exponent);
-  return usual * (1 / length(usual));
-}
-
-/// `max |R^T R - I|`.
-double skew(const Matrix3& r) {
-  double most = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      const double entry = (r[0][i] * r[0][j] + r[1][i] * r[1][j]) + r[2][i] * r[2][j];
-      most = std::max(most, std::abs(entry - (i == j ? 1 : 0)));
-    }
-  }
-  return most;
 }
 
 // Constants of the proof in near_pose.h. "Largest seen" is the most that tests and
@@ -141,6 +99,17 @@ std::array<float, TriangleBlock::kWidth> supports(const TriangleBlock& block,
 }
 
 }  // namespace
+
+double skew(const Matrix3& r) {
+  double most = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double entry = (r[0][i] * r[0][j] + r[1][i] * r[1][j]) + r[2][i] * r[2][j];
+      most = std::max(most, std::abs(entry - (i == j ? 1 : 0)));
+    }
+  }
+  return most;
+}
 
 NearPose::NearPose(PairFrame& frame)
     : x_(frame.x()),
