@@ -1,6 +1,7 @@
 #include "apps/soms/verbs.h"
 
 #include "apps/soms/bench.h"
+#include "apps/soms/closest.h"
 #include "apps/soms/completion.h"
 #include "apps/soms/convert.h"
 #include "apps/soms/distance.h"
@@ -21,6 +22,8 @@ namespace {
 
 constexpr std::array kVerbs{
     Verb{"bench", "compare soms with the installed peers on your own two models", add_bench},
+    Verb{"closest", "find the nearest points of a model to points, and the triangles near them",
+         add_closest},
     Verb{"completion", "print a shell completion script", add_completion},
     Verb{"convert", "convert a model to PLY, 3DS, STL, OFF, OBJ or GLB", add_convert},
     Verb{"distance", "find how far apart two models are, and where they are nearest", add_distance},

@@ -21,6 +21,8 @@ set(SOMS_SUPPORT_FILES
   parse.h
   part_names.cpp
   part_names.h
+  point_source.cpp
+  point_source.h
   pose_source.cpp
   pose_source.h
   program.cpp
