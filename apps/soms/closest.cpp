@@ -231,10 +231,12 @@ class ClosestRun : public RowRun {
       parts.push_back(counted(extremes_.hits, "triangle"));
     }
     if (extremes_.known != 0) {
-      parts.push_back(
-          fmt::format("the least distance is {} at point {}, the greatest {} at point {}",
-                      readable(extremes_.least), extremes_.least_at, readable(extremes_.greatest),
-                      extremes_.greatest_at));
+      parts.push_back(fmt::format("the least distance is {} at point {}", readable(extremes_.least),
+                                  extremes_.least_at));
+      if (extremes_.known == totals().rows) {
+        parts.back() += fmt::format(", the greatest {} at point {}", readable(extremes_.greatest),
+                                    extremes_.greatest_at);
+      }
     }
     if (extremes_.on_surface != 0) {
       parts.push_back(with_commas(extremes_.on_surface) + " on the surface");

@@ -17,15 +17,16 @@ namespace {
 constexpr std::uint64_t kPointsInText = 20;  // that a person may want to read
 constexpr std::size_t kHitsInText = 4;
 
+/// With a comma before.
 std::string bracket_keys(const Bracket& distance) {
-  return fmt::format("\"lower\":{},\"upper\":{}", json_number(distance.lower),
+  return fmt::format(",\"lower\":{},\"upper\":{}", json_number(distance.lower),
                      json_number(distance.upper));
 }
 
 std::string hits_key(const std::vector<ClosestHit>& hits) {
   std::string text = ",\"hits\":[";
   for (const ClosestHit& hit : hits) {
-    text += fmt::format("{}{{\"triangle\":{},{}}}", text.back() == '[' ? "" : ",", hit.triangle,
+    text += fmt::format("{}{{\"triangle\":{}{}}}", text.back() == '[' ? "" : ",", hit.triangle,
                         bracket_keys(hit.distance));
   }
   return text + "]";
@@ -35,7 +36,7 @@ std::string closest_keys(const Closest& answer) {
   if (answer.farther) {
     return ",\"farther\":true,\"lower\":" + json_number(answer.distance.lower);
   }
-  std::string text = "," + bracket_keys(answer.distance);
+  std::string text = bracket_keys(answer.distance);
   if (answer.triangle) {
     const Vec3& p = answer.point;
     text += fmt::format(",\"triangle\":{},\"at\":[{},{},{}],\"feature\":\"{}\"", *answer.triangle,
@@ -48,7 +49,8 @@ std::string closest_keys(const Closest& answer) {
 std::string hits_cell(const std::vector<ClosestHit>& hits, const Mesh& mesh) {
   std::string text;
   for (std::size_t i = 0; i < hits.size() && i < kHitsInText; ++i) {
-    text += (i == 0 ? "" : ", ") + triangle_label(mesh, hits[i].triangle);
+    text += i == 0 ? "" : ", ";
+    text += triangle_label(mesh, hits[i].triangle);
   }
   return hits.size() > kHitsInText ? text + ", ..." : text;
 }
