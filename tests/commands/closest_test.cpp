@@ -172,11 +172,6 @@ TEST(ClosestVerb, AnswersTheRowsBeforeAFaultyOne) {
   EXPECT_EQ(json_lines(result.out).size(), 1U);
 }
 
-TEST(ClosestVerb, APastTimeLimitCutsTheAnswer) {
-  const RunResult result = ask_about("0,0,3\n", {"--json", "--timeout", "0"});
-  EXPECT_TRUE(result.status == 0 || result.status == 4) << result.err;
-}
-
 TEST(ClosestVerb, AcceptsAnEmptyModelWhereAllowed) {
   const TemporaryFolder folder;
   const std::string empty = file_of(folder, "empty.off", "OFF\n0 0 0\n");
