@@ -78,7 +78,8 @@ TEST(ClosestProperty, EveryKindOfBodyAnswersAsBruteForce) {
     const Mesh mesh = test::meshes_of_kind(kind, rng).a;
     const double reach = test::is_tiny(kind) ? 0x1p-70 : *rc::gen::element(0.5, 4.0, 1e3, 1e9);
     const Pose pose = rng.below(2) == 0 ? Pose{} : test::any_pose(rng, reach);
-    const Body body(Shape(mesh, {.layout = rng.below(2) == 0 ? Layout::wide : Layout::compact}),
+    const Body body(Shape(mesh, {.build = test::awkward_options(rng),
+                                 .layout = rng.below(2) == 0 ? Layout::wide : Layout::compact}),
                     pose);
     RC_ASSERT(first_fault_of_point(body, point_in(rng, reach)) == "");
     if (!mesh.triangles.empty()) {

@@ -5,6 +5,7 @@
 #include "soms/base/random.h"
 #include "soms/generate/shapes.h"
 #include "soms/query/print.h"
+#include "soms/query/reference/closest.h"
 
 #include "tests/support/bodies.h"
 
@@ -152,6 +153,19 @@ TEST(Closest, WhatACutAnswerSaysHolds) {
     ASSERT_GE(answer.distance.upper, truth.upper);
   }
   EXPECT_GT(cut, 0);
+}
+
+// More triangles are equally near in floats than wait to be decided.
+TEST(Closest, ManyNearlyEqualTrianglesAreDecided) {
+  const Body sphere(generate_sphere(20000));
+  for (const Vec3& point : {Vec3{}, Vec3{1e-15, 0, 0}, Vec3{0, 1e-12, -1e-12}}) {
+    Closest answer = closest(sphere, point);
+    EXPECT_GT(answer.cost.triangle_tests, 4096U);
+    answer.cost = {};
+    Closest expected = reference::closest_by_brute_force(sphere, point);
+    expected.cost = {};
+    EXPECT_EQ(answer, expected);
+  }
 }
 
 // Large batches are answered along a curve; the rows keep their places.
