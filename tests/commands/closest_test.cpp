@@ -10,7 +10,7 @@
 namespace soms::test {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 /// Asks about points beside the box [-1, 1]^3.
 RunResult ask_about(const std::string& rows, std::vector<std::string> words) {
@@ -52,7 +52,7 @@ TEST(ClosestVerb, NamesFeatures) {
   EXPECT_EQ(answers[1].at("feature"), "vertex");
   EXPECT_EQ(answers[1].at("at"), Json({1, 1, 1}));
   const double lower = answers[1].at("lower");
-  EXPECT_EQ(answers[1].at("upper").get<double>(), std::nextafter(lower, kInfinity));
+  EXPECT_EQ(answers[1].at("upper").get<double>(), std::nextafter(lower, kEndless));
   EXPECT_EQ(answers[2].at("upper"), 0);
   EXPECT_EQ(answers[2].at("point"), 2);
 }

@@ -12,26 +12,26 @@
 namespace soms {
 namespace {
 
-constexpr Triangle kTriangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+constexpr Triangle kHalfSquare{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
 
 TEST(PointDistance, IsThatOfTheFaceAboveIt) {
-  EXPECT_EQ(point_distance({1, 1, 2}, kTriangle),
+  EXPECT_EQ(point_distance({1, 1, 2}, kHalfSquare),
             (PointDistance{{2, 2}, {1, 1, 0}, TriangleFeature::face}));
 }
 
 TEST(PointDistance, IsThatOfEdgesAndCornersBesideIt) {
-  EXPECT_EQ(point_distance({1, -3, 4}, kTriangle),
+  EXPECT_EQ(point_distance({1, -3, 4}, kHalfSquare),
             (PointDistance{{5, 5}, {1, 0, 0}, TriangleFeature::edge}));
-  EXPECT_EQ(point_distance({-3, 0, -4}, kTriangle),
+  EXPECT_EQ(point_distance({-3, 0, -4}, kHalfSquare),
             (PointDistance{{5, 5}, {0, 0, 0}, TriangleFeature::vertex}));
 }
 
 TEST(PointDistance, IsZeroOnTheTriangleAlone) {
-  EXPECT_EQ(point_distance({2, 2, 0}, kTriangle),
+  EXPECT_EQ(point_distance({2, 2, 0}, kHalfSquare),
             (PointDistance{{0, 0}, {2, 2, 0}, TriangleFeature::edge}));
-  EXPECT_EQ(point_distance({1, 2, 0}, kTriangle).distance, (Bracket{0, 0}));
+  EXPECT_EQ(point_distance({1, 2, 0}, kHalfSquare).distance, (Bracket{0, 0}));
   const double least = std::numeric_limits<double>::denorm_min();
-  EXPECT_EQ(point_distance({1, 2, least}, kTriangle),
+  EXPECT_EQ(point_distance({1, 2, least}, kHalfSquare),
             (PointDistance{{least, least}, {1, 2, 0}, TriangleFeature::face}));
 }
 
@@ -47,14 +47,14 @@ TEST(PointDistance, HoldsForSegmentsAndPoints) {
 
 TEST(PointDistance, HoldsAtTheEndsOfTheRange) {
   constexpr double kBig = 0x1p300;
-  const PointDistance far = point_distance({kBig, kBig, kBig}, kTriangle);
+  const PointDistance far = point_distance({kBig, kBig, kBig}, kHalfSquare);
   EXPECT_GT(far.distance.lower, kBig);
   EXPECT_EQ(far.feature, TriangleFeature::edge);
   EXPECT_EQ(
       point_distance({0, 0, -kBig}, {{-kBig, -kBig, kBig}, {kBig, -kBig, kBig}, {0, kBig, kBig}}),
       (PointDistance{{2 * kBig, 2 * kBig}, {0, 0, kBig}, TriangleFeature::face}));
   constexpr double kTiny = 0x1p-1074;
-  EXPECT_EQ(point_distance({kTiny, kTiny, kTiny}, kTriangle).distance, (Bracket{kTiny, kTiny}));
+  EXPECT_EQ(point_distance({kTiny, kTiny, kTiny}, kHalfSquare).distance, (Bracket{kTiny, kTiny}));
 }
 
 // The double next to a quotient of whole numbers, by the middle of its neighbors.

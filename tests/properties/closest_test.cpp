@@ -51,7 +51,7 @@ Vec3 point_at(const Mesh& mesh, Rng& rng) {
 }
 
 /// A mesh with at least one triangle, on a lattice.
-Mesh some_mesh(double unit) {
+Mesh mesh_on_lattice(double unit) {
   Mesh mesh = lattice_mesh(*lattice_corners(), unit);
   return mesh.triangles.empty() ? lattice_mesh({0, 1, 9}, unit) : mesh;
 }
@@ -153,7 +153,7 @@ TEST(ClosestProperty, TrianglesAgreeWithTheDistanceOfTriangles) {
 TEST(ClosestProperty, PowersOfTwoScaleIt) {
   check_property("closest/powers", [](std::uint64_t seed) {
     Rng rng(seed);
-    const Mesh mesh = some_mesh(0.125);
+    const Mesh mesh = mesh_on_lattice(0.125);
     const Vec3 p = point_in(rng, 6);
     const Closest expected = closest(Body(mesh), p);
     const int k = *rc::gen::inRange(-280, 280);
@@ -170,7 +170,7 @@ TEST(ClosestProperty, PowersOfTwoScaleIt) {
 
 TEST(ClosestProperty, RotationsOfTheCubeChangeNothing) {
   check_property("closest/rotations", [] {
-    const Mesh mesh = some_mesh(0x1p-3);
+    const Mesh mesh = mesh_on_lattice(0x1p-3);
     const Vec3 p = lattice_point(0x1p-3);
     const Closest expected = closest(Body(mesh), p);
     for (const Pose& turn : test::cube_rotations()) {
@@ -186,7 +186,7 @@ TEST(ClosestProperty, RotationsOfTheCubeChangeNothing) {
 TEST(ClosestProperty, PermutingTrianglesKeepsTheDistanceAndThePoint) {
   check_property("closest/permute", [](std::uint64_t seed) {
     Rng rng(seed);
-    const Mesh mesh = some_mesh(0.25);
+    const Mesh mesh = mesh_on_lattice(0.25);
     const Vec3 p = lattice_point(0.25);
     std::vector<TriangleId> order(mesh.triangles.size());
     std::iota(order.begin(), order.end(), 0U);

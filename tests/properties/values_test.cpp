@@ -171,7 +171,7 @@ TEST(Values, PrintAndCompareBodiesAndAnswers) {
 }
 
 TEST(Values, PrintAndCompareAnswersAboutPoints) {
-  const Body body(Shape(small_mesh()));
+  const Body body{Shape(small_mesh())};
   const Closest answer = closest(body, {0, 0, 0});
   EXPECT_EQ(printed(answer).rfind("Closest{distance: Bracket{0, 0}, farther: false, triangle: ", 0),
             0U)

@@ -78,7 +78,7 @@ void expect_right_ties(const Body& body, const test::ClosestPointRow& row) {
 }
 
 /// All rows of one mesh by one rule and layout.
-void run(const Rows& rows, const Mesh& mesh, const ShapeOptions& options, bool usual) {
+void run_mesh(const Rows& rows, const Mesh& mesh, const ShapeOptions& options, bool usual) {
   const Body body(Shape(mesh, options));
   const std::vector<Vec3> points = points_of(rows);
   const ClosestBatch one = closest(body, points);
@@ -100,7 +100,7 @@ void run(const Rows& rows, const Mesh& mesh, const ShapeOptions& options, bool u
   }
 }
 
-void run(const Rows& rows) {
+void run_points(const Rows& rows) {
   std::map<std::string, Rows> by_mesh;
   for (const test::ClosestPointRow& row : rows) {
     by_mesh[row.mesh].push_back(row);
@@ -110,8 +110,8 @@ void run(const Rows& rows) {
       for (const Layout layout : {Layout::wide, Layout::compact}) {
         SCOPED_TRACE(std::string(rule.name) + (layout == Layout::wide ? "" : ", compact"));
         const bool usual = rule.rule == BuildOptions().rule;
-        ASSERT_NO_FATAL_FAILURE(run(some, *test::truth_mesh(name),
-                                    {.build = {.rule = rule.rule}, .layout = layout}, usual));
+        ASSERT_NO_FATAL_FAILURE(run_mesh(some, *test::truth_mesh(name),
+                                         {.build = {.rule = rule.rule}, .layout = layout}, usual));
       }
     }
   }
@@ -133,7 +133,7 @@ class ClosestTruth : public testing::Test {
 TEST_F(ClosestTruth, HoldsForThePointsHere) {
   const Rows rows = test::read_closest_points(test::data("distance/closest.csv"));
   ASSERT_EQ(rows.size(), 345U);
-  run(rows);
+  run_points(rows);
 }
 
 TEST_F(ClosestTruth, HoldsForAllPoints) {
@@ -143,7 +143,7 @@ TEST_F(ClosestTruth, HoldsForAllPoints) {
   }
   const Rows rows = test::read_closest_points(*file);
   ASSERT_EQ(rows.size(), 10'164U);
-  run(rows);
+  run_points(rows);
 }
 
 }  // namespace
