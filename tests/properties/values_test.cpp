@@ -173,7 +173,8 @@ TEST(Values, PrintAndCompareBodiesAndAnswers) {
 TEST(Values, PrintAndCompareAnswersAboutPoints) {
   const Body body{Shape(small_mesh())};
   const Closest answer = closest(body, {0, 0, 0});
-  EXPECT_EQ(printed(answer).rfind("Closest{distance: Bracket{0, 0}, farther: false, triangle: ", 0),
+  EXPECT_EQ(printed(answer).rfind(
+                "Closest{distance: Bracket{lower: 0, upper: 0}, farther: false, triangle: ", 0),
             0U)
       << answer;
   EXPECT_EQ(answer, Closest(answer));
@@ -187,8 +188,9 @@ TEST(Values, PrintAndCompareAnswersAboutPoints) {
             "NearTriangles{2 points, 4 triangles, cost: " + printed(near.cost) + "}");
   EXPECT_FALSE(near == NearTriangles{});
   EXPECT_EQ(printed(ClosestOptions{.at_most = 2}), "ClosestOptions{at_most: 2}");
-  EXPECT_EQ(printed(PointDistance{{1, 1}, {0, 0, 1}, TriangleFeature::edge}),
-            "PointDistance{distance: Bracket{1, 1}, point: Vec3{0, 0, 1}, feature: edge}");
+  EXPECT_EQ(
+      printed(PointDistance{{1, 1}, {0, 0, 1}, TriangleFeature::edge}),
+      "PointDistance{distance: Bracket{lower: 1, upper: 1}, point: Vec3{0, 0, 1}, feature: edge}");
 }
 
 TEST(Values, PrintOptionsOfQueries) {

@@ -65,6 +65,9 @@ class Finder {
   [[nodiscard]] PointFeature find() const {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t before = next(next(i));
+      if (r_[i] == Vec3{}) {
+        return {corner_feature(i), corner_feature(i), 0};  // the point is the corner
+      }
       if (from_[i] >= 0 && to_[before] >= 0) {
         const bool sure = above(from_[i], long_r_[i] * long_e_[i]) &&
                           above(to_[before], long_r_[i] * long_e_[before]);
