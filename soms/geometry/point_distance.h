@@ -34,7 +34,7 @@ struct PointDistance {
 ///
 /// \pre     Coordinates are finite and of magnitude at most 2^300.
 /// \errors  None but memory.
-/// \cost    About 200 ns; some 5 us where the nearest point is next to a border of features.
+/// \cost    About 300 ns; some 3 us where the nearest point is next to a border of features.
 [[nodiscard]] PointDistance point_distance(const Vec3& point, const Triangle& triangle);
 
 }  // namespace soms
