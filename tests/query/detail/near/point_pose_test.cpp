@@ -7,6 +7,7 @@
 #include "soms/query/detail/leaf_pairs.h"
 
 #include "tests/query/overlap_inputs.h"
+#include "tests/support/bodies.h"
 #include "tests/support/support.h"
 
 #include <gtest/gtest.h>
@@ -120,7 +121,7 @@ TEST(PointPose, KeysAreBoundsByEveryInstructionSet) {
 }
 
 TEST(PointPose, KnowsNoDistanceWhereRoundingOutweighsTheBody) {
-  const Body body(Mesh{.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .triangles = {{0, 1, 2}}});
+  const Body body(test::soup_body({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}));
   const PointFrame frame(body);
   PointPose pose(frame, {0x1p200, 0, 0});
   EXPECT_EQ(pose.distance_of(1), 0);
