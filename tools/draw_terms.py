@@ -510,6 +510,32 @@ def bracket():
     return drawing("Bracket: the doubles next to a distance, and within, which is decided exactly", 182, made)
 
 
+def closest():
+    """A triangle seen from above, cut off from what is nearest to its corners and edges."""
+    a, b, c = (190, 170), (350, 170), (240, 60)  # a to b is level
+
+    def out(p, q, r, far):
+        """From p across the side from p to q, away from r."""
+        across = (q[1] - p[1], p[0] - q[0])
+        inward = across[0] * (r[0] - p[0]) + across[1] * (r[1] - p[1])
+        length = (across[0] ** 2 + across[1] ** 2) ** 0.5 * (-1 if inward > 0 else 1)
+        return (p[0] + far * across[0] / length, p[1] + far * across[1] / length)
+
+    made = [polygon([a, b, c], "a pale a-line")]
+    for p, q, r in ((a, b, c), (b, c, a), (c, a, b)):
+        made += [line([p, out(p, q, r, 54)], "faint-line dashed"), line([q, out(q, p, r, 54)], "faint-line dashed")]
+    samples = [((255, 128), (255, 128), "both"), ((270, 210), (270, 170), "both"), ((150, 196), a, "both")]
+    for point, nearest_to, color in samples:
+        made += [line([point, nearest_to], f"thick {color}-line"), dot(point, "ink", 4), dot(nearest_to, color, 4)]
+    made += [words(255, 118, "face", "a strong"), words(278, 228, "edge", "a strong", "start"),
+             words(142, 216, "vertex", "a strong", "end"),
+             words(410, 84, "face: above the triangle", "ink", "start"),
+             words(410, 112, "edge: beside a side of it", "ink", "start"),
+             words(410, 140, "vertex: beyond a corner", "ink", "start"),
+             words(410, 168, "of the triangle that is named", "faint", "start")]
+    return drawing("Feature: where on a triangle its nearest point to another point lies", 244, made)
+
+
 def own_axes(view, origin, up, color):
     """The axes x and `up` of a file, named at their ends."""
     made = []
@@ -548,7 +574,7 @@ def two_axes():
 DRAWINGS = {
     "axes": two_axes, "touching": touching, "crossing": crossing, "coplanar": coplanar, "inside": inside, "gap": gap,
     "pose": pose, "parts": parts, "traversal": traversal, "coverage": coverage, "hash": hashes,
-    "nearest": nearest, "bracket": bracket,
+    "nearest": nearest, "bracket": bracket, "closest": closest,
 }
 
 

@@ -121,24 +121,9 @@ class ContainsRun : public RowRun {
   bool read_row() override {
     const std::optional<Vec3> point = points_.next();
     if (point) {
-      check_range(Pose::translation(point->x, point->y, point->z));
       block_.push_back(*point);
     }
     return point.has_value();
-  }
-
-  /// A point that is too far is named before its block is answered.
-  void check_range(const Pose& as_pose) const {
-    Box origin;
-    origin.grow(Vec3{});
-    try {
-      soms::check_range(as_pose, origin);
-    } catch (const Error& error) {
-      throw Error(error.kind(),
-                  fmt::format("{}: point {}: a coordinate is beyond 2^300", points_.name(),
-                              totals().rows + block_.size()),
-                  "use a larger unit of length");
-    }
   }
 
   std::uint64_t answer_block() override {

@@ -1,6 +1,10 @@
 set(SOMS_COMMAND_FILES
   bench.cpp
   bench.h
+  closest.cpp
+  closest.h
+  closest_output.cpp
+  closest_output.h
   completion.cpp
   completion.h
   contains.cpp

@@ -1,6 +1,7 @@
 #include "apps/soms/verbs.h"
 
 #include "apps/soms/bench.h"
+#include "apps/soms/closest.h"
 #include "apps/soms/completion.h"
 #include "apps/soms/contains.h"
 #include "apps/soms/convert.h"
@@ -22,6 +23,8 @@ namespace {
 
 constexpr std::array kVerbs{
     Verb{"bench", "compare soms with the installed peers on your own two models", add_bench},
+    Verb{"closest", "find the nearest points of a model to points, and the triangles near them",
+         add_closest},
     Verb{"completion", "print a shell completion script", add_completion},
     Verb{"contains", "decide which points are inside a closed model", add_contains},
     Verb{"convert", "convert a model to PLY, 3DS, STL, OFF, OBJ or GLB", add_convert},

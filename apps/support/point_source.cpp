@@ -5,45 +5,64 @@
 #include "apps/support/console.h"
 #include "apps/support/standard_input.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+
 namespace soms::command {
 
 PointSource::PointSource(const std::string& path, const Console& console)
-    : name_(path == "-" ? kStandardInputName : path), console_(console) {
+    : name_(path == "-" ? kStandardInputName : path), console_(&console) {
   if (path == "-") {
     check_standard_input("points");
   }
-  constexpr const char* kRemedy = "begin with the header x,y,z";
   try {
-    reader_.emplace(path == "-" ? kStandardInput : path, console.limited());
-  } catch (const Error& error) {
-    // The reader of poses knows more headers.
-    fail(error.kind() == ErrorKind::bad_file ? Error(error.kind(), error.place(), kRemedy) : error);
-  }
-  if (!reader_->shifts_only()) {
-    throw Error(ErrorKind::bad_file, name_ + ": the header is that of poses, not of points",
-                kRemedy);
-  }
-}
-
-std::optional<Vec3> PointSource::next() {
-  try {
-    const std::optional<Pose> row = reader_->next();
-    if (!row && !any_) {
-      throw Error(ErrorKind::bad_file, name_ + ": no rows",
-                  "give at least one point below the header");
+    reader_.emplace(path == "-" ? std::string(kStandardInput) : path, console_->limited());
+    if (!reader_->shifts_only()) {
+      throw Error(ErrorKind::bad_file, name_ + ": the header is that of poses, not of points",
+                  "begin with the header x,y,z");
     }
-    any_ = true;
-    return row ? std::optional(row->shift()) : std::nullopt;
   } catch (const Error& error) {
     fail(error);
   }
 }
 
-/// Throws what the reader threw, in the words of --points.
+std::optional<Vec3> PointSource::read() {
+  try {
+    const std::optional<Pose> row = reader_->next();
+    if (!row && rows_ == 0) {
+      throw Error(ErrorKind::bad_file, name_ + ": no rows",
+                  "give at least one point below the header");
+    }
+    if (!row) {
+      return std::nullopt;
+    }
+    const Vec3 point{row->m[3], row->m[7], row->m[11]};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (std::abs(point[axis]) > kMaxCoordinate) {
+        throw Error(ErrorKind::out_of_range,
+                    fmt::format("{}: point {}: {} exceeds 2^300", name_, rows_, "xyz"[axis]),
+                    "scale the model and the points");
+      }
+    }
+    ++rows_;
+    return point;
+  } catch (const Error& error) {
+    fail(error);
+  }
+}
+
+/// Throws what the reader threw, in the words of points.
 void PointSource::fail(const Error& error) const {
-  if (error.kind() == ErrorKind::cancelled && !console_.interrupted()) {
+  if (error.kind() == ErrorKind::cancelled && !console_->interrupted()) {
     throw Error(ErrorKind::timed_out, "out of time while reading points from " + name_,
                 "allow more time with --timeout");
+  }
+  if (error.kind() == ErrorKind::bad_file && rows_ == 0 &&
+      error.remedy().find("r00") != std::string::npos) {
+    throw Error(error.kind(), error.place(), "begin with the header x,y,z");
   }
   if (name_ == kStandardInputName) {
     throw of_standard_input(error);
@@ -52,6 +71,44 @@ void PointSource::fail(const Error& error) const {
     throw Error(error.kind(), error.place(), "name a CSV file of points, or - for standard input");
   }
   throw error;
+}
+
+std::optional<Vec3> PointSource::next() {
+  if (!ahead_.empty()) {
+    const Vec3 point = ahead_.front();
+    ahead_.pop_front();
+    return point;
+  }
+  if (error_) {
+    std::rethrow_exception(error_);
+  }
+  return single_.value_or(false) ? std::nullopt : read();
+}
+
+bool PointSource::ready() {
+  return !ahead_.empty() || error_ || single_.value_or(false) || reader_->ready();
+}
+
+bool PointSource::is_single() {
+  if (!single_) {
+    try {
+      while (ahead_.size() < 2) {
+        const std::optional<Vec3> point = read();
+        if (!point) {
+          break;
+        }
+        ahead_.push_back(*point);
+      }
+      single_ = ahead_.size() < 2;
+    } catch (const Error& error) {
+      if (error.kind() == ErrorKind::cancelled) {
+        throw;
+      }
+      error_ = std::current_exception();
+      single_ = false;
+    }
+  }
+  return *single_;
 }
 
 }  // namespace soms::command

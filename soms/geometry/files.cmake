@@ -9,6 +9,7 @@ set(SOMS_HEADERS
   orientation.h
   part_runs.h
   parts_of.h
+  point_distance.h
   polygon.h
   print.h
   triangle_distance.h
@@ -24,6 +25,7 @@ set(SOMS_SOURCES
   detail/crossing.cpp
   detail/distance_ends.cpp
   detail/exact_distance.cpp
+  detail/exact_point.cpp
   detail/feature_proof.cpp
   detail/flat_overlap.cpp
   detail/joined.cpp
@@ -32,12 +34,15 @@ set(SOMS_SOURCES
   detail/odd_edges.cpp
   detail/orientation_exact.cpp
   detail/pair_distance.cpp
+  detail/point_feature.cpp
+  detail/point_to_triangle.cpp
   frames.cpp
   mesh.cpp
   midpoint.cpp
   orientation.cpp
   part_runs.cpp
   parts_of.cpp
+  point_distance.cpp
   polygon.cpp
   print.cpp
   triangle_distance.cpp

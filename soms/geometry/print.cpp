@@ -10,6 +10,7 @@
 #include "soms/geometry/midpoint.h"
 #include "soms/geometry/orientation.h"
 #include "soms/geometry/part_runs.h"
+#include "soms/geometry/point_distance.h"
 #include "soms/geometry/triangle_distance.h"
 
 namespace soms {
@@ -136,6 +137,18 @@ std::ostream& operator<<(std::ostream& out, const PartClosedness& value) {
                     .add("degenerate", value.degenerate)
                     .add("odd_edges", value.odd_edges)
                     .add("odd_proper_edges", value.odd_proper_edges);
+}
+
+std::ostream& operator<<(std::ostream& out, const PointDistance& value) {
+  return out << PrintedFields("PointDistance")
+                    .add("distance", value.distance)
+                    .add("point", value.point)
+                    .add("feature", value.feature);
+}
+
+std::ostream& operator<<(std::ostream& out, TriangleFeature value) {
+  return out << printed_name("TriangleFeature", static_cast<int>(value),
+                             {"vertex", "edge", "face"});
 }
 
 std::ostream& operator<<(std::ostream& out, const Crossing& value) {

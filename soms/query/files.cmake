@@ -1,6 +1,7 @@
 set(SOMS_HEADERS
   answer.h
   body.h
+  closest.h
   contains.h
   distance.h
   instruction_set.h
@@ -8,6 +9,7 @@ set(SOMS_HEADERS
   overlap_method.h
   overlap_run.h
   print.h
+  reference/closest.h
   reference/contains.h
   reference/distance.h
   reference/overlap.h
@@ -57,4 +59,12 @@ set(SOMS_SOURCES
   reference/distance.cpp
   reference/overlap.cpp
   within.cpp
+  closest.cpp
+  near_triangles.cpp
+  reference/closest.cpp
+  detail/near/direction.cpp
+  detail/near/point_goal.cpp
+  detail/near/point_pose.cpp
+  detail/near/point_query.cpp
+  detail/near/point_traversal.cpp
 )

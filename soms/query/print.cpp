@@ -2,6 +2,8 @@
 
 #include "soms/base/print.h"
 #include "soms/base/print_fields.h"
+#include "soms/geometry/print.h"
+#include "soms/query/closest.h"
 #include "soms/query/contains.h"
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
@@ -95,6 +97,37 @@ std::ostream& operator<<(std::ostream& out, const Overlap& value) {
                     .add("any", value.any)
                     .item(pairs_in_words(value.pairs))
                     .add("coverage", value.coverage)
+                    .add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const Closest& value) {
+  PrintedFields fields("Closest");
+  fields.add("distance", value.distance).add("farther", value.farther);
+  if (value.triangle) {
+    fields.add("triangle", *value.triangle).add("point", value.point).add("feature", value.feature);
+  }
+  return out << fields.add("coverage", value.coverage).add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const ClosestBatch& value) {
+  return out << PrintedFields("ClosestBatch")
+                    .item(printed_count(value.size(), "point", "points"))
+                    .add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const ClosestOptions& value) {
+  PrintedFields fields("ClosestOptions");
+  fields.add("at_most", value.at_most);
+  if (value.deadline) {
+    fields.item("deadline set");
+  }
+  return out << fields;
+}
+
+std::ostream& operator<<(std::ostream& out, const NearTriangles& value) {
+  return out << PrintedFields("NearTriangles")
+                    .item(printed_count(value.size(), "point", "points"))
+                    .item(printed_count(value.triangle.size(), "triangle", "triangles"))
                     .add("cost", value.cost);
 }
 

@@ -143,7 +143,7 @@ TEST(ContainsVerb, NamesWhatIsWrongWithPoints) {
        "standard input: the header is that of poses, not of points"},
       {"x,y,z\n0,0,0\n0,zero,0\n", "standard input, line 3: y is \"zero\", not a number"},
       {"x,y,z\n0,nan,0\n", "line 2: y is \"nan\", not a finite number"},
-      {"x,y,z\n0,0,0\n1e200,0,0\n", "standard input: point 1: a coordinate is beyond 2^300"}};
+      {"x,y,z\n0,0,0\n1e200,0,0\n", "standard input: point 1: x exceeds 2^300"}};
   for (const auto& [points, message] : cases) {
     const RunResult result = soms_run({"contains", box(), "--points", "-", "--json"}, points);
     EXPECT_EQ(result.status, 3) << points;

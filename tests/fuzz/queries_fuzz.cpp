@@ -1,6 +1,6 @@
 // Two meshes of awkward numbers at awkward poses, by any rule in either layout, as built or
-// refitted: every question of the table, at lengths at and beside the distance, and a named
-// traversal, against brute force.
+// refitted: every question of the table, at lengths at and beside the distance, a named traversal,
+// and every question about points, against brute force.
 #include "soms/thesis/overlap.h"
 #include "soms/thesis/traversals.h"
 #include "soms/tree/check.h"
@@ -11,6 +11,7 @@
 #include "tests/fuzz/bytes.h"
 #include "tests/fuzz/poses.h"
 #include "tests/fuzz/require.h"
+#include "tests/support/closest_check.h"
 #include "tests/support/query_table.h"
 
 #include <array>
@@ -188,6 +189,22 @@ void check_batch(const Shape& mover, const std::vector<Pose>& poses, const Body&
   }
 }
 
+/// A corner of the mover, now and then an ulp off, is a point beside the other body.
+void check_point(const Body& mover, const Body& fixed, Bytes& bytes) {
+  const Mesh& mesh = mover.shape.mesh();
+  if (mesh.vertices.empty()) {
+    return;
+  }
+  const auto corners = static_cast<std::uint32_t>(mesh.vertices.size());
+  Vec3 point = mover.pose.apply(mesh.vertices[bytes.byte() % corners]);
+  if (bytes.below(3) == 0) {
+    double& x = point[bytes.below(3)];
+    x = std::nextafter(x, bytes.below(2) == 0 ? -1e300 : 1e300);
+  }
+  const std::string fault = test::first_fault_of_point(fixed, point);
+  require(fault.empty(), fault.c_str());
+}
+
 void check_input(Bytes& bytes) {
   const Numbers first(bytes);
   Numbers second = bytes.below(2) == 0 ? first : Numbers(bytes);
@@ -206,6 +223,7 @@ void check_input(Bytes& bytes) {
     truth = test::truth_of(mover, fixed);
     check_pair(mover, fixed, truth);
     check_traversal(mover, fixed, truth, bytes);
+    check_point(mover, fixed, bytes);
   }
   poses.insert(poses.begin(), Pose());
   poses.push_back(poses.back());

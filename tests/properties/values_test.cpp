@@ -189,6 +189,29 @@ TEST(Values, PrintAndCompareBodiesAndAnswers) {
   EXPECT_EQ(printed(NodePair{1, 2}), "NodePair{a: 1, b: 2}");
 }
 
+TEST(Values, PrintAndCompareAnswersAboutPoints) {
+  const Body body{Shape(small_mesh())};
+  const Closest answer = closest(body, {0, 0, 0});
+  EXPECT_EQ(printed(answer).rfind(
+                "Closest{distance: Bracket{lower: 0, upper: 0}, farther: false, triangle: ", 0),
+            0U)
+      << answer;
+  EXPECT_EQ(answer, Closest(answer));
+  EXPECT_FALSE(answer == Closest{});
+  const std::array<Vec3, 2> points{Vec3{}, Vec3{1, 2, 3}};
+  const ClosestBatch batch = closest(body, points);
+  EXPECT_EQ(printed(batch), "ClosestBatch{2 points, cost: " + printed(batch.cost) + "}");
+  EXPECT_FALSE(batch == ClosestBatch{});
+  const NearTriangles near = nearest_triangles(body, points, 2);
+  EXPECT_EQ(printed(near),
+            "NearTriangles{2 points, 4 triangles, cost: " + printed(near.cost) + "}");
+  EXPECT_FALSE(near == NearTriangles{});
+  EXPECT_EQ(printed(ClosestOptions{.at_most = 2}), "ClosestOptions{at_most: 2}");
+  EXPECT_EQ(
+      printed(PointDistance{{1, 1}, {0, 0, 1}, TriangleFeature::edge}),
+      "PointDistance{distance: Bracket{lower: 1, upper: 1}, point: Vec3{0, 0, 1}, feature: edge}");
+}
+
 TEST(Values, PrintOptionsOfQueries) {
   EXPECT_EQ(printed(OverlapOptions{.mode = OverlapMode::first, .limit = 7}),
             "OverlapOptions{mode: first, limit: 7}");

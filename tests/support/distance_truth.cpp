@@ -3,7 +3,9 @@
 #include "tests/support/support.h"
 #include "tests/support/truth_row.h"
 
+#include <stdexcept>
 #include <string_view>
+#include <utility>
 
 namespace soms::test {
 
@@ -42,6 +44,17 @@ DistanceCase distance_case(const TruthRow& row) {
   return c;
 }
 
+TriangleFeature feature(const std::string& name) {
+  for (const auto& [known, feature] :
+       {std::pair("vertex", TriangleFeature::vertex), std::pair("edge", TriangleFeature::edge),
+        std::pair("face", TriangleFeature::face)}) {
+    if (name == known) {
+      return feature;
+    }
+  }
+  throw std::runtime_error("no feature is named " + name);
+}
+
 }  // namespace
 
 std::vector<DistanceCase> read_distance_cases(const std::filesystem::path& file) {
@@ -65,7 +78,8 @@ std::vector<ClosestPointRow> read_closest_points(const std::filesystem::path& fi
   std::vector<ClosestPointRow> rows;
   for (const TruthRow& row : truth_rows(file, 14)) {
     rows.push_back({row[0], row[1], point(row, 2), bracket(row, 5),
-                    truth_number<TriangleId>(row[7]), point(row, 11)});
+                    truth_number<TriangleId>(row[7]), truth_number<std::uint64_t>(row[8]),
+                    feature(row[9]), truth_number<int>(row[10]) != 0, point(row, 11)});
   }
   return rows;
 }

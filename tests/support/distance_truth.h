@@ -7,6 +7,7 @@
 #include "soms/base/bracket.h"
 #include "soms/base/pose.h"
 #include "soms/base/vector.h"
+#include "soms/geometry/point_distance.h"
 #include "soms/query/answer.h"
 
 #include <filesystem>
@@ -47,9 +48,12 @@ struct ClosestPointRow {
   std::string kind;
   std::string mesh;
   Vec3 point;
-  Bracket distance;         ///< the doubles next to d
-  TriangleId triangle = 0;  ///< the least that is at exactly d
-  Vec3 nearest;             ///< of that triangle's points, each coordinate to the nearest double
+  Bracket distance;                                   ///< the doubles next to d
+  TriangleId triangle = 0;                            ///< the least that is at exactly d
+  std::uint64_t ties = 0;                             ///< triangles at exactly d
+  TriangleFeature feature = TriangleFeature::vertex;  ///< of that triangle, which has `nearest`
+  bool on = false;                                    ///< d = 0
+  Vec3 nearest;  ///< of that triangle's points, each coordinate to the nearest double
 };
 
 /// Rows of a file of the set. \errors std::runtime_error for a row that is not as described there.

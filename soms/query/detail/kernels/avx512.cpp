@@ -41,6 +41,7 @@ namespace {
 #include "soms/query/detail/kernels/near_triangles.h"
 //
 #include "soms/query/detail/kernels/parity.h"
+#include "soms/query/detail/kernels/point_bounds.h"
 
 inline __m512 four(const std::array<float, 4>& from) {
   return _mm512_broadcast_f32x4(_mm_load_ps(from.data()));
@@ -253,9 +254,9 @@ inline std::size_t put_all(std::uint32_t pairs, __m128i x, __m128i y, std::uint3
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"avx512",   test_nodes, test_larger, append,
-                                  test_slabs, test_boxes, judge,       bound_nodes,
-                                  near_boxes, near_pairs, ray_nodes,   ray_blocks};
+  static constexpr Kernels kTable{"avx512",    test_nodes,      test_larger, append,     test_slabs,
+                                  test_boxes,  judge,           bound_nodes, near_boxes, near_pairs,
+                                  bound_boxes, bound_triangles, ray_nodes,   ray_blocks};
   return kTable;
 }
 

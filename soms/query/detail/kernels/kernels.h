@@ -142,6 +142,35 @@ struct NearFilter {
   std::array<float, 3> direction;  ///< some direction from x to y, of length 1 or below
 };
 
+/// A point beside a tree (near/point_pose.h).
+struct PointNumbers {
+  std::array<double, 3> place =
+      {};            ///< from the tree's origin, along the mesh's axes, in its units
+  double scale = 1;  ///< turns them into those of the layout
+  float slack = 0;   ///< margin for the rounding of the place and of moved vertices
+
+  /// From the origin of a node or block to the point, in the layout's units.
+  [[nodiscard]] std::array<float, 3> offset(const std::array<double, 3>& origin) const {
+    std::array<float, 3> d = {};
+    for (std::size_t i = 0; i < 3; ++i) {
+      d[i] = static_cast<float>((place[i] - origin[i]) * scale);
+    }
+    return d;
+  }
+};
+
+/// Lower bounds of a point's distances from a node's boxes; where it is inside, the largest gap of
+/// an axis, which is at most 0. Those of lanes not in use may be anything.
+struct alignas(16) PointNodeKeys {
+  std::array<float, WideNode::kWidth> key;
+};
+
+/// Distances of a point from a block's triangles. Those of lanes not in use repeat the last one.
+struct alignas(32) PointBlockKeys {
+  std::array<float, TriangleBlock::kWidth> key;       ///< proved lower bounds, some below 0
+  std::array<float, TriangleBlock::kWidth> estimate;  ///< the distances, more or less
+};
+
 /// One instruction set's tests.
 struct Kernels {
   const char* name;
@@ -178,6 +207,12 @@ struct Kernels {
   /// beyond `reach` have a bound, but perhaps no estimate: infinity.
   void (*near_pairs)(const TriangleSlot* slots, const std::uint32_t* first,
                      const std::uint32_t* second, std::size_t count, float reach, PairGaps& gaps);
+
+  /// Bounds the distances of a point from the boxes of a node, and from the triangles of a block
+  /// (point_bounds.h).
+  void (*bound_boxes)(const PointNumbers& point, const WideNode& node, PointNodeKeys& keys);
+  void (*bound_triangles)(const PointNumbers& point, const TriangleBlock& block,
+                          PointBlockKeys& keys);
 
   /// Lanes of nodes that a ray may meet (parity.h).
   void (*ray_nodes)(RayNodeTask* tasks, std::size_t count);

@@ -9,6 +9,10 @@ inline M8 operator|(M8 a, M8 b) {
   return {_kor_mask8(a.v, b.v)};
 }
 
+inline M8 operator&(M8 a, M8 b) {
+  return {_kand_mask8(a.v, b.v)};
+}
+
 inline std::uint32_t bits(M8 m) {
   return m.v;
 }
@@ -39,6 +43,14 @@ inline F8 operator*(F8 a, F8 b) {
   return F8(_mm256_mul_ps(a.v, b.v));
 }
 
+inline F8 operator/(F8 a, F8 b) {
+  return F8(_mm256_div_ps(a.v, b.v));
+}
+
+inline F8 sqrt(F8 a) {
+  return F8(_mm256_sqrt_ps(a.v));
+}
+
 inline M8 operator>(F8 a, F8 b) {
   return {_mm256_cmp_ps_mask(a.v, b.v, _CMP_GT_OQ)};
 }
@@ -53,4 +65,8 @@ inline F8 max(F8 a, F8 b) {
 
 inline F8 abs(F8 a) {
   return F8(_mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.v));
+}
+
+inline F8 select(M8 where, F8 a, F8 b) {
+  return F8(_mm256_mask_blend_ps(where.v, b.v, a.v));
 }

@@ -1,6 +1,7 @@
 #include "soms/query/detail/near/far_search.h"
 
 #include "soms/query/detail/leaf_pairs.h"
+#include "soms/query/detail/near/direction.h"
 #include "soms/query/detail/near/far_support.h"
 
 #include <algorithm>

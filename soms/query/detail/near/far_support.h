@@ -13,12 +13,6 @@
 
 namespace soms::detail {
 
-/// The direction of `v`, of length 1 to a few roundings; any where it is 0.
-[[nodiscard]] Vec3 direction(const Vec3& v);
-
-/// The length of `v`, without overflow, nor underflow that matters.
-[[nodiscard]] double length(const Vec3& v);
-
 /// `w` along the axes of a mesh that a pose moves, then along those of a node.
 [[nodiscard]] std::array<float, 3> seen(const Pose& pose, const Vec3& w, const layout::Axes& axes);
 

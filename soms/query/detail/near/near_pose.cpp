@@ -1,5 +1,6 @@
 #include "soms/query/detail/near/near_pose.h"
 
+#include "soms/query/detail/near/direction.h"
 #include "soms/query/detail/near/far_support.h"
 
 #include <algorithm>
@@ -22,18 +23,6 @@ float rounded_up(double x) {
 /// At most `x`.
 float rounded_down(double x) {
   return static_cast<float>(x - (std::abs(x) * 0x1p-22 + 0x1p-100));
-}
-
-/// `max |R^T R - I|`.
-double skew(const Matrix3& r) {
-  double most = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      const double entry = (r[0][i] * r[0][j] + r[1][i] * r[1][j]) + r[2][i] * r[2][j];
-      most = std::max(most, std::abs(entry - (i == j ? 1 : 0)));
-    }
-  }
-  return most;
 }
 
 // Constants of the proof in near_pose.h. "Largest seen" is the most that tests and
@@ -72,6 +61,17 @@ std::array<float, TriangleBlock::kWidth> supports(const TriangleBlock& block,
 }
 
 }  // namespace
+
+double skew(const Matrix3& r) {
+  double most = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double entry = (r[0][i] * r[0][j] + r[1][i] * r[1][j]) + r[2][i] * r[2][j];
+      most = std::max(most, std::abs(entry - (i == j ? 1 : 0)));
+    }
+  }
+  return most;
+}
 
 NearPose::NearPose(PairFrame& frame)
     : x_(frame.x()),

@@ -53,6 +53,9 @@
 
 namespace soms::detail {
 
+/// `max |R^T R - I|`.
+[[nodiscard]] double skew(const Matrix3& r);
+
 /// Two trees at their places, as queries of nearness see them. Keys and limits are floats in units
 /// of y's layout.
 class NearPose {

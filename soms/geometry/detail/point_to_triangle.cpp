@@ -1,0 +1,226 @@
+#include "soms/geometry/detail/point_to_triangle.h"
+
+#include "soms/base/arithmetic.h"
+#include "soms/geometry/detail/distance_ends.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace soms::detail {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// What is added to a length for an error on each axis: sqrt(3), rounded up.
+constexpr double kOfAxes = 1.75;
+
+/// The largest double that is not above x, and the least that is not below it.
+double below(const DoubleDouble& x) {
+  return x.low < 0 ? std::nextafter(x.high, -kInfinity) : x.high;
+}
+
+double above(const DoubleDouble& x) {
+  return x.low > 0 ? std::nextafter(x.high, kInfinity) : x.high;
+}
+
+using std::sqrt;
+
+template <class T>
+T length(const std::array<T, 3>& v) {
+  return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/// Whether a feature of each has the same corners.
+bool same_corners(const Triangle& s, Feature f, const Triangle& t, Feature g) {
+  if (corner_count(f) != corner_count(g)) {
+    return false;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    bool found = (f >> i & 1) == 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      found = found || ((g >> j & 1) != 0 && corner(s, i) == corner(t, j));
+    }
+    if (!found) {
+      return false;
+    }
+  }
+  return true;
+}
+
+TriangleFeature kind_of(Feature feature) {
+  return feature == kFace             ? TriangleFeature::face
+         : corner_count(feature) == 2 ? TriangleFeature::edge
+                                      : TriangleFeature::vertex;
+}
+
+}  // namespace
+
+PointToTriangle::PointToTriangle(const Vec3& point, const Triangle& triangle)
+    : point_(point), triangle_(triangle), stage_(Stage::doubles) {
+  const PlainArithmetic plain;
+  found_ = find_feature(point, triangle);
+  if (found_.proved()) {
+    const double length_of_way = length(way_to<double>(point, triangle, found_.feature));
+    const double error =
+        kUnitOfDouble * (kOfAxes * found_.error + 8 * length_of_way) * (1 + 0x1p-20);
+    lower_ = std::max(length_of_way - error, 0.0);
+    upper_ = length_of_way + error;
+    return;
+  }
+  // No second stage: what rounding leaves open is mostly a tie.
+  stage_ = Stage::double_doubles;
+  const AboutCorner<double> place(triangle, {point, point, point});
+  if (place.reach == 0) {
+    return;  // all four are one point
+  }
+  const Ends<double> found = ends(place, {found_.guess, 1});
+  // Powers of two, but that small numbers lose what is below the least of them.
+  constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+  lower_ = std::max(std::ldexp(found.lower, place.exponent) - kLeast, 0.0);
+  upper_ = std::ldexp(found.upper, place.exponent) + kLeast;
+}
+
+Bracket PointToTriangle::bounds() const {
+  return {below(lower_), above(upper_)};
+}
+
+const ExactPoint& PointToTriangle::exact() {
+  if (!exact_) {
+    exact_ = std::make_shared<const ExactPoint>(point_, triangle_, found_.guess);
+    found_.feature = exact_->feature();
+  }
+  return *exact_;
+}
+
+void PointToTriangle::refine_way() {
+  way_ = way_to<DoubleDouble>(point_, triangle_, found_.feature);
+  stage_ = Stage::double_doubles;
+  const DoubleDouble whole = length(way_);
+  const DoubleDouble error =
+      kUnitOfDoubleDouble * (kOfAxes * found_.error + 8 * whole.high) * (1 + 0x1p-20);
+  lower_ = std::max(lower_, whole - error);
+  upper_ = std::min(upper_, whole + error);
+}
+
+void PointToTriangle::refine() {
+  if (stage_ == Stage::doubles) {
+    refine_way();
+    return;
+  }
+  stage_ = Stage::exact;
+  const Bracket found = bracket(exact().squared());
+  lower_ = found.lower;
+  upper_ = found.upper;
+}
+
+bool PointToTriangle::has_feature_of(const PointToTriangle& other) const {
+  return found_.proved() && other.found_.proved() &&
+         same_corners(triangle_, found_.feature, other.triangle_, other.found_.feature);
+}
+
+std::strong_ordering PointToTriangle::compare(PointToTriangle& other) {
+  const PlainArithmetic plain;
+  for (;;) {
+    if (lower_ > other.upper_) {
+      return std::strong_ordering::greater;
+    }
+    if (upper_ < other.lower_) {
+      return std::strong_ordering::less;
+    }
+    if (has_feature_of(other)) {
+      return std::strong_ordering::equal;
+    }
+    if (stage_ == Stage::exact && other.stage_ == Stage::exact) {
+      return detail::compare(exact().squared(), other.exact().squared());
+    }
+    PointToTriangle& next = stage_ < other.stage_ ? *this : other;
+    next.refine();
+  }
+}
+
+std::strong_ordering PointToTriangle::compare(double distance) {
+  const PlainArithmetic plain;
+  for (;;) {
+    if (lower_ > distance) {
+      return std::strong_ordering::greater;
+    }
+    if (upper_ < distance) {
+      return std::strong_ordering::less;
+    }
+    if (stage_ == Stage::exact) {
+      return detail::compare(exact().squared(), distance);
+    }
+    refine();
+  }
+}
+
+Bracket PointToTriangle::distance() {
+  const PlainArithmetic plain;
+  for (;;) {
+    const bool enclosed = below(lower_) == below(upper_) && above(lower_) == above(upper_);
+    if (enclosed || stage_ == Stage::exact) {
+      return bounds();
+    }
+    refine();
+  }
+}
+
+TriangleFeature PointToTriangle::feature() {
+  const PlainArithmetic plain;
+  if (!found_.proved()) {
+    exact();
+  }
+  return kind_of(found_.feature);
+}
+
+/// w as it was found is off by `error` in units u, and the sum by 2 u of what it adds up. Where all
+/// corners of the feature have one coordinate in common, so has the nearest point.
+bool PointToTriangle::round_nearest(Vec3& rounded) {
+  const Feature feature = found_.feature;
+  const Vec3& first = corner(triangle_, first_corner(feature));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    bool flat = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      flat = flat && ((feature >> i & 1) == 0 || corner(triangle_, i)[axis] == first[axis]);
+    }
+    if (flat) {
+      rounded[axis] = first[axis] + 0.0;
+      continue;
+    }
+    const DoubleDouble x = way_[axis] + point_[axis];
+    const double error = kUnitOfDoubleDouble *
+                         (found_.error + 2 * (std::abs(way_[axis].high) + std::abs(point_[axis]))) *
+                         (1 + 0x1p-20);
+    const double up = (std::nextafter(x.high, kInfinity) - x.high) / 2;
+    const double down = (x.high - std::nextafter(x.high, -kInfinity)) / 2;
+    if (!(x.low + error < up * (1 - 0x1p-20) && error - x.low < down * (1 - 0x1p-20))) {
+      return false;
+    }
+    rounded[axis] = x.high + 0.0;
+  }
+  return true;
+}
+
+Vec3 PointToTriangle::nearest() {
+  const PlainArithmetic plain;
+  if (!found_.proved()) {
+    exact();
+  }
+  if (corner_count(found_.feature) == 1) {
+    const Vec3& v = corner(triangle_, first_corner(found_.feature));
+    return {v.x + 0.0, v.y + 0.0, v.z + 0.0};
+  }
+  if (exact_) {
+    return exact_->nearest();
+  }
+  if (stage_ == Stage::doubles) {
+    refine_way();
+  }
+  Vec3 rounded;
+  return round_nearest(rounded) ? rounded : exact().nearest();
+}
+
+}  // namespace soms::detail

@@ -1,0 +1,137 @@
+#include "soms/query/closest.h"
+
+#include "soms/base/arithmetic.h"
+#include "soms/query/detail/engine/batch.h"
+#include "soms/query/detail/near/point_query.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace soms {
+
+namespace {
+
+using detail::ClosestGoal;
+using detail::NearEnd;
+using detail::NearTriangle;
+using detail::PointFrame;
+using detail::PointMemory;
+using detail::PointToTriangle;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Closest ask(const PointFrame& frame, const Vec3& point, const ClosestOptions& options,
+            const Parallel& parallel, PointMemory& memory) {
+  ClosestGoal goal(frame, point, options.at_most);
+  const NearEnd end = detail::pursue(frame, point, goal, options.deadline, parallel, memory);
+  Closest answer;
+  answer.cost = end.cost;
+  answer.coverage = end.complete ? Coverage::complete : Coverage::cut;
+  answer.distance = {end.at_least, kInfinity};
+  if (goal.found()) {
+    PointToTriangle& pair = goal.found()->pair;
+    const std::uint64_t before = pair.exact_tests();
+    const Bracket nearest = pair.distance();
+    answer.triangle = goal.found()->id;
+    answer.point = pair.nearest();
+    answer.feature = pair.feature();
+    answer.distance = {end.complete ? nearest.lower : std::min(end.at_least, nearest.lower),
+                       nearest.upper};
+    answer.cost.exact_tests += pair.exact_tests() - before;
+  } else if (end.complete) {
+    answer.farther = true;
+    answer.distance.lower = options.at_most;
+  }
+  return answer;
+}
+
+Closest of_empty() {
+  return {.distance = {kInfinity, kInfinity}};
+}
+
+void put(const Closest& answer, std::size_t i, ClosestBatch& batch) {
+  batch.lower[i] = answer.distance.lower;
+  batch.upper[i] = answer.distance.upper;
+  batch.triangle[i] = answer.triangle;
+  batch.point[i] = answer.point;
+  batch.feature[i] = answer.feature;
+  batch.farther[i] = answer.farther ? 1 : 0;
+  batch.coverage[i] = answer.coverage;
+  batch.costs[i] = answer.cost;
+}
+
+void resize(ClosestBatch& batch, std::size_t size) {
+  batch.lower.resize(size);
+  batch.upper.resize(size);
+  batch.triangle.resize(size);
+  batch.point.resize(size);
+  batch.feature.resize(size);
+  batch.farther.resize(size);
+  batch.coverage.resize(size);
+  batch.costs.resize(size);
+}
+
+Cost sum_of(const std::vector<Cost>& costs) {
+  Cost sum;
+  for (const Cost& cost : costs) {
+    sum += cost;
+  }
+  return sum;
+}
+
+}  // namespace
+
+void check(const ClosestOptions& options) {
+  detail::check_length(options.at_most, "closest options: at_most");
+}
+
+Closest closest(const Body& body, const Vec3& point, const ClosestOptions& options,
+                const Parallel& parallel) {
+  const PlainArithmetic plain;
+  check(options);
+  detail::check_pose(body.pose, body.shape);
+  detail::check_point(point);
+  check_stop(parallel);
+  if (detail::is_empty(body.shape)) {
+    return of_empty();
+  }
+  PointMemory memory;
+  return ask(PointFrame(body), point, options, parallel, memory);
+}
+
+Closest ClosestBatch::at(std::size_t i) const {
+  return {{lower[i], upper[i]}, triangle[i], point[i], feature[i],
+          farther[i] != 0,      coverage[i], costs[i]};
+}
+
+ClosestBatch closest(const Body& body, std::span<const Vec3> points, const ClosestOptions& options,
+                     const Parallel& parallel) {
+  const PlainArithmetic plain;
+  check(options);
+  detail::check_pose(body.pose, body.shape);
+  detail::check_points(points);
+  check_stop(parallel);
+  ClosestBatch batch;
+  resize(batch, points.size());
+  if (detail::is_empty(body.shape)) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      put(of_empty(), i, batch);
+    }
+    return batch;
+  }
+  const PointFrame frame(body);
+  const std::vector<std::uint32_t> order = detail::order_of(points, body.shape);
+  const Parallel alone = {.stop = parallel.stop};
+  detail::for_each_block(
+      points.size(), parallel, [] { return PointMemory(); },
+      [&](PointMemory& memory, std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+          const std::size_t i = order.empty() ? k : order[k];
+          put(ask(frame, points[i], options, alone, memory), i, batch);
+        }
+      });
+  batch.cost = sum_of(batch.costs);
+  return batch;
+}
+
+}  // namespace soms

@@ -1,0 +1,141 @@
+/// \file
+/// Where is a surface nearest to a point? Which of its triangles are near?
+#pragma once
+
+#include "soms/base/bracket.h"
+#include "soms/base/parallel.h"
+#include "soms/base/vector.h"
+#include "soms/geometry/point_distance.h"
+#include "soms/query/answer.h"
+#include "soms/query/body.h"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace soms {
+
+/// Options of queries of points.
+struct ClosestOptions {
+  /// Triangles beyond this are left out; infinity for no limit.
+  double at_most = std::numeric_limits<double>::infinity();
+  /// Ends the query with coverage `cut` when it passes.
+  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
+
+  [[nodiscard]] bool operator==(const ClosestOptions&) const = default;
+};
+
+/// Throws ErrorKind::usage if `at_most` is negative or not a number.
+void check(const ClosestOptions& options);
+
+/// The nearest point of a body.
+struct Closest {
+  /// Holds the least distance of the point from the moved, rounded surface. The doubles next to it
+  /// where coverage is complete and the answer is not `farther`; [0, 0] exactly where the point is
+  /// on the surface; [infinity, infinity] where the mesh is empty. Where coverage is `cut`, what
+  /// was proved so far.
+  Bracket distance;
+  /// The least number among the triangles at exactly this distance; nothing where the mesh is empty
+  /// or the answer is `farther`. Where coverage is `cut`, the nearest triangle so far, if any.
+  std::optional<TriangleId> triangle = std::nullopt;
+  Vec3 point = {};                                    ///< the nearest point of it, in world
+  TriangleFeature feature = TriangleFeature::vertex;  ///< where on the triangle that lies
+  /// The distance exceeds `at_most`: `distance.lower` is `at_most`, `distance.upper` infinity.
+  bool farther = false;
+  Coverage coverage = Coverage::complete;
+  Cost cost = {};
+
+  [[nodiscard]] bool operator==(const Closest&) const = default;
+};
+
+/// The nearest point of a surface to `point`, by exact decisions on the moved vertices
+/// (Pose::apply). A triangle without area is the segment or point it is. The distance is that of
+/// the surface: also a point inside a closed body is above 0 away from it. The answer but for
+/// `cost` does not depend on trees, layouts, threads or instruction sets.
+///
+/// Each coordinate of the nearest point is the exact one rounded to the nearest double, ties to
+/// even. `feature` is that of the exact point: `edge` where it is on an edge of the named triangle.
+///
+/// \errors  ErrorKind::not_finite, out_of_range for the point; those and not_rigid for the pose;
+///          usage as `check(ClosestOptions)`; cancelled.
+/// \cost    Typically logarithmic in the number of triangles. Equally near triangles cost time, not
+///          memory. `Cost::node_tests` counts boxes bounded, `triangle_tests` triangles bounded.
+/// \threads Any number of callers; a query takes one thread.
+/// \source  Roussopoulos, Kelley and Vincent 1995 (nearest neighbors by a tree of boxes); Ericson
+///          2004, 5.1.5 (point and triangle).
+[[nodiscard]] Closest closest(const Body& body, const Vec3& point,
+                              const ClosestOptions& options = {}, const Parallel& parallel = {});
+
+/// Answers for a batch of points: columns, one entry a point, as those of `Closest`.
+struct ClosestBatch {
+  std::vector<double> lower;                        ///< n
+  std::vector<double> upper;                        ///< n
+  std::vector<std::optional<TriangleId>> triangle;  ///< n
+  std::vector<Vec3> point;                          ///< n
+  std::vector<TriangleFeature> feature;             ///< n
+  std::vector<std::uint8_t> farther;                ///< n flags, 0 or 1
+  std::vector<Coverage> coverage;                   ///< n
+  std::vector<Cost> costs;                          ///< n
+  Cost cost;                                        ///< of all points together
+
+  [[nodiscard]] bool operator==(const ClosestBatch&) const = default;
+
+  [[nodiscard]] std::size_t size() const { return lower.size(); }
+
+  /// The answer for a point.
+  [[nodiscard]] Closest at(std::size_t point) const;
+};
+
+/// `closest` of each of `points`: the answers and costs of single queries.
+///
+/// \shape   `points`: n.
+/// \errors  As `closest`; a point at fault is named by its index.
+/// \threads As many as `parallel` says share the points.
+[[nodiscard]] ClosestBatch closest(const Body& body, std::span<const Vec3> points,
+                                   const ClosestOptions& options = {},
+                                   const Parallel& parallel = {});
+
+/// Triangles near points: rows of any length, one a point.
+struct NearTriangles {
+  std::vector<std::uint64_t> offsets = {0};  ///< n + 1: row i is [offsets[i], offsets[i + 1])
+  std::vector<TriangleId> triangle;          ///< of all rows, each by distance, then by number
+  std::vector<double> lower;                 ///< the distance is between this
+  std::vector<double> upper;                 ///< and this: the doubles next to it
+  /// n. `cut`: the row has what was found so far; others may be nearer.
+  std::vector<Coverage> coverage;
+  std::vector<Cost> costs;  ///< n
+  Cost cost;                ///< of all points together
+
+  [[nodiscard]] bool operator==(const NearTriangles&) const = default;
+
+  /// The number of points.
+  [[nodiscard]] std::size_t size() const { return coverage.size(); }
+};
+
+/// The `count` nearest triangles of each of `points`, or as many as there are within `at_most`:
+/// in the order of their exact distances, equally near ones by number.
+///
+/// \shape   `points`: n.
+/// \errors  As `closest`; a point at fault is named by its index.
+/// \cost    As `closest`, and O(count log count) decisions a point.
+/// \threads As many as `parallel` says share the points.
+[[nodiscard]] NearTriangles nearest_triangles(const Body& body, std::span<const Vec3> points,
+                                              std::size_t count, const ClosestOptions& options = {},
+                                              const Parallel& parallel = {});
+
+/// All triangles of which some point is at most `radius` from a point, decided exactly, for each of
+/// `points`; in the order of `nearest_triangles`. Radius 0 asks for triangles that a point is on.
+///
+/// \shape   `points`: n.
+/// \errors  As `nearest_triangles`; ErrorKind::usage for a radius that is negative or not a number.
+/// \cost    Linear in what is found.
+/// \threads As `nearest_triangles`.
+[[nodiscard]] NearTriangles near_triangles(const Body& body, std::span<const Vec3> points,
+                                           double radius, const ClosestOptions& options = {},
+                                           const Parallel& parallel = {});
+
+}  // namespace soms

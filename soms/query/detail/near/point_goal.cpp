@@ -1,0 +1,101 @@
+#include "soms/query/detail/near/point_goal.h"
+
+#include "soms/query/detail/leaf_pairs.h"
+
+#include <algorithm>
+#include <compare>
+#include <cstdint>
+#include <utility>
+
+namespace soms::detail {
+
+namespace {
+
+/// The order of two distances, with the exact tests that it took counted.
+std::strong_ordering compare(PointToTriangle& a, PointToTriangle& b, Cost& cost) {
+  const std::uint64_t before = a.exact_tests() + b.exact_tests();
+  const std::strong_ordering order = a.compare(b);
+  cost.exact_tests += a.exact_tests() + b.exact_tests() - before;
+  return order;
+}
+
+/// At most `distance` away.
+bool is_within(PointToTriangle& pair, double distance, Cost& cost) {
+  const std::uint64_t before = pair.exact_tests();
+  const bool within = pair.compare(distance) <= 0;
+  cost.exact_tests += pair.exact_tests() - before;
+  return within;
+}
+
+}  // namespace
+
+PointToTriangle PointGoal::measure(TriangleId id) const {
+  return {point_, moved(frame_->body(), id)};
+}
+
+void ClosestGoal::offer(TriangleId id, Cost& cost) {
+  NearTriangle here{id, measure(id)};
+  if (here.pair.bounds().lower > upper_) {
+    return;
+  }
+  bool nearer = true;
+  if (found_) {
+    const std::strong_ordering order = compare(here.pair, found_->pair, cost);
+    nearer = order < 0 || (order == 0 && id < found_->id);
+  } else {
+    nearer = is_within(here.pair, at_most_, cost);
+  }
+  if (nearer) {
+    upper_ = std::min(upper_, here.pair.bounds().upper);
+    found_ = std::move(here);
+  }
+}
+
+bool SeveralGoal::is_before(NearTriangle& a, NearTriangle& b, Cost& cost) {
+  const std::strong_ordering order = compare(a.pair, b.pair, cost);
+  return order < 0 || (order == 0 && a.id < b.id);
+}
+
+void SeveralGoal::offer(TriangleId id, Cost& cost) {
+  NearTriangle here{id, measure(id)};
+  if (here.pair.bounds().lower > upper_ || !is_within(here.pair, at_most_, cost)) {
+    return;
+  }
+  const auto before = [&](std::size_t i, std::size_t j) {
+    return is_before(found_[i], found_[j], cost);
+  };
+  if (found_.size() < count_) {
+    found_.push_back(std::move(here));
+    if (found_.size() == count_) {
+      for (std::size_t i = 0; i < count_; ++i) {
+        heap_.push_back(i);
+      }
+      std::make_heap(heap_.begin(), heap_.end(), before);
+      narrow();
+    }
+    return;
+  }
+  if (is_before(here, found_[heap_.front()], cost)) {
+    std::pop_heap(heap_.begin(), heap_.end(), before);
+    found_[heap_.back()] = std::move(here);
+    std::push_heap(heap_.begin(), heap_.end(), before);
+    narrow();
+  }
+}
+
+void SeveralGoal::narrow() {
+  upper_ = std::min(upper_, found_[heap_.front()].pair.bounds().upper);
+}
+
+const std::vector<std::size_t>& SeveralGoal::sorted(Cost& cost) {
+  heap_.clear();
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    heap_.push_back(i);
+  }
+  std::sort(heap_.begin(), heap_.end(), [&](std::size_t i, std::size_t j) {
+    return i != j && is_before(found_[i], found_[j], cost);
+  });
+  return heap_;
+}
+
+}  // namespace soms::detail
