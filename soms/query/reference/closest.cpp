@@ -4,6 +4,7 @@
 #include "soms/base/error.h"
 #include "soms/geometry/detail/exact_point.h"
 #include "soms/query/reference/detail/moved_triangles.h"
+#include "soms/query/reference/detail/rounded_squares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,20 +17,12 @@ namespace soms::reference {
 
 namespace {
 
+using detail::kInfinity;
+using detail::kRoundedUp;
+using detail::kUnderflown;
+using detail::square;
 using soms::detail::ExactPoint;
 using soms::detail::SquaredDistance;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Squares of lengths in double round by less than 2^-49 of themselves: two roundings or less in a
-/// difference and its square, and two in the sum of three. Squares that underflow lose 2^-1074
-/// each.
-constexpr double kRoundedUp = 1 + 0x1p-48;
-constexpr double kUnderflown = 0x1p-1070;
-
-double square(const Vec3& v) {
-  return dot(v, v);
-}
 
 /// Not above the square of the distance of the triangle's box, but for rounding.
 double box_gap(const Triangle& t, const Vec3& point) {

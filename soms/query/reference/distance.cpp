@@ -6,6 +6,7 @@
 #include "soms/geometry/detail/nearest_points.h"
 #include "soms/geometry/triangle_overlap.h"
 #include "soms/query/reference/detail/moved_triangles.h"
+#include "soms/query/reference/detail/rounded_squares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,20 +21,16 @@ namespace soms::reference {
 namespace {
 
 using detail::BoxArrays;
+using detail::kInfinity;
+using detail::kRoundedUp;
+using detail::kUnderflown;
+using detail::square;
 using soms::detail::ExactDistance;
 using soms::detail::ExactPair;
 using soms::detail::SquaredDistance;
 
 /// Triangles of `a` that are taken together: the unit of work of a thread.
 constexpr std::size_t kRows = 16;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Squares of lengths in double round by less than 2^-49 of themselves: two roundings or less in a
-/// difference and its square, and two in the sum of three. Squares that underflow lose 2^-1074
-/// each.
-constexpr double kRoundedUp = 1 + 0x1p-48;
-constexpr double kUnderflown = 0x1p-1070;
 
 /// The nearest pair of some, the least (i, j) of equally near ones; distance 0 has no features.
 struct Nearest {
@@ -58,10 +55,6 @@ ExactDistance decide(const Triangle& a, const Triangle& b) {
     return {};
   }
   return exact_distance(ExactPair(a, b), {});
-}
-
-double square(const Vec3& v) {
-  return dot(v, v);
 }
 
 /// Two meshes where their poses have moved them.
