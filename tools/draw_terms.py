@@ -529,10 +529,11 @@ def closest():
         made += [line([point, nearest_to], f"thick {color}-line"), dot(point, "ink", 4), dot(nearest_to, color, 4)]
     made += [words(255, 118, "face", "a strong"), words(278, 228, "edge", "a strong", "start"),
              words(142, 216, "vertex", "a strong", "end"),
-             words(410, 84, "face: above the triangle", "ink", "start"),
-             words(410, 112, "edge: beside a side of it", "ink", "start"),
-             words(410, 140, "vertex: beyond a corner", "ink", "start"),
-             words(410, 168, "of the triangle that is named", "faint", "start")]
+             words(410, 84, "seen from above", "faint", "start"),
+             words(410, 112, "face: above or below it", "ink", "start"),
+             words(410, 140, "edge: beside a side", "ink", "start"),
+             words(410, 168, "vertex: beyond a corner", "ink", "start"),
+             words(410, 196, "red: the nearest point", "both", "start")]
     return drawing("Feature: where on a triangle its nearest point to another point lies", 244, made)
 
 

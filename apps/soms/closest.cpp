@@ -278,7 +278,7 @@ void check_options(const ClosestVerbOptions& options) {
   if (options.model == "-" && options.points == "-") {
     throw Error(ErrorKind::usage, "standard input is given twice", "give one of them as a file");
   }
-  check_outputs({{"M", options.model}, {"--points", options.points}}, {{"--csv", options.csv}});
+  check_outputs({{"MODEL", options.model}, {"--points", options.points}}, {{"--csv", options.csv}});
   check_extension("--csv", options.csv, {".csv"});
 }
 
@@ -286,7 +286,7 @@ void check_options(const ClosestVerbOptions& options) {
 
 Action add_closest(CLI::App& app, Shared&) {
   const auto options = std::make_shared<ClosestVerbOptions>();
-  app.add_option("M", options->model, "model; - is standard input")->required()->type_name("");
+  app.add_option("MODEL", options->model, "model; - is standard input")->required()->type_name("");
   app.add_option("--points", options->points,
                  "CSV file of points with the header x,y,z; - is standard input")
       ->required()
@@ -317,7 +317,7 @@ Action add_closest(CLI::App& app, Shared&) {
   app.add_flag("--verify", options->verify,
                "compare with brute force; exit with status 6 if they differ")
       ->group(kQuestionGroup);
-  add_model_options(app, options->reading, "--scale", "--up", "M");
+  add_model_options(app, options->reading, "--scale", "--up", "the model");
   add_allow_empty(app, options->reading);
   add_strict(app, options->reading.strict);
   add_build_options(app, options->build);

@@ -57,7 +57,7 @@ std::string describe_closedness(const Closedness& found) {
 
 void print_odd_edges(const Mesh& mesh, const Closedness& found, std::uint64_t open_edges,
                      Console& console) {
-  if (found.whole.odd_edges != open_edges) {
+  if (found.whole.odd_edges != open_edges || found.whole.degenerate != 0) {
     print_edges(mesh, "edges of an odd number of triangles", found.places, found.whole.odd_edges,
                 console);
   }

@@ -23,7 +23,8 @@ namespace {
 
 constexpr std::array kVerbs{
     Verb{"bench", "compare soms with the installed peers on your own two models", add_bench},
-    Verb{"closest", "find the nearest points of a model to points, and the triangles near them",
+    Verb{"closest",
+         "find the points of a model nearest to given points, and the triangles near them",
          add_closest},
     Verb{"completion", "print a shell completion script", add_completion},
     Verb{"contains", "decide which points are inside a closed model", add_contains},

@@ -54,7 +54,7 @@ struct Closest {
 
 /// The nearest point of a surface to `point`, by exact decisions on the moved vertices
 /// (Pose::apply). A triangle without area is the segment or point it is. The distance is that of
-/// the surface: also a point inside a closed body is above 0 away from it. The answer but for
+/// the surface: a point inside a closed body has a distance above 0, too. The answer but for
 /// `cost` does not depend on trees, layouts, threads or instruction sets.
 ///
 /// Each coordinate of the nearest point is the exact one rounded to the nearest double, ties to
