@@ -2,11 +2,11 @@
 // alone and in batches.
 #include "soms/base/error.h"
 #include "soms/query/closest.h"
-#include "soms/query/instruction_set.h"
 #include "soms/query/print.h"
 #include "soms/tree/rule/rules.h"
 
 #include "tests/support/distance_truth.h"
+#include "tests/support/needs_instruction_set.h"
 #include "tests/support/support.h"
 #include "tests/support/truth.h"
 
@@ -117,18 +117,7 @@ void run_points(const Rows& rows) {
   }
 }
 
-/// Skips where SOMS_ISA names what this processor lacks.
-class ClosestTruth : public testing::Test {
- protected:
-  void SetUp() override {
-    try {
-      static_cast<void>(instruction_set());
-    } catch (const Error& error) {
-      ASSERT_EQ(error.kind(), ErrorKind::unsupported) << error.what();
-      GTEST_SKIP() << error.what();
-    }
-  }
-};
+using ClosestTruth = test::NeedsInstructionSet;
 
 TEST_F(ClosestTruth, HoldsForThePointsHere) {
   const Rows rows = test::read_closest_points(test::data("distance/closest.csv"));

@@ -2,10 +2,10 @@
 // alone and in batches.
 #include "soms/base/error.h"
 #include "soms/query/contains.h"
-#include "soms/query/instruction_set.h"
 #include "soms/query/reference/contains.h"
 #include "soms/tree/rule/rules.h"
 
+#include "tests/support/needs_instruction_set.h"
 #include "tests/support/question_truth.h"
 #include "tests/support/support.h"
 
@@ -78,18 +78,7 @@ void run(const std::vector<test::InsideRow>& rows) {
   }
 }
 
-/// Skips where SOMS_ISA names what this processor lacks.
-class ContainsTruth : public testing::Test {
- protected:
-  void SetUp() override {
-    try {
-      static_cast<void>(instruction_set());
-    } catch (const Error& error) {
-      ASSERT_EQ(error.kind(), ErrorKind::unsupported) << error.what();
-      GTEST_SKIP() << error.what();
-    }
-  }
-};
+using ContainsTruth = test::NeedsInstructionSet;
 
 TEST_F(ContainsTruth, HoldsForThePointsHere) {
   const auto rows = test::read_inside_rows(test::data("questions/inside.csv"));

@@ -3,9 +3,9 @@
 #include "tests/support/distance_truth.h"
 
 #include "soms/base/error.h"
-#include "soms/query/instruction_set.h"
 #include "soms/tree/rule/rules.h"
 
+#include "tests/support/needs_instruction_set.h"
 #include "tests/support/query_table.h"
 #include "tests/support/shortest_segment.h"
 #include "tests/support/slow_build.h"
@@ -284,18 +284,7 @@ void run(const std::vector<test::ClosestPointRow>& rows) {
   }
 }
 
-/// Skips where SOMS_ISA names what this processor lacks.
-class DistanceTruth : public testing::Test {
- protected:
-  void SetUp() override {
-    try {
-      static_cast<void>(instruction_set());
-    } catch (const Error& error) {
-      ASSERT_EQ(error.kind(), ErrorKind::unsupported) << error.what();
-      GTEST_SKIP() << error.what();
-    }
-  }
-};
+using DistanceTruth = test::NeedsInstructionSet;
 
 TEST_F(DistanceTruth, HoldsForTheCasesHere) {
   const auto cases = test::read_distance_cases(test::data("distance/cases.csv"));

@@ -3,10 +3,10 @@
 
 #include "soms/base/error.h"
 #include "soms/generate/shapes.h"
-#include "soms/query/instruction_set.h"
 #include "soms/tree/rule/rules.h"
 
 #include "tests/query/overlap_inputs.h"
+#include "tests/support/needs_instruction_set.h"
 #include "tests/support/support.h"
 
 #include <array>
@@ -26,18 +26,7 @@ using test::Two;
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-/// Skips where SOMS_ISA names what this processor lacks.
-class QueryTable : public testing::Test {
- protected:
-  void SetUp() override {
-    try {
-      static_cast<void>(instruction_set());
-    } catch (const Error& error) {
-      ASSERT_EQ(error.kind(), ErrorKind::unsupported) << error.what();
-      GTEST_SKIP() << error.what();
-    }
-  }
-};
+using QueryTable = test::NeedsInstructionSet;
 
 /// Every question about the two bodies, at every length that is worth it.
 template <class Check>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 namespace soms::detail {
 
@@ -95,6 +96,16 @@ struct DoubleDouble {
   const double first = std::sqrt(a.high);
   const DoubleDouble rest = a - two_product(first, first);
   return quick_two_sum(first, rest.high / (2 * first));
+}
+
+/// The largest double that is not above x.
+[[nodiscard]] inline double below(const DoubleDouble& x) {
+  return x.low < 0 ? std::nextafter(x.high, -std::numeric_limits<double>::infinity()) : x.high;
+}
+
+/// The least double that is not below it.
+[[nodiscard]] inline double above(const DoubleDouble& x) {
+  return x.low > 0 ? std::nextafter(x.high, std::numeric_limits<double>::infinity()) : x.high;
 }
 
 }  // namespace soms::detail

@@ -54,4 +54,21 @@ static_assert(kFeaturePairs.back()[0] == kFace);
   return i == 0 ? t.a : i == 1 ? t.b : t.c;
 }
 
+/// Whether features of two triangles have the same corners, in any order.
+[[nodiscard]] inline bool same_corners(const Triangle& s, Feature f, const Triangle& t, Feature g) {
+  if (corner_count(f) != corner_count(g)) {
+    return false;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    bool found = (f >> i & 1) == 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      found = found || ((g >> j & 1) != 0 && corner(s, i) == corner(t, j));
+    }
+    if (!found) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace soms::detail

@@ -18,15 +18,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// The largest double that is not above x, and the least that is not below it.
-double below(const DoubleDouble& x) {
-  return x.low < 0 ? std::nextafter(x.high, -kInfinity) : x.high;
-}
-
-double above(const DoubleDouble& x) {
-  return x.low > 0 ? std::nextafter(x.high, kInfinity) : x.high;
-}
-
 /// x * 2^exponent, and not above it.
 DoubleDouble scaled_down(const DoubleDouble& x, int exponent) {
   if (exponent == 0) {
@@ -44,23 +35,6 @@ DoubleDouble scaled_up(const DoubleDouble& x, int exponent) {
   const double most = above(x);
   const double scaled = std::ldexp(most, exponent);
   return std::ldexp(scaled, -exponent) < most ? std::nextafter(scaled, kInfinity) : scaled;
-}
-
-/// Whether a feature of each has the same corners.
-bool same_corners(const Triangle& s, Feature f, const Triangle& t, Feature g) {
-  if (corner_count(f) != corner_count(g)) {
-    return false;
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    bool found = (f >> i & 1) == 0;
-    for (std::size_t j = 0; j < 3; ++j) {
-      found = found || ((g >> j & 1) != 0 && corner(s, i) == corner(t, j));
-    }
-    if (!found) {
-      return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace

@@ -17,37 +17,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// What is added to a length for an error on each axis: sqrt(3), rounded up.
 constexpr double kOfAxes = 1.75;
 
-/// The largest double that is not above x, and the least that is not below it.
-double below(const DoubleDouble& x) {
-  return x.low < 0 ? std::nextafter(x.high, -kInfinity) : x.high;
-}
-
-double above(const DoubleDouble& x) {
-  return x.low > 0 ? std::nextafter(x.high, kInfinity) : x.high;
-}
-
 using std::sqrt;
 
 template <class T>
 T length(const std::array<T, 3>& v) {
   return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
-/// Whether a feature of each has the same corners.
-bool same_corners(const Triangle& s, Feature f, const Triangle& t, Feature g) {
-  if (corner_count(f) != corner_count(g)) {
-    return false;
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    bool found = (f >> i & 1) == 0;
-    for (std::size_t j = 0; j < 3; ++j) {
-      found = found || ((g >> j & 1) != 0 && corner(s, i) == corner(t, j));
-    }
-    if (!found) {
-      return false;
-    }
-  }
-  return true;
 }
 
 TriangleFeature kind_of(Feature feature) {
