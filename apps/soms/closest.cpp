@@ -61,17 +61,6 @@ struct Extremes {
   }
 };
 
-Pose pose_of(const ClosestVerbOptions& options) {
-  if (options.pose.empty()) {
-    return {};
-  }
-  try {
-    return parse_pose(options.pose);
-  } catch (const Error& error) {
-    throw Error(error.kind(), "--pose: " + error.place(), error.remedy());
-  }
-}
-
 /// A run whose rows are points beside a model.
 class ClosestRun : public RowRun {
  public:
@@ -87,7 +76,7 @@ class ClosestRun : public RowRun {
         points_(options.points, console),
         body_(build_shape(read_model(options.model, options.reading, console),
                           {.build = options.build}, console),
-              pose_of(options)) {
+              stated_pose(options, console)) {
     query_.at_most = std::min(options.at_most, options.radius.value_or(kInfinity));
     query_.deadline = console.deadline();
     const std::array<const Mesh*, 1> meshes{&body_.shape.mesh()};
@@ -275,10 +264,10 @@ void check_options(const ClosestVerbOptions& options) {
     throw Error(ErrorKind::usage, "--at-most and --radius both limit the distance",
                 "give one of them");
   }
-  if (options.model == "-" && options.points == "-") {
-    throw Error(ErrorKind::usage, "standard input is given twice", "give one of them as a file");
-  }
-  check_outputs({{"MODEL", options.model}, {"--points", options.points}}, {{"--csv", options.csv}});
+  check_outputs({{"MODEL", options.model},
+                 {"--points", options.points},
+                 {"--pose", options.pose.value_or("")}},
+                {{"--csv", options.csv}});
   check_extension("--csv", options.csv, {".csv"});
 }
 
@@ -286,15 +275,7 @@ void check_options(const ClosestVerbOptions& options) {
 
 Action add_closest(CLI::App& app, Shared&) {
   const auto options = std::make_shared<ClosestVerbOptions>();
-  app.add_option("MODEL", options->model, "model; - is standard input")->required()->type_name("");
-  app.add_option("--points", options->points,
-                 "CSV file of points with the header x,y,z; - is standard input")
-      ->required()
-      ->option_text("FILE")
-      ->group(kQuestionGroup);
-  app.add_option("--pose", options->pose, "pose of M: \"x y z [qw qx qy qz]\"")
-      ->option_text("POSE")
-      ->group(kQuestionGroup);
+  add_points(app, *options, "model");
   add_count(app, "--nearest", options->nearest, 1, 0xffffffffU,
             "list the N nearest triangles of each point")
       ->group(kQuestionGroup);
@@ -314,13 +295,7 @@ Action add_closest(CLI::App& app, Shared&) {
              "only say that the model is farther than D, if it is")
       ->group(kQuestionGroup);
   add_output(app, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
-  app.add_flag("--verify", options->verify,
-               "compare with brute force; exit with status 6 if they differ")
-      ->group(kQuestionGroup);
-  add_model_options(app, options->reading, "--scale", "--up", "the model");
-  add_allow_empty(app, options->reading);
-  add_strict(app, options->reading.strict);
-  add_build_options(app, options->build);
+  add_point_options(app, *options);
   app.footer(
       "The nearest point of the surface to each point, exact to the last bit, with its triangle "
       "and\n"
@@ -330,8 +305,7 @@ Action add_closest(CLI::App& app, Shared&) {
       "  printf 'x,y,z\\n0,0,0\\n2,0,0\\n' > points.csv\n"
       "  soms closest knot.ply --points points.csv");
   return [options, &app](Console& console) {
-    options->reading.offers_empty = true;
-    check_build(app, options->build);
+    check_point_options(app, *options);
     return run_closest(*options, console);
   };
 }

@@ -2,10 +2,7 @@
 /// The verb `closest`: where is a model nearest to points?
 #pragma once
 
-#include "soms/tree/build_options.h"
-
-#include "apps/support/models.h"
-#include "apps/support/verb.h"
+#include "apps/soms/point_options.h"
 
 #include <cstdint>
 #include <limits>
@@ -15,17 +12,11 @@
 namespace soms::command {
 
 /// Options of the verb `closest`.
-struct ClosestVerbOptions {
-  std::string model;
-  std::string points;
-  std::string pose = {};         ///< of the model; empty: not moved
+struct ClosestVerbOptions : PointOptions {
   std::uint64_t nearest = 0;     ///< so many triangles for each point; 0: the nearest point
   std::optional<double> radius;  ///< all triangles within it, or the nearest of them
   double at_most = std::numeric_limits<double>::infinity();
   std::string csv = {};  ///< empty: none
-  bool verify = false;
-  ModelOptions reading;
-  BuildOptions build;
 };
 
 [[nodiscard]] Action add_closest(CLI::App& app, Shared& shared);

@@ -2,6 +2,7 @@
 
 #include "apps/soms/near_output.h"
 #include "apps/soms/pair_report.h"
+#include "apps/soms/point_options.h"
 #include "apps/support/console.h"
 #include "apps/support/part_names.h"
 #include "apps/support/text.h"
@@ -14,7 +15,6 @@ namespace soms::command {
 
 namespace {
 
-constexpr std::uint64_t kPointsInText = 20;  // that a person may want to read
 constexpr std::size_t kHitsInText = 4;
 
 /// With a comma before.

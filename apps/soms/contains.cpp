@@ -30,8 +30,6 @@ namespace soms::command {
 
 namespace {
 
-constexpr std::uint64_t kPointsInText = 20;  // that a person may want to read
-
 std::string_view side_name(Side side) {
   switch (side) {
     case Side::outside:
@@ -44,20 +42,6 @@ std::string_view side_name(Side side) {
       break;
   }
   return "undecided";
-}
-
-/// The pose that --pose gives, by its text or a file of one row.
-Pose stated_pose(const ContainsVerbOptions& options, const Console& console) {
-  if (!options.pose) {
-    return {};
-  }
-  PoseSource source("--pose", *options.pose, console);
-  const Pose pose = source.next().value_or(Pose{});
-  if (!source.is_constant()) {
-    throw Error(ErrorKind::usage, source.name() + ": has more than one pose",
-                "give one pose of the model, and many points");
-  }
-  return pose;
 }
 
 /// A run whose rows are points beside one model.
@@ -223,45 +207,23 @@ class ContainsRun : public RowRun {
 
 Action add_contains(CLI::App& app, Shared&) {
   const auto options = std::make_shared<ContainsVerbOptions>();
-  app.add_option("MODEL", options->model, "a closed model; - is standard input")
-      ->required()
-      ->type_name("");
-  app.add_option("--points", options->points,
-                 "CSV file of points with the header x,y,z; - is standard input")
-      ->required()
-      ->option_text("FILE")
-      ->group(kQuestionGroup);
-  app.add_option("--pose", options->pose,
-                 "pose of the model: \"x y z [qw qx qy qz]\", or a CSV file of one row")
-      ->option_text("POSE")
-      ->group(kQuestionGroup);
+  add_points(app, *options, "a closed model");
   app.add_flag("--closed-parts", options->closed_parts,
                "leave out connected parts that are not closed by themselves")
       ->group(kQuestionGroup);
-  app.add_flag("--verify", options->verify,
-               "compare with brute force; exit with status 6 if they differ")
-      ->group(kQuestionGroup);
-  add_model_options(app, options->reading, "--scale", "--up", "the model");
-  add_allow_empty(app, options->reading);
-  add_strict(app, options->reading.strict);
-  add_build_options(app, options->build);
+  add_point_options(app, *options);
   app.footer(
       "Exact for every point: inside, outside, or on the surface. The model must be closed; soms\n"
       "info says whether it is. Which way its triangles face does not matter.\n\nExample:\n"
       "  soms generate sphere --triangles 800 -o ball.off\n"
       "  printf 'x,y,z\\n0,0,0\\n2,0,0\\n' | soms contains ball.off --points -");
   return [options, &app](Console& console) {
-    options->reading.offers_empty = true;
-    check_build(app, options->build);
+    check_point_options(app, *options);
     return run_contains(*options, console);
   };
 }
 
 int run_contains(const ContainsVerbOptions& options, Console& console) {
-  const std::array<std::string, 3> inputs{options.model, options.points, options.pose.value_or("")};
-  if (std::count(inputs.begin(), inputs.end(), "-") > 1) {
-    throw Error(ErrorKind::usage, "standard input is given twice", "give one of them as a file");
-  }
   return ContainsRun(options, console).run();
 }
 

@@ -2,25 +2,13 @@
 /// The verb `contains`: which points are inside a model?
 #pragma once
 
-#include "soms/tree/build_options.h"
-
-#include "apps/support/models.h"
-#include "apps/support/verb.h"
-
-#include <optional>
-#include <string>
+#include "apps/soms/point_options.h"
 
 namespace soms::command {
 
 /// Options of the verb `contains`.
-struct ContainsVerbOptions {
-  std::string model;
-  std::string points;
-  std::optional<std::string> pose;  ///< unset: not moved
-  ModelOptions reading;
-  BuildOptions build;
+struct ContainsVerbOptions : PointOptions {
   bool closed_parts = false;  ///< leave open connected parts out
-  bool verify = false;
 };
 
 [[nodiscard]] Action add_contains(CLI::App& app, Shared& shared);

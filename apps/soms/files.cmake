@@ -75,6 +75,8 @@ set(SOMS_COMMAND_FILES
   page_plots.h
   passed_on.cpp
   passed_on.h
+  point_options.cpp
+  point_options.h
   pose_run.cpp
   pose_run.h
   simulate.cpp

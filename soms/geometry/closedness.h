@@ -61,7 +61,8 @@ struct ClosednessOptions {
 /// \pre     `check(mesh)` passes.
 /// \errors  ErrorKind::not_finite, not_rigid, out_of_range for the pose; cancelled.
 /// \cost    O(n) time on meshes as they are, and O(k log k) exact comparisons for k odd edges. At
-///          most 25 bytes a triangle and 20 a vertex, some 100 an odd edge and 48 a connected part.
+///          most 25 bytes a triangle and 20 a vertex, up to 300 an odd edge and 48 a connected
+///          part; with `parts`, 36 a triangle of the largest part.
 /// \threads `parallel` gives progress and cancellation; the work is one thread's.
 [[nodiscard]] Closedness closedness(const Mesh& mesh, const ClosednessOptions& options = {},
                                     const Parallel& parallel = {});

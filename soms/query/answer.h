@@ -22,9 +22,9 @@ enum class Coverage {
 /// Work done: deterministic counts for a given tree, layout and traversal, the same on every
 /// machine and, for complete answers, for any number of threads.
 struct Cost {
-  std::uint64_t node_tests = 0;      ///< pairs of boxes tested
-  std::uint64_t triangle_tests = 0;  ///< pairs of triangles decided (after their boxes overlapped)
-  std::uint64_t exact_tests = 0;     ///< of these, pairs that needed exact arithmetic
+  std::uint64_t node_tests = 0;      ///< boxes, or pairs of boxes, tested
+  std::uint64_t triangle_tests = 0;  ///< triangles, or pairs of them, tested
+  std::uint64_t exact_tests = 0;     ///< of these, those that needed exact arithmetic
 
   [[nodiscard]] bool operator==(const Cost&) const = default;
 

@@ -27,7 +27,7 @@ enum class Side : unsigned char {
   outside,
   inside,
   on,         ///< a point of the surface: of a closed triangle, without area too
-  undecided,  ///< the deadline passed before
+  undecided,  ///< the deadline passed before it was decided
 };
 
 /// A body whose surface was found to be closed where its pose moves it. Checked once, queried
@@ -99,7 +99,7 @@ struct Contains {
 
 /// Answers for a batch of points: columns, one entry a point, as those of `Contains`.
 struct ContainsBatch {
-  std::vector<Side> side;                  ///< n; `undecided` where the deadline passed before
+  std::vector<Side> side;                  ///< n; `undecided` where the deadline passed first
   std::vector<Cost> costs;                 ///< n
   Coverage coverage = Coverage::complete;  ///< `cut` if a point is undecided
   Cost cost;                               ///< of all points together
@@ -112,7 +112,8 @@ struct ContainsBatch {
   [[nodiscard]] Contains at(std::size_t point) const;
 };
 
-/// `contains` for each of `points`: the answers of single queries, about four times as fast.
+/// `contains` for each of `points`: the answers of single queries; with the wide layout
+/// about four times as fast.
 ///
 /// \shape   `points`: n.
 /// \errors  As `contains`; a point at fault is named by its index, before any is answered. Also

@@ -62,7 +62,9 @@ struct Overlap {
 /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for a pose (checked in O(1)); usage as
 ///          `check(OverlapOptions)`; cancelled.
 /// \cost    Typically logarithmic in the triangle counts plus linear in the answer.
-/// \threads Any number of callers; `parallel` splits one query.
+/// \threads Any number of callers; `parallel` splits one query, but for mode `first` and where
+/// there
+///          is a limit.
 [[nodiscard]] Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options = {},
                               const Parallel& parallel = {});
 

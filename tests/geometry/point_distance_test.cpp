@@ -35,6 +35,15 @@ TEST(PointDistance, IsZeroOnTheTriangleAlone) {
             (PointDistance{{least, least}, {1, 2, 0}, TriangleFeature::face}));
 }
 
+// The third corner is within the side between the others, and a guess in doubles is that side.
+TEST(PointDistance, NamesTheCornerWithinAnEdgeOfATriangleWithoutArea) {
+  const Triangle flat{{0, 0, 0}, {6, 10, 14}, {3, 5, 7}};
+  const PointDistance found =
+      point_distance({166848069752376, 2032727588089276, -1523454592814775}, flat);
+  EXPECT_EQ(found.feature, TriangleFeature::vertex);
+  EXPECT_EQ(found.point, (Vec3{3, 5, 7}));
+}
+
 TEST(PointDistance, HoldsForSegmentsAndPoints) {
   EXPECT_EQ(point_distance({1, 3, 4}, {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}}),
             (PointDistance{{5, 5}, {1, 0, 0}, TriangleFeature::vertex}));

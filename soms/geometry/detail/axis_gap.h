@@ -12,8 +12,8 @@ namespace soms::detail {
 
 /// The distance, without error, if a shortest segment runs along an axis; else nothing. Let the
 /// triangles be parted along the axis by a gap above 0. No two points of them are nearer than the
-/// gap, and two are as near if those corners of each that bound it span, seen along the axis,
-/// features that share a point: decided exactly. The gap is a difference of two coordinates.
+/// gap. The distance equals the gap if, seen along the axis, the features that the corners at the
+/// gap's two ends span share a point: decided exactly. The gap is a difference of two coordinates.
 ///
 /// Gaps outside [`lower`, `upper`], bounds of the distance, are not looked at any further.
 /// \pre Coordinates are finite and of magnitude at most 2^300.

@@ -109,7 +109,8 @@ bool ExactPoint::is_edge(Feature edge) const {
     return false;
   }
   const std::size_t other = first_corner(static_cast<Feature>(kFace & ~edge));
-  return dot(r * ee - e * re, at(other) - first).sign() >= 0;
+  // A corner in the edge, of a triangle without area, comes first.
+  return dot(r * ee - e * re, at(other) - first).sign() >= 0 && !is_corner(other);
 }
 
 /// Surely inside the face, and on none of its edges.

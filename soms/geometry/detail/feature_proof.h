@@ -17,7 +17,7 @@
 ///
 /// Or a product n.w with n = e x f or n = r is 0 without doubt: where each of the products that it
 /// is the sum of has a factor 0. Differences of doubles are 0 only where these are equal. So it is
-/// with edges and faces along the axes, and there alone do corners often lie in one plane.
+/// with edges and faces along the axes. Only there do corners often lie in one plane.
 ///
 /// Lengths are in [2^-150, 2^150], and at most four are multiplied, so nothing overflows. A product
 /// that underflows is off by 2^-1074, and later multiplied by the same lengths as what it stands

@@ -12,7 +12,7 @@ namespace soms::detail {
 
 namespace {
 
-/// The least that a point of a triangle counts along `n`.
+/// The least of `sign` times the places of a triangle's points along `n`.
 double least_along(const Vec3& n, double sign, const Triangle& t) {
   return std::min({sign * dot(n, t.a), sign * dot(n, t.b), sign * dot(n, t.c)});
 }
@@ -65,7 +65,7 @@ void FarSearch<Source>::look_at_leaf(Side& side, std::uint32_t token, const Take
   for (;; token = side.source.next(token)) {
     const TriangleBlock& block = side.source.block(token);
     const bool last = block.following == 0;
-    cost_.node_tests += block.count;
+    cost_.triangle_tests += block.count;
     for (std::size_t k = 0; k < block.count; ++k) {
       const TriangleId id = block.id[k];
       take(Reach{least_along(direction_, side.sign, moved(*side.body, id)), id});
@@ -79,6 +79,7 @@ void FarSearch<Source>::look_at_leaf(Side& side, std::uint32_t token, const Take
 template <class Source>
 bool FarSearch<Source>::find_least(Side& side, Limit& limit, Reach& least) {
   least = {std::numeric_limits<double>::infinity(), 0};
+  std::size_t looks = 0;
   nodes_.assign(1, {-std::numeric_limits<double>::infinity(), 0});
   while (!nodes_.empty()) {
     const Reach next = nodes_.front();
@@ -91,9 +92,12 @@ bool FarSearch<Source>::find_least(Side& side, Limit& limit, Reach& least) {
     leaves_.clear();
     open(side, next.id, least.least);
     for (const std::uint32_t token : leaves_) {
-      look_at_leaf(side, token, [&](const Reach& here) { least = std::min(least, here); });
+      look_at_leaf(side, token, [&](const Reach& here) {
+        least = std::min(least, here);
+        ++looks;
+      });
     }
-    if (limit.spend(4 + 8 * leaves_.size())) {
+    if (looks > kLooks || limit.spend(4 + 8 * leaves_.size())) {
       return false;
     }
   }

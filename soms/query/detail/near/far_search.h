@@ -9,7 +9,7 @@
 ///
 /// Rounding, in units of u64 V (near_pose.h): a moved origin along n, 7 and 5.3; a moved vertex
 /// that bounds of nodes stand for, 7; the length of n and a sum of two of these, 18: below 65. A
-/// moved corner is a fact, and along n off by 5.3. All keys and limits give way by kFarRounding,
+/// moved corner is exact, and along n off by 5.3. All keys and limits give way by kFarRounding,
 /// and by kFarBoxes of a node's radius for sums over its boxes in float.
 #pragma once
 
@@ -39,18 +39,20 @@ class FarSearch {
   [[nodiscard]] const Cost& cost() const { return cost_; }
 
  private:
-  /// Most triangles of a body, and most pairs of them, that are looked at.
+  /// Most triangles of a body that are kept, and most pairs of them that are looked at.
   static constexpr std::size_t kTriangles = 2048;
+  static constexpr std::size_t kLooks = 4 * kTriangles;  ///< at triangles for the farthest one
   static constexpr std::size_t kPairs = 8192;
 
-  /// A body, and what its points count along the direction: +1 or -1 times their place.
+  /// A body, and +1 or -1: a point reaches to that times its place along the direction, and the
+  /// less that is, the nearer it is to the other body.
   struct Side {
     const PosedShape* body;
     Source source;
     double sign;
   };
 
-  /// A node, or a triangle, with the least that a point of it counts.
+  /// A node, or a triangle, with the least that a point of it reaches to.
   struct Reach {
     double least;
     std::uint32_t id;
@@ -69,10 +71,11 @@ class FarSearch {
     }
   };
 
-  /// The triangle that counts least; false when time is up.
+  /// The triangle that reaches farthest; false where too many reach as far, or time is up. Then
+  /// `least` is that of those looked at.
   [[nodiscard]] bool find_least(Side& side, Limit& limit, Reach& least);
 
-  /// All triangles that count no more than `most`; false where they are too many, or time is up.
+  /// All triangles that reach to `most`; false where they are too many, or time is up.
   [[nodiscard]] bool collect(Side& side, double most, Limit& limit, std::vector<Reach>& found);
 
   void open(Side& side, std::uint32_t node, double most);
@@ -83,7 +86,7 @@ class FarSearch {
   [[nodiscard]] bool pair_up(const std::vector<Reach>& of_x, const std::vector<Reach>& of_y);
   [[nodiscard]] double lower_bound(const TrianglePair& ids) const;
 
-  /// No pair that counts more than this together matters.
+  /// No pair whose reaches add up to more than this matters.
   [[nodiscard]] double most() const { return goal_.upper() + slack_; }
 
   const PairFrame& frame_;

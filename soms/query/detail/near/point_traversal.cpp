@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace soms::detail {
 
@@ -21,7 +22,7 @@ void PointTraversal<Source>::run(Limit& limit) {
   std::vector<KeyedNode>& nodes = memory_.nodes;
   nodes.push_back({-std::numeric_limits<float>::infinity(), 0});
   while (!nodes.empty()) {
-    if (limit.spend(2)) {
+    if (limit.spend(1 + std::exchange(work_, 0))) {
       return;
     }
     const KeyedNode next = nodes.back();
@@ -30,7 +31,10 @@ void PointTraversal<Source>::run(Limit& limit) {
       continue;
     }
     if ((next.word & WideNode::kLeafBit) != 0) {
-      look_at_leaf(next.word);
+      if (!look_at_leaf(next.word, limit)) {
+        nodes.push_back(next);  // what is left of it is no nearer than its key
+        return;
+      }
     } else {
       open(source_.node(next.word));
     }
@@ -85,12 +89,16 @@ void PointTraversal<Source>::open(const WideNode& node) {
 }
 
 template <class Source>
-void PointTraversal<Source>::look_at_leaf(std::uint32_t token) {
+bool PointTraversal<Source>::look_at_leaf(std::uint32_t token, Limit& limit) {
   for (;; token = source_.next(token)) {
     const TriangleBlock& block = source_.block(token);
+    const bool last = block.following == 0;
     look_at(block);
-    if (block.following == 0) {
-      return;
+    if (last) {
+      return true;
+    }
+    if (limit.spend(std::exchange(work_, 0))) {
+      return false;
     }
   }
 }
@@ -104,6 +112,7 @@ void PointTraversal<Source>::look_at(const TriangleBlock& block) {
     kernels_.bound_triangles(pose_.numbers(), block, keys);
   }
   cost_.triangle_tests += block.count;
+  work_ += 2;
   if (goal_.eager()) {
     offer_all(block, keys);
   } else {
@@ -159,6 +168,7 @@ void PointTraversal<Source>::offer_all(const TriangleBlock& block, const PointBl
 template <class Source>
 void PointTraversal<Source>::offer(TriangleId id) {
   goal_.offer(id, cost_);
+  work_ += kOfferWork;
   pose_.set_limit(goal_.upper());
 }
 

@@ -59,9 +59,11 @@ class PointTraversal {
 
  private:
   static constexpr std::size_t kCandidates = 1024;  // kept until they are decided
+  static constexpr std::uint64_t kOfferWork = 40;   // a decision of about a microsecond
 
   void open(const WideNode& node);
-  void look_at_leaf(std::uint32_t token);
+  /// False when the limit ends it within a leaf of many blocks.
+  [[nodiscard]] bool look_at_leaf(std::uint32_t token, Limit& limit);
   void look_at(const TriangleBlock& block);
   void offer_nearest(const TriangleBlock& block, const PointBlockKeys& keys);
   void offer_all(const TriangleBlock& block, const PointBlockKeys& keys);
@@ -75,6 +77,7 @@ class PointTraversal {
   const Kernels& kernels_;
   Cost cost_;
   float best_estimate_ = std::numeric_limits<float>::infinity();
+  std::uint64_t work_ = 0;  // since the limit was last looked at, as it counts
   bool complete_ = false;
 };
 

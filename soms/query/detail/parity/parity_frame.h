@@ -1,6 +1,6 @@
 /// \file
 /// A body as rays along a world axis see it, and what float tests of such rays are worth: the proof
-/// that no crossing is lost, and none is made up.
+/// that no crossing is lost, and none is invented.
 ///
 /// The question. A point p, a ray from p along world axis a, one way or the other, and triangles
 /// whose vertices m = fl(R x + t) are moved and rounded. Kernels tell of a triangle that the ray
@@ -37,7 +37,7 @@
 /// edge, y0 z1 - z0 y1, has factors of at most (1 + 1e-6) S: it is off by 4 E S + 2 E^2 for those
 /// and by 2^-22 S^2 < E S / 2 for its own rounding, below E (5 S + 3 E); compared is E (6 S + 4 E)
 /// + 2^-140, where the last covers underflow. Two areas of different signs: p is outside of the
-/// triangle seen along the ray, be it as thin as it may. Three of one sign: strictly inside. All
+/// triangle seen along the ray, however thin. Three of one sign: strictly inside. All
 /// corners surely ahead or behind: so is the triangle.
 ///
 /// Nothing overflows: corners are below 2^22, and B below 2^24 + W. Where W exceeds 2^50, the body
