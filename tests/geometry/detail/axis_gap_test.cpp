@@ -105,7 +105,7 @@ TEST(PairDistance, ComparesPairsOfLatticesAsWholeNumbersDo) {
     PairDistance turned(face, s);
     PairDistance other(face, t);
     ASSERT_EQ(turned.compare(other), order);
-    ties += order == std::strong_ordering::equal ? 1 : 0;
+    ties += order == std::strong_ordering::equal ? 1U : 0U;
   });
   EXPECT_GT(ties, 20U);
 }
