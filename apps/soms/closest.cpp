@@ -302,8 +302,7 @@ Action add_closest(CLI::App& app, Shared&) {
       "whether it is a vertex of that triangle, on an edge, or inside its face.\n\n"
       "Example:\n"
       "  soms generate knot --triangles 2000 -o knot.ply\n"
-      "  printf 'x,y,z\\n0,0,0\\n2,0,0\\n' > points.csv\n"
-      "  soms closest knot.ply --points points.csv");
+      "  printf 'x,y,z\\n0,0,0\\n2,0,0\\n' | soms closest knot.ply --points -");
   return [options, &app](Console& console) {
     check_point_options(app, *options);
     return run_closest(*options, console);
