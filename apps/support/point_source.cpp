@@ -60,17 +60,18 @@ void PointSource::fail(const Error& error) const {
     throw Error(ErrorKind::timed_out, "out of time while reading points from " + name_,
                 "allow more time with --timeout");
   }
-  if (error.kind() == ErrorKind::bad_file && rows_ == 0 &&
-      error.remedy().find("r00") != std::string::npos) {
-    throw Error(error.kind(), error.place(), "begin with the header x,y,z");
-  }
+  // The reader of poses knows more headers.
+  const bool of_header = error.kind() == ErrorKind::bad_file && rows_ == 0 &&
+                         error.remedy().find("r00") != std::string::npos;
+  const std::string place = error.place().substr(0, error.place().find(" and no poses"));
+  const Error told = of_header ? Error(error.kind(), place, "begin with the header x,y,z") : error;
   if (name_ == kStandardInputName) {
-    throw of_standard_input(error);
+    throw of_standard_input(told);
   }
   if (error.kind() == ErrorKind::cannot_open) {
     throw Error(error.kind(), error.place(), "name a CSV file of points, or - for standard input");
   }
-  throw error;
+  throw told;
 }
 
 std::optional<Vec3> PointSource::next() {
