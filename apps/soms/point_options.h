@@ -27,7 +27,7 @@ struct PointOptions {
   BuildOptions build;
 };
 
-/// Adds MODEL, --points and --pose. `model` says what is asked for.
+/// Adds MODEL, --points and --pose. `model` says in the help what kind of model is needed.
 void add_points(CLI::App& app, PointOptions& options, const std::string& model);
 
 /// Adds what follows the options of the question: --verify, and those of the model and its tree.

@@ -64,14 +64,14 @@ void PointSource::fail(const Error& error) const {
   const bool of_header = error.kind() == ErrorKind::bad_file && rows_ == 0 &&
                          error.remedy().find("r00") != std::string::npos;
   const std::string place = error.place().substr(0, error.place().find(" and no poses"));
-  const Error told = of_header ? Error(error.kind(), place, "begin with the header x,y,z") : error;
+  const Error shown = of_header ? Error(error.kind(), place, "begin with the header x,y,z") : error;
   if (name_ == kStandardInputName) {
-    throw of_standard_input(told);
+    throw of_standard_input(shown);
   }
   if (error.kind() == ErrorKind::cannot_open) {
     throw Error(error.kind(), error.place(), "name a CSV file of points, or - for standard input");
   }
-  throw told;
+  throw shown;
 }
 
 std::optional<Vec3> PointSource::next() {
