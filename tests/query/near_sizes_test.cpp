@@ -49,8 +49,11 @@ TEST(NearSizes, FarBodiesOfManyTrianglesAnswerAsBruteForce) {
     const Vec3 place = Vec3{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)} *
                        std::exp2(rng.uniform(0, 52));
     const Vec3 way{rng.uniform(-1, 1), rng.uniform(-1, 1), 1};
-    const Body a(generate_sphere(120), test::moving(test::awkward_rotation(rng), {}, place));
-    const Body b(generate_sphere(120),
+    const BuildOptions large_leaves{.rule = Rule::object_median, .per_leaf = 30};
+    const ShapeOptions options{.build = rng.below(2) == 0 ? large_leaves : BuildOptions()};
+    const Body a(Shape(generate_sphere(120), options),
+                 test::moving(test::awkward_rotation(rng), {}, place));
+    const Body b(Shape(generate_sphere(120), options),
                  test::moving(test::awkward_rotation(rng), {}, place + way * distance));
     ASSERT_NO_FATAL_FAILURE(expect_true_of_both(a, b));
   });
