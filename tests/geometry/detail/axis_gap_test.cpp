@@ -87,6 +87,18 @@ TEST(PairDistance, TiesAboveFloorsAndRampsNeedNoWholeNumbers) {
   }
 }
 
+// Tips at one height above faces whose heights differ by less than doubles tell.
+TEST(PairDistance, CornersAsHighAboveUnlikeFacesDoNotTie) {
+  const Triangle low{{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}};
+  const Triangle high{{-4, -4, 0x1p-60}, {4, -4, 0x1p-60}, {0, 4, 0x1p-60}};
+  const Vec3 tip{0, -1, 1};
+  const Vec3 beside{0.5, -1, 1};
+  PairDistance from_tip({tip, tip + Vec3{1, 1, 1}, tip + Vec3{-1, 1, 1}}, low);
+  PairDistance from_beside({beside, beside + Vec3{1, 1, 1}, beside + Vec3{-1, 1, 1}}, high);
+  EXPECT_EQ(from_tip.compare(from_beside), std::strong_ordering::greater);
+  EXPECT_EQ(from_beside.compare(from_tip), std::strong_ordering::less);
+}
+
 // Whatever is found to tie, or not to, is what whole numbers say.
 TEST(PairDistance, ComparesPairsOfLatticesAsWholeNumbersDo) {
   std::size_t ties = 0;
