@@ -1,7 +1,6 @@
 #include "apps/soms/closest.h"
 
 #include "soms/base/error.h"
-#include "soms/io/poses.h"
 #include "soms/query/reference/closest.h"
 
 #include "apps/soms/closest_output.h"

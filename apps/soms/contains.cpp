@@ -10,18 +10,15 @@
 #include "apps/support/console.h"
 #include "apps/support/json.h"
 #include "apps/support/point_source.h"
-#include "apps/support/pose_source.h"
 #include "apps/support/row_run.h"
 #include "apps/support/text.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
