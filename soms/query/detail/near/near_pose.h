@@ -29,8 +29,7 @@
 /// leaves take `limit` along axes, and |n|_2 times it along other directions n (LargeLeaf).
 ///
 /// Far bodies. Where bodies are many times their size apart, 2^-17 of the offset outweighs them.
-/// Then directions differ little, and one decides (FarSearch asks first what few triangles reach
-/// farthest along one for all): with w = c_x - c_y, the world difference of the
+/// Then directions differ little, and one decides: with w = c_x - c_y, the world difference of the
 /// nodes' origins rounded to float, |g| >= w.g / |w|, and w.g = w.(c_x - c_y) + (R_x^T w).p -
 /// (R_y^T w).q. No rotation is inverted, so none need be orthonormal. Keys are bounds less `base`,
 /// the distance of the roots' origins: what is left is as small as the bodies. In units of u64 V, V
@@ -39,7 +38,8 @@
 /// - c_y|, which is below 3.5 V: below 65. The slack is 256 u64 V, and 2^-1064 for products that
 /// underflow; w is scaled before it is squared, so |w| does not. Sums over boxes in float are off
 /// by less than 2^-19 (radius_x + radius_y), since no more than twelve roundings and the axes'
-/// 2^-23 meet.
+/// 2^-23 meet. FarSearch comes first, with one direction for all nodes; this serves where it gives
+/// up.
 #pragma once
 
 #include "soms/base/vector.h"
