@@ -5,7 +5,6 @@
 #include "soms/query/detail/near/far_support.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 
 namespace soms::detail {

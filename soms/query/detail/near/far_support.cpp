@@ -8,17 +8,25 @@ Vec3 place_of(const PosedShape& side, const std::array<double, 3>& origin) {
   return side.pose->apply(side.layout().origin() + Vec3{origin[0], origin[1], origin[2]});
 }
 
-std::array<float, 3> seen(const Pose& pose, const Vec3& w, const layout::Axes& axes) {
+Vec3 seen_in_doubles(const Pose& pose, const Vec3& w, const layout::Axes& axes) {
   const Matrix3 r = rotation(pose);
-  std::array<double, 3> v = {};
+  Vec3 v;
   for (std::size_t j = 0; j < 3; ++j) {
     v[j] = (r[0][j] * w.x + r[1][j] * w.y) + r[2][j] * w.z;
   }
-  std::array<float, 3> turned = {};
+  Vec3 turned;
   for (std::size_t j = 0; j < 3; ++j) {
-    turned[j] = static_cast<float>((axes[j] * v[0] + axes[3 + j] * v[1]) + axes[6 + j] * v[2]);
+    turned[j] = (axes[j] * v.x + axes[3 + j] * v.y) + axes[6 + j] * v.z;
   }
   return turned;
+}
+
+std::array<float, 3> seen(const Pose& pose, const Vec3& w, const layout::Axes& axes) {
+  const Vec3 v = seen_in_doubles(pose, w, axes);
+  const auto x = static_cast<float>(v.x);
+  const auto y = static_cast<float>(v.y);
+  const auto z = static_cast<float>(v.z);
+  return {x, y, z};
 }
 
 std::array<float, WideNode::kWidth> supports(const WideNode& node, const std::array<float, 3>& w,

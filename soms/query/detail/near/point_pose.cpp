@@ -1,6 +1,7 @@
 #include "soms/query/detail/near/point_pose.h"
 
 #include "soms/query/detail/near/direction.h"
+#include "soms/query/detail/near/far_support.h"
 #include "soms/query/detail/near/near_pose.h"
 
 #include <algorithm>
@@ -35,10 +36,6 @@ static_assert((1.53 * 4 + 3.1 * 3.01) * kUnitRoundoff < kStretchRounding);
 static_assert(1.74 + 3.01 * 1.74 + 4 + 3 < 64);  // kPointMargin, in units of 2^-24
 static_assert(3 + 3.02 < 16);                    // kPointError
 
-constexpr double kFarRounding = 256 * kUnitRoundoff;
-constexpr double kFarBoxes = 0x1p-19;
-static_assert((23 + 12 * 3.5) * kUnitRoundoff < kFarRounding);
-
 /// Where rounding outweighs the body this many times, every box is near.
 constexpr double kMostSlack = 0x1p40;
 
@@ -52,24 +49,6 @@ float rounded_down(double x) {
 
 double largest(const Vec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-Vec3 vector(const std::array<double, 3>& v) {
-  return {v[0], v[1], v[2]};
-}
-
-/// `w` along the axes of a mesh that a pose moves, then along those of a node.
-Vec3 seen(const Pose& pose, const Vec3& w, const layout::Axes& axes) {
-  const Matrix3 r = rotation(pose);
-  Vec3 v;
-  for (std::size_t j = 0; j < 3; ++j) {
-    v[j] = (r[0][j] * w.x + r[1][j] * w.y) + r[2][j] * w.z;
-  }
-  Vec3 turned;
-  for (std::size_t j = 0; j < 3; ++j) {
-    turned[j] = (axes[j] * v.x + axes[3 + j] * v.y) + axes[6 + j] * v.z;
-  }
-  return turned;
 }
 
 }  // namespace
@@ -131,9 +110,9 @@ double PointPose::distance_of(float key) const {
 template <class Y>
 PointPose::Heading PointPose::heading(const Y& y) const {
   const PosedShape& body = frame_->body();
-  const Vec3 way = point_ - body.pose->apply(body.layout().origin() + vector(y.origin));
+  const Vec3 way = point_ - place_of(body, y.origin);
   const Vec3 unit = direction(way);
-  return {seen(*body.pose, unit, axes_of(y)),
+  return {seen_in_doubles(*body.pose, unit, axes_of(y)),
           (dot(unit, way) / length(unit) - base_) * numbers_.scale,
           slack_ + kFarBoxes * static_cast<double>(y.l1_radius)};
 }
