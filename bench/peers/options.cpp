@@ -21,15 +21,17 @@ Usage: soms-bench [OPTIONS]        generated scenes, models and cities
        soms-bench A B [OPTIONS]    two meshes of your own: A moves, B does not
 
   --quick           a few minutes: fewer rounds, and fewer scenes unless --scenes is given
-  --jobs LIST       of any,all,still,broad,distance,within (default: all of them)
+  --jobs LIST       of any,all,still,broad,distance,within,closest,contains,closest-hit,any-hit
+                    (default: all of them)
   --scenes LIST     scenes whose names begin with these, such as twins-knot,city,real
-  --sets LIST       pose sets, such as random,near-0.001
+  --sets LIST       sets of poses, points or rays, such as random,near-0.001
   --least N         leave out scenes of fewer than N triangles or boxes (default 0)
   --most N          leave out scenes of more than N (default 5000000)
   --libraries LIST  libraries whose names begin with these, such as soms,fcl
   --rounds N        timed rounds of each library (default 7, quick 3)
   --budget SECONDS  processor time per pass of the best peer (default 0.1, quick 0.03)
-  --judge N         triangles of the mover that are checked exactly per set (default 5e6)
+  --judge N         triangles that the judge looks at per set, of the mover or around the probes
+                    (default 5e6)
   --cpu N           processor to run on (default: the last)
   --data FOLDER     folder of models and cities (default: SOMS_DATA; without it they are left out)
   --out FOLDER      for peers.csv and peers.md (default: bench/results/<machine>_<isa>; with A B:
@@ -77,7 +79,8 @@ std::vector<Job> jobs(const std::string& list) {
     }
     if (!known) {
       throw Error(ErrorKind::usage, "--jobs " + word,
-                  "choose any, all, still, broad, distance or within");
+                  "choose any, all, still, broad, distance, within, closest, contains, "
+                  "closest-hit or any-hit");
     }
   }
   return chosen;

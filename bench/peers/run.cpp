@@ -6,9 +6,9 @@
 #include "bench/peers/scenarios/solids.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <memory>
-#include <numeric>
 #include <utility>
 
 namespace soms::bench {
@@ -34,22 +34,32 @@ bool wanted(const RunOptions& options, const Library& library) {
                      [&](const std::string& name) { return library.name().starts_with(name); });
 }
 
-Ready prepare(const Library& library, std::span<const FloatMesh> movers, const FloatMesh& fixed) {
+/// Builds matches of so many triangles in all.
+template <class Build>
+Ready prepare(const Library& library, std::size_t triangles, const Build& build) {
   Ready ready{&library, {}, 0, 0};
   const std::size_t before = heap_bytes();
   const double start = processor_seconds();
-  for (const FloatMesh& mover : movers) {
-    ready.matches.push_back(library.prepare(mover, fixed));
-  }
+  build(ready.matches);
   ready.build = processor_seconds() - start;
   std::size_t bytes = heap_bytes() - before;
-  std::size_t triangles = 0;
-  for (std::size_t i = 0; i < movers.size(); ++i) {
-    bytes += ready.matches[i]->unseen_bytes();
-    triangles += movers[i].triangles.size() + fixed.triangles.size();
+  for (const auto& match : ready.matches) {
+    bytes += match->unseen_bytes();
   }
   ready.bytes = static_cast<double>(bytes) / static_cast<double>(triangles);
   return ready;
+}
+
+Ready prepare(const Library& library, std::span<const FloatMesh> movers, const FloatMesh& fixed) {
+  std::size_t triangles = 0;
+  for (const FloatMesh& mover : movers) {
+    triangles += mover.triangles.size() + fixed.triangles.size();
+  }
+  return prepare(library, triangles, [&](auto& matches) {
+    for (const FloatMesh& mover : movers) {
+      matches.push_back(library.prepare(mover, fixed));
+    }
+  });
 }
 
 Cell new_cell(const Scene& scene, Job job, const std::string& set) {
@@ -60,6 +70,14 @@ Cell new_cell(const Scene& scene, Job job, const std::string& set) {
   cell.triangles = scene.fixed.triangles.size();
   cell.mover = scene.mover.triangles.size();
   return cell;
+}
+
+double sum_of_finite(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) {
+    sum += std::isfinite(value) ? value : 0;
+  }
+  return sum;
 }
 
 using Judge = std::function<std::vector<Verdict>(std::span<const Answers>)>;
@@ -78,22 +96,22 @@ Cell settle(Cell cell, std::span<const Ready> ready, std::span<const Lane> lanes
     const Library& c = *ready[k].library;
     const std::vector<double>& values = answers[k].values;
     cell.entries.push_back({c.name(), c.version(), ready[k].build, ready[k].bytes, c.keeps_tree(),
-                            values.size(), outcomes[k].timing, verdicts[k]});
+                            c.watertight(), values.size(), outcomes[k].timing, verdicts[k]});
     if (values.size() == cell.questions && verdicts[k].wrong == 0) {
-      cell.sum = std::accumulate(values.begin(), values.end(), 0.0);
+      cell.sum = sum_of_finite(values);
     }
   }
   return cell;
 }
 
-/// Judges the answers to questions about poses.
-using PoseJudge = std::function<std::vector<Verdict>(const Questions& questions,
-                                                     std::span<const Answers> answers)>;
+/// Judges the answers to questions about poses, points or rays.
+using QuestionJudge = std::function<std::vector<Verdict>(const Questions& questions,
+                                                         std::span<const Answers> answers)>;
 
 /// The libraries for the job, with lanes that ask their only match.
 void run_questions(const Scene& scene, const std::string& set, const Questions& questions,
-                   std::span<const Ready> ready, const PoseJudge& judge, const RunOptions& options,
-                   const Sink& sink) {
+                   std::span<const Ready> ready, const QuestionJudge& judge,
+                   const RunOptions& options, const Sink& sink) {
   std::vector<Lane> lanes;
   std::vector<Ready> racing;
   for (const Ready& r : ready) {
@@ -105,16 +123,15 @@ void run_questions(const Scene& scene, const std::string& set, const Questions& 
       racing.push_back({r.library, {}, r.build, r.bytes});
     }
   }
-  if (!lanes.empty() && !questions.poses.empty()) {
-    sink(settle(new_cell(scene, questions.job, set), racing, lanes, questions.poses.size(),
-                options.race,
+  if (!lanes.empty() && questions.size() != 0) {
+    sink(settle(new_cell(scene, questions.job, set), racing, lanes, questions.size(), options.race,
                 [&](std::span<const Answers> answers) { return judge(questions, answers); }));
   }
 }
 
 /// Clearances as shares of the true distance, at the poses that leave one: one set for each share.
 void run_clearances(const Scene& scene, const PoseSet& set, std::span<const Ready> ready,
-                    const PoseJudge& judge, const RunOptions& options, const Sink& sink) {
+                    const QuestionJudge& judge, const RunOptions& options, const Sink& sink) {
   const DistanceBatch all =
       distance(Shape(widened(scene.mover)), set.poses, Body(widened(scene.fixed)));
   std::vector<Pose> poses;
@@ -226,7 +243,7 @@ bool chosen(const RunOptions& options, const std::string& set) {
 
 /// Jobs about poses that one judge decides; the libraries are prepared once for all of them.
 void run_group(const Scene& scene, const Roster& roster, std::initializer_list<Job> group,
-               const RunOptions& options, const std::function<PoseJudge()>& make_judge,
+               const RunOptions& options, const std::function<QuestionJudge()>& make_judge,
                const Sink& sink) {
   std::vector<std::pair<const PoseSet*, Job>> planned;
   std::vector<Job> jobs;
@@ -242,13 +259,57 @@ void run_group(const Scene& scene, const Roster& roster, std::initializer_list<J
     return;
   }
   const std::vector<Ready> ready = prepare_all(scene, roster, jobs, options);
-  const PoseJudge judge = make_judge();
+  const QuestionJudge judge = make_judge();
   for (const auto& [set, job] : planned) {
     if (job == Job::within) {
       run_clearances(scene, *set, ready, judge, options, sink);
     } else {
       run_questions(scene, set->name, {job, set->poses}, ready, judge, options, sink);
     }
+  }
+}
+
+QuestionJudge judge_of_probes(Job job, const FloatMesh& body, double budget) {
+  const auto with = [budget](auto judge_of_job) -> QuestionJudge {
+    return [judge_of_job, budget](const Questions& questions, std::span<const Answers> answers) {
+      return judge(*judge_of_job, questions, answers, budget);
+    };
+  };
+  switch (job) {
+    case Job::closest:
+      return with(std::make_shared<DistanceJudge>(point_mesh(), body));
+    case Job::contains:
+      return with(std::make_shared<SideJudge>(body));
+    default:
+      return with(std::make_shared<RayJudge>(body));
+  }
+}
+
+/// A job of points or rays; the libraries build what it needs.
+void run_probes(const Scene& scene, Job job, const Roster& roster, const RunOptions& options,
+                const Sink& sink) {
+  std::vector<const ProbeSet*> sets;
+  for (const ProbeSet& set : scene.probe_sets) {
+    if (chosen(options, set.name) && has(set.jobs, job)) {
+      sets.push_back(&set);
+    }
+  }
+  if (sets.empty() || !has(options.jobs, job)) {
+    return;
+  }
+  const std::size_t triangles = scene.fixed.triangles.size();
+  std::vector<Ready> ready;
+  for (const auto& library : roster) {
+    if (library->does(job) && library->takes(triangles) && wanted(options, *library)) {
+      ready.push_back(prepare(*library, triangles, [&](auto& matches) {
+        matches.push_back(library->prepare_probes(job, scene.fixed));
+      }));
+    }
+  }
+  const QuestionJudge judge = judge_of_probes(job, scene.fixed, options.judge);
+  for (const ProbeSet* set : sets) {
+    const Questions questions{job, {}, {}, set->points, set->rays};
+    run_questions(scene, set->name, questions, ready, judge, options, sink);
   }
 }
 
@@ -261,13 +322,13 @@ void run_scene(const Scene& scene, const Roster& roster, const RunOptions& optio
       run_moving_boxes(scene, set, roster, options, sink);
     }
   }
-  const auto of_counts = [&]() -> PoseJudge {
+  const auto of_counts = [&]() -> QuestionJudge {
     const auto counter = std::make_shared<PairCounter>(scene.mover, scene.fixed);
     return [counter, &options](const Questions& questions, std::span<const Answers> answers) {
       return judge(*counter, questions.job, questions.poses, answers, options.judge);
     };
   };
-  const auto of_distances = [&]() -> PoseJudge {
+  const auto of_distances = [&]() -> QuestionJudge {
     const auto measure = std::make_shared<DistanceJudge>(scene.mover, scene.fixed);
     return [measure, &options](const Questions& questions, std::span<const Answers> answers) {
       return judge(*measure, questions, answers, options.judge);
@@ -279,6 +340,9 @@ void run_scene(const Scene& scene, const Roster& roster, const RunOptions& optio
     if (has(options.jobs, Job::still) && chosen(options, set.name) && set.still != 0) {
       run_still(scene, set, roster, options, sink);
     }
+  }
+  for (const Job job : {Job::closest, Job::contains, Job::closest_hit, Job::any_hit}) {
+    run_probes(scene, job, roster, options, sink);
   }
 }
 

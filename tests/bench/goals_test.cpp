@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace soms::bench {
 namespace {
 
@@ -66,6 +68,24 @@ TEST(Goals, OfDistancesAreForPathsTooAndNoneFarApart) {
     EXPECT_EQ(goal(goals_of(Job::distance, "real-delft-van", "near", 9, "avx512"), library), 20);
   }
   EXPECT_TRUE(goals_of(Job::distance, "far-knot", "far-3", 1'000, "avx512").empty());
+}
+
+TEST(Goals, OfPointsInBatchesBeginAtAHundredThousand) {
+  for (const auto& [scene, alone, batch] :
+       {std::tuple{"probe-knot", 1.8, 4.0}, {"probe-city", 1.0, 2.0}}) {
+    const auto small = goals_of(Job::closest, scene, "random", 10'000, "avx512");
+    EXPECT_EQ(goal(small, "soms"), alone) << scene;
+    EXPECT_EQ(goal(small, "soms-batch"), 0) << scene;
+    EXPECT_EQ(goal(goals_of(Job::closest, scene, "path", 100'000, "avx512"), "soms-batch"), batch);
+  }
+}
+
+TEST(Goals, OfContainmentAreAlsoMillionsASecond) {
+  const auto goals = goals_of(Job::contains, "probe-igea", "random", 268'686, "avx512");
+  ASSERT_EQ(goals.size(), 2U);
+  EXPECT_EQ(goals[0].times, 6);
+  EXPECT_EQ(goals[1].against, Against::clock);
+  EXPECT_EQ(goals[1].times, 3);
 }
 
 TEST(Goals, AreNoneForAJobThatNoneWasSetFor) {

@@ -168,6 +168,31 @@ TEST(RunScene, ComparesSomsWithBruteForceInEveryJob) {
   EXPECT_TRUE(sound(cells));
 }
 
+// A cube of side 2: a point at (3, 0, 0) is 2 from it, (0, 0, 0.5) within it, half a unit deep.
+TEST(RunScene, ComparesSomsWithBruteForceForProbes) {
+  Roster roster;
+  add_soms(roster);
+  RunOptions options;
+  options.race = {.rounds = 1, .budget = 1, .least_pass = 0};
+  Scene scene{"cube", {}, box({0, 0, 0}, {1, 1, 1}), {}};
+  scene.probe_sets = {{"points", {{3, 0, 0}, {0, 0, 0.5}}, {}, {Job::closest, Job::contains}}};
+  std::vector<Cell> cells;
+  run_scene(scene, roster, options, [&](Cell cell) { cells.push_back(std::move(cell)); });
+  ASSERT_EQ(cells.size(), 2U);
+  EXPECT_EQ(name(cells[0].job), "closest");
+  EXPECT_EQ(cells[0].sum, 2.5);
+  EXPECT_EQ(name(cells[1].job), "contains");
+  EXPECT_EQ(cells[1].sum, 1);
+  for (const Cell& cell : cells) {
+    EXPECT_EQ(cell.questions, 2U);
+    ASSERT_EQ(cell.entries.size(), 2U);  // alone and in a batch
+    EXPECT_EQ(cell.entries[1].library, "soms-batch");
+    EXPECT_EQ(question(cell.job), "point");
+    EXPECT_GT(ratio(cell, "soms", Against::clock).value_or(0), 0);
+  }
+  EXPECT_TRUE(sound(cells));
+}
+
 // Cubes touch up to x = 2: the distances of the 49 poses beyond are their x less 2.
 TEST(RunScene, AsksForClearancesWhereThereIsOne) {
   Roster roster;

@@ -13,15 +13,6 @@ namespace soms::bench {
 
 namespace {
 
-// Of the largest coordinate. A judge in doubles loses more than a unit on slivers; a library in
-// floats has rounded the pose and moved every corner in several steps.
-constexpr double kSlackOfDoubles = 0x1p-36;
-constexpr double kSlackOfFloats = 0x1p-18;
-
-Vec3 middle(const Triangle& t) {
-  return (1.0 / 3) * (t.a + t.b + t.c);
-}
-
 double squared(const Vec3& v) {
   return dot(v, v);
 }
@@ -86,50 +77,6 @@ double squared_gap(const Box& a, const Box& b) {
   return sum;
 }
 
-/// Place of a point on a curve that fills the box: the bits of its coordinates in turn.
-std::uint64_t place_on_curve(const Box& box, const Vec3& p) {
-  std::uint64_t place = 0;
-  std::array<std::uint32_t, 3> cell{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double side = box.upper[k] - box.lower[k];
-    cell[k] = side > 0 ? static_cast<std::uint32_t>((p[k] - box.lower[k]) / side * 1023) : 0;
-  }
-  for (unsigned bit = 10; bit-- > 0;) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      place = 2 * place + ((cell[k] >> bit) & 1U);
-    }
-  }
-  return place;
-}
-
-/// Puts the triangles in the order in which a curve meets their middles.
-void order(std::vector<Triangle>& triangles) {
-  Box box;
-  for (const Triangle& t : triangles) {
-    box.grow(middle(t));
-  }
-  std::vector<std::pair<std::uint64_t, std::size_t>> places;
-  places.reserve(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    places.emplace_back(place_on_curve(box, middle(triangles[i])), i);
-  }
-  std::sort(places.begin(), places.end());
-  std::vector<Triangle> ordered;
-  ordered.reserve(triangles.size());
-  for (const auto& [place, i] : places) {
-    ordered.push_back(triangles[i]);
-  }
-  triangles = std::move(ordered);
-}
-
-double reach(const Box& box) {
-  double most = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    most = std::max({most, std::abs(box.lower[k]), std::abs(box.upper[k])});
-  }
-  return most;
-}
-
 /// The least of `best` and the squared distances of the triangles of two bunches.
 double least_of(std::span<const Triangle> of_a, std::span<const Triangle> of_b, const Box& box_b,
                 double best) {
@@ -153,43 +100,11 @@ double least_of(std::span<const Triangle> of_a, std::span<const Triangle> of_b, 
 
 }  // namespace
 
-DistanceJudge::Bunches DistanceJudge::bunches_of(const FloatMesh& mesh) {
-  Bunches result;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    result.triangles.push_back(mesh.triangle(i));
-  }
-  order(result.triangles);
-  const std::size_t n = result.triangles.size();
-  const auto each =
-      static_cast<std::size_t>(std::max(1.0, std::ceil(std::sqrt(static_cast<double>(n)))));
-  for (std::size_t first = 0; first < n; first += each) {
-    result.list.push_back({{}, first, std::min(each, n - first)});
-  }
-  return placed(result, {});
-}
-
-DistanceJudge::Bunches DistanceJudge::placed(const Bunches& mesh, const Pose& pose) {
-  Bunches result = mesh;
-  for (Triangle& t : result.triangles) {
-    t = {pose.apply(t.a), pose.apply(t.b), pose.apply(t.c)};
-  }
-  for (Bunch& bunch : result.list) {
-    bunch.box = {};
-    for (std::size_t i = bunch.first; i < bunch.first + bunch.count; ++i) {
-      bunch.box.grow(bounds(result.triangles[i]));
-    }
-  }
-  return result;
-}
-
 DistanceJudge::DistanceJudge(const FloatMesh& mover, const FloatMesh& fixed)
-    : mover_(bunches_of(mover)), fixed_(bunches_of(fixed)) {
-  for (const Bunch& bunch : mover_.list) {
-    mover_bounds_.grow(bunch.box);
-  }
-  for (const Bunch& bunch : fixed_.list) {
-    fixed_bounds_.grow(bunch.box);
-  }
+    : mover_(bunches_of(mover)),
+      fixed_(bunches_of(fixed)),
+      mover_bounds_(bounds_of(mover_)),
+      fixed_bounds_(bounds_of(fixed_)) {
 }
 
 double DistanceJudge::distance(const Pose& pose) const {
@@ -213,8 +128,7 @@ double DistanceJudge::distance(const Pose& pose) const {
   while (!pairs.empty() && pairs.front().gap < best) {
     const Bunch& a = *pairs.front().a;
     const Bunch& b = *pairs.front().b;
-    best = least_of(std::span(moved.triangles).subspan(a.first, a.count),
-                    std::span(fixed_.triangles).subspan(b.first, b.count), b.box, best);
+    best = least_of(moved.of(a), fixed_.of(b), b.box, best);
     std::pop_heap(pairs.begin(), pairs.end(), farther);
     pairs.pop_back();
   }

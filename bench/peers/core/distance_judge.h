@@ -4,11 +4,10 @@
 
 #include "soms/base/box.h"
 
+#include "bench/peers/core/bunches.h"
 #include "bench/peers/libraries/library.h"
 
 #include <cstddef>
-#include <span>
-#include <vector>
 
 namespace soms::bench {
 
@@ -28,22 +27,6 @@ class DistanceJudge {
   [[nodiscard]] std::size_t mover_triangles() const { return mover_.triangles.size(); }
 
  private:
-  /// Triangles `first` to `first + count` - 1 of their list.
-  struct Bunch {
-    Box box;
-    std::size_t first = 0;
-    std::size_t count = 0;
-  };
-
-  /// A mesh in the order of its bunches.
-  struct Bunches {
-    std::vector<Triangle> triangles;
-    std::vector<Bunch> list;
-  };
-
-  static Bunches bunches_of(const FloatMesh& mesh);
-  static Bunches placed(const Bunches& mesh, const Pose& pose);
-
   Bunches mover_;
   Bunches fixed_;
   Box mover_bounds_;

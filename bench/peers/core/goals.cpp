@@ -9,6 +9,7 @@ namespace soms::bench {
 namespace {
 
 constexpr std::uint64_t kAnySize = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t kBelow100k = 99'999;
 
 struct Row {
   Job job;
@@ -51,6 +52,21 @@ constexpr std::array kRows{
     Row{Job::within, "", "half ", kAnySize, "soms", 2, Against::by_distance},
     Row{Job::within, "", "", kAnySize, "soms", 1, Against::by_distance},
     Row{Job::within, "", "", kAnySize, "soms", 0},
+    Row{Job::closest, "probe-city", "", kAnySize, "soms", 1},
+    Row{Job::closest, "probe-knot", "", kAnySize, "soms", 1.8},
+    Row{Job::closest, "", "", kBelow100k, "soms-batch", 0},
+    Row{Job::closest, "probe-city", "", kAnySize, "soms-batch", 2},
+    Row{Job::closest, "probe-knot", "", kAnySize, "soms-batch", 4},
+    Row{Job::contains, "probe-armadillo", "", kAnySize, "soms-batch", 2.5},
+    Row{Job::contains, "probe-igea", "", kAnySize, "soms-batch", 6},
+    Row{Job::contains, "probe-armadillo", "", kAnySize, "soms-batch", 3, Against::clock},
+    Row{Job::contains, "probe-igea", "", kAnySize, "soms-batch", 3, Against::clock},
+    Row{Job::closest_hit, "", "", kAnySize, "soms", 0.5, Against::watertight},
+    Row{Job::closest_hit, "", "", kBelow100k, "soms-batch", 0, Against::watertight},
+    Row{Job::closest_hit, "", "", kAnySize, "soms-batch", 1, Against::watertight},
+    Row{Job::any_hit, "", "", kAnySize, "soms", 0.5, Against::watertight},
+    Row{Job::any_hit, "", "", kBelow100k, "soms-batch", 0, Against::watertight},
+    Row{Job::any_hit, "", "", kAnySize, "soms-batch", 1, Against::watertight},
 };
 
 bool fits(const Row& row, Job job, const std::string& scene, const std::string& set,

@@ -16,6 +16,8 @@ enum class Against {
   keeps_tree,    ///< those whose tree lasts from frame to frame
   from_scratch,  ///< those that start over in each frame
   by_distance,   ///< soms itself, which works out the distance: not halved without AVX-512
+  watertight,    ///< those whose rays slip through no edge
+  clock,         ///< none: millions of answers a second
 };
 
 /// So many times as fast as the best peer; 0 where only the ratio is shown.

@@ -250,24 +250,62 @@ std::vector<Verdict> judge(std::span<const std::vector<FloatBox>> frames,
 std::vector<Verdict> judge(const DistanceJudge& measure, const Questions& questions,
                            std::span<const Answers> answers, double budget) {
   const std::size_t stride = stride_of(longest(answers), measure.mover_triangles(), budget);
+  const auto pose_of = [&](std::size_t i) {
+    if (questions.job != Job::closest) {
+      return questions.poses[i];
+    }
+    const Vec3& p = questions.points[i];
+    return Pose::translation(p.x, p.y, p.z);
+  };
   std::unordered_map<std::size_t, double> known;
   const auto right = [&](std::size_t i, Precision precision) {
     const auto [at, first] = known.try_emplace(i, 0);
-    at->second = first ? measure.distance(questions.poses[i]) : at->second;
-    const Right near =
-        right_distances(at->second, precision, measure.slack(precision, questions.poses[i]));
-    if (questions.job == Job::distance) {
+    at->second = first ? measure.distance(pose_of(i)) : at->second;
+    const Right near = right_distances(at->second, precision, measure.slack(precision, pose_of(i)));
+    if (questions.job != Job::within) {
       return near;
     }
     const double clearance = questions.clearances[i];
     return Right{near.most <= clearance ? 1.0 : 0.0, near.least <= clearance ? 1.0 : 0.0};
   };
   const auto contradict = [&](std::size_t i, const Answers& a, const Answers& b) {
-    const double slack = questions.job == Job::within
-                             ? 0
-                             : measure.slack(a.precision, questions.poses[i]) +
-                                   measure.slack(b.precision, questions.poses[i]);
+    const double slack = questions.job == Job::within ? 0
+                                                      : measure.slack(a.precision, pose_of(i)) +
+                                                            measure.slack(b.precision, pose_of(i));
     return !(std::abs(a.values[i] - b.values[i]) <= slack);
+  };
+  return judge(answers, {right, contradict, [stride](std::size_t i) { return i % stride == 0; }});
+}
+
+std::vector<Verdict> judge(const SideJudge& sides, const Questions& questions,
+                           std::span<const Answers> answers, double budget) {
+  const std::size_t stride = stride_of(longest(answers), sides.looks(), budget);
+  std::unordered_map<std::size_t, double> known;
+  const auto right = [&](std::size_t i, Precision) {
+    const auto [at, first] = known.try_emplace(i, 0);
+    at->second = first ? sides.side(questions.points[i]) : at->second;
+    return at->second == SideJudge::kOpen ? Right{0, 1} : Right{at->second, at->second};
+  };
+  return judge(answers, {right, differ, [stride](std::size_t i) { return i % stride == 0; }});
+}
+
+std::vector<Verdict> judge(const RayJudge& rays, const Questions& questions,
+                           std::span<const Answers> answers, double budget) {
+  const std::size_t stride = stride_of(longest(answers), rays.looks(), budget);
+  const auto right = [&](std::size_t i, Precision precision) {
+    const Crossings found = rays.crossings(questions.rays[i], precision);
+    if (questions.job == Job::closest_hit) {
+      return Right{found.least, found.most};
+    }
+    return Right{found.sure != 0 ? 1.0 : 0.0, found.sure + found.open != 0 ? 1.0 : 0.0};
+  };
+  const auto contradict = [&](std::size_t i, const Answers& a, const Answers& b) {
+    const ProbeRay& ray = questions.rays[i];
+    const double slack = (rays.slack(ray, a.precision) + rays.slack(ray, b.precision)) /
+                         std::sqrt(dot(ray.direction, ray.direction));
+    const bool rounded =
+        questions.job == Job::closest_hit && std::abs(a.values[i] - b.values[i]) <= slack;
+    return a.values[i] != b.values[i] && !rounded;
   };
   return judge(answers, {right, contradict, [stride](std::size_t i) { return i % stride == 0; }});
 }

@@ -5,6 +5,7 @@
 #include "soms/base/box.h"
 
 #include "bench/peers/core/distance_judge.h"
+#include "bench/peers/core/probe_judge.h"
 #include "bench/peers/libraries/library.h"
 
 #include <cstdint>
@@ -101,10 +102,21 @@ class PairCounter {
 [[nodiscard]] std::vector<Verdict> judge(std::span<const std::vector<FloatBox>> frames,
                                          std::span<const Answers> answers);
 
-/// Judges distances, or flags of `within`. A distance is right that rounding may have taken from
+/// Judges distances of poses or, with `point_mesh` as the mover, of points, or flags of `within`. A
+/// distance is right that rounding may have taken from
 /// the true one; where a clearance is as near to the distance, both flags are right. Looked at as
 /// with counts.
 [[nodiscard]] std::vector<Verdict> judge(const DistanceJudge& measure, const Questions& questions,
+                                         std::span<const Answers> answers, double budget);
+
+/// Judges sides of points. Where rounding leaves the side open to the judge, inside and outside are
+/// right.
+[[nodiscard]] std::vector<Verdict> judge(const SideJudge& sides, const Questions& questions,
+                                         std::span<const Answers> answers, double budget);
+
+/// Judges hits of rays. A hit is right that rounding may have taken from a true one; where a ray
+/// passes an edge as near, hit and miss are.
+[[nodiscard]] std::vector<Verdict> judge(const RayJudge& rays, const Questions& questions,
                                          std::span<const Answers> answers, double budget);
 
 }  // namespace soms::bench

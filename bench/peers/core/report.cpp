@@ -16,6 +16,14 @@ std::string name(Job job) {
       return "distance";
     case Job::within:
       return "within";
+    case Job::closest:
+      return "closest";
+    case Job::contains:
+      return "contains";
+    case Job::closest_hit:
+      return "closest-hit";
+    case Job::any_hit:
+      return "any-hit";
     case Job::broad:
       break;
   }
@@ -23,7 +31,18 @@ std::string name(Job job) {
 }
 
 std::string question(Job job) {
-  return job == Job::broad ? "frame" : "pose";
+  switch (job) {
+    case Job::broad:
+      return "frame";
+    case Job::closest:
+    case Job::contains:
+      return "point";
+    case Job::closest_hit:
+    case Job::any_hit:
+      return "ray";
+    default:
+      return "pose";
+  }
 }
 
 bool ranked(const Cell& cell, const Entry& entry) {
@@ -42,6 +61,10 @@ bool meant(const Entry& entry, Against against) {
       return !is_ours(entry.library) && entry.keeps_tree;
     case Against::from_scratch:
       return !is_ours(entry.library) && !entry.keeps_tree;
+    case Against::watertight:
+      return !is_ours(entry.library) && entry.watertight;
+    case Against::clock:
+      return false;
     case Against::all:
       break;
   }
@@ -65,7 +88,13 @@ std::optional<double> ratio(const Cell& cell, const std::string& library, Agains
   const Entry* peer = best_peer(cell, against);
   const auto own = std::find_if(cell.entries.begin(), cell.entries.end(),
                                 [&](const Entry& entry) { return entry.library == library; });
-  if (peer == nullptr || own == cell.entries.end() || !ranked(cell, *own)) {
+  if (own == cell.entries.end() || !ranked(cell, *own)) {
+    return std::nullopt;
+  }
+  if (against == Against::clock) {
+    return 1e-6 / own->timing.median;
+  }
+  if (peer == nullptr) {
     return std::nullopt;
   }
   return peer->timing.median / own->timing.median;

@@ -20,6 +20,7 @@ struct Entry {
   double build = 0;  ///< seconds to prepare both bodies
   double bytes = 0;  ///< held afterwards, for each triangle of both
   bool keeps_tree = false;
+  bool watertight = false;
   std::size_t answered = 0;  ///< questions
   Timing timing;
   Verdict verdict;
@@ -33,7 +34,7 @@ struct Cell {
   std::uint64_t triangles = 0;  ///< of the fixed body, or boxes
   std::uint64_t mover = 0;      ///< triangles of the mover
   std::size_t questions = 0;    ///< the same for all
-  double sum = 0;               ///< of the answers: touching or near poses, pairs, distances
+  double sum = 0;  ///< of the answers that are finite: poses, pairs, distances, points, hits
   std::vector<Entry> entries;
 };
 
@@ -42,7 +43,7 @@ inline constexpr double kMostWrong = 0.02;
 
 [[nodiscard]] std::string name(Job job);
 
-/// What one answer is about: a pose or a frame.
+/// What one answer is about: a pose, a frame, a point or a ray.
 [[nodiscard]] std::string question(Job job);
 
 /// False for a library whose time counts for nothing: too many wrong answers, or fewer questions
@@ -53,7 +54,8 @@ inline constexpr double kMostWrong = 0.02;
 [[nodiscard]] const Entry* best_peer(const Cell& cell, Against against = Against::all);
 
 /// How many times as fast as the best peer a library is; nothing where there is none or where
-/// the library's own time counts for nothing: a ratio at a wrong answer is void.
+/// the library's own time counts for nothing: a ratio at a wrong answer is void. Against::clock:
+/// its millions of answers a second.
 [[nodiscard]] std::optional<double> ratio(const Cell& cell, const std::string& library,
                                           Against against = Against::all);
 

@@ -33,7 +33,7 @@ std::string times(const std::optional<double>& value) {
 
 /// Counts are whole numbers; distances are not, and may be of any size.
 std::string sum_of(const Cell& cell) {
-  if (cell.job != Job::distance) {
+  if (cell.job != Job::distance && cell.job != Job::closest && cell.job != Job::closest_hit) {
     return fixed(cell.sum, 0);
   }
   std::ostringstream text;
@@ -62,6 +62,7 @@ std::string verdict(const std::optional<double>& reached, double goal) {
 std::string kind(Against against) {
   return against == Against::keeps_tree     ? " (keeps its tree)"
          : against == Against::from_scratch ? " (from scratch)"
+         : against == Against::watertight   ? " (watertight)"
                                             : "";
 }
 
@@ -69,11 +70,14 @@ std::string kind(Against against) {
 void goal_row(std::ostream& out, const Cell& cell, const Goal& goal) {
   const Entry* own = entry_of(cell, goal.library);
   const Entry* peer = best_peer(cell, goal.against);
-  if (peer == nullptr) {
+  if (goal.against == Against::clock) {
+    out << where(cell) << " | (a million answers a second) | 1.00 | ";
+  } else if (peer != nullptr) {
+    out << where(cell) << " | " << peer->library << kind(goal.against) << " | "
+        << micro(peer->timing.median) << " | ";
+  } else {
     return;
   }
-  out << where(cell) << " | " << peer->library << kind(goal.against) << " | "
-      << micro(peer->timing.median) << " | ";
   if (own == nullptr) {
     out << "no soms | | | " << (goal.times > 0 ? fixed(goal.times, 1) : "") << " | |\n";
     return;
@@ -115,8 +119,8 @@ std::string mark(const Cell& cell, const Entry& entry) {
 }
 
 void builds(std::ostream& out, const std::vector<Cell>& cells) {
-  out << "\n## Building and memory\n\nBoth bodies, ready to be queried; bytes for each triangle of "
-         "both, own copies of the meshes included. Goal of soms: "
+  out << "\n## Building and memory\n\nAll bodies, ready to be queried; bytes for each triangle of "
+         "them, own copies of the meshes included. Goal of soms: "
       << fixed(kMostBytes, 0)
       << " bytes.\n\n| scene | triangles | library | build ms | bytes a triangle | |\n"
          "|---|---:|---|---:|---:|---|\n";
@@ -235,8 +239,9 @@ void write_markdown(const std::filesystem::path& path, const std::vector<Cell>& 
   out << "- Selection: " << facts.selection << "; median of " << facts.rounds
       << " rounds in turn, processor time.\n\n";
   goals(out, cells, facts.isa);
-  out << "\n## Every library\n\n`sum`: of the answers: touching or near poses, pairs, or "
-         "distances. `ratio`: the "
+  out << "\n## Every library\n\n`sum`: of the answers: touching or near poses, pairs, distances, "
+         "points "
+         "inside, hits. `ratio`: the "
          "best peer's time over this one's. `first n`: too slow for the whole set, not "
          "ranked.\n\n";
   print_times(out, cells);

@@ -1,6 +1,7 @@
 // CGAL's AABB_tree of triangles with exact predicates. `any` traverses two trees as CGAL's
 // Rigid_triangle_mesh_collision_detection does; `all` asks triangle by triangle.
 // box_self_intersection_d as a broad phase that keeps nothing between frames.
+#include "bench/peers/libraries/cgal_surface.h"
 #include "bench/peers/libraries/library.h"
 
 #include <CGAL/AABB_traits.h>
@@ -145,4 +146,5 @@ class CgalBroad final : public Library {
 extern "C" void soms_bench_peer(soms::bench::Roster& roster, const soms::bench::Loan&) {
   roster.push_back(std::make_unique<soms::bench::CgalMesh>());
   roster.push_back(std::make_unique<soms::bench::CgalBroad>());
+  soms::bench::add_cgal_surface(roster);
 }

@@ -3,10 +3,9 @@
 // boxes are rebuilt and its tree is refitted for every pose (rebuilding at low quality takes
 // several times as long).
 #include "bench/peers/libraries/embree_device.h"
+#include "bench/peers/libraries/embree_surface.h"
 #include "bench/peers/libraries/library.h"
 #include "bench/peers/libraries/triangle_test.h"
-
-#include <malloc.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,11 +23,6 @@ float up(double v) {
   return std::nextafter(static_cast<float>(v), std::numeric_limits<float>::infinity());
 }
 
-std::ptrdiff_t heap_bytes() {
-  const auto info = mallinfo2();
-  return static_cast<std::ptrdiff_t>(info.uordblks + info.hblkhd);
-}
-
 /// A mesh as user geometry; one that moves keeps its triangles at the present pose.
 class EmbreeBody {
  public:
@@ -37,8 +31,7 @@ class EmbreeBody {
       place({});
     }
     const EmbreeDevice& device = EmbreeDevice::shared();
-    const std::ptrdiff_t counted = device.bytes();
-    const std::ptrdiff_t heap = heap_bytes();
+    const UnseenBytes unseen;
     scene_ = rtcNewScene(device.get());
     rtcSetSceneFlags(scene_, moves ? RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_NONE);
     rtcSetSceneBuildQuality(scene_, moves ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_HIGH);
@@ -50,7 +43,7 @@ class EmbreeBody {
     rtcCommitGeometry(geometry_);
     rtcAttachGeometry(scene_, geometry_);
     rtcCommitScene(scene_);
-    unseen_ = std::max<std::ptrdiff_t>(0, (device.bytes() - counted) - (heap_bytes() - heap));
+    unseen_ = unseen.taken();
   }
 
   ~EmbreeBody() {
@@ -63,7 +56,7 @@ class EmbreeBody {
 
   [[nodiscard]] RTCScene scene() const { return scene_; }
 
-  [[nodiscard]] std::size_t unseen_bytes() const { return static_cast<std::size_t>(unseen_); }
+  [[nodiscard]] std::size_t unseen_bytes() const { return unseen_; }
 
   [[nodiscard]] Triangle triangle(unsigned i) const {
     return placed_.empty() ? mesh_.triangle(i) : placed_[i];
@@ -99,7 +92,7 @@ class EmbreeBody {
   std::vector<Triangle> placed_;
   RTCScene scene_ = nullptr;
   RTCGeometry geometry_ = nullptr;
-  std::ptrdiff_t unseen_ = 0;
+  std::size_t unseen_ = 0;
 };
 
 class EmbreeMatch final : public Match {
@@ -262,4 +255,5 @@ extern "C" void soms_bench_peer(soms::bench::Roster& roster, const soms::bench::
   roster.push_back(std::make_unique<EmbreeMesh>(false, loan));
   roster.push_back(std::make_unique<EmbreeBroad>(true));
   roster.push_back(std::make_unique<EmbreeBroad>(false));
+  add_embree_surface(roster);
 }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <embree3/rtcore.h>
+#include <malloc.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 
@@ -38,6 +40,23 @@ class EmbreeDevice {
  private:
   RTCDevice device_;
   std::atomic<std::ptrdiff_t> bytes_{0};
+};
+
+/// Bytes that Embree takes from its making on and that malloc does not know of.
+class UnseenBytes {
+ public:
+  [[nodiscard]] std::size_t taken() const {
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, unseen() - before_));
+  }
+
+ private:
+  static std::ptrdiff_t unseen() {
+    const auto info = mallinfo2();
+    return EmbreeDevice::shared().bytes() -
+           static_cast<std::ptrdiff_t>(info.uordblks + info.hblkhd);
+  }
+
+  std::ptrdiff_t before_ = unseen();
 };
 
 }  // namespace soms::bench

@@ -4,9 +4,11 @@
 
 #include "soms/base/pose.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -47,12 +49,28 @@ struct FloatBox {
 
 /// The kinds of queries.
 enum class Job {
-  any,       ///< do the mover, at each pose, and the fixed body share a point? 1 or 0
-  all,       ///< how many pairs of triangles share a point at each pose?
-  still,     ///< the same of two bodies that both stand where they were built
-  broad,     ///< boxes all move: how many pairs of them overlap in each frame?
-  distance,  ///< how far is the mover, at each pose, from the fixed body? 0 where they touch
-  within,    ///< are they within a clearance of each other, one for each pose? 1 or 0
+  any,          ///< do the mover, at each pose, and the fixed body share a point? 1 or 0
+  all,          ///< how many pairs of triangles share a point at each pose?
+  still,        ///< the same of two bodies that both stand where they were built
+  broad,        ///< boxes all move: how many pairs of them overlap in each frame?
+  distance,     ///< how far is the mover, at each pose, from the fixed body? 0 where they touch
+  within,       ///< are they within a clearance of each other, one for each pose? 1 or 0
+  closest,      ///< how far is each point from the fixed body's surface? 0 on it
+  contains,     ///< is each point inside the fixed body, which is closed? 1, 0, or kOnSurface
+  closest_hit,  ///< at which multiple of its direction does each ray meet the body? kMiss if never
+  any_hit,      ///< does each ray meet it at all? 1 or 0
+};
+
+/// The answer of `contains` for a point of the surface.
+inline constexpr double kOnSurface = 0.5;
+
+/// The answer of `closest_hit` for a ray that meets nothing.
+inline constexpr double kMiss = std::numeric_limits<double>::infinity();
+
+/// A ray without end. Its numbers are floats, so that no library has to round them.
+struct ProbeRay {
+  Vec3 origin;
+  Vec3 direction;
 };
 
 /// What a library computes in, which says how near to the truth an answer has to be.
@@ -62,22 +80,28 @@ enum class Precision { exact, doubles, floats };
 /// a question.
 struct Questions {
   Job job = Job::any;
-  std::span<const Pose> poses;              ///< of the mover
+  std::span<const Pose> poses = {};         ///< of the mover
   std::span<const double> clearances = {};  ///< of `within`
+  std::span<const Vec3> points = {};    ///< of `closest` and `contains`; their numbers are floats
+  std::span<const ProbeRay> rays = {};  ///< of `closest_hit` and `any_hit`
+
+  [[nodiscard]] std::size_t size() const {
+    return std::max({poses.size(), points.size(), rays.size()});
+  }
 
   /// The first `count` of them.
   [[nodiscard]] Questions first(std::size_t count) const {
-    return {job, poses.first(count), clearances.empty() ? clearances : clearances.first(count)};
+    const auto of = [count](auto column) { return column.empty() ? column : column.first(count); };
+    return {job, of(poses), of(clearances), of(points), of(rays)};
   }
 };
 
-/// A mover and a fixed body, ready to be queried.
+/// A mover and a fixed body, or a body that points and rays probe, ready to be queried.
 class Match {
  public:
   virtual ~Match() = default;
 
-  /// One answer a question: 1 or 0 of `any` and `within`, the count of `all` and `still`, the
-  /// distance of `distance`.
+  /// One answer a question, as the enumerators of `Job` say.
   virtual void answer(const Questions& questions, std::span<double> answers) = 0;
 
   /// Bytes that it holds and that malloc does not know of.
@@ -112,9 +136,18 @@ class Library {
   /// nothing.
   [[nodiscard]] virtual bool keeps_tree() const { return false; }
 
+  /// Of rays: true if none slips between two triangles that share an edge.
+  [[nodiscard]] virtual bool watertight() const { return false; }
+
   /// Builds all that queries need, own copies of the meshes included.
   [[nodiscard]] virtual std::unique_ptr<Match> prepare(const FloatMesh& /*mover*/,
                                                        const FloatMesh& /*fixed*/) const {
+    return nullptr;
+  }
+
+  /// The same for a job of points or rays.
+  [[nodiscard]] virtual std::unique_ptr<Match> prepare_probes(Job /*job*/,
+                                                              const FloatMesh& /*body*/) const {
     return nullptr;
   }
 

@@ -2,6 +2,7 @@
 #include "soms/soms.h"
 
 #include "bench/peers/libraries/library.h"
+#include "bench/peers/libraries/soms_probes.h"
 
 namespace soms::bench {
 
@@ -102,16 +103,18 @@ class Soms final : public Library {
   [[nodiscard]] bool does(Job job) const override {
     switch (manner_) {
       case Manner::batch:
-        return job == Job::any || job == Job::distance;
+        return job == Job::any || job == Job::distance || answers_probes(job);
       case Manner::distance:
         return job == Job::within;
       case Manner::single:
         break;
     }
-    return true;
+    return job < Job::closest || answers_probes(job);
   }
 
   [[nodiscard]] bool keeps_tree() const override { return true; }
+
+  [[nodiscard]] bool watertight() const override { return true; }
 
   [[nodiscard]] std::unique_ptr<MovingBoxes> moving_boxes(
       std::span<const FloatBox> /*boxes*/) const override {
@@ -121,6 +124,11 @@ class Soms final : public Library {
   [[nodiscard]] std::unique_ptr<Match> prepare(const FloatMesh& mover,
                                                const FloatMesh& fixed) const override {
     return std::make_unique<SomsMatch>(mover, fixed, manner_);
+  }
+
+  [[nodiscard]] std::unique_ptr<Match> prepare_probes(Job job,
+                                                      const FloatMesh& body) const override {
+    return soms_probes(job, shape_of(body), manner_ == Manner::batch);
   }
 
  private:

@@ -32,10 +32,21 @@ constexpr std::array kGenerated{
     Generated{"far-knot", 100'000, false, far_scene},
     Generated{"streets", 5'672, false, street_scene},
     Generated{"streets", 1'000'000, false, street_scene},
+    Generated{"probe-knot", 1'000, true, knot_probes},
+    Generated{"probe-knot", 10'000, false, knot_probes},
+    Generated{"probe-knot", 100'000, true, knot_probes},
+    Generated{"probe-knot", 1'000'000, false, knot_probes},
+    Generated{"probe-city", 5'672, true, city_probes},
+    Generated{"probe-city", 100'000, false, city_probes},
+    Generated{"probe-city", 1'000'000, true, city_probes},
 };
 
 constexpr std::array<std::string_view, 7> kModels{
     "bun_zipper", "igea", "cow", "galleon", "teapot", "beethoven", "big_porsche"};
+
+/// Closed models, which have an inside.
+constexpr std::array<std::string_view, 3> kClosedModels{"other/fertility.off",
+                                                        "other/armadillo.obj", "ply/igea.ply"};
 
 struct ListedCity {
   std::string_view name;
@@ -58,7 +69,7 @@ constexpr std::array kCities{
 
 std::vector<Offer> catalog(const std::filesystem::path& data) {
   std::vector<Offer> offers;
-  offers.reserve(kGenerated.size() + kModels.size() + kCities.size() + 2);
+  offers.reserve(kGenerated.size() + kModels.size() + kCities.size() + kClosedModels.size() + 2);
   for (const Generated& g : kGenerated) {
     offers.push_back({g.name, g.triangles, g.quick, [g] { return g.make(g.triangles); }});
   }
@@ -72,6 +83,10 @@ std::vector<Offer> catalog(const std::filesystem::path& data) {
     const auto file = data / "ply" / (std::string(model) + ".ply");
     add("twins-" + std::string(model), file, model == kModels[0],
         [file] { return model_scene(file); });
+  }
+  for (const std::string_view model : kClosedModels) {
+    const auto file = data / model;
+    add("probe-" + file.stem().string(), file, false, [file] { return model_probes(file); });
   }
   for (const ListedCity& city : kCities) {
     const std::string name(city.name);

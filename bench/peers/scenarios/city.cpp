@@ -250,6 +250,10 @@ Pose car_at(const BoxCity& city, const Spot& spot) {
 
 }  // namespace
 
+FloatMesh referee_city(std::uint64_t triangles) {
+  return make_city(triangles).mesh;
+}
+
 Scene city_car_scene(std::uint64_t triangles) {
   const BoxCity city = make_city(triangles);
   Scene scene{

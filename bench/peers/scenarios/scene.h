@@ -28,14 +28,23 @@ struct MovingBoxSet {
   std::vector<std::vector<FloatBox>> frames;
 };
 
-/// One mover, one body that stands still, and where the mover is in each query; or sets of moving
-/// boxes.
+/// Points or rays, with numbers that are floats, and what they are queried for.
+struct ProbeSet {
+  std::string name;
+  std::vector<Vec3> points = {};
+  std::vector<ProbeRay> rays = {};
+  std::vector<Job> jobs = {};
+};
+
+/// One mover, one body that stands still, and where the mover is in each query; or what probes a
+/// body; or sets of moving boxes.
 struct Scene {
   std::string name;
   FloatMesh mover;
   FloatMesh fixed;
   std::vector<PoseSet> sets;
   std::vector<MovingBoxSet> moving_sets = {};
+  std::vector<ProbeSet> probe_sets = {};
   std::vector<FrameDoubt> doubts = {};     ///< of files whose numbers may not mean the same
   std::vector<std::string> warnings = {};  ///< these in words, and notes of the files
 };
@@ -77,6 +86,15 @@ inline const std::vector<Job> kEveryPoseJob{Job::any, Job::all, Job::distance, J
 /// rotation, centers so many reaches apart.
 [[nodiscard]] Scene far_scene(std::uint64_t triangles);
 
+/// `probe-<body>`: 20,000 points and rays at a closed body of a mesh, or at the referee's city,
+/// which is open and not queried for `contains`. `random`: points anywhere in its box and a tenth
+/// around it; `near`: within a thousandth of its size of a triangle; `path`: one after the other
+/// along a curve; `rays`: from such random points, in any direction; `camera`: through the lines of
+/// a picture of it.
+[[nodiscard]] Scene knot_probes(std::uint64_t triangles);
+[[nodiscard]] Scene city_probes(std::uint64_t triangles);
+[[nodiscard]] Scene model_probes(const std::filesystem::path& file);
+
 /// `moving_boxes`: boxes, 20 frames at 60 a second, up to 20 m/s. `spread`: sides of 1 to 4.5 m in
 /// 4 km x 4 km x 100 m; `dense`: the same where each meets about ten others; `mixed`: sides of 1 to
 /// 200 m, most of them small, 100 boxes to the hectare.
@@ -92,5 +110,8 @@ inline const std::vector<Job> kEveryPoseJob{Job::any, Job::all, Job::distance, J
 
 /// Reads a mesh; `middle` is taken off each vertex before it is rounded to floats.
 [[nodiscard]] FloatMesh float_mesh(const Mesh& mesh, const Vec3& middle, double scale = 1);
+
+/// A model of a file, scaled to reach 1 about the middle of its box. \errors As `read_mesh`.
+[[nodiscard]] FloatMesh unit_model(const std::filesystem::path& file);
 
 }  // namespace soms::bench

@@ -1,5 +1,7 @@
 #include "bench/peers/scenarios/solids.h"
 
+#include "soms/base/error.h"
+
 #include <utility>
 
 namespace soms::bench {
@@ -158,6 +160,22 @@ FloatMesh torus_knot(std::uint32_t along, std::uint32_t around) {
     }
   }
   return mesh;
+}
+
+FloatMesh referee_knot(std::uint64_t triangles) {
+  switch (triangles) {
+    case 1'000:
+      return torus_knot(50, 10);
+    case 10'000:
+      return torus_knot(250, 20);
+    case 100'000:
+      return torus_knot(625, 80);
+    case 1'000'000:
+      return torus_knot(2500, 200);
+    default:
+      throw Error(ErrorKind::usage, "knot of " + std::to_string(triangles) + " triangles",
+                  "the referee's sizes are 1000, 10000, 100000 and 1000000");
+  }
 }
 
 }  // namespace soms::bench

@@ -41,6 +41,14 @@ void append(FloatMesh& mesh, const FloatMesh& other);
 /// 2 * along * around triangles, reach 1.
 [[nodiscard]] FloatMesh torus_knot(std::uint32_t along, std::uint32_t around);
 
+/// `torus_knot` in the referee's sizes: 1,000, 10,000, 100,000 and a million triangles.
+/// \errors ErrorKind::usage for others.
+[[nodiscard]] FloatMesh referee_knot(std::uint64_t triangles);
+
+/// 4 km of hills, streets and boxes: 5,672, 100,000, a million or 5 million triangles.
+/// \errors ErrorKind::usage for others.
+[[nodiscard]] FloatMesh referee_city(std::uint64_t triangles);
+
 /// 1,000 triangles: 4.5 x 1.95 x 1.45 m, nose to +x, wheels down to z = 0.
 [[nodiscard]] FloatMesh referee_car();
 

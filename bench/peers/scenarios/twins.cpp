@@ -1,6 +1,4 @@
 // A body against its twin, at any angle.
-#include "soms/base/error.h"
-#include "soms/io/read_mesh.h"
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
 
@@ -13,22 +11,6 @@
 namespace soms::bench {
 
 namespace {
-
-FloatMesh knot_of(std::uint64_t triangles) {
-  switch (triangles) {
-    case 1'000:
-      return torus_knot(50, 10);
-    case 10'000:
-      return torus_knot(250, 20);
-    case 100'000:
-      return torus_knot(625, 80);
-    case 1'000'000:
-      return torus_knot(2500, 200);
-    default:
-      throw Error(ErrorKind::usage, "knot of " + std::to_string(triangles) + " triangles",
-                  "the referee's sizes are 1000, 10000, 100000 and 1000000");
-  }
-}
 
 Pose shifted(Pose pose, const Vec3& t) {
   pose.m[3] = t.x;
@@ -129,11 +111,11 @@ Scene twins(const std::string& name, FloatMesh mesh) {
 }  // namespace
 
 Scene knot_scene(std::uint64_t triangles) {
-  return twins("knot", knot_of(triangles));
+  return twins("knot", referee_knot(triangles));
 }
 
 Scene far_scene(std::uint64_t triangles) {
-  const FloatMesh knot = knot_of(triangles);
+  const FloatMesh knot = referee_knot(triangles);
   Scene scene{"far-knot", knot, knot, {}};
   for (const auto& [name, apart] :
        {std::pair{"far-3", 3.0}, {"far-300", 300.0}, {"far-3e4", 3e4}, {"far-3e5", 3e5}}) {
@@ -149,20 +131,7 @@ Scene far_scene(std::uint64_t triangles) {
 }
 
 Scene model_scene(const std::filesystem::path& file) {
-  const Mesh mesh = read_mesh(file);
-  Box box;
-  for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
-    box.grow(bounds(mesh.triangle(i)));
-  }
-  double radius = 0;
-  for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
-    const Triangle t = mesh.triangle(i);
-    for (const Vec3& v : {t.a, t.b, t.c}) {
-      const Vec3 d = v - box.center();
-      radius = std::max(radius, std::sqrt(dot(d, d)));
-    }
-  }
-  return twins(file.stem().string(), float_mesh(mesh, box.center(), 1 / radius));
+  return twins(file.stem().string(), unit_model(file));
 }
 
 }  // namespace soms::bench
