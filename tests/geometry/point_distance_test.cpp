@@ -1,6 +1,7 @@
 #include "soms/geometry/point_distance.h"
 
 #include "soms/geometry/detail/exact_point.h"
+#include "soms/geometry/detail/point_to_triangle.h"
 #include "soms/geometry/print.h"
 
 #include "tests/support/support.h"
@@ -8,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <compare>
+#include <limits>
 
 namespace soms {
 namespace {
@@ -33,6 +36,58 @@ TEST(PointDistance, IsZeroOnTheTriangleAlone) {
   const double least = std::numeric_limits<double>::denorm_min();
   EXPECT_EQ(point_distance({1, 2, least}, kHalfSquare),
             (PointDistance{{least, least}, {1, 2, 0}, TriangleFeature::face}));
+}
+
+TEST(PointDistance, IsZeroOnASlopeToo) {
+  constexpr Triangle kSlope{{0, 0, 0}, {4, 0, -4}, {0, 4, -4}};
+  EXPECT_EQ(point_distance({1, 2, -3}, kSlope).distance, (Bracket{0, 0}));
+  EXPECT_EQ(point_distance({2, 2, -4}, kSlope),
+            (PointDistance{{0, 0}, {2, 2, -4}, TriangleFeature::edge}));
+  EXPECT_GT(point_distance({1, 2, std::nextafter(-3, 0)}, kSlope).distance.lower, 0);
+}
+
+// Walls, floors and roofs are across an axis: their distances are differences of two doubles.
+TEST(PointDistance, NeedsNoWholeNumbersAcrossAnAxis) {
+  constexpr double kWall = 0.1;
+  const Triangle wall{{kWall, 0, 0}, {kWall, 4, 0}, {kWall, 0, 4}};
+  for (const double x : {0.7, -0.3, 1e-20, kWall, std::nextafter(kWall, 1)}) {
+    detail::PointToTriangle pair({x, 1.3, 0.9}, wall);
+    const detail::DoubleDouble gap =
+        x < kWall ? detail::two_sum(kWall, -x) : detail::two_sum(x, -kWall);
+    EXPECT_EQ(pair.distance(), (Bracket{detail::below(gap), detail::above(gap)})) << x;
+    EXPECT_EQ(pair.nearest(), (Vec3{kWall, 1.3, 0.9}));
+    EXPECT_EQ(pair.feature(), TriangleFeature::face);
+    EXPECT_EQ(pair.compare(detail::below(gap)) == 0, gap.low == 0) << x;
+    EXPECT_EQ(pair.exact_tests(), 0U) << x;
+  }
+  // Beside an edge along an axis and beside a corner the way has two coordinates, and three.
+  EXPECT_EQ(point_distance({kWall + 3, 1, -4}, wall),
+            (PointDistance{point_distance({kWall + 3, 1, -4}, wall).distance,
+                           {kWall, 1, 0},
+                           TriangleFeature::edge}));
+}
+
+// Walls of one height, as far on both sides, are equally far, and known to be without a count.
+TEST(PointDistance, KnowsExactTiesOfWalls) {
+  detail::PointToTriangle left({0.75, 1, 1}, {{0.5, 0, 0}, {0.5, 4, 0}, {0.5, 0, 4}});
+  detail::PointToTriangle right({0.75, 1, 1}, {{1, 0, 0}, {1, 4, 0}, {1, 0, 4}});
+  EXPECT_EQ(left.compare(right), std::strong_ordering::equal);
+  detail::PointToTriangle nearer(
+      {0.75, 1, 1},
+      {{std::nextafter(1, 0), 0, 0}, {std::nextafter(1, 0), 4, 0}, {std::nextafter(1, 0), 0, 4}});
+  EXPECT_EQ(nearer.compare(left), std::strong_ordering::less);
+  EXPECT_EQ(left.compare(nearer), std::strong_ordering::greater);
+  EXPECT_EQ(left.exact_tests() + right.exact_tests() + nearer.exact_tests(), 0U);
+}
+
+TEST(DoubleDouble, NeighborsOfDoublesAreThoseOfTheLibrary) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double x : {0.0, -0.0, 1.0, -1.0, 0.1, std::numeric_limits<double>::denorm_min(),
+                         -std::numeric_limits<double>::denorm_min(), 0x1p-1022, -0x1p-1022,
+                         std::numeric_limits<double>::max(), -std::numeric_limits<double>::max()}) {
+    EXPECT_EQ(detail::next_above(x), std::nextafter(x, kInfinity)) << x;
+    EXPECT_EQ(detail::next_below(x), std::nextafter(x, -kInfinity)) << x;
+  }
 }
 
 // The third corner is within the side between the others, and a guess in doubles is that side.

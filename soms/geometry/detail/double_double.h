@@ -2,8 +2,9 @@
 /// Numbers of twice the precision: unevaluated sums of two doubles.
 #pragma once
 
+#include <bit>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 
 namespace soms::detail {
 
@@ -98,14 +99,25 @@ struct DoubleDouble {
   return quick_two_sum(first, rest.high / (2 * first));
 }
 
+/// The least double above a finite one, as std::nextafter finds it, by the order of the bits.
+[[nodiscard]] constexpr double next_above(double x) {
+  const auto bits = std::bit_cast<std::int64_t>(x + 0.0);  // of -0 those of 0
+  return std::bit_cast<double>(bits + (bits >= 0 ? 1 : -1));
+}
+
+/// The largest double below a finite one.
+[[nodiscard]] constexpr double next_below(double x) {
+  return -next_above(-x);
+}
+
 /// The largest double that is not above x.
-[[nodiscard]] inline double below(const DoubleDouble& x) {
-  return x.low < 0 ? std::nextafter(x.high, -std::numeric_limits<double>::infinity()) : x.high;
+[[nodiscard]] constexpr double below(const DoubleDouble& x) {
+  return x.low < 0 ? next_below(x.high) : x.high;
 }
 
 /// The least double that is not below it.
-[[nodiscard]] inline double above(const DoubleDouble& x) {
-  return x.low > 0 ? std::nextafter(x.high, std::numeric_limits<double>::infinity()) : x.high;
+[[nodiscard]] constexpr double above(const DoubleDouble& x) {
+  return x.low > 0 ? next_above(x.high) : x.high;
 }
 
 }  // namespace soms::detail

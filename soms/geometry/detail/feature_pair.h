@@ -18,7 +18,7 @@ inline constexpr Feature kFace = 7;
 
 /// 1 for a corner, 2 for an edge, 3 for the face.
 [[nodiscard]] constexpr int corner_count(Feature feature) {
-  return std::popcount(feature);
+  return (feature & 1) + (feature >> 1 & 1) + (feature >> 2 & 1);
 }
 
 /// The lowest of a feature's corners, and the highest.
@@ -52,6 +52,17 @@ static_assert(kFeaturePairs.back()[0] == kFace);
 
 [[nodiscard]] constexpr const Vec3& corner(const Triangle& t, std::size_t i) {
   return i == 0 ? t.a : i == 1 ? t.b : t.c;
+}
+
+/// Whether all corners of a feature have one coordinate in common.
+[[nodiscard]] constexpr bool is_level(const Triangle& t, Feature feature, std::size_t axis) {
+  const double level = corner(t, first_corner(feature))[axis];
+  for (std::size_t i = 0; i < 3; ++i) {
+    if ((feature >> i & 1) != 0 && corner(t, i)[axis] != level) {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// Whether features of two triangles have the same corners, in any order.

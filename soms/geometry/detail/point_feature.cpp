@@ -169,6 +169,21 @@ std::array<T, 3> way_to(const Vec3& point, const Triangle& triangle, Feature fea
   return {n[0] * share, n[1] * share, n[2] * share};
 }
 
+std::optional<std::array<DoubleDouble, 3>> aligned_way(const Vec3& point, const Triangle& triangle,
+                                                       Feature feature) {
+  const Vec3& first = corner(triangle, first_corner(feature));
+  std::array<DoubleDouble, 3> way;
+  int dimensions = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (is_level(triangle, feature, axis)) {
+      way[axis] = two_sum(first[axis], -point[axis]);
+    } else {
+      ++dimensions;
+    }
+  }
+  return dimensions < corner_count(feature) ? std::optional(way) : std::nullopt;
+}
+
 template std::array<double, 3> way_to(const Vec3&, const Triangle&, Feature);
 template std::array<DoubleDouble, 3> way_to(const Vec3&, const Triangle&, Feature);
 

@@ -20,8 +20,11 @@
 ///   49 u |r| / sqrt(q) for n.r, 243 u |r| / q for n.n, 15 u |r| / sqrt(q) for n, 6 u |r| for
 ///   roundings: below 2^9 u |r| / min(q, 1), and q must be 2^-20 at least, so that products of
 ///   errors are nothing.
-/// The length of w is off by sqrt(3) times that, and 4 u of itself. Lengths are within [2^-150,
-/// 2^150], so nothing over- or underflows that is not nothing beside u times what it is added to.
+/// Where the corners of the feature differ along as many axes as it has dimensions (a wall across
+/// an axis, an edge along one, any corner), w is 0 along these and has the coordinates of r along
+/// the others, without error: as sums of two doubles, differences of doubles are exact. The length
+/// of w is off by sqrt(3) times that, and 4 u of itself. Lengths are within [2^-150, 2^150], so
+/// nothing over- or underflows that is not nothing beside u times what it is added to.
 #pragma once
 
 #include "soms/base/vector.h"
@@ -29,6 +32,7 @@
 #include "soms/geometry/detail/feature_pair.h"
 
 #include <array>
+#include <optional>
 
 namespace soms::detail {
 
@@ -47,5 +51,10 @@ struct PointFeature {
 /// Three coordinates of the way from the point to a proved feature, T being double or DoubleDouble.
 template <class T>
 [[nodiscard]] std::array<T, 3> way_to(const Vec3& point, const Triangle& triangle, Feature feature);
+
+/// The way to a proved feature, without error, if it lies along axes as the proof above says.
+[[nodiscard]] std::optional<std::array<DoubleDouble, 3>> aligned_way(const Vec3& point,
+                                                                     const Triangle& triangle,
+                                                                     Feature feature);
 
 }  // namespace soms::detail

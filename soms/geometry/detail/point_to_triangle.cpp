@@ -7,12 +7,11 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace soms::detail {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// What is added to a length for an error on each axis: sqrt(3), rounded up.
 constexpr double kOfAxes = 1.75;
@@ -22,6 +21,21 @@ using std::sqrt;
 template <class T>
 T length(const std::array<T, 3>& v) {
   return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/// The length of a way that has one coordinate other than 0, or none.
+std::optional<DoubleDouble> along_one_axis(const std::array<DoubleDouble, 3>& way) {
+  DoubleDouble only;
+  for (const DoubleDouble& x : way) {
+    if (x == DoubleDouble{}) {
+      continue;
+    }
+    if (only.high != 0) {
+      return std::nullopt;
+    }
+    only = x.high < 0 ? -x : x;
+  }
+  return only;
 }
 
 TriangleFeature kind_of(Feature feature) {
@@ -70,8 +84,18 @@ const ExactPoint& PointToTriangle::exact() {
 }
 
 void PointToTriangle::refine_way() {
-  way_ = way_to<DoubleDouble>(point_, triangle_, found_.feature);
   stage_ = Stage::double_doubles;
+  if (const auto way = aligned_way(point_, triangle_, found_.feature)) {
+    way_ = *way;
+    found_.error = 0;
+    if (const std::optional<DoubleDouble> whole = along_one_axis(way_)) {
+      lower_ = *whole;
+      upper_ = *whole;
+      return;
+    }
+  } else {
+    way_ = way_to<DoubleDouble>(point_, triangle_, found_.feature);
+  }
   const DoubleDouble whole = length(way_);
   const DoubleDouble error =
       kUnitOfDoubleDouble * (kOfAxes * found_.error + 8 * whole.high) * (1 + 0x1p-20);
@@ -104,6 +128,9 @@ std::strong_ordering PointToTriangle::compare(PointToTriangle& other) {
     if (upper_ < other.lower_) {
       return std::strong_ordering::less;
     }
+    if (lower_ == upper_ && other.lower_ == other.upper_) {
+      return std::strong_ordering::equal;
+    }
     if (has_feature_of(other)) {
       return std::strong_ordering::equal;
     }
@@ -123,6 +150,9 @@ std::strong_ordering PointToTriangle::compare(double distance) {
     }
     if (upper_ < distance) {
       return std::strong_ordering::less;
+    }
+    if (lower_ == upper_) {
+      return std::strong_ordering::equal;
     }
     if (stage_ == Stage::exact) {
       return detail::compare(exact().squared(), distance);
@@ -150,17 +180,13 @@ TriangleFeature PointToTriangle::feature() {
   return kind_of(found_.feature);
 }
 
-/// w as it was found is off by `error` in units u, and the sum by 2 u of what it adds up. Where all
-/// corners of the feature have one coordinate in common, so has the nearest point.
+/// w as it was found is off by `error` in units u, and the sum by 2 u of what it adds up. Where the
+/// feature is level, so is the nearest point.
 bool PointToTriangle::round_nearest(Vec3& rounded) {
   const Feature feature = found_.feature;
   const Vec3& first = corner(triangle_, first_corner(feature));
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    bool flat = true;
-    for (std::size_t i = 0; i < 3; ++i) {
-      flat = flat && ((feature >> i & 1) == 0 || corner(triangle_, i)[axis] == first[axis]);
-    }
-    if (flat) {
+    if (is_level(triangle_, feature, axis)) {
       rounded[axis] = first[axis] + 0.0;
       continue;
     }
@@ -168,8 +194,8 @@ bool PointToTriangle::round_nearest(Vec3& rounded) {
     const double error = kUnitOfDoubleDouble *
                          (found_.error + 2 * (std::abs(way_[axis].high) + std::abs(point_[axis]))) *
                          (1 + 0x1p-20);
-    const double up = (std::nextafter(x.high, kInfinity) - x.high) / 2;
-    const double down = (x.high - std::nextafter(x.high, -kInfinity)) / 2;
+    const double up = (next_above(x.high) - x.high) / 2;
+    const double down = (x.high - next_below(x.high)) / 2;
     if (!(x.low + error < up * (1 - 0x1p-20) && error - x.low < down * (1 - 0x1p-20))) {
       return false;
     }
