@@ -2,7 +2,10 @@
 
 #include "soms/base/error.h"
 #include "soms/query/reference/closest.h"
+#include "soms/query/reference/contains.h"
+#include "soms/query/signed_closest.h"
 
+#include "apps/soms/closed_body.h"
 #include "apps/soms/closest_output.h"
 #include "apps/soms/pair_options.h"
 #include "apps/support/console.h"
@@ -20,6 +23,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -37,12 +41,14 @@ struct Extremes {
   std::uint64_t greatest_at = 0;
   std::uint64_t known = 0;
   std::uint64_t on_surface = 0;
+  std::uint64_t inside = 0;
   std::uint64_t farther = 0;
   std::uint64_t hits = 0;
 
   void add(std::uint64_t point, const PointAnswer& answer) {
     hits += answer.hits ? answer.hits->size() : 0;
     farther += answer.closest.farther ? 1U : 0U;
+    inside += answer.side == Side::inside ? 1U : 0U;
     const auto& [lower, upper] = answer.closest.distance;
     if (answer.hits || answer.cut() || !answer.closest.triangle) {
       return;
@@ -80,7 +86,10 @@ class ClosestRun : public RowRun {
     query_.deadline = console.deadline();
     const std::array<const Mesh*, 1> meshes{&body_.shape.mesh()};
     notes_ = notes_of(meshes);
-    csv_.begin(body_.shape.mesh(), lists_);
+    if (options.with_side) {
+      closed_ = closed_body(body_, "leave out --signed", console);
+    }
+    csv_.begin(body_.shape.mesh(), lists_, options.with_side);
   }
 
  private:
@@ -102,7 +111,15 @@ class ClosestRun : public RowRun {
 
   std::uint64_t answer_block() override {
     answers_.clear();
-    return lists_ ? answer_lists() : answer_nearest();
+    return lists_ ? answer_lists() : closed_ ? answer_signed() : answer_nearest();
+  }
+
+  std::uint64_t answer_signed() {
+    const SignedClosestBatch batch = closest(*closed_, block_, query_, console().parallel());
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+      answers_.push_back({batch.closest.at(k), std::nullopt, batch.side[k]});
+    }
+    return 0;
   }
 
   std::uint64_t answer_nearest() {
@@ -137,6 +154,14 @@ class ClosestRun : public RowRun {
   }
 
   [[nodiscard]] std::optional<std::string> difference(std::size_t k) override {
+    if (const std::optional<Side> side = answers_[k].side; side && *side != Side::undecided) {
+      const Side truth = console().run("verifying", [&](const Parallel&) {
+        return reference::contains_by_brute_force(body_, block_[k]);
+      });
+      if (truth != *side) {
+        return fmt::format("brute force finds {}, but the answer is {}", name(truth), name(*side));
+      }
+    }
     return answers_[k].hits ? difference_of_list(k) : difference_of_nearest(k);
   }
 
@@ -229,6 +254,9 @@ class ClosestRun : public RowRun {
     if (extremes_.on_surface != 0) {
       parts.push_back(with_commas(extremes_.on_surface) + " on the surface");
     }
+    if (options_.with_side) {
+      parts.push_back(with_commas(extremes_.inside) + " inside");
+    }
     if (extremes_.farther != 0) {
       parts.push_back(fmt::format("{} farther than {}", with_commas(extremes_.farther),
                                   readable(options_.at_most)));
@@ -250,6 +278,7 @@ class ClosestRun : public RowRun {
   PointCsv& csv_;
   PointSource points_;
   Body body_;
+  std::optional<ClosedBody> closed_;  // the same, where sides are requested
   ClosestOptions query_;
   std::vector<std::string> notes_;
   std::vector<Vec3> block_;
@@ -262,6 +291,10 @@ void check_options(const ClosestVerbOptions& options) {
   if (options.radius && std::isfinite(options.at_most)) {
     throw Error(ErrorKind::usage, "--at-most and --radius both limit the distance",
                 "give one of them");
+  }
+  if (options.with_side && (options.nearest != 0 || options.radius)) {
+    throw Error(ErrorKind::usage, "--signed is about the nearest triangle, not about lists",
+                "leave out --nearest and --radius");
   }
   check_outputs({{"MODEL", options.model},
                  {"--points", options.points},
@@ -292,6 +325,9 @@ Action add_closest(CLI::App& app, Shared&) {
       ->group(kQuestionGroup);
   add_length(app, "--at-most", options->at_most,
              "only say that the model is farther than D, if it is")
+      ->group(kQuestionGroup);
+  app.add_flag("--signed", options->with_side,
+               "also say whether each point is inside; the model must be closed")
       ->group(kQuestionGroup);
   add_output(app, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
   add_point_options(app, *options);

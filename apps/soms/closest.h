@@ -16,7 +16,8 @@ struct ClosestVerbOptions : PointOptions {
   std::uint64_t nearest = 0;     ///< so many triangles for each point; 0: the nearest point
   std::optional<double> radius;  ///< all triangles within it, or the nearest of them
   double at_most = std::numeric_limits<double>::infinity();
-  std::string csv = {};  ///< empty: none
+  bool with_side = false;  ///< whether each point is inside the model, too
+  std::string csv = {};    ///< empty: none
 };
 
 [[nodiscard]] Action add_closest(CLI::App& app, Shared& shared);

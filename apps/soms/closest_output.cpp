@@ -1,5 +1,6 @@
 #include "apps/soms/closest_output.h"
 
+#include "apps/soms/closed_body.h"
 #include "apps/soms/near_output.h"
 #include "apps/soms/pair_report.h"
 #include "apps/soms/point_options.h"
@@ -71,6 +72,13 @@ std::string distance_cell(const PointAnswer& answer, double at_most) {
   return std::isfinite(lower) ? readable(lower) : "none";
 }
 
+/// " inside", where that is known and requested and says more than a distance of 0.
+std::string side_text(const PointAnswer& answer) {
+  return answer.side == Side::inside || answer.side == Side::outside
+             ? " " + std::string(name(*answer.side))
+             : std::string();
+}
+
 std::string list_text(const PointAnswer& answer, const Mesh& mesh) {
   const std::vector<ClosestHit>& hits = *answer.hits;
   std::string text = counted(hits.size(), "triangle") + (answer.cut()   ? " so far, out of time"
@@ -106,8 +114,12 @@ std::string_view name(TriangleFeature feature) {
 }
 
 std::string point_keys(const PointAnswer& answer) {
-  return (answer.hits ? hits_key(*answer.hits) : closest_keys(answer.closest)) +
-         coverage_keys(answer.closest.coverage, answer.closest.cost);
+  std::string text = answer.hits ? hits_key(*answer.hits) : closest_keys(answer.closest);
+  if (answer.side) {
+    text += fmt::format(",\"side\":\"{}\"", name(*answer.side));
+  }
+  return text +
+         coverage_keys(answer.cut() ? Coverage::cut : Coverage::complete, answer.closest.cost);
 }
 
 std::string point_text(const PointAnswer& answer, const Mesh& mesh, double at_most) {
@@ -122,20 +134,22 @@ std::string point_text(const PointAnswer& answer, const Mesh& mesh, double at_mo
                : "undecided: out of time";
   }
   if (answer.closest.farther) {
-    return "farther than " + readable(at_most);
+    return "farther than " + readable(at_most) + side_text(answer);
   }
   if (!answer.closest.triangle) {
     return "no distance: the model has no triangles";
   }
-  return (upper == 0 ? "distance 0, on the surface: " : "distance " + readable(lower) + ": ") +
+  return (upper == 0 ? "distance 0, on the surface: "
+                     : "distance " + readable(lower) + side_text(answer) + ": ") +
          place_text(answer.closest, mesh);
 }
 
 void PointTable::add(std::uint64_t point, const PointAnswer& answer, const Mesh& mesh,
                      double at_most, Console& console) {
-  constexpr const char* kForm = "{:>7}  {:<16}  {:<20}  {:<7}  {}";
+  const char* const form =
+      answer.side ? "{:>7}  {:<24}  {:<20}  {:<7}  {}" : "{:>7}  {:<16}  {:<20}  {:<7}  {}";
   const auto print = [&](const auto&... cells) {
-    const std::string line = fmt::format(fmt::runtime(kForm), cells...);
+    const std::string line = fmt::format(fmt::runtime(form), cells...);
     console.print(line.substr(0, line.find_last_not_of(' ') + 1) + "\n");
   };
   const bool lists = answer.hits.has_value();
@@ -145,7 +159,7 @@ void PointTable::add(std::uint64_t point, const PointAnswer& answer, const Mesh&
   if (rows_++ >= kPointsInText) {
     return;
   }
-  const std::string distance = distance_cell(answer, at_most);
+  const std::string distance = distance_cell(answer, at_most) + side_text(answer);
   if (lists) {
     print(point, distance, hits_cell(*answer.hits, mesh), answer.hits->size(), "");
   } else if (answer.closest.triangle) {
@@ -169,13 +183,16 @@ PointCsv::PointCsv(const std::string& path) {
   }
 }
 
-void PointCsv::begin(const Mesh& mesh, bool lists) {
+void PointCsv::begin(const Mesh& mesh, bool lists, bool sides) {
   if (file_) {
     mesh_ = &mesh;
     parts_ = PartsOf(mesh);
     file_->stream() << (lists ? "point,lower,upper,coverage,triangle,part,name\n"
                               : "point,lower,upper,farther,coverage,triangle,part,name,x,y,z,"
-                                "feature\n");
+                                "feature")
+                    << (sides   ? ",side\n"
+                        : lists ? ""
+                                : "\n");
   }
 }
 
@@ -184,7 +201,7 @@ void PointCsv::add(std::uint64_t point, const PointAnswer& answer) {
     return;
   }
   const Closest& closest = answer.closest;
-  const std::string_view coverage = name(closest.coverage);
+  const std::string_view coverage = name(answer.cut() ? Coverage::cut : closest.coverage);
   if (answer.hits) {
     for (const ClosestHit& hit : *answer.hits) {
       file_->stream() << fmt::format("{},{},{},{},{}\n", point, hit.distance.lower,
@@ -196,9 +213,10 @@ void PointCsv::add(std::uint64_t point, const PointAnswer& answer) {
                                                 closest.point.z, name(closest.feature))
                                   : std::string(",,,");
     file_->stream() << fmt::format(
-        "{},{},{},{},{},{},{}\n", point, closest.distance.lower,
+        "{},{},{},{},{},{},{}{}\n", point, closest.distance.lower,
         closest.farther ? std::string() : fmt::format("{}", closest.distance.upper),
-        closest.farther, coverage, triangle_fields(closest.triangle), place);
+        closest.farther, coverage, triangle_fields(closest.triangle), place,
+        answer.side ? "," + std::string(name(*answer.side)) : std::string());
   }
   if (!file_->stream().good()) {
     file_->check();

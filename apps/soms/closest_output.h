@@ -5,6 +5,7 @@
 #include "soms/geometry/mesh.h"
 #include "soms/geometry/parts_of.h"
 #include "soms/query/closest.h"
+#include "soms/query/contains.h"
 
 #include "apps/support/output.h"
 
@@ -29,8 +30,11 @@ struct ClosestHit {
 struct PointAnswer {
   Closest closest;  ///< without a list: all of it; with one: coverage and cost alone
   std::optional<std::vector<ClosestHit>> hits = std::nullopt;
+  std::optional<Side> side = std::nullopt;
 
-  [[nodiscard]] bool cut() const { return closest.coverage == Coverage::cut; }
+  [[nodiscard]] bool cut() const {
+    return closest.coverage == Coverage::cut || side == Side::undecided;
+  }
 };
 
 [[nodiscard]] std::string_view name(TriangleFeature feature);
@@ -60,8 +64,8 @@ class PointCsv {
   /// Opens the file, unless `path` is empty. \errors ErrorKind::cannot_write.
   explicit PointCsv(const std::string& path);
 
-  /// Writes the names of the columns. The mesh must stay.
-  void begin(const Mesh& mesh, bool lists);
+  /// Writes the names of the columns, the last one for the sides. The mesh must stay.
+  void begin(const Mesh& mesh, bool lists, bool sides);
 
   /// \errors ErrorKind::cannot_write; ClosedPipe.
   void add(std::uint64_t point, const PointAnswer& answer);

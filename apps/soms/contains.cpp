@@ -5,6 +5,7 @@
 #include "soms/query/contains.h"
 #include "soms/query/reference/contains.h"
 
+#include "apps/soms/closed_body.h"
 #include "apps/soms/pair_options.h"
 #include "apps/soms/pair_report.h"
 #include "apps/support/console.h"
@@ -27,20 +28,6 @@ namespace soms::command {
 
 namespace {
 
-std::string_view side_name(Side side) {
-  switch (side) {
-    case Side::outside:
-      return "outside";
-    case Side::inside:
-      return "inside";
-    case Side::on:
-      return "on";
-    case Side::undecided:
-      break;
-  }
-  return "undecided";
-}
-
 /// A run whose rows are points beside one model.
 class ContainsRun : public RowRun {
  public:
@@ -49,27 +36,16 @@ class ContainsRun : public RowRun {
         verified_(options.verify),
         points_(options.points, console),
         pose_(stated_pose(options, console)),
-        body_(closed_body(options)) {}
+        body_(body_of(options)) {}
 
  private:
-  [[nodiscard]] ClosedBody closed_body(const ContainsVerbOptions& options) {
+  [[nodiscard]] ClosedBody body_of(const ContainsVerbOptions& options) {
     Mesh mesh = read_model(options.model, options.reading, console());
     if (options.closed_parts) {
       mesh = without_open_parts(std::move(mesh));
     }
     Shape shape = build_shape(std::move(mesh), {.build = options.build}, console());
-    try {
-      return console().run("looking for edges of an odd number of triangles",
-                           [&](const Parallel& parallel) {
-                             return ClosedBody(Body(std::move(shape), pose_), parallel);
-                           });
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::not_closed) {
-        throw;
-      }
-      throw Error(error.kind(), printable(error.place()),
-                  "soms info lists these edges; close the surface there, or add --closed-parts");
-    }
+    return closed_body(Body(std::move(shape), pose_), "add --closed-parts", console());
   }
 
   /// What --closed-parts asks about. Says what is left out.
@@ -127,7 +103,7 @@ class ContainsRun : public RowRun {
     });
     return truth == side ? std::nullopt
                          : std::optional(fmt::format("brute force finds {}, but the answer is {}",
-                                                     side_name(truth), side_name(side)));
+                                                     name(truth), name(side)));
   }
 
   void print_row(std::size_t k, bool right, bool last) override {
@@ -141,8 +117,8 @@ class ContainsRun : public RowRun {
       console().print(fmt::format("{:>6}  {:<9}  at\n", "point", "side"));
     }
     if (totals().rows < kPointsInText) {
-      console().print(fmt::format("{:>6}  {:<9}  {}\n", totals().rows, side_name(side),
-                                  point_in_text(block_[k])));
+      console().print(
+          fmt::format("{:>6}  {:<9}  {}\n", totals().rows, name(side), point_in_text(block_[k])));
     }
   }
 
@@ -166,7 +142,7 @@ class ContainsRun : public RowRun {
     }
     console().print(fmt::format(
         "{{\"schema\":\"soms.contains/1\",\"point\":{},\"side\":\"{}\"{}{}}}\n", totals().rows,
-        side_name(answer.side), coverage_keys(answer.coverage, answer.cost), more));
+        name(answer.side), coverage_keys(answer.coverage, answer.cost), more));
   }
 
   void print_totals() override {

@@ -1,6 +1,8 @@
 set(SOMS_COMMAND_FILES
   bench.cpp
   bench.h
+  closed_body.cpp
+  closed_body.h
   closest.cpp
   closest.h
   closest_output.cpp

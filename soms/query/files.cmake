@@ -13,6 +13,7 @@ set(SOMS_HEADERS
   reference/contains.h
   reference/distance.h
   reference/overlap.h
+  signed_closest.h
   within.h
 )
 set(SOMS_SOURCES
@@ -60,6 +61,7 @@ set(SOMS_SOURCES
   reference/overlap.cpp
   within.cpp
   closest.cpp
+  signed_closest.cpp
   near_triangles.cpp
   reference/closest.cpp
   detail/near/direction.cpp

@@ -7,6 +7,7 @@
 #include "soms/query/contains.h"
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
+#include "soms/query/signed_closest.h"
 #include "soms/query/within.h"
 #include "soms/tree/print.h"
 
@@ -202,6 +203,17 @@ std::ostream& operator<<(std::ostream& out, OverlapMode value) {
 std::ostream& operator<<(std::ostream& out, Side value) {
   return out << printed_name("Side", static_cast<int>(value),
                              {"outside", "inside", "on", "undecided"});
+}
+
+std::ostream& operator<<(std::ostream& out, const SignedClosest& value) {
+  return out
+         << PrintedFields("SignedClosest").add("closest", value.closest).add("side", value.side);
+}
+
+std::ostream& operator<<(std::ostream& out, const SignedClosestBatch& value) {
+  return out << PrintedFields("SignedClosestBatch")
+                    .item(printed_count(value.size(), "point", "points"))
+                    .add("cost", value.closest.cost);
 }
 
 }  // namespace soms

@@ -18,6 +18,8 @@ struct ClosestOptions;
 struct Contains;
 struct ContainsBatch;
 struct ContainsOptions;
+struct SignedClosest;
+struct SignedClosestBatch;
 struct Cost;
 struct Distance;
 struct DistanceBatch;
@@ -53,5 +55,7 @@ std::ostream& operator<<(std::ostream& out, const OverlapBatch& value);
 std::ostream& operator<<(std::ostream& out, const OverlapOptions& value);
 std::ostream& operator<<(std::ostream& out, OverlapMode value);
 std::ostream& operator<<(std::ostream& out, Side value);
+std::ostream& operator<<(std::ostream& out, const SignedClosest& value);
+std::ostream& operator<<(std::ostream& out, const SignedClosestBatch& value);
 
 }  // namespace soms

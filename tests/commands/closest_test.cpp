@@ -45,6 +45,41 @@ TEST(ClosestVerb, AnswersInTheSchema) {
   }
 }
 
+TEST(ClosestVerb, SaysOnWhichSideWhereRequested) {
+  const std::string rows = "0,0,0.5\n0,0,3\n0,0,1\n";
+  const std::vector<Json> answers = closest_answers(rows, {"--signed", "--verify"});
+  ASSERT_EQ(answers.size(), 3U);
+  EXPECT_EQ(answers[0].at("side"), "inside");
+  EXPECT_EQ(answers[0].at("lower"), 0.5);
+  EXPECT_EQ(answers[0].at("verified"), true);
+  EXPECT_EQ(answers[1].at("side"), "outside");
+  EXPECT_EQ(answers[2].at("side"), "on");
+  EXPECT_FALSE(closest_answers(rows).at(0).contains("side"));
+  EXPECT_EQ(ask_about("0,0,0.5\n", {"--signed"}).out.rfind("distance 0.5 inside: triangle ", 0),
+            0U);
+  EXPECT_EQ(ask_about("0,0,0\n", {"--signed", "--at-most", "0.25"}).out,
+            "farther than 0.25 inside\n");
+  const TemporaryFolder folder;
+  const std::string csv = (folder.path() / "a.csv").string();
+  EXPECT_EQ(ask_about(rows, {"--signed", "--csv", csv}).status, 0);
+  const auto table = read_csv(csv);
+  ASSERT_EQ(table.size(), 4U);
+  EXPECT_EQ(table[0].back(), "side");
+  EXPECT_EQ(table[1].back(), "inside");
+  EXPECT_EQ(table[3].back(), "on");
+}
+
+TEST(ClosestVerb, NeedsAClosedModelForSidesAndNoList) {
+  const TemporaryFolder folder;
+  const std::string sheet = file_of(folder, "sheet.off", triangle_off("0 0 0", "1 0 0", "0 1 0"));
+  const RunResult open =
+      soms_run({"closest", sheet, "--points", "-", "--signed"}, "x,y,z\n0,0,1\n");
+  EXPECT_EQ(open.status, 3);
+  EXPECT_NE(open.err.find("3 edges belong to an odd number"), std::string::npos) << open.err;
+  EXPECT_NE(open.err.find("leave out --signed"), std::string::npos) << open.err;
+  EXPECT_EQ(ask_about("0,0,0\n", {"--signed", "--nearest", "2"}).status, 2);
+}
+
 TEST(ClosestVerb, NamesFeatures) {
   const std::vector<Json> answers = closest_answers("3,0.25,3\n2,2,2\n1,1,1\n");
   ASSERT_EQ(answers.size(), 3U);

@@ -3,6 +3,8 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/geometry/detail/exact_point.h"
+#include "soms/query/reference/contains.h"
+#include "soms/query/reference/contains.h"
 #include "soms/query/reference/detail/moved_triangles.h"
 #include "soms/query/reference/detail/rounded_squares.h"
 
@@ -92,6 +94,10 @@ Closest closest_by_brute_force(const Body& body, const Vec3& point) {
     answer.feature = feature_of(*best);
   }
   return answer;
+}
+
+SignedClosest closest_by_brute_force(const ClosedBody& body, const Vec3& point) {
+  return {closest_by_brute_force(body.body(), point), contains_by_brute_force(body.body(), point)};
 }
 
 std::vector<RankedTriangle> triangles_by_brute_force(const Body& body, const Vec3& point,

@@ -6,6 +6,7 @@
 #include "soms/base/parallel.h"
 #include "soms/query/body.h"
 #include "soms/query/closest.h"
+#include "soms/query/signed_closest.h"
 
 #include <vector>
 
@@ -18,6 +19,10 @@ namespace soms::reference {
 /// \errors  As `soms::closest`.
 /// \cost    O(n) box gaps, and some 10 us for each triangle that is left.
 [[nodiscard]] Closest closest_by_brute_force(const Body& body, const Vec3& point);
+
+/// The same with the side, by `contains_by_brute_force`: the twin of `closest` of a closed body.
+/// \errors  As both.
+[[nodiscard]] SignedClosest closest_by_brute_force(const ClosedBody& body, const Vec3& point);
 
 /// A triangle and its distance from a point.
 struct RankedTriangle {

@@ -1,0 +1,61 @@
+/// \file
+/// Where is the surface of a closed body nearest to a point, and on which side of it is the point?
+#pragma once
+
+#include "soms/base/bracket.h"
+#include "soms/base/parallel.h"
+#include "soms/base/vector.h"
+#include "soms/query/closest.h"
+#include "soms/query/contains.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace soms {
+
+/// The nearest point of a closed body, and the side.
+struct SignedClosest {
+  Closest closest;              ///< its `cost` is that of both
+  Side side = Side::undecided;  ///< as `contains` has it: `on` exactly where the distance is 0
+
+  /// Holds the signed distance: that of the surface, below 0 inside. Symmetric about 0 where the
+  /// side is undecided.
+  [[nodiscard]] Bracket distance() const;
+
+  [[nodiscard]] bool operator==(const SignedClosest&) const = default;
+};
+
+/// `closest` and `contains` in one call. The sign is a decision of its own, by parity: never a
+/// guess from a normal or a winding number.
+///
+/// \errors  As `closest`.
+/// \cost    Of both.
+/// \threads As `closest`.
+[[nodiscard]] SignedClosest closest(const ClosedBody& body, const Vec3& point,
+                                    const ClosestOptions& options = {},
+                                    const Parallel& parallel = {});
+
+/// Answers for a batch of points, one entry a point.
+struct SignedClosestBatch {
+  ClosestBatch closest;    ///< its `costs` and `cost` are those of both
+  std::vector<Side> side;  ///< n
+
+  [[nodiscard]] bool operator==(const SignedClosestBatch&) const = default;
+
+  [[nodiscard]] std::size_t size() const { return side.size(); }
+
+  /// The answer for a point.
+  [[nodiscard]] SignedClosest at(std::size_t point) const;
+};
+
+/// The same for each of `points`: the answers and costs of single queries.
+///
+/// \shape   `points`: n.
+/// \errors  As the batch of `closest`.
+/// \threads As many as `parallel` says share the points.
+[[nodiscard]] SignedClosestBatch closest(const ClosedBody& body, std::span<const Vec3> points,
+                                         const ClosestOptions& options = {},
+                                         const Parallel& parallel = {});
+
+}  // namespace soms
