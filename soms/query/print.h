@@ -26,6 +26,9 @@ struct NearTriangles;
 struct Overlap;
 struct OverlapBatch;
 struct OverlapOptions;
+struct Solid;
+struct SolidBatch;
+struct SolidOptions;
 struct Within;
 struct WithinBatch;
 struct WithinOptions;
@@ -52,6 +55,11 @@ std::ostream& operator<<(std::ostream& out, const Overlap& value);
 std::ostream& operator<<(std::ostream& out, const OverlapBatch& value);
 std::ostream& operator<<(std::ostream& out, const OverlapOptions& value);
 std::ostream& operator<<(std::ostream& out, OverlapMode value);
+std::ostream& operator<<(std::ostream& out, Relation value);
 std::ostream& operator<<(std::ostream& out, Side value);
+std::ostream& operator<<(std::ostream& out, const Solid& value);
+std::ostream& operator<<(std::ostream& out, const SolidBatch& value);
+std::ostream& operator<<(std::ostream& out, const SolidOptions& value);
+std::ostream& operator<<(std::ostream& out, Undecided value);
 
 }  // namespace soms

@@ -4,9 +4,10 @@
 #include "soms/geometry/detail/plane_cells.h"
 #include "soms/geometry/triangle_overlap.h"
 #include "soms/query/reference/detail/moved_triangles.h"
+#include "soms/query/reference/overlap.h"
 
 #include <array>
-#include <optional>
+#include <utility>
 #include <vector>
 
 namespace soms::reference {
@@ -25,34 +26,31 @@ class SolidScan {
       : triangles_{detail::moved_triangles(a.shape.mesh(), a.pose),
                    detail::moved_triangles(b.shape.mesh(), b.pose)} {}
 
-  [[nodiscard]] Relation relation() {
+  [[nodiscard]] Relation relation(bool surfaces_meet, const Parallel& parallel) {
     for (const auto& triangles : triangles_) {
       for (const Triangle& t : triangles) {
+        check_stop(parallel);
         if (const auto plane = CellPlane::of(t, CellPlane::View::shallow)) {
           scan(*plane, t);
         }
       }
     }
     if (!seen_[1][1]) {
-      return meet_ ? Relation::touching : Relation::clear;
+      return surfaces_meet ? Relation::touching : Relation::clear;
     }
     return seen_[1][0] ? (seen_[0][1] ? Relation::crossing : Relation::b_in_a)
                        : (seen_[0][1] ? Relation::a_in_b : Relation::same);
   }
 
-  [[nodiscard]] bool meet() const { return meet_; }
-
  private:
   void scan(const CellPlane& plane, const Triangle& t) {
     std::vector<PlaneCut> cuts;
     std::array<std::vector<SeenTriangle>, 2> coplanar;
-    std::array<bool, 2> touched{};
     for (std::size_t body = 0; body < 2; ++body) {
       for (const Triangle& s : triangles_[body]) {
         if (!overlaps(bounds(s), bounds(t)) || !triangles_overlap(s, t)) {
           continue;
         }
-        touched[body] = true;
         SeenTriangle seen = plane.seen(s);
         seen.append_cuts(cuts);
         if (!seen.flat() && seen.coplanar()) {
@@ -60,7 +58,6 @@ class SolidScan {
         }
       }
     }
-    meet_ = meet_ || (touched[0] && touched[1]);
     plane.for_each_cell(cuts, [&](const PlanePoint& p) {
       std::array<std::array<bool, 2>, 2> inside;  // body, side
       for (std::size_t body = 0; body < 2; ++body) {
@@ -89,17 +86,16 @@ class SolidScan {
 
   std::array<std::vector<Triangle>, 2> triangles_;
   std::array<std::array<bool, 2>, 2> seen_{};  // in a, in b
-  bool meet_ = false;
 };
 
 }  // namespace
 
-Solid solid_by_brute_force(const Body& a, const Body& b) {
+Solid solid_by_brute_force(const Body& a, const Body& b, const Parallel& parallel) {
   const PlainArithmetic plain;
   SolidScan scan(a, b);
   Solid answer;
-  answer.relation = scan.relation();
-  answer.surfaces_meet = scan.meet();
+  answer.surfaces_meet = overlap(a.shape.mesh(), a.pose, b.shape.mesh(), b.pose, {.stop = parallel.stop}).any;
+  answer.relation = scan.relation(answer.surfaces_meet, parallel);
   return answer;
 }
 
