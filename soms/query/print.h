@@ -9,7 +9,9 @@ namespace soms {
 
 enum class Coverage;
 enum class OverlapMode;
+enum class Relation : unsigned char;
 enum class Side : unsigned char;
+enum class Undecided : unsigned char;
 class ClosedBody;
 struct Body;
 struct Closest;
