@@ -162,9 +162,8 @@ class SolidPartsRun : public PoseRun {
 
  private:
   [[nodiscard]] std::vector<SolidPart> parts_of(const Mesh& mesh) const {
-    return console().run("looking for closed parts", [&](const Parallel& parallel) {
-      return solid_parts(mesh, parallel);
-    });
+    return console().run("looking for closed parts",
+                         [&](const Parallel& parallel) { return solid_parts(mesh, parallel); });
   }
 
   void reserve(std::size_t rows) override { answers_.assign(rows, {}); }
@@ -230,10 +229,10 @@ class SolidPartsRun : public PoseRun {
     }
     const std::string pose = report().single ? "" : fmt::format("pose {}: ", totals().rows);
     const std::size_t count = answers_[k].size();
-    console().print(count == 0
-                        ? fmt::format("{}all parts are clear of each other\n", pose)
-                        : fmt::format("{}{} of parts {} not clear{}\n", pose, counted(count, "pair"),
-                                      count == 1 ? "is" : "are", report().single ? ":" : ""));
+    console().print(count == 0 ? fmt::format("{}all parts are clear of each other\n", pose)
+                               : fmt::format("{}{} of parts {} not clear{}\n", pose,
+                                             counted(count, "pair"), count == 1 ? "is" : "are",
+                                             report().single ? ":" : ""));
     for (std::size_t i = 0; i < count && report().single; ++i) {
       const SolidPair& pair = answers_[k][i];
       console().print(fmt::format("  {} and {}: {}{}\n", part_in_text(report().a, pair.a->part),
@@ -267,10 +266,10 @@ class SolidPartsRun : public PoseRun {
                                 coverage_keys(coverage(k), cost),
                                 report_keys(report(), pose, right)));
     for (const SolidPair& pair : answers_[k]) {
-      std::string text = fmt::format("{}{{\"a\":{},\"b\":{},{}", &pair == answers_[k].data() ? "" : ",",
-                                     json_text(part_as_json(report().a, pair.a->part)),
-                                     json_text(part_as_json(report().b, pair.b->part)),
-                                     solid_keys(pair.answer));
+      std::string text =
+          fmt::format("{}{{\"a\":{},\"b\":{},{}", &pair == answers_[k].data() ? "" : ",",
+                      json_text(part_as_json(report().a, pair.a->part)),
+                      json_text(part_as_json(report().b, pair.b->part)), solid_keys(pair.answer));
       if (pair.answer.why == Undecided::open) {
         text += fmt::format(",\"odd_edges\":[{},{}]", pair.a->odd_edges, pair.b->odd_edges);
       }
@@ -281,8 +280,8 @@ class SolidPartsRun : public PoseRun {
 
   void print_totals() override {
     if (!report().single) {
-      console().print(fmt::format("{}: parts share interior at {}\n", counted(totals().rows, "pose"),
-                                  with_commas(totals().found)));
+      console().print(fmt::format("{}: parts share interior at {}\n",
+                                  counted(totals().rows, "pose"), with_commas(totals().found)));
     }
   }
 

@@ -90,10 +90,10 @@ std::vector<SolidPart> solid_parts(const Mesh& mesh, const Parallel& parallel) {
   return parts;
 }
 
-std::vector<SolidPair> solid_pairs(
-    const std::vector<SolidPart>& a, const Pose& pose_a, const std::vector<SolidPart>& b,
-    const Pose& pose_b, std::optional<std::chrono::steady_clock::time_point> deadline,
-    const Parallel& parallel) {
+std::vector<SolidPair> solid_pairs(const std::vector<SolidPart>& a, const Pose& pose_a,
+                                   const std::vector<SolidPart>& b, const Pose& pose_b,
+                                   std::optional<std::chrono::steady_clock::time_point> deadline,
+                                   const Parallel& parallel) {
   const std::vector<PlacedPart> placed_a = placed_parts(a, pose_a);
   const std::vector<PlacedPart> placed_b = placed_parts(b, pose_b);
   const Parallel alone{.threads = 1, .stop = parallel.stop};

@@ -129,7 +129,8 @@ SolidBatch solid(const ClosedBody& mover, std::span<const Pose> poses, const Clo
 SolidBatch solid(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
                  const SolidOptions& options, const Parallel& parallel) {
   const Parallel silent{.threads = parallel.threads, .stop = parallel.stop};
-  return solid(ClosedBody(Body(mover), silent), poses, ClosedBody(fixed, silent), options, parallel);
+  return solid(ClosedBody(Body(mover), silent), poses, ClosedBody(fixed, silent), options,
+               parallel);
 }
 
 }  // namespace soms

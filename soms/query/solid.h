@@ -1,5 +1,6 @@
 /// \file
-/// How do two closed bodies stand to each other: apart, touching, one in the other? Decided exactly.
+/// How do two closed bodies stand to each other: apart, touching, one in the other? Decided
+/// exactly.
 #pragma once
 
 #include "soms/base/parallel.h"
@@ -59,19 +60,20 @@ struct Solid {
 /// The relation of two closed bodies, by exact decisions on the moved vertices (Pose::apply). A
 /// point is inside a body where a ray in general position from it crosses an odd number of
 /// triangles, as `contains` says: so orientation plays no part, voids are outside, and the interior
-/// is all that is not within a surface. A triangle that bounds nothing, as a doubled one, is still a
-/// part of the surface: bodies may touch with it. A body without interior is in no other: `clear` or
-/// `touching`; so is an empty mesh.
+/// is all that is not within a surface. A triangle that bounds nothing, as a doubled one, is still
+/// a part of the surface: bodies may touch with it. A body without interior is in no other: `clear`
+/// or `touching`; so is an empty mesh.
 ///
 /// solid(b, a) is the same with a_in_b and b_in_a exchanged. The answer but for `cost` does not
 /// depend on trees, layouts, threads or instruction sets, nor on how a surface is cut into
 /// triangles.
 ///
 /// \errors  ErrorKind::cancelled.
-/// \cost    Where surfaces do not meet or cross plainly, that of `overlap` with mode `any` and a few
+/// \cost    Where surfaces do not meet or cross plainly, that of `overlap` with mode `any` and a
+/// few
 ///          of `contains`: one for each connected part. Where they touch or have faces in a plane,
-///          about 0.1 ms for each triangle that takes part. `cost.exact_tests` counts triangles that
-///          exact arithmetic looked at.
+///          about 0.1 ms for each triangle that takes part. `cost.exact_tests` counts triangles
+///          that exact arithmetic looked at.
 /// \threads Any number of callers.
 /// \source  Edelsbrunner and Muecke 1990, Simulation of Simplicity, section 4, for points on lines.
 [[nodiscard]] Solid solid(const ClosedBody& a, const ClosedBody& b,

@@ -55,7 +55,8 @@ TEST(SolidVerb, SaysItInWords) {
 
 TEST(SolidVerb, ListsPosesAndTheirTotals) {
   const TemporaryFolder folder;
-  const std::string poses = file_of(folder, "poses.csv", "x,y,z\n3,0,0\n2,0,0\n1,0,0\n0,0,0\n1,0,0\n");
+  const std::string poses =
+      file_of(folder, "poses.csv", "x,y,z\n3,0,0\n2,0,0\n1,0,0\n0,0,0\n1,0,0\n");
   EXPECT_EQ(soms_run({"solid", box(), box(), "--pose", poses}).out,
             "  pose  relation   surfaces meet\n"
             "     0  clear      no\n"
@@ -74,8 +75,7 @@ TEST(SolidVerb, VerifiesByBruteForce) {
 
 TEST(SolidVerb, FailsOnRequestWhereInteriorIsShared) {
   const auto status = [](const std::string& pose, const std::string& scale) {
-    return soms_run(
-               {"solid", box(), box(), "--pose", pose, "--scale", scale, "--fail-if", "solid"})
+    return soms_run({"solid", box(), box(), "--pose", pose, "--scale", scale, "--fail-if", "solid"})
         .status;
   };
   EXPECT_EQ(status("3 0 0", "1"), 0);
@@ -130,11 +130,10 @@ TEST(SolidVerb, NamesOpenPartsWithTheCountOfTheirOddEdges) {
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.out,
             "1 pair of parts is not clear:\n  near and Slab: undecided, A is open at 3 edges\n");
-  const Json pair =
-      json_lines(soms_run({"solid", walls.a, cube, "--by", "part", "--json"}).out)
-          .at(0)
-          .at("parts")
-          .at(0);
+  const Json pair = json_lines(soms_run({"solid", walls.a, cube, "--by", "part", "--json"}).out)
+                        .at(0)
+                        .at("parts")
+                        .at(0);
   EXPECT_EQ(pair.at("relation"), "undecided");
   EXPECT_EQ(pair.at("why"), "open");
   EXPECT_EQ(pair.at("odd_edges"), Json({3, 0}));

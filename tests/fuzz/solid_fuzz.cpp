@@ -1,5 +1,5 @@
-// Two closed meshes of awkward numbers at awkward poses, by any rule in either layout: against brute
-// force, exchanged, in batches and by two threads. Meshes that lack triangles are refused.
+// Two closed meshes of awkward numbers at awkward poses, by any rule in either layout: against
+// brute force, exchanged, in batches and by two threads. Meshes that lack triangles are refused.
 #include "soms/base/error.h"
 #include "soms/geometry/closedness.h"
 #include "soms/query/reference/solid.h"

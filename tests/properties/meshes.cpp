@@ -2,6 +2,7 @@
 
 #include "soms/generate/shapes.h"
 
+#include "tests/query/overlap_inputs.h"
 #include "tests/support/bodies.h"
 
 #include <cmath>
@@ -116,8 +117,8 @@ Mesh any_closed_mesh(Rng& rng) {
   const Mesh mesh = rng.below(4) == 0 ? generate_sphere(80 + 2 * rng.below(200)) : closed_mesh(rng);
   const double scale = rng.below(2) == 0 ? 1 : std::exp2(std::floor(rng.uniform(-80, 80)));
   const double far = rng.below(2) == 0 ? 0 : scale * std::exp2(rng.uniform(0, 20));
-  return placed(
-      mesh, scale, {far * rng.uniform(-1, 1), far * rng.uniform(-1, 1), far * rng.uniform(-1, 1)});
+  return placed(mesh, scale,
+                {far * rng.uniform(-1, 1), far * rng.uniform(-1, 1), far * rng.uniform(-1, 1)});
 }
 
 }  // namespace soms::test

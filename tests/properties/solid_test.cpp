@@ -112,8 +112,9 @@ TEST(SolidProperty, OfOneBodyCutOtherwiseIsSame) {
   check_property("solid/same", [](std::uint64_t seed) {
     Rng rng(seed);
     const Box box = lattice_box(rng);
-    const Mesh mesh = mapped(box_body(box.lower, box.upper, 2),
-                             [](const Vec3& v) { return Vec3{v.x + v.y, v.y - v.z, v.z + 2 * v.x}; });
+    const Mesh mesh = mapped(box_body(box.lower, box.upper, 2), [](const Vec3& v) {
+      return Vec3{v.x + v.y, v.y - v.z, v.z + 2 * v.x};
+    });
     const Mesh other = cut_otherwise(mesh, rng);
     RC_ASSERT(solid(Body(mesh), Body(other)).relation == Relation::same);
     RC_ASSERT(solid(Body(other), Body(mesh)).relation == Relation::same);
@@ -127,8 +128,7 @@ TEST(SolidProperty, BatchesAreSingleQueries) {
     const ClosedBody fixed{Body(closed_mesh(rng))};
     std::vector<Pose> poses;
     for (int i = 0; i < 5; ++i) {
-      poses.push_back(Pose::translation(static_cast<double>(rng.below(4)), 0,
-                                        rng.uniform(-1, 1)));
+      poses.push_back(Pose::translation(static_cast<double>(rng.below(4)), 0, rng.uniform(-1, 1)));
     }
     const SolidBatch batch = solid(mover, poses, fixed);
     RC_ASSERT(solid(mover, poses, fixed, {}, {.threads = 2}) == batch);

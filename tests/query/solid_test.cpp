@@ -81,6 +81,7 @@ TEST(Solid, DoubledFacesBoundNothing) {
   expect_solid(nothing, cube(-1, 2), Relation::clear, false);
   expect_solid(nothing, cube(0, 1), Relation::touching, true);
   expect_solid(nothing, nothing, Relation::touching, true);
+  expect_solid(nothing, cube(0.5, 2), Relation::touching, true);
   // The doubled part touches; what is inside hangs together with nothing that does.
   const Mesh with_ghost = joined(doubled(box_body({-3, 0, 0}, {-2, 1, 1})), cube(0, 1));
   expect_solid(with_ghost, cube(-2, 2), Relation::a_in_b, true);

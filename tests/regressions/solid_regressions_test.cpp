@@ -1,10 +1,9 @@
 // Faults that users of other libraries reported, as far as they speak of bodies and not of surfaces
 // alone: each under all variations. An id is never used again.
-#include "soms/query/solid.h"
-
 #include "soms/generate/shapes.h"
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
+#include "soms/query/solid.h"
 
 #include "tests/regressions/bodies.h"
 #include "tests/regressions/variations.h"
@@ -95,7 +94,10 @@ TEST(Regression, R17ABodyInsideAnotherIsFound) {
   const Mesh inner = box_body({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
   expect_relation(inner, box_body({-5, -5, -5}, {5, 5, 5}), Relation::a_in_b);
   const std::vector<Body> nested{
-      Body(mapped(inner, [](const Vec3& v) { return v - Vec3{0, 0, 5}; })),
+      Body(mapped(inner,
+                  [](const Vec3& v) {
+                    return v - Vec3{0, 0, 5};
+                  })),
       Body(mapped(generate_sphere(480), [](const Vec3& v) { return 20 * v; })),
       Body(box_body({-60, -60, -60}, {60, 60, 60}))};
   for (std::size_t i = 0; i < nested.size(); ++i) {

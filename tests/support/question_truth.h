@@ -1,6 +1,6 @@
 /// \file
-/// The truth set of points in bodies, of closed meshes and of bodies' relations: rows that were decided by two
-/// independent exact methods. tests/data/questions has a part of it, SOMS_DATA all.
+/// The truth set of points in bodies, of closed meshes and of bodies' relations: rows that were
+/// decided by two independent exact methods. tests/data/questions has a part of it, SOMS_DATA all.
 #pragma once
 
 #include "soms/base/pose.h"
@@ -53,8 +53,8 @@ struct ClosedRow {
 [[nodiscard]] std::vector<SolidRow> read_solid_rows(const std::filesystem::path& file);
 [[nodiscard]] std::vector<ClosedRow> read_closed_rows(const std::filesystem::path& file);
 
-/// The relation that the truth set of overlaps states in its column `solid` for bodies whose surfaces
-/// do not meet, "clear", "a_in_b" or "b_in_a"; nothing for other words.
+/// The relation that the truth set of overlaps states in its column `solid` for bodies whose
+/// surfaces do not meet, "clear", "a_in_b" or "b_in_a"; nothing for other words.
 [[nodiscard]] std::optional<Relation> relation_named(std::string_view name);
 
 /// A mesh of the set by name, of tests/data/questions or of the truth set of overlaps; null for

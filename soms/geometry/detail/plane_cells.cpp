@@ -181,7 +181,8 @@ bool SeenTriangle::is_above(const PlanePoint& p) const {
 }
 
 CellPlane::CellPlane(const Triangle& t, std::size_t axis)
-    : triangle_(t), axis_(axis), exponent_(ExactPair(t, t).exponent()), own_(seen(t)) {}
+    : triangle_(t), axis_(axis), exponent_(ExactPair(t, t).exponent()), own_(seen(t)) {
+}
 
 std::optional<CellPlane> CellPlane::of(const Triangle& t, View view) {
   const ExactPair pair(t, t);
@@ -195,9 +196,8 @@ std::optional<CellPlane> CellPlane::of(const Triangle& t, View view) {
     if (size.sign() == 0) {
       continue;
     }
-    const bool better =
-        !axis || ((with_sign(entry(n, *axis), entry(n, *axis).sign()) < size) ==
-                  (view == View::steep));
+    const bool better = !axis || ((with_sign(entry(n, *axis), entry(n, *axis).sign()) < size) ==
+                                  (view == View::steep));
     axis = better ? k : *axis;
   }
   return CellPlane(t, *axis);

@@ -1,11 +1,11 @@
 /// \file
 /// A triangle cut into cells by others, in whole numbers: what decides where surfaces touch.
 ///
-/// Everything is seen in the plane of one triangle t, along a coordinate axis k that is not parallel
-/// to it. A point of the plane is given by its other two coordinates (u, v), in units of a grid on
-/// which the corners of t lie, relative to a corner of t, as quotients (U / W, V / W) with W > 0.
-/// The side of another triangle's plane, and the side of a projected edge, are linear forms in
-/// (U, V, W): so nothing is rounded, and no number is longer than a product of two forms.
+/// Everything is seen in the plane of one triangle t, along a coordinate axis k that is not
+/// parallel to it. A point of the plane is given by its other two coordinates (u, v), in units of a
+/// grid on which the corners of t lie, relative to a corner of t, as quotients (U / W, V / W) with
+/// W > 0. The side of another triangle's plane, and the side of a projected edge, are linear forms
+/// in (U, V, W): so nothing is rounded, and no number is longer than a product of two forms.
 ///
 /// A point that lies on the line of a form is moved by (e, e^2), 0 < e as small as need be
 /// (Edelsbrunner and Muecke 1990): the same for all forms, so answers agree with one another.
@@ -78,11 +78,11 @@ class SeenTriangle {
   /// Where edge i, from corner i to the next one, meets the plane.
   [[nodiscard]] PlanePoint crossing(std::size_t i) const;
 
-  PlaneForm side_;                     // of the plane of s
-  std::array<PlaneForm, 3> edge_;      // of the projected edges
-  std::array<PlanePoint, 3> corner_;   // projected
-  std::array<Integer, 3> height_;      // of the corners over the plane of t
-  int turn_ = 0;                       // of the projected triangle; 0: it is a segment
+  PlaneForm side_;                    // of the plane of s
+  std::array<PlaneForm, 3> edge_;     // of the projected edges
+  std::array<PlanePoint, 3> corner_;  // projected
+  std::array<Integer, 3> height_;     // of the corners over the plane of t
+  int turn_ = 0;                      // of the projected triangle; 0: it is a segment
   bool flat_ = false;
 };
 

@@ -94,7 +94,8 @@ Solid solid_by_brute_force(const Body& a, const Body& b, const Parallel& paralle
   const PlainArithmetic plain;
   SolidScan scan(a, b);
   Solid answer;
-  answer.surfaces_meet = overlap(a.shape.mesh(), a.pose, b.shape.mesh(), b.pose, {.stop = parallel.stop}).any;
+  answer.surfaces_meet =
+      overlap(a.shape.mesh(), a.pose, b.shape.mesh(), b.pose, {.stop = parallel.stop}).any;
   answer.relation = scan.relation(answer.surfaces_meet, parallel);
   return answer;
 }

@@ -27,7 +27,8 @@ BoxWalk::BoxWalk(const Body& body)
       origin_(body.shape.layout().origin()),
       rounding_(kBoxRounding * moved_extent(body.pose, body.shape.bounds()) + kBoxUnderflow),
       unit_(1 / body.shape.layout().scale()),
-      source_(source_of(body.shape)) {}
+      source_(source_of(body.shape)) {
+}
 
 Triangle BoxWalk::moved(TriangleId id) const {
   const Triangle t = body_.shape.mesh().triangle(id);
@@ -75,12 +76,11 @@ void BoxWalk::walk(Source& source, const Box& box, std::vector<MovedTriangle>& f
 }
 
 std::uint32_t BoxWalk::lanes(const WideNode& node, const Box& box) const {
-  const Vec3 at = body_.pose.apply(
-      origin_ + Vec3{node.origin[0], node.origin[1], node.origin[2]});
+  const Vec3 at = body_.pose.apply(origin_ + Vec3{node.origin[0], node.origin[1], node.origin[2]});
   std::uint32_t lanes = (1U << node.count) - 1;
   for (std::size_t k = 0; k < 3; ++k) {
-    std::array<double, 3> row;
-    for (std::size_t j = 0; j < 3; ++j) {
+    std::array<double, 3> row = rotation_[k];
+    for (std::size_t j = 0; j < 3 && node.oriented != 0; ++j) {
       row[j] = rotation_[k][0] * node.row[0][j] + rotation_[k][1] * node.row[1][j] +
                rotation_[k][2] * node.row[2][j];
     }

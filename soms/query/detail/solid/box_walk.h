@@ -5,8 +5,8 @@
 /// tree and the node, Q the node's axes, b in the lane's box c +- h and s the layout's scale
 /// (wide_tree.h). Moved and rounded it is off R x + t by 4.01 u64 V (parity_frame.h, also for V).
 /// Computed in double are R (O + o) + t, (R Q) c / s and |R Q| h / s. Each is a sum of at most four
-/// terms of at most 3.5 V after a product of three, so each is off by less than 3.01 * 3.5 + 4 * 3.5
-/// < 25 u64 V on an axis, together 75, and comparing two sums adds 2 * 3.5: below 128 u64 V.
+/// terms of at most 3.5 V after a product of three, so each is off by less than 3.01 * 3.5 + 4
+/// * 3.5 < 25 u64 V on an axis, together 75, and comparing two sums adds 2 * 3.5: below 128 u64 V.
 #pragma once
 
 #include "soms/base/box.h"

@@ -49,8 +49,7 @@ bool has_area(const Triangle& t, Predicates& predicates) {
 bool may_cut(const Triangle& t, const Triangle& s, Predicates& predicates) {
   const auto sides = sides_of(t, s, predicates);
   const auto zeros = count_of(sides, Sign::zero);
-  const bool mixed =
-      count_of(sides, Sign::positive) > 0 && count_of(sides, Sign::negative) > 0;
+  const bool mixed = count_of(sides, Sign::positive) > 0 && count_of(sides, Sign::negative) > 0;
   if (!mixed && zeros < 2) {
     return false;
   }

@@ -90,8 +90,7 @@ class RegionSearch {
                 std::optional<TriangleId> but, Cutting& cutting);
 
   /// Whether a body is on that side of the plane to which the ray from the point goes.
-  [[nodiscard]] bool inside_above(const CellPlane& plane, const PlanePoint& p,
-                                  std::size_t body);
+  [[nodiscard]] bool inside_above(const CellPlane& plane, const PlanePoint& p, std::size_t body);
 
   std::array<BoxWalk, 2> walks_;
   std::array<bool, 2> met_idle_ = {};

@@ -40,7 +40,7 @@ class SolidSearch {
     if (contact) {
       look_at_corners(0, contact->first);
       look_at_corners(1, contact->second);
-      if (!regions_.all()) {
+      if (!regions_.all() && !late_) {
         look_at_contacts();
       }
     }
@@ -67,31 +67,34 @@ class SolidSearch {
 
   /// Sides of the other body on which points of `body` lie.
   std::vector<Side> sides_of(std::size_t body, const std::vector<Vec3>& points) {
-    ContainsBatch batch =
-        contains(*bodies_[1 - body], points, {.deadline = options_.deadline},
-                 {.threads = 1, .stop = parallel_.stop});
+    ContainsBatch batch = contains(*bodies_[1 - body], points, {.deadline = options_.deadline},
+                                   {.threads = 1, .stop = parallel_.stop});
     cost_ += batch.cost;
     late_ = late_ || batch.coverage == Coverage::cut;
     return std::move(batch.side);
   }
 
-  /// The corners of a triangle that overlaps another: mostly enough where bodies cross.
+  /// Corners on both sides of the other body prove a crossing, if the triangle bounds its own body
+  /// at both: there is some of both sides of its surface inside the other body, and some outside.
   void look_at_corners(std::size_t body, TriangleId id) {
-    if (late_ || !search_.stands_alone(body, id)) {
+    if (regions_.all() || late_) {
       return;
     }
     const Triangle t = search_.moved(body, id);
-    for (const Side side : sides_of(body, {t.a, t.b, t.c})) {
-      if (side == Side::inside || side == Side::outside) {
-        regions_.add_sides(body, side == Side::inside);
-      }
+    const std::vector<Side> sides = sides_of(body, {t.a, t.b, t.c});
+    const auto any = [&](Side side) {
+      return std::find(sides.begin(), sides.end(), side) != sides.end();
+    };
+    if (any(Side::inside) && any(Side::outside) && search_.stands_alone(body, id)) {
+      regions_.add_sides(body, true);
+      regions_.add_sides(body, false);
     }
   }
 
   /// The cells of all triangles that overlap one of the other body.
   void look_at_contacts() {
-    const Overlap all = overlap(bodies_[0]->body(), bodies_[1]->body(),
-                                {.deadline = options_.deadline}, parallel_);
+    const Overlap all =
+        overlap(bodies_[0]->body(), bodies_[1]->body(), {.deadline = options_.deadline}, parallel_);
     cost_ += all.cost;
     late_ = late_ || all.coverage == Coverage::cut;
     for (const auto& [i, j] : all.pairs) {

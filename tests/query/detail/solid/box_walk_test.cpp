@@ -37,8 +37,8 @@ TEST(BoxWalk, FindsEveryTriangleAndNoOther) {
     for (std::size_t k = 0; k < 3; ++k) {
       pose.m[4 * k + 3] = far * rng.uniform(-1, 1);
     }
-    const Body body(
-        Shape(mesh, {.layout = rng.below(2) == 0 ? Layout::wide : Layout::compact}), pose);
+    const Body body(Shape(mesh, {.layout = rng.below(2) == 0 ? Layout::wide : Layout::compact}),
+                    pose);
     detail::BoxWalk walk(body);
     const auto moved = reference::detail::moved_triangles(mesh, pose);
     for (int i = 0; i < 40; ++i) {
