@@ -47,7 +47,7 @@ set(SOMS_SOURCES
   detail/parity/parity_frame.cpp
   detail/parity/parity_traversal.cpp
   detail/parity/triangle_crossing.cpp
-  detail/solid/box_walk.cpp
+  detail/solid/box_search.cpp
   detail/solid/planar_triangles.cpp
   detail/solid/solid_regions.cpp
   detail/solid/solid_search.cpp

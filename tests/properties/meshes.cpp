@@ -89,13 +89,13 @@ TwoMeshes meshes_of_kind(int kind, Rng& rng) {
   }
 }
 
-Mesh closed_mesh(Rng& rng) {
+Mesh closed_mesh(Rng& rng, std::uint64_t most) {
   const bool on_lattice = rng.below(2) == 0;
   const auto coordinate = [&] {
     return on_lattice ? static_cast<double>(rng.below(5)) : rng.uniform(0, 4);
   };
   Mesh mesh;
-  for (std::uint64_t k = 0, count = 1 + rng.below(8); k < count; ++k) {
+  for (std::uint64_t k = 0, count = 1 + rng.below(most); k < count; ++k) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (int corner = 0; corner < 4; ++corner) {
       mesh.vertices.push_back({coordinate(), coordinate(), coordinate()});

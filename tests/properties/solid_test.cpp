@@ -78,9 +78,9 @@ TEST(SolidProperty, OfBoxesIsWhatTheirIntervalsSay) {
 TEST(SolidProperty, AnswersAsBruteForceAndTheOtherWayRound) {
   check_property("solid/twin", [](std::uint64_t seed) {
     Rng rng(seed);
-    const Body a(closed_mesh(rng));
+    const Body a(closed_mesh(rng, 3));
     const Vec3 shift{static_cast<double>(rng.below(3)), 0, static_cast<double>(rng.below(2))};
-    const Body b(mapped(closed_mesh(rng), [&](const Vec3& v) { return v + shift; }));
+    const Body b(mapped(closed_mesh(rng, 3), [&](const Vec3& v) { return v + shift; }));
     const Solid answer = solid(a, b);
     const Solid truth = reference::solid_by_brute_force(a, b);
     RC_ASSERT(answer.relation == truth.relation);
@@ -124,8 +124,8 @@ TEST(SolidProperty, OfOneBodyCutOtherwiseIsSame) {
 TEST(SolidProperty, BatchesAreSingleQueries) {
   check_property("solid/batch", [](std::uint64_t seed) {
     Rng rng(seed);
-    const ClosedBody mover{Body(closed_mesh(rng))};
-    const ClosedBody fixed{Body(closed_mesh(rng))};
+    const ClosedBody mover{Body(closed_mesh(rng, 3))};
+    const ClosedBody fixed{Body(closed_mesh(rng, 3))};
     std::vector<Pose> poses;
     for (int i = 0; i < 5; ++i) {
       poses.push_back(Pose::translation(static_cast<double>(rng.below(4)), 0, rng.uniform(-1, 1)));

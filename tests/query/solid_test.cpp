@@ -7,7 +7,6 @@
 #include "soms/query/reference/solid.h"
 
 #include "tests/support/bodies.h"
-#include "tests/support/question_truth.h"
 #include "tests/support/support.h"
 
 #include <gtest/gtest.h>
@@ -71,8 +70,10 @@ TEST(Solid, PartsTogetherDecide) {
   expect_solid(two, cube(2, 3), Relation::clear, false);
   expect_solid(two, joined(cube(4, 5), cube(0, 1)), Relation::same, true);
   expect_solid(two, cube(4, 5), Relation::b_in_a, true);
-  // One part touches, another is inside.
-  expect_solid(joined(cube(0, 1), cube(2, 3)), joined(cube(1, 2), cube(-5, 5)), Relation::crossing,
+  // One part touches, another is inside; each touches the void of the other body with a corner.
+  expect_solid(joined(cube(0, 1), cube(4, 5)), joined(cube(1, 2), cube(3, 6)), Relation::crossing,
+               true);
+  expect_solid(joined(cube(0, 1), cube(2, 3)), joined(cube(1, 2), cube(-5, 5)), Relation::a_in_b,
                true);
 }
 
@@ -152,8 +153,10 @@ TEST(Solid, IsUndecidedWhenTimeIsUp) {
 
 // At the second pose rounding takes a corner of the T-junction off its edge.
 TEST(Solid, IsUndecidedAtAPoseThatOpensTheMover) {
-  const Mesh& mesh = *test::question_mesh("tjunction");
-  const std::vector<Pose> poses{Pose{}, Pose::from_axis_angle({1, 2, 3}, 1)};
+  Mesh mesh;  // a tetrahedron with a corner on one of its edges
+  mesh.vertices = {{0, 0, 0}, {3, 0, 0}, {1, 2, 0}, {1, 1, 3}, {1, 0, 0}};
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {2, 0, 3}, {0, 4, 3}, {4, 1, 3}};
+  const std::vector<Pose> poses{Pose{}, Pose::from_axis_angle({1, 2, 3}, 0.7)};
   const ClosedBody mover{Body(mesh)};
   ASSERT_THROW(static_cast<void>(mover.at(poses[1])), Error);
   const SolidBatch batch = solid(mover, poses, ClosedBody(Body(cube(-9, 9))));
@@ -174,7 +177,7 @@ TEST(Solid, BadPosesAreNamed) {
   }
 }
 
-// Bodies that cross plainly are told by a few corners, however large they are.
+// Bodies that cross plainly are recognized by a few corners, however large they are.
 TEST(Solid, CrossingBodiesCostLittleMoreThanAnyOverlap) {
   const ClosedBody a{Body(generate_knot(20000))};
   const ClosedBody b{Body(generate_knot(20000), Pose::translation(0.4, 0.3, 0.2))};

@@ -19,7 +19,7 @@ soms::Relation SolidRegions::relation(bool surfaces_meet) const {
   return only[1] ? soms::Relation::a_in_b : soms::Relation::same;
 }
 
-RegionSearch::RegionSearch(const Body& a, const Body& b) : walks_{BoxWalk(a), BoxWalk(b)} {
+RegionSearch::RegionSearch(const Body& a, const Body& b) : searches_{BoxSearch(a), BoxSearch(b)} {
 }
 
 bool RegionSearch::Cutting::odd(std::size_t body, const PlanePoint& p) const {
@@ -31,7 +31,7 @@ bool RegionSearch::Cutting::odd(std::size_t body, const PlanePoint& p) const {
 
 void RegionSearch::add_cuts(const CellPlane& plane, const Triangle& t, std::size_t body,
                             std::optional<TriangleId> but, Cutting& cutting) {
-  walks_[body].find(bounds(t), near_, cost_);
+  searches_[body].find(bounds(t), near_, cost_);
   Predicates predicates;
   for (const MovedTriangle& other : near_) {
     if (other.id == but || !may_cut(t, other.triangle, predicates)) {
@@ -47,7 +47,7 @@ void RegionSearch::add_cuts(const CellPlane& plane, const Triangle& t, std::size
 }
 
 bool RegionSearch::inside_above(const CellPlane& plane, const PlanePoint& p, std::size_t body) {
-  walks_[body].find(plane.ray_box(p), near_, cost_);
+  searches_[body].find(plane.ray_box(p), near_, cost_);
   Predicates predicates;
   bool odd = false;
   for (const MovedTriangle& other : near_) {
@@ -106,7 +106,7 @@ bool RegionSearch::stands_alone(std::size_t body, TriangleId id) {
   if (!has_area(t, predicates)) {
     return false;
   }
-  walks_[body].find(bounds(t), near_, cost_);
+  searches_[body].find(bounds(t), near_, cost_);
   return std::none_of(near_.begin(), near_.end(), [&](const MovedTriangle& other) {
     return other.id != id && may_share_area(t, other.triangle, predicates);
   });

@@ -16,7 +16,7 @@
 #include "soms/base/vector.h"
 #include "soms/geometry/detail/plane_cells.h"
 #include "soms/query/answer.h"
-#include "soms/query/detail/solid/box_walk.h"
+#include "soms/query/detail/solid/box_search.h"
 #include "soms/query/solid.h"
 
 #include <array>
@@ -58,7 +58,7 @@ class RegionSearch {
   RegionSearch(const Body& a, const Body& b);
 
   [[nodiscard]] Triangle moved(std::size_t body, TriangleId id) const {
-    return walks_[body].moved(id);
+    return searches_[body].moved(id);
   }
 
   /// Looks at all cells of a triangle, until all regions were seen.
@@ -92,7 +92,7 @@ class RegionSearch {
   /// Whether a body is on that side of the plane to which the ray from the point goes.
   [[nodiscard]] bool inside_above(const CellPlane& plane, const PlanePoint& p, std::size_t body);
 
-  std::array<BoxWalk, 2> walks_;
+  std::array<BoxSearch, 2> searches_;
   std::array<bool, 2> met_idle_ = {};
   std::vector<MovedTriangle> near_;
   Cost cost_;

@@ -28,9 +28,9 @@ struct MovedTriangle {
 };
 
 /// Finds triangles of one body. Refers to the body. \pre Its pose passed its checks.
-class BoxWalk {
+class BoxSearch {
  public:
-  explicit BoxWalk(const Body& body);
+  explicit BoxSearch(const Body& body);
 
   /// All triangles whose boxes, moved, share a point with `box`, in place of what `found` held. The
   /// order depends on the tree.
@@ -40,7 +40,7 @@ class BoxWalk {
 
  private:
   template <class Source>
-  void walk(Source& source, const Box& box, std::vector<MovedTriangle>& found, Cost& cost);
+  void search(Source& source, const Box& box, std::vector<MovedTriangle>& found, Cost& cost);
 
   /// Lanes of a node whose boxes may meet the box.
   [[nodiscard]] std::uint32_t lanes(const WideNode& node, const Box& box) const;

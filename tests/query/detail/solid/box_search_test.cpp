@@ -1,5 +1,5 @@
 // No triangle is lost whose moved box meets a box, however the tree is kept and wherever it is.
-#include "soms/query/detail/solid/box_walk.h"
+#include "soms/query/detail/solid/box_search.h"
 
 #include "soms/base/random.h"
 #include "soms/generate/shapes.h"
@@ -17,10 +17,10 @@
 namespace soms {
 namespace {
 
-std::vector<TriangleId> found_in(detail::BoxWalk& walk, const Box& box) {
+std::vector<TriangleId> found_in(detail::BoxSearch& search, const Box& box) {
   std::vector<detail::MovedTriangle> found;
   Cost cost;
-  walk.find(box, found, cost);
+  search.find(box, found, cost);
   std::vector<TriangleId> ids;
   for (const detail::MovedTriangle& triangle : found) {
     ids.push_back(triangle.id);
@@ -29,8 +29,8 @@ std::vector<TriangleId> found_in(detail::BoxWalk& walk, const Box& box) {
   return ids;
 }
 
-TEST(BoxWalk, FindsEveryTriangleAndNoOther) {
-  test::for_each_case("query/box-walk", 60, [](Rng& rng) {
+TEST(BoxSearch, FindsEveryTriangleAndNoOther) {
+  test::for_each_case("query/box-search", 60, [](Rng& rng) {
     const Mesh mesh = generate_knot(200 + 2 * rng.below(100));
     Pose pose = rng.below(4) == 0 ? Pose{} : test::awkward_rotation(rng);
     const double far = std::exp2(rng.uniform(-2, 52));
@@ -39,7 +39,7 @@ TEST(BoxWalk, FindsEveryTriangleAndNoOther) {
     }
     const Body body(Shape(mesh, {.layout = rng.below(2) == 0 ? Layout::wide : Layout::compact}),
                     pose);
-    detail::BoxWalk walk(body);
+    detail::BoxSearch search(body);
     const auto moved = reference::detail::moved_triangles(mesh, pose);
     for (int i = 0; i < 40; ++i) {
       const Triangle& t = moved[rng.below(moved.size())];
@@ -56,7 +56,7 @@ TEST(BoxWalk, FindsEveryTriangleAndNoOther) {
           expected.push_back(static_cast<TriangleId>(k));
         }
       }
-      ASSERT_EQ(found_in(walk, box), expected);
+      ASSERT_EQ(found_in(search, box), expected);
     }
   });
 }
