@@ -47,8 +47,8 @@ inline constexpr int kBodyKinds = 8;
 /// line. The second may be empty.
 [[nodiscard]] TwoMeshes meshes_of_kind(int kind, Rng& rng);
 
-/// The four faces of each of up to `most` tetrahedra, flat ones too, on a lattice or anywhere: closed as a
-/// whole, however they cross. Some triangles are turned over, doubled, or without area.
+/// The four faces of each of up to `most` tetrahedra, flat ones too, on a lattice or anywhere:
+/// closed as a whole, however they cross. Some triangles are turned over, doubled, or without area.
 [[nodiscard]] Mesh closed_mesh(Rng& rng, std::uint64_t most = 8);
 
 /// A closed mesh, as above or round, of any size and anywhere.
