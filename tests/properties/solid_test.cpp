@@ -112,7 +112,7 @@ TEST(SolidProperty, OfOneBodyCutOtherwiseIsSame) {
   check_property("solid/same", [](std::uint64_t seed) {
     Rng rng(seed);
     const Box box = lattice_box(rng);
-    const Mesh mesh = mapped(box_body(box.lower, box.upper, 2), [](const Vec3& v) {
+    const Mesh mesh = mapped(box_body(box.lower, box.upper, 1), [](const Vec3& v) {
       return Vec3{v.x + v.y, v.y - v.z, v.z + 2 * v.x};
     });
     const Mesh other = cut_otherwise(mesh, rng);
