@@ -106,6 +106,12 @@ set(SOMS_COMMAND_FILES
   simulate_verify.h
   simulate_verify_near.cpp
   simulate_verify_near.h
+  solid.cpp
+  solid.h
+  solid_parts.cpp
+  solid_parts.h
+  solid_text.cpp
+  solid_text.h
   verbs.cpp
   verbs.h
   version.cpp

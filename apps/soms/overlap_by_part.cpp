@@ -19,17 +19,6 @@ namespace {
 
 constexpr std::size_t kPieceOfParts = std::size_t{1} << 16;  // bytes handed on at once
 
-std::string label_in_text(const Mesh& mesh, std::uint32_t part) {
-  return printable(part == Part::kNoParent ? part_label(mesh, part) : part_path_label(mesh, part));
-}
-
-Json part_as_json(const Mesh& mesh, std::uint32_t part) {
-  if (part == Part::kNoParent) {
-    return {{"id", nullptr}, {"name", nullptr}, {"path", Json::array()}};
-  }
-  return {{"id", part}, {"name", mesh.parts[part].name}, {"path", part_path(mesh, part)}};
-}
-
 std::string pairs_of_parts(std::size_t count) {
   return with_commas(count) + (count == 1 ? " pair of parts" : " pairs of parts");
 }
@@ -49,8 +38,8 @@ void print_parts_as_text(const OverlapReport& report, const Overlap& answer,
   for (const PartPair& pair : parts) {
     const Vec3 at = pair.box.center();
     console.print(fmt::format("  {} and {}: {} of triangles around ({}, {}, {})\n",
-                              label_in_text(report.pair.a, pair.a),
-                              label_in_text(report.pair.b, pair.b), counted(pair.count, "pair"),
+                              part_in_text(report.pair.a, pair.a),
+                              part_in_text(report.pair.b, pair.b), counted(pair.count, "pair"),
                               readable(at.x), readable(at.y), readable(at.z)));
   }
 }

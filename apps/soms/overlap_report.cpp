@@ -76,10 +76,11 @@ std::string summary(const OverlapReport& report, const Overlap& answer) {
                        report.pair.gap);
   }
   if (!answer.any) {
-    return report.pair.single
-               ? "no triangles overlap (surfaces only: a body entirely inside the other "
-                 "is not detected)"
-               : "no overlap";
+    return report.pair.single ? std::string("no triangles overlap (surfaces only: ") +
+                                    (report.pair.one_box_in_other
+                                         ? "soms solid says whether one is inside the other)"
+                                         : "a body entirely inside the other is not detected)")
+                              : "no overlap";
   }
   if (report.mode != OverlapMode::all) {
     const auto& [i, j] = answer.pairs.front();

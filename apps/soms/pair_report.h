@@ -26,8 +26,9 @@ struct PairReport {
   std::vector<FrameWarning> warnings = {};  ///< about the models; JSON gives them with pose 0
   std::string read_a = {};  ///< ", --up y": the options that A was scaled or turned by
   std::string read_b = {};
-  double gap = 0;            ///< of the boxes, at the pose that is reported next; 0: they meet
-  bool boxes_apart = false;  ///< that gap is a `FrameDoubt`
+  double gap = 0;                 ///< of the boxes, at the pose that is reported next; 0: they meet
+  bool one_box_in_other = false;  ///< the box of one model holds that of the other, likewise
+  bool boxes_apart = false;       ///< that gap is a `FrameDoubt`
 };
 
 /// "complete", "first" or "cut".

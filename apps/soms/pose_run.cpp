@@ -171,8 +171,10 @@ void PoseRun::print_row(std::size_t k, bool right, bool last) {
 /// Looks at the boxes of row `k`; with --strict those of a single row, far apart, are refused
 /// before they are answered for.
 void PoseRun::look_at_boxes(std::size_t k) {
-  boxes_.look(report::moved(a_.bounds(), block_[k].first),
-              report::moved(b_.bounds(), block_[k].second));
+  const Box a = report::moved(a_.bounds(), block_[k].first);
+  const Box b = report::moved(b_.bounds(), block_[k].second);
+  boxes_.look(a, b);
+  report_.one_box_in_other = a.contains(b) || b.contains(a);
   report_.gap = boxes_.gap();
   report_.boxes_apart =
       question_.doubts_gaps && boxes_.apart() && boxes_.gap() > question_.expected_gap;

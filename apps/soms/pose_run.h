@@ -37,6 +37,11 @@ class PoseRun : public RowRun {
 
   [[nodiscard]] const PairReport& report() const { return report_; }
 
+  /// The models.
+  [[nodiscard]] const Shape& shape_a() const { return a_; }
+
+  [[nodiscard]] const Shape& shape_b() const { return b_; }
+
   /// The bodies of row `k` of the block.
   [[nodiscard]] const Pose& pose_a(std::size_t k) const { return block_[k].first; }
 

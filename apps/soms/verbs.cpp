@@ -12,6 +12,7 @@
 #include "apps/soms/overlap.h"
 #include "apps/soms/passed_on.h"
 #include "apps/soms/simulate.h"
+#include "apps/soms/solid.h"
 #include "apps/soms/version.h"
 #include "apps/soms/within.h"
 
@@ -40,6 +41,8 @@ constexpr std::array kVerbs{
          pass_to_reproduce},
     Verb{"simulate", "move objects through a city and report what touches what, frame by frame",
          add_simulate},
+    Verb{"solid", "decide whether two closed models are clear, touch, cross or contain each other",
+         add_solid},
     Verb{"version", "print the version, the instruction set and the file formats", add_version},
     Verb{"view", "fly through a city and see what touches what, and why", nullptr, pass_to_viewer},
     Verb{"within", "decide whether two models are within a clearance of each other", add_within},

@@ -39,6 +39,17 @@ std::string part_path_label(const Mesh& mesh, std::uint32_t part, std::size_t mo
   return fmt::format("{}", fmt::join(names, "/"));
 }
 
+std::string part_in_text(const Mesh& mesh, std::uint32_t part) {
+  return printable(part == Part::kNoParent ? part_label(mesh, part) : part_path_label(mesh, part));
+}
+
+Json part_as_json(const Mesh& mesh, std::uint32_t part) {
+  if (part == Part::kNoParent) {
+    return {{"id", nullptr}, {"name", nullptr}, {"path", Json::array()}};
+  }
+  return {{"id", part}, {"name", mesh.parts[part].name}, {"path", part_path(mesh, part)}};
+}
+
 std::string triangle_label(const Mesh& mesh, TriangleId i) {
   const std::string part = part_name(mesh, i);
   return part.empty() ? fmt::format("{}", i) : fmt::format("{} ({})", i, printable(part));

@@ -4,6 +4,8 @@
 
 #include "soms/geometry/mesh.h"
 
+#include "apps/support/json.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -20,6 +22,12 @@ namespace soms::command {
 [[nodiscard]] std::string part_path_label(
     const Mesh& mesh, std::uint32_t part,
     std::size_t most = std::numeric_limits<std::size_t>::max());
+
+/// The path of a part for people: `part_path_label`, or `part_label` of no part, printable.
+[[nodiscard]] std::string part_in_text(const Mesh& mesh, std::uint32_t part);
+
+/// Number, name and path of a part, null and an empty path for Part::kNoParent.
+[[nodiscard]] Json part_as_json(const Mesh& mesh, std::uint32_t part);
 
 /// The number of a triangle as people read it: "12", or "12 (wall)" where its part has a name.
 /// \cost O(p) for p parts.

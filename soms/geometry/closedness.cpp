@@ -1,11 +1,11 @@
 #include "soms/geometry/closedness.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/geometry/detail/connected_parts.h"
 #include "soms/geometry/detail/joined.h"
 #include "soms/geometry/detail/odd_edges.h"
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -15,30 +15,6 @@ namespace {
 
 using detail::OddEdge;
 using detail::Work;
-
-/// Sets of vertices that grow together.
-class Sets {
- public:
-  explicit Sets(std::size_t size) : above_(size) { std::iota(above_.begin(), above_.end(), 0U); }
-
-  [[nodiscard]] std::uint32_t find(std::uint32_t v) {
-    while (above_[v] != v) {
-      above_[v] = above_[above_[v]];
-      v = above_[v];
-    }
-    return v;
-  }
-
-  void unite(std::uint32_t v, std::uint32_t w) {
-    v = find(v);
-    w = find(w);
-    // The lesser one stays, and paths are halved: logarithmic on average, whatever the order.
-    above_[std::max(v, w)] = std::min(v, w);
-  }
-
- private:
-  std::vector<std::uint32_t> above_;
-};
 
 /// What the odd edges of a part say of it.
 void judge(const Mesh& mesh, std::span<const OddEdge> edges, const Pose& pose,
@@ -64,37 +40,25 @@ PartClosedness counted(const Joined& joined, TriangleId first, std::uint32_t cou
   return part;
 }
 
-/// Connected parts, and to which one each vertex belongs.
+/// Connected parts, what was counted of them, and to which one each vertex belongs.
 struct Connected {
-  static constexpr std::uint32_t kNone = 0xffffffffU;
-
   std::vector<PartClosedness> parts;
   std::vector<std::uint32_t> part_of;  ///< of joined vertices that triangles use
 };
 
-/// Takes two loops over the triangles and one over the vertices of `work`.
+/// Takes `connecting_work` of `work`.
 Connected connect(const Joined& joined, Work& work) {
-  const Mesh& mesh = joined.mesh;
-  Sets sets(mesh.vertices.size());
-  work.run(mesh.triangles.size(), [&](std::size_t i) {
-    const auto& t = mesh.triangles[i];
-    sets.unite(joined.vertices[t[0]], joined.vertices[t[1]]);
-    sets.unite(joined.vertices[t[0]], joined.vertices[t[2]]);
-  });
+  detail::ConnectedParts found = detail::connected_parts(joined.mesh, joined.vertices, work);
   Connected connected;
-  connected.part_of.assign(mesh.vertices.size(), Connected::kNone);
-  work.run(mesh.triangles.size(), [&](std::size_t i) {
-    std::uint32_t& part = connected.part_of[sets.find(joined.vertices[mesh.triangles[i][0]])];
-    if (part == Connected::kNone) {
-      part = static_cast<std::uint32_t>(connected.parts.size());
-      connected.parts.push_back({.first = static_cast<TriangleId>(i)});
-    }
-    ++connected.parts[part].triangles;
-    connected.parts[part].degenerate += joined.degenerate[i] ? 1U : 0U;
+  for (const TriangleId first : found.first) {
+    connected.parts.push_back({.first = first});
+  }
+  work.run(joined.mesh.triangles.size(), [&](std::size_t i) {
+    PartClosedness& part = connected.parts[found.part_of[joined.mesh.triangles[i][0]]];
+    ++part.triangles;
+    part.degenerate += joined.degenerate[i] ? 1U : 0U;
   });
-  work.run(mesh.vertices.size(), [&](std::size_t v) {
-    connected.part_of[v] = connected.part_of[sets.find(static_cast<std::uint32_t>(v))];
-  });
+  connected.part_of = std::move(found.part_of);
   return connected;
 }
 
@@ -115,7 +79,7 @@ void judge(const Mesh& mesh, std::vector<OddEdge> odd, const Pose& pose, Connect
 }
 
 std::uint64_t connecting_work(const Mesh& mesh) {
-  return 2 * std::uint64_t{mesh.triangles.size()} + mesh.vertices.size();
+  return detail::connected_parts_work(mesh) + mesh.triangles.size();
 }
 
 /// Triangles to look at for the parts of a mesh; 0 where that would be too often.

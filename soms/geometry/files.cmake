@@ -22,6 +22,7 @@ set(SOMS_SOURCES
   defects.cpp
   detail/axis_gap.cpp
   detail/common_corners.cpp
+  detail/connected_parts.cpp
   detail/crossing.cpp
   detail/distance_ends.cpp
   detail/exact_distance.cpp
@@ -34,6 +35,7 @@ set(SOMS_SOURCES
   detail/odd_edges.cpp
   detail/orientation_exact.cpp
   detail/pair_distance.cpp
+  detail/plane_cells.cpp
   detail/point_feature.cpp
   detail/point_to_triangle.cpp
   frames.cpp

@@ -3,7 +3,7 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/base/text.h"
-#include "soms/geometry/detail/odd_edges.h"
+#include "soms/query/detail/closed_surface.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/engine/pair_frame.h"
 #include "soms/query/detail/parity/parity_traversal.h"
@@ -73,13 +73,13 @@ Error fault_of(const Vec3& p, const std::string& whose) {
 ClosedBody::ClosedBody(Body body, const Parallel& parallel) : body_(std::move(body)) {
   const PlainArithmetic plain;
   detail::check_pose(body_.pose, body_.shape);
-  odd_ =
-      std::make_shared<const std::vector<OddEdge>>(detail::odd_edges(body_.shape.mesh(), parallel));
+  surface_ = std::make_shared<const detail::ClosedSurface>(
+      detail::closed_surface(body_.shape.mesh(), parallel));
   check_closed();
 }
 
-ClosedBody::ClosedBody(Body body, std::shared_ptr<const std::vector<OddEdge>> odd)
-    : body_(std::move(body)), odd_(std::move(odd)) {
+ClosedBody::ClosedBody(Body body, std::shared_ptr<const detail::ClosedSurface> surface)
+    : body_(std::move(body)), surface_(std::move(surface)) {
   const PlainArithmetic plain;
   detail::check_pose(body_.pose, body_.shape);
   check_closed();
@@ -88,23 +88,28 @@ ClosedBody::ClosedBody(Body body, std::shared_ptr<const std::vector<OddEdge>> od
 ClosedBody ClosedBody::at(const Pose& pose) const {
   Body body = body_;
   body.pose = pose;
-  return {std::move(body), odd_};
+  return {std::move(body), surface_};
 }
 
 void ClosedBody::check_closed() const {
   const Mesh& mesh = body_.shape.mesh();
-  if (detail::cover_evenly(mesh, *odd_, body_.pose)) {
+  const std::vector<OddEdge>& odd = surface_->odd;
+  if (detail::cover_evenly(mesh, odd, body_.pose)) {
     return;
   }
   const auto count = static_cast<std::size_t>(
-      std::count_if(odd_->begin(), odd_->end(), [](const OddEdge& e) { return e.among_all; }));
+      std::count_if(odd.begin(), odd.end(), [](const OddEdge& e) { return e.among_all; }));
   const std::string whose = !body_.name.empty() ? body_.name : mesh.source;
   throw Error(
       ErrorKind::not_closed,
       (whose.empty() ? std::string("the body") : whose) + ": not closed: " +
           (count == 1 ? std::string("1 edge belongs") : std::to_string(count) + " edges belong") +
-          " to an odd number of triangles, " + places_of(body_, *odd_),
+          " to an odd number of triangles, " + places_of(body_, odd),
       "close the surface, or take its closed parts alone (closed_parts)");
+}
+
+const detail::ClosedSurface& detail::surface_of(const ClosedBody& body) {
+  return *body.surface_;
 }
 
 Contains contains(const ClosedBody& body, const Vec3& point, const ContainsOptions& options) {

@@ -18,8 +18,11 @@
 
 namespace soms {
 
+class ClosedBody;
+
 namespace detail {
-struct OddEdge;
+struct ClosedSurface;
+[[nodiscard]] const ClosedSurface& surface_of(const ClosedBody& body);
 }  // namespace detail
 
 /// Where a point lies.
@@ -38,7 +41,8 @@ class ClosedBody {
   /// \errors  ErrorKind::not_closed, which counts the odd edges and names the first; not_rigid,
   ///          not_finite, out_of_range for the pose; cancelled.
   /// \cost    O(n) time, as `closedness` of the whole mesh. Keeps the odd edges, of which most
-  ///          closed meshes have none.
+  ///          closed meshes have none, and for each triangle its connected part, if there are
+  ///          several.
   explicit ClosedBody(Body body, const Parallel& parallel = {});
 
   [[nodiscard]] const Body& body() const { return body_; }
@@ -52,12 +56,14 @@ class ClosedBody {
   [[nodiscard]] bool operator==(const ClosedBody& other) const { return body_ == other.body_; }
 
  private:
-  ClosedBody(Body body, std::shared_ptr<const std::vector<detail::OddEdge>> odd);
+  friend const detail::ClosedSurface& detail::surface_of(const ClosedBody& body);
+
+  ClosedBody(Body body, std::shared_ptr<const detail::ClosedSurface> surface);
 
   void check_closed() const;
 
   Body body_;
-  std::shared_ptr<const std::vector<detail::OddEdge>> odd_;
+  std::shared_ptr<const detail::ClosedSurface> surface_;
 };
 
 /// Options of `contains`.

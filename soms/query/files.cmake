@@ -14,10 +14,13 @@ set(SOMS_HEADERS
   reference/distance.h
   reference/overlap.h
   signed_closest.h
+  reference/solid.h
+  solid.h
   within.h
 )
 set(SOMS_SOURCES
   contains.cpp
+  detail/closed_surface.cpp
   detail/collector.cpp
   detail/engine/batch.cpp
   detail/engine/block_source.cpp
@@ -45,6 +48,10 @@ set(SOMS_SOURCES
   detail/parity/parity_frame.cpp
   detail/parity/parity_traversal.cpp
   detail/parity/triangle_crossing.cpp
+  detail/solid/box_search.cpp
+  detail/solid/planar_triangles.cpp
+  detail/solid/solid_regions.cpp
+  detail/solid/solid_search.cpp
   detail/pair_sort.cpp
   distance.cpp
   detail/relative_pose.cpp
@@ -59,6 +66,8 @@ set(SOMS_SOURCES
   reference/contains.cpp
   reference/distance.cpp
   reference/overlap.cpp
+  reference/solid.cpp
+  solid.cpp
   within.cpp
   closest.cpp
   signed_closest.cpp

@@ -8,6 +8,9 @@
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
 #include "soms/query/signed_closest.h"
+}
+
+#include "soms/query/solid.h"
 #include "soms/query/within.h"
 #include "soms/tree/print.h"
 
@@ -214,6 +217,41 @@ std::ostream& operator<<(std::ostream& out, const SignedClosestBatch& value) {
   return out << PrintedFields("SignedClosestBatch")
                     .item(printed_count(value.size(), "point", "points"))
                     .add("cost", value.closest.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, Relation value) {
+  return out << printed_name(
+             "Relation", static_cast<int>(value),
+             {"clear", "touching", "crossing", "a_in_b", "b_in_a", "same", "undecided"});
+}
+
+std::ostream& operator<<(std::ostream& out, Undecided value) {
+  return out << printed_name("Undecided", static_cast<int>(value), {"none", "deadline", "open"});
+}
+
+std::ostream& operator<<(std::ostream& out, const Solid& value) {
+  return out << PrintedFields("Solid")
+                    .add("relation", value.relation)
+                    .add("surfaces_meet", value.surfaces_meet)
+                    .add("why", value.why)
+                    .add("coverage", value.coverage)
+                    .add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const SolidBatch& value) {
+  const auto apart = std::count(value.relation.begin(), value.relation.end(), Relation::clear);
+  return out << PrintedFields("SolidBatch")
+                    .item(std::to_string(apart) + " of " +
+                          printed_count(value.size(), "pose", "poses") + " clear")
+                    .add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const SolidOptions& value) {
+  PrintedFields fields("SolidOptions");
+  if (value.deadline) {
+    fields.item("deadline set");
+  }
+  return out << fields;
 }
 
 }  // namespace soms

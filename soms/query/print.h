@@ -9,7 +9,9 @@ namespace soms {
 
 enum class Coverage;
 enum class OverlapMode;
+enum class Relation : unsigned char;
 enum class Side : unsigned char;
+enum class Undecided : unsigned char;
 class ClosedBody;
 struct Body;
 struct Closest;
@@ -28,6 +30,9 @@ struct NearTriangles;
 struct Overlap;
 struct OverlapBatch;
 struct OverlapOptions;
+struct Solid;
+struct SolidBatch;
+struct SolidOptions;
 struct Within;
 struct WithinBatch;
 struct WithinOptions;
@@ -54,8 +59,13 @@ std::ostream& operator<<(std::ostream& out, const Overlap& value);
 std::ostream& operator<<(std::ostream& out, const OverlapBatch& value);
 std::ostream& operator<<(std::ostream& out, const OverlapOptions& value);
 std::ostream& operator<<(std::ostream& out, OverlapMode value);
+std::ostream& operator<<(std::ostream& out, Relation value);
 std::ostream& operator<<(std::ostream& out, Side value);
 std::ostream& operator<<(std::ostream& out, const SignedClosest& value);
 std::ostream& operator<<(std::ostream& out, const SignedClosestBatch& value);
+std::ostream& operator<<(std::ostream& out, const Solid& value);
+std::ostream& operator<<(std::ostream& out, const SolidBatch& value);
+std::ostream& operator<<(std::ostream& out, const SolidOptions& value);
+std::ostream& operator<<(std::ostream& out, Undecided value);
 
 }  // namespace soms

@@ -5,10 +5,10 @@
 #include "soms/geometry/closedness.h"
 #include "soms/query/contains.h"
 #include "soms/query/reference/contains.h"
-#include "soms/tree/rule/rules.h"
 #include "soms/tree/shape.h"
 
 #include "tests/fuzz/bytes.h"
+#include "tests/fuzz/closed_mesh.h"
 #include "tests/fuzz/poses.h"
 #include "tests/fuzz/require.h"
 
@@ -22,51 +22,6 @@ namespace {
 
 using fuzz::Bytes;
 using fuzz::require;
-
-/// A number of a lattice, a power of two, or one a step of the last place beside a whole one.
-double coordinate(Bytes& bytes, double unit) {
-  const double on_lattice = static_cast<double>(bytes.below(5)) - 1;
-  switch (bytes.below(5)) {
-    case 0:
-      return unit * std::ldexp(on_lattice, static_cast<int>(bytes.below(80)) - 60);
-    case 1:
-      return unit * (on_lattice + std::ldexp(static_cast<double>(bytes.below(7)) - 3, -52));
-    case 2:
-      return unit * 4 * bytes.fraction();
-    default:
-      return unit * on_lattice;
-  }
-}
-
-Vec3 place(Bytes& bytes, double unit) {
-  const double x = coordinate(bytes, unit);
-  const double y = coordinate(bytes, unit);
-  return {x, y, coordinate(bytes, unit)};
-}
-
-/// Faces of tetrahedra, some of them left out, doubled or without area.
-Mesh mesh_of(Bytes& bytes, double unit) {
-  Mesh mesh;
-  for (std::uint32_t k = 0, count = 1 + bytes.below(10); k < count; ++k) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (int corner = 0; corner < 4; ++corner) {
-      mesh.vertices.push_back(place(bytes, unit));
-    }
-    mesh.triangles.insert(mesh.triangles.end(), {{first, first + 1, first + 2},
-                                                 {first, first + 1, first + 3},
-                                                 {first + 3, first + 1, first + 2},
-                                                 {first, first + 3, first + 2}});
-  }
-  const std::uint32_t change = bytes.below(8);
-  if (change == 0) {
-    mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(bytes.below(4)));
-  } else if (change == 1) {
-    mesh.triangles.push_back({0, 1, bytes.below(2)});
-    mesh.triangles.push_back(mesh.triangles[0]);
-    mesh.triangles.push_back(mesh.triangles[0]);
-  }
-  return mesh;
-}
 
 /// A point of a triangle, perhaps moved a step or more on an axis, or in line with a vertex.
 Vec3 point_of(Bytes& bytes, const Body& body, double unit) {
@@ -93,15 +48,6 @@ Vec3 point_of(Bytes& bytes, const Body& body, double unit) {
   return p;
 }
 
-ShapeOptions options_of(Bytes& bytes) {
-  const auto table = rules();
-  ShapeOptions options;
-  options.build.rule = table[bytes.below(static_cast<std::uint32_t>(table.size()))].rule;
-  options.build.per_leaf = static_cast<int>(1 + bytes.below(16));
-  options.layout = bytes.below(3) == 0 ? Layout::compact : Layout::wide;
-  return options;
-}
-
 void check_points(const ClosedBody& body, const std::vector<Vec3>& points) {
   const ContainsBatch batch = contains(body, points);
   require(batch.side == reference::contains_by_brute_force(body.body(), points), "a side");
@@ -113,12 +59,12 @@ void check_points(const ClosedBody& body, const std::vector<Vec3>& points) {
 
 void check_input(Bytes& bytes) {
   const double unit = std::ldexp(1.0, static_cast<int>(bytes.below(120)) - 60);
-  const Mesh mesh = mesh_of(bytes, unit);
+  const Mesh mesh = fuzz::closed_mesh(bytes, unit);
   Pose pose = fuzz::pose_of(bytes, unit);
   if (bytes.below(4) == 0) {
     pose.m[4 * bytes.below(3) + 3] += std::ldexp(unit, static_cast<int>(bytes.below(64)));
   }
-  const Body body(Shape(mesh, options_of(bytes)), pose);
+  const Body body(Shape(mesh, fuzz::shape_options(bytes)), pose);
   const bool closed = closedness(mesh, {.pose = pose}).whole.closed;
   try {
     const ClosedBody checked(body);

@@ -3,7 +3,6 @@
 
 #include "soms/base/error.h"
 #include "soms/base/random.h"
-#include "soms/generate/shapes.h"
 #include "soms/geometry/closedness.h"
 #include "soms/query/overlap.h"
 #include "soms/query/reference/contains.h"
@@ -24,45 +23,12 @@
 namespace soms {
 namespace {
 
+using test::any_closed_mesh;
 using test::check_property;
+using test::closed_mesh;
 using test::mapped;
 
 constexpr double kFar = std::numeric_limits<double>::max();
-
-/// The four faces of each of some tetrahedra, flat ones too, on a lattice or anywhere: closed as a
-/// whole, however they cross. Some triangles are turned over, doubled, or without area.
-Mesh closed_mesh(Rng& rng) {
-  const bool on_lattice = rng.below(2) == 0;
-  const auto coordinate = [&] {
-    return on_lattice ? static_cast<double>(rng.below(5)) : rng.uniform(0, 4);
-  };
-  Mesh mesh;
-  for (std::uint64_t k = 0, count = 1 + rng.below(8); k < count; ++k) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (int corner = 0; corner < 4; ++corner) {
-      mesh.vertices.push_back({coordinate(), coordinate(), coordinate()});
-    }
-    mesh.triangles.insert(mesh.triangles.end(), {{first, first + 1, first + 2},
-                                                 {first, first + 1, first + 3},
-                                                 {first + 3, first + 1, first + 2},
-                                                 {first, first + 3, first + 2}});
-  }
-  if (rng.below(3) == 0) {
-    mesh.triangles.push_back({0, 1, 0});
-    mesh.triangles.push_back(mesh.triangles[0]);
-    mesh.triangles.push_back(mesh.triangles[0]);
-  }
-  return mesh;
-}
-
-/// A closed mesh, as above or round, of any size and anywhere.
-Mesh any_closed_mesh(Rng& rng) {
-  const Mesh mesh = rng.below(4) == 0 ? generate_sphere(80 + 2 * rng.below(200)) : closed_mesh(rng);
-  const double scale = rng.below(2) == 0 ? 1 : std::exp2(std::floor(rng.uniform(-80, 80)));
-  const double far = rng.below(2) == 0 ? 0 : scale * std::exp2(rng.uniform(0, 20));
-  return test::placed(
-      mesh, scale, {far * rng.uniform(-1, 1), far * rng.uniform(-1, 1), far * rng.uniform(-1, 1)});
-}
 
 /// A point beside the surface or on it, in line with a vertex, in the box, or far away.
 Vec3 any_point(Rng& rng, const Body& body) {

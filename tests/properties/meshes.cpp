@@ -1,9 +1,13 @@
 #include "tests/properties/meshes.h"
 
+#include "soms/generate/shapes.h"
+
+#include "tests/query/overlap_inputs.h"
 #include "tests/support/bodies.h"
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace soms::test {
 
@@ -83,6 +87,38 @@ TwoMeshes meshes_of_kind(int kind, Rng& rng) {
     default:
       return {a, mapped(a, line)};
   }
+}
+
+Mesh closed_mesh(Rng& rng, std::uint64_t most) {
+  const bool on_lattice = rng.below(2) == 0;
+  const auto coordinate = [&] {
+    return on_lattice ? static_cast<double>(rng.below(5)) : rng.uniform(0, 4);
+  };
+  Mesh mesh;
+  for (std::uint64_t k = 0, count = 1 + rng.below(most); k < count; ++k) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (int corner = 0; corner < 4; ++corner) {
+      mesh.vertices.push_back({coordinate(), coordinate(), coordinate()});
+    }
+    mesh.triangles.insert(mesh.triangles.end(), {{first, first + 1, first + 2},
+                                                 {first, first + 1, first + 3},
+                                                 {first + 3, first + 1, first + 2},
+                                                 {first, first + 3, first + 2}});
+  }
+  if (rng.below(3) == 0) {
+    mesh.triangles.push_back({0, 1, 0});
+    mesh.triangles.push_back(mesh.triangles[0]);
+    mesh.triangles.push_back(mesh.triangles[0]);
+  }
+  return mesh;
+}
+
+Mesh any_closed_mesh(Rng& rng) {
+  const Mesh mesh = rng.below(4) == 0 ? generate_sphere(80 + 2 * rng.below(200)) : closed_mesh(rng);
+  const double scale = rng.below(2) == 0 ? 1 : std::exp2(std::floor(rng.uniform(-80, 80)));
+  const double far = rng.below(2) == 0 ? 0 : scale * std::exp2(rng.uniform(0, 20));
+  return placed(mesh, scale,
+                {far * rng.uniform(-1, 1), far * rng.uniform(-1, 1), far * rng.uniform(-1, 1)});
 }
 
 }  // namespace soms::test

@@ -47,4 +47,11 @@ inline constexpr int kBodyKinds = 8;
 /// line. The second may be empty.
 [[nodiscard]] TwoMeshes meshes_of_kind(int kind, Rng& rng);
 
+/// The four faces of each of up to `most` tetrahedra, flat ones too, on a lattice or anywhere:
+/// closed as a whole, however they cross. Some triangles are turned over, doubled, or without area.
+[[nodiscard]] Mesh closed_mesh(Rng& rng, std::uint64_t most = 8);
+
+/// A closed mesh, as above or round, of any size and anywhere.
+[[nodiscard]] Mesh any_closed_mesh(Rng& rng);
+
 }  // namespace soms::test

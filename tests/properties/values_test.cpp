@@ -37,6 +37,7 @@ static_assert(kValues<Mesh, Part, PartRun, UpAxis, Defects, DefectPlaces, Defect
 static_assert(kValues<Tree, Node, TreeStatistics, Visits, ExpectedVisits, BuildOptions, Rule,
                       AxisFrom, EmptySide, Shape, ShapeOptions, Layout>);
 static_assert(kValues<ClosedBody, Contains, ContainsBatch, ContainsOptions, Side>);
+static_assert(kValues<Solid, SolidBatch, SolidOptions, Relation, Undecided>);
 static_assert(kValues<Body, Cost, Coverage, Overlap, OverlapBatch, OverlapOptions, OverlapMode,
                       TraversalOptions, TraversalCounts, NodePair, Traversal, Descent, EntryOrder,
                       BoxUpdate, thesis::CountedOverlap>);
@@ -72,6 +73,12 @@ TEST(Values, PrintWhatIsInside) {
   EXPECT_EQ(printed(nothing).substr(0, 16), "ClosedBody{Body{");
   EXPECT_EQ(printed(contains(nothing, Vec3{})),
             "Contains{side: outside, coverage: complete, cost: " + printed(Cost{}) + "}");
+  EXPECT_EQ(printed(SolidOptions{}), "SolidOptions{}");
+  EXPECT_EQ(printed(solid(nothing, nothing)),
+            "Solid{relation: clear, surfaces_meet: false, why: none, coverage: complete, cost: " +
+                printed(Cost{}) + "}");
+  EXPECT_EQ(printed(solid(nothing, std::vector<Pose>(2), nothing)),
+            "SolidBatch{2 of 2 poses clear, cost: " + printed(Cost{}) + "}");
   EXPECT_EQ(printed(contains(nothing, std::vector<Vec3>(2))),
             "ContainsBatch{0 of 2 points inside, 0 on the surface, coverage: complete, cost: " +
                 printed(Cost{}) + "}");

@@ -32,6 +32,7 @@ ALLOWED = {
     "tests/support/effort.cpp": (("clock", "seconds of a child"), "processor time as a multiple of that of a fixed calculation"),
     "tests/query/detail/engine/limit_test.cpp": (("clock",), "the least and the greatest moment there are"),
     "tests/query/closest_test.cpp": (("clock",), "deadlines, each later than the one before, until the query is complete"),
+    "tests/query/solid_test.cpp": (("clock",), "the least moment there is"),
     "tests/query/contains_test.cpp": (("clock",), "the least moment there is"),
     "tests/query/signed_closest_test.cpp": (("clock",), "a moment long past"),
     "tests/query/distance_cut_test.cpp": (("clock",), "deadlines, each later than the one before, until the query is complete"),

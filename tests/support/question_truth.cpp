@@ -6,10 +6,13 @@
 #include "tests/support/truth.h"
 #include "tests/support/truth_row.h"
 
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 namespace soms::test {
 
@@ -35,6 +38,46 @@ std::vector<InsideRow> read_inside_rows(const std::filesystem::path& file) {
          row[1],
          {truth_number<double>(row[2]), truth_number<double>(row[3]), truth_number<double>(row[4])},
          side_named(row[5])});
+  }
+  return rows;
+}
+
+std::optional<Relation> relation_named(std::string_view name) {
+  static constexpr std::array<std::pair<std::string_view, Relation>, 6> kNames{
+      {{"clear", Relation::clear},
+       {"touching", Relation::touching},
+       {"crossing", Relation::crossing},
+       {"a_in_b", Relation::a_in_b},
+       {"b_in_a", Relation::b_in_a},
+       {"same", Relation::same}}};
+  for (const auto& [word, relation] : kNames) {
+    if (word == name) {
+      return relation;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<SolidRow> read_solid_rows(const std::filesystem::path& file) {
+  constexpr std::string_view kTouching = "_touching";  // these surfaces always meet
+  std::vector<SolidRow> rows;
+  for (const TruthRow& row : truth_rows(file, 30)) {
+    SolidRow solid{.mesh_a = row[1], .mesh_b = row[2], .kind = row[3]};
+    for (std::size_t i = 0; i < 12; ++i) {
+      solid.pose_a.m[i] = truth_number<double>(row[4 + i]);
+      solid.pose_b.m[i] = truth_number<double>(row[16 + i]);
+    }
+    solid.count = truth_number<std::uint64_t>(row[28]);
+    std::string_view answer = row[29];
+    if (answer.ends_with(kTouching)) {
+      answer.remove_suffix(kTouching.size());
+    }
+    const std::optional<Relation> relation = relation_named(answer);
+    if (!relation) {
+      throw std::runtime_error("truth set: no relation is named " + row[29]);
+    }
+    solid.relation = *relation;
+    rows.push_back(std::move(solid));
   }
   return rows;
 }

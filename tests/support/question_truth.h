@@ -1,11 +1,13 @@
 /// \file
-/// The truth set of points in bodies and of closed meshes: rows that were decided by two
-/// independent exact methods. tests/data/questions has a part of it, SOMS_DATA all.
+/// The truth set of points in bodies, of closed meshes and of bodies' relations: rows that were
+/// decided by two independent exact methods. tests/data/questions has a part of it, SOMS_DATA all.
 #pragma once
 
+#include "soms/base/pose.h"
 #include "soms/base/vector.h"
 #include "soms/geometry/mesh.h"
 #include "soms/query/contains.h"
+#include "soms/query/solid.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -24,6 +26,17 @@ struct InsideRow {
   Side side = Side::undecided;
 };
 
+/// Two closed bodies by names of meshes, at poses, and their relation.
+struct SolidRow {
+  std::string mesh_a = {};
+  std::string mesh_b = {};
+  std::string kind = {};
+  Pose pose_a = {};
+  Pose pose_b = {};
+  std::uint64_t count = 0;  ///< overlapping pairs of triangles
+  Relation relation = Relation::undecided;
+};
+
 /// A mesh, or a part of it, and its odd edges.
 struct ClosedRow {
   std::string mesh;
@@ -37,7 +50,12 @@ struct ClosedRow {
 
 /// Rows of a file of the set. \errors std::runtime_error for a row that is not as described there.
 [[nodiscard]] std::vector<InsideRow> read_inside_rows(const std::filesystem::path& file);
+[[nodiscard]] std::vector<SolidRow> read_solid_rows(const std::filesystem::path& file);
 [[nodiscard]] std::vector<ClosedRow> read_closed_rows(const std::filesystem::path& file);
+
+/// The relation that the truth set of overlaps states in its column `solid` for bodies whose
+/// surfaces do not meet, "clear", "a_in_b" or "b_in_a"; nothing for other words.
+[[nodiscard]] std::optional<Relation> relation_named(std::string_view name);
 
 /// A mesh of the set by name, of tests/data/questions or of the truth set of overlaps; null for
 /// models of others where SOMS_DATA is unset.

@@ -1,0 +1,21 @@
+/// \file
+/// The verb `solid`: how do two closed models stand to each other?
+#pragma once
+
+#include "soms/query/solid.h"
+
+#include "apps/soms/pair_options.h"
+#include "apps/support/verb.h"
+
+namespace soms::command {
+
+/// Options of the verb `solid`.
+struct SolidVerbOptions : PairOptions {
+  bool by_part = false;
+  bool fail_if_solid = false;
+};
+
+[[nodiscard]] Action add_solid(CLI::App& app, Shared& shared);
+[[nodiscard]] int run_solid(const SolidVerbOptions& options, Console& console);
+
+}  // namespace soms::command

@@ -1,0 +1,38 @@
+/// \file
+/// What is found of a surface while its closedness is checked, and holds at every pose.
+#pragma once
+
+#include "soms/base/parallel.h"
+#include "soms/geometry/detail/odd_edges.h"
+#include "soms/geometry/mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace soms {
+
+class ClosedBody;
+
+namespace detail {
+
+/// Odd edges and connected parts of a mesh.
+struct ClosedSurface {
+  std::vector<OddEdge> odd;
+  std::vector<TriangleId> first;       ///< the first triangle of each connected part
+  std::vector<std::uint32_t> part_of;  ///< of each triangle; empty where there is one part
+
+  [[nodiscard]] std::uint32_t part(TriangleId triangle) const {
+    return part_of.empty() ? 0 : part_of[triangle];
+  }
+};
+
+/// \errors ErrorKind::cancelled.
+[[nodiscard]] ClosedSurface closed_surface(const Mesh& mesh, const Parallel& parallel);
+
+/// That of a body that was checked.
+[[nodiscard]] const ClosedSurface& surface_of(const ClosedBody& body);
+
+}  // namespace detail
+
+}  // namespace soms

@@ -1,0 +1,107 @@
+#include "soms/query/detail/solid/box_search.h"
+
+#include <bit>
+#include <cmath>
+
+namespace soms::detail {
+
+namespace {
+
+// Constants of the proof in box_search.h.
+constexpr double kBoxRounding = 128 * 0x1p-53;
+constexpr double kBoxUnderflow = 0x1p-1060;
+static_assert(3 * (3.01 * 3.5 + 4 * 3.5) + 4.01 + 2 * 3.5 < 128);
+
+std::variant<WideSource, CompactSource> source_of(const Shape& shape) {
+  if (shape.layout().compact() != nullptr) {
+    return CompactSource(shape);
+  }
+  return WideSource(shape);
+}
+
+}  // namespace
+
+BoxSearch::BoxSearch(const Body& body)
+    : body_(body),
+      rotation_(rotation(body.pose)),
+      origin_(body.shape.layout().origin()),
+      rounding_(kBoxRounding * moved_extent(body.pose, body.shape.bounds()) + kBoxUnderflow),
+      unit_(1 / body.shape.layout().scale()),
+      source_(source_of(body.shape)) {
+}
+
+Triangle BoxSearch::moved(TriangleId id) const {
+  const Triangle t = body_.shape.mesh().triangle(id);
+  return {body_.pose.apply(t.a), body_.pose.apply(t.b), body_.pose.apply(t.c)};
+}
+
+void BoxSearch::find(const Box& box, std::vector<MovedTriangle>& found, Cost& cost) {
+  found.clear();
+  if (body_.shape.layout().empty()) {
+    return;
+  }
+  if (auto* wide = std::get_if<WideSource>(&source_)) {
+    search(*wide, box, found, cost);
+  } else {
+    search(std::get<CompactSource>(source_), box, found, cost);
+  }
+}
+
+template <class Source>
+void BoxSearch::search(Source& source, const Box& box, std::vector<MovedTriangle>& found,
+                       Cost& cost) {
+  stack_.assign(1, kRootId);
+  while (!stack_.empty()) {
+    std::uint32_t token = stack_.back();
+    stack_.pop_back();
+    if ((token & WideNode::kLeafBit) == 0) {
+      const WideNode& node = source.node(token);
+      cost.node_tests += node.count;
+      for (std::uint32_t left = lanes(node, box); left != 0; left &= left - 1) {
+        stack_.push_back(node.child[static_cast<std::size_t>(std::countr_zero(left))]);
+      }
+      continue;
+    }
+    for (bool more = true; more; token = source.next(token)) {
+      const TriangleBlock& block = source.block(token);
+      cost.triangle_tests += block.count;
+      more = block.following != 0;
+      for (std::size_t k = 0; k < block.count; ++k) {
+        const Triangle t = moved(block.id[k]);
+        if (overlaps(bounds(t), box)) {
+          found.push_back({block.id[k], t});
+        }
+      }
+    }
+  }
+}
+
+std::uint32_t BoxSearch::lanes(const WideNode& node, const Box& box) const {
+  constexpr std::size_t kWidth = WideNode::kWidth;
+  const Vec3 at = body_.pose.apply(origin_ + Vec3{node.origin[0], node.origin[1], node.origin[2]});
+  std::uint32_t apart = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::array<double, 3> row = rotation_[k];
+    for (std::size_t j = 0; j < 3 && node.oriented != 0; ++j) {
+      row[j] = rotation_[k][0] * node.row[0][j] + rotation_[k][1] * node.row[1][j] +
+               rotation_[k][2] * node.row[2][j];
+    }
+    std::array<double, kWidth> center{};
+    std::array<double, kWidth> half{};
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t lane = 0; lane < kWidth; ++lane) {
+        center[lane] += row[j] * node.center[j][lane];
+        half[lane] += std::abs(row[j]) * node.half[j][lane];
+      }
+    }
+    for (std::size_t lane = 0; lane < kWidth; ++lane) {
+      const double middle = at[k] + center[lane] * unit_;
+      const double reach = half[lane] * unit_ + rounding_;
+      const bool beside = middle + reach < box.lower[k] || middle - reach > box.upper[k];
+      apart |= beside ? 1U << lane : 0U;
+    }
+  }
+  return ~apart & ((1U << node.count) - 1);
+}
+
+}  // namespace soms::detail

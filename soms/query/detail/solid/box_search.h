@@ -1,0 +1,57 @@
+/// \file
+/// The triangles of a body whose boxes meet a box in the world: none is lost.
+///
+/// A point of a lane lies at x = O + o + Q b / s in the mesh, exactly, with O, o the origins of the
+/// tree and the node, Q the node's axes, b in the lane's box c +- h and s the layout's scale
+/// (wide_tree.h). Moved and rounded it is off R x + t by 4.01 u64 V (parity_frame.h, also for V).
+/// Computed in double are R (O + o) + t, (R Q) c / s and |R Q| h / s. Each is a sum of at most four
+/// terms of at most 3.5 V after a product of three, so each is off by less than 3.01 * 3.5 + 4
+/// * 3.5 < 25 u64 V on an axis, together 75, and comparing two sums adds 2 * 3.5: below 128 u64 V.
+#pragma once
+
+#include "soms/base/box.h"
+#include "soms/query/answer.h"
+#include "soms/query/body.h"
+#include "soms/query/detail/engine/block_source.h"
+#include "soms/query/detail/relative_pose.h"
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+namespace soms::detail {
+
+/// A triangle of a body, moved and rounded.
+struct MovedTriangle {
+  TriangleId id;
+  Triangle triangle;
+};
+
+/// Finds triangles of one body. Refers to the body. \pre Its pose passed its checks.
+class BoxSearch {
+ public:
+  explicit BoxSearch(const Body& body);
+
+  /// All triangles whose boxes, moved, share a point with `box`, in place of what `found` held. The
+  /// order depends on the tree.
+  void find(const Box& box, std::vector<MovedTriangle>& found, Cost& cost);
+
+  [[nodiscard]] Triangle moved(TriangleId id) const;
+
+ private:
+  template <class Source>
+  void search(Source& source, const Box& box, std::vector<MovedTriangle>& found, Cost& cost);
+
+  /// Lanes of a node whose boxes may meet the box.
+  [[nodiscard]] std::uint32_t lanes(const WideNode& node, const Box& box) const;
+
+  const Body& body_;
+  Matrix3 rotation_;
+  Vec3 origin_;  // of the tree
+  double rounding_;
+  double unit_;  // of the layout, in the mesh's
+  std::variant<WideSource, CompactSource> source_;
+  std::vector<std::uint32_t> stack_;
+};
+
+}  // namespace soms::detail

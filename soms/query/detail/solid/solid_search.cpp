@@ -1,0 +1,238 @@
+#include "soms/query/detail/solid/solid_search.h"
+
+#include "soms/query/detail/closed_surface.h"
+#include "soms/query/detail/engine/limit.h"
+#include "soms/query/detail/solid/solid_regions.h"
+#include "soms/query/overlap.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace soms::detail {
+
+namespace {
+
+/// What a look at a triangle costs, in the tests that `Limit` counts.
+constexpr std::uint64_t kWorkOfLook = 2000;
+
+/// Triangles that overlap nothing of the other body, one at least of each set of them that hangs
+/// together, and the side of the other body on which each one lies.
+struct LooseTriangles {
+  std::vector<TriangleId> ids;
+  std::vector<Side> sides;
+};
+
+/// Steps from what is quick to what is not, until all regions are seen or nothing is left.
+class SolidSearch {
+ public:
+  SolidSearch(const ClosedBody& a, const ClosedBody& b, const SolidOptions& options,
+              const Parallel& parallel)
+      : bodies_{&a, &b},
+        search_(a.body(), b.body()),
+        options_(options),
+        parallel_(parallel),
+        limit_(options.deadline, parallel) {}
+
+  /// False where the deadline passed.
+  [[nodiscard]] bool run(const std::optional<TrianglePair>& contact) {
+    if (contact) {
+      look_at_corners(0, contact->first);
+      look_at_corners(1, contact->second);
+      if (!regions_.all() && !late_) {
+        look_at_contacts();
+      }
+    }
+    if (!regions_.all() && !late_) {
+      look_at_rest();
+    }
+    return !late_;
+  }
+
+  [[nodiscard]] const SolidRegions& regions() const { return regions_; }
+
+  [[nodiscard]] Cost cost() const {
+    Cost cost = cost_;
+    cost += search_.cost();
+    return cost;
+  }
+
+ private:
+  /// Counts work; true when it is time to stop.
+  bool stop() {
+    late_ = late_ || limit_.spend(kWorkOfLook);
+    return late_ || regions_.all();
+  }
+
+  /// Sides of the other body on which points of `body` lie.
+  std::vector<Side> sides_of(std::size_t body, const std::vector<Vec3>& points) {
+    ContainsBatch batch = contains(*bodies_[1 - body], points, {.deadline = options_.deadline},
+                                   {.threads = 1, .stop = parallel_.stop});
+    cost_ += batch.cost;
+    late_ = late_ || batch.coverage == Coverage::cut;
+    return std::move(batch.side);
+  }
+
+  /// Corners on both sides of the other body prove a crossing, if the triangle bounds its own body
+  /// at both: there is some of both sides of its surface inside the other body, and some outside.
+  void look_at_corners(std::size_t body, TriangleId id) {
+    if (regions_.all() || late_) {
+      return;
+    }
+    const Triangle t = search_.moved(body, id);
+    const std::vector<Side> sides = sides_of(body, {t.a, t.b, t.c});
+    const auto any = [&](Side side) {
+      return std::find(sides.begin(), sides.end(), side) != sides.end();
+    };
+    if (any(Side::inside) && any(Side::outside) && search_.stands_alone(body, id)) {
+      regions_.add_sides(body, true);
+      regions_.add_sides(body, false);
+    }
+  }
+
+  /// The cells of all triangles that overlap one of the other body.
+  void look_at_contacts() {
+    const Overlap all =
+        overlap(bodies_[0]->body(), bodies_[1]->body(), {.deadline = options_.deadline}, parallel_);
+    cost_ += all.cost;
+    late_ = late_ || all.coverage == Coverage::cut;
+    for (const auto& [i, j] : all.pairs) {
+      in_contact_[0].push_back(i);
+      in_contact_[1].push_back(j);
+    }
+    for (std::size_t body = 0; body < 2; ++body) {
+      std::vector<TriangleId>& ids = in_contact_[body];
+      std::sort(ids.begin(), ids.end());
+      ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+      for (const TriangleId id : ids) {
+        if (stop()) {
+          return;
+        }
+        search_.look_at(body, id, regions_);
+      }
+    }
+  }
+
+  /// What overlaps nothing. Beside a triangle that was looked at, that has a cell for each of its
+  /// corners off the other body, in which its own body is odd, nothing new can be: so it suffices
+  /// to look at connected parts without such triangles, unless some were idle.
+  void look_at_rest() {
+    std::array<LooseTriangles, 2> loose;
+    for (std::size_t body = 0; body < 2; ++body) {
+      loose[body] = loose_triangles(body);
+      if (late_) {
+        return;
+      }
+      look_at_loose(body, Side::inside, loose[body]);
+    }
+    // Without shared interior it does not matter what else there is.
+    for (std::size_t body = 0; body < 2 && regions_.both && !late_; ++body) {
+      look_at_loose(body, Side::outside, loose[body]);
+    }
+  }
+
+  LooseTriangles loose_triangles(std::size_t body) {
+    const ClosedSurface& surface = surface_of(*bodies_[body]);
+    LooseTriangles loose;
+    if (search_.met_idle(body)) {
+      const auto count = static_cast<TriangleId>(mesh_of(body).triangles.size());
+      for (TriangleId id = 0; id < count; ++id) {
+        if (!in_contact(body, id)) {
+          loose.ids.push_back(id);
+        }
+      }
+    } else {
+      std::vector<bool> touches(surface.first.size(), false);
+      for (const TriangleId id : in_contact_[body]) {
+        touches[surface.part(id)] = true;
+      }
+      for (std::size_t part = 0; part < touches.size(); ++part) {
+        if (!touches[part]) {
+          loose.ids.push_back(surface.first[part]);
+        }
+      }
+    }
+    std::vector<Vec3> points;
+    points.reserve(loose.ids.size());
+    for (const TriangleId id : loose.ids) {
+      points.push_back(search_.moved(body, id).a);
+    }
+    loose.sides = sides_of(body, points);
+    return loose;
+  }
+
+  /// Finds out whether a body has a boundary on that side of the other, if that is news.
+  void look_at_loose(std::size_t body, Side side, const LooseTriangles& loose) {
+    SolidRegions more = regions_;
+    more.add_sides(body, side == Side::inside);
+    if (more == regions_) {
+      return;
+    }
+    for (std::size_t i = 0; i < loose.ids.size(); ++i) {
+      if (loose.sides[i] == side && bounds_anything(body, loose.ids[i])) {
+        regions_ = more;
+        return;
+      }
+    }
+    // The first triangles of these parts are idle; others may not be.
+    const ClosedSurface& surface = surface_of(*bodies_[body]);
+    const auto count = static_cast<TriangleId>(mesh_of(body).triangles.size());
+    std::vector<bool> wanted(surface.first.size(), false);
+    bool any = false;
+    for (std::size_t i = 0; i < loose.ids.size() && !search_.met_idle(body); ++i) {
+      wanted[surface.part(loose.ids[i])] = loose.sides[i] == side;
+      any = any || loose.sides[i] == side;
+    }
+    for (TriangleId id = 0; any && id < count; ++id) {
+      if (wanted[surface.part(id)] && bounds_anything(body, id)) {
+        regions_ = more;
+        return;
+      }
+    }
+  }
+
+  bool bounds_anything(std::size_t body, TriangleId id) {
+    return !stop() && search_.bounds_anything(body, id);
+  }
+
+  [[nodiscard]] bool in_contact(std::size_t body, TriangleId id) const {
+    return std::binary_search(in_contact_[body].begin(), in_contact_[body].end(), id);
+  }
+
+  [[nodiscard]] const Mesh& mesh_of(std::size_t body) const {
+    return bodies_[body]->body().shape.mesh();
+  }
+
+  std::array<const ClosedBody*, 2> bodies_;
+  RegionSearch search_;
+  const SolidOptions& options_;
+  const Parallel& parallel_;
+  Limit limit_;
+  SolidRegions regions_;
+  std::array<std::vector<TriangleId>, 2> in_contact_;  // sorted
+  Cost cost_;
+  bool late_ = false;
+};
+
+}  // namespace
+
+Solid solid_relation(const ClosedBody& a, const ClosedBody& b, const FirstContact& contact,
+                     const SolidOptions& options, const Parallel& parallel) {
+  Solid answer{.surfaces_meet = contact.pair.has_value(), .cost = contact.cost};
+  bool decided = !contact.cut;
+  if (decided) {
+    SolidSearch search(a, b, options, parallel);
+    decided = search.run(contact.pair) || search.regions().all();
+    answer.relation = search.regions().relation(answer.surfaces_meet);
+    answer.cost += search.cost();
+  }
+  if (!decided) {
+    answer.relation = soms::Relation::undecided;
+    answer.why = Undecided::deadline;
+    answer.coverage = Coverage::cut;
+  }
+  return answer;
+}
+
+}  // namespace soms::detail

@@ -1,0 +1,136 @@
+#include "soms/query/solid.h"
+
+#include "soms/base/arithmetic.h"
+#include "soms/base/error.h"
+#include "soms/query/detail/engine/batch.h"
+#include "soms/query/detail/engine/pair_frame.h"
+#include "soms/query/detail/solid/solid_search.h"
+#include "soms/query/overlap.h"
+#include "soms/query/overlap_run.h"
+
+#include <utility>
+
+namespace soms {
+
+namespace {
+
+using detail::FirstContact;
+
+/// What threads need for a block of poses.
+struct SolidMemory {
+  OverlapRun run;
+  OverlapBatch found;
+  std::vector<const Pose*> poses;
+};
+
+bool any_empty(const ClosedBody& a, const ClosedBody& b) {
+  return detail::is_empty(a.body().shape) || detail::is_empty(b.body().shape);
+}
+
+/// The mover at a pose; nothing where it is not closed there.
+std::optional<ClosedBody> placed(const ClosedBody& mover, const Pose& pose) {
+  try {
+    return mover.at(pose);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::not_closed) {
+      throw;
+    }
+    return std::nullopt;
+  }
+}
+
+void put(const Solid& answer, std::size_t pose, SolidBatch& batch) {
+  batch.relation[pose] = answer.relation;
+  batch.surfaces_meet[pose] = answer.surfaces_meet ? 1 : 0;
+  batch.why[pose] = answer.why;
+  batch.coverage[pose] = answer.coverage;
+  batch.costs[pose] = answer.cost;
+}
+
+/// Answers a block of poses: contacts of all first, then what else it takes for each.
+void answer_block(const ClosedBody& mover, std::span<const Pose> poses, const ClosedBody& fixed,
+                  const SolidOptions& options, const Parallel& parallel, std::size_t begin,
+                  SolidMemory& memory, SolidBatch& batch) {
+  memory.poses.clear();
+  for (const Pose& pose : poses) {
+    memory.poses.push_back(&pose);
+  }
+  memory.run.ask(mover.body().shape, memory.poses, fixed.body(),
+                 {.mode = OverlapMode::any, .deadline = options.deadline}, parallel, memory.found);
+  const OverlapBatch& found = memory.found;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    FirstContact contact{.cut = found.coverage[i] == Coverage::cut, .cost = found.costs[i]};
+    if (found.any[i] != 0) {
+      contact.pair = found.pairs_of(i).front();
+    }
+    const std::optional<ClosedBody> a = placed(mover, poses[i]);
+    put(a ? detail::solid_relation(*a, fixed, contact, options, parallel)
+          : Solid{.surfaces_meet = contact.pair.has_value(),
+                  .why = Undecided::open,
+                  .cost = contact.cost},
+        begin + i, batch);
+  }
+}
+
+}  // namespace
+
+Solid solid(const ClosedBody& a, const ClosedBody& b, const SolidOptions& options,
+            const Parallel& parallel) {
+  const PlainArithmetic plain;
+  check_stop(parallel);
+  if (any_empty(a, b)) {
+    return {.relation = Relation::clear};
+  }
+  const Parallel alone{.threads = 1, .stop = parallel.stop};
+  const Overlap found =
+      overlap(a.body(), b.body(), {.mode = OverlapMode::any, .deadline = options.deadline}, alone);
+  FirstContact contact{.cut = found.coverage == Coverage::cut, .cost = found.cost};
+  if (found.any) {
+    contact.pair = found.pairs.front();
+  }
+  return detail::solid_relation(a, b, contact, options, parallel);
+}
+
+Solid solid(const Body& a, const Body& b, const SolidOptions& options, const Parallel& parallel) {
+  const Parallel silent{.threads = parallel.threads, .stop = parallel.stop};
+  return solid(ClosedBody(a, silent), ClosedBody(b, silent), options, parallel);
+}
+
+Solid SolidBatch::at(std::size_t pose) const {
+  return {relation[pose], surfaces_meet[pose] != 0, why[pose], coverage[pose], costs[pose]};
+}
+
+SolidBatch solid(const ClosedBody& mover, std::span<const Pose> poses, const ClosedBody& fixed,
+                 const SolidOptions& options, const Parallel& parallel) {
+  const PlainArithmetic plain;
+  SolidBatch batch;
+  detail::check_poses(poses, mover.body().shape);
+  batch.relation.assign(poses.size(), Relation::clear);
+  batch.surfaces_meet.assign(poses.size(), 0);
+  batch.why.assign(poses.size(), Undecided::none);
+  batch.coverage.assign(poses.size(), Coverage::complete);
+  batch.costs.resize(poses.size());
+  if (any_empty(mover, fixed)) {
+    return batch;
+  }
+  const Parallel alone{.threads = 1, .stop = parallel.stop};
+  detail::for_each_block(
+      poses.size(), parallel, [] { return SolidMemory(); },
+      [&](SolidMemory& memory, std::size_t begin, std::size_t end) {
+        answer_block(mover, poses.subspan(begin, end - begin), fixed, options, alone, begin, memory,
+                     batch);
+      });
+  for (const Cost& cost : batch.costs) {
+    batch.cost += cost;
+  }
+  return batch;
+}
+
+SolidBatch solid(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
+                 const SolidOptions& options, const Parallel& parallel) {
+  const Parallel silent{.threads = parallel.threads, .stop = parallel.stop};
+  return solid(ClosedBody(Body(mover), silent), poses, ClosedBody(fixed, silent), options,
+               parallel);
+}
+
+}  // namespace soms
