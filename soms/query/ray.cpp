@@ -114,7 +114,10 @@ void answer_all(const Body& body, std::span<const Line> rays, const RayOptions& 
   detail::MemoryPool<Memory> pool;
   for_each_chunk(rays.size(), kRaysOfBlock, parallel, [&](std::size_t begin, std::size_t end) {
     auto place = pool.take([&] {
-      return Memory{frame ? detail::ray_memory<Goal>(body, *frame, options.skip) : nullptr, {}, {}};
+      return Memory{
+          frame ? detail::ray_memory<Goal>(body, *frame, options.skip, rays.size() == 1) : nullptr,
+          {},
+          {}};
     });
     Memory& memory = place->memory;
     memory.answers.assign(end - begin, {});
