@@ -28,7 +28,7 @@ struct Ray {
   [[nodiscard]] bool operator==(const Ray&) const = default;
 };
 
-/// The points between `from` and `to`, both included. Where t is asked for, it is 0 at `from` and 1
+/// The points between `from` and `to`, both included. Here t is 0 at `from` and 1
 /// at `to`. If both are equal, the segment is that point.
 struct Segment {
   Vec3 from;

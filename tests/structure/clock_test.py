@@ -33,6 +33,7 @@ ALLOWED = {
     "tests/query/detail/engine/limit_test.cpp": (("clock",), "the least and the greatest moment there are"),
     "tests/query/closest_test.cpp": (("clock",), "deadlines, each later than the one before, until the query is complete"),
     "tests/query/contains_test.cpp": (("clock",), "the least moment there is"),
+    "tests/query/ray_test.cpp": (("clock",), "the least moment there is"),
     "tests/query/distance_cut_test.cpp": (("clock",), "deadlines, each later than the one before, until the query is complete"),
     "tests/query/distance_threads_test.cpp": (("clock",), "deadlines; what is claimed holds wherever they end a query"),
     "tests/query/overlap_test.cpp": (("clock",), DEADLINE),

@@ -12,6 +12,7 @@ constexpr double kLineRounding = 128 * 0x1p-53;
 constexpr double kOffsetRounding = 0x1p-95;
 constexpr double kLineUnderflow = 0x1p-1064;
 constexpr double kMostLineSlack = 0x1p50;
+static_assert(2 + 2 + 6 + 2 + 4 <= 16 && 96.6 + 16 < 128);
 static_assert(8.02 + 8.02 + 24.1 + 14.8 + 12 + 25.7 + 4 < 128);
 
 /// Four roundings of the place of a ray's end, relative to its terms.
@@ -39,6 +40,7 @@ RayFrame::RayFrame(const WideTree& tree, const Pose& pose)
     : rotation_(rotation(pose)),
       origin_(pose.apply(tree.origin())),
       scale_(tree.scale()),
+      near_(2 * moved_extent(pose, tree.bounds())),
       rounding_(kLineRounding * moved_extent(pose, tree.bounds()) + kLineUnderflow) {
   const Vec3 half = tree.bounds().extent() * 0.5;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -63,13 +65,21 @@ bool RayFrame::start(const RayLine& line, const ScaledDirection& direction,
   for (std::size_t i = 1; i < 3; ++i) {
     const std::size_t axis = (k + i) % 3;
     const DoubleDouble to = two_sum(origin_[axis], -o[axis]);
-    const DoubleDouble slope =
-        d[axis] == 0 ? DoubleDouble() : direction.part[axis] / direction.part[k];
-    numbers.from[i] = (to - slope * ahead).high;
+    double slope = 0;
+    if (d[axis] == 0) {
+      numbers.from[i] = to.high;
+    } else if (std::abs(to.high) <= near_ && std::abs(ahead.high) <= near_) {
+      slope = d[axis] / d[k];
+      numbers.from[i] = to.high - slope * ahead.high;
+    } else {
+      const DoubleDouble wide = direction.part[axis] / direction.part[k];
+      slope = wide.high;
+      numbers.from[i] = (to - wide * ahead).high;
+    }
     offset = std::max(offset, std::abs(to.high));
-    shadow[i - 1] = half_[axis] + std::abs(slope.high) * half_[k];
+    shadow[i - 1] = half_[axis] + std::abs(slope) * half_[k];
     for (std::size_t j = 0; j < 3; ++j) {
-      numbers.exact[i][j] = rotation_[axis][j] - slope.high * rotation_[k][j];
+      numbers.exact[i][j] = rotation_[axis][j] - slope * rotation_[k][j];
       numbers.row[i][j] = static_cast<float>(numbers.exact[i][j]);
     }
   }

@@ -22,6 +22,9 @@
 /// on an axis, seen across by at most 2.46 of that: 25.7. A start of the ray within 4 V: 4.
 /// Together 96.6 < 128: W = s (128 u64 V + 2^-95 |D| + 2^-1064).
 ///
+/// Where |D| is at most 2 V, plain doubles suffice: D_i and D_k are off by 2 each, s by 3 of its
+/// units, which is 6 seen from D_k, the product by 2, and the difference by 4. 96.6 + 16 < 128.
+///
 /// In float, divide the rows across by 2^(1/2): then they are as those of parity_frame.h, and what
 /// is proved there holds, multiplied again, if l1_radius counts 1.5 times: S = 1.5 l1_radius +
 /// |B_1| + |B_2|. Strips: the 2 by 3 matrix of p1 and p2 has norm at most 3^(1/2), so |n|_1 is at
@@ -67,6 +70,7 @@ class RayFrame {
   Vec3 origin_;  // of the tree, moved
   Vec3 half_;    // sides of the moved box, with what they give way by
   double scale_;
+  double near_;  // 2 V
   double rounding_;
 };
 

@@ -24,7 +24,7 @@ struct Ahead {
 
 /// A ray on its way.
 template <class Goal>
-struct Flight {
+struct PendingRay {
   RayTarget target;
   Goal goal;
   std::size_t index = 0;
@@ -44,9 +44,9 @@ class RayTraversal : public RayMemory<Goal> {
   RayTraversal(const Body& body, const RayFrame& frame, std::optional<TriangleId> skip)
       : frame_(frame), kernels_(kernels()), source_(body.shape) {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
-    for (Flight<Goal>& flight : flights_) {
-      flight.target.body = &body;
-      flight.target.skip = skip;
+    for (PendingRay<Goal>& ray : rays_) {
+      ray.target.body = &body;
+      ray.target.skip = skip;
     }
   }
 
@@ -56,11 +56,11 @@ class RayTraversal : public RayMemory<Goal> {
     std::size_t count = 0;
     for (;;) {
       for (; count < kInFlight && next < lines.size(); ++next) {
-        Flight<Goal>& flight = at(count);
-        if (launch(flight, lines[next], next)) {
+        PendingRay<Goal>& ray = at(count);
+        if (launch(ray, lines[next], next)) {
           ++count;
         } else {
-          answers_[next] = flight.goal.end(flight.target, true);
+          answers_[next] = ray.goal.end(ray.target, true);
         }
       }
       if (count == 0) {
@@ -82,17 +82,17 @@ class RayTraversal : public RayMemory<Goal> {
  private:
   static constexpr std::uint64_t kExactWork = 100;  // some microseconds
 
-  [[nodiscard]] Flight<Goal>& at(std::size_t i) { return flights_[order_[i]]; }
+  [[nodiscard]] PendingRay<Goal>& at(std::size_t i) { return rays_[order_[i]]; }
 
   /// False if the ray misses the whole body.
-  bool launch(Flight<Goal>& flight, const RayLine& line, std::size_t index) {
-    flight.target.line = line;
-    flight.target.direction = ScaledDirection(line);
-    flight.target.cost = {};
-    flight.goal.begin();
-    flight.index = index;
-    flight.stack.assign(1, {-std::numeric_limits<float>::infinity(), kRootId});
-    return frame_.start(line, flight.target.direction, flight.target.course);
+  bool launch(PendingRay<Goal>& ray, const RayLine& line, std::size_t index) {
+    ray.target.line = line;
+    ray.target.direction = ScaledDirection(line);
+    ray.target.cost = {};
+    ray.goal.begin();
+    ray.index = index;
+    ray.stack.assign(1, {-std::numeric_limits<float>::infinity(), kRootId});
+    return frame_.start(line, ray.target.direction, ray.target.course);
   }
 
   /// Takes each ray a node or a block further; returns how many are still on their way, which are
@@ -101,26 +101,26 @@ class RayTraversal : public RayMemory<Goal> {
     std::size_t nodes = 0;
     std::size_t blocks = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      Flight<Goal>& flight = at(i);
-      const Ahead ahead = flight.stack.back();
-      flight.stack.pop_back();
-      const LineNumbers* const line = &flight.target.course.numbers;
+      PendingRay<Goal>& ray = at(i);
+      const Ahead ahead = ray.stack.back();
+      ray.stack.pop_back();
+      const LineNumbers* const line = &ray.target.course.numbers;
       if ((ahead.token & WideNode::kLeafBit) == 0) {
-        node_flight_[nodes] = &flight;
+        node_ray_[nodes] = &ray;
         node_task_[nodes++] = {line, &source_.node(ahead.token), 0, {}};
       } else {
-        block_flight_[blocks] = &flight;
+        block_ray_[blocks] = &ray;
         block_ahead_[blocks] = ahead;
         block_task_[blocks++] = {line, &source_.block(ahead.token), 0, 0, 0, {}};
       }
     }
     kernels_.line_nodes(node_task_.data(), nodes);
     for (std::size_t k = 0; k < nodes; ++k) {
-      descend(node_task_[k], *node_flight_[k]);
+      descend(node_task_[k], *node_ray_[k]);
     }
     kernels_.line_blocks(block_task_.data(), blocks);
     for (std::size_t k = 0; k < blocks; ++k) {
-      look(block_task_[k], block_ahead_[k], *block_flight_[k]);
+      look(block_task_[k], block_ahead_[k], *block_ray_[k]);
     }
     for (std::size_t i = 0; i < count;) {
       if (arrived(at(i))) {
@@ -132,42 +132,42 @@ class RayTraversal : public RayMemory<Goal> {
     return count;
   }
 
-  void descend(const LineNodeTask& task, Flight<Goal>& flight) {
+  void descend(const LineNodeTask& task, PendingRay<Goal>& ray) {
     const WideNode& node = *task.node;
-    flight.target.cost.node_tests += node.count;
-    const std::size_t begin = flight.stack.size();
+    ray.target.cost.node_tests += node.count;
+    const std::size_t begin = ray.stack.size();
     for (std::uint32_t left = task.lanes; left != 0; left &= left - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      flight.stack.push_back({task.near[lane], node.child[lane]});
+      ray.stack.push_back({task.near[lane], node.child[lane]});
       if constexpr (Goal::kNearestFirst) {
-        for (std::size_t i = flight.stack.size() - 1;
-             i > begin && flight.stack[i].near > flight.stack[i - 1].near; --i) {
-          std::swap(flight.stack[i], flight.stack[i - 1]);
+        for (std::size_t i = ray.stack.size() - 1;
+             i > begin && ray.stack[i].near > ray.stack[i - 1].near; --i) {
+          std::swap(ray.stack[i], ray.stack[i - 1]);
         }
       }
     }
   }
 
-  void look(const LineBlockTask& task, const Ahead& ahead, Flight<Goal>& flight) {
-    Cost& cost = flight.target.cost;
+  void look(const LineBlockTask& task, const Ahead& ahead, PendingRay<Goal>& ray) {
+    Cost& cost = ray.target.cost;
     cost.triangle_tests += task.block->count;
     const std::uint64_t before = cost.exact_tests;
-    if (flight.goal.look(flight.target, task)) {
-      flight.stack.clear();
+    if (ray.goal.look(ray.target, task)) {
+      ray.stack.clear();
     } else if (task.block->following != 0) {
-      flight.stack.push_back({ahead.near, source_.next(ahead.token)});
+      ray.stack.push_back({ahead.near, source_.next(ahead.token)});
     }
     exact_tests_ += cost.exact_tests - before;
   }
 
   /// Starts to load what comes next, or ends it.
-  bool arrived(Flight<Goal>& flight) {
-    std::vector<Ahead>& stack = flight.stack;
-    while (!stack.empty() && stack.back().near > flight.target.course.numbers.far_open) {
+  bool arrived(PendingRay<Goal>& ray) {
+    std::vector<Ahead>& stack = ray.stack;
+    while (!stack.empty() && stack.back().near > ray.target.course.numbers.far_open) {
       stack.pop_back();
     }
     if (stack.empty()) {
-      answers_[flight.index] = flight.goal.end(flight.target, true);
+      answers_[ray.index] = ray.goal.end(ray.target, true);
       return true;
     }
     const std::uint32_t token = stack.back().token;
@@ -184,12 +184,12 @@ class RayTraversal : public RayMemory<Goal> {
   Source source_;
   std::span<Answer> answers_;
   std::uint64_t exact_tests_ = 0;  // since the limit was last looked at
-  std::array<Flight<Goal>, kInFlight> flights_;
+  std::array<PendingRay<Goal>, kInFlight> rays_;
   std::array<std::size_t, kInFlight> order_;  // those on their way first
   std::array<LineNodeTask, kInFlight> node_task_;
   std::array<LineBlockTask, kInFlight> block_task_;
-  std::array<Flight<Goal>*, kInFlight> node_flight_;
-  std::array<Flight<Goal>*, kInFlight> block_flight_;
+  std::array<PendingRay<Goal>*, kInFlight> node_ray_;
+  std::array<PendingRay<Goal>*, kInFlight> block_ray_;
   std::array<Ahead, kInFlight> block_ahead_;
 };
 
