@@ -161,8 +161,16 @@ typename Goal::Answer answer_one(const Body& body, const Line& ray, const RayOpt
   check_body(body, options);
   check_one(ray, std::nullopt);
   typename Goal::Answer answer;
-  answer_all<Goal>(body, std::span(&ray, 1), options, {},
-                   [&](std::size_t, auto answers) { answer = answers[0]; });
+  if (detail::is_empty(body.shape)) {
+    answer.coverage = Coverage::complete;
+    return answer;
+  }
+  const RayFrame frame(body.shape.layout(), body.pose);
+  const RayLine line = line_of(ray);
+  const Parallel alone;
+  detail::Limit limit(options.deadline, alone);
+  detail::ray_memory<Goal>(body, frame, options.skip, true)
+      ->answer(std::span(&line, 1), std::span(&answer, 1), limit);
   return answer;
 }
 
