@@ -82,10 +82,11 @@ TEST(Values, PrintWhatIsInside) {
 TEST(Values, PrintRaysAndWhatTheyHit) {
   const Body body(small_mesh());
   const std::vector<Ray> rays{{{0.75, 0.25, 2}, {0, 0, -1}}, {{9, 9, 9}, {0, 0, 1}, 4}};
-  EXPECT_EQ(printed(rays[1]), "Ray{origin: (9, 9, 9), direction: (0, 0, 1), length: 4}");
-  EXPECT_EQ(printed(Segment{{0, 0, 0}, {1, 2, 3}}), "Segment{from: (0, 0, 0), to: (1, 2, 3)}");
+  EXPECT_EQ(printed(rays[1]), "Ray{origin: Vec3{9, 9, 9}, direction: Vec3{0, 0, 1}, length: 4}");
+  EXPECT_EQ(printed(Segment{{0, 0, 0}, {1, 2, 3}}),
+            "Segment{from: Vec3{0, 0, 0}, to: Vec3{1, 2, 3}}");
   EXPECT_EQ(printed(RayOptions{.skip = 3}), "RayOptions{skip: 3}");
-  EXPECT_EQ(printed(closest_hit(body, rays[0])).substr(0, 28), "ClosestHit{t: [2, 2], triang");
+  EXPECT_EQ(printed(closest_hit(body, rays[0])).substr(0, 33), "ClosestHit{t: Bracket{lower: 2, u");
   EXPECT_EQ(printed(closest_hit(body, rays)).substr(0, 35), "ClosestHitBatch{1 of 2 rays hit, co");
   EXPECT_EQ(printed(any_hit(body, rays[0])).substr(0, 16), "AnyHit{hit: true");
   EXPECT_EQ(printed(any_hit(body, rays)).substr(0, 27), "AnyHitBatch{1 of 2 rays hit");
