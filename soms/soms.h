@@ -38,6 +38,7 @@
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
 #include "soms/query/print.h"
+#include "soms/query/ray.h"
 #include "soms/query/signed_closest.h"
 #include "soms/query/solid.h"
 #include "soms/query/within.h"

@@ -9,6 +9,7 @@ set(SOMS_HEADERS
   overlap_method.h
   overlap_run.h
   print.h
+  ray.h
   reference/closest.h
   reference/contains.h
   reference/distance.h
@@ -16,6 +17,7 @@ set(SOMS_HEADERS
   signed_closest.h
   reference/solid.h
   solid.h
+  reference/ray.h
   within.h
 )
 set(SOMS_SOURCES
@@ -53,6 +55,10 @@ set(SOMS_SOURCES
   detail/solid/solid_regions.cpp
   detail/solid/solid_search.cpp
   detail/pair_sort.cpp
+  detail/ray/crossings.cpp
+  detail/ray/ray_frame.cpp
+  detail/ray/ray_goal.cpp
+  detail/ray/ray_traversal.cpp
   distance.cpp
   detail/relative_pose.cpp
   detail/batched_root_descent.cpp
@@ -62,12 +68,14 @@ set(SOMS_SOURCES
   overlap_batch.cpp
   overlap_run.cpp
   print.cpp
+  ray.cpp
   reference/detail/moved_triangles.cpp
   reference/contains.cpp
   reference/distance.cpp
   reference/overlap.cpp
   reference/solid.cpp
   solid.cpp
+  reference/ray.cpp
   within.cpp
   closest.cpp
   signed_closest.cpp

@@ -1,0 +1,217 @@
+#include "soms/query/detail/ray/ray_traversal.h"
+
+#include "soms/query/detail/engine/block_source.h"
+#include "soms/query/detail/kernels/instruction_set.h"
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace soms::detail {
+
+namespace {
+
+/// A node, or a block, that is still to be looked at.
+struct Ahead {
+  float near;  // nothing in it is nearer along the ray
+  std::uint32_t token;
+};
+
+/// A ray on its way.
+template <class Goal>
+struct PendingRay {
+  RayTarget target;
+  Goal goal;
+  std::size_t index = 0;
+  std::vector<Ahead> stack;  // the next one last
+};
+
+/// Rays of a batch that take turns.
+constexpr std::size_t kRaysInFlight = 16;
+
+/// Rays through one tree, the nearest boxes first. Those in flight take turns, so that one computes
+/// while others load.
+template <class Source, class Goal, std::size_t kInFlight>
+class RayTraversal : public RayMemory<Goal> {
+ public:
+  using Answer = typename Goal::Answer;
+
+  RayTraversal(const Body& body, const RayFrame& frame, std::optional<TriangleId> skip)
+      : frame_(frame), kernels_(kernels()), source_(body.shape) {
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    for (PendingRay<Goal>& ray : rays_) {
+      ray.target.body = &body;
+      ray.target.skip = skip;
+    }
+  }
+
+  void answer(std::span<const RayLine> lines, std::span<Answer> answers, Limit& limit) override {
+    answers_ = answers;
+    std::size_t next = 0;
+    std::size_t count = 0;
+    for (;;) {
+      for (; count < kInFlight && next < lines.size(); ++next) {
+        PendingRay<Goal>& ray = at(count);
+        if (launch(ray, lines[next], next)) {
+          ++count;
+        } else {
+          answers_[next] = ray.goal.end(ray.target, true);
+        }
+      }
+      if (count == 0) {
+        return;
+      }
+      if (limit.spend(count + std::exchange(exact_tests_, 0) * kExactWork)) {
+        break;
+      }
+      count = advance(count);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      answers_[at(i).index] = at(i).goal.end(at(i).target, false);
+    }
+    for (; next < lines.size(); ++next) {
+      answers_[next].coverage = Coverage::cut;
+    }
+  }
+
+ private:
+  static constexpr std::uint64_t kExactWork = 100;  // some microseconds
+
+  [[nodiscard]] PendingRay<Goal>& at(std::size_t i) { return rays_[order_[i]]; }
+
+  /// False if the ray misses the whole body.
+  bool launch(PendingRay<Goal>& ray, const RayLine& line, std::size_t index) {
+    ray.target.line = line;
+    ray.target.direction = ScaledDirection(line);
+    ray.target.cost = {};
+    ray.goal.begin();
+    ray.index = index;
+    ray.stack.assign(1, {-std::numeric_limits<float>::infinity(), kRootId});
+    return frame_.start(line, ray.target.direction, ray.target.course);
+  }
+
+  /// Takes each ray a node or a block further; returns how many are still on their way, which are
+  /// the first ones then.
+  std::size_t advance(std::size_t count) {
+    std::size_t nodes = 0;
+    std::size_t blocks = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      PendingRay<Goal>& ray = at(i);
+      const Ahead ahead = ray.stack.back();
+      ray.stack.pop_back();
+      const LineNumbers* const line = &ray.target.course.numbers;
+      if ((ahead.token & WideNode::kLeafBit) == 0) {
+        node_ray_[nodes] = &ray;
+        node_task_[nodes++] = {line, &source_.node(ahead.token), 0, {}};
+      } else {
+        block_ray_[blocks] = &ray;
+        block_ahead_[blocks] = ahead;
+        block_task_[blocks++] = {line, &source_.block(ahead.token), 0, 0, 0, {}};
+      }
+    }
+    kernels_.line_nodes(node_task_.data(), nodes);
+    for (std::size_t k = 0; k < nodes; ++k) {
+      descend(node_task_[k], *node_ray_[k]);
+    }
+    kernels_.line_blocks(block_task_.data(), blocks);
+    for (std::size_t k = 0; k < blocks; ++k) {
+      look(block_task_[k], block_ahead_[k], *block_ray_[k]);
+    }
+    for (std::size_t i = 0; i < count;) {
+      if (arrived(at(i))) {
+        std::swap(order_[i], order_[--count]);
+      } else {
+        ++i;
+      }
+    }
+    return count;
+  }
+
+  void descend(const LineNodeTask& task, PendingRay<Goal>& ray) {
+    const WideNode& node = *task.node;
+    ray.target.cost.node_tests += node.count;
+    const std::size_t begin = ray.stack.size();
+    for (std::uint32_t left = task.lanes; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+      ray.stack.push_back({task.near[lane], node.child[lane]});
+      if constexpr (Goal::kNearestFirst) {
+        for (std::size_t i = ray.stack.size() - 1;
+             i > begin && ray.stack[i].near > ray.stack[i - 1].near; --i) {
+          std::swap(ray.stack[i], ray.stack[i - 1]);
+        }
+      }
+    }
+  }
+
+  void look(const LineBlockTask& task, const Ahead& ahead, PendingRay<Goal>& ray) {
+    Cost& cost = ray.target.cost;
+    cost.triangle_tests += task.block->count;
+    const std::uint64_t before = cost.exact_tests;
+    if (ray.goal.look(ray.target, task)) {
+      ray.stack.clear();
+    } else if (task.block->following != 0) {
+      ray.stack.push_back({ahead.near, source_.next(ahead.token)});
+    }
+    exact_tests_ += cost.exact_tests - before;
+  }
+
+  /// Starts to load what comes next, or ends it.
+  bool arrived(PendingRay<Goal>& ray) {
+    std::vector<Ahead>& stack = ray.stack;
+    while (!stack.empty() && stack.back().near > ray.target.course.numbers.far_open) {
+      stack.pop_back();
+    }
+    if (stack.empty()) {
+      answers_[ray.index] = ray.goal.end(ray.target, true);
+      return true;
+    }
+    const std::uint32_t token = stack.back().token;
+    if ((token & WideNode::kLeafBit) == 0) {
+      source_.fetch_node(token);
+    } else {
+      source_.fetch_block(token);
+    }
+    return false;
+  }
+
+  const RayFrame& frame_;
+  const Kernels& kernels_;
+  Source source_;
+  std::span<Answer> answers_;
+  std::uint64_t exact_tests_ = 0;  // since the limit was last looked at
+  std::array<PendingRay<Goal>, kInFlight> rays_;
+  std::array<std::size_t, kInFlight> order_;  // those on their way first
+  std::array<LineNodeTask, kInFlight> node_task_;
+  std::array<LineBlockTask, kInFlight> block_task_;
+  std::array<PendingRay<Goal>*, kInFlight> node_ray_;
+  std::array<PendingRay<Goal>*, kInFlight> block_ray_;
+  std::array<Ahead, kInFlight> block_ahead_;
+};
+
+}  // namespace
+
+template <class Goal>
+std::unique_ptr<RayMemory<Goal>> ray_memory(const Body& body, const RayFrame& frame,
+                                            std::optional<TriangleId> skip, bool alone) {
+  if (body.shape.layout().compact() != nullptr) {
+    return std::make_unique<RayTraversal<CompactSource, Goal, 1>>(body, frame, skip);
+  }
+  if (alone) {
+    return std::make_unique<RayTraversal<WideSource, Goal, 1>>(body, frame, skip);
+  }
+  return std::make_unique<RayTraversal<WideSource, Goal, kRaysInFlight>>(body, frame, skip);
+}
+
+template std::unique_ptr<RayMemory<ClosestHitGoal>> ray_memory(const Body&, const RayFrame&,
+                                                               std::optional<TriangleId>, bool);
+template std::unique_ptr<RayMemory<AnyHitGoal>> ray_memory(const Body&, const RayFrame&,
+                                                           std::optional<TriangleId>, bool);
+template std::unique_ptr<RayMemory<AllHitsGoal>> ray_memory(const Body&, const RayFrame&,
+                                                            std::optional<TriangleId>, bool);
+
+}  // namespace soms::detail

@@ -1,0 +1,205 @@
+/// \file
+/// What does a ray, or the segment between two points, hit? Watertight, by exact decisions.
+#pragma once
+
+#include "soms/base/bracket.h"
+#include "soms/base/parallel.h"
+#include "soms/base/vector.h"
+#include "soms/query/answer.h"
+#include "soms/query/body.h"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace soms {
+
+/// The points origin + t direction for 0 <= t <= length, ends included, in exact arithmetic. The
+/// direction need not have unit length: t and `length` count in units of it.
+struct Ray {
+  Vec3 origin;
+  Vec3 direction;
+  double length = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] bool operator==(const Ray&) const = default;
+};
+
+/// The points between `from` and `to`, both included. Here t is 0 at `from` and 1
+/// at `to`. If both are equal, the segment is that point.
+struct Segment {
+  Vec3 from;
+  Vec3 to;
+
+  [[nodiscard]] bool operator==(const Segment&) const = default;
+};
+
+/// Options of queries of rays.
+struct RayOptions {
+  /// Takes no part: the triangle that a reflected ray starts on, say.
+  std::optional<TriangleId> skip = std::nullopt;
+  /// Ends the query with coverage `cut` when it passes.
+  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
+
+  [[nodiscard]] bool operator==(const RayOptions&) const = default;
+};
+
+/// The first point of a surface on a ray. Where coverage is `cut`: of what was looked at so far.
+struct ClosestHit {
+  /// Holds the least t at which the ray meets the moved, rounded surface: the doubles next to it,
+  /// or twice the same where it is a double. [infinity, infinity] where nothing is hit.
+  Bracket t = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  /// The least number among the triangles met at exactly this t; nothing where nothing is hit.
+  std::optional<TriangleId> triangle = std::nullopt;
+  Vec3 point = {};  ///< where, in world: each coordinate the exact one, rounded to nearest
+  /// The ray meets the side from which the triangle is seen counterclockwise. False where the ray
+  /// lies in the triangle's plane, and for a triangle without area.
+  bool front = false;
+  Coverage coverage = Coverage::complete;
+  Cost cost = {};
+
+  [[nodiscard]] bool operator==(const ClosestHit&) const = default;
+};
+
+/// The first point of the surface on a ray, by exact decisions on the moved vertices (Pose::apply).
+/// Triangles are closed sets: a ray through a shared edge or corner hits the triangles that share
+/// it, and none slips between them. A triangle without area is the segment or point it is; one in
+/// whose plane the ray lies is hit where the ray enters it. A surface point at t = 0 counts, unless
+/// its triangle is skipped. The answer but for `cost` does not depend on trees, layouts, threads or
+/// instruction sets.
+///
+/// \errors  ErrorKind::not_finite, out_of_range unless the origin is finite and within 2^300 and
+///          the direction finite; usage for a direction of zero, and for a length that is negative
+///          or not a number; those of the pose as for `overlap`; usage for a skipped triangle that
+///          the mesh does not have.
+/// \cost    Typically logarithmic in the number of triangles. `Cost::node_tests` counts boxes,
+///          `triangle_tests` triangles, `exact_tests` those that needed exact arithmetic.
+/// \threads Any number of callers; a query takes one thread.
+/// \source  Woop, Benthin and Wald 2013 (watertight tests by edge functions).
+[[nodiscard]] ClosestHit closest_hit(const Body& body, const Ray& ray,
+                                     const RayOptions& options = {});
+/// The same for the points of a segment. \errors As for rays; equal ends are allowed.
+[[nodiscard]] ClosestHit closest_hit(const Body& body, const Segment& segment,
+                                     const RayOptions& options = {});
+
+/// Answers for a batch of rays or segments: columns, one entry each, as those of `ClosestHit`.
+struct ClosestHitBatch {
+  std::vector<double> lower;                        ///< n, of t
+  std::vector<double> upper;                        ///< n, of t
+  std::vector<std::optional<TriangleId>> triangle;  ///< n
+  std::vector<Vec3> point;                          ///< n
+  std::vector<std::uint8_t> front;                  ///< n flags, 0 or 1
+  std::vector<Coverage> coverage;                   ///< n
+  std::vector<Cost> costs;                          ///< n
+  Cost cost;                                        ///< of all together
+
+  [[nodiscard]] bool operator==(const ClosestHitBatch&) const = default;
+
+  [[nodiscard]] std::size_t size() const { return lower.size(); }
+
+  /// The answer for a ray.
+  [[nodiscard]] ClosestHit at(std::size_t ray) const;
+};
+
+/// `closest_hit` of each of `rays`: the answers of single queries.
+///
+/// \shape   `rays`: n.
+/// \errors  As `closest_hit`; a ray at fault is named by its index. Also ErrorKind::cancelled.
+/// \threads As many as `parallel` says share the rays.
+[[nodiscard]] ClosestHitBatch closest_hit(const Body& body, std::span<const Ray> rays,
+                                          const RayOptions& options = {},
+                                          const Parallel& parallel = {});
+[[nodiscard]] ClosestHitBatch closest_hit(const Body& body, std::span<const Segment> segments,
+                                          const RayOptions& options = {},
+                                          const Parallel& parallel = {});
+
+/// Whether a ray hits anything at all.
+struct AnyHit {
+  /// Where coverage is `cut`, false means that it is not known.
+  bool hit = false;
+  Coverage coverage = Coverage::complete;
+  Cost cost = {};
+
+  [[nodiscard]] bool operator==(const AnyHit&) const = default;
+};
+
+/// True where `closest_hit` has a triangle; ends at the first one found. \errors As `closest_hit`.
+[[nodiscard]] AnyHit any_hit(const Body& body, const Ray& ray, const RayOptions& options = {});
+[[nodiscard]] AnyHit any_hit(const Body& body, const Segment& segment,
+                             const RayOptions& options = {});
+
+/// Answers for a batch: columns, one entry a ray or segment, as those of `AnyHit`.
+struct AnyHitBatch {
+  std::vector<std::uint8_t> hit;   ///< n flags, 0 or 1
+  std::vector<Coverage> coverage;  ///< n
+  std::vector<Cost> costs;         ///< n
+  Cost cost;                       ///< of all together
+
+  [[nodiscard]] bool operator==(const AnyHitBatch&) const = default;
+
+  [[nodiscard]] std::size_t size() const { return hit.size(); }
+
+  /// The answer for a ray.
+  [[nodiscard]] AnyHit at(std::size_t ray) const;
+};
+
+/// `any_hit` of each of `rays`. \shape `rays`: n. \errors As the batch of `closest_hit`.
+[[nodiscard]] AnyHitBatch any_hit(const Body& body, std::span<const Ray> rays,
+                                  const RayOptions& options = {}, const Parallel& parallel = {});
+[[nodiscard]] AnyHitBatch any_hit(const Body& body, std::span<const Segment> segments,
+                                  const RayOptions& options = {}, const Parallel& parallel = {});
+
+/// True if nothing of the surface is on the segment from `a` to `b`, ends included: a line of sight
+/// between two points that are not on the surface.
+/// \errors As `any_hit`.
+[[nodiscard]] bool sees(const Body& body, const Vec3& a, const Vec3& b);
+
+/// How a ray passes a place of the surface.
+enum class CrossingKind : unsigned char {
+  enter,  ///< through, by more front sides than back sides: into what faces outward
+  leave,  ///< through, by more back sides
+  graze,  ///< touches, and stays on the side it came from
+};
+
+/// All places where rays meet a surface: rows of any length, one a ray. Triangles that a ray meets
+/// at exactly the same t and that are connected there are one crossing: the two on an edge, the fan
+/// around a corner. They are connected by the corner, edge or face that holds the point, if it has
+/// the same moved corners in both, by position; and by what connects others.
+struct AllHits {
+  std::vector<std::uint64_t> offsets = {0};  ///< n + 1: row i is [offsets[i], offsets[i + 1])
+  std::vector<double> lower;                 ///< m, of t, as in ClosestHit; rows sorted by exact t
+  std::vector<double> upper;                 ///< m
+  std::vector<CrossingKind> kind;            ///< m
+  std::vector<std::uint64_t> triangle_offsets = {0};  ///< m + 1
+  std::vector<TriangleId> triangle;                   ///< of all crossings, ascending within each
+  std::vector<Coverage> coverage;  ///< n. `cut`: the row has what was found so far.
+  std::vector<Cost> costs;         ///< n
+  Cost cost;                       ///< of all rays together
+
+  [[nodiscard]] bool operator==(const AllHits&) const = default;
+
+  /// The number of rays.
+  [[nodiscard]] std::size_t size() const { return coverage.size(); }
+};
+
+/// Every triangle that `rays` meet, each at the least t of its points on the ray. Crossings of one
+/// ray at the same t are in the order of their least triangles.
+///
+/// The kind follows from a ray beside the given one, moved by less than anything here so that it
+/// meets no edge and no corner: `graze` if that crosses an even number of the crossing's triangles,
+/// else `enter` or `leave` by the sides that it meets. It is local: neither the surface's being
+/// closed nor the ray's length matters. Triangles parallel to the ray do not count for it.
+///
+/// \shape   `rays`: n.
+/// \errors  As the batch of `closest_hit`.
+/// \cost    O(k log k) decisions for k triangles found, and their memory.
+/// \source  Edelsbrunner and Muecke 1990, Simulation of Simplicity, section 4.
+[[nodiscard]] AllHits all_hits(const Body& body, std::span<const Ray> rays,
+                               const RayOptions& options = {}, const Parallel& parallel = {});
+[[nodiscard]] AllHits all_hits(const Body& body, std::span<const Segment> segments,
+                               const RayOptions& options = {}, const Parallel& parallel = {});
+
+}  // namespace soms
