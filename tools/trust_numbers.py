@@ -70,6 +70,12 @@ def questions():
     yield ("points beside closed meshes, their sides decided by two exact methods", 20000,
            f"{len(here):,} in this repository, the others need `SOMS_DATA`; of these, "
            + ", ".join(f"{side} {n:,}" for side, n in sorted(sides.items())))
+    here = rows(DATA / "questions/ray.csv.xz")
+    hit = sum(row["any"] == "1" for row in here)
+    ties = sum(int(row["ties"]) > 1 for row in here)
+    yield ("rays and what they hit, decided by two exact methods", 13400,
+           f"{len(here):,} in this repository, the others need `SOMS_DATA`; of these, {hit:,} hit "
+           f"something, {ties:,} of them several triangles at once")
     here = rows(DATA / "questions/closed.csv.xz")
     yield ("meshes and connected parts whose odd edges were counted by two methods", 511,
            f"{len(here)} in this repository, the others need `SOMS_DATA`")

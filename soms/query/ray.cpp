@@ -32,7 +32,12 @@ RayLine line_of(const Segment& segment) {
 
 /// "ray 3", or "ray" of a single one.
 std::string name_of(const char* what, std::optional<std::size_t> index) {
-  return index ? what + (" " + std::to_string(*index)) : what;
+  std::string name = what;
+  if (index) {
+    name += " ";
+    name += std::to_string(*index);
+  }
+  return name;
 }
 
 void check_place(const Vec3& p, const char* what, const char* which,
@@ -109,7 +114,10 @@ void answer_all(const Body& body, std::span<const Line> rays, const RayOptions& 
   detail::MemoryPool<Memory> pool;
   for_each_chunk(rays.size(), kRaysOfBlock, parallel, [&](std::size_t begin, std::size_t end) {
     auto place = pool.take([&] {
-      return Memory{frame ? detail::ray_memory<Goal>(body, *frame, options.skip) : nullptr, {}, {}};
+      return Memory{
+          frame ? detail::ray_memory<Goal>(body, *frame, options.skip, rays.size() == 1) : nullptr,
+          {},
+          {}};
     });
     Memory& memory = place->memory;
     memory.answers.assign(end - begin, {});

@@ -47,15 +47,17 @@ struct RayOptions {
   [[nodiscard]] bool operator==(const RayOptions&) const = default;
 };
 
-/// The first point of a surface on a ray.
+/// The first point of a surface on a ray. Where coverage is `cut`: of what was looked at so far.
 struct ClosestHit {
   /// Holds the least t at which the ray meets the moved, rounded surface: the doubles next to it,
   /// or twice the same where it is a double. [infinity, infinity] where nothing is hit.
   Bracket t = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   /// The least number among the triangles met at exactly this t; nothing where nothing is hit.
   std::optional<TriangleId> triangle = std::nullopt;
-  Vec3 point = {};     ///< where, in world: each coordinate the exact one, rounded to nearest
-  bool front = false;  ///< the ray meets the side from which the triangle is seen counterclockwise
+  Vec3 point = {};  ///< where, in world: each coordinate the exact one, rounded to nearest
+  /// The ray meets the side from which the triangle is seen counterclockwise. False where the ray
+  /// lies in the triangle's plane, and for a triangle without area.
+  bool front = false;
   Coverage coverage = Coverage::complete;
   Cost cost = {};
 
@@ -163,18 +165,19 @@ enum class CrossingKind : unsigned char {
 };
 
 /// All places where rays meet a surface: rows of any length, one a ray. Triangles that a ray meets
-/// at exactly the same t and that are connected there, by shared corners, are one crossing: the two
-/// on an edge, the fan around a corner.
+/// at exactly the same t and that are connected there are one crossing: the two on an edge, the fan
+/// around a corner. They are connected by the corner, edge or face that holds the point, if it has
+/// the same moved corners in both, by position; and by what connects others.
 struct AllHits {
   std::vector<std::uint64_t> offsets = {0};  ///< n + 1: row i is [offsets[i], offsets[i + 1])
   std::vector<double> lower;                 ///< m, of t, as in ClosestHit; rows sorted by exact t
   std::vector<double> upper;                 ///< m
   std::vector<CrossingKind> kind;            ///< m
   std::vector<std::uint64_t> triangle_offsets = {0};  ///< m + 1
-  std::vector<TriangleId> triangle;  ///< of all crossings, ascending within each
-  std::vector<Coverage> coverage;    ///< n. `cut`: the row has what was found so far.
-  std::vector<Cost> costs;           ///< n
-  Cost cost;                         ///< of all rays together
+  std::vector<TriangleId> triangle;                   ///< of all crossings, ascending within each
+  std::vector<Coverage> coverage;  ///< n. `cut`: the row has what was found so far.
+  std::vector<Cost> costs;         ///< n
+  Cost cost;                       ///< of all rays together
 
   [[nodiscard]] bool operator==(const AllHits&) const = default;
 

@@ -31,9 +31,12 @@ struct Flight {
   std::vector<Ahead> stack;  // the next one last
 };
 
+/// Rays of a batch that take turns.
+constexpr std::size_t kRaysInFlight = 16;
+
 /// Rays through one tree, the nearest boxes first. Those in flight take turns, so that one computes
 /// while others load.
-template <class Source, class Goal>
+template <class Source, class Goal, std::size_t kInFlight>
 class RayTraversal : public RayMemory<Goal> {
  public:
   using Answer = typename Goal::Answer;
@@ -77,7 +80,6 @@ class RayTraversal : public RayMemory<Goal> {
   }
 
  private:
-  static constexpr std::size_t kInFlight = Source::kInPlace ? 16 : 1;
   static constexpr std::uint64_t kExactWork = 100;  // some microseconds
 
   [[nodiscard]] Flight<Goal>& at(std::size_t i) { return flights_[order_[i]]; }
@@ -195,18 +197,21 @@ class RayTraversal : public RayMemory<Goal> {
 
 template <class Goal>
 std::unique_ptr<RayMemory<Goal>> ray_memory(const Body& body, const RayFrame& frame,
-                                            std::optional<TriangleId> skip) {
+                                            std::optional<TriangleId> skip, bool alone) {
   if (body.shape.layout().compact() != nullptr) {
-    return std::make_unique<RayTraversal<CompactSource, Goal>>(body, frame, skip);
+    return std::make_unique<RayTraversal<CompactSource, Goal, 1>>(body, frame, skip);
   }
-  return std::make_unique<RayTraversal<WideSource, Goal>>(body, frame, skip);
+  if (alone) {
+    return std::make_unique<RayTraversal<WideSource, Goal, 1>>(body, frame, skip);
+  }
+  return std::make_unique<RayTraversal<WideSource, Goal, kRaysInFlight>>(body, frame, skip);
 }
 
 template std::unique_ptr<RayMemory<ClosestHitGoal>> ray_memory(const Body&, const RayFrame&,
-                                                               std::optional<TriangleId>);
+                                                               std::optional<TriangleId>, bool);
 template std::unique_ptr<RayMemory<AnyHitGoal>> ray_memory(const Body&, const RayFrame&,
-                                                           std::optional<TriangleId>);
+                                                           std::optional<TriangleId>, bool);
 template std::unique_ptr<RayMemory<AllHitsGoal>> ray_memory(const Body&, const RayFrame&,
-                                                            std::optional<TriangleId>);
+                                                            std::optional<TriangleId>, bool);
 
 }  // namespace soms::detail

@@ -29,16 +29,19 @@ class RayMemory {
                       Limit& limit) = 0;
 };
 
-/// Made for a body and its frame, which must stay. \pre The body is not empty.
+/// Made for a body and its frame, which must stay; `alone` for one ray, without room for more at a
+/// time. \pre The body is not empty.
 template <class Goal>
 [[nodiscard]] std::unique_ptr<RayMemory<Goal>> ray_memory(const Body& body, const RayFrame& frame,
-                                                          std::optional<TriangleId> skip);
+                                                          std::optional<TriangleId> skip,
+                                                          bool alone);
 
 extern template std::unique_ptr<RayMemory<ClosestHitGoal>> ray_memory(const Body&, const RayFrame&,
-                                                                      std::optional<TriangleId>);
+                                                                      std::optional<TriangleId>,
+                                                                      bool);
 extern template std::unique_ptr<RayMemory<AnyHitGoal>> ray_memory(const Body&, const RayFrame&,
-                                                                  std::optional<TriangleId>);
+                                                                  std::optional<TriangleId>, bool);
 extern template std::unique_ptr<RayMemory<AllHitsGoal>> ray_memory(const Body&, const RayFrame&,
-                                                                   std::optional<TriangleId>);
+                                                                   std::optional<TriangleId>, bool);
 
 }  // namespace soms::detail
