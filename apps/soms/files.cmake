@@ -47,8 +47,6 @@ set(SOMS_COMMAND_FILES
   near_page.cpp
   near_page.h
   near_run.h
-  outline.cpp
-  outline.h
   overlap.cpp
   overlap.h
   overlap_by_part.cpp

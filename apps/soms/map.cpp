@@ -5,9 +5,10 @@
 #include "apps/report/script_text.h"
 #include "apps/soms/map_city.h"
 #include "apps/soms/map_marks.h"
-#include "apps/soms/outline.h"
 #include "apps/soms/simulate_near_report.h"
 #include "apps/soms/simulate_report.h"
+#include "apps/support/map_page.h"
+#include "apps/support/outline.h"
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
@@ -25,10 +26,6 @@ namespace soms::command {
 
 namespace {
 
-constexpr double kMapWidth = 900;
-constexpr double kMapHeight = 860;
-constexpr double kPanel = 300;
-constexpr double kMargin = 24;
 constexpr std::size_t kCityBudget = 200'000;
 /// Tracks and movers drawn at most; of more, every so many.
 constexpr std::size_t kMostDrawn = 2500;
@@ -37,8 +34,6 @@ constexpr std::size_t kMostGaps = 1000;
 constexpr std::size_t kMostLengths = 40;
 constexpr double kLengthWidth = 62;
 constexpr double kLengthHeight = 14;
-constexpr const char* kPaper = "#f3efe6";
-constexpr const char* kInk = "#2b2a28";
 constexpr const char* kContact = "#d1002f";
 
 /// Colors that the color-blind tell apart. \source Okabe and Ito 2008, Color Universal Design.
@@ -46,55 +41,6 @@ constexpr std::array kModelColors{"#0072b2", "#e69f00", "#009e73", "#cc79a7", "#
 
 std::string color_of(std::size_t model) {
   return kModelColors[model % kModelColors.size()];
-}
-
-/// Where points of the city lie on the page.
-struct Page {
-  Box area;
-  double scale = 1;  ///< pixels a meter
-  double width = 0;
-  double height = 0;
-
-  [[nodiscard]] double x(double at) const { return kMargin + (at - area.lower.x) * scale; }
-
-  [[nodiscard]] double y(double at) const { return kMargin + (area.upper.y - at) * scale; }
-
-  [[nodiscard]] bool holds(const Vec3& at) const {
-    return area.lower.x <= at.x && at.x <= area.upper.x && area.lower.y <= at.y &&
-           at.y <= area.upper.y;
-  }
-};
-
-Page make_page(const World& world) {
-  Page page;
-  page.area = world.bounds;
-  const Vec3 extent = page.area.extent();
-  const double rim = std::max(0.02 * std::max(extent.x, extent.y), 0.5);
-  page.area.lower = page.area.lower - Vec3{rim, rim, 0};
-  page.area.upper = page.area.upper + Vec3{rim, rim, 0};
-  const Vec3 size = page.area.extent();
-  page.scale = std::min(kMapWidth / size.x, kMapHeight / size.y);
-  page.width = size.x * page.scale;
-  page.height = size.y * page.scale;
-  return page;
-}
-
-std::string text(double x, double y, double size, std::string_view words,
-                 std::string_view more = {}) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{:g}\"{}{}>{}</text>\n", x, y,
-                     size, more.empty() ? "" : " ", more, xml_text(words));
-}
-
-void draw_city(std::ostream& out, const Page& page, const MapCity& city) {
-  const double unit = city.cell * page.scale;
-  out << fmt::format(
-      "<g transform=\"translate({:.2f} {:.2f}) scale({:.5f} -{:.5f})\" "
-      "fill-rule=\"evenodd\" stroke-width=\".6\">\n",
-      kMargin, kMargin + page.height, unit, unit);
-  for (const MapLayer& layer : city.layers) {
-    out << fmt::format("<path fill=\"{0}\" stroke=\"{0}\" d=\"{1}\"/>\n", layer.color, layer.path);
-  }
-  out << "</g>\n";
 }
 
 std::size_t stride_of(const World& world) {
@@ -109,7 +55,8 @@ std::int32_t tenth(double pixels) {
 }
 
 /// Tracks in tenths of a pixel, so that whole numbers do.
-void draw_tracks(std::ostream& out, const Page& page, const World& world, const Outcome& outcome) {
+void draw_tracks(std::ostream& out, const MapPage& page, const World& world,
+                 const Outcome& outcome) {
   for (std::size_t model = 0; model < world.models.size(); ++model) {
     PathWriter writer;
     for (std::size_t k = 0; k < outcome.tracks.size(); k += stride_of(world)) {
@@ -135,7 +82,8 @@ const char* cap_of(const Model& model) {
 }
 
 /// Movers as dots where they were last, with a halo.
-void draw_movers(std::ostream& out, const Page& page, const World& world, const Outcome& outcome) {
+void draw_movers(std::ostream& out, const MapPage& page, const World& world,
+                 const Outcome& outcome) {
   out << "<defs>\n";
   for (std::size_t model = 0; model < world.models.size(); ++model) {
     std::string path;
@@ -165,11 +113,11 @@ std::string number_mark(double x, double y, std::size_t number) {
              "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"8\" fill=\"{}\" stroke=\"#fff\" "
              "stroke-width=\"1.2\"/>\n",
              x, y, kContact) +
-         text(x, y + 4, 11, std::to_string(number),
-              "text-anchor=\"middle\" fill=\"#fff\" font-weight=\"700\"");
+         map_text(x, y + 4, 11, std::to_string(number),
+                  "text-anchor=\"middle\" fill=\"#fff\" font-weight=\"700\"");
 }
 
-void draw_marks(std::ostream& out, const Page& page, const std::vector<Mark>& marks) {
+void draw_marks(std::ostream& out, const MapPage& page, const std::vector<Mark>& marks) {
   out << fmt::format("<g fill=\"{}\" fill-opacity=\".35\" stroke=\"{}\" stroke-width=\"1.1\">\n",
                      kContact, kContact);
   for (const Mark& mark : marks) {
@@ -180,7 +128,7 @@ void draw_marks(std::ostream& out, const Page& page, const std::vector<Mark>& ma
 }
 
 /// The places where the most touched triangles were touched first.
-std::vector<Label> places_of(const Page& page, const World& world,
+std::vector<Label> places_of(const MapPage& page, const World& world,
                              const std::vector<Touched>& most) {
   std::vector<Label> places;
   for (const Touched& touched : most) {
@@ -215,7 +163,7 @@ MapGaps gaps_of(const Outcome& outcome) {
 
 /// A shortest segment with a halo and a dot at either end, which are seen however short it is.
 /// Lengths keep clear of what is `taken`.
-void draw_gaps(std::ostream& out, const Page& page, const std::vector<NearEvent>& gaps,
+void draw_gaps(std::ostream& out, const MapPage& page, const std::vector<NearEvent>& gaps,
                const std::vector<Label>& taken) {
   std::string path;
   std::vector<Label> labels;
@@ -229,14 +177,14 @@ void draw_gaps(std::ostream& out, const Page& page, const std::vector<NearEvent>
   for (const NearEvent& gap : gaps) {
     const Vec3 middle = (gap.point_a + gap.point_b) * 0.5;
     if (page.holds(middle)) {
-      const double least = kMargin + kLengthWidth / 2;
-      const double most = std::max(least, kMargin + page.width - kLengthWidth / 2);
+      const double least = page.left + kLengthWidth / 2;
+      const double most = std::max(least, page.left + page.width - kLengthWidth / 2);
       labels.push_back({std::clamp(page.x(middle.x), least, most), page.y(middle.y) - 7});
       texts.push_back(meters_in_text(gap.distance.lower));
     }
   }
   out << fmt::format("<defs><path id=\"gaps\" d=\"{}\"/></defs>\n", path);
-  for (const auto& [color, width] : {std::pair("#fff", 6.5), std::pair(kInk, 3.2)}) {
+  for (const auto& [color, width] : {std::pair("#fff", 6.5), std::pair(kMapInk, 3.2)}) {
     out << fmt::format(
         "<use href=\"#gaps\" fill=\"none\" stroke-linecap=\"round\" stroke=\"{}\" "
         "stroke-width=\"{}\"/>\n",
@@ -246,42 +194,10 @@ void draw_gaps(std::ostream& out, const Page& page, const std::vector<NearEvent>
          "stroke-linejoin=\"round\" paint-order=\"stroke\">\n";
   for (const std::size_t k :
        labels_with_room(labels, taken, kLengthWidth, kLengthHeight, kMostLengths)) {
-    out << text(labels[k].x, labels[k].y, 11, texts[k]);
+    out << map_text(labels[k].x, labels[k].y, 11, texts[k]);
   }
   out << "</g>\n";
 }
-
-/// Writes the panel beside the map, line by line downwards.
-class Panel {
- public:
-  Panel(std::ostream& out, double left) : out_(out), left_(left) {}
-
-  void head(std::string_view words) {
-    y_ += 14;
-    out_ << text(left_, y_ += 16, 14, words, "font-weight=\"700\"");
-  }
-
-  void line(std::string_view words, double indent = 0) {
-    out_ << text(left_ + indent, y_ += 17, 12.5, words);
-  }
-
-  void title(std::string_view words) {
-    out_ << text(left_, y_ += 22, 22, words, "font-weight=\"700\"");
-    y_ += 4;
-  }
-
-  /// A line with a swatch, given as SVG around the origin.
-  void keyed(std::string_view swatch, std::string_view words) {
-    line(words, 24);
-    out_ << fmt::format("<g transform=\"translate({:.1f} {:.1f})\">{}</g>\n", left_ + 8, y_ - 4,
-                        swatch);
-  }
-
- private:
-  std::ostream& out_;
-  double left_;
-  double y_ = kMargin - 6;
-};
 
 /// "400 cars"; a file's name has no plural: "2 of car".
 std::string counted_models(std::uint64_t count, const Model& model) {
@@ -289,7 +205,7 @@ std::string counted_models(std::uint64_t count, const Model& model) {
                                    : counted(count, model.name);
 }
 
-void write_movers(Panel& panel, const World& world) {
+void write_movers(MapPanel& panel, const World& world) {
   panel.head(fmt::format("{} movers and their tracks", with_commas(world.routes.size())));
   for (std::size_t model = 0; model < world.models.size(); ++model) {
     const auto count = static_cast<std::uint64_t>(
@@ -306,7 +222,7 @@ void write_movers(Panel& panel, const World& world) {
   }
 }
 
-void write_contacts(Panel& panel, const Outcome& outcome, const std::vector<Mark>& marks) {
+void write_contacts(MapPanel& panel, const Outcome& outcome, const std::vector<Mark>& marks) {
   const std::uint64_t all = outcome.contacts.contacts().size();
   panel.head(all == 0 ? "No contact" : fmt::format("{} contacts", with_commas(all)));
   for (const std::uint64_t size : {1U, 10U, 100U}) {
@@ -319,7 +235,7 @@ void write_contacts(Panel& panel, const Outcome& outcome, const std::vector<Mark
   }
 }
 
-void write_gaps(Panel& panel, const MapGaps& gaps) {
+void write_gaps(MapPanel& panel, const MapGaps& gaps) {
   if (gaps.all > 0) {
     panel.head(gaps.all > gaps.drawn.size()
                    ? fmt::format("The {} nearest of {}", with_commas(gaps.drawn.size()),
@@ -327,13 +243,13 @@ void write_gaps(Panel& panel, const MapGaps& gaps) {
                    : counted(gaps.all, "gap") + " without a touch");
     panel.keyed(fmt::format("<path d=\"M-8 0H8\" stroke=\"{}\" stroke-width=\"2.5\" "
                             "stroke-linecap=\"round\"/>",
-                            kInk),
+                            kMapInk),
                 "least of two bodies, with its length");
   }
 }
 
 /// The list of the table.
-void write_most_touched(Panel& panel, const World& world, const std::vector<Touched>& most) {
+void write_most_touched(MapPanel& panel, const World& world, const std::vector<Touched>& most) {
   if (most.empty()) {
     return;
   }
@@ -344,43 +260,17 @@ void write_most_touched(Panel& panel, const World& world, const std::vector<Touc
   }
 }
 
-void draw_scale_bar(std::ostream& out, const Page& page) {
-  const double meters = round_length(0.22 * page.width / page.scale);
-  const double length = meters * page.scale;
-  const double y = kMargin + page.height + 22;
-  out << fmt::format(
-      "<path d=\"M{:.1f} {:.1f}v6h{:.1f}v-6\" fill=\"none\" stroke=\"{}\" "
-      "stroke-width=\"1.5\"/>\n",
-      kMargin, y - 6, length, kInk);
-  out << text(
-      kMargin + length + 8, y, 12.5,
-      meters >= 1000 ? fmt::format("{:g} km", meters / 1000) : fmt::format("{:g} m", meters));
-}
-
 }  // namespace
 
 void draw_map(std::ostream& out, const World& world, const Outcome& outcome) {
-  const Page page = make_page(world);
+  const MapPage page = make_map_page(world.bounds);
   const MapCity city = outline_city(world, page.area, kCityBudget);
   const std::vector<Touched> most = outcome.contacts.most_touched(kMostTouched);
   const std::vector<Mark> marks = find_marks(world, outcome, 13 / page.scale);
   const std::vector<Label> places = places_of(page, world, most);
   const MapGaps gaps = gaps_of(outcome);
-  const double panel_left = kMargin + page.width + kMargin;
-  const double width = panel_left + kPanel;
-  const double height = std::max(page.height, 560.0) + 2 * kMargin + 16;
-  out << fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-      "width=\"{0:.0f}\" height=\"{1:.0f}\" "
-      "font-family=\"Helvetica, Arial, sans-serif\" fill=\"{2}\">\n",
-      width, height, kInk);
-  out << fmt::format("<title>{}</title>\n", xml_text(world.title));
-  out << "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
-  const std::string frame = fmt::format("x=\"{}\" y=\"{}\" width=\"{:.1f}\" height=\"{:.1f}\"",
-                                        kMargin, kMargin, page.width, page.height);
-  out << fmt::format("<clipPath id=\"map\"><rect {}/></clipPath>\n", frame);
-  out << fmt::format("<rect {} fill=\"{}\"/>\n<g clip-path=\"url(#map)\">\n", frame, kPaper);
-  draw_city(out, page, city);
+  open_map(out, page, world.title);
+  draw_layers(out, page, city.layers, city.cell);
   draw_tracks(out, page, world, outcome);
   draw_movers(out, page, world, outcome);
   if (gaps.all > 0) {
@@ -388,9 +278,8 @@ void draw_map(std::ostream& out, const World& world, const Outcome& outcome) {
   }
   draw_marks(out, page, marks);
   draw_most_touched(out, places);
-  out << "</g>\n";
-  draw_scale_bar(out, page);
-  Panel panel(out, panel_left);
+  close_map(out, page);
+  MapPanel panel(out, page);
   panel.title(report::shortened(world.title, 24));
   panel.line(fmt::format("{} triangles, {} frames of 1/60 s", with_commas(world.triangles),
                          with_commas(outcome.frames)));
@@ -400,10 +289,7 @@ void draw_map(std::ostream& out, const World& world, const Outcome& outcome) {
   write_gaps(panel, gaps);
   panel.head("City, from above");
   for (const MapLayer& layer : city.layers) {
-    panel.keyed(fmt::format("<rect x=\"-8\" y=\"-6\" width=\"16\" height=\"12\" fill=\"{}\" "
-                            "stroke=\"{}\" stroke-width=\".5\"/>",
-                            layer.color, kInk),
-                layer.legend);
+    panel.keyed_color(layer.color, layer.legend);
   }
   panel.line("outlines are simplified");
   out << "</svg>\n";

@@ -1,8 +1,7 @@
 #include "apps/soms/map_city.h"
 
-#include "apps/soms/map_marks.h"
-#include "apps/soms/outline.h"
 #include "apps/support/height_grid.h"
+#include "apps/support/map_page.h"
 
 #include <fmt/format.h>
 
@@ -23,22 +22,15 @@ constexpr double kLeastHeight = 2.5;
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr std::array kShades{"#dcd5c8", "#bfb6a6", "#9c9282", "#766d60", "#4f483f"};
 
-/// A set of cells to be outlined.
-struct Region {
-  std::string color;
-  std::string legend;
-  std::vector<Loop> loops;
-};
-
-Region make_region(const HeightGrid& grid, const std::string& color, const std::string& legend,
-                   const std::function<bool(std::size_t, std::size_t)>& holds) {
+MapRegion make_region(const HeightGrid& grid, const std::string& color, const std::string& legend,
+                      const std::function<bool(std::size_t, std::size_t)>& holds) {
   std::vector<std::uint8_t> inside(grid.columns() * grid.rows(), 0);
   for (std::size_t row = 0; row < grid.rows(); ++row) {
     for (std::size_t column = 0; column < grid.columns(); ++column) {
       inside[row * grid.columns() + column] = holds(column, row) ? 1 : 0;
     }
   }
-  return {color, legend, outline(inside, grid.columns(), grid.rows())};
+  return map_region(color, legend, inside, grid.columns(), grid.rows());
 }
 
 /// Round heights that divide the buildings into about equal areas, but for the tallest few.
@@ -72,8 +64,8 @@ std::string legend_of(const std::vector<double>& steps, std::size_t k) {
                                : fmt::format("{:g} to {:g} m", steps[k], steps[k + 1]);
 }
 
-std::vector<Region> regions_of(const HeightGrid& grid) {
-  std::vector<Region> regions;
+std::vector<MapRegion> regions_of(const HeightGrid& grid) {
+  std::vector<MapRegion> regions;
   const auto all_of = [&](Surface surface) {
     return [&grid, surface](std::size_t column, std::size_t row) {
       return grid.surface(column, row) == surface;
@@ -92,33 +84,8 @@ std::vector<Region> regions_of(const HeightGrid& grid) {
           return grid.surface(column, row) == Surface::building && height >= from && height < to;
         }));
   }
-  std::erase_if(regions, [](const Region& region) { return region.loops.empty(); });
+  std::erase_if(regions, [](const MapRegion& region) { return region.loops.empty(); });
   return regions;
-}
-
-/// Layers whose lines are true within `tolerance` cells.
-std::vector<MapLayer> layers_of(const std::vector<Region>& regions, double tolerance) {
-  std::vector<MapLayer> layers;
-  for (const Region& region : regions) {
-    PathWriter writer;
-    for (const Loop& loop : region.loops) {
-      const Loop simple = simplified_loop(loop, tolerance);
-      if (simple.size() >= 3 &&
-          std::abs(static_cast<double>(double_area(simple))) >= 2 * tolerance * tolerance) {
-        writer.add(simple, true);
-      }
-    }
-    layers.push_back({region.color, region.legend, writer.path()});
-  }
-  return layers;
-}
-
-std::size_t bytes_of(const std::vector<MapLayer>& layers) {
-  std::size_t bytes = 0;
-  for (const MapLayer& layer : layers) {
-    bytes += layer.path.size();
-  }
-  return bytes;
 }
 
 }  // namespace
@@ -129,15 +96,7 @@ MapCity outline_city(const World& world, const Box& area, std::size_t budget) {
     grid.add(body.shape.mesh());
   }
   grid.find_ground();
-  const std::vector<Region> regions = regions_of(grid);
-  MapCity city{area, grid.cell(), {}};
-  double tolerance = 0.75;
-  city.layers = layers_of(regions, tolerance);
-  while (bytes_of(city.layers) > budget) {
-    tolerance *= 1.15;
-    city.layers = layers_of(regions, tolerance);
-  }
-  return city;
+  return {area, grid.cell(), map_layers(regions_of(grid), budget)};
 }
 
 }  // namespace soms::command

@@ -4,6 +4,7 @@
 
 #include "soms/base/box.h"
 
+#include "apps/support/map_layers.h"
 #include "apps/support/world.h"
 
 #include <cstddef>
@@ -11,13 +12,6 @@
 #include <vector>
 
 namespace soms::command {
-
-/// A filled shape of the map with the words for its legend.
-struct MapLayer {
-  std::string color;
-  std::string legend;  ///< empty: not explained
-  std::string path;    ///< in units of `MapCity::cell`, from `area.lower`, y upwards
-};
 
 /// The city as layers, the lowest first.
 struct MapCity {

@@ -61,10 +61,4 @@ std::vector<std::size_t> labels_with_room(const std::vector<Label>& labels,
   return written;
 }
 
-double round_length(double meters) {
-  const double power = std::pow(10, std::floor(std::log10(meters)));
-  const double digits = meters / power;
-  return power * (digits >= 5 ? 5 : digits >= 2 ? 2 : 1);
-}
-
 }  // namespace soms::command

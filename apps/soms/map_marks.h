@@ -39,7 +39,4 @@ struct Label {
                                                         double width, double height,
                                                         std::size_t most);
 
-/// A round length not above `meters`: 1, 2 or 5 times a power of ten.
-[[nodiscard]] double round_length(double meters);
-
 }  // namespace soms::command

@@ -13,8 +13,14 @@ set(SOMS_SUPPORT_FILES
   interrupts.h
   json.cpp
   json.h
+  map_layers.cpp
+  map_layers.h
+  map_page.cpp
+  map_page.h
   models.cpp
   models.h
+  outline.cpp
+  outline.h
   output.cpp
   output.h
   parse.cpp

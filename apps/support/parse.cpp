@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -89,6 +90,20 @@ double parse_number(std::string_view option, std::string_view text) {
         comma ? "give a finite number, with a decimal point, not a comma" : "give a finite number");
   }
   return number->first;
+}
+
+Vec3 parse_point(std::string_view option, std::string_view text) {
+  std::vector<double> numbers;
+  const std::string_view between = ", ";
+  for (std::size_t at = text.find_first_not_of(between); at < text.size();) {
+    const std::size_t end = std::min(text.find_first_of(between, at), text.size());
+    numbers.push_back(parse_number(option, text.substr(at, end - at)));
+    at = text.find_first_not_of(between, end);
+  }
+  if (numbers.size() != 3) {
+    throw not_this(option, text, "give three numbers, such as 10,20,1.7");
+  }
+  return {numbers[0], numbers[1], numbers[2]};
 }
 
 std::uint64_t parse_bytes(std::string_view option, std::string_view text) {

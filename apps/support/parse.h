@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/base/error.h"
+#include "soms/base/vector.h"
 
 #include "apps/support/suggest.h"
 
@@ -23,6 +24,9 @@ namespace soms::command {
 
 /// A finite number. \errors ErrorKind::usage naming `option`.
 [[nodiscard]] double parse_number(std::string_view option, std::string_view text);
+
+/// Three finite numbers with commas or spaces between. \errors ErrorKind::usage naming `option`.
+[[nodiscard]] Vec3 parse_point(std::string_view option, std::string_view text);
 
 /// A size in bytes: digits, then nothing, K, M, G or T (powers of 1024; "B" or "iB" may follow), in
 /// either case.

@@ -5,6 +5,7 @@
 #include "soms/base/box.h"
 #include "soms/base/pose.h"
 #include "soms/base/vector.h"
+#include "soms/query/ray.h"
 
 #include <optional>
 #include <span>
@@ -24,12 +25,6 @@ struct Size {
 struct PixelPoint {
   double x = 0;
   double y = 0;
-};
-
-/// A half line; `direction` has length 1.
-struct Ray {
-  Vec3 origin;
-  Vec3 direction;
 };
 
 /// A perspective camera. It looks from `eye` to `target`, about which it orbits; `up` is the
@@ -108,7 +103,7 @@ struct Projection {
 /// keeps their middle depth. Without points, or where they are one, only the place changes.
 [[nodiscard]] Camera framed(const Camera& camera, std::span<const Vec3> points, Size size);
 
-/// The half line of points that are seen at `pixel`.
+/// The ray of points that are seen at `pixel`. Its direction has length 1.
 [[nodiscard]] Ray ray_through(const Camera& camera, Size size, PixelPoint pixel);
 
 /// Where a point is seen, inside the picture or beside it; nothing for points behind the eye.

@@ -16,6 +16,7 @@ set(SOMS_VIEW_HEADERS
   labels.h
   palette.h
   picture.h
+  picture_marks.h
   recording_renderer.h
   renderer.h
   stroke_font.h
@@ -40,6 +41,7 @@ set(SOMS_VIEW_SOURCES
   labels.cpp
   palette.cpp
   picture.cpp
+  picture_marks.cpp
   recording_renderer.cpp
   stroke_font.cpp
   tiles.cpp

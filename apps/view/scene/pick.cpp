@@ -1,6 +1,4 @@
-// Picking: which triangle a ray meets first, by the same exact question that finds contacts.
-#include "soms/query/overlap.h"
-
+// Picking: which triangle a ray hits first, and which contact it passes nearest to.
 #include "apps/view/scene/view_scene.h"
 
 #include <fmt/format.h>
@@ -15,40 +13,6 @@ namespace {
 
 /// Most contacts of a picked triangle that its text lists.
 constexpr std::size_t kListed = 5;
-
-/// The part of a ray that holds all it can meet, as a body of one triangle without area.
-Body segment_of(const Ray& ray, double length) {
-  Mesh mesh;
-  mesh.vertices = {ray.origin, ray.origin + ray.direction * length};
-  mesh.triangles = {{0, 1, 1}};
-  return Body(std::move(mesh));
-}
-
-/// Farthest distance of a point of `box` from `p`, with room for rounding.
-double reach(const Vec3& p, const Box& box) {
-  double most = 0;
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    const Vec3 c{(corner & 1U) != 0 ? box.upper.x : box.lower.x,
-                 (corner & 2U) != 0 ? box.upper.y : box.lower.y,
-                 (corner & 4U) != 0 ? box.upper.z : box.lower.z};
-    most = std::max(most, std::hypot(c.x - p.x, c.y - p.y, c.z - p.z));
-  }
-  return 1.0001 * most;
-}
-
-/// Nearest common point of the ray's segment and a triangle that it meets.
-double distance_along(const Ray& ray, const Triangle& segment, const Triangle& t, Vec3& point) {
-  double least = std::numeric_limits<double>::infinity();
-  const Crossing common = crossing(segment, t);  // outlives the loop over its points
-  for (const Vec3& p : common.points()) {
-    const double d = dot(p - ray.origin, ray.direction);
-    if (d < least) {
-      least = d;
-      point = p;
-    }
-  }
-  return least;
-}
 
 /// Tangent of the angle at which a ray's origin sees a point beside the ray; infinity behind it.
 double slope(const Ray& ray, const Vec3& p) {
@@ -103,40 +67,15 @@ std::string describe(const ViewScene& scene, const Picked& p) {
 }  // namespace
 
 std::optional<Picked> ViewScene::pick(const Ray& ray, bool with_movers) const {
-  Box all = bounds();
-  const std::uint32_t moving = with_movers ? movers() : 0;
-  for (std::uint32_t k = 0; k < moving; ++k) {
-    all.grow(bounds(mover(k)));
-  }
-  if (all.empty()) {
+  const SurfaceHit hit = first_hits({&ray, 1}, with_movers).front();
+  if (!hit.body) {
     return std::nullopt;
   }
-  const Body segment = segment_of(ray, reach(ray.origin, all));
-  const Triangle line = segment.shape.mesh().triangle(0);
-  std::optional<Picked> best;
-  const auto look_at = [&](BodyRef ref) {
-    const Overlap hits = overlap(segment, body(ref));
-    for (const TrianglePair& hit : hits.pairs) {
-      Vec3 point;
-      const double distance = distance_along(ray, line, triangle(ref, hit.second), point);
-      if (!best || distance < best->distance) {
-        best.emplace();
-        best->body = ref;
-        best->triangle = hit.second;
-        best->point = point;
-        best->distance = distance;
-      }
-    }
-  };
-  for (std::uint32_t k = 0; k < city_parts(); ++k) {
-    look_at(city_part(k));
-  }
-  for (std::uint32_t k = 0; k < moving; ++k) {
-    look_at(mover(k));
-  }
-  if (!best) {
-    return std::nullopt;
-  }
+  std::optional<Picked> best(std::in_place);
+  best->body = *hit.body;
+  best->triangle = hit.triangle;
+  best->point = hit.point;
+  best->distance = hit.t;
   const Mesh& mesh = body(best->body).shape.mesh();
   best->face = mesh.faces.empty() ? best->triangle : mesh.faces[best->triangle];
   best->part = part_of(mesh, best->triangle);

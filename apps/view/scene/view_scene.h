@@ -19,6 +19,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -28,6 +29,14 @@
 #include <vector>
 
 namespace soms::view {
+
+/// The first point of a scene on a ray.
+struct SurfaceHit {
+  std::optional<BodyRef> body = std::nullopt;  ///< nothing where the ray hits nothing
+  TriangleId triangle = 0;
+  Vec3 point = {};
+  double t = std::numeric_limits<double>::infinity();  ///< in units of the ray's direction
+};
 
 /// Where a ray meets a scene first.
 struct Picked {
@@ -169,8 +178,15 @@ class ViewScene {
   /// Why a pair of triangles touches or does not.
   [[nodiscard]] Explanation explain(const Touch& pair) const;
 
-  /// The first triangle that a ray meets, exact on the ray's segment within the scene's bounds;
-  /// without movers of the city alone.
+  /// What each of `rays` hits first, by exact decisions (`closest_hit`); without movers of the city
+  /// alone. Of bodies hit at the same t, the city's parts come first, then lower numbers.
+  /// \shape  n rays give n answers.
+  /// \errors As `closest_hit`; ErrorKind::cancelled.
+  [[nodiscard]] std::vector<SurfaceHit> first_hits(std::span<const Ray> rays,
+                                                   bool with_movers = true,
+                                                   const Parallel& parallel = {}) const;
+
+  /// The first triangle that a ray meets, with facts for people. \errors As `first_hits`.
   [[nodiscard]] std::optional<Picked> pick(const Ray& ray, bool with_movers = true) const;
 
   /// The contact that is seen nearest to a ray, if it is seen less than `angle` radians off; hidden

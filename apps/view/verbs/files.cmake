@@ -1,18 +1,24 @@
 # The verbs of soms-view: their options, and what they do.
 set(SOMS_VIEW_HEADERS
+  ray_picture.h
   render.h
   render_camera.h
   render_gaps.h
+  render_rays.h
   render_scene.h
+  sight_map.h
   time_frames.h
   verbs.h
   view.h
 )
 set(SOMS_VIEW_SOURCES
+  ray_picture.cpp
   render.cpp
   render_camera.cpp
   render_gaps.cpp
+  render_rays.cpp
   render_scene.cpp
+  sight_map.cpp
   time_frames.cpp
   verbs.cpp
   view.cpp

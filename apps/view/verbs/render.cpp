@@ -14,6 +14,7 @@
 #include "apps/view/scene/shown_boxes.h"
 #include "apps/view/scene/traversal_trace.h"
 #include "apps/view/verbs/render_gaps.h"
+#include "apps/view/verbs/render_rays.h"
 #include "apps/view/verbs/render_scene.h"
 
 #include <fmt/format.h>
@@ -45,7 +46,8 @@ const char* const kRenderFooter =
     "  soms render town.ply -o town.png --size 960x540";
 
 void add_picture_options(CLI::App& app, RenderOptions& options) {
-  app.add_option("-o,--output", options.output, "PNG file to write; - is standard output")
+  app.add_option("-o,--output", options.output,
+                 "PNG file to write, or SVG for the map of --visible-from;\n- is standard output")
       ->required()
       ->option_text("FILE");
   app.add_option_function<std::string>(
@@ -56,6 +58,16 @@ void add_picture_options(CLI::App& app, RenderOptions& options) {
          "--camera", [&options](const std::string& text) { options.camera = parse_camera(text); },
          "point of view; see below (scene,215:30)")
       ->option_text("CAMERA");
+  app.add_flag("--depth", options.depth,
+               "draw how far surfaces are from the eye, by rays; needs no graphics driver");
+  app.add_option_function<std::string>(
+         "--visible-from",
+         [&options](const std::string& text) {
+           options.visible_from = command::parse_point("--visible-from", text);
+         },
+         "draw what the point X,Y,Z sees, by rays: as a picture, or from above as\n"
+         "a map if the output is an SVG file")
+      ->option_text("X,Y,Z");
   app.add_flag("--center", options.center,
                "measure the numbers of --camera from the center of the scene");
   command::add_count(app, "--samples", options.samples, 1, 16,
@@ -373,6 +385,7 @@ command::Action add_render(CLI::App& app, command::Shared&) {
   add_content_options(app, *options);
   app.footer(kRenderFooter);
   return [options, &app](command::Console& console) {
+    check_ray_picture(app, *options);
     check_effects(app, *options);
     // The descent with which the options start is for who names no traversal: a named one has its
     // own, as in `overlap`.
@@ -386,7 +399,8 @@ command::Action add_render(CLI::App& app, command::Shared&) {
 
 int run_render(const RenderOptions& options, command::Console& console) {
   const std::uint64_t most = console.shared().max_memory;
-  if (most != 0 && most < kLeastMemory) {
+  const bool by_rays = is_ray_picture(options);
+  if (!by_rays && most != 0 && most < kLeastMemory) {
     throw Error(ErrorKind::out_of_memory, "--max-memory: drawing needs at least 256M",
                 "raise the limit, or leave it out");
   }
@@ -395,11 +409,19 @@ int run_render(const RenderOptions& options, command::Console& console) {
                 "write the picture to a file");
   }
   if (options.output != "-") {
-    command::check_extension("--output", options.output, {".png"});
+    if (options.visible_from) {
+      command::check_extension("--output", options.output, {".png", ".svg"});
+    } else {
+      command::check_extension("--output", options.output, {".png"});
+    }
   }
   // What may be missing is checked first, before models are read for minutes.
-  const HeadlessContext context;
-  GlRenderer renderer;
+  std::optional<HeadlessContext> context;
+  std::optional<GlRenderer> renderer;
+  if (!by_rays) {
+    context.emplace();
+    renderer.emplace();
+  }
   command::OutputFile file(options.output);
   ViewScene scene = make_scene(options, console);
   if (options.frame > 0 && stands_still(options, scene)) {
@@ -410,16 +432,20 @@ int run_render(const RenderOptions& options, command::Console& console) {
                                   : "nothing moves here"),
                 posed ? "leave it out, or give the poses as --route" : "leave it out");
   }
+  if (by_rays) {
+    write_ray_picture(options, scene, file, console);
+    return 0;
+  }
   remark_parts(options, scene, console);
   const auto [drawn, camera] = compose(options, scene, console);
-  const Picture picture = draw_image(options, drawn.list, camera, renderer, console);
+  const Picture picture = draw_image(options, drawn.list, camera, *renderer, console);
   file.stream() << console.run("writing " + options.output,
                                [&](const Parallel& parallel) { return to_png(picture, parallel); });
   file.commit();
   for (const std::string& line : left_out(drawn.counts)) {
     console.note(options.output + ": " + line);
   }
-  report(options, scene, renderer, console);
+  report(options, scene, *renderer, console);
   return 0;
 }
 

@@ -34,6 +34,8 @@ struct RenderOptions {
   bool trace = false;
   bool see_through = false;
   bool no_gap = false;
+  bool depth = false;                               ///< a picture of distances
+  std::optional<Vec3> visible_from = std::nullopt;  ///< a picture or map of what a point sees
 };
 
 /// Adds the options and returns what draws the picture.

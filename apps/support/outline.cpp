@@ -1,4 +1,4 @@
-#include "apps/soms/outline.h"
+#include "apps/support/outline.h"
 
 #include <algorithm>
 #include <array>

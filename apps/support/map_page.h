@@ -1,0 +1,73 @@
+/// \file
+/// The page of a map as SVG: where places lie, the panel beside it, the scale bar.
+#pragma once
+
+#include "soms/base/box.h"
+
+#include <ostream>
+#include <string>
+#include <string_view>
+
+namespace soms::command {
+
+/// Ink and paper of maps.
+inline constexpr const char* kMapInk = "#2b2a28";
+inline constexpr const char* kMapPaper = "#f3efe6";
+
+/// Where points of an area lie on the page, in pixels, north (+y) up.
+struct MapPage {
+  Box area;
+  double scale = 1;  ///< pixels a unit of length
+  double width = 0;  ///< of the map, without margin and panel
+  double height = 0;
+  double left = 0;  ///< margins
+  double top = 0;
+
+  [[nodiscard]] double x(double at) const { return left + (at - area.lower.x) * scale; }
+
+  [[nodiscard]] double y(double at) const { return top + (area.upper.y - at) * scale; }
+
+  [[nodiscard]] bool holds(const Vec3& at) const {
+    return area.lower.x <= at.x && at.x <= area.upper.x && area.lower.y <= at.y &&
+           at.y <= area.upper.y;
+  }
+};
+
+/// The page for a scene's bounds, with a rim around them.
+[[nodiscard]] MapPage make_map_page(const Box& bounds);
+
+/// A line of text as SVG; `more` are attributes.
+[[nodiscard]] std::string map_text(double x, double y, double size, std::string_view words,
+                                   std::string_view more = {});
+
+/// Starts the file: its frame and what clips to it. Everything until `close_map` is clipped.
+void open_map(std::ostream& out, const MapPage& page, std::string_view title);
+
+/// Ends what is clipped, and draws the scale bar below.
+void close_map(std::ostream& out, const MapPage& page);
+
+/// A round length not above `length`: 1, 2 or 5 times a power of ten.
+[[nodiscard]] double round_length(double length);
+
+/// Writes the panel beside the map, line by line downwards.
+class MapPanel {
+ public:
+  MapPanel(std::ostream& out, const MapPage& page);
+
+  void title(std::string_view words);
+  void head(std::string_view words);
+  void line(std::string_view words, double indent = 0);
+
+  /// A line with a swatch, given as SVG around the origin.
+  void keyed(std::string_view swatch, std::string_view words);
+
+  /// A line with a square of a color.
+  void keyed_color(std::string_view color, std::string_view words);
+
+ private:
+  std::ostream& out_;
+  double left_;
+  double y_;
+};
+
+}  // namespace soms::command

@@ -1,0 +1,57 @@
+/// \file
+/// Pictures made of rays alone: how far surfaces are, and which of them a point sees. They need no
+/// graphics driver.
+#pragma once
+
+#include "soms/base/parallel.h"
+
+#include "apps/view/drawing/camera.h"
+#include "apps/view/drawing/picture.h"
+#include "apps/view/scene/view_scene.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace soms::view {
+
+/// Distances from the camera's eye in a color scale, dark blue for the nearest surface to yellow
+/// for the farthest.
+struct DepthPicture {
+  Picture picture;
+  double nearest = 0;         ///< of the points at the centers of pixels; 0 where all is sky
+  double farthest = 0;        ///< of these
+  std::uint64_t surface = 0;  ///< pixels with a surface at their center
+};
+
+/// Draws a scene by `samples` rays a pixel, with a key of distances. Equal steps of the scale are
+/// equal ratios of distances.
+/// \errors ErrorKind::cancelled; out_of_memory.
+[[nodiscard]] DepthPicture draw_depth(const ViewScene& scene, const Camera& camera, Size size,
+                                      int samples, const Parallel& parallel = {});
+
+/// Surfaces that a point sees: what it sees is orange, what it does not is gray.
+struct SightPicture {
+  Picture picture;
+  std::uint64_t surface = 0;   ///< rays that hit a surface
+  std::uint64_t in_sight = 0;  ///< of these, those whose surface the point sees
+};
+
+/// Draws a scene by `samples` rays a pixel, and marks the point by a blue disc, which is a ring
+/// where something hides it.
+/// \errors As `draw_depth`.
+[[nodiscard]] SightPicture draw_sight(const ViewScene& scene, const Camera& camera,
+                                      const Vec3& observer, Size size, int samples,
+                                      const Parallel& parallel = {});
+
+/// Which of `hits` a point sees. It sees a point of a surface if nothing is hit before it on the
+/// way there, the last 2^-30 of the way left out, for hits are rounded. A hit found from an `eye`
+/// must be seen from the same side of its triangle.
+/// \shape  n hits give n flags, 0 where nothing was hit.
+/// \errors As `ViewScene::first_hits`.
+[[nodiscard]] std::vector<std::uint8_t> seen_from(const ViewScene& scene, const Vec3& observer,
+                                                  std::span<const SurfaceHit> hits,
+                                                  std::span<const Ray> rays,
+                                                  const Parallel& parallel = {});
+
+}  // namespace soms::view

@@ -1,0 +1,159 @@
+#include "apps/view/verbs/render_rays.h"
+
+#include "soms/base/error.h"
+
+#include "apps/support/json.h"
+#include "apps/support/text.h"
+#include "apps/view/verbs/ray_picture.h"
+#include "apps/view/verbs/sight_map.h"
+
+#include <fmt/format.h>
+
+#include <initializer_list>
+#include <string>
+
+namespace soms::view {
+
+namespace {
+
+/// True for the map, which is all that is written as SVG.
+bool is_map(const RenderOptions& options) {
+  return options.output.ends_with(".svg");
+}
+
+const char* name_of_mode(const RenderOptions& options) {
+  return options.depth ? "--depth" : "--visible-from";
+}
+
+Camera camera_of(const RenderOptions& options, const ViewScene& scene, const Parallel& parallel) {
+  const Vec3 origin = options.center ? scene_bounds(scene).center() : Vec3{};
+  return place_camera(options.camera, scene, options.size, origin, parallel);
+}
+
+std::string share(std::uint64_t part, std::uint64_t whole) {
+  return fmt::format(
+      "{:.1f} %",
+      whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+}
+
+std::string size_of(const RenderOptions& options) {
+  return fmt::format("{}: {}x{}", options.output, options.size.width, options.size.height);
+}
+
+void say(const RenderOptions& options, const ViewScene& scene, const std::string& words,
+         const command::Json& facts, command::Console& console) {
+  if (!console.shared().json) {
+    console.note(words);
+    return;
+  }
+  command::Json answer{{"schema", "soms.render/2"}, {"file", options.output}};
+  if (!is_map(options)) {
+    answer["width"] = options.size.width;
+    answer["height"] = options.size.height;
+  }
+  answer["frame"] = scene.frame();
+  answer["triangles"] = scene.statistics().triangles;
+  answer["movers"] = scene.movers();
+  answer["device"] = "rays";
+  answer.update(facts);
+  if (!scene.notes().empty()) {
+    answer["notes"] = scene.notes();
+  }
+  console.print(command::json_line(answer));
+}
+
+void write_depth(const RenderOptions& options, ViewScene& scene, command::OutputFile& file,
+                 command::Console& console) {
+  const DepthPicture drawn =
+      console.run("drawing " + options.output, [&](const Parallel& parallel) {
+        return draw_depth(scene, camera_of(options, scene, parallel), options.size, options.samples,
+                          parallel);
+      });
+  file.stream() << to_png(drawn.picture);
+  file.commit();
+  const std::string range = drawn.surface == 0 ? std::string("no surface")
+                                               : fmt::format("surfaces {} to {} from the eye",
+                                                             command::four_digits(drawn.nearest),
+                                                             command::four_digits(drawn.farthest));
+  say(options, scene, fmt::format("{}, {}", size_of(options), range),
+      {{"surface_pixels", drawn.surface}, {"nearest", drawn.nearest}, {"farthest", drawn.farthest}},
+      console);
+}
+
+void write_sight(const RenderOptions& options, ViewScene& scene, command::OutputFile& file,
+                 command::Console& console) {
+  const Vec3 from = *options.visible_from;
+  const command::Json place = command::Json::array({from.x, from.y, from.z});
+  if (is_map(options)) {
+    const SightMap map = console.run("drawing " + options.output, [&](const Parallel& parallel) {
+      return draw_sight_map(scene, from, parallel);
+    });
+    file.stream() << map.svg;
+    file.commit();
+    say(options, scene,
+        fmt::format("{}: {} of the surface seen from above is in sight of ({:g}, {:g}, {:g})",
+                    options.output, share(map.in_sight, map.surface), from.x, from.y, from.z),
+        {{"visible_from", place},
+         {"cell", map.cell},
+         {"cells", map.surface},
+         {"cells_in_sight", map.in_sight}},
+        console);
+    return;
+  }
+  const SightPicture drawn =
+      console.run("drawing " + options.output, [&](const Parallel& parallel) {
+        return draw_sight(scene, camera_of(options, scene, parallel), from, options.size,
+                          options.samples, parallel);
+      });
+  file.stream() << to_png(drawn.picture);
+  file.commit();
+  say(options, scene,
+      fmt::format("{}, orange is in sight of ({:g}, {:g}, {:g}): {} of the surface shown",
+                  size_of(options), from.x, from.y, from.z, share(drawn.in_sight, drawn.surface)),
+      {{"visible_from", place}, {"surface_rays", drawn.surface}, {"rays_in_sight", drawn.in_sight}},
+      console);
+}
+
+}  // namespace
+
+bool is_ray_picture(const RenderOptions& options) {
+  return options.depth || options.visible_from;
+}
+
+void check_ray_picture(const CLI::App& app, const RenderOptions& options) {
+  if (options.depth && options.visible_from) {
+    throw Error(ErrorKind::usage, "--depth and --visible-from are two pictures",
+                "draw one after the other");
+  }
+  if (is_map(options) && !options.visible_from) {
+    throw Error(ErrorKind::usage, "only --visible-from draws a map as SVG", "name a .png file");
+  }
+  if (!is_ray_picture(options)) {
+    return;
+  }
+  const auto refuse = [&](std::initializer_list<const char*> names, const std::string& where) {
+    for (const char* const name : names) {
+      if (app.count(name) > 0) {
+        throw Error(ErrorKind::usage, fmt::format("{} has no effect with {}", name, where),
+                    "leave it out");
+      }
+    }
+  };
+  refuse({"--level", "--level-of", "--boxes", "--trace", "--no-prune", "--colors", "--see-through",
+          "--edges", "--contacts-on-top", "--spots", "--no-gap"},
+         name_of_mode(options));
+  if (is_map(options)) {
+    refuse({"--size", "--camera", "--center", "--samples"}, "a map");
+  }
+}
+
+void write_ray_picture(const RenderOptions& options, ViewScene& scene, command::OutputFile& file,
+                       command::Console& console) {
+  if (options.depth) {
+    write_depth(options, scene, file, console);
+  } else {
+    write_sight(options, scene, file, console);
+  }
+}
+
+}  // namespace soms::view

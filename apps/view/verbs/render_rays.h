@@ -1,0 +1,22 @@
+/// \file
+/// The pictures of `render` that are made of rays: --depth and --visible-from.
+#pragma once
+
+#include "apps/support/console.h"
+#include "apps/view/verbs/render.h"
+
+namespace soms::view {
+
+/// True if the options ask for such a picture.
+[[nodiscard]] bool is_ray_picture(const RenderOptions& options);
+
+/// \errors ErrorKind::usage for both at once, for a map of anything but --visible-from, and for
+///         options that would change nothing.
+void check_ray_picture(const CLI::App& app, const RenderOptions& options);
+
+/// Draws and writes it, and says what it shows.
+/// \errors As `run_render`.
+void write_ray_picture(const RenderOptions& options, ViewScene& scene, command::OutputFile& file,
+                       command::Console& console);
+
+}  // namespace soms::view

@@ -1,0 +1,31 @@
+/// \file
+/// A map of what a point sees: a viewshed, made of rays.
+#pragma once
+
+#include "soms/base/parallel.h"
+#include "soms/base/vector.h"
+
+#include "apps/view/scene/view_scene.h"
+
+#include <cstdint>
+#include <string>
+
+namespace soms::view {
+
+/// A map as SVG, and what it shows.
+struct SightMap {
+  std::string svg;
+  double cell = 0;             ///< side of its square cells
+  std::uint64_t surface = 0;   ///< cells with a surface at their center, seen from above
+  std::uint64_t in_sight = 0;  ///< of these, those that the point sees
+};
+
+/// A map of a scene seen from above, north up. Each cell shows the highest surface at its center:
+/// its side is that of a square of which 800 make the longer side of the scene, and the point is
+/// tested against the very place that the ray from above hits (`seen_from`). Outlines are made
+/// straighter so that the file stays below about 400 KB.
+/// \errors As `ViewScene::first_hits`.
+[[nodiscard]] SightMap draw_sight_map(const ViewScene& scene, const Vec3& observer,
+                                      const Parallel& parallel = {});
+
+}  // namespace soms::view
