@@ -1,5 +1,5 @@
 /// \file
-/// A model asked about rows of points or rays: what `closest`, `contains` and `ray` share.
+/// Rows of points or rays beside one model: what `closest`, `contains` and `ray` share.
 #pragma once
 
 #include "soms/base/pose.h"

@@ -19,6 +19,8 @@ namespace soms {
 struct Column {
   std::string_view name;         ///< must outlive the reader, as a literal does
   bool may_be_infinite = false;  ///< "inf" is a number of it
+
+  [[nodiscard]] bool operator==(const Column&) const = default;
 };
 
 /// Rows of a CSV file whose header names its columns, read row by row: a million rows need no more
