@@ -39,6 +39,7 @@
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
 #include "soms/query/print.h"
+#include "soms/query/ray.h"
 #include "soms/query/within.h"
 #include "soms/scene/broad_phase.h"
 #include "soms/scene/contact_tracker.h"

@@ -26,6 +26,8 @@ set(SOMS_SOURCES
   detail/distance_ends.cpp
   detail/exact_distance.cpp
   detail/exact_point.cpp
+  detail/exact_ray.cpp
+  detail/ray_plane.cpp
   detail/feature_proof.cpp
   detail/flat_overlap.cpp
   detail/joined.cpp

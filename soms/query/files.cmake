@@ -9,10 +9,12 @@ set(SOMS_HEADERS
   overlap_method.h
   overlap_run.h
   print.h
+  ray.h
   reference/closest.h
   reference/contains.h
   reference/distance.h
   reference/overlap.h
+  reference/ray.h
   within.h
 )
 set(SOMS_SOURCES
@@ -45,6 +47,10 @@ set(SOMS_SOURCES
   detail/parity/parity_traversal.cpp
   detail/parity/triangle_crossing.cpp
   detail/pair_sort.cpp
+  detail/ray/crossings.cpp
+  detail/ray/ray_frame.cpp
+  detail/ray/ray_goal.cpp
+  detail/ray/ray_traversal.cpp
   distance.cpp
   detail/relative_pose.cpp
   detail/batched_root_descent.cpp
@@ -54,10 +60,12 @@ set(SOMS_SOURCES
   overlap_batch.cpp
   overlap_run.cpp
   print.cpp
+  ray.cpp
   reference/detail/moved_triangles.cpp
   reference/contains.cpp
   reference/distance.cpp
   reference/overlap.cpp
+  reference/ray.cpp
   within.cpp
   closest.cpp
   near_triangles.cpp

@@ -7,6 +7,7 @@
 #include "soms/query/contains.h"
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
+#include "soms/query/ray.h"
 #include "soms/query/within.h"
 #include "soms/tree/print.h"
 
@@ -25,6 +26,11 @@ std::string hits_in_words(const std::vector<std::uint8_t>& any) {
   const auto hits = std::count(any.begin(), any.end(), 1);
   return std::to_string(hits) + " of " + printed_count(any.size(), "pose", "poses") +
          " with an overlap";
+}
+
+/// Rays with a hit, of all.
+std::string rays_in_words(std::ptrdiff_t hits, std::size_t rays) {
+  return std::to_string(hits) + " of " + printed_count(rays, "ray hits", "rays hit");
 }
 
 /// Triangle i of the first body, j of the second.
@@ -197,6 +203,70 @@ std::ostream& operator<<(std::ostream& out, const OverlapOptions& value) {
 
 std::ostream& operator<<(std::ostream& out, OverlapMode value) {
   return out << printed_name("OverlapMode", static_cast<int>(value), {"all", "any", "first"});
+}
+
+std::ostream& operator<<(std::ostream& out, const Ray& value) {
+  return out << PrintedFields("Ray")
+                    .add("origin", value.origin)
+                    .add("direction", value.direction)
+                    .add("length", value.length);
+}
+
+std::ostream& operator<<(std::ostream& out, const Segment& value) {
+  return out << PrintedFields("Segment").add("from", value.from).add("to", value.to);
+}
+
+std::ostream& operator<<(std::ostream& out, const RayOptions& value) {
+  PrintedFields fields("RayOptions");
+  if (value.skip) {
+    fields.add("skip", *value.skip);
+  }
+  if (value.deadline) {
+    fields.item("deadline set");
+  }
+  return out << fields;
+}
+
+std::ostream& operator<<(std::ostream& out, const ClosestHit& value) {
+  PrintedFields fields("ClosestHit");
+  fields.add("t", value.t);
+  if (value.triangle) {
+    fields.add("triangle", *value.triangle).add("point", value.point).add("front", value.front);
+  }
+  return out << fields.add("coverage", value.coverage).add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const ClosestHitBatch& value) {
+  const auto hits = std::count_if(value.triangle.begin(), value.triangle.end(),
+                                  [](const auto& triangle) { return triangle.has_value(); });
+  return out << PrintedFields("ClosestHitBatch")
+                    .item(rays_in_words(hits, value.size()))
+                    .add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const AnyHit& value) {
+  return out << PrintedFields("AnyHit")
+                    .add("hit", value.hit)
+                    .add("coverage", value.coverage)
+                    .add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const AnyHitBatch& value) {
+  const auto hits = std::count(value.hit.begin(), value.hit.end(), 1);
+  return out << PrintedFields("AnyHitBatch")
+                    .item(rays_in_words(hits, value.size()))
+                    .add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const AllHits& value) {
+  return out << PrintedFields("AllHits")
+                    .item(printed_count(value.lower.size(), "crossing", "crossings") + " of " +
+                          printed_count(value.size(), "ray", "rays"))
+                    .add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, CrossingKind value) {
+  return out << printed_name("CrossingKind", static_cast<int>(value), {"enter", "leave", "graze"});
 }
 
 std::ostream& operator<<(std::ostream& out, Side value) {

@@ -8,12 +8,18 @@
 namespace soms {
 
 enum class Coverage;
+enum class CrossingKind : unsigned char;
 enum class OverlapMode;
 enum class Side : unsigned char;
 class ClosedBody;
+struct AllHits;
+struct AnyHit;
+struct AnyHitBatch;
 struct Body;
 struct Closest;
 struct ClosestBatch;
+struct ClosestHit;
+struct ClosestHitBatch;
 struct ClosestOptions;
 struct Contains;
 struct ContainsBatch;
@@ -26,6 +32,9 @@ struct NearTriangles;
 struct Overlap;
 struct OverlapBatch;
 struct OverlapOptions;
+struct Ray;
+struct RayOptions;
+struct Segment;
 struct Within;
 struct WithinBatch;
 struct WithinOptions;
@@ -52,6 +61,15 @@ std::ostream& operator<<(std::ostream& out, const Overlap& value);
 std::ostream& operator<<(std::ostream& out, const OverlapBatch& value);
 std::ostream& operator<<(std::ostream& out, const OverlapOptions& value);
 std::ostream& operator<<(std::ostream& out, OverlapMode value);
+std::ostream& operator<<(std::ostream& out, const Ray& value);
+std::ostream& operator<<(std::ostream& out, const Segment& value);
+std::ostream& operator<<(std::ostream& out, const RayOptions& value);
+std::ostream& operator<<(std::ostream& out, const ClosestHit& value);
+std::ostream& operator<<(std::ostream& out, const ClosestHitBatch& value);
+std::ostream& operator<<(std::ostream& out, const AnyHit& value);
+std::ostream& operator<<(std::ostream& out, const AnyHitBatch& value);
+std::ostream& operator<<(std::ostream& out, const AllHits& value);
+std::ostream& operator<<(std::ostream& out, CrossingKind value);
 std::ostream& operator<<(std::ostream& out, Side value);
 
 }  // namespace soms

@@ -40,6 +40,8 @@ static_assert(kValues<ClosedBody, Contains, ContainsBatch, ContainsOptions, Side
 static_assert(kValues<Body, Cost, Coverage, Overlap, OverlapBatch, OverlapOptions, OverlapMode,
                       TraversalOptions, TraversalCounts, NodePair, Traversal, Descent, EntryOrder,
                       BoxUpdate, thesis::CountedOverlap>);
+static_assert(kValues<Ray, Segment, RayOptions, ClosestHit, ClosestHitBatch, AnyHit, AnyHitBatch,
+                      AllHits, CrossingKind>);
 static_assert(kValues<ContactChange, ContactEvents, EnvironmentEvent, MoverEvent, StepScope>);
 static_assert(kValues<EnvironmentContact, MoverContact, EnvironmentGap, MoverGap, StepReport,
                       StepOptions, RecordedMesh, RecordedBody, RecordingHead, RecordedFrame,
@@ -75,6 +77,22 @@ TEST(Values, PrintWhatIsInside) {
   EXPECT_EQ(printed(contains(nothing, std::vector<Vec3>(2))),
             "ContainsBatch{0 of 2 points inside, 0 on the surface, coverage: complete, cost: " +
                 printed(Cost{}) + "}");
+}
+
+TEST(Values, PrintRaysAndWhatTheyHit) {
+  const Body body(small_mesh());
+  const std::vector<Ray> rays{{{0.75, 0.25, 2}, {0, 0, -1}}, {{9, 9, 9}, {0, 0, 1}, 4}};
+  EXPECT_EQ(printed(rays[1]), "Ray{origin: (9, 9, 9), direction: (0, 0, 1), length: 4}");
+  EXPECT_EQ(printed(Segment{{0, 0, 0}, {1, 2, 3}}), "Segment{from: (0, 0, 0), to: (1, 2, 3)}");
+  EXPECT_EQ(printed(RayOptions{.skip = 3}), "RayOptions{skip: 3}");
+  EXPECT_EQ(printed(closest_hit(body, rays[0])).substr(0, 28), "ClosestHit{t: [2, 2], triang");
+  EXPECT_EQ(printed(closest_hit(body, rays)).substr(0, 35), "ClosestHitBatch{1 of 2 rays hit, co");
+  EXPECT_EQ(printed(any_hit(body, rays[0])).substr(0, 16), "AnyHit{hit: true");
+  EXPECT_EQ(printed(any_hit(body, rays)).substr(0, 27), "AnyHitBatch{1 of 2 rays hit");
+  EXPECT_EQ(printed(all_hits(body, rays)).substr(0, 28), "AllHits{1 crossing of 2 rays");
+  EXPECT_EQ(
+      printed(CrossingKind::enter) + printed(CrossingKind::leave) + printed(CrossingKind::graze),
+      "enterleavegraze");
 }
 
 TEST(Values, PrintMeshesAndWhatIsFoundInThem) {

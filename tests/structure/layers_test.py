@@ -24,6 +24,8 @@ LENT = {
     ("query", "soms/geometry/detail/nearest_points.h"): "as exact_distance.h",
     ("query", "soms/geometry/detail/point_to_triangle.h"): "what a traversal knows of a candidate triangle",
     ("query", "soms/geometry/detail/exact_point.h"): "as exact_distance.h",
+    ("query", "soms/geometry/detail/exact_ray.h"): "where a ray meets a candidate triangle",
+    ("query", "soms/geometry/detail/ray_plane.h"): "the same in floating point",
     ("query", "soms/geometry/detail/odd_edges.h"): "a body keeps its odd edges, to be looked at again at another pose",
     ("query", "soms/geometry/detail/predicates.h"): "tests of a ray say whether a filter sufficed",
     ("thesis", "soms/query/detail/collector.h"): "modes and limits mean the same by every traversal",

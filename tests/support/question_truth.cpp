@@ -49,6 +49,37 @@ std::vector<ClosedRow> read_closed_rows(const std::filesystem::path& file) {
   return rows;
 }
 
+std::vector<RayTruthRow> read_ray_rows(const std::filesystem::path& file) {
+  std::vector<RayTruthRow> rows;
+  for (const TruthRow& row : truth_rows(file, 15)) {
+    const auto number = [&](std::size_t i) { return truth_number<double>(row[i]); };
+    RayTruthRow truth{
+        row[0],
+        row[1],
+        {{number(2), number(3), number(4)}, {number(5), number(6), number(7)}, number(8)},
+        truth_number<std::uint64_t>(row[10]),
+        truth_number<std::uint64_t>(row[14]),
+        {}};
+    if (truth.hits != 0) {
+      truth.closest.t = {number(11), number(12)};
+      truth.closest.triangle = truth_number<TriangleId>(row[13]);
+    }
+    rows.push_back(std::move(truth));
+  }
+  return rows;
+}
+
+std::vector<RayListRow> read_ray_lists(const std::filesystem::path& file) {
+  std::vector<RayListRow> rows;
+  for (const TruthRow& row : truth_rows(file, 5)) {
+    rows.push_back({truth_number<std::uint64_t>(row[0]),
+                    truth_number<std::uint64_t>(row[1]),
+                    {truth_number<double>(row[2]), truth_number<double>(row[3])},
+                    truth_number<TriangleId>(row[4])});
+  }
+  return rows;
+}
+
 const Mesh* question_mesh(std::string_view name) {
   static std::map<std::string, std::unique_ptr<const Mesh>, std::less<>> meshes;
   const auto known = meshes.find(name);

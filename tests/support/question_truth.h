@@ -1,11 +1,12 @@
 /// \file
-/// The truth set of points in bodies and of closed meshes: rows that were decided by two
+/// The truth set of points in bodies, of closed meshes, and of rays: rows that were decided by two
 /// independent exact methods. tests/data/questions has a part of it, SOMS_DATA all.
 #pragma once
 
 #include "soms/base/vector.h"
 #include "soms/geometry/mesh.h"
 #include "soms/query/contains.h"
+#include "soms/query/ray.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -35,9 +36,29 @@ struct ClosedRow {
   std::uint64_t odd_proper = 0;
 };
 
+/// A ray, a mesh without pose, and what the ray hits.
+struct RayTruthRow {
+  std::string mesh;
+  std::string kind;
+  Ray ray;
+  std::uint64_t hits = 0;  ///< triangles that it meets
+  std::uint64_t ties = 0;  ///< of these, those at the least t
+  ClosestHit closest;      ///< its `t` and `triangle`
+};
+
+/// A triangle that a ray meets. Rows of one ray are sorted by exact t, then by triangle.
+struct RayListRow {
+  std::uint64_t ray = 0;    ///< a row of the file of rays
+  std::uint64_t group = 0;  ///< the same where t is exactly the same
+  Bracket t;
+  TriangleId triangle = 0;
+};
+
 /// Rows of a file of the set. \errors std::runtime_error for a row that is not as described there.
 [[nodiscard]] std::vector<InsideRow> read_inside_rows(const std::filesystem::path& file);
 [[nodiscard]] std::vector<ClosedRow> read_closed_rows(const std::filesystem::path& file);
+[[nodiscard]] std::vector<RayTruthRow> read_ray_rows(const std::filesystem::path& file);
+[[nodiscard]] std::vector<RayListRow> read_ray_lists(const std::filesystem::path& file);
 
 /// A mesh of the set by name, of tests/data/questions or of the truth set of overlaps; null for
 /// models of others where SOMS_DATA is unset.

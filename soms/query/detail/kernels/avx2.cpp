@@ -35,6 +35,8 @@ namespace {
 #include "soms/query/detail/kernels/near_triangles.h"
 //
 #include "soms/query/detail/kernels/parity.h"
+//
+#include "soms/query/detail/kernels/lines.h"
 #include "soms/query/detail/kernels/point_bounds.h"
 
 /// Pairs of lanes, rotations 0 and 1 and rotations 2 and 3, that some axis parts.
@@ -150,9 +152,10 @@ void test_nodes(NodeTask* tasks, std::size_t count) {
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"avx2",      test_nodes,      test_larger, append,     test_slabs,
-                                  test_boxes,  judge,           bound_nodes, near_boxes, near_pairs,
-                                  bound_boxes, bound_triangles, ray_nodes,   ray_blocks};
+  static constexpr Kernels kTable{"avx2",     test_nodes, test_larger, append,
+                                  test_slabs, test_boxes, judge,       bound_nodes,
+                                  near_boxes, near_pairs, bound_boxes, bound_triangles,
+                                  ray_nodes,  ray_blocks, line_nodes,  line_blocks};
   return kTable;
 }
 

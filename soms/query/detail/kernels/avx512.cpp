@@ -41,6 +41,8 @@ namespace {
 #include "soms/query/detail/kernels/near_triangles.h"
 //
 #include "soms/query/detail/kernels/parity.h"
+//
+#include "soms/query/detail/kernels/lines.h"
 #include "soms/query/detail/kernels/point_bounds.h"
 
 inline __m512 four(const std::array<float, 4>& from) {
@@ -254,9 +256,10 @@ inline std::size_t put_all(std::uint32_t pairs, __m128i x, __m128i y, std::uint3
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"avx512",    test_nodes,      test_larger, append,     test_slabs,
-                                  test_boxes,  judge,           bound_nodes, near_boxes, near_pairs,
-                                  bound_boxes, bound_triangles, ray_nodes,   ray_blocks};
+  static constexpr Kernels kTable{"avx512",   test_nodes, test_larger, append,
+                                  test_slabs, test_boxes, judge,       bound_nodes,
+                                  near_boxes, near_pairs, bound_boxes, bound_triangles,
+                                  ray_nodes,  ray_blocks, line_nodes,  line_blocks};
   return kTable;
 }
 

@@ -4,6 +4,7 @@
 /// the same order. A bit that is not set means surely apart; relative_pose.h proves the margins.
 #pragma once
 
+#include "soms/query/detail/kernels/line_tasks.h"
 #include "soms/query/detail/kernels/parity_tasks.h"
 #include "soms/tree/layout/wide_tree.h"
 
@@ -219,6 +220,10 @@ struct Kernels {
 
   /// Triangles of blocks that a ray surely meets, and those that floats cannot decide.
   void (*ray_blocks)(RayBlockTask* tasks, std::size_t count);
+
+  /// The same of rays in any direction (lines.h).
+  void (*line_nodes)(LineNodeTask* tasks, std::size_t count);
+  void (*line_blocks)(LineBlockTask* tasks, std::size_t count);
 };
 
 /// Where rotation r pairs lanes k of `x` with lanes (k + r) mod 4 of `y`.

@@ -50,6 +50,14 @@ inline std::uint32_t meet_upright(const RayNodeTask& task, const std::array<floa
 /// Rows of R Q: a node's axes as the world sees them.
 using RayRows = std::array<std::array<float, 4>, 3>;
 
+inline std::array<float, 4> turned_row(const std::array<float, 4>& r, const WideNode& node) {
+  std::array<float, 4> row;
+  ((F4::load(node.row[0].data()) * F4(r[0]) + F4::load(node.row[1].data()) * F4(r[1])) +
+   F4::load(node.row[2].data()) * F4(r[2]))
+      .store(row.data());
+  return row;
+}
+
 inline RayRows rows_of(const RayNumbers& numbers, const WideNode& node) {
   RayRows rows;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -58,10 +66,7 @@ inline RayRows rows_of(const RayNumbers& numbers, const WideNode& node) {
     } else if (node.oriented == 0) {
       rows[i] = numbers.row[i];
     } else {
-      const auto& r = numbers.row[i];
-      ((F4::load(node.row[0].data()) * F4(r[0]) + F4::load(node.row[1].data()) * F4(r[1])) +
-       F4::load(node.row[2].data()) * F4(r[2]))
-          .store(rows[i].data());
+      rows[i] = turned_row(numbers.row[i], node);
     }
   }
   return rows;
@@ -71,38 +76,52 @@ inline F4 along_row(const std::array<float, 4>& row, const std::array<F4, 3>& v)
   return (F4(row[0]) * v[0] + F4(row[1]) * v[1]) + F4(row[2]) * v[2];
 }
 
-/// Boxes along any axes: seen along the ray they are hexagons, each three strips at once.
-inline std::uint32_t meet_oriented(const RayNodeTask& task, const std::array<float, 3>& seen) {
-  const WideNode& node = *task.node;
-  const RayMargins margin(*task.numbers, node, seen);
-  const RayRows rows = rows_of(*task.numbers, node);
-  const auto& y = rows[1];
-  const auto& z = rows[2];
+/// A node's boxes along its own axes.
+struct Boxes {
+  explicit Boxes(const WideNode& node) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      center[k] = F4::load(node.center[k].data());
+      half[k] = F4::load(node.half[k].data());
+    }
+  }
+
   std::array<F4, 3> center;
   std::array<F4, 3> half;
+};
+
+/// Boxes that a ray misses: seen along it they are hexagons, each three strips at once.
+inline M4 beside_strips(const std::array<float, 4>& y, const std::array<float, 4>& z,
+                        const std::array<float, 3>& seen, const Boxes& boxes, float across) {
   std::array<float, 3> ray;  // magnitudes of the ray's direction along the node's axes
   for (std::size_t k = 0; k < 3; ++k) {
-    center[k] = F4::load(node.center[k].data());
-    half[k] = F4::load(node.half[k].data());
     const std::size_t i = (k + 1) % 3;
     const std::size_t j = (k + 2) % 3;
     ray[k] = std::abs(y[i] * z[j] - y[j] * z[i]);
   }
-  const F4 to_y = along_row(y, center) + F4(seen[1]);
-  const F4 to_z = along_row(z, center) + F4(seen[2]);
-  const float across = margin.across * 1.5F;
+  const F4 to_y = along_row(y, boxes.center) + F4(seen[1]);
+  const F4 to_z = along_row(z, boxes.center) + F4(seen[2]);
   M4 apart;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = (k + 1) % 3;
     const std::size_t j = (k + 2) % 3;
     const F4 gap = abs(F4(y[k]) * to_z - F4(z[k]) * to_y);
-    const F4 radius = F4(ray[j]) * half[i] + F4(ray[i]) * half[j];
+    const F4 radius = F4(ray[j]) * boxes.half[i] + F4(ray[i]) * boxes.half[j];
     const M4 beside = gap > radius + F4(across);
     apart = k == 0 ? beside : apart | beside;
   }
+  return apart;
+}
+
+/// Boxes along any axes.
+inline std::uint32_t meet_oriented(const RayNodeTask& task, const std::array<float, 3>& seen) {
+  const WideNode& node = *task.node;
+  const RayMargins margin(*task.numbers, node, seen);
+  const RayRows rows = rows_of(*task.numbers, node);
+  const Boxes boxes(node);
+  const M4 apart = beside_strips(rows[1], rows[2], seen, boxes, margin.across * 1.5F);
   const auto& x = rows[0];
-  const F4 ahead = (along_row(x, center) + F4(seen[0])) * F4(task.start->sign);
-  const F4 reach = along_row({std::abs(x[0]), std::abs(x[1]), std::abs(x[2]), 0}, half);
+  const F4 ahead = (along_row(x, boxes.center) + F4(seen[0])) * F4(task.start->sign);
+  const F4 reach = along_row({std::abs(x[0]), std::abs(x[1]), std::abs(x[2]), 0}, boxes.half);
   return ~bits(apart | (F4(0.0F) > ahead + (reach + F4(margin.along))));
 }
 
@@ -118,22 +137,33 @@ inline void ray_nodes(RayNodeTask* tasks, std::size_t count) {
   }
 }
 
+/// Corners along the rows of a matrix, about what is seen from the ray.
+inline Corners turned_corners(const std::array<std::array<float, 4>, 3>& row,
+                              const TriangleBlock& block, const std::array<float, 3>& seen) {
+  Corners q;
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    const float* const from = block.corner[3 * corner].data();
+    constexpr std::size_t kNext = TriangleBlock::kWidth;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& r = row[i];
+      q[corner][i] = ((F8::load(from) * F8(r[0]) + F8::load(from + kNext) * F8(r[1])) +
+                      F8::load(from + 2 * kNext) * F8(r[2])) +
+                     F8(seen[i]);
+    }
+  }
+  return q;
+}
+
 /// Corners about the point: along the ray, and across it.
 inline Corners seen_corners(const RayNumbers& numbers, const TriangleBlock& block,
                             const std::array<float, 3>& seen) {
+  if (numbers.rotated) {
+    return turned_corners(numbers.row, block, seen);
+  }
   Corners q;
   for (std::size_t corner = 0; corner < 3; ++corner) {
     for (std::size_t i = 0; i < 3; ++i) {
-      if (numbers.rotated) {
-        const auto& r = numbers.row[i];
-        const float* const from = block.corner[3 * corner].data();
-        constexpr std::size_t kNext = TriangleBlock::kWidth;
-        q[corner][i] = ((F8::load(from) * F8(r[0]) + F8::load(from + kNext) * F8(r[1])) +
-                        F8::load(from + 2 * kNext) * F8(r[2])) +
-                       F8(seen[i]);
-      } else {
-        q[corner][i] = F8::load(block.corner[3 * corner + numbers.axis[i]].data()) + F8(seen[i]);
-      }
+      q[corner][i] = F8::load(block.corner[3 * corner + numbers.axis[i]].data()) + F8(seen[i]);
     }
   }
   return q;
@@ -144,6 +174,27 @@ inline F8 area_beside(const Three& a, const Three& b) {
   return a[1] * b[2] - a[2] * b[1];
 }
 
+/// Triangles as they look along the ray, whose corners are off by `error` and whose areas by
+/// `area`: those that surely hold it inside, and those that surely do not hold it.
+struct SeenAlong {
+  SeenAlong(const Corners& q, float error, float area) {
+    const F8 u = area_beside(q[0], q[1]);
+    const F8 v = area_beside(q[1], q[2]);
+    const F8 w = area_beside(q[2], q[0]);
+    const F8 low = least(u, v, w);
+    const F8 high = greatest(u, v, w);
+    within = bits(low > F8(area)) | bits(F8(-area) > high);
+    miss = bits(high > F8(area)) & bits(F8(-area) > low);
+    for (std::size_t i = 1; i < 3; ++i) {
+      miss |= bits((least(q[0][i], q[1][i], q[2][i]) > F8(error)) |
+                   (F8(-error) > greatest(q[0][i], q[1][i], q[2][i])));
+    }
+  }
+
+  std::uint32_t within;
+  std::uint32_t miss;
+};
+
 inline void ray_block(RayBlockTask& task) {
   const RayNumbers& numbers = *task.numbers;
   const TriangleBlock& block = *task.block;
@@ -153,19 +204,8 @@ inline void ray_block(RayBlockTask& task) {
   const float along = (block.l1_radius + std::abs(seen[0])) * 0x1p-21F + numbers.slack;
   const float area = error * (size * 6 + error * 4) + 0x1p-140F;
   const Corners q = seen_corners(numbers, block, seen);
-  const F8 u = area_beside(q[0], q[1]);
-  const F8 v = area_beside(q[1], q[2]);
-  const F8 w = area_beside(q[2], q[0]);
-  const F8 low = least(u, v, w);
-  const F8 high = greatest(u, v, w);
-  const std::uint32_t positive = bits(high > F8(area));
-  const std::uint32_t negative = bits(F8(-area) > low);
-  const std::uint32_t within = bits(low > F8(area)) | bits(F8(-area) > high);
-  std::uint32_t miss = positive & negative;
-  for (std::size_t i = 1; i < 3; ++i) {
-    miss |= bits((least(q[0][i], q[1][i], q[2][i]) > F8(error)) |
-                 (F8(-error) > greatest(q[0][i], q[1][i], q[2][i])));
-  }
+  const SeenAlong seen_along(q, error, area);
+  std::uint32_t miss = seen_along.miss;
   const F8 sign(task.start->sign);
   const F8 a = q[0][0] * sign;
   const F8 b = q[1][0] * sign;
@@ -173,7 +213,7 @@ inline void ray_block(RayBlockTask& task) {
   miss |= bits(F8(-along) > greatest(a, b, c));
   const std::uint32_t ahead = bits(least(a, b, c) > F8(along));
   const std::uint32_t lanes = ((1U << block.count) - 1) & ~miss;
-  task.cross = lanes & within & ahead;
+  task.cross = lanes & seen_along.within & ahead;
   task.open = lanes & ~task.cross;
 }
 

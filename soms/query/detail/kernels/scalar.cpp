@@ -140,14 +140,17 @@ F4 with_last(F4 a, float x) {
 #include "soms/query/detail/kernels/near_triangles.h"
 //
 #include "soms/query/detail/kernels/parity.h"
+//
+#include "soms/query/detail/kernels/lines.h"
 #include "soms/query/detail/kernels/point_bounds.h"
 
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"scalar",    test_nodes,      test_larger, append,     test_slabs,
-                                  test_boxes,  judge,           bound_nodes, near_boxes, near_pairs,
-                                  bound_boxes, bound_triangles, ray_nodes,   ray_blocks};
+  static constexpr Kernels kTable{"scalar",   test_nodes, test_larger, append,
+                                  test_slabs, test_boxes, judge,       bound_nodes,
+                                  near_boxes, near_pairs, bound_boxes, bound_triangles,
+                                  ray_nodes,  ray_blocks, line_nodes,  line_blocks};
   return kTable;
 }
 

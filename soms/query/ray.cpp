@@ -1,0 +1,316 @@
+#include "soms/query/ray.h"
+
+#include "soms/base/arithmetic.h"
+#include "soms/base/error.h"
+#include "soms/query/detail/engine/batch.h"
+#include "soms/query/detail/engine/pair_frame.h"
+#include "soms/query/detail/ray/ray_traversal.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string>
+
+namespace soms {
+
+namespace {
+
+using detail::RayFrame;
+using detail::RayLine;
+
+/// Rays that a thread takes at a time: some hundred microseconds' work.
+constexpr std::size_t kRaysOfBlock = 1024;
+
+RayLine line_of(const Ray& ray) {
+  return {ray.origin, ray.direction, ray.length, false};
+}
+
+RayLine line_of(const Segment& segment) {
+  return {segment.from, segment.to, 1, true};
+}
+
+/// "ray 3", or "ray" of a single one.
+std::string name_of(const char* what, std::optional<std::size_t> index) {
+  return index ? what + (" " + std::to_string(*index)) : what;
+}
+
+void check_place(const Vec3& p, const char* what, const char* which,
+                 std::optional<std::size_t> index) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (std::abs(p[axis]) <= kMaxCoordinate) {
+      continue;
+    }
+    const std::string place = name_of(what, index) + ": " + which + " " + "xyz"[axis];
+    if (std::isfinite(p[axis])) {
+      throw Error(ErrorKind::out_of_range, place + " is beyond 2^300",
+                  "use a larger unit of length");
+    }
+    throw Error(ErrorKind::not_finite, place + " is not a finite number",
+                "give three finite coordinates");
+  }
+}
+
+void check_one(const Ray& ray, std::optional<std::size_t> index) {
+  check_place(ray.origin, "ray", "origin", index);
+  const Vec3& d = ray.direction;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!std::isfinite(d[axis])) {
+      throw Error(ErrorKind::not_finite,
+                  name_of("ray", index) + ": direction " + "xyz"[axis] + " is not a finite number",
+                  "give three finite components");
+    }
+  }
+  if (d == Vec3{}) {
+    throw Error(ErrorKind::usage, name_of("ray", index) + ": the direction is zero",
+                "give a direction, or use a segment");
+  }
+  if (!(ray.length >= 0)) {
+    throw Error(ErrorKind::usage,
+                name_of("ray", index) + ": the length is negative or not a number",
+                "give a length of 0 or more, or infinity");
+  }
+}
+
+void check_one(const Segment& segment, std::optional<std::size_t> index) {
+  check_place(segment.from, "segment", "start", index);
+  check_place(segment.to, "segment", "end", index);
+}
+
+void check_body(const Body& body, const RayOptions& options) {
+  detail::check_pose(body.pose, body.shape);
+  const std::size_t count = body.shape.mesh().triangles.size();
+  if (options.skip && *options.skip >= count) {
+    throw Error(ErrorKind::usage,
+                "ray options: skip names triangle " + std::to_string(*options.skip) +
+                    ", the mesh has " + std::to_string(count),
+                "give a triangle of the mesh");
+  }
+}
+
+/// Answers rays or segments by one goal, in chunks on any thread. `take(begin, answers)` is called
+/// for each chunk.
+template <class Goal, class Line, class Take>
+void answer_all(const Body& body, std::span<const Line> rays, const RayOptions& options,
+                const Parallel& parallel, const Take& take) {
+  check_stop(parallel);
+  using Answers = std::vector<typename Goal::Answer>;
+  std::optional<RayFrame> frame;
+  if (!detail::is_empty(body.shape)) {
+    frame.emplace(body.shape.layout(), body.pose);
+  }
+
+  struct Memory {
+    std::unique_ptr<detail::RayMemory<Goal>> rays;
+    std::vector<RayLine> lines;
+    Answers answers;
+  };
+
+  detail::MemoryPool<Memory> pool;
+  for_each_chunk(rays.size(), kRaysOfBlock, parallel, [&](std::size_t begin, std::size_t end) {
+    auto place = pool.take([&] {
+      return Memory{frame ? detail::ray_memory<Goal>(body, *frame, options.skip) : nullptr, {}, {}};
+    });
+    Memory& memory = place->memory;
+    memory.answers.assign(end - begin, {});
+    memory.lines.clear();
+    for (std::size_t i = begin; i < end; ++i) {
+      memory.lines.push_back(line_of(rays[i]));
+    }
+    if (memory.rays) {
+      detail::Limit limit(options.deadline, parallel);
+      memory.rays->answer(memory.lines, memory.answers, limit);
+    } else {
+      for (auto& answer : memory.answers) {
+        answer.coverage = Coverage::complete;
+      }
+    }
+    take(begin, std::span(memory.answers));
+    pool.give_back(std::move(place));
+  });
+}
+
+template <class Line>
+void check_all(const Body& body, std::span<const Line> rays, const RayOptions& options) {
+  check_body(body, options);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    check_one(rays[i], i);
+  }
+}
+
+Cost sum_of(const std::vector<Cost>& costs) {
+  Cost sum;
+  for (const Cost& cost : costs) {
+    sum += cost;
+  }
+  return sum;
+}
+
+/// The answer for one ray or segment.
+template <class Goal, class Line>
+typename Goal::Answer answer_one(const Body& body, const Line& ray, const RayOptions& options) {
+  const PlainArithmetic plain;
+  check_body(body, options);
+  check_one(ray, std::nullopt);
+  typename Goal::Answer answer;
+  answer_all<Goal>(body, std::span(&ray, 1), options, {},
+                   [&](std::size_t, auto answers) { answer = answers[0]; });
+  return answer;
+}
+
+template <class Line>
+ClosestHitBatch closest_of(const Body& body, std::span<const Line> rays, const RayOptions& options,
+                           const Parallel& parallel) {
+  const PlainArithmetic plain;
+  check_all(body, rays, options);
+  ClosestHitBatch batch;
+  batch.lower.resize(rays.size());
+  batch.upper.resize(rays.size());
+  batch.triangle.resize(rays.size());
+  batch.point.resize(rays.size());
+  batch.front.resize(rays.size());
+  batch.coverage.resize(rays.size());
+  batch.costs.resize(rays.size());
+  answer_all<detail::ClosestHitGoal>(body, rays, options, parallel,
+                                     [&](std::size_t i, std::span<const ClosestHit> answers) {
+                                       for (const ClosestHit& answer : answers) {
+                                         batch.lower[i] = answer.t.lower;
+                                         batch.upper[i] = answer.t.upper;
+                                         batch.triangle[i] = answer.triangle;
+                                         batch.point[i] = answer.point;
+                                         batch.front[i] = answer.front ? 1 : 0;
+                                         batch.coverage[i] = answer.coverage;
+                                         batch.costs[i++] = answer.cost;
+                                       }
+                                     });
+  batch.cost = sum_of(batch.costs);
+  return batch;
+}
+
+template <class Line>
+AnyHitBatch any_of(const Body& body, std::span<const Line> rays, const RayOptions& options,
+                   const Parallel& parallel) {
+  const PlainArithmetic plain;
+  check_all(body, rays, options);
+  AnyHitBatch batch;
+  batch.hit.resize(rays.size());
+  batch.coverage.resize(rays.size());
+  batch.costs.resize(rays.size());
+  answer_all<detail::AnyHitGoal>(body, rays, options, parallel,
+                                 [&](std::size_t i, std::span<const AnyHit> answers) {
+                                   for (const AnyHit& answer : answers) {
+                                     batch.hit[i] = answer.hit ? 1 : 0;
+                                     batch.coverage[i] = answer.coverage;
+                                     batch.costs[i++] = answer.cost;
+                                   }
+                                 });
+  batch.cost = sum_of(batch.costs);
+  return batch;
+}
+
+/// Appends one ray's row.
+void append_row(const detail::AllHitsGoal::Answer& answer, AllHits& hits) {
+  for (const detail::FoundCrossing& crossing : answer.row.crossings) {
+    hits.lower.push_back(crossing.t.lower);
+    hits.upper.push_back(crossing.t.upper);
+    hits.kind.push_back(crossing.kind);
+    hits.triangle_offsets.push_back(hits.triangle_offsets.back() + crossing.triangles);
+  }
+  detail::append(hits.triangle, answer.row.triangles);
+  hits.offsets.push_back(hits.lower.size());
+  hits.coverage.push_back(answer.coverage);
+  hits.costs.push_back(answer.cost);
+}
+
+/// Appends the rows of a chunk.
+void append_rows_of(const AllHits& part, AllHits& hits) {
+  detail::append_rows(hits.offsets, hits.lower, part.offsets, part.lower);
+  detail::append(hits.upper, part.upper);
+  detail::append(hits.kind, part.kind);
+  detail::append_rows(hits.triangle_offsets, hits.triangle, part.triangle_offsets, part.triangle);
+  detail::append(hits.coverage, part.coverage);
+  detail::append(hits.costs, part.costs);
+}
+
+template <class Line>
+AllHits all_of(const Body& body, std::span<const Line> rays, const RayOptions& options,
+               const Parallel& parallel) {
+  const PlainArithmetic plain;
+  check_all(body, rays, options);
+  std::vector<AllHits> parts((rays.size() + kRaysOfBlock - 1) / kRaysOfBlock);
+  answer_all<detail::AllHitsGoal>(
+      body, rays, options, parallel,
+      [&](std::size_t begin, std::span<const detail::AllHitsGoal::Answer> answers) {
+        for (const auto& answer : answers) {
+          append_row(answer, parts[begin / kRaysOfBlock]);
+        }
+      });
+  AllHits hits;
+  for (const AllHits& part : parts) {
+    append_rows_of(part, hits);
+  }
+  hits.cost = sum_of(hits.costs);
+  return hits;
+}
+
+}  // namespace
+
+ClosestHit closest_hit(const Body& body, const Ray& ray, const RayOptions& options) {
+  return answer_one<detail::ClosestHitGoal>(body, ray, options);
+}
+
+ClosestHit closest_hit(const Body& body, const Segment& segment, const RayOptions& options) {
+  return answer_one<detail::ClosestHitGoal>(body, segment, options);
+}
+
+ClosestHit ClosestHitBatch::at(std::size_t i) const {
+  return {{lower[i], upper[i]}, triangle[i], point[i], front[i] != 0, coverage[i], costs[i]};
+}
+
+ClosestHitBatch closest_hit(const Body& body, std::span<const Ray> rays, const RayOptions& options,
+                            const Parallel& parallel) {
+  return closest_of(body, rays, options, parallel);
+}
+
+ClosestHitBatch closest_hit(const Body& body, std::span<const Segment> segments,
+                            const RayOptions& options, const Parallel& parallel) {
+  return closest_of(body, segments, options, parallel);
+}
+
+AnyHit any_hit(const Body& body, const Ray& ray, const RayOptions& options) {
+  return answer_one<detail::AnyHitGoal>(body, ray, options);
+}
+
+AnyHit any_hit(const Body& body, const Segment& segment, const RayOptions& options) {
+  return answer_one<detail::AnyHitGoal>(body, segment, options);
+}
+
+AnyHit AnyHitBatch::at(std::size_t i) const {
+  return {hit[i] != 0, coverage[i], costs[i]};
+}
+
+AnyHitBatch any_hit(const Body& body, std::span<const Ray> rays, const RayOptions& options,
+                    const Parallel& parallel) {
+  return any_of(body, rays, options, parallel);
+}
+
+AnyHitBatch any_hit(const Body& body, std::span<const Segment> segments, const RayOptions& options,
+                    const Parallel& parallel) {
+  return any_of(body, segments, options, parallel);
+}
+
+bool sees(const Body& body, const Vec3& a, const Vec3& b) {
+  return !any_hit(body, Segment{a, b}).hit;
+}
+
+AllHits all_hits(const Body& body, std::span<const Ray> rays, const RayOptions& options,
+                 const Parallel& parallel) {
+  return all_of(body, rays, options, parallel);
+}
+
+AllHits all_hits(const Body& body, std::span<const Segment> segments, const RayOptions& options,
+                 const Parallel& parallel) {
+  return all_of(body, segments, options, parallel);
+}
+
+}  // namespace soms
