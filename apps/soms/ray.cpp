@@ -29,7 +29,7 @@ std::string found_by_brute_force(const RayAnswer& truth) {
 
 bool agree(const ClosestHit& answer, const ClosestHit& truth) {
   if (answer.coverage == Coverage::cut) {
-    return answer.t.lower <= truth.t.lower && truth.t.upper <= answer.t.upper;
+    return truth.t.upper <= answer.t.upper;  // a nearer one may be missing
   }
   return answer.t == truth.t && answer.triangle == truth.triangle && answer.point == truth.point &&
          answer.front == truth.front;

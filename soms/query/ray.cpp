@@ -32,7 +32,12 @@ RayLine line_of(const Segment& segment) {
 
 /// "ray 3", or "ray" of a single one.
 std::string name_of(const char* what, std::optional<std::size_t> index) {
-  return index ? what + (" " + std::to_string(*index)) : what;
+  std::string name = what;
+  if (index) {
+    name += ' ';
+    name += std::to_string(*index);
+  }
+  return name;
 }
 
 void check_place(const Vec3& p, const char* what, const char* which,
