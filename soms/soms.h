@@ -32,6 +32,7 @@
 #include "soms/io/poses.h"
 #include "soms/io/print.h"
 #include "soms/io/read_mesh.h"
+#include "soms/io/rows.h"
 #include "soms/io/write_mesh.h"
 #include "soms/query/closest.h"
 #include "soms/query/contains.h"

@@ -537,6 +537,32 @@ def closest():
     return drawing("Feature: where on a triangle its nearest point to another point lies", 244, made)
 
 
+def ray():
+    """A ray through a body, along the ridge of a roof, into a second body where it ends."""
+    y = 96
+    through = [(110, 60), (210, 44), (238, 128), (128, 146)]
+    roof = [(296, 150), (340, y), (384, 150)]
+    last = [(442, 48), (560, 66), (548, 146), (432, 138)]
+
+    def where(p, q):
+        """The x at which the side from p to q is at the height of the ray."""
+        return p[0] + (q[0] - p[0]) * (y - p[1]) / (q[1] - p[1])
+
+    end = (508, y)
+    hits = [((where(through[3], through[0]), y), "enter", "a"), ((where(through[1], through[2]), y), "leave", "b"),
+            (roof[1], "graze", "both"), ((where(last[3], last[0]), y), "enter", "a")]
+    made = [polygon(body, "card rim-line") for body in (through, roof, last)]
+    made += [line([*body, body[0]], "ink-line") for body in (through, roof, last)]
+    made += [line([(44, y), end], "faint-line"), dot((44, y), "ink"), words(44, y - 14, "origin", "ink strong"),
+             line([(end[0], y - 9), (end[0], y + 9)], "faint-line"), words(end[0], y - 17, "length", "faint")]
+    for place, kind, color in hits:
+        low = kind != "graze"
+        at = (place[0], 176) if low else (place[0], 30)
+        made += [line([place, (at[0], at[1] + (-16 if low else 8))], f"{color}-line dashed"), dot(place, color),
+                 words(at[0], at[1], kind, f"{color} strong")]
+    return drawing("Ray: where it enters bodies, leaves them, and grazes a ridge", 196, made)
+
+
 def own_axes(view, origin, up, color):
     """The axes x and `up` of a file, named at their ends."""
     made = []
@@ -575,7 +601,7 @@ def two_axes():
 DRAWINGS = {
     "axes": two_axes, "touching": touching, "crossing": crossing, "coplanar": coplanar, "inside": inside, "gap": gap,
     "pose": pose, "parts": parts, "traversal": traversal, "coverage": coverage, "hash": hashes,
-    "nearest": nearest, "bracket": bracket, "closest": closest,
+    "nearest": nearest, "bracket": bracket, "closest": closest, "ray": ray,
 }
 
 

@@ -8,17 +8,15 @@
 #include "apps/soms/closed_body.h"
 #include "apps/soms/closest_output.h"
 #include "apps/soms/pair_options.h"
+#include "apps/soms/probe_run.h"
 #include "apps/support/console.h"
-#include "apps/support/json.h"
 #include "apps/support/parse.h"
 #include "apps/support/point_source.h"
-#include "apps/support/row_run.h"
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -67,25 +65,19 @@ struct Extremes {
 };
 
 /// A run whose rows are points beside a model.
-class ClosestRun : public RowRun {
+class ClosestRun : public ProbeRun<PointSource> {
  public:
   ClosestRun(const ClosestVerbOptions& options, PointCsv& csv, Console& console)
-      : RowRun({.verb = "closest",
-                .noun = "point",
-                .verify = options.verify,
-                .has_files = !options.csv.empty()},
-               console),
+      : ProbeRun(options, options.points, {.verb = "closest", .has_files = !options.csv.empty()},
+                 console),
         options_(options),
         lists_(options.nearest != 0 || options.radius.has_value()),
         csv_(csv),
-        points_(options.points, console),
         body_(build_shape(read_model(options.model, options.reading, console),
                           {.build = options.build}, console),
-              stated_pose(options, console)) {
+              pose()) {
     query_.at_most = std::min(options.at_most, options.radius.value_or(kInfinity));
     query_.deadline = console.deadline();
-    const std::array<const Mesh*, 1> meshes{&body_.shape.mesh()};
-    notes_ = notes_of(meshes);
     if (options.with_side) {
       closed_ = closed_body(body_, "leave out --signed", console);
     }
@@ -93,21 +85,9 @@ class ClosestRun : public RowRun {
   }
 
  private:
-  void begin() override { single_ = !console().shared().json && points_.is_single(); }
+  void begin() override { single_ = !console().shared().json && read_single(); }
 
   [[nodiscard]] bool is_single() const override { return single_; }
-
-  void clear_block() override { block_.clear(); }
-
-  bool ready() override { return points_.ready(); }
-
-  bool read_row() override {
-    const std::optional<Vec3> point = points_.next();
-    if (point) {
-      block_.push_back(*point);
-    }
-    return point.has_value();
-  }
 
   std::uint64_t answer_block() override {
     answers_.clear();
@@ -115,7 +95,7 @@ class ClosestRun : public RowRun {
   }
 
   std::uint64_t answer_signed() {
-    const SignedClosestBatch batch = closest(*closed_, block_, query_, console().parallel());
+    const SignedClosestBatch batch = closest(*closed_, block(), query_, console().parallel());
     for (std::size_t k = 0; k < batch.size(); ++k) {
       answers_.push_back({batch.closest.at(k), std::nullopt, batch.side[k]});
     }
@@ -123,7 +103,7 @@ class ClosestRun : public RowRun {
   }
 
   std::uint64_t answer_nearest() {
-    const ClosestBatch batch = closest(body_, block_, query_, console().parallel());
+    const ClosestBatch batch = closest(body_, block(), query_, console().parallel());
     for (std::size_t k = 0; k < batch.size(); ++k) {
       answers_.push_back({batch.at(k)});
     }
@@ -134,7 +114,8 @@ class ClosestRun : public RowRun {
   std::uint64_t answer_lists() {
     const std::size_t most =
         options_.nearest == 0 ? std::numeric_limits<std::size_t>::max() : options_.nearest;
-    const NearTriangles rows = nearest_triangles(body_, block_, most, query_, console().parallel());
+    const NearTriangles rows =
+        nearest_triangles(body_, block(), most, query_, console().parallel());
     for (std::size_t k = 0; k < rows.size(); ++k) {
       PointAnswer answer;
       answer.closest.coverage = rows.coverage[k];
@@ -156,7 +137,7 @@ class ClosestRun : public RowRun {
   [[nodiscard]] std::optional<std::string> difference(std::size_t k) override {
     if (const std::optional<Side> side = answers_[k].side; side && *side != Side::undecided) {
       const Side truth = console().run("verifying", [&](const Parallel&) {
-        return reference::contains_by_brute_force(body_, block_[k]);
+        return reference::contains_by_brute_force(body_, block()[k]);
       });
       if (truth != *side) {
         return fmt::format("brute force finds {}, but the answer is {}", name(truth), name(*side));
@@ -168,7 +149,7 @@ class ClosestRun : public RowRun {
   std::optional<std::string> difference_of_nearest(std::size_t k) {
     const Closest& answer = answers_[k].closest;
     const Closest truth = console().run("verifying", [&](const Parallel&) {
-      return reference::closest_by_brute_force(body_, block_[k]);
+      return reference::closest_by_brute_force(body_, block()[k]);
     });
     const Bracket& d = truth.distance;
     bool right = answer.distance == d && answer.triangle == truth.triangle &&
@@ -189,16 +170,16 @@ class ClosestRun : public RowRun {
     if (answers_[k].cut()) {
       return std::nullopt;  // which says no more than that it found these
     }
-    const std::vector<ClosestHit>& hits = *answers_[k].hits;
+    const std::vector<ListedTriangle>& hits = *answers_[k].hits;
     auto truth = console().run("verifying", [&](const Parallel&) {
-      return reference::triangles_by_brute_force(body_, block_[k], query_.at_most);
+      return reference::triangles_by_brute_force(body_, block()[k], query_.at_most);
     });
     if (options_.nearest != 0 && truth.size() > options_.nearest) {
       truth.resize(options_.nearest);
     }
     const bool right =
         std::equal(hits.begin(), hits.end(), truth.begin(), truth.end(),
-                   [](const ClosestHit& hit, const reference::RankedTriangle& expected) {
+                   [](const ListedTriangle& hit, const reference::RankedTriangle& expected) {
                      return hit.triangle == expected.triangle && hit.distance == expected.distance;
                    });
     return right ? std::nullopt
@@ -212,16 +193,7 @@ class ClosestRun : public RowRun {
     const std::uint64_t point = totals().rows;
     const Mesh& mesh = body_.shape.mesh();
     if (console().shared().json) {
-      std::string more;
-      if (options_.verify) {
-        more += right ? ",\"verified\":true" : ",\"verified\":false";
-      }
-      more += last ? ",\"timed_out\":true" : "";
-      if (point == 0 && !notes_.empty()) {
-        more += ",\"notes\":" + json_text(notes_);
-      }
-      console().print(fmt::format("{{\"schema\":\"soms.closest/1\",\"point\":{}{}{}}}\n", point,
-                                  point_keys(answer), more));
+      print_json(mesh, "point", point_keys(answer), right, last);
     } else if (single_) {
       console().print(point_text(answer, mesh, options_.at_most) + "\n");
     } else {
@@ -268,20 +240,15 @@ class ClosestRun : public RowRun {
     return parts.empty() ? count : fmt::format("{}: {}", count, fmt::join(parts, "; "));
   }
 
-  void doubt() override {}
-
   void finish(End /*end*/) override { csv_.finish(); }
 
   const ClosestVerbOptions& options_;
   bool lists_;
   bool single_ = false;
   PointCsv& csv_;
-  PointSource points_;
   Body body_;
   std::optional<ClosedBody> closed_;  // the same, where sides are requested
   ClosestOptions query_;
-  std::vector<std::string> notes_;
-  std::vector<Vec3> block_;
   std::vector<PointAnswer> answers_;
   PointTable table_;
   Extremes extremes_;
@@ -330,7 +297,7 @@ Action add_closest(CLI::App& app, Shared&) {
                "also say whether each point is inside; the model must be closed")
       ->group(kQuestionGroup);
   add_output(app, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
-  add_point_options(app, *options);
+  add_probe_options(app, *options);
   app.footer(
       "The nearest point of the surface to each point, exact to the last bit, with its triangle "
       "and\n"
@@ -339,7 +306,7 @@ Action add_closest(CLI::App& app, Shared&) {
       "  soms generate knot --triangles 2000 -o knot.ply\n"
       "  printf 'x,y,z\\n0,0,0\\n2,0,0\\n' | soms closest knot.ply --points -");
   return [options, &app](Console& console) {
-    check_point_options(app, *options);
+    check_probe_options(app, *options, options->points);
     return run_closest(*options, console);
   };
 }

@@ -2,7 +2,7 @@
 /// The verb `closest`: where is a model nearest to points?
 #pragma once
 
-#include "apps/soms/point_options.h"
+#include "apps/soms/probe_options.h"
 
 #include <cstdint>
 #include <limits>

@@ -3,7 +3,7 @@
 #include "apps/soms/closed_body.h"
 #include "apps/soms/near_output.h"
 #include "apps/soms/pair_report.h"
-#include "apps/soms/point_options.h"
+#include "apps/soms/probe_options.h"
 #include "apps/support/console.h"
 #include "apps/support/part_names.h"
 #include "apps/support/text.h"
@@ -24,9 +24,9 @@ std::string bracket_keys(const Bracket& distance) {
                      json_number(distance.upper));
 }
 
-std::string hits_key(const std::vector<ClosestHit>& hits) {
+std::string hits_key(const std::vector<ListedTriangle>& hits) {
   std::string text = ",\"hits\":[";
-  for (const ClosestHit& hit : hits) {
+  for (const ListedTriangle& hit : hits) {
     text += fmt::format("{}{{\"triangle\":{}{}}}", text.back() == '[' ? "" : ",", hit.triangle,
                         bracket_keys(hit.distance));
   }
@@ -47,7 +47,7 @@ std::string closest_keys(const Closest& answer) {
 }
 
 /// Numbers of the nearest triangles of a list.
-std::string hits_cell(const std::vector<ClosestHit>& hits, const Mesh& mesh) {
+std::string hits_cell(const std::vector<ListedTriangle>& hits, const Mesh& mesh) {
   std::string text;
   for (std::size_t i = 0; i < hits.size() && i < kHitsInText; ++i) {
     text += i == 0 ? "" : ", ";
@@ -80,11 +80,11 @@ std::string side_text(const PointAnswer& answer) {
 }
 
 std::string list_text(const PointAnswer& answer, const Mesh& mesh) {
-  const std::vector<ClosestHit>& hits = *answer.hits;
+  const std::vector<ListedTriangle>& hits = *answer.hits;
   std::string text = counted(hits.size(), "triangle") + (answer.cut()   ? " so far, out of time"
                                                          : hits.empty() ? " near"
                                                                         : "");
-  for (const ClosestHit& hit : hits) {
+  for (const ListedTriangle& hit : hits) {
     text += fmt::format("\n  {} at distance {}", triangle_label(mesh, hit.triangle),
                         readable(hit.distance.lower));
   }
@@ -149,14 +149,13 @@ void PointTable::add(std::uint64_t point, const PointAnswer& answer, const Mesh&
   const char* const form =
       answer.side ? "{:>7}  {:<24}  {:<20}  {:<7}  {}" : "{:>7}  {:<16}  {:<20}  {:<7}  {}";
   const auto print = [&](const auto&... cells) {
-    const std::string line = fmt::format(fmt::runtime(form), cells...);
-    console.print(line.substr(0, line.find_last_not_of(' ') + 1) + "\n");
+    console.print(table_line(fmt::format(fmt::runtime(form), cells...)));
   };
   const bool lists = answer.hits.has_value();
   if (rows_ == 0) {
     print("point", "distance", "triangle", lists ? "count" : "feature", lists ? "" : "at");
   }
-  if (rows_++ >= kPointsInText) {
+  if (rows_++ >= kProbesInText) {
     return;
   }
   const std::string distance = distance_cell(answer, at_most) + side_text(answer);
@@ -171,9 +170,9 @@ void PointTable::add(std::uint64_t point, const PointAnswer& answer, const Mesh&
 }
 
 void PointTable::finish(Console& console) const {
-  if (rows_ > kPointsInText) {
+  if (rows_ > kProbesInText) {
     console.print(
-        fmt::format("   and {} more; --json lists all\n", counted(rows_ - kPointsInText, "point")));
+        fmt::format("   and {} more; --json lists all\n", counted(rows_ - kProbesInText, "point")));
   }
 }
 
@@ -203,9 +202,10 @@ void PointCsv::add(std::uint64_t point, const PointAnswer& answer) {
   const Closest& closest = answer.closest;
   const std::string_view coverage = name(answer.cut() ? Coverage::cut : closest.coverage);
   if (answer.hits) {
-    for (const ClosestHit& hit : *answer.hits) {
+    for (const ListedTriangle& hit : *answer.hits) {
       file_->stream() << fmt::format("{},{},{},{},{}\n", point, hit.distance.lower,
-                                     hit.distance.upper, coverage, triangle_fields(hit.triangle));
+                                     hit.distance.upper, coverage,
+                                     triangle_csv_fields(*mesh_, parts_, hit.triangle));
     }
   } else {
     const std::string place = closest.triangle
@@ -215,7 +215,7 @@ void PointCsv::add(std::uint64_t point, const PointAnswer& answer) {
     file_->stream() << fmt::format(
         "{},{},{},{},{},{},{}{}\n", point, closest.distance.lower,
         closest.farther ? std::string() : fmt::format("{}", closest.distance.upper),
-        closest.farther, coverage, triangle_fields(closest.triangle), place,
+        closest.farther, coverage, triangle_csv_fields(*mesh_, parts_, closest.triangle), place,
         answer.side ? "," + std::string(name(*answer.side)) : std::string());
   }
   if (!file_->stream().good()) {
@@ -227,11 +227,6 @@ void PointCsv::finish() {
   if (file_) {
     file_->commit();
   }
-}
-
-std::string PointCsv::triangle_fields(std::optional<TriangleId> triangle) const {
-  return triangle ? fmt::format("{},{}", *triangle, part_csv_fields(*mesh_, parts_(*triangle)))
-                  : std::string(",,");
 }
 
 }  // namespace soms::command

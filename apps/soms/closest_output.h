@@ -21,7 +21,7 @@ namespace soms::command {
 class Console;
 
 /// A triangle in the list of a point.
-struct ClosestHit {
+struct ListedTriangle {
   TriangleId triangle = 0;
   Bracket distance;
 };
@@ -29,7 +29,7 @@ struct ClosestHit {
 /// The answer about a point: where the model is nearest, or which triangles are near.
 struct PointAnswer {
   Closest closest;  ///< without a list: all of it; with one: coverage and cost alone
-  std::optional<std::vector<ClosestHit>> hits = std::nullopt;
+  std::optional<std::vector<ListedTriangle>> hits = std::nullopt;
   std::optional<Side> side = std::nullopt;
 
   [[nodiscard]] bool cut() const {
@@ -74,8 +74,6 @@ class PointCsv {
   void finish();
 
  private:
-  [[nodiscard]] std::string triangle_fields(std::optional<TriangleId> triangle) const;
-
   std::optional<OutputFile> file_;
   const Mesh* mesh_ = nullptr;
   PartsOf parts_;

@@ -8,10 +8,9 @@
 #include "apps/soms/closed_body.h"
 #include "apps/soms/pair_options.h"
 #include "apps/soms/pair_report.h"
+#include "apps/soms/probe_run.h"
 #include "apps/support/console.h"
-#include "apps/support/json.h"
 #include "apps/support/point_source.h"
-#include "apps/support/row_run.h"
 #include "apps/support/text.h"
 
 #include <CLI/CLI.hpp>
@@ -28,15 +27,11 @@ namespace soms::command {
 
 namespace {
 
-/// A run whose rows are points beside one model.
-class ContainsRun : public RowRun {
+/// A run whose rows are points beside a closed model.
+class ContainsRun : public ProbeRun<PointSource> {
  public:
   ContainsRun(const ContainsVerbOptions& options, Console& console)
-      : RowRun({.verb = "contains", .noun = "point", .verify = options.verify}, console),
-        verified_(options.verify),
-        points_(options.points, console),
-        pose_(stated_pose(options, console)),
-        body_(body_of(options)) {}
+      : ProbeRun(options, options.points, {.verb = "contains"}, console), body_(body_of(options)) {}
 
  private:
   [[nodiscard]] ClosedBody body_of(const ContainsVerbOptions& options) {
@@ -45,14 +40,14 @@ class ContainsRun : public RowRun {
       mesh = without_open_parts(std::move(mesh));
     }
     Shape shape = build_shape(std::move(mesh), {.build = options.build}, console());
-    return closed_body(Body(std::move(shape), pose_), "add --closed-parts", console());
+    return closed_body(Body(std::move(shape), pose()), "add --closed-parts", console());
   }
 
   /// What --closed-parts asks about. Says what is left out.
   [[nodiscard]] Mesh without_open_parts(Mesh mesh) {
     const std::uint64_t all = mesh.triangles.size();
     Mesh left = console().run("looking for closed parts", [&](const Parallel& parallel) {
-      return closed_parts(mesh, pose_, parallel);
+      return closed_parts(mesh, pose(), parallel);
     });
     if (left.triangles.empty() && all != 0) {
       throw Error(ErrorKind::not_closed, printable(mesh.source) + ": no connected part is closed",
@@ -66,25 +61,8 @@ class ContainsRun : public RowRun {
     return left;
   }
 
-  void begin() override {}
-
-  /// Whoever reads a program's answers needs no other form for a single row.
-  [[nodiscard]] bool is_single() const override { return false; }
-
-  void clear_block() override { block_.clear(); }
-
-  bool ready() override { return points_.ready(); }
-
-  bool read_row() override {
-    const std::optional<Vec3> point = points_.next();
-    if (point) {
-      block_.push_back(*point);
-    }
-    return point.has_value();
-  }
-
   std::uint64_t answer_block() override {
-    answers_ = contains(body_, block_, {.deadline = console().deadline()}, console().parallel());
+    answers_ = contains(body_, block(), {.deadline = console().deadline()}, console().parallel());
     return 0;
   }
 
@@ -99,7 +77,7 @@ class ContainsRun : public RowRun {
       return std::nullopt;
     }
     const Side truth = console().run("verifying", [&](const Parallel&) {
-      return reference::contains_by_brute_force(body_.body(), block_[k]);
+      return reference::contains_by_brute_force(body_.body(), block()[k]);
     });
     return truth == side ? std::nullopt
                          : std::optional(fmt::format("brute force finds {}, but the answer is {}",
@@ -110,46 +88,30 @@ class ContainsRun : public RowRun {
     const Side side = answers_.side[k];
     ++counts_[static_cast<std::size_t>(side)];
     if (console().shared().json) {
-      print_json(k, right, last);
+      print_json(body_.body().shape.mesh(), "point", keys(k), right, last);
       return;
     }
     if (totals().rows == 0) {
       console().print(fmt::format("{:>6}  {:<9}  at\n", "point", "side"));
     }
-    if (totals().rows < kPointsInText) {
+    if (totals().rows < kProbesInText) {
       console().print(
-          fmt::format("{:>6}  {:<9}  {}\n", totals().rows, name(side), point_in_text(block_[k])));
+          fmt::format("{:>6}  {:<9}  {}\n", totals().rows, name(side), point_in_text(block()[k])));
     }
   }
 
-  void print_json(std::size_t k, bool right, bool last) {
+  [[nodiscard]] std::string keys(std::size_t k) const {
     const Contains answer = answers_.at(k);
-    std::string more;
-    if (verified_) {
-      more += right ? ",\"verified\":true" : ",\"verified\":false";
-    }
-    if (last) {
-      more += ",\"timed_out\":true";
-    }
-    const std::array<const Mesh*, 1> meshes{&body_.body().shape.mesh()};
-    const std::vector<std::string> notes =
-        totals().rows == 0 ? notes_of(meshes) : std::vector<std::string>{};
+    std::string keys = fmt::format(",\"side\":\"{}\"{}", name(answer.side),
+                                   coverage_keys(answer.coverage, answer.cost));
     if (left_out_ != 0 && totals().rows == 0) {
-      more += fmt::format(",\"triangles_left_out\":{}", left_out_);
+      keys += fmt::format(",\"triangles_left_out\":{}", left_out_);
     }
-    if (!notes.empty()) {
-      more += ",\"notes\":" + json_text(notes);
-    }
-    console().print(fmt::format(
-        "{{\"schema\":\"soms.contains/1\",\"point\":{},\"side\":\"{}\"{}{}}}\n", totals().rows,
-        name(answer.side), coverage_keys(answer.coverage, answer.cost), more));
+    return keys;
   }
 
   void print_totals() override {
-    if (totals().rows > kPointsInText) {
-      console().print(fmt::format("   and {} more; --json lists all\n",
-                                  counted(totals().rows - kPointsInText, "point")));
-    }
+    print_left_out();
     const auto count = [&](Side side) {
       return with_commas(counts_[static_cast<std::size_t>(side)]);
     };
@@ -162,16 +124,10 @@ class ContainsRun : public RowRun {
     console().print(line + "\n");
   }
 
-  void doubt() override {}
-
   void finish(End) override {}
 
-  bool verified_;
-  PointSource points_;
-  Pose pose_;
   std::uint64_t left_out_ = 0;  // triangles of open parts
   ClosedBody body_;
-  std::vector<Vec3> block_;
   ContainsBatch answers_;
   std::array<std::uint64_t, 4> counts_ = {};  // of each side
 };
@@ -184,14 +140,14 @@ Action add_contains(CLI::App& app, Shared&) {
   app.add_flag("--closed-parts", options->closed_parts,
                "leave out connected parts that are not closed by themselves")
       ->group(kQuestionGroup);
-  add_point_options(app, *options);
+  add_probe_options(app, *options);
   app.footer(
       "Exact for every point: inside, outside, or on the surface. The model must be closed; soms\n"
       "info says whether it is. Which way its triangles face does not matter.\n\nExample:\n"
       "  soms generate sphere --triangles 800 -o ball.off\n"
       "  printf 'x,y,z\\n0,0,0\\n2,0,0\\n' | soms contains ball.off --points -");
   return [options, &app](Console& console) {
-    check_point_options(app, *options);
+    check_probe_options(app, *options, options->points);
     return run_contains(*options, console);
   };
 }

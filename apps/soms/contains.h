@@ -2,7 +2,7 @@
 /// The verb `contains`: which points are inside a model?
 #pragma once
 
-#include "apps/soms/point_options.h"
+#include "apps/soms/probe_options.h"
 
 namespace soms::command {
 

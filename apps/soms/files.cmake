@@ -75,10 +75,16 @@ set(SOMS_COMMAND_FILES
   page_plots.h
   passed_on.cpp
   passed_on.h
-  point_options.cpp
-  point_options.h
   pose_run.cpp
   pose_run.h
+  probe_options.cpp
+  probe_options.h
+  probe_run.h
+  ray.cpp
+  ray.h
+  ray_output.cpp
+  ray_output.h
+  ray_run.h
   simulate.cpp
   simulate.h
   simulate_contacts.cpp

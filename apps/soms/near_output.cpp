@@ -47,8 +47,7 @@ void NearTable::add(const PairReport& report, std::uint64_t pose, std::string_vi
                     std::string_view value, const NearPair& pair, Console& console) {
   constexpr const char* kForm = "{:>6}  {:<16}  {:<20}  {}";
   const auto print = [&](const auto&... cells) {
-    const std::string line = fmt::format(fmt::runtime(kForm), cells...);
-    console.print(line.substr(0, line.find_last_not_of(' ') + 1) + "\n");
+    console.print(table_line(fmt::format(fmt::runtime(kForm), cells...)));
   };
   if (rows_ == 0) {
     print("pose", title, "triangle of A", "triangle of B");
@@ -98,9 +97,9 @@ void NearCsv::add(std::uint64_t pose, std::string_view values, const NearPair& p
   };
   file_->stream() << fmt::format(
       "{},{},{},{},{},{}\n", pose, values,
-      triangle_fields(report_->a, parts_a_, triangle(&TrianglePair::first)),
-      triangle_fields(report_->b, parts_b_, triangle(&TrianglePair::second)), point(pair.point_a),
-      point(pair.point_b));
+      triangle_csv_fields(report_->a, parts_a_, triangle(&TrianglePair::first)),
+      triangle_csv_fields(report_->b, parts_b_, triangle(&TrianglePair::second)),
+      point(pair.point_a), point(pair.point_b));
   if (!file_->stream().good()) {
     file_->check();
   }
@@ -110,12 +109,6 @@ void NearCsv::finish() {
   if (file_) {
     file_->commit();
   }
-}
-
-std::string NearCsv::triangle_fields(const Mesh& mesh, const PartsOf& parts,
-                                     std::optional<TriangleId> triangle) {
-  return triangle ? fmt::format("{},{}", *triangle, part_csv_fields(mesh, parts(*triangle)))
-                  : std::string(",,");
 }
 
 }  // namespace soms::command

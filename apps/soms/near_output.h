@@ -66,9 +66,6 @@ class NearCsv {
   void finish();
 
  private:
-  [[nodiscard]] static std::string triangle_fields(const Mesh& mesh, const PartsOf& parts,
-                                                   std::optional<TriangleId> triangle);
-
   std::optional<OutputFile> file_;
   const PairReport* report_ = nullptr;
   PartsOf parts_a_;

@@ -35,12 +35,16 @@ set(SOMS_SUPPORT_FILES
   program.h
   progress.cpp
   progress.h
+  ray_source.cpp
+  ray_source.h
   recorded_world.cpp
   recorded_world.h
   route_notes.cpp
   route_notes.h
   row_run.cpp
   row_run.h
+  row_source.cpp
+  row_source.h
   shared.cpp
   shared.h
   standard_input.cpp

@@ -60,4 +60,10 @@ std::string part_csv_fields(const Mesh& mesh, std::uint32_t part) {
                                  : fmt::format("{},{}", part, csv_field(mesh.parts[part].name));
 }
 
+std::string triangle_csv_fields(const Mesh& mesh, const PartsOf& parts,
+                                std::optional<TriangleId> triangle) {
+  return triangle ? fmt::format("{},{}", *triangle, part_csv_fields(mesh, parts(*triangle)))
+                  : std::string(",,");
+}
+
 }  // namespace soms::command

@@ -3,12 +3,14 @@
 #pragma once
 
 #include "soms/geometry/mesh.h"
+#include "soms/geometry/parts_of.h"
 
 #include "apps/support/json.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace soms::command {
@@ -35,5 +37,10 @@ namespace soms::command {
 
 /// Number and name of a part as two fields of CSV, empty for Part::kNoParent.
 [[nodiscard]] std::string part_csv_fields(const Mesh& mesh, std::uint32_t part);
+
+/// Number of a triangle, number and name of its part, as three fields of CSV; empty for no
+/// triangle. `parts` are those of `mesh`.
+[[nodiscard]] std::string triangle_csv_fields(const Mesh& mesh, const PartsOf& parts,
+                                              std::optional<TriangleId> triangle);
 
 }  // namespace soms::command

@@ -39,6 +39,10 @@ std::string point_in_text(const Vec3& point) {
   return fmt::format("({}, {}, {})", readable(point.x), readable(point.y), readable(point.z));
 }
 
+std::string table_line(std::string_view cells) {
+  return std::string(cells.substr(0, cells.find_last_not_of(' ') + 1)) + "\n";
+}
+
 std::string counted(std::uint64_t number, const std::string& noun) {
   return with_commas(number) + " " + noun + (number == 1 ? "" : "s");
 }

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace soms::command {
 
@@ -21,6 +22,9 @@ namespace soms::command {
 
 /// "(1, 2.5, 0)", as `readable`.
 [[nodiscard]] std::string point_in_text(const Vec3& point);
+
+/// A line of a table: without the blanks that fill its last cell, with a line break.
+[[nodiscard]] std::string table_line(std::string_view cells);
 
 /// "1 triangle", "2 triangles".
 [[nodiscard]] std::string counted(std::uint64_t number, const std::string& noun);

@@ -4,6 +4,7 @@ set(SOMS_HEADERS
   poses.h
   print.h
   read_mesh.h
+  rows.h
   write_mesh.h
 )
 set(SOMS_SOURCES
@@ -47,5 +48,6 @@ set(SOMS_SOURCES
   poses.cpp
   print.cpp
   read_mesh.cpp
+  rows.cpp
   write_mesh.cpp
 )

@@ -4,12 +4,10 @@
 
 #include "soms/base/parallel.h"
 #include "soms/base/pose.h"
+#include "soms/io/rows.h"
 
-#include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,9 +25,6 @@ class PoseReader {
   /// A stop of `parallel` ends this and `next`, also while they wait for a pipe.
   /// \errors  ErrorKind::cannot_open, bad_file, cancelled.
   explicit PoseReader(const std::filesystem::path& path, const Parallel& parallel = {});
-  ~PoseReader();
-  PoseReader(PoseReader&&) noexcept;
-  PoseReader& operator=(PoseReader&&) noexcept;
 
   /// The next pose, checked, or nothing at the end. Blank lines and lines that start with # are
   /// skipped.
@@ -37,17 +32,14 @@ class PoseReader {
   ///          cannot_open (reading failed), cancelled.
   [[nodiscard]] std::optional<Pose> next();
 
-  /// True if `next` will not wait: a row or the end is at hand. Always, but where a pipe or a
-  /// terminal has given no whole row yet: a program that gives a row and waits for what comes of it
-  /// has to be answered before the next row is requested. What is wrong with a row, `next` tells.
-  [[nodiscard]] bool ready();
+  /// As `RowReader::ready`.
+  [[nodiscard]] bool ready() { return rows_.ready(); }
 
-  /// True if the header is x, y and z alone: rows are shifts, or points, without rotations.
-  [[nodiscard]] bool shifts_only() const;
+  /// True if the header is x, y and z alone: rows are shifts without rotations.
+  [[nodiscard]] bool shifts_only() const { return rows_.columns().size() == 3; }
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  RowReader rows_;
 };
 
 /// All poses of a CSV file. \errors As `PoseReader`.

@@ -3,9 +3,16 @@
 #include "soms/base/print_fields.h"
 #include "soms/io/formats.h"
 #include "soms/io/read_mesh.h"
+#include "soms/io/rows.h"
 #include "soms/io/write_mesh.h"
 
 namespace soms {
+
+std::ostream& operator<<(std::ostream& out, const Column& value) {
+  return out << PrintedFields("Column")
+                    .add("name", value.name)
+                    .add("may_be_infinite", value.may_be_infinite);
+}
 
 std::ostream& operator<<(std::ostream& out, const ReadOptions& value) {
   return out << PrintedFields("ReadOptions")

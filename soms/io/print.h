@@ -7,12 +7,14 @@
 namespace soms {
 
 enum class MeshFormat;
+struct Column;
 struct ReadOptions;
 struct ReadableFormat;
 struct Rounding;
 struct WritableFormat;
 
 /// One line, as in soms/base/print.h.
+std::ostream& operator<<(std::ostream& out, const Column& value);
 std::ostream& operator<<(std::ostream& out, const ReadOptions& value);
 std::ostream& operator<<(std::ostream& out, const ReadableFormat& value);
 std::ostream& operator<<(std::ostream& out, const WritableFormat& value);

@@ -138,9 +138,8 @@ TEST(ContainsVerb, NamesWhatIsWrongWithPoints) {
   const std::vector<std::pair<const char*, const char*>> cases{
       {"", "standard input: no header"},
       {"x,y,z\n", "standard input: no rows; give at least one point below the header"},
-      {"x,y\n1,2\n", "begin with the header x,y,z"},
-      {"x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n",
-       "standard input: the header is that of poses, not of points"},
+      {"x,y\n1,2\n", "begin with x,y,z"},
+      {"x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n", "remove the column \"qw\", or begin with x,y,z"},
       {"x,y,z\n0,0,0\n0,zero,0\n", "standard input, line 3: y is \"zero\", not a number"},
       {"x,y,z\n0,nan,0\n", "line 2: y is \"nan\", not a finite number"},
       {"x,y,z\n0,0,0\n1e200,0,0\n", "standard input: point 1: x exceeds 2^300"}};

@@ -47,7 +47,7 @@ static_assert(kValues<ContactChange, ContactEvents, EnvironmentEvent, MoverEvent
 static_assert(kValues<EnvironmentContact, MoverContact, EnvironmentGap, MoverGap, StepReport,
                       StepOptions, RecordedMesh, RecordedBody, RecordingHead, RecordedFrame,
                       RecordingEnding, RecordingEnd>);
-static_assert(kValues<ReadOptions, ReadableFormat, WritableFormat, MeshFormat, Rounding>);
+static_assert(kValues<Column, ReadOptions, ReadableFormat, WritableFormat, MeshFormat, Rounding>);
 static_assert(kValues<City, CityOptions, Route, SpreadOptions, MoverKind, UrbanScene>);
 // An exception is copied by its constructor alone where it is thrown.
 static_assert(std::copy_constructible<Error> && std::equality_comparable<Error>);
@@ -318,6 +318,7 @@ TEST(Values, PrintFormatsAndWhatIsGenerated) {
   EXPECT_EQ(printed(entry(MeshFormat::three_ds)),
             R"(WritableFormat{format: three_ds, name: "3ds", title: "3DS", extension: ".3ds", )"
             R"(doubles: false, names: true, unit_and_axis: false})");
+  EXPECT_EQ(printed(Column{"length", true}), R"(Column{name: "length", may_be_infinite: true})");
   EXPECT_EQ(printed(Rounding{2, 0.5}), "Rounding{count: 2, most: 0.5}");
   EXPECT_EQ(printed(CityOptions{.triangles = 5000}),
             "CityOptions{triangles: 5000, size: 4000, seed: 1}");

@@ -34,6 +34,31 @@ Mesh channel_body() {
                 box_body({-0.6, 0, -0.1}, {0.6, 2, 0}));
 }
 
+Mesh cylinder_body(double radius, int sides) {
+  std::vector<Triangle> triangles;
+  const auto rim = [&](int i, double z) {
+    const double angle = 2 * 3.141592653589793 * (i % sides) / sides;
+    return Vec3{radius * std::cos(angle), radius * std::sin(angle), z};
+  };
+  for (int i = 0; i < sides; ++i) {
+    triangles.push_back({rim(i, -1), rim(i + 1, -1), rim(i + 1, 1)});
+    triangles.push_back({rim(i, -1), rim(i + 1, 1), rim(i, 1)});
+    triangles.push_back({{0, 0, 1}, rim(i, 1), rim(i + 1, 1)});
+    triangles.push_back({{0, 0, -1}, rim(i + 1, -1), rim(i, -1)});
+  }
+  return soup_body(triangles);
+}
+
+Vec3 even_direction(Rng& rng) {
+  while (true) {
+    const Vec3 v{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
+    const double square = dot(v, v);
+    if (square > 1e-3 && square < 1) {
+      return v * (1 / std::sqrt(square));
+    }
+  }
+}
+
 Pose deep_pose(Rng& rng) {
   while (true) {
     const std::array q{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1),

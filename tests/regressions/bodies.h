@@ -20,6 +20,12 @@ namespace soms::test {
 /// A channel open at the top and at both ends, 1 wide inside, in which `rod_body` lies clear.
 [[nodiscard]] Mesh channel_body();
 
+/// The closed surface of a cylinder about the z axis, from z = -1 to z = 1, seen from outside.
+[[nodiscard]] Mesh cylinder_body(double radius, int sides);
+
+/// A direction of unit length, but for rounding, drawn evenly.
+[[nodiscard]] Vec3 even_direction(Rng& rng);
+
 /// A rotation drawn evenly, and a shift shorter than 0.4.
 [[nodiscard]] Pose deep_pose(Rng& rng);
 

@@ -281,6 +281,24 @@ ParsedNumber parse_number(const char* begin, const char* end, Precision precisio
   return precision == Precision::as_float ? parse<float>(begin, end) : parse<double>(begin, end);
 }
 
+double cell_number(std::string_view cell, std::string_view name, ErrorKind bad,
+                   bool may_be_infinite) {
+  const char* end = cell.data() + cell.size();
+  const ParsedNumber parsed = parse_number(cell.data(), end, Precision::as_double);
+  if (parsed.status == NumberStatus::not_a_number || parsed.end != end) {
+    throw Error(bad, std::string(name) + " is " + in_quotes(cell) + ", not a number",
+                "give a number such as 1.5 or -2e3");
+  }
+  const bool infinite = parsed.status == NumberStatus::good && std::isinf(parsed.value);
+  if (!(infinite && may_be_infinite) &&
+      (parsed.status == NumberStatus::too_large || !std::isfinite(parsed.value))) {
+    throw Error(ErrorKind::not_finite,
+                std::string(name) + " is " + in_quotes(cell) + ", not a finite number",
+                "give a finite number");
+  }
+  return parsed.value;
+}
+
 CoordinateFault describe_fault(const Vec3& vertex) {
   std::size_t axis = 0;
   while (axis < 2 && std::abs(vertex[axis]) <= kMaxCoordinate) {

@@ -132,6 +132,12 @@ struct ParsedNumber {
 /// becomes zero. A sign + is accepted; "nan" and "inf" are numbers.
 [[nodiscard]] ParsedNumber parse_number(const char* begin, const char* end, Precision precision);
 
+/// The number that fills a cell of a table. `name` is the cell's in errors, "inf" a number where
+/// `may_be_infinite`.
+/// \errors `bad` for what is no number; ErrorKind::not_finite.
+[[nodiscard]] double cell_number(std::string_view cell, std::string_view name, ErrorKind bad,
+                                 bool may_be_infinite = false);
+
 /// What is wrong with a vertex that is not fit for a mesh.
 struct CoordinateFault {
   ErrorKind kind = ErrorKind::not_finite;

@@ -1,4 +1,4 @@
-#include "apps/soms/point_options.h"
+#include "apps/soms/probe_options.h"
 
 #include "soms/base/error.h"
 
@@ -12,22 +12,35 @@
 
 namespace soms::command {
 
-void add_points(CLI::App& app, PointOptions& options, const std::string& model) {
+void add_probed_model(CLI::App& app, ProbeOptions& options, const std::string& model) {
   app.add_option("MODEL", options.model, model + "; - is standard input")
       ->required()
       ->type_name("");
-  app.add_option("--points", options.points,
-                 "CSV file of points with the header x,y,z; - is standard input")
-      ->required()
+}
+
+CLI::Option* add_rows(CLI::App& app, const std::string& name, std::string& target,
+                      const std::string& what, const std::string& header) {
+  return app
+      .add_option(name, target,
+                  "CSV file of " + what + " with the header " + header + "; - is standard input")
       ->option_text("FILE")
       ->group(kQuestionGroup);
+}
+
+void add_model_pose(CLI::App& app, ProbeOptions& options) {
   app.add_option("--pose", options.pose,
                  "pose of the model: \"x y z [qw qx qy qz]\", or a CSV file of one row")
       ->option_text("POSE")
       ->group(kQuestionGroup);
 }
 
-void add_point_options(CLI::App& app, PointOptions& options) {
+void add_points(CLI::App& app, PointOptions& options, const std::string& model) {
+  add_probed_model(app, options, model);
+  add_rows(app, "--points", options.points, "points", "x,y,z")->required();
+  add_model_pose(app, options);
+}
+
+void add_probe_options(CLI::App& app, ProbeOptions& options) {
   app.add_flag("--verify", options.verify,
                "compare with brute force; exit with status 6 if they differ")
       ->group(kQuestionGroup);
@@ -37,16 +50,16 @@ void add_point_options(CLI::App& app, PointOptions& options) {
   add_build_options(app, options.build);
 }
 
-void check_point_options(CLI::App& app, PointOptions& options) {
+void check_probe_options(CLI::App& app, ProbeOptions& options, const std::string& rows) {
   options.reading.offers_empty = true;
   check_build(app, options.build);
-  const std::array<std::string, 3> inputs{options.model, options.points, options.pose.value_or("")};
+  const std::array<std::string, 3> inputs{options.model, rows, options.pose.value_or("")};
   if (std::count(inputs.begin(), inputs.end(), "-") > 1) {
     throw Error(ErrorKind::usage, "standard input is given twice", "give one of them as a file");
   }
 }
 
-Pose stated_pose(const PointOptions& options, const Console& console) {
+Pose stated_pose(const ProbeOptions& options, const Console& console) {
   if (!options.pose) {
     return {};
   }
@@ -54,7 +67,7 @@ Pose stated_pose(const PointOptions& options, const Console& console) {
   const Pose pose = source.next().value_or(Pose{});
   if (!source.is_constant()) {
     throw Error(ErrorKind::usage, source.name() + ": has more than one pose",
-                "give one pose of the model, and many points");
+                "give one pose of the model");
   }
   return pose;
 }

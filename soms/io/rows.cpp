@@ -1,0 +1,214 @@
+#include "soms/io/rows.h"
+
+#include "soms/base/arithmetic.h"
+#include "soms/io/detail/line_reader.h"
+#include "soms/io/detail/text.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace soms {
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && detail::is_blank(text.front())) {
+    text.remove_prefix(1);
+  }
+  while (!text.empty() && detail::is_blank(text.back())) {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+/// Cells of a line, without blanks around them.
+void split(std::string_view line, std::vector<std::string_view>& cells) {
+  cells.clear();
+  while (true) {
+    const std::size_t comma = line.find(',');
+    cells.push_back(trimmed(line.substr(0, comma)));
+    if (comma == std::string_view::npos) {
+      return;
+    }
+    line.remove_prefix(comma + 1);
+  }
+}
+
+/// What a line holds, but of blanks and comments nothing.
+std::optional<std::string_view> row_in(std::string_view line) {
+  const std::string_view text = trimmed(line);
+  return text.empty() || text[0] == '#' ? std::nullopt : std::optional(text);
+}
+
+auto named(std::string_view name) {
+  return [name](const Column& column) { return column.name == name; };
+}
+
+}  // namespace
+
+struct RowReader::State {
+  State(const std::filesystem::path& path, std::string_view what_rows_are,
+        std::vector<std::vector<Column>> known, const Parallel& given)
+      : parallel{.stop = given.stop},
+        lines(path, parallel),
+        what(what_rows_are),
+        headers(std::move(known)) {}
+
+  Parallel parallel;
+  detail::LineReader lines;
+  std::string what;
+  std::vector<std::vector<Column>> headers;
+  std::vector<Column> columns;  ///< of the file, in the order of its header in `headers`
+  std::vector<std::string_view> cells;
+  std::vector<std::size_t> places;  ///< of the file's columns, in the header
+  std::vector<double> numbers;
+  std::optional<std::string_view> ahead;  ///< a row that `ready` found
+
+  [[nodiscard]] std::string here(const std::string& fault) const {
+    return lines.name() + ", line " + std::to_string(lines.number()) + ": " + fault;
+  }
+
+  std::optional<std::string_view> next_line();
+  void read_header();
+  [[nodiscard]] std::string remedy() const;
+  [[nodiscard]] std::string unknown_column() const;
+  bool take(const std::vector<Column>& wanted);
+};
+
+/// The next line that is not blank and no comment.
+std::optional<std::string_view> RowReader::State::next_line() {
+  if (ahead) {
+    return std::exchange(ahead, std::nullopt);
+  }
+  while (const auto line = lines.next()) {
+    if (const auto text = row_in(*line)) {
+      return text;
+    }
+    check_stop(parallel);  // comments may have no end
+  }
+  return std::nullopt;
+}
+
+/// Takes the cells for a header if they name each of `wanted` once and nothing else, in any order.
+bool RowReader::State::take(const std::vector<Column>& wanted) {
+  places.clear();
+  for (const std::string_view cell : cells) {
+    const auto found = std::find_if(wanted.begin(), wanted.end(), named(cell));
+    const auto place = static_cast<std::size_t>(found - wanted.begin());
+    if (found == wanted.end() || std::find(places.begin(), places.end(), place) != places.end()) {
+      return false;
+    }
+    places.push_back(place);
+  }
+  numbers.assign(wanted.size(), 0.0);
+  return places.size() == wanted.size();
+}
+
+/// The first column that no header has, such as a time.
+std::string RowReader::State::unknown_column() const {
+  const auto is_known = [this](std::string_view cell) {
+    return std::any_of(headers.begin(), headers.end(), [cell](const auto& header) {
+      return std::any_of(header.begin(), header.end(), named(cell));
+    });
+  };
+  const auto found = std::find_if_not(cells.begin(), cells.end(), is_known);
+  const bool others = std::any_of(cells.begin(), cells.end(), is_known);
+  return found == cells.end() || !others ? std::string() : detail::in_quotes(*found);
+}
+
+std::string RowReader::State::remedy() const {
+  std::string text;
+  for (const std::vector<Column>& header : headers) {
+    text += text.empty() ? "begin with " : " or ";
+    for (const Column& column : header) {
+      text += column.name;
+      text += &column == &header.back() ? "" : ",";
+    }
+  }
+  return text;
+}
+
+void RowReader::State::read_header() {
+  const auto line = next_line();
+  if (!line) {
+    throw Error(ErrorKind::bad_file, lines.name() + ": no header and no " + what, remedy());
+  }
+  split(*line, cells);
+  const auto found =
+      std::find_if(headers.begin(), headers.end(), [this](const auto& h) { return take(h); });
+  if (found == headers.end()) {
+    const std::string column = unknown_column();
+    throw Error(ErrorKind::bad_file,
+                here("the header " + detail::in_quotes(*line) + " is not known"),
+                column.empty() ? remedy() : "remove the column " + column + ", or " + remedy());
+  }
+  columns = *found;
+}
+
+RowReader::RowReader(const std::filesystem::path& path, std::string_view what,
+                     std::vector<std::vector<Column>> headers, const Parallel& parallel)
+    : state_(std::make_unique<State>(path, what, std::move(headers), parallel)) {
+  state_->read_header();
+}
+
+RowReader::~RowReader() = default;
+RowReader::RowReader(RowReader&&) noexcept = default;
+RowReader& RowReader::operator=(RowReader&&) noexcept = default;
+
+const std::vector<Column>& RowReader::columns() const {
+  return state_->columns;
+}
+
+std::optional<std::span<const double>> RowReader::next() {
+  const PlainArithmetic plain;
+  State& state = *state_;
+  const auto line = state.next_line();
+  if (!line) {
+    return std::nullopt;
+  }
+  split(*line, state.cells);
+  const std::size_t width = state.numbers.size();
+  if (state.cells.size() != width) {
+    throw Error(ErrorKind::bad_file,
+                state.here(std::to_string(state.cells.size()) +
+                           (state.cells.size() == 1 ? " number" : " numbers") +
+                           ", but the header has " + std::to_string(width)),
+                "give one number per column");
+  }
+  try {
+    for (std::size_t i = 0; i < width; ++i) {
+      const Column& column = state.columns[state.places[i]];
+      state.numbers[state.places[i]] = detail::cell_number(
+          state.cells[i], column.name, ErrorKind::bad_file, column.may_be_infinite);
+    }
+  } catch (const Error& error) {
+    throw fault(error);
+  }
+  return state.numbers;
+}
+
+bool RowReader::ready() {
+  State& state = *state_;
+  try {
+    while (!state.ahead) {
+      if (!state.lines.ready()) {
+        return false;
+      }
+      const auto line = state.lines.next();
+      if (!line) {
+        break;
+      }
+      state.ahead = row_in(*line);
+      check_stop(state.parallel);
+    }
+  } catch (const Error&) {  // `next` meets it again
+  }
+  return true;
+}
+
+Error RowReader::fault(const Error& error) const {
+  return Error(error.kind(), state_->here(error.place()), error.remedy());
+}
+
+}  // namespace soms

@@ -1,0 +1,62 @@
+/// \file
+/// Reading rows of numbers, one at a time.
+#pragma once
+
+#include "soms/base/error.h"
+#include "soms/base/parallel.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soms {
+
+/// A column of numbers.
+struct Column {
+  std::string_view name;         ///< must outlive the reader, as a literal does
+  bool may_be_infinite = false;  ///< "inf" is a number of it
+
+  [[nodiscard]] bool operator==(const Column&) const = default;
+};
+
+/// Rows of a CSV file whose header names its columns, read row by row: a million rows need no more
+/// memory than one. The columns may stand in any order.
+class RowReader {
+ public:
+  /// `what` is what the rows are, in messages: "poses". The header of the file must name each
+  /// column of one of `headers` once, and no other. A stop of `parallel` ends this and `next`, also
+  /// while they wait for a pipe.
+  /// \errors  ErrorKind::cannot_open, bad_file, cancelled.
+  RowReader(const std::filesystem::path& path, std::string_view what,
+            std::vector<std::vector<Column>> headers, const Parallel& parallel = {});
+  ~RowReader();
+  RowReader(RowReader&&) noexcept;
+  RowReader& operator=(RowReader&&) noexcept;
+
+  /// That one of `headers` which the file has.
+  [[nodiscard]] const std::vector<Column>& columns() const;
+
+  /// The numbers of the next row, in the order of `columns`, valid until the next call; nothing
+  /// at the end. Blank lines and lines that start with # are skipped.
+  /// \errors  ErrorKind::bad_file, not_finite; the message names file and line. cannot_open
+  ///          (reading failed), cancelled.
+  [[nodiscard]] std::optional<std::span<const double>> next();
+
+  /// True if `next` will not wait: a row or the end is at hand. Always, but where a pipe or a
+  /// terminal has given no whole row yet: a program that gives a row and waits for what comes of it
+  /// has to be answered before the next row is requested. What is wrong with a row, `next` tells.
+  [[nodiscard]] bool ready();
+
+  /// What is wrong with the numbers of the row that `next` gave last, with file and line in front.
+  [[nodiscard]] Error fault(const Error& error) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace soms

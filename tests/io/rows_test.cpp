@@ -1,0 +1,83 @@
+#include "soms/io/rows.h"
+
+#include "tests/io/files.h"
+#include "tests/support/support.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace soms::test {
+namespace {
+
+using Rows = std::vector<std::vector<double>>;
+
+const std::vector<std::vector<Column>> kHeaders{{{"a"}, {"b"}}, {{"a"}, {"b"}, {"c", true}}};
+
+/// All rows of a file of this content.
+Rows rows_of(const std::string& content) {
+  const TemporaryFolder folder;
+  write_content(folder.path() / "rows.csv", content);
+  RowReader reader(folder.path() / "rows.csv", "things", kHeaders);
+  Rows rows;
+  while (const auto row = reader.next()) {
+    rows.emplace_back(row->begin(), row->end());
+  }
+  return rows;
+}
+
+void expect_refused_rows(const std::string& content, ErrorKind kind, const std::string& words) {
+  SCOPED_TRACE(content);
+  expect_refused([&] { static_cast<void>(rows_of(content)); }, kind, "rows.csv");
+  expect_refused([&] { static_cast<void>(rows_of(content)); }, kind, words);
+}
+
+TEST(RowReader, GivesNumbersInTheOrderOfItsHeader) {
+  EXPECT_EQ(rows_of("a,b\n1,2\n\n# why\n 3 ,+4e0\r\n"), (Rows{{1, 2}, {3, 4}}));
+  EXPECT_EQ(rows_of("b,a\n1,2\n"), (Rows{{2, 1}}));
+  EXPECT_EQ(rows_of("c,b,a\n1,2,3\n"), (Rows{{3, 2, 1}}));
+  EXPECT_TRUE(rows_of("a,b\n").empty());
+}
+
+TEST(RowReader, NamesTheColumnsOfTheFile) {
+  const TemporaryFolder folder;
+  write_content(folder.path() / "rows.csv", "c,a,b\n");
+  const RowReader reader(folder.path() / "rows.csv", "things", kHeaders);
+  EXPECT_EQ(reader.columns(), kHeaders[1]);
+}
+
+TEST(RowReader, TakesInfinityWhereAColumnMayBeInfinite) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(rows_of("a,b,c\n1,2,inf\n1,2,-inf\n"), (Rows{{1, 2, kInfinity}, {1, 2, -kInfinity}}));
+  expect_refused_rows("a,b,c\n1,inf,2\n", ErrorKind::not_finite, "line 2: b is \"inf\"");
+  expect_refused_rows("a,b,c\n1,2,nan\n", ErrorKind::not_finite, "line 2: c is \"nan\"");
+  expect_refused_rows("a,b,c\n1,2,1e999\n", ErrorKind::not_finite, "line 2: c is \"1e999\"");
+}
+
+TEST(RowReader, NamesWhatIsWrong) {
+  expect_refused_rows("", ErrorKind::bad_file, "no header and no things; begin with a,b or a,b,c");
+  expect_refused_rows("a\n", ErrorKind::bad_file,
+                      "line 1: the header \"a\" is not known; begin with a,b or a,b,c");
+  expect_refused_rows("a,b,d\n", ErrorKind::bad_file, "remove the column \"d\", or begin with a,b");
+  expect_refused_rows("a,b,b\n", ErrorKind::bad_file, "line 1: the header");
+  expect_refused_rows("a,b\n1\n", ErrorKind::bad_file, "line 2: 1 number, but the header has 2");
+  expect_refused_rows("a,b\n1,x\n", ErrorKind::bad_file, "line 2: b is \"x\", not a number");
+}
+
+TEST(RowReader, PutsFileAndLineBeforeAFault) {
+  const TemporaryFolder folder;
+  write_content(folder.path() / "rows.csv", "a,b\n1,2\n3,4\n");
+  RowReader reader(folder.path() / "rows.csv", "things", kHeaders);
+  static_cast<void>(reader.next());
+  static_cast<void>(reader.next());
+  const Error fault = reader.fault(Error(ErrorKind::usage, "a is odd", "give another"));
+  EXPECT_EQ(fault.kind(), ErrorKind::usage);
+  EXPECT_NE(fault.place().find("rows.csv, line 3: a is odd"), std::string::npos);
+  EXPECT_EQ(fault.remedy(), "give another");
+}
+
+}  // namespace
+}  // namespace soms::test
