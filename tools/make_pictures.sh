@@ -10,18 +10,20 @@ wanted=" $* "
 out=$root/docs/pictures
 most=300000  # bytes
 
+# draw NAME[.svg] OPTIONS...: a PNG file, or the map of a point.
 draw() {
   name=$1
   shift
+  case $name in *.svg) file=$name ;; *) file=$name.png ;; esac
   case $wanted in "  " | *" $name "*) ;; *) return 0 ;; esac
   for word in "$@"; do
     case $word in
       /*.ply | /*.3ds) [ -f "$word" ] || { echo "$name: left as it is, $word is missing" >&2; return 0; } ;;
     esac
   done
-  "$view" render "$@" -o "$out/$name.png"
-  size=$(wc -c < "$out/$name.png")
-  [ "$size" -le $most ] || { echo "$name.png has $size bytes, more than $most" >&2; exit 1; }
+  "$view" render "$@" -o "$out/$file"
+  size=$(wc -c < "$out/$file")
+  [ "$size" -le $most ] || { echo "$file has $size bytes, more than $most" >&2; exit 1; }
 }
 
 data=${SOMS_DATA:-/nonexistent}
@@ -42,3 +44,8 @@ draw new_york "$data/cities/new_york_south.ply" "$data/cities/new_york_mid.ply" 
 draw new_york_street "$data/cities/new_york_south.ply" --mover "$data/3ds/van_disim.3ds" --count 300 \
   --frame 30 --camera contact,0.55x --size 960x540
 draw rotterdam "$data/cities/rotterdam.ply" --camera 300:30 --size 900x506
+draw new_york_depth "$data/cities/new_york_south.ply" "$data/cities/new_york_mid.ply" --depth \
+  --camera "-3400 -8300 300 -2300 -5500 60" --size 900x506
+draw new_york_sight "$data/cities/new_york_south.ply" "$data/cities/new_york_mid.ply" \
+  --visible-from=-1500,-5200,350 --camera 200:28 --size 900x506
+draw rotterdam_sight.svg "$data/cities/rotterdam.ply" --visible-from 0,0,60

@@ -130,7 +130,8 @@ void draw_key(Picture& picture, const Scale& scale, double nearest, double farth
   draw_rectangle(picture, {corner.x - unit, corner.y - unit},
                  {corner.x + width + unit, corner.y + 4 * unit}, with_alpha(palette::kPaper, 225));
   for (double x = 0; x < width; x += 1) {
-    draw_rectangle(picture, {corner.x + x, corner.y}, {corner.x + x + 1, corner.y + 1.2 * unit},
+    const double end = std::min(x + 2, width);  // the next one covers the soft edge
+    draw_rectangle(picture, {corner.x + x, corner.y}, {corner.x + end, corner.y + 1.2 * unit},
                    ordered_color(x / width));
   }
   double free_from = corner.x - unit;

@@ -101,8 +101,8 @@ void draw_observer(std::ostream& out, const command::MapPage& page, const Vec3& 
 SightMap draw_sight_map(const ViewScene& scene, const Vec3& observer, const Parallel& parallel) {
   SightMap map;
   Box bounds = scene_bounds(scene);
-  const double top = bounds.upper.z + std::max(1.0, bounds.extent().z);
   bounds.grow(observer);
+  const double top = bounds.upper.z + std::max(1.0, bounds.extent().z);
   const command::MapPage page = command::make_map_page(bounds);
   command::HeightGrid grid(page.area, kMapCells);
   for (std::uint32_t k = 0; k < scene.city_parts(); ++k) {
