@@ -1,17 +1,23 @@
 set(SOMS_HEADERS
+  body_index.h
   broad_phase.h
   contact_tracker.h
   print.h
   recording.h
+  reference/body_queries.h
   reference/broad_phase.h
   reference/gaps.h
   replay.h
   scene.h
+  scene_query.h
   step_report.h
 )
 set(SOMS_SOURCES
+  body_index.cpp
   broad_phase.cpp
   contact_tracker.cpp
+  detail/body_search.cpp
+  detail/box_bounds.cpp
   detail/box_index.cpp
   detail/column_sweep.cpp
   detail/first_contacts.cpp
@@ -22,15 +28,19 @@ set(SOMS_SOURCES
   detail/rebuild_interval.cpp
   detail/pair_filter.cpp
   detail/pair_rows.cpp
+  detail/point_search.cpp
+  detail/ray_search.cpp
   detail/recording_reader.cpp
   detail/residents.cpp
   detail/widened.cpp
   print.cpp
   recording.cpp
+  reference/body_queries.cpp
   reference/broad_phase.cpp
   reference/gaps.cpp
   replay.cpp
   scene.cpp
+  scene_query.cpp
   step.cpp
   step_report.cpp
 )

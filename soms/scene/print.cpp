@@ -4,11 +4,91 @@
 #include "soms/base/print_fields.h"
 #include "soms/geometry/print.h"
 #include "soms/query/print.h"
+#include "soms/scene/body_index.h"
 #include "soms/scene/contact_tracker.h"
 #include "soms/scene/recording.h"
 #include "soms/scene/scene.h"
+#include "soms/scene/scene_query.h"
+
+#include <string>
 
 namespace soms {
+
+namespace {
+
+/// An answer about one of many bodies, and its body: of `Answer`, what `<<` prints of one body.
+template <class Answer, class Value>
+std::ostream& print_with_body(std::ostream& out, const char* name, const Value& value) {
+  PrintedFields fields(name);
+  if (value.body) {
+    fields.add("body", *value.body);
+  }
+  return out << fields.item(printed(static_cast<const Answer&>(value)));
+}
+
+std::ostream& print_filter(std::ostream& out, PrintedFields& fields, const auto& except) {
+  if (except) {
+    fields.add("except", *except);
+  }
+  return out << fields;
+}
+
+}  // namespace
+
+std::ostream& operator<<(std::ostream& out, const BodyClosest& value) {
+  return print_with_body<Closest>(out, "BodyClosest", value);
+}
+
+std::ostream& operator<<(std::ostream& out, const BodyClosestBatch& value) {
+  return out << PrintedFields("BodyClosestBatch")
+                    .item(printed(static_cast<const ClosestBatch&>(value)));
+}
+
+std::ostream& operator<<(std::ostream& out, const BodyFilter& value) {
+  PrintedFields fields("BodyFilter");
+  return print_filter(out, fields, value.except);
+}
+
+std::ostream& operator<<(std::ostream& out, const BodyHit& value) {
+  return print_with_body<ClosestHit>(out, "BodyHit", value);
+}
+
+std::ostream& operator<<(std::ostream& out, const BodyHitBatch& value) {
+  return out
+         << PrintedFields("BodyHitBatch").item(printed(static_cast<const ClosestHitBatch&>(value)));
+}
+
+std::ostream& operator<<(std::ostream& out, SceneBodyKind value) {
+  return out << printed_name("SceneBodyKind", static_cast<int>(value), {"environment", "mover"});
+}
+
+std::ostream& operator<<(std::ostream& out, const SceneBody& value) {
+  return out << PrintedFields("SceneBody").add("kind", value.kind).add("id", value.id);
+}
+
+std::ostream& operator<<(std::ostream& out, const SceneClosest& value) {
+  return print_with_body<Closest>(out, "SceneClosest", value);
+}
+
+std::ostream& operator<<(std::ostream& out, const SceneClosestBatch& value) {
+  return out << PrintedFields("SceneClosestBatch")
+                    .item(printed(static_cast<const ClosestBatch&>(value)));
+}
+
+std::ostream& operator<<(std::ostream& out, const SceneFilter& value) {
+  PrintedFields fields("SceneFilter");
+  fields.add("environment", value.environment).add("movers", value.movers);
+  return print_filter(out, fields, value.except);
+}
+
+std::ostream& operator<<(std::ostream& out, const SceneHit& value) {
+  return print_with_body<ClosestHit>(out, "SceneHit", value);
+}
+
+std::ostream& operator<<(std::ostream& out, const SceneHitBatch& value) {
+  return out << PrintedFields("SceneHitBatch")
+                    .item(printed(static_cast<const ClosestHitBatch&>(value)));
+}
 
 std::ostream& operator<<(std::ostream& out, const EnvironmentContact& value) {
   return out << PrintedFields("EnvironmentContact")

@@ -10,7 +10,13 @@ namespace soms {
 
 enum class ContactChange : std::uint8_t;
 enum class RecordingEnding : std::uint8_t;
+enum class SceneBodyKind : std::uint8_t;
 enum class StepScope;
+struct BodyClosest;
+struct BodyClosestBatch;
+struct BodyFilter;
+struct BodyHit;
+struct BodyHitBatch;
 struct ContactEvents;
 struct EnvironmentContact;
 struct EnvironmentEvent;
@@ -23,10 +29,28 @@ struct RecordedFrame;
 struct RecordedMesh;
 struct RecordingEnd;
 struct RecordingHead;
+struct SceneBody;
+struct SceneClosest;
+struct SceneClosestBatch;
+struct SceneFilter;
+struct SceneHit;
+struct SceneHitBatch;
 struct StepOptions;
 struct StepReport;
 
 /// One line, as in soms/base/print.h. Lists are counted, not listed.
+std::ostream& operator<<(std::ostream& out, const BodyClosest& value);
+std::ostream& operator<<(std::ostream& out, const BodyClosestBatch& value);
+std::ostream& operator<<(std::ostream& out, const BodyFilter& value);
+std::ostream& operator<<(std::ostream& out, const BodyHit& value);
+std::ostream& operator<<(std::ostream& out, const BodyHitBatch& value);
+std::ostream& operator<<(std::ostream& out, SceneBodyKind value);
+std::ostream& operator<<(std::ostream& out, const SceneBody& value);
+std::ostream& operator<<(std::ostream& out, const SceneClosest& value);
+std::ostream& operator<<(std::ostream& out, const SceneClosestBatch& value);
+std::ostream& operator<<(std::ostream& out, const SceneFilter& value);
+std::ostream& operator<<(std::ostream& out, const SceneHit& value);
+std::ostream& operator<<(std::ostream& out, const SceneHitBatch& value);
 std::ostream& operator<<(std::ostream& out, const EnvironmentContact& value);
 std::ostream& operator<<(std::ostream& out, const MoverContact& value);
 std::ostream& operator<<(std::ostream& out, const EnvironmentGap& value);

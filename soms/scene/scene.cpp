@@ -29,8 +29,8 @@ EnvironmentId Scene::add_environment(Body body) {
 void Scene::remove_environment(EnvironmentId id) {
   // What may fail for want of memory comes first: the copy of the list and the removal.
   const std::vector<std::uint32_t> movers = state_->parts.at(id).ignored_others;
-  state_->parts.remove(id);
   state_->parts_changed = true;
+  state_->parts.remove(id);
   for (const std::uint32_t mover : movers) {
     detail::erase(state_->movers.at(mover).ignored_others, id);
   }
@@ -40,6 +40,7 @@ MoverId Scene::add_mover(Body body, std::uint32_t group) {
   const PlainArithmetic plain;
   const Box box = detail::world_box(body, body.shape, body.pose, "new mover");
   state_->filter_changed = state_->filter_changed || group != 0;
+  state_->movers_changed = true;
   return state_->movers.add({std::move(body), box, group, {}, {}});
 }
 
@@ -48,6 +49,7 @@ void Scene::remove_mover(MoverId id) {
   const std::vector<std::uint32_t> others = resident.ignored_movers;
   const std::vector<std::uint32_t> parts = resident.ignored_others;
   const std::size_t places = state_->movers.places().size();
+  state_->movers_changed = true;
   state_->movers.remove(id);
   // An empty place meets nothing, so its group may stay; but places may have moved.
   state_->filter_changed =
@@ -105,6 +107,7 @@ void Scene::set_pose(MoverId id, const Pose& pose) {
   Resident& resident = state_->movers.at(id);
   resident.box = detail::world_box(resident.body, resident.body.shape, pose, "mover", id);
   resident.body.pose = pose;
+  state_->movers_changed = true;
 }
 
 void Scene::set_shape(MoverId id, Shape shape) {
@@ -112,6 +115,7 @@ void Scene::set_shape(MoverId id, Shape shape) {
   Resident& resident = state_->movers.at(id);
   resident.box = detail::world_box(resident.body, shape, resident.body.pose, "mover", id);
   resident.body.shape = std::move(shape);
+  state_->movers_changed = true;
   ++state_->shapes_set;
 }
 
@@ -128,10 +132,11 @@ void Scene::set_environment_shape(EnvironmentId id, Shape shape) {
 std::size_t Scene::memory() const {
   const State& state = *state_;
   return sizeof(State) + detail::memory_of(state.movers) + detail::memory_of(state.parts) +
-         state.part_index.memory() + state.broad_phase.memory() + detail::bytes(state.boxes) +
-         detail::bytes(state.met) + detail::bytes(state.candidates) + detail::bytes(state.near) +
-         detail::bytes(state.questions) + state.first_contacts.memory() +
-         state.environment.memory() + state.mutual.memory() + state.near_phase.memory();
+         state.part_set.memory() + state.mover_set.memory() + state.broad_phase.memory() +
+         detail::bytes(state.boxes) + detail::bytes(state.met) + detail::bytes(state.candidates) +
+         detail::bytes(state.near) + detail::bytes(state.questions) +
+         state.first_contacts.memory() + state.environment.memory() + state.mutual.memory() +
+         state.near_phase.memory();
 }
 
 const Body& Scene::mover(MoverId id) const {

@@ -1,16 +1,21 @@
 /// \file
-/// Many movers in a static environment: who touches whom, and who is near, step by step.
+/// Many movers in a static environment: who touches whom, and who is near, step by step; and what
+/// is nearest to a point or first on a ray.
 #pragma once
 
 #include "soms/base/parallel.h"
 #include "soms/query/body.h"
+#include "soms/query/closest.h"
 #include "soms/query/overlap.h"
 #include "soms/query/overlap_method.h"
+#include "soms/query/ray.h"
+#include "soms/scene/scene_query.h"
 #include "soms/scene/step_report.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace soms {
@@ -40,7 +45,8 @@ void check(const StepOptions& options);
 
 /// A static environment of meshes and movers that share shapes. Poses are set through the scene, so
 /// no stale box can exist and there is nothing to update, set up or clear.
-/// \threads One caller at a time; `step` uses the threads it is given.
+/// \threads One caller at a time, of const members, too: a query after a change builds what it
+///          needs. `step` and batches use the threads they are given.
 class Scene {
  public:
   Scene();
@@ -112,8 +118,44 @@ class Scene {
   ///          that is quadratic in the movers.
   [[nodiscard]] StepReport step(const StepOptions& options = {}, const Parallel& parallel = {});
 
+  /// The nearest point of all bodies at their present poses, the first hit of a ray or segment on
+  /// them, and whether there is one. Contracts are those of the queries of BodyIndex. Equally near
+  /// bodies are decided by the order of SceneBody. Groups and ignored pairs do not matter here.
+  /// \errors  As for BodyIndex; ErrorKind::usage for a body of the filter that is not there.
+  /// \cost    As for BodyIndex. The first query after parts, or movers, were changed builds their
+  ///          index: O(n log n), n of them. So batches are for many movers that move.
+  [[nodiscard]] SceneClosest closest(const Vec3& point, const ClosestOptions& options = {},
+                                     const SceneFilter& filter = {},
+                                     const Parallel& parallel = {}) const;
+  [[nodiscard]] SceneClosestBatch closest(std::span<const Vec3> points,
+                                          const ClosestOptions& options = {},
+                                          const SceneFilter& filter = {},
+                                          const Parallel& parallel = {}) const;
+  [[nodiscard]] SceneHit closest_hit(const Ray& ray, const RayOptions& options = {},
+                                     const SceneFilter& filter = {}) const;
+  [[nodiscard]] SceneHit closest_hit(const Segment& segment, const RayOptions& options = {},
+                                     const SceneFilter& filter = {}) const;
+  [[nodiscard]] SceneHitBatch closest_hit(std::span<const Ray> rays, const RayOptions& options = {},
+                                          const SceneFilter& filter = {},
+                                          const Parallel& parallel = {}) const;
+  [[nodiscard]] SceneHitBatch closest_hit(std::span<const Segment> segments,
+                                          const RayOptions& options = {},
+                                          const SceneFilter& filter = {},
+                                          const Parallel& parallel = {}) const;
+  [[nodiscard]] AnyHit any_hit(const Ray& ray, const RayOptions& options = {},
+                               const SceneFilter& filter = {}) const;
+  [[nodiscard]] AnyHit any_hit(const Segment& segment, const RayOptions& options = {},
+                               const SceneFilter& filter = {}) const;
+  [[nodiscard]] AnyHitBatch any_hit(std::span<const Ray> rays, const RayOptions& options = {},
+                                    const SceneFilter& filter = {},
+                                    const Parallel& parallel = {}) const;
+  [[nodiscard]] AnyHitBatch any_hit(std::span<const Segment> segments,
+                                    const RayOptions& options = {}, const SceneFilter& filter = {},
+                                    const Parallel& parallel = {}) const;
+
  private:
   struct State;
+  class View;
   std::unique_ptr<State> state_;
 };
 

@@ -40,15 +40,6 @@ void check(const StepOptions& options) {
   }
 }
 
-/// The environment seldom changes: its structure is made when a step first needs it.
-void Scene::State::refresh_index() {
-  if (parts_changed) {
-    detail::collect_boxes(parts, boxes);
-    part_index.build(boxes);
-    parts_changed = false;
-  }
-}
-
 /// Groups and ignored pairs by place, as the broad phase wants them.
 void Scene::State::refresh_filter() {
   if (!filter_changed) {
@@ -89,8 +80,8 @@ void Scene::State::find_environment_candidates(double clearance, StepReport& rep
     }
     met.clear();
     const bool wide = clearance > 0;
-    part_index.query(wide ? detail::widened(resident.box, clearance) : resident.box,
-                     [&](std::uint32_t part) { met.push_back(part); });
+    part_set.boxes().query(wide ? detail::widened(resident.box, clearance) : resident.box,
+                           [&](std::uint32_t part) { met.push_back(part); });
     std::sort(met.begin(), met.end());
     for (const std::uint32_t part : met) {
       const auto& place = parts.places()[part];
@@ -273,7 +264,7 @@ StepReport Scene::State::step(const StepOptions& options, const Parallel& parall
   most_candidates = 0;
   most_near = 0;
   first_contacts.start(until_first ? movers.places().size() : 0);
-  refresh_index();
+  refresh_parts();
   find_environment_candidates(options.clearance, report);
   compare(environment, parts, options, parallel, report.environment, report.environment_gaps,
           report);

@@ -44,6 +44,9 @@ static_assert(kValues<Body, Cost, Coverage, Overlap, OverlapBatch, OverlapOption
 static_assert(kValues<Ray, Segment, RayOptions, ClosestHit, ClosestHitBatch, AnyHit, AnyHitBatch,
                       AllHits, CrossingKind>);
 static_assert(kValues<ContactChange, ContactEvents, EnvironmentEvent, MoverEvent, StepScope>);
+static_assert(
+    kValues<BodyClosest, BodyClosestBatch, BodyHit, BodyHitBatch, BodyFilter, SceneBody,
+            SceneBodyKind, SceneClosest, SceneClosestBatch, SceneHit, SceneHitBatch, SceneFilter>);
 static_assert(kValues<EnvironmentContact, MoverContact, EnvironmentGap, MoverGap, StepReport,
                       StepOptions, RecordedMesh, RecordedBody, RecordingHead, RecordedFrame,
                       RecordingEnding, RecordingEnd>);
@@ -248,6 +251,35 @@ TEST(Values, PrintOptionsOfQueries) {
             "OverlapOptions{mode: all, deadline set}");
   EXPECT_FALSE(OverlapOptions{} == OverlapOptions{.limit = 7});
   EXPECT_EQ(printed(Traversal::e_node_front), "e_node_front");
+}
+
+TEST(Values, PrintAndCompareAnswersAboutManyBodies) {
+  Scene scene;
+  const MoverId mover = scene.add_mover(Body(small_mesh()));
+  const std::array<Vec3, 2> points{Vec3{}, Vec3{1, 2, 3}};
+  const SceneClosest near = scene.closest(points[1]);
+  EXPECT_EQ(printed(near), "SceneClosest{body: SceneBody{kind: mover, id: 0}, " +
+                               printed(static_cast<const Closest&>(near)) + "}");
+  EXPECT_FALSE(near == SceneClosest{});
+  const SceneClosestBatch batch = scene.closest(points);
+  EXPECT_EQ(printed(batch),
+            "SceneClosestBatch{" + printed(static_cast<const ClosestBatch&>(batch)) + "}");
+  EXPECT_FALSE(batch == SceneClosestBatch{});
+  const SceneHit hit = scene.closest_hit(Ray{{0.5, 0.25, 9}, {0, 0, -1}});
+  EXPECT_EQ(printed(hit), "SceneHit{body: SceneBody{kind: mover, id: 0}, " +
+                              printed(static_cast<const ClosestHit&>(hit)) + "}");
+  EXPECT_FALSE(hit == SceneHit{});
+  EXPECT_EQ(printed(SceneFilter{.movers = false, .except = {{SceneBodyKind::mover, mover}}}),
+            "SceneFilter{environment: true, movers: false, except: SceneBody{kind: mover, id: 0}}");
+  EXPECT_LT((SceneBody{SceneBodyKind::environment, 7}), (SceneBody{SceneBodyKind::mover, 0}));
+
+  const BodyIndex index(std::vector<Body>{Body(), Body(small_mesh())});
+  EXPECT_EQ(printed(index.closest(points[0])).rfind("BodyClosest{body: 1, Closest{", 0), 0U);
+  EXPECT_EQ(printed(index.closest(points)).rfind("BodyClosestBatch{ClosestBatch{", 0), 0U);
+  EXPECT_EQ(printed(BodyHit{}).rfind("BodyHit{ClosestHit{", 0), 0U);
+  EXPECT_EQ(printed(BodyHitBatch{}).rfind("BodyHitBatch{ClosestHitBatch{", 0), 0U);
+  EXPECT_EQ(printed(SceneHitBatch{}).rfind("SceneHitBatch{ClosestHitBatch{", 0), 0U);
+  EXPECT_EQ(printed(BodyFilter{.except = 3}), "BodyFilter{except: 3}");
 }
 
 // The names that `<<` has of enumerators are those of the tables.

@@ -52,6 +52,37 @@ TEST(BoxIndex, FindsWhatAScanFinds) {
   });
 }
 
+TEST(BoxIndex, SearchesInTheOrderOfKeys) {
+  detail::BoxIndex index;
+  std::vector<detail::KeyedBounds> heap;
+  test::for_each_case("scene/box-index/search", 200, [&](Rng& rng) {
+    const std::vector<Box> boxes = test::random_boxes(rng);
+    index.build(boxes);
+    const auto key_of = [](const Box& box) { return std::max(box.lower.x, 3.0); };
+    std::vector<std::uint32_t> expected;
+    const double most = rng.uniform(0, 40);
+    for (std::uint32_t k = 0; k < boxes.size(); ++k) {
+      if (!boxes[k].empty() && key_of(boxes[k]) <= most) {
+        expected.push_back(k);
+      }
+    }
+    std::vector<std::uint32_t> found;
+    double last = 0;
+    const std::uint64_t keyed = index.search(key_of, 1e300, heap, [&](std::uint32_t k, double key) {
+      EXPECT_LE(last, key);
+      EXPECT_EQ(key, key_of(boxes[k]));
+      last = key;
+      if (key <= most) {
+        found.push_back(k);
+      }
+      return most;
+    });
+    std::sort(found.begin(), found.end());
+    ASSERT_EQ(found, expected);
+    ASSERT_GE(keyed, found.size());
+  });
+}
+
 TEST(BoxIndex, PassesOverTheBoxesOfAGroup) {
   detail::BoxIndex index;
   test::for_each_case("scene/box-index/groups", 100, [&](Rng& rng) {

@@ -1,18 +1,27 @@
 /// \file
-/// Which of many boxes meet a given box? For boxes that stay where they are.
+/// Which of many boxes meet a given box, or are nearest? For boxes that stay where they are.
 #pragma once
 
 #include "soms/base/box.h"
 #include "soms/scene/detail/kept_memory.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
 
 namespace soms::detail {
+
+/// A box, or the bounds of several, and its key in a search.
+struct KeyedBounds {
+  double key = 0;
+  std::uint32_t level = 0;
+  std::uint32_t number = 0;  ///< in its level
+};
 
 /// An immutable tree without pointers: the boxes by size and along a space-filling curve, bounds
 /// over groups of eight, over groups of eight of those, and so on. Its depth depends on the number
@@ -37,6 +46,14 @@ class BoxIndex {
   void query(const Box& box, std::uint32_t group, Found&& found) const {
     visit<true>(box, group, found);
   }
+
+  /// Calls `found(k, key)` for boxes `k` in the order of their keys, the least first, as long as
+  /// keys are at most `limit`, which every call replaces by what it returns. `key_of(box)` is below
+  /// infinity if the box matters, and not above the key of any box inside it. `heap` is memory.
+  /// \return The number of boxes that were given a key.
+  template <typename KeyOf, typename Found>
+  std::uint64_t search(const KeyOf& key_of, double limit, std::vector<KeyedBounds>& heap,
+                       Found&& found) const;
 
   [[nodiscard]] std::size_t memory() const {
     return bytes(order_) + bytes(bounds_) + bytes(groups_) + bytes(levels_) + bytes(keys_) +
@@ -72,6 +89,39 @@ class BoxIndex {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> keys_;
   std::vector<std::pair<double, std::uint32_t>> ranks_;
 };
+
+template <typename KeyOf, typename Found>
+std::uint64_t BoxIndex::search(const KeyOf& key_of, double limit, std::vector<KeyedBounds>& heap,
+                               Found&& found) const {
+  const auto is_after = [](const KeyedBounds& a, const KeyedBounds& b) { return a.key > b.key; };
+  std::uint64_t keyed = 0;
+  heap.clear();
+  const auto add = [&](std::size_t level, std::size_t begin, std::size_t end) {
+    keyed += end - begin;
+    for (std::size_t k = begin; k < end; ++k) {
+      const double key = key_of(bounds_[levels_[level].first + k]);
+      if (key <= limit && key < std::numeric_limits<double>::infinity()) {
+        heap.push_back({key, static_cast<std::uint32_t>(level), static_cast<std::uint32_t>(k)});
+        std::push_heap(heap.begin(), heap.end(), is_after);
+      }
+    }
+  };
+  if (!levels_.empty()) {
+    add(levels_.size() - 1, 0, 1);
+  }
+  while (!heap.empty() && heap.front().key <= limit) {
+    std::pop_heap(heap.begin(), heap.end(), is_after);
+    const KeyedBounds next = heap.back();
+    heap.pop_back();
+    if (next.level == 0) {
+      limit = found(order_[next.number], next.key);
+    } else {
+      const std::size_t begin = std::size_t{next.number} * kGroup;
+      add(next.level - 1, begin, std::min(begin + kGroup, levels_[next.level - 1].count));
+    }
+  }
+  return keyed;
+}
 
 template <bool kGrouped, typename Found>
 void BoxIndex::visit(const Box& box, std::uint32_t group, Found&& found) const {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/scene/broad_phase.h"
-#include "soms/scene/detail/box_index.h"
+#include "soms/scene/detail/body_search.h"
 #include "soms/scene/detail/first_contacts.h"
 #include "soms/scene/detail/narrow_phase.h"
 #include "soms/scene/detail/near_phase.h"
@@ -21,10 +21,12 @@ struct Scene::State {
   detail::Residents movers{"mover"};
   detail::Residents parts{"part of the environment"};
   bool parts_changed = false;
+  bool movers_changed = false;  ///< since `mover_set` was built
   bool filter_changed = false;
   bool has_filter = false;
   std::uint64_t shapes_set = 0;
-  detail::BoxIndex part_index;
+  detail::BodySet part_set;
+  detail::BodySet mover_set;  ///< for queries of points and rays alone
   BroadPhase broad_phase;
 
   // Memory of a step, kept for the next.
@@ -42,8 +44,11 @@ struct Scene::State {
 
   [[nodiscard]] StepReport step(const StepOptions& options, const Parallel& parallel);
 
+  /// Builds the set of the bodies that were changed since it was built.
+  void refresh_parts();
+  void refresh_movers();
+
  private:
-  void refresh_index();
   void refresh_filter();
   void find_environment_candidates(double clearance, StepReport& report);
   void find_mover_candidates(double clearance, StepReport& report);

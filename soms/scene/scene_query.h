@@ -1,0 +1,75 @@
+/// \file
+/// What queries of points and rays say of the bodies of a scene.
+#pragma once
+
+#include "soms/query/closest.h"
+#include "soms/query/ray.h"
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace soms {
+
+/// Of which list of a scene a body is.
+enum class SceneBodyKind : std::uint8_t {
+  environment,  ///< a part of the environment
+  mover,
+};
+
+/// A body of a scene. Parts of the environment are before movers, then ids decide.
+struct SceneBody {
+  SceneBodyKind kind = SceneBodyKind::environment;
+  std::uint32_t id = 0;  ///< an EnvironmentId or a MoverId
+
+  [[nodiscard]] auto operator<=>(const SceneBody&) const = default;
+};
+
+/// Which bodies of a scene take part in a query.
+struct SceneFilter {
+  bool environment = true;
+  bool movers = true;
+  /// As BodyFilter::except: the mover that looks, say, or with RayOptions::skip the body whose
+  /// triangle a ray starts on.
+  std::optional<SceneBody> except = std::nullopt;
+
+  [[nodiscard]] bool operator==(const SceneFilter&) const = default;
+};
+
+/// The nearest point of a scene, as BodyClosest.
+struct SceneClosest : Closest {
+  std::optional<SceneBody> body = std::nullopt;
+
+  [[nodiscard]] bool operator==(const SceneClosest&) const = default;
+};
+
+/// Answers for a batch of points, as BodyClosestBatch.
+struct SceneClosestBatch : ClosestBatch {
+  std::vector<std::optional<SceneBody>> body;  ///< n
+
+  [[nodiscard]] bool operator==(const SceneClosestBatch&) const = default;
+
+  /// The answer for a point.
+  [[nodiscard]] SceneClosest at(std::size_t point) const;
+};
+
+/// The first hit of a ray in a scene, as BodyHit.
+struct SceneHit : ClosestHit {
+  std::optional<SceneBody> body = std::nullopt;
+
+  [[nodiscard]] bool operator==(const SceneHit&) const = default;
+};
+
+/// Answers for a batch of rays or segments, as BodyHitBatch.
+struct SceneHitBatch : ClosestHitBatch {
+  std::vector<std::optional<SceneBody>> body;  ///< n
+
+  [[nodiscard]] bool operator==(const SceneHitBatch&) const = default;
+
+  /// The answer for a ray.
+  [[nodiscard]] SceneHit at(std::size_t ray) const;
+};
+
+}  // namespace soms
