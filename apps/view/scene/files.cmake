@@ -19,7 +19,6 @@ set(SOMS_VIEW_HEADERS
 set(SOMS_VIEW_SOURCES
   draw_scene.cpp
   explain.cpp
-  first_hits.cpp
   frame_gaps.cpp
   frame_report.cpp
   gap.cpp

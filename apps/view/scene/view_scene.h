@@ -178,10 +178,9 @@ class ViewScene {
   /// Why a pair of triangles touches or does not.
   [[nodiscard]] Explanation explain(const Touch& pair) const;
 
-  /// What each of `rays` hits first, by exact decisions (`closest_hit`); without movers of the city
-  /// alone. Of bodies hit at the same t, the city's parts come first, then lower numbers.
+  /// What each of `rays` hits first, as `Scene::closest_hit`; without movers of the city alone.
   /// \shape  n rays give n answers.
-  /// \errors As `closest_hit`; ErrorKind::cancelled.
+  /// \errors As `Scene::closest_hit`.
   [[nodiscard]] std::vector<SurfaceHit> first_hits(std::span<const Ray> rays,
                                                    bool with_movers = true,
                                                    const Parallel& parallel = {}) const;
