@@ -38,6 +38,11 @@ std::string name_of(const ViewScene& scene, BodyRef ref) {
   return ref.role == Role::city ? name : fmt::format("{} (mover {})", name, ref.index);
 }
 
+/// Where an id stands among all, which ascend.
+std::uint32_t place_of(std::uint32_t id, const std::vector<std::uint32_t>& all) {
+  return static_cast<std::uint32_t>(std::lower_bound(all.begin(), all.end(), id) - all.begin());
+}
+
 std::string describe(const ViewScene& scene, const Picked& p) {
   std::string text =
       fmt::format("{}, triangle {} (face {})", name_of(scene, p.body), p.triangle, p.face);
@@ -65,6 +70,24 @@ std::string describe(const ViewScene& scene, const Picked& p) {
 }
 
 }  // namespace
+
+std::vector<SurfaceHit> ViewScene::first_hits(std::span<const Ray> rays, bool with_movers,
+                                              const Parallel& parallel) const {
+  const SceneHitBatch found = scene().closest_hit(rays, {}, {.movers = with_movers}, parallel);
+  const std::vector<EnvironmentId> parts = scene().environments();
+  const std::vector<MoverId> moving = scene().movers();
+  const auto ref_of = [&](const SceneBody& body) {
+    return body.kind == SceneBodyKind::environment ? city_part(place_of(body.id, parts))
+                                                   : mover(place_of(body.id, moving));
+  };
+  std::vector<SurfaceHit> hits(rays.size());
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    if (found.body[k]) {
+      hits[k] = {ref_of(*found.body[k]), *found.triangle[k], found.point[k], found.lower[k]};
+    }
+  }
+  return hits;
+}
 
 std::optional<Picked> ViewScene::pick(const Ray& ray, bool with_movers) const {
   const SurfaceHit hit = first_hits({&ray, 1}, with_movers).front();

@@ -149,17 +149,6 @@ struct ViewScene::State {
                                   : scene.mover(movers[ref.index].id);
   }
 
-  /// Ids ascend, as bodies are only added.
-  [[nodiscard]] BodyRef ref_of(const SceneBody& body) const {
-    if (body.kind == SceneBodyKind::environment) {
-      const auto at = std::lower_bound(city.begin(), city.end(), body.id);
-      return city_part(static_cast<std::uint32_t>(at - city.begin()));
-    }
-    const auto at = std::lower_bound(movers.begin(), movers.end(), body.id,
-                                     [](const Mover& m, MoverId id) { return m.id < id; });
-    return soms::view::mover(static_cast<std::uint32_t>(at - movers.begin()));
-  }
-
   void check_mover(std::uint32_t index) const {
     if (index >= movers.size()) {
       throw Error(ErrorKind::usage, "no mover " + std::to_string(index),
@@ -367,18 +356,8 @@ std::optional<std::string_view> ViewScene::test() const {
   return state_->test ? std::optional(state_->test->name) : std::nullopt;
 }
 
-std::vector<SurfaceHit> ViewScene::first_hits(std::span<const Ray> rays, bool with_movers,
-                                              const Parallel& parallel) const {
-  const SceneHitBatch found =
-      state_->scene.closest_hit(rays, {}, {.movers = with_movers}, parallel);
-  std::vector<SurfaceHit> hits(rays.size());
-  for (std::size_t k = 0; k < hits.size(); ++k) {
-    if (found.body[k]) {
-      hits[k] = {state_->ref_of(*found.body[k]), *found.triangle[k], found.point[k],
-                 found.lower[k]};
-    }
-  }
-  return hits;
+const Scene& ViewScene::scene() const {
+  return state_->scene;
 }
 
 const std::vector<Touch>& ViewScene::contacts() const {

@@ -98,6 +98,9 @@ class ViewScene {
   [[nodiscard]] std::uint32_t city_parts() const;
   [[nodiscard]] std::uint32_t movers() const;
 
+  /// The bodies at their present poses: part and mover k have the k-th least of their ids.
+  [[nodiscard]] const Scene& scene() const;
+
   /// \pre `body` is there. The reference lasts until a body is added.
   [[nodiscard]] const Body& body(BodyRef body) const;
 

@@ -4,7 +4,6 @@
 #include "soms/base/error.h"
 #include "soms/geometry/detail/exact_point.h"
 #include "soms/query/reference/contains.h"
-#include "soms/query/reference/contains.h"
 #include "soms/query/reference/detail/moved_triangles.h"
 #include "soms/query/reference/detail/rounded_squares.h"
 
