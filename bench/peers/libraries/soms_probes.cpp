@@ -54,8 +54,6 @@ class Containment final : public Match {
   bool batch_;
 };
 
-#ifdef SOMS_BENCH_RAYS
-
 class RayHits final : public Match {
  public:
   RayHits(Shape shape, bool batch) : body_(std::move(shape)), batch_(batch) {}
@@ -88,19 +86,15 @@ class RayHits final : public Match {
   std::vector<Ray> rays_;
 };
 
-#endif
-
 }  // namespace
 
 std::unique_ptr<Match> soms_probes(Job job, Shape shape, bool batch) {
   if (job == Job::contains) {
     return std::make_unique<Containment>(std::move(shape), batch);
   }
-#ifdef SOMS_BENCH_RAYS
   if (job == Job::closest_hit || job == Job::any_hit) {
     return std::make_unique<RayHits>(std::move(shape), batch);
   }
-#endif
   return std::make_unique<ClosestPoints>(std::move(shape), batch);
 }
 
