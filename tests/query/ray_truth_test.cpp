@@ -6,6 +6,7 @@
 
 #include "tests/support/needs_instruction_set.h"
 #include "tests/support/question_truth.h"
+#include "tests/support/slow_build.h"
 #include "tests/support/support.h"
 
 #include <gtest/gtest.h>
@@ -155,6 +156,7 @@ TEST_F(RayTruth, OfTheRaysHereIsWhatBruteForceFinds) {
 }
 
 TEST_F(RayTruth, HoldsForAllRays) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
   const auto file = test::outside_question("ray.csv");
   const auto lists = test::outside_question("ray_lists.csv");
   if (!file || !lists) {
