@@ -18,7 +18,7 @@ using soms::detail::Feature;
 using soms::detail::RayLine;
 
 /// A triangle that a ray meets.
-struct Meeting {
+struct TwinHit {
   TriangleId id;
   Triangle triangle;
   ExactRay exact;
@@ -34,10 +34,10 @@ RayLine line_of(const Segment& segment) {
 }
 
 /// All, by time, then by number.
-std::vector<Meeting> meetings(const Body& body, const RayLine& line, std::optional<TriangleId> skip,
+std::vector<TwinHit> meetings(const Body& body, const RayLine& line, std::optional<TriangleId> skip,
                               Cost& cost) {
   const std::vector<Triangle> triangles = detail::moved_triangles(body.shape.mesh(), body.pose);
-  std::vector<Meeting> met;
+  std::vector<TwinHit> met;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto id = static_cast<TriangleId>(i);
     if (id == skip) {
@@ -49,14 +49,14 @@ std::vector<Meeting> meetings(const Body& body, const RayLine& line, std::option
       met.push_back({id, triangles[i], std::move(exact), 0});
     }
   }
-  std::stable_sort(met.begin(), met.end(), [](const Meeting& a, const Meeting& b) {
+  std::stable_sort(met.begin(), met.end(), [](const TwinHit& a, const TwinHit& b) {
     return compare(a.exact.time(), b.exact.time()) < 0;
   });
   return met;
 }
 
 /// Two triangles have the corner or edge in common that holds the point where the ray meets them.
-bool connected(const Meeting& a, const Meeting& b) {
+bool connected(const TwinHit& a, const TwinHit& b) {
   for (const Feature f : a.exact.features()) {
     for (const Feature g : b.exact.features()) {
       if (f != 0 && g != 0 && soms::detail::same_corners(a.triangle, f, b.triangle, g)) {
@@ -68,7 +68,7 @@ bool connected(const Meeting& a, const Meeting& b) {
 }
 
 /// Each takes the number of the first one of its crossing.
-void connect(std::vector<Meeting>& met) {
+void connect(std::vector<TwinHit>& met) {
   for (std::size_t i = 0; i < met.size(); ++i) {
     met[i].crossing = i;
     for (std::size_t j = i; j-- > 0 && compare(met[j].exact.time(), met[i].exact.time()) == 0;) {
@@ -84,10 +84,10 @@ void connect(std::vector<Meeting>& met) {
   }
 }
 
-CrossingKind kind_of(const std::vector<Meeting>& met, std::size_t crossing) {
+CrossingKind kind_of(const std::vector<TwinHit>& met, std::size_t crossing) {
   int fronts = 0;
   int backs = 0;
-  for (const Meeting& m : met) {
+  for (const TwinHit& m : met) {
     if (m.crossing == crossing && m.exact.crossed_beside()) {
       (m.exact.side() > 0 ? fronts : backs) += 1;
     }
@@ -100,7 +100,7 @@ CrossingKind kind_of(const std::vector<Meeting>& met, std::size_t crossing) {
 ClosestHit closest(const Body& body, const RayLine& line, std::optional<TriangleId> skip) {
   const PlainArithmetic plain;
   ClosestHit answer;
-  const std::vector<Meeting> met = meetings(body, line, skip, answer.cost);
+  const std::vector<TwinHit> met = meetings(body, line, skip, answer.cost);
   if (!met.empty()) {
     const ExactRay& first = met.front().exact;
     answer.t = bracket(first.time());
@@ -114,7 +114,7 @@ ClosestHit closest(const Body& body, const RayLine& line, std::optional<Triangle
 AllHits all(const Body& body, const RayLine& line, std::optional<TriangleId> skip) {
   const PlainArithmetic plain;
   AllHits answer;
-  std::vector<Meeting> met = meetings(body, line, skip, answer.cost);
+  std::vector<TwinHit> met = meetings(body, line, skip, answer.cost);
   connect(met);
   for (std::size_t i = 0; i < met.size(); ++i) {
     if (met[i].crossing != i) {
@@ -124,7 +124,7 @@ AllHits all(const Body& body, const RayLine& line, std::optional<TriangleId> ski
     answer.lower.push_back(t.lower);
     answer.upper.push_back(t.upper);
     answer.kind.push_back(kind_of(met, i));
-    for (const Meeting& m : met) {
+    for (const TwinHit& m : met) {
       if (m.crossing == i) {
         answer.triangle.push_back(m.id);
       }
