@@ -97,7 +97,8 @@ Action add_ray(CLI::App& app, Shared&) {
       "a corner. A ray counts its t in units of its direction, a segment from 0 to 1.\n\n"
       "Example:\n"
       "  soms generate knot --triangles 2000 -o knot.ply\n"
-      "  printf 'ox,oy,oz,dx,dy,dz\\n0,0,9,0,0,-1\\n2,0,9,0,0,-1\\n' | soms ray knot.ply --rays -");
+      "  printf 'ox,oy,oz,dx,dy,dz\\n-3,0,0,1,0,0\\n3,0.25,0.125,-1,0,0\\n' | soms ray knot.ply "
+      "--rays -");
   return [options, &app](Console& console) {
     check_ray_options(*options);
     check_probe_options(app, *options, options->rays.empty() ? options->segments : options->rays);

@@ -16,7 +16,7 @@ const std::string kSegments = "x0,y0,z0,x1,y1,z1\n";
 
 /// Asks about rays, or segments, beside the box [-1, 1]^3.
 RunResult ask(const std::string& rows, std::vector<std::string> words = {}) {
-  const bool segments = rows.starts_with("x0");
+  const bool segments = rows.find("x0") != std::string::npos;
   words.insert(words.begin(), {"ray", box(), segments ? "--segments" : "--rays", "-"});
   return soms_run(words, rows);
 }

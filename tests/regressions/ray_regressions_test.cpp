@@ -137,18 +137,19 @@ TEST(Regression, R49RaysOnGridLinesFindNoPinholes) {
   expect_all_reached(mesh, {-9, 7, 3});
 }
 
-/// A triangle with edges of 11.2, 9.7 and 1.4, somehow turned, and a ray from about 300 away, half
+/// A triangle with edges of 11.09, 9.7 and 1.4, somehow turned, and a ray from about 300 away, half
 /// a degree off its plane, at a point in it or near it.
 std::pair<Triangle, Ray> sliver_and_ray(Rng& rng) {
-  // By the law of cosines.
-  const double x = (11.2 * 11.2 + 9.7 * 9.7 - 1.4 * 1.4 * 1.0) / (2 * 11.2);
-  const double y = std::sqrt(std::max(0.0, 9.7 * 9.7 - x * x));
+  // By the law of cosines. The longest is a little less than the sum of the others.
+  constexpr double kLongest = 11.09;
+  const double x = (kLongest * kLongest + 9.7 * 9.7 - 1.4 * 1.4) / (2 * kLongest);
+  const double y = std::sqrt(9.7 * 9.7 - x * x);
   const Vec3 u = even_direction(rng);
   Vec3 n = cross(u, even_direction(rng));
   n = n * (1 / std::sqrt(dot(n, n)));
   const Vec3 v = cross(n, u);
   const Vec3 a{rng.uniform(-50, 50), rng.uniform(-50, 50), rng.uniform(-50, 50)};
-  const Triangle t{a, a + u * 11.2, a + u * x + v * y};
+  const Triangle t{a, a + u * kLongest, a + u * x + v * y};
   const double s = rng.uniform(-0.2, 1);
   const Vec3 target = t.a + (t.b - t.a) * s + (t.c - t.a) * rng.uniform(-0.2, 1 - s);
   const double angle = rng.uniform(0, 6.283185307179586);
