@@ -79,6 +79,12 @@ std::string side_text(const PointAnswer& answer) {
              : std::string();
 }
 
+/// The same in a sentence: ", inside".
+std::string side_clause(const PointAnswer& answer) {
+  const std::string side = side_text(answer);
+  return side.empty() ? side : "," + side;
+}
+
 std::string list_text(const PointAnswer& answer, const Mesh& mesh) {
   const std::vector<ListedTriangle>& hits = *answer.hits;
   std::string text = counted(hits.size(), "triangle") + (answer.cut()   ? " so far, out of time"
@@ -134,13 +140,13 @@ std::string point_text(const PointAnswer& answer, const Mesh& mesh, double at_mo
                : "undecided: out of time";
   }
   if (answer.closest.farther) {
-    return "farther than " + readable(at_most) + side_text(answer);
+    return "farther than " + readable(at_most) + side_clause(answer);
   }
   if (!answer.closest.triangle) {
     return "no distance: the model has no triangles";
   }
   return (upper == 0 ? "distance 0, on the surface: "
-                     : "distance " + readable(lower) + side_text(answer) + ": ") +
+                     : "distance " + readable(lower) + side_clause(answer) + ": ") +
          place_text(answer.closest, mesh);
 }
 

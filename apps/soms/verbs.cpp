@@ -36,7 +36,7 @@ constexpr std::array kVerbs{
     Verb{"info", "report triangles, bounds, parts, defects and trees of models", add_info},
     Verb{"man", "print the man page of the command or of a verb", add_man},
     Verb{"overlap", "find the triangles of two models that touch or intersect", add_overlap},
-    Verb{"ray", "find what rays, or the segments between two points, hit of a model", add_ray},
+    Verb{"ray", "find what rays, or segments between two points, hit in a model", add_ray},
     Verb{"render", "draw a city, its movers and contacts to a PNG file, without a screen", nullptr,
          pass_to_viewer},
     Verb{"reproduce", "rerun the experiments of the thesis: tables, figures and a page", nullptr,

@@ -20,7 +20,8 @@ struct MapRegion {
   std::vector<Loop> loops;
 };
 
-/// The cells whose flag is set, row by row from the south. \pre There are `columns * rows` flags.
+/// The cells whose flag is set, row by row from the south, with a color and a legend. \pre There
+/// are `columns * rows` flags.
 [[nodiscard]] MapRegion map_region(std::string color, std::string legend,
                                    const std::vector<std::uint8_t>& inside, std::size_t columns,
                                    std::size_t rows);

@@ -54,8 +54,8 @@ class MapPanel {
  public:
   MapPanel(std::ostream& out, const MapPage& page);
 
-  void title(std::string_view words);
-  void head(std::string_view words);
+  void title(std::string_view words);  ///< of the map, large
+  void head(std::string_view words);   ///< of what follows, with space before
   void line(std::string_view words, double indent = 0);
 
   /// A line with a swatch, given as SVG around the origin.

@@ -55,10 +55,10 @@ TEST(ClosestVerb, SaysOnWhichSideWhereRequested) {
   EXPECT_EQ(answers[1].at("side"), "outside");
   EXPECT_EQ(answers[2].at("side"), "on");
   EXPECT_FALSE(closest_answers(rows).at(0).contains("side"));
-  EXPECT_EQ(ask_about("0,0,0.5\n", {"--signed"}).out.rfind("distance 0.5 inside: triangle ", 0),
+  EXPECT_EQ(ask_about("0,0,0.5\n", {"--signed"}).out.rfind("distance 0.5, inside: triangle ", 0),
             0U);
   EXPECT_EQ(ask_about("0,0,0\n", {"--signed", "--at-most", "0.25"}).out,
-            "farther than 0.25 inside\n");
+            "farther than 0.25, inside\n");
   const TemporaryFolder folder;
   const std::string csv = (folder.path() / "a.csv").string();
   EXPECT_EQ(ask_about(rows, {"--signed", "--csv", csv}).status, 0);

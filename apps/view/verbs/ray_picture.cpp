@@ -50,8 +50,7 @@ void for_pixels(const ViewScene& scene, const Camera& camera, Size size, int sam
   const auto height = static_cast<std::size_t>(size.height);
   const std::size_t a_row = width * static_cast<std::size_t>(samples);
   const std::size_t rows = std::max<std::size_t>(1, kRaysAtOnce / a_row);
-  Parallel inner = parallel;
-  inner.progress = {};
+  const Parallel inner = without_progress(parallel);
   std::vector<Ray> rays;
   for (std::size_t y = 0; y < height; y += rows) {
     check_stop(parallel);
@@ -68,7 +67,8 @@ void for_pixels(const ViewScene& scene, const Camera& camera, Size size, int sam
     }
     use(y * width, rays, scene.first_hits(rays, true, inner));
     if (parallel.progress) {
-      parallel.progress(static_cast<double>(y) / static_cast<double>(height));
+      parallel.progress(static_cast<double>(std::min(y + rows, height)) /
+                        static_cast<double>(height));
     }
   }
 }
@@ -218,11 +218,21 @@ std::vector<std::uint8_t> seen_from(const ViewScene& scene, const Vec3& observer
   return seen;
 }
 
+Parallel without_progress(Parallel parallel) {
+  parallel.progress = {};
+  return parallel;
+}
+
+std::string in_percent(std::uint64_t part, std::uint64_t whole) {
+  const double share = whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+  return fmt::format("{:.1f} %", 100 * share);
+}
+
 DepthPicture draw_depth(const ViewScene& scene, const Camera& camera, Size size, int samples,
                         const Parallel& parallel) {
   DepthPicture drawn;
   drawn.nearest = std::numeric_limits<double>::infinity();
-  for_pixels(scene, camera, size, 1, parallel, [&](std::size_t, auto, auto hits) {
+  for_pixels(scene, camera, size, 1, without_progress(parallel), [&](std::size_t, auto, auto hits) {
     for (const SurfaceHit& hit : hits) {
       if (hit.body) {
         drawn.nearest = std::min(drawn.nearest, hit.t);
@@ -256,8 +266,7 @@ SightPicture draw_sight(const ViewScene& scene, const Camera& camera, const Vec3
   SightPicture drawn;
   drawn.picture = filled(size, kSky);
   const CameraFrame f = frame(camera);
-  Parallel inner = parallel;
-  inner.progress = {};
+  const Parallel inner = without_progress(parallel);
   std::vector<Color> colors;
   for_pixels(scene, camera, size, samples, parallel,
              [&](std::size_t first, std::span<const Ray> rays, std::span<const SurfaceHit> hits) {

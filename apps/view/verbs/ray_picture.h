@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace soms::view {
@@ -45,13 +46,19 @@ struct SightPicture {
                                       const Parallel& parallel = {});
 
 /// Which of `hits` a point sees. It sees a point of a surface if nothing is hit before it on the
-/// way there, the last 2^-30 of the way left out, for hits are rounded. A hit found from an `eye`
-/// must be seen from the same side of its triangle.
-/// \shape  n hits give n flags, 0 where nothing was hit.
+/// way there but the triangle itself, the last 2^-30 of the way left out, for hits are rounded. The
+/// point must be on the side of the triangle that the hit's ray came from.
+/// \shape  `hits`: n; `rays`: n, which found them. n flags, 0 where nothing was hit.
 /// \errors As `ViewScene::first_hits`.
 [[nodiscard]] std::vector<std::uint8_t> seen_from(const ViewScene& scene, const Vec3& observer,
                                                   std::span<const SurfaceHit> hits,
                                                   std::span<const Ray> rays,
                                                   const Parallel& parallel = {});
+
+/// For calls that are a part of one whose progress is reported.
+[[nodiscard]] Parallel without_progress(Parallel parallel);
+
+/// A share, as "12.5 %"; of nothing "0.0 %".
+[[nodiscard]] std::string in_percent(std::uint64_t part, std::uint64_t whole);
 
 }  // namespace soms::view

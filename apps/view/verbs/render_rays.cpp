@@ -9,6 +9,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <initializer_list>
 #include <string>
 
@@ -18,7 +23,18 @@ namespace {
 
 /// True for the map, which is all that is written as SVG.
 bool is_map(const RenderOptions& options) {
-  return options.output.ends_with(".svg");
+  std::string extension = std::filesystem::path(options.output).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".svg";
+}
+
+/// Four digits, or a whole number with commas.
+std::string length_in_words(double length) {
+  constexpr double kMost = 1e15;
+  return 1000 <= length && length < kMost
+             ? command::with_commas(static_cast<std::uint64_t>(std::llround(length)))
+             : command::four_digits(length);
 }
 
 const char* name_of_mode(const RenderOptions& options) {
@@ -28,12 +44,6 @@ const char* name_of_mode(const RenderOptions& options) {
 Camera camera_of(const RenderOptions& options, const ViewScene& scene, const Parallel& parallel) {
   const Vec3 origin = options.center ? scene_bounds(scene).center() : Vec3{};
   return place_camera(options.camera, scene, options.size, origin, parallel);
-}
-
-std::string share(std::uint64_t part, std::uint64_t whole) {
-  return fmt::format(
-      "{:.1f} %",
-      whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
 std::string size_of(const RenderOptions& options) {
@@ -59,6 +69,9 @@ void say(const RenderOptions& options, const ViewScene& scene, const std::string
   if (!scene.notes().empty()) {
     answer["notes"] = scene.notes();
   }
+  if (!scene.warnings().empty()) {
+    answer["warnings"] = command::warnings_json(scene.warnings());
+  }
   console.print(command::json_line(answer));
 }
 
@@ -73,8 +86,8 @@ void write_depth(const RenderOptions& options, ViewScene& scene, command::Output
   file.commit();
   const std::string range = drawn.surface == 0 ? std::string("no surface")
                                                : fmt::format("surfaces {} to {} from the eye",
-                                                             command::four_digits(drawn.nearest),
-                                                             command::four_digits(drawn.farthest));
+                                                             length_in_words(drawn.nearest),
+                                                             length_in_words(drawn.farthest));
   say(options, scene, fmt::format("{}, {}", size_of(options), range),
       {{"surface_pixels", drawn.surface}, {"nearest", drawn.nearest}, {"farthest", drawn.farthest}},
       console);
@@ -92,7 +105,7 @@ void write_sight(const RenderOptions& options, ViewScene& scene, command::Output
     file.commit();
     say(options, scene,
         fmt::format("{}: {} of the surface seen from above is in sight of ({:g}, {:g}, {:g})",
-                    options.output, share(map.in_sight, map.surface), from.x, from.y, from.z),
+                    options.output, in_percent(map.in_sight, map.surface), from.x, from.y, from.z),
         {{"visible_from", place},
          {"cell", map.cell},
          {"cells", map.surface},
@@ -109,7 +122,8 @@ void write_sight(const RenderOptions& options, ViewScene& scene, command::Output
   file.commit();
   say(options, scene,
       fmt::format("{}, orange is in sight of ({:g}, {:g}, {:g}): {} of the surface shown",
-                  size_of(options), from.x, from.y, from.z, share(drawn.in_sight, drawn.surface)),
+                  size_of(options), from.x, from.y, from.z,
+                  in_percent(drawn.in_sight, drawn.surface)),
       {{"visible_from", place}, {"surface_rays", drawn.surface}, {"rays_in_sight", drawn.in_sight}},
       console);
 }

@@ -48,8 +48,7 @@ std::vector<Ray> rays_down(const command::HeightGrid& grid, std::size_t row, dou
 CellFlags look_down(const ViewScene& scene, const Vec3& observer, const command::HeightGrid& grid,
                     double top, SightMap& map, const Parallel& parallel) {
   CellFlags flags(grid.columns() * grid.rows());
-  Parallel inner = parallel;
-  inner.progress = {};
+  const Parallel inner = without_progress(parallel);
   for (std::size_t row = 0; row < grid.rows(); ++row) {
     check_stop(parallel);
     const std::vector<Ray> rays = rays_down(grid, row, top);
@@ -68,7 +67,7 @@ CellFlags look_down(const ViewScene& scene, const Vec3& observer, const command:
       map.in_sight += seen[column];
     }
     if (parallel.progress) {
-      parallel.progress(static_cast<double>(row) / static_cast<double>(grid.rows()));
+      parallel.progress(static_cast<double>(row + 1) / static_cast<double>(grid.rows()));
     }
   }
   return flags;
@@ -124,10 +123,8 @@ SightMap draw_sight_map(const ViewScene& scene, const Vec3& observer, const Para
   panel.head("The point");
   panel.keyed("<circle r=\"5\" fill=\"#0072b2\"/>",
               fmt::format("({:g}, {:g}, {:g})", observer.x, observer.y, observer.z));
-  panel.head(map.surface == 0
-                 ? std::string("Nothing is there")
-                 : fmt::format("{:.1f} % is in sight", 100.0 * static_cast<double>(map.in_sight) /
-                                                           static_cast<double>(map.surface)));
+  panel.head(map.surface == 0 ? "Nothing is there"
+                              : in_percent(map.in_sight, map.surface) + " is in sight");
   for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
     panel.keyed_color(layer->color, layer->legend);
   }

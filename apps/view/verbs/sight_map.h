@@ -21,10 +21,10 @@ struct SightMap {
 };
 
 /// A map of a scene seen from above, north up. Each cell shows the highest surface at its center:
-/// its side is that of a square of which 800 make the longer side of the scene, and the point is
-/// tested against the very place that the ray from above hits (`seen_from`). Outlines are made
-/// straighter so that the file stays below about 400 KB.
-/// \errors As `ViewScene::first_hits`.
+/// 800 of them make the longer side of the map, which is the scene and the point with a rim around
+/// them. The point is tested against the very place that the ray from above hits (`seen_from`).
+/// Outlines are made straighter so that the file stays below about 400 KB. \errors As
+/// `ViewScene::first_hits`.
 [[nodiscard]] SightMap draw_sight_map(const ViewScene& scene, const Vec3& observer,
                                       const Parallel& parallel = {});
 
