@@ -64,7 +64,7 @@ class SolidRun : public PoseRun {
       if (error.kind() != ErrorKind::not_closed) {
         throw;
       }
-      answers_[k] = {.why = Undecided::open};
+      answers_[k] = open_answer(a, b, options_.deadline, parallel);
     }
   }
 

@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/geometry/closedness.h"
 #include "soms/geometry/parts_of.h"
+#include "soms/query/overlap.h"
 
 #include <map>
 #include <span>
@@ -68,6 +69,14 @@ std::vector<PlacedPart> placed_parts(const std::vector<SolidPart>& parts, const 
 
 }  // namespace
 
+Solid open_answer(const Body& a, const Body& b,
+                  std::optional<std::chrono::steady_clock::time_point> deadline,
+                  const Parallel& parallel) {
+  const Overlap met = overlap(a, b, {.mode = OverlapMode::any, .deadline = deadline}, parallel);
+  return {
+      .surfaces_meet = met.any, .why = Undecided::open, .coverage = met.coverage, .cost = met.cost};
+}
+
 std::vector<SolidPart> solid_parts(const Mesh& mesh, const Parallel& parallel) {
   const PartsOf part_of(mesh);
   std::map<std::uint32_t, std::vector<TriangleId>> triangles;
@@ -106,7 +115,8 @@ std::vector<SolidPair> solid_pairs(const std::vector<SolidPart>& a, const Pose& 
       }
       const Solid answer = pa.closed && pb.closed
                                ? solid(*pa.closed, *pb.closed, {.deadline = deadline}, alone)
-                               : Solid{.why = Undecided::open};
+                               : open_answer(Body(pa.part->body.shape, pose_a),
+                                             Body(pb.part->body.shape, pose_b), deadline, alone);
       if (answer.relation != Relation::clear) {
         pairs.push_back({pa.part, pb.part, answer});
       }

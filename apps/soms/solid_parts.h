@@ -28,6 +28,13 @@ struct SolidPair {
   Solid answer;
 };
 
+/// The answer where one of two bodies is open: undecided, and whether their surfaces meet.
+/// \errors As `overlap`.
+[[nodiscard]] Solid open_answer(
+    const Body& a, const Body& b,
+    std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt,
+    const Parallel& parallel = {});
+
 /// The parts of a model, in the order of Mesh::parts.
 /// \errors ErrorKind::cancelled.
 [[nodiscard]] std::vector<SolidPart> solid_parts(const Mesh& mesh, const Parallel& parallel);

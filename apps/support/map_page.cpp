@@ -22,7 +22,8 @@ MapPage make_map_page(const Box& bounds) {
   MapPage page;
   page.area = bounds;
   const Vec3 extent = page.area.extent();
-  const double rim = std::max(0.02 * std::max(extent.x, extent.y), 0.5);
+  const double longer = std::max(extent.x, extent.y);
+  const double rim = longer > 0 ? 0.02 * longer : 0.5;
   page.area.lower = page.area.lower - Vec3{rim, rim, 0};
   page.area.upper = page.area.upper + Vec3{rim, rim, 0};
   const Vec3 size = page.area.extent();

@@ -123,6 +123,19 @@ TEST(SolidVerb, NamesThePartsThatAreNotClear) {
             "  Twin and Twin again: same\n");
 }
 
+TEST(SolidVerb, SaysWhetherTheSurfaceOfAnOpenPartMeets) {
+  const TemporaryFolder folder;
+  const auto meet = [&](const char* name, const std::string& triangle) {
+    const std::string open = file_of(folder, name, triangle);
+    const Json row =
+        json_lines(soms_run({"solid", box(), open, "--by", "part", "--json"}).out).at(0);
+    return row.at("parts").at(0).at("surfaces_meet").get<bool>();
+  };
+  // Both have boxes that meet the box's; the second one is within it.
+  EXPECT_TRUE(meet("through.off", triangle_off("-9 -9 -9", "9 9 9", "9 9 8")));
+  EXPECT_FALSE(meet("within.off", triangle_off("0.5 0.5 0.5", "0.625 0.5 0.5", "0.5 0.625 0.5")));
+}
+
 TEST(SolidVerb, NamesOpenPartsWithTheCountOfTheirOddEdges) {
   const TwoWalls walls;
   const std::string cube = data("clash/special.obj").string();

@@ -204,7 +204,7 @@ std::vector<std::uint8_t> seen_from(const ViewScene& scene, const Vec3& observer
     const Vec3 normal = normal_of(scene.triangle(*hits[k].body, hits[k].triangle));
     if (way == Vec3{}) {
       seen[k] = 1;
-    } else if (dot(normal, way) * dot(normal, rays[k].direction) >= 0) {
+    } else if (dot(normal, way) * dot(normal, rays[k].direction) > 0) {
       number.push_back(k);
       ways.push_back({observer, way, 1});
     }

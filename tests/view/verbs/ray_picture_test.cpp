@@ -82,6 +82,30 @@ TEST(RayPicture, AWallHidesWhatIsBehindIt) {
   EXPECT_FALSE(seen({-5, 0, -50}, {-5, 0, 0})) << "the plate's underside";
 }
 
+TEST(RayPicture, APointInThePlaneOfASurfaceDoesNotSeeIt) {
+  const ViewScene scene = scene_of(test::soup_body(
+      {{{0, 0, 0}, {100, 0, 0}, {100, 100, 0}}, {{0, 0, 0}, {100, 100, 0}, {0, 100, 0}}}));
+  const std::vector<Ray> rays{{{80, 10, 9}, {0, 0, -1}}, {{10, 80, 9}, {0, 0, -1}}};
+  const std::vector<SurfaceHit> hits = scene.first_hits(rays);
+  for (const Vec3& observer : {Vec3{10, 50, 0}, Vec3{50, 50, 0}, Vec3{200, 50, 0}}) {
+    EXPECT_EQ(seen_from(scene, observer, hits, rays), (std::vector<std::uint8_t>{0, 0}));
+  }
+  EXPECT_EQ(seen_from(scene, {10, 50, 1e-9}, hits, rays), (std::vector<std::uint8_t>{1, 1}));
+}
+
+TEST(SightMap, OfASmallModelIsAsFine) {
+  const auto map_of = [](double size) {
+    return draw_sight_map(scene_of(test::box_body({0, 0, 0}, {size, size, size})),
+                          {size / 2, size / 2, 2 * size});
+  };
+  const SightMap large = map_of(1024);
+  const SightMap small = map_of(0x1p-10);
+  EXPECT_EQ(small.surface, large.surface);
+  EXPECT_EQ(small.in_sight, large.in_sight);
+  EXPECT_EQ(small.surface, small.in_sight);
+  EXPECT_GT(small.surface, 500'000U);
+}
+
 TEST(RayPicture, TheBackOfASheetIsNotSeen) {
   const ViewScene scene = scene_of(test::soup_body({{{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}}}));
   const std::vector<Ray> rays{
