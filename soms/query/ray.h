@@ -161,7 +161,7 @@ struct AnyHitBatch {
 enum class CrossingKind : unsigned char {
   enter,  ///< through, by more front sides than back sides: into what faces outward
   leave,  ///< through, by more back sides
-  graze,  ///< touches, and stays on the side it came from
+  graze,  ///< touches, and stays on its side; or passes an even number of sheets in one place
 };
 
 /// All places where rays meet a surface: rows of any length, one a ray. Triangles that a ray meets
@@ -188,8 +188,8 @@ struct AllHits {
 /// Every triangle that `rays` meet, each at the least t of its points on the ray. Crossings of one
 /// ray at the same t are in the order of their least triangles.
 ///
-/// The kind follows from a ray beside the given one, moved by less than anything here so that it
-/// meets no edge and no corner: `graze` if that crosses an even number of the crossing's triangles,
+/// The kind follows from a ray beside the given one, shifted by (e, e^2, e^3) for an infinitesimal
+/// e so that it meets no edge and no corner: `graze` if that crosses an even number of the crossing's triangles,
 /// else `enter` or `leave` by the sides that it meets. It is local: neither the surface's being
 /// closed nor the ray's length matters. Triangles parallel to the ray do not count for it.
 ///

@@ -46,9 +46,9 @@ struct SolidOptions {
 /// Answer of `solid`.
 struct Solid {
   Relation relation = Relation::undecided;
-  /// Triangles of the two overlap, as `overlap` says: touching, crossing and same bodies always do,
-  /// clear ones never, and a body in the other may. False where the deadline passed before it was
-  /// known.
+  /// Triangles of the two overlap, as `overlap` says: those of touching and same bodies always do,
+  /// of clear ones never. Crossing ones of several parts may not, and a body in the other may.
+  /// False where the deadline passed before it was known.
   bool surfaces_meet = false;
   Undecided why = Undecided::none;
   Coverage coverage = Coverage::complete;
@@ -69,11 +69,10 @@ struct Solid {
 /// triangles.
 ///
 /// \errors  ErrorKind::cancelled.
-/// \cost    Where surfaces do not meet or cross plainly, that of `overlap` with mode `any` and a
-/// few
-///          of `contains`: one for each connected part. Where they touch or have faces in a plane,
-///          about 0.1 ms for each triangle that takes part. `cost.exact_tests` counts triangles
-///          that exact arithmetic looked at.
+/// \cost    Where surfaces do not meet or cross plainly, that of `overlap` with mode `any` and of
+///          one `contains` for each connected part. Where they touch or have faces in a plane, of
+///          the order of 0.1 ms for each triangle that takes part. `cost.exact_tests` counts
+///          triangles that exact arithmetic looked at.
 /// \threads Any number of callers.
 /// \source  Edelsbrunner and Muecke 1990, Simulation of Simplicity, section 4, for points on lines.
 [[nodiscard]] Solid solid(const ClosedBody& a, const ClosedBody& b,
