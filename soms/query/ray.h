@@ -189,9 +189,10 @@ struct AllHits {
 /// ray at the same t are in the order of their least triangles.
 ///
 /// The kind follows from a ray beside the given one, shifted by (e, e^2, e^3) for an infinitesimal
-/// e so that it meets no edge and no corner: `graze` if that crosses an even number of the crossing's triangles,
-/// else `enter` or `leave` by the sides that it meets. It is local: neither the surface's being
-/// closed nor the ray's length matters. Triangles parallel to the ray do not count for it.
+/// e so that it meets no edge and no corner: `graze` if that crosses an even number of the
+/// crossing's triangles, else `enter` or `leave` by the sides that it meets. It is local: neither
+/// the surface's being closed nor the ray's length matters. Triangles parallel to the ray do not
+/// count for it.
 ///
 /// \shape   `rays`: n.
 /// \errors  As the batch of `closest_hit`.
