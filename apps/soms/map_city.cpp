@@ -17,8 +17,6 @@ namespace soms::command {
 namespace {
 
 constexpr std::size_t kCells = 1600;
-/// Lower than this is no building.
-constexpr double kLeastHeight = 2.5;
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 constexpr std::array kShades{"#dcd5c8", "#bfb6a6", "#9c9282", "#766d60", "#4f483f"};
 
@@ -39,12 +37,12 @@ std::vector<double> steps_of(const HeightGrid& grid) {
   for (std::size_t row = 0; row < grid.rows(); ++row) {
     for (std::size_t column = 0; column < grid.columns(); ++column) {
       if (grid.surface(column, row) == Surface::building &&
-          grid.height(column, row) >= kLeastHeight) {
+          grid.height(column, row) >= kLeastBuilding) {
         heights.push_back(grid.height(column, row));
       }
     }
   }
-  std::vector<double> steps{kLeastHeight};
+  std::vector<double> steps{kLeastBuilding};
   if (heights.empty()) {
     return steps;
   }

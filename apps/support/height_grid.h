@@ -20,6 +20,9 @@ enum class Surface : std::uint8_t { nothing, ground, street, water, furniture, b
 /// Kind of surface from the name of a part; `building` unless a word of the name says otherwise.
 [[nodiscard]] Surface surface_named(std::string_view name);
 
+/// The least height above the ground of what maps draw as a building, in units of the model.
+inline constexpr double kLeastBuilding = 2.5;
+
 /// Tops of meshes by cells: a cell shows the highest triangle over its center.
 class HeightGrid {
  public:

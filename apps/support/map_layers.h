@@ -13,7 +13,7 @@
 
 namespace soms::command {
 
-/// A set of cells with its color, and the words for the legend.
+/// A set of cells, its color, and its text in the legend.
 struct MapRegion {
   std::string color;
   std::string legend;  ///< empty: not explained
@@ -26,7 +26,7 @@ struct MapRegion {
                                    const std::vector<std::uint8_t>& inside, std::size_t columns,
                                    std::size_t rows);
 
-/// A filled shape of the map with the words for its legend.
+/// A filled shape of the map, and its text in the legend.
 struct MapLayer {
   std::string color;
   std::string legend;  ///< empty: not explained

@@ -22,7 +22,6 @@ namespace {
 
 constexpr std::size_t kMapCells = 800;
 constexpr std::size_t kMapBudget = 400'000;
-constexpr double kLeastRoof = 2.5;  ///< lower than this above the ground is no building
 constexpr std::size_t kMostOfTitle = 24;
 
 /// What the cells of a map show, row by row from the south.
@@ -59,7 +58,7 @@ CellFlags look_down(const ViewScene& scene, const Vec3& observer, const command:
         continue;
       }
       const Vec3& at = hits[column].point;
-      const bool high = at.z - grid.ground(at.x, at.y) >= kLeastRoof;
+      const bool high = at.z - grid.ground(at.x, at.y) >= command::kLeastBuilding;
       const std::size_t cell = row * grid.columns() + column;
       (high ? flags.roof : flags.ground)[cell] = 1;
       (high ? flags.roof_seen : flags.ground_seen)[cell] = seen[column];
