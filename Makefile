@@ -2,7 +2,7 @@
 JOBS ?= $(shell nproc)
 ARGS ?=
 
-.PHONY: help run build view thesis install test headers large check asan tsan tidy arm64 determinism memcheck endurance packages bare fuzz faults bench format clean
+.PHONY: help run build view thesis install test headers large check asan asan-library tsan tidy arm64 determinism memcheck endurance packages bare fuzz faults bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
@@ -65,23 +65,23 @@ test:
 	cmake --build --preset release -j $(JOBS)
 	ctest --preset release -j $(JOBS)
 
-# VIEW=OFF leaves the viewer out, whose drawing in software is slow under a sanitizer.
-VIEW ?= ON
-
 # The suite once more, every access and every arithmetic step watched.
 asan:
 	@tools/install_packages.sh run view import test
-	cmake --preset $@ -D SOMS_BUILD_VIEW=$(VIEW)
+	cmake --preset $@
 	cmake --build --preset $@ -j $(JOBS)
 	ctest --preset $@ -j $(JOBS)
 
-# What uses threads, the library, with std::jthread in place of TBB.
-THREADED = base geometry tree query thesis scene io generate properties regressions
-tsan:
+# The tests of the library only, by their labels: under ASan+UBSan with the fuzzers' inputs, and under TSan,
+# with std::jthread in place of TBB.
+LIBRARY = base geometry tree query thesis scene io generate properties regressions
+asan-library: TESTED = $(LIBRARY) fuzz
+tsan: TESTED = $(LIBRARY)
+asan-library tsan:
 	@tools/install_packages.sh run import test
-	cmake --preset $@ -D SOMS_BUILD_VIEW=OFF
-	cmake --build --preset $@ -j $(JOBS) --target $(THREADED:%=%_test)
-	ctest --preset $@ -j $(JOBS) -L '^($(shell echo $(THREADED) | tr ' ' '|'))$$'
+	cmake --preset $(@:-library=) -D SOMS_BUILD_VIEW=OFF
+	cmake --build --preset $(@:-library=) -j $(JOBS) --target $(TESTED:%=%_test)
+	ctest --preset $(@:-library=) -j $(JOBS) -L '^($(shell echo $(TESTED) | tr ' ' '|'))$$'
 
 # Every public header, compiled alone.
 headers: test

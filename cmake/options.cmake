@@ -29,9 +29,9 @@ if(SOMS_ASSERTIONS)
   target_compile_definitions(soms_options INTERFACE SOMS_ASSERTIONS=1)
 endif()
 
-# soms_unite(<target>): compiles the target's files eight at a time, as their headers cost more than
-# what stands in them (docs/decisions/0028). A launcher (ccache) wants each file alone, the analyzer
-# of clang-tidy too, and so may who edits one file again and again.
+# soms_unite(<target> [<n>]): compiles the target's files n at a time, eight by default, as their
+# headers cost more than what stands in them (docs/decisions/0028). A launcher (ccache) wants each file
+# alone, the analyzer of clang-tidy too, and so may who edits one file again and again.
 option(SOMS_UNITE "Compile several files at once" ON)
 function(soms_may_unite target result)
   get_target_property(tidy ${target} CXX_CLANG_TIDY)
@@ -43,7 +43,11 @@ endfunction()
 function(soms_unite target)
   soms_may_unite(${target} may)
   if(may)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set(size 8)
+    if(ARGC GREATER 1)
+      set(size ${ARGV1})
+    endif()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${size})
   endif()
 endfunction()
 # soms_unite_files(<target> <name> <files>...): the same for some files of a target, in lots of at

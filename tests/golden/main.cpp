@@ -1,17 +1,20 @@
-// golden DATA: compares every row with DATA/../golden/answers.csv, for 1, 2 and 8 threads.
-// golden DATA modes: the same with each setting of the processor that a host program may choose.
-// golden DATA write: prints the rows, for answers.csv.
-// The exit status is 77 where SOMS_ISA names what this processor does not offer.
+// golden DATA [N...]: compares every row with DATA/../golden/answers.csv, for each number of
+// threads N, or for 1, 2 and 8. golden DATA modes: the same with each setting of the processor that
+// a host program may choose. golden DATA write: prints the rows, for answers.csv. The exit status
+// is 77 where SOMS_ISA names what this processor does not offer.
 #include "soms/base/error.h"
 
 #include "tests/golden/golden.h"
 #include "tests/support/host_arithmetic.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace soms::golden {
 namespace {
@@ -51,31 +54,35 @@ int differences(const Rows& expected, const Rows& rows, const std::string& setti
   return count;
 }
 
-int compare(const Inputs& inputs, const Rows& expected, bool modes) {
-  int count = 0;
-  std::size_t settings = 0;
-  if (modes) {
-    for (const test::HostMode& mode : test::host_modes()) {
-      const auto rows = [&] {
-        const test::HostArithmetic host(mode);
-        return all_rows(inputs, 2);
-      }();
-      count += differences(expected, rows, std::string(mode.name));
-      ++settings;
-    }
-  } else {
-    for (const int threads : {1, 2, 8}) {
-      count +=
-          differences(expected, all_rows(inputs, threads), std::to_string(threads) + " threads");
-      ++settings;
-    }
-  }
+/// The status of the program.
+int conclude(const Rows& expected, std::size_t settings, int count) {
   std::printf("%zu rows, %zu settings, %d differences\n", expected.size(), settings, count);
   return count == 0 ? 0 : 1;
 }
 
-int run(const std::string& data, const std::string& what) {
+int compare_modes(const Inputs& inputs, const Rows& expected) {
+  int count = 0;
+  for (const test::HostMode& mode : test::host_modes()) {
+    const auto rows = [&] {
+      const test::HostArithmetic host(mode);
+      return all_rows(inputs, 2);
+    }();
+    count += differences(expected, rows, std::string(mode.name));
+  }
+  return conclude(expected, test::host_modes().size(), count);
+}
+
+int compare_threads(const Inputs& inputs, const Rows& expected, const std::vector<int>& numbers) {
+  int count = 0;
+  for (const int threads : numbers) {
+    count += differences(expected, all_rows(inputs, threads), std::to_string(threads) + " threads");
+  }
+  return conclude(expected, numbers.size(), count);
+}
+
+int run(const std::string& data, const std::vector<std::string>& rest) {
   const Inputs inputs(data);
+  const std::string what = rest.empty() ? "" : rest.front();
   if (what == "write") {
     std::printf("what,hash\n");
     for (const auto& [name, hash] : all_rows(inputs, 1)) {
@@ -84,7 +91,14 @@ int run(const std::string& data, const std::string& what) {
     return 0;
   }
   const Rows expected = expected_rows(inputs.data.parent_path() / "golden" / "answers.csv");
-  return compare(inputs, expected, what == "modes");
+  if (what == "modes") {
+    return compare_modes(inputs, expected);
+  }
+  std::vector<int> numbers;
+  for (const std::string& number : rest) {
+    numbers.push_back(std::stoi(number));
+  }
+  return compare_threads(inputs, expected, numbers.empty() ? std::vector{1, 2, 8} : numbers);
 }
 
 }  // namespace
@@ -93,7 +107,7 @@ int run(const std::string& data, const std::string& what) {
 int main(int argc, char** argv) {
   constexpr int kSkipped = 77;
   try {
-    return soms::golden::run(argc > 1 ? argv[1] : "", argc > 2 ? argv[2] : "");
+    return soms::golden::run(argc > 1 ? argv[1] : "", {argv + std::min(argc, 2), argv + argc});
   } catch (const soms::Error& error) {
     std::cerr << "golden: " << error.what() << '\n';
     return error.kind() == soms::ErrorKind::unsupported ? kSkipped : 2;
