@@ -19,6 +19,8 @@ set(SOMS_SUPPORT_FILES
   map_page.h
   models.cpp
   models.h
+  npz_file.cpp
+  npz_file.h
   outline.cpp
   outline.h
   output.cpp
@@ -47,6 +49,8 @@ set(SOMS_SUPPORT_FILES
   row_source.h
   shared.cpp
   shared.h
+  spooled_bytes.cpp
+  spooled_bytes.h
   standard_input.cpp
   standard_input.h
   stated_options.cpp
@@ -67,4 +71,6 @@ set(SOMS_SUPPORT_FILES
   world.h
   world_options.cpp
   world_options.h
+  zip_file.cpp
+  zip_file.h
 )
