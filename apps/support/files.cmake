@@ -13,6 +13,8 @@ set(SOMS_SUPPORT_FILES
   interrupts.h
   json.cpp
   json.h
+  length_unit.cpp
+  length_unit.h
   map_layers.cpp
   map_layers.h
   map_page.cpp
