@@ -5,6 +5,7 @@
 #include "soms/query/reference/contains.h"
 #include "soms/query/signed_closest.h"
 
+#include "apps/soms/answer_columns.h"
 #include "apps/soms/closed_body.h"
 #include "apps/soms/closest_output.h"
 #include "apps/soms/pair_options.h"
@@ -67,12 +68,15 @@ struct Extremes {
 /// A run whose rows are points beside a model.
 class ClosestRun : public ProbeRun<PointSource> {
  public:
-  ClosestRun(const ClosestVerbOptions& options, PointCsv& csv, Console& console)
-      : ProbeRun(options, options.points, {.verb = "closest", .has_files = !options.csv.empty()},
+  ClosestRun(const ClosestVerbOptions& options, PointCsv& csv, PointColumns& columns,
+             Console& console)
+      : ProbeRun(options, options.points,
+                 {.verb = "closest", .has_files = !options.csv.empty() || !options.binary.empty()},
                  console),
         options_(options),
         lists_(options.nearest != 0 || options.radius.has_value()),
         csv_(csv),
+        columns_(columns),
         body_(build_shape(read_model(options.model, options.reading, console),
                           {.build = options.build}, console),
               pose()) {
@@ -82,6 +86,7 @@ class ClosestRun : public ProbeRun<PointSource> {
       closed_ = closed_body(body_, "leave out --signed", console);
     }
     csv_.begin(body_.shape.mesh(), lists_, options.with_side);
+    columns_.begin(lists_, options.with_side);
   }
 
  private:
@@ -200,6 +205,7 @@ class ClosestRun : public ProbeRun<PointSource> {
       table_.add(point, answer, mesh, options_.at_most, console());
     }
     csv_.add(point, answer);
+    columns_.add(answer);
     extremes_.add(point, answer);
   }
 
@@ -240,12 +246,16 @@ class ClosestRun : public ProbeRun<PointSource> {
     return parts.empty() ? count : fmt::format("{}: {}", count, fmt::join(parts, "; "));
   }
 
-  void finish(End /*end*/) override { csv_.finish(); }
+  void finish(End /*end*/) override {
+    csv_.finish();
+    columns_.finish();
+  }
 
   const ClosestVerbOptions& options_;
   bool lists_;
   bool single_ = false;
   PointCsv& csv_;
+  PointColumns& columns_;
   Body body_;
   std::optional<ClosedBody> closed_;  // the same, where sides are requested
   ClosestOptions query_;
@@ -266,8 +276,9 @@ void check_options(const ClosestVerbOptions& options) {
   check_outputs({{"MODEL", options.model},
                  {"--points", options.points},
                  {"--pose", options.pose.value_or("")}},
-                {{"--csv", options.csv}});
+                {{"--csv", options.csv}, {"--binary", options.binary}});
   check_extension("--csv", options.csv, {".csv"});
+  check_extension("--binary", options.binary, {".npz"});
 }
 
 }  // namespace
@@ -297,6 +308,7 @@ Action add_closest(CLI::App& app, Shared&) {
                "also say whether each point is inside; the model must be closed")
       ->group(kQuestionGroup);
   add_output(app, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
+  add_binary(app, options->binary);
   add_probe_options(app, *options);
   app.footer(
       "The nearest point of the surface to each point, exact to the last bit, with its triangle "
@@ -314,7 +326,8 @@ Action add_closest(CLI::App& app, Shared&) {
 int run_closest(const ClosestVerbOptions& options, Console& console) {
   check_options(options);
   PointCsv csv(options.csv);
-  return ClosestRun(options, csv, console).run();
+  PointColumns columns(options.binary);
+  return ClosestRun(options, csv, columns, console).run();
 }
 
 }  // namespace soms::command

@@ -5,6 +5,7 @@
 #include "soms/query/contains.h"
 #include "soms/query/reference/contains.h"
 
+#include "apps/soms/answer_columns.h"
 #include "apps/soms/closed_body.h"
 #include "apps/soms/pair_options.h"
 #include "apps/soms/pair_report.h"
@@ -30,8 +31,11 @@ namespace {
 /// A run whose rows are points beside a closed model.
 class ContainsRun : public ProbeRun<PointSource> {
  public:
-  ContainsRun(const ContainsVerbOptions& options, Console& console)
-      : ProbeRun(options, options.points, {.verb = "contains"}, console), body_(body_of(options)) {}
+  ContainsRun(const ContainsVerbOptions& options, SideColumns& columns, Console& console)
+      : ProbeRun(options, options.points,
+                 {.verb = "contains", .has_files = !options.binary.empty()}, console),
+        columns_(columns),
+        body_(body_of(options)) {}
 
  private:
   [[nodiscard]] ClosedBody body_of(const ContainsVerbOptions& options) {
@@ -87,6 +91,7 @@ class ContainsRun : public ProbeRun<PointSource> {
   void print_row(std::size_t k, bool right, bool last) override {
     const Side side = answers_.side[k];
     ++counts_[static_cast<std::size_t>(side)];
+    columns_.add(side);
     if (console().shared().json) {
       print_json(body_.body().shape.mesh(), "point", keys(k), right, last);
       return;
@@ -124,8 +129,9 @@ class ContainsRun : public ProbeRun<PointSource> {
     console().print(line + "\n");
   }
 
-  void finish(End) override {}
+  void finish(End) override { columns_.finish(); }
 
+  SideColumns& columns_;
   std::uint64_t left_out_ = 0;  // triangles of open parts
   ClosedBody body_;
   ContainsBatch answers_;
@@ -140,6 +146,7 @@ Action add_contains(CLI::App& app, Shared&) {
   app.add_flag("--closed-parts", options->closed_parts,
                "leave out connected parts that are not closed by themselves")
       ->group(kQuestionGroup);
+  add_binary(app, options->binary);
   add_probe_options(app, *options);
   app.footer(
       "Exact for every point: inside, outside, or on the surface. The model must be closed; soms\n"
@@ -153,7 +160,13 @@ Action add_contains(CLI::App& app, Shared&) {
 }
 
 int run_contains(const ContainsVerbOptions& options, Console& console) {
-  return ContainsRun(options, console).run();
+  check_outputs({{"MODEL", options.model},
+                 {"--points", options.points},
+                 {"--pose", options.pose.value_or("")}},
+                {{"--binary", options.binary}});
+  check_extension("--binary", options.binary, {".npz"});
+  SideColumns columns(options.binary);
+  return ContainsRun(options, columns, console).run();
 }
 
 }  // namespace soms::command

@@ -1,4 +1,6 @@
 set(SOMS_COMMAND_FILES
+  answer_columns.cpp
+  answer_columns.h
   bench.cpp
   bench.h
   closed_body.cpp

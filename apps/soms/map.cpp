@@ -7,6 +7,7 @@
 #include "apps/soms/map_marks.h"
 #include "apps/soms/simulate_near_report.h"
 #include "apps/soms/simulate_report.h"
+#include "apps/support/length_unit.h"
 #include "apps/support/map_page.h"
 #include "apps/support/outline.h"
 #include "apps/support/text.h"
@@ -263,7 +264,7 @@ void write_most_touched(MapPanel& panel, const World& world, const std::vector<T
 }  // namespace
 
 void draw_map(std::ostream& out, const World& world, const Outcome& outcome) {
-  const MapPage page = make_map_page(world.bounds);
+  const MapPage page = make_map_page(world.bounds, common_unit(world.city));
   const MapCity city = outline_city(world, page.area, kCityBudget);
   const std::vector<Touched> most = outcome.contacts.most_touched(kMostTouched);
   const std::vector<Mark> marks = find_marks(world, outcome, 13 / page.scale);

@@ -1,5 +1,6 @@
 #include "apps/soms/near_options.h"
 
+#include "apps/soms/answer_columns.h"
 #include "apps/support/parse.h"
 
 namespace soms::command {
@@ -10,6 +11,7 @@ void add_near_options(CLI::App& app, NearOptions& options) {
       ->group(kQuestionGroup);
   add_output(app, "--csv", options.csv, "write the answers as CSV, one row per pose")
       ->group(kQuestionGroup);
+  add_binary(app, options.binary);
   add_verify(app, options);
   add_model_reading(app, options);
 }

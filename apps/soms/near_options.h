@@ -11,11 +11,12 @@ namespace soms::command {
 /// Two models at rows of poses, and where answers about their distance go.
 struct NearOptions : PairOptions {
   std::string csv = {};     ///< empty: none
+  std::string binary = {};  ///< likewise
   std::string report = {};  ///< likewise
 };
 
-/// Adds what follows the options of the question: --report, --csv, --verify, and those of the
-/// models.
+/// Adds what follows the options of the question: --report, --csv, --binary, --verify, and those of
+/// the models.
 void add_near_options(CLI::App& app, NearOptions& options);
 
 }  // namespace soms::command

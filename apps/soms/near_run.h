@@ -2,6 +2,7 @@
 /// A question of how near two models are, queried pose by pose: what `distance` and `within` share.
 #pragma once
 
+#include "apps/soms/answer_columns.h"
 #include "apps/soms/near_options.h"
 #include "apps/soms/near_output.h"
 #include "apps/soms/near_page.h"
@@ -23,13 +24,14 @@ namespace soms::command {
 
 /// Files of answers, opened before the models are read.
 struct NearFiles {
-  explicit NearFiles(const NearOptions& options) : csv(options.csv) {
+  explicit NearFiles(const NearOptions& options) : csv(options.csv), columns(options.binary) {
     if (!options.report.empty()) {
       page.emplace(options.report);
     }
   }
 
   NearCsv csv;
+  NearColumns columns;
   std::optional<OutputFile> page;
 };
 
@@ -101,6 +103,7 @@ class NearRun : public PoseRun {
       table_.add(report(), pose, question_.title(), question_.cell(answer), pair, console());
     }
     files_.csv.add(pose, fmt::format("{},{}", question_.csv(answer), name(answer.coverage)), pair);
+    files_.columns.add(answer);
     question_.add(pose, answer);
     if (page_) {
       page_->add({pose_a(k), pose_b(k)}, question_.finding(answer, body_a(k), body_b(k)));
@@ -117,6 +120,7 @@ class NearRun : public PoseRun {
 
   void finish_outputs() override {
     files_.csv.finish();
+    files_.columns.finish();
     if (page_) {
       page_->write(files_.page->stream(), report(), totals(),
                    report().single ? answer_ : question_.totals(totals()));
@@ -135,10 +139,12 @@ class NearRun : public PoseRun {
 /// Answers every pose; the exit status.
 template <class Question>
 int run_near(const NearOptions& options, PoseQuestion about, Question question, Console& console) {
-  check_files(options, {{"--csv", options.csv}, {"--report", options.report}});
+  check_files(options,
+              {{"--csv", options.csv}, {"--binary", options.binary}, {"--report", options.report}});
   check_extension("--report", options.report, {".html", ".htm"});
   check_extension("--csv", options.csv, {".csv"});
-  about.has_files = !options.csv.empty() || !options.report.empty();
+  check_extension("--binary", options.binary, {".npz"});
+  about.has_files = !options.csv.empty() || !options.binary.empty() || !options.report.empty();
   NearFiles files(options);
   return NearRun<Question>(options, std::move(about), std::move(question), files, console).run();
 }

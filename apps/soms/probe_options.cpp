@@ -22,14 +22,15 @@ CLI::Option* add_rows(CLI::App& app, const std::string& name, std::string& targe
                       const std::string& what, const std::string& header) {
   return app
       .add_option(name, target,
-                  "CSV file of " + what + " with the header " + header + "; - is standard input")
+                  what + ": a CSV file with the header " + header +
+                      ", or an array of NumPy (.npy); - is standard input")
       ->option_text("FILE")
       ->group(kQuestionGroup);
 }
 
 void add_model_pose(CLI::App& app, ProbeOptions& options) {
   app.add_option("--pose", options.pose,
-                 "pose of the model: \"x y z [qw qx qy qz]\", or a CSV file of one row")
+                 "pose of the model: \"x y z [qw qx qy qz]\", or a CSV or .npy file of one row")
       ->option_text("POSE")
       ->group(kQuestionGroup);
 }

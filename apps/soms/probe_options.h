@@ -21,6 +21,7 @@ inline constexpr std::uint64_t kProbesInText = 20;
 struct ProbeOptions {
   std::string model;
   std::optional<std::string> pose;  ///< unset: not moved
+  std::string binary = {};          ///< file of columns; empty: none
   bool verify = false;
   ModelOptions reading;
   BuildOptions build;

@@ -49,8 +49,9 @@ void check_ray_options(const RayVerbOptions& options) {
                  {"--rays", options.rays},
                  {"--segments", options.segments},
                  {"--pose", options.pose.value_or("")}},
-                {{"--csv", options.csv}});
+                {{"--csv", options.csv}, {"--binary", options.binary}});
   check_extension("--csv", options.csv, {".csv"});
+  check_extension("--binary", options.binary, {".npz"});
 }
 
 }  // namespace
@@ -91,6 +92,7 @@ Action add_ray(CLI::App& app, Shared&) {
                    "exit with status 1 if a ray hits anything")
       ->group(kQuestionGroup);
   add_output(app, "--csv", options->csv, "write the answers as CSV")->group(kQuestionGroup);
+  add_binary(app, options->binary);
   add_probe_options(app, *options);
   app.footer(
       "The first point of the surface on each ray, decided exactly: none slips through an edge or\n"
@@ -107,9 +109,10 @@ Action add_ray(CLI::App& app, Shared&) {
 }
 
 int run_ray(const RayVerbOptions& options, Console& console) {
-  RayCsv csv(options.csv);
-  return options.rays.empty() ? RayRun<SegmentSource>(options, options.segments, csv, console).run()
-                              : RayRun<RaySource>(options, options.rays, csv, console).run();
+  RayFiles files(options);
+  return options.rays.empty()
+             ? RayRun<SegmentSource>(options, options.segments, files, console).run()
+             : RayRun<RaySource>(options, options.rays, files, console).run();
 }
 
 }  // namespace soms::command

@@ -5,6 +5,7 @@
 #include "soms/query/ray.h"
 #include "soms/query/reference/ray.h"
 
+#include "apps/soms/answer_columns.h"
 #include "apps/soms/probe_run.h"
 #include "apps/soms/ray.h"
 #include "apps/soms/ray_output.h"
@@ -23,23 +24,31 @@ namespace soms::command {
 [[nodiscard]] std::optional<std::string> difference_of(const RayAnswer& answer,
                                                        const RayAnswer& truth);
 
+/// Files of answers, opened before the model is read.
+struct RayFiles {
+  explicit RayFiles(const RayVerbOptions& options) : csv(options.csv), columns(options.binary) {}
+
+  RayCsv csv;
+  RayColumns columns;
+};
+
 /// `Source` gives rays or segments.
 template <class Source>
 class RayRun : public ProbeRun<Source> {
  public:
-  RayRun(const RayVerbOptions& options, const std::string& rows, RayCsv& csv, Console& console)
+  RayRun(const RayVerbOptions& options, const std::string& rows, RayFiles& files, Console& console)
       : ProbeRun<Source>(options, rows,
                          {.verb = "ray",
                           .fail_if_found = options.fail_if_hit,
-                          .has_files = !options.csv.empty()},
+                          .has_files = !options.csv.empty() || !options.binary.empty()},
                          console),
         options_(options),
-        csv_(csv),
+        files_(files),
         body_(build_shape(read_model(options.model, options.reading, console),
                           {.build = options.build}, console),
               this->pose()),
         question_{.skip = options.skip, .deadline = console.deadline()} {
-    csv_.begin(mesh());
+    files_.csv.begin(mesh());
   }
 
  private:
@@ -99,7 +108,8 @@ class RayRun : public ProbeRun<Source> {
     } else {
       table_.add(Source::kNoun, answer, mesh(), this->console());
     }
-    csv_.add(this->totals().rows, answer);
+    files_.csv.add(this->totals().rows, answer);
+    files_.columns.add(answer);
     if (const auto* all = std::get_if<Crossings>(&answer)) {
       crossings_ += all->places.size();
       triangles_ += all->count();
@@ -122,10 +132,13 @@ class RayRun : public ProbeRun<Source> {
     this->console().print(line + "\n");
   }
 
-  void finish(RowRun::End /*end*/) override { csv_.finish(); }
+  void finish(RowRun::End /*end*/) override {
+    files_.csv.finish();
+    files_.columns.finish();
+  }
 
   const RayVerbOptions& options_;
-  RayCsv& csv_;
+  RayFiles& files_;
   Body body_;
   RayOptions question_;
   std::vector<RayAnswer> answers_;

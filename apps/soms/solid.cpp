@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 #include "soms/query/reference/solid.h"
 
+#include "apps/soms/answer_columns.h"
 #include "apps/soms/pose_run.h"
 #include "apps/soms/solid_parts.h"
 #include "apps/soms/solid_text.h"
@@ -33,8 +34,13 @@ constexpr std::uint64_t kPosesInText = 20;  // that a person may want to read
 /// The relation of two models, pose by pose.
 class SolidRun : public PoseRun {
  public:
-  SolidRun(const SolidVerbOptions& options, Console& console)
-      : PoseRun(options, {.verb = "solid", .fail_if_found = options.fail_if_solid}, console),
+  SolidRun(const SolidVerbOptions& options, SolidColumns& columns, Console& console)
+      : PoseRun(options,
+                {.verb = "solid",
+                 .fail_if_found = options.fail_if_solid,
+                 .has_files = !options.binary.empty()},
+                console),
+        columns_(columns),
         options_{.deadline = console.deadline()},
         a_(closed_body(shape_a())),
         b_(closed_body(shape_b())) {}
@@ -102,6 +108,7 @@ class SolidRun : public PoseRun {
     const Solid& answer = answers_[k];
     const std::uint64_t pose = totals().rows;
     ++counts_[static_cast<std::size_t>(answer.relation)];
+    columns_.add(answer);
     if (console().shared().json) {
       console().print(fmt::format("{{\"schema\":\"soms.solid/1\",\"pose\":{},{}{}{}}}\n", pose,
                                   solid_keys(answer), coverage_keys(answer.coverage, answer.cost),
@@ -143,8 +150,9 @@ class SolidRun : public PoseRun {
     console().print(line + "\n");
   }
 
-  void finish_outputs() override {}
+  void finish_outputs() override { columns_.finish(); }
 
+  SolidColumns& columns_;
   SolidOptions options_;
   ClosedBody a_;
   ClosedBody b_;
@@ -303,6 +311,7 @@ Action add_solid(CLI::App& app, Shared&) {
   add_choice<bool>(app, "--fail-if", options->fail_if_solid, {{"solid", true}},
                    "exit with status 1 if interior is shared; touching is not enough")
       ->group(kQuestionGroup);
+  add_binary(app, options->binary);
   add_verify(app, *options);
   add_model_reading(app, *options);
   app.footer(
@@ -316,8 +325,17 @@ Action add_solid(CLI::App& app, Shared&) {
 }
 
 int run_solid(const SolidVerbOptions& options, Console& console) {
-  check_files(options, {});
-  return options.by_part ? SolidPartsRun(options, console).run() : SolidRun(options, console).run();
+  if (options.by_part && !options.binary.empty()) {
+    throw Error(ErrorKind::usage, "--binary has one row per pose, and --by part several",
+                "leave out one of them");
+  }
+  check_files(options, {{"--binary", options.binary}});
+  check_extension("--binary", options.binary, {".npz"});
+  if (options.by_part) {
+    return SolidPartsRun(options, console).run();
+  }
+  SolidColumns columns(options.binary);
+  return SolidRun(options, columns, console).run();
 }
 
 }  // namespace soms::command

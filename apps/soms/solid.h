@@ -12,6 +12,7 @@ namespace soms::command {
 /// Options of the verb `solid`.
 struct SolidVerbOptions : PairOptions {
   bool by_part = false;
+  std::string binary = {};  ///< file of columns; empty: none
   bool fail_if_solid = false;
 };
 

@@ -13,12 +13,16 @@ set(SOMS_SUPPORT_FILES
   interrupts.h
   json.cpp
   json.h
+  length_unit.cpp
+  length_unit.h
   map_layers.cpp
   map_layers.h
   map_page.cpp
   map_page.h
   models.cpp
   models.h
+  npz_file.cpp
+  npz_file.h
   outline.cpp
   outline.h
   output.cpp
@@ -47,6 +51,8 @@ set(SOMS_SUPPORT_FILES
   row_source.h
   shared.cpp
   shared.h
+  spooled_bytes.cpp
+  spooled_bytes.h
   standard_input.cpp
   standard_input.h
   stated_options.cpp
@@ -67,4 +73,6 @@ set(SOMS_SUPPORT_FILES
   world.h
   world_options.cpp
   world_options.h
+  zip_file.cpp
+  zip_file.h
 )

@@ -2,6 +2,8 @@
 
 #include "soms/base/text.h"
 
+#include "apps/support/length_unit.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,8 +20,9 @@ constexpr double kMapMargin = 24;
 
 }  // namespace
 
-MapPage make_map_page(const Box& bounds) {
+MapPage make_map_page(const Box& bounds, double unit) {
   MapPage page;
+  page.unit = unit;
   page.area = bounds;
   const Vec3 extent = page.area.extent();
   const double longer = std::max(extent.x, extent.y);
@@ -59,16 +62,14 @@ void open_map(std::ostream& out, const MapPage& page, std::string_view title) {
 
 void close_map(std::ostream& out, const MapPage& page) {
   out << "</g>\n";
-  const double meters = round_length(0.22 * page.width / page.scale);
-  const double length = meters * page.scale;
+  const double stated = round_length(0.22 * page.width / page.scale);
+  const double length = stated * page.scale;
   const double y = page.top + page.height + 22;
   out << fmt::format(
       "<path d=\"M{:.1f} {:.1f}v6h{:.1f}v-6\" fill=\"none\" stroke=\"{}\" "
       "stroke-width=\"1.5\"/>\n",
       page.left, y - 6, length, kMapInk);
-  out << map_text(
-      page.left + length + 8, y, 12.5,
-      meters >= 1000 ? fmt::format("{:g} km", meters / 1000) : fmt::format("{:g} m", meters));
+  out << map_text(page.left + length + 8, y, 12.5, length_with_unit(stated, page.unit));
 }
 
 double round_length(double length) {

@@ -17,6 +17,7 @@ inline constexpr const char* kMapPaper = "#f3efe6";
 /// Where points of an area lie on the page, in pixels, north (+y) up.
 struct MapPage {
   Box area;
+  double unit = 0;   ///< meters a unit of length; 0: not known
   double scale = 1;  ///< pixels a unit of length
   double width = 0;  ///< of the map, without margin and panel
   double height = 0;
@@ -33,8 +34,8 @@ struct MapPage {
   }
 };
 
-/// The page for a scene's bounds, with a rim around them.
-[[nodiscard]] MapPage make_map_page(const Box& bounds);
+/// The page for a scene's bounds, with a rim around them; `unit` is that of their numbers.
+[[nodiscard]] MapPage make_map_page(const Box& bounds, double unit);
 
 /// A line of text as SVG; `more` are attributes.
 [[nodiscard]] std::string map_text(double x, double y, double size, std::string_view words,

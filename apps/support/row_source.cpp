@@ -55,7 +55,7 @@ void RowSource::fail(const Error& error) const {
   }
   if (error.kind() == ErrorKind::cannot_open) {
     throw Error(error.kind(), error.place(),
-                fmt::format("name a CSV file of {}s, or - for standard input", noun_));
+                fmt::format("name a CSV or .npy file of {}s, or - for standard input", noun_));
   }
   throw error;
 }

@@ -1,5 +1,5 @@
 /// \file
-/// Rows of numbers of a CSV file or standard input, as they come.
+/// Rows of numbers of a CSV file, a NumPy array or standard input, as they come.
 #pragma once
 
 #include "soms/base/error.h"

@@ -32,6 +32,8 @@ set(SOMS_SOURCES
   detail/mesh_builder.cpp
   detail/mesh_writer.cpp
   detail/obj.cpp
+  detail/npy_header.cpp
+  detail/npy_rows.cpp
   detail/off.cpp
   detail/output.cpp
   detail/ply.cpp

@@ -19,7 +19,8 @@ namespace soms {
 
 /// Poses of a CSV file with a header, `x,y,z,qw,qx,qy,qz` (the last four optional together) or
 /// `r00,r01,r02,tx,r10,r11,r12,ty,r20,r21,r22,tz`, read row by row: a million rows need no more
-/// memory than one. The columns may stand in any order.
+/// memory than one. The columns may stand in any order. Or a NumPy array file of the shape (N, 3),
+/// (N, 7), (N, 12), (N, 3, 4) or (N, 4, 4), as `RowReader` has it.
 class PoseReader {
  public:
   /// A stop of `parallel` ends this and `next`, also while they wait for a pipe.
@@ -28,7 +29,7 @@ class PoseReader {
 
   /// The next pose, checked, or nothing at the end. Blank lines and lines that start with # are
   /// skipped.
-  /// \errors  ErrorKind::bad_file, not_finite, not_rigid; the message names file and line.
+  /// \errors  ErrorKind::bad_file, not_finite, not_rigid; the message names file and line, or row.
   ///          cannot_open (reading failed), cancelled.
   [[nodiscard]] std::optional<Pose> next();
 
@@ -42,7 +43,7 @@ class PoseReader {
   RowReader rows_;
 };
 
-/// All poses of a CSV file. \errors As `PoseReader`.
+/// All poses of a file. \errors As `PoseReader`.
 [[nodiscard]] std::vector<Pose> read_poses(const std::filesystem::path& path,
                                            const Parallel& parallel = {});
 

@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/io/detail/line_reader.h"
+#include "soms/io/detail/npy_rows.h"
 #include "soms/io/detail/text.h"
 
 #include <algorithm>
@@ -64,6 +65,7 @@ struct RowReader::State {
   std::vector<std::size_t> places;  ///< of the file's columns, in the header
   std::vector<double> numbers;
   std::optional<std::string_view> ahead;  ///< a row that `ready` found
+  std::optional<detail::NpyRows> array;   ///< of a file that is not text
 
   [[nodiscard]] std::string here(const std::string& fault) const {
     return lines.name() + ", line " + std::to_string(lines.number()) + ": " + fault;
@@ -149,7 +151,12 @@ void RowReader::State::read_header() {
 RowReader::RowReader(const std::filesystem::path& path, std::string_view what,
                      std::vector<std::vector<Column>> headers, const Parallel& parallel)
     : state_(std::make_unique<State>(path, what, std::move(headers), parallel)) {
-  state_->read_header();
+  State& state = *state_;
+  if (state.lines.starts_with(detail::kNpyMagic)) {
+    state.array.emplace(state.lines, what, state.headers);
+  } else {
+    state.read_header();
+  }
 }
 
 RowReader::~RowReader() = default;
@@ -157,12 +164,15 @@ RowReader::RowReader(RowReader&&) noexcept = default;
 RowReader& RowReader::operator=(RowReader&&) noexcept = default;
 
 const std::vector<Column>& RowReader::columns() const {
-  return state_->columns;
+  return state_->array ? state_->array->columns() : state_->columns;
 }
 
 std::optional<std::span<const double>> RowReader::next() {
   const PlainArithmetic plain;
   State& state = *state_;
+  if (state.array) {
+    return state.array->next();
+  }
   const auto line = state.next_line();
   if (!line) {
     return std::nullopt;
@@ -191,6 +201,9 @@ std::optional<std::span<const double>> RowReader::next() {
 bool RowReader::ready() {
   State& state = *state_;
   try {
+    if (state.array) {
+      return state.array->ready();
+    }
     while (!state.ahead) {
       if (!state.lines.ready()) {
         return false;
@@ -208,7 +221,9 @@ bool RowReader::ready() {
 }
 
 Error RowReader::fault(const Error& error) const {
-  return Error(error.kind(), state_->here(error.place()), error.remedy());
+  const std::string place =
+      state_->array ? state_->array->here(error.place()) : state_->here(error.place());
+  return Error(error.kind(), place, error.remedy());
 }
 
 }  // namespace soms

@@ -23,11 +23,16 @@ struct Column {
   [[nodiscard]] bool operator==(const Column&) const = default;
 };
 
-/// Rows of a CSV file whose header names its columns, read row by row: a million rows need no more
-/// memory than one. The columns may stand in any order.
+/// Rows of a CSV file whose header names its columns, or of a NumPy array file (.npy), read row by
+/// row: a million rows need no more memory than one. The columns of a CSV file may stand in any
+/// order. Which of both a file is, its first bytes say, whatever its name.
+///
+/// An array has the shape (N, k), where one of the headers has k columns, in their order; where
+/// that has 12, (N, 3, 4) and (N, 4, 4) too: matrices by lines, of which a fourth line must be 0,
+/// 0, 0, 1. Its numbers are little-endian floats of 4 or 8 bytes, in C order.
 class RowReader {
  public:
-  /// `what` is what the rows are, in messages: "poses". The header of the file must name each
+  /// `what` is what the rows are, in messages: "poses". The header of a CSV file must name each
   /// column of one of `headers` once, and no other. A stop of `parallel` ends this and `next`, also
   /// while they wait for a pipe.
   /// \errors  ErrorKind::cannot_open, bad_file, cancelled.
@@ -42,7 +47,7 @@ class RowReader {
 
   /// The numbers of the next row, in the order of `columns`, valid until the next call; nothing
   /// at the end. Blank lines and lines that start with # are skipped.
-  /// \errors  ErrorKind::bad_file, not_finite; the message names file and line. cannot_open
+  /// \errors  ErrorKind::bad_file, not_finite; the message names file and line, or row. cannot_open
   ///          (reading failed), cancelled.
   [[nodiscard]] std::optional<std::span<const double>> next();
 

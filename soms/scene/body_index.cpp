@@ -118,4 +118,14 @@ AnyHitBatch BodyIndex::any_hit(std::span<const Segment> segments, const RayOptio
   return detail::any_hit(content_->sets, segments, options, filter.except, parallel);
 }
 
+BodyAllHits BodyIndex::all_hits(std::span<const Ray> rays, const RayOptions& options,
+                                const BodyFilter& filter, const Parallel& parallel) const {
+  return detail::all_hits(content_->sets, rays, options, filter.except, parallel);
+}
+
+BodyAllHits BodyIndex::all_hits(std::span<const Segment> segments, const RayOptions& options,
+                                const BodyFilter& filter, const Parallel& parallel) const {
+  return detail::all_hits(content_->sets, segments, options, filter.except, parallel);
+}
+
 }  // namespace soms

@@ -57,6 +57,14 @@ struct BodyHitBatch : ClosestHitBatch {
   [[nodiscard]] BodyHit at(std::size_t ray) const;
 };
 
+/// All places where rays meet many bodies: the columns of AllHits, and the bodies. A crossing is of
+/// one body.
+struct BodyAllHits : AllHits {
+  std::vector<std::uint32_t> body = {};  ///< m
+
+  [[nodiscard]] bool operator==(const BodyAllHits&) const = default;
+};
+
 /// Which bodies take part in a query of many.
 struct BodyFilter {
   /// This body does not: the one that looks, say. With RayOptions::skip, which is then a triangle
@@ -137,6 +145,19 @@ class BodyIndex {
   [[nodiscard]] AnyHitBatch any_hit(std::span<const Segment> segments,
                                     const RayOptions& options = {}, const BodyFilter& filter = {},
                                     const Parallel& parallel = {}) const;
+
+  /// Every triangle of all bodies that rays or segments meet: for each body the crossings that
+  /// `all_hits` has. Rows are sorted by exact t, crossings at the same t by body, then by their
+  /// least triangles.
+  /// \shape `rays`, `segments`: n.
+  /// \cost  One query for each body whose box a ray meets; O(k log k) comparisons for k crossings,
+  ///        exact ones where two bodies are met at nearly the same t; their memory.
+  [[nodiscard]] BodyAllHits all_hits(std::span<const Ray> rays, const RayOptions& options = {},
+                                     const BodyFilter& filter = {},
+                                     const Parallel& parallel = {}) const;
+  [[nodiscard]] BodyAllHits all_hits(std::span<const Segment> segments,
+                                     const RayOptions& options = {}, const BodyFilter& filter = {},
+                                     const Parallel& parallel = {}) const;
 
  private:
   struct Content;

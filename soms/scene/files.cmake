@@ -16,6 +16,7 @@ set(SOMS_SOURCES
   body_index.cpp
   broad_phase.cpp
   contact_tracker.cpp
+  detail/all_hits_search.cpp
   detail/body_search.cpp
   detail/box_bounds.cpp
   detail/box_index.cpp

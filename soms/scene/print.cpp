@@ -58,6 +58,10 @@ std::ostream& operator<<(std::ostream& out, const BodyHitBatch& value) {
          << PrintedFields("BodyHitBatch").item(printed(static_cast<const ClosestHitBatch&>(value)));
 }
 
+std::ostream& operator<<(std::ostream& out, const BodyAllHits& value) {
+  return out << PrintedFields("BodyAllHits").item(printed(static_cast<const AllHits&>(value)));
+}
+
 std::ostream& operator<<(std::ostream& out, SceneBodyKind value) {
   return out << printed_name("SceneBodyKind", static_cast<int>(value), {"environment", "mover"});
 }
@@ -88,6 +92,10 @@ std::ostream& operator<<(std::ostream& out, const SceneHit& value) {
 std::ostream& operator<<(std::ostream& out, const SceneHitBatch& value) {
   return out << PrintedFields("SceneHitBatch")
                     .item(printed(static_cast<const ClosestHitBatch&>(value)));
+}
+
+std::ostream& operator<<(std::ostream& out, const SceneAllHits& value) {
+  return out << PrintedFields("SceneAllHits").item(printed(static_cast<const AllHits&>(value)));
 }
 
 std::ostream& operator<<(std::ostream& out, const EnvironmentContact& value) {

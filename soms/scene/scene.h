@@ -119,10 +119,11 @@ class Scene {
   [[nodiscard]] StepReport step(const StepOptions& options = {}, const Parallel& parallel = {});
 
   /// The nearest point of all bodies at their present poses, the first hit of a ray or segment on
-  /// them, and whether there is one. Contracts are those of the queries of BodyIndex. Equally near
-  /// bodies are decided by the order of SceneBody. Groups and ignored pairs do not matter here.
-  /// \errors  As for BodyIndex; ErrorKind::usage for a body of the filter that is not there.
-  /// \cost    As for BodyIndex. The first query after parts, or movers, were changed builds their
+  /// them, whether there is one, and all of them. Contracts are those of the queries of BodyIndex.
+  /// Equally near bodies are decided by the order of SceneBody. Groups and ignored pairs do not
+  /// matter here. \errors  As for BodyIndex; ErrorKind::usage for a body of the filter that is not
+  /// there. \cost    As for BodyIndex. The first query after parts, or movers, were changed builds
+  /// their
   ///          index: O(n log n), n of them. So batches are for many movers that move.
   [[nodiscard]] SceneClosest closest(const Vec3& point, const ClosestOptions& options = {},
                                      const SceneFilter& filter = {},
@@ -152,6 +153,13 @@ class Scene {
   [[nodiscard]] AnyHitBatch any_hit(std::span<const Segment> segments,
                                     const RayOptions& options = {}, const SceneFilter& filter = {},
                                     const Parallel& parallel = {}) const;
+  [[nodiscard]] SceneAllHits all_hits(std::span<const Ray> rays, const RayOptions& options = {},
+                                      const SceneFilter& filter = {},
+                                      const Parallel& parallel = {}) const;
+  [[nodiscard]] SceneAllHits all_hits(std::span<const Segment> segments,
+                                      const RayOptions& options = {},
+                                      const SceneFilter& filter = {},
+                                      const Parallel& parallel = {}) const;
 
  private:
   struct State;

@@ -79,6 +79,15 @@ class Scene::View {
                : SceneBody{SceneBodyKind::mover, state_.movers.places()[*number - parts_].id};
   }
 
+  [[nodiscard]] SceneAllHits named(BodyAllHits found) const {
+    std::vector<SceneBody> names;
+    names.reserve(found.body.size());
+    for (const std::uint32_t number : found.body) {
+      names.push_back(*name(number));
+    }
+    return {std::move(found), std::move(names)};
+  }
+
   [[nodiscard]] std::vector<std::optional<SceneBody>> names(
       const std::vector<std::optional<std::uint32_t>>& numbers) const {
     std::vector<std::optional<SceneBody>> names;
@@ -186,6 +195,20 @@ AnyHitBatch Scene::any_hit(std::span<const Segment> segments, const RayOptions& 
                            const SceneFilter& filter, const Parallel& parallel) const {
   const View view(*state_, filter);
   return detail::any_hit(view.sets(), segments, view.options(options), view.left_out(), parallel);
+}
+
+SceneAllHits Scene::all_hits(std::span<const Ray> rays, const RayOptions& options,
+                             const SceneFilter& filter, const Parallel& parallel) const {
+  const View view(*state_, filter);
+  return view.named(
+      detail::all_hits(view.sets(), rays, view.options(options), view.left_out(), parallel));
+}
+
+SceneAllHits Scene::all_hits(std::span<const Segment> segments, const RayOptions& options,
+                             const SceneFilter& filter, const Parallel& parallel) const {
+  const View view(*state_, filter);
+  return view.named(
+      detail::all_hits(view.sets(), segments, view.options(options), view.left_out(), parallel));
 }
 
 }  // namespace soms

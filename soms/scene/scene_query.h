@@ -72,4 +72,11 @@ struct SceneHitBatch : ClosestHitBatch {
   [[nodiscard]] SceneHit at(std::size_t ray) const;
 };
 
+/// All places where rays meet a scene, as BodyAllHits.
+struct SceneAllHits : AllHits {
+  std::vector<SceneBody> body = {};  ///< m
+
+  [[nodiscard]] bool operator==(const SceneAllHits&) const = default;
+};
+
 }  // namespace soms

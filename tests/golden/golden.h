@@ -11,6 +11,9 @@
 #include "soms/tree/layout/wide_tree.h"
 #include "soms/tree/shape.h"
 
+#include "tests/support/answer_row.h"
+#include "tests/support/probe_table.h"
+
 #include <bit>
 #include <concepts>
 #include <cstdint>
@@ -85,6 +88,13 @@ struct ModelPair {
   [[nodiscard]] std::string name() const { return first + "-" + second; }
 };
 
+/// A model at a pose, and what is queried about it there.
+struct ProbedModel {
+  std::string model;
+  Pose pose;
+  test::Probes probes;
+};
+
 /// What rows are made from that this program calculates itself.
 struct Inputs {
   explicit Inputs(std::filesystem::path folder);
@@ -95,6 +105,9 @@ struct Inputs {
   std::vector<Pose> poses;             ///< near enough for models of size 1 to touch
   std::map<std::string, Mesh> models;  ///< small ones, of all scales
   std::vector<ModelPair> pairs;        ///< of the models
+  std::vector<ProbedModel> probed;     ///< of the models, those of one model in a row
+  std::map<std::string, Mesh> solids;  ///< closed bodies that touch in faces, edges and corners
+  std::vector<ModelPair> solid_pairs;  ///< of these and closed models
   Mesh bent;                           ///< models["ring"], moved unevenly
 };
 
@@ -104,12 +117,37 @@ struct Inputs {
 /// False in builds without pugixml, which lack the rows of COLLADA files.
 [[nodiscard]] bool reads_collada();
 
+/// The answers to one question, with all their bits, and what they cost.
+class Answered {
+ public:
+  explicit Answered(const test::AnswerRow& row) : row_(row) {}
+
+  void add(const test::Answer& answer) {
+    row_.add_to(answers_, answer);
+    costs_ << test::cost_of(answer);
+  }
+
+  /// Adds the rows "<question><kind> <subject>" and "<question><kind> cost <subject>".
+  void write(const std::string& kind, const std::string& subject, Rows& rows) const {
+    const std::string name = std::string(row_.name) + kind;
+    rows[name + ' ' + subject] = answers_.value();
+    rows[name + " cost " + subject] = costs_.value();
+  }
+
+ private:
+  const test::AnswerRow& row_;
+  Fnv1a answers_;
+  Hash costs_;
+};
+
 /// The parts of `all_rows`.
 void add_geometry(const Inputs& inputs, Rows& rows);
 void add_files(const Inputs& inputs, Rows& rows);
 void add_trees(const Inputs& inputs, const Parallel& parallel, Rows& rows);
 void add_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows);
 void add_near_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows);
+void add_solid_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows);
+void add_probe_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows);
 void add_scene(const Parallel& parallel, Rows& rows);
 
 }  // namespace soms::golden

@@ -4,6 +4,7 @@
 #include "soms/tree/layout/compact_node.h"
 
 #include "tests/golden/golden.h"
+#include "tests/support/bodies.h"
 
 #include <algorithm>
 #include <array>
@@ -146,6 +147,25 @@ constexpr std::array<std::pair<const char*, const char*>, 9> kPairs{{{"ring", "s
                                                                      {"subnormal", "star"},
                                                                      {"huge", "huge"}}};
 
+/// Poses of a box of side 1 beside another of side 1 at the origin: the same, with a face in a
+/// plane, sharing a face, an edge and a corner, a bit beside that, apart, and inside one of side 4.
+std::vector<Pose> poses_of_boxes() {
+  return {Pose(),
+          Pose::translation(0.5, 0, 0),
+          Pose::translation(1, 0, 0),
+          Pose::translation(1, 0.5, 0.25),
+          Pose::translation(1, 1, 0),
+          Pose::translation(-1, 1, 1),
+          Pose::translation(1 - 0x1p-53, 0, 0),
+          Pose::translation(1 + 0x1p-52, 0, 0),
+          Pose::translation(0, 2, 0x1p40),
+          Pose::from_quaternion(0.8, 0.36, 0.48, 0, {0.1, 0.2, 0.3}),
+          Pose::translation(-1, -1, -1)};
+}
+
+constexpr std::array<std::pair<const char*, const char*>, 5> kSolidPairs{
+    {{"box", "box"}, {"box", "large box"}, {"boxes", "box"}, {"box", "knot"}, {"huge", "huge"}}};
+
 }  // namespace
 
 Inputs::Inputs(std::filesystem::path folder) : data(std::move(folder)), poses(touching_poses()) {
@@ -169,6 +189,21 @@ Inputs::Inputs(std::filesystem::path folder) : data(std::move(folder)), poses(to
   for (const auto& [first, second] : kPairs) {
     pairs.push_back(
         {first, second, poses_around(bounds(models[first]), bounds(models[second]), poses)});
+  }
+  const Mesh box = test::box_body({0, 0, 0}, {1, 1, 1}, 2);
+  solids = {{"box", box},
+            {"large box", test::box_body({-1, -1, -1}, {3, 3, 3})},
+            {"boxes", test::joined(box, test::box_body({0, 0, 1}, {1, 1, 2}))}};
+  for (const auto& [first, second] : kSolidPairs) {
+    solid_pairs.push_back({first, second, poses_of_boxes()});
+  }
+  constexpr std::size_t kProbedTriangles = 12;
+  for (const auto& [name, mesh] : models) {
+    const Shape shape(mesh);
+    for (const std::size_t pose : {0U, 1U, 3U}) {
+      probed.push_back(
+          {name, poses[pose], test::probes_of(Body(shape, poses[pose]), kProbedTriangles)});
+    }
   }
   bent = models["ring"];
   for (Vec3& v : bent.vertices) {

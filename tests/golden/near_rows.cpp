@@ -1,6 +1,6 @@
-// Rows of the questions that ask how near two bodies are, a loop over the table of questions. Every
-// number stands in them with all its bits. Work has rows of its own, "<question> cost <pair>",
-// since a better engine may change it and must not change an answer.
+// Rows of the questions about how near two bodies are and how they stand to each other, loops over
+// the table of questions. Work has rows of its own, "<question> cost <pair>", since a better engine
+// may change it and must not change an answer.
 #include "soms/query/distance.h"
 
 #include "tests/golden/golden.h"
@@ -12,30 +12,6 @@ namespace soms::golden {
 
 namespace {
 
-/// The answers to one question at all poses, and their costs.
-class Answered {
- public:
-  Answered(const test::QueryRow& row, const Parallel& parallel) : row_(row), parallel_(parallel) {}
-
-  void ask(const Body& a, const Body& b, double length) {
-    const test::Answer answer = row_.ask(a, b, {.length = length}, parallel_);
-    row_.add_to(answers_, answer);
-    costs_ << test::cost_of(answer);
-  }
-
-  void write(const std::string& kind, const std::string& pair, Rows& rows) const {
-    const std::string name = std::string(row_.name) + kind;
-    rows[name + ' ' + pair] = answers_.value();
-    rows[name + " cost " + pair] = costs_.value();
-  }
-
- private:
-  const test::QueryRow& row_;
-  Parallel parallel_;
-  Fnv1a answers_;
-  Hash costs_;
-};
-
 void add_near_pair(const ModelPair& pair, const Inputs& inputs, const Parallel& parallel,
                    Rows& rows) {
   const Shape a(inputs.models.at(pair.first), {}, parallel);
@@ -45,15 +21,15 @@ void add_near_pair(const ModelPair& pair, const Inputs& inputs, const Parallel& 
     if (!row.takes_length) {
       continue;  // overlap has rows of its own, of more kinds
     }
-    Answered wide(row, parallel);
-    Answered small(row, parallel);
+    Answered wide(row);
+    Answered small(row);
     for (const Pose& pose : pair.near_poses) {
       const Body x(a, pose);
       const Bracket d = distance(x, Body(b), {}, parallel).distance;
       // At both ends of the bracket the decision is exact.
       for (const double length : {0.0, d.lower, d.upper, std::numeric_limits<double>::infinity()}) {
-        wide.ask(x, Body(b), length);
-        small.ask(x, Body(compact), length);
+        wide.add(row.ask(x, Body(b), {.length = length}, parallel));
+        small.add(row.ask(x, Body(compact), {.length = length}, parallel));
       }
     }
     wide.write("", pair.name(), rows);
@@ -61,7 +37,30 @@ void add_near_pair(const ModelPair& pair, const Inputs& inputs, const Parallel& 
   }
 }
 
+const Mesh& solid_named(const Inputs& inputs, const std::string& name) {
+  const auto found = inputs.solids.find(name);
+  return found == inputs.solids.end() ? inputs.models.at(name) : found->second;
+}
+
 }  // namespace
+
+void add_solid_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows) {
+  const test::QueryRow& row = test::query_row("solid");
+  for (const ModelPair& pair : inputs.solid_pairs) {
+    const Mesh& mesh_b = solid_named(inputs, pair.second);
+    const Shape a(solid_named(inputs, pair.first), {}, parallel);
+    const Body b(Shape(mesh_b, {.build = {.rule = Rule::soms}}, parallel));
+    const Body compact(Shape(mesh_b, {.layout = Layout::compact}, parallel));
+    Answered wide(row);
+    Answered small(row);
+    for (const Pose& pose : pair.near_poses) {
+      wide.add(row.ask(Body(a, pose), b, {}, parallel));
+      small.add(row.ask(Body(a, pose), compact, {}, parallel));
+    }
+    wide.write("", pair.name(), rows);
+    small.write(" compact", pair.name(), rows);
+  }
+}
 
 void add_near_answers(const Inputs& inputs, const Parallel& parallel, Rows& rows) {
   for (const ModelPair& pair : inputs.pairs) {

@@ -259,6 +259,8 @@ Rows all_rows(const Inputs& inputs, int threads) {
   add_trees(inputs, parallel, rows);
   add_answers(inputs, parallel, rows);
   add_near_answers(inputs, parallel, rows);
+  add_solid_answers(inputs, parallel, rows);
+  add_probe_answers(inputs, parallel, rows);
   add_scene(parallel, rows);
   return rows;
 }

@@ -44,9 +44,9 @@ static_assert(kValues<Body, Cost, Coverage, Overlap, OverlapBatch, OverlapOption
 static_assert(kValues<Ray, Segment, RayOptions, ClosestHit, ClosestHitBatch, AnyHit, AnyHitBatch,
                       AllHits, CrossingKind>);
 static_assert(kValues<ContactChange, ContactEvents, EnvironmentEvent, MoverEvent, StepScope>);
-static_assert(
-    kValues<BodyClosest, BodyClosestBatch, BodyHit, BodyHitBatch, BodyFilter, SceneBody,
-            SceneBodyKind, SceneClosest, SceneClosestBatch, SceneHit, SceneHitBatch, SceneFilter>);
+static_assert(kValues<BodyClosest, BodyClosestBatch, BodyHit, BodyHitBatch, BodyAllHits,
+                      SceneAllHits, BodyFilter, SceneBody, SceneBodyKind, SceneClosest,
+                      SceneClosestBatch, SceneHit, SceneHitBatch, SceneFilter>);
 static_assert(kValues<EnvironmentContact, MoverContact, EnvironmentGap, MoverGap, StepReport,
                       StepOptions, RecordedMesh, RecordedBody, RecordingHead, RecordedFrame,
                       RecordingEnding, RecordingEnd>);
@@ -279,6 +279,8 @@ TEST(Values, PrintAndCompareAnswersAboutManyBodies) {
   EXPECT_EQ(printed(BodyHit{}).rfind("BodyHit{ClosestHit{", 0), 0U);
   EXPECT_EQ(printed(BodyHitBatch{}).rfind("BodyHitBatch{ClosestHitBatch{", 0), 0U);
   EXPECT_EQ(printed(SceneHitBatch{}).rfind("SceneHitBatch{ClosestHitBatch{", 0), 0U);
+  EXPECT_EQ(printed(BodyAllHits{}).rfind("BodyAllHits{AllHits{0 crossings of 0 rays", 0), 0U);
+  EXPECT_EQ(printed(SceneAllHits{}).rfind("SceneAllHits{AllHits{0 crossings of 0 rays", 0), 0U);
   EXPECT_EQ(printed(BodyFilter{.except = 3}), "BodyFilter{except: 3}");
 }
 

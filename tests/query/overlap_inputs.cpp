@@ -114,6 +114,17 @@ Mesh placed(Mesh mesh, double scale, const Vec3& shift) {
   return mesh;
 }
 
+Mesh coned(Mesh mesh, const Vec3& apex) {
+  const auto top = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.push_back(apex);
+  const std::size_t count = mesh.triangles.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto [a, b, c] = mesh.triangles[i];
+    mesh.triangles.insert(mesh.triangles.end(), {{b, a, top}, {c, b, top}, {a, c, top}});
+  }
+  return mesh;
+}
+
 Pose awkward_rotation(Rng& rng) {
   Pose pose;
   const auto kind = rng.below(4);

@@ -16,6 +16,9 @@ namespace soms::test {
 /// The mesh with every vertex multiplied by `scale`, then shifted by `shift`.
 [[nodiscard]] Mesh placed(Mesh mesh, double scale, const Vec3& shift);
 
+/// The mesh closed: each triangle with the three that join its edges to `apex`.
+[[nodiscard]] Mesh coned(Mesh mesh, const Vec3& apex);
+
 /// A rotation: the identity, a quarter turn, or any, sometimes off orthonormal by up to 9e-7.
 [[nodiscard]] Pose awkward_rotation(Rng& rng);
 

@@ -30,8 +30,8 @@ using QueryTable = test::NeedsInstructionSet;
 
 /// Every question about the two bodies, at every length that is worth it.
 template <class Check>
-void for_each_question(const PairTruth& truth, const Check& check) {
-  for (const QueryRow& row : test::query_table()) {
+void for_each_question(const Two& two, const PairTruth& truth, const Check& check) {
+  for (const QueryRow& row : test::query_table(two.a, two.b)) {
     for (const double length : test::lengths_around(row, truth.distance.distance)) {
       SCOPED_TRACE(std::string(row.name) + " at " + std::to_string(length));
       ASSERT_NO_FATAL_FAILURE(check(row, test::RowOptions{.length = length}));
@@ -116,12 +116,34 @@ TEST_F(QueryTable, EqualsTheTwinsOnBodiesApart) {
   test::for_each_case("table/apart", 200, [](Rng& rng) { expect_right(apart(rng, 40)); });
 }
 
+/// Two closed bodies that are likely to meet: each triangle with the three that join its edges to
+/// one point. Small ones, since exact decisions about faces in a plane take their time.
+Two likely_to_meet_closed(Rng& rng, double size, double far) {
+  Two two = test::likely_to_meet(rng, 5, 1, size, far);
+  for (Body* body : {&two.a, &two.b}) {
+    const Vec3 apex = test::point_in(rng, body->shape.bounds());
+    *body = Body(test::coned(body->shape.mesh(), apex), body->pose);
+  }
+  return two;
+}
+
+TEST_F(QueryTable, EqualsTheTwinsOnClosedBodies) {
+  test::for_each_case("table/closed", 25, [](Rng& rng) {
+    const double size = rng.below(2) == 0 ? 1 : std::exp2(-rng.uniform(0, 60));
+    const double far = rng.below(2) == 0 ? 0 : std::exp2(rng.uniform(0, 40));
+    expect_right(likely_to_meet_closed(rng, size, far));
+  });
+}
+
 // Costs, too, where the whole question was answered.
 TEST_F(QueryTable, IsTheSameForAnyNumberOfThreads) {
   test::for_each_case("table/threads", 60, [](Rng& rng) {
-    const Two two = rng.below(3) == 0 ? apart(rng, 300) : test::likely_to_meet(rng, 300, 1, 0.5, 0);
+    Two two = rng.below(3) == 0 ? apart(rng, 300) : test::likely_to_meet(rng, 300, 1, 0.5, 0);
+    if (rng.below(6) == 0) {
+      two = likely_to_meet_closed(rng, 0.5, 0);
+    }
     const PairTruth facts = {{}, distance(two.a, two.b)};
-    for_each_question(facts, [&](const QueryRow& row, const test::RowOptions& options) {
+    for_each_question(two, facts, [&](const QueryRow& row, const test::RowOptions& options) {
       const Answer one = row.ask(two.a, two.b, options, {});
       for (const int threads : {2, 3, 8}) {
         const Answer many = row.ask(two.a, two.b, options, {.threads = threads});
@@ -136,7 +158,10 @@ TEST_F(QueryTable, IsTheSameForAnyNumberOfThreads) {
 
 TEST_F(QueryTable, IsTheSameForEveryRuleAndLayout) {
   test::for_each_case("table/layouts", 25, [](Rng& rng) {
-    const Two two = rng.below(2) == 0 ? apart(rng, 100) : test::likely_to_meet(rng, 100, 1, 0.5, 0);
+    Two two = rng.below(2) == 0 ? apart(rng, 100) : test::likely_to_meet(rng, 100, 1, 0.5, 0);
+    if (rng.below(6) == 0) {
+      two = likely_to_meet_closed(rng, 0.5, 0);
+    }
     const PairTruth facts = {{}, distance(two.a, two.b)};
     for (const RuleEntry& rule : rules()) {
       for (const Layout layout : {Layout::wide, Layout::compact}) {
@@ -145,7 +170,7 @@ TEST_F(QueryTable, IsTheSameForEveryRuleAndLayout) {
           return Body(Shape(old.shape.mesh(), {.build = build, .layout = layout}), old.pose);
         };
         const Two other{built(two.a, 4), built(two.b, 1)};
-        for_each_question(facts, [&](const QueryRow& row, const test::RowOptions& options) {
+        for_each_question(two, facts, [&](const QueryRow& row, const test::RowOptions& options) {
           const Answer expected = row.promised(row.ask(two.a, two.b, options, {}));
           const Answer answer = row.ask(other.a, other.b, options, {});
           ASSERT_EQ(row.promised(answer), expected) << rule.name << ' ' << row.text(answer);
@@ -157,7 +182,10 @@ TEST_F(QueryTable, IsTheSameForEveryRuleAndLayout) {
 
 TEST_F(QueryTable, AnswersABatchAsItAnswersSingleQueries) {
   test::for_each_case("table/batch", 40, [](Rng& rng) {
-    const Two two = test::likely_to_meet(rng, 80, 1, rng.below(2) ? 0.2 : 3, 0);
+    Two two = test::likely_to_meet(rng, 80, 1, rng.below(2) ? 0.2 : 3, 0);
+    if (rng.below(6) == 0) {
+      two = likely_to_meet_closed(rng, 0.5, 0);
+    }
     std::vector<Pose> poses;
     for (std::uint64_t i = rng.below(300); i > 0; --i) {
       poses.push_back(
@@ -165,7 +193,7 @@ TEST_F(QueryTable, AnswersABatchAsItAnswersSingleQueries) {
       poses.back().m[3] += rng.below(3) == 0 ? 2 : 0;
     }
     const int threads = rng.below(2) == 0 ? 1 : 2;
-    for (const QueryRow& row : test::query_table()) {
+    for (const QueryRow& row : test::query_table(two.a, two.b)) {
       for (const double length : {kNoLimit, 0.0, 0.25}) {
         if (!row.takes_length && length < kNoLimit) {
           break;
@@ -279,7 +307,7 @@ TEST_F(QueryTable, EndsAtADeadline) {
   for (const double x : {0.125, 2.5}) {
     const Body other(knot.shape, Pose::from_quaternion(0.8, 0.36, 0.48, 0, {x, 0.25, 0.125}));
     const PairTruth truth = test::truth_of(knot, other);
-    for_each_question(truth, [&](const QueryRow& row, test::RowOptions options) {
+    for_each_question({knot, other}, truth, [&](const QueryRow& row, test::RowOptions options) {
       options.late = true;
       std::vector<Answer> answers =
           row.ask_batch(knot.shape, std::vector<Pose>(3), other, options, {}).answers;

@@ -97,6 +97,35 @@ TEST_F(SolidTruth, HoldsForTheRowsHere) {
   }
 }
 
+/// The row of each kind and relation that has the fewest triangles.
+std::vector<test::SolidRow> small_rows_of_all_kinds() {
+  const auto size = [](const test::SolidRow& row) {
+    return test::question_mesh(row.mesh_a)->triangles.size() +
+           test::question_mesh(row.mesh_b)->triangles.size();
+  };
+  std::map<std::pair<std::string, Relation>, test::SolidRow> least;
+  for (const test::SolidRow& row : test::read_solid_rows(test::data("questions/solid.csv"))) {
+    const auto [kept, is_new] = least.try_emplace({row.kind, row.relation}, row);
+    if (!is_new && size(row) < size(kept->second)) {
+      kept->second = row;
+    }
+  }
+  std::vector<test::SolidRow> rows;
+  for (const auto& [key, row] : least) {
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+// What is run with each instruction set: every kind of contact, in one layout or the other.
+TEST_F(SolidTruth, HoldsForSmallRowsOfAllKinds) {
+  const auto rows = small_rows_of_all_kinds();
+  ASSERT_EQ(rows.size(), 35U);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ASSERT_NO_FATAL_FAILURE(run_batches({rows[i]}, kLayouts[i % kLayouts.size()]));
+  }
+}
+
 TEST_F(SolidTruth, IsWhatBruteForceFinds) {
   for (const test::SolidRow& row :
        some_of(test::read_solid_rows(test::data("questions/solid.csv")))) {

@@ -218,7 +218,7 @@ void expect_near_in_batch(const Mesh& a, const Mesh& b, const PairTruth& truth) 
   const Body x(a);
   const Body y(b);
   const std::vector<Pose> poses = poses_around(a);
-  for (const QueryRow& row : query_table()) {
+  for (const QueryRow& row : query_table(x, y)) {
     for (const int threads : {1, 2}) {
       const double length = truth.distance.distance.upper;
       const BatchAnswer batch =

@@ -74,6 +74,54 @@ TEST(BodyHit, TimesBetweenTheSameDoublesAreCompared) {
   EXPECT_EQ(index.closest_hit(ray).body, 1U);
 }
 
+/// One row of `hits`, by itself and without costs.
+BodyAllHits hits_of_line(const BodyAllHits& hits, std::size_t line) {
+  BodyAllHits row;
+  for (std::uint64_t i = hits.offsets[line]; i < hits.offsets[line + 1]; ++i) {
+    row.lower.push_back(hits.lower[i]);
+    row.upper.push_back(hits.upper[i]);
+    row.kind.push_back(hits.kind[i]);
+    row.body.push_back(hits.body[i]);
+    for (std::uint64_t k = hits.triangle_offsets[i]; k < hits.triangle_offsets[i + 1]; ++k) {
+      row.triangle.push_back(hits.triangle[k]);
+    }
+    row.triangle_offsets.push_back(row.triangle.size());
+  }
+  row.offsets.push_back(row.kind.size());
+  row.coverage = {hits.coverage[line]};
+  row.costs.resize(1);
+  return row;
+}
+
+TEST(BodyAllHits, AreInTheOrderOfTheRayAndThenOfBodies) {
+  // Bodies 1 and 3 at the same place; body 0 is a box whose far face is there, too.
+  const std::vector<Body> bodies{Body(test::box_body({2, -1, -1}, {4, 1, 1})), screen_at(4),
+                                 screen_at(6), screen_at(4), screen_at(1)};
+  const BodyIndex index(bodies);
+  const std::vector<Ray> rays{
+      {{0, 0.25, 0.125}, {1, 0, 0}}, {{0, 0, 50}, {1, 0, 0}}, {{5, 0.25, 0.125}, {-1, 0, 0}, 3}};
+  const BodyAllHits hits = index.all_hits(rays);
+  EXPECT_EQ(hits.offsets, (std::vector<std::uint64_t>{0, 6, 6, 10}));
+  EXPECT_EQ(hits.body, (std::vector<std::uint32_t>{4, 0, 0, 1, 3, 2, 0, 1, 3, 0}));
+  EXPECT_EQ(hits.lower, (std::vector<double>{1, 2, 4, 4, 4, 6, 1, 1, 1, 3}));
+  EXPECT_EQ(hits.kind[1], CrossingKind::enter);
+  EXPECT_EQ(hits.kind[2], CrossingKind::leave);
+  EXPECT_EQ(index.all_hits(rays, {}, {.except = 0}).body,
+            (std::vector<std::uint32_t>{4, 1, 3, 2, 1, 3}));
+  EXPECT_EQ(index.all_hits(rays, {.skip = 0}, {.except = 4}).body,
+            (std::vector<std::uint32_t>{0, 0, 1, 3, 2, 0, 1, 3, 0}));
+}
+
+TEST(BodyAllHits, TimesBetweenTheSameDoublesAreCompared) {
+  const double near = 7.9;
+  const double next = std::nextafter(near, 9.0);
+  const std::vector<Body> bodies{screen_at(next), screen_at(near), screen_at(next),
+                                 screen_at(near)};
+  const std::vector<Segment> segments{{{0, 0, 0}, {15.4, 0, 0}}};
+  ASSERT_EQ(closest_hit(bodies[0], segments[0]).t, closest_hit(bodies[1], segments[0]).t);
+  EXPECT_EQ(BodyIndex(bodies).all_hits(segments).body, (std::vector<std::uint32_t>{1, 3, 0, 2}));
+}
+
 template <class Line>
 void check_lines(const std::vector<Body>& bodies, const BodyIndex& index,
                  const std::vector<Line>& lines) {
@@ -82,7 +130,12 @@ void check_lines(const std::vector<Body>& bodies, const BodyIndex& index,
   ASSERT_EQ(one, index.closest_hit(all, {}, {}, {.threads = 2}));
   const AnyHitBatch any = index.any_hit(all);
   ASSERT_EQ(any, index.any_hit(all, {}, {}, {.threads = 2}));
+  const BodyAllHits hits = index.all_hits(all);
+  ASSERT_EQ(hits, index.all_hits(all, {}, {}, {.threads = 2}));
+  ASSERT_EQ(hits.size(), lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
+    ASSERT_EQ(hits_of_line(hits, i),
+              hits_of_line(reference::all_hits_by_brute_force(bodies, lines[i]), 0));
     const BodyHit truth = reference::closest_hit_by_brute_force(bodies, lines[i]);
     ASSERT_EQ(without_work(one.at(i)), without_work(truth));
     ASSERT_EQ(one.at(i), index.closest_hit(lines[i]));
@@ -173,6 +226,8 @@ TEST(BodyHit, ADeadlineCutsIt) {
   EXPECT_LE(answer.t.lower, 3);
   EXPECT_GE(answer.t.upper, 3);
   EXPECT_EQ(index.any_hit(Ray{{0, 0, 0}, {1, 0, 0}}, late).coverage, Coverage::cut);
+  const std::vector<Ray> rays(2, Ray{{0, 0, 0}, {1, 0, 0}});
+  EXPECT_EQ(index.all_hits(rays, late).coverage, (std::vector<Coverage>(2, Coverage::cut)));
 }
 
 TEST(BodyHit, FaultsAreNamed) {
@@ -191,6 +246,9 @@ TEST(BodyHit, FaultsAreNamed) {
   for (const BodyIndex& any : {index, BodyIndex()}) {
     EXPECT_EQ(kind_of([&] { (void)any.closest_hit(Ray{}); }), ErrorKind::usage);
     EXPECT_EQ(kind_of([&] { (void)any.any_hit(Ray{}); }), ErrorKind::usage);
+    EXPECT_EQ(kind_of([&] { (void)any.all_hits(std::vector<Ray>(1)); }), ErrorKind::usage);
+    EXPECT_EQ(kind_of([&] { (void)any.all_hits(std::vector<Ray>{ray}, {.skip = 0}); }),
+              ErrorKind::usage);
     EXPECT_EQ(kind_of([&] { (void)any.closest_hit(ray, {.skip = 0}); }), ErrorKind::usage);
     EXPECT_EQ(kind_of([&] { (void)any.closest_hit(ray, {}, {.except = 2}); }), ErrorKind::usage);
   }

@@ -103,6 +103,8 @@ void check_rays(const Scene& scene, Rng& rng) {
   }
   const SceneHitBatch batch = scene.closest_hit(rays, {}, filter, {.threads = 2});
   const AnyHitBatch any = scene.any_hit(rays, {}, filter, {.threads = 2});
+  const SceneAllHits all = scene.all_hits(rays, {}, filter, {.threads = 2});
+  ASSERT_EQ(all, scene.all_hits(rays, {}, filter));
   for (std::size_t i = 0; i < rays.size(); ++i) {
     ASSERT_EQ(batch.at(i), scene.closest_hit(rays[i], {}, filter));
     ASSERT_EQ(any.at(i), scene.any_hit(rays[i], {}, filter));
@@ -110,6 +112,13 @@ void check_rays(const Scene& scene, Rng& rng) {
     answer.cost = {};
     ASSERT_EQ(answer, first_hit_by_loop(scene, rays[i], filter)) << filter;
     ASSERT_EQ(any.hit[i] != 0, answer.triangle.has_value());
+    // The first crossing is the first hit.
+    ASSERT_EQ(all.offsets[i] != all.offsets[i + 1], answer.triangle.has_value());
+    if (answer.triangle) {
+      ASSERT_EQ(all.body[all.offsets[i]], answer.body);
+      ASSERT_EQ(all.lower[all.offsets[i]], answer.t.lower);
+      ASSERT_EQ(all.triangle[all.triangle_offsets[all.offsets[i]]], answer.triangle);
+    }
   }
 }
 

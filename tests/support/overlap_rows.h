@@ -120,15 +120,14 @@ inline std::string overlap_text(const Answer& any_answer) {
 
 template <OverlapMode mode>
 constexpr QueryRow overlap_row(std::string_view name) {
-  return {name,
-          false,
+  return {{.name = name,
+           .promised = overlap_promised<mode>,
+           .add_to = add_overlap<mode>,
+           .text = overlap_text},
           ask_overlap<mode>,
           ask_overlap_batch<mode>,
           overlap_fault<mode>,
-          overlap_promised<mode>,
-          overlap_symmetric<mode>,
-          add_overlap<mode>,
-          overlap_text};
+          overlap_symmetric<mode>};
 }
 
 }  // namespace soms::test::detail

@@ -1,8 +1,10 @@
 #include "tests/support/query_table.h"
 
 #include "soms/base/text.h"
+#include "soms/query/print.h"
 #include "soms/query/reference/distance.h"
 #include "soms/query/reference/overlap.h"
+#include "soms/query/reference/solid.h"
 
 #include "tests/support/overlap_rows.h"
 #include "tests/support/query_row_parts.h"
@@ -191,15 +193,100 @@ std::string within_text(const Answer& any_answer) {
   return finished(line, answer.coverage, answer.cost);
 }
 
-constexpr std::array<QueryRow, 5> kRows{{
+// solid
+
+Answer ask_solid(const Body& a, const Body& b, const RowOptions& options,
+                 const Parallel& parallel) {
+  return solid(a, b, {.deadline = deadline_of(options)}, parallel);
+}
+
+BatchAnswer ask_solid_batch(const Shape& mover, std::span<const Pose> poses, const Body& fixed,
+                            const RowOptions& options, const Parallel& parallel) {
+  return answers_of(solid(mover, poses, fixed, {.deadline = deadline_of(options)}, parallel));
+}
+
+std::string solid_fault(const Answer& any_answer, const PairTruth&, const Body& a, const Body& b,
+                        double) {
+  const auto& answer = std::get<Solid>(any_answer);
+  if (answer.coverage == Coverage::cut) {
+    return answer.relation == Relation::undecided && answer.why == Undecided::deadline
+               ? ""
+               : "a cut answer that is decided";
+  }
+  const Solid truth = reference::solid_by_brute_force(a, b);
+  if (answer.relation != truth.relation) {
+    return "another relation than the twin's";
+  }
+  return answer.surfaces_meet == truth.surfaces_meet && answer.why == Undecided::none
+             ? ""
+             : "surfaces that meet, or do not, otherwise than the twin's";
+}
+
+Answer solid_promised(const Answer& answer) {
+  auto copy = std::get<Solid>(answer);
+  copy.cost = {};
+  return copy;
+}
+
+Answer solid_symmetric(const Answer& answer, bool exchanged) {
+  auto copy = std::get<Solid>(solid_promised(answer));
+  if (exchanged && copy.relation == Relation::a_in_b) {
+    copy.relation = Relation::b_in_a;
+  } else if (exchanged && copy.relation == Relation::b_in_a) {
+    copy.relation = Relation::a_in_b;
+  }
+  return copy;
+}
+
+void add_solid(Fnv1a& hash, const Answer& any_answer) {
+  const auto& answer = std::get<Solid>(any_answer);
+  hash.add(static_cast<std::uint64_t>(answer.relation));
+  add(hash, answer.surfaces_meet);
+  hash.add(static_cast<std::uint64_t>(answer.why));
+  add(hash, answer.coverage);
+}
+
+std::string solid_text(const Answer& answer) {
+  Line line;
+  line << std::get<Solid>(answer);
+  return line.str();
+}
+
+constexpr std::array<QueryRow, 6> kRows{{
     overlap_row<OverlapMode::all>("overlap"),
     overlap_row<OverlapMode::any>("overlap any"),
     overlap_row<OverlapMode::first>("overlap first"),
-    {"distance", true, ask_distance, ask_distance_batch, distance_fault, distance_promised,
-     distance_symmetric, add_distance, distance_text},
-    {"within", true, ask_within, ask_within_batch, within_fault, within_promised, within_symmetric,
-     add_within, within_text},
+    {{.name = "distance",
+      .takes_length = true,
+      .promised = distance_promised,
+      .add_to = add_distance,
+      .text = distance_text},
+     ask_distance,
+     ask_distance_batch,
+     distance_fault,
+     distance_symmetric},
+    {{.name = "within",
+      .takes_length = true,
+      .promised = within_promised,
+      .add_to = add_within,
+      .text = within_text},
+     ask_within,
+     ask_within_batch,
+     within_fault,
+     within_symmetric},
+    {{.name = "solid",
+      .of_closed_bodies = true,
+      .promised = solid_promised,
+      .add_to = add_solid,
+      .text = solid_text},
+     ask_solid,
+     ask_solid_batch,
+     solid_fault,
+     solid_symmetric},
 }};
+
+constexpr std::size_t kOfAnyBodies = kRows.size() - 1;
+static_assert(!kRows[kOfAnyBodies - 1].of_closed_bodies && kRows[kOfAnyBodies].of_closed_bodies);
 
 Overlap overlap_by_brute_force(const Body& a, const Body& b) {
   return reference::overlap(a.shape.mesh(), a.pose, b.shape.mesh(), b.pose);
@@ -231,7 +318,7 @@ PairTruth truth_of(const Body& a, const Body& b) {
 std::string first_fault(const Body& a, const Body& b) {
   const PairTruth truth = truth_of(a, b);
   const PairTruth exchanged = truth_of(b, a);
-  for (const QueryRow& row : kRows) {
+  for (const QueryRow& row : query_table(a, b)) {
     for (const double length : lengths_around(row, truth.distance.distance)) {
       std::string fault = fault_of_row(row, length, a, b, truth, exchanged);
       if (!fault.empty()) {
@@ -245,7 +332,7 @@ std::string first_fault(const Body& a, const Body& b) {
 std::string first_fault_of_overlap(const Body& a, const Body& b) {
   const PairTruth truth{overlap_by_brute_force(a, b), {}};
   const PairTruth exchanged{overlap_by_brute_force(b, a), {}};
-  for (const QueryRow& row : kRows) {
+  for (const QueryRow& row : query_table(a, b)) {
     std::string fault =
         row.takes_length ? "" : fault_of_row(row, kInfinity, a, b, truth, exchanged);
     if (!fault.empty()) {
@@ -259,6 +346,10 @@ std::span<const QueryRow> query_table() {
   return kRows;
 }
 
+std::span<const QueryRow> query_table(const Body& a, const Body& b) {
+  return std::span(kRows).first(is_closed(a) && is_closed(b) ? kRows.size() : kOfAnyBodies);
+}
+
 const QueryRow& query_row(std::string_view name) {
   const auto found = std::find_if(kRows.begin(), kRows.end(),
                                   [&](const QueryRow& row) { return row.name == name; });
@@ -266,14 +357,6 @@ const QueryRow& query_row(std::string_view name) {
     throw std::runtime_error("no question is named " + std::string(name));
   }
   return *found;
-}
-
-Coverage coverage_of(const Answer& answer) {
-  return std::visit([](const auto& one) { return one.coverage; }, answer);
-}
-
-const Cost& cost_of(const Answer& answer) {
-  return std::visit([](const auto& one) -> const Cost& { return one.cost; }, answer);
 }
 
 std::vector<double> lengths_around(const QueryRow& row, const Bracket& distance) {

@@ -4,6 +4,7 @@
 #include "soms/thesis/traversals.h"
 #include "soms/tree/rule/rules.h"
 
+#include "apps/support/length_unit.h"
 #include "apps/view/scene/frame_report.h"
 #include "apps/view/scene/orientation_menu.h"
 #include "apps/view/scene/tree_store.h"
@@ -49,6 +50,7 @@ struct TraceKey {
 
 struct ViewScene::State {
   std::string title;
+  double unit = 0;  ///< of lengths, in meters; 0: not known
   std::vector<std::string> notes;
   std::vector<command::FrameWarning> warnings;
   Parallel parallel;
@@ -174,6 +176,7 @@ ViewScene::ViewScene(SceneContent content, const Parallel& parallel)
   s.warnings = std::move(content.warnings);
   s.parallel.threads = parallel.threads;
   s.parallel.stop = parallel.stop;
+  s.unit = command::common_unit(content.city);
   for (Body& body : content.city) {
     s.add_city(std::move(body));
   }
@@ -196,6 +199,10 @@ ViewScene& ViewScene::operator=(ViewScene&&) noexcept = default;
 
 const std::string& ViewScene::title() const {
   return state_->title;
+}
+
+double ViewScene::unit() const {
+  return state_->unit;
 }
 
 const std::vector<std::string>& ViewScene::notes() const {

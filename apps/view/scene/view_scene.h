@@ -93,6 +93,9 @@ class ViewScene {
   ViewScene& operator=(ViewScene&&) noexcept;
 
   [[nodiscard]] const std::string& title() const;
+
+  /// Meters a unit of all numbers, where the parts of the city declare the same; else 0.
+  [[nodiscard]] double unit() const;
   [[nodiscard]] const std::vector<std::string>& notes() const;
   [[nodiscard]] const std::vector<command::FrameWarning>& warnings() const;
   [[nodiscard]] std::uint32_t city_parts() const;

@@ -1,5 +1,6 @@
 #include "apps/view/verbs/ray_picture.h"
 
+#include "apps/support/length_unit.h"
 #include "apps/view/drawing/palette.h"
 #include "apps/view/drawing/picture_marks.h"
 #include "apps/view/drawing/stroke_font.h"
@@ -119,8 +120,15 @@ std::vector<double> round_distances(double nearest, double farthest) {
   return found;
 }
 
+/// " m", or nothing where the unit is not known or has no short name.
+std::string unit_after_number(double meters) {
+  const std::string name = command::unit_name(meters);
+  return name.size() <= 2 ? " " + name : std::string();
+}
+
 /// The key: the colors, with round distances below them where there is room.
-void draw_key(Picture& picture, const Scale& scale, double nearest, double farthest) {
+void draw_key(Picture& picture, const Scale& scale, double nearest, double farthest,
+              const std::string& unit_text) {
   const double unit = std::max(7.0, picture.size.height / 60.0);  // height of digits
   const double width = std::min(24 * unit, picture.size.width - 4 * unit);
   if (width < 8 * unit || picture.size.height < 8 * unit) {
@@ -136,7 +144,7 @@ void draw_key(Picture& picture, const Scale& scale, double nearest, double farth
   }
   double free_from = corner.x - unit;
   for (const double d : round_distances(nearest, farthest)) {
-    const std::string text = fmt::format("{:g}", d);
+    const std::string text = fmt::format("{:g}{}", d, unit_text);
     const double x = corner.x + scale.at(d) * width;
     const double left = x - width_of(text, unit) / 2;
     if (left < free_from || left + width_of(text, unit) > corner.x + width + 0.9 * unit) {
@@ -257,7 +265,7 @@ DepthPicture draw_depth(const ViewScene& scene, const Camera& camera, Size size,
     }
     put_pixels(drawn.picture, first, colors, samples);
   });
-  draw_key(drawn.picture, scale, nearest, drawn.farthest);
+  draw_key(drawn.picture, scale, nearest, drawn.farthest, unit_after_number(scene.unit()));
   return drawn;
 }
 

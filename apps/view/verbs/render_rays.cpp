@@ -3,6 +3,7 @@
 #include "soms/base/error.h"
 
 #include "apps/support/json.h"
+#include "apps/support/length_unit.h"
 #include "apps/support/text.h"
 #include "apps/view/verbs/ray_picture.h"
 #include "apps/view/verbs/sight_map.h"
@@ -84,12 +85,16 @@ void write_depth(const RenderOptions& options, ViewScene& scene, command::Output
       });
   file.stream() << to_png(drawn.picture);
   file.commit();
-  const std::string range = drawn.surface == 0 ? std::string("no surface")
-                                               : fmt::format("surfaces {} to {} from the eye",
-                                                             length_in_words(drawn.nearest),
-                                                             length_in_words(drawn.farthest));
+  const std::string range =
+      drawn.surface == 0
+          ? std::string("no surface")
+          : fmt::format("surfaces {} to {} {} from the eye", length_in_words(drawn.nearest),
+                        length_in_words(drawn.farthest), command::unit_name(scene.unit()));
   say(options, scene, fmt::format("{}, {}", size_of(options), range),
-      {{"surface_pixels", drawn.surface}, {"nearest", drawn.nearest}, {"farthest", drawn.farthest}},
+      {{"surface_pixels", drawn.surface},
+       {"nearest", drawn.nearest},
+       {"farthest", drawn.farthest},
+       {"unit", command::unit_name(scene.unit())}},
       console);
 }
 

@@ -1,6 +1,7 @@
 #include "apps/view/verbs/sight_map.h"
 
 #include "apps/support/height_grid.h"
+#include "apps/support/length_unit.h"
 #include "apps/support/map_layers.h"
 #include "apps/support/map_page.h"
 #include "apps/support/text.h"
@@ -101,7 +102,7 @@ SightMap draw_sight_map(const ViewScene& scene, const Vec3& observer, const Para
   Box bounds = scene_bounds(scene);
   bounds.grow(observer);
   const double top = bounds.upper.z + std::max(1.0, bounds.extent().z);
-  const command::MapPage page = command::make_map_page(bounds);
+  const command::MapPage page = command::make_map_page(bounds, scene.unit());
   command::HeightGrid grid(page.area, kMapCells);
   for (std::uint32_t k = 0; k < scene.city_parts(); ++k) {
     grid.add(scene.body(city_part(k)).shape.mesh(), parallel);
@@ -127,8 +128,8 @@ SightMap draw_sight_map(const ViewScene& scene, const Vec3& observer, const Para
   for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
     panel.keyed_color(layer->color, layer->legend);
   }
-  panel.line(fmt::format("cells of {:.3g}, {} of them with a surface", map.cell,
-                         command::with_commas(map.surface)));
+  panel.line(fmt::format("cells of {:.3g} {}, {} of them with a surface", map.cell,
+                         command::unit_name(scene.unit()), command::with_commas(map.surface)));
   panel.line("outlines are simplified");
   out << "</svg>\n";
   map.svg = std::move(out).str();

@@ -93,4 +93,32 @@ std::optional<std::string_view> LineReader::next() {
   return line;
 }
 
+bool LineReader::starts_with(std::string_view start) {
+  const auto there = [&] { return std::string_view(buffer_.data() + begin_, end_ - begin_); };
+  while (there().size() < start.size() && start.starts_with(there()) && !at_end_) {
+    fill();
+  }
+  return there().starts_with(start);
+}
+
+std::string_view LineReader::bytes(std::size_t count) {
+  while (end_ - begin_ < count && !at_end_) {
+    fill();
+  }
+  const std::string_view piece(buffer_.data() + begin_, std::min(count, end_ - begin_));
+  begin_ += piece.size();
+  looked_at_ = 0;
+  return piece;
+}
+
+bool LineReader::has_bytes(std::size_t count) {
+  while (end_ - begin_ < count && !at_end_) {
+    if (!is_readable(file_.get())) {
+      return false;
+    }
+    fill();
+  }
+  return true;
+}
+
 }  // namespace soms::detail

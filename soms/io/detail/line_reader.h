@@ -1,5 +1,5 @@
 /// \file
-/// A text file line by line, in bounded memory.
+/// A file line by line, or in pieces of a few bytes, in bounded memory.
 #pragma once
 
 #include "soms/base/parallel.h"
@@ -29,6 +29,17 @@ class LineReader {
   /// True if `next` will not wait: a whole line is at hand, or the end of the file.
   /// \errors As `next`.
   [[nodiscard]] bool ready();
+
+  /// True if the file goes on with `start`, of which nothing is passed. Waits no longer than the
+  /// first byte that differs. \errors As `next`.
+  [[nodiscard]] bool starts_with(std::string_view start);
+
+  /// The next `count` bytes, whatever they are, valid until the next call; fewer at the end of the
+  /// file. \pre `count` is at most 64 KiB. \errors As `next`.
+  [[nodiscard]] std::string_view bytes(std::size_t count);
+
+  /// True if `bytes` will not wait. \errors As `next`.
+  [[nodiscard]] bool has_bytes(std::size_t count);
 
   /// Number, from 1, of the line that `next` gave last.
   [[nodiscard]] std::uint64_t number() const { return number_; }

@@ -47,8 +47,10 @@ using BodySets = std::span<const BodySet* const>;
 /// A body of such sets: takes no part, or only its triangle RayOptions::skip does not.
 using LeftOut = std::optional<std::uint32_t>;
 
-/// Throws ErrorKind::usage if a body is left out that is not there.
+/// Throws ErrorKind::usage if a body is left out that is not there; unless a triangle to skip is of
+/// such a body.
 void check_left_out(BodySets sets, LeftOut left_out);
+void check_left_out(BodySets sets, const RayOptions& options, LeftOut left_out);
 
 /// The body of a number. \pre It is there.
 [[nodiscard]] const Body& body_of(BodySets sets, std::uint32_t number);
@@ -82,5 +84,11 @@ void check_left_out(BodySets sets, LeftOut left_out);
 [[nodiscard]] AnyHitBatch any_hit(BodySets sets, std::span<const Segment> segments,
                                   const RayOptions& options, LeftOut left_out,
                                   const Parallel& parallel);
+[[nodiscard]] BodyAllHits all_hits(BodySets sets, std::span<const Ray> rays,
+                                   const RayOptions& options, LeftOut left_out,
+                                   const Parallel& parallel);
+[[nodiscard]] BodyAllHits all_hits(BodySets sets, std::span<const Segment> segments,
+                                   const RayOptions& options, LeftOut left_out,
+                                   const Parallel& parallel);
 
 }  // namespace soms::detail

@@ -1,14 +1,12 @@
 // The first hit of rays and segments on many bodies.
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
-#include "soms/geometry/detail/exact_ray.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/scene/detail/body_search.h"
-#include "soms/scene/detail/box_bounds.h"
+#include "soms/scene/detail/line_question.h"
 #include "soms/scene/detail/nearest_body.h"
 
 #include <algorithm>
-#include <compare>
 #include <limits>
 #include <string>
 #include <utility>
@@ -16,79 +14,6 @@
 namespace soms::detail {
 
 namespace {
-
-RayLine line_of(const Ray& ray) {
-  return {ray.origin, ray.direction, ray.length, false};
-}
-
-RayLine line_of(const Segment& segment) {
-  return {segment.from, segment.to, 1, true};
-}
-
-/// The part of a ray up to t = `limit`.
-Ray shortened(Ray ray, double limit) {
-  ray.length = std::min(ray.length, limit);
-  return ray;
-}
-
-/// Where a segment is cut is seldom a double: it stays whole.
-Segment shortened(const Segment& segment, double /*limit*/) {
-  return segment;
-}
-
-/// Where does a ray or a segment meet the surfaces first, if at all?
-template <class Line>
-class LineQuestion {
- public:
-  using Answer = ClosestHit;
-  using Found = BodyHit;
-
-  LineQuestion(const Line& given, const RayOptions& options, LeftOut left_out)
-      : given_(given), line_(line_of(given)), options_(options), left_out_(left_out) {
-    // The way of a segment is rounded: `entry_at_least` allows for that.
-    direction_ = line_.segment ? line_.ahead - line_.origin : line_.ahead;
-  }
-
-  [[nodiscard]] static const Bracket& measure(const ClosestHit& answer) { return answer.t; }
-
-  [[nodiscard]] double key(const Box& box) const {
-    return entry_at_least(line_.origin, direction_, box);
-  }
-
-  [[nodiscard]] double limit() const { return line_.length; }
-
-  /// The body takes part, with the options for it.
-  [[nodiscard]] bool takes_part(std::uint32_t number) const {
-    return number != left_out_ || options_.skip;
-  }
-
-  [[nodiscard]] RayOptions options_for(std::uint32_t number) const {
-    return {number == left_out_ ? options_.skip : std::nullopt, options_.deadline};
-  }
-
-  [[nodiscard]] ClosestHit ask(const Body& body, std::uint32_t number, double limit) const {
-    return takes_part(number)
-               ? soms::closest_hit(body, shortened(given_, limit), options_for(number))
-               : ClosestHit();
-  }
-
-  [[nodiscard]] AnyHit ask_any(const Body& body, std::uint32_t number) const {
-    return takes_part(number) ? soms::any_hit(body, given_, options_for(number)) : AnyHit();
-  }
-
-  [[nodiscard]] std::strong_ordering compare(const Body& body, TriangleId triangle,
-                                             const Body& other, TriangleId others) const {
-    return detail::compare(ExactRay(line_, triangle_of(body, triangle)).time(),
-                           ExactRay(line_, triangle_of(other, others)).time());
-  }
-
- private:
-  const Line& given_;
-  RayLine line_;
-  Vec3 direction_;
-  const RayOptions& options_;
-  LeftOut left_out_;
-};
 
 template <class Line>
 BodyHit first(BodySets sets, const Line& line, const RayOptions& options, LeftOut left_out,
@@ -128,25 +53,6 @@ AnyHit any(BodySets sets, const Line& line, const RayOptions& options, LeftOut l
         return limit;
       });
   return answer;
-}
-
-/// Throws unless the options and what is left out fit together and the bodies.
-void check_left_out(BodySets sets, const RayOptions& options, LeftOut left_out) {
-  check_left_out(sets, left_out);
-  if (!options.skip) {
-    return;
-  }
-  if (!left_out) {
-    throw Error(ErrorKind::usage, "ray options: a triangle to skip is of no body",
-                "name the body as the one to leave out: only its triangle is then");
-  }
-  const std::size_t count = body_of(sets, *left_out).shape.mesh().triangles.size();
-  if (*options.skip >= count) {
-    throw Error(ErrorKind::usage,
-                "ray options: body " + std::to_string(*left_out) + " has no triangle " +
-                    std::to_string(*options.skip) + " to skip",
-                "triangles are numbered from 0");
-  }
 }
 
 template <class Line>
@@ -227,6 +133,24 @@ AnyHitBatch any_of_all(BodySets sets, std::span<const Line> lines, const RayOpti
 }
 
 }  // namespace
+
+void check_left_out(BodySets sets, const RayOptions& options, LeftOut left_out) {
+  check_left_out(sets, left_out);
+  if (!options.skip) {
+    return;
+  }
+  if (!left_out) {
+    throw Error(ErrorKind::usage, "ray options: a triangle to skip is of no body",
+                "name the body as the one to leave out: only its triangle is then");
+  }
+  const std::size_t count = body_of(sets, *left_out).shape.mesh().triangles.size();
+  if (*options.skip >= count) {
+    throw Error(ErrorKind::usage,
+                "ray options: body " + std::to_string(*left_out) + " has no triangle " +
+                    std::to_string(*options.skip) + " to skip",
+                "triangles are numbered from 0");
+  }
+}
 
 BodyHit closest_hit(BodySets sets, const Ray& ray, const RayOptions& options, LeftOut left_out) {
   return checked_first(sets, ray, options, left_out);

@@ -7,10 +7,13 @@
 #include "soms/query/reference/ray.h"
 #include "soms/scene/detail/body_search.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace soms::reference {
 
@@ -40,6 +43,57 @@ BodyHit first_hit(std::span<const Body> bodies, const Line& line, const RayLine&
   }
   first.cost = cost;
   return first;
+}
+
+/// A crossing, with its exact time.
+struct TimedCrossing {
+  soms::detail::RayTime t;
+  std::uint32_t body = 0;
+  std::size_t place = 0;  ///< in the row of its body
+};
+
+/// The crossings of rows, one a body, in their order: each is put before the first that is later.
+std::vector<TimedCrossing> in_order(std::span<const Body> bodies, const std::vector<AllHits>& rows,
+                                    const RayLine& line) {
+  std::vector<TimedCrossing> crossings;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (std::size_t place = 0; place < rows[k].kind.size(); ++place) {
+      const TriangleId triangle = rows[k].triangle[rows[k].triangle_offsets[place]];
+      const auto t = ExactRay(line, triangle_of(bodies[k], triangle)).time();
+      const auto later =
+          std::find_if(crossings.begin(), crossings.end(),
+                       [&](const TimedCrossing& other) { return compare(t, other.t) < 0; });
+      crossings.insert(later, {t, static_cast<std::uint32_t>(k), place});
+    }
+  }
+  return crossings;
+}
+
+template <class Line>
+BodyAllHits every_hit(std::span<const Body> bodies, const Line& line, const RayLine& exact_line) {
+  const PlainArithmetic plain;
+  std::vector<AllHits> rows;
+  BodyAllHits all;
+  for (const Body& body : bodies) {
+    rows.push_back(all_hits_by_brute_force(body, line));
+    all.cost += rows.back().cost;
+  }
+  for (const TimedCrossing& crossing : in_order(bodies, rows, exact_line)) {
+    const AllHits& row = rows[crossing.body];
+    all.lower.push_back(row.lower[crossing.place]);
+    all.upper.push_back(row.upper[crossing.place]);
+    all.kind.push_back(row.kind[crossing.place]);
+    all.body.push_back(crossing.body);
+    for (std::uint64_t i = row.triangle_offsets[crossing.place];
+         i < row.triangle_offsets[crossing.place + 1]; ++i) {
+      all.triangle.push_back(row.triangle[i]);
+    }
+    all.triangle_offsets.push_back(all.triangle.size());
+  }
+  all.offsets.push_back(all.kind.size());
+  all.coverage = {Coverage::complete};
+  all.costs = {all.cost};
+  return all;
 }
 
 }  // namespace
@@ -74,6 +128,14 @@ BodyHit closest_hit_by_brute_force(std::span<const Body> bodies, const Ray& ray)
 
 BodyHit closest_hit_by_brute_force(std::span<const Body> bodies, const Segment& segment) {
   return first_hit(bodies, segment, {segment.from, segment.to, 1, true});
+}
+
+BodyAllHits all_hits_by_brute_force(std::span<const Body> bodies, const Ray& ray) {
+  return every_hit(bodies, ray, {ray.origin, ray.direction, ray.length, false});
+}
+
+BodyAllHits all_hits_by_brute_force(std::span<const Body> bodies, const Segment& segment) {
+  return every_hit(bodies, segment, {segment.from, segment.to, 1, true});
 }
 
 }  // namespace soms::reference

@@ -65,6 +65,17 @@ TEST(RayPicture, DepthHasAKeyWhereThereIsRoom) {
   EXPECT_EQ(count_near(small, palette::kGap, 40), 0U);
 }
 
+TEST(RayPicture, TheKeyOfDepthNamesTheUnitOfTheScene) {
+  Mesh plate = walled_plate();
+  const Camera slanted{{30, -40, 20}, {0, 0, 0}};
+  const Picture unknown = draw_depth(scene_of(plate), slanted, {320, 240}, 1).picture;
+  plate.unit = 0.001;
+  const ViewScene scene = scene_of(plate);
+  EXPECT_EQ(scene.unit(), 0.001);
+  const Picture millimeters = draw_depth(scene, slanted, {320, 240}, 1).picture;
+  EXPECT_GT(count_near(millimeters, palette::kGap, 40), count_near(unknown, palette::kGap, 40));
+}
+
 TEST(RayPicture, AWallHidesWhatIsBehindIt) {
   const ViewScene scene = scene_of(walled_plate());
   const Vec3 observer{-5, 0, 2};
@@ -147,7 +158,9 @@ TEST(RayPicture, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(SightMap, CountsTheCellsInSight) {
-  const ViewScene scene = scene_of(walled_plate());
+  Mesh plate_in_millimeters = walled_plate();
+  plate_in_millimeters.unit = 0.001;
+  const ViewScene scene = scene_of(plate_in_millimeters);
   const SightMap map = draw_sight_map(scene, {-5, 0, 2});
   const double plate = 400 / (map.cell * map.cell);
   EXPECT_NEAR(static_cast<double>(map.surface), plate, 0.01 * plate);
@@ -157,6 +170,7 @@ TEST(SightMap, CountsTheCellsInSight) {
   EXPECT_NE(map.svg.find("(-5, 0, 2)"), std::string::npos);
   EXPECT_NE(map.svg.find("ground in sight"), std::string::npos);
   EXPECT_NE(map.svg.find("ground, hidden"), std::string::npos);
+  EXPECT_NE(map.svg.find(">2 mm</text>"), std::string::npos) << "the scale bar";
   EXPECT_TRUE(map.svg.ends_with("</svg>\n"));
   EXPECT_LT(map.svg.size(), 500'000U);
 }
@@ -165,6 +179,7 @@ TEST(SightMap, OfNothingSaysSo) {
   const SightMap map = draw_sight_map(ViewScene(SceneContent{}), {1, 2, 3});
   EXPECT_EQ(map.surface, 0U);
   EXPECT_NE(map.svg.find("Nothing is there"), std::string::npos);
+  EXPECT_NE(map.svg.find(" units</text>"), std::string::npos);
 }
 
 /// A folder with the plate, and the program. Rays need no driver, so nothing is skipped.
@@ -193,6 +208,7 @@ TEST_F(RayPictureVerb, WritesBothPicturesAndTheMap) {
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.out.find("\"device\":\"rays\""), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("\"nearest\":"), std::string::npos);
+  EXPECT_NE(run.out.find("\"unit\":\"units\""), std::string::npos);
   EXPECT_EQ(read_png(path("depth.png")).size, (Size{64, 48}));
   run = render({"--visible-from", "-5, 0 2", "-o", path("sight.png"), "--size", "64x48"});
   ASSERT_EQ(run.status, 0) << run.err;

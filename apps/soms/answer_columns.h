@@ -1,0 +1,152 @@
+/// \file
+/// Answers as columns of numbers, in a file of NumPy arrays: one row of a column for each answer.
+///
+/// Where an answer has none, a triangle is -1 and a coordinate nan. A list of each row's hits is
+/// kept as its parts: row i has the hits from offsets[i] to before offsets[i + 1].
+#pragma once
+
+#include "soms/query/contains.h"
+#include "soms/query/distance.h"
+#include "soms/query/solid.h"
+#include "soms/query/within.h"
+
+#include "apps/soms/closest_output.h"
+#include "apps/soms/ray_output.h"
+#include "apps/support/npz_file.h"
+#include "apps/support/verb.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace soms::command {
+
+/// Adds --binary.
+void add_binary(CLI::App& app, std::string& target);
+
+/// A file of columns, if one is wanted.
+class AnswerColumns {
+ public:
+  /// Opens the file, unless `path` is empty. \errors ErrorKind::cannot_write.
+  explicit AnswerColumns(const std::string& path) {
+    if (!path.empty()) {
+      file_.emplace(path);
+    }
+  }
+
+  /// Makes the file appear. \errors ErrorKind::cannot_write; ClosedPipe.
+  void finish() {
+    if (file_) {
+      file_->finish();
+    }
+  }
+
+ protected:
+  using Kind = NpzColumn::Kind;
+
+  std::optional<NpzFile> file_;
+};
+
+/// Nearest points of a model.
+class PointColumns : public AnswerColumns {
+ public:
+  using AnswerColumns::AnswerColumns;
+
+  /// Chooses the columns: those of lists, or of the nearest triangle; sides too.
+  void begin(bool lists, bool sides);
+
+  void add(const PointAnswer& answer);
+
+ private:
+  void add_list(const PointAnswer& answer);
+
+  NpzColumn* offsets_ = nullptr;
+  NpzColumn* lower_ = nullptr;
+  NpzColumn* upper_ = nullptr;
+  NpzColumn* triangle_ = nullptr;
+  NpzColumn* at_ = nullptr;
+  NpzColumn* feature_ = nullptr;
+  NpzColumn* farther_ = nullptr;
+  NpzColumn* side_ = nullptr;
+  NpzColumn* cut_ = nullptr;
+  std::int64_t hits_ = 0;
+};
+
+/// Sides of points.
+class SideColumns : public AnswerColumns {
+ public:
+  explicit SideColumns(const std::string& path);
+
+  void add(Side side);
+
+ private:
+  NpzColumn* side_ = nullptr;
+};
+
+/// What rays hit.
+class RayColumns : public AnswerColumns {
+ public:
+  using AnswerColumns::AnswerColumns;
+
+  /// The first answer chooses the columns.
+  void add(const RayAnswer& answer);
+
+ private:
+  void begin(const RayAnswer& answer);
+  void add_row(const ClosestHit& hit);
+  void add_row(const AnyHit& hit);
+  void add_row(const Crossings& hits);
+
+  NpzColumn* hit_ = nullptr;
+  NpzColumn* lower_ = nullptr;
+  NpzColumn* upper_ = nullptr;
+  NpzColumn* triangle_ = nullptr;
+  NpzColumn* at_ = nullptr;
+  NpzColumn* front_ = nullptr;
+  NpzColumn* offsets_ = nullptr;
+  NpzColumn* kind_ = nullptr;
+  NpzColumn* triangle_offsets_ = nullptr;
+  NpzColumn* cut_ = nullptr;
+  bool begun_ = false;
+  std::int64_t crossings_ = 0;
+  std::int64_t triangles_ = 0;
+};
+
+/// Distances and clearances of two models.
+class NearColumns : public AnswerColumns {
+ public:
+  using AnswerColumns::AnswerColumns;
+
+  void add(const Distance& answer);
+  void add(const Within& answer);
+
+ private:
+  void begin_pair();
+
+  template <class Answer>
+  void add_pair(const Answer& answer);
+
+  NpzColumn* lower_ = nullptr;
+  NpzColumn* upper_ = nullptr;
+  NpzColumn* farther_ = nullptr;
+  NpzColumn* within_ = nullptr;
+  NpzColumn* at_least_ = nullptr;
+  NpzColumn* triangles_ = nullptr;
+  NpzColumn* points_ = nullptr;
+  NpzColumn* cut_ = nullptr;
+};
+
+/// Relations of two closed models.
+class SolidColumns : public AnswerColumns {
+ public:
+  explicit SolidColumns(const std::string& path);
+
+  void add(const Solid& answer);
+
+ private:
+  NpzColumn* relation_ = nullptr;
+  NpzColumn* surfaces_meet_ = nullptr;
+  NpzColumn* why_ = nullptr;
+};
+
+}  // namespace soms::command
