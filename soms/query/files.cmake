@@ -16,8 +16,10 @@ set(SOMS_HEADERS
   reference/overlap.h
   signed_closest.h
   reference/solid.h
+  reference/winding.h
   solid.h
   reference/ray.h
+  winding.h
   within.h
 )
 set(SOMS_SOURCES
@@ -61,6 +63,11 @@ set(SOMS_SOURCES
   detail/ray/ray_traversal.cpp
   distance.cpp
   detail/relative_pose.cpp
+  detail/winding/angle_sum.cpp
+  detail/winding/boundary.cpp
+  detail/winding/far_field.cpp
+  detail/winding/strip_angle.cpp
+  detail/winding/winding_tree.cpp
   detail/batched_root_descent.cpp
   detail/triangle_tests.cpp
   instruction_set.cpp
@@ -74,8 +81,10 @@ set(SOMS_SOURCES
   reference/distance.cpp
   reference/overlap.cpp
   reference/solid.cpp
+  reference/winding.cpp
   solid.cpp
   reference/ray.cpp
+  winding.cpp
   within.cpp
   closest.cpp
   signed_closest.cpp
