@@ -3,6 +3,7 @@ set(SOMS_HEADERS
   body.h
   closest.h
   contains.h
+  contains_parts.h
   distance.h
   instruction_set.h
   overlap.h
@@ -24,6 +25,7 @@ set(SOMS_HEADERS
 )
 set(SOMS_SOURCES
   contains.cpp
+  contains_parts.cpp
   detail/closed_surface.cpp
   detail/collector.cpp
   detail/engine/batch.cpp

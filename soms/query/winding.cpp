@@ -2,13 +2,11 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
-#include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/engine/pair_frame.h"
 #include "soms/query/detail/near/point_query.h"
-#include "soms/query/detail/parity/parity_traversal.h"
+#include "soms/query/detail/parity/crossing_batch.h"
 #include "soms/query/detail/winding/winding_tree.h"
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -16,14 +14,10 @@ namespace soms {
 
 namespace {
 
-using detail::CrossingMemory;
 using detail::Limit;
 using detail::ParityFrame;
 using detail::PointCrossings;
 using detail::WindingTree;
-
-/// Points that a thread takes at a time.
-constexpr std::size_t kPointsOfWindingBlock = 256;
 
 constexpr Bracket kAllNumbers{-std::numeric_limits<double>::infinity(),
                               std::numeric_limits<double>::infinity()};
@@ -43,65 +37,6 @@ Side side_of(const Bracket& number, bool on) {
          : number.upper < 0.5 ? Side::outside
                               : Side::undecided;
 }
-
-/// What a thread keeps.
-struct WindingMemory {
-  std::unique_ptr<CrossingMemory> rays;
-  std::vector<PointCrossings> met;
-  WindingTree::Memory walk;
-};
-
-/// Points into columns that are there.
-class WindingRun {
- public:
-  WindingRun(const WindingIndex& index, std::span<const Vec3> points, const WindingOptions& options,
-             WindingBatch& answer)
-      : body_(index.body()),
-        tree_(detail::tree_of(index)),
-        points_(points),
-        options_(options),
-        frame_(body_.shape.layout(), body_.pose),
-        answer_(answer) {}
-
-  [[nodiscard]] WindingMemory memory() const {
-    return {detail::crossing_memory(body_, frame_), {}, {}};
-  }
-
-  void decide(std::size_t begin, std::size_t end, WindingMemory& memory, Limit& limit) const {
-    const std::size_t count = end - begin;
-    memory.met.resize(std::max(memory.met.size(), count));
-    for (PointCrossings& met : memory.met) {
-      met.complete = false;
-    }
-    memory.rays->list(points_.subspan(begin, count), std::span(memory.met).first(count),
-                      std::span(answer_.costs).subspan(begin, count), limit);
-    for (std::size_t k = 0; k < count && !limit.late(); ++k) {
-      if (memory.met[k].complete) {
-        decide(begin + k, memory.met[k], memory.walk, limit);
-      }
-    }
-  }
-
- private:
-  void decide(std::size_t i, const PointCrossings& met, WindingTree::Memory& memory,
-              Limit& limit) const {
-    const bool forward = frame_.start(points_[i]).sign > 0;
-    Cost& cost = answer_.costs[i];
-    const std::uint64_t before = cost.triangle_tests + cost.node_tests;
-    answer_.number[i] = tree_.number(body_, points_[i], frame_.axis(), forward, met, options_.width,
-                                     memory, cost);
-    answer_.side[i] = side_of(answer_.number[i], !met.on.empty());
-    answer_.coverages[i] = Coverage::complete;
-    static_cast<void>(limit.spend(1 + cost.triangle_tests + cost.node_tests - before));
-  }
-
-  const Body& body_;
-  const WindingTree& tree_;
-  std::span<const Vec3> points_;
-  const WindingOptions& options_;
-  ParityFrame frame_;
-  WindingBatch& answer_;
-};
 
 }  // namespace
 
@@ -148,15 +83,21 @@ WindingBatch winding(const WindingIndex& index, std::span<const Vec3> points,
   answer.side.assign(points.size(), Side::undecided);
   answer.number.assign(points.size(), kAllNumbers);
   answer.coverages.assign(points.size(), Coverage::cut);
-  const WindingRun run(index, points, options, answer);
-  detail::MemoryPool<WindingMemory> pool;
-  for_each_chunk(points.size(), kPointsOfWindingBlock, parallel,
-                 [&](std::size_t begin, std::size_t end) {
-                   auto place = pool.take([&] { return run.memory(); });
-                   Limit limit(options.deadline, parallel);
-                   run.decide(begin, end, place->memory, limit);
-                   pool.give_back(std::move(place));
-                 });
+  const Body& body = index.body();
+  const WindingTree& tree = detail::tree_of(index);
+  const ParityFrame frame(body.shape.layout(), body.pose);
+  detail::for_each_crossing<WindingTree::Memory>(
+      body, frame, points, options.deadline, answer.costs, parallel,
+      [&](WindingTree::Memory& memory, std::size_t i, const PointCrossings& met, Limit& limit) {
+        const bool forward = frame.start(points[i]).sign > 0;
+        Cost cost;
+        answer.number[i] = tree.number(body, points[i], frame.axis(), forward, met, options.width,
+                                       memory, cost);
+        answer.side[i] = side_of(answer.number[i], !met.on.empty());
+        answer.coverages[i] = Coverage::complete;
+        answer.costs[i] += cost;
+        static_cast<void>(limit.spend(1 + cost.triangle_tests + cost.node_tests));
+      });
   for (std::size_t i = 0; i < points.size(); ++i) {
     answer.cost += answer.costs[i];
     answer.coverage = answer.coverages[i] == Coverage::cut ? Coverage::cut : answer.coverage;

@@ -30,7 +30,7 @@ static_assert((1.25 + 1.3 + 0.001) / 6.28 + 2 * 0.4143 / 6.28 + 3 * 0.25 < 4);
 /// the same sum.
 class AngleSum {
  public:
-  /// Adds the argument of a number of magnitude 2^-44 to 2. Off by 2.24 u radians at most: the
+  /// Adds the argument of a number of magnitude 2^-100 to 2. Off by 2.24 u radians at most: the
   /// rounding of a complex product. \source Brent, Percival and Zimmermann 2007
   void add(double re, double im) {
     const double next_re = re_ * re - im_ * im;

@@ -19,8 +19,10 @@
 /// S(a) by 12 and 8.5. In the other form |a'| is off by 3, m by 4.5, the entries by 10.5 and 18. So
 /// z is off by 2 * 18.1 for S(a) and S(b) (Cauchy) and by 3 for its own rounding on the real
 /// axis, by 36.2 + 2 on the other: |z| by less than 55. Its argument is off by asin(55 u / |z|), by
-/// less than 55.2 u / |z| where |z| >= 2^-44, and a product of AngleSum by 2.24 u: over 2 pi,
-/// below 10 u / |z| turns, and below 72 u where |z| >= 1/8.
+/// less than 55.2 u / |z| where |z| >= 2^-10, and a product of AngleSum by 2.24 u: over 2 pi,
+/// below 10 u / |z| turns, and below 72 u where |z| >= 1/8. Where |z| is less, all is done again
+/// with u = 2^-102 (double_double.h): z is off by 55 * 2^-102, the argument by asin(2^-96 / |z|);
+/// rounding z to double turns it by less than 2^-53: over 2 pi, below 2^-98 / |z| + 2^-53 turns.
 ///
 /// At half a turn: where p is on the strip, z is negative, and the angle jumps. Which way p passes
 /// it is decided exactly, in the way in which crossings of the ray against d are: so the two jump
@@ -35,11 +37,14 @@
 namespace soms::detail {
 
 /// A corner as seen from a point: S of the proof.
-struct SeenCorner {
-  double along = 0;
-  double first = 0;  ///< across d, on the axis after it
-  double second = 0;
+template <class Real>
+struct SeenCornerOf {
+  Real along = 0;
+  Real first = 0;  ///< across d, on the axis after it
+  Real second = 0;
 };
+
+using SeenCorner = SeenCornerOf<double>;
 
 /// Where strips lead: along an axis (0 is x), toward greater coordinates (1) or lesser ones (-1).
 struct StripDirection {
@@ -59,8 +64,8 @@ struct StripAngle {
 };
 
 /// Of |z| below this nothing is known of the argument but that it is in [-1/2, 1/2] turns: it is
-/// taken as 0, and the error is 1/2.
-inline constexpr double kLeastOfStrip = 0x1p-44;
+/// taken as 0, and the error is 1/2. So near is a point at 1e-24 of its length from an edge.
+inline constexpr double kLeastOfStrip = 0x1p-80;
 
 /// The strip of the edge between two corners that are seen as `a` and `b`.
 [[nodiscard]] StripAngle strip_angle(const Vec3& from, const SeenCorner& a, const Vec3& to,
