@@ -37,13 +37,14 @@ Long dot(const Arm& a, const Arm& b) {
 struct WindingSum {
   Long value = 0;
   Long error = 0;
+  Long halves = 0;  // triangles of which nothing is known but that they add -1/2 to 1/2
 
   void add(const Triangle& t, const Vec3& p);
 };
 
 void WindingSum::add(const Triangle& t, const Vec3& p) {
   if (detail::is_on(t, p)) {
-    error += 0.5L;
+    ++halves;
     return;
   }
   const Arm a(t.a, p);
@@ -58,8 +59,7 @@ void WindingSum::add(const Triangle& t, const Vec3& p) {
   const Long off = 64 * kLongUnit * product;
   const Long size = std::hypot(volume, rest);
   if (size <= 16 * off) {
-    // Its half angle is anything.
-    error += 0.5L;
+    ++halves;
     return;
   }
   if (rest < 0 && std::abs(volume) <= off) {
@@ -71,8 +71,8 @@ void WindingSum::add(const Triangle& t, const Vec3& p) {
 }
 
 Bracket bracket_of(const WindingSum& sum, std::size_t terms) {
-  const Long error = sum.error * (1 + 0x1p-20L) + 2 * static_cast<Long>(terms) * kLongUnit *
-                                                      static_cast<Long>(terms);
+  const Long rounding = 2 * static_cast<Long>(terms) * kLongUnit * static_cast<Long>(terms);
+  const Long error = (sum.error * (1 + 0x1p-20L) + rounding) + sum.halves / 2;
   return {std::nextafter(static_cast<double>(sum.value - error),
                          -std::numeric_limits<double>::infinity()),
           std::nextafter(static_cast<double>(sum.value + error),
