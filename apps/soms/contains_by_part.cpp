@@ -64,9 +64,8 @@ class PartsRun : public ProbeRun<PointSource> {
   /// The path of a named part; "the part of triangle 12" of another one. Printable.
   [[nodiscard]] std::string label(std::uint32_t part) const {
     const BodyPart& found = body_.parts()[part];
-    return found.named != Part::kNoParent
-               ? part_in_text(mesh(), found.named)
-               : fmt::format("the part of triangle {}", found.first);
+    return found.named != Part::kNoParent ? part_in_text(mesh(), found.named)
+                                          : fmt::format("the part of triangle {}", found.first);
   }
 
   void note_open_parts() {
@@ -128,8 +127,7 @@ class PartsRun : public ProbeRun<PointSource> {
     return truth == side ? std::nullopt
                          : std::optional(fmt::format("of {} brute force finds {}, but the answer "
                                                      "is {}",
-                                                     label(part), name(truth),
-                                                     name(side)));
+                                                     label(part), name(truth), name(side)));
   }
 
   void print_row(std::size_t k, bool right, bool last) override {
@@ -142,8 +140,8 @@ class PartsRun : public ProbeRun<PointSource> {
       console().print(fmt::format("{:>6}  {}\n", "point", "at, and parts that hold it"));
     }
     if (totals().rows < kProbesInText) {
-      console().print(fmt::format("{:>6}  {}: {}\n", totals().rows, point_in_text(block()[k]),
-                                  in_words(k)));
+      console().print(
+          fmt::format("{:>6}  {}: {}\n", totals().rows, point_in_text(block()[k]), in_words(k)));
     }
   }
 
@@ -161,8 +159,8 @@ class PartsRun : public ProbeRun<PointSource> {
 
   [[nodiscard]] Json part_json(std::uint32_t part) const {
     const BodyPart& found = body_.parts()[part];
-    Json json = body_.partition() == Partition::named ? part_as_json(mesh(), found.named)
-                                                      : Json::object();
+    Json json =
+        body_.partition() == Partition::named ? part_as_json(mesh(), found.named) : Json::object();
     json["first"] = found.first;
     return json;
   }
@@ -173,8 +171,8 @@ class PartsRun : public ProbeRun<PointSource> {
       parts.push_back(part_json(part.part));
       parts.back()["side"] = std::string(name(part.side));
     }
-    std::string keys = ",\"parts\":" + json_text(parts) +
-                       coverage_keys(answers_.coverages[k], answers_.costs[k]);
+    std::string keys =
+        ",\"parts\":" + json_text(parts) + coverage_keys(answers_.coverages[k], answers_.costs[k]);
     if (totals().rows == 0) {
       Json open = Json::array();
       for (std::uint32_t part = 0; part < body_.parts().size(); ++part) {

@@ -51,9 +51,9 @@ class WindingRun : public SideRun {
 
   [[nodiscard]] std::string keys(std::size_t k) const override {
     const Bracket& number = answers_.number[k];
-    std::string keys = fmt::format(",\"winding\":[{},{}]{}", json_number(number.lower),
-                                   json_number(number.upper),
-                                   coverage_keys(answers_.coverages[k], answers_.costs[k]));
+    std::string keys =
+        fmt::format(",\"winding\":[{},{}]{}", json_number(number.lower), json_number(number.upper),
+                    coverage_keys(answers_.coverages[k], answers_.costs[k]));
     if (totals().rows == 0) {
       keys += fmt::format(",\"boundary_edges\":{}", index_.boundary_edges());
     }
@@ -81,9 +81,10 @@ class WindingRun : public SideRun {
       const Bracket truth = reference::winding_by_brute_force(body, block()[k]);
       const Bracket& number = answers_.number[k];
       if (number.upper < truth.lower || number.lower > truth.upper) {
-        return fmt::format("brute force finds a winding number from {} to {}, but the answer is "
-                           "from {} to {}",
-                           truth.lower, truth.upper, number.lower, number.upper);
+        return fmt::format(
+            "brute force finds a winding number from {} to {}, but the answer is "
+            "from {} to {}",
+            truth.lower, truth.upper, number.lower, number.upper);
       }
       const bool on = reference::contains_by_brute_force(body, block()[k]) == Side::on;
       return on == (side(k) == Side::on)

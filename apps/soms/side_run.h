@@ -29,8 +29,10 @@ class SideRun : public ProbeRun<PointSource> {
   [[nodiscard]] virtual bool is_cut(std::size_t k) const = 0;
   /// Keys of a JSON row that follow "side", each after a comma.
   [[nodiscard]] virtual std::string keys(std::size_t k) const = 0;
+
   /// What stands between side and point in the table for people, and above it.
   [[nodiscard]] virtual std::string column(std::size_t) const { return ""; }
+
   [[nodiscard]] virtual std::string column_head() const { return ""; }
 
   [[nodiscard]] Outcome outcome(std::size_t k) const override {

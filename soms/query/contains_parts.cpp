@@ -96,8 +96,8 @@ PartedBody::Found PartedBody::find(const Body& body, Partition partition,
   std::stable_sort(order.begin(), order.end(),
                    [&](TriangleId a, TriangleId b) { return number[a] < number[b]; });
   const Mesh sorted = sorted_by_part(mesh, order, number);
-  const Closedness closedness = soms::closedness(
-      sorted, {.pose = body.pose, .places = 0, .parts = true}, parallel);
+  const Closedness closedness =
+      soms::closedness(sorted, {.pose = body.pose, .places = 0, .parts = true}, parallel);
   Found found;
   found.part_of.resize(mesh.triangles.size());
   for (std::size_t k = 0; k < sorted.parts.size(); ++k) {
@@ -152,7 +152,9 @@ ContainsPartsBatch contains(const PartedBody& body, std::span<const Vec3> points
   }
   std::fill(answer.coverages.begin(), answer.coverages.end(), Coverage::cut);
   std::vector<std::vector<PartSide>> rows(points.size());
+
   struct Nothing {};
+
   const detail::ParityFrame frame(whole.shape.layout(), whole.pose);
   detail::for_each_crossing<Nothing>(
       whole, frame, points, options.deadline, answer.costs, parallel,

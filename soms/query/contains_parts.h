@@ -17,7 +17,7 @@
 
 namespace soms {
 
-/// How the triangles of a mesh are told apart: each belongs to one part.
+/// How the triangles of a mesh are divided: each belongs to one part.
 enum class Partition : unsigned char {
   named,      ///< by the innermost of Mesh::parts; triangles without one are a part, too
   connected,  ///< by vertices in one place: triangles that share one belong together
@@ -34,7 +34,7 @@ struct BodyPart {
   [[nodiscard]] bool operator==(const BodyPart&) const = default;
 };
 
-/// A body whose parts were told apart and checked, each by itself. A value; copies share what was
+/// A body whose parts were found and checked, each by itself. A value; copies share what was
 /// found.
 class PartedBody {
  public:

@@ -373,6 +373,10 @@ std::ostream& operator<<(std::ostream& out, const BodyPart& value) {
                     .add("odd_edges", value.odd_edges);
 }
 
+std::ostream& operator<<(std::ostream& out, const PartSide& value) {
+  return out << PrintedFields("PartSide").add("part", value.part).add("side", value.side);
+}
+
 std::ostream& operator<<(std::ostream& out, const PartedBody& value) {
   return out << PrintedFields("PartedBody")
                     .item(printed(value.body()))

@@ -33,9 +33,7 @@ Side side_of(const Bracket& number, bool on) {
   if (on) {
     return Side::on;
   }
-  return number.lower > 0.5   ? Side::inside
-         : number.upper < 0.5 ? Side::outside
-                              : Side::undecided;
+  return number.lower > 0.5 ? Side::inside : number.upper < 0.5 ? Side::outside : Side::undecided;
 }
 
 }  // namespace
@@ -91,8 +89,8 @@ WindingBatch winding(const WindingIndex& index, std::span<const Vec3> points,
       [&](WindingTree::Memory& memory, std::size_t i, const PointCrossings& met, Limit& limit) {
         const bool forward = frame.start(points[i]).sign > 0;
         Cost cost;
-        answer.number[i] = tree.number(body, points[i], frame.axis(), forward, met, options.width,
-                                       memory, cost);
+        answer.number[i] =
+            tree.number(body, points[i], frame.axis(), forward, met, options.width, memory, cost);
         answer.side[i] = side_of(answer.number[i], !met.on.empty());
         answer.coverages[i] = Coverage::complete;
         answer.costs[i] += cost;

@@ -170,13 +170,14 @@ TEST(ContainsVerb, AnswersForAnOpenModelByWinding) {
     EXPECT_EQ(line.at("coverage"), "complete");
   }
   EXPECT_NEAR(lines[0].at("winding")[0].get<double>(), 5.0 / 6, 1e-12);
-  EXPECT_EQ(soms_run({"contains", model, "--points", "-", "--winding", "--width", "0"}, kPlaces).out,
-            " point  side       winding       at\n"
-            "     0  inside     0.833333333   (0.5, 0.5, 0.5)\n"
-            "     1  undecided  0.5           (0.5, 0.5, 1)\n"
-            "     2  outside    0.166666667   (0.5, 0.5, 1.5)\n"
-            "     3  on         -             (0.5, 0, 0.5)\n"
-            "4 points: 1 inside, 1 outside, 1 on the surface, 1 undecided\n");
+  EXPECT_EQ(
+      soms_run({"contains", model, "--points", "-", "--winding", "--width", "0"}, kPlaces).out,
+      " point  side       winding       at\n"
+      "     0  inside     0.833333333   (0.5, 0.5, 0.5)\n"
+      "     1  undecided  0.5           (0.5, 0.5, 1)\n"
+      "     2  outside    0.166666667   (0.5, 0.5, 1.5)\n"
+      "     3  on         -             (0.5, 0, 0.5)\n"
+      "4 points: 1 inside, 1 outside, 1 on the surface, 1 undecided\n");
 }
 
 TEST(ContainsVerb, WindingOfAClosedModelIsWhole) {
@@ -189,15 +190,17 @@ TEST(ContainsVerb, WindingOfAClosedModelIsWhole) {
 
 TEST(ContainsVerb, AnswersByPartAndNamesOpenOnes) {
   const TemporaryFolder folder;
-  const std::string yard = file_of(folder, "yard.obj",
-                                   "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nv 1 1 5\nv 2 1 5\nv 1 2 5\n"
-                                   "o stone\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\no flag\nf 5 6 7\n");
+  const std::string yard =
+      file_of(folder, "yard.obj",
+              "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nv 1 1 5\nv 2 1 5\nv 1 2 5\n"
+              "o stone\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\no flag\nf 5 6 7\n");
   const std::string points = "x,y,z\n0.5,0.5,0.5\n1,0,1\n9,9,9\n1,1,5\n";
   const RunResult json =
       soms_run({"contains", yard, "--points", "-", "--by", "part", "--json", "--verify"}, points);
   EXPECT_EQ(json.status, 0) << json.err;
-  EXPECT_NE(json.err.find("yard.obj: 1 of 2 parts not closed, and no point is inside of them: flag"),
-            std::string::npos)
+  EXPECT_NE(
+      json.err.find("yard.obj: 1 of 2 parts not closed, and no point is inside of them: flag"),
+      std::string::npos)
       << json.err;
   const std::vector<Json> lines = json_lines(json.out);
   ASSERT_EQ(lines.size(), 4U);
@@ -210,8 +213,7 @@ TEST(ContainsVerb, AnswersByPartAndNamesOpenOnes) {
   EXPECT_EQ(lines[2].at("parts"), Json::array());
   EXPECT_EQ(lines[3].at("parts")[0].at("name"), "flag");
   EXPECT_EQ(lines[3].at("verified"), true);
-  const RunResult text =
-      soms_run({"contains", yard, "--points", "-", "--by", "connected"}, points);
+  const RunResult text = soms_run({"contains", yard, "--points", "-", "--by", "connected"}, points);
   EXPECT_EQ(text.out,
             " point  at, and parts that hold it\n"
             "     0  (0.5, 0.5, 0.5): inside the part of triangle 0\n"

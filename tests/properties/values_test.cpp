@@ -38,7 +38,7 @@ static_assert(kValues<Tree, Node, TreeStatistics, Visits, ExpectedVisits, BuildO
                       AxisFrom, EmptySide, Shape, ShapeOptions, Layout>);
 static_assert(kValues<ClosedBody, Contains, ContainsBatch, ContainsOptions, Side>);
 static_assert(kValues<WindingIndex, Winding, WindingBatch, WindingOptions, PartedBody, Partition,
-                      BodyPart, ContainsParts, ContainsPartsBatch>);
+                      BodyPart, PartSide, ContainsParts, ContainsPartsBatch>);
 static_assert(kValues<Solid, SolidBatch, SolidOptions, Relation, Undecided>);
 static_assert(kValues<Body, Cost, Coverage, Overlap, OverlapBatch, OverlapOptions, OverlapMode,
                       TraversalOptions, TraversalCounts, NodePair, Traversal, Descent, EntryOrder,
@@ -97,9 +97,10 @@ TEST(Values, PrintWindingNumbersAndParts) {
   EXPECT_EQ(printed(fins).substr(printed(fins).size() - 19), ", 7 boundary edges}");
   EXPECT_EQ(printed(WindingOptions{}), "WindingOptions{width: 1e-09}");
   const WindingIndex nothing{Body{}};
-  EXPECT_EQ(printed(winding(nothing, Vec3{})),
-            "Winding{side: outside, number: Bracket{lower: 0, upper: 0}, coverage: complete, cost: " +
-                printed(Cost{}) + "}");
+  EXPECT_EQ(
+      printed(winding(nothing, Vec3{})),
+      "Winding{side: outside, number: Bracket{lower: 0, upper: 0}, coverage: complete, cost: " +
+          printed(Cost{}) + "}");
   EXPECT_EQ(printed(winding(nothing, std::vector<Vec3>(2))),
             "WindingBatch{0 of 2 points inside, 0 undecided, coverage: complete, cost: " +
                 printed(Cost{}) + "}");

@@ -55,11 +55,8 @@ TEST(ContainsParts, NamesOpenPartsAndIsNeverInsideOfThem) {
   EXPECT_EQ(body.open_parts(), 2U);
   EXPECT_EQ(body.parts()[0], (BodyPart{.named = 0, .first = 0, .triangles = 12}));
   EXPECT_TRUE(body.parts()[1].closed);
-  EXPECT_EQ(body.parts()[2], (BodyPart{.named = 2,
-                                       .first = 24,
-                                       .triangles = 11,
-                                       .closed = false,
-                                       .odd_edges = 3}));
+  EXPECT_EQ(body.parts()[2],
+            (BodyPart{.named = 2, .first = 24, .triangles = 11, .closed = false, .odd_edges = 3}));
   EXPECT_EQ(body.parts()[3].named, Part::kNoParent);
   EXPECT_FALSE(body.parts()[3].closed);
   EXPECT_EQ(contains(body, Vec3{6, 6, 6}).parts, (Sides{{0}}));
@@ -94,17 +91,16 @@ TEST(ContainsParts, OfNothingAndAfterTheDeadline) {
   EXPECT_EQ(contains(PartedBody{Body{}}, std::vector<Vec3>(2)).offsets,
             (std::vector<std::uint64_t>{0, 0, 0}));
   EXPECT_EQ(PartedBody{Body{}}.parts().size(), 0U);
-  const ContainsParts late =
-      contains(PartedBody{Body(house())}, Vec3{2, 2, 2},
-               {.deadline = std::chrono::steady_clock::time_point::min()});
+  const ContainsParts late = contains(PartedBody{Body(house())}, Vec3{2, 2, 2},
+                                      {.deadline = std::chrono::steady_clock::time_point::min()});
   EXPECT_EQ(late.coverage, Coverage::cut);
   EXPECT_TRUE(late.parts.empty());
 }
 
 TEST(ContainsParts, RefusesPoints) {
   try {
-    static_cast<void>(contains(PartedBody{Body(house())},
-                               Vec3{0, 0, std::numeric_limits<double>::infinity()}));
+    static_cast<void>(
+        contains(PartedBody{Body(house())}, Vec3{0, 0, std::numeric_limits<double>::infinity()}));
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::not_finite);

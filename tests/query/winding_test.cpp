@@ -216,8 +216,8 @@ TEST(Winding, IsNarrowBesideEdgesOfTheBoundary) {
 TEST(Winding, OfTinyAndHugeTrianglesIsThatOfUsualOnes) {
   for (const int k : {-1070, -600, -300, 200, 290}) {
     const double unit = std::ldexp(1.0, k);
-    const WindingIndex index{Body(test::mapped(
-        open_box(), [&](const Vec3& v) { return v * (8 * unit); }))};
+    const WindingIndex index{
+        Body(test::mapped(open_box(), [&](const Vec3& v) { return v * (8 * unit); }))};
     const Bracket middle = winding(index, Vec3{4 * unit, 4 * unit, 4 * unit}).number;
     EXPECT_LE(middle.lower, 5.0 / 6);
     EXPECT_GE(middle.upper, 5.0 / 6);
@@ -235,8 +235,8 @@ TEST(Winding, HasNothingInsideOfNothing) {
 TEST(Winding, LeavesPointsUndecidedAfterTheDeadline) {
   const WindingIndex index{Body(squares(20))};
   const std::vector<Vec3> points{{1, 2, 0.5}, {3, 4, 5}};
-  const WindingBatch late = winding(
-      index, points, {.deadline = std::chrono::steady_clock::time_point::min()});
+  const WindingBatch late =
+      winding(index, points, {.deadline = std::chrono::steady_clock::time_point::min()});
   EXPECT_EQ(late.coverage, Coverage::cut);
   EXPECT_EQ(late.side, std::vector<Side>(2, Side::undecided));
   EXPECT_EQ(late.at(0).number, (Bracket{-kInfinite, kInfinite}));
@@ -246,9 +246,13 @@ TEST(Winding, LeavesPointsUndecidedAfterTheDeadline) {
 TEST(Winding, RefusesWhatItCannotAnswer) {
   const WindingIndex index{Body(closed_box())};
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(winding_error([&] { static_cast<void>(winding(index, Vec3{0, nan, 0})); }),
+  EXPECT_EQ(winding_error([&] {
+              static_cast<void>(winding(index, Vec3{0, nan, 0}));
+            }),
             ErrorKind::not_finite);
-  EXPECT_EQ(winding_error([&] { static_cast<void>(winding(index, Vec3{0, 0, 0x1p301})); }),
+  EXPECT_EQ(winding_error([&] {
+              static_cast<void>(winding(index, Vec3{0, 0, 0x1p301}));
+            }),
             ErrorKind::out_of_range);
   for (const double width : {-1.0, 1.5, nan}) {
     EXPECT_EQ(winding_error([&] { static_cast<void>(winding(index, Vec3{}, {.width = width})); }),
@@ -256,19 +260,16 @@ TEST(Winding, RefusesWhatItCannotAnswer) {
   }
   Pose skewed;
   skewed.m[1] = 0.5;
-  EXPECT_EQ(winding_error([&] { WindingIndex(Body(closed_box(), skewed)); }),
-            ErrorKind::not_rigid);
+  EXPECT_EQ(winding_error([&] { WindingIndex(Body(closed_box(), skewed)); }), ErrorKind::not_rigid);
   std::stop_source stopped;
   stopped.request_stop();
-  EXPECT_EQ(winding_error([&] {
-              WindingIndex(Body(squares(20)), {.stop = stopped.get_token()});
-            }),
+  EXPECT_EQ(winding_error([&] { WindingIndex(Body(squares(20)), {.stop = stopped.get_token()}); }),
             ErrorKind::cancelled);
-  EXPECT_EQ(winding_error([&] {
-              static_cast<void>(
-                  winding(index, std::vector<Vec3>(9), {}, {.stop = stopped.get_token()}));
-            }),
-            ErrorKind::cancelled);
+  EXPECT_EQ(
+      winding_error([&] {
+        static_cast<void>(winding(index, std::vector<Vec3>(9), {}, {.stop = stopped.get_token()}));
+      }),
+      ErrorKind::cancelled);
 }
 
 TEST(Winding, IndexSaysWhatItHolds) {

@@ -53,7 +53,8 @@ void WindingSum::add(const Triangle& t, const Vec3& p) {
   Long volume = (a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z)) +
                 a.z * (b.x * c.y - b.y * c.x);
   const Long product = a.length * b.length * c.length;
-  const Long rest = (product + dot(a, b) * c.length) + (dot(b, c) * a.length + dot(c, a) * b.length);
+  const Long rest =
+      (product + dot(a, b) * c.length) + (dot(b, c) * a.length + dot(c, a) * b.length);
   // Of four terms each is off by at most 12 units; the absolute values of the volume's add up to
   // `product` at most, by Cauchy and Binet, and each is off by 8.
   const Long off = 64 * kLongUnit * product;

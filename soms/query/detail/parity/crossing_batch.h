@@ -37,8 +37,10 @@ void for_each_crossing(const Body& body, const ParityFrame& frame, std::span<con
     std::vector<PointCrossings> met;
     Memory own = {};
   };
+
   const auto make = [&] {
-    return ThreadMemory{crossing_memory(body, frame), std::vector<PointCrossings>(kPointsOfListing)};
+    return ThreadMemory{crossing_memory(body, frame),
+                        std::vector<PointCrossings>(kPointsOfListing)};
   };
   MemoryPool<ThreadMemory> pool;
   for_each_chunk(points.size(), kPointsOfListing, parallel,

@@ -246,9 +246,9 @@ class ParityTraversal {
 };
 
 template <class Source>
-class ParityWalk : public ParityMemory {
+class ParityOfPoints : public ParityMemory {
  public:
-  ParityWalk(const Body& body, const ParityFrame& frame) : rays_(body, frame) {}
+  ParityOfPoints(const Body& body, const ParityFrame& frame) : rays_(body, frame) {}
 
   void decide(std::span<const Vec3> points, std::span<Side> sides, std::span<Cost> costs,
               Limit& limit) override {
@@ -260,9 +260,9 @@ class ParityWalk : public ParityMemory {
 };
 
 template <class Source>
-class CrossingWalk : public CrossingMemory {
+class CrossingsOfPoints : public CrossingMemory {
  public:
-  CrossingWalk(const Body& body, const ParityFrame& frame) : rays_(body, frame) {}
+  CrossingsOfPoints(const Body& body, const ParityFrame& frame) : rays_(body, frame) {}
 
   void list(std::span<const Vec3> points, std::span<PointCrossings> rows, std::span<Cost> costs,
             Limit& limit) override {
@@ -277,16 +277,16 @@ class CrossingWalk : public CrossingMemory {
 
 std::unique_ptr<ParityMemory> parity_memory(const Body& body, const ParityFrame& frame) {
   if (body.shape.layout().compact() != nullptr) {
-    return std::make_unique<ParityWalk<CompactSource>>(body, frame);
+    return std::make_unique<ParityOfPoints<CompactSource>>(body, frame);
   }
-  return std::make_unique<ParityWalk<WideSource>>(body, frame);
+  return std::make_unique<ParityOfPoints<WideSource>>(body, frame);
 }
 
 std::unique_ptr<CrossingMemory> crossing_memory(const Body& body, const ParityFrame& frame) {
   if (body.shape.layout().compact() != nullptr) {
-    return std::make_unique<CrossingWalk<CompactSource>>(body, frame);
+    return std::make_unique<CrossingsOfPoints<CompactSource>>(body, frame);
   }
-  return std::make_unique<CrossingWalk<WideSource>>(body, frame);
+  return std::make_unique<CrossingsOfPoints<WideSource>>(body, frame);
 }
 
 }  // namespace soms::detail

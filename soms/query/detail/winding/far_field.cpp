@@ -15,11 +15,11 @@ constexpr double kFourPi = 4 * kPi;
 
 // Constants of the proof in far_field.h.
 constexpr double kTermsOfRounding = 128;
-constexpr double kLeastDistance = 2;      // over the reach
-constexpr double kMostSquare = 0x1p900;   // of a distance; beyond, triangles add nothing
-constexpr double kNothing = 0x1p-400;     // at least what they add there
-constexpr double kUnderflowOfMoments = 0x1p-500;   // covers it in what a triangle adds
-constexpr double kUpward = 1 + 0x1p-20;   // covers the rounding of sums of fewer than 2^31 terms
+constexpr double kLeastDistance = 2;              // over the reach
+constexpr double kMostSquare = 0x1p900;           // of a distance; beyond, triangles add nothing
+constexpr double kNothing = 0x1p-400;             // at least what they add there
+constexpr double kUnderflowOfMoments = 0x1p-500;  // covers it in what a triangle adds
+constexpr double kUpward = 1 + 0x1p-20;  // covers the rounding of sums of fewer than 2^31 terms
 static_assert((6 * (1 + 32) + 335) / kFourPi < (1 + kTermsOfRounding) / 2);
 static_assert(6 / kFourPi < 0.5);
 
@@ -120,8 +120,7 @@ std::optional<Estimate> FarField::at(const Vec3& point, double tolerance) const 
   }
   const double gap = distance * (1 - 0x1p-20) - reach_;
   const double cube = gap * gap * gap;
-  const double error =
-      (cubes_ / (kPi * gap * gap * cube) + rounding_ / square) * kUpward;
+  const double error = (cubes_ / (kPi * gap * gap * cube) + rounding_ / square) * kUpward;
   if (error > tolerance) {
     return std::nullopt;
   }
@@ -135,9 +134,8 @@ double FarField::value(const Vec3& v, double inverse) const {
   const double xx = v.x * v.x;
   const double yy = v.y * v.y;
   const double zz = v.z * v.z;
-  const double turned =
-      ((m[0] * xx + m[1] * yy) + m[2] * zz) +
-      ((m[3] * (v.x * v.y) + m[4] * (v.x * v.z)) + m[5] * (v.y * v.z));
+  const double turned = ((m[0] * xx + m[1] * yy) + m[2] * zz) +
+                        ((m[3] * (v.x * v.y) + m[4] * (v.x * v.z)) + m[5] * (v.y * v.z));
   const double cubic = ((v.x * (q[0] * xx + (q[5] * yy + q[7] * zz))) +
                         (v.y * (q[1] * yy + (q[3] * xx + q[8] * zz)))) +
                        ((v.z * (q[2] * zz + (q[4] * xx + q[6] * yy))) + q[9] * (v.x * v.y * v.z));

@@ -150,8 +150,7 @@ StripAngle strip_angle(const Vec3& from, const SeenCorner& a, const Vec3& to, co
   if (square < kNarrow * kNarrow) [[unlikely]] {
     return edge.precise();
   }
-  const double error =
-      square >= kWide * kWide ? kErrorOfWide : kErrorOfNarrow / std::sqrt(square);
+  const double error = square >= kWide * kWide ? kErrorOfWide : kErrorOfNarrow / std::sqrt(square);
   const bool unsure = z.re < 0 && std::abs(z.im) <= kImaginaryError;
   return {z.re, unsure ? edge.with_sign(z.im) : z.im, error};
 }

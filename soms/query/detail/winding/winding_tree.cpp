@@ -172,16 +172,16 @@ std::size_t WindingTree::memory() const {
 }
 
 /// The sum for one point.
-class WindingTree::Walk {
+class WindingTree::Sum {
  public:
-  Walk(const WindingTree& tree, const Body& body, const Vec3& point,
-       const StripDirection& direction, Memory& memory)
+  Sum(const WindingTree& tree, const Body& body, const Vec3& point, const StripDirection& direction,
+      Memory& memory)
       : tree_(tree), body_(body), point_(point), direction_(direction), memory_(memory) {}
 
   /// Takes a node by its moments, if they are good enough.
   bool take_far(const Node& node, double width) {
-    const double share = static_cast<double>(passed_ + node.count) /
-                         static_cast<double>(tree_.nodes_[0].count);
+    const double share =
+        static_cast<double>(passed_ + node.count) / static_cast<double>(tree_.nodes_[0].count);
     const std::optional<Estimate> far =
         tree_.far_[node.far].at(point_, 0.5 * width * share - far_error_);
     if (!far) {
@@ -270,9 +270,8 @@ class WindingTree::Walk {
       seen.push_back(seen_corner(corner, point_, direction_));
     }
     for (const BoundaryEdge& edge : border.edges) {
-      const StripAngle z =
-          strip_angle(border.corners[edge.from], seen[edge.from], border.corners[edge.to],
-                      seen[edge.to], point_, direction_);
+      const StripAngle z = strip_angle(border.corners[edge.from], seen[edge.from],
+                                       border.corners[edge.to], seen[edge.to], point_, direction_);
       for (std::int32_t k = 0; k < edge.times; ++k) {
         angles_.add(z.re, z.im);
         error_ += z.error;
@@ -321,12 +320,12 @@ Bracket WindingTree::number(const Body& body, const Vec3& point, std::size_t axi
                             Cost& cost) const {
   prepare(body, axis, forward, met, memory);
   const StripDirection against{axis, forward ? -1.0 : 1.0};
-  Walk walk(*this, body, point, against, memory);
+  Sum sum(*this, body, point, against, memory);
   for (std::size_t i = 0; i < nodes_.size();) {
     const Node& node = nodes_[i];
     if (node.far != kNone) {
       ++cost.node_tests;
-      if (walk.take_far(node, width)) {
+      if (sum.take_far(node, width)) {
         i = node.next;
         continue;
       }
@@ -335,11 +334,11 @@ Bracket WindingTree::number(const Body& body, const Vec3& point, std::size_t axi
       ++i;
       continue;
     }
-    walk.take_near(node);
+    sum.take_near(node);
     i = node.next;
   }
-  cost.triangle_tests += walk.edges();
-  return walk.bracket();
+  cost.triangle_tests += sum.edges();
+  return sum.bracket();
 }
 
 }  // namespace soms::detail

@@ -82,7 +82,7 @@ class WindingTree {
   };
 
   class Builder;
-  class Walk;
+  class Sum;
 
   void prepare(const Body& body, std::size_t axis, bool forward, const PointCrossings& met,
                Memory& memory) const;

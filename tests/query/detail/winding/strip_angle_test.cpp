@@ -65,8 +65,8 @@ TEST(StripAngle, IsWithinItsError) {
     if (truth.error > 1e-14L || std::abs(truth.turns) > 0.4999999L) {
       continue;
     }
-    const StripAngle z = strip_angle(a, seen_corner(a, p, direction), b,
-                                     seen_corner(b, p, direction), p, direction);
+    const StripAngle z =
+        strip_angle(a, seen_corner(a, p, direction), b, seen_corner(b, p, direction), p, direction);
     ASSERT_LE(z.error, 0.5);
     const long double turns =
         std::atan2(static_cast<long double>(z.im), static_cast<long double>(z.re)) / kTurn;
