@@ -77,6 +77,7 @@ set(SOMS_SOURCES
   overlap_batch.cpp
   overlap_run.cpp
   print.cpp
+  print_inside.cpp
   ray.cpp
   reference/detail/moved_triangles.cpp
   reference/contains.cpp
