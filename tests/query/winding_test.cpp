@@ -205,18 +205,18 @@ TEST(Winding, TakesFarTrianglesTogetherAsTheWidthAllows) {
 // Rays cross triangles of many layers; those of far nodes are part of their moments.
 TEST(Winding, CountsCrossingsOfFarTrianglesOnce) {
   std::vector<Triangle> layers;
-  for (int i = 0; i < 16 * 16 * 16; ++i) {
-    const Vec3 a{static_cast<double>(i % 16), static_cast<double>(i / 16 % 16), 0.5 * (i / 256)};
+  for (int i = 0; i < 24 * 24 * 48; ++i) {
+    const Vec3 a{static_cast<double>(i % 24), static_cast<double>(i / 24 % 24), 0.4 * (i / 576)};
     layers.push_back({a, a + Vec3{0.9, 0, 0.1}, a + Vec3{0, 0.9, 0}});
   }
   const WindingIndex index{Body(test::soup_body(layers))};
   Rng rng(8);
   std::vector<Vec3> points;
   for (int i = 0; i < 100; ++i) {
-    points.push_back({rng.uniform(0, 16), rng.uniform(0, 16), rng.uniform(0, 8)});
+    points.push_back({rng.uniform(0, 24), rng.uniform(0, 24), rng.uniform(0, 19)});
   }
-  const WindingBatch batch = winding(index, points, {.width = 0.25});
-  EXPECT_LT(batch.cost.triangle_tests, 100U * 4096);
+  const WindingBatch batch = winding(index, points, {.width = 1});
+  EXPECT_LT(batch.cost.triangle_tests, points.size() * 3 * layers.size() / 2);
   const std::vector<Bracket> twin = reference::winding_by_brute_force(index.body(), points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     ASSERT_LE(batch.number[i].lower, twin[i].upper);

@@ -14,25 +14,28 @@ namespace {
 constexpr double kUnit = 0x1p-53;
 
 // Constants of the proof in strip_angle.h.
-constexpr double kImaginaryError = 40 * kUnit;
-constexpr double kErrorOfWide = 72 * kUnit;    // turns, where |z| is at least kWide
-constexpr double kErrorOfNarrow = 10 * kUnit;  // turns, times |z|, where it is at least kNarrow
+constexpr double kImaginaryError = 44 * kUnit;
+constexpr double kErrorOfWide = 80 * kUnit;    // turns, where |z| is at least kWide
+constexpr double kErrorOfNarrow = 11 * kUnit;  // turns, times |z|, where it is at least kNarrow
 constexpr double kWide = 0.125;
 constexpr double kNarrow = 0x1p-10;
 constexpr double kErrorOfPrecise = 0x1p-98;  // turns, times |z|
 constexpr double kErrorOfRounded = kUnit;    // turns
-static_assert(2 * 18.1 + 2 < 40);
-static_assert((2 * 18.1 + 3) * (2 * 18.1 + 3) + (2 * 18.1 + 2) * (2 * 18.1 + 2) < 55 * 55);
-static_assert(55 * kUnit / kNarrow < 0.01);  // asin x < 1.003 x
-static_assert((55 * 1.003 + 2.24) / 6.283 < 10 - 0.8);
-static_assert((55 * 1.003 / kWide + 2.24) / 6.283 < 72 - 1);
-static_assert(55 * 0x1p-102 < 0x1p-96 && 0x1p-96 / kLeastOfStrip < 0.01);
+static_assert(2 * 19.6 + 2 < 44);
+static_assert((2 * 19.6 + 3) * (2 * 19.6 + 3) + (2 * 19.6 + 2) * (2 * 19.6 + 2) < 60 * 60);
+static_assert(60 * kUnit / kNarrow < 0.01);  // asin x < 1.003 x
+static_assert((60 * 1.003 + 2.24) / 6.283 < 11 - 0.8);
+static_assert((60 * 1.003 / kWide + 2.24) / 6.283 < 80 - 1);
+static_assert(60 * 0x1p-102 < 0x1p-96 && 0x1p-96 / kLeastOfStrip < 0.01);
 static_assert(1.003 * 0x1p-96 / 6.283 < kErrorOfPrecise * 0.7);
 static_assert((1 + 2.24) * kUnit / 6.283 < kErrorOfRounded * 0.7);
 
 /// Below, squares lose bits to underflow.
 constexpr double kTiny = 0x1p-400;
-constexpr double kLarger = 0x1p600;
+constexpr double kLarger = 0x1p700;
+
+/// What is across the axis, over |a|, below which h is nothing beside it.
+constexpr double kThin = 0x1p-110;
 
 double difference(double a, double b, double /*like*/) {
   return a - b;
@@ -54,6 +57,21 @@ double largest(double x, double y) {
   return std::max(std::abs(x), std::abs(y));
 }
 
+/// A corner that is all but straight against d.
+template <class Real>
+SeenCornerOf<Real> seen_against(const Real& first, const Real& second) {
+  using std::sqrt;
+  if (rounded(first) == 0 && rounded(second) == 0) {
+    // It is taken as one beside it, as rays are.
+    return {0, -1, 0};
+  }
+  const double larger = largest(rounded(first), rounded(second)) < kTiny ? kLarger : 1;
+  const Real x = first * Real(larger);
+  const Real y = second * Real(larger);
+  const Real unit = Real(1) / sqrt(x * x + y * y);
+  return {0, x * unit, y * unit};
+}
+
 template <class Real>
 SeenCornerOf<Real> seen_from(const Vec3& corner, const Vec3& point,
                              const StripDirection& direction) {
@@ -69,32 +87,19 @@ SeenCornerOf<Real> seen_from(const Vec3& corner, const Vec3& point,
     first = first * Real(kLarger);
     second = second * Real(kLarger);
   }
-  Real square = first * first + second * second;
+  const Real square = first * first + second * second;
   const Real length = sqrt(along * along + square);
-  if (rounded(along) >= 0) {
-    const Real sum = length + along;
-    if (rounded(sum) == 0) {
-      return {};
-    }
-    const Real unit = Real(1) / sqrt(Real(2) * length * sum);
-    return {sum * unit, first * unit, second * unit};
+  if (rounded(along) < 0 && largest(rounded(first), rounded(second)) <= kThin * rounded(length))
+      [[unlikely]] {
+    return seen_against(first, second);
   }
-  if (rounded(first) == 0 && rounded(second) == 0) {
-    // Straight against d, the corner is taken as one beside it, as rays are.
-    return {0, -1, 0};
+  const Real sum = length + (rounded(along) < 0 ? -along : along);
+  if (rounded(sum) == 0) {
+    return {};
   }
-  double smaller = 1;
-  if (largest(rounded(first), rounded(second)) < kTiny) [[unlikely]] {
-    smaller = 1 / kLarger;
-    first = first * Real(kLarger);
-    second = second * Real(kLarger);
-    square = first * first + second * second;
-  }
-  const Real across = sqrt(square);
-  const Real sum = length - along;
-  const Real unit = Real(1) / sqrt(Real(2) * length * sum);
-  const Real turn = sum * unit / across;
-  return {across * unit * Real(smaller), first * turn, second * turn};
+  const Real height = rounded(along) < 0 ? square / sum : sum;
+  const Real unit = Real(1) / sqrt(Real(2) * length * height);
+  return {height * unit, first * unit, second * unit};
 }
 
 /// z of the proof.

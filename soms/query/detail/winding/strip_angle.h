@@ -10,19 +10,24 @@
 /// triangle whose third corner is far away along d. It is a product: with the pair
 ///   S(a) = (|a| + a.d, a') / sqrt(2 |a| (|a| + a.d)),
 /// of length 1, z is S(a).S(b) + i S'(a) x S'(b). So each corner takes its square roots once,
-/// however many edges it has. For a.d < 0, where |a| + a.d would cancel, the same pair is
-///   S(a) = (|a'|, m a' / |a'|) / sqrt(2 |a| m), m = |a| - a.d.
-/// |z| is the cosine of half the angle between a and b: it is small only where p is near the edge.
+/// however many edges it has. For a.d < 0, where |a| + a.d would cancel, it is |a'|^2 / (|a| -
+/// a.d). |z| is the cosine of half the angle between a and b: it is small only where p is near the
+/// edge.
 ///
-/// Rounding, in units of u = 2^-53, relative. a is off by 1 in each coordinate, |a| by 3.5, |a| +
-/// a.d by 4.5, the square root of twice their product by 5.5, one over it by 6.5; the entries of
-/// S(a) by 12 and 8.5. In the other form |a'| is off by 3, m by 4.5, the entries by 10.5 and 18. So
-/// z is off by 2 * 18.1 for S(a) and S(b) (Cauchy) and by 3 for its own rounding on the real
-/// axis, by 36.2 + 2 on the other: |z| by less than 55. Its argument is off by asin(55 u / |z|), by
-/// less than 55.2 u / |z| where |z| >= 2^-10, and a product of AngleSum by 2.24 u: over 2 pi,
-/// below 10 u / |z| turns, and below 72 u where |z| >= 1/8. Where |z| is less, all is done again
-/// with u = 2^-102 (double_double.h): z is off by 55 * 2^-102, the argument by asin(2^-96 / |z|);
-/// rounding z to double turns it by less than 2^-53: over 2 pi, below 2^-98 / |z| + 2^-53 turns.
+/// Rounding, in units of u = 2^-53, relative. a is off by 1 in each coordinate, |a| by 3.5, h = |a|
+/// + a.d by 4.5, or by 9.5 as a quotient, 2 |a| h by 14, one over its square root by 9, and the
+/// entries of S(a) by 19.5 and 11. So z is off by 2 * 19.6 for S(a) and S(b) (Cauchy) and by 3 for
+/// its own rounding on the real axis, by 39.2 + 2 on the other: |z| by less than 60. Its argument
+/// is off by asin(60 u / |z|), by less than 60.2 u / |z| where |z| >= 2^-10, and a product of
+/// AngleSum by 2.24 u: over 2 pi, below 11 u / |z| turns, and below 80 u where |z| >= 1/8. Where
+/// |z| is less, all is done again with u = 2^-102 (double_double.h): z is off by 60 * 2^-102, the
+/// argument by asin(2^-96 / |z|); rounding z to double turns it by less than 2^-53: over 2 pi,
+/// below 2^-98 / |z| + 2^-53 turns.
+///
+/// Underflow. All of a is enlarged where it is small, so |a| is at least 2^-400. Straight against
+/// d, where a' is below 2^-110 |a|, h is below 2^-109 |a'| and is taken as 0. Else squares of a'
+/// are at least 2^-1020: where bits of them are lost, h is so small beside a' that this turns
+/// nothing, and one over the root is a factor of the whole of S(a).
 ///
 /// At half a turn: where p is on the strip, z is negative, and the angle jumps. Which way p passes
 /// it is decided exactly, in the way in which crossings of the ray against d are: so the two jump

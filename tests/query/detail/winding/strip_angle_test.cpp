@@ -118,9 +118,16 @@ TEST(StripAngle, OfTheLeastNumbersIsThatOfUsualOnes) {
     const SeenCorner down = seen_corner(a, {0, 0, 5 * unit}, up);
     EXPECT_NEAR(down.first, seen_corner({-1, 1, 3}, {0, 0, 5}, up).first, 1e-15);
   }
-  const SeenCorner thin = seen_corner({0x1p-1074, -0x1p-1074, 0}, {0, 0, 1}, {2, 1});
-  EXPECT_NEAR(thin.first, std::sqrt(0.5), 1e-15);
-  EXPECT_NEAR(thin.second, -std::sqrt(0.5), 1e-15);
+  for (const double thin : {0x1p-1074, 0x1p-520, 0x1p-500, 0x1p-300, 0x1p-105}) {
+    for (const double far : {0x1p-450, 0x1p-390, 1.0, 0x1p300}) {
+      if (thin < far * 0x1p-80) {
+        const SeenCorner seen = seen_corner({thin, -thin, 0}, {0, 0, far}, {2, 1});
+        EXPECT_NEAR(seen.first, std::sqrt(0.5), 1e-15);
+        EXPECT_NEAR(seen.second, -std::sqrt(0.5), 1e-15);
+        EXPECT_NEAR(seen.along, 0, 0x1p-79);
+      }
+    }
+  }
 }
 
 }  // namespace
