@@ -86,15 +86,26 @@ void PointColumns::add_list(const PointAnswer& answer) {
   offsets_->add(hits_);
 }
 
-SideColumns::SideColumns(const std::string& path) : AnswerColumns(path) {
+SideColumns::SideColumns(const std::string& path, bool winding) : AnswerColumns(path) {
   if (file_) {
     side_ = &file_->names("side", {"outside", "inside", "on", "undecided"});
+    if (winding) {
+      lower_ = &file_->column("lower", Kind::number);
+      upper_ = &file_->column("upper", Kind::number);
+    }
   }
 }
 
 void SideColumns::add(Side side) {
   if (file_) {
     side_->add(code(side));
+  }
+}
+
+void SideColumns::add(const Bracket& number) {
+  if (file_) {
+    lower_->add(number.lower);
+    upper_->add(number.upper);
   }
 }
 

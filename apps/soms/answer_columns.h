@@ -5,6 +5,7 @@
 /// kept as its parts: row i has the hits from offsets[i] to before offsets[i + 1].
 #pragma once
 
+#include "soms/base/bracket.h"
 #include "soms/query/contains.h"
 #include "soms/query/distance.h"
 #include "soms/query/solid.h"
@@ -72,15 +73,19 @@ class PointColumns : public AnswerColumns {
   std::int64_t hits_ = 0;
 };
 
-/// Sides of points.
+/// Sides of points, and their winding numbers.
 class SideColumns : public AnswerColumns {
  public:
-  explicit SideColumns(const std::string& path);
+  /// `winding`: with columns of the numbers.
+  SideColumns(const std::string& path, bool winding);
 
   void add(Side side);
+  void add(const Bracket& number);
 
  private:
   NpzColumn* side_ = nullptr;
+  NpzColumn* lower_ = nullptr;
+  NpzColumn* upper_ = nullptr;
 };
 
 /// What rays hit.

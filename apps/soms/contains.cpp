@@ -7,17 +7,18 @@
 
 #include "apps/soms/answer_columns.h"
 #include "apps/soms/closed_body.h"
+#include "apps/soms/contains_by_part.h"
+#include "apps/soms/contains_winding.h"
 #include "apps/soms/pair_options.h"
 #include "apps/soms/pair_report.h"
-#include "apps/soms/probe_run.h"
+#include "apps/soms/side_run.h"
 #include "apps/support/console.h"
-#include "apps/support/point_source.h"
+#include "apps/support/parse.h"
 #include "apps/support/text.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string_view>
@@ -29,13 +30,10 @@ namespace soms::command {
 namespace {
 
 /// A run whose rows are points beside a closed model.
-class ContainsRun : public ProbeRun<PointSource> {
+class ContainsRun : public SideRun {
  public:
   ContainsRun(const ContainsVerbOptions& options, SideColumns& columns, Console& console)
-      : ProbeRun(options, options.points,
-                 {.verb = "contains", .has_files = !options.binary.empty()}, console),
-        columns_(columns),
-        body_(body_of(options)) {}
+      : SideRun(options, columns, console), body_(body_of(options)) {}
 
  private:
   [[nodiscard]] ClosedBody body_of(const ContainsVerbOptions& options) {
@@ -44,7 +42,10 @@ class ContainsRun : public ProbeRun<PointSource> {
       mesh = without_open_parts(std::move(mesh));
     }
     Shape shape = build_shape(std::move(mesh), {.build = options.build}, console());
-    return closed_body(Body(std::move(shape), pose()), "add --closed-parts", console());
+    return closed_body(Body(std::move(shape), pose()),
+                       "add --closed-parts, --by part, or --winding, which answers for open "
+                       "models, too",
+                       console());
   }
 
   /// What --closed-parts asks about. Says what is left out.
@@ -70,9 +71,12 @@ class ContainsRun : public ProbeRun<PointSource> {
     return 0;
   }
 
-  [[nodiscard]] Outcome outcome(std::size_t k) const override {
-    const bool undecided = answers_.side[k] == Side::undecided;
-    return {.found = answers_.side[k] == Side::inside, .undecided = undecided, .cut = undecided};
+  [[nodiscard]] const Mesh& mesh() const override { return body_.body().shape.mesh(); }
+
+  [[nodiscard]] Side side(std::size_t k) const override { return answers_.side[k]; }
+
+  [[nodiscard]] bool is_cut(std::size_t k) const override {
+    return answers_.side[k] == Side::undecided;
   }
 
   [[nodiscard]] std::optional<std::string> difference(std::size_t k) override {
@@ -88,85 +92,96 @@ class ContainsRun : public ProbeRun<PointSource> {
                                                      name(truth), name(side)));
   }
 
-  void print_row(std::size_t k, bool right, bool last) override {
-    const Side side = answers_.side[k];
-    ++counts_[static_cast<std::size_t>(side)];
-    columns_.add(side);
-    if (console().shared().json) {
-      print_json(body_.body().shape.mesh(), "point", keys(k), right, last);
-      return;
-    }
-    if (totals().rows == 0) {
-      console().print(fmt::format("{:>6}  {:<9}  at\n", "point", "side"));
-    }
-    if (totals().rows < kProbesInText) {
-      console().print(
-          fmt::format("{:>6}  {:<9}  {}\n", totals().rows, name(side), point_in_text(block()[k])));
-    }
-  }
-
-  [[nodiscard]] std::string keys(std::size_t k) const {
+  [[nodiscard]] std::string keys(std::size_t k) const override {
     const Contains answer = answers_.at(k);
-    std::string keys = fmt::format(",\"side\":\"{}\"{}", name(answer.side),
-                                   coverage_keys(answer.coverage, answer.cost));
+    std::string keys = coverage_keys(answer.coverage, answer.cost);
     if (left_out_ != 0 && totals().rows == 0) {
       keys += fmt::format(",\"triangles_left_out\":{}", left_out_);
     }
     return keys;
   }
 
-  void print_totals() override {
-    print_left_out();
-    const auto count = [&](Side side) {
-      return with_commas(counts_[static_cast<std::size_t>(side)]);
-    };
-    std::string line =
-        fmt::format("{}: {} inside, {} outside, {} on the surface", counted(totals().rows, "point"),
-                    count(Side::inside), count(Side::outside), count(Side::on));
-    if (totals().undecided != 0) {
-      line += fmt::format(", {} undecided", count(Side::undecided));
-    }
-    console().print(line + "\n");
-  }
-
-  void finish(End) override { columns_.finish(); }
-
-  SideColumns& columns_;
   std::uint64_t left_out_ = 0;  // triangles of open parts
   ClosedBody body_;
   ContainsBatch answers_;
-  std::array<std::uint64_t, 4> counts_ = {};  // of each side
 };
+
+/// \errors ErrorKind::usage for options that have no effect together.
+void check_question(const CLI::App& app, const ContainsVerbOptions& options) {
+  if (app.count("--width") != 0 && !options.winding) {
+    throw Error(ErrorKind::usage, "--width is about winding numbers", "add --winding");
+  }
+  if (options.winding && options.closed_parts) {
+    throw Error(ErrorKind::usage, "--winding needs no part to be closed",
+                "leave out --closed-parts");
+  }
+  if (options.by != ContainsBy::model && (options.winding || options.closed_parts)) {
+    throw Error(ErrorKind::usage, "--by part and --by connected answer for each part by itself",
+                "leave out --winding and --closed-parts");
+  }
+  if (options.by != ContainsBy::model && !options.binary.empty()) {
+    throw Error(ErrorKind::usage, "--binary has one row per point, and --by part several",
+                "leave out one of them");
+  }
+}
 
 }  // namespace
 
 Action add_contains(CLI::App& app, Shared&) {
   const auto options = std::make_shared<ContainsVerbOptions>();
-  add_points(app, *options, "a closed model");
+  add_points(app, *options, "a model, closed unless --winding or --by is given");
   app.add_flag("--closed-parts", options->closed_parts,
                "leave out connected parts that are not closed by themselves")
+      ->group(kQuestionGroup);
+  add_choice<ContainsBy>(app, "--by", options->by,
+                         {{"model", ContainsBy::model},
+                          {"part", ContainsBy::part},
+                          {"connected", ContainsBy::connected}},
+                         "whether to answer for the model, or for each of its named or connected "
+                         "parts by itself")
+      ->group(kQuestionGroup);
+  app.add_flag("--winding", options->winding,
+               "decide by the winding number, also of an open model: inside where it is above 1/2")
+      ->group(kQuestionGroup);
+  app.add_option_function<std::string>(
+         "--width",
+         [options](const std::string& text) {
+           options->width = parse_number("--width", text);
+           if (options->width < 0 || options->width > 1) {
+             throw Error(ErrorKind::usage, "--width: " + text + " is not a width",
+                         "give 0 to 1; the default is 1e-9");
+           }
+         },
+         "with --winding: by how much far triangles may widen its bracket")
+      ->option_text("W")
       ->group(kQuestionGroup);
   add_binary(app, options->binary);
   add_probe_options(app, *options);
   app.footer(
       "Exact for every point: inside, outside, or on the surface. The model must be closed; soms\n"
-      "info says whether it is. Which way its triangles face does not matter.\n\nExample:\n"
+      "info says whether it is. Which way its triangles face does not matter, but for --winding.\n"
+      "\nExample:\n"
       "  soms generate sphere --triangles 800 -o ball.off\n"
       "  printf 'x,y,z\\n0,0,0\\n2,0,0\\n' | soms contains ball.off --points -");
   return [options, &app](Console& console) {
+    check_question(app, *options);
     check_probe_options(app, *options, options->points);
     return run_contains(*options, console);
   };
 }
 
 int run_contains(const ContainsVerbOptions& options, Console& console) {
+  if (options.by != ContainsBy::model) {
+    return run_contains_by_part(options, console);
+  }
   check_outputs({{"MODEL", options.model},
                  {"--points", options.points},
                  {"--pose", options.pose.value_or("")}},
                 {{"--binary", options.binary}});
   check_extension("--binary", options.binary, {".npz"});
-  SideColumns columns(options.binary);
-  return ContainsRun(options, columns, console).run();
+  SideColumns columns(options.binary, options.winding);
+  return options.winding ? run_contains_winding(options, columns, console)
+                         : ContainsRun(options, columns, console).run();
 }
 
 }  // namespace soms::command

@@ -6,9 +6,15 @@
 
 namespace soms::command {
 
+/// What `contains` answers for.
+enum class ContainsBy { model, part, connected };
+
 /// Options of the verb `contains`.
 struct ContainsVerbOptions : PointOptions {
   bool closed_parts = false;  ///< leave open connected parts out
+  bool winding = false;       ///< decide by the winding number
+  double width = 1e-9;        ///< WindingOptions::width
+  ContainsBy by = ContainsBy::model;
 };
 
 [[nodiscard]] Action add_contains(CLI::App& app, Shared& shared);

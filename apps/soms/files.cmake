@@ -13,6 +13,10 @@ set(SOMS_COMMAND_FILES
   completion.h
   contains.cpp
   contains.h
+  contains_by_part.cpp
+  contains_by_part.h
+  contains_winding.cpp
+  contains_winding.h
   convert.cpp
   convert.h
   distance.cpp
@@ -87,6 +91,7 @@ set(SOMS_COMMAND_FILES
   ray_output.cpp
   ray_output.h
   ray_run.h
+  side_run.h
   simulate.cpp
   simulate.h
   simulate_contacts.cpp

@@ -3,6 +3,7 @@ set(SOMS_HEADERS
   body.h
   closest.h
   contains.h
+  contains_parts.h
   distance.h
   instruction_set.h
   overlap.h
@@ -16,12 +17,15 @@ set(SOMS_HEADERS
   reference/overlap.h
   signed_closest.h
   reference/solid.h
+  reference/winding.h
   solid.h
   reference/ray.h
+  winding.h
   within.h
 )
 set(SOMS_SOURCES
   contains.cpp
+  contains_parts.cpp
   detail/closed_surface.cpp
   detail/collector.cpp
   detail/engine/batch.cpp
@@ -61,6 +65,11 @@ set(SOMS_SOURCES
   detail/ray/ray_traversal.cpp
   distance.cpp
   detail/relative_pose.cpp
+  detail/winding/angle_sum.cpp
+  detail/winding/boundary.cpp
+  detail/winding/far_field.cpp
+  detail/winding/strip_angle.cpp
+  detail/winding/winding_tree.cpp
   detail/batched_root_descent.cpp
   detail/triangle_tests.cpp
   instruction_set.cpp
@@ -68,14 +77,17 @@ set(SOMS_SOURCES
   overlap_batch.cpp
   overlap_run.cpp
   print.cpp
+  print_inside.cpp
   ray.cpp
   reference/detail/moved_triangles.cpp
   reference/contains.cpp
   reference/distance.cpp
   reference/overlap.cpp
   reference/solid.cpp
+  reference/winding.cpp
   solid.cpp
   reference/ray.cpp
+  winding.cpp
   within.cpp
   closest.cpp
   signed_closest.cpp

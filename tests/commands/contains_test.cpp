@@ -134,6 +134,110 @@ TEST(ContainsVerb, LeavesOpenPartsOutOnRequest) {
   EXPECT_NE(none.err.find("no connected part is closed"), std::string::npos) << none.err;
 }
 
+/// The box [0, 1]^3 without its upper face.
+std::string tub(const TemporaryFolder& folder) {
+  return file_of(folder, "tub.off",
+                 "OFF\n8 10 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+                 "3 0 3 2\n3 0 2 1\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n"
+                 "3 3 0 4\n3 3 4 7\n");
+}
+
+const std::string kPlaces = "x,y,z\n0.5,0.5,0.5\n0.5,0.5,1\n0.5,0.5,1.5\n0.5,0,0.5\n";
+
+TEST(ContainsVerb, SaysOfAnOpenModelThatThereIsWinding) {
+  const TemporaryFolder folder;
+  const RunResult result = soms_run({"contains", tub(folder), "--points", "-"}, kPlaces);
+  EXPECT_EQ(result.status, 3);
+  EXPECT_NE(result.err.find("or add --closed-parts, --by part, or --winding, which answers for "
+                            "open models, too"),
+            std::string::npos)
+      << result.err;
+}
+
+TEST(ContainsVerb, AnswersForAnOpenModelByWinding) {
+  const TemporaryFolder folder;
+  const std::string model = tub(folder);
+  const RunResult json =
+      soms_run({"contains", model, "--points", "-", "--winding", "--json", "--verify"}, kPlaces);
+  EXPECT_EQ(json.status, 0) << json.err;
+  const std::vector<Json> lines = json_lines(json.out);
+  EXPECT_EQ(sides(lines), (std::vector<std::string>{"inside", "undecided", "outside", "on"}));
+  EXPECT_EQ(lines[0].at("boundary_edges"), 4);
+  EXPECT_FALSE(lines[1].contains("boundary_edges"));
+  EXPECT_EQ(lines[0].at("verified"), true);
+  for (const Json& line : lines) {
+    EXPECT_LE(line.at("winding")[0].get<double>(), line.at("winding")[1].get<double>());
+    EXPECT_EQ(line.at("coverage"), "complete");
+  }
+  EXPECT_NEAR(lines[0].at("winding")[0].get<double>(), 5.0 / 6, 1e-12);
+  EXPECT_EQ(
+      soms_run({"contains", model, "--points", "-", "--winding", "--width", "0"}, kPlaces).out,
+      " point  side       winding       at\n"
+      "     0  inside     0.833333333   (0.5, 0.5, 0.5)\n"
+      "     1  undecided  0.5           (0.5, 0.5, 1)\n"
+      "     2  outside    0.166666667   (0.5, 0.5, 1.5)\n"
+      "     3  on         -             (0.5, 0, 0.5)\n"
+      "4 points: 1 inside, 1 outside, 1 on the surface, 1 undecided\n");
+}
+
+TEST(ContainsVerb, WindingOfAClosedModelIsWhole) {
+  const std::vector<Json> lines = answers({"--winding"});
+  EXPECT_EQ(sides(lines), kSides);
+  EXPECT_EQ(lines[0].at("winding"), Json::array({1.0, 1.0}));
+  EXPECT_EQ(lines[2].at("winding"), Json::array({0.0, 0.0}));
+  EXPECT_EQ(answers({"--winding", "--threads", "1"}), answers({"--winding", "--threads", "2"}));
+}
+
+TEST(ContainsVerb, AnswersByPartAndNamesOpenOnes) {
+  const TemporaryFolder folder;
+  const std::string yard =
+      file_of(folder, "yard.obj",
+              "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nv 1 1 5\nv 2 1 5\nv 1 2 5\n"
+              "o stone\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\no flag\nf 5 6 7\n");
+  const std::string points = "x,y,z\n0.5,0.5,0.5\n1,0,1\n9,9,9\n1,1,5\n";
+  const RunResult json =
+      soms_run({"contains", yard, "--points", "-", "--by", "part", "--json", "--verify"}, points);
+  EXPECT_EQ(json.status, 0) << json.err;
+  EXPECT_NE(
+      json.err.find("yard.obj: 1 of 2 parts not closed, and no point is inside of them: flag"),
+      std::string::npos)
+      << json.err;
+  const std::vector<Json> lines = json_lines(json.out);
+  ASSERT_EQ(lines.size(), 4U);
+  ASSERT_EQ(lines[0].at("parts").size(), 1U);
+  EXPECT_EQ(lines[0].at("parts")[0].at("name"), "stone");
+  EXPECT_EQ(lines[0].at("parts")[0].at("side"), "inside");
+  EXPECT_EQ(lines[0].at("open_parts")[0].at("name"), "flag");
+  EXPECT_EQ(lines[0].at("open_parts")[0].at("odd_edges"), 3);
+  EXPECT_EQ(lines[1].at("parts")[0].at("side"), "on");
+  EXPECT_EQ(lines[2].at("parts"), Json::array());
+  EXPECT_EQ(lines[3].at("parts")[0].at("name"), "flag");
+  EXPECT_EQ(lines[3].at("verified"), true);
+  const RunResult text = soms_run({"contains", yard, "--points", "-", "--by", "connected"}, points);
+  EXPECT_EQ(text.out,
+            " point  at, and parts that hold it\n"
+            "     0  (0.5, 0.5, 0.5): inside the part of triangle 0\n"
+            "     1  (1, 0, 1): on the surface of the part of triangle 0\n"
+            "     2  (9, 9, 9): in no part\n"
+            "     3  (1, 1, 5): on the surface of the part of triangle 4\n"
+            "4 points: 3 in or on 2 parts, 1 of them closed\n");
+}
+
+TEST(ContainsVerb, RefusesQuestionsThatDoNotGoTogether) {
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"--width", "1e-6"},
+                                             {"--winding", "--width", "2"},
+                                             {"--winding", "--width", "-1"},
+                                             {"--winding", "--closed-parts"},
+                                             {"--winding", "--by", "part"},
+                                             {"--by", "connected", "--closed-parts"},
+                                             {"--by", "triangle"}}) {
+    std::vector<std::string> all{"contains", box(), "--points", "-"};
+    all.insert(all.end(), words.begin(), words.end());
+    EXPECT_EQ(soms_run(all, kPoints).status, 2) << words.back();
+  }
+}
+
 TEST(ContainsVerb, NamesWhatIsWrongWithPoints) {
   const std::vector<std::pair<const char*, const char*>> cases{
       {"", "standard input: no header"},

@@ -37,6 +37,8 @@ static_assert(kValues<Mesh, Part, PartRun, UpAxis, Defects, DefectPlaces, Defect
 static_assert(kValues<Tree, Node, TreeStatistics, Visits, ExpectedVisits, BuildOptions, Rule,
                       AxisFrom, EmptySide, Shape, ShapeOptions, Layout>);
 static_assert(kValues<ClosedBody, Contains, ContainsBatch, ContainsOptions, Side>);
+static_assert(kValues<WindingIndex, Winding, WindingBatch, WindingOptions, PartedBody, Partition,
+                      BodyPart, PartSide, ContainsParts, ContainsPartsBatch>);
 static_assert(kValues<Solid, SolidBatch, SolidOptions, Relation, Undecided>);
 static_assert(kValues<Body, Cost, Coverage, Overlap, OverlapBatch, OverlapOptions, OverlapMode,
                       TraversalOptions, TraversalCounts, NodePair, Traversal, Descent, EntryOrder,
@@ -87,6 +89,30 @@ TEST(Values, PrintWhatIsInside) {
   EXPECT_EQ(printed(contains(nothing, std::vector<Vec3>(2))),
             "ContainsBatch{0 of 2 points inside, 0 on the surface, coverage: complete, cost: " +
                 printed(Cost{}) + "}");
+}
+
+TEST(Values, PrintWindingNumbersAndParts) {
+  const WindingIndex fins{Body(small_mesh())};
+  EXPECT_EQ(printed(fins).substr(0, 18), "WindingIndex{Body{");
+  EXPECT_EQ(printed(fins).substr(printed(fins).size() - 19), ", 7 boundary edges}");
+  EXPECT_EQ(printed(WindingOptions{}), "WindingOptions{width: 1e-09}");
+  const WindingIndex nothing{Body{}};
+  EXPECT_EQ(
+      printed(winding(nothing, Vec3{})),
+      "Winding{side: outside, number: Bracket{lower: 0, upper: 0}, coverage: complete, cost: " +
+          printed(Cost{}) + "}");
+  EXPECT_EQ(printed(winding(nothing, std::vector<Vec3>(2))),
+            "WindingBatch{0 of 2 points inside, 0 undecided, coverage: complete, cost: " +
+                printed(Cost{}) + "}");
+  const PartedBody parts{Body(small_mesh())};
+  EXPECT_EQ(printed(parts).substr(printed(parts).size() - 18), ", 2 parts, 2 open}");
+  EXPECT_EQ(printed(Partition::connected), "connected");
+  EXPECT_EQ(printed(parts.parts()[1]),
+            "BodyPart{named: 1, first: 2, triangles: 1, closed: false, odd_edges: 3}");
+  EXPECT_EQ(printed(contains(parts, Vec3{0.5, 0.5, 0})).substr(0, 42),
+            "ContainsParts{2 parts, coverage: complete,");
+  EXPECT_EQ(printed(contains(parts, std::vector<Vec3>(3))).substr(0, 28),
+            "ContainsPartsBatch{3 points,");
 }
 
 TEST(Values, PrintRaysAndWhatTheyHit) {

@@ -8,6 +8,7 @@
 #include "soms/query/contains.h"
 #include "soms/query/distance.h"
 #include "soms/query/reference/contains.h"
+#include "soms/query/winding.h"
 #include "soms/tree/rule/rules.h"
 
 #include "tests/regressions/cube.h"
@@ -191,6 +192,39 @@ TEST(Regression, R22DoubledFacesAreAnErrorAndNoWrongSign) {
     mesh.triangles.push_back(mesh.triangles[i]);
   }
   expect_sides(mesh, {{0.5, 0.5, 0.5}, {0.5, 0.5, 1}}, {Side::outside, Side::on});
+}
+
+// The winding number counts what is left: two of six faces.
+TEST(Regression, R22DoubledFacesOfOppositeSenseCancelInTheWindingNumber) {
+  Mesh mesh = test::cube();
+  for (std::size_t i = 0; i < 8; ++i) {
+    const auto t = mesh.triangles[i];
+    mesh.triangles.push_back({t[0], t[2], t[1]});
+  }
+  const Winding middle = winding(WindingIndex(Body(mesh)), Vec3{0.5, 0.5, 0.5});
+  EXPECT_EQ(middle.side, Side::outside);
+  EXPECT_NEAR(middle.number.lower, 1.0 / 3, 1e-12);
+  EXPECT_NEAR(middle.number.upper, 1.0 / 3, 1e-12);
+  std::vector<Vec3> grid;
+  for (int i = 0; i < 64 * 64 * 64; ++i) {
+    grid.push_back({i % 64 / 31.5 - 0.5, i / 64 % 64 / 31.5 - 0.5, i / 4096 / 31.5 - 0.5});
+  }
+  // Triangles without area change nothing.
+  mesh.triangles.push_back({0, 0, 1});
+  const WindingBatch batch = winding(WindingIndex(Body(mesh)), grid);
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    ASSERT_LT(batch.number[i].upper - batch.number[i].lower, batch.side[i] == Side::on ? 7 : 1e-9);
+  }
+}
+
+TEST(Regression, R23AnOpenBodyHasAWindingNumber) {
+  Mesh mesh = test::cube();
+  mesh.triangles.erase(mesh.triangles.begin() + 2, mesh.triangles.begin() + 4);
+  const WindingIndex index{Body(mesh)};
+  EXPECT_EQ(index.boundary_edges(), 4U);
+  const Winding middle = winding(index, Vec3{0.5, 0.5, 0.5});
+  EXPECT_EQ(middle.side, Side::inside);
+  EXPECT_NEAR(middle.number.lower, 5.0 / 6, 1e-12);
 }
 
 TEST(Regression, R23AnOpenBodyIsAnErrorWithItsOddEdges) {

@@ -3,8 +3,8 @@
 #include "soms/base/arithmetic.h"
 #include "soms/base/random.h"
 #include "soms/geometry/orientation.h"
-#include "soms/geometry/triangle_overlap.h"
 #include "soms/query/reference/detail/moved_triangles.h"
+#include "soms/query/reference/detail/point_on_triangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,10 +46,6 @@ Meeting meet(const Triangle& t, const Vec3& p, const Vec3& q) {
   return any(Sign::negative) && any(Sign::positive) ? Meeting::miss : Meeting::special;
 }
 
-bool is_on(const Triangle& t, const Vec3& p) {
-  return overlaps(bounds(t), Box{p, p}) && triangles_overlap(t, {p, p, p});
-}
-
 /// A body's triangles, and where they end.
 class PointScan {
  public:
@@ -65,7 +61,7 @@ class PointScan {
       return Side::outside;
     }
     if (std::any_of(triangles_.begin(), triangles_.end(),
-                    [&](const Triangle& t) { return is_on(t, p); })) {
+                    [&](const Triangle& t) { return detail::is_on(t, p); })) {
       return Side::on;
     }
     Rng rng(1);

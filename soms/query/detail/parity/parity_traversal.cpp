@@ -16,32 +16,111 @@ namespace soms::detail {
 
 namespace {
 
+/// Counts crossings modulo 2. The first triangle that a point is on decides.
+class Parity {
+ public:
+  using State = bool;  // an odd number so far
+
+  explicit Parity(std::span<Side> sides) : sides_(sides) {}
+
+  void miss(std::size_t i) { sides_[i] = Side::outside; }
+
+  void launch(bool& odd, std::size_t i) {
+    odd = false;
+    sides_[i] = Side::undecided;
+  }
+
+  static void cross(bool& odd, std::size_t /*i*/, const TriangleBlock& /*block*/,
+                    std::uint32_t lanes) {
+    odd = odd != (std::popcount(lanes) % 2 != 0);
+  }
+
+  static void cross(bool& odd, std::size_t /*i*/, TriangleId /*triangle*/) { odd = !odd; }
+
+  /// True: nothing more needs to be known of the point.
+  bool meet(std::size_t i, TriangleId /*triangle*/) {
+    sides_[i] = Side::on;
+    return true;
+  }
+
+  void arrive(bool odd, std::size_t i) {
+    if (sides_[i] == Side::undecided) {
+      sides_[i] = odd ? Side::inside : Side::outside;
+    }
+  }
+
+ private:
+  std::span<Side> sides_;
+};
+
+/// Lists crossings.
+class Listing {
+ public:
+  struct State {};
+
+  explicit Listing(std::span<PointCrossings> rows) : rows_(rows) {}
+
+  void miss(std::size_t i) {
+    clear(rows_[i]);
+    rows_[i].complete = true;
+  }
+
+  void launch(State /*state*/, std::size_t i) { clear(rows_[i]); }
+
+  void cross(State /*state*/, std::size_t i, const TriangleBlock& block, std::uint32_t lanes) {
+    for (std::uint32_t left = lanes; left != 0; left &= left - 1) {
+      rows_[i].crossed.push_back(block.id[static_cast<std::size_t>(std::countr_zero(left))]);
+    }
+  }
+
+  void cross(State /*state*/, std::size_t i, TriangleId triangle) {
+    rows_[i].crossed.push_back(triangle);
+  }
+
+  bool meet(std::size_t i, TriangleId triangle) {
+    rows_[i].on.push_back(triangle);
+    return false;
+  }
+
+  void arrive(State /*state*/, std::size_t i) { rows_[i].complete = true; }
+
+ private:
+  static void clear(PointCrossings& row) {
+    row.crossed.clear();
+    row.on.clear();
+    row.complete = false;
+  }
+
+  std::span<PointCrossings> rows_;
+};
+
 /// A point whose ray is on its way.
-struct Ray {
+template <class State>
+struct RayOnItsWay {
   RayStart start;
   Vec3 point;
   std::size_t index = 0;
-  bool odd = false;                  // crossings so far
+  State state = {};                  // of the tally
   std::vector<std::uint32_t> stack;  // tokens of nodes and of blocks, the next one last
 };
 
-/// Rays through one tree. Those in flight take turns, so that one computes while others load.
-template <class Source>
-class ParityTraversal : public ParityMemory {
+/// Rays through one tree. Those in flight take turns, so that one computes while others load. A
+/// `Tally` learns what each of them meets.
+template <class Source, class Tally>
+class ParityTraversal {
  public:
   ParityTraversal(const Body& body, const ParityFrame& frame)
       : body_(body), frame_(frame), kernels_(kernels()), source_(body.shape) {}
 
-  void decide(std::span<const Vec3> points, std::span<Side> sides, std::span<Cost> costs,
-              Limit& limit) override {
-    sides_ = sides;
+  void run(std::span<const Vec3> points, Tally tally, std::span<Cost> costs, Limit& limit) {
+    tally_ = &tally;
     costs_ = costs;
     std::size_t next = 0;
     std::size_t count = 0;
     for (;;) {
       for (; count < kInFlight && next < points.size(); ++next) {
         if (frame_.outside(points[next])) {
-          sides[next] = Side::outside;
+          tally.miss(next);
         } else {
           launch(rays_[count++], points[next], next);
         }
@@ -56,13 +135,14 @@ class ParityTraversal : public ParityMemory {
  private:
   static constexpr std::size_t kInFlight = Source::kInPlace ? 16 : 1;
 
+  using Ray = RayOnItsWay<typename Tally::State>;
+
   void launch(Ray& ray, const Vec3& point, std::size_t index) {
     ray.start = frame_.start(point);
     ray.point = point;
     ray.index = index;
-    ray.odd = false;
     ray.stack.assign(1, kRootId);
-    sides_[index] = Side::undecided;
+    tally_->launch(ray.state, index);
   }
 
   /// Takes each ray a node or a block further; returns how many are still on their way, which
@@ -112,19 +192,19 @@ class ParityTraversal : public ParityMemory {
     const TriangleBlock& block = *task.block;
     Cost& cost = costs_[ray.index];
     cost.triangle_tests += block.count;
-    ray.odd = ray.odd != (std::popcount(task.cross) % 2 != 0);
+    tally_->cross(ray.state, ray.index, block, task.cross);
     for (std::uint32_t left = task.open; left != 0; left &= left - 1) {
       const TriangleId id = block.id[static_cast<std::size_t>(std::countr_zero(left))];
       bool exact = false;
       const RayHit hit =
           triangle_crossing(moved(id), ray.point, frame_.axis(), ray.start.sign > 0, exact);
       cost.exact_tests += exact ? 1U : 0U;
-      if (hit == RayHit::on) {
-        sides_[ray.index] = Side::on;
+      if (hit == RayHit::cross) {
+        tally_->cross(ray.state, ray.index, id);
+      } else if (hit == RayHit::on && tally_->meet(ray.index, id)) {
         ray.stack.clear();
         return;
       }
-      ray.odd = ray.odd != (hit == RayHit::cross);
     }
     if (block.following != 0) {
       ray.stack.push_back(source_.next(token));
@@ -142,10 +222,7 @@ class ParityTraversal : public ParityMemory {
       }
       return false;
     }
-    Side& side = sides_[ray.index];
-    if (side == Side::undecided) {
-      side = ray.odd ? Side::inside : Side::outside;
-    }
+    tally_->arrive(ray.state, ray.index);
     return true;
   }
 
@@ -158,7 +235,7 @@ class ParityTraversal : public ParityMemory {
   const ParityFrame& frame_;
   const Kernels& kernels_;
   Source source_;
-  std::span<Side> sides_;
+  Tally* tally_ = nullptr;
   std::span<Cost> costs_;
   std::array<Ray, kInFlight> rays_;
   std::array<RayNodeTask, kInFlight> node_task_;
@@ -168,13 +245,48 @@ class ParityTraversal : public ParityMemory {
   std::array<std::uint32_t, kInFlight> block_token_;
 };
 
+template <class Source>
+class ParityOfPoints : public ParityMemory {
+ public:
+  ParityOfPoints(const Body& body, const ParityFrame& frame) : rays_(body, frame) {}
+
+  void decide(std::span<const Vec3> points, std::span<Side> sides, std::span<Cost> costs,
+              Limit& limit) override {
+    rays_.run(points, Parity(sides), costs, limit);
+  }
+
+ private:
+  ParityTraversal<Source, Parity> rays_;
+};
+
+template <class Source>
+class CrossingsOfPoints : public CrossingMemory {
+ public:
+  CrossingsOfPoints(const Body& body, const ParityFrame& frame) : rays_(body, frame) {}
+
+  void list(std::span<const Vec3> points, std::span<PointCrossings> rows, std::span<Cost> costs,
+            Limit& limit) override {
+    rays_.run(points, Listing(rows), costs, limit);
+  }
+
+ private:
+  ParityTraversal<Source, Listing> rays_;
+};
+
 }  // namespace
 
 std::unique_ptr<ParityMemory> parity_memory(const Body& body, const ParityFrame& frame) {
   if (body.shape.layout().compact() != nullptr) {
-    return std::make_unique<ParityTraversal<CompactSource>>(body, frame);
+    return std::make_unique<ParityOfPoints<CompactSource>>(body, frame);
   }
-  return std::make_unique<ParityTraversal<WideSource>>(body, frame);
+  return std::make_unique<ParityOfPoints<WideSource>>(body, frame);
+}
+
+std::unique_ptr<CrossingMemory> crossing_memory(const Body& body, const ParityFrame& frame) {
+  if (body.shape.layout().compact() != nullptr) {
+    return std::make_unique<CrossingsOfPoints<CompactSource>>(body, frame);
+  }
+  return std::make_unique<CrossingsOfPoints<WideSource>>(body, frame);
 }
 
 }  // namespace soms::detail

@@ -1,7 +1,5 @@
 #include "soms/query/detail/parity/triangle_crossing.h"
 
-#include "soms/geometry/detail/predicates.h"
-
 #include <algorithm>
 #include <array>
 #include <initializer_list>
@@ -91,6 +89,17 @@ RayHit triangle_crossing(const Triangle& t, const Vec3& p, std::size_t axis, boo
   }
   exact = exact || predicates.exact;
   return hit;
+}
+
+Sign side_of_ray(const Vec3& from, const Vec3& to, const Vec3& p, std::size_t axis,
+                 Predicates& predicates) {
+  const Projection plane = across(axis);
+  return beside(predicates.orientation2d(from, to, p, plane), from, to, plane);
+}
+
+bool crosses_to_front(const Triangle& t, std::size_t axis, bool forward) {
+  Predicates predicates;
+  return (predicates.orientation2d(t.a, t.b, t.c, across(axis)) == Sign::positive) == forward;
 }
 
 }  // namespace soms::detail

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/base/vector.h"
+#include "soms/geometry/detail/predicates.h"
 
 #include <cstddef>
 
@@ -25,5 +26,15 @@ enum class RayHit {
 /// \source Edelsbrunner and Muecke 1990, Simulation of Simplicity, section 4.
 [[nodiscard]] RayHit triangle_crossing(const Triangle& t, const Vec3& p, std::size_t axis,
                                        bool forward, bool& exact);
+
+/// On which side of an edge, seen along `axis`, the ray from `p` passes, moved as above: `positive`
+/// where the edge's ends and it turn counter-clockwise in the plane across; `zero` only if the edge
+/// is parallel to the axis.
+[[nodiscard]] Sign side_of_ray(const Vec3& from, const Vec3& to, const Vec3& p, std::size_t axis,
+                               Predicates& predicates);
+
+/// Whether a ray along `axis` that crosses a triangle passes from its back to its front, that from
+/// which it is seen counter-clockwise. \pre It crosses the triangle.
+[[nodiscard]] bool crosses_to_front(const Triangle& t, std::size_t axis, bool forward);
 
 }  // namespace soms::detail

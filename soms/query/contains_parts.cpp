@@ -1,0 +1,174 @@
+#include "soms/query/contains_parts.h"
+
+#include "soms/base/arithmetic.h"
+#include "soms/geometry/closedness.h"
+#include "soms/geometry/detail/connected_parts.h"
+#include "soms/geometry/detail/joined.h"
+#include "soms/geometry/parts_of.h"
+#include "soms/query/detail/engine/batch.h"
+#include "soms/query/detail/engine/pair_frame.h"
+#include "soms/query/detail/near/point_query.h"
+#include "soms/query/detail/parity/crossing_batch.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+namespace soms {
+
+namespace {
+
+using detail::PointCrossings;
+
+/// A number for each triangle's part: that of Mesh::parts, or of its connected part.
+std::vector<std::uint32_t> numbers_of(const Mesh& mesh, Partition partition,
+                                      const Parallel& parallel) {
+  std::vector<std::uint32_t> number(mesh.triangles.size());
+  if (partition == Partition::named) {
+    const PartsOf part(mesh);
+    for (std::size_t i = 0; i < number.size(); ++i) {
+      number[i] = part(static_cast<TriangleId>(i));
+    }
+    return number;
+  }
+  detail::Work work(parallel, detail::joining_work(mesh) + detail::connected_parts_work(mesh) + 1);
+  const auto joined = detail::joined_by_position(mesh, work);
+  const detail::ConnectedParts parts = detail::connected_parts(mesh, joined, work);
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    number[i] = parts.part_of[mesh.triangles[i][0]];
+  }
+  return number;
+}
+
+/// The mesh with the triangles of a part next to each other, and a part for each.
+Mesh sorted_by_part(const Mesh& mesh, const std::vector<TriangleId>& order,
+                    const std::vector<std::uint32_t>& number) {
+  Mesh sorted;
+  sorted.vertices = mesh.vertices;
+  for (const TriangleId id : order) {
+    if (sorted.parts.empty() || number[id] != number[order[sorted.triangles.size() - 1]]) {
+      sorted.parts.emplace_back().first = static_cast<std::uint32_t>(sorted.triangles.size());
+    }
+    sorted.triangles.push_back(mesh.triangles[id]);
+    ++sorted.parts.back().count;
+  }
+  return sorted;
+}
+
+/// Parts that a ray crosses an odd number of times or that the point is on, sorted.
+std::vector<PartSide> sides_of(const PartedBody& body, const PointCrossings& met) {
+  std::vector<PartSide> sides;
+  for (const TriangleId id : met.crossed) {
+    sides.push_back({body.part_of(id), Side::inside});
+  }
+  for (const TriangleId id : met.on) {
+    sides.push_back({body.part_of(id), Side::on});
+  }
+  std::sort(sides.begin(), sides.end(), [](const PartSide& a, const PartSide& b) {
+    return std::pair(a.part, a.side) < std::pair(b.part, b.side);
+  });
+  std::size_t kept = 0;
+  for (std::size_t begin = 0; begin < sides.size();) {
+    const std::uint32_t part = sides[begin].part;
+    bool odd = false;
+    bool on = false;
+    for (; begin < sides.size() && sides[begin].part == part; ++begin) {
+      on = on || sides[begin].side == Side::on;
+      odd = odd != (sides[begin].side == Side::inside);
+    }
+    if (on || (odd && body.parts()[part].closed)) {
+      sides[kept++] = {part, on ? Side::on : Side::inside};
+    }
+  }
+  sides.resize(kept);
+  return sides;
+}
+
+}  // namespace
+
+PartedBody::Found PartedBody::find(const Body& body, Partition partition,
+                                   const Parallel& parallel) {
+  const Mesh& mesh = body.shape.mesh();
+  std::vector<std::uint32_t> number = numbers_of(mesh, partition, parallel);
+  std::vector<TriangleId> order(mesh.triangles.size());
+  std::iota(order.begin(), order.end(), TriangleId{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](TriangleId a, TriangleId b) { return number[a] < number[b]; });
+  const Mesh sorted = sorted_by_part(mesh, order, number);
+  const Closedness closedness =
+      soms::closedness(sorted, {.pose = body.pose, .places = 0, .parts = true}, parallel);
+  Found found;
+  found.part_of.resize(mesh.triangles.size());
+  for (std::size_t k = 0; k < sorted.parts.size(); ++k) {
+    const Part& run = sorted.parts[k];
+    const PartClosedness& part = closedness.parts[k];
+    const TriangleId first = order[run.first];
+    found.parts.push_back({.named = partition == Partition::named ? number[first] : Part::kNoParent,
+                           .first = first,
+                           .triangles = run.count,
+                           .closed = part.closed,
+                           .odd_edges = part.odd_edges});
+    found.open += part.closed ? 0U : 1U;
+    for (std::uint32_t i = 0; i < run.count; ++i) {
+      found.part_of[order[run.first + i]] = static_cast<std::uint32_t>(k);
+    }
+  }
+  return found;
+}
+
+PartedBody::PartedBody(Body body, Partition partition, const Parallel& parallel)
+    : body_(std::move(body)), partition_(partition) {
+  const PlainArithmetic plain;
+  detail::check_pose(body_.pose, body_.shape);
+  found_ = std::make_shared<const Found>(find(body_, partition, parallel));
+}
+
+ContainsParts contains(const PartedBody& body, const Vec3& point, const ContainsOptions& options) {
+  detail::check_point(point);
+  return contains(body, std::span(&point, 1), options).at(0);
+}
+
+std::span<const PartSide> ContainsPartsBatch::parts_of(std::size_t point) const {
+  return std::span(parts).subspan(offsets[point], offsets[point + 1] - offsets[point]);
+}
+
+ContainsParts ContainsPartsBatch::at(std::size_t point) const {
+  const std::span<const PartSide> row = parts_of(point);
+  return {{row.begin(), row.end()}, coverages[point], costs[point]};
+}
+
+ContainsPartsBatch contains(const PartedBody& body, std::span<const Vec3> points,
+                            const ContainsOptions& options, const Parallel& parallel) {
+  const PlainArithmetic plain;
+  detail::check_points(points);
+  ContainsPartsBatch answer;
+  answer.costs.resize(points.size());
+  answer.coverages.assign(points.size(), Coverage::complete);
+  answer.offsets.assign(points.size() + 1, 0);
+  const Body& whole = body.body();
+  if (detail::is_empty(whole.shape)) {
+    return answer;
+  }
+  std::fill(answer.coverages.begin(), answer.coverages.end(), Coverage::cut);
+  std::vector<std::vector<PartSide>> rows(points.size());
+
+  struct Nothing {};
+
+  const detail::ParityFrame frame(whole.shape.layout(), whole.pose);
+  detail::for_each_crossing<Nothing>(
+      whole, frame, points, options.deadline, answer.costs, parallel,
+      [&](Nothing&, std::size_t i, const PointCrossings& met, detail::Limit&) {
+        rows[i] = sides_of(body, met);
+        answer.coverages[i] = Coverage::complete;
+      });
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    detail::append(answer.parts, rows[i]);
+    answer.offsets[i + 1] = answer.parts.size();
+    answer.cost += answer.costs[i];
+    answer.coverage = answer.coverages[i] == Coverage::cut ? Coverage::cut : answer.coverage;
+  }
+  return answer;
+}
+
+}  // namespace soms

@@ -1,0 +1,139 @@
+/// \file
+/// Which parts of a body is a point inside? Each part is a body of its own, decided exactly.
+#pragma once
+
+#include "soms/base/parallel.h"
+#include "soms/base/vector.h"
+#include "soms/geometry/mesh.h"
+#include "soms/query/answer.h"
+#include "soms/query/body.h"
+#include "soms/query/contains.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace soms {
+
+/// How the triangles of a mesh are divided: each belongs to one part.
+enum class Partition : unsigned char {
+  named,      ///< by the innermost of Mesh::parts; triangles without one are a part, too
+  connected,  ///< by vertices in one place: triangles that share one belong together
+};
+
+/// A part of a body, and whether points can be inside it.
+struct BodyPart {
+  std::uint32_t named = Part::kNoParent;  ///< index in Mesh::parts; none for a connected part
+  TriangleId first = 0;                   ///< its first triangle
+  std::uint64_t triangles = 0;
+  bool closed = true;           ///< by itself, at the body's pose, as `closedness` decides it
+  std::uint64_t odd_edges = 0;  ///< edges that an odd number of its triangles use
+
+  [[nodiscard]] bool operator==(const BodyPart&) const = default;
+};
+
+/// A body whose parts were found and checked, each by itself. A value; copies share what was
+/// found.
+class PartedBody {
+ public:
+  /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for the pose; cancelled. Open parts
+  ///          are no error.
+  /// \cost    As `closedness`, once for the whole and once for the parts, and a copy of the mesh
+  ///          for as long as it takes. Keeps 4 bytes a triangle.
+  explicit PartedBody(Body body, Partition partition = Partition::named,
+                      const Parallel& parallel = {});
+
+  [[nodiscard]] const Body& body() const { return body_; }
+
+  [[nodiscard]] Partition partition() const { return partition_; }
+
+  /// Named parts in the order of Mesh::parts, triangles without one last; connected ones by first
+  /// triangle.
+  [[nodiscard]] std::span<const BodyPart> parts() const { return found_->parts; }
+
+  /// How many of them are open.
+  [[nodiscard]] std::size_t open_parts() const { return found_->open; }
+
+  /// The part of a triangle: an index of `parts`.
+  [[nodiscard]] std::uint32_t part_of(TriangleId triangle) const {
+    return found_->part_of[triangle];
+  }
+
+  [[nodiscard]] bool operator==(const PartedBody& other) const {
+    return body_ == other.body_ && partition_ == other.partition_;
+  }
+
+ private:
+  struct Found {
+    std::vector<BodyPart> parts;
+    std::vector<std::uint32_t> part_of;
+    std::size_t open = 0;
+  };
+
+  [[nodiscard]] static Found find(const Body& body, Partition partition, const Parallel& parallel);
+
+  Body body_;
+  Partition partition_;
+  std::shared_ptr<const Found> found_;
+};
+
+/// A part that holds a point.
+struct PartSide {
+  std::uint32_t part = 0;    ///< index of PartedBody::parts
+  Side side = Side::inside;  ///< `inside` or `on`
+
+  [[nodiscard]] bool operator==(const PartSide&) const = default;
+};
+
+/// Answer of `contains` for a point and the parts of a body.
+struct ContainsParts {
+  std::vector<PartSide> parts;  ///< by `part`; empty if the deadline passed
+  Coverage coverage = Coverage::complete;
+  Cost cost = {};
+
+  [[nodiscard]] bool operator==(const ContainsParts&) const = default;
+};
+
+/// The parts that a point is inside, or on the surface of, each as `contains` decides it for the
+/// part alone. Of an open part it is said where a point is on it, and never that it is inside:
+/// PartedBody::parts tells which ones are open.
+///
+/// \errors  ErrorKind::not_finite, out_of_range unless the point is finite and within 2^300.
+/// \cost    As `contains`: one ray for all parts.
+/// \threads Any number of callers.
+[[nodiscard]] ContainsParts contains(const PartedBody& body, const Vec3& point,
+                                     const ContainsOptions& options = {});
+
+/// Answers for a batch of points: those of point k are rows [offsets[k], offsets[k + 1]) of
+/// `parts`.
+struct ContainsPartsBatch {
+  std::vector<std::uint64_t> offsets;      ///< n + 1
+  std::vector<PartSide> parts;             ///< by point, then by part
+  std::vector<Coverage> coverages;         ///< n
+  std::vector<Cost> costs;                 ///< n
+  Coverage coverage = Coverage::complete;  ///< `cut` if that of a point is
+  Cost cost;                               ///< of all points together
+
+  [[nodiscard]] bool operator==(const ContainsPartsBatch&) const = default;
+
+  [[nodiscard]] std::size_t size() const { return coverages.size(); }
+
+  /// The parts of a point.
+  [[nodiscard]] std::span<const PartSide> parts_of(std::size_t point) const;
+
+  /// The answer for a point.
+  [[nodiscard]] ContainsParts at(std::size_t point) const;
+};
+
+/// The same for each of `points`.
+///
+/// \shape   `points`: n.
+/// \errors  As for one point; a point at fault is named by its index, before any is answered. Also
+///          ErrorKind::cancelled.
+[[nodiscard]] ContainsPartsBatch contains(const PartedBody& body, std::span<const Vec3> points,
+                                          const ContainsOptions& options = {},
+                                          const Parallel& parallel = {});
+
+}  // namespace soms

@@ -1,0 +1,86 @@
+#include "soms/base/print.h"
+#include "soms/base/print_fields.h"
+#include "soms/query/contains_parts.h"
+#include "soms/query/print.h"
+#include "soms/query/winding.h"
+
+#include <algorithm>
+#include <string>
+
+namespace soms {
+
+std::ostream& operator<<(std::ostream& out, const WindingIndex& value) {
+  return out << PrintedFields("WindingIndex")
+                    .item(printed(value.body()))
+                    .item(printed_count(value.boundary_edges(), "boundary edge", "boundary edges"));
+}
+
+std::ostream& operator<<(std::ostream& out, const Winding& value) {
+  return out << PrintedFields("Winding")
+                    .add("side", value.side)
+                    .add("number", value.number)
+                    .add("coverage", value.coverage)
+                    .add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const WindingBatch& value) {
+  const auto inside = std::count(value.side.begin(), value.side.end(), Side::inside);
+  const auto open = std::count(value.side.begin(), value.side.end(), Side::undecided);
+  return out << PrintedFields("WindingBatch")
+                    .item(std::to_string(inside) + " of " +
+                          printed_count(value.size(), "point", "points") + " inside, " +
+                          std::to_string(open) + " undecided")
+                    .add("coverage", value.coverage)
+                    .add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const WindingOptions& value) {
+  PrintedFields fields("WindingOptions");
+  fields.add("width", value.width);
+  if (value.deadline) {
+    fields.item("deadline set");
+  }
+  return out << fields;
+}
+
+std::ostream& operator<<(std::ostream& out, Partition value) {
+  return out << printed_name("Partition", static_cast<int>(value), {"named", "connected"});
+}
+
+std::ostream& operator<<(std::ostream& out, const BodyPart& value) {
+  PrintedFields fields("BodyPart");
+  if (value.named != Part::kNoParent) {
+    fields.add("named", value.named);
+  }
+  return out << fields.add("first", value.first)
+                    .add("triangles", value.triangles)
+                    .add("closed", value.closed)
+                    .add("odd_edges", value.odd_edges);
+}
+
+std::ostream& operator<<(std::ostream& out, const PartSide& value) {
+  return out << PrintedFields("PartSide").add("part", value.part).add("side", value.side);
+}
+
+std::ostream& operator<<(std::ostream& out, const PartedBody& value) {
+  return out << PrintedFields("PartedBody")
+                    .item(printed(value.body()))
+                    .item(printed_count(value.parts().size(), "part", "parts"))
+                    .item(std::to_string(value.open_parts()) + " open");
+}
+
+std::ostream& operator<<(std::ostream& out, const ContainsParts& value) {
+  return out << PrintedFields("ContainsParts")
+                    .item(printed_count(value.parts.size(), "part", "parts"))
+                    .add("coverage", value.coverage)
+                    .add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const ContainsPartsBatch& value) {
+  return out << PrintedFields("ContainsPartsBatch")
+                    .item(printed_count(value.size(), "point", "points"))
+                    .add("coverage", value.coverage)
+                    .add("cost", value.cost);
+}
+
+}  // namespace soms

@@ -1,0 +1,132 @@
+/// \file
+/// Is a point inside a body that may be open? By its winding number, as a proved bracket.
+#pragma once
+
+#include "soms/base/bracket.h"
+#include "soms/base/parallel.h"
+#include "soms/base/vector.h"
+#include "soms/query/answer.h"
+#include "soms/query/body.h"
+#include "soms/query/contains.h"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace soms {
+
+class WindingIndex;
+
+namespace detail {
+class WindingTree;
+[[nodiscard]] const WindingTree& tree_of(const WindingIndex& index);
+}  // namespace detail
+
+/// A body, and what its winding numbers are made of: the boundary of its triangles, and their
+/// moments where that is long. Made once, queried often: a value; copies share what was made.
+class WindingIndex {
+ public:
+  /// \errors  ErrorKind::not_rigid, not_finite, out_of_range for the pose; cancelled.
+  /// \cost    O(n log n). Keeps 4 bytes a vertex and 60 an edge of the boundary. If that is longer
+  ///          than 64 + 4 sqrt(n) edges, O(n log^2 n) and up to about 150 bytes a triangle.
+  explicit WindingIndex(Body body, const Parallel& parallel = {});
+
+  [[nodiscard]] const Body& body() const { return body_; }
+
+  /// Edges of the boundary: directed edges that no neighbor uses the other way, each as often as
+  /// that is so. 0 if the surface is closed and all its triangles face the same way: then each
+  /// winding number is an integer.
+  [[nodiscard]] std::uint64_t boundary_edges() const;
+
+  /// Bytes held beside the body.
+  [[nodiscard]] std::size_t memory() const;
+
+  [[nodiscard]] bool operator==(const WindingIndex& other) const { return body_ == other.body_; }
+
+ private:
+  friend const detail::WindingTree& detail::tree_of(const WindingIndex& index);
+
+  Body body_;
+  std::shared_ptr<const detail::WindingTree> tree_;
+};
+
+/// Options of `winding`.
+struct WindingOptions {
+  /// By how much triangles that are far may widen the bracket, as they are taken together; 0: not
+  /// at all.
+  double width = 1e-9;
+  /// Ends the query with coverage `cut` when it passes.
+  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
+
+  [[nodiscard]] bool operator==(const WindingOptions&) const = default;
+};
+
+/// Answer of `winding` for a point.
+struct Winding {
+  /// `on`, decided exactly, if the point is a point of a triangle; else `inside` if the number is
+  /// surely above 1/2, `outside` if surely below; `undecided` if the bracket holds 1/2, or the
+  /// deadline passed.
+  Side side = Side::undecided;
+  /// Holds the winding number. For a point of the surface, where the number jumps, it holds the
+  /// numbers on both sides: each triangle that the point is on counts for -1/2 to 1/2. All numbers
+  /// if the deadline passed.
+  Bracket number = {};
+  Coverage coverage = Coverage::complete;
+  Cost cost = {};
+
+  [[nodiscard]] bool operator==(const Winding&) const = default;
+};
+
+/// The generalized winding number of a point: the solid angles under which it sees the body's
+/// moved triangles (Pose::apply), positive for those that turn their backs to it, over 4 pi. About
+/// any triangles: for closed surfaces that face outward it is how many of them the point is in;
+/// where surfaces have holes, it changes gradually from 1 inside to 0 outside. Triangles must face
+/// the same way, unlike for `contains`.
+///
+/// The bracket is proved, rounding included. Beside `width`, it is some 1e-14 for each boundary
+/// edge near the point, and 1e-12 for those next to it; of an edge nearer than 1e-18 of its length
+/// more and more is left open. If there is no boundary, it is the integer. The answer does not
+/// depend on the shape's tree and layout, on threads or instruction sets, but for `cost`.
+///
+/// \errors  ErrorKind::not_finite, out_of_range unless the point is finite and within 2^300; usage
+///          unless `width` is 0 to 1.
+/// \cost    As `contains`, and about 20 ns for each boundary edge; if the boundary is long, only
+///          for those near the point. `cost.triangle_tests` counts boundary edges, too, and
+///          `node_tests` nodes that might be far.
+/// \threads Any number of callers.
+/// \source  Jacobson, Kavan and Sorkine-Hornung 2013; Van Oosterom and Strackee 1983; Barill et al.
+///          2018 for far triangles.
+[[nodiscard]] Winding winding(const WindingIndex& index, const Vec3& point,
+                              const WindingOptions& options = {});
+
+/// Answers for a batch of points: columns, one entry a point, as those of `Winding`.
+struct WindingBatch {
+  std::vector<Side> side;                  ///< n
+  std::vector<Bracket> number;             ///< n
+  std::vector<Coverage> coverages;         ///< n
+  std::vector<Cost> costs;                 ///< n
+  Coverage coverage = Coverage::complete;  ///< `cut` if that of a point is
+  Cost cost;                               ///< of all points together
+
+  [[nodiscard]] bool operator==(const WindingBatch&) const = default;
+
+  [[nodiscard]] std::size_t size() const { return side.size(); }
+
+  /// The answer for a point.
+  [[nodiscard]] Winding at(std::size_t point) const;
+};
+
+/// `winding` for each of `points`: the answers of single queries, sooner.
+///
+/// \shape   `points`: n.
+/// \errors  As `winding`; a point at fault is named by its index, before any is answered. Also
+///          ErrorKind::cancelled.
+[[nodiscard]] WindingBatch winding(const WindingIndex& index, std::span<const Vec3> points,
+                                   const WindingOptions& options = {},
+                                   const Parallel& parallel = {});
+
+}  // namespace soms
