@@ -115,7 +115,7 @@ void answer_all(const Body& body, std::span<const Line> rays, const RayOptions& 
   for_each_chunk(rays.size(), kRaysOfBlock, parallel, [&](std::size_t begin, std::size_t end) {
     auto place = pool.take([&] {
       return Memory{
-          frame ? detail::ray_memory<Goal>(body, *frame, options.skip, rays.size() == 1) : nullptr,
+          frame ? detail::ray_memory<Goal>(body, *frame, options.skip) : nullptr,
           {},
           {}};
     });
@@ -160,18 +160,14 @@ typename Goal::Answer answer_one(const Body& body, const Line& ray, const RayOpt
   const PlainArithmetic plain;
   check_body(body, options);
   check_one(ray, std::nullopt);
-  typename Goal::Answer answer;
   if (detail::is_empty(body.shape)) {
+    typename Goal::Answer answer;
     answer.coverage = Coverage::complete;
     return answer;
   }
-  const RayFrame frame(body.shape.layout(), body.pose);
-  const RayLine line = line_of(ray);
   const Parallel alone;
   detail::Limit limit(options.deadline, alone);
-  detail::ray_memory<Goal>(body, frame, options.skip, true)
-      ->answer(std::span(&line, 1), std::span(&answer, 1), limit);
-  return answer;
+  return detail::answer_ray<Goal>(body, options.skip, line_of(ray), limit);
 }
 
 template <class Line>

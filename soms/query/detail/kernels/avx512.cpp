@@ -1,4 +1,5 @@
 // AVX-512: a register holds three axes times four boxes, axis i in its 128-bit block i.
+#include "soms/query/detail/engine/fetch.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 
 #if defined(__x86_64__)
@@ -9,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #if !defined(__clang__)
 // The compiler's own header sets registers to themselves to leave them undefined.
@@ -256,10 +258,10 @@ inline std::size_t put_all(std::uint32_t pairs, __m128i x, __m128i y, std::uint3
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"avx512",   test_nodes, test_larger, append,
-                                  test_slabs, test_boxes, judge,       bound_nodes,
-                                  near_boxes, near_pairs, bound_boxes, bound_triangles,
-                                  ray_nodes,  ray_blocks, line_nodes,  line_blocks};
+  static constexpr Kernels kTable{"avx512",    test_nodes,      test_larger, append,     test_slabs,
+                                  test_boxes,  judge,           bound_nodes, near_boxes, near_pairs,
+                                  bound_boxes, bound_triangles, ray_nodes,   ray_blocks, line_walks,
+                                  line_node,   line_block};
   return kTable;
 }
 
