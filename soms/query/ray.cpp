@@ -114,10 +114,7 @@ void answer_all(const Body& body, std::span<const Line> rays, const RayOptions& 
   detail::MemoryPool<Memory> pool;
   for_each_chunk(rays.size(), kRaysOfBlock, parallel, [&](std::size_t begin, std::size_t end) {
     auto place = pool.take([&] {
-      return Memory{
-          frame ? detail::ray_memory<Goal>(body, *frame, options.skip) : nullptr,
-          {},
-          {}};
+      return Memory{frame ? detail::ray_memory<Goal>(body, *frame, options.skip) : nullptr, {}, {}};
     });
     Memory& memory = place->memory;
     memory.answers.assign(end - begin, {});
@@ -144,14 +141,6 @@ void check_all(const Body& body, std::span<const Line> rays, const RayOptions& o
   for (std::size_t i = 0; i < rays.size(); ++i) {
     check_one(rays[i], i);
   }
-}
-
-Cost sum_of(const std::vector<Cost>& costs) {
-  Cost sum;
-  for (const Cost& cost : costs) {
-    sum += cost;
-  }
-  return sum;
 }
 
 /// The answer for one ray or segment.
@@ -195,7 +184,7 @@ ClosestHitBatch closest_of(const Body& body, std::span<const Line> rays, const R
                                          batch.costs[i++] = answer.cost;
                                        }
                                      });
-  batch.cost = sum_of(batch.costs);
+  batch.cost = detail::sum_of(batch.costs);
   return batch;
 }
 
@@ -216,7 +205,7 @@ AnyHitBatch any_of(const Body& body, std::span<const Line> rays, const RayOption
                                      batch.costs[i++] = answer.cost;
                                    }
                                  });
-  batch.cost = sum_of(batch.costs);
+  batch.cost = detail::sum_of(batch.costs);
   return batch;
 }
 
@@ -261,7 +250,7 @@ AllHits all_of(const Body& body, std::span<const Line> rays, const RayOptions& o
   for (const AllHits& part : parts) {
     append_rows_of(part, hits);
   }
-  hits.cost = sum_of(hits.costs);
+  hits.cost = detail::sum_of(hits.costs);
   return hits;
 }
 

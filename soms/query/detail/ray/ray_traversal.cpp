@@ -159,13 +159,12 @@ class RayTraversal final : public RayMemory<Goal> {
 
   /// A node that does not stay where it is.
   void enter_one(LineWalk& walk) {
-    const Ahead next = walk.stack[walk.size - 1];
-    if (next.near > walk.line->far_open) {
+    while (walk.size != 0 && walk.stack[walk.size - 1].near > walk.line->far_open) {
       --walk.size;
-    } else if ((next.token & WideNode::kLeafBit) == 0) {
-      --walk.size;
+    }
+    if (walk.size != 0 && !on_block(walk)) {
       --walk.steps;
-      kernels_.line_node(source_.node(next.token), walk);
+      kernels_.line_node(source_.node(walk.stack[--walk.size].token), walk);
     }
   }
 
