@@ -71,14 +71,6 @@ void resize(ClosestBatch& batch, std::size_t size) {
   batch.costs.resize(size);
 }
 
-Cost sum_of(const std::vector<Cost>& costs) {
-  Cost sum;
-  for (const Cost& cost : costs) {
-    sum += cost;
-  }
-  return sum;
-}
-
 }  // namespace
 
 void check(const ClosestOptions& options) {
@@ -130,7 +122,7 @@ ClosestBatch closest(const Body& body, std::span<const Vec3> points, const Close
           put(ask(frame, points[i], options, alone, memory), i, batch);
         }
       });
-  batch.cost = sum_of(batch.costs);
+  batch.cost = detail::sum_of(batch.costs);
   return batch;
 }
 

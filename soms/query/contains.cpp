@@ -157,9 +157,7 @@ ContainsBatch contains(const ClosedBody& body, std::span<const Vec3> points,
                           costs.subspan(begin, count), limit);
     pool.give_back(std::move(place));
   });
-  for (const Cost& cost : answer.costs) {
-    answer.cost += cost;
-  }
+  answer.cost = detail::sum_of(answer.costs);
   if (std::find(answer.side.begin(), answer.side.end(), Side::undecided) != answer.side.end()) {
     answer.coverage = Coverage::cut;
   }

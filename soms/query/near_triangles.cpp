@@ -128,9 +128,7 @@ NearTriangles answer(const Body& body, std::span<const Vec3> points, std::size_t
   if (!detail::is_empty(body.shape) && most != 0) {
     Rows(body, points, most, options).answer(batch, parallel);
   }
-  for (const Cost& cost : batch.costs) {
-    batch.cost += cost;
-  }
+  batch.cost = detail::sum_of(batch.costs);
   return batch;
 }
 

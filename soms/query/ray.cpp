@@ -114,10 +114,7 @@ void answer_all(const Body& body, std::span<const Line> rays, const RayOptions& 
   detail::MemoryPool<Memory> pool;
   for_each_chunk(rays.size(), kRaysOfBlock, parallel, [&](std::size_t begin, std::size_t end) {
     auto place = pool.take([&] {
-      return Memory{
-          frame ? detail::ray_memory<Goal>(body, *frame, options.skip, rays.size() == 1) : nullptr,
-          {},
-          {}};
+      return Memory{frame ? detail::ray_memory<Goal>(body, *frame, options.skip) : nullptr, {}, {}};
     });
     Memory& memory = place->memory;
     memory.answers.assign(end - begin, {});
@@ -146,32 +143,20 @@ void check_all(const Body& body, std::span<const Line> rays, const RayOptions& o
   }
 }
 
-Cost sum_of(const std::vector<Cost>& costs) {
-  Cost sum;
-  for (const Cost& cost : costs) {
-    sum += cost;
-  }
-  return sum;
-}
-
 /// The answer for one ray or segment.
 template <class Goal, class Line>
 typename Goal::Answer answer_one(const Body& body, const Line& ray, const RayOptions& options) {
   const PlainArithmetic plain;
   check_body(body, options);
   check_one(ray, std::nullopt);
-  typename Goal::Answer answer;
   if (detail::is_empty(body.shape)) {
+    typename Goal::Answer answer;
     answer.coverage = Coverage::complete;
     return answer;
   }
-  const RayFrame frame(body.shape.layout(), body.pose);
-  const RayLine line = line_of(ray);
   const Parallel alone;
   detail::Limit limit(options.deadline, alone);
-  detail::ray_memory<Goal>(body, frame, options.skip, true)
-      ->answer(std::span(&line, 1), std::span(&answer, 1), limit);
-  return answer;
+  return detail::answer_ray<Goal>(body, options.skip, line_of(ray), limit);
 }
 
 template <class Line>
@@ -199,7 +184,7 @@ ClosestHitBatch closest_of(const Body& body, std::span<const Line> rays, const R
                                          batch.costs[i++] = answer.cost;
                                        }
                                      });
-  batch.cost = sum_of(batch.costs);
+  batch.cost = detail::sum_of(batch.costs);
   return batch;
 }
 
@@ -220,7 +205,7 @@ AnyHitBatch any_of(const Body& body, std::span<const Line> rays, const RayOption
                                      batch.costs[i++] = answer.cost;
                                    }
                                  });
-  batch.cost = sum_of(batch.costs);
+  batch.cost = detail::sum_of(batch.costs);
   return batch;
 }
 
@@ -265,7 +250,7 @@ AllHits all_of(const Body& body, std::span<const Line> rays, const RayOptions& o
   for (const AllHits& part : parts) {
     append_rows_of(part, hits);
   }
-  hits.cost = sum_of(hits.costs);
+  hits.cost = detail::sum_of(hits.costs);
   return hits;
 }
 

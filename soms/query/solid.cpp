@@ -120,9 +120,7 @@ SolidBatch solid(const ClosedBody& mover, std::span<const Pose> poses, const Clo
         answer_block(mover, poses.subspan(begin, end - begin), fixed, options, alone, begin, memory,
                      batch);
       });
-  for (const Cost& cost : batch.costs) {
-    batch.cost += cost;
-  }
+  batch.cost = detail::sum_of(batch.costs);
   return batch;
 }
 

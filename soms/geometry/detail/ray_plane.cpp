@@ -1,5 +1,6 @@
 #include "soms/geometry/detail/ray_plane.h"
 
+#include "soms/geometry/detail/power_of_two.h"
 #include "soms/geometry/detail/predicates.h"
 
 #include <algorithm>
@@ -58,10 +59,11 @@ ScaledDirection::ScaledDirection(const RayLine& line) {
     exact = false;
     return;
   }
-  exponent = std::ilogb(largest);
+  exponent = exponent_of(largest);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     DoubleDouble& p = part[axis];
-    const DoubleDouble scaled{std::ldexp(p.high, -exponent), std::ldexp(p.low, -exponent)};
+    const DoubleDouble scaled{times_power_of_two(p.high, -exponent),
+                              times_power_of_two(p.low, -exponent)};
     const auto kept = [](double x, double y) { return x == 0 || std::abs(y) >= kLeastPart; };
     exact = exact && kept(p.high, scaled.high) && kept(p.low, scaled.low);
     p = scaled;
@@ -122,16 +124,16 @@ std::optional<PlaneHit> plane_hit(const RayLine& line, const ScaledDirection& di
   }
   const DoubleDouble t = height / steep;
   const double error = std::abs(t.high) * relative * 2;
-  const double in_units = std::ldexp(t.high, -direction.exponent);
+  const double in_units = times_power_of_two(t.high, -direction.exponent);
   if (!(std::abs(t.high) > kLeastResult && std::abs(t.high) < kMostResult &&
         std::abs(in_units) > kLeastResult && std::abs(in_units) < kMostResult &&
         std::abs(t.low) > error)) {
     return std::nullopt;
   }
-  constexpr double kEnd = std::numeric_limits<double>::infinity();
   PlaneHit hit;
-  hit.t = t.low > 0 ? Bracket{in_units, std::nextafter(in_units, kEnd)}
-                    : Bracket{std::nextafter(in_units, -kEnd), in_units};
+  hit.side = steep.high < 0 ? 1 : -1;
+  hit.t =
+      t.low > 0 ? Bracket{in_units, next_above(in_units)} : Bracket{next_below(in_units), in_units};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const DoubleDouble& d = direction.part[axis];
     if (d.high == 0) {

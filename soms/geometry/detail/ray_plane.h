@@ -31,10 +31,11 @@ struct TimeBounds {
   int side = 0;  ///< as ExactRay::side
 };
 
-/// A time between neighboring doubles, and the point.
+/// A time between neighboring doubles, the point, and the side that is met.
 struct PlaneHit {
   Bracket t;
   Vec3 point;
+  int side = 0;  ///< as ExactRay::side
 };
 
 /// Bounds of the time at which the line of a ray passes a plane, in about 20 ns; nothing where the

@@ -127,9 +127,7 @@ BodyClosestBatch closest(BodySets sets, std::span<const Vec3> points, const Clos
           put(search(sets, points[i], options, left_out, alone, memory), i, batch);
         }
       });
-  for (const Cost& cost : batch.costs) {
-    batch.cost += cost;
-  }
+  batch.cost = sum_of(batch.costs);
   return batch;
 }
 

@@ -101,9 +101,7 @@ Batch for_all(std::span<const Line> lines, const Parallel& parallel, Batch batch
           put(ask(lines[i], memory), i, batch);
         }
       });
-  for (const Cost& cost : batch.costs) {
-    batch.cost += cost;
-  }
+  batch.cost = sum_of(batch.costs);
   return batch;
 }
 

@@ -5,6 +5,7 @@
 
 #include "soms/base/parallel.h"
 #include "soms/base/pose.h"
+#include "soms/query/answer.h"
 #include "soms/tree/shape.h"
 
 #include <algorithm>
@@ -86,6 +87,15 @@ void for_each_pose(std::span<const Pose> poses, const Shape& shape, const Parall
                      ask(memory, poses[i], i);
                    }
                  });
+}
+
+/// What the queries of a batch cost together.
+[[nodiscard]] inline Cost sum_of(const std::vector<Cost>& costs) {
+  Cost sum;
+  for (const Cost& cost : costs) {
+    sum += cost;
+  }
+  return sum;
 }
 
 /// Appends a block's part of a column.

@@ -1,4 +1,5 @@
 // AVX2: a register holds the centers of four boxes on one axis, and beside them their radii.
+#include "soms/query/detail/engine/fetch.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 
 #if defined(__x86_64__)
@@ -9,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 SOMS_TARGET_BEGIN("avx2,popcnt,bmi")
 
@@ -152,10 +154,10 @@ void test_nodes(NodeTask* tasks, std::size_t count) {
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"avx2",     test_nodes, test_larger, append,
-                                  test_slabs, test_boxes, judge,       bound_nodes,
-                                  near_boxes, near_pairs, bound_boxes, bound_triangles,
-                                  ray_nodes,  ray_blocks, line_nodes,  line_blocks};
+  static constexpr Kernels kTable{"avx2",      test_nodes,      test_larger, append,     test_slabs,
+                                  test_boxes,  judge,           bound_nodes, near_boxes, near_pairs,
+                                  bound_boxes, bound_triangles, ray_nodes,   ray_blocks, line_walks,
+                                  line_node,   line_block};
   return kTable;
 }
 

@@ -1,4 +1,5 @@
 // AVX-512: a register holds three axes times four boxes, axis i in its 128-bit block i.
+#include "soms/query/detail/engine/fetch.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 
 #if defined(__x86_64__)
@@ -9,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #if !defined(__clang__)
 // The compiler's own header sets registers to themselves to leave them undefined.
@@ -148,20 +150,16 @@ inline std::uint32_t below_nearest(const Squares& s, std::uint32_t pairs) {
   return (nearest & (0 - nearest)) - 1;
 }
 
-/// See nodes.h; the same sums in the same order.
-/// Products with axes that are the mesh's would change nothing: most large nodes have those.
-template <bool Scaled, bool Oriented, bool Ordered>
-inline void test_task(NodeTask& task) {
-  const PoseNumbers& pose = *task.pose;
-  const WideNode& x = *task.x;
-  const WideNode& y = *task.y;
+/// M of relative_pose.h, row i in block i; the offset rides in the fourth lanes. Products with axes
+/// that are the mesh's would change nothing: most large nodes have those.
+template <bool Oriented>
+inline __m512 seen_matrix(const PoseNumbers& pose, const WideNode& x, const WideNode& y) {
   const __m128 shift = offset_of(pose, x.origin, y.origin).v;
   __m512 m = _mm512_load_ps(pose.rows.data());
   if (Oriented) {
     m = sum(four(x.row[0]), spread_rows<0>(m), four(x.row[1]), spread_rows<1>(m), four(x.row[2]),
             spread_rows<2>(m));
   }
-  // The offset rides in the fourth lanes.
   m = _mm512_mask_permutexvar_ps(m, 0x0888,
                                  _mm512_setr_epi32(0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 0),
                                  _mm512_castps128_ps512(shift));
@@ -171,13 +169,36 @@ inline void test_task(NodeTask& task) {
             _mm512_shuffle_f32x4(m, m, 0x55), spread_columns<1>(rows_y),
             _mm512_shuffle_f32x4(m, m, 0xaa), spread_columns<2>(rows_y));
   }
-  const __m512 a = _mm512_abs_ps(m);
+  return m;
+}
+
+template <bool Scaled>
+inline __m512 margin_of(const PoseNumbers& pose, const WideNode& x, const WideNode& y) {
   const __m512 ratio = _mm512_set1_ps(pose.ratio);
-  const __m512 margin =
-      _mm512_add_ps(product(_mm512_set1_ps(pose.relative),
-                            _mm512_add_ps(scaled<Scaled>(_mm512_set1_ps(x.l1_radius), ratio),
-                                          _mm512_set1_ps(y.l1_radius))),
-                    _mm512_set1_ps(pose.slack));
+  return _mm512_add_ps(product(_mm512_set1_ps(pose.relative),
+                               _mm512_add_ps(scaled<Scaled>(_mm512_set1_ps(x.l1_radius), ratio),
+                                             _mm512_set1_ps(y.l1_radius))),
+                       _mm512_set1_ps(pose.slack));
+}
+
+/// Pairs that no axis parts, of boxes as both nodes see them; bits as NodeTask::pairs.
+inline std::uint32_t pairs_that_meet(const Spans& x_in_y, const Spans& y_in_y, const Spans& x_in_x,
+                                     const Spans& y_in_x) {
+  const std::uint64_t all =
+      meet<0>(x_in_y, y_in_y, x_in_x, y_in_x) | meet<1>(x_in_y, y_in_y, x_in_x, y_in_x) << 16 |
+      meet<2>(x_in_y, y_in_y, x_in_x, y_in_x) << 32 | meet<3>(x_in_y, y_in_y, x_in_x, y_in_x) << 48;
+  return static_cast<std::uint32_t>(_pext_u64(all & all >> 4 & all >> 8, 0x000f000f000f000fULL));
+}
+
+/// See nodes.h; the same sums in the same order.
+template <bool Scaled, bool Oriented, bool Ordered>
+inline void test_task(NodeTask& task) {
+  const WideNode& x = *task.x;
+  const WideNode& y = *task.y;
+  const __m512 m = seen_matrix<Oriented>(*task.pose, x, y);
+  const __m512 a = _mm512_abs_ps(m);
+  const __m512 ratio = _mm512_set1_ps(task.pose->ratio);
+  const __m512 margin = margin_of<Scaled>(*task.pose, x, y);
   const __m512 seen_x =
       _mm512_add_ps(sum(scaled<Scaled>(four(x.center[0]), ratio), spread_rows<0>(m),
                         scaled<Scaled>(four(x.center[1]), ratio), spread_rows<1>(m),
@@ -202,11 +223,7 @@ inline void test_task(NodeTask& task) {
   const Spans x_in_x(scaled<Scaled>(_mm512_loadu_ps(x.center[0].data()), ratio),
                      scaled<Scaled>(_mm512_loadu_ps(x.half[0].data()), ratio));
   const Spans y_in_x(seen_y, radius_y);
-  const std::uint64_t all =
-      meet<0>(x_in_y, y_in_y, x_in_x, y_in_x) | meet<1>(x_in_y, y_in_y, x_in_x, y_in_x) << 16 |
-      meet<2>(x_in_y, y_in_y, x_in_x, y_in_x) << 32 | meet<3>(x_in_y, y_in_y, x_in_x, y_in_x) << 48;
-  task.pairs &=
-      static_cast<std::uint32_t>(_pext_u64(all & all >> 4 & all >> 8, 0x000f000f000f000fULL));
+  task.pairs &= pairs_that_meet(x_in_y, y_in_y, x_in_x, y_in_x);
   if (Ordered) {
     task.below = below_nearest({square<0>(seen_x, center_y), square<1>(seen_x, center_y),
                                 square<2>(seen_x, center_y), square<3>(seen_x, center_y)},
@@ -256,10 +273,10 @@ inline std::size_t put_all(std::uint32_t pairs, __m128i x, __m128i y, std::uint3
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"avx512",   test_nodes, test_larger, append,
-                                  test_slabs, test_boxes, judge,       bound_nodes,
-                                  near_boxes, near_pairs, bound_boxes, bound_triangles,
-                                  ray_nodes,  ray_blocks, line_nodes,  line_blocks};
+  static constexpr Kernels kTable{"avx512",    test_nodes,      test_larger, append,     test_slabs,
+                                  test_boxes,  judge,           bound_nodes, near_boxes, near_pairs,
+                                  bound_boxes, bound_triangles, ray_nodes,   ray_blocks, line_walks,
+                                  line_node,   line_block};
   return kTable;
 }
 

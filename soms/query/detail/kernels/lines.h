@@ -2,71 +2,158 @@
 // for each instruction set, inside its namespace and after parity.h; so it has no include guard and
 // includes nothing. ray/ray_frame.h proves the margins.
 
-/// B of the proof: places of a node's or block's origin along the ray and across it.
-inline std::array<float, 3> seen_from(const LineNumbers& line,
-                                      const std::array<double, 3>& origin) {
-  std::array<float, 3> seen;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::array<double, 3>& r = line.exact[i];
-    const double turned = (r[0] * origin[0] + r[1] * origin[1]) + r[2] * origin[2];
-    seen[i] = static_cast<float>((line.from[i] + turned) * line.scale);
-  }
-  return seen;
-}
-
-inline void line_node(LineNodeTask& task) {
-  const LineNumbers& line = *task.line;
-  const WideNode& node = *task.node;
-  const std::array<float, 3> seen = seen_from(line, node.origin);
-  const float along = (node.l1_radius + std::abs(seen[0])) * 0x1p-19F + line.slack;
-  const float across =
-      (node.l1_radius * 1.5F + (std::abs(seen[1]) + std::abs(seen[2]))) * 0x1p-19F + line.slack;
-  RayRows rows = line.row;
-  if (node.oriented != 0) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      rows[i] = turned_row(line.row[i], node);
+/// Where a ray is as a node's axes see it, and one over its direction.
+struct LineInNode {
+  LineInNode(const LineNumbers& line, const WideNode& node) {
+    seen_from(line.node_view, node.origin).store(from.data());
+    place = from[3];
+    inverse = line.inverse;
+    reach = line.reach;
+    if (node.oriented != 0) {
+      turn(line, node);
     }
   }
-  const Boxes boxes(node);
-  const M4 apart = beside_strips(rows[1], rows[2], seen, boxes, across * 2.5F);
-  const auto& x = rows[0];
-  const F4 place = along_row(x, boxes.center) + F4(seen[0]);
-  const F4 reach =
-      along_row({std::abs(x[0]), std::abs(x[1]), std::abs(x[2]), 0}, boxes.half) + F4(along);
-  const F4 near = place - reach;
-  near.store(task.near.data());
-  task.lanes = ~bits(apart | (F4(line.near_open) > place + reach) | (near > F4(line.far_open))) &
-               ((1U << node.count) - 1);
+
+  void turn(const LineNumbers& line, const WideNode& node) {
+    const F4 own = turned(from, node);
+    const F4 ahead = turned(line.ahead, node);
+    const F4 steep = max(abs(ahead), F4(kLeastAhead));
+    own.store(from.data());
+    const F4 one_over = F4(1.0F) / steep;
+    one_over.store(reach.data());
+    select(F4(0.0F) > ahead, F4(0.0F) - one_over, one_over).store(inverse.data());
+  }
+
+  static F4 turned(const std::array<float, 4>& v, const WideNode& node) {
+    return (F4::load(node.row[0].data()) * F4(v[0]) + F4::load(node.row[1].data()) * F4(v[1])) +
+           F4::load(node.row[2].data()) * F4(v[2]);
+  }
+
+  std::array<float, 4> from;
+  std::array<float, 4> inverse;
+  std::array<float, 4> reach;
+  float place;
+};
+
+/// Boxes that a ray may meet, and bounds of where it enters them.
+inline std::uint32_t meet_boxes(const LineNumbers& line, const WideNode& node,
+                                std::array<float, 4>& first) {
+  const LineInNode seen(line, node);
+  const float margin = node.l1_radius * 0x1p-17F + line.node_slack;
+  const float along = (node.l1_radius + std::abs(seen.place)) * 0x1p-20F + line.node_slack;
+  F4 near;
+  F4 far;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const F4 middle = (F4::load(node.center[k].data()) - F4(seen.from[k])) * F4(seen.inverse[k]);
+    const F4 reach = (F4::load(node.half[k].data()) + F4(margin)) * F4(seen.reach[k]);
+    near = k == 0 ? middle - reach : max(near, middle - reach);
+    far = k == 0 ? middle + reach : min(far, middle + reach);
+  }
+  const F4 begin = near + F4(seen.place - along);
+  const F4 end = far + F4(seen.place + along);
+  begin.store(first.data());
+  const M4 apart = (near > far) | (begin > F4(line.far_open)) | (F4(line.near_open) > end);
+  return ~bits(apart) & ((1U << node.count) - 1);
 }
 
-inline void line_nodes(LineNodeTask* tasks, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    line_node(tasks[i]);
+/// Tests a node's boxes and puts those that the ray may meet on the stack, the nearest one last.
+inline void line_node(const WideNode& node, LineWalk& walk) {
+  std::array<float, 4> near;
+  const std::uint32_t lanes = meet_boxes(*walk.line, node, near);
+  walk.boxes += node.count;
+  Ahead* const begin = walk.stack + walk.size;
+  Ahead* end = begin;
+  for (std::size_t lane = 0; lane < WideNode::kWidth; ++lane) {
+    *end = {near[lane], node.child[lane]};
+    end += lanes >> lane & 1U;
   }
+  for (Ahead* next = begin + 1; next < end; ++next) {
+    for (Ahead* at = next; at != begin && at->near > at[-1].near; --at) {
+      std::swap(*at, at[-1]);
+    }
+  }
+  walk.size = static_cast<std::size_t>(end - walk.stack);
+}
+
+/// Drops what does not matter any more; true if a node is next that the ray may enter.
+inline bool can_enter(LineWalk& walk) {
+  const float far = walk.line->far_open;
+  while (walk.size != 0 && walk.stack[walk.size - 1].near > far) {
+    --walk.size;
+  }
+  return walk.size != 0 && (walk.stack[walk.size - 1].token & WideNode::kLeafBit) == 0 &&
+         walk.steps != 0 && walk.size + WideNode::kWidth <= walk.room;
+}
+
+inline void line_walks(const WideNode* nodes, LineWalk* const* walks, std::size_t count) {
+  std::array<LineWalk*, kMostWalks> going;
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    going[left] = walks[i];
+    left += can_enter(*walks[i]) ? 1U : 0U;
+  }
+  while (left != 0) {
+    const std::size_t turns = left;
+    left = 0;
+    for (std::size_t i = 0; i < turns; ++i) {
+      LineWalk& walk = *going[i];
+      --walk.steps;
+      line_node(nodes[walk.stack[--walk.size].token], walk);
+      going[left] = &walk;
+      if (can_enter(walk)) {
+        ++left;
+        fetch(nodes[walk.stack[walk.size - 1].token]);
+      }
+    }
+  }
+}
+
+/// Where the line of a ray crosses triangles: weighted by the areas that it parts them into.
+inline void tighten(const Corners& q, const SeenAlong& areas, float area, float along, F8& near,
+                    F8& far) {
+  const F8 sum = (areas.beside[0] + areas.beside[1]) + areas.beside[2];
+  const F8 place =
+      q[0][0] +
+      (areas.beside[0] * (q[2][0] - q[0][0]) + areas.beside[2] * (q[1][0] - q[0][0])) / sum;
+  const F8 error = (far - near) * (F8(area * 6) / abs(sum) + F8(0x1p-20F)) + F8(along * 6);
+  near = max(near, place - error);
+  far = min(far, place + error);
 }
 
 inline void line_block(LineBlockTask& task) {
   const LineNumbers& line = *task.line;
   const TriangleBlock& block = *task.block;
-  const std::array<float, 3> seen = seen_from(line, block.origin);
+  std::array<float, 4> view;
+  seen_from(line.block_view, block.origin).store(view.data());
+  const std::array<float, 3> seen{view[0], view[1], view[2]};
   const float size = block.l1_radius * 1.5F + (std::abs(seen[1]) + std::abs(seen[2]));
   const float error = size * 0x1p-21F + line.slack;
   const float along = (block.l1_radius + std::abs(seen[0])) * 0x1p-21F + line.slack;
+  const float area = error * (size * 6 + error * 4) + 0x1p-140F;
   const Corners q = turned_corners(line.row, block, seen);
-  const SeenAlong areas(q, error, error * (size * 6 + error * 4) + 0x1p-140F);
-  const F8 near = least(q[0][0], q[1][0], q[2][0]) - F8(along);
-  const F8 far = greatest(q[0][0], q[1][0], q[2][0]) + F8(along);
-  near.store(task.near.data());
+  const SeenAlong areas(q, error, area);
+  F8 near = least(q[0][0], q[1][0], q[2][0]) - F8(along);
+  F8 far = greatest(q[0][0], q[1][0], q[2][0]) + F8(along);
   const std::uint32_t miss =
       areas.miss | bits((F8(line.near_open) > far) | (near > F8(line.far_open)));
   const std::uint32_t lanes = ((1U << block.count) - 1) & ~miss;
   task.through = lanes & areas.within;
-  task.sure = task.through & bits(near > F8(line.near_sure)) & bits(F8(line.far_sure) > far);
   task.open = lanes & ~task.through;
-}
-
-inline void line_blocks(LineBlockTask* tasks, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    line_block(tasks[i]);
+  near.store(task.near.data());
+  far.store(task.far.data());
+  task.sure = 0;
+  if (task.through == 0) {
+    return;
+  }
+  tighten(q, areas, area, along, near, far);
+  task.sure = task.through & bits(near > F8(line.near_sure)) & bits(F8(line.far_sure) > far);
+  std::array<float, 8> tight_near;
+  std::array<float, 8> tight_far;
+  near.store(tight_near.data());
+  far.store(tight_far.data());
+  for (std::uint32_t left = task.through; left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+    task.near[lane] = tight_near[lane];
+    task.far[lane] = tight_far[lane];
   }
 }

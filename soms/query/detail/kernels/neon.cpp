@@ -1,4 +1,5 @@
 // NEON of 64-bit ARM: four lanes.
+#include "soms/query/detail/engine/fetch.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 
 #if defined(__aarch64__)
@@ -7,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace soms::detail::neon {
 
@@ -38,10 +40,10 @@ namespace {
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"neon",     test_nodes, test_larger, append,
-                                  test_slabs, test_boxes, judge,       bound_nodes,
-                                  near_boxes, near_pairs, bound_boxes, bound_triangles,
-                                  ray_nodes,  ray_blocks, line_nodes,  line_blocks};
+  static constexpr Kernels kTable{"neon",      test_nodes,      test_larger, append,     test_slabs,
+                                  test_boxes,  judge,           bound_nodes, near_boxes, near_pairs,
+                                  bound_boxes, bound_triangles, ray_nodes,   ray_blocks, line_walks,
+                                  line_node,   line_block};
   return kTable;
 }
 

@@ -7,3 +7,8 @@ inline F4 offset_of(const PoseNumbers& pose, const std::array<double, 3>& x,
   const std::array<float, 4> row{d[0], d[1], d[2], 0};
   return F4::load(row.data());
 }
+
+/// `LineView::at`.
+inline F4 seen_from(const LineView& view, const std::array<double, 3>& origin) {
+  return F4::load(view.at(origin).data());
+}

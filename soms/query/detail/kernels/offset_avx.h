@@ -16,3 +16,12 @@ inline F4 offset_of(const PoseNumbers& pose, const std::array<double, 3>& x,
       _mm256_sub_pd(_mm256_add_pd(rotated, _mm256_load_pd(pose.shift.data())), origin_y),
       _mm256_set1_pd(pose.scale))));
 }
+
+/// `LineView::at`.
+inline F4 seen_from(const LineView& view, const std::array<double, 3>& origin) {
+  const auto part = [&](std::size_t k) {
+    return _mm256_mul_pd(_mm256_load_pd(view.column[k].data()), _mm256_set1_pd(origin[k]));
+  };
+  const __m256d turned = _mm256_add_pd(_mm256_add_pd(part(0), part(1)), part(2));
+  return F4(_mm256_cvtpd_ps(_mm256_add_pd(_mm256_load_pd(view.shift.data()), turned)));
+}

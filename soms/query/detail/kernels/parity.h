@@ -178,11 +178,9 @@ inline F8 area_beside(const Three& a, const Three& b) {
 /// `area`: those that surely hold it inside, and those that surely do not hold it.
 struct SeenAlong {
   SeenAlong(const Corners& q, float error, float area) {
-    const F8 u = area_beside(q[0], q[1]);
-    const F8 v = area_beside(q[1], q[2]);
-    const F8 w = area_beside(q[2], q[0]);
-    const F8 low = least(u, v, w);
-    const F8 high = greatest(u, v, w);
+    beside = {area_beside(q[0], q[1]), area_beside(q[1], q[2]), area_beside(q[2], q[0])};
+    const F8 low = least(beside[0], beside[1], beside[2]);
+    const F8 high = greatest(beside[0], beside[1], beside[2]);
     within = bits(low > F8(area)) | bits(F8(-area) > high);
     miss = bits(high > F8(area)) & bits(F8(-area) > low);
     for (std::size_t i = 1; i < 3; ++i) {
@@ -191,6 +189,7 @@ struct SeenAlong {
     }
   }
 
+  Three beside;  ///< twice the areas between the ray and each edge
   std::uint32_t within;
   std::uint32_t miss;
 };

@@ -1,4 +1,5 @@
 // SSE4.1: four lanes.
+#include "soms/query/detail/engine/fetch.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 
 #if defined(__x86_64__)
@@ -9,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 SOMS_TARGET_BEGIN("sse4.1,popcnt")
 
@@ -43,10 +45,10 @@ namespace {
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"sse4",     test_nodes, test_larger, append,
-                                  test_slabs, test_boxes, judge,       bound_nodes,
-                                  near_boxes, near_pairs, bound_boxes, bound_triangles,
-                                  ray_nodes,  ray_blocks, line_nodes,  line_blocks};
+  static constexpr Kernels kTable{"sse4",      test_nodes,      test_larger, append,     test_slabs,
+                                  test_boxes,  judge,           bound_nodes, near_boxes, near_pairs,
+                                  bound_boxes, bound_triangles, ray_nodes,   ray_blocks, line_walks,
+                                  line_node,   line_block};
   return kTable;
 }
 

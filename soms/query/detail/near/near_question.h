@@ -67,9 +67,7 @@ template <class Batch, class Question>
         batch.costs[i] = answer.cost;
         question.put(answer, i, batch);
       });
-  for (const Cost& cost : batch.costs) {
-    batch.cost += cost;
-  }
+  batch.cost = sum_of(batch.costs);
   return batch;
 }
 

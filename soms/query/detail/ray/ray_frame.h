@@ -25,12 +25,41 @@
 /// Where |D| is at most 2 V, plain doubles suffice: D_i and D_k are off by 2 each, s by 3 of its
 /// units, which is 6 seen from D_k, the product by 2, and the difference by 4. 96.6 + 16 < 128.
 ///
-/// In float, divide the rows across by 2^(1/2): then they are as those of parity_frame.h, and what
-/// is proved there holds, multiplied again, if l1_radius counts 1.5 times: S = 1.5 l1_radius +
-/// |B_1| + |B_2|. Strips: the 2 by 3 matrix of p1 and p2 has norm at most 3^(1/2), so |n|_1 is at
-/// most 6^(1/2) = 2.45: 2.5 times the margin. Along, the row has length 1.
+/// Blocks. In float, divide the rows across by 2^(1/2): then they are as those of parity_frame.h,
+/// and what is proved there holds, multiplied again, if l1_radius counts 1.5 times: S = 1.5
+/// l1_radius + |B_1| + |B_2|. Along, the row has length 1.
 ///
-/// Where W exceeds 2^50 floats tell nothing, and the scale is taken as 0, as there.
+/// Where the ray's line surely crosses a triangle, its place along the ray is that of the corners,
+/// z_i, weighted by the areas a_i beside the edges across from them. Areas are off by less than A,
+/// the area that `within` compares with, and have one sign; corners are off by E along the ray.
+/// With areas as computed in place of a_i the mean moves by at most 5 A / |a_0 + a_1 + a_2| times
+/// the corners' range, and with corners as computed by E; ranges as computed are short by 2 E at
+/// most, and 5 A is at most 5/3 of the sum, 10/3 E. Ten roundings of the range and one of the place
+/// are below 2^-20 of the range and E / 8: in all 6 A / |sum| + 2^-20 of the range, and 6 E.
+///
+/// Nodes are seen along the mesh's axes. With X the inverse of R as computed (relative_pose.h, with
+/// r its residual), the ray's point at place p is, seen from the tree's origin,
+///   v(p) = X (p w - from),   w = d / |d_k|, and from_k = 0,
+/// and a moved point of the body that lies there is v(p) but for e, in units of u64 V: m and O' are
+/// off by 8.02 together, `from` by 16, w by 3 and |p| is at most 3.47 V, so 10.4; seen by X, 1.74
+/// times as much: 60. X w and X from are rounded, 5.3 times 3.47 and 8.6: 27. X R is not I: 10.5
+/// r V. A node's origin o is abreast of p_0 = (P R)_0 o, and p_0 X w - o is a matrix times o, whose
+/// entries are off by 2.3, times the 1-norm of o: 14; its products and their sums with X from are
+/// off by 28.6 and 12.4. Together 142 + 10.5 r / u64, and where a far |D| is, 1.74 * 2^-95 |D|:
+/// below U = s (2 (128 u64 V + 2^-95 |D| + 2^-1064) + 12 r V).
+///
+/// In float, in units of 2^-24 L, L the node's l1_radius. Where the ray meets a box at place p_0 +
+/// x, |x| is at most L + U, so `local`, the ray at p_0 from o, is at most 4.02 L + 6.1 U in the
+/// 1-norm; where it is more the ray misses, and "misses" is true however it was found. Turned to a
+/// node's own axes Q it is off by 4.02 * 1.74 + 12.1, the direction by (3 + 5.3) |x|, Q^T Q by 2,
+/// a direction's component that is taken for kLeastAhead by |x|: 31. Between centers and it lie
+/// 5.02 L at most, and half sides are at most L: gaps are off by 5.02 once more, and inverse,
+/// products and differences by 3 * 6.02 + 1: below 56. With half sides that give way by 2^-17 L +
+/// U, which is 128 and more, no interval of places is too narrow, whatever the direction. Places
+/// are then added to p_0, off by 2^-24 (|p_0| + 2 L) and U: 2^-20 (L + |p_0|) + U suffices. Where
+/// the bound of an interval is beyond 2 L, it is off by less than it is too far.
+///
+/// Where U exceeds 2^50 floats tell nothing, and the scale is taken as 0, as there.
 #pragma once
 
 #include "soms/base/pose.h"
@@ -66,12 +95,21 @@ class RayFrame {
                            RayCourse& course) const;
 
  private:
+  struct Sheared;
+
+  [[nodiscard]] bool shear(const RayLine& line, const ScaledDirection& direction,
+                           Sheared& sheared) const;
+  void see_blocks(const Sheared& sheared, LineNumbers& numbers) const;
+  void see_nodes(const Sheared& sheared, LineNumbers& numbers) const;
+  static void scale(LineView& view, double scale);
+
+  ReferenceFrame reference_;
   Matrix3 rotation_;
-  Vec3 origin_;  // of the tree, moved
-  Vec3 half_;    // sides of the moved box, with what they give way by
+  Vec3 half_;  // sides of the moved box, with what they give way by
   double scale_;
-  double near_;  // 2 V
-  double rounding_;
+  double near_;      // 2 V
+  double rounding_;  // W without what a far origin adds, in the mesh's units
+  double residual_;  // what U has beside 2 W
 };
 
 }  // namespace soms::detail

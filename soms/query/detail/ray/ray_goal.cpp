@@ -1,5 +1,7 @@
 #include "soms/query/detail/ray/ray_goal.h"
 
+#include "soms/geometry/detail/power_of_two.h"
+#include "soms/query/detail/engine/fetch.h"
 #include "soms/query/detail/ray/moved_triangle.h"
 
 #include <algorithm>
@@ -22,11 +24,11 @@ TimeBounds bounds_of(const ExactRay& exact, const RayTarget& target, const Trian
   constexpr double kLeast = 0x1p-1000;  // beyond what underflows
   const Bracket t = bracket(exact.time());
   const int exponent = target.direction.exponent;
-  return {std::ldexp(t.lower, exponent) * (1 - kRounding) - kLeast,
-          std::ldexp(t.upper, exponent) * (1 + kRounding) + kLeast, exact.side()};
+  return {times_power_of_two(t.lower, exponent) * (1 - kRounding) - kLeast,
+          times_power_of_two(t.upper, exponent) * (1 + kRounding) + kLeast, exact.side()};
 }
 
-/// Calls `of(id, inside)` for the triangles of a block that are still to be decided.
+/// Calls `of(lane, id)` for the triangles of a block that are still to be looked at.
 template <class Of>
 void for_each_candidate(const RayTarget& target, const LineBlockTask& task, std::uint32_t lanes,
                         const Of& of) {
@@ -34,9 +36,54 @@ void for_each_candidate(const RayTarget& target, const LineBlockTask& task, std:
     const auto lane = static_cast<std::size_t>(std::countr_zero(left));
     const TriangleId id = task.block->id[lane];
     if (id != target.skip && !(task.near[lane] > target.course.numbers.far_open)) {
-      of(id, (task.through >> lane & 1U) != 0);
+      of(lane, id);
     }
   }
+}
+
+bool is_in(std::uint32_t lanes, std::size_t lane) {
+  return (lanes >> lane & 1U) != 0;
+}
+
+const ExactRay& exact_ray(RayTarget& target, Meeting& meeting) {
+  if (!meeting.exact) {
+    ++target.cost.exact_tests;
+    meeting.exact =
+        std::make_unique<ExactRay>(target.line, moved_triangle(*target.body, meeting.hit.id));
+  }
+  return *meeting.exact;
+}
+
+/// `a` is nearer, or as near and of a lesser number.
+bool is_nearer(RayTarget& target, Meeting& a, Meeting& b) {
+  if (a.hit.bounds.upper < b.hit.bounds.lower || a.hit.bounds.lower > b.hit.bounds.upper) {
+    return a.hit.bounds.upper < b.hit.bounds.lower;
+  }
+  const auto order = compare(exact_ray(target, a).time(), exact_ray(target, b).time());
+  return order < 0 || (order == 0 && a.hit.id < b.hit.id);
+}
+
+/// Its triangle is known, and nothing else.
+bool is_unfinished(const ClosestHit& answer) {
+  return answer.triangle && std::isinf(answer.t.lower);
+}
+
+/// What the answer says of the first triangle.
+void describe(RayTarget& target, Meeting& first, ClosestHit& answer) {
+  answer.triangle = first.hit.id;
+  if (!first.exact) {
+    const Triangle triangle = moved_triangle(*target.body, first.hit.id);
+    if (const auto hit = plane_hit(target.line, target.direction, triangle)) {
+      answer.t = hit->t;
+      answer.point = hit->point;
+      answer.front = hit->side > 0;
+      return;
+    }
+  }
+  const ExactRay& exact = exact_ray(target, first);
+  answer.t = bracket(exact.time());
+  answer.point = exact.point();
+  answer.front = exact.side() > 0;
 }
 
 }  // namespace
@@ -62,77 +109,82 @@ std::optional<Meeting> meet(RayTarget& target, TriangleId id, bool inside) {
 }
 
 bool ClosestHitGoal::look(RayTarget& target, const LineBlockTask& task) {
-  for_each_candidate(target, task, task.through | task.open,
-                     [&](TriangleId id, bool inside) { offer(target, id, inside); });
+  for_each_candidate(target, task, task.through | task.open, [&](std::size_t lane, TriangleId id) {
+    const bool inside = is_in(task.through, lane);
+    if (is_in(task.sure, lane) || meet(target, id, inside)) {
+      offer(target, {task.near[lane], task.far[lane], id, inside});
+    }
+  });
   return false;
 }
 
-void ClosestHitGoal::offer(RayTarget& target, TriangleId id, bool inside) {
-  std::optional<Meeting> meeting = meet(target, id, inside);
-  if (!meeting || (found_ && !is_nearer(target, *meeting))) {
-    return;
+void ClosestHitGoal::offer(RayTarget& target, const Candidate& candidate) {
+  float& far = target.course.numbers.far_open;
+  if (candidate.far < far) {
+    far = candidate.far;
+    std::erase_if(nearest_, [&](const Candidate& other) { return other.near > far; });
   }
-  const double known = found_ ? best_.hit.bounds.upper : std::numeric_limits<double>::infinity();
-  meeting->hit.bounds.upper = std::min(meeting->hit.bounds.upper, known);
-  best_ = std::move(*meeting);
-  found_ = true;
-  target.course.set_far(best_.hit.bounds.upper);
-}
-
-/// Nearer than the best one, or as near and of a lesser number.
-bool ClosestHitGoal::is_nearer(RayTarget& target, Meeting& meeting) {
-  const FoundHit& hit = meeting.hit;
-  const FoundHit& best = best_.hit;
-  if (hit.bounds.upper < best.bounds.lower || hit.bounds.lower > best.bounds.upper) {
-    return hit.bounds.upper < best.bounds.lower;
-  }
-  for (Meeting* one : {&meeting, &best_}) {
-    if (!one->exact) {
-      ++target.cost.exact_tests;
-      one->exact =
-          std::make_unique<ExactRay>(target.line, moved_triangle(*target.body, one->hit.id));
-    }
-  }
-  const auto order = compare(meeting.exact->time(), best_.exact->time());
-  return order < 0 || (order == 0 && hit.id < best.id);
+  nearest_.push_back(candidate);
 }
 
 ClosestHit ClosestHitGoal::end(RayTarget& target, bool complete) {
   ClosestHit answer;
   answer.coverage = complete ? Coverage::complete : Coverage::cut;
-  if (found_) {
-    const TriangleId id = best_.hit.id;
-    answer.triangle = id;
-    answer.front = best_.hit.bounds.side > 0;
-    const Triangle triangle = moved_triangle(*target.body, id);
-    std::optional<PlaneHit> hit;
-    if (!best_.exact) {
-      hit = plane_hit(target.line, target.direction, triangle);
-    }
-    if (hit) {
-      answer.t = hit->t;
-      answer.point = hit->point;
-    } else {
-      if (!best_.exact) {
-        ++target.cost.exact_tests;
-        best_.exact = std::make_unique<ExactRay>(target.line, triangle);
+  if (nearest_.size() == 1 && nearest_[0].inside) {
+    answer.triangle = nearest_[0].id;
+  } else if (!nearest_.empty()) {
+    std::optional<Meeting> first;
+    for (const Candidate& candidate : nearest_) {
+      std::optional<Meeting> other = meet(target, candidate.id, candidate.inside);
+      if (!first || is_nearer(target, *other, *first)) {
+        first = std::move(other);
       }
-      answer.t = bracket(best_.exact->time());
-      answer.point = best_.exact->point();
-      answer.front = best_.exact->side() > 0;
     }
+    describe(target, *first, answer);
   }
   answer.cost = target.cost;
   return answer;
 }
 
-bool AnyHitGoal::look(RayTarget& target, const LineBlockTask& task) {
-  for_each_candidate(target, task, task.sure, [&](TriangleId, bool) { hit_ = true; });
-  if (!hit_) {
-    for_each_candidate(
-        target, task, (task.through & ~task.sure) | task.open,
-        [&](TriangleId id, bool inside) { hit_ = hit_ || meet(target, id, inside).has_value(); });
+void ClosestHitGoal::finish(RayTarget& target, ClosestHit& answer) {
+  if (is_unfinished(answer)) {
+    target.cost = answer.cost;
+    Meeting first{{{}, *answer.triangle, true}, nullptr};
+    describe(target, first, answer);
+    answer.cost = target.cost;
   }
+}
+
+void ClosestHitGoal::finish_all(RayTarget& target, std::span<const RayLine> lines,
+                                std::span<ClosestHit> answers) {
+  constexpr std::size_t kAhead = 8;
+  const Mesh& mesh = target.body->shape.mesh();
+  const auto is_open = [&](std::size_t i) {
+    return i < answers.size() && is_unfinished(answers[i]);
+  };
+  for (std::size_t i = 0; i < answers.size() + 2 * kAhead; ++i) {
+    if (is_open(i)) {
+      fetch(mesh.triangles[*answers[i].triangle]);
+    }
+    if (i >= kAhead && is_open(i - kAhead)) {
+      for (const std::uint32_t corner : mesh.triangles[*answers[i - kAhead].triangle]) {
+        fetch(mesh.vertices[corner]);
+      }
+    }
+    if (i >= 2 * kAhead && is_open(i - 2 * kAhead)) {
+      target.line = lines[i - 2 * kAhead];
+      target.direction = ScaledDirection(target.line);
+      finish(target, answers[i - 2 * kAhead]);
+    }
+  }
+}
+
+bool AnyHitGoal::look(RayTarget& target, const LineBlockTask& task) {
+  for_each_candidate(target, task, task.sure, [&](std::size_t, TriangleId) { hit_ = true; });
+  for_each_candidate(target, task, (task.through & ~task.sure) | task.open,
+                     [&](std::size_t lane, TriangleId id) {
+                       hit_ = hit_ || meet(target, id, is_in(task.through, lane)).has_value();
+                     });
   return hit_;
 }
 
@@ -141,8 +193,8 @@ AnyHit AnyHitGoal::end(RayTarget& target, bool complete) const {
 }
 
 bool AllHitsGoal::look(RayTarget& target, const LineBlockTask& task) {
-  for_each_candidate(target, task, task.through | task.open, [&](TriangleId id, bool inside) {
-    if (const auto meeting = meet(target, id, inside)) {
+  for_each_candidate(target, task, task.through | task.open, [&](std::size_t lane, TriangleId id) {
+    if (const auto meeting = meet(target, id, is_in(task.through, lane))) {
       found_.push_back(meeting->hit);
     }
   });

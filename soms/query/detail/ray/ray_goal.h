@@ -39,38 +39,54 @@ struct Meeting {
 /// Decides whether the ray meets a triangle; `inside`: its line surely crosses it, off its edges.
 [[nodiscard]] std::optional<Meeting> meet(RayTarget& target, TriangleId id, bool inside);
 
-/// The first triangle.
+/// The first triangle. Those that bounds in float cannot part are kept until all was looked at.
 class ClosestHitGoal {
  public:
   using Answer = ClosestHit;
-  static constexpr bool kNearestFirst = true;
 
-  void begin() { found_ = false; }
+  void begin() { nearest_.clear(); }
 
   /// Looks at a block's triangles; true when nothing else matters.
   bool look(RayTarget& target, const LineBlockTask& task);
 
-  /// The answer; all was looked at if `complete`.
+  /// The answer; all was looked at if `complete`. Of a first triangle that floats part from all
+  /// others it gives only the number: `finish` adds the rest.
   [[nodiscard]] ClosestHit end(RayTarget& target, bool complete);
 
- private:
-  void offer(RayTarget& target, TriangleId id, bool inside);
-  [[nodiscard]] bool is_nearer(RayTarget& target, Meeting& meeting);
+  /// Finishes the answer of the target's ray.
+  static void finish(RayTarget& target, ClosestHit& answer);
 
-  bool found_ = false;
-  Meeting best_;
+  /// Finishes those of many rays, so that one computes while others load.
+  static void finish_all(RayTarget& target, std::span<const RayLine> lines,
+                         std::span<ClosestHit> answers);
+
+ private:
+  /// A triangle that the ray meets, and bounds of where.
+  struct Candidate {
+    float near;
+    float far;
+    TriangleId id;
+    bool inside;
+  };
+
+  void offer(RayTarget& target, const Candidate& candidate);
+
+  std::vector<Candidate> nearest_;
 };
 
 /// Any triangle.
 class AnyHitGoal {
  public:
   using Answer = AnyHit;
-  static constexpr bool kNearestFirst = true;
 
   void begin() { hit_ = false; }
 
   bool look(RayTarget& target, const LineBlockTask& task);
   [[nodiscard]] AnyHit end(RayTarget& target, bool complete) const;
+
+  static void finish(RayTarget&, AnyHit&) {}
+
+  static void finish_all(RayTarget&, std::span<const RayLine>, std::span<AnyHit>) {}
 
  private:
   bool hit_ = false;
@@ -85,12 +101,14 @@ class AllHitsGoal {
     Cost cost;
   };
 
-  static constexpr bool kNearestFirst = false;
-
   void begin() { found_.clear(); }
 
   bool look(RayTarget& target, const LineBlockTask& task);
   [[nodiscard]] Answer end(RayTarget& target, bool complete);
+
+  static void finish(RayTarget&, Answer&) {}
+
+  static void finish_all(RayTarget&, std::span<const RayLine>, std::span<Answer>) {}
 
  private:
   std::vector<FoundHit> found_;

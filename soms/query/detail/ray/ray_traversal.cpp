@@ -3,12 +3,12 @@
 #include "soms/query/detail/engine/block_source.h"
 #include "soms/query/detail/kernels/instruction_set.h"
 
+#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -16,10 +16,33 @@ namespace soms::detail {
 
 namespace {
 
-/// A node, or a block, that is still to be looked at.
-struct Ahead {
-  float near;  // nothing in it is nearer along the ray
-  std::uint32_t token;
+/// Rays of a batch that take turns.
+constexpr std::size_t kRaysInFlight = 8;
+static_assert(kRaysInFlight <= kMostWalks);
+
+/// The stack of a walk: as much as trees mostly need, and more where one is deeper.
+class WalkStack {
+ public:
+  void begin(LineWalk& walk) {
+    walk.stack = more_.empty() ? usual_.data() : more_.data();
+    walk.room = more_.empty() ? usual_.size() : more_.size();
+    walk.size = 0;
+  }
+
+  /// Makes room for a node's boxes.
+  void reserve(LineWalk& walk) {
+    if (walk.size + WideNode::kWidth > walk.room) {
+      std::vector<Ahead> larger(2 * walk.room);
+      std::copy(walk.stack, walk.stack + walk.size, larger.begin());
+      more_ = std::move(larger);
+      walk.stack = more_.data();
+      walk.room = more_.size();
+    }
+  }
+
+ private:
+  std::array<Ahead, 64> usual_;
+  std::vector<Ahead> more_;
 };
 
 /// A ray on its way.
@@ -27,104 +50,163 @@ template <class Goal>
 struct PendingRay {
   RayTarget target;
   Goal goal;
+  LineWalk walk;
+  WalkStack stack;
   std::size_t index = 0;
-  std::vector<Ahead> stack;  // the next one last
 };
 
-/// Rays of a batch that take turns.
-constexpr std::size_t kRaysInFlight = 16;
-
-/// Rays through one tree, the nearest boxes first. Those in flight take turns, so that one computes
-/// while others load.
+/// Rays through one tree, the nearest boxes first.
 template <class Source, class Goal, std::size_t kInFlight>
-class RayTraversal : public RayMemory<Goal> {
+class RayTraversal final : public RayMemory<Goal> {
  public:
   using Answer = typename Goal::Answer;
 
   RayTraversal(const Body& body, const RayFrame& frame, std::optional<TriangleId> skip)
       : frame_(frame), kernels_(kernels()), source_(body.shape) {
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    for (PendingRay<Goal>& ray : rays_) {
+    for (std::size_t i = 0; i < kInFlight; ++i) {
+      PendingRay<Goal>& ray = rays_[i];
       ray.target.body = &body;
       ray.target.skip = skip;
+      ray.walk.line = &ray.target.course.numbers;
+      pending_[i] = &ray;
     }
   }
 
   void answer(std::span<const RayLine> lines, std::span<Answer> answers, Limit& limit) override {
-    answers_ = answers;
-    std::size_t next = 0;
-    std::size_t count = 0;
-    for (;;) {
-      for (; count < kInFlight && next < lines.size(); ++next) {
-        PendingRay<Goal>& ray = at(count);
-        if (launch(ray, lines[next], next)) {
-          ++count;
-        } else {
-          answers_[next] = ray.goal.end(ray.target, true);
-        }
-      }
-      if (count == 0) {
-        return;
-      }
-      if (limit.spend(count + std::exchange(exact_tests_, 0) * kExactWork)) {
-        break;
-      }
-      count = advance(count);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      answers_[at(i).index] = at(i).goal.end(at(i).target, false);
-    }
-    for (; next < lines.size(); ++next) {
-      answers_[next].coverage = Coverage::cut;
+    traverse(lines, answers, limit);
+    if constexpr (kInFlight != 1) {
+      Goal::finish_all(rays_[0].target, lines, answers);
     }
   }
 
  private:
   static constexpr std::uint64_t kExactWork = 100;  // some microseconds
 
-  [[nodiscard]] PendingRay<Goal>& at(std::size_t i) { return rays_[order_[i]]; }
+  void traverse(std::span<const RayLine> lines, std::span<Answer> answers, Limit& limit) {
+    answers_ = answers;
+    std::size_t next = 0;
+    std::size_t count = 0;
+    std::uint64_t work = 1;
+    while (!limit.spend(work)) {
+      for (; count < kInFlight && next < lines.size(); ++next) {
+        PendingRay<Goal>& ray = *pending_[count];
+        ray.index = next;
+        if (launch(ray, lines[next])) {
+          ++count;
+        } else {
+          end(ray, true);
+        }
+      }
+      if (count == 0) {
+        return;
+      }
+      work = descend(count) + look(count);
+      count = rest(count);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      end(*pending_[i], false);
+    }
+    for (; next < lines.size(); ++next) {
+      answers_[next].coverage = Coverage::cut;
+    }
+  }
 
   /// False if the ray misses the whole body.
-  bool launch(PendingRay<Goal>& ray, const RayLine& line, std::size_t index) {
+  bool launch(PendingRay<Goal>& ray, const RayLine& line) {
     ray.target.line = line;
     ray.target.direction = ScaledDirection(line);
     ray.target.cost = {};
     ray.goal.begin();
-    ray.index = index;
-    ray.stack.assign(1, {-std::numeric_limits<float>::infinity(), kRootId});
+    ray.stack.begin(ray.walk);
+    ray.walk.boxes = 0;
+    ray.walk.stack[ray.walk.size++] = {-std::numeric_limits<float>::infinity(), kRootId};
     return frame_.start(line, ray.target.direction, ray.target.course);
   }
 
-  /// Takes each ray a node or a block further; returns how many are still on their way, which are
-  /// the first ones then.
-  std::size_t advance(std::size_t count) {
-    std::size_t nodes = 0;
-    std::size_t blocks = 0;
+  void end(PendingRay<Goal>& ray, bool complete) {
+    ray.target.cost.node_tests = ray.walk.boxes;
+    answers_[ray.index] = ray.goal.end(ray.target, complete);
+    if constexpr (kInFlight == 1) {
+      Goal::finish(ray.target, answers_[ray.index]);
+    }
+  }
+
+  /// Takes rays to blocks, or to their ends; returns the nodes entered.
+  std::uint64_t descend(std::size_t count) {
+    constexpr std::size_t kSteps = 1000;
+    std::array<LineWalk*, kInFlight> walks;
     for (std::size_t i = 0; i < count; ++i) {
-      PendingRay<Goal>& ray = at(i);
-      const Ahead ahead = ray.stack.back();
-      ray.stack.pop_back();
-      const LineNumbers* const line = &ray.target.course.numbers;
-      if ((ahead.token & WideNode::kLeafBit) == 0) {
-        node_ray_[nodes] = &ray;
-        node_task_[nodes++] = {line, &source_.node(ahead.token), 0, {}};
-      } else {
-        block_ray_[blocks] = &ray;
-        block_ahead_[blocks] = ahead;
-        block_task_[blocks++] = {line, &source_.block(ahead.token), 0, 0, 0, {}};
+      walks[i] = &pending_[i]->walk;
+      walks[i]->steps = kSteps;
+      pending_[i]->stack.reserve(*walks[i]);
+    }
+    if constexpr (Source::kInPlace) {
+      kernels_.line_walks(source_.nodes(), walks.data(), count);
+    } else {
+      for (std::size_t i = 0; i < count; ++i) {
+        enter_one(*walks[i]);
       }
     }
-    kernels_.line_nodes(node_task_.data(), nodes);
-    for (std::size_t k = 0; k < nodes; ++k) {
-      descend(node_task_[k], *node_ray_[k]);
+    std::uint64_t entered = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      entered += kSteps - walks[i]->steps;
+      if (on_block(*walks[i])) {
+        source_.fetch_block(walks[i]->stack[walks[i]->size - 1].token);
+      }
     }
-    kernels_.line_blocks(block_task_.data(), blocks);
-    for (std::size_t k = 0; k < blocks; ++k) {
-      look(block_task_[k], block_ahead_[k], *block_ray_[k]);
+    return entered;
+  }
+
+  /// A node that does not stay where it is.
+  void enter_one(LineWalk& walk) {
+    while (walk.size != 0 && walk.stack[walk.size - 1].near > walk.line->far_open) {
+      --walk.size;
     }
+    if (walk.size != 0 && !on_block(walk)) {
+      --walk.steps;
+      kernels_.line_node(source_.node(walk.stack[--walk.size].token), walk);
+    }
+  }
+
+  static bool on_block(const LineWalk& walk) {
+    return walk.size != 0 && (walk.stack[walk.size - 1].token & WideNode::kLeafBit) != 0;
+  }
+
+  /// Looks at the leaves that rays have come to; returns the work.
+  std::uint64_t look(std::size_t count) {
+    std::uint64_t work = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      PendingRay<Goal>& ray = *pending_[i];
+      if (on_block(ray.walk)) {
+        const std::uint64_t exact_tests = ray.target.cost.exact_tests;
+        if (look_at(ray, ray.walk.stack[--ray.walk.size].token)) {
+          ray.walk.size = 0;
+        }
+        work += 1 + (ray.target.cost.exact_tests - exact_tests) * kExactWork;
+      }
+    }
+    return work;
+  }
+
+  /// True when nothing else matters.
+  bool look_at(PendingRay<Goal>& ray, std::uint32_t token) {
+    bool done = false;
+    for (std::uint32_t following = 1; following != 0 && !done; token = source_.next(token)) {
+      LineBlockTask task{ray.walk.line, &source_.block(token), 0, 0, 0, {}, {}};
+      kernels_.line_block(task);
+      ray.target.cost.triangle_tests += task.block->count;
+      following = task.block->following;
+      done = ray.goal.look(ray.target, task);
+    }
+    return done;
+  }
+
+  /// Ends rays with nothing left; returns how many are on their way, the first ones then.
+  std::size_t rest(std::size_t count) {
     for (std::size_t i = 0; i < count;) {
-      if (arrived(at(i))) {
-        std::swap(order_[i], order_[--count]);
+      if (pending_[i]->walk.size == 0) {
+        end(*pending_[i], true);
+        std::swap(pending_[i], pending_[--count]);
       } else {
         ++i;
       }
@@ -132,86 +214,46 @@ class RayTraversal : public RayMemory<Goal> {
     return count;
   }
 
-  void descend(const LineNodeTask& task, PendingRay<Goal>& ray) {
-    const WideNode& node = *task.node;
-    ray.target.cost.node_tests += node.count;
-    const std::size_t begin = ray.stack.size();
-    for (std::uint32_t left = task.lanes; left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      ray.stack.push_back({task.near[lane], node.child[lane]});
-      if constexpr (Goal::kNearestFirst) {
-        for (std::size_t i = ray.stack.size() - 1;
-             i > begin && ray.stack[i].near > ray.stack[i - 1].near; --i) {
-          std::swap(ray.stack[i], ray.stack[i - 1]);
-        }
-      }
-    }
-  }
-
-  void look(const LineBlockTask& task, const Ahead& ahead, PendingRay<Goal>& ray) {
-    Cost& cost = ray.target.cost;
-    cost.triangle_tests += task.block->count;
-    const std::uint64_t before = cost.exact_tests;
-    if (ray.goal.look(ray.target, task)) {
-      ray.stack.clear();
-    } else if (task.block->following != 0) {
-      ray.stack.push_back({ahead.near, source_.next(ahead.token)});
-    }
-    exact_tests_ += cost.exact_tests - before;
-  }
-
-  /// Starts to load what comes next, or ends it.
-  bool arrived(PendingRay<Goal>& ray) {
-    std::vector<Ahead>& stack = ray.stack;
-    while (!stack.empty() && stack.back().near > ray.target.course.numbers.far_open) {
-      stack.pop_back();
-    }
-    if (stack.empty()) {
-      answers_[ray.index] = ray.goal.end(ray.target, true);
-      return true;
-    }
-    const std::uint32_t token = stack.back().token;
-    if ((token & WideNode::kLeafBit) == 0) {
-      source_.fetch_node(token);
-    } else {
-      source_.fetch_block(token);
-    }
-    return false;
-  }
-
   const RayFrame& frame_;
   const Kernels& kernels_;
   Source source_;
   std::span<Answer> answers_;
-  std::uint64_t exact_tests_ = 0;  // since the limit was last looked at
   std::array<PendingRay<Goal>, kInFlight> rays_;
-  std::array<std::size_t, kInFlight> order_;  // those on their way first
-  std::array<LineNodeTask, kInFlight> node_task_;
-  std::array<LineBlockTask, kInFlight> block_task_;
-  std::array<PendingRay<Goal>*, kInFlight> node_ray_;
-  std::array<PendingRay<Goal>*, kInFlight> block_ray_;
-  std::array<Ahead, kInFlight> block_ahead_;
+  std::array<PendingRay<Goal>*, kInFlight> pending_;  // those on their way first
 };
 
 }  // namespace
 
 template <class Goal>
 std::unique_ptr<RayMemory<Goal>> ray_memory(const Body& body, const RayFrame& frame,
-                                            std::optional<TriangleId> skip, bool alone) {
+                                            std::optional<TriangleId> skip) {
   if (body.shape.layout().compact() != nullptr) {
     return std::make_unique<RayTraversal<CompactSource, Goal, 1>>(body, frame, skip);
-  }
-  if (alone) {
-    return std::make_unique<RayTraversal<WideSource, Goal, 1>>(body, frame, skip);
   }
   return std::make_unique<RayTraversal<WideSource, Goal, kRaysInFlight>>(body, frame, skip);
 }
 
-template std::unique_ptr<RayMemory<ClosestHitGoal>> ray_memory(const Body&, const RayFrame&,
-                                                               std::optional<TriangleId>, bool);
-template std::unique_ptr<RayMemory<AnyHitGoal>> ray_memory(const Body&, const RayFrame&,
-                                                           std::optional<TriangleId>, bool);
-template std::unique_ptr<RayMemory<AllHitsGoal>> ray_memory(const Body&, const RayFrame&,
-                                                            std::optional<TriangleId>, bool);
+template <class Goal>
+typename Goal::Answer answer_ray(const Body& body, std::optional<TriangleId> skip,
+                                 const RayLine& line, Limit& limit) {
+  const RayFrame frame(body.shape.layout(), body.pose);
+  typename Goal::Answer answer;
+  if (body.shape.layout().compact() != nullptr) {
+    RayTraversal<CompactSource, Goal, 1>(body, frame, skip).answer({&line, 1}, {&answer, 1}, limit);
+  } else {
+    RayTraversal<WideSource, Goal, 1>(body, frame, skip).answer({&line, 1}, {&answer, 1}, limit);
+  }
+  return answer;
+}
+
+#define SOMS_RAYS_OF(Goal)                                                                       \
+  template std::unique_ptr<RayMemory<Goal>> ray_memory(const Body&, const RayFrame&,             \
+                                                       std::optional<TriangleId>);               \
+  template Goal::Answer answer_ray<Goal>(const Body&, std::optional<TriangleId>, const RayLine&, \
+                                         Limit&);
+SOMS_RAYS_OF(ClosestHitGoal)
+SOMS_RAYS_OF(AnyHitGoal)
+SOMS_RAYS_OF(AllHitsGoal)
+#undef SOMS_RAYS_OF
 
 }  // namespace soms::detail

@@ -1,5 +1,5 @@
 /// \file
-/// Rays against one body: through its tree, several at a time.
+/// Rays against one body, through its tree.
 #pragma once
 
 #include "soms/geometry/detail/exact_ray.h"
@@ -29,19 +29,24 @@ class RayMemory {
                       Limit& limit) = 0;
 };
 
-/// Made for a body and its frame, which must stay; `alone` for one ray, without room for more at a
-/// time. \pre The body is not empty.
+/// Made for a body and its frame, which must stay. \pre The body is not empty.
 template <class Goal>
 [[nodiscard]] std::unique_ptr<RayMemory<Goal>> ray_memory(const Body& body, const RayFrame& frame,
-                                                          std::optional<TriangleId> skip,
-                                                          bool alone);
+                                                          std::optional<TriangleId> skip);
 
-extern template std::unique_ptr<RayMemory<ClosestHitGoal>> ray_memory(const Body&, const RayFrame&,
-                                                                      std::optional<TriangleId>,
-                                                                      bool);
-extern template std::unique_ptr<RayMemory<AnyHitGoal>> ray_memory(const Body&, const RayFrame&,
-                                                                  std::optional<TriangleId>, bool);
-extern template std::unique_ptr<RayMemory<AllHitsGoal>> ray_memory(const Body&, const RayFrame&,
-                                                                   std::optional<TriangleId>, bool);
+/// One ray, with no memory but the stack's where that suffices. \pre The body is not empty.
+template <class Goal>
+[[nodiscard]] typename Goal::Answer answer_ray(const Body& body, std::optional<TriangleId> skip,
+                                               const RayLine& line, Limit& limit);
+
+#define SOMS_RAYS_OF(Goal)                                                                  \
+  extern template std::unique_ptr<RayMemory<Goal>> ray_memory(const Body&, const RayFrame&, \
+                                                              std::optional<TriangleId>);   \
+  extern template Goal::Answer answer_ray<Goal>(const Body&, std::optional<TriangleId>,     \
+                                                const RayLine&, Limit&);
+SOMS_RAYS_OF(ClosestHitGoal)
+SOMS_RAYS_OF(AnyHitGoal)
+SOMS_RAYS_OF(AllHitsGoal)
+#undef SOMS_RAYS_OF
 
 }  // namespace soms::detail

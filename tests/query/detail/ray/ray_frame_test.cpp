@@ -66,6 +66,23 @@ RayLine line_of(Rng& rng, const Body& body) {
   return line;
 }
 
+/// What a kernel puts on a ray's stack for a node.
+std::vector<Ahead> boxes_ahead(const Kernels& kernels, const RayCourse& course,
+                               const WideNode& node) {
+  std::vector<Ahead> stack(WideNode::kWidth);
+  LineWalk walk{&course.numbers, stack.data(), 0, stack.size(), 0, 0};
+  kernels.line_node(node, walk);
+  EXPECT_EQ(walk.boxes, node.count);
+  stack.resize(walk.size);
+  return stack;
+}
+
+LineBlockTask judged(const Kernels& kernels, const RayCourse& course, const TriangleBlock& block) {
+  LineBlockTask task{&course.numbers, &block, 0, 0, 0, {}, {}};
+  kernels.line_block(task);
+  return task;
+}
+
 TEST(RayFrame, GivesTheSameBitsByAllInstructionSets) {
   std::size_t met = 0;
   test::for_each_case("ray-frame/bits", 100, [&](Rng& rng) {
@@ -80,28 +97,43 @@ TEST(RayFrame, GivesTheSameBitsByAllInstructionSets) {
       for (const Kernels* kernels : kernels_here()) {
         SCOPED_TRACE(kernels->name);
         for (const WideNode& node : body.shape.layout().nodes()) {
-          std::array<LineNodeTask, 2> task{
-              {{&course.numbers, &node, 0, {}}, {&course.numbers, &node, 0, {}}}};
-          kernels->line_nodes(task.data(), 1);
-          scalar::kernels().line_nodes(&task[1], 1);
-          ASSERT_EQ(task[0].lanes, task[1].lanes);
-          ASSERT_EQ(task[0].near, task[1].near);
-          met += task[0].lanes != 0 ? 1U : 0U;
+          const std::vector<Ahead> boxes = boxes_ahead(*kernels, course, node);
+          ASSERT_EQ(boxes, boxes_ahead(scalar::kernels(), course, node));
+          met += boxes.empty() ? 0U : 1U;
         }
         for (const TriangleBlock& block : body.shape.layout().blocks()) {
-          std::array<LineBlockTask, 2> task{
-              {{&course.numbers, &block, 0, 0, 0, {}}, {&course.numbers, &block, 0, 0, 0, {}}}};
-          kernels->line_blocks(task.data(), 1);
-          scalar::kernels().line_blocks(&task[1], 1);
-          ASSERT_EQ(task[0].through, task[1].through);
-          ASSERT_EQ(task[0].sure, task[1].sure);
-          ASSERT_EQ(task[0].open, task[1].open);
-          ASSERT_EQ(task[0].near, task[1].near);
+          const LineBlockTask task = judged(*kernels, course, block);
+          const LineBlockTask twin = judged(scalar::kernels(), course, block);
+          ASSERT_EQ(task.through, twin.through);
+          ASSERT_EQ(task.sure, twin.sure);
+          ASSERT_EQ(task.open, twin.open);
+          ASSERT_EQ(task.near, twin.near);
+          ASSERT_EQ(task.far, twin.far);
         }
       }
     }
   });
   EXPECT_GT(met, 1000U);
+}
+
+/// A hit's place along the ray is within the bounds of it, in units of the layout.
+void expect_between(const RayLine& line, const RayCourse& course, const ExactRay& exact, float near,
+                    float far) {
+  if (line.segment && line.origin == line.ahead) {
+    return;
+  }
+  RayTime scaled = exact.time();
+  scaled.exponent += ScaledDirection(line).exponent;
+  RayCourse until = course;
+  const Bracket time = bracket(scaled);
+  until.set_far(time.upper);  // rounded up, by a few roundings
+  ASSERT_LE(near, until.numbers.far_open);
+  const auto place = [&](double t) {
+    return (course.start + t * course.speed) * course.numbers.scale;
+  };
+  const double rounding = (std::abs(course.start) + time.lower * course.speed) * 0x1p-49;
+  ASSERT_GE(far, place(time.lower) - rounding * course.numbers.scale);
+  ASSERT_LE(near, place(time.upper) + rounding * course.numbers.scale);
 }
 
 /// What a whole tree says of triangles: below nodes that the ray may meet only.
@@ -115,18 +147,13 @@ void expect_right(const Body& body, const RayLine& line, const RayCourse& course
     const std::uint32_t token = reached.back();
     reached.pop_back();
     if ((token & WideNode::kLeafBit) == 0) {
-      LineNodeTask task{&course.numbers, &tree.nodes()[token], 0, {}};
-      kernels.line_nodes(&task, 1);
-      for (std::uint32_t k = 0; k < WideNode::kWidth; ++k) {
-        if ((task.lanes >> k & 1U) != 0) {
-          reached.push_back(task.node->child[k]);
-        }
+      for (const Ahead& box : boxes_ahead(kernels, course, tree.nodes()[token])) {
+        reached.push_back(box.token);
       }
       continue;
     }
     const TriangleBlock& block = tree.blocks()[token & (WideNode::kMost - 1)];
-    LineBlockTask task{&course.numbers, &block, 0, 0, 0, {}};
-    kernels.line_blocks(&task, 1);
+    const LineBlockTask task = judged(kernels, course, block);
     ASSERT_EQ(task.through & task.open, 0U);
     ASSERT_EQ(task.sure & ~task.through, 0U);
     for (std::uint32_t k = 0; k < block.count; ++k) {
@@ -143,6 +170,9 @@ void expect_right(const Body& body, const RayLine& line, const RayCourse& course
       if (said < 2 && !(line.segment && line.origin == line.ahead)) {
         ASSERT_TRUE(exact.crossed_beside());
         ASSERT_TRUE(!exact.hit() || exact.features()[0] == kFace);
+      }
+      if (said != 3 && exact.hit()) {
+        ASSERT_NO_FATAL_FAILURE(expect_between(line, course, exact, task.near[k], task.far[k]));
       }
     }
     if (block.following != 0) {
