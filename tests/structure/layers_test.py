@@ -32,6 +32,7 @@ LENT = {
     ("query", "soms/geometry/detail/plane_cells.h"): "bodies that touch are distinguished by the cells of their triangles",
     ("query", "soms/geometry/detail/predicates.h"): "tests of a ray say whether a filter sufficed",
     ("query", "soms/geometry/detail/double_double.h"): "angles near an edge need twice the digits",
+    ("query", "soms/geometry/detail/power_of_two.h"): "rays are scaled as often as in geometry",
     ("scene", "soms/geometry/detail/point_to_triangle.h"): "which of many bodies is nearest is decided exactly",
     ("scene", "soms/geometry/detail/exact_ray.h"): "as point_to_triangle.h",
     ("scene", "soms/geometry/detail/exact_point.h"): "as exact_distance.h",

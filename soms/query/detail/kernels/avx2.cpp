@@ -154,10 +154,10 @@ void test_nodes(NodeTask* tasks, std::size_t count) {
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"avx2",      test_nodes,      test_larger, append,     test_slabs,
-                                  test_boxes,  judge,           bound_nodes, near_boxes, near_pairs,
-                                  bound_boxes, bound_triangles, ray_nodes,   ray_blocks, line_walks,
-                                  line_node,   line_block};
+  static constexpr Kernels kTable{
+      "avx2",    test_nodes,  test_larger,   append,     test_slabs,  test_boxes,
+      judge,     bound_nodes, near_boxes,    near_pairs, bound_boxes, bound_triangles,
+      ray_nodes, ray_blocks,  line_descents, line_node,  line_block};
   return kTable;
 }
 

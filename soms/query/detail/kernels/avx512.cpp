@@ -273,10 +273,10 @@ inline std::size_t put_all(std::uint32_t pairs, __m128i x, __m128i y, std::uint3
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"avx512",    test_nodes,      test_larger, append,     test_slabs,
-                                  test_boxes,  judge,           bound_nodes, near_boxes, near_pairs,
-                                  bound_boxes, bound_triangles, ray_nodes,   ray_blocks, line_walks,
-                                  line_node,   line_block};
+  static constexpr Kernels kTable{
+      "avx512",  test_nodes,  test_larger,   append,     test_slabs,  test_boxes,
+      judge,     bound_nodes, near_boxes,    near_pairs, bound_boxes, bound_triangles,
+      ray_nodes, ray_blocks,  line_descents, line_node,  line_block};
   return kTable;
 }
 

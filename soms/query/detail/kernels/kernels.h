@@ -221,14 +221,14 @@ struct Kernels {
   /// Triangles of blocks that a ray surely meets, and those that floats cannot decide.
   void (*ray_blocks)(RayBlockTask* tasks, std::size_t count);
 
-  /// Takes rays in any direction, kMostWalks at most, down a tree (lines.h): each enters nodes, the
-  /// nearest one first, until a block is the next to be looked at, nothing is, there is no room for
-  /// a node's boxes, or it has made its steps. They take turns, so that one computes while others
-  /// load.
-  void (*line_walks)(const WideNode* nodes, LineWalk* const* walks, std::size_t count);
+  /// Takes rays in any direction, kMostDescents at most, down a tree (lines.h): each enters nodes,
+  /// the nearest one first, until a block is the next to be looked at, nothing is, there is no room
+  /// for a node's boxes, or it has made its steps. They take turns, so that one computes while
+  /// others load.
+  void (*line_descents)(const WideNode* nodes, LineDescent* const* descents, std::size_t count);
 
   /// Puts a node's boxes that a ray may meet on its stack, which has room for them.
-  void (*line_node)(const WideNode& node, LineWalk& walk);
+  void (*line_node)(const WideNode& node, LineDescent& descent);
 
   /// `ray_blocks` for a ray in any direction.
   void (*line_block)(LineBlockTask& task);

@@ -64,7 +64,7 @@ struct Ahead {
 };
 
 /// A ray on its way through a tree: what is still to be looked at, the next one last.
-struct LineWalk {
+struct LineDescent {
   const LineNumbers* line;
   Ahead* stack;
   std::size_t size;     ///< entries of the stack
@@ -74,7 +74,7 @@ struct LineWalk {
 };
 
 /// Rays that take turns.
-inline constexpr std::size_t kMostWalks = 16;
+inline constexpr std::size_t kMostDescents = 16;
 
 /// A ray against a block. Bounds of places along it: of all corners, and tighter ones where the
 /// ray's line surely crosses the triangle.

@@ -57,11 +57,11 @@ inline std::uint32_t meet_boxes(const LineNumbers& line, const WideNode& node,
 }
 
 /// Tests a node's boxes and puts those that the ray may meet on the stack, the nearest one last.
-inline void line_node(const WideNode& node, LineWalk& walk) {
+inline void line_node(const WideNode& node, LineDescent& descent) {
   std::array<float, 4> near;
-  const std::uint32_t lanes = meet_boxes(*walk.line, node, near);
-  walk.boxes += node.count;
-  Ahead* const begin = walk.stack + walk.size;
+  const std::uint32_t lanes = meet_boxes(*descent.line, node, near);
+  descent.boxes += node.count;
+  Ahead* const begin = descent.stack + descent.size;
   Ahead* end = begin;
   for (std::size_t lane = 0; lane < WideNode::kWidth; ++lane) {
     *end = {near[lane], node.child[lane]};
@@ -72,37 +72,37 @@ inline void line_node(const WideNode& node, LineWalk& walk) {
       std::swap(*at, at[-1]);
     }
   }
-  walk.size = static_cast<std::size_t>(end - walk.stack);
+  descent.size = static_cast<std::size_t>(end - descent.stack);
 }
 
 /// Drops what does not matter any more; true if a node is next that the ray may enter.
-inline bool can_enter(LineWalk& walk) {
-  const float far = walk.line->far_open;
-  while (walk.size != 0 && walk.stack[walk.size - 1].near > far) {
-    --walk.size;
+inline bool can_enter(LineDescent& descent) {
+  const float far = descent.line->far_open;
+  while (descent.size != 0 && descent.stack[descent.size - 1].near > far) {
+    --descent.size;
   }
-  return walk.size != 0 && (walk.stack[walk.size - 1].token & WideNode::kLeafBit) == 0 &&
-         walk.steps != 0 && walk.size + WideNode::kWidth <= walk.room;
+  return descent.size != 0 && (descent.stack[descent.size - 1].token & WideNode::kLeafBit) == 0 &&
+         descent.steps != 0 && descent.size + WideNode::kWidth <= descent.room;
 }
 
-inline void line_walks(const WideNode* nodes, LineWalk* const* walks, std::size_t count) {
-  std::array<LineWalk*, kMostWalks> going;
+inline void line_descents(const WideNode* nodes, LineDescent* const* descents, std::size_t count) {
+  std::array<LineDescent*, kMostDescents> going;
   std::size_t left = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    going[left] = walks[i];
-    left += can_enter(*walks[i]) ? 1U : 0U;
+    going[left] = descents[i];
+    left += can_enter(*descents[i]) ? 1U : 0U;
   }
   while (left != 0) {
     const std::size_t turns = left;
     left = 0;
     for (std::size_t i = 0; i < turns; ++i) {
-      LineWalk& walk = *going[i];
-      --walk.steps;
-      line_node(nodes[walk.stack[--walk.size].token], walk);
-      going[left] = &walk;
-      if (can_enter(walk)) {
+      LineDescent& descent = *going[i];
+      --descent.steps;
+      line_node(nodes[descent.stack[--descent.size].token], descent);
+      going[left] = &descent;
+      if (can_enter(descent)) {
         ++left;
-        fetch(nodes[walk.stack[walk.size - 1].token]);
+        fetch(nodes[descent.stack[descent.size - 1].token]);
       }
     }
   }

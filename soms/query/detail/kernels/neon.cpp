@@ -40,10 +40,10 @@ namespace {
 }  // namespace
 
 const Kernels& kernels() {
-  static constexpr Kernels kTable{"neon",      test_nodes,      test_larger, append,     test_slabs,
-                                  test_boxes,  judge,           bound_nodes, near_boxes, near_pairs,
-                                  bound_boxes, bound_triangles, ray_nodes,   ray_blocks, line_walks,
-                                  line_node,   line_block};
+  static constexpr Kernels kTable{
+      "neon",    test_nodes,  test_larger,   append,     test_slabs,  test_boxes,
+      judge,     bound_nodes, near_boxes,    near_pairs, bound_boxes, bound_triangles,
+      ray_nodes, ray_blocks,  line_descents, line_node,  line_block};
   return kTable;
 }
 

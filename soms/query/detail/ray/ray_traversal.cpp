@@ -18,25 +18,25 @@ namespace {
 
 /// Rays of a batch that take turns.
 constexpr std::size_t kRaysInFlight = 8;
-static_assert(kRaysInFlight <= kMostWalks);
+static_assert(kRaysInFlight <= kMostDescents);
 
-/// The stack of a walk: as much as trees mostly need, and more where one is deeper.
-class WalkStack {
+/// The stack of a descent: as much as trees mostly need, and more where one is deeper.
+class DescentStack {
  public:
-  void begin(LineWalk& walk) {
-    walk.stack = more_.empty() ? usual_.data() : more_.data();
-    walk.room = more_.empty() ? usual_.size() : more_.size();
-    walk.size = 0;
+  void begin(LineDescent& descent) {
+    descent.stack = more_.empty() ? usual_.data() : more_.data();
+    descent.room = more_.empty() ? usual_.size() : more_.size();
+    descent.size = 0;
   }
 
   /// Makes room for a node's boxes.
-  void reserve(LineWalk& walk) {
-    if (walk.size + WideNode::kWidth > walk.room) {
-      std::vector<Ahead> larger(2 * walk.room);
-      std::copy(walk.stack, walk.stack + walk.size, larger.begin());
+  void reserve(LineDescent& descent) {
+    if (descent.size + WideNode::kWidth > descent.room) {
+      std::vector<Ahead> larger(2 * descent.room);
+      std::copy(descent.stack, descent.stack + descent.size, larger.begin());
       more_ = std::move(larger);
-      walk.stack = more_.data();
-      walk.room = more_.size();
+      descent.stack = more_.data();
+      descent.room = more_.size();
     }
   }
 
@@ -50,8 +50,8 @@ template <class Goal>
 struct PendingRay {
   RayTarget target;
   Goal goal;
-  LineWalk walk;
-  WalkStack stack;
+  LineDescent descent;
+  DescentStack stack;
   std::size_t index = 0;
 };
 
@@ -67,7 +67,7 @@ class RayTraversal final : public RayMemory<Goal> {
       PendingRay<Goal>& ray = rays_[i];
       ray.target.body = &body;
       ray.target.skip = skip;
-      ray.walk.line = &ray.target.course.numbers;
+      ray.descent.line = &ray.target.course.numbers;
       pending_[i] = &ray;
     }
   }
@@ -117,14 +117,14 @@ class RayTraversal final : public RayMemory<Goal> {
     ray.target.direction = ScaledDirection(line);
     ray.target.cost = {};
     ray.goal.begin();
-    ray.stack.begin(ray.walk);
-    ray.walk.boxes = 0;
-    ray.walk.stack[ray.walk.size++] = {-std::numeric_limits<float>::infinity(), kRootId};
+    ray.stack.begin(ray.descent);
+    ray.descent.boxes = 0;
+    ray.descent.stack[ray.descent.size++] = {-std::numeric_limits<float>::infinity(), kRootId};
     return frame_.start(line, ray.target.direction, ray.target.course);
   }
 
   void end(PendingRay<Goal>& ray, bool complete) {
-    ray.target.cost.node_tests = ray.walk.boxes;
+    ray.target.cost.node_tests = ray.descent.boxes;
     answers_[ray.index] = ray.goal.end(ray.target, complete);
     if constexpr (kInFlight == 1) {
       Goal::finish(ray.target, answers_[ray.index]);
@@ -134,42 +134,42 @@ class RayTraversal final : public RayMemory<Goal> {
   /// Takes rays to blocks, or to their ends; returns the nodes entered.
   std::uint64_t descend(std::size_t count) {
     constexpr std::size_t kSteps = 1000;
-    std::array<LineWalk*, kInFlight> walks;
+    std::array<LineDescent*, kInFlight> descents;
     for (std::size_t i = 0; i < count; ++i) {
-      walks[i] = &pending_[i]->walk;
-      walks[i]->steps = kSteps;
-      pending_[i]->stack.reserve(*walks[i]);
+      descents[i] = &pending_[i]->descent;
+      descents[i]->steps = kSteps;
+      pending_[i]->stack.reserve(*descents[i]);
     }
     if constexpr (Source::kInPlace) {
-      kernels_.line_walks(source_.nodes(), walks.data(), count);
+      kernels_.line_descents(source_.nodes(), descents.data(), count);
     } else {
       for (std::size_t i = 0; i < count; ++i) {
-        enter_one(*walks[i]);
+        enter_one(*descents[i]);
       }
     }
     std::uint64_t entered = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      entered += kSteps - walks[i]->steps;
-      if (on_block(*walks[i])) {
-        source_.fetch_block(walks[i]->stack[walks[i]->size - 1].token);
+      entered += kSteps - descents[i]->steps;
+      if (on_block(*descents[i])) {
+        source_.fetch_block(descents[i]->stack[descents[i]->size - 1].token);
       }
     }
     return entered;
   }
 
   /// A node that does not stay where it is.
-  void enter_one(LineWalk& walk) {
-    while (walk.size != 0 && walk.stack[walk.size - 1].near > walk.line->far_open) {
-      --walk.size;
+  void enter_one(LineDescent& descent) {
+    while (descent.size != 0 && descent.stack[descent.size - 1].near > descent.line->far_open) {
+      --descent.size;
     }
-    if (walk.size != 0 && !on_block(walk)) {
-      --walk.steps;
-      kernels_.line_node(source_.node(walk.stack[--walk.size].token), walk);
+    if (descent.size != 0 && !on_block(descent)) {
+      --descent.steps;
+      kernels_.line_node(source_.node(descent.stack[--descent.size].token), descent);
     }
   }
 
-  static bool on_block(const LineWalk& walk) {
-    return walk.size != 0 && (walk.stack[walk.size - 1].token & WideNode::kLeafBit) != 0;
+  static bool on_block(const LineDescent& descent) {
+    return descent.size != 0 && (descent.stack[descent.size - 1].token & WideNode::kLeafBit) != 0;
   }
 
   /// Looks at the leaves that rays have come to; returns the work.
@@ -177,10 +177,10 @@ class RayTraversal final : public RayMemory<Goal> {
     std::uint64_t work = 0;
     for (std::size_t i = 0; i < count; ++i) {
       PendingRay<Goal>& ray = *pending_[i];
-      if (on_block(ray.walk)) {
+      if (on_block(ray.descent)) {
         const std::uint64_t exact_tests = ray.target.cost.exact_tests;
-        if (look_at(ray, ray.walk.stack[--ray.walk.size].token)) {
-          ray.walk.size = 0;
+        if (look_at(ray, ray.descent.stack[--ray.descent.size].token)) {
+          ray.descent.size = 0;
         }
         work += 1 + (ray.target.cost.exact_tests - exact_tests) * kExactWork;
       }
@@ -192,7 +192,7 @@ class RayTraversal final : public RayMemory<Goal> {
   bool look_at(PendingRay<Goal>& ray, std::uint32_t token) {
     bool done = false;
     for (std::uint32_t following = 1; following != 0 && !done; token = source_.next(token)) {
-      LineBlockTask task{ray.walk.line, &source_.block(token), 0, 0, 0, {}, {}};
+      LineBlockTask task{ray.descent.line, &source_.block(token), 0, 0, 0, {}, {}};
       kernels_.line_block(task);
       ray.target.cost.triangle_tests += task.block->count;
       following = task.block->following;
@@ -204,7 +204,7 @@ class RayTraversal final : public RayMemory<Goal> {
   /// Ends rays with nothing left; returns how many are on their way, the first ones then.
   std::size_t rest(std::size_t count) {
     for (std::size_t i = 0; i < count;) {
-      if (pending_[i]->walk.size == 0) {
+      if (pending_[i]->descent.size == 0) {
         end(*pending_[i], true);
         std::swap(pending_[i], pending_[--count]);
       } else {

@@ -70,10 +70,10 @@ RayLine line_of(Rng& rng, const Body& body) {
 std::vector<Ahead> boxes_ahead(const Kernels& kernels, const RayCourse& course,
                                const WideNode& node) {
   std::vector<Ahead> stack(WideNode::kWidth);
-  LineWalk walk{&course.numbers, stack.data(), 0, stack.size(), 0, 0};
-  kernels.line_node(node, walk);
-  EXPECT_EQ(walk.boxes, node.count);
-  stack.resize(walk.size);
+  LineDescent descent{&course.numbers, stack.data(), 0, stack.size(), 0, 0};
+  kernels.line_node(node, descent);
+  EXPECT_EQ(descent.boxes, node.count);
+  stack.resize(descent.size);
   return stack;
 }
 
