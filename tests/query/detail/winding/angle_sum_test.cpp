@@ -9,7 +9,7 @@
 namespace soms::detail {
 namespace {
 
-constexpr long double kTurn = 6.283185307179586476925286766559005768L;
+constexpr long double kRadiansOfTurn = 6.283185307179586476925286766559005768L;
 
 TEST(AngleSum, KnowsArgumentsToItsError) {
   Rng rng(3);
@@ -17,7 +17,7 @@ TEST(AngleSum, KnowsArgumentsToItsError) {
     const double re = std::ldexp(rng.uniform(-1, 1), static_cast<int>(rng.below(30)) - 30);
     const double im = std::ldexp(rng.uniform(-1, 1), static_cast<int>(rng.below(30)) - 30);
     const long double truth =
-        std::atan2(static_cast<long double>(im), static_cast<long double>(re)) / kTurn;
+        std::atan2(static_cast<long double>(im), static_cast<long double>(re)) / kRadiansOfTurn;
     ASSERT_LE(std::abs(argument_in_turns(re, im) - truth), kArgumentError);
   }
 }
@@ -40,7 +40,7 @@ TEST(AngleSum, CountsTurns) {
       // Every seventh is on an axis, or all but on it.
       const double angle = rng.below(7) == 0 ? 0.25 * static_cast<double>(rng.below(4)) - 0.25
                                              : rng.uniform(-0.5, 0.5);
-      const long double radian = kTurn * static_cast<long double>(angle);
+      const long double radian = kRadiansOfTurn * static_cast<long double>(angle);
       const double size = std::exp2(rng.uniform(-90, 1));
       double re = size * static_cast<double>(std::cos(radian));
       double im = size * static_cast<double>(std::sin(radian));
@@ -48,7 +48,8 @@ TEST(AngleSum, CountsTurns) {
         im = std::copysign(0.0, angle);
       }
       sum.add(re, im);
-      truth += std::atan2(static_cast<long double>(im), static_cast<long double>(re)) / kTurn;
+      truth +=
+          std::atan2(static_cast<long double>(im), static_cast<long double>(re)) / kRadiansOfTurn;
     }
     ASSERT_NEAR(static_cast<double>(sum.turns() + sum.rest() - truth), 0, 500 * 0.4 * 0x1p-53);
   }

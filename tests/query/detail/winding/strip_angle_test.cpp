@@ -10,7 +10,7 @@
 namespace soms::detail {
 namespace {
 
-constexpr long double kTurn = 6.283185307179586476925286766559005768L;
+constexpr long double kFullCircle = 6.283185307179586476925286766559005768L;
 
 /// Half the solid angle of the strip in turns, by the formula in long double; its error.
 struct LongStrip {
@@ -36,7 +36,7 @@ LongStrip long_strip(const Vec3& from, const Vec3& to, const Vec3& p,
   const long double lb = std::sqrt(b[0] * b[0] + b[1] * b[1] + b[2] * b[2]);
   const long double re = (la + a[0]) * (lb + b[0]) + a[1] * b[1] + a[2] * b[2];
   const long double im = (a[1] * b[2] - a[2] * b[1]) * direction.sign;
-  return {std::atan2(im, re) / kTurn, 32 * 0x1p-64L * la * lb / std::hypot(re, im)};
+  return {std::atan2(im, re) / kFullCircle, 32 * 0x1p-64L * la * lb / std::hypot(re, im)};
 }
 
 /// Any point, one near the line of the edge, or one that the strip passes closely.
@@ -69,7 +69,7 @@ TEST(StripAngle, IsWithinItsError) {
         strip_angle(a, seen_corner(a, p, direction), b, seen_corner(b, p, direction), p, direction);
     ASSERT_LE(z.error, 0.5);
     const long double turns =
-        std::atan2(static_cast<long double>(z.im), static_cast<long double>(z.re)) / kTurn;
+        std::atan2(static_cast<long double>(z.im), static_cast<long double>(z.re)) / kFullCircle;
     ASSERT_LE(std::abs(turns - truth.turns), z.error + truth.error);
     close += std::hypot(z.re, z.im) < 0x1p-10 ? 1 : 0;
   }
