@@ -112,7 +112,7 @@ std::map<std::string, NpyArray> arrays_of(const std::filesystem::path& path) {
 }
 
 /// The words of "<name>_names.npy".
-std::vector<std::string> words_of(const NpyArray& array) {
+std::vector<std::string> names_of_codes(const NpyArray& array) {
   const std::size_t longest = std::stoul(array.header.substr(array.header.find("<U") + 2));
   std::vector<std::string> words;
   for (std::size_t at = 0; at < array.data.size(); at += 4 * longest) {
@@ -176,13 +176,13 @@ TEST_F(BinaryColumns, OfClosest) {
   EXPECT_EQ(arrays["at.npy"].numbers()[2], 1);
   EXPECT_TRUE(std::isnan(arrays["at.npy"].numbers()[3]));
   EXPECT_EQ(arrays["feature.npy"].header, described("|u1", "(2,)"));
-  EXPECT_EQ(words_of(arrays["feature_names.npy"]),
+  EXPECT_EQ(names_of_codes(arrays["feature_names.npy"]),
             (std::vector<std::string>{"vertex", "edge", "face"}));
   EXPECT_EQ(arrays["feature.npy"].digits()[0], '2');
   EXPECT_EQ(arrays["farther.npy"].header, described("|b1", "(2,)"));
   EXPECT_EQ(arrays["farther.npy"].digits(), "01");
   EXPECT_EQ(arrays["side.npy"].digits(), "00");
-  EXPECT_EQ(words_of(arrays["side_names.npy"])[1], "inside");
+  EXPECT_EQ(names_of_codes(arrays["side_names.npy"])[1], "inside");
   EXPECT_EQ(arrays["cut.npy"].digits(), "00");
 }
 
@@ -206,7 +206,7 @@ TEST_F(BinaryColumns, OfContains) {
   auto arrays = arrays_of(at("sides.npz"));
   ASSERT_EQ(arrays.size(), 2U);
   EXPECT_EQ(arrays["side.npy"].digits(), "120");
-  EXPECT_EQ(words_of(arrays["side_names.npy"]),
+  EXPECT_EQ(names_of_codes(arrays["side_names.npy"]),
             (std::vector<std::string>{"outside", "inside", "on", "undecided"}));
 }
 
@@ -259,7 +259,7 @@ TEST_F(BinaryColumns, OfPairs) {
   auto solid = answers({"solid"});
   ASSERT_EQ(solid.size(), 5U);
   EXPECT_EQ(solid["relation.npy"].digits(), "02");
-  EXPECT_EQ(words_of(solid["relation_names.npy"])[2], "crossing");
+  EXPECT_EQ(names_of_codes(solid["relation_names.npy"])[2], "crossing");
   EXPECT_EQ(solid["surfaces_meet.npy"].digits(), "01");
 }
 
