@@ -21,6 +21,10 @@ Vec3 point_or_none(bool there, const Vec3& point) {
   return there ? point : Vec3{kNone, kNone, kNone};
 }
 
+NpzColumn& side_column(NpzFile& file) {
+  return file.names("side", {"outside", "inside", "on", "undecided"});
+}
+
 template <class Enum>
 std::uint8_t code(Enum value) {
   return static_cast<std::uint8_t>(value);
@@ -50,7 +54,7 @@ void PointColumns::begin(bool lists, bool sides) {
     farther_ = &file_->column("farther", Kind::flag);
   }
   if (sides) {
-    side_ = &file_->names("side", {"outside", "inside", "on", "undecided"});
+    side_ = &side_column(*file_);
   }
   cut_ = &file_->column("cut", Kind::flag);
 }
@@ -88,7 +92,7 @@ void PointColumns::add_list(const PointAnswer& answer) {
 
 SideColumns::SideColumns(const std::string& path, bool winding) : AnswerColumns(path) {
   if (file_) {
-    side_ = &file_->names("side", {"outside", "inside", "on", "undecided"});
+    side_ = &side_column(*file_);
     if (winding) {
       lower_ = &file_->column("lower", Kind::number);
       upper_ = &file_->column("upper", Kind::number);

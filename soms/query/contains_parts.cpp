@@ -165,9 +165,9 @@ ContainsPartsBatch contains(const PartedBody& body, std::span<const Vec3> points
   for (std::size_t i = 0; i < points.size(); ++i) {
     detail::append(answer.parts, rows[i]);
     answer.offsets[i + 1] = answer.parts.size();
-    answer.cost += answer.costs[i];
     answer.coverage = answer.coverages[i] == Coverage::cut ? Coverage::cut : answer.coverage;
   }
+  answer.cost = detail::sum_of(answer.costs);
   return answer;
 }
 

@@ -96,9 +96,9 @@ WindingBatch winding(const WindingIndex& index, std::span<const Vec3> points,
         answer.costs[i] += cost;
         static_cast<void>(limit.spend(1 + cost.triangle_tests + cost.node_tests));
       });
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    answer.cost += answer.costs[i];
-    answer.coverage = answer.coverages[i] == Coverage::cut ? Coverage::cut : answer.coverage;
+  answer.cost = detail::sum_of(answer.costs);
+  for (const Coverage coverage : answer.coverages) {
+    answer.coverage = coverage == Coverage::cut ? Coverage::cut : answer.coverage;
   }
   return answer;
 }

@@ -88,13 +88,14 @@ struct Winding {
 /// the same way, unlike for `contains`.
 ///
 /// The bracket is proved, rounding included. Beside `width`, it is some 1e-14 for each boundary
-/// edge near the point, and 1e-12 for those next to it; of an edge nearer than 1e-18 of its length
+/// edge near the point, and 1e-12 for those next to it; of an edge nearer than 1e-17 of its length
 /// more and more is left open. If there is no boundary, it is the integer. The answer does not
 /// depend on the shape's tree and layout, on threads or instruction sets, but for `cost`.
 ///
 /// \errors  ErrorKind::not_finite, out_of_range unless the point is finite and within 2^300; usage
 ///          unless `width` is 0 to 1.
-/// \cost    As `contains`, and about 20 ns for each boundary edge; if the boundary is long, only
+/// \cost    As `contains`, and a few square roots for each boundary edge; if the boundary is long,
+/// only
 ///          for those near the point. `cost.triangle_tests` counts boundary edges, too, and
 ///          `node_tests` nodes that might be far.
 /// \threads Any number of callers.

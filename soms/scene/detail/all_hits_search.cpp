@@ -150,9 +150,7 @@ BodyAllHits hits_of_all(BodySets sets, std::span<const Line> lines, const RayOpt
   for (const BodyAllHits& part : parts) {
     append_block(part, all);
   }
-  for (const Cost& cost : all.costs) {
-    all.cost += cost;
-  }
+  all.cost = sum_of(all.costs);
   return all;
 }
 

@@ -40,7 +40,7 @@ void for_each_crossing(const Body& body, const ParityFrame& frame, std::span<con
 
   const auto make = [&] {
     return ThreadMemory{crossing_memory(body, frame),
-                        std::vector<PointCrossings>(kPointsOfListing)};
+                        std::vector<PointCrossings>(std::min(points.size(), kPointsOfListing))};
   };
   MemoryPool<ThreadMemory> pool;
   for_each_chunk(points.size(), kPointsOfListing, parallel,

@@ -2,6 +2,7 @@
 
 #include "soms/query/detail/engine/block_source.h"
 #include "soms/query/detail/kernels/instruction_set.h"
+#include "soms/query/detail/moved_triangle.h"
 #include "soms/query/detail/parity/triangle_crossing.h"
 
 #include <array>
@@ -196,8 +197,8 @@ class ParityTraversal {
     for (std::uint32_t left = task.open; left != 0; left &= left - 1) {
       const TriangleId id = block.id[static_cast<std::size_t>(std::countr_zero(left))];
       bool exact = false;
-      const RayHit hit =
-          triangle_crossing(moved(id), ray.point, frame_.axis(), ray.start.sign > 0, exact);
+      const RayHit hit = triangle_crossing(moved_triangle(body_, id), ray.point, frame_.axis(),
+                                           ray.start.sign > 0, exact);
       cost.exact_tests += exact ? 1U : 0U;
       if (hit == RayHit::cross) {
         tally_->cross(ray.state, ray.index, id);
@@ -224,11 +225,6 @@ class ParityTraversal {
     }
     tally_->arrive(ray.state, ray.index);
     return true;
-  }
-
-  [[nodiscard]] Triangle moved(TriangleId id) const {
-    const Triangle t = body_.shape.mesh().triangle(id);
-    return {body_.pose.apply(t.a), body_.pose.apply(t.b), body_.pose.apply(t.c)};
   }
 
   const Body& body_;

@@ -1,6 +1,6 @@
 #include "soms/query/detail/ray/crossings.h"
 
-#include "soms/query/detail/ray/moved_triangle.h"
+#include "soms/query/detail/moved_triangle.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "soms/geometry/detail/power_of_two.h"
 #include "soms/query/detail/engine/fetch.h"
-#include "soms/query/detail/ray/moved_triangle.h"
+#include "soms/query/detail/moved_triangle.h"
 
 #include <algorithm>
 #include <bit>

@@ -2,6 +2,7 @@
 
 #include "soms/geometry/detail/double_double.h"
 #include "soms/geometry/detail/joined.h"
+#include "soms/query/detail/moved_triangle.h"
 #include "soms/query/detail/parity/triangle_crossing.h"
 #include "soms/tree/build.h"
 
@@ -22,11 +23,6 @@ constexpr std::size_t kFewEdges = 8;
 /// Nodes are split while their boundary is longer than that of a sheet cut out of a surface.
 bool is_short(std::size_t edges, std::size_t triangles) {
   return static_cast<double>(edges) <= 64 + 4 * std::sqrt(static_cast<double>(triangles));
-}
-
-Triangle moved_triangle(const Body& body, TriangleId id) {
-  const Triangle t = body.shape.mesh().triangle(id);
-  return {body.pose.apply(t.a), body.pose.apply(t.b), body.pose.apply(t.c)};
 }
 
 std::array<std::uint32_t, 3> joined_corners(const Mesh& mesh,

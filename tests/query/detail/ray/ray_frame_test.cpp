@@ -3,7 +3,7 @@
 #include "soms/query/detail/ray/ray_frame.h"
 
 #include "soms/query/detail/kernels/instruction_set.h"
-#include "soms/query/detail/ray/moved_triangle.h"
+#include "soms/query/detail/moved_triangle.h"
 
 #include "tests/query/overlap_inputs.h"
 #include "tests/support/support.h"
