@@ -137,8 +137,7 @@ Action add_contains(CLI::App& app, Shared&) {
                          {{"model", ContainsBy::model},
                           {"part", ContainsBy::part},
                           {"connected", ContainsBy::connected}},
-                         "whether to answer for the model, or for each of its named or connected "
-                         "parts by itself")
+                         "answer for the model, or for each named or connected part by itself")
       ->group(kQuestionGroup);
   app.add_flag("--winding", options->winding,
                "decide by the winding number, also of an open model: inside where it is above 1/2")

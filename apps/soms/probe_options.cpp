@@ -21,9 +21,7 @@ void add_probed_model(CLI::App& app, ProbeOptions& options, const std::string& m
 CLI::Option* add_rows(CLI::App& app, const std::string& name, std::string& target,
                       const std::string& what, const std::string& header) {
   return app
-      .add_option(name, target,
-                  what + ": a CSV file with the header " + header +
-                      ", or an array of NumPy (.npy); - is standard input")
+      .add_option(name, target, what + ": CSV (header " + header + ") or .npy; - is standard input")
       ->option_text("FILE")
       ->group(kQuestionGroup);
 }

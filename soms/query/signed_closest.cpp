@@ -1,5 +1,7 @@
 #include "soms/query/signed_closest.h"
 
+#include "soms/base/arithmetic.h"
+
 namespace soms {
 
 namespace {
@@ -28,6 +30,7 @@ Bracket SignedClosest::distance() const {
 
 SignedClosest closest(const ClosedBody& body, const Vec3& point, const ClosestOptions& options,
                       const Parallel& parallel) {
+  const PlainArithmetic plain;  // flushed to 0, a tiny distance would be `on`
   SignedClosest answer{closest(body.body(), point, options, parallel)};
   const Contains found = contains(body, point, {.deadline = options.deadline});
   answer.closest.cost += found.cost;
@@ -41,6 +44,7 @@ SignedClosest SignedClosestBatch::at(std::size_t point) const {
 
 SignedClosestBatch closest(const ClosedBody& body, std::span<const Vec3> points,
                            const ClosestOptions& options, const Parallel& parallel) {
+  const PlainArithmetic plain;
   SignedClosestBatch batch{closest(body.body(), points, options, parallel), {}};
   const ContainsBatch found = contains(body, points, {.deadline = options.deadline}, parallel);
   for (std::size_t i = 0; i < points.size(); ++i) {
