@@ -1,5 +1,6 @@
 #include "soms/base/text.h"
 
+#include "apps/support/look.h"
 #include "reproduce/claims_section.h"
 #include "reproduce/html.h"
 #include "reproduce/page_style.h"
@@ -76,9 +77,9 @@ class Page {
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<title>SOMS: the experiments of the thesis, run again</title>\n<link rel=\"icon\" "
         "href=\"data:,\">\n"
-        "<style>{}{}</style>\n</head>\n<body>\n<main>\n<header class=\"title\">\n<h1>SOMS: the "
+        "<style>{}{}{}</style>\n</head>\n<body>\n<main>\n<header class=\"title\">\n<h1>SOMS: the "
         "experiments of the thesis, run again</h1>\n",
-        kPageStyle, files_ == PageFiles::paper ? kPaperStyle : kPrintStyle);
+        look::css_colors(), kPageStyle, files_ == PageFiles::paper ? kPaperStyle : kPrintStyle);
     put("<p class=\"lead\">Tables and figures of <cite>Spatial object median rules in bounding-"
         "volume hierarchies for complex environments</cite> (Hamzah Asyrani bin Sulaiman, master's "
         "thesis, Universiti Teknologi Malaysia, 2010), run again by the program <code>soms</code>, "

@@ -1,5 +1,6 @@
 /// \file
-/// How the page looks on screens of any width, light and dark.
+/// How the page looks on screens of any width; its colors are those of apps/support/look.h, whose
+/// rules stand before these.
 #pragma once
 
 #include <string_view>
@@ -7,12 +8,6 @@
 namespace soms::reproduce {
 
 inline constexpr std::string_view kPageStyle = R"css(
-:root{color-scheme:light dark;--paper:#fff;--ink:#1d1f21;--faint:#55595e;--line:#d9d8d4;
---soft:#f5f4f0;--link:#00599c;--good:#0b6e4f;--part:#8a5a00;--bad:#a83200;--open:#55595e;
---warn:#fff4d6;--warn-line:#e0b84c}
-@media screen and (prefers-color-scheme:dark){:root{--paper:#15181c;--ink:#ecebe8;--faint:#b4b8bd;
---line:#363b42;--soft:#1e2227;--link:#7cc4f5;--good:#4fcf9f;--part:#f0b84a;--bad:#ff9a70;
---open:#b4b8bd;--warn:#33290f;--warn-line:#8a6d1f}}
 *{box-sizing:border-box}
 html{-webkit-text-size-adjust:100%}
 body{margin:0 auto;max-width:66rem;padding:1rem 1.25rem 4rem;background:var(--paper);

@@ -2,6 +2,8 @@
 
 #include "soms/base/text.h"
 
+#include "apps/support/look.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,19 +15,27 @@ namespace soms::reproduce {
 
 namespace {
 
-constexpr std::array<std::string_view, kSeriesColors> kColors{
-    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#555555", "#8c6d1f"};
+static_assert(look::kSeries.size() == kSeriesColors);
 
 /// Plain attributes give the light look, which every viewer of SVG knows; where the screen is dark,
 /// these rules win over them.
-constexpr std::string_view kDark =
-    "<style>@media screen and (prefers-color-scheme:dark){"
-    ".sv .paper{fill:#15181c}.sv .ink{fill:#ecebe8}.sv .faint{fill:#b4b8bd}"
-    ".sv .axis{stroke:#9aa0a6}.sv .grid{stroke:#30353b}.sv .halo{stroke:#15181c}"
-    ".sv .s0{stroke:#4aa8e8}.sv .f0{fill:#4aa8e8}.sv .s1{stroke:#f27d26}.sv .f1{fill:#f27d26}"
-    ".sv .s2{stroke:#1fbf92}.sv .f2{fill:#1fbf92}.sv .s5{stroke:#9fd4f5}.sv .f5{fill:#9fd4f5}"
-    ".sv .s6{stroke:#c8c8c8}.sv .f6{fill:#c8c8c8}.sv .s7{stroke:#c9a64a}.sv .f7{fill:#c9a64a}"
-    "}</style>\n";
+std::string dark_rules() {
+  const auto fill = [](std::string_view name, look::Rgb color) {
+    return fmt::format(".sv .{}{{fill:{}}}", name, look::hex(color));
+  };
+  const auto stroke = [](std::string_view name, look::Rgb color) {
+    return fmt::format(".sv .{}{{stroke:{}}}", name, look::hex(color));
+  };
+  std::string rules = fill("paper", look::kPaper.dark) + fill("ink", look::kInk.dark) +
+                      fill("faint", look::kFaint.dark) + stroke("axis", look::rgb(0x9aa0a6)) +
+                      stroke("grid", look::rgb(0x30353b)) + stroke("halo", look::kPaper.dark) +
+                      fill("fa", look::kBodyA.dark) + fill("fb", look::kBodyB.dark);
+  for (std::size_t k = 0; k < kSeriesColors; ++k) {
+    rules += stroke(fmt::format("s{}", k), look::kSeries[k].dark) +
+             fill(fmt::format("f{}", k), look::kSeries[k].dark);
+  }
+  return "<style>@media screen and (prefers-color-scheme:dark){" + rules + "}</style>\n";
+}
 
 /// Widths of the characters from ' ' to '~' in thousandths of the size, as of common sans-serifs.
 constexpr std::array<std::uint16_t, 95> kWidths{
@@ -43,8 +53,8 @@ constexpr std::array<std::string_view, 3> kAnchors{"start", "middle", "end"};
 
 }  // namespace
 
-std::string_view series_color(std::size_t series) {
-  return kColors[series % kSeriesColors];
+std::string series_color(std::size_t series) {
+  return look::hex(look::kSeries[series % kSeriesColors].light);
 }
 
 std::string pixels(double value) {
@@ -103,7 +113,7 @@ void Svg::text(Spot at, std::string_view words, const TextLook& look) {
     body_ += fmt::format(" {}>{}</text>\n", look_of_rim, xml_text(words));
   };
   const std::string_view ink =
-      look.faint ? "class=\"faint\" fill=\"#5c5f63\"" : "class=\"ink\" fill=\"#1d1f21\"";
+      look.faint ? "class=\"faint\" fill=\"#55595e\"" : "class=\"ink\" fill=\"#1d1f21\"";
   if (look.haloed) {
     body_ += "<g aria-hidden=\"true\">";
     put("class=\"halo paper\" fill=\"#fff\" stroke=\"#fff\" stroke-width=\"5\" "
@@ -135,7 +145,7 @@ std::string Svg::document() const {
              "font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\">\n"
              "<title>{2}</title>\n{3}"
              "<rect class=\"paper\" width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n",
-             pixels(width_), pixels(height_), title_, kDark) +
+             pixels(width_), pixels(height_), title_, dark_rules()) +
          body_ + "</svg>\n";
 }
 

@@ -16,10 +16,10 @@ struct Spot {
 };
 
 /// Series colors that the color-blind tell apart, as #rrggbb; cycles. Classes sN (stroke) and fN
-/// (fill), N below kSeriesColors, wear them and turn lighter where the reader's screen is dark.
-/// \source Okabe and Ito 2008, Color Universal Design.
+/// (fill), N below kSeriesColors, wear them and turn lighter where the reader's screen is dark; so
+/// do the classes fa and fb, the fills of bodies A and B. Colors are from apps/support/look.h.
 inline constexpr std::size_t kSeriesColors = 8;
-[[nodiscard]] std::string_view series_color(std::size_t series);
+[[nodiscard]] std::string series_color(std::size_t series);
 
 /// Which side of its spot a text stands on.
 enum class Anchor { start, middle, end };

@@ -5,6 +5,7 @@
 #include "apps/report/asset.h"
 #include "apps/report/page_style.h"
 #include "apps/report/time_line.h"
+#include "apps/support/look.h"
 #include "reproduce/page_style.h"
 
 #include <fmt/format.h>
@@ -97,9 +98,9 @@ class PageWriter {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<title>{}</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>{}{}</style>\n</head>\n"
+        "<title>{}</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>{}{}{}</style>\n</head>\n"
         "<body>\n<main>\n<h1>{}</h1>\n",
-        kPolicy, title, reproduce::kPageStyle, kViewStyle, title);
+        kPolicy, title, look::css_colors(), reproduce::kPageStyle, kViewStyle, title);
     if (!page_.lead.empty()) {
       out_ << fmt::format("<p class=\"lead\">{}</p>\n", xml_text(page_.lead));
     }

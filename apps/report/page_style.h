@@ -52,8 +52,8 @@ border-radius:.4rem}
 cursor:pointer;border-bottom:1px solid var(--line);border-left:4px solid transparent;overflow:hidden;
 font-size:.88rem;line-height:1.35}
 .line:hover{background:var(--soft)}
-.line.lasts{border-left-color:#d55e00}
-.line.perhaps{border-left:4px dotted #d55e00}
+.line.lasts{border-left-color:var(--contact)}
+.line.perhaps{border-left:4px dotted var(--contact)}
 .line[aria-selected=true]{background:var(--soft);box-shadow:inset 0 0 0 2px var(--link)}
 .line b{display:-webkit-box;-webkit-line-clamp:2;-webkit-box-orient:vertical;overflow:hidden;
 overflow-wrap:anywhere}
@@ -69,18 +69,16 @@ line-height:2}
 .line.left .what{-webkit-line-clamp:4;font-style:italic}
 .line .when{position:relative;display:block;height:5px;margin-top:3px;background:var(--line);
 border-radius:3px;overflow:hidden}
-.line .when i{position:absolute;top:0;bottom:0;min-width:3px;background:#d55e00}
+.line .when i{position:absolute;top:0;bottom:0;min-width:3px;background:var(--contact)}
 #time{grid-column:1/-1;display:flex;flex-wrap:wrap;align-items:center;gap:.5rem .75rem}
-#step{flex:1 1 12rem;min-width:0;padding:0!important;accent-color:#d55e00}
+#step{flex:1 1 12rem;min-width:0;padding:0!important;accent-color:var(--contact)}
 #moment{font-variant-numeric:tabular-nums;min-width:11rem}
 #picked{grid-column:1/-1;margin:0;min-height:1.5rem;max-width:none;font-weight:600}
 #look .note{grid-column:1/-1;margin:0;max-width:none}
 .key{display:inline-block;width:.8em;height:.8em;border-radius:.2em;vertical-align:-.05em;
 margin:0 .3em 0 .6em}
-.key.moves{background:#0072b2}.key.still{background:#c3beb2}.key.touch{background:#d55e00}.key.was{background:#e6a36f}
+.key.moves{background:var(--body-a)}.key.still{background:var(--body-b)}.key.touch{background:var(--contact)}.key.was{background:var(--contact-past)}
 .key.gap{height:.2em;vertical-align:.25em;border-radius:0;background:var(--ink)}
-@media screen and (prefers-color-scheme:dark){.key.moves{background:#56b4e9}
-.key.still{background:#7b8087}.key.touch{background:#ff7a1a}.key.was{background:#a8683a}}
 #plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,34rem),1fr));gap:0 1.5rem}
 #plots figure{min-width:0}
 .no-list #side,.no-list .touching{display:none}.no-list #look{grid-template-columns:minmax(0,1fr)}

@@ -1,6 +1,7 @@
 #include "apps/report/time_line.h"
 
 #include "apps/report/script_text.h"
+#include "apps/support/look.h"
 #include "reproduce/axis.h"
 #include "reproduce/svg.h"
 
@@ -98,7 +99,8 @@ class Drawing {
     key();
     for (const reproduce::Tick& tick : axis_.ticks()) {
       const double at = x(tick.value);
-      svg_.line({at, kTop - 4}, {at, bottom_}, "class=\"grid\"  stroke=\"#d9d8d4\"");
+      svg_.line({at, kTop - 4}, {at, bottom_},
+                "class=\"grid\"  stroke=\"" + look::hex(look::kLine.light) + "\"");
       svg_.text({at, kTop - 10}, tick.label, {.size = 12, .anchor = Anchor::middle, .faint = true});
     }
     for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -125,7 +127,10 @@ class Drawing {
   }
 
   static std::string color(bool moving) {
-    return moving ? "class=\"f0\" fill=\"#0072b2\"" : "class=\"f1\" fill=\"#d55e00\"";
+    // Sand alone is too pale a mark upon paper.
+    return moving ? "class=\"fa\" fill=\"" + look::hex(look::kBodyA.light) + "\""
+                  : "class=\"fb\" fill=\"" + look::hex(look::kBodyB.light) + "\" stroke=\"" +
+                        look::hex(look::kFaint.light) + "\"";
   }
 
   void row(const Row& row, double top) {

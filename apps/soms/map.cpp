@@ -8,6 +8,7 @@
 #include "apps/soms/simulate_near_report.h"
 #include "apps/soms/simulate_report.h"
 #include "apps/support/length_unit.h"
+#include "apps/support/look.h"
 #include "apps/support/map_page.h"
 #include "apps/support/outline.h"
 #include "apps/support/text.h"
@@ -35,13 +36,15 @@ constexpr std::size_t kMostGaps = 1000;
 constexpr std::size_t kMostLengths = 40;
 constexpr double kLengthWidth = 62;
 constexpr double kLengthHeight = 14;
-constexpr const char* kContact = "#d1002f";
+constexpr auto kMarkHex = look::hex_characters(look::kContact.light);
+constexpr const char* kMarkColor = kMarkHex.data();
 
-/// Colors that the color-blind tell apart. \source Okabe and Ito 2008, Color Universal Design.
-constexpr std::array kModelColors{"#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9"};
-
+/// The first model is body A; the others differ from it and from contacts for the color-blind.
 std::string color_of(std::size_t model) {
-  return kModelColors[model % kModelColors.size()];
+  constexpr std::array kModelColors{look::kBodyA.light, look::kSeries[4].light,
+                                    look::kSeries[2].light, look::kSeries[3].light,
+                                    look::kSeries[5].light};
+  return look::hex(kModelColors[model % kModelColors.size()]);
 }
 
 std::size_t stride_of(const World& world) {
@@ -113,14 +116,14 @@ std::string number_mark(double x, double y, std::size_t number) {
   return fmt::format(
              "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"8\" fill=\"{}\" stroke=\"#fff\" "
              "stroke-width=\"1.2\"/>\n",
-             x, y, kContact) +
+             x, y, kMarkColor) +
          map_text(x, y + 4, 11, std::to_string(number),
                   "text-anchor=\"middle\" fill=\"#fff\" font-weight=\"700\"");
 }
 
 void draw_marks(std::ostream& out, const MapPage& page, const std::vector<Mark>& marks) {
   out << fmt::format("<g fill=\"{}\" fill-opacity=\".35\" stroke=\"{}\" stroke-width=\"1.1\">\n",
-                     kContact, kContact);
+                     kMarkColor, kMarkColor);
   for (const Mark& mark : marks) {
     out << fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>\n", page.x(mark.x),
                        page.y(mark.y), mark_radius(mark.contacts));
@@ -230,7 +233,7 @@ void write_contacts(MapPanel& panel, const Outcome& outcome, const std::vector<M
     if (!marks.empty() && marks.front().contacts >= size) {
       panel.keyed(fmt::format("<circle r=\"{:.1f}\" fill=\"{}\" fill-opacity=\".35\" "
                               "stroke=\"{}\" stroke-width=\"1.1\"/>",
-                              mark_radius(size), kContact, kContact),
+                              mark_radius(size), kMarkColor, kMarkColor),
                   fmt::format("{} at one place", size));
     }
   }

@@ -15,6 +15,7 @@ set(SOMS_SUPPORT_FILES
   json.h
   length_unit.cpp
   length_unit.h
+  look.h
   map_layers.cpp
   map_layers.h
   map_page.cpp

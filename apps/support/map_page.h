@@ -4,6 +4,8 @@
 
 #include "soms/base/box.h"
 
+#include "apps/support/look.h"
+
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -11,7 +13,8 @@
 namespace soms::command {
 
 /// Ink and paper of maps.
-inline constexpr const char* kMapInk = "#2b2a28";
+inline constexpr auto kMapInkHex = look::hex_characters(look::kNearest.light);
+inline constexpr const char* kMapInk = kMapInkHex.data();
 inline constexpr const char* kMapPaper = "#f3efe6";
 
 /// Where points of an area lie on the page, in pixels, north (+y) up.

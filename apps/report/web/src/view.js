@@ -225,7 +225,7 @@ export class View {
     this.sun.intensity = this.colors.sun;
     this.stillMaterial.color.copy(this.colors.still);
     this.chosenParts[0].mesh.material.color.copy(this.colors.moves);
-    this.chosenParts[1].mesh.material.color.copy(this.colors.touch);
+    this.chosenParts[1].mesh.material.color.copy(this.colors.still);
     this.chosenParts.forEach(({ edges }) => edges.material.color.copy(this.colors.line));
     this.box.material.color.copy(this.colors.frame);
     this.crossings.material.color.copy(this.colors.touch);
