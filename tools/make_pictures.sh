@@ -8,7 +8,7 @@ view=${1:-$root/build/release/bin/soms-view}
 [ $# -eq 0 ] || shift
 wanted=" $* "
 out=$root/docs/pictures
-most=300000  # bytes
+most=450000  # bytes
 
 # draw NAME[.svg] OPTIONS...: a PNG file, or the map of a point.
 draw() {
@@ -28,8 +28,8 @@ draw() {
 
 data=${SOMS_DATA:-/nonexistent}
 
-draw city_contact --frame 60 --camera contact,0.7x --size 1200x675
-draw city_above --frame 60 --spots --camera contact,215:40,0.06x --size 960x540
+draw city_contact --frame 60 --camera contact --size 1200x675
+draw city_above --frame 60 --camera contact,215:40,0.09x --size 960x540
 
 for level in 1 3 5 6; do
   draw "bunny_level_$level" "$data/ply/bun_zipper.ply" --up y --level $level --rule soms \
@@ -40,10 +40,10 @@ draw bunny_traversal "$data/ply/bun_zipper_res2.ply" --up y --mover "$data/ply/b
   --camera 200:20 --size 960x640
 
 draw new_york "$data/cities/new_york_south.ply" "$data/cities/new_york_mid.ply" \
-  --camera 200:28 --size 900x506
-draw new_york_street "$data/cities/new_york_south.ply" --mover "$data/3ds/van_disim.3ds" --count 300 \
-  --frame 30 --camera contact,0.55x --size 960x540
-draw rotterdam "$data/cities/rotterdam.ply" --camera 300:30 --size 900x506
+  --scale 1 --camera 200:28 --size 900x506
+draw new_york_street "$data/cities/new_york_south.ply" --mover "$data/3ds/van_disim.3ds" --count 300 --seed 4 \
+  --frame 30 --scale 1 --camera contact --size 960x540
+draw rotterdam "$data/cities/rotterdam.ply" --scale 1 --camera 300:30 --size 900x506
 draw new_york_depth "$data/cities/new_york_south.ply" "$data/cities/new_york_mid.ply" --depth \
   --camera "-3400 -8300 300 -2300 -5500 60" --size 900x506
 draw new_york_sight "$data/cities/new_york_south.ply" "$data/cities/new_york_mid.ply" \

@@ -35,7 +35,8 @@ DrawOptions Detail::options(bool moving, std::uint64_t triangles) const {
   }
   return {.most_triangles = granted_ < triangles ? granted_ : DrawOptions::kAll,
           .samples = 1,
-          .relief = false};
+          .relief = false,
+          .shadows = false};
 }
 
 }  // namespace soms::view

@@ -9,8 +9,8 @@
 namespace soms::view {
 
 /// Learns from the frames drawn, and lets a moving picture have as many triangles as fit the time.
-/// Smooth edges and relief go first, triangles second. A time is not in proportion to triangles
-/// (filling costs too), so the count is steered, not computed.
+/// Smooth edges, relief and shadows go first, triangles second. A time is not in proportion to
+/// triangles (filling costs too), so the count is steered, not computed.
 class Detail {
  public:
   static constexpr double kGoalMs = 70;  ///< of drawing a frame while moving
@@ -20,7 +20,7 @@ class Detail {
   void add(double ms, std::uint64_t triangles, const DrawOptions& options);
 
   /// Everything when still, and when moving where that fits; else one sample a pixel, no
-  /// relief, and the triangles granted. `triangles` is how many there are.
+  /// relief and shadows, and the triangles granted. `triangles` is how many there are.
   [[nodiscard]] DrawOptions options(bool moving, std::uint64_t triangles) const;
 
  private:

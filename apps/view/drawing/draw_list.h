@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,20 @@ struct TriangleMark {
   bool on_top = false;  ///< seen through everything
 };
 
+/// A piece of a curve about which surfaces take the list's `glow_color`, the less the farther off.
+struct Glow {
+  Vec3 a = {};
+  Vec3 b = {};
+  double radius = 1;  ///< where nothing of the color is left
+};
+
+/// A plain ground, a disc square to z that fades out. It is seen from above only.
+struct Ground {
+  Vec3 center = {};
+  double radius = 1;
+  Color color{217, 215, 209, 255};
+};
+
 struct BoxItem {
   Box box = {};
   Color color{0, 114, 178, 255};
@@ -104,6 +119,39 @@ struct Point {
   Color rim{26, 26, 26, 255};  ///< of points wider than 6 pixels
 };
 
+/// A disc of constant size with a number, upon everything: a place that is found from afar. Those
+/// that would overlap in a picture become one, with the sum of their counts (`markers.h`).
+struct Marker {
+  Vec3 at = {};
+  double reach = 0;         ///< radius of what is there
+  bool always = false;      ///< drawn even where what is there is large enough to be seen
+  std::uint32_t count = 1;  ///< of what it stands for
+  Color color{209, 21, 12, 255};
+};
+
+/// How an entry of a key looks.
+enum class KeySign : std::uint8_t {
+  area,    ///< a surface
+  curve,   ///< a contact, which is left out where the picture shows none
+  marker,  ///< a disc with a number, left out likewise
+};
+
+/// What a color or sign of a picture means.
+struct KeyEntry {
+  KeySign sign = KeySign::area;
+  Color color = {};
+  std::string text = {};
+  std::vector<Vec3> places = {};  ///< left out where none of them is in the picture; none: never
+};
+
+/// Words beside the scene.
+struct Captions {
+  std::string title = {};          ///< above, at the left
+  std::vector<KeyEntry> key = {};  ///< below, at the left
+  double meters = 0;               ///< a unit; 0 leaves out the scale bar, below at the right
+  bool north = false;              ///< an arrow toward +y above the scale bar
+};
+
 /// A number with its unit beside the middle of a segment, on top of everything, unless it would
 /// cover a label before it. `stroke_font.h` says which letters there are.
 struct Label {
@@ -117,14 +165,14 @@ struct Label {
 
 /// Fills the picture before anything is drawn; from lower to upper edge.
 struct Background {
-  Color lower{238, 240, 243, 255};
-  Color upper{206, 214, 224, 255};
+  Color lower{241, 243, 244, 255};
+  Color upper{207, 219, 230, 255};
 };
 
-/// A sun without shadows.
+/// A sun, and a sky that is brighter above.
 struct Light {
-  Vec3 toward{-0.4, -0.7, 1};  ///< from the scene to the light; any length but 0
-  float ambient = 0.5F;        ///< share of the light that comes from everywhere, 0 to 1
+  Vec3 toward{-0.85, -0.15, 0.8};  ///< from the scene to the light; any length but 0
+  float ambient = 0.5F;            ///< share of the light that comes from everywhere, 0 to 1
 };
 
 /// One picture. Order within each list does not matter, except that later marks, lines and points
@@ -133,10 +181,15 @@ struct DrawList {
   std::vector<DrawMesh> meshes = {};
   std::vector<Instance> instances = {};
   std::vector<TriangleMark> marks = {};
+  std::vector<Glow> glows = {};
+  Color glow_color{209, 21, 12, 255};
+  std::optional<Ground> ground = std::nullopt;
   std::vector<BoxGroup> box_groups = {};
   std::vector<Line> lines = {};
   std::vector<Point> points = {};
   std::vector<Label> labels = {};
+  std::vector<Marker> markers = {};
+  Captions captions = {};
   Background background;
   Light light;
 };
@@ -146,7 +199,9 @@ struct DrawList {
 /// \cost O(vertices) of the shared meshes; ask once a scene, not once a frame.
 [[nodiscard]] Box bounds(const DrawList& list);
 
-/// Bounds of marks, boxes, lines, points and segments of labels; empty where there are none.
+/// Bounds of marks, boxes, lines, points and segments of labels, not of grounds, glows and
+/// markers; empty
+/// where there are none.
 [[nodiscard]] Box bounds_beside_meshes(const DrawList& list);
 
 /// Bounds of a box that was moved by a pose; empty for an empty box.

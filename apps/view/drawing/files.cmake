@@ -3,23 +3,31 @@ set(SOMS_VIEW_HEADERS
   draw_list.h
   gap_marks.h
   gl_boxes.h
+  gl_finish.h
+  gl_ground.h
   gl_labels.h
+  gl_layer.h
   gl_objects.h
   gl_slicer.h
   gl_renderer.h
   gl_shaders.h
+  gl_shadows.h
   gl_strokes.h
   gl_surfaces.h
   gl_target.h
   gl_view.h
   headless_context.h
   labels.h
+  markers.h
+  overlay.h
   palette.h
   picture.h
   picture_marks.h
   recording_renderer.h
   renderer.h
   stroke_font.h
+  stroke_letters.h
+  sun_maps.h
   tiles.h
   visibility.h
 )
@@ -28,22 +36,29 @@ set(SOMS_VIEW_SOURCES
   draw_list.cpp
   gap_marks.cpp
   gl_boxes.cpp
+  gl_finish.cpp
+  gl_ground.cpp
   gl_labels.cpp
+  gl_layer.cpp
   gl_objects.cpp
   gl_slicer.cpp
   gl_renderer.cpp
   gl_shaders.cpp
+  gl_shadows.cpp
   gl_strokes.cpp
   gl_surfaces.cpp
   gl_target.cpp
   gl_view.cpp
   headless_context.cpp
   labels.cpp
+  markers.cpp
+  overlay.cpp
   palette.cpp
   picture.cpp
   picture_marks.cpp
   recording_renderer.cpp
   stroke_font.cpp
+  sun_maps.cpp
   tiles.cpp
   visibility.cpp
 )

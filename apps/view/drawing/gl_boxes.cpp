@@ -1,6 +1,7 @@
 #include "apps/view/drawing/gl_boxes.h"
 
 #include "apps/view/drawing/gl_shaders.h"
+#include "apps/view/drawing/gl_shadows.h"
 
 #include <epoxy/gl.h>
 
@@ -17,10 +18,6 @@ namespace soms::view {
 
 namespace {
 
-std::array<float, 3> narrow(const Vec3& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 template <typename Row>
 void read_rows(const GlVertexArray& reading, const GlBuffer& buffer) {
   reading.floats(0, 3, buffer, sizeof(Row), offsetof(Row, middle), 1);
@@ -31,7 +28,8 @@ void read_rows(const GlVertexArray& reading, const GlBuffer& buffer) {
 }  // namespace
 
 GlBoxes::GlBoxes()
-    : face_program_("box", shader::kBoxVertex, shader::kSurfaceFragment),
+    : face_program_("box", shader::kBoxVertex,
+                    std::string(shader::kLightHead) + shader::kSurfaceFragment),
       edge_program_("edge", std::string(shader::kStrokeHead) + shader::kEdgeVertex,
                     shader::kStrokeFragment) {
   read_rows<Row>(ordered_reading_, ordered_);
@@ -92,7 +90,7 @@ void GlBoxes::bring(const DrawList& list, DrawStatistics& statistics) {
 }
 
 void GlBoxes::begin(const GlProgram& program, const GlView& view, const BoxGroup& boxes,
-                    const Group& group, float lift) const {
+                    const Group& group, const GlShadows& shadows, float lift) const {
   const std::array<float, 12> rows = relative_rows(view, boxes.pose, group.origin, group.scale);
   program.use();
   program.set("clip", std::span(view.clip));
@@ -105,14 +103,13 @@ void GlBoxes::begin(const GlProgram& program, const GlView& view, const BoxGroup
   program.set("half_size", view.half_width, view.half_height);
   program.set("width", boxes.width);
   program.set("least_alpha", boxes.style == BoxStyle::both ? 1.0F : 0.0F);
-  program.set("toward", std::span(view.toward));
-  program.set("ambient", view.ambient);
+  shadows.light(program, view);
   program.set("flatness", 0.3F);
   program.set("shade", 1.0F);
 }
 
-void GlBoxes::draw_solid(const DrawList& list, const GlView& view, bool on_top,
-                         DrawStatistics& statistics) const {
+void GlBoxes::draw_solid(const DrawList& list, const GlView& view, const GlShadows& shadows,
+                         bool on_top, DrawStatistics& statistics) const {
   for (std::size_t i = 0; i < list.box_groups.size(); ++i) {
     const BoxGroup& boxes = list.box_groups[i];
     const Group& group = *of_list_[i];
@@ -121,20 +118,20 @@ void GlBoxes::draw_solid(const DrawList& list, const GlView& view, bool on_top,
     }
     group.reading.bind();
     if (boxes.style != BoxStyle::wire && !group.translucent) {
-      begin(face_program_, view, boxes, group, 1);
+      begin(face_program_, view, boxes, group, shadows, 1);
       glDrawArraysInstanced(GL_TRIANGLES, 0, 36, static_cast<GLsizei>(group.count));
       ++statistics.draw_calls;
     }
     if (boxes.style != BoxStyle::solid) {
-      begin(edge_program_, view, boxes, group, view.lift);
+      begin(edge_program_, view, boxes, group, shadows, view.lift);
       glDrawArraysInstanced(GL_TRIANGLES, 0, 72, static_cast<GLsizei>(group.count));
       ++statistics.draw_calls;
     }
   }
 }
 
-void GlBoxes::draw_translucent(const DrawList& list, const GlView& view, bool on_top,
-                               DrawStatistics& statistics) const {
+void GlBoxes::draw_translucent(const DrawList& list, const GlView& view, const GlShadows& shadows,
+                               bool on_top, DrawStatistics& statistics) const {
   glDepthMask(GL_FALSE);
   for (std::size_t i = 0; i < list.box_groups.size(); ++i) {
     const BoxGroup& boxes = list.box_groups[i];
@@ -163,7 +160,7 @@ void GlBoxes::draw_translucent(const DrawList& list, const GlView& view, bool on
     std::transform(order.begin(), order.end(), std::back_inserter(rows),
                    [&](const auto& entry) { return group.rows[entry.second]; });
     ordered_.stream(std::as_bytes(std::span(rows)));
-    begin(face_program_, view, boxes, group, 1);
+    begin(face_program_, view, boxes, group, shadows, 1);
     ordered_reading_.bind();
     glDrawArraysInstanced(GL_TRIANGLES, 0, 36, static_cast<GLsizei>(rows.size()));
     ++statistics.draw_calls;

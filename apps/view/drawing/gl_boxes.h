@@ -14,6 +14,8 @@
 
 namespace soms::view {
 
+class GlShadows;
+
 /// Groups of boxes: every edge of a group in one draw call, and every face in one.
 class GlBoxes {
  public:
@@ -23,12 +25,12 @@ class GlBoxes {
   void bring(const DrawList& list, DrawStatistics& statistics);
 
   /// Opaque faces, then edges, of the groups on top or of the others.
-  void draw_solid(const DrawList& list, const GlView& view, bool on_top,
+  void draw_solid(const DrawList& list, const GlView& view, const GlShadows& shadows, bool on_top,
                   DrawStatistics& statistics) const;
 
   /// Translucent faces, from far to near within each group.
-  void draw_translucent(const DrawList& list, const GlView& view, bool on_top,
-                        DrawStatistics& statistics) const;
+  void draw_translucent(const DrawList& list, const GlView& view, const GlShadows& shadows,
+                        bool on_top, DrawStatistics& statistics) const;
 
  private:
   /// A box as the device gets it, in units of its group.
@@ -52,7 +54,7 @@ class GlBoxes {
 
   static void fill(const BoxGroup& boxes, Group& group);
   void begin(const GlProgram& program, const GlView& view, const BoxGroup& boxes,
-             const Group& group, float lift) const;
+             const Group& group, const GlShadows& shadows, float lift) const;
 
   GlProgram face_program_;
   GlProgram edge_program_;

@@ -1,5 +1,5 @@
 /// \file
-/// Labels of a draw list. Private to the renderer.
+/// Labels, markers and captions of a draw list. Private to the renderer.
 #pragma once
 
 #include "apps/view/drawing/gl_objects.h"
@@ -8,12 +8,12 @@
 
 namespace soms::view {
 
-/// Letters as strokes, each a rectangle that holds a round pen's path.
+/// Letters and signs as strokes, each a rectangle that holds a round pen's path.
 class GlLabels {
  public:
   GlLabels();
 
-  /// Writes those labels that have room, in one draw call.
+  /// Draws what `overlay.h` makes, in one draw call.
   void draw(const DrawList& list, const Camera& camera, Size size, DrawStatistics& statistics);
 
  private:

@@ -140,6 +140,10 @@ void GlProgram::set(const char* name, float value) const {
   glUniform1f(place_of(id_, name), value);
 }
 
+void GlProgram::set(const char* name, int value) const {
+  glUniform1i(place_of(id_, name), value);
+}
+
 void GlProgram::set(const char* name, float x, float y) const {
   glUniform2f(place_of(id_, name), x, y);
 }

@@ -76,6 +76,7 @@ class GlProgram {
 
   void use() const;
   void set(const char* name, float value) const;
+  void set(const char* name, int value) const;
   void set(const char* name, float x, float y) const;
   void set(const char* name, std::span<const float, 3> value) const;
   void set(const char* name, std::span<const float, 4> value) const;

@@ -3,9 +3,12 @@
 #include "soms/base/error.h"
 
 #include "apps/view/drawing/gl_boxes.h"
+#include "apps/view/drawing/gl_finish.h"
+#include "apps/view/drawing/gl_ground.h"
 #include "apps/view/drawing/gl_labels.h"
 #include "apps/view/drawing/gl_objects.h"
 #include "apps/view/drawing/gl_shaders.h"
+#include "apps/view/drawing/gl_shadows.h"
 #include "apps/view/drawing/gl_strokes.h"
 #include "apps/view/drawing/gl_surfaces.h"
 #include "apps/view/drawing/gl_target.h"
@@ -44,9 +47,13 @@ DepthMode depth_mode() {
              : DepthMode::plain;
 }
 
-std::array<float, 4> parts_of(Color c) {
-  return {static_cast<float>(c.r) / 255, static_cast<float>(c.g) / 255,
-          static_cast<float>(c.b) / 255, 1};
+/// Of all instances.
+std::uint64_t count_triangles(const DrawList& list) {
+  std::uint64_t count = 0;
+  for (const Instance& instance : list.instances) {
+    count += list.meshes[instance.mesh].mesh->triangles.size();
+  }
+  return count;
 }
 
 }  // namespace
@@ -54,7 +61,7 @@ std::array<float, 4> parts_of(Color c) {
 struct GlRenderer::Parts {
   Parts()
       : background("background", shader::kBackgroundVertex, shader::kBackgroundFragment),
-        relief("relief", shader::kBackgroundVertex, shader::kReliefFragment) {}
+        shadows(mode) {}
 
   // Reversed depths need no bounds: precision is the same wherever the range begins.
   [[nodiscard]] DepthRange depths(const DrawList& list, const Camera& camera) const {
@@ -81,27 +88,6 @@ struct GlRenderer::Parts {
       ++statistics.draw_calls;
     });
     glEnable(GL_DEPTH_TEST);
-  }
-
-  // Multiplies what was drawn by factors from its depths.
-  void draw_relief(Size size) {
-    const unsigned depths = target.depths(slicer);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, depths);
-    glDisable(GL_DEPTH_TEST);
-    glBlendFunc(GL_ZERO, GL_SRC_COLOR);
-    relief.use();
-    relief.set("reversed", mode == DepthMode::reversed ? 1.0F : 0.0F);
-    relief.set("reach", std::max(2.0F, static_cast<float>(size.height) / 200));
-    nothing.bind();
-    slicer.in_bands(size, [&](int low, int high) {
-      const Band band(size, low, high);
-      glDrawArrays(GL_TRIANGLES, 0, 3);
-      ++statistics.draw_calls;
-    });
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glEnable(GL_DEPTH_TEST);
-    glBindTexture(GL_TEXTURE_2D, 0);
   }
 
   void set_state() const {
@@ -139,21 +125,23 @@ struct GlRenderer::Parts {
   }
 
   void draw_layer(const DrawList& list, const GlView& view, bool on_top) {
-    boxes.draw_solid(list, view, on_top, statistics);
+    boxes.draw_solid(list, view, shadows, on_top, statistics);
     slicer.drawn(0);
-    surfaces.draw_marks(list, view, on_top, slicer, statistics);
+    surfaces.draw_marks(list, view, shadows, on_top, slicer, statistics);
     strokes.draw(list, view, on_top, statistics);
-    boxes.draw_translucent(list, view, on_top, statistics);
+    boxes.draw_translucent(list, view, shadows, on_top, statistics);
     slicer.drawn(0);
   }
 
-  DepthMode mode = depth_mode();
+  DepthMode mode = depth_mode();  // before what is made for it
   GlSlicer slicer;
   GlTarget target;
   GlProgram background;
-  GlProgram relief;
   GlVertexArray nothing;
+  GlShadows shadows;
   GlSurfaces surfaces;
+  GlGround ground;
+  GlFinish finish;
   GlBoxes boxes;
   GlStrokes strokes;
   GlLabels labels;
@@ -178,17 +166,20 @@ void GlRenderer::draw(const DrawList& list, const Camera& camera, Size size,
   p.surfaces.bring(list, p.slicer, p.statistics);
   p.boxes.bring(list, p.statistics);
   const GlView view = gl_view(camera, size, list.light, p.depths(list, camera), p.mode);
+  p.slicer.begin(count_triangles(list), size);
+  p.set_state();
+  p.shadows.draw(list, camera, view, options.shadows, p.surfaces, p.slicer, p.statistics);
   p.surfaces.choose(list, camera, size, view, options, p.statistics);
   p.statistics.marks = list.marks.size();
-  p.slicer.begin(p.statistics.triangles, size);
+  p.target.resume();
   p.set_state();
   p.draw_background(list.background, size);
-  p.surfaces.draw_solid(view, p.slicer, p.statistics);
-  if (options.relief && p.statistics.triangles > 0) {
-    p.draw_relief(size);
-  }
+  p.surfaces.draw_solid(view, p.shadows, p.slicer, p.statistics);
+  p.ground.draw(list, view, p.shadows, p.statistics);
+  p.finish.draw(list, view, size, options.relief && p.statistics.triangles > 0, p.target, p.slicer,
+                p.statistics);
   p.draw_layer(list, view, false);
-  p.surfaces.draw_translucent(view, p.slicer, p.statistics);
+  p.surfaces.draw_translucent(view, p.shadows, p.slicer, p.statistics);
   glDisable(GL_DEPTH_TEST);
   p.draw_layer(list, view, true);
   p.labels.draw(list, camera, size, p.statistics);

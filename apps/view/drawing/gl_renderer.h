@@ -13,8 +13,8 @@ namespace soms::view {
 
 /// Draws with the context that is current in its thread, which must outlive it. Positions go to the
 /// device relative to the eye, as floats; the differences are made in double, so pictures at map
-/// coordinates are those at the origin. Draw calls: at most 128 a mesh and pass, two a box group,
-/// and ten.
+/// coordinates are those at the origin. Draw calls: at most 128 a mesh and pass (two more for
+/// shadows), two a box group, and twelve.
 class GlRenderer final : public Renderer {
  public:
   /// \pre A context is current.

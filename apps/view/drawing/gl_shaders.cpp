@@ -23,11 +23,57 @@ void main() {
 }
 )";
 
-const char* const kSurfaceFragment = R"(#version 330 core
+// A sky that is brighter above, and a sun. Where shadows are drawn, two maps hold how near to the
+// sun the first surface is: one about what is looked at, and a coarser one about the rest.
+const char* const kLightHead = R"(#version 330 core
+uniform vec3 toward;    // to the sun
+uniform vec3 above;
+uniform float ambient;
+uniform float shadows;  // 1 where they are drawn
+uniform mat4 sun0;
+uniform mat4 sun1;
+uniform vec2 texels;    // their sides in either map
+uniform sampler2DArrayShadow sun_depths;
+float share_of(vec3 place, float layer) {
+  float side = 1.3 / float(textureSize(sun_depths, 0).x);
+  float sum = 0.0;
+  for (int y = -1; y <= 1; ++y) {
+    for (int x = -1; x <= 1; ++x) {
+      sum += texture(sun_depths, vec4(place.xy + vec2(x, y) * side, layer, place.z));
+    }
+  }
+  return sum / 9.0;
+}
+bool inside(vec3 place) { return all(lessThan(abs(place - 0.5), vec3(0.49))); }
+// Share of the sun that is seen. A place is held off its surface by its texel's size, else the
+// texel's corner would hide its middle.
+float sunlit(vec3 at, vec3 n) {
+  if (shadows < 0.5) {
+    return 1.0;
+  }
+  float slant = sqrt(max(0.0, 1.0 - dot(n, toward) * dot(n, toward)));
+  vec3 off = n * (0.3 + 1.5 * slant) + toward * 0.3;
+  vec3 place = (sun0 * vec4(at + off * texels.x, 1.0)).xyz;
+  if (inside(place)) {
+    return share_of(place, 0.0);
+  }
+  place = (sun1 * vec4(at + off * texels.y, 1.0)).xyz;
+  return inside(place) ? share_of(place, 1.0) : 1.0;
+}
+vec3 light_at(vec3 at, vec3 n) {
+  vec3 sky = mix(vec3(0.60, 0.595, 0.59), vec3(0.73, 0.76, 0.81), 0.5 + 0.5 * dot(n, above));
+  float direct = dot(n, toward);
+  vec3 sun = vec3(0.0);
+  if (direct > 0.0) {
+    sun = vec3(0.40, 0.37, 0.32) * direct * sunlit(at, n);
+  }
+  return 2.0 * mix(sun, sky, ambient);
+}
+)";
+
+const char* const kSurfaceFragment = R"(
 in vec3 seen;
 in vec4 color;
-uniform vec3 toward;
-uniform float ambient;
 uniform float flatness;  // 1: the plain color
 uniform float shade;     // factor of the color, for edges upon faces
 out vec4 pixel;
@@ -36,9 +82,41 @@ void main() {
   float size = length(n);
   n = size > 0.0 ? n / size : -normalize(seen);
   n = dot(n, seen) > 0.0 ? -n : n;  // both sides of a triangle are lit
-  float sun = 0.5 + 0.5 * dot(n, toward);
-  float light = mix(ambient + (1.0 - ambient) * sun * 1.1, 1.0, flatness);
+  vec3 light = mix(light_at(seen, n), vec3(1.0), flatness);
   pixel = vec4(color.rgb * light * shade, color.a);
+}
+)";
+
+const char* const kShadowFragment = R"(#version 330 core
+void main() {}
+)";
+
+const char* const kGroundVertex = R"(#version 330 core
+uniform mat4 clip;
+uniform vec3 middle;
+uniform vec3 east;   // as long as the disc reaches
+uniform vec3 north;
+out vec3 seen;
+out vec2 at;
+void main() {
+  at = vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID & 2) - 1);
+  seen = middle + east * at.x + north * at.y;
+  gl_Position = clip * vec4(seen, 1.0);
+}
+)";
+
+const char* const kGroundFragment = R"(
+in vec3 seen;
+in vec2 at;
+uniform vec4 color;
+uniform float solid;  // share of the radius from which on it fades
+out vec4 pixel;
+void main() {
+  float opacity = 1.0 - smoothstep(solid, 1.0, length(at));
+  if (opacity <= 0.004) {
+    discard;
+  }
+  pixel = vec4(color.rgb * light_at(seen, above), opacity);
 }
 )";
 
@@ -257,42 +335,161 @@ void main() {
 
 const char* const kBackgroundFragment = kStrokeFragment;
 
-// The inverse of the distance is a linear function of the place in the picture on any plane, and is
-// affine in the depth, so its second differences are 0 but at creases and steps: whatever the slant
-// of a surface, only these are darkened.
-const char* const kReliefFragment = R"(#version 330 core
+// The inverse of the distance forward is a linear function of the depth.
+const char* const kPlaceHead = R"(#version 330 core
 uniform sampler2D depths;
-uniform float reversed;
-uniform float reach;  // in pixels
-out vec4 pixel;
-ivec2 last;
-float inverse_distance(ivec2 at) {
+uniform vec2 inverse_depth;  // factor and summand
+uniform vec2 slopes;         // half of the picture at distance 1
+float inverse_at(ivec2 at) {
+  ivec2 last = textureSize(depths, 0) - 1;
   float d = texelFetch(depths, clamp(at, ivec2(0), last), 0).r;
-  return reversed > 0.5 ? d : 1.0 - d;
+  return d * inverse_depth.x + inverse_depth.y;
+}
+// Right, up and forward from the eye.
+vec3 place(ivec2 at, float inverse) {
+  vec2 share = (vec2(at) + 0.5) / vec2(textureSize(depths, 0)) * 2.0 - 1.0;
+  return vec3(share * slopes, 1.0) / max(inverse, 1e-9);
+}
+)";
+
+// Surfaces about a place hide part of its sky: the steeper they rise from its plane and the nearer,
+// the more.
+const char* const kAmbientFragment = R"(
+uniform float reach;  // in pixels
+out float open;
+const int kSamples = 13;
+const mat2 kTurn = mat2(-0.7485107, 0.6631227, -0.6631227, -0.7485107);  // by 5 / 13 of a circle
+vec3 step_from(ivec2 at, vec3 here, ivec2 to) {
+  float a = inverse_at(at + to);
+  float b = inverse_at(at - to);
+  vec3 ahead = place(at + to, a) - here;
+  vec3 back = here - place(at - to, b);
+  return a > 0.0 && (b <= 0.0 || abs(ahead.z) < abs(back.z)) ? ahead : back;
 }
 void main() {
-  last = textureSize(depths, 0) - 1;
-  ivec2 here = ivec2(gl_FragCoord.xy);
-  float middle = inverse_distance(here);
-  if (middle <= 0.0) {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  float inverse = inverse_at(at);
+  open = 1.0;
+  if (inverse <= 1e-9) {
+    return;
+  }
+  vec3 here = place(at, inverse);
+  vec3 n = normalize(cross(step_from(at, here, ivec2(1, 0)), step_from(at, here, ivec2(0, 1))));
+  n = dot(n, here) > 0.0 ? -n : n;
+  float radius = reach * 2.0 * slopes.y / float(textureSize(depths, 0).y) * here.z;
+  float square = radius * radius;
+  float turn = float((at.x & 3) * 4 + (at.y & 3)) * (6.2831853 / 16.0);
+  vec2 direction = vec2(cos(turn), sin(turn));
+  float sum = 0.0;
+  for (int k = 0; k < kSamples; ++k) {
+    float share = (float(k) + 0.5) / float(kSamples);
+    ivec2 there = at + ivec2(round(direction * (share * reach + 1.0)));
+    direction = kTurn * direction;
+    there = clamp(there, ivec2(0), textureSize(depths, 0) - 1);
+    vec3 to = place(there, inverse_at(there)) - here;
+    float vv = dot(to, to);
+    float height = dot(to, n) * inversesqrt(max(vv, 1e-12 * square));
+    sum += max(0.0, 1.0 - vv / square) * max(0.0, height - 0.12);
+  }
+  open = max(0.0, 1.0 - 2.4 * sum / float(kSamples));
+}
+)";
+
+const char* const kGlowVertex = R"(#version 330 core
+layout(location = 0) in vec3 from;
+layout(location = 1) in vec3 to;
+layout(location = 2) in float radius;
+uniform mat4 clip;
+uniform float slope;  // width of a pixel at distance 1
+flat out vec3 start;
+flat out vec3 end;
+flat out float reach;
+const int kCorner[36] = int[36](0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                                2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5);
+void main() {
+  int c = kCorner[gl_VertexID];
+  vec3 side = vec3((c & 1) * 2 - 1, (c & 2) - 1, (c & 4) / 2 - 1);
+  vec3 middle = 0.5 * (from + to);
+  // From afar it still is some pixels wide.
+  reach = max(radius, 5.0 * slope * length(middle));
+  vec3 along = to - from;
+  float size = length(along);
+  along = size > 0.0 ? along / size : vec3(1.0, 0.0, 0.0);
+  vec3 across = normalize(abs(along.z) < 0.9 ? cross(along, vec3(0.0, 0.0, 1.0))
+                                             : cross(along, vec3(1.0, 0.0, 0.0)));
+  start = from;
+  end = to;
+  vec3 corner = middle + along * side.x * (0.5 * size + reach) + across * side.y * reach +
+                cross(along, across) * side.z * reach;
+  gl_Position = clip * vec4(corner, 1.0);
+}
+)";
+
+const char* const kGlowFragment = R"(
+flat in vec3 start;
+flat in vec3 end;
+flat in float reach;
+uniform vec3 right;
+uniform vec3 upward;
+uniform vec3 forward;
+out float near;
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  float inverse = inverse_at(at);
+  if (inverse <= 1e-9) {
     discard;
   }
-  float dark = 0.0;
-  for (int ring = 1; ring <= 2; ++ring) {
-    float r = ring == 1 ? max(1.0, 0.4 * reach) : reach;
-    ivec2 x = ivec2(int(r + 0.5), 0);
-    ivec2 d = ivec2(int(0.7 * r + 0.5));
-    ivec2 e = ivec2(d.x, -d.y);
-    float sum = 0.0;
-    sum += max(0.0, inverse_distance(here + x) + inverse_distance(here - x) - 2.0 * middle);
-    sum += max(0.0, inverse_distance(here + x.yx) + inverse_distance(here - x.yx) - 2.0 * middle);
-    sum += max(0.0, inverse_distance(here + d) + inverse_distance(here - d) - 2.0 * middle);
-    sum += max(0.0, inverse_distance(here + e) + inverse_distance(here - e) - 2.0 * middle);
-    dark += sum / middle;
+  vec3 p = place(at, inverse);
+  vec3 here = right * p.x + upward * p.y + forward * p.z;
+  vec3 along = end - start;
+  float square = dot(along, along);
+  float t = square > 0.0 ? clamp(dot(here - start, along) / square, 0.0, 1.0) : 0.0;
+  near = 1.0 - distance(here, start + t * along) / reach;
+  if (near <= 0.0) {
+    discard;
   }
-  // A step of a tenth of the distance counts almost whole.
-  float shade = 1.0 - 0.4 * (1.0 - exp(-dark * 12.0));
-  pixel = vec4(vec3(shade), 1.0);
+}
+)";
+
+const char* const kFinishFragment = R"(#version 330 core
+uniform sampler2D depths;
+uniform sampler2D open;
+uniform sampler2D near;
+uniform vec2 inverse_depth;
+uniform float darkened;  // 1 where the sky is hidden by what is near
+uniform float glowing;   // 1 where contacts are colored
+uniform vec4 contact;
+out vec4 pixel;
+float inverse_at(ivec2 at) {
+  ivec2 last = textureSize(depths, 0) - 1;
+  return texelFetch(depths, clamp(at, ivec2(0), last), 0).r * inverse_depth.x + inverse_depth.y;
+}
+// The mean of the 16 turns of the samples, of places about as far.
+float opened(ivec2 at) {
+  float here = inverse_at(at);
+  ivec2 last = textureSize(open, 0) - 1;
+  float sum = 0.0;
+  float weight = 0.0;
+  for (int y = -2; y < 2; ++y) {
+    for (int x = -2; x < 2; ++x) {
+      ivec2 there = clamp(at + ivec2(x, y), ivec2(0), last);
+      float w = abs(inverse_at(there) - here) < 0.03 * here ? 1.0 : 0.001;
+      sum += w * texelFetch(open, there, 0).r;
+      weight += w;
+    }
+  }
+  return sum / weight;
+}
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  if (inverse_at(at) <= 1e-9) {
+    discard;
+  }
+  float light = darkened > 0.5 ? mix(0.35, 1.0, opened(at)) : 1.0;
+  float share = glowing > 0.5 ? texelFetch(near, at, 0).r : 0.0;
+  share = 0.85 * share * (1.6 - 0.6 * share);
+  // Added to what is there times the opacity: see the blend function.
+  pixel = vec4(contact.rgb * light * share, light * (1.0 - share));
 }
 )";
 

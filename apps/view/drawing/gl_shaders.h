@@ -7,8 +7,14 @@
 
 namespace soms::view::shader {
 
+extern const char* const kLightHead;  ///< stands before the fragment shaders that shade
 extern const char* const kSurfaceVertex;
 extern const char* const kSurfaceFragment;
+
+extern const char* const kGroundVertex;
+extern const char* const kGroundFragment;
+
+extern const char* const kShadowFragment;  ///< depths alone; with kSurfaceVertex
 
 extern const char* const kBoxVertex;  ///< faces of boxes; with kSurfaceFragment
 
@@ -27,7 +33,13 @@ extern const char* const kLetterFragment;
 extern const char* const kBackgroundVertex;
 extern const char* const kBackgroundFragment;
 
-/// Factors by which surfaces are darkened, from their depths; with kBackgroundVertex.
-extern const char* const kReliefFragment;
+extern const char* const
+    kPlaceHead;  ///< places from depths; stands before the next fragment shaders
+extern const char* const
+    kAmbientFragment;                    ///< share of the sky that is seen; with kBackgroundVertex
+extern const char* const kGlowVertex;    ///< a box about a segment
+extern const char* const kGlowFragment;  ///< nearness of surfaces to it
+/// Darkens surfaces by what hides the sky and colors them about contacts; with kBackgroundVertex.
+extern const char* const kFinishFragment;
 
 }  // namespace soms::view::shader

@@ -11,8 +11,8 @@ namespace {
 /// What llvmpipe draws in some 50 ms on one core.
 constexpr std::uint64_t kTriangles = 100'000;
 constexpr int kPixels = 1'000'000;
-/// Passes over the picture: background, depths, relief, samples and reading.
-constexpr double kPasses = 5;
+/// Passes over the picture: background, depths, hidden sky, finish, samples and reading.
+constexpr double kPasses = 6;
 
 }  // namespace
 

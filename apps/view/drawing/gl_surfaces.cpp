@@ -1,6 +1,7 @@
 #include "apps/view/drawing/gl_surfaces.h"
 
 #include "apps/view/drawing/gl_shaders.h"
+#include "apps/view/drawing/gl_shadows.h"
 
 #include <epoxy/gl.h>
 
@@ -8,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace soms::view {
@@ -29,7 +31,9 @@ const void* index_offset(std::uint32_t triangle) {
 
 }  // namespace
 
-GlSurfaces::GlSurfaces() : program_("surface", shader::kSurfaceVertex, shader::kSurfaceFragment) {
+GlSurfaces::GlSurfaces()
+    : program_("surface", shader::kSurfaceVertex,
+               std::string(shader::kLightHead) + shader::kSurfaceFragment) {
   marks_reading_.floats(0, 3, marks_, sizeof(MarkVertex), offsetof(MarkVertex, at), 0);
   marks_reading_.color(1, marks_, sizeof(MarkVertex), offsetof(MarkVertex, color), 0);
   marks_reading_.color(5, marks_, sizeof(MarkVertex), offsetof(MarkVertex, color),
@@ -80,22 +84,20 @@ Box GlSurfaces::bounds(const DrawList& list) const {
   return all;
 }
 
-void GlSurfaces::choose(const DrawList& list, const Camera& camera, Size size, const GlView& view,
-                        const DrawOptions& options, DrawStatistics& statistics) {
-  std::vector<std::span<const Tile>> tiles;
+std::vector<std::span<const Tile>> GlSurfaces::tiles() const {
+  std::vector<std::span<const Tile>> all;
   for (const OnDevice* place : of_list_) {
-    tiles.emplace_back(place->tiles);
+    all.emplace_back(place->tiles);
   }
-  const Visible visible = choose_tiles(list, tiles, camera, size, options.most_triangles);
-  statistics.tiles = visible.tiles;
-  statistics.tiles_drawn = visible.tiles_drawn;
-  statistics.triangles = visible.triangles;
-  statistics.triangles_left = visible.triangles_left;
-  statistics.instances = list.instances.size();
+  return all;
+}
+
+void GlSurfaces::place(const DrawList& list, const GlView& view,
+                       std::span<const TileGroup> groups) {
   std::vector<Row> rows;
   calls_.clear();
-  for (const TileGroup& group : visible.groups) {
-    const Tile& tile = tiles[group.mesh][group.tile];
+  for (const TileGroup& group : groups) {
+    const Tile& tile = of_list_[group.mesh]->tiles[group.tile];
     calls_.push_back({of_list_[group.mesh], group.pass, group.edges, tile.first, group.triangles,
                       rows.size(), group.instances.size()});
     const bool plain = list.meshes[group.mesh].colors == nullptr;
@@ -108,11 +110,31 @@ void GlSurfaces::choose(const DrawList& list, const Camera& camera, Size size, c
   rows_.stream(std::as_bytes(std::span(rows)));
 }
 
-void GlSurfaces::begin(const GlView& view, float flatness, float shade, float lift) const {
+void GlSurfaces::choose(const DrawList& list, const Camera& camera, Size size, const GlView& view,
+                        const DrawOptions& options, DrawStatistics& statistics) {
+  const Visible visible = choose_tiles(list, tiles(), camera, size, options.most_triangles);
+  statistics.tiles = visible.tiles;
+  statistics.tiles_drawn = visible.tiles_drawn;
+  statistics.triangles = visible.triangles;
+  statistics.triangles_left = visible.triangles_left;
+  statistics.instances = list.instances.size();
+  place(list, view, visible.groups);
+}
+
+void GlSurfaces::cast(const DrawList& list, const GlView& view,
+                      const std::function<bool(const Box&)>& reaches, GlSlicer& slicer,
+                      DrawStatistics& statistics) {
+  place(list, view, choose_casters(list, tiles(), reaches));
+  for (const Call& call : calls_) {
+    issue(call, slicer, statistics);
+  }
+}
+
+void GlSurfaces::begin(const GlView& view, const GlShadows& shadows, float flatness, float shade,
+                       float lift) const {
   program_.use();
   program_.set("clip", std::span(view.clip));
-  program_.set("toward", std::span(view.toward));
-  program_.set("ambient", view.ambient);
+  shadows.light(program_, view);
   program_.set("flatness", flatness);
   program_.set("shade", shade);
   program_.set("lift", lift);
@@ -137,15 +159,15 @@ void GlSurfaces::issue(const Call& call, GlSlicer& slicer, DrawStatistics& stati
   }
 }
 
-void GlSurfaces::draw_solid(const GlView& view, GlSlicer& slicer,
+void GlSurfaces::draw_solid(const GlView& view, const GlShadows& shadows, GlSlicer& slicer,
                             DrawStatistics& statistics) const {
-  begin(view, 0, 1, 1);
+  begin(view, shadows, 0, 1, 1);
   for (const Call& call : calls_) {
     if (call.pass == Pass::solid) {
       issue(call, slicer, statistics);
     }
   }
-  begin(view, 0.6F, kEdgeShade, view.lift);
+  begin(view, shadows, 0.6F, kEdgeShade, view.lift);
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   for (const Call& call : calls_) {
     if (call.pass == Pass::wire || call.edges) {
@@ -155,9 +177,9 @@ void GlSurfaces::draw_solid(const GlView& view, GlSlicer& slicer,
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 
-void GlSurfaces::draw_translucent(const GlView& view, GlSlicer& slicer,
+void GlSurfaces::draw_translucent(const GlView& view, const GlShadows& shadows, GlSlicer& slicer,
                                   DrawStatistics& statistics) const {
-  begin(view, 0, 1, 1);
+  begin(view, shadows, 0, 1, 1);
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   for (const Call& call : calls_) {
     if (call.pass == Pass::translucent) {
@@ -174,8 +196,8 @@ void GlSurfaces::draw_translucent(const GlView& view, GlSlicer& slicer,
   glDepthMask(GL_TRUE);
 }
 
-void GlSurfaces::draw_marks(const DrawList& list, const GlView& view, bool on_top, GlSlicer& slicer,
-                            DrawStatistics& statistics) const {
+void GlSurfaces::draw_marks(const DrawList& list, const GlView& view, const GlShadows& shadows,
+                            bool on_top, GlSlicer& slicer, DrawStatistics& statistics) const {
   std::vector<MarkVertex> corners;
   for (const TriangleMark& mark : list.marks) {
     if (mark.on_top == on_top) {
@@ -188,7 +210,7 @@ void GlSurfaces::draw_marks(const DrawList& list, const GlView& view, bool on_to
     return;
   }
   marks_.stream(std::as_bytes(std::span(corners)));
-  begin(view, 0.55F, 1, view.lift);
+  begin(view, shadows, 0.55F, 1, view.lift);
   marks_reading_.bind();
   glVertexAttrib4f(2, 1, 0, 0, 0);
   glVertexAttrib4f(3, 0, 1, 0, 0);

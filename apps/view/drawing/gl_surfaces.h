@@ -12,10 +12,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <span>
 #include <vector>
 
 namespace soms::view {
+
+class GlShadows;
 
 class GlSurfaces {
  public:
@@ -32,15 +36,23 @@ class GlSurfaces {
   void choose(const DrawList& list, const Camera& camera, Size size, const GlView& view,
               const DrawOptions& options, DrawStatistics& statistics);
 
+  /// Draws the opaque tiles of which `reaches` holds by the program in use, which has the inputs of
+  /// `kSurfaceVertex`. \pre After `bring`; `choose` comes later.
+  void cast(const DrawList& list, const GlView& view,
+            const std::function<bool(const Box&)>& reaches, GlSlicer& slicer,
+            DrawStatistics& statistics);
+
   /// Opaque faces, then edges of triangles.
-  void draw_solid(const GlView& view, GlSlicer& slicer, DrawStatistics& statistics) const;
+  void draw_solid(const GlView& view, const GlShadows& shadows, GlSlicer& slicer,
+                  DrawStatistics& statistics) const;
 
   /// Translucent faces: of each pixel the nearest one only, so that a hull looks like glass.
-  void draw_translucent(const GlView& view, GlSlicer& slicer, DrawStatistics& statistics) const;
+  void draw_translucent(const GlView& view, const GlShadows& shadows, GlSlicer& slicer,
+                        DrawStatistics& statistics) const;
 
   /// Marked triangles, those on top or those that surfaces may hide.
-  void draw_marks(const DrawList& list, const GlView& view, bool on_top, GlSlicer& slicer,
-                  DrawStatistics& statistics) const;
+  void draw_marks(const DrawList& list, const GlView& view, const GlShadows& shadows, bool on_top,
+                  GlSlicer& slicer, DrawStatistics& statistics) const;
 
  private:
   struct OnDevice {
@@ -72,7 +84,10 @@ class GlSurfaces {
   };
 
   static void upload(const DrawMesh& mesh, OnDevice& place, const GlSlicer& slicer);
-  void begin(const GlView& view, float flatness, float shade, float lift) const;
+  [[nodiscard]] std::vector<std::span<const Tile>> tiles() const;
+  void place(const DrawList& list, const GlView& view, std::span<const TileGroup> groups);
+  void begin(const GlView& view, const GlShadows& shadows, float flatness, float shade,
+             float lift) const;
   void issue(const Call& call, GlSlicer& slicer, DrawStatistics& statistics) const;
 
   GlProgram program_;

@@ -129,6 +129,11 @@ unsigned GlTarget::depths(GlSlicer& slicer) {
   return depth_texture_;
 }
 
+void GlTarget::resume() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, frame_);
+  glViewport(0, 0, size_.width, size_.height);
+}
+
 void GlTarget::finish(GlSlicer& slicer) {
   if (smooth_frame_ != 0) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_);

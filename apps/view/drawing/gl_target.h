@@ -25,6 +25,9 @@ class GlTarget {
   /// \errors ErrorKind::cancelled, here and below.
   [[nodiscard]] unsigned depths(GlSlicer& slicer);
 
+  /// Makes the target current again after others were drawn into.
+  void resume() const;
+
   /// Averages the samples.
   void finish(GlSlicer& slicer);
 

@@ -37,9 +37,17 @@ glm::dmat4 projected(const Camera& camera, Size size, double near, double far, D
 
 }  // namespace
 
+std::array<float, 3> narrow(const Vec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+std::array<float, 4> parts_of(Color c) {
+  return {static_cast<float>(c.r) / 255, static_cast<float>(c.g) / 255,
+          static_cast<float>(c.b) / 255, 1};
+}
+
 std::array<float, 3> GlView::relative(const Vec3& p) const {
-  const Vec3 d = (p - eye) * unit;
-  return {static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)};
+  return narrow((p - eye) * unit);
 }
 
 GlView gl_view(const Camera& camera, Size size, const Light& light, const DepthRange& range,
@@ -51,8 +59,8 @@ GlView gl_view(const Camera& camera, Size size, const Light& light, const DepthR
   const glm::dmat4 clip =
       projected(camera, size, range.near * view.unit, range.far * view.unit, mode) *
       turned_to(frame(camera));
-  const glm::mat4 narrow(clip);
-  std::copy_n(glm::value_ptr(narrow), 16, view.clip.begin());
+  const glm::mat4 short_clip(clip);
+  std::copy_n(glm::value_ptr(short_clip), 16, view.clip.begin());
   view.nearest = static_cast<float>(range.near * view.unit);
   view.half_width = 0.5F * static_cast<float>(size.width);
   view.half_height = 0.5F * static_cast<float>(size.height);
@@ -60,8 +68,22 @@ GlView gl_view(const Camera& camera, Size size, const Light& light, const DepthR
   view.lift = mode == DepthMode::reversed ? 1 - 2e-4F : 1 - 2e-3F;
   const double length = std::sqrt(dot(light.toward, light.toward));
   const Vec3 toward = length > 0 ? light.toward * (1 / length) : Vec3{0, 0, 1};
-  view.toward = {static_cast<float>(toward.x), static_cast<float>(toward.y),
-                 static_cast<float>(toward.z)};
+  view.toward = narrow(toward);
+  const double rise = std::sqrt(dot(camera.up, camera.up));
+  view.above = narrow(rise > 0 ? camera.up * (1 / rise) : Vec3{0, 0, 1});
+  const CameraFrame axes = frame(camera);
+  view.right = narrow(axes.right);
+  view.upward = narrow(axes.up);
+  view.forward = narrow(axes.forward);
+  const double tall = std::tan(camera.field_of_view / 2);
+  view.slopes = {static_cast<float>(tall * size.width / size.height), static_cast<float>(tall)};
+  const double near = range.near * view.unit;
+  const double far = range.far * view.unit;
+  // Plain depths d have 2 d - 1 = (far + near) / (far - near) - 2 far near / ((far - near) w).
+  view.inverse_depth = mode == DepthMode::reversed
+                           ? std::array<float, 2>{static_cast<float>(1 / near), 0}
+                           : std::array<float, 2>{static_cast<float>(1 / far - 1 / near),
+                                                  static_cast<float>(1 / near)};
   view.ambient = std::clamp(light.ambient, 0.0F, 1.0F);
   return view;
 }

@@ -14,6 +14,12 @@ namespace soms::view {
 /// as OpenGL 3.3 alone has them.
 enum class DepthMode : std::uint8_t { reversed, plain };
 
+/// As floats.
+[[nodiscard]] std::array<float, 3> narrow(const Vec3& v);
+
+/// Red, green and blue from 0 to 1, opaque.
+[[nodiscard]] std::array<float, 4> parts_of(Color c);
+
 /// A view. Device coordinates are `(world - eye) * unit`: differences are made in double, and
 /// whatever the model's unit is, the numbers are near 1.
 struct GlView {
@@ -26,10 +32,20 @@ struct GlView {
   float slope = 0;                ///< width of a pixel at distance 1
   float lift = 1;                 ///< factor that brings overlays nearer than their surfaces
   std::array<float, 3> toward{};  ///< unit vector to the light
+  std::array<float, 3> above{};   ///< the world's up
   float ambient = 0;
+  std::array<float, 3> right{};    ///< of the picture
+  std::array<float, 3> upward{};   ///< of the picture
+  std::array<float, 3> forward{};  ///< into the picture
+  std::array<float, 2> slopes{};   ///< half of the picture's width and height at distance 1
+  /// Factor and summand that take a depth of the device to 1 / (distance forward).
+  std::array<float, 2> inverse_depth{};
 
   /// A point in device coordinates.
   [[nodiscard]] std::array<float, 3> relative(const Vec3& p) const;
+
+  /// A length in device coordinates.
+  [[nodiscard]] float length(double of_world) const { return static_cast<float>(of_world * unit); }
 };
 
 /// \pre `size` is at least 1x1.

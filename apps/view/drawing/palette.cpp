@@ -15,41 +15,34 @@ std::uint8_t to_byte(double value) {
 }  // namespace
 
 Color part_color(std::size_t i) {
-  // Stone, sand, slate and the like: near gray, distinguished by lightness as much as by hue.
-  static constexpr std::array<Color, 10> kMuted{{{198, 192, 180, 255},
-                                                 {170, 178, 186, 255},
-                                                 {214, 204, 184, 255},
-                                                 {184, 184, 192, 255},
-                                                 {160, 172, 168, 255},
-                                                 {206, 200, 200, 255},
-                                                 {176, 170, 158, 255},
-                                                 {192, 200, 206, 255},
-                                                 {222, 216, 204, 255},
-                                                 {168, 164, 170, 255}}};
+  // Body B in lighter and darker, grayer and yellower shades.
+  static constexpr std::array<Color, 10> kMuted{{{221, 205, 172, 255},
+                                                 {208, 195, 167, 255},
+                                                 {230, 218, 190, 255},
+                                                 {200, 190, 168, 255},
+                                                 {214, 199, 163, 255},
+                                                 {222, 212, 193, 255},
+                                                 {196, 183, 152, 255},
+                                                 {212, 206, 190, 255},
+                                                 {235, 225, 203, 255},
+                                                 {203, 192, 176, 255}}};
   // A multiplicative hash: buildings that were surveyed one after the other differ.
   return kMuted[(i * 2654435761U >> 7U) % kMuted.size()];
 }
 
 Color mover_color(std::size_t i) {
-  static constexpr std::array<Color, 6> kStrong{{palette::kBlue, palette::kOrange, palette::kGreen,
+  static constexpr std::array<Color, 6> kStrong{{palette::kBodyA, palette::kOrange, palette::kGreen,
                                                  palette::kSkyBlue, palette::kPurple,
                                                  palette::kYellow}};
   return kStrong[i % kStrong.size()];
 }
 
 Color ordered_color(double t) {
-  // Lightness rises steadily from end to end, so the order shows without hue.
-  struct Stop {
-    double r, g, b;
-  };
-
-  static constexpr std::array<Stop, 5> kStops{
-      {{32, 40, 100}, {45, 98, 148}, {40, 148, 140}, {130, 196, 92}, {240, 226, 70}}};
-  const double at = std::clamp(t, 0.0, 1.0) * (kStops.size() - 1);
-  const auto i = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
+  const double at = std::clamp(t, 0.0, 1.0) * (look::kLevels.size() - 1);
+  const auto i = std::min(static_cast<std::size_t>(at), look::kLevels.size() - 2);
   const double f = at - static_cast<double>(i);
-  const Stop& a = kStops[i];
-  const Stop& b = kStops[i + 1];
+  const look::Rgb a = look::kLevels[i];
+  const look::Rgb b = look::kLevels[i + 1];
   return {to_byte(a.r + (b.r - a.r) * f), to_byte(a.g + (b.g - a.g) * f),
           to_byte(a.b + (b.b - a.b) * f), 255};
 }

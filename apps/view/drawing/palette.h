@@ -2,14 +2,21 @@
 /// Colors that people who see fewer colors tell apart too.
 #pragma once
 
+#include "apps/support/look.h"
 #include "apps/view/drawing/draw_list.h"
 
 #include <cstddef>
 
 namespace soms::view {
 
-/// Eight colors by Okabe and Ito. `vermilion` is for what touches, and for nothing else. Gaps are
-/// drawn in ink on paper, as on report pages and maps.
+/// A color of apps/support/look.h, opaque.
+[[nodiscard]] constexpr Color color_of(look::Rgb color) {
+  return {color.r, color.g, color.b, 255};
+}
+
+/// The colors of the window and its pictures, which have one light look: those of
+/// apps/support/look.h where a color has a meaning, else eight by Okabe and Ito. Only contacts are
+/// red.
 /// \source Okabe, Ito 2008, Color Universal Design.
 namespace palette {
 
@@ -19,17 +26,23 @@ inline constexpr Color kSkyBlue{86, 180, 233, 255};
 inline constexpr Color kGreen{0, 158, 115, 255};
 inline constexpr Color kYellow{240, 228, 66, 255};
 inline constexpr Color kBlue{0, 114, 178, 255};
-inline constexpr Color kVermilion{213, 94, 0, 255};
 inline constexpr Color kPurple{204, 121, 167, 255};
 
-inline constexpr Color kContact{222, 32, 12, 255};  ///< red of contacts: vermilion, stronger
-inline constexpr Color kGap{43, 42, 40, 255};       ///< ink
-inline constexpr Color kPaper{255, 255, 255, 255};  ///< sets ink off from any surface
+inline constexpr Color kBodyA = color_of(look::kBodyA.light);
+inline constexpr Color kBodyB = color_of(look::kBodyB.light);
+inline constexpr Color kContact = color_of(look::kContact.light);
+inline constexpr Color kGap = color_of(look::kNearest.light);
+inline constexpr Color kFree = color_of(look::kFree.light);
+inline constexpr Color kInk = color_of(look::kInk.light);
+inline constexpr Color kPaper = color_of(look::kPaper.light);  ///< sets marks off from any surface
+inline constexpr Color kGround = color_of(look::kGround.light);
+inline constexpr Color kSkyLow = color_of(look::kSkyLow.light);
+inline constexpr Color kSkyHigh = color_of(look::kSkyHigh.light);
 
 }  // namespace palette
 
-/// A muted color for building or part number `i`: neighbors in number differ, none looks like a
-/// mark.
+/// A shade of sand for building or part number `i`: neighbors in number differ in lightness, and
+/// none looks like a mark.
 [[nodiscard]] Color part_color(std::size_t i);
 
 /// The color of number `i` among things that are distinguished, such as movers: strong and

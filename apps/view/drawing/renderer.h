@@ -19,9 +19,9 @@ struct DrawOptions {
   /// the smaller it looks. While the camera moves a program sets some 200,000, and `kAll` when it
   /// stands still.
   std::uint64_t most_triangles = kAll;
-  int samples = 4;  ///< for each pixel: 1 is fast, 4 and 8 make smooth edges
-  bool relief =
-      true;  ///< darken creases and what lies behind an edge; takes a pass over the picture
+  int samples = 4;      ///< for each pixel: 1 is fast, 4 and 8 make smooth edges
+  bool relief = true;   ///< darken where near surfaces hide the sky; takes passes over the picture
+  bool shadows = true;  ///< of the sun; takes two more views of all triangles
 };
 
 /// What the last frame took.
@@ -36,6 +36,8 @@ struct DrawStatistics {
   std::uint64_t boxes = 0;
   std::uint64_t lines = 0;
   std::uint64_t points = 0;
+  std::uint64_t markers = 0;  ///< drawn, after merging
+  std::uint64_t marked = 0;   ///< the sum of their counts
   std::uint64_t labels = 0;   ///< written: those that had room
   std::uint64_t uploads = 0;  ///< meshes and box groups brought to the device in this frame
 };

@@ -1,5 +1,5 @@
 /// \file
-/// Letters as strokes of a round pen, for numbers with units: sharp at any size, and the same
+/// Letters as strokes of a round pen, for numbers, keys and titles: sharp at any size, and the same
 /// everywhere.
 #pragma once
 
@@ -20,8 +20,8 @@ struct TextStroke {
   TextPoint to;
 };
 
-/// The strokes of `text`, whose digits are `height` high. There are digits, ". - +", space, and the
-/// letters of m, cm, mm, km, in, ft and e; other bytes become boxes.
+/// The strokes of `text`, whose digits are `height` high. There are the letters and digits of ASCII
+/// and most of its signs; other bytes become boxes.
 [[nodiscard]] std::vector<TextStroke> strokes_of(std::string_view text, double height);
 
 /// From the start of the first letter to the end of the last.

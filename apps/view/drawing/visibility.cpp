@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace soms::view {
 
@@ -139,6 +140,34 @@ Visible choose_tiles(const DrawList& list, std::span<const std::span<const Tile>
                      std::tuple(b.pass, b.depth, b.mesh, b.tile, b.edges);
             });
   return visible;
+}
+
+std::vector<TileGroup> choose_casters(const DrawList& list,
+                                      std::span<const std::span<const Tile>> tiles,
+                                      const std::function<bool(const Box&)>& reaches) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, TileGroup> groups;
+  for (std::uint32_t i = 0; i < list.instances.size(); ++i) {
+    const Instance& instance = list.instances[i];
+    if (pass_of(instance) != Pass::solid) {
+      continue;
+    }
+    const auto mine = tiles[instance.mesh];
+    for (std::uint32_t t = 0; t < mine.size(); ++t) {
+      if (reaches(moved(instance.pose, mine[t].bounds))) {
+        TileGroup& group = groups[{instance.mesh, t}];
+        group.mesh = instance.mesh;
+        group.tile = t;
+        group.triangles = mine[t].count;
+        group.instances.push_back(i);
+      }
+    }
+  }
+  std::vector<TileGroup> casters;
+  casters.reserve(groups.size());
+  for (auto& [place, group] : groups) {
+    casters.push_back(std::move(group));
+  }
+  return casters;
 }
 
 }  // namespace soms::view

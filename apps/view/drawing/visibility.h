@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -56,5 +57,11 @@ struct Visible {
 [[nodiscard]] Visible choose_tiles(const DrawList& list,
                                    std::span<const std::span<const Tile>> tiles,
                                    const Camera& camera, Size size, std::uint64_t most_triangles);
+
+/// All opaque tiles of which `reaches` holds, whether the camera sees them or not, by mesh and
+/// tile.
+[[nodiscard]] std::vector<TileGroup> choose_casters(const DrawList& list,
+                                                    std::span<const std::span<const Tile>> tiles,
+                                                    const std::function<bool(const Box&)>& reaches);
 
 }  // namespace soms::view

@@ -7,16 +7,36 @@
 #include "apps/view/scene/shown_boxes.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 
 namespace soms::view {
 
 namespace {
 
-/// Diameter of the dots of touching movers, in pixels.
-constexpr float kSpot = 7;
+/// Width of the curve where surfaces cross and of its rim on either side, in pixels.
+constexpr float kCurve = 4;
+constexpr float kCurveRim = 2;
+/// Opacity of what surfaces hide of the curve, up to so many contacts: more would be a tangle.
+constexpr std::uint8_t kHiddenCurve = 60;
+constexpr std::size_t kMostHidden = 2000;
+/// How far red reaches from a contact, in parts of the diagonal of the smaller body.
+constexpr double kGlowReach = 0.09;
+/// Pieces of the curve shorter than this part of that length are thinned out.
+constexpr double kGlowStep = 0.25;
+/// Contacts of a mover that are looked at for the place of its marker.
+constexpr std::size_t kMostOfMarker = 64;
+/// The ground is this part of the scene's diagonal below it, and this many times as wide.
+constexpr double kGroundBelow = 2e-4;
+constexpr double kGroundWidth = 2.5;
+/// Kinds of movers that the key names.
+constexpr std::size_t kMostKinds = 4;
 /// Opacity of the two nearest triangles: large ones shall not swamp what they belong to.
 constexpr std::uint8_t kNearTint = 80;
 
@@ -37,10 +57,12 @@ class Drawing {
   DrawnScene draw() {
     scene_.set_trees(options_.trees);
     add_bodies();
+    add_ground();
     add_boxes();
     add_contacts();
     add_frame_gaps();
     add_nearest();
+    add_key();
     return {std::move(list_), counts_};
   }
 
@@ -143,14 +165,81 @@ class Drawing {
     }
   }
 
-  void add_crossing(const Touch& touch, Color color, float width, bool on_top) {
+  /// How far red reaches from a contact of these two.
+  double glow_reach(BodyRef a, BodyRef b) {
+    const auto [entry, added] = glow_reach_.try_emplace(std::pair(a, b), 0.0);
+    if (added) {
+      const Vec3 of_a = scene_.bounds(a).extent();
+      const Vec3 of_b = scene_.bounds(b).extent();
+      entry->second = kGlowReach * std::sqrt(std::min(dot(of_a, of_a), dot(of_b, of_b)));
+    }
+    return entry->second;
+  }
+
+  /// Of many short pieces about one place one is enough.
+  bool is_first_here(const Vec3& at, double step) {
+    const auto cell = [step](double x) { return static_cast<std::int64_t>(std::floor(x / step)); };
+    return glow_cells_.insert({cell(at.x), cell(at.y), cell(at.z)}).second;
+  }
+
+  void add_glow(const Touch& touch, const Vec3& a, const Vec3& b) {
+    const double reach = glow_reach(touch.a, touch.b);
+    const double step = kGlowStep * reach;
+    const Vec3 along = b - a;
+    if (step > 0 && (dot(along, along) > step * step || is_first_here((a + b) * 0.5, step))) {
+      list_.glows.push_back({a, b, reach});
+    }
+  }
+
+  void add_curve(const Vec3& a, const Vec3& b, bool on_top) {
+    const Color color = options_.colors.segment;
+    curves_.push_back({.a = a,
+                       .b = b,
+                       .color = color,
+                       .width = kCurve,
+                       .on_top = on_top,
+                       .rim = palette::kPaper,
+                       .rim_width = kCurveRim});
+  }
+
+  /// All curves with their rims, then once more without: no rim covers a neighbor.
+  void draw_curves() {
+    const std::size_t pieces = curves_.size();
+    list_.lines.insert(list_.lines.end(), curves_.begin(), curves_.end());
+    for (Line line : curves_) {
+      line.rim = with_alpha(line.color, 0);
+      line.rim_width = 1.25F * kCurveRim;  // wider, so nearer than rims of neighbors
+      list_.lines.push_back(line);
+    }
+    for (Line line : curves_) {
+      if (pieces <= kMostHidden && !line.on_top) {
+        line.color.a = kHiddenCurve;
+        line.width = 0.5F * kCurve;
+        line.rim_width = 0;
+        line.on_top = true;
+        list_.lines.push_back(line);
+      }
+    }
+    curves_.clear();
+  }
+
+  void add_crossing(const Touch& touch, bool segments, bool glow, bool on_top) {
     const Crossing crossing = scene_.crossing(touch);
     const auto p = crossing.points();
-    if (p.size() == 1) {
-      list_.points.push_back({p[0], color, 3 * width, on_top});
+    if (p.size() == 1 && segments) {
+      list_.points.push_back({p[0], options_.colors.segment, 3 * kCurve, on_top, palette::kPaper});
     }
-    for (std::size_t k = 0; p.size() > 1 && k < (p.size() == 2 ? 1 : p.size()); ++k) {
-      list_.lines.push_back({p[k], p[(k + 1) % p.size()], color, width, on_top});
+    for (std::size_t k = 0; k < (p.size() == 2 ? 1 : p.size()); ++k) {
+      const Vec3& next = p[(k + 1) % p.size()];
+      if (glow) {
+        add_glow(touch, p[k], next);
+      }
+      if (segments && p.size() > 1) {
+        add_curve(p[k], next, on_top);
+      }
+    }
+    for (std::size_t k = 2; k < p.size() && segments; ++k) {
+      list_.marks.push_back({{p[0], p[k - 1], p[k]}, options_.colors.contact, on_top});
     }
   }
 
@@ -163,22 +252,37 @@ class Drawing {
     }
   }
 
-  /// A dot for each touching mover, at its first contact: a city shows from afar where it is hit.
-  void add_spots() {
-    std::optional<BodyRef> last;
-    for (const Touch& touch : scene_.contacts()) {
-      if (touch.a != last) {
-        last = touch.a;
-        const Crossing crossing = scene_.crossing(touch);
-        list_.points.push_back({crossing.corners[0], options_.colors.contact, kSpot, true});
+  /// A marker for each touching mover, where it touches: a city shows from afar where it is hit.
+  void add_markers() {
+    std::map<std::uint32_t, std::pair<std::size_t, Box>> places;
+    const auto note = [&](BodyRef body, const Touch& touch) {
+      auto& [count, box] = places[body.index];
+      if (body.role == Role::mover && ++count <= kMostOfMarker) {
+        for (const Vec3& p : scene_.crossing(touch).points()) {
+          box.grow(p);
+        }
       }
+    };
+    for (const Touch& touch : scene_.contacts()) {
+      note(touch.a, touch);
+      if (touch.b.role == Role::mover) {
+        note(touch.b, touch);
+      }
+    }
+    for (const auto& [number, place] : places) {
+      const Box& box = place.second;
+      const Vec3 across = box.extent();
+      list_.markers.push_back({.at = box.center(),
+                               .reach = 0.5 * std::sqrt(dot(across, across)),
+                               .always = options_.contacts.all_markers,
+                               .color = options_.colors.contact});
     }
   }
 
   void add_contacts() {
     const ContactMarks& marks = options_.contacts;
     const std::vector<Touch> touches = drawn_contacts(scene_, marks.most);
-    if (marks.triangles || marks.parts || marks.segments || marks.lines) {
+    if (marks.glow || marks.triangles || marks.parts || marks.segments || marks.lines) {
       counts_.contacts = scene_.contacts().size();
       counts_.contacts_drawn = touches.size();
     }
@@ -189,19 +293,21 @@ class Drawing {
       add_triangles(touches);
     }
     for (const Touch& touch : touches) {
-      if (marks.segments) {
-        add_crossing(touch, options_.colors.segment, 2, marks.on_top);
+      if (marks.segments || marks.glow) {
+        add_crossing(touch, marks.segments, marks.glow, marks.on_top);
       }
       if (marks.lines) {
         add_line(touch);
       }
     }
-    if (marks.spots) {
-      add_spots();
+    if (marks.markers) {
+      add_markers();
     }
     if (options_.chosen) {
       add_chosen(*options_.chosen);
     }
+    draw_curves();
+    list_.glow_color = options_.colors.contact;
   }
 
   /// The nearest first: of lengths that would cover each other theirs is written.
@@ -258,10 +364,77 @@ class Drawing {
     }
   }
 
+  /// Its triangles' outlines: painted whole, one as large as a wall would cover all.
   void add_chosen(const Touch& touch) {
-    add_mark(touch.a, touch.i, with_alpha(options_.colors.contact, 170), true);
-    add_mark(touch.b, touch.j, with_alpha(options_.colors.contact, 170), true);
-    add_crossing(touch, options_.colors.segment, 4, true);
+    for (const auto& [body, i] : {std::pair(touch.a, touch.i), std::pair(touch.b, touch.j)}) {
+      const Triangle t = scene_.triangle(body, i);
+      for (const auto& [from, to] :
+           {std::pair(t.a, t.b), std::pair(t.b, t.c), std::pair(t.c, t.a)}) {
+        list_.lines.push_back({from, to, options_.colors.contact, 2, true, palette::kPaper, 1});
+      }
+    }
+    add_crossing(touch, true, false, true);
+  }
+
+  void add_ground() {
+    const Box all = scene_.bounds();
+    if (!options_.ground || all.empty()) {
+      return;
+    }
+    const Vec3 extent = all.extent();
+    const double whole = std::sqrt(dot(extent, extent));
+    const Vec3 center = all.center();
+    list_.ground = Ground{{center.x, center.y, all.lower.z - kGroundBelow * whole},
+                          kGroundWidth * whole,
+                          palette::kGround};
+  }
+
+  /// What the colors of this picture mean.
+  void add_key() {
+    if (!options_.key) {
+      return;
+    }
+    std::vector<KeyEntry>& key = list_.captions.key;
+    const auto add = [&key](KeySign sign, Color color, const std::string& text) {
+      color.a = 255;
+      key.push_back({sign, color, text});
+    };
+    std::vector<std::pair<std::string, std::vector<Vec3>>> kinds;
+    for (std::uint32_t k = 0; options_.movers && k < scene_.movers(); ++k) {
+      const Body& body = scene_.body(mover(k));
+      const auto kind = kinds_.find(body.shape.shared_mesh().get());
+      if (kind == kinds_.end()) {
+        continue;
+      }
+      if (kind->second == kinds.size()) {
+        kinds.emplace_back(body.name, std::vector<Vec3>{});
+      }
+      kinds[kind->second].second.push_back(scene_.bounds(mover(k)).center());
+    }
+    for (std::size_t k = 0; k < std::min(kinds.size(), kMostKinds); ++k) {
+      const std::string& name = kinds[k].first;
+      add(KeySign::area, mover_color(k), name.empty() ? "moves" : "moves: " + name);
+      key.back().places = std::move(kinds[k].second);
+    }
+    if (options_.city && scene_.city_parts() > 0) {
+      add(KeySign::area, palette::kBodyB, "at rest");
+    }
+    if (options_.level) {
+      add(KeySign::area, options_.colors.level,
+          "boxes of level " + std::to_string(options_.level->level));
+    }
+    if (options_.trace) {
+      add(KeySign::area, options_.colors.visited, "boxes visited");
+      add(KeySign::area, options_.colors.pruned, "boxes pruned");
+      add(KeySign::area, options_.colors.found, "leaves that may touch");
+    }
+    if (!list_.labels.empty()) {
+      add(KeySign::area, options_.colors.gap, "nearest points");
+    }
+    if (!scene_.contacts().empty()) {
+      add(KeySign::curve, options_.colors.contact, "contact");
+      add(KeySign::marker, options_.colors.contact, "n movers in contact");
+    }
   }
 
   ViewScene& scene_;
@@ -270,6 +443,9 @@ class Drawing {
   ShownCounts counts_;
   std::map<std::pair<const Mesh*, bool>, std::uint32_t> meshes_;
   std::map<const Mesh*, std::size_t> kinds_;
+  std::map<std::pair<BodyRef, BodyRef>, double> glow_reach_;
+  std::set<std::array<std::int64_t, 3>> glow_cells_;
+  std::vector<Line> curves_;
 };
 
 }  // namespace

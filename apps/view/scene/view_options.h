@@ -52,13 +52,15 @@ struct TraceBoxes {
 
 /// What is shown of contacts.
 struct ContactMarks {
-  bool triangles = true;    ///< touching triangles in red
-  bool parts = false;       ///< the parts they belong to, in a paler red
-  bool segments = true;     ///< where they cross: segments, points, outlines of common areas
-  bool lines = false;       ///< from the middle of each touching mover to its contacts
-  bool spots = false;       ///< a dot where a mover touches (of two, the first), however far it is
-  bool on_top = false;      ///< seen through everything
-  std::size_t most = 2000;  ///< most contacts drawn; `DrawnScene` says how many there are
+  bool glow = true;          ///< surfaces are red about where they touch, the less the farther off
+  bool triangles = false;    ///< touching triangles in red, whole
+  bool parts = false;        ///< the parts they belong to, in a paler red
+  bool segments = true;      ///< where they cross: segments, points, common areas
+  bool lines = false;        ///< from the middle of each touching mover to its contacts
+  bool markers = true;       ///< a number where movers touch and it is too small to be seen
+  bool all_markers = false;  ///< also where it is large enough
+  bool on_top = false;       ///< seen through everything
+  std::size_t most = 2000;   ///< most contacts drawn; `DrawnScene` says how many there are
   std::size_t most_of_parts = 20000;  ///< most triangles of parts drawn
 
   [[nodiscard]] bool operator==(const ContactMarks&) const = default;
@@ -76,7 +78,7 @@ struct FrameGapMarks {
 struct ViewColors {
   Color contact = palette::kContact;
   Color part = {240, 150, 130, 255};
-  Color segment = palette::kYellow;
+  Color segment = palette::kContact;
   Color gap = palette::kGap;
   Color line = palette::kPurple;
   Color level = palette::kBlue;
@@ -84,7 +86,7 @@ struct ViewColors {
   Color visited = {40, 44, 66, 255};
   Color pruned = {150, 150, 150, 255};
   Color found = palette::kOrange;
-  Color plain_city = {205, 205, 200, 255};
+  Color plain_city = {222, 211, 186, 255};
 
   [[nodiscard]] bool operator==(const ViewColors&) const = default;
 };
@@ -103,6 +105,8 @@ struct ViewOptions {
   FrameGapMarks frame_gaps;
   bool gap =
       true;  ///< nearest points of the pair, if its bodies share none: a line with its length
+  bool ground = true;                  ///< a plain ground below everything
+  bool key = true;                     ///< what the colors mean
   std::optional<BodyRef> highlighted;  ///< drawn brighter
   std::optional<Touch> chosen;         ///< a contact drawn through everything
   std::size_t most_boxes = 50'000;     ///< of a level or a traversal; the largest are drawn

@@ -7,6 +7,7 @@ set(SOMS_VIEW_HEADERS
   render_rays.h
   render_scene.h
   sight_map.h
+  stage.h
   time_frames.h
   verbs.h
   view.h
@@ -19,6 +20,7 @@ set(SOMS_VIEW_SOURCES
   render_rays.cpp
   render_scene.cpp
   sight_map.cpp
+  stage.cpp
   time_frames.cpp
   verbs.cpp
   view.cpp

@@ -16,6 +16,7 @@
 #include "apps/view/verbs/render_gaps.h"
 #include "apps/view/verbs/render_rays.h"
 #include "apps/view/verbs/render_scene.h"
+#include "apps/view/verbs/stage.h"
 
 #include <fmt/format.h>
 
@@ -36,8 +37,9 @@ constexpr std::uint8_t kBoxFaces = 60;
 
 const char* const kRenderFooter =
     "Without CITY, an embedded city of 1,000,000 triangles is used, with cars, persons and\n"
-    "drones. A city from files has movers only if --mover, --route or --count is given. Touching\n"
-    "triangles are red. Two models that touch nowhere have a line between their nearest points,\n"
+    "drones. A city from files has movers only if --mover, --route or --count is given. Red is\n"
+    "where surfaces touch. Two models that touch nowhere have a line between their nearest "
+    "points,\n"
     "with its length. A camera is a subject (scene, contact, gap or mover:N), a side (north,\n"
     "southwest, top, or bearing:elevation in degrees) and a zoom, in any order, as in\n"
     "contact,45:30,2x; or six numbers: the position of the eye and the point that it looks at.\n\n"
@@ -121,8 +123,20 @@ void add_content_options(CLI::App& app, RenderOptions& options) {
   app.add_flag("--no-gap", options.no_gap,
                "do not draw the nearest points of two models that touch nowhere, nor\n"
                "the gaps of a recording");
-  app.add_flag("--spots", options.shown.contacts.spots,
-               "mark each touching mover with a dot, at any distance");
+  app.add_flag("--spots", options.shown.contacts.all_markers,
+               "number the touching movers also where their contacts are large\n"
+               "enough to be seen");
+  app.add_flag_callback(
+      "--no-markers", [&options] { options.shown.contacts.markers = false; },
+      "do not number touching movers whose contacts are too small to be seen");
+  app.add_option("--title", options.title, "words above the picture")->option_text("TEXT");
+  app.add_flag_callback(
+      "--no-key", [&options] { options.shown.key = false; },
+      "leave out the key of colors, the scale bar and the arrow to the north");
+  app.add_flag_callback(
+      "--no-ground", [&options] { options.shown.ground = false; },
+      "draw no ground below the models");
+  app.add_flag("--no-shadow", options.no_shadow, "draw no shadows");
   command::add_build_options(app, options.shown.trees.build);
   command::add_traversal_options(app, options.shown.trees.traversal);
 }
@@ -210,11 +224,19 @@ void report(const RenderOptions& options, ViewScene& scene, const GlRenderer& re
                              words_of_gaps(scene, gap), GlRenderer::device()));
     return;
   }
-  command::Json answer{{"schema", "soms.render/2"},     {"file", options.output},
-                       {"width", options.size.width},   {"height", options.size.height},
-                       {"frame", scene.frame()},        {"triangles", facts.triangles},
-                       {"movers", scene.movers()},      {"touching_pairs", facts.contacts},
-                       {"boxes", drawn.boxes},          {"draw_calls", drawn.draw_calls},
+  command::Json answer{{"schema", "soms.render/2"},
+                       {"file", options.output},
+                       {"width", options.size.width},
+                       {"height", options.size.height},
+                       {"frame", scene.frame()},
+                       {"triangles", facts.triangles},
+                       {"movers", scene.movers()},
+                       {"touching_pairs", facts.contacts},
+                       {"touching_movers", facts.touching_movers},
+                       {"markers", drawn.markers},
+                       {"marked_movers", drawn.marked},
+                       {"boxes", drawn.boxes},
+                       {"draw_calls", drawn.draw_calls},
                        {"device", GlRenderer::device()}};
   if (options.level) {
     const Tree& tree = scene.tree(level_body(options));
@@ -330,9 +352,28 @@ void remark_parts(const RenderOptions& options, const ViewScene& scene,
   remark("--test", !options.test.empty());
 }
 
+/// Says which movers a picture of the scene is framed without.
+void remark_astray(const RenderOptions& options, const ViewScene& scene,
+                   const command::Console& console) {
+  const std::uint64_t astray = astray_movers(scene).size();
+  if (astray > 0 && options.camera.subject == CameraChoice::Subject::scene) {
+    console.note(fmt::format("{}: {} far from the city, not in the picture", options.output,
+                             command::counted(astray, "mover")));
+  }
+}
+
 /// True if the scene looks alike in every frame.
 bool stands_still(const RenderOptions& options, const ViewScene& scene) {
   return !scene.frames() && (scene.movers() == 0 || !options.pose.empty());
+}
+
+/// Meters of the scene's unit; 0 where nobody said it.
+double meters_of(const RenderOptions& options, const ViewScene& scene) {
+  if (options.world.cities.empty() || options.world.city_model.scale_is_given ||
+      scene.replaying()) {
+    return 1;
+  }
+  return scene.city_parts() == 0 ? 0 : scene.body(city_part(0)).shape.mesh().unit;
 }
 
 /// What is drawn, and from where.
@@ -344,7 +385,17 @@ std::pair<DrawnScene, Camera> compose(const RenderOptions& options, ViewScene& s
     choice.with_gap = draws_gap(options, scene);
     choice.boxes = options.level || options.trace;
     const Camera camera = place_camera(choice, scene, options.size, origin, parallel);
-    return std::pair(draw_scene(scene, what_is_shown(options, scene)), camera);
+    DrawnScene drawn = draw_scene(scene, what_is_shown(options, scene));
+    drawn.list.captions.title = options.title;
+    drawn.list.light.toward = sun_for(camera, scene);
+    if (drawn.list.ground) {
+      drawn.list.ground->center.z = ground_level(camera, scene, drawn.list.ground->center.z);
+    }
+    if (options.shown.key) {
+      drawn.list.captions.meters = meters_of(options, scene);
+      drawn.list.captions.north = drawn.list.captions.meters > 0;
+    }
+    return std::pair(std::move(drawn), camera);
   });
 }
 
@@ -353,7 +404,8 @@ Picture draw_image(const RenderOptions& options, const DrawList& list, const Cam
                    GlRenderer& renderer, const command::Console& console) {
   return console.run("drawing " + options.output, [&](const Parallel& parallel) {
     renderer.watch(parallel);
-    renderer.draw(list, camera, options.size, {.samples = options.samples});
+    renderer.draw(list, camera, options.size,
+                  {.samples = options.samples, .shadows = !options.no_shadow});
     Picture picture = renderer.read_pixels();
     renderer.watch({});
     return picture;
@@ -437,6 +489,7 @@ int run_render(const RenderOptions& options, command::Console& console) {
     return 0;
   }
   remark_parts(options, scene, console);
+  remark_astray(options, scene, console);
   const auto [drawn, camera] = compose(options, scene, console);
   const Picture picture = draw_image(options, drawn.list, camera, *renderer, console);
   file.stream() << console.run("writing " + options.output,

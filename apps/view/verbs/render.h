@@ -34,6 +34,8 @@ struct RenderOptions {
   bool trace = false;
   bool see_through = false;
   bool no_gap = false;
+  bool no_shadow = false;
+  std::string title = {};
   bool depth = false;                               ///< a picture of distances
   std::optional<Vec3> visible_from = std::nullopt;  ///< a picture or map of what a point sees
 };

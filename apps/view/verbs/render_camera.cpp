@@ -15,6 +15,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -125,9 +126,9 @@ double line_length(const Vec3& v) {
   return std::sqrt(dot(v, v));
 }
 
-/// What a camera looks at: the part that must not be hidden, and what shall be in the picture.
+/// What a camera looks at: what must not be hidden, and what shall be in the picture.
 struct Aim {
-  Vec3 point;
+  std::vector<Vec3> points;
   Box around;
   BodyRef body;
 };
@@ -139,7 +140,7 @@ Aim aim_at_mover(std::uint32_t number, bool with_gap, const ViewScene& scene) {
                 "movers are numbered from 0; --count sets how many there are");
   }
   const BodyRef body = mover(number);
-  Aim aim{scene.bounds(body).center(), scene.bounds(body), body};
+  Aim aim{{scene.bounds(body).center()}, scene.bounds(body), body};
   if (!with_gap) {
     return aim;
   }
@@ -150,19 +151,33 @@ Aim aim_at_mover(std::uint32_t number, bool with_gap, const ViewScene& scene) {
   return aim;
 }
 
+/// Places on the curves of contacts, evenly over their list.
+std::vector<Vec3> places_of(const std::vector<Touch>& touches, const ViewScene& scene) {
+  constexpr std::size_t kMost = 24;
+  std::vector<Vec3> places;
+  const std::size_t count = std::min(touches.size(), kMost);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Crossing crossing = scene.crossing(touches[k * touches.size() / count]);
+    const auto points = crossing.points();
+    Vec3 sum;
+    for (const Vec3& p : points) {
+      sum += p * (1 / static_cast<double>(points.size()));
+    }
+    if (!points.empty()) {
+      places.push_back(sum);
+    }
+  }
+  return places;
+}
+
 /// Movers that touch anything, those with most contacts first.
 std::vector<Aim> aims_at_contacts(const ViewScene& scene) {
   constexpr std::size_t kMost = 40;
-  std::map<BodyRef, std::pair<std::size_t, Box>> touching;
-  const auto note = [&](BodyRef body, TriangleId i) {
-    auto& [count, box] = touching[body];
-    ++count;
-    box.grow(bounds(scene.triangle(body, i)));
-  };
+  std::map<BodyRef, std::vector<Touch>> touching;
   for (const Touch& touch : scene.contacts()) {
-    note(touch.a, touch.i);
+    touching[touch.a].push_back(touch);
     if (touch.b.role == Role::mover) {
-      note(touch.b, touch.j);
+      touching[touch.b].push_back(touch);
     }
   }
   if (touching.empty()) {
@@ -171,63 +186,107 @@ std::vector<Aim> aims_at_contacts(const ViewScene& scene) {
   }
   std::vector<std::pair<std::size_t, BodyRef>> order;
   order.reserve(touching.size());
-  for (const auto& [body, facts] : touching) {
-    order.emplace_back(facts.first, body);
+  for (const auto& [body, touches] : touching) {
+    order.emplace_back(touches.size(), body);
   }
   std::stable_sort(order.begin(), order.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<Aim> aims;
   for (std::size_t i = 0; i < std::min(order.size(), kMost); ++i) {
     const BodyRef body = order[i].second;
-    aims.push_back({touching[body].second.center(), scene.bounds(body), body});
+    aims.push_back({places_of(touching[body], scene), scene.bounds(body), body});
   }
   return aims;
 }
 
-/// A camera, and which part of the way to its subject is free, 0 to 1.
+/// A camera, and the share of what must not be hidden that it sees, 0 to 1.
 struct Aimed {
   Camera camera;
   double free = 0;
 };
 
-/// A camera on the subject's surroundings, from the first side where nothing stands between.
+/// Share of an aim's points that are seen from the eye. The body that is looked at does not hide
+/// its own middle; it hides points on it that are farther than a small part of its size behind its
+/// surface. From an eye with a roof above it, as in a house, a third of that.
+double seen_share(const Aim& aim, const Vec3& eye, const ViewScene& scene) {
+  constexpr double kThin = 0.02;
+  constexpr double kUnderRoof = 1.0 / 3;
+  if (aim.points.empty()) {
+    return 0;
+  }
+  std::vector<Ray> rays;
+  for (const Vec3& point : aim.points) {
+    rays.push_back({eye, point - eye});
+  }
+  rays.push_back({eye, {0, 0, 1}});
+  const std::vector<SurfaceHit> hits = scene.first_hits(rays);
+  const double thin = kThin * line_length(aim.around.extent());
+  const bool middle = aim.points.size() == 1;
+  std::size_t seen = 0;
+  for (std::size_t k = 0; k < aim.points.size(); ++k) {
+    const double whole = line_length(rays[k].direction);
+    const bool own = middle && hits[k].body == aim.body;
+    seen += own || hits[k].t * whole > whole - thin ? 1U : 0U;
+  }
+  return (hits.back().body ? kUnderRoof : 1.0) * static_cast<double>(seen) /
+         static_cast<double>(aim.points.size());
+}
+
+/// Share of the sky that is free above a subject: 1 in the open, little in a yard, 0 indoors.
+double open_sky(const Aim& aim, const ViewScene& scene) {
+  constexpr int kAround = 8;
+  const Vec3 center = aim.around.center();
+  const Vec3 above{center.x, center.y, aim.around.upper.z + 0.1 * line_length(aim.around.extent())};
+  std::vector<Ray> rays{{above, {0, 0, 1}}};
+  for (int k = 0; k < kAround; ++k) {
+    rays.push_back({above, toward_eye(360.0 * k / kAround, 40)});
+  }
+  const std::vector<SurfaceHit> hits = scene.first_hits(rays);
+  const auto free = std::count_if(hits.begin(), hits.end(),
+                                  [](const SurfaceHit& hit) { return !hit.body.has_value(); });
+  return static_cast<double>(free) / static_cast<double>(hits.size());
+}
+
+/// A camera on the subject's surroundings, from the side from which most of what matters is seen;
+/// of sides that are about alike the first.
 Aimed aimed(const CameraChoice& choice, const Aim& aim, const ViewScene& scene, Size size,
             const Parallel& parallel) {
-  const Vec3 e = aim.around.extent() * 0.5;
-  const Box wide{aim.around.center() - e * 2, aim.around.center() + e * 2};
+  constexpr double kSurroundings = 1.5;  // half of the picture's box, in extents of the subject
+  constexpr double kMuchBetter = 0.2;
+  const Vec3 half = aim.around.extent() * kSurroundings;
+  const Box wide{aim.around.center() - half, aim.around.center() + half};
   const auto from = [&](double bearing, double elevation) {
     return dollied(fitted(wide, toward_eye(bearing, elevation), size), 1 / choice.zoom);
   };
   Aimed best{from(choice.bearing, choice.elevation), choice.free_side ? -1.0 : 1.0};
   for (const double elevation : {25.0, 45.0, 65.0}) {
-    for (int turn = 0; choice.free_side && turn < 8; ++turn) {
+    for (int turn = 0; choice.free_side && turn < 16; ++turn) {
       check_stop(parallel);
-      const Camera camera = from(choice.bearing + 45 * turn, elevation);
-      const Vec3 line = aim.point - camera.eye;
-      const double whole = line_length(line);
-      const auto first = scene.pick({camera.eye, line * (1 / whole)});
-      if (!first || first->body == aim.body || first->distance > 0.98 * whole) {
-        return {camera, 1};
-      }
-      if (first->distance > best.free * whole) {
-        best = {camera, first->distance / whole};
+      const Camera camera = from(choice.bearing + 22.5 * turn, elevation);
+      const double free = seen_share(aim, camera.eye, scene);
+      if (free > best.free + kMuchBetter || (best.free < 0 && free >= 0)) {
+        best = {camera, free};
       }
     }
   }
   return best;
 }
 
-/// The mover with most contacts of those that can be seen; of all where none can.
+/// The mover with most contacts of those that are seen well, in the open; else the one that is seen
+/// best.
 Camera at_contact(const CameraChoice& choice, const ViewScene& scene, Size size,
                   const Parallel& parallel) {
+  constexpr double kEnough = 0.45;  // of its curve, whose rear the mover itself hides
+  constexpr double kIndoors = 0.2;  // what a contact indoors counts
   Aimed best;
   best.free = -2;
   for (const Aim& aim : aims_at_contacts(scene)) {
-    const Aimed here = aimed(choice, aim, scene, size, parallel);
+    Aimed here = aimed(choice, aim, scene, size, parallel);
+    here.free *= kIndoors + (1 - kIndoors) * open_sky(aim, scene);
     if (here.free > best.free) {
       best = here;
     }
-    if (best.free >= 1) {
+    if (best.free >= kEnough) {
       break;
     }
   }
@@ -292,9 +351,10 @@ void add_outermost(const Body& body, const Frustum& view, std::vector<Vec3>& poi
 }
 
 /// Points that show how far a scene reaches: corners of triangles, evenly chosen where there are
-/// many beside those farthest out, or of the boxes of the city's trees, and those of the movers'
-/// boxes.
-std::vector<Vec3> sample_of(const ViewScene& scene, bool boxes, const Frustum& view) {
+/// many beside those farthest out, or of the boxes of the city's trees, and those of the framed
+/// movers' boxes.
+std::vector<Vec3> sample_of(const ViewScene& scene, std::span<const std::uint32_t> framed,
+                            bool boxes, const Frustum& view) {
   constexpr std::size_t kMost = 200'000;
   std::vector<Vec3> points;
   const auto add_box = [&](const Box& box) {
@@ -321,7 +381,7 @@ std::vector<Vec3> sample_of(const ViewScene& scene, bool boxes, const Frustum& v
       }
     }
   }
-  for (std::uint32_t k = 0; k < scene.movers(); ++k) {
+  for (const std::uint32_t k : framed) {
     add_box(scene.bounds(mover(k)));
   }
   return points;
@@ -366,6 +426,28 @@ Box scene_bounds(const ViewScene& scene) {
   return box;
 }
 
+std::vector<std::uint32_t> astray_movers(const ViewScene& scene) {
+  constexpr std::uint32_t kOneOf = 20;
+  std::vector<std::uint32_t> astray;
+  if (scene.city_parts() == 0) {
+    return astray;
+  }
+  const Box city = scene.bounds();
+  const double room = line_length(city.extent());
+  const Vec3 margin{room, room, room};
+  const Box about{city.lower - margin, city.upper + margin};
+  for (std::uint32_t k = 0; k < scene.movers(); ++k) {
+    const Vec3 center = scene.bounds(mover(k)).center();
+    if (!about.contains({center, center})) {
+      astray.push_back(k);
+    }
+  }
+  if (astray.size() * kOneOf > scene.movers()) {
+    astray.clear();
+  }
+  return astray;
+}
+
 Camera place_camera(const CameraChoice& choice, const ViewScene& scene, Size size,
                     const Vec3& origin, const Parallel& parallel) {
   switch (choice.subject) {
@@ -383,8 +465,18 @@ Camera place_camera(const CameraChoice& choice, const ViewScene& scene, Size siz
       break;
   }
   const Vec3 back = toward_eye(choice.bearing, choice.elevation);
-  const Camera whole = fitted(scene_bounds(scene), back, size);
-  const std::vector<Vec3> sample = sample_of(scene, choice.boxes, frustum(whole, size));
+  const std::vector<std::uint32_t> astray = astray_movers(scene);
+  std::vector<std::uint32_t> framed_movers;
+  Box bulk = scene.bounds();
+  for (std::uint32_t k = 0; k < scene.movers(); ++k) {
+    if (!std::binary_search(astray.begin(), astray.end(), k)) {
+      framed_movers.push_back(k);
+      bulk.grow(scene.bounds(mover(k)));
+    }
+  }
+  const Camera whole = fitted(bulk, back, size);
+  const std::vector<Vec3> sample =
+      sample_of(scene, framed_movers, choice.boxes, frustum(whole, size));
   return dollied(framed(whole, sample, size), 1 / choice.zoom);
 }
 

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace soms::view {
 
@@ -46,6 +47,10 @@ struct CameraChoice {
 ///         are none; ErrorKind::cancelled; as `ViewScene::gap`.
 [[nodiscard]] Camera place_camera(const CameraChoice& choice, const ViewScene& scene, Size size,
                                   const Vec3& origin, const Parallel& parallel = {});
+
+/// Movers farther from the city than the city is large, in order; none if they are more than one in
+/// twenty. Pictures of the scene are framed without them.
+[[nodiscard]] std::vector<std::uint32_t> astray_movers(const ViewScene& scene);
 
 /// Bounds of all bodies of a scene.
 [[nodiscard]] Box scene_bounds(const ViewScene& scene);

@@ -159,7 +159,8 @@ void check_ray_picture(const CLI::App& app, const RenderOptions& options) {
     }
   };
   refuse({"--level", "--level-of", "--boxes", "--trace", "--no-prune", "--colors", "--see-through",
-          "--edges", "--contacts-on-top", "--spots", "--no-gap"},
+          "--edges", "--contacts-on-top", "--spots", "--no-gap", "--no-markers", "--title",
+          "--no-key", "--no-ground", "--no-shadow"},
          name_of_mode(options));
   if (is_map(options)) {
     refuse({"--size", "--camera", "--center", "--samples"}, "a map");

@@ -2,6 +2,7 @@
 
 #include "apps/support/height_grid.h"
 #include "apps/support/length_unit.h"
+#include "apps/support/look.h"
 #include "apps/support/map_layers.h"
 #include "apps/support/map_page.h"
 #include "apps/support/text.h"
@@ -91,8 +92,8 @@ std::vector<command::MapLayer> layers_of(const CellFlags& flags, const command::
 void draw_observer(std::ostream& out, const command::MapPage& page, const Vec3& observer) {
   out << fmt::format(
       "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"7\" fill=\"#fff\"/>\n"
-      "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"5\" fill=\"#0072b2\"/>\n",
-      page.x(observer.x), page.y(observer.y));
+      "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"5\" fill=\"{2}\"/>\n",
+      page.x(observer.x), page.y(observer.y), look::hex(look::kBodyA.light));
 }
 
 }  // namespace
@@ -121,7 +122,7 @@ SightMap draw_sight_map(const ViewScene& scene, const Vec3& observer, const Para
                                                    : scene.title().substr(0, kMostOfTitle) + "...");
   panel.line("what a point sees of it, from above; north is up");
   panel.head("The point");
-  panel.keyed("<circle r=\"5\" fill=\"#0072b2\"/>",
+  panel.keyed("<circle r=\"5\" fill=\"" + look::hex(look::kBodyA.light) + "\"/>",
               fmt::format("({:g}, {:g}, {:g})", observer.x, observer.y, observer.z));
   panel.head(map.surface == 0 ? "Nothing is there"
                               : in_percent(map.in_sight, map.surface) + " is in sight");

@@ -38,7 +38,8 @@ const char* const kTimeFramesFooter =
     "draw nothing alternate with passes that draw each frame off screen until the driver has\n"
     "finished. Reading models, their first upload, and what finds the contacts that are marked red "
     "are not timed.\n"
-    "Pictures are drawn without smoothing or shading of creases unless --samples is above 1.\n\n"
+    "Pictures are drawn without smoothing, shadows or shading of creases unless --samples is above "
+    "1.\n\n"
     "Example:\n"
     "  soms generate city --triangles 20000 -o town.ply\n"
     "  soms generate car -o car.ply\n"
@@ -133,7 +134,9 @@ class FrameClock {
     ViewOptions shown;
     shown.gap = false;  // its query is none of drawing
     renderer_.draw(draw_scene(scene_, shown).list, camera_, options_.size,
-                   {.samples = options_.samples, .relief = options_.samples > 1});
+                   {.samples = options_.samples,
+                    .relief = options_.samples > 1,
+                    .shadows = options_.samples > 1});
     GlRenderer::finish();
     return milliseconds(placed, Clock::now());
   }

@@ -93,7 +93,8 @@ ViewOptions options_of(const ViewState& state) {
   if (shown.visited || shown.pruned || shown.found) {
     options.trace = TraceBoxes{shown.visited, shown.pruned, shown.found};
   }
-  options.contacts.triangles = shown.contact_triangles;
+  options.contacts.glow = shown.contact_triangles;
+  options.contacts.markers = shown.contact_triangles;
   options.contacts.parts = shown.contact_parts;
   options.contacts.segments = shown.crossing_segments;
   options.contacts.lines = shown.contact_lines;

@@ -53,6 +53,7 @@ TEST(Detail, GivesUpSmoothEdgesBeforeTriangles) {
   const DrawOptions options = after_frames(detail, {18, 40}, 20);  // 112 ms smooth, 58 without
   EXPECT_EQ(options.most_triangles, DrawOptions::kAll);
   EXPECT_EQ(options.samples, 1);
+  EXPECT_FALSE(options.relief || options.shadows);
 }
 
 TEST(Detail, SteersToTheGoalWithTrianglesAndStaysThere) {

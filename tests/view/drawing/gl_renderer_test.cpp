@@ -216,7 +216,7 @@ TEST(GlRenderer, DrawsThousandsOfCopiesAndBoxesInAFewCalls) {
   const Camera camera{{1500, -1500, 1500}, {1500, 3000, 0}, {0, 0, 1}, 1.2};
   drawing.renderer->draw(list, camera, kSmall, kPlain);
   const DrawStatistics first = drawing.renderer->statistics();
-  EXPECT_LE(first.draw_calls, 8U);
+  EXPECT_LE(first.draw_calls, 12U);
   EXPECT_EQ(first.instances, 2000U);
   EXPECT_EQ(first.boxes, 5000U);
   EXPECT_EQ(first.lines, 5000U);
@@ -234,7 +234,7 @@ TEST(GlRenderer, BoundsItsCallsForALargeMeshAndLeavesOutWhatIsNotSeen) {
   const DrawStatistics whole = drawing.renderer->statistics();
   EXPECT_EQ(whole.triangles, 270000U);
   EXPECT_EQ(whole.tiles, 17U);
-  EXPECT_LE(whole.draw_calls, 20U);
+  EXPECT_LE(whole.draw_calls, 2U * 17U + 8U) << "the picture, and the sun's view";
   const Camera corner{{-1480, -1480, 20}, {-1500, -1500, 0}, {0, 0, 1}, 0.5};
   drawing.renderer->draw(list, corner, kSmall, kPlain);
   EXPECT_LT(drawing.renderer->statistics().tiles_drawn, 6U);
@@ -270,7 +270,7 @@ TEST(GlRenderer, DarkensCreasesAndStepsButNoPlaneHoweverSlanted) {
   };
   EXPECT_EQ(darker(wall(0, -3, -3, 3, 3), 1), 0U);
   Mesh step = wall(0, -3, -3, 3, 3);
-  append(step, wall(-2, -1, -1, 1, 1));
+  append(step, wall(-0.3, -1, -1, 1, 1));
   EXPECT_GT(darker(step, 2), 30U);
 }
 

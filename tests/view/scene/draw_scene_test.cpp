@@ -39,6 +39,8 @@ std::size_t count(const std::vector<TriangleMark>& marks, const Triangle& t) {
 ViewOptions without_gap() {
   ViewOptions options;
   options.gap = false;
+  options.contacts.triangles = true;
+  options.contacts.segments = false;  // of which areas in common are marks
   return options;
 }
 
@@ -131,12 +133,16 @@ TEST(DrawScene, DrawsSegmentsWhereTrianglesCross) {
     segments += scene.crossing(touch).count == 2 ? 1U : 0U;
   }
   EXPECT_GT(segments, 4U);
-  EXPECT_EQ(list.lines.size(), segments);
+  // With rims, without, and pale where surfaces hide them.
+  EXPECT_EQ(list.lines.size(), 3 * segments);
+  for (const Line& line : list.lines) {
+    EXPECT_GE(line.on_top ? 3 : line.width, 3);
+  }
   options.contacts.lines = true;
-  EXPECT_EQ(make_draw_list(scene, options).lines.size(), segments + scene.contacts().size());
+  EXPECT_EQ(make_draw_list(scene, options).lines.size(), 3 * segments + scene.contacts().size());
 }
 
-TEST(DrawScene, PutsOneSpotOnEachMoverThatTouches) {
+TEST(DrawScene, PutsOneMarkerOnEachMoverThatTouches) {
   SceneContent content;
   content.city.push_back(box_at({0, -1, 0}, {100, 1, 1}, "wall"));
   const Shape block(test::box_body({0, 0, 0}, {1, 1, 1}));
@@ -144,20 +150,73 @@ TEST(DrawScene, PutsOneSpotOnEachMoverThatTouches) {
     // Every other one stands in the wall.
     content.movers.push_back({Body(block, Pose::translation(5 * k, k % 2 == 0 ? 0 : 9, 0.5)), {}});
   }
+  // One more touches none but the last, from above.
+  content.movers.push_back({Body(block, Pose::translation(95, 9, 1.25)), {}});
   ViewScene scene(std::move(content));
   ViewOptions options;
-  options.contacts.triangles = false;
-  options.contacts.segments = false;
-  EXPECT_TRUE(make_draw_list(scene, options).points.empty());
-  options.contacts.spots = true;
   const DrawList list = make_draw_list(scene, options);
-  ASSERT_EQ(list.points.size(), 10U);
-  EXPECT_EQ(list.points.size(), scene.statistics().touching_movers);
-  for (std::size_t k = 0; k < list.points.size(); ++k) {
-    const Box box = scene.bounds(mover(static_cast<std::uint32_t>(2 * k)));
-    EXPECT_TRUE(box.contains({list.points[k].at, list.points[k].at}));
-    EXPECT_EQ(list.points[k].color, options.colors.contact);
+  ASSERT_EQ(list.markers.size(), 12U);
+  EXPECT_EQ(list.markers.size(), scene.statistics().touching_movers);
+  for (const Marker& marker : list.markers) {
+    EXPECT_EQ(marker.count, 1U);
+    EXPECT_FALSE(marker.always);
+    EXPECT_GT(marker.reach, 0);
+    EXPECT_LT(marker.reach, 1);
   }
+  for (std::uint32_t k = 0; k < 10; ++k) {
+    EXPECT_TRUE(scene.bounds(mover(2 * k)).contains({list.markers[k].at, list.markers[k].at}));
+  }
+  options.contacts.all_markers = true;
+  EXPECT_TRUE(make_draw_list(scene, options).markers[0].always);
+  options.contacts.markers = false;
+  EXPECT_TRUE(make_draw_list(scene, options).markers.empty());
+}
+
+TEST(DrawScene, RedReachesAsFarAsTheMoverIsLargeNotTheWall) {
+  Mesh wall;
+  wall.vertices = {{-500, 0, -500}, {500, 0, -500}, {0, 0, 800}};
+  wall.triangles = {{0, 1, 2}};
+  ViewScene scene(two_bodies(Body(std::move(wall)), box_at({-1, -1, -1}, {1, 1, 1}, "block")));
+  scene.set_pose(0, Pose::translation(0, 0.5, 0));
+  const DrawList list = make_draw_list(scene, {});
+  EXPECT_TRUE(list.marks.empty()) << "no triangle is painted whole";
+  ASSERT_FALSE(list.glows.empty());
+  const Box block = scene.bounds(mover(0));
+  for (const Glow& glow : list.glows) {
+    EXPECT_LT(glow.radius, 1);
+    EXPECT_TRUE(block.contains({glow.a, glow.a}) && block.contains({glow.b, glow.b}));
+  }
+  ViewOptions options;
+  options.contacts.glow = false;
+  EXPECT_TRUE(make_draw_list(scene, options).glows.empty());
+}
+
+TEST(DrawScene, TheGroundIsBelowTheSceneAndTheKeySaysWhatThereIs) {
+  ViewScene scene = cubes();
+  scene.set_pose(0, Pose::translation(5, 0, 0));
+  const auto signs = [&](const ViewOptions& options) {
+    std::vector<std::string> words;
+    for (const KeyEntry& entry : make_draw_list(scene, options).captions.key) {
+      words.push_back(entry.text);
+    }
+    return words;
+  };
+  ViewOptions options;
+  options.gap = false;
+  EXPECT_EQ(signs(options), (std::vector<std::string>{"moves: moving", "at rest"}));
+  scene.set_pose(0, Pose::translation(1, 1, 1));
+  EXPECT_EQ(signs(options), (std::vector<std::string>{"moves: moving", "at rest", "contact",
+                                                      "n movers in contact"}));
+  options.level = LevelBoxes{.body = city_part(0), .level = 2};
+  EXPECT_EQ(signs(options)[2], "boxes of level 2");
+  options.key = false;
+  EXPECT_TRUE(signs(options).empty());
+  const DrawList list = make_draw_list(scene, options);
+  ASSERT_TRUE(list.ground);
+  EXPECT_LT(list.ground->center.z, 0);
+  EXPECT_GT(list.ground->center.z, -0.01);
+  options.ground = false;
+  EXPECT_FALSE(make_draw_list(scene, options).ground);
 }
 
 TEST(DrawScene, MarksThePartsThatTouch) {
@@ -188,8 +247,8 @@ TEST(DrawScene, BoundsWhatManyContactsDraw) {
   ViewOptions options;
   options.contacts.most = 300;
   const DrawList list = make_draw_list(scene, options);
-  EXPECT_LE(list.marks.size(), 600U);
-  EXPECT_LE(list.lines.size(), 1800U);
+  EXPECT_LE(list.marks.size(), 1200U);
+  EXPECT_LE(list.lines.size(), 5400U);
   const ShownCounts counts = draw_scene(scene, options).counts;
   EXPECT_EQ(counts.contacts, scene.contacts().size());
   EXPECT_EQ(counts.contacts_drawn, 300U);
@@ -216,7 +275,7 @@ TEST(DrawScene, SaysWhatFoundNoRoom) {
   options.most_boxes = 1;
   options.contacts.most = 1;
   EXPECT_EQ(left_out(draw_scene(scene, options).counts).size(), 2U);
-  options.contacts.triangles = options.contacts.segments = false;  // not requested
+  options.contacts.glow = options.contacts.segments = false;  // not requested
   EXPECT_EQ(left_out(draw_scene(scene, options).counts).size(), 1U);
 }
 
@@ -238,8 +297,10 @@ TEST(DrawScene, ShowsTheChosenThroughEverything) {
   options.contacts.triangles = false;
   options.contacts.segments = false;
   const DrawList list = make_draw_list(scene, options);
-  ASSERT_EQ(list.marks.size(), 2U);
-  EXPECT_TRUE(list.marks[0].on_top && list.marks[1].on_top);
+  ASSERT_GE(list.lines.size(), 6U) << "the outlines of both triangles";
+  for (const Line& line : list.lines) {
+    EXPECT_TRUE(line.on_top);
+  }
   EXPECT_FALSE(list.instances[0].highlighted);
   EXPECT_TRUE(list.instances[1].highlighted);
 }

@@ -4,6 +4,7 @@
 #include "soms/generate/shapes.h"
 
 #include "apps/view/scene/load.h"
+#include "apps/view/verbs/stage.h"
 #include "tests/support/bodies.h"
 #include "tests/support/support.h"
 
@@ -98,6 +99,69 @@ TEST(PlaceCamera, FindsAFreeSideOfTheContact) {
   EXPECT_GT(distance_to_target(camera), 1);
   EXPECT_THROW((void)place_camera(parse_camera("contact"), two_spheres(50), {300, 200}, {}), Error);
   EXPECT_THROW((void)place_camera(parse_camera("mover:1"), scene, {300, 200}, {}), Error);
+}
+
+TEST(PlaceCamera, SeesAContactThatAWallHidesFromMostSides) {
+  // A cube stands in a niche that is open to the east alone, and touches its floor.
+  Mesh niche = test::box_body({-3, -3, -1}, {3, 3, 0});
+  for (const auto& [lower, upper] :
+       {std::pair(Vec3{-3, -3, 0}, Vec3{-2, 3, 6}), std::pair(Vec3{-2, -3, 0}, Vec3{3, -2, 6}),
+        std::pair(Vec3{-2, 2, 0}, Vec3{3, 3, 6}), std::pair(Vec3{-3, -3, 6}, Vec3{3, 3, 7})}) {
+    niche = test::joined(niche, test::box_body(lower, upper));
+  }
+  const Shape cube(test::box_body({-1, -1, -0.25}, {1, 1, 1}));
+  const ViewScene scene(two_bodies(Body(std::move(niche)), Body(cube)));
+  ASSERT_FALSE(scene.contacts().empty());
+  const Camera camera = place_camera(parse_camera("contact"), scene, {300, 200}, {});
+  EXPECT_GT(camera.eye.x, 3);
+  EXPECT_GT(std::abs(camera.eye.x), std::abs(camera.eye.y));
+}
+
+TEST(PlaceCamera, OneMoverFarAwayDoesNotRuleTheFrameAndManyDo) {
+  const Body still(generate_sphere(200));
+  const auto scene_with = [&](int far) {
+    SceneContent content;
+    content.city.push_back(still);
+    for (int k = 0; k < 40; ++k) {
+      content.movers.push_back(
+          {Body(still.shape, Pose::translation(k < far ? 4e6 + k : 3, 0, 0)), {}});
+    }
+    return ViewScene(std::move(content));
+  };
+  const auto reach = [](const ViewScene& scene) {
+    return distance_to_target(place_camera(parse_camera("scene"), scene, {300, 200}, {}));
+  };
+  const double near = reach(scene_with(0));
+  EXPECT_EQ(astray_movers(scene_with(1)), (std::vector<std::uint32_t>{0}));
+  EXPECT_NEAR(reach(scene_with(1)), near, 1e-9);
+  EXPECT_TRUE(astray_movers(scene_with(3)).empty());
+  EXPECT_GT(reach(scene_with(3)), 1e6);
+}
+
+TEST(SunFor, StandsAtTheLeftUnlessAWallHidesIt) {
+  const Camera camera{{0, -20, 10}, {0, 0, 0}, {0, 0, 1}, 0.8};
+  const auto east_of = [&](const Box& wall) {
+    return sun_for(camera, ViewScene(two_bodies(Body(test::box_body(wall.lower, wall.upper)),
+                                                Body(test::box_body({-1, -1, -1}, {1, 1, 1})))))
+        .x;
+  };
+  EXPECT_LT(east_of({{-9, 90, 0}, {-8, 99, 9}}), 0);
+  EXPECT_GT(east_of({{-9, -90, 0}, {-8, 90, 90}}), 0) << "the wall is at the left";
+  EXPECT_LT(east_of({{-90, -90, 80}, {90, 90, 81}}), 0) << "a roof hides it everywhere";
+}
+
+TEST(GroundLevel, IsWhereMoversStandOverNothing) {
+  const auto level = [](double x, double z) {
+    SceneContent content;
+    content.city.emplace_back(test::box_body({0, 0, 0}, {50, 50, 100}));
+    content.movers.push_back(
+        {Body(Shape(test::box_body({0, 0, 0}, {1, 1, 1})), Pose::translation(x, 0, z)), {}});
+    return ground_level({}, ViewScene(std::move(content)), -0.1);
+  };
+  EXPECT_NEAR(level(60, 3), 3, 0.1) << "a car beside the house";
+  EXPECT_LT(level(60, 3), 3);
+  EXPECT_EQ(level(60, 40), -0.1) << "a drone";
+  EXPECT_EQ(level(20, 3), -0.1) << "a car in the house stands over its floor";
 }
 
 bool is_seen(const Camera& camera, const Vec3& point) {

@@ -12,10 +12,10 @@
 
 #include "apps/support/json.h"
 #include "apps/support/text.h"
-#include "apps/view/drawing/headless_context.h"
 #include "apps/view/drawing/palette.h"
 #include "apps/view/drawing/picture.h"
 #include "tests/support/support.h"
+#include "tests/view/verbs/render_support.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -27,36 +27,10 @@
 namespace soms::view {
 namespace {
 
-bool can_draw() {
-  try {
-    const HeadlessContext context;
-    return true;
-  } catch (const Error&) {
-    return false;
-  }
-}
+using test_render::count_red;
+using test_render::render;
 
-#define SOMS_NEEDS_EGL()                                                      \
-  if (!can_draw()) {                                                          \
-    GTEST_SKIP() << "nothing is drawn here without EGL, so this is untested"; \
-  }                                                                           \
-  static_assert(true)
-
-test::RunResult render(std::vector<std::string> words) {
-  words.insert(words.begin(), {SOMS_VIEW_COMMAND, "render"});
-  return test::run_program(words);
-}
-
-std::size_t count_red(const Picture& picture) {
-  std::size_t count = 0;
-  for (int y = 0; y < picture.size.height; ++y) {
-    for (int x = 0; x < picture.size.width; ++x) {
-      const Color c = picture.at(x, y);
-      count += c.r > 130 && c.g < 90 && c.b < 90 ? 1U : 0U;
-    }
-  }
-  return count;
-}
+using Render = test_render::BallFolder;
 
 std::size_t files_in(const std::filesystem::path& folder) {
   std::size_t count = 0;
@@ -65,20 +39,6 @@ std::size_t files_in(const std::filesystem::path& folder) {
   }
   return count;
 }
-
-/// A folder with a ball of 800 triangles and radius about 1.
-class Render : public testing::Test {
- protected:
-  void SetUp() override {
-    ball_ = (folder_.path() / "ball.ply").string();
-    write_mesh(ball_, generate_sphere(800), MeshFormat::ply);
-    picture_ = (folder_.path() / "out.png").string();
-  }
-
-  test::TemporaryFolder folder_;
-  std::string ball_;
-  std::string picture_;
-};
 
 TEST_F(Render, WritesAPictureOfTheSizeRequestedFor) {
   SOMS_NEEDS_EGL();
@@ -112,7 +72,7 @@ TEST_F(Render, ShowsRedWhereBodiesTouchAndNoneWhereTheyDoNot) {
 TEST_F(Render, DrawsTheGapOfTwoModelsAlikeEachTimeUnlessItIsTurnedOff) {
   SOMS_NEEDS_EGL();
   const auto picture = [&](std::vector<std::string> words) {
-    words.insert(words.end(), {"-o", picture_, "--size", "300x200", "--json"});
+    words.insert(words.end(), {"-o", picture_, "--size", "300x200", "--json", "--no-key"});
     const test::RunResult result = render(words);
     EXPECT_EQ(result.status, 0) << result.err;
     const bool reported = result.out.find("\"gap\":{\"lower\":") != std::string::npos;
@@ -446,7 +406,7 @@ TEST_F(Render, SaysWhatIsMissingWhereNothingCanBeDrawn) {
 TEST_F(Render, RefusesADriverWithoutOpenGl33) {
   SOMS_NEEDS_EGL();
   ASSERT_EQ(::setenv("MESA_GL_VERSION_OVERRIDE", "2.1", 1), 0);
-  const bool mesa = !can_draw();
+  const bool mesa = !test_render::can_draw();
   const test::RunResult result = render({ball_, "-o", picture_});
   ASSERT_EQ(::unsetenv("MESA_GL_VERSION_OVERRIDE"), 0);
   if (!mesa) {
@@ -454,20 +414,6 @@ TEST_F(Render, RefusesADriverWithoutOpenGl33) {
   }
   EXPECT_EQ(result.status, 5) << result.err;
   EXPECT_NE(result.err.find("3.3"), std::string::npos) << result.err;
-}
-
-TEST_F(Render, MarksContactsByDotsThatShowFromAfar) {
-  SOMS_NEEDS_EGL();
-  const auto red = [&](std::vector<std::string> words) {
-    // From 4 km, where a triangle of the ball is smaller than a pixel.
-    words.insert(words.begin(), {ball_, "--mover", ball_, "--pose", "1.2 0 0", "-o", picture_,
-                                 "--size", "300x200", "--camera", "0 -4000 0 0 0 0"});
-    const test::RunResult result = render(words);
-    EXPECT_EQ(result.status, 0) << result.err;
-    return count_red(read_png(picture_));
-  };
-  EXPECT_EQ(red({}), 0U);
-  EXPECT_GT(red({"--spots"}), 10U);
 }
 
 TEST(PictureSize, IsTwoNumbersAndAnX) {

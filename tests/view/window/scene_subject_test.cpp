@@ -63,14 +63,14 @@ TEST(SceneSubject, MovingTheObjectIntoTheBlockGivesContactsAndRedTrianglesAndHom
   SceneSubject subject(block_and_cube());
   ViewState plain;
   plain.shown.gap = false;
-  EXPECT_TRUE(subject.draw_list(plain).marks.empty());
+  EXPECT_TRUE(subject.draw_list(plain).glows.empty());
   subject.place_object(Pose::translation(10, 0, 5));
   EXPECT_GT(subject.facts({}).contacts, 0U);
   EXPECT_EQ(subject.facts({}).bodies, 1U);
-  EXPECT_FALSE(subject.draw_list({}).marks.empty());
+  EXPECT_FALSE(subject.draw_list({}).glows.empty());
   ViewState without;
   without.shown.contact_triangles = false;
-  EXPECT_TRUE(subject.draw_list(without).marks.empty());
+  EXPECT_TRUE(subject.draw_list(without).glows.empty());
   subject.object_home();
   EXPECT_EQ(subject.facts({}).contacts, 0U);
   EXPECT_EQ(subject.facts({}).object, Pose::translation(20, 0, 5));
@@ -92,7 +92,7 @@ TEST(SceneSubject, ASessionDragsTheObjectIntoTheBlock) {
   session.tick(0.01);
   EXPECT_NEAR(session.facts().object->shift().x, 10, 1e-6);
   EXPECT_GT(session.facts().contacts, 0U);
-  EXPECT_FALSE(session.picture().marks.empty());
+  EXPECT_FALSE(session.picture().glows.empty());
 }
 
 TEST(SceneSubject, LevelsAreThoseOfTheTreeOnceItIsShown) {
@@ -155,7 +155,7 @@ TEST(SceneSubject, AChoiceThatCannotBeIsTakenBackAndThePictureGoesOn) {
   const auto tick = [&] {
     session.handle({});
     session.tick(0.01);
-    return session.picture().marks.size();
+    return session.picture().glows.size();
   };
   session.state().paused = true;
   session.state().shown.gizmo = false;  // which has marks, too
@@ -387,7 +387,7 @@ TEST(SceneSubject, AChosenContactThatIsNoMoreIsNotDrawn) {
   EXPECT_NO_THROW((void)subject.draw_list({}));
   ViewState plain;
   plain.shown.gap = false;
-  EXPECT_TRUE(subject.draw_list(plain).marks.empty());
+  EXPECT_TRUE(subject.draw_list(plain).glows.empty());
 }
 
 TEST(SceneSubject, TheGapFollowsTheObjectAndIsSaidInNumbers) {

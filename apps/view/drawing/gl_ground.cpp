@@ -1,0 +1,45 @@
+#include "apps/view/drawing/gl_ground.h"
+
+#include "apps/view/drawing/gl_shaders.h"
+
+#include <epoxy/gl.h>
+
+#include <array>
+#include <span>
+#include <string>
+
+namespace soms::view {
+
+namespace {
+
+/// Share of the radius from which on the disc fades.
+constexpr float kSolid = 0.45F;
+
+}  // namespace
+
+GlGround::GlGround()
+    : program_("ground", shader::kGroundVertex,
+               std::string(shader::kLightHead) + shader::kGroundFragment) {
+}
+
+void GlGround::draw(const DrawList& list, const GlView& view, const GlShadows& shadows,
+                    DrawStatistics& statistics) const {
+  if (!list.ground || list.ground->center.z >= view.eye.z) {
+    return;
+  }
+  const Ground& ground = *list.ground;
+  const float reach = view.length(ground.radius);
+  program_.use();
+  program_.set("clip", std::span(view.clip));
+  program_.set("middle", std::span<const float, 3>(view.relative(ground.center)));
+  program_.set("east", std::span<const float, 3>(std::array<float, 3>{reach, 0, 0}));
+  program_.set("north", std::span<const float, 3>(std::array<float, 3>{0, reach, 0}));
+  program_.set("color", std::span<const float, 4>(parts_of(ground.color)));
+  program_.set("solid", kSolid);
+  shadows.light(program_, view);
+  nothing_.bind();
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  ++statistics.draw_calls;
+}
+
+}  // namespace soms::view

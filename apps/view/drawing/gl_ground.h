@@ -1,0 +1,25 @@
+/// \file
+/// The ground of a draw list. Private to the renderer.
+#pragma once
+
+#include "apps/view/drawing/gl_objects.h"
+#include "apps/view/drawing/gl_shadows.h"
+#include "apps/view/drawing/gl_view.h"
+#include "apps/view/drawing/renderer.h"
+
+namespace soms::view {
+
+class GlGround {
+ public:
+  GlGround();
+
+  /// Draws the disc, if there is one and the eye is above it.
+  void draw(const DrawList& list, const GlView& view, const GlShadows& shadows,
+            DrawStatistics& statistics) const;
+
+ private:
+  GlProgram program_;
+  GlVertexArray nothing_;
+};
+
+}  // namespace soms::view
