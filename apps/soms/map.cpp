@@ -111,13 +111,16 @@ void draw_movers(std::ostream& out, const MapPage& page, const World& world,
   }
 }
 
-/// A filled disc with the number of a place in the list.
-std::string number_mark(double x, double y, std::size_t number) {
+/// A filled disc with the numbers of a place in the list; wider where they need it.
+std::string number_mark(double x, double y, const std::string& numbers) {
+  constexpr double kNumberRadius = 8;
+  constexpr double kDigitWidth = 5.5;
+  const double half = kNumberRadius + 0.5 * kDigitWidth * static_cast<double>(numbers.size() - 1);
   return fmt::format(
-             "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"8\" fill=\"{}\" stroke=\"#fff\" "
-             "stroke-width=\"1.2\"/>\n",
-             x, y, kMarkColor) +
-         map_text(x, y + 4, 11, std::to_string(number),
+             "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:g}\" rx=\"{:g}\" "
+             "fill=\"{}\" stroke=\"#fff\" stroke-width=\"1.2\"/>\n",
+             x - half, y - kNumberRadius, 2 * half, 2 * kNumberRadius, kNumberRadius, kMarkColor) +
+         map_text(x, y + 4, 11, numbers,
                   "text-anchor=\"middle\" fill=\"#fff\" font-weight=\"700\"");
 }
 
@@ -145,8 +148,9 @@ std::vector<Label> places_of(const MapPage& page, const World& world,
 
 /// Numbers them as in the list.
 void draw_most_touched(std::ostream& out, const std::vector<Label>& places) {
-  for (std::size_t k = places.size(); k-- > 0;) {  // the first on top
-    out << number_mark(places[k].x, places[k].y, k + 1);
+  const std::vector<NumberedPlace> numbered = numbered_places(places, 18);
+  for (std::size_t k = numbered.size(); k-- > 0;) {  // the first on top
+    out << number_mark(numbered[k].at.x, numbered[k].at.y, numbered[k].numbers);
   }
 }
 
@@ -259,9 +263,18 @@ void write_most_touched(MapPanel& panel, const World& world, const std::vector<T
   }
   panel.head("Most touched");
   for (std::size_t k = 0; k < most.size(); ++k) {
-    panel.keyed(number_mark(0, 0, k + 1), report::shortened(name_of(world, most[k]), 38));
+    panel.keyed(number_mark(0, 0, std::to_string(k + 1)),
+                report::shortened(name_of(world, most[k]), 38));
     panel.line(counts_of(most[k]), 24);
   }
+}
+
+/// What the map shows, for those who do not see it.
+std::string in_words(const World& world, const Outcome& outcome) {
+  return fmt::format("Map from above, north up: {}, {}, {} in {}.",
+                     counted(world.triangles, "triangle"), counted(world.routes.size(), "mover"),
+                     counted(outcome.contacts.contacts().size(), "contact"),
+                     counted(outcome.frames, "frame"));
 }
 
 }  // namespace
@@ -273,8 +286,9 @@ void draw_map(std::ostream& out, const World& world, const Outcome& outcome) {
   const std::vector<Mark> marks = find_marks(world, outcome, 13 / page.scale);
   const std::vector<Label> places = places_of(page, world, most);
   const MapGaps gaps = gaps_of(outcome);
-  open_map(out, page, world.title);
+  open_map(out, page, world.title, in_words(world, outcome));
   draw_layers(out, page, city.layers, city.cell);
+  draw_grid(out, page);
   draw_tracks(out, page, world, outcome);
   draw_movers(out, page, world, outcome);
   if (gaps.all > 0) {

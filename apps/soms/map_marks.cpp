@@ -9,6 +9,23 @@ namespace soms::command {
 
 namespace {
 
+/// "1-3, 5" of increasing numbers.
+std::string runs_of(const std::vector<std::size_t>& numbers) {
+  std::string text;
+  for (std::size_t k = 0; k < numbers.size();) {
+    std::size_t last = k;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) {
+      ++last;
+    }
+    text += (text.empty() ? "" : ", ") + std::to_string(numbers[k]);
+    if (last > k) {
+      text += (last == k + 1 ? ", " : "-") + std::to_string(numbers[last]);
+    }
+    k = last + 1;
+  }
+  return text;
+}
+
 /// What the contacts of one square sum up to.
 struct Square {
   double x = 0;
@@ -41,6 +58,28 @@ std::vector<Mark> find_marks(const World& world, const Outcome& outcome, double 
 
 double mark_radius(std::uint64_t contacts) {
   return std::min(2.2 + 0.9 * std::sqrt(static_cast<double>(contacts)), 13.0);
+}
+
+std::vector<NumberedPlace> numbered_places(const std::vector<Label>& places, double apart) {
+  std::vector<Label> firsts;
+  std::vector<std::vector<std::size_t>> numbers;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    std::size_t at = 0;
+    while (at < firsts.size() &&
+           std::hypot(firsts[at].x - places[k].x, firsts[at].y - places[k].y) >= apart) {
+      ++at;
+    }
+    if (at == firsts.size()) {
+      firsts.push_back(places[k]);
+      numbers.emplace_back();
+    }
+    numbers[at].push_back(k + 1);
+  }
+  std::vector<NumberedPlace> numbered;
+  for (std::size_t k = 0; k < firsts.size(); ++k) {
+    numbered.push_back({firsts[k], runs_of(numbers[k])});
+  }
+  return numbered;
 }
 
 std::vector<std::size_t> labels_with_room(const std::vector<Label>& labels,

@@ -32,6 +32,17 @@ struct Label {
   double y = 0;
 };
 
+/// A place and the numbers of those that lie there: "1", "2, 4", "1-3".
+struct NumberedPlace {
+  Label at;
+  std::string numbers;
+};
+
+/// Places numbered from 1 in their order. Those within `apart` pixels of an earlier place stand
+/// with it, so that no number covers another.
+[[nodiscard]] std::vector<NumberedPlace> numbered_places(const std::vector<Label>& places,
+                                                         double apart);
+
 /// Numbers of the labels that are written, `most` of them: each but those that would cover what is
 /// `taken` or one before. `width` and `height` are those of the texts.
 [[nodiscard]] std::vector<std::size_t> labels_with_room(const std::vector<Label>& labels,

@@ -70,6 +70,8 @@ set(SOMS_SUPPORT_FILES
   mover_filter.h
   mover_routes.cpp
   mover_routes.h
+  up_guess.cpp
+  up_guess.h
   world.cpp
   world.h
   world_options.cpp

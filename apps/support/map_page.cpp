@@ -17,6 +17,37 @@ constexpr double kMapWidth = 900;
 constexpr double kMapHeight = 860;
 constexpr double kPanelWidth = 300;
 constexpr double kMapMargin = 24;
+/// Most pixels between lines of the grid.
+constexpr double kGridSpace = 180;
+
+double grid_step(const MapPage& page) {
+  return round_length(kGridSpace / page.scale);
+}
+
+/// The numbers of the grid above the map and at its left.
+void write_coordinates(std::ostream& out, const MapPage& page) {
+  const double step = grid_step(page);
+  out << fmt::format("<g fill=\"{}\" text-anchor=\"middle\">\n", look::hex(look::kFaint.light));
+  for (const GridLine& line : grid_lines(page.area.lower.x, page.area.upper.x, step)) {
+    out << map_text(page.x(line.at), page.top - 6, 10, line.text);
+  }
+  for (const GridLine& line : grid_lines(page.area.lower.y, page.area.upper.y, step)) {
+    const double x = page.left - 6;
+    const double y = page.y(line.at);
+    out << map_text(x, y, 10, line.text,
+                    fmt::format("transform=\"rotate(-90 {:.1f} {:.1f})\"", x, y));
+  }
+  out << "</g>\n";
+}
+
+/// An arrow to +y, whose tip is `tip` pixels from the upper edge of the page.
+void draw_north(std::ostream& out, double x, double tip) {
+  out << fmt::format(
+      "<path d=\"M{0:.1f} {1:.1f}v16M{2:.1f} {3:.1f}l4 -6 4 6\" fill=\"none\" stroke=\"{4}\" "
+      "stroke-width=\"1.5\"/>\n",
+      x, tip, x - 4, tip + 6, kMapInk);
+  out << map_text(x - 18, tip + 13, 12.5, "N", "font-weight=\"700\"");
+}
 
 }  // namespace
 
@@ -44,15 +75,18 @@ std::string map_text(double x, double y, double size, std::string_view words,
                      size, more.empty() ? "" : " ", more, xml_text(words));
 }
 
-void open_map(std::ostream& out, const MapPage& page, std::string_view title) {
+void open_map(std::ostream& out, const MapPage& page, std::string_view title,
+              std::string_view description) {
   const double width = page.left + page.width + kMapMargin + kPanelWidth;
   const double height = std::max(page.height, 560.0) + 2 * kMapMargin + 16;
   out << fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
       "width=\"{0:.0f}\" height=\"{1:.0f}\" "
-      "font-family=\"Helvetica, Arial, sans-serif\" fill=\"{2}\">\n",
+      "font-family=\"Helvetica, Arial, sans-serif\" fill=\"{2}\" role=\"img\" "
+      "aria-labelledby=\"map-title map-about\">\n",
       width, height, kMapInk);
-  out << fmt::format("<title>{}</title>\n", xml_text(title));
+  out << fmt::format("<title id=\"map-title\">{}</title>\n<desc id=\"map-about\">{}</desc>\n",
+                     xml_text(title), xml_text(description));
   out << "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
   const std::string frame = fmt::format("x=\"{}\" y=\"{}\" width=\"{:.1f}\" height=\"{:.1f}\"",
                                         page.left, page.top, page.width, page.height);
@@ -60,8 +94,25 @@ void open_map(std::ostream& out, const MapPage& page, std::string_view title) {
   out << fmt::format("<rect {} fill=\"{}\"/>\n<g clip-path=\"url(#map)\">\n", frame, kMapPaper);
 }
 
+void draw_grid(std::ostream& out, const MapPage& page) {
+  const double step = grid_step(page);
+  std::string path;
+  for (const GridLine& line : grid_lines(page.area.lower.x, page.area.upper.x, step)) {
+    path += fmt::format("M{:.1f} {:.1f}v{:.1f}", page.x(line.at), page.top, page.height);
+  }
+  for (const GridLine& line : grid_lines(page.area.lower.y, page.area.upper.y, step)) {
+    path += fmt::format("M{:.1f} {:.1f}h{:.1f}", page.left, page.y(line.at), page.width);
+  }
+  out << fmt::format(
+      "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\".7\" "
+      "stroke-opacity=\".25\"/>\n",
+      path, kMapInk);
+}
+
 void close_map(std::ostream& out, const MapPage& page) {
   out << "</g>\n";
+  write_coordinates(out, page);
+  draw_north(out, page.left + page.width - 6, page.top + page.height + 8);
   const double stated = round_length(0.22 * page.width / page.scale);
   const double length = stated * page.scale;
   const double y = page.top + page.height + 22;
@@ -76,6 +127,26 @@ double round_length(double length) {
   const double power = std::pow(10, std::floor(std::log10(length)));
   const double digits = length / power;
   return power * (digits >= 5 ? 5 : digits >= 2 ? 2 : 1);
+}
+
+std::vector<GridLine> grid_lines(double lower, double upper, double step) {
+  constexpr double kMostLines = 100;
+  constexpr double kMostPlain = 1e9;  // larger numbers are written with a power of ten
+  const double first = std::ceil(lower / step);
+  const double count = std::floor(upper / step) - first + 1;
+  std::vector<GridLine> lines;
+  // Far from the origin, neighbors of a step may be one number.
+  if (!(count >= 1) || count > kMostLines || first + 1 == first) {
+    return lines;
+  }
+  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step))));
+  for (int k = 0; k < static_cast<int>(count); ++k) {
+    const double at = (first + k) * step + 0.0;  // no -0
+    lines.push_back({at, std::abs(at) < kMostPlain && decimals <= 6
+                             ? fmt::format("{:.{}f}", at, decimals)
+                             : fmt::format("{:g}", at)});
+  }
+  return lines;
 }
 
 MapPanel::MapPanel(std::ostream& out, const MapPage& page)

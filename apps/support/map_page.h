@@ -9,6 +9,7 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace soms::command {
 
@@ -45,13 +46,28 @@ struct MapPage {
                                    std::string_view more = {});
 
 /// Starts the file: its frame and what clips to it. Everything until `close_map` is clipped.
-void open_map(std::ostream& out, const MapPage& page, std::string_view title);
+/// Readers of the page without eyes hear the title, then the description.
+void open_map(std::ostream& out, const MapPage& page, std::string_view title,
+              std::string_view description);
 
-/// Ends what is clipped, and draws the scale bar below.
+/// Thin lines at round coordinates, upon what was drawn before.
+void draw_grid(std::ostream& out, const MapPage& page);
+
+/// Ends what is clipped; draws the coordinates of the grid around the map, and the scale bar and an
+/// arrow to the north below it.
 void close_map(std::ostream& out, const MapPage& page);
 
 /// A round length not above `length`: 1, 2 or 5 times a power of ten.
 [[nodiscard]] double round_length(double length);
+
+/// Round coordinates between two, at least `step` apart, in order, each as text without more digits
+/// than the step needs. \pre `step` is a `round_length`.
+struct GridLine {
+  double at = 0;
+  std::string text;
+};
+
+[[nodiscard]] std::vector<GridLine> grid_lines(double lower, double upper, double step);
 
 /// Writes the panel beside the map, line by line downwards.
 class MapPanel {

@@ -9,6 +9,7 @@
 #include "apps/support/route_notes.h"
 #include "apps/support/standard_input.h"
 #include "apps/support/stated_options.h"
+#include "apps/support/up_guess.h"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <utility>
 
 namespace soms::command {
@@ -24,6 +26,8 @@ namespace soms::command {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 double milliseconds_since(Clock::time_point begin) {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
@@ -51,7 +55,8 @@ struct Role {
   const ModelOptions& options;
   std::string scale_option;
   std::string up_option;
-  bool is_shared;  ///< the options go to several files
+  bool is_shared;         ///< the options go to several files
+  bool guess_up = false;  ///< turn a model whose file names no axis as it looks
 };
 
 /// Adds to what reading noted, and says it.
@@ -101,6 +106,18 @@ Upright read_upright(const std::string& path, const Role& role, Console& console
     model.origin.up = up;
     note(model.mesh,
          fmt::format("the up axis is {}; rotated to z (give {} z to keep it)", axis_letter(up),
+                     role.up_option),
+         console);
+  }
+  if (options.up == UpAxis::unknown && up == UpAxis::unknown && looks_y_up(model.mesh)) {
+    if (role.guess_up) {
+      model.mesh = transformed(std::move(model.mesh), 1, UpAxis::y);
+      model.origin.up = UpAxis::y;
+    }
+    note(model.mesh,
+         fmt::format(role.guess_up
+                         ? "looks y up, and is drawn so: the file names no axis ({} z keeps it)"
+                         : "looks y up; assuming z up, as the file names no axis ({} y rotates it)",
                      role.up_option),
          console);
   }
@@ -162,6 +179,24 @@ std::vector<Model> load_models(const WorldOptions& options, std::vector<NamedFra
   return models;
 }
 
+/// Says which movers of files are larger than the whole city, which is rarely meant.
+void note_large_movers(World& world, const Console& console) {
+  const auto longest = [](const Box& box) {
+    const Vec3 extent = box.extent();
+    return std::max({extent.x, extent.y, extent.z});
+  };
+  const double city = world.bounds.empty() ? kEndless : longest(world.bounds);
+  for (const Model& model : world.models) {
+    const double mover = longest(model.shape.bounds());
+    if (model.kind == Kind::model && mover > city) {
+      world.notes.push_back(
+          fmt::format("{}: {:.4g} long, larger than the city ({:.4g}); --mover-scale rescales it",
+                      model.origin.source, mover, city));
+      console.note(world.notes.back());
+    }
+  }
+}
+
 void build_into_city(World& world, Upright model, const WorldOptions& options, Console& console) {
   const auto begin = Clock::now();
   Shape shape = build_named(std::move(model.mesh), model.origin.name, options, console);
@@ -195,7 +230,8 @@ std::optional<City> load_city(World& world, const WorldOptions& options,
                     options, console);
     return city;
   }
-  const Role role{options.city_model, "--scale", "--up", options.cities.size() > 1};
+  const bool shared = options.cities.size() > 1;
+  const Role role{options.city_model, "--scale", "--up", shared, options.guess_up && !shared};
   for (const std::string& path : options.cities) {
     const auto start = Clock::now();
     Upright model = read_upright(path, role, console);
@@ -305,6 +341,7 @@ World load_world(const WorldOptions& options, Console& console) {
     meshes.push_back(&model.shape.mesh());
   }
   world.notes = notes_of(meshes);
+  note_large_movers(world, console);
   world.warnings = world_warnings(city_frames, mover_frames);
   tell_warnings(world.warnings, options.city_model.strict, console);
   plan_routes(world, options, city ? &*city : nullptr, console);

@@ -264,6 +264,9 @@ SceneContent load(const RenderOptions& options, command::Console& console) {
                 "give one --mover, and no --pose");
   }
   command::WorldOptions world = options.world;
+  // Numbers that were given are those of the file.
+  world.guess_up =
+      options.camera.subject != CameraChoice::Subject::place && !is_ray_picture(options);
   if (options.trace && options.test.empty() && options.pose.empty() && world.routes.empty() &&
       !world.count && !world.movers.empty()) {
     world.count = world.movers.size();  // the traversal is of one mover; a thousand would hide it

@@ -21,6 +21,7 @@ SceneContent placed(command::WorldOptions options, const std::string& pose,
     throw Error(ErrorKind::usage, "--pose places the one model of --mover",
                 "give one --mover, and neither --route nor --count");
   }
+  options.guess_up = false;
   command::PoseSource poses("--pose", pose, console);
   options.count = 0;
   command::World world = command::load_world(options, console);
@@ -55,6 +56,8 @@ SceneContent load_content(command::WorldOptions options, const std::string& pose
   if (!options.cities.empty() && options.movers.empty() && options.routes.empty() &&
       !options.count) {
     options.count = 0;
+  } else {
+    options.guess_up = false;  // routes and poses are those of `simulate`
   }
   return content_of(command::load_world(options, console));
 }

@@ -113,8 +113,13 @@ SightMap draw_sight_map(const ViewScene& scene, const Vec3& observer, const Para
   const CellFlags flags = look_down(scene, observer, grid, top, map, parallel);
   const std::vector<command::MapLayer> layers = layers_of(flags, grid);
   std::ostringstream out;
-  command::open_map(out, page, scene.title());
+  command::open_map(
+      out, page, scene.title(),
+      fmt::format("Map from above, north up, of what ({:g}, {:g}, {:g}) sees: {}.", observer.x,
+                  observer.y, observer.z,
+                  map.surface == 0 ? "nothing is there" : in_percent(map.in_sight, map.surface)));
   command::draw_layers(out, page, layers, grid.cell());
+  command::draw_grid(out, page);
   draw_observer(out, page, observer);
   command::close_map(out, page);
   command::MapPanel panel(out, page);

@@ -86,7 +86,9 @@ int run_view(const ViewVerbOptions& options, command::Console& console) {
   }
   command::check_extension("--screenshot", options.viewer.screenshot, {".png"});
   AppWindow::require_display();
-  SceneContent content = load_content(options.world, options.pose, console);
+  command::WorldOptions world = options.world;
+  world.guess_up = true;
+  SceneContent content = load_content(std::move(world), options.pose, console);
   SceneSubject subject(std::move(content), console.parallel());
   subject.set_gap_patience(kGapPatience);
   run_viewer(subject, options.viewer, console.parallel().stop);
