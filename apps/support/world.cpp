@@ -115,10 +115,11 @@ Upright read_upright(const std::string& path, const Role& role, Console& console
       model.origin.up = UpAxis::y;
     }
     note(model.mesh,
-         fmt::format(role.guess_up
-                         ? "looks y up, and is drawn so: the file names no axis ({} z keeps it)"
-                         : "looks y up; assuming z up, as the file names no axis ({} y rotates it)",
-                     role.up_option),
+         role.guess_up
+             ? fmt::format("looks y up, and is drawn so: the file names no axis ({} z keeps it)",
+                           role.up_option)
+             : fmt::format("looks y up; assuming z up, as the file names no axis ({} y rotates it)",
+                           role.up_option),
          console);
   }
   note_unit(model.mesh, role, console);
@@ -341,7 +342,9 @@ World load_world(const WorldOptions& options, Console& console) {
     meshes.push_back(&model.shape.mesh());
   }
   world.notes = notes_of(meshes);
-  note_large_movers(world, console);
+  if (options.count.value_or(1) != 0) {
+    note_large_movers(world, console);
+  }
   world.warnings = world_warnings(city_frames, mover_frames);
   tell_warnings(world.warnings, options.city_model.strict, console);
   plan_routes(world, options, city ? &*city : nullptr, console);

@@ -25,7 +25,7 @@ struct WorldOptions {
   ModelOptions mover_model = {};  ///< likewise
   BuildOptions build = {};
   TraversalOptions traversal = {};
-  bool guess_up = false;  ///< draw the one city of unknown axis as it looks (`looks_y_up`)
+  bool guess_up = false;    ///< draw the one city of unknown axis as it looks (`looks_y_up`)
   bool keep_trees = false;  ///< keep canonical trees, even if the traversal needs none
 };
 

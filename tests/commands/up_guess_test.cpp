@@ -1,4 +1,4 @@
-// Models that stand on y are told from those that stand on z, by their shape.
+// Models that stand on y are distinguished from those that stand on z, by their shape.
 #include "apps/support/up_guess.h"
 
 #include "soms/generate/city.h"

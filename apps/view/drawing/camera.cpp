@@ -86,7 +86,7 @@ DepthRange depth_range(const Camera& camera, const Box& bounds) {
   const double reach = distance_to_target(camera);
   if (bounds.empty()) {
     const double scale = reach > 0 ? reach : 1;
-    return {scale * 0.01, scale * 100};
+    return {std::max(scale * 0.01, camera.cut), std::max(scale * 100, camera.cut * 2)};
   }
   const Vec3 forward = frame(camera).forward;
   double nearest = dot(corner(bounds, 0) - camera.eye, forward);
@@ -97,7 +97,7 @@ DepthRange depth_range(const Camera& camera, const Box& bounds) {
     farthest = std::max(farthest, depth);
   }
   const double size = length(bounds.extent());
-  const double least = std::max({reach * 5e-3, size * 1e-6, kLeastLength});
+  const double least = std::max({reach * 5e-3, size * 1e-6, kLeastLength, camera.cut});
   const double near = std::max(nearest * 0.99, least);
   return {near, std::max(farthest * 1.01, near * 2)};
 }

@@ -34,6 +34,7 @@ struct Camera {
   Vec3 target{0, 0, 0};
   Vec3 up{0, 0, 1};
   double field_of_view = 0.8;  ///< angle between the picture's lower and upper edge, radians
+  double cut = 0;  ///< surfaces nearer than this, along the forward direction, are not drawn
 
   [[nodiscard]] bool operator==(const Camera&) const = default;
 };
@@ -45,7 +46,8 @@ struct CameraFrame {
   Vec3 forward;
 };
 
-/// Distances along the forward direction between which things are drawn.
+/// Distances along the forward direction between which things are drawn; `near` is no less than the
+/// camera's `cut`.
 struct DepthRange {
   double near = 0.1;
   double far = 1000;

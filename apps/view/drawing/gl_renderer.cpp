@@ -71,7 +71,8 @@ struct GlRenderer::Parts {
       return depth_range(camera, all);
     }
     const double reach = distance_to_target(camera);
-    return reach > 0 ? DepthRange{reach * 2e-3, reach * 1e3} : depth_range(camera, Box{});
+    return reach > 0 ? DepthRange{std::max(reach * 2e-3, camera.cut), reach * 1e3}
+                     : depth_range(camera, Box{});
   }
 
   // Clears and paints what lies behind all. \pre `set_state`.

@@ -4,6 +4,7 @@
 
 #include "apps/support/text.h"
 #include "apps/view/drawing/gap_marks.h"
+#include "apps/view/scene/glow_reach.h"
 #include "apps/view/scene/shown_boxes.h"
 
 #include <algorithm>
@@ -26,8 +27,6 @@ constexpr float kCurveRim = 2;
 /// Opacity of what surfaces hide of the curve, up to so many contacts: more would be a tangle.
 constexpr std::uint8_t kHiddenCurve = 60;
 constexpr std::size_t kMostHidden = 2000;
-/// How far red reaches from a contact, in parts of the diagonal of the smaller body.
-constexpr double kGlowReach = 0.09;
 /// Pieces of the curve shorter than this part of that length are thinned out.
 constexpr double kGlowStep = 0.25;
 /// Contacts of a mover that are looked at for the place of its marker.
@@ -165,17 +164,6 @@ class Drawing {
     }
   }
 
-  /// How far red reaches from a contact of these two.
-  double glow_reach(BodyRef a, BodyRef b) {
-    const auto [entry, added] = glow_reach_.try_emplace(std::pair(a, b), 0.0);
-    if (added) {
-      const Vec3 of_a = scene_.bounds(a).extent();
-      const Vec3 of_b = scene_.bounds(b).extent();
-      entry->second = kGlowReach * std::sqrt(std::min(dot(of_a, of_a), dot(of_b, of_b)));
-    }
-    return entry->second;
-  }
-
   /// Of many short pieces about one place one is enough.
   bool is_first_here(const Vec3& at, double step) {
     const auto cell = [step](double x) { return static_cast<std::int64_t>(std::floor(x / step)); };
@@ -183,7 +171,7 @@ class Drawing {
   }
 
   void add_glow(const Touch& touch, const Vec3& a, const Vec3& b) {
-    const double reach = glow_reach(touch.a, touch.b);
+    const double reach = glow_reach_(touch);
     const double step = kGlowStep * reach;
     const Vec3 along = b - a;
     if (step > 0 && (dot(along, along) > step * step || is_first_here((a + b) * 0.5, step))) {
@@ -443,7 +431,7 @@ class Drawing {
   ShownCounts counts_;
   std::map<std::pair<const Mesh*, bool>, std::uint32_t> meshes_;
   std::map<const Mesh*, std::size_t> kinds_;
-  std::map<std::pair<BodyRef, BodyRef>, double> glow_reach_;
+  GlowReach glow_reach_{scene_};
   std::set<std::array<std::int64_t, 3>> glow_cells_;
   std::vector<Line> curves_;
 };

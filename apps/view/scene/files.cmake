@@ -4,6 +4,7 @@ set(SOMS_VIEW_HEADERS
   frame_gaps.h
   frame_report.h
   gap.h
+  glow_reach.h
   load.h
   mesh_facts.h
   orientation_menu.h
@@ -22,6 +23,7 @@ set(SOMS_VIEW_SOURCES
   frame_gaps.cpp
   frame_report.cpp
   gap.cpp
+  glow_reach.cpp
   load.cpp
   mesh_facts.cpp
   orientation_menu.cpp

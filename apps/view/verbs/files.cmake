@@ -1,5 +1,6 @@
 # The verbs of soms-view: their options, and what they do.
 set(SOMS_VIEW_HEADERS
+  aimed_camera.h
   ray_picture.h
   render.h
   render_camera.h
@@ -13,6 +14,7 @@ set(SOMS_VIEW_HEADERS
   view.h
 )
 set(SOMS_VIEW_SOURCES
+  aimed_camera.cpp
   ray_picture.cpp
   render.cpp
   render_camera.cpp

@@ -387,6 +387,7 @@ std::pair<DrawnScene, Camera> compose(const RenderOptions& options, ViewScene& s
     CameraChoice choice = options.camera;
     choice.with_gap = draws_gap(options, scene);
     choice.boxes = options.level || options.trace;
+    choice.may_cut = true;
     const Camera camera = place_camera(choice, scene, options.size, origin, parallel);
     DrawnScene drawn = draw_scene(scene, what_is_shown(options, scene));
     drawn.list.captions.title = options.title;
@@ -408,7 +409,8 @@ Picture draw_image(const RenderOptions& options, const DrawList& list, const Cam
   return console.run("drawing " + options.output, [&](const Parallel& parallel) {
     renderer.watch(parallel);
     renderer.draw(list, camera, options.size,
-                  {.samples = options.samples, .shadows = !options.no_shadow});
+                  // What is cut away would still cast its shadow.
+                  {.samples = options.samples, .shadows = !options.no_shadow && camera.cut == 0});
     Picture picture = renderer.read_pixels();
     renderer.watch({});
     return picture;
@@ -494,6 +496,10 @@ int run_render(const RenderOptions& options, command::Console& console) {
   remark_parts(options, scene, console);
   remark_astray(options, scene, console);
   const auto [drawn, camera] = compose(options, scene, console);
+  if (camera.cut > 0) {
+    console.note(options.output + ": what hides the subject is cut away, up to " +
+                 fmt::format("{:.3g} from the eye", camera.cut));
+  }
   const Picture picture = draw_image(options, drawn.list, camera, *renderer, console);
   file.stream() << console.run("writing " + options.output,
                                [&](const Parallel& parallel) { return to_png(picture, parallel); });

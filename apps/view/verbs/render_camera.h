@@ -31,6 +31,7 @@ struct CameraChoice {
   bool free_side = true;  ///< for movers and contacts: look for a side with nothing between
   double zoom = 1;        ///< above 1 goes nearer
   bool with_gap = false;  ///< the gap is drawn: it shall fit, too
+  bool may_cut = false;   ///< for movers and contacts: leave out what hides them from every side
   bool boxes = false;     ///< for scenes: the bodies' boxes shall fit, not only their triangles
   Vec3 eye = {};
   Vec3 target = {};

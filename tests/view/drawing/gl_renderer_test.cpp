@@ -119,6 +119,18 @@ TEST(GlRenderer, HidesMarksBehindSurfacesUnlessTheyAreOnTop) {
   EXPECT_GT(count_red(drawn(*drawing.renderer, list, before_origin())), 100U);
 }
 
+TEST(GlRenderer, LeavesOutWhatIsNearerThanTheCut) {
+  SOMS_NEEDS_GL(drawing);
+  DrawList list = on_ground(list_of(wall(-4, -3, -3, 3, 3)));
+  list.marks.push_back({{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}}, palette::kContact});
+  Camera camera = before_origin();
+  EXPECT_EQ(count_red(drawn(*drawing.renderer, list, camera)), 0U) << "behind the wall";
+  camera.cut = 5.5;  // the wall is 6 before the eye
+  EXPECT_EQ(count_red(drawn(*drawing.renderer, list, camera)), 0U);
+  camera.cut = 6.5;
+  EXPECT_GT(count_red(drawn(*drawing.renderer, list, camera)), 100U);
+}
+
 TEST(GlRenderer, DrawsTheSamePictureFarFromTheOrigin) {
   SOMS_NEEDS_GL(drawing);
   const Camera camera{{-150, -260, 140}, {0, 0, 0}, {0, 0, 1}, 0.8};

@@ -117,6 +117,30 @@ TEST(PlaceCamera, SeesAContactThatAWallHidesFromMostSides) {
   EXPECT_GT(std::abs(camera.eye.x), std::abs(camera.eye.y));
 }
 
+// Two spheres that touch in a closed box: from outside, its walls hide them on every side.
+TEST(PlaceCamera, CutsAwayWhatHidesAContactOnEverySide) {
+  const Body sphere(generate_sphere(200));
+  const Mesh room = test::joined(test::box_body({-9, -9, -9}, {9, 9, 9}), sphere.shape.mesh());
+  const ViewScene scene(two_bodies(Body(room), Body(sphere.shape, Pose::translation(1.5, 0, 0))));
+  CameraChoice choice = parse_camera("contact");
+  const Size size{300, 200};
+  EXPECT_EQ(place_camera(choice, scene, size, {}).cut, 0) << "not unless it may";
+  choice.may_cut = true;
+  const Camera camera = place_camera(choice, scene, size, {});
+  const double to_mover = dot(Vec3{1.5, 0, 0} - camera.eye, frame(camera).forward);
+  EXPECT_GT(camera.cut, 0);
+  EXPECT_LT(camera.cut, to_mover - 0.9);
+  EXPECT_GT(camera.cut, to_mover - 2);
+  choice.free_side = false;
+  EXPECT_EQ(place_camera(choice, scene, size, {}).cut, 0) << "the side was named";
+}
+
+TEST(PlaceCamera, CutsNothingAwayWhereTheContactIsSeen) {
+  CameraChoice choice = parse_camera("contact");
+  choice.may_cut = true;
+  EXPECT_EQ(place_camera(choice, two_spheres(1.5), {300, 200}, {}).cut, 0);
+}
+
 TEST(PlaceCamera, OneMoverFarAwayDoesNotRuleTheFrameAndManyDo) {
   const Body still(generate_sphere(200));
   const auto scene_with = [&](int far) {
