@@ -180,7 +180,8 @@ std::vector<Model> load_models(const WorldOptions& options, std::vector<NamedFra
   return models;
 }
 
-/// Says which movers of files are larger than the whole city, which is rarely meant.
+/// Says which movers of files are larger than the whole city, which is rarely meant. Whoever gave
+/// their scale knows.
 void note_large_movers(World& world, const Console& console) {
   const auto longest = [](const Box& box) {
     const Vec3 extent = box.extent();
@@ -342,7 +343,7 @@ World load_world(const WorldOptions& options, Console& console) {
     meshes.push_back(&model.shape.mesh());
   }
   world.notes = notes_of(meshes);
-  if (options.count.value_or(1) != 0) {
+  if (options.count.value_or(1) != 0 && !options.mover_model.scale_is_given) {
     note_large_movers(world, console);
   }
   world.warnings = world_warnings(city_frames, mover_frames);

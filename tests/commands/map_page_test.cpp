@@ -45,11 +45,11 @@ TEST(MapPage, HasAFrameOfCoordinatesAndTheNorth) {
   EXPECT_NE(text.find("<title id=\"map-title\">a town</title>"), std::string::npos);
   EXPECT_NE(text.find("<desc id=\"map-about\">two &amp; three</desc>"), std::string::npos);
   EXPECT_NE(text.find(">N</text>"), std::string::npos);
-  // 0 to 1000 by 100 along x, 0 to 500 along y.
-  for (const char* const number : {">0<", ">100<", ">1000<"}) {
+  // 0 to 1000 by 200 along x, 0 to 500 along y.
+  for (const char* const number : {">0<", ">200<", ">1000<"}) {
     EXPECT_NE(text.find(number), std::string::npos) << number;
   }
-  EXPECT_EQ(text.find(">1100<"), std::string::npos);
+  EXPECT_EQ(text.find(">1200<"), std::string::npos);
 }
 
 std::vector<std::string> numbers_of(const std::vector<Label>& places) {
