@@ -18,7 +18,7 @@ draw() {
   case $wanted in "  " | *" $name "*) ;; *) return 0 ;; esac
   for word in "$@"; do
     case $word in
-      /*.ply | /*.3ds) [ -f "$word" ] || { echo "$name: left as it is, $word is missing" >&2; return 0; } ;;
+      /*.ply | /*.3ds | /*.obj | /*.gltf) [ -f "$word" ] || { echo "$name: left as it is, $word is missing" >&2; return 0; } ;;
     esac
   done
   "$view" render "$@" -o "$out/$file"
@@ -43,6 +43,8 @@ draw new_york "$data/cities/new_york_south.ply" "$data/cities/new_york_mid.ply" 
   --scale 1 --camera 200:28 --size 900x506
 draw new_york_street "$data/cities/new_york_south.ply" --mover "$data/3ds/van_disim.3ds" --count 300 --seed 4 \
   --frame 30 --scale 1 --camera contact --size 960x540
+draw pipes "$data/clash/structure.obj" --scale 1 --up z --mover "$data/clash/services.gltf" --pose "0 0 0" \
+  --camera contact,30:35 --size 960x540
 draw rotterdam "$data/cities/rotterdam.ply" --scale 1 --camera 300:30 --size 900x506
 draw new_york_depth "$data/cities/new_york_south.ply" "$data/cities/new_york_mid.ply" --depth \
   --camera "-3400 -8300 300 -2300 -5500 60" --size 900x506

@@ -4,7 +4,7 @@
 
 #include "apps/support/text.h"
 #include "apps/view/drawing/gap_marks.h"
-#include "apps/view/scene/glow_reach.h"
+#include "apps/view/scene/part_boxes.h"
 #include "apps/view/scene/shown_boxes.h"
 
 #include <algorithm>
@@ -27,6 +27,8 @@ constexpr float kCurveRim = 2;
 /// Opacity of what surfaces hide of the curve, up to so many contacts: more would be a tangle.
 constexpr std::uint8_t kHiddenCurve = 60;
 constexpr std::size_t kMostHidden = 2000;
+/// How far red reaches from a contact, in diagonals of the smaller of the parts that touch.
+constexpr double kGlowReach = 0.09;
 /// Pieces of the curve shorter than this part of that length are thinned out.
 constexpr double kGlowStep = 0.25;
 /// Contacts of a mover that are looked at for the place of its marker.
@@ -170,8 +172,14 @@ class Drawing {
     return glow_cells_.insert({cell(at.x), cell(at.y), cell(at.z)}).second;
   }
 
+  double part_diagonal(BodyRef body, TriangleId triangle) {
+    const Vec3 extent = part_boxes_(body, triangle).extent();
+    return std::sqrt(dot(extent, extent));
+  }
+
   void add_glow(const Touch& touch, const Vec3& a, const Vec3& b) {
-    const double reach = glow_reach_(touch);
+    const double reach =
+        kGlowReach * std::min(part_diagonal(touch.a, touch.i), part_diagonal(touch.b, touch.j));
     const double step = kGlowStep * reach;
     const Vec3 along = b - a;
     if (step > 0 && (dot(along, along) > step * step || is_first_here((a + b) * 0.5, step))) {
@@ -431,7 +439,7 @@ class Drawing {
   ShownCounts counts_;
   std::map<std::pair<const Mesh*, bool>, std::uint32_t> meshes_;
   std::map<const Mesh*, std::size_t> kinds_;
-  GlowReach glow_reach_{scene_};
+  PartBoxes part_boxes_{scene_};
   std::set<std::array<std::int64_t, 3>> glow_cells_;
   std::vector<Line> curves_;
 };

@@ -4,10 +4,10 @@ set(SOMS_VIEW_HEADERS
   frame_gaps.h
   frame_report.h
   gap.h
-  glow_reach.h
   load.h
   mesh_facts.h
   orientation_menu.h
+  part_boxes.h
   scene_colors.h
   scene_content.h
   shown_boxes.h
@@ -23,10 +23,10 @@ set(SOMS_VIEW_SOURCES
   frame_gaps.cpp
   frame_report.cpp
   gap.cpp
-  glow_reach.cpp
   load.cpp
   mesh_facts.cpp
   orientation_menu.cpp
+  part_boxes.cpp
   pick.cpp
   scene_colors.cpp
   shown_boxes.cpp

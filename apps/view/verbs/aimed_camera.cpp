@@ -2,6 +2,8 @@
 
 #include "soms/base/error.h"
 
+#include "apps/view/scene/part_boxes.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -66,6 +68,15 @@ std::vector<Vec3> places_of(const std::vector<Touch>& touches, const ViewScene& 
   return places;
 }
 
+/// Bounds of the parts of a body that touch anything.
+Box touching_box(BodyRef body, const std::vector<Touch>& touches, PartBoxes& part_boxes) {
+  Box box;
+  for (const Touch& touch : touches) {
+    box.grow(part_boxes(body, touch.a == body ? touch.i : touch.j));
+  }
+  return box;
+}
+
 /// Movers that touch anything, those with most contacts first.
 std::vector<Aim> aims_at_contacts(const ViewScene& scene) {
   constexpr std::size_t kMost = 40;
@@ -88,9 +99,11 @@ std::vector<Aim> aims_at_contacts(const ViewScene& scene) {
   std::stable_sort(order.begin(), order.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<Aim> aims;
+  PartBoxes part_boxes(scene);
   for (std::size_t i = 0; i < std::min(order.size(), kMost); ++i) {
     const BodyRef body = order[i].second;
-    aims.push_back({places_of(touching[body], scene), scene.bounds(body), body});
+    aims.push_back(
+        {places_of(touching[body], scene), touching_box(body, touching[body], part_boxes), body});
   }
   return aims;
 }
