@@ -7,6 +7,7 @@
 
 #include "tests/support/distance_truth.h"
 #include "tests/support/needs_instruction_set.h"
+#include "tests/support/slow_build.h"
 #include "tests/support/support.h"
 #include "tests/support/truth.h"
 
@@ -126,6 +127,7 @@ TEST_F(ClosestTruth, HoldsForThePointsHere) {
 }
 
 TEST_F(ClosestTruth, HoldsForAllPoints) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
   const auto file = test::outside_distance("closest.csv");
   if (!file) {
     GTEST_SKIP() << "SOMS_DATA has no distance/closest.csv: skipped 10,164 points";

@@ -305,6 +305,7 @@ TEST_F(DistanceTruth, HoldsForThePointsHere) {
 }
 
 TEST_F(DistanceTruth, HoldsForAllCases) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
   const auto file = test::outside_distance("cases.csv");
   if (!file) {
     GTEST_SKIP() << "SOMS_DATA has no distance/cases.csv: skipped 1,010 cases";

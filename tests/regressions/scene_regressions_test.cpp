@@ -6,6 +6,7 @@
 #include "soms/scene/scene.h"
 
 #include "tests/support/allocation.h"
+#include "tests/support/slow_build.h"
 #include "tests/support/support.h"
 
 #include <algorithm>
@@ -211,7 +212,7 @@ Body dot_at(double x) {
 // R118: movers of one group at one place made quadratically many pairs, which were dropped one by
 // one afterwards and whose memory was kept: for 20,000 some gigabytes.
 TEST(SceneRegressions, R118MoversOfOneGroupInOnePlaceMakeNoPairs) {
-  constexpr MoverId kMovers = 20'000;
+  constexpr MoverId kMovers = test::kSlowBuild ? 4'000 : 20'000;
   const test::AllocationWatch watch;
   Scene scene;
   const Body dot = dot_at(0);
