@@ -28,7 +28,7 @@ draw() {
 
 data=${SOMS_DATA:-/nonexistent}
 
-draw city_contact --frame 60 --camera contact --size 1200x675
+draw city_contact --frame 60 --camera contact,1.5x --size 1200x675
 draw city_above --frame 60 --camera contact,215:40,0.09x --size 960x540
 
 for level in 1 3 5 6; do

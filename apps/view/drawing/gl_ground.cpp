@@ -38,7 +38,9 @@ void GlGround::draw(const DrawList& list, const GlView& view, const GlShadows& s
   program_.set("solid", kSolid);
   shadows.light(program_, view);
   nothing_.bind();
+  glEnable(GL_DEPTH_CLAMP);  // the camera's cut leaves it whole
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  glDisable(GL_DEPTH_CLAMP);
   ++statistics.draw_calls;
 }
 

@@ -33,6 +33,7 @@ uniform float shadows;  // 1 where they are drawn
 uniform mat4 sun0;
 uniform mat4 sun1;
 uniform vec2 texels;    // their sides in either map
+uniform float rest;     // the layer of the other map: 0 where one map holds all
 uniform sampler2DArrayShadow sun_depths;
 float share_of(vec3 place, float layer) {
   float side = 1.3 / float(textureSize(sun_depths, 0).x);
@@ -57,8 +58,10 @@ float sunlit(vec3 at, vec3 n) {
   if (inside(place)) {
     return share_of(place, 0.0);
   }
+  // Farther from the sun than the map's ball, as the ground may be, all of it lies before the place.
   place = (sun1 * vec4(at + off * texels.y, 1.0)).xyz;
-  return inside(place) ? share_of(place, 1.0) : 1.0;
+  place.z = clamp(place.z, 0.0, 1.0);
+  return all(lessThan(abs(place.xy - 0.5), vec2(0.49))) ? share_of(place, rest) : 1.0;
 }
 vec3 light_at(vec3 at, vec3 n) {
   vec3 sky = mix(vec3(0.60, 0.595, 0.59), vec3(0.73, 0.76, 0.81), 0.5 + 0.5 * dot(n, above));

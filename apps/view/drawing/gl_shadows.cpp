@@ -98,6 +98,7 @@ void GlShadows::light(const GlProgram& program, const GlView& view) const {
   program.set("sun0", std::span<const float, 16>(maps_[0].place));
   program.set("sun1", std::span<const float, 16>(maps_[1].place));
   program.set("texels", maps_[0].texel, maps_[1].texel);
+  program.set("rest", maps_[0].radius == maps_[1].radius ? 0.0F : 1.0F);
   program.set("sun_depths", kSunUnit);
   glActiveTexture(GL_TEXTURE0 + kSunUnit);
   glBindTexture(GL_TEXTURE_2D_ARRAY, texture_);

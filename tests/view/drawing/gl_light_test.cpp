@@ -59,6 +59,30 @@ TEST(GlLight, AShadowLiesWhereTheSunIsHidden) {
   }
 }
 
+// The map of the sun is about the slab, and its shadow far below.
+TEST(GlLight, AShadowFallsOnTheGroundFarBelow) {
+  SOMS_NEEDS_GL(drawing);
+  Mesh slab;
+  add_block(slab, {-2, -2, 6}, {2, 2, 6.5});
+  DrawList list = list_of(std::move(slab));
+  list.light.toward = {-1, 0, 1};
+  list.ground = Ground{{0, 0, 0}, 60, palette::kGround};
+  const Picture picture = lit(*drawing.renderer, list, kFromAbove, {.samples = 1, .relief = false});
+  const Color sunny = at(picture, kFromAbove, {-6.3, 0, 0});
+  EXPECT_LT(at(picture, kFromAbove, {6.3, 0, 0}).r, sunny.r - 25);
+  EXPECT_EQ(at(picture, kFromAbove, {10, 0, 0}), sunny);
+}
+
+TEST(GlLight, ACutLeavesTheGroundWhole) {
+  SOMS_NEEDS_GL(drawing);
+  DrawList list = list_of(wall(0, -1, 0, 1, 2));
+  list.ground = Ground{{0, 0, 0}, 60, palette::kGround};
+  Camera camera{{0, -20, 12}, {0, 0, 0}, {0, 0, 1}, 0.8};
+  const Picture whole = lit(*drawing.renderer, list, camera, kNoShade);
+  camera.cut = 22;
+  EXPECT_EQ(lit(*drawing.renderer, list, camera, kNoShade), whole);
+}
+
 TEST(GlLight, AGroundLiesBelowFadesOutAndIsNotSeenFromBeneath) {
   SOMS_NEEDS_GL(drawing);
   DrawList list = list_of(wall(0, -1, 0, 1, 2));
