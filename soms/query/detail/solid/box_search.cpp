@@ -23,7 +23,7 @@ std::variant<WideSource, CompactSource> source_of(const Shape& shape) {
 
 BoxSearch::BoxSearch(const Body& body)
     : body_(body),
-      rotation_(rotation(body.pose)),
+      world_{body.pose, rotation(body.pose), true},
       origin_(body.shape.layout().origin()),
       rounding_(kBoxRounding * moved_extent(body.pose, body.shape.bounds()) + kBoxUnderflow),
       unit_(1 / body.shape.layout().scale()),
@@ -36,20 +36,35 @@ Triangle BoxSearch::moved(TriangleId id) const {
 }
 
 void BoxSearch::find(const Box& box, std::vector<MovedTriangle>& found, Cost& cost) {
+  search(world_, box, found, cost);
+}
+
+void BoxSearch::find_beside(TriangleId id, std::vector<MovedTriangle>& found, Cost& cost) {
+  const Place in_mesh{{}, rotation({}), false};
+  Box box = bounds(body_.shape.mesh().triangle(id));
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.lower[k] -= rounding_;
+    box.upper[k] += rounding_;
+  }
+  search(in_mesh, box, found, cost);
+}
+
+void BoxSearch::search(const Place& place, const Box& box, std::vector<MovedTriangle>& found,
+                       Cost& cost) {
   found.clear();
   if (body_.shape.layout().empty()) {
     return;
   }
   if (auto* wide = std::get_if<WideSource>(&source_)) {
-    search(*wide, box, found, cost);
+    search(*wide, place, box, found, cost);
   } else {
-    search(std::get<CompactSource>(source_), box, found, cost);
+    search(std::get<CompactSource>(source_), place, box, found, cost);
   }
 }
 
 template <class Source>
-void BoxSearch::search(Source& source, const Box& box, std::vector<MovedTriangle>& found,
-                       Cost& cost) {
+void BoxSearch::search(Source& source, const Place& place, const Box& box,
+                       std::vector<MovedTriangle>& found, Cost& cost) {
   stack_.assign(1, kRootId);
   while (!stack_.empty()) {
     std::uint32_t token = stack_.back();
@@ -57,7 +72,7 @@ void BoxSearch::search(Source& source, const Box& box, std::vector<MovedTriangle
     if ((token & WideNode::kLeafBit) == 0) {
       const WideNode& node = source.node(token);
       cost.node_tests += node.count;
-      for (std::uint32_t left = lanes(node, box); left != 0; left &= left - 1) {
+      for (std::uint32_t left = lanes(node, place, box); left != 0; left &= left - 1) {
         stack_.push_back(node.child[static_cast<std::size_t>(std::countr_zero(left))]);
       }
       continue;
@@ -67,28 +82,32 @@ void BoxSearch::search(Source& source, const Box& box, std::vector<MovedTriangle
       cost.triangle_tests += block.count;
       more = block.following != 0;
       for (std::size_t k = 0; k < block.count; ++k) {
-        const Triangle t = moved(block.id[k]);
+        const Triangle t =
+            place.turned ? moved(block.id[k]) : body_.shape.mesh().triangle(block.id[k]);
         if (overlaps(bounds(t), box)) {
-          found.push_back({block.id[k], t});
+          found.push_back({block.id[k], place.turned ? t : moved(block.id[k])});
         }
       }
     }
   }
 }
 
-std::uint32_t BoxSearch::lanes(const WideNode& node, const Box& box) const {
+std::uint32_t BoxSearch::lanes(const WideNode& node, const Place& place, const Box& box) const {
   constexpr std::size_t kWidth = WideNode::kWidth;
-  const Vec3 at = body_.pose.apply(origin_ + Vec3{node.origin[0], node.origin[1], node.origin[2]});
+  const Vec3 at = place.pose.apply(origin_ + Vec3{node.origin[0], node.origin[1], node.origin[2]});
   std::uint32_t apart = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    std::array<double, 3> row = rotation_[k];
+    std::array<double, 3> row = place.rotation[k];
     for (std::size_t j = 0; j < 3 && node.oriented != 0; ++j) {
-      row[j] = rotation_[k][0] * node.row[0][j] + rotation_[k][1] * node.row[1][j] +
-               rotation_[k][2] * node.row[2][j];
+      row[j] = place.rotation[k][0] * node.row[0][j] + place.rotation[k][1] * node.row[1][j] +
+               place.rotation[k][2] * node.row[2][j];
     }
     std::array<double, kWidth> center{};
     std::array<double, kWidth> half{};
     for (std::size_t j = 0; j < 3; ++j) {
+      if (row[j] == 0) {
+        continue;
+      }
       for (std::size_t lane = 0; lane < kWidth; ++lane) {
         center[lane] += row[j] * node.center[j][lane];
         half[lane] += std::abs(row[j]) * node.half[j][lane];

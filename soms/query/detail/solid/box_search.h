@@ -7,6 +7,14 @@
 /// Computed in double are R (O + o) + t, (R Q) c / s and |R Q| h / s. Each is a sum of at most four
 /// terms of at most 3.5 V after a product of three, so each is off by less than 3.01 * 3.5 + 4
 /// * 3.5 < 25 u64 V on an axis, together 75, and comparing two sums adds 2 * 3.5: below 128 u64 V.
+///
+/// Beside a triangle, in the mesh. If two triangles share a point where they were moved and
+/// rounded, points of theirs in the mesh, at the same barycentric coordinates, are moved by R to
+/// within 2 * 4.01 u64 V on each axis: to a vector of a length below 2 * 4.01 * 1.7321 < 14 u64 V.
+/// A legal R shortens no vector by more than 2e-6 of it, so the points are less than 15 u64 V from
+/// each other, and so are the boxes of the two. That a box of a node may seem elsewhere costs the
+/// 75 + 7 above, with the identity as R: together below 128 u64 V again, since no coordinate of the
+/// mesh exceeds 3.5 V.
 #pragma once
 
 #include "soms/base/box.h"
@@ -36,17 +44,32 @@ class BoxSearch {
   /// order depends on the tree.
   void find(const Box& box, std::vector<MovedTriangle>& found, Cost& cost);
 
+  /// All triangles that, moved, share a point with triangle `id`, and some of those near it; it is
+  /// one of them. \cost Less than that of `find` in the world: the boxes of the tree are not
+  /// turned.
+  void find_beside(TriangleId id, std::vector<MovedTriangle>& found, Cost& cost);
+
   [[nodiscard]] Triangle moved(TriangleId id) const;
 
  private:
+  /// Where a search takes place.
+  struct Place {
+    Pose pose;  // of the mesh
+    Matrix3 rotation;
+    bool turned;
+  };
+
+  void search(const Place& place, const Box& box, std::vector<MovedTriangle>& found, Cost& cost);
+
   template <class Source>
-  void search(Source& source, const Box& box, std::vector<MovedTriangle>& found, Cost& cost);
+  void search(Source& source, const Place& place, const Box& box, std::vector<MovedTriangle>& found,
+              Cost& cost);
 
   /// Lanes of a node whose boxes may meet the box.
-  [[nodiscard]] std::uint32_t lanes(const WideNode& node, const Box& box) const;
+  [[nodiscard]] std::uint32_t lanes(const WideNode& node, const Place& place, const Box& box) const;
 
   const Body& body_;
-  Matrix3 rotation_;
+  Place world_;
   Vec3 origin_;  // of the tree
   double rounding_;
   double unit_;  // of the layout, in the mesh's
