@@ -1,5 +1,6 @@
 #include "soms/query/detail/solid/box_search.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -10,7 +11,15 @@ namespace {
 // Constants of the proof in box_search.h.
 constexpr double kBoxRounding = 128 * 0x1p-53;
 constexpr double kBoxUnderflow = 0x1p-1060;
+constexpr double kCornerRounding = 0x1p-22;
+constexpr double kCornerUnderflow = 0x1p-140;
 static_assert(3 * (3.01 * 3.5 + 4 * 3.5) + 4.01 + 2 * 3.5 < 128);
+static_assert(15 + 3 * (3.01 * 3.5 + 4 * 3.5) + 2 * 3.5 < 128);
+static_assert(15 + 3.47 + 6.94 + 4 * 3.5 + 2 * 3.5 < 128);
+static_assert(2 * 0x1p-24 + 0x1p-24 < kCornerRounding);
+
+/// A triangle of most meshes touches a dozen others.
+constexpr std::size_t kUsuallyFound = 32;
 
 std::variant<WideSource, CompactSource> source_of(const Shape& shape) {
   if (shape.layout().compact() != nullptr) {
@@ -28,6 +37,7 @@ BoxSearch::BoxSearch(const Body& body)
       rounding_(kBoxRounding * moved_extent(body.pose, body.shape.bounds()) + kBoxUnderflow),
       unit_(1 / body.shape.layout().scale()),
       source_(source_of(body.shape)) {
+  stack_.reserve(kUsuallyFound);
 }
 
 Triangle BoxSearch::moved(TriangleId id) const {
@@ -41,17 +51,13 @@ void BoxSearch::find(const Box& box, std::vector<MovedTriangle>& found, Cost& co
 
 void BoxSearch::find_beside(TriangleId id, std::vector<MovedTriangle>& found, Cost& cost) {
   const Place in_mesh{{}, rotation({}), false};
-  Box box = bounds(body_.shape.mesh().triangle(id));
-  for (std::size_t k = 0; k < 3; ++k) {
-    box.lower[k] -= rounding_;
-    box.upper[k] += rounding_;
-  }
-  search(in_mesh, box, found, cost);
+  search(in_mesh, bounds(body_.shape.mesh().triangle(id)), found, cost);
 }
 
 void BoxSearch::search(const Place& place, const Box& box, std::vector<MovedTriangle>& found,
                        Cost& cost) {
   found.clear();
+  found.reserve(kUsuallyFound);
   if (body_.shape.layout().empty()) {
     return;
   }
@@ -81,13 +87,46 @@ void BoxSearch::search(Source& source, const Place& place, const Box& box,
       const TriangleBlock& block = source.block(token);
       cost.triangle_tests += block.count;
       more = block.following != 0;
-      for (std::size_t k = 0; k < block.count; ++k) {
-        const Triangle t =
-            place.turned ? moved(block.id[k]) : body_.shape.mesh().triangle(block.id[k]);
-        if (overlaps(bounds(t), box)) {
-          found.push_back({block.id[k], place.turned ? t : moved(block.id[k])});
-        }
+      if (place.turned) {
+        add_exactly(block, box, found);
+      } else {
+        add_near(block, box, found);
       }
+    }
+  }
+}
+
+void BoxSearch::add_exactly(const TriangleBlock& block, const Box& box,
+                            std::vector<MovedTriangle>& found) const {
+  for (std::size_t k = 0; k < block.count; ++k) {
+    const Triangle t = moved(block.id[k]);
+    if (overlaps(bounds(t), box)) {
+      found.push_back({block.id[k], t});
+    }
+  }
+}
+
+void BoxSearch::add_near(const TriangleBlock& block, const Box& box,
+                         std::vector<MovedTriangle>& found) const {
+  constexpr std::size_t kWidth = TriangleBlock::kWidth;
+  const double slack = rounding_ / unit_ +
+                       (kCornerRounding * static_cast<double>(block.l1_radius) + kCornerUnderflow);
+  std::array<std::uint32_t, kWidth> apart{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double at = origin_[k] + block.origin[k];
+    const auto lower = static_cast<float>((box.lower[k] - at) / unit_ - slack);
+    const auto upper = static_cast<float>((box.upper[k] - at) / unit_ + slack);
+    for (std::size_t lane = 0; lane < kWidth; ++lane) {
+      const float a = block.corner[k][lane];
+      const float b = block.corner[3 + k][lane];
+      const float c = block.corner[6 + k][lane];
+      apart[lane] |= static_cast<std::uint32_t>(std::max(std::max(a, b), c) < lower) |
+                     static_cast<std::uint32_t>(std::min(std::min(a, b), c) > upper);
+    }
+  }
+  for (std::size_t lane = 0; lane < block.count; ++lane) {
+    if (apart[lane] == 0) {
+      found.push_back({block.id[lane], moved(block.id[lane])});
     }
   }
 }
@@ -95,8 +134,9 @@ void BoxSearch::search(Source& source, const Place& place, const Box& box,
 std::uint32_t BoxSearch::lanes(const WideNode& node, const Place& place, const Box& box) const {
   constexpr std::size_t kWidth = WideNode::kWidth;
   const Vec3 at = place.pose.apply(origin_ + Vec3{node.origin[0], node.origin[1], node.origin[2]});
+  const std::uint32_t all = (1U << node.count) - 1;
   std::uint32_t apart = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < 3 && (~apart & all) != 0; ++k) {
     std::array<double, 3> row = place.rotation[k];
     for (std::size_t j = 0; j < 3 && node.oriented != 0; ++j) {
       row[j] = place.rotation[k][0] * node.row[0][j] + place.rotation[k][1] * node.row[1][j] +
@@ -105,9 +145,6 @@ std::uint32_t BoxSearch::lanes(const WideNode& node, const Place& place, const B
     std::array<double, kWidth> center{};
     std::array<double, kWidth> half{};
     for (std::size_t j = 0; j < 3; ++j) {
-      if (row[j] == 0) {
-        continue;
-      }
       for (std::size_t lane = 0; lane < kWidth; ++lane) {
         center[lane] += row[j] * node.center[j][lane];
         half[lane] += std::abs(row[j]) * node.half[j][lane];
@@ -120,7 +157,7 @@ std::uint32_t BoxSearch::lanes(const WideNode& node, const Place& place, const B
       apart |= beside ? 1U << lane : 0U;
     }
   }
-  return ~apart & ((1U << node.count) - 1);
+  return ~apart & all;
 }
 
 }  // namespace soms::detail

@@ -13,8 +13,12 @@
 /// within 2 * 4.01 u64 V on each axis: to a vector of a length below 2 * 4.01 * 1.7321 < 14 u64 V.
 /// A legal R shortens no vector by more than 2e-6 of it, so the points are less than 15 u64 V from
 /// each other, and so are the boxes of the two. That a box of a node may seem elsewhere costs the
-/// 75 + 7 above, with the identity as R: together below 128 u64 V again, since no coordinate of the
-/// mesh exceeds 3.5 V.
+/// 75 + 7 above, with the identity as R: with those 15 below 128 u64 V, since no coordinate of the
+/// mesh exceeds 3.5 V. Corners that a block stores are off by 3.47 and 6.94 u64 V, as
+/// parity_frame.h counts, and by 2^-24 of themselves, which are not longer than the block's radius
+/// r. A bound beyond 2 r parts all or nothing; another one is rounded to a float by 2^-23 r at
+/// most, after two sums (4 * 3.5 u64 V) and a comparison (2 * 3.5): in doubt by less than 128 u64 V
+/// + 2^-22 r, and 2^-140 for floats that underflow.
 #pragma once
 
 #include "soms/base/box.h"
@@ -64,6 +68,14 @@ class BoxSearch {
   template <class Source>
   void search(Source& source, const Place& place, const Box& box, std::vector<MovedTriangle>& found,
               Cost& cost);
+
+  /// Triangles of a block whose boxes in the world meet the box.
+  void add_exactly(const TriangleBlock& block, const Box& box,
+                   std::vector<MovedTriangle>& found) const;
+
+  /// All whose boxes in the mesh meet the box, and some of those near it.
+  void add_near(const TriangleBlock& block, const Box& box,
+                std::vector<MovedTriangle>& found) const;
 
   /// Lanes of a node whose boxes may meet the box.
   [[nodiscard]] std::uint32_t lanes(const WideNode& node, const Place& place, const Box& box) const;

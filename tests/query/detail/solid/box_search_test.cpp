@@ -101,19 +101,20 @@ TEST(BoxSearch, FindsAllThatTouchesATriangle) {
   });
 }
 
-// Two triangles 2^-40 apart, a part of which is lost at 2^20.
+// Two triangles 2^-10 apart: less than a quarter, the unit in the last place at 2^50.
 TEST(BoxSearch, FindsWhatRoundingPutsBesideATriangle) {
   Mesh mesh;
-  for (const double z : {0.0, 0x1p-40}) {
+  for (const double z : {0.0, 0x1p-10}) {
     mesh.vertices.insert(mesh.vertices.end(), {{0, 0, z}, {1, 0, z}, {0, 1, z}});
   }
   mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
   const Body here(Shape{Mesh(mesh)});
-  const Body far(Shape{Mesh(mesh)}, Pose::translation(0, 0, 0x1p20));
+  const Body far(Shape{Mesh(mesh)}, Pose::translation(0, 0, 0x1p50));
   detail::BoxSearch near_search(here);
   detail::BoxSearch far_search(far);
   EXPECT_EQ(found_beside(near_search, 0), std::vector<TriangleId>{0});
   EXPECT_EQ(found_beside(far_search, 0), (std::vector<TriangleId>{0, 1}));
+  EXPECT_EQ(far_search.moved(0).a, far_search.moved(1).a);
 }
 
 }  // namespace
