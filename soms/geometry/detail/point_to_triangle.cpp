@@ -75,12 +75,17 @@ Bracket PointToTriangle::bounds() const {
   return {below(lower_), above(upper_)};
 }
 
-const ExactPoint& PointToTriangle::exact() {
-  if (!exact_) {
-    exact_ = std::make_shared<const ExactPoint>(point_, triangle_, found_.guess);
-    found_.feature = exact_->feature();
+ExactPoint PointToTriangle::decide() {
+  ExactPoint exact(point_, triangle_, found_.guess);
+  if (!exact_.known()) {
+    exact_ = PackedDistance(exact.squared());
+    found_.feature = exact.feature();
   }
-  return *exact_;
+  return exact;
+}
+
+SquaredDistance PointToTriangle::squared() {
+  return exact_.known() ? exact_.unpacked() : decide().squared();
 }
 
 void PointToTriangle::refine_way() {
@@ -109,7 +114,7 @@ void PointToTriangle::refine() {
     return;
   }
   stage_ = Stage::exact;
-  const Bracket found = bracket(exact().squared());
+  const Bracket found = bracket(squared());
   lower_ = found.lower;
   upper_ = found.upper;
 }
@@ -135,7 +140,7 @@ std::strong_ordering PointToTriangle::compare(PointToTriangle& other) {
       return std::strong_ordering::equal;
     }
     if (stage_ == Stage::exact && other.stage_ == Stage::exact) {
-      return detail::compare(exact().squared(), other.exact().squared());
+      return detail::compare(squared(), other.squared());
     }
     PointToTriangle& next = stage_ < other.stage_ ? *this : other;
     next.refine();
@@ -155,7 +160,7 @@ std::strong_ordering PointToTriangle::compare(double distance) {
       return std::strong_ordering::equal;
     }
     if (stage_ == Stage::exact) {
-      return detail::compare(exact().squared(), distance);
+      return detail::compare(squared(), distance);
     }
     refine();
   }
@@ -174,8 +179,8 @@ Bracket PointToTriangle::distance() {
 
 TriangleFeature PointToTriangle::feature() {
   const PlainArithmetic plain;
-  if (!found_.proved()) {
-    exact();
+  if (!found_.proved() && !exact_.known()) {
+    decide();
   }
   return kind_of(found_.feature);
 }
@@ -206,21 +211,21 @@ bool PointToTriangle::round_nearest(Vec3& rounded) {
 
 Vec3 PointToTriangle::nearest() {
   const PlainArithmetic plain;
-  if (!found_.proved()) {
-    exact();
+  if (!found_.proved() && !exact_.known()) {
+    decide();
   }
   if (corner_count(found_.feature) == 1) {
     const Vec3& v = corner(triangle_, first_corner(found_.feature));
     return {v.x + 0.0, v.y + 0.0, v.z + 0.0};
   }
-  if (exact_) {
-    return exact_->nearest();
+  if (exact_.known()) {
+    return decide().nearest();
   }
   if (stage_ == Stage::doubles) {
     refine_way();
   }
   Vec3 rounded;
-  return round_nearest(rounded) ? rounded : exact().nearest();
+  return round_nearest(rounded) ? rounded : decide().nearest();
 }
 
 }  // namespace soms::detail

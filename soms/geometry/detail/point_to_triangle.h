@@ -7,13 +7,13 @@
 #include "soms/base/vector.h"
 #include "soms/geometry/detail/double_double.h"
 #include "soms/geometry/detail/exact_point.h"
+#include "soms/geometry/detail/packed_distance.h"
 #include "soms/geometry/detail/point_feature.h"
 #include "soms/geometry/point_distance.h"
 
 #include <array>
 #include <compare>
 #include <cstdint>
-#include <memory>
 
 namespace soms::detail {
 
@@ -49,7 +49,7 @@ class PointToTriangle {
   [[nodiscard]] TriangleFeature feature();
 
   /// How often whole numbers were needed.
-  [[nodiscard]] std::uint64_t exact_tests() const { return exact_ ? 1 : 0; }
+  [[nodiscard]] std::uint64_t exact_tests() const { return exact_.known() ? 1 : 0; }
 
  private:
   enum class Stage : std::uint8_t { doubles, double_doubles, exact };
@@ -58,8 +58,9 @@ class PointToTriangle {
   void refine();
   void refine_way();
 
-  /// Whole numbers, once they are needed.
-  const ExactPoint& exact();
+  /// Decides in whole numbers. Only the distance is kept of them.
+  ExactPoint decide();
+  [[nodiscard]] SquaredDistance squared();
 
   /// Both nearest features are certain, and the same.
   [[nodiscard]] bool has_feature_of(const PointToTriangle& other) const;
@@ -71,7 +72,7 @@ class PointToTriangle {
   Triangle triangle_;
   DoubleDouble lower_;
   DoubleDouble upper_;
-  std::shared_ptr<const ExactPoint> exact_;
+  PackedDistance exact_;
   std::array<DoubleDouble, 3> way_;  // of stage `double_doubles`
   PointFeature found_ = {1};
   Stage stage_ = Stage::double_doubles;
