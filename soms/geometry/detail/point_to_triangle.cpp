@@ -119,51 +119,25 @@ void PointToTriangle::refine() {
   upper_ = found.upper;
 }
 
-bool PointToTriangle::has_feature_of(const PointToTriangle& other) const {
+bool PointToTriangle::has_features_of(const PointToTriangle& other) const {
   return found_.proved() && other.found_.proved() &&
          same_corners(triangle_, found_.feature, other.triangle_, other.found_.feature);
 }
 
+std::strong_ordering PointToTriangle::compare_exactly(PointToTriangle& other) {
+  return detail::compare(squared(), other.squared());
+}
+
+std::strong_ordering PointToTriangle::compare_exactly(double distance) {
+  return detail::compare(squared(), distance);
+}
+
 std::strong_ordering PointToTriangle::compare(PointToTriangle& other) {
-  const PlainArithmetic plain;
-  for (;;) {
-    if (lower_ > other.upper_) {
-      return std::strong_ordering::greater;
-    }
-    if (upper_ < other.lower_) {
-      return std::strong_ordering::less;
-    }
-    if (lower_ == upper_ && other.lower_ == other.upper_) {
-      return std::strong_ordering::equal;
-    }
-    if (has_feature_of(other)) {
-      return std::strong_ordering::equal;
-    }
-    if (stage_ == Stage::exact && other.stage_ == Stage::exact) {
-      return detail::compare(squared(), other.squared());
-    }
-    PointToTriangle& next = stage_ < other.stage_ ? *this : other;
-    next.refine();
-  }
+  return RefinedOrder<PointToTriangle>::compare(*this, other);
 }
 
 std::strong_ordering PointToTriangle::compare(double distance) {
-  const PlainArithmetic plain;
-  for (;;) {
-    if (lower_ > distance) {
-      return std::strong_ordering::greater;
-    }
-    if (upper_ < distance) {
-      return std::strong_ordering::less;
-    }
-    if (lower_ == upper_) {
-      return std::strong_ordering::equal;
-    }
-    if (stage_ == Stage::exact) {
-      return detail::compare(squared(), distance);
-    }
-    refine();
-  }
+  return RefinedOrder<PointToTriangle>::compare(*this, distance);
 }
 
 Bracket PointToTriangle::distance() {

@@ -9,6 +9,7 @@
 #include "soms/geometry/detail/exact_point.h"
 #include "soms/geometry/detail/packed_distance.h"
 #include "soms/geometry/detail/point_feature.h"
+#include "soms/geometry/detail/refined_order.h"
 #include "soms/geometry/point_distance.h"
 
 #include <array>
@@ -54,6 +55,22 @@ class PointToTriangle {
  private:
   enum class Stage : std::uint8_t { doubles, double_doubles, exact };
 
+  friend struct RefinedOrder<PointToTriangle>;
+
+  /// The distance is `lower_`, and so is `upper_`.
+  [[nodiscard]] bool is_number() const { return lower_ == upper_; }
+
+  [[nodiscard]] bool is_exact() const { return stage_ == Stage::exact; }
+
+  /// This one is to be refined before the other.
+  [[nodiscard]] bool less_refined(const PointToTriangle& other) const {
+    return stage_ < other.stage_;
+  }
+
+  /// \pre Both are exact.
+  [[nodiscard]] std::strong_ordering compare_exactly(PointToTriangle& other);
+  [[nodiscard]] std::strong_ordering compare_exactly(double distance);
+
   /// Goes on to the next stage. \pre There is one.
   void refine();
   void refine_way();
@@ -63,7 +80,7 @@ class PointToTriangle {
   [[nodiscard]] SquaredDistance squared();
 
   /// Both nearest features are certain, and the same.
-  [[nodiscard]] bool has_feature_of(const PointToTriangle& other) const;
+  [[nodiscard]] bool has_features_of(const PointToTriangle& other) const;
 
   /// The nearest points, if twice the precision is enough to round them.
   [[nodiscard]] bool round_nearest(Vec3& rounded);
