@@ -17,6 +17,11 @@ std::int64_t number_or_none(const std::optional<TriangleId>& triangle) {
   return triangle ? static_cast<std::int64_t>(*triangle) : -1;
 }
 
+/// The number of a part, or -1 for triangles that are in none.
+std::int64_t number_of_part(std::uint32_t part) {
+  return part == Part::kNoParent ? -1 : std::int64_t{part};
+}
+
 Vec3 point_or_none(bool there, const Vec3& point) {
   return there ? point : Vec3{kNone, kNone, kNone};
 }
@@ -237,6 +242,92 @@ void SolidColumns::add(const Solid& answer) {
     surfaces_meet_->add(answer.surfaces_meet);
     why_->add(code(answer.why));
   }
+}
+
+SolidPartColumns::SolidPartColumns(const std::string& path) : SolidColumns(path) {
+  if (file_) {
+    offsets_ = &file_->column("offsets", Kind::count);
+    parts_ = &file_->column("parts", Kind::count, {2});
+    cut_ = &file_->column("cut", Kind::flag);
+    offsets_->add(pairs_);
+  }
+}
+
+void SolidPartColumns::add(std::span<const SolidPair> pairs, bool cut) {
+  if (!file_) {
+    return;
+  }
+  for (const SolidPair& pair : pairs) {
+    parts_->add(number_of_part(pair.a->part));
+    parts_->add(number_of_part(pair.b->part));
+    SolidColumns::add(pair.answer);
+  }
+  pairs_ += static_cast<std::int64_t>(pairs.size());
+  offsets_->add(pairs_);
+  cut_->add(cut);
+}
+
+void OverlapColumns::begin(List list) {
+  list_ = list;
+  if (!file_) {
+    return;
+  }
+  any_ = &file_->column("any", Kind::flag);
+  if (list == List::none) {
+    count_ = &file_->column("count", Kind::count);
+  } else {
+    offsets_ = &file_->column("offsets", Kind::count);
+    offsets_->add(listed_);
+  }
+  if (list == List::triangles) {
+    triangles_ = &file_->column("triangles", Kind::count, {2});
+  }
+  if (list == List::parts) {
+    parts_ = &file_->column("parts", Kind::count, {2});
+    count_ = &file_->column("count", Kind::count);
+    first_ = &file_->column("first", Kind::count, {2});
+  }
+  cut_ = &file_->column("cut", Kind::flag);
+}
+
+void OverlapColumns::add(const Overlap& answer, std::span<const PartPair> parts) {
+  if (!file_) {
+    return;
+  }
+  any_->add(answer.any);
+  cut_->add(answer.coverage == Coverage::cut);
+  switch (list_) {
+    case List::none:
+      count_->add(static_cast<std::int64_t>(answer.pairs.size()));
+      break;
+    case List::triangles:
+      add_triangles(answer);
+      break;
+    case List::parts:
+      add_parts(parts);
+      break;
+  }
+}
+
+void OverlapColumns::add_triangles(const Overlap& answer) {
+  for (const TrianglePair& pair : answer.pairs) {
+    triangles_->add(std::int64_t{pair.first});
+    triangles_->add(std::int64_t{pair.second});
+  }
+  listed_ += static_cast<std::int64_t>(answer.pairs.size());
+  offsets_->add(listed_);
+}
+
+void OverlapColumns::add_parts(std::span<const PartPair> parts) {
+  for (const PartPair& pair : parts) {
+    parts_->add(number_of_part(pair.a));
+    parts_->add(number_of_part(pair.b));
+    count_->add(static_cast<std::int64_t>(pair.count));
+    first_->add(std::int64_t{pair.first.first});
+    first_->add(std::int64_t{pair.first.second});
+  }
+  listed_ += static_cast<std::int64_t>(parts.size());
+  offsets_->add(listed_);
 }
 
 }  // namespace soms::command

@@ -8,15 +8,20 @@
 #include "soms/base/bracket.h"
 #include "soms/query/contains.h"
 #include "soms/query/distance.h"
+#include "soms/query/overlap.h"
 #include "soms/query/solid.h"
 #include "soms/query/within.h"
 
 #include "apps/soms/closest_output.h"
+#include "apps/soms/overlap_parts.h"
 #include "apps/soms/ray_output.h"
+#include "apps/soms/solid_parts.h"
 #include "apps/support/npz_file.h"
 #include "apps/support/verb.h"
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -152,6 +157,51 @@ class SolidColumns : public AnswerColumns {
   NpzColumn* relation_ = nullptr;
   NpzColumn* surfaces_meet_ = nullptr;
   NpzColumn* why_ = nullptr;
+};
+
+/// Relations of the parts of two models: a list a row, of those that are not clear.
+class SolidPartColumns : private SolidColumns {
+ public:
+  explicit SolidPartColumns(const std::string& path);
+
+  /// The answer of a pose; `cut` by the deadline.
+  void add(std::span<const SolidPair> pairs, bool cut);
+
+  using SolidColumns::finish;
+
+ private:
+  NpzColumn* offsets_ = nullptr;
+  NpzColumn* parts_ = nullptr;
+  NpzColumn* cut_ = nullptr;
+  std::int64_t pairs_ = 0;
+};
+
+/// Which triangles or parts of two models overlap.
+class OverlapColumns : public AnswerColumns {
+ public:
+  enum class List { none, triangles, parts };
+
+  using AnswerColumns::AnswerColumns;
+
+  /// Chooses the columns: of pairs of triangles, of parts, or of their number alone.
+  void begin(List list);
+
+  /// `parts` are those of the answer, where they are listed.
+  void add(const Overlap& answer, std::span<const PartPair> parts);
+
+ private:
+  void add_triangles(const Overlap& answer);
+  void add_parts(std::span<const PartPair> parts);
+
+  List list_ = List::none;
+  NpzColumn* any_ = nullptr;
+  NpzColumn* offsets_ = nullptr;
+  NpzColumn* triangles_ = nullptr;
+  NpzColumn* parts_ = nullptr;
+  NpzColumn* count_ = nullptr;
+  NpzColumn* first_ = nullptr;
+  NpzColumn* cut_ = nullptr;
+  std::int64_t listed_ = 0;
 };
 
 }  // namespace soms::command

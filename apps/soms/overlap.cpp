@@ -3,6 +3,7 @@
 #include "soms/query/reference/overlap.h"
 #include "soms/thesis/overlap.h"
 
+#include "apps/soms/answer_columns.h"
 #include "apps/soms/overlap_output.h"
 #include "apps/soms/overlap_report.h"
 #include "apps/soms/overlap_verify.h"
@@ -33,7 +34,8 @@ class OverlapRun : public PoseRun {
       : PoseRun(options,
                 {.verb = "overlap",
                  .fail_if_found = !options.fail_if.empty(),
-                 .has_files = !options.csv.empty() || !options.report.empty(),
+                 .has_files =
+                     !options.csv.empty() || !options.binary.empty() || !options.report.empty(),
                  .keep_trees = options.traversal.traversal != Traversal::fast},
                 console),
         query_(options.query),
@@ -145,6 +147,7 @@ void add_questions(CLI::App& app, OverlapVerbOptions& options) {
   add_output(app, "--csv", options.csv, "write the pairs as CSV, one row per pair")
       ->excludes(no_pairs)
       ->group(group);
+  add_binary(app, options.binary);
   add_length(
       app, "--within", options.within,
       "only decide whether they are within D, as soms within does; not with options of pairs")
@@ -179,6 +182,7 @@ int run_within_of(const CLI::App& app, const OverlapVerbOptions& options, Consol
   within.clearance = options.within;
   within.fail_if_within = !options.fail_if.empty();
   within.csv = options.csv;
+  within.binary = options.binary;
   within.report = options.report;
   return run_within(within, console);
 }
@@ -213,9 +217,11 @@ Action add_overlap(CLI::App& app, Shared&) {
 }
 
 int run_overlap(const OverlapVerbOptions& options, Console& console) {
-  check_files(options, {{"--report", options.report}, {"--csv", options.csv}});
+  check_files(options,
+              {{"--report", options.report}, {"--csv", options.csv}, {"--binary", options.binary}});
   check_extension("--report", options.report, {".html", ".htm"});
   check_extension("--csv", options.csv, {".csv"});
+  check_extension("--binary", options.binary, {".npz"});
   OverlapOutput output(options);
   return OverlapRun(options, output, console).run();
 }

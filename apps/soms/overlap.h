@@ -19,6 +19,7 @@ struct OverlapVerbOptions : PairOptions {
   bool list_pairs = true;
   std::string report = {};   ///< empty: none
   std::string csv = {};      ///< empty: none
+  std::string binary = {};   ///< file of columns; empty: none
   bool by_part = false;      ///< lists pairs of parts, not of triangles
   std::string fail_if = {};  ///< "overlap" or "within"; empty: no condition
   double within = 0;         ///< with --within: the clearance

@@ -8,7 +8,7 @@
 namespace soms::command {
 
 OverlapOutput::OverlapOutput(const OverlapVerbOptions& options)
-    : name_a_(short_name(options.a)), name_b_(short_name(options.b)) {
+    : name_a_(short_name(options.a)), name_b_(short_name(options.b)), columns_(options.binary) {
   if (!options.report.empty()) {
     page_file_.emplace(options.report);
   }
@@ -29,6 +29,9 @@ void OverlapOutput::begin(const OverlapReport& report) {
   if (csv_file_) {
     write_csv_head(csv_file_->stream(), report);
   }
+  columns_.begin(report.by_part      ? OverlapColumns::List::parts
+                 : report.list_pairs ? OverlapColumns::List::triangles
+                                     : OverlapColumns::List::none);
 }
 
 void OverlapOutput::add(std::uint64_t pose, const Pose& a, const Pose& b,
@@ -48,6 +51,7 @@ void OverlapOutput::add(std::uint64_t pose, const Pose& a, const Pose& b,
       csv_file_->check();
     }
   }
+  columns_.add(answer, parts);
   if (page_) {
     page_->add(a, b, answer, parts);
   }
@@ -61,6 +65,7 @@ void OverlapOutput::finish(const RowTotals& totals) {
   if (csv_file_) {
     csv_file_->commit();
   }
+  columns_.finish();
 }
 
 }  // namespace soms::command

@@ -1,7 +1,8 @@
 /// \file
-/// Where answers of `overlap` go: standard output, and the files of --report and --csv.
+/// Where answers of `overlap` go: standard output, and the files of --report, --csv and --binary.
 #pragma once
 
+#include "apps/soms/answer_columns.h"
 #include "apps/soms/overlap.h"
 #include "apps/soms/overlap_page.h"
 #include "apps/soms/overlap_parts.h"
@@ -35,6 +36,7 @@ class OverlapOutput {
   std::string name_b_;
   std::optional<OutputFile> page_file_;
   std::optional<OutputFile> csv_file_;
+  OverlapColumns columns_;
   const OverlapReport* report_ = nullptr;
   PartsOf parts_a_;
   PartsOf parts_b_;

@@ -163,8 +163,13 @@ class SolidRun : public PoseRun {
 /// The relations of the parts of two models, pose by pose.
 class SolidPartsRun : public PoseRun {
  public:
-  SolidPartsRun(const SolidVerbOptions& options, Console& console)
-      : PoseRun(options, {.verb = "solid", .fail_if_found = options.fail_if_solid}, console),
+  SolidPartsRun(const SolidVerbOptions& options, SolidPartColumns& columns, Console& console)
+      : PoseRun(options,
+                {.verb = "solid",
+                 .fail_if_found = options.fail_if_solid,
+                 .has_files = !options.binary.empty()},
+                console),
+        columns_(columns),
         a_(parts_of(report().a)),
         b_(parts_of(report().b)) {}
 
@@ -231,6 +236,7 @@ class SolidPartsRun : public PoseRun {
   }
 
   void print_answer(std::size_t k, bool right) override {
+    columns_.add(answers_[k], coverage(k) == Coverage::cut);
     if (console().shared().json) {
       print_json(k, right);
       return;
@@ -293,8 +299,9 @@ class SolidPartsRun : public PoseRun {
     }
   }
 
-  void finish_outputs() override {}
+  void finish_outputs() override { columns_.finish(); }
 
+  SolidPartColumns& columns_;
   std::vector<SolidPart> a_;
   std::vector<SolidPart> b_;
   std::vector<std::vector<SolidPair>> answers_;
@@ -325,14 +332,11 @@ Action add_solid(CLI::App& app, Shared&) {
 }
 
 int run_solid(const SolidVerbOptions& options, Console& console) {
-  if (options.by_part && !options.binary.empty()) {
-    throw Error(ErrorKind::usage, "--binary has one row per pose, and --by part several",
-                "leave out one of them");
-  }
   check_files(options, {{"--binary", options.binary}});
   check_extension("--binary", options.binary, {".npz"});
   if (options.by_part) {
-    return SolidPartsRun(options, console).run();
+    SolidPartColumns columns(options.binary);
+    return SolidPartsRun(options, columns, console).run();
   }
   SolidColumns columns(options.binary);
   return SolidRun(options, columns, console).run();

@@ -21,7 +21,7 @@ Usage: soms-bench [OPTIONS]        generated scenes, models and cities
        soms-bench A B [OPTIONS]    two meshes of your own: A moves, B does not
 
   --quick           a few minutes: fewer rounds, and fewer scenes unless --scenes is given
-  --jobs LIST       of any,all,still,broad,distance,within,closest,contains,closest-hit,any-hit
+  --jobs LIST       of any,all,still,broad,distance,within,solid,closest,contains,closest-hit,any-hit
                     (default: all of them)
   --scenes LIST     scenes whose names begin with these, such as twins-knot,city,real
   --sets LIST       sets of poses, points or rays, such as random,near-0.001
@@ -79,7 +79,7 @@ std::vector<Job> jobs(const std::string& list) {
     }
     if (!known) {
       throw Error(ErrorKind::usage, "--jobs " + word,
-                  "choose any, all, still, broad, distance, within, closest, contains, "
+                  "choose any, all, still, broad, distance, within, solid, closest, contains, "
                   "closest-hit or any-hit");
     }
   }

@@ -335,7 +335,14 @@ void run_scene(const Scene& scene, const Roster& roster, const RunOptions& optio
     };
   };
   run_group(scene, roster, {Job::any, Job::all}, options, of_counts, sink);
+  const auto of_solids = [&]() -> QuestionJudge {
+    const auto solids = std::make_shared<SolidJudge>(scene.mover, scene.fixed);
+    return [solids, &options](const Questions& questions, std::span<const Answers> answers) {
+      return judge(*solids, questions, answers, options.judge);
+    };
+  };
   run_group(scene, roster, {Job::distance, Job::within}, options, of_distances, sink);
+  run_group(scene, roster, {Job::solid}, options, of_solids, sink);
   for (const PoseSet& set : scene.sets) {
     if (has(options.jobs, Job::still) && chosen(options, set.name) && set.still != 0) {
       run_still(scene, set, roster, options, sink);

@@ -14,8 +14,9 @@ namespace soms::bench {
 
 /// What is queried of a scene, and how long.
 struct RunOptions {
-  std::vector<Job> jobs{Job::any,    Job::all,     Job::still,    Job::broad,       Job::distance,
-                        Job::within, Job::closest, Job::contains, Job::closest_hit, Job::any_hit};
+  std::vector<Job> jobs{Job::any,      Job::all,         Job::still,  Job::broad,
+                        Job::distance, Job::within,      Job::solid,  Job::closest,
+                        Job::contains, Job::closest_hit, Job::any_hit};
   std::vector<std::string> sets;       ///< empty: all
   std::vector<std::string> libraries;  ///< names or beginnings of names; empty: all
   RaceOptions race;

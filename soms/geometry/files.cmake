@@ -36,6 +36,7 @@ set(SOMS_SOURCES
   detail/nearest_points.cpp
   detail/odd_edges.cpp
   detail/orientation_exact.cpp
+  detail/packed_distance.cpp
   detail/pair_distance.cpp
   detail/plane_cells.cpp
   detail/point_feature.cpp

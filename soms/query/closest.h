@@ -106,7 +106,8 @@ struct NearTriangles {
   std::vector<TriangleId> triangle;          ///< of all rows, each by distance, then by number
   std::vector<double> lower;                 ///< the distance is between this
   std::vector<double> upper;                 ///< and this: the doubles next to it
-  /// n. `cut`: the row has what was found so far; others may be nearer.
+  /// n. `cut`: the row has what was found so far; others may be nearer. What the deadline left
+  /// undecided has wider bounds, and is in their order.
   std::vector<Coverage> coverage;
   std::vector<Cost> costs;  ///< n
   Cost cost;                ///< of all points together
@@ -133,8 +134,8 @@ struct NearTriangles {
 ///
 /// \shape   `points`: n.
 /// \errors  As `nearest_triangles`; ErrorKind::usage for a radius that is negative or not a number.
-/// \cost    O(k log k) decisions for k triangles found. Triangles that are exactly as near, by
-///          different corners, take some 5 KB each until their row is sorted.
+/// \cost    O(k log k) decisions for k triangles found. Until its row is sorted, each takes some
+///          300 bytes, and a hundred more if it is exactly as near as another, by another corner.
 /// \threads As `nearest_triangles`.
 [[nodiscard]] NearTriangles near_triangles(const Body& body, std::span<const Vec3> points,
                                            double radius, const ClosestOptions& options = {},

@@ -165,8 +165,8 @@ ContainsPartsBatch contains(const PartedBody& body, std::span<const Vec3> points
   for (std::size_t i = 0; i < points.size(); ++i) {
     detail::append(answer.parts, rows[i]);
     answer.offsets[i + 1] = answer.parts.size();
-    answer.coverage = answer.coverages[i] == Coverage::cut ? Coverage::cut : answer.coverage;
   }
+  answer.coverage = detail::coverage_of(answer.coverages);
   answer.cost = detail::sum_of(answer.costs);
   return answer;
 }

@@ -10,6 +10,7 @@ namespace soms {
 
 namespace {
 
+using detail::Limit;
 using detail::NearEnd;
 using detail::NearTriangle;
 using detail::PointFrame;
@@ -63,14 +64,16 @@ class Rows {
     const NearEnd end =
         detail::pursue(frame_, points_[row], goal, options_.deadline, parallel, memory);
     Cost cost = end.cost;
-    for (const std::size_t i : goal.sorted(cost)) {
+    Limit limit(options_.deadline, parallel);
+    for (const std::size_t i : goal.sorted(limit, cost)) {
       NearTriangle& found = goal.found()[i];
       const std::uint64_t before = found.pair.exact_tests();
-      block.entries.push_back({found.id, found.pair.distance()});
+      const bool late = limit.spend(1);
+      block.entries.push_back({found.id, late ? found.pair.bounds() : found.pair.distance()});
       cost.exact_tests += found.pair.exact_tests() - before;
     }
     block.ends.push_back(block.entries.size());
-    batch.coverage[row] = end.complete ? Coverage::complete : Coverage::cut;
+    batch.coverage[row] = end.complete && !limit.late() ? Coverage::complete : Coverage::cut;
     batch.costs[row] = cost;
   }
 

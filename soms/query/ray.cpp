@@ -4,6 +4,7 @@
 #include "soms/base/error.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/engine/pair_frame.h"
+#include "soms/query/detail/ray/ray_line.h"
 #include "soms/query/detail/ray/ray_traversal.h"
 
 #include <algorithm>
@@ -16,19 +17,12 @@ namespace soms {
 
 namespace {
 
+using detail::line_of;
 using detail::RayFrame;
 using detail::RayLine;
 
 /// Rays that a thread takes at a time: some hundred microseconds' work.
 constexpr std::size_t kRaysOfBlock = 1024;
-
-RayLine line_of(const Ray& ray) {
-  return {ray.origin, ray.direction, ray.length, false};
-}
-
-RayLine line_of(const Segment& segment) {
-  return {segment.from, segment.to, 1, true};
-}
 
 /// "ray 3", or "ray" of a single one.
 std::string name_of(const char* what, std::optional<std::size_t> index) {

@@ -97,9 +97,7 @@ WindingBatch winding(const WindingIndex& index, std::span<const Vec3> points,
         static_cast<void>(limit.spend(1 + cost.triangle_tests + cost.node_tests));
       });
   answer.cost = detail::sum_of(answer.costs);
-  for (const Coverage coverage : answer.coverages) {
-    answer.coverage = coverage == Coverage::cut ? Coverage::cut : answer.coverage;
-  }
+  answer.coverage = detail::coverage_of(answer.coverages);
   return answer;
 }
 

@@ -49,6 +49,17 @@ TEST(Goals, OfTheBroadPhaseDifferByWhatAPeerKeeps) {
   EXPECT_EQ(goals[1].times, 5);
 }
 
+TEST(Goals, OfSolidsAreAboutTheOverlapAndNotHalved) {
+  const auto goals = goals_of(Job::solid, "twins-knot", "random", 1'000, "avx2");
+  ASSERT_EQ(goals.size(), 2U);
+  EXPECT_EQ(goals[0].library, "soms");
+  EXPECT_EQ(goals[0].against, Against::by_overlap);
+  EXPECT_EQ(goals[0].times, 1.0 / 3);
+  EXPECT_EQ(goals[1].library, "soms-batch");
+  EXPECT_EQ(goals[1].against, Against::by_overlap_batch);
+  EXPECT_EQ(goals[1].times, 1.0 / 3);
+}
+
 // Against the best peer nothing is promised, but the ratio is shown.
 TEST(Goals, OfClearancesAreAboutTheDistanceAndNotHalved) {
   for (const auto& [set, times] : {std::pair{"half random", 2.0}, {"0.99 random", 1.0}}) {

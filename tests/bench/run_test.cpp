@@ -219,5 +219,31 @@ TEST(RunScene, AsksForClearancesWhereThereIsOne) {
   EXPECT_TRUE(sound(cells));
 }
 
+// Crossing up to x = 2, clear beyond.
+TEST(RunScene, MeasuresSolidsByTheOverlap) {
+  Roster roster;
+  add_soms(roster);
+  RunOptions options;
+  options.jobs = {Job::solid};
+  options.race = {.rounds = 1, .budget = 10, .least_pass = 0};
+  Scene scene = cubes();
+  scene.sets[0].jobs = {Job::solid};
+  std::vector<Cell> cells;
+  run_scene(scene, roster, options, [&](Cell cell) { cells.push_back(std::move(cell)); });
+  ASSERT_EQ(cells.size(), 1U);
+  const Cell& cell = cells.front();
+  ASSERT_EQ(cell.entries.size(), 4U);
+  for (const Entry& entry : cell.entries) {
+    EXPECT_EQ(entry.answered, kQuestions) << entry.library;
+    EXPECT_EQ(entry.verdict.checked, kQuestions) << entry.library;
+    EXPECT_EQ(entry.verdict.wrong, 0U) << entry.library;
+  }
+  EXPECT_EQ(best_peer(cell), nullptr);
+  EXPECT_EQ(best_peer(cell, Against::by_overlap)->library, kByOverlap);
+  EXPECT_EQ(best_peer(cell, Against::by_overlap_batch)->library, kByOverlapBatch);
+  EXPECT_TRUE(ratio(cell, "soms", Against::by_overlap).has_value());
+  EXPECT_TRUE(ratio(cell, "soms-batch", Against::by_overlap_batch).has_value());
+}
+
 }  // namespace
 }  // namespace soms::bench

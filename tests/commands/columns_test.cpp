@@ -2,6 +2,7 @@
 #include "tests/commands/near.h"
 #include "tests/support/pipe.h"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <csignal>
@@ -123,6 +124,28 @@ std::vector<std::string> names_of_codes(const NpyArray& array) {
     words.push_back(word);
   }
   return words;
+}
+
+/// A cube of side 2 from `x` on as an object of an OBJ file, after `before` vertices.
+std::string cube_obj(const std::string& name, int x, int before) {
+  std::string text = "o " + name + "\n";
+  for (int i = 0; i < 8; ++i) {
+    text += "v " + std::to_string(x + 2 * (i & 1)) + " " + std::to_string(i & 2) + " " +
+            std::to_string((i & 4) / 2) + "\n";
+  }
+  for (const auto& face : {std::array{1, 3, 4, 2},
+                           {5, 6, 8, 7},
+                           {1, 2, 6, 5},
+                           {3, 7, 8, 4},
+                           {1, 5, 7, 3},
+                           {2, 4, 8, 6}}) {
+    text += "f";
+    for (const int corner : face) {
+      text += " " + std::to_string(corner + before);
+    }
+    text += "\n";
+  }
+  return text;
 }
 
 /// Little-endian bytes.
@@ -263,6 +286,65 @@ TEST_F(BinaryColumns, OfPairs) {
   EXPECT_EQ(solid["surfaces_meet.npy"].digits(), "01");
 }
 
+// A pose apart and one at which two cubes in one file meet one of them.
+TEST_F(BinaryColumns, OfPairsOfTrianglesAndOfParts) {
+  const std::string poses = written("poses.csv", "x,y,z\n9,0,0\n0.5,0,0\n");
+  const std::string cubes = written("cubes.obj", cube_obj("left", 0, 0) + cube_obj("right", 3, 8));
+  const auto answers = [&](std::vector<std::string> words) {
+    words.insert(words.begin() + 1, {cubes, cubes, "--pose", poses, "--binary", at("pairs.npz")});
+    EXPECT_EQ(soms_run(words).status, 0);
+    return arrays_of(at("pairs.npz"));
+  };
+  auto all = answers({"overlap"});
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_EQ(all["any.npy"].digits(), "01");
+  EXPECT_EQ(all["cut.npy"].digits(), "00");
+  const std::vector<std::int64_t> offsets = all["offsets.npy"].counts();
+  ASSERT_EQ(offsets.size(), 3U);
+  EXPECT_EQ(offsets[1], 0);
+  EXPECT_GT(offsets[2], 2);
+  const auto pairs = static_cast<std::size_t>(offsets[2]);
+  EXPECT_EQ(all["triangles.npy"].counts().size(), 2 * pairs);
+
+  auto number = answers({"overlap", "--no-pairs"});
+  ASSERT_EQ(number.size(), 3U);
+  EXPECT_EQ(number["count.npy"].counts(), (std::vector<std::int64_t>{0, offsets[2]}));
+
+  auto first = answers({"overlap", "--first"});
+  EXPECT_EQ(first["offsets.npy"].counts(), (std::vector<std::int64_t>{0, 0, 1}));
+
+  auto parts = answers({"overlap", "--by", "part"});
+  ASSERT_EQ(parts.size(), 6U);
+  EXPECT_EQ(parts["offsets.npy"].counts(), (std::vector<std::int64_t>{0, 0, 2}));
+  EXPECT_EQ(parts["parts.npy"].counts(), (std::vector<std::int64_t>{0, 0, 1, 1}));
+  EXPECT_EQ(parts["count.npy"].counts()[0] + parts["count.npy"].counts()[1], offsets[2]);
+  EXPECT_EQ(parts["first.npy"].counts()[0], all["triangles.npy"].counts()[0]);
+
+  auto solid = answers({"solid", "--by", "part"});
+  ASSERT_EQ(solid.size(), 8U);  // names of relations and of reasons too
+  EXPECT_EQ(solid["offsets.npy"].counts(), (std::vector<std::int64_t>{0, 0, 2}));
+  EXPECT_EQ(solid["parts.npy"].counts(), (std::vector<std::int64_t>{0, 0, 1, 1}));
+  EXPECT_EQ(solid["relation.npy"].digits(), "22");
+  EXPECT_EQ(solid["surfaces_meet.npy"].digits(), "11");
+  EXPECT_EQ(solid["cut.npy"].digits(), "00");
+}
+
+TEST_F(BinaryColumns, OfOverlapWithinAreThoseOfWithin) {
+  for (const std::string verb : {"overlap --within", "within --clearance"}) {
+    std::vector<std::string> words{verb.substr(0, verb.find(' ')),
+                                   box(),
+                                   box(),
+                                   verb.substr(verb.find(' ') + 1),
+                                   "1",
+                                   "--pose",
+                                   "2.5 0 0",
+                                   "--binary",
+                                   at(verb.substr(0, verb.find(' ')) + ".npz")};
+    ASSERT_EQ(soms_run(words).status, 0) << verb;
+  }
+  EXPECT_EQ(read_text(at("overlap.npz")), read_text(at("within.npz")));
+}
+
 // Columns longer than what is kept in memory, by several threads.
 TEST_F(BinaryColumns, AreTheSameInEveryRun) {
   std::vector<double> values;
@@ -292,7 +374,6 @@ TEST_F(BinaryColumns, AreWholeOrMissing) {
   EXPECT_EQ(other.status, 2);
   EXPECT_NE(other.err.find(".npz"), std::string::npos) << other.err;
   EXPECT_EQ(soms_run({"closest", box(), "--points", points, "--binary", points}).status, 2);
-  EXPECT_EQ(soms_run({"solid", box(), box(), "--by", "part", "--binary", at("a.npz")}).status, 2);
 }
 
 TEST_F(BinaryColumns, AreFinishedByCtrlC) {

@@ -7,13 +7,16 @@
 #include "soms/query/print.h"
 #include "soms/query/reference/closest.h"
 
+#include "tests/support/allocation.h"
 #include "tests/support/bodies.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -165,6 +168,46 @@ TEST(Closest, ManyNearlyEqualTrianglesAreDecided) {
     Closest expected = reference::closest_by_brute_force(sphere, point);
     expected.cost = {};
     EXPECT_EQ(answer, expected);
+  }
+}
+
+/// Points with whole coordinates as far from the origin as each other, each the tip of a triangle
+/// that points outward.
+Mesh spikes(int squared) {
+  Mesh mesh;
+  const int most = static_cast<int>(std::sqrt(squared));
+  for (int x = -most; x <= most; ++x) {
+    for (int y = -most; y <= most; ++y) {
+      const int rest = squared - x * x - y * y;
+      const int z = rest < 0 ? -1 : static_cast<int>(std::lround(std::sqrt(rest)));
+      if (z > 0 && z * z == rest) {
+        const Vec3 tip{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        const Vec3 aside{0, 0.25, 0};
+        mesh.vertices.insert(mesh.vertices.end(), {tip, 1.25 * tip + aside, 1.25 * tip - aside});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+      }
+    }
+  }
+  return mesh;
+}
+
+// Whole numbers took 5 KB for each.
+TEST(NearTriangles, ExactTiesTakeLittleMemory) {
+  const Body body(spikes(160'001));
+  const std::size_t count = body.shape.mesh().triangles.size();
+  ASSERT_GT(count, 500U);
+  const std::array points{Vec3{}};
+  const test::AllocationWatch watch;
+  const NearTriangles near = near_triangles(body, points, 401);
+  EXPECT_LT(watch.peak(), 65'536 + 1024 * count);
+  EXPECT_GE(near.cost.exact_tests, count);
+  ASSERT_EQ(near.triangle.size(), count);
+  EXPECT_TRUE(std::is_sorted(near.triangle.begin(), near.triangle.end()));
+  const Bracket distance = closest(body, Vec3{}).distance;
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(near.lower[i], distance.lower);
+    EXPECT_EQ(near.upper[i], distance.upper);
   }
 }
 

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -186,6 +187,58 @@ TEST(Solid, CrossingBodiesCostLittleMoreThanAnyOverlap) {
   const Cost any = overlap(a.body(), b.body(), {.mode = OverlapMode::any}).cost;
   EXPECT_LT(answer.cost.triangle_tests, any.triangle_tests + 1000);
   EXPECT_LT(answer.cost.exact_tests, any.exact_tests + 20);
+}
+
+/// A cube from `lower` to `lower` + n, of 12 n^2 triangles.
+Mesh fine_cube(int n, const Vec3& lower) {
+  Mesh mesh;
+  for (std::size_t face = 0; face < 6; ++face) {
+    const std::size_t axis = face / 2;
+    const auto corner = [&](int i, int j) {
+      Vec3 p = lower;
+      p[axis] += face % 2 == 0 ? 0 : n;
+      p[(axis + 1) % 3] += i;
+      p[(axis + 2) % 3] += j;
+      mesh.vertices.push_back(p);
+      return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+    };
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) {
+        const std::uint32_t a = corner(i, j);
+        const std::uint32_t b = corner(i + 1, j);
+        const std::uint32_t c = corner(i + 1, j + 1);
+        const std::uint32_t d = corner(i, j + 1);
+        mesh.triangles.push_back({a, b, c});
+        mesh.triangles.push_back({a, c, d});
+      }
+    }
+  }
+  return mesh;
+}
+
+// Of a dozen triangles around one in the same plane none cuts it. With them it was three times as
+// many.
+TEST(Solid, NeighborsInAPlaneCutNothing) {
+  constexpr int kSide = 6;
+  const ClosedBody cube_a{Body(fine_cube(kSide, {0, 0, 0}))};
+  const ClosedBody beside{Body(fine_cube(kSide, {kSide, 0, 0}))};
+  const Solid touching = solid(cube_a, beside);
+  EXPECT_EQ(touching.relation, Relation::touching);
+  constexpr std::uint64_t kInContact = 2 * (2 * kSide * kSide + 8 * kSide);  // and those at the rim
+  EXPECT_LT(touching.cost.exact_tests, 16 * kInContact);
+  const Solid same = solid(cube_a, cube_a);
+  EXPECT_EQ(same.relation, Relation::same);
+  EXPECT_LT(same.cost.exact_tests, std::uint64_t{2} * 12 * kSide * kSide * 12);
+}
+
+// No corner of the bars is in the other one.
+TEST(Solid, PointsBesideACrossingSpareTheCells) {
+  const ClosedBody a{Body(box_body({-5, -1, -1}, {5, 1, 1}))};
+  const ClosedBody b{Body(box_body({-1, -5, -2}, {1, 5, 2}))};
+  const Solid answer = solid(a, b);
+  EXPECT_EQ(answer.relation, Relation::crossing);
+  const Cost any = overlap(a.body(), b.body(), {.mode = OverlapMode::any}).cost;
+  EXPECT_LT(answer.cost.exact_tests, any.exact_tests + 30);
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ ALLOWED = {
     "tests/scene/body_hit_test.cpp": (("clock",), "the least moment there is"),
     "tests/scene/scene_query_test.cpp": (("clock",), "the least moment there is"),
     "tests/query/detail/engine/limit_test.cpp": (("clock",), "the least and the greatest moment there are"),
+    "tests/query/detail/near/point_goal_test.cpp": (("clock",), "the least moment there is"),
     "tests/query/closest_test.cpp": (("clock",), "deadlines, each later than the one before, until the query is complete"),
     "tests/query/solid_test.cpp": (("clock",), "the least moment there is"),
     "tests/query/contains_parts_test.cpp": (("clock",), "the least moment there is"),

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::uint64_t kAnySize = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t kBelow100k = 99'999;
+constexpr double kShareOfOverlap = 1.0 / 3;  // a solid may take three times the time of an overlap
 
 struct Row {
   Job job;
@@ -52,6 +53,8 @@ constexpr std::array kRows{
     Row{Job::within, "", "half ", kAnySize, "soms", 2, Against::by_distance},
     Row{Job::within, "", "", kAnySize, "soms", 1, Against::by_distance},
     Row{Job::within, "", "", kAnySize, "soms", 0},
+    Row{Job::solid, "", "", kAnySize, "soms", kShareOfOverlap, Against::by_overlap},
+    Row{Job::solid, "", "", kAnySize, "soms-batch", kShareOfOverlap, Against::by_overlap_batch},
     Row{Job::closest, "probe-city", "", kAnySize, "soms", 1},
     Row{Job::closest, "probe-knot", "", kAnySize, "soms", 1.8},
     Row{Job::closest, "", "", kBelow100k, "soms-batch", 0},
@@ -68,6 +71,12 @@ constexpr std::array kRows{
     Row{Job::any_hit, "", "", kBelow100k, "soms-batch", 0, Against::watertight},
     Row{Job::any_hit, "", "", kAnySize, "soms-batch", 1, Against::watertight},
 };
+
+/// Goals that compare soms with itself do not depend on the machine.
+bool is_own(Against against) {
+  return against == Against::by_distance || against == Against::by_overlap ||
+         against == Against::by_overlap_batch;
+}
 
 bool fits(const Row& row, Job job, const std::string& scene, const std::string& set,
           std::uint64_t triangles) {
@@ -89,7 +98,7 @@ std::vector<Goal> goals_of(Job job, const std::string& scene, const std::string&
       first = first && (goal.library != row.library || goal.against != row.against);
     }
     if (first && fits(row, job, scene, set, triangles)) {
-      const double part = row.against == Against::by_distance ? 1 : share;
+      const double part = is_own(row.against) ? 1 : share;
       goals.push_back({std::string(row.library), part * row.times, row.against});
     }
   }

@@ -12,12 +12,14 @@ namespace soms::bench {
 
 /// Which peers a goal is about.
 enum class Against {
-  all,           ///< every peer of the cell
-  keeps_tree,    ///< those whose tree lasts from frame to frame
-  from_scratch,  ///< those that start over in each frame
-  by_distance,   ///< soms itself, which works out the distance: not halved without AVX-512
-  watertight,    ///< those whose rays slip through no edge
-  clock,         ///< none: millions of answers a second
+  all,               ///< every peer of the cell
+  keeps_tree,        ///< those whose tree lasts from frame to frame
+  from_scratch,      ///< those that start over in each frame
+  by_distance,       ///< soms itself, which works out the distance: not halved without AVX-512
+  by_overlap,        ///< soms itself, which says whether surfaces meet: not halved either
+  by_overlap_batch,  ///< the same in batches
+  watertight,        ///< those whose rays slip through no edge
+  clock,             ///< none: millions of answers a second
 };
 
 /// So many times as fast as the best peer; 0 where only the ratio is shown.

@@ -5,13 +5,14 @@
 #include "soms/base/box.h"
 
 #include "bench/peers/core/distance_judge.h"
+#include "bench/peers/core/pair_counter.h"
 #include "bench/peers/core/probe_judge.h"
+#include "bench/peers/core/solid_judge.h"
 #include "bench/peers/libraries/library.h"
 
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 namespace soms::bench {
@@ -53,44 +54,6 @@ struct Rules {
 /// them are decided.
 [[nodiscard]] Rules rules_of_counts(const std::function<std::uint64_t(std::size_t)>& count);
 
-/// Counts pairs of triangles that share a point: every pair whose boxes meet, found by a grid, is
-/// decided exactly on vertices moved by Pose::apply. No tree, no filter, nothing kept from pose to
-/// pose.
-class PairCounter {
- public:
-  PairCounter(const FloatMesh& mover, const FloatMesh& fixed);
-
-  /// Stops at one if `any`.
-  [[nodiscard]] std::uint64_t count(const Pose& pose, bool any) const;
-
-  [[nodiscard]] std::size_t mover_triangles() const { return mover_.triangles.size(); }
-
- private:
-  struct Cell {
-    std::int64_t x, y, z;
-    bool operator==(const Cell&) const = default;
-  };
-
-  struct CellHash {
-    std::size_t operator()(const Cell& c) const;
-  };
-
-  [[nodiscard]] Cell cell_of(const Vec3& p) const;
-
-  template <class Visit>
-  void each_cell(const Box& box, const Visit& visit) const;
-
-  [[nodiscard]] std::vector<std::uint32_t> candidates(const Box& box) const;
-
-  FloatMesh mover_;
-  FloatMesh fixed_;
-  std::vector<Box> boxes_;  // of the fixed triangles
-  Box bounds_;
-  double side_ = 1;
-  std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells_;
-  std::vector<std::uint32_t> large_;  // triangles of very many cells
-};
-
 /// Judges counts, which have to be right to the last one: every question on which two differ, and
 /// as many others, evenly spread, as fit when `budget` triangles of the mover are looked at.
 [[nodiscard]] std::vector<Verdict> judge(const PairCounter& counter, Job job,
@@ -107,6 +70,11 @@ class PairCounter {
 /// the true one; where a clearance is as near to the distance, both flags are right. Looked at as
 /// with counts.
 [[nodiscard]] std::vector<Verdict> judge(const DistanceJudge& measure, const Questions& questions,
+                                         std::span<const Answers> answers, double budget);
+
+/// Judges relations of solids. Where surfaces meet and no corner proves a crossing, every relation
+/// of such is right; looked at as with counts.
+[[nodiscard]] std::vector<Verdict> judge(const SolidJudge& solids, const Questions& questions,
                                          std::span<const Answers> answers, double budget);
 
 /// Judges sides of points. Where rounding leaves the side open to the judge, inside and outside are

@@ -16,6 +16,8 @@ std::string name(Job job) {
       return "distance";
     case Job::within:
       return "within";
+    case Job::solid:
+      return "solid";
     case Job::closest:
       return "closest";
     case Job::contains:
@@ -45,6 +47,10 @@ std::string question(Job job) {
   }
 }
 
+bool is_measure(const std::string& library) {
+  return library == kByDistance || library == kByOverlap || library == kByOverlapBatch;
+}
+
 bool ranked(const Cell& cell, const Entry& entry) {
   const double most =
       is_ours(entry.library) ? 0 : kMostWrong * static_cast<double>(entry.verdict.checked);
@@ -57,6 +63,10 @@ bool meant(const Entry& entry, Against against) {
   switch (against) {
     case Against::by_distance:
       return entry.library == kByDistance;
+    case Against::by_overlap:
+      return entry.library == kByOverlap;
+    case Against::by_overlap_batch:
+      return entry.library == kByOverlapBatch;
     case Against::keeps_tree:
       return !is_ours(entry.library) && entry.keeps_tree;
     case Against::from_scratch:

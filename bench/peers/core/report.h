@@ -34,7 +34,8 @@ struct Cell {
   std::uint64_t triangles = 0;  ///< of the fixed body, or boxes
   std::uint64_t mover = 0;      ///< triangles of the mover
   std::size_t questions = 0;    ///< the same for all
-  double sum = 0;  ///< of the answers that are finite: poses, pairs, distances, points, hits
+  double sum =
+      0;  ///< of the answers that are finite: poses, pairs, distances, points, hits, numbers
   std::vector<Entry> entries;
 };
 
@@ -46,11 +47,15 @@ inline constexpr double kMostWrong = 0.02;
 /// What one answer is about: a pose, a frame, a point or a ray.
 [[nodiscard]] std::string question(Job job);
 
+/// True for soms used in a way that only shows what another way is worth.
+[[nodiscard]] bool is_measure(const std::string& library);
+
 /// False for a library whose time counts for nothing: too many wrong answers, or fewer questions
 /// than the others.
 [[nodiscard]] bool ranked(const Cell& cell, const Entry& entry);
 
-/// The fastest ranked peer, or null where there is none. Against::by_distance: soms's own distance.
+/// The fastest ranked peer, or null where there is none. Against::by_distance: soms's own distance;
+/// by_overlap: its own overlap.
 [[nodiscard]] const Entry* best_peer(const Cell& cell, Against against = Against::all);
 
 /// How many times as fast as the best peer a library is; nothing where there is none or where

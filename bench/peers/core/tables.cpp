@@ -59,6 +59,10 @@ std::string verdict(const std::optional<double>& reached, double goal) {
   return *reached >= goal ? "met" : "missed: " + fixed(100 * *reached / goal, 0) + " % of it";
 }
 
+std::string goal_text(double goal) {
+  return fixed(goal, goal < 0.5 ? 2 : 1);
+}
+
 std::string kind(Against against) {
   return against == Against::keeps_tree     ? " (keeps its tree)"
          : against == Against::from_scratch ? " (from scratch)"
@@ -79,12 +83,12 @@ void goal_row(std::ostream& out, const Cell& cell, const Goal& goal) {
     return;
   }
   if (own == nullptr) {
-    out << "no soms | | | " << (goal.times > 0 ? fixed(goal.times, 1) : "") << " | |\n";
+    out << "no soms | | | " << (goal.times > 0 ? goal_text(goal.times) : "") << " | |\n";
     return;
   }
   const auto reached = ratio(cell, goal.library, goal.against);
   out << goal.library << " | " << micro(own->timing.median) << " | " << times(reached) << " | "
-      << (goal.times > 0 ? fixed(goal.times, 1) + " | " + verdict(reached, goal.times) : " | ")
+      << (goal.times > 0 ? goal_text(goal.times) + " | " + verdict(reached, goal.times) : " | ")
       << " |\n";
 }
 
@@ -100,7 +104,7 @@ void goals(std::ostream& out, const std::vector<Cell>& cells, const std::string&
     for (const Entry& entry : cell.entries) {
       const bool named = std::any_of(wanted.begin(), wanted.end(),
                                      [&](const Goal& g) { return g.library == entry.library; });
-      if (is_ours(entry.library) && entry.library != kByDistance && !named) {
+      if (is_ours(entry.library) && !is_measure(entry.library) && !named) {
         wanted.push_back({entry.library, 0});
       }
     }
@@ -241,7 +245,7 @@ void write_markdown(const std::filesystem::path& path, const std::vector<Cell>& 
   goals(out, cells, facts.isa);
   out << "\n## Every library\n\n`sum`: of the answers: touching or near poses, pairs, distances, "
          "points "
-         "inside, hits. `ratio`: the "
+         "inside, hits, numbers of relations. `ratio`: the "
          "best peer's time over this one's. `first n`: too slow for the whole set, not "
          "ranked.\n\n";
   print_times(out, cells);

@@ -55,6 +55,8 @@ enum class Job {
   broad,        ///< boxes all move: how many pairs of them overlap in each frame?
   distance,     ///< how far is the mover, at each pose, from the fixed body? 0 where they touch
   within,       ///< are they within a clearance of each other, one for each pose? 1 or 0
+  solid,        ///< how does the mover stand to the fixed body, both closed? The number of the
+                ///< soms::Relation: is interior shared, is one in the other, do they touch?
   closest,      ///< how far is each point from the fixed body's surface? 0 on it
   contains,     ///< is each point inside the fixed body, which is closed? 1, 0, or kOnSurface
   closest_hit,  ///< at which multiple of its direction does each ray meet the body? kMiss if never
@@ -167,6 +169,11 @@ struct Loan {
 
 /// The library that decides clearances by soms's distance: what `within` has to beat.
 inline constexpr const char* kByDistance = "soms-distance";
+
+/// Those that take bodies whose surfaces meet for crossing and others for clear, pose by pose and
+/// in batches: what `solid` is measured by, at poses where this is right.
+inline constexpr const char* kByOverlap = "soms-any";
+inline constexpr const char* kByOverlapBatch = "soms-any-batch";
 
 /// Adds soms, queried pose by pose, in batches, and for clearances by its distance.
 void add_soms(Roster& roster);

@@ -4,6 +4,9 @@
 #include "bench/peers/libraries/library.h"
 #include "bench/peers/libraries/soms_probes.h"
 
+#include <algorithm>
+#include <optional>
+
 namespace soms::bench {
 
 namespace {
@@ -20,8 +23,41 @@ Shape shape_of(const FloatMesh& mesh) {
 
 constexpr OverlapOptions kAny{.mode = OverlapMode::any};
 
-/// Ways to query soms: pose by pose, all poses in one call, or, of clearances, by the distance.
-enum class Manner { single, batch, distance };
+/// Ways to query soms: pose by pose, all poses in one call; of clearances, by the distance; of
+/// solids, by the overlap of their surfaces.
+enum class Manner { single, batch, distance, any, any_batch };
+
+/// The name of soms used so.
+const char* name_of(Manner manner) {
+  switch (manner) {
+    case Manner::batch:
+      return "soms-batch";
+    case Manner::distance:
+      return kByDistance;
+    case Manner::any:
+      return kByOverlap;
+    case Manner::any_batch:
+      return kByOverlapBatch;
+    case Manner::single:
+      break;
+  }
+  return "soms";
+}
+
+double number_of(Relation relation) {
+  return static_cast<double>(relation);
+}
+
+/// What `solid` says where the bodies cross or are clear of each other.
+double crossing_if(bool any) {
+  return number_of(any ? Relation::crossing : Relation::clear);
+}
+
+/// Two bodies found to be closed.
+struct ClosedPair {
+  ClosedBody mover;
+  ClosedBody fixed;
+};
 
 class SomsMatch final : public Match {
  public:
@@ -29,7 +65,10 @@ class SomsMatch final : public Match {
       : mover_(shape_of(mover)), fixed_(shape_of(fixed)), manner_(manner) {}
 
   void answer(const Questions& questions, std::span<double> answers) override {
-    if (manner_ == Manner::batch) {
+    if (questions.job == Job::solid && !closed_) {
+      closed_ = ClosedPair{ClosedBody(mover_), ClosedBody(fixed_)};
+    }
+    if (manner_ == Manner::batch || manner_ == Manner::any_batch) {
       answer_batch(questions, answers);
       return;
     }
@@ -52,6 +91,11 @@ class SomsMatch final : public Match {
                     : within(mover_, fixed_, questions.clearances[i]).within)
                    ? 1
                    : 0;
+      case Job::solid:
+        return manner_ == Manner::any
+                   ? crossing_if(overlap(mover_, fixed_, kAny).any)
+                   : number_of(
+                         solid(closed_->mover.at(questions.poses[i]), closed_->fixed).relation);
       default:
         return static_cast<double>(overlap(mover_, fixed_).pairs.size());
     }
@@ -61,15 +105,21 @@ class SomsMatch final : public Match {
     if (questions.job == Job::distance) {
       const DistanceBatch found = distance(mover_.shape, questions.poses, fixed_);
       std::copy(found.lower.begin(), found.lower.end(), answers.begin());
+    } else if (manner_ == Manner::batch && questions.job == Job::solid) {
+      const SolidBatch found = solid(closed_->mover, questions.poses, closed_->fixed);
+      std::transform(found.relation.begin(), found.relation.end(), answers.begin(), number_of);
     } else {
       const OverlapBatch found = overlap(mover_.shape, questions.poses, fixed_, kAny);
-      std::copy(found.any.begin(), found.any.end(), answers.begin());
+      std::transform(found.any.begin(), found.any.end(), answers.begin(), [&](bool any) {
+        return questions.job == Job::solid ? crossing_if(any) : any ? 1 : 0;
+      });
     }
   }
 
   Body mover_;
   Body fixed_;
   Manner manner_;
+  std::optional<ClosedPair> closed_;  // from the first question about solids on
 };
 
 class SomsMovingBoxes final : public MovingBoxes {
@@ -92,20 +142,19 @@ class Soms final : public Library {
  public:
   explicit Soms(Manner manner) : manner_(manner) {}
 
-  [[nodiscard]] std::string name() const override {
-    return manner_ == Manner::single  ? "soms"
-           : manner_ == Manner::batch ? "soms-batch"
-                                      : kByDistance;
-  }
+  [[nodiscard]] std::string name() const override { return name_of(manner_); }
 
   [[nodiscard]] std::string version() const override { return SOMS_VERSION; }
 
   [[nodiscard]] bool does(Job job) const override {
     switch (manner_) {
       case Manner::batch:
-        return job == Job::any || job == Job::distance || answers_probes(job);
+        return job == Job::any || job == Job::distance || job == Job::solid || answers_probes(job);
       case Manner::distance:
         return job == Job::within;
+      case Manner::any:
+      case Manner::any_batch:
+        return job == Job::solid;
       case Manner::single:
         break;
     }
@@ -138,7 +187,8 @@ class Soms final : public Library {
 }  // namespace
 
 void add_soms(Roster& roster) {
-  for (const Manner manner : {Manner::single, Manner::batch, Manner::distance}) {
+  for (const Manner manner :
+       {Manner::single, Manner::batch, Manner::distance, Manner::any, Manner::any_batch}) {
     roster.push_back(std::make_unique<Soms>(manner));
   }
 }

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 namespace soms::detail {
 
@@ -36,6 +37,12 @@ class Integer {
     at[words] = magnitude << rest;
     at[words + 1] = rest == 0 ? 0 : magnitude >> (64 - rest);
     trim(words + 2);
+  }
+
+  /// Not negative, by its words, the least first.
+  explicit Integer(std::span<const std::uint64_t> words) {
+    std::copy(words.begin(), words.end(), reserve(words.size()));
+    trim(words.size());
   }
 
   Integer(const Integer& other) : negative_(other.negative_) {

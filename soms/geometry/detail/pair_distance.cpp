@@ -104,48 +104,24 @@ void PairDistance::decide() {
   stage_ = Stage::exact;
 }
 
-std::strong_ordering PairDistance::compare(PairDistance& other) {
-  const PlainArithmetic plain;
-  for (;;) {
-    if (lower_ > other.upper_) {
-      return std::strong_ordering::greater;
-    }
-    if (upper_ < other.lower_) {
-      return std::strong_ordering::less;
-    }
-    if ((is_number() && other.is_number()) || has_features_of(other)) {
-      return std::strong_ordering::equal;
-    }
-    if (stage_ == Stage::exact && other.stage_ == Stage::exact) {
-      break;
-    }
-    PairDistance& next = less_refined(other) ? *this : other;
-    next.refine();
-  }
+std::strong_ordering PairDistance::compare_exactly(const PairDistance& other) const {
   if (is_zero() || other.is_zero()) {
     return other.is_zero() <=> is_zero();
   }
   return detail::compare(exact_->squared, other.exact_->squared);
 }
 
+/// A distance of 0 is a number, and never gets here.
+std::strong_ordering PairDistance::compare_exactly(double distance) const {
+  return detail::compare(exact_->squared, distance);
+}
+
+std::strong_ordering PairDistance::compare(PairDistance& other) {
+  return RefinedOrder<PairDistance>::compare(*this, other);
+}
+
 std::strong_ordering PairDistance::compare(double distance) {
-  const PlainArithmetic plain;
-  for (;;) {
-    if (lower_ > distance) {
-      return std::strong_ordering::greater;
-    }
-    if (upper_ < distance) {
-      return std::strong_ordering::less;
-    }
-    if (is_number()) {
-      return std::strong_ordering::equal;
-    }
-    if (stage_ == Stage::exact) {
-      return is_zero() ? 0.0 == distance ? std::strong_ordering::equal : std::strong_ordering::less
-                       : detail::compare(exact_->squared, distance);
-    }
-    refine();
-  }
+  return RefinedOrder<PairDistance>::compare(*this, distance);
 }
 
 Bracket PairDistance::distance() {

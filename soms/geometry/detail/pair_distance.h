@@ -9,6 +9,7 @@
 #include "soms/geometry/detail/double_double.h"
 #include "soms/geometry/detail/exact_distance.h"
 #include "soms/geometry/detail/feature_pair.h"
+#include "soms/geometry/detail/refined_order.h"
 
 #include <array>
 #include <compare>
@@ -55,6 +56,8 @@ class PairDistance {
  private:
   enum class Stage : std::uint8_t { doubles, double_doubles, exact };
 
+  friend struct RefinedOrder<PairDistance>;
+
   /// The distance is `lower_`, and so is `upper_`.
   [[nodiscard]] bool is_number() const { return lower_ == upper_; }
 
@@ -62,6 +65,12 @@ class PairDistance {
   [[nodiscard]] bool less_refined(const PairDistance& other) const {
     return stage_ != other.stage_ ? stage_ < other.stage_ : other.is_number();
   }
+
+  [[nodiscard]] bool is_exact() const { return stage_ == Stage::exact; }
+
+  /// \pre Both are exact.
+  [[nodiscard]] std::strong_ordering compare_exactly(const PairDistance& other) const;
+  [[nodiscard]] std::strong_ordering compare_exactly(double distance) const;
 
   [[nodiscard]] bool is_zero() const { return stage_ == Stage::exact && exact_ == nullptr; }
 

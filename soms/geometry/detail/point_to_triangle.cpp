@@ -75,12 +75,17 @@ Bracket PointToTriangle::bounds() const {
   return {below(lower_), above(upper_)};
 }
 
-const ExactPoint& PointToTriangle::exact() {
-  if (!exact_) {
-    exact_ = std::make_shared<const ExactPoint>(point_, triangle_, found_.guess);
-    found_.feature = exact_->feature();
+ExactPoint PointToTriangle::decide() {
+  ExactPoint exact(point_, triangle_, found_.guess);
+  if (!exact_.known()) {
+    exact_ = PackedDistance(exact.squared());
+    found_.feature = exact.feature();
   }
-  return *exact_;
+  return exact;
+}
+
+SquaredDistance PointToTriangle::squared() {
+  return exact_.known() ? exact_.unpacked() : decide().squared();
 }
 
 void PointToTriangle::refine_way() {
@@ -109,56 +114,30 @@ void PointToTriangle::refine() {
     return;
   }
   stage_ = Stage::exact;
-  const Bracket found = bracket(exact().squared());
+  const Bracket found = bracket(squared());
   lower_ = found.lower;
   upper_ = found.upper;
 }
 
-bool PointToTriangle::has_feature_of(const PointToTriangle& other) const {
+bool PointToTriangle::has_features_of(const PointToTriangle& other) const {
   return found_.proved() && other.found_.proved() &&
          same_corners(triangle_, found_.feature, other.triangle_, other.found_.feature);
 }
 
+std::strong_ordering PointToTriangle::compare_exactly(PointToTriangle& other) {
+  return detail::compare(squared(), other.squared());
+}
+
+std::strong_ordering PointToTriangle::compare_exactly(double distance) {
+  return detail::compare(squared(), distance);
+}
+
 std::strong_ordering PointToTriangle::compare(PointToTriangle& other) {
-  const PlainArithmetic plain;
-  for (;;) {
-    if (lower_ > other.upper_) {
-      return std::strong_ordering::greater;
-    }
-    if (upper_ < other.lower_) {
-      return std::strong_ordering::less;
-    }
-    if (lower_ == upper_ && other.lower_ == other.upper_) {
-      return std::strong_ordering::equal;
-    }
-    if (has_feature_of(other)) {
-      return std::strong_ordering::equal;
-    }
-    if (stage_ == Stage::exact && other.stage_ == Stage::exact) {
-      return detail::compare(exact().squared(), other.exact().squared());
-    }
-    PointToTriangle& next = stage_ < other.stage_ ? *this : other;
-    next.refine();
-  }
+  return RefinedOrder<PointToTriangle>::compare(*this, other);
 }
 
 std::strong_ordering PointToTriangle::compare(double distance) {
-  const PlainArithmetic plain;
-  for (;;) {
-    if (lower_ > distance) {
-      return std::strong_ordering::greater;
-    }
-    if (upper_ < distance) {
-      return std::strong_ordering::less;
-    }
-    if (lower_ == upper_) {
-      return std::strong_ordering::equal;
-    }
-    if (stage_ == Stage::exact) {
-      return detail::compare(exact().squared(), distance);
-    }
-    refine();
-  }
+  return RefinedOrder<PointToTriangle>::compare(*this, distance);
 }
 
 Bracket PointToTriangle::distance() {
@@ -174,8 +153,8 @@ Bracket PointToTriangle::distance() {
 
 TriangleFeature PointToTriangle::feature() {
   const PlainArithmetic plain;
-  if (!found_.proved()) {
-    exact();
+  if (!found_.proved() && !exact_.known()) {
+    decide();
   }
   return kind_of(found_.feature);
 }
@@ -206,21 +185,21 @@ bool PointToTriangle::round_nearest(Vec3& rounded) {
 
 Vec3 PointToTriangle::nearest() {
   const PlainArithmetic plain;
-  if (!found_.proved()) {
-    exact();
+  if (!found_.proved() && !exact_.known()) {
+    decide();
   }
   if (corner_count(found_.feature) == 1) {
     const Vec3& v = corner(triangle_, first_corner(found_.feature));
     return {v.x + 0.0, v.y + 0.0, v.z + 0.0};
   }
-  if (exact_) {
-    return exact_->nearest();
+  if (exact_.known()) {
+    return decide().nearest();
   }
   if (stage_ == Stage::doubles) {
     refine_way();
   }
   Vec3 rounded;
-  return round_nearest(rounded) ? rounded : exact().nearest();
+  return round_nearest(rounded) ? rounded : decide().nearest();
 }
 
 }  // namespace soms::detail

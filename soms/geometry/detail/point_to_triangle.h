@@ -7,13 +7,14 @@
 #include "soms/base/vector.h"
 #include "soms/geometry/detail/double_double.h"
 #include "soms/geometry/detail/exact_point.h"
+#include "soms/geometry/detail/packed_distance.h"
 #include "soms/geometry/detail/point_feature.h"
+#include "soms/geometry/detail/refined_order.h"
 #include "soms/geometry/point_distance.h"
 
 #include <array>
 #include <compare>
 #include <cstdint>
-#include <memory>
 
 namespace soms::detail {
 
@@ -49,20 +50,37 @@ class PointToTriangle {
   [[nodiscard]] TriangleFeature feature();
 
   /// How often whole numbers were needed.
-  [[nodiscard]] std::uint64_t exact_tests() const { return exact_ ? 1 : 0; }
+  [[nodiscard]] std::uint64_t exact_tests() const { return exact_.known() ? 1 : 0; }
 
  private:
   enum class Stage : std::uint8_t { doubles, double_doubles, exact };
+
+  friend struct RefinedOrder<PointToTriangle>;
+
+  /// The distance is `lower_`, and so is `upper_`.
+  [[nodiscard]] bool is_number() const { return lower_ == upper_; }
+
+  [[nodiscard]] bool is_exact() const { return stage_ == Stage::exact; }
+
+  /// This one is to be refined before the other.
+  [[nodiscard]] bool less_refined(const PointToTriangle& other) const {
+    return stage_ < other.stage_;
+  }
+
+  /// \pre Both are exact.
+  [[nodiscard]] std::strong_ordering compare_exactly(PointToTriangle& other);
+  [[nodiscard]] std::strong_ordering compare_exactly(double distance);
 
   /// Goes on to the next stage. \pre There is one.
   void refine();
   void refine_way();
 
-  /// Whole numbers, once they are needed.
-  const ExactPoint& exact();
+  /// Decides in whole numbers. Only the distance is kept of them.
+  ExactPoint decide();
+  [[nodiscard]] SquaredDistance squared();
 
   /// Both nearest features are certain, and the same.
-  [[nodiscard]] bool has_feature_of(const PointToTriangle& other) const;
+  [[nodiscard]] bool has_features_of(const PointToTriangle& other) const;
 
   /// The nearest points, if twice the precision is enough to round them.
   [[nodiscard]] bool round_nearest(Vec3& rounded);
@@ -71,7 +89,7 @@ class PointToTriangle {
   Triangle triangle_;
   DoubleDouble lower_;
   DoubleDouble upper_;
-  std::shared_ptr<const ExactPoint> exact_;
+  PackedDistance exact_;
   std::array<DoubleDouble, 3> way_;  // of stage `double_doubles`
   PointFeature found_ = {1};
   Stage stage_ = Stage::double_doubles;

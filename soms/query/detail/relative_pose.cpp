@@ -1,5 +1,6 @@
 #include "soms/query/detail/relative_pose.h"
 
+#include "soms/query/detail/engine/rounded.h"
 #include "soms/query/detail/query_lanes.h"
 
 #include <algorithm>
@@ -71,11 +72,6 @@ constexpr double kLengthsOfDefect = 2;
 static_assert(0x1p-21 + 0x1p-21 <= kLengthsOfFloats && 1.5 <= kLengthsOfDefect);
 
 constexpr Matrix3 kIdentity = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-
-/// At least `x`, which is normal as a float and not negative.
-float rounded_up(double x) {
-  return static_cast<float>(x * (1 + 0x1p-22));
-}
 
 Matrix3 product(const Matrix3& a, const Matrix3& b) {
   Matrix3 c = {};

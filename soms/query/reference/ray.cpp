@@ -2,6 +2,7 @@
 
 #include "soms/base/arithmetic.h"
 #include "soms/geometry/detail/exact_ray.h"
+#include "soms/query/detail/ray/ray_line.h"
 #include "soms/query/reference/detail/moved_triangles.h"
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace {
 
 using soms::detail::ExactRay;
 using soms::detail::Feature;
+using soms::detail::line_of;
 using soms::detail::RayLine;
 
 /// A triangle that a ray meets.
@@ -24,14 +26,6 @@ struct TwinHit {
   ExactRay exact;
   std::size_t crossing;  // the place in the list of another one, or its own
 };
-
-RayLine line_of(const Ray& ray) {
-  return {ray.origin, ray.direction, ray.length, false};
-}
-
-RayLine line_of(const Segment& segment) {
-  return {segment.from, segment.to, 1, true};
-}
 
 /// All, by time, then by number.
 std::vector<TwinHit> meetings(const Body& body, const RayLine& line, std::optional<TriangleId> skip,

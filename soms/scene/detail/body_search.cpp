@@ -23,11 +23,6 @@ const Body& body_of(BodySets sets, std::uint32_t number) {
   return (*set)->body(number);
 }
 
-Triangle triangle_of(const Body& body, TriangleId id) {
-  const Triangle t = body.shape.mesh().triangle(id);
-  return {body.pose.apply(t.a), body.pose.apply(t.b), body.pose.apply(t.c)};
-}
-
 void check_left_out(BodySets sets, LeftOut left_out) {
   std::size_t size = 0;
   for (const BodySet* set : sets) {

@@ -55,9 +55,6 @@ void check_left_out(BodySets sets, const RayOptions& options, LeftOut left_out);
 /// The body of a number. \pre It is there.
 [[nodiscard]] const Body& body_of(BodySets sets, std::uint32_t number);
 
-/// A triangle of a body, in world.
-[[nodiscard]] Triangle triangle_of(const Body& body, TriangleId id);
-
 /// The queries of BodyIndex, of the same contracts.
 [[nodiscard]] BodyClosest closest(BodySets sets, const Vec3& point, const ClosestOptions& options,
                                   LeftOut left_out, const Parallel& parallel);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "soms/geometry/detail/exact_ray.h"
+#include "soms/query/detail/moved_triangle.h"
+#include "soms/query/detail/ray/ray_line.h"
 #include "soms/query/ray.h"
 #include "soms/scene/detail/body_search.h"
 #include "soms/scene/detail/box_bounds.h"
@@ -14,14 +16,6 @@
 #include <span>
 
 namespace soms::detail {
-
-inline RayLine line_of(const Ray& ray) {
-  return {ray.origin, ray.direction, ray.length, false};
-}
-
-inline RayLine line_of(const Segment& segment) {
-  return {segment.from, segment.to, 1, true};
-}
 
 /// The part of a ray up to t = `limit`.
 inline Ray shortened(Ray ray, double limit) {
@@ -83,8 +77,8 @@ class LineQuestion {
 
   [[nodiscard]] std::strong_ordering compare(const Body& body, TriangleId triangle,
                                              const Body& other, TriangleId others) const {
-    return detail::compare(ExactRay(line_, triangle_of(body, triangle)).time(),
-                           ExactRay(line_, triangle_of(other, others)).time());
+    return detail::compare(ExactRay(line_, moved_triangle(body, triangle)).time(),
+                           ExactRay(line_, moved_triangle(other, others)).time());
   }
 
  private:

@@ -2,6 +2,7 @@
 #include "soms/base/arithmetic.h"
 #include "soms/geometry/detail/point_to_triangle.h"
 #include "soms/query/detail/engine/batch.h"
+#include "soms/query/detail/moved_triangle.h"
 #include "soms/scene/detail/body_search.h"
 #include "soms/scene/detail/box_bounds.h"
 #include "soms/scene/detail/nearest_body.h"
@@ -39,15 +40,15 @@ class PointQuestion {
     Closest answer = soms::closest(body, point_, {limit, options_.deadline}, parallel_);
     if (answer.coverage == Coverage::cut && answer.triangle) {
       // What was proved of the body is not what is measured.
-      answer.distance = point_distance(point_, triangle_of(body, *answer.triangle)).distance;
+      answer.distance = point_distance(point_, moved_triangle(body, *answer.triangle)).distance;
     }
     return answer;
   }
 
   [[nodiscard]] std::strong_ordering compare(const Body& body, TriangleId triangle,
                                              const Body& other, TriangleId others) const {
-    PointToTriangle here(point_, triangle_of(body, triangle));
-    PointToTriangle there(point_, triangle_of(other, others));
+    PointToTriangle here(point_, moved_triangle(body, triangle));
+    PointToTriangle there(point_, moved_triangle(other, others));
     return here.compare(there);
   }
 

@@ -3,6 +3,7 @@
 #include "soms/base/arithmetic.h"
 #include "soms/geometry/detail/exact_point.h"
 #include "soms/geometry/detail/exact_ray.h"
+#include "soms/query/detail/moved_triangle.h"
 #include "soms/query/reference/closest.h"
 #include "soms/query/reference/ray.h"
 #include "soms/scene/detail/body_search.h"
@@ -20,8 +21,8 @@ namespace soms::reference {
 namespace {
 
 using soms::detail::ExactRay;
+using soms::detail::moved_triangle;
 using soms::detail::RayLine;
-using soms::detail::triangle_of;
 
 template <class Line>
 BodyHit first_hit(std::span<const Body> bodies, const Line& line, const RayLine& exact_line) {
@@ -35,7 +36,7 @@ BodyHit first_hit(std::span<const Body> bodies, const Line& line, const RayLine&
     if (!here.triangle) {
       continue;
     }
-    const ExactRay exact(exact_line, triangle_of(bodies[k], *here.triangle));
+    const ExactRay exact(exact_line, moved_triangle(bodies[k], *here.triangle));
     if (!least || compare(exact.time(), *least) < 0) {
       least = exact.time();
       first = {here, static_cast<std::uint32_t>(k)};
@@ -59,7 +60,7 @@ std::vector<TimedCrossing> in_order(std::span<const Body> bodies, const std::vec
   for (std::size_t k = 0; k < rows.size(); ++k) {
     for (std::size_t place = 0; place < rows[k].kind.size(); ++place) {
       const TriangleId triangle = rows[k].triangle[rows[k].triangle_offsets[place]];
-      const auto t = ExactRay(line, triangle_of(bodies[k], triangle)).time();
+      const auto t = ExactRay(line, moved_triangle(bodies[k], triangle)).time();
       const auto later =
           std::find_if(crossings.begin(), crossings.end(),
                        [&](const TimedCrossing& other) { return compare(t, other.t) < 0; });
@@ -112,7 +113,8 @@ BodyClosest closest_by_brute_force(std::span<const Body> bodies, const Vec3& poi
     if (!here.triangle) {
       continue;
     }
-    const soms::detail::ExactPoint exact(point, triangle_of(bodies[k], *here.triangle), kNoGuess);
+    const soms::detail::ExactPoint exact(point, moved_triangle(bodies[k], *here.triangle),
+                                         kNoGuess);
     if (!least || compare(exact.squared(), *least) < 0) {
       least = exact.squared();
       nearest = {here, static_cast<std::uint32_t>(k)};

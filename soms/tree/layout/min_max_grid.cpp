@@ -1,6 +1,7 @@
 #include "soms/tree/layout/min_max_grid.h"
 
 #include "soms/base/box.h"
+#include "soms/tree/layout/detail/frame.h"
 #include "soms/tree/layout/wide_tree.h"
 
 #include <algorithm>
@@ -21,15 +22,6 @@ constexpr std::size_t kChunk = 4096;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // Corners in a block are rounded to nearest.
 constexpr double kCornerRounding = 0x1p-23;
-
-float rounded_down(double x) {
-  const auto f = static_cast<float>(x);
-  return static_cast<double>(f) > x ? std::nextafter(f, -kInfinity) : f;
-}
-
-float rounded_up(double x) {
-  return -rounded_down(-x);
-}
 
 /// Widens a bound that other threads widen too; the outcome has no order.
 template <bool kShared, class Closer>
@@ -128,7 +120,7 @@ void MinMaxGrid::put(const std::array<double, 3>& lower, const std::array<double
   const std::array<std::uint32_t, 2> to = {cell(0, upper[0]), cell(1, upper[1])};
   const std::uint32_t k = grid_for(std::max(to[0] - from[0], to[1] - from[1]));
   const Grid& grid = grids_[k];
-  const float least = rounded_down(lower[2]);
+  const float least = -rounded_up(-lower[2]);
   const float most = rounded_up(upper[2]);
   for (std::size_t y = from[1] >> k; y <= to[1] >> k; ++y) {
     for (std::size_t x = from[0] >> k; x <= to[0] >> k; ++x) {

@@ -89,6 +89,13 @@ void for_each_pose(std::span<const Pose> poses, const Shape& shape, const Parall
                  });
 }
 
+/// `cut` if a query of the batch was.
+[[nodiscard]] inline Coverage coverage_of(std::span<const Coverage> coverages) {
+  return std::find(coverages.begin(), coverages.end(), Coverage::cut) == coverages.end()
+             ? Coverage::complete
+             : Coverage::cut;
+}
+
 /// What the queries of a batch cost together.
 [[nodiscard]] inline Cost sum_of(const std::vector<Cost>& costs) {
   Cost sum;

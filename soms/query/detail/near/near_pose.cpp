@@ -1,5 +1,6 @@
 #include "soms/query/detail/near/near_pose.h"
 
+#include "soms/query/detail/engine/rounded.h"
 #include "soms/query/detail/near/direction.h"
 #include "soms/query/detail/near/far_support.h"
 
@@ -14,16 +15,6 @@ constexpr double kUnitRoundoff = 0x1p-53;
 
 /// Bodies are far apart from this many times their radii on.
 constexpr double kFar = 32;
-
-/// At least `x`, not negative.
-float rounded_up(double x) {
-  return static_cast<float>((x + 0x1p-100) * (1 + 0x1p-22));
-}
-
-/// At most `x`.
-float rounded_down(double x) {
-  return static_cast<float>(x - (std::abs(x) * 0x1p-22 + 0x1p-100));
-}
 
 // Constants of the proof in near_pose.h. "Largest seen" is the most that tests and
 // tests/query/margins/near_margin_search.cpp ever needed of one. What is left over was never met;

@@ -5,11 +5,25 @@
 #include <algorithm>
 #include <compare>
 #include <cstdint>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace soms::detail {
 
 namespace {
+
+// In the tests that `Limit` counts.
+constexpr std::uint64_t kWorkOfComparison = 1;
+constexpr std::uint64_t kWorkOfExact = 200;
+
+/// Ends a sort.
+struct OutOfTime {};
+
+std::tuple<double, double, TriangleId> by_bounds(const NearTriangle& near) {
+  const Bracket bounds = near.pair.bounds();
+  return {bounds.lower, bounds.upper, near.id};
+}
 
 /// The order of two distances, with the exact tests that it took counted.
 std::strong_ordering compare(PointToTriangle& a, PointToTriangle& b, Cost& cost) {
@@ -87,14 +101,28 @@ void SeveralGoal::narrow() {
   upper_ = std::min(upper_, found_[heap_.front()].pair.bounds().upper);
 }
 
-const std::vector<std::size_t>& SeveralGoal::sorted(Cost& cost) {
-  heap_.clear();
-  for (std::size_t i = 0; i < found_.size(); ++i) {
-    heap_.push_back(i);
+void SeveralGoal::number_all() {
+  heap_.resize(found_.size());
+  std::iota(heap_.begin(), heap_.end(), std::size_t{0});
+}
+
+const std::vector<std::size_t>& SeveralGoal::sorted(Limit& limit, Cost& cost) {
+  number_all();
+  try {
+    std::sort(heap_.begin(), heap_.end(), [&](std::size_t i, std::size_t j) {
+      const std::uint64_t before = cost.exact_tests;
+      const bool less = i != j && is_before(found_[i], found_[j], cost);
+      if (limit.spend(kWorkOfComparison + kWorkOfExact * (cost.exact_tests - before))) {
+        throw OutOfTime();
+      }
+      return less;
+    });
+  } catch (const OutOfTime&) {
+    number_all();
+    std::sort(heap_.begin(), heap_.end(), [&](std::size_t i, std::size_t j) {
+      return by_bounds(found_[i]) < by_bounds(found_[j]);
+    });
   }
-  std::sort(heap_.begin(), heap_.end(), [&](std::size_t i, std::size_t j) {
-    return i != j && is_before(found_[i], found_[j], cost);
-  });
   return heap_;
 }
 

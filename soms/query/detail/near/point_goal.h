@@ -5,6 +5,7 @@
 #include "soms/base/vector.h"
 #include "soms/geometry/detail/point_to_triangle.h"
 #include "soms/query/answer.h"
+#include "soms/query/detail/engine/limit.h"
 #include "soms/query/detail/near/point_pose.h"
 
 #include <cstddef>
@@ -79,8 +80,9 @@ class SeveralGoal final : public PointGoal {
 
   [[nodiscard]] bool eager() const override { return true; }
 
-  /// Those found, the nearest first, in an order of `found()`.
-  [[nodiscard]] const std::vector<std::size_t>& sorted(Cost& cost);
+  /// Those found, the nearest first, in an order of `found()`. Where the deadline passes first, by
+  /// what is known of their distances.
+  [[nodiscard]] const std::vector<std::size_t>& sorted(Limit& limit, Cost& cost);
 
   [[nodiscard]] std::vector<NearTriangle>& found() { return found_; }
 
@@ -89,6 +91,7 @@ class SeveralGoal final : public PointGoal {
   [[nodiscard]] bool is_before(NearTriangle& a, NearTriangle& b, Cost& cost);
 
   void narrow();
+  void number_all();
 
   std::size_t count_;
   double at_most_;

@@ -1,5 +1,6 @@
 #include "soms/query/detail/near/point_pose.h"
 
+#include "soms/query/detail/engine/rounded.h"
 #include "soms/query/detail/near/direction.h"
 #include "soms/query/detail/near/far_support.h"
 #include "soms/query/detail/near/near_pose.h"
@@ -38,14 +39,6 @@ static_assert(3 + 3.02 < 16);                    // kPointError
 
 /// Where rounding outweighs the body this many times, every box is near.
 constexpr double kMostSlack = 0x1p40;
-
-float rounded_up(double x) {
-  return static_cast<float>(x + (std::abs(x) * 0x1p-22 + 0x1p-100));
-}
-
-float rounded_down(double x) {
-  return static_cast<float>(x - (std::abs(x) * 0x1p-22 + 0x1p-100));
-}
 
 double largest(const Vec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});

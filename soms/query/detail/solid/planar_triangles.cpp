@@ -13,14 +13,31 @@ std::array<Vec3, 3> corners_of(const Triangle& t) {
   return {t.a, t.b, t.c};
 }
 
+/// True for a corner of `t`, of which no arithmetic is needed to see that it lies in the plane of
+/// t.
+bool is_corner(const Vec3& p, const Triangle& t) {
+  return p == t.a || p == t.b || p == t.c;
+}
+
+/// The side of the plane of `t` on which a point lies.
+Sign side_of(const Triangle& t, const Vec3& p, Predicates& predicates) {
+  return is_corner(p, t) ? Sign::zero : predicates.orientation(t.a, t.b, t.c, p);
+}
+
 /// Sides of the plane of `t` on which the corners of `s` lie.
 std::array<Sign, 3> sides_of(const Triangle& t, const Triangle& s, Predicates& predicates) {
-  return {predicates.orientation(t.a, t.b, t.c, s.a), predicates.orientation(t.a, t.b, t.c, s.b),
-          predicates.orientation(t.a, t.b, t.c, s.c)};
+  return {side_of(t, s.a, predicates), side_of(t, s.b, predicates), side_of(t, s.c, predicates)};
 }
 
 auto count_of(const std::array<Sign, 3>& signs, Sign sign) {
   return std::count(signs.begin(), signs.end(), sign);
+}
+
+/// The corners of `s` lie in the plane of `t`.
+bool is_coplanar(const Triangle& t, const Triangle& s, Predicates& predicates) {
+  const auto corners = corners_of(s);
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](const Vec3& p) { return side_of(t, p, predicates) == Sign::zero; });
 }
 
 /// An edge of one has the other on its outer side, in a plane in which both have area.
@@ -36,6 +53,17 @@ bool parted(const Triangle& t, const Triangle& s, Projection plane, Predicates& 
     }
   }
   return false;
+}
+
+/// False only if triangles of one plane have no area in common. \pre `t` has area.
+bool share_area(const Triangle& t, const Triangle& s, Predicates& predicates) {
+  const auto* const plane =
+      std::find_if(kProjections.begin(), kProjections.end(), [&](Projection projection) {
+        return predicates.orientation2d(t.a, t.b, t.c, projection) != Sign::zero;
+      });
+  return plane == kProjections.end() ||
+         (predicates.orientation2d(s.a, s.b, s.c, *plane) != Sign::zero &&
+          !parted(t, s, *plane, predicates) && !parted(s, t, *plane, predicates));
 }
 
 }  // namespace
@@ -55,31 +83,19 @@ bool may_cut(const Triangle& t, const Triangle& s, Predicates& predicates) {
   }
   if (zeros == 2) {
     // An edge lies in the plane: it cuts nothing if it is an edge of t.
-    const auto p = corners_of(t);
     const auto q = corners_of(s);
-    const auto shared = [&](std::size_t i) {
-      return sides[i] != Sign::zero || std::find(p.begin(), p.end(), q[i]) != p.end();
-    };
+    const auto shared = [&](std::size_t i) { return sides[i] != Sign::zero || is_corner(q[i], t); };
     return !(shared(0) && shared(1) && shared(2));
   }
   if (zeros == 3) {
-    return true;
+    return share_area(t, s, predicates);
   }
   const auto back = sides_of(s, t, predicates);
   return count_of(back, Sign::positive) != 3 && count_of(back, Sign::negative) != 3;
 }
 
 bool may_share_area(const Triangle& t, const Triangle& s, Predicates& predicates) {
-  if (count_of(sides_of(t, s, predicates), Sign::zero) != 3) {
-    return false;
-  }
-  for (const Projection plane : kProjections) {
-    if (predicates.orientation2d(t.a, t.b, t.c, plane) != Sign::zero) {
-      return predicates.orientation2d(s.a, s.b, s.c, plane) != Sign::zero &&
-             !parted(t, s, plane, predicates) && !parted(s, t, plane, predicates);
-    }
-  }
-  return true;
+  return is_coplanar(t, s, predicates) && share_area(t, s, predicates);
 }
 
 }  // namespace soms::detail

@@ -9,8 +9,9 @@ namespace soms::detail {
 
 [[nodiscard]] bool has_area(const Triangle& t, Predicates& predicates);
 
-/// False only if no segment of `s` parts the interior of `t`: none of it is in the plane of t but a
-/// point, or an edge of t.
+/// False only if no segment of `s` parts the interior of `t`, and `s` covers nothing of it: of s,
+/// nothing is in the plane of t but a point, or an edge of t, or what has no area in common with t.
+/// \pre `t` has area.
 [[nodiscard]] bool may_cut(const Triangle& t, const Triangle& s, Predicates& predicates);
 
 /// False only if the triangles have no area in common. \pre `t` has area.

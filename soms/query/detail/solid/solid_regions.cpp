@@ -106,7 +106,7 @@ bool RegionSearch::stands_alone(std::size_t body, TriangleId id) {
   if (!has_area(t, predicates)) {
     return false;
   }
-  searches_[body].find(bounds(t), near_, cost_);
+  searches_[body].find_beside(id, near_, cost_);
   return std::none_of(near_.begin(), near_.end(), [&](const MovedTriangle& other) {
     return other.id != id && may_share_area(t, other.triangle, predicates);
   });

@@ -2,12 +2,14 @@
 
 #include "soms/query/detail/closed_surface.h"
 #include "soms/query/detail/engine/limit.h"
+#include "soms/query/detail/solid/quarter_points.h"
 #include "soms/query/detail/solid/solid_regions.h"
 #include "soms/query/overlap.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace soms::detail {
@@ -16,6 +18,10 @@ namespace {
 
 /// What a look at a triangle costs, in the tests that `Limit` counts.
 constexpr std::uint64_t kWorkOfLook = 2000;
+
+/// So many triangles in contact show their corners before any is cut into cells, which costs as
+/// much as hundreds of points.
+constexpr std::size_t kFewTriangles = 16;
 
 /// Triangles that overlap nothing of the other body, one at least of each set of them that hangs
 /// together, and the side of the other body on which each one lies.
@@ -38,8 +44,9 @@ class SolidSearch {
   /// False where the deadline passed.
   [[nodiscard]] bool run(const std::optional<TrianglePair>& contact) {
     if (contact) {
-      look_at_corners(0, contact->first);
-      look_at_corners(1, contact->second);
+      look_at_corners(0, {&contact->first, 1});
+      look_at_corners(1, {&contact->second, 1});
+      look_at_quarters(*contact);
       if (!regions_.all() && !late_) {
         look_at_contacts();
       }
@@ -66,7 +73,7 @@ class SolidSearch {
   }
 
   /// Sides of the other body on which points of `body` lie.
-  std::vector<Side> sides_of(std::size_t body, const std::vector<Vec3>& points) {
+  std::vector<Side> sides_of(std::size_t body, std::span<const Vec3> points) {
     ContainsBatch batch = contains(*bodies_[1 - body], points, {.deadline = options_.deadline},
                                    {.threads = 1, .stop = parallel_.stop});
     cost_ += batch.cost;
@@ -74,21 +81,61 @@ class SolidSearch {
     return std::move(batch.side);
   }
 
-  /// Corners on both sides of the other body prove a crossing, if the triangle bounds its own body
-  /// at both: there is some of both sides of its surface inside the other body, and some outside.
-  void look_at_corners(std::size_t body, TriangleId id) {
+  /// Corners of a triangle on both sides of the other body prove a crossing, if it bounds its own
+  /// body at both: there is some of both sides of its surface inside the other body, and some
+  /// outside.
+  void look_at_corners(std::size_t body, std::span<const TriangleId> ids) {
     if (regions_.all() || late_) {
       return;
     }
-    const Triangle t = search_.moved(body, id);
-    const std::vector<Side> sides = sides_of(body, {t.a, t.b, t.c});
-    const auto any = [&](Side side) {
-      return std::find(sides.begin(), sides.end(), side) != sides.end();
-    };
-    if (any(Side::inside) && any(Side::outside) && search_.stands_alone(body, id)) {
-      regions_.add_sides(body, true);
-      regions_.add_sides(body, false);
+    std::vector<Vec3> corners;
+    corners.reserve(3 * ids.size());
+    for (const TriangleId id : ids) {
+      const Triangle t = search_.moved(body, id);
+      corners.insert(corners.end(), {t.a, t.b, t.c});
     }
+    const std::vector<Side> sides = sides_of(body, corners);
+    for (std::size_t i = 0; i < ids.size() && !regions_.all(); ++i) {
+      const auto of_triangle = std::span(sides).subspan(3 * i, 3);
+      const auto any = [&](Side side) {
+        return std::find(of_triangle.begin(), of_triangle.end(), side) != of_triangle.end();
+      };
+      if (any(Side::inside) && any(Side::outside) && search_.stands_alone(body, ids[i])) {
+        regions_.add_sides(body, true);
+        regions_.add_sides(body, false);
+      }
+    }
+  }
+
+  /// Four points about the middle of where two triangles cross. A point off both surfaces has
+  /// others all around it that are where it is, so it is of a region, whatever made one look at it.
+  void look_at_quarters(const TrianglePair& pair) {
+    if (regions_.all() || late_) {
+      return;
+    }
+    const auto points = quarter_points(search_.moved(0, pair.first), search_.moved(1, pair.second));
+    if (!points) {
+      return;
+    }
+    const std::vector<Side> in_a = sides_of(1, *points);
+    const std::vector<Side> in_b = sides_of(0, *points);
+    const auto decided = [](Side side) { return side == Side::inside || side == Side::outside; };
+    for (std::size_t i = 0; i < points->size(); ++i) {
+      if (decided(in_a[i]) && decided(in_b[i])) {
+        regions_.add(in_a[i] == Side::inside, in_b[i] == Side::inside);
+      }
+    }
+  }
+
+  /// The corners of a few triangles in contact, from all over the contact.
+  void look_at_some_corners(std::size_t body) {
+    const std::vector<TriangleId>& all = in_contact_[body];
+    const std::size_t count = std::min(all.size(), kFewTriangles);
+    std::vector<TriangleId> some;
+    for (std::size_t i = 0; i < count; ++i) {
+      some.push_back(all[i * all.size() / count]);
+    }
+    look_at_corners(body, some);
   }
 
   /// The cells of all triangles that overlap one of the other body.
@@ -101,11 +148,14 @@ class SolidSearch {
       in_contact_[0].push_back(i);
       in_contact_[1].push_back(j);
     }
-    for (std::size_t body = 0; body < 2; ++body) {
-      std::vector<TriangleId>& ids = in_contact_[body];
+    for (std::vector<TriangleId>& ids : in_contact_) {
       std::sort(ids.begin(), ids.end());
       ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-      for (const TriangleId id : ids) {
+    }
+    look_at_some_corners(0);
+    look_at_some_corners(1);
+    for (std::size_t body = 0; body < 2; ++body) {
+      for (const TriangleId id : in_contact_[body]) {
         if (stop()) {
           return;
         }
