@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/base/bracket.h"
+#include "soms/base/common_box.h"
 #include "soms/base/error.h"
 #include "soms/base/parallel.h"
 #include "soms/base/pose.h"
@@ -47,6 +48,7 @@
 #include "soms/query/within.h"
 #include "soms/scene/body_index.h"
 #include "soms/scene/broad_phase.h"
+#include "soms/scene/contact_spans.h"
 #include "soms/scene/contact_tracker.h"
 #include "soms/scene/print.h"
 #include "soms/scene/recording.h"

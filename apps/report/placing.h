@@ -5,7 +5,6 @@
 #include "soms/base/box.h"
 #include "soms/base/pose.h"
 
-#include <algorithm>
 #include <array>
 
 namespace soms::report {
@@ -16,16 +15,6 @@ namespace soms::report {
 [[nodiscard]] Box moved(const Box& box, const Pose& pose);
 
 [[nodiscard]] Triangle moved(const Triangle& t, const Pose& pose);
-
-/// What two boxes have in common; empty where they are apart.
-[[nodiscard]] constexpr Box common_box(const Box& a, const Box& b) {
-  Box common;
-  common.lower = {std::max(a.lower.x, b.lower.x), std::max(a.lower.y, b.lower.y),
-                  std::max(a.lower.z, b.lower.z)};
-  common.upper = {std::min(a.upper.x, b.upper.x), std::min(a.upper.y, b.upper.y),
-                  std::min(a.upper.z, b.upper.z)};
-  return common;
-}
 
 /// Two points of the set that two triangles share, as far apart as its corners are; the middles of
 /// the triangles where they share nothing.

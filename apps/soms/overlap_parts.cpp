@@ -1,5 +1,6 @@
 #include "apps/soms/overlap_parts.h"
 
+#include "soms/base/common_box.h"
 #include "soms/geometry/crossing_segment.h"
 
 #include "apps/report/placing.h"
@@ -37,7 +38,7 @@ double largest_coordinate(const Box& box) {
 }  // namespace
 
 void grow_by_contact(Box& box, std::uint64_t count, const Triangle& a, const Triangle& b) {
-  const Box shared = report::common_box(bounds(a), bounds(b));
+  const Box shared = common_box(bounds(a), bounds(b));
   if (count >= kTightPairs || box.contains(shared)) {
     box.grow(shared);
     return;
@@ -53,7 +54,7 @@ void grow_by_contact(Box& box, std::uint64_t count, const Triangle& a, const Tri
     tight.grow(corner - Vec3{error, error, error});
     tight.grow(corner + Vec3{error, error, error});
   }
-  const Box inside = report::common_box(tight, shared);
+  const Box inside = common_box(tight, shared);
   box.grow(inside.empty() ? shared : inside);
 }
 

@@ -1,5 +1,7 @@
 #include "apps/soms/simulate_rows.h"
 
+#include "soms/base/common_box.h"
+
 #include "apps/report/placing.h"
 #include "apps/support/part_names.h"
 
@@ -18,7 +20,7 @@ Box mover_box(const World& world, MoverId mover, std::uint64_t frame) {
 
 /// Where the boxes of two bodies meet that touch.
 Box meeting_box(const Box& a, const Box& b) {
-  const Box common = report::common_box(a, b);
+  const Box common = common_box(a, b);
   return common.empty() ? a : common;  // apart by the rounding of a box
 }
 

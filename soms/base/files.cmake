@@ -3,6 +3,7 @@ set(SOMS_HEADERS
   assert.h
   box.h
   bracket.h
+  common_box.h
   error.h
   hash.h
   idle_option.h

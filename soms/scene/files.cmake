@@ -1,11 +1,13 @@
 set(SOMS_HEADERS
   body_index.h
   broad_phase.h
+  contact_spans.h
   contact_tracker.h
   print.h
   recording.h
   reference/body_queries.h
   reference/broad_phase.h
+  reference/contact_spans.h
   reference/gaps.h
   replay.h
   scene.h
@@ -15,12 +17,14 @@ set(SOMS_HEADERS
 set(SOMS_SOURCES
   body_index.cpp
   broad_phase.cpp
+  contact_spans.cpp
   contact_tracker.cpp
   detail/all_hits_search.cpp
   detail/body_search.cpp
   detail/box_bounds.cpp
   detail/box_index.cpp
   detail/column_sweep.cpp
+  detail/contact_place.cpp
   detail/first_contacts.cpp
   detail/float_box.cpp
   detail/moved_bounds.cpp
@@ -38,6 +42,7 @@ set(SOMS_SOURCES
   recording.cpp
   reference/body_queries.cpp
   reference/broad_phase.cpp
+  reference/contact_spans.cpp
   reference/gaps.cpp
   replay.cpp
   scene.cpp

@@ -5,6 +5,7 @@
 #include "soms/geometry/print.h"
 #include "soms/query/print.h"
 #include "soms/scene/body_index.h"
+#include "soms/scene/contact_spans.h"
 #include "soms/scene/contact_tracker.h"
 #include "soms/scene/recording.h"
 #include "soms/scene/scene.h"
@@ -160,6 +161,31 @@ std::ostream& operator<<(std::ostream& out, const ContactEvents& value) {
   return out << PrintedFields("ContactEvents")
                     .add("environment", value.environment.size())
                     .add("movers", value.movers.size());
+}
+
+std::ostream& operator<<(std::ostream& out, const ContactSide& value) {
+  PrintedFields fields("ContactSide");
+  fields.add("body", value.body);
+  if (value.part != Part::kNoParent) {
+    fields.add("part", value.part);
+  }
+  return out << fields;
+}
+
+std::ostream& operator<<(std::ostream& out, const ContactSpan& value) {
+  return out << PrintedFields("ContactSpan")
+                    .add("a", value.a)
+                    .add("b", value.b)
+                    .add("begin", value.begin)
+                    .add("end", value.end)
+                    .add("steps", value.steps)
+                    .add("most_pairs", value.most_pairs)
+                    .add("most_step", value.most_step)
+                    .add("i", value.pair.first)
+                    .add("j", value.pair.second)
+                    .add("place", value.place)
+                    .add("box", value.box)
+                    .add("lasts", value.lasts);
 }
 
 std::ostream& operator<<(std::ostream& out, StepScope value) {

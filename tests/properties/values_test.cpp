@@ -45,7 +45,8 @@ static_assert(kValues<Body, Cost, Coverage, Overlap, OverlapBatch, OverlapOption
                       BoxUpdate, thesis::CountedOverlap>);
 static_assert(kValues<Ray, Segment, RayOptions, ClosestHit, ClosestHitBatch, AnyHit, AnyHitBatch,
                       AllHits, CrossingKind>);
-static_assert(kValues<ContactChange, ContactEvents, EnvironmentEvent, MoverEvent, StepScope>);
+static_assert(kValues<ContactChange, ContactEvents, EnvironmentEvent, MoverEvent, ContactSide,
+                      ContactSpan, StepScope>);
 static_assert(kValues<BodyClosest, BodyClosestBatch, BodyHit, BodyHitBatch, BodyAllHits,
                       SceneAllHits, BodyFilter, SceneBody, SceneBodyKind, SceneClosest,
                       SceneClosestBatch, SceneHit, SceneHitBatch, SceneFilter>);

@@ -37,7 +37,7 @@ LENT = {
     ("scene", "soms/geometry/detail/exact_ray.h"): "as point_to_triangle.h",
     ("scene", "soms/geometry/detail/exact_point.h"): "as exact_distance.h",
     ("scene", "soms/query/detail/engine/batch.h"): "batches are shared out alike",
-    ("scene", "soms/query/detail/moved_triangle.h"): "triangles of the nearest bodies are where queries see them",
+    ("scene", "soms/query/detail/moved_triangle.h"): "triangles of nearest and of touching bodies are where queries see them",
     ("scene", "soms/query/detail/ray/ray_line.h"): "so are rays and segments",
     ("thesis", "soms/query/detail/collector.h"): "modes and limits mean the same by every traversal",
     ("thesis", "soms/query/detail/engine/limit.h"): "so do deadlines",

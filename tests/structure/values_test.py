@@ -9,6 +9,7 @@ import sys
 
 NOT_VALUES = {
     "Parallel": "how to run a call: a stop token and a function",
+    "ContactBodies": "how to look at bodies: functions",
 }
 
 
