@@ -13,7 +13,7 @@ constexpr std::size_t kPiece = std::size_t{1} << 16;  // characters handed on at
 
 void Base64Writer::put(std::uint32_t value) {
   for (int shift = 0; shift < 32; shift += 8) {
-    put_byte(static_cast<unsigned char>((value >> shift) & 0xffU));
+    put(static_cast<std::uint8_t>((value >> shift) & 0xffU));
   }
 }
 
@@ -21,7 +21,7 @@ void Base64Writer::put(float value) {
   put(std::bit_cast<std::uint32_t>(value));
 }
 
-void Base64Writer::put_byte(unsigned char byte) {
+void Base64Writer::put(std::uint8_t byte) {
   ++bytes_;
   group_[held_++] = byte;
   if (held_ == group_.size()) {

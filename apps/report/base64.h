@@ -15,6 +15,7 @@ class Base64Writer {
  public:
   explicit Base64Writer(std::ostream& out) : out_(out) {}
 
+  void put(std::uint8_t byte);
   void put(std::uint32_t value);
   void put(float value);
 
@@ -25,7 +26,6 @@ class Base64Writer {
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
 
  private:
-  void put_byte(unsigned char byte);
   void write_group();
   void flush();
 

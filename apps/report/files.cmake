@@ -2,8 +2,11 @@ set(SOMS_REPORT_FILES
   asset.h
   base64.cpp
   base64.h
+  data_block.h
   drawn_mesh.cpp
   drawn_mesh.h
+  packed.cpp
+  packed.h
   page.cpp
   page.h
   page_style.h
@@ -13,6 +16,8 @@ set(SOMS_REPORT_FILES
   scene.h
   scene_data.cpp
   scene_data.h
+  scene_models.cpp
+  scene_models.h
   script_text.cpp
   script_text.h
   sight.cpp

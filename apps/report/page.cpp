@@ -56,11 +56,12 @@ role="presentation"></div></div>
 <div id="time"><button id="play" type="button">Play</button>
 <input id="step" type="range" min="0" max="0" step="1" value="0" aria-label="Time">
 <output id="moment" for="step"></output></div>
-<p class="note" id="legend"><span class="key moves"></span>moves<span class="touching">
+<p class="note" id="legend"><span class="key moves"></span>moves<span class="key still"></span>stands still<span class="touching">
 <span class="key touch"></span>touches now <span class="key was"></span>touches at another time</span><span id="near" hidden><span class="key gap"></span>gap: a shortest segment with
 its length<span id="near-time"> (dashed: at another time)</span></span></p>
 <p id="drawn" class="note"></p>
 </div>
+<div id="prints"></div>
 </section>
 )html";
 
@@ -82,12 +83,14 @@ class PageWriter {
     plots();
     notes();
     out_ << "</main>\n";
-    const Shown shown = write_scene(out_, page_.scene, limits_);
-    out_ << "<script>";
-    for (const std::string_view piece : script()) {
-      out_ << piece;
-    }
-    out_ << "</script>\n</body>\n</html>\n";
+    const Shown shown = write_scene(out_, page_.scene, limits_, [this] {
+      out_ << "<script>";
+      for (const std::string_view piece : script()) {
+        out_ << piece;
+      }
+      out_ << "</script>\n";
+    });
+    out_ << "</body>\n</html>\n";
     return shown;
   }
 

@@ -85,7 +85,17 @@ margin:0 .3em 0 .6em}
 @media (max-width:60rem){#look{grid-template-columns:minmax(0,1fr)}#stage{height:60vh;
 min-height:18rem}#side{height:24rem;min-height:0}dl.facts{grid-template-columns:minmax(0,1fr);
 gap:0}dl.facts dd{margin-bottom:.4rem}}
-@media print{#look{display:none}}
+#prints{display:none}
+.picture{background:linear-gradient(90deg,var(--paper) 40%,transparent) 0 0/3rem 100% local no-repeat,
+linear-gradient(270deg,var(--paper) 40%,transparent) 100% 0/3rem 100% local no-repeat,
+linear-gradient(90deg,var(--faint),transparent) 0 0/.7rem 100% scroll no-repeat,
+linear-gradient(270deg,var(--faint),transparent) 100% 0/.7rem 100% scroll no-repeat}
+@page{size:A4;margin:14mm}
+@media print{#look,#view>h2{display:none}#prints{display:grid;grid-template-columns:1fr 1fr;gap:.8rem 1rem}
+#prints h2{grid-column:1/-1;margin:.5rem 0 0}
+#prints figure{margin:0;break-inside:avoid}#prints canvas{width:100%;display:block;border:1px solid var(--line)}
+#prints figcaption{font-size:.8rem;overflow-wrap:anywhere}.picture{background:none;overflow:hidden}
+figure,.warn{break-inside:avoid}}
 )css";
 
 }  // namespace soms::report

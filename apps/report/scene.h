@@ -46,12 +46,16 @@ struct SceneRow {
   std::uint32_t b = 0;
   std::uint32_t part_a = kNoPart;  ///< in `Scene::parts`
   std::uint32_t part_b = kNoPart;
-  std::uint64_t count = 0;  ///< contacts in all
-  std::uint64_t steps = 0;  ///< in which they touch
-  std::uint64_t begin = 0;  ///< the first of them
-  std::uint64_t end = 0;    ///< the last
-  TrianglePair first = {};  ///< of the contacts' triangles; kNoTriangle where none is known
-  Box box = {};             ///< around where they touch, in the coordinates of the scene
+  std::uint64_t count = 0;       ///< contacts in all
+  std::uint64_t steps = 0;       ///< in which they touch
+  std::uint64_t begin = 0;       ///< the first of them
+  std::uint64_t end = 0;         ///< the last
+  TrianglePair first = {};       ///< of the contacts' triangles; kNoTriangle where none is known
+  Box box = {};                  ///< around where they touch, in the coordinates of the scene
+  std::uint64_t most_pairs = 0;  ///< pairs of triangles in the step that has the most; 0: not known
+  std::uint64_t most_step = 0;   ///< that step
+  Vec3 place = {};               ///< a point that the two share in it, if they are known
+  std::vector<TrianglePair> pairs = {};  ///< some that touch in it: the curve that is drawn
 };
 
 /// No triangle: of a body as a whole.
@@ -110,7 +114,9 @@ struct Scene {
   bool complete = true;                     ///< false: the search ended early, there may be more
   std::uint64_t contacts_in_all = 0;        ///< the sum of `SceneRow::count`
   Noun contact = {"contact", "contacts"};   ///< what the page calls them
-  std::vector<SceneGap> gaps = {};          ///< of all or some, in the order of their table
+  /// What the page calls rows; empty: pairs of parts, or of bodies.
+  Noun row = {};
+  std::vector<SceneGap> gaps = {};  ///< of all or some, in the order of their table
   std::uint64_t gaps_in_all = 0;
   Steps steps = {};
   std::function<Pose(std::uint32_t body, std::uint64_t step)> pose = {};
@@ -122,13 +128,15 @@ struct Scene {
 struct SceneLimits {
   std::uint64_t triangles = 300'000;        ///< in the page
   std::uint64_t drawn_at_once = 1'500'000;  ///< on the screen: a model counts for each body
-  std::uint64_t mesh_bytes = 8'000'000;
-  std::uint64_t pose_bytes = 3'000'000;
+  std::uint64_t mesh_bytes = 8'000'000;     ///< likewise
+  std::uint64_t pose_bytes = 2'000'000;     ///< before they are packed
   std::size_t bodies = 20'000;
   std::size_t contacts = 10'000;
   std::size_t gaps = 1000;
   std::size_t pairs = 20'000;
   std::size_t pairs_of_contact = 16;
+  std::size_t lines = 40'000;        ///< of the curves of rows, together
+  std::size_t pairs_of_row = 4'000;  ///< of the curve of a row
 };
 
 /// Shares of `most` for those who want these amounts: all of it for the modest, equal parts for

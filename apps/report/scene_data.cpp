@@ -1,15 +1,19 @@
 #include "apps/report/scene_data.h"
 
-#include "apps/report/base64.h"
-#include "apps/report/drawn_mesh.h"
+#include "apps/report/data_block.h"
+#include "apps/report/packed.h"
 #include "apps/report/placing.h"
+#include "apps/report/scene_models.h"
 #include "apps/report/script_text.h"
 #include "apps/report/sight.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,7 +28,9 @@ constexpr std::uint32_t kNone = 0xffffffffU;
 /// Scenes of other sizes are scaled by a power of two, so that floats hold them.
 constexpr double kSmallest = 1e-3;
 constexpr double kLargest = 1e7;
-constexpr std::uint64_t kBytesOfPose = 28;
+constexpr std::uint64_t kBytesOfPose = 28;  // at most; packed it is about a third
+constexpr int kBitsOfPlace = 24;            ///< of the scene's size: 0.3 mm of 4 km
+constexpr int kBitsOfCurve = 12;            ///< of a curve's box
 
 std::uint32_t short_number(std::uint64_t value) {
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(value, kNone));
@@ -62,15 +68,24 @@ class SceneWriter {
     set_frame();
   }
 
-  Shown write() {
+  Shown write(const std::function<void()>& script) {
     count_contacts();
-    write_models();
+    models_.emplace(scene_, bodies_, scale_, limits_,
+                    [this](std::size_t model) { return detail_of(model); });
+    shown_.triangles = models_->triangles();
+    shown_.triangles_in_all = models_->triangles_in_all();
+    models_->write_first(out_);
     write_poses();
     write_rows();
+    write_curves();
     write_contacts();
     write_pairs();
     write_gaps();
     write_json();
+    if (script) {
+      script();
+    }
+    models_->write_rest(out_);
     return shown_;
   }
 
@@ -158,45 +173,6 @@ class SceneWriter {
     return detail;
   }
 
-  void open(std::string_view id) {
-    out_ << fmt::format("<script type=\"text/plain\" id=\"soms-{}\">", id);
-  }
-
-  void close() { out_ << "</script>\n"; }
-
-  void write_models() {
-    const std::vector<std::uint64_t> shares = shared_out(scene_, bodies_, limits_);
-    std::uint64_t all = 0;
-    for (const std::uint64_t share : shares) {
-      all += share;
-    }
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-      const DrawLimits limits{
-          .triangles = shares[k],
-          .bytes = static_cast<std::uint64_t>(
-              static_cast<double>(limits_.mesh_bytes) * static_cast<double>(shares[k]) /
-              static_cast<double>(std::max<std::uint64_t>(1, all)))};
-      const DrawnMesh mesh = drawn(*scene_.models[k].mesh, scale_, limits, detail_of(k));
-      middles_.push_back(mesh.middle);
-      shown_.triangles += mesh.triangles();
-      shown_.triangles_in_all += mesh.all;
-      models_ += fmt::format("{}{{\"name\":{},\"triangles\":{},\"drawn\":{},\"vertices\":{}}}",
-                             k == 0 ? "" : ",",
-                             script_text(shortened(scene_.models[k].name, kLongestText)), mesh.all,
-                             mesh.triangles(), mesh.vertices.size() / 3);
-      open(fmt::format("model-{}", k));
-      Base64Writer data(out_);
-      for (const float value : mesh.vertices) {
-        data.put(value);
-      }
-      for (const std::uint32_t value : mesh.indices) {
-        data.put(value);
-      }
-      data.finish();
-      close();
-    }
-  }
-
   void put(Base64Writer& data, const Vec3& at) const {
     for (const double value : {at.x, at.y, at.z}) {
       data.put(static_cast<float>(value));
@@ -206,60 +182,106 @@ class SceneWriter {
   /// Place of the middle of the body's model, and its turning.
   void put_pose(Base64Writer& data, std::uint32_t body, std::uint64_t step) const {
     const Pose pose = scene_.pose(body, step);
-    put(data, place(pose.apply(middles_[scene_.bodies[body].model])));
+    put(data, place(pose.apply(models_->middle(scene_.bodies[body].model))));
     for (const double part : quaternion(pose)) {
       data.put(static_cast<float>(part));
     }
   }
 
   void write_poses() {
-    open("still");
-    Base64Writer still(out_);
+    DataBlock still(out_, "still");
     for (const std::uint32_t body : bodies_) {
       if (!scene_.bodies[body].moves) {
-        put_pose(still, body, 0);
+        put_pose(still.data(), body, 0);
       }
     }
     still.finish();
-    close();
-    open("poses");
-    Base64Writer data(out_);
-    for (const std::uint64_t step : steps_) {
-      for (const std::uint32_t body : bodies_) {
-        if (scene_.bodies[body].moves) {
-          put_pose(data, body, step);
+    DataBlock block(out_, "poses");
+    for (const std::uint32_t body : bodies_) {
+      if (scene_.bodies[body].moves) {
+        PackedPath path(block.data(), step_of_places());
+        for (const std::uint64_t step : steps_) {
+          const Pose pose = scene_.pose(body, step);
+          path.put(place(pose.apply(models_->middle(scene_.bodies[body].model))), quaternion(pose));
         }
       }
     }
-    data.finish();
-    close();
+    block.finish();
     shown_.bodies = bodies_.size();
     shown_.bodies_in_all = scene_.bodies.size();
     shown_.steps = steps_.size();
     shown_.steps_in_all = scene_.steps.count;
   }
 
+  [[nodiscard]] double step_of_places() const {
+    return step_of(box_.empty() ? 0 : length(box_.extent()) * scale_, kBitsOfPlace);
+  }
+
   void write_rows() {
-    open("rows");
-    Base64Writer data(out_);
+    DataBlock block(out_, "rows");
+    Base64Writer& data = block.data();
     for (const SceneRow& row : scene_.rows) {
       for (const std::uint32_t value :
            {number_[row.a], number_[row.b], row.part_a, row.part_b,
             static_cast<std::uint32_t>(row.count & kNone),
             static_cast<std::uint32_t>(row.count >> 32), short_number(row.steps),
-            short_number(row.begin), short_number(row.end), row.first.first, row.first.second}) {
+            short_number(row.begin), short_number(row.end), row.first.first, row.first.second,
+            short_number(row.most_pairs), short_number(row.most_step)}) {
         data.put(value);
       }
       put(data, row.box.empty() ? Vec3{} : place(row.box.center()));
       put(data, row.box.empty() ? Vec3{} : row.box.extent() * (0.5 * scale_));
     }
-    data.finish();
-    close();
+    block.finish();
+  }
+
+  /// Where the bodies of a row are in the step of its most pairs, if these are known.
+  void write_curves() {
+    DataBlock block(out_, "curves");
+    Base64Writer& data = block.data();
+    for (std::size_t r = 0; r < scene_.rows.size(); ++r) {
+      const SceneRow& row = scene_.rows[r];
+      if (row.pairs.empty()) {
+        continue;
+      }
+      data.put(short_number(r));
+      data.put(short_number(row.pairs.size()));
+      put(data, place(row.place));
+      data.put(static_cast<float>(sight(row).reach * scale_));
+      data.put(static_cast<float>(step_of_curve(row)));
+      put_pose(data, row.a, row.most_step);
+      put_pose(data, row.b, row.most_step);
+    }
+    block.finish();
+    DataBlock lines(out_, "lines");
+    for (const SceneRow& row : scene_.rows) {
+      put_lines(lines.data(), lines_of(row), place(row.place), step_of_curve(row));
+    }
+    lines.finish();
+  }
+
+  [[nodiscard]] double step_of_curve(const SceneRow& row) const {
+    return step_of(length(row.box.extent()) * scale_, kBitsOfCurve);
+  }
+
+  /// Where the triangles of a row's pairs cross.
+  [[nodiscard]] std::vector<std::array<Vec3, 2>> lines_of(const SceneRow& row) const {
+    std::vector<std::array<Vec3, 2>> lines;
+    if (!row.pairs.empty()) {
+      const Pose pose_a = scene_.pose(row.a, row.most_step);
+      const Pose pose_b = scene_.pose(row.b, row.most_step);
+      for (const auto& [i, j] : row.pairs) {
+        const auto [from, to] =
+            crossing_line(triangle(row.a, i, pose_a), triangle(row.b, j, pose_b));
+        lines.push_back({place(from), place(to)});
+      }
+    }
+    return lines;
   }
 
   void write_contacts() {
-    open("contacts");
-    Base64Writer data(out_);
+    DataBlock block(out_, "contacts");
+    Base64Writer& data = block.data();
     for (std::size_t k = 0; k < shown_.contacts; ++k) {
       const SceneContact& contact = scene_.contacts[k];
       for (const std::uint32_t value :
@@ -276,40 +298,35 @@ class SceneWriter {
       put_pose(data, contact.b, contact.begin);
       data.put(static_cast<std::uint32_t>(contact.row));
     }
-    data.finish();
-    close();
+    block.finish();
   }
 
   void write_pairs() {
-    open("pairs");
-    Base64Writer data(out_);
+    DataBlock block(out_, "pairs");
+    Base64Writer& data = block.data();
     for (std::size_t k = 0; k < shown_.contacts; ++k) {
       const SceneContact& contact = scene_.contacts[k];
       const Pose pose_a = scene_.pose(contact.a, contact.begin);
       const Pose pose_b = scene_.pose(contact.b, contact.begin);
       for (std::size_t n = 0; n < pairs_of(k); ++n) {
         const auto& [i, j] = contact.pairs[n];
-        data.put(i);
-        data.put(j);
+        put_unsigned(data, i);
+        put_unsigned(data, j);
         const Triangle a = triangle(contact.a, i, pose_a);
         const Triangle b = triangle(contact.b, j, pose_b);
-        for (const Triangle& t : {a, b}) {
-          put(data, place(t.a));
-          put(data, place(t.b));
-          put(data, place(t.c));
-        }
         const auto [from, to] = crossing_line(a, b);
-        put(data, place(from));
-        put(data, place(to));
+        put_points(data,
+                   std::array{place(from), place(to), place(a.a), place(a.b), place(a.c),
+                              place(b.a), place(b.b), place(b.c)},
+                   step_of_places());
       }
     }
-    data.finish();
-    close();
+    block.finish();
   }
 
   void write_gaps() {
-    open("gaps");
-    Base64Writer data(out_);
+    DataBlock block(out_, "gaps");
+    Base64Writer& data = block.data();
     for (std::size_t k = 0; k < shown_.gaps; ++k) {
       const SceneGap& gap = scene_.gaps[k];
       for (const std::uint32_t value : {number_[gap.a], number_[gap.b], short_number(gap.begin),
@@ -322,18 +339,17 @@ class SceneWriter {
       put_pose(data, gap.a, gap.nearest);
       put_pose(data, gap.b, gap.nearest);
     }
-    data.finish();
-    close();
+    block.finish();
   }
 
   static std::string numbers(const Vec3& v) { return fmt::format("[{},{},{}]", v.x, v.y, v.z); }
 
   void write_json() {
     const Vec3 half = box_.empty() ? Vec3{} : (box_.extent() * (0.5 * scale_));
-    out_ << "<script type=\"application/json\" id=\"soms-scene\">{\"schema\":\"soms.scene/2\"";
+    out_ << "<script type=\"application/json\" id=\"soms-scene\">{\"schema\":\"soms.scene/3\"";
     out_ << fmt::format(",\"up\":\"{}\",\"origin\":{},\"scale\":{},\"half\":{}",
                         scene_.y_is_up ? 'y' : 'z', numbers(origin_), scale_, numbers(half));
-    out_ << ",\"models\":[" << models_ << "]";
+    out_ << ",\"models\":[" << models_->json() << "]";
     const auto body = [&](std::uint32_t k) -> const SceneBody& { return scene_.bodies[k]; };
     out_ << ",\"bodies\":{\"model\":" << list_of(bodies_, [&](auto k) { return body(k).model; })
          << ",\"moves\":" << list_of(bodies_, [&](auto k) { return body(k).moves ? 1 : 0; })
@@ -347,9 +363,11 @@ class SceneWriter {
                 scene_.steps.smooth)
          << list_of(steps_, [](auto step) { return step; }) << "}";
     out_ << fmt::format(
-        ",\"complete\":{},\"rows\":{},\"contacts\":{{\"listed\":{},\"all\":{},\"pairs\":{},\"one\":"
+        ",\"place_step\":{},\"turns\":{},\"row\":{{\"one\":{},\"many\":{}}},\"complete\":{},"
+        "\"rows\":{},\"contacts\":{{\"listed\":{},\"all\":{},\"pairs\":{},\"one\":"
         "{},\"many\":{}}"
         "}",
+        step_of_places(), kTurns, script_text(scene_.row.one), script_text(scene_.row.many),
         scene_.complete, shown_.rows, shown_.contacts, shown_.contacts_in_all, pairs_,
         script_text(scene_.contact.one), script_text(scene_.contact.many));
     out_ << fmt::format(",\"gaps\":{{\"listed\":{},\"all\":{},\"lengths\":", shown_.gaps,
@@ -387,15 +405,15 @@ class SceneWriter {
   double scale_ = 1;
   std::uint64_t pairs_ = 0;
   std::vector<std::uint64_t> first_pair_;
-  std::string models_;
-  std::vector<Vec3> middles_;
+  std::optional<SceneModels> models_;
   Shown shown_;
 };
 
 }  // namespace
 
-Shown write_scene(std::ostream& out, const Scene& scene, const SceneLimits& limits) {
-  return SceneWriter(out, scene, limits).write();
+Shown write_scene(std::ostream& out, const Scene& scene, const SceneLimits& limits,
+                  const std::function<void()>& script) {
+  return SceneWriter(out, scene, limits).write(script);
 }
 
 }  // namespace soms::report

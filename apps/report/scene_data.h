@@ -5,6 +5,7 @@
 #include "apps/report/scene.h"
 
 #include <cstdint>
+#include <functional>
 #include <ostream>
 
 namespace soms::report {
@@ -26,10 +27,12 @@ struct Shown {
   [[nodiscard]] bool operator==(const Shown&) const = default;
 };
 
-/// Writes script elements that hold the scene: one of JSON, "soms-scene", schema soms.scene/2, and
-/// one of base64 for each model, for the poses, the rows, the contacts and the gaps. Lengths are
-/// floats around an origin near the scene; docs/report.md describes them. \errors Those of
-/// `scene.pose`.
-Shown write_scene(std::ostream& out, const Scene& scene, const SceneLimits& limits = {});
+/// Writes script elements that hold the scene: one of JSON, "soms-scene", schema soms.scene/3, and
+/// one of base64 for each model, for the poses, the rows, their curves, the contacts and the gaps.
+/// `script`, where it is given, writes the page's script after all that a first picture needs, and
+/// before large models. Lengths are relative to an origin near the scene; docs/report.md describes
+/// them. \errors Those of `scene.pose`.
+Shown write_scene(std::ostream& out, const Scene& scene, const SceneLimits& limits = {},
+                  const std::function<void()>& script = {});
 
 }  // namespace soms::report

@@ -48,6 +48,12 @@ Sight sight_of(const SceneContact& contact, const Scene& scene, std::span<const 
   return sight;
 }
 
+Sight sight_of(const SceneRow& row, const Scene& scene, std::span<const Box> bounds, double size) {
+  const double smaller = std::min(half_size(scene, bounds, row.a), half_size(scene, bounds, row.b));
+  const double around = std::max(0.5 * length(row.box.extent()), kLeastOfBody * smaller);
+  return {.focus = row.place, .reach = std::min(around, kShareOfScene * size)};
+}
+
 Sight sight_of(const SceneGap& gap, const Scene& scene, std::span<const Box> bounds, double size) {
   const double segment = length(gap.point_b - gap.point_a);
   const double smaller = std::min(half_size(scene, bounds, gap.a), half_size(scene, bounds, gap.b));

@@ -21,6 +21,10 @@ struct Sight {
 [[nodiscard]] Sight sight_of(const SceneContact& contact, const Scene& scene,
                              std::span<const Box> bounds, double size);
 
+/// The place of a row whose pairs are known: all of its box is seen, and enough of the bodies.
+[[nodiscard]] Sight sight_of(const SceneRow& row, const Scene& scene, std::span<const Box> bounds,
+                             double size);
+
 /// The middle of the segment: all of it is seen, and enough of the bodies to tell what is near
 /// what.
 [[nodiscard]] Sight sight_of(const SceneGap& gap, const Scene& scene, std::span<const Box> bounds,

@@ -96,6 +96,8 @@ set(SOMS_COMMAND_FILES
   simulate.h
   simulate_contacts.cpp
   simulate_contacts.h
+  simulate_events.cpp
+  simulate_events.h
   simulate_near.cpp
   simulate_near.h
   simulate_near_report.cpp

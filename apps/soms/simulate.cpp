@@ -6,6 +6,7 @@
 #include "apps/soms/simulate_page.h"
 #include "apps/soms/simulate_picture.h"
 #include "apps/soms/simulate_record.h"
+#include "apps/soms/simulate_events.h"
 #include "apps/soms/simulate_report.h"
 #include "apps/soms/simulate_run.h"
 #include "apps/soms/viewer.h"
@@ -41,11 +42,13 @@ void check_files(const SimulateOptions& options) {
     taken.emplace_back("--route", path);
   }
   check_outputs(std::move(taken), {{"--events", options.events},
+                                   {"--contacts", options.contacts},
                                    {"--map", options.map},
                                    {"--report", options.report},
                                    {"--record", options.record},
                                    {"--picture", options.picture}});
   check_extension("--events", options.events, {".csv"});
+  check_extension("--contacts", options.contacts, {".csv"});
   check_extension("--map", options.map, {".svg"});
   check_extension("--report", options.report, {".html", ".htm"});
   check_extension("--picture", options.picture, {".png"});
@@ -174,7 +177,7 @@ int finish(const World& world, const Outcome& outcome, const Picture& picture,
 /// A window instead of an answer.
 int run_window(const SimulateOptions& options, const Console& console) {
   const bool answers = options.verify || options.fail_if != FailIf::never || console.shared().json;
-  if (answers || !options.report.empty() || !options.map.empty() || !options.events.empty() ||
+  if (answers || !options.report.empty() || !options.map.empty() || !options.events.empty() || !options.contacts.empty() ||
       !options.record.empty() || !options.picture.empty() || options.picture_frame ||
       !options.between_movers || !options.ignored.empty() || options.clearance > 0) {
     throw Error(ErrorKind::usage, "--view cannot be combined with an option of outputs or contacts",
@@ -207,10 +210,12 @@ int run_simulate(const SimulateOptions& given, Console& console) {
   SimulateOptions options = given;
   // Places that cannot be written to are reported before the work, not after it.
   std::optional<OutputFile> events;
+  std::optional<OutputFile> contacts;
   std::optional<OutputFile> map;
   std::optional<OutputFile> page;
   std::optional<OutputFile> record;
   open(events, options.events);
+  open(contacts, options.contacts);
   open(map, options.map);
   open(page, options.report);
   open(record, picture.recording());
@@ -234,6 +239,10 @@ int run_simulate(const SimulateOptions& given, Console& console) {
   if (events) {
     write_events(events->stream(), world, outcome, options);
     events->commit();
+  }
+  if (contacts) {
+    write_contacts(contacts->stream(), world, outcome);
+    contacts->commit();
   }
   if (map) {
     draw_map(map->stream(), world, outcome);

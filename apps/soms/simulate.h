@@ -25,7 +25,8 @@ struct SimulateOptions {
   std::uint64_t frames = 600;  ///< unless given, routes of poses change it
   bool verify = false;
   std::string map = {};     ///< empty: none
-  std::string events = {};  ///< empty: none
+  std::string events = {};    ///< empty: none
+  std::string contacts = {};  ///< empty: none
   std::string record = {};  ///< empty: none
   std::string report = {};  ///< empty: none
   bool view = false;        ///< in a window, instead of all else

@@ -95,15 +95,16 @@ void add_near_json(Json& json, const World& world, const Outcome& outcome,
 void write_near_events(std::ostream& out, const World& world, const Outcome& outcome) {
   const CityParts parts(world);
   for (const NearEvent& event : outcome.near.events()) {
-    out << event.mover << ',' << csv_field(model_name(world, event.mover)) << ',';
+    out << "near," << event.mover << ',' << csv_field(model_name(world, event.mover)) << ',';
     if (event.between_movers()) {
       out << "mover " << event.other << ',' << csv_field(model_name(world, event.other));
     } else {
       out << csv_field(world.city[event.part].name) << ','
           << csv_field(parts.name(event.part, event.j));
     }
-    out << fmt::format(",{},{},{},near,{},{},{},{}", event.j, event.begin, event.end,
-                       event.distance.lower, event.distance.upper, event.nearest, event.i);
+    out << fmt::format(",{},{},{},,,,,,,{},{},{},{},{}", event.begin, event.end,
+                       event.end - event.begin + 1, event.distance.lower, event.distance.upper,
+                       event.nearest, event.i, event.j);
     if (event.touches()) {
       out << ",,,,,,\n";
     } else {

@@ -17,10 +17,10 @@ namespace soms::command {
 
 /// Columns of the events that follow those of a contact, where there is a clearance.
 inline constexpr std::string_view kNearColumns =
-    ",event,lower,upper,nearest,mover_triangle,ax,ay,az,bx,by,bz";
+    ",lower,upper,nearest,mover_triangle,triangle,ax,ay,az,bx,by,bz";
 
 /// Their fields in the row of a contact.
-inline constexpr std::string_view kNearFieldsOfContact = ",contact,,,,,,,,,,";
+inline constexpr std::string_view kNearFieldsOfContact = ",,,,,,,,,,,";
 
 /// "0.0123 m": what people compare; programs get all digits.
 [[nodiscard]] std::string meters_in_text(double meters);

@@ -23,7 +23,7 @@ const char* const kFooter =
     "  soms simulate --map city.svg\n"
     "  soms generate city --triangles 20000 -o town.ply\n"
     "  soms generate car -o car.ply\n"
-    "  soms simulate town.ply --mover car.ply --count 50 --frames 60 --events contacts.csv";
+    "  soms simulate town.ply --mover car.ply --count 50 --frames 60 --events events.csv";
 
 }  // namespace
 
@@ -51,7 +51,10 @@ Action add_simulate(CLI::App& app, Shared&) {
   add_output(app, "--report", options->report,
              "write an HTML report with figures, a time line and the scene in 3-D");
   add_output(app, "--events", options->events,
-             "write the begin and end of every contact (and near event) as CSV");
+             "write who touches what, from when to when, as CSV: a row a mover and a\n"
+             "part of the city, or another mover (and near events)");
+  add_output(app, "--contacts", options->contacts,
+             "write the begin and end of every contact, triangle by triangle, as CSV");
   add_output(app, "--record", options->record,
              "write poses and contacts (and gaps) of every frame; soms view plays the\n"
              "file");

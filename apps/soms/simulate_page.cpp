@@ -112,11 +112,47 @@ void add_bodies(report::Scene& scene, const World& world) {
   }
 }
 
+/// Every so many of the pairs of triangles of an event, `most` at most, in the frame that has the
+/// most of them: queried again, as those of contacts.
+std::vector<TrianglePair> pairs_of(const World& world, const CityParts& parts,
+                                   const ContactSpan& event, std::uint64_t most) {
+  const bool between = event.b.body.kind == SceneBodyKind::mover;
+  const Body mover = mover_at(world, event.a.body.id, event.most_step);
+  const Body other =
+      between ? mover_at(world, event.b.body.id, event.most_step) : world.city[event.b.body.id];
+  std::vector<TrianglePair> pairs;
+  std::uint64_t seen = 0;
+  for (const TrianglePair& pair : overlap(mover, other).pairs) {
+    if (between || parts.number(event.b.body.id, pair.second) == event.b.part) {
+      if (seen * most / event.most_pairs < (seen + 1) * most / event.most_pairs) {
+        pairs.push_back(pair);
+      }
+      ++seen;
+    }
+  }
+  return pairs;
+}
+
+/// The curves of the first events, each with a fair share of the room.
+void add_curves(report::Scene& scene, const World& world, const Outcome& outcome) {
+  const report::SceneLimits limits;
+  const CityParts parts(world);
+  const std::vector<ContactSpan>& events = outcome.events.spans();
+  std::vector<std::uint64_t> wanted;
+  for (std::size_t r = 0; r < std::min(events.size(), limits.contacts); ++r) {
+    wanted.push_back(std::min<std::uint64_t>(events[r].most_pairs, limits.pairs_of_row));
+  }
+  const std::vector<std::uint64_t> shares = report::fair_shares(wanted, limits.lines);
+  for (std::size_t r = 0; r < shares.size(); ++r) {
+    scene.rows[r].pairs = pairs_of(world, parts, events[r], shares[r]);
+  }
+}
+
 report::Scene scene_of(const World& world, const Outcome& outcome) {
   report::Scene scene;
   add_bodies(scene, world);
   const std::vector<Contact>& contacts = outcome.contacts.contacts();
-  ContactRows gathered = rows_of(world, contacts);
+  ContactRows gathered = rows_of(world, outcome);
   scene.parts = std::move(gathered.parts);
   MoverParts parts(world, scene.parts);
   for (const std::size_t k : fair_sample(gathered, contacts, report::SceneLimits().contacts)) {
@@ -124,6 +160,8 @@ report::Scene scene_of(const World& world, const Outcome& outcome) {
     scene.contacts.push_back(contact_of(world, contacts[k], row, gathered.rows[row], parts));
   }
   scene.rows = std::move(gathered.rows);
+  scene.row = {"event", "events"};
+  add_curves(scene, world, outcome);
   scene.complete = outcome.ending == Ending::whole;
   scene.contacts_in_all = contacts.size();
   scene.steps = {.count = std::max<std::uint64_t>(1, outcome.frames),
@@ -249,8 +287,10 @@ void write_page(std::ostream& out, const World& world, const Outcome& outcome,
     page.notes.emplace_back("This run ended early; the page shows the frames that were done.");
   }
   page.notes.emplace_back(
-      "A contact is one mover and one triangle of the city, or two movers, from the first frame in "
-      "which they touch to the last in a row. Only surfaces are tested: a mover entirely inside a "
+      "An event is one mover and one part of the city, or two movers, from the first frame in "
+      "which "
+      "they touch to the last in a row; a contact of it is one triangle of the city, likewise. "
+      "Only surfaces are tested: a mover entirely inside a "
       "closed building touches nothing. The picture may be simplified; the answers never are.");
   page.plots = plots_of(world, outcome);
   page.scene = scene_of(world, outcome);

@@ -2,6 +2,7 @@
 
 #include "soms/base/text.h"
 
+#include "apps/soms/simulate_events.h"
 #include "apps/soms/simulate_near_report.h"
 #include "apps/support/json.h"
 #include "apps/support/models.h"
@@ -64,6 +65,13 @@ std::string contacts_of(const World& world, const Outcome& outcome) {
                      with_commas(outcome.contacts.movers()), counted(world.routes.size(), "mover"));
 }
 
+std::string events_in_text(const Outcome& outcome) {
+  const std::uint64_t all = outcome.events.spans().size();
+  const std::uint64_t between = between_movers(outcome.events.spans());
+  return fmt::format("in {} ({} with parts of the city, {} between movers)", counted(all, "event"),
+                     with_commas(all - between), with_commas(between));
+}
+
 std::string frames_of(const World& world, const Outcome& outcome, const SimulateOptions& options) {
   std::string text = with_commas(outcome.frames);
   if (outcome.ending != Ending::whole) {
@@ -120,6 +128,9 @@ Figures figures_of(const World& world, const Outcome& outcome, const SimulateOpt
                            whole_number(outcome.median_fps()), whole_number(outcome.worst_fps()),
                            whole_number(outcome.queries_a_second())));
   figures.emplace_back("contacts", contacts_of(world, outcome));
+  if (!outcome.events.spans().empty()) {
+    figures.emplace_back("", events_in_text(outcome));
+  }
   if (!world.filter.between) {
     figures.emplace_back("not tested", "movers against each other (--no-between-movers)");
   } else if (!world.filter.ignored.empty()) {
@@ -152,8 +163,9 @@ std::string table_of(const World& world, const Outcome& outcome, const SimulateO
   if (hints && options.map.empty() && options.report.empty() && options.picture.empty()) {
     text += row("see it", "add --map city.svg to draw the city and its contacts, or --view");
   }
-  for (const auto& [name, path] : {Figure("map", options.map), Figure("report", options.report),
-                                   Figure("events", options.events)}) {
+  for (const auto& [name, path] :
+       {Figure("map", options.map), Figure("report", options.report),
+        Figure("events", options.events), Figure("contacts in", options.contacts)}) {
     if (!path.empty()) {
       text += row(name, path);
     }
@@ -189,6 +201,8 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
                   {"exact_tests", outcome.cost.exact_tests}};
   json["contacts"] = outcome.contacts.contacts().size();
   json["contacts_between_movers"] = outcome.contacts.between_movers();
+  json["events"] = outcome.events.spans().size();
+  json["events_between_movers"] = between_movers(outcome.events.spans());
   json["between_movers"] = world.filter.between;
   json["ignored_pairs"] = world.filter.ignored.size();
   json["hash"] = fmt::format("{:016x}", outcome.hash);
@@ -220,29 +234,6 @@ std::string json_of(const World& world, const Outcome& outcome, const SimulateOp
     add_near_json(json, world, outcome, options);
   }
   return json_line(json);
-}
-
-void write_events(std::ostream& out, const World& world, const Outcome& outcome,
-                  const SimulateOptions& options) {
-  const auto model_name = [&](MoverId mover) {
-    return csv_field(world.models[world.routes[mover].model].name);
-  };
-  const CityParts parts(world);
-  const bool with_near = options.clearance > 0;
-  out << "mover,model,touched,part,triangle,begin,end" << (with_near ? kNearColumns : "") << '\n';
-  for (const Contact& contact : outcome.contacts.contacts()) {
-    out << contact.mover << ',' << model_name(contact.mover) << ',';
-    if (contact.part == Contact::kMover) {
-      out << "mover " << contact.other << ',' << model_name(contact.other) << ",,";
-    } else {
-      out << csv_field(world.city[contact.part].name) << ','
-          << csv_field(parts.name(contact.part, contact.other)) << ',' << contact.other << ',';
-    }
-    out << contact.begin << ',' << contact.end << (with_near ? kNearFieldsOfContact : "") << '\n';
-  }
-  if (with_near) {
-    write_near_events(out, world, outcome);
-  }
 }
 
 }  // namespace soms::command

@@ -39,10 +39,4 @@ inline constexpr std::size_t kMostTouched = 5;
 [[nodiscard]] std::string json_of(const World& world, const Outcome& outcome,
                                   const SimulateOptions& options);
 
-/// CSV, a row a contact: mover, model, touched, part, triangle, begin, end. Frames count from 0;
-/// `end` is the last frame of touch. With a clearance there are the columns `kNearColumns`, too,
-/// and behind the contacts a row for each time that two bodies are near.
-void write_events(std::ostream& out, const World& world, const Outcome& outcome,
-                  const SimulateOptions& options);
-
 }  // namespace soms::command

@@ -1,8 +1,6 @@
 #include "apps/soms/simulate_rows.h"
 
-#include "soms/base/common_box.h"
-
-#include "apps/report/placing.h"
+#include "apps/soms/simulate_events.h"
 #include "apps/support/part_names.h"
 
 #include <algorithm>
@@ -13,87 +11,30 @@ namespace soms::command {
 
 namespace {
 
-Box mover_box(const World& world, MoverId mover, std::uint64_t frame) {
-  const MoverRoute& way = world.routes[mover];
-  return report::moved(world.models[way.model].shape.bounds(), way.at(frame));
-}
-
-/// Where the boxes of two bodies meet that touch.
-Box meeting_box(const Box& a, const Box& b) {
-  const Box common = common_box(a, b);
-  return common.empty() ? a : common;  // apart by the rounding of a box
-}
-
-/// Gathers contacts one after the other.
-class Gathering {
+/// The parts of the city that rows name, each once.
+class NamedParts {
  public:
-  explicit Gathering(const World& world) : world_(world) {
-    for (const Body& body : world.city) {
-      parts_of_.emplace_back(body.shape.mesh());
-    }
-  }
+  NamedParts(const World& world, std::vector<report::ScenePart>& parts)
+      : world_(world), parts_(parts) {}
 
-  void add(const Contact& contact) {
-    const bool between = contact.part == Contact::kMover;
-    const std::uint32_t body = between ? body_of(world_, contact.other) : contact.part;
-    const std::uint32_t part = between ? Part::kNoParent : parts_of_[contact.part](contact.other);
-    const auto [at, added] =
-        numbers_.try_emplace({contact.mover, body, part}, gathered_.rows.size());
-    if (added) {
-      gathered_.rows.push_back(
-          {.a = body_of(world_, contact.mover),
-           .b = body,
-           .part_b = number_of(body, part),
-           .begin = contact.begin,
-           .first = {report::kNoTriangle, between ? report::kNoTriangle : contact.other}});
-      counted_.push_back(contact.begin);
-    }
-    gathered_.row_of.push_back(at->second);
-    extend(at->second, contact);
-  }
-
-  ContactRows take() { return std::move(gathered_); }
-
- private:
-  void extend(std::size_t number, const Contact& contact) {
-    report::SceneRow& row = gathered_.rows[number];
-    ++row.count;
-    row.end = std::max(row.end, contact.end);
-    // Frames of contacts that last side by side count once.
-    const std::uint64_t first = std::max(contact.begin, counted_[number]);
-    if (contact.end >= first) {
-      row.steps += contact.end - first + 1;
-      counted_[number] = contact.end + 1;
-    }
-    const bool between = contact.part == Contact::kMover;
-    const Box other =
-        between
-            ? mover_box(world_, contact.other, contact.begin)
-            : report::moved(bounds(world_.city[contact.part].shape.mesh().triangle(contact.other)),
-                            world_.city[contact.part].pose);
-    row.box.grow(meeting_box(mover_box(world_, contact.mover, contact.begin), other));
-  }
-
-  std::uint32_t number_of(std::uint32_t body, std::uint32_t part) {
-    if (part == Part::kNoParent) {
+  std::uint32_t number_of(const ContactSide& side) {
+    if (side.part == Part::kNoParent) {
       return report::kNoPart;
     }
     const auto [at, added] =
-        part_numbers_.try_emplace({body, part}, static_cast<std::uint32_t>(gathered_.parts.size()));
+        numbers_.try_emplace({side.body.id, side.part}, static_cast<std::uint32_t>(parts_.size()));
     if (added) {
-      const Mesh& mesh = world_.city[body].shape.mesh();
-      gathered_.parts.push_back(
-          {part_label(mesh, part), part_path_label(mesh, part, report::kLongestText)});
+      const Mesh& mesh = world_.city[side.body.id].shape.mesh();
+      parts_.push_back(
+          {part_label(mesh, side.part), part_path_label(mesh, side.part, report::kLongestText)});
     }
     return at->second;
   }
 
+ private:
   const World& world_;
-  ContactRows gathered_;
-  std::vector<PartsOf> parts_of_;                                ///< of bodies of the city
-  std::map<std::array<std::uint32_t, 3>, std::size_t> numbers_;  ///< of rows
-  std::map<std::array<std::uint32_t, 2>, std::uint32_t> part_numbers_;
-  std::vector<std::uint64_t> counted_;  ///< frames before this one are counted, of each row
+  std::vector<report::ScenePart>& parts_;
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> numbers_;
 };
 
 }  // namespace
@@ -102,12 +43,30 @@ std::uint32_t body_of(const World& world, MoverId mover) {
   return static_cast<std::uint32_t>(world.city.size()) + mover;
 }
 
-ContactRows rows_of(const World& world, const std::vector<Contact>& contacts) {
-  Gathering gathering(world);
-  for (const Contact& contact : contacts) {
-    gathering.add(contact);
+ContactRows rows_of(const World& world, const Outcome& outcome) {
+  const std::vector<Contact>& contacts = outcome.contacts.contacts();
+  const std::vector<ContactSpan>& events = outcome.events.spans();
+  ContactRows gathered;
+  NamedParts parts(world, gathered.parts);
+  for (const ContactSpan& event : events) {
+    const bool between = event.b.body.kind == SceneBodyKind::mover;
+    gathered.rows.push_back({.a = body_of(world, event.a.body.id),
+                             .b = between ? body_of(world, event.b.body.id) : event.b.body.id,
+                             .part_b = parts.number_of(event.b),
+                             .steps = event.steps,
+                             .begin = event.begin,
+                             .end = event.end,
+                             .first = event.pair,
+                             .box = event.box,
+                             .most_pairs = event.most_pairs,
+                             .most_step = event.most_step,
+                             .place = event.place});
   }
-  return gathering.take();
+  gathered.row_of = events_of_contacts(world, contacts, events);
+  for (const std::size_t row : gathered.row_of) {
+    ++gathered.rows[row].count;
+  }
+  return gathered;
 }
 
 std::vector<std::size_t> fair_sample(const ContactRows& rows, const std::vector<Contact>& contacts,

@@ -1,9 +1,10 @@
 /// \file
-/// The contacts of a simulation, gathered by who touches what: the rows of its page.
+/// The contacts of a simulation, gathered by event: the rows of its page.
 #pragma once
 
 #include "apps/report/scene.h"
 #include "apps/soms/simulate_contacts.h"
+#include "apps/soms/simulate_run.h"
 #include "apps/support/world.h"
 
 #include <cstddef>
@@ -14,7 +15,7 @@ namespace soms::command {
 
 /// Rows of a page and the row of each contact.
 struct ContactRows {
-  std::vector<report::SceneRow> rows;    ///< in order of their first contact
+  std::vector<report::SceneRow> rows;    ///< events
   std::vector<report::ScenePart> parts;  ///< of the city
   std::vector<std::size_t> row_of;       ///< of each contact
 };
@@ -22,11 +23,9 @@ struct ContactRows {
 /// Bodies of a page's scene: those of the city, then the movers.
 [[nodiscard]] std::uint32_t body_of(const World& world, MoverId mover);
 
-/// A row for each mover and part of the city, or other mover, that it touches. The box of a row
-/// lies around where its contacts begin: where the boxes of those that touch meet.
-/// \pre `contacts` are those of `ContactLog`, in its order.
+/// A row for each event, in order of begin, with all its contacts. Rows hold no pairs.
 /// \cost O(n log r) for n contacts and r rows.
-[[nodiscard]] ContactRows rows_of(const World& world, const std::vector<Contact>& contacts);
+[[nodiscard]] ContactRows rows_of(const World& world, const Outcome& outcome);
 
 /// Numbers, ascending, of at most `most` contacts: each row has a fair share, its
 /// first and its longest.

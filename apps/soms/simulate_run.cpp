@@ -5,6 +5,7 @@
 #include "soms/thesis/overlap.h"
 
 #include "apps/report/placing.h"
+#include "apps/soms/simulate_events.h"
 
 #include <algorithm>
 #include <chrono>
@@ -57,6 +58,7 @@ class Run {
         console_(console),
         recorder_(recorder),
         scene_(std::move(scene)),
+        bodies_(event_bodies(world, scene_)),
         poses_(world.routes.size()),
         lines_(world.routes.size()),
         pause_(std::max<std::uint64_t>(1, options.frames / kPlacesOfATrack)) {
@@ -127,6 +129,7 @@ class Run {
     }
     look_for_neighbors();
     outcome_.contacts.add(report, frame);
+    outcome_.events.follow(frame, report, bodies_);
     if (options_.clearance > 0) {
       outcome_.near.add(report, frame);
     }
@@ -159,6 +162,7 @@ class Run {
   Console& console_;
   Recorder* recorder_;
   Scene scene_;
+  ContactBodies bodies_;
   std::vector<Pose> poses_;
   std::vector<std::size_t> lines_;  ///< of the routes, on which the movers are
   std::uint64_t pause_;

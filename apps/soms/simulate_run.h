@@ -2,6 +2,7 @@
 /// The frames of a simulation, and what is remembered of them.
 #pragma once
 
+#include "soms/scene/contact_spans.h"
 #include "soms/scene/scene.h"
 
 #include "apps/soms/simulate.h"
@@ -37,7 +38,8 @@ struct Outcome {
   Cost cost;
   std::uint64_t hash = 0;  ///< of all frames' reports, in order
   ContactLog contacts;
-  NearLog near;  ///< filled with a clearance alone
+  ContactSpans events;  ///< of a mover and a part of the city, or another mover
+  NearLog near;         ///< filled with a clearance alone
   std::optional<Verified> verified = std::nullopt;
   std::optional<VerifiedGaps> verified_gaps = std::nullopt;
   std::vector<std::vector<Place>> tracks;  ///< where each mover was, at some hundred frames

@@ -318,8 +318,16 @@ CityParts::CityParts(const World& world) : world_(world) {
 }
 
 std::string CityParts::name(EnvironmentId part, TriangleId triangle) const {
-  std::string name = part_named(world_.city[part].shape.mesh(), parts_[part](triangle));
-  return name.empty() ? world_.city[part].name : name;
+  return part_name(part, number(part, triangle));
+}
+
+std::uint32_t CityParts::number(EnvironmentId body, TriangleId triangle) const {
+  return parts_[body](triangle);
+}
+
+std::string CityParts::part_name(EnvironmentId body, std::uint32_t number) const {
+  std::string name = part_named(world_.city[body].shape.mesh(), number);
+  return name.empty() ? world_.city[body].name : name;
 }
 
 World load_world(const WorldOptions& options, Console& console) {

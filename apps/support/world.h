@@ -106,6 +106,10 @@ class CityParts {
 
   [[nodiscard]] std::string name(EnvironmentId part, TriangleId triangle) const;
 
+  /// The number of the part in the mesh of its body, as of `PartsOf`, and its name as above.
+  [[nodiscard]] std::uint32_t number(EnvironmentId body, TriangleId triangle) const;
+  [[nodiscard]] std::string part_name(EnvironmentId body, std::uint32_t number) const;
+
  private:
   const World& world_;
   std::vector<PartsOf> parts_;  ///< of each body

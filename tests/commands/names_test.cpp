@@ -159,14 +159,14 @@ TEST_F(Names, R120OfEventsAreNoFormulas) {
   const std::string car = at("=car.ply");
   ASSERT_EQ(test::soms_run({"generate", "car", "-o", car, "--quiet"}).status, 0);
   ASSERT_EQ(test::soms_run({"simulate", city, "--mover", car, "--count", "8", "--frames", "400",
-                            "--events", at("events.csv"), "--quiet"})
+                            "--contacts", at("events.csv"), "--quiet"})
                 .status,
             0);
   std::size_t of_wall = 0;
   const auto rows = csv_rows(test::read_text(at("events.csv")));
   ASSERT_GT(rows.size(), 1U);
   for (std::size_t k = 1; k < rows.size(); ++k) {
-    ASSERT_EQ(rows[k].size(), 7U);
+    ASSERT_EQ(rows[k].size(), 8U);
     EXPECT_EQ(rows[k][1], "'=car");
     if (!rows[k][2].starts_with("mover ")) {
       EXPECT_EQ(rows[k][2], "'=city");

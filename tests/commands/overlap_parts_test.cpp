@@ -18,7 +18,7 @@ namespace soms {
 
 namespace {
 
-constexpr std::size_t kWordsOfRow = 17;
+constexpr std::size_t kWordsOfRow = 19;
 constexpr std::size_t kWordsOfContact = 28;
 
 /// A row of a page's list, as the page holds it.
@@ -152,7 +152,7 @@ TEST_F(OverlapParts, R116PageOfASimulationListsWhoTouchesWhat) {
   const std::string city = write("town.obj", town);
   const test::RunResult run =
       test::soms_run({"simulate", city, "--count", "30", "--frames", "300", "--report",
-                      at("page.html"), "--events", at("events.csv"), "--json", "--quiet"});
+                      at("page.html"), "--contacts", at("events.csv"), "--json", "--quiet"});
   ASSERT_EQ(run.status, 0) << run.err;
   const std::string page = test::read_text(at("page.html"));
   std::map<std::tuple<std::string, std::string, std::string>, PageRow> expected;
@@ -166,7 +166,7 @@ TEST_F(OverlapParts, R116PageOfASimulationListsWhoTouchesWhat) {
       cells.push_back(cell);
     }
     const bool between = cells[2].starts_with("mover ");
-    PageRow& row = expected[{cells[0], cells[2], between ? "" : cells[3]}];
+    PageRow& row = expected[{cells[7], cells[2], between ? "" : cells[3]}];
     const auto begin = static_cast<std::uint32_t>(std::stoul(cells[5]));
     const auto end = static_cast<std::uint32_t>(std::stoul(cells[6]));
     row.begin = row.count == 0 ? begin : std::min(row.begin, begin);

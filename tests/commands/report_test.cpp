@@ -66,7 +66,7 @@ TEST_F(Report, OfASimulationCountsAsTheAnswerDoes) {
   const std::string page_path = at("page.html");
   const test::RunResult run =
       test::soms_run({"simulate", town, "--count", "12", "--frames", "300", "--report", page_path,
-                      "--events", at("events.csv"), "--json", "--quiet"});
+                      "--contacts", at("events.csv"), "--json", "--quiet"});
   ASSERT_EQ(run.status, 0) << run.err;
   const test::Json answer = test::Json::parse(run.out);
   const std::string page = test::read_text(page_path);

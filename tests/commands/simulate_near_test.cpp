@@ -201,30 +201,30 @@ TEST_F(NearRun, WritesNearEventsBehindContacts) {
   const auto rows = test::read_csv(at("e.csv"));
   ASSERT_EQ(rows.size(), 5U);
   const auto joined = [&](std::size_t row, std::size_t fields) {
-    EXPECT_EQ(rows[row].size(), 18U);
+    EXPECT_EQ(rows[row].size(), 25U);
     std::string text;
     for (std::size_t k = 0; k < fields; ++k) {
       text += (k == 0 ? "" : ",") + rows[row][k];
     }
     return text;
   };
-  EXPECT_EQ(joined(0, 18),
-            "mover,model,touched,part,triangle,begin,end,event,lower,upper,nearest,mover_triangle,"
-            "ax,ay,az,bx,by,bz");
-  EXPECT_EQ(joined(1, 18), "0,kite,wall,wall,0,4,4,contact,,,,,,,,,,");
-  EXPECT_EQ(joined(2, 12), "0,kite,mover 1,kite,0,0,0,near,0.5,0.5,0,0");
-  EXPECT_EQ(joined(3, 18), "0,kite,wall,wall,0,2,5,near,0,0,4,0,,,,,,");
-  EXPECT_EQ(joined(4, 12), "0,kite,wall,wall,0,7,7,near,0.25,0.25,7,0");
+  EXPECT_EQ(joined(0, 25),
+            "event,mover,model,touched,part,begin,end,frames,contacts,most_pairs,most_frame,x,y,z,"
+            "lower,upper,nearest,mover_triangle,triangle,ax,ay,az,bx,by,bz");
+  EXPECT_EQ(joined(1, 11), "contact,0,kite,wall,wall,4,4,1,1,1,4");
+  EXPECT_EQ(joined(2, 19), "near,0,kite,mover 1,kite,0,0,1,,,,,,,0.5,0.5,0,0,0");
+  EXPECT_EQ(joined(3, 25), "near,0,kite,wall,wall,2,5,4,,,,,,,0,0,4,0,0,,,,,,");
+  EXPECT_EQ(joined(4, 19), "near,0,kite,wall,wall,7,7,1,,,,,,,0.25,0.25,7,0,0");
   const auto expect_points = [&](std::size_t row, const std::vector<double>& expected) {
     for (std::size_t k = 0; k < 6; ++k) {
-      EXPECT_NEAR(std::stod(rows[row][12 + k]), expected[k], 1e-14) << row << ", " << k;
+      EXPECT_NEAR(std::stod(rows[row][19 + k]), expected[k], 1e-14) << row << ", " << k;
     }
   };
   expect_points(2, {4, 0, 0, 4.5, 0, 0});
   expect_points(4, {0.25, 0, 0, 0, 0, 0});
-  ASSERT_EQ(run({"--events", at("plain.csv")}).status, 0);
+  ASSERT_EQ(run({"--contacts", at("plain.csv")}).status, 0);
   EXPECT_EQ(test::read_text(at("plain.csv")),
-            "mover,model,touched,part,triangle,begin,end\n0,kite,wall,wall,0,4,4\n");
+            "mover,model,touched,part,triangle,begin,end,event\n0,kite,wall,wall,0,4,4,0\n");
 }
 
 TEST_F(NearRun, DoubtsNoBoxesWhoseGapIsWithinTheClearance) {

@@ -10,8 +10,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <set>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace soms {
@@ -186,24 +189,84 @@ TEST(Simulate, AnswersTheSameForAnyNumberOfThreadsAndOtherwiseForAnotherSeed) {
 TEST(Simulate, StartsEveryMoverFree) {
   const Town town;
   const std::string events = town.beside("events.csv");
-  const json object = answer({town.path(), "--frames", "1", "--count", "300", "--events", events});
+  const json object =
+      answer({town.path(), "--frames", "1", "--count", "300", "--contacts", events});
   EXPECT_EQ(object["contacts"], 0);
   EXPECT_GT(object["movers"], 100);
 }
 
 TEST(Simulate, WritesBeginAndEndOfEveryContact) {
   const Town town;
-  const std::string events = town.beside("events.csv");
-  const json object = answer({town.path(), "--frames", "120", "--count", "40", "--events", events});
-  const auto rows = test::read_csv(events);
+  const std::string contacts = town.beside("contacts.csv");
+  const json object =
+      answer({town.path(), "--frames", "120", "--count", "40", "--contacts", contacts});
+  const auto rows = test::read_csv(contacts);
   ASSERT_EQ(rows.size(), object["contacts"].get<std::size_t>() + 1);
   EXPECT_EQ(rows[0], (std::vector<std::string>{"mover", "model", "touched", "part", "triangle",
-                                               "begin", "end"}));
+                                               "begin", "end", "event"}));
   for (std::size_t k = 1; k < rows.size(); ++k) {
-    ASSERT_EQ(rows[k].size(), 7U);
+    ASSERT_EQ(rows[k].size(), 8U);
     EXPECT_LE(std::stoul(rows[k][5]), std::stoul(rows[k][6]));
     EXPECT_LT(std::stoul(rows[k][6]), 120U);
     EXPECT_EQ(rows[k][2].starts_with("mover "), rows[k][4].empty());
+  }
+}
+
+/// Events of contacts by what both files say alone: frames in which a mover and a part touch, cut
+/// into stretches.
+TEST(Simulate, EventsAreStretchesOfTheContactsOfAMoverAndAPart) {
+  const Town town;
+  const std::string contacts = town.beside("contacts.csv");
+  const std::string events = town.beside("events.csv");
+  const json object = answer({town.path(), "--frames", "400", "--count", "60", "--contacts",
+                              contacts, "--events", events});
+  const auto rows = test::read_csv(contacts);
+  using Who = std::tuple<std::string, std::string, std::string>;
+  std::map<Who, std::set<std::uint64_t>> frames;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    for (std::uint64_t frame = std::stoul(rows[k][5]); frame <= std::stoul(rows[k][6]); ++frame) {
+      frames[{rows[k][0], rows[k][2], rows[k][3]}].insert(frame);
+    }
+  }
+  std::multiset<std::tuple<Who, std::uint64_t, std::uint64_t>> expected;
+  for (const auto& [who, touching] : frames) {
+    for (auto frame = touching.begin(); frame != touching.end();) {
+      const std::uint64_t begin = *frame;
+      std::uint64_t end = begin;
+      for (++frame; frame != touching.end() && *frame == end + 1; ++frame) {
+        end = *frame;
+      }
+      expected.emplace(who, begin, end);
+    }
+  }
+  const auto listed = test::read_csv(events);
+  ASSERT_EQ(listed[0], (std::vector<std::string>{"event", "mover", "model", "touched", "part",
+                                                 "begin", "end", "frames", "contacts", "most_pairs",
+                                                 "most_frame", "x", "y", "z"}));
+  std::multiset<std::tuple<Who, std::uint64_t, std::uint64_t>> found;
+  std::uint64_t all = 0;
+  for (std::size_t k = 1; k < listed.size(); ++k) {
+    const auto& row = listed[k];
+    ASSERT_EQ(row.size(), 14U);
+    EXPECT_EQ(row[0], "contact");
+    const std::uint64_t begin = std::stoul(row[5]);
+    const std::uint64_t end = std::stoul(row[6]);
+    found.emplace(Who{row[1], row[3], row[4]}, begin, end);
+    EXPECT_EQ(std::stoul(row[7]), end - begin + 1);
+    EXPECT_GE(std::stoul(row[9]), 1U);
+    EXPECT_LE(begin, std::stoul(row[10]));
+    EXPECT_LE(std::stoul(row[10]), end);
+    all += std::stoul(row[8]);
+  }
+  EXPECT_EQ(found, expected);
+  EXPECT_GT(found.size(), frames.size()) << "no two touch twice";
+  EXPECT_EQ(object["events"], found.size());
+  EXPECT_EQ(object["contacts"], all);
+  for (std::size_t k = 1; k < rows.size(); ++k) {  // each contact names its event
+    const auto& event = listed.at(1 + std::stoul(rows[k][7]));
+    EXPECT_EQ(Who(event[1], event[3], event[4]), Who(rows[k][0], rows[k][2], rows[k][3]));
+    EXPECT_LE(std::stoul(event[5]), std::stoul(rows[k][5]));
+    EXPECT_GE(std::stoul(event[6]), std::stoul(rows[k][6]));
   }
 }
 
@@ -240,7 +303,7 @@ TEST(Simulate, FollowsARouteOfPosesRowByRow) {
   const std::string events = town.beside("events.csv");
   const std::string mover = town.write("mover.off", "OFF\n3 1 0\n-1 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   const json object = answer({town.path(), "--mover", mover, "--route", route, "--frames", "3",
-                              "--events", events, "--verify"});
+                              "--contacts", events, "--verify"});
   EXPECT_EQ(object["movers"], 1);
   const auto rows = test::read_csv(events);
   ASSERT_GE(rows.size(), 2U);
@@ -266,7 +329,7 @@ std::size_t contacts_on(const Town& town, const std::string& rows, bool piped = 
   const test::RunResult result =
       test::run_program({"sh", "-c",
                          "cat '" + route + "' | '" + test::command().string() + "' simulate '" +
-                             town.path() + "' --frames 3 --mover '" + mover + "' --events '" +
+                             town.path() + "' --frames 3 --mover '" + mover + "' --contacts '" +
                              events + "' --route '" + (piped ? "/dev/stdin" : route) + "'"});
   EXPECT_EQ(result.status, 0) << result.err;
   return test::read_csv(events).size() - 1;

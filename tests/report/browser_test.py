@@ -154,8 +154,9 @@ def count(rows, accept):
     return sum(accept(*color) for row in rows for color in row)
 
 
-def is_vermilion(red, green, blue):
-    return red > 150 and 50 < green < 150 and blue < 70 and red > 1.5 * green
+def is_contact(red, green, blue):
+    """The color of contacts, in light and dark (apps/support/look.h)."""
+    return red > 180 and green < 95 and blue < 80
 
 
 def away(a, b):
@@ -167,8 +168,13 @@ def first_sight_faults(page, answer):
         yield "the canvas is blank"
     if page.soms("contacts") != answer["contacts"]:
         yield f"{page.soms('contacts')} contacts on the page, {answer['contacts']} in the answer"
-    if not 0 < page.soms("rows") <= page.soms("contacts"):
-        yield f"{page.soms('rows')} rows for {page.soms('contacts')} contacts"
+    if not 0 < page.soms("rows") == answer["events"]:
+        yield f"{page.soms('rows')} rows on the page, {answer['events']} events in the answer"
+    if f"{answer['events']:,} events" not in page.element("count").text:
+        yield f"the list says '{page.element('count').text}'"
+    sums = page.run("return [...Array(soms.rows).keys()].reduce((sum, r) => sum + soms.total(r), 0)")
+    if sums != answer["contacts"]:
+        yield f"the events of the page have {sums} contacts, the answer {answer['contacts']}"
     if page.soms("calls()") > 60:
         yield f"{page.soms('calls()')} draw calls"
     if not page.element("drawn").text.startswith("Drawn: "):
@@ -188,10 +194,14 @@ def fold_faults(page):
         yield "contacts are folded out before anybody queried"
     row = lines(page, "pair")[2]
     r = int(row.get_attribute("data-row"))
-    if "contact" not in row.text or "around (" not in row.text:
-        yield f"a row says neither count nor place: '{row.text}'"
+    if "contact" not in row.text or "at (" not in row.text or "at most" not in row.text:
+        yield f"a row says neither counts nor place: '{row.text}'"
     row.click()
     page.landed()
+    if count(page.canvas(), is_contact) < 20:
+        yield "the curve of an event is not seen"
+    if page.soms("most(%d)" % r) < 1:
+        yield "an event has no pairs of triangles"
     if page.soms("chosenRow()") != r or page.soms("chosen()") != -1:
         yield "the row is not chosen"
     if away(page.soms("target()"), page.soms(f"center({r})")) > 1e-3:
@@ -224,7 +234,7 @@ def click_faults(page):
         yield f"the camera is {away(after, target)} away from the contact"
     if page.soms("chosen()") != k:
         yield "the contact is not chosen"
-    if count(page.canvas(), is_vermilion) < 30:
+    if count(page.canvas(), is_contact) < 30:
         yield "no triangle of the contact is seen"
     words = page.element("picked").text
     if "touches" not in words or "triangle" not in words:
@@ -308,17 +318,17 @@ def pick_faults(page):
     page.run("""
       const canvas = document.getElementById('canvas');
       const frame = canvas.getBoundingClientRect();
-      let found = false;
+      window.found = false;
       for (let y = 4; y < frame.height && !found; y += 4) {
         for (let x = 4; x < frame.width && !found; x += 4) {
           const at = {clientX: frame.left + x, clientY: frame.top + y, bubbles: true, pointerId: 1};
-          const before = soms.chosen();
+          const before = soms.chosenRow();
           canvas.dispatchEvent(new PointerEvent('pointerdown', at));
           canvas.dispatchEvent(new PointerEvent('pointerup', at));
-          found = soms.chosen() !== before;
+          found = soms.chosenRow() !== before;
         }
       }""")
-    if not page.landed() or page.soms("chosen()") < 0:
+    if not page.landed() or page.soms("chosenRow()") < 0 or not page.run("return found"):
         yield "no spot can be pressed"
     bars = page.browser.find_elements("css selector", "#time-line [data-contact]")
     k = int(bars[-1].get_attribute("data-contact"))
@@ -326,6 +336,60 @@ def pick_faults(page):
     page.landed()
     if page.soms("chosen()") != k:
         yield "a press on the time line does not choose its contact"
+
+
+def print_faults(browser, file, answer):
+    """On paper: a picture of each of the first 20 events, in the colors of paper."""
+    page = Look(browser, file, DESK, "dark")
+    page.run("window.dispatchEvent(new Event('beforeprint'))")
+    figures = page.run("""return [...document.querySelectorAll('#prints figure')].map((figure) => {
+        const canvas = figure.querySelector('canvas'), pen = canvas.getContext('2d');
+        const {data} = pen.getImageData(0, 0, canvas.width, canvas.height);
+        let [red, light] = [0, 0];
+        for (let at = 0; at < data.length; at += 4) {
+          red += data[at] > 180 && data[at + 1] < 95 && data[at + 2] < 80;
+          light += data[at] + data[at + 1] + data[at + 2] > 300;
+        }
+        return [figure.textContent, red, light / (data.length / 4)];});""")
+    if len(figures) != min(20, answer["events"]):
+        yield f"on paper there are pictures of {len(figures)} of {answer['events']} events"
+    for text, red, light in figures:
+        if red < 20 or light < 0.5 or "touches" not in text or "frame" not in text:
+            yield f"on paper '{text}' has {red} pixels of a contact, {light:.2f} are light"
+    page.run("window.dispatchEvent(new Event('afterprint'))")
+    if page.run("return document.querySelectorAll('#prints figure').length"):
+        yield "pictures for paper stay on the page"
+    if page.soms("chosenRow()") != -1:
+        yield "printing chooses a row"
+    sheets = browser.execute_cdp_cmd("Page.printToPDF", {"preferCSSPageSize": True})["data"]
+    if len(sheets) < 100_000:
+        yield f"what is printed has {len(sheets)} characters"
+    yield from log_faults(browser)
+
+
+def city_faults(browser, soms, folder):
+    """The embedded city: a small page, and a first picture of few triangles. Times are told alone."""
+    file = folder / "embedded.html"
+    run = subprocess.run([soms, "simulate", "--report", file, "--json"], check=True,
+                         capture_output=True, text=True)
+    answer = json.loads(run.stdout)
+    if file.stat().st_size > 5_000_000:
+        yield f"the embedded city takes {file.stat().st_size} bytes"
+    page = Look(browser, file, DESK)
+    page.wait("return Boolean(soms.firstPicture()?.at)")
+    first = page.soms("firstPicture()")
+    print(f"embedded city: first picture after {first['at']:.0f} ms, {first['triangles']} triangles")
+    if not 1_000 < first["triangles"] < 60_000:
+        yield f"the first picture of the embedded city has {first['triangles']} triangles"
+    if page.soms("rows") != answer["events"] or page.soms("contacts") != answer["contacts"]:
+        yield f"the page of the embedded city has {page.soms('rows')} events"
+    if not page.wait("return soms.isWhole"):
+        yield "the whole city does not arrive"
+    lines(page, "pair")[0].click()
+    page.landed()
+    if count(page.canvas(), is_contact) < 20:
+        yield "the first event of the embedded city is not seen"
+    yield from log_faults(browser)
 
 
 def scheme_faults(browser, file):
@@ -378,6 +442,7 @@ def simulate_faults(browser, file, answer):
                  lambda: pick_faults(page)):
         yield from look()
     yield from scheme_faults(browser, file)
+    yield from print_faults(browser, file, answer)
     yield from log_faults(browser)
 
 
@@ -497,7 +562,7 @@ def overlap_faults(browser, soms, folder):
         page.landed()
         if away(before, page.soms("camera()")) < 0.1:
             yield "overlap: the camera stayed where it was"
-        if count(page.canvas(), is_vermilion) < 30:
+        if count(page.canvas(), is_contact) < 30:
             yield "overlap: no triangle of the contact is seen"
     yield from log_faults(browser)
 
@@ -577,6 +642,7 @@ def main():
                                   "--report", file, "--json"], check=True, capture_output=True,
                                  text=True)
             found += simulate_faults(browser, file, json.loads(run.stdout))
+            found += city_faults(browser, soms, folder)
             found += gap_faults(browser, soms, folder)
             found += overlap_faults(browser, soms, folder)
             found += many_rows_faults(browser, soms, folder)

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -20,6 +21,32 @@ namespace soms::test {
 /// Little-endian words of base64, and what they are as floats.
 [[nodiscard]] std::vector<std::uint32_t> words_of(std::string_view base64);
 [[nodiscard]] std::vector<float> floats_of(std::string_view base64);
+
+/// A mesh of a page.
+struct PageMesh {
+  std::vector<std::array<double, 3>> vertices;
+  std::vector<std::uint32_t> indices;
+};
+
+/// The mesh "model-K" or "coarse-K" of a page.
+[[nodiscard]] PageMesh mesh_of(std::string_view page, std::string_view id, double step);
+
+/// Place and turning of each body that moves, at each step that the page holds, body after body.
+[[nodiscard]] std::vector<std::array<double, 7>> poses_of(std::string_view page);
+
+/// Two triangles of a page that touch.
+struct PagePair {
+  std::uint64_t i = 0;
+  std::uint64_t j = 0;
+  /// Ends of the crossing, corners of i, corners of j.
+  std::array<std::array<double, 3>, 8> points{};
+};
+
+[[nodiscard]] std::vector<PagePair> pairs_of(std::string_view page);
+
+/// The lines of curves in steps of each, `counts` has how many.
+[[nodiscard]] std::vector<std::array<std::int64_t, 6>> lines_of(
+    std::string_view page, const std::vector<std::uint32_t>& counts);
 
 /// The JSON of a page's scene.
 [[nodiscard]] nlohmann::json scene_of(std::string_view page);

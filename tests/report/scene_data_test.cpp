@@ -15,7 +15,7 @@ namespace soms::report {
 namespace {
 
 constexpr std::size_t kWordsOfContact = 28;
-constexpr std::size_t kWordsOfRow = 17;
+constexpr std::size_t kWordsOfRow = 19;
 constexpr std::size_t kWordsOfPair = 26;
 constexpr std::size_t kWordsOfGap = 26;
 
@@ -77,7 +77,7 @@ TEST(SceneData, TellsCountsAndNames) {
   Field field;
   const std::string page = field.write();
   const auto json = test::scene_of(page);
-  EXPECT_EQ(json["schema"], "soms.scene/2");
+  EXPECT_EQ(json["schema"], "soms.scene/3");
   EXPECT_EQ(json["models"][0]["name"], "ground");
   EXPECT_EQ(json["models"][0]["triangles"], 1);
   EXPECT_EQ(json["bodies"]["names"], (std::vector<std::string>{"field", "needle 1"}));
@@ -105,18 +105,20 @@ TEST(SceneData, DoesNotShakeAtMapCoordinates) {
   const std::string page = field.write();
   const auto json = test::scene_of(page);
   const double east = json["origin"][0].get<double>();
-  const std::vector<float> poses = test::floats_of(test::element(page, "poses"));
-  ASSERT_EQ(poses.size(), 7U * 9U);
+  const auto poses = test::poses_of(page);
+  ASSERT_EQ(poses.size(), 9U);
   const double middle = bounds(field.needle).center().x;
+  const double step_of_places = json["place_step"];
+  EXPECT_LE(step_of_places, 1e-4);
   for (std::size_t step = 0; step < 9; ++step) {
-    const double at = east + static_cast<double>(poses[7 * step]);
-    EXPECT_NEAR(at, 1'000'004 + static_cast<double>(step) + middle, 1e-5);
-    EXPECT_EQ(poses[7 * step + 6], 1.0F);  // not turned
+    const double at = east + poses[step][0];
+    EXPECT_NEAR(at, 1'000'004 + static_cast<double>(step) + middle, step_of_places);
+    EXPECT_EQ(poses[step][6], 1.0);  // not turned
   }
-  const std::vector<float> ground = test::floats_of(test::element(page, "model-0"));
+  const test::PageMesh ground = test::mesh_of(page, "model-0", json["models"][0]["step"]);
   const std::vector<float> still = test::floats_of(test::element(page, "still"));
-  EXPECT_NEAR(east + static_cast<double>(still[0]) + static_cast<double>(ground[0]), 1'000'000,
-              1e-5);
+  ASSERT_EQ(ground.vertices.size(), 3U);
+  EXPECT_NEAR(east + static_cast<double>(still[0]) + ground.vertices[0][0], 1'000'000, 1e-4);
 }
 
 TEST(SceneData, PlacesAContactWhereItIs) {
@@ -134,15 +136,14 @@ TEST(SceneData, PlacesAContactWhereItIs) {
   EXPECT_NEAR(z, 400, 1e-4);
   EXPECT_GT(floats[12], 0.5F);  // the reach, of the needle
   EXPECT_LT(floats[12], 2.0F);
-  const std::vector<float> pairs = test::floats_of(test::element(page, "pairs"));
-  ASSERT_EQ(pairs.size(), kWordsOfPair);
-  const double tip = json["origin"][2].get<double>() + static_cast<double>(pairs[4]);
-  EXPECT_NEAR(tip, 399, 1e-4);
-  for (const std::size_t end : {22U, 25U}) {
-    const double z_of_crossing = json["origin"][2].get<double>() + static_cast<double>(pairs[end]);
-    EXPECT_NEAR(z_of_crossing, 400, 1e-4);
+  const auto pairs = test::pairs_of(page);
+  ASSERT_EQ(pairs.size(), 1U);
+  const auto& points = pairs[0].points;
+  EXPECT_NEAR(json["origin"][2].get<double>() + points[2][2], 399, 1e-4) << "the tip";
+  for (const std::size_t end : {0U, 1U}) {
+    EXPECT_NEAR(json["origin"][2].get<double>() + points[end][2], 400, 1e-4);
   }
-  EXPECT_NEAR(std::abs(static_cast<double>(pairs[20] - pairs[23])), 0.25, 1e-4);
+  EXPECT_NEAR(std::abs(points[0][0] - points[1][0]), 0.25, 1e-4);
   EXPECT_EQ(words[27], 0U) << "its row";
 }
 
@@ -195,7 +196,7 @@ TEST(SceneData, KeepsWithinItsLimits) {
   EXPECT_EQ(field.shown.steps, 10U);
   EXPECT_EQ(field.shown.steps_in_all, 1000U);
   EXPECT_EQ(test::words_of(test::element(page, "contacts")).size(), 30 * kWordsOfContact);
-  EXPECT_EQ(test::words_of(test::element(page, "pairs")).size(), 20 * kWordsOfPair);
+  EXPECT_EQ(test::pairs_of(page).size(), 20U);
   EXPECT_EQ(json["contacts"]["pairs"], 20);
   EXPECT_EQ(json["steps"]["kept"].back(), 999);
 }
@@ -211,19 +212,18 @@ TEST(SceneData, KeepsTheTrianglesOfAModelThatMovesWhereItTouches) {
   };
   const std::string page = field.write({.triangles = 2'000});
   const auto json = test::scene_of(page);
-  const auto corners = 3 * json["models"][1]["vertices"].get<std::size_t>();
   ASSERT_LE(json["models"][1]["drawn"].get<int>(), 2'000);
-  const std::vector<float> floats = test::floats_of(test::element(page, "model-1"));
+  const test::PageMesh mesh = test::mesh_of(page, "model-1", json["models"][1]["step"]);
+  EXPECT_EQ(mesh.indices.size(), 3 * json["models"][1]["drawn"].get<std::size_t>());
   const double scale = json["scale"];
   const Triangle t = field.needle.triangle(kTouching);
   const Vec3 middle = bounds(field.needle).center();
   for (const Vec3& corner : {t.a, t.b, t.c}) {
     const Vec3 d = (corner - middle) * scale;
     bool kept = false;
-    for (std::size_t k = 0; k < corners; k += 3) {
-      kept = kept || (std::abs(static_cast<double>(floats[k]) - d.x) < 1e-6 &&
-                      std::abs(static_cast<double>(floats[k + 1]) - d.y) < 1e-6 &&
-                      std::abs(static_cast<double>(floats[k + 2]) - d.z) < 1e-6);
+    for (const auto& [x, y, z] : mesh.vertices) {
+      kept = kept ||
+             (std::abs(x - d.x) < 2e-6 && std::abs(y - d.y) < 2e-6 && std::abs(z - d.z) < 2e-6);
     }
     EXPECT_TRUE(kept);
   }
@@ -235,12 +235,62 @@ TEST(SceneData, PlacesARowAndCountsBeyondThirtyTwoBits) {
   const std::string page = field.write();
   const std::vector<std::uint32_t> words = test::words_of(test::element(page, "rows"));
   ASSERT_EQ(words.size(), kWordsOfRow);
-  const std::vector<std::uint32_t> head(words.begin(), words.begin() + 11);
-  EXPECT_EQ(head, (std::vector<std::uint32_t>{1, 0, kNoPart, 0, 7, 3, 3, 3, 5, 0, 0}));
+  const std::vector<std::uint32_t> head(words.begin(), words.begin() + 13);
+  EXPECT_EQ(head, (std::vector<std::uint32_t>{1, 0, kNoPart, 0, 7, 3, 3, 3, 5, 0, 0, 0, 0}));
   const std::vector<float> floats = test::floats_of(test::element(page, "rows"));
   const double east = test::scene_of(page)["origin"][0].get<double>();
-  EXPECT_NEAR(east + static_cast<double>(floats[11]), 1'000'007.125, 1e-4);
-  EXPECT_NEAR(static_cast<double>(floats[14]), 0.125, 1e-6);
+  EXPECT_NEAR(east + static_cast<double>(floats[13]), 1'000'007.125, 1e-4);
+  EXPECT_NEAR(static_cast<double>(floats[16]), 0.125, 1e-6);
+}
+
+TEST(SceneData, DrawsTheCurveOfARowInItsStepOfMostPairs) {
+  Field field;
+  SceneRow& row = field.scene.rows[0];
+  row.most_pairs = 7;
+  row.most_step = 4;
+  row.place = {1'000'008.125, 2'000'000, 400};
+  row.box = {{1'000'008, 2'000'000, 400}, {1'000'008.25, 2'000'000, 400}};
+  row.pairs = {{0, 0}};
+  const std::string page = field.write();
+  const auto json = test::scene_of(page);
+  const std::vector<std::uint32_t> rows = test::words_of(test::element(page, "rows"));
+  EXPECT_EQ(rows[11], 7U);
+  EXPECT_EQ(rows[12], 4U);
+  const std::vector<std::uint32_t> words = test::words_of(test::element(page, "curves"));
+  const std::vector<float> floats = test::floats_of(test::element(page, "curves"));
+  constexpr std::size_t kWordsOfCurve = 21;
+  ASSERT_EQ(words.size(), kWordsOfCurve);
+  EXPECT_EQ(words[0], 0U) << "its row";
+  EXPECT_EQ(words[1], 1U) << "its lines";
+  const double east = json["origin"][0].get<double>();
+  EXPECT_NEAR(east + static_cast<double>(floats[2]), 1'000'008.125, 1e-4);
+  EXPECT_GT(floats[5], 0.1F) << "its reach";
+  const double middle = bounds(field.needle).center().x;
+  EXPECT_NEAR(east + static_cast<double>(floats[7]), 1'000'008 + middle, 1e-4)
+      << "the mover in that step";
+  const auto lines = test::lines_of(page, {words[1]});
+  const double step = static_cast<double>(floats[6]);
+  EXPECT_NEAR(std::abs(static_cast<double>(lines[0][3] - lines[0][0])) * step, 0.25, 2 * step);
+  EXPECT_LE(step, 0.25 / 2048);
+}
+
+TEST(SceneData, HasACoarseStandInOfALargeModelBeforeTheScript) {
+  Field field;
+  field.needle = generate_knot(60'000);
+  std::ostringstream out;
+  field.shown = write_scene(out, field.scene, {}, [&] { out << "<script>let it = 1</script>"; });
+  const std::string page = out.str();
+  const auto json = test::scene_of(page);
+  const test::PageMesh coarse = test::mesh_of(page, "coarse-1", json["models"][1]["step"]);
+  EXPECT_EQ(coarse.indices.size(), 3 * json["models"][1]["coarse"].get<std::size_t>());
+  EXPECT_LE(json["models"][1]["coarse"], 15'000);
+  EXPECT_GT(json["models"][1]["coarse"], 3'000);
+  EXPECT_EQ(json["models"][0]["coarse"], 0);
+  const std::size_t script = page.find("let it");
+  EXPECT_LT(page.find("\"soms-coarse-1\""), script);
+  EXPECT_LT(page.find("\"soms-model-0\""), script);
+  EXPECT_LT(page.find("\"soms-scene\""), script);
+  EXPECT_GT(page.find("\"soms-model-1\""), script);
 }
 
 TEST(SceneData, R116HoldsEveryRowWhateverItsLimits) {
@@ -252,7 +302,7 @@ TEST(SceneData, R116HoldsEveryRowWhateverItsLimits) {
   EXPECT_EQ(field.shown.rows, kRows);
   EXPECT_EQ(test::scene_of(page)["rows"], kRows);
   EXPECT_EQ(test::words_of(test::element(page, "rows")).size(), kRows * kWordsOfRow);
-  EXPECT_LT(page.size(), 100 * kRows + 10'000);
+  EXPECT_LT(page.size(), 110 * kRows + 10'000);
 }
 
 TEST(SceneData, SharesPairsOfTrianglesFairly) {
@@ -308,9 +358,14 @@ TEST(SceneData, ScalesWhatFloatsCannotHold) {
   field.scene.pose = [](std::uint32_t, std::uint64_t) { return Pose(); };
   const std::string page = field.write();
   EXPECT_LT(test::scene_of(page)["scale"].get<double>(), 0x1p-200);
-  for (const float value : test::floats_of(test::element(page, "pairs"))) {
-    EXPECT_TRUE(std::isfinite(value));
+  const auto pairs = test::pairs_of(page);
+  ASSERT_EQ(pairs.size(), 1U);
+  double size = 0;
+  for (const auto& [x, y, z] : pairs[0].points) {
+    EXPECT_TRUE(std::isfinite(x) && std::isfinite(y) && std::isfinite(z));
+    size = std::max(size, std::abs(x));
   }
+  EXPECT_GT(size, 0.1) << "what floats hold";
 }
 
 TEST(SceneData, TurnsAsThePoseDoes) {
@@ -324,11 +379,11 @@ TEST(SceneData, TurnsAsThePoseDoes) {
     field.scene.contacts.clear();
     const Pose pose = Pose::from_quaternion(w, x, y, z, {1'000'000, 2'000'000, 400});
     field.scene.pose = [&](std::uint32_t body, std::uint64_t) { return body == 0 ? Pose() : pose; };
-    const std::vector<float> q = test::floats_of(test::element(field.write(), "poses"));
-    ASSERT_EQ(q.size(), 7U);
-    const double same = static_cast<double>(q[3]) * x + static_cast<double>(q[4]) * y +
-                        static_cast<double>(q[5]) * z + static_cast<double>(q[6]) * w;
-    EXPECT_NEAR(std::abs(same), 1, 1e-6);
+    const auto poses = test::poses_of(field.write());
+    ASSERT_EQ(poses.size(), 1U);
+    const auto& q = poses[0];
+    const double same = q[3] * x + q[4] * y + q[5] * z + q[6] * w;
+    EXPECT_NEAR(std::abs(same), 1, 2e-5);
   }
 }
 

@@ -84,11 +84,11 @@ for (const [query, found] of [
 
 # Two movers that touch each other and a part of the city; pages whose contacts are not all there.
 WORDS = """
-import { counts, gapWords, notDrawn, rowNoun, shortName, whatIsDrawn } from '%(words)s';
+import { counts, gapWords, notDrawn, rowMost, rowNoun, shortName, whatIsDrawn } from '%(words)s';
 import { Entries, NO, PERHAPS, YES } from '%(entries)s';
 const NONE = 0xffffffff;
-const page = ({ parts = [0, NONE], complete = true, held = [[0], [1]], all = 2, spans = [[3, 9, 7], [3, 9, 3]] }) => ({
-  scene: { complete, models: [], parts: ['lid'], bodies: { names: [], all: 0 }, gaps: { listed: 2, all: 9 },
+const page = ({ parts = [0, NONE], complete = true, held = [[0], [1]], all = 2, noun = '', spans = [[3, 9, 7], [3, 9, 3]] }) => ({
+  scene: { complete, models: [], parts: ['lid'], row: { one: noun, many: noun && `${noun}s` }, bodies: { names: [], all: 0 }, gaps: { listed: 2, all: 9 },
     contacts: { listed: held.flat().length, all, one: 'contact', many: 'contacts' },
     steps: { kept: [0], count: 1, noun: 'frame' } },
   contacts: { begin: (k) => [3, 5][k], end: (k) => [3, 6][k] },
@@ -102,12 +102,18 @@ const check = (found, expected) => {
   }
 };
 check(counts(page({}), 2), 'All 2 pairs of parts or bodies that touch; 2 contacts in all');
+check(counts(page({ noun: 'event' }), 2), 'All 2 events; 2 contacts in all');
+check(counts(page({ noun: 'event', complete: false }), 1), '1 of 2 events and 2 contacts found so far; there may be more');
 check(counts(page({}), 1), '1 of 2 pairs of parts or bodies that touch; 2 contacts in all');
 const cut = page({ complete: false, parts: [0, 0] });
 check(counts(cut, 2), '2 pairs of parts and 2 contacts found so far; there may be more');
 check(whatIsDrawn(cut).includes('all'), false);
 check(counts(page({ complete: false, parts: [] }), 0), 'Nothing found so far.');
 check(counts(page({ parts: [] }), 0), 'Nothing touches.');
+const most = (pairs) => rowMost({ scene: { steps: { noun: 'frame' } }, rows: { mostPairs: () => pairs, mostStep: () => 1234 } }, 0);
+check(most(0), '');
+check(most(1), 'at most 1 pair of triangles, at frame 1,234');
+check(most(4711), 'at most 4,711 pairs of triangles, at frame 1,234');
 check(rowNoun(page({ parts: [NONE] }), 1), '1 pair of bodies');
 check(rowNoun(page({ parts: [0] }), 1), '1 pair of parts');
 check(notDrawn(page({})), '');

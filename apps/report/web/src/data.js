@@ -1,9 +1,11 @@
 // The blocks of data that the page carries, decoded.
 
+import { Packed, unpackLines, unpackMesh, unpackPairs, unpackPoses } from './packed.js';
+
 const NONE = 0xffffffff;
 const WORDS_OF_CONTACT = 28;
-const WORDS_OF_ROW = 17;
-const WORDS_OF_PAIR = 26;
+const WORDS_OF_ROW = 19;
+const WORDS_OF_CURVE = 21;
 const WORDS_OF_GAP = 26;
 
 function takeText(id) {
@@ -19,19 +21,19 @@ function takeBytes(id) {
   for (let k = 0; k < raw.length; ++k) {
     bytes[k] = raw.charCodeAt(k);
   }
-  return bytes.buffer;
+  return bytes;
 }
+
+const takeWords = (id) => takeBytes(id).buffer;
 
 // Contacts, or those of them that the page has room for; names are put together only where somebody looks.
 class Contacts {
   constructor(scene) {
     this.scene = scene;
-    const buffer = takeBytes('contacts');
+    const buffer = takeWords('contacts');
     this.words = new Uint32Array(buffer);
     this.floats = new Float32Array(buffer);
-    const pairs = takeBytes('pairs');
-    this.pairWords = new Uint32Array(pairs);
-    this.pairFloats = new Float32Array(pairs);
+    this.pairs = unpackPairs(takeBytes('pairs'), scene.contacts.pairs, scene.place_step);
     this.count = scene.contacts.listed;
   }
 
@@ -72,24 +74,23 @@ class Contacts {
   triangles(k, side) {
     const found = new Set();
     for (let n = 0; n < this.pairCount(k); ++n) {
-      found.add(this.pairWords[(this.firstPair(k) + n) * WORDS_OF_PAIR + side]);
+      found.add(this.triangleOf(this.firstPair(k) + n, side));
     }
     return [...found];
   }
 
   // Number of the triangle of pair n, counted over all contacts.
-  triangleOf(n, side) { return this.pairWords[n * WORDS_OF_PAIR + side]; }
+  triangleOf(n, side) { return this.pairs.numbers[2 * n + side]; }
 
   // The two ends of the line in which the triangles of pair n cross.
   crossing(n) {
-    const at = n * WORDS_OF_PAIR + 20;
-    return this.pairFloats.subarray(at, at + 6);
+    return this.pairs.points.subarray(24 * n, 24 * n + 6);
   }
 
   // The nine coordinates of a triangle of pair n, counted over all contacts.
   corners(n, side) {
-    const at = n * WORDS_OF_PAIR + 2 + 9 * side;
-    return this.pairFloats.subarray(at, at + 9);
+    const at = 24 * n + 6 + 9 * side;
+    return this.pairs.points.subarray(at, at + 9);
   }
 }
 
@@ -97,7 +98,7 @@ class Contacts {
 class Rows {
   constructor(scene, contacts) {
     this.scene = scene;
-    const buffer = takeBytes('rows');
+    const buffer = takeWords('rows');
     this.words = new Uint32Array(buffer);
     this.floats = new Float32Array(buffer);
     this.count = scene.rows;
@@ -145,18 +146,59 @@ class Rows {
     return number === NONE ? undefined : number;
   }
 
-  center(r) { return this.slice(r, 11, 3); }
+  // The most pairs of triangles that touch at a step, and the first such step; 0 where nobody counted.
+  mostPairs(r) { return this.word(r, 11); }
 
-  half(r) { return this.slice(r, 14, 3); }
+  mostStep(r) { return this.word(r, 12); }
+
+  // The step at which a row is shown.
+  moment(r) { return this.mostPairs(r) > 0 ? this.mostStep(r) : this.begin(r); }
+
+  center(r) { return this.slice(r, 13, 3); }
+
+  half(r) { return this.slice(r, 16, 3); }
 
   // Numbers of the contacts that the page holds, in order of time.
   contacts(r) { return this.members.subarray(this.starts[r], this.starts[r + 1]); }
 }
 
+// Where the two of a row cross at its step of most pairs: lines, and all that is to be known to draw
+// them. Not every row has one.
+class Curves {
+  constructor() {
+    const buffer = takeWords('curves');
+    this.words = new Uint32Array(buffer);
+    this.floats = new Float32Array(buffer);
+    this.count = this.words.length / WORDS_OF_CURVE;
+    this.ofRow = new Map();
+    this.lines = [];
+    const packed = new Packed(takeBytes('lines'));
+    for (let c = 0; c < this.count; ++c) {
+      this.ofRow.set(this.row(c), c);
+      this.lines.push(unpackLines(packed, this.word(c, 1), this.place(c), this.slice(c, 6, 1)[0]));
+    }
+  }
+
+  word(c, column) { return this.words[c * WORDS_OF_CURVE + column]; }
+
+  slice(c, column, count) {
+    const at = c * WORDS_OF_CURVE + column;
+    return this.floats.subarray(at, at + count);
+  }
+
+  row(c) { return this.word(c, 0); }
+
+  place(c) { return this.slice(c, 2, 3); }
+
+  reach(c) { return this.slice(c, 5, 1)[0]; }
+
+  pose(c, side) { return this.slice(c, 7 + 7 * side, 7); }
+}
+
 // Shortest segments between two bodies that are near each other, each at the step where it is least.
 class Gaps {
   constructor(scene) {
-    const buffer = takeBytes('gaps');
+    const buffer = takeWords('gaps');
     this.words = new Uint32Array(buffer);
     this.floats = new Float32Array(buffer);
     this.lengths = scene.gaps.lengths;
@@ -192,17 +234,27 @@ class Gaps {
   pose(g, side) { return this.slice(g, 12 + 7 * side, 7); }
 }
 
+const takeMesh = (id, triangles, step) => unpackMesh(takeBytes(id), triangles, step);
+
+// The whole of a model that had a coarse stand-in. Its block is behind the script.
+export function loadModel({ scene }, k) {
+  const { drawn, step } = scene.models[k];
+  return takeMesh(`model-${k}`, drawn, step);
+}
+
+// All that a first picture needs.
 export function load() {
   const scene = JSON.parse(takeText('scene'));
   scene.size = 2 * Math.hypot(...scene.half) || 1;
   scene.models.forEach((model, k) => {
-    const buffer = takeBytes(`model-${k}`);
-    model.positions = new Float32Array(buffer, 0, 3 * model.vertices);
-    model.indices = new Uint32Array(buffer, 12 * model.vertices);
+    const { coarse, drawn, step } = model;
+    model.mesh = coarse > 0 ? takeMesh(`coarse-${k}`, coarse, step) : takeMesh(`model-${k}`, drawn, step);
   });
-  scene.still = new Float32Array(takeBytes('still'));
-  scene.poses = new Float32Array(takeBytes('poses'));
+  scene.still = new Float32Array(takeWords('still'));
   scene.moving = scene.bodies.moves.reduce((sum, moves) => sum + moves, 0);
+  scene.poses = unpackPoses(takeBytes('poses'), scene.moving, scene.steps.kept.length, scene.place_step, scene.turns);
   const contacts = new Contacts(scene);
-  return { scene, contacts, rows: new Rows(scene, contacts), gaps: new Gaps(scene) };
+  return {
+    scene, contacts, rows: new Rows(scene, contacts), curves: new Curves(), gaps: new Gaps(scene),
+  };
 }

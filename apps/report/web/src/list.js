@@ -2,7 +2,7 @@
 // and drawn only where it is seen, so that 100,000 rows are as quick as ten.
 import { CONTACT, Entries, MISSING, NO, PERHAPS, ROW, YES } from './entries.js';
 import {
-  counted, counts, missing, number, place, rowPaths, rowPlace, rowTitle, rowWhen, shortRowTitle, title, triangles, when,
+  counted, counts, missing, number, place, rowMost, rowPaths, rowPlace, rowTitle, rowWhen, shortRowTitle, title, triangles, when,
 } from './words.js';
 
 const HEIGHT = 92; // pixels of a line, as in the page's style
@@ -149,7 +149,7 @@ export class List {
       parts[0] += ` (${number(left)} not drawn)`;
     }
     const now = touching === PERHAPS ? 'perhaps now' : ''; // of the contacts that are not on the page
-    add('span', 'what', [...parts, now, rowWhen(this.all, r), rowPlace(this.all, r)].filter(Boolean).join('; '));
+    add('span', 'what', [rowWhen(this.all, r), ...parts, now, rowMost(this.all, r), rowPlace(this.all, r)].filter(Boolean).join('; '));
     if (scene.steps.count > 1) {
       const bar = document.createElement('i');
       bar.style.left = `${100 * rows.begin(r) / scene.steps.count}%`;

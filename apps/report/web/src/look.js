@@ -2,17 +2,20 @@
 // as those of the window, pictures, maps and plots do.
 import * as THREE from 'three';
 
-const NAMES = { paper: 'sky-low', still: 'body-b', moves: 'body-a', touch: 'contact', was: 'contact-past', chosen: 'line', line: 'ink', frame: 'ink' };
+const NAMES = { halo: 'paper', paper: 'sky-low', still: 'body-b', moves: 'body-a', touch: 'contact', was: 'contact-past', line: 'ink', frame: 'ink' };
 const LIGHT = { sky: 2.1, sun: 1.9 };
 const DARK = { sky: 1.6, sun: 1.5 };
 
 const scheme = matchMedia('(prefers-color-scheme: dark)');
 
-export function colors() {
-  const style = getComputedStyle(document.documentElement);
+// The first rule of the page's style has the colors of paper, the next ones of dark screens.
+const onPaper = () => document.styleSheets[0].cssRules[0].style;
+
+export function colors(paper = false) {
+  const style = paper ? onPaper() : getComputedStyle(document.documentElement);
   const named = Object.entries(NAMES).map(
     ([use, name]) => [use, new THREE.Color(style.getPropertyValue(`--${name}`).trim())]);
-  return { ...Object.fromEntries(named), ...(scheme.matches ? DARK : LIGHT) };
+  return { ...Object.fromEntries(named), ...(scheme.matches && !paper ? DARK : LIGHT) };
 }
 
 export function whenSchemeChanges(act) {

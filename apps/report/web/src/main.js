@@ -1,10 +1,11 @@
 // Brings the page to life: the view, the list of contacts, and time.
-import { load } from './data.js';
+import { load, loadModel } from './data.js';
 import { List } from './list.js';
+import { addPrinting } from './print.js';
 import { Time } from './time.js';
 import { View } from './view.js';
 import {
-  bodyName, counted, gapWords, missing, moment, notDrawn, place, rowPlace, rowTitle, rowWhen, title, triangles, whatIsDrawn, when,
+  bodyName, counted, gapWords, missing, moment, notDrawn, place, rowMost, rowPlace, rowTitle, rowWhen, title, triangles, whatIsDrawn, when,
 } from './words.js';
 
 const byId = (id) => document.getElementById(id);
@@ -102,7 +103,7 @@ function addGapLinks(chooseGap) {
 // What is said of the row or contact that is chosen.
 function wordsOf(all, r, k) {
   return (k >= 0 ? [title(all, k), when(all, k), triangles(all, k), place(all, k)]
-    : [rowTitle(all, r), counted(all, all.rows.total(r)), rowWhen(all, r), rowPlace(all, r), missing(all, r)])
+    : [rowTitle(all, r), rowWhen(all, r), counted(all, all.rows.total(r)), rowMost(all, r), rowPlace(all, r), missing(all, r)])
     .filter(Boolean).join('; ');
 }
 
@@ -133,6 +134,28 @@ function nameColors({ scene, contacts, gaps }) {
   }
 }
 
+// Whole models take the place of coarse ones, one after the other, when nothing else is to be done.
+function loadRest(all, view) {
+  const idle = (act) => (window.requestIdleCallback ?? setTimeout)(act, { timeout: 1000 });
+  const waiting = [...all.scene.models.keys()].filter((k) => all.scene.models[k].coarse > 0);
+  const next = () => {
+    if (waiting.length > 0 && view) {
+      const k = waiting.shift();
+      view.setModel(k, loadModel(all, k));
+      idle(next);
+    } else {
+      window.soms.isWhole = true;
+    }
+  };
+  const begin = () => idle(next);
+  const parsed = () => (document.readyState === 'loading' ? document.addEventListener('DOMContentLoaded', begin) : begin());
+  if (view) {
+    view.onFirst = parsed;
+  } else {
+    setTimeout(parsed);
+  }
+}
+
 function start() {
   const all = load();
   byId('look').hidden = false;
@@ -147,7 +170,7 @@ function start() {
     byId('moment').textContent = moment(all, step);
   });
   const choose = (r, k) => {
-    const begin = k >= 0 ? all.contacts.begin(k) : all.rows.begin(r);
+    const begin = k >= 0 ? all.contacts.begin(k) : all.rows.moment(r);
     time.stop();
     time.show(begin);
     list.setStep(begin);
@@ -179,8 +202,10 @@ function start() {
     addKeys(view, time, list);
     addPicking(view, choose, chooseGap);
   }
+  addPrinting(all, view, list);
   time.go(0);
   linked(all, choose, chooseGap)?.();
+  loadRest(all, view);
   // For scripts that look at the page, our tests among them.
   window.soms = {
     rows: all.rows.count,
@@ -198,7 +223,10 @@ function start() {
     step: () => time.step,
     flying: () => Boolean(view?.flight),
     focus: (k) => [...all.contacts.focus(k)],
-    center: (r) => [...all.rows.center(r)],
+    center: (r) => [...(view?.sightOf(r).place ?? all.rows.center(r))],
+    most: (r) => all.rows.mostPairs(r),
+    isWhole: false,
+    firstPicture: () => view?.firstPicture, // triangles drawn, and milliseconds after the page was opened
     middle: (g) => all.gaps.middle(g),
     calls: () => view?.renderer.info.render.calls,
   };

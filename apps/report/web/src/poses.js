@@ -48,5 +48,6 @@ export class Poses {
       place.lerp(this.later.fromArray(this.scene.poses, next), share);
       turn.slerp(this.laterTurn.fromArray(this.scene.poses, next + 3), share);
     }
+    turn.normalize();
   }
 }

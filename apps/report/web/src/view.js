@@ -1,37 +1,19 @@
 // The scene in three dimensions. Drawn when something changed, and only then.
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { Bodies } from './bodies.js';
+import { Curve, joined, trianglesOf } from './curves.js';
 import { GapLines } from './gaps.js';
 import { calm, colors, whenSchemeChanges } from './look.js';
-import { Poses } from './poses.js';
 
 const FLIGHT = 700; // milliseconds
 const AROUND = 4; // distance of the eye, in reaches of a contact
 const NEAR_POINTER = 14; // pixels
 const ALWAYS_SEEN = 10; // drawing order of what no wall may hide
-
-function geometryOf(model) {
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute('position', new THREE.BufferAttribute(model.positions, 3));
-  geometry.setIndex(new THREE.BufferAttribute(model.indices, 1));
-  return geometry;
-}
-
-function trianglesOf(corners) {
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute('position', new THREE.BufferAttribute(corners, 3));
-  return geometry;
-}
-
-function joined(arrays) {
-  const all = new Float32Array(arrays.reduce((sum, a) => sum + a.length, 0));
-  let at = 0;
-  for (const array of arrays) {
-    all.set(array, at);
-    at += array.length;
-  }
-  return all;
-}
+const SLOW = 90; // milliseconds of a whole picture from which motion is drawn coarsely
+const STILL = 250; // milliseconds without motion
+const CURVE_SEEN = 6; // pixels: smaller curves are spots
+const MOST_CURVES = 300; // drawn at a time, beside the chosen one
 
 // Edges of triangles given by nine numbers each.
 function edgesOf(corners) {
@@ -62,21 +44,24 @@ export class View {
     this.step = 0;
     this.exact = null; // a step, and the poses of two bodies at it: those of what is chosen
     this.chosenBodies = [];
+    this.shownRow = -1;
+    this.movedAt = -Infinity;
+    this.slow = false; // until a whole picture was
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.world = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(45, 1, 0.1, 1000);
     this.camera.up.set(0, all.scene.up === 'y' ? 1 : 0, all.scene.up === 'y' ? 0 : 1);
     this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.addEventListener('change', () => this.draw());
+    this.controls.addEventListener('change', () => this.drawMotion());
     this.controls.addEventListener('start', () => { this.flight = null; });
     this.controls.enableZoom = false; // until the reader means the picture, not the page
     canvas.addEventListener('pointerdown', () => canvas.focus({ preventScroll: true }), true);
     canvas.addEventListener('focus', () => { this.controls.enableZoom = true; });
     canvas.addEventListener('blur', () => { this.controls.enableZoom = false; });
     this.addLights();
-    this.addBodies();
-    this.addTouched();
+    this.bodies = new Bodies(this.world, all.scene);
+    this.addCurves();
     this.addSpots();
     this.addChosen();
     this.gapLines = new GapLines(all);
@@ -98,86 +83,38 @@ export class View {
     this.world.add(this.sky, this.sun);
   }
 
-  addBodies() {
+  addCurves() {
     const { scene } = this.all;
-    this.geometries = scene.models.map(geometryOf);
-    const material = () => new THREE.MeshLambertMaterial({ flatShading: true, side: THREE.DoubleSide });
-    this.stillMaterial = material();
-    this.movingMaterial = material();
-    this.stillMeshes = [];
-    this.poses = new Poses(scene);
-    this.slots = []; // of each body: the instances that hold it, and its place there
-    const counts = scene.models.map(() => 0);
-    scene.bodies.model.forEach((model, body) => {
-      if (scene.bodies.moves[body]) {
-        this.slots[body] = { model, at: counts[model]++ };
-      } else {
-        const mesh = new THREE.Mesh(this.geometries[model], this.stillMaterial);
-        this.poses.still(body, mesh.position, mesh.quaternion);
-        mesh.userData.body = body;
-        this.stillMeshes.push(mesh);
-        this.world.add(mesh);
-      }
-    });
-    this.instances = counts.map((count, model) => {
-      if (count === 0) {
-        return null;
-      }
-      const mesh = new THREE.InstancedMesh(this.geometries[model], this.movingMaterial, count);
-      mesh.frustumCulled = false;
-      this.world.add(mesh);
-      return mesh;
-    });
-  }
-
-  // The triangles of contacts, on the bodies that stand still: sharp at this step, faint at others.
-  // Where there is one step alone they would cover both bodies: the lines in which they cross are drawn.
-  addTouched() {
-    const { scene, contacts } = this.all;
-    const corners = [];
-    this.touchedContact = [];
-    const oneStep = scene.steps.count < 2;
-    for (let k = 0; k < contacts.count && !oneStep; ++k) {
-      const sides = [0, 1].filter((side) => !scene.bodies.moves[side === 0 ? contacts.a(k) : contacts.b(k)]);
-      for (let n = 0; n < contacts.pairCount(k); ++n) {
-        for (const side of sides) {
-          corners.push(contacts.corners(contacts.firstPair(k) + n, side));
-          this.touchedContact.push(k);
-        }
-      }
-    }
-    const geometry = trianglesOf(joined(corners));
-    this.touchedColors = new THREE.BufferAttribute(new Float32Array(9 * corners.length), 3);
-    geometry.setAttribute('color', this.touchedColors);
-    const material = new THREE.MeshBasicMaterial({
-      vertexColors: true, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -4,
-    });
-    this.touched = new THREE.Mesh(geometry, material);
-    this.touched.frustumCulled = false;
-    this.world.add(this.touched);
+    this.past = new Curve(this.world, 2, 2, false);
+    this.now = new Curve(this.world, 3.5, 4, false);
+    this.chosenCurve = new Curve(this.world, 4, ALWAYS_SEEN + 5, true);
+    this.shownCurves = '';
+    // Where there is one step alone, all that the page holds of where the two cross.
     const lines = [];
-    for (let n = 0; n < scene.contacts.pairs && oneStep; ++n) {
-      lines.push(contacts.crossing(n));
+    for (let n = 0; n < scene.contacts.pairs && scene.steps.count < 2; ++n) {
+      lines.push(this.all.contacts.crossing(n));
     }
-    this.crossings = new THREE.LineSegments(trianglesOf(joined(lines)), new THREE.LineBasicMaterial({ depthTest: false, transparent: true }));
-    this.crossings.frustumCulled = false;
-    this.crossings.renderOrder = ALWAYS_SEEN + 5;
-    this.world.add(this.crossings);
+    this.crossings = new Curve(this.world, 3, ALWAYS_SEEN + 3, true);
+    this.crossings.show(joined(lines), scene.size);
   }
 
-  // Where there is no time a spot a row; else one a contact, and one for each row without any.
+  // A spot a row: on its curve, or in the middle of what is known of it. Contacts at poses that have no
+  // curves are at another place in each: a spot each.
   makeSpots() {
-    const { scene, contacts, rows } = this.all;
+    const { rows, contacts, curves, scene } = this.all;
     const spots = [];
-    const oneStep = scene.steps.count < 2;
-    for (let k = 0; k < contacts.count && !oneStep; ++k) {
+    const each = curves.count === 0 && scene.steps.count > 1;
+    for (let k = 0; k < contacts.count && each; ++k) {
       spots.push({
         place: contacts.focus(k), row: contacts.row(k), contact: k, begin: contacts.begin(k), end: contacts.end(k),
       });
     }
     for (let r = 0; r < rows.count; ++r) {
-      if (oneStep || rows.contacts(r).length === 0) {
-        spots.push({ place: rows.center(r), row: r, contact: -1, begin: rows.begin(r), end: rows.end(r) });
+      const curve = curves.ofRow.get(r);
+      if (!each || rows.contacts(r).length === 0) {
+        spots.push({
+          place: curve === undefined ? rows.center(r) : curves.place(curve), row: r, contact: -1, curve, begin: rows.begin(r), end: rows.end(r),
+        });
       }
     }
     return spots;
@@ -189,17 +126,25 @@ export class View {
     this.spotsAt.forEach(({ place }, n) => places.set(place, 3 * n));
     const geometry = trianglesOf(places);
     this.spotColors = new THREE.BufferAttribute(new Float32Array(4 * this.spotsAt.length), 4);
-    geometry.setAttribute('color', this.spotColors);
-    this.spots = new THREE.Points(geometry, new THREE.PointsMaterial({
-      size: (this.spotsAt.length > 500 ? 5 : 8) * this.renderer.getPixelRatio(), sizeAttenuation: false, vertexColors: true, transparent: true, depthTest: false, map: roundSpot(), alphaTest: 0.05,
-    }));
-    this.spots.frustumCulled = false;
-    this.spots.renderOrder = ALWAYS_SEEN;
-    this.world.add(this.spots);
+    this.haloColors = new THREE.BufferAttribute(new Float32Array(4 * this.spotsAt.length), 4);
+    const size = this.spotsAt.length > 2000 ? 6 : 9;
+    const layer = (colors, pixels, order) => {
+      const points = new THREE.Points(new THREE.BufferGeometry(), new THREE.PointsMaterial({
+        size: pixels * this.renderer.getPixelRatio(), sizeAttenuation: false, vertexColors: true, transparent: true, depthTest: false, map: roundSpot(), alphaTest: 0.05,
+      }));
+      points.geometry.setAttribute('position', geometry.getAttribute('position'));
+      points.geometry.setAttribute('color', colors);
+      points.frustumCulled = false;
+      points.renderOrder = order;
+      this.world.add(points);
+      return points;
+    };
+    layer(this.haloColors, size + 4, ALWAYS_SEEN);
+    layer(this.spotColors, size, ALWAYS_SEEN + 1);
   }
 
   addChosen() {
-    const fill = () => new THREE.MeshBasicMaterial({ side: THREE.DoubleSide, transparent: true, opacity: 0.75, depthTest: false });
+    const fill = () => new THREE.MeshBasicMaterial({ side: THREE.DoubleSide, transparent: true, opacity: 0.3, depthTest: false });
     const line = (opacity) => new THREE.LineBasicMaterial({ depthTest: false, transparent: true, opacity });
     this.chosenParts = [0, 1].map(() => ({
       mesh: new THREE.Mesh(new THREE.BufferGeometry(), fill()),
@@ -218,17 +163,18 @@ export class View {
     this.world.add(this.box);
   }
 
-  paint() {
-    this.colors = colors();
+  paint(paper = false) {
+    this.colors = colors(paper);
     this.world.background = this.colors.paper;
     this.sky.intensity = this.colors.sky;
     this.sun.intensity = this.colors.sun;
-    this.stillMaterial.color.copy(this.colors.still);
+    this.bodies.stillMaterial.color.copy(this.colors.still);
     this.chosenParts[0].mesh.material.color.copy(this.colors.moves);
     this.chosenParts[1].mesh.material.color.copy(this.colors.still);
     this.chosenParts.forEach(({ edges }) => edges.material.color.copy(this.colors.line));
     this.box.material.color.copy(this.colors.frame);
-    this.crossings.material.color.copy(this.colors.touch);
+    this.past.paint(this.colors.was, this.colors.halo);
+    [this.now, this.chosenCurve, this.crossings].forEach((curve) => curve.paint(this.colors.touch, this.colors.halo));
   }
 
   fit() {
@@ -245,90 +191,99 @@ export class View {
   setStep(step) {
     this.step = step;
     this.gapLines.step = Math.floor(step);
-    const { contacts } = this.all;
-    const touching = new Set();
-    const now = Math.floor(step);
-    for (let k = 0; k < contacts.count; ++k) {
-      const active = contacts.begin(k) <= now && now <= contacts.end(k);
-      if (active) {
-        touching.add(contacts.a(k)).add(contacts.b(k));
-      }
-    }
-    this.spotsAt.forEach(({ begin, end }, n) => {
-      const active = begin <= now && now <= end;
-      const color = active ? this.colors.touch : this.colors.was;
-      this.spotColors.setXYZW(n, color.r, color.g, color.b, active ? 1 : 0.35);
-    });
-    this.touchedContact.forEach((k, n) => {
-      const active = contacts.begin(k) <= now && now <= contacts.end(k);
-      const color = active ? this.colors.touch : this.colors.was;
-      for (let corner = 0; corner < 3; ++corner) {
-        this.touchedColors.setXYZ(3 * n + corner, color.r, color.g, color.b);
-      }
-    });
-    this.touchedColors.needsUpdate = this.spotColors.needsUpdate = true;
-    this.placeBodies(step, touching);
+    const exact = this.exact?.step === step ? this.exact : null;
+    this.bodies.place(step, exact, (body) => this.colorOf(body));
     this.draw();
   }
 
-  placeBodies(step, touching) {
-    const place = new THREE.Vector3();
-    const turn = new THREE.Quaternion();
-    const size = new THREE.Vector3(1, 1, 1);
-    const matrix = new THREE.Matrix4();
-    const exact = this.exact?.step === step ? this.exact : null;
-    this.slots.forEach((slot, body) => {
-      const side = exact ? exact.bodies.indexOf(body) : -1;
-      if (side >= 0) {
-        const pose = exact.poses[side];
-        place.fromArray(pose, 0);
-        turn.fromArray(pose, 3);
-      } else {
-        this.poses.at(body, step, place, turn);
+  isNow({ begin, end }) {
+    const now = Math.floor(this.step);
+    return begin <= now && now <= end;
+  }
+
+  // Large curves are drawn, of the others spots.
+  markContacts() {
+    const { curves, scene } = this.all;
+    const pixels = this.canvas.clientHeight / (2 * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2)));
+    const at = new THREE.Vector3();
+    const near = [];
+    this.spotsAt.forEach((spot, n) => {
+      const { curve, place, row } = spot;
+      const distance = at.fromArray(place).distanceTo(this.camera.position);
+      const large = curve !== undefined && this.all.rows.half(row).reduce((sum, half) => Math.max(sum, half), 0) * 2 * pixels > CURVE_SEEN * distance;
+      if (large) {
+        near.push({ spot, distance });
       }
-      const mesh = this.instances[slot.model];
-      mesh.setMatrixAt(slot.at, matrix.compose(place, turn, size));
-      mesh.setColorAt(slot.at, this.colorOf(body, touching));
+      const active = this.isNow(spot);
+      const color = active ? this.colors.touch : this.colors.was;
+      const hidden = row === this.shownRow;
+      this.spotColors.setXYZW(n, color.r, color.g, color.b, hidden || large ? 0 : active ? 1 : 0.6);
+      this.haloColors.setXYZW(n, this.colors.halo.r, this.colors.halo.g, this.colors.halo.b, hidden || large ? 0 : active ? 1 : 0.6);
     });
-    for (const mesh of this.instances) {
-      if (mesh) {
-        mesh.instanceMatrix.needsUpdate = mesh.instanceColor.needsUpdate = true;
+    this.spotColors.needsUpdate = this.haloColors.needsUpdate = true;
+    const drawn = near.sort((a, b) => a.distance - b.distance).slice(0, MOST_CURVES).map(({ spot }) => spot)
+      .filter(({ row }) => row !== this.shownRow);
+    if (curves.count === 0) {
+      this.showCrossings();
+      return;
+    }
+    const key = drawn.map((spot) => `${spot.curve}${this.isNow(spot) ? '!' : ''}`).join();
+    if (key !== this.shownCurves) {
+      this.shownCurves = key;
+      const linesOf = (some) => joined(some.map(({ curve }) => curves.lines[curve]));
+      this.now.show(linesOf(drawn.filter((spot) => this.isNow(spot))), scene.size);
+      this.past.show(linesOf(drawn.filter((spot) => !this.isNow(spot))), scene.size);
+    }
+  }
+
+  // Without curves: where the triangles of contacts cross that are known at this step.
+  showCrossings() {
+    const { contacts, scene } = this.all;
+    if (scene.steps.count < 2 || this.shownCurves === String(Math.floor(this.step))) {
+      return;
+    }
+    this.shownCurves = String(Math.floor(this.step));
+    const lines = [];
+    for (let k = 0; k < contacts.count; ++k) {
+      for (let n = 0; n < contacts.pairCount(k) && this.isNow({ begin: contacts.begin(k), end: contacts.end(k) }); ++n) {
+        lines.push(contacts.crossing(contacts.firstPair(k) + n));
       }
     }
+    this.now.show(joined(lines), scene.size);
   }
 
-  // What is chosen steps back, so that its triangles stand out.
-  colorOf(body, touching) {
-    if (this.chosenBodies.includes(body)) {
-      return this.colors.chosen;
-    }
-    return touching.has(body) && this.all.scene.steps.count > 1 ? this.colors.touch : this.colors.moves;
+  // Two movers that are chosen are told apart by the colors of A and B.
+  colorOf(body) {
+    return body === this.chosenBodies[1] ? this.colors.still : this.colors.moves;
   }
 
-  // Lights up the triangles of contact k, or of those of row r that begin with it, and flies there.
-  choose(r, k) {
-    const { contacts, rows } = this.all;
+  // Shows contact k, or row r: the curve of its step of most pairs, or what is known of its first.
+  // Says where to look, and how much around it is worth seeing.
+  showRow(r, k) {
+    const { contacts, rows, curves } = this.all;
+    const curve = k < 0 ? curves.ofRow.get(r) : undefined;
     const members = k >= 0 ? [k]
       : [...rows.contacts(r)].filter((member) => contacts.begin(member) === rows.begin(r));
     this.chosenBodies = [rows.a(r), rows.b(r)];
-    const first = members[0];
-    this.exact = first === undefined ? null : {
-      step: contacts.begin(first), bodies: [contacts.a(first), contacts.b(first)], poses: [0, 1].map((side) => contacts.pose(first, side)),
-    };
+    this.shownRow = r;
     this.gapLines.chosen = -1;
+    const first = members[0];
+    if (curve !== undefined) {
+      this.exact = { step: rows.mostStep(r), bodies: this.chosenBodies, poses: [0, 1].map((side) => curves.pose(curve, side)) };
+    } else {
+      this.exact = first === undefined ? null : {
+        step: contacts.begin(first), bodies: [contacts.a(first), contacts.b(first)], poses: [0, 1].map((side) => contacts.pose(first, side)),
+      };
+    }
+    const pairs = curve === undefined ? members.flatMap((member) => Array.from(
+      { length: contacts.pairCount(member) }, (_, n) => contacts.firstPair(member) + n)) : [];
+    this.chosenCurve.show(curve === undefined ? joined(pairs.map((n) => contacts.crossing(n))) : curves.lines[curve], this.all.scene.size);
     this.chosenParts.forEach(({ mesh, edges }, side) => {
-      const corners = [];
-      const seen = new Set();
-      for (const member of members) {
-        for (let n = contacts.firstPair(member); n < contacts.firstPair(member) + contacts.pairCount(member); ++n) {
-          const triangle = contacts.triangleOf(n, side);
-          if (!seen.has(triangle)) {
-            seen.add(triangle);
-            corners.push(contacts.corners(n, side));
-          }
-        }
+      const seen = new Map();
+      for (const n of pairs) {
+        seen.set(contacts.triangleOf(n, side), contacts.corners(n, side));
       }
-      const all = joined(corners);
+      const all = joined([...seen.values()]);
       mesh.geometry.dispose();
       edges.geometry.dispose();
       mesh.geometry = trianglesOf(all);
@@ -336,28 +291,80 @@ export class View {
       mesh.visible = all.length > 0;
       edges.visible = mesh.visible && k >= 0; // of many triangles they would hide all else
     });
-    this.frameRow(r, k < 0);
-    this.setStep(k >= 0 ? contacts.begin(k) : rows.begin(r));
-    this.flyTo(k >= 0 ? contacts.focus(k) : rows.center(r), k >= 0 ? contacts.reach(k) : this.reachOf(r));
+    this.frameRow(r, k < 0 && curve === undefined);
+    this.setStep(k >= 0 ? contacts.begin(k) : rows.moment(r));
+    return k >= 0 ? { place: contacts.focus(k), reach: contacts.reach(k) } : this.sightOf(r);
+  }
+
+  sightOf(r) {
+    const { curves, rows } = this.all;
+    const curve = curves.ofRow.get(r);
+    return curve === undefined ? { place: rows.center(r), reach: this.reachOf(r) }
+      : { place: curves.place(curve), reach: curves.reach(curve) };
+  }
+
+  choose(r, k) {
+    const { place, reach } = this.showRow(r, k);
+    this.flyTo(place, reach);
+  }
+
+  // A picture of a row for paper, on a canvas of its own; the view stays as it is.
+  pictureOf(r, width, height) {
+    const kept = {
+      eye: this.camera.position.clone(), target: this.controls.target.clone(), step: this.step, exact: this.exact, row: this.shownRow, bodies: this.chosenBodies,
+    };
+    const ratio = this.renderer.getPixelRatio();
+    this.flight = null;
+    this.paint(true);
+    this.renderer.setPixelRatio(1);
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    const { place, reach } = this.showRow(r, -1);
+    this.flyTo(place, reach, undefined, false);
+    this.bodies.setCoarse(false);
+    this.render();
+    const picture = document.createElement('canvas');
+    [picture.width, picture.height] = [width, height];
+    picture.getContext('2d').drawImage(this.canvas, 0, 0, width, height);
+    this.paint();
+    this.renderer.setPixelRatio(ratio);
+    if (kept.row >= 0) {
+      this.showRow(kept.row, -1);
+    } else {
+      this.clearChosen();
+    }
+    this.exact = kept.exact;
+    this.chosenBodies = kept.bodies;
+    this.setStep(kept.step);
+    this.fly(kept.target, kept.eye, false);
+    this.fit();
+    return picture;
+  }
+
+  // Nothing of the list is chosen.
+  clearChosen() {
+    this.chosenBodies = [];
+    this.shownRow = -1;
+    this.box.visible = false;
+    this.chosenParts.forEach(({ mesh, edges }) => { mesh.visible = edges.visible = false; });
+    this.chosenCurve.show(new Float32Array(0), this.all.scene.size);
   }
 
   // Shows gap g and flies there.
   chooseGap(g) {
     const { gaps } = this.all;
-    this.chosenBodies = [];
+    this.clearChosen();
     this.exact = { step: gaps.nearest(g), bodies: [gaps.a(g), gaps.b(g)], poses: [0, 1].map((side) => gaps.pose(g, side)) };
     this.gapLines.chosen = g;
-    this.box.visible = false;
-    this.chosenParts.forEach(({ mesh, edges }) => { mesh.visible = edges.visible = false; });
     this.setStep(gaps.nearest(g));
     const [a, b] = [0, 1].map((side) => new THREE.Vector3().fromArray(gaps.point(g, side)));
     this.flyTo(gaps.middle(g), gaps.reach(g), b.sub(a));
   }
 
-  flyTo(place, reach, along) {
+  flyTo(place, reach, along, soft = true) {
     const target = new THREE.Vector3().fromArray(place);
     const distance = Math.max(AROUND * this.narrow() * reach, 1e-5 * this.all.scene.size);
-    this.fly(target, target.clone().addScaledVector(this.clearDirection(target, distance, along), distance));
+    this.fly(target, target.clone().addScaledVector(this.clearDirection(target, distance, along), distance), soft);
   }
 
   // How much around the place of a row is worth seeing: more than its box, less than the scene.
@@ -395,7 +402,7 @@ export class View {
     const clear = candidates.find((direction) => {
       ray.set(target.clone().addScaledVector(direction, distance), direction.clone().negate());
       ray.far = 0.98 * distance;
-      return ray.intersectObjects(this.stillMeshes, false).length === 0;
+      return ray.intersectObjects(this.bodies.stillMeshes, false).length === 0;
     });
     return clear ?? candidates[4];
   }
@@ -510,6 +517,20 @@ export class View {
     return this.gapLines.at(x, y, this.camera, this.canvas.clientWidth, this.canvas.clientHeight);
   }
 
+  // The whole of a model that was coarse so far.
+  setModel(k, mesh) {
+    this.bodies.setModel(k, mesh);
+    this.draw();
+  }
+
+  // The camera moves: whole models wait until it is still, where they would hold it up.
+  drawMotion() {
+    this.movedAt = performance.now();
+    clearTimeout(this.whenStill);
+    this.whenStill = setTimeout(() => this.draw(), STILL);
+    this.draw();
+  }
+
   // Asks for one picture; many wishes before it are one.
   draw() {
     if (this.asked) {
@@ -521,15 +542,42 @@ export class View {
       if (this.flight) {
         this.followFlight();
       }
-      const distance = this.camera.position.distanceTo(this.controls.target);
-      this.camera.near = Math.max(0.02 * distance, 1e-6 * this.all.scene.size);
-      this.camera.far = distance + 3 * this.all.scene.size;
-      this.camera.updateProjectionMatrix();
-      this.renderer.render(this.world, this.camera);
+      const moves = Boolean(this.flight) || performance.now() - this.movedAt < 0.9 * STILL;
+      const changed = this.bodies.setCoarse(this.slow && moves);
+      this.render();
+      this.measure(changed && !moves);
       this.gapLines.draw(this.camera, this.canvas.clientWidth, this.canvas.clientHeight);
       if (this.flight) {
-        this.draw();
+        this.drawMotion();
       }
     });
+  }
+
+  render() {
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    this.camera.near = Math.max(0.02 * distance, 1e-6 * this.all.scene.size);
+    this.camera.far = distance + 3 * this.all.scene.size;
+    this.camera.updateProjectionMatrix();
+    this.bodies.sort(this.camera, this.canvas.clientHeight || 1);
+    this.markContacts();
+    this.renderer.render(this.world, this.camera);
+  }
+
+  // The first picture, when it is seen, and how long the first whole one takes.
+  measure(whole) {
+    const since = performance.now();
+    const first = this.firstPicture === undefined;
+    if (first) {
+      this.firstPicture = { triangles: this.renderer.info.render.triangles };
+    }
+    if (first || (whole && !this.slow)) {
+      requestAnimationFrame(() => requestAnimationFrame((now) => {
+        this.slow ||= whole && now - since > SLOW;
+        if (first) {
+          this.firstPicture.at = now;
+          this.onFirst?.();
+        }
+      }));
+    }
   }
 }

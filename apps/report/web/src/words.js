@@ -94,7 +94,17 @@ function point(scene, at) {
 
 export const place = ({ scene, contacts }, k) => `at ${point(scene, contacts.focus(k))}`;
 
-export const rowPlace = ({ scene, rows }, r) => `around ${point(scene, rows.center(r))}`;
+// "at (1, 2, 3)", where the two share a point; else around where they touch.
+export function rowPlace({ scene, rows, curves }, r) {
+  const curve = curves.ofRow.get(r);
+  return curve === undefined ? `around ${point(scene, rows.center(r))}` : `at ${point(scene, curves.place(curve))}`;
+}
+
+// "at most 18 pairs of triangles, at frame 7"; empty where nobody counted.
+export function rowMost({ scene, rows }, r) {
+  const most = rows.mostPairs(r);
+  return most === 0 ? '' : `at most ${number(most)} pair${most === 1 ? '' : 's'} of triangles, at ${scene.steps.noun} ${number(rows.mostStep(r))}`;
+}
 
 // "car 3 and house_1: 0.0123 m at frame 35; near in frames 20 to 41; from (1, 2, 3) to (1, 2, 3.0123)"
 export function gapWords({ scene, gaps }, g) {
@@ -172,7 +182,10 @@ const rowsWhere = (rows, accept) => {
 const nouns = new WeakMap();
 
 // What rows are: "pairs of parts" or "pairs of bodies"; where movers touch parts and each other, both.
-export function rowNoun({ rows }, count) {
+export function rowNoun({ rows, scene }, count) {
+  if (scene.row.one) {
+    return `${number(count)} ${count === 1 ? scene.row.one : scene.row.many}`;
+  }
   if (!nouns.has(rows)) {
     const ofParts = rowsWhere(rows, (r) => rows.part(r, 0) !== NO_PART || rows.part(r, 1) !== NO_PART);
     nouns.set(rows, ofParts === 0 ? 'bodies' : ofParts === rows.count ? 'parts' : 'parts or bodies');
@@ -188,7 +201,7 @@ export function counts(all, shown) {
   }
   const which = shown < rows.count ? `${number(shown)} of ` : '';
   const inAll = counted(all, scene.contacts.all);
-  return scene.complete ? `${which || 'All '}${rowNoun(all, rows.count)} that touch; ${inAll} in all`
+  return scene.complete ? `${which || 'All '}${rowNoun(all, rows.count)}${scene.row.one ? '' : ' that touch'}; ${inAll} in all`
     : `${which}${rowNoun(all, rows.count)} and ${inAll} found so far; there may be more`;
 }
 

@@ -1,0 +1,117 @@
+// The bodies of the scene. Large models have a coarse stand-in, for the first picture and for motion
+// where drawing is slow; movers that are small on the screen are drawn as their boxes.
+import * as THREE from 'three';
+import { Poses } from './poses.js';
+
+const SMALL = 14; // pixels: what is smaller is drawn as a box
+
+function geometryOf({ positions, indices }) {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
+  geometry.setIndex(new THREE.BufferAttribute(indices, 1));
+  geometry.computeBoundingBox();
+  geometry.computeBoundingSphere();
+  return geometry;
+}
+
+function boxOf(geometry) {
+  const size = geometry.boundingBox.getSize(new THREE.Vector3());
+  const middle = geometry.boundingBox.getCenter(new THREE.Vector3());
+  return new THREE.BoxGeometry(size.x, size.y, size.z).translate(middle.x, middle.y, middle.z);
+}
+
+export class Bodies {
+  constructor(world, scene) {
+    this.scene = scene;
+    this.geometries = scene.models.map((model) => geometryOf(model.mesh));
+    this.whole = new Map(); // of models that have a stand-in, once they are there
+    const material = () => new THREE.MeshLambertMaterial({ flatShading: true, side: THREE.DoubleSide });
+    this.stillMaterial = material();
+    this.movingMaterial = material();
+    this.stillMeshes = [];
+    this.poses = new Poses(scene);
+    this.moving = []; // bodies that move, with where they are
+    const counts = scene.models.map(() => 0);
+    scene.bodies.model.forEach((model, body) => {
+      if (scene.bodies.moves[body]) {
+        ++counts[model];
+        this.moving.push({
+          body, model, matrix: new THREE.Matrix4(), place: new THREE.Vector3(), color: new THREE.Color(),
+        });
+      } else {
+        const mesh = new THREE.Mesh(this.geometries[model], this.stillMaterial);
+        this.poses.still(body, mesh.position, mesh.quaternion);
+        mesh.userData.model = model;
+        this.stillMeshes.push(mesh);
+        world.add(mesh);
+      }
+    });
+    const instances = (geometry, count) => {
+      const mesh = new THREE.InstancedMesh(geometry, this.movingMaterial, count);
+      mesh.frustumCulled = false;
+      mesh.setColorAt(0, new THREE.Color());
+      world.add(mesh);
+      return mesh;
+    };
+    this.near = counts.map((count, model) => (count > 0 ? instances(this.geometries[model], count) : null));
+    this.far = counts.map((count, model) => (count > 0 ? instances(boxOf(this.geometries[model]), count) : null));
+  }
+
+  // The whole of a model that was coarse so far.
+  setModel(k, mesh) {
+    this.whole.set(k, geometryOf(mesh));
+    if (this.near[k]) {
+      this.near[k].geometry = this.whole.get(k);
+    }
+  }
+
+  // Models with a stand-in are drawn by it, or whole. True if that changes the picture.
+  setCoarse(coarse) {
+    let changed = false;
+    for (const mesh of this.stillMeshes) {
+      const { model } = mesh.userData;
+      const wanted = (coarse ? undefined : this.whole.get(model)) ?? this.geometries[model];
+      changed ||= mesh.geometry !== wanted;
+      mesh.geometry = wanted;
+    }
+    return changed;
+  }
+
+  // Bodies go to their places at a step; `exact` has poses of some of them. `colorOf` is of a body.
+  place(step, exact, colorOf) {
+    const turn = new THREE.Quaternion();
+    const size = new THREE.Vector3(1, 1, 1);
+    for (const mover of this.moving) {
+      const side = exact ? exact.bodies.indexOf(mover.body) : -1;
+      if (side >= 0) {
+        mover.place.fromArray(exact.poses[side], 0);
+        turn.fromArray(exact.poses[side], 3);
+      } else {
+        this.poses.at(mover.body, step, mover.place, turn);
+      }
+      mover.matrix.compose(mover.place, turn, size);
+      mover.color.copy(colorOf(mover.body));
+    }
+  }
+
+  // Chooses who is drawn whole, as the camera sees them.
+  sort(camera, height) {
+    const pixels = height / (2 * Math.tan(THREE.MathUtils.degToRad(camera.fov / 2)));
+    for (const list of [this.near, this.far]) {
+      list.forEach((mesh) => { if (mesh) { mesh.count = 0; } });
+    }
+    for (const { model, place, matrix, color } of this.moving) {
+      const size = 2 * this.geometries[model].boundingSphere.radius;
+      const large = size * pixels > SMALL * camera.position.distanceTo(place);
+      const mesh = (large ? this.near : this.far)[model];
+      mesh.setMatrixAt(mesh.count, matrix);
+      mesh.setColorAt(mesh.count++, color);
+    }
+    for (const mesh of [...this.near, ...this.far]) {
+      if (mesh) {
+        mesh.visible = mesh.count > 0;
+        mesh.instanceMatrix.needsUpdate = mesh.instanceColor.needsUpdate = true;
+      }
+    }
+  }
+}
