@@ -56,7 +56,7 @@ role="presentation"></div></div>
 <div id="time"><button id="play" type="button">Play</button>
 <input id="step" type="range" min="0" max="0" step="1" value="0" aria-label="Time">
 <output id="moment" for="step"></output></div>
-<p class="note" id="legend"><span class="key moves"></span>moves<span class="key still"></span>stands still<span class="touching">
+<p class="note" id="legend"><span class="key moves"></span>moves<span class="key still"></span>does not move<span class="touching">
 <span class="key touch"></span>touches now <span class="key was"></span>touches at another time</span><span id="near" hidden><span class="key gap"></span>gap: a shortest segment with
 its length<span id="near-time"> (dashed: at another time)</span></span></p>
 <p id="drawn" class="note"></p>

@@ -91,8 +91,9 @@ TEST(Viewer, ShowsTheWorldOfASimulation) {
   EXPECT_EQ(with_viewer(viewer, "$soms simulate --view --count 5").out,
             "view --count 5 --seed 1 --threads 0\n");
   for (const char* other :
-       {"--json", "--verify", "--map a.svg", "--events a.csv", "--contacts a.csv", "--record a.rec", "--picture a.png",
-        "--picture-frame 3", "--fail-if contact", "--rule sah", "--traversal e-node", "--leaf 2"}) {
+       {"--json", "--verify", "--map a.svg", "--events a.csv", "--contacts a.csv", "--record a.rec",
+        "--picture a.png", "--picture-frame 3", "--fail-if contact", "--rule sah",
+        "--traversal e-node", "--leaf 2"}) {
     EXPECT_EQ(with_viewer(viewer, std::string("$soms simulate --view ") + other).status, 2)
         << other;
   }

@@ -368,7 +368,7 @@ def print_faults(browser, file, answer):
 
 
 def city_faults(browser, soms, folder):
-    """The embedded city: a small page, and a first picture of few triangles. Times are told alone."""
+    """The embedded city: a small page, and a first picture of few triangles. Times are printed, and decide nothing."""
     file = folder / "embedded.html"
     run = subprocess.run([soms, "simulate", "--report", file, "--json"], check=True,
                          capture_output=True, text=True)

@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::size_t kWordsOfContact = 28;
 constexpr std::size_t kWordsOfRow = 19;
-constexpr std::size_t kWordsOfPair = 26;
 constexpr std::size_t kWordsOfGap = 26;
 
 Mesh triangle_mesh(const Vec3& a, const Vec3& b, const Vec3& c) {

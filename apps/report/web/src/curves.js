@@ -21,6 +21,7 @@ function withLength(lines, least) {
 // One set of lines. `through`: no wall hides it.
 export class Curve {
   constructor(world, width, order, through) {
+    this.width = width;
     const material = (linewidth) => new LineMaterial({
       linewidth, depthTest: !through, depthWrite: false, transparent: true, polygonOffset: !through, polygonOffsetFactor: -4, polygonOffsetUnits: -8,
     });
@@ -44,6 +45,13 @@ export class Curve {
       part.geometry = geometry;
       part.visible = some;
     }
+  }
+
+  // Thinner in a picture that is narrower than 700 pixels.
+  fit(picture) {
+    const share = Math.min(1, Math.max(0.5, picture / 700));
+    this.parts[0].material.linewidth = share * (this.width + HALO);
+    this.parts[1].material.linewidth = share * this.width;
   }
 
   paint(ink, halo) {

@@ -183,6 +183,7 @@ export class View {
       this.renderer.setSize(width, height, false);
       this.camera.aspect = width / height;
       this.camera.updateProjectionMatrix();
+      [this.past, this.now, this.chosenCurve, this.crossings].forEach((curve) => curve.fit(width));
       this.draw();
     }
   }
