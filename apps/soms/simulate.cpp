@@ -3,10 +3,10 @@
 #include "soms/base/error.h"
 
 #include "apps/soms/map.h"
+#include "apps/soms/simulate_events.h"
 #include "apps/soms/simulate_page.h"
 #include "apps/soms/simulate_picture.h"
 #include "apps/soms/simulate_record.h"
-#include "apps/soms/simulate_events.h"
 #include "apps/soms/simulate_report.h"
 #include "apps/soms/simulate_run.h"
 #include "apps/soms/viewer.h"
@@ -177,9 +177,10 @@ int finish(const World& world, const Outcome& outcome, const Picture& picture,
 /// A window instead of an answer.
 int run_window(const SimulateOptions& options, const Console& console) {
   const bool answers = options.verify || options.fail_if != FailIf::never || console.shared().json;
-  if (answers || !options.report.empty() || !options.map.empty() || !options.events.empty() || !options.contacts.empty() ||
-      !options.record.empty() || !options.picture.empty() || options.picture_frame ||
-      !options.between_movers || !options.ignored.empty() || options.clearance > 0) {
+  if (answers || !options.report.empty() || !options.map.empty() || !options.events.empty() ||
+      !options.contacts.empty() || !options.record.empty() || !options.picture.empty() ||
+      options.picture_frame || !options.between_movers || !options.ignored.empty() ||
+      options.clearance > 0) {
     throw Error(ErrorKind::usage, "--view cannot be combined with an option of outputs or contacts",
                 "leave out --view, or the other option");
   }

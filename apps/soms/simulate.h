@@ -24,12 +24,12 @@ struct SimulateOptions {
   WorldOptions world = {};
   std::uint64_t frames = 600;  ///< unless given, routes of poses change it
   bool verify = false;
-  std::string map = {};     ///< empty: none
+  std::string map = {};       ///< empty: none
   std::string events = {};    ///< empty: none
   std::string contacts = {};  ///< empty: none
-  std::string record = {};  ///< empty: none
-  std::string report = {};  ///< empty: none
-  bool view = false;        ///< in a window, instead of all else
+  std::string record = {};    ///< empty: none
+  std::string report = {};    ///< empty: none
+  bool view = false;          ///< in a window, instead of all else
   bool frames_given = false;
   std::string picture = {};                                   ///< empty: none
   std::optional<std::uint64_t> picture_frame = std::nullopt;  ///< unset: the last

@@ -136,7 +136,8 @@ TEST(Program, TakesAnEmptyNameOfAnOutputForAnError) {
         << result.err;
   };
   refused({"overlap", box, box}, "--report");
-  for (const char* const option : {"--map", "--report", "--events", "--contacts", "--record", "--picture"}) {
+  for (const char* const option :
+       {"--map", "--report", "--events", "--contacts", "--record", "--picture"}) {
     refused({"simulate", box, "--count", "1", "--frames", "1"}, option);
   }
   refused({"reproduce", "--item", "table-3.1"}, "--output");
