@@ -32,13 +32,14 @@ constexpr std::string_view kTree = "Tree and traversal";
 constexpr std::string_view kShow = "Show";
 constexpr std::string_view kObject = "Move the object";
 
-constexpr std::array<ActionRow, 61> kActions{{
+constexpr std::array<ActionRow, 62> kActions{{
     {Action::help, key('H'), {Key::f1}, kGeneral, "this help"},
     {Action::back, {Key::escape}, {}, kGeneral, "close the help, deselect, quit"},
     {Action::quit, control('Q'), {}, kGeneral, "quit"},
     {Action::panels, {Key::tab}, {}, kGeneral, "panels on or off"},
     {Action::fullscreen, {Key::f11}, {}, kGeneral, "full screen on or off"},
     {Action::screenshot, {Key::f12}, {}, kGeneral, "save the picture as PNG"},
+    {Action::screenshot_panels, {Key::f12, true}, {}, kGeneral, "save it with the panels"},
 
     {Action::pause, key(' '), {}, kTime, "run or pause"},
     {Action::step, key('.'), {}, kTime, "pause, one frame forward"},
@@ -196,6 +197,9 @@ bool apply_general(ViewState& state, Action action) {
       return true;
     case Action::screenshot:
       state.requests.screenshot = true;
+      return true;
+    case Action::screenshot_panels:
+      state.requests.screenshot_panels = true;
       return true;
     case Action::pause:
       flip(state.paused);

@@ -21,6 +21,7 @@ enum class Action {
   panels,
   fullscreen,
   screenshot,
+  screenshot_panels,
   pause,
   step,
   step_back,

@@ -52,8 +52,13 @@ struct FlyKeys {
 [[nodiscard]] Camera flown(const Camera& camera, const FlyKeys& keys, double seconds,
                            double scene_size);
 
-/// The camera that sees all of `box` from a side.
-[[nodiscard]] Camera seen_from(const Box& box, Side side, Size size, double field_of_view);
+/// As `fitted`, beside `covered` pixels at the left of the picture.
+[[nodiscard]] Camera fitted_beside(const Box& box, const Vec3& toward_eye, Size size,
+                                   double covered, double field_of_view);
+
+/// The camera that sees all of `box` from a side, beside `covered` pixels at the left.
+[[nodiscard]] Camera seen_from(const Box& box, Side side, Size size, double field_of_view,
+                               double covered = 0);
 
 /// A short glide from one camera to another, so that the eye can follow.
 class CameraFlight {

@@ -13,6 +13,7 @@ set(SOMS_VIEW_HEADERS
   panels.h
   playback.h
   session.h
+  style.h
   subject.h
   view_state.h
   widgets.h
@@ -28,6 +29,7 @@ set(SOMS_VIEW_SOURCES
   panels.cpp
   playback.cpp
   session.cpp
+  style.cpp
   view_state.cpp
   widgets.cpp
 )

@@ -18,7 +18,6 @@ namespace soms::view {
 
 namespace {
 
-const ImVec4 kHeading(0, 0.30F, 0.55F, 1);
 constexpr float kSidebar = 19.5F;  ///< width in heights of a line of text
 constexpr float kPicked = 27.0F;
 
@@ -76,7 +75,7 @@ bool begin_rows(const char* name) {
 void help_cells(const HelpLine& line) {
   ImGui::TableNextColumn();
   if (line.text.empty()) {
-    ImGui::TextColored(kHeading, "%s", line.keys.c_str());
+    ImGui::TextDisabled("%s", line.keys.c_str());
   } else {
     ImGui::TextUnformatted(line.keys.c_str());
   }
@@ -95,6 +94,7 @@ void on_press(bool pressed, ViewState& state, Action action) {
 
 void Panels::draw(Session& session, const FrameTimes& times, const DrawStatistics& drawn) {
   widgets_.begin_frame();
+  session.set_covered(session.state().panels ? kSidebar * ImGui::GetFontSize() : 0);
   axis_letters(session);
   if (session.state().panels) {
     menu_bar(session);
@@ -115,6 +115,7 @@ void Panels::menu_bar(Session& session) {
   };
   if (widgets_.begin_menu("File")) {
     item("Save picture", Action::screenshot);
+    item("Save with panels", Action::screenshot_panels);
     item("Full screen", Action::fullscreen);
     item("Quit", Action::quit);
     ImGui::EndMenu();
@@ -296,7 +297,7 @@ void Panels::counts_panel(const Facts& facts) {
 }
 
 void Panels::frame_panel(const Facts& facts, const FrameTimes& times, const DrawStatistics& drawn) {
-  if (!widgets_.heading("Drawing")) {
+  if (!widgets_.heading("Drawing", false)) {
     return;
   }
   const double rate = times.frames_a_second();
@@ -421,29 +422,6 @@ void Panels::axis_letters(const Session& session) {
       ImGui::GetBackgroundDrawList()->AddText(at, IM_COL32(20, 20, 20, 255), kLetters[i]);
     }
   }
-}
-
-void set_style(double scale) {
-  ImGui::StyleColorsLight();
-  ImGuiStyle& style = ImGui::GetStyle();
-  style.WindowRounding = 0;
-  style.FrameRounding = 3;
-  style.FrameBorderSize = 1;  // white boxes on a light ground
-  style.WindowBorderSize = 1;
-  style.WindowPadding = ImVec2(7, 6);
-  style.ItemSpacing = ImVec2(6, 3);
-  style.FramePadding = ImVec2(5, 2);
-  style.Colors[ImGuiCol_WindowBg] = ImVec4(0.97F, 0.97F, 0.98F, 0.96F);
-  style.Colors[ImGuiCol_Border] = ImVec4(0.55F, 0.60F, 0.66F, 0.80F);
-  style.Colors[ImGuiCol_TextDisabled] = ImVec4(0.30F, 0.34F, 0.40F, 1);
-  style.Colors[ImGuiCol_PlotLines] = ImVec4(0, 0.35F, 0.60F, 1);
-  style.ScaleAllSizes(static_cast<float>(scale));
-  ImGuiIO& io = ImGui::GetIO();
-  ImFontConfig font;
-  font.SizePixels = static_cast<float>(std::floor(13 * scale));
-  io.Fonts->AddFontDefault(&font);
-  io.IniFilename = nullptr;  // the viewer leaves no files where it was started
-  io.LogFilename = nullptr;
 }
 
 Captured captured() {

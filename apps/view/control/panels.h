@@ -37,10 +37,6 @@ class Panels {
   Widgets widgets_;
 };
 
-/// Colors, sizes and font of the panels, for a display of this many pixels for each point. Once
-/// after a context is made, before the first frame.
-void set_style(double scale);
-
 /// What the panels keep for themselves, by the frame begun.
 [[nodiscard]] Captured captured();
 

@@ -17,7 +17,7 @@ namespace {
 constexpr double kTremble = 4;         ///< pixels within which a press is a click
 constexpr double kDoubleClick = 0.35;  ///< seconds
 constexpr double kHandleSlack = 7;     ///< pixels
-constexpr double kGizmoPixels = 90;    ///< length of an arrow
+constexpr double kGizmoPixels = 40;    ///< length of an arrow
 constexpr double kStepOfObject = 0.1;  ///< keyboard step in sizes of the object
 constexpr double kTurnOfObject = std::numbers::pi / 36;
 constexpr double kLongestTick = 0.25;  ///< a longer one was a rest: nothing leaps after it
@@ -72,11 +72,36 @@ Session::Session(Subject& subject, Size window) : subject_(subject), window_(win
   choice_ = choice(state_);
   guarded([&] { subject_.choose(state_); });
   refresh();
-  camera_ = seen_from(usable(facts_.bounds), Side::corner, window_, camera_.field_of_view);
+  first_ = camera_;
+  frame_again();
+}
+
+void Session::frame_again() {
+  if (camera_ == first_) {
+    camera_ = first_ = seen_whole(Side::corner);
+  }
+}
+
+Camera Session::seen_whole(Side side) const {
+  return seen_from(usable(facts_.bounds), side, window_, camera_.field_of_view, covered_);
+}
+
+Camera Session::fit(const Box& box) const {
+  return fitted_beside(box, camera_.eye - camera_.target, window_, covered_, camera_.field_of_view);
+}
+
+void Session::set_covered(double left) {
+  if (left != covered_) {
+    covered_ = left;
+    frame_again();
+  }
 }
 
 void Session::resize(Size window) {
-  window_ = window;
+  if (window != window_) {
+    window_ = window;
+    frame_again();
+  }
 }
 
 void Session::refresh() {
@@ -272,15 +297,11 @@ void Session::set_pivot(PixelPoint at) {
 
 void Session::tick(double seconds) {
   const double passed = std::min(seconds, kLongestTick);
+  const auto before = facts_.followed;
   do_time_requests();
   do_requests();
   tell_choice();
-  if (state_.paused) {
-    playback_.reset();
-  } else if (const int frames = playback_.due(passed, state_.speed); frames > 0) {
-    guarded([&] { subject_.advance(frames); }, false);
-  }
-  const auto before = facts_.followed;
+  run(passed);
   refresh();
   follow(before);
   do_camera_requests();
@@ -295,6 +316,18 @@ void Session::tick(double seconds) {
   }
 }
 
+void Session::run(double seconds) {
+  if (!state_.paused && !state_.limits.moves) {
+    state_.paused = true;
+    message_ = "nothing moves by itself here: drag a handle, or start an orientation test";
+  }
+  if (state_.paused) {
+    playback_.reset();
+  } else if (const int frames = playback_.due(seconds, state_.speed); frames > 0) {
+    guarded([&] { subject_.advance(frames); }, false);
+  }
+}
+
 void Session::tell_choice() {
   if (choice_ == choice(state_)) {
     return;
@@ -306,6 +339,7 @@ void Session::tell_choice() {
     state_.prune = choice_.prune;
   }
   choice_ = choice(state_);
+  refresh();  // a test that began or ended changes what moves
 }
 
 void Session::do_time_requests() {
@@ -357,20 +391,18 @@ void Session::do_requests() {
 
 void Session::do_camera_requests() {
   Requests& wishes = state_.requests;
-  const Box all = usable(facts_.bounds);
   if (wishes.fit_all) {
     wishes.fit_all = false;
-    go(seen_from(all, Side::corner, window_, camera_.field_of_view));
+    go(seen_whole(Side::corner));
   }
   if (wishes.look_from) {
-    go(seen_from(all, *wishes.look_from, window_, camera_.field_of_view));
+    go(seen_whole(*wishes.look_from));
     wishes.look_from.reset();
   }
   if (wishes.fit_gap) {
     wishes.fit_gap = false;
     if (facts_.gap && !facts_.gap->surroundings.empty()) {
-      go(fitted(facts_.gap->surroundings, camera_.eye - camera_.target, window_,
-                camera_.field_of_view));
+      go(fit(facts_.gap->surroundings));
     } else {
       message_ = "there is no gap: it is not shown, not known, or the object touches something";
     }
@@ -379,8 +411,7 @@ void Session::do_camera_requests() {
     wishes.fit_object = false;
     const Box box = picked_ ? picked_->bounds : facts_.object_bounds;
     if (!box.empty()) {
-      const Camera near = fitted(box, camera_.eye - camera_.target, window_, camera_.field_of_view);
-      go(dollied(near, kFollowDistance));
+      go(dollied(fit(box), kFollowDistance));
     }
   }
 }
@@ -388,7 +419,8 @@ void Session::do_camera_requests() {
 void Session::start_following() {
   const Pose& pose = *facts_.followed;
   const Vec3 back{-pose.m[0], -pose.m[4], 0.5};
-  const Camera near = fitted(usable(facts_.followed_bounds), back, window_, camera_.field_of_view);
+  const Camera near =
+      fitted_beside(usable(facts_.followed_bounds), back, window_, covered_, camera_.field_of_view);
   camera_ = dollied(near, kFollowDistance);
   flight_.reset();
 }
@@ -446,6 +478,15 @@ std::optional<Handle> Session::handle_in_use() const {
 }
 
 const DrawList& Session::picture() {
+  (void)bare_picture();
+  list_.captions.covered = covered_;
+  if (const auto handles = gizmo()) {
+    draw(*handles, handle_in_use(), list_);
+  }
+  return list_;
+}
+
+const DrawList& Session::bare_picture() {
   if (changed_) {
     try {
       list_ = subject_.draw_list(state_);
@@ -459,9 +500,7 @@ const DrawList& Session::picture() {
   }
   list_.lines.resize(scene_lines_);
   list_.marks.resize(scene_marks_);
-  if (const auto handles = gizmo()) {
-    draw(*handles, handle_in_use(), list_);
-  }
+  list_.captions.covered = 0;
   return list_;
 }
 

@@ -37,6 +37,9 @@ class Session {
 
   void resize(Size window);
 
+  /// Panels cover so many pixels of the window at its left: the camera fits things beside them.
+  void set_covered(double left);
+
   /// Keeps an event for `handle`.
   void push(InputEvent event) { events_.push_back(std::move(event)); }
 
@@ -68,6 +71,9 @@ class Session {
 
   /// The picture with the gizmo. Made again only after a change.
   [[nodiscard]] const DrawList& picture();
+
+  /// The picture without the gizmo, for paper.
+  [[nodiscard]] const DrawList& bare_picture();
 
   /// Goes up whenever `picture` made the list again; the gizmo alone does not count.
   [[nodiscard]] std::uint64_t version() const { return version_; }
@@ -112,8 +118,13 @@ class Session {
   void move_object(const ObjectMove& move);
   void refresh();
   void tell_choice();
+  void run(double seconds);
 
   void go(const Camera& goal) { flight_ = CameraFlight(camera_, goal); }
+
+  [[nodiscard]] Camera seen_whole(Side side) const;
+  [[nodiscard]] Camera fit(const Box& box) const;
+  void frame_again();
 
   void start_following();
   void follow(const std::optional<Pose>& before);
@@ -124,6 +135,8 @@ class Session {
 
   Subject& subject_;
   Size window_;
+  double covered_ = 0;
+  Camera first_;  ///< that the viewer chose: it follows the window until the user moves it
   ViewState state_;
   Camera camera_;
   Facts facts_;

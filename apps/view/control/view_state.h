@@ -51,6 +51,7 @@ struct Limits {
   int mover_levels = 1;      ///< levels of the object's tree
   std::uint64_t frames = 0;  ///< frames that there are; 0: without end
   std::uint64_t movers = 0;  ///< movers that can be followed
+  bool moves = false;        ///< time changes something: there is something to run
   bool can_seek = false;     ///< a recording or an orientation test: any frame at once
   bool has_object = false;   ///< something can be moved by hand
   double object_size = 1;    ///< greatest side of its box
@@ -72,13 +73,14 @@ struct ObjectMove {
 /// Wishes that last until the loop has done them.
 struct Requests {
   bool quit = false;
-  bool screenshot = false;
-  bool fullscreen = false;   ///< change to full screen or back
-  bool restart = false;      ///< the simulation from its first frame
-  bool fit_all = false;      ///< camera to where all is seen
-  bool fit_gap = false;      ///< camera to where the object is nearest to something
-  bool fit_object = false;   ///< camera to the object or to what was picked
-  bool object_home = false;  ///< the object back to where it was at first
+  bool screenshot = false;         ///< the picture alone
+  bool screenshot_panels = false;  ///< with the panels over it
+  bool fullscreen = false;         ///< change to full screen or back
+  bool restart = false;            ///< the simulation from its first frame
+  bool fit_all = false;            ///< camera to where all is seen
+  bool fit_gap = false;            ///< camera to where the object is nearest to something
+  bool fit_object = false;         ///< camera to the object or to what was picked
+  bool object_home = false;        ///< the object back to where it was at first
   bool deselect = false;
   std::optional<Side> look_from;  ///< camera to one side of the scene
   std::optional<std::uint64_t> seek;
@@ -89,7 +91,7 @@ struct Requests {
 
 /// State of the viewer: plain data, changed by `apply` and the panels.
 struct ViewState {
-  bool paused = false;
+  bool paused = true;
   double speed = 1;         ///< frames for each frame of real time
   std::uint64_t frame = 0;  ///< of the simulation, the test or the recording
   Rule rule = Rule::soms;

@@ -110,10 +110,11 @@ bool Widgets::begin_menu(const char* label) {
   return open;
 }
 
-bool Widgets::heading(const char* label) {
-  const bool open = ImGui::CollapsingHeader(label, ImGuiTreeNodeFlags_DefaultOpen);
+bool Widgets::heading(const char* label, bool open) {
+  const bool is_open = ImGui::CollapsingHeader(
+      label, open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
   note(label, std::nullopt);
-  return open;
+  return is_open;
 }
 
 }  // namespace soms::view

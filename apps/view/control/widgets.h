@@ -56,8 +56,8 @@ class Widgets {
   /// A menu of the bar; false while closed. After true, end it with ImGui::EndMenu.
   bool begin_menu(const char* label);
 
-  /// A heading that folds what follows; false while folded.
-  bool heading(const char* label);
+  /// A heading that folds what follows; false while folded, as it is at first unless `open`.
+  bool heading(const char* label, bool open = true);
 
   /// Where widgets stood in this frame, in order.
   [[nodiscard]] const std::vector<WidgetPlace>& places() const { return places_; }

@@ -150,6 +150,7 @@ struct Captions {
   std::vector<KeyEntry> key = {};  ///< below, at the left
   double meters = 0;               ///< a unit; 0 leaves out the scale bar, below at the right
   bool north = false;              ///< an arrow toward +y above the scale bar
+  double covered = 0;              ///< pixels at the left that something else covers
 };
 
 /// A number with its unit beside the middle of a segment, on top of everything, unless it would

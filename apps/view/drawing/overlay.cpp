@@ -144,9 +144,9 @@ class OverlayWriter {
     const std::vector<KeyEntry>& entries = list_.captions.key;
     for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
       if (is_shown(*entry)) {
-        sign(*entry, {kOverlayMargin, y - 0.5 * kKeyHeight});
-        text({kOverlayMargin + kSignWidth, y}, entry->text, kKeyHeight, palette::kInk,
-             palette::kPaper);
+        const double left = kOverlayMargin + list_.captions.covered;
+        sign(*entry, {left, y - 0.5 * kKeyHeight});
+        text({left + kSignWidth, y}, entry->text, kKeyHeight, palette::kInk, palette::kPaper);
         y -= kKeyRow;
       }
     }
@@ -154,8 +154,8 @@ class OverlayWriter {
 
   void title() {
     if (!list_.captions.title.empty()) {
-      text({kOverlayMargin, kOverlayMargin + kOverlayTitleHeight}, list_.captions.title,
-           kOverlayTitleHeight, palette::kInk, palette::kPaper);
+      text({kOverlayMargin + list_.captions.covered, kOverlayMargin + kOverlayTitleHeight},
+           list_.captions.title, kOverlayTitleHeight, palette::kInk, palette::kPaper);
     }
   }
 

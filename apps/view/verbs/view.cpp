@@ -62,27 +62,29 @@ command::Action add_view(CLI::App& app, command::Shared&) {
          "--size", [options](const std::string& text) { options->viewer.size = parse_size(text); },
          "width and height of the window (1280x720)")
       ->option_text("WxH");
-  app.add_flag("--paused", options->viewer.paused, "start paused at the first frame");
+  app.add_flag("--run", options->viewer.run, "start running, not still at the first frame");
   app.add_flag_callback(
       "--no-panels", [options] { options->viewer.panels = false; }, "start without panels");
   app.add_option("--screenshot", options->viewer.screenshot,
-                 "save the last frame of --frames as PNG")
+                 "save the finished picture as PNG and close; after --frames if given")
       ->option_text("FILE");
+  app.add_flag("--with-panels", options->viewer.screenshot_panels,
+               "the picture of --screenshot shows the panels");
   app.add_option_function<std::string>(
          "--frames",
          [options](const std::string& text) {
            options->viewer.frames = command::parse_count("--frames", text, 1, kMostFrames);
          },
-         "stop after this many frames, at 60 frames per second")
+         "run this many frames, each a sixtieth of a second, then close")
       ->option_text("N");
   app.footer(kViewFooter);
   return [options](command::Console& console) { return run_view(*options, console); };
 }
 
 int run_view(const ViewVerbOptions& options, command::Console& console) {
-  if (!options.viewer.screenshot.empty() && !options.viewer.frames) {
-    throw Error(ErrorKind::usage, "--screenshot needs --frames",
-                "add --frames 1, or press F12 in the window");
+  if (options.viewer.screenshot_panels && options.viewer.screenshot.empty()) {
+    throw Error(ErrorKind::usage, "--with-panels needs --screenshot",
+                "add --screenshot FILE, or press Shift+F12 in the window");
   }
   command::check_extension("--screenshot", options.viewer.screenshot, {".png"});
   AppWindow::require_display();

@@ -2,7 +2,7 @@
 
 #include "soms/base/error.h"
 
-#include "apps/view/control/panels.h"
+#include "apps/view/control/style.h"
 #include "apps/view/window/display_loss.h"
 #include "apps/view/window/glfw_input.h"
 #include "apps/view/window/glfw_keys.h"

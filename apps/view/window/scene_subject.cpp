@@ -142,12 +142,25 @@ int SceneSubject::levels_of(TreeOf tree) const {
   return known ? static_cast<int>(known->depth) + 1 : kLevelsUnknown;
 }
 
+bool SceneSubject::moves() const {
+  if (scene_.frames()) {
+    return true;
+  }
+  for (std::uint32_t k = 0; k < scene_.movers(); ++k) {
+    if (has_motion_[k] && !scene_.held(k)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 Limits SceneSubject::limits() const {
   Limits limits;
   limits.city_levels = levels_of(TreeOf::city);
   limits.mover_levels = levels_of(TreeOf::mover);
   limits.frames = scene_.frames().value_or(0);
   limits.movers = scene_.movers();
+  limits.moves = moves();
   limits.can_seek = true;
   limits.scene_size = greatest_side(scene_.bounds());
   if (const auto held = object()) {

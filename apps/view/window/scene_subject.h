@@ -51,6 +51,7 @@ class SceneSubject final : public Subject {
   [[nodiscard]] std::optional<std::uint32_t> object() const;
   [[nodiscard]] std::optional<BodyRef> tree_body(TreeOf tree) const;
   [[nodiscard]] int levels_of(TreeOf tree) const;
+  [[nodiscard]] bool moves() const;
   [[nodiscard]] Limits limits() const;
   [[nodiscard]] const SceneStatistics& statistics() const;
 

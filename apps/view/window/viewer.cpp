@@ -43,6 +43,13 @@ struct Drawn {
   [[nodiscard]] bool operator==(const Drawn&) const = default;
 };
 
+/// A picture that is wanted, once the panels have come to rest.
+struct Shot {
+  std::filesystem::path path;
+  bool panels = false;  ///< over it
+  int frames = kEcho;   ///< still to draw before
+};
+
 /// The first free name of a picture in the present folder.
 std::filesystem::path free_name() {
   for (int i = 1;; ++i) {
@@ -57,7 +64,7 @@ class Loop {
  public:
   Loop(Subject& subject, const ViewerOptions& options)
       : options_(options), window_("soms view", options.size), session_(subject, window_.size()) {
-    session_.state().paused = options.paused;
+    session_.state().paused = !(options.run || options.frames) || !session_.facts().limits.moves;
     session_.state().panels = options.panels;
     window_.set_title("soms view: " + session_.facts().name);
   }
@@ -75,12 +82,12 @@ class Loop {
         due_ = 0;  // an icon, or nothing to draw
       }
     }
-    if (!options_.screenshot.empty() && drawn_frames_ < *options_.frames &&
-        !stop.stop_requested()) {
+    if (!options_.screenshot.empty() && !finished_ && !stop.stop_requested()) {
       throw Error(ErrorKind::cannot_write,
-                  options_.screenshot + ": the window was closed after " +
-                      std::to_string(drawn_frames_) + " of " + std::to_string(*options_.frames) +
-                      " frames, and the picture is of the last one",
+                  options_.screenshot +
+                      ": the window was closed before its picture was finished, " +
+                      std::to_string(played_) + " of " +
+                      std::to_string(options_.frames.value_or(0)) + " frames had run",
                   "leave it open, or give fewer --frames");
     }
   }
@@ -88,12 +95,20 @@ class Loop {
  private:
   [[nodiscard]] bool over(const std::stop_token& stop) const {
     return stop.stop_requested() || window_.close_requested() || session_.state().requests.quit ||
-           (options_.frames && drawn_frames_ >= *options_.frames);
+           finished_;
   }
+
+  /// True where the viewer ends by itself.
+  [[nodiscard]] bool scripted() const {
+    return options_.frames.has_value() || !options_.screenshot.empty();
+  }
+
+  /// True while frames of `ViewerOptions::frames` are to come.
+  [[nodiscard]] bool playing() const { return played_ < options_.frames.value_or(0); }
 
   /// Seconds to wait for events; negative: until one comes.
   [[nodiscard]] double patience() const {
-    if (options_.frames) {
+    if (scripted() || shot_) {
       return 0;
     }
     if (due_ > 0 || session_.animating()) {
@@ -110,7 +125,7 @@ class Loop {
     if (touched) {
       due_ = kEcho;
     }
-    if (session_.animating() || options_.frames || (coarse_ && rested())) {
+    if (session_.animating() || scripted() || shot_ || (coarse_ && rested())) {
       due_ = std::max(due_, 1);
     }
   }
@@ -125,15 +140,15 @@ class Loop {
     session_.resize(window_.size());
     window_.begin_panels();
     session_.handle(captured());
-    session_.tick(options_.frames ? kFrame : passed);
+    session_.tick(scripted() ? (playing() ? kFrame : 0) : passed);
     do_window_requests();
     panels_.draw(session_, times_, renderer_.statistics());
     draw_scene(pixels, begin);
     renderer_.present();
     window_.end_panels();
     window_.finish();
-    ++drawn_frames_;
-    take_pictures();
+    go_on();
+    take_picture(pixels);
     times_.add(1000 * seconds_between(begin, Clock::now()), passed);
     window_.show();
   }
@@ -143,9 +158,9 @@ class Loop {
     if (session_.moving() || session_.handle_in_use() != drawn_.handle) {
       moved_ = begin;
     }
-    const bool careful = options_.frames.has_value();
     const DrawList& list = session_.picture();
-    const DrawOptions options = detail_.options(!careful && !rested(), session_.facts().triangles);
+    const bool quick = shot_ ? false : scripted() || !rested();
+    const DrawOptions options = detail_.options(quick, session_.facts().triangles);
     const Drawn now{session_.version(),       session_.camera(),      pixels,
                     session_.handle_in_use(), options.most_triangles, options.samples};
     coarse_ = options.samples == 1;
@@ -167,23 +182,48 @@ class Loop {
     if (std::exchange(wishes.fullscreen, false)) {
       window_.toggle_fullscreen();
     }
+    const bool bare = std::exchange(wishes.screenshot, false);
+    const bool panels = std::exchange(wishes.screenshot_panels, false);
+    if ((bare || panels) && !shot_) {
+      shot_ = Shot{free_name(), panels};
+    }
   }
 
-  /// Reads the frame where a picture is wanted.
-  void take_pictures() {
-    if (std::exchange(session_.state().requests.screenshot, false)) {
-      const std::filesystem::path path = free_name();
-      try {
-        write_png(window_.read_pixels(), path);
-        session_.set_message("saved " + path.string());
-      } catch (const Error& error) {
-        session_.set_message(error.what());
+  /// Counts the frame of a script, and ends it.
+  void go_on() {
+    if (playing()) {
+      ++played_;
+    } else if (!options_.screenshot.empty() && !shot_) {
+      session_.state().paused = true;
+      shot_ = Shot{options_.screenshot, options_.screenshot_panels};
+    }
+    finished_ = finished_ || (scripted() && !playing() && options_.screenshot.empty());
+  }
+
+  /// Takes the picture that is wanted, if it is its time.
+  void take_picture(Size pixels) {
+    if (!shot_ || shot_->frames-- > 0) {
+      return;
+    }
+    const Shot shot = *std::exchange(shot_, std::nullopt);
+    try {
+      write_png(shot.panels ? window_.read_pixels() : bare_picture(pixels), shot.path);
+      session_.set_message("saved " + shot.path.string());
+    } catch (const Error& error) {
+      if (shot.path == options_.screenshot) {
+        throw;
       }
-      due_ = std::max(due_, 2);
+      session_.set_message(error.what());
     }
-    if (options_.frames && drawn_frames_ >= *options_.frames && !options_.screenshot.empty()) {
-      write_png(window_.read_pixels(), options_.screenshot);
-    }
+    finished_ = finished_ || shot.path == options_.screenshot;
+    due_ = std::max(due_, 2);
+  }
+
+  /// The scene in full, without handles and panels.
+  Picture bare_picture(Size pixels) {
+    renderer_.draw(session_.bare_picture(), session_.camera(), pixels);
+    drawn_ = {};
+    return renderer_.read_pixels();
   }
 
   ViewerOptions options_;
@@ -198,7 +238,9 @@ class Loop {
   Clock::time_point moved_ = Clock::now() - std::chrono::hours(1);
   bool coarse_ = false;  ///< the last picture was a quick one
   int due_ = kEcho;
-  std::uint64_t drawn_frames_ = 0;
+  std::optional<Shot> shot_;
+  std::uint64_t played_ = 0;  ///< of `ViewerOptions::frames`
+  bool finished_ = false;     ///< all of a script is done
 };
 
 }  // namespace

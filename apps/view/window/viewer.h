@@ -16,16 +16,18 @@ namespace soms::view {
 /// How the viewer starts and, for scripts, how it ends.
 struct ViewerOptions {
   Size size{1280, 720};
-  bool paused = false;
+  bool run = false;  ///< starts running; else it stands still at the first frame
   bool panels = true;
-  std::string screenshot;               ///< PNG of the last of `frames`; empty: none
-  std::optional<std::uint64_t> frames;  ///< end after as many; each is a sixtieth of a second then
+  /// PNG of the finished picture, after which the viewer ends; empty: none.
+  std::string screenshot;
+  bool screenshot_panels = false;       ///< with the panels over it
+  std::optional<std::uint64_t> frames;  ///< runs as many, each a sixtieth of a second, then ends
 };
 
 /// Shows the subject until the window is closed, the user quits, or a stop is requested. Draws only
 /// when something changed or runs, and at most about 60 times a second. \errors As `AppWindow`,
 /// `GlRenderer` and `write_png`; ErrorKind::cannot_write where the window is closed before the
-/// frame of `screenshot`. \pre A screenshot has `frames`.
+/// frame of `screenshot`.
 void run_viewer(Subject& subject, const ViewerOptions& options, const std::stop_token& stop);
 
 }  // namespace soms::view

@@ -14,7 +14,8 @@ namespace {
 
 ViewState in_the_middle() {
   ViewState state;
-  state.limits = {7, 5, 100, 3, true, true, 4, 200};
+  state.limits = {7, 5, 100, 3, true, true, true, 4, 200};
+  state.paused = false;
   state.level = 3;
   state.frame = 50;
   state.rule = Rule::soms;
@@ -43,6 +44,7 @@ std::vector<std::pair<Action, Check>> expectations() {
       {Action::panels, [](S s) { return !s.panels; }},
       {Action::fullscreen, [](S s) { return s.requests.fullscreen; }},
       {Action::screenshot, [](S s) { return s.requests.screenshot; }},
+      {Action::screenshot_panels, [](S s) { return s.requests.screenshot_panels; }},
       {Action::pause, [](S s) { return s.paused; }},
       {Action::step, [](S s) { return s.paused && s.requests.steps == 1; }},
       {Action::step_back, [](S s) { return s.paused && s.requests.steps == -1; }},

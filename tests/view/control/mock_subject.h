@@ -40,7 +40,7 @@ class MockSubject final : public Subject {
     facts.orientation_test = last_choice.orientation_test;
     facts.traversed = true;
     facts.gap = gap;
-    facts.limits = {7, 5, frames, 3, can_seek, has_object, 4, 200};
+    facts.limits = {7, 5, frames, 3, moves, can_seek, has_object, 4, 200};
     facts.bounds = {{-100, -100, 0}, {100, 100, 50}};
     if (has_object) {
       facts.object = object;
@@ -118,6 +118,7 @@ class MockSubject final : public Subject {
 
   std::uint64_t frame = 0;
   std::uint64_t frames = 100;
+  bool moves = true;
   bool can_seek = true;
   bool has_object = true;
   Pose object = Pose::translation(0, 0, 10);

@@ -5,6 +5,7 @@
 
 #include "apps/view/control/help.h"
 #include "apps/view/control/imgui_input.h"
+#include "apps/view/control/style.h"
 #include "apps/view/scene/orientation_menu.h"
 #include "tests/view/control/mock_subject.h"
 
@@ -173,7 +174,8 @@ TEST_F(PanelsTest, RunPauseStepBackAndStart) {
 TEST_F(PanelsTest, SpeedAndFrameSlide) {
   click("Speed", 0.02);
   EXPECT_LT(state().speed, 0.2);
-  const double slider = 0.52 * 19.5 * 13 / (find("Frame")->right - find("Frame")->left);
+  const double slider =
+      0.52 * 19.5 * 14 / (find("Frame")->right - find("Frame")->left);  // 14: the font's height
   click("Frame", slider * 0.5);
   EXPECT_NEAR(static_cast<double>(subject_.frame), 50, 3);
   click("Frame", slider * 0.02);
@@ -235,6 +237,9 @@ TEST_F(PanelsTest, FileAndHelpMenusDoAsTheirKeys) {
   click("Save picture");
   EXPECT_TRUE(state().requests.screenshot);
   click("File");
+  click("Save with panels");
+  EXPECT_TRUE(state().requests.screenshot_panels);
+  click("File");
   click("Full screen");
   EXPECT_TRUE(state().requests.fullscreen);
   click("Help");
@@ -269,9 +274,9 @@ TEST_F(PanelsTest, HeadingsFold) {
 
 TEST_F(PanelsTest, WhatIsPickedHasAPanelThatGoesThereAndCloses) {
   EXPECT_EQ(find("Go there"), nullptr);
-  ImGui::GetIO().MousePos = ImVec2(800, 400);
-  session_.push(MouseDown{MouseButton::left, {800, 400}});
-  session_.push(MouseUp{MouseButton::left, {800, 400}});
+  ImGui::GetIO().MousePos = ImVec2(700, 450);
+  session_.push(MouseDown{MouseButton::left, {700, 450}});
+  session_.push(MouseUp{MouseButton::left, {700, 450}});
   settle();
   ASSERT_TRUE(session_.picked());
   ASSERT_NE(find("Go there"), nullptr);

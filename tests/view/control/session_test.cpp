@@ -82,6 +82,37 @@ TEST_F(SessionTest, BeginsWithAllInView) {
   }
 }
 
+TEST(Session, StartsStill) {
+  MockSubject subject;
+  Session session(subject, kWindowSize);
+  session.tick(kTick);
+  EXPECT_FALSE(session.animating());
+  EXPECT_EQ(subject.advanced, 0);
+}
+
+TEST_F(SessionTest, DoesNotRunWhereNothingMoves) {
+  subject_.moves = false;
+  frame();
+  press(Action::pause);
+  frame(1);
+  EXPECT_TRUE(session_.state().paused);
+  EXPECT_FALSE(session_.animating());
+  EXPECT_EQ(subject_.advanced, 0);
+  EXPECT_NE(session_.message().find("nothing moves"), std::string::npos) << session_.message();
+  subject_.moves = true;
+  frame();
+  press(Action::pause);
+  EXPECT_TRUE(session_.animating());
+}
+
+TEST_F(SessionTest, TheBarePictureHasNoHandles) {
+  frame();
+  const std::size_t bare = session_.bare_picture().lines.size();
+  EXPECT_EQ(bare, 1U);
+  EXPECT_GT(session_.picture().lines.size(), bare);
+  EXPECT_EQ(session_.bare_picture().lines.size(), bare);
+}
+
 TEST_F(SessionTest, DraggingTurnsAndShiftDraggingShifts) {
   const Camera before = session_.camera();
   drag(MouseButton::left, {900, 600}, {960, 600});

@@ -44,17 +44,23 @@ class ViewerTest : public testing::Test {
 
   [[nodiscard]] std::vector<std::string> words() const {
     return {SOMS_VIEW_COMMAND, "view",   path("block.ply"), "--mover", path("cube.ply"), "--route",
-            path("still.csv"), "--size", "960x540",         "--paused"};
+            path("still.csv"), "--size", "960x540"};
   }
 
   [[nodiscard]] std::string path(const std::string& name) const {
     return (folder_.path() / name).string();
   }
 
-  /// Waits for a picture that F12 saves, and takes it away. The viewer has taken all that came
-  /// before.
-  Picture picture(const Display& display, RunningProgram& viewer) {
-    display.type({"key", "F12"});
+  [[nodiscard]] std::vector<std::string> words_and(const std::vector<std::string>& more) const {
+    std::vector<std::string> all = words();
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
+  /// Waits for a picture that F12 or Shift+F12 saves, and takes it away. The viewer has taken all
+  /// that came before.
+  Picture picture(const Display& display, RunningProgram& viewer, const char* key = "F12") {
+    display.type({"key", key});
     const auto file = folder_.path() / "soms-view-1.png";
     soms::test::wait_until([&] { return std::filesystem::exists(file) || viewer.ended(); });
     const Picture read = read_png(file);
@@ -77,12 +83,12 @@ TEST_F(ViewerTest, KeysActAndADragIntoTheBuildingTurnsPixelsRed) {
   RunningProgram viewer(words(), folder_.path(), display.name());
   ASSERT_TRUE(display.wait_for_window("soms view", viewer)) << viewer.errors();
 
-  const Picture before = picture(display, viewer);
+  const Picture before = picture(display, viewer, "shift+F12");
   EXPECT_EQ(before.size, kSize);
   EXPECT_EQ(red_pixels(before), 0U);
 
   display.type({"key", "Tab"});  // panels off: the picture changes on its left
-  const Picture bare = picture(display, viewer);
+  const Picture bare = picture(display, viewer, "shift+F12");
   EXPECT_GT(difference(before, bare, 20).beyond, 20'000U);
   EXPECT_EQ(red_pixels(bare), 0U);
 
@@ -103,13 +109,9 @@ TEST_F(ViewerTest, KeysActAndADragIntoTheBuildingTurnsPixelsRed) {
   EXPECT_EQ(viewer.errors(), "");
 }
 
-TEST_F(ViewerTest, RestsWhenPaused) {
-  const Display display;
-  RunningProgram viewer(words(), folder_.path(), display.name());
-  ASSERT_TRUE(display.wait_for_window("soms view", viewer)) << viewer.errors();
-  (void)picture(display, viewer);
-  // It comes to rest: for two seconds, or more, it takes no time of any processor. One that draws
-  // on never does.
+/// Waits until a program comes to rest: for two seconds, or more, it takes no time of any
+/// processor. One that draws on never does.
+void expect_rest(RunningProgram& viewer) {
   double before = -1;
   soms::test::wait_until([&] {
     const double now = viewer.processor_seconds();
@@ -119,6 +121,28 @@ TEST_F(ViewerTest, RestsWhenPaused) {
     return rests;
   });
   EXPECT_FALSE(viewer.ended());
+}
+
+TEST_F(ViewerTest, StartsStillThoughMoversCouldMove) {
+  const Display display;
+  RunningProgram viewer({SOMS_VIEW_COMMAND, "view", path("block.ply"), "--mover", path("cube.ply"),
+                         "--count", "3", "--size", "960x540"},
+                        folder_.path(), display.name());
+  ASSERT_TRUE(display.wait_for_window("soms view", viewer)) << viewer.errors();
+  const Picture first = picture(display, viewer);
+  expect_rest(viewer);
+  EXPECT_EQ(difference(first, picture(display, viewer), 0).beyond, 0U);
+}
+
+TEST_F(ViewerTest, RestsWhereNothingMovesThoughItRuns) {
+  const Display display;
+  RunningProgram viewer(
+      {SOMS_VIEW_COMMAND, "view", path("block.ply"), "--size", "960x540", "--run"}, folder_.path(),
+      display.name());
+  ASSERT_TRUE(display.wait_for_window("soms view", viewer)) << viewer.errors();
+  display.type({"key", "space"});
+  (void)picture(display, viewer);
+  expect_rest(viewer);
 }
 
 TEST_F(ViewerTest, CtrlCEndsCleanlyAlsoWhenItRests) {
@@ -142,28 +166,41 @@ TEST_F(ViewerTest, ALostDisplayIsOneSentenceAndStatus5) {
             "soms-view: the display was lost; start the viewer again when it is back\n");
 }
 
-TEST_F(ViewerTest, FramesAndScreenshotServeScripts) {
+TEST_F(ViewerTest, AScreenshotIsTheFinishedPictureWithoutPanelsAndHandles) {
   const Display display;
-  std::vector<std::string> all = words();
-  for (const char* const word : {"--frames", "3", "--screenshot", "end.png"}) {
-    all.emplace_back(word);
-  }
-  RunningProgram viewer(all, folder_.path(), display.name());
+  const auto shot = [&](const std::vector<std::string>& more) {
+    RunningProgram viewer(words_and(more), folder_.path(), display.name());
+    EXPECT_EQ(viewer.wait(), 0) << viewer.errors();
+    Picture read = read_png(folder_.path() / "end.png");
+    EXPECT_EQ(read.size, kSize);
+    return read;
+  };
+  const Picture bare = shot({"--screenshot", "end.png"});
+  EXPECT_EQ(difference(bare, shot({"--frames", "3", "--screenshot", "end.png"}), 0).beyond, 0U);
+  const Picture panels = shot({"--screenshot", "end.png", "--with-panels"});
+  EXPECT_GT(difference(bare, panels, 20).beyond, 20'000U);
+
+  RunningProgram viewer(words(), folder_.path(), display.name());
+  ASSERT_TRUE(display.wait_for_window("soms view", viewer)) << viewer.errors();
+  EXPECT_EQ(difference(bare, picture(display, viewer), 0).beyond, 0U);
+  display.type({"key", "K"});  // handles off: no other picture
+  EXPECT_EQ(difference(bare, picture(display, viewer), 0).beyond, 0U);
+}
+
+TEST_F(ViewerTest, FramesRunAndEnd) {
+  const Display display;
+  RunningProgram viewer(words_and({"--frames", "3"}), folder_.path(), display.name());
   EXPECT_EQ(viewer.wait(), 0) << viewer.errors();
-  EXPECT_EQ(read_png(folder_.path() / "end.png").size, kSize);
 }
 
 TEST_F(ViewerTest, AWindowClosedBeforeItsScreenshotIsAnError) {
   const Display display;
-  std::vector<std::string> all = words();
-  for (const char* const word : {"--frames", "1000000", "--screenshot", "end.png"}) {
-    all.emplace_back(word);
-  }
-  RunningProgram viewer(all, folder_.path(), display.name());
+  RunningProgram viewer(words_and({"--frames", "1000000", "--screenshot", "end.png"}),
+                        folder_.path(), display.name());
   ASSERT_TRUE(display.wait_for_window("soms view", viewer)) << viewer.errors();
   display.type({"key", "ctrl+q"});
   EXPECT_EQ(viewer.wait(), 5);
-  EXPECT_NE(viewer.errors().find("end.png: the window was closed after"), std::string::npos)
+  EXPECT_NE(viewer.errors().find("end.png: the window was closed before"), std::string::npos)
       << viewer.errors();
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "end.png"));
 }
@@ -189,10 +226,8 @@ TEST_F(ViewerTest, WrongOptionsAreUsage) {
   for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--size", "12"},
                                                 {"--size", "10x10"},
                                                 {"--frames", "0"},
-                                                {"--screenshot", "a.png"}}) {
-    std::vector<std::string> all = words();
-    all.insert(all.end(), wrong.begin(), wrong.end());
-    RunningProgram viewer(all, folder_.path(), "");
+                                                {"--with-panels"}}) {
+    RunningProgram viewer(words_and(wrong), folder_.path(), "");
     EXPECT_EQ(viewer.wait(), 2) << wrong[0] << viewer.errors();
   }
 }
