@@ -28,13 +28,16 @@ constexpr KeyPress control(char character) {
 constexpr std::string_view kGeneral = "General";
 constexpr std::string_view kTime = "Time";
 constexpr std::string_view kCamera = "Camera";
+constexpr std::string_view kContacts = "Contacts";
 constexpr std::string_view kTree = "Tree and traversal";
+constexpr std::string_view kLearn = "Learn";
 constexpr std::string_view kShow = "Show";
 constexpr std::string_view kObject = "Move the object";
 
-constexpr std::array<ActionRow, 62> kActions{{
+constexpr std::array<ActionRow, 69> kActions{{
     {Action::help, key('H'), {Key::f1}, kGeneral, "this help"},
-    {Action::back, {Key::escape}, {}, kGeneral, "close the help, deselect, quit"},
+    {Action::back, {Key::escape}, {}, kGeneral, "close what is open, deselect, quit"},
+    {Action::open, control('O'), {}, kGeneral, "open a model"},
     {Action::quit, control('Q'), {}, kGeneral, "quit"},
     {Action::panels, {Key::tab}, {}, kGeneral, "panels on or off"},
     {Action::fullscreen, {Key::f11}, {}, kGeneral, "full screen on or off"},
@@ -60,6 +63,10 @@ constexpr std::array<ActionRow, 62> kActions{{
     {Action::focus, key('F'), {}, kCamera, "go to the selection"},
     {Action::focus_gap, shift('F'), {}, kCamera, "go to the gap"},
 
+    {Action::events, {Key::f2}, {}, kContacts, "list of contacts on or off"},
+    {Action::event_next, {Key::f3}, {}, kContacts, "go to the next contact"},
+    {Action::event_previous, {Key::f3, true}, {}, kContacts, "go to the previous contact"},
+
     {Action::rule_next, key('R'), {}, kTree, "next rule"},
     {Action::rule_previous, shift('R'), {}, kTree, "previous rule"},
     {Action::traversal_next, key('T'), {}, kTree, "next traversal"},
@@ -70,6 +77,10 @@ constexpr std::array<ActionRow, 62> kActions{{
     {Action::tree_of, shift('B'), {}, kTree, "tree of the city or of the object"},
     {Action::level_down, key(']'), {}, kTree, "one level deeper"},
     {Action::level_up, key('['), {}, kTree, "one level up, toward the root"},
+
+    {Action::learn, {Key::f4}, {}, kLearn, "the traversal test by test, on or off"},
+    {Action::learn_next, {Key::f5}, {}, kLearn, "next test"},
+    {Action::learn_previous, {Key::f5, true}, {}, kLearn, "previous test"},
 
     {Action::visited, key('V'), {}, kShow, "boxes that the traversal visited"},
     {Action::pruned, key('P'), {}, kShow, "boxes that it pruned"},
@@ -149,7 +160,9 @@ void next_camera(ViewState& state) {
 }
 
 void back(ViewState& state) {
-  if (state.help) {
+  if (state.files) {
+    state.files.reset();
+  } else if (state.help) {
     state.help = false;
   } else if (state.selected) {
     state.requests.deselect = true;
@@ -185,6 +198,9 @@ bool apply_general(ViewState& state, Action action) {
       return true;
     case Action::back:
       back(state);
+      return true;
+    case Action::open:
+      state.requests.list_files = true;
       return true;
     case Action::quit:
       state.requests.quit = true;
@@ -260,6 +276,33 @@ bool apply_camera(ViewState& state, Action action) {
       return true;
     case Action::focus_gap:
       state.requests.fit_gap = true;
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool apply_list(ViewState& state, Action action) {
+  switch (action) {
+    case Action::events:
+      flip(state.events);
+      return true;
+    case Action::event_next:
+    case Action::event_previous:
+      state.events = true;
+      state.requests.event_step = action == Action::event_next ? 1 : -1;
+      return true;
+    case Action::learn:
+      flip(state.learn);
+      return true;
+    case Action::learn_next:
+    case Action::learn_previous:
+      if (state.learn && action == Action::learn_next) {
+        ++state.learn_step;
+      } else if (state.learn && state.learn_step > 0) {
+        --state.learn_step;
+      }
+      state.learn = true;
       return true;
     default:
       return false;
@@ -398,7 +441,8 @@ std::string keys_of(Action action) {
 
 bool repeats(Action action) {
   return action == Action::step || action == Action::step_back || action == Action::level_down ||
-         action == Action::level_up ||
+         action == Action::level_up || action == Action::learn_next ||
+         action == Action::learn_previous ||
          (action >= Action::object_right && action <= Action::object_turn_right);
 }
 
@@ -407,7 +451,8 @@ bool is_fine(Action action) {
 }
 
 void apply(ViewState& state, Action action) {
-  if (apply_general(state, action) || apply_camera(state, action) || apply_tree(state, action)) {
+  if (apply_general(state, action) || apply_camera(state, action) || apply_list(state, action) ||
+      apply_tree(state, action)) {
     return;
   }
   if (bool* const flag = shown_flag(state, action)) {

@@ -101,14 +101,16 @@ Camera flown(const Camera& camera, const FlyKeys& keys, double seconds, double s
   return flown(camera, right, forward, 0);
 }
 
-Camera fitted_beside(const Box& box, const Vec3& toward_eye, Size size, double covered,
+Camera fitted_beside(const Box& box, const Vec3& toward_eye, Size size, const Covered& covered,
                      double field_of_view) {
-  const int free = std::max(static_cast<int>(size.width - covered), size.width / 4);
+  const int free =
+      std::max(static_cast<int>(size.width - covered.left - covered.right), size.width / 4);
   const Camera whole = fitted(box, toward_eye, {free, size.height}, field_of_view);
-  return panned(whole, -0.5 * (size.width - free) / std::max(size.height, 1), 0);
+  return panned(whole, -0.5 * (covered.left - covered.right) / std::max(size.height, 1), 0);
 }
 
-Camera seen_from(const Box& box, Side side, Size size, double field_of_view, double covered) {
+Camera seen_from(const Box& box, Side side, Size size, double field_of_view,
+                 const Covered& covered) {
   return fitted_beside(box, toward_eye(side), size, covered, field_of_view);
 }
 

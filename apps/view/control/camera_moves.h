@@ -52,13 +52,21 @@ struct FlyKeys {
 [[nodiscard]] Camera flown(const Camera& camera, const FlyKeys& keys, double seconds,
                            double scene_size);
 
-/// As `fitted`, beside `covered` pixels at the left of the picture.
-[[nodiscard]] Camera fitted_beside(const Box& box, const Vec3& toward_eye, Size size,
-                                   double covered, double field_of_view);
+/// Pixels of a picture that panels cover.
+struct Covered {
+  double left = 0;
+  double right = 0;
 
-/// The camera that sees all of `box` from a side, beside `covered` pixels at the left.
+  [[nodiscard]] bool operator==(const Covered&) const = default;
+};
+
+/// As `fitted`, in the part of a picture that is not covered, a quarter at least.
+[[nodiscard]] Camera fitted_beside(const Box& box, const Vec3& toward_eye, Size size,
+                                   const Covered& covered, double field_of_view);
+
+/// The camera that sees all of `box` from a side.
 [[nodiscard]] Camera seen_from(const Box& box, Side side, Size size, double field_of_view,
-                               double covered = 0);
+                               const Covered& covered = {});
 
 /// A short glide from one camera to another, so that the eye can follow.
 class CameraFlight {

@@ -4,12 +4,14 @@ set(SOMS_VIEW_HEADERS
   action.h
   camera_moves.h
   detail.h
+  file_list.h
   frame_times.h
   gizmo.h
   help.h
   imgui_input.h
   input_event.h
   keys.h
+  panel_text.h
   panels.h
   playback.h
   session.h
@@ -22,13 +24,17 @@ set(SOMS_VIEW_SOURCES
   action.cpp
   camera_moves.cpp
   detail.cpp
+  file_list.cpp
   frame_times.cpp
   gizmo.cpp
   help.cpp
   keys.cpp
+  panel_lists.cpp
+  panel_text.cpp
   panels.cpp
   playback.cpp
   session.cpp
+  session_lists.cpp
   style.cpp
   view_state.cpp
   widgets.cpp

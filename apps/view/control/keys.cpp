@@ -9,7 +9,7 @@ namespace soms::view {
 
 namespace {
 
-constexpr std::array<std::pair<Key, std::string_view>, 18> kNames{{
+constexpr std::array<std::pair<Key, std::string_view>, 22> kNames{{
     {Key::space, "Space"},
     {Key::escape, "Esc"},
     {Key::enter, "Enter"},
@@ -26,6 +26,10 @@ constexpr std::array<std::pair<Key, std::string_view>, 18> kNames{{
     {Key::home, "Home"},
     {Key::end, "End"},
     {Key::f1, "F1"},
+    {Key::f2, "F2"},
+    {Key::f3, "F3"},
+    {Key::f4, "F4"},
+    {Key::f5, "F5"},
     {Key::f11, "F11"},
     {Key::f12, "F12"},
 }};

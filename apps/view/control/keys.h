@@ -37,6 +37,10 @@ enum class Key : int {
   home,
   end,
   f1,
+  f2,
+  f3,
+  f4,
+  f5,
   f11,
   f12,
 };

@@ -3,8 +3,10 @@
 #include "soms/thesis/traversals.h"
 #include "soms/tree/rule/rules.h"
 
+#include "apps/support/text.h"
 #include "apps/view/control/help.h"
 #include "apps/view/control/imgui_input.h"
+#include "apps/view/control/panel_text.h"
 #include "apps/view/scene/orientation_menu.h"
 
 #include <algorithm>
@@ -19,7 +21,6 @@ namespace soms::view {
 namespace {
 
 constexpr float kSidebar = 19.5F;  ///< width in heights of a line of text
-constexpr float kPicked = 27.0F;
 
 std::vector<std::string_view> rule_names() {
   std::vector<std::string_view> names;
@@ -35,16 +36,6 @@ std::vector<std::string_view> traversal_names() {
     names.push_back(traversal.kebab);
   }
   return names;
-}
-
-/// 1234567 as "1,234,567".
-std::string grouped(std::uint64_t value) {
-  std::string text = std::to_string(value);
-  for (std::size_t i = text.size(); i > 3;) {
-    i -= 3;
-    text.insert(i, 1, ',');
-  }
-  return text;
 }
 
 std::string milliseconds(double value) {
@@ -83,25 +74,24 @@ void help_cells(const HelpLine& line) {
   ImGui::TextUnformatted(line.text.c_str());
 }
 
-/// What a click means, done as its key would be.
-void on_press(bool pressed, ViewState& state, Action action) {
-  if (pressed) {
-    apply(state, action);
-  }
-}
-
 }  // namespace
 
 void Panels::draw(Session& session, const FrameTimes& times, const DrawStatistics& drawn) {
   widgets_.begin_frame();
-  session.set_covered(session.state().panels ? kSidebar * ImGui::GetFontSize() : 0);
+  const ViewState& state = session.state();
+  const float line = state.panels ? ImGui::GetFontSize() : 0;
+  session.set_covered({kSidebar * line, state.events || state.learn ? kRightColumn * line : 0});
   axis_letters(session);
-  if (session.state().panels) {
+  if (state.panels) {
     menu_bar(session);
     sidebar(session, times, drawn);
+    right_top_ = ImGui::GetFrameHeight();
+    events(session);
+    learn(session);
     picked_panel(session);
   }
   message_line(session);
+  files(session.state());
   help(session.state());
 }
 
@@ -114,6 +104,7 @@ void Panels::menu_bar(Session& session) {
     on_press(widgets_.menu_item(label, ticked, action), state, action);
   };
   if (widgets_.begin_menu("File")) {
+    item("Open...", Action::open);
     item("Save picture", Action::screenshot);
     item("Save with panels", Action::screenshot_panels);
     item("Full screen", Action::fullscreen);
@@ -135,6 +126,18 @@ void Panels::menu_bar(Session& session) {
         state.camera = mode;
       }
     }
+    ImGui::EndMenu();
+  }
+  if (widgets_.begin_menu("Contacts")) {
+    item("List", Action::events, state.events);
+    item("Next contact", Action::event_next);
+    item("Previous contact", Action::event_previous);
+    ImGui::EndMenu();
+  }
+  if (widgets_.begin_menu("Learn")) {
+    item("Traversal, test by test", Action::learn, state.learn);
+    item("Next", Action::learn_next);
+    item("Previous one", Action::learn_previous);
     ImGui::EndMenu();
   }
   if (widgets_.begin_menu("Orientation test")) {
@@ -204,7 +207,7 @@ void Panels::time_panel(Session& session) {
       state.requests.seek = frame;
     }
   } else {
-    ImGui::Text("frame %s", grouped(state.frame).c_str());
+    ImGui::Text("frame %s", command::with_commas(state.frame).c_str());
   }
 }
 
@@ -268,12 +271,12 @@ void Panels::counts_panel(const Facts& facts) {
   if (!widgets_.heading("Counts") || !begin_rows("counts")) {
     return;
   }
-  row("Triangles", grouped(facts.triangles));
-  row("Movers", grouped(facts.movers));
-  row("Touching movers", grouped(facts.bodies));
-  row("Touching pairs", grouped(facts.contacts));
+  row("Triangles", command::with_commas(facts.triangles));
+  row("Movers", command::with_commas(facts.movers));
+  row("Touching movers", command::with_commas(facts.bodies));
+  row("Touching pairs", command::with_commas(facts.contacts));
   if (!facts.clearance.empty()) {
-    row("Near", grouped(facts.gaps) + " within " + facts.clearance);
+    row("Near", command::with_commas(facts.gaps) + " within " + facts.clearance);
     row("Least gap", facts.least_gap.empty() ? "none" : facts.least_gap);
   }
   if (facts.gap) {
@@ -282,12 +285,12 @@ void Panels::counts_panel(const Facts& facts) {
     }
   }
   row("Collision", milliseconds(facts.collision_ms));
-  row("Box tests", grouped(facts.cost.node_tests));
-  row("Triangle tests", grouped(facts.cost.triangle_tests));
-  row("Exact tests", grouped(facts.cost.exact_tests));
+  row("Box tests", command::with_commas(facts.cost.node_tests));
+  row("Triangle tests", command::with_commas(facts.cost.triangle_tests));
+  row("Exact tests", command::with_commas(facts.cost.exact_tests));
   if (facts.traversed) {
     const auto counted = [&facts](std::uint64_t count) {
-      return (facts.trace_cut ? "at least " : "") + grouped(count);
+      return (facts.trace_cut ? "at least " : "") + command::with_commas(count);
     };
     row("Box pairs entered", counted(facts.visited));
     row("Box pairs pruned", counted(facts.pruned));
@@ -310,10 +313,10 @@ void Panels::frame_panel(const Facts& facts, const FrameTimes& times, const Draw
   const auto top = static_cast<float>(1.1 * std::max(times.greatest(), 1.0));
   ImGui::PlotLines("##ms", graph.data(), static_cast<int>(graph.size()), 0, nullptr, 0, top,
                    ImVec2(ImGui::GetContentRegionAvail().x, 2.6F * ImGui::GetFontSize()));
-  ImGui::Text("%s draw calls, %s triangles", grouped(drawn.draw_calls).c_str(),
-              grouped(drawn.triangles).c_str());
+  ImGui::Text("%s draw calls, %s triangles", command::with_commas(drawn.draw_calls).c_str(),
+              command::with_commas(drawn.triangles).c_str());
   if (drawn.triangles_left > 0) {
-    ImGui::Text("%s more when the view rests", grouped(drawn.triangles_left).c_str());
+    ImGui::Text("%s more when the view rests", command::with_commas(drawn.triangles_left).c_str());
   }
   for (const std::string& line : facts.left_out) {
     ImGui::TextWrapped("%s", line.c_str());
@@ -325,15 +328,8 @@ void Panels::picked_panel(Session& session) {
     return;
   }
   const PickedFacts& picked = *session.picked();
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float width = kPicked * ImGui::GetFontSize();
-  const float top = ImGui::GetFrameHeight();
-  ImGui::SetNextWindowPos(ImVec2(display.x - width, top));
-  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, display.y - 2 * top));
-  const auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavInputs;
-  if (ImGui::Begin("picked", nullptr, flags)) {
+  begin_right("picked", 0);
+  {
     ImGui::TextWrapped("%s", picked.title.c_str());
     ImGui::Separator();
     if (begin_rows("numbers")) {
@@ -352,7 +348,7 @@ void Panels::picked_panel(Session& session) {
       state.requests.deselect = true;
     }
   }
-  ImGui::End();
+  end_right();
 }
 
 void Panels::message_line(const Session& session) {

@@ -7,6 +7,8 @@
 #include "apps/view/control/widgets.h"
 #include "apps/view/drawing/renderer.h"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 
 namespace soms::view {
@@ -31,10 +33,31 @@ class Panels {
   void frame_panel(const Facts& facts, const FrameTimes& times, const DrawStatistics& drawn);
   void picked_panel(Session& session);
   void message_line(const Session& session);
+
+  /// What a click means, done as its key would be.
+  static void on_press(bool pressed, ViewState& state, Action action) {
+    if (pressed) {
+      apply(state, action);
+    }
+  }
+
+  /// A panel of the right column, below those before; of a height, or as high as what it holds.
+  void begin_right(const char* name, float height);
+  void end_right();
+  void files(ViewState& state);
+  void events(Session& session);
+  void event_rows(Session& session);
+  void learn(Session& session);
   void help(ViewState& state);
   void axis_letters(const Session& session);
 
+  static constexpr float kRightColumn = 26;  ///< width in heights of a line of text
+
   Widgets widgets_;
+  std::size_t shown_file_ = 0;  ///< that was scrolled to
+  std::optional<std::size_t> shown_event_;
+  std::string wanted_;   ///< words of contacts to be listed
+  float right_top_ = 0;  ///< where the next panel of the right column begins
 };
 
 /// What the panels keep for themselves, by the frame begun.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 namespace soms::view {
@@ -53,21 +54,6 @@ Box usable(const Box& box) {
 
 }  // namespace
 
-template <typename Task>
-bool Session::guarded(Task&& task, bool clears) {
-  changed_ = true;
-  try {
-    task();
-  } catch (const Error& error) {
-    message_ = error.what();
-    return false;
-  }
-  if (clears) {
-    message_.clear();
-  }
-  return true;
-}
-
 Session::Session(Subject& subject, Size window) : subject_(subject), window_(window) {
   choice_ = choice(state_);
   guarded([&] { subject_.choose(state_); });
@@ -90,9 +76,9 @@ Camera Session::fit(const Box& box) const {
   return fitted_beside(box, camera_.eye - camera_.target, window_, covered_, camera_.field_of_view);
 }
 
-void Session::set_covered(double left) {
-  if (left != covered_) {
-    covered_ = left;
+void Session::set_covered(const Covered& covered) {
+  if (covered != covered_) {
+    covered_ = covered;
     frame_again();
   }
 }
@@ -110,6 +96,9 @@ void Session::refresh() {
   state_.frame = facts_.frame;
   state_.orientation_test = facts_.orientation_test;
   choice_.orientation_test = facts_.orientation_test;
+  if (facts_.learn) {
+    state_.learn_step = choice_.learn_step = facts_.learn->test;
+  }
   clamp(state_);
 }
 
@@ -131,7 +120,9 @@ void Session::handle(const Captured& captured) {
         [&](const auto& e) {
           using Event = std::decay_t<decltype(e)>;
           if constexpr (std::is_same_v<Event, KeyDown>) {
-            if (!captured.keys) {
+            if (state_.files && e.press.key < Key::f1) {
+              take_in_files(e.press);
+            } else if (!captured.keys) {
               take(e);
             }
           } else if constexpr (std::is_same_v<Event, MouseDown> || std::is_same_v<Event, Wheel>) {
@@ -300,6 +291,7 @@ void Session::tick(double seconds) {
   const auto before = facts_.followed;
   do_time_requests();
   do_requests();
+  do_event_requests();
   tell_choice();
   run(passed);
   refresh();
@@ -377,15 +369,18 @@ void Session::do_requests() {
     wishes.object_home = false;
     guarded([&] { subject_.object_home(); });
   }
+  if (std::exchange(wishes.list_files, false)) {
+    state_.files.emplace(last_folder_);
+  }
+  if (std::exchange(wishes.open_chosen, false) && state_.files) {
+    if (const auto path = state_.files->open()) {
+      last_folder_ = state_.files->folder();
+      state_.files.reset();
+      wishes.open.push_back(path->string());
+    }
+  }
   if (!wishes.open.empty()) {
-    const auto paths = std::move(wishes.open);
-    wishes.open.clear();
-    guarded([&] {
-      for (const std::string& path : paths) {
-        subject_.open(path);
-      }
-    });
-    wishes.fit_all = message_.empty();
+    open_files(std::exchange(wishes.open, {}));
   }
 }
 
@@ -479,7 +474,7 @@ std::optional<Handle> Session::handle_in_use() const {
 
 const DrawList& Session::picture() {
   (void)bare_picture();
-  list_.captions.covered = covered_;
+  list_.captions.covered = covered_.left;
   if (const auto handles = gizmo()) {
     draw(*handles, handle_in_use(), list_);
   }
@@ -504,13 +499,17 @@ const DrawList& Session::bare_picture() {
   return list_;
 }
 
-bool Session::animating() const {
+bool Session::changing() const {
   return !state_.paused || flight_.has_value() ||
          (fly_.any() && state_.camera == CameraMode::fly) || !events_.empty();
 }
 
+bool Session::animating() const {
+  return changing() || searching();
+}
+
 bool Session::moving() const {
-  return animating() || drag_.has_value() || (press_ && press_->dragging);
+  return changing() || drag_.has_value() || (press_ && press_->dragging);
 }
 
 }  // namespace soms::view

@@ -2,6 +2,7 @@
 /// The viewer without a window: events in, state, camera and draw list out.
 #pragma once
 
+#include "soms/base/error.h"
 #include "soms/base/pose.h"
 
 #include "apps/view/control/camera_moves.h"
@@ -15,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -37,8 +39,8 @@ class Session {
 
   void resize(Size window);
 
-  /// Panels cover so many pixels of the window at its left: the camera fits things beside them.
-  void set_covered(double left);
+  /// Panels cover parts of the window: the camera fits things beside them.
+  void set_covered(const Covered& covered);
 
   /// Keeps an event for `handle`.
   void push(InputEvent event) { events_.push_back(std::move(event)); }
@@ -57,6 +59,8 @@ class Session {
   [[nodiscard]] const Camera& camera() const { return camera_; }
 
   [[nodiscard]] const Facts& facts() const { return facts_; }
+
+  [[nodiscard]] const EventList& events() const { return subject_.events(); }
 
   [[nodiscard]] const std::optional<PickedFacts>& picked() const { return picked_; }
 
@@ -100,6 +104,7 @@ class Session {
   };
 
   void take(const KeyDown& event);
+  void take_in_files(const KeyPress& press);
   void take(const KeyUp& event);
   void take(const MouseDown& event);
   void take(const MouseUp& event);
@@ -114,6 +119,11 @@ class Session {
 
   void do_requests();
   void do_camera_requests();
+  void do_event_requests();
+  void go_to_event(std::size_t row);
+  void open_files(const std::vector<std::string>& paths);
+  [[nodiscard]] bool searching() const;
+  [[nodiscard]] bool changing() const;
   void do_time_requests();
   void move_object(const ObjectMove& move);
   void refresh();
@@ -135,7 +145,7 @@ class Session {
 
   Subject& subject_;
   Size window_;
-  double covered_ = 0;
+  Covered covered_;
   Camera first_;  ///< that the viewer chose: it follows the window until the user moves it
   ViewState state_;
   Camera camera_;
@@ -153,6 +163,7 @@ class Session {
   Playback playback_;
   CameraMode mode_before_ = CameraMode::orbit;
   std::uint64_t followed_before_ = 0;
+  std::filesystem::path last_folder_ = ".";
   Choice choice_;        ///< that the subject was given
   bool changed_ = true;  ///< the list is to be rebuilt
   DrawList list_;
@@ -160,5 +171,20 @@ class Session {
   std::size_t scene_lines_ = 0;  ///< of the list; what follows is the gizmo's
   std::size_t scene_marks_ = 0;
 };
+
+template <typename Task>
+bool Session::guarded(Task&& task, bool clears) {
+  changed_ = true;
+  try {
+    task();
+  } catch (const Error& error) {
+    message_ = error.what();
+    return false;
+  }
+  if (clears) {
+    message_.clear();
+  }
+  return true;
+}
 
 }  // namespace soms::view

@@ -39,6 +39,59 @@ struct GapFacts {
   [[nodiscard]] bool operator==(const GapFacts&) const = default;
 };
 
+/// Two bodies touch over a stretch of time.
+struct ContactEvent {
+  std::string title;  ///< "car 12 touches town"
+  std::uint64_t begin = 0;
+  std::uint64_t end = 0;         ///< the last frame in which they touch
+  std::uint64_t most_pairs = 0;  ///< pairs of triangles, in the frame that has the most
+  std::uint64_t most_frame = 0;  ///< the first such frame
+
+  [[nodiscard]] bool operator==(const ContactEvent&) const = default;
+};
+
+/// The contacts of the first frames, as they would be without the hand, by their begin.
+struct EventList {
+  std::vector<ContactEvent> rows;
+  std::uint64_t searched = 0;  ///< frames
+  std::uint64_t frames = 0;    ///< that are to be searched
+
+  [[nodiscard]] bool done() const { return searched >= frames; }
+};
+
+/// What to look at, and from where.
+struct Sight {
+  PickedFacts facts;
+  Box surroundings;
+  Vec3 toward_eye;
+};
+
+/// A tree as rows of bars: the root above, each node as wide as its share of the triangles.
+struct TreeBars {
+  enum class Look : std::uint8_t { untouched, pruned, visited, found, now };
+
+  struct Bar {
+    float left = 0;  ///< 0 to 1
+    float right = 1;
+    std::uint16_t level = 0;
+    Look look = Look::untouched;
+  };
+
+  std::string name;  ///< of the body
+  std::vector<Bar> bars;
+  std::uint16_t levels = 1;
+};
+
+/// One test of a traversal, in words.
+struct LearnFacts {
+  std::uint64_t tests = 0;             ///< that can be stepped through
+  std::uint64_t test = 0;              ///< that is shown, from 0
+  std::string title;                   ///< how the traversal goes
+  std::vector<std::string> sentences;  ///< what this test is, and what follows from it
+  TreeBars a;
+  TreeBars b;
+};
+
 /// Numbers for the panels: of the last step, and of the thing as a whole.
 struct Facts {
   std::string name;  ///< of what is shown, for the title
@@ -64,6 +117,7 @@ struct Facts {
   std::optional<std::size_t> orientation_test;  ///< that runs; moving the object by hand ends it
   Box bounds;                                   ///< of all that is shown
   std::optional<GapFacts> gap;                  ///< where it is shown and there is one
+  std::optional<LearnFacts> learn;              ///< where it is requested and there is a pair
   std::optional<Pose> object;                   ///< of what is moved by hand
   Box object_bounds;                            ///< in the world
   std::optional<Pose> followed;                 ///< of the mover that the camera follows
@@ -106,6 +160,16 @@ class Subject {
 
   /// Draws nothing brighter any more.
   virtual void deselect() = 0;
+
+  /// What touches what in the frames searched so far.
+  [[nodiscard]] virtual const EventList& events() const = 0;
+
+  /// Searches frames for contacts for a moment. \errors As the library's queries.
+  virtual void search_events() = 0;
+
+  /// Goes to the frame in which a contact has most pairs of triangles, and chooses one of them.
+  /// \pre `row` is in `events`. \errors As `seek`.
+  virtual Sight show_event(std::size_t row) = 0;
 
   /// Shows another model. \errors As `read_mesh`; what was shown before stays then.
   virtual void open(const std::string& path) = 0;

@@ -5,8 +5,9 @@
 namespace soms::view {
 
 Choice choice(const ViewState& state) {
-  return {state.shown,   state.rule,  state.traversal,       state.prune,
-          state.tree_of, state.level, state.orientation_test};
+  return {state.shown,     state.rule,  state.traversal,        state.prune,
+          state.tree_of,   state.level, state.orientation_test, state.learn,
+          state.learn_step};
 }
 
 int levels(const ViewState& state) {

@@ -5,6 +5,8 @@
 #include "soms/thesis/traversal_options.h"
 #include "soms/tree/build_options.h"
 
+#include "apps/view/control/file_list.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -82,7 +84,11 @@ struct Requests {
   bool fit_object = false;         ///< camera to the object or to what was picked
   bool object_home = false;        ///< the object back to where it was at first
   bool deselect = false;
-  std::optional<Side> look_from;  ///< camera to one side of the scene
+  bool list_files = false;           ///< show a folder to open a model from
+  bool open_chosen = false;          ///< open what is chosen in it
+  int event_step = 0;                ///< to the next contact, 1, or the one before, -1
+  std::optional<std::size_t> event;  ///< to this row of the contacts
+  std::optional<Side> look_from;     ///< camera to one side of the scene
   std::optional<std::uint64_t> seek;
   int steps = 0;  ///< frames to go on (or back where that can be) while paused
   ObjectMove move;
@@ -104,6 +110,11 @@ struct ViewState {
   std::uint64_t followed = 0;                   ///< the mover that `CameraMode::follow` keeps
   std::optional<std::size_t> orientation_test;  ///< row of `orientation_tests`; unset: none runs
   bool help = false;
+  std::optional<FileList> files;     ///< the folder that is shown to open a model from
+  bool events = false;               ///< the list of contacts is shown
+  std::optional<std::size_t> event;  ///< the contact of it that is looked at
+  bool learn = false;                ///< the traversal is shown test by test
+  std::uint64_t learn_step = 0;      ///< the test that is shown
   bool panels = true;
   bool selected = false;  ///< something is picked
   Limits limits;
@@ -119,6 +130,8 @@ struct Choice {
   TreeOf tree_of = TreeOf::city;
   int level = 1;
   std::optional<std::size_t> orientation_test;
+  bool learn = false;
+  std::uint64_t learn_step = 0;
 
   [[nodiscard]] bool operator==(const Choice&) const = default;
 };

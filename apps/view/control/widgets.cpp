@@ -2,6 +2,8 @@
 
 #include "apps/view/control/imgui_input.h"
 
+#include <array>
+
 namespace soms::view {
 
 namespace {
@@ -108,6 +110,32 @@ bool Widgets::begin_menu(const char* label) {
     note(label, std::nullopt);
   }
   return open;
+}
+
+Widgets::RowPress Widgets::row(const std::string& text, std::size_t number, bool chosen) {
+  ImGui::PushID(static_cast<int>(number));
+  const ImVec2 at = ImGui::GetCursorPos();
+  const bool pressed =
+      ImGui::Selectable("##row", chosen, ImGuiSelectableFlags_AllowDoubleClick,
+                        ImVec2(0, ImGui::CalcTextSize(text.c_str(), text.c_str() + text.size()).y));
+  note(text.c_str(), std::nullopt);
+  const bool twice = pressed && ImGui::IsMouseDoubleClicked(0);
+  const ImVec2 below = ImGui::GetCursorPos();
+  ImGui::SetCursorPos(at);
+  ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
+  ImGui::SetCursorPos(below);
+  ImGui::PopID();
+  return twice ? RowPress::twice : pressed ? RowPress::once : RowPress::none;
+}
+
+bool Widgets::write(const char* label, const char* hint, std::string& value) {
+  std::array<char, 128> text{};
+  value.copy(text.data(), text.size() - 1);
+  ImGui::SetNextItemWidth(-1);
+  const bool changed = ImGui::InputTextWithHint(label, hint, text.data(), text.size());
+  note(label, std::nullopt);
+  value = text.data();
+  return changed;
 }
 
 bool Widgets::heading(const char* label, bool open) {

@@ -59,6 +59,13 @@ class Widgets {
   /// A heading that folds what follows; false while folded, as it is at first unless `open`.
   bool heading(const char* label, bool open = true);
 
+  /// A row of a list; its text may be any. `number` tells it from others.
+  enum class RowPress { none, once, twice };
+  RowPress row(const std::string& text, std::size_t number, bool chosen);
+
+  /// A field to write in, with a hint while it is empty. True when it changed.
+  bool write(const char* label, const char* hint, std::string& value);
+
   /// Where widgets stood in this frame, in order.
   [[nodiscard]] const std::vector<WidgetPlace>& places() const { return places_; }
 

@@ -1,11 +1,14 @@
 set(SOMS_VIEW_HEADERS
   draw_scene.h
+  event_finder.h
   explain.h
   frame_gaps.h
   frame_report.h
   gap.h
+  lesson.h
   load.h
   mesh_facts.h
+  open_side.h
   orientation_menu.h
   part_boxes.h
   scene_colors.h
@@ -19,12 +22,15 @@ set(SOMS_VIEW_HEADERS
 )
 set(SOMS_VIEW_SOURCES
   draw_scene.cpp
+  event_finder.cpp
   explain.cpp
   frame_gaps.cpp
   frame_report.cpp
   gap.cpp
+  lesson.cpp
   load.cpp
   mesh_facts.cpp
+  open_side.cpp
   orientation_menu.cpp
   part_boxes.cpp
   pick.cpp

@@ -5,6 +5,7 @@
 
 #include "apps/support/models.h"
 #include "apps/support/recorded_world.h"
+#include "apps/support/route_notes.h"
 #include "apps/support/stated_options.h"
 
 #include <fmt/format.h>
@@ -16,6 +17,7 @@ namespace soms::view {
 
 SceneContent content_of(command::World world) {
   SceneContent content;
+  content.frames = command::frames_of_routes(world, content.frames);
   content.title = std::move(world.title);
   content.city = std::move(world.city);
   content.notes = std::move(world.notes);

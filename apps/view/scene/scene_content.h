@@ -33,6 +33,7 @@ struct SceneContent {
   std::string title;  ///< name of the city or model
   std::vector<Body> city;
   std::vector<MovingBody> movers;
+  std::uint64_t frames = 600;      ///< in which contacts are searched for, if anything moves
   std::vector<std::string> notes;  ///< what the reader should know of how it was made
   std::vector<command::FrameWarning> warnings = {};  ///< where the models' numbers may not agree
   /// Frames that are played: poses of the movers in their order, and contacts. Null: none.

@@ -13,6 +13,8 @@ set(SOMS_VIEW_SOURCES
   display_loss.cpp
   glfw_keys.cpp
   scene_subject.cpp
+  subject_events.cpp
+  subject_lesson.cpp
   viewer.cpp
 )
 target_link_libraries(soms_view PRIVATE ${CMAKE_DL_LIBS})

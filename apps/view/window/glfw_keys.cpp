@@ -11,7 +11,7 @@ namespace soms::view {
 
 namespace {
 
-constexpr std::array<std::pair<int, Key>, 29> kNamed{{
+constexpr std::array<std::pair<int, Key>, 33> kNamed{{
     {GLFW_KEY_ESCAPE, Key::escape},
     {GLFW_KEY_ENTER, Key::enter},
     {GLFW_KEY_KP_ENTER, Key::enter},
@@ -28,6 +28,10 @@ constexpr std::array<std::pair<int, Key>, 29> kNamed{{
     {GLFW_KEY_HOME, Key::home},
     {GLFW_KEY_END, Key::end},
     {GLFW_KEY_F1, Key::f1},
+    {GLFW_KEY_F2, Key::f2},
+    {GLFW_KEY_F3, Key::f3},
+    {GLFW_KEY_F4, Key::f4},
+    {GLFW_KEY_F5, Key::f5},
     {GLFW_KEY_F11, Key::f11},
     {GLFW_KEY_F12, Key::f12},
     {GLFW_KEY_KP_ADD, Key::equal},

@@ -105,7 +105,11 @@ ViewOptions options_of(const ViewState& state) {
 }
 
 SceneSubject::SceneSubject(SceneContent content, const Parallel& parallel)
-    : has_motion_(motions_of(content)), parallel_(parallel), scene_(std::move(content), parallel) {
+    : has_motion_(motions_of(content)),
+      parallel_(parallel),
+      finder_(content, parallel),
+      scene_(std::move(content), parallel) {
+  list_events();
 }
 
 void SceneSubject::set_gap_patience(GapStore::Patience patience) {
@@ -179,6 +183,7 @@ void SceneSubject::choose(const ViewState& state) {
   if (state.orientation_test != test_) {
     start_test(state.orientation_test);
   }
+  prepare_lesson(state);
 }
 
 void SceneSubject::start_test(const std::optional<std::size_t>& row) {
@@ -231,6 +236,9 @@ Facts SceneSubject::facts(const ViewState& state) const {
     const BodyRef followed = mover(static_cast<std::uint32_t>(state.followed));
     facts.followed = scene_.body(followed).pose;
     facts.followed_bounds = scene_.bounds(followed);
+  }
+  if (state.learn) {
+    facts.learn = lesson_facts_;
   }
   // Of a traversal that is not shown any more the counts are those of other poses.
   if (now.trace && (state.shown.visited || state.shown.pruned || state.shown.found)) {
@@ -381,7 +389,7 @@ void SceneSubject::select() {
   if (selected_ && pair && selected_->body.role == Role::mover && selected_->body != pair->second &&
       selected_->body != pair->first) {
     changed();
-    scene_.set_pair(pair->first, selected_->body);
+    scene_.set_pair(scene_.city_parts() > 0 ? city_part(0) : pair->first, selected_->body);
     scene_.end_test();
     test_.reset();
   }
@@ -395,6 +403,8 @@ void SceneSubject::open(const std::string& path) {
   auto [body, notes] = read_body(path, parallel_);
   changed();
   scene_.add_notes(notes);
+  finder_.add(body);
+  list_events();
   const bool first = scene_.city_parts() == 0 && scene_.movers() == 0;
   if (first) {
     scene_.add_city(std::move(body));
@@ -441,6 +451,8 @@ DrawList SceneSubject::draw_list(const ViewState& state) {
       list.lines.push_back({from, to, palette::kBlack, 3, true});
     }
   }
+  prepare_lesson(state);
+  add_lesson(list);
   changed();
   return std::move(list);
 }

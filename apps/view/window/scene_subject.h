@@ -3,6 +3,8 @@
 #pragma once
 
 #include "apps/view/control/subject.h"
+#include "apps/view/scene/event_finder.h"
+#include "apps/view/scene/lesson.h"
 #include "apps/view/scene/scene_content.h"
 #include "apps/view/scene/view_options.h"
 #include "apps/view/scene/view_scene.h"
@@ -34,6 +36,11 @@ class SceneSubject final : public Subject {
   [[nodiscard]] std::optional<PickedFacts> pick(const Ray& ray) override;
   void select() override;
   void deselect() override;
+
+  [[nodiscard]] const EventList& events() const override { return events_; }
+
+  void search_events() override;
+  [[nodiscard]] Sight show_event(std::size_t row) override;
   void open(const std::string& path) override;
   [[nodiscard]] DrawList draw_list(const ViewState& state) override;
 
@@ -52,6 +59,10 @@ class SceneSubject final : public Subject {
   [[nodiscard]] std::optional<BodyRef> tree_body(TreeOf tree) const;
   [[nodiscard]] int levels_of(TreeOf tree) const;
   [[nodiscard]] bool moves() const;
+  void list_events();
+  void let_go();
+  void prepare_lesson(const ViewState& state);
+  void add_lesson(DrawList& list);
   [[nodiscard]] Limits limits() const;
   [[nodiscard]] const SceneStatistics& statistics() const;
 
@@ -64,7 +75,11 @@ class SceneSubject final : public Subject {
 
   std::vector<bool> has_motion_;  ///< of each mover
   Parallel parallel_;
+  EventFinder finder_;
+  EventList events_;
   ViewScene scene_;
+  Lesson lesson_;
+  std::optional<LearnFacts> lesson_facts_;  ///< of the last choice or picture
   std::optional<std::size_t> test_;
   bool through_ = false;                ///< contacts are seen, and picked, through everything
   bool movers_shown_ = true;            ///< else they are not picked

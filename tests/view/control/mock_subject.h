@@ -40,6 +40,14 @@ class MockSubject final : public Subject {
     facts.orientation_test = last_choice.orientation_test;
     facts.traversed = true;
     facts.gap = gap;
+    if (state.learn && learn_tests > 0) {
+      facts.learn.emplace();
+      facts.learn->tests = learn_tests;
+      facts.learn->test = std::min(state.learn_step, learn_tests - 1);
+      facts.learn->sentences = {"Their boxes overlap."};
+      facts.learn->a = {"city", {{0, 1, 0, TreeBars::Look::now}}, 1};
+      facts.learn->b = {"car", {{0, 1, 0, TreeBars::Look::visited}}, 1};
+    }
     facts.limits = {7, 5, frames, 3, moves, can_seek, has_object, 4, 200};
     facts.bounds = {{-100, -100, 0}, {100, 100, 50}};
     if (has_object) {
@@ -99,6 +107,25 @@ class MockSubject final : public Subject {
 
   void deselect() override { selected.clear(); }
 
+  [[nodiscard]] const EventList& events() const override { return found; }
+
+  void search_events() override {
+    ++searches;
+    found.searched = std::min(found.searched + 10, found.frames);
+    if (found.searched == found.frames) {
+      found.rows = rows;
+    }
+  }
+
+  [[nodiscard]] Sight show_event(std::size_t row) override {
+    frame = found.rows.at(row).most_frame;
+    Sight sight;
+    sight.facts.title = found.rows.at(row).title;
+    sight.surroundings = {{10, 10, 0}, {14, 14, 4}};
+    sight.toward_eye = {0, -1, 1};
+    return sight;
+  }
+
   void open(const std::string& path) override {
     if (path == "broken.ply") {
       throw Error(ErrorKind::bad_file, "broken.ply, line 3: no vertices", "repair the file");
@@ -126,6 +153,11 @@ class MockSubject final : public Subject {
   std::string clearance;  ///< empty: no gaps
   std::string least_gap;
   std::vector<std::string> left_out;
+  EventList found{{}, 0, 20};
+  std::vector<ContactEvent> rows{{"car (mover 1) touches house", 3, 9, 12, 5},
+                                 {"person (mover 2) touches tree", 7, 7, 1, 7}};
+  int searches = 0;
+  std::uint64_t learn_tests = 12;
   std::optional<GapFacts> gap;
 
   int chosen = 0;

@@ -105,6 +105,20 @@ TEST_F(SessionTest, DoesNotRunWhereNothingMoves) {
   EXPECT_TRUE(session_.animating());
 }
 
+TEST_F(SessionTest, TheViewIsFittedBesideThePanelsUntilTheUserMovesIt) {
+  session_.set_covered({400, 200});
+  for (const Vec3& corner : {Vec3{-100, -100, 0}, Vec3{100, 100, 50}, Vec3{100, -100, 0}}) {
+    const auto seen = project(session_.camera(), kWindowSize, corner);
+    ASSERT_TRUE(seen);
+    EXPECT_GT(seen->pixel.x, 400);
+    EXPECT_LT(seen->pixel.x, kWindowSize.width - 200);
+  }
+  drag(MouseButton::left, {900, 600}, {960, 600});
+  const Camera moved = session_.camera();
+  session_.set_covered({});
+  EXPECT_EQ(session_.camera(), moved);
+}
+
 TEST_F(SessionTest, TheBarePictureHasNoHandles) {
   frame();
   const std::size_t bare = session_.bare_picture().lines.size();

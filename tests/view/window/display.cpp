@@ -128,6 +128,12 @@ bool Display::wait_for_window(const std::string& title, RunningProgram& program)
   return is_there;
 }
 
+unsigned long Display::window(const std::string& title) const {
+  const auto found = soms::test::run_program(
+      {"env", "DISPLAY=" + name_, "xdotool", "search", "--onlyvisible", "--name", title});
+  return std::stoul(found.out);
+}
+
 void Display::drag(PixelPoint from, PixelPoint to, const std::function<void()>& taken) const {
   const auto move = [&](double t) {
     const long x = std::lround(from.x + t * (to.x - from.x));

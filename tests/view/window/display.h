@@ -33,6 +33,9 @@ class Display {
   /// before.
   [[nodiscard]] bool wait_for_window(const std::string& title, RunningProgram& program) const;
 
+  /// The number of the window whose title has these words. \pre It is there.
+  [[nodiscard]] unsigned long window(const std::string& title) const;
+
   /// Runs xdotool with these words.
   void type(const std::vector<std::string>& words) const;
 

@@ -10,11 +10,14 @@
 #include "tests/support/support.h"
 #include "tests/support/wait.h"
 #include "tests/view/window/display.h"
+#include "tests/view/window/drop.h"
 
 #include <algorithm>
 #include <csignal>
 #include <fstream>
+#include <functional>
 #include <string>
+#include <utility>
 
 namespace soms::view {
 namespace {
@@ -143,6 +146,57 @@ TEST_F(ViewerTest, RestsWhereNothingMovesThoughItRuns) {
   display.type({"key", "space"});
   (void)picture(display, viewer);
   expect_rest(viewer);
+}
+
+TEST_F(ViewerTest, AFileIsOpenedFromTheListAndByDroppingIt) {
+  const Display display;
+  const std::vector<std::string> block{SOMS_VIEW_COMMAND, "view", path("block.ply"), "--size",
+                                       "960x540"};
+  const auto with = [&](const std::function<void(RunningProgram&)>& open) {
+    RunningProgram viewer(block, folder_.path(), display.name());
+    EXPECT_TRUE(display.wait_for_window("soms view", viewer)) << viewer.errors();
+    const Picture before = picture(display, viewer);
+    open(viewer);
+    display.type({"key", "7"});  // from above, whatever the view was
+    Picture after = before;
+    soms::test::wait_until([&] {  // the camera glides there
+      const Picture now = picture(display, viewer);
+      return difference(std::exchange(after, now), now, 0).beyond == 0;
+    });
+    EXPECT_GT(difference(before, after, 20).beyond, 1'000U);
+    return after;
+  };
+  const Picture alone = with([](RunningProgram&) {});
+  const Picture dropped = with([&](RunningProgram&) {
+    test_window::drop_file(display.name(), display.window("soms view"), path("cube.ply"));
+  });
+  const Picture chosen = with([&](RunningProgram& viewer) {
+    display.type({"key", "ctrl+o"});
+    (void)picture(display, viewer, "shift+F12");  // the list is there
+    display.type({"key", "Down"});                // from block.ply to cube.ply
+    display.type({"key", "Return"});
+  });
+  EXPECT_GT(difference(alone, dropped, 20).beyond, 1'000U);
+  EXPECT_EQ(difference(dropped, chosen, 0).beyond, 0U);
+}
+
+TEST_F(ViewerTest, TheNextContactIsFoundAndShown) {
+  std::ofstream(folder_.path() / "through.csv")
+      << "x,y,z,qw,qx,qy,qz\n20,0,5,1,0,0,0\n15,0,5,1,0,0,0\n9,0,5,1,0,0,0\n20,0,5,1,0,0,0\n";
+  const Display display;
+  RunningProgram viewer({SOMS_VIEW_COMMAND, "view", path("block.ply"), "--mover", path("cube.ply"),
+                         "--route", path("through.csv"), "--size", "960x540"},
+                        folder_.path(), display.name());
+  ASSERT_TRUE(display.wait_for_window("soms view", viewer)) << viewer.errors();
+  EXPECT_EQ(red_pixels(picture(display, viewer)), 0U);
+  display.type({"key", "F3"});
+  soms::test::wait_until([&] { return red_pixels(picture(display, viewer)) > 200; });
+  display.type({"key", "F5"});  // and the traversal of the two, test by test
+  display.type({"key", "F5"});
+  EXPECT_EQ(picture(display, viewer).size, kSize);
+  display.type({"key", "ctrl+q"});
+  EXPECT_EQ(viewer.wait(), 0) << viewer.errors();
+  EXPECT_EQ(viewer.errors(), "");
 }
 
 TEST_F(ViewerTest, CtrlCEndsCleanlyAlsoWhenItRests) {

@@ -1,0 +1,211 @@
+// The panels of `Panels` that are lists: files to open, contacts, the tests of a traversal.
+#include "apps/support/look.h"
+#include "apps/support/text.h"
+#include "apps/view/control/imgui_input.h"
+#include "apps/view/control/panel_text.h"
+#include "apps/view/control/panels.h"
+
+#include <algorithm>
+#include <string>
+
+namespace soms::view {
+
+namespace {
+
+/// Flags of a panel that stands where it is put.
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
+                                    ImGuiWindowFlags_NoNavInputs;
+
+ImU32 color_of_bar(TreeBars::Look look) {
+  const auto color = [](look::Rgb c, int opacity = 255) {
+    return IM_COL32(c.r, c.g, c.b, opacity);
+  };
+  switch (look) {
+    case TreeBars::Look::untouched:
+      return color(look::kLine.light);
+    case TreeBars::Look::pruned:
+      return color(look::kFaint.light, 110);
+    case TreeBars::Look::visited:
+      return color(look::kLink.light, 130);
+    case TreeBars::Look::found:
+      return color(look::kSeries[4].light);
+    case TreeBars::Look::now:
+      return color(look::kContact.light);
+  }
+  return 0;
+}
+
+/// A tree as rows of bars over the width that is left.
+void draw_bars(const TreeBars& tree) {
+  ImGui::TextDisabled("%s", tree.name.c_str());
+  const float line = ImGui::GetFontSize();
+  const float rows = static_cast<float>(tree.levels);
+  const float height = std::clamp(8 * line / rows, 0.25F * line, 0.8F * line);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImDrawList* const draw = ImGui::GetWindowDrawList();
+  for (const TreeBars::Bar& bar : tree.bars) {
+    const float top = at.y + height * static_cast<float>(bar.level);
+    const float left = at.x + width * bar.left;
+    // A gap of a pixel sets neighbors apart where there is room for it.
+    const float right = std::max(at.x + width * bar.right - 1, left + 1);
+    draw->AddRectFilled(ImVec2(left, top), ImVec2(right, top + height - 1), color_of_bar(bar.look));
+  }
+  ImGui::Dummy(ImVec2(width, height * rows));
+}
+
+std::string times_of(const ContactEvent& event) {
+  return event.begin == event.end ? "frame " + command::with_commas(event.begin)
+                                  : "frames " + command::with_commas(event.begin) + " to " +
+                                        command::with_commas(event.end);
+}
+
+std::string words_of(const ContactEvent& event) {
+  return event.title + "\n   " + times_of(event) + ", most " +
+         command::with_commas(event.most_pairs) +
+         (event.most_pairs == 1 ? " pair in " : " pairs in ") +
+         command::with_commas(event.most_frame);
+}
+
+}  // namespace
+
+void Panels::files(ViewState& state) {
+  if (!state.files) {
+    return;
+  }
+  FileList& files = *state.files;
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float line = ImGui::GetFontSize();
+  ImGui::SetNextWindowPos(ImVec2(display.x / 2, display.y / 2), ImGuiCond_Always,
+                          ImVec2(0.5F, 0.5F));
+  ImGui::SetNextWindowSize(ImVec2(std::min(40 * line, display.x), std::min(32 * line, display.y)));
+  ImGui::SetNextWindowBgAlpha(1);
+  bool open = true;
+  if (ImGui::Begin("Open a model", &open, kFixed)) {
+    ImGui::TextUnformatted(files.folder().string().c_str());
+    ImGui::BeginChild("rows", ImVec2(0, -2.2F * line), true);
+    for (std::size_t i = 0; i < files.rows().size(); ++i) {
+      const bool chosen = i == files.chosen();
+      const auto press = widgets_.row(files.rows()[i].text, i, chosen);
+      if (press != Widgets::RowPress::none) {
+        files.choose(i);
+        state.requests.open_chosen = press == Widgets::RowPress::twice;
+      }
+      if (chosen && shown_file_ != i) {
+        ImGui::SetScrollHereY();
+        shown_file_ = i;
+      }
+    }
+    if (files.rows().empty()) {
+      ImGui::TextDisabled(
+          "%s", files.fault().empty() ? "no folders and no models here" : files.fault().c_str());
+    }
+    ImGui::EndChild();
+    if (widgets_.button("Folder above")) {
+      files.up();
+    }
+    ImGui::SameLine();
+    state.requests.open_chosen |= widgets_.button("Open");
+    ImGui::SameLine();
+    open = !widgets_.button("Cancel") && open;
+  }
+  ImGui::End();
+  if (!open) {
+    state.files.reset();
+  }
+}
+
+void Panels::begin_right(const char* name, float height) {
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float width = kRightColumn * ImGui::GetFontSize();
+  const float left = std::max(display.y - right_top_, 1.0F);
+  ImGui::SetNextWindowPos(ImVec2(display.x - width, right_top_));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, left));
+  if (height > 0) {
+    ImGui::SetNextWindowSize(ImVec2(width, std::min(height, left)));
+  }
+  ImGui::Begin(name, nullptr,
+               kFixed | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoFocusOnAppearing |
+                   (height > 0 ? 0 : ImGuiWindowFlags_AlwaysAutoResize));
+}
+
+void Panels::end_right() {
+  right_top_ += ImGui::GetWindowHeight();
+  ImGui::End();
+}
+
+void Panels::events(Session& session) {
+  ViewState& state = session.state();
+  if (!state.events) {
+    return;
+  }
+  begin_right("contacts", 0.42F * ImGui::GetIO().DisplaySize.y);
+  const EventList& list = session.events();
+  const bool done = list.done();
+  ImGui::Text("%s %s in %s frames", command::with_commas(list.rows.size()).c_str(),
+              list.rows.size() == 1 ? "contact" : "contacts",
+              command::with_commas(list.searched).c_str());
+  if (!done) {
+    ImGui::SameLine();
+    ImGui::TextDisabled("of %s ...", command::with_commas(list.frames).c_str());
+  }
+  on_press(widgets_.button("Previous", Action::event_previous), state, Action::event_previous);
+  ImGui::SameLine();
+  on_press(widgets_.button("Next", Action::event_next), state, Action::event_next);
+  ImGui::SameLine();
+  (void)widgets_.write("##search", "search names", wanted_);
+  event_rows(session);
+  end_right();
+}
+
+void Panels::event_rows(Session& session) {
+  ViewState& state = session.state();
+  ImGui::BeginChild("list");
+  const std::vector<ContactEvent>& rows = session.events().rows;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!has_words(rows[i].title, wanted_)) {
+      continue;
+    }
+    const bool chosen = state.event == i;
+    if (widgets_.row(words_of(rows[i]), i, chosen) != Widgets::RowPress::none) {
+      state.requests.event = i;
+    }
+    if (chosen && shown_event_ != i) {
+      ImGui::SetScrollHereY();
+      shown_event_ = i;
+    }
+  }
+  ImGui::EndChild();
+}
+
+void Panels::learn(Session& session) {
+  ViewState& state = session.state();
+  if (!state.learn) {
+    return;
+  }
+  begin_right("learn", 0);
+  const std::optional<LearnFacts>& facts = session.facts().learn;
+  if (!facts) {
+    ImGui::TextWrapped("A traversal needs two bodies, one of them a mover: open another model.");
+    end_right();
+    return;
+  }
+  ImGui::TextWrapped("%s", facts->title.c_str());
+  on_press(widgets_.button("Previous test", Action::learn_previous), state, Action::learn_previous);
+  ImGui::SameLine();
+  on_press(widgets_.button("Next test", Action::learn_next), state, Action::learn_next);
+  if (facts->tests > 1) {
+    ImGui::SetNextItemWidth(-1);
+    (void)widgets_.slide_frame("##test", state.learn_step, facts->tests - 1);
+  }
+  for (const std::string& sentence : facts->sentences) {
+    ImGui::TextWrapped("%s", sentence.c_str());
+  }
+  draw_bars(facts->a);
+  draw_bars(facts->b);
+  ImGui::TextDisabled("red now, blue entered, orange found, dark pruned");
+  end_right();
+}
+
+}  // namespace soms::view

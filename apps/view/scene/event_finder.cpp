@@ -1,0 +1,148 @@
+#include "apps/view/scene/event_finder.h"
+
+#include "soms/geometry/parts_of.h"
+#include "soms/scene/scene.h"
+
+#include "apps/support/part_names.h"
+#include "apps/view/scene/frame_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <utility>
+
+namespace soms::view {
+
+/// The scene is made when the search begins: most windows never search.
+struct EventFinder::State {
+  SceneContent content;
+  Parallel parallel;
+  std::optional<Scene> scene;
+  std::vector<PartsOf> parts;  ///< of each body of the city
+  ContactSpans spans;
+  std::uint64_t searched = 0;
+
+  void start_over() {
+    scene.reset();
+    parts.clear();
+    spans = {};
+    searched = 0;
+  }
+
+  void make_scene() {
+    scene.emplace();
+    for (const Body& body : content.city) {
+      scene->add_environment(body);
+      parts.emplace_back(body.shape.mesh());
+    }
+    for (const MovingBody& mover : content.movers) {
+      scene->add_mover(mover.body);
+    }
+  }
+
+  [[nodiscard]] Replay* recording() const { return content.recording.get(); }
+
+  /// The bodies are those that were recorded.
+  [[nodiscard]] bool as_recorded() const {
+    return recording() != nullptr && recording()->frames() > 0 &&
+           recording()->head().environment.size() == content.city.size() &&
+           recording()->head().movers.size() == content.movers.size();
+  }
+
+  [[nodiscard]] std::uint64_t frames() const {
+    if (recording() != nullptr && recording()->frames() > 0) {
+      return recording()->frames();
+    }
+    const bool moves = std::any_of(content.movers.begin(), content.movers.end(),
+                                   [](const MovingBody& m) { return bool(m.motion); });
+    return moves ? content.frames : 1;
+  }
+
+  void place_movers() {
+    for (std::uint32_t k = 0; k < content.movers.size(); ++k) {
+      const Motion& motion = content.movers[k].motion;
+      if (const Pose* const recorded = recorded_pose(recording(), searched, k)) {
+        scene->set_pose(k, *recorded);
+      } else if (motion) {
+        scene->set_pose(k, motion(searched));
+      }
+    }
+  }
+
+  void search_frame() {
+    if (!scene) {
+      make_scene();
+    }
+    place_movers();
+    const StepReport report =
+        as_recorded() ? report_of(recording()->frame(searched)) : scene->step({}, parallel);
+    ContactBodies bodies = contact_bodies(*scene);
+    bodies.part = [this](const SceneBody& body, TriangleId triangle) {
+      return body.kind == SceneBodyKind::environment ? parts[body.id](triangle) : Part::kNoParent;
+    };
+    spans.follow(searched, report, bodies);
+    ++searched;
+  }
+
+  [[nodiscard]] std::string name_of(const ContactSide& side) const {
+    if (side.body.kind == SceneBodyKind::mover) {
+      return fmt::format("{} (mover {})", content.movers[side.body.id].body.name, side.body.id);
+    }
+    const Body& body = content.city[side.body.id];
+    return side.part == Part::kNoParent
+               ? body.name
+               : command::part_in_text(body.shape.mesh(), side.part) + " of " + body.name;
+  }
+};
+
+EventFinder::EventFinder(SceneContent content, const Parallel& parallel)
+    : state_(std::make_unique<State>()) {
+  state_->content = std::move(content);
+  state_->parallel.threads = parallel.threads;
+  state_->parallel.stop = parallel.stop;
+}
+
+EventFinder::~EventFinder() = default;
+EventFinder::EventFinder(EventFinder&&) noexcept = default;
+EventFinder& EventFinder::operator=(EventFinder&&) noexcept = default;
+
+void EventFinder::add(Body body) {
+  SceneContent& content = state_->content;
+  if (content.city.empty() && content.movers.empty()) {
+    content.city.push_back(std::move(body));
+  } else {
+    content.movers.push_back({std::move(body), {}});
+  }
+  state_->start_over();
+}
+
+std::uint64_t EventFinder::frames() const {
+  return state_->frames();
+}
+
+std::uint64_t EventFinder::searched() const {
+  return state_->searched;
+}
+
+void EventFinder::search(double milliseconds) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::chrono::duration<double, std::milli> patience(milliseconds);
+  while (state_->searched < state_->frames()) {
+    state_->search_frame();
+    if (std::chrono::steady_clock::now() - begin >= patience) {
+      return;
+    }
+  }
+}
+
+const std::vector<ContactSpan>& EventFinder::spans() const {
+  return state_->spans.spans();
+}
+
+std::string EventFinder::title(const ContactSpan& span) const {
+  return state_->name_of(span.a) + " touches " + state_->name_of(span.b);
+}
+
+}  // namespace soms::view

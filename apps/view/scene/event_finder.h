@@ -1,0 +1,53 @@
+/// \file
+/// Finds who touches whom over time, apart from what is shown: as if no hand moved anything.
+#pragma once
+
+#include "soms/base/parallel.h"
+#include "soms/scene/contact_spans.h"
+
+#include "apps/view/scene/scene_content.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace soms::view {
+
+/// Steps through the frames of a content once, from the first, and gathers contacts in spans. What
+/// a step finds is what `soms simulate` finds in that frame; of a recording, what it holds.
+/// \threads One caller at a time; uses the threads of `Parallel`.
+class EventFinder {
+ public:
+  explicit EventFinder(SceneContent content, const Parallel& parallel = {});
+  ~EventFinder();
+  EventFinder(EventFinder&&) noexcept;
+  EventFinder& operator=(EventFinder&&) noexcept;
+
+  /// Adds a body that stands still, as the viewer does: the first one is the city, others are
+  /// movers. The search starts over.
+  void add(Body body);
+
+  /// Frames that there are to search: of a recording all, else those that `simulate` would run; one
+  /// where nothing moves.
+  [[nodiscard]] std::uint64_t frames() const;
+
+  /// Frames searched.
+  [[nodiscard]] std::uint64_t searched() const;
+
+  /// Searches frames until `milliseconds` are over, one at least if any is left.
+  /// \errors As `Scene::step` and `Replay::frame`.
+  void search(double milliseconds);
+
+  /// Spans of the frames searched: of whole movers, and of the parts of the city's meshes.
+  [[nodiscard]] const std::vector<ContactSpan>& spans() const;
+
+  /// The two of a span in words: "car (mover 12) touches house 5 of town".
+  [[nodiscard]] std::string title(const ContactSpan& span) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace soms::view

@@ -1,0 +1,130 @@
+// Lists of the session: contacts over time, tests of a traversal, files.
+#include "apps/view/control/action.h"
+#include "apps/view/control/session.h"
+#include "tests/support/support.h"
+#include "tests/view/control/mock_subject.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace soms::view {
+namespace {
+
+constexpr Size kListWindow{1280, 720};
+
+class SessionListsTest : public testing::Test {
+ protected:
+  void frame() {
+    session_.handle({});
+    session_.tick(1.0 / 60);
+  }
+
+  void press(const KeyPress& key) {
+    session_.push(KeyDown{key});
+    session_.push(KeyUp{key.key});
+    frame();
+  }
+
+  void press(Action action) { press(actions()[static_cast<std::size_t>(action)].press); }
+
+  /// Lets glides of the camera and searches end.
+  void rest() {
+    for (int i = 0; i < 40; ++i) {
+      frame();
+    }
+  }
+
+  MockSubject subject_;
+  Session session_{subject_, kListWindow};
+};
+
+TEST_F(SessionListsTest, ContactsAreSearchedForOnlyWhereTheyAreListed) {
+  frame();
+  frame();
+  EXPECT_EQ(subject_.searches, 0);
+  EXPECT_FALSE(session_.animating());
+  press(Action::events);
+  EXPECT_TRUE(session_.animating());
+  rest();
+  EXPECT_EQ(subject_.searches, 2);  // of ten frames each
+  EXPECT_FALSE(session_.animating());
+}
+
+TEST_F(SessionListsTest, TheNextContactIsGoneToOnceItIsFound) {
+  const Camera before = session_.camera();
+  press(Action::event_next);
+  EXPECT_EQ(session_.state().event, std::nullopt);  // none is found yet
+  rest();
+  EXPECT_EQ(session_.state().event, 0U);
+  EXPECT_EQ(subject_.frame, 5U);
+  ASSERT_TRUE(session_.picked());
+  EXPECT_EQ(session_.picked()->title, "car (mover 1) touches house");
+  EXPECT_NE(session_.camera(), before);
+  const auto seen = project(session_.camera(), kListWindow, {12, 12, 2});
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR(seen->pixel.x, kListWindow.width / 2.0, 1);
+  press(Action::event_next);
+  rest();
+  EXPECT_EQ(session_.state().event, 1U);
+  EXPECT_EQ(subject_.frame, 7U);
+  press(Action::event_next);
+  EXPECT_EQ(session_.state().event, 1U);
+  EXPECT_EQ(session_.message(), "this is the last contact");
+  press(Action::event_previous);
+  rest();
+  EXPECT_EQ(session_.state().event, 0U);
+  press(Action::event_previous);
+  EXPECT_EQ(session_.state().event, 0U);
+  EXPECT_EQ(session_.message(), "this is the first contact");
+}
+
+TEST_F(SessionListsTest, WhereNothingTouchesItSaysSo) {
+  subject_.rows.clear();
+  press(Action::event_next);
+  rest();
+  EXPECT_EQ(session_.message(), "nothing touches in the frames searched");
+  EXPECT_EQ(session_.state().event, std::nullopt);
+}
+
+TEST_F(SessionListsTest, TestsOfATraversalAreSteppedThroughAndEnd) {
+  press(Action::learn_next);
+  EXPECT_TRUE(session_.state().learn);
+  EXPECT_EQ(session_.state().learn_step, 0U);
+  const int lists = subject_.lists;
+  press(Action::learn_next);
+  (void)session_.picture();
+  EXPECT_EQ(session_.state().learn_step, 1U);
+  EXPECT_GT(subject_.lists, lists);
+  session_.state().learn_step = 100;
+  frame();
+  EXPECT_EQ(session_.state().learn_step, 11U);
+  press(Action::learn_previous);
+  EXPECT_EQ(session_.state().learn_step, 10U);
+}
+
+TEST_F(SessionListsTest, KeysChooseAFileWhileTheListIsOpen) {
+  const soms::test::TemporaryFolder folder;
+  for (const char* const name : {"a.ply", "b.ply", "c.ply"}) {
+    std::ofstream(folder.path() / name) << "x";
+  }
+  session_.state().files.emplace(folder.path());
+  press(KeyPress{Key::down});
+  press(KeyPress{key_of('C')});  // no camera: a letter of a name
+  EXPECT_EQ(session_.state().camera, CameraMode::orbit);
+  press(KeyPress{Key::up});
+  press(KeyPress{Key::enter});
+  ASSERT_EQ(subject_.opened.size(), 1U);
+  EXPECT_EQ(std::filesystem::path(subject_.opened[0]).filename(), "b.ply");
+  EXPECT_FALSE(session_.state().files);
+  press(Action::open);
+  ASSERT_TRUE(session_.state().files);  // where the last one was
+  EXPECT_EQ(session_.state().files->folder(), std::filesystem::weakly_canonical(folder.path()));
+  press(KeyPress{Key::escape});
+  EXPECT_FALSE(session_.state().files);
+  EXPECT_FALSE(session_.state().requests.quit);
+}
+
+}  // namespace
+}  // namespace soms::view
