@@ -7,10 +7,11 @@ namespace soms::view {
 
 namespace {
 
-constexpr double kSlack = 0.2;        ///< of the goal, within which nothing changes
-constexpr double kMostCut = 0.5;      ///< in one frame
-constexpr double kMostGrowth = 1.5;   ///< in one frame
-constexpr double kClearlyFast = 0.1;  ///< of the goal: smooth edges surely fit too
+constexpr std::uint64_t kFirstGuess = 150'000;  ///< triangles, before any frame was timed
+constexpr double kSlack = 0.2;                  ///< of the goal, within which nothing changes
+constexpr double kMostCut = 0.5;                ///< in one frame
+constexpr double kMostGrowth = 1.5;             ///< in one frame
+constexpr double kClearlyFast = 0.1;            ///< of the goal: smooth edges surely fit too
 
 }  // namespace
 
@@ -26,6 +27,13 @@ void Detail::add(double ms, std::uint64_t triangles, const DrawOptions& options)
   }
   if (options.most_triangles == DrawOptions::kAll && ms < kClearlyFast * kGoalMs) {
     slow_ = false;
+  }
+}
+
+void Detail::add_with_uploads(double ms) {
+  if (ms > kGoalMs) {
+    slow_ = true;
+    granted_ = kFirstGuess;
   }
 }
 

@@ -13,11 +13,16 @@ namespace soms::view {
 /// triangles (filling costs too), so the count is steered, not computed.
 class Detail {
  public:
-  static constexpr double kGoalMs = 70;  ///< of drawing a frame while moving
-  static constexpr std::uint64_t kLeast = 100'000;
+  static constexpr double kGoalMs = 35;  ///< of drawing a frame while moving
+  static constexpr std::uint64_t kLeast = 20'000;
 
   /// A frame with these options drew so many triangles in so long.
   void add(double ms, std::uint64_t triangles, const DrawOptions& options);
+
+  /// A whole frame took so long, and brought meshes to the device meanwhile: how long it takes
+  /// alone is not known. If it was too long, motion begins coarse, and becomes finer where that
+  /// fits.
+  void add_with_uploads(double ms);
 
   /// Everything when still, and when moving where that fits; else one sample a pixel, no
   /// relief and shadows, and the triangles granted. `triangles` is how many there are.

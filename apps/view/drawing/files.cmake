@@ -25,6 +25,7 @@ set(SOMS_VIEW_HEADERS
   picture_marks.h
   recording_renderer.h
   renderer.h
+  stand_in.h
   stroke_font.h
   stroke_letters.h
   sun_maps.h
@@ -57,6 +58,7 @@ set(SOMS_VIEW_SOURCES
   picture.cpp
   picture_marks.cpp
   recording_renderer.cpp
+  stand_in.cpp
   stroke_font.cpp
   sun_maps.cpp
   tiles.cpp

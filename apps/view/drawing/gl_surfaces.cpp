@@ -98,8 +98,9 @@ void GlSurfaces::place(const DrawList& list, const GlView& view,
   calls_.clear();
   for (const TileGroup& group : groups) {
     const Tile& tile = of_list_[group.mesh]->tiles[group.tile];
-    calls_.push_back({of_list_[group.mesh], group.pass, group.edges, tile.first, group.triangles,
-                      rows.size(), group.instances.size()});
+    calls_.push_back({of_list_[group.mesh], group.pass, group.edges,
+                      group.coarse ? tile.stand_in_first : tile.first, group.triangles, rows.size(),
+                      group.instances.size()});
     const bool plain = list.meshes[group.mesh].colors == nullptr;
     for (const std::uint32_t i : group.instances) {
       const Instance& instance = list.instances[i];

@@ -1,5 +1,7 @@
 #include "apps/view/drawing/tiles.h"
 
+#include "apps/view/drawing/stand_in.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +14,9 @@ namespace soms::view {
 namespace {
 
 using Order = std::vector<std::uint32_t>;
+
+/// A tile of fewer triangles has no stand-in.
+constexpr std::size_t kLeastOfStandIn = 200;
 
 struct Run {
   std::size_t first;
@@ -106,16 +111,41 @@ class VertexWriter {
     }
   }
 
+  /// The coarse copy of the tile that was written last; it is kept for `finish`.
+  void write_stand_in(Tile& tile, std::span<const StandInTriangle> triangles) {
+    tile.stand_in_first = static_cast<std::uint32_t>(stand_ins_.size() / 3);
+    tile.stand_in_count = static_cast<std::uint32_t>(triangles.size());
+    for (const StandInTriangle& triangle : triangles) {
+      const Color color = colors_.empty() ? Color{} : colors_[triangle.of];
+      for (const Vec3& corner : {triangle.corners.a, triangle.corners.b, triangle.corners.c}) {
+        stand_ins_.push_back(static_cast<std::uint32_t>(result_.vertices.size()));
+        result_.vertices.push_back(vertex(corner, color, tile));
+      }
+    }
+  }
+
+  /// Puts the stand-ins behind all triangles.
+  void finish() {
+    const auto before = static_cast<std::uint32_t>(result_.indices.size() / 3);
+    for (Tile& tile : result_.tiles) {
+      tile.stand_in_first += before;
+    }
+    result_.indices.insert(result_.indices.end(), stand_ins_.begin(), stand_ins_.end());
+  }
+
  private:
   static constexpr std::uint32_t kNone = 0xffffffffU;
+
+  static TileVertex vertex(const Vec3& place, Color color, const Tile& tile) {
+    const Vec3 d = (place - tile.origin) * (1 / tile.scale);
+    return {static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z), color};
+  }
 
   std::uint32_t index_of(std::uint32_t v, Color color, std::uint32_t start, const Tile& tile) {
     std::uint32_t& known = known_[v];
     if (known == kNone || known < start || !(result_.vertices[known].color == color)) {
       known = static_cast<std::uint32_t>(result_.vertices.size());
-      const Vec3 d = (mesh_.vertices[v] - tile.origin) * (1 / tile.scale);
-      result_.vertices.push_back(
-          {static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z), color});
+      result_.vertices.push_back(vertex(mesh_.vertices[v], color, tile));
     }
     return known;
   }
@@ -124,6 +154,7 @@ class VertexWriter {
   std::span<const Color> colors_;
   TiledMesh& result_;
   std::vector<std::uint32_t> known_;
+  std::vector<std::uint32_t> stand_ins_;  // indices
 };
 
 Tile make_tile(const Mesh& mesh, const Run& run, std::span<const std::uint32_t> order) {
@@ -158,10 +189,16 @@ TiledMesh cut_in_tiles(const Mesh& mesh, std::span<const Color> colors, const Ti
     check_stop(parallel);
     const std::span<std::uint32_t> mine = std::span(order).subspan(run.first, run.count);
     put_large_first(mesh, mine);
-    const Tile tile = make_tile(mesh, run, mine);
+    Tile tile = make_tile(mesh, run, mine);
     writer.write(tile, mine);
+    if (options.stand_in_of > 0 && run.count >= kLeastOfStandIn) {
+      writer.write_stand_in(tile, stand_in(mesh, mine, tile.bounds,
+                                           std::max<std::size_t>(run.count / options.stand_in_of,
+                                                                 kLeastOfStandIn / 4)));
+    }
     result.tiles.push_back(tile);
   }
+  writer.finish();
   return result;
 }
 

@@ -28,11 +28,14 @@ struct Tile {
   double scale = 1;         ///< half the longest side of `bounds`, or 1 where that is 0
   std::uint32_t first = 0;  ///< first triangle
   std::uint32_t count = 0;  ///< triangles, the large ones first
+  /// A coarse copy (`stand_in.h`), likewise; none for tiles of few triangles.
+  std::uint32_t stand_in_first = 0;
+  std::uint32_t stand_in_count = 0;
 };
 
 struct TiledMesh {
   std::vector<TileVertex> vertices;
-  std::vector<std::uint32_t> indices;  ///< 3 a triangle, into `vertices`
+  std::vector<std::uint32_t> indices;  ///< 3 a triangle, into `vertices`; stand-ins come last
   std::vector<Tile> tiles;
 };
 
@@ -40,6 +43,7 @@ struct TiledMesh {
 struct TileOptions {
   std::uint32_t triangles = 16384;  ///< a tile of a small mesh has no more
   std::uint32_t most_tiles = 128;   ///< no mesh has more; its tiles are larger instead
+  std::uint32_t stand_in_of = 12;   ///< one triangle of a stand-in for so many; 0: no stand-ins
 };
 
 /// Cuts a mesh at medians of its triangles' centers. Each triangle is in one tile; within a tile

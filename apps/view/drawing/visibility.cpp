@@ -12,6 +12,9 @@ namespace soms::view {
 
 namespace {
 
+// Without more of the triangles than this part, holes would be seen.
+constexpr double kLittle = 0.4;
+
 // How large a box looks: pixels squared, at most the picture.
 double seen_area(const Camera& camera, Size size, const Box& box, double depth) {
   const Vec3 e = box.extent();
@@ -46,6 +49,43 @@ void share(Visible& visible, const std::vector<double>& areas, std::uint64_t mos
     group.triangles = static_cast<std::uint32_t>(
         std::clamp(std::floor(part), 0.0, static_cast<double>(group.triangles)));
     left -= group.triangles * copies(i);
+  }
+}
+
+void make_coarse(Visible& visible, std::span<const std::span<const Tile>> tiles) {
+  for (TileGroup& group : visible.groups) {
+    const Tile& tile = tiles[group.mesh][group.tile];
+    if (tile.stand_in_count > 0) {
+      group.coarse = true;
+      group.triangles = tile.stand_in_count;
+    }
+  }
+}
+
+// Draws coarse groups whole as long as there is room, those first that need the fewest triangles
+// for what they cover.
+void make_whole(Visible& visible, const std::vector<double>& areas,
+                std::span<const std::span<const Tile>> tiles, std::uint64_t most) {
+  std::uint64_t used = 0;
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t g = 0; g < visible.groups.size(); ++g) {
+    const TileGroup& group = visible.groups[g];
+    used += std::uint64_t{group.triangles} * group.instances.size();
+    if (group.coarse) {
+      order.emplace_back(tiles[group.mesh][group.tile].count / areas[g], g);
+    }
+  }
+  std::sort(order.begin(), order.end());
+  for (const auto& [need, g] : order) {
+    TileGroup& group = visible.groups[g];
+    const std::uint64_t whole = tiles[group.mesh][group.tile].count;
+    const std::uint64_t more = (whole - std::min<std::uint64_t>(whole, group.triangles)) *
+                               std::uint64_t{group.instances.size()};
+    if (used + more <= most) {
+      used += more;
+      group.coarse = false;
+      group.triangles = static_cast<std::uint32_t>(whole);
+    }
   }
 }
 
@@ -108,6 +148,7 @@ Visible choose_tiles(const DrawList& list, std::span<const std::span<const Tile>
                                   edges,
                                   {},
                                   mine[t].count,
+                                  false,
                                   std::numeric_limits<double>::infinity()});
         areas.push_back(0);
       }
@@ -126,7 +167,15 @@ Visible choose_tiles(const DrawList& list, std::span<const std::span<const Tile>
     visible.tiles_drawn += group.instances.size();
   }
   if (seen > most_triangles) {
+    const bool is_little =
+        static_cast<double>(most_triangles) < kLittle * static_cast<double>(seen);
+    if (is_little) {
+      make_coarse(visible, tiles);
+    }
     share(visible, areas, most_triangles);
+    if (is_little) {
+      make_whole(visible, areas, tiles, most_triangles);
+    }
   }
   for (const TileGroup& group : visible.groups) {
     visible.triangles += std::uint64_t{group.triangles} * group.instances.size();

@@ -39,6 +39,7 @@ struct TileGroup {
   bool edges = false;  ///< drawn once more, as edges
   std::vector<std::uint32_t> instances;
   std::uint32_t triangles = 0;  ///< how many of the tile, the large ones first
+  bool coarse = false;          ///< of its stand-in instead
   double depth = 0;             ///< of the nearest instance
 };
 
@@ -51,7 +52,8 @@ struct Visible {
 };
 
 /// Chooses what is drawn. Where more triangles are seen than `most_triangles`, each tile gives up
-/// its small ones, the more the smaller the tile looks.
+/// its small ones, the more the smaller the tile looks. Where far more are seen, tiles are drawn by
+/// their stand-ins, but those that look large for their triangles whole, as far as that goes.
 ///
 /// \shape `tiles`: those of each mesh of the list.
 [[nodiscard]] Visible choose_tiles(const DrawList& list,

@@ -67,6 +67,7 @@ class Loop {
     session_.state().paused = !(options.run || options.frames) || !session_.facts().limits.moves;
     session_.state().panels = options.panels;
     window_.set_title("soms view: " + session_.facts().name);
+    lay_out_panels();
   }
 
   void run(const std::stop_token& stop) {
@@ -93,6 +94,15 @@ class Loop {
   }
 
  private:
+  /// Panels know their places from the frame before: none that is shown is the first.
+  void lay_out_panels() {
+    for (int i = 0; i < kEcho; ++i) {
+      window_.begin_panels();
+      panels_.draw(session_, times_, renderer_.statistics());
+      window_.end_panels();
+    }
+  }
+
   [[nodiscard]] bool over(const std::stop_token& stop) const {
     return stop.stop_requested() || window_.close_requested() || session_.state().requests.quit ||
            finished_;
@@ -172,8 +182,11 @@ class Loop {
     window_.finish();
     drawn_ = now;
     const DrawStatistics statistics = renderer_.statistics();
-    if (statistics.uploads == 0) {  // else most of the time went into bringing meshes there
-      detail_.add(1000 * seconds_between(start, Clock::now()), statistics.triangles, options);
+    const double ms = 1000 * seconds_between(start, Clock::now());
+    if (statistics.uploads == 0) {
+      detail_.add(ms, statistics.triangles, options);
+    } else {
+      detail_.add_with_uploads(ms);
     }
   }
 

@@ -50,7 +50,7 @@ TEST(Detail, DrawsEverythingOnAFastDevice) {
 
 TEST(Detail, GivesUpSmoothEdgesBeforeTriangles) {
   Detail detail;
-  const DrawOptions options = after_frames(detail, {18, 40}, 20);  // 112 ms smooth, 58 without
+  const DrawOptions options = after_frames(detail, {9, 20}, 20);  // 56 ms smooth, 29 without
   EXPECT_EQ(options.most_triangles, DrawOptions::kAll);
   EXPECT_EQ(options.samples, 1);
   EXPECT_FALSE(options.relief || options.shadows);
@@ -76,10 +76,21 @@ TEST(Detail, NeverDrawsLessThanAUsefulCount) {
   EXPECT_EQ(after_frames(detail, {500, 5000}, 30).most_triangles, Detail::kLeast);
 }
 
+TEST(Detail, BeginsCoarseAfterALongFrameWithUploadsAndBecomesFine) {
+  Detail detail;
+  detail.add_with_uploads(Detail::kGoalMs / 2);
+  EXPECT_EQ(detail.options(true, kCity).samples, DrawOptions{}.samples);
+  detail.add_with_uploads(10 * Detail::kGoalMs);
+  EXPECT_EQ(detail.options(true, kCity).samples, 1);
+  EXPECT_LT(detail.options(true, kCity).most_triangles, kCity / 4);
+  EXPECT_EQ(detail.options(false, kCity).most_triangles, DrawOptions::kAll);
+  EXPECT_EQ(after_frames(detail, {0.5, 2}, 30).samples, DrawOptions{}.samples);
+}
+
 TEST(Detail, ComesBackWhenTheDeviceIsFreeAgain) {
   Detail detail;
   (void)after_frames(detail, {50, 1000}, 20);
-  const DrawOptions options = after_frames(detail, {0.5, 4}, 30);
+  const DrawOptions options = after_frames(detail, {0.5, 2}, 30);
   EXPECT_EQ(options.most_triangles, DrawOptions::kAll);
   EXPECT_EQ(options.samples, DrawOptions{}.samples);
 }

@@ -65,7 +65,7 @@ TEST(ChooseTiles, GathersInstancesOfAMeshInOneCall) {
 
 TEST(ChooseTiles, KeepsTheBudgetAndGivesMoreToWhatLooksLarge) {
   const Mesh mesh = test_drawing::blocks(40);
-  const TiledMesh cut = cut_in_tiles(mesh, {}, {.triangles = 1000});
+  const TiledMesh cut = cut_in_tiles(mesh, {}, {.triangles = 1000, .stand_in_of = 0});
   const std::vector<std::span<const Tile>> tiles{cut.tiles};
   const DrawList list = test_drawing::list_of(mesh);
   const Camera camera{{0, -450, 60}, {0, 0, 0}, {0, 0, 1}, 0.9};
@@ -81,6 +81,41 @@ TEST(ChooseTiles, KeepsTheBudgetAndGivesMoreToWhatLooksLarge) {
   ASSERT_GT(third.groups.size(), 2U);
   EXPECT_GT(third.groups.front().triangles, third.groups.back().triangles)
       << "groups come from near to far";
+}
+
+TEST(ChooseTiles, DrawsStandInsWhereAllIsTooMuchAndTilesThatLookLargeWhole) {
+  const Mesh mesh = test_drawing::blocks(40);
+  const TiledMesh cut = cut_in_tiles(mesh, {}, {.triangles = 1000});
+  const std::vector<std::span<const Tile>> tiles{cut.tiles};
+  const DrawList list = test_drawing::list_of(mesh);
+  const Camera camera{{0, -450, 60}, {0, 0, 0}, {0, 0, 1}, 0.9};
+  const auto choose = [&](std::uint64_t most) {
+    return choose_tiles(list, tiles, camera, {640, 360}, most);
+  };
+  const Visible whole = choose(DrawOptions::kAll);
+  std::uint64_t least = 0;
+  for (const TileGroup& group : whole.groups) {
+    EXPECT_FALSE(group.coarse);
+    least += cut.tiles[group.tile].stand_in_count;
+  }
+  ASSERT_GT(least, 0U);
+  const Visible coarse = choose(least);
+  EXPECT_EQ(coarse.groups.size(), whole.groups.size());  // no tile is missing
+  EXPECT_EQ(coarse.triangles, least);
+  EXPECT_EQ(coarse.triangles_left, whole.triangles - least);
+  const Visible some = choose(whole.triangles / 3);
+  EXPECT_EQ(some.groups.size(), whole.groups.size());
+  EXPECT_LE(some.triangles, whole.triangles / 3);
+  EXPECT_FALSE(some.groups.front().coarse);  // from near to far
+  EXPECT_TRUE(some.groups.back().coarse);
+  for (const TileGroup& group : some.groups) {
+    const Tile& tile = cut.tiles[group.tile];
+    EXPECT_EQ(group.triangles, group.coarse ? tile.stand_in_count : tile.count);
+  }
+  EXPECT_LE(choose(least / 2).triangles, least / 2);
+  for (const TileGroup& group : choose(whole.triangles / 2).groups) {
+    EXPECT_FALSE(group.coarse);  // only small triangles are missing
+  }
 }
 
 TEST(ChooseTiles, DrawsEdgesOfThoseAloneThatShowThem) {
