@@ -7,6 +7,7 @@ set(SOMS_VIEW_HEADERS
   gl_ground.h
   gl_labels.h
   gl_layer.h
+  gl_light.h
   gl_objects.h
   gl_slicer.h
   gl_renderer.h
@@ -41,6 +42,7 @@ set(SOMS_VIEW_SOURCES
   gl_ground.cpp
   gl_labels.cpp
   gl_layer.cpp
+  gl_light.cpp
   gl_objects.cpp
   gl_slicer.cpp
   gl_renderer.cpp

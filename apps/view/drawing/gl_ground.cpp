@@ -17,9 +17,7 @@ constexpr float kSolid = 0.45F;
 
 }  // namespace
 
-GlGround::GlGround()
-    : program_("ground", shader::kGroundVertex,
-               std::string(shader::kLightHead) + shader::kGroundFragment) {
+GlGround::GlGround() : program_("ground", shader::kGroundVertex, shader::kGroundFragment) {
 }
 
 void GlGround::draw(const DrawList& list, const GlView& view, const GlShadows& shadows,
@@ -29,14 +27,13 @@ void GlGround::draw(const DrawList& list, const GlView& view, const GlShadows& s
   }
   const Ground& ground = *list.ground;
   const float reach = view.length(ground.radius);
-  program_.use();
-  program_.set("clip", std::span(view.clip));
-  program_.set("middle", std::span<const float, 3>(view.relative(ground.center)));
-  program_.set("east", std::span<const float, 3>(std::array<float, 3>{reach, 0, 0}));
-  program_.set("north", std::span<const float, 3>(std::array<float, 3>{0, reach, 0}));
-  program_.set("color", std::span<const float, 4>(parts_of(ground.color)));
-  program_.set("solid", kSolid);
-  shadows.light(program_, view);
+  const GlProgram& program = program_.use(shadows, view);
+  program.set("clip", std::span(view.clip));
+  program.set("middle", std::span<const float, 3>(view.relative(ground.center)));
+  program.set("east", std::span<const float, 3>(std::array<float, 3>{reach, 0, 0}));
+  program.set("north", std::span<const float, 3>(std::array<float, 3>{0, reach, 0}));
+  program.set("color", std::span<const float, 4>(parts_of(ground.color)));
+  program.set("solid", kSolid);
   nothing_.bind();
   glEnable(GL_DEPTH_CLAMP);  // the camera's cut leaves it whole
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);

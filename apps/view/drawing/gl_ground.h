@@ -2,6 +2,7 @@
 /// The ground of a draw list. Private to the renderer.
 #pragma once
 
+#include "apps/view/drawing/gl_light.h"
 #include "apps/view/drawing/gl_objects.h"
 #include "apps/view/drawing/gl_shadows.h"
 #include "apps/view/drawing/gl_view.h"
@@ -18,7 +19,7 @@ class GlGround {
             DrawStatistics& statistics) const;
 
  private:
-  GlProgram program_;
+  GlLitProgram program_;
   GlVertexArray nothing_;
 };
 

@@ -49,19 +49,23 @@ bool inside(vec3 place) { return all(lessThan(abs(place - 0.5), vec3(0.49))); }
 // Share of the sun that is seen. A place is held off its surface by its texel's size, else the
 // texel's corner would hide its middle.
 float sunlit(vec3 at, vec3 n) {
+#ifdef UNSHADOWED
+  return 1.0;
+#else
   if (shadows < 0.5) {
     return 1.0;
   }
   float slant = sqrt(max(0.0, 1.0 - dot(n, toward) * dot(n, toward)));
   vec3 off = n * (0.3 + 1.5 * slant) + toward * 0.3;
-  vec3 place = (sun0 * vec4(at + off * texels.x, 1.0)).xyz;
-  if (inside(place)) {
-    return share_of(place, 0.0);
-  }
+  vec3 nearer = (sun0 * vec4(at + off * texels.x, 1.0)).xyz;
+  vec3 farther = (sun1 * vec4(at + off * texels.y, 1.0)).xyz;
   // Farther from the sun than the map's ball, as the ground may be, all of it lies before the place.
-  place = (sun1 * vec4(at + off * texels.y, 1.0)).xyz;
-  place.z = clamp(place.z, 0.0, 1.0);
-  return all(lessThan(abs(place.xy - 0.5), vec2(0.49))) ? share_of(place, rest) : 1.0;
+  farther.z = clamp(farther.z, 0.0, 1.0);
+  // One lookup for both maps: drivers in software take either branch.
+  bool is_near = inside(nearer);
+  bool is_far = all(lessThan(abs(farther.xy - 0.5), vec2(0.49)));
+  return is_near || is_far ? share_of(is_near ? nearer : farther, is_near ? 0.0 : rest) : 1.0;
+#endif
 }
 vec3 light_at(vec3 at, vec3 n) {
   vec3 sky = mix(vec3(0.60, 0.595, 0.59), vec3(0.73, 0.76, 0.81), 0.5 + 0.5 * dot(n, above));

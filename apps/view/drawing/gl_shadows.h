@@ -24,6 +24,9 @@ class GlShadows {
   void draw(const DrawList& list, const Camera& camera, const GlView& view, bool drawn,
             GlSurfaces& surfaces, GlSlicer& slicer, DrawStatistics& statistics);
 
+  /// True where `draw` drew any.
+  [[nodiscard]] bool drawn() const { return drawn_; }
+
   /// Gives the light to a program that begins with `kLightHead`, and binds the maps.
   void light(const GlProgram& program, const GlView& view) const;
 

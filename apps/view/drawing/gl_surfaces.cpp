@@ -31,9 +31,7 @@ const void* index_offset(std::uint32_t triangle) {
 
 }  // namespace
 
-GlSurfaces::GlSurfaces()
-    : program_("surface", shader::kSurfaceVertex,
-               std::string(shader::kLightHead) + shader::kSurfaceFragment) {
+GlSurfaces::GlSurfaces() : program_("surface", shader::kSurfaceVertex, shader::kSurfaceFragment) {
   marks_reading_.floats(0, 3, marks_, sizeof(MarkVertex), offsetof(MarkVertex, at), 0);
   marks_reading_.color(1, marks_, sizeof(MarkVertex), offsetof(MarkVertex, color), 0);
   marks_reading_.color(5, marks_, sizeof(MarkVertex), offsetof(MarkVertex, color),
@@ -133,12 +131,11 @@ void GlSurfaces::cast(const DrawList& list, const GlView& view,
 
 void GlSurfaces::begin(const GlView& view, const GlShadows& shadows, float flatness, float shade,
                        float lift) const {
-  program_.use();
-  program_.set("clip", std::span(view.clip));
-  shadows.light(program_, view);
-  program_.set("flatness", flatness);
-  program_.set("shade", shade);
-  program_.set("lift", lift);
+  const GlProgram& program = program_.use(shadows, view);
+  program.set("clip", std::span(view.clip));
+  program.set("flatness", flatness);
+  program.set("shade", shade);
+  program.set("lift", lift);
 }
 
 void GlSurfaces::issue(const Call& call, GlSlicer& slicer, DrawStatistics& statistics) const {

@@ -2,6 +2,7 @@
 /// Meshes on the device and the passes that draw their instances. Private to the renderer.
 #pragma once
 
+#include "apps/view/drawing/gl_light.h"
 #include "apps/view/drawing/gl_objects.h"
 #include "apps/view/drawing/gl_slicer.h"
 #include "apps/view/drawing/gl_view.h"
@@ -90,7 +91,7 @@ class GlSurfaces {
              float lift) const;
   void issue(const Call& call, GlSlicer& slicer, DrawStatistics& statistics) const;
 
-  GlProgram program_;
+  GlLitProgram program_;
   std::map<std::uint64_t, OnDevice> meshes_;
   std::vector<const OnDevice*> of_list_;  ///< of each mesh of the list
   GlBuffer rows_;
