@@ -13,7 +13,7 @@ namespace soms {
 
 namespace {
 
-using Pairs = std::vector<std::pair<Triangle, Triangle>>;
+using PosedPairs = std::vector<std::pair<Triangle, Triangle>>;
 
 Triangle shifted(const Triangle& t, const Vec3& by) {
   return {t.a + by, t.b + by, t.c + by};
@@ -28,15 +28,15 @@ std::pair<Triangle, Triangle> standing(double x) {
 
 TEST(ContactPlace, IsInTheMidstOfAllPairs) {
   const detail::ContactPlace place =
-      detail::contact_place(Pairs{standing(0), standing(10), standing(14), standing(30)});
+      detail::contact_place(PosedPairs{standing(0), standing(10), standing(14), standing(30)});
   EXPECT_EQ(place.pair, 2U);
   EXPECT_EQ(place.point, (Vec3{14, 0, 0}));
   EXPECT_EQ(place.box, (Box{{-1, 0, 0}, {31, 0, 0}}));
 }
 
 TEST(ContactPlace, EquallyNearPairsAreDecidedByTheirOrder) {
-  EXPECT_EQ(detail::contact_place(Pairs{standing(0), standing(2)}).pair, 0U);
-  EXPECT_EQ(detail::contact_place(Pairs{standing(2), standing(0)}).pair, 0U);
+  EXPECT_EQ(detail::contact_place(PosedPairs{standing(0), standing(2)}).pair, 0U);
+  EXPECT_EQ(detail::contact_place(PosedPairs{standing(2), standing(0)}).pair, 0U);
 }
 
 TEST(ContactPlace, LiesInBothTrianglesOfItsPair) {
@@ -44,7 +44,7 @@ TEST(ContactPlace, LiesInBothTrianglesOfItsPair) {
   test::for_each_case("scene/contact-place", 200, [&](Rng& rng) {
     const Mesh a = test::random_mesh(rng);
     const Mesh b = test::random_mesh(rng);
-    Pairs pairs;
+    PosedPairs pairs;
     for (TriangleId i = 0; i < a.triangles.size(); ++i) {
       for (TriangleId j = 0; j < b.triangles.size(); ++j) {
         if (triangles_overlap(a.triangle(i), b.triangle(j))) {

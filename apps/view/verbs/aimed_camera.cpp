@@ -180,9 +180,9 @@ double front_of(const Box& box, const Camera& camera) {
 /// out.
 Aimed aimed(const CameraChoice& choice, const Aim& aim, const ViewScene& scene, Size size, bool cut,
             const Parallel& parallel) {
-  constexpr double kSurroundings = 1.5;  // half of the picture's box, in extents of the subject
+  constexpr double kAimSurroundings = 1.5;  // half of the picture's box, in extents of the subject
   constexpr double kMuchBetter = 0.2;
-  const Vec3 half = aim.around.extent() * kSurroundings;
+  const Vec3 half = aim.around.extent() * kAimSurroundings;
   const Vec3 center = aim.around.center();
   const Box wide = common_part({center - half, center + half}, scene_bounds(scene));
   const auto from = [&](double bearing, double elevation) {
