@@ -124,7 +124,7 @@ struct Scene {
 };
 
 /// What a page has room for. With these it stays below 20 MB, the script and the plots included,
-/// and 100 bytes a row, of which there may be any number.
+/// and 110 bytes a row, of which there may be any number.
 struct SceneLimits {
   std::uint64_t triangles = 240'000;        ///< in the page
   std::uint64_t drawn_at_once = 1'500'000;  ///< on the screen: a model counts for each body

@@ -214,7 +214,7 @@ std::string counted_models(std::uint64_t count, const Model& model) {
 }
 
 void write_movers(MapPanel& panel, const World& world) {
-  panel.head(fmt::format("{} movers and their tracks", with_commas(world.routes.size())));
+  panel.head(counted(world.routes.size(), "mover") + ", with tracks");
   for (std::size_t model = 0; model < world.models.size(); ++model) {
     const auto count = static_cast<std::uint64_t>(
         std::count_if(world.routes.begin(), world.routes.end(),
@@ -232,7 +232,7 @@ void write_movers(MapPanel& panel, const World& world) {
 
 void write_contacts(MapPanel& panel, const Outcome& outcome, const std::vector<Mark>& marks) {
   const std::uint64_t all = outcome.contacts.contacts().size();
-  panel.head(all == 0 ? "No contact" : fmt::format("{} contacts", with_commas(all)));
+  panel.head(all == 0 ? "No contact" : counted(all, "contact"));
   for (const std::uint64_t size : {1U, 10U, 100U}) {
     if (!marks.empty() && marks.front().contacts >= size) {
       panel.keyed(fmt::format("<circle r=\"{:.1f}\" fill=\"{}\" fill-opacity=\".35\" "

@@ -51,10 +51,10 @@ Action add_simulate(CLI::App& app, Shared&) {
   add_output(app, "--report", options->report,
              "write an HTML report with figures, a time line and the scene in 3-D");
   add_output(app, "--events", options->events,
-             "write who touches what, from when to when, as CSV: a row a mover and a\n"
-             "part of the city, or another mover (and near events)");
+             "write who touches what, from when to when, as CSV: one row for a mover and\n"
+             "the part of the city, or other mover, that it touches (and near events)");
   add_output(app, "--contacts", options->contacts,
-             "write the begin and end of every contact, triangle by triangle, as CSV");
+             "write the beginning and end of every contact, triangle by triangle, as CSV");
   add_output(app, "--record", options->record,
              "write poses and contacts (and gaps) of every frame; soms view plays the\n"
              "file");

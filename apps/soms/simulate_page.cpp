@@ -287,10 +287,9 @@ void write_page(std::ostream& out, const World& world, const Outcome& outcome,
     page.notes.emplace_back("This run ended early; the page shows the frames that were done.");
   }
   page.notes.emplace_back(
-      "An event is one mover and one part of the city, or two movers, from the first frame in "
-      "which "
-      "they touch to the last in a row; a contact of it is one triangle of the city, likewise. "
-      "Only surfaces are tested: a mover entirely inside a "
+      "An event is one mover and one part of the city, or two movers, over consecutive frames in "
+      "which they touch. Its contacts are the triangles of the city that the mover touches, each "
+      "with its own first and last frame. Only surfaces are tested: a mover entirely inside a "
       "closed building touches nothing. The picture may be simplified; the answers never are.");
   page.plots = plots_of(world, outcome);
   page.scene = scene_of(world, outcome);

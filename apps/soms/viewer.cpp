@@ -73,7 +73,7 @@ int draw_frame(const std::filesystem::path& recording, std::uint64_t frame,
                const std::string& picture, const Console& console) {
   return run_child(viewer_program(),
                    {"render", "--quiet", "--frame", std::to_string(frame), "--output", picture,
-                    as_argument(recording.string()), "--spots"},
+                    as_argument(recording.string())},
                    console, {.called = "soms", .timed = false});
 }
 

@@ -144,7 +144,7 @@ std::vector<GridLine> grid_lines(double lower, double upper, double step) {
     const double at = (first + k) * step + 0.0;  // no -0
     lines.push_back({at, std::abs(at) < kMostPlain && decimals <= 6
                              ? fmt::format("{:.{}f}", at, decimals)
-                             : fmt::format("{:g}", at)});
+                             : fmt::format("{:.12g}", at)});
   }
   return lines;
 }

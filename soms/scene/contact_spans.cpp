@@ -1,5 +1,6 @@
 #include "soms/scene/contact_spans.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/base/error.h"
 #include "soms/query/detail/moved_triangle.h"
 #include "soms/scene/detail/contact_place.h"
@@ -104,6 +105,7 @@ ContactBodies contact_bodies(const Scene& scene) {
 
 void ContactSpans::follow(std::uint64_t step, const StepReport& report,
                           const ContactBodies& bodies) {
+  const PlainArithmetic plain;
   check(step_, step, report);
   const std::vector<SideContact> contacts = sorted_contacts(report, bodies);
   // Kept aside until all is known, so that an error changes nothing.

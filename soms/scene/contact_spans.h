@@ -51,7 +51,7 @@ struct ContactSpan {
 
 /// What spans are to know of the bodies that a step compared.
 struct ContactBodies {
-  /// A triangle, moved by its body's pose in that step.
+  /// A triangle, moved by its body's pose in that step. Must not be empty.
   std::function<Triangle(const SceneBody& body, TriangleId triangle)> triangle;
   /// The part of the body's mesh that holds a triangle, as of `PartsOf`: the same in all steps.
   /// Empty: bodies are not divided.

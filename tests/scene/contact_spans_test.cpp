@@ -8,6 +8,8 @@
 
 #include "tests/scene/random_bodies.h"
 #include "tests/scene/scenes.h"
+#include "tests/support/bodies.h"
+#include "tests/support/host_arithmetic.h"
 #include "tests/support/support.h"
 
 #include <cstdint>
@@ -81,6 +83,40 @@ bool refused(ContactSpans& spans, std::uint64_t step, const StepReport& report) 
     return error.kind() == ErrorKind::usage;
   }
   return false;
+}
+
+// The triangles that share the place are moved again: as the step moved them, whatever rounding the
+// host has set. To nearest 0.1 + 0.2 lies in the plane of the other triangle, downward before it.
+TEST(ContactSpans, APlaceIsThatOfTheStepUnderAnyArithmeticOfTheHost) {
+  constexpr double kPlane = 0.1 + 0.2;
+  Scene scene;
+  scene.add_environment(
+      Body(test::soup_body({{{kPlane, -1, -1}, {kPlane, 1, -1}, {kPlane, 0, 1}}})));
+  scene.add_mover(Body(Shape(test::soup_body({{{0.1, 0, 0}, {-1, -0.1, 0}, {-1, 0.1, 0}}})),
+                       Pose::translation(0.2, 0, 0)));
+  const StepReport report = scene.step({.mode = OverlapMode::all});
+  ASSERT_EQ(report.environment.size(), 1U);
+  for (const test::HostMode& mode : test::host_modes()) {
+    ContactSpans spans;
+    {
+      const test::HostArithmetic host(mode);
+      spans.follow(0, report, contact_bodies(scene));
+    }
+    ASSERT_EQ(spans.spans().size(), 1U);
+    EXPECT_EQ(spans.spans()[0].place, (Vec3{kPlane, 0, 0})) << mode.name;
+    EXPECT_FALSE(spans.spans()[0].box.empty()) << mode.name;
+  }
+}
+
+// Against what `ContactBodies` promises.
+TEST(ContactSpans, APlaceIsANumberThoughTheTrianglesGivenDoNotTouch) {
+  ContactSpans spans;
+  spans.follow(0, touching({{0, 0, 0, 0}}), {.triangle = [](const SceneBody& body, TriangleId) {
+                 const double x = body.kind == SceneBodyKind::mover ? 0 : 5;
+                 return Triangle{{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}};
+               }});
+  const Vec3& place = spans.spans().at(0).place;
+  EXPECT_EQ(place, place);
 }
 
 TEST(ContactSpans, EqualThoseFoundInAllReportsAtOnce) {

@@ -164,6 +164,10 @@ void back(ViewState& state) {
     state.files.reset();
   } else if (state.help) {
     state.help = false;
+  } else if (state.learn) {
+    state.learn = false;
+  } else if (state.events) {
+    state.events = false;
   } else if (state.selected) {
     state.requests.deselect = true;
   } else {

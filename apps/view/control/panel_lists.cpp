@@ -62,10 +62,9 @@ std::string times_of(const ContactEvent& event) {
 }
 
 std::string words_of(const ContactEvent& event) {
-  return event.title + "\n   " + times_of(event) + ", most " +
-         command::with_commas(event.most_pairs) +
-         (event.most_pairs == 1 ? " pair in " : " pairs in ") +
-         command::with_commas(event.most_frame);
+  return event.title + "\n   " + times_of(event) + ", at most " +
+         command::with_commas(event.most_pairs) + (event.most_pairs == 1 ? " pair" : " pairs") +
+         ", in frame " + command::with_commas(event.most_frame);
 }
 
 }  // namespace
@@ -202,9 +201,11 @@ void Panels::learn(Session& session) {
   for (const std::string& sentence : facts->sentences) {
     ImGui::TextWrapped("%s", sentence.c_str());
   }
-  draw_bars(facts->a);
-  draw_bars(facts->b);
-  ImGui::TextDisabled("red now, blue entered, orange found, dark pruned");
+  if (facts->tests > 0) {
+    draw_bars(facts->a);
+    draw_bars(facts->b);
+    ImGui::TextDisabled("red now, blue entered, orange found, gray pruned");
+  }
   end_right();
 }
 

@@ -30,19 +30,21 @@ void Session::take_in_files(const KeyPress& press) {
       state_.files.reset();
       return;
     default:
-      if (press.key >= key_of('0') && press.key <= key_of('Z')) {
+      if (!press.control && press.key >= key_of('0') && press.key <= key_of('Z')) {
         state_.files->jump(static_cast<char>(press.key));
       }
   }
 }
 
 void Session::open_files(const std::vector<std::string>& paths) {
-  const bool opened = guarded([&] {
+  std::size_t opened = 0;
+  guarded([&] {
     for (const std::string& path : paths) {
       subject_.open(path);
+      ++opened;
     }
   });
-  state_.requests.fit_all = opened;
+  state_.requests.fit_all = opened > 0;
   state_.event.reset();
 }
 
@@ -51,10 +53,11 @@ bool Session::searching() const {
 }
 
 void Session::do_event_requests() {
-  if (searching()) {
-    guarded([&] { subject_.search_events(); }, false);
-  }
   Requests& wishes = state_.requests;
+  if (searching() && !guarded([&] { subject_.search_events(); }, false)) {
+    wishes.event_step = 0;
+    state_.events = false;  // else it would fail again at once
+  }
   const EventList& list = subject_.events();
   if (const auto row = std::exchange(wishes.event, std::nullopt); row && *row < list.rows.size()) {
     go_to_event(*row);

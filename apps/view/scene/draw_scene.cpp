@@ -166,10 +166,11 @@ class Drawing {
     }
   }
 
-  /// Of many short pieces about one place one is enough.
+  /// Of many short pieces about one place, and of about one reach, one is enough.
   bool is_first_here(const Vec3& at, double step) {
-    const auto cell = [step](double x) { return static_cast<std::int64_t>(std::floor(x / step)); };
-    return glow_cells_.insert({cell(at.x), cell(at.y), cell(at.z)}).second;
+    const double side = std::exp2(std::floor(std::log2(step)));
+    const auto cell = [side](double x) { return std::floor(x / side); };
+    return glow_cells_.insert({side, cell(at.x), cell(at.y), cell(at.z)}).second;
   }
 
   double part_diagonal(BodyRef body, TriangleId triangle) {
@@ -440,7 +441,7 @@ class Drawing {
   std::map<std::pair<const Mesh*, bool>, std::uint32_t> meshes_;
   std::map<const Mesh*, std::size_t> kinds_;
   PartBoxes part_boxes_{scene_};
-  std::set<std::array<std::int64_t, 3>> glow_cells_;
+  std::set<std::array<double, 4>> glow_cells_;
   std::vector<Line> curves_;
 };
 

@@ -29,6 +29,7 @@ struct Aim {
   std::vector<Vec3> points;
   Box around;
   BodyRef body;
+  bool is_middle = false;  ///< the one point is the body's own middle
 };
 
 Aim aim_at_mover(std::uint32_t number, bool with_gap, const ViewScene& scene) {
@@ -38,7 +39,7 @@ Aim aim_at_mover(std::uint32_t number, bool with_gap, const ViewScene& scene) {
                 "movers are numbered from 0; --count sets how many there are");
   }
   const BodyRef body = mover(number);
-  Aim aim{{scene.bounds(body).center()}, scene.bounds(body), body};
+  Aim aim{{scene.bounds(body).center()}, scene.bounds(body), body, true};
   if (!with_gap) {
     return aim;
   }
@@ -141,11 +142,10 @@ double seen_share(const Aim& aim, const Camera& camera, const ViewScene& scene) 
   rays.push_back({camera.eye, {0, 0, 1}});
   const std::vector<SurfaceHit> hits = scene.first_hits(rays);
   const double thin = kThin * line_length(aim.around.extent());
-  const bool middle = aim.points.size() == 1;
   std::size_t seen = 0;
   for (std::size_t k = 0; k < aim.points.size(); ++k) {
     const double whole = line_length(rays[k].direction);
-    const bool own = middle && hits[k].body == aim.body;
+    const bool own = aim.is_middle && hits[k].body == aim.body;
     seen += own || hits[k].t * whole > whole - thin ? 1U : 0U;
   }
   return (hits.back().body ? kUnderRoof : 1.0) * static_cast<double>(seen) /

@@ -85,11 +85,11 @@ class Loop {
     }
     if (!options_.screenshot.empty() && !finished_ && !stop.stop_requested()) {
       throw Error(ErrorKind::cannot_write,
-                  options_.screenshot +
-                      ": the window was closed before its picture was finished, " +
-                      std::to_string(played_) + " of " +
-                      std::to_string(options_.frames.value_or(0)) + " frames had run",
-                  "leave it open, or give fewer --frames");
+                  options_.screenshot + ": the window was closed before its picture was finished" +
+                      (options_.frames ? ", " + std::to_string(played_) + " of " +
+                                             std::to_string(*options_.frames) + " frames had run"
+                                       : std::string()),
+                  options_.frames ? "leave it open, or give fewer --frames" : "leave it open");
     }
   }
 
@@ -119,7 +119,7 @@ class Loop {
   /// Seconds to wait for events; negative: until one comes.
   [[nodiscard]] double patience() const {
     if (scripted() || shot_) {
-      return 0;
+      return due_ == 0 ? kFrame : 0;  // an icon has nothing to draw
     }
     if (due_ > 0 || session_.animating()) {
       return std::max(0.0, kFrame - seconds_between(last_, Clock::now()));

@@ -44,7 +44,9 @@ ContactPlace contact_place(std::span<const std::pair<Triangle, Triangle>> pairs)
     }
   }
   const auto& [first, second] = pairs[place.pair];
-  place.point = middle_of(crossing(first, second));
+  const Crossing common = crossing(first, second);
+  // Only where triangles were given that do not touch.
+  place.point = common.empty() ? common_box_of(pairs[place.pair]).center() : middle_of(common);
   return place;
 }
 

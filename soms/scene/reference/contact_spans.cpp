@@ -1,5 +1,6 @@
 #include "soms/scene/reference/contact_spans.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/scene/detail/contact_place.h"
 
 #include <algorithm>
@@ -52,6 +53,7 @@ void set_most(ContactSpan& span, const ContactStep& step, const std::set<Triangl
 }  // namespace
 
 std::vector<ContactSpan> contact_spans(std::span<const ContactStep> steps) {
+  const PlainArithmetic plain;
   std::vector<StepContacts> contacts;
   std::set<Sides> all;
   for (const ContactStep& step : steps) {

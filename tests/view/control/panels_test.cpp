@@ -268,10 +268,10 @@ TEST_F(PanelsTest, ContactsAreListedSearchedAndGoneTo) {
   };
   ASSERT_NE(row("house"), panels_.places().end());
   EXPECT_EQ(row("house")->label,
-            "car (mover 1) touches house\n   frames 3 to 9, most 12 pairs in 5");
+            "car (mover 1) touches house\n   frames 3 to 9, at most 12 pairs, in frame 5");
   ASSERT_NE(row("tree"), panels_.places().end());
   const std::string tree = row("tree")->label;
-  EXPECT_EQ(tree, "person (mover 2) touches tree\n   frame 7, most 1 pair in 7");
+  EXPECT_EQ(tree, "person (mover 2) touches tree\n   frame 7, at most 1 pair, in frame 7");
   click(tree);
   EXPECT_EQ(state().event, 1U);
   EXPECT_EQ(subject_.frame, 7U);

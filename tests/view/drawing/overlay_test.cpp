@@ -10,7 +10,7 @@
 namespace soms::view {
 namespace {
 
-constexpr Size kPicture{640, 360};
+constexpr Size kOverlaid{640, 360};
 const Camera kAbove{{0, -50, 50}, {0, 0, 0}, {0, 0, 1}, 0.8};
 
 DrawList with_key() {
@@ -29,13 +29,13 @@ std::size_t red(const Overlay& overlay) {
 
 TEST(Overlay, TheKeyNamesContactsOnlyWhereThePictureShowsThem) {
   DrawList list = with_key();
-  EXPECT_EQ(red(overlay_of(list, kAbove, kPicture)), 0U);
+  EXPECT_EQ(red(overlay_of(list, kAbove, kOverlaid)), 0U);
   list.glows.push_back({{0, 0, 0}, {1, 0, 0}, 1});
-  EXPECT_EQ(red(overlay_of(list, kAbove, kPicture)), 1U) << "the sign of the curve";
+  EXPECT_EQ(red(overlay_of(list, kAbove, kOverlaid)), 1U) << "the sign of the curve";
   list.glows[0] = {{0, 900, 0}, {1, 900, 900}, 1};
-  EXPECT_EQ(red(overlay_of(list, kAbove, kPicture)), 0U) << "it is out of the picture";
+  EXPECT_EQ(red(overlay_of(list, kAbove, kOverlaid)), 0U) << "it is out of the picture";
   list.markers.push_back({.at = {0, 0, 0}, .count = 12, .color = palette::kContact});
-  const Overlay marked = overlay_of(list, kAbove, kPicture);
+  const Overlay marked = overlay_of(list, kAbove, kOverlaid);
   EXPECT_EQ(red(marked), 2U) << "the marker and its sign";
   EXPECT_EQ(marked.markers, 1U);
   EXPECT_EQ(marked.marked, 12U);
@@ -44,9 +44,9 @@ TEST(Overlay, TheKeyNamesContactsOnlyWhereThePictureShowsThem) {
 TEST(Overlay, TheKeyNamesOnlyWhatIsInThePicture) {
   DrawList list;
   list.captions.key = {{KeySign::area, palette::kBodyA, "moves", {{900, 900, 0}, {900, -900, 0}}}};
-  EXPECT_TRUE(overlay_of(list, kAbove, kPicture).strokes.empty());
+  EXPECT_TRUE(overlay_of(list, kAbove, kOverlaid).strokes.empty());
   list.captions.key[0].places.push_back({1, 2, 0});
-  EXPECT_FALSE(overlay_of(list, kAbove, kPicture).strokes.empty());
+  EXPECT_FALSE(overlay_of(list, kAbove, kOverlaid).strokes.empty());
 }
 
 TEST(Overlay, StaysInsideThePictureAndTinyPicturesHaveNoWords) {
@@ -55,11 +55,11 @@ TEST(Overlay, StaysInsideThePictureAndTinyPicturesHaveNoWords) {
   list.captions.meters = 1;
   list.captions.north = true;
   for (const Vec3& eye : {Vec3{0, -50, 50}, Vec3{50, 0, 50}, Vec3{-50, 0, 20}, Vec3{0, 50, 50}}) {
-    const Overlay overlay = overlay_of(list, {eye, {0, 0, 0}, {0, 0, 1}, 0.8}, kPicture);
+    const Overlay overlay = overlay_of(list, {eye, {0, 0, 0}, {0, 0, 1}, 0.8}, kOverlaid);
     EXPECT_GT(overlay.strokes.size(), 50U);
     for (const OverlayStroke& s : overlay.strokes) {
       for (const PixelPoint& p : {s.from, s.to}) {
-        EXPECT_TRUE(p.x > 4 && p.x < kPicture.width - 4 && p.y > 4 && p.y < kPicture.height - 4);
+        EXPECT_TRUE(p.x > 4 && p.x < kOverlaid.width - 4 && p.y > 4 && p.y < kOverlaid.height - 4);
       }
     }
   }
@@ -70,10 +70,10 @@ TEST(Overlay, TheScaleBarIsRoundAndFitsWhatAPixelIs) {
   for (const double meters : {1.0, 0.01, 1000.0}) {
     for (const double distance : {3.0, 70.0, 5000.0}) {
       const Camera camera{{0, -distance, 0}, {0, 0, 0}, {0, 0, 1}, 0.8};
-      const ScaleBar bar = scale_bar(camera, kPicture, meters);
-      EXPECT_LE(bar.pixels, 0.2 * kPicture.width + 1e-9);
-      EXPECT_GT(bar.pixels, 0.06 * kPicture.width);
-      const double pixel = length_of_pixel(camera, kPicture, distance) * meters;
+      const ScaleBar bar = scale_bar(camera, kOverlaid, meters);
+      EXPECT_LE(bar.pixels, 0.2 * kOverlaid.width + 1e-9);
+      EXPECT_GT(bar.pixels, 0.06 * kOverlaid.width);
+      const double pixel = length_of_pixel(camera, kOverlaid, distance) * meters;
       EXPECT_NEAR(bar.meters, bar.pixels * pixel, 1e-9 * bar.meters);
       const double first = bar.meters / std::pow(10, std::floor(std::log10(bar.meters) + 1e-9));
       EXPECT_TRUE(std::abs(first - 1) < 1e-6 || std::abs(first - 2) < 1e-6 ||
@@ -87,9 +87,9 @@ TEST(Overlay, ThereIsNoScaleFromTheSide) {
   DrawList list;
   list.captions.meters = 1;
   list.captions.north = true;
-  EXPECT_FALSE(overlay_of(list, kAbove, kPicture).strokes.empty());
+  EXPECT_FALSE(overlay_of(list, kAbove, kOverlaid).strokes.empty());
   const Camera level{{0, -50, 1}, {0, 0, 0}, {0, 0, 1}, 0.8};
-  EXPECT_TRUE(overlay_of(list, level, kPicture).strokes.empty());
+  EXPECT_TRUE(overlay_of(list, level, kOverlaid).strokes.empty());
 }
 
 }  // namespace
