@@ -7,7 +7,7 @@
 #include "tests/support/bodies.h"
 #include "tests/support/support.h"
 
-#include <algorithm>
+#include <array>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -93,34 +93,25 @@ TEST(EventFinder, StartsOverWithABodyMore) {
   EXPECT_EQ(finder.spans()[0].end, 11U);
 }
 
-/// The stretches of time in which each mover touches anything of the city, by the command.
-std::map<std::string, std::vector<std::pair<std::uint64_t, std::uint64_t>>> of_the_command(
-    const std::filesystem::path& csv) {
-  std::map<std::string, std::vector<std::pair<std::uint64_t, std::uint64_t>>> times;
+/// Begin, end and most pairs of triangles of each event, by who touches what.
+using Stretches = std::map<std::string, std::vector<std::array<std::uint64_t, 3>>>;
+
+/// The events that the command wrote.
+Stretches of_the_command(const std::filesystem::path& csv) {
+  Stretches times;
   std::ifstream file(csv);
   std::string line;
   std::getline(file, line);
-  EXPECT_EQ(line, "mover,model,touched,part,triangle,begin,end");
+  EXPECT_EQ(line,
+            "event,mover,model,touched,part,begin,end,frames,contacts,most_pairs,most_frame,x,y,z");
   while (std::getline(file, line)) {
     std::istringstream fields(line);
     std::vector<std::string> cells;
     for (std::string cell; std::getline(fields, cell, ',');) {
       cells.push_back(cell);
     }
-    const std::string who = cells[1] + " (mover " + cells[0] + ") touches " + cells[2];
-    times[who].emplace_back(std::stoull(cells[5]), std::stoull(cells[6]));
-  }
-  for (auto& [who, rows] : times) {  // those that meet become one
-    std::sort(rows.begin(), rows.end());
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> joined;
-    for (const auto& [begin, end] : rows) {
-      if (!joined.empty() && begin <= joined.back().second + 1) {
-        joined.back().second = std::max(joined.back().second, end);
-      } else {
-        joined.emplace_back(begin, end);
-      }
-    }
-    rows = joined;
+    const std::string who = cells[2] + " (mover " + cells[1] + ") touches " + cells[3];
+    times[who].push_back({std::stoull(cells[5]), std::stoull(cells[6]), std::stoull(cells[9])});
   }
   return times;
 }
@@ -149,9 +140,9 @@ TEST(EventFinder, FindsWhatSimulateFinds) {
   content.frames = 200;
   EventFinder finder(std::move(content));
   finder.search(1e9);
-  std::map<std::string, std::vector<std::pair<std::uint64_t, std::uint64_t>>> found;
+  Stretches found;
   for (const ContactSpan& span : finder.spans()) {
-    found[finder.title(span)].emplace_back(span.begin, span.end);
+    found[finder.title(span)].push_back({span.begin, span.end, span.most_pairs});
   }
   EXPECT_FALSE(found.empty());
   EXPECT_EQ(found, of_the_command(path("events.csv")));
