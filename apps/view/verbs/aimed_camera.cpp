@@ -1,5 +1,6 @@
 #include "apps/view/verbs/aimed_camera.h"
 
+#include "soms/base/common_box.h"
 #include "soms/base/error.h"
 
 #include "apps/view/scene/part_boxes.h"
@@ -109,14 +110,6 @@ std::vector<Aim> aims_at_contacts(const ViewScene& scene) {
   return aims;
 }
 
-/// What two boxes have in common. \pre They overlap.
-Box common_part(const Box& a, const Box& b) {
-  return {{std::max(a.lower.x, b.lower.x), std::max(a.lower.y, b.lower.y),
-           std::max(a.lower.z, b.lower.z)},
-          {std::min(a.upper.x, b.upper.x), std::min(a.upper.y, b.upper.y),
-           std::min(a.upper.z, b.upper.z)}};
-}
-
 /// A camera, and the share of what must not be hidden that it sees, 0 to 1.
 struct Aimed {
   Camera camera;
@@ -184,7 +177,7 @@ Aimed aimed(const CameraChoice& choice, const Aim& aim, const ViewScene& scene, 
   constexpr double kMuchBetter = 0.2;
   const Vec3 half = aim.around.extent() * kAimSurroundings;
   const Vec3 center = aim.around.center();
-  const Box wide = common_part({center - half, center + half}, scene_bounds(scene));
+  const Box wide = common_box({center - half, center + half}, scene_bounds(scene));
   const auto from = [&](double bearing, double elevation) {
     Camera camera = dollied(fitted(wide, toward_eye(bearing, elevation), size), 1 / choice.zoom);
     camera.cut = cut ? std::max(0.0, front_of(aim.around, camera)) : 0.0;

@@ -1,5 +1,7 @@
 #include "soms/query/detail/solid/box_search.h"
 
+#include "soms/query/detail/moved_triangle.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -41,8 +43,7 @@ BoxSearch::BoxSearch(const Body& body)
 }
 
 Triangle BoxSearch::moved(TriangleId id) const {
-  const Triangle t = body_.shape.mesh().triangle(id);
-  return {body_.pose.apply(t.a), body_.pose.apply(t.b), body_.pose.apply(t.c)};
+  return moved_triangle(body_, id);
 }
 
 void BoxSearch::find(const Box& box, std::vector<MovedTriangle>& found, Cost& cost) {
