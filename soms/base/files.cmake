@@ -8,6 +8,7 @@ set(SOMS_HEADERS
   hash.h
   idle_option.h
   lanes.h
+  limits.h
   parallel.h
   pose.h
   print.h

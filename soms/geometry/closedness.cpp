@@ -4,6 +4,7 @@
 #include "soms/geometry/detail/connected_parts.h"
 #include "soms/geometry/detail/joined.h"
 #include "soms/geometry/detail/odd_edges.h"
+#include "soms/geometry/detail/part_work.h"
 
 #include <algorithm>
 #include <span>
@@ -82,15 +83,6 @@ std::uint64_t connecting_work(const Mesh& mesh) {
   return detail::connected_parts_work(mesh) + mesh.triangles.size();
 }
 
-/// Triangles to look at for the parts of a mesh; 0 where that would be too often.
-std::uint64_t part_work(const Mesh& mesh) {
-  std::uint64_t triangles = 0;
-  for (const Part& part : mesh.parts) {
-    triangles += part.count;
-  }
-  return triangles <= 64 * std::uint64_t{mesh.triangles.size()} ? triangles : 0;
-}
-
 std::vector<PartClosedness> named_parts(const Joined& joined, const PartClosedness& whole,
                                         const Pose& pose, Work& work) {
   std::vector<PartClosedness> parts;
@@ -116,7 +108,7 @@ Closedness closedness(const Mesh& mesh, const ClosednessOptions& options,
   check(options.pose);
   check_range(options.pose, bounds(mesh));
   const std::uint64_t triangles = mesh.triangles.size();
-  const std::uint64_t of_parts = options.parts ? part_work(mesh) : 0;
+  const std::uint64_t of_parts = options.parts ? detail::part_work(mesh).value_or(0) : 0;
   Work work(parallel, detail::joining_work(mesh) + triangles + detail::odd_edges_work(mesh) +
                           (options.connected ? connecting_work(mesh) : 0) + of_parts + 1);
   Joined joined{mesh, detail::joined_by_position(mesh, work), {}};

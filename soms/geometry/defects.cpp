@@ -3,6 +3,7 @@
 #include "soms/base/arithmetic.h"
 #include "soms/geometry/detail/buckets.h"
 #include "soms/geometry/detail/joined.h"
+#include "soms/geometry/detail/part_work.h"
 #include "soms/geometry/orientation.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace {
 
 using detail::Least;
 using detail::Work;
-using Corners = std::array<std::uint32_t, 3>;
+using CornerNames = std::array<std::uint32_t, 3>;
 
 bool collinear(const Triangle& t) {
   return orientation2d(t.a, t.b, t.c, Projection::xy) == Sign::zero &&
@@ -36,7 +37,7 @@ class Names {
     return joined_ == nullptr ? v : (*joined_)[v];
   }
 
-  [[nodiscard]] Corners operator()(const Corners& t) const {
+  [[nodiscard]] CornerNames operator()(const CornerNames& t) const {
     return {(*this)(t[0]), (*this)(t[1]), (*this)(t[2])};
   }
 
@@ -97,7 +98,7 @@ struct CornerKey {
 };
 
 /// True if the corners, sorted, turn the other way than they stand.
-bool turned(const Corners& t) {
+bool turned(const CornerNames& t) {
   return (t[0] > t[1]) != (t[1] > t[2]) ? t[0] < t[2] : t[0] > t[2];
 }
 
@@ -105,7 +106,7 @@ void count_duplicates(const Mesh& mesh, const Names& names, const std::vector<bo
                       std::size_t most, Work& work, Defects& defects) {
   auto keys = detail::sort_into_buckets<CornerKey>(
       mesh.vertices.size(), mesh.triangles.size(), work, [&](std::size_t i, const auto& put) {
-        Corners t = names(mesh.triangles[i]);
+        CornerNames t = names(mesh.triangles[i]);
         std::sort(t.begin(), t.end());
         put(t[0], CornerKey{t[1], t[2], static_cast<TriangleId>(i)});
       });
@@ -162,7 +163,7 @@ struct EdgePlaces {
 
 /// Puts the edges of a triangle as (lesser end, use).
 template <class Put>
-void put_edges(const Corners& t, TriangleId triangle, const Put& put) {
+void put_edges(const CornerNames& t, TriangleId triangle, const Put& put) {
   for (std::size_t c = 0; c < 3; ++c) {
     const std::uint32_t from = t[c];
     const std::uint32_t to = t[(c + 1) % 3];
@@ -170,7 +171,7 @@ void put_edges(const Corners& t, TriangleId triangle, const Put& put) {
   }
 }
 
-EdgePlace place_of(const Corners& t, std::uint32_t low, std::span<const Use> uses) {
+EdgePlace place_of(const CornerNames& t, std::uint32_t low, std::span<const Use> uses) {
   const std::uint32_t from = uses[0].begins_there() ? uses[0].end() : low;
   const auto corner = static_cast<std::uint32_t>(std::find(t.begin(), t.end(), from) - t.begin());
   return {uses[0].triangle, corner, uses[uses.size() > 1 ? 1 : 0].triangle,
@@ -191,7 +192,7 @@ EdgeCounts count_edges(const Mesh& mesh, const Names& names, const std::vector<b
                         std::span<const Use> uses) {
     ++count;
     if (places != nullptr) {
-      const Corners t = names(mesh.triangles[uses[0].triangle]);
+      const CornerNames t = names(mesh.triangles[uses[0].triangle]);
       (places->*kind).add(place_of(t, static_cast<std::uint32_t>(low), uses));
     }
   };
@@ -245,16 +246,6 @@ EdgeCounts count_part(const Mesh& mesh, const Part& part, const Names& names,
   return counts;
 }
 
-/// Triangles to look at for all parts; nothing where that would be too often.
-std::optional<std::uint64_t> part_work(const Mesh& mesh) {
-  std::uint64_t triangles = 0;
-  for (const Part& part : mesh.parts) {
-    triangles += part.count;
-  }
-  return triangles <= 64 * std::uint64_t{mesh.triangles.size()} ? std::optional(triangles)
-                                                                : std::nullopt;
-}
-
 std::vector<EdgeCounts> count_parts(const Mesh& mesh, const Names& names,
                                     const std::vector<bool>& degenerate, const EdgeCounts& whole,
                                     Work& work) {
@@ -276,7 +267,8 @@ Defects find_defects(const Mesh& mesh, const DefectOptions& options, const Paral
   const std::uint64_t vertices = mesh.vertices.size();
   const std::uint64_t triangles = mesh.triangles.size();
   const std::uint64_t of_edges = 2 * triangles + vertices;
-  const std::optional<std::uint64_t> of_parts = options.parts ? part_work(mesh) : std::nullopt;
+  const std::optional<std::uint64_t> of_parts =
+      options.parts ? detail::part_work(mesh) : std::nullopt;
   Work work(parallel, detail::joining_work(mesh) + vertices + triangles + 3 * of_edges +
                           of_parts.value_or(0) + 1);
   const std::vector<std::uint32_t> joined = detail::joined_by_position(mesh, work);

@@ -1,24 +1,23 @@
 #include "soms/query/closest.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/base/limits.h"
 #include "soms/query/detail/engine/batch.h"
 #include "soms/query/detail/near/point_query.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace soms {
 
 namespace {
 
 using detail::ClosestGoal;
+using detail::kInfinity;
 using detail::NearEnd;
 using detail::NearTriangle;
 using detail::PointFrame;
 using detail::PointMemory;
 using detail::PointToTriangle;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Closest ask(const PointFrame& frame, const Vec3& point, const ClosestOptions& options,
             const Parallel& parallel, PointMemory& memory) {

@@ -1,6 +1,7 @@
 #include "soms/query/distance.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/base/limits.h"
 #include "soms/query/detail/leaf_pairs.h"
 #include "soms/query/detail/near/near_question.h"
 #include "soms/query/detail/overlap_query.h"
@@ -11,13 +12,12 @@ namespace soms {
 
 namespace {
 
+using detail::kInfinity;
 using detail::NearEnd;
 using detail::NearestGoal;
 using detail::NearMemory;
 using detail::PairDistance;
 using detail::PairFrame;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void name_points(PairDistance& pair, Distance& answer) {
   const auto points = pair.points();

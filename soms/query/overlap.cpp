@@ -29,18 +29,18 @@ using detail::WideSource;
 constexpr std::size_t kFrontier = 256;
 
 /// What one part of a shared query found.
-struct Part {
+struct PartOfSearch {
   std::vector<TrianglePair> pairs;
   Cost cost;
   bool late = false;
 };
 
 /// Joins the parts in the frontier's order.
-void join(const std::vector<Part>& parts, const OverlapOptions& options, Overlap& answer) {
+void join(const std::vector<PartOfSearch>& parts, const OverlapOptions& options, Overlap& answer) {
   Collector collector(options.mode, options.limit, answer.pairs);
   bool late = false;
   bool enough = false;
-  for (const Part& part : parts) {
+  for (const PartOfSearch& part : parts) {
     answer.cost += part.cost;
     late = late || part.late;
     for (std::size_t i = 0; i < part.pairs.size() && !enough; ++i) {
@@ -59,13 +59,13 @@ void run_parallel(PairFrame& frame, const OverlapOptions& options, const Paralle
   OverlapTraversal<WideSource> head(frame, options.mode, memory);
   const std::vector<NodeRefPair> frontier = head.frontier(kFrontier);
   answer.cost = head.cost();
-  std::vector<Part> parts(frontier.size());
+  std::vector<PartOfSearch> parts(frontier.size());
   std::atomic<bool> done = false;
   for_each_chunk(frontier.size(), 1, parallel, [&](std::size_t begin, std::size_t) {
     if (done) {
       return;
     }
-    Part& part = parts[begin];
+    PartOfSearch& part = parts[begin];
     TraversalMemory own;
     Limit limit(options.deadline, parallel, &done);
     OverlapTraversal<WideSource> traversal(frame, options.mode, own);

@@ -93,7 +93,6 @@ template <class Goal, class Line, class Take>
 void answer_all(const Body& body, std::span<const Line> rays, const RayOptions& options,
                 const Parallel& parallel, const Take& take) {
   check_stop(parallel);
-  using Answers = std::vector<typename Goal::Answer>;
   std::optional<RayFrame> frame;
   if (!detail::is_empty(body.shape)) {
     frame.emplace(body.shape.layout(), body.pose);
@@ -102,7 +101,7 @@ void answer_all(const Body& body, std::span<const Line> rays, const RayOptions& 
   struct Memory {
     std::unique_ptr<detail::RayMemory<Goal>> rays;
     std::vector<RayLine> lines;
-    Answers answers;
+    std::vector<typename Goal::Answer> answers;
   };
 
   detail::MemoryPool<Memory> pool;

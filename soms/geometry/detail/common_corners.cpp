@@ -7,10 +7,6 @@ namespace soms::detail {
 
 namespace {
 
-bool is_zero(const IntegerVec& v) {
-  return v.x.sign() == 0 && v.y.sign() == 0 && v.z.sign() == 0;
-}
-
 /// A triangle, segment or point: corners of one of the pair's triangles, none between others.
 struct Simplex {
   const ExactPair* pair = nullptr;

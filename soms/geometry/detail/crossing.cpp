@@ -1,6 +1,6 @@
 #include "soms/geometry/detail/crossing.h"
 
-#include "soms/geometry/detail/double_double.h"
+#include "soms/geometry/detail/double_double3.h"
 #include "soms/geometry/detail/feature_proof.h"
 
 #include <algorithm>
@@ -12,32 +12,9 @@ namespace soms::detail {
 
 namespace {
 
-constexpr double kLeastEdge = 0x1p-150;
-constexpr double kMostEdge = 0x1p150;
-
 /// |p| + |q| below this share of the lengths makes an end hard to find.
 constexpr double kLeastSpan = 0x1p-30;
 static_assert(2 * (97 + 48 + 8) * 0x1p-102 / kLeastSpan < 0x1p-60);
-
-using Wide3 = std::array<DoubleDouble, 3>;
-
-/// The largest coordinate, or a number that is above nothing if it is out of range.
-double extent(const Vec3& v) {
-  const double most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  return most >= kLeastEdge && most <= kMostEdge ? most : std::nan("");
-}
-
-Wide3 difference(const Vec3& a, const Vec3& b) {
-  return {two_sum(a.x, -b.x), two_sum(a.y, -b.y), two_sum(a.z, -b.z)};
-}
-
-Wide3 cross(const Wide3& a, const Wide3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-DoubleDouble dot(const Wide3& a, const Wide3& b) {
-  return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
-}
 
 /// A triangle against the plane of another.
 struct Straddling {
@@ -56,7 +33,7 @@ struct Straddling {
     std::size_t last_below = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 w = corner(t, i) - plane.a;
-      const double lengths = extent(e) * extent(f) * extent(w);
+      const double lengths = safe_length(e) * safe_length(f) * safe_length(w);
       side[i] = soms::dot(n, w);
       if (!(std::abs(side[i]) > kSureShare * lengths)) {
         return;
@@ -76,14 +53,15 @@ struct Straddling {
 };
 
 /// Where the edge from corner i to corner j of a triangle crosses the plane of another.
-Wide3 crossing_point(const Triangle& t, std::size_t i, std::size_t j, const Triangle& plane) {
+DoubleDouble3 crossing_point(const Triangle& t, std::size_t i, std::size_t j,
+                             const Triangle& plane) {
   const Vec3& begin = corner(t, i);
   const Vec3& end = corner(t, j);
-  const Wide3 n = cross(difference(plane.b, plane.a), difference(plane.c, plane.a));
+  const DoubleDouble3 n = cross(difference(plane.b, plane.a), difference(plane.c, plane.a));
   const DoubleDouble p = dot(n, difference(begin, plane.a));
   const DoubleDouble q = dot(n, difference(end, plane.a));
   const DoubleDouble share = p / (p - q);
-  const Wide3 edge = difference(end, begin);
+  const DoubleDouble3 edge = difference(end, begin);
   return {begin.x + share * edge[0], begin.y + share * edge[1], begin.z + share * edge[2]};
 }
 
@@ -108,15 +86,15 @@ std::optional<Vec3> crossing_middle(const Triangle& a, const Triangle& b) {
     for (std::size_t m = 0; m < 2; ++m) {
       const Vec3 f = corner(b, (of_b.alone + 1 + m) % 3) - tip_b;
       const double volume = soms::dot(soms::cross(e, f), r);
-      if (!(std::abs(volume) > kSureShare * (extent(e) * extent(f) * extent(r)))) {
+      if (!(std::abs(volume) > kSureShare * (safe_length(e) * safe_length(f) * safe_length(r)))) {
         return std::nullopt;
       }
       passes[k][m] = volume > 0;
     }
   }
-  Wide3 sum = {};
+  DoubleDouble3 sum = {};
   std::size_t ends = 0;
-  const auto add = [&](const Wide3& p) {
+  const auto add = [&](const DoubleDouble3& p) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       sum[axis] = sum[axis] + p[axis];
     }

@@ -1,6 +1,7 @@
 #include "soms/geometry/detail/exact_distance.h"
 
 #include "soms/base/assert.h"
+#include "soms/base/limits.h"
 #include "soms/geometry/detail/leading_part.h"
 #include "soms/geometry/detail/odd.h"
 
@@ -12,8 +13,6 @@
 namespace soms::detail {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// log2 of the number, off by less than 1 either way.
 long magnitude(const SquaredDistance& s) {
@@ -87,6 +86,10 @@ Bracket bracket(const SquaredDistance& squared) {
     }
     lower = upper;
   }
+}
+
+bool is_zero(const IntegerVec& v) {
+  return v.x.sign() == 0 && v.y.sign() == 0 && v.z.sign() == 0;
 }
 
 IntegerVec operator-(const IntegerVec& a, const IntegerVec& b) {

@@ -36,6 +36,7 @@ struct IntegerVec {
   Integer z;
 };
 
+[[nodiscard]] bool is_zero(const IntegerVec& v);
 [[nodiscard]] IntegerVec operator-(const IntegerVec& a, const IntegerVec& b);
 [[nodiscard]] IntegerVec operator*(const IntegerVec& a, const Integer& s);
 [[nodiscard]] Integer dot(const IntegerVec& a, const IntegerVec& b);

@@ -1,5 +1,6 @@
 #include "soms/geometry/detail/exact_point.h"
 
+#include "soms/base/limits.h"
 #include "soms/geometry/detail/leading_part.h"
 #include "soms/geometry/detail/odd.h"
 
@@ -9,14 +10,11 @@
 #include <cmath>
 #include <compare>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 namespace soms::detail {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr std::array<Feature, 6> kBorders{1, 2, 4, 3, 6, 5};
 

@@ -39,10 +39,6 @@ void put(const Vec3& v, Odd* odds) {
   }
 }
 
-bool is_zero(const IntegerVec& v) {
-  return v.x.sign() == 0 && v.y.sign() == 0 && v.z.sign() == 0;
-}
-
 /// log2 of a number above 0, off by less than 1 either way.
 long magnitude(const RayTime& t) {
   return static_cast<long>(t.above.bit_length()) - static_cast<long>(t.below.bit_length()) +

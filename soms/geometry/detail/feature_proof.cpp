@@ -9,17 +9,8 @@ namespace soms::detail {
 
 namespace {
 
-constexpr double kLeastLength = 0x1p-150;
-constexpr double kMostLength = 0x1p150;
-
 /// Squared sines of angles below this make feet unsteady, up to a factor of 3.
 constexpr double kSteady = 0x1p-30;
-
-/// The largest coordinate, or a number that is above nothing if it is out of range.
-double length(const Vec3& v) {
-  const double most = std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
-  return most >= kLeastLength && most <= kMostLength ? most : std::nan("");
-}
 
 bool surely_above(double value, double lengths) {
   return value > kSureShare * lengths;
@@ -83,7 +74,7 @@ class Prover {
           continue;
         }
         const Vec3 w = at(t, i) - first(t);
-        if (surely_above(inward * dot(n, w), lengths * length(w))) {
+        if (surely_above(inward * dot(n, w), lengths * safe_length(w))) {
           continue;
         }
         if (!in_plane(w)) {
@@ -98,8 +89,9 @@ class Prover {
   [[nodiscard]] FeatureProof corners() const {
     const Vec3 r = first(1) - first(0);
     const Parted parted =
-        length(r) > 0 ? parts(r, length(r), 0, [&](const Vec3& w) { return surely_square(r, w); })
-                      : Parted::no;
+        safe_length(r) > 0
+            ? parts(r, safe_length(r), 0, [&](const Vec3& w) { return surely_square(r, w); })
+            : Parted::no;
     return {parted != Parted::no, parted == Parted::surely};
   }
 
@@ -108,8 +100,8 @@ class Prover {
     const Vec3 r = first(1 - corner_of) - first(corner_of);
     const double ee = dot(e, e);
     const double re = dot(r, e);
-    const double long_e = length(e);
-    const double long_r = length(r);
+    const double long_e = safe_length(e);
+    const double long_r = safe_length(r);
     const bool nearest = surely_in(-re, long_r * long_e, ee, long_e * long_e) &&
                          parts(r * ee - e * re, long_r * long_e * long_e, corner_of,
                                [](const Vec3&) { return false; }) == Parted::surely;
@@ -123,9 +115,9 @@ class Prover {
     const Vec3 f = at(face_of, 2) - at(face_of, 0);
     const Vec3 r = at(face_of, 0) - tip;
     const Vec3 n = cross(e, f);
-    const double lengths = length(e) * length(f);
+    const double lengths = safe_length(e) * safe_length(f);
     const double height = dot(n, r);
-    if (!surely_above(std::abs(height), lengths * length(r))) {
+    if (!surely_above(std::abs(height), lengths * safe_length(r))) {
       return {};
     }
     const Parted parted = parts(height > 0 ? n : -n, lengths, corner_of,
@@ -136,7 +128,7 @@ class Prover {
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 side = at(face_of, (i + 1) % 3) - at(face_of, i);
       const Vec3 w = tip - at(face_of, i);
-      if (!surely_above(dot(cross(side, w), n), length(side) * length(w) * lengths)) {
+      if (!surely_above(dot(cross(side, w), n), safe_length(side) * safe_length(w) * lengths)) {
         return {};
       }
     }
@@ -149,8 +141,8 @@ class Prover {
     const Vec3 f = edge(1);
     const Vec3 r = first(1) - first(0);
     const Vec3 n = cross(e, f);
-    const double long_r = length(r);
-    const double lengths = length(e) * length(f);
+    const double long_r = safe_length(r);
+    const double lengths = safe_length(e) * safe_length(f);
     const double height = dot(n, r);
     if (!surely_above(std::abs(height), lengths * long_r)) {
       return {};
@@ -162,8 +154,8 @@ class Prover {
     }
     const double nn = dot(n, n);
     const bool nearest =
-        surely_in(dot(cross(r, f), n), long_r * length(f) * lengths, nn, lengths * lengths) &&
-        surely_in(dot(cross(r, e), n), long_r * length(e) * lengths, nn, lengths * lengths);
+        surely_in(dot(cross(r, f), n), long_r * safe_length(f) * lengths, nn, lengths * lengths) &&
+        surely_in(dot(cross(r, e), n), long_r * safe_length(e) * lengths, nn, lengths * lengths);
     const bool alone = nearest && parted == Parted::surely;
     return {nearest, alone && nn > kSteady * lengths * lengths};
   }

@@ -27,12 +27,24 @@
 #include "soms/base/vector.h"
 #include "soms/geometry/detail/feature_pair.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace soms::detail {
 
 /// As a share of the product of lengths: what counts as surely above 0.
 inline constexpr double kSureShare = 0x1p-44;
 
 static_assert(282 * 0x1p-53 * (1 + 0x1p-40) < kSureShare);
+
+/// The largest coordinate of a vector; NaN, which is above nothing, where products of four such
+/// lengths might leave the range of doubles.
+[[nodiscard]] inline double safe_length(const Vec3& v) {
+  constexpr double kLeastLength = 0x1p-150;
+  constexpr double kMostLength = 0x1p150;
+  const double most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return most >= kLeastLength && most <= kMostLength ? most : std::nan("");
+}
 
 struct FeatureProof {
   /// A shortest segment joins the insides of these features.

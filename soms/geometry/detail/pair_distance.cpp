@@ -1,6 +1,7 @@
 #include "soms/geometry/detail/pair_distance.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/base/limits.h"
 #include "soms/geometry/detail/axis_gap.h"
 #include "soms/geometry/detail/feature_proof.h"
 #include "soms/geometry/detail/nearest_guess.h"
@@ -9,14 +10,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace soms::detail {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// x * 2^exponent, and not above it.
 DoubleDouble scaled_down(const DoubleDouble& x, int exponent) {

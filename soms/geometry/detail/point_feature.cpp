@@ -12,9 +12,6 @@ namespace soms::detail {
 
 namespace {
 
-constexpr double kLeastLength = 0x1p-150;
-constexpr double kMostLength = 0x1p150;
-
 constexpr double kEdgeError = 32;
 constexpr double kFaceError = 0x1p9;
 constexpr double kLeastSquare = 0x1p-20;  // q of the proof
@@ -25,12 +22,6 @@ static_assert(282 * 0x1p-53 < kSureShare && 1.01 * 140 * 0x1p-53 < 0x1p-20 * kLe
 
 double largest(const Vec3& v) {
   return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
-}
-
-/// The largest coordinate, or what is not a number where products might leave the range.
-double length(const Vec3& v) {
-  const double most = largest(v);
-  return most >= kLeastLength && most <= kMostLength ? most : std::nan("");
 }
 
 constexpr Feature corner_feature(std::size_t i) {
@@ -52,9 +43,9 @@ class Finder {
   Finder(const Vec3& point, const Triangle& t) {
     for (std::size_t i = 0; i < 3; ++i) {
       r_[i] = corner(t, i) - point;
-      long_r_[i] = length(r_[i]);
+      long_r_[i] = safe_length(r_[i]);
       e_[i] = corner(t, next(i)) - corner(t, i);
-      long_e_[i] = length(e_[i]);
+      long_e_[i] = safe_length(e_[i]);
     }
     for (std::size_t i = 0; i < 3; ++i) {
       from_[i] = dot(r_[i], e_[i]);

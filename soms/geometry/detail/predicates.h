@@ -2,18 +2,15 @@
 /// The predicates with a filter in front, and a note whether the filter sufficed.
 #pragma once
 
+#include "soms/base/limits.h"
 #include "soms/base/vector.h"
 #include "soms/geometry/detail/orientation_exact.h"
 #include "soms/geometry/detail/projection.h"
 #include "soms/geometry/orientation.h"
 
 #include <cmath>
-#include <limits>
 
 namespace soms::detail {
-
-/// Rounding unit 2^-53.
-inline constexpr double kRoundingUnit = std::numeric_limits<double>::epsilon() / 2;
 
 /// Shewchuk's stage-A bounds, relative to the same formula with absolute values ("permanent").
 inline constexpr double kBound3d = (7 + 56 * kRoundingUnit) * kRoundingUnit;

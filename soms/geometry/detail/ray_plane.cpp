@@ -1,5 +1,6 @@
 #include "soms/geometry/detail/ray_plane.h"
 
+#include "soms/geometry/detail/double_double3.h"
 #include "soms/geometry/detail/power_of_two.h"
 #include "soms/geometry/detail/predicates.h"
 
@@ -29,16 +30,6 @@ Vec3 magnitudes(const Vec3& v) {
   return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
 }
 
-using WideVec = std::array<DoubleDouble, 3>;
-
-WideVec difference(const Vec3& a, const Vec3& b) {
-  return {two_sum(a.x, -b.x), two_sum(a.y, -b.y), two_sum(a.z, -b.z)};
-}
-
-DoubleDouble product(const WideVec& a, const WideVec& b) {
-  return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
-}
-
 /// The double nearest to x, which is off by less than `error`; nothing where that is not sure.
 std::optional<double> sure_nearest(const DoubleDouble& x, double error) {
   if (!(std::abs(x.high) > kLeastResult) || x.high + (x.low + 2 * error) != x.high ||
@@ -52,7 +43,7 @@ std::optional<double> sure_nearest(const DoubleDouble& x, double error) {
 
 ScaledDirection::ScaledDirection(const RayLine& line) {
   const Vec3& to = line.ahead;
-  part = line.segment ? difference(to, line.origin) : WideVec{to.x, to.y, to.z};
+  part = line.segment ? difference(to, line.origin) : DoubleDouble3{to.x, to.y, to.z};
   const double largest =
       std::max({std::abs(part[0].high), std::abs(part[1].high), std::abs(part[2].high)});
   if (largest == 0) {
@@ -104,13 +95,12 @@ std::optional<PlaneHit> plane_hit(const RayLine& line, const ScaledDirection& di
     return std::nullopt;
   }
   const Plane plane(triangle.a, triangle.b, triangle.c);
-  const WideVec u = difference(triangle.b, triangle.a);
-  const WideVec v = difference(triangle.c, triangle.a);
-  const WideVec from = difference(triangle.a, line.origin);
-  const WideVec normal{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                       u[0] * v[1] - u[1] * v[0]};
-  const DoubleDouble height = product(normal, from);
-  const DoubleDouble steep = product(normal, direction.part);
+  const DoubleDouble3 u = difference(triangle.b, triangle.a);
+  const DoubleDouble3 v = difference(triangle.c, triangle.a);
+  const DoubleDouble3 from = difference(triangle.a, line.origin);
+  const DoubleDouble3 normal = cross(u, v);
+  const DoubleDouble height = dot(normal, from);
+  const DoubleDouble steep = dot(normal, direction.part);
   const double height_error =
       kRoundingOfTerms *
           dot(plane.magnitude, magnitudes({from[0].high, from[1].high, from[2].high})) +

@@ -1,5 +1,6 @@
 #include "soms/query/detail/relative_pose.h"
 
+#include "soms/base/limits.h"
 #include "soms/query/detail/engine/rounded.h"
 #include "soms/query/detail/query_lanes.h"
 
@@ -9,8 +10,6 @@
 namespace soms::detail {
 
 namespace {
-
-constexpr double kUnitRoundoff = 0x1p-53;
 
 // Constants of the proof in relative_pose.h, and its addends. "Largest seen" is the most that tests
 // and tests/query/margins/margin_search.cpp ever needed of one. What is left over was never met;
@@ -169,7 +168,7 @@ RelativePose::RelativePose(const WideTree& x, const Pose& pose_x, const Referenc
   }
   const double extent = y.extent + moved_extent(pose_x, x.bounds());
   const double slack =
-      2 * ((kSlackOfRounding * kUnitRoundoff + kSlackOfResidual * y.residual) * extent +
+      2 * ((kSlackOfRounding * kRoundingUnit + kSlackOfResidual * y.residual) * extent +
            kSlackOfUnderflow);
   apart_ = roots_apart(x.bounds(), y.tree->bounds(), slack);
   // Where rounding outweighs the body a thousandfold and more, every box meets every other.

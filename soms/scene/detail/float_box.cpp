@@ -10,13 +10,13 @@ namespace soms::detail {
 
 namespace {
 
-constexpr std::size_t kSample = 128;
+constexpr std::size_t kBoxesOfSample = 128;
 
 }  // namespace
 
 FloatMap FloatMap::of(std::span<const Box> boxes) {
   std::array<std::vector<double>, 3> centers;
-  const std::size_t stride = boxes.size() / kSample + 1;
+  const std::size_t stride = boxes.size() / kBoxesOfSample + 1;
   Vec3 most;
   for (std::size_t k = 0; k < boxes.size(); k += stride) {
     if (boxes[k].empty()) {

@@ -15,9 +15,6 @@ std::size_t chunk_of(std::size_t questions) {
   return std::clamp<std::size_t>(questions / 16, 1, 64);
 }
 
-/// Fewer questions than this are each worth all threads.
-constexpr std::size_t kFew = 4;
-
 Overlap ask_pair(const BodyPair& question, const PairQuery& query, const Parallel& parallel) {
   const auto& [mover, other] = question;
   if (query.method == nullptr) {
@@ -132,7 +129,7 @@ Cost NarrowPhase::ask(std::span<const BodyPair> questions, const PairQuery& quer
   }
   // A single pair of large meshes is split inside; many pairs are shared out. Where one pair will
   // do, which one would depend on the threads inside.
-  const bool few = questions.size() < kFew;
+  const bool few = questions.size() < kFewQuestions;
   const bool split = few && query.options.mode == OverlapMode::all;
   const Parallel shared{split ? 1 : parallel.threads, parallel.stop, {}};
   const Parallel inside{split ? parallel.threads : 1, parallel.stop, {}};

@@ -23,6 +23,9 @@ struct BodyPair {
   const Body* other = nullptr;
 };
 
+/// Fewer questions than this are each worth all threads.
+inline constexpr std::size_t kFewQuestions = 4;
+
 /// The question about every pair, and what answers it if not `overlap`.
 struct PairQuery {
   OverlapOptions options = {};

@@ -4,16 +4,9 @@
 
 namespace soms::detail {
 
-namespace {
-
-/// Fewer questions than this are each worth all threads.
-constexpr std::size_t kFew = 4;
-
-}  // namespace
-
 Cost NearPhase::ask(std::span<const BodyPair> questions, const DistanceOptions& options,
                     const Parallel& parallel) {
-  const bool few = questions.size() < kFew;
+  const bool few = questions.size() < kFewQuestions;
   const Parallel shared{few ? 1 : parallel.threads, parallel.stop, {}};
   const Parallel inside{few ? parallel.threads : 1, parallel.stop, {}};
   answers_.assign(questions.size(), {});

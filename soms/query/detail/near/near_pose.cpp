@@ -1,5 +1,6 @@
 #include "soms/query/detail/near/near_pose.h"
 
+#include "soms/base/limits.h"
 #include "soms/query/detail/engine/rounded.h"
 #include "soms/query/detail/near/direction.h"
 #include "soms/query/detail/near/far_support.h"
@@ -10,8 +11,6 @@
 namespace soms::detail {
 
 namespace {
-
-constexpr double kUnitRoundoff = 0x1p-53;
 
 /// Bodies are far apart from this many times their radii on.
 constexpr double kFar = 32;
@@ -26,9 +25,9 @@ constexpr double kFar = 32;
 /// since floats are rounded by far more. Answers need neither beside kOffsetShare.
 constexpr double kSkewShare = 2;
 constexpr double kResidualShare = 4;
-constexpr double kStretchRounding = 32 * kUnitRoundoff;
+constexpr double kStretchRounding = 32 * kRoundingUnit;
 static_assert(1.53 < kSkewShare && 3.1 < kResidualShare);
-static_assert((1.53 * 4 + 3.1 * 3.01) * kUnitRoundoff < kStretchRounding);
+static_assert((1.53 * 4 + 3.1 * 3.01) * kRoundingUnit < kStretchRounding);
 
 /// `relative` of the numbers is 2.75 m; keys may exceed a distance by 3.02 m of it. Largest seen,
 /// of this, the numbers' margins and the stretch together: 0.054 for keys of nodes, 0.028 for

@@ -12,7 +12,7 @@ namespace soms::detail {
 namespace {
 
 /// Both nodes are descended while neither is more than this much larger.
-constexpr float kSimilar = 2;
+constexpr float kSimilarNear = 2;
 
 /// A body goes down the other tree as a single box where that is so much larger than what is near.
 constexpr float kWithinReach = 8;
@@ -170,8 +170,8 @@ void NearTraversal<Source>::open(const NodeRefPair& pair) {
   opening.only_y = false;
   if (!is_lane(pair.x | pair.y)) {
     const float size_x = x.l1_radius * pose_.numbers().ratio;
-    opening.only_x = size_x > kSimilar * y.l1_radius;
-    opening.only_y = y.l1_radius > kSimilar * size_x;
+    opening.only_x = size_x > kSimilarNear * y.l1_radius;
+    opening.only_y = y.l1_radius > kSimilarNear * size_x;
   }
   if (opening.only_x || opening.only_y) {
     const WideNode& descended = opening.only_x ? x : y;

@@ -1,5 +1,6 @@
 #include "soms/query/detail/near/point_pose.h"
 
+#include "soms/base/limits.h"
 #include "soms/query/detail/engine/rounded.h"
 #include "soms/query/detail/near/direction.h"
 #include "soms/query/detail/near/far_support.h"
@@ -13,8 +14,6 @@ namespace soms::detail {
 
 namespace {
 
-constexpr double kUnitRoundoff = 0x1p-53;
-
 /// Points are far from this many times the body's radius on.
 constexpr double kFar = 16;
 
@@ -22,7 +21,7 @@ constexpr double kFar = 16;
 
 constexpr double kRounding = 96;
 constexpr double kOfResidual = 12;
-constexpr double kUnderflow = 0x1p-1064;
+constexpr double kPoseUnderflow = 0x1p-1064;
 constexpr double kRowOfInverse = 1.74;
 static_assert(4.01 * kRowOfInverse + (4.01 + 1.01 + 3.01) * kRowOfInverse + 32 + 2 * 3.5 + 10 <
               kRounding);
@@ -30,9 +29,9 @@ static_assert(10.5 < kOfResidual);
 
 constexpr double kSkewShare = 2;
 constexpr double kResidualShare = 4;
-constexpr double kStretchRounding = 32 * kUnitRoundoff;
+constexpr double kStretchRounding = 32 * kRoundingUnit;
 static_assert(1.53 < kSkewShare && 3.1 < kResidualShare);
-static_assert((1.53 * 4 + 3.1 * 3.01) * kUnitRoundoff < kStretchRounding);
+static_assert((1.53 * 4 + 3.1 * 3.01) * kRoundingUnit < kStretchRounding);
 
 static_assert(1.74 + 3.01 * 1.74 + 4 + 3 < 64);  // kPointMargin, in units of 2^-24
 static_assert(3 + 3.02 < 16);                    // kPointError
@@ -65,7 +64,8 @@ PointPose::PointPose(const PointFrame& frame, const Vec3& point) : frame_(&frame
   }
   const double extent = reference.extent + largest(point);
   const double slack =
-      2 * ((kRounding * kUnitRoundoff + kOfResidual * reference.residual) * extent + kUnderflow) *
+      2 *
+      ((kRounding * kRoundingUnit + kOfResidual * reference.residual) * extent + kPoseUnderflow) *
       tree.scale();
   if (slack <= kMostSlack) {
     numbers_.scale = tree.scale();
@@ -78,7 +78,7 @@ PointPose::PointPose(const PointFrame& frame, const Vec3& point) : frame_(&frame
   if (numbers_.scale != 0 && apart > kFar * frame.radius()) {
     far_ = true;
     base_ = apart;
-    slack_ = (kFarRounding * extent + kUnderflow) * numbers_.scale + 0x1p-100;
+    slack_ = (kFarRounding * extent + kPoseUnderflow) * numbers_.scale + 0x1p-100;
   }
 }
 

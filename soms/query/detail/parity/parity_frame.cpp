@@ -1,5 +1,6 @@
 #include "soms/query/detail/parity/parity_frame.h"
 
+#include "soms/base/limits.h"
 #include "soms/query/detail/relative_pose.h"
 
 #include <algorithm>
@@ -9,16 +10,14 @@ namespace soms::detail {
 
 namespace {
 
-constexpr double kUnitRoundoff = 0x1p-53;
-
 // Constants of the proof in parity_frame.h.
-constexpr double kWorldRounding = 64 * kUnitRoundoff;
-constexpr double kUnderflow = 0x1p-1064;  // a length in the world
+constexpr double kWorldRounding = 64 * kRoundingUnit;
+constexpr double kWorldUnderflow = 0x1p-1064;  // a length in the world
 constexpr double kMostSlack = 0x1p50;
 static_assert(25 + 18.1 + 4.01 < 64);
 
 /// At least `x`, which is not negative.
-float rounded_up(double x) {
+float rounded_far_up(double x) {
   return static_cast<float>((x + 0x1p-100) * (1 + 0x1p-22));
 }
 
@@ -27,7 +26,7 @@ float rounded_up(double x) {
 ParityFrame::ParityFrame(const WideTree& tree, const Pose& pose)
     : origin_(pose.apply(tree.origin())) {
   const Matrix3 r = rotation(pose);
-  const double rounding = kWorldRounding * moved_extent(pose, tree.bounds()) + kUnderflow;
+  const double rounding = kWorldRounding * moved_extent(pose, tree.bounds()) + kWorldUnderflow;
   const Vec3 half = tree.bounds().extent() * 0.5;
   for (std::size_t k = 0; k < 3; ++k) {
     const double side =
@@ -50,7 +49,7 @@ ParityFrame::ParityFrame(const WideTree& tree, const Pose& pose)
   }
   const double slack = rounding * tree.scale();
   numbers_.scale = slack > kMostSlack ? 0 : tree.scale();
-  numbers_.slack = rounded_up(std::min(slack, kMostSlack));
+  numbers_.slack = rounded_far_up(std::min(slack, kMostSlack));
 }
 
 bool ParityFrame::outside(const Vec3& point) const {

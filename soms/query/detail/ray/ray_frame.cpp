@@ -14,9 +14,9 @@ constexpr double kLineRounding = 128 * 0x1p-53;
 constexpr double kOffsetRounding = 0x1p-95;
 constexpr double kLineUnderflow = 0x1p-1064;
 constexpr double kMostLineSlack = 0x1p50;
-constexpr double kSlackOfResidual = 12;
+constexpr double kLineOfResidual = 12;
 static_assert(2 + 2 + 6 + 2 + 4 <= 16 && 96.6 + 16 < 128);
-static_assert(60 + 27 + 14 + 28.6 + 12.4 + 1 <= 2 * 128 && 10.5 <= kSlackOfResidual);
+static_assert(60 + 27 + 14 + 28.6 + 12.4 + 1 <= 2 * 128 && 10.5 <= kLineOfResidual);
 static_assert(8.02 + 8.02 + 24.1 + 14.8 + 12 + 25.7 + 4 < 128);
 
 /// Four roundings of the place of a ray's end, relative to its terms.
@@ -68,7 +68,7 @@ RayFrame::RayFrame(const WideTree& tree, const Pose& pose)
       scale_(tree.scale()),
       near_(2 * reference_.extent),
       rounding_(kLineRounding * reference_.extent + kLineUnderflow),
-      residual_(kSlackOfResidual * reference_.residual * reference_.extent) {
+      residual_(kLineOfResidual * reference_.residual * reference_.extent) {
   const Vec3 half = tree.bounds().extent() * 0.5;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto& r = rotation_[k];

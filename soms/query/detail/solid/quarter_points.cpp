@@ -1,16 +1,14 @@
 #include "soms/query/detail/solid/quarter_points.h"
 
+#include "soms/base/limits.h"
 #include "soms/base/pose.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace soms::detail {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The points lie this part of the segment's length beside it.
 constexpr double kBeside = 1.0 / 32;

@@ -1,6 +1,7 @@
 #include "soms/query/detail/winding/far_field.h"
 
 #include "soms/base/box.h"
+#include "soms/base/limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,6 @@ namespace soms::detail {
 
 namespace {
 
-constexpr double kUnit = 0x1p-53;
 constexpr double kPi = 3.141592653589793;
 constexpr double kFourPi = 4 * kPi;
 
@@ -52,7 +52,7 @@ FarField::FarField(std::span<const Triangle> triangles) {
   reach_ = std::sqrt(reach_) * kUpward;
   area_ *= kUpward;
   cubes_ *= kUpward;
-  rounding_ = (static_cast<double>(triangles.size()) + kTermsOfRounding) * kUnit * area_;
+  rounding_ = (static_cast<double>(triangles.size()) + kTermsOfRounding) * kRoundingUnit * area_;
 }
 
 void FarField::add(const Triangle& t) {

@@ -1,5 +1,6 @@
 #include "soms/query/detail/winding/strip_angle.h"
 
+#include "soms/base/limits.h"
 #include "soms/geometry/detail/double_double.h"
 #include "soms/geometry/detail/predicates.h"
 #include "soms/query/detail/parity/triangle_crossing.h"
@@ -11,24 +12,23 @@ namespace soms::detail {
 
 namespace {
 
-constexpr double kUnit = 0x1p-53;
-
 // Constants of the proof in strip_angle.h.
-constexpr double kImaginaryError = 44 * kUnit;
-constexpr double kErrorOfWide = 80 * kUnit;    // turns, where |z| is at least kWide
-constexpr double kErrorOfNarrow = 11 * kUnit;  // turns, times |z|, where it is at least kNarrow
+constexpr double kImaginaryError = 44 * kRoundingUnit;
+constexpr double kErrorOfWide = 80 * kRoundingUnit;  // turns, where |z| is at least kWide
+constexpr double kErrorOfNarrow =
+    11 * kRoundingUnit;  // turns, times |z|, where it is at least kNarrow
 constexpr double kWide = 0.125;
 constexpr double kNarrow = 0x1p-10;
-constexpr double kErrorOfPrecise = 0x1p-98;  // turns, times |z|
-constexpr double kErrorOfRounded = kUnit;    // turns
+constexpr double kErrorOfPrecise = 0x1p-98;        // turns, times |z|
+constexpr double kErrorOfRounded = kRoundingUnit;  // turns
 static_assert(2 * 19.6 + 2 < 44);
 static_assert((2 * 19.6 + 3) * (2 * 19.6 + 3) + (2 * 19.6 + 2) * (2 * 19.6 + 2) < 60 * 60);
-static_assert(60 * kUnit / kNarrow < 0.01);  // asin x < 1.003 x
+static_assert(60 * kRoundingUnit / kNarrow < 0.01);  // asin x < 1.003 x
 static_assert((60 * 1.003 + 2.24) / 6.283 < 11 - 0.8);
 static_assert((60 * 1.003 / kWide + 2.24) / 6.283 < 80 - 1);
 static_assert(60 * 0x1p-102 < 0x1p-96 && 0x1p-96 / kLeastOfStrip < 0.01);
 static_assert(1.003 * 0x1p-96 / 6.283 < kErrorOfPrecise * 0.7);
-static_assert((1 + 2.24) * kUnit / 6.283 < kErrorOfRounded * 0.7);
+static_assert((1 + 2.24) * kRoundingUnit / 6.283 < kErrorOfRounded * 0.7);
 
 /// Below, squares lose bits to underflow.
 constexpr double kTiny = 0x1p-400;

@@ -1,5 +1,6 @@
 #include "soms/query/detail/winding/winding_tree.h"
 
+#include "soms/base/limits.h"
 #include "soms/geometry/detail/double_double.h"
 #include "soms/geometry/detail/joined.h"
 #include "soms/query/detail/moved_triangle.h"
@@ -14,8 +15,6 @@
 namespace soms::detail {
 
 namespace {
-
-constexpr double kUnitOfSum = 0x1p-53;
 
 /// Fewer edges cost no more than moments.
 constexpr std::size_t kFewEdges = 8;
@@ -219,7 +218,7 @@ class WindingTree::Sum {
       return {whole, whole};
     }
     const double number = whole + (rest + sum_);
-    error += kUnitOfSum * (2 * std::abs(number) + 2 * std::abs(rest) + (terms_ + 2) * sizes_);
+    error += kRoundingUnit * (2 * std::abs(number) + 2 * std::abs(rest) + (terms_ + 2) * sizes_);
     error = error * (1 + 0x1p-20) + 0.5 * static_cast<double>(touched_);
     return {next_below(number - error), next_above(number + error)};
   }

@@ -11,7 +11,7 @@ namespace soms::layout {
 
 namespace {
 
-constexpr std::size_t kChunk = 32768;
+constexpr std::size_t kTrianglesPerChunk = 32768;
 
 std::uint32_t first_block(std::uint32_t child) {
   return child & (WideNode::kMost - 1);
@@ -200,8 +200,8 @@ class RefitLayout {
 
 Box bounds_of(const Mesh& mesh, const Parallel& parallel) {
   const std::size_t count = mesh.triangles.size();
-  std::vector<Box> boxes((count + kChunk - 1) / kChunk);
-  for_each_chunk(count, kChunk, {parallel.threads, parallel.stop, {}},
+  std::vector<Box> boxes((count + kTrianglesPerChunk - 1) / kTrianglesPerChunk);
+  for_each_chunk(count, kTrianglesPerChunk, {parallel.threads, parallel.stop, {}},
                  [&](std::size_t begin, std::size_t end) {
                    Box box;
                    for (std::size_t i = begin; i < end; ++i) {
@@ -209,7 +209,7 @@ Box bounds_of(const Mesh& mesh, const Parallel& parallel) {
                        box.grow(mesh.vertices[corner]);
                      }
                    }
-                   boxes[begin / kChunk] = box;
+                   boxes[begin / kTrianglesPerChunk] = box;
                  });
   Box box;
   for (const Box& b : boxes) {
