@@ -4,20 +4,24 @@ set(SOMS_HEADERS
   box.h
   bracket.h
   common_box.h
+  decimal.h
   error.h
   hash.h
   idle_option.h
   lanes.h
   parallel.h
+  portable.h
   pose.h
   print.h
   print_fields.h
   random.h
+  stop_token.h
   text.h
   vector.h
 )
 set(SOMS_SOURCES
   arithmetic.cpp
+  decimal.cpp
   error.cpp
   idle_option.cpp
   parallel.cpp
