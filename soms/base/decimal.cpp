@@ -59,7 +59,7 @@ struct Digits {
 Digits rounded_digits(double magnitude, int count) {
   std::array<char, 40> text;
   char* const end = print(text.data(), text.data() + text.size(), "%.*e", count - 1, magnitude);
-  const char* const e = std::find(text.data(), end, 'e');
+  char* const e = std::find(text.data(), end, 'e');
   Digits result{std::string(text.data(), e), std::atoi(e + 1)};
   result.digits.erase(std::remove(result.digits.begin(), result.digits.end(), '.'),
                       result.digits.end());
@@ -107,7 +107,8 @@ std::string layout(const Digits& number, double magnitude) {
   if (exponent >= count - 1 ? exponent + 1 <= scientific : fixed <= scientific) {
     if (exponent >= count - 1) {
       std::array<char, 40> text;
-      return {text.data(), print(text.data(), text.data() + text.size(), "%.*f", 0, magnitude)};
+      char* const end = print(text.data(), text.data() + text.size(), "%.*f", 0, magnitude);
+      return std::string(text.data(), end);
     }
     if (exponent < 0) {
       return "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + number.digits;
