@@ -3,8 +3,13 @@
 /// of float and double, or the same where the standard library has neither.
 #pragma once
 
-#include <charconv>
 #include <version>
+
+#ifdef __cpp_lib_to_chars
+#include <charconv>
+#else
+#include "soms/base/detail/decimal.h"
+#endif
 
 namespace soms {
 
@@ -32,13 +37,10 @@ template <class Real>
   return std::from_chars(begin, end, value);
 }
 #else
-[[nodiscard]] char* write_shortest(char* begin, char* end, double value);
-[[nodiscard]] char* write_shortest(char* begin, char* end, float value);
-[[nodiscard]] char* write_fixed(char* begin, char* end, double value, int digits);
-[[nodiscard]] char* write_significant(char* begin, char* end, double value, int digits);
-[[nodiscard]] std::from_chars_result read_decimal(const char* begin, const char* end,
-                                                  double& value);
-[[nodiscard]] std::from_chars_result read_decimal(const char* begin, const char* end, float& value);
+using detail::read_decimal;
+using detail::write_fixed;
+using detail::write_shortest;
+using detail::write_significant;
 #endif
 
 }  // namespace soms

@@ -21,7 +21,7 @@ set(SOMS_HEADERS
 )
 set(SOMS_SOURCES
   arithmetic.cpp
-  decimal.cpp
+  detail/decimal.cpp
   error.cpp
   idle_option.cpp
   parallel.cpp

@@ -104,7 +104,7 @@ SOMS_EXPORT(soms_shape_columns) Answer* soms_shape_columns(const HeldShape* held
   return guarded([&] {
     const soms::Box& box = held->shape().bounds();
     return soms::web::answer_of(
-        std::vector<soms::Vec3>{box.min, box.max},
+        std::vector<soms::Vec3>{box.lower, box.upper},
         std::vector<double>{static_cast<double>(held->shape().memory())});
   });
 }

@@ -1,11 +1,11 @@
 // What the module takes from its host: a clock and its environment. It has no files, and nothing to print to.
-const BAD_DESCRIPTOR = 8;
+const NO_SUCH_FILE = -44;
 
 export function hostImports(memory, variables) {
   const entries = Object.entries(variables).map(([name, value]) => `${name}=${value}\0`);
   const encoder = new TextEncoder();
   const view = () => new DataView(memory().buffer);
-  const refuse = () => BAD_DESCRIPTOR;
+  const refuse = () => NO_SUCH_FILE;
   return {
     wasi_snapshot_preview1: {
       environ_sizes_get(count, bytes) {
@@ -26,14 +26,15 @@ export function hostImports(memory, variables) {
         view().setBigUint64(time, BigInt(Math.round(performance.now() * 1e6)), true);
         return 0;
       },
-      fd_write: refuse,
-      fd_read: refuse,
-      fd_seek: refuse,
-      fd_close: refuse,
       proc_exit(status) {
         throw new WebAssembly.RuntimeError(`the module ended itself with status ${status}`);
       },
     },
-    env: { emscripten_notify_memory_growth() {} },
+    env: {
+      emscripten_notify_memory_growth() {},
+      __syscall_stat64: refuse,
+      __syscall_getcwd: refuse,
+      __syscall_readlink: refuse,
+    },
   };
 }

@@ -62,10 +62,10 @@ export class Shape extends Handle {
     }
   }
 
-  /** {min, max}: the least box around it, not moved. */
+  /** {lower, upper}: the least box around it, not moved. */
   bounds() {
     const [corners] = query('soms_shape_columns', this.address);
-    return { min: corners.slice(0, 3), max: corners.slice(3) };
+    return { lower: corners.slice(0, 3), upper: corners.slice(3) };
   }
 
   /** Bytes that it holds. */

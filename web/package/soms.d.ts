@@ -100,7 +100,7 @@ export function readMesh(bytes: ArrayBuffer | ArrayBufferView, format: string, o
 /** A mesh with its tree. Costs 0.5 s or so for a million triangles. */
 export class Shape extends Handle {
   constructor(value: Mesh | MeshLike, options?: { layout?: 'wide' | 'compact' });
-  bounds(): { min: Float64Array; max: Float64Array };
+  bounds(): { lower: Float64Array; upper: Float64Array };
   memory(): number;
 }
 /** A shape at a place. */

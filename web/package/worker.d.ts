@@ -11,7 +11,7 @@ export interface RemoteMesh extends Remote<'Mesh'> {
   read(): Promise<soms.MeshContent>;
 }
 export interface RemoteShape extends Remote<'Shape'> {
-  bounds(): Promise<{ min: Float64Array; max: Float64Array }>;
+  bounds(): Promise<{ lower: Float64Array; upper: Float64Array }>;
   memory(): Promise<number>;
 }
 export interface RemoteWindingIndex extends Remote<'WindingIndex'> {}

@@ -1,6 +1,5 @@
-#include "soms/base/decimal.h"
+#include "soms/base/detail/decimal.h"
 
-#ifndef __cpp_lib_to_chars
 #include <algorithm>
 #include <array>
 #include <clocale>
@@ -12,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-namespace soms {
+namespace soms::detail {
 
 namespace {
 
@@ -240,5 +239,4 @@ std::from_chars_result read_decimal(const char* begin, const char* end, float& v
   return read_any(begin, end, value);
 }
 
-}  // namespace soms
-#endif
+}  // namespace soms::detail
