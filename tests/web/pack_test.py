@@ -31,7 +31,8 @@ def main(package):
         return 77
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
-        made = subprocess.run(["npm", "pack", "--json", "--offline", "--pack-destination", folder, package],
+        made = subprocess.run(["npm", "pack", "--json", "--offline", "--pack-destination", folder,
+                               pathlib.Path(package).resolve()],
                               capture_output=True, text=True, check=True)
         [facts] = json.loads(made.stdout)
         files = {file["path"] for file in facts["files"]}
