@@ -2,7 +2,7 @@
 JOBS ?= $(shell nproc)
 ARGS ?=
 
-.PHONY: help run build view thesis install test headers large check asan asan-library tsan tidy arm64 determinism memcheck endurance packages bare fuzz faults bench format clean
+.PHONY: help run build view thesis install test headers large check asan asan-library tsan tidy arm64 wasm wasm-test determinism memcheck endurance packages bare fuzz faults bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
@@ -12,10 +12,12 @@ help:
 	@echo "             page, tables and PDF go to OUT=soms-thesis (ARGS=--quick: two minutes)"
 	@echo "make install  install what is missing, build all of soms, and put it into PREFIX=/usr/local"
 	@echo "make test    install what is missing, build, and run every test of the release build"
-	@echo "make check   make test, then the suite under ASan+UBSan, the library under TSan, clang-tidy, ARM,"
+	@echo "make check   make test, then the suite under ASan+UBSan, the library under TSan, clang-tidy, ARM, WebAssembly,"
 	@echo "             packages, and the README's commands on a bare Debian"
 	@echo "make fuzz    every fuzzer for a minute (FUZZ_SECONDS=600)"
 	@echo "make faults  faults put into a copy of the source, one at a time: which test finds each? (ARGS='--only NAME')"
+	@echo "make wasm    the npm package soms for node and browsers, in build/web, ready for npm pack"
+	@echo "make wasm-test  the package and its golden answers, tested in node and in a headless Chromium"
 	@echo "make bench   soms beside its peers, in one run (ARGS=--quick: a few minutes)"
 	@echo "make format  clang-format on every source"
 	@echo "make clean   remove build/"
@@ -100,6 +102,18 @@ arm64:
 	cmake --build build/arm64 -j $(JOBS)
 	ctest --test-dir build/arm64 --output-on-failure
 
+# The npm package: WebAssembly by Debian's emscripten. Minutes to build, so its tests are part of `make check`.
+wasm:
+	@tools/install_packages.sh web
+	cmake -G Ninja -S web -B build/wasm -D SOMS_WEB_PACKAGE=$(CURDIR)/build/web \
+	  -D CMAKE_TOOLCHAIN_FILE=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake
+	cmake --build build/wasm -j $(JOBS) --target package
+	@echo "The npm package is in build/web: npm install $(CURDIR)/build/web, or npm pack there."
+
+wasm-test: wasm
+	cmake --build build/wasm -j $(JOBS)
+	ctest --test-dir build/wasm --output-on-failure
+
 # The golden answers, by each compiler with each optimization.
 determinism:
 	@tools/install_packages.sh run check
@@ -152,7 +166,7 @@ faults:
 large: test
 	SOMS_TEST_LARGE=1 ctest --preset release -R FiveMillion
 
-check: test headers large asan tsan tidy arm64 determinism memcheck endurance packages bare
+check: test headers large asan tsan tidy arm64 wasm-test determinism memcheck endurance packages bare
 
 # Peers that cannot be installed are left out. A quick run: ARGS=--quick; soms-bench --help tells more.
 bench:

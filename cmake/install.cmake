@@ -17,7 +17,7 @@ install(CODE "set(checked \"$<TARGET_GENEX_EVAL:soms_installed,$<TARGET_PROPERTY
 set(folder \"${PROJECT_BINARY_DIR}\")
 include(\"${PROJECT_SOURCE_DIR}/cmake/built.cmake\")" ALL_COMPONENTS)
 
-install(TARGETS soms EXPORT soms_targets
+install(TARGETS soms soms_core EXPORT soms_targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development

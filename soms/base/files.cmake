@@ -4,21 +4,25 @@ set(SOMS_HEADERS
   box.h
   bracket.h
   common_box.h
+  decimal.h
   error.h
   hash.h
   idle_option.h
   lanes.h
   limits.h
   parallel.h
+  portable.h
   pose.h
   print.h
   print_fields.h
   random.h
+  stop_token.h
   text.h
   vector.h
 )
 set(SOMS_SOURCES
   arithmetic.cpp
+  detail/decimal.cpp
   error.cpp
   idle_option.cpp
   parallel.cpp

@@ -2,7 +2,8 @@
 /// FNV-1a 64: the hash that answers, meshes and trees are compared by.
 #pragma once
 
-#include <bit>
+#include "soms/base/portable.h"
+
 #include <cstdint>
 
 namespace soms {
@@ -24,7 +25,7 @@ class Fnv1a {
     }
   }
 
-  constexpr void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+  constexpr void add(double value) { add(bit_cast<std::uint64_t>(value)); }
 
   [[nodiscard]] constexpr std::uint64_t value() const { return value_; }
 

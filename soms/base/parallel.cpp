@@ -16,6 +16,7 @@
 #include <tbb/task_arena.h>
 #else
 #include <exception>
+#include <system_error>
 #endif
 
 namespace soms {
@@ -95,6 +96,36 @@ void run_threads(int threads, std::size_t chunks, const std::function<void(std::
 
 #else
 
+/// Threads that are waited for.
+class Helpers {
+ public:
+  Helpers() = default;
+
+  ~Helpers() {
+    for (std::thread& thread : threads_) {
+      thread.join();
+    }
+  }
+
+  Helpers(const Helpers&) = delete;
+  Helpers& operator=(const Helpers&) = delete;
+
+  /// Starts so many, or as many as the system gives: their work is shared, so that fewer do it.
+  void start(std::size_t count, const std::function<void()>& work) {
+    threads_.reserve(count);
+    try {
+      while (threads_.size() < count) {
+        threads_.emplace_back(work);
+      }
+    } catch (const std::system_error&) {
+      return;
+    }
+  }
+
+ private:
+  std::vector<std::thread> threads_;
+};
+
 void run_threads(int threads, std::size_t chunks, const std::function<void(std::size_t)>& body) {
   std::atomic<std::size_t> next = 0;
   std::exception_ptr failure;
@@ -113,11 +144,8 @@ void run_threads(int threads, std::size_t chunks, const std::function<void(std::
     }
   };
   {
-    std::vector<std::jthread> helpers;
-    const auto extra = std::min<std::size_t>(static_cast<std::size_t>(threads), chunks) - 1;
-    for (std::size_t i = 0; i < extra; ++i) {
-      helpers.emplace_back(work);
-    }
+    Helpers helpers;
+    helpers.start(std::min<std::size_t>(static_cast<std::size_t>(threads), chunks) - 1, work);
     work();
   }
   if (failure) {

@@ -2,9 +2,10 @@
 /// How much of the machine a call may use, how it is stopped, and how it reports progress.
 #pragma once
 
+#include "soms/base/stop_token.h"
+
 #include <cstddef>
 #include <functional>
-#include <stop_token>
 
 namespace soms {
 
@@ -14,7 +15,7 @@ struct Parallel {
   /// Worker threads, the caller's included; 0 means one for each processor.
   int threads = 1;
   /// Ends the call with ErrorKind::cancelled soon after a stop is requested.
-  std::stop_token stop = {};
+  StopToken stop = {};
   /// Called now and then with the share done, 0 to 1, by one thread at a time; may be empty.
   std::function<void(double)> progress = {};
 };

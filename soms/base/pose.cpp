@@ -1,11 +1,11 @@
 #include "soms/base/pose.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/base/decimal.h"
 #include "soms/base/error.h"
 #include "soms/base/text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <span>
 #include <string>
@@ -98,9 +98,7 @@ std::string remedy_for(const Pose& pose, double off) {
     return "give a rotation in seven digits or more, and scale the mesh instead";
   }
   std::array<char, 32> text;
-  char* const end = std::to_chars(text.data(), text.data() + text.size(), std::sqrt(square),
-                                  std::chars_format::general, 6)
-                        .ptr;
+  char* const end = write_significant(text.data(), text.data() + text.size(), std::sqrt(square), 6);
   return "the matrix scales by " + std::string(text.data(), end) +
          ": divide its rotation by that, and scale the mesh instead";
 }

@@ -1,7 +1,8 @@
 #include "soms/base/text.h"
 
+#include "soms/base/decimal.h"
+
 #include <array>
-#include <charconv>
 #include <cstdint>
 
 namespace soms {
@@ -112,7 +113,7 @@ std::string xml_text(std::string_view words) {
 
 std::string shortest(double value) {
   std::array<char, 32> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+  return {text.data(), write_shortest(text.data(), text.data() + text.size(), value)};
 }
 
 std::string readable_bytes(std::uint64_t bytes) {
@@ -127,8 +128,7 @@ std::string readable_bytes(std::uint64_t bytes) {
     size /= 1024;
   }
   std::array<char, 32> text;
-  char* const end =
-      std::to_chars(text.data(), text.data() + text.size(), size, std::chars_format::fixed, 1).ptr;
+  char* const end = write_fixed(text.data(), text.data() + text.size(), size, 1);
   return std::string(text.data(), end) + kUnits[unit];
 }
 

@@ -38,6 +38,7 @@ set(SOMS_SOURCES
   detail/kernels/instruction_set.cpp
   detail/kernels/neon.cpp
   detail/kernels/scalar.cpp
+  detail/kernels/simd128.cpp
   detail/kernels/sse4.cpp
   detail/leaf_pairs.cpp
   detail/single_box_descent.cpp

@@ -8,7 +8,7 @@
 namespace soms {
 
 /// Instruction sets that this build has and this processor runs, the plainest first: of scalar,
-/// sse4, avx2, avx512 and neon.
+/// sse4, avx2, avx512, neon and simd128 (WebAssembly).
 [[nodiscard]] std::vector<std::string_view> instruction_sets();
 
 /// The one that queries run on: the one that the environment's SOMS_ISA names, else the best.

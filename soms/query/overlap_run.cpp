@@ -1,6 +1,7 @@
 #include "soms/query/overlap_run.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/base/portable.h"
 #include "soms/query/detail/batched_root_descent.h"
 #include "soms/query/detail/collector.h"
 #include "soms/query/detail/engine/batch.h"
@@ -216,7 +217,7 @@ struct OverlapRun::Memory {
   std::size_t count = 0;
 };
 
-OverlapRun::OverlapRun() : memory_(std::make_unique_for_overwrite<Memory>()) {
+OverlapRun::OverlapRun() : memory_(make_for_overwrite<Memory>()) {
 }
 
 OverlapRun::~OverlapRun() = default;
@@ -234,7 +235,7 @@ void OverlapRun::ask(const Shape& mover, std::span<const Pose* const> poses, con
   } else if (!detail::is_empty(mover) && !detail::is_empty(fixed.shape)) {
     const std::size_t most = queries_in_flight(mover, fixed.shape);
     if (memory_->count < most) {
-      memory_->queries = std::make_unique_for_overwrite<InFlightQuery[]>(most);
+      memory_->queries = make_array_for_overwrite<InFlightQuery>(most);
       memory_->count = most;
     }
     Run(run_input, answers, memory_->descents).go(std::span(memory_->queries.get(), most));

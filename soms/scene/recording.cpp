@@ -1,11 +1,11 @@
 #include "soms/scene/recording.h"
 
 #include "soms/base/error.h"
+#include "soms/base/portable.h"
 #include "soms/base/text.h"
 #include "soms/scene/detail/recording_format.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -82,7 +82,7 @@ std::string chunk_head(std::string_view tag, std::uint32_t frames, std::uint64_t
 void put_pose(std::string& bytes, const Pose& pose, const Pose& before) {
   std::uint16_t changed = 0;
   for (std::size_t k = 0; k < pose.m.size(); ++k) {
-    if (std::bit_cast<std::uint64_t>(pose.m[k]) != std::bit_cast<std::uint64_t>(before.m[k])) {
+    if (bit_cast<std::uint64_t>(pose.m[k]) != bit_cast<std::uint64_t>(before.m[k])) {
       changed = static_cast<std::uint16_t>(changed | (1U << k));
     }
   }

@@ -72,6 +72,18 @@ def check_choice(outside, prefix, compiler):
     print("both kinds in one place: chosen as requested", flush=True)
 
 
+def check_core(source, folder, compiler):
+    """The core alone, as a folder of a project on a system that has none of the other libraries."""
+    missing = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON" for package in ("fmt", "pugixml", "nlohmann_json", "TBB")]
+    run("cmake", "-S", CONSUMER, "-B", folder, "-G", "Ninja", f"-DCMAKE_CXX_COMPILER={compiler}",
+        f"-DCONSUMER_FOLDER={source}", "-DSOMS_CORE_ONLY=ON", "-DSOMS_USE_TBB=OFF", "-DCMAKE_CXX_FLAGS=-O1", *missing)
+    run("cmake", "--build", folder)
+    said = run(folder / "core", cwd=folder)
+    if said != "touches\n":
+        sys.exit(f"core: the program says {said!r}")
+    print("core: built without any other library", flush=True)
+
+
 def main():
     source, static, shared = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
     compiler, other = map(pathlib.Path, sys.argv[4:6])
@@ -99,6 +111,7 @@ def main():
         outside.pkg_config("both", compiler, both)
         outside.cmake("add_subdirectory", compilers[-1], f"-DCONSUMER_FOLDER={source}",
                       "-DCMAKE_CXX_FLAGS=-O1")
+        check_core(source, folder / "core", compiler)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,8 @@
 /// Numbers of twice the precision: unevaluated sums of two doubles.
 #pragma once
 
-#include <bit>
+#include "soms/base/portable.h"
+
 #include <cmath>
 #include <cstdint>
 
@@ -101,8 +102,8 @@ struct DoubleDouble {
 
 /// The least double above a finite one, as std::nextafter finds it, by the order of the bits.
 [[nodiscard]] constexpr double next_above(double x) {
-  const auto bits = std::bit_cast<std::int64_t>(x + 0.0);  // of -0 those of 0
-  return std::bit_cast<double>(bits + (bits >= 0 ? 1 : -1));
+  const auto bits = bit_cast<std::int64_t>(x + 0.0);  // of -0 those of 0
+  return bit_cast<double>(bits + (bits >= 0 ? 1 : -1));
 }
 
 /// The largest double below a finite one.

@@ -1,12 +1,12 @@
 #include "soms/geometry/detail/exact_point.h"
 
 #include "soms/base/limits.h"
+#include "soms/base/portable.h"
 #include "soms/geometry/detail/leading_part.h"
 #include "soms/geometry/detail/odd.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <compare>
 #include <cstdint>
@@ -36,7 +36,7 @@ std::strong_ordering compare_middle(const Integer& above, const Integer& below, 
 }
 
 bool is_even(double x) {
-  return (std::bit_cast<std::uint64_t>(x) & 1U) == 0;
+  return (bit_cast<std::uint64_t>(x) & 1U) == 0;
 }
 
 IntegerVec plus(const IntegerVec& a, const IntegerVec& b) {

@@ -1,5 +1,7 @@
 #include "soms/geometry/detail/joined.h"
 
+#include "soms/base/portable.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstddef>
@@ -19,7 +21,7 @@ std::size_t bucket_of(const Vec3& p, std::size_t buckets) {
   std::uint64_t mixed = 0;
   for (const double x : {p.x, p.y, p.z}) {
     // Adding 0 turns -0 into 0. The rotation lets high bits of all three meet.
-    mixed = (std::rotl(mixed, 29) ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9e3779b97f4a7c15ULL;
+    mixed = (std::rotl(mixed, 29) ^ bit_cast<std::uint64_t>(x + 0.0)) * 0x9e3779b97f4a7c15ULL;
   }
   return static_cast<std::size_t>((mixed ^ mixed >> 32) & (buckets - 1));
 }

@@ -2,6 +2,8 @@
 /// A double as a whole number.
 #pragma once
 
+#include "soms/base/portable.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -17,7 +19,7 @@ struct Odd {
 
   /// \pre `value` is finite.
   constexpr explicit Odd(double value) {
-    const auto bits = std::bit_cast<std::uint64_t>(value);
+    const auto bits = bit_cast<std::uint64_t>(value);
     const auto biased = static_cast<int>(bits >> 52 & 0x7ff);
     constexpr std::uint64_t kHidden = std::uint64_t{1} << 52;
     const std::uint64_t mantissa = (bits & (kHidden - 1)) | (biased == 0 ? 0 : kHidden);

@@ -1,10 +1,10 @@
 #include "soms/geometry/detail/orientation_exact.h"
 
+#include "soms/base/portable.h"
 #include "soms/geometry/detail/projection.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -21,11 +21,11 @@ using Axis = std::array<double, 4>;
 constexpr int kExponentBias = 1023;
 
 int biased_exponent(double x) {
-  return static_cast<int>((std::bit_cast<std::uint64_t>(x) >> 52) & 0x7ff);
+  return static_cast<int>((bit_cast<std::uint64_t>(x) >> 52) & 0x7ff);
 }
 
 double power_of_two(int exponent) {
-  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + kExponentBias) << 52);
+  return bit_cast<double>(static_cast<std::uint64_t>(exponent + kExponentBias) << 52);
 }
 
 /// The coordinates of one axis as integers below 2^60 in a unit of 2^exponent.
@@ -129,7 +129,7 @@ struct Decoded {
 };
 
 Decoded decode(double x) {
-  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto bits = bit_cast<std::uint64_t>(x);
   const int biased = biased_exponent(x);
   const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
   return {biased == 0 ? fraction : fraction | (std::uint64_t{1} << 52), std::max(biased, 1) - 1075,

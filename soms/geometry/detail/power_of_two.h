@@ -2,7 +2,8 @@
 /// Multiplication by powers of two, without the C library's care for numbers that are rarely met.
 #pragma once
 
-#include <bit>
+#include "soms/base/portable.h"
+
 #include <cmath>
 #include <cstdint>
 
@@ -15,13 +16,13 @@ namespace soms::detail {
   if (exponent < kLeast || exponent > kMost) {
     return std::ldexp(x, exponent);
   }
-  return x * std::bit_cast<double>(static_cast<std::uint64_t>(exponent + kMost) << 52);
+  return x * bit_cast<double>(static_cast<std::uint64_t>(exponent + kMost) << 52);
 }
 
 /// std::ilogb(x) of a number above 0.
 [[nodiscard]] inline int exponent_of(double x) {
   constexpr int kBias = 1023;
-  const auto biased = static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52);
+  const auto biased = static_cast<int>(bit_cast<std::uint64_t>(x) >> 52);
   return biased == 0 ? std::ilogb(x) : biased - kBias;
 }
 

@@ -1,6 +1,7 @@
 #include "soms/io/detail/file.h"
 
 #include "soms/base/error.h"
+#include "soms/base/portable.h"
 #include "soms/base/text.h"
 #include "soms/io/detail/links.h"
 
@@ -66,7 +67,7 @@ FileBytes read_pipe(const std::filesystem::path& path, int fd, std::uint64_t mos
       fail_size(path, most);
     }
     capacity = std::min<std::uint64_t>(most, std::max<std::uint64_t>(1 << 16, 2 * capacity));
-    auto larger = std::make_unique_for_overwrite<char[]>(capacity);
+    auto larger = make_array_for_overwrite<char>(capacity);
     if (bytes.size > 0) {
       std::memcpy(larger.get(), bytes.data.get(), bytes.size);
     }
@@ -109,7 +110,7 @@ FileBytes read_regular(const std::filesystem::path& path, int fd, std::uint64_t 
     fail_size(path, most);
   }
   FileBytes bytes;
-  bytes.data = std::make_unique_for_overwrite<char[]>(static_cast<std::size_t>(size));
+  bytes.data = make_array_for_overwrite<char>(static_cast<std::size_t>(size));
   bytes.size = read_up_to(path, fd, bytes.data.get(), static_cast<std::size_t>(size), parallel);
   // A read beside a truncation may see zeros.
   const struct stat after = status_of(path, fd);

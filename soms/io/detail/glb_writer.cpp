@@ -1,14 +1,14 @@
 #include "soms/io/detail/glb_writer.h"
 
+#include "soms/base/decimal.h"
 #include "soms/base/error.h"
+#include "soms/base/portable.h"
 #include "soms/geometry/part_runs.h"
 #include "soms/io/detail/gltf.h"
 #include "soms/io/detail/gltf_json.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -42,7 +42,7 @@ void add_vector(std::string& text, const char* before, const std::array<double, 
   text += before;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::array<char, 32> digits{};
-    char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), v[axis]).ptr;
+    char* const end = write_shortest(digits.data(), digits.data() + digits.size(), v[axis]);
     text.append(axis == 0 ? "[" : ",").append(digits.data(), end);
   }
   text += ']';
@@ -313,7 +313,7 @@ void GlbWriter::add_own_extras(std::string& text) const {
   if (other_unit) {
     std::array<char, 32> digits{};
     const double unit = mesh_.unit > 0 ? mesh_.unit : 0;
-    char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), unit).ptr;
+    char* const end = write_shortest(digits.data(), digits.data() + digits.size(), unit);
     text.append("\"unit\":").append(digits.data(), end).append(other_axis ? "," : "");
   }
   if (other_axis) {
@@ -350,7 +350,7 @@ void GlbWriter::put_positions() {
       tick(0.5 * static_cast<double>(i) / static_cast<double>(order_.size()));
     }
     for (const float x : position(order_[i])) {
-      output_.put_bits(std::bit_cast<std::uint32_t>(x), 4);
+      output_.put_bits(bit_cast<std::uint32_t>(x), 4);
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "soms/io/detail/gltf_buffers.h"
 
+#include "soms/base/portable.h"
 #include "soms/io/detail/base64.h"
 #include "soms/io/detail/file.h"
 
@@ -118,7 +119,7 @@ char* GltfBuffers::store(std::uint64_t size) {
   if (!source_.budget.take(size)) {
     source_.fail_memory(size);
   }
-  memory_.push_back(std::make_unique_for_overwrite<char[]>(static_cast<std::size_t>(size)));
+  memory_.push_back(make_array_for_overwrite<char>(static_cast<std::size_t>(size)));
   return memory_.back().get();
 }
 

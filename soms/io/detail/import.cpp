@@ -1,5 +1,6 @@
 #include "soms/io/detail/import.h"
 
+#include "soms/base/portable.h"
 #include "soms/geometry/counts.h"
 #include "soms/io/detail/file_extension.h"
 #include "soms/io/detail/import_child.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -89,7 +89,7 @@ std::uint32_t ImportReader::take_number() {
 
 double ImportReader::take_double() {
   const std::uint64_t low = take_number();
-  return std::bit_cast<double>(low | std::uint64_t{take_number()} << 32);
+  return bit_cast<double>(low | std::uint64_t{take_number()} << 32);
 }
 
 void ImportReader::read_vertex() {

@@ -2,7 +2,8 @@
 /// Values of little-endian files.
 #pragma once
 
-#include <bit>
+#include "soms/base/portable.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -19,7 +20,7 @@ template <class T>
   for (std::size_t i = 0; i < sizeof(T); ++i) {
     bits |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
   }
-  return std::bit_cast<T>(static_cast<Bits>(bits));
+  return bit_cast<T>(static_cast<Bits>(bits));
 }
 
 }  // namespace soms::detail

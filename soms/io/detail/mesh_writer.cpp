@@ -1,13 +1,13 @@
 #include "soms/io/detail/mesh_writer.h"
 
 #include "soms/base/error.h"
+#include "soms/base/portable.h"
 #include "soms/geometry/part_runs.h"
 #include "soms/io/detail/glb_writer.h"
 #include "soms/io/detail/three_ds_writer.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -123,7 +123,7 @@ void MeshWriter::ply_binary() {
   each(mesh_.vertices.size(), 0, 0.5, [&](std::size_t i) {
     check_vertex(i);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      output_.put_bits(std::bit_cast<std::uint64_t>(mesh_.vertices[i][axis]), 8);
+      output_.put_bits(bit_cast<std::uint64_t>(mesh_.vertices[i][axis]), 8);
     }
   });
   each(mesh_.triangles.size(), 0.5, 1, [&](std::size_t i) {
@@ -210,7 +210,7 @@ void MeshWriter::put_float(double value, std::size_t triangle) {
                     " has a coordinate that a float cannot hold",
                 "write PLY, OBJ or OFF, or text STL");
   }
-  output_.put_bits(std::bit_cast<std::uint32_t>(narrow), 4);
+  output_.put_bits(bit_cast<std::uint32_t>(narrow), 4);
 }
 
 void MeshWriter::stl_binary() {

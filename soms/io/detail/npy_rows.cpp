@@ -1,11 +1,11 @@
 #include "soms/io/detail/npy_rows.h"
 
 #include "soms/base/error.h"
+#include "soms/base/portable.h"
 #include "soms/io/detail/little_endian.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 
 namespace soms::detail {
@@ -22,7 +22,7 @@ double number_at(std::string_view bytes, std::size_t width, std::size_t i) {
   }
   const std::uint64_t low = little_endian<std::uint32_t>(bytes, 8 * i);
   const std::uint64_t high = little_endian<std::uint32_t>(bytes, 8 * i + 4);
-  return std::bit_cast<double>(high << 32 | low);
+  return bit_cast<double>(high << 32 | low);
 }
 
 /// What a row is, by the sizes behind the first: how many numbers it has in the file.

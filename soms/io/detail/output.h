@@ -3,6 +3,7 @@
 /// all.
 #pragma once
 
+#include "soms/base/decimal.h"
 #include "soms/io/new_file.h"
 
 #include <charconv>
@@ -12,6 +13,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace soms::detail {
@@ -43,9 +45,13 @@ class Output {
   template <class T>
   void put_chars(T value) {
     make_room(kLongestNumber);
-    char* begin = buffer_.data() + size_;
-    size_ += static_cast<std::size_t>(
-        std::to_chars(begin, buffer_.data() + buffer_.size(), value).ptr - begin);
+    char* const begin = buffer_.data() + size_;
+    char* const end = buffer_.data() + buffer_.size();
+    if constexpr (std::is_floating_point_v<T>) {
+      size_ += static_cast<std::size_t>(write_shortest(begin, end, value) - begin);
+    } else {
+      size_ += static_cast<std::size_t>(std::to_chars(begin, end, value).ptr - begin);
+    }
   }
 
   void make_room(std::size_t bytes) {

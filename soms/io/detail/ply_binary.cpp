@@ -1,5 +1,6 @@
 #include "soms/io/detail/ply_binary.h"
 
+#include "soms/base/portable.h"
 #include "soms/geometry/counts.h"
 #include "soms/io/detail/text.h"
 
@@ -45,7 +46,7 @@ T load(const char* p) {
   if constexpr (Swap) {
     bits = swapped(bits);
   }
-  return std::bit_cast<T>(bits);
+  return bit_cast<T>(bits);
 }
 
 /// Calls `use` with a value of the C++ type of `type`.

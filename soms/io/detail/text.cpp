@@ -1,5 +1,7 @@
 #include "soms/io/detail/text.h"
 
+#include "soms/base/decimal.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cstring>
@@ -52,7 +54,7 @@ bool exceeds(const char* begin, const char* end) {
 template <class T>
 ParsedNumber parse(const char* begin, const char* end) {
   T value = 0;
-  const auto [stop, error] = std::from_chars(begin, end, value);
+  const auto [stop, error] = read_decimal(begin, end, value);
   if (error == std::errc()) {
     return {static_cast<double>(value), stop, NumberStatus::good};
   }

@@ -1,5 +1,6 @@
 #include "soms/io/detail/three_ds.h"
 
+#include "soms/base/decimal.h"
 #include "soms/geometry/counts.h"
 #include "soms/io/detail/little_endian.h"
 #include "soms/io/detail/mesh_builder.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -131,7 +131,7 @@ void ThreeDsReader::read_master_scale(const Chunk& chunk) {
   if (scale != 1) {
     scales_.add([&] {
       std::array<char, 32> text{};
-      const auto end = std::to_chars(text.data(), text.data() + text.size(), scale).ptr;
+      const auto end = write_shortest(text.data(), text.data() + text.size(), scale);
       return at_chunk(chunk) + ": " + std::string(text.data(), end);
     });
   }

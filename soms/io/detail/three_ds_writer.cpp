@@ -1,12 +1,12 @@
 #include "soms/io/detail/three_ds_writer.h"
 
 #include "soms/base/error.h"
+#include "soms/base/portable.h"
 #include "soms/geometry/part_runs.h"
 #include "soms/io/detail/three_ds_chunks.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -214,7 +214,7 @@ void ThreeDsWriter::put_coordinate(double value, std::size_t vertex) {
         name_ + ": vertex " + std::to_string(vertex) + " has a coordinate that a float cannot hold",
         "write PLY, OBJ or OFF, or text STL");
   }
-  output_.put_bits(std::bit_cast<std::uint32_t>(narrow), 4);
+  output_.put_bits(bit_cast<std::uint32_t>(narrow), 4);
 }
 
 void ThreeDsWriter::put_object(const Object& object) {
@@ -257,7 +257,7 @@ void ThreeDsWriter::write() {
   put_chunk(three_ds::kEditor, plan.editor());
   put_version(three_ds::kMeshVersion);
   put_chunk(three_ds::kMasterScale, kNumberChunk);
-  output_.put_bits(std::bit_cast<std::uint32_t>(1.0F), 4);
+  output_.put_bits(bit_cast<std::uint32_t>(1.0F), 4);
   for (const Object& object : plan.objects()) {
     tick(static_cast<double>(object.first) / static_cast<double>(mesh_.triangles.size()));
     put_object(object);

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "soms/base/hash.h"
+#include "soms/base/portable.h"
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -54,7 +54,7 @@ void put(std::string& bytes, T value) {
 }
 
 inline void put(std::string& bytes, double value) {
-  put(bytes, std::bit_cast<std::uint64_t>(value));
+  put(bytes, bit_cast<std::uint64_t>(value));
 }
 
 /// The unsigned number at the start of `bytes`.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "soms/base/error.h"
+#include "soms/base/portable.h"
 #include "soms/scene/detail/recording_format.h"
 #include "soms/scene/recording.h"
 
@@ -56,7 +57,7 @@ class ChunkContent {
     return get<T>(take(sizeof(T)));
   }
 
-  [[nodiscard]] double real() { return std::bit_cast<double>(number<std::uint64_t>()); }
+  [[nodiscard]] double real() { return bit_cast<double>(number<std::uint64_t>()); }
 
   [[nodiscard]] std::string text();
 

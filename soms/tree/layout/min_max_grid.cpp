@@ -1,6 +1,7 @@
 #include "soms/tree/layout/min_max_grid.h"
 
 #include "soms/base/box.h"
+#include "soms/base/portable.h"
 #include "soms/tree/layout/detail/frame.h"
 #include "soms/tree/layout/wide_tree.h"
 
@@ -27,7 +28,7 @@ constexpr double kCornerRounding = 0x1p-23;
 template <bool kShared, class Closer>
 void widen(float& bound, float to, Closer closer) {
   if constexpr (kShared) {
-    const std::atomic_ref<float> shared(bound);
+    const AtomicRef<float> shared(bound);
     float now = shared.load(std::memory_order_relaxed);
     while (closer(to, now) && !shared.compare_exchange_weak(now, to, std::memory_order_relaxed)) {
     }

@@ -10,7 +10,8 @@ namespace soms::detail {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kNames{"scalar", "sse4", "avx2", "avx512", "neon"};
+constexpr std::array<std::string_view, 6> kNames{"scalar", "sse4", "avx2",
+                                                 "avx512", "neon", "simd128"};
 
 }  // namespace
 
@@ -31,6 +32,8 @@ std::vector<const Kernels*> kernels_here() {
   }
 #elif defined(__aarch64__)
   here.push_back(&neon::kernels());
+#elif defined(__wasm_simd128__)
+  here.push_back(&simd128::kernels());
 #endif
   return here;
 }

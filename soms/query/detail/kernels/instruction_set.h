@@ -13,7 +13,7 @@ namespace soms::detail {
 /// Kernels that this build has and this processor runs, the plainest first.
 [[nodiscard]] std::vector<const Kernels*> kernels_here();
 
-/// Kernels by name, of scalar, sse4, avx2, avx512 and neon.
+/// Kernels by name, of scalar, sse4, avx2, avx512, neon and simd128.
 /// \errors  ErrorKind::usage for an unknown name, unsupported for what this processor lacks.
 [[nodiscard]] const Kernels& kernels_named(std::string_view name);
 
@@ -42,6 +42,10 @@ namespace avx512 {
 namespace neon {
 [[nodiscard]] const Kernels& kernels();
 }  // namespace neon
+#elif defined(__wasm_simd128__)
+namespace simd128 {
+[[nodiscard]] const Kernels& kernels();
+}  // namespace simd128
 #endif
 
 }  // namespace soms::detail

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "soms/base/box.h"
+#include "soms/base/portable.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -19,8 +19,8 @@ namespace soms::layout {
     return f;
   }
   // The next float up: its bits count away from zero.
-  const auto bits = std::bit_cast<std::int32_t>(f);
-  return std::bit_cast<float>(bits + (f >= 0 ? 1 : -1));
+  const auto bits = bit_cast<std::int32_t>(f);
+  return bit_cast<float>(bits + (f >= 0 ? 1 : -1));
 }
 
 /// Place and unit that the floats of a layout are relative to.

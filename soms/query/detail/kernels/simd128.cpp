@@ -1,0 +1,51 @@
+// SIMD128 of WebAssembly: four lanes.
+#include "soms/query/detail/engine/fetch.h"
+#include "soms/query/detail/kernels/instruction_set.h"
+
+#if defined(__wasm_simd128__)
+#include <wasm_simd128.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace soms::detail::simd128 {
+
+namespace {
+
+#include "soms/query/detail/kernels/lanes_simd128.h"
+//
+#include "soms/query/detail/kernels/append_plain.h"
+//
+#include "soms/query/detail/kernels/lanes_pair.h"
+//
+#include "soms/query/detail/kernels/offset.h"
+//
+#include "soms/query/detail/kernels/nodes.h"
+//
+#include "soms/query/detail/kernels/node_pairs.h"
+#include "soms/query/detail/kernels/triangles.h"
+//
+#include "soms/query/detail/kernels/triangle_pairs.h"
+//
+#include "soms/query/detail/kernels/near_nodes.h"
+#include "soms/query/detail/kernels/near_triangles.h"
+//
+#include "soms/query/detail/kernels/parity.h"
+//
+#include "soms/query/detail/kernels/lines.h"
+#include "soms/query/detail/kernels/point_bounds.h"
+
+}  // namespace
+
+const Kernels& kernels() {
+  static constexpr Kernels kTable{
+      "simd128", test_nodes,  test_larger,   append,     test_slabs,  test_boxes,
+      judge,     bound_nodes, near_boxes,    near_pairs, bound_boxes, bound_triangles,
+      ray_nodes, ray_blocks,  line_descents, line_node,  line_block};
+  return kTable;
+}
+
+}  // namespace soms::detail::simd128
+#endif

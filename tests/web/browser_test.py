@@ -1,0 +1,99 @@
+"""The package in a headless Chromium, served by a plain server: browser_test.py PACKAGE DATA.
+
+500 rows of each truth set on the page, and queries in a worker. Needs Chromium, its driver and Selenium (section test
+of packages.txt); where one is missing the test says so and is skipped.
+"""
+import functools
+import http.server
+import json
+import os
+import pathlib
+import shutil
+import sys
+import tempfile
+import threading
+
+SKIPPED = 77
+PATIENCE = 1200  # seconds, a guard
+CASES = 500
+PAGE = """<!doctype html><meta charset="utf-8"><title>soms</title><script type="module">
+import * as soms from "/package/soms.js";
+import { start } from "/package/worker.js";
+import { checkTruth } from "/tests/truth.mjs";
+const read = async (path) => new Uint8Array(await (await fetch(`/data/${path}`)).arrayBuffer());
+window.outcome = (async () => {
+  await soms.load();
+  const truth = await checkTruth(soms, read, %d);
+  const triangle = { vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0] };
+  const remote = await start();
+  const shape = await remote.shape(triangle);
+  const inWorker = await remote.overlap(shape, shape);
+  await remote.close();
+  return { ...truth, worker: inWorker.any, set: soms.instructionSet() };
+})();
+</script>""" % CASES
+
+
+def skip(why):
+    print(f"skipped: {why}; the packages of section test in packages.txt bring it")
+    sys.exit(SKIPPED)
+
+
+def serve(folder):
+    class Handler(http.server.SimpleHTTPRequestHandler):
+        def log_message(self, *_):
+            pass
+
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Handler, directory=folder))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    return server.server_address[1]
+
+
+def start_browser(folder):
+    chromium = shutil.which("chromium") or shutil.which("chromium-browser")
+    driver = shutil.which("chromedriver")
+    if chromium is None or driver is None:
+        skip("Chromium or its driver is not installed")
+    try:
+        from selenium import webdriver
+        from selenium.webdriver.chrome.service import Service
+    except ImportError:
+        skip("Selenium for Python is not installed")
+    options = webdriver.ChromeOptions()
+    options.binary_location = chromium
+    # As root Chromium runs without its sandbox only; containers have little shared memory.
+    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--no-first-run", "--disable-gpu",
+                     "--disable-background-networking", f"--user-data-dir={folder / 'profile'}"):
+        options.add_argument(argument)
+    os.environ["HOME"] = str(folder)
+    browser = webdriver.Chrome(options=options, service=Service(executable_path=driver))
+    browser.set_page_load_timeout(PATIENCE)
+    browser.set_script_timeout(PATIENCE)
+    return browser
+
+
+def main(package, data):
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        site = folder / "site"
+        site.mkdir()
+        shutil.copytree(package, site / "package")
+        shutil.copytree(data, site / "data")
+        shutil.copytree(pathlib.Path(__file__).parent, site / "tests")
+        (site / "index.html").write_text(PAGE, encoding="utf-8")
+        browser = start_browser(folder)
+        try:
+            browser.get(f"http://127.0.0.1:{serve(site)}/index.html")
+            outcome = browser.execute_async_script(
+                "const done = arguments[0]; window.outcome.then(done, (error) => done({failure: String(error)}));")
+        finally:
+            browser.quit()
+    assert "failure" not in outcome, outcome["failure"]
+    assert not outcome["faults"], "\n".join(outcome["faults"][:20])
+    assert outcome["worker"] is True and outcome["set"] == "simd128", outcome
+    assert outcome["sets"]["overlaps"] >= 4 * CASES, outcome["sets"]
+    print(f"{outcome['checks']} checks in Chromium: {json.dumps(outcome['sets'])}")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], sys.argv[2])

@@ -1,0 +1,204 @@
+// The package as its users call it, in node. WEB_PACKAGE and WEB_DATA as in truth.test.mjs.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+
+const { WEB_DATA: data, WEB_PACKAGE: folder } = process.env;
+const soms = await import(pathToFileURL(join(folder, 'soms.js')));
+const { start } = await import(pathToFileURL(join(folder, 'worker.js')));
+
+/** A box from -h to h, closed, facing outward. */
+function box(h) {
+  const vertices = Float64Array.from({ length: 24 }, (_, k) => ((k / 3 >> k % 3 & 1) === 1 ? h : -h));
+  const triangles = Uint32Array.of(0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2,
+                                   4, 6, 1, 3, 5, 3, 7, 5);
+  return { vertices, triangles };
+}
+
+const shifted = (x) => Float64Array.of(1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0);
+/** A Matrix4 as three.js has it: by columns. */
+const matrix = (x) => ({ elements: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, 0, 0, 1] });
+
+function fails(kind, call) {
+  assert.throws(call, (error) => {
+    assert.ok(error instanceof soms.SomsError, String(error));
+    assert.equal(error.kind, kind);
+    assert.ok(error.place.length > 0 && error.message.startsWith(error.place));
+    return true;
+  });
+}
+
+before(async () => {
+  await assert.rejects(async () => new soms.Shape(box(1)), { kind: 'usage', place: 'soms is not loaded' });
+  await soms.load({ source: await readFile(join(folder, 'soms.wasm')) });
+});
+
+test('single answers', () => {
+  const [a, b] = [new soms.Shape(box(1)), new soms.Shape(box(1))];
+  assert.equal(soms.overlap(a, new soms.Body(b, shifted(1))).any, true);
+  assert.equal(soms.overlap(a, { shape: b, pose: matrix(2.5) }).any, false);
+  const gap = soms.distance(new soms.Body(a, matrix(3)), b);
+  assert.deepEqual([gap.lower, gap.upper, gap.farther, gap.coverage], [1, 1, false, 'complete']);
+  assert.equal(soms.distance(new soms.Body(a, matrix(3)), b, { atMost: 0.5 }).farther, true);
+  assert.equal(soms.within(new soms.Body(a, matrix(3)), b, 1).within, true);
+  assert.equal(soms.solid(a, b).relation, 'same');
+  assert.equal(soms.solid(a, new soms.Body(b, shifted(2))).relation, 'touching');
+  assert.equal(soms.solid(a, new soms.Body(b, shifted(2.5))).relation, 'clear');
+  assert.equal(soms.contains(a, [0, 0, 0]).side, 'inside');
+  assert.equal(soms.contains(a, { x: 1, y: 0, z: 0 }).side, 'on');
+  assert.deepEqual([...soms.closest(a, [3, 0, 0]).point], [1, 0, 0]);
+  assert.equal(soms.signedClosest(a, [0, 0, 0.5]).side, 'inside');
+  assert.equal(soms.closestHit(a, { origin: [-5, 0.25, 0], direction: [1, 0, 0] }).lower, 4);
+  assert.equal(soms.anyHit(a, { from: [-5, 0, 0], to: [-2, 0, 0] }).hit, false);
+  assert.deepEqual([...soms.allHits(a, [{ origin: [-5, 0.25, 0.5], direction: [1, 0, 0] }]).kind].map(
+      (code) => soms.NAMES.kind[code]), ['enter', 'leave']);
+  const index = new soms.WindingIndex(a);
+  const number = soms.winding(index, [0, 0, 0]);
+  assert.deepEqual([number.side, number.lower, number.upper], ['inside', 1, 1]);
+  assert.deepEqual([...a.bounds().upper], [1, 1, 1]);
+  assert.ok(a.memory() > 0);
+  for (const handle of [a, b, index]) {
+    handle.free();
+  }
+});
+
+test('batches are the single answers', () => {
+  const [a, b] = [new soms.Shape(box(1)), new soms.Shape(box(2), { layout: 'compact' })];
+  const places = [0, 0.5, 1, 1.5, 2.9, 3, 3.1, 7];
+  const poses = Float64Array.from(places.flatMap((x) => [...shifted(x)]));
+  const found = soms.overlapBatch(a, poses, b);
+  assert.deepEqual(found, soms.overlapBatch(a, places.map(matrix), b));
+  const gaps = soms.distanceBatch(a, poses, b);
+  const near = soms.withinBatch(a, poses, b, 0.5);
+  const relations = soms.solidBatch(a, poses, b);
+  for (const [k, x] of places.entries()) {
+    const body = new soms.Body(a, shifted(x));
+    const single = soms.overlap(body, b);
+    assert.equal(found.any[k] === 1, single.any);
+    assert.deepEqual(found.pairs.slice(2 * found.offsets[k], 2 * found.offsets[k + 1]), single.pairs);
+    assert.equal(gaps.lower[k], soms.distance(body, b).lower);
+    assert.equal(near.within[k] === 1, soms.within(body, b, 0.5).within);
+    assert.equal(soms.NAMES.relation[relations.relation[k]], soms.solid(body, b).relation);
+  }
+  assert.deepEqual(soms.overlapBatch(a, [], b).any, new Uint8Array());
+  a.free();
+  b.free();
+});
+
+test('geometries of three.js', () => {
+  const { vertices, triangles } = box(1);
+  const attribute = { array: Float32Array.from(vertices), count: 8, itemSize: 3 };
+  const indexed = new soms.Mesh({ attributes: { position: attribute },
+                                  index: { array: Uint16Array.from(triangles), count: 36 } });
+  const plain = new soms.Mesh({ vertices, triangles });
+  assert.deepEqual(indexed.read(), plain.read());
+  const corners = Float32Array.from([...triangles].flatMap((i) => [...vertices.subarray(3 * i, 3 * i + 3)]));
+  const loose = new soms.Mesh({ geometry: { attributes: { position: { array: corners, count: 36, itemSize: 3 } }, index: null } });
+  assert.equal(loose.read().cornerHash, plain.read().cornerHash);
+  const interleaved = { isInterleavedBufferAttribute: true, count: 3, itemSize: 3, array: new Float32Array(18),
+                        getX: (i) => i, getY: () => 0.5, getZ: (i) => i * i };
+  assert.deepEqual([...new soms.Mesh({ attributes: { position: interleaved }, index: null }).read().vertices],
+                   [0, 0.5, 0, 1, 0.5, 1, 2, 0.5, 4]);
+});
+
+test('errors have kind, place and remedy', () => {
+  const a = new soms.Shape(box(1));
+  fails('usage', () => new soms.Shape({}));
+  fails('usage', () => new soms.Mesh({ vertices: [0, 0], triangles: [] }));
+  fails('usage', () => new soms.Mesh({ vertices: [0, 0, 0], triangles: [0, 0, -1] }));
+  fails('usage', () => soms.overlap(a, {}));
+  fails('usage', () => soms.overlap(a, a, { mode: 'some' }));
+  fails('usage', () => soms.overlap(a, new soms.Body(a, [1, 2, 3])));
+  fails('usage', () => soms.overlap(a, new soms.Body(a, { elements: [1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] })));
+  fails('usage', () => soms.within(a, a, -1));
+  fails('usage', () => soms.closest(a, 'nowhere'));
+  fails('usage', () => soms.winding(a, [0, 0, 0]));
+  fails('usage', () => soms.anyHit(a, { origin: [0, 0, 0] }));
+  fails('usage', () => soms.closestHit(a, { origin: [0, 0, 0], direction: [0, 0, 0] }));
+  fails('not_rigid', () => soms.overlap(a, new soms.Body(a, Float64Array.of(2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0))));
+  fails('not_finite', () => new soms.Mesh({ vertices: [0, 0, NaN, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 2] }));
+  fails('out_of_range', () => new soms.Mesh({ vertices: [0, 0, 2 ** 301, 1, 0, 0, 0, 1, 0], triangles: [0, 1, 2] }));
+  const open = new soms.Shape({ vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0] });
+  fails('not_closed', () => soms.contains(open, [0, 0, 0]));
+  fails('bad_file', () => soms.readMesh(new TextEncoder().encode('ply\nformat ascii 2.0\n'), 'ply'));
+  fails('unsupported', () => soms.readMesh(new TextEncoder().encode('PK\x03\x04'), 'zip'));
+  fails('unsupported', () => soms.readMesh(new TextEncoder().encode('Kaydara FBX Binary'), 'model.fbx'));
+  const scaled = Float64Array.of(...shifted(0), 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 3, 0);
+  assert.throws(() => soms.overlapBatch(a, scaled, a), { kind: 'not_rigid', place: /pose 1/ });
+  open.free();
+  a.free();
+  a.free();
+  fails('usage', () => soms.overlap(a, a));
+});
+
+test('a limit of time cuts, and says so', () => {
+  const a = new soms.Shape(box(1));
+  assert.equal(soms.overlap(a, new soms.Body(a, shifted(1)), { timeLimit: -1 }).coverage, 'cut');
+  assert.equal(soms.overlap(a, new soms.Body(a, shifted(1)), { limit: 3 }).coverage, 'cut');
+  a.free();
+});
+
+test('files of each format', async () => {
+  const hashes = new Map();
+  for (const name of ['ascii.ply', 'be_double.ply', 'ascii_exponents.ply', 'polygons.obj', 'polygons.off', 'ascii.stl',
+                      'binary.stl', 'full.3ds', 'interleaved.glb', 'strips.glb']) {
+    const mesh = soms.readMesh(await readFile(join(data, 'formats', name)), name.split('.')[1]);
+    const content = mesh.read();
+    assert.ok(content.triangles.length > 0 && content.vertices.length > 0, name);
+    hashes.set(name, content.cornerHash);
+    mesh.free();
+  }
+  assert.equal(hashes.get('polygons.obj'), hashes.get('polygons.off'));
+});
+
+test('memory stays flat over 100,000 calls', () => {
+  const [a, b] = [new soms.Shape(box(1)), new soms.Shape(box(1))];
+  const once = (k) => {
+    const body = new soms.Body(a, shifted(k % 4));
+    soms.overlap(body, b);
+    soms.distance(body, b);
+    soms.contains(b, [k % 4, 0, 0]);
+    soms.closestHit(b, { origin: [-5, 0, 0], direction: [1, 0, 0] });
+    new soms.Mesh(box(1)).free();
+    new soms.Shape(box(1)).free();
+    new soms.WindingIndex(body).free();
+    try {
+      soms.within(body, b, -1);
+    } catch (error) {
+      assert.equal(error.kind, 'usage');
+    }
+  };
+  for (let k = 0; k < 1000; ++k) {
+    once(k);
+  }
+  const [bytes, blocks] = [soms.memorySize(), soms.memoryInUse()];
+  for (let k = 0; k < 12500; ++k) {
+    once(k);
+  }
+  assert.equal(soms.memorySize(), bytes);
+  assert.equal(soms.memoryInUse(), blocks);
+  a.free();
+  b.free();
+});
+
+test('the worker answers as the page does', async () => {
+  const remote = await start({ source: await readFile(join(folder, 'soms.wasm')) });
+  const shape = await remote.shape(box(1));
+  const local = new soms.Shape(box(1));
+  const bodies = (one) => [{ shape: one, pose: matrix(1) }, one];
+  assert.deepEqual(await remote.overlap(...bodies(shape)), soms.overlap(...bodies(local)));
+  assert.deepEqual(await remote.closestBatch(shape, [[3, 0, 0]]), soms.closestBatch(local, [[3, 0, 0]]));
+  const index = await remote.windingIndex(shape);
+  assert.equal((await remote.winding(index, [0, 0, 0])).side, 'inside');
+  const mesh = await remote.readMesh(await readFile(join(data, 'formats', 'ascii.ply')), 'ply');
+  assert.ok((await mesh.read()).triangles.length > 0);
+  assert.deepEqual(await shape.bounds(), local.bounds());
+  await assert.rejects(remote.within(shape, shape, -1), { name: 'SomsError', kind: 'usage' });
+  await shape.free();
+  await assert.rejects(remote.contains(shape, [0, 0, 0]), { kind: 'usage' });
+  await remote.close();
+  await assert.rejects(remote.memorySize(), { kind: 'usage' });
+  local.free();
+});

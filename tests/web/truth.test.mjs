@@ -1,0 +1,24 @@
+// The truth sets in node, by both instruction sets. WEB_PACKAGE: folder of the package; WEB_DATA: what prepare.py made.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+
+import { checkTruth, hashOf } from './truth.mjs';
+
+const soms = await import(pathToFileURL(join(process.env.WEB_PACKAGE, 'soms.js')));
+const CASES = 500;
+
+test('the hash is that of the sets', () => {
+  assert.equal(hashOf([]), 'cbf29ce484222325');
+});
+
+test(`answers are those of the truth sets, by ${process.env.WEB_ISA ?? 'simd128'}`, async () => {
+  await soms.load({ instructionSet: process.env.WEB_ISA });
+  assert.equal(soms.instructionSet(), process.env.WEB_ISA ?? 'simd128');
+  const { checks, sets, faults } = await checkTruth(soms, (path) => readFile(join(process.env.WEB_DATA, path)), CASES);
+  assert.deepEqual(faults, []);
+  assert.ok(sets.overlaps >= 4 * CASES, `only ${sets.overlaps} checks of overlaps`);
+  console.log(`${checks} checks: ${JSON.stringify(sets)}`);
+});

@@ -1,0 +1,158 @@
+// Arguments of any shape that callers have, as flat typed arrays.
+import { usage } from './errors.js';
+
+const IDENTITY = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0);
+
+function isNumbers(value) {
+  return ArrayBuffer.isView(value) || (Array.isArray(value) && value.every((x) => typeof x === 'number'));
+}
+
+/** Flat numbers, `width` to a row. */
+function flat(value, width, what) {
+  if (value.length % width !== 0) {
+    throw usage(`${what}: ${value.length} numbers, which is not a multiple of ${width}`,
+                `give ${width} numbers for each`);
+  }
+  return value instanceof Float64Array ? value : Float64Array.from(value);
+}
+
+function ofVector(value, what) {
+  if (isNumbers(value) && value.length === 3) {
+    return value;
+  }
+  if (typeof value?.x === 'number' && typeof value.y === 'number' && typeof value.z === 'number') {
+    return [value.x, value.y, value.z];
+  }
+  throw usage(`${what} is no point`, 'give [x, y, z], a typed array of 3, or a Vector3');
+}
+
+/** One point: [x, y, z], a typed array, or a Vector3. */
+export function point(value, what = 'the point') {
+  return Float64Array.from(ofVector(value, what));
+}
+
+/** Points: n x 3 numbers, or an array of points. */
+export function points(value) {
+  if (isNumbers(value)) {
+    return flat(value, 3, 'points');
+  }
+  if (!Array.isArray(value)) {
+    throw usage('points are missing', 'give a Float64Array of n x 3 numbers, or an array of points');
+  }
+  return Float64Array.from(value.flatMap((each, i) => [...ofVector(each, `point ${i}`)]));
+}
+
+/** The 12 numbers of a pose: a Matrix4 (by columns, in double), or 12 numbers by rows of [R | t]. */
+export function pose(value) {
+  if (value === undefined || value === null) {
+    return IDENTITY;
+  }
+  const e = value.elements;
+  if (e?.length === 16) {
+    if (e[3] !== 0 || e[7] !== 0 || e[11] !== 0 || e[15] !== 1) {
+      throw usage('the last row of a Matrix4 is not 0, 0, 0, 1', 'give a matrix that turns and shifts');
+    }
+    return Float64Array.of(e[0], e[4], e[8], e[12], e[1], e[5], e[9], e[13], e[2], e[6], e[10], e[14]);
+  }
+  if (isNumbers(value) && value.length === 12) {
+    return flat(value, 12, 'pose');
+  }
+  throw usage('this is no pose', 'give a Matrix4, or 12 numbers: the rows of [R | t]');
+}
+
+/** Poses: n x 12 numbers, or an array of poses. */
+export function poses(value) {
+  if (isNumbers(value)) {
+    return flat(value, 12, 'poses');
+  }
+  if (!Array.isArray(value)) {
+    throw usage('poses are missing', 'give a Float64Array of n x 12 numbers, or an array of Matrix4');
+  }
+  const all = new Float64Array(12 * value.length);
+  value.forEach((each, i) => all.set(pose(each), 12 * i));
+  return all;
+}
+
+function line(value, what) {
+  if (value?.origin !== undefined && value.direction !== undefined) {
+    return [...ofVector(value.origin, `${what}: its origin`), ...ofVector(value.direction, `${what}: its direction`),
+            value.length ?? Infinity];
+  }
+  if (value?.from !== undefined && value.to !== undefined) {
+    return [...ofVector(value.from, `${what}: from`), ...ofVector(value.to, `${what}: to`)];
+  }
+  throw usage(`${what} is no ray`, 'give {origin, direction, length}, or {from, to} for a segment');
+}
+
+/** Lines: an array of rays or of segments, n x 7 numbers of rays, or {segments: n x 6 numbers}. */
+export function lines(value) {
+  if (isNumbers(value) && value.length > 0) {
+    return { numbers: flat(value, 7, 'rays'), count: value.length / 7, segments: 0 };
+  }
+  if (value?.segments !== undefined) {
+    const numbers = flat(value.segments, 6, 'segments');
+    return { numbers, count: numbers.length / 6, segments: 1 };
+  }
+  if (value?.length === undefined || typeof value === 'string') {
+    throw usage('rays are missing', 'give an array of rays, or a Float64Array of n x 7 numbers');
+  }
+  const all = value.map((each, i) => line(each, `ray ${i}`));
+  const width = all.length === 0 ? 7 : all[0].length;
+  if (all.some((each) => each.length !== width)) {
+    throw usage('rays and segments are mixed', 'give them in two calls');
+  }
+  return { numbers: Float64Array.from(all.flat()), count: all.length, segments: width === 6 ? 1 : 0 };
+}
+
+function indices(value) {
+  if (value instanceof Uint32Array) {
+    return value;
+  }
+  for (const [k, index] of value.entries()) {
+    if (!Number.isInteger(index) || index < 0 || index > 0xffffffff) {
+      throw usage(`index ${k} of triangles is ${index}`, 'give whole numbers from 0 on');
+    }
+  }
+  return Uint32Array.from(value);
+}
+
+function positions(attribute) {
+  if (!attribute.isInterleavedBufferAttribute && !attribute.normalized && attribute.itemSize === 3) {
+    return attribute.array.length === 3 * attribute.count ? attribute.array
+                                                          : attribute.array.slice(0, 3 * attribute.count);
+  }
+  const all = new Float64Array(3 * attribute.count);
+  for (let i = 0; i < attribute.count; ++i) {
+    all.set([attribute.getX(i), attribute.getY(i), attribute.getZ(i)], 3 * i);
+  }
+  return all;
+}
+
+function arraysOf(value) {
+  const geometry = value?.geometry ?? value;
+  if (geometry?.attributes?.position !== undefined) {
+    const index = geometry.index;
+    return [positions(geometry.attributes.position), index ? index.array.subarray(0, index.count) : undefined];
+  }
+  if (value?.vertices !== undefined) {
+    return [value.vertices, value.triangles];
+  }
+  throw usage('this is no mesh', 'give {vertices, triangles}, or a BufferGeometry');
+}
+
+/** Arrays of a mesh: {vertices: n x 3, triangles: m x 3} or a BufferGeometry; without indices, three vertices each. */
+export function meshArrays(value) {
+  const [given, faces] = arraysOf(value);
+  const vertices = flat(given, 3, 'vertices');
+  const triangles = faces === undefined || faces === null
+      ? Uint32Array.from({ length: vertices.length / 3 }, (_, i) => i) : indices(faces);
+  if (triangles.length % 3 !== 0) {
+    throw usage(`triangles: ${triangles.length} indices, which is not a multiple of 3`, 'give three for each');
+  }
+  return { vertices, triangles };
+}
+
+/** Whether `meshArrays` takes it for a BufferGeometry, or a mesh of one. */
+export function isGeometry(value) {
+  return (value?.geometry ?? value)?.attributes?.position !== undefined;
+}

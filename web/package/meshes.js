@@ -1,0 +1,92 @@
+// Meshes, shapes, and bodies: shapes at a place.
+import { meshArrays, pose } from './arrays.js';
+import { usage } from './errors.js';
+import { Handle, query, run } from './module.js';
+
+const UP_AXES = ['unknown', 'x', 'y', 'z'];
+const NO_PARENT = 0xffffffff;
+
+/** Triangles as read, in double. */
+export class Mesh extends Handle {
+  /** Of {vertices, triangles} or a three.js BufferGeometry. */
+  constructor(value) {
+    super(typeof value === 'number' ? value : Mesh.#made(value), 'soms_mesh_free');
+  }
+
+  static #made(value) {
+    const { vertices, triangles } = meshArrays(value);
+    return run('soms_mesh', vertices, vertices.length / 3, triangles, triangles.length / 3);
+  }
+
+  /** Copies: {vertices, triangles, parts, notes, unit, up, cornerHash}. */
+  read() {
+    const [vertices, triangles, rows, bytes, numbers, hash] = query('soms_mesh_columns', this.address);
+    const words = new TextDecoder().decode(bytes).split('\0').slice(0, -1);
+    const count = rows.length / 3;
+    const parts = words.slice(0, count).map((name, i) => {
+      const [first, size, parent] = rows.subarray(3 * i);
+      return { name, first, count: size, parent: parent === NO_PARENT ? -1 : parent };
+    });
+    const cornerHash = [...hash].map((half) => half.toString(16).padStart(8, '0')).join('');
+    return { vertices, triangles, parts, notes: words.slice(count), unit: numbers[0], up: UP_AXES[numbers[1]],
+             cornerHash };
+  }
+}
+
+/** The mesh in a file's bytes: PLY, STL, OBJ, GLB, OFF, 3DS. `format` is its extension, or its name. */
+export function readMesh(bytes, format, { strict = false } = {}) {
+  const name = new TextEncoder().encode(`${format.includes('.') ? format : `model.${format}`}\0`);
+  const content = ArrayBuffer.isView(bytes) ? bytes : new Uint8Array(bytes);
+  return new Mesh(run('soms_read_mesh', content, content.byteLength, name, strict ? 1 : 0));
+}
+
+/** A mesh with its tree, ready for queries. */
+export class Shape extends Handle {
+  /** Of a Mesh, or of what makes one. `layout`: 'wide' for speed, 'compact' for memory. */
+  constructor(value, { layout = 'wide' } = {}) {
+    if (layout !== 'wide' && layout !== 'compact') {
+      throw usage(`layout is '${layout}'`, "give 'wide' or 'compact'");
+    }
+    super(Shape.#made(value, layout === 'compact' ? 1 : 0), 'soms_shape_free');
+  }
+
+  static #made(value, compact) {
+    if (value instanceof Mesh) {
+      return run('soms_shape', value.address, compact);
+    }
+    const mesh = new Mesh(value);
+    try {
+      return run('soms_shape', mesh.address, compact);
+    } finally {
+      mesh.free();
+    }
+  }
+
+  /** {lower, upper}: the least box around it, not moved. */
+  bounds() {
+    const [corners] = query('soms_shape_columns', this.address);
+    return { lower: corners.slice(0, 3), upper: corners.slice(3) };
+  }
+
+  /** Bytes that it holds. */
+  memory() {
+    return query('soms_shape_columns', this.address)[1][0];
+  }
+}
+
+/** A shape at a place. */
+export class Body {
+  constructor(shape, at) {
+    this.shape = shape;
+    this.pose = at;
+  }
+}
+
+/** Address and pose of a Shape or a Body. */
+export function placed(value, what) {
+  const shape = value?.shape ?? value;
+  if (!(shape instanceof Shape)) {
+    throw usage(`${what} is no shape`, 'give a Shape, or a Body of one');
+  }
+  return [shape.address, pose(value.shape === undefined ? undefined : value.pose)];
+}

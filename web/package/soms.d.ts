@@ -1,0 +1,350 @@
+/** soms: exact, fast answers to which triangles touch. docs/web.md of its repository has a page about it. */
+
+type Numbers = ArrayLike<number>;
+
+/** Thrown by every function. */
+export class SomsError extends Error {
+  /** Stable, to branch on. */
+  readonly kind: 'usage' | 'cannot_open' | 'bad_file' | 'empty_mesh' | 'not_finite' | 'out_of_range' | 'not_rigid'
+      | 'not_closed' | 'unsupported' | 'out_of_memory' | 'timed_out' | 'cannot_write' | 'cancelled';
+  /** What is wrong, and where. */
+  readonly place: string;
+  /** What to do about it; may be empty. */
+  readonly remedy: string;
+  constructor(kind: string, place: string, remedy: string);
+}
+
+export interface LoadOptions {
+  /** URL, bytes or compiled module; by default soms.wasm beside the script. */
+  source?: string | URL | ArrayBuffer | ArrayBufferView | WebAssembly.Module;
+  /** What queries run on; by default 'simd128'. Answers are the same. */
+  instructionSet?: 'scalar' | 'simd128';
+}
+
+/** Loads the module. Await it before anything else; later calls wait for the first. */
+export function load(options?: LoadOptions): Promise<void>;
+/** 'simd128' or 'scalar'. */
+export function instructionSet(): string;
+/** Bytes that the module's memory takes. What is freed is used again, and not given back. */
+export function memorySize(): number;
+/** Bytes of it that are in use. */
+export function memoryInUse(): number;
+
+/** A three.js BufferGeometry, or what looks like one. */
+export interface GeometryLike {
+  attributes: { position: { array: Numbers; count: number; itemSize: number } & object };
+  index: { array: Numbers; count: number } | null;
+}
+/** Vertices: n x 3. Triangles: m x 3 indices; without them three vertices each make a triangle. */
+export interface MeshArrays {
+  vertices: Numbers;
+  triangles?: Numbers | null;
+}
+/** What a mesh is made of; of a three.js Mesh the geometry alone: its matrixWorld is a pose. */
+export type MeshLike = MeshArrays | GeometryLike | { geometry: GeometryLike };
+/** A three.js Matrix4, or 12 numbers: the rows of [R | t]. R must be a rotation, to 1e-6. */
+export type PoseLike = { elements: Numbers } | Numbers;
+/** n x 12 numbers, or an array of poses. */
+export type PosesLike = Float64Array | readonly PoseLike[];
+/** A three.js Vector3, or 3 numbers. */
+export type PointLike = { x: number; y: number; z: number } | Numbers;
+/** n x 3 numbers, or an array of points. */
+export type PointsLike = Float64Array | Float32Array | readonly PointLike[];
+/** origin + t direction, 0 <= t <= length; without `length` endless. A three.js Ray is one. */
+export interface RayLike {
+  origin: PointLike;
+  direction: PointLike;
+  length?: number;
+}
+export interface SegmentLike {
+  from: PointLike;
+  to: PointLike;
+}
+/** Arrays of one kind; n x 7 numbers of rays; or n x 6 numbers of segments. */
+export type LinesLike = readonly RayLike[] | readonly SegmentLike[] | Float64Array | { segments: Numbers };
+
+/** Lives in the module until `free`, the end of a `using` block, or some time after it is unreachable. */
+declare class Handle {
+  free(): void;
+  [Symbol.dispose](): void;
+}
+
+export interface MeshPart {
+  name: string;
+  first: number;
+  count: number;
+  /** Index of the part around it; -1 for none. */
+  parent: number;
+}
+export interface MeshContent {
+  vertices: Float64Array;
+  triangles: Uint32Array;
+  parts: MeshPart[];
+  /** What the file holds that was not read. */
+  notes: string[];
+  /** Meters a unit; 0 where the file does not say. */
+  unit: number;
+  up: 'unknown' | 'x' | 'y' | 'z';
+  /** FNV-1a 64 over all corners, 16 hexadecimal digits: the `corner_hash` of C++. */
+  cornerHash: string;
+}
+
+export class Mesh extends Handle {
+  constructor(value: MeshLike);
+  /** Copies of what it holds. */
+  read(): MeshContent;
+}
+/** `format`: 'ply', 'stl', 'obj', 'glb', 'off', '3ds', or the file's name. `strict`: notes are errors. */
+export function readMesh(bytes: ArrayBuffer | ArrayBufferView, format: string, options?: { strict?: boolean }): Mesh;
+
+/** A mesh with its tree. Costs 0.5 s or so for a million triangles. */
+export class Shape extends Handle {
+  constructor(value: Mesh | MeshLike, options?: { layout?: 'wide' | 'compact' });
+  bounds(): { lower: Float64Array; upper: Float64Array };
+  memory(): number;
+}
+/** A shape at a place. */
+export class Body {
+  constructor(shape: Shape, pose?: PoseLike);
+  shape: Shape;
+  pose?: PoseLike;
+}
+export type Placed = Shape | Body | { shape: Shape; pose?: PoseLike };
+
+/** Work done; the same on every machine. */
+export interface Cost {
+  nodeTests: number;
+  triangleTests: number;
+  exactTests: number;
+}
+/** complete: all was decided. first: ended at the first hit, as requested. cut: a limit or the time ended it. */
+export type Coverage = 'complete' | 'first' | 'cut';
+export type Relation = 'clear' | 'touching' | 'crossing' | 'a_in_b' | 'b_in_a' | 'same' | 'undecided';
+export type Side = 'outside' | 'inside' | 'on' | 'undecided';
+export type Feature = 'vertex' | 'edge' | 'face';
+
+/** Names of the codes in answers of batches: NAMES.side[codes[k]]. */
+export const NAMES: {
+  readonly coverage: readonly Coverage[];
+  readonly relation: readonly Relation[];
+  readonly why: readonly ('none' | 'deadline' | 'open')[];
+  readonly side: readonly Side[];
+  readonly feature: readonly Feature[];
+  readonly kind: readonly ('enter' | 'leave' | 'graze')[];
+};
+
+export interface TimeOptions {
+  /** Milliseconds after which the answer is what was found so far, with coverage 'cut'. */
+  timeLimit?: number;
+}
+
+export interface OverlapOptions extends TimeOptions {
+  /** 'all' pairs, sorted; 'any' pair; the 'first' by number. */
+  mode?: 'all' | 'any' | 'first';
+  /** Most pairs of a pose. */
+  limit?: number;
+}
+export interface Overlap {
+  any: boolean;
+  /** k x 2: triangles of the first body and of the second. */
+  pairs: Uint32Array;
+  coverage: Coverage;
+  cost: Cost;
+}
+export interface OverlapBatch {
+  /** n flags. */
+  any: Uint8Array;
+  coverage: Uint8Array;
+  /** n + 1: the pairs of pose k are those from offsets[k] to offsets[k + 1]. */
+  offsets: Uint32Array;
+  /** Of all poses, x 2. */
+  pairs: Uint32Array;
+  cost: Cost;
+}
+/** Which triangles of two surfaces share a point, decided exactly. */
+export function overlap(a: Placed, b: Placed, options?: OverlapOptions): Overlap;
+export function overlapBatch(mover: Shape, poses: PosesLike, fixed: Placed, options?: OverlapOptions): OverlapBatch;
+
+export interface DistanceOptions extends TimeOptions {
+  /** Beyond this the answer is `farther`. */
+  atMost?: number;
+}
+export interface Distance {
+  /** The distance is between these: the doubles next to it. Both 0 exactly where the bodies overlap. */
+  lower: number;
+  upper: number;
+  /** The least pair at this distance. */
+  triangles: [number, number] | null;
+  pointA: Float64Array;
+  pointB: Float64Array;
+  farther: boolean;
+  coverage: Coverage;
+  cost: Cost;
+}
+export interface DistanceBatch {
+  lower: Float64Array;
+  upper: Float64Array;
+  /** n x 2; -1 for none. */
+  triangles: Int32Array;
+  /** n x 3. */
+  pointA: Float64Array;
+  pointB: Float64Array;
+  farther: Uint8Array;
+  coverage: Uint8Array;
+  cost: Cost;
+}
+/** The least distance of two surfaces. */
+export function distance(a: Placed, b: Placed, options?: DistanceOptions): Distance;
+export function distanceBatch(mover: Shape, poses: PosesLike, fixed: Placed, options?: DistanceOptions): DistanceBatch;
+
+export interface Within {
+  within: boolean;
+  triangles: [number, number] | null;
+  pointA: Float64Array;
+  pointB: Float64Array;
+  /** A lower bound of the distance. */
+  atLeast: number;
+  coverage: Coverage;
+  cost: Cost;
+}
+export interface WithinBatch {
+  within: Uint8Array;
+  triangles: Int32Array;
+  pointA: Float64Array;
+  pointB: Float64Array;
+  atLeast: Float64Array;
+  coverage: Uint8Array;
+  cost: Cost;
+}
+/** Whether the distance is at most `clearance`, decided exactly. */
+export function within(a: Placed, b: Placed, clearance: number, options?: TimeOptions): Within;
+export function withinBatch(mover: Shape, poses: PosesLike, fixed: Placed, clearance: number,
+                            options?: TimeOptions): WithinBatch;
+
+export interface Solid {
+  relation: Relation;
+  surfacesMeet: boolean;
+  /** Why it is undecided. */
+  why: 'none' | 'deadline' | 'open';
+  coverage: Coverage;
+  cost: Cost;
+}
+export interface SolidBatch {
+  relation: Uint8Array;
+  surfacesMeet: Uint8Array;
+  why: Uint8Array;
+  coverage: Uint8Array;
+  cost: Cost;
+}
+/** The relation of two closed bodies. Throws kind 'not_closed' for others. */
+export function solid(a: Placed, b: Placed, options?: TimeOptions): Solid;
+export function solidBatch(mover: Shape, poses: PosesLike, fixed: Placed, options?: TimeOptions): SolidBatch;
+
+export interface Closest {
+  lower: number;
+  upper: number;
+  triangle: number | null;
+  point: Float64Array;
+  feature: Feature;
+  farther: boolean;
+  coverage: Coverage;
+  cost: Cost;
+}
+export interface ClosestBatch {
+  lower: Float64Array;
+  upper: Float64Array;
+  /** -1 for none. */
+  triangle: Int32Array;
+  /** n x 3. */
+  point: Float64Array;
+  feature: Uint8Array;
+  farther: Uint8Array;
+  coverage: Uint8Array;
+  cost: Cost;
+}
+/** The point of a surface that is nearest to a point. */
+export function closest(body: Placed, point: PointLike, options?: DistanceOptions): Closest;
+export function closestBatch(body: Placed, points: PointsLike, options?: DistanceOptions): ClosestBatch;
+/** The same, and on which side of a closed body the point is. */
+export function signedClosest(body: Placed, point: PointLike, options?: DistanceOptions): Closest & { side: Side };
+export function signedClosestBatch(body: Placed, points: PointsLike,
+                                   options?: DistanceOptions): ClosestBatch & { side: Uint8Array };
+
+/** Rows of triangles, one row a point, nearest first. */
+export interface TriangleRows {
+  /** n + 1. */
+  offsets: Uint32Array;
+  triangle: Uint32Array;
+  lower: Float64Array;
+  upper: Float64Array;
+  coverage: Uint8Array;
+  cost: Cost;
+}
+export function nearestTriangles(body: Placed, points: PointsLike, count: number,
+                                 options?: DistanceOptions): TriangleRows;
+export function nearTriangles(body: Placed, points: PointsLike, radius: number, options?: TimeOptions): TriangleRows;
+
+/** On which side of a closed body a point is, decided exactly. */
+export function contains(body: Placed, point: PointLike,
+                         options?: TimeOptions): { side: Side; coverage: Coverage; cost: Cost };
+export function containsBatch(body: Placed, points: PointsLike,
+                              options?: TimeOptions): { side: Uint8Array; coverage: Coverage; cost: Cost };
+
+/** What `winding` knows of a body. */
+export class WindingIndex extends Handle {
+  constructor(body: Placed);
+}
+export interface WindingOptions extends TimeOptions {
+  /** By how much far triangles may widen the bracket; 1e-9 by default. */
+  width?: number;
+}
+/** The winding number of a point: also of surfaces that are not closed. */
+export function winding(index: WindingIndex, point: PointLike, options?: WindingOptions):
+    { side: Side; lower: number; upper: number; coverage: Coverage; cost: Cost };
+export function windingBatch(index: WindingIndex, points: PointsLike, options?: WindingOptions):
+    { side: Uint8Array; lower: Float64Array; upper: Float64Array; coverage: Uint8Array; cost: Cost };
+
+export interface RayOptions extends TimeOptions {
+  /** A triangle that takes no part. */
+  skip?: number;
+}
+export interface ClosestHit {
+  /** The least t is between these; both infinite where nothing is hit. */
+  lower: number;
+  upper: number;
+  triangle: number | null;
+  point: Float64Array;
+  front: boolean;
+  coverage: Coverage;
+  cost: Cost;
+}
+export interface ClosestHitBatch {
+  lower: Float64Array;
+  upper: Float64Array;
+  /** -1 for none. */
+  triangle: Int32Array;
+  /** n x 3. */
+  point: Float64Array;
+  front: Uint8Array;
+  coverage: Uint8Array;
+  cost: Cost;
+}
+/** Where a ray, or a segment, first meets a surface. */
+export function closestHit(body: Placed, ray: RayLike | SegmentLike, options?: RayOptions): ClosestHit;
+export function closestHitBatch(body: Placed, rays: LinesLike, options?: RayOptions): ClosestHitBatch;
+export function anyHit(body: Placed, ray: RayLike | SegmentLike,
+                       options?: RayOptions): { hit: boolean; coverage: Coverage; cost: Cost };
+export function anyHitBatch(body: Placed, rays: LinesLike,
+                            options?: RayOptions): { hit: Uint8Array; coverage: Uint8Array; cost: Cost };
+/** Rows of crossings, one row a ray, in the order of t; and rows of triangles, one row a crossing. */
+export interface AllHits {
+  offsets: Uint32Array;
+  lower: Float64Array;
+  upper: Float64Array;
+  kind: Uint8Array;
+  triangleOffsets: Uint32Array;
+  triangle: Uint32Array;
+  coverage: Uint8Array;
+  cost: Cost;
+}
+export function allHits(body: Placed, rays: LinesLike, options?: RayOptions): AllHits;

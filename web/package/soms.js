@@ -1,0 +1,18 @@
+// soms: exact, fast answers to which triangles touch.
+import { query } from './module.js';
+
+export { NAMES } from './answers.js';
+export { SomsError } from './errors.js';
+export { Body, Mesh, Shape, readMesh } from './meshes.js';
+export { load, memoryInUse, memorySize } from './module.js';
+export { distance, distanceBatch, overlap, overlapBatch, solid, solidBatch, within, withinBatch } from './pairs.js';
+export {
+  WindingIndex, closest, closestBatch, contains, containsBatch, nearTriangles, nearestTriangles, signedClosest,
+  signedClosestBatch, winding, windingBatch,
+} from './points.js';
+export { allHits, anyHit, anyHitBatch, closestHit, closestHitBatch } from './rays.js';
+
+/** What queries run on: 'simd128' or 'scalar'. */
+export function instructionSet() {
+  return new TextDecoder().decode(query('soms_instruction_set')[0]);
+}

@@ -1,0 +1,13 @@
+// What a worker offers by the same names as soms.js.
+export const QUERIES = Object.freeze([
+  'allHits', 'anyHit', 'anyHitBatch', 'closest', 'closestBatch', 'closestHit', 'closestHitBatch', 'contains',
+  'containsBatch', 'distance', 'distanceBatch', 'instructionSet', 'memoryInUse', 'memorySize', 'nearTriangles', 'nearestTriangles',
+  'overlap', 'overlapBatch', 'signedClosest', 'signedClosestBatch', 'solid', 'solidBatch', 'winding', 'windingBatch',
+  'within', 'withinBatch',
+]);
+
+/** What makes a handle: the method of the worker, and what it returns. */
+export const MAKERS = Object.freeze({ mesh: 'Mesh', shape: 'Shape', windingIndex: 'WindingIndex', readMesh: 'Mesh' });
+
+/** Methods of handles. */
+export const METHODS = Object.freeze({ Mesh: ['read'], Shape: ['bounds', 'memory'], WindingIndex: [] });
