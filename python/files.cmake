@@ -40,3 +40,4 @@ set(SOMS_PYTHON_FILES
   src/winding.cpp
   src/within.cpp
 )
+set(SOMS_PYTHON_TWIN bench/twin.cpp)

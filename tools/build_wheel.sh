@@ -8,7 +8,7 @@ root=$(CDPATH= cd -- "$(dirname -- "$0")/.." && pwd)
 python=${PYTHON:-}
 for candidate in python3 /usr/bin/python3; do
   [ -z "$python" ] || break
-  "$candidate" -c 'import numpy, pip, setuptools, wheel' 2>/dev/null && python=$candidate
+  "$candidate" -c 'import setuptools, wheel, pip, numpy' 2>/dev/null && python=$candidate
 done
 [ -n "$python" ] || { echo "no python3 has numpy, pip, setuptools and wheel" >&2; exit 1; }
 

@@ -11,43 +11,75 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace soms::python {
 
 namespace {
 
+/// What `generate` takes beside a name; 0 triangles are the usual number.
+struct Wanted {
+  std::uint64_t triangles = 0;
+  CityOptions city;
+};
+
+/// A model by its name.
+struct Generator {
+  std::string_view name;
+  Mesh (*make)(const Wanted& wanted, const Parallel& parallel);
+};
+
+std::uint64_t or_usual(std::uint64_t triangles) {
+  constexpr std::uint64_t kUsual = 2000;
+  return triangles == 0 ? kUsual : triangles;
+}
+
+Mesh make_city(const Wanted& wanted, const Parallel& parallel) {
+  CityOptions options = wanted.city;
+  if (wanted.triangles != 0) {
+    options.triangles = wanted.triangles;
+  }
+  return generate_city(options, parallel).mesh;
+}
+
+Mesh make_teapot(const Wanted& wanted, const Parallel&) {
+  Mesh teapot = generate_teapot();
+  if (wanted.triangles != 0 && wanted.triangles != teapot.triangles.size()) {
+    throw usage("triangles: " + std::to_string(wanted.triangles) + " for a teapot",
+                "give " + std::to_string(teapot.triangles.size()) + ", or 0");
+  }
+  return teapot;
+}
+
+constexpr Generator kGenerators[] = {
+    {"city", &make_city},
+    {"car",
+     [](const Wanted& w, const Parallel&) { return generate_mover(MoverKind::car, w.triangles); }},
+    {"person", [](const Wanted& w,
+                  const Parallel&) { return generate_mover(MoverKind::person, w.triangles); }},
+    {"drone", [](const Wanted& w,
+                 const Parallel&) { return generate_mover(MoverKind::drone, w.triangles); }},
+    {"knot", [](const Wanted& w, const Parallel&) { return generate_knot(or_usual(w.triangles)); }},
+    {"sphere",
+     [](const Wanted& w, const Parallel&) { return generate_sphere(or_usual(w.triangles)); }},
+    {"statue",
+     [](const Wanted& w, const Parallel&) { return generate_statue(or_usual(w.triangles)); }},
+    {"teapot", &make_teapot},
+};
+
 std::shared_ptr<Mesh> generate(const std::string& what, std::uint64_t triangles, std::uint64_t seed,
                                double size) {
-  return run(Work::many, 1, py::none(), [&](const Parallel& parallel) {
-    if (what == "city") {
-      CityOptions options{.size = size, .seed = seed};
-      if (triangles != 0) {
-        options.triangles = triangles;
-      }
-      return std::make_shared<Mesh>(generate_city(options, parallel).mesh);
+  const Wanted wanted{.triangles = triangles, .city = {.size = size, .seed = seed}};
+  std::string names;
+  for (const Generator& generator : kGenerators) {
+    if (generator.name == what) {
+      return run(Work::many, 1, py::none(), [&](const Parallel& parallel) {
+        return std::make_shared<Mesh>(generator.make(wanted, parallel));
+      });
     }
-    for (const MoverKind kind : {MoverKind::car, MoverKind::person, MoverKind::drone}) {
-      if (what == name(kind)) {
-        return std::make_shared<Mesh>(generate_mover(kind, triangles));
-      }
-    }
-    constexpr std::uint64_t kUsual = 2000;
-    const std::uint64_t count = triangles == 0 ? kUsual : triangles;
-    if (what == "knot") {
-      return std::make_shared<Mesh>(generate_knot(count));
-    }
-    if (what == "sphere") {
-      return std::make_shared<Mesh>(generate_sphere(count));
-    }
-    if (what == "statue") {
-      return std::make_shared<Mesh>(generate_statue(count));
-    }
-    if (what == "teapot" && triangles == 0) {
-      return std::make_shared<Mesh>(generate_teapot());
-    }
-    throw usage("what: \"" + what + "\"" + (what == "teapot" ? " has 6320 triangles" : ""),
-                "give city, car, person, drone, knot, sphere, statue or teapot");
-  });
+    names += (names.empty() ? "" : ", ") + std::string(generator.name);
+  }
+  throw usage("what: \"" + what + "\"", "give one of " + names);
 }
 
 }  // namespace
