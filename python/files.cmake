@@ -18,6 +18,8 @@ set(SOMS_PYTHON_FILES
   src/errors.cpp
   src/errors.h
   src/files.cpp
+  src/function.cpp
+  src/function.h
   src/generated.cpp
   src/meshes.cpp
   src/module.cpp

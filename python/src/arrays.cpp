@@ -1,12 +1,14 @@
 #include "python/src/arrays.h"
 
 #include <cstddef>
+#include <new>
+#include <type_traits>
 
 namespace soms::python {
 
 namespace {
 
-static_assert(sizeof(Vec3) == 3 * sizeof(double));
+static_assert(sizeof(Vec3) == 3 * sizeof(double) && std::is_trivially_copyable_v<Vec3>);
 static_assert(sizeof(TrianglePair) == 2 * sizeof(TriangleId));
 static_assert(sizeof(std::array<std::uint32_t, 3>) == 3 * sizeof(std::uint32_t));
 
@@ -99,12 +101,8 @@ std::vector<Vec3> points_of(py::handle given, const char* what) {
   if (numbers.ndim() != 2 || numbers.shape(1) != 3) {
     refuse_shape(numbers, what, "shape (n, 3)");
   }
-  std::vector<Vec3> points(static_cast<std::size_t>(numbers.shape(0)));
-  const double* from = numbers.data();
-  for (Vec3& point : points) {
-    point = {from[0], from[1], from[2]};
-    from += 3;
-  }
+  const auto* const first = std::launder(reinterpret_cast<const Vec3*>(numbers.data()));
+  std::vector<Vec3> points(first, first + numbers.shape(0));
   return points;
 }
 

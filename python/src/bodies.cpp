@@ -42,8 +42,8 @@ Shape shape_of(py::handle given, const char* what, int threads) {
 BodyArgument::BodyArgument(py::handle given, const char* what, int threads)
     : body_(inside<Body>(given)) {
   if (body_ == nullptr) {
-    made_ = Body(shape_of(given, what, threads));
-    body_ = &made_;
+    made_.emplace(shape_of(given, what, threads));
+    body_ = &*made_;
   }
 }
 

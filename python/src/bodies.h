@@ -10,6 +10,7 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <optional>
 
 namespace soms::python {
 
@@ -42,7 +43,7 @@ class BodyArgument {
   [[nodiscard]] const Body& get() const { return *body_; }
 
  private:
-  Body made_;
+  std::optional<Body> made_;
   const Body* body_;  ///< kept by the caller's arguments, or `made_`
 };
 

@@ -7,6 +7,7 @@
 #include "python/src/bind.h"
 #include "python/src/bodies.h"
 #include "python/src/closest_fields.h"
+#include "python/src/function.h"
 #include "python/src/point_query.h"
 
 #include <optional>
@@ -119,9 +120,9 @@ void bind_closest(py::module_& module) {
   closest_columns(batch);
   bind_signed(module);
   bind_near(module);
-  module.def("closest", &query_closest, py::arg("body"), py::arg("points"), py::kw_only(),
-             py::arg("at_most") = ClosestOptions{}.at_most, py::arg("seconds") = py::none(),
-             py::arg("threads") = 1, py::arg("progress") = py::none(), kClosestDoc);
+  def_function(
+      module, "closest", &query_closest, kClosestDoc,
+      with_limits({{"body"}, {"points"}, {"at_most", py::float_(ClosestOptions{}.at_most), true}}));
   module.def("nearest_triangles", &nearest, py::arg("body"), py::arg("points"), py::arg("count"),
              py::kw_only(), py::arg("at_most") = ClosestOptions{}.at_most,
              py::arg("seconds") = py::none(), py::arg("threads") = 1,

@@ -6,6 +6,7 @@
 #include "python/src/answer.h"
 #include "python/src/bind.h"
 #include "python/src/bodies.h"
+#include "python/src/function.h"
 #include "python/src/point_query.h"
 #include "python/src/poses.h"
 
@@ -161,9 +162,8 @@ void bind_contains(py::module_& module) {
   bind_parted_body(module);
   bind_point_answers(module);
   bind_part_answers(module);
-  module.def("contains", &query_contains, py::arg("body"), py::arg("points"), py::kw_only(),
-             py::arg("seconds") = py::none(), py::arg("threads") = 1,
-             py::arg("progress") = py::none(), kContainsDoc);
+  def_function(module, "contains", &query_contains, kContainsDoc,
+               with_limits({{"body"}, {"points"}}));
 }
 
 }  // namespace soms::python

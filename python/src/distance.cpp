@@ -4,6 +4,7 @@
 
 #include "python/src/answer.h"
 #include "python/src/bind.h"
+#include "python/src/function.h"
 #include "python/src/pose_query.h"
 
 #include <optional>
@@ -64,10 +65,11 @@ void bind_distance(py::module_& module) {
       .column("costs", &DistanceBatch::costs, "(n,) node_tests, triangle_tests, exact_tests.")
       .field("cost", &DistanceBatch::cost, "Cost of all poses together.")
       .entries();
-  module.def("distance", &query_distance, py::arg("a"), py::arg("b"), py::arg("poses") = py::none(),
-             py::kw_only(), py::arg("at_most") = DistanceOptions{}.at_most,
-             py::arg("seconds") = py::none(), py::arg("threads") = 1,
-             py::arg("progress") = py::none(), kDistanceDoc);
+  def_function(module, "distance", &query_distance, kDistanceDoc,
+               with_limits({{"a"},
+                            {"b"},
+                            {"poses", py::none()},
+                            {"at_most", py::float_(DistanceOptions{}.at_most), true}}));
 }
 
 }  // namespace soms::python

@@ -10,13 +10,6 @@ namespace {
 /// soms.Error, never given back: modules are not unloaded.
 PyObject* error_class = nullptr;
 
-void set_error(const Error& error) {
-  const std::string kind(name(error.kind()));
-  const py::object made =
-      py::reinterpret_borrow<py::object>(error_class)(kind, error.place(), error.remedy());
-  PyErr_SetObject(error_class, made.ptr());
-}
-
 void translate(std::exception_ptr thrown) {
   try {
     std::rethrow_exception(thrown);
@@ -26,6 +19,13 @@ void translate(std::exception_ptr thrown) {
 }
 
 }  // namespace
+
+void set_error(const Error& error) {
+  const std::string kind(name(error.kind()));
+  const py::object made =
+      py::reinterpret_borrow<py::object>(error_class)(kind, error.place(), error.remedy());
+  PyErr_SetObject(error_class, made.ptr());
+}
 
 void translate_errors() {
   error_class = py::object(py::module_::import("soms._error").attr("Error")).release().ptr();

@@ -17,6 +17,9 @@ namespace py = pybind11;
   return {ErrorKind::usage, std::move(place), std::move(remedy)};
 }
 
+/// Raises it as soms.Error.
+void set_error(const Error& error);
+
 /// Makes soms::Error arrive as soms.Error.
 void translate_errors();
 

@@ -5,6 +5,7 @@
 #include "python/src/answer.h"
 #include "python/src/bind.h"
 #include "python/src/call.h"
+#include "python/src/function.h"
 #include "python/src/pose_query.h"
 
 #include <cstdint>
@@ -64,10 +65,12 @@ void bind_overlap(py::module_& module) {
       .column("costs", &OverlapBatch::costs, "(n,) node_tests, triangle_tests, exact_tests.")
       .field("cost", &OverlapBatch::cost, "Cost of all poses together.")
       .entries();
-  module.def("overlap", &query_overlap, py::arg("a"), py::arg("b"), py::arg("poses") = py::none(),
-             py::kw_only(), py::arg("mode") = "all", py::arg("limit") = py::none(),
-             py::arg("seconds") = py::none(), py::arg("threads") = 1,
-             py::arg("progress") = py::none(), kOverlapDoc);
+  def_function(module, "overlap", &query_overlap, kOverlapDoc,
+               with_limits({{"a"},
+                            {"b"},
+                            {"poses", py::none()},
+                            {"mode", py::str("all"), true},
+                            {"limit", py::none(), true}}));
 }
 
 }  // namespace soms::python

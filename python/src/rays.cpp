@@ -6,6 +6,7 @@
 #include "python/src/bodies.h"
 #include "python/src/call.h"
 #include "python/src/closest_fields.h"
+#include "python/src/function.h"
 #include "python/src/ray_arguments.h"
 
 #include <optional>
@@ -41,22 +42,24 @@ void def_rays(py::module_& module, const char* name, const Query& query, const c
                           "(body, origins, directions=None, *, ends=None, lengths=inf, skip=None, "
                           "seconds=None, threads=1, progress=None)\n\n" +
                           what + kRaysDoc;
-  module.def(
-      name,
-      [query](const py::object& body, const py::object& origins, const py::object& directions,
-              const py::object& ends, const py::object& lengths, const py::object& skip,
-              std::optional<double> seconds, int threads, const py::object& progress) {
-        const BodyArgument surface(body, "body", threads);
-        const RayOptions options = ray_options(skip, seconds);
-        return answer_rays(rays_of(origins, directions, ends, lengths), threads, progress,
-                           [&](const auto& lines, const auto&... parallel) {
-                             return query(surface.get(), lines, options, parallel...);
-                           });
-      },
-      py::arg("body"), py::arg("origins"), py::arg("directions") = py::none(), py::kw_only(),
-      py::arg("ends") = py::none(), py::arg("lengths") = Ray{}.length, py::arg("skip") = py::none(),
-      py::arg("seconds") = py::none(), py::arg("threads") = 1, py::arg("progress") = py::none(),
-      doc.c_str());
+  const auto ask = [query](const py::object& body, const py::object& origins,
+                           const py::object& directions, const py::object& ends,
+                           const py::object& lengths, const py::object& skip,
+                           std::optional<double> seconds, int threads, const py::object& progress) {
+    const BodyArgument surface(body, "body", threads);
+    const RayOptions options = ray_options(skip, seconds);
+    return answer_rays(rays_of(origins, directions, ends, lengths), threads, progress,
+                       [&](const auto& lines, const auto&... parallel) {
+                         return query(surface.get(), lines, options, parallel...);
+                       });
+  };
+  def_function(module, name, ask, doc,
+               with_limits({{"body"},
+                            {"origins"},
+                            {"directions", py::none()},
+                            {"ends", py::none(), true},
+                            {"lengths", py::float_(Ray{}.length), true},
+                            {"skip", py::none(), true}}));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "python/src/answer.h"
 #include "python/src/bind.h"
+#include "python/src/function.h"
 #include "python/src/point_query.h"
 #include "python/src/pose_query.h"
 
@@ -100,9 +101,8 @@ void bind_solid(py::module_& module) {
       .column("costs", &SolidBatch::costs, "(n,) node_tests, triangle_tests, exact_tests.")
       .field("cost", &SolidBatch::cost, "Cost of all poses together.")
       .entries();
-  module.def("solid", &query_solid, py::arg("a"), py::arg("b"), py::arg("poses") = py::none(),
-             py::kw_only(), py::arg("seconds") = py::none(), py::arg("threads") = 1,
-             py::arg("progress") = py::none(), kSolidDoc);
+  def_function(module, "solid", &query_solid, kSolidDoc,
+               with_limits({{"a"}, {"b"}, {"poses", py::none()}}));
 }
 
 }  // namespace soms::python

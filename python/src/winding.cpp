@@ -5,6 +5,7 @@
 #include "python/src/answer.h"
 #include "python/src/bind.h"
 #include "python/src/bodies.h"
+#include "python/src/function.h"
 #include "python/src/point_query.h"
 
 #include <optional>
@@ -93,9 +94,9 @@ void bind_winding(py::module_& module) {
       .field("coverage", &WindingBatch::coverage, "Coverage: cut if that of a point is.")
       .field("cost", &WindingBatch::cost, "Cost of all points together.")
       .entries();
-  module.def("winding", &query_winding, py::arg("index"), py::arg("points"), py::kw_only(),
-             py::arg("width") = WindingOptions{}.width, py::arg("seconds") = py::none(),
-             py::arg("threads") = 1, py::arg("progress") = py::none(), kWindingDoc);
+  def_function(
+      module, "winding", &query_winding, kWindingDoc,
+      with_limits({{"index"}, {"points"}, {"width", py::float_(WindingOptions{}.width), true}}));
 }
 
 }  // namespace soms::python

@@ -4,6 +4,7 @@
 
 #include "python/src/answer.h"
 #include "python/src/bind.h"
+#include "python/src/function.h"
 #include "python/src/pose_query.h"
 
 #include <optional>
@@ -54,9 +55,8 @@ void bind_within(py::module_& module) {
       .column("costs", &WithinBatch::costs, "(n,) node_tests, triangle_tests, exact_tests.")
       .field("cost", &WithinBatch::cost, "Cost of all poses together.")
       .entries();
-  module.def("within", &query_within, py::arg("a"), py::arg("b"), py::arg("clearance"),
-             py::arg("poses") = py::none(), py::kw_only(), py::arg("seconds") = py::none(),
-             py::arg("threads") = 1, py::arg("progress") = py::none(), kWithinDoc);
+  def_function(module, "within", &query_within, kWithinDoc,
+               with_limits({{"a"}, {"b"}, {"clearance"}, {"poses", py::none()}}));
 }
 
 }  // namespace soms::python
