@@ -14,8 +14,8 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
-#include <span>
 #include <string>
+#include <vector>
 
 namespace soms::python {
 
@@ -48,25 +48,45 @@ Poses of a CSV file with a header, or of a NumPy array file: (n, 3, 4) float64.
 
 Raises Error of kind cannot_open, bad_file, not_finite, not_rigid; names file and line, or row.)";
 
+/// A path as open() takes it. Raises TypeError for anything else.
+std::filesystem::path path_of(const py::object& given) {
+  const py::object text = py::reinterpret_steal<py::object>(PyOS_FSPath(given.ptr()));
+  if (!text) {
+    throw py::error_already_set();
+  }
+  return text.cast<std::filesystem::path>();
+}
+
+/// The bytes of an object that has them, a copy: another thread may change them.
+std::vector<std::byte> bytes_of(const py::object& given) {
+  Py_buffer view{};
+  if (PyObject_GetBuffer(given.ptr(), &view, PyBUF_SIMPLE) != 0) {
+    throw py::error_already_set();
+  }
+  const auto* const first = static_cast<const std::byte*>(view.buf);
+  std::vector<std::byte> bytes(first, first + view.len);
+  PyBuffer_Release(&view);
+  return bytes;
+}
+
 std::shared_ptr<Mesh> read(const py::object& file, const std::string& name, bool strict,
                            bool allow_empty, std::uint64_t max_memory, const py::object& progress) {
   const ReadOptions options{.allow_empty = allow_empty, .max_memory = max_memory, .strict = strict};
   if (PyObject_CheckBuffer(file.ptr()) != 0) {
-    const py::buffer_info bytes = py::reinterpret_borrow<py::buffer>(file).request();
-    const std::span all(static_cast<const std::byte*>(bytes.ptr),
-                        static_cast<std::size_t>(bytes.size * bytes.itemsize));
+    const std::vector<std::byte> bytes = bytes_of(file);
     return run(Work::many, 1, progress, [&](const Parallel& parallel) {
       return std::make_shared<Mesh>(
-          read_mesh(all, name.empty() ? "bytes" : name, options, parallel));
+          read_mesh(bytes, name.empty() ? "bytes" : name, options, parallel));
     });
   }
-  const auto path = file.cast<std::filesystem::path>();
+  const std::filesystem::path path = path_of(file);
   return run(Work::many, 1, progress, [&](const Parallel& parallel) {
     return std::make_shared<Mesh>(read_mesh(path, options, parallel));
   });
 }
 
-void write(const std::filesystem::path& path, const py::object& given, const py::object& format) {
+void write(const py::object& place, const py::object& given, const py::object& format) {
+  const std::filesystem::path path = path_of(place);
   const auto mesh = mesh_of(given, "mesh");
   const MeshFormat chosen =
       format.is_none() ? format_for(path) : enum_of<MeshFormat>(format, "format");
@@ -76,7 +96,8 @@ void write(const std::filesystem::path& path, const py::object& given, const py:
   });
 }
 
-py::array read_all_poses(const std::filesystem::path& path) {
+py::array read_all_poses(const py::object& file) {
+  const std::filesystem::path path = path_of(file);
   auto* const poses =
       new std::vector<Pose>(run(Work::many, 1, py::none(), [&](const Parallel& parallel) {
         return read_poses(path, parallel);

@@ -62,28 +62,29 @@ template <class T>
 
 namespace detail {
 
-template <class Result, class... Arguments, std::size_t... I>
-void def_typed(py::module_& module, const char* name, std::function<Result(Arguments...)> function,
-               std::string doc, Parameters parameters, std::index_sequence<I...>) {
+template <class... Arguments, std::size_t... I>
+void def_typed(py::module_& module, const char* name,
+               std::function<py::object(Arguments...)> function, std::string doc,
+               Parameters parameters, std::index_sequence<I...>) {
   static_assert(sizeof...(Arguments) <= kMostParameters);
   const std::array<const char*, sizeof...(Arguments)> names{parameters.at(I).name...};
   add_function(module, name, std::move(doc), std::move(parameters),
                [name, names, function = std::move(function)](const Passed& passed) {
-                 return py::object(py::cast(
-                     function(argument<std::decay_t<Arguments>>(name, names[I], passed[I])...)));
+                 return function(argument<std::decay_t<Arguments>>(name, names[I], passed[I])...);
                });
 }
 
-template <class Result, class... Arguments>
-void def_typed(py::module_& module, const char* name, std::function<Result(Arguments...)> function,
-               std::string doc, Parameters parameters) {
+template <class... Arguments>
+void def_typed(py::module_& module, const char* name,
+               std::function<py::object(Arguments...)> function, std::string doc,
+               Parameters parameters) {
   def_typed(module, name, std::move(function), std::move(doc), std::move(parameters),
             std::index_sequence_for<Arguments...>());
 }
 
 }  // namespace detail
 
-/// Adds a function of C++, whose arguments the parameters are.
+/// Adds a function of C++ that returns a py::object, whose arguments the parameters are.
 template <class Function>
 void def_function(py::module_& module, const char* name, const Function& function, std::string doc,
                   Parameters parameters) {

@@ -71,6 +71,18 @@ class Errors(unittest.TestCase):
         with self.fails("out_of_range", "2^53"):
             soms.Mesh(np.full((3, 3), 2**60), [[0, 1, 2]])
 
+    def test_calls(self):
+        mesh = tetrahedron()
+        for wrong in (lambda: soms.overlap(mesh), lambda: soms.overlap(mesh, mesh, mood="any"),
+                      lambda: soms.overlap(mesh, mesh, None, "any"),
+                      lambda: soms.overlap(mesh, mesh, a=mesh),
+                      lambda: soms.overlap(mesh, mesh, threads=1.5),
+                      lambda: soms.distance(mesh, mesh, at_most="far"), lambda: soms.read_mesh(7)):
+            with self.assertRaises(TypeError):
+                wrong()
+        options = {"".join(("mo", "de")): "any"}  # a name that is not interned
+        self.assertTrue(soms.overlap(mesh, b=mesh, **options))
+
     def test_indices_never_wrap(self):
         with self.fails("out_of_range", "-1", "row 2"):
             soms.Mesh(TETRAHEDRON, [[0, 1, 2], [0, 1, 3], [0, 1, -1]])
