@@ -23,6 +23,7 @@ set(SOMS_PYTHON_FILES
   src/generated.cpp
   src/meshes.cpp
   src/module.cpp
+  src/objects.h
   src/overlap.cpp
   src/point_query.h
   src/pose_class.cpp

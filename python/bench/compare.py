@@ -17,10 +17,9 @@ import soms
 def places(count):
     """As of twin.cpp, bit by bit."""
     i = np.arange(count)
-    poses = np.tile(np.eye(4)[:3], (count, 1, 1))
+    poses = np.tile([[0.6, -0.8, 0, 0], [0.8, 0.6, 0, 0], [0, 0, 1, 0.25]], (count, 1, 1))
     poses[:, 0, 3] = (i % 1000) * 2.0 - 1000
     poses[:, 1, 3] = (i // 1000 % 1000) * 2.0 - 1000
-    poses[:, 2, 3] = 0.25
     return poses
 
 
@@ -38,7 +37,7 @@ def ours(city, car, poses, calls):
 def main():
     twin, numbers = sys.argv[1], [int(word) for word in sys.argv[2:]]
     count, calls, turns = (*numbers, *(1_000_000, 200_000, 5)[len(numbers):])
-    city = soms.Body(soms.generate("city", 100_000))
+    city = soms.Body(soms.generate("city"))
     car = soms.Shape(soms.generate("car"))
     poses = places(count)
     rows = []

@@ -23,7 +23,7 @@ std::vector<soms::Pose> places(std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto k = static_cast<double>(i % 1000);
     const auto l = static_cast<double>(i / 1000 % 1000);
-    poses[i] = soms::Pose::translation(k * 2 - 1000, l * 2 - 1000, 0.25);
+    poses[i] = {{0.6, -0.8, 0, k * 2 - 1000, 0.8, 0.6, 0, l * 2 - 1000, 0, 0, 1, 0.25}};
   }
   return poses;
 }
@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
   }
   const auto count = static_cast<std::size_t>(std::atoll(argv[1]));
   const auto calls = static_cast<std::size_t>(std::atoll(argv[2]));
-  const soms::Body city(soms::Shape(soms::generate_city({.triangles = 100'000}).mesh));
+  const soms::Body city(soms::Shape(soms::generate_city({.triangles = 1'000'000}).mesh));
   const soms::Shape car(soms::generate_mover(soms::MoverKind::car));
   const std::vector<soms::Pose> poses = places(count);
   const soms::OverlapOptions any{.mode = soms::OverlapMode::any};

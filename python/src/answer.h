@@ -10,9 +10,11 @@
 
 #include <pybind11/pybind11.h>
 
+#include <functional>
 #include <sstream>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace soms::python {
@@ -47,6 +49,12 @@ template <class T>
   }
 }
 
+/// What a property of an object is.
+using Getter = std::function<py::object(const py::object& self)>;
+
+/// Adds a property to a class. All have one type in C++: pybind11 would make code for each.
+void def_property(py::object of_class, const char* name, Getter get, const char* doc);
+
 /// Binds an answer: T must print and compare.
 template <class T, class... Bases>
 class AnswerClass : public py::class_<T, Bases...> {
@@ -65,16 +73,24 @@ class AnswerClass : public py::class_<T, Bases...> {
   /// A field of a single answer.
   template <class C, class V>
   AnswerClass& field(const char* name, V C::*place, const char* doc) {
-    this->def_property_readonly(
-        name, [place](const T& answer) { return to_python(answer.*place); }, doc);
-    return *this;
+    return property(
+        name, [place](const py::object& self) { return to_python(of(self).*place); }, doc);
   }
 
   /// What a function says of an answer.
   template <class F>
   AnswerClass& derived(const char* name, F function, const char* doc) {
-    this->def_property_readonly(name, function, doc);
-    return *this;
+    return property(
+        name,
+        [function](const py::object& self) -> py::object {
+          using Result = std::invoke_result_t<F, const T&>;
+          if constexpr (std::is_base_of_v<py::handle, Result>) {
+            return py::object(std::invoke(function, of(self)));
+          } else {
+            return py::object(py::cast(std::invoke(function, of(self))));
+          }
+        },
+        doc);
   }
 
   /// The flag that an answer is about, which is also its truth. \errors ErrorKind::timed_out where
@@ -96,11 +112,8 @@ class AnswerClass : public py::class_<T, Bases...> {
   /// A column of a batch: a view that cannot be written, or a copy where some entries are missing.
   template <class C, class V>
   AnswerClass& column(const char* name, std::vector<V> C::*place, const char* doc) {
-    this->def_property_readonly(
-        name,
-        [place](const py::object& self) { return column_of(self.cast<const T&>().*place, self); },
-        doc);
-    return *this;
+    return property(
+        name, [place](const py::object& self) { return column_of(of(self).*place, self); }, doc);
   }
 
   /// Rows of any length: `of(i)` is that part of the column `name` which belongs to row i.
@@ -111,7 +124,7 @@ class AnswerClass : public py::class_<T, Bases...> {
     this->def(
         "of",
         [offsets, values](const py::object& self, std::size_t row) -> py::object {
-          const T& answer = self.cast<const T&>();
+          const T& answer = of(self);
           const auto& ends = answer.*offsets;
           if (row + 1 >= ends.size()) {
             throw py::index_error("row " + std::to_string(row) + " of " +
@@ -139,6 +152,14 @@ class AnswerClass : public py::class_<T, Bases...> {
           },
           py::arg("entry"), "at(entry)\n\nThe answer of a single query.");
     }
+    return *this;
+  }
+
+ private:
+  static const T& of(const py::object& self) { return self.cast<const T&>(); }
+
+  AnswerClass& property(const char* name, Getter get, const char* doc) {
+    def_property(*this, name, std::move(get), doc);
     return *this;
   }
 };

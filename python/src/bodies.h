@@ -6,6 +6,7 @@
 #include "soms/query/body.h"
 
 #include "python/src/errors.h"
+#include "python/src/objects.h"
 
 #include <pybind11/pybind11.h>
 
@@ -13,13 +14,6 @@
 #include <optional>
 
 namespace soms::python {
-
-/// The object of C++ in one of Python, or null if it is no T.
-template <class T>
-[[nodiscard]] const T* inside(py::handle given) {
-  py::detail::make_caster<T> caster;
-  return caster.load(given, false) ? static_cast<const T*>(caster) : nullptr;
-}
 
 /// A mesh of arrays, checked. \shape `vertices` (n, 3), `triangles` (m, 3).
 /// \errors ErrorKind::usage, out_of_range, not_finite.

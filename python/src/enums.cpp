@@ -20,12 +20,13 @@ namespace {
 
 template <class E>
 void load(const py::module_& enums, const char* name) {
-  auto* const found = new EnumMembers{name, {}, {}};  // for as long as the process lives
+  auto* const found = new EnumMembers{name, {}, {}, {}};  // for as long as the process lives
   for (const py::handle& one : enums.attr(name)) {
     if (one.cast<std::size_t>() != found->members.size()) {
       throw py::value_error(std::string(name) + " does not count from 0");
     }
     found->words.push_back(one.attr("name").cast<std::string>());
+    found->names.push_back(PyUnicode_InternFromString(found->words.back().c_str()));
     found->members.push_back(py::reinterpret_borrow<py::object>(one).release().ptr());
   }
   enum_members<E> = found;
@@ -55,7 +56,7 @@ void load_enums() {
 
 std::size_t enum_value(py::handle given, const EnumMembers& members, const char* what) {
   for (std::size_t i = 0; i < members.members.size(); ++i) {
-    if (given.ptr() == members.members[i]) {
+    if (given.ptr() == members.members[i] || given.ptr() == members.names[i]) {
       return i;
     }
   }

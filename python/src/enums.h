@@ -16,6 +16,7 @@ namespace soms::python {
 struct EnumMembers {
   std::string name;
   std::vector<std::string> words;
+  std::vector<PyObject*> names;    ///< interned strings of the words; never given back
   std::vector<PyObject*> members;  ///< never given back
 };
 

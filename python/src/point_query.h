@@ -4,6 +4,7 @@
 
 #include "python/src/arrays.h"
 #include "python/src/call.h"
+#include "python/src/objects.h"
 
 #include <pybind11/pybind11.h>
 
@@ -19,11 +20,11 @@ py::object answer_points(const py::object& points, int threads, const py::object
   const Doubles numbers = doubles_of(points, "points");
   if (is_point(numbers)) {
     const Vec3 point = point_of(numbers, "points");
-    return py::cast(run(Work::one, threads, progress,
-                        [&](const Parallel& parallel) { return query(parallel, point); }));
+    return made(run(Work::one, threads, progress,
+                    [&](const Parallel& parallel) { return query(parallel, point); }));
   }
   const std::vector<Vec3> places = points_of(numbers, "points");
-  return py::cast(run(Work::many, threads, progress, [&](const Parallel& parallel) {
+  return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
     return query(parallel, std::span<const Vec3>(places));
   }));
 }

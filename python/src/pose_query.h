@@ -4,6 +4,7 @@
 
 #include "python/src/bodies.h"
 #include "python/src/call.h"
+#include "python/src/objects.h"
 #include "python/src/poses.h"
 
 #include <pybind11/pybind11.h>
@@ -20,12 +21,12 @@ py::object answer_poses(const py::object& a, const py::object& b, const py::obje
   const BodyArgument mover(a, "a", threads);
   const BodyArgument fixed(b, "b", threads);
   if (poses.is_none()) {
-    return py::cast(run(Work::one, threads, progress, [&](const Parallel& parallel) {
+    return made(run(Work::one, threads, progress, [&](const Parallel& parallel) {
       return query(parallel, mover.get(), fixed.get());
     }));
   }
   const std::vector<Pose> places = poses_of(poses);
-  return py::cast(run(Work::many, threads, progress, [&](const Parallel& parallel) {
+  return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
     return query(parallel, mover.get().shape, std::span<const Pose>(places), fixed.get());
   }));
 }

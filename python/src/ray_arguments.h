@@ -6,6 +6,7 @@
 
 #include "python/src/arrays.h"
 #include "python/src/call.h"
+#include "python/src/objects.h"
 
 #include <pybind11/pybind11.h>
 
@@ -51,10 +52,10 @@ py::object answer_rays(const RayArguments& arguments, int threads, const py::obj
       [&](const auto& lines) -> py::object {
         using Line = typename std::decay_t<decltype(lines)>::value_type;
         if (arguments.is_one) {
-          return py::cast(run(Work::one, threads, progress,
-                              [&](const Parallel&) { return query(lines.front()); }));
+          return made(run(Work::one, threads, progress,
+                          [&](const Parallel&) { return query(lines.front()); }));
         }
-        return py::cast(run(Work::many, threads, progress, [&](const Parallel& parallel) {
+        return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
           return query(std::span<const Line>(lines), parallel);
         }));
       },

@@ -58,7 +58,7 @@ py::object at_poses(const py::object& a, const py::object& b, const py::object& 
   const std::vector<Pose> places = poses_of(poses);
   const ClosedArgument fixed(b, "b", threads);
   const auto answer = [&](const ClosedBody& mover) {
-    return py::cast(run(Work::many, threads, progress, [&](const Parallel& parallel) {
+    return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
       return solid(mover, places, fixed.get(), options, parallel);
     }));
   };
@@ -79,7 +79,7 @@ py::object query_solid(const py::object& a, const py::object& b, const py::objec
   }
   const ClosedArgument first(a, "a", threads);
   const ClosedArgument second(b, "b", threads);
-  return py::cast(run(Work::one, threads, progress, [&](const Parallel& parallel) {
+  return made(run(Work::one, threads, progress, [&](const Parallel& parallel) {
     return solid(first.get(), second.get(), options, parallel);
   }));
 }
