@@ -2,7 +2,7 @@
 JOBS ?= $(shell nproc)
 ARGS ?=
 
-.PHONY: help run build view thesis install test headers large check asan asan-library tsan tidy arm64 wasm wasm-test determinism memcheck endurance packages bare fuzz faults bench format clean
+.PHONY: help run build view thesis install python test headers large check wheel asan asan-library asan-python tsan tidy arm64 wasm wasm-test determinism memcheck endurance packages bare fuzz faults bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
@@ -11,6 +11,7 @@ help:
 	@echo "make thesis  the thesis' experiments on the models of MODELS=DIR, compared with the golden tables;"
 	@echo "             page, tables and PDF go to OUT=soms-thesis (ARGS=--quick: two minutes)"
 	@echo "make install  install what is missing, build all of soms, and put it into PREFIX=/usr/local"
+	@echo "make python  install what is missing, and leave the wheel of the Python package in build/python"
 	@echo "make test    install what is missing, build, and run every test of the release build"
 	@echo "make check   make test, then the suite under ASan+UBSan, the library under TSan, clang-tidy, ARM, WebAssembly,"
 	@echo "             packages, and the README's commands on a bare Debian"
@@ -61,9 +62,14 @@ install:
 	cmake --build --preset release -j $(JOBS) --target soms_installed
 	cmake --install build/release --prefix "$(PREFIX)"
 
+# The wheel of the Python package, self-contained.
+python:
+	@tools/install_packages.sh python
+	@tools/build_wheel.sh "$(CURDIR)/build/python"
+
 test:
 	@tools/install_packages.sh run view import test
-	cmake --preset release -D SOMS_BUILD_TESTS=ON
+	cmake --preset release -D SOMS_BUILD_TESTS=ON -D SOMS_BUILD_PYTHON=ON
 	cmake --build --preset release -j $(JOBS)
 	ctest --preset release -j $(JOBS)
 
@@ -84,6 +90,17 @@ asan-library tsan:
 	cmake --preset $(@:-library=) -D SOMS_BUILD_VIEW=OFF
 	cmake --build --preset $(@:-library=) -j $(JOBS) --target $(TESTED:%=%_test)
 	ctest --preset $(@:-library=) -j $(JOBS) -L '^($(shell echo $(TESTED) | tr ' ' '|'))$$'
+
+# The bindings under ASan+UBSan. The interpreter is not built with them, so their libraries are loaded first; what
+# the interpreter keeps until it ends would count as leaks, which memory_test.py counts instead.
+SANITIZERS = $(shell $(CXX) -print-file-name=libasan.so):$(shell $(CXX) -print-file-name=libubsan.so):$(shell $(CXX) -print-file-name=libstdc++.so.6)
+asan-python:
+	@tools/install_packages.sh run test
+	cmake --preset asan -D SOMS_BUILD_PYTHON=ON
+	cmake --build --preset asan -j $(JOBS) --target soms_python_package
+	for test in errors values scene interrupts truth; do \
+	  LD_PRELOAD=$(SANITIZERS) ASAN_OPTIONS=detect_leaks=0 PYTHONPATH=build/asan/python \
+	    /usr/bin/python3 tests/python/$${test}_test.py || exit 1; done
 
 # Every public header, compiled alone.
 headers: test
@@ -136,9 +153,9 @@ packages:
 	@tools/install_packages.sh run view import test packages
 	cmake --preset release -D SOMS_BUILD_TESTS=ON
 	cmake --build --preset release -j $(JOBS) --target soms_installed
-	cmake --preset package
+	cmake --preset package -D SOMS_BUILD_PYTHON=ON
 	cmake --build --preset package -j $(JOBS)
-	ctest --preset release -R R99
+	ctest --preset release -R R99Answers
 	python3 tests/install/packages_test.py . build/release build/package c++ clang++
 	python3 tests/install/deb_test.py . build/package build/bare
 
@@ -162,11 +179,16 @@ faults:
 	@tools/install_packages.sh run test
 	@tools/faults.py -j $(JOBS) $(ARGS)
 
-# What takes too long for every run of the suite: builds of 5 million triangles.
+# What takes too long for every run of the suite: builds of 5 million triangles, a million calls of
+# Python.
 large: test
-	SOMS_TEST_LARGE=1 ctest --preset release -R FiveMillion
+	SOMS_TEST_LARGE=1 ctest --preset release -R 'FiveMillion|R98'
 
-check: test headers large asan tsan tidy arm64 wasm-test determinism memcheck endurance packages bare
+# The wheel in an environment of its own.
+wheel: test python
+	ctest --preset release -R R99TheWheel
+
+check: test headers large wheel asan asan-python tsan tidy arm64 wasm-test determinism memcheck endurance packages bare
 
 # Peers that cannot be installed are left out. A quick run: ARGS=--quick; soms-bench --help tells more.
 bench:

@@ -16,6 +16,9 @@ endif()
 if(TARGET soms_import)
   list(APPEND CPACK_COMPONENTS_ALL import)
 endif()
+if(TARGET soms_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
@@ -39,6 +42,18 @@ soms_package(development libsoms-dev libdevel "headers, and what CMake and pkg-c
 soms_package(command soms science "the command, its manual and documents" library)
 soms_package(view soms-view science "the viewer that soms view starts" command library)
 soms_package(import soms-import science "the reader of formats that soms does not read itself")
+if(TARGET soms_python)
+  soms_package(python python3-soms python "the Python package" library)
+  # Built for one version of Python; nothing that dpkg-shlibdeps sees, as modules are not linked with it.
+  math(EXPR next_minor "${SOMS_PYTHON_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= 3.${SOMS_PYTHON_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
+  install(TARGETS soms_python LIBRARY DESTINATION lib/python3/dist-packages/soms COMPONENT python)
+  install(DIRECTORY python/soms DESTINATION lib/python3/dist-packages COMPONENT python
+    FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed PATTERN __pycache__ EXCLUDE)
+  install(DIRECTORY python/examples DESTINATION share/doc/python3-soms COMPONENT python
+    FILES_MATCHING PATTERN *.py PATTERN __pycache__ EXCLUDE)
+endif()
 # Found at run time only, by epoxy: nothing that dpkg-shlibdeps sees.
 set(CPACK_DEBIAN_VIEW_PACKAGE_DEPENDS libegl1)
 set(CPACK_DEBIAN_VIEW_PACKAGE_RECOMMENDS libgl1-mesa-dri)

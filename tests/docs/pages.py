@@ -10,7 +10,7 @@ MARK = re.compile(r"<!-- (not run|printed by|file|not printed): (.+) -->")
 
 class Block:
     """`mark` is one of MARK's words, or empty; `value` what follows it. `of_program`: it is what the
-    C++ program right above it prints, which tests of these programs compare."""
+    program in C++ or Python right above it prints, which tests of these programs compare."""
 
     def __init__(self, number, language, text, mark, value):
         self.number, self.language, self.text = number, language, text
@@ -54,7 +54,7 @@ def blocks(text):
             inside = "\n".join(row.removeprefix(fence[1]) for row in lines[begin + 1:at])
             found.append(Block(begin + 1, fence[2], inside, *mark))
             found[-1].of_program = fence[2] == "text" and program
-            program = fence[2] == "cpp"
+            program = fence[2] in {"cpp", "python"}
         elif line.startswith("    ") and not before:
             while at < len(lines) and (lines[at].startswith("    ") or not lines[at].strip()):
                 at += 1

@@ -33,6 +33,10 @@ cmake -S . -B build -DCONSUMER_SOURCE=$PWD/example.cpp && cmake --build build
 g++ -std=c++20 catcher.cpp -o one-line $(pkg-config --cflags --libs soms)
 ./build/consumer | tail -1; ./build/catcher; ./one-line
 """
+PYTHON = """import soms
+car = soms.Body(soms.generate("car"), [10, 0, -3])
+print(len(soms.overlap(car, soms.generate("city", 5672), threads=2).pairs), "pairs")
+"""
 DRAW = """set -e; cd /tmp
 soms generate city --triangles 2000 -o town.ply
 soms render town.ply -o town.png --size 320x200
@@ -43,6 +47,11 @@ def make(build, folder):
     """The packages by name."""
     if (build / "bin/soms-import").exists():
         WANTED["soms-import"] = ["/usr/libexec/soms/soms-import"]
+    if list((build / "python/soms").glob("_soms.*.so")):
+        WANTED["python3-soms"] = ["/usr/lib/python3/dist-packages/soms/_soms.*.so",
+                                  "/usr/lib/python3/dist-packages/soms/__init__.py",
+                                  "/usr/lib/python3/dist-packages/soms/_soms.pyi",
+                                  "/usr/lib/python3/dist-packages/soms/py.typed"]
     run("cpack", "-G", "DEB", "-B", folder, cwd=build)
     packages = {run("dpkg-deb", "-f", deb, "Package").strip(): deb
                 for deb in sorted(folder.glob("*.deb"))}
@@ -59,6 +68,12 @@ def make(build, folder):
         depends = run("dpkg-deb", "-f", packages[found[0]], "Depends").strip()
         print(f"{found[0]}: {len(paths)} paths; depends on {depends}", flush=True)
     return packages
+
+
+def check_python(said):
+    if not said.endswith(" pairs\n") or said.startswith("0 "):
+        sys.exit(f"python3-soms says {said}")
+    return f"python3-soms: {said.strip()}"
 
 
 def answer_of(said):
@@ -87,6 +102,8 @@ def check_installed(packages, source, work):
     said = debian.run("sh", "-c", DEVELOP).stdout.splitlines()
     if " touches " not in said[-4] or " apart" not in said[-3] or said[-2:] != ["caught cannot_open"] * 2:
         sys.exit(f"what the packages build says {said[-4:]}")
+    if "python3-soms" in packages:
+        print(check_python(debian.run("python3", "-B", "-c", PYTHON).stdout), flush=True)
     debian.run(*install, "libgl1-mesa-dri")
     debian.run("sh", "-c", DRAW)
     if not (debian.root / "tmp/town.png").read_bytes().startswith(b"\x89PNG"):
@@ -106,6 +123,10 @@ def check_unpacked(packages, folder):
     run(folder / "usr/bin/soms", "--version")
     models = ["generate", "knot", "--triangles", "2000", "-o", folder / "knot.ply"]
     run(folder / "usr/bin/soms", *models)
+    if "python3-soms" in packages:
+        there = {"PYTHONPATH": str(folder / "usr/lib/python3/dist-packages"),
+                 "LD_LIBRARY_PATH": str(next((folder / "usr/lib").glob("*/libsoms.so.0.*")).parent)}
+        print(check_python(run("/usr/bin/python3", "-B", "-c", PYTHON, env=there)))
     print("unpacked: soms runs")
 
 

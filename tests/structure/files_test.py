@@ -17,7 +17,7 @@ def listed(cmake):
 
 
 def faults(root):
-    for cmake in sorted([*root.glob("soms/*/files.cmake"), *root.glob("apps/**/files.cmake")]):
+    for cmake in sorted([*root.glob("soms/*/files.cmake"), *root.glob("apps/**/files.cmake"), root / "python/files.cmake"]):
         room = cmake.parent
         there = {str(f.relative_to(room)) for f in room.rglob("*") if f.suffix in {".h", ".cpp"}}
         private = {f for f in there if f.endswith(".h") and "detail" in f.split("/")}
@@ -26,7 +26,7 @@ def faults(root):
             yield f"{cmake.relative_to(root)} does not list {name}"
         for name in sorted(names & private):
             yield f"{cmake.relative_to(root)} installs the private header {name}"
-    for folder in ("soms", "apps", "reproduce", "tests", "bench"):
+    for folder in ("soms", "apps", "reproduce", "tests", "bench", "python"):
         for file in sorted((root / folder).rglob("*")):
             if file.suffix not in MOST_LINES:
                 continue

@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ("soms", "apps", "reproduce", "bench", "tests", "tools", "docs", "cmake")
+FOLDERS = ("soms", "apps", "reproduce", "bench", "tests", "tools", "docs", "cmake", "python")
 SUFFIXES = (".h", ".cpp", ".py", ".cmake", ".txt", ".md", ".sh", ".in", ".map")
 SKIPPED = re.compile(r"^(tests/data/|tests/fuzz/(seeds|words)/|tests/structure/words_test\.py|apps/report/web/)")
 LEAST_FILES = 600

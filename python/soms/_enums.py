@@ -1,0 +1,144 @@
+"""Enumerations. Arrays of answers hold their integers, which compare equal to members; functions take
+a member or its name."""
+
+import enum
+
+
+class ContactChange(enum.IntEnum):
+    """What became of a contact of two bodies since the step before."""
+
+    begin = 0
+    stay = 1
+    end = 2
+
+
+class Coverage(enum.IntEnum):
+    """How much of the question an answer covers: everything, up to the first hit as requested, or
+    what a limit or a deadline left."""
+
+    complete = 0
+    first = 1
+    cut = 2
+
+
+class CrossingKind(enum.IntEnum):
+    """How a ray passes a place of the surface."""
+
+    enter = 0
+    leave = 1
+    graze = 2
+
+
+class Layout(enum.IntEnum):
+    """How a tree is kept: for speed, or for memory."""
+
+    wide = 0
+    compact = 1
+
+
+class MeshFormat(enum.IntEnum):
+    """Formats that models are written in."""
+
+    ply = 0
+    ply_ascii = 1
+    obj = 2
+    stl = 3
+    stl_ascii = 4
+    off = 5
+    three_ds = 6
+    glb = 7
+
+
+class OverlapMode(enum.IntEnum):
+    """Which pairs an overlap lists: all, some one, or the least."""
+
+    all = 0
+    any = 1
+    first = 2
+
+
+class Partition(enum.IntEnum):
+    """How triangles are divided: by the parts of the file, or by vertices in one place."""
+
+    named = 0
+    connected = 1
+
+
+class Relation(enum.IntEnum):
+    """How two closed bodies stand to each other."""
+
+    clear = 0
+    touching = 1
+    crossing = 2
+    a_in_b = 3
+    b_in_a = 4
+    same = 5
+    undecided = 6
+
+
+class Rotation(enum.IntEnum):
+    """What a matrix is taken as: its entries as they are, or the nearest rotation."""
+
+    as_given = 0
+    nearest = 1
+
+
+class Rule(enum.IntEnum):
+    """How nodes of a tree are divided."""
+
+    object_median = 0
+    object_mean = 1
+    spatial_median = 2
+    soms = 3
+    sah = 4
+    soms_sah = 5
+    fast = 6
+    quality = 7
+
+
+class SceneBodyKind(enum.IntEnum):
+    """Of which list of a scene a body is."""
+
+    environment = 0
+    mover = 1
+
+
+class Side(enum.IntEnum):
+    """Where a point lies."""
+
+    outside = 0
+    inside = 1
+    on = 2
+    undecided = 3
+
+
+class StepScope(enum.IntEnum):
+    """Which pairs of bodies a step compares: all, or those of a mover up to its first contact."""
+
+    every_pair = 0
+    first_contact = 1
+
+
+class TriangleFeature(enum.IntEnum):
+    """Where on a triangle a point lies."""
+
+    vertex = 0
+    edge = 1
+    face = 2
+
+
+class Undecided(enum.IntEnum):
+    """Why a relation is undecided."""
+
+    none = 0
+    deadline = 1
+    open = 2
+
+
+class UpAxis(enum.IntEnum):
+    """The up axis that a file states."""
+
+    unknown = 0
+    x = 1
+    y = 2
+    z = 3

@@ -1,0 +1,167 @@
+/// \file
+/// Answers as classes of Python: named properties, one line of `repr`, equality. A query's file
+/// lists its fields and is done.
+#pragma once
+
+#include "soms/query/answer.h"
+
+#include "python/src/arrays.h"
+#include "python/src/enums.h"
+
+#include <pybind11/pybind11.h>
+
+#include <functional>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace soms::python {
+
+/// One line, as `<<` prints it.
+template <class T>
+[[nodiscard]] std::string printed(const T& value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+// A field of a single answer, as Python has it.
+[[nodiscard]] inline py::object to_python(const Vec3& value) {
+  return array_of(value);
+}
+
+[[nodiscard]] inline py::object to_python(const std::optional<TriangleId>& value) {
+  return value ? py::object(py::int_(*value)) : py::none();
+}
+
+[[nodiscard]] inline py::object to_python(const std::optional<TrianglePair>& value) {
+  return value ? py::object(py::make_tuple(value->first, value->second)) : py::none();
+}
+
+template <class T>
+[[nodiscard]] py::object to_python(const T& value) {
+  if constexpr (std::is_enum_v<T>) {
+    return member(value);
+  } else {
+    return py::cast(value);
+  }
+}
+
+/// What a property of an object is.
+using Getter = std::function<py::object(const py::object& self)>;
+
+/// Adds a property to a class. All have one type in C++: pybind11 would make code for each.
+void def_property(py::object of_class, const char* name, Getter get, const char* doc);
+
+/// Binds an answer: T must print and compare.
+template <class T, class... Bases>
+class AnswerClass : public py::class_<T, Bases...> {
+ public:
+  AnswerClass(const py::module_& module, const char* name, const char* doc)
+      : py::class_<T, Bases...>(module, name, doc) {
+    this->def("__repr__", &printed<T>);
+    this->def(
+        "__eq__", [](const T& a, const T& b) { return a == b; }, py::is_operator());
+    this->attr("__hash__") = py::none();
+    const std::string refusal =
+        std::string(name) + " is neither true nor false: look at one of its fields";
+    this->def("__bool__", [refusal](const T&) -> bool { throw py::type_error(refusal); });
+  }
+
+  /// A field of a single answer.
+  template <class C, class V>
+  AnswerClass& field(const char* name, V C::*place, const char* doc) {
+    return property(
+        name, [place](const py::object& self) { return to_python(of(self).*place); }, doc);
+  }
+
+  /// What a function says of an answer.
+  template <class F>
+  AnswerClass& derived(const char* name, F function, const char* doc) {
+    return property(
+        name,
+        [function](const py::object& self) -> py::object {
+          using Result = std::invoke_result_t<F, const T&>;
+          if constexpr (std::is_base_of_v<py::handle, Result>) {
+            return py::object(std::invoke(function, of(self)));
+          } else {
+            return py::object(py::cast(std::invoke(function, of(self))));
+          }
+        },
+        doc);
+  }
+
+  /// The flag that an answer is about, which is also its truth. \errors ErrorKind::timed_out where
+  /// false means that it is not known.
+  AnswerClass& truth(const char* name, bool T::*place, const char* doc) {
+    field(name, place, doc);
+    const auto is_true = [place](const T& answer) {
+      if (!(answer.*place) && answer.coverage == Coverage::cut) {
+        throw Error(ErrorKind::timed_out, "the answer is cut: false means that it is not known",
+                    "look at its coverage, or give more seconds");
+      }
+      return answer.*place;
+    };
+    // In place of the refusal: `def` would add to it.
+    this->attr("__bool__") = py::cpp_function(is_true, py::name("__bool__"), py::is_method(*this));
+    return *this;
+  }
+
+  /// A column of a batch: a view that cannot be written, or a copy where some entries are missing.
+  template <class C, class V>
+  AnswerClass& column(const char* name, std::vector<V> C::*place, const char* doc) {
+    return property(
+        name, [place](const py::object& self) { return column_of(of(self).*place, self); }, doc);
+  }
+
+  /// Rows of any length: `of(i)` is that part of the column `name` which belongs to row i.
+  template <class C, class V, class O>
+  AnswerClass& rows(const char* name, std::vector<O> C::*offsets, std::vector<V> C::*values,
+                    const char* doc) {
+    column(name, values, doc);
+    this->def(
+        "of",
+        [offsets, values](const py::object& self, std::size_t row) -> py::object {
+          const T& answer = of(self);
+          const auto& ends = answer.*offsets;
+          if (row + 1 >= ends.size()) {
+            throw py::index_error("row " + std::to_string(row) + " of " +
+                                  std::to_string(ends.size() - 1));
+          }
+          return column_of(answer.*values, self)[py::slice(
+              static_cast<py::ssize_t>(ends[row]), static_cast<py::ssize_t>(ends[row + 1]), 1)];
+        },
+        py::arg("row"), "of(row) -> numpy.ndarray\n\nThe values of one row, a view.");
+    return *this;
+  }
+
+  /// The number of entries, and the single answer of each.
+  AnswerClass& entries() {
+    this->def("__len__", &T::size);
+    if constexpr (requires(const T& t) { t.at(std::size_t{}); }) {
+      this->def(
+          "at",
+          [](const T& answer, std::size_t entry) {
+            if (entry >= answer.size()) {
+              throw py::index_error("entry " + std::to_string(entry) + " of " +
+                                    std::to_string(answer.size()));
+            }
+            return answer.at(entry);
+          },
+          py::arg("entry"), "at(entry)\n\nThe answer of a single query.");
+    }
+    return *this;
+  }
+
+ private:
+  static const T& of(const py::object& self) { return self.cast<const T&>(); }
+
+  AnswerClass& property(const char* name, Getter get, const char* doc) {
+    def_property(*this, name, std::move(get), doc);
+    return *this;
+  }
+};
+
+}  // namespace soms::python

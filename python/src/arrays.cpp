@@ -1,0 +1,227 @@
+#include "python/src/arrays.h"
+
+#include <cstddef>
+#include <new>
+#include <type_traits>
+
+namespace soms::python {
+
+namespace {
+
+static_assert(sizeof(Vec3) == 3 * sizeof(double) && std::is_trivially_copyable_v<Vec3>);
+static_assert(sizeof(TrianglePair) == 2 * sizeof(TriangleId));
+static_assert(sizeof(std::array<std::uint32_t, 3>) == 3 * sizeof(std::uint32_t));
+
+py::array any_array(py::handle given, const char* what) {
+  py::array array = py::array::ensure(given);
+  if (!array) {
+    PyErr_Clear();
+    throw usage(std::string(what) + ": no array of numbers",
+                "give numbers in rows of equal length");
+  }
+  return array;
+}
+
+[[noreturn]] void refuse_type(const py::array& given, const char* what, const char* wanted) {
+  throw usage(std::string(what) + ": type " + py::str(given.dtype()).cast<std::string>(),
+              std::string("give ") + wanted);
+}
+
+py::ssize_t rows(std::size_t count) {
+  return static_cast<py::ssize_t>(count);
+}
+
+template <class T>
+py::array pairs_view(const std::vector<T>& values, py::ssize_t columns, const py::dtype& type,
+                     py::handle owner) {
+  return view(type, {rows(values.size()), columns}, {rows(sizeof(T)), rows(sizeof(T)) / columns},
+              values.data(), owner);
+}
+
+/// Integers as int64; those of uint64 must fit.
+py::array_t<std::int64_t> integers_of(py::handle given, const char* what) {
+  const py::array array = any_array(given, what);
+  const char kind = array.dtype().kind();
+  const bool is_empty = array.size() == 0;  // an empty list is an array of floats
+  if (kind != 'i' && kind != 'u' && !is_empty) {
+    refuse_type(array, what, "integers");
+  }
+  if (kind == 'u' && array.itemsize() == 8 && !is_empty &&
+      array.attr("max")().cast<std::uint64_t>() >= std::uint64_t{1} << 63U) {
+    throw Error(ErrorKind::out_of_range, std::string(what) + ": a number of 2^63 or more",
+                "give numbers below 2^32");
+  }
+  return py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>(array);
+}
+
+std::uint32_t index_of(std::int64_t value, std::size_t row, const char* what) {
+  if (value < 0 || value > 0xffffffffLL) {
+    throw Error(
+        ErrorKind::out_of_range,
+        std::string(what) + ": index " + std::to_string(value) + " in row " + std::to_string(row),
+        "count from 0; negative numbers do not count from the end");
+  }
+  return static_cast<std::uint32_t>(value);
+}
+
+}  // namespace
+
+Doubles doubles_of(py::handle given, const char* what) {
+  const py::array array = any_array(given, what);
+  const char kind = array.dtype().kind();
+  const bool is_float = kind == 'f' && array.itemsize() <= 8;
+  const bool is_integer = kind == 'i' || kind == 'u';
+  if (!is_float && !is_integer) {
+    refuse_type(array, what, "floats of 4 or 8 bytes, or integers");
+  }
+  Doubles doubles(array);
+  if (is_integer && array.itemsize() == 8) {
+    constexpr double kExact = 0x1p53;
+    for (py::ssize_t i = 0; i < doubles.size(); ++i) {
+      if (!(doubles.data()[i] >= -kExact && doubles.data()[i] <= kExact)) {
+        throw Error(ErrorKind::out_of_range,
+                    std::string(what) + ": an integer beyond 2^53, which a double may not hold",
+                    "give floats");
+      }
+    }
+  }
+  return doubles;
+}
+
+std::string shape_text(const py::array& array) {
+  return py::str(array.attr("shape")).cast<std::string>();
+}
+
+void refuse_shape(const py::array& given, const char* what, const char* wanted) {
+  throw usage(std::string(what) + ": shape " + shape_text(given), std::string("give ") + wanted);
+}
+
+std::vector<Vec3> points_of(py::handle given, const char* what) {
+  const Doubles numbers = doubles_of(given, what);
+  if (numbers.ndim() != 2 || numbers.shape(1) != 3) {
+    refuse_shape(numbers, what, "shape (n, 3)");
+  }
+  const auto* const first = std::launder(reinterpret_cast<const Vec3*>(numbers.data()));
+  std::vector<Vec3> points(first, first + numbers.shape(0));
+  return points;
+}
+
+bool is_point(const Doubles& numbers) {
+  return numbers.ndim() == 1 && numbers.shape(0) == 3;
+}
+
+Vec3 point_of(const Doubles& numbers, const char* what) {
+  if (!is_point(numbers)) {
+    refuse_shape(numbers, what, "three numbers");
+  }
+  return {numbers.data()[0], numbers.data()[1], numbers.data()[2]};
+}
+
+std::vector<std::array<std::uint32_t, 3>> triangles_of(py::handle given) {
+  const auto numbers = integers_of(given, "triangles");
+  const bool is_empty_list = numbers.ndim() == 1 && numbers.size() == 0;
+  if (!is_empty_list && (numbers.ndim() != 2 || numbers.shape(1) != 3)) {
+    refuse_shape(numbers, "triangles", "shape (n, 3)");
+  }
+  std::vector<std::array<std::uint32_t, 3>> triangles(static_cast<std::size_t>(numbers.shape(0)));
+  const std::int64_t* from = numbers.data();
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (std::uint32_t& corner : triangles[i]) {
+      corner = index_of(*from++, i, "triangles");
+    }
+  }
+  return triangles;
+}
+
+std::vector<TriangleId> ids_of(py::handle given, const char* what, Extents& shape) {
+  const auto numbers = integers_of(given, what);
+  shape.assign(numbers.shape(), numbers.shape() + numbers.ndim());
+  std::vector<TriangleId> ids(static_cast<std::size_t>(numbers.size()));
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    ids[i] = index_of(numbers.data()[i], i, what);
+  }
+  return ids;
+}
+
+py::dtype structured(const std::vector<Field>& fields, std::size_t row) {
+  py::list names;
+  py::list formats;
+  py::list offsets;
+  for (const Field& field : fields) {
+    names.append(field.name);
+    formats.append(field.type);
+    offsets.append(field.offset);
+  }
+  return {names, formats, offsets, static_cast<py::ssize_t>(row)};
+}
+
+py::array view(const py::dtype& type, const Extents& shape, const Extents& strides,
+               const void* data, py::handle owner) {
+  py::array array(type, shape, strides, data, owner);
+  py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return array;
+}
+
+py::array array_of(const Vec3& point) {
+  py::array_t<double> array(3);
+  array.mutable_data()[0] = point.x;
+  array.mutable_data()[1] = point.y;
+  array.mutable_data()[2] = point.z;
+  return array;
+}
+
+py::array column_of(const std::vector<std::optional<TriangleId>>& values, py::handle) {
+  py::array_t<std::int64_t> array(rows(values.size()));
+  std::int64_t* to = array.mutable_data();
+  for (const auto& value : values) {
+    *to++ = value ? std::int64_t{*value} : -1;
+  }
+  return array;
+}
+
+py::array column_of(const std::vector<std::optional<TrianglePair>>& values, py::handle) {
+  py::array_t<std::int64_t> array({rows(values.size()), py::ssize_t{2}});
+  std::int64_t* to = array.mutable_data();
+  for (const auto& value : values) {
+    *to++ = value ? std::int64_t{value->first} : -1;
+    *to++ = value ? std::int64_t{value->second} : -1;
+  }
+  return array;
+}
+
+py::array column_of(const std::vector<std::uint8_t>& values, py::handle owner) {
+  return view(py::dtype("?"), {rows(values.size())}, {1}, values.data(), owner);
+}
+
+py::array column_of(const std::vector<Vec3>& values, py::handle owner) {
+  return pairs_view(values, 3, py::dtype::of<double>(), owner);
+}
+
+py::array column_of(const std::vector<TrianglePair>& values, py::handle owner) {
+  return pairs_view(values, 2, py::dtype::of<std::uint32_t>(), owner);
+}
+
+py::array column_of(const std::vector<std::array<std::uint32_t, 3>>& values, py::handle owner) {
+  return pairs_view(values, 3, py::dtype::of<std::uint32_t>(), owner);
+}
+
+py::dtype RowType<Cost>::get() {
+  return structured({{"node_tests", "u8", offsetof(Cost, node_tests)},
+                     {"triangle_tests", "u8", offsetof(Cost, triangle_tests)},
+                     {"exact_tests", "u8", offsetof(Cost, exact_tests)}},
+                    sizeof(Cost));
+}
+
+py::dtype RowType<PartSide>::get() {
+  return structured(
+      {{"part", "u4", offsetof(PartSide, part)}, {"side", "u1", offsetof(PartSide, side)}},
+      sizeof(PartSide));
+}
+
+py::dtype RowType<Bracket>::get() {
+  return structured(
+      {{"lower", "f8", offsetof(Bracket, lower)}, {"upper", "f8", offsetof(Bracket, upper)}},
+      sizeof(Bracket));
+}
+
+}  // namespace soms::python

@@ -1,0 +1,133 @@
+/// \file
+/// Arrays of numpy in and out. What goes in is copied, as another thread may change it while a
+/// query runs; what comes out is a view of the answer wherever its memory allows that.
+#pragma once
+
+#include "soms/base/bracket.h"
+#include "soms/base/vector.h"
+#include "soms/geometry/mesh.h"
+#include "soms/query/answer.h"
+#include "soms/query/contains_parts.h"
+
+#include "python/src/errors.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace soms::python {
+
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+/// Sizes along each axis, or steps in bytes.
+using Extents = std::vector<py::ssize_t>;
+
+/// Numbers of an array or nested lists, as doubles. Floats of up to 8 bytes and integers are taken,
+/// which doubles hold exactly. \errors ErrorKind::usage for other types and for integers beyond
+/// 2^53.
+[[nodiscard]] Doubles doubles_of(py::handle given, const char* what);
+
+/// "(4, 2)".
+[[nodiscard]] std::string shape_text(const py::array& array);
+
+/// \errors ErrorKind::usage, always: the shape given, and the one wanted.
+[[noreturn]] void refuse_shape(const py::array& given, const char* what, const char* wanted);
+
+/// n points. \shape (n, 3). \errors ErrorKind::usage.
+[[nodiscard]] std::vector<Vec3> points_of(py::handle given, const char* what);
+
+/// True for three numbers, false for rows of them.
+[[nodiscard]] bool is_point(const Doubles& numbers);
+[[nodiscard]] Vec3 point_of(const Doubles& numbers, const char* what);
+
+/// Corners of triangles, each 0 to 2^32 - 1. \shape (n, 3).
+/// \errors ErrorKind::usage for another shape or type; out_of_range for a negative index, which
+///         would count from the end elsewhere.
+[[nodiscard]] std::vector<std::array<std::uint32_t, 3>> triangles_of(py::handle given);
+
+/// Numbers of triangles. \shape Any; `shape` gets it.
+[[nodiscard]] std::vector<TriangleId> ids_of(py::handle given, const char* what, Extents& shape);
+
+/// An array of named fields: their names, types of numpy, and places in a row.
+struct Field {
+  const char* name;
+  const char* type;
+  std::size_t offset;
+};
+
+[[nodiscard]] py::dtype structured(const std::vector<Field>& fields, std::size_t row);
+
+/// A view that cannot be written and keeps `owner`.
+[[nodiscard]] py::array view(const py::dtype& type, const Extents& shape, const Extents& strides,
+                             const void* data, py::handle owner);
+
+/// A point as an array of its own. \shape (3,).
+[[nodiscard]] py::array array_of(const Vec3& point);
+
+/// Numbers of triangles, -1 for none. \shape (n,), a copy.
+[[nodiscard]] py::array column_of(const std::vector<std::optional<TriangleId>>& values,
+                                  py::handle owner);
+/// \shape (n, 2), a copy; -1, -1 for none.
+[[nodiscard]] py::array column_of(const std::vector<std::optional<TrianglePair>>& values,
+                                  py::handle owner);
+/// Flags, as bool. \shape (n,).
+[[nodiscard]] py::array column_of(const std::vector<std::uint8_t>& values, py::handle owner);
+/// \shape (n, 3).
+[[nodiscard]] py::array column_of(const std::vector<Vec3>& values, py::handle owner);
+/// \shape (n, 2).
+[[nodiscard]] py::array column_of(const std::vector<TrianglePair>& values, py::handle owner);
+/// \shape (n, 3).
+[[nodiscard]] py::array column_of(const std::vector<std::array<std::uint32_t, 3>>& values,
+                                  py::handle owner);
+
+/// The type of numpy for a row of T. Structures have specializations.
+template <class T>
+struct RowType {
+  static py::dtype get() {
+    if constexpr (std::is_enum_v<T>) {
+      return py::dtype::of<std::underlying_type_t<T>>();
+    } else {
+      return py::dtype::of<T>();
+    }
+  }
+};
+
+/// node_tests, triangle_tests, exact_tests.
+template <>
+struct RowType<Cost> {
+  static py::dtype get();
+};
+
+/// part, side.
+template <>
+struct RowType<PartSide> {
+  static py::dtype get();
+};
+
+/// lower, upper.
+template <>
+struct RowType<Bracket> {
+  static py::dtype get();
+};
+
+/// A column of values that are numbers, enumerations (as integers) or structures. \shape (n,).
+template <class T>
+struct Column {
+  static py::array make(const std::vector<T>& values, py::handle owner) {
+    return view(RowType<T>::get(), {static_cast<py::ssize_t>(values.size())}, {sizeof(T)},
+                values.data(), owner);
+  }
+};
+
+template <class T>
+[[nodiscard]] py::array column_of(const std::vector<T>& values, py::handle owner) {
+  return Column<T>::make(values, owner);
+}
+
+}  // namespace soms::python

@@ -1,0 +1,26 @@
+/// \file
+/// What the module is made of: each function binds one topic.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace soms::python {
+
+void bind_poses(pybind11::module_& module);
+void bind_meshes(pybind11::module_& module);
+void bind_shapes(pybind11::module_& module);
+void bind_files(pybind11::module_& module);
+void bind_generated(pybind11::module_& module);
+void bind_answers(pybind11::module_& module);
+void bind_overlap(pybind11::module_& module);
+void bind_distance(pybind11::module_& module);
+void bind_within(pybind11::module_& module);
+void bind_solid(pybind11::module_& module);
+void bind_contains(pybind11::module_& module);
+void bind_closest(pybind11::module_& module);
+void bind_winding(pybind11::module_& module);
+void bind_rays(pybind11::module_& module);
+void bind_scene(pybind11::module_& module);
+void bind_contacts(pybind11::module_& module);
+
+}  // namespace soms::python

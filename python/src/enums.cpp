@@ -1,0 +1,83 @@
+#include "python/src/enums.h"
+
+#include "soms/base/pose.h"
+#include "soms/geometry/mesh.h"
+#include "soms/geometry/point_distance.h"
+#include "soms/io/write_mesh.h"
+#include "soms/query/contains_parts.h"
+#include "soms/query/overlap.h"
+#include "soms/query/ray.h"
+#include "soms/query/solid.h"
+#include "soms/scene/contact_tracker.h"
+#include "soms/scene/scene_query.h"
+#include "soms/scene/step_report.h"
+#include "soms/tree/build_options.h"
+#include "soms/tree/shape.h"
+
+namespace soms::python {
+
+namespace {
+
+template <class E>
+void load(const py::module_& enums, const char* name) {
+  auto* const found = new EnumMembers{name, {}, {}, {}};  // for as long as the process lives
+  for (const py::handle& one : enums.attr(name)) {
+    if (one.cast<std::size_t>() != found->members.size()) {
+      throw py::value_error(std::string(name) + " does not count from 0");
+    }
+    found->words.push_back(one.attr("name").cast<std::string>());
+    found->names.push_back(PyUnicode_InternFromString(found->words.back().c_str()));
+    found->members.push_back(py::reinterpret_borrow<py::object>(one).release().ptr());
+  }
+  enum_members<E> = found;
+}
+
+}  // namespace
+
+void load_enums() {
+  const py::module_ enums = py::module_::import("soms._enums");
+  load<ContactChange>(enums, "ContactChange");
+  load<Coverage>(enums, "Coverage");
+  load<CrossingKind>(enums, "CrossingKind");
+  load<Layout>(enums, "Layout");
+  load<MeshFormat>(enums, "MeshFormat");
+  load<OverlapMode>(enums, "OverlapMode");
+  load<Partition>(enums, "Partition");
+  load<Relation>(enums, "Relation");
+  load<Rotation>(enums, "Rotation");
+  load<Rule>(enums, "Rule");
+  load<SceneBodyKind>(enums, "SceneBodyKind");
+  load<Side>(enums, "Side");
+  load<StepScope>(enums, "StepScope");
+  load<TriangleFeature>(enums, "TriangleFeature");
+  load<Undecided>(enums, "Undecided");
+  load<UpAxis>(enums, "UpAxis");
+}
+
+std::size_t enum_value(py::handle given, const EnumMembers& members, const char* what) {
+  for (std::size_t i = 0; i < members.members.size(); ++i) {
+    if (given.ptr() == members.members[i] || given.ptr() == members.names[i]) {
+      return i;
+    }
+  }
+  if (PyUnicode_Check(given.ptr()) != 0) {
+    const char* const word = PyUnicode_AsUTF8(given.ptr());
+    if (word == nullptr) {
+      throw py::error_already_set();
+    }
+    for (std::size_t i = 0; i < members.words.size(); ++i) {
+      if (members.words[i] == word) {
+        return i;
+      }
+    }
+  }
+  std::string names;
+  for (const std::string& word : members.words) {
+    names += (names.empty() ? "" : ", ") + word;
+  }
+  throw usage(
+      std::string(what) + ": " + py::repr(given).cast<std::string>() + " is no " + members.name,
+      "give one of " + names);
+}
+
+}  // namespace soms::python

@@ -1,0 +1,47 @@
+/// \file
+/// Enumerations: integers in arrays, members of soms._enums elsewhere, and words where one is
+/// given.
+#pragma once
+
+#include "python/src/errors.h"
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+#include <vector>
+
+namespace soms::python {
+
+/// The members of an enumeration of Python, by value from 0 on.
+struct EnumMembers {
+  std::string name;
+  std::vector<std::string> words;
+  std::vector<PyObject*> names;    ///< interned strings of the words; never given back
+  std::vector<PyObject*> members;  ///< never given back
+};
+
+/// Those of the enumeration E; null until `load_enums`.
+template <class E>
+inline EnumMembers* enum_members = nullptr;
+
+/// Reads all enumerations from soms._enums.
+void load_enums();
+
+/// The member of Python for a value.
+template <class E>
+[[nodiscard]] py::object member(E value) {
+  return py::reinterpret_borrow<py::object>(
+      enum_members<E>->members.at(static_cast<std::size_t>(value)));
+}
+
+/// The value of a member or of its name. \errors ErrorKind::usage, which lists the names; `what` is
+/// the argument.
+[[nodiscard]] std::size_t enum_value(py::handle given, const EnumMembers& members,
+                                     const char* what);
+
+template <class E>
+[[nodiscard]] E enum_of(py::handle given, const char* what) {
+  return static_cast<E>(enum_value(given, *enum_members<E>, what));
+}
+
+}  // namespace soms::python

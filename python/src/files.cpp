@@ -1,0 +1,125 @@
+// Models and poses in files.
+#include "soms/io/poses.h"
+#include "soms/io/read_mesh.h"
+#include "soms/io/write_mesh.h"
+
+#include "python/src/arrays.h"
+#include "python/src/bind.h"
+#include "python/src/bodies.h"
+#include "python/src/call.h"
+#include "python/src/enums.h"
+
+#include <pybind11/stl/filesystem.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace soms::python {
+
+namespace {
+
+constexpr const char* kReadDoc =
+    R"(read_mesh(file, *, name='', strict=False, allow_empty=False, max_memory=0, progress=None)
+
+Reads a PLY, 3DS, STL, OFF, OBJ, glTF, GLB or COLLADA model as stored, in double.
+
+file: a path, or bytes; name stands for bytes in messages, and its extension tells the format where
+the content does not. strict: what would be noted in Mesh.notes is an error. allow_empty: accept a
+model without triangles. max_memory: most bytes; 0 for 64 times the file's size and 64 MiB.
+
+Raises Error of kind cannot_open, bad_file (names line or byte), empty_mesh, not_finite,
+out_of_range, unsupported, out_of_memory.)";
+
+constexpr const char* kWriteDoc = R"(write_mesh(path, mesh, format=None)
+
+Writes a model; the file appears whole or not at all.
+
+format: a name of MeshFormat; by default that of the path's extension: .ply, .3ds, .stl, .off, .obj
+or .glb. PLY, OFF and OBJ keep every bit; the others hold floats of 4 bytes.
+
+Raises Error of kind cannot_write, unsupported, out_of_range.)";
+
+constexpr const char* kReadPosesDoc = R"(read_poses(path) -> numpy.ndarray
+
+Poses of a CSV file with a header, or of a NumPy array file: (n, 3, 4) float64.
+
+Raises Error of kind cannot_open, bad_file, not_finite, not_rigid; names file and line, or row.)";
+
+/// A path as open() takes it. Raises TypeError for anything else.
+std::filesystem::path path_of(const py::object& given) {
+  const py::object text = py::reinterpret_steal<py::object>(PyOS_FSPath(given.ptr()));
+  if (!text) {
+    throw py::error_already_set();
+  }
+  return text.cast<std::filesystem::path>();
+}
+
+/// The bytes of an object that has them, a copy: another thread may change them.
+std::vector<std::byte> bytes_of(const py::object& given) {
+  Py_buffer view{};
+  if (PyObject_GetBuffer(given.ptr(), &view, PyBUF_SIMPLE) != 0) {
+    throw py::error_already_set();
+  }
+  const auto* const first = static_cast<const std::byte*>(view.buf);
+  std::vector<std::byte> bytes(first, first + view.len);
+  PyBuffer_Release(&view);
+  return bytes;
+}
+
+std::shared_ptr<Mesh> read(const py::object& file, const std::string& name, bool strict,
+                           bool allow_empty, std::uint64_t max_memory, const py::object& progress) {
+  const ReadOptions options{.allow_empty = allow_empty, .max_memory = max_memory, .strict = strict};
+  if (PyObject_CheckBuffer(file.ptr()) != 0) {
+    const std::vector<std::byte> bytes = bytes_of(file);
+    return run(Work::many, 1, progress, [&](const Parallel& parallel) {
+      return std::make_shared<Mesh>(
+          read_mesh(bytes, name.empty() ? "bytes" : name, options, parallel));
+    });
+  }
+  const std::filesystem::path path = path_of(file);
+  return run(Work::many, 1, progress, [&](const Parallel& parallel) {
+    return std::make_shared<Mesh>(read_mesh(path, options, parallel));
+  });
+}
+
+void write(const py::object& place, const py::object& given, const py::object& format) {
+  const std::filesystem::path path = path_of(place);
+  const auto mesh = mesh_of(given, "mesh");
+  const MeshFormat chosen =
+      format.is_none() ? format_for(path) : enum_of<MeshFormat>(format, "format");
+  run(Work::many, 1, py::none(), [&](const Parallel& parallel) {
+    write_mesh(path, *mesh, chosen, parallel);
+    return true;
+  });
+}
+
+py::array read_all_poses(const py::object& file) {
+  const std::filesystem::path path = path_of(file);
+  auto* const poses =
+      new std::vector<Pose>(run(Work::many, 1, py::none(), [&](const Parallel& parallel) {
+        return read_poses(path, parallel);
+      }));
+  const py::capsule owner(poses, [](void* held) { delete static_cast<std::vector<Pose>*>(held); });
+  constexpr py::ssize_t kNumber = sizeof(double);
+  return {py::dtype::of<double>(),
+          {static_cast<py::ssize_t>(poses->size()), py::ssize_t{3}, py::ssize_t{4}},
+          {12 * kNumber, 4 * kNumber, kNumber},
+          poses->data(),
+          owner};
+}
+
+}  // namespace
+
+void bind_files(py::module_& module) {
+  module.def("read_mesh", &read, py::arg("file"), py::kw_only(), py::arg("name") = "",
+             py::arg("strict") = false, py::arg("allow_empty") = false, py::arg("max_memory") = 0,
+             py::arg("progress") = py::none(), kReadDoc);
+  module.def("write_mesh", &write, py::arg("path"), py::arg("mesh"), py::arg("format") = py::none(),
+             kWriteDoc);
+  module.def("read_poses", &read_all_poses, py::arg("path"), kReadPosesDoc);
+}
+
+}  // namespace soms::python

@@ -1,0 +1,119 @@
+#include "python/src/function.h"
+
+#include <new>
+#include <stdexcept>
+
+namespace soms::python {
+
+namespace {
+
+/// A function of the module; never given back, as modules are not unloaded.
+struct Function {
+  std::string name;
+  std::string doc;
+  Parameters parameters;
+  std::vector<PyObject*> names;  ///< interned, of the parameters
+  std::size_t by_place = 0;      ///< how many may be passed by their place
+  std::function<py::object(const Passed&)> body;
+  PyMethodDef method = {};
+};
+
+[[noreturn]] void refuse_call(const Function& function, const std::string& why) {
+  throw py::type_error(function.name + "(): " + why);
+}
+
+std::size_t place_of(const Function& function, PyObject* name) {
+  for (std::size_t i = 0; i < function.names.size(); ++i) {
+    if (function.names[i] == name) {
+      return i;
+    }
+  }
+  for (std::size_t i = 0; i < function.names.size(); ++i) {  // names that are not interned
+    if (PyUnicode_Compare(function.names[i], name) == 0) {
+      return i;
+    }
+  }
+  refuse_call(function, "no argument is named " + py::repr(name).cast<std::string>());
+}
+
+Passed passed_to(const Function& function, PyObject* const* arguments, std::size_t count,
+                 PyObject* names) {
+  if (count > function.by_place) {
+    refuse_call(function, std::to_string(count) + " arguments by place, of at most " +
+                              std::to_string(function.by_place));
+  }
+  Passed passed{};
+  std::copy_n(arguments, count, passed.begin());
+  const Py_ssize_t named = names == nullptr ? 0 : PyTuple_GET_SIZE(names);
+  for (Py_ssize_t i = 0; i < named; ++i) {
+    PyObject*& place = passed.at(place_of(function, PyTuple_GET_ITEM(names, i)));
+    if (place != nullptr) {
+      refuse_call(function, "an argument is given twice");
+    }
+    place = arguments[static_cast<Py_ssize_t>(count) + i];
+  }
+  for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+    if (passed[i] == nullptr) {
+      passed[i] = function.parameters[i].fallback.ptr();
+      if (passed[i] == nullptr) {
+        refuse_call(function,
+                    std::string("the argument ") + function.parameters[i].name + " is missing");
+      }
+    }
+  }
+  return passed;
+}
+
+PyObject* enter(PyObject* self, PyObject* const* arguments, Py_ssize_t count, PyObject* names) {
+  const auto& function = *static_cast<Function*>(PyCapsule_GetPointer(self, nullptr));
+  try {
+    const Passed passed = passed_to(function, arguments, static_cast<std::size_t>(count), names);
+    return function.body(passed).release().ptr();
+  } catch (py::error_already_set& error) {
+    error.restore();
+  } catch (const py::builtin_exception& error) {
+    error.set_error();
+  } catch (const Error& error) {
+    set_error(error);
+  } catch (const std::bad_alloc&) {
+    PyErr_NoMemory();
+  } catch (const std::exception& error) {
+    PyErr_SetString(PyExc_RuntimeError, error.what());
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+Parameters with_limits(Parameters parameters) {
+  parameters.push_back({"seconds", py::none(), true});
+  parameters.push_back({"threads", py::int_(1), true});
+  parameters.push_back({"progress", py::none(), true});
+  return parameters;
+}
+
+void add_function(py::module_& module, const char* name, std::string doc, Parameters parameters,
+                  std::function<py::object(const Passed&)> body) {
+  auto* const function =
+      new Function{name, std::move(doc), std::move(parameters), {}, 0, std::move(body), {}};
+  for (const Parameter& parameter : function->parameters) {
+    function->names.push_back(PyUnicode_InternFromString(parameter.name));
+    function->by_place += parameter.is_named_only ? 0U : 1U;
+  }
+  // The call with names has four arguments; CPython casts it back, as the flags say.
+  function->method = {function->name.c_str(),
+                      reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&enter)),
+                      METH_FASTCALL | METH_KEYWORDS, function->doc.c_str()};
+  const py::capsule self(function, static_cast<const char*>(nullptr));
+  module.attr(name) = py::reinterpret_steal<py::object>(
+      PyCFunction_NewEx(&function->method, self.ptr(), module.attr("__name__").ptr()));
+}
+
+void refuse_argument(const char* function, const char* parameter, PyObject* given) {
+  PyErr_Clear();
+  throw py::type_error(std::string(function) + "(): " + parameter + ": " +
+                       py::repr(given).cast<std::string>() + " is of type " +
+                       Py_TYPE(given)->tp_name);
+}
+
+}  // namespace soms::python

@@ -1,0 +1,234 @@
+#include "soms/geometry/closedness.h"
+#include "soms/geometry/defects.h"
+#include "soms/geometry/mesh.h"
+#include "soms/geometry/parts_of.h"
+#include "soms/geometry/print.h"
+
+#include "python/src/answer.h"
+#include "python/src/bind.h"
+#include "python/src/bodies.h"
+#include "python/src/call.h"
+
+#include <pybind11/stl.h>
+
+#include <memory>
+
+namespace soms::python {
+
+namespace {
+
+using MeshClass = py::class_<Mesh, std::shared_ptr<Mesh>>;
+
+constexpr const char* kMeshDoc =
+    R"(Mesh(vertices, triangles, parts=(), *, unit=0.0, up='unknown', source='', notes=(), file_faces=())
+
+A triangle mesh as it is given: nothing is welded, moved or dropped. It does not change.
+
+vertices: (n, 3) floats. triangles: (m, 3) integers from 0 on. parts: Part, each a run of triangles.
+unit: meters a unit, 0 if unknown. up: 'unknown', 'x', 'y' or 'z'.
+
+The arrays are copied. Raises Error of kind usage (shapes, types), out_of_range (an index below 0 or
+beyond the vertices, a coordinate beyond 2^300), not_finite (a corner), bad_file (parts).)";
+
+std::shared_ptr<Mesh> make_mesh(const py::object& vertices, const py::object& triangles,
+                                std::vector<Part> parts, double unit, const py::object& up,
+                                std::string source, std::vector<std::string> notes,
+                                std::vector<std::uint32_t> file_faces) {
+  auto mesh = mesh_of_arrays(vertices, triangles);
+  mesh->parts = std::move(parts);
+  mesh->unit = unit;
+  mesh->up = enum_of<UpAxis>(up, "up");
+  mesh->source = std::move(source);
+  mesh->notes = std::move(notes);
+  mesh->faces = std::move(file_faces);
+  check(*mesh);
+  return mesh;
+}
+
+py::array bounds_array(const Box& box) {
+  py::array_t<double> array({2, 3});
+  for (py::ssize_t axis = 0; axis < 3; ++axis) {
+    array.mutable_at(0, axis) = box.lower[static_cast<std::size_t>(axis)];
+    array.mutable_at(1, axis) = box.upper[static_cast<std::size_t>(axis)];
+  }
+  return array;
+}
+
+py::array part_of_each(const Mesh& mesh, const py::object& given) {
+  Extents shape;
+  const std::vector<TriangleId> ids = ids_of(given, "triangles", shape);
+  const PartsOf parts(mesh);
+  py::array_t<std::int64_t> found(shape);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (ids[i] >= mesh.triangles.size()) {
+      throw usage(
+          "triangle " + std::to_string(ids[i]) + " of " + std::to_string(mesh.triangles.size()),
+          "give numbers of triangles of this mesh");
+    }
+    const std::uint32_t part = parts(ids[i]);
+    found.mutable_data()[i] = part == Part::kNoParent ? -1 : std::int64_t{part};
+  }
+  return found;
+}
+
+void bind_parts(py::module_& module) {
+  py::class_<Part> part(module, "Part", R"(Part(name, first, count, parent=None)
+
+A named, contiguous run of triangles of a Mesh; parent: the index of the part around it.)");
+  part.def(py::init([](std::string name, std::uint32_t first, std::uint32_t count,
+                       std::optional<std::uint32_t> parent) {
+             return Part{std::move(name), parent.value_or(Part::kNoParent), first, count};
+           }),
+           py::arg("name"), py::arg("first"), py::arg("count"), py::arg("parent") = py::none());
+  part.def_readonly("name", &Part::name, "The name.");
+  part.def_readonly("first", &Part::first, "The first triangle.");
+  part.def_readonly("count", &Part::count, "The number of triangles.");
+  part.def_property_readonly(
+      "parent",
+      [](const Part& p) {
+        return p.parent == Part::kNoParent ? std::optional<std::uint32_t>() : p.parent;
+      },
+      "The index of the part around it, or None.");
+  part.def(
+      "__eq__", [](const Part& a, const Part& b) { return a == b; }, py::is_operator());
+  part.attr("__hash__") = py::none();
+  part.def("__repr__", &printed<Part>);
+  part.def(
+      py::pickle([](const Part& p) { return py::make_tuple(p.name, p.parent, p.first, p.count); },
+                 [](const py::tuple& state) {
+                   return Part{state[0].cast<std::string>(), state[1].cast<std::uint32_t>(),
+                               state[2].cast<std::uint32_t>(), state[3].cast<std::uint32_t>()};
+                 }));
+}
+
+void bind_columns(MeshClass& mesh) {
+  const auto self_column = [&](const char* name, auto place, const char* doc) {
+    mesh.def_property_readonly(
+        name,
+        [place](const py::object& self) {
+          return column_of(self.cast<const Mesh&>().*place, self);
+        },
+        doc);
+  };
+  self_column("vertices", &Mesh::vertices, "(n, 3) float64, a view that cannot be written.");
+  self_column("triangles", &Mesh::triangles, "(m, 3) uint32, a view that cannot be written.");
+  self_column("faces", &Mesh::triangles, "The same as triangles, as other libraries call them.");
+  self_column("file_faces", &Mesh::faces,
+              "(m,) uint32: the face of the file for each triangle; empty if they are the same.");
+  mesh.def_property_readonly(
+      "bounds", [](const Mesh& m) { return bounds_array(bounds(m)); },
+      "(2, 3): the lower and the upper corner of the box of all triangles.");
+  mesh.def_property_readonly(
+      "parts", [](const Mesh& m) { return m.parts; }, "A list of Part.");
+  mesh.def_property_readonly(
+      "up", [](const Mesh& m) { return member(m.up); }, "UpAxis that the file states.");
+  mesh.def_readonly("unit", &Mesh::unit, "Meters a unit if the file says so, else 0.");
+  mesh.def_readonly("source", &Mesh::source, "The path of the file, or what made the mesh.");
+  mesh.def_property_readonly(
+      "notes", [](const Mesh& m) { return m.notes; },
+      "What the file holds that was not read or applied.");
+}
+
+/// What a mesh says of itself.
+void bind_facts(MeshClass& mesh) {
+  mesh.def("__len__", [](const Mesh& m) { return m.triangles.size(); });
+  mesh.def(
+      "__eq__", [](const Mesh& a, const Mesh& b) { return a == b; }, py::is_operator());
+  mesh.attr("__hash__") = py::none();
+  mesh.def("__repr__", &printed<Mesh>);
+  mesh.def("part_of", &part_of_each, py::arg("triangles"),
+           "part_of(triangles) -> numpy.ndarray\n\nThe innermost part of each triangle, -1 for "
+           "none, int64 in the shape of triangles.");
+  mesh.def("hash", &corner_hash,
+           "hash() -> int\n\nFNV-1a 64 over all corners: equal for equal triangles on every "
+           "machine.");
+  mesh.def(
+      "transformed",
+      [](const Mesh& m, double scale, const py::object& up) {
+        return std::make_shared<Mesh>(transformed(m, scale, enum_of<UpAxis>(up, "up")));
+      },
+      py::arg("scale") = 1.0, py::arg("up") = "unknown",
+      "transformed(scale=1.0, up='unknown') -> Mesh\n\nScaled, and rotated to z up from an axis.");
+  mesh.def(
+      "closedness",
+      [](const Mesh& m, bool connected, bool parts, const py::object& progress) {
+        const ClosednessOptions options{.connected = connected, .parts = parts};
+        return run(Work::many, 1, progress,
+                   [&](const Parallel& parallel) { return closedness(m, options, parallel); });
+      },
+      py::kw_only(), py::arg("connected") = false, py::arg("parts") = false,
+      py::arg("progress") = py::none(),
+      "closedness(*, connected=False, parts=False, progress=None) -> Closedness\n\nIs the surface "
+      "closed, so that every point off it is inside or outside? Decided exactly; on\nrequest for "
+      "each connected part and for each part of the file, too. O(n).");
+  mesh.def(
+      "defects",
+      [](const Mesh& m, const py::object& progress) {
+        return run(Work::many, 1, progress,
+                   [&](const Parallel& parallel) { return find_defects(m, {}, parallel); });
+      },
+      py::kw_only(), py::arg("progress") = py::none(),
+      "defects(*, progress=None) -> Defects\n\nCounts of what is wrong or noteworthy. O(n).");
+}
+
+void bind_closedness(py::module_& module) {
+  AnswerClass<PartClosedness> part(module, "PartClosedness",
+                                   "Whether some triangles are a closed surface.");
+  part.field("closed", &PartClosedness::closed, "Decided exactly. True without triangles.")
+      .field("first", &PartClosedness::first, "The first triangle.")
+      .field("triangles", &PartClosedness::triangles, "How many there are.")
+      .field("degenerate", &PartClosedness::degenerate, "Of these, how many have no area.")
+      .field("odd_edges", &PartClosedness::odd_edges, "Edges of an odd number of triangles.");
+  AnswerClass<Closedness> whole(module, "Closedness", "Closedness of a mesh and of its parts.");
+  whole.field("whole", &Closedness::whole, "Of all triangles together.")
+      .derived(
+          "connected", [](const Closedness& c) { return c.connected; },
+          "Of each connected part, by first triangle; empty unless requested.")
+      .derived(
+          "parts", [](const Closedness& c) { return c.parts; },
+          "Of each of Mesh.parts; empty unless requested.");
+}
+
+void bind_defects(py::module_& module) {
+  AnswerClass<Defects> defects(module, "Defects",
+                               "Counts of a mesh's defects; vertices are joined by position.");
+  defects.field("degenerate", &Defects::degenerate, "Triangles with exactly collinear corners.")
+      .field("repeated_corner", &Defects::repeated_corner, "Of these, with a corner twice.")
+      .field("duplicate", &Defects::duplicate, "Triangles with the corners of an earlier one.")
+      .field("doubled", &Defects::doubled, "Of these, those that face the other side.")
+      .field("open_edges", &Defects::open_edges, "Edges of one triangle.")
+      .field("non_manifold_edges", &Defects::non_manifold_edges, "Edges of more than two.")
+      .field("flipped_edges", &Defects::flipped_edges, "Edges that two use in one direction.")
+      .field("unused_vertices", &Defects::unused_vertices, "Vertices of no triangle.")
+      .field("repeated_vertices", &Defects::repeated_vertices, "Vertices in one place.")
+      .derived("closed", &Defects::closed, "Closed and consistently oriented.");
+}
+
+}  // namespace
+
+void bind_meshes(py::module_& module) {
+  bind_parts(module);
+  bind_closedness(module);
+  bind_defects(module);
+  MeshClass mesh(module, "Mesh", kMeshDoc);
+  mesh.def(py::init(&make_mesh), py::arg("vertices"), py::arg("triangles"),
+           py::arg("parts") = std::vector<Part>(), py::kw_only(), py::arg("unit") = 0.0,
+           py::arg("up") = "unknown", py::arg("source") = "",
+           py::arg("notes") = std::vector<std::string>(),
+           py::arg("file_faces") = std::vector<std::uint32_t>());
+  bind_columns(mesh);
+  bind_facts(mesh);
+  mesh.def(py::pickle(
+      [](const py::object& self) {
+        const Mesh& m = self.cast<const Mesh&>();
+        return py::make_tuple(self.attr("vertices"), self.attr("triangles"), m.parts, m.unit,
+                              self.attr("up").attr("name"), m.source, m.notes, m.faces);
+      },
+      [](const py::tuple& s) {
+        return make_mesh(s[0], s[1], s[2].cast<std::vector<Part>>(), s[3].cast<double>(), s[4],
+                         s[5].cast<std::string>(), s[6].cast<std::vector<std::string>>(),
+                         s[7].cast<std::vector<std::uint32_t>>());
+      }));
+}
+
+}  // namespace soms::python

@@ -1,0 +1,32 @@
+/// \file
+/// Queries of one point or of n of them, whose answer is one class or its batch.
+#pragma once
+
+#include "python/src/arrays.h"
+#include "python/src/call.h"
+#include "python/src/objects.h"
+
+#include <pybind11/pybind11.h>
+
+#include <span>
+#include <vector>
+
+namespace soms::python {
+
+/// `query(parallel, point)` for three numbers, else `query(parallel, points)`.
+template <class Query>
+py::object answer_points(const py::object& points, int threads, const py::object& progress,
+                         const Query& query) {
+  const Doubles numbers = doubles_of(points, "points");
+  if (is_point(numbers)) {
+    const Vec3 point = point_of(numbers, "points");
+    return made(run(Work::one, threads, progress,
+                    [&](const Parallel& parallel) { return query(parallel, point); }));
+  }
+  const std::vector<Vec3> places = points_of(numbers, "points");
+  return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
+    return query(parallel, std::span<const Vec3>(places));
+  }));
+}
+
+}  // namespace soms::python

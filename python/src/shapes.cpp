@@ -1,0 +1,143 @@
+#include "soms/query/body.h"
+#include "soms/query/print.h"
+#include "soms/tree/layout/wide_tree.h"
+#include "soms/tree/print.h"
+#include "soms/tree/refit.h"
+#include "soms/tree/shape.h"
+
+#include "python/src/answer.h"
+#include "python/src/bind.h"
+#include "python/src/bodies.h"
+#include "python/src/call.h"
+#include "python/src/poses.h"
+
+#include <memory>
+
+namespace soms::python {
+
+namespace {
+
+constexpr const char* kShapeDoc =
+    R"(Shape(mesh, *, rule='fast', layout='wide', per_leaf=8, level=0, threads=1, progress=None)
+
+A mesh and the tree that queries traverse. Build it once, query it often. It does not change.
+
+mesh: a Mesh, or an object with vertices and faces. rule: a name of Rule; answers are the same with
+each. layout: 'wide' for speed (70 to 80 bytes a triangle) or 'compact' (about 12). per_leaf, level:
+triangles of a leaf, levels of the tree (0: without limit). threads: 0 for all processors.
+progress: called with the share done, 0 to 1.
+
+Raises Error of kind usage. Half a second a million triangles; pickling keeps the mesh alone and
+builds again.)";
+
+constexpr const char* kBodyDoc = R"(Body(shape, pose=None, name='')
+
+A shape at a place, as queries take it. It does not change: at(pose) gives another.
+
+shape: a Shape or Mesh, or an object with vertices and faces (a tree is built then). pose: as Pose
+takes it.)";
+
+Shape make_shape(const py::object& given, const ShapeOptions& options, int threads,
+                 const py::object& progress) {
+  auto mesh = mesh_of(given, "mesh");
+  return run(Work::many, threads, progress,
+             [&](const Parallel& parallel) { return Shape(std::move(mesh), options, parallel); });
+}
+
+Shape refitted(const Shape& shape, const py::object& vertices, int threads) {
+  std::vector<Vec3> moved = points_of(vertices, "vertices");
+  return run(Work::many, threads, py::none(),
+             [&](const Parallel& parallel) { return refit(shape, std::move(moved), parallel); });
+}
+
+Layout layout_of(const Shape& shape) {
+  return shape.layout().compact() != nullptr ? Layout::compact : Layout::wide;
+}
+
+py::tuple shape_state(const Shape& shape) {
+  const BuildOptions& options = shape.build_options();
+  return py::make_tuple(std::const_pointer_cast<Mesh>(shape.shared_mesh()),
+                        member(options.rule).attr("name"), member(layout_of(shape)).attr("name"),
+                        options.per_leaf, options.level);
+}
+
+ShapeOptions shape_options(const py::object& rule, const py::object& layout, int per_leaf,
+                           int level) {
+  ShapeOptions options;
+  options.build.rule = enum_of<Rule>(rule, "rule");
+  options.build.per_leaf = per_leaf;
+  options.build.level = level;
+  options.layout = enum_of<Layout>(layout, "layout");
+  return options;
+}
+
+void bind_shape(py::module_& module) {
+  py::class_<Shape> shape(module, "Shape", kShapeDoc);
+  shape.def(py::init([](const py::object& mesh, const py::object& rule, const py::object& layout,
+                        int per_leaf, int level, int threads, const py::object& progress) {
+              return make_shape(mesh, shape_options(rule, layout, per_leaf, level), threads,
+                                progress);
+            }),
+            py::arg("mesh"), py::kw_only(), py::arg("rule") = "fast", py::arg("layout") = "wide",
+            py::arg("per_leaf") = 8, py::arg("level") = 0, py::arg("threads") = 1,
+            py::arg("progress") = py::none());
+  shape.def_property_readonly(
+      "mesh", [](const Shape& s) { return std::const_pointer_cast<Mesh>(s.shared_mesh()); },
+      "The mesh.");
+  shape.def_property_readonly(
+      "rule", [](const Shape& s) { return member(s.build_options().rule); },
+      "Rule that it was built by.");
+  shape.def_property_readonly(
+      "layout", [](const Shape& s) { return member(layout_of(s)); }, "Layout of its tree.");
+  shape.def_property_readonly("memory", &Shape::memory, "Bytes of mesh and tree.");
+  shape.def_property_readonly("sah_degradation", &Shape::sah_degradation,
+                              "How far the tree has fallen behind by refit: 1 as built.");
+  shape.def_property_readonly("build_is_due", &build_is_due,
+                              "True if a new build pays after refits.");
+  shape.def("refit", &refitted, py::arg("vertices"), py::kw_only(), py::arg("threads") = 1,
+            "refit(vertices, *, threads=1) -> Shape\n\nThe same triangles with moved vertices, "
+            "(n, 3): half the time of a build. This shape stays.");
+  shape.def("__len__", [](const Shape& s) { return s.mesh().triangles.size(); });
+  shape.def(
+      "__eq__", [](const Shape& a, const Shape& b) { return a == b; }, py::is_operator());
+  shape.attr("__hash__") = py::none();
+  shape.def("__repr__", &printed<Shape>);
+  shape.def(py::pickle(&shape_state, [](const py::tuple& s) {
+    return make_shape(s[0], shape_options(s[1], s[2], s[3].cast<int>(), s[4].cast<int>()), 1,
+                      py::none());
+  }));
+}
+
+void bind_body(py::module_& module) {
+  py::class_<Body> body(module, "Body", kBodyDoc);
+  body.def(py::init([](const py::object& shape, const py::object& pose, std::string name) {
+             return Body(shape_of(shape, "shape"), pose.is_none() ? Pose() : pose_of(pose),
+                         std::move(name));
+           }),
+           py::arg("shape"), py::arg("pose") = py::none(), py::arg("name") = "");
+  body.def_readonly("shape", &Body::shape, "The Shape.");
+  body.def_readonly("pose", &Body::pose, "The Pose.");
+  body.def_readonly("name", &Body::name, "The name.");
+  body.def(
+      "at",
+      [](const Body& b, const py::object& pose) { return Body(b.shape, pose_of(pose), b.name); },
+      py::arg("pose"), "at(pose) -> Body\n\nThe same shape at another pose; nothing is built.");
+  body.def(
+      "__eq__", [](const Body& a, const Body& b) { return a == b; }, py::is_operator());
+  body.attr("__hash__") = py::none();
+  body.def("__repr__", &printed<Body>);
+  body.def(py::pickle([](const Body& b) { return py::make_tuple(b.shape, b.pose, b.name); },
+                      [](const py::tuple& s) {
+                        return Body(s[0].cast<Shape>(), s[1].cast<Pose>(),
+                                    s[2].cast<std::string>());
+                      }));
+}
+
+}  // namespace
+
+void bind_shapes(py::module_& module) {
+  bind_shape(module);
+  bind_body(module);
+}
+
+}  // namespace soms::python

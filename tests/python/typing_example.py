@@ -1,0 +1,35 @@
+"""What a type checker must accept of soms: checked by stubs_test.py, and run by it."""
+import numpy as np
+from numpy.typing import NDArray
+
+import soms
+
+
+def touching(mover: soms.Shape, fixed: soms.Body, poses: NDArray[np.float64]) -> int:
+    batch = soms.overlap(mover, fixed, poses, mode="any", threads=0)
+    flags: NDArray[np.bool_] = batch.any
+    row: NDArray[np.uint32] = batch.of(0)
+    return int(np.count_nonzero(flags)) + len(row)
+
+
+def main() -> None:
+    car = soms.Shape(soms.generate("car"), rule=soms.Rule.quality)
+    city = soms.Body(soms.generate("city", 3000), soms.Pose.translation(0, 0, 1), "city")
+    print(touching(car, city, np.zeros((2, 4, 4)) + np.eye(4)))
+    single: soms.Overlap = soms.overlap(soms.Body(car), city)
+    gap: float = soms.distance(soms.Body(car), city, at_most=10).lower
+    side: soms.Side = soms.contains(soms.Body(car), (0.0, 0.0, 0.5)).side
+    sides: NDArray[np.uint8] = soms.contains(soms.ClosedBody(car), np.zeros((2, 3))).side
+    hit: int | None = soms.closest_hit(city, [0.0, 0.0, 99.0], [0.0, 0.0, -1.0]).triangle
+    scene = soms.Scene()
+    number: int = scene.add_mover(car)
+    scene.set_pose(number, [1.0, 2.0, 3.0])
+    print(single.any, gap, side, sides, hit, scene.step(clearance=1.0).queries)
+    try:
+        soms.read_mesh("nowhere.ply")
+    except soms.Error as error:
+        print(error.kind, error.place, error.remedy)
+
+
+if __name__ == "__main__":
+    main()
