@@ -1,4 +1,4 @@
-// The panels of `Panels` that are lists: files to open, contacts, the tests of a traversal.
+// The panels of `Panels` that are lists: files to open, events, the tests of a traversal.
 #include "apps/support/look.h"
 #include "apps/support/text.h"
 #include "apps/view/control/imgui_input.h"
@@ -16,6 +16,8 @@ namespace {
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
                                     ImGuiWindowFlags_NoNavInputs;
+
+constexpr int kLinesOfEvent = 2;  ///< of text in a row
 
 ImU32 color_of_bar(TreeBars::Look look) {
   const auto color = [](look::Rgb c, int opacity = 255) {
@@ -53,18 +55,6 @@ void draw_bars(const TreeBars& tree) {
     draw->AddRectFilled(ImVec2(left, top), ImVec2(right, top + height - 1), color_of_bar(bar.look));
   }
   ImGui::Dummy(ImVec2(width, height * rows));
-}
-
-std::string times_of(const ContactEvent& event) {
-  return event.begin == event.end ? "frame " + command::with_commas(event.begin)
-                                  : "frames " + command::with_commas(event.begin) + " to " +
-                                        command::with_commas(event.end);
-}
-
-std::string words_of(const ContactEvent& event) {
-  return event.title + "\n   " + times_of(event) + ", at most " +
-         command::with_commas(event.most_pairs) + (event.most_pairs == 1 ? " pair" : " pairs") +
-         ", in frame " + command::with_commas(event.most_frame);
 }
 
 }  // namespace
@@ -139,11 +129,11 @@ void Panels::events(Session& session) {
   if (!state.events) {
     return;
   }
-  begin_right("contacts", 0.42F * ImGui::GetIO().DisplaySize.y);
+  begin_right("events", 0.42F * ImGui::GetIO().DisplaySize.y);
   const EventList& list = session.events();
   const bool done = list.done();
   ImGui::Text("%s %s in %s frames", command::with_commas(list.rows.size()).c_str(),
-              list.rows.size() == 1 ? "contact" : "contacts",
+              list.rows.size() == 1 ? "event" : "events",
               command::with_commas(list.searched).c_str());
   if (!done) {
     ImGui::SameLine();
@@ -161,18 +151,26 @@ void Panels::events(Session& session) {
 void Panels::event_rows(Session& session) {
   ViewState& state = session.state();
   ImGui::BeginChild("list");
-  const std::vector<ContactEvent>& rows = session.events().rows;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!has_words(rows[i].title, wanted_)) {
-      continue;
+  const std::vector<ContactEvent>& all = session.events().rows;
+  listed_.update(session.events(), wanted_);
+  const std::vector<std::size_t>& rows = listed_.rows();
+  const float height = kLinesOfEvent * ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.y;
+  if (state.event && shown_event_ != state.event) {
+    const auto at = std::lower_bound(rows.begin(), rows.end(), *state.event);
+    if (at != rows.end() && *at == *state.event) {
+      const float middle = height * (static_cast<float>(at - rows.begin()) + 0.5F);
+      ImGui::SetScrollY(std::max(0.0F, middle - 0.5F * ImGui::GetWindowHeight()));
     }
-    const bool chosen = state.event == i;
-    if (widgets_.row(words_of(rows[i]), i, chosen) != Widgets::RowPress::none) {
-      state.requests.event = i;
-    }
-    if (chosen && shown_event_ != i) {
-      ImGui::SetScrollHereY();
-      shown_event_ = i;
+    shown_event_ = state.event;
+  }
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(rows.size()), height);
+  while (clipper.Step()) {
+    for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
+      const std::size_t i = rows[static_cast<std::size_t>(k)];
+      if (widgets_.row(words_of(all[i]), i, state.event == i) != Widgets::RowPress::none) {
+        state.requests.event = i;
+      }
     }
   }
   ImGui::EndChild();

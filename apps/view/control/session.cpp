@@ -272,6 +272,7 @@ std::optional<PickedFacts> Session::seen_at(PixelPoint at) {
 void Session::pick(PixelPoint at) {
   picked_ = seen_at(at);
   state_.selected = picked_.has_value();
+  state_.at_event = false;
   if (picked_) {
     subject_.select();
   } else {
@@ -358,6 +359,7 @@ void Session::do_requests() {
     wishes.deselect = false;
     picked_.reset();
     state_.selected = false;
+    state_.at_event = false;
     subject_.deselect();
     changed_ = true;
   }

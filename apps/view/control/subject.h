@@ -52,9 +52,10 @@ struct ContactEvent {
 
 /// The contacts of the first frames, as they would be without the hand, by their begin.
 struct EventList {
-  std::vector<ContactEvent> rows;
-  std::uint64_t searched = 0;  ///< frames
-  std::uint64_t frames = 0;    ///< that are to be searched
+  std::vector<ContactEvent> rows;  ///< grows at its end, until the search starts over
+  std::uint64_t edition = 0;       ///< another one when the search started over
+  std::uint64_t searched = 0;      ///< frames
+  std::uint64_t frames = 0;        ///< that are to be searched
 
   [[nodiscard]] bool done() const { return searched >= frames; }
 };

@@ -1,4 +1,4 @@
-// What of `SceneSubject` concerns contacts over time.
+// What of `SceneSubject` concerns events.
 #include "apps/view/scene/open_side.h"
 #include "apps/view/window/scene_subject.h"
 
@@ -28,9 +28,12 @@ BodyRef ref_of(const SceneBody& body) {
 }  // namespace
 
 void SceneSubject::list_events() {
+  if (finder_.searched() < events_.searched) {
+    events_.rows.clear();
+    ++events_.edition;
+  }
   events_.frames = finder_.frames();
   events_.searched = finder_.searched();
-  events_.rows.resize(std::min(events_.rows.size(), finder_.spans().size()));
   for (std::size_t i = 0; i < finder_.spans().size(); ++i) {
     const ContactSpan& span = finder_.spans()[i];
     if (i == events_.rows.size()) {

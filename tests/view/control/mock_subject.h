@@ -153,7 +153,7 @@ class MockSubject final : public Subject {
   std::string clearance;  ///< empty: no gaps
   std::string least_gap;
   std::vector<std::string> left_out;
-  EventList found{{}, 0, 20};
+  EventList found{{}, 0, 0, 20};
   std::vector<ContactEvent> rows{{"car (mover 1) touches house", 3, 9, 12, 5},
                                  {"person (mover 2) touches tree", 7, 7, 1, 7}};
   int searches = 0;

@@ -5,6 +5,7 @@
 
 #include "apps/view/control/help.h"
 #include "apps/view/control/imgui_input.h"
+#include "apps/view/control/panel_text.h"
 #include "apps/view/control/style.h"
 #include "apps/view/scene/orientation_menu.h"
 #include "tests/support/support.h"
@@ -254,8 +255,8 @@ TEST_F(PanelsTest, FileAndHelpMenusDoAsTheirKeys) {
   EXPECT_TRUE(state().requests.quit);
 }
 
-TEST_F(PanelsTest, ContactsAreListedSearchedAndGoneTo) {
-  click("Contacts");
+TEST_F(PanelsTest, EventsAreListedSearchedAndGoneTo) {
+  click("Events");
   click("List");
   for (int i = 0; i < 5; ++i) {
     frame();
@@ -285,6 +286,64 @@ TEST_F(PanelsTest, ContactsAreListedSearchedAndGoneTo) {
   EXPECT_TRUE(captured().keys);
   EXPECT_EQ(row("house"), panels_.places().end());
   EXPECT_NE(row("tree"), panels_.places().end());
+}
+
+TEST_F(PanelsTest, OfALongListOfEventsOnlyRowsInSightAreWritten) {
+  subject_.rows.clear();
+  for (std::uint64_t i = 0; i < 5'000; ++i) {
+    subject_.rows.push_back({"car " + std::to_string(i) + " touches house", i, i, 1, i});
+  }
+  state().events = true;
+  for (int i = 0; i < 5; ++i) {
+    frame();
+  }
+  const auto listed = [&](const std::string& name) {
+    const auto& places = panels_.places();
+    return std::count_if(places.begin(), places.end(), [&](const WidgetPlace& p) {
+      return p.label.find(name) != std::string::npos;
+    });
+  };
+  EXPECT_EQ(listed("car 0 touches"), 1);
+  EXPECT_GT(listed(" touches house"), 3);
+  EXPECT_LT(listed(" touches house"), 20);
+  EXPECT_EQ(listed("car 4000 touches"), 0);
+  state().requests.event = 4'000;  // the list goes to the row that is chosen
+  settle();
+  EXPECT_EQ(listed("car 4000 touches"), 1);
+  EXPECT_EQ(listed("car 0 touches"), 0);
+  EXPECT_LT(listed(" touches house"), 20);
+}
+
+TEST_F(PanelsTest, KeysOfListsShowThemThoughPanelsAreHidden) {
+  for (const Action action : {Action::events, Action::learn, Action::learn_next}) {
+    state().panels = false;
+    state().events = action != Action::learn;
+    state().learn = action == Action::learn;
+    apply(state(), action);
+    settle();
+    EXPECT_TRUE(state().panels);
+    EXPECT_EQ(find("Next test") != nullptr, action != Action::events);
+    EXPECT_EQ(find("Next") != nullptr, action != Action::learn);
+    state().events = state().learn = false;
+  }
+}
+
+TEST_F(PanelsTest, WithoutPanelsALineSaysWhichEventIsSeen) {
+  state().panels = false;
+  settle();
+  EXPECT_EQ(event_line(state(), session_.events()), "");
+  const int before = ImGui::GetDrawData()->TotalVtxCount;
+  apply(state(), Action::event_next);
+  frame();
+  EXPECT_EQ(event_line(state(), session_.events()), "10 of 20 frames searched");
+  settle();
+  EXPECT_FALSE(state().panels);
+  EXPECT_EQ(event_line(state(), session_.events()),
+            "event 1 of 2: car (mover 1) touches house, frames 3 to 9");
+  EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, before + 100);
+  state().requests.deselect = true;
+  settle();
+  EXPECT_EQ(event_line(state(), session_.events()), "");
 }
 
 TEST_F(PanelsTest, AFileIsChosenFromTheListByTheMouse) {
