@@ -1,5 +1,4 @@
 // The panels of `Panels` that are lists: files to open, events, the tests of a traversal.
-#include "apps/support/look.h"
 #include "apps/support/text.h"
 #include "apps/view/control/imgui_input.h"
 #include "apps/view/control/panel_text.h"
@@ -7,6 +6,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace soms::view {
 
@@ -19,23 +19,20 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoResize | ImGuiWindowFlags
 
 constexpr int kLinesOfEvent = 2;  ///< of text in a row
 
-ImU32 color_of_bar(TreeBars::Look look) {
-  const auto color = [](look::Rgb c, int opacity = 255) {
-    return IM_COL32(c.r, c.g, c.b, opacity);
-  };
-  switch (look) {
-    case TreeBars::Look::untouched:
-      return color(look::kLine.light);
-    case TreeBars::Look::pruned:
-      return color(look::kFaint.light, 110);
-    case TreeBars::Look::visited:
-      return color(look::kLink.light, 130);
-    case TreeBars::Look::found:
-      return color(look::kSeries[4].light);
-    case TreeBars::Look::now:
-      return color(look::kContact.light);
-  }
-  return 0;
+ImU32 packed(Color color) {
+  return IM_COL32(color.r, color.g, color.b, color.a);
+}
+
+/// A square in a color, and what it means, in the line of those before.
+void legend(Color color, const char* words) {
+  const float side = 0.7F * ImGui::GetFontSize();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float top = at.y + 0.2F * ImGui::GetFontSize();
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, top), ImVec2(at.x + side, top + side),
+                                            packed(color));
+  ImGui::Dummy(ImVec2(side, ImGui::GetFontSize()));
+  ImGui::SameLine(0, 0.3F * ImGui::GetFontSize());
+  ImGui::TextDisabled("%s", words);
 }
 
 /// A tree as rows of bars over the width that is left.
@@ -52,7 +49,8 @@ void draw_bars(const TreeBars& tree) {
     const float left = at.x + width * bar.left;
     // A gap of a pixel sets neighbors apart where there is room for it.
     const float right = std::max(at.x + width * bar.right - 1, left + 1);
-    draw->AddRectFilled(ImVec2(left, top), ImVec2(right, top + height - 1), color_of_bar(bar.look));
+    draw->AddRectFilled(ImVec2(left, top), ImVec2(right, top + height - 1),
+                        packed(color_of(tree, bar.look)));
   }
   ImGui::Dummy(ImVec2(width, height * rows));
 }
@@ -202,7 +200,15 @@ void Panels::learn(Session& session) {
   if (facts->tests > 0) {
     draw_bars(facts->a);
     draw_bars(facts->b);
-    ImGui::TextDisabled("red now, blue entered, orange found, gray pruned");
+    legend(facts->a.now, "now");
+    ImGui::SameLine();
+    legend(facts->b.now, "now");
+    for (const auto& [what, words] :
+         {std::pair(TreeBars::Look::visited, "entered"), std::pair(TreeBars::Look::found, "found"),
+          std::pair(TreeBars::Look::pruned, "pruned")}) {
+      ImGui::SameLine();
+      legend(color_of(facts->a, what), words);
+    }
   }
   end_right();
 }

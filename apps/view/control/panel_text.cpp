@@ -1,6 +1,8 @@
 #include "apps/view/control/panel_text.h"
 
+#include "apps/support/look.h"
 #include "apps/support/text.h"
+#include "apps/view/scene/view_options.h"
 
 #include <algorithm>
 #include <cctype>
@@ -28,6 +30,23 @@ bool has_words(const std::string& text, const std::string& wanted) {
     }
   }
   return true;
+}
+
+Color color_of(const TreeBars& tree, TreeBars::Look state) {
+  const ViewColors colors;
+  switch (state) {
+    case TreeBars::Look::untouched:
+      return color_of(look::kLine.light);
+    case TreeBars::Look::pruned:
+      return colors.pruned;
+    case TreeBars::Look::visited:
+      return colors.visited;
+    case TreeBars::Look::found:
+      return colors.found;
+    case TreeBars::Look::now:
+      return tree.now;
+  }
+  return {};
 }
 
 std::string times_of(const ContactEvent& event) {

@@ -1,5 +1,5 @@
 /// \file
-/// Words of the panels.
+/// Words and colors of the panels.
 #pragma once
 
 #include "apps/view/control/subject.h"
@@ -11,6 +11,9 @@ namespace soms::view {
 
 /// True if all of the words in `wanted`, in either case, are in `text`.
 [[nodiscard]] bool has_words(const std::string& text, const std::string& wanted);
+
+/// The color of a bar: that of what it stands for in the scene.
+[[nodiscard]] Color color_of(const TreeBars& tree, TreeBars::Look state);
 
 /// When an event is: "frame 7" or "frames 3 to 9".
 [[nodiscard]] std::string times_of(const ContactEvent& event);

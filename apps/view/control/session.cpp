@@ -64,7 +64,9 @@ Session::Session(Subject& subject, Size window) : subject_(subject), window_(win
 
 void Session::frame_again() {
   if (camera_ == first_) {
-    camera_ = first_ = seen_whole(Side::corner);
+    const Box& box = facts_.framed.empty() ? facts_.bounds : facts_.framed;
+    camera_ = first_ =
+        seen_from(usable(box), Side::corner, window_, camera_.field_of_view, covered_);
   }
 }
 

@@ -82,8 +82,11 @@ void Session::do_event_requests() {
 }
 
 void Session::go_to_event(std::size_t row) {
+  const FitCamera fit = [this](const Box& box, const Vec3& toward_eye) {
+    return fitted_beside(box, toward_eye, window_, covered_, camera_.field_of_view);
+  };
   Sight sight;
-  if (!guarded([&] { sight = subject_.show_event(row); })) {
+  if (!guarded([&] { sight = subject_.show_event(row, fit); })) {
     return;
   }
   state_.paused = true;
@@ -92,7 +95,7 @@ void Session::go_to_event(std::size_t row) {
   state_.at_event = true;
   picked_ = sight.facts;
   state_.selected = true;
-  go(fitted_beside(sight.surroundings, sight.toward_eye, window_, covered_, camera_.field_of_view));
+  go(sight.camera);
 }
 
 }  // namespace soms::view
