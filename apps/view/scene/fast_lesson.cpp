@@ -23,13 +23,16 @@ std::string boxes_in_words(std::uint8_t boxes, std::uint32_t node, const std::st
 
 /// What is decided of the pairs of a step.
 std::string meeting_in_words(const FastStep& step) {
-  const int meet = std::popcount(step.meet);
-  const auto apart = static_cast<std::int64_t>(step.node_tests) - meet;
-  return fmt::format(
-      "{} of {} pairs may meet and {} looked into later; {} apart, and nothing below "
-      "{} can touch.",
-      meet, step.node_tests, meet == 1 ? "is" : "are",
-      apart == 1 ? "1 is" : fmt::format("{} are", apart), apart == 1 ? "it" : "them");
+  const auto meet = static_cast<std::uint64_t>(std::popcount(step.meet));
+  const auto pairs = [](std::uint64_t count) {
+    return fmt::format("{} {}", count, count == 1 ? "pair" : "pairs");
+  };
+  if (meet == 0) {
+    return fmt::format("Of {} none meets: nothing below can touch.", pairs(step.node_tests));
+  }
+  return fmt::format("Of {}, {} may meet and {} looked into later{}.", pairs(step.node_tests), meet,
+                     meet == 1 ? "is" : "are",
+                     meet < step.node_tests ? "; below the others nothing can touch" : "");
 }
 
 /// The frame of a node's boxes in the world.

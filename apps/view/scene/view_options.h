@@ -87,7 +87,7 @@ struct ViewColors {
   Color pruned = {150, 150, 150, 255};
   Color found = palette::kOrange;
   Color tested_a = palette::kPurple;  ///< boxes of the pair's first tree, test by test
-  Color tested_b = palette::kBlue;    ///< of its second tree
+  Color tested_b = palette::kGreen;   ///< of its second tree; movers are blue
   Color plain_city = {222, 211, 186, 255};
 
   [[nodiscard]] bool operator==(const ViewColors&) const = default;
