@@ -29,6 +29,7 @@ are whole.</p></noscript>
 <div id="stage">
 <canvas id="canvas" tabindex="0" role="application" aria-label="The scene with its contacts; arrow keys
 turn it, plus and minus come closer and go away, N and P go to the next and the previous line of the list"></canvas>
+<svg id="spots" aria-hidden="true"></svg>
 <svg id="gaps" aria-hidden="true"></svg>
 <p id="trouble" class="warn" role="alert" hidden></p>
 <div id="tools"><button id="whole" type="button">Whole scene</button>

@@ -19,12 +19,14 @@ h1,.lead,#picked,.note{overflow-wrap:anywhere}
 border-radius:.4rem;overflow:hidden}
 #canvas{display:block;width:100%;height:100%}
 #canvas:focus-visible,#list:focus-visible{outline:3px solid var(--link);outline-offset:-3px}
-#gaps{position:absolute;inset:0;width:100%;height:100%;overflow:hidden;pointer-events:none}
+#gaps,#spots{position:absolute;inset:0;width:100%;height:100%;overflow:hidden;pointer-events:none}
 #gaps line{stroke:var(--ink);stroke-width:2.5}#gaps .halo{stroke:var(--paper);stroke-width:6;stroke-opacity:.8}
 #gaps circle{fill:var(--ink);stroke:var(--paper)}
 #gaps .was .ink{stroke-dasharray:6 4}#gaps .far{opacity:.45}#gaps .chosen .ink{stroke-width:3.5}
 #gaps text{font:600 13px system-ui,sans-serif;fill:var(--ink);stroke:var(--paper);stroke-width:4;
 stroke-linejoin:round;paint-order:stroke;text-anchor:middle}
+#spots circle{fill:var(--contact);stroke:var(--paper);stroke-width:2}#spots .was circle{fill:var(--contact-past)}
+#spots text{font:600 11px system-ui,sans-serif;fill:var(--paper);text-anchor:middle;dominant-baseline:central}
 #trouble{position:absolute;inset:0;margin:0;padding:2rem;background:var(--warn);max-width:none}
 #tools{position:absolute;top:.5rem;left:.5rem;display:flex;flex-wrap:wrap;gap:.4rem}
 #missing{position:absolute;left:.5rem;bottom:.5rem;max-width:70%;margin:0;padding:.1rem .5rem;

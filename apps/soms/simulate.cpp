@@ -237,12 +237,16 @@ int run_simulate(const SimulateOptions& given, Console& console) {
   if (!strict) {
     tell_warnings(doubts, strict, console);
   }
+  std::vector<std::size_t> event_of;
+  if (events || contacts || page) {
+    event_of = events_of_contacts(world, outcome.contacts.contacts(), outcome.events.spans());
+  }
   if (events) {
-    write_events(events->stream(), world, outcome, options);
+    write_events(events->stream(), world, outcome, event_of, options);
     events->commit();
   }
   if (contacts) {
-    write_contacts(contacts->stream(), world, outcome);
+    write_contacts(contacts->stream(), world, outcome, event_of);
     contacts->commit();
   }
   if (map) {
@@ -250,7 +254,7 @@ int run_simulate(const SimulateOptions& given, Console& console) {
     map->commit();
   }
   if (page) {
-    write_page(page->stream(), world, outcome, options);
+    write_page(page->stream(), world, outcome, std::move(event_of), options);
     page->commit();
   }
   const int status = finish(world, outcome, picture, options, console);

@@ -71,10 +71,10 @@ std::vector<std::size_t> events_of_contacts(const World& world, std::span<const 
 }
 
 void write_events(std::ostream& out, const World& world, const Outcome& outcome,
-                  const SimulateOptions& options) {
+                  std::span<const std::size_t> event_of, const SimulateOptions& options) {
   const std::vector<ContactSpan>& events = outcome.events.spans();
   std::vector<std::uint64_t> counts(events.size(), 0);
-  for (const std::size_t k : events_of_contacts(world, outcome.contacts.contacts(), events)) {
+  for (const std::size_t k : event_of) {
     ++counts[k];
   }
   const CityParts parts(world);
@@ -100,10 +100,9 @@ void write_events(std::ostream& out, const World& world, const Outcome& outcome,
   }
 }
 
-void write_contacts(std::ostream& out, const World& world, const Outcome& outcome) {
+void write_contacts(std::ostream& out, const World& world, const Outcome& outcome,
+                    std::span<const std::size_t> event_of) {
   const std::vector<Contact>& contacts = outcome.contacts.contacts();
-  const std::vector<std::size_t> events =
-      events_of_contacts(world, contacts, outcome.events.spans());
   const CityParts parts(world);
   out << "mover,model,touched,part,triangle,begin,end,event\n";
   for (std::size_t k = 0; k < contacts.size(); ++k) {
@@ -115,7 +114,7 @@ void write_contacts(std::ostream& out, const World& world, const Outcome& outcom
       out << csv_field(world.city[contact.part].name) << ','
           << csv_field(parts.name(contact.part, contact.other)) << ',' << contact.other << ',';
     }
-    out << contact.begin << ',' << contact.end << ',' << events[k] << '\n';
+    out << contact.begin << ',' << contact.end << ',' << event_of[k] << '\n';
   }
 }
 

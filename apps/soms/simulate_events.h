@@ -31,14 +31,16 @@ namespace soms::command {
                                                           std::span<const Contact> contacts,
                                                           const std::vector<ContactSpan>& events);
 
-/// CSV, a row an event: columns of docs/simulate.md. With a clearance there are the columns
-/// `kNearColumns`, too, and behind the contacts a row for each time that two bodies are near.
+/// CSV, a row an event: columns of docs/simulate.md. `event_of` is that of `events_of_contacts`,
+/// here and below. With a clearance there are the columns `kNearColumns`, too, and behind the
+/// contacts a row for each time that two bodies are near.
 void write_events(std::ostream& out, const World& world, const Outcome& outcome,
-                  const SimulateOptions& options);
+                  std::span<const std::size_t> event_of, const SimulateOptions& options);
 
 /// CSV, a row a contact, in the order of `ContactLog`: mover, model, touched, part, triangle,
 /// begin, end, event. Frames count from 0; `end` is the last frame of touch; `event` is the row of
 /// `write_events`, from 0.
-void write_contacts(std::ostream& out, const World& world, const Outcome& outcome);
+void write_contacts(std::ostream& out, const World& world, const Outcome& outcome,
+                    std::span<const std::size_t> event_of);
 
 }  // namespace soms::command

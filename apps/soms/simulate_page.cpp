@@ -148,11 +148,12 @@ void add_curves(report::Scene& scene, const World& world, const Outcome& outcome
   }
 }
 
-report::Scene scene_of(const World& world, const Outcome& outcome) {
+report::Scene scene_of(const World& world, const Outcome& outcome,
+                       std::vector<std::size_t> event_of) {
   report::Scene scene;
   add_bodies(scene, world);
   const std::vector<Contact>& contacts = outcome.contacts.contacts();
-  ContactRows gathered = rows_of(world, outcome);
+  ContactRows gathered = rows_of(world, outcome, std::move(event_of));
   scene.parts = std::move(gathered.parts);
   MoverParts parts(world, scene.parts);
   for (const std::size_t k : fair_sample(gathered, contacts, report::SceneLimits().contacts)) {
@@ -260,7 +261,7 @@ std::vector<report::Plot> plots_of(const World& world, const Outcome& outcome) {
 }  // namespace
 
 void write_page(std::ostream& out, const World& world, const Outcome& outcome,
-                const SimulateOptions& options) {
+                std::vector<std::size_t> event_of, const SimulateOptions& options) {
   report::Page page{
       .title = fmt::format("{} and {}", world.title, counted(world.routes.size(), "mover")),
       .lead = fmt::format("What touches what, and when: {} in {}, decided exactly, triangle by "
@@ -292,7 +293,7 @@ void write_page(std::ostream& out, const World& world, const Outcome& outcome,
       "with its own first and last frame. Only surfaces are tested: a mover entirely inside a "
       "closed building touches nothing. The picture may be simplified; the answers never are.");
   page.plots = plots_of(world, outcome);
-  page.scene = scene_of(world, outcome);
+  page.scene = scene_of(world, outcome, std::move(event_of));
   if (options.clearance > 0) {
     add_near(page, world, outcome, options);
   }

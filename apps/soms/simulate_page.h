@@ -6,12 +6,14 @@
 #include "apps/soms/simulate_run.h"
 #include "apps/support/world.h"
 
+#include <cstddef>
 #include <ostream>
+#include <vector>
 
 namespace soms::command {
 
 /// Writes one HTML file with figures, plots, the time line and the scene with its contacts.
 void write_page(std::ostream& out, const World& world, const Outcome& outcome,
-                const SimulateOptions& options);
+                std::vector<std::size_t> event_of, const SimulateOptions& options);
 
 }  // namespace soms::command

@@ -1,11 +1,11 @@
 #include "apps/soms/simulate_rows.h"
 
-#include "apps/soms/simulate_events.h"
 #include "apps/support/part_names.h"
 
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 namespace soms::command {
 
@@ -43,8 +43,7 @@ std::uint32_t body_of(const World& world, MoverId mover) {
   return static_cast<std::uint32_t>(world.city.size()) + mover;
 }
 
-ContactRows rows_of(const World& world, const Outcome& outcome) {
-  const std::vector<Contact>& contacts = outcome.contacts.contacts();
+ContactRows rows_of(const World& world, const Outcome& outcome, std::vector<std::size_t> event_of) {
   const std::vector<ContactSpan>& events = outcome.events.spans();
   ContactRows gathered;
   NamedParts parts(world, gathered.parts);
@@ -62,7 +61,7 @@ ContactRows rows_of(const World& world, const Outcome& outcome) {
                              .most_step = event.most_step,
                              .place = event.place});
   }
-  gathered.row_of = events_of_contacts(world, contacts, events);
+  gathered.row_of = std::move(event_of);
   for (const std::size_t row : gathered.row_of) {
     ++gathered.rows[row].count;
   }

@@ -23,9 +23,10 @@ struct ContactRows {
 /// Bodies of a page's scene: those of the city, then the movers.
 [[nodiscard]] std::uint32_t body_of(const World& world, MoverId mover);
 
-/// A row for each event, in order of begin, with all its contacts. Rows hold no pairs.
-/// \cost O(n log r) for n contacts and r rows.
-[[nodiscard]] ContactRows rows_of(const World& world, const Outcome& outcome);
+/// A row for each event, in order of begin, with all its contacts, whose events are `event_of`
+/// (`events_of_contacts`). Rows hold no pairs.
+[[nodiscard]] ContactRows rows_of(const World& world, const Outcome& outcome,
+                                  std::vector<std::size_t> event_of);
 
 /// Numbers, ascending, of at most `most` contacts: each row has a fair share, its
 /// first and its longest.

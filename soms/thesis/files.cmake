@@ -2,6 +2,7 @@ set(SOMS_HEADERS
   baselines.h
   e_node.h
   e_node_front.h
+  fast_steps.h
   implicit.h
   named_overlap.h
   overlap.h
@@ -17,6 +18,7 @@ set(SOMS_SOURCES
   detail/recursion.cpp
   e_node.cpp
   e_node_front.cpp
+  fast_steps.cpp
   implicit.cpp
   named_overlap.cpp
   overlap.cpp

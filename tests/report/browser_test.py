@@ -302,6 +302,40 @@ def pick_faults(page):
         yield "a press on the time line does not choose its contact"
 
 
+def spot_faults(page):
+    """From afar, spots that lie on each other are one with a number; each row counts once."""
+    page.run("document.getElementById('whole').click()")
+    page.landed()
+    page.run("""for (let n = 0; n < 25; ++n) {
+        document.getElementById('canvas').dispatchEvent(new KeyboardEvent('keydown', {key: '-', bubbles: true}));}""")
+    page.canvas()
+    heaps = page.soms("spots()")
+    if sum(heap["all"] for heap in heaps) != page.soms("rows") - (page.soms("chosenRow()") >= 0):
+        yield f"spots stand for {sum(heap['all'] for heap in heaps)} of {page.soms('rows')} rows"
+    written = page.run("return [...document.querySelectorAll('#spots g')]"
+                       ".filter((g) => g.style.display !== 'none').map((g) => g.textContent)")
+    many = [heap["now"] or heap["all"] for heap in heaps if (heap["now"] or heap["all"]) > 1]
+    if not many or sorted(written) != sorted(f"{count:,}" for count in many):
+        yield f"the numbers on spots are {written}, not {many}"
+    for k, one in enumerate(heaps):
+        for other in heaps[:k]:
+            if abs(one["x"] - other["x"]) + abs(one["y"] - other["y"]) < 10:
+                yield f"two spots are one upon the other at {one['x']}, {one['y']}"
+
+
+def restore_faults(browser, file):
+    """After printing a contact is chosen as it was: its triangles, not its event."""
+    page = Look(browser, file, DESK, mark="#contact=1")
+    page.wait("return soms.chosen() === 1")
+    page.landed()
+    before = page.soms("chosenTriangles()")
+    page.run("window.dispatchEvent(new Event('beforeprint'))")
+    page.run("window.dispatchEvent(new Event('afterprint'))")
+    after = page.soms("chosenTriangles()")
+    if before < 3 or after != before:
+        yield f"printing leaves {after} corners of a chosen contact of {before}"
+
+
 def print_faults(browser, file, answer):
     """On paper: a picture of each of the first 20 events, in the colors of paper."""
     page = Look(browser, file, DESK, "dark")
@@ -403,7 +437,8 @@ def simulate_faults(browser, file, answer):
     for look in (lambda: first_sight_faults(page, answer), lambda: fold_faults(page),
                  lambda: click_faults(page),
                  lambda: search_faults(page), lambda: key_faults(page), lambda: time_faults(page),
-                 lambda: pick_faults(page)):
+                 lambda: pick_faults(page), lambda: spot_faults(page),
+                 lambda: restore_faults(browser, file)):
         yield from look()
     yield from scheme_faults(browser, file)
     yield from print_faults(browser, file, answer)
@@ -441,6 +476,10 @@ def gap_faults(browser, soms, folder):
         yield f"the length {row[2]} is drawn as {shown}"
     if shown[1] < 5 or abs(shown[2] - 0.5) > 0.05 or abs(shown[3] - 0.5) > 0.05:
         yield f"the line of the gap is not in the middle: {shown}"
+    for moment in ("beforeprint", "afterprint"):
+        page.run(f"window.dispatchEvent(new Event('{moment}'))")
+    if page.soms("chosenGap()") != 1:
+        yield "after printing no gap is chosen"
     linked = Look(browser, file, DESK, mark="#gap=2")
     if not linked.wait("return soms.chosenGap() === 2"):
         yield "an address that names a gap does not show it"

@@ -42,6 +42,9 @@ LENT = {
     ("thesis", "soms/query/detail/collector.h"): "modes and limits mean the same by every traversal",
     ("thesis", "soms/query/detail/engine/limit.h"): "so do deadlines",
     ("thesis", "soms/query/detail/engine/batch.h"): "poses of batches are checked alike",
+    ("thesis", "soms/query/detail/overlap_traversal.h"): "the default traversal is watched as it is",
+    ("thesis", "soms/query/detail/engine/pair_frame.h"): "likewise",
+    ("thesis", "soms/query/detail/engine/block_source.h"): "likewise",
 }
 PROGRAMS = {"support": {"support"}, "report": {"report"}, "soms": {"soms", "support", "report"},
             "reproduce": {"reproduce", "support"}, "view": {"view", "support"}, "import": {"import"}}

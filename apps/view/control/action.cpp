@@ -28,7 +28,7 @@ constexpr KeyPress control(char character) {
 constexpr std::string_view kGeneral = "General";
 constexpr std::string_view kTime = "Time";
 constexpr std::string_view kCamera = "Camera";
-constexpr std::string_view kContacts = "Contacts";
+constexpr std::string_view kEvents = "Events";
 constexpr std::string_view kTree = "Tree and traversal";
 constexpr std::string_view kLearn = "Learn";
 constexpr std::string_view kShow = "Show";
@@ -63,9 +63,9 @@ constexpr std::array<ActionRow, 69> kActions{{
     {Action::focus, key('F'), {}, kCamera, "go to the selection"},
     {Action::focus_gap, shift('F'), {}, kCamera, "go to the gap"},
 
-    {Action::events, {Key::f2}, {}, kContacts, "list of contacts on or off"},
-    {Action::event_next, {Key::f3}, {}, kContacts, "go to the next contact"},
-    {Action::event_previous, {Key::f3, true}, {}, kContacts, "go to the previous contact"},
+    {Action::events, {Key::f2}, {}, kEvents, "list of events on or off"},
+    {Action::event_next, {Key::f3}, {}, kEvents, "go to the next event"},
+    {Action::event_previous, {Key::f3, true}, {}, kEvents, "go to the previous event"},
 
     {Action::rule_next, key('R'), {}, kTree, "next rule"},
     {Action::rule_previous, shift('R'), {}, kTree, "previous rule"},
@@ -166,7 +166,7 @@ void back(ViewState& state) {
     state.help = false;
   } else if (state.learn) {
     state.learn = false;
-  } else if (state.events) {
+  } else if (state.events && state.panels) {
     state.events = false;
   } else if (state.selected) {
     state.requests.deselect = true;
@@ -286,10 +286,16 @@ bool apply_camera(ViewState& state, Action action) {
   }
 }
 
+/// Of hidden panels, one that is called is shown with the others.
+void flip_panel(ViewState& state, bool& panel) {
+  panel = !panel || !state.panels;
+  state.panels = state.panels || panel;
+}
+
 bool apply_list(ViewState& state, Action action) {
   switch (action) {
     case Action::events:
-      flip(state.events);
+      flip_panel(state, state.events);
       return true;
     case Action::event_next:
     case Action::event_previous:
@@ -297,7 +303,7 @@ bool apply_list(ViewState& state, Action action) {
       state.requests.event_step = action == Action::event_next ? 1 : -1;
       return true;
     case Action::learn:
-      flip(state.learn);
+      flip_panel(state, state.learn);
       return true;
     case Action::learn_next:
     case Action::learn_previous:
@@ -306,7 +312,7 @@ bool apply_list(ViewState& state, Action action) {
       } else if (state.learn && state.learn_step > 0) {
         --state.learn_step;
       }
-      state.learn = true;
+      state.learn = state.panels = true;
       return true;
     default:
       return false;

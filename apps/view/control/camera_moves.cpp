@@ -29,9 +29,10 @@ Vec3 on_target_plane(const Camera& camera, Size size, PixelPoint pixel) {
 
 /// Eye and target brought nearer to a point, which keeps its place in the picture.
 Camera scaled_about(const Camera& camera, const Vec3& point, double factor) {
-  Camera moved = camera;
-  moved.eye = point + (camera.eye - point) * factor;
-  moved.target = point + (camera.target - point) * factor;
+  Camera moved = dollied(camera, factor);
+  const Vec3 target = point + (camera.target - point) * factor;
+  moved.eye += target - camera.target;
+  moved.target = target;
   return moved;
 }
 

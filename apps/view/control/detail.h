@@ -1,5 +1,6 @@
 /// \file
-/// How many triangles a frame may draw while things move, so that slow devices stay fluent.
+/// How much care a frame gets, so that slow devices stay fluent while things move, and answer while
+/// a picture becomes finer.
 #pragma once
 
 #include "apps/view/drawing/renderer.h"
@@ -8,13 +9,21 @@
 
 namespace soms::view {
 
+/// Steps in which a picture becomes finer once things rest.
+enum class Care : std::uint8_t {
+  moving,  ///< as much as fits the time
+  whole,   ///< all triangles, a sample a pixel, no relief and shadows
+  full,
+};
+
 /// Learns from the frames drawn, and lets a moving picture have as many triangles as fit the time.
-/// Smooth edges, relief and shadows go first, triangles second. A time is not in proportion to
-/// triangles (filling costs too), so the count is steered, not computed.
+/// Smooth edges, relief and shadows go first, triangles second, pixels last. A time is not in
+/// proportion to triangles (filling costs too), so the count is steered, not computed.
 class Detail {
  public:
   static constexpr double kGoalMs = 35;  ///< of drawing a frame while moving
   static constexpr std::uint64_t kLeast = 20'000;
+  static constexpr double kLeastScale = 0.49;
 
   /// A frame with these options drew so many triangles in so long.
   void add(double ms, std::uint64_t triangles, const DrawOptions& options);
@@ -24,13 +33,17 @@ class Detail {
   /// fits.
   void add_with_uploads(double ms);
 
-  /// Everything when still, and when moving where that fits; else one sample a pixel, no
-  /// relief and shadows, and the triangles granted. `triangles` is how many there are.
-  [[nodiscard]] DrawOptions options(bool moving, std::uint64_t triangles) const;
+  /// Everything when still, and when moving where that fits; else one sample a pixel, no relief and
+  /// shadows, and the triangles and pixels granted. `triangles` is how many there are.
+  [[nodiscard]] DrawOptions options(Care care, std::uint64_t triangles) const;
+
+  /// The care that comes after a picture with `last`, while nothing moves.
+  [[nodiscard]] Care next(Care last) const;
 
  private:
   bool slow_ = false;  ///< a whole frame with smooth edges is too much
   std::uint64_t granted_ = DrawOptions::kAll;
+  double scale_ = 1;
 };
 
 }  // namespace soms::view

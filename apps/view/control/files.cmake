@@ -14,6 +14,7 @@ set(SOMS_VIEW_HEADERS
   panel_text.h
   panels.h
   playback.h
+  row_filter.h
   session.h
   style.h
   subject.h
@@ -33,6 +34,7 @@ set(SOMS_VIEW_SOURCES
   panel_text.cpp
   panels.cpp
   playback.cpp
+  row_filter.cpp
   session.cpp
   session_lists.cpp
   style.cpp

@@ -1,5 +1,6 @@
 #include "apps/view/control/gizmo.h"
 
+#include "apps/view/drawing/length.h"
 #include "apps/view/drawing/palette.h"
 
 #include <algorithm>
@@ -23,10 +24,6 @@ constexpr double kHeadWidth = 0.06;
 constexpr std::size_t kRingParts = 48;
 /// Least sine of the angle to the view at which a drag still makes sense: about 3 degrees.
 constexpr double kLeastSine = 0.05;
-
-double norm(const Vec3& v) {
-  return std::sqrt(dot(v, v));
-}
 
 bool is_axis(Handle handle) {
   return handle <= Handle::axis_z;
@@ -99,8 +96,8 @@ bool in_square(const Gizmo& gizmo, Handle handle, const Ray& ray) {
 /// An arrow can be dragged unless it points to the eye or away from it.
 bool axis_is_usable(const Gizmo& gizmo, const Camera& camera, const Vec3& axis) {
   const Vec3 view = gizmo.center - camera.eye;
-  const double far = norm(view);
-  return far > 0 && norm(cross(view, axis)) > 3 * kLeastSine * far;
+  const double far = length(view);
+  return far > 0 && length(cross(view, axis)) > 3 * kLeastSine * far;
 }
 
 }  // namespace
@@ -235,9 +232,9 @@ Pose turned_about(const Pose& pose, const Vec3& center, double angle) {
     columns[j] = {c * v.x - s * v.y, s * v.x + c * v.y, v.z};
   }
   // Gram and Schmidt, so that the rounding of many turns does not add up.
-  columns[0] = columns[0] * (1 / norm(columns[0]));
+  columns[0] = columns[0] * (1 / length(columns[0]));
   columns[1] = columns[1] - columns[0] * dot(columns[0], columns[1]);
-  columns[1] = columns[1] * (1 / norm(columns[1]));
+  columns[1] = columns[1] * (1 / length(columns[1]));
   columns[2] = cross(columns[0], columns[1]);
   const Vec3 arm = pose.shift() - center;
   const Vec3 shift = center + Vec3{c * arm.x - s * arm.y, s * arm.x + c * arm.y, arm.z};

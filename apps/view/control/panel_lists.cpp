@@ -1,5 +1,4 @@
-// The panels of `Panels` that are lists: files to open, contacts, the tests of a traversal.
-#include "apps/support/look.h"
+// The panels of `Panels` that are lists: files to open, events, the tests of a traversal.
 #include "apps/support/text.h"
 #include "apps/view/control/imgui_input.h"
 #include "apps/view/control/panel_text.h"
@@ -7,6 +6,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace soms::view {
 
@@ -17,23 +17,22 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoResize | ImGuiWindowFlags
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse |
                                     ImGuiWindowFlags_NoNavInputs;
 
-ImU32 color_of_bar(TreeBars::Look look) {
-  const auto color = [](look::Rgb c, int opacity = 255) {
-    return IM_COL32(c.r, c.g, c.b, opacity);
-  };
-  switch (look) {
-    case TreeBars::Look::untouched:
-      return color(look::kLine.light);
-    case TreeBars::Look::pruned:
-      return color(look::kFaint.light, 110);
-    case TreeBars::Look::visited:
-      return color(look::kLink.light, 130);
-    case TreeBars::Look::found:
-      return color(look::kSeries[4].light);
-    case TreeBars::Look::now:
-      return color(look::kContact.light);
-  }
-  return 0;
+constexpr int kLinesOfEvent = 2;  ///< of text in a row
+
+ImU32 packed(Color color) {
+  return IM_COL32(color.r, color.g, color.b, color.a);
+}
+
+/// A square in a color, and what it means, in the line of those before.
+void legend(Color color, const char* words) {
+  const float side = 0.7F * ImGui::GetFontSize();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float top = at.y + 0.2F * ImGui::GetFontSize();
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(at.x, top), ImVec2(at.x + side, top + side),
+                                            packed(color));
+  ImGui::Dummy(ImVec2(side, ImGui::GetFontSize()));
+  ImGui::SameLine(0, 0.3F * ImGui::GetFontSize());
+  ImGui::TextDisabled("%s", words);
 }
 
 /// A tree as rows of bars over the width that is left.
@@ -50,21 +49,10 @@ void draw_bars(const TreeBars& tree) {
     const float left = at.x + width * bar.left;
     // A gap of a pixel sets neighbors apart where there is room for it.
     const float right = std::max(at.x + width * bar.right - 1, left + 1);
-    draw->AddRectFilled(ImVec2(left, top), ImVec2(right, top + height - 1), color_of_bar(bar.look));
+    draw->AddRectFilled(ImVec2(left, top), ImVec2(right, top + height - 1),
+                        packed(color_of(tree, bar.look)));
   }
   ImGui::Dummy(ImVec2(width, height * rows));
-}
-
-std::string times_of(const ContactEvent& event) {
-  return event.begin == event.end ? "frame " + command::with_commas(event.begin)
-                                  : "frames " + command::with_commas(event.begin) + " to " +
-                                        command::with_commas(event.end);
-}
-
-std::string words_of(const ContactEvent& event) {
-  return event.title + "\n   " + times_of(event) + ", at most " +
-         command::with_commas(event.most_pairs) + (event.most_pairs == 1 ? " pair" : " pairs") +
-         ", in frame " + command::with_commas(event.most_frame);
 }
 
 }  // namespace
@@ -139,11 +127,11 @@ void Panels::events(Session& session) {
   if (!state.events) {
     return;
   }
-  begin_right("contacts", 0.42F * ImGui::GetIO().DisplaySize.y);
+  begin_right("events", 0.42F * ImGui::GetIO().DisplaySize.y);
   const EventList& list = session.events();
   const bool done = list.done();
   ImGui::Text("%s %s in %s frames", command::with_commas(list.rows.size()).c_str(),
-              list.rows.size() == 1 ? "contact" : "contacts",
+              list.rows.size() == 1 ? "event" : "events",
               command::with_commas(list.searched).c_str());
   if (!done) {
     ImGui::SameLine();
@@ -161,18 +149,26 @@ void Panels::events(Session& session) {
 void Panels::event_rows(Session& session) {
   ViewState& state = session.state();
   ImGui::BeginChild("list");
-  const std::vector<ContactEvent>& rows = session.events().rows;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!has_words(rows[i].title, wanted_)) {
-      continue;
+  const std::vector<ContactEvent>& all = session.events().rows;
+  listed_.update(session.events(), wanted_);
+  const std::vector<std::size_t>& rows = listed_.rows();
+  const float height = kLinesOfEvent * ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.y;
+  if (state.event && shown_event_ != state.event) {
+    const auto at = std::lower_bound(rows.begin(), rows.end(), *state.event);
+    if (at != rows.end() && *at == *state.event) {
+      const float middle = height * (static_cast<float>(at - rows.begin()) + 0.5F);
+      ImGui::SetScrollY(std::max(0.0F, middle - 0.5F * ImGui::GetWindowHeight()));
     }
-    const bool chosen = state.event == i;
-    if (widgets_.row(words_of(rows[i]), i, chosen) != Widgets::RowPress::none) {
-      state.requests.event = i;
-    }
-    if (chosen && shown_event_ != i) {
-      ImGui::SetScrollHereY();
-      shown_event_ = i;
+    shown_event_ = state.event;
+  }
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(rows.size()), height);
+  while (clipper.Step()) {
+    for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
+      const std::size_t i = rows[static_cast<std::size_t>(k)];
+      if (widgets_.row(words_of(all[i]), i, state.event == i) != Widgets::RowPress::none) {
+        state.requests.event = i;
+      }
     }
   }
   ImGui::EndChild();
@@ -204,7 +200,15 @@ void Panels::learn(Session& session) {
   if (facts->tests > 0) {
     draw_bars(facts->a);
     draw_bars(facts->b);
-    ImGui::TextDisabled("red now, blue entered, orange found, gray pruned");
+    legend(facts->a.now, "now");
+    ImGui::SameLine();
+    legend(facts->b.now, "now");
+    for (const auto& [what, words] :
+         {std::pair(TreeBars::Look::visited, "entered"), std::pair(TreeBars::Look::found, "found"),
+          std::pair(TreeBars::Look::pruned, "pruned")}) {
+      ImGui::SameLine();
+      legend(color_of(facts->a, what), words);
+    }
   }
   end_right();
 }

@@ -128,10 +128,10 @@ void Panels::menu_bar(Session& session) {
     }
     ImGui::EndMenu();
   }
-  if (widgets_.begin_menu("Contacts")) {
+  if (widgets_.begin_menu("Events")) {
     item("List", Action::events, state.events);
-    item("Next contact", Action::event_next);
-    item("Previous contact", Action::event_previous);
+    item("Next event", Action::event_next);
+    item("Previous event", Action::event_previous);
     ImGui::EndMenu();
   }
   if (widgets_.begin_menu("Learn")) {
@@ -351,9 +351,17 @@ void Panels::picked_panel(Session& session) {
   end_right();
 }
 
+std::string Panels::message(const Session& session) {
+  const ViewState& state = session.state();
+  if (!session.message().empty()) {
+    return session.message();
+  }
+  return state.panels ? session.facts().note : event_line(state, session.events());
+}
+
 void Panels::message_line(const Session& session) {
-  const std::string& text = session.message().empty() ? session.facts().note : session.message();
-  if (text.empty() || (session.message().empty() && !session.state().panels)) {
+  const std::string text = message(session);
+  if (text.empty()) {
     return;
   }
   const ImVec2 display = ImGui::GetIO().DisplaySize;

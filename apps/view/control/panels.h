@@ -3,6 +3,7 @@
 #pragma once
 
 #include "apps/view/control/frame_times.h"
+#include "apps/view/control/row_filter.h"
 #include "apps/view/control/session.h"
 #include "apps/view/control/widgets.h"
 #include "apps/view/drawing/renderer.h"
@@ -32,6 +33,7 @@ class Panels {
   void counts_panel(const Facts& facts);
   void frame_panel(const Facts& facts, const FrameTimes& times, const DrawStatistics& drawn);
   void picked_panel(Session& session);
+  [[nodiscard]] static std::string message(const Session& session);
   void message_line(const Session& session);
 
   /// What a click means, done as its key would be.
@@ -56,7 +58,8 @@ class Panels {
   Widgets widgets_;
   std::size_t shown_file_ = 0;  ///< that was scrolled to
   std::optional<std::size_t> shown_event_;
-  std::string wanted_;   ///< words of contacts to be listed
+  std::string wanted_;  ///< words of events to be listed
+  RowFilter listed_;
   float right_top_ = 0;  ///< where the next panel of the right column begins
 };
 

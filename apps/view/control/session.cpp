@@ -64,7 +64,9 @@ Session::Session(Subject& subject, Size window) : subject_(subject), window_(win
 
 void Session::frame_again() {
   if (camera_ == first_) {
-    camera_ = first_ = seen_whole(Side::corner);
+    const Box& box = facts_.framed.empty() ? facts_.bounds : facts_.framed;
+    camera_ = first_ =
+        seen_from(usable(box), Side::corner, window_, camera_.field_of_view, covered_);
   }
 }
 
@@ -272,6 +274,7 @@ std::optional<PickedFacts> Session::seen_at(PixelPoint at) {
 void Session::pick(PixelPoint at) {
   picked_ = seen_at(at);
   state_.selected = picked_.has_value();
+  state_.at_event = false;
   if (picked_) {
     subject_.select();
   } else {
@@ -358,6 +361,7 @@ void Session::do_requests() {
     wishes.deselect = false;
     picked_.reset();
     state_.selected = false;
+    state_.at_event = false;
     subject_.deselect();
     changed_ = true;
   }

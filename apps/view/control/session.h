@@ -138,7 +138,11 @@ class Session {
 
   void start_following();
   void follow(const std::optional<Pose>& before);
-  /// Runs a task whose error becomes the message; true if it had none. Passing time is no action:
+  /// Runs a task whose error becomes the message; true if it had none.
+  template <typename Task>
+  bool attempted(Task&& task);
+
+  /// As `attempted`, of a task after which the picture is another one. Passing time is no action:
   /// it clears no message.
   template <typename Task>
   bool guarded(Task&& task, bool clears = true);
@@ -173,12 +177,20 @@ class Session {
 };
 
 template <typename Task>
-bool Session::guarded(Task&& task, bool clears) {
-  changed_ = true;
+bool Session::attempted(Task&& task) {
   try {
     task();
   } catch (const Error& error) {
     message_ = error.what();
+    return false;
+  }
+  return true;
+}
+
+template <typename Task>
+bool Session::guarded(Task&& task, bool clears) {
+  changed_ = true;
+  if (!attempted(task)) {
     return false;
   }
   if (clears) {

@@ -1,4 +1,4 @@
-// What of `Session` concerns lists: files to open, and contacts over time.
+// What of `Session` concerns lists: files to open, and events.
 #include "apps/view/control/camera_moves.h"
 #include "apps/view/control/session.h"
 
@@ -46,15 +46,17 @@ void Session::open_files(const std::vector<std::string>& paths) {
   });
   state_.requests.fit_all = opened > 0;
   state_.event.reset();
+  state_.at_event = false;
 }
 
 bool Session::searching() const {
-  return (state_.events || state_.requests.event_step != 0) && !subject_.events().done();
+  const bool listed = state_.events && state_.panels;
+  return (listed || state_.requests.event_step != 0) && !subject_.events().done();
 }
 
 void Session::do_event_requests() {
   Requests& wishes = state_.requests;
-  if (searching() && !guarded([&] { subject_.search_events(); }, false)) {
+  if (searching() && !attempted([&] { subject_.search_events(); })) {
     wishes.event_step = 0;
     state_.events = false;  // else it would fail again at once
   }
@@ -74,22 +76,26 @@ void Session::do_event_requests() {
   } else if (list.done() || back) {
     wishes.event_step = 0;
     message_ = list.rows.empty() ? "nothing touches in the frames searched"
-               : back            ? "this is the first contact"
-                                 : "this is the last contact";
+               : back            ? "this is the first event"
+                                 : "this is the last event";
   }
 }
 
 void Session::go_to_event(std::size_t row) {
+  const FitCamera fit = [this](const Box& box, const Vec3& toward_eye) {
+    return fitted_beside(box, toward_eye, window_, covered_, camera_.field_of_view);
+  };
   Sight sight;
-  if (!guarded([&] { sight = subject_.show_event(row); })) {
+  if (!guarded([&] { sight = subject_.show_event(row, fit); })) {
     return;
   }
   state_.paused = true;
   state_.camera = CameraMode::orbit;
   state_.event = row;
+  state_.at_event = true;
   picked_ = sight.facts;
   state_.selected = true;
-  go(fitted_beside(sight.surroundings, sight.toward_eye, window_, covered_, camera_.field_of_view));
+  go(sight.camera);
 }
 
 }  // namespace soms::view

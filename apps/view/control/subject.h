@@ -52,9 +52,10 @@ struct ContactEvent {
 
 /// The contacts of the first frames, as they would be without the hand, by their begin.
 struct EventList {
-  std::vector<ContactEvent> rows;
-  std::uint64_t searched = 0;  ///< frames
-  std::uint64_t frames = 0;    ///< that are to be searched
+  std::vector<ContactEvent> rows;  ///< grows at its end, until the search starts over
+  std::uint64_t edition = 0;       ///< another one when the search started over
+  std::uint64_t searched = 0;      ///< frames
+  std::uint64_t frames = 0;        ///< that are to be searched
 
   [[nodiscard]] bool done() const { return searched >= frames; }
 };
@@ -62,8 +63,7 @@ struct EventList {
 /// What to look at, and from where.
 struct Sight {
   PickedFacts facts;
-  Box surroundings;
-  Vec3 toward_eye;
+  Camera camera;
 };
 
 /// A tree as rows of bars: the root above, each node as wide as its share of the triangles.
@@ -78,6 +78,7 @@ struct TreeBars {
   };
 
   std::string name;  ///< of the body
+  Color now;         ///< of its boxes in the scene
   std::vector<Bar> bars;
   std::uint16_t levels = 1;
 };
@@ -116,6 +117,7 @@ struct Facts {
   Limits limits;
   std::optional<std::size_t> orientation_test;  ///< that runs; moving the object by hand ends it
   Box bounds;                                   ///< of all that is shown
+  Box framed;                                   ///< what the first picture frames; empty: all
   std::optional<GapFacts> gap;                  ///< where it is shown and there is one
   std::optional<LearnFacts> learn;              ///< where it is requested and there is a pair
   std::optional<Pose> object;                   ///< of what is moved by hand
@@ -167,9 +169,10 @@ class Subject {
   /// Searches frames for contacts for a moment. \errors As the library's queries.
   virtual void search_events() = 0;
 
-  /// Goes to the frame in which a contact has most pairs of triangles, and chooses one of them.
+  /// Goes to the frame in which an event has most pairs of triangles, and chooses one of them. What
+  /// is farther off is pale while the choice lasts. `fit` places the camera.
   /// \pre `row` is in `events`. \errors As `seek`.
-  virtual Sight show_event(std::size_t row) = 0;
+  virtual Sight show_event(std::size_t row, const FitCamera& fit) = 0;
 
   /// Shows another model. \errors As `read_mesh`; what was shown before stays then.
   virtual void open(const std::string& path) = 0;

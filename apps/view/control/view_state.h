@@ -86,8 +86,8 @@ struct Requests {
   bool deselect = false;
   bool list_files = false;           ///< show a folder to open a model from
   bool open_chosen = false;          ///< open what is chosen in it
-  int event_step = 0;                ///< to the next contact, 1, or the one before, -1
-  std::optional<std::size_t> event;  ///< to this row of the contacts
+  int event_step = 0;                ///< to the next event, 1, or the one before, -1
+  std::optional<std::size_t> event;  ///< to this row of the events
   std::optional<Side> look_from;     ///< camera to one side of the scene
   std::optional<std::uint64_t> seek;
   int steps = 0;  ///< frames to go on (or back where that can be) while paused
@@ -111,8 +111,9 @@ struct ViewState {
   std::optional<std::size_t> orientation_test;  ///< row of `orientation_tests`; unset: none runs
   bool help = false;
   std::optional<FileList> files;     ///< the folder that is shown to open a model from
-  bool events = false;               ///< the list of contacts is shown
-  std::optional<std::size_t> event;  ///< the contact of it that is looked at
+  bool events = false;               ///< the list of events is shown, where panels are
+  std::optional<std::size_t> event;  ///< the event that was last gone to
+  bool at_event = false;             ///< it is what is picked
   bool learn = false;                ///< the traversal is shown test by test
   std::uint64_t learn_step = 0;      ///< the test that is shown
   bool panels = true;

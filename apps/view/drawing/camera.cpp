@@ -1,5 +1,7 @@
 #include "apps/view/drawing/camera.h"
 
+#include "apps/view/drawing/length.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,10 +15,6 @@ namespace {
 constexpr double kPoleMargin = 1e-3;
 // Instead of no length at all.
 constexpr double kLeastLength = std::numeric_limits<double>::min();
-
-double length(const Vec3& v) {
-  return std::hypot(v.x, v.y, v.z);  // squares of small lengths would vanish
-}
 
 Vec3 scaled_to_one(const Vec3& v, const Vec3& otherwise) {
   const double size = length(v);
@@ -126,6 +124,9 @@ Camera panned(const Camera& camera, double right, double up) {
 Camera dollied(const Camera& camera, double factor) {
   Camera result = camera;
   result.eye = camera.target + (camera.eye - camera.target) * factor;
+  if (camera.cut > 0) {
+    result.cut = std::max(0.0, camera.cut + (factor - 1) * distance_to_target(camera));
+  }
   return result;
 }
 
@@ -169,7 +170,11 @@ Camera between(const Camera& a, const Camera& b, double t) {
   const Vec3 forward = length(mix) > 1e-6 ? scaled_to_one(mix, mix) : upright(b) * -1;
   const double from = std::max(distance_to_target(a), kLeastLength);
   const double to = std::max(distance_to_target(b), kLeastLength);
-  result.eye = result.target - forward * (std::pow(from, 1 - t) * std::pow(to, t));
+  const double reach = std::pow(from, 1 - t) * std::pow(to, t);
+  result.eye = result.target - forward * reach;
+  if (b.cut > 0) {
+    result.cut = std::max(0.0, b.cut + reach - to);
+  }
   return result;
 }
 
@@ -249,7 +254,8 @@ Ray ray_through(const Camera& camera, Size size, PixelPoint pixel) {
   const double unit = 2 * slope(camera) / size.height;
   const double x = (pixel.x - 0.5 * size.width) * unit;
   const double y = (0.5 * size.height - pixel.y) * unit;
-  return {camera.eye, scaled_to_one(f.forward + f.right * x + f.up * y, f.forward)};
+  const Vec3 slant = f.forward + f.right * x + f.up * y;
+  return {camera.eye + slant * camera.cut, scaled_to_one(slant, f.forward)};
 }
 
 std::optional<Projection> project(const Camera& camera, Size size, const Vec3& point) {

@@ -7,6 +7,7 @@
 #include "soms/base/vector.h"
 #include "soms/query/ray.h"
 
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -34,7 +35,9 @@ struct Camera {
   Vec3 target{0, 0, 0};
   Vec3 up{0, 0, 1};
   double field_of_view = 0.8;  ///< angle between the picture's lower and upper edge, radians
-  double cut = 0;  ///< surfaces nearer than this, along the forward direction, are not drawn
+  /// Surfaces nearer than this, along the forward direction, are not drawn. Where the distance to
+  /// the target changes, so does this: what is cut away stays so.
+  double cut = 0;
 
   [[nodiscard]] bool operator==(const Camera&) const = default;
 };
@@ -101,11 +104,15 @@ struct Projection {
 [[nodiscard]] Camera fitted(const Box& box, const Vec3& toward_eye, Size size,
                             double field_of_view = 0.8);
 
+/// The camera that sees all of a box from the side that a direction points to.
+using FitCamera = std::function<Camera(const Box& box, const Vec3& toward_eye)>;
+
 /// The camera moved without turning so that all `points` are seen as large as fits. The target
 /// keeps their middle depth. Without points, or where they are one, only the place changes.
 [[nodiscard]] Camera framed(const Camera& camera, std::span<const Vec3> points, Size size);
 
-/// The ray of points that are seen at `pixel`. Its direction has length 1.
+/// The ray of points that are seen at `pixel`: it begins where nothing is cut away. Its direction
+/// has length 1.
 [[nodiscard]] Ray ray_through(const Camera& camera, Size size, PixelPoint pixel);
 
 /// Where a point is seen, inside the picture or beside it; nothing for points behind the eye.

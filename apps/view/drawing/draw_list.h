@@ -71,6 +71,12 @@ struct Glow {
   double radius = 1;  ///< where nothing of the color is left
 };
 
+/// What is looked at: surfaces farther off from it are pale.
+struct Focus {
+  Vec3 center = {};
+  double radius = 1;  ///< within which they are as ever; at twice that they are palest
+};
+
 /// A plain ground, a disc square to z that fades out. It is seen from above only.
 struct Ground {
   Vec3 center = {};
@@ -184,6 +190,7 @@ struct DrawList {
   std::vector<TriangleMark> marks = {};
   std::vector<Glow> glows = {};
   Color glow_color{209, 21, 12, 255};
+  std::optional<Focus> focus = std::nullopt;
   std::optional<Ground> ground = std::nullopt;
   std::vector<BoxGroup> box_groups = {};
   std::vector<Line> lines = {};

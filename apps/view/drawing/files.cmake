@@ -19,6 +19,7 @@ set(SOMS_VIEW_HEADERS
   gl_view.h
   headless_context.h
   labels.h
+  length.h
   markers.h
   overlay.h
   palette.h

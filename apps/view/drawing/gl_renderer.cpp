@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 namespace soms::view {
@@ -45,6 +46,13 @@ DepthMode depth_mode() {
   return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control")
              ? DepthMode::reversed
              : DepthMode::plain;
+}
+
+Size scaled(Size size, double scale) {
+  const auto side = [scale](int pixels) {
+    return scale == 1 ? pixels : std::max(1, static_cast<int>(std::lround(pixels * scale)));
+  };
+  return {side(size.width), side(size.height)};
 }
 
 /// Of all instances.
@@ -96,6 +104,8 @@ struct GlRenderer::Parts {
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_STENCIL_TEST);
     glDisable(GL_FRAMEBUFFER_SRGB);
+    glDisable(GL_POLYGON_OFFSET_FILL);  // these two where a drawing was stopped
+    glDisable(GL_DEPTH_CLAMP);
     glEnable(GL_MULTISAMPLE);
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
@@ -148,6 +158,7 @@ struct GlRenderer::Parts {
   GlLabels labels;
   DrawStatistics statistics;
   bool drawn = false;
+  Size wanted;  ///< of the picture that was drawn
 };
 
 GlRenderer::GlRenderer() {
@@ -163,21 +174,22 @@ void GlRenderer::draw(const DrawList& list, const Camera& camera, Size size,
   Parts& p = *parts_;
   p.drawn = false;
   p.statistics = {};
-  p.target.begin(size, options.samples);
+  const Size drawn = scaled(size, options.scale);
+  p.target.begin(drawn, options.samples);
   p.surfaces.bring(list, p.slicer, p.statistics);
   p.boxes.bring(list, p.statistics);
   const GlView view = gl_view(camera, size, list.light, p.depths(list, camera), p.mode);
-  p.slicer.begin(count_triangles(list), size);
+  p.slicer.begin(count_triangles(list), drawn);
   p.set_state();
   p.shadows.draw(list, camera, view, options.shadows, p.surfaces, p.slicer, p.statistics);
   p.surfaces.choose(list, camera, size, view, options, p.statistics);
   p.statistics.marks = list.marks.size();
   p.target.resume();
   p.set_state();
-  p.draw_background(list.background, size);
+  p.draw_background(list.background, drawn);
   p.surfaces.draw_solid(view, p.shadows, p.slicer, p.statistics);
   p.ground.draw(list, view, p.shadows, p.statistics);
-  p.finish.draw(list, view, size, options.relief && p.statistics.triangles > 0, p.target, p.slicer,
+  p.finish.draw(list, view, drawn, options.relief && p.statistics.triangles > 0, p.target, p.slicer,
                 p.statistics);
   p.draw_layer(list, view, false);
   p.surfaces.draw_translucent(view, p.shadows, p.slicer, p.statistics);
@@ -188,6 +200,7 @@ void GlRenderer::draw(const DrawList& list, const Camera& camera, Size size,
   p.target.finish(p.slicer);
   check_device("drawing a frame");
   p.drawn = true;
+  p.wanted = size;
 }
 
 void GlRenderer::watch(const Parallel& parallel) {
@@ -196,7 +209,7 @@ void GlRenderer::watch(const Parallel& parallel) {
 
 void GlRenderer::present() {
   if (parts_->drawn) {
-    parts_->target.present();
+    parts_->target.present(parts_->wanted);
   }
 }
 

@@ -83,6 +83,7 @@ in vec3 seen;
 in vec4 color;
 uniform float flatness;  // 1: the plain color
 uniform float shade;     // factor of the color, for edges upon faces
+uniform vec4 focus;      // a ball beyond which surfaces are pale; of radius 0: none
 out vec4 pixel;
 void main() {
   vec3 n = cross(dFdx(seen), dFdy(seen));
@@ -90,7 +91,8 @@ void main() {
   n = size > 0.0 ? n / size : -normalize(seen);
   n = dot(n, seen) > 0.0 ? -n : n;  // both sides of a triangle are lit
   vec3 light = mix(light_at(seen, n), vec3(1.0), flatness);
-  pixel = vec4(color.rgb * light * shade, color.a);
+  float away = focus.w > 0.0 ? smoothstep(1.0, 2.0, distance(seen, focus.xyz) / focus.w) : 0.0;
+  pixel = vec4(mix(color.rgb * light * shade, vec3(0.93, 0.93, 0.92), 0.6 * away), color.a);
 }
 )";
 

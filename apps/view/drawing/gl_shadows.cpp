@@ -5,6 +5,7 @@
 #include <epoxy/gl.h>
 
 #include <span>
+#include <utility>
 
 namespace soms::view {
 
@@ -48,11 +49,27 @@ GlShadows::~GlShadows() {
   glDeleteTextures(1, &texture_);
 }
 
+std::vector<GlShadows::Caster> GlShadows::casters_of(const DrawList& list) {
+  std::vector<Caster> casters;
+  casters.reserve(list.instances.size());
+  for (const Instance& instance : list.instances) {
+    const DrawMesh& mesh = list.meshes[instance.mesh];
+    casters.push_back({mesh.key, mesh.version, instance.pose, pass_of(instance) == Pass::solid});
+  }
+  return casters;
+}
+
 void GlShadows::draw(const DrawList& list, const Camera& camera, const GlView& view, bool drawn,
                      GlSurfaces& surfaces, GlSlicer& slicer, DrawStatistics& statistics) {
   drawn_ = drawn && !list.instances.empty();
   if (!drawn_) {
     return;
+  }
+  std::vector<Caster> casters = casters_of(list);
+  if (casters != casters_ || list.light.toward != toward_) {
+    casters_ = std::move(casters);
+    toward_ = list.light.toward;
+    kept_ = {};
   }
   maps_ = sun_maps(camera, view, list.light, surfaces.bounds(list));
   if (frame_ == 0) {
@@ -62,6 +79,24 @@ void GlShadows::draw(const DrawList& list, const Camera& camera, const GlView& v
     glGenFramebuffers(1, &frame_);
     check_device("making the maps of shadows");
   }
+  const bool same = maps_[0].radius == maps_[1].radius;
+  for (std::size_t layer = 0; layer < (same ? 1U : 2U); ++layer) {
+    if (kept_[layer] && same_ball(*kept_[layer], maps_[layer])) {
+      maps_[layer] = seen_by(*kept_[layer], view, list.light);
+    } else {
+      draw_map(layer, list, view, surfaces, slicer, statistics);
+    }
+  }
+  if (same) {
+    maps_[1] = maps_[0];
+  }
+}
+
+void GlShadows::draw_map(std::size_t layer, const DrawList& list, const GlView& view,
+                         GlSurfaces& surfaces, GlSlicer& slicer, DrawStatistics& statistics) {
+  constexpr double kSpeckTexels = 2;
+  const SunMap& map = maps_[layer];
+  kept_[layer].reset();  // should the drawing be stopped
   glBindFramebuffer(GL_FRAMEBUFFER, frame_);
   glDrawBuffer(GL_NONE);
   glReadBuffer(GL_NONE);
@@ -73,21 +108,19 @@ void GlShadows::draw(const DrawList& list, const Camera& camera, const GlView& v
   glClearDepth(0);
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(-1.5F, -2);
-  const bool same = maps_[0].radius == maps_[1].radius;
-  for (int layer = 0; layer < (same ? 1 : 2); ++layer) {
-    const SunMap& map = maps_[static_cast<std::size_t>(layer)];
-    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, texture_, 0, layer);
-    glClear(GL_DEPTH_BUFFER_BIT);
-    const std::array<float, 16> clip = clip_of(map.place, mode_);
-    program_.use();
-    program_.set("clip", std::span(clip));
-    program_.set("lift", 1.0F);
-    surfaces.cast(
-        list, view, [&](const Box& box) { return casts_into(map, list.light, box); }, slicer,
-        statistics);
-  }
+  glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, texture_, 0,
+                            static_cast<GLint>(layer));
+  glClear(GL_DEPTH_BUFFER_BIT);
+  const std::array<float, 16> clip = clip_of(map.place, mode_);
+  program_.use();
+  program_.set("clip", std::span(clip));
+  program_.set("lift", 1.0F);
+  surfaces.cast(
+      list, view, [&](const Box& box) { return casts_into(map, list.light, box); },
+      kSpeckTexels * 2 * map.radius / kSunTexels, slicer, statistics);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDisable(GL_DEPTH_CLAMP);
+  kept_[layer] = map;
 }
 
 void GlShadows::light(const GlProgram& program, const GlView& view) const {

@@ -8,7 +8,10 @@
 #include "apps/view/drawing/sun_maps.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace soms::view {
 
@@ -19,8 +22,9 @@ class GlShadows {
   GlShadows(const GlShadows&) = delete;
   GlShadows& operator=(const GlShadows&) = delete;
 
-  /// Draws the maps of what `surfaces` shows; without `drawn` the sun is seen everywhere. Leaves
-  /// another frame buffer, viewport and depth test behind.
+  /// Draws the maps of what `surfaces` shows; without `drawn` the sun is seen everywhere. A map is
+  /// kept while what casts, the sun and the ball stay: a camera that turns about its target needs
+  /// no new one. Leaves another frame buffer, viewport and depth test behind.
   void draw(const DrawList& list, const Camera& camera, const GlView& view, bool drawn,
             GlSurfaces& surfaces, GlSlicer& slicer, DrawStatistics& statistics);
 
@@ -31,8 +35,25 @@ class GlShadows {
   void light(const GlProgram& program, const GlView& view) const;
 
  private:
+  /// What throws a shadow.
+  struct Caster {
+    std::uint64_t mesh = 0;
+    std::uint64_t version = 0;
+    Pose pose;
+    bool solid = true;
+
+    [[nodiscard]] bool operator==(const Caster&) const = default;
+  };
+
+  [[nodiscard]] static std::vector<Caster> casters_of(const DrawList& list);
+  void draw_map(std::size_t layer, const DrawList& list, const GlView& view, GlSurfaces& surfaces,
+                GlSlicer& slicer, DrawStatistics& statistics);
+
   DepthMode mode_;
   GlProgram program_;
+  std::vector<Caster> casters_;                ///< of the maps that are kept
+  Vec3 toward_;                                ///< likewise
+  std::array<std::optional<SunMap>, 2> kept_;  ///< that were drawn to their end
   std::array<SunMap, 2> maps_{};
   bool drawn_ = false;
   std::uint32_t texture_ = 0;

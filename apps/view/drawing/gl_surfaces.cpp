@@ -118,12 +118,17 @@ void GlSurfaces::choose(const DrawList& list, const Camera& camera, Size size, c
   statistics.triangles_left = visible.triangles_left;
   statistics.instances = list.instances.size();
   place(list, view, visible.groups);
+  focus_ = {};
+  if (list.focus) {
+    const std::array<float, 3> at = view.relative(list.focus->center);
+    focus_ = {at[0], at[1], at[2], static_cast<float>(list.focus->radius * view.unit)};
+  }
 }
 
 void GlSurfaces::cast(const DrawList& list, const GlView& view,
-                      const std::function<bool(const Box&)>& reaches, GlSlicer& slicer,
-                      DrawStatistics& statistics) {
-  place(list, view, choose_casters(list, tiles(), reaches));
+                      const std::function<bool(const Box&)>& reaches, double speck,
+                      GlSlicer& slicer, DrawStatistics& statistics) {
+  place(list, view, choose_casters(list, tiles(), reaches, speck));
   for (const Call& call : calls_) {
     issue(call, slicer, statistics);
   }
@@ -136,6 +141,7 @@ void GlSurfaces::begin(const GlView& view, const GlShadows& shadows, float flatn
   program.set("flatness", flatness);
   program.set("shade", shade);
   program.set("lift", lift);
+  program.set("focus", std::span(focus_));
 }
 
 void GlSurfaces::issue(const Call& call, GlSlicer& slicer, DrawStatistics& statistics) const {

@@ -38,9 +38,10 @@ class GlSurfaces {
               const DrawOptions& options, DrawStatistics& statistics);
 
   /// Draws the opaque tiles of which `reaches` holds by the program in use, which has the inputs of
-  /// `kSurfaceVertex`. \pre After `bring`; `choose` comes later.
+  /// `kSurfaceVertex`, small ones as `choose_casters` does. \pre After `bring`; `choose` comes
+  /// later.
   void cast(const DrawList& list, const GlView& view,
-            const std::function<bool(const Box&)>& reaches, GlSlicer& slicer,
+            const std::function<bool(const Box&)>& reaches, double speck, GlSlicer& slicer,
             DrawStatistics& statistics);
 
   /// Opaque faces, then edges of triangles.
@@ -92,6 +93,7 @@ class GlSurfaces {
   void issue(const Call& call, GlSlicer& slicer, DrawStatistics& statistics) const;
 
   GlLitProgram program_;
+  std::array<float, 4> focus_ = {};  ///< of the list: a place relative to the eye, and a radius
   std::map<std::uint64_t, OnDevice> meshes_;
   std::vector<const OnDevice*> of_list_;  ///< of each mesh of the list
   GlBuffer rows_;

@@ -34,8 +34,8 @@ class GlTarget {
   /// \pre After `finish`.
   [[nodiscard]] Picture read(GlSlicer& slicer) const;
 
-  /// Copies to the frame buffer of the window. \pre After `finish`.
-  void present() const;
+  /// Copies to the frame buffer of the window, stretched to `size` pixels. \pre After `finish`.
+  void present(Size size) const;
 
  private:
   void release();

@@ -1,5 +1,7 @@
 #include "apps/view/drawing/gl_view.h"
 
+#include "apps/view/drawing/length.h"
+
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x4.hpp>
 
@@ -66,10 +68,10 @@ GlView gl_view(const Camera& camera, Size size, const Light& light, const DepthR
   view.half_height = 0.5F * static_cast<float>(size.height);
   view.slope = static_cast<float>(length_of_pixel(camera, size, 1));
   view.lift = mode == DepthMode::reversed ? 1 - 2e-4F : 1 - 2e-3F;
-  const double length = std::sqrt(dot(light.toward, light.toward));
-  const Vec3 toward = length > 0 ? light.toward * (1 / length) : Vec3{0, 0, 1};
+  const double far_off = length(light.toward);
+  const Vec3 toward = far_off > 0 ? light.toward * (1 / far_off) : Vec3{0, 0, 1};
   view.toward = narrow(toward);
-  const double rise = std::sqrt(dot(camera.up, camera.up));
+  const double rise = length(camera.up);
   view.above = narrow(rise > 0 ? camera.up * (1 / rise) : Vec3{0, 0, 1});
   const CameraFrame axes = frame(camera);
   view.right = narrow(axes.right);

@@ -20,6 +20,7 @@ struct DrawOptions {
   /// stands still.
   std::uint64_t most_triangles = kAll;
   int samples = 4;      ///< for each pixel: 1 is fast, 4 and 8 make smooth edges
+  double scale = 1;     ///< sides of the picture drawn, in those wanted: below 1 is coarse
   bool relief = true;   ///< darken where near surfaces hide the sky; takes passes over the picture
   bool shadows = true;  ///< of the sun; takes two more views of all triangles
 };

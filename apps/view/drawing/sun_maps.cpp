@@ -1,5 +1,7 @@
 #include "apps/view/drawing/sun_maps.h"
 
+#include "apps/view/drawing/length.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +16,7 @@ constexpr double kFarReach = 9;
 constexpr double kAlone = 1.3;
 
 Vec3 unit_of(const Vec3& v, const Vec3& otherwise) {
-  const double size = std::sqrt(dot(v, v));
+  const double size = length(v);
   return size > 0 ? v * (1 / size) : otherwise;
 }
 
@@ -55,7 +57,7 @@ std::array<SunMap, 2> sun_maps(const Camera& camera, const GlView& view, const L
   const double reach = 1 / view.unit;
   const Vec3 extent = scene.empty() ? Vec3{1, 1, 1} * reach : scene.extent();
   const Vec3 center = scene.empty() ? camera.target : scene.center();
-  const double whole = 0.505 * std::sqrt(dot(extent, extent));
+  const double whole = 0.505 * length(extent);
   if (whole <= kAlone * kNearReach * reach) {
     const SunMap all = map_of(center, whole, view, light);
     return {all, all};
@@ -66,6 +68,16 @@ std::array<SunMap, 2> sun_maps(const Camera& camera, const GlView& view, const L
   }
   const Vec3 ahead = camera.eye + frame(camera).forward * (0.8 * kFarReach * reach);
   return {near, map_of(ahead, kFarReach * reach, view, light)};
+}
+
+SunMap seen_by(const SunMap& map, const GlView& view, const Light& light) {
+  return map_of(map.center, map.radius, view, light);
+}
+
+bool same_ball(const SunMap& a, const SunMap& b) {
+  constexpr double kRounding = 1e-6;  // far below a texel
+  const double slack = kRounding * a.radius;
+  return length(a.center - b.center) <= slack && std::abs(a.radius - b.radius) <= slack;
 }
 
 bool casts_into(const SunMap& map, const Light& light, const Box& box) {

@@ -31,6 +31,12 @@ inline constexpr int kSunTexels = 3072;
 [[nodiscard]] std::array<SunMap, 2> sun_maps(const Camera& camera, const GlView& view,
                                              const Light& light, const Box& scene);
 
+/// The map of the same ball seen from another camera.
+[[nodiscard]] SunMap seen_by(const SunMap& map, const GlView& view, const Light& light);
+
+/// True if the balls of two maps differ by rounding at most.
+[[nodiscard]] bool same_ball(const SunMap& a, const SunMap& b);
+
 /// False only if nothing in the box can throw a shadow into the ball.
 [[nodiscard]] bool casts_into(const SunMap& map, const Light& light, const Box& box);
 

@@ -1,5 +1,7 @@
 #include "apps/view/drawing/visibility.h"
 
+#include "apps/view/drawing/length.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,8 +19,7 @@ constexpr double kLittle = 0.4;
 
 // How large a box looks: pixels squared, at most the picture.
 double seen_area(const Camera& camera, Size size, const Box& box, double depth) {
-  const Vec3 e = box.extent();
-  const double side = std::sqrt(dot(e, e));
+  const double side = diagonal(box);
   const double pixel = length_of_pixel(camera, size, std::max(depth, side * 0.5));
   const double across = pixel > 0 ? side / pixel : 0;
   const double whole = static_cast<double>(size.width) * static_cast<double>(size.height);
@@ -126,7 +127,7 @@ Visible choose_tiles(const DrawList& list, std::span<const std::span<const Tile>
                      const Camera& camera, Size size, std::uint64_t most_triangles) {
   Visible visible;
   const Frustum view = frustum(camera, size);
-  std::map<std::tuple<Pass, bool, std::uint32_t, std::uint32_t>, std::size_t> group_of;
+  std::map<std::tuple<Pass, bool, std::uint32_t, std::uint32_t, bool>, std::size_t> group_of;
   std::vector<double> areas;
   for (std::uint32_t i = 0; i < list.instances.size(); ++i) {
     const Instance& instance = list.instances[i];
@@ -139,24 +140,26 @@ Visible choose_tiles(const DrawList& list, std::span<const std::span<const Tile>
       if (!sees(view, box)) {
         continue;
       }
+      const double depth = dot(box.center() - view.eye, view.forward);
+      const double area = seen_area(camera, size, box, depth);
+      const bool speck = area < kSpeck * kSpeck && mine[t].stand_in_count > 0;
       const auto [at, fresh] =
-          group_of.try_emplace({pass, edges, instance.mesh, t}, visible.groups.size());
+          group_of.try_emplace({pass, edges, instance.mesh, t, speck}, visible.groups.size());
       if (fresh) {
         visible.groups.push_back({instance.mesh,
                                   t,
                                   pass,
                                   edges,
                                   {},
-                                  mine[t].count,
-                                  false,
+                                  speck ? mine[t].stand_in_count : mine[t].count,
+                                  speck,
                                   std::numeric_limits<double>::infinity()});
         areas.push_back(0);
       }
       TileGroup& group = visible.groups[at->second];
-      const double depth = dot(box.center() - view.eye, view.forward);
       group.instances.push_back(i);
       group.depth = std::min(group.depth, depth);
-      areas[at->second] += seen_area(camera, size, box, depth);
+      areas[at->second] += area;
     }
   }
   std::uint64_t seen = 0;
@@ -193,7 +196,8 @@ Visible choose_tiles(const DrawList& list, std::span<const std::span<const Tile>
 
 std::vector<TileGroup> choose_casters(const DrawList& list,
                                       std::span<const std::span<const Tile>> tiles,
-                                      const std::function<bool(const Box&)>& reaches) {
+                                      const std::function<bool(const Box&)>& reaches,
+                                      double speck) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, TileGroup> groups;
   for (std::uint32_t i = 0; i < list.instances.size(); ++i) {
     const Instance& instance = list.instances[i];
@@ -206,7 +210,8 @@ std::vector<TileGroup> choose_casters(const DrawList& list,
         TileGroup& group = groups[{instance.mesh, t}];
         group.mesh = instance.mesh;
         group.tile = t;
-        group.triangles = mine[t].count;
+        group.coarse = mine[t].stand_in_count > 0 && diagonal(mine[t].bounds) < speck;
+        group.triangles = group.coarse ? mine[t].stand_in_count : mine[t].count;
         group.instances.push_back(i);
       }
     }

@@ -51,6 +51,10 @@ struct Visible {
   std::uint64_t triangles_left = 0;  ///< seen, and left out to stay within `most_triangles`
 };
 
+/// A tile that looks smaller than this across, in pixels, is drawn by its stand-in in any case: of
+/// a car that far off nobody sees the wheels, but the driver counts their triangles.
+inline constexpr double kSpeck = 2;
+
 /// Chooses what is drawn. Where more triangles are seen than `most_triangles`, each tile gives up
 /// its small ones, the more the smaller the tile looks. Where far more are seen, tiles are drawn by
 /// their stand-ins, but those that look large for their triangles whole, as far as that goes.
@@ -61,9 +65,10 @@ struct Visible {
                                    const Camera& camera, Size size, std::uint64_t most_triangles);
 
 /// All opaque tiles of which `reaches` holds, whether the camera sees them or not, by mesh and
-/// tile.
+/// tile; those whose diagonal is below `speck` by their stand-ins.
 [[nodiscard]] std::vector<TileGroup> choose_casters(const DrawList& list,
                                                     std::span<const std::span<const Tile>> tiles,
-                                                    const std::function<bool(const Box&)>& reaches);
+                                                    const std::function<bool(const Box&)>& reaches,
+                                                    double speck = 0);
 
 }  // namespace soms::view

@@ -4,6 +4,7 @@
 
 #include "apps/support/text.h"
 #include "apps/view/drawing/gap_marks.h"
+#include "apps/view/drawing/length.h"
 #include "apps/view/scene/part_boxes.h"
 #include "apps/view/scene/shown_boxes.h"
 
@@ -36,6 +37,8 @@ constexpr std::size_t kMostOfMarker = 64;
 /// The ground is this part of the scene's diagonal below it, and this many times as wide.
 constexpr double kGroundBelow = 2e-4;
 constexpr double kGroundWidth = 2.5;
+/// Where surfaces begin to be pale, in diagonals of what is looked at.
+constexpr double kFocus = 0.9;
 /// Kinds of movers that the key names.
 constexpr std::size_t kMostKinds = 4;
 /// Opacity of the two nearest triangles: large ones shall not swamp what they belong to.
@@ -58,6 +61,7 @@ class Drawing {
   DrawnScene draw() {
     scene_.set_trees(options_.trees);
     add_bodies();
+    add_focus();
     add_ground();
     add_boxes();
     add_contacts();
@@ -174,8 +178,7 @@ class Drawing {
   }
 
   double part_diagonal(BodyRef body, TriangleId triangle) {
-    const Vec3 extent = part_boxes_(body, triangle).extent();
-    return std::sqrt(dot(extent, extent));
+    return diagonal(part_boxes_(body, triangle));
   }
 
   void add_glow(const Touch& touch, const Vec3& a, const Vec3& b) {
@@ -268,9 +271,8 @@ class Drawing {
     }
     for (const auto& [number, place] : places) {
       const Box& box = place.second;
-      const Vec3 across = box.extent();
       list_.markers.push_back({.at = box.center(),
-                               .reach = 0.5 * std::sqrt(dot(across, across)),
+                               .reach = 0.5 * diagonal(box),
                                .always = options_.contacts.all_markers,
                                .color = options_.colors.contact});
     }
@@ -373,13 +375,18 @@ class Drawing {
     add_crossing(touch, true, false, true);
   }
 
+  void add_focus() {
+    if (options_.focus && !options_.focus->empty()) {
+      list_.focus = Focus{options_.focus->center(), kFocus * diagonal(*options_.focus)};
+    }
+  }
+
   void add_ground() {
     const Box all = scene_.bounds();
     if (!options_.ground || all.empty()) {
       return;
     }
-    const Vec3 extent = all.extent();
-    const double whole = std::sqrt(dot(extent, extent));
+    const double whole = diagonal(all);
     const Vec3 center = all.center();
     list_.ground = Ground{{center.x, center.y, all.lower.z - kGroundBelow * whole},
                           kGroundWidth * whole,

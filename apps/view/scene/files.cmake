@@ -1,14 +1,16 @@
 set(SOMS_VIEW_HEADERS
+  aim.h
+  dense_place.h
   draw_scene.h
   event_finder.h
   explain.h
+  fast_lesson.h
   frame_gaps.h
   frame_report.h
   gap.h
   lesson.h
   load.h
   mesh_facts.h
-  open_side.h
   orientation_menu.h
   part_boxes.h
   scene_colors.h
@@ -21,16 +23,18 @@ set(SOMS_VIEW_HEADERS
   traversal_trace.h
 )
 set(SOMS_VIEW_SOURCES
+  aim.cpp
+  dense_place.cpp
   draw_scene.cpp
   event_finder.cpp
   explain.cpp
+  fast_lesson.cpp
   frame_gaps.cpp
   frame_report.cpp
   gap.cpp
   lesson.cpp
   load.cpp
   mesh_facts.cpp
-  open_side.cpp
   orientation_menu.cpp
   part_boxes.cpp
   pick.cpp

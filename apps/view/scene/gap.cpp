@@ -1,6 +1,7 @@
 #include "apps/view/scene/gap.h"
 
 #include "apps/support/text.h"
+#include "apps/view/drawing/length.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +18,6 @@ constexpr double kLeastOfBody = 0.3;
 /// Of the whole scene no more than this share, unless the gap itself is longer.
 constexpr double kShareOfScene = 0.1;
 
-double length_of(const Vec3& v) {
-  return std::sqrt(dot(v, v));
-}
-
 }  // namespace
 
 std::string length_in_text(const Gap& gap) {
@@ -28,10 +25,10 @@ std::string length_in_text(const Gap& gap) {
 }
 
 Box surroundings(const Gap& gap, const Box& a, const Box& b, const Box& scene) {
-  const double segment = length_of(gap.distance.point_b - gap.distance.point_a);
-  const double smaller = 0.5 * std::min(length_of(a.extent()), length_of(b.extent()));
+  const double segment = length(gap.distance.point_b - gap.distance.point_a);
+  const double smaller = 0.5 * std::min(length(a.extent()), length(b.extent()));
   const double reach =
-      std::max(segment, std::min({smaller, kShareOfScene * length_of(scene.extent()),
+      std::max(segment, std::min({smaller, kShareOfScene * length(scene.extent()),
                                   std::max(kAroundGap * segment, kLeastOfBody * smaller)}));
   const Vec3 middle = (gap.distance.point_a + gap.distance.point_b) * 0.5;
   const Vec3 half{reach, reach, reach};

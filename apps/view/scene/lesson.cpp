@@ -115,8 +115,8 @@ std::string in_a_sentence(const TraversalOptions& options) {
   std::string text = fmt::format("{}: {}.", row.kebab, row.description);
   if (options.traversal == Traversal::fast) {
     text +=
-        " It tests several boxes at once in a layout of its own, so it cannot be stepped through "
-        "node by node. Choose another traversal (T).";
+        " It is the one that answers queries. Its nodes have up to four boxes, which are tested "
+        "together.";
   }
   return text;
 }

@@ -48,7 +48,8 @@ struct LessonTest {
 class Lesson {
  public:
   /// Takes the traversal apart again if the pair, a pose, a tree or an option changed since.
-  /// Without a pair, and for Traversal::fast, there are no tests. \errors As `traverse`.
+  /// Without a pair, and for Traversal::fast (see `FastLesson`), there are no tests. \errors As
+  /// `traverse`.
   void update(ViewScene& scene);
 
   [[nodiscard]] const std::vector<LessonTest>& tests() const { return tests_; }

@@ -86,6 +86,8 @@ struct ViewColors {
   Color visited = {40, 44, 66, 255};
   Color pruned = {150, 150, 150, 255};
   Color found = palette::kOrange;
+  Color tested_a = palette::kPurple;  ///< boxes of the pair's first tree, test by test
+  Color tested_b = palette::kGreen;   ///< of its second tree; movers are blue
   Color plain_city = {222, 211, 186, 255};
 
   [[nodiscard]] bool operator==(const ViewColors&) const = default;
@@ -109,6 +111,7 @@ struct ViewOptions {
   bool key = true;                     ///< what the colors mean
   std::optional<BodyRef> highlighted;  ///< drawn brighter
   std::optional<Touch> chosen;         ///< a contact drawn through everything
+  std::optional<Box> focus;            ///< what is looked at: what is farther off is pale
   std::size_t most_boxes = 50'000;     ///< of a level or a traversal; the largest are drawn
   ViewColors colors;
 };

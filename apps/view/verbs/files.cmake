@@ -6,6 +6,7 @@ set(SOMS_VIEW_HEADERS
   render_camera.h
   render_gaps.h
   render_rays.h
+  render_remarks.h
   render_scene.h
   sight_map.h
   stage.h
@@ -20,6 +21,7 @@ set(SOMS_VIEW_SOURCES
   render_camera.cpp
   render_gaps.cpp
   render_rays.cpp
+  render_remarks.cpp
   render_scene.cpp
   sight_map.cpp
   stage.cpp

@@ -1,6 +1,7 @@
 #include "apps/view/verbs/ray_picture.h"
 
 #include "apps/support/length_unit.h"
+#include "apps/view/drawing/length.h"
 #include "apps/view/drawing/palette.h"
 #include "apps/view/drawing/picture_marks.h"
 #include "apps/view/drawing/stroke_font.h"
@@ -164,12 +165,12 @@ Vec3 normal_of(const Triangle& t) {
 /// How bright a surface is in the light of a sun behind the camera, up on the left.
 double brightness(const Vec3& normal, const Vec3& toward_eye, const CameraFrame& f) {
   const Vec3 sun = f.up * 0.66 - f.right * 0.45 - f.forward * 0.6;  // length 1
-  const double length = std::sqrt(dot(normal, normal));
-  if (!(length > 0)) {
+  const double size = length(normal);
+  if (!(size > 0)) {
     return 1;
   }
   const double facing = dot(normal, toward_eye) < 0 ? -1 : 1;
-  return 0.5 + 0.5 * std::max(0.0, facing * dot(normal, sun) / length);
+  return 0.5 + 0.5 * std::max(0.0, facing * dot(normal, sun) / size);
 }
 
 Color dimmed(Color color, double by) {

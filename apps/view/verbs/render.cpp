@@ -15,6 +15,7 @@
 #include "apps/view/scene/traversal_trace.h"
 #include "apps/view/verbs/render_gaps.h"
 #include "apps/view/verbs/render_rays.h"
+#include "apps/view/verbs/render_remarks.h"
 #include "apps/view/verbs/render_scene.h"
 #include "apps/view/verbs/stage.h"
 
@@ -338,33 +339,6 @@ ViewScene make_scene(const RenderOptions& options, command::Console& console) {
   });
 }
 
-/// Says of what a city of several files is shown in part.
-void remark_parts(const RenderOptions& options, const ViewScene& scene,
-                  const command::Console& console) {
-  if (scene.city_parts() < 2) {
-    return;
-  }
-  const auto remark = [&](const char* option, bool given) {
-    if (given) {
-      console.note(fmt::format("{}: of the city's {} files with the first alone, {}", option,
-                               scene.city_parts(), scene.body(city_part(0)).name));
-    }
-  };
-  remark("--level", options.level && options.level_of == LevelOf::city);
-  remark("--trace", options.trace);
-  remark("--test", !options.test.empty());
-}
-
-/// Says which movers a picture of the scene is framed without.
-void remark_astray(const RenderOptions& options, const ViewScene& scene,
-                   const command::Console& console) {
-  const std::uint64_t astray = astray_movers(scene).size();
-  if (astray > 0 && options.camera.subject == CameraChoice::Subject::scene) {
-    console.note(fmt::format("{}: {} far from the city, not in the picture", options.output,
-                             command::counted(astray, "mover")));
-  }
-}
-
 /// True if the scene looks alike in every frame.
 bool stands_still(const RenderOptions& options, const ViewScene& scene) {
   return !scene.frames() && (scene.movers() == 0 || !options.pose.empty());
@@ -388,8 +362,12 @@ std::pair<DrawnScene, Camera> compose(const RenderOptions& options, ViewScene& s
     choice.with_gap = draws_gap(options, scene);
     choice.boxes = options.level || options.trace;
     choice.may_cut = true;
-    const Camera camera = place_camera(choice, scene, options.size, origin, parallel);
-    DrawnScene drawn = draw_scene(scene, what_is_shown(options, scene));
+    const auto [camera, around] = aimed_by(choice, scene, options.size, origin, parallel);
+    ViewOptions shown = what_is_shown(options, scene);
+    if (choice.subject == CameraChoice::Subject::contact) {
+      shown.focus = around;
+    }
+    DrawnScene drawn = draw_scene(scene, shown);
     drawn.list.captions.title = options.title;
     drawn.list.light.toward = sun_for(camera, scene);
     if (drawn.list.ground) {
@@ -493,13 +471,9 @@ int run_render(const RenderOptions& options, command::Console& console) {
     write_ray_picture(options, scene, file, console);
     return 0;
   }
-  remark_parts(options, scene, console);
-  remark_astray(options, scene, console);
+  remark_what_is_left_out(options, scene, console);
   const auto [drawn, camera] = compose(options, scene, console);
-  if (camera.cut > 0) {
-    console.note(options.output + ": what hides the subject is cut away, up to " +
-                 fmt::format("{:.3g} from the eye", camera.cut));
-  }
+  remark_cut(options, camera, console);
   const Picture picture = draw_image(options, drawn.list, camera, *renderer, console);
   file.stream() << console.run("writing " + options.output,
                                [&](const Parallel& parallel) { return to_png(picture, parallel); });

@@ -3,7 +3,9 @@
 #include "soms/base/error.h"
 
 #include "apps/support/parse.h"
+#include "apps/view/drawing/length.h"
 #include "apps/view/drawing/visibility.h"
+#include "apps/view/scene/aim.h"
 #include "apps/view/verbs/aimed_camera.h"
 
 #include <fmt/format.h>
@@ -135,10 +137,10 @@ Camera at_gap(const CameraChoice& choice, const ViewScene& scene, Size size,
       check_stop(parallel);
       const Camera camera = from(choice.bearing + 45 * turn, elevation);
       const Vec3 line = around.center() - camera.eye;
-      const double whole = line_length(line);
+      const double whole = length(line);
       const auto first = scene.pick({camera.eye, line * (1 / whole)});
       const double free = first ? std::min(1.0, first->distance / whole) : 1;
-      const double seen = free * line_length(cross(along, line)) / whole;
+      const double seen = free * length(cross(along, line)) / whole;
       if (seen > most) {
         best = camera;
         most = seen;
@@ -239,14 +241,6 @@ CameraChoice parse_camera(const std::string& text) {
   return choice;
 }
 
-Box scene_bounds(const ViewScene& scene) {
-  Box box = scene.bounds();
-  for (std::uint32_t k = 0; k < scene.movers(); ++k) {
-    box.grow(scene.bounds(mover(k)));
-  }
-  return box;
-}
-
 std::vector<std::uint32_t> astray_movers(const ViewScene& scene) {
   constexpr std::uint32_t kOneOf = 20;
   std::vector<std::uint32_t> astray;
@@ -254,7 +248,7 @@ std::vector<std::uint32_t> astray_movers(const ViewScene& scene) {
     return astray;
   }
   const Box city = scene.bounds();
-  const double room = line_length(city.extent());
+  const double room = diagonal(city);
   const Vec3 margin{room, room, room};
   const Box about{city.lower - margin, city.upper + margin};
   for (std::uint32_t k = 0; k < scene.movers(); ++k) {
@@ -269,21 +263,29 @@ std::vector<std::uint32_t> astray_movers(const ViewScene& scene) {
   return astray;
 }
 
-Camera place_camera(const CameraChoice& choice, const ViewScene& scene, Size size,
-                    const Vec3& origin, const Parallel& parallel) {
+std::optional<DensePlace> place_in(const CameraChoice& choice, const ViewScene& scene) {
+  const bool open = choice.subject == CameraChoice::Subject::scene && choice.free_side;
+  return open && !choice.boxes ? dense_place(scene) : std::nullopt;
+}
+
+AimedCamera aimed_by(const CameraChoice& choice, const ViewScene& scene, Size size,
+                     const Vec3& origin, const Parallel& parallel) {
   switch (choice.subject) {
     case CameraChoice::Subject::place:
-      return {choice.eye + origin, choice.target + origin};
+      return {{choice.eye + origin, choice.target + origin}, {}};
     case CameraChoice::Subject::mover:
       return at_mover(choice, scene, size, parallel);
     case CameraChoice::Subject::gap:
-      return at_gap(choice, scene, size, parallel);
+      return {at_gap(choice, scene, size, parallel), {}};
     case CameraChoice::Subject::contact:
       return at_contact(choice, scene, size, parallel);
     case CameraChoice::Subject::scene:
       break;
   }
   const Vec3 back = toward_eye(choice.bearing, choice.elevation);
+  if (const auto place = place_in(choice, scene)) {
+    return {dollied(fitted(place->box, back, size), 1 / choice.zoom), {}};
+  }
   const std::vector<std::uint32_t> astray = astray_movers(scene);
   std::vector<std::uint32_t> framed_movers;
   Box bulk = scene.bounds();
@@ -296,7 +298,12 @@ Camera place_camera(const CameraChoice& choice, const ViewScene& scene, Size siz
   const Camera whole = fitted(bulk, back, size);
   const std::vector<Vec3> sample =
       sample_of(scene, framed_movers, choice.boxes, frustum(whole, size));
-  return dollied(framed(whole, sample, size), 1 / choice.zoom);
+  return {dollied(framed(whole, sample, size), 1 / choice.zoom), {}};
+}
+
+Camera place_camera(const CameraChoice& choice, const ViewScene& scene, Size size,
+                    const Vec3& origin, const Parallel& parallel) {
+  return aimed_by(choice, scene, size, origin, parallel).camera;
 }
 
 }  // namespace soms::view

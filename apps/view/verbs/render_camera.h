@@ -5,6 +5,8 @@
 #include "soms/base/parallel.h"
 
 #include "apps/view/drawing/camera.h"
+#include "apps/view/scene/aim.h"
+#include "apps/view/scene/dense_place.h"
 #include "apps/view/scene/view_scene.h"
 
 #include <cstdint>
@@ -43,17 +45,23 @@ struct CameraChoice {
 /// what it looks at. \errors ErrorKind::usage.
 [[nodiscard]] CameraChoice parse_camera(const std::string& text);
 
-/// The camera for a picture of a scene. Six numbers count from `origin`.
+/// The camera for a picture of a scene, and what it looks at: empty unless that is a mover or a
+/// contact. Six numbers count from `origin`.
 /// \errors ErrorKind::usage for a mover that is not there, and for contacts or a gap where there
 ///         are none; ErrorKind::cancelled; as `ViewScene::gap`.
+[[nodiscard]] AimedCamera aimed_by(const CameraChoice& choice, const ViewScene& scene, Size size,
+                                   const Vec3& origin, const Parallel& parallel = {});
+
+/// The camera of `aimed_by`.
 [[nodiscard]] Camera place_camera(const CameraChoice& choice, const ViewScene& scene, Size size,
                                   const Vec3& origin, const Parallel& parallel = {});
+
+/// The place that a picture of a sparse scene is of, unless a side is named or boxes are drawn.
+[[nodiscard]] std::optional<DensePlace> place_in(const CameraChoice& choice,
+                                                 const ViewScene& scene);
 
 /// Movers farther from the city than the city is large, in order; none if they are more than one in
 /// twenty. Pictures of the scene are framed without them.
 [[nodiscard]] std::vector<std::uint32_t> astray_movers(const ViewScene& scene);
-
-/// Bounds of all bodies of a scene.
-[[nodiscard]] Box scene_bounds(const ViewScene& scene);
 
 }  // namespace soms::view

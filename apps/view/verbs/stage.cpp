@@ -1,5 +1,7 @@
 #include "apps/view/verbs/stage.h"
 
+#include "apps/view/drawing/length.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,7 +37,7 @@ Vec3 sun_for(const Camera& camera, const ViewScene& scene) {
   std::vector<Ray> rays;
   for (const SunPlace& place : kSunPlaces) {
     const Vec3 toward = f.right * place.right + back * place.back + Vec3{0, 0, place.up};
-    const double size = std::sqrt(dot(toward, toward));
+    const double size = length(toward);
     const Vec3 off = toward * (kOffTarget * distance_to_target(camera) / size);
     rays.push_back({camera.target + off, toward});
   }

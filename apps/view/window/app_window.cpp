@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <variant>
 
 namespace soms::view {
 
@@ -217,6 +218,17 @@ void AppWindow::wake() {
 std::vector<InputEvent> AppWindow::take_events(bool& touched) {
   touched = std::exchange(state_->touched, false);
   return std::exchange(state_->events, {});
+}
+
+bool AppWindow::wants_answer() const {
+  glfwPollEvents();
+  return close_requested() ||
+         std::any_of(state_->events.begin(), state_->events.end(), [](const InputEvent& event) {
+           return std::holds_alternative<KeyDown>(event) ||
+                  std::holds_alternative<MouseDown>(event) ||
+                  std::holds_alternative<Wheel>(event) ||
+                  std::holds_alternative<FileDropped>(event);
+         });
 }
 
 bool AppWindow::close_requested() const {

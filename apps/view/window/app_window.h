@@ -38,6 +38,10 @@ class AppWindow {
   /// redrawn, sets `touched`.
   [[nodiscard]] std::vector<InputEvent> take_events(bool& touched);
 
+  /// Looks for reports; true if one came that is more than a move of the mouse: a key, a button,
+  /// the wheel, a file, or the end.
+  [[nodiscard]] bool wants_answer() const;
+
   [[nodiscard]] bool close_requested() const;
 
   /// Size in the units of the cursor and the panels.

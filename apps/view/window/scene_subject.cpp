@@ -108,7 +108,11 @@ SceneSubject::SceneSubject(SceneContent content, const Parallel& parallel)
     : has_motion_(motions_of(content)),
       parallel_(parallel),
       finder_(content, parallel),
-      scene_(std::move(content), parallel) {
+      scene_(std::move(content), parallel),
+      place_(dense_place(scene_)) {
+  if (place_) {
+    scene_.add_notes({"of places far apart, the one that holds most is seen; Enter shows all"});
+  }
   list_events();
 }
 
@@ -224,6 +228,7 @@ Facts SceneSubject::facts(const ViewState& state) const {
   facts.limits = limits();
   facts.orientation_test = test_;
   facts.bounds = scene_.bounds();
+  facts.framed = place_ ? place_->box : Box{};
   if (state.shown.gap) {
     facts.gap = gap_facts();
   }
@@ -385,6 +390,7 @@ PickedFacts SceneSubject::contact_facts(const Touch& touch) const {
 
 void SceneSubject::select() {
   selected_ = seen_;
+  focus_.reset();
   const auto pair = scene_.pair();
   if (selected_ && pair && selected_->body.role == Role::mover && selected_->body != pair->second &&
       selected_->body != pair->first) {
@@ -397,12 +403,14 @@ void SceneSubject::select() {
 
 void SceneSubject::deselect() {
   selected_.reset();
+  focus_.reset();
 }
 
 void SceneSubject::open(const std::string& path) {
   auto [body, notes] = read_body(path, parallel_);
   changed();
   scene_.add_notes(notes);
+  place_.reset();
   finder_.add(body);
   list_events();
   const bool first = scene_.city_parts() == 0 && scene_.movers() == 0;
@@ -436,10 +444,11 @@ DrawList SceneSubject::draw_list(const ViewState& state) {
     }
   }
   if (selected_) {
-    if (selected_->body.role == Role::mover) {
-      options.highlighted = selected_->body;
-    }
     options.chosen = touching(selected_->touch) ? selected_->touch : std::nullopt;
+    options.focus = options.chosen ? focus_ : std::nullopt;
+    if (selected_->body.role == Role::mover && !options.focus) {
+      options.highlighted = selected_->body;  // else what is around it is pale
+    }
   }
   DrawnScene drawn = draw_scene(scene_, options);
   left_out_ = left_out(drawn.counts);

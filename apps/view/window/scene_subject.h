@@ -3,7 +3,9 @@
 #pragma once
 
 #include "apps/view/control/subject.h"
+#include "apps/view/scene/dense_place.h"
 #include "apps/view/scene/event_finder.h"
+#include "apps/view/scene/fast_lesson.h"
 #include "apps/view/scene/lesson.h"
 #include "apps/view/scene/scene_content.h"
 #include "apps/view/scene/view_options.h"
@@ -40,7 +42,7 @@ class SceneSubject final : public Subject {
   [[nodiscard]] const EventList& events() const override { return events_; }
 
   void search_events() override;
-  [[nodiscard]] Sight show_event(std::size_t row) override;
+  [[nodiscard]] Sight show_event(std::size_t row, const FitCamera& fit) override;
   void open(const std::string& path) override;
   [[nodiscard]] DrawList draw_list(const ViewState& state) override;
 
@@ -62,7 +64,9 @@ class SceneSubject final : public Subject {
   void list_events();
   void let_go();
   void prepare_lesson(const ViewState& state);
+  void prepare_fast_lesson(const ViewState& state);
   void add_lesson(DrawList& list);
+  void add_fast_lesson(DrawList& list) const;
   [[nodiscard]] Limits limits() const;
   [[nodiscard]] const SceneStatistics& statistics() const;
 
@@ -79,14 +83,17 @@ class SceneSubject final : public Subject {
   EventList events_;
   ViewScene scene_;
   Lesson lesson_;
+  FastLesson fast_lesson_;                  ///< of Traversal::fast
   std::optional<LearnFacts> lesson_facts_;  ///< of the last choice or picture
   std::optional<std::size_t> test_;
   bool through_ = false;                ///< contacts are seen, and picked, through everything
   bool movers_shown_ = true;            ///< else they are not picked
   std::optional<int> single_levels_;    ///< of the city's tree, where there is no pair
   std::vector<std::string> left_out_;   ///< of the last picture
+  std::optional<DensePlace> place_;     ///< at the beginning, of a sparse scene
   std::optional<Chosen> seen_;          ///< by the last `pick`
   std::optional<Chosen> selected_;      ///< drawn brighter
+  std::optional<Box> focus_;            ///< of an event, while its contact is selected
   std::map<std::uint32_t, Pose> home_;  ///< where movers were that the hand moved
   mutable std::optional<SceneStatistics> statistics_;  ///< counts whole trees: kept till a change
 };

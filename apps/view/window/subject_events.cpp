@@ -1,5 +1,5 @@
-// What of `SceneSubject` concerns contacts over time.
-#include "apps/view/scene/open_side.h"
+// What of `SceneSubject` concerns events.
+#include "apps/view/scene/aim.h"
 #include "apps/view/window/scene_subject.h"
 
 #include <algorithm>
@@ -11,15 +11,6 @@ namespace {
 
 /// Milliseconds of a search between two frames of the window.
 constexpr double kSliceOfSearch = 50;
-/// What surrounds a contact in its picture, in parts of the smaller body's diagonal.
-constexpr double kSurroundings = 0.25;
-/// How far the eye is that looks for a free side, likewise.
-constexpr double kFarFromContact = 2.5;
-
-double diagonal_of(const Box& box) {
-  const Vec3 extent = box.extent();
-  return std::sqrt(dot(extent, extent));
-}
 
 BodyRef ref_of(const SceneBody& body) {
   return body.kind == SceneBodyKind::mover ? mover(body.id) : city_part(body.id);
@@ -28,9 +19,12 @@ BodyRef ref_of(const SceneBody& body) {
 }  // namespace
 
 void SceneSubject::list_events() {
+  if (finder_.searched() < events_.searched) {
+    events_.rows.clear();
+    ++events_.edition;
+  }
   events_.frames = finder_.frames();
   events_.searched = finder_.searched();
-  events_.rows.resize(std::min(events_.rows.size(), finder_.spans().size()));
   for (std::size_t i = 0; i < finder_.spans().size(); ++i) {
     const ContactSpan& span = finder_.spans()[i];
     if (i == events_.rows.size()) {
@@ -61,7 +55,7 @@ void SceneSubject::let_go() {
   home_.clear();
 }
 
-Sight SceneSubject::show_event(std::size_t row) {
+Sight SceneSubject::show_event(std::size_t row, const FitCamera& fit) {
   const ContactSpan span = finder_.spans().at(row);
   changed();
   let_go();
@@ -72,17 +66,19 @@ Sight SceneSubject::show_event(std::size_t row) {
   seen_ = Chosen{a, span.pair.first, touch};
   selected_ = seen_;
   scene_.set_pair(b, a);
-  const Box box_a = scene_.bounds(a);
-  const Box box_b = scene_.bounds(b);
-  const double size = std::min(diagonal_of(box_a), diagonal_of(box_b));
-  const double margin = kSurroundings * size;
-  Sight sight;
-  sight.facts = contact_facts(touch);
-  sight.surroundings = span.box;
-  sight.surroundings.grow(span.place - Vec3{margin, margin, margin});
-  sight.surroundings.grow(span.place + Vec3{margin, margin, margin});
-  sight.toward_eye = open_side(scene_, span.place, 0.5 * margin, kFarFromContact * size);
-  return sight;
+  std::vector<Touch> touches;
+  const PartsOf parts(scene_.body(b).shape.mesh());
+  for (const Touch& other : scene_.contacts()) {
+    if (other.a == a && other.b == b &&
+        (span.b.part == Part::kNoParent || parts(other.j) == span.b.part)) {
+      touches.push_back(other);
+    }
+  }
+  PartBoxes part_boxes(scene_);
+  const Aim aim = aim_at_touches(scene_, a, touches, part_boxes);
+  const AimedCamera aimed = aimed_camera(scene_, {&aim, 1}, {.may_cut = true}, fit, parallel_);
+  focus_ = aimed.around;
+  return {contact_facts(touch), aimed.camera};
 }
 
 }  // namespace soms::view

@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kFrame = 1.0 / 60;
 /// Seconds after the last motion before all triangles are drawn again.
-constexpr double kRestSeconds = 0.25;
+constexpr double kRestSeconds = 0.15;
 /// Frames after an event: the panels answer to the mouse one frame late.
 constexpr int kEcho = 3;
 
@@ -39,6 +39,7 @@ struct Drawn {
   std::optional<Handle> handle;
   std::uint64_t most_triangles = 0;
   int samples = 0;
+  double scale = 1;
 
   [[nodiscard]] bool operator==(const Drawn&) const = default;
 };
@@ -124,7 +125,7 @@ class Loop {
     if (due_ > 0 || session_.animating()) {
       return std::max(0.0, kFrame - seconds_between(last_, Clock::now()));
     }
-    return coarse_ ? kRestSeconds : -1;
+    return care_ == Care::full ? -1 : rested() ? 0 : kRestSeconds;
   }
 
   void take_events() {
@@ -135,7 +136,7 @@ class Loop {
     if (touched) {
       due_ = kEcho;
     }
-    if (session_.animating() || scripted() || shot_ || (coarse_ && rested())) {
+    if (session_.animating() || scripted() || shot_ || (care_ != Care::full && rested())) {
       due_ = std::max(due_, 1);
     }
   }
@@ -169,25 +170,77 @@ class Loop {
       moved_ = begin;
     }
     const DrawList& list = session_.picture();
-    const bool quick = shot_ ? false : scripted() || !rested();
-    const DrawOptions options = detail_.options(quick, session_.facts().triangles);
-    const Drawn now{session_.version(),       session_.camera(),      pixels,
-                    session_.handle_in_use(), options.most_triangles, options.samples};
-    coarse_ = options.samples == 1;
+    const bool quick = !shot_ && (scripted() || !rested());
+    const Care care = quick ? Care::moving : shot_ ? Care::full : detail_.next(care_);
+    if (!draw_with(care, list, pixels)) {
+      // What came needs an answer at once; the rest of the picture can wait.
+      moved_ = Clock::now();
+      due_ = std::max(due_, 1);
+      (void)draw_with(Care::moving, list, pixels);
+    }
+  }
+
+  /// Draws with some care, unless the picture of before has it; false if an event stopped it.
+  bool draw_with(Care care, const DrawList& list, Size pixels) {
+    const DrawOptions options = as_cut(detail_.options(care, session_.facts().triangles));
+    const Drawn now{
+        session_.version(),     session_.camera(), pixels,       session_.handle_in_use(),
+        options.most_triangles, options.samples,   options.scale};
+    care_ = options.samples > 1 ? Care::full : care;
     if (now == drawn_) {
-      return;
+      return true;
     }
     const Clock::time_point start = Clock::now();
-    renderer_.draw(list, session_.camera(), pixels, options);
-    window_.finish();
+    if (!draw_unless_disturbed(care, list, pixels, options)) {
+      return false;
+    }
     drawn_ = now;
     const DrawStatistics statistics = renderer_.statistics();
     const double ms = 1000 * seconds_between(start, Clock::now());
+    if (care == Care::whole) {
+      return true;  // says nothing of either budget
+    }
     if (statistics.uploads == 0) {
       detail_.add(ms, statistics.triangles, options);
     } else {
       detail_.add_with_uploads(ms);
     }
+    return true;
+  }
+
+  /// A picture with more care than one that moves is given up for what the user does meanwhile.
+  bool draw_unless_disturbed(Care care, const DrawList& list, Size pixels,
+                             const DrawOptions& options) {
+    std::stop_source disturbed;
+    if (care != Care::moving && !shot_) {
+      Parallel watched;
+      watched.stop = disturbed.get_token();
+      watched.progress = [&](double) {
+        if (window_.wants_answer()) {
+          disturbed.request_stop();
+        }
+      };
+      renderer_.watch(watched);
+    }
+    try {
+      renderer_.draw(list, session_.camera(), pixels, options);
+      window_.finish();
+    } catch (const Error& error) {
+      renderer_.watch({});
+      if (error.kind() != ErrorKind::cancelled) {
+        throw;
+      }
+      drawn_ = {};
+      return false;
+    }
+    renderer_.watch({});
+    return true;
+  }
+
+  /// What is cut away would still cast its shadow.
+  [[nodiscard]] DrawOptions as_cut(DrawOptions options) const {
+    options.shadows = options.shadows && session_.camera().cut == 0;
+    return options;
   }
 
   void do_window_requests() {
@@ -234,7 +287,7 @@ class Loop {
 
   /// The scene in full, without handles and panels.
   Picture bare_picture(Size pixels) {
-    renderer_.draw(session_.bare_picture(), session_.camera(), pixels);
+    renderer_.draw(session_.bare_picture(), session_.camera(), pixels, as_cut({}));
     drawn_ = {};
     return renderer_.read_pixels();
   }
@@ -249,7 +302,7 @@ class Loop {
   Drawn drawn_;
   Clock::time_point last_ = Clock::now();
   Clock::time_point moved_ = Clock::now() - std::chrono::hours(1);
-  bool coarse_ = false;  ///< the last picture was a quick one
+  Care care_ = Care::full;  ///< of the last picture
   int due_ = kEcho;
   std::optional<Shot> shot_;
   std::uint64_t played_ = 0;  ///< of `ViewerOptions::frames`

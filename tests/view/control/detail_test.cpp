@@ -15,30 +15,31 @@ struct Device {
   double million = 0;
 
   [[nodiscard]] double ms(const DrawOptions& options, std::uint64_t triangles) const {
-    return fill * options.samples + million * static_cast<double>(triangles) / 1e6;
+    const double pixels = options.scale * options.scale * options.samples;
+    return fill * pixels + million * static_cast<double>(triangles) / 1e6;
   }
 };
 
 /// Draws frames of a moving city; the options after them.
 DrawOptions after_frames(Detail& detail, const Device& device, int frames) {
   for (int i = 0; i < frames; ++i) {
-    const DrawOptions options = detail.options(true, kCity);
+    const DrawOptions options = detail.options(Care::moving, kCity);
     const std::uint64_t drawn = std::min(kCity, options.most_triangles);
     detail.add(device.ms(options, drawn), drawn, options);
   }
-  return detail.options(true, kCity);
+  return detail.options(Care::moving, kCity);
 }
 
 TEST(Detail, DrawsEverythingBeforeAnyFrameWasTimed) {
-  EXPECT_EQ(Detail().options(true, kCity).most_triangles, DrawOptions::kAll);
-  EXPECT_EQ(Detail().options(true, kCity).samples, DrawOptions{}.samples);
+  EXPECT_EQ(Detail().options(Care::moving, kCity).most_triangles, DrawOptions::kAll);
+  EXPECT_EQ(Detail().options(Care::moving, kCity).samples, DrawOptions{}.samples);
 }
 
 TEST(Detail, DrawsEverythingWithSmoothEdgesWhenStillHoweverSlow) {
   Detail detail;
   (void)after_frames(detail, {100, 4000}, 20);
-  EXPECT_EQ(detail.options(false, kCity).most_triangles, DrawOptions::kAll);
-  EXPECT_EQ(detail.options(false, kCity).samples, DrawOptions{}.samples);
+  EXPECT_EQ(detail.options(Care::full, kCity).most_triangles, DrawOptions::kAll);
+  EXPECT_EQ(detail.options(Care::full, kCity).samples, DrawOptions{}.samples);
 }
 
 TEST(Detail, DrawsEverythingOnAFastDevice) {
@@ -76,14 +77,51 @@ TEST(Detail, NeverDrawsLessThanAUsefulCount) {
   EXPECT_EQ(after_frames(detail, {500, 5000}, 30).most_triangles, Detail::kLeast);
 }
 
+TEST(Detail, GivesUpPixelsLastAndTakesThemBackFirst) {
+  Detail detail;
+  EXPECT_EQ(after_frames(detail, {10, 500}, 20).scale, 1);
+  const DrawOptions coarse = after_frames(detail, {60, 100}, 20);
+  EXPECT_EQ(coarse.most_triangles, Detail::kLeast);
+  EXPECT_LT(coarse.scale, 0.75);
+  EXPECT_EQ(detail.options(Care::whole, kCity).scale, 1);
+  EXPECT_EQ(detail.options(Care::full, kCity).scale, 1);
+  const DrawOptions free = after_frames(detail, {12, 100}, 1);
+  EXPECT_EQ(free.scale, 1);
+  EXPECT_EQ(free.most_triangles, Detail::kLeast);
+  EXPECT_GT(after_frames(detail, {12, 100}, 3).most_triangles, Detail::kLeast);
+}
+
+TEST(Detail, KeepsItsPixelsWhereTheyFit) {
+  for (const double fill : {40.0, 50.0, 80.0, 200.0}) {
+    Detail detail;
+    const DrawOptions before = after_frames(detail, {fill, 100}, 30);
+    for (int i = 0; i < 10; ++i) {
+      EXPECT_EQ(after_frames(detail, {fill, 100}, 1).scale, before.scale) << fill;
+    }
+  }
+}
+
+TEST(Detail, ASlowDeviceDrawsAllTrianglesBeforeItDrawsWithCare) {
+  Detail detail;
+  EXPECT_EQ(detail.next(Care::moving), Care::full);
+  (void)after_frames(detail, {100, 4000}, 20);
+  EXPECT_EQ(detail.next(Care::moving), Care::whole);
+  EXPECT_EQ(detail.next(Care::whole), Care::full);
+  EXPECT_EQ(detail.next(Care::full), Care::full);
+  const DrawOptions whole = detail.options(Care::whole, kCity);
+  EXPECT_EQ(whole.most_triangles, DrawOptions::kAll);
+  EXPECT_EQ(whole.samples, 1);
+  EXPECT_FALSE(whole.relief || whole.shadows);
+}
+
 TEST(Detail, BeginsCoarseAfterALongFrameWithUploadsAndBecomesFine) {
   Detail detail;
   detail.add_with_uploads(Detail::kGoalMs / 2);
-  EXPECT_EQ(detail.options(true, kCity).samples, DrawOptions{}.samples);
+  EXPECT_EQ(detail.options(Care::moving, kCity).samples, DrawOptions{}.samples);
   detail.add_with_uploads(10 * Detail::kGoalMs);
-  EXPECT_EQ(detail.options(true, kCity).samples, 1);
-  EXPECT_LT(detail.options(true, kCity).most_triangles, kCity / 4);
-  EXPECT_EQ(detail.options(false, kCity).most_triangles, DrawOptions::kAll);
+  EXPECT_EQ(detail.options(Care::moving, kCity).samples, 1);
+  EXPECT_LT(detail.options(Care::moving, kCity).most_triangles, kCity / 4);
+  EXPECT_EQ(detail.options(Care::full, kCity).most_triangles, DrawOptions::kAll);
   EXPECT_EQ(after_frames(detail, {0.5, 2}, 30).samples, DrawOptions{}.samples);
 }
 

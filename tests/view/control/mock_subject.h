@@ -45,8 +45,8 @@ class MockSubject final : public Subject {
       facts.learn->tests = learn_tests;
       facts.learn->test = std::min(state.learn_step, learn_tests - 1);
       facts.learn->sentences = {"Their boxes overlap."};
-      facts.learn->a = {"city", {{0, 1, 0, TreeBars::Look::now}}, 1};
-      facts.learn->b = {"car", {{0, 1, 0, TreeBars::Look::visited}}, 1};
+      facts.learn->a = {"city", {}, {{0, 1, 0, TreeBars::Look::now}}, 1};
+      facts.learn->b = {"car", {}, {{0, 1, 0, TreeBars::Look::visited}}, 1};
     }
     facts.limits = {7, 5, frames, 3, moves, can_seek, has_object, 4, 200};
     facts.bounds = {{-100, -100, 0}, {100, 100, 50}};
@@ -117,12 +117,11 @@ class MockSubject final : public Subject {
     }
   }
 
-  [[nodiscard]] Sight show_event(std::size_t row) override {
+  [[nodiscard]] Sight show_event(std::size_t row, const FitCamera& fit) override {
     frame = found.rows.at(row).most_frame;
     Sight sight;
     sight.facts.title = found.rows.at(row).title;
-    sight.surroundings = {{10, 10, 0}, {14, 14, 4}};
-    sight.toward_eye = {0, -1, 1};
+    sight.camera = fit({{10, 10, 0}, {14, 14, 4}}, {0, -1, 1});
     return sight;
   }
 
@@ -153,7 +152,7 @@ class MockSubject final : public Subject {
   std::string clearance;  ///< empty: no gaps
   std::string least_gap;
   std::vector<std::string> left_out;
-  EventList found{{}, 0, 20};
+  EventList found{{}, 0, 0, 20};
   std::vector<ContactEvent> rows{{"car (mover 1) touches house", 3, 9, 12, 5},
                                  {"person (mover 2) touches tree", 7, 7, 1, 7}};
   int searches = 0;

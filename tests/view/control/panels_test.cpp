@@ -4,11 +4,9 @@
 #include "soms/tree/rule/rules.h"
 
 #include "apps/view/control/help.h"
-#include "apps/view/control/imgui_input.h"
-#include "apps/view/control/style.h"
 #include "apps/view/scene/orientation_menu.h"
 #include "tests/support/support.h"
-#include "tests/view/control/mock_subject.h"
+#include "tests/view/control/panels_fixture.h"
 
 #include <gtest/gtest.h>
 
@@ -21,77 +19,6 @@
 
 namespace soms::view {
 namespace {
-
-/// Dear ImGui without a window or OpenGL: draws the panels of a session and clicks their widgets.
-class PanelsTest : public testing::Test {
- protected:
-  void SetUp() override {
-    IMGUI_CHECKVERSION();
-    context_ = ImGui::CreateContext();
-    set_style(1);
-    ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = ImVec2(1280, 720);
-    io.DeltaTime = 1.0F / 60;
-    io.KeyMap[ImGuiKey_Escape] = 1;
-    unsigned char* pixels = nullptr;
-    int width = 0;
-    int height = 0;
-    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    session_.state().paused = true;
-    settle();
-  }
-
-  void TearDown() override { ImGui::DestroyContext(context_); }
-
-  void frame() {
-    ImGui::NewFrame();
-    session_.handle(captured());
-    session_.tick(1.0 / 60);
-    panels_.draw(session_, times_, drawn_);
-    ImGui::Render();
-  }
-
-  void settle() {
-    for (int i = 0; i < 3; ++i) {
-      frame();
-    }
-  }
-
-  [[nodiscard]] const WidgetPlace* find(const std::string& label) const {
-    const auto& places = panels_.places();
-    const auto found = std::find_if(places.begin(), places.end(),
-                                    [&](const WidgetPlace& p) { return p.label == label; });
-    return found == places.end() ? nullptr : &*found;
-  }
-
-  /// Presses and releases the left button over a part of a widget: 0 is its left end, 1 its right.
-  void click(const std::string& label, double part = 0.5) {
-    const WidgetPlace* const place = find(label);
-    ASSERT_NE(place, nullptr) << label;
-    ImGuiIO& io = ImGui::GetIO();
-    io.MousePos = ImVec2(static_cast<float>(place->left + part * (place->right - place->left)),
-                         static_cast<float>((place->top + place->bottom) / 2));
-    frame();
-    io.MouseDown[0] = true;
-    frame();
-    io.MouseDown[0] = false;
-    settle();
-  }
-
-  void choose(const std::string& list, const std::string& row) {
-    click(list, 0.2);
-    click(row);
-  }
-
-  ViewState& state() { return session_.state(); }
-
-  ImGuiContext* context_ = nullptr;
-  MockSubject subject_;
-  Session session_{subject_, {1280, 720}};
-  FrameTimes times_;
-  DrawStatistics drawn_;
-  Panels panels_;
-};
 
 TEST_F(PanelsTest, EachSwitchFlipsWhatItSaysAndFlipsItBack) {
   const std::vector<std::pair<std::string, std::function<bool()>>> switches{
@@ -254,39 +181,6 @@ TEST_F(PanelsTest, FileAndHelpMenusDoAsTheirKeys) {
   EXPECT_TRUE(state().requests.quit);
 }
 
-TEST_F(PanelsTest, ContactsAreListedSearchedAndGoneTo) {
-  click("Contacts");
-  click("List");
-  for (int i = 0; i < 5; ++i) {
-    frame();
-  }
-  const auto row = [&](const std::string& name) {
-    const auto& places = panels_.places();
-    return std::find_if(places.begin(), places.end(), [&](const WidgetPlace& p) {
-      return p.label.find(name) != std::string::npos;
-    });
-  };
-  ASSERT_NE(row("house"), panels_.places().end());
-  EXPECT_EQ(row("house")->label,
-            "car (mover 1) touches house\n   frames 3 to 9, at most 12 pairs, in frame 5");
-  ASSERT_NE(row("tree"), panels_.places().end());
-  const std::string tree = row("tree")->label;
-  EXPECT_EQ(tree, "person (mover 2) touches tree\n   frame 7, at most 1 pair, in frame 7");
-  click(tree);
-  EXPECT_EQ(state().event, 1U);
-  EXPECT_EQ(subject_.frame, 7U);
-  click("Previous");
-  EXPECT_EQ(state().event, 0U);
-  click("##search");
-  for (const char c : std::string("TREE person")) {
-    ImGui::GetIO().AddInputCharacter(static_cast<unsigned int>(c));
-  }
-  settle();
-  EXPECT_TRUE(captured().keys);
-  EXPECT_EQ(row("house"), panels_.places().end());
-  EXPECT_NE(row("tree"), panels_.places().end());
-}
-
 TEST_F(PanelsTest, AFileIsChosenFromTheListByTheMouse) {
   const soms::test::TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "inner");
@@ -308,21 +202,6 @@ TEST_F(PanelsTest, AFileIsChosenFromTheListByTheMouse) {
   EXPECT_EQ(state().files->folder(), std::filesystem::weakly_canonical(folder.path()));
   click("Cancel");
   EXPECT_FALSE(state().files);
-}
-
-TEST_F(PanelsTest, TestsOfATraversalHaveAPanel) {
-  click("Learn");
-  click("Traversal, test by test");
-  EXPECT_TRUE(state().learn);
-  click("Next test");
-  EXPECT_EQ(state().learn_step, 1U);
-  click("Previous test");
-  EXPECT_EQ(state().learn_step, 0U);
-  click("##test", 0.98);
-  EXPECT_EQ(state().learn_step, 11U);
-  subject_.learn_tests = 0;
-  settle();
-  EXPECT_EQ(find("Next test"), nullptr);
 }
 
 TEST_F(PanelsTest, EscapeClosesAnOpenListAndDoesNotQuit) {

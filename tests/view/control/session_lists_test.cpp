@@ -1,4 +1,4 @@
-// Lists of the session: contacts over time, tests of a traversal, files.
+// Lists of the session: events, tests of a traversal, files.
 #include "apps/view/control/action.h"
 #include "apps/view/control/session.h"
 #include "tests/support/support.h"
@@ -40,7 +40,7 @@ class SessionListsTest : public testing::Test {
   Session session_{subject_, kListWindow};
 };
 
-TEST_F(SessionListsTest, ContactsAreSearchedForOnlyWhereTheyAreListed) {
+TEST_F(SessionListsTest, EventsAreSearchedForOnlyWhereTheyAreListed) {
   frame();
   frame();
   EXPECT_EQ(subject_.searches, 0);
@@ -52,7 +52,31 @@ TEST_F(SessionListsTest, ContactsAreSearchedForOnlyWhereTheyAreListed) {
   EXPECT_FALSE(session_.animating());
 }
 
-TEST_F(SessionListsTest, TheNextContactIsGoneToOnceItIsFound) {
+TEST_F(SessionListsTest, ASearchForEventsLeavesThePictureAsItIs) {
+  frame();
+  (void)session_.picture();
+  const int lists = subject_.lists;
+  const std::uint64_t version = session_.version();
+  press(Action::events);
+  for (int i = 0; i < 5; ++i) {
+    frame();
+    (void)session_.picture();
+  }
+  EXPECT_EQ(subject_.searches, 2);
+  EXPECT_EQ(subject_.lists, lists);
+  EXPECT_EQ(session_.version(), version);
+}
+
+TEST_F(SessionListsTest, AListThatIsHiddenSearchesForNothing) {
+  press(Action::events);
+  session_.state().panels = false;
+  const int before = subject_.searches;
+  frame();
+  EXPECT_EQ(subject_.searches, before);
+  EXPECT_FALSE(session_.animating());
+}
+
+TEST_F(SessionListsTest, TheNextEventIsGoneToOnceItIsFound) {
   const Camera before = session_.camera();
   press(Action::event_next);
   EXPECT_EQ(session_.state().event, std::nullopt);  // none is found yet
@@ -71,13 +95,13 @@ TEST_F(SessionListsTest, TheNextContactIsGoneToOnceItIsFound) {
   EXPECT_EQ(subject_.frame, 7U);
   press(Action::event_next);
   EXPECT_EQ(session_.state().event, 1U);
-  EXPECT_EQ(session_.message(), "this is the last contact");
+  EXPECT_EQ(session_.message(), "this is the last event");
   press(Action::event_previous);
   rest();
   EXPECT_EQ(session_.state().event, 0U);
   press(Action::event_previous);
   EXPECT_EQ(session_.state().event, 0U);
-  EXPECT_EQ(session_.message(), "this is the first contact");
+  EXPECT_EQ(session_.message(), "this is the first event");
 }
 
 TEST_F(SessionListsTest, WhereNothingTouchesItSaysSo) {

@@ -251,5 +251,18 @@ TEST(Camera, AsksForTheLengthOfAPixel) {
   EXPECT_NEAR(seen->pixel.x, 51, 1e-9);
 }
 
+TEST(Camera, WhatIsCutAwayStaysSo) {
+  Camera camera{{0, -10, 0}, {0, 0, 0}, {0, 0, 1}, 0.8, 8};  // the plane y = -2
+  EXPECT_NEAR(dollied(camera, 0.5).cut, 3, 1e-12);
+  EXPECT_NEAR(dollied(camera, 3).cut, 28, 1e-12);
+  EXPECT_EQ(dollied(camera, 0.1).cut, 0);  // the eye has passed it
+  const Camera far{{0, -100, 0}, {0, 0, 0}};
+  const Camera way = between(far, camera, 0.5);
+  EXPECT_NEAR(distance_to_target(way) - way.cut, 2, 1e-9);
+  EXPECT_EQ(dollied(far, 0.5).cut, 0);
+  const Ray ray = ray_through(camera, {300, 200}, {150, 100});
+  EXPECT_NEAR(ray.origin.y, -2, 1e-12);  // what is not seen is not picked
+}
+
 }  // namespace
 }  // namespace soms::view

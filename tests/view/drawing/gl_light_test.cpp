@@ -60,6 +60,29 @@ TEST(GlLight, AShadowLiesWhereTheSunIsHidden) {
 }
 
 // The map of the sun is about the slab, and its shadow far below.
+TEST(GlLight, ShadowsAreKeptWhileTheCameraTurnsAboutItsTarget) {
+  SOMS_NEEDS_GL(drawing);
+  DrawList list = floor_and_slab();
+  const DrawOptions options{.samples = 1, .relief = false};
+  GlRenderer& renderer = *drawing.renderer;
+  const auto calls = [&](const Camera& camera) {
+    (void)lit(renderer, list, camera, options);
+    return renderer.statistics().draw_calls;
+  };
+  const std::uint64_t first = calls(kFromAbove);
+  const Camera turned = orbited(kFromAbove, 0.7, -0.4);
+  EXPECT_LT(calls(turned), first);
+  const Picture kept = lit(renderer, list, turned, options);
+  GlRenderer fresh;
+  EXPECT_EQ(difference(kept, lit(fresh, list, turned, options), 4).beyond, 0U);
+  EXPECT_LT(calls(turned), first);
+  list.light.toward = {-1, 0, 1};  // another sun
+  EXPECT_EQ(calls(turned), first);
+  EXPECT_LT(calls(turned), first);
+  list.instances[0].pose = Pose::translation(0.5, 0, 0);
+  EXPECT_EQ(calls(turned), first);
+}
+
 TEST(GlLight, AShadowFallsOnTheGroundFarBelow) {
   SOMS_NEEDS_GL(drawing);
   Mesh slab;

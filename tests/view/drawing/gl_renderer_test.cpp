@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <stop_token>
 #include <utility>
 #include <vector>
@@ -81,6 +82,7 @@ TEST(GlRenderer, DrawsTheSameInPartsAndStopsBetweenThem) {
   GlRenderer& renderer = *drawing.renderer;
   // Copies of more triangles than a part has, then more rows than a band has.
   for (const auto& [list, size] : {std::pair(many, kSmall), std::pair(one, Size{1050, 1000})}) {
+    (void)drawn(renderer, list, before_origin(), size);  // shadows are kept from then on
     const Picture whole = drawn(renderer, list, before_origin(), size);
     const std::uint64_t calls = renderer.statistics().draw_calls;
     std::vector<double> shares;
@@ -298,6 +300,21 @@ TEST(GlRenderer, SmoothsEdgesWithMoreSamples) {
   };
   EXPECT_EQ(between(rough), 0U);
   EXPECT_GT(between(smooth), 50U);
+}
+
+TEST(GlRenderer, DrawsFewerPixelsOfTheSamePicture) {
+  SOMS_NEEDS_GL(drawing);
+  const DrawList list = on_ground(list_of(wall(0, -3, -3, 3, 3)));
+  drawing.renderer->draw(list, before_origin(), {200, 100}, {.samples = 1});
+  const Picture whole = drawing.renderer->read_pixels();
+  drawing.renderer->draw(list, before_origin(), {200, 100}, {.samples = 1, .scale = 0.5});
+  const Picture half = drawing.renderer->read_pixels();
+  EXPECT_EQ(half.size, (Size{100, 50}));
+  for (const auto& [x, y] : {std::pair(100, 50), std::pair(10, 10), std::pair(190, 90)}) {
+    const Color a = whole.at(x, y);
+    const Color b = half.at(x / 2, y / 2);
+    EXPECT_LE(std::abs(a.r - b.r), 3) << x << ' ' << y;
+  }
 }
 
 }  // namespace

@@ -118,6 +118,27 @@ TEST(ChooseTiles, DrawsStandInsWhereAllIsTooMuchAndTilesThatLookLargeWhole) {
   }
 }
 
+TEST(ChooseTiles, DrawsWhatIsSmallerThanTwoPixelsByItsStandIn) {
+  const Mesh mesh = test_drawing::blocks(10);  // some 200 across
+  const TiledMesh cut = cut_in_tiles(mesh, {});
+  ASSERT_EQ(cut.tiles.size(), 1U);
+  ASSERT_GT(cut.tiles[0].stand_in_count, 0U);
+  const std::vector<std::span<const Tile>> tiles{cut.tiles};
+  DrawList list = test_drawing::list_of(mesh);
+  list.instances.push_back(list.instances[0]);
+  list.instances[1].pose = Pose::translation(0, 1e6, 0);
+  const Camera camera{{0, -450, 60}, {0, 0, 60}, {0, 0, 1}, 0.9};
+  const Visible all = choose_tiles(list, tiles, camera, {640, 360}, DrawOptions::kAll);
+  ASSERT_EQ(all.groups.size(), 2U);  // from near to far
+  EXPECT_FALSE(all.groups[0].coarse);
+  EXPECT_TRUE(all.groups[1].coarse);
+  EXPECT_EQ(all.groups[1].triangles, cut.tiles[0].stand_in_count);
+  EXPECT_EQ(all.triangles_left, 0U);
+  const auto everywhere = [](const Box&) { return true; };
+  EXPECT_FALSE(choose_casters(list, tiles, everywhere, 1)[0].coarse);
+  EXPECT_TRUE(choose_casters(list, tiles, everywhere, 1000)[0].coarse);
+}
+
 TEST(ChooseTiles, DrawsEdgesOfThoseAloneThatShowThem) {
   DrawList list = instances(5, 1);
   list.instances[1].style = SurfaceStyle::both;

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 
 namespace soms::view {
@@ -133,6 +134,22 @@ TEST(PlaceCamera, CutsAwayWhatHidesAContactOnEverySide) {
   EXPECT_GT(camera.cut, to_mover - 2);
   choice.free_side = false;
   EXPECT_EQ(place_camera(choice, scene, size, {}).cut, 0) << "the side was named";
+}
+
+TEST(PlaceCamera, FromANamedSideLooksAtAContactThatIsSeenFromThere) {
+  // Two cubes lean on a wall; the one with more contacts stands to its south.
+  SceneContent content;
+  content.city.emplace_back(test::box_body({-20, -1, 0}, {60, 0, 30}));
+  for (const auto& [lower, upper, parts] : {std::tuple(Vec3{-2, -4.8, 2}, Vec3{2, -0.8, 6}, 6),
+                                            std::tuple(Vec3{38, -0.2, 2}, Vec3{42, 3.8, 6}, 1)}) {
+    content.movers.push_back({Body(test::box_body(lower, upper, parts)), {}});
+  }
+  const ViewScene scene(std::move(content));
+  const auto looks_at = [&](const char* camera) {
+    return place_camera(parse_camera(camera), scene, {300, 200}, {}).target.x;
+  };
+  EXPECT_LT(looks_at("contact,south"), 10);
+  EXPECT_GT(looks_at("contact,north"), 30);
 }
 
 TEST(PlaceCamera, CutsNothingAwayWhereTheContactIsSeen) {

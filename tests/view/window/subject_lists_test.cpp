@@ -1,4 +1,6 @@
 // Contacts over time and traversals test by test, as the controls see them.
+#include "apps/view/control/panel_text.h"
+#include "apps/view/drawing/length.h"
 #include "apps/view/scene/load.h"
 #include "apps/view/window/scene_subject.h"
 #include "tests/support/bodies.h"
@@ -41,15 +43,24 @@ TEST(SubjectEvents, AreFoundOnRequestAndGoneTo) {
   EXPECT_EQ(row.end, 6U);
 
   subject.place_object(Pose::translation(9, 0, 5));  // the cube, by hand, into the block
-  const Sight sight = subject.show_event(0);
+  const FitCamera fit = [](const Box& box, const Vec3& toward) {
+    return fitted(box, toward, {1280, 720});
+  };
+  EXPECT_FALSE(subject.draw_list({}).focus);
+  const Sight sight = subject.show_event(0, fit);
   const Facts facts = subject.facts({});
   EXPECT_EQ(facts.frame, row.most_frame);
   EXPECT_EQ(facts.contacts, row.most_pairs);  // the cube is back
   EXPECT_EQ(facts.bodies, 1U);
   EXPECT_NE(sight.facts.title.find("of car (mover 1)"), std::string::npos) << sight.facts.title;
-  EXPECT_TRUE(sight.surroundings.contains({sight.facts.point, sight.facts.point}));
-  EXPECT_LT(sight.toward_eye.y, 0);                           // from outside the block
+  EXPECT_TRUE(project(sight.camera, {1280, 720}, sight.facts.point));
+  EXPECT_LT(sight.camera.eye.y, -10);                         // from outside the block
   EXPECT_EQ(facts.object, Pose::translation(0.3, -10, 2.1));  // the car is the object
+  const DrawList list = subject.draw_list({});
+  ASSERT_TRUE(list.focus);  // what is around it is pale
+  EXPECT_LT(length(list.focus->center - sight.facts.point), list.focus->radius);
+  subject.seek(0);
+  EXPECT_FALSE(subject.draw_list({}).focus);  // they do not touch any more
 }
 
 TEST(SubjectEvents, AreOfOneFrameWhereNothingMoves) {
@@ -95,11 +106,52 @@ TEST(SubjectLesson, IsShownTestByTest) {
     EXPECT_EQ(bars->bars[0].right, 1);
   }
 
+  const auto has_color = [&](Color color) {
+    const DrawList list = subject.draw_list(state);
+    return std::any_of(list.box_groups.begin(), list.box_groups.end(), [&](const BoxGroup& group) {
+      return std::any_of(group.boxes.begin(), group.boxes.end(),
+                         [&](const BoxItem& item) { return item.color == color; });
+    });
+  };
+  for (const Traversal traversal : {Traversal::simultaneous, Traversal::fast}) {
+    state.traversal = traversal;
+    state.learn_step = 0;
+    subject.choose(state);
+    const Facts facts = subject.facts(state);
+    ASSERT_TRUE(facts.learn);
+    ASSERT_GT(facts.learn->tests, 3U);
+    EXPECT_NE(facts.learn->a.now, facts.learn->b.now);
+    EXPECT_TRUE(has_color(color_of(facts.learn->a, TreeBars::Look::now)));
+    EXPECT_TRUE(has_color(color_of(facts.learn->b, TreeBars::Look::now)));
+  }
+}
+
+TEST(SubjectLesson, StepsThroughTheTraversalThatAnswersQueries) {
+  SceneSubject subject(block_cube_and_car());
+  ViewState state;
+  subject.place_object(Pose::translation(10, 0.3, 5));
+  state.learn = true;
   state.traversal = Traversal::fast;
   subject.choose(state);
-  ASSERT_TRUE(subject.facts(state).learn);
-  EXPECT_EQ(subject.facts(state).learn->tests, 0U);
-  EXPECT_EQ(subject.draw_list(state).box_groups.size(), boxes);
+  const std::uint64_t steps = subject.facts(state).learn->tests;
+  std::uint64_t leaves = 0;
+  for (state.learn_step = 0; state.learn_step < steps; ++state.learn_step) {
+    subject.choose(state);
+    const Facts facts = subject.facts(state);
+    EXPECT_EQ(facts.learn->test, state.learn_step);
+    EXPECT_GE(facts.learn->sentences.size(), 3U);
+    leaves += facts.learn->sentences[1].find("Two leaves") == 0 ? 1 : 0;
+    for (const TreeBars* bars : {&facts.learn->a, &facts.learn->b}) {
+      EXPECT_EQ(bars->bars.front().left, 0);
+      EXPECT_EQ(bars->bars.front().right, 1);
+    }
+  }
+  EXPECT_GT(leaves, 0U);
+  state.learn_step = steps - 1;
+  subject.choose(state);
+  const Facts last = subject.facts(state);
+  EXPECT_EQ(last.learn->sentences.back(),
+            "Touching pairs known so far: " + std::to_string(last.contacts) + ".");
 }
 
 }  // namespace

@@ -180,7 +180,7 @@ TEST_F(ViewerTest, AFileIsOpenedFromTheListAndByDroppingIt) {
   EXPECT_EQ(difference(dropped, chosen, 0).beyond, 0U);
 }
 
-TEST_F(ViewerTest, TheNextContactIsFoundAndShown) {
+TEST_F(ViewerTest, TheNextEventIsFoundAndShown) {
   std::ofstream(folder_.path() / "through.csv")
       << "x,y,z,qw,qx,qy,qz\n20,0,5,1,0,0,0\n15,0,5,1,0,0,0\n9,0,5,1,0,0,0\n20,0,5,1,0,0,0\n";
   const Display display;

@@ -220,6 +220,8 @@ function start() {
     chosenRow: () => list.chosen.row,
     gaps: all.gaps.count,
     chosenGap: () => view?.gapLines.chosen ?? -1,
+    spots: () => view?.spotCounts.heaps ?? [],
+    chosenTriangles: () => (view?.chosenParts[0].mesh.visible ? view.chosenParts[0].mesh.geometry.getAttribute('position').count : 0),
     step: () => time.step,
     flying: () => Boolean(view?.flight),
     focus: (k) => [...all.contacts.focus(k)],

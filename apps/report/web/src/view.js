@@ -2,6 +2,7 @@
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { Bodies } from './bodies.js';
+import { SpotCounts } from './counts.js';
 import { Curve, joined, trianglesOf } from './curves.js';
 import { GapLines } from './gaps.js';
 import { calm, colors, whenSchemeChanges } from './look.js';
@@ -45,6 +46,7 @@ export class View {
     this.exact = null; // a step, and the poses of two bodies at it: those of what is chosen
     this.chosenBodies = [];
     this.shownRow = -1;
+    this.shownContact = -1;
     this.movedAt = -Infinity;
     this.slow = false; // until a whole picture was
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
@@ -65,6 +67,7 @@ export class View {
     this.addSpots();
     this.addChosen();
     this.gapLines = new GapLines(all);
+    this.spotCounts = new SpotCounts();
     this.paint();
     this.fit();
     this.whole(false);
@@ -208,6 +211,7 @@ export class View {
     const pixels = this.canvas.clientHeight / (2 * Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2)));
     const at = new THREE.Vector3();
     const near = [];
+    this.smallSpots = [];
     this.spotsAt.forEach((spot, n) => {
       const { curve, place, row } = spot;
       const distance = at.fromArray(place).distanceTo(this.camera.position);
@@ -218,6 +222,9 @@ export class View {
       const active = this.isNow(spot);
       const color = active ? this.colors.touch : this.colors.was;
       const hidden = row === this.shownRow;
+      if (!hidden && !large) {
+        this.smallSpots.push(spot);
+      }
       this.spotColors.setXYZW(n, color.r, color.g, color.b, hidden || large ? 0 : active ? 1 : 0.6);
       this.haloColors.setXYZW(n, this.colors.halo.r, this.colors.halo.g, this.colors.halo.b, hidden || large ? 0 : active ? 1 : 0.6);
     });
@@ -267,6 +274,7 @@ export class View {
       : [...rows.contacts(r)].filter((member) => contacts.begin(member) === rows.begin(r));
     this.chosenBodies = [rows.a(r), rows.b(r)];
     this.shownRow = r;
+    this.shownContact = k;
     this.gapLines.chosen = -1;
     const first = members[0];
     if (curve !== undefined) {
@@ -312,7 +320,7 @@ export class View {
   // A picture of a row for paper, on a canvas of its own; the view stays as it is.
   pictureOf(r, width, height) {
     const kept = {
-      eye: this.camera.position.clone(), target: this.controls.target.clone(), step: this.step, exact: this.exact, row: this.shownRow, bodies: this.chosenBodies,
+      eye: this.camera.position.clone(), target: this.controls.target.clone(), step: this.step, exact: this.exact, row: this.shownRow, contact: this.shownContact, gap: this.gapLines.chosen, bodies: this.chosenBodies,
     };
     const ratio = this.renderer.getPixelRatio();
     this.flight = null;
@@ -330,10 +338,11 @@ export class View {
     this.paint();
     this.renderer.setPixelRatio(ratio);
     if (kept.row >= 0) {
-      this.showRow(kept.row, -1);
+      this.showRow(kept.row, kept.contact);
     } else {
       this.clearChosen();
     }
+    this.gapLines.chosen = kept.gap;
     this.exact = kept.exact;
     this.chosenBodies = kept.bodies;
     this.setStep(kept.step);
@@ -346,6 +355,7 @@ export class View {
   clearChosen() {
     this.chosenBodies = [];
     this.shownRow = -1;
+    this.shownContact = -1;
     this.box.visible = false;
     this.chosenParts.forEach(({ mesh, edges }) => { mesh.visible = edges.visible = false; });
     this.chosenCurve.show(new Float32Array(0), this.all.scene.size);
@@ -547,7 +557,9 @@ export class View {
       const changed = this.bodies.setCoarse(this.slow && moves);
       this.render();
       this.measure(changed && !moves);
-      this.gapLines.draw(this.camera, this.canvas.clientWidth, this.canvas.clientHeight);
+      const size = [this.canvas.clientWidth, this.canvas.clientHeight];
+      this.gapLines.draw(this.camera, ...size);
+      this.spotCounts.draw(this.smallSpots, (spot) => this.isNow(spot), this.camera, ...size);
       if (this.flight) {
         this.drawMotion();
       }
