@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -99,6 +100,16 @@ struct AppWindow::State {
     touched = true;
   }
 
+  /// Brings an event to the panels; one that comes within a frame of theirs after it, since their
+  /// keys must not change meanwhile.
+  void feed(std::function<void()> event) {
+    if (in_frame) {
+      later.push_back(std::move(event));
+    } else {
+      event();
+    }
+  }
+
   static State& of(GLFWwindow* window) {
     return *static_cast<State*>(glfwGetWindowUserPointer(window));
   }
@@ -109,6 +120,8 @@ struct AppWindow::State {
   Library library;
   GLFWwindow* window;
   std::vector<InputEvent> events;
+  std::vector<std::function<void()>> later;  ///< for the panels
+  bool in_frame = false;                     ///< of the panels
   bool touched = true;
   bool fullscreen = false;
   int left = 0;  ///< of the window before it filled the screen
@@ -119,7 +132,7 @@ struct AppWindow::State {
 void AppWindow::State::listen() {
   glfwSetWindowUserPointer(window, this);
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
-    ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, modifiers);
+    of(w).feed([=] { ImGui_ImplGlfw_KeyCallback(w, key, scancode, action, modifiers); });
     const Key known = key_of_glfw(key, glfwGetKeyName(key, scancode));
     if (known == Key::none) {
       of(w).touched = true;
@@ -130,14 +143,14 @@ void AppWindow::State::listen() {
     }
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned int character) {
-    ImGui_ImplGlfw_CharCallback(w, character);
+    of(w).feed([=] { ImGui_ImplGlfw_CharCallback(w, character); });
     of(w).touched = true;
   });
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
     of(w).add(MouseMove{{x, y}});
   });
   glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
-    ImGui_ImplGlfw_MouseButtonCallback(w, button, action, modifiers);
+    of(w).feed([=] { ImGui_ImplGlfw_MouseButtonCallback(w, button, action, modifiers); });
     if (button > GLFW_MOUSE_BUTTON_MIDDLE) {
       return;
     }
@@ -152,7 +165,7 @@ void AppWindow::State::listen() {
     }
   });
   glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
-    ImGui_ImplGlfw_ScrollCallback(w, x, y);
+    of(w).feed([=] { ImGui_ImplGlfw_ScrollCallback(w, x, y); });
     of(w).add(Wheel{y, cursor(w)});
   });
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
@@ -165,13 +178,13 @@ void AppWindow::State::listen() {
 
 void AppWindow::State::listen_to_window() const {
   glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
-    ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+    of(w).feed([=] { ImGui_ImplGlfw_WindowFocusCallback(w, focused); });
     if (focused == GLFW_FALSE) {
       of(w).add(FocusLost{});
     }
   });
   glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
-    ImGui_ImplGlfw_CursorEnterCallback(w, entered);
+    of(w).feed([=] { ImGui_ImplGlfw_CursorEnterCallback(w, entered); });
     of(w).touched = true;
   });
   glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { of(w).touched = true; });
@@ -248,6 +261,7 @@ Size AppWindow::pixels() const {
 }
 
 void AppWindow::begin_panels() {
+  state_->in_frame = true;
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
@@ -255,6 +269,10 @@ void AppWindow::begin_panels() {
 
 void AppWindow::end_panels() {
   ImGui::Render();
+  state_->in_frame = false;
+  for (const auto& event : std::exchange(state_->later, {})) {
+    event();
+  }
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
