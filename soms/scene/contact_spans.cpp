@@ -22,7 +22,10 @@ struct SideContact {
   ContactSide b;
   TrianglePair pair;
 
-  [[nodiscard]] auto operator<=>(const SideContact&) const = default;
+  // By hand, as older standard libraries have no <=> of pairs.
+  [[nodiscard]] bool operator<(const SideContact& other) const {
+    return std::tie(a, b, pair) < std::tie(other.a, other.b, other.pair);
+  }
 };
 
 /// The two sides, for comparing.
@@ -134,7 +137,8 @@ void ContactSpans::follow(std::uint64_t step, const StepReport& report,
     const std::size_t index = goes_on ? *old++ : count++;
     const ContactSpan span =
         goes_on ? spans_[index] : ContactSpan{.a = begin->a, .b = begin->b, .begin = step};
-    changed.emplace_back(index, longer(span, step, {begin, end}, bodies));
+    const std::span<const SideContact> touching(&*begin, static_cast<std::size_t>(end - begin));
+    changed.emplace_back(index, longer(span, step, touching, bodies));
     lasting.push_back(index);
     begin = end;
   }

@@ -5,6 +5,7 @@
 
 #include "soms/base/hash.h"
 #include "soms/base/parallel.h"
+#include "soms/base/portable.h"
 #include "soms/base/pose.h"
 #include "soms/geometry/mesh.h"
 #include "soms/query/overlap.h"
@@ -14,7 +15,6 @@
 #include "tests/support/answer_row.h"
 #include "tests/support/probe_table.h"
 
-#include <bit>
 #include <concepts>
 #include <cstdint>
 #include <filesystem>
@@ -43,7 +43,7 @@ class Hash {
   template <Scalar T>
   Hash& operator<<(T value) {
     if constexpr (std::is_same_v<T, float>) {
-      hash_.add(std::bit_cast<std::uint32_t>(value));
+      hash_.add(bit_cast<std::uint32_t>(value));
     } else if constexpr (std::is_same_v<T, double>) {
       hash_.add(value);
     } else if constexpr (std::is_same_v<T, char>) {  // signed on x86, unsigned on ARM
