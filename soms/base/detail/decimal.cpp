@@ -113,11 +113,11 @@ std::string layout(const Digits& number, double magnitude) {
       return "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + number.digits;
     }
     std::string text = number.digits;
-    return text.insert(static_cast<std::size_t>(exponent) + 1, ".");
+    return text.insert(static_cast<std::size_t>(exponent) + 1, 1, '.');
   }
   std::string text = number.digits;
   if (count > 1) {
-    text.insert(1, ".");
+    text.insert(1, 1, '.');
   }
   const std::string power = std::to_string(std::abs(exponent));
   return text + (exponent < 0 ? "e-" : "e+") + (power.size() < 2 ? "0" : "") + power;

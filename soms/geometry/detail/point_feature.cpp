@@ -20,10 +20,6 @@ static_assert(15.1 + 1 + 1 < kEdgeError && 16.2 + 1 + 1 + 1 < kEdgeError);
 static_assert(49 + 243 + 15 + 6 < kFaceError - 64);
 static_assert(282 * 0x1p-53 < kSureShare && 1.01 * 140 * 0x1p-53 < 0x1p-20 * kLeastSquare);
 
-double largest(const Vec3& v) {
-  return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
-}
-
 constexpr Feature corner_feature(std::size_t i) {
   return static_cast<Feature>(1U << i);
 }
