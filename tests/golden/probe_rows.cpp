@@ -40,7 +40,7 @@ void add_probe_answers(const Inputs& inputs, const Parallel& parallel, Rows& row
     const auto behind = std::find_if(first, inputs.probed.end(), [&](const ProbedModel& at) {
       return at.model != first->model;
     });
-    const std::span<const ProbedModel> poses(first, behind);
+    const std::span<const ProbedModel> poses(&*first, static_cast<std::size_t>(behind - first));
     add_probed_model<Vec3>(poses, inputs, parallel, rows);
     add_probed_model<Ray>(poses, inputs, parallel, rows);
     first = behind;

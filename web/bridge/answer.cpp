@@ -14,6 +14,7 @@ SOMS_EXPORT(soms_answer_columns) std::uint32_t soms_answer_columns(const Answer*
 
 /// The column `k`: address, count of numbers, and what they are, three words each.
 SOMS_EXPORT(soms_answer_column)
+
 const Answer::Column* soms_answer_column(const Answer* answer, std::uint32_t k) {
   return &answer->columns()[k];
 }

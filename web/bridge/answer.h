@@ -51,9 +51,7 @@ class Answer {
 
   /// Codes of an enumeration, in the order in which it is declared.
   template <class Enum>
-  void add(const std::vector<Enum>& rows)
-    requires std::is_enum_v<Enum>
-  {
+  void add(const std::vector<Enum>& rows) requires std::is_enum_v<Enum> {
     std::vector<std::uint8_t> codes(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
       codes[i] = static_cast<std::uint8_t>(rows[i]);

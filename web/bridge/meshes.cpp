@@ -3,6 +3,7 @@
 #include "soms/geometry/mesh.h"
 #include "soms/io/read_mesh.h"
 #include "soms/query/instruction_set.h"
+
 #include "web/bridge/answer.h"
 #include "web/bridge/export.h"
 #include "web/bridge/failure.h"
@@ -21,6 +22,7 @@ using soms::web::HeldShape;
 
 /// A mesh of `vertices` x 3 doubles and `triangles` x 3 indices.
 SOMS_EXPORT(soms_mesh)
+
 const Mesh* soms_mesh(const double* coordinates, std::uint32_t vertices,
                       const std::uint32_t* indices, std::uint32_t triangles) {
   return guarded([&]() -> const Mesh* {
@@ -41,6 +43,7 @@ const Mesh* soms_mesh(const double* coordinates, std::uint32_t vertices,
 
 /// The mesh in a file's bytes; `name` is its name in UTF-8, ended by 0.
 SOMS_EXPORT(soms_read_mesh)
+
 const Mesh* soms_read_mesh(const std::byte* bytes, std::uint32_t size, const char* name,
                            std::uint32_t strict) {
   return guarded([&]() -> const Mesh* {
@@ -74,11 +77,11 @@ SOMS_EXPORT(soms_mesh_columns) Answer* soms_mesh_columns(const Mesh* mesh) {
       add_name(note);
     }
     const std::uint64_t hash = corner_hash(*mesh);
-    return soms::web::answer_of(
-        std::vector(mesh->vertices), std::move(indices), std::move(parts), std::move(names),
-        std::vector<double>{mesh->unit, static_cast<double>(mesh->up)},
-        std::vector<std::uint32_t>{static_cast<std::uint32_t>(hash >> 32),
-                                   static_cast<std::uint32_t>(hash)});
+    return soms::web::answer_of(std::vector(mesh->vertices), std::move(indices), std::move(parts),
+                                std::move(names),
+                                std::vector<double>{mesh->unit, static_cast<double>(mesh->up)},
+                                std::vector<std::uint32_t>{static_cast<std::uint32_t>(hash >> 32),
+                                                           static_cast<std::uint32_t>(hash)});
   });
 }
 
@@ -103,9 +106,8 @@ SOMS_EXPORT(soms_shape_free) void soms_shape_free(HeldShape* shape) {
 SOMS_EXPORT(soms_shape_columns) Answer* soms_shape_columns(const HeldShape* held) {
   return guarded([&] {
     const soms::Box& box = held->shape().bounds();
-    return soms::web::answer_of(
-        std::vector<soms::Vec3>{box.lower, box.upper},
-        std::vector<double>{static_cast<double>(held->shape().memory())});
+    return soms::web::answer_of(std::vector<soms::Vec3>{box.lower, box.upper},
+                                std::vector<double>{static_cast<double>(held->shape().memory())});
   });
 }
 

@@ -3,6 +3,7 @@
 #include "soms/query/overlap.h"
 #include "soms/query/solid.h"
 #include "soms/query/within.h"
+
 #include "web/bridge/answer.h"
 #include "web/bridge/arguments.h"
 #include "web/bridge/export.h"
@@ -24,6 +25,7 @@ using soms::web::HeldShape;
 
 /// `limit` is infinite for none. Columns: any u8, coverage u8, offsets u32, pairs u32 x 2, cost.
 SOMS_EXPORT(soms_overlap)
+
 Answer* soms_overlap(const HeldShape* mover, const Pose* poses, std::uint32_t count,
                      const HeldShape* fixed, const Pose* pose, std::uint32_t mode, double limit,
                      double milliseconds) {
@@ -44,6 +46,7 @@ Answer* soms_overlap(const HeldShape* mover, const Pose* poses, std::uint32_t co
 /// Columns: lower f64, upper f64, triangles i32 x 2, points of both f64 x 3, farther u8, coverage
 /// u8, cost.
 SOMS_EXPORT(soms_distance)
+
 Answer* soms_distance(const HeldShape* mover, const Pose* poses, std::uint32_t count,
                       const HeldShape* fixed, const Pose* pose, double at_most,
                       double milliseconds) {
@@ -62,6 +65,7 @@ Answer* soms_distance(const HeldShape* mover, const Pose* poses, std::uint32_t c
 /// Columns: within u8, triangles i32 x 2, points of both f64 x 3, lower bounds f64, coverage u8,
 /// cost.
 SOMS_EXPORT(soms_within)
+
 Answer* soms_within(const HeldShape* mover, const Pose* poses, std::uint32_t count,
                     const HeldShape* fixed, const Pose* pose, double clearance,
                     double milliseconds) {
@@ -78,6 +82,7 @@ Answer* soms_within(const HeldShape* mover, const Pose* poses, std::uint32_t cou
 
 /// Columns: relation u8, surfaces meet u8, why it is undecided u8, coverage u8, cost.
 SOMS_EXPORT(soms_solid)
+
 Answer* soms_solid(HeldShape* mover, const Pose* poses, std::uint32_t count, HeldShape* fixed,
                    const Pose* pose, double milliseconds) {
   return guarded([&]() -> Answer* {

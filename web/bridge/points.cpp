@@ -3,6 +3,7 @@
 #include "soms/query/contains.h"
 #include "soms/query/signed_closest.h"
 #include "soms/query/winding.h"
+
 #include "web/bridge/answer.h"
 #include "web/bridge/arguments.h"
 #include "web/bridge/export.h"
@@ -43,6 +44,7 @@ Answer* answer_of_rows(soms::NearTriangles found) {
 /// Columns: lower f64, upper f64, triangle i32, point f64 x 3, feature u8, farther u8, coverage u8,
 /// cost.
 SOMS_EXPORT(soms_closest)
+
 Answer* soms_closest(const HeldShape* shape, const Pose* pose, const Vec3* points,
                      std::uint32_t count, double at_most, double milliseconds) {
   return guarded([&] {
@@ -56,6 +58,7 @@ Answer* soms_closest(const HeldShape* shape, const Pose* pose, const Vec3* point
 
 /// Columns as of `soms_closest`, and side u8.
 SOMS_EXPORT(soms_signed_closest)
+
 Answer* soms_signed_closest(HeldShape* shape, const Pose* pose, const Vec3* points,
                             std::uint32_t count, double at_most, double milliseconds) {
   return guarded([&] {
@@ -71,6 +74,7 @@ Answer* soms_signed_closest(HeldShape* shape, const Pose* pose, const Vec3* poin
 /// The `most` nearest triangles. Columns: offsets u32, triangle u32, lower f64, upper f64, coverage
 /// u8, cost.
 SOMS_EXPORT(soms_nearest_triangles)
+
 Answer* soms_nearest_triangles(const HeldShape* shape, const Pose* pose, const Vec3* points,
                                std::uint32_t count, std::uint32_t most, double at_most,
                                double milliseconds) {
@@ -82,18 +86,20 @@ Answer* soms_nearest_triangles(const HeldShape* shape, const Pose* pose, const V
 
 /// The triangles within `radius`. Columns as of `soms_nearest_triangles`.
 SOMS_EXPORT(soms_near_triangles)
+
 Answer* soms_near_triangles(const HeldShape* shape, const Pose* pose, const Vec3* points,
                             std::uint32_t count, double radius, double milliseconds) {
   return guarded([&] {
     ClosestOptions options;
     options.deadline = deadline_after(milliseconds);
-    return answer_of_rows(near_triangles(Body(shape->shape(), *pose), std::span(points, count),
-                                         radius, options));
+    return answer_of_rows(
+        near_triangles(Body(shape->shape(), *pose), std::span(points, count), radius, options));
   });
 }
 
 /// Columns: side u8, coverage u8 (one for all points), cost.
 SOMS_EXPORT(soms_contains)
+
 Answer* soms_contains(HeldShape* shape, const Pose* pose, const Vec3* points, std::uint32_t count,
                       double milliseconds) {
   return guarded([&] {
@@ -106,6 +112,7 @@ Answer* soms_contains(HeldShape* shape, const Pose* pose, const Vec3* points, st
 }
 
 SOMS_EXPORT(soms_winding_index)
+
 WindingIndex* soms_winding_index(const HeldShape* shape, const Pose* pose) {
   return guarded([&] { return new WindingIndex(Body(shape->shape(), *pose)); });
 }
@@ -116,6 +123,7 @@ SOMS_EXPORT(soms_winding_index_free) void soms_winding_index_free(WindingIndex* 
 
 /// Columns: side u8, lower f64, upper f64, coverage u8, cost.
 SOMS_EXPORT(soms_winding)
+
 Answer* soms_winding(const WindingIndex* index, const Vec3* points, std::uint32_t count,
                      double width, double milliseconds) {
   return guarded([&] {

@@ -1,5 +1,6 @@
 // Queries of rays and segments against one body.
 #include "soms/query/ray.h"
+
 #include "web/bridge/answer.h"
 #include "web/bridge/arguments.h"
 #include "web/bridge/export.h"
@@ -50,6 +51,7 @@ RayOptions ray_options(std::int32_t skip, double milliseconds) {
 
 /// Columns: lower f64, upper f64, triangle i32, point f64 x 3, front u8, coverage u8, cost.
 SOMS_EXPORT(soms_closest_hit)
+
 Answer* soms_closest_hit(const HeldShape* shape, const Pose* pose, const double* numbers,
                          std::uint32_t count, std::uint32_t segments, std::int32_t skip,
                          double milliseconds) {
@@ -65,6 +67,7 @@ Answer* soms_closest_hit(const HeldShape* shape, const Pose* pose, const double*
 
 /// Columns: hit u8, coverage u8, cost.
 SOMS_EXPORT(soms_any_hit)
+
 Answer* soms_any_hit(const HeldShape* shape, const Pose* pose, const double* numbers,
                      std::uint32_t count, std::uint32_t segments, std::int32_t skip,
                      double milliseconds) {
@@ -80,6 +83,7 @@ Answer* soms_any_hit(const HeldShape* shape, const Pose* pose, const double* num
 /// Columns: offsets u32, lower f64, upper f64, kind u8, triangle offsets u32, triangle u32,
 /// coverage u8, cost.
 SOMS_EXPORT(soms_all_hits)
+
 Answer* soms_all_hits(const HeldShape* shape, const Pose* pose, const double* numbers,
                       std::uint32_t count, std::uint32_t segments, std::int32_t skip,
                       double milliseconds) {
@@ -89,7 +93,6 @@ Answer* soms_all_hits(const HeldShape* shape, const Pose* pose, const double* nu
     soms::AllHits found = Lines{numbers, count, segments != 0}.each(
         [&](auto lines) { return all_hits(body, lines, options); });
     return answer_of(found.offsets, std::move(found.lower), std::move(found.upper), found.kind,
-                     found.triangle_offsets, std::move(found.triangle), found.coverage,
-                     found.cost);
+                     found.triangle_offsets, std::move(found.triangle), found.coverage, found.cost);
   });
 }

@@ -97,7 +97,7 @@ export class Mesh extends Handle {
 /** `format`: 'ply', 'stl', 'obj', 'glb', 'off', '3ds', or the file's name. `strict`: notes are errors. */
 export function readMesh(bytes: ArrayBuffer | ArrayBufferView, format: string, options?: { strict?: boolean }): Mesh;
 
-/** A mesh with its tree. Costs 0.5 s or so for a million triangles. */
+/** A mesh with its tree. Costs a few seconds for a million triangles. */
 export class Shape extends Handle {
   constructor(value: Mesh | MeshLike, options?: { layout?: 'wide' | 'compact' });
   bounds(): { lower: Float64Array; upper: Float64Array };

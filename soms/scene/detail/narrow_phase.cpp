@@ -28,6 +28,11 @@ Overlap ask_pair(const BodyPair& question, const PairQuery& query, const Paralle
 
 }  // namespace
 
+NarrowPhase::NarrowPhase() = default;
+NarrowPhase::~NarrowPhase() = default;
+NarrowPhase::NarrowPhase(NarrowPhase&&) noexcept = default;
+NarrowPhase& NarrowPhase::operator=(NarrowPhase&&) noexcept = default;
+
 void NarrowPhase::order_by_shape(std::span<const BodyPair> questions) {
   const std::size_t count = questions.size();
   numbers_.clear();

@@ -36,6 +36,12 @@ struct PairQuery {
 /// hands out the answers in the order of the questions. Keeps its memory from call to call.
 class NarrowPhase {
  public:
+  NarrowPhase();
+  ~NarrowPhase();  // in its source: clang 14 for WebAssembly calls an implicit one that it leaves
+                   // out
+  NarrowPhase(NarrowPhase&&) noexcept;
+  NarrowPhase& operator=(NarrowPhase&&) noexcept;
+
   /// Answers depend on each question alone. \errors As `overlap`.
   Cost ask(std::span<const BodyPair> questions, const PairQuery& query, const Parallel& parallel);
 
