@@ -44,8 +44,25 @@ bool opposite(Sign a, Sign b) {
   return a != b && a != Sign::zero && b != Sign::zero;
 }
 
+/// Without hypot, of which each C library has its own.
 double length(const Vec3& v) {
-  return std::hypot(v.x, v.y, v.z);
+  const double most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (most == 0) {
+    return 0;
+  }
+  const Vec3 share = {v.x / most, v.y / most, v.z / most};
+  return most * std::sqrt(dot(share, share));
+}
+
+/// A number from -2 to 2 that grows with the angle of (x, y) from -pi to pi; without atan2,
+/// likewise.
+double turn(double x, double y) {
+  const double sum = std::abs(x) + std::abs(y);
+  if (sum == 0) {
+    return 0;
+  }
+  const double part = y / sum;
+  return x >= 0 ? part : std::copysign(2, y) - part;
 }
 
 /// Lengths of a pair of triangles: what it is measured in, and what is too near to tell apart.
@@ -236,7 +253,7 @@ Crossing outline(std::vector<Vec3> points, const Triangle& t, const Measure& mea
   const Vec3 v = cross(n, u) * (1 / length(n));
   const auto angle = [&](const Vec3& p) {
     const Vec3 w = (p - middle) * measure.scale;
-    return std::atan2(dot(w, v), dot(w, u));
+    return turn(dot(w, u), dot(w, v));
   };
   std::sort(points.begin(), points.end(),
             [&](const Vec3& p, const Vec3& q) { return angle(p) < angle(q); });
