@@ -140,7 +140,7 @@ TEST(SubjectLesson, StepsThroughTheTraversalThatAnswersQueries) {
     const Facts facts = subject.facts(state);
     EXPECT_EQ(facts.learn->test, state.learn_step);
     EXPECT_GE(facts.learn->sentences.size(), 3U);
-    leaves += facts.learn->sentences[1].find("Two leaves") == 0 ? 1 : 0;
+    leaves += facts.learn->sentences[1].find("Two leaves") == 0 ? 1U : 0U;
     for (const TreeBars* bars : {&facts.learn->a, &facts.learn->b}) {
       EXPECT_EQ(bars->bars.front().left, 0);
       EXPECT_EQ(bars->bars.front().right, 1);
