@@ -159,8 +159,9 @@ void expect_truth(const test::TruthCase& c) {
 
 // Each case was decided by two independent exact methods.
 TEST(ReferenceOverlap, AgreesWithTheTruthSet) {
-  const std::vector<test::TruthCase> cases = test::truth_cases(test::Models::own);
-  EXPECT_EQ(cases.size(), 3780U);
+  constexpr std::size_t kStride = test::kSlowBuild ? 6 : 1;  // brute force
+  const std::vector<test::TruthCase> cases = test::truth_cases(test::Models::own, kStride);
+  EXPECT_EQ(cases.size(), 3780U / kStride);
   for (const test::TruthCase& c : cases) {
     ASSERT_NO_FATAL_FAILURE(expect_truth(c));
   }
