@@ -90,6 +90,14 @@ const char* axis_name(UpAxis up) {
   return nullptr;
 }
 
+Json attributes_of(const Part& part) {
+  Json attributes = Json::array();
+  for (const Attribute& attribute : part.attributes) {
+    attributes.push_back({{"name", attribute.name}, {"value", attribute.value}});
+  }
+  return attributes;
+}
+
 Json to_json(const ModelReport& report) {
   const Mesh& mesh = report.mesh;
   Json parts = Json::array();
@@ -97,13 +105,18 @@ Json to_json(const ModelReport& report) {
     const Part& part = mesh.parts[i];
     const Json parent = part.parent == Part::kNoParent ? Json() : Json(part.parent);
     const std::string closed = describe_part(mesh, report.defects, i);
-    parts.push_back({{"name", part.name},
-                     {"parent", parent},
-                     {"first_triangle", part.first},
-                     {"triangles", part.count},
-                     {"closed", closed.empty() ? Json() : Json(closed == "closed")},
-                     {"first", part.first},
-                     {"count", part.count}});
+    parts.push_back(
+        {{"name", part.name},
+         {"parent", parent},
+         {"id", part.id.empty() ? Json() : Json(part.id)},
+         {"type", part.type.empty() ? Json() : Json(part.type)},
+         {"attributes", attributes_of(part)},
+         {"continues", part.continues == Part::kNoParent ? Json() : Json(part.continues)},
+         {"first_triangle", part.first},
+         {"triangles", part.count},
+         {"closed", closed.empty() ? Json() : Json(closed == "closed")},
+         {"first", part.first},
+         {"count", part.count}});
   }
   Json trees = Json::array();
   for (const RuleReport& tree : report.trees) {

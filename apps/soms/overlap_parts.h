@@ -38,11 +38,6 @@ struct PartPair {
   Box box = {};             ///< holds every point that these triangles share
 };
 
-/// Grows `box`, which lies around the points that the first `count` pairs of triangles of a row
-/// share, by one more pair. Every shared point is in it. Tight while `count` is small; afterwards
-/// by the boxes of the triangles, which costs a hundredth.
-void grow_by_contact(Box& box, std::uint64_t count, const Triangle& a, const Triangle& b);
-
 /// One number for a pair of parts.
 [[nodiscard]] constexpr std::uint64_t part_key(std::uint32_t a, std::uint32_t b) {
   return (std::uint64_t{a} << 32) | b;

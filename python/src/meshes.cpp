@@ -71,15 +71,47 @@ py::array part_of_each(const Mesh& mesh, const py::object& given) {
   return found;
 }
 
-void bind_parts(py::module_& module) {
-  py::class_<Part> part(module, "Part", R"(Part(name, first, count, parent=None)
+using AttributeList = std::vector<std::pair<std::string, std::string>>;
 
-A named, contiguous run of triangles of a Mesh; parent: the index of the part around it.)");
+AttributeList attribute_list(const std::vector<Attribute>& attributes) {
+  AttributeList list;
+  for (const Attribute& attribute : attributes) {
+    list.emplace_back(attribute.name, attribute.value);
+  }
+  return list;
+}
+
+std::vector<Attribute> attributes_from(const AttributeList& list) {
+  std::vector<Attribute> attributes;
+  for (const auto& [name, value] : list) {
+    attributes.push_back({name, value});
+  }
+  return attributes;
+}
+
+void bind_parts(py::module_& module) {
+  py::class_<Part> part(
+      module, "Part",
+      R"(Part(name, first, count, parent=None, *, id='', type='', attributes=(), continues=None)
+
+A named, contiguous run of triangles of a Mesh; parent: the index of the part around it. What the
+file states about the object: its id, its type, and attributes as pairs (name, value) of text. An
+object whose triangles do not follow each other is several runs; continues: the index of the first.)");
   part.def(py::init([](std::string name, std::uint32_t first, std::uint32_t count,
-                       std::optional<std::uint32_t> parent) {
-             return Part{std::move(name), parent.value_or(Part::kNoParent), first, count};
+                       std::optional<std::uint32_t> parent, std::string id, std::string type,
+                       const AttributeList& attributes, std::optional<std::uint32_t> continues) {
+             return Part{std::move(name),
+                         parent.value_or(Part::kNoParent),
+                         first,
+                         count,
+                         std::move(id),
+                         std::move(type),
+                         attributes_from(attributes),
+                         continues.value_or(Part::kNoParent)};
            }),
-           py::arg("name"), py::arg("first"), py::arg("count"), py::arg("parent") = py::none());
+           py::arg("name"), py::arg("first"), py::arg("count"), py::arg("parent") = py::none(),
+           py::kw_only(), py::arg("id") = "", py::arg("type") = "",
+           py::arg("attributes") = AttributeList(), py::arg("continues") = py::none());
   part.def_readonly("name", &Part::name, "The name.");
   part.def_readonly("first", &Part::first, "The first triangle.");
   part.def_readonly("count", &Part::count, "The number of triangles.");
@@ -89,16 +121,36 @@ A named, contiguous run of triangles of a Mesh; parent: the index of the part ar
         return p.parent == Part::kNoParent ? std::optional<std::uint32_t>() : p.parent;
       },
       "The index of the part around it, or None.");
+  part.def_readonly("id", &Part::id, "The id that the file gives the object, or an empty text.");
+  part.def_readonly("type", &Part::type, "The kind of object, or an empty text.");
+  part.def_property_readonly(
+      "attributes", [](const Part& p) { return attribute_list(p.attributes); },
+      "What the file states: pairs of name and value, as text.");
+  part.def_property_readonly(
+      "continues",
+      [](const Part& p) {
+        return p.continues == Part::kNoParent ? std::optional<std::uint32_t>() : p.continues;
+      },
+      "The index of the first run of the same object, or None.");
   part.def(
       "__eq__", [](const Part& a, const Part& b) { return a == b; }, py::is_operator());
   part.attr("__hash__") = py::none();
   part.def("__repr__", &printed<Part>);
-  part.def(
-      py::pickle([](const Part& p) { return py::make_tuple(p.name, p.parent, p.first, p.count); },
-                 [](const py::tuple& state) {
-                   return Part{state[0].cast<std::string>(), state[1].cast<std::uint32_t>(),
-                               state[2].cast<std::uint32_t>(), state[3].cast<std::uint32_t>()};
-                 }));
+  part.def(py::pickle(
+      [](const Part& p) {
+        return py::make_tuple(p.name, p.parent, p.first, p.count, p.id, p.type,
+                              attribute_list(p.attributes), p.continues);
+      },
+      [](const py::tuple& state) {
+        return Part{state[0].cast<std::string>(),
+                    state[1].cast<std::uint32_t>(),
+                    state[2].cast<std::uint32_t>(),
+                    state[3].cast<std::uint32_t>(),
+                    state[4].cast<std::string>(),
+                    state[5].cast<std::string>(),
+                    attributes_from(state[6].cast<AttributeList>()),
+                    state[7].cast<std::uint32_t>()};
+      }));
 }
 
 void bind_columns(MeshClass& mesh) {

@@ -1,5 +1,6 @@
 set(SOMS_HEADERS
   closedness.h
+  contact_box.h
   counts.h
   crossing_segment.h
   defects.h
@@ -17,6 +18,7 @@ set(SOMS_HEADERS
 )
 set(SOMS_SOURCES
   closedness.cpp
+  contact_box.cpp
   counts.cpp
   crossing_segment.cpp
   defects.cpp

@@ -29,6 +29,13 @@ void check_tables(const Mesh& mesh) {
       throw Error(ErrorKind::bad_file, place(mesh, "part \"" + part.name + "\" is out of range"),
                   "give first and count within the triangles, and a parent that exists");
     }
+    if (part.continues != Part::kNoParent &&
+        (part.continues >= mesh.parts.size() ||
+         mesh.parts[part.continues].continues != Part::kNoParent)) {
+      throw Error(ErrorKind::bad_file,
+                  place(mesh, "part \"" + part.name + "\" continues what is no first run"),
+                  "name the first run of the object, which continues none itself");
+    }
   }
 }
 
@@ -113,7 +120,7 @@ std::uint32_t part_of(const Mesh& mesh, TriangleId i) {
       best = p;
     }
   }
-  return best;
+  return first_run(mesh, best);
 }
 
 void append(Mesh& mesh, const Mesh& other) {
@@ -143,6 +150,9 @@ void append(Mesh& mesh, const Mesh& other) {
     part.first += static_cast<std::uint32_t>(triangles);
     if (part.parent != Part::kNoParent) {
       part.parent += first_part;
+    }
+    if (part.continues != Part::kNoParent) {
+      part.continues += first_part;
     }
     mesh.parts.push_back(std::move(part));
   }

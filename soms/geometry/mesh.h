@@ -18,7 +18,16 @@ using TriangleId = std::uint32_t;
 /// Most triangles, and most vertices, that a mesh may have.
 inline constexpr std::uint64_t kMaxPrimitives = (std::uint64_t{1} << 31) - 1;
 
-/// A named, contiguous run of triangles: an object or group of the file.
+/// What a file states about a part, as text.
+struct Attribute {
+  std::string name;
+  std::string value;
+
+  [[nodiscard]] bool operator==(const Attribute&) const = default;
+};
+
+/// A contiguous run of triangles: an object or group of the file. An object whose triangles do not
+/// follow each other is several runs: the later ones name the first by `continues`.
 struct Part {
   static constexpr std::uint32_t kNoParent = 0xffffffffU;
 
@@ -26,6 +35,11 @@ struct Part {
   std::uint32_t parent = kNoParent;  ///< index of the enclosing part, or kNoParent
   std::uint32_t first = 0;           ///< first triangle
   std::uint32_t count = 0;           ///< number of triangles
+  std::string id = {};    ///< by which the file's makers know the object, unique in the file: a
+                          ///< GUID, the key of a CityJSON object; may be empty
+  std::string type = {};  ///< what kind of object it is: "Building"; may be empty
+  std::vector<Attribute> attributes = {};  ///< in the order of the file
+  std::uint32_t continues = kNoParent;     ///< the first run of the same object, or kNoParent
 
   [[nodiscard]] bool operator==(const Part&) const = default;
 };
@@ -62,7 +76,16 @@ void check(const Mesh& mesh);
 [[nodiscard]] Box bounds(const Mesh& mesh);
 
 /// Part that triangle `i` belongs to: the innermost by position, or Part::kNoParent without parts.
+/// Of an object of several runs it is the first, whichever run holds the triangle.
 [[nodiscard]] std::uint32_t part_of(const Mesh& mesh, TriangleId i);
+
+/// The first run of the object that `part` is a run of: itself, if it continues none.
+/// Part::kNoParent gives Part::kNoParent.
+[[nodiscard]] inline std::uint32_t first_run(const Mesh& mesh, std::uint32_t part) {
+  return part == Part::kNoParent || mesh.parts[part].continues == Part::kNoParent
+             ? part
+             : mesh.parts[part].continues;
+}
 
 /// Appends `other`, keeping its parts and faces; a mesh without parts becomes one part named by its
 /// source. Triangle i of `other` becomes triangle `mesh.triangles.size() + i`.

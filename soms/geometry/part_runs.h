@@ -20,7 +20,8 @@ struct PartRun {
 };
 
 /// Runs of all triangles in order, each up to the first triangle of the next; parts may nest. The
-/// part of a run is the `part_of` of each of its triangles.
+/// part of a run is the innermost that holds its triangles, which may continue another; `first_run`
+/// of it is the `part_of` of each triangle.
 /// \cost O(p log p) for p parts.
 [[nodiscard]] std::vector<PartRun> part_runs(const Mesh& mesh);
 

@@ -6,6 +6,9 @@
 namespace soms {
 
 PartsOf::PartsOf(const Mesh& mesh) : runs_(part_runs(mesh)) {
+  for (PartRun& run : runs_) {
+    run.part = first_run(mesh, run.part);
+  }
 }
 
 std::uint32_t PartsOf::operator()(TriangleId triangle) const {

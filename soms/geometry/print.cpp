@@ -22,6 +22,11 @@ std::ostream& operator<<(std::ostream& out, const Mesh& value) {
                     .item(printed_count(value.parts.size(), "part", "parts"));
 }
 
+std::ostream& operator<<(std::ostream& out, const Attribute& value) {
+  return out
+         << PrintedFields("Attribute").item(quoted_text(value.name)).item(quoted_text(value.value));
+}
+
 std::ostream& operator<<(std::ostream& out, const Part& value) {
   PrintedFields fields("Part");
   fields.item(quoted_text(value.name));
@@ -29,6 +34,18 @@ std::ostream& operator<<(std::ostream& out, const Part& value) {
               std::to_string(value.first));
   if (value.parent != Part::kNoParent) {
     fields.add("parent", value.parent);
+  }
+  if (!value.id.empty()) {
+    fields.add("id", quoted_text(value.id));
+  }
+  if (!value.type.empty()) {
+    fields.add("type", quoted_text(value.type));
+  }
+  if (!value.attributes.empty()) {
+    fields.item(printed_count(value.attributes.size(), "attribute", "attributes"));
+  }
+  if (value.continues != Part::kNoParent) {
+    fields.add("continues", value.continues);
   }
   return out << fields;
 }

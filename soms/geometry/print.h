@@ -12,6 +12,7 @@ enum class Projection;
 enum class Sign : signed char;
 enum class TriangleFeature : unsigned char;
 enum class UpAxis;
+struct Attribute;
 struct Closedness;
 struct ClosednessOptions;
 struct CoordinateFrame;
@@ -32,6 +33,7 @@ struct VertexCopy;
 
 /// One line, as in soms/base/print.h. Lists are counted, not listed.
 std::ostream& operator<<(std::ostream& out, const Mesh& value);
+std::ostream& operator<<(std::ostream& out, const Attribute& value);
 std::ostream& operator<<(std::ostream& out, const Part& value);
 std::ostream& operator<<(std::ostream& out, const PartRun& value);
 std::ostream& operator<<(std::ostream& out, UpAxis value);

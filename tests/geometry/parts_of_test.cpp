@@ -1,5 +1,7 @@
 #include "soms/geometry/parts_of.h"
 
+#include "soms/base/error.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -27,6 +29,36 @@ TEST(PartsOf, AreThoseOfPartOf) {
   }
   EXPECT_EQ(parts(2), 1U);
   EXPECT_EQ(parts(6), Part::kNoParent);
+}
+
+TEST(PartsOf, OfAnObjectOfSeveralRunsAreItsFirstRun) {
+  Mesh mesh = street();
+  mesh.parts.push_back(
+      {.name = "house", .parent = Part::kNoParent, .first = 5, .count = 2, .continues = 1});
+  check(mesh);
+  const PartsOf parts(mesh);
+  for (const TriangleId i : {1U, 2U, 3U, 5U, 6U}) {
+    EXPECT_EQ(parts(i), 1U) << i;
+    EXPECT_EQ(part_of(mesh, i), 1U) << i;
+  }
+  EXPECT_EQ(part_runs(mesh).back(), (PartRun{5, 3})) << "a run is named by itself";
+
+  Mesh twice = mesh;
+  append(twice, mesh);
+  check(twice);
+  EXPECT_EQ(PartsOf(twice)(12), 5U) << "runs that are appended continue their own object";
+}
+
+TEST(PartsOf, ContinueNothingButAFirstRun) {
+  Mesh mesh = street();
+  mesh.parts[1].continues = 7;
+  EXPECT_THROW(check(mesh), Error);
+  mesh.parts[1].continues = 1;
+  EXPECT_THROW(check(mesh), Error);
+  mesh.parts[1].continues = 2;
+  check(mesh);
+  mesh.parts[2].continues = 0;
+  EXPECT_THROW(check(mesh), Error);
 }
 
 TEST(PartsOf, OfAMeshWithoutPartsAreNone) {

@@ -31,9 +31,11 @@ template <class... T>
 constexpr bool kValues = (Value<T> && ...);
 
 static_assert(kValues<Vec3, Triangle, Box, Pose, Rotation, ErrorKind>);
-static_assert(kValues<Mesh, Part, PartRun, UpAxis, Defects, DefectPlaces, DefectOptions, EdgeCounts,
-                      EdgePlace, TriangleCopy, VertexCopy, Crossing, Sign, Projection, Midpoint,
-                      CoordinateFrame, FrameDoubt, Closedness, PartClosedness, ClosednessOptions>);
+static_assert(kValues<Clash, ClashKind, ClashList, PartBody>);
+static_assert(
+    kValues<Mesh, Attribute, Part, PartRun, UpAxis, Defects, DefectPlaces, DefectOptions,
+            EdgeCounts, EdgePlace, TriangleCopy, VertexCopy, Crossing, Sign, Projection, Midpoint,
+            CoordinateFrame, FrameDoubt, Closedness, PartClosedness, ClosednessOptions>);
 static_assert(kValues<Tree, Node, TreeStatistics, Visits, ExpectedVisits, BuildOptions, Rule,
                       AxisFrom, EmptySide, Shape, ShapeOptions, Layout>);
 static_assert(kValues<ClosedBody, Contains, ContainsBatch, ContainsOptions, Side>);

@@ -102,6 +102,19 @@ void MeshBuilder::open_part(std::string_view name) {
   push(mesh_.parts, {std::string(name), parent, first, 0});
 }
 
+void MeshBuilder::describe_part(std::string_view id, std::string_view type,
+                                std::vector<Attribute> attributes) {
+  std::uint64_t bytes = id.size() + type.size() + attributes.capacity() * sizeof(Attribute);
+  for (const Attribute& attribute : attributes) {
+    bytes += attribute.name.size() + attribute.value.size();
+  }
+  take(bytes);
+  Part& part = mesh_.parts[open_parts_.back()];
+  part.id = id;
+  part.type = type;
+  part.attributes = std::move(attributes);
+}
+
 void MeshBuilder::close_part() {
   Part& part = mesh_.parts[open_parts_.back()];
   part.count = static_cast<std::uint32_t>(mesh_.triangles.size()) - part.first;
