@@ -10,6 +10,8 @@ import sys
 NOT_VALUES = {
     "Parallel": "how to run a call: a stop token and a function",
     "ContactBodies": "how to look at bodies: functions",
+    "ClashOptions": "which pairs are wanted is a function",
+    "MeshPart": "what a function looks at, by addresses",
 }
 
 

@@ -1,0 +1,128 @@
+/// \file
+/// Which parts of a building, a plant or a city clash: cross, contain, touch or come near each
+/// other? Decided exactly for each pair.
+#pragma once
+
+#include "soms/base/box.h"
+#include "soms/base/bracket.h"
+#include "soms/base/parallel.h"
+#include "soms/base/vector.h"
+#include "soms/clash/part_bodies.h"
+#include "soms/query/answer.h"
+#include "soms/query/solid.h"
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace soms {
+
+/// What kind of clash a pair of parts is; the order is that of a list.
+enum class ClashKind : unsigned char {
+  crossing,   ///< interior is shared, and each has interior outside the other
+  inside,     ///< one lies in the other: `Clash::relation` says which
+  same,       ///< both fill the same space
+  touching,   ///< surfaces meet, and no interior is shared
+  near,       ///< nothing is shared, and the surfaces are within ClashOptions::within
+  undecided,  ///< see `Clash::why`
+};
+
+/// Options of `clashes`.
+struct ClashOptions {
+  /// Parts that share nothing and are at most so far from each other are `near`, decided exactly.
+  /// Nothing: no pair is near.
+  std::optional<double> within = std::nullopt;
+  /// Pairs of parts, by their numbers, that are looked at. Empty: all. Must give the same answer
+  /// for the same pair, from any thread.
+  std::function<bool(std::uint32_t a, std::uint32_t b)> wanted = {};
+  /// Pairs that are not decided when it passes are left out, and coverage is `cut`.
+  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
+};
+
+/// Throws ErrorKind::usage for a `within` that is negative, infinite or not a number.
+void check(const ClashOptions& options);
+
+/// Two parts that clash.
+struct Clash {
+  std::uint32_t a = 0;  ///< number of the part of the first set
+  std::uint32_t b = 0;  ///< of the second; of one set, the greater number
+  ClashKind kind = ClashKind::undecided;
+  /// As `solid` says, where both are closed; `clear` of near ones.
+  Relation relation = Relation::undecided;
+  /// Why it is undecided: `open` where a part is not closed (PartBody::odd_edges) and the boxes of
+  /// the two share a point, so that one may be in the other.
+  Undecided why = Undecided::none;
+  std::uint64_t triangle_pairs = 0;  ///< pairs of triangles that overlap, as `overlap` counts them
+  /// Holds the least distance of the surfaces: [0, 0] where they meet, otherwise as `Distance` has
+  /// it.
+  Bracket gap = {};
+  /// A point of the clash. Where surfaces meet, of both (rounded, as `crossing` says); where one is
+  /// in the other and they do not, a vertex of the inner one; otherwise the middle of a shortest
+  /// segment between the two.
+  Vec3 place = {};
+  /// Holds all that the surfaces share; where they share nothing, the inner part, or a shortest
+  /// segment.
+  Box box = {};
+
+  [[nodiscard]] bool operator==(const Clash&) const = default;
+};
+
+/// Answer of `clashes`.
+struct ClashList {
+  std::vector<Clash> clashes;  ///< by a, then b
+  std::uint64_t compared = 0;  ///< pairs of parts that were decided
+  std::uint64_t left_out = 0;  ///< pairs that were not, as the deadline passed
+  Coverage coverage = Coverage::complete;
+  Cost cost = {};
+
+  [[nodiscard]] bool operator==(const ClashList&) const = default;
+};
+
+/// Numbers of two parts.
+using PartNumbers = std::pair<std::uint32_t, std::uint32_t>;
+
+/// The pairs of a part of `a` and one of `b` whose boxes share a point, or come within
+/// `options.within`, sorted; all others are clear of each other. Those that `options.wanted`
+/// refuses are left out.
+/// \errors  As `check(ClashOptions)`; ErrorKind::out_of_range above 2^27 parts.
+/// \cost    O(n + p) for n parts and p pairs, as a rule (BroadPhase).
+[[nodiscard]] std::vector<PartNumbers> clash_candidates(std::span<const PartBody> a,
+                                                        std::span<const PartBody> b,
+                                                        const ClashOptions& options = {});
+
+/// The same among the parts of one set: each pair once, the lesser number first.
+[[nodiscard]] std::vector<PartNumbers> clash_candidates(std::span<const PartBody> parts,
+                                                        const ClashOptions& options = {});
+
+/// Decides pairs of parts that `clash_candidates` named: for callers who do some of them at a time.
+/// \errors  As `check(ClashOptions)`; ErrorKind::out_of_range for a part that is not there;
+///          cancelled.
+[[nodiscard]] ClashList clashes_of(std::span<const PartBody> a, std::span<const PartBody> b,
+                                   std::span<const PartNumbers> pairs,
+                                   const ClashOptions& options = {}, const Parallel& parallel = {});
+
+/// All clashes of a part of `a` with a part of `b`. Two parts are clear of each other, and not in
+/// the list, where both are closed and `solid` says so, or where their boxes share no point; those
+/// within ClashOptions::within are near. Of an open part nobody knows what is inside: it is
+/// undecided beside every part whose box meets its own.
+///
+/// The answer does not depend on threads, trees, layouts or instruction sets, nor on the order of
+/// the parts but for their numbers; with a deadline it may.
+///
+/// \errors  As `clash_candidates` and `clashes_of`.
+/// \cost    A broad phase over the boxes; one `solid` for each pair of boxes that meet, and one
+///          `overlap` with mode `all` where surfaces meet; one `distance` for each other pair that
+///          may be near.
+/// \threads Any number of callers; pairs are shared by as many threads as `parallel` says.
+[[nodiscard]] ClashList clashes(std::span<const PartBody> a, std::span<const PartBody> b,
+                                const ClashOptions& options = {}, const Parallel& parallel = {});
+
+/// All clashes among the parts of one set.
+[[nodiscard]] ClashList clashes(std::span<const PartBody> parts, const ClashOptions& options = {},
+                                const Parallel& parallel = {});
+
+}  // namespace soms

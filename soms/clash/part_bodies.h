@@ -1,0 +1,41 @@
+/// \file
+/// The parts of a mesh, each as a body of its own.
+#pragma once
+
+#include "soms/base/parallel.h"
+#include "soms/base/pose.h"
+#include "soms/geometry/defects.h"
+#include "soms/geometry/mesh.h"
+#include "soms/query/body.h"
+#include "soms/query/contains.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace soms {
+
+/// The triangles of a mesh whose innermost part it is, as a body. A value; copies share the body.
+struct PartBody {
+  /// Index in Mesh::parts, of an object of several runs that of the first; Part::kNoParent for the
+  /// triangles that no part holds.
+  std::uint32_t part = Part::kNoParent;
+  Body body = {};
+  std::optional<ClosedBody> closed = std::nullopt;  ///< `body`, if it is closed at its pose
+  std::uint64_t odd_edges = 0;                      ///< edges of an odd number of triangles
+  std::vector<EdgePlace> places = {};  ///< the first few of these; triangles are those of `body`
+  std::vector<TriangleId> triangles = {};  ///< triangle i of `body` is triangles[i] of the mesh
+
+  [[nodiscard]] bool operator==(const PartBody&) const = default;
+};
+
+/// Every part that is the innermost of a triangle, by the order of Mesh::parts; the triangles that
+/// no part holds come last. Vertices are copied as they are, so each body has the very triangles of
+/// the mesh.
+/// \pre     `check(mesh)` passes.
+/// \errors  As `ClosedBody` for the pose; ErrorKind::cancelled.
+/// \cost    O(n log n) for n triangles; a shape for each part.
+[[nodiscard]] std::vector<PartBody> part_bodies(const Mesh& mesh, const Pose& pose = {},
+                                                const Parallel& parallel = {});
+
+}  // namespace soms

@@ -1,0 +1,33 @@
+/// \file
+/// Names of parts and clashes that survive renumbering: by them a list is compared with an older
+/// one.
+#pragma once
+
+#include "soms/clash/part_bodies.h"
+#include "soms/geometry/mesh.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace soms {
+
+/// A part and the mesh that it is a part of.
+struct MeshPart {
+  const Mesh* mesh = nullptr;
+  const PartBody* part = nullptr;
+};
+
+/// A key for each part of a model, or of the models of several files. It is made of the part's id;
+/// of the path of names where the file gives no id; and, where other parts have the same, of the
+/// corners of its triangles where the file has them. So keys stay where parts and triangles come in
+/// another order, and where a part that is named alone moves or changes its shape. Parts that are
+/// alike in all of this differ by their order.
+/// \pre   `mesh` and `part` are set.
+/// \cost  O(n log n) for n triangles.
+[[nodiscard]] std::vector<std::uint64_t> part_keys(std::span<const MeshPart> parts);
+
+/// A key for the clash of two parts, the same in either order.
+[[nodiscard]] std::uint64_t clash_key(std::uint64_t a, std::uint64_t b);
+
+}  // namespace soms

@@ -1,0 +1,47 @@
+#include "soms/clash/print.h"
+
+#include "soms/base/print.h"
+#include "soms/base/print_fields.h"
+#include "soms/clash/clash.h"
+#include "soms/query/print.h"
+
+namespace soms {
+
+std::ostream& operator<<(std::ostream& out, ClashKind value) {
+  return out << printed_name("ClashKind", static_cast<int>(value),
+                             {"crossing", "inside", "same", "touching", "near", "undecided"});
+}
+
+std::ostream& operator<<(std::ostream& out, const Clash& value) {
+  return out << PrintedFields("Clash")
+                    .add("a", value.a)
+                    .add("b", value.b)
+                    .add("kind", value.kind)
+                    .add("relation", value.relation)
+                    .add("why", value.why)
+                    .item(printed_count(value.triangle_pairs, "pair", "pairs") + " of triangles")
+                    .add("gap", value.gap)
+                    .add("place", value.place)
+                    .add("box", value.box);
+}
+
+std::ostream& operator<<(std::ostream& out, const ClashList& value) {
+  return out << PrintedFields("ClashList")
+                    .item(printed_count(value.clashes.size(), "clash", "clashes"))
+                    .add("compared", value.compared)
+                    .add("left_out", value.left_out)
+                    .add("coverage", value.coverage)
+                    .add("cost", value.cost);
+}
+
+std::ostream& operator<<(std::ostream& out, const PartBody& value) {
+  PrintedFields fields("PartBody");
+  if (value.part != Part::kNoParent) {
+    fields.add("part", value.part);
+  }
+  return out << fields.item(printed_count(value.triangles.size(), "triangle", "triangles"))
+                    .add("closed", value.closed.has_value())
+                    .add("odd_edges", value.odd_edges);
+}
+
+}  // namespace soms

@@ -1,0 +1,20 @@
+/// \file
+/// Clashes printed by `<<`: "Clash{0 and 3, touching, 18 pairs of triangles, ...}".
+#pragma once
+
+#include <iosfwd>
+
+namespace soms {
+
+enum class ClashKind : unsigned char;
+struct Clash;
+struct ClashList;
+struct PartBody;
+
+/// One line, as in soms/base/print.h. Lists are counted, not listed.
+std::ostream& operator<<(std::ostream& out, ClashKind value);
+std::ostream& operator<<(std::ostream& out, const Clash& value);
+std::ostream& operator<<(std::ostream& out, const ClashList& value);
+std::ostream& operator<<(std::ostream& out, const PartBody& value);
+
+}  // namespace soms

@@ -1,0 +1,91 @@
+#include "soms/clash/part_bodies.h"
+
+#include "soms/base/error.h"
+#include "soms/geometry/parts_of.h"
+#include "soms/io/read_mesh.h"
+
+#include "tests/support/bodies.h"
+#include "tests/support/support.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace soms {
+namespace {
+
+using test::box_body;
+using test::joined;
+
+/// Two boxes, the first cut in two runs by the second, and a triangle of no part.
+Mesh house_around_a_pipe() {
+  Mesh mesh = joined(box_body({0, 0, 0}, {1, 1, 1}), box_body({2, 0, 0}, {3, 1, 1}));
+  std::vector<std::array<std::uint32_t, 3>> turned(mesh.triangles.begin() + 4,
+                                                   mesh.triangles.end());
+  turned.insert(turned.end(), mesh.triangles.begin(), mesh.triangles.begin() + 4);
+  mesh.triangles = turned;
+  mesh.triangles.push_back({0, 1, 2});
+  mesh.parts = {{.name = "house", .first = 0, .count = 8},
+                {.name = "pipe", .first = 8, .count = 12},
+                {.name = "house", .first = 20, .count = 4, .continues = 0}};
+  check(mesh);
+  return mesh;
+}
+
+TEST(PartBodies, HaveTheTrianglesOfTheMesh) {
+  const Mesh mesh = house_around_a_pipe();
+  const std::vector<PartBody> parts = part_bodies(mesh);
+  ASSERT_EQ(parts.size(), 3U);
+  std::size_t triangles = 0;
+  for (const PartBody& part : parts) {
+    ASSERT_EQ(part.triangles.size(), part.body.shape.mesh().triangles.size());
+    for (std::size_t i = 0; i < part.triangles.size(); ++i) {
+      EXPECT_EQ(part.body.shape.mesh().triangle(static_cast<TriangleId>(i)),
+                mesh.triangle(part.triangles[i]));
+      EXPECT_EQ(part_of(mesh, part.triangles[i]), part.part);
+    }
+    triangles += part.triangles.size();
+  }
+  EXPECT_EQ(triangles, mesh.triangles.size());
+}
+
+TEST(PartBodies, OfSeveralRunsAreOne) {
+  const std::vector<PartBody> parts = part_bodies(house_around_a_pipe());
+  EXPECT_EQ(parts[0].part, 0U);
+  EXPECT_EQ(parts[0].triangles.size(), 12U);
+  EXPECT_TRUE(parts[0].closed);
+  EXPECT_EQ(parts[0].body.name, "house");
+  EXPECT_EQ(parts[1].part, 1U);
+  EXPECT_EQ(parts[2].part, Part::kNoParent);
+  EXPECT_EQ(parts[2].triangles.size(), 1U);
+}
+
+TEST(PartBodies, SayWhereTheyAreOpen) {
+  Mesh mesh = box_body({0, 0, 0}, {1, 1, 1});
+  mesh.triangles.pop_back();
+  const std::vector<PartBody> parts = part_bodies(mesh);
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_FALSE(parts[0].closed);
+  EXPECT_EQ(parts[0].odd_edges, 3U);
+  EXPECT_EQ(parts[0].places.size(), 3U);
+}
+
+TEST(PartBodies, OfAnEmptyMeshAreNone) {
+  EXPECT_TRUE(part_bodies(Mesh()).empty());
+}
+
+TEST(PartBodies, AreTheSameForAnyNumberOfThreads) {
+  const Mesh mesh = read_mesh(test::data("clash/structure.obj").string());
+  const std::vector<PartBody> one = part_bodies(mesh);
+  EXPECT_EQ(one.size(), 166U);
+  EXPECT_EQ(one, part_bodies(mesh, {}, {.threads = 3}));
+}
+
+TEST(PartBodies, EndWhenAStopIsRequested) {
+  StopSource stop;
+  stop.request_stop();
+  EXPECT_THROW(
+      static_cast<void>(part_bodies(house_around_a_pipe(), {}, {.stop = stop.get_token()})), Error);
+}
+
+}  // namespace
+}  // namespace soms
