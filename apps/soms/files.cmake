@@ -3,6 +3,14 @@ set(SOMS_COMMAND_FILES
   answer_columns.h
   bench.cpp
   bench.h
+  clash.cpp
+  clash.h
+  clash_models.cpp
+  clash_models.h
+  clash_output.cpp
+  clash_output.h
+  clash_rows.cpp
+  clash_rows.h
   closed_body.cpp
   closed_body.h
   closest.cpp

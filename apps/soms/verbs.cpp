@@ -1,6 +1,7 @@
 #include "apps/soms/verbs.h"
 
 #include "apps/soms/bench.h"
+#include "apps/soms/clash.h"
 #include "apps/soms/closest.h"
 #include "apps/soms/completion.h"
 #include "apps/soms/contains.h"
@@ -25,6 +26,8 @@ namespace {
 
 constexpr std::array kVerbs{
     Verb{"bench", "compare soms with the installed peers on your own two models", add_bench},
+    Verb{"clash", "list the parts of models that cross, contain, touch or come near each other",
+         add_clash},
     Verb{"closest",
          "find the points of a model nearest to given points, and the triangles near them",
          add_closest},

@@ -336,12 +336,8 @@ TEST_F(OverlapParts, RefusesWhatByPartCannotMean) {
 }
 
 TEST_F(OverlapParts, R116ClashesOfABuildingAreAllOnThePage) {
-  const auto structure = test::outside_data("clash/structure.obj");
-  const auto services = test::outside_data("clash/services.gltf");
-  if (!structure || !services) {
-    GTEST_SKIP() << "SOMS_DATA/clash is not there";
-  }
-  const std::string page = page_of({structure->string(), services->string(), "--up-b", "y"});
+  const std::string page = page_of({test::data("clash/structure.obj").string(),
+                                    test::data("clash/services.gltf").string(), "--up-b", "y"});
   const std::vector<PageRow> rows = rows_on(page);
   EXPECT_EQ(rows.size(), 260U);
   std::uint64_t sum = 0;

@@ -1,0 +1,343 @@
+#include "apps/soms/clash.h"
+
+#include "soms/base/error.h"
+#include "soms/clash/part_keys.h"
+#include "soms/clash/reference/clash.h"
+
+#include "apps/soms/clash_output.h"
+#include "apps/soms/clash_rows.h"
+#include "apps/soms/pair_options.h"
+#include "apps/soms/solid_text.h"
+#include "apps/support/console.h"
+#include "apps/support/exit_status.h"
+#include "apps/support/output.h"
+#include "apps/support/parse.h"
+#include "apps/support/text.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <span>
+#include <sstream>
+#include <utility>
+
+namespace soms::command {
+
+namespace {
+
+/// Pairs of parts that are decided at a time: between two blocks Ctrl-C ends the list.
+constexpr std::size_t kPairsOfABlock = 1024;
+
+/// What was decided, and the pairs that were.
+struct Decided {
+  std::vector<Clash> clashes;
+  std::vector<PartNumbers> candidates;
+  std::size_t done = 0;  ///< candidates that were looked at
+  std::uint64_t compared = 0;
+  std::uint64_t left = 0;
+  bool interrupted = false;
+  Cost cost;
+};
+
+ClashOptions library_options(const ClashVerbOptions& options, const Console& console) {
+  return {.within = options.within, .deadline = console.deadline()};
+}
+
+std::vector<PartNumbers> candidates_of(const ClashModels& models, const ClashOptions& options) {
+  return models.two_sets ? clash_candidates(models.a.parts, models.b.parts, options)
+                         : clash_candidates(models.a.parts, options);
+}
+
+/// Decides block after block, until all are done or a signal comes.
+Decided decide(const ClashModels& models, const ClashOptions& options, const Console& console) {
+  Decided decided;
+  decided.candidates = candidates_of(models, options);
+  const std::span<const PartNumbers> all(decided.candidates);
+  Progress bar = console.progress("comparing parts");
+  while (decided.done < all.size() && !decided.interrupted) {
+    const auto block =
+        all.subspan(decided.done, std::min(kPairsOfABlock, all.size() - decided.done));
+    try {
+      const ClashList list =
+          clashes_of(models.a.parts, models.second().parts, block, options, console.parallel());
+      decided.clashes.insert(decided.clashes.end(), list.clashes.begin(), list.clashes.end());
+      decided.compared += list.compared;
+      decided.cost += list.cost;
+      decided.done += block.size();
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::cancelled) {
+        throw;
+      }
+      decided.interrupted = true;
+    }
+    bar.show(static_cast<double>(decided.done) / static_cast<double>(all.size()));
+  }
+  decided.left = all.size() - decided.compared;
+  return decided;
+}
+
+/// Leaves out what options name, and says how much that was.
+void remove_ignored(const ClashVerbOptions& options, const IgnoredPairs& pairs,
+                    ClashReport& report) {
+  const auto remove = [&](const std::string& what, const auto& ignored) {
+    const std::size_t count = std::erase_if(report.rows, ignored);
+    report.removed.emplace_back(what, count);
+  };
+  for (const std::string& kind : options.ignored_kinds) {
+    remove(kind, [&](const ClashRow& row) { return clash_name(row.clash.kind) == kind; });
+  }
+  if (!options.ignored_pairs.empty()) {
+    remove("ignore-pairs",
+           [&](const ClashRow& row) { return pairs.match(report.models, row.clash); });
+  }
+}
+
+/// The list of what was decided.
+ClashReport report_of(const ClashModels& models, const Decided& decided,
+                      const ClashVerbOptions& options, const IgnoredPairs& ignored,
+                      const std::optional<ClashBaseline>& baseline, const Console& console) {
+  ClashReport report{.models = models,
+                     .compared = decided.compared,
+                     .left = decided.left,
+                     .interrupted = decided.interrupted,
+                     .timed_out = decided.left != 0 && console.out_of_time(),
+                     .cost = decided.cost};
+  std::set<std::uint64_t> found;
+  for (const Clash& clash : decided.clashes) {
+    const std::uint64_t key = clash_key(models.a.keys[clash.a], models.second().keys[clash.b]);
+    report.rows.push_back({.clash = clash, .key = key});
+    found.insert(key);
+  }
+  remove_ignored(options, ignored, report);
+  sort_rows(models, report.rows);
+  for (const ClashRow& row : report.rows) {
+    ++report.by_kind[static_cast<std::size_t>(row.clash.kind)];
+  }
+  if (baseline) {
+    baseline->compare(found, report);
+  }
+  return report;
+}
+
+/// Compares every pair of parts that was looked at, and every pair that was no candidate, with
+/// brute force. Returns the number of pairs that differ, each named on standard error.
+std::uint64_t count_wrong(const ClashModels& models, const Decided& decided,
+                          const ClashVerbOptions& options, Console& console) {
+  std::uint64_t wrong = 0;
+  console.run("verifying", [&](const Parallel& parallel) {
+    const std::span<const PartNumbers> undone = std::span(decided.candidates).subspan(decided.done);
+    auto next = decided.clashes.begin();
+    const std::vector<PartBody>& a = models.a.parts;
+    const std::vector<PartBody>& b = models.second().parts;
+    for (std::uint32_t i = 0; i < a.size(); ++i) {
+      parallel.progress(static_cast<double>(i) / static_cast<double>(a.size()));
+      for (std::uint32_t j = models.two_sets ? 0 : i + 1; j < b.size(); ++j) {
+        if (std::binary_search(undone.begin(), undone.end(), PartNumbers{i, j})) {
+          continue;
+        }
+        std::optional<Clash> found;
+        if (next != decided.clashes.end() && next->a == i && next->b == j) {
+          found = *next++;
+          found->a = found->b = 0;
+          found->place = {};
+          found->box = {};
+        }
+        if (found != reference::clash_by_brute_force(a[i], b[j], options.within, parallel)) {
+          ++wrong;
+          print_error("soms clash",
+                      fmt::format("parts {} and {}: brute force finds otherwise", i, j));
+        }
+      }
+    }
+  });
+  return wrong;
+}
+
+bool fails(const ClashVerbOptions& options, const ClashReport& report) {
+  return std::any_of(report.rows.begin(), report.rows.end(), [&](const ClashRow& row) {
+    switch (options.fail_if) {
+      case ClashFailure::listed:
+        return true;
+      case ClashFailure::hard:
+        return shares_interior(row.clash.relation);
+      case ClashFailure::fresh:
+        return row.status == ClashStatus::fresh;
+      case ClashFailure::never:
+        break;
+    }
+    return false;
+  });
+}
+
+int status_of(const ClashVerbOptions& options, const ClashReport& report, std::uint64_t wrong) {
+  if (wrong != 0) {
+    return kDifference;
+  }
+  if (report.interrupted) {
+    return kInterrupted;
+  }
+  if (fails(options, report)) {
+    return kConditionHolds;
+  }
+  // "Not found" is no proof that there is nothing when time ran out.
+  return options.fail_if != ClashFailure::never && !report.complete() ? kOutOfTime : 0;
+}
+
+bool is_csv(const std::string& file) {
+  return std::filesystem::path(file).extension() == ".csv";
+}
+
+void check_options(const ClashVerbOptions& options) {
+  NamedFiles taken{{"--ignore-pairs", options.ignored_pairs}, {"--baseline", options.baseline}};
+  for (const std::string& file : options.models.files) {
+    taken.emplace_back("FILE", file);
+  }
+  for (const std::string& file : options.models.against) {
+    taken.emplace_back("--against", file);
+  }
+  NamedFiles outputs;
+  for (const std::string& file : options.outputs) {
+    check_extension("-o", file, {".csv", ".json"});
+    outputs.emplace_back("-o", file);
+  }
+  check_outputs(std::move(taken), outputs);
+  if (options.fail_if == ClashFailure::fresh && options.baseline.empty()) {
+    throw Error(ErrorKind::usage, "--fail-if new has no effect without --baseline",
+                "also give --baseline FILE");
+  }
+}
+
+void add_clash_questions(CLI::App& app, ClashVerbOptions& options) {
+  app.add_option_function<std::string>(
+         "--within",
+         [&options](const std::string& text) {
+           options.within = parse_number("--within", text);
+           check(ClashOptions{.within = options.within});
+         },
+         "also list parts that share nothing and are at most D apart, as near")
+      ->option_text("D")
+      ->group(kQuestionGroup);
+  std::vector<std::string> kinds;
+  for (std::size_t k = 0; k < kClashKinds; ++k) {
+    kinds.emplace_back(clash_name(static_cast<ClashKind>(k)));
+  }
+  app.add_option_function<std::vector<std::string>>(
+         "--ignore",
+         [&options, kinds](const std::vector<std::string>& names) {
+           for (const std::string& name : names) {
+             if (std::find(kinds.begin(), kinds.end(), name) == kinds.end()) {
+               throw unknown_choice("--ignore", name, kinds);
+             }
+             options.ignored_kinds.push_back(name);
+           }
+         },
+         "leave out clashes of this class, and say how many they are; may be repeated: " +
+             word_list(kinds))
+      ->option_text(kChoiceText)
+      ->allow_extra_args(false)
+      ->group(kQuestionGroup);
+  app.add_option("--ignore-pairs", options.ignored_pairs,
+                 "leave out pairs of parts that fit a line \"PATTERN,PATTERN\" of this file")
+      ->option_text("FILE")
+      ->group(kQuestionGroup);
+  app.add_option("--baseline", options.baseline,
+                 "an older list, as JSON: which clashes are new, active or resolved")
+      ->option_text("FILE")
+      ->group(kQuestionGroup);
+  add_choice<ClashFailure>(
+      app, "--fail-if", options.fail_if,
+      {{"clash", ClashFailure::listed}, {"hard", ClashFailure::hard}, {"new", ClashFailure::fresh}},
+      "exit with status 1 if a clash is listed, shares interior, or is new")
+      ->group(kQuestionGroup);
+  app.add_flag("--verify", options.verify,
+               "compare every pair of parts with brute force; exit with status 6 if they differ")
+      ->group(kQuestionGroup);
+}
+
+}  // namespace
+
+Action add_clash(CLI::App& app, Shared&) {
+  const auto options = std::make_shared<ClashVerbOptions>();
+  app.add_option("FILE", options->models.files,
+                 "models whose parts are compared; a folder stands for the models in it")
+      ->required()
+      ->type_name("");
+  app.add_option("--against", options->models.against,
+                 "models of a second set: parts of the first are compared with those of the "
+                 "second alone")
+      ->option_text("FILE...")
+      ->group(kQuestionGroup);
+  add_clash_questions(app, *options);
+  add_repeatable(app, "-o,--output", options->outputs,
+                 "write the list to a file, by its extension: .csv or .json; may be repeated",
+                 "FILE");
+  add_model_options(app, options->models.model, "--scale", "--up", "the models");
+  add_model_options(app, options->models.model_against, "--scale-b", "--up-b",
+                    "the models of --against");
+  add_strict(app, options->models.model.strict);
+  app.footer(
+      "Exact: crossing, inside, same or touching, as soms solid says of each pair of parts. What "
+      "a\n"
+      "part encloses is known where its surface is closed; beside an open one the pair is\n"
+      "undecided." +
+      example_of_pair("clash knot.ply --against ball.off --within 0.1 -o clashes.csv"));
+  return [options](Console& console) {
+    options->models.model_against.strict = options->models.model.strict;
+    options->models.expected_gap = options->within.value_or(0);
+    return run_clash(*options, console);
+  };
+}
+
+int run_clash(const ClashVerbOptions& options, Console& console) {
+  check_options(options);
+  const IgnoredPairs ignored =
+      options.ignored_pairs.empty() ? IgnoredPairs() : IgnoredPairs(options.ignored_pairs);
+  std::optional<ClashBaseline> baseline;
+  if (!options.baseline.empty()) {
+    baseline.emplace(options.baseline);
+  }
+  std::vector<std::pair<std::string, std::unique_ptr<OutputFile>>> files;
+  for (const std::string& file : options.outputs) {
+    files.emplace_back(file, std::make_unique<OutputFile>(file));
+  }
+  if (!files.empty()) {
+    console.go_on_without_reader();
+  }
+  const ClashModels models = read_clash_models(options.models, console);
+  const Decided decided = decide(models, library_options(options, console), console);
+  const ClashReport report = report_of(models, decided, options, ignored, baseline, console);
+  if (report.timed_out) {
+    console.note(fmt::format("out of time after {} of {} of parts", with_commas(report.compared),
+                             counted(decided.candidates.size(), "pair")));
+  }
+  const bool verify = options.verify && !report.interrupted && report.complete();
+  const std::uint64_t wrong = verify ? count_wrong(models, decided, options, console) : 0;
+  if (console.shared().json) {
+    std::ostringstream text;
+    write_clashes_as_json(report, verify && wrong == 0, text);
+    console.print(text.str());
+  } else {
+    print_clashes_as_text(report, console);
+    if (verify) {
+      console.print(fmt::format("verified by brute force: {} of {} equal\n",
+                                with_commas(models.pairs() - wrong),
+                                counted(models.pairs(), "pair")));
+    }
+  }
+  console.flush();
+  for (const auto& [name, file] : files) {
+    if (is_csv(name)) {
+      write_clashes_as_csv(report, file->stream());
+    } else {
+      write_clashes_as_json(report, verify && wrong == 0, file->stream());
+    }
+    file->commit();
+  }
+  return status_of(options, report, wrong);
+}
+
+}  // namespace soms::command

@@ -1,0 +1,37 @@
+/// \file
+/// The verb `clash`: which parts of models clash with each other.
+#pragma once
+
+#include "apps/soms/clash_models.h"
+#include "apps/support/verb.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace soms::command {
+
+/// When the exit status says that there are clashes.
+enum class ClashFailure : unsigned char {
+  never,
+  listed,  ///< any that is listed
+  hard,    ///< interior is shared
+  fresh,   ///< one that the older list does not have
+};
+
+/// Options of the verb `clash`.
+struct ClashVerbOptions {
+  ClashModelOptions models;
+  std::optional<double> within;
+  std::vector<std::string> ignored_kinds;  ///< names of ClashKind
+  std::string ignored_pairs;               ///< file; empty: none
+  std::string baseline;                    ///< file; empty: none
+  std::vector<std::string> outputs;        ///< files
+  ClashFailure fail_if = ClashFailure::never;
+  bool verify = false;
+};
+
+[[nodiscard]] Action add_clash(CLI::App& app, Shared& shared);
+[[nodiscard]] int run_clash(const ClashVerbOptions& options, Console& console);
+
+}  // namespace soms::command

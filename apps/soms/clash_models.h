@@ -1,0 +1,67 @@
+/// \file
+/// The models of `clash`, by their parts.
+#pragma once
+
+#include "soms/clash/part_bodies.h"
+#include "soms/geometry/mesh.h"
+
+#include "apps/support/frame_warnings.h"
+#include "apps/support/json.h"
+#include "apps/support/models.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace soms::command {
+
+class Console;
+
+/// The parts of one or several models.
+struct ClashSet {
+  std::vector<Mesh> meshes;
+  std::vector<PartBody> parts;      ///< of all meshes
+  std::vector<std::uint32_t> mesh;  ///< of each part
+  std::vector<std::uint64_t> keys;  ///< of each part
+  std::vector<std::string> labels;  ///< of each part: its path of names
+
+  [[nodiscard]] const Mesh& mesh_of(std::uint32_t part) const { return meshes[mesh[part]]; }
+};
+
+/// What `clash` compares: a set with itself, or two sets.
+struct ClashModels {
+  ClashSet a;
+  ClashSet b;  ///< empty: `a` is compared with itself
+  bool two_sets = false;
+  std::vector<FrameWarning> warnings;
+  std::vector<std::string> notes;
+
+  [[nodiscard]] const ClashSet& second() const { return two_sets ? b : a; }
+
+  /// Pairs of parts that there are.
+  [[nodiscard]] std::uint64_t pairs() const;
+};
+
+/// How the models of `clash` are named and read.
+struct ClashModelOptions {
+  std::vector<std::string> files;
+  std::vector<std::string> against;
+  ModelOptions model;
+  ModelOptions model_against;
+  double expected_gap = 0;  ///< sets that are farther apart are doubtful
+};
+
+/// The models among `names`, where a folder stands for the models in it, by name.
+/// \errors ErrorKind::usage for a folder without models; cannot_open for one that cannot be read.
+[[nodiscard]] std::vector<std::string> model_files(const std::vector<std::string>& names);
+
+/// Reads the models and divides them into parts. A model whose file says that x or y is up is
+/// turned to z up, unless an option says how it is to be turned.
+/// \errors As `read_model`; ErrorKind::usage where a model is named twice.
+[[nodiscard]] ClashModels read_clash_models(const ClashModelOptions& options, Console& console);
+
+/// A part as a side of a clash: file, name, id, type, path, index, and where it is open.
+[[nodiscard]] Json clash_side(const ClashSet& set, std::uint32_t part);
+
+}  // namespace soms::command

@@ -1,0 +1,270 @@
+#include "apps/soms/clash_output.h"
+
+#include "soms/base/text.h"
+
+#include "apps/soms/pair_report.h"
+#include "apps/soms/solid_text.h"
+#include "apps/support/console.h"
+#include "apps/support/text.h"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <string>
+
+namespace soms::command {
+
+namespace {
+
+constexpr std::size_t kRowsInText = 40;  // that a person may want to read
+
+std::string_view status_name(ClashStatus status) {
+  return status == ClashStatus::fresh ? "new" : status == ClashStatus::active ? "active" : "";
+}
+
+Json json_point(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+/// Parts of a clash that are not closed: "a", "b".
+Json open_sides(const ClashModels& models, const Clash& clash) {
+  Json sides = Json::array();
+  if (!models.a.parts[clash.a].closed) {
+    sides.push_back("a");
+  }
+  if (!models.second().parts[clash.b].closed) {
+    sides.push_back("b");
+  }
+  return sides;
+}
+
+Json row_as_json(const ClashReport& report, const ClashRow& row) {
+  const Clash& clash = row.clash;
+  Json json = {{"schema", "soms.clash/1"},
+               {"a", clash_side(report.models.a, clash.a)},
+               {"b", clash_side(report.models.second(), clash.b)},
+               {"class", clash_name(clash.kind)},
+               {"relation", relation_name(clash.relation)}};
+  if (clash.kind == ClashKind::undecided) {
+    json["why"] = reason_name(clash.why);
+    json["open"] = open_sides(report.models, clash);
+  }
+  json["gap"] = {clash.gap.lower, clash.gap.upper};
+  json["place"] = json_point(clash.place);
+  json["box"] = json_box(clash.box);
+  json["triangle_pairs"] = clash.triangle_pairs;
+  if (row.status != ClashStatus::unknown) {
+    json["status"] = status_name(row.status);
+  }
+  json["key"] = key_text(row.key);
+  return json;
+}
+
+std::uint64_t count_status(const ClashReport& report, ClashStatus status) {
+  return static_cast<std::uint64_t>(
+      std::count_if(report.rows.begin(), report.rows.end(),
+                    [&](const ClashRow& row) { return row.status == status; }));
+}
+
+Json totals_as_json(const ClashReport& report) {
+  Json by_class = Json::object();
+  for (std::size_t k = 0; k < kClashKinds; ++k) {
+    by_class[std::string(clash_name(static_cast<ClashKind>(k)))] = report.by_kind[k];
+  }
+  Json removed = Json::object();
+  for (const auto& [what, count] : report.removed) {
+    removed[what] = count;
+  }
+  Json json = {{"schema", "soms.clash/1"},
+               {"pairs", report.rows.size()},
+               {"by_class", by_class},
+               {"removed", removed}};
+  if (report.has_baseline) {
+    json["by_status"] = {{"new", count_status(report, ClashStatus::fresh)},
+                         {"active", count_status(report, ClashStatus::active)},
+                         {"resolved", report.complete() ? Json(report.resolved.size()) : Json()}};
+  }
+  json["parts"] = {report.models.a.parts.size(), report.models.b.parts.size()};
+  json["pairs_of_parts"] = report.models.pairs();
+  json["compared"] = report.compared;
+  json["coverage"] = report.complete() ? "complete" : "cut";
+  json["cost"] = {{"node_tests", report.cost.node_tests},
+                  {"triangle_tests", report.cost.triangle_tests},
+                  {"exact_tests", report.cost.exact_tests}};
+  if (report.timed_out) {
+    json["timed_out"] = true;
+  }
+  if (report.interrupted) {
+    json["interrupted"] = true;
+  }
+  json["notes"] = report.models.notes;
+  json["warnings"] = warnings_json(report.models.warnings);
+  return json;
+}
+
+std::string number_of(const Json& row, const char* key) {
+  return row.contains(key) && row[key].is_number() ? row[key].dump() : std::string();
+}
+
+/// A side of a row as fields of CSV: file, part, id, type, path.
+std::string side_fields(const Json& side) {
+  const auto text = [&](const char* key) {
+    return side.contains(key) && side[key].is_string() ? csv_field(side[key].get<std::string>())
+                                                       : std::string();
+  };
+  std::string path;
+  if (side.contains("path") && side["path"].is_array()) {
+    for (const Json& step : side["path"]) {
+      path += (path.empty() ? "" : "/") + (step.is_string() ? step.get<std::string>() : "");
+    }
+  }
+  return fmt::format("{},{},{},{},{}", text("file"), text("part"), text("id"), text("type"),
+                     csv_field(path));
+}
+
+std::string numbers_of(const Json& row, const char* key, std::size_t count) {
+  std::string text;
+  for (std::size_t k = 0; k < count; ++k) {
+    text += k == 0 ? "" : ",";
+    if (row.contains(key) && row[key].is_array() && row[key].size() == count &&
+        row[key][k].is_number()) {
+      text += row[key][k].dump();
+    }
+  }
+  return text;
+}
+
+std::string corners_of(const Json& row) {
+  if (!row.contains("box") || !row["box"].is_array() || row["box"].size() != 2) {
+    return ",,,,,";
+  }
+  const Json corners = {{"lower", row["box"][0]}, {"upper", row["box"][1]}};
+  return numbers_of(corners, "lower", 3) + "," + numbers_of(corners, "upper", 3);
+}
+
+/// A row of CSV from one of JSON, which may be of an older list.
+std::string csv_row(const Json& row, std::string_view status) {
+  const auto text = [&](const char* key) {
+    return row.contains(key) && row[key].is_string() ? row[key].get<std::string>() : std::string();
+  };
+  const Json none = Json::object();
+  return fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_field(text("class")), status,
+                     side_fields(row.contains("a") ? row["a"] : none),
+                     side_fields(row.contains("b") ? row["b"] : none), csv_field(text("relation")),
+                     numbers_of(row, "gap", 2), number_of(row, "triangle_pairs"),
+                     numbers_of(row, "place", 3), corners_of(row), csv_field(text("key")));
+}
+
+std::string set_in_text(const ClashSet& set) {
+  const std::string files = set.meshes.size() == 1 ? printable(set.meshes.front().source)
+                                                   : counted(set.meshes.size(), "model");
+  return fmt::format("{} ({})", files, counted(set.parts.size(), "part"));
+}
+
+std::string kinds_in_text(const ClashReport& report) {
+  std::string text;
+  for (std::size_t k = 0; k < kClashKinds; ++k) {
+    if (report.by_kind[k] != 0) {
+      text += fmt::format("{} {} {}", text.empty() ? ":" : ",", with_commas(report.by_kind[k]),
+                          clash_name(static_cast<ClashKind>(k)));
+    }
+  }
+  return text;
+}
+
+/// What distinguishes a clash from others of its kind.
+std::string detail_in_text(const ClashReport& report, const Clash& clash) {
+  const ClashSet& b = report.models.second();
+  switch (clash.kind) {
+    case ClashKind::inside:
+      return clash.relation == Relation::a_in_b ? ", the first in the second"
+                                                : ", the second in the first";
+    case ClashKind::near:
+      return fmt::format(", {} apart", readable(clash.gap.lower));
+    case ClashKind::undecided: {
+      std::string text = clash.triangle_pairs == 0 ? "" : ", surfaces meet";
+      for (const auto& [part, which] : {std::pair{&report.models.a.parts[clash.a], "first"},
+                                        std::pair{&b.parts[clash.b], "second"}}) {
+        if (!part->closed) {
+          text += fmt::format(", the {} is open at {}", which, counted(part->odd_edges, "edge"));
+        }
+      }
+      return text;
+    }
+    case ClashKind::crossing:
+    case ClashKind::same:
+    case ClashKind::touching:
+      break;
+  }
+  return fmt::format(", {} of triangles", counted(clash.triangle_pairs, "pair"));
+}
+
+std::string row_in_text(const ClashReport& report, const ClashRow& row) {
+  const Clash& clash = row.clash;
+  const std::string_view status = status_name(row.status);
+  return fmt::format("  {:<9}  {}{}{} and {} at {}{}\n", clash_name(clash.kind), status,
+                     status.empty() ? "" : "  ", printable(report.models.a.labels[clash.a]),
+                     printable(report.models.second().labels[clash.b]), point_in_text(clash.place),
+                     detail_in_text(report, clash));
+}
+
+}  // namespace
+
+void print_clashes_as_text(const ClashReport& report, Console& console) {
+  const ClashModels& models = report.models;
+  console.print(models.two_sets
+                    ? fmt::format("{} against {}", set_in_text(models.a), set_in_text(models.b))
+                    : set_in_text(models.a) + " among each other");
+  console.print(fmt::format(": {} of parts, {} with boxes that meet\n",
+                            counted(models.pairs(), "pair"), with_commas(report.compared)));
+  for (const auto& [what, count] : report.removed) {
+    console.print(fmt::format("removed by {}: {}\n", printable(what), with_commas(count)));
+  }
+  const std::size_t rows = report.rows.size();
+  console.print(fmt::format("{}{} {}{}\n", report.complete() ? "" : "at least ", with_commas(rows),
+                            rows == 1 ? "clash" : "clashes", kinds_in_text(report)));
+  if (report.has_baseline) {
+    console.print(fmt::format(
+        "{} new, {} active, {} resolved since the older list\n",
+        with_commas(count_status(report, ClashStatus::fresh)),
+        with_commas(count_status(report, ClashStatus::active)),
+        report.complete() ? with_commas(report.resolved.size()) : std::string("unknown")));
+  }
+  for (std::size_t k = 0; k < std::min(rows, kRowsInText); ++k) {
+    console.print(row_in_text(report, report.rows[k]));
+  }
+  if (rows > kRowsInText) {
+    console.print(fmt::format("  and {} more; --json or -o FILE lists all\n",
+                              with_commas(rows - kRowsInText)));
+  }
+}
+
+void write_clashes_as_json(const ClashReport& report, bool verified, std::ostream& out) {
+  for (const ClashRow& row : report.rows) {
+    out << json_line(row_as_json(report, row));
+  }
+  for (const ResolvedClash& resolved : report.resolved) {
+    Json row = resolved.row;
+    row["status"] = "resolved";
+    out << json_line(row);
+  }
+  Json totals = totals_as_json(report);
+  if (verified) {
+    totals["verified"] = true;
+  }
+  out << json_line(totals);
+}
+
+void write_clashes_as_csv(const ClashReport& report, std::ostream& out) {
+  out << "class,status,file_a,part_a,id_a,type_a,path_a,file_b,part_b,id_b,type_b,path_b,relation,"
+         "gap_lower,gap_upper,triangle_pairs,x,y,z,x_min,y_min,z_min,x_max,y_max,z_max,key\n";
+  for (const ClashRow& row : report.rows) {
+    out << csv_row(row_as_json(report, row), status_name(row.status));
+  }
+  for (const ResolvedClash& resolved : report.resolved) {
+    out << csv_row(resolved.row, "resolved");
+  }
+}
+
+}  // namespace soms::command

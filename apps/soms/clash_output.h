@@ -1,0 +1,23 @@
+/// \file
+/// A clash list as text, JSON and CSV.
+#pragma once
+
+#include "apps/soms/clash_rows.h"
+
+#include <ostream>
+
+namespace soms::command {
+
+class Console;
+
+/// For people: how many of each kind, and the first rows.
+void print_clashes_as_text(const ClashReport& report, Console& console);
+
+/// One object a clash, and a last one that counts them (soms.clash/1). `verified` adds the key of
+/// this name.
+void write_clashes_as_json(const ClashReport& report, bool verified, std::ostream& out);
+
+/// A head, and a row a clash; those that are resolved come last.
+void write_clashes_as_csv(const ClashReport& report, std::ostream& out);
+
+}  // namespace soms::command

@@ -1,0 +1,195 @@
+#include "apps/soms/clash_rows.h"
+
+#include "soms/base/error.h"
+
+#include "apps/support/text.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <tuple>
+
+namespace soms::command {
+
+namespace {
+
+std::ifstream opened(const std::string& file, const std::string& option) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in || in.peek() == std::ifstream::traits_type::eof()) {
+    if (!in.eof()) {
+      throw Error(ErrorKind::cannot_open, option + " " + file + ": cannot be read",
+                  "give a file that exists and can be read");
+    }
+  }
+  return in;
+}
+
+void trim_end(std::string& line) {
+  while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\t')) {
+    line.pop_back();
+  }
+}
+
+/// The field that begins at `at`, and where the next one begins; nothing where a quote is open.
+std::optional<std::string> field_at(const std::string& line, std::size_t& at) {
+  std::string field;
+  if (at < line.size() && line[at] == '"') {
+    for (++at; at < line.size(); ++at) {
+      if (line[at] != '"') {
+        field += line[at];
+      } else if (at + 1 < line.size() && line[at + 1] == '"') {
+        field += line[++at];
+      } else {
+        ++at;
+        return field;
+      }
+    }
+    return std::nullopt;
+  }
+  while (at < line.size() && line[at] != ',') {
+    field += line[at++];
+  }
+  return field;
+}
+
+std::optional<std::pair<std::string, std::string>> two_patterns(const std::string& line) {
+  std::size_t at = 0;
+  const std::optional<std::string> first = field_at(line, at);
+  if (!first || first->empty() || at >= line.size() || line[at] != ',') {
+    return std::nullopt;
+  }
+  ++at;
+  const std::optional<std::string> second = field_at(line, at);
+  if (!second || second->empty() || at != line.size()) {
+    return std::nullopt;
+  }
+  return std::pair(*first, *second);
+}
+
+bool is_called(const ClashSet& set, std::uint32_t part, const std::string& pattern) {
+  const auto fits = [&](const std::string& name) {
+    return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+  };
+  if (fits(set.labels[part])) {
+    return true;
+  }
+  const std::uint32_t number = set.parts[part].part;
+  if (number == Part::kNoParent) {
+    return false;
+  }
+  const Part& named = set.mesh_of(part).parts[number];
+  return fits(named.name) || (!named.id.empty() && fits(named.id));
+}
+
+}  // namespace
+
+std::string_view clash_name(ClashKind kind) {
+  switch (kind) {
+    case ClashKind::crossing:
+      return "crossing";
+    case ClashKind::inside:
+      return "inside";
+    case ClashKind::same:
+      return "same";
+    case ClashKind::touching:
+      return "touching";
+    case ClashKind::near:
+      return "near";
+    case ClashKind::undecided:
+      break;
+  }
+  return "undecided";
+}
+
+IgnoredPairs::IgnoredPairs(const std::string& file) {
+  std::ifstream in = opened(file, "--ignore-pairs");
+  std::string line;
+  for (std::size_t number = 1; std::getline(in, line); ++number) {
+    trim_end(line);
+    if (line.empty() || line.front() == '#') {
+      continue;
+    }
+    const auto pair = two_patterns(line);
+    if (!pair) {
+      throw Error(
+          ErrorKind::bad_file, fmt::format("{}, line {}: no pair of patterns", file, number),
+          "give two patterns with a comma between, each in quotes if it has a comma itself");
+    }
+    pairs_.push_back(*pair);
+  }
+}
+
+bool IgnoredPairs::match(const ClashModels& models, const Clash& clash) const {
+  const auto fit = [&](const std::string& first, const std::string& second) {
+    return is_called(models.a, clash.a, first) && is_called(models.second(), clash.b, second);
+  };
+  return std::any_of(pairs_.begin(), pairs_.end(), [&](const auto& pair) {
+    return fit(pair.first, pair.second) || fit(pair.second, pair.first);
+  });
+}
+
+ClashBaseline::ClashBaseline(const std::string& file) {
+  std::ifstream in = opened(file, "--baseline");
+  std::string line;
+  bool ended = false;
+  for (std::size_t number = 1; std::getline(in, line); ++number) {
+    const Json row = Json::parse(line, nullptr, false);
+    const bool is_row = row.is_object() && row.value("schema", "") == "soms.clash/1";
+    if (!is_row) {
+      throw Error(ErrorKind::bad_file,
+                  fmt::format("--baseline {}, line {}: no row of a clash list", file, number),
+                  "give what soms clash --json printed");
+    }
+    if (row.contains("key") && row["key"].is_string()) {
+      if (row.value("status", "") != "resolved") {
+        rows_.emplace(row["key"].get<std::string>(), row);
+      }
+    } else {
+      ended = true;
+    }
+  }
+  if (!ended) {
+    throw Error(ErrorKind::bad_file, fmt::format("--baseline {}: the list has no end", file),
+                "give a whole list, with its last line, which counts the clashes");
+  }
+}
+
+void ClashBaseline::compare(const std::set<std::uint64_t>& found, ClashReport& report) const {
+  report.has_baseline = true;
+  for (ClashRow& row : report.rows) {
+    row.status = rows_.contains(key_text(row.key)) ? ClashStatus::active : ClashStatus::fresh;
+  }
+  if (!report.complete()) {
+    return;
+  }
+  std::set<std::string> keys;
+  for (const std::uint64_t key : found) {
+    keys.insert(key_text(key));
+  }
+  for (const auto& [key, row] : rows_) {
+    if (!keys.contains(key)) {
+      report.resolved.push_back({key, row});
+    }
+  }
+}
+
+std::string key_text(std::uint64_t key) {
+  return fmt::format("{:016x}", key);
+}
+
+void sort_rows(const ClashModels& models, std::vector<ClashRow>& rows) {
+  const ClashSet& a = models.a;
+  const ClashSet& b = models.second();
+  const auto place = [&](const ClashRow& row) {
+    const Clash& clash = row.clash;
+    return std::tie(clash.kind, a.labels[clash.a], b.labels[clash.b], a.mesh[clash.a],
+                    b.mesh[clash.b], clash.a, clash.b);
+  };
+  std::sort(rows.begin(), rows.end(),
+            [&](const ClashRow& x, const ClashRow& y) { return place(x) < place(y); });
+}
+
+}  // namespace soms::command

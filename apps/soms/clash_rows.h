@@ -1,0 +1,102 @@
+/// \file
+/// The rows of a clash list: sorted, filtered, and compared with an older list.
+#pragma once
+
+#include "soms/clash/clash.h"
+
+#include "apps/soms/clash_models.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace soms::command {
+
+inline constexpr std::size_t kClashKinds = 6;
+
+/// As in JSON and options: "crossing".
+[[nodiscard]] std::string_view clash_name(ClashKind kind);
+
+/// What an older list says of a clash.
+enum class ClashStatus : unsigned char {
+  unknown,  ///< there is no older list
+  fresh,    ///< the older list does not have it
+  active,   ///< it has
+};
+
+struct ClashRow {
+  Clash clash;
+  std::uint64_t key = 0;
+  ClashStatus status = ClashStatus::unknown;
+};
+
+/// Clashes that an older list has, and this one has not.
+struct ResolvedClash {
+  std::string key;
+  Json row;  ///< of the older list
+};
+
+/// A list as it is written.
+struct ClashReport {
+  const ClashModels& models;
+  std::vector<ClashRow> rows;  ///< by kind, then by the names of the parts
+  std::vector<ResolvedClash> resolved;
+  std::array<std::uint64_t, kClashKinds> by_kind = {};
+  std::vector<std::pair<std::string, std::uint64_t>> removed;  ///< by which option, how many
+  std::uint64_t compared = 0;                                  ///< pairs of parts that were decided
+  std::uint64_t left = 0;  ///< pairs of parts that were not, as time ended or Ctrl-C came
+  bool has_baseline = false;
+  bool interrupted = false;
+  bool timed_out = false;
+  Cost cost = {};
+
+  [[nodiscard]] bool complete() const { return left == 0; }
+};
+
+/// Pairs of parts that somebody does not want to see.
+class IgnoredPairs {
+ public:
+  /// None.
+  IgnoredPairs() = default;
+
+  /// Lines "PATTERN,PATTERN", in quotes where a name has a comma; empty ones and those that begin
+  /// with # are passed over. Patterns are those of shells: * ? [a-z].
+  /// \errors ErrorKind::cannot_open; bad_file, with the line.
+  explicit IgnoredPairs(const std::string& file);
+
+  /// True if a line has a pattern for each of the two, in either order: for the path of its names,
+  /// its last name, or its id.
+  [[nodiscard]] bool match(const ClashModels& models, const Clash& clash) const;
+
+ private:
+  std::vector<std::pair<std::string, std::string>> pairs_;
+};
+
+/// Older lists, by their keys.
+class ClashBaseline {
+ public:
+  /// Reads what `clash --json` printed, or wrote to a .json file.
+  /// \errors ErrorKind::cannot_open; bad_file, with the line.
+  explicit ClashBaseline(const std::string& file);
+
+  /// Gives each row its status, and adds what is resolved: of a list that is complete, the clashes
+  /// that it has not. `found` are the keys of all clashes, those that were removed, too.
+  void compare(const std::set<std::uint64_t>& found, ClashReport& report) const;
+
+ private:
+  std::map<std::string, Json> rows_;
+};
+
+/// A key as text: 16 hexadecimal digits.
+[[nodiscard]] std::string key_text(std::uint64_t key);
+
+/// Sorts rows by kind, then by the paths of names, files and numbers of the parts.
+void sort_rows(const ClashModels& models, std::vector<ClashRow>& rows);
+
+}  // namespace soms::command

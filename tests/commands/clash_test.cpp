@@ -1,0 +1,320 @@
+#include "tests/commands/run.h"
+#include "tests/support/support.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace soms::test {
+namespace {
+
+std::string clash_data(const std::string& name) {
+  return data("clash/" + name).string();
+}
+
+/// Runs `clash` on the special cases, one set against the other.
+RunResult special(std::vector<std::string> words) {
+  words.insert(words.begin(),
+               {"clash", clash_data("special.obj"), "--against", clash_data("special_b.obj")});
+  return soms_run(words);
+}
+
+/// Rows of a list and its last line.
+struct ClashLines {
+  std::vector<Json> rows;
+  Json totals;
+};
+
+ClashLines lines_of(const std::string& text) {
+  ClashLines lines{json_lines(text), {}};
+  lines.totals = lines.rows.back();
+  lines.rows.pop_back();
+  return lines;
+}
+
+/// "Slab - In slab: inside", in the order of the list.
+std::vector<std::string> in_short(const ClashLines& lines) {
+  std::vector<std::string> rows;
+  for (const Json& row : lines.rows) {
+    rows.push_back(row.at("a").at("part").get<std::string>() + " - " +
+                   row.at("b").at("part").get<std::string>() + ": " +
+                   row.at("class").get<std::string>());
+  }
+  return rows;
+}
+
+TEST(ClashVerb, ListsEveryClass) {
+  const RunResult result = special({"--within", "0.01", "--json", "--verify"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const ClashLines lines = lines_of(result.out);
+  EXPECT_EQ(in_short(lines),
+            (std::vector<std::string>{"Slab - Crosses slab: crossing", "Slab - In slab: inside",
+                                      "Twin - Twin again: same", "Slab - Stands on slab: touching",
+                                      "Post - Near post: near"}));
+  EXPECT_EQ(lines.totals.at("verified"), true);
+  EXPECT_EQ(lines.totals.at("pairs"), 5);
+  EXPECT_EQ(lines.totals.at("pairs_of_parts"), 18);
+  EXPECT_EQ(lines.totals.at("by_class").at("touching"), 1);
+  EXPECT_EQ(lines.totals.at("coverage"), "complete");
+}
+
+TEST(ClashVerb, AnswersInTheSchema) {
+  const ClashLines lines = lines_of(special({"--within", "0.01", "--json"}).out);
+  for (const Json& row : lines.rows) {
+    EXPECT_EQ(row.at("schema"), "soms.clash/1");
+    EXPECT_EQ(row.at("key").get<std::string>().size(), 16U);
+    EXPECT_EQ(row.at("place").size(), 3U);
+    EXPECT_EQ(row.at("box").size(), 2U);
+    EXPECT_EQ(row.at("a").at("path"), Json::array({row.at("a").at("part")}));
+    EXPECT_TRUE(row.at("a").at("id").is_null());
+    EXPECT_FALSE(row.contains("status"));
+  }
+  EXPECT_EQ(lines.rows[1].at("relation"), "b_in_a");
+  EXPECT_EQ(lines.rows[4].at("gap"), Json::array({31.001 - 31, 31.001 - 31}));
+  EXPECT_EQ(lines.rows[3].at("gap"), Json::array({0.0, 0.0}));
+}
+
+TEST(ClashVerb, SaysItInWords) {
+  const RunResult result = special({"--within", "0.01"});
+  EXPECT_NE(result.out.find("5 clashes: 1 crossing, 1 inside, 1 same, 1 touching, 1 near\n"),
+            std::string::npos)
+      << result.out;
+  EXPECT_NE(result.out.find("Slab and In slab at "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find(", the second in the first\n"), std::string::npos) << result.out;
+}
+
+TEST(ClashVerb, FindsAllPairsOfABuilding) {
+  const RunResult result = soms_run({"clash", clash_data("structure.obj"), "--against",
+                                     clash_data("services.gltf"), "--json", "--threads", "2"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const ClashLines lines = lines_of(result.out);
+  EXPECT_EQ(std::count_if(lines.rows.begin(), lines.rows.end(),
+                          [](const Json& row) { return row.at("triangle_pairs") > 0; }),
+            260);
+  EXPECT_EQ(lines.totals.at("parts"), Json::array({166, 72}));
+  EXPECT_NE(result.err.find("rotated to z"), std::string::npos) << result.err;
+  std::set<std::string> keys;
+  for (const Json& row : lines.rows) {
+    keys.insert(row.at("key").get<std::string>());
+  }
+  EXPECT_EQ(keys.size(), lines.rows.size());
+}
+
+TEST(ClashVerb, OfOneSetComparesEachPairOnce) {
+  const std::string walls =
+      "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+      "o b\nv 0.1 0.1 0.1\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n";
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "walls.obj").string();
+  write_text(file, walls);
+  const ClashLines lines = lines_of(soms_run({"clash", file, "--json", "--verify"}).out);
+  EXPECT_EQ(in_short(lines), std::vector<std::string>{"a - b: crossing"});
+  EXPECT_EQ(lines.totals.at("pairs_of_parts"), 1);
+}
+
+TEST(ClashVerb, TakesAFolderForItsModels) {
+  const TemporaryFolder folder;
+  for (const char* const name : {"special.obj", "special_b.obj"}) {
+    std::filesystem::copy_file(clash_data(name), folder.path() / name);
+  }
+  write_text(folder.path() / "readme.txt", "no model");
+  const ClashLines lines = lines_of(soms_run({"clash", folder.path().string(), "--json"}).out);
+  EXPECT_EQ(lines.totals.at("parts"), Json::array({9, 0}));
+  EXPECT_EQ(lines.totals.at("by_class").at("same"), 1);
+  EXPECT_EQ(soms_run({"clash", folder.path().string(), clash_data("special.obj"), "--json"}).status,
+            0);
+  std::filesystem::remove(folder.path() / "special.obj");
+  std::filesystem::remove(folder.path() / "special_b.obj");
+  const RunResult none = soms_run({"clash", folder.path().string()});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("without models"), std::string::npos) << none.err;
+}
+
+TEST(ClashVerb, RefusesAModelThatIsGivenTwice) {
+  const RunResult result =
+      soms_run({"clash", clash_data("special.obj"), "--against", clash_data("special.obj")});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("given twice"), std::string::npos) << result.err;
+}
+
+TEST(ClashVerb, CountsWhatIsIgnored) {
+  const TemporaryFolder folder;
+  const std::string pairs = (folder.path() / "pairs.csv").string();
+  write_text(pairs, "# known\n\nIn*,Sl?b\r\n\"Twin\",\"Twin again\"\n");
+  const RunResult result = special({"--ignore", "touching", "--ignore-pairs", pairs, "--json"});
+  const ClashLines lines = lines_of(result.out);
+  EXPECT_EQ(in_short(lines), std::vector<std::string>{"Slab - Crosses slab: crossing"});
+  EXPECT_EQ(lines.totals.at("removed"), (Json{{"touching", 1}, {"ignore-pairs", 2}}));
+}
+
+TEST(ClashVerb, NamesALineThatIsNoPair) {
+  const TemporaryFolder folder;
+  const std::string pairs = (folder.path() / "pairs.csv").string();
+  write_text(pairs, "Slab,Twin\nSlab\n");
+  const RunResult result = special({"--ignore-pairs", pairs});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_NE(result.err.find("line 2"), std::string::npos) << result.err;
+  EXPECT_EQ(special({"--ignore-pairs", "missing.csv"}).status, 3);
+}
+
+TEST(ClashVerb, ComparesWithAnOlderList) {
+  const TemporaryFolder folder;
+  const std::string old = (folder.path() / "old.json").string();
+  ASSERT_EQ(special({"-o", old, "--ignore", "crossing"}).status, 0);
+  // Without the ignored class one is new; what is removed now is not resolved.
+  const ClashLines lines =
+      lines_of(special({"--baseline", old, "--ignore", "touching", "--json"}).out);
+  std::map<std::string, std::string> status;
+  for (const Json& row : lines.rows) {
+    status[row.at("b").at("part")] = row.at("status");
+  }
+  EXPECT_EQ(status, (std::map<std::string, std::string>{
+                        {"Crosses slab", "new"}, {"In slab", "active"}, {"Twin again", "active"}}));
+  EXPECT_EQ(lines.totals.at("by_status"), (Json{{"new", 1}, {"active", 2}, {"resolved", 0}}));
+  EXPECT_EQ(special({"--baseline", old, "--fail-if", "new"}).status, 1);
+}
+
+TEST(ClashVerb, TellsWhatIsResolved) {
+  const TemporaryFolder folder;
+  const std::string old = (folder.path() / "old.json").string();
+  ASSERT_EQ(special({"-o", old, "--within", "0.01"}).status, 0);
+  const RunResult result = special({"--baseline", old, "--json", "--fail-if", "new"});
+  EXPECT_EQ(result.status, 0);
+  const ClashLines lines = lines_of(result.out);
+  EXPECT_EQ(lines.totals.at("by_status"), (Json{{"new", 0}, {"active", 4}, {"resolved", 1}}));
+  EXPECT_EQ(lines.rows.back().at("status"), "resolved");
+  EXPECT_EQ(lines.rows.back().at("b").at("part"), "Near post");
+  // A list with resolved rows is an older list, too; its resolved rows are not.
+  const std::string second = (folder.path() / "second.json").string();
+  ASSERT_EQ(special({"--baseline", old, "-o", second}).status, 0);
+  EXPECT_EQ(lines_of(special({"--baseline", second, "--json"}).out).totals.at("by_status"),
+            (Json{{"new", 0}, {"active", 4}, {"resolved", 0}}));
+}
+
+TEST(ClashVerb, KeysSurviveRenumbering) {
+  // The parts of special_b.obj in another order, their triangles turned around.
+  const TemporaryFolder folder;
+  const std::string turned = (folder.path() / "turned.obj").string();
+  std::vector<std::string> parts;
+  std::vector<std::string> vertices;
+  std::string text = read_text(clash_data("special_b.obj"));
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = text.find('\n', at);
+    const std::string line = text.substr(at, end - at);
+    at = end + 1;
+    if (line.starts_with("o ")) {
+      parts.emplace_back();
+    }
+    if (line.starts_with("v ")) {
+      vertices.push_back(line);
+      continue;
+    }
+    if (line.starts_with("f ")) {
+      const std::size_t first = line.find(' ', 2);
+      parts.back() += "f" + line.substr(first) + " " + line.substr(2, first - 2) + "\n";
+    } else {
+      parts.back() += line + "\n";
+    }
+  }
+  std::string again;
+  for (const std::string& vertex : vertices) {
+    again += vertex + "\n";
+  }
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+    again += *part;
+  }
+  write_text(turned, again);
+  const auto keys = [&](const std::string& b) {
+    std::map<std::string, Json> found;
+    const std::string out =
+        soms_run({"clash", clash_data("special.obj"), "--against", b, "--within", "0.01", "--json"})
+            .out;
+    for (const Json& row : lines_of(out).rows) {
+      found[row.at("key")] =
+          Json{row.at("class"), row.at("b").at("part"), row.at("gap"), row.at("triangle_pairs")};
+    }
+    return found;
+  };
+  EXPECT_EQ(keys(turned), keys(clash_data("special_b.obj")));
+}
+
+TEST(ClashVerb, WritesEachRowToEachFile) {
+  const TemporaryFolder folder;
+  const std::string csv = (folder.path() / "list.csv").string();
+  const std::string json = (folder.path() / "list.json").string();
+  ASSERT_EQ(special({"--within", "0.01", "-o", csv, "-o", json}).status, 0);
+  const ClashLines lines = lines_of(read_text(json));
+  const auto rows = read_csv(csv);
+  ASSERT_EQ(rows.size(), 1 + lines.rows.size());
+  for (std::size_t k = 0; k < lines.rows.size(); ++k) {
+    ASSERT_EQ(rows[k + 1].size(), rows[0].size());
+    EXPECT_EQ(rows[k + 1].front(), lines.rows[k].at("class"));
+    EXPECT_EQ(rows[k + 1].back(), lines.rows[k].at("key"));
+    EXPECT_EQ(rows[k + 1][3], lines.rows[k].at("a").at("part"));
+    EXPECT_EQ(rows[k + 1][8], lines.rows[k].at("b").at("part"));
+  }
+  EXPECT_EQ(special({"-o", (folder.path() / "list.txt").string()}).status, 2);
+}
+
+TEST(ClashVerb, NamesWhereAPartIsOpen) {
+  const TemporaryFolder folder;
+  const std::string open = (folder.path() / "open.off").string();
+  write_text(open, triangle_off("0.25 0.25 0.25", "0.5 0.25 0.25", "0.25 0.5 0.25"));
+  const RunResult result = soms_run({"clash", box(), "--against", open, "--json"});
+  const ClashLines lines = lines_of(result.out);
+  ASSERT_EQ(lines.rows.size(), 1U);
+  const Json& row = lines.rows[0];
+  EXPECT_EQ(row.at("class"), "undecided");
+  EXPECT_EQ(row.at("why"), "open");
+  EXPECT_EQ(row.at("open"), Json::array({"b"}));
+  EXPECT_EQ(row.at("b").at("odd_edges"), 3);
+  EXPECT_EQ(row.at("b").at("open_at").size(), 3U);
+  EXPECT_EQ(row.at("gap"), Json::array({0.5, 0.5}));
+  EXPECT_NE(soms_run({"clash", box(), "--against", open}).out.find("the second is open at 3 edges"),
+            std::string::npos);
+}
+
+TEST(ClashVerb, RefusesWhatIsNoDistance) {
+  for (const char* const within : {"nan", "-1", "inf", "x"}) {
+    EXPECT_EQ(special({"--within", within}).status, 2) << within;
+  }
+  EXPECT_EQ(special({"--ignore", "soft"}).status, 2);
+  EXPECT_EQ(special({"--fail-if", "new"}).status, 2);
+}
+
+TEST(ClashVerb, FailsOnRequest) {
+  EXPECT_EQ(special({"--fail-if", "clash"}).status, 1);
+  EXPECT_EQ(special({"--fail-if", "hard"}).status, 1);
+  EXPECT_EQ(special({"--fail-if", "hard", "--ignore", "crossing", "--ignore", "inside", "--ignore",
+                     "same"})
+                .status,
+            0);
+}
+
+TEST(ClashVerb, SaysWhatTimeLeftUndecided) {
+  const RunResult result = run_with_time(
+      [](const std::string& seconds) {
+        return special({"--json", "--timeout", seconds});
+      },
+      [](const RunResult& run) { return run.status == 0; });
+  ASSERT_EQ(result.status, 0) << result.err;
+  const ClashLines lines = lines_of(result.out);
+  EXPECT_TRUE(lines.totals.at("coverage") == "complete" || lines.totals.at("coverage") == "cut");
+}
+
+TEST(ClashVerb, WarnsWhereSetsAreFarApart) {
+  const RunResult result = soms_run({"clash", clash_data("structure.obj"), "--against",
+                                     clash_data("services.gltf"), "--up-b", "z", "--json"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.err.find("apart"), std::string::npos) << result.err;
+  EXPECT_EQ(soms_run({"clash", clash_data("structure.obj"), "--against",
+                      clash_data("services.gltf"), "--up-b", "z", "--strict"})
+                .status,
+            3);
+}
+
+}  // namespace
+}  // namespace soms::test
