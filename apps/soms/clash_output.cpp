@@ -116,7 +116,8 @@ std::string side_fields(const Json& side) {
   std::string path;
   if (side.contains("path") && side["path"].is_array()) {
     for (const Json& step : side["path"]) {
-      path += (path.empty() ? "" : "/") + (step.is_string() ? step.get<std::string>() : "");
+      path.append(path.empty() ? "" : "/");
+      path.append(step.is_string() ? step.get<std::string>() : std::string());
     }
   }
   return fmt::format("{},{},{},{},{}", text("file"), text("part"), text("id"), text("type"),

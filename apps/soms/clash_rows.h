@@ -45,12 +45,12 @@ struct ResolvedClash {
 /// A list as it is written.
 struct ClashReport {
   const ClashModels& models;
-  std::vector<ClashRow> rows;  ///< by kind, then by the names of the parts
-  std::vector<ResolvedClash> resolved;
+  std::vector<ClashRow> rows = {};  ///< by kind, then by the names of the parts
+  std::vector<ResolvedClash> resolved = {};
   std::array<std::uint64_t, kClashKinds> by_kind = {};
-  std::vector<std::pair<std::string, std::uint64_t>> removed;  ///< by which option, how many
-  std::uint64_t compared = 0;                                  ///< pairs of parts that were decided
-  std::uint64_t left = 0;  ///< pairs of parts that were not, as time ended or Ctrl-C came
+  std::vector<std::pair<std::string, std::uint64_t>> removed = {};  ///< by which option, how many
+  std::uint64_t compared = 0;  ///< pairs of parts that were decided
+  std::uint64_t left = 0;      ///< pairs of parts that were not, as time ended or Ctrl-C came
   bool has_baseline = false;
   bool interrupted = false;
   bool timed_out = false;

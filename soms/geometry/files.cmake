@@ -12,6 +12,7 @@ set(SOMS_HEADERS
   parts_of.h
   point_distance.h
   polygon.h
+  polygon_holes.h
   print.h
   triangle_distance.h
   triangle_overlap.h
@@ -30,6 +31,7 @@ set(SOMS_SOURCES
   detail/exact_distance.cpp
   detail/exact_point.cpp
   detail/exact_ray.cpp
+  detail/newell.cpp
   detail/ray_plane.cpp
   detail/feature_proof.cpp
   detail/flat_overlap.cpp
@@ -51,6 +53,7 @@ set(SOMS_SOURCES
   parts_of.cpp
   point_distance.cpp
   polygon.cpp
+  polygon_holes.cpp
   print.cpp
   triangle_distance.cpp
   triangle_overlap.cpp

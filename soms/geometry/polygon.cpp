@@ -1,9 +1,9 @@
 #include "soms/geometry/polygon.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/geometry/detail/newell.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace soms {
@@ -16,43 +16,14 @@ constexpr std::uint32_t kClipsPerCheck = 64;
 /// Nor may the search for one ear look at all corners for each: so many are tried between checks.
 constexpr std::uint32_t kCornersPerCheck = 64;
 
-/// Newell normal of the corners relative to the first, scaled by a power of two so that products
-/// neither overflow nor vanish.
-Vec3 newell_normal(std::span<const Vec3> corners) {
-  double reach = 0;
-  for (const Vec3& p : corners) {
-    const Vec3 d = p - corners[0];
-    reach = std::max({reach, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-  }
-  if (reach == 0) {
-    return {};
-  }
-  const int exponent = -std::ilogb(reach);
-  const auto relative = [&](const Vec3& p) {
-    const Vec3 d = p - corners[0];
-    return Vec3{std::ldexp(d.x, exponent), std::ldexp(d.y, exponent), std::ldexp(d.z, exponent)};
-  };
-  Vec3 sum;
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    sum += cross(relative(corners[i]), relative(corners[i + 1]));
-  }
-  return sum;
-}
-
 }  // namespace
 
 void PolygonTriangulator::choose_plane() {
-  const Vec3 normal = newell_normal(corners_);
-  std::size_t axis = 2;
-  for (const std::size_t other : {std::size_t{0}, std::size_t{1}}) {
-    if (std::abs(normal[other]) > std::abs(normal[axis])) {
-      axis = other;
-    }
-  }
-  plane_ = axis == 2 ? Projection::xy : axis == 0 ? Projection::yz : Projection::zx;
-  first_axis_ = (axis + 1) % 3;
-  second_axis_ = (axis + 2) % 3;
-  reversed_ = normal[axis] < 0;
+  const detail::PolygonPlane plane = detail::polygon_plane(corners_);
+  plane_ = plane.projection;
+  first_axis_ = plane.first_axis;
+  second_axis_ = plane.second_axis;
+  reversed_ = plane.reversed;
 }
 
 /// Turn of three corners, positive where it is the way of the normal.

@@ -10,6 +10,8 @@ set(SOMS_HEADERS
 set(SOMS_SOURCES
   detail/affine.cpp
   detail/base64.cpp
+  detail/cityjson.cpp
+  detail/cityjson_geometry.cpp
   detail/collada.cpp
   detail/collada_document.cpp
   detail/collada_geometry.cpp
@@ -21,11 +23,11 @@ set(SOMS_SOURCES
   detail/gltf.cpp
   detail/gltf_accessor.cpp
   detail/gltf_buffers.cpp
-  detail/gltf_json.cpp
   detail/gltf_meshes.cpp
   detail/gltf_scene.cpp
   detail/import.cpp
   detail/import_child.cpp
+  detail/json_document.cpp
   detail/left_out.cpp
   detail/line_reader.cpp
   detail/links.cpp

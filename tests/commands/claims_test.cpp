@@ -4,8 +4,12 @@
 #include "tests/support/slow_build.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <map>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace soms::test {
 namespace {
@@ -83,23 +87,47 @@ std::string verdict_on_page(const std::string& page, const std::string& id) {
   return row == std::string::npos ? "" : page.substr(begin, page.find("</span>", begin) - begin);
 }
 
-TEST(Claims, VerdictOfEachFollowsFromItsCsvByTheRule) {
-  SOMS_SKIP_IN_SLOW_BUILDS();
-  const TemporaryFolder folder;
-  std::vector<std::string> words{"reproduce", "--quick", "--item",
-                                 "claims",    "-o",      folder.path().string()};
-  if (const auto models = outside_data("")) {
-    words.insert(words.end(), {"--models", models->string()});
+/// One run of claims, as each takes its time, for all that is checked of it.
+class Claims : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    if (kSlowBuild) {
+      return;
+    }
+    folder_.emplace();
+    std::vector<std::string> words{"reproduce",
+                                   "--quick",
+                                   "--item",
+                                   "claim-models,claim-fallback,claim-single-leaves,"
+                                   "claim-26-percent,claim-balance,claim-level-7",
+                                   "-o",
+                                   folder().string()};
+    if (const auto models = outside_data("")) {
+      words.insert(words.end(), {"--models", models->string()});
+    }
+    const RunResult result = soms_run(words);
+    ASSERT_EQ(result.status, 0) << result.err;
   }
-  const RunResult result = soms_run(words);
-  ASSERT_EQ(result.status, 0) << result.err;
-  const Json run = Json::parse(read_text(folder.path() / "run.json"));
-  const std::string page = read_text(folder.path() / "index.html");
+
+  static void TearDownTestSuite() { folder_.reset(); }
+
+  [[nodiscard]] static const std::filesystem::path& folder() { return folder_->path(); }
+
+  [[nodiscard]] static Json run() { return Json::parse(read_text(folder() / "run.json")); }
+
+ private:
+  static inline std::optional<TemporaryFolder> folder_;
+};
+
+TEST_F(Claims, VerdictOfEachFollowsFromItsCsvByTheRule) {
+  SOMS_SKIP_IN_SLOW_BUILDS();
+  const Json run_file = run();
+  const std::string page = read_text(folder() / "index.html");
   int claims = 0;
-  for (const Json& item : run.at("items")) {
+  for (const Json& item : run_file.at("items")) {
     for (const Json& claim : item.at("claims")) {
       const std::string id = claim.at("id");
-      const Tally tally = tally_of(folder.path() / std::string(claim.at("matrix")));
+      const Tally tally = tally_of(folder() / std::string(claim.at("matrix")));
       EXPECT_EQ(claim.at("verdict"), verdict_by_the_rule(tally)) << id;
       EXPECT_EQ(verdict_on_page(page, id), verdict_by_the_rule(tally)) << id;
       EXPECT_EQ(claim.at("verdict") == "cannot be checked",
@@ -110,19 +138,12 @@ TEST(Claims, VerdictOfEachFollowsFromItsCsvByTheRule) {
   EXPECT_GE(claims, 2);
 }
 
-TEST(Claims, VerdictsInTheDocumentationAreThoseOfARun) {
+TEST_F(Claims, VerdictsInTheDocumentationAreThoseOfARun) {
   SOMS_NEEDS_OUTSIDE_DATA("the verdicts in docs/reproduce.md: they need the bunny");
   SOMS_SKIP_IN_SLOW_BUILDS();
-  const TemporaryFolder folder;
-  const RunResult result =
-      soms_run({"reproduce", "--quick", "--item",
-                "claim-models,claim-fallback,claim-single-leaves,claim-26-percent,claim-balance,"
-                "claim-level-7",
-                "--models", outside_data("")->string(), "-o", folder.path().string()});
-  ASSERT_EQ(result.status, 0) << result.err;
   const std::string page = read_text(std::string(SOMS_DOCS) + "/reproduce.md");
-  const Json run = Json::parse(read_text(folder.path() / "run.json"));
-  for (const Json& item : run.at("items")) {
+  const Json run_file = run();
+  for (const Json& item : run_file.at("items")) {
     for (const Json& claim : item.at("claims")) {
       const std::string row =
           "| " + std::string(claim.at("claim")) + " | " + std::string(claim.at("verdict")) + " | ";

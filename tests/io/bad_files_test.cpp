@@ -102,7 +102,7 @@ TEST(BadFiles, EndInTypedErrorsOrTheMeshThatIsAllowed) {
       }
     }
   }
-  EXPECT_EQ(tried, 263);
+  EXPECT_EQ(tried, 302);
 }
 
 TEST(BadFiles, OfFormatsThatAreNotReadNameTheFormatsThatAre) {

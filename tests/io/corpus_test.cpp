@@ -103,7 +103,9 @@ TEST(Corpus, OneMeshInEveryEncodingIsReadToTheSameTriangles) {
                                                {"3ds", 4},
                                                {"dae", 12},
                                                {"glb", 7},
-                                               {"ltf", 10}}));
+                                               {"ltf", 10},
+                                               {"son", 1},
+                                               {"onl", 1}}));
 }
 
 TEST(Corpus, HardGeometryIsReadWhole) {

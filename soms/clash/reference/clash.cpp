@@ -40,9 +40,6 @@ std::optional<Clash> clash_by_brute_force(const PartBody& a, const PartBody& b,
   const Overlap met = overlap(a.body.shape.mesh(), a.body.pose, b.body.shape.mesh(), b.body.pose,
                               {.stop = parallel.stop});
   clash.triangle_pairs = met.pairs.size();
-  if (!met.any) {
-    clash.gap = distance_by_brute_force(a.body, b.body, {.stop = parallel.stop}).distance;
-  }
   const bool closed = a.closed && b.closed;
   if (closed) {
     clash.relation = solid_by_brute_force(a.body, b.body, {.stop = parallel.stop}).relation;
@@ -59,6 +56,9 @@ std::optional<Clash> clash_by_brute_force(const PartBody& a, const PartBody& b,
     clash.kind = kind_by_relation(clash.relation);
   } else {
     clash.why = Undecided::open;
+  }
+  if (!met.any) {
+    clash.gap = distance_by_brute_force(a.body, b.body, {.stop = parallel.stop}).distance;
   }
   return clash;
 }

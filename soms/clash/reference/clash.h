@@ -16,7 +16,8 @@ namespace soms::reference {
 /// are by default: by `solid_by_brute_force`, `overlap` and `distance_by_brute_force`. Nothing
 /// where they are clear of each other. Numbers of parts are 0.
 /// \errors ErrorKind::cancelled.
-/// \cost O(n m) for n and m triangles.
+/// \cost O(n m) for n and m triangles; where surfaces do not meet, and a gap or a side is wanted, a
+/// good deal more for each pair of triangles.
 [[nodiscard]] std::optional<Clash> clash_by_brute_force(const PartBody& a, const PartBody& b,
                                                         std::optional<double> within,
                                                         const Parallel& parallel = {});

@@ -1,5 +1,6 @@
 #include "soms/io/detail/format.h"
 
+#include "soms/io/detail/cityjson.h"
 #include "soms/io/detail/collada.h"
 #include "soms/io/detail/file_extension.h"
 #include "soms/io/detail/gltf.h"
@@ -30,6 +31,7 @@ constexpr auto kFormats = std::to_array<ReadFormat>({
     {"OFF", ".off", is_off, read_off},
     {"OBJ", ".obj", is_obj, read_obj},
     {"GLB", ".glb", is_glb, read_glb, true},
+    {"CityJSON", ".json", is_cityjson, read_cityjson},
     {"glTF", ".gltf", is_gltf, read_gltf},
 #ifdef SOMS_USE_PUGIXML
     {"COLLADA", ".dae", is_collada, read_collada},

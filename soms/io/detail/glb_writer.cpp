@@ -5,7 +5,7 @@
 #include "soms/base/portable.h"
 #include "soms/geometry/part_runs.h"
 #include "soms/io/detail/gltf.h"
-#include "soms/io/detail/gltf_json.h"
+#include "soms/io/detail/json_document.h"
 
 #include <algorithm>
 #include <array>

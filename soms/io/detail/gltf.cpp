@@ -3,7 +3,7 @@
 #include "soms/geometry/counts.h"
 #include "soms/io/detail/gltf_accessor.h"
 #include "soms/io/detail/gltf_buffers.h"
-#include "soms/io/detail/gltf_json.h"
+#include "soms/io/detail/json_document.h"
 #include "soms/io/detail/gltf_meshes.h"
 #include "soms/io/detail/gltf_scene.h"
 #include "soms/io/detail/left_out.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "soms/io/detail/file.h"
-#include "soms/io/detail/gltf_json.h"
+#include "soms/io/detail/json_document.h"
 #include "soms/io/detail/left_out.h"
 
 #include <cstddef>

@@ -56,6 +56,27 @@ void MeshBuilder::add_face(std::span<const std::uint32_t> corners) {
   source_.budget.give_back(extra);
 }
 
+void MeshBuilder::add_face(std::span<const std::uint32_t> corners,
+                           std::span<const std::size_t> ends) {
+  if (ends.size() < 2) {
+    add_face(corners);
+    return;
+  }
+  const std::uint64_t extra = kBytesPerCorner * corners.size();
+  take(extra);
+  corners_.clear();
+  for (const std::uint32_t v : corners) {
+    corners_.push_back(mesh_.vertices[v]);
+  }
+  joined_.clear();
+  for (const std::uint32_t i : hole_joiner_.join(corners_, ends, source_.parallel)) {
+    joined_.push_back(corners[i]);
+  }
+  lost_holes_.add([&] { return "at face " + std::to_string(face_); }, hole_joiner_.left_out());
+  add_face(joined_);
+  source_.budget.give_back(extra);
+}
+
 void MeshBuilder::add_instance(const Mesh& mesh, std::uint32_t first, std::uint32_t faces,
                                bool turned) {
   if (face_ + std::uint64_t{faces} > kMaxPrimitives) {
@@ -142,6 +163,7 @@ Mesh MeshBuilder::finish() {
     close_part();
   }
   note(thin_faces_, kThinFaces);
+  note(lost_holes_, "holes that cross their outline or lie outside of it, not cut out");
   if (mesh_.triangles.empty() && !source_.allow_empty) {
     source_.fail(ErrorKind::empty_mesh,
                  "no triangles (" + std::to_string(mesh_.vertices.size()) + " vertices" +

@@ -4,6 +4,7 @@
 
 #include "soms/geometry/mesh.h"
 #include "soms/geometry/polygon.h"
+#include "soms/geometry/polygon_holes.h"
 #include "soms/io/detail/left_out.h"
 #include "soms/io/detail/source.h"
 
@@ -44,6 +45,11 @@ class MeshBuilder {
   /// noted in the mesh.
   /// \errors ErrorKind::out_of_memory, out_of_range.
   void add_face(std::span<const std::uint32_t> corners);
+
+  /// A face with holes: the corners of its outline, then those of each hole, with `ends` behind the
+  /// last of each. Holes that lie outside of it or cross it are left out, which is noted.
+  /// \errors As `add_face`.
+  void add_face(std::span<const std::uint32_t> corners, std::span<const std::size_t> ends);
 
   /// The triangles of `mesh` once more, on vertices from `first` on and in faces of their own, as
   /// many as `faces`; `turned` ones go around the other way.
@@ -128,10 +134,13 @@ class MeshBuilder {
   Source& source_;
   Mesh mesh_;
   PolygonTriangulator triangulator_;
+  HoleJoiner hole_joiner_;
+  std::vector<std::uint32_t> joined_;
   std::vector<Vec3> corners_;
   std::vector<std::uint32_t> open_parts_;  ///< from the outermost to the innermost
   std::uint32_t face_ = 0;
   LeftOut thin_faces_;
+  LeftOut lost_holes_;
   bool mapped_ = false;
 };
 

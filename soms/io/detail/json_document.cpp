@@ -1,4 +1,4 @@
-#include "soms/io/detail/gltf_json.h"
+#include "soms/io/detail/json_document.h"
 
 #include "soms/geometry/counts.h"
 
@@ -154,8 +154,10 @@ struct JsonDocument::Root {
   json value;
 };
 
-JsonDocument::JsonDocument(Source& source, std::string_view text, std::size_t offset, bool binary)
-    : source_(source), root_(std::make_unique<Root>()) {
+JsonDocument::JsonDocument(Source& source, std::string_view text, std::size_t offset, bool binary,
+                           std::string where)
+    : source_(source), where_(std::move(where)), root_(std::make_unique<Root>()) {
+  const std::uint64_t left_before = source.budget.left();
   const auto fail = [&](std::size_t at, ErrorKind kind, const std::string& what) {
     if (binary) {
       source.fail_byte(offset + at, kind, what, std::string(kRepair));
@@ -189,9 +191,12 @@ JsonDocument::JsonDocument(Source& source, std::string_view text, std::size_t of
                                                : "this is not valid JSON");
   }
   source.budget.give_back(bytes_needed);
+  taken_ = left_before - source.budget.left();
 }
 
-JsonDocument::~JsonDocument() = default;
+JsonDocument::~JsonDocument() {
+  source_.budget.give_back(taken_);
+}
 
 JsonValue JsonDocument::root() const {
   return {*this, &root_->value};
@@ -256,6 +261,29 @@ std::optional<std::string_view> JsonValue::first_name() const {
     return std::nullopt;
   }
   return value.begin().key();
+}
+
+std::vector<std::pair<std::string_view, JsonValue>> JsonValue::members() const {
+  const json& value = known(value_);
+  if (!value.is_object()) {
+    fail("expected an object");
+  }
+  std::vector<std::pair<std::string_view, JsonValue>> members;
+  members.reserve(value.size());
+  for (auto member = value.begin(); member != value.end(); ++member) {
+    members.emplace_back(member.key(), JsonValue(*document_, &*member));
+  }
+  return members;
+}
+
+bool JsonValue::is_list() const {
+  return known(value_).is_array();
+}
+
+std::string JsonValue::as_text() const {
+  const json& value = known(value_);
+  return value.is_string() ? value.get<std::string>()
+                           : value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 JsonValue JsonValue::at(std::string_view key) const {
@@ -327,9 +355,11 @@ std::string JsonValue::path() const {
 }
 
 void JsonValue::fail(ErrorKind kind, const std::string& what, const std::string& remedy) const {
-  const std::string place = path();
-  throw Error(kind, document_->source().name + (place.empty() ? "" : ", " + place) + ": " + what,
-              remedy);
+  std::string place = document_->source().name;
+  for (const std::string& part : {document_->where(), path()}) {
+    place += part.empty() ? "" : ", " + part;
+  }
+  throw Error(kind, place + ": " + what, remedy);
 }
 
 void JsonValue::fail(const std::string& what) const {

@@ -1,5 +1,5 @@
 /// \file
-/// The JSON of a glTF file: parsed within limits, and read with errors that name a place as
+/// JSON of a model file, parsed within limits, and read with errors that name a place as
 /// `meshes[0].primitives[1].indices`.
 #pragma once
 
@@ -11,6 +11,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace soms::detail {
 
@@ -35,6 +37,14 @@ class JsonValue {
 
   /// The name of an object's first member, if it has any. \errors ErrorKind::bad_file: no object.
   [[nodiscard]] std::optional<std::string_view> first_name() const;
+
+  /// The members of an object, sorted by name. \errors ErrorKind::bad_file: no object.
+  [[nodiscard]] std::vector<std::pair<std::string_view, JsonValue>> members() const;
+
+  [[nodiscard]] bool is_list() const;
+
+  /// A text as it is, anything else as JSON.
+  [[nodiscard]] std::string as_text() const;
 
   /// Length of a list. \errors ErrorKind::bad_file: no list.
   [[nodiscard]] std::size_t size() const;
@@ -77,13 +87,18 @@ class JsonDocument {
   /// Parses `text`, which begins at byte `offset` of the file. Places are lines, or bytes where the
   /// file is binary.
   /// \errors ErrorKind::bad_file (no JSON, a name that stands twice in an object), not_finite (a
-  /// number beyond a double), out_of_memory, cancelled.
-  JsonDocument(Source& source, std::string_view text, std::size_t offset, bool binary);
+  /// number beyond a double), out_of_memory, cancelled. `where` ("line 3") stands before the paths
+  /// of a document that is one of several in its file.
+  JsonDocument(Source& source, std::string_view text, std::size_t offset, bool binary,
+               std::string where = {});
   ~JsonDocument();
   JsonDocument(const JsonDocument&) = delete;
   JsonDocument& operator=(const JsonDocument&) = delete;
 
   [[nodiscard]] const Source& source() const { return source_; }
+
+  /// Of its values in the file; empty if there is no other document.
+  [[nodiscard]] const std::string& where() const { return where_; }
 
   [[nodiscard]] JsonValue root() const;
 
@@ -94,7 +109,9 @@ class JsonDocument {
   struct Root;
 
   Source& source_;
+  std::string where_;
   std::unique_ptr<Root> root_;
+  std::uint64_t taken_ = 0;  ///< of the source's memory
 };
 
 /// A text as it stands in JSON, in ASCII, with its quotes; what is no UTF-8 becomes U+FFFD.

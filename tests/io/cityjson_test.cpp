@@ -1,0 +1,228 @@
+// CityJSON: documents made on the spot, each with one thing that matters.
+#include "soms/geometry/closedness.h"
+#include "soms/io/read_mesh.h"
+
+#include "tests/io/files.h"
+#include "tests/support/support.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace soms::test {
+namespace {
+
+/// Members of a document of version 2.0, as text.
+std::string city(const std::string& objects, const std::string& vertices,
+                 const std::string& more = {}) {
+  return R"({"type":"CityJSON","version":"2.0","transform":{"scale":[1,1,1],"translate":[0,0,0]},)" +
+         std::string(R"("CityObjects":{)") + objects + R"(},"vertices":[)" + vertices + "]" + more +
+         "}";
+}
+
+constexpr const char* kCube = "[0,0,0],[2,0,0],[2,2,0],[0,2,0],[0,0,2],[2,0,2],[2,2,2],[0,2,2]";
+constexpr const char* kCubeSurfaces =
+    "[[0,3,2,1]],[[4,5,6,7]],[[0,1,5,4]],[[1,2,6,5]],[[2,3,7,6]],[[3,0,4,7]]";
+
+std::string solid(const std::string& lod = "1") {
+  return R"({"type":"Solid","lod":")" + lod + R"(","boundaries":[[)" + kCubeSurfaces + "]]}";
+}
+
+std::string object(const std::string& key, const std::string& geometry,
+                   const std::string& more = {}) {
+  return "\"" + key + R"(":{"type":"Building","geometry":[)" + geometry + "]" + more + "}";
+}
+
+Mesh read_city(const std::string& text, const std::string& name = "a.city.json") {
+  return read_text(text, name);
+}
+
+TEST(CityJson, HasAPartForEachObject) {
+  const Mesh mesh = read_city(
+      city(object("b", solid(), R"(,"attributes":{"height":7.5,"roof":"flat","flat":true})") + "," +
+               object("a", solid()),
+           kCube));
+  ASSERT_EQ(mesh.parts.size(), 2U);
+  EXPECT_EQ(mesh.triangles.size(), 24U);
+  EXPECT_EQ(mesh.parts[0].id, "a");
+  EXPECT_EQ(mesh.parts[1].name, "b");
+  EXPECT_EQ(mesh.parts[1].type, "Building");
+  EXPECT_EQ(mesh.parts[1].attributes,
+            (std::vector<Attribute>{{"flat", "true"}, {"height", "7.5"}, {"roof", "flat"}}));
+  EXPECT_EQ(mesh.up, UpAxis::z);
+  EXPECT_TRUE(closedness(mesh).whole.closed);
+  EXPECT_TRUE(mesh.notes.empty());
+}
+
+TEST(CityJson, ScalesAndMovesVerticesInDouble) {
+  std::string text = city(object("a", solid()), kCube);
+  text.replace(text.find("[1,1,1]"), 7, "[0.001,0.01,1]");
+  text.replace(text.find("[0,0,0]"), 7, "[84616.468,447422.999,-0.452]");
+  const Mesh mesh = read_city(text);
+  EXPECT_EQ(mesh.vertices[6], (Vec3{2 * 0.001 + 84616.468, 2 * 0.01 + 447422.999, 2 - 0.452}));
+}
+
+TEST(CityJson, ReadsTheMostDetailedGeometryAlone) {
+  const std::string coarse = R"({"type":"MultiSurface","lod":"1.3","boundaries":[[[0,1,2,3]]]})";
+  const Mesh mesh = read_city(city(object("a", coarse + "," + solid("2.2")), kCube));
+  EXPECT_EQ(mesh.triangles.size(), 12U);
+  ASSERT_EQ(mesh.notes.size(), 1U);
+  EXPECT_NE(mesh.notes[0].find("another level of detail"), std::string::npos) << mesh.notes[0];
+  // Of equally detailed ones the solid; a number is a level, too.
+  EXPECT_EQ(read_city(city(object("a", R"({"type":"MultiSurface","lod":1,"boundaries":[]},)" +
+                                           solid("1")),
+                           kCube))
+                .triangles.size(),
+            12U);
+}
+
+TEST(CityJson, CutsOutHoles) {
+  const Mesh mesh = read_city(
+      city(object("a", R"({"type":"MultiSurface","lod":"2","boundaries":[[[0,1,2,3],[4,5,6,7]]]})"),
+           "[0,0,0],[9,0,0],[9,9,0],[0,9,0],[3,3,0],[6,3,0],[6,6,0],[3,6,0]"));
+  double area = 0;
+  for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle t = mesh.triangle(i);
+    area += cross(t.b - t.a, t.c - t.a).z / 2;
+  }
+  EXPECT_EQ(area, 72);
+  EXPECT_EQ(mesh.faces, std::vector<std::uint32_t>(8, 0));
+  EXPECT_TRUE(mesh.notes.empty());
+}
+
+TEST(CityJson, NotesHolesThatLieOutside) {
+  const Mesh mesh = read_city(
+      city(object("a", R"({"type":"MultiSurface","lod":"2","boundaries":[[[0,1,2,3],[4,5,6,7]]]})"),
+           "[0,0,0],[9,0,0],[9,9,0],[0,9,0],[33,3,0],[36,3,0],[36,6,0],[33,6,0]"));
+  ASSERT_EQ(mesh.notes.size(), 1U);
+  EXPECT_NE(mesh.notes[0].find("not cut out"), std::string::npos) << mesh.notes[0];
+}
+
+TEST(CityJson, PutsPartsIntoTheirParents) {
+  const Mesh mesh = read_city(city(R"("whole":{"type":"Building","children":["wing","attic"]},)" +
+                                       object("attic", solid(), R"(,"parents":["whole"])") + "," +
+                                       object("wing", solid(), R"(,"parents":["whole"])"),
+                                   kCube));
+  ASSERT_EQ(mesh.parts.size(), 3U);
+  EXPECT_EQ(mesh.parts[0].name, "whole");
+  EXPECT_EQ(mesh.parts[0].count, 24U);
+  EXPECT_EQ(mesh.parts[1].name, "wing");
+  EXPECT_EQ(mesh.parts[1].parent, 0U);
+  EXPECT_EQ(mesh.parts[2].name, "attic");
+  EXPECT_EQ(mesh.parts[2].parent, 0U);
+}
+
+TEST(CityJson, PlacesTemplates) {
+  const std::string instance = R"({"type":"GeometryInstance","template":0,"boundaries":[1],)"
+                               R"("transformationMatrix":[-1,0,0,5,0,1,0,0,0,0,1,0,0,0,0,1]})";
+  const Mesh mesh = read_city(city(object("tree", instance), "[0,0,0],[10,0,0]",
+                                   std::string(R"(,"geometry-templates":{"templates":[)") +
+                                       solid() + R"(],"vertices-templates":[)" + kCube + "]}"));
+  EXPECT_EQ(mesh.triangles.size(), 12U);
+  EXPECT_EQ(bounds(mesh), (Box{{13, 0, 0}, {15, 2, 2}}));
+  // Mirrored, and turned around for it: outward all the same.
+  double volume = 0;
+  for (TriangleId i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle t = mesh.triangle(i);
+    volume += dot(t.a, cross(t.b, t.c)) / 6;
+  }
+  EXPECT_NEAR(volume, 8, 1e-9);
+}
+
+TEST(CityJson, ReadsSequencesLineByLine) {
+  const std::string head =
+      R"({"type":"CityJSON","version":"2.0","transform":{"scale":[2,2,2],"translate":[1,0,0]},)"
+      R"("CityObjects":{},"vertices":[]})";
+  const auto feature = [](const std::string& key) {
+    return R"({"type":"CityJSONFeature","id":")" + key + R"(","CityObjects":{)" +
+           object(key, solid()) + R"(},"vertices":[)" + kCube + "]}";
+  };
+  const Mesh mesh =
+      read_city(head + "\n" + feature("a") + "\r\n\n" + feature("b") + "\n", "a.city.jsonl");
+  ASSERT_EQ(mesh.parts.size(), 2U);
+  EXPECT_EQ(mesh.parts[1].id, "b");
+  EXPECT_EQ(mesh.parts[1].first, 12U);
+  EXPECT_EQ(bounds(mesh), (Box{{1, 0, 0}, {5, 4, 4}}));
+
+  std::string broken = feature("b");
+  broken.replace(broken.find("[4,5,6,7]"), 9, "[4,5,6,99]");
+  expect_refused(head + "\n" + feature("a") + "\n" + broken, "a.city.jsonl", ErrorKind::bad_file,
+                 "line 3, CityObjects.b.geometry[0]");
+  expect_refused(feature("a") + "\n" + head, "a.city.jsonl", ErrorKind::bad_file, "begins the");
+}
+
+TEST(CityJson, RefusesPartsThatGoInCircles) {
+  expect_refused(city(R"("a":{"type":"Building","children":["b"]},)"
+                      R"("b":{"type":"Building","children":["b"],"parents":["a"]})",
+                      ""),
+                 "a.json", ErrorKind::bad_file, "part of itself");
+  expect_refused(city(R"("a":{"type":"Building","parents":["a"]})", ""), "a.json",
+                 ErrorKind::bad_file, "do not have them as children");
+  expect_refused(city(R"("a":{"type":"Building","children":["c"]})", ""), "a.json",
+                 ErrorKind::bad_file, "there is no object \"c\"");
+}
+
+TEST(CityJson, NamesWhatIsWrong) {
+  const auto refused = [&](const std::string& from, const std::string& to, const std::string& words,
+                           ErrorKind kind = ErrorKind::bad_file) {
+    std::string text = city(object("a", solid()), kCube);
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), from.size(), to);
+    expect_refused(text, "a.json", kind, words);
+  };
+  refused("\"2.0\"", "\"3.0\"", "only 1.0, 1.1 and 2.x", ErrorKind::unsupported);
+  refused("[0,3,2,1]", "[0,3,2,8]", "vertex 8");
+  refused("[0,3,2,1]", "[0,3,2,-1]", "whole number");
+  refused("[0,3,2,1]", "[0,3,2,1.5]", "whole number");
+  refused("[0,3,2,1]", "7", "expected a list");
+  refused("[2,2,2]", "[2,2]", "expected three numbers");
+  refused("[2,2,2]", "[2,2,1e300]", "", ErrorKind::out_of_range);
+  refused("\"Solid\"", "\"Blob\"", "no type of geometry");
+  refused("\"scale\":[1,1,1]", "\"scale\":[1,1]", "expected three numbers");
+  refused("\"vertices\"", "\"points\"", "\"vertices\" is missing");
+  refused("\"CityObjects\"", "\"Things\"", "\"CityObjects\" is missing");
+}
+
+TEST(CityJson, IsKnownByItsTypeAlone) {
+  expect_refused(R"({"type":"FeatureCollection","features":[]})", "a.json", ErrorKind::unsupported,
+                 "a JSON file");
+  // glTF that names CityJSON somewhere is glTF.
+  expect_refused(R"({"asset":{"version":"2.0","generator":"CityJSON"}})", "a.gltf",
+                 ErrorKind::empty_mesh, "");
+}
+
+TEST(CityJson, KeepsTheObjectsOfRealCities) {
+  SOMS_NEEDS_OUTSIDE_DATA("three cities");
+
+  struct City {
+    const char* file;
+    std::size_t objects;
+    std::size_t with_surfaces;
+  };
+
+  for (const City& one :
+       {City{"delft.city.json", 570, 570}, City{"rotterdam_delfshaven.city.json", 853, 853},
+        City{"zurich_subset_lod2.city.json", 210, 210}}) {
+    SCOPED_TRACE(one.file);
+    const auto path = outside_data(std::string("cities/original/") + one.file);
+    if (!path || !std::filesystem::exists(*path)) {
+      ADD_FAILURE() << "is not there";
+      continue;
+    }
+    const Mesh mesh = read_mesh(*path);
+    EXPECT_EQ(mesh.parts.size(), one.with_surfaces);
+    EXPECT_LE(mesh.parts.size(), one.objects);
+    for (const Part& part : mesh.parts) {
+      EXPECT_FALSE(part.id.empty());
+      EXPECT_FALSE(part.type.empty());
+    }
+    for (const std::string& note : mesh.notes) {
+      EXPECT_EQ(note.find("not cut out"), std::string::npos) << note;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace soms::test
