@@ -45,10 +45,10 @@ py::array apply(const Pose& pose, const py::object& given) {
   if (is_point(numbers)) {
     return array_of(pose.apply(point_of(numbers, "points")));
   }
-  const std::vector<Vec3> points = points_of(numbers, "points");
-  py::array_t<double> moved({static_cast<py::ssize_t>(points.size()), py::ssize_t{3}});
+  const Rows<Vec3> points = points_of(numbers, "points");
+  py::array_t<double> moved({numbers.shape(0), py::ssize_t{3}});
   double* to = moved.mutable_data();
-  for (const Vec3& point : points) {
+  for (const Vec3& point : points.get()) {
     const Vec3 there = pose.apply(point);
     to = std::copy_n(std::array{there.x, there.y, there.z}.begin(), 3, to);
   }

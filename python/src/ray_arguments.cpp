@@ -12,7 +12,7 @@ namespace {
 std::vector<Vec3> rows_of(const py::object& given, const char* what, bool& is_one) {
   const Doubles numbers = doubles_of(given, what);
   is_one = is_point(numbers);
-  return is_one ? std::vector{point_of(numbers, what)} : points_of(numbers, what);
+  return is_one ? std::vector{point_of(numbers, what)} : points_of(numbers, what).copied();
 }
 
 std::vector<double> lengths_of(const py::object& given, std::size_t count) {
