@@ -101,7 +101,7 @@ asan-python:
 	cmake --preset asan -D SOMS_BUILD_PYTHON=ON
 	cmake --build --preset asan -j $(JOBS) --target soms_python_package
 	for test in errors index interrupts misuse notebook page recording scene truth values; do \
-	  LD_PRELOAD=$(SANITIZERS) ASAN_OPTIONS=malloc_context_size=2 PYTHONMALLOC=malloc \
+	  LD_PRELOAD=$(SANITIZERS) ASAN_OPTIONS=malloc_context_size=2:allocator_may_return_null=1 PYTHONMALLOC=malloc \
 	    LSAN_OPTIONS=suppressions=tests/python/leaks.txt:print_suppressions=0 \
 	    UBSAN_OPTIONS=print_stacktrace=1 PYTHONPATH=build/asan/python \
 	    /usr/bin/python3 tests/python/$${test}_test.py || exit 1; done

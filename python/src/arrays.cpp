@@ -12,7 +12,18 @@ static_assert(sizeof(Vec3) == 3 * sizeof(double) && std::is_trivially_copyable_v
 static_assert(sizeof(TrianglePair) == 2 * sizeof(TriangleId));
 static_assert(sizeof(std::array<std::uint32_t, 3>) == 3 * sizeof(std::uint32_t));
 
+/// \errors ErrorKind::usage for an array of numpy.ma whose mask leaves numbers out.
+void check_mask(py::handle given, const char* what) {
+  const auto* const plain = py::detail::npy_api::get().PyArray_Type_;
+  const bool is_subclass = py::isinstance<py::array>(given) && Py_TYPE(given.ptr()) != plain;
+  if (is_subclass && py::hasattr(given, "mask") &&
+      py::module_::import("numpy").attr("any")(given.attr("mask")).cast<bool>()) {
+    throw usage(std::string(what) + ": numbers are masked", "give an array without a mask");
+  }
+}
+
 py::array any_array(py::handle given, const char* what) {
+  check_mask(given, what);
   py::array array = py::array::ensure(given);
   if (!array) {
     PyErr_Clear();

@@ -13,6 +13,7 @@
 
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <memory>
 
 namespace soms::python {
@@ -36,6 +37,9 @@ std::shared_ptr<Mesh> make_mesh(const py::object& vertices, const py::object& tr
                                 std::vector<Part> parts, double unit, const py::object& up,
                                 Text source, std::vector<Text> notes,
                                 std::vector<std::uint32_t> file_faces) {
+  if (!(unit >= 0 && std::isfinite(unit))) {
+    throw usage("unit: " + std::to_string(unit), "give meters a unit, or 0 if they are unknown");
+  }
   auto mesh = mesh_of_arrays(vertices, triangles);
   mesh->parts = std::move(parts);
   mesh->unit = unit;

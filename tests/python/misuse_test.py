@@ -88,6 +88,13 @@ class Arrays(unittest.TestCase):
                       lambda: self.ask(np.array([["0", "0", "0"]])),
                       lambda: self.ask(np.zeros((2, 3), dtype="M8[s]")),
                       lambda: self.ask([soms.Pose(), None]),
+                      lambda: self.ask(np.ma.masked_array(np.zeros((2, 3)), [[0, 0, 0], [0, 1, 0]])),
+                      lambda: soms.Mesh(TETRAHEDRON, FACES, unit=np.nan),
+                      lambda: soms.Pose.about_z(np.nan), lambda: soms.Pose.translation(0, np.inf, 0),
+                      lambda: soms.Pose.from_axis_angle([0, 0, 1], 1, [np.nan, 0, 0]),
+                      lambda: soms.closest_hit(self.mover, [0, 0, 9], [0, 0, -1], skip=-1),
+                      lambda: soms.closest_hit(self.mover, [0, 0, 9], [0, 0, -1], skip="first"),
+                      lambda: soms.closest_hit(self.mover, [0, 0, 9], [0, 0, -1], skip=[1, 2]),
                       lambda: soms.contains(self.mover, nan),
                       lambda: soms.closest_hit(self.mover, nan, nan),
                       lambda: soms.closest_hit(self.mover, [[0, 0, 0]], [[0, 0, 0]]),
@@ -99,6 +106,19 @@ class Arrays(unittest.TestCase):
                       lambda: soms.Scene().step(clearance=np.inf),
                       lambda: soms.Scene().set_poses(np.zeros((1, 3)))):
             with self.assertRaises(soms.Error):
+                wrong()
+
+    def test_a_mask_that_leaves_nothing_out_is_no_mask(self):
+        poses = np.ma.masked_array(self.poses, mask=np.zeros((3, 3)))
+        self.assertEqual(self.ask(poses), [True, False, True])
+
+    def test_numbers_beyond_memory(self):
+        endless = np.broadcast_to(np.zeros(3), (10**12, 3))
+        whole = np.broadcast_to(np.zeros(3, np.int8), (10**12, 3))
+        for wrong in (lambda: self.ask(endless), lambda: soms.contains(self.mover, endless),
+                      lambda: soms.Mesh(endless, FACES),
+                      lambda: soms.Mesh(TETRAHEDRON, whole)):
+            with self.assertRaises(MemoryError):
                 wrong()
 
     def test_numbers_that_do_not_fit(self):
