@@ -92,15 +92,18 @@ asan-library tsan:
 	cmake --build --preset $(@:-library=) -j $(JOBS) --target $(TESTED:%=%_test)
 	ctest --preset $(@:-library=) -j $(JOBS) -L '^($(shell echo $(TESTED) | tr ' ' '|'))$$'
 
-# The bindings under ASan+UBSan. The interpreter is not built with them, so their libraries are loaded first; what
-# the interpreter keeps until it ends would count as leaks, which memory_test.py counts instead.
+# The Python package, the library in it included, under ASan+UBSan and LeakSanitizer. The interpreter is not built
+# with them, so their libraries are loaded first. Leaks are named by two frames, so that tests/python/leaks.txt can
+# tell what CPython allocates itself; PYTHONMALLOC=malloc lets the search see through its objects.
 SANITIZERS = $(shell $(CXX) -print-file-name=libasan.so):$(shell $(CXX) -print-file-name=libubsan.so):$(shell $(CXX) -print-file-name=libstdc++.so.6)
 asan-python:
 	@tools/install_packages.sh run test
 	cmake --preset asan -D SOMS_BUILD_PYTHON=ON
 	cmake --build --preset asan -j $(JOBS) --target soms_python_package
-	for test in errors values scene interrupts truth; do \
-	  LD_PRELOAD=$(SANITIZERS) ASAN_OPTIONS=detect_leaks=0 PYTHONPATH=build/asan/python \
+	for test in errors index interrupts misuse notebook page recording scene truth values; do \
+	  LD_PRELOAD=$(SANITIZERS) ASAN_OPTIONS=malloc_context_size=2:allocator_may_return_null=1 PYTHONMALLOC=malloc \
+	    LSAN_OPTIONS=suppressions=tests/python/leaks.txt:print_suppressions=0 \
+	    UBSAN_OPTIONS=print_stacktrace=1 PYTHONPATH=build/asan/python \
 	    /usr/bin/python3 tests/python/$${test}_test.py || exit 1; done
 
 # Every public header, compiled alone.
@@ -160,10 +163,12 @@ packages:
 	python3 tests/install/packages_test.py . build/release build/package c++ clang++
 	python3 tests/install/deb_test.py . build/package build/bare
 
-# Both commands of the README on a Debian that has nothing but git and make.
+# Both commands of the README on a Debian that has nothing but git and make; the wheel, if there is one, on a Debian
+# that has nothing but python3 and numpy.
 bare:
 	@tools/install_packages.sh bare
 	python3 tests/install/bare_debian_test.py . build/bare || [ $$? -eq 77 ]
+	python3 tests/install/wheel_bare_test.py build/python build/bare || [ $$? -eq 77 ]
 
 # Each fuzzer for FUZZ_SECONDS, on its seeds and the inputs that it found before; build/fuzz/corpus
 # keeps them, build/fuzz/results.csv counts. tests/fuzz/README.md tells more.

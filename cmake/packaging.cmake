@@ -52,7 +52,9 @@ if(TARGET soms_python)
   install(DIRECTORY python/soms DESTINATION lib/python3/dist-packages COMPONENT python
     FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed PATTERN __pycache__ EXCLUDE)
   install(DIRECTORY python/examples DESTINATION share/doc/python3-soms COMPONENT python
-    FILES_MATCHING PATTERN *.py PATTERN __pycache__ EXCLUDE)
+    FILES_MATCHING PATTERN *.py PATTERN *.ipynb PATTERN __pycache__ EXCLUDE)
+  # Of the script in the page of a notebook.
+  install(FILES apps/report/web/dist/LICENSE.three DESTINATION share/doc/python3-soms COMPONENT python)
 endif()
 # Found at run time only, by epoxy: nothing that dpkg-shlibdeps sees.
 set(CPACK_DEBIAN_VIEW_PACKAGE_DEPENDS libegl1)

@@ -6,6 +6,7 @@ set(SOMS_PYTHON_FILES
   src/bind.h
   src/bodies.cpp
   src/bodies.h
+  src/body_index.cpp
   src/call.cpp
   src/call.h
   src/closest.cpp
@@ -21,10 +22,18 @@ set(SOMS_PYTHON_FILES
   src/function.cpp
   src/function.h
   src/generated.cpp
+  src/many_bodies.h
   src/meshes.cpp
   src/module.cpp
+  src/notebook.h
   src/objects.h
+  src/one_caller.h
   src/overlap.cpp
+  src/page_scene.cpp
+  src/page_scene.h
+  src/pages.cpp
+  src/paths.cpp
+  src/paths.h
   src/point_query.h
   src/pose_class.cpp
   src/pose_query.h
@@ -33,6 +42,10 @@ set(SOMS_PYTHON_FILES
   src/ray_arguments.cpp
   src/ray_arguments.h
   src/rays.cpp
+  src/recorded.cpp
+  src/recording_writer.cpp
+  src/recordings.h
+  src/replay.cpp
   src/scene.cpp
   src/scene.h
   src/scene_columns.h
@@ -40,6 +53,7 @@ set(SOMS_PYTHON_FILES
   src/shapes.cpp
   src/solid.cpp
   src/step_report.cpp
+  src/text.h
   src/winding.cpp
   src/within.cpp
 )

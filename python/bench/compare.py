@@ -2,9 +2,10 @@
 
     compare.py TWIN [POSES [CALLS [TURNS]]]
 
-TWIN is built by `cmake --build build/release --target soms_python_twin`. The least processor
-time of all turns, as other work on the machine adds to it and takes nothing away.
+TWIN is built by `cmake --build build/release --target soms_python_twin`. Medians of the processor
+time of all turns. Pin it to a core (`taskset -c 0`).
 """
+import statistics
 import subprocess
 import sys
 import time
@@ -48,7 +49,7 @@ def main():
         if here[2] != int(said[2]):
             sys.exit(f"{here[2]} poses touch, in C++ {said[2]}")
         rows.append((*map(float, said[:2]), *here[:2]))
-    cpp_batch, cpp_call, batch, call = (min(column) for column in zip(*rows))
+    cpp_batch, cpp_call, batch, call = map(statistics.median, zip(*rows))
     print(f"{count} poses in one call: C++ {cpp_batch:.3f} s, Python {batch:.3f} s, "
           f"ratio {batch / cpp_batch:.3f}")
     print(f"a call: C++ {cpp_call * 1e6:.3f} us, Python {call * 1e6:.3f} us, "

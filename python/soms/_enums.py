@@ -64,6 +64,22 @@ class Partition(enum.IntEnum):
     connected = 1
 
 
+class RecordedOrigin(enum.IntEnum):
+    """What a recorded mesh is from: a file, or generate("city"), or generate of a mover."""
+
+    file = 0
+    city = 1
+    mover = 2
+
+
+class RecordingEnding(enum.IntEnum):
+    """How a recording came to its end."""
+
+    complete = 0
+    timed_out = 1
+    interrupted = 2
+
+
 class Relation(enum.IntEnum):
     """How two closed bodies stand to each other."""
 

@@ -7,6 +7,7 @@
 
 #include "python/src/arrays.h"
 #include "python/src/enums.h"
+#include "python/src/text.h"
 
 #include <pybind11/pybind11.h>
 
@@ -38,6 +39,10 @@ template <class T>
 
 [[nodiscard]] inline py::object to_python(const std::optional<TrianglePair>& value) {
   return value ? py::object(py::make_tuple(value->first, value->second)) : py::none();
+}
+
+[[nodiscard]] inline py::object to_python(const std::string& value) {
+  return py::cast(Text{value});
 }
 
 template <class T>

@@ -1,8 +1,8 @@
 #include "python/src/arrays.h"
 
 #include <cstddef>
-#include <new>
 #include <type_traits>
+#include <utility>
 
 namespace soms::python {
 
@@ -12,7 +12,18 @@ static_assert(sizeof(Vec3) == 3 * sizeof(double) && std::is_trivially_copyable_v
 static_assert(sizeof(TrianglePair) == 2 * sizeof(TriangleId));
 static_assert(sizeof(std::array<std::uint32_t, 3>) == 3 * sizeof(std::uint32_t));
 
+/// \errors ErrorKind::usage for an array of numpy.ma whose mask leaves numbers out.
+void check_mask(py::handle given, const char* what) {
+  const auto* const plain = py::detail::npy_api::get().PyArray_Type_;
+  const bool is_subclass = py::isinstance<py::array>(given) && Py_TYPE(given.ptr()) != plain;
+  if (is_subclass && py::hasattr(given, "mask") &&
+      py::module_::import("numpy").attr("any")(given.attr("mask")).cast<bool>()) {
+    throw usage(std::string(what) + ": numbers are masked", "give an array without a mask");
+  }
+}
+
 py::array any_array(py::handle given, const char* what) {
+  check_mask(given, what);
   py::array array = py::array::ensure(given);
   if (!array) {
     PyErr_Clear();
@@ -96,14 +107,11 @@ void refuse_shape(const py::array& given, const char* what, const char* wanted) 
   throw usage(std::string(what) + ": shape " + shape_text(given), std::string("give ") + wanted);
 }
 
-std::vector<Vec3> points_of(py::handle given, const char* what) {
-  const Doubles numbers = doubles_of(given, what);
+Rows<Vec3> points_of(Doubles numbers, const char* what) {
   if (numbers.ndim() != 2 || numbers.shape(1) != 3) {
     refuse_shape(numbers, what, "shape (n, 3)");
   }
-  const auto* const first = std::launder(reinterpret_cast<const Vec3*>(numbers.data()));
-  std::vector<Vec3> points(first, first + numbers.shape(0));
-  return points;
+  return Rows<Vec3>(std::move(numbers));
 }
 
 bool is_point(const Doubles& numbers) {
@@ -170,6 +178,15 @@ py::array array_of(const Vec3& point) {
   return array;
 }
 
+py::array array_of(const Box& box) {
+  py::array_t<double> array({2, 3});
+  for (py::ssize_t axis = 0; axis < 3; ++axis) {
+    array.mutable_at(0, axis) = box.lower[static_cast<std::size_t>(axis)];
+    array.mutable_at(1, axis) = box.upper[static_cast<std::size_t>(axis)];
+  }
+  return array;
+}
+
 py::array column_of(const std::vector<std::optional<TriangleId>>& values, py::handle) {
   py::array_t<std::int64_t> array(rows(values.size()));
   std::int64_t* to = array.mutable_data();
@@ -195,6 +212,12 @@ py::array column_of(const std::vector<std::uint8_t>& values, py::handle owner) {
 
 py::array column_of(const std::vector<Vec3>& values, py::handle owner) {
   return pairs_view(values, 3, py::dtype::of<double>(), owner);
+}
+
+py::array column_of(const std::vector<Pose>& values, py::handle owner) {
+  constexpr py::ssize_t kNumber = sizeof(double);
+  return view(py::dtype::of<double>(), {rows(values.size()), 3, 4},
+              {12 * kNumber, 4 * kNumber, kNumber}, values.data(), owner);
 }
 
 py::array column_of(const std::vector<TrianglePair>& values, py::handle owner) {

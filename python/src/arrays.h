@@ -3,7 +3,9 @@
 /// query runs; what comes out is a view of the answer wherever its memory allows that.
 #pragma once
 
+#include "soms/base/box.h"
 #include "soms/base/bracket.h"
+#include "soms/base/pose.h"
 #include "soms/base/vector.h"
 #include "soms/geometry/mesh.h"
 #include "soms/query/answer.h"
@@ -17,9 +19,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace soms::python {
@@ -27,6 +32,33 @@ namespace soms::python {
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// Sizes along each axis, or steps in bytes.
 using Extents = std::vector<py::ssize_t>;
+
+/// Rows of doubles as T's, read where they lie in an array of numpy.
+template <class T>
+class Rows {
+ public:
+  /// \pre Its numbers are those of any number of T's.
+  explicit Rows(Doubles numbers) : numbers_(std::move(numbers)) {}
+
+  /// The same in memory that no other thread can write to, so that it may be read without the lock:
+  /// a copy, unless nobody else has the array. numpy's memory of many rows is of huge pages, which
+  /// makes a copy five times as fast as one into a vector.
+  [[nodiscard]] Rows owned() && {
+    const bool is_ours = numbers_.ref_count() == 1 && numbers_.owndata() && !numbers_.base();
+    return Rows(is_ours ? std::move(numbers_) : Doubles(numbers_.attr("copy")()));
+  }
+
+  [[nodiscard]] std::span<const T> get() const {
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(double) == 0);
+    const auto bytes = static_cast<std::size_t>(numbers_.size()) * sizeof(double);
+    return {std::launder(reinterpret_cast<const T*>(numbers_.data())), bytes / sizeof(T)};
+  }
+
+  [[nodiscard]] std::vector<T> copied() const { return {get().begin(), get().end()}; }
+
+ private:
+  Doubles numbers_;
+};
 
 /// Numbers of an array or nested lists, as doubles. Floats of up to 8 bytes and integers are taken,
 /// which doubles hold exactly. \errors ErrorKind::usage for other types and for integers beyond
@@ -40,7 +72,11 @@ using Extents = std::vector<py::ssize_t>;
 [[noreturn]] void refuse_shape(const py::array& given, const char* what, const char* wanted);
 
 /// n points. \shape (n, 3). \errors ErrorKind::usage.
-[[nodiscard]] std::vector<Vec3> points_of(py::handle given, const char* what);
+[[nodiscard]] Rows<Vec3> points_of(Doubles numbers, const char* what);
+
+[[nodiscard]] inline Rows<Vec3> points_of(py::handle given, const char* what) {
+  return points_of(doubles_of(given, what), what);
+}
 
 /// True for three numbers, false for rows of them.
 [[nodiscard]] bool is_point(const Doubles& numbers);
@@ -70,6 +106,9 @@ struct Field {
 /// A point as an array of its own. \shape (3,).
 [[nodiscard]] py::array array_of(const Vec3& point);
 
+/// Its least and its greatest corner. \shape (2, 3).
+[[nodiscard]] py::array array_of(const Box& box);
+
 /// Numbers of triangles, -1 for none. \shape (n,), a copy.
 [[nodiscard]] py::array column_of(const std::vector<std::optional<TriangleId>>& values,
                                   py::handle owner);
@@ -80,6 +119,8 @@ struct Field {
 [[nodiscard]] py::array column_of(const std::vector<std::uint8_t>& values, py::handle owner);
 /// \shape (n, 3).
 [[nodiscard]] py::array column_of(const std::vector<Vec3>& values, py::handle owner);
+/// \shape (n, 3, 4).
+[[nodiscard]] py::array column_of(const std::vector<Pose>& values, py::handle owner);
 /// \shape (n, 2).
 [[nodiscard]] py::array column_of(const std::vector<TrianglePair>& values, py::handle owner);
 /// \shape (n, 3).

@@ -22,5 +22,9 @@ void bind_winding(pybind11::module_& module);
 void bind_rays(pybind11::module_& module);
 void bind_scene(pybind11::module_& module);
 void bind_contacts(pybind11::module_& module);
+void bind_body_index(pybind11::module_& module);
+void bind_recordings(pybind11::module_& module);
+void bind_pages(pybind11::module_& module);
+void bind_enum_words(pybind11::module_& module);
 
 }  // namespace soms::python

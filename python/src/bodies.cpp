@@ -9,7 +9,7 @@ namespace soms::python {
 
 std::shared_ptr<Mesh> mesh_of_arrays(py::handle vertices, py::handle triangles) {
   auto mesh = std::make_shared<Mesh>();
-  mesh->vertices = points_of(vertices, "vertices");
+  mesh->vertices = points_of(vertices, "vertices").copied();
   mesh->triangles = triangles_of(triangles);
   return run(Work::many, 1, py::none(), [&](const Parallel&) {
     check(*mesh);

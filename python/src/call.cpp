@@ -4,7 +4,9 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace soms::python {
 
@@ -14,13 +16,29 @@ unsigned long main_thread = 0;
 
 /// The stop of the call that the main thread is in. What it points to is never given back, as a
 /// handler may look at it at any time.
-std::atomic<std::stop_source*> running = nullptr;
+std::atomic<StopSource*> running = nullptr;
 
 /// The stop that the main thread's calls use, until one was requested.
-std::stop_source* unused = nullptr;
+StopSource* unused = nullptr;
 
 /// What SIGINT did before, and still does. Never given back, likewise.
 std::atomic<const struct sigaction*> handler_before = nullptr;
+
+/// All that were ever in the two above: kept, so that what holds them finds them, and so that a
+/// search for leaks does not take them for some.
+struct Kept {
+  std::vector<std::unique_ptr<StopSource>> stops;
+  std::vector<std::unique_ptr<const struct sigaction>> handlers;
+};
+
+Kept& kept() {
+  static Kept* const all = new Kept;
+  return *all;
+}
+
+StopSource* new_stop() {
+  return kept().stops.emplace_back(std::make_unique<StopSource>()).get();
+}
 
 /// Python's own handler, as the object that signal.signal was given, and what gets it.
 PyObject* handler_object = nullptr;
@@ -31,7 +49,7 @@ PyObject* interrupt_number = nullptr;
 /// an atomic number, which a handler may do.
 void stop_running(int number, siginfo_t* info, void* context) {
   const int kept = errno;
-  if (std::stop_source* const source = running.load()) {
+  if (StopSource* const source = running.load()) {
     source->request_stop();
   }
   if (const struct sigaction* const before = handler_before.load()) {
@@ -55,7 +73,8 @@ void follow_interrupts() {
       (!has_info && (now.sa_handler == SIG_DFL || now.sa_handler == SIG_IGN))) {
     return;
   }
-  handler_before = new struct sigaction(now);
+  handler_before =
+      kept().handlers.emplace_back(std::make_unique<const struct sigaction>(now)).get();
   struct sigaction ours = now;
   ours.sa_flags |= SA_SIGINFO;
   ours.sa_sigaction = &stop_running;
@@ -85,7 +104,7 @@ void prepare_calls() {
       py::module_::import("threading").attr("main_thread")().attr("ident").cast<unsigned long>();
   getsignal = py::object(py::module_::import("_signal").attr("getsignal")).release().ptr();
   interrupt_number = py::int_(SIGINT).release().ptr();
-  unused = new std::stop_source;
+  unused = new_stop();
 }
 
 Call::Call(Work work, int threads, const py::object& progress)
@@ -119,7 +138,7 @@ Call::~Call() {
   }
   running = outer_;
   if (outer_ == nullptr && source_->stop_requested()) {
-    unused = new std::stop_source;  // the old one stays: a handler may hold it
+    unused = new_stop();  // the old one stays: a handler may hold it
   }
 }
 

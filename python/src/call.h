@@ -10,7 +10,6 @@
 
 #include <chrono>
 #include <optional>
-#include <stop_token>
 #include <utility>
 
 namespace soms::python {
@@ -50,9 +49,9 @@ class Call {
   Parallel parallel_;
   py::object progress_;
   bool is_main_ = false;
-  std::stop_source* source_ = nullptr;
-  std::stop_source* outer_ = nullptr;  ///< of the call whose progress makes this one
-  std::optional<std::stop_source> own_;
+  StopSource* source_ = nullptr;
+  StopSource* outer_ = nullptr;  ///< of the call whose progress makes this one
+  std::optional<StopSource> own_;
   std::optional<py::error_already_set> raised_;
 };
 

@@ -64,20 +64,20 @@ NearTriangles nearest(const py::object& body, const py::object& points, std::siz
                       double at_most, std::optional<double> seconds, int threads,
                       const py::object& progress) {
   const BodyArgument surface(body, "body", threads);
-  const std::vector<Vec3> places = points_of(points, "points");
+  const Rows<Vec3> places = points_of(points, "points").owned();
   const ClosestOptions options{.at_most = at_most, .deadline = deadline_in(seconds)};
   return run(Work::many, threads, progress, [&](const Parallel& parallel) {
-    return nearest_triangles(surface.get(), places, count, options, parallel);
+    return nearest_triangles(surface.get(), places.get(), count, options, parallel);
   });
 }
 
 NearTriangles near(const py::object& body, const py::object& points, double radius,
                    std::optional<double> seconds, int threads, const py::object& progress) {
   const BodyArgument surface(body, "body", threads);
-  const std::vector<Vec3> places = points_of(points, "points");
+  const Rows<Vec3> places = points_of(points, "points").owned();
   const ClosestOptions options{.deadline = deadline_in(seconds)};
   return run(Work::many, threads, progress, [&](const Parallel& parallel) {
-    return near_triangles(surface.get(), places, radius, options, parallel);
+    return near_triangles(surface.get(), places.get(), radius, options, parallel);
   });
 }
 

@@ -85,6 +85,10 @@ void bind_spans(py::module_& module) {
       .field("steps", &ContactSpan::steps, "How many steps.")
       .field("most_pairs", &ContactSpan::most_pairs, "Pairs of triangles, in the step with most.")
       .field("most_step", &ContactSpan::most_step, "The first such step.")
+      .field("pair", &ContactSpan::pair, "(triangle of a, triangle of b) that share place.")
+      .derived(
+          "box", [](const ContactSpan& s) { return array_of(s.box); },
+          "(2, 3): least and greatest corner of a box around all that the two share then.")
       .field("place", &ContactSpan::place, "(3,): a point that the two share then, for drawing.")
       .field("lasts", &ContactSpan::lasts, "They touch in the last step that compared them.");
   py::class_<ContactSpans> spans(module, "ContactSpans", R"(ContactSpans()

@@ -1,5 +1,7 @@
 #include "python/src/errors.h"
 
+#include "python/src/text.h"
+
 #include <exception>
 #include <string>
 
@@ -20,11 +22,14 @@ void translate(std::exception_ptr thrown) {
 
 }  // namespace
 
-void set_error(const Error& error) {
+py::object error_object(const Error& error) {
   const std::string kind(name(error.kind()));
-  const py::object made =
-      py::reinterpret_borrow<py::object>(error_class)(kind, error.place(), error.remedy());
-  PyErr_SetObject(error_class, made.ptr());
+  return py::reinterpret_borrow<py::object>(error_class)(kind, Text{error.place()},
+                                                         Text{error.remedy()});
+}
+
+void set_error(const Error& error) {
+  PyErr_SetObject(error_class, error_object(error).ptr());
 }
 
 void translate_errors() {

@@ -17,6 +17,9 @@ namespace py = pybind11;
   return {ErrorKind::usage, std::move(place), std::move(remedy)};
 }
 
+/// The same as a soms.Error.
+[[nodiscard]] py::object error_object(const Error& error);
+
 /// Raises it as soms.Error.
 void set_error(const Error& error);
 

@@ -8,8 +8,7 @@
 #include "python/src/bodies.h"
 #include "python/src/call.h"
 #include "python/src/enums.h"
-
-#include <pybind11/stl/filesystem.h>
+#include "python/src/paths.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -47,27 +46,6 @@ constexpr const char* kReadPosesDoc = R"(read_poses(path) -> numpy.ndarray
 Poses of a CSV file with a header, or of a NumPy array file: (n, 3, 4) float64.
 
 Raises Error of kind cannot_open, bad_file, not_finite, not_rigid; names file and line, or row.)";
-
-/// A path as open() takes it. Raises TypeError for anything else.
-std::filesystem::path path_of(const py::object& given) {
-  const py::object text = py::reinterpret_steal<py::object>(PyOS_FSPath(given.ptr()));
-  if (!text) {
-    throw py::error_already_set();
-  }
-  return text.cast<std::filesystem::path>();
-}
-
-/// The bytes of an object that has them, a copy: another thread may change them.
-std::vector<std::byte> bytes_of(const py::object& given) {
-  Py_buffer view{};
-  if (PyObject_GetBuffer(given.ptr(), &view, PyBUF_SIMPLE) != 0) {
-    throw py::error_already_set();
-  }
-  const auto* const first = static_cast<const std::byte*>(view.buf);
-  std::vector<std::byte> bytes(first, first + view.len);
-  PyBuffer_Release(&view);
-  return bytes;
-}
 
 std::shared_ptr<Mesh> read(const py::object& file, const std::string& name, bool strict,
                            bool allow_empty, std::uint64_t max_memory, const py::object& progress) {

@@ -8,9 +8,12 @@
 #include "python/src/bind.h"
 #include "python/src/bodies.h"
 #include "python/src/call.h"
+#include "python/src/notebook.h"
+#include "python/src/text.h"
 
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <memory>
 
 namespace soms::python {
@@ -32,26 +35,20 @@ beyond the vertices, a coordinate beyond 2^300), not_finite (a corner), bad_file
 
 std::shared_ptr<Mesh> make_mesh(const py::object& vertices, const py::object& triangles,
                                 std::vector<Part> parts, double unit, const py::object& up,
-                                std::string source, std::vector<std::string> notes,
+                                Text source, std::vector<Text> notes,
                                 std::vector<std::uint32_t> file_faces) {
+  if (!(unit >= 0 && std::isfinite(unit))) {
+    throw usage("unit: " + std::to_string(unit), "give meters a unit, or 0 if they are unknown");
+  }
   auto mesh = mesh_of_arrays(vertices, triangles);
   mesh->parts = std::move(parts);
   mesh->unit = unit;
   mesh->up = enum_of<UpAxis>(up, "up");
-  mesh->source = std::move(source);
-  mesh->notes = std::move(notes);
+  mesh->source = std::move(source.bytes);
+  mesh->notes = bytes_of_texts(std::move(notes));
   mesh->faces = std::move(file_faces);
   check(*mesh);
   return mesh;
-}
-
-py::array bounds_array(const Box& box) {
-  py::array_t<double> array({2, 3});
-  for (py::ssize_t axis = 0; axis < 3; ++axis) {
-    array.mutable_at(0, axis) = box.lower[static_cast<std::size_t>(axis)];
-    array.mutable_at(1, axis) = box.upper[static_cast<std::size_t>(axis)];
-  }
-  return array;
 }
 
 py::array part_of_each(const Mesh& mesh, const py::object& given) {
@@ -71,12 +68,12 @@ py::array part_of_each(const Mesh& mesh, const py::object& given) {
   return found;
 }
 
-using AttributeList = std::vector<std::pair<std::string, std::string>>;
+using AttributeList = std::vector<std::pair<Text, Text>>;
 
 AttributeList attribute_list(const std::vector<Attribute>& attributes) {
   AttributeList list;
   for (const Attribute& attribute : attributes) {
-    list.emplace_back(attribute.name, attribute.value);
+    list.emplace_back(Text{attribute.name}, Text{attribute.value});
   }
   return list;
 }
@@ -84,7 +81,7 @@ AttributeList attribute_list(const std::vector<Attribute>& attributes) {
 std::vector<Attribute> attributes_from(const AttributeList& list) {
   std::vector<Attribute> attributes;
   for (const auto& [name, value] : list) {
-    attributes.push_back({name, value});
+    attributes.push_back({name.bytes, value.bytes});
   }
   return attributes;
 }
@@ -97,22 +94,23 @@ void bind_parts(py::module_& module) {
 A named, contiguous run of triangles of a Mesh; parent: the index of the part around it. What the
 file states about the object: its id, its type, and attributes as pairs (name, value) of text. An
 object whose triangles do not follow each other is several runs; continues: the index of the first.)");
-  part.def(py::init([](std::string name, std::uint32_t first, std::uint32_t count,
-                       std::optional<std::uint32_t> parent, std::string id, std::string type,
+  part.def(py::init([](Text name, std::uint32_t first, std::uint32_t count,
+                       std::optional<std::uint32_t> parent, Text id, Text type,
                        const AttributeList& attributes, std::optional<std::uint32_t> continues) {
-             return Part{std::move(name),
+             return Part{std::move(name.bytes),
                          parent.value_or(Part::kNoParent),
                          first,
                          count,
-                         std::move(id),
-                         std::move(type),
+                         std::move(id.bytes),
+                         std::move(type.bytes),
                          attributes_from(attributes),
                          continues.value_or(Part::kNoParent)};
            }),
            py::arg("name"), py::arg("first"), py::arg("count"), py::arg("parent") = py::none(),
            py::kw_only(), py::arg("id") = "", py::arg("type") = "",
            py::arg("attributes") = AttributeList(), py::arg("continues") = py::none());
-  part.def_readonly("name", &Part::name, "The name.");
+  part.def_property_readonly(
+      "name", [](const Part& p) { return Text{p.name}; }, "The name.");
   part.def_readonly("first", &Part::first, "The first triangle.");
   part.def_readonly("count", &Part::count, "The number of triangles.");
   part.def_property_readonly(
@@ -121,8 +119,11 @@ object whose triangles do not follow each other is several runs; continues: the 
         return p.parent == Part::kNoParent ? std::optional<std::uint32_t>() : p.parent;
       },
       "The index of the part around it, or None.");
-  part.def_readonly("id", &Part::id, "The id that the file gives the object, or an empty text.");
-  part.def_readonly("type", &Part::type, "The kind of object, or an empty text.");
+  part.def_property_readonly(
+      "id", [](const Part& p) { return Text{p.id}; },
+      "The id that the file gives the object, or an empty text.");
+  part.def_property_readonly(
+      "type", [](const Part& p) { return Text{p.type}; }, "The kind of object, or an empty text.");
   part.def_property_readonly(
       "attributes", [](const Part& p) { return attribute_list(p.attributes); },
       "What the file states: pairs of name and value, as text.");
@@ -138,16 +139,16 @@ object whose triangles do not follow each other is several runs; continues: the 
   part.def("__repr__", &printed<Part>);
   part.def(py::pickle(
       [](const Part& p) {
-        return py::make_tuple(p.name, p.parent, p.first, p.count, p.id, p.type,
+        return py::make_tuple(Text{p.name}, p.parent, p.first, p.count, Text{p.id}, Text{p.type},
                               attribute_list(p.attributes), p.continues);
       },
       [](const py::tuple& state) {
-        return Part{state[0].cast<std::string>(),
+        return Part{state[0].cast<Text>().bytes,
                     state[1].cast<std::uint32_t>(),
                     state[2].cast<std::uint32_t>(),
                     state[3].cast<std::uint32_t>(),
-                    state[4].cast<std::string>(),
-                    state[5].cast<std::string>(),
+                    state[4].cast<Text>().bytes,
+                    state[5].cast<Text>().bytes,
                     attributes_from(state[6].cast<AttributeList>()),
                     state[7].cast<std::uint32_t>()};
       }));
@@ -168,16 +169,18 @@ void bind_columns(MeshClass& mesh) {
   self_column("file_faces", &Mesh::faces,
               "(m,) uint32: the face of the file for each triangle; empty if they are the same.");
   mesh.def_property_readonly(
-      "bounds", [](const Mesh& m) { return bounds_array(bounds(m)); },
+      "bounds", [](const Mesh& m) { return array_of(bounds(m)); },
       "(2, 3): the lower and the upper corner of the box of all triangles.");
   mesh.def_property_readonly(
       "parts", [](const Mesh& m) { return m.parts; }, "A list of Part.");
   mesh.def_property_readonly(
       "up", [](const Mesh& m) { return member(m.up); }, "UpAxis that the file states.");
   mesh.def_readonly("unit", &Mesh::unit, "Meters a unit if the file says so, else 0.");
-  mesh.def_readonly("source", &Mesh::source, "The path of the file, or what made the mesh.");
   mesh.def_property_readonly(
-      "notes", [](const Mesh& m) { return m.notes; },
+      "source", [](const Mesh& m) { return Text{m.source}; },
+      "The path of the file, or what made the mesh.");
+  mesh.def_property_readonly(
+      "notes", [](const Mesh& m) { return texts_of(m.notes); },
       "What the file holds that was not read or applied.");
 }
 
@@ -191,6 +194,7 @@ void bind_facts(MeshClass& mesh) {
   mesh.def("part_of", &part_of_each, py::arg("triangles"),
            "part_of(triangles) -> numpy.ndarray\n\nThe innermost part of each triangle, -1 for "
            "none, int64 in the shape of triangles.");
+  def_notebook_page(mesh);
   mesh.def("hash", &corner_hash,
            "hash() -> int\n\nFNV-1a 64 over all corners: equal for equal triangles on every "
            "machine.");
@@ -265,8 +269,7 @@ void bind_meshes(py::module_& module) {
   MeshClass mesh(module, "Mesh", kMeshDoc);
   mesh.def(py::init(&make_mesh), py::arg("vertices"), py::arg("triangles"),
            py::arg("parts") = std::vector<Part>(), py::kw_only(), py::arg("unit") = 0.0,
-           py::arg("up") = "unknown", py::arg("source") = "",
-           py::arg("notes") = std::vector<std::string>(),
+           py::arg("up") = "unknown", py::arg("source") = "", py::arg("notes") = py::tuple(),
            py::arg("file_faces") = std::vector<std::uint32_t>());
   bind_columns(mesh);
   bind_facts(mesh);
@@ -274,11 +277,12 @@ void bind_meshes(py::module_& module) {
       [](const py::object& self) {
         const Mesh& m = self.cast<const Mesh&>();
         return py::make_tuple(self.attr("vertices"), self.attr("triangles"), m.parts, m.unit,
-                              self.attr("up").attr("name"), m.source, m.notes, m.faces);
+                              self.attr("up").attr("name"), Text{m.source}, texts_of(m.notes),
+                              m.faces);
       },
       [](const py::tuple& s) {
         return make_mesh(s[0], s[1], s[2].cast<std::vector<Part>>(), s[3].cast<double>(), s[4],
-                         s[5].cast<std::string>(), s[6].cast<std::vector<std::string>>(),
+                         s[5].cast<Text>(), s[6].cast<std::vector<Text>>(),
                          s[7].cast<std::vector<std::uint32_t>>());
       }));
 }

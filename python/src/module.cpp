@@ -29,4 +29,8 @@ PYBIND11_MODULE(_soms, module) {
   bind_rays(module);
   bind_scene(module);
   bind_contacts(module);
+  bind_body_index(module);
+  bind_recordings(module);
+  bind_pages(module);
+  bind_enum_words(module);
 }

@@ -8,8 +8,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include <span>
-#include <vector>
+#include <utility>
 
 namespace soms::python {
 
@@ -17,16 +16,15 @@ namespace soms::python {
 template <class Query>
 py::object answer_points(const py::object& points, int threads, const py::object& progress,
                          const Query& query) {
-  const Doubles numbers = doubles_of(points, "points");
+  Doubles numbers = doubles_of(points, "points");
   if (is_point(numbers)) {
     const Vec3 point = point_of(numbers, "points");
     return made(run(Work::one, threads, progress,
                     [&](const Parallel& parallel) { return query(parallel, point); }));
   }
-  const std::vector<Vec3> places = points_of(numbers, "points");
-  return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
-    return query(parallel, std::span<const Vec3>(places));
-  }));
+  const Rows<Vec3> places = points_of(std::move(numbers), "points").owned();
+  return made(run(Work::many, threads, progress,
+                  [&](const Parallel& parallel) { return query(parallel, places.get()); }));
 }
 
 }  // namespace soms::python

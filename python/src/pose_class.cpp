@@ -45,14 +45,20 @@ py::array apply(const Pose& pose, const py::object& given) {
   if (is_point(numbers)) {
     return array_of(pose.apply(point_of(numbers, "points")));
   }
-  const std::vector<Vec3> points = points_of(numbers, "points");
-  py::array_t<double> moved({static_cast<py::ssize_t>(points.size()), py::ssize_t{3}});
+  const Rows<Vec3> points = points_of(numbers, "points");
+  py::array_t<double> moved({numbers.shape(0), py::ssize_t{3}});
   double* to = moved.mutable_data();
-  for (const Vec3& point : points) {
+  for (const Vec3& point : points.get()) {
     const Vec3 there = pose.apply(point);
     to = std::copy_n(std::array{there.x, there.y, there.z}.begin(), 3, to);
   }
   return moved;
+}
+
+/// \errors As `check` of a pose.
+Pose checked(const Pose& pose) {
+  check(pose);
+  return pose;
 }
 
 Vec3 shift_of(const py::object& given) {
@@ -61,27 +67,31 @@ Vec3 shift_of(const py::object& given) {
 
 void bind_makers(py::class_<Pose>& pose) {
   pose.def_static("identity", &Pose::identity, "identity() -> Pose");
-  pose.def_static("translation", &Pose::translation, py::arg("x"), py::arg("y"), py::arg("z"),
-                  "translation(x, y, z) -> Pose\n\nA shift alone.");
+  pose.def_static(
+      "translation",
+      [](double x, double y, double z) { return checked(Pose::translation(x, y, z)); },
+      py::arg("x"), py::arg("y"), py::arg("z"), "translation(x, y, z) -> Pose\n\nA shift alone.");
   pose.def_static(
       "from_quaternion",
       [](double w, double x, double y, double z, const py::object& shift) {
-        return Pose::from_quaternion(w, x, y, z, shift_of(shift));
+        return checked(Pose::from_quaternion(w, x, y, z, shift_of(shift)));
       },
       py::arg("w"), py::arg("x"), py::arg("y"), py::arg("z"), py::arg("shift") = py::none(),
       "from_quaternion(w, x, y, z, shift=None) -> Pose\n\nThe rotation by a unit quaternion, w "
       "first, then the shift. Raises Error of kind not_rigid\nif its length is off 1.");
   pose.def_static(
       "about_z",
-      [](double angle, const py::object& shift) { return Pose::about_z(angle, shift_of(shift)); },
+      [](double angle, const py::object& shift) {
+        return checked(Pose::about_z(angle, shift_of(shift)));
+      },
       py::arg("angle"), py::arg("shift") = py::none(),
       "about_z(angle, shift=None) -> Pose\n\nThe rotation by radians counter-clockwise about +z, "
       "then the shift.");
   pose.def_static(
       "from_axis_angle",
       [](const py::object& axis, double angle, const py::object& shift) {
-        return Pose::from_axis_angle(point_of(doubles_of(axis, "axis"), "axis"), angle,
-                                     shift_of(shift));
+        return checked(Pose::from_axis_angle(point_of(doubles_of(axis, "axis"), "axis"), angle,
+                                             shift_of(shift)));
       },
       py::arg("axis"), py::arg("angle"), py::arg("shift") = py::none(),
       "from_axis_angle(axis, angle, shift=None) -> Pose\n\nThe rotation by radians about an axis "

@@ -9,9 +9,6 @@
 
 #include <pybind11/pybind11.h>
 
-#include <span>
-#include <vector>
-
 namespace soms::python {
 
 /// `query(parallel, a, b)` without poses, else `query(parallel, shape of a, poses, b)`.
@@ -25,9 +22,9 @@ py::object answer_poses(const py::object& a, const py::object& b, const py::obje
       return query(parallel, mover.get(), fixed.get());
     }));
   }
-  const std::vector<Pose> places = poses_of(poses);
+  const Rows<Pose> places = poses_of(poses);
   return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
-    return query(parallel, mover.get().shape, std::span<const Pose>(places), fixed.get());
+    return query(parallel, mover.get().shape, places.get(), fixed.get());
   }));
 }
 

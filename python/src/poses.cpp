@@ -1,12 +1,9 @@
 #include "python/src/poses.h"
 
-#include "python/src/arrays.h"
-
 #include <algorithm>
-#include <new>
-#include <span>
 #include <string>
-#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace soms::python {
 
@@ -14,7 +11,7 @@ namespace {
 
 using Numbers = const double*;
 
-static_assert(sizeof(Pose) == 12 * sizeof(double) && std::is_trivially_copyable_v<Pose>);
+static_assert(sizeof(Pose) == 12 * sizeof(double));
 
 Pose pose_of_12(Numbers from) {
   Pose pose;
@@ -73,13 +70,29 @@ bool is_pose(py::handle given) {
   return py::isinstance<Pose>(given);
 }
 
-std::vector<Pose> listed_poses(const py::sequence& given) {
-  std::vector<Pose> poses;
-  poses.reserve(given.size());
-  for (const py::handle& one : given) {
-    poses.push_back(pose_of(one));
+/// Rows of numpy's memory, written one after the other.
+class PoseWriter {
+ public:
+  explicit PoseWriter(py::ssize_t count) : numbers_({count, py::ssize_t{12}}) {
+    to_ = numbers_.mutable_data();
   }
-  return poses;
+
+  void put(const Pose& pose) { to_ = std::copy(pose.m.begin(), pose.m.end(), to_); }
+
+  [[nodiscard]] Rows<Pose> rows() && { return Rows<Pose>(std::move(numbers_)); }
+
+ private:
+  Doubles numbers_;
+  double* to_;
+};
+
+Rows<Pose> listed_poses(const py::sequence& given) {
+  const auto count = static_cast<py::ssize_t>(given.size());
+  PoseWriter poses(count);
+  for (py::ssize_t i = 0; i < count; ++i) {  // what is listed may change the list
+    poses.put(pose_of(given[py::int_(i)]));
+  }
+  return std::move(poses).rows();
 }
 
 }  // namespace
@@ -98,31 +111,30 @@ Pose pose_of(py::handle given) {
   return pose;
 }
 
-std::vector<Pose> poses_of(py::handle given) {
+Rows<Pose> poses_of(py::handle given) {
   if ((py::isinstance<py::list>(given) || py::isinstance<py::tuple>(given)) && py::len(given) > 0 &&
       is_pose(given[py::int_(0)])) {
     return listed_poses(py::reinterpret_borrow<py::sequence>(given));
   }
-  const Doubles numbers = doubles_of(given, "poses");
+  Doubles numbers = doubles_of(given, "poses");
   const Form* const form = form_of(numbers, 1);
   if (form == nullptr) {
     refuse_shape(numbers, "poses",
                  "a list of Pose, or shape (n, 3, 4), (n, 4, 4), (n, 12), (n, 7) or (n, 3)");
   }
-  if (form->pose == &pose_of_12) {  // as a Pose lies in memory; queries check each
-    const auto* const first = std::launder(reinterpret_cast<const Pose*>(numbers.data()));
-    return {first, first + numbers.shape(0)};
+  if (form->pose == &pose_of_12) {  // as a Pose lies in memory
+    return Rows<Pose>(std::move(numbers)).owned();
   }
-  std::vector<Pose> poses(static_cast<std::size_t>(numbers.shape(0)));
+  PoseWriter poses(numbers.shape(0));
   Numbers from = numbers.data();
-  for (std::size_t i = 0; i < poses.size(); ++i, from += form->numbers) {
+  for (py::ssize_t i = 0; i < numbers.shape(0); ++i, from += form->numbers) {
     try {
-      poses[i] = form->pose(from);
+      poses.put(form->pose(from));
     } catch (const Error& error) {
       throw Error(error.kind(), "pose " + std::to_string(i) + ": " + error.place(), error.remedy());
     }
   }
-  return poses;
+  return std::move(poses).rows();
 }
 
 }  // namespace soms::python

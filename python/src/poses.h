@@ -4,11 +4,10 @@
 
 #include "soms/base/pose.h"
 
+#include "python/src/arrays.h"
 #include "python/src/errors.h"
 
 #include <pybind11/pybind11.h>
-
-#include <vector>
 
 namespace soms::python {
 
@@ -16,8 +15,9 @@ namespace soms::python {
 /// \errors ErrorKind::usage, not_finite, not_rigid.
 [[nodiscard]] Pose pose_of(py::handle given);
 
-/// n poses. \shape A list of Pose; (n, 3, 4), (n, 4, 4), (n, 12), (n, 7), (n, 3).
+/// n poses, in memory that no other thread can write to. Those of 12 numbers are not checked here:
+/// queries do. \shape A list of Pose; (n, 3, 4), (n, 4, 4), (n, 12), (n, 7), (n, 3).
 /// \errors As `pose_of`, with the number of the pose.
-[[nodiscard]] std::vector<Pose> poses_of(py::handle given);
+[[nodiscard]] Rows<Pose> poses_of(py::handle given);
 
 }  // namespace soms::python

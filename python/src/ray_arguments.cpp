@@ -12,7 +12,7 @@ namespace {
 std::vector<Vec3> rows_of(const py::object& given, const char* what, bool& is_one) {
   const Doubles numbers = doubles_of(given, what);
   is_one = is_point(numbers);
-  return is_one ? std::vector{point_of(numbers, what)} : points_of(numbers, what);
+  return is_one ? std::vector{point_of(numbers, what)} : points_of(numbers, what).copied();
 }
 
 std::vector<double> lengths_of(const py::object& given, std::size_t count) {
@@ -68,7 +68,12 @@ RayArguments rays_of(const py::object& origins, const py::object& directions,
 RayOptions ray_options(const py::object& skip, std::optional<double> seconds) {
   RayOptions options{.deadline = deadline_in(seconds)};
   if (!skip.is_none()) {
-    options.skip = skip.cast<TriangleId>();
+    Extents shape;
+    const std::vector<TriangleId> ids = ids_of(skip, "skip", shape);
+    if (!shape.empty()) {
+      throw usage("skip: more than a number", "give the number of one triangle, or None");
+    }
+    options.skip = ids.front();
   }
   return options;
 }

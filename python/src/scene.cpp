@@ -3,10 +3,12 @@
 #include "python/src/bind.h"
 #include "python/src/bodies.h"
 #include "python/src/call.h"
+#include "python/src/notebook.h"
 #include "python/src/poses.h"
 
 #include <pybind11/stl.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,7 +45,8 @@ moved then.)";
 
 void set_poses(HeldScene& held, const py::object& given, const py::object& movers) {
   const SceneUse use(held);
-  const std::vector<Pose> poses = poses_of(given);
+  const Rows<Pose> rows = poses_of(given);
+  const std::span<const Pose> poses = rows.get();
   std::vector<MoverId> ids;
   if (movers.is_none()) {
     ids = use.scene().movers();
@@ -203,6 +206,7 @@ void bind_scene(py::module_& module) {
             py::arg("mover_mover") = true, py::arg("clearance") = 0.0, py::arg("threads") = 1,
             py::arg("progress") = py::none(), kStepDoc);
   bind_scene_queries(module, scene);
+  def_notebook_page(scene);
   scene.def("__repr__", [](HeldScene& held) {
     const SceneUse use(held);
     return "Scene{" + std::to_string(use.scene().environments().size()) + " environments, " +

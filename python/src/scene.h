@@ -6,6 +6,7 @@
 
 #include "python/src/answer.h"
 #include "python/src/errors.h"
+#include "python/src/one_caller.h"
 
 #include <pybind11/pybind11.h>
 
@@ -23,26 +24,24 @@ struct HeldScene {
   std::atomic<bool> is_busy = false;
 };
 
-/// Keeps other threads, and calls from `progress`, off a scene for as long as it lives.
+/// A scene in use by one caller.
 class SceneUse {
  public:
   /// \errors ErrorKind::usage where another call is running.
-  explicit SceneUse(HeldScene& held) : held_(held) {
-    if (held.is_busy.exchange(true)) {
-      throw usage("scene: another call is running", "use a scene from one thread at a time");
-    }
-  }
-
-  ~SceneUse() { held_.is_busy = false; }
-
-  SceneUse(const SceneUse&) = delete;
-  SceneUse& operator=(const SceneUse&) = delete;
+  explicit SceneUse(HeldScene& held) : held_(held), caller_(held.is_busy, "scene") {}
 
   [[nodiscard]] Scene& scene() const { return held_.scene; }
 
+  [[nodiscard]] const Scene& queried() const { return held_.scene; }
+
  private:
   HeldScene& held_;
+  OneCaller caller_;
 };
+
+[[nodiscard]] inline SceneUse use(HeldScene& held) {
+  return SceneUse(held);
+}
 
 using SceneClass = py::class_<HeldScene>;
 

@@ -9,7 +9,9 @@
 #include "python/src/bind.h"
 #include "python/src/bodies.h"
 #include "python/src/call.h"
+#include "python/src/notebook.h"
 #include "python/src/poses.h"
+#include "python/src/text.h"
 
 #include <memory>
 
@@ -45,7 +47,7 @@ Shape make_shape(const py::object& given, const ShapeOptions& options, int threa
 }
 
 Shape refitted(const Shape& shape, const py::object& vertices, int threads) {
-  std::vector<Vec3> moved = points_of(vertices, "vertices");
+  std::vector<Vec3> moved = points_of(vertices, "vertices").copied();
   return run(Work::many, threads, py::none(),
              [&](const Parallel& parallel) { return refit(shape, std::move(moved), parallel); });
 }
@@ -101,6 +103,7 @@ void bind_shape(py::module_& module) {
   shape.def(
       "__eq__", [](const Shape& a, const Shape& b) { return a == b; }, py::is_operator());
   shape.attr("__hash__") = py::none();
+  def_notebook_page(shape);
   shape.def("__repr__", &printed<Shape>);
   shape.def(py::pickle(&shape_state, [](const py::tuple& s) {
     return make_shape(s[0], shape_options(s[1], s[2], s[3].cast<int>(), s[4].cast<int>()), 1,
@@ -110,14 +113,15 @@ void bind_shape(py::module_& module) {
 
 void bind_body(py::module_& module) {
   py::class_<Body> body(module, "Body", kBodyDoc);
-  body.def(py::init([](const py::object& shape, const py::object& pose, std::string name) {
+  body.def(py::init([](const py::object& shape, const py::object& pose, Text name) {
              return Body(shape_of(shape, "shape"), pose.is_none() ? Pose() : pose_of(pose),
-                         std::move(name));
+                         std::move(name.bytes));
            }),
            py::arg("shape"), py::arg("pose") = py::none(), py::arg("name") = "");
   body.def_readonly("shape", &Body::shape, "The Shape.");
   body.def_readonly("pose", &Body::pose, "The Pose.");
-  body.def_readonly("name", &Body::name, "The name.");
+  body.def_property_readonly(
+      "name", [](const Body& b) { return Text{b.name}; }, "The name.");
   body.def(
       "at",
       [](const Body& b, const py::object& pose) { return Body(b.shape, pose_of(pose), b.name); },
@@ -125,11 +129,11 @@ void bind_body(py::module_& module) {
   body.def(
       "__eq__", [](const Body& a, const Body& b) { return a == b; }, py::is_operator());
   body.attr("__hash__") = py::none();
+  def_notebook_page(body);
   body.def("__repr__", &printed<Body>);
-  body.def(py::pickle([](const Body& b) { return py::make_tuple(b.shape, b.pose, b.name); },
+  body.def(py::pickle([](const Body& b) { return py::make_tuple(b.shape, b.pose, Text{b.name}); },
                       [](const py::tuple& s) {
-                        return Body(s[0].cast<Shape>(), s[1].cast<Pose>(),
-                                    s[2].cast<std::string>());
+                        return Body(s[0].cast<Shape>(), s[1].cast<Pose>(), s[2].cast<Text>().bytes);
                       }));
 }
 

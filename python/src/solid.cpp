@@ -55,11 +55,11 @@ class ClosedArgument {
 /// With poses the mover is checked where it was built, as its own pose plays no part.
 py::object at_poses(const py::object& a, const py::object& b, const py::object& poses,
                     const SolidOptions& options, int threads, const py::object& progress) {
-  const std::vector<Pose> places = poses_of(poses);
+  const Rows<Pose> places = poses_of(poses);
   const ClosedArgument fixed(b, "b", threads);
   const auto answer = [&](const ClosedBody& mover) {
     return made(run(Work::many, threads, progress, [&](const Parallel& parallel) {
-      return solid(mover, places, fixed.get(), options, parallel);
+      return solid(mover, places.get(), fixed.get(), options, parallel);
     }));
   };
   if (const auto* const closed = inside<ClosedBody>(a)) {

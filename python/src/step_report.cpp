@@ -68,8 +68,12 @@ void bind_step_report(py::module_& module) {
           "(n,) uint32: movers that touch anything, ascending; a copy.")
       .field("coverage", &StepReport::coverage, "Coverage.")
       .field("scope", &StepReport::scope, "StepScope that was requested.")
+      .field("mover_mover", &StepReport::mover_mover, "Movers were compared with each other.")
+      .field("clearance", &StepReport::clearance, "That was requested.")
       .field("queries", &StepReport::queries, "Pairs of bodies that were compared.")
       .field("box_pairs", &StepReport::box_pairs, "Pairs of bodies whose boxes meet.")
+      .field("gap_queries", &StepReport::gap_queries,
+             "Pairs of bodies whose distance was computed; not in queries.")
       .field("cost", &StepReport::cost, "Cost.");
   report.def("hash", &StepReport::hash, "hash() -> int\n\nFNV-1a 64 over both lists of contacts.");
 }

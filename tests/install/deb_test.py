@@ -35,7 +35,10 @@ g++ -std=c++20 catcher.cpp -o one-line $(pkg-config --cflags --libs soms)
 """
 PYTHON = """import soms
 car = soms.Body(soms.generate("car"), [10, 0, -3])
-print(len(soms.overlap(car, soms.generate("city", 5672), threads=2).pairs), "pairs")
+city = soms.Body(soms.generate("city", 5672))
+answer = soms.overlap(car, city, threads=2)
+assert "<html" in soms.Page([car, city], answer).html
+print(len(answer.pairs), "pairs")
 """
 DRAW = """set -e; cd /tmp
 soms generate city --triangles 2000 -o town.ply

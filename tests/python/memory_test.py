@@ -8,6 +8,7 @@ import ctypes
 import gc
 import os
 import sys
+import tempfile
 import unittest
 
 import numpy as np
@@ -44,6 +45,7 @@ class Memory(unittest.TestCase):
         self.scene = soms.Scene()
         self.mover = self.scene.add_mover(self.body)
         self.scene.add_environment(self.shape)
+        self.index = soms.BodyIndex([self.body, self.shape])
 
     def check_flat(self, call, calls=CALLS):
         """The second half of the calls takes no more than the first."""
@@ -86,8 +88,26 @@ class Memory(unittest.TestCase):
             soms.Mesh(self.mesh.vertices, self.mesh.triangles).bounds
             self.scene.set_pose(self.mover, [9, 0, 0])
             self.scene.step().environment
+            self.index.closest(self.point + 9).body
 
         self.check_flat(call, CALLS // 20)
+
+    def test_pages(self):
+        self.check_flat(lambda: soms.Page(self.body).html, CALLS // 200)
+
+    def test_recordings(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "it.somsrec")
+            scene = soms.Scene()
+            scene.add_mover(soms.Body(self.mesh))
+
+            def call():
+                with soms.RecordingWriter(path, scene) as recording:
+                    recording.add(scene.step())
+                poses = soms.Replay(path)[0].poses
+                self.assertEqual(poses.shape, (1, 3, 4))
+
+            self.check_flat(call, CALLS // 100)
 
     def test_errors(self):
         def call():

@@ -23,7 +23,8 @@ def declared():
     """Functions and classes of the stub: argument names of each, and names of each class."""
     tree = ast.parse((PACKAGE / "_soms.pyi").read_text(encoding="utf-8"))
     functions = {node.name: [arg.arg for arg in (*node.args.args, *node.args.kwonlyargs)]
-                 for node in tree.body if isinstance(node, ast.FunctionDef)}
+                 for node in tree.body
+                 if isinstance(node, ast.FunctionDef) and not node.name.startswith("_")}
     classes = {node.name: {member.name for member in node.body
                            if isinstance(member, ast.FunctionDef)}
                for node in tree.body if isinstance(node, ast.ClassDef)}
@@ -39,6 +40,15 @@ class Stubs(unittest.TestCase):
             made = set(vars(getattr(_soms, name))) - OF_EVERY_CLASS
             self.assertEqual(made, members - OF_EVERY_CLASS, name)
 
+    def test_enumerations_are_those_of_the_library(self):
+        words = dict(_soms._enum_words())
+        enums = {name for name, value in vars(_enums).items() if inspect.isclass(value)}
+        self.assertEqual(set(words), enums - {"RecordedOrigin"})  # which C++ prints as a field only
+        for name in sorted(words):
+            members = list(getattr(_enums, name))
+            self.assertEqual([member.name for member in members], words[name], name)
+            self.assertEqual([int(member) for member in members], list(range(len(members))), name)
+
     def test_arguments_are_those_of_the_docstrings(self):
         for name, arguments in declared()[0].items():
             first = getattr(_soms, name).__doc__.splitlines()[0]
@@ -50,14 +60,14 @@ class Stubs(unittest.TestCase):
         functions, classes = declared()
         enums = {name for name, value in vars(_enums).items() if inspect.isclass(value)}
         offered = {name for name in vars(soms) if not name.startswith("_")}
-        self.assertEqual(offered, set(functions) | set(classes) | enums | {"Error"})
+        self.assertEqual(offered, set(functions) | set(classes) | enums | {"Error", "Page"})
 
     def test_everything_says_what_it_is(self):
         functions, classes = declared()
         for name in (*functions, *classes):
             self.assertTrue(getattr(soms, name).__doc__, name)
         for name, members in classes.items():
-            for member in members - OF_EVERY_CLASS - {"__len__", "__mul__", "__matmul__"}:
+            for member in members - OF_EVERY_CLASS - {"__len__", "__mul__", "__matmul__", "__enter__", "__exit__"}:
                 self.assertTrue(getattr(getattr(soms, name), member).__doc__, f"{name}.{member}")
         text = pydoc.plain(pydoc.render_doc(soms))
         for word in ("Exact collision queries", "overlap(a, b, poses=None", "class Mesh"):

@@ -13,7 +13,8 @@ import zipfile
 
 SYSTEM = {"linux-vdso.so.1", "libstdc++.so.6", "libm.so.6", "libgcc_s.so.1", "libc.so.6",
           "libpthread.so.0", "ld-linux-x86-64.so.2", "ld-linux-aarch64.so.1"}
-WANTED = {"soms/__init__.py", "soms/_enums.py", "soms/_error.py", "soms/_soms.pyi", "soms/py.typed"}
+WANTED = {"soms/__init__.py", "soms/_enums.py", "soms/_error.py", "soms/_page.py", "soms/_soms.pyi", "soms/py.typed"}
+MOST_BYTES = 3_000_000
 USE = """
 import pathlib, soms
 assert str(pathlib.Path(soms.__file__)).startswith({environment!r}), soms.__file__
@@ -21,6 +22,7 @@ car, city = soms.generate("car"), soms.generate("city", 5672)
 answer = soms.overlap(soms.Body(car, [10, 0, -3]), city, threads=2)
 print(len(answer.pairs), "pairs,", soms.__version__)
 assert answer.any
+assert "soms-scene" in soms.Page([car, city]).html
 {dae}
 """
 # COLLADA is read by a library that the wheel must bring.
@@ -49,6 +51,8 @@ def check_contents(wheel, folder):
     linked = {pathlib.PurePath(line.split()[0]).name for line in run("ldd", module).splitlines()}
     if linked - SYSTEM:
         sys.exit(f"{module.name} needs {sorted(linked - SYSTEM)}")
+    if wheel.stat().st_size > MOST_BYTES or not any(name.endswith("LICENSE.three") for name in names):
+        sys.exit(f"{wheel.name} has {wheel.stat().st_size} bytes and {sorted(names)}")
     print(f"{wheel.name}: {wheel.stat().st_size} bytes, linked with {sorted(linked)}")
 
 
