@@ -28,6 +28,16 @@ ON_BODY = """
     return null;
   })().then(done);"""
 
+# Pixels of the moved body's blue, of a contact's red, and at the place that was picked.
+DRAWN = """
+  const {width, height, bytes} = demo.pixels(), at = arguments[0], colors = {blue: 0, red: 0};
+  for (let k = 0; k < bytes.length; k += 4) {
+    colors.blue += bytes[k + 2] > 1.4 * bytes[k];
+    colors.red += bytes[k] > 2.5 * bytes[k + 2];
+  }
+  const k = 4 * (width * Math.round(height / 2 - at[1]) + Math.round(width / 2 + at[0]));
+  return {...colors, picked: bytes[k + 2] > 1.4 * bytes[k]};"""
+
 
 class Demo:
     def __init__(self, browser, url):
@@ -103,6 +113,8 @@ def check(demo, data, command):
     # The samples are there at once, and are moved and turned by the mouse; the camera leaves the body alone.
     assert "50,000 triangles" in demo.text("fixed-facts") and "50,000 triangles" in demo.text("moved-facts")
     assert demo.settled()["count"] > 0
+    drawn = demo.run(DRAWN, demo.place("moved"))
+    assert drawn["picked"] and drawn["blue"] > 5000 and drawn["red"] > 100, drawn
     assert demo.drag("moved", (40, 12)) and demo.drag("moved", (25, -30), shift=True)
     assert not demo.drag(None, (30, 20))
     times = []

@@ -26,7 +26,7 @@ export class Camera {
   /** Unit vectors to the right, up and toward the eye; z is up. */
   axes() {
     const [cy, sy, cp, sp] = [Math.cos(this.yaw), Math.sin(this.yaw), Math.cos(this.pitch), Math.sin(this.pitch)];
-    return [[cy, sy, 0], [sy * sp, -cy * sp, cp], [sy * cp, -cy * cp, sp]];
+    return [[cy, sy, 0], [-sy * sp, cy * sp, cp], [sy * cp, -cy * cp, sp]];
   }
 
   eye() {

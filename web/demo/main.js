@@ -29,11 +29,13 @@ function say(error) {
 function redraw() {
   if (!drawWanted) {
     drawWanted = true;
-    requestAnimationFrame(() => {
-      drawWanted = false;
-      picture.draw(camera, { moved: placement?.pose() });
-    });
+    requestAnimationFrame(draw);
   }
+}
+
+function draw() {
+  drawWanted = false;
+  picture.draw(camera, { moved: placement?.pose() });
 }
 
 function show(answer) {
@@ -120,10 +122,14 @@ async function begin() {
   }
 }
 
-/** For tests: the last answer and whether it is that for where the body is now, what is seen at a place, what a drag does. */
+/** For tests: the last answer and whether it is that for where the body is now; what a ray sees at a place; what is drawn. */
 window.demo = {
   state: () => ({ ...last, settled: last !== null && placement !== null && String(last.pose) === String(placement.pose()) }),
   sees: async (x, y) => ((await pick(camera.ray(x, y, picture.aspect()))) === null ? null : 'moved'),
   holds: () => hand.holds(),
+  pixels() {
+    draw();
+    return picture.pixels();
+  },
 };
 begin().catch(say);

@@ -115,6 +115,14 @@ export class Picture {
     Object.assign(this.ends, { count: ends.length / 6, color });
   }
 
+  /** What was drawn just now: its width, its height, and four bytes a pixel, the lowest row first. */
+  pixels() {
+    const { width, height } = this.canvas;
+    const bytes = new Uint8Array(4 * width * height);
+    this.#gl.readPixels(0, 0, width, height, this.#gl.RGBA, this.#gl.UNSIGNED_BYTE, bytes);
+    return { width, height, bytes };
+  }
+
   aspect() {
     return this.canvas.clientWidth / Math.max(1, this.canvas.clientHeight);
   }
