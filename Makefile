@@ -126,10 +126,11 @@ arm64:
 # The npm package: WebAssembly by Debian's emscripten. Minutes to build, so its tests are part of `make check`.
 wasm:
 	@tools/install_packages.sh web
-	cmake -G Ninja -S web -B build/wasm -D SOMS_WEB_PACKAGE=$(CURDIR)/build/web \
+	cmake -G Ninja -S web -B build/wasm -D SOMS_WEB_PACKAGE=$(CURDIR)/build/web -D SOMS_WEB_DEMO=$(CURDIR)/build/web-demo \
 	  -D CMAKE_TOOLCHAIN_FILE=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake
-	cmake --build build/wasm -j $(JOBS) --target package
+	cmake --build build/wasm -j $(JOBS) --target demo
 	@echo "The npm package is in build/web: npm install $(CURDIR)/build/web, or npm pack there."
+	@echo "A page that shows it: python3 -m http.server --directory build/web-demo"
 
 wasm-test: wasm
 	cmake --build build/wasm -j $(JOBS)

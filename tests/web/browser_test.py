@@ -33,6 +33,8 @@ window.outcome = (async () => {
 })();
 </script>""" % CASES
 
+SOFTWARE_DRAWING = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist")
+
 
 def skip(why):
     print(f"skipped: {why}; the packages of section test in packages.txt bring it")
@@ -49,7 +51,7 @@ def serve(folder):
     return server.server_address[1]
 
 
-def start_browser(folder):
+def start_browser(folder, webgl=False):
     chromium = shutil.which("chromium") or shutil.which("chromium-browser")
     driver = shutil.which("chromedriver")
     if chromium is None or driver is None:
@@ -62,8 +64,9 @@ def start_browser(folder):
     options = webdriver.ChromeOptions()
     options.binary_location = chromium
     # As root Chromium runs without its sandbox only; containers have little shared memory.
-    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--no-first-run", "--disable-gpu",
-                     "--disable-background-networking", f"--user-data-dir={folder / 'profile'}"):
+    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--no-first-run",
+                     "--disable-background-networking", f"--user-data-dir={folder / 'profile'}",
+                     *(SOFTWARE_DRAWING if webgl else ["--disable-gpu"])):
         options.add_argument(argument)
     os.environ["HOME"] = str(folder)
     browser = webdriver.Chrome(options=options, service=Service(executable_path=driver))

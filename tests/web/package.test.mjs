@@ -133,6 +133,138 @@ test('errors have kind, place and remedy', () => {
   fails('usage', () => soms.overlap(a, a));
 });
 
+test('what is no argument is refused, whatever it is', () => {
+  const a = new soms.Shape(box(1));
+  const handedOver = Float64Array.from(box(1).vertices);
+  structuredClone(handedOver, { transfer: [handedOver.buffer] });
+  const triangle = [0, 0, 0, 1, 0, 0, 0, 1, 0];
+  const calls = {
+    'an address for a mesh': () => new soms.Mesh(5),
+    'an object like a handle': () => new soms.Mesh({ address: 5 }),
+    'no mesh': () => new soms.Mesh(null),
+    'text for vertices': () => new soms.Mesh({ vertices: 'abc', triangles: [] }),
+    'nested vertices': () => new soms.Mesh({ vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0]] }),
+    'big integers': () => new soms.Mesh({ vertices: BigInt64Array.of(0n, 0n, 0n) }),
+    'a view of data': () => new soms.Mesh({ vertices: new DataView(new ArrayBuffer(72)) }),
+    'one index': () => new soms.Mesh({ vertices: triangle, triangles: 5 }),
+    'an index that is no whole number': () => new soms.Mesh({ vertices: triangle, triangles: [0, 1, 1.5] }),
+    'an index that is no vertex': () => new soms.Shape({ vertices: triangle, triangles: [0, 1, 3] }),
+    'vertices that were handed over': () => new soms.Shape({ vertices: handedOver, triangles: box(1).triangles }),
+    'no shape': () => new soms.Shape(undefined),
+    'text for a file': () => soms.readMesh('ply', 'ply'),
+    'a number for a file': () => soms.readMesh(64, 'ply'),
+    'a file without a format': () => soms.readMesh(new Uint8Array(8)),
+    'bytes that were handed over': () => soms.readMesh(handedOver.buffer, 'ply'),
+    'no limit': () => soms.overlap(a, a, { limit: NaN }),
+    'a limit below 0': () => soms.overlap(a, a, { limit: -1 }),
+    'no time': () => soms.overlap(a, a, { timeLimit: 'soon' }),
+    'no distance': () => soms.distance(a, a, { atMost: NaN }),
+    'a distance below 0': () => soms.closest(a, [0, 0, 0], { atMost: -1 }),
+    'no clearance': () => soms.within(a, a),
+    'a clearance that is text': () => soms.within(a, a, '1'),
+    'no radius': () => soms.nearTriangles(a, [0, 0, 0]),
+    'no count': () => soms.nearestTriangles(a, [0, 0, 0], 0.5),
+    'no triangle to skip': () => soms.anyHit(a, { from: [0, 0, 0], to: [1, 0, 0] }, { skip: 1.5 }),
+    'no points': () => soms.closestBatch(a, undefined),
+    'points by twos': () => soms.closestBatch(a, [0, 1]),
+    'no rays': () => soms.allHits(a, 7),
+    'no poses': () => soms.overlapBatch(a, 7, a),
+    'a body without a shape': () => soms.overlap(a, new soms.Body(undefined, shifted(0))),
+    'no pairs': () => soms.crossings(a, a, undefined),
+    'half a pair': () => soms.crossings(a, a, [0]),
+    'a pair of other bodies': () => soms.crossings(a, a, [0, 12]),
+  };
+  for (const [what, call] of Object.entries(calls)) {
+    assert.throws(call, (error) => error instanceof soms.SomsError || assert.fail(`${what}: ${error}`), what);
+  }
+  fails('not_finite', () => soms.overlap(a, new soms.Body(a, shifted(NaN))));
+  fails('not_finite', () => soms.closest(a, [0, Infinity, 0]));
+  assert.equal(soms.overlap(a, a).pairs.length / 2 > 12, true);  // nothing of it did harm
+  a.free();
+});
+
+test('shared memory is read as any other', () => {
+  const { vertices, triangles } = box(1);
+  const shared = new Float64Array(new SharedArrayBuffer(8 * vertices.length));
+  shared.set(vertices);
+  const [a, b] = [new soms.Shape({ vertices: shared, triangles }), new soms.Shape(box(1))];
+  assert.deepEqual(soms.overlap(a, b), soms.overlap(b, b));
+  a.free();
+  b.free();
+});
+
+test('pairs that cross have points in common', () => {
+  const [a, b] = [new soms.Shape(box(1)), new soms.Shape(box(1))];
+  const moved = new soms.Body(a, Float64Array.of(1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1));  // corner into corner
+  const { pairs } = soms.overlap(moved, b);
+  const { offsets, points } = soms.crossings(moved, b, pairs);
+  assert.equal(offsets.length, pairs.length / 2 + 1);
+  assert.equal(points.length, 3 * offsets.at(-1));
+  for (let k = 0; k < pairs.length / 2; ++k) {
+    assert.ok(offsets[k + 1] > offsets[k]);
+  }
+  assert.ok(points.every((x) => x >= 0 && x <= 1));
+  a.free();
+  b.free();
+});
+
+test('broken files are errors, and the module goes on', async () => {
+  const { readdir } = await import('node:fs/promises');
+  const kinds = new Map();
+  for (const { name } of (await readdir(join(data, 'bad'), { withFileTypes: true })).filter((entry) => entry.isFile())) {
+    const bytes = await readFile(join(data, 'bad', name));
+    try {
+      soms.readMesh(bytes, name).free();
+      kinds.set('read', (kinds.get('read') ?? 0) + 1);
+    } catch (error) {
+      assert.ok(error instanceof soms.SomsError, `${name}: ${error}`);
+      kinds.set(error.kind, (kinds.get(error.kind) ?? 0) + 1);
+    }
+  }
+  assert.ok(kinds.get('bad_file') > 50, JSON.stringify([...kinds]));
+  const a = new soms.Shape(box(1));
+  assert.equal(soms.overlap(a, a).any, true);
+  a.free();
+});
+
+test('addresses beyond 2 GB, and no memory beyond 4 GB', async () => {
+  // A module of its own: what it took stays taken. Pages that nobody writes to cost nothing.
+  const own = await import(`${pathToFileURL(join(folder, 'module.js'))}?large`);
+  await own.load({ source: await readFile(join(folder, 'soms.wasm')) });
+  own.run('soms_allocate', 0x7e000000);
+  own.run('soms_allocate', 0x10000000);
+  assert.ok(own.run('soms_allocate', 0x100000) > 2 ** 31);
+  const { vertices, triangles } = box(1);
+  const home = shifted(0);
+  const mesh = own.run('soms_mesh', vertices, 8, triangles, 12);
+  const shape = own.run('soms_shape', mesh, 0);
+  const [any, , , pairs] = own.query('soms_overlap', shape, home, 1, shape, home, 0, Infinity, Infinity);
+  assert.equal(any[0], 1);
+  assert.ok(pairs.length > 24);
+  assert.throws(() => own.run('soms_mesh', vertices, 2 ** 31 / 6 | 0, triangles, 12), { name: 'SomsError', kind: 'out_of_memory' });
+  assert.equal(own.query('soms_overlap', shape, home, 1, shape, home, 0, Infinity, Infinity)[0][0], 1);
+});
+
+test('a module that is missing or broken is an error, after which the right one loads', async () => {
+  const own = await import(`${pathToFileURL(join(folder, 'module.js'))}?broken`);
+  const whole = await readFile(join(folder, 'soms.wasm'));
+  await assert.rejects(own.load({ source: new URL('nothing.wasm', pathToFileURL(folder)) }), { name: 'SomsError', kind: 'cannot_open' });
+  await assert.rejects(own.load({ source: whole.subarray(0, 1000) }), { name: 'SomsError', kind: 'unsupported' });
+  await own.load({ source: whole });
+  await assert.rejects(start({ source: whole.subarray(0, 1000) }), { name: 'SomsError', kind: 'unsupported' });
+});
+
+test('two workers are two modules', async () => {
+  const source = await readFile(join(folder, 'soms.wasm'));
+  const [one, other] = await Promise.all([start({ source }), start({ source })]);
+  const [a, b] = await Promise.all([one.shape(box(1)), other.shape(box(2))]);
+  assert.deepEqual([...(await a.bounds()).upper, ...(await b.bounds()).upper], [1, 1, 1, 2, 2, 2]);
+  await one.close();
+  assert.equal((await other.overlap(b, b)).any, true);
+  await assert.rejects(one.overlap(a, a), { kind: 'usage' });
+  await other.close();
+});
+
 test('a limit of time cuts, and says so', () => {
   const a = new soms.Shape(box(1));
   assert.equal(soms.overlap(a, new soms.Body(a, shifted(1)), { timeLimit: -1 }).coverage, 'cut');

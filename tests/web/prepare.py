@@ -1,7 +1,7 @@
 """Unpacks the truth sets into a folder that node and a browser read: prepare.py ROOT OUT.
 
 OUT gets truth/, distance/ and questions/ with their tables, meshes/ with all meshes of the sets, and meshes.csv with
-their names.
+their names; formats/ and bad/ have files of each format, good and broken.
 """
 import lzma
 import pathlib
@@ -23,7 +23,8 @@ def prepare(root, out):
             shutil.copy(mesh, out / "meshes" / mesh.name)
             names.append(mesh.stem)
     (out / "meshes.csv").write_text("\n".join(["mesh", *names]) + "\n", encoding="utf-8")
-    shutil.copytree(data / "formats", out / "formats", dirs_exist_ok=True)
+    for folder in ("formats", "bad"):
+        shutil.copytree(data / folder, out / folder, dirs_exist_ok=True)
 
 
 if __name__ == "__main__":

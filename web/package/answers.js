@@ -1,4 +1,5 @@
 // Answers as callers see them.
+import { number } from './errors.js';
 
 /** Names of the codes that answers of batches hold. */
 export const NAMES = Object.freeze({
@@ -34,5 +35,10 @@ export function pairOf(numbers, k = 0) {
 
 /** A limit of time in milliseconds; none by default. */
 export function timeOf(options) {
-  return options.timeLimit ?? Infinity;
+  return number(options.timeLimit ?? Infinity, 'timeLimit');
+}
+
+/** What is farther does not count. */
+export function atMostOf(options) {
+  return number(options.atMost ?? Infinity, 'atMost');
 }

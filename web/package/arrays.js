@@ -3,12 +3,31 @@ import { usage } from './errors.js';
 
 const IDENTITY = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0);
 
+function isTyped(value) {
+  return ArrayBuffer.isView(value) && !(value instanceof DataView) && typeof value[0] !== 'bigint';
+}
+
+/** Throws for a buffer that was handed to a worker: it looks empty, which would be a surprise. */
+export function demandPresent(buffer) {
+  try {
+    new Uint8Array(buffer);
+  } catch {
+    throw usage('this array was handed to a worker, and is empty now', 'hand over a copy of it');
+  }
+}
+
 function isNumbers(value) {
-  return ArrayBuffer.isView(value) || (Array.isArray(value) && value.every((x) => typeof x === 'number'));
+  if (value?.length === 0 && isTyped(value)) {
+    demandPresent(value.buffer);
+  }
+  return isTyped(value) || (Array.isArray(value) && value.every((x) => typeof x === 'number'));
 }
 
 /** Flat numbers, `width` to a row. */
 function flat(value, width, what) {
+  if (!isNumbers(value)) {
+    throw usage(`${what}: no flat numbers`, 'give a typed array, or an array of numbers');
+  }
   if (value.length % width !== 0) {
     throw usage(`${what}: ${value.length} numbers, which is not a multiple of ${width}`,
                 `give ${width} numbers for each`);
@@ -105,12 +124,15 @@ export function lines(value) {
 }
 
 function indices(value) {
+  if (!isNumbers(value)) {
+    throw usage('triangles: no flat numbers', 'give a typed array, or an array of numbers: three for each');
+  }
   if (value instanceof Uint32Array) {
     return value;
   }
   for (const [k, index] of value.entries()) {
     if (!Number.isInteger(index) || index < 0 || index > 0xffffffff) {
-      throw usage(`index ${k} of triangles is ${index}`, 'give whole numbers from 0 on');
+      throw usage(`number ${k} of triangles is ${index}`, 'give whole numbers from 0 on');
     }
   }
   return Uint32Array.from(value);
@@ -150,6 +172,15 @@ export function meshArrays(value) {
     throw usage(`triangles: ${triangles.length} indices, which is not a multiple of 3`, 'give three for each');
   }
   return { vertices, triangles };
+}
+
+/** Pairs of triangles: n x 2 numbers. */
+export function pairs(value) {
+  const all = indices(value);
+  if (all.length % 2 !== 0) {
+    throw usage(`pairs: ${all.length} numbers, which is not a multiple of 2`, 'give two for each');
+  }
+  return all;
 }
 
 /** Whether `meshArrays` takes it for a BufferGeometry, or a mesh of one. */

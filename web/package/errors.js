@@ -9,6 +9,14 @@ export class SomsError extends Error {
   }
 }
 
+/** A number, also an infinite one, that is at least `least`. */
+export function number(value, what, least = -Infinity) {
+  if (typeof value !== 'number' || !(value >= least)) {
+    throw usage(`${what} is ${String(value)}`, least === -Infinity ? 'give a number' : `give a number from ${least} on`);
+  }
+  return value;
+}
+
 export function usage(place, remedy) {
   return new SomsError('usage', place, remedy);
 }

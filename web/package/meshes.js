@@ -1,21 +1,22 @@
 // Meshes, shapes, and bodies: shapes at a place.
-import { meshArrays, pose } from './arrays.js';
+import { demandPresent, meshArrays, pose } from './arrays.js';
 import { usage } from './errors.js';
-import { Handle, query, run } from './module.js';
+import { Handle, made, Made, query, run } from './module.js';
 
 const UP_AXES = ['unknown', 'x', 'y', 'z'];
 const NO_PARENT = 0xffffffff;
+const SharedBuffer = globalThis.SharedArrayBuffer ?? ArrayBuffer;  // pages without isolation have none
 
 /** Triangles as read, in double. */
 export class Mesh extends Handle {
   /** Of {vertices, triangles} or a three.js BufferGeometry. */
   constructor(value) {
-    super(typeof value === 'number' ? value : Mesh.#made(value), 'soms_mesh_free');
+    super(value instanceof Made ? value : Mesh.#made(value), 'soms_mesh_free');
   }
 
   static #made(value) {
     const { vertices, triangles } = meshArrays(value);
-    return run('soms_mesh', vertices, vertices.length / 3, triangles, triangles.length / 3);
+    return made(run('soms_mesh', vertices, vertices.length / 3, triangles, triangles.length / 3));
   }
 
   /** Copies: {vertices, triangles, parts, notes, unit, up, cornerHash}. */
@@ -35,9 +36,16 @@ export class Mesh extends Handle {
 
 /** The mesh in a file's bytes: PLY, STL, OBJ, GLB, OFF, 3DS. `format` is its extension, or its name. */
 export function readMesh(bytes, format, { strict = false } = {}) {
+  if (typeof format !== 'string') {
+    throw usage(`format is ${String(format)}`, "give an extension, such as 'ply', or the file's name");
+  }
+  if (!(ArrayBuffer.isView(bytes) || bytes instanceof ArrayBuffer || bytes instanceof SharedBuffer)) {
+    throw usage('these are no bytes of a file', 'give an ArrayBuffer or a Uint8Array');
+  }
+  demandPresent(bytes.buffer ?? bytes);
   const name = new TextEncoder().encode(`${format.includes('.') ? format : `model.${format}`}\0`);
   const content = ArrayBuffer.isView(bytes) ? bytes : new Uint8Array(bytes);
-  return new Mesh(run('soms_read_mesh', content, content.byteLength, name, strict ? 1 : 0));
+  return new Mesh(made(run('soms_read_mesh', content, content.byteLength, name, strict ? 1 : 0)));
 }
 
 /** A mesh with its tree, ready for queries. */
@@ -52,11 +60,11 @@ export class Shape extends Handle {
 
   static #made(value, compact) {
     if (value instanceof Mesh) {
-      return run('soms_shape', value.address, compact);
+      return made(run('soms_shape', value.address, compact));
     }
     const mesh = new Mesh(value);
     try {
-      return run('soms_shape', mesh.address, compact);
+      return made(run('soms_shape', mesh.address, compact));
     } finally {
       mesh.free();
     }

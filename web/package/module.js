@@ -8,17 +8,34 @@ let scratch = { address: 0, bytes: 0 };
 
 const COLUMN_TYPES = [Uint8Array, Uint32Array, Int32Array, Float64Array];
 
-async function bytesOf(url) {
+async function contentOf(url) {
   if (url.protocol === 'file:' && typeof process !== 'undefined' && process.versions?.node) {
     const files = 'node:fs/promises';  // a variable, so that bundlers for browsers leave it alone
     return (await import(/* webpackIgnore: true */ /* @vite-ignore */ files)).readFile(url);
   }
   const response = await fetch(url);
   if (!response.ok) {
-    throw new SomsError('cannot_open', `${url}: status ${response.status}`,
-                        'serve soms.wasm beside soms.js, or hand its URL or bytes to load()');
+    throw new Error(`status ${response.status}`);
   }
   return response.arrayBuffer();
+}
+
+async function bytesOf(url) {
+  try {
+    return await contentOf(url);
+  } catch (error) {
+    throw new SomsError('cannot_open', `${url}: ${error.message}`,
+                        'serve soms.wasm beside soms.js, or hand its URL or bytes to load()');
+  }
+}
+
+async function compiledFrom(bytes) {
+  try {
+    return await WebAssembly.compile(bytes);
+  } catch (error) {
+    throw new SomsError('unsupported', `soms.wasm cannot be compiled: ${error.message}`,
+                        'hand in the whole file; WebAssembly needs SIMD and exceptions, as browsers have since 2023');
+  }
 }
 
 async function compiled(source) {
@@ -26,11 +43,11 @@ async function compiled(source) {
     return source;
   }
   if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) {
-    return WebAssembly.compile(source);
+    return compiledFrom(source);
   }
   const place = source === undefined ? new URL('./soms.wasm', import.meta.url)
                                      : new URL(source, globalThis.location?.href ?? import.meta.url);
-  return WebAssembly.compile(await bytesOf(place));
+  return compiledFrom(await bytesOf(place));
 }
 
 async function start({ source, instructionSet } = {}) {
@@ -70,10 +87,11 @@ export function memorySize() {
 
 /** Bytes of it that are in use. */
 export function memoryInUse() {
-  return loaded().soms_memory_in_use();
+  return loaded().soms_memory_in_use() >>> 0;
 }
 
-function text(address) {
+function text(signed) {
+  const address = signed >>> 0;
   const bytes = new Uint8Array(exported.memory.buffer);
   return new TextDecoder().decode(bytes.subarray(address, bytes.indexOf(0, address)));
 }
@@ -89,7 +107,7 @@ function makeRoom(bytes) {
   }
   exported.soms_release(scratch.address);
   const wanted = Math.max(bytes, 4096);
-  scratch = { address: exported.soms_allocate(wanted), bytes: wanted };
+  scratch = { address: exported.soms_allocate(wanted) >>> 0, bytes: wanted };
   if (scratch.address === 0) {
     scratch.bytes = 0;
     throw new SomsError('out_of_memory', `no room for ${bytes} bytes of arguments`,
@@ -126,7 +144,7 @@ export function run(name, ...values) {
     at += padded(value.byteLength);
     return here;
   });
-  const result = functions[name](...passed);
+  const result = functions[name](...passed) >>> 0;  // WebAssembly's integers have a sign, addresses have none
   leaveRoom();
   if (result === 0) {
     throw lastError();
@@ -140,12 +158,23 @@ export function query(name, ...values) {
   const columns = [];
   for (let k = 0; k < exported.soms_answer_columns(answer); ++k) {
     const [address, count, numbers] =
-        new Uint32Array(exported.memory.buffer, exported.soms_answer_column(answer, k), 3);
+        new Uint32Array(exported.memory.buffer, exported.soms_answer_column(answer, k) >>> 0, 3);
     const Type = COLUMN_TYPES[numbers];
     columns.push(count === 0 ? new Type() : new Type(exported.memory.buffer, address, count).slice());
   }
   exported.soms_answer_free(answer);
   return columns;
+}
+
+/** The address of an object that the module made. Users have no way to make one: a number is no handle. */
+export class Made {
+  constructor(address) {
+    this.address = address;
+  }
+}
+
+export function made(address) {
+  return new Made(address);
 }
 
 const forgotten = new FinalizationRegistry(({ address, release }) => exported[release](address));
@@ -155,7 +184,7 @@ export class Handle {
   #address;
   #release;
 
-  constructor(address, release) {
+  constructor({ address }, release) {
     this.#address = address;
     this.#release = release;
     forgotten.register(this, { address, release }, this);

@@ -1,7 +1,7 @@
 // Queries of two surfaces: single, and for a batch of poses of the first.
-import { costOf, nameOf, pairOf, pointOf, timeOf } from './answers.js';
-import { poses as posesOf } from './arrays.js';
-import { usage } from './errors.js';
+import { atMostOf, costOf, nameOf, pairOf, pointOf, timeOf } from './answers.js';
+import { pairs as pairsOf, poses as posesOf } from './arrays.js';
+import { number, usage } from './errors.js';
 import { placed } from './meshes.js';
 import { query } from './module.js';
 
@@ -24,7 +24,7 @@ function overlapColumns(bodies, options) {
     throw usage(`mode is '${options.mode}'`, `give one of ${MODES.join(', ')}`);
   }
   const [any, coverage, offsets, pairs, cost] =
-      query('soms_overlap', ...bodies, mode, options.limit ?? Infinity, timeOf(options));
+      query('soms_overlap', ...bodies, mode, number(options.limit ?? Infinity, 'limit', 0), timeOf(options));
   return { any, coverage, offsets, pairs, cost: costOf(cost) };
 }
 
@@ -38,9 +38,17 @@ export function overlapBatch(mover, poses, fixed, options = {}) {
   return overlapColumns(batch(mover, poses, fixed), options);
 }
 
+/** What pairs of triangles have in common, for drawing: nothing, a point, a segment's ends, or an outline. */
+export function crossings(a, b, pairs) {
+  const [first, second] = [placed(a, 'the first body'), placed(b, 'the second body')];
+  const numbers = pairsOf(pairs);
+  const [offsets, points] = query('soms_crossings', ...first, ...second, numbers, numbers.length / 2);
+  return { offsets, points };
+}
+
 function distanceColumns(bodies, options) {
   const [lower, upper, triangles, pointA, pointB, farther, coverage, cost] =
-      query('soms_distance', ...bodies, options.atMost ?? Infinity, timeOf(options));
+      query('soms_distance', ...bodies, atMostOf(options), timeOf(options));
   return { lower, upper, triangles, pointA, pointB, farther, coverage, cost: costOf(cost) };
 }
 
@@ -65,7 +73,7 @@ export function distanceBatch(mover, poses, fixed, options = {}) {
 
 function withinColumns(bodies, clearance, options) {
   const [within, triangles, pointA, pointB, atLeast, coverage, cost] =
-      query('soms_within', ...bodies, clearance, timeOf(options));
+      query('soms_within', ...bodies, number(clearance, 'clearance'), timeOf(options));
   return { within, triangles, pointA, pointB, atLeast, coverage, cost: costOf(cost) };
 }
 

@@ -1,9 +1,9 @@
 // Queries of points against one body: single, and in a batch.
-import { costOf, nameOf, pointOf, timeOf, triangleOf } from './answers.js';
+import { atMostOf, costOf, nameOf, pointOf, timeOf, triangleOf } from './answers.js';
 import { point as pointArray, points as pointArrays } from './arrays.js';
-import { usage } from './errors.js';
+import { number, usage } from './errors.js';
 import { placed } from './meshes.js';
-import { Handle, query, run } from './module.js';
+import { Handle, made, query, run } from './module.js';
 
 function against(body, numbers) {
   return [...placed(body, 'the body'), numbers, numbers.length / 3];
@@ -11,7 +11,7 @@ function against(body, numbers) {
 
 function closestColumns(name, body, numbers, options) {
   const [lower, upper, triangle, point, feature, farther, coverage, cost, side] =
-      query(name, ...against(body, numbers), options.atMost ?? Infinity, timeOf(options));
+      query(name, ...against(body, numbers), atMostOf(options), timeOf(options));
   const found = { lower, upper, triangle, point, feature, farther, coverage, cost: costOf(cost) };
   return side === undefined ? found : { ...found, side };
 }
@@ -58,12 +58,13 @@ export function nearestTriangles(body, points, count, options = {}) {
     throw usage(`count is ${count}`, 'give a whole number from 0 on');
   }
   return rows(query('soms_nearest_triangles', ...against(body, pointArrays(points)), count,
-                    options.atMost ?? Infinity, timeOf(options)));
+                    atMostOf(options), timeOf(options)));
 }
 
 /** The triangles within a radius of each point, nearest first. */
 export function nearTriangles(body, points, radius, options = {}) {
-  return rows(query('soms_near_triangles', ...against(body, pointArrays(points)), radius, timeOf(options)));
+  return rows(query('soms_near_triangles', ...against(body, pointArrays(points)), number(radius, 'radius'),
+                    timeOf(options)));
 }
 
 function containsColumns(body, numbers, options) {
@@ -84,7 +85,7 @@ export function containsBatch(body, points, options = {}) {
 /** What `winding` knows of a body. Made once, queried often. */
 export class WindingIndex extends Handle {
   constructor(body) {
-    super(run('soms_winding_index', ...placed(body, 'the body')), 'soms_winding_index_free');
+    super(made(run('soms_winding_index', ...placed(body, 'the body'))), 'soms_winding_index_free');
   }
 }
 
@@ -93,7 +94,8 @@ function windingColumns(index, numbers, options) {
     throw usage('this is no index of winding numbers', 'give a WindingIndex of the body');
   }
   const [side, lower, upper, coverage, cost] =
-      query('soms_winding', index.address, numbers, numbers.length / 3, options.width ?? 1e-9, timeOf(options));
+      query('soms_winding', index.address, numbers, numbers.length / 3, number(options.width ?? 1e-9, 'width'),
+            timeOf(options));
   return { side, lower, upper, coverage, cost: costOf(cost) };
 }
 

@@ -1,12 +1,17 @@
 // Queries of rays and segments against one body: single, and in a batch.
 import { costOf, nameOf, pointOf, timeOf, triangleOf } from './answers.js';
 import { lines } from './arrays.js';
+import { usage } from './errors.js';
 import { placed } from './meshes.js';
 import { query } from './module.js';
 
 function columns(name, body, rays, options) {
   const { numbers, count, segments } = lines(rays);
-  return query(name, ...placed(body, 'the body'), numbers, count, segments, options.skip ?? -1, timeOf(options));
+  const skip = options.skip ?? -1;
+  if (!Number.isInteger(skip) || skip < -1 || skip > 0x7fffffff) {
+    throw usage(`skip is ${String(skip)}`, 'give the number of a triangle');
+  }
+  return query(name, ...placed(body, 'the body'), numbers, count, segments, skip, timeOf(options));
 }
 
 function closestHitColumns(body, rays, options) {

@@ -165,6 +165,16 @@ export interface OverlapBatch {
 export function overlap(a: Placed, b: Placed, options?: OverlapOptions): Overlap;
 export function overlapBatch(mover: Shape, poses: PosesLike, fixed: Placed, options?: OverlapOptions): OverlapBatch;
 
+/** What pairs of triangles have in common: row k, of 0 to 6 points, is that of pair k. */
+export interface Crossings {
+  /** n + 1: the points of pair k are those from offsets[k] to offsets[k + 1]. */
+  offsets: Uint32Array;
+  /** x 3. One is a point, two are the ends of a segment, more an outline. */
+  points: Float64Array;
+}
+/** Where pairs that `overlap` found cross, for drawing: within 1e-12 of the triangles' extent. */
+export function crossings(a: Placed, b: Placed, pairs: Numbers): Crossings;
+
 export interface DistanceOptions extends TimeOptions {
   /** Beyond this the answer is `farther`. */
   atMost?: number;

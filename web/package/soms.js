@@ -5,7 +5,7 @@ export { NAMES } from './answers.js';
 export { SomsError } from './errors.js';
 export { Body, Mesh, Shape, readMesh } from './meshes.js';
 export { load, memoryInUse, memorySize } from './module.js';
-export { distance, distanceBatch, overlap, overlapBatch, solid, solidBatch, within, withinBatch } from './pairs.js';
+export { crossings, distance, distanceBatch, overlap, overlapBatch, solid, solidBatch, within, withinBatch } from './pairs.js';
 export {
   WindingIndex, closest, closestBatch, contains, containsBatch, nearTriangles, nearestTriangles, signedClosest,
   signedClosestBatch, winding, windingBatch,

@@ -28,7 +28,7 @@ type Promised<Query> = Query extends (...values: infer Values) => infer Answer
     ? (...values: PassedAll<Values>) => Promise<Answer> : never;
 
 type QueryName = 'allHits' | 'anyHit' | 'anyHitBatch' | 'closest' | 'closestBatch' | 'closestHit' | 'closestHitBatch'
-    | 'contains' | 'containsBatch' | 'distance' | 'distanceBatch' | 'instructionSet' | 'memoryInUse' | 'memorySize' | 'nearTriangles'
+    | 'contains' | 'containsBatch' | 'crossings' | 'distance' | 'distanceBatch' | 'instructionSet' | 'memoryInUse' | 'memorySize' | 'nearTriangles'
     | 'nearestTriangles' | 'overlap' | 'overlapBatch' | 'signedClosest' | 'signedClosestBatch' | 'solid' | 'solidBatch'
     | 'winding' | 'windingBatch' | 'within' | 'withinBatch';
 

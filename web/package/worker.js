@@ -52,7 +52,12 @@ class RemoteSoms {
 
   async start(options) {
     this.#thread = await newThread((reply) => this.#settle(reply), (what) => this.#fail(what));
-    await this.#post('load', options === undefined ? [] : [options]);
+    try {
+      await this.#post('load', options === undefined ? [] : [options]);
+    } catch (error) {
+      await this.close();
+      throw error;
+    }
     return this;
   }
 

@@ -1,7 +1,7 @@
 // What a worker offers by the same names as soms.js.
 export const QUERIES = Object.freeze([
   'allHits', 'anyHit', 'anyHitBatch', 'closest', 'closestBatch', 'closestHit', 'closestHitBatch', 'contains',
-  'containsBatch', 'distance', 'distanceBatch', 'instructionSet', 'memoryInUse', 'memorySize', 'nearTriangles', 'nearestTriangles',
+  'containsBatch', 'crossings', 'distance', 'distanceBatch', 'instructionSet', 'memoryInUse', 'memorySize', 'nearTriangles', 'nearestTriangles',
   'overlap', 'overlapBatch', 'signedClosest', 'signedClosestBatch', 'solid', 'solidBatch', 'winding', 'windingBatch',
   'within', 'withinBatch',
 ]);

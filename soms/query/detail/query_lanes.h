@@ -12,6 +12,8 @@
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 
 namespace soms::detail {
@@ -57,6 +59,8 @@ template <int N>
   __m128 lanes;
   std::memcpy(&lanes, &mask, sizeof lanes);
   return static_cast<std::uint32_t>(_mm_movemask_ps(lanes));
+#elif defined(__wasm_simd128__)
+  return wasm_i32x4_bitmask(reinterpret_cast<v128_t>(mask));
 #else
   std::uint32_t bits = 0;
   for (int k = 0; k < 4; ++k) {

@@ -7,10 +7,6 @@ namespace soms::detail {
 
 namespace {
 
-double largest(const Vec3& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 Vec3 scaled(const Vec3& v, int exponent) {
   return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
@@ -23,6 +19,10 @@ int exponent_of(const Vec3& v) {
 }
 
 }  // namespace
+
+double largest(const Vec3& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
 
 double length(const Vec3& v) {
   const int exponent = exponent_of(v);

@@ -6,6 +6,9 @@
 
 namespace soms::detail {
 
+/// The largest magnitude of a coordinate.
+[[nodiscard]] double largest(const Vec3& v);
+
 /// The length of a finite vector, to a few roundings; nothing over- or underflows on the way.
 [[nodiscard]] double length(const Vec3& v);
 

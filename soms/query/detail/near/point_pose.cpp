@@ -39,10 +39,6 @@ static_assert(3 + 3.02 < 16);                    // kPointError
 /// Where rounding outweighs the body this many times, every box is near.
 constexpr double kMostSlack = 0x1p40;
 
-double largest(const Vec3& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 }  // namespace
 
 PointFrame::PointFrame(const Body& body)
