@@ -1,7 +1,5 @@
-// Meshes and shapes: made from arrays, or read from the bytes of a file.
-#include "soms/base/hash.h"
+// Meshes and shapes, made from arrays.
 #include "soms/geometry/mesh.h"
-#include "soms/io/read_mesh.h"
 #include "soms/query/instruction_set.h"
 
 #include "web/bridge/answer.h"
@@ -9,10 +7,8 @@
 #include "web/bridge/failure.h"
 #include "web/bridge/held_shape.h"
 
-#include <array>
 #include <memory>
-#include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 using soms::Mesh;
@@ -38,50 +34,6 @@ const Mesh* soms_mesh(const double* coordinates, std::uint32_t vertices,
     }
     check(*mesh);
     return mesh.release();
-  });
-}
-
-/// The mesh in a file's bytes; `name` is its name in UTF-8, ended by 0.
-SOMS_EXPORT(soms_read_mesh)
-
-const Mesh* soms_read_mesh(const std::byte* bytes, std::uint32_t size, const char* name,
-                           std::uint32_t strict) {
-  return guarded([&]() -> const Mesh* {
-    soms::ReadOptions options;
-    options.strict = strict != 0;
-    return new Mesh(soms::read_mesh(std::span(bytes, size), std::string(name), options));
-  });
-}
-
-/// Columns: vertices f64 x 3, triangles u32 x 3; parts' first triangles, counts and parents u32;
-/// their names and then the notes in UTF-8, each ended by 0; unit f64 and up axis f64; the corner
-/// hash, its upper and lower half u32.
-SOMS_EXPORT(soms_mesh_columns) Answer* soms_mesh_columns(const Mesh* mesh) {
-  return guarded([&] {
-    std::vector<std::uint32_t> indices;
-    indices.reserve(3 * mesh->triangles.size());
-    for (const std::array<std::uint32_t, 3>& triangle : mesh->triangles) {
-      indices.insert(indices.end(), triangle.begin(), triangle.end());
-    }
-    std::vector<std::uint32_t> parts;
-    std::vector<std::uint8_t> names;
-    const auto add_name = [&names](const std::string& name) {
-      names.insert(names.end(), name.begin(), name.end());
-      names.push_back(0);
-    };
-    for (const soms::Part& part : mesh->parts) {
-      parts.insert(parts.end(), {part.first, part.count, part.parent});
-      add_name(part.name);
-    }
-    for (const std::string& note : mesh->notes) {
-      add_name(note);
-    }
-    const std::uint64_t hash = corner_hash(*mesh);
-    return soms::web::answer_of(std::vector(mesh->vertices), std::move(indices), std::move(parts),
-                                std::move(names),
-                                std::vector<double>{mesh->unit, static_cast<double>(mesh->up)},
-                                std::vector<std::uint32_t>{static_cast<std::uint32_t>(hash >> 32),
-                                                           static_cast<std::uint32_t>(hash)});
   });
 }
 

@@ -1,8 +1,6 @@
-// Queries of two surfaces, for a batch of poses of the first.
+// Overlap and distance of two surfaces, for a batch of poses of the first.
 #include "soms/query/distance.h"
 #include "soms/query/overlap.h"
-#include "soms/query/solid.h"
-#include "soms/query/within.h"
 
 #include "web/bridge/answer.h"
 #include "web/bridge/arguments.h"
@@ -59,39 +57,5 @@ Answer* soms_distance(const HeldShape* mover, const Pose* poses, std::uint32_t c
     return answer_of(std::move(found.lower), std::move(found.upper), found.triangles,
                      std::move(found.point_a), std::move(found.point_b), std::move(found.farther),
                      found.coverage, found.cost);
-  });
-}
-
-/// Columns: within u8, triangles i32 x 2, points of both f64 x 3, lower bounds f64, coverage u8,
-/// cost.
-SOMS_EXPORT(soms_within)
-
-Answer* soms_within(const HeldShape* mover, const Pose* poses, std::uint32_t count,
-                    const HeldShape* fixed, const Pose* pose, double clearance,
-                    double milliseconds) {
-  return guarded([&] {
-    soms::WithinOptions options;
-    options.deadline = deadline_after(milliseconds);
-    soms::WithinBatch found = within(mover->shape(), std::span(poses, count),
-                                     Body(fixed->shape(), *pose), clearance, options);
-    return answer_of(std::move(found.within), found.triangles, std::move(found.point_a),
-                     std::move(found.point_b), std::move(found.at_least), found.coverage,
-                     found.cost);
-  });
-}
-
-/// Columns: relation u8, surfaces meet u8, why it is undecided u8, coverage u8, cost.
-SOMS_EXPORT(soms_solid)
-
-Answer* soms_solid(HeldShape* mover, const Pose* poses, std::uint32_t count, HeldShape* fixed,
-                   const Pose* pose, double milliseconds) {
-  return guarded([&]() -> Answer* {
-    soms::SolidOptions options;
-    options.deadline = deadline_after(milliseconds);
-    const soms::ClosedBody closed = mover->closed_at(count > 0 ? *poses : Pose());
-    soms::SolidBatch found =
-        solid(closed, std::span(poses, count), fixed->closed_at(*pose), options);
-    return answer_of(found.relation, std::move(found.surfaces_meet), found.why, found.coverage,
-                     found.cost);
   });
 }
