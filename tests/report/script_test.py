@@ -1,6 +1,6 @@
 """The script of the report page, apps/report/web/dist/report.js, is what its sources make.
 
-`hash`: the sources have not changed since it was made. `rebuild`: making it again gives the same
+`hash`: the sources have not changed since it was made; `live_hash`: nor those of the module beside it. `rebuild`: making it again gives the same
 bytes; skipped where node or the packages (`npm ci`) are missing. `search`: what the list of contacts
 finds; `words`: what the page says of rows that touch. The last two are skipped where node is missing.
 """
@@ -18,7 +18,8 @@ MAKE = "cd apps/report/web && npm ci && npm run build"
 def hash_of_sources(web):
     """As build.mjs has it."""
     names = ["build.mjs", "package-lock.json", "package.json",
-             *sorted(f"src/{file.name}" for file in (web / "src").iterdir())]
+             *sorted(f"src/{file.name}" for file in (web / "src").iterdir()),
+             *(f"../../../web/package/{name}.js" for name in ("errors", "host", "module"))]
     digest = hashlib.sha256()
     for name in names:
         digest.update(name.encode() + b"\0" + (web / name).read_bytes() + b"\0")
@@ -30,6 +31,22 @@ def check_hash(web):
     wanted = hash_of_sources(web)
     if f"sha256 {wanted} " not in head:
         print(f"the sources changed (sha256 {wanted}); make the script again: {MAKE}")
+        return 1
+    return 0
+
+
+def check_live_hash(web):
+    """The first line of live.sources is of the files that the others name, as web/pack_live.py has it."""
+    head, *names = (web / "dist/live.sources").read_text(encoding="ascii").splitlines()
+    root = web.parent.parent.parent
+    digest = hashlib.sha256()
+    for name in names:
+        if not (root / name).is_file():
+            print(f"{name} is gone; make the module again: make live")
+            return 1
+        digest.update(name.encode() + b"\0" + (root / name).read_bytes() + b"\0")
+    if len(names) < 100 or head != f"sha256 {digest.hexdigest()}":
+        print(f"sources of the module of live reports changed (sha256 {digest.hexdigest()}); make it again: make live")
         return 1
     return 0
 
@@ -153,7 +170,7 @@ def main():
     if "resolved" in lock or "://" in lock:
         print("package-lock.json names the host of a registry")
         return 1
-    return {"hash": check_hash, "rebuild": check_rebuild, "search": lambda web: run_script(web, SEARCH),
+    return {"hash": check_hash, "live_hash": check_live_hash, "rebuild": check_rebuild, "search": lambda web: run_script(web, SEARCH),
             "words": lambda web: run_script(web, WORDS)}[check](web)
 
 
