@@ -94,9 +94,8 @@ class PageWriter {
     plots();
     notes();
     out_ << "</main>\n";
-    const Shown shown = write_scene(out_, page_.scene, limits_, [this] {
-      element("<script>", script());
-    });
+    const Shown shown =
+        write_scene(out_, page_.scene, limits_, [this] { element("<script>", script()); });
     if (shown.is_live) {
       element("<script type=\"text/plain\" id=\"soms-module\">", live_module());
     }

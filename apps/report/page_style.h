@@ -79,8 +79,9 @@ border-radius:3px;overflow:hidden}
 #look .note{grid-column:1/-1;margin:0;max-width:none}
 #look button[aria-pressed=true]{background:var(--ink);color:var(--paper)}
 #live{grid-column:1/-1}#live p{margin:0}#live-answer{font-weight:600;font-variant-numeric:tabular-nums}
-#live-pose{user-select:all;overflow-wrap:anywhere}.moving #canvas{cursor:grab}.moving.held #canvas{cursor:grabbing}
+#live-pose{user-select:all;overflow-wrap:anywhere}.moving #canvas{cursor:grab}.held #canvas{cursor:grabbing}
 .moving #gaps,.moving #spots,.moving #missing{display:none}
+.moving #side{opacity:.5}.waiting #live-answer{opacity:.6}
 .key{display:inline-block;width:.8em;height:.8em;border-radius:.2em;vertical-align:-.05em;
 margin:0 .3em 0 .6em}
 .key.moves{background:var(--body-a)}.key.still{background:var(--body-b)}.key.touch{background:var(--contact)}.key.was{background:var(--contact-past)}

@@ -128,6 +128,12 @@ export class Bodies {
     return { place: place.toArray(), turn: turn.toArray() };
   }
 
+  // Where a body is drawn: the middle of its model.
+  placeOf(body) {
+    return (this.moving.find((mover) => mover.body === body)?.place
+      ?? this.stillMeshes[this.poses.rank[body]].position).clone();
+  }
+
   sizeOf(body) {
     return 2 * this.geometries[this.scene.bodies.model[body]].boundingSphere.radius;
   }

@@ -60,7 +60,7 @@ export class Live {
     byId('reset').addEventListener('click', () => this.reset());
     this.hand = new Hand(view, this);
     view.canvas.addEventListener('keydown', (event) => {
-      if (event.key.toLowerCase() === 'm' && !event.ctrlKey && !event.metaKey && !event.altKey) {
+      if (event.key.toLowerCase() === 'm' && !byId('move').disabled && !event.ctrlKey && !event.metaKey && !event.altKey) {
         this.toggle();
       }
     });
@@ -75,23 +75,31 @@ export class Live {
     byId('no-live').textContent = `Bodies cannot be moved on this page: ${why}.`;
   }
 
-  // What is needed to answer, made when the first body is moved.
+  // What is needed to answer, made when the first body is moved. False where it cannot be made.
   prepare() {
-    if (!this.data) {
-      this.data = new LiveData(this.all);
-      this.drawn = new LiveView(this.view);
-      this.answers = new Answers(this.data.module, this.data.models, (question, found) => this.show(question, found));
+    if (!this.answers) {
+      try {
+        this.data = new LiveData(this.all);
+        this.answers = new Answers(this.data.module, this.data.models, (question, found) => this.show(question, found));
+        this.drawn = new LiveView(this.view);
+      } catch (error) {
+        this.refuse(error.message);
+        return false;
+      }
     }
+    return true;
   }
 
   toggle() {
-    this.prepare();
+    if (!this.prepare()) {
+      return;
+    }
     this.active = !this.active;
     this.hand.active = this.active;
     byId('move').setAttribute('aria-pressed', this.active);
     byId('move').textContent = this.active ? 'Stop moving' : 'Move a body';
     byId('reset').hidden = byId('live').hidden = !this.active;
-    byId('stage').classList.toggle('moving', this.active);
+    byId('look').classList.toggle('moving', this.active);
     if (this.active) {
       const { moves } = this.all.scene.bodies;
       const chosen = this.view.chosenBodies.find((body) => moves[body]);
@@ -181,6 +189,7 @@ export class Live {
       left += moves[body] && body !== this.held && !pose ? 1 : 0;
     });
     this.answer = null;
+    byId('live').classList.add('waiting');
     byId('live-where').textContent = liveWhere(this.all, this.held, this.isRecorded(), Boolean(this.recorded));
     byId('live-pose').textContent = this.arguments();
     byId('live-others').textContent = liveOthers(this.all, others.length, left + this.all.scene.bodies.all - model.length);
@@ -214,6 +223,7 @@ export class Live {
     this.drawn.show(lines, found.gap && { points: found.gap.points.map((at) => this.data.onPage(at)), length: found.gap.lower });
     byId('live-answer').textContent = liveAnswer(this.all, this.held, found);
     if (question.mover.pose.every((value, k) => value === this.pose[k])) {
+      byId('live').classList.remove('waiting');
       this.answer = { ...found, lines: found.lines.length / 6 };
     }
   }

@@ -236,6 +236,7 @@ function start() {
     firstPicture: () => view?.firstPicture, // triangles drawn, and milliseconds after the page was opened
     middle: (g) => all.gaps.middle(g),
     live: () => (live?.active ? { body: live.held, pose: live.pose, recorded: live.isRecorded(), answer: live.answer } : null),
+    onCanvas: (body) => view?.middleOnCanvas(body), // pixels from the upper left corner
     calls: () => view?.renderer.info.render.calls,
   };
 }

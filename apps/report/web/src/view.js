@@ -218,6 +218,12 @@ export class View {
     this.setStep(this.step);
   }
 
+  // Where the middle of a body is seen.
+  middleOnCanvas(body) {
+    const at = this.bodies.placeOf(body).project(this.camera);
+    return [(at.x + 1) * this.canvas.clientWidth / 2, (1 - at.y) * this.canvas.clientHeight / 2];
+  }
+
   isNow({ begin, end }) {
     const now = Math.floor(this.step);
     return begin <= now && now <= end;
