@@ -119,12 +119,12 @@ TEST_F(LiveScene, HoldsTrianglesAsTheyAreInOrder) {
   const auto live = test::scene_of(page)["live"];
   EXPECT_FALSE(live["models"][0]["floats"]);
   EXPECT_TRUE(live["models"][1]["floats"]);
-  EXPECT_EQ(ExactCorners(page, "soms-exact-0", false).read(), corners_of(wide_));
-  EXPECT_EQ(ExactCorners(page, "soms-exact-1", true).read(), corners_of(narrow_));
+  EXPECT_EQ(ExactCorners(page, "exact-0", false).read(), corners_of(wide_));
+  EXPECT_EQ(ExactCorners(page, "exact-1", true).read(), corners_of(narrow_));
 }
 
 TEST_F(LiveScene, HoldsPosesAsTheyAreStillOnesFirst) {
-  const std::vector<double> poses = doubles_of(test::element(written(), "soms-exact-poses"));
+  const std::vector<double> poses = doubles_of(test::element(written(), "exact-poses"));
   std::vector<double> expected;
   const auto add = [&](std::uint32_t body, std::uint64_t step) {
     const Pose pose = scene_.pose(body, step);
@@ -155,7 +155,7 @@ TEST_F(LiveScene, LeavesOutPosesOfMoversIfThereIsNoRoom) {
   const std::string page = written(limits);
   EXPECT_TRUE(shown_.is_live);
   EXPECT_FALSE(test::scene_of(page)["live"]["movers"]);
-  EXPECT_EQ(doubles_of(test::element(page, "soms-exact-poses")).size(), 12U);
+  EXPECT_EQ(doubles_of(test::element(page, "exact-poses")).size(), 12U);
   limits.exact_pose_bytes = 6 * 96;
   EXPECT_TRUE(test::scene_of(written(limits))["live"]["movers"]);
 }

@@ -69,16 +69,26 @@ class Look:
     def landed(self):
         return self.wait("return !soms.flying()")
 
+    def settle(self):
+        """Waits for what is to be drawn next."""
+        self.browser.execute_async_script(
+            "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(done));")
+
     def canvas(self):
         """The picture, once it is drawn and stands still: its PNG in base64."""
         self.landed()
-        self.browser.execute_async_script(
-            "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(done));")
+        self.settle()
         return self.element("canvas").screenshot_as_base64
 
     def picture(self):
         """Of that picture: how many colors, pixels of a contact, and the sum of a pixel at the upper right."""
         return self.browser.execute_async_script(READ_PICTURE, self.canvas())
+
+    def print_one(self):
+        """Prints, as far as scripts notice, with one row in the list: each row on paper is a picture to draw."""
+        self.element("find").send_keys(self.soms("title(0)"))
+        for moment in ("beforeprint", "afterprint"):
+            self.run(f"window.dispatchEvent(new Event('{moment}'))")
 
     def is_wide(self):
         return self.run("return document.documentElement.scrollWidth"

@@ -40,8 +40,7 @@ def gap_faults(browser, soms, folder):
         yield f"the length {row[2]} is drawn as {shown}"
     if shown[1] < 5 or abs(shown[2] - 0.5) > 0.05 or abs(shown[3] - 0.5) > 0.05:
         yield f"the line of the gap is not in the middle: {shown}"
-    for moment in ("beforeprint", "afterprint"):
-        page.run(f"window.dispatchEvent(new Event('{moment}'))")
+    page.print_one()
     if page.soms("chosenGap()") != 1:
         yield "after printing no gap is chosen"
     linked = Look(browser, file, DESK, mark="#gap=2")
@@ -135,6 +134,7 @@ def many_rows_faults(browser, soms, folder):
     found = page.run("return [...document.querySelectorAll('.line.pair b')].map(e => e.textContent)")
     if "beam 316 touches duct 315" not in found or page.soms("shown()") > 9:
         yield f"many rows: a search finds {page.soms('shown()')}: {found[:3]}"
+    page.settle()  # the list scrolls, as it is short now
     row = lines(page, "pair")[0]
     r = int(row.get_attribute("data-row"))
     row.click()

@@ -101,7 +101,7 @@ for (const [query, found] of [
 
 # Two movers that touch each other and a part of the city; pages whose contacts are not all there.
 WORDS = """
-import { counts, gapWords, liveAnswer, liveOthers, notDrawn, rowMost, rowNoun, shortName, whatIsDrawn } from '%(words)s';
+import { counts, gapWords, liveAnswer, liveOthers, liveWhere, notDrawn, rowMost, rowNoun, shortName, whatIsDrawn } from '%(words)s';
 import { Entries, NO, PERHAPS, YES } from '%(entries)s';
 import { whyNot } from '%(live_data)s';
 import { argumentOf, poseOf, roundedPlace, turnOf } from '%(pose)s';
@@ -154,6 +154,9 @@ check(liveAnswer(named, 0, { touched: [], gap: null }), 'car touches nothing');
 check(liveAnswer(named, 0, { touched: [{ body: 1, pairs: 1 }] }), 'car touches wall: 1 pair of triangles');
 check(liveAnswer(named, 0, { touched: [{ body: 1, pairs: 5 }, { body: 2, pairs: 1234 }] }),
   'car touches van (1,234), wall (5): 1,239 pairs of triangles');
+check(liveWhere(named, 0, true, true, -1), 'car is where the report has it.');
+check(liveWhere(named, 0, true, false, -1), 'car is where the report has it, rounded.');
+check(liveWhere(named, 0, false, false, 1), 'car is moved. wall stays where the report has it, at a pose without a short form.');
 check(liveOthers(named, 3, 0), '');
 check(liveOthers(named, 1, 7), 'Compared with 1 body; the other movers (7) are left out, as this page holds their poses rounded.');
 check(whyNot({ scene: { live: { room: 2e6, models: [] } } }),

@@ -8,6 +8,8 @@ import { LiveView } from './live_view.js';
 import { argumentFrom, argumentOf, moved, poseOf, roundedPlace, roundedTurn, shiftOf, turnOf } from './pose.js';
 import { liveAnswer, liveOthers, liveWhere } from './words.js';
 
+const HOME = '0 0 0'; // what --pose is where it is left out
+
 const byId = (id) => document.getElementById(id);
 
 // Questions one at a time: of those that wait, the latest is the one that counts.
@@ -58,6 +60,7 @@ export class Live {
     byId('move-keys').hidden = false;
     byId('move').addEventListener('click', () => this.toggle());
     byId('reset').addEventListener('click', () => this.reset());
+    addEventListener('beforeprint', () => this.active && this.toggle()); // pictures on paper are those of the report
     this.hand = new Hand(view, this);
     view.canvas.addEventListener('keydown', (event) => {
       if (event.key.toLowerCase() === 'm' && !byId('move').disabled && !event.ctrlKey && !event.metaKey && !event.altKey) {
@@ -190,24 +193,25 @@ export class Live {
     });
     this.answer = null;
     byId('live').classList.add('waiting');
-    byId('live-where').textContent = liveWhere(this.all, this.held, this.isRecorded(), Boolean(this.recorded));
-    byId('live-pose').textContent = this.arguments();
+    const { text, unsaid } = this.options();
+    byId('live-where').textContent = liveWhere(this.all, this.held, this.isRecorded(), Boolean(this.recorded), unsaid);
+    byId('live-pose').textContent = text;
     byId('live-others').textContent = liveOthers(this.all, others.length, left + this.all.scene.bodies.all - model.length);
     byId('reset').disabled = this.isRecorded();
     this.answers.ask({ mover: { body: this.held, model: model[this.held], pose: Float64Array.from(this.pose) }, others });
   }
 
-  // Of `soms overlap`, for what is shown: both poses where there are two bodies. A pose that no option can say is left out.
-  arguments() {
+  // Options of `soms overlap` for what is shown: of both poses where there are two bodies. `unsaid` is a body that stays at a
+  // pose which no option has the digits of; -1 if none does.
+  options() {
     const pair = this.all.scene.bodies.model.length === 2;
-    const options = [0, 1].map((body) => {
-      if (body !== this.held && !pair) {
-        return '';
-      }
-      const pose = body === this.held || !pair ? this.argument : argumentOf(this.data.exact(body, this.view.step) ?? []);
-      return pose === null || pose === '0 0 0' ? '' : `--pose${body === 1 && pair ? '-b' : ''} "${pose}"`;
-    });
-    return options.filter(Boolean).join(' ');
+    const mine = this.argument === null ? '' : `--pose${pair && this.held === 1 ? '-b' : ''} "${this.argument}"`;
+    const pose = pair ? this.data.exact(1 - this.held, this.view.step) : null;
+    const other = pose && argumentOf(pose);
+    return {
+      text: [mine, ...(other && other !== HOME ? [`--pose${this.held === 0 ? '-b' : ''} "${other}"`] : [])].join(' ').trim(),
+      unsaid: pose && other === null ? 1 - this.held : -1,
+    };
   }
 
   show(question, found) {

@@ -269,9 +269,10 @@ export function liveAnswer({ scene }, body, { touched, gap }) {
   return `${name} touches ${named.join(', ')}${most.length > named.length ? ` and ${number(most.length - named.length)} more` : ''}: ${pairsOf(inAll)}`;
 }
 
-// Where a moved body is; its pose follows.
-export function liveWhere({ scene }, body, isRecorded, isExact) {
-  return `${bodyName(scene, body)} is ${isRecorded ? 'where the report has it' : 'moved'}${isRecorded && !isExact ? ', rounded' : ''}.`;
+// Where a moved body is; its pose follows. `unsaid` is another one, whose pose does not.
+export function liveWhere({ scene }, body, isRecorded, isExact, unsaid) {
+  const stays = unsaid < 0 ? '' : ` ${bodyName(scene, unsaid)} stays where the report has it, at a pose without a short form.`;
+  return `${bodyName(scene, body)} is ${isRecorded ? 'where the report has it' : 'moved'}${isRecorded && !isExact ? ', rounded' : ''}.${stays}`;
 }
 
 // What a moved body is compared with, where that is not all that is seen.
