@@ -6,7 +6,7 @@ import subprocess
 import sys
 import tempfile
 
-from look import DESK, Look, lines, town
+from look import DESK, Look, in_sight, lines, town
 from browser import console_faults, outcome, start_browser
 
 START = "2.5 0 0"  # apart
@@ -140,7 +140,7 @@ def mover_faults(browser, soms, folder):
     subprocess.run([soms, "simulate", town(folder), "--count", "20", "--frames", "60", "--report", file], check=True,
                    stdout=subprocess.DEVNULL)
     page = Moved(browser, file, soms, [])
-    lines(page, "pair")[0].click()
+    in_sight(page, lines(page, "pair")[0]).click()
     page.landed()
     r = page.soms("chosenRow()")
     found = page.begin()

@@ -104,6 +104,14 @@ def lines(page, kind):
     return page.browser.find_elements("css selector", f".line.{kind}")
 
 
+def in_sight(page, line):
+    """A line of the list, once the list is scrolled to it; scrolling draws lines again."""
+    at = line.get_attribute("data-at")
+    page.run("arguments[0].scrollIntoView({block: 'nearest'})", line)
+    page.settle()
+    return page.browser.find_element("css selector", f'.line[data-at="{at}"]')
+
+
 def town(folder):
     """A ground of 200 m with nine houses, whose names try to break out."""
     path = folder / "to<b>wn&.obj"

@@ -5,7 +5,7 @@ import subprocess
 import sys
 import tempfile
 
-from look import DESK, Look, away, lines, town
+from look import DESK, Look, away, in_sight, lines, town
 from browser import console_faults, outcome, start_browser
 
 
@@ -46,7 +46,7 @@ def gap_faults(browser, soms, folder):
     linked = Look(browser, file, DESK, mark="#gap=2")
     if not linked.wait("return soms.chosenGap() === 2"):
         yield "an address that names a gap does not show it"
-    lines(linked, "pair")[0].click()
+    in_sight(linked, lines(linked, "pair")[0]).click()
     linked.landed()
     if linked.soms("chosenGap()") != -1:
         yield "a gap stays chosen beside a contact"
@@ -89,7 +89,7 @@ def overlap_faults(browser, soms, folder):
         if page.picture()["colors"] < 20:
             yield "overlap: the canvas is blank"
         before = page.soms("camera()")
-        lines(page, "contact")[0].click()
+        in_sight(page, lines(page, "contact")[0]).click()
         page.landed()
         if away(before, page.soms("camera()")) < 0.1:
             yield "overlap: the camera stayed where it was"
@@ -135,7 +135,7 @@ def many_rows_faults(browser, soms, folder):
     if "beam 316 touches duct 315" not in found or page.soms("shown()") > 9:
         yield f"many rows: a search finds {page.soms('shown()')}: {found[:3]}"
     page.settle()  # the list scrolls, as it is short now
-    row = lines(page, "pair")[0]
+    row = in_sight(page, lines(page, "pair")[0])
     r = int(row.get_attribute("data-row"))
     row.click()
     page.landed()

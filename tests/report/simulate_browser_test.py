@@ -5,7 +5,7 @@ import subprocess
 import sys
 import tempfile
 
-from look import DESK, IS_CONTACT, PHONE, Look, away, lines, town
+from look import DESK, IS_CONTACT, PHONE, Look, away, in_sight, lines, town
 from browser import console_faults, outcome, start_browser
 
 
@@ -33,7 +33,7 @@ def fold_faults(page):
     """A press on a row: the camera flies there, and its contacts fold out and in again."""
     if lines(page, "contact"):
         yield "contacts are folded out before anybody queried"
-    row = lines(page, "pair")[2]
+    row = in_sight(page, lines(page, "pair")[2])
     r = int(row.get_attribute("data-row"))
     if "contact" not in row.text or "at (" not in row.text or "at most" not in row.text:
         yield f"a row says neither counts nor place: '{row.text}'"
@@ -62,7 +62,7 @@ def fold_faults(page):
 def click_faults(page):
     """A press on a contact: the camera flies there, the triangles light up, time is the contact's."""
     before = page.soms("camera()")
-    row = lines(page, "contact")[0]
+    row = in_sight(page, lines(page, "contact")[0])
     k = int(row.get_attribute("data-contact"))
     row.click()
     page.landed()
@@ -259,7 +259,7 @@ def city_faults(browser, soms, folder):
         yield f"the page of the embedded city has {page.soms('rows')} events"
     if not page.wait("return soms.isWhole"):
         yield "the whole city does not arrive"
-    lines(page, "pair")[0].click()
+    in_sight(page, lines(page, "pair")[0]).click()
     page.landed()
     if page.picture()["contact"] < 20:
         yield "the first event of the embedded city is not seen"
@@ -316,7 +316,7 @@ def plain_faults(folder, file):
         words = page.element("trouble").text
         if "WebGL" not in words:
             yield f"without WebGL it says: '{words}'"
-        lines(page, "pair")[0].click()
+        in_sight(page, lines(page, "pair")[0]).click()
         if "touches" not in page.element("picked").text:
             yield "without WebGL a contact cannot be chosen"
         if page.run("return document.querySelectorAll('figure svg').length") < 3:
