@@ -81,7 +81,7 @@ border-radius:3px;overflow:hidden}
 #live{grid-column:1/-1}#live p{margin:0}#live-answer{font-weight:600;font-variant-numeric:tabular-nums}
 #live-pose{user-select:all;overflow-wrap:anywhere}.moving #canvas{cursor:grab}.held #canvas{cursor:grabbing}
 .moving #gaps,.moving #spots,.moving #missing{display:none}
-.moving #side{opacity:.5}.waiting #live-answer{opacity:.6}
+.moving #side{opacity:.5}.moving #picked:empty{display:none}.waiting #live-answer{opacity:.6}
 .key{display:inline-block;width:.8em;height:.8em;border-radius:.2em;vertical-align:-.05em;
 margin:0 .3em 0 .6em}
 .key.moves{background:var(--body-a)}.key.still{background:var(--body-b)}.key.touch{background:var(--contact)}.key.was{background:var(--contact-past)}
@@ -89,7 +89,7 @@ margin:0 .3em 0 .6em}
 #plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,34rem),1fr));gap:0 1.5rem}
 #plots figure{min-width:0}
 .no-list #side,.no-list .touching{display:none}.no-list #look{grid-template-columns:minmax(0,1fr)}
-@media (max-width:60rem){#look{grid-template-columns:minmax(0,1fr)}#stage{height:60vh;
+@media (max-width:60rem){#look{grid-template-columns:minmax(0,1fr)}#stage{order:-2}#live{order:-1}#stage{height:60vh;
 min-height:18rem}#side{height:24rem;min-height:0}dl.facts{grid-template-columns:minmax(0,1fr);
 gap:0}dl.facts dd{margin-bottom:.4rem}}
 #prints{display:none}
