@@ -2,7 +2,7 @@
 JOBS ?= $(shell nproc)
 ARGS ?=
 
-.PHONY: help run build view thesis install python test headers large check wheel asan asan-library asan-python tsan tidy arm64 wasm wasm-test determinism memcheck endurance packages bare fuzz faults bench format clean
+.PHONY: help run build view thesis install python test headers large check wheel asan asan-library asan-python tsan tidy arm64 wasm-configured wasm live wasm-test determinism memcheck endurance packages bare fuzz faults bench format clean
 
 help:
 	@echo "make run     install what is missing, build, and run the embedded city (ARGS='--frames 60')"
@@ -18,6 +18,7 @@ help:
 	@echo "make fuzz    every fuzzer for a minute (FUZZ_SECONDS=600)"
 	@echo "make faults  faults put into a copy of the source, one at a time: which test finds each? (ARGS='--only NAME')"
 	@echo "make wasm    the npm package soms for node and browsers, in build/web, ready for npm pack"
+	@echo "make live    the WebAssembly module that report pages carry, in apps/report/web/dist"
 	@echo "make wasm-test  the package and its golden answers, tested in node and in a headless Chromium"
 	@echo "make bench   soms beside its peers, in one run (ARGS=--quick: a few minutes)"
 	@echo "make format  clang-format on every source"
@@ -124,13 +125,20 @@ arm64:
 	ctest --test-dir build/arm64 --output-on-failure
 
 # The npm package: WebAssembly by Debian's emscripten. Minutes to build, so its tests are part of `make check`.
-wasm:
+wasm-configured:
 	@tools/install_packages.sh web
 	cmake -G Ninja -S web -B build/wasm -D SOMS_WEB_PACKAGE=$(CURDIR)/build/web -D SOMS_WEB_DEMO=$(CURDIR)/build/web-demo \
 	  -D CMAKE_TOOLCHAIN_FILE=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake
+
+wasm: wasm-configured
 	cmake --build build/wasm -j $(JOBS) --target demo
 	@echo "The npm package is in build/web: npm install $(CURDIR)/build/web, or npm pack there."
 	@echo "A page that shows it: python3 -m http.server --directory build/web-demo"
+
+# The module that reports carry (docs/decisions/0059): committed, and made again where test report.live_hash says so.
+live: wasm-configured
+	cmake --build build/wasm -j $(JOBS) --target soms_live
+	web/pack_live.py build/wasm apps/report/web/dist
 
 wasm-test: wasm
 	cmake --build build/wasm -j $(JOBS)

@@ -1,4 +1,5 @@
-# Makes a C++ source of the script: pieces of at most 8,000 bytes, which every compiler accepts.
+# Makes a C++ source of a text: pieces of at most 8,000 bytes, which every compiler accepts, as the function FUNCTION of
+# asset.h.
 file(READ ${ASSET} text)
 if(text MATCHES "\\)asset\"")
   message(FATAL_ERROR "${ASSET} holds the end mark of our string literals")
@@ -12,6 +13,6 @@ while(at LESS length)
   string(APPEND source "    R\"asset(${piece})asset\"sv,\n")
   math(EXPR at "${at} + 8000")
 endwhile()
-string(APPEND source "};\n\n}  // namespace\n\nstd::span<const std::string_view> script() {\n"
+string(APPEND source "};\n\n}  // namespace\n\nstd::span<const std::string_view> ${FUNCTION}() {\n"
   "  return kPieces;\n}\n\n}  // namespace soms::report\n")
 file(WRITE ${SOURCE} "${source}")

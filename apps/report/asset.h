@@ -1,5 +1,5 @@
 /// \file
-/// The script of the page, as `npm run build` in web/ leaves it.
+/// What the page carries as it is, made from sources and committed: web/dist.
 #pragma once
 
 #include <span>
@@ -7,7 +7,12 @@
 
 namespace soms::report {
 
-/// Pieces that follow one another. ASCII; holds neither "</script" nor "<!--".
+/// The script, as `npm run build` in web/ leaves it, in pieces that follow one another. ASCII;
+/// holds neither "</script" nor "<!--".
 [[nodiscard]] std::span<const std::string_view> script();
+
+/// The module that answers when a reader moves a body, as `make live` leaves it: WebAssembly,
+/// packed by gzip, in base64. Likewise in pieces.
+[[nodiscard]] std::span<const std::string_view> live_module();
 
 }  // namespace soms::report

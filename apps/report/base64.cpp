@@ -21,6 +21,12 @@ void Base64Writer::put(float value) {
   put(std::bit_cast<std::uint32_t>(value));
 }
 
+void Base64Writer::put(double value) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  put(static_cast<std::uint32_t>(bits & 0xffffffffU));
+  put(static_cast<std::uint32_t>(bits >> 32U));
+}
+
 void Base64Writer::put(std::uint8_t byte) {
   ++bytes_;
   group_[held_++] = byte;

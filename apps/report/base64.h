@@ -18,6 +18,7 @@ class Base64Writer {
   void put(std::uint8_t byte);
   void put(std::uint32_t value);
   void put(float value);
+  void put(double value);
 
   /// Writes what is held back and the padding. Nothing may be put afterwards.
   void finish();

@@ -5,6 +5,8 @@ set(SOMS_REPORT_FILES
   data_block.h
   drawn_mesh.cpp
   drawn_mesh.h
+  live_data.cpp
+  live_data.h
   packed.cpp
   packed.h
   page.cpp

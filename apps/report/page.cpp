@@ -11,16 +11,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <string_view>
 
 namespace soms::report {
 
 namespace {
 
-/// Nothing is fetched, whatever a model's name or a script tries.
+/// Nothing is fetched, whatever a model's name or a script tries. What a moved body touches is
+/// found by WebAssembly in a worker, both of which the page holds.
 constexpr std::string_view kPolicy =
-    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: "
-    "blob:";
+    "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:; "
+    "style-src 'unsafe-inline'; img-src data: blob:";
 
 constexpr std::string_view kView = R"html(<h2>The scene</h2>
 <noscript><p class="warn">Scripts are switched off: the scene is not drawn. Figures and pictures below
@@ -30,15 +32,20 @@ are whole.</p></noscript>
 <canvas id="canvas" tabindex="0" role="application" aria-label="The scene with its contacts; arrow keys
 turn it, plus and minus come closer and go away, N and P go to the next and the previous line of the list"></canvas>
 <svg id="spots" aria-hidden="true"></svg>
-<svg id="gaps" aria-hidden="true"></svg>
+<svg id="gaps" class="gaps" aria-hidden="true"></svg>
+<svg id="live-gap" class="gaps" aria-hidden="true"></svg>
 <p id="trouble" class="warn" role="alert" hidden></p>
 <div id="tools"><button id="whole" type="button">Whole scene</button>
-<button id="above" type="button">From above</button></div>
+<button id="above" type="button">From above</button>
+<button id="move" type="button" aria-pressed="false" hidden>Move a body</button>
+<button id="reset" type="button" hidden>Reset</button></div>
 <p id="missing" hidden></p>
 <details id="keys"><summary>Keys</summary><div>Drag: turn. Right button, or two fingers: move. Wheel,
 after a click on the picture: zoom in and out. Click a marker or a gap: show what touches or is near there. Arrows: turn, with Shift
 move. + and -: zoom in and out. Home: the whole scene. N, P: next and previous line of the list. Space:
-play, pause. In the list: arrow keys choose, Right and Left open and close a row.</div></details>
+play, pause. In the list: arrow keys choose, Right and Left open and close a row.<span id="move-keys" hidden> M: move a
+body, or stop. Then drag a body: along the ground; with Shift: up and down. Arrows, Page Up and Page Down move it, Q and E turn it about
+the vertical, W and S, A and D tilt it; with Shift a tenth as far. R: back to its recorded pose.</span></div></details>
 </div>
 <div id="side">
 <div class="row"><input id="find" type="search" placeholder="Find a name, part or triangle"
@@ -54,6 +61,9 @@ role="presentation"></div></div>
 <button id="next" type="button">Next</button></div>
 </div>
 <p id="picked" role="status" aria-live="polite"></p>
+<div id="live" hidden><p id="live-answer" role="status" aria-live="polite"></p>
+<p class="note"><span id="live-where"></span> <code id="live-pose"></code></p><p id="live-others" class="note"></p></div>
+<p id="no-live" class="note" hidden></p>
 <div id="time"><button id="play" type="button">Play</button>
 <input id="step" type="range" min="0" max="0" step="1" value="0" aria-label="Time">
 <output id="moment" for="step"></output></div>
@@ -84,18 +94,24 @@ class PageWriter {
     plots();
     notes();
     out_ << "</main>\n";
-    const Shown shown = write_scene(out_, page_.scene, limits_, [this] {
-      out_ << "<script>";
-      for (const std::string_view piece : script()) {
-        out_ << piece;
-      }
-      out_ << "</script>\n";
-    });
+    const Shown shown =
+        write_scene(out_, page_.scene, limits_, [this] { element("<script>", script()); });
+    if (shown.is_live) {
+      element("<script type=\"text/plain\" id=\"soms-module\">", live_module());
+    }
     out_ << "</body>\n</html>\n";
     return shown;
   }
 
  private:
+  void element(std::string_view opening, std::span<const std::string_view> pieces) {
+    out_ << opening;
+    for (const std::string_view piece : pieces) {
+      out_ << piece;
+    }
+    out_ << "</script>\n";
+  }
+
   void head() {
     const std::string title = xml_text(page_.title);
     out_ << fmt::format(

@@ -19,11 +19,11 @@ h1,.lead,#picked,.note{overflow-wrap:anywhere}
 border-radius:.4rem;overflow:hidden}
 #canvas{display:block;width:100%;height:100%}
 #canvas:focus-visible,#list:focus-visible{outline:3px solid var(--link);outline-offset:-3px}
-#gaps,#spots{position:absolute;inset:0;width:100%;height:100%;overflow:hidden;pointer-events:none}
-#gaps line{stroke:var(--ink);stroke-width:2.5}#gaps .halo{stroke:var(--paper);stroke-width:6;stroke-opacity:.8}
-#gaps circle{fill:var(--ink);stroke:var(--paper)}
-#gaps .was .ink{stroke-dasharray:6 4}#gaps .far{opacity:.45}#gaps .chosen .ink{stroke-width:3.5}
-#gaps text{font:600 13px system-ui,sans-serif;fill:var(--ink);stroke:var(--paper);stroke-width:4;
+.gaps,#spots{position:absolute;inset:0;width:100%;height:100%;overflow:hidden;pointer-events:none}
+.gaps line{stroke:var(--ink);stroke-width:2.5}.gaps .halo{stroke:var(--paper);stroke-width:6;stroke-opacity:.8}
+.gaps circle{fill:var(--ink);stroke:var(--paper)}
+.gaps .was .ink{stroke-dasharray:6 4}.gaps .far{opacity:.45}.gaps .chosen .ink{stroke-width:3.5}
+.gaps text{font:600 13px system-ui,sans-serif;fill:var(--ink);stroke:var(--paper);stroke-width:4;
 stroke-linejoin:round;paint-order:stroke;text-anchor:middle}
 #spots circle{fill:var(--contact);stroke:var(--paper);stroke-width:2}#spots .was circle{fill:var(--contact-past)}
 #spots text{font:600 11px system-ui,sans-serif;fill:var(--paper);text-anchor:middle;dominant-baseline:central}
@@ -77,6 +77,11 @@ border-radius:3px;overflow:hidden}
 #moment{font-variant-numeric:tabular-nums;min-width:11rem}
 #picked{grid-column:1/-1;margin:0;min-height:1.5rem;max-width:none;font-weight:600}
 #look .note{grid-column:1/-1;margin:0;max-width:none}
+#look button[aria-pressed=true]{background:var(--ink);color:var(--paper)}
+#live{grid-column:1/-1}#live p{margin:0}#live-answer{font-weight:600;font-variant-numeric:tabular-nums}
+#live-pose{user-select:all;overflow-wrap:anywhere}.moving #canvas{cursor:grab}.held #canvas{cursor:grabbing}
+.moving #gaps,.moving #spots,.moving #missing{display:none}
+.moving #side{opacity:.5}.moving #picked:empty{display:none}.waiting #live-answer{opacity:.6}
 .key{display:inline-block;width:.8em;height:.8em;border-radius:.2em;vertical-align:-.05em;
 margin:0 .3em 0 .6em}
 .key.moves{background:var(--body-a)}.key.still{background:var(--body-b)}.key.touch{background:var(--contact)}.key.was{background:var(--contact-past)}
@@ -84,7 +89,7 @@ margin:0 .3em 0 .6em}
 #plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,34rem),1fr));gap:0 1.5rem}
 #plots figure{min-width:0}
 .no-list #side,.no-list .touching{display:none}.no-list #look{grid-template-columns:minmax(0,1fr)}
-@media (max-width:60rem){#look{grid-template-columns:minmax(0,1fr)}#stage{height:60vh;
+@media (max-width:60rem){#look{grid-template-columns:minmax(0,1fr)}#stage{order:-2}#live{order:-1}#stage{height:60vh;
 min-height:18rem}#side{height:24rem;min-height:0}dl.facts{grid-template-columns:minmax(0,1fr);
 gap:0}dl.facts dd{margin-bottom:.4rem}}
 #prints{display:none}

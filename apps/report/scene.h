@@ -126,10 +126,12 @@ struct Scene {
 /// What a page has room for. With these it stays below 20 MB, the script and the plots included,
 /// and 110 bytes a row, of which there may be any number.
 struct SceneLimits {
-  std::uint64_t triangles = 240'000;        ///< in the page
-  std::uint64_t drawn_at_once = 1'500'000;  ///< on the screen: a model counts for each body
-  std::uint64_t mesh_bytes = 8'000'000;     ///< likewise
-  std::uint64_t pose_bytes = 2'000'000;     ///< before they are packed
+  std::uint64_t triangles = 240'000;         ///< in the page
+  std::uint64_t drawn_at_once = 1'500'000;   ///< on the screen: a model counts for each body
+  std::uint64_t mesh_bytes = 8'000'000;      ///< likewise
+  std::uint64_t pose_bytes = 2'000'000;      ///< before they are packed
+  std::uint64_t exact_bytes = 2'000'000;     ///< of triangles as they are: all of them or none
+  std::uint64_t exact_pose_bytes = 500'000;  ///< of poses as they are, likewise
   std::size_t bodies = 20'000;
   std::size_t contacts = 10'000;
   std::size_t gaps = 1000;

@@ -1,6 +1,7 @@
 #include "apps/report/scene_data.h"
 
 #include "apps/report/data_block.h"
+#include "apps/report/live_data.h"
 #include "apps/report/packed.h"
 #include "apps/report/placing.h"
 #include "apps/report/scene_models.h"
@@ -72,6 +73,7 @@ class SceneWriter {
     count_contacts();
     models_.emplace(scene_, bodies_, scale_, limits_,
                     [this](std::size_t model) { return detail_of(model); });
+    live_.emplace(scene_, bodies_, steps_, limits_);
     shown_.triangles = models_->triangles();
     shown_.triangles_in_all = models_->triangles_in_all();
     models_->write_first(out_);
@@ -86,6 +88,10 @@ class SceneWriter {
       script();
     }
     models_->write_rest(out_);
+    if (live_->is_there()) {
+      live_->write(out_);
+    }
+    shown_.is_live = live_->is_there();
     return shown_;
   }
 
@@ -377,6 +383,8 @@ class SceneWriter {
                       return script_text(shortened(gap.length, kLongestText));
                     })
          << "}";
+    out_ << ",\"live\":"
+         << live_->json([this](std::size_t model) { return models_->middle(model); });
     const auto words = [](const std::string& text) {
       return script_text(shortened(text, kLongestText));
     };
@@ -406,6 +414,7 @@ class SceneWriter {
   std::uint64_t pairs_ = 0;
   std::vector<std::uint64_t> first_pair_;
   std::optional<SceneModels> models_;
+  std::optional<LiveData> live_;
   Shown shown_;
 };
 

@@ -23,12 +23,14 @@ struct Shown {
   std::uint64_t gaps_in_all = 0;
   std::uint64_t steps = 0;
   std::uint64_t steps_in_all = 0;
+  bool is_live = false;  ///< the page holds what it takes to answer again
 
   [[nodiscard]] bool operator==(const Shown&) const = default;
 };
 
 /// Writes script elements that hold the scene: one of JSON, "soms-scene", schema soms.scene/3, and
-/// one of base64 for each model, for the poses, the rows, their curves, the contacts and the gaps.
+/// one of base64 for each model, for the poses, the rows, their curves, the contacts and the gaps;
+/// last, where there is room, the models and poses as they are (live_data.h).
 /// `script`, where it is given, writes the page's script after all that a first picture needs, and
 /// before large models. Lengths are relative to an origin near the scene; docs/report.md describes
 /// them. \errors Those of `scene.pose`.

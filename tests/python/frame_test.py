@@ -1,15 +1,15 @@
 """What a notebook shows, in Chromium: the page draws in a frame that sees nothing of what is around it.
 
-Needs what tests/report/browser_test.py needs; where it is missing the test says so and is skipped.
+Needs what tests/support/browser.py needs; where it is missing the test says so and is skipped.
 """
 import pathlib
 import sys
 import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "report"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 
 import soms
-from browser_test import start_browser
+from browser import start_browser
 from models import tetrahedron
 
 DRAWN = """

@@ -96,7 +96,8 @@ TEST(SceneData, TellsCountsAndNames) {
                                 .contacts = 1,
                                 .contacts_in_all = 1,
                                 .steps = 9,
-                                .steps_in_all = 9}));
+                                .steps_in_all = 9,
+                                .is_live = true}));
 }
 
 TEST(SceneData, DoesNotShakeAtMapCoordinates) {

@@ -1,6 +1,6 @@
 """The script of the report page, apps/report/web/dist/report.js, is what its sources make.
 
-`hash`: the sources have not changed since it was made. `rebuild`: making it again gives the same
+`hash`: the sources have not changed since it was made; `live_hash`: nor those of the module beside it. `rebuild`: making it again gives the same
 bytes; skipped where node or the packages (`npm ci`) are missing. `search`: what the list of contacts
 finds; `words`: what the page says of rows that touch. The last two are skipped where node is missing.
 """
@@ -18,7 +18,8 @@ MAKE = "cd apps/report/web && npm ci && npm run build"
 def hash_of_sources(web):
     """As build.mjs has it."""
     names = ["build.mjs", "package-lock.json", "package.json",
-             *sorted(f"src/{file.name}" for file in (web / "src").iterdir())]
+             *sorted(f"src/{file.name}" for file in (web / "src").iterdir()),
+             *(f"../../../web/package/{name}.js" for name in ("errors", "host", "module"))]
     digest = hashlib.sha256()
     for name in names:
         digest.update(name.encode() + b"\0" + (web / name).read_bytes() + b"\0")
@@ -30,6 +31,22 @@ def check_hash(web):
     wanted = hash_of_sources(web)
     if f"sha256 {wanted} " not in head:
         print(f"the sources changed (sha256 {wanted}); make the script again: {MAKE}")
+        return 1
+    return 0
+
+
+def check_live_hash(web):
+    """The first line of live.sources is of the files that the others name, as web/pack_live.py has it."""
+    head, *names = (web / "dist/live.sources").read_text(encoding="ascii").splitlines()
+    root = web.parent.parent.parent
+    digest = hashlib.sha256()
+    for name in names:
+        if not (root / name).is_file():
+            print(f"{name} is gone; make the module again: make live")
+            return 1
+        digest.update(name.encode() + b"\0" + (root / name).read_bytes() + b"\0")
+    if len(names) < 100 or head != f"sha256 {digest.hexdigest()}":
+        print(f"sources of the module of live reports changed (sha256 {digest.hexdigest()}); make it again: make live")
         return 1
     return 0
 
@@ -84,8 +101,10 @@ for (const [query, found] of [
 
 # Two movers that touch each other and a part of the city; pages whose contacts are not all there.
 WORDS = """
-import { counts, gapWords, notDrawn, rowMost, rowNoun, shortName, whatIsDrawn } from '%(words)s';
+import { counts, gapWords, liveAnswer, liveOthers, liveWhere, notDrawn, rowMost, rowNoun, shortName, whatIsDrawn } from '%(words)s';
 import { Entries, NO, PERHAPS, YES } from '%(entries)s';
+import { whyNot } from '%(live_data)s';
+import { argumentOf, poseOf, roundedPlace, turnOf } from '%(pose)s';
 const NONE = 0xffffffff;
 const page = ({ parts = [0, NONE], complete = true, held = [[0], [1]], all = 2, noun = '', spans = [[3, 9, 7], [3, 9, 3]] }) => ({
   scene: { complete, models: [], parts: ['lid'], row: { one: noun, many: noun && `${noun}s` }, bodies: { names: [], all: 0 }, gaps: { listed: 2, all: 9 },
@@ -129,6 +148,28 @@ const near = (count, end) => ({
 check(gapWords(near(9, 5), 0), 'car 3 and wall: 2 m at frame 3; near in frames 3 to 5; from (1, 0, 0) to (3, 0, 0)');
 check(gapWords(near(9, 3), 0), 'car 3 and wall: 2 m at frame 3; from (1, 0, 0) to (3, 0, 0)');
 check(gapWords(near(1, 3), 0), 'car 3 and wall: 2 m; from (1, 0, 0) to (3, 0, 0)');
+const named = { scene: { bodies: { names: ['car', 'wall', 'van'] } } };
+check(liveAnswer(named, 0, { touched: [], gap: { body: 1, lower: 0.123456 } }), 'car touches nothing: 0.1235 from wall');
+check(liveAnswer(named, 0, { touched: [], gap: null }), 'car touches nothing');
+check(liveAnswer(named, 0, { touched: [{ body: 1, pairs: 1 }] }), 'car touches wall: 1 pair of triangles');
+check(liveAnswer(named, 0, { touched: [{ body: 1, pairs: 5 }, { body: 2, pairs: 1234 }] }),
+  'car touches van (1,234), wall (5): 1,239 pairs of triangles');
+check(liveWhere(named, 0, true, true, -1), 'car is where the report has it.');
+check(liveWhere(named, 0, true, false, -1), 'car is where the report has it, rounded.');
+check(liveWhere(named, 0, false, false, 1), 'car is moved. wall stays where the report has it, at a pose without a short form.');
+check(liveOthers(named, 3, 0), '');
+check(liveOthers(named, 1, 7), 'Compared with 1 body; the other movers (7) are left out, as this page holds their poses rounded.');
+check(whyNot({ scene: { live: { room: 2e6, models: [] } } }),
+  'the exact triangles of its models take more than the 2 MB that a page has room for');
+check(whyNot({ scene: { live: { room: 2e6, models: [{}] } } }), 'this browser has no workers'); // node has none of this name
+check(argumentOf([1, 0, 0, 0.5, 0, 1, 0, -1e-9, 0, 0, 1, 3]), '0.5 -1e-9 3');
+check(argumentOf(poseOf([0, 0, 0.6, 0.8], [1, 2, 3])), '1 2 3 0.8 0 0 0.6');
+check(argumentOf([1, 1e-9, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]), null); // within what soms takes as rigid, but of no quaternion
+for (const turn of [[0.6, 0, 0, 0.8], [0.8, -0.6, 0, 0], [0, 0, 1, 0], [0.5, 0.5, -0.5, 0.5], [0, 0, 0, 1]]) {
+  check(turnOf(poseOf(turn, [0, 0, 0])).map((part) => part.toFixed(12)).join(), turn.map((part) => part.toFixed(12)).join());
+}
+check(roundedPlace(1.23456789, 4), 1.234568);
+check(roundedPlace(123456.789, 4e6), 123457);
 const entries = new Entries(page({}));
 // The first row touches at each step; of the second three of seven are known, and two contacts are there.
 for (const [r, step, expected] of [[0, 2, NO], [0, 4, YES], [1, 3, YES], [1, 4, PERHAPS], [1, 5, YES],
@@ -143,7 +184,7 @@ def run_script(web, script):
     if node is None:
         print("skipped: node is not installed")
         return SKIPPED
-    names = {name: (web / f"src/{name}.js").as_uri() for name in ("words", "entries")}
+    names = {name: (web / f"src/{name}.js").as_uri() for name in ("words", "entries", "live_data", "pose")}
     return subprocess.run([node, "--input-type=module", "-e", script % names], check=False).returncode
 
 
@@ -153,7 +194,7 @@ def main():
     if "resolved" in lock or "://" in lock:
         print("package-lock.json names the host of a registry")
         return 1
-    return {"hash": check_hash, "rebuild": check_rebuild, "search": lambda web: run_script(web, SEARCH),
+    return {"hash": check_hash, "live_hash": check_live_hash, "rebuild": check_rebuild, "search": lambda web: run_script(web, SEARCH),
             "words": lambda web: run_script(web, WORDS)}[check](web)
 
 

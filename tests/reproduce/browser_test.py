@@ -1,20 +1,15 @@
-"""The page of a run, opened in Chromium: nothing is fetched, nothing is broken, everything is seen.
-
-Needs Chromium, its driver and Selenium (section test of packages.txt); where one is missing the
-test says so and is skipped.
-"""
+"""The page of a run, opened in Chromium: nothing is fetched, nothing is broken, everything is seen."""
 import json
-import os
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
 import urllib.parse
 
-SKIPPED = 77
-PATIENCE = 1200  # seconds, a guard: the machine may be busy
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from browser import console_faults, outcome, start_browser  # noqa: E402
+
 ITEMS = "3.1,3.9,4.6,4.30,5.3,5.6"
 PHONE = (390, 800)
 DESK = (1200, 900)
@@ -47,44 +42,6 @@ return {
   ink: getComputedStyle(document.body).color,
 };
 """
-
-
-def skip(why):
-    print(f"skipped: {why}; the packages of section test in packages.txt bring it")
-    sys.exit(SKIPPED)
-
-
-def start_browser(folder):
-    chromium = shutil.which("chromium") or shutil.which("chromium-browser")
-    driver = shutil.which("chromedriver")
-    if chromium is None or driver is None:
-        skip("Chromium or its driver is not installed")
-    try:
-        from selenium import webdriver
-        from selenium.webdriver.chrome.service import Service
-    except ImportError:
-        skip("Selenium for Python is not installed")
-    options = webdriver.ChromeOptions()
-    options.binary_location = chromium
-    # As root Chromium runs without its sandbox only; containers have little shared memory.
-    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu",
-                     "--no-first-run", "--disable-background-networking", "--hide-scrollbars",
-                     f"--user-data-dir={folder / 'profile'}"):
-        options.add_argument(argument)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    os.environ["HOME"] = str(folder)
-    browser = webdriver.Chrome(options=options, service=Service(executable_path=driver))
-    browser.set_page_load_timeout(PATIENCE)
-    browser.set_script_timeout(PATIENCE)
-    return browser
-
-
-def requested(browser):
-    """Addresses that the page requested."""
-    for entry in browser.get_log("performance"):
-        message = json.loads(entry["message"])["message"]
-        if message["method"] == "Network.requestWillBeSent":
-            yield message["params"]["request"]["url"]
 
 
 def light(color):
@@ -159,12 +116,7 @@ def figure_faults(browser, folder):
 def faults_of(browser, folder):
     yield from page_faults(browser, folder)
     yield from figure_faults(browser, folder)
-    for entry in browser.get_log("browser"):
-        yield f"console: {entry['level']} {entry['message']}"
-    for address in requested(browser):
-        # The browser's own first tab is made of chrome: pages.
-        if not address.startswith(("file:", "data:", "about:", "chrome:")):
-            yield f"requested {address}"
+    yield from console_faults(browser)
 
 
 def pdf_faults(pdf):
@@ -195,10 +147,7 @@ def main():
             found += pdf_faults((out / "thesis.pdf").read_bytes())
         finally:
             browser.quit()
-    for line in found:
-        print(line)
-    print(f"{len(found)} faults")
-    return 1 if found else 0
+    return outcome(found)
 
 
 if __name__ == "__main__":

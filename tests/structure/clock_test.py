@@ -54,7 +54,7 @@ ALLOWED = {
     "tests/view/window/display.cpp": (("seconds of a child",), "for ViewerTest.RestsWhenPaused"),
     "tests/view/window/viewer_test.cpp": (("pause", "seconds of a child"),
                                           "waits until no processor time is taken, for as long as that needs"),
-    "tests/report/browser_test.py": (("sleep", "clock"), "looks at a page again and again, within a guard"),
+    "tests/report/look.py": (("sleep", "clock"), "looks at a page again and again, within a guard"),
     "tests/docs/examples_test.py": (("clock", "program timeout"), "seconds that are printed, and a guard"),
     "tests/install/bare_debian_test.py": (("clock",), "printed, not judged"),
     "tests/endurance/endurance.py": (("sleep", "clock"), "kills at random moments: any of them is right"),

@@ -1,20 +1,19 @@
 """The package in a headless Chromium, served by a plain server: browser_test.py PACKAGE DATA.
 
-500 rows of each truth set on the page, and queries in a worker. Needs Chromium, its driver and Selenium (section test
-of packages.txt); where one is missing the test says so and is skipped.
+500 rows of each truth set on the page, and queries in a worker.
 """
 import functools
 import http.server
 import json
-import os
 import pathlib
 import shutil
 import sys
 import tempfile
 import threading
 
-SKIPPED = 77
-PATIENCE = 1200  # seconds, a guard
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from browser import start_browser  # noqa: E402
+
 CASES = 500
 PAGE = """<!doctype html><meta charset="utf-8"><title>soms</title><script type="module">
 import * as soms from "/package/soms.js";
@@ -33,13 +32,6 @@ window.outcome = (async () => {
 })();
 </script>""" % CASES
 
-SOFTWARE_DRAWING = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist")
-
-
-def skip(why):
-    print(f"skipped: {why}; the packages of section test in packages.txt bring it")
-    sys.exit(SKIPPED)
-
 
 def serve(folder):
     class Handler(http.server.SimpleHTTPRequestHandler):
@@ -49,30 +41,6 @@ def serve(folder):
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Handler, directory=folder))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     return server.server_address[1]
-
-
-def start_browser(folder, webgl=False):
-    chromium = shutil.which("chromium") or shutil.which("chromium-browser")
-    driver = shutil.which("chromedriver")
-    if chromium is None or driver is None:
-        skip("Chromium or its driver is not installed")
-    try:
-        from selenium import webdriver
-        from selenium.webdriver.chrome.service import Service
-    except ImportError:
-        skip("Selenium for Python is not installed")
-    options = webdriver.ChromeOptions()
-    options.binary_location = chromium
-    # As root Chromium runs without its sandbox only; containers have little shared memory.
-    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--no-first-run",
-                     "--disable-background-networking", f"--user-data-dir={folder / 'profile'}",
-                     *(SOFTWARE_DRAWING if webgl else ["--disable-gpu"])):
-        options.add_argument(argument)
-    os.environ["HOME"] = str(folder)
-    browser = webdriver.Chrome(options=options, service=Service(executable_path=driver))
-    browser.set_page_load_timeout(PATIENCE)
-    browser.set_script_timeout(PATIENCE)
-    return browser
 
 
 def main(package, data):

@@ -31,6 +31,7 @@ export class Bodies {
     this.stillMeshes = [];
     this.poses = new Poses(scene);
     this.moving = []; // bodies that move, with where they are
+    this.moved = null; // the one that the reader moves: its number, place and turning
     const counts = scene.models.map(() => 0);
     scene.bodies.model.forEach((model, body) => {
       if (scene.bodies.moves[body]) {
@@ -49,6 +50,7 @@ export class Bodies {
     const instances = (geometry, count) => {
       const mesh = new THREE.InstancedMesh(geometry, this.movingMaterial, count);
       mesh.frustumCulled = false;
+      mesh.userData.bodies = [];
       mesh.setColorAt(0, new THREE.Color());
       world.add(mesh);
       return mesh;
@@ -83,7 +85,10 @@ export class Bodies {
     const size = new THREE.Vector3(1, 1, 1);
     for (const mover of this.moving) {
       const side = exact ? exact.bodies.indexOf(mover.body) : -1;
-      if (side >= 0) {
+      if (this.moved?.body === mover.body) {
+        mover.place.fromArray(this.moved.place);
+        turn.fromArray(this.moved.turn);
+      } else if (side >= 0) {
         mover.place.fromArray(exact.poses[side], 0);
         turn.fromArray(exact.poses[side], 3);
       } else {
@@ -100,10 +105,11 @@ export class Bodies {
     for (const list of [this.near, this.far]) {
       list.forEach((mesh) => { if (mesh) { mesh.count = 0; } });
     }
-    for (const { model, place, matrix, color } of this.moving) {
+    for (const { body, model, place, matrix, color } of this.moving) {
       const size = 2 * this.geometries[model].boundingSphere.radius;
       const large = size * pixels > SMALL * camera.position.distanceTo(place);
       const mesh = (large ? this.near : this.far)[model];
+      mesh.userData.bodies[mesh.count] = body;
       mesh.setMatrixAt(mesh.count, matrix);
       mesh.setColorAt(mesh.count++, color);
     }
@@ -113,5 +119,30 @@ export class Bodies {
         mesh.instanceMatrix.needsUpdate = mesh.instanceColor.needsUpdate = true;
       }
     }
+  }
+
+  // Where the report has a body that moves, as the page draws it.
+  recorded(body, step) {
+    const [place, turn] = [new THREE.Vector3(), new THREE.Quaternion()];
+    this.poses.at(body, step, place, turn);
+    return { place: place.toArray(), turn: turn.toArray() };
+  }
+
+  // Where a body is drawn: the middle of its model.
+  placeOf(body) {
+    return (this.moving.find((mover) => mover.body === body)?.place
+      ?? this.stillMeshes[this.poses.rank[body]].position).clone();
+  }
+
+  sizeOf(body) {
+    return 2 * this.geometries[this.scene.bodies.model[body]].boundingSphere.radius;
+  }
+
+  // The body that moves and is seen first along a ray, and where it is met; null if none is, or another is before it.
+  moverAt(raycaster) {
+    const movers = [...this.near, ...this.far].filter((mesh) => mesh?.count > 0);
+    movers.forEach((mesh) => { mesh.boundingSphere = null; }); // instances have moved since it was found
+    const [first] = raycaster.intersectObjects([...movers, ...this.stillMeshes], false);
+    return first?.instanceId === undefined ? null : { body: first.object.userData.bodies[first.instanceId], point: first.point };
   }
 }

@@ -1,5 +1,6 @@
 // The blocks of data that the page carries, decoded.
 
+import { bytesOf } from './exact.js';
 import { Packed, unpackLines, unpackMesh, unpackPairs, unpackPoses } from './packed.js';
 
 const NONE = 0xffffffff;
@@ -8,21 +9,14 @@ const WORDS_OF_ROW = 19;
 const WORDS_OF_CURVE = 21;
 const WORDS_OF_GAP = 26;
 
-function takeText(id) {
+export function takeText(id) {
   const element = document.getElementById(`soms-${id}`);
   const text = element.textContent;
   element.remove(); // its memory is not needed twice
   return text;
 }
 
-function takeBytes(id) {
-  const raw = atob(takeText(id));
-  const bytes = new Uint8Array(raw.length);
-  for (let k = 0; k < raw.length; ++k) {
-    bytes[k] = raw.charCodeAt(k);
-  }
-  return bytes;
-}
+const takeBytes = (id) => bytesOf(takeText(id));
 
 const takeWords = (id) => takeBytes(id).buffer;
 

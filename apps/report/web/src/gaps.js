@@ -13,12 +13,12 @@ const svg = (name, parent, kind) => {
 };
 
 export class GapLines {
-  constructor(all) {
+  constructor(all, layer = 'gaps') {
     this.gaps = all.gaps;
     this.faint = all.scene.steps.smooth; // those of other poses would say nothing of this one
     this.step = 0;
     this.chosen = -1;
-    this.layer = document.getElementById('gaps');
+    this.layer = document.getElementById(layer);
     this.marks = Array.from({ length: this.gaps.count }, (_, g) => {
       const group = svg('g', this.layer, '');
       const mark = {
@@ -28,6 +28,10 @@ export class GapLines {
       mark.text.textContent = this.gaps.lengths[g];
       return mark;
     });
+  }
+
+  setLength(g, text) {
+    this.marks[g].text.textContent = text;
   }
 
   lasts(g) {

@@ -1,6 +1,7 @@
 // Brings the page to life: the view, the list of contacts, and time.
 import { load, loadModel } from './data.js';
 import { List } from './list.js';
+import { Live } from './live.js';
 import { addPrinting } from './print.js';
 import { Time } from './time.js';
 import { View } from './view.js';
@@ -167,6 +168,7 @@ function start() {
   const time = new Time(all, (step) => {
     view?.setStep(step);
     list.setStep(step);
+    live?.setStep();
     byId('moment').textContent = moment(all, step);
   });
   const choose = (r, k) => {
@@ -176,6 +178,7 @@ function start() {
     list.setStep(begin);
     list.mark(r, k);
     view?.choose(r, k);
+    live?.setStep();
     byId('moment').textContent = moment(all, begin);
     byId('picked').textContent = wordsOf(all, r, k);
     history.replaceState(null, '', k >= 0 ? `#contact=${k}` : `#row=${r}`);
@@ -187,11 +190,13 @@ function start() {
     list.setStep(step);
     list.mark(-1, -1);
     view?.chooseGap(g);
+    live?.setStep();
     byId('moment').textContent = moment(all, step);
     byId('picked').textContent = gapWords(all, g);
     history.replaceState(null, '', `#gap=${g}`);
   };
   const list = new List(all, choose);
+  const live = view && all.scene.live ? new Live(all, view) : null;
   byId('next').addEventListener('click', () => list.neighbor(1));
   byId('previous').addEventListener('click', () => list.neighbor(-1));
   addTimeLine(all, choose);
@@ -230,6 +235,8 @@ function start() {
     isWhole: false,
     firstPicture: () => view?.firstPicture, // triangles drawn, and milliseconds after the page was opened
     middle: (g) => all.gaps.middle(g),
+    live: () => (live?.active ? { body: live.held, pose: live.pose, recorded: live.isRecorded(), answer: live.answer } : null),
+    onCanvas: (body) => view?.middleOnCanvas(body), // pixels from the upper left corner
     calls: () => view?.renderer.info.render.calls,
   };
 }

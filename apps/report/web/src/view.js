@@ -52,6 +52,9 @@ export class View {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.world = new THREE.Scene();
+    this.marks = new THREE.Group(); // contacts of the report, and what is chosen
+    this.world.add(this.marks);
+    this.layers = []; // what others draw over the picture
     this.camera = new THREE.PerspectiveCamera(45, 1, 0.1, 1000);
     this.camera.up.set(0, all.scene.up === 'y' ? 1 : 0, all.scene.up === 'y' ? 0 : 1);
     this.controls = new OrbitControls(this.camera, canvas);
@@ -88,16 +91,16 @@ export class View {
 
   addCurves() {
     const { scene } = this.all;
-    this.past = new Curve(this.world, 2, 2, false);
-    this.now = new Curve(this.world, 3.5, 4, false);
-    this.chosenCurve = new Curve(this.world, 4, ALWAYS_SEEN + 5, true);
+    this.past = new Curve(this.marks, 2, 2, false);
+    this.now = new Curve(this.marks, 3.5, 4, false);
+    this.chosenCurve = new Curve(this.marks, 4, ALWAYS_SEEN + 5, true);
     this.shownCurves = '';
     // Where there is one step alone, all that the page holds of where the two cross.
     const lines = [];
     for (let n = 0; n < scene.contacts.pairs && scene.steps.count < 2; ++n) {
       lines.push(this.all.contacts.crossing(n));
     }
-    this.crossings = new Curve(this.world, 3, ALWAYS_SEEN + 3, true);
+    this.crossings = new Curve(this.marks, 3, ALWAYS_SEEN + 3, true);
     this.crossings.show(joined(lines), scene.size);
   }
 
@@ -139,7 +142,7 @@ export class View {
       points.geometry.setAttribute('color', colors);
       points.frustumCulled = false;
       points.renderOrder = order;
-      this.world.add(points);
+      this.marks.add(points);
       return points;
     };
     layer(this.haloColors, size + 4, ALWAYS_SEEN);
@@ -158,12 +161,12 @@ export class View {
       edges.renderOrder = ALWAYS_SEEN + 3;
       mesh.frustumCulled = edges.frustumCulled = false;
       mesh.visible = edges.visible = false;
-      this.world.add(mesh, edges);
+      this.marks.add(mesh, edges);
     });
     this.box = new THREE.LineSegments(new THREE.EdgesGeometry(new THREE.BoxGeometry(1, 1, 1)), line(1));
     this.box.renderOrder = ALWAYS_SEEN + 4;
     this.box.visible = this.box.frustumCulled = false;
-    this.world.add(this.box);
+    this.marks.add(this.box);
   }
 
   paint(paper = false) {
@@ -178,6 +181,7 @@ export class View {
     this.box.material.color.copy(this.colors.frame);
     this.past.paint(this.colors.was, this.colors.halo);
     [this.now, this.chosenCurve, this.crossings].forEach((curve) => curve.paint(this.colors.touch, this.colors.halo));
+    this.layers.forEach((layer) => layer.paint(this.colors));
   }
 
   fit() {
@@ -186,7 +190,7 @@ export class View {
       this.renderer.setSize(width, height, false);
       this.camera.aspect = width / height;
       this.camera.updateProjectionMatrix();
-      [this.past, this.now, this.chosenCurve, this.crossings].forEach((curve) => curve.fit(width));
+      [this.past, this.now, this.chosenCurve, this.crossings, ...this.layers].forEach((layer) => layer.fit(width));
       this.draw();
     }
   }
@@ -198,6 +202,26 @@ export class View {
     const exact = this.exact?.step === step ? this.exact : null;
     this.bodies.place(step, exact, (body) => this.colorOf(body));
     this.draw();
+  }
+
+  // A layer has `paint(colors)`, `fit(width)` and `draw(camera, width, height)`.
+  addLayer(layer) {
+    this.layers.push(layer);
+    layer.paint(this.colors);
+    layer.fit(this.canvas.clientWidth);
+  }
+
+  // While the reader moves a body, contacts of the report are not drawn: they are those of other poses.
+  setMoved(moved) {
+    this.bodies.moved = moved;
+    this.marks.visible = moved === null;
+    this.setStep(this.step);
+  }
+
+  // Where the middle of a body is seen.
+  middleOnCanvas(body) {
+    const at = this.bodies.placeOf(body).project(this.camera);
+    return [(at.x + 1) * this.canvas.clientWidth / 2, (1 - at.y) * this.canvas.clientHeight / 2];
   }
 
   isNow({ begin, end }) {
@@ -560,6 +584,7 @@ export class View {
       const size = [this.canvas.clientWidth, this.canvas.clientHeight];
       this.gapLines.draw(this.camera, ...size);
       this.spotCounts.draw(this.smallSpots, (spot) => this.isNow(spot), this.camera, ...size);
+      this.layers.forEach((layer) => layer.draw(this.camera, ...size));
       if (this.flight) {
         this.drawMotion();
       }

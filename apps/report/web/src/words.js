@@ -246,3 +246,36 @@ export function whatIsDrawn(all) {
   }
   return `${parts.join('; ')}.`;
 }
+
+const pairsOf = (count) => `${number(count)} pair${count === 1 ? '' : 's'} of triangles`;
+
+const MOST_TOUCHED = 5; // bodies that are named
+
+// A length in four digits.
+export const inDigits = (length) => String(Number(length.toPrecision(4)));
+
+// What a moved body touches, or how near it is: "car 3 touches house_1: 12 pairs of triangles".
+export function liveAnswer({ scene }, body, { touched, gap }) {
+  const name = bodyName(scene, body);
+  if (touched.length === 0) {
+    return `${name} touches nothing${gap ? `: ${inDigits(gap.lower)} from ${bodyName(scene, gap.body)}` : ''}`;
+  }
+  if (touched.length === 1) {
+    return `${name} touches ${bodyName(scene, touched[0].body)}: ${pairsOf(touched[0].pairs)}`;
+  }
+  const most = [...touched].sort((a, b) => b.pairs - a.pairs);
+  const named = most.slice(0, MOST_TOUCHED).map((other) => `${bodyName(scene, other.body)} (${number(other.pairs)})`);
+  const inAll = touched.reduce((sum, { pairs }) => sum + pairs, 0);
+  return `${name} touches ${named.join(', ')}${most.length > named.length ? ` and ${number(most.length - named.length)} more` : ''}: ${pairsOf(inAll)}`;
+}
+
+// Where a moved body is; its pose follows. `unsaid` is another one, whose pose does not.
+export function liveWhere({ scene }, body, isRecorded, isExact, unsaid) {
+  const stays = unsaid < 0 ? '' : ` ${bodyName(scene, unsaid)} stays where the report has it, at a pose without a short form.`;
+  return `${bodyName(scene, body)} is ${isRecorded ? 'where the report has it' : 'moved'}${isRecorded && !isExact ? ', rounded' : ''}.${stays}`;
+}
+
+// What a moved body is compared with, where that is not all that is seen.
+export function liveOthers(all, others, left) {
+  return left === 0 ? '' : `Compared with ${number(others)} ${others === 1 ? 'body' : 'bodies'}; the other movers (${number(left)}) are left out, as this page holds their poses rounded.`;
+}

@@ -1,0 +1,154 @@
+#include "apps/report/live_data.h"
+
+#include "apps/report/data_block.h"
+#include "apps/report/packed.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace soms::report {
+
+namespace {
+
+constexpr std::uint64_t kBytesOfExactPose = sizeof(Pose::m);
+
+/// A float has the same value. The double that is compared comes from a variable of type float:
+/// CONTRIBUTING.md says why.
+bool is_float(double value) {
+  if (!(std::abs(value) <= double{std::numeric_limits<float>::max()})) {
+    return false;
+  }
+  const float narrow = static_cast<float>(value);
+  return double{narrow} == value;
+}
+
+bool all_floats(const Mesh& mesh) {
+  return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const Vec3& at) {
+    return is_float(at.x) && is_float(at.y) && is_float(at.z);
+  });
+}
+
+void put_exact(Base64Writer& data, const Mesh& mesh, bool floats) {
+  constexpr std::uint64_t kNew = ~std::uint64_t{0};
+  std::vector<std::uint64_t> number(mesh.vertices.size(), kNew);
+  std::uint64_t count = 0;
+  for (const std::array<std::uint32_t, 3>& triangle : mesh.triangles) {
+    for (const std::uint32_t index : triangle) {
+      if (number[index] != kNew) {
+        put_unsigned(data, count - number[index]);
+        continue;
+      }
+      number[index] = count++;
+      put_unsigned(data, 0);
+      const Vec3& at = mesh.vertices[index];
+      for (const double value : {at.x, at.y, at.z}) {
+        floats ? data.put(static_cast<float>(value)) : data.put(value);
+      }
+    }
+  }
+}
+
+void put_exact_pose(Base64Writer& data, const Pose& pose) {
+  for (const double value : pose.m) {
+    data.put(value);
+  }
+}
+
+/// Models that bodies of the page have, one after the other, as long as they fit into `room`;
+/// nothing if they do not.
+std::vector<ExactMesh> models_within(const Scene& scene, std::span<const std::uint32_t> bodies,
+                                     std::uint64_t room) {
+  std::vector<ExactMesh> models;
+  static const Mesh kNone;
+  std::vector<bool> used(scene.models.size(), false);
+  for (const std::uint32_t body : bodies) {
+    used[scene.bodies[body].model] = true;
+  }
+  std::uint64_t bytes = 0;
+  for (std::size_t k = 0; k < scene.models.size(); ++k) {
+    const Mesh& mesh = used[k] ? *scene.models[k].mesh : kNone;
+    // At least a byte a corner: large models need not be counted.
+    if (bytes + 3 * mesh.triangles.size() > room) {
+      return {};
+    }
+    models.emplace_back(mesh);
+    bytes += models.back().bytes();
+  }
+  return bytes > room ? std::vector<ExactMesh>() : models;
+}
+
+}  // namespace
+
+ExactMesh::ExactMesh(const Mesh& mesh) : mesh_(mesh), floats_(all_floats(mesh)) {
+}
+
+std::uint64_t ExactMesh::bytes() const {
+  std::ostream nowhere(nullptr);
+  Base64Writer data(nowhere);
+  put_exact(data, mesh_, floats_);
+  return data.bytes();
+}
+
+void ExactMesh::write(std::ostream& out, const std::string& id) const {
+  DataBlock block(out, id);
+  put_exact(block.data(), mesh_, floats_);
+  block.finish();
+}
+
+LiveData::LiveData(const Scene& scene, std::span<const std::uint32_t> bodies,
+                   std::span<const std::uint64_t> steps, const SceneLimits& limits)
+    : scene_(scene), bodies_(bodies), steps_(steps), room_(limits.exact_bytes) {
+  std::uint64_t moving = 0;
+  for (const std::uint32_t body : bodies) {
+    moving += scene.bodies[body].moves ? 1U : 0U;
+  }
+  any_moves_ = moving > 0;
+  if (!any_moves_) {
+    return;
+  }
+  has_movers_ = bodies.size() == scene.bodies.size() &&
+                moving * steps.size() <= limits.exact_pose_bytes / kBytesOfExactPose;
+  models_ = models_within(scene, bodies, limits.exact_bytes);
+}
+
+void LiveData::write(std::ostream& out) const {
+  for (std::size_t k = 0; k < models_.size(); ++k) {
+    models_[k].write(out, fmt::format("exact-{}", k));
+  }
+  DataBlock block(out, "exact-poses");
+  for (const std::uint32_t body : bodies_) {
+    if (!scene_.bodies[body].moves) {
+      put_exact_pose(block.data(), scene_.pose(body, 0));
+    }
+  }
+  if (has_movers_) {
+    for (const std::uint64_t step : steps_) {
+      for (const std::uint32_t body : bodies_) {
+        if (scene_.bodies[body].moves) {
+          put_exact_pose(block.data(), scene_.pose(body, step));
+        }
+      }
+    }
+  }
+  block.finish();
+}
+
+std::string LiveData::json(const std::function<Vec3(std::size_t model)>& middle) const {
+  if (!any_moves_) {
+    return "null";
+  }
+  std::string models;
+  for (std::size_t k = 0; k < models_.size(); ++k) {
+    const Vec3 at = middle(k);
+    models += fmt::format("{}{{\"floats\":{},\"middle\":[{},{},{}]}}", k == 0 ? "" : ",",
+                          models_[k].has_floats(), at.x, at.y, at.z);
+  }
+  return fmt::format("{{\"room\":{},\"movers\":{},\"models\":[{}]}}", room_, has_movers_, models);
+}
+
+}  // namespace soms::report
