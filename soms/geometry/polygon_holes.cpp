@@ -77,8 +77,10 @@ bool HoleJoiner::crosses(std::uint32_t from, std::uint32_t to, std::uint32_t a,
       return false;
     }
     for (const std::size_t axis : {first_axis_, second_axis_}) {
-      const auto [low, high] = std::minmax(corners_[from][axis], corners_[to][axis]);
-      if (corners_[p][axis] < low || corners_[p][axis] > high) {
+      const double at_from = corners_[from][axis];
+      const double at_to = corners_[to][axis];
+      if (corners_[p][axis] < std::min(at_from, at_to) ||
+          corners_[p][axis] > std::max(at_from, at_to)) {
         return false;
       }
     }

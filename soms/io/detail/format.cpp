@@ -31,8 +31,8 @@ constexpr auto kFormats = std::to_array<ReadFormat>({
     {"OFF", ".off", is_off, read_off},
     {"OBJ", ".obj", is_obj, read_obj},
     {"GLB", ".glb", is_glb, read_glb, true},
-    {"CityJSON", ".json", is_cityjson, read_cityjson},
     {"glTF", ".gltf", is_gltf, read_gltf},
+    {"CityJSON", ".json", is_cityjson, read_cityjson},
 #ifdef SOMS_USE_PUGIXML
     {"COLLADA", ".dae", is_collada, read_collada},
 #endif

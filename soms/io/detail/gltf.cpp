@@ -1,6 +1,7 @@
 #include "soms/io/detail/gltf.h"
 
 #include "soms/geometry/counts.h"
+#include "soms/io/detail/cityjson.h"
 #include "soms/io/detail/gltf_accessor.h"
 #include "soms/io/detail/gltf_buffers.h"
 #include "soms/io/detail/json_document.h"
@@ -405,7 +406,7 @@ bool is_glb(std::string_view bytes) {
 bool is_gltf(std::string_view bytes) {
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
   return begin != std::string_view::npos && bytes[begin] == '{' &&
-         bytes.find("\"asset\"", begin) != std::string_view::npos;
+         bytes.find("\"asset\"", begin) != std::string_view::npos && !is_cityjson(bytes);
 }
 
 Mesh read_gltf(Source& source) {
