@@ -154,7 +154,7 @@ def mover_faults(browser, soms, folder):
     page.element("next").click()
     page.landed()
     page.answer()
-    if moved or not page.soms("live().recorded"):
+    if moved or not page.soms("live().recorded") or page.soms("live().body") not in page.soms("bodies(soms.chosenRow())"):
         yield "what is chosen next is not shown where the report has it"
     yield from console_faults(browser)
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <sstream>
@@ -33,7 +34,7 @@ class ExactCorners {
         const double y = coordinate();
         vertices.push_back({x, y, coordinate()});
       }
-      corners.push_back(vertices[vertices.size() - (back == 0 ? 1 : back)]);
+      corners.push_back(vertices.at(vertices.size() - (back == 0 ? 1 : back)));
     }
     return corners;
   }
@@ -42,7 +43,7 @@ class ExactCorners {
   std::uint64_t number() {
     std::uint64_t value = 0;
     for (unsigned shift = 0;; shift += 7) {
-      const std::uint8_t byte = bytes_[at_++];
+      const std::uint8_t byte = bytes_.at(at_++);
       value |= std::uint64_t{byte & 0x7fU} << shift;
       if (byte < 0x80U) {
         return value;
@@ -54,7 +55,9 @@ class ExactCorners {
     double wide = 0;
     float narrow = 0;
     const std::size_t size = floats_ ? sizeof(narrow) : sizeof(wide);
-    std::memcpy(floats_ ? static_cast<void*>(&narrow) : &wide, &bytes_[at_], size);
+    EXPECT_LE(at_ + size, bytes_.size()) << "cut off";
+    std::memcpy(floats_ ? static_cast<void*>(&narrow) : &wide, &bytes_.at(at_),
+                std::min(size, bytes_.size() - at_));
     at_ += size;
     return floats_ ? double{narrow} : wide;
   }
@@ -117,8 +120,8 @@ TEST_F(LiveScene, HoldsTrianglesAsTheyAreInOrder) {
   const std::string page = written();
   EXPECT_TRUE(shown_.is_live);
   const auto live = test::scene_of(page)["live"];
-  EXPECT_FALSE(live["models"][0]["floats"]);
-  EXPECT_TRUE(live["models"][1]["floats"]);
+  ASSERT_FALSE(live["models"][0]["floats"]);
+  ASSERT_TRUE(live["models"][1]["floats"]);
   EXPECT_EQ(ExactCorners(page, "exact-0", false).read(), corners_of(wide_));
   EXPECT_EQ(ExactCorners(page, "exact-1", true).read(), corners_of(narrow_));
 }

@@ -149,10 +149,11 @@ check(gapWords(near(9, 5), 0), 'car 3 and wall: 2 m at frame 3; near in frames 3
 check(gapWords(near(9, 3), 0), 'car 3 and wall: 2 m at frame 3; from (1, 0, 0) to (3, 0, 0)');
 check(gapWords(near(1, 3), 0), 'car 3 and wall: 2 m; from (1, 0, 0) to (3, 0, 0)');
 const named = { scene: { bodies: { names: ['car', 'wall', 'van'] } } };
-check(liveAnswer(named, 0, { touched: [], gap: { body: 1, lower: 0.123456 } }), 'car touches nothing: 0.1235 from wall');
-check(liveAnswer(named, 0, { touched: [], gap: null }), 'car touches nothing');
-check(liveAnswer(named, 0, { touched: [{ body: 1, pairs: 1 }] }), 'car touches wall: 1 pair of triangles');
-check(liveAnswer(named, 0, { touched: [{ body: 1, pairs: 5 }, { body: 2, pairs: 1234 }] }),
+check(liveAnswer(named, 0, { touched: [], gap: { body: 1, lower: 0.123456 } }, 0), 'car touches nothing: 0.1235 from wall');
+check(liveAnswer(named, 0, { touched: [], gap: null }, 0), 'car touches nothing');
+check(liveAnswer(named, 0, { touched: [], gap: null }, 2), 'car touches nothing that it is compared with');
+check(liveAnswer(named, 0, { touched: [{ body: 1, pairs: 1 }] }, 0), 'car touches wall: 1 pair of triangles');
+check(liveAnswer(named, 0, { touched: [{ body: 1, pairs: 5 }, { body: 2, pairs: 1234 }] }, 0),
   'car touches van (1,234), wall (5): 1,239 pairs of triangles');
 check(liveWhere(named, 0, true, true, -1), 'car is where the report has it.');
 check(liveWhere(named, 0, true, false, -1), 'car is where the report has it, rounded.');

@@ -104,9 +104,7 @@ export class Live {
     byId('reset').hidden = byId('live').hidden = !this.active;
     byId('look').classList.toggle('moving', this.active);
     if (this.active) {
-      const { moves } = this.all.scene.bodies;
-      const chosen = this.view.chosenBodies.find((body) => moves[body]);
-      this.held = chosen ?? this.held ?? moves.indexOf(1);
+      this.held = this.chosen() ?? this.held ?? this.all.scene.bodies.moves.indexOf(1);
       this.reset();
     } else {
       this.drawn.show(new Float32Array(0), null);
@@ -145,6 +143,19 @@ export class Live {
     if (this.active) {
       this.reset();
     }
+  }
+
+  // A row, contact or gap was chosen: its body is the one that is moved.
+  follow() {
+    if (this.active) {
+      this.held = this.chosen() ?? this.held;
+      this.reset();
+    }
+  }
+
+  // The first body that moves of what is chosen.
+  chosen() {
+    return this.view.chosenBodies.find((body) => this.all.scene.bodies.moves[body]);
   }
 
   shift(by) {
@@ -191,14 +202,20 @@ export class Live {
       }
       left += moves[body] && body !== this.held && !pose ? 1 : 0;
     });
+    left += this.all.scene.bodies.all - model.length;
     this.answer = null;
     byId('live').classList.add('waiting');
     const { text, unsaid } = this.options();
     byId('live-where').textContent = liveWhere(this.all, this.held, this.isRecorded(), Boolean(this.recorded), unsaid);
     byId('live-pose').textContent = text;
-    byId('live-others').textContent = liveOthers(this.all, others.length, left + this.all.scene.bodies.all - model.length);
+    byId('live-others').textContent = liveOthers(this.all, others.length, left);
     byId('reset').disabled = this.isRecorded();
-    this.answers.ask({ mover: { body: this.held, model: model[this.held], pose: Float64Array.from(this.pose) }, others });
+    const mover = { body: this.held, model: model[this.held], pose: Float64Array.from(this.pose) };
+    if (others.length > 0) {
+      this.answers.ask({ mover, others, left });
+    } else {
+      this.show({ mover, left }, { touched: [], lines: [], gap: null });
+    }
   }
 
   // Options of `soms overlap` for what is shown: of both poses where there are two bodies. `unsaid` is a body that stays at a
@@ -219,14 +236,15 @@ export class Live {
       this.refuse(found.trouble);
       return;
     }
-    if (!this.active || question.mover.body !== this.held) {
+    const isCurrent = question.mover.pose.every((value, k) => value === this.pose[k]);
+    if (!this.active || question.mover.body !== this.held || (this.answer && !isCurrent)) {
       return;
     }
     const { origin, scale } = this.all.scene;
     const lines = Float32Array.from(found.lines, (value, k) => (value - origin[k % 3]) * scale);
     this.drawn.show(lines, found.gap && { points: found.gap.points.map((at) => this.data.onPage(at)), length: found.gap.lower });
-    byId('live-answer').textContent = liveAnswer(this.all, this.held, found);
-    if (question.mover.pose.every((value, k) => value === this.pose[k])) {
+    byId('live-answer').textContent = liveAnswer(this.all, this.held, found, question.left);
+    if (isCurrent) {
       byId('live').classList.remove('waiting');
       this.answer = { ...found, lines: found.lines.length / 6 };
     }

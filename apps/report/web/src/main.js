@@ -178,7 +178,7 @@ function start() {
     list.setStep(begin);
     list.mark(r, k);
     view?.choose(r, k);
-    live?.setStep();
+    live?.follow();
     byId('moment').textContent = moment(all, begin);
     byId('picked').textContent = wordsOf(all, r, k);
     history.replaceState(null, '', k >= 0 ? `#contact=${k}` : `#row=${r}`);
@@ -190,7 +190,7 @@ function start() {
     list.setStep(step);
     list.mark(-1, -1);
     view?.chooseGap(g);
-    live?.setStep();
+    live?.follow();
     byId('moment').textContent = moment(all, step);
     byId('picked').textContent = gapWords(all, g);
     history.replaceState(null, '', `#gap=${g}`);
@@ -218,6 +218,7 @@ function start() {
     total: (r) => all.rows.total(r),
     held: (r) => all.rows.contacts(r).length,
     title: (r) => rowTitle(all, r),
+    bodies: (r) => [all.rows.a(r), all.rows.b(r)],
     shown: () => list.entries.order.length,
     camera: () => view?.camera.position.toArray(),
     target: () => view?.controls.target.toArray(),

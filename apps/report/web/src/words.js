@@ -254,11 +254,11 @@ const MOST_TOUCHED = 5; // bodies that are named
 // A length in four digits.
 export const inDigits = (length) => String(Number(length.toPrecision(4)));
 
-// What a moved body touches, or how near it is: "car 3 touches house_1: 12 pairs of triangles".
-export function liveAnswer({ scene }, body, { touched, gap }) {
+// What a moved body touches, or how near it is: "car 3 touches house_1: 12 pairs of triangles". `left` bodies were left out.
+export function liveAnswer({ scene }, body, { touched, gap }, left) {
   const name = bodyName(scene, body);
   if (touched.length === 0) {
-    return `${name} touches nothing${gap ? `: ${inDigits(gap.lower)} from ${bodyName(scene, gap.body)}` : ''}`;
+    return `${name} touches nothing${left > 0 ? ' that it is compared with' : ''}${gap ? `: ${inDigits(gap.lower)} from ${bodyName(scene, gap.body)}` : ''}`;
   }
   if (touched.length === 1) {
     return `${name} touches ${bodyName(scene, touched[0].body)}: ${pairsOf(touched[0].pairs)}`;
