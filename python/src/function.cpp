@@ -1,5 +1,6 @@
 #include "python/src/function.h"
 
+#include <memory>
 #include <new>
 #include <stdexcept>
 
@@ -7,7 +8,7 @@ namespace soms::python {
 
 namespace {
 
-/// A function of the module; never given back, as modules are not unloaded.
+/// A function of the module.
 struct Function {
   std::string name;
   std::string doc;
@@ -17,6 +18,12 @@ struct Function {
   std::function<py::object(const Passed&)> body;
   PyMethodDef method = {};
 };
+
+/// All of them, never given back, as modules are not unloaded.
+Function& keep(Function function) {
+  static auto* const all = new std::vector<std::unique_ptr<Function>>;
+  return *all->emplace_back(std::make_unique<Function>(std::move(function)));
+}
 
 [[noreturn]] void refuse_call(const Function& function, const std::string& why) {
   throw py::type_error(function.name + "(): " + why);
@@ -95,7 +102,7 @@ Parameters with_limits(Parameters parameters) {
 void add_function(py::module_& module, const char* name, std::string doc, Parameters parameters,
                   std::function<py::object(const Passed&)> body) {
   auto* const function =
-      new Function{name, std::move(doc), std::move(parameters), {}, 0, std::move(body), {}};
+      &keep({name, std::move(doc), std::move(parameters), {}, 0, std::move(body), {}});
   for (const Parameter& parameter : function->parameters) {
     function->names.push_back(PyUnicode_InternFromString(parameter.name));
     function->by_place += parameter.is_named_only ? 0U : 1U;
