@@ -21,10 +21,6 @@ constexpr std::string_view kType = "\"type\"";
 constexpr std::string_view kCityJson = "\"CityJSON\"";
 constexpr std::string_view kFeature = "\"CityJSONFeature\"";
 
-bool is_space(char c) {
-  return is_blank(c) || is_line_end(c);
-}
-
 /// True if `text` ends with a name and a colon.
 bool ends_with_name(std::string_view text, std::string_view name) {
   const auto trim = [&] {

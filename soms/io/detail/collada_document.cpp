@@ -32,10 +32,6 @@ bool is_text(pugi::xml_node node) {
   return node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata;
 }
 
-bool is_space(char c) {
-  return is_blank(c) || is_line_end(c);
-}
-
 std::size_t offset_of(pugi::xml_node node) {
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, node.offset_debug()));
 }

@@ -22,6 +22,10 @@ namespace soms::detail {
   return c == '\n' || c == '\r';
 }
 
+[[nodiscard]] constexpr bool is_space(char c) {
+  return is_blank(c) || is_line_end(c);
+}
+
 /// How the text of a number becomes a double.
 enum class Precision { as_double, as_float };
 
