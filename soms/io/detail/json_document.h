@@ -85,10 +85,9 @@ class JsonValue {
 class JsonDocument {
  public:
   /// Parses `text`, which begins at byte `offset` of the file. Places are lines, or bytes where the
-  /// file is binary.
+  /// file is binary; of a document that is one of several, `where` ("line 3") names which.
   /// \errors ErrorKind::bad_file (no JSON, a name that stands twice in an object), not_finite (a
-  /// number beyond a double), out_of_memory, cancelled. `where` ("line 3") stands before the paths
-  /// of a document that is one of several in its file.
+  /// number beyond a double), out_of_memory, cancelled.
   JsonDocument(Source& source, std::string_view text, std::size_t offset, bool binary,
                std::string where = {});
   ~JsonDocument();
