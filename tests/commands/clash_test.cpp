@@ -12,7 +12,7 @@ namespace soms::test {
 namespace {
 
 std::string clash_data(const std::string& name) {
-  return data("clash/" + name).string();
+  return test::data("clash/" + name).string();
 }
 
 /// Runs `clash` on the special cases, one set against the other.

@@ -1,6 +1,7 @@
 #include "apps/soms/overlap_rows.h"
 
 #include "soms/base/error.h"
+#include "soms/geometry/contact_box.h"
 
 #include "apps/soms/overlap_parts.h"
 
