@@ -118,6 +118,7 @@ TEST(Clashes, AreTheSameFromTheOtherSide) {
     EXPECT_EQ(clash.triangle_pairs, other.triangle_pairs);
     EXPECT_EQ(clash.gap, other.gap);
     EXPECT_EQ(clash.box, other.box);
+    EXPECT_EQ(clash.place, other.place);
   }
 }
 
