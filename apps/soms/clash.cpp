@@ -235,8 +235,7 @@ void add_clash_questions(CLI::App& app, ClashVerbOptions& options) {
              options.ignored_kinds.push_back(name);
            }
          },
-         "leave out clashes of this class, and say how many they are; may be repeated: " +
-             word_list(kinds))
+         "leave out this class, and count it; may be repeated: " + word_list(kinds))
       ->option_text(kChoiceText)
       ->allow_extra_args(false)
       ->group(kQuestionGroup);

@@ -44,7 +44,27 @@ bool PolygonTriangulator::is_fan() const {
   return !(positive && negative);
 }
 
-/// True if `corner` lies in the closed triangle of `ear`, at none of its three positions.
+/// True if two corners stand at one place of the plane.
+bool PolygonTriangulator::same_place(std::uint32_t a, std::uint32_t b) const {
+  return corners_[a][first_axis_] == corners_[b][first_axis_] &&
+         corners_[a][second_axis_] == corners_[b][second_axis_];
+}
+
+/// True if a side of `corner`, which stands where `ear` does, leads into the angle of `ear`, or if
+/// its sides are those of `ear` the other way: there is nothing between them.
+bool PolygonTriangulator::leads_into(std::uint32_t corner, std::uint32_t ear) const {
+  const Link& link = ring_[ear];
+  const auto is_inside = [&](std::uint32_t other) {
+    return turn(link.previous, ear, other) == Sign::positive &&
+           turn(ear, link.next, other) == Sign::positive;
+  };
+  const Link& other = ring_[corner];
+  return is_inside(other.previous) || is_inside(other.next) ||
+         (same_place(other.previous, link.next) && same_place(other.next, link.previous));
+}
+
+/// True if `corner` lies in the closed triangle of `ear`, at none of its three positions, or at the
+/// ear's with a side that leads in.
 bool PolygonTriangulator::blocks(std::uint32_t corner, std::uint32_t ear) const {
   const Link& link = ring_[ear];
   if (corner == ear || corner == link.previous || corner == link.next) {
@@ -61,9 +81,8 @@ bool PolygonTriangulator::blocks(std::uint32_t corner, std::uint32_t ear) const 
     }
   }
   for (const std::uint32_t i : t) {
-    if (p[first_axis_] == corners_[i][first_axis_] &&
-        p[second_axis_] == corners_[i][second_axis_]) {
-      return false;
+    if (same_place(corner, i)) {
+      return i == ear && leads_into(corner, ear);
     }
   }
   return turn(t[0], t[1], corner) != Sign::negative && turn(t[1], t[2], corner) != Sign::negative &&

@@ -20,9 +20,10 @@ namespace soms {
 /// where they are equal). If the signed areas of the fan from corner 0 share one sign there (zeros
 /// allowed), the result is that fan. Otherwise ears are clipped: a corner is an ear if it turns the
 /// way of the normal and no other corner lies in its closed triangle (those at the position of one
-/// of its three do not count). Corners are tried round and round, beginning behind the one that was
-/// clipped last. Where there is no ear, a corner without turn is clipped; where there is none
-/// either (an outline that crosses itself), the rest becomes a fan from its first corner.
+/// of its three do not count, but for one at the ear's with a side that leads into its angle).
+/// Corners are tried round and round, beginning behind the one that was clipped last. Where there
+/// is no ear, a corner without turn is clipped; where there is none either (an outline that crosses
+/// itself), the rest becomes a fan from its first corner.
 class PolygonTriangulator {
  public:
   /// The triangles, as numbers of corners, each wound as the polygon is; valid until the next call.
@@ -49,6 +50,8 @@ class PolygonTriangulator {
   void choose_plane();
   [[nodiscard]] Sign turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   [[nodiscard]] bool is_fan() const;
+  [[nodiscard]] bool same_place(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] bool leads_into(std::uint32_t corner, std::uint32_t ear) const;
   [[nodiscard]] bool blocks(std::uint32_t corner, std::uint32_t ear) const;
   void measure(std::uint32_t ear);
   [[nodiscard]] bool is_ear(std::uint32_t corner);

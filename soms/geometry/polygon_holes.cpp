@@ -127,9 +127,28 @@ bool HoleJoiner::in_wedge(std::size_t place, std::uint32_t corner) const {
     case Sign::zero:
       break;
   }
-  // Straight on, or back where a bridge or a spike ends: from there all around is inside.
-  return left_of_first || turn(at, before, corner) != turn(at, after, corner) ||
-         same_place(before, after);
+  // Straight on; or back, where a spike ends: from there all but the spike is inside.
+  const std::size_t axis =
+      corners_[before][first_axis_] != corners_[at][first_axis_] ? first_axis_ : second_axis_;
+  const bool back =
+      (corners_[before][axis] < corners_[at][axis]) == (corners_[after][axis] < corners_[at][axis]);
+  return back ? turn(before, at, corner) != Sign::zero : left_of_first;
+}
+
+/// Joins a hole where one of its corners stands at a corner of the ring; false if none does.
+bool HoleJoiner::join_at_shared_corner(Hole hole) {
+  const std::size_t count = hole.end - hole.begin;
+  for (std::size_t place = 0; place < ring_.size(); ++place) {
+    for (std::size_t i = hole.begin; i < hole.end; ++i) {
+      const auto next = static_cast<std::uint32_t>(hole.begin + (i - hole.begin + 1) % count);
+      if (same_place(ring_[place], static_cast<std::uint32_t>(i)) && in_wedge(place, next)) {
+        hole.corner = static_cast<std::uint32_t>(i);
+        splice(hole, place, true);
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 /// The place of the ring that a hole is joined to; kNowhere if none sees it.
@@ -154,16 +173,19 @@ std::size_t HoleJoiner::bridge_to(const Hole& hole) const {
   return kNowhere;
 }
 
-/// Goes from a place of the ring to the hole, around it against the normal, and back.
-void HoleJoiner::splice(const Hole& hole, std::size_t place) {
+/// Goes from a place of the ring to the hole, around it against the normal, and back. `shared`: its
+/// corner stands at this place, so there is no way to go.
+void HoleJoiner::splice(const Hole& hole, std::size_t place, bool shared) {
   const std::size_t count = hole.end - hole.begin;
   const std::size_t step = winds_with_normal(hole.begin, hole.end) ? count - 1 : 1;
   spliced_.assign(ring_.begin(), ring_.begin() + static_cast<std::ptrdiff_t>(place) + 1);
-  for (std::size_t k = 0; k <= count; ++k) {
+  for (std::size_t k = shared ? 1 : 0; k <= count; ++k) {
     spliced_.push_back(
         static_cast<std::uint32_t>(hole.begin + (hole.corner - hole.begin + k * step) % count));
   }
-  spliced_.insert(spliced_.end(), ring_.begin() + static_cast<std::ptrdiff_t>(place), ring_.end());
+  spliced_.insert(spliced_.end(),
+                  ring_.begin() + static_cast<std::ptrdiff_t>(shared ? place + 1 : place),
+                  ring_.end());
   ring_.swap(spliced_);
 }
 
@@ -193,11 +215,14 @@ std::span<const std::uint32_t> HoleJoiner::join(std::span<const Vec3> corners,
   });
   for (joined_ = 0; joined_ < holes_.size(); ++joined_) {
     check_stop(parallel);
+    if (join_at_shared_corner(holes_[joined_])) {
+      continue;
+    }
     const std::size_t place = bridge_to(holes_[joined_]);
     if (place == kNowhere) {
       ++left_out_;
     } else {
-      splice(holes_[joined_], place);
+      splice(holes_[joined_], place, false);
     }
   }
   return ring_;

@@ -19,12 +19,13 @@ namespace soms {
 /// bridge: from its corner that is farthest along the first axis of that plane, to the nearest
 /// corner from which it is seen. The holes come by that corner, the farthest first. A hole that is
 /// wound as the outline is turned around. The result goes along the outline, over each bridge,
-/// around the hole, and back over the bridge, so two corners of it stand twice for each hole. Signs
-/// are exact.
+/// around the hole, and back over the bridge, so two corners of it stand twice for each hole. A
+/// hole with a corner at one of the outline needs no bridge. Signs are exact.
 class HoleJoiner {
  public:
   /// The joined outline as numbers of corners; valid until the next call. n corners and h holes
-  /// give n + 2 h, as PolygonTriangulator takes them, less those of holes that are left out.
+  /// give n + 2 h, as PolygonTriangulator takes them; fewer where holes need no bridge or are left
+  /// out.
   ///
   /// \shape   `corners`: the outline's, then those of each hole, in order around. `ends`: behind
   ///          the last corner of each of these; the first is that of the outline.
@@ -56,7 +57,8 @@ class HoleJoiner {
   [[nodiscard]] bool sees(std::uint32_t from, std::uint32_t to) const;
   [[nodiscard]] bool in_wedge(std::size_t place, std::uint32_t corner) const;
   [[nodiscard]] std::size_t bridge_to(const Hole& hole) const;
-  void splice(const Hole& hole, std::size_t place);
+  [[nodiscard]] bool join_at_shared_corner(Hole hole);
+  void splice(const Hole& hole, std::size_t place, bool shared);
 
   std::span<const Vec3> corners_;
   std::size_t first_axis_ = 0;

@@ -306,14 +306,14 @@ TEST(ClashVerb, SaysWhatTimeLeftUndecided) {
 }
 
 TEST(ClashVerb, WarnsWhereSetsAreFarApart) {
-  const RunResult result = soms_run({"clash", clash_data("structure.obj"), "--against",
-                                     clash_data("services.gltf"), "--up-b", "z", "--json"});
+  const TemporaryFolder folder;
+  const std::string far = (folder.path() / "far.off").string();
+  write_text(far, triangle_off("9000 0 0", "9001 0 0", "9000 1 0"));
+  const RunResult result = soms_run({"clash", box(), "--against", far, "--json"});
   EXPECT_EQ(result.status, 0);
   EXPECT_NE(result.err.find("apart"), std::string::npos) << result.err;
-  EXPECT_EQ(soms_run({"clash", clash_data("structure.obj"), "--against",
-                      clash_data("services.gltf"), "--up-b", "z", "--strict"})
-                .status,
-            3);
+  EXPECT_EQ(lines_of(result.out).totals.at("warnings").back().at("kind"), "boxes_apart");
+  EXPECT_EQ(soms_run({"clash", box(), "--against", far, "--strict"}).status, 3);
 }
 
 }  // namespace

@@ -161,7 +161,8 @@ TEST_F(ViewerTest, AFileIsOpenedFromTheListAndByDroppingIt) {
     Picture after = before;
     soms::test::wait_until([&] {  // the camera glides there
       const Picture now = picture(display, viewer);
-      return difference(std::exchange(after, now), now, 0).beyond == 0;
+      const bool rests = difference(std::exchange(after, now), now, 0).beyond == 0;
+      return rests && difference(before, now, 20).beyond > 1'000U;  // it has begun
     });
     EXPECT_GT(difference(before, after, 20).beyond, 1'000U);
     return after;
