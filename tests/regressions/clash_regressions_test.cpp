@@ -21,7 +21,7 @@ std::vector<PartBody> bars(int n, bool along_x) {
     const double at = 2.0 * k;
     mesh = test::joined(mesh, along_x ? test::box_body({-1, at, 0}, {2.0 * n, at + 1, 1})
                                       : test::box_body({at, -1, 0}, {at + 1, 2.0 * n, 1}));
-    mesh.parts.push_back({.first = static_cast<std::uint32_t>(12 * k), .count = 12});
+    mesh.parts.push_back({.name = "bar", .first = static_cast<std::uint32_t>(12 * k), .count = 12});
   }
   return part_bodies(mesh);
 }
