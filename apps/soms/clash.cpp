@@ -235,7 +235,7 @@ void add_clash_questions(CLI::App& app, ClashVerbOptions& options) {
              options.ignored_kinds.push_back(name);
            }
          },
-         "leave out this class, and count it; may be repeated: " + word_list(kinds))
+         "leave out clashes of a class (repeatable): " + word_list(kinds))
       ->option_text(kChoiceText)
       ->allow_extra_args(false)
       ->group(kQuestionGroup);
