@@ -2,13 +2,10 @@
 
 #include "soms/base/hash.h"
 
-#include "tests/support/slow_build.h"
-
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -78,19 +75,8 @@ std::filesystem::path unpack(const std::filesystem::path& packed, std::string_vi
 
 }  // namespace
 
-namespace {
-
-/// Of many cases a slow build runs a third: each sanitized instruction costs as much as three, and
-/// the release suite runs them all.
-int cases_of_this_build(int n) {
-  constexpr int kFew = 4;
-  return kSlowBuild ? std::max(std::min(n, kFew), n / 3) : n;
-}
-
-}  // namespace
-
 void for_each_case(std::string_view tag, int n, const std::function<void(Rng&)>& body) {
-  for (int i = 0; i < cases_of_this_build(n) * factor(); ++i) {
+  for (int i = 0; i < n * factor(); ++i) {
     SCOPED_TRACE(std::string(tag) + ", case " + std::to_string(i));
     Rng rng(seed_of(tag, i));
     body(rng);

@@ -18,8 +18,7 @@
 namespace soms::test {
 
 /// Runs `body` for cases 0 to n-1. Each is seeded by tag and number, both are traced, and the first
-/// failure ends the loop, so a failure is reproduced by name. SOMS_TEST_FACTOR multiplies n. Slow
-/// builds run a third of the cases, and at least four.
+/// failure ends the loop, so a failure is reproduced by name. SOMS_TEST_FACTOR multiplies n.
 void for_each_case(std::string_view tag, int n, const std::function<void(Rng&)>& body);
 
 /// A file of tests/data; files kept as .xz are requested by the name without it and unpacked once.
