@@ -58,11 +58,6 @@ void check_cityjson_version(const JsonValue& root) {
   }
 }
 
-/// An object of a document while its parts are gone through.
-struct OpenObject {
-  std::vector<JsonValue> children;  ///< that are left, the last one next
-};
-
 /// Adds one document after the other to a mesh.
 class CityReader {
  public:
@@ -112,15 +107,15 @@ void CityReader::open(std::string_view key, const JsonValue& object, CityGeometr
 /// Adds an object and all that are parts of it, from the outside in.
 void CityReader::add_tree(std::string_view key, const JsonValue& object, const Objects& objects,
                           CityGeometries& geometries) {
-  std::vector<OpenObject> open_objects;
+  std::vector<std::vector<JsonValue>> left;  // children of the open objects, the last one next
   opened_.insert(key);
   open(key, object, geometries);
-  open_objects.push_back({children_of(object)});
-  while (!open_objects.empty()) {
-    std::vector<JsonValue>& children = open_objects.back().children;
+  left.push_back(children_of(object));
+  while (!left.empty()) {
+    std::vector<JsonValue>& children = left.back();
     if (children.empty()) {
       builder_.close_part();
-      open_objects.pop_back();
+      left.pop_back();
       continue;
     }
     const JsonValue child = children.back();
@@ -133,17 +128,14 @@ void CityReader::add_tree(std::string_view key, const JsonValue& object, const O
       child.fail("this object is a part of itself, or of two others");
     }
     open(found->first, found->second, geometries);
-    open_objects.push_back({children_of(found->second)});
+    left.push_back(children_of(found->second));
   }
 }
 
 void CityReader::add(const JsonValue& root, const CityTransform& transform) {
-  const std::optional<JsonValue> stated = root.find("CityObjects");
-  if (!stated) {
-    root.fail("\"CityObjects\" is missing");
-  }
+  const JsonValue stated = root.at("CityObjects");
   CityGeometries geometries(source_, root, transform, builder_, left_out_);
-  const auto members = stated->members();
+  const auto members = stated.members();
   const Objects objects(members.begin(), members.end());
   opened_.clear();
   for (const auto& [key, object] : members) {
@@ -153,7 +145,7 @@ void CityReader::add(const JsonValue& root, const CityTransform& transform) {
     }
   }
   if (opened_.size() < objects.size()) {
-    stated->fail("objects are parts of others that do not have them as children");
+    stated.fail("objects are parts of others that do not have them as children");
   }
 }
 

@@ -276,10 +276,6 @@ std::vector<std::pair<std::string_view, JsonValue>> JsonValue::members() const {
   return members;
 }
 
-bool JsonValue::is_list() const {
-  return known(value_).is_array();
-}
-
 std::string JsonValue::as_text() const {
   const json& value = known(value_);
   return value.is_string() ? value.get<std::string>()

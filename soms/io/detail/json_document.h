@@ -41,8 +41,6 @@ class JsonValue {
   /// The members of an object, sorted by name. \errors ErrorKind::bad_file: no object.
   [[nodiscard]] std::vector<std::pair<std::string_view, JsonValue>> members() const;
 
-  [[nodiscard]] bool is_list() const;
-
   /// A text as it is, anything else as JSON.
   [[nodiscard]] std::string as_text() const;
 

@@ -69,12 +69,6 @@ class MeshBuilder {
   void describe_part(std::string_view id, std::string_view type,
                      std::vector<Attribute> attributes = {});
 
-  /// The part that was opened last is a further run of the object whose first run is `part`.
-  void continue_part(std::uint32_t part) { mesh_.parts[open_parts_.back()].continues = part; }
-
-  /// The index of the part that was opened last.
-  [[nodiscard]] std::uint32_t opened_part() const { return open_parts_.back(); }
-
   /// Closes the part that was opened last; one without triangles vanishes.
   void close_part();
 
