@@ -123,22 +123,18 @@ ClashReport report_of(const ClashModels& models, const Decided& decided,
   return report;
 }
 
-/// Compares every pair of parts that was looked at, and every pair that was no candidate, with
-/// brute force. Returns the number of pairs that differ, each named on standard error.
+/// Compares every pair of parts with brute force. Returns the number of pairs that differ, each
+/// named on standard error. \pre All candidates were decided.
 std::uint64_t count_wrong(const ClashModels& models, const Decided& decided,
                           const ClashVerbOptions& options, Console& console) {
   std::uint64_t wrong = 0;
   console.run("verifying", [&](const Parallel& parallel) {
-    const std::span<const PartNumbers> undone = std::span(decided.candidates).subspan(decided.done);
     auto next = decided.clashes.begin();
     const std::vector<PartBody>& a = models.a.parts;
     const std::vector<PartBody>& b = models.second().parts;
     for (std::uint32_t i = 0; i < a.size(); ++i) {
       parallel.progress(static_cast<double>(i) / static_cast<double>(a.size()));
       for (std::uint32_t j = models.two_sets ? 0 : i + 1; j < b.size(); ++j) {
-        if (std::binary_search(undone.begin(), undone.end(), PartNumbers{i, j})) {
-          continue;
-        }
         std::optional<Clash> found;
         if (next != decided.clashes.end() && next->a == i && next->b == j) {
           found = *next++;
@@ -279,9 +275,8 @@ Action add_clash(CLI::App& app, Shared&) {
                     "the models of --against");
   add_strict(app, options->models.model.strict);
   app.footer(
-      "Exact: crossing, inside, same or touching, as soms solid says of each pair of parts. What "
-      "a\n"
-      "part encloses is known where its surface is closed; beside an open one the pair is\n"
+      "Exact: crossing, inside, same or touching, as soms solid says of each pair of parts. What\n"
+      "a part encloses is known where its surface is closed; beside an open one the pair is\n"
       "undecided." +
       example_of_pair("clash knot.ply --against ball.off --within 0.1 -o clashes.csv"));
   return [options](Console& console) {

@@ -245,8 +245,7 @@ void write_clashes_as_json(const ClashReport& report, bool verified, std::ostrea
   for (const ClashRow& row : report.rows) {
     out << json_line(row_as_json(report, row));
   }
-  for (const ResolvedClash& resolved : report.resolved) {
-    Json row = resolved.row;
+  for (Json row : report.resolved) {
     row["status"] = "resolved";
     out << json_line(row);
   }
@@ -263,8 +262,8 @@ void write_clashes_as_csv(const ClashReport& report, std::ostream& out) {
   for (const ClashRow& row : report.rows) {
     out << csv_row(row_as_json(report, row), status_name(row.status));
   }
-  for (const ResolvedClash& resolved : report.resolved) {
-    out << csv_row(resolved.row, "resolved");
+  for (const Json& row : report.resolved) {
+    out << csv_row(row, "resolved");
   }
 }
 

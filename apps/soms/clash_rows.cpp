@@ -171,7 +171,7 @@ void ClashBaseline::compare(const std::set<std::uint64_t>& found, ClashReport& r
   }
   for (const auto& [key, row] : rows_) {
     if (!keys.contains(key)) {
-      report.resolved.push_back({key, row});
+      report.resolved.push_back(row);
     }
   }
 }

@@ -36,17 +36,11 @@ struct ClashRow {
   ClashStatus status = ClashStatus::unknown;
 };
 
-/// Clashes that an older list has, and this one has not.
-struct ResolvedClash {
-  std::string key;
-  Json row;  ///< of the older list
-};
-
 /// A list as it is written.
 struct ClashReport {
   const ClashModels& models;
   std::vector<ClashRow> rows = {};  ///< by kind, then by the names of the parts
-  std::vector<ResolvedClash> resolved = {};
+  std::vector<Json> resolved = {};  ///< rows of the older list that this one has not
   std::array<std::uint64_t, kClashKinds> by_kind = {};
   std::vector<std::pair<std::string, std::uint64_t>> removed = {};  ///< by which option, how many
   std::uint64_t compared = 0;  ///< pairs of parts that were decided

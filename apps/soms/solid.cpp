@@ -174,9 +174,9 @@ class SolidPartsRun : public PoseRun {
         b_(parts_of(report().b)) {}
 
  private:
-  [[nodiscard]] std::vector<SolidPart> parts_of(const Mesh& mesh) const {
+  [[nodiscard]] std::vector<PartBody> parts_of(const Mesh& mesh) const {
     return console().run("looking for closed parts",
-                         [&](const Parallel& parallel) { return solid_parts(mesh, parallel); });
+                         [&](const Parallel& parallel) { return part_bodies(mesh, {}, parallel); });
   }
 
   void reserve(std::size_t rows) override { answers_.assign(rows, {}); }
@@ -302,8 +302,8 @@ class SolidPartsRun : public PoseRun {
   void finish_outputs() override { columns_.finish(); }
 
   SolidPartColumns& columns_;
-  std::vector<SolidPart> a_;
-  std::vector<SolidPart> b_;
+  std::vector<PartBody> a_;
+  std::vector<PartBody> b_;
   std::vector<std::vector<SolidPair>> answers_;
 };
 

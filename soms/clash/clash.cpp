@@ -101,7 +101,7 @@ class PairOfParts {
 
  private:
   template <class Answer>
-  const Answer& counted(const Answer& answer) {
+  [[nodiscard]] Answer counted(Answer answer) {
     cost_ += answer.cost;
     cut_ = cut_ || answer.coverage == Coverage::cut;
     return answer;
