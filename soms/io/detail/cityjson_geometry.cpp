@@ -1,12 +1,13 @@
 #include "soms/io/detail/cityjson_geometry.h"
 
+#include "soms/base/decimal.h"
 #include "soms/geometry/counts.h"
 #include "soms/io/detail/affine.h"
 #include "soms/io/detail/text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <string>
+#include <system_error>
 
 namespace soms::detail {
 
@@ -36,7 +37,7 @@ double level_of(const JsonValue& geometry) {
   const std::string text = lod ? lod->as_text() : std::string();
   double level = 0;
   const auto end = text.data() + text.size();
-  const auto [at, error] = std::from_chars(text.data(), end, level);
+  const auto [at, error] = read_decimal(text.data(), end, level);
   return error == std::errc{} && at == end && level >= 0 ? level : 0;
 }
 
