@@ -2,10 +2,10 @@
 
 #include "soms/base/error.h"
 #include "soms/clash/part_keys.h"
-#include "soms/clash/reference/clash.h"
 
 #include "apps/soms/clash_output.h"
 #include "apps/soms/clash_rows.h"
+#include "apps/soms/clash_run.h"
 #include "apps/soms/pair_options.h"
 #include "apps/soms/solid_text.h"
 #include "apps/support/console.h"
@@ -29,55 +29,26 @@ namespace soms::command {
 
 namespace {
 
-/// Pairs of parts that are decided at a time: between two blocks Ctrl-C ends the list.
-constexpr std::size_t kPairsOfABlock = 1024;
-
-/// What was decided, and the pairs that were.
-struct Decided {
-  std::vector<Clash> clashes;
-  std::vector<PartNumbers> candidates;
-  std::size_t done = 0;  ///< candidates that were looked at
-  std::uint64_t compared = 0;
-  std::uint64_t left = 0;
-  bool interrupted = false;
-  Cost cost;
-};
-
-ClashOptions library_options(const ClashVerbOptions& options, const Console& console) {
-  return {.within = options.within, .deadline = console.deadline()};
-}
-
-std::vector<PartNumbers> candidates_of(const ClashModels& models, const ClashOptions& options) {
-  return models.two_sets ? clash_candidates(models.a.parts, models.b.parts, options)
-                         : clash_candidates(models.a.parts, options);
-}
-
-/// Decides block after block, until all are done or a signal comes.
-Decided decide(const ClashModels& models, const ClashOptions& options, const Console& console) {
-  Decided decided;
-  decided.candidates = candidates_of(models, options);
-  const std::span<const PartNumbers> all(decided.candidates);
-  Progress bar = console.progress("comparing parts");
-  while (decided.done < all.size() && !decided.interrupted) {
-    const auto block =
-        all.subspan(decided.done, std::min(kPairsOfABlock, all.size() - decided.done));
-    try {
-      const ClashList list =
-          clashes_of(models.a.parts, models.second().parts, block, options, console.parallel());
-      decided.clashes.insert(decided.clashes.end(), list.clashes.begin(), list.clashes.end());
-      decided.compared += list.compared;
-      decided.cost += list.cost;
-      decided.done += block.size();
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::cancelled) {
-        throw;
-      }
-      decided.interrupted = true;
-    }
-    bar.show(static_cast<double>(decided.done) / static_cast<double>(all.size()));
+ClashOptions library_options(const ClashVerbOptions& options, const ClashModels& models,
+                             const Console& console) {
+  ClashOptions wanted{.within = options.within, .deadline = console.deadline()};
+  if (!options.sets.between.empty()) {
+    wanted.wanted = [&](std::uint32_t a, std::uint32_t b) {
+      return are_compared(options.sets, models, a, b);
+    };
   }
-  decided.left = all.size() - decided.compared;
-  return decided;
+  return wanted;
+}
+
+/// Crossing, inside or the same, and nobody knows how deep, as a part is not convex.
+bool has_unknown_depth(const Clash& clash) {
+  return shares_interior(clash.relation) && !clash.penetration;
+}
+
+/// At most so deep; what touches is not deep at all.
+bool is_within_tolerance(const Clash& clash, double tolerance) {
+  return clash.kind == ClashKind::touching ||
+         (clash.penetration && clash.penetration->depth <= tolerance);
 }
 
 /// Leaves out what options name, and says how much that was.
@@ -87,6 +58,15 @@ void remove_ignored(const ClashVerbOptions& options, const IgnoredPairs& pairs,
     const std::size_t count = std::erase_if(report.rows, ignored);
     report.removed.emplace_back(what, count);
   };
+  if (options.tolerance) {
+    remove("tolerance",
+           [&](const ClashRow& row) { return is_within_tolerance(row.clash, *options.tolerance); });
+    const auto unknown =
+        std::count_if(report.rows.begin(), report.rows.end(),
+                      [](const ClashRow& row) { return has_unknown_depth(row.clash); });
+    report.removed_by_tolerance = true;
+    report.unknown_depth = static_cast<std::uint64_t>(unknown);
+  }
   for (const std::string& kind : options.ignored_kinds) {
     remove(kind, [&](const ClashRow& row) { return clash_name(row.clash.kind) == kind; });
   }
@@ -96,20 +76,23 @@ void remove_ignored(const ClashVerbOptions& options, const IgnoredPairs& pairs,
   }
 }
 
-/// The list of what was decided.
-ClashReport report_of(const ClashModels& models, const Decided& decided,
+/// The list of what was run.
+ClashReport report_of(const ClashModels& models, const ClashRun& run,
                       const ClashVerbOptions& options, const IgnoredPairs& ignored,
                       const std::optional<ClashBaseline>& baseline, const Console& console) {
   ClashReport report{.models = models,
-                     .compared = decided.compared,
-                     .left = decided.left,
-                     .interrupted = decided.interrupted,
-                     .timed_out = decided.left != 0 && console.out_of_time(),
-                     .cost = decided.cost};
+                     .compared = run.compared,
+                     .left = run.left,
+                     .interrupted = run.interrupted,
+                     .timed_out = run.left != 0 && console.out_of_time(),
+                     .cost = run.cost,
+                     .resumed = run.resumed,
+                     .grouped = options.grouping.by != ClashGroup::none};
   std::set<std::uint64_t> found;
-  for (const Clash& clash : decided.clashes) {
+  for (const Clash& clash : run.clashes) {
     const std::uint64_t key = clash_key(models.a.keys[clash.a], models.second().keys[clash.b]);
-    report.rows.push_back({.clash = clash, .key = key});
+    report.rows.push_back(
+        {.clash = clash, .key = key, .group = group_of(options.grouping, models, clash)});
     found.insert(key);
   }
   remove_ignored(options, ignored, report);
@@ -123,34 +106,16 @@ ClashReport report_of(const ClashModels& models, const Decided& decided,
   return report;
 }
 
-/// Compares every pair of parts with brute force. Returns the number of pairs that differ, each
-/// named on standard error. \pre All candidates were decided.
-std::uint64_t count_wrong(const ClashModels& models, const Decided& decided,
-                          const ClashVerbOptions& options, Console& console) {
-  std::uint64_t wrong = 0;
-  console.run("verifying", [&](const Parallel& parallel) {
-    auto next = decided.clashes.begin();
-    const std::vector<PartBody>& a = models.a.parts;
-    const std::vector<PartBody>& b = models.second().parts;
-    for (std::uint32_t i = 0; i < a.size(); ++i) {
-      parallel.progress(static_cast<double>(i) / static_cast<double>(a.size()));
-      for (std::uint32_t j = models.two_sets ? 0 : i + 1; j < b.size(); ++j) {
-        std::optional<Clash> found;
-        if (next != decided.clashes.end() && next->a == i && next->b == j) {
-          found = *next++;
-          found->a = found->b = 0;
-          found->place = {};
-          found->box = {};
-        }
-        if (found != reference::clash_by_brute_force(a[i], b[j], options.within, parallel)) {
-          ++wrong;
-          print_error("soms clash",
-                      fmt::format("parts {} and {}: brute force finds otherwise", i, j));
-        }
-      }
-    }
-  });
-  return wrong;
+/// Says what went another way than asked.
+void tell_progress(const ClashReport& report, const ClashRun& run, const Console& console) {
+  if (run.resumed != 0) {
+    console.note(fmt::format("the journal had {} of {} of parts", with_commas(run.resumed),
+                             counted(run.candidates.size(), "pair")));
+  }
+  if (report.timed_out) {
+    console.note(fmt::format("out of time after {} of {} of parts", with_commas(report.compared),
+                             counted(run.candidates.size(), "pair")));
+  }
 }
 
 bool fails(const ClashVerbOptions& options, const ClashReport& report) {
@@ -188,7 +153,9 @@ bool is_csv(const std::string& file) {
 }
 
 void check_options(const ClashVerbOptions& options) {
-  NamedFiles taken{{"--ignore-pairs", options.ignored_pairs}, {"--baseline", options.baseline}};
+  NamedFiles taken{{"--ignore-pairs", options.ignored_pairs},
+                   {"--baseline", options.baseline},
+                   {"--journal", options.journal}};
   for (const std::string& file : options.models.files) {
     taken.emplace_back("FILE", file);
   }
@@ -239,6 +206,18 @@ void add_clash_questions(CLI::App& app, ClashVerbOptions& options) {
                  "leave out pairs of parts that fit a line \"PATTERN,PATTERN\" of this file")
       ->option_text("FILE")
       ->group(kQuestionGroup);
+  app.add_option_function<std::string>(
+         "--tolerance",
+         [&options](const std::string& text) {
+           options.tolerance = parse_number("--tolerance", text);
+           if (!(std::isfinite(*options.tolerance) && *options.tolerance >= 0)) {
+             throw Error(ErrorKind::usage, "--tolerance " + text + " is not a depth",
+                         "give a finite number of at least 0");
+           }
+         },
+         "leave out what touches, and convex parts that are at most D deep in each other")
+      ->option_text("D")
+      ->group(kQuestionGroup);
   app.add_option("--baseline", options.baseline,
                  "an older list, as JSON: which clashes are new, active or resolved")
       ->option_text("FILE")
@@ -248,8 +227,43 @@ void add_clash_questions(CLI::App& app, ClashVerbOptions& options) {
       {{"clash", ClashFailure::listed}, {"hard", ClashFailure::hard}, {"new", ClashFailure::fresh}},
       "exit with status 1 if a clash is listed, shares interior, or is new")
       ->group(kQuestionGroup);
+  app.add_option("--journal", options.journal,
+                 "keep what is decided in a file, and go on from it when run again")
+      ->option_text("FILE")
+      ->group(kQuestionGroup);
   app.add_flag("--verify", options.verify,
                "compare every pair of parts with brute force; exit with status 6 if they differ")
+      ->group(kQuestionGroup);
+}
+
+void add_clash_sets(CLI::App& app, ClashVerbOptions& options) {
+  app.add_option_function<std::vector<std::string>>(
+         "--set",
+         [&options](const std::vector<std::string>& words) {
+           for (const std::string& word : words) {
+             options.sets.patterns.push_back(set_pattern(word));
+           }
+         },
+         "parts whose name, id, type or file fits a pattern are a set (repeatable); else by file")
+      ->option_text("NAME=PATTERN")
+      ->allow_extra_args(false)
+      ->group(kQuestionGroup);
+  app.add_option_function<std::vector<std::string>>(
+         "--between",
+         [&options](const std::vector<std::string>& words) {
+           for (const std::string& word : words) {
+             options.sets.between.push_back(set_pair(word));
+           }
+         },
+         "compare only parts of these two sets (repeatable)")
+      ->option_text("SET,SET")
+      ->allow_extra_args(false)
+      ->group(kQuestionGroup);
+  app.add_option_function<std::string>(
+         "--group-by",
+         [&options](const std::string& word) { options.grouping = clash_grouping(word); },
+         "count clashes by a, b, parent, type, set or cell=SIZE")
+      ->option_text("WHAT")
       ->group(kQuestionGroup);
 }
 
@@ -267,6 +281,7 @@ Action add_clash(CLI::App& app, Shared&) {
       ->option_text("FILE...")
       ->group(kQuestionGroup);
   add_clash_questions(app, *options);
+  add_clash_sets(app, *options);
   add_repeatable(app, "-o,--output", options->outputs,
                  "write the list to a file, by its extension: .csv or .json; may be repeated",
                  "FILE");
@@ -277,7 +292,7 @@ Action add_clash(CLI::App& app, Shared&) {
   app.footer(
       "Exact: crossing, inside, same or touching, as soms solid says of each pair of parts. What\n"
       "a part encloses is known where its surface is closed; beside an open one the pair is\n"
-      "undecided." +
+      "unrun." +
       example_of_pair("clash knot.ply --against ball.off --within 0.1 -o clashes.csv"));
   return [options](Console& console) {
     options->models.model_against.strict = options->models.model.strict;
@@ -301,15 +316,14 @@ int run_clash(const ClashVerbOptions& options, Console& console) {
   if (!files.empty()) {
     console.go_on_without_reader();
   }
-  const ClashModels models = read_clash_models(options.models, console);
-  const Decided decided = decide(models, library_options(options, console), console);
-  const ClashReport report = report_of(models, decided, options, ignored, baseline, console);
-  if (report.timed_out) {
-    console.note(fmt::format("out of time after {} of {} of parts", with_commas(report.compared),
-                             counted(decided.candidates.size(), "pair")));
-  }
+  ClashModels models = read_clash_models(options.models, console);
+  give_sets(options.sets, models);
+  const ClashOptions wanted = library_options(options, models, console);
+  const ClashRun run = decide_clashes(models, wanted, options.journal, console);
+  const ClashReport report = report_of(models, run, options, ignored, baseline, console);
+  tell_progress(report, run, console);
   const bool verify = options.verify && !report.interrupted && report.complete();
-  const std::uint64_t wrong = verify ? count_wrong(models, decided, options, console) : 0;
+  const std::uint64_t wrong = verify ? count_wrong_clashes(models, run, wanted, console) : 0;
   if (console.shared().json) {
     std::ostringstream text;
     write_clashes_as_json(report, verify && wrong == 0, text);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "apps/soms/clash_models.h"
+#include "apps/soms/clash_sets.h"
 #include "apps/support/verb.h"
 
 #include <optional>
@@ -22,10 +23,14 @@ enum class ClashFailure : unsigned char {
 /// Options of the verb `clash`.
 struct ClashVerbOptions {
   ClashModelOptions models;
+  ClashSetOptions sets;
+  ClashGrouping grouping;
   std::optional<double> within;
+  std::optional<double> tolerance;         ///< depth that nobody minds
   std::vector<std::string> ignored_kinds;  ///< names of ClashKind
   std::string ignored_pairs;               ///< file; empty: none
   std::string baseline;                    ///< file; empty: none
+  std::string journal;                     ///< file; empty: none
   std::vector<std::string> outputs;        ///< files
   ClashFailure fail_if = ClashFailure::never;
   bool verify = false;

@@ -206,7 +206,7 @@ ClashModels read_clash_models(const ClashModelOptions& options, Console& console
 Json clash_side(const ClashSet& set, std::uint32_t number) {
   const PartBody& part = set.parts[number];
   const Mesh& mesh = set.mesh_of(number);
-  Json side = {{"file", mesh.source}};
+  Json side = {{"file", mesh.source}, {"set", set.sets[number]}};
   if (part.part == Part::kNoParent) {
     side["part"] = nullptr;
     side["id"] = nullptr;

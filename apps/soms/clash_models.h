@@ -25,6 +25,7 @@ struct ClashSet {
   std::vector<std::uint32_t> mesh;  ///< of each part
   std::vector<std::uint64_t> keys;  ///< of each part
   std::vector<std::string> labels;  ///< of each part: its path of names
+  std::vector<std::string> sets;    ///< of each part: the name of its set
 
   [[nodiscard]] const Mesh& mesh_of(std::uint32_t part) const { return meshes[mesh[part]]; }
 };

@@ -11,6 +11,7 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 
 namespace soms::command {
@@ -48,12 +49,21 @@ Json row_as_json(const ClashReport& report, const ClashRow& row) {
                {"relation", relation_name(clash.relation)}};
   if (clash.kind == ClashKind::undecided) {
     json["why"] = reason_name(clash.why);
-    json["open"] = open_sides(report.models, clash);
+  }
+  if (const Json open = open_sides(report.models, clash); !open.empty()) {
+    json["open"] = open;
   }
   json["gap"] = {clash.gap.lower, clash.gap.upper};
+  if (clash.penetration) {
+    json["depth"] = clash.penetration->depth;
+    json["direction"] = json_point(clash.penetration->direction);
+  }
   json["place"] = json_point(clash.place);
   json["box"] = json_box(clash.box);
   json["triangle_pairs"] = clash.triangle_pairs;
+  if (report.grouped) {
+    json["group"] = row.group;
+  }
   if (row.status != ClashStatus::unknown) {
     json["status"] = status_name(row.status);
   }
@@ -67,19 +77,55 @@ std::uint64_t count_status(const ClashReport& report, ClashStatus status) {
                     [&](const ClashRow& row) { return row.status == status; }));
 }
 
-Json totals_as_json(const ClashReport& report) {
+Json by_class_as_json(const ClashCounts& counts) {
   Json by_class = Json::object();
   for (std::size_t k = 0; k < kClashKinds; ++k) {
-    by_class[std::string(clash_name(static_cast<ClashKind>(k)))] = report.by_kind[k];
+    by_class[std::string(clash_name(static_cast<ClashKind>(k)))] = counts[k];
   }
+  return by_class;
+}
+
+std::uint64_t sum_of(const ClashCounts& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
+
+/// How often each pair of sets clashes: the matrix of disciplines, without its empty cells.
+Json by_sets_as_json(const ClashReport& report) {
+  Json cells = Json::array();
+  for (const auto& [sets, counts] : counts_by_sets(report)) {
+    cells.push_back({{"a", sets.first},
+                     {"b", sets.second},
+                     {"pairs", sum_of(counts)},
+                     {"by_class", by_class_as_json(counts)}});
+  }
+  return cells;
+}
+
+Json by_group_as_json(const ClashReport& report) {
+  Json groups = Json::array();
+  for (const auto& [group, counts] : counts_by_group(report)) {
+    groups.push_back(
+        {{"group", group}, {"pairs", sum_of(counts)}, {"by_class", by_class_as_json(counts)}});
+  }
+  return groups;
+}
+
+Json totals_as_json(const ClashReport& report) {
   Json removed = Json::object();
   for (const auto& [what, count] : report.removed) {
     removed[what] = count;
   }
   Json json = {{"schema", "soms.clash/1"},
                {"pairs", report.rows.size()},
-               {"by_class", by_class},
+               {"by_class", by_class_as_json(report.by_kind)},
                {"removed", removed}};
+  if (report.removed_by_tolerance) {
+    json["unknown_depth"] = report.unknown_depth;
+  }
+  json["by_sets"] = by_sets_as_json(report);
+  if (report.grouped) {
+    json["by_group"] = by_group_as_json(report);
+  }
   if (report.has_baseline) {
     json["by_status"] = {{"new", count_status(report, ClashStatus::fresh)},
                          {"active", count_status(report, ClashStatus::active)},
@@ -88,6 +134,9 @@ Json totals_as_json(const ClashReport& report) {
   json["parts"] = {report.models.a.parts.size(), report.models.b.parts.size()};
   json["pairs_of_parts"] = report.models.pairs();
   json["compared"] = report.compared;
+  if (report.resumed != 0) {
+    json["resumed"] = report.resumed;
+  }
   json["coverage"] = report.complete() ? "complete" : "cut";
   json["cost"] = {{"node_tests", report.cost.node_tests},
                   {"triangle_tests", report.cost.triangle_tests},
@@ -107,7 +156,7 @@ std::string number_of(const Json& row, const char* key) {
   return row.contains(key) && row[key].is_number() ? row[key].dump() : std::string();
 }
 
-/// A side of a row as fields of CSV: file, part, id, type, path.
+/// A side of a row as fields of CSV: file, set, part, id, type, path.
 std::string side_fields(const Json& side) {
   const auto text = [&](const char* key) {
     return side.contains(key) && side[key].is_string() ? csv_field(side[key].get<std::string>())
@@ -120,8 +169,8 @@ std::string side_fields(const Json& side) {
       path.append(step.is_string() ? step.get<std::string>() : std::string());
     }
   }
-  return fmt::format("{},{},{},{},{}", text("file"), text("part"), text("id"), text("type"),
-                     csv_field(path));
+  return fmt::format("{},{},{},{},{},{}", text("file"), text("set"), text("part"), text("id"),
+                     text("type"), csv_field(path));
 }
 
 std::string numbers_of(const Json& row, const char* key, std::size_t count) {
@@ -150,11 +199,12 @@ std::string csv_row(const Json& row, std::string_view status) {
     return row.contains(key) && row[key].is_string() ? row[key].get<std::string>() : std::string();
   };
   const Json none = Json::object();
-  return fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_field(text("class")), status,
-                     side_fields(row.contains("a") ? row["a"] : none),
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(text("class")), status,
+                     csv_field(text("group")), side_fields(row.contains("a") ? row["a"] : none),
                      side_fields(row.contains("b") ? row["b"] : none), csv_field(text("relation")),
-                     numbers_of(row, "gap", 2), number_of(row, "triangle_pairs"),
-                     numbers_of(row, "place", 3), corners_of(row), csv_field(text("key")));
+                     numbers_of(row, "gap", 2), number_of(row, "depth"),
+                     number_of(row, "triangle_pairs"), numbers_of(row, "place", 3), corners_of(row),
+                     csv_field(text("key")));
 }
 
 std::string set_in_text(const ClashSet& set) {
@@ -163,11 +213,12 @@ std::string set_in_text(const ClashSet& set) {
   return fmt::format("{} ({})", files, counted(set.parts.size(), "part"));
 }
 
-std::string kinds_in_text(const ClashReport& report) {
+/// "3 crossing, 1 touching".
+std::string kinds_in_text(const ClashCounts& counts) {
   std::string text;
   for (std::size_t k = 0; k < kClashKinds; ++k) {
-    if (report.by_kind[k] != 0) {
-      text += fmt::format("{} {} {}", text.empty() ? ":" : ",", with_commas(report.by_kind[k]),
+    if (counts[k] != 0) {
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", with_commas(counts[k]),
                           clash_name(static_cast<ClashKind>(k)));
     }
   }
@@ -198,7 +249,9 @@ std::string detail_in_text(const ClashReport& report, const Clash& clash) {
     case ClashKind::touching:
       break;
   }
-  return fmt::format(", {} of triangles", counted(clash.triangle_pairs, "pair"));
+  const std::string deep =
+      clash.penetration ? fmt::format(", {} deep", readable(clash.penetration->depth)) : "";
+  return fmt::format("{}, {} of triangles", deep, counted(clash.triangle_pairs, "pair"));
 }
 
 std::string row_in_text(const ClashReport& report, const ClashRow& row) {
@@ -208,6 +261,31 @@ std::string row_in_text(const ClashReport& report, const ClashRow& row) {
                      status.empty() ? "" : "  ", printable(report.models.a.labels[clash.a]),
                      printable(report.models.second().labels[clash.b]), point_in_text(clash.place),
                      detail_in_text(report, clash));
+}
+
+/// The matrix of sets, where there are several.
+void print_matrix(const ClashReport& report, Console& console) {
+  const auto cells = counts_by_sets(report);
+  if (cells.size() < 2) {
+    return;
+  }
+  for (const auto& [sets, counts] : cells) {
+    console.print(fmt::format("  {} and {}: {}\n", printable(sets.first), printable(sets.second),
+                              kinds_in_text(counts)));
+  }
+}
+
+void print_groups(const ClashReport& report, Console& console) {
+  const auto groups = counts_by_group(report);
+  console.print(fmt::format("in {}\n", counted(groups.size(), "group")));
+  for (std::size_t k = 0; k < std::min(groups.size(), kRowsInText); ++k) {
+    console.print(
+        fmt::format("  {}: {}\n", printable(groups[k].first), kinds_in_text(groups[k].second)));
+  }
+  if (groups.size() > kRowsInText) {
+    console.print(fmt::format("  and {} more; --json or -o FILE lists all\n",
+                              with_commas(groups.size() - kRowsInText)));
+  }
 }
 
 }  // namespace
@@ -222,15 +300,25 @@ void print_clashes_as_text(const ClashReport& report, Console& console) {
   for (const auto& [what, count] : report.removed) {
     console.print(fmt::format("removed by {}: {}\n", printable(what), with_commas(count)));
   }
+  if (report.removed_by_tolerance && report.unknown_depth != 0) {
+    console.print(
+        fmt::format("kept, as a part is not convex: {}\n", with_commas(report.unknown_depth)));
+  }
   const std::size_t rows = report.rows.size();
-  console.print(fmt::format("{}{} {}{}\n", report.complete() ? "" : "at least ", with_commas(rows),
-                            rows == 1 ? "clash" : "clashes", kinds_in_text(report)));
+  console.print(fmt::format("{}{} {}{}{}\n", report.complete() ? "" : "at least ",
+                            with_commas(rows), rows == 1 ? "clash" : "clashes",
+                            rows == 0 ? "" : ": ", kinds_in_text(report.by_kind)));
   if (report.has_baseline) {
     console.print(fmt::format(
         "{} new, {} active, {} resolved since the older list\n",
         with_commas(count_status(report, ClashStatus::fresh)),
         with_commas(count_status(report, ClashStatus::active)),
         report.complete() ? with_commas(report.resolved.size()) : std::string("unknown")));
+  }
+  print_matrix(report, console);
+  if (report.grouped) {
+    print_groups(report, console);
+    return;
   }
   for (std::size_t k = 0; k < std::min(rows, kRowsInText); ++k) {
     console.print(row_in_text(report, report.rows[k]));
@@ -257,8 +345,10 @@ void write_clashes_as_json(const ClashReport& report, bool verified, std::ostrea
 }
 
 void write_clashes_as_csv(const ClashReport& report, std::ostream& out) {
-  out << "class,status,file_a,part_a,id_a,type_a,path_a,file_b,part_b,id_b,type_b,path_b,relation,"
-         "gap_lower,gap_upper,triangle_pairs,x,y,z,x_min,y_min,z_min,x_max,y_max,z_max,key\n";
+  out << "class,status,group,file_a,set_a,part_a,id_a,type_a,path_a,file_b,set_b,part_b,id_b,type_"
+         "b,"
+         "path_b,relation,gap_lower,gap_upper,depth,triangle_pairs,x,y,z,x_min,y_min,z_min,x_max,"
+         "y_max,z_max,key\n";
   for (const ClashRow& row : report.rows) {
     out << csv_row(row_as_json(report, row), status_name(row.status));
   }

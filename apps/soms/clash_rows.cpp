@@ -2,13 +2,14 @@
 
 #include "soms/base/error.h"
 
+#include "apps/soms/clash_sets.h"
 #include "apps/support/text.h"
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <fstream>
+#include <numeric>
 #include <optional>
 #include <tuple>
 
@@ -67,21 +68,6 @@ std::optional<std::pair<std::string, std::string>> two_patterns(const std::strin
     return std::nullopt;
   }
   return std::pair(*first, *second);
-}
-
-bool is_called(const ClashSet& set, std::uint32_t part, const std::string& pattern) {
-  const auto fits = [&](const std::string& name) {
-    return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
-  };
-  if (fits(set.labels[part])) {
-    return true;
-  }
-  const std::uint32_t number = set.parts[part].part;
-  if (number == Part::kNoParent) {
-    return false;
-  }
-  const Part& named = set.mesh_of(part).parts[number];
-  return fits(named.name) || (!named.id.empty() && fits(named.id));
 }
 
 }  // namespace
@@ -178,6 +164,33 @@ void ClashBaseline::compare(const std::set<std::uint64_t>& found, ClashReport& r
 
 std::string key_text(std::uint64_t key) {
   return fmt::format("{:016x}", key);
+}
+
+std::vector<std::pair<std::pair<std::string, std::string>, ClashCounts>> counts_by_sets(
+    const ClashReport& report) {
+  std::map<std::pair<std::string, std::string>, ClashCounts> cells;
+  for (const ClashRow& row : report.rows) {
+    std::pair sets{report.models.a.sets[row.clash.a], report.models.second().sets[row.clash.b]};
+    if (!report.models.two_sets && sets.second < sets.first) {
+      std::swap(sets.first, sets.second);
+    }
+    ++cells[sets][static_cast<std::size_t>(row.clash.kind)];
+  }
+  return {cells.begin(), cells.end()};
+}
+
+std::vector<std::pair<std::string, ClashCounts>> counts_by_group(const ClashReport& report) {
+  std::map<std::string, ClashCounts> groups;
+  for (const ClashRow& row : report.rows) {
+    ++groups[row.group][static_cast<std::size_t>(row.clash.kind)];
+  }
+  std::vector<std::pair<std::string, ClashCounts>> sorted(groups.begin(), groups.end());
+  const auto size = [](const ClashCounts& counts) {
+    return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+  };
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](const auto& x, const auto& y) { return size(x.second) > size(y.second); });
+  return sorted;
 }
 
 void sort_rows(const ClashModels& models, std::vector<ClashRow>& rows) {

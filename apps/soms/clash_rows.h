@@ -20,6 +20,9 @@ namespace soms::command {
 
 inline constexpr std::size_t kClashKinds = 6;
 
+/// How many clashes there are of each kind.
+using ClashCounts = std::array<std::uint64_t, kClashKinds>;
+
 /// As in JSON and options: "crossing".
 [[nodiscard]] std::string_view clash_name(ClashKind kind);
 
@@ -33,6 +36,7 @@ enum class ClashStatus : unsigned char {
 struct ClashRow {
   Clash clash;
   std::uint64_t key = 0;
+  std::string group = {};
   ClashStatus status = ClashStatus::unknown;
 };
 
@@ -41,7 +45,7 @@ struct ClashReport {
   const ClashModels& models;
   std::vector<ClashRow> rows = {};  ///< by kind, then by the names of the parts
   std::vector<Json> resolved = {};  ///< rows of the older list that this one has not
-  std::array<std::uint64_t, kClashKinds> by_kind = {};
+  ClashCounts by_kind = {};
   std::vector<std::pair<std::string, std::uint64_t>> removed = {};  ///< by which option, how many
   std::uint64_t compared = 0;  ///< pairs of parts that were decided
   std::uint64_t left = 0;      ///< pairs of parts that were not, as time ended or Ctrl-C came
@@ -49,6 +53,10 @@ struct ClashReport {
   bool interrupted = false;
   bool timed_out = false;
   Cost cost = {};
+  std::uint64_t resumed = 0;        ///< pairs of parts that a journal had
+  std::uint64_t unknown_depth = 0;  ///< rows that a tolerance could not judge
+  bool removed_by_tolerance = false;
+  bool grouped = false;
 
   [[nodiscard]] bool complete() const { return left == 0; }
 };
@@ -89,6 +97,15 @@ class ClashBaseline {
 
 /// A key as text: 16 hexadecimal digits.
 [[nodiscard]] std::string key_text(std::uint64_t key);
+
+/// Counts of each pair of sets that has clashes, by their names. Of one set compared with itself
+/// the lesser name is first.
+[[nodiscard]] std::vector<std::pair<std::pair<std::string, std::string>, ClashCounts>>
+counts_by_sets(const ClashReport& report);
+
+/// Counts of each group, the largest first, then by name.
+[[nodiscard]] std::vector<std::pair<std::string, ClashCounts>> counts_by_group(
+    const ClashReport& report);
 
 /// Sorts rows by kind, then by the paths of names, files and numbers of the parts.
 void sort_rows(const ClashModels& models, std::vector<ClashRow>& rows);

@@ -5,12 +5,18 @@ set(SOMS_COMMAND_FILES
   bench.h
   clash.cpp
   clash.h
+  clash_journal.cpp
+  clash_journal.h
   clash_models.cpp
   clash_models.h
   clash_output.cpp
   clash_output.h
   clash_rows.cpp
   clash_rows.h
+  clash_run.cpp
+  clash_run.h
+  clash_sets.cpp
+  clash_sets.h
   closed_body.cpp
   closed_body.h
   closest.cpp

@@ -8,6 +8,7 @@
 #include "soms/base/parallel.h"
 #include "soms/base/vector.h"
 #include "soms/clash/part_bodies.h"
+#include "soms/clash/penetration.h"
 #include "soms/query/answer.h"
 #include "soms/query/solid.h"
 
@@ -23,7 +24,10 @@ namespace soms {
 
 /// What kind of clash a pair of parts is; the order is that of a list.
 enum class ClashKind : unsigned char {
-  crossing,   ///< interior is shared, and each has interior outside the other
+  /// Interior is shared, and each has interior outside the other. Where a part is open: an edge of
+  /// one goes through the inside of a triangle of the other, so that both surfaces go on to both
+  /// sides of each other; or of several components of an open part some are in the other.
+  crossing,
   inside,     ///< one lies in the other: `Clash::relation` says which
   same,       ///< both fill the same space
   touching,   ///< surfaces meet, and no interior is shared
@@ -51,10 +55,11 @@ struct Clash {
   std::uint32_t a = 0;  ///< number of the part of the first set
   std::uint32_t b = 0;  ///< of the second; of one set, the greater number
   ClashKind kind = ClashKind::undecided;
-  /// As `solid` says, where both are closed; `clear` of near ones.
+  /// As `solid` says, where both are closed; `clear` of near ones. An open part is in a closed one
+  /// if its surface is.
   Relation relation = Relation::undecided;
-  /// Why it is undecided: `open` where a part is not closed (PartBody::odd_edges) and the boxes of
-  /// the two share a point, so that one may be in the other.
+  /// Why it is undecided: `open` where a part is not closed (PartBody::odd_edges), and surfaces
+  /// meet without passing through each other, or the other part may be inside it.
   Undecided why = Undecided::none;
   std::uint64_t triangle_pairs = 0;  ///< pairs of triangles that overlap, as `overlap` counts them
   /// Holds the least distance of the surfaces: [0, 0] where they meet, otherwise as `Distance` has
@@ -67,6 +72,9 @@ struct Clash {
   /// Holds all that the surfaces share; where they share nothing, the inner part, or a shortest
   /// segment.
   Box box = {};
+  /// How to separate the two, of crossing, inside and same ones: `b` is moved. Nothing unless both
+  /// are convex (ConvexPart).
+  std::optional<Penetration> penetration = std::nullopt;
 
   [[nodiscard]] bool operator==(const Clash&) const = default;
 };
@@ -107,8 +115,12 @@ using PartNumbers = std::pair<std::uint32_t, std::uint32_t>;
 
 /// All clashes of a part of `a` with a part of `b`. Two parts are clear of each other, and not in
 /// the list, where both are closed and `solid` says so, or where their boxes share no point; those
-/// within ClashOptions::within are near. Of an open part nobody knows what is inside: it is
-/// undecided beside every part whose box meets its own.
+/// within ClashOptions::within are near.
+///
+/// Of an open part nobody knows what is inside; it is taken to enclose nothing outside its box. So
+/// much is decided all the same: surfaces that pass through each other cross; an open part whose
+/// surface lies in a closed one is inside; and where surfaces do not meet, and no component of
+/// either lies wholly in the box of an open one, the two are clear. All else is undecided.
 ///
 /// The answer does not depend on threads, trees, layouts or instruction sets, nor on the order of
 /// the parts but for their numbers; with a deadline it may.

@@ -1,7 +1,10 @@
 #include "soms/clash/part_bodies.h"
 
+#include "soms/base/arithmetic.h"
 #include "soms/geometry/closedness.h"
 #include "soms/geometry/parts_of.h"
+#include "soms/query/detail/closed_surface.h"
+#include "soms/query/detail/moved_triangle.h"
 
 #include <algorithm>
 #include <array>
@@ -65,6 +68,18 @@ std::vector<PartBody> divided(const Mesh& mesh) {
   return parts;
 }
 
+std::vector<PartComponent> components_of(const Body& body, const detail::ClosedSurface& surface) {
+  std::vector<PartComponent> components(surface.first.size());
+  for (std::size_t k = 0; k < components.size(); ++k) {
+    components[k].corner = detail::moved_triangle(body, surface.first[k]).a;
+  }
+  for (std::size_t i = 0; i < body.shape.mesh().triangles.size(); ++i) {
+    const auto id = static_cast<TriangleId>(i);
+    components[surface.part(id)].box.grow(bounds(detail::moved_triangle(body, id)));
+  }
+  return components;
+}
+
 void give_body(const Mesh& mesh, const Pose& pose, PartBody& part) {
   part.body = Body(mesh_of(mesh, part.triangles), pose);
   if (part.part != Part::kNoParent) {
@@ -75,16 +90,28 @@ void give_body(const Mesh& mesh, const Pose& pose, PartBody& part) {
   part.odd_edges = found.whole.odd_edges;
   if (found.whole.closed) {
     part.closed.emplace(part.body);
+    part.components = components_of(part.body, detail::surface_of(*part.closed));
   } else {
     part.places = found.places;
+    part.components =
+        components_of(part.body, detail::closed_surface(part.body.shape.mesh(), Parallel()));
   }
 }
 
 }  // namespace
 
+Box PartBody::box() const {
+  Box box;
+  for (const PartComponent& component : components) {
+    box.grow(component.box);
+  }
+  return box;
+}
+
 std::vector<PartBody> part_bodies(const Mesh& mesh, const Pose& pose, const Parallel& parallel) {
   std::vector<PartBody> parts = divided(mesh);
   for_each_chunk(parts.size(), kPartsOfAChunk, parallel, [&](std::size_t begin, std::size_t end) {
+    const PlainArithmetic plain;
     for (std::size_t k = begin; k < end; ++k) {
       give_body(mesh, pose, parts[k]);
     }

@@ -2,8 +2,10 @@
 /// The parts of a mesh, each as a body of its own.
 #pragma once
 
+#include "soms/base/box.h"
 #include "soms/base/parallel.h"
 #include "soms/base/pose.h"
+#include "soms/base/vector.h"
 #include "soms/geometry/defects.h"
 #include "soms/geometry/mesh.h"
 #include "soms/query/body.h"
@@ -15,6 +17,14 @@
 
 namespace soms {
 
+/// Triangles of a part that are connected by vertices in one place, where its pose has moved them.
+struct PartComponent {
+  Vec3 corner = {};  ///< of one of the triangles
+  Box box = {};      ///< around all of them
+
+  [[nodiscard]] bool operator==(const PartComponent&) const = default;
+};
+
 /// The triangles of a mesh whose innermost part it is, as a body. A value; copies share the body.
 struct PartBody {
   /// Index in Mesh::parts, of an object of several runs that of the first; Part::kNoParent for the
@@ -24,7 +34,11 @@ struct PartBody {
   std::optional<ClosedBody> closed = std::nullopt;  ///< `body`, if it is closed at its pose
   std::uint64_t odd_edges = 0;                      ///< edges of an odd number of triangles
   std::vector<EdgePlace> places = {};  ///< the first few of these; triangles are those of `body`
-  std::vector<TriangleId> triangles = {};  ///< triangle i of `body` is triangles[i] of the mesh
+  std::vector<PartComponent> components = {};  ///< by their first triangles
+  std::vector<TriangleId> triangles = {};      ///< triangle i of `body` is triangles[i] of the mesh
+
+  /// Around the part, where its pose has moved it.
+  [[nodiscard]] Box box() const;
 
   [[nodiscard]] bool operator==(const PartBody&) const = default;
 };

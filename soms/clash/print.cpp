@@ -12,17 +12,27 @@ std::ostream& operator<<(std::ostream& out, ClashKind value) {
                              {"crossing", "inside", "same", "touching", "near", "undecided"});
 }
 
+std::ostream& operator<<(std::ostream& out, const Penetration& value) {
+  return out << PrintedFields("Penetration")
+                    .add("depth", value.depth)
+                    .add("direction", value.direction);
+}
+
 std::ostream& operator<<(std::ostream& out, const Clash& value) {
-  return out << PrintedFields("Clash")
-                    .add("a", value.a)
-                    .add("b", value.b)
-                    .add("kind", value.kind)
-                    .add("relation", value.relation)
-                    .add("why", value.why)
-                    .item(printed_count(value.triangle_pairs, "pair", "pairs") + " of triangles")
-                    .add("gap", value.gap)
-                    .add("place", value.place)
-                    .add("box", value.box);
+  PrintedFields fields("Clash");
+  fields.add("a", value.a)
+      .add("b", value.b)
+      .add("kind", value.kind)
+      .add("relation", value.relation)
+      .add("why", value.why)
+      .item(printed_count(value.triangle_pairs, "pair", "pairs") + " of triangles")
+      .add("gap", value.gap)
+      .add("place", value.place)
+      .add("box", value.box);
+  if (value.penetration) {
+    fields.add("penetration", *value.penetration);
+  }
+  return out << fields;
 }
 
 std::ostream& operator<<(std::ostream& out, const ClashList& value) {

@@ -122,7 +122,7 @@ TEST(Clashes, AreTheSameFromTheOtherSide) {
   }
 }
 
-TEST(Clashes, OfAnOpenPartAreUndecidedWhereBoxesMeet) {
+TEST(Clashes, OfAnOpenPartAreUndecidedWhereTheOtherMayBeInside) {
   Mesh open_box = box_body({0, 0, 0}, {4, 4, 4});
   open_box.triangles.pop_back();
   const PartBody open = part_of_mesh(open_box);
@@ -132,9 +132,6 @@ TEST(Clashes, OfAnOpenPartAreUndecidedWhereBoxesMeet) {
   EXPECT_EQ(apart.why, Undecided::open);
   EXPECT_EQ(apart.triangle_pairs, 0U);
   EXPECT_EQ(apart.gap, (Bracket{1, 1}));
-  const Clash meeting = only_clash(open, part_of_mesh(box_body({3, 1, 1}, {5, 2, 2})));
-  EXPECT_EQ(meeting.kind, ClashKind::undecided);
-  EXPECT_GT(meeting.triangle_pairs, 0U);
 
   const PartBody beside = part_of_mesh(box_body({5, 0, 0}, {6, 1, 1}));
   EXPECT_TRUE(clashes(std::array{open}, std::array{beside}).clashes.empty());

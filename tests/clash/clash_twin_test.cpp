@@ -31,6 +31,13 @@ Mesh random_parts(Rng& rng, Corners corners, double scale, const Vec3& origin) {
       upper[axis] = origin[axis] + scale * (from + side);
     }
     Mesh box = test::box_body(lower, upper);
+    if (rng.below(6) == 0) {
+      // A second component, in the first or beside it.
+      const double shift = corners == Corners::grid ? static_cast<double>(rng.below(4)) : 1.5;
+      const Vec3 by = scale * Vec3{shift, shift, 0};
+      box = test::joined(box, test::box_body(lower + by, lower + by + 0.25 * (upper - lower)));
+      box.parts.clear();
+    }
     if (rng.below(4) == 0) {
       box.triangles.erase(box.triangles.begin() + static_cast<std::ptrdiff_t>(rng.below(12)));
     }
@@ -50,6 +57,7 @@ void expect_as_twin(const std::vector<Clash>& found, const std::vector<Clash>& t
     EXPECT_LE(clash.place.x, clash.box.upper.x + 1e-9 * std::abs(clash.box.upper.x));
     clash.place = {};
     clash.box = {};
+    clash.penetration.reset();
     EXPECT_EQ(clash, twin[k]);
   }
 }

@@ -3,11 +3,13 @@
 An independent method: two convex bodies share interior exactly if their shadows overlap in more than a point on every
 normal of a face of either and on every cross product of an edge of the one with an edge of the other (Gottschalk, Lin
 and Manocha 1996, section 4, for convex bodies in general). Coordinates are doubles, so they are whole numbers after a
-shift, and nothing is rounded.
+shift, and nothing is rounded. The least overlap of two shadows, beside the length of its axis, is how deep they go.
 
 usage: convex_clashes.py SOMS A B    (.obj or .gltf)
 """
 import base64
+import decimal
+import fractions
 import itertools
 import json
 import math
@@ -96,6 +98,33 @@ def relation(a, b):
     return {(True, True): "same", (True, False): "inside", (False, True): "inside"}.get((a_in_b, b_in_a), "crossing")
 
 
+def least_translation(a, b):
+    """Length of the shortest translation that separates two parts which share interior, to 50 digits."""
+    least = None
+    for axis in axes(a, b):
+        p, q = a.shadow(axis), b.shadow(axis)
+        square = fractions.Fraction(min(p[1] - q[0], q[1] - p[0]) ** 2, dot(axis, axis) * SHIFT ** 2)
+        least = square if least is None or square < least else least
+    return decimal_root(least)
+
+
+def decimal_root(square):
+    with decimal.localcontext() as context:
+        context.prec = 50
+        return (decimal.Decimal(square.numerator) / decimal.Decimal(square.denominator)).sqrt()
+
+
+def wrong_depth(depth, a, b):
+    """What is wrong with a depth, or None. It separates for certain, and exceeds the least by rounding and little."""
+    least = least_translation(a, b)
+    extent = max(high - low for low, high in a.box + b.box) / SHIFT
+    if depth is None:
+        return "no depth"
+    if not 0 <= decimal.Decimal(depth) - least <= decimal.Decimal(4e-6 * extent):
+        return f"{depth} deep, but separated by {least:.20}"
+    return None
+
+
 def read_obj(path):
     corners, parts = [], {}
     for line in open(path, encoding="utf-8"):
@@ -147,6 +176,7 @@ def main(soms, file_a, file_b):
     rows = [json.loads(line) for line in subprocess.run(command, check=True, capture_output=True, text=True)
             .stdout.splitlines()]
     found = {(row["a"]["part"], row["b"]["part"]): row["class"] for row in rows[:-1]}
+    depth = {(row["a"]["part"], row["b"]["part"]): row.get("depth") for row in rows[:-1]}
     a, b = read_parts(file_a), read_parts(file_b)
     wrong, counts = 0, {}
     for (p, body_p), (q, body_q) in itertools.product(a.items(), b.items()):
@@ -155,6 +185,11 @@ def main(soms, file_a, file_b):
         if found.get((p, q), "clear") != expected:
             wrong += 1
             print(f"{p} and {q}: {expected} by separating axes, but soms says {found.get((p, q), 'clear')}")
+        if expected in ("crossing", "inside", "same"):
+            fault = wrong_depth(depth.get((p, q)), body_p, body_q)
+            wrong += fault is not None
+            if fault:
+                print(f"{p} and {q}: {fault}")
     print(f"{len(a)} x {len(b)} parts:", ", ".join(f"{n} {kind}" for kind, n in sorted(counts.items())),
           f"- {wrong} differ")
     return 1 if wrong or len(a) * len(b) != rows[-1]["pairs_of_parts"] else 0

@@ -253,8 +253,8 @@ TEST(ClashVerb, WritesEachRowToEachFile) {
     ASSERT_EQ(rows[k + 1].size(), rows[0].size());
     EXPECT_EQ(rows[k + 1].front(), lines.rows[k].at("class"));
     EXPECT_EQ(rows[k + 1].back(), lines.rows[k].at("key"));
-    EXPECT_EQ(rows[k + 1][3], lines.rows[k].at("a").at("part"));
-    EXPECT_EQ(rows[k + 1][8], lines.rows[k].at("b").at("part"));
+    EXPECT_EQ(rows[k + 1][5], lines.rows[k].at("a").at("part"));
+    EXPECT_EQ(rows[k + 1][11], lines.rows[k].at("b").at("part"));
   }
   EXPECT_EQ(special({"-o", (folder.path() / "list.txt").string()}).status, 2);
 }
@@ -262,7 +262,7 @@ TEST(ClashVerb, WritesEachRowToEachFile) {
 TEST(ClashVerb, NamesWhereAPartIsOpen) {
   const TemporaryFolder folder;
   const std::string open = (folder.path() / "open.off").string();
-  write_text(open, triangle_off("0.25 0.25 0.25", "0.5 0.25 0.25", "0.25 0.5 0.25"));
+  write_text(open, triangle_off("1 0 0", "1 0.5 0", "1 0 0.5"));
   const RunResult result = soms_run({"clash", box(), "--against", open, "--json"});
   const ClashLines lines = lines_of(result.out);
   ASSERT_EQ(lines.rows.size(), 1U);
@@ -272,9 +272,28 @@ TEST(ClashVerb, NamesWhereAPartIsOpen) {
   EXPECT_EQ(row.at("open"), Json::array({"b"}));
   EXPECT_EQ(row.at("b").at("odd_edges"), 3);
   EXPECT_EQ(row.at("b").at("open_at").size(), 3U);
-  EXPECT_EQ(row.at("gap"), Json::array({0.5, 0.5}));
-  EXPECT_NE(soms_run({"clash", box(), "--against", open}).out.find("the second is open at 3 edges"),
+  EXPECT_GT(row.at("triangle_pairs"), 0);
+  EXPECT_NE(soms_run({"clash", box(), "--against", open})
+                .out.find("surfaces meet, the second is open at 3 edges"),
             std::string::npos);
+}
+
+TEST(ClashVerb, DecidesWhatIsKnownOfOpenParts) {
+  const TemporaryFolder folder;
+  const std::string open = (folder.path() / "open.off").string();
+  write_text(open, triangle_off("0.25 0.25 0.25", "0.5 0.25 0.25", "0.25 0.5 0.25"));
+  const ClashLines lines =
+      lines_of(soms_run({"clash", box(), "--against", open, "--json", "--verify"}).out);
+  ASSERT_EQ(lines.rows.size(), 1U);
+  EXPECT_EQ(lines.rows[0].at("class"), "inside");
+  EXPECT_EQ(lines.rows[0].at("relation"), "b_in_a");
+  EXPECT_EQ(lines.rows[0].at("open"), Json::array({"b"}));
+  EXPECT_EQ(lines.rows[0].at("gap"), Json::array({0.5, 0.5}));
+  EXPECT_EQ(lines.totals.at("verified"), true);
+  write_text(open, triangle_off("0.25 0.25 0.25", "5 0.25 0.25", "0.25 0.5 0.25"));
+  EXPECT_EQ(
+      lines_of(soms_run({"clash", box(), "--against", open, "--json"}).out).rows.at(0).at("class"),
+      "crossing");
 }
 
 TEST(ClashVerb, RefusesWhatIsNoDistance) {

@@ -1,10 +1,16 @@
 #include "soms/clash/reference/clash.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/clash/detail/clash_kind.h"
+#include "soms/clash/detail/open_parts.h"
+#include "soms/query/detail/moved_triangle.h"
+#include "soms/query/reference/contains.h"
 #include "soms/query/reference/distance.h"
 #include "soms/query/reference/overlap.h"
 #include "soms/query/reference/solid.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace soms::reference {
@@ -23,13 +29,97 @@ Box box_of(const Body& body) {
   return box;
 }
 
-ClashKind kind_by_relation(Relation relation) {
-  if (relation == Relation::a_in_b || relation == Relation::b_in_a) {
-    return ClashKind::inside;
+/// Triangles of a body that hang together by corners in one place, found by comparing them all.
+struct Piece {
+  Vec3 corner;
+  Box box;
+};
+
+std::vector<Piece> pieces_of(const Body& body) {
+  const PlainArithmetic plain;
+  const Mesh& mesh = body.shape.mesh();
+  const auto corners = [&](std::size_t i) {
+    const Triangle t = mesh.triangle(static_cast<TriangleId>(i));
+    return std::array{t.a, t.b, t.c};
+  };
+  const auto touch = [&](std::size_t i, std::size_t j) {
+    const auto first = corners(i);
+    const auto second = corners(j);
+    return std::find_first_of(first.begin(), first.end(), second.begin(), second.end()) !=
+           first.end();
+  };
+  std::vector<Piece> pieces;
+  std::vector<bool> reached(mesh.triangles.size(), false);
+  for (std::size_t start = 0; start < reached.size(); ++start) {
+    if (reached[start]) {
+      continue;
+    }
+    Piece piece{.corner = body.pose.apply(corners(start)[0]), .box = {}};
+    std::vector<std::size_t> open{start};
+    reached[start] = true;
+    while (!open.empty()) {
+      const std::size_t i = open.back();
+      open.pop_back();
+      for (const Vec3& corner : corners(i)) {
+        piece.box.grow(body.pose.apply(corner));
+      }
+      for (std::size_t j = 0; j < reached.size(); ++j) {
+        if (!reached[j] && touch(i, j)) {
+          reached[j] = true;
+          open.push_back(j);
+        }
+      }
+    }
+    pieces.push_back(piece);
   }
-  return relation == Relation::crossing ? ClashKind::crossing
-         : relation == Relation::same   ? ClashKind::same
-                                        : ClashKind::touching;
+  return pieces;
+}
+
+/// An edge of a triangle of one body goes through one of the other.
+bool pass_through_each_other(const Body& a, const Body& b, const std::vector<TrianglePair>& met) {
+  return std::any_of(met.begin(), met.end(), [&](const TrianglePair& pair) {
+    return detail::pass_through(detail::moved_triangle(a, pair.first),
+                                detail::moved_triangle(b, pair.second));
+  });
+}
+
+/// How pieces that do not meet the surface of a closed body lie to it.
+Relation by_pieces(const std::vector<Piece>& pieces, const Body& closed, Relation all_inside) {
+  const auto inside =
+      static_cast<std::size_t>(std::count_if(pieces.begin(), pieces.end(), [&](const Piece& piece) {
+        return contains_by_brute_force(closed, piece.corner) == Side::inside;
+      }));
+  return inside == 0 ? Relation::clear : inside == pieces.size() ? all_inside : Relation::crossing;
+}
+
+bool one_fits_into(const std::vector<Piece>& pieces, const Box& box) {
+  return std::any_of(pieces.begin(), pieces.end(),
+                     [&](const Piece& piece) { return box.contains(piece.box); });
+}
+
+/// The relation as far as it is known where one of the parts is open, or both are.
+Relation relation_of_open(const PartBody& a, const PartBody& b,
+                          const std::vector<TrianglePair>& met) {
+  if (!met.empty()) {
+    return pass_through_each_other(a.body, b.body, met) ? Relation::crossing : Relation::undecided;
+  }
+  const std::vector<Piece> pieces_a = pieces_of(a.body);
+  const std::vector<Piece> pieces_b = pieces_of(b.body);
+  if (a.closed) {
+    if (const Relation found = by_pieces(pieces_b, a.body, Relation::b_in_a);
+        found != Relation::clear) {
+      return found;
+    }
+  }
+  if (b.closed) {
+    if (const Relation found = by_pieces(pieces_a, b.body, Relation::a_in_b);
+        found != Relation::clear) {
+      return found;
+    }
+  }
+  const bool doubtful = (!a.closed && one_fits_into(pieces_b, box_of(a.body))) ||
+                        (!b.closed && one_fits_into(pieces_a, box_of(b.body)));
+  return doubtful ? Relation::undecided : Relation::clear;
 }
 
 }  // namespace
@@ -40,21 +130,15 @@ std::optional<Clash> clash_by_brute_force(const PartBody& a, const PartBody& b,
   const Overlap met = overlap(a.body.shape.mesh(), a.body.pose, b.body.shape.mesh(), b.body.pose,
                               {.stop = parallel.stop});
   clash.triangle_pairs = met.pairs.size();
-  const bool closed = a.closed && b.closed;
-  if (closed) {
-    clash.relation = solid_by_brute_force(a.body, b.body, {.stop = parallel.stop}).relation;
+  clash.relation = a.closed && b.closed
+                       ? solid_by_brute_force(a.body, b.body, {.stop = parallel.stop}).relation
+                       : relation_of_open(a, b, met.pairs);
+  clash.kind = detail::kind_of(clash.relation);
+  if (clash.relation == Relation::clear &&
+      (!within || !within_by_brute_force(a.body, b.body, *within, {.stop = parallel.stop}))) {
+    return std::nullopt;
   }
-  const bool clear = closed ? clash.relation == Relation::clear
-                            : !met.any && !overlaps(box_of(a.body), box_of(b.body));
-  if (clear) {
-    if (!within || !within_by_brute_force(a.body, b.body, *within, {.stop = parallel.stop})) {
-      return std::nullopt;
-    }
-    clash.kind = ClashKind::near;
-    clash.relation = Relation::clear;
-  } else if (closed) {
-    clash.kind = kind_by_relation(clash.relation);
-  } else {
+  if (clash.kind == ClashKind::undecided) {
     clash.why = Undecided::open;
   }
   if (!met.any) {

@@ -1,0 +1,162 @@
+#include "apps/soms/clash_sets.h"
+
+#include "soms/base/error.h"
+
+#include "apps/support/parse.h"
+#include "apps/support/part_names.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+namespace soms::command {
+
+namespace {
+
+bool fits(const std::string& pattern, const std::string& name) {
+  return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+}
+
+std::string set_of_file(const Mesh& mesh) {
+  const std::string stem = std::filesystem::path(mesh.source).stem().string();
+  return stem.empty() ? mesh.source : stem;
+}
+
+const Part* named_part(const ClashSet& set, std::uint32_t part) {
+  const std::uint32_t number = set.parts[part].part;
+  return number == Part::kNoParent ? nullptr : &set.mesh_of(part).parts[number];
+}
+
+std::string set_of_part(const ClashSetOptions& options, const ClashSet& set, std::uint32_t part) {
+  const Part* const named = named_part(set, part);
+  for (const auto& [name, pattern] : options.patterns) {
+    if (is_called(set, part, pattern) || fits(pattern, set.mesh_of(part).source) ||
+        (named != nullptr && !named->type.empty() && fits(pattern, named->type))) {
+      return name;
+    }
+  }
+  return set_of_file(set.mesh_of(part));
+}
+
+std::pair<std::string, std::string> halves(const std::string& option, const std::string& text,
+                                           char between, const std::string& remedy) {
+  const std::size_t at = text.find(between);
+  if (at == std::string::npos || at == 0 || at + 1 == text.size()) {
+    throw Error(ErrorKind::usage, option + " '" + text + "'", remedy);
+  }
+  return {text.substr(0, at), text.substr(at + 1)};
+}
+
+std::string type_of(const ClashSet& set, std::uint32_t part) {
+  const Part* const named = named_part(set, part);
+  return named == nullptr || named->type.empty() ? "-" : named->type;
+}
+
+std::string parent_of(const ClashSet& set, std::uint32_t part) {
+  const Part* const named = named_part(set, part);
+  if (named == nullptr || named->parent == Part::kNoParent) {
+    return "-";
+  }
+  return part_path_label(set.mesh_of(part), named->parent);
+}
+
+}  // namespace
+
+bool is_called(const ClashSet& set, std::uint32_t part, const std::string& pattern) {
+  const Part* const named = named_part(set, part);
+  return fits(pattern, set.labels[part]) ||
+         (named != nullptr &&
+          (fits(pattern, named->name) || (!named->id.empty() && fits(pattern, named->id))));
+}
+
+std::pair<std::string, std::string> set_pattern(const std::string& text) {
+  return halves("--set", text, '=', "give a name and a pattern, as in --set 'pipes=Pipe*'");
+}
+
+std::pair<std::string, std::string> set_pair(const std::string& text) {
+  return halves("--between", text, ',', "give the names of two sets, as in --between walls,pipes");
+}
+
+void give_sets(const ClashSetOptions& options, ClashModels& models) {
+  std::set<std::string> names;
+  for (ClashSet* const set : {&models.a, &models.b}) {
+    for (std::uint32_t part = 0; part < set->parts.size(); ++part) {
+      set->sets.push_back(set_of_part(options, *set, part));
+      names.insert(set->sets.back());
+    }
+  }
+  for (const auto& [first, second] : options.between) {
+    for (const std::string& name : {first, second}) {
+      if (!names.contains(name)) {
+        throw unknown_choice("--between", name, {names.begin(), names.end()});
+      }
+    }
+  }
+}
+
+bool are_compared(const ClashSetOptions& options, const ClashModels& models, std::uint32_t a,
+                  std::uint32_t b) {
+  const std::string& of_a = models.a.sets[a];
+  const std::string& of_b = models.second().sets[b];
+  return options.between.empty() ||
+         std::any_of(options.between.begin(), options.between.end(), [&](const auto& pair) {
+           return (pair.first == of_a && pair.second == of_b) ||
+                  (pair.first == of_b && pair.second == of_a);
+         });
+}
+
+ClashGrouping clash_grouping(const std::string& text) {
+  const std::string cell = "cell=";
+  if (text.rfind(cell, 0) == 0) {
+    const double side = parse_number("--group-by cell=SIZE", text.substr(cell.size()));
+    if (!(side > 0)) {
+      throw Error(ErrorKind::usage, "--group-by " + text + ": cells need a size above 0",
+                  "give the side of a cell, as in --group-by cell=5");
+    }
+    return {.by = ClashGroup::cell, .cell = side};
+  }
+  const std::vector<std::pair<std::string, ClashGroup>> known{
+      {"a", ClashGroup::a},       {"b", ClashGroup::b},     {"parent", ClashGroup::parent},
+      {"type", ClashGroup::type}, {"set", ClashGroup::set},
+  };
+  std::vector<std::string> names;
+  for (const auto& [name, by] : known) {
+    if (name == text) {
+      return {.by = by};
+    }
+    names.push_back(name);
+  }
+  names.emplace_back("cell=SIZE");
+  throw unknown_choice("--group-by", text, names);
+}
+
+std::string group_of(const ClashGrouping& grouping, const ClashModels& models, const Clash& clash) {
+  const ClashSet& a = models.a;
+  const ClashSet& b = models.second();
+  switch (grouping.by) {
+    case ClashGroup::a:
+      return a.labels[clash.a];
+    case ClashGroup::b:
+      return b.labels[clash.b];
+    case ClashGroup::parent:
+      return parent_of(a, clash.a);
+    case ClashGroup::type:
+      return type_of(a, clash.a) + " and " + type_of(b, clash.b);
+    case ClashGroup::set:
+      return a.sets[clash.a] + " and " + b.sets[clash.b];
+    case ClashGroup::cell: {
+      const auto index = [&](double place) { return std::floor(place / grouping.cell); };
+      return fmt::format("cell {:.0f} {:.0f} {:.0f}", index(clash.place.x), index(clash.place.y),
+                         index(clash.place.z));
+    }
+    case ClashGroup::none:
+      break;
+  }
+  return "-";
+}
+
+}  // namespace soms::command

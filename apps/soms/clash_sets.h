@@ -1,0 +1,64 @@
+/// \file
+/// Sets of parts, as disciplines of a building, and groups of clashes.
+#pragma once
+
+#include "soms/clash/clash.h"
+
+#include "apps/soms/clash_models.h"
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace soms::command {
+
+/// True if a pattern of a shell (* ? [a-z]) fits the path of a part's names, its own name, or its
+/// id.
+[[nodiscard]] bool is_called(const ClashSet& set, std::uint32_t part, const std::string& pattern);
+
+/// Which set a part belongs to, and which sets are compared.
+struct ClashSetOptions {
+  std::vector<std::pair<std::string, std::string>> patterns;  ///< name of a set, and a pattern
+  std::vector<std::pair<std::string, std::string>> between;   ///< names of sets; empty: all
+};
+
+/// "NAME=PATTERN". \errors ErrorKind::usage where a half of it is missing.
+[[nodiscard]] std::pair<std::string, std::string> set_pattern(const std::string& text);
+
+/// "NAME,NAME". \errors As `set_pattern`.
+[[nodiscard]] std::pair<std::string, std::string> set_pair(const std::string& text);
+
+/// Gives each part the first set whose pattern fits its names, its type or its file; else that
+/// which is named as its file, without folder and extension.
+/// \errors ErrorKind::usage for a set of `between` that no part belongs to.
+void give_sets(const ClashSetOptions& options, ClashModels& models);
+
+/// True if the options want these parts compared.
+[[nodiscard]] bool are_compared(const ClashSetOptions& options, const ClashModels& models,
+                                std::uint32_t a, std::uint32_t b);
+
+/// What clashes are grouped by.
+enum class ClashGroup : unsigned char {
+  none,
+  a,       ///< the first part
+  b,       ///< the second part
+  parent,  ///< the object that holds the first part: its storey, as a rule
+  type,    ///< the types of both
+  set,     ///< the sets of both
+  cell,    ///< the cell of a grid in which the place lies
+};
+
+struct ClashGrouping {
+  ClashGroup by = ClashGroup::none;
+  double cell = 0;  ///< side of a cell, in the unit of the models
+};
+
+/// "a", "b", "parent", "type", "set", or "cell=SIZE". \errors ErrorKind::usage.
+[[nodiscard]] ClashGrouping clash_grouping(const std::string& text);
+
+/// The group of a clash; "-" where it has none.
+[[nodiscard]] std::string group_of(const ClashGrouping& grouping, const ClashModels& models,
+                                   const Clash& clash);
+
+}  // namespace soms::command

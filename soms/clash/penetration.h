@@ -1,0 +1,60 @@
+/// \file
+/// How far do two convex parts go into each other?
+#pragma once
+
+#include "soms/base/vector.h"
+#include "soms/clash/part_bodies.h"
+
+#include <optional>
+#include <vector>
+
+namespace soms {
+
+/// A translation that separates two parts.
+struct Penetration {
+  double depth = 0;     ///< its length, in the unit of the parts
+  Vec3 direction = {};  ///< of length one: where the second part goes
+
+  [[nodiscard]] bool operator==(const Penetration&) const = default;
+};
+
+/// A convex part, prepared for `penetration`.
+class ConvexPart {
+ public:
+  /// Nothing for an open part, and for one that is not convex: of which a vertex lies in front of
+  /// a face by more than a millionth of the part's extent, so that quads that are not quite plane
+  /// do no harm.
+  /// \cost O(f v) for f triangles and v vertices, less where a part is not convex.
+  [[nodiscard]] static std::optional<ConvexPart> of(const PartBody& part);
+
+  [[nodiscard]] const std::vector<Vec3>& corners() const { return corners_; }
+
+  /// Directions across faces, of length one, each once.
+  [[nodiscard]] const std::vector<Vec3>& normals() const { return normals_; }
+
+  /// Directions along edges between faces that are not in one plane, of length one, each once.
+  [[nodiscard]] const std::vector<Vec3>& edges() const { return edges_; }
+
+ private:
+  std::vector<Vec3> corners_;
+  std::vector<Vec3> normals_;
+  std::vector<Vec3> edges_;
+};
+
+/// The shortest translation of `b` after which no interior of the two is shared, by the axes that
+/// can separate convex polyhedra: across each face, and across each pair of an edge of `a` and an
+/// edge of `b`. After it they are separate for certain: rounding makes it longer by a few 1e-15 of
+/// the extents. It may exceed the least one by about a millionth of the extents, where faces or
+/// edges that are so nearly parallel count as one. Parts that are apart have depth 0.
+///
+/// Nothing where the axes times the corners are more than `kMostPenetrationWork`: bodies with some
+/// hundred edges each in directions of their own.
+///
+/// \source Gottschalk, Lin and Manocha 1996, OBBTree, section 5, for boxes; the same axes separate
+///         convex polyhedra in general.
+[[nodiscard]] std::optional<Penetration> penetration(const ConvexPart& a, const ConvexPart& b);
+
+/// Products of an axis and a corner that `penetration` takes on, about 5 ms.
+inline constexpr double kMostPenetrationWork = 4e6;
+
+}  // namespace soms
