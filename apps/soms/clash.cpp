@@ -323,6 +323,9 @@ int run_clash(const ClashVerbOptions& options, Console& console) {
   const ClashReport report = report_of(models, run, options, ignored, baseline, console);
   tell_progress(report, run, console);
   const bool verify = options.verify && !report.interrupted && report.complete();
+  if (options.verify && !verify) {
+    console.note("not verified, as not all pairs of parts were decided");
+  }
   const std::uint64_t wrong = verify ? count_wrong_clashes(models, run, wanted, console) : 0;
   if (console.shared().json) {
     std::ostringstream text;
