@@ -218,8 +218,8 @@ TEST(GltfFeatures, ThatDoNotFitTheirTableAreRefused) {
   };
   const std::string set = R"({"featureCount":2,"attribute":0,"propertyTable":0})";
   refuse({0, 2}, set, "accessors[1]: element 3 is feature 2");
-  refuse({0, 0.5F}, set, "element 3 is no whole number");
-  refuse({0, -1}, set, "element 3 is no whole number");
+  refuse({0, 0.5F}, set, "element 3 is not a whole number from 0");
+  refuse({0, -1}, set, "element 3 is not a whole number from 0");
   refuse({0}, R"({"featureCount":2,"attribute":1,"propertyTable":0})",
          "\"_FEATURE_ID_1\" is missing");
   refuse({0}, R"({"featureCount":2,"attribute":0,"propertyTable":1})", "property tables");

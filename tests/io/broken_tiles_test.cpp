@@ -103,9 +103,9 @@ TEST(BrokenTiles, RefuseBatchTablesThatDoNotFit) {
 TEST(BrokenTiles, RefuseBatchIdsBeyondTheTable) {
   refuse_b3dm(b3dm_of({0, 2}, 2), "accessors[1]: element 3 is feature 2");
   refuse_b3dm(b3dm_of({0, 1}, 1), "accessors[1]: element 3 is feature 1");
-  refuse_b3dm(b3dm_of({0, 0.5F}, 2), "accessors[1]: element 3 is no whole number");
-  refuse_b3dm(b3dm_of({0, -1}, 2), "accessors[1]: element 3 is no whole number");
-  refuse_b3dm(b3dm_of({0, 3e38F}, 2), "accessors[1]: element 3 is no whole number");
+  refuse_b3dm(b3dm_of({0, 0.5F}, 2), "accessors[1]: element 3 is not a whole number from 0");
+  refuse_b3dm(b3dm_of({0, -1}, 2), "accessors[1]: element 3 is not a whole number from 0");
+  refuse_b3dm(b3dm_of({0, 3e38F}, 2), "accessors[1]: element 3 is not a whole number from 0");
   std::string glb = numbered_glb({0, 1});
   const std::string count = R"("SCALAR","count":6)";
   glb.replace(glb.find(count), count.size(), R"("SCALAR","count":3)");

@@ -61,9 +61,9 @@ std::vector<std::vector<std::string>> rows_of(std::string_view file, std::size_t
 }
 
 bool is_read(const std::string& file) {
-  constexpr std::array<std::string_view, 12> kExtensions = {".ply",  ".3ds", ".3DS",  ".stl",
-                                                            ".STL",  ".off", ".obj",  ".glb",
-                                                            ".gltf", ".dae", ".json", ".jsonl"};
+  constexpr std::array<std::string_view, 14> kExtensions = {
+      ".ply", ".3ds",  ".3DS", ".stl",  ".STL",   ".off",  ".obj",
+      ".glb", ".gltf", ".dae", ".json", ".jsonl", ".b3dm", ".cmpt"};
   return std::any_of(kExtensions.begin(), kExtensions.end(),
                      [&](std::string_view extension) { return file.ends_with(extension); });
 }

@@ -185,7 +185,7 @@ TEST(Tileset, OpensFilesOfItsFolderOnly) {
                  "cannot be found for a model from memory");
 }
 
-TEST(Tileset, IsToldFromCityJsonAndGltfByItsContent) {
+TEST(Tileset, IsDistinguishedFromCityJsonAndGltfByItsContent) {
   const TilesFolder folder(tileset_of(tile_of("c.gltf")));
   folder.write(
       "c.gltf",

@@ -141,7 +141,7 @@ void refuse_step(const Source& source, std::string_view extension) {
     source.fail(ErrorKind::unsupported,
                 "a STEP file of the schema " + in_quotes(schema) +
                     ": exact surfaces, not triangles; of STEP only IFC is read",
-                "export STL, OBJ or glTF from the CAD program");
+                "convert it: export STL, OBJ or glTF from the CAD program, or by FreeCAD or Gmsh");
   }
   if (!is_imported(extension)) {
     source.fail(ErrorKind::unsupported, "an IFC file without the extension .ifc",

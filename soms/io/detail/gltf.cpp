@@ -301,18 +301,19 @@ void GltfReader::add_triangles(const GltfPrimitive& primitive, const GltfMesh& m
   features_.end();
 }
 
-/// Opens the node's part and says so; a node without a name is none if it has no mesh, or one whose
-/// features are parts.
+/// Opens the node's part and says so. A node with neither name nor mesh is none, nor is one whose
+/// mesh is of features: these are parts.
 bool GltfReader::add_node(const PlacedNode& node) {
   const GltfMesh* const mesh = mesh_of(node);
   std::optional<JsonValue> name = node.json.find("name");
   if (!name && mesh != nullptr) {
     name = node.json.at("mesh").referred("meshes").find("name");
   }
-  const bool has_features =
-      mesh != nullptr && std::any_of(mesh->primitives.begin(), mesh->primitives.end(),
-                                     [&](const GltfPrimitive& p) { return features_.has(p.json); });
-  const bool is_part = name || (mesh != nullptr && !has_features);
+  const bool all_features =
+      mesh != nullptr && !mesh->primitives.empty() &&
+      std::all_of(mesh->primitives.begin(), mesh->primitives.end(),
+                  [&](const GltfPrimitive& p) { return features_.has(p.json); });
+  const bool is_part = !all_features && (name || mesh != nullptr);
   if (is_part) {
     builder_.open_part(name ? name->text() : std::string_view());
   }

@@ -22,7 +22,7 @@ std::uint64_t feature_number(const char* at, const GltfAccessor& accessor, std::
   const double value = gltf_number(at, accessor.elements.type);
   if (!(value >= 0) || value >= kNoFeature || std::floor(value) != value) {
     accessor.json.fail("element " + std::to_string(position) +
-                       " is no whole number that could be of a feature");
+                       " is not a whole number from 0 to the last feature");
   }
   return static_cast<std::uint64_t>(value);
 }
