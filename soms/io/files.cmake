@@ -28,6 +28,7 @@ set(SOMS_SOURCES
   detail/gltf.cpp
   detail/gltf_accessor.cpp
   detail/gltf_buffers.cpp
+  detail/gltf_corners.cpp
   detail/gltf_features.cpp
   detail/gltf_meshes.cpp
   detail/gltf_metadata.cpp

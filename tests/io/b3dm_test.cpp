@@ -222,7 +222,8 @@ TEST(GltfFeatures, ThatDoNotFitTheirTableAreRefused) {
   refuse({0, -1}, set, "element 3 is not a whole number from 0");
   refuse({0}, R"({"featureCount":2,"attribute":1,"propertyTable":0})",
          "\"_FEATURE_ID_1\" is missing");
-  refuse({0}, R"({"featureCount":2,"attribute":0,"propertyTable":1})", "property tables");
+  refuse({0}, R"({"featureCount":2,"attribute":0,"propertyTable":1})",
+         "propertyTable: number 1, but the only one is 0");
 }
 
 }  // namespace

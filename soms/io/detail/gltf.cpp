@@ -1,10 +1,10 @@
 #include "soms/io/detail/gltf.h"
 
-#include "soms/geometry/counts.h"
 #include "soms/io/detail/cityjson.h"
 #include "soms/io/detail/glb_chunks.h"
 #include "soms/io/detail/gltf_accessor.h"
 #include "soms/io/detail/gltf_buffers.h"
+#include "soms/io/detail/gltf_corners.h"
 #include "soms/io/detail/gltf_features.h"
 #include "soms/io/detail/gltf_meshes.h"
 #include "soms/io/detail/gltf_scene.h"
@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -236,48 +235,10 @@ void GltfReader::add_positions(const GltfAccessor& accessor, const PlacedNode& n
   }
 }
 
-/// Corners of a primitive, one after the other, as numbers of vertices.
-class Corners {
- public:
-  Corners(const GltfPrimitive& primitive, std::uint64_t count, std::uint32_t first)
-      : primitive_(primitive), count_(count), first_(first) {
-    if (primitive.indices != nullptr) {
-      cursor_.emplace(*primitive.indices);
-      // An index of all ones restarts strips elsewhere; glTF forbids it.
-      const std::size_t bits = 8 * size_of(primitive.indices->elements.type);
-      restart_ = primitive.mode == GltfMode::triangles ? std::numeric_limits<std::uint64_t>::max()
-                                                       : (std::uint64_t{1} << bits) - 1;
-    }
-  }
-
-  std::uint32_t next() {
-    const std::uint64_t number = number_++;
-    if (!cursor_) {
-      return first_ + static_cast<std::uint32_t>(number);
-    }
-    const std::uint32_t index = gltf_index(cursor_->next(), primitive_.indices->elements.type);
-    if (index >= count_ || index == restart_) [[unlikely]] {
-      const std::string place = "index " + std::to_string(number) + " is " + std::to_string(index);
-      primitive_.json.at("indices").fail(
-          index >= count_ ? index_fault(place, "positions", count_)
-                          : place + ", which glTF does not allow in strips and fans");
-    }
-    return first_ + index;
-  }
-
- private:
-  const GltfPrimitive& primitive_;
-  std::uint64_t count_;
-  std::uint32_t first_;
-  std::optional<GltfCursor> cursor_;
-  std::uint64_t number_ = 0;
-  std::uint64_t restart_ = 0;
-};
-
 void GltfReader::add_triangles(const GltfPrimitive& primitive, const GltfMesh& mesh,
                                std::uint32_t first, bool turned) {
   const std::uint64_t positions = mesh.positions[primitive.positions]->count;
-  Corners corners(primitive, positions, first);
+  GltfCorners corners(primitive, positions, first);
   features_.begin(primitive.json, positions);
   std::array<std::uint32_t, 3> last{};
   for (std::uint64_t i = 0; i < primitive.triangles; ++i) {

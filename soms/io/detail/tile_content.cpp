@@ -6,7 +6,6 @@
 #include "soms/io/detail/little_endian.h"
 #include "soms/io/detail/tile_meshes.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -23,8 +22,9 @@ constexpr int kDeepestComposite = 8;
 /// Reads contents, and those in them.
 class ContentReader {
  public:
-  ContentReader(Source& source, const TileFrame& frame, std::string place, TileLeftOut& left_out)
-      : source_(source), frame_(frame), place_(std::move(place)), left_out_(left_out) {}
+  ContentReader(Source& source, const TileFrame& frame, const std::function<std::string()>& place,
+                TileLeftOut& left_out)
+      : source_(source), frame_(frame), place_(place), left_out_(left_out) {}
 
   /// The content from byte `begin` to `end`; nothing where it is left out.
   [[nodiscard]] std::optional<Mesh> read(std::size_t begin, std::size_t end, int depth);
@@ -34,7 +34,7 @@ class ContentReader {
 
   Source& source_;
   TileFrame frame_;
-  std::string place_;
+  const std::function<std::string()>& place_;
   TileLeftOut& left_out_;
 };
 
@@ -46,12 +46,11 @@ std::optional<Mesh> ContentReader::read(std::size_t begin, std::size_t end, int 
   if (is_composite(bytes)) {
     return read_composite(begin, end, depth);
   }
-  const auto place = [&] { return place_; };
   for (const auto& [magic, count] :
        {std::pair{"i3dm", &left_out_.instances}, std::pair{"pnts", &left_out_.points},
         std::pair{"vctr", &left_out_.vectors}, std::pair{"geom", &left_out_.vectors}}) {
     if (bytes.starts_with(magic)) {
-      count->add(place);
+      count->add(place_);
       return std::nullopt;
     }
   }
@@ -122,8 +121,8 @@ void TileLeftOut::add_notes(std::vector<std::string>& notes) const {
   add_note(notes, vectors, "vector data (vctr, geom), not read");
 }
 
-Mesh read_tile_content(Source& source, const TileFrame& frame, const std::string& place,
-                       TileLeftOut& left_out) {
+Mesh read_tile_content(Source& source, const TileFrame& frame,
+                       const std::function<std::string()>& place, TileLeftOut& left_out) {
   const bool allow_empty = std::exchange(source.allow_empty, true);
   std::optional<Mesh> mesh =
       ContentReader(source, frame, place, left_out).read(0, source.bytes.size(), 0);
@@ -152,7 +151,8 @@ void finish_tiles(Source& source, Mesh& mesh) {
 
 Mesh read_tile(Source& source) {
   TileLeftOut left_out;
-  Mesh mesh = read_tile_content(source, {}, "in the file", left_out);
+  Mesh mesh = read_tile_content(
+      source, {}, [] { return "in the file"; }, left_out);
   left_out.add_notes(mesh.notes);
   finish_tiles(source, mesh);
   return mesh;

@@ -7,7 +7,7 @@
 #include "soms/io/detail/left_out.h"
 #include "soms/io/detail/source.h"
 
-#include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,12 +36,13 @@ struct TileFrame {
 };
 
 /// The mesh of a content, its batches and nodes as parts, in the axes of the mesh of all tiles.
-/// What is left out is counted in `left_out`, at `place`. \errors ErrorKind::bad_file (names the
+/// What is left out is counted in `left_out`, at `place()`. \errors ErrorKind::bad_file (names the
 /// byte, or the path in the JSON), unsupported, and those of
 ///         `read_gltf`.
 /// \source OGC 18-053r2, 3D Tiles 1.0; OGC 22-025r4, 3D Tiles 1.1
 [[nodiscard]] Mesh read_tile_content(Source& source, const TileFrame& frame,
-                                     const std::string& place, TileLeftOut& left_out);
+                                     const std::function<std::string()>& place,
+                                     TileLeftOut& left_out);
 
 /// A file of one such content, in the axes of its tile: z is up, or none is where the coordinates
 /// are Earth-centered. \errors As `read_mesh`.

@@ -65,9 +65,9 @@ void refuse_implicit(const JsonValue& json) {
 
 TileContent content_of(const JsonValue& json, const Tile& tile,
                        const std::optional<TileVolume>& volume) {
-  const std::optional<JsonValue> uri = json.find("uri");
   // Tilesets from before the standard say "url".
-  const JsonValue named = uri ? *uri : json.find("url").value_or(json.at("uri"));
+  const std::optional<JsonValue> old = json.find("uri") ? std::nullopt : json.find("url");
+  const JsonValue named = old ? *old : json.at("uri");
   static_cast<void>(named.text());
   const std::optional<JsonValue> own = json.find("boundingVolume");
   return {named, own ? TileVolume::read(*own, tile.frame) : volume};

@@ -65,6 +65,19 @@ class TilesetReader {
   LeftOut outside_;
 };
 
+/// Does something to a content; its errors name the place in the tileset, too.
+template <class Action>
+void at_content(const JsonValue& uri, const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::cancelled) {
+      throw;
+    }
+    uri.fail(error.kind(), error.place(), error.remedy());
+  }
+}
+
 /// What stands before the last slash of a name, with it.
 std::string folder_part(const std::string& name) {
   return name.substr(0, name.find_last_of('/') + 1);
@@ -98,7 +111,7 @@ void TilesetReader::read_nested(Source& nested, const JsonValue& uri, const File
              "name each tileset once");
   }
   open_tilesets_.push_back(id);
-  read_tileset(nested, folder_part(name), tile.frame, tile.refinement);
+  at_content(uri, [&] { read_tileset(nested, folder_part(name), tile.frame, tile.refinement); });
   open_tilesets_.pop_back();
 }
 
@@ -116,17 +129,18 @@ void TilesetReader::read_content(Level& level, const Tile& tile, const TileConte
                .parallel = quiet_};
   skip_byte_order_mark(inner);
   if (inner.bytes.empty()) {
-    inner.fail(ErrorKind::bad_file, "the file is empty", "get the complete file");
+    content.uri.fail(in_quotes(content.uri.text()) + ": the file is empty");
   }
   if (is_tileset(inner.bytes)) {
     read_nested(inner, content.uri, id, name, tile);
   } else if (is_cityjson(inner.bytes)) {
     content.uri.fail("no content of a tile is CityJSON");
   } else {
-    keep(inner,
-         read_tile_content(inner, {.frame = tile.frame, .turned = level.turned},
-                           "at " + content.uri.path(), unread_),
-         name, content);
+    at_content(content.uri, [&] {
+      const TileFrame frame{.frame = tile.frame, .turned = level.turned};
+      const auto place = [&] { return "at " + content.uri.path(); };
+      keep(inner, read_tile_content(inner, frame, place, unread_), name, content);
+    });
   }
   source.budget = inner.budget;
   source.budget.give_back(bytes.size);
