@@ -211,6 +211,16 @@ TEST(GltfFeatures, AreNodesWithoutATable) {
   EXPECT_NE(mesh.notes[0].find("feature ids in textures or by position"), std::string::npos);
 }
 
+TEST(GltfFeatures, AreTypedErrorsOrSoundWhereBytesChange) {
+  const std::string table =
+      with_table({1, 0, 1}, R"({"featureCount":2,"attribute":0,"propertyTable":0})");
+  const std::string batched = b3dm_of({1, 1, 0}, 2, R"({"id":["a","b"],"h":[1,2]})");
+  for_each_case("b3dm/damaged", 2000, [&](Rng& rng) {
+    expect_typed_or_sound([&] { return read_text(damaged(table, rng), "a.glb"); });
+    expect_typed_or_sound([&] { return read_text(damaged(batched, rng), "a.b3dm"); });
+  });
+}
+
 TEST(GltfFeatures, ThatDoNotFitTheirTableAreRefused) {
   const auto refuse = [](const std::vector<float>& numbers, const std::string& set,
                          const std::string& words) {

@@ -306,6 +306,20 @@ TEST(Tileset, IsEmptyWithoutTriangles) {
   EXPECT_TRUE(TilesFolder(tileset_of(tile_of(""))).read({.allow_empty = true}).triangles.empty());
 }
 
+TEST(Tileset, IsATypedErrorOrSoundWhereBytesChange) {
+  const std::string whole = tileset_of(
+      tile_of("b.b3dm", R"(,"refine":"ADD")" + moved("1", "2", "3") +
+                            children({tile_of("a.b3dm"), tile_of("deeper.json"),
+                                      tile_of("", R"(,"contents":[{"uri":"c.glb"}])")})));
+  const TilesFolder folder(whole);
+  folder.write("deeper.json", tileset_of(tile_of("c.glb")));
+  EXPECT_EQ(folder.read().triangles.size(), 5U);
+  for_each_case("tileset/damaged", 500, [&](Rng& rng) {
+    folder.write("tileset.json", damaged(whole, rng));
+    expect_typed_or_sound([&] { return folder.read({.allow_empty = true}); });
+  });
+}
+
 TEST(Tileset, KeepsWithinMemory) {
   const TilesFolder folder(tileset_of(tile_of("a.b3dm")));
   expect_refused([&] { static_cast<void>(folder.read({.max_memory = 2000})); },
