@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,7 +46,10 @@ std::vector<std::string_view> written_extensions() {
 std::vector<std::string_view> read_extensions() {
   std::vector<std::string_view> extensions;
   for (const ReadableFormat& format : readable_formats()) {
-    extensions.push_back(format.extension);
+    // Two formats share .json.
+    if (std::find(extensions.begin(), extensions.end(), format.extension) == extensions.end()) {
+      extensions.push_back(format.extension);
+    }
   }
   return extensions;
 }

@@ -23,7 +23,8 @@ namespace {
 constexpr const char* kReadDoc =
     R"(read_mesh(file, *, name='', strict=False, allow_empty=False, max_memory=0, progress=None)
 
-Reads a PLY, 3DS, STL, OFF, OBJ, glTF, GLB or COLLADA model as stored, in double.
+Reads a PLY, 3DS, STL, OFF, OBJ, glTF, GLB, CityJSON, 3D Tiles or COLLADA model as stored, in
+double.
 
 file: a path, or bytes; name stands for bytes in messages, and its extension tells the format where
 the content does not. strict: what would be noted in Mesh.notes is an error. allow_empty: accept a

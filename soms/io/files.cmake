@@ -9,7 +9,9 @@ set(SOMS_HEADERS
 )
 set(SOMS_SOURCES
   detail/affine.cpp
+  detail/b3dm.cpp
   detail/base64.cpp
+  detail/batch_table.cpp
   detail/cityjson.cpp
   detail/cityjson_geometry.cpp
   detail/collada.cpp
@@ -17,25 +19,33 @@ set(SOMS_SOURCES
   detail/collada_geometry.cpp
   detail/collada_scene.cpp
   detail/collada_transform.cpp
+  detail/feature.cpp
   detail/file.cpp
   detail/format.cpp
+  detail/geodesy.cpp
+  detail/glb_chunks.cpp
   detail/glb_writer.cpp
   detail/gltf.cpp
   detail/gltf_accessor.cpp
   detail/gltf_buffers.cpp
+  detail/gltf_corners.cpp
+  detail/gltf_features.cpp
   detail/gltf_meshes.cpp
+  detail/gltf_metadata.cpp
   detail/gltf_scene.cpp
   detail/import.cpp
   detail/import_child.cpp
   detail/json_document.cpp
+  detail/json_numbers.cpp
   detail/left_out.cpp
   detail/line_reader.cpp
   detail/links.cpp
   detail/mesh_builder.cpp
   detail/mesh_writer.cpp
-  detail/obj.cpp
+  detail/named_file.cpp
   detail/npy_header.cpp
   detail/npy_rows.cpp
+  detail/obj.cpp
   detail/off.cpp
   detail/output.cpp
   detail/ply.cpp
@@ -44,9 +54,15 @@ set(SOMS_SOURCES
   detail/ply_text.cpp
   detail/source.cpp
   detail/stl.cpp
+  detail/stored_number.cpp
   detail/text.cpp
   detail/three_ds.cpp
   detail/three_ds_writer.cpp
+  detail/tile_content.cpp
+  detail/tile_meshes.cpp
+  detail/tile_tree.cpp
+  detail/tile_volume.cpp
+  detail/tileset.cpp
   formats.cpp
   new_file.cpp
   poses.cpp

@@ -78,11 +78,7 @@ Mesh read_bytes(std::string_view bytes, const std::string& name, Owner owner,
   if (!source.budget.take(taken)) {
     source.fail_memory(taken);
   }
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  if (source.bytes.starts_with(kByteOrderMark)) {
-    source.skipped = kByteOrderMark.size();
-    source.bytes.remove_prefix(source.skipped);
-  }
+  detail::skip_byte_order_mark(source);
   const detail::ReadFormat& format = detail::identify(source);
   Mesh mesh = format.read(source);
   source.tick(source.bytes.size());

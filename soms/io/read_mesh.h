@@ -29,12 +29,12 @@ struct ReadOptions {
   [[nodiscard]] bool operator==(const ReadOptions&) const = default;
 };
 
-/// Reads a PLY, 3DS, STL, OFF, OBJ, glTF, GLB, CityJSON or COLLADA model as stored, in double:
-/// nothing is welded, moved or lost but by the nodes of a scene, triangle i is triangle i of the
-/// file, a polygon of n corners gives n-2 triangles. The mesh passes `check`. What else the file
-/// holds is an error or is counted in `Mesh::notes`, by the rule of docs/formats.md, which also
-/// says what each reader accepts. A glTF model alone opens other files: those in its folder that it
-/// names.
+/// Reads a PLY, 3DS, STL, OFF, OBJ, glTF, GLB, CityJSON, 3D Tiles or COLLADA model as stored, in
+/// double: nothing is welded, moved or lost but by the nodes of a scene, triangle i is triangle i
+/// of the file, a polygon of n corners gives n-2 triangles. The mesh passes `check`. What else the
+/// file holds is an error or is counted in `Mesh::notes`, by the rule of docs/formats.md, which
+/// also says what each reader accepts. Only glTF models and tilesets open other files: those in
+/// their folder that they name.
 ///
 /// \errors  cannot_open (missing, unreadable, a directory), bad_file (names line or byte; with
 ///          `strict` also what is noted else), empty_mesh, not_finite, out_of_range, unsupported

@@ -102,7 +102,7 @@ TEST(BadFiles, EndInTypedErrorsOrTheMeshThatIsAllowed) {
       }
     }
   }
-  EXPECT_EQ(tried, 302);
+  EXPECT_EQ(tried, 332);
 }
 
 TEST(BadFiles, OfFormatsThatAreNotReadNameTheFormatsThatAre) {

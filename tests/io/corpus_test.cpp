@@ -104,7 +104,9 @@ TEST(Corpus, OneMeshInEveryEncodingIsReadToTheSameTriangles) {
                                                {"dae", 12},
                                                {"glb", 7},
                                                {"ltf", 10},
-                                               {"son", 1},
+                                               {"son", 2},
+                                               {"3dm", 1},
+                                               {"mpt", 1},
                                                {"onl", 1}}));
 }
 

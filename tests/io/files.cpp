@@ -40,6 +40,31 @@ void expect_refused(std::string_view content, const std::string& name, ErrorKind
   expect_refused([&] { static_cast<void>(read_text(content, name)); }, kind, words);
 }
 
+std::string damaged(std::string content, Rng& rng) {
+  const std::uint64_t changes = 1 + rng.below(4);
+  for (std::uint64_t i = 0; i < changes && !content.empty(); ++i) {
+    const std::size_t at = rng.below(content.size());
+    switch (rng.below(3)) {
+      case 0:
+        content[at] = static_cast<char>(rng.below(256));
+        break;
+      case 1:
+        content.erase(at, 1 + rng.below(8));
+        break;
+      default:
+        content.insert(at, content.substr(rng.below(content.size()), 1 + rng.below(16)));
+    }
+  }
+  return content;
+}
+
+void expect_typed_or_sound(const std::function<Mesh()>& read) {
+  const auto refusal = refusal_of([&] { check(read()); });
+  if (refusal) {
+    EXPECT_NE(refusal->kind, ErrorKind::usage) << refusal->words;
+  }
+}
+
 std::string content_of(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::stringstream content;
@@ -61,9 +86,9 @@ std::vector<std::vector<std::string>> rows_of(std::string_view file, std::size_t
 }
 
 bool is_read(const std::string& file) {
-  constexpr std::array<std::string_view, 12> kExtensions = {".ply",  ".3ds", ".3DS",  ".stl",
-                                                            ".STL",  ".off", ".obj",  ".glb",
-                                                            ".gltf", ".dae", ".json", ".jsonl"};
+  constexpr std::array<std::string_view, 14> kExtensions = {
+      ".ply", ".3ds",  ".3DS", ".stl",  ".STL",   ".off",  ".obj",
+      ".glb", ".gltf", ".dae", ".json", ".jsonl", ".b3dm", ".cmpt"};
   return std::any_of(kExtensions.begin(), kExtensions.end(),
                      [&](std::string_view extension) { return file.ends_with(extension); });
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "soms/base/error.h"
+#include "soms/base/random.h"
 #include "soms/geometry/mesh.h"
 #include "soms/io/read_mesh.h"
 
@@ -33,6 +34,12 @@ void expect_refused(const std::function<void()>& action, ErrorKind kind, const s
 /// The same for a model in memory.
 void expect_refused(std::string_view content, const std::string& name, ErrorKind kind,
                     const std::string& words);
+
+/// `content` with up to four bytes changed, taken out or doubled.
+[[nodiscard]] std::string damaged(std::string content, Rng& rng);
+
+/// Expects a typed error, which is no misuse, or a sound mesh.
+void expect_typed_or_sound(const std::function<Mesh()>& read);
 
 [[nodiscard]] std::string content_of(const std::filesystem::path& path);
 

@@ -95,7 +95,7 @@ TEST(ReadMesh, TellsStepOfMachinesFromStepOfBuildings) {
     expect_refused(
         step("AUTOMOTIVE_DESIGN { 1 0 10303 }"), name, ErrorKind::unsupported,
         "a STEP file of the schema \"AUTOMOTIVE_DESIGN\": exact surfaces, not triangles; "
-        "of STEP only IFC is read; export STL");
+        "of STEP only IFC is read; convert it: export STL");
   }
   expect_refused(step("IFC4"), "house", ErrorKind::unsupported,
                  "rename it with the extension .ifc");

@@ -11,6 +11,8 @@
 #include "soms/io/detail/stl.h"
 #include "soms/io/detail/text.h"
 #include "soms/io/detail/three_ds.h"
+#include "soms/io/detail/tile_content.h"
+#include "soms/io/detail/tileset.h"
 
 #include <algorithm>
 #include <array>
@@ -33,6 +35,9 @@ constexpr auto kFormats = std::to_array<ReadFormat>({
     {"GLB", ".glb", is_glb, read_glb, true},
     {"glTF", ".gltf", is_gltf, read_gltf},
     {"CityJSON", ".json", is_cityjson, read_cityjson},
+    {"3D Tiles", ".json", is_tileset, read_tileset},
+    {"b3dm", ".b3dm", is_b3dm, read_tile, true},
+    {"cmpt", ".cmpt", is_composite, read_tile, true},
 #ifdef SOMS_USE_PUGIXML
     {"COLLADA", ".dae", is_collada, read_collada},
 #endif
@@ -55,7 +60,7 @@ constexpr std::string_view kUnpack = "unpack it first";
 constexpr std::string_view kConvert = "convert it to one of the formats that are read";
 constexpr std::string_view kPage = "download the model file itself";
 
-constexpr std::array<Foreign, 15> kForeign = {{
+constexpr std::array<Foreign, 17> kForeign = {{
     {"{", "a JSON file", kConvert, false, ".gltf"},
     {"<!DOCTYPE html", "a web page", kPage, true},
     {"<!DOCTYPE HTML", "a web page", kPage, true},
@@ -66,6 +71,10 @@ constexpr std::array<Foreign, 15> kForeign = {{
      "fetch the file: git lfs pull", true},
     {"\x89SOMS\r\n\x1a", "a recording of soms simulate, not a model",
      "play it with soms view, or draw a frame with soms render", true},
+    {"i3dm", "an instanced model of 3D Tiles (i3dm)",
+     "export the tiles as b3dm or glTF, with their instances as meshes", true},
+    {"pnts", "a point cloud of 3D Tiles (pnts), which has no triangles",
+     "give tiles with meshes (b3dm, glb)", true},
     {"\x1f\x8b", "a gzip file", kUnpack},
     {"PK\x03\x04", "a zip file", kUnpack},
     {"\xfd"
@@ -132,7 +141,7 @@ void refuse_step(const Source& source, std::string_view extension) {
     source.fail(ErrorKind::unsupported,
                 "a STEP file of the schema " + in_quotes(schema) +
                     ": exact surfaces, not triangles; of STEP only IFC is read",
-                "export STL, OBJ or glTF from the CAD program");
+                "convert it: export STL, OBJ or glTF from the CAD program, or by FreeCAD or Gmsh");
   }
   if (!is_imported(extension)) {
     source.fail(ErrorKind::unsupported, "an IFC file without the extension .ifc",
@@ -171,7 +180,7 @@ const ReadFormat& identify(const Source& source) {
   const auto by_name = std::find_if(kFormats.begin(), kFormats.end(),
                                     [&](const ReadFormat& f) { return f.extension == extension; });
   if (by_content != kFormats.end()) {
-    if (by_name != kFormats.end() && by_name != by_content) {
+    if (by_name != kFormats.end() && by_name->extension != by_content->extension) {
       source.fail(ErrorKind::bad_file,
                   "the content is " + std::string(by_content->name) + ", but the extension says " +
                       std::string(by_name->name),

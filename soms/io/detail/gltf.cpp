@@ -1,20 +1,22 @@
 #include "soms/io/detail/gltf.h"
 
-#include "soms/geometry/counts.h"
 #include "soms/io/detail/cityjson.h"
+#include "soms/io/detail/glb_chunks.h"
 #include "soms/io/detail/gltf_accessor.h"
 #include "soms/io/detail/gltf_buffers.h"
+#include "soms/io/detail/gltf_corners.h"
+#include "soms/io/detail/gltf_features.h"
 #include "soms/io/detail/gltf_meshes.h"
 #include "soms/io/detail/gltf_scene.h"
 #include "soms/io/detail/json_document.h"
+#include "soms/io/detail/json_numbers.h"
 #include "soms/io/detail/left_out.h"
-#include "soms/io/detail/little_endian.h"
 #include "soms/io/detail/mesh_builder.h"
 #include "soms/io/detail/text.h"
+#include "soms/io/detail/tileset.h"
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -26,8 +28,14 @@ namespace {
 
 /// True for extensions that are read, or that change nothing that is.
 bool is_harmless(std::string_view extension) {
-  constexpr std::array<std::string_view, 5> kParts = {"KHR_mesh_quantization", "_materials_",
-                                                      "_texture_", "_lights_", "_techniques_"};
+  constexpr std::array<std::string_view, 8> kParts = {"KHR_mesh_quantization",
+                                                      "_materials_",
+                                                      "_texture_",
+                                                      "_lights_",
+                                                      "_techniques_",
+                                                      "EXT_mesh_features",
+                                                      "EXT_structural_metadata",
+                                                      "CESIUM_primitive_outline"};
   return std::any_of(kParts.begin(), kParts.end(), [&](std::string_view part) {
     return extension.find(part) != std::string_view::npos;
   });
@@ -57,17 +65,35 @@ void check_version(const JsonValue& root) {
   }
 }
 
-void check_extensions(const JsonValue& root) {
+constexpr std::string_view kCenter = "CESIUM_RTC";
+
+/// What a document states as the center of its coordinates.
+std::optional<JsonValue> center_of(const JsonValue& root) {
+  const std::optional<JsonValue> extensions = root.find("extensions");
+  return extensions ? extensions->find(kCenter) : std::nullopt;
+}
+
+void check_extensions(const JsonValue& root, bool in_tile) {
   const std::optional<JsonValue> required = root.find("extensionsRequired");
   for (std::size_t i = 0; required && i < required->size(); ++i) {
-    if (!is_harmless(required->at(i).text())) {
-      refuse_extension(required->at(i), required->at(i).text());
+    const std::string_view name = required->at(i).text();
+    if (!is_harmless(name) && !(in_tile && name == kCenter)) {
+      refuse_extension(required->at(i), name);
     }
   }
-  const std::optional<JsonValue> extensions = root.find("extensions");
-  if (extensions && extensions->find("CESIUM_RTC")) {
-    refuse_extension(*extensions, "CESIUM_RTC");
+  if (!in_tile && center_of(root)) {
+    refuse_extension(root.at("extensions"), kCenter);
   }
+}
+
+/// From the axes of a glTF in a tile to those of the mesh.
+Affine frame_of(const JsonValue& root, const GltfTile& tile) {
+  Affine frame = tile.frame;
+  if (const std::optional<JsonValue> stated = center_of(root)) {
+    const auto [x, y, z] = json_numbers<3>(stated->at("center"));
+    frame = frame * Affine{{1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z}};
+  }
+  return tile.turned ? frame * Affine{{1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0}} : frame;
 }
 
 /// glTF means meters, y up. A file that soms wrote of a mesh with another unit or axis says so, or
@@ -99,9 +125,9 @@ void set_unit_and_up(const JsonValue& root, Mesh& mesh) {
 
 class GltfReader {
  public:
-  /// `notes`: what was left out around the document.
+  /// `notes`: what was left out around the document; `tile`: null for a document of its own.
   GltfReader(Source& source, const JsonDocument& document, std::optional<std::string_view> chunk,
-             std::vector<std::string> notes)
+             std::vector<std::string> notes, const GltfTile* tile)
       : source_(source),
         root_(document.root()),
         buffers_(source, chunk),
@@ -110,6 +136,9 @@ class GltfReader {
                        lists(root_, "extensionsRequired", "KHR_mesh_quantization")),
         meshes_(source, accessors_),
         builder_(source),
+        features_(source, root_, buffers_, accessors_, tile != nullptr ? tile->batches : nullptr,
+                  builder_),
+        tile_(tile),
         notes_(std::move(notes)) {}
 
   Mesh read();
@@ -131,6 +160,9 @@ class GltfReader {
   GltfAccessors accessors_;
   GltfMeshes meshes_;
   MeshBuilder builder_;
+  GltfFeatures features_;
+  const GltfTile* tile_;
+  Affine frame_;                      ///< of the tile
   std::vector<std::uint32_t> first_;  ///< vertices of a mesh's positions, for one node
   std::uint64_t items_ = 0;           ///< vertices and triangles of the whole scene
   std::uint64_t done_ = 0;
@@ -203,47 +235,11 @@ void GltfReader::add_positions(const GltfAccessor& accessor, const PlacedNode& n
   }
 }
 
-/// Corners of a primitive, one after the other, as numbers of vertices.
-class Corners {
- public:
-  Corners(const GltfPrimitive& primitive, std::uint64_t count, std::uint32_t first)
-      : primitive_(primitive), count_(count), first_(first) {
-    if (primitive.indices != nullptr) {
-      cursor_.emplace(*primitive.indices);
-      // An index of all ones restarts strips elsewhere; glTF forbids it.
-      const std::size_t bits = 8 * size_of(primitive.indices->elements.type);
-      restart_ = primitive.mode == GltfMode::triangles ? std::numeric_limits<std::uint64_t>::max()
-                                                       : (std::uint64_t{1} << bits) - 1;
-    }
-  }
-
-  std::uint32_t next() {
-    const std::uint64_t number = number_++;
-    if (!cursor_) {
-      return first_ + static_cast<std::uint32_t>(number);
-    }
-    const std::uint32_t index = gltf_index(cursor_->next(), primitive_.indices->elements.type);
-    if (index >= count_ || index == restart_) [[unlikely]] {
-      const std::string place = "index " + std::to_string(number) + " is " + std::to_string(index);
-      primitive_.json.at("indices").fail(
-          index >= count_ ? index_fault(place, "positions", count_)
-                          : place + ", which glTF does not allow in strips and fans");
-    }
-    return first_ + index;
-  }
-
- private:
-  const GltfPrimitive& primitive_;
-  std::uint64_t count_;
-  std::uint32_t first_;
-  std::optional<GltfCursor> cursor_;
-  std::uint64_t number_ = 0;
-  std::uint64_t restart_ = 0;
-};
-
 void GltfReader::add_triangles(const GltfPrimitive& primitive, const GltfMesh& mesh,
                                std::uint32_t first, bool turned) {
-  Corners corners(primitive, mesh.positions[primitive.positions]->count, first);
+  const std::uint64_t positions = mesh.positions[primitive.positions]->count;
+  GltfCorners corners(primitive, positions, first);
+  features_.begin(primitive.json, positions);
   std::array<std::uint32_t, 3> last{};
   for (std::uint64_t i = 0; i < primitive.triangles; ++i) {
     if (i % kRowsPerTick == 0) {
@@ -255,6 +251,7 @@ void GltfReader::add_triangles(const GltfPrimitive& primitive, const GltfMesh& m
       // The corners of the file in their order: a strip drops its oldest, a fan keeps its first.
       last = {primitive.mode == GltfMode::fan ? last[0] : last[1], last[2], corners.next()};
     }
+    features_.enter(last[0] - first, last[1] - first, last[2] - first);
     const bool odd = primitive.mode == GltfMode::strip && i % 2 == 1;
     if (odd != turned) {
       builder_.add_triangle(last[0], last[2], last[1]);
@@ -262,24 +259,31 @@ void GltfReader::add_triangles(const GltfPrimitive& primitive, const GltfMesh& m
       builder_.add_triangle(last[0], last[1], last[2]);
     }
   }
+  features_.end();
 }
 
-/// Opens the node's part and says so; a node without a name and a mesh is none.
+/// Opens the node's part and says so. A node with neither name nor mesh is none, nor is one whose
+/// mesh is of features: these are parts.
 bool GltfReader::add_node(const PlacedNode& node) {
   const GltfMesh* const mesh = mesh_of(node);
   std::optional<JsonValue> name = node.json.find("name");
   if (!name && mesh != nullptr) {
     name = node.json.at("mesh").referred("meshes").find("name");
   }
-  if (!name && mesh == nullptr) {
-    return false;
+  const bool all_features =
+      mesh != nullptr && !mesh->primitives.empty() &&
+      std::all_of(mesh->primitives.begin(), mesh->primitives.end(),
+                  [&](const GltfPrimitive& p) { return features_.has(p.json); });
+  const bool is_part = !all_features && (name || mesh != nullptr);
+  if (is_part) {
+    builder_.open_part(name ? name->text() : std::string_view());
   }
-  builder_.open_part(name ? name->text() : std::string_view());
   if (mesh == nullptr) {
-    return true;
+    return is_part;
   }
   // The joints alone place a skin: glTF has its node's transform ignored.
-  const Affine world = node.json.find("skin") ? Affine{} : node.world;
+  const Affine local = node.json.find("skin") ? Affine{} : node.world;
+  const Affine world = tile_ != nullptr ? frame_ * local : local;
   first_.clear();
   for (const GltfAccessor* const positions : mesh->positions) {
     first_.push_back(static_cast<std::uint32_t>(builder_.vertices().size()));
@@ -289,7 +293,7 @@ bool GltfReader::add_node(const PlacedNode& node) {
   for (const GltfPrimitive& primitive : mesh->primitives) {
     add_triangles(primitive, *mesh, first_[primitive.positions], turned);
   }
-  return true;
+  return is_part;
 }
 
 void GltfReader::add_notes() {
@@ -305,6 +309,7 @@ void GltfReader::add_notes() {
   }
   unused.add([&] { return "at meshes[" + std::to_string(first) + "]"; }, meshes - meshes_.count());
   meshes_.add_notes(notes_);
+  features_.add_notes(notes_);
   for (std::string& text : notes_) {
     builder_.note(std::move(text));
   }
@@ -318,7 +323,8 @@ void GltfReader::add_notes() {
 
 Mesh GltfReader::read() {
   check_version(root_);
-  check_extensions(root_);
+  check_extensions(root_, tile_ != nullptr);
+  frame_ = tile_ != nullptr ? frame_of(root_, *tile_) : Affine{};
   const std::vector<PlacedNode> nodes = place_nodes(source_, root_, notes_);
   reserve(nodes);
   std::vector<bool> is_part;  // of the nodes that are open
@@ -339,62 +345,23 @@ Mesh GltfReader::read() {
   if (mesh.parts.size() == 1 && mesh.parts.front().name.empty()) {
     mesh.parts.clear();
   }
-  set_unit_and_up(root_, mesh);
+  if (tile_ == nullptr) {
+    set_unit_and_up(root_, mesh);
+  }
   return mesh;
 }
 
-/// What a binary file holds.
-struct Chunks {
-  std::string_view json;
-  std::size_t json_at = 0;
-  std::optional<std::string_view> binary;
-  LeftOut others;   ///< chunks beside the first two
-  LeftOut surplus;  ///< bytes behind the last chunk
-};
-
-Chunks chunks_of(const Source& source) {
-  const std::string_view bytes = source.bytes;
-  const auto fail = [&](std::size_t at, const std::string& what) {
-    source.fail_byte(at, ErrorKind::bad_file, what, "get the complete file, or repair it");
-  };
-  const auto value_at = [&](std::size_t at) { return little_endian<std::uint32_t>(bytes, at); };
-  if (bytes.size() < glb::kHeader || !is_glb(bytes)) {
-    fail(0, "the GLB header is missing");
+Mesh read_binary_gltf(Source& source, std::size_t begin, std::size_t end, const GltfTile* tile) {
+  const GlbChunks chunks = glb_chunks(source, begin, end);
+  const JsonDocument document(source, chunks.json, chunks.json_at, true);
+  std::vector<std::string> notes;
+  add_note(notes, chunks.others, "chunks other than JSON and BIN, not read");
+  // A tile fills what is in it up to a multiple of eight bytes.
+  constexpr std::uint64_t kMostPadding = 7;
+  if (tile == nullptr || chunks.surplus.count() > kMostPadding) {
+    add_note(notes, chunks.surplus, "surplus bytes after the stated length of the file");
   }
-  if (value_at(4) != glb::kVersion) {
-    source.fail_byte(4, ErrorKind::unsupported,
-                     "version " + std::to_string(value_at(4)) + " of GLB is not read, only 2",
-                     "save the model as glTF 2.0");
-  }
-  const std::size_t end = value_at(8);
-  if (end < glb::kHeader || end > bytes.size()) {
-    fail(8, "the header states " + std::to_string(end) + " bytes, but the file has " +
-                std::to_string(bytes.size()));
-  }
-  Chunks chunks;
-  for (std::size_t at = glb::kHeader; at < end || chunks.json_at == 0;) {
-    if (end - at < glb::kChunkHeader || value_at(at) > end - at - glb::kChunkHeader) {
-      fail(at, "a chunk is cut off");
-    }
-    const std::uint32_t type = value_at(at + 4);
-    const std::string_view inside = bytes.substr(at + glb::kChunkHeader, value_at(at));
-    if (chunks.json_at == 0) {
-      if (type != glb::kJson) {
-        fail(at, "the first chunk is not JSON");
-      }
-      chunks.json = inside;
-      chunks.json_at = at + glb::kChunkHeader;
-    } else if (type == glb::kBinary && !chunks.binary) {
-      chunks.binary = inside;
-    } else {
-      chunks.others.add([&] { return "at " + source.byte_of(at); });
-    }
-    at += glb::kChunkHeader + inside.size();
-  }
-  chunks.surplus.add([&] { return "at " + source.byte_of(end); }, bytes.size() - end);
-  // Blanks should fill the chunk; some programs write zeros.
-  chunks.json = chunks.json.substr(0, chunks.json.find_last_not_of('\0') + 1);
-  return chunks;
+  return GltfReader(source, document, chunks.binary, std::move(notes), tile).read();
 }
 
 }  // namespace
@@ -406,21 +373,25 @@ bool is_glb(std::string_view bytes) {
 bool is_gltf(std::string_view bytes) {
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
   return begin != std::string_view::npos && bytes[begin] == '{' &&
-         bytes.find("\"asset\"", begin) != std::string_view::npos && !is_cityjson(bytes);
+         bytes.find("\"asset\"", begin) != std::string_view::npos && !is_cityjson(bytes) &&
+         !is_tileset(bytes);
 }
 
 Mesh read_gltf(Source& source) {
   const JsonDocument document(source, source.bytes, 0, false);
-  return GltfReader(source, document, std::nullopt, {}).read();
+  return GltfReader(source, document, std::nullopt, {}, nullptr).read();
 }
 
 Mesh read_glb(Source& source) {
-  const Chunks chunks = chunks_of(source);
-  const JsonDocument document(source, chunks.json, chunks.json_at, true);
-  std::vector<std::string> notes;
-  add_note(notes, chunks.others, "chunks other than JSON and BIN, not read");
-  add_note(notes, chunks.surplus, "surplus bytes after the stated length of the file");
-  return GltfReader(source, document, chunks.binary, std::move(notes)).read();
+  return read_binary_gltf(source, 0, source.bytes.size(), nullptr);
+}
+
+Mesh read_gltf_tile(Source& source, std::size_t begin, std::size_t end, const GltfTile& tile) {
+  if (is_glb(source.bytes.substr(begin))) {
+    return read_binary_gltf(source, begin, end, &tile);
+  }
+  const JsonDocument document(source, source.bytes.substr(begin, end - begin), begin, false);
+  return GltfReader(source, document, std::nullopt, {}, &tile).read();
 }
 
 }  // namespace soms::detail

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "soms/geometry/mesh.h"
+#include "soms/io/detail/affine.h"
+#include "soms/io/detail/batch_table.h"
 #include "soms/io/detail/source.h"
 
 #include <cstddef>
@@ -40,5 +42,18 @@ inline constexpr std::uint32_t kBinary = 0x004e4942;  // "BIN"
 
 /// The same of GLB. \errors As `read_gltf`.
 [[nodiscard]] Mesh read_glb(Source& source);
+
+/// What a tile of 3D Tiles says of the glTF in it.
+struct GltfTile {
+  Affine frame;        ///< from the axes of the tile to those of the mesh
+  bool turned = true;  ///< the glTF is y up, as it should be, and has to be turned: tiles are z up
+  const BatchTable* batches = nullptr;  ///< may be null
+};
+
+/// The same of glTF in a tile, text or binary, which is all of `source` from byte `begin` to `end`.
+/// Of tiles, `CESIUM_RTC` is read too. Axes are those of the mesh of all tiles.
+/// \errors As `read_gltf`.
+[[nodiscard]] Mesh read_gltf_tile(Source& source, std::size_t begin, std::size_t end,
+                                  const GltfTile& tile);
 
 }  // namespace soms::detail

@@ -95,6 +95,21 @@ std::uint32_t gltf_index(const char* at, GltfComponent type) {
   }
 }
 
+double gltf_number(const char* at, GltfComponent type) {
+  switch (type) {
+    case GltfComponent::int8:
+      return value_at<std::int8_t>(at, 0);
+    case GltfComponent::int16:
+      return value_at<std::int16_t>(at, 0);
+    case GltfComponent::float32: {
+      const auto value = value_at<float>(at, 0);
+      return value;
+    }
+    default:
+      return gltf_index(at, type);
+  }
+}
+
 Vec3 gltf_vector(const char* at, const GltfAccessor& accessor) {
   switch (accessor.elements.type) {
     case GltfComponent::int8:
@@ -134,12 +149,12 @@ const char* GltfCursor::next_replacement() {
 }
 
 /// `count` elements in the view that `holder` names, at its offset.
-GltfRun GltfAccessors::run(const JsonValue& holder, GltfComponent type, std::size_t components,
+GltfRun GltfAccessors::run(const JsonValue& holder, GltfComponent type, Elements elements,
                            std::uint64_t count) {
   const GltfView view = buffers_.view(holder.at("bufferView"));
-  const std::uint64_t element = components * size_of(type);
+  const std::uint64_t element = (elements == Elements::vectors ? 3 : 1) * size_of(type);
   const std::uint64_t stride = view.stride > 0 ? view.stride : element;
-  if (stride < element || (components == 1 && stride != element)) {
+  if (stride < element || (elements == Elements::indices && stride != element)) {
     holder.at("bufferView")
         .fail("a stride of " + std::to_string(stride) + " bytes does not fit elements of " +
               std::to_string(element));
@@ -156,7 +171,7 @@ GltfRun GltfAccessors::run(const JsonValue& holder, GltfComponent type, std::siz
 }
 
 void GltfAccessors::load_sparse(GltfAccessor& accessor, const JsonValue& sparse,
-                                std::size_t components) {
+                                Elements elements) {
   accessor.sparse_count = sparse.at("count").whole();
   if (accessor.sparse_count < 1 || accessor.sparse_count > accessor.count) {
     sparse.at("count").fail(std::to_string(accessor.sparse_count) + " sparse elements of " +
@@ -166,12 +181,12 @@ void GltfAccessors::load_sparse(GltfAccessor& accessor, const JsonValue& sparse,
   const JsonValue indices = sparse.at("indices");
   const GltfComponent type = component_of(indices);
   check_index(indices, type);
-  accessor.sparse_indices = run(indices, type, 1, accessor.sparse_count);
+  accessor.sparse_indices = run(indices, type, Elements::indices, accessor.sparse_count);
   accessor.sparse_elements =
-      run(sparse.at("values"), accessor.elements.type, components, accessor.sparse_count);
+      run(sparse.at("values"), accessor.elements.type, elements, accessor.sparse_count);
 }
 
-const GltfAccessor& GltfAccessors::load(const JsonValue& reference, std::size_t components) {
+const GltfAccessor& GltfAccessors::load(const JsonValue& reference, Elements elements) {
   const JsonValue json = reference.referred("accessors");
   const auto known = loaded_.find(reference.whole());
   if (known != loaded_.end()) {
@@ -189,10 +204,10 @@ const GltfAccessor& GltfAccessors::load(const JsonValue& reference, std::size_t 
   const GltfComponent type = component_of(json);
   accessor.elements = {kZeros.data(), 0, type};
   if (json.find("bufferView")) {
-    accessor.elements = run(json, type, components, accessor.count);
+    accessor.elements = run(json, type, elements, accessor.count);
   }
   if (const auto sparse = json.find("sparse")) {
-    load_sparse(accessor, *sparse, components);
+    load_sparse(accessor, *sparse, elements);
   }
   if (const auto normalized = json.find("normalized")) {
     accessor.normalized = normalized->boolean();
@@ -213,7 +228,7 @@ const GltfAccessor& GltfAccessors::positions(const JsonValue& reference) {
             "KHR_mesh_quantization in "
             "\"extensionsUsed\"");
   }
-  return load(reference, 3);
+  return load(reference, Elements::vectors);
 }
 
 const GltfAccessor& GltfAccessors::indices(const JsonValue& reference) {
@@ -222,7 +237,16 @@ const GltfAccessor& GltfAccessors::indices(const JsonValue& reference) {
     json.at("type").fail("indices must be SCALAR");
   }
   check_index(json, component_of(json));
-  return load(reference, 1);
+  return load(reference, Elements::indices);
+}
+
+const GltfAccessor& GltfAccessors::features(const JsonValue& reference) {
+  const JsonValue json = reference.referred("accessors");
+  if (json.at("type").text() != "SCALAR") {
+    json.at("type").fail("feature ids must be SCALAR");
+  }
+  static_cast<void>(component_of(json));
+  return load(reference, Elements::features);
 }
 
 }  // namespace soms::detail

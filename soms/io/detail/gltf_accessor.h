@@ -44,6 +44,9 @@ struct GltfAccessor {
 /// The unsigned integer at `at`.
 [[nodiscard]] std::uint32_t gltf_index(const char* at, GltfComponent type);
 
+/// The number at `at`, of any type.
+[[nodiscard]] double gltf_number(const char* at, GltfComponent type);
+
 /// The three numbers at `at`, as doubles; `normalized` integers are divided by their largest value.
 [[nodiscard]] Vec3 gltf_vector(const char* at, const GltfAccessor& accessor);
 
@@ -86,11 +89,17 @@ class GltfAccessors {
   /// The indices that a number of the document names; valid as long as this. \errors As above.
   [[nodiscard]] const GltfAccessor& indices(const JsonValue& reference);
 
+  /// The feature ids that a number of the document names; valid as long as this. \errors As above.
+  [[nodiscard]] const GltfAccessor& features(const JsonValue& reference);
+
  private:
-  [[nodiscard]] const GltfAccessor& load(const JsonValue& reference, std::size_t components);
-  [[nodiscard]] GltfRun run(const JsonValue& holder, GltfComponent type, std::size_t components,
+  /// What elements are: only those at vertices may have others between them.
+  enum class Elements { vectors, indices, features };
+
+  [[nodiscard]] const GltfAccessor& load(const JsonValue& reference, Elements elements);
+  [[nodiscard]] GltfRun run(const JsonValue& holder, GltfComponent type, Elements elements,
                             std::uint64_t count);
-  void load_sparse(GltfAccessor& accessor, const JsonValue& sparse, std::size_t components);
+  void load_sparse(GltfAccessor& accessor, const JsonValue& sparse, Elements elements);
 
   Source& source_;
   GltfBuffers& buffers_;

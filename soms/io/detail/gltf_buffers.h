@@ -2,7 +2,6 @@
 /// Where the bytes of a glTF file stand: in the file, in its JSON, or in files of its folder.
 #pragma once
 
-#include "soms/io/detail/file.h"
 #include "soms/io/detail/json_document.h"
 #include "soms/io/detail/left_out.h"
 
@@ -45,7 +44,6 @@ class GltfBuffers {
   [[nodiscard]] std::string_view load(const JsonValue& buffer, bool is_first);
   [[nodiscard]] std::string_view decode(const JsonValue& uri);
   [[nodiscard]] std::string_view open(const JsonValue& uri);
-  [[nodiscard]] std::string_view read(const RegularFile& file, const JsonValue& uri);
   [[nodiscard]] char* store(std::uint64_t size);
 
   Source& source_;

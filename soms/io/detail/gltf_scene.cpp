@@ -1,5 +1,6 @@
 #include "soms/io/detail/gltf_scene.h"
 
+#include "soms/io/detail/json_numbers.h"
 #include "soms/io/detail/left_out.h"
 
 #include <array>
@@ -15,33 +16,10 @@ namespace {
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 template <std::size_t N>
-std::array<double, N> numbers(const JsonValue& list) {
-  if (list.size() != N) {
-    list.fail(std::to_string(list.size()) + " numbers instead of " + std::to_string(N));
-  }
-  std::array<double, N> values{};
-  for (std::size_t i = 0; i < N; ++i) {
-    values[i] = list.at(i).number();
-  }
-  return values;
-}
-
-template <std::size_t N>
 std::array<double, N> numbers_or(const JsonValue& node, std::string_view key,
                                  const std::array<double, N>& otherwise) {
   const std::optional<JsonValue> list = node.find(key);
-  return list ? numbers<N>(*list) : otherwise;
-}
-
-/// The file lists columns.
-Affine matrix_of(const JsonValue& list) {
-  const std::array<double, 16> c = numbers<16>(list);
-  constexpr double kRoundedAway = 1e-6;
-  if (std::abs(c[3]) > kRoundedAway || std::abs(c[7]) > kRoundedAway ||
-      std::abs(c[11]) > kRoundedAway || std::abs(c[15] - 1) > kRoundedAway) {
-    list.fail("the last row is not 0 0 0 1");
-  }
-  return {{c[0], c[4], c[8], c[12], c[1], c[5], c[9], c[13], c[2], c[6], c[10], c[14]}};
+  return list ? json_numbers<N>(*list) : otherwise;
 }
 
 /// Scale, then rotation, then translation.
@@ -71,7 +49,7 @@ Affine local_of(const JsonValue& node) {
       node.fail("both a matrix and a " + std::string(key));
     }
   }
-  return matrix_of(*matrix);
+  return json_matrix(*matrix);
 }
 
 class NodePlacer {

@@ -123,6 +123,12 @@ void MeshBuilder::open_part(std::string_view name) {
   push(mesh_.parts, {std::string(name), parent, first, 0});
 }
 
+void MeshBuilder::continue_part(std::uint32_t first) {
+  const std::string name = mesh_.parts[first].name;
+  open_part(name);
+  mesh_.parts.back().continues = first;
+}
+
 void MeshBuilder::describe_part(std::string_view id, std::string_view type,
                                 std::vector<Attribute> attributes) {
   std::uint64_t bytes = id.size() + type.size() + attributes.capacity() * sizeof(Attribute);

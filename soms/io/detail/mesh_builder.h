@@ -69,6 +69,12 @@ class MeshBuilder {
   void describe_part(std::string_view id, std::string_view type,
                      std::vector<Attribute> attributes = {});
 
+  /// Opens one more run of the object whose first run is part `first`, as `open_part` does.
+  void continue_part(std::uint32_t first);
+
+  /// Number of the part that was opened last. \pre One is open.
+  [[nodiscard]] std::uint32_t opened_part() const { return open_parts_.back(); }
+
   /// Closes the part that was opened last; one without triangles vanishes.
   void close_part();
 

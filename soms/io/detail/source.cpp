@@ -66,6 +66,14 @@ void Source::fail_byte(std::size_t position, ErrorKind kind, const std::string& 
   throw Error(kind, name + ", " + byte_of(position) + ": " + what, remedy);
 }
 
+void skip_byte_order_mark(Source& source) {
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (source.bytes.starts_with(kByteOrderMark)) {
+    source.skipped = kByteOrderMark.size();
+    source.bytes.remove_prefix(source.skipped);
+  }
+}
+
 namespace {
 
 /// As std::count, but in steps of which a processor counts many at once.

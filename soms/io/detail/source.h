@@ -84,6 +84,9 @@ struct Source {
                               const std::string& remedy) const;
 };
 
+/// Passes the mark of UTF-8 before a text, if it has one.
+void skip_byte_order_mark(Source& source);
+
 /// Rows between two calls of `Source::tick`.
 inline constexpr std::size_t kRowsPerTick = 1 << 16;
 
