@@ -34,10 +34,12 @@ constexpr auto kFormats = std::to_array<ReadFormat>({
     {"OBJ", ".obj", is_obj, read_obj},
     {"GLB", ".glb", is_glb, read_glb, true},
     {"glTF", ".gltf", is_gltf, read_gltf},
+#ifndef SOMS_WITHOUT_CITY_FORMATS
     {"CityJSON", ".json", is_cityjson, read_cityjson},
     {"3D Tiles", ".json", is_tileset, read_tileset},
     {"b3dm", ".b3dm", is_b3dm, read_tile, true},
     {"cmpt", ".cmpt", is_composite, read_tile, true},
+#endif
 #ifdef SOMS_USE_PUGIXML
     {"COLLADA", ".dae", is_collada, read_collada},
 #endif
