@@ -55,7 +55,11 @@ std::vector<std::string> models_in(const fs::path& folder) {
                 "name models, or a folder that has some; soms version lists the formats");
   }
   std::sort(files.begin(), files.end());
-  return files;
+  const auto tileset = std::find_if(files.begin(), files.end(), [](const std::string& file) {
+    return fs::path(file).filename() == "tileset.json";
+  });
+  // The other files beside it are its tiles.
+  return tileset != files.end() ? std::vector<std::string>{*tileset} : files;
 }
 
 /// Where a model of a set is named twice, each of its parts would clash with itself.

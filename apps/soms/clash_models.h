@@ -53,7 +53,8 @@ struct ClashModelOptions {
   double expected_gap = 0;  ///< sets that are farther apart are doubtful
 };
 
-/// The models among `names`, where a folder stands for the models in it, by name.
+/// The models among `names`, where a folder stands for the models in it, by name; one with a
+/// tileset.json stands for that.
 /// \errors ErrorKind::usage for a folder without models; cannot_open for one that cannot be read.
 [[nodiscard]] std::vector<std::string> model_files(const std::vector<std::string>& names);
 

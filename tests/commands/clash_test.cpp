@@ -133,6 +133,22 @@ TEST(ClashVerb, TakesAFolderForItsModels) {
   EXPECT_NE(none.err.find("without models"), std::string::npos) << none.err;
 }
 
+TEST(ClashVerb, TakesATilesetForItsTiles) {
+  const TemporaryFolder folder;
+  const std::string tile = test::data("formats/batched.b3dm").string();
+  std::filesystem::copy_file(tile, folder.path() / "tile.b3dm");
+  write_text(
+      folder.path() / "tileset.json",
+      R"({"asset":{"version":"1.0"},"geometricError":1,"root":{"geometricError":0,)"
+      R"("boundingVolume":{"box":[0,0,0,9,0,0,0,9,0,0,0,9]},"content":{"uri":"tile.b3dm"}}})");
+  const auto parts = [](const std::string& model) {
+    const RunResult result = soms_run({"clash", model, "--json"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    return json_lines(result.out).back().at("parts");
+  };
+  EXPECT_EQ(parts(folder.path().string()), parts(tile));
+}
+
 TEST(ClashVerb, RefusesAModelThatIsGivenTwice) {
   const RunResult result =
       soms_run({"clash", clash_data("special.obj"), "--against", clash_data("special.obj")});
