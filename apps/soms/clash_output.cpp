@@ -39,28 +39,6 @@ Json open_sides(const ClashModels& models, const Clash& clash) {
   return sides;
 }
 
-Json row_as_json(const ClashReport& report, const ClashRow& row) {
-  const Clash& clash = row.clash;
-  Json json = {{"schema", "soms.clash/1"},
-               {"a", clash_side(report.models.a, clash.a)},
-               {"b", clash_side(report.models.second(), clash.b)},
-               {"class", clash_name(clash.kind)},
-               {"relation", relation_name(clash.relation)}};
-  if (clash.kind == ClashKind::undecided) {
-    json["why"] = reason_name(clash.why);
-    json["open"] = open_sides(report.models, clash);
-  }
-  json["gap"] = {clash.gap.lower, clash.gap.upper};
-  json["place"] = json_point(clash.place);
-  json["box"] = json_box(clash.box);
-  json["triangle_pairs"] = clash.triangle_pairs;
-  if (row.status != ClashStatus::unknown) {
-    json["status"] = status_name(row.status);
-  }
-  json["key"] = key_text(row.key);
-  return json;
-}
-
 std::uint64_t count_status(const ClashReport& report, ClashStatus status) {
   return static_cast<std::uint64_t>(
       std::count_if(report.rows.begin(), report.rows.end(),
@@ -211,6 +189,28 @@ std::string row_in_text(const ClashReport& report, const ClashRow& row) {
 }
 
 }  // namespace
+
+Json row_as_json(const ClashReport& report, const ClashRow& row) {
+  const Clash& clash = row.clash;
+  Json json = {{"schema", "soms.clash/1"},
+               {"a", clash_side(report.models.a, clash.a)},
+               {"b", clash_side(report.models.second(), clash.b)},
+               {"class", clash_name(clash.kind)},
+               {"relation", relation_name(clash.relation)}};
+  if (clash.kind == ClashKind::undecided) {
+    json["why"] = reason_name(clash.why);
+    json["open"] = open_sides(report.models, clash);
+  }
+  json["gap"] = {clash.gap.lower, clash.gap.upper};
+  json["place"] = json_point(clash.place);
+  json["box"] = json_box(clash.box);
+  json["triangle_pairs"] = clash.triangle_pairs;
+  if (row.status != ClashStatus::unknown) {
+    json["status"] = status_name(row.status);
+  }
+  json["key"] = key_text(row.key);
+  return json;
+}
 
 void print_clashes_as_text(const ClashReport& report, Console& console) {
   const ClashModels& models = report.models;

@@ -1,16 +1,34 @@
 set(SOMS_COMMAND_FILES
   answer_columns.cpp
   answer_columns.h
+  bcf_guid.cpp
+  bcf_guid.h
+  bcf_xml.cpp
+  bcf_xml.h
   bench.cpp
   bench.h
   clash.cpp
   clash.h
+  clash_bcf.cpp
+  clash_bcf.h
+  clash_canvas.cpp
+  clash_canvas.h
+  clash_files.cpp
+  clash_files.h
+  clash_listed.cpp
+  clash_listed.h
   clash_models.cpp
   clash_models.h
   clash_output.cpp
   clash_output.h
+  clash_page.cpp
+  clash_page.h
+  clash_picture.cpp
+  clash_picture.h
   clash_rows.cpp
   clash_rows.h
+  clash_sight.cpp
+  clash_sight.h
   closed_body.cpp
   closed_body.h
   closest.cpp
