@@ -11,7 +11,14 @@ set(SOMS_REPORT_FILES
   packed.h
   page.cpp
   page.h
+  page_frame.cpp
+  page_frame.h
   page_style.h
+  parts_data.cpp
+  parts_data.h
+  parts_page.cpp
+  parts_page.h
+  parts_style.h
   placing.cpp
   placing.h
   scene.cpp

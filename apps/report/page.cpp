@@ -3,26 +3,18 @@
 #include "soms/base/text.h"
 
 #include "apps/report/asset.h"
+#include "apps/report/page_frame.h"
 #include "apps/report/page_style.h"
 #include "apps/report/time_line.h"
-#include "apps/support/look.h"
-#include "reproduce/page_style.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 #include <string_view>
 
 namespace soms::report {
 
 namespace {
-
-/// Nothing is fetched, whatever a model's name or a script tries. What a moved body touches is
-/// found by WebAssembly in a worker, both of which the page holds.
-constexpr std::string_view kPolicy =
-    "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; worker-src blob:; "
-    "style-src 'unsafe-inline'; img-src data: blob:";
 
 constexpr std::string_view kView = R"html(<h2>The scene</h2>
 <noscript><p class="warn">Scripts are switched off: the scene is not drawn. Figures and pictures below
@@ -83,64 +75,27 @@ class PageWriter {
       : out_(out), page_(page), limits_(limits) {}
 
   Shown write() {
-    head();
-    warnings();
-    facts();
+    write_head(out_, page_, kViewStyle);
+    write_warnings(out_, page_);
+    write_facts(out_, page_);
     out_ << (page_.scene.lists_contacts ? "<section id=\"view\">\n"
                                         : "<section id=\"view\" class=\"no-list\">\n")
          << kView;
     line_of_time();
     tables();
     plots();
-    notes();
+    write_notes(out_, page_);
     out_ << "</main>\n";
-    const Shown shown =
-        write_scene(out_, page_.scene, limits_, [this] { element("<script>", script()); });
+    const Shown shown = write_scene(out_, page_.scene, limits_,
+                                    [this] { write_pieces(out_, "<script>", script()); });
     if (shown.is_live) {
-      element("<script type=\"text/plain\" id=\"soms-module\">", live_module());
+      write_pieces(out_, "<script type=\"text/plain\" id=\"soms-module\">", live_module());
     }
     out_ << "</body>\n</html>\n";
     return shown;
   }
 
  private:
-  void element(std::string_view opening, std::span<const std::string_view> pieces) {
-    out_ << opening;
-    for (const std::string_view piece : pieces) {
-      out_ << piece;
-    }
-    out_ << "</script>\n";
-  }
-
-  void head() {
-    const std::string title = xml_text(page_.title);
-    out_ << fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<title>{}</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>{}{}{}</style>\n</head>\n"
-        "<body>\n<main>\n<h1>{}</h1>\n",
-        kPolicy, title, look::css_colors(), reproduce::kPageStyle, kViewStyle, title);
-    if (!page_.lead.empty()) {
-      out_ << fmt::format("<p class=\"lead\">{}</p>\n", xml_text(page_.lead));
-    }
-  }
-
-  void warnings() {
-    for (const std::string& warning : page_.warnings) {
-      out_ << fmt::format("<p class=\"warn\" role=\"note\"><strong>Warning:</strong> {}</p>\n",
-                          xml_text(warning));
-    }
-  }
-
-  void facts() {
-    out_ << "<section id=\"figures\">\n<dl class=\"facts\">\n";
-    for (const Fact& fact : page_.facts) {
-      out_ << fmt::format("<dt>{}</dt><dd>{}</dd>\n", xml_text(fact.name), xml_text(fact.value));
-    }
-    out_ << "</dl>\n</section>\n";
-  }
-
   void figure(const Plot& plot) {
     out_ << fmt::format(
         "<figure>\n<div class=\"picture\" tabindex=\"0\">\n{}</div>\n"
@@ -200,12 +155,6 @@ class PageWriter {
       figure(plot);
     }
     out_ << "</div>\n</section>\n";
-  }
-
-  void notes() {
-    for (const std::string& note : page_.notes) {
-      out_ << fmt::format("<p class=\"note\">{}</p>\n", xml_text(note));
-    }
   }
 
   std::ostream& out_;

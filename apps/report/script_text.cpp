@@ -11,10 +11,13 @@ namespace soms::report {
 std::string script_text(std::string_view words) {
   using nlohmann::json;
   // ASCII only: U+2028 and its like, which some readers take for ends of lines, are escaped too.
-  const std::string text = json(words).dump(-1, ' ', true, json::error_handler_t::replace);
+  return script_json(json(words).dump(-1, ' ', true, json::error_handler_t::replace));
+}
+
+std::string script_json(std::string_view json) {
   std::string safe;
-  safe.reserve(text.size());
-  for (const char c : text) {
+  safe.reserve(json.size());
+  for (const char c : json) {
     switch (c) {
       case '<':
         safe += "\\u003c";

@@ -18,7 +18,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <set>
 #include <span>
@@ -148,10 +147,6 @@ int status_of(const ClashVerbOptions& options, const ClashReport& report, std::u
   return options.fail_if != ClashFailure::never && !report.complete() ? kOutOfTime : 0;
 }
 
-bool is_csv(const std::string& file) {
-  return std::filesystem::path(file).extension() == ".csv";
-}
-
 void check_options(const ClashVerbOptions& options) {
   NamedFiles taken{{"--ignore-pairs", options.ignored_pairs},
                    {"--baseline", options.baseline},
@@ -164,10 +159,10 @@ void check_options(const ClashVerbOptions& options) {
   }
   NamedFiles outputs;
   for (const std::string& file : options.outputs) {
-    check_extension("-o", file, {".csv", ".json"});
     outputs.emplace_back("-o", file);
   }
   check_outputs(std::move(taken), outputs);
+  check_clash_file_options(options.files, options.outputs);
   if (options.fail_if == ClashFailure::fresh && options.baseline.empty()) {
     throw Error(ErrorKind::usage, "--fail-if new has no effect without --baseline",
                 "also give --baseline FILE");
@@ -283,8 +278,10 @@ Action add_clash(CLI::App& app, Shared&) {
   add_clash_questions(app, *options);
   add_clash_sets(app, *options);
   add_repeatable(app, "-o,--output", options->outputs,
-                 "write the list to a file, by its extension: .csv or .json; may be repeated",
+                 "write the list to a file, by its extension: .csv, .json, .html, .bcfzip or .bcf; "
+                 "may be repeated",
                  "FILE");
+  add_clash_file_options(app, options->files);
   add_model_options(app, options->models.model, "--scale", "--up", "the models");
   add_model_options(app, options->models.model_against, "--scale-b", "--up-b",
                     "the models of --against");
@@ -294,7 +291,8 @@ Action add_clash(CLI::App& app, Shared&) {
       "a part encloses is known where its surface is closed; beside an open one the pair is\n"
       "unrun." +
       example_of_pair("clash knot.ply --against ball.off --within 0.1 -o clashes.csv"));
-  return [options](Console& console) {
+  return [options, &app](Console& console) {
+    options->files.command = stated_command(app);
     options->models.model_against.strict = options->models.model.strict;
     options->models.expected_gap = options->within.value_or(0);
     return run_clash(*options, console);
@@ -341,11 +339,7 @@ int run_clash(const ClashVerbOptions& options, Console& console) {
   }
   console.flush();
   for (const auto& [name, file] : files) {
-    if (is_csv(name)) {
-      write_clashes_as_csv(report, file->stream());
-    } else {
-      write_clashes_as_json(report, verify && wrong == 0, file->stream());
-    }
+    write_clash_file(name, report, verify && wrong == 0, options.files, console, file->stream());
     file->commit();
   }
   return status_of(options, report, wrong);

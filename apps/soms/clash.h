@@ -2,6 +2,7 @@
 /// The verb `clash`: which parts of models clash with each other.
 #pragma once
 
+#include "apps/soms/clash_files.h"
 #include "apps/soms/clash_models.h"
 #include "apps/soms/clash_sets.h"
 #include "apps/support/verb.h"
@@ -32,6 +33,7 @@ struct ClashVerbOptions {
   std::string baseline;                    ///< file; empty: none
   std::string journal;                     ///< file; empty: none
   std::vector<std::string> outputs;        ///< files
+  ClashFileOptions files = {};
   ClashFailure fail_if = ClashFailure::never;
   bool verify = false;
 };

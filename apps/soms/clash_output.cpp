@@ -40,37 +40,6 @@ Json open_sides(const ClashModels& models, const Clash& clash) {
   return sides;
 }
 
-Json row_as_json(const ClashReport& report, const ClashRow& row) {
-  const Clash& clash = row.clash;
-  Json json = {{"schema", "soms.clash/1"},
-               {"a", clash_side(report.models.a, clash.a)},
-               {"b", clash_side(report.models.second(), clash.b)},
-               {"class", clash_name(clash.kind)},
-               {"relation", relation_name(clash.relation)}};
-  if (clash.kind == ClashKind::undecided) {
-    json["why"] = reason_name(clash.why);
-  }
-  if (const Json open = open_sides(report.models, clash); !open.empty()) {
-    json["open"] = open;
-  }
-  json["gap"] = {clash.gap.lower, clash.gap.upper};
-  if (clash.penetration) {
-    json["depth"] = clash.penetration->depth;
-    json["direction"] = json_point(clash.penetration->direction);
-  }
-  json["place"] = json_point(clash.place);
-  json["box"] = json_box(clash.box);
-  json["triangle_pairs"] = clash.triangle_pairs;
-  if (report.grouped) {
-    json["group"] = row.group;
-  }
-  if (row.status != ClashStatus::unknown) {
-    json["status"] = status_name(row.status);
-  }
-  json["key"] = key_text(row.key);
-  return json;
-}
-
 std::uint64_t count_status(const ClashReport& report, ClashStatus status) {
   return static_cast<std::uint64_t>(
       std::count_if(report.rows.begin(), report.rows.end(),
@@ -289,6 +258,37 @@ void print_groups(const ClashReport& report, Console& console) {
 }
 
 }  // namespace
+
+Json row_as_json(const ClashReport& report, const ClashRow& row) {
+  const Clash& clash = row.clash;
+  Json json = {{"schema", "soms.clash/1"},
+               {"a", clash_side(report.models.a, clash.a)},
+               {"b", clash_side(report.models.second(), clash.b)},
+               {"class", clash_name(clash.kind)},
+               {"relation", relation_name(clash.relation)}};
+  if (clash.kind == ClashKind::undecided) {
+    json["why"] = reason_name(clash.why);
+  }
+  if (const Json open = open_sides(report.models, clash); !open.empty()) {
+    json["open"] = open;
+  }
+  json["gap"] = {clash.gap.lower, clash.gap.upper};
+  if (clash.penetration) {
+    json["depth"] = clash.penetration->depth;
+    json["direction"] = json_point(clash.penetration->direction);
+  }
+  json["place"] = json_point(clash.place);
+  json["box"] = json_box(clash.box);
+  json["triangle_pairs"] = clash.triangle_pairs;
+  if (report.grouped) {
+    json["group"] = row.group;
+  }
+  if (row.status != ClashStatus::unknown) {
+    json["status"] = status_name(row.status);
+  }
+  json["key"] = key_text(row.key);
+  return json;
+}
 
 void print_clashes_as_text(const ClashReport& report, Console& console) {
   const ClashModels& models = report.models;

@@ -10,6 +10,9 @@ namespace soms::command {
 
 class Console;
 
+/// A row as JSON has it: the sides, the class and what is known of it, and its key.
+[[nodiscard]] Json row_as_json(const ClashReport& report, const ClashRow& row);
+
 /// For people: how many of each kind, and the first rows.
 void print_clashes_as_text(const ClashReport& report, Console& console);
 

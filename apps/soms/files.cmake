@@ -1,22 +1,40 @@
 set(SOMS_COMMAND_FILES
   answer_columns.cpp
   answer_columns.h
+  bcf_guid.cpp
+  bcf_guid.h
+  bcf_xml.cpp
+  bcf_xml.h
   bench.cpp
   bench.h
   clash.cpp
   clash.h
+  clash_bcf.cpp
+  clash_bcf.h
+  clash_canvas.cpp
+  clash_canvas.h
+  clash_files.cpp
+  clash_files.h
   clash_journal.cpp
   clash_journal.h
+  clash_listed.cpp
+  clash_listed.h
   clash_models.cpp
   clash_models.h
   clash_output.cpp
   clash_output.h
+  clash_page.cpp
+  clash_page.h
+  clash_picture.cpp
+  clash_picture.h
   clash_rows.cpp
   clash_rows.h
   clash_run.cpp
   clash_run.h
   clash_sets.cpp
   clash_sets.h
+  clash_sight.cpp
+  clash_sight.h
   closed_body.cpp
   closed_body.h
   closest.cpp
@@ -85,14 +103,14 @@ set(SOMS_COMMAND_FILES
   overlap_rows.h
   overlap_verify.cpp
   overlap_verify.h
+  page_plots.cpp
+  page_plots.h
   pair_options.cpp
   pair_options.h
   pair_page.cpp
   pair_page.h
   pair_report.cpp
   pair_report.h
-  page_plots.cpp
-  page_plots.h
   passed_on.cpp
   passed_on.h
   pose_run.cpp

@@ -4,6 +4,8 @@ set(SOMS_SUPPORT_FILES
   child.h
   console.cpp
   console.h
+  deflate.cpp
+  deflate.h
   exit_status.h
   frame_warnings.cpp
   frame_warnings.h
@@ -32,6 +34,8 @@ set(SOMS_SUPPORT_FILES
   parse.h
   part_names.cpp
   part_names.h
+  png_file.cpp
+  png_file.h
   point_source.cpp
   point_source.h
   pose_source.cpp

@@ -2,7 +2,8 @@
 
 `hash`: the sources have not changed since it was made; `live_hash`: nor those of the module beside it. `rebuild`: making it again gives the same
 bytes; skipped where node or the packages (`npm ci`) are missing. `search`: what the list of contacts
-finds; `words`: what the page says of rows that touch. The last two are skipped where node is missing.
+finds; `words`: what the page says of rows that touch; `clash_rows`: which
+clashes a page shows, and what it says of them. The last three are skipped where node is missing.
 """
 import hashlib
 import pathlib
@@ -180,12 +181,72 @@ for (const [r, step, expected] of [[0, 2, NO], [0, 4, YES], [1, 3, YES], [1, 4, 
 """
 
 
+# Rows of a clash list: which are shown, in which order, and what is said of them.
+CLASH_ROWS = """
+import { ClashRows, countWords, detailsOf, pairCounts, sideName } from '%(clash_rows)s';
+const check = (found, expected) => {
+  if (JSON.stringify(found) !== JSON.stringify(expected)) {
+    console.log(`${JSON.stringify(found)} should be ${JSON.stringify(expected)}`);
+    process.exitCode = 1;
+  }
+};
+const sides = [
+  { file: 'x/a.obj', part: 'Slab', id: null, path: ['Level 1', 'Slab'], index: 0, set: 'slabs' },
+  { file: 'b.obj', part: null, id: null, path: [], index: null },
+  { file: 'b.obj', part: 'Duct', id: 'guid-9', type: 'IfcDuct', path: ['Duct'], index: 3, odd_edges: 4, set: 'ducts' }];
+const rows = [
+  { a: 0, b: 1, class: 'touching', relation: 'touching', gap: [0, 0], place: [1, 2, 3], triangle_pairs: 12, status: 'new', key: '00ff' },
+  { a: 0, b: 2, class: 'crossing', relation: 'crossing', gap: [0, 0], place: [0, 2, 3], triangle_pairs: 7, status: 'active', key: '11ee', depth: 0.25, group: 'level 1' },
+  { a: 0, b: 2, class: 'near', relation: 'clear', gap: [0.5, 0.5], place: null, triangle_pairs: 0, status: 'resolved', key: '22dd', later_key: { x: 1 } }];
+const all = { sides, rows, totals: { complete: true } };
+check(sides.map(sideName), ['Level 1/Slab', 'b', 'Duct']);
+const table = new ClashRows(all);
+check(table.columns.map(({ key }) => key), ['number', 'class', 'status', 'group', 'a', 'b', 'gap', 'depth', 'triangle_pairs', 'place']);
+check(table.order, [0, 1, 2]);
+for (const [key, order] of [['class', [1, 0, 2]], ['class', [2, 0, 1]], ['triangle_pairs', [2, 1, 0]], ['gap', [0, 1, 2]], ['gap', [2, 0, 1]],
+  ['place', [2, 1, 0]], ['b', [1, 2, 0]], ['status', [1, 0, 2]], ['depth', [0, 2, 1]], ['number', [0, 1, 2]]]) {
+  table.sortBy(key);
+  check(table.order, order);
+}
+for (const [query, order] of [['guid-9', [1, 2]], ['IFCDUCT', [1, 2]], ['level slab', [0, 1, 2]], ['x/a.obj 00ff', [0]], ['nothing', []], ['', [0, 1, 2]]]) {
+  table.query = query;
+  table.sift();
+  check(table.order, order);
+}
+table.hidden.class.add('touching');
+table.sift();
+check(countWords(table), '2 of 3 rows');
+table.hidden.status.add('active');
+table.sift();
+check(table.order, [2]);
+table.hidden.class.clear();
+table.hidden.status.clear();
+table.pair = { key: 'file', names: ['x/a.obj', 'b.obj'] };
+table.sift();
+check(countWords(table), 'All 3 rows');
+table.pair = { key: 'set', names: ['slabs', 'ducts'] };
+table.sift();
+check(table.order, [1, 2]);
+check(table.counts.class, [['crossing', 1], ['touching', 1], ['near', 1]]);
+check(pairCounts(all, 'set'), [{ names: ['slabs', 'ducts'], count: 2 }, { names: ['slabs', ''], count: 1 }]);
+const said = detailsOf(all, 2).map(([name, value]) => `${name}: ${value}`).join('; ');
+for (const words of ['class: near', 'first part: Level 1/Slab', 'its file: x/a.obj', 'its id: guid-9', 'its odd edges: 4', 'gap: 0.5', 'later key: {\\"x\\":1}', 'key: 22dd']) {
+  check(said.includes(words), true);
+}
+check(countWords(new ClashRows({ sides, rows: [], totals: { complete: true } })), 'No parts clash.');
+const many = Array.from({ length: 100000 }, (_, r) => ({ ...rows[r %% 3], triangle_pairs: r %% 977 }));
+const large = new ClashRows({ sides, rows: many, totals: { complete: true } });
+large.sortBy('triangle_pairs');
+check([large.order.length, many[large.order[0]].triangle_pairs, many[large.order[99999]].triangle_pairs], [100000, 0, 976]);
+"""
+
+
 def run_script(web, script):
     node = shutil.which("node")
     if node is None:
         print("skipped: node is not installed")
         return SKIPPED
-    names = {name: (web / f"src/{name}.js").as_uri() for name in ("words", "entries", "live_data", "pose")}
+    names = {name: (web / f"src/{name}.js").as_uri() for name in ("words", "entries", "live_data", "pose", "clash_rows")}
     return subprocess.run([node, "--input-type=module", "-e", script % names], check=False).returncode
 
 
@@ -196,7 +257,7 @@ def main():
         print("package-lock.json names the host of a registry")
         return 1
     return {"hash": check_hash, "live_hash": check_live_hash, "rebuild": check_rebuild, "search": lambda web: run_script(web, SEARCH),
-            "words": lambda web: run_script(web, WORDS)}[check](web)
+            "words": lambda web: run_script(web, WORDS), "clash_rows": lambda web: run_script(web, CLASH_ROWS)}[check](web)
 
 
 if __name__ == "__main__":

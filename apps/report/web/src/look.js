@@ -2,7 +2,7 @@
 // as those of the window, pictures, maps and plots do.
 import * as THREE from 'three';
 
-const NAMES = { halo: 'paper', paper: 'sky-low', still: 'body-b', moves: 'body-a', touch: 'contact', was: 'contact-past', line: 'ink', frame: 'ink' };
+const NAMES = { halo: 'paper', paper: 'sky-low', still: 'body-b', moves: 'body-a', touch: 'contact', was: 'contact-past', line: 'ink', frame: 'ink', rest: 'ground' };
 const LIGHT = { sky: 2.1, sun: 1.9 };
 const DARK = { sky: 1.6, sun: 1.5 };
 

@@ -1,4 +1,6 @@
-// Brings the page to life: the view, the list of contacts, and time.
+// Brings the page to life: the view, the list of contacts, and time; or the list of a clash page.
+import { isClashPage } from './clash_data.js';
+import { clashTrouble, startClashes } from './clash_main.js';
 import { load, loadModel } from './data.js';
 import { List } from './list.js';
 import { Live } from './live.js';
@@ -242,10 +244,11 @@ function start() {
   };
 }
 
+const ofClashes = isClashPage();
 try {
-  start();
+  (ofClashes ? startClashes : start)();
 } catch (error) {
   byId('look').hidden = false;
-  trouble(`The scene cannot be shown: ${error.message}`);
+  (ofClashes ? clashTrouble : trouble)(`The scene cannot be shown: ${error.message}`);
   console.error(error);
 }

@@ -29,7 +29,11 @@ export class Packed {
 // A mesh, corner by corner: 0 and a vertex, as its difference from the one before, or how many
 // vertices ago the corner's vertex came.
 export function unpackMesh(bytes, triangles, step) {
-  const numbers = new Packed(bytes);
+  return unpackNextMesh(new Packed(bytes), triangles, step);
+}
+
+// The same where more follows.
+export function unpackNextMesh(numbers, triangles, step) {
   const indices = new Uint32Array(3 * triangles);
   const positions = [];
   let [x, y, z, count] = [0, 0, 0, 0];

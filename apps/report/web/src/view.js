@@ -27,7 +27,7 @@ function edgesOf(corners) {
   return new Float32Array(edges);
 }
 
-function roundSpot() {
+export function roundSpot() {
   const canvas = document.createElement('canvas');
   canvas.width = canvas.height = 32;
   const pen = canvas.getContext('2d');
