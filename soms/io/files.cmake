@@ -4,6 +4,8 @@ set(SOMS_HEADERS
   poses.h
   print.h
   read_mesh.h
+  robot.h
+  robot_states.h
   rows.h
   write_mesh.h
 )
@@ -17,6 +19,7 @@ set(SOMS_SOURCES
   detail/collada_geometry.cpp
   detail/collada_scene.cpp
   detail/collada_transform.cpp
+  detail/csv_cells.cpp
   detail/file.cpp
   detail/format.cpp
   detail/glb_writer.cpp
@@ -42,16 +45,24 @@ set(SOMS_SOURCES
   detail/ply_binary.cpp
   detail/ply_header.cpp
   detail/ply_text.cpp
+  detail/package_paths.cpp
   detail/source.cpp
+  detail/srdf.cpp
   detail/stl.cpp
   detail/text.cpp
   detail/three_ds.cpp
   detail/three_ds_writer.cpp
+  detail/urdf.cpp
+  detail/urdf_geometry.cpp
+  detail/urdf_values.cpp
+  detail/xml_document.cpp
   formats.cpp
   new_file.cpp
   poses.cpp
   print.cpp
   read_mesh.cpp
+  robot.cpp
+  robot_states.cpp
   rows.cpp
   write_mesh.cpp
 )

@@ -1,0 +1,115 @@
+#include "soms/robot/robot_model.h"
+
+#include "soms/base/error.h"
+#include "soms/geometry/closedness.h"
+#include "soms/kinematics/link_pairs.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace soms {
+
+namespace {
+
+/// The bodies of a mesh, each part one.
+std::vector<RobotBody> bodies_of(const Mesh& mesh, std::uint32_t owner, std::uint32_t number,
+                                 const Parallel& parallel) {
+  std::vector<RobotBody> bodies;
+  for (PartBody& part : part_bodies(mesh, {}, parallel)) {
+    RobotBody body{.owner = owner,
+                   .mesh = number,
+                   .name = part.part == Part::kNoParent ? mesh.source : mesh.parts[part.part].name,
+                   .part = std::move(part)};
+    const Closedness found = closedness(body.part.body.shape.mesh(),
+                                        {.places = 0, .connected = true}, {.stop = parallel.stop});
+    for (const PartClosedness& connected : found.connected) {
+      body.connected.push_back(connected.first);
+    }
+    bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+void check_link(std::uint32_t link, std::size_t links) {
+  if (link >= links) {
+    throw Error(ErrorKind::out_of_range,
+                "link " + std::to_string(link) + " of " + std::to_string(links),
+                "give numbers of links that exist");
+  }
+}
+
+}  // namespace
+
+RobotModel::RobotModel(const Robot& robot, std::span<const Mesh> cell,
+                       const RobotModelOptions& options, const Parallel& parallel)
+    : kinematics_(robot), base_(options.base) {
+  check(base_);
+  add_links(robot, parallel);
+  add_cell(cell, parallel);
+  choose_pairs(robot, options);
+}
+
+void RobotModel::add_links(const Robot& robot, const Parallel& parallel) {
+  for (std::uint32_t link = 0; link < robot.links.size(); ++link) {
+    link_names_.push_back(robot.links[link].name);
+    const std::vector<Mesh>& meshes = robot.links[link].collisions;
+    for (std::uint32_t k = 0; k < meshes.size(); ++k) {
+      std::vector<RobotBody> bodies = bodies_of(meshes[k], link, k, parallel);
+      std::move(bodies.begin(), bodies.end(), std::back_inserter(link_bodies_));
+    }
+  }
+}
+
+void RobotModel::add_cell(std::span<const Mesh> cell, const Parallel& parallel) {
+  for (std::uint32_t k = 0; k < cell.size(); ++k) {
+    for (RobotBody& body : bodies_of(cell[k], 0, k, parallel)) {
+      body.owner = static_cast<std::uint32_t>(cell_bodies_.size());
+      cell_bodies_.push_back(std::move(body));
+    }
+  }
+}
+
+void RobotModel::choose_pairs(const Robot& robot, const RobotModelOptions& options) {
+  const std::size_t n = robot.links.size();
+  skipped_ = skipped_pairs(robot);
+  const std::vector<LinkPair> all = compared_pairs(robot);
+  for (const LinkPair& pair : options.ignored) {
+    check_link(std::max(pair.a, pair.b), n);
+    const LinkPair ordered{std::min(pair.a, pair.b), std::max(pair.a, pair.b)};
+    if (std::binary_search(all.begin(), all.end(), ordered)) {
+      skipped_.push_back(ordered);
+    }
+  }
+  std::sort(skipped_.begin(), skipped_.end());
+  skipped_.erase(std::unique(skipped_.begin(), skipped_.end()), skipped_.end());
+  std::set_difference(all.begin(), all.end(), skipped_.begin(), skipped_.end(),
+                      std::back_inserter(compared_));
+  is_compared_.assign(n * n + n, 0);
+  for (const LinkPair& pair : compared_) {
+    is_compared_[pair.a * n + pair.b] = 1;
+  }
+  for (std::uint32_t link = 0; link < n; ++link) {
+    is_compared_[n * n + link] = robot.links[link].collisions.empty() ? 0 : 1;
+  }
+  for (const std::uint32_t link : options.off_cell) {
+    check_link(link, n);
+    is_compared_[n * n + link] = 0;
+  }
+  for (std::uint32_t link = 0; link < n; ++link) {
+    if (is_compared_[n * n + link] != 0) {
+      on_cell_.push_back(link);
+    }
+  }
+}
+
+bool RobotModel::compares(std::size_t i, std::size_t j) const {
+  const std::size_t n = link_names_.size();
+  if (i >= link_bodies_.size()) {
+    return false;
+  }
+  const std::size_t link = link_bodies_[i].owner;
+  return j >= link_bodies_.size() ? is_compared_[n * n + link] != 0
+                                  : is_compared_[link * n + link_bodies_[j].owner] != 0;
+}
+
+}  // namespace soms
