@@ -80,9 +80,9 @@ struct NamedState {
 
 /// A robot: a tree of links. Lengths are in one unit (of a URDF file, meters), angles in radians.
 struct Robot {
-  std::string name;
-  std::vector<Link> links;
-  std::vector<Joint> joints;
+  std::string name = {};
+  std::vector<Link> links = {};
+  std::vector<Joint> joints = {};
   /// Pairs of links that may touch and are not compared, sorted, each once, as an SRDF file lists
   /// them. Unset: nothing is known, and neighbors are not compared (link_pairs.h).
   std::optional<std::vector<LinkPair>> allowed = std::nullopt;
