@@ -11,6 +11,9 @@ namespace soms {
 
 namespace {
 
+/// All their pairs are listed.
+constexpr std::uint32_t kMostLinks = 4096;
+
 /// The bodies of a mesh, each part one.
 std::vector<RobotBody> bodies_of(const Mesh& mesh, std::uint32_t owner, std::uint32_t number,
                                  const Parallel& parallel) {
@@ -44,9 +47,9 @@ RobotModel::RobotModel(const Robot& robot, std::span<const Mesh> cell,
                        const RobotModelOptions& options, const Parallel& parallel)
     : kinematics_(robot), base_(options.base) {
   check(base_);
+  choose_pairs(robot, options);
   add_links(robot, parallel);
   add_cell(cell, parallel);
-  choose_pairs(robot, options);
 }
 
 void RobotModel::add_links(const Robot& robot, const Parallel& parallel) {
@@ -71,6 +74,16 @@ void RobotModel::add_cell(std::span<const Mesh> cell, const Parallel& parallel) 
 
 void RobotModel::choose_pairs(const Robot& robot, const RobotModelOptions& options) {
   const std::size_t n = robot.links.size();
+  rows_.assign(n, 0);
+  for (std::uint32_t link = 0; link < n; ++link) {
+    rows_[link] = with_meshes_;
+    with_meshes_ += robot.links[link].collisions.empty() ? 0U : 1U;
+  }
+  if (with_meshes_ > kMostLinks) {
+    throw Error(ErrorKind::out_of_range,
+                "the robot has " + std::to_string(with_meshes_) + " links with meshes",
+                "give it at most " + std::to_string(kMostLinks));
+  }
   skipped_ = skipped_pairs(robot);
   const std::vector<LinkPair> all = compared_pairs(robot);
   for (const LinkPair& pair : options.ignored) {
@@ -84,32 +97,34 @@ void RobotModel::choose_pairs(const Robot& robot, const RobotModelOptions& optio
   skipped_.erase(std::unique(skipped_.begin(), skipped_.end()), skipped_.end());
   std::set_difference(all.begin(), all.end(), skipped_.begin(), skipped_.end(),
                       std::back_inserter(compared_));
-  is_compared_.assign(n * n + n, 0);
+  is_compared_.assign(std::size_t{with_meshes_} * with_meshes_, 0);
   for (const LinkPair& pair : compared_) {
-    is_compared_[pair.a * n + pair.b] = 1;
+    is_compared_[std::size_t{rows_[pair.a]} * with_meshes_ + rows_[pair.b]] = 1;
   }
+  is_on_cell_.assign(n, 0);
   for (std::uint32_t link = 0; link < n; ++link) {
-    is_compared_[n * n + link] = robot.links[link].collisions.empty() ? 0 : 1;
+    is_on_cell_[link] = robot.links[link].collisions.empty() ? 0 : 1;
   }
   for (const std::uint32_t link : options.off_cell) {
     check_link(link, n);
-    is_compared_[n * n + link] = 0;
+    is_on_cell_[link] = 0;
   }
   for (std::uint32_t link = 0; link < n; ++link) {
-    if (is_compared_[n * n + link] != 0) {
+    if (is_on_cell_[link] != 0) {
       on_cell_.push_back(link);
     }
   }
 }
 
 bool RobotModel::compares(std::size_t i, std::size_t j) const {
-  const std::size_t n = link_names_.size();
   if (i >= link_bodies_.size()) {
     return false;
   }
-  const std::size_t link = link_bodies_[i].owner;
-  return j >= link_bodies_.size() ? is_compared_[n * n + link] != 0
-                                  : is_compared_[link * n + link_bodies_[j].owner] != 0;
+  const std::uint32_t link = link_bodies_[i].owner;
+  if (j >= link_bodies_.size()) {
+    return is_on_cell_[link] != 0;
+  }
+  return is_compared_[std::size_t{rows_[link]} * with_meshes_ + rows_[link_bodies_[j].owner]] != 0;
 }
 
 }  // namespace soms

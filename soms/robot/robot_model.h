@@ -54,7 +54,7 @@ struct RobotPair {
 class RobotModel {
  public:
   /// \errors  As `check(Robot)`, `part_bodies` and `check(Pose)`; ErrorKind::out_of_range for a
-  ///          link that does not exist.
+  ///          link that does not exist, and for more than 4,096 links with meshes.
   /// \cost    Trees of all meshes, and whether they are closed.
   /// \threads `parallel` gives cancellation, and threads for the trees.
   explicit RobotModel(const Robot& robot, std::span<const Mesh> cell = {},
@@ -108,7 +108,10 @@ class RobotModel {
   std::vector<LinkPair> compared_;
   std::vector<LinkPair> skipped_;
   std::vector<std::uint32_t> on_cell_;
-  std::vector<std::uint8_t> is_compared_;  ///< links x links flags, then links flags of the cell
+  std::vector<std::uint32_t> rows_;        ///< of each link, its number among those with meshes
+  std::uint32_t with_meshes_ = 0;          ///< links
+  std::vector<std::uint8_t> is_compared_;  ///< flags of pairs of links with meshes
+  std::vector<std::uint8_t> is_on_cell_;   ///< a flag for each link
 };
 
 }  // namespace soms

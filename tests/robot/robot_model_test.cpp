@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <vector>
 
 namespace soms {
@@ -59,6 +60,12 @@ TEST(RobotModel, RefusesLinksThatDoNotExist) {
   const Robot robot = test::sliding_robot({test::cube(1)});
   EXPECT_THROW(RobotModel(robot, {}, {.ignored = {{1, 2}}}), Error);
   EXPECT_THROW(RobotModel(robot, {}, {.off_cell = {2}}), Error);
+  Robot many{.name = "many", .links = {{.name = "root"}}};
+  for (std::uint32_t k = 1; k <= 4097; ++k) {
+    many.links.push_back({.name = std::to_string(k), .collisions = {test::cube(1)}});
+    many.joints.push_back({.name = std::to_string(k), .parent = 0, .child = k});
+  }
+  EXPECT_THROW(RobotModel{many}, Error);
   Pose mirrored;
   mirrored.m[0] = -1;
   EXPECT_THROW(RobotModel(robot, {}, {.base = mirrored}), Error);

@@ -48,7 +48,10 @@ Mesh random_body(Rng& rng, Places places, double scale) {
     }
     mesh = test::joined(mesh, box);
   }
-  return mesh;
+  if (rng.below(2) == 0) {
+    mesh.parts.clear();  // else each box is a part
+  }
+  return rng.below(3) != 0 ? mesh : test::mapped(mesh, [](const Vec3& v) { return v * 0.125; });
 }
 
 Pose random_origin(Rng& rng, Places places, double scale) {
