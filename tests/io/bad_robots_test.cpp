@@ -44,7 +44,7 @@ TEST(BadRobots, EndInTypedErrorsThatNameTheFile) {
     std::getline(cells, kind, '\t');
     std::getline(cells, words, '\t');
     seen.insert(file);
-    const std::filesystem::path path = data("robots/bad/" + file);
+    const std::filesystem::path path = test::data("robots/bad/" + file);
     std::optional<Refusal> refusal;
     {
       const AllocationWatch watch;

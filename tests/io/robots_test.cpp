@@ -92,7 +92,7 @@ TEST(ReadRobot, NotesLinksThatAreDrawnAlone) {
       "</visual></link></robot>";
   EXPECT_EQ(robot_of(text).notes,
             (std::vector<std::string>{
-                "links that are drawn and have no collision geometry: 1, the first in line 1"}));
+                "links that are drawn and have no collision geometry: 1, in line 1"}));
   expect_refused([&] { static_cast<void>(robot_of(text, {.strict = true})); }, ErrorKind::bad_file,
                  "no collision geometry");
 }

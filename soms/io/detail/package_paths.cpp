@@ -1,8 +1,8 @@
 #include "soms/io/detail/package_paths.h"
 
 #include "soms/base/error.h"
+#include "soms/base/text.h"
 #include "soms/io/detail/file.h"
-#include "soms/io/detail/source.h"
 
 #include <algorithm>
 #include <string>
@@ -70,7 +70,7 @@ fs::path find_package(const std::string& name, const std::optional<fs::path>& fo
       return *found;
     }
   }
-  throw Error(ErrorKind::cannot_open, "package " + in_quotes(name) + " is not found",
+  throw Error(ErrorKind::cannot_open, "package " + quoted_text(name) + " is not found",
               "name its folder by the option for packages, or put it in one above the URDF file");
 }
 
@@ -93,13 +93,13 @@ std::filesystem::path resolved_uri(std::string_view uri, const std::optional<fs:
       rest.remove_prefix(1);  // else what is joined would be a whole path
     }
     if (name.empty() || name == "." || name == "..") {
-      throw Error(ErrorKind::bad_file, in_quotes(uri) + " names no package",
+      throw Error(ErrorKind::bad_file, quoted_text(uri) + " names no package",
                   "write package://NAME/PATH");
     }
     return find_package(name, folder, options) / rest;
   }
   if (!take_prefix(rest, "file://") && rest.find("://") != std::string_view::npos) {
-    throw Error(ErrorKind::unsupported, in_quotes(uri) + " is on another protocol",
+    throw Error(ErrorKind::unsupported, quoted_text(uri) + " is on another protocol",
                 "give the mesh as package://, file:// or a path");
   }
   const fs::path path(rest);
@@ -108,7 +108,7 @@ std::filesystem::path resolved_uri(std::string_view uri, const std::optional<fs:
   }
   if (!folder) {
     throw Error(ErrorKind::unsupported,
-                in_quotes(uri) + " is relative to a folder, and bytes in memory have none",
+                quoted_text(uri) + " is relative to a folder, and bytes in memory have none",
                 "read the robot from a file, or give whole paths");
   }
   return *folder / path;

@@ -1,5 +1,6 @@
 #include "soms/io/detail/urdf_geometry.h"
 
+#include "soms/base/text.h"
 #include "soms/io/detail/package_paths.h"
 #include "soms/io/detail/text.h"
 #include "soms/io/read_mesh.h"
@@ -161,7 +162,7 @@ Mesh UrdfShapes::read_file(pugi::xml_node element) {
         error.place().starts_with(document_.source().name)) {
       throw;
     }
-    document_.fail(element, "mesh " + in_quotes(uri) + ": " + error.place(), error.remedy(),
+    document_.fail(element, "mesh " + quoted_text(uri) + ": " + error.place(), error.remedy(),
                    error.kind());
   }
 }
