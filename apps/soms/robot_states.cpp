@@ -96,15 +96,13 @@ void RobotStates::fail(const Error& error) const {
     throw Error(ErrorKind::timed_out, "out of time while reading states from " + name_,
                 "allow more time with --timeout");
   }
-  if (name_ == kStandardInputName) {
-    throw of_standard_input(error);
-  }
   const std::string missing = "say which value such joints have";
   std::string remedy = error.remedy();
   if (const std::size_t at = remedy.find(missing); at != std::string::npos) {
     remedy.replace(at, missing.size(), missing + " by --home zero");
   }
-  throw Error(error.kind(), error.place(), remedy);
+  const Error in_words(error.kind(), error.place(), remedy);
+  throw name_ == kStandardInputName ? of_standard_input(in_words) : in_words;
 }
 
 std::optional<std::span<const double>> RobotStates::read() {

@@ -138,7 +138,7 @@ TEST(RobotVerb, TakesStatesOfManyForms) {
   EXPECT_EQ(verdicts(robot_run(with({}), "0,0.1,0,0.03\n3,0.1,0,0.03\n")),
             (Words{"contact", "free"}));
   EXPECT_EQ(verdicts(robot_run(with({}), "grip,turn,wrist,lift\n0.03,3,0,0.1\n")), Words{"free"});
-  EXPECT_EQ(verdicts(robot_run(with({"--home", "zero"}), "turn\n0\n3\n")),
+  EXPECT_EQ(verdicts(robot_run(with({"--home", "zero", "--ignore", "left,right"}), "turn\n0\n3\n")),
             (Words{"contact", "free"}));
   const RunResult home = robot_run(with({"--home", "up", "--srdf", arm_srdf()}), "turn\n0\n");
   EXPECT_EQ(verdicts(home), Words{"contact"});
