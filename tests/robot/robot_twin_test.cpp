@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -51,7 +52,9 @@ Mesh random_body(Rng& rng, Places places, double scale) {
   if (rng.below(2) == 0) {
     mesh.parts.clear();  // else each box is a part
   }
-  return rng.below(3) != 0 ? mesh : test::mapped(mesh, [](const Vec3& v) { return v * 0.125; });
+  // Small ones in large ones, too.
+  const double factor = std::array{1.0, 0.125, 3.0}[rng.below(3)];
+  return test::mapped(mesh, [&](const Vec3& v) { return v * factor; });
 }
 
 Pose random_origin(Rng& rng, Places places, double scale) {
