@@ -328,7 +328,10 @@ Action add_robot(CLI::App& app, Shared& shared) {
       "Exact for the poses that the joints give: surfaces that meet, and links inside of closed\n"
       "bodies. Without --srdf, links that a joint connects are not compared. Radians and meters.\n"
       "\nExample:\n"
-      "  soms robot panda.urdf --srdf panda.srdf --random 1000 --distance");
+      "  soms generate sphere --triangles 800 -o ball.off\n"
+      "  printf '<robot><link name=\"a\"><collision><geometry><box size=\"1 1 1\"/></geometry>"
+      "</collision></link></robot>' |\n"
+      "    soms robot /dev/stdin --cell ball.off --base \"1 0 0\" --random 1");
   return [options, &app, &shared](Console& console) {
     options->seed = shared.seed;
     check_options(app, *options);
