@@ -20,9 +20,6 @@ namespace soms {
 
 namespace {
 
-/// Of memory for shapes and for copies of meshes, beside 64 times the file.
-constexpr std::uint64_t kRobotAllowance = std::uint64_t{1} << 30;
-
 void check(const RobotReadOptions& options) {
   if (!(options.tessellation_error > 0) || !std::isfinite(options.tessellation_error)) {
     throw Error(ErrorKind::usage, "the error of round shapes is not a positive number",
@@ -36,6 +33,27 @@ void refuse_xacro(const std::string& name) {
                 "run xacro on it first, and give the URDF or SRDF file that it writes");
   }
 }
+
+std::string_view text_of(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// Runs `read` and says what is missing where memory runs out.
+template <class Read>
+auto within_memory(const std::string& name, const Parallel& parallel, const Read& read) {
+  try {
+    check_stop(parallel);
+    return read();
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorKind::out_of_memory, name + ": not enough free memory on this machine",
+                "free some memory, or use smaller meshes");
+  }
+}
+
+#ifdef SOMS_USE_PUGIXML
+
+/// Of memory for shapes and for copies of meshes, beside 64 times the file.
+constexpr std::uint64_t kRobotAllowance = std::uint64_t{1} << 30;
 
 detail::Source source_of(std::string_view bytes, const std::string& name,
                          std::optional<std::filesystem::path> folder,
@@ -55,30 +73,12 @@ detail::Source source_of(std::string_view bytes, const std::string& name,
   return source;
 }
 
-std::string_view text_of(std::span<const std::byte> bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-/// Runs `read` and says what is missing where memory runs out.
-template <class Read>
-auto within_memory(const std::string& name, const Parallel& parallel, const Read& read) {
-  try {
-    check_stop(parallel);
-    return read();
-  } catch (const std::bad_alloc&) {
-    throw Error(ErrorKind::out_of_memory, name + ": not enough free memory on this machine",
-                "free some memory, or use smaller meshes");
-  }
-}
-
 void refuse_notes(const Robot& robot, const RobotReadOptions& options) {
   if (options.strict && !robot.notes.empty()) {
     throw Error(ErrorKind::bad_file, robot.source + ": " + detail::joined(robot.notes),
                 "repair the file, or read it without `strict`");
   }
 }
-
-#ifdef SOMS_USE_PUGIXML
 
 Robot read_text(std::string_view text, const std::string& name,
                 std::optional<std::filesystem::path> folder, const RobotReadOptions& options,
