@@ -123,6 +123,14 @@ set(SOMS_COMMAND_FILES
   ray_output.cpp
   ray_output.h
   ray_run.h
+  robot.cpp
+  robot.h
+  robot_models.cpp
+  robot_models.h
+  robot_output.cpp
+  robot_output.h
+  robot_states.cpp
+  robot_states.h
   side_run.h
   simulate.cpp
   simulate.h

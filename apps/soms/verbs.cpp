@@ -13,6 +13,7 @@
 #include "apps/soms/overlap.h"
 #include "apps/soms/passed_on.h"
 #include "apps/soms/ray.h"
+#include "apps/soms/robot.h"
 #include "apps/soms/simulate.h"
 #include "apps/soms/solid.h"
 #include "apps/soms/version.h"
@@ -44,6 +45,8 @@ constexpr std::array kVerbs{
          pass_to_viewer},
     Verb{"reproduce", "rerun the experiments of the thesis: tables, figures and a page", nullptr,
          pass_to_reproduce},
+    Verb{"robot", "decide in which states a robot touches itself or its cell, and how near it is",
+         add_robot},
     Verb{"simulate", "move objects through a city and report what touches what, frame by frame",
          add_simulate},
     Verb{"solid", "decide whether two closed models are clear, touch, cross or contain each other",

@@ -4,6 +4,8 @@ set(SOMS_HEADERS
   poses.h
   print.h
   read_mesh.h
+  robot.h
+  robot_states.h
   rows.h
   write_mesh.h
 )
@@ -19,6 +21,7 @@ set(SOMS_SOURCES
   detail/collada_geometry.cpp
   detail/collada_scene.cpp
   detail/collada_transform.cpp
+  detail/csv_cells.cpp
   detail/feature.cpp
   detail/file.cpp
   detail/format.cpp
@@ -48,11 +51,13 @@ set(SOMS_SOURCES
   detail/obj.cpp
   detail/off.cpp
   detail/output.cpp
+  detail/package_paths.cpp
   detail/ply.cpp
   detail/ply_binary.cpp
   detail/ply_header.cpp
   detail/ply_text.cpp
   detail/source.cpp
+  detail/srdf.cpp
   detail/stl.cpp
   detail/stored_number.cpp
   detail/text.cpp
@@ -63,11 +68,17 @@ set(SOMS_SOURCES
   detail/tile_tree.cpp
   detail/tile_volume.cpp
   detail/tileset.cpp
+  detail/urdf.cpp
+  detail/urdf_geometry.cpp
+  detail/urdf_values.cpp
+  detail/xml_document.cpp
   formats.cpp
   new_file.cpp
   poses.cpp
   print.cpp
   read_mesh.cpp
+  robot.cpp
+  robot_states.cpp
   rows.cpp
   write_mesh.cpp
 )

@@ -3,6 +3,7 @@
 #include "soms/base/print_fields.h"
 #include "soms/io/formats.h"
 #include "soms/io/read_mesh.h"
+#include "soms/io/robot.h"
 #include "soms/io/rows.h"
 #include "soms/io/write_mesh.h"
 
@@ -24,6 +25,17 @@ std::ostream& operator<<(std::ostream& out, const ReadOptions& value) {
 
 std::ostream& operator<<(std::ostream& out, const ReadableFormat& value) {
   return out << PrintedFields("ReadableFormat").item(value.name).item(quoted_text(value.extension));
+}
+
+std::ostream& operator<<(std::ostream& out, const RobotReadOptions& value) {
+  return out << PrintedFields("RobotReadOptions")
+                    .add("srdf", value.srdf.string())
+                    .item(printed_count(value.packages.size(), "package", "packages"))
+                    .item(printed_count(value.package_path.size(), "folder", "folders") +
+                          " of packages")
+                    .add("tessellation_error", value.tessellation_error)
+                    .add("max_memory", value.max_memory)
+                    .add("strict", value.strict);
 }
 
 std::ostream& operator<<(std::ostream& out, const WritableFormat& value) {

@@ -10,6 +10,7 @@ enum class MeshFormat;
 struct Column;
 struct ReadOptions;
 struct ReadableFormat;
+struct RobotReadOptions;
 struct Rounding;
 struct WritableFormat;
 
@@ -17,6 +18,7 @@ struct WritableFormat;
 std::ostream& operator<<(std::ostream& out, const Column& value);
 std::ostream& operator<<(std::ostream& out, const ReadOptions& value);
 std::ostream& operator<<(std::ostream& out, const ReadableFormat& value);
+std::ostream& operator<<(std::ostream& out, const RobotReadOptions& value);
 std::ostream& operator<<(std::ostream& out, const WritableFormat& value);
 std::ostream& operator<<(std::ostream& out, MeshFormat value);
 std::ostream& operator<<(std::ostream& out, const Rounding& value);

@@ -1,6 +1,7 @@
 #include "soms/io/rows.h"
 
 #include "soms/base/arithmetic.h"
+#include "soms/io/detail/csv_cells.h"
 #include "soms/io/detail/line_reader.h"
 #include "soms/io/detail/npy_rows.h"
 #include "soms/io/detail/text.h"
@@ -12,35 +13,6 @@
 namespace soms {
 
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && detail::is_blank(text.front())) {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && detail::is_blank(text.back())) {
-    text.remove_suffix(1);
-  }
-  return text;
-}
-
-/// Cells of a line, without blanks around them.
-void split(std::string_view line, std::vector<std::string_view>& cells) {
-  cells.clear();
-  while (true) {
-    const std::size_t comma = line.find(',');
-    cells.push_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) {
-      return;
-    }
-    line.remove_prefix(comma + 1);
-  }
-}
-
-/// What a line holds, but of blanks and comments nothing.
-std::optional<std::string_view> row_in(std::string_view line) {
-  const std::string_view text = trimmed(line);
-  return text.empty() || text[0] == '#' ? std::nullopt : std::optional(text);
-}
 
 auto named(std::string_view name) {
   return [name](const Column& column) { return column.name == name; };
@@ -84,7 +56,7 @@ std::optional<std::string_view> RowReader::State::next_line() {
     return std::exchange(ahead, std::nullopt);
   }
   while (const auto line = lines.next()) {
-    if (const auto text = row_in(*line)) {
+    if (const auto text = detail::row_in(*line)) {
       return text;
     }
     check_stop(parallel);  // comments may have no end
@@ -136,7 +108,7 @@ void RowReader::State::read_header() {
   if (!line) {
     throw Error(ErrorKind::bad_file, lines.name() + ": no header and no " + what, remedy());
   }
-  split(*line, cells);
+  detail::split_cells(*line, cells);
   const auto found =
       std::find_if(headers.begin(), headers.end(), [this](const auto& h) { return take(h); });
   if (found == headers.end()) {
@@ -177,7 +149,7 @@ std::optional<std::span<const double>> RowReader::next() {
   if (!line) {
     return std::nullopt;
   }
-  split(*line, state.cells);
+  detail::split_cells(*line, state.cells);
   const std::size_t width = state.numbers.size();
   if (state.cells.size() != width) {
     throw Error(ErrorKind::bad_file,
@@ -212,7 +184,7 @@ bool RowReader::ready() {
       if (!line) {
         break;
       }
-      state.ahead = row_in(*line);
+      state.ahead = detail::row_in(*line);
       check_stop(state.parallel);
     }
   } catch (const Error&) {  // `next` meets it again

@@ -3,7 +3,7 @@
 /// lines.
 #pragma once
 
-#include "soms/io/detail/source.h"
+#include "soms/io/detail/xml_document.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -16,20 +16,11 @@
 
 namespace soms::detail {
 
-/// Remedy for most faults.
-inline constexpr const char* kRepairFile = "repair the file, or export it again";
-
-class ColladaDocument {
+/// A document whose root is the element COLLADA.
+class ColladaDocument : public XmlDocument {
  public:
-  /// Parses the source's bytes.
-  /// \errors ErrorKind::bad_file (no well-formed XML, another root), unsupported (entities of its
-  /// own), out_of_memory.
+  /// \errors As `XmlDocument`.
   explicit ColladaDocument(Source& source);
-
-  [[nodiscard]] Source& source() const { return source_; }
-
-  /// The element COLLADA.
-  [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
 
   /// Calls `use` for each element `name` of the whole document but those inside of <extra>.
   void for_each(std::string_view name, const std::function<void(pugi::xml_node)>& use) const;
@@ -59,18 +50,8 @@ class ColladaDocument {
   /// \errors ErrorKind::bad_file, not_finite.
   void read_numbers(pugi::xml_node element, std::span<double> numbers) const;
 
-  /// Takes memory from the budget. \errors ErrorKind::out_of_memory.
-  void take(std::uint64_t bytes) const;
-
-  /// "in line 7": where the element is.
-  [[nodiscard]] std::string place_of(pugi::xml_node element) const;
-
   /// Reports that reading has come to this element. \errors ErrorKind::cancelled.
   void tick(pugi::xml_node element);
-
-  [[noreturn]] void fail(pugi::xml_node at, const std::string& what,
-                         const std::string& remedy = kRepairFile,
-                         ErrorKind kind = ErrorKind::bad_file) const;
 
  private:
   struct Identified {
@@ -79,15 +60,10 @@ class ColladaDocument {
     pugi::xml_node element;
   };
 
-  void parse();
-  void refuse_entities() const;
-  void refuse_zeros() const;
   void index_ids();
   [[nodiscard]] std::span<const Identified> find(std::string_view name, std::string_view id) const;
   [[nodiscard]] std::string_view fragment(pugi::xml_node from, const char* attribute) const;
 
-  Source& source_;
-  pugi::xml_document document_;
   std::vector<Identified> ids_;  ///< sorted by name, then id
   std::size_t reached_ = 0;      ///< farthest byte that was reported
 };
@@ -123,9 +99,6 @@ class ColladaTokens {
   const char* at_ = nullptr;
   const char* end_ = nullptr;
 };
-
-/// An element as messages call it: <geometry id="g">.
-[[nodiscard]] std::string describe(pugi::xml_node element);
 
 /// The name of an element, else its id, else nothing.
 [[nodiscard]] std::string_view label_of(pugi::xml_node element);

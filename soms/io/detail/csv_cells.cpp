@@ -1,0 +1,38 @@
+#include "soms/io/detail/csv_cells.h"
+
+#include "soms/io/detail/text.h"
+
+namespace soms::detail {
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) {
+    text.remove_prefix(1);
+  }
+  while (!text.empty() && is_blank(text.back())) {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+}  // namespace
+
+void split_cells(std::string_view line, std::vector<std::string_view>& cells) {
+  cells.clear();
+  while (true) {
+    const std::size_t comma = line.find(',');
+    cells.push_back(trimmed(line.substr(0, comma)));
+    if (comma == std::string_view::npos) {
+      return;
+    }
+    line.remove_prefix(comma + 1);
+  }
+}
+
+std::optional<std::string_view> row_in(std::string_view line) {
+  const std::string_view text = trimmed(line);
+  return text.empty() || text[0] == '#' ? std::nullopt : std::optional(text);
+}
+
+}  // namespace soms::detail

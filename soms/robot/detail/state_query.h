@@ -1,0 +1,64 @@
+/// \file
+/// The answer for one state of a robot after the other, with memory that is used again.
+#pragma once
+
+#include "soms/base/box.h"
+#include "soms/base/stop_token.h"
+#include "soms/robot/robot_query.h"
+#include "soms/scene/broad_phase.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace soms::detail {
+
+/// One thread's share of `robot_contacts`.
+class StateQuery {
+ public:
+  StateQuery(const RobotModel& model, const RobotOptions& options, StopToken stop);
+
+  /// \errors As `robot_contacts`.
+  [[nodiscard]] RobotAnswer answer(std::span<const double> state);
+
+ private:
+  /// A pair of bodies, and the pair of the robot that it belongs to.
+  struct Candidate {
+    RobotPair pair;
+    std::uint32_t i = 0;
+    std::uint32_t j = 0;
+    double bound = 0;  ///< of the distance, from below
+
+    [[nodiscard]] auto operator<=>(const Candidate&) const = default;
+  };
+
+  void place_bodies(std::span<const double> state);
+  void find_contacts(RobotAnswer& answer);
+  void decide(const Candidate& candidate, RobotAnswer& answer);
+  [[nodiscard]] bool is_inside(std::size_t inner, std::size_t outer, RobotAnswer& answer);
+  [[nodiscard]] const ClosedBody* closed(std::size_t i);
+  void measure(RobotAnswer& answer);
+  [[nodiscard]] std::vector<Candidate> by_bound(double at_most) const;
+
+  template <class Answer>
+  [[nodiscard]] Answer counted(Answer found, RobotAnswer& answer) {
+    answer.cost += found.cost;
+    cut_ = cut_ || found.coverage == Coverage::cut;
+    return found;
+  }
+
+  const RobotModel& model_;
+  const RobotOptions& options_;
+  Parallel alone_;
+  BroadPhase broad_phase_;
+  std::vector<Body> bodies_;  ///< at the poses of the state
+  std::vector<Box> boxes_;    ///< that hold them
+  std::vector<std::optional<ClosedBody>> closed_;
+  std::vector<std::uint8_t> was_closed_;  ///< `closed_` was tried for this state
+  bool cut_ = false;
+};
+
+}  // namespace soms::detail

@@ -1,0 +1,76 @@
+#include "soms/robot/print.h"
+
+#include "soms/base/print.h"
+#include "soms/base/print_fields.h"
+#include "soms/clash/print.h"
+#include "soms/query/print.h"
+#include "soms/robot/robot_query.h"
+
+namespace soms {
+
+std::ostream& operator<<(std::ostream& out, RobotVerdict value) {
+  return out << printed_name("RobotVerdict", static_cast<int>(value),
+                             {"free", "contact", "undecided"});
+}
+
+std::ostream& operator<<(std::ostream& out, const RobotPair& value) {
+  return out << PrintedFields("RobotPair")
+                    .add("link", value.link)
+                    .add(value.cell ? "cell" : "link", value.other);
+}
+
+std::ostream& operator<<(std::ostream& out, const RobotContact& value) {
+  return out << PrintedFields("RobotContact")
+                    .add("pair", value.pair)
+                    .add("surfaces_meet", value.surfaces_meet);
+}
+
+std::ostream& operator<<(std::ostream& out, const RobotGap& value) {
+  PrintedFields fields("RobotGap");
+  fields.add("distance", value.distance);
+  if (value.pair) {
+    fields.add("pair", *value.pair);
+  }
+  if (value.points) {
+    fields.add("from", value.points->front()).add("to", value.points->back());
+  }
+  return out << fields.add("farther", value.farther);
+}
+
+std::ostream& operator<<(std::ostream& out, const RobotOptions& value) {
+  return out << PrintedFields("RobotOptions")
+                    .add("first_contact", value.first_contact)
+                    .add("distance", value.distance)
+                    .add("at_most", value.at_most)
+                    .add("deadline", value.deadline.has_value());
+}
+
+std::ostream& operator<<(std::ostream& out, const RobotModelOptions& value) {
+  return out << PrintedFields("RobotModelOptions")
+                    .add("base", value.base)
+                    .item(printed_count(value.ignored.size(), "ignored pair", "ignored pairs"))
+                    .item(printed_count(value.off_cell.size(), "link", "links") + " off the cell");
+}
+
+std::ostream& operator<<(std::ostream& out, const RobotBody& value) {
+  return out << PrintedFields("RobotBody")
+                    .add("owner", value.owner)
+                    .add("name", value.name)
+                    .add("part", value.part)
+                    .item(
+                        printed_count(value.connected.size(), "connected part", "connected parts"));
+}
+
+std::ostream& operator<<(std::ostream& out, const RobotAnswer& value) {
+  PrintedFields fields("RobotAnswer");
+  fields.add("verdict", value.verdict)
+      .item(printed_count(value.contacts.size(), "contact", "contacts"))
+      .add("undecided", value.undecided)
+      .item(printed_count(value.beyond_limits.size(), "joint", "joints") + " beyond limits");
+  if (value.gap) {
+    fields.add("gap", *value.gap);
+  }
+  return out << fields.add("coverage", value.coverage).add("cost", value.cost);
+}
+
+}  // namespace soms

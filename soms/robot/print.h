@@ -1,0 +1,28 @@
+/// \file
+/// Answers about robots printed by `<<`: "RobotAnswer{contact, 2 contacts, ...}".
+#pragma once
+
+#include <iosfwd>
+
+namespace soms {
+
+enum class RobotVerdict : unsigned char;
+struct RobotAnswer;
+struct RobotBody;
+struct RobotContact;
+struct RobotGap;
+struct RobotModelOptions;
+struct RobotOptions;
+struct RobotPair;
+
+/// One line, as in soms/base/print.h. Lists are counted, not listed.
+std::ostream& operator<<(std::ostream& out, RobotVerdict value);
+std::ostream& operator<<(std::ostream& out, const RobotAnswer& value);
+std::ostream& operator<<(std::ostream& out, const RobotBody& value);
+std::ostream& operator<<(std::ostream& out, const RobotContact& value);
+std::ostream& operator<<(std::ostream& out, const RobotGap& value);
+std::ostream& operator<<(std::ostream& out, const RobotModelOptions& value);
+std::ostream& operator<<(std::ostream& out, const RobotOptions& value);
+std::ostream& operator<<(std::ostream& out, const RobotPair& value);
+
+}  // namespace soms

@@ -1,0 +1,130 @@
+#include "soms/robot/robot_model.h"
+
+#include "soms/base/error.h"
+#include "soms/geometry/closedness.h"
+#include "soms/kinematics/link_pairs.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace soms {
+
+namespace {
+
+/// All their pairs are listed.
+constexpr std::uint32_t kMostLinks = 4096;
+
+/// The bodies of a mesh, each part one.
+std::vector<RobotBody> bodies_of(const Mesh& mesh, std::uint32_t owner, std::uint32_t number,
+                                 const Parallel& parallel) {
+  std::vector<RobotBody> bodies;
+  for (PartBody& part : part_bodies(mesh, {}, parallel)) {
+    RobotBody body{.owner = owner,
+                   .mesh = number,
+                   .name = part.part == Part::kNoParent ? mesh.source : mesh.parts[part.part].name,
+                   .part = std::move(part)};
+    const Closedness found = closedness(body.part.body.shape.mesh(),
+                                        {.places = 0, .connected = true}, {.stop = parallel.stop});
+    for (const PartClosedness& connected : found.connected) {
+      body.connected.push_back(connected.first);
+    }
+    bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+void check_link(std::uint32_t link, std::size_t links) {
+  if (link >= links) {
+    throw Error(ErrorKind::out_of_range,
+                "link " + std::to_string(link) + " of " + std::to_string(links),
+                "give numbers of links that exist");
+  }
+}
+
+}  // namespace
+
+RobotModel::RobotModel(const Robot& robot, std::span<const Mesh> cell,
+                       const RobotModelOptions& options, const Parallel& parallel)
+    : kinematics_(robot), base_(options.base) {
+  check(base_);
+  choose_pairs(robot, options);
+  add_links(robot, parallel);
+  add_cell(cell, parallel);
+}
+
+void RobotModel::add_links(const Robot& robot, const Parallel& parallel) {
+  for (std::uint32_t link = 0; link < robot.links.size(); ++link) {
+    link_names_.push_back(robot.links[link].name);
+    const std::vector<Mesh>& meshes = robot.links[link].collisions;
+    for (std::uint32_t k = 0; k < meshes.size(); ++k) {
+      std::vector<RobotBody> bodies = bodies_of(meshes[k], link, k, parallel);
+      std::move(bodies.begin(), bodies.end(), std::back_inserter(link_bodies_));
+    }
+  }
+}
+
+void RobotModel::add_cell(std::span<const Mesh> cell, const Parallel& parallel) {
+  for (std::uint32_t k = 0; k < cell.size(); ++k) {
+    for (RobotBody& body : bodies_of(cell[k], 0, k, parallel)) {
+      body.owner = static_cast<std::uint32_t>(cell_bodies_.size());
+      cell_bodies_.push_back(std::move(body));
+    }
+  }
+}
+
+void RobotModel::choose_pairs(const Robot& robot, const RobotModelOptions& options) {
+  const std::size_t n = robot.links.size();
+  rows_.assign(n, 0);
+  for (std::uint32_t link = 0; link < n; ++link) {
+    rows_[link] = with_meshes_;
+    with_meshes_ += robot.links[link].collisions.empty() ? 0U : 1U;
+  }
+  if (with_meshes_ > kMostLinks) {
+    throw Error(ErrorKind::out_of_range,
+                "the robot has " + std::to_string(with_meshes_) + " links with meshes",
+                "give it at most " + std::to_string(kMostLinks));
+  }
+  skipped_ = skipped_pairs(robot);
+  const std::vector<LinkPair> all = compared_pairs(robot);
+  for (const LinkPair& pair : options.ignored) {
+    check_link(std::max(pair.a, pair.b), n);
+    const LinkPair ordered{std::min(pair.a, pair.b), std::max(pair.a, pair.b)};
+    if (std::binary_search(all.begin(), all.end(), ordered)) {
+      skipped_.push_back(ordered);
+    }
+  }
+  std::sort(skipped_.begin(), skipped_.end());
+  skipped_.erase(std::unique(skipped_.begin(), skipped_.end()), skipped_.end());
+  std::set_difference(all.begin(), all.end(), skipped_.begin(), skipped_.end(),
+                      std::back_inserter(compared_));
+  is_compared_.assign(std::size_t{with_meshes_} * with_meshes_, 0);
+  for (const LinkPair& pair : compared_) {
+    is_compared_[std::size_t{rows_[pair.a]} * with_meshes_ + rows_[pair.b]] = 1;
+  }
+  is_on_cell_.assign(n, 0);
+  for (std::uint32_t link = 0; link < n; ++link) {
+    is_on_cell_[link] = robot.links[link].collisions.empty() ? 0 : 1;
+  }
+  for (const std::uint32_t link : options.off_cell) {
+    check_link(link, n);
+    is_on_cell_[link] = 0;
+  }
+  for (std::uint32_t link = 0; link < n; ++link) {
+    if (is_on_cell_[link] != 0) {
+      on_cell_.push_back(link);
+    }
+  }
+}
+
+bool RobotModel::compares(std::size_t i, std::size_t j) const {
+  if (i >= link_bodies_.size()) {
+    return false;
+  }
+  const std::uint32_t link = link_bodies_[i].owner;
+  if (j >= link_bodies_.size()) {
+    return is_on_cell_[link] != 0;
+  }
+  return is_compared_[std::size_t{rows_[link]} * with_meshes_ + rows_[link_bodies_[j].owner]] != 0;
+}
+
+}  // namespace soms

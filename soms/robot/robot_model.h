@@ -1,0 +1,117 @@
+/// \file
+/// A robot and the cell that it moves in, ready for queries.
+#pragma once
+
+#include "soms/base/parallel.h"
+#include "soms/base/pose.h"
+#include "soms/clash/part_bodies.h"
+#include "soms/geometry/mesh.h"
+#include "soms/kinematics/kinematics.h"
+#include "soms/kinematics/robot.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace soms {
+
+/// What is compared of a robot.
+struct RobotModelOptions {
+  Pose base = {};                            ///< of the root link, in the cell
+  std::vector<LinkPair> ignored = {};        ///< further pairs of links that are not compared
+  std::vector<std::uint32_t> off_cell = {};  ///< links that are not compared with the cell
+
+  [[nodiscard]] bool operator==(const RobotModelOptions&) const = default;
+};
+
+/// A body of a link, in its frame, or a part of the cell.
+struct RobotBody {
+  std::uint32_t owner = 0;  ///< the link; of the cell, the number of the part
+  std::uint32_t mesh = 0;   ///< number of its mesh among those of the link, or of the cell
+  std::string name = {};    ///< of the part of its mesh, or the mesh's source
+  PartBody part = {};
+  std::vector<TriangleId> connected = {};  ///< the first triangle of each connected part
+
+  [[nodiscard]] bool operator==(const RobotBody&) const = default;
+};
+
+/// A pair of a robot: two links, the lesser first, or a link and a part of the cell.
+struct RobotPair {
+  std::uint32_t link = 0;
+  bool cell = false;  ///< `other` is a part of the cell
+  std::uint32_t other = 0;
+
+  [[nodiscard]] auto operator<=>(const RobotPair&) const = default;
+};
+
+/// The bodies of a robot's links and of its cell, and which of them are compared: pairs of links
+/// but `skipped_pairs`, and each link with each part of the cell. Bodies of one link are not, nor
+/// parts of the cell. A mesh is divided into its parts, each a body of its own, as for `clashes`.
+/// A value; copies share the meshes and their trees.
+class RobotModel {
+ public:
+  /// \errors  As `check(Robot)`, `part_bodies` and `check(Pose)`; ErrorKind::out_of_range for a
+  ///          link that does not exist, and for more than 4,096 links with meshes.
+  /// \cost    Trees of all meshes, and whether they are closed.
+  /// \threads `parallel` gives cancellation, and threads for the trees.
+  explicit RobotModel(const Robot& robot, std::span<const Mesh> cell = {},
+                      const RobotModelOptions& options = {}, const Parallel& parallel = {});
+
+  [[nodiscard]] const Kinematics& kinematics() const { return kinematics_; }
+
+  [[nodiscard]] const Pose& base() const { return base_; }
+
+  [[nodiscard]] const std::vector<std::string>& link_names() const { return link_names_; }
+
+  /// Bodies of all links, by link.
+  [[nodiscard]] const std::vector<RobotBody>& link_bodies() const { return link_bodies_; }
+
+  /// Parts of the cell.
+  [[nodiscard]] const std::vector<RobotBody>& cell_bodies() const { return cell_bodies_; }
+
+  /// A body by its number: those of links come first.
+  [[nodiscard]] const RobotBody& body(std::size_t i) const {
+    return i < link_bodies_.size() ? link_bodies_[i] : cell_bodies_[i - link_bodies_.size()];
+  }
+
+  [[nodiscard]] std::size_t bodies() const { return link_bodies_.size() + cell_bodies_.size(); }
+
+  /// Whether bodies i and j are compared, i the lesser number.
+  [[nodiscard]] bool compares(std::size_t i, std::size_t j) const;
+
+  /// The pair that two bodies belong to, i the lesser number. \pre One is of a link.
+  [[nodiscard]] RobotPair pair_of(std::size_t i, std::size_t j) const {
+    return {body(i).owner, j >= link_bodies_.size(), body(j).owner};
+  }
+
+  /// Pairs of links that are compared, sorted, and those that are not though both have meshes.
+  [[nodiscard]] const std::vector<LinkPair>& compared() const { return compared_; }
+
+  [[nodiscard]] const std::vector<LinkPair>& skipped() const { return skipped_; }
+
+  /// Links that are compared with the cell: those with meshes, but RobotModelOptions::off_cell.
+  [[nodiscard]] const std::vector<std::uint32_t>& on_cell() const { return on_cell_; }
+
+ private:
+  void add_links(const Robot& robot, const Parallel& parallel);
+  void add_cell(std::span<const Mesh> cell, const Parallel& parallel);
+  void choose_pairs(const Robot& robot, const RobotModelOptions& options);
+
+  Kinematics kinematics_;
+  Pose base_;
+  std::vector<std::string> link_names_;
+  std::vector<RobotBody> link_bodies_;
+  std::vector<RobotBody> cell_bodies_;
+  std::vector<LinkPair> compared_;
+  std::vector<LinkPair> skipped_;
+  std::vector<std::uint32_t> on_cell_;
+  std::vector<std::uint32_t> rows_;        ///< of each link, its number among those with meshes
+  std::uint32_t with_meshes_ = 0;          ///< links
+  std::vector<std::uint8_t> is_compared_;  ///< flags of pairs of links with meshes
+  std::vector<std::uint8_t> is_on_cell_;   ///< a flag for each link
+};
+
+}  // namespace soms

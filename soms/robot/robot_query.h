@@ -1,0 +1,106 @@
+/// \file
+/// Which links of a robot touch each other or its cell in given states, and how near are they?
+/// Decided exactly for the poses that forward kinematics gives.
+#pragma once
+
+#include "soms/base/bracket.h"
+#include "soms/base/parallel.h"
+#include "soms/base/vector.h"
+#include "soms/query/answer.h"
+#include "soms/robot/robot_model.h"
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace soms {
+
+/// What a state of a robot is.
+enum class RobotVerdict : unsigned char {
+  free,       ///< nothing that is compared touches
+  contact,    ///< something does
+  undecided,  ///< nothing was found, and a pair was not decided: RobotAnswer::undecided
+};
+
+/// A pair that touches.
+struct RobotContact {
+  RobotPair pair = {};
+  /// Their surfaces share a point. Else one is inside the other, which is closed.
+  bool surfaces_meet = false;
+
+  [[nodiscard]] bool operator==(const RobotContact&) const = default;
+};
+
+/// The least distance of what is compared.
+struct RobotGap {
+  /// Holds the least distance of the surfaces of all pairs, as `Distance` has it; [0, 0] where
+  /// something touches, also inside of a closed body; [infinity, infinity] where nothing is
+  /// compared.
+  Bracket distance = {};
+  /// The least pair (by link, then links before parts of the cell) whose distance is in the same
+  /// bracket; of a contact, the first one.
+  std::optional<RobotPair> pair = std::nullopt;
+  /// Of that pair, where it does not touch: ends of a shortest segment, as `Distance` has them.
+  std::optional<std::array<Vec3, 2>> points = std::nullopt;
+  /// The distance exceeds RobotOptions::at_most: `distance.lower` is that, `distance.upper`
+  /// infinity.
+  bool farther = false;
+
+  [[nodiscard]] bool operator==(const RobotGap&) const = default;
+};
+
+/// Options of `robot_contacts`.
+struct RobotOptions {
+  bool first_contact = false;  ///< stop at the first pair that touches: the least one
+  bool distance = false;       ///< also measure RobotAnswer::gap
+  double at_most = std::numeric_limits<double>::infinity();  ///< beyond it, a gap is `farther`
+  /// States, and pairs of a state, that are not decided when it passes are undecided.
+  std::optional<std::chrono::steady_clock::time_point> deadline = std::nullopt;
+
+  [[nodiscard]] bool operator==(const RobotOptions&) const = default;
+};
+
+/// Throws ErrorKind::usage if `at_most` is negative or not a number, or has no effect.
+void check(const RobotOptions& options);
+
+/// Answer for a state.
+struct RobotAnswer {
+  RobotVerdict verdict = RobotVerdict::undecided;
+  std::vector<RobotContact> contacts = {};  ///< by pair
+  /// Pairs of bodies that were not decided: the deadline passed, or a T-junction opens where a pose
+  /// rounds it, so that nobody knows what is inside.
+  std::uint64_t undecided = 0;
+  std::vector<std::uint32_t> beyond_limits = {};  ///< joints; the state is answered nevertheless
+  std::optional<RobotGap> gap = std::nullopt;     ///< where requested and not cut
+  Coverage coverage = Coverage::cut;
+  Cost cost = {};
+
+  [[nodiscard]] bool operator==(const RobotAnswer&) const = default;
+};
+
+/// For each state, which of the pairs that `model` compares touch. Two bodies touch if their
+/// surfaces share a point, as `overlap` decides it, or if a point of one is inside the other, as
+/// `contains` decides it, where the other is closed. What an open body encloses is unknown: with
+/// it, surfaces alone decide (PartBody::closed says which these are).
+///
+/// All this is exact for the vertices where `Kinematics::link_poses` moves them, rounded. The
+/// answer but for `cost` does not depend on threads, trees, layouts or instruction sets; with a
+/// deadline it may. Between two states nothing is checked.
+///
+/// \shape   `states`: n x k, row by row, for k joints of `model.kinematics().movable()`.
+/// \errors  ErrorKind::usage unless the numbers are whole rows, and as `check(RobotOptions)`;
+///          not_finite, out_of_range for a state, which is named by its index; cancelled.
+/// \cost    Forward kinematics and a broad phase over the boxes; for pairs of boxes that meet,
+///          `overlap` with mode `any`, and where that finds nothing, `contains` for each connected
+///          part. With `distance`, `distance` of the pairs whose boxes are near enough.
+/// \threads Any number of callers; states are shared by as many threads as `parallel` says.
+[[nodiscard]] std::vector<RobotAnswer> robot_contacts(const RobotModel& model,
+                                                      std::span<const double> states,
+                                                      const RobotOptions& options = {},
+                                                      const Parallel& parallel = {});
+
+}  // namespace soms
