@@ -105,7 +105,7 @@ ClashReport report_of(const ClashModels& models, const ClashRun& run,
   return report;
 }
 
-/// Says what went another way than asked.
+/// Reports where the run began and ended, if not at the first and the last pair.
 void tell_progress(const ClashReport& report, const ClashRun& run, const Console& console) {
   if (run.resumed != 0) {
     console.note(fmt::format("the journal had {} of {} of parts", with_commas(run.resumed),

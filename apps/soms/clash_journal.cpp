@@ -181,8 +181,9 @@ void ClashJournal::add(std::size_t done, const ClashList& block) {
                {"clashes", std::move(clashes)}})
        << std::flush;
   if (!out_) {
-    throw Error(ErrorKind::cannot_write, "--journal " + file_ + ": cannot be written",
-                "make room, then run it again: it goes on from the last whole line");
+    throw Error(
+        ErrorKind::cannot_write, "--journal " + file_ + ": cannot be written",
+        "free some space, then run the command again: it continues after the last complete line");
   }
 }
 

@@ -54,4 +54,8 @@ std::ostream& operator<<(std::ostream& out, const PartBody& value) {
                     .add("odd_edges", value.odd_edges);
 }
 
+std::ostream& operator<<(std::ostream& out, const PartComponent& value) {
+  return out << PrintedFields("PartComponent").add("corner", value.corner).add("box", value.box);
+}
+
 }  // namespace soms

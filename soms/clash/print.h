@@ -10,6 +10,7 @@ enum class ClashKind : unsigned char;
 struct Clash;
 struct ClashList;
 struct PartBody;
+struct PartComponent;
 struct Penetration;
 
 /// One line, as in soms/base/print.h. Lists are counted, not listed.
@@ -17,6 +18,7 @@ std::ostream& operator<<(std::ostream& out, ClashKind value);
 std::ostream& operator<<(std::ostream& out, const Clash& value);
 std::ostream& operator<<(std::ostream& out, const ClashList& value);
 std::ostream& operator<<(std::ostream& out, const PartBody& value);
+std::ostream& operator<<(std::ostream& out, const PartComponent& value);
 std::ostream& operator<<(std::ostream& out, const Penetration& value);
 
 }  // namespace soms

@@ -42,6 +42,7 @@ LENT = {
     ("scene", "soms/query/detail/engine/batch.h"): "batches are shared out alike",
     ("scene", "soms/query/detail/moved_triangle.h"): "triangles of nearest and of touching bodies are where queries see them",
     ("scene", "soms/query/detail/ray/ray_line.h"): "so are rays and segments",
+    ("clash", "soms/query/detail/closed_surface.h"): "connected parts are found while closedness is checked",
     ("clash", "soms/query/detail/moved_triangle.h"): "triangles of parts are where queries see them",
     ("clash", "soms/scene/detail/contact_place.h"): "a clash has its place where a contact has it",
     ("clash", "soms/scene/detail/widened.h"): "what is near is found by the same larger boxes",

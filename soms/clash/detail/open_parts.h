@@ -1,5 +1,5 @@
 /// \file
-/// What can be told of two parts of which one or both are open.
+/// What can be decided of two parts of which one or both are open.
 #pragma once
 
 #include "soms/base/vector.h"

@@ -35,8 +35,8 @@ class PairOfParts {
     return answer;
   }
 
-  /// Counts and places what surfaces share. True if they pass through each other, which is asked
-  /// only of open parts.
+  /// Counts and places what surfaces share. True if they pass through each other, which is
+  /// looked at only where a part is `open`.
   bool meet(const Body& a, const Body& b, bool open, Clash& clash);
 
   /// The gap of parts whose surfaces do not meet; false if it exceeds `at_most`.
