@@ -19,7 +19,7 @@ namespace {
 
 using test::box_body;
 
-PartBody part_of(const Mesh& mesh, const Pose& pose = {}) {
+PartBody convex_part(const Mesh& mesh, const Pose& pose = {}) {
   return part_bodies(mesh, pose).at(0);
 }
 
@@ -30,21 +30,22 @@ std::optional<Penetration> between(const PartBody& a, const PartBody& b) {
 }
 
 TEST(Penetration, OfBoxesIsTheLeastOverlap) {
-  const PartBody slab = part_of(box_body({0, 0, 0}, {10, 10, 1}));
+  const PartBody slab = convex_part(box_body({0, 0, 0}, {10, 10, 1}));
   const std::optional<Penetration> found =
-      between(slab, part_of(box_body({4, 4, 0.75}, {5, 5, 3})));
+      between(slab, convex_part(box_body({4, 4, 0.75}, {5, 5, 3})));
   ASSERT_TRUE(found);
   EXPECT_GE(found->depth, 0.25);
   EXPECT_LE(found->depth, 0.25 + 1e-13);
   EXPECT_EQ(found->direction, (Vec3{0, 0, 1}));
-  const std::optional<Penetration> back = between(part_of(box_body({4, 4, 0.75}, {5, 5, 3})), slab);
+  const std::optional<Penetration> back =
+      between(convex_part(box_body({4, 4, 0.75}, {5, 5, 3})), slab);
   ASSERT_TRUE(back);
   EXPECT_EQ(back->direction, (Vec3{0, 0, -1}));
 }
 
 TEST(Penetration, OfABoxInAnotherIsTheShortestWayOut) {
-  const std::optional<Penetration> found =
-      between(part_of(box_body({0, 0, 0}, {10, 10, 10})), part_of(box_body({7, 4, 4}, {8, 5, 5})));
+  const std::optional<Penetration> found = between(convex_part(box_body({0, 0, 0}, {10, 10, 10})),
+                                                   convex_part(box_body({7, 4, 4}, {8, 5, 5})));
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->depth, 3, 1e-12);
   EXPECT_EQ(found->direction, (Vec3{1, 0, 0}));
@@ -56,15 +57,16 @@ TEST(Penetration, AcrossTwoEdgesIsFound) {
   const Mesh beam = box_body({-5, -half, -half}, {5, half, half});
   const Pose lower = Pose::from_axis_angle({1, 0, 0}, std::acos(-1.0) / 4);
   const Pose upper = Pose::about_z(std::acos(-1.0) / 2, {0, 0, 1.75}) * lower;
-  const std::optional<Penetration> found = between(part_of(beam, lower), part_of(beam, upper));
+  const std::optional<Penetration> found =
+      between(convex_part(beam, lower), convex_part(beam, upper));
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->depth, 0.25, 1e-9);
   EXPECT_NEAR(found->direction.z, 1, 1e-9);
 }
 
 TEST(Penetration, IsZeroOfPartsThatAreApart) {
-  const std::optional<Penetration> found =
-      between(part_of(box_body({0, 0, 0}, {1, 1, 1})), part_of(box_body({1, 0, 0}, {2, 1, 1})));
+  const std::optional<Penetration> found = between(convex_part(box_body({0, 0, 0}, {1, 1, 1})),
+                                                   convex_part(box_body({1, 0, 0}, {2, 1, 1})));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->depth, 0);
 }
@@ -72,12 +74,12 @@ TEST(Penetration, IsZeroOfPartsThatAreApart) {
 TEST(Penetration, IsOfConvexPartsOnly) {
   Mesh open = box_body({0, 0, 0}, {1, 1, 1});
   open.triangles.pop_back();
-  EXPECT_FALSE(ConvexPart::of(part_of(open)));
+  EXPECT_FALSE(ConvexPart::of(convex_part(open)));
   // Of two boxes each has corners on both sides of a face of the other.
   Mesh two = test::joined(box_body({0, 0, 0}, {1, 1, 1}), box_body({3, 0, 0}, {4, 1, 3}));
   two.parts.clear();
-  EXPECT_FALSE(ConvexPart::of(part_of(two)));
-  const std::optional<ConvexPart> box = ConvexPart::of(part_of(box_body({0, 0, 0}, {1, 2, 3})));
+  EXPECT_FALSE(ConvexPart::of(convex_part(two)));
+  const std::optional<ConvexPart> box = ConvexPart::of(convex_part(box_body({0, 0, 0}, {1, 2, 3})));
   ASSERT_TRUE(box);
   EXPECT_EQ(box->normals().size(), 3U);
   EXPECT_EQ(box->edges().size(), 3U);
@@ -85,10 +87,10 @@ TEST(Penetration, IsOfConvexPartsOnly) {
 }
 
 TEST(Penetration, IsLeftOutWhereItWouldTakeLong) {
-  const PartBody ball = part_of(generate_sphere(2000));
+  const PartBody ball = convex_part(generate_sphere(2000));
   ASSERT_TRUE(ConvexPart::of(ball));
   EXPECT_FALSE(between(ball, ball));
-  EXPECT_TRUE(between(ball, part_of(box_body({0, 0, 0}, {1, 1, 1}))));
+  EXPECT_TRUE(between(ball, convex_part(box_body({0, 0, 0}, {1, 1, 1}))));
 }
 
 /// Corners on a ball: any of them, so that no two edges are parallel.
@@ -107,8 +109,8 @@ TEST(Penetration, SeparatesAndNoLessDoes) {
   for (const auto& [scale, origin] : {std::pair(1.0, Vec3{}), std::pair(1.0, Vec3{5e5, -4e5, 30}),
                                       std::pair(0x1p-300, Vec3{}), std::pair(0x1p200, Vec3{})}) {
     test::for_each_case("penetration", 60, [&, s = scale, o = origin](Rng& rng) {
-      const PartBody a = part_of(random_tetrahedron(rng, s, o));
-      const PartBody b = part_of(random_tetrahedron(rng, s, o));
+      const PartBody a = convex_part(random_tetrahedron(rng, s, o));
+      const PartBody b = convex_part(random_tetrahedron(rng, s, o));
       const std::optional<Penetration> found = between(a, b);
       ASSERT_TRUE(found);
       const auto relation_after = [&](double share) {
@@ -138,15 +140,15 @@ TEST(Penetration, SeparatesAndNoLessDoes) {
 }
 
 TEST(Clashes, SayHowDeepConvexPartsCross) {
-  const PartBody slab = part_of(box_body({0, 0, 0}, {10, 10, 1}));
-  const PartBody post = part_of(box_body({4, 4, 0.75}, {5, 5, 3}));
+  const PartBody slab = convex_part(box_body({0, 0, 0}, {10, 10, 1}));
+  const PartBody post = convex_part(box_body({4, 4, 0.75}, {5, 5, 3}));
   const ClashList there = clashes(std::array{slab}, std::array{post});
   const ClashList back = clashes(std::array{post}, std::array{slab});
   ASSERT_TRUE(there.clashes.at(0).penetration && back.clashes.at(0).penetration);
   EXPECT_EQ(there.clashes[0].penetration->direction, (Vec3{0, 0, 1}));
   EXPECT_EQ(back.clashes[0].penetration->direction, (Vec3{0, 0, -1}));
   EXPECT_EQ(there.clashes[0].penetration->depth, back.clashes[0].penetration->depth);
-  const PartBody above = part_of(box_body({4, 4, 1}, {5, 5, 3}));
+  const PartBody above = convex_part(box_body({4, 4, 1}, {5, 5, 3}));
   EXPECT_FALSE(clashes(std::array{slab}, std::array{above}).clashes.at(0).penetration);
 }
 
