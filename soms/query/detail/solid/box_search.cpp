@@ -111,16 +111,16 @@ void BoxSearch::add_near(const TriangleBlock& block, const Box& box,
                          std::vector<MovedTriangle>& found) const {
   constexpr std::size_t kWidth = TriangleBlock::kWidth;
   // Within the range of floats: one as wide leaves nothing out.
-  constexpr double kMostSlack = 0x1p126;
-  const double slack = std::min(kMostSlack, rounding_ / unit_) +
+  constexpr double kWidestSlack = 0x1p126;
+  const double slack = std::min(kWidestSlack, rounding_ / unit_) +
                        (kCornerRounding * static_cast<double>(block.l1_radius) + kCornerUnderflow);
   std::array<std::uint32_t, kWidth> apart{};
   for (std::size_t k = 0; k < 3; ++k) {
     const double at = origin_[k] + block.origin[k];
     const auto lower = static_cast<float>(
-        std::clamp((box.lower[k] - at) / unit_ - slack, -kMostSlack, kMostSlack));
+        std::clamp((box.lower[k] - at) / unit_ - slack, -kWidestSlack, kWidestSlack));
     const auto upper = static_cast<float>(
-        std::clamp((box.upper[k] - at) / unit_ + slack, -kMostSlack, kMostSlack));
+        std::clamp((box.upper[k] - at) / unit_ + slack, -kWidestSlack, kWidestSlack));
     for (std::size_t lane = 0; lane < kWidth; ++lane) {
       const float a = block.corner[k][lane];
       const float b = block.corner[3 + k][lane];
