@@ -88,8 +88,9 @@ TEST(ThreeDs, NotesChunksOfUnknownNamesAtEachDepth) {
     const Mesh mesh = read_text(text, "a.3ds");
     EXPECT_EQ(mesh.triangles.size(), 1U);
     EXPECT_EQ(mesh.notes, (std::vector<std::string>{"unknown chunks, not read: 1" + place}));
-    expect_refused([&] { static_cast<void>(read_text(text, "a.3ds", {.strict = true})); },
-                   ErrorKind::bad_file, "unknown chunks, not read: 1" + place);
+    expect_refused(
+        [&text = text] { static_cast<void>(read_text(text, "a.3ds", {.strict = true})); },
+        ErrorKind::bad_file, "unknown chunks, not read: 1" + place);
   }
 }
 

@@ -61,7 +61,7 @@ TEST(FastSteps, CompareTheLeavesOfAllThatTouches) {
     const FastSteps steps = fast_steps(a, b);
     for (const auto& [i, j] : overlap(a, b).pairs) {
       EXPECT_TRUE(std::any_of(steps.steps.begin(), steps.steps.end(),
-                              [&, i = i, j = j](const FastStep& s) {
+                              [&a = a, &b = b, i = i, j = j](const FastStep& s) {
                                 return s.test == FastTest::leaves && holds(a, s.a, i) &&
                                        holds(b, s.b, j);
                               }))
