@@ -278,8 +278,7 @@ Action add_clash(CLI::App& app, Shared&) {
   add_clash_questions(app, *options);
   add_clash_sets(app, *options);
   add_repeatable(app, "-o,--output", options->outputs,
-                 "write the list to a file, by its extension: .csv, .json, .html, .bcfzip or .bcf; "
-                 "may be repeated",
+                 "write the list to a file: .csv, .json, .html, .bcfzip or .bcf; may be repeated",
                  "FILE");
   add_clash_file_options(app, options->files);
   add_model_options(app, options->models.model, "--scale", "--up", "the models");
