@@ -208,7 +208,8 @@ std::optional<std::string> GltfPropertyTable::value(const Column& column,
     case Kind::name:
       return or_default(name_value(column, number));
     case Kind::truth:
-      return (static_cast<unsigned char>(column.values[number / 8]) >> (number % 8) & 1U) != 0
+      return (std::uint32_t{static_cast<unsigned char>(column.values[number / 8])} >> (number % 8) &
+              1U) != 0
                  ? "true"
                  : "false";
   }
