@@ -75,10 +75,9 @@ test:
 	@echo "Not part of this: the npm package, as building it takes minutes (make wasm-test)"
 	ctest --preset release -j $(JOBS)
 
-# The suite once more, every access and every arithmetic step watched; by clang, which builds it in two thirds of the
-# time that g++ takes.
+# The suite once more, every access and every arithmetic step watched.
 asan:
-	@tools/install_packages.sh run view import test sanitizers
+	@tools/install_packages.sh run view import test
 	cmake --preset $@
 	cmake --build --preset $@ -j $(JOBS)
 	ctest --preset $@ -j $(JOBS)
@@ -89,7 +88,7 @@ LIBRARY = base geometry kinematics tree query thesis scene clash robot io genera
 asan-library: TESTED = $(LIBRARY) fuzz
 tsan: TESTED = $(LIBRARY)
 asan-library tsan:
-	@tools/install_packages.sh run import test sanitizers
+	@tools/install_packages.sh run import test
 	cmake --preset $(@:-library=) -D SOMS_BUILD_VIEW=OFF
 	cmake --build --preset $(@:-library=) -j $(JOBS) --target $(TESTED:%=%_test)
 	ctest --preset $(@:-library=) -j $(JOBS) -L '^($(shell echo $(TESTED) | tr ' ' '|'))$$'
@@ -100,12 +99,12 @@ asan-library tsan:
 SANITIZERS = $(shell $(CXX) -print-file-name=libasan.so):$(shell $(CXX) -print-file-name=libubsan.so):$(shell $(CXX) -print-file-name=libstdc++.so.6)
 asan-python:
 	@tools/install_packages.sh run test
-	cmake --preset $@
-	cmake --build --preset $@ -j $(JOBS) --target soms_python_package
+	cmake --preset asan -D SOMS_BUILD_PYTHON=ON
+	cmake --build --preset asan -j $(JOBS) --target soms_python_package
 	for test in errors index interrupts misuse notebook page recording scene truth values; do \
 	  LD_PRELOAD=$(SANITIZERS) ASAN_OPTIONS=malloc_context_size=2:allocator_may_return_null=1 PYTHONMALLOC=malloc \
 	    LSAN_OPTIONS=suppressions=tests/python/leaks.txt:print_suppressions=0 \
-	    UBSAN_OPTIONS=print_stacktrace=1 PYTHONPATH=build/$@/python \
+	    UBSAN_OPTIONS=print_stacktrace=1 PYTHONPATH=build/asan/python \
 	    /usr/bin/python3 tests/python/$${test}_test.py || exit 1; done
 
 # Every public header, compiled alone.
