@@ -75,7 +75,7 @@ void remove_ignored(const ClashVerbOptions& options, const IgnoredPairs& pairs,
   }
 }
 
-/// The list of what was run.
+/// The list of what was decided.
 ClashReport report_of(const ClashModels& models, const ClashRun& run,
                       const ClashVerbOptions& options, const IgnoredPairs& ignored,
                       const std::optional<ClashBaseline>& baseline, const Console& console) {
@@ -220,7 +220,7 @@ void add_clash_questions(CLI::App& app, ClashVerbOptions& options) {
   add_choice<ClashFailure>(
       app, "--fail-if", options.fail_if,
       {{"clash", ClashFailure::listed}, {"hard", ClashFailure::hard}, {"new", ClashFailure::fresh}},
-      "exit with status 1 if a clash is listed, shares interior, or is new")
+      "exit with 1 if any clash is listed, if one shares interior, or if one is new")
       ->group(kQuestionGroup);
   app.add_option("--journal", options.journal,
                  "keep what is decided in a file, and go on from it when run again")
@@ -239,7 +239,7 @@ void add_clash_sets(CLI::App& app, ClashVerbOptions& options) {
              options.sets.patterns.push_back(set_pattern(word));
            }
          },
-         "parts whose name, id, type or file fits a pattern are a set (repeatable); else by file")
+         "parts whose name, id, type or file fits a pattern are a set (repeatable); others by file")
       ->option_text("NAME=PATTERN")
       ->allow_extra_args(false)
       ->group(kQuestionGroup);
@@ -267,7 +267,8 @@ void add_clash_sets(CLI::App& app, ClashVerbOptions& options) {
 Action add_clash(CLI::App& app, Shared&) {
   const auto options = std::make_shared<ClashVerbOptions>();
   app.add_option("FILE", options->models.files,
-                 "models whose parts are compared; a folder stands for the models in it")
+                 "models whose parts are compared; a folder stands for the models in it, without "
+                 "subfolders")
       ->required()
       ->type_name("");
   app.add_option("--against", options->models.against,
@@ -286,9 +287,8 @@ Action add_clash(CLI::App& app, Shared&) {
                     "the models of --against");
   add_strict(app, options->models.model.strict);
   app.footer(
-      "Exact: crossing, inside, same or touching, as soms solid says of each pair of parts. What\n"
-      "a part encloses is known where its surface is closed; beside an open one the pair is\n"
-      "unrun." +
+      "Exact: crossing, inside, same or touching, as soms solid says of each pair of parts. If a\n"
+      "part is open, the pair is undecided where the answer depends on what the part encloses." +
       example_of_pair("clash knot.ply --against ball.off --within 0.1 -o clashes.csv"));
   return [options, &app](Console& console) {
     options->files.command = stated_command(app);

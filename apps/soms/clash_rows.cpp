@@ -125,9 +125,10 @@ ClashBaseline::ClashBaseline(const std::string& file) {
     const Json row = Json::parse(line, nullptr, false);
     const bool is_row = row.is_object() && row.value("schema", "") == "soms.clash/1";
     if (!is_row) {
-      throw Error(ErrorKind::bad_file,
-                  fmt::format("--baseline {}, line {}: no row of a clash list", file, number),
-                  "give what soms clash --json printed");
+      throw Error(
+          ErrorKind::bad_file,
+          fmt::format("--baseline {}, line {}: no row of a clash list", file, number),
+          "give a list that was written by -o FILE.json or --json; a CSV list cannot be compared");
     }
     if (row.contains("key") && row["key"].is_string()) {
       if (row.value("status", "") != "resolved") {

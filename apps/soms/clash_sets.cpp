@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <set>
 
 namespace soms::command {
@@ -31,15 +32,35 @@ const Part* named_part(const ClashSet& set, std::uint32_t part) {
   return number == Part::kNoParent ? nullptr : &set.mesh_of(part).parts[number];
 }
 
-std::string set_of_part(const ClashSetOptions& options, const ClashSet& set, std::uint32_t part) {
+/// The first pattern that fits a part.
+std::optional<std::size_t> pattern_of_part(const ClashSetOptions& options, const ClashSet& set,
+                                           std::uint32_t part) {
   const Part* const named = named_part(set, part);
-  for (const auto& [name, pattern] : options.patterns) {
+  for (std::size_t k = 0; k < options.patterns.size(); ++k) {
+    const std::string& pattern = options.patterns[k].second;
     if (is_called(set, part, pattern) || fits(pattern, set.mesh_of(part).source) ||
         (named != nullptr && !named->type.empty() && fits(pattern, named->type))) {
-      return name;
+      return k;
     }
   }
-  return set_of_file(set.mesh_of(part));
+  return std::nullopt;
+}
+
+/// A pattern that fits nothing is misspelled, as a rule.
+void check_patterns(const ClashSetOptions& options, const ClashModels& models,
+                    const std::vector<bool>& fitting) {
+  for (std::size_t k = 0; k < fitting.size(); ++k) {
+    if (!fitting[k]) {
+      const auto& [name, pattern] = options.patterns[k];
+      throw Error(
+          ErrorKind::usage,
+          fmt::format("--set {}={}: no part fits, or an earlier --set has them all", name, pattern),
+          models.a.labels.empty()
+              ? "give models that have parts"
+              : fmt::format("patterns are case-sensitive; the first part is named \"{}\"",
+                            models.a.labels.front()));
+    }
+  }
 }
 
 std::pair<std::string, std::string> halves(const std::string& option, const std::string& text,
@@ -83,12 +104,19 @@ std::pair<std::string, std::string> set_pair(const std::string& text) {
 
 void give_sets(const ClashSetOptions& options, ClashModels& models) {
   std::set<std::string> names;
+  std::vector<bool> fitting(options.patterns.size(), false);
   for (ClashSet* const set : {&models.a, &models.b}) {
     for (std::uint32_t part = 0; part < set->parts.size(); ++part) {
-      set->sets.push_back(set_of_part(options, *set, part));
+      const std::optional<std::size_t> pattern = pattern_of_part(options, *set, part);
+      if (pattern) {
+        fitting[*pattern] = true;
+      }
+      set->sets.push_back(pattern ? options.patterns[*pattern].first
+                                  : set_of_file(set->mesh_of(part)));
       names.insert(set->sets.back());
     }
   }
+  check_patterns(options, models, fitting);
   for (const auto& [first, second] : options.between) {
     for (const std::string& name : {first, second}) {
       if (!names.contains(name)) {

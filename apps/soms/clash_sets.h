@@ -31,7 +31,8 @@ struct ClashSetOptions {
 
 /// Gives each part the first set whose pattern fits its names, its type or its file; else that
 /// which is named as its file, without folder and extension.
-/// \errors ErrorKind::usage for a set of `between` that no part belongs to.
+/// \errors ErrorKind::usage for a pattern that fits no part, or no part that is left, and for a set
+///         of `between` that no part belongs to.
 void give_sets(const ClashSetOptions& options, ClashModels& models);
 
 /// True if the options want these parts compared.

@@ -106,7 +106,7 @@ std::string contacts_in_text(const RobotModels& models, const RobotAnswer& answe
 /// "12 pairs", as "1 pair".
 std::string why_skipped(const RobotModels& models) {
   return models.robot.allowed ? "named by the SRDF file or an option"
-                              : "neighbors at a joint, or named by an option";
+                              : "joint neighbors, or excluded by an option";
 }
 
 std::string path_in_text(const RobotTotals& totals) {
@@ -221,7 +221,7 @@ std::string totals_in_text(const RobotReport& report) {
                         counted(pairs[k].first, "state"));
   }
   if (pairs.size() > kPairsInText) {
-    text += fmt::format("  and {} more of pairs\n", with_commas(pairs.size() - kPairsInText));
+    text += fmt::format("  and {} more pairs\n", with_commas(pairs.size() - kPairsInText));
   }
   if (totals.least && totals.states > 1) {
     text +=

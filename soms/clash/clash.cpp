@@ -52,7 +52,7 @@ void check_numbers(std::span<const PartBody> a, std::span<const PartBody> b,
 void check(const ClashOptions& options) {
   if (options.within && !(std::isfinite(*options.within) && *options.within >= 0)) {
     throw Error(ErrorKind::usage,
-                "within what distance parts are near is not a number of at least 0",
+                "the distance within which parts are near is not a finite number of at least 0",
                 "give a finite distance, or none");
   }
 }

@@ -33,7 +33,8 @@ RobotFault link_fault(const Robot& robot, std::size_t link, const std::string& w
 
 std::optional<RobotFault> fault_of_names(const Robot& robot) {
   if (robot.links.empty()) {
-    return RobotFault{.what = "the robot has no links", .remedy = "give it at least one link"};
+    return RobotFault{.what = "the robot has no links",
+                      .remedy = "give a URDF file with at least one link; an SRDF file has none"};
   }
   std::set<std::string_view> names;
   for (std::size_t i = 0; i < robot.links.size(); ++i) {

@@ -71,6 +71,9 @@ TEST(ClashSets, ThatNobodyBelongsToAreRefused) {
   EXPECT_EQ(building({"--between", "structure"}).status, 2);
   EXPECT_EQ(building({"--set", "=x"}).status, 2);
   EXPECT_EQ(building({"--set", "slabs"}).status, 2);
+  const RunResult nothing = building({"--set", "ducts=duct*"});
+  EXPECT_EQ(nothing.status, 2);
+  EXPECT_NE(nothing.err.find("case-sensitive"), std::string::npos) << nothing.err;
 }
 
 TEST(ClashGroups, CountEachClashOnce) {

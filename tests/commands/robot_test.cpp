@@ -107,7 +107,7 @@ TEST(RobotVerb, SaysItInWords) {
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.out,
             "arm: 6 links, 5 with collision meshes; 4 joints move by themselves\n"
-            "6 pairs of links compared, 4 not (neighbors at a joint, or named by an option)\n"
+            "6 pairs of links compared, 4 not (joint neighbors, or excluded by an option)\n"
             "cylinders and spheres are meshes that exceed them by at most 0.000483857238\n"
             "cell: 1 part, compared with 4 links\n"
             "not closed, so that only surfaces are compared with it: wall of the cell\n"
@@ -238,6 +238,12 @@ TEST(RobotVerb, RefusesWhatMakesNoSense) {
   expect_robot_refused(
       soms_run({"robot", test::data("robots/bad/mesh_package.urdf").string(), "--random", "1"}), 3,
       "--package NAME=DIR");
+}
+
+TEST(RobotVerb, TellsUrdfFromSrdf) {
+  const RunResult result = robot_run({"--srdf", arm_urdf(), "--random", "2"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_NE(result.err.find("a URDF file, not an SRDF file"), std::string::npos) << result.err;
 }
 
 TEST(RobotVerb, AnswersTheRowsBeforeABadOne) {

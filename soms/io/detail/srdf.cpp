@@ -28,6 +28,10 @@ class SrdfReader {
       virtual_joints_.insert(required_text(document_, joint, "name"));
     }
     refuse_macros(document_);
+    if (const pugi::xml_node link = document_.root().child("link")) {
+      document_.fail(link, "defines a link: a URDF file, not an SRDF file",
+                     "give the SRDF file of this robot");
+    }
   }
 
   [[nodiscard]] std::vector<LinkPair> allowed();
