@@ -220,7 +220,7 @@ void add_clash_questions(CLI::App& app, ClashVerbOptions& options) {
   add_choice<ClashFailure>(
       app, "--fail-if", options.fail_if,
       {{"clash", ClashFailure::listed}, {"hard", ClashFailure::hard}, {"new", ClashFailure::fresh}},
-      "exit with 1 if any clash is listed, if one shares interior, or if one is new")
+      "exit with 1 if a clash is listed, one shares interior, or one is new")
       ->group(kQuestionGroup);
   app.add_option("--journal", options.journal,
                  "keep what is decided in a file, and go on from it when run again")
