@@ -176,8 +176,10 @@ void check_extension(const std::string& option, const std::filesystem::path& pat
       std::find(extensions.begin(), extensions.end(), extension) != extensions.end()) {
     return;
   }
-  throw Error(ErrorKind::usage, fmt::format("{} {}", option, path.string()),
-              fmt::format("use the extension {}, the format that it writes", *extensions.begin()));
+  throw Error(
+      ErrorKind::usage, fmt::format("{} {}", option, path.string()),
+      fmt::format("use {} {}", extensions.size() == 1 ? "the extension" : "one of the extensions",
+                  fmt::join(extensions, ", ")));
 }
 
 void print_error(std::string_view who, std::string_view message) {
