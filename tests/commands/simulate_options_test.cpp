@@ -92,12 +92,12 @@ TEST_F(SimulateOptions, RefusesNamesWhoseExtensionsAreThoseOfOtherFiles) {
     const RunResult result =
         simulate({town(), "--frames", "1", "--count", "1", option, beside(name)});
     EXPECT_EQ(result.status, 2) << result.err;
-    EXPECT_NE(result.err.find("use the extension " + extension), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("; use " + extension), std::string::npos) << result.err;
   };
-  refused("--map", "x.txt", ".svg");
-  refused("--report", "x.svg", ".html");
-  refused("--events", "x.json", ".csv");
-  refused("--picture", "x.jpg", ".png");
+  refused("--map", "x.txt", "the extension .svg");
+  refused("--report", "x.svg", "one of the extensions .html, .htm");
+  refused("--events", "x.json", "the extension .csv");
+  refused("--picture", "x.jpg", "the extension .png");
   EXPECT_EQ(files_in(folder_.path()), std::vector<std::string>{"town.ply"});
   EXPECT_EQ(simulate({town(), "--frames", "1", "--count", "1", "--map", beside("X.SVG"), "--events",
                       beside("plain")})
