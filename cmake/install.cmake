@@ -76,6 +76,10 @@ function(soms_install_program target folder component)
 endfunction()
 # The library starts it, so it is installed without the command too.
 soms_install_program(soms_import ${CMAKE_INSTALL_LIBEXECDIR}/soms import)
+# The same for IFC by web-ifc, where Node.js and that package are; it needs neither to be installed.
+if(TARGET soms_import)
+  install(FILES apps/import/soms-import-ifc.mjs DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/soms COMPONENT import)
+endif()
 if(NOT TARGET soms_command)
   return()
 endif()

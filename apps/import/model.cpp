@@ -163,6 +163,9 @@ void SceneWriter::tell_axes(bool turned) {
   if (is_among(extension_, kUnitNotRead)) {
     note += "; the unit is not read, even if the file states one";
   }
+  if (extension_ == ".ifc") {
+    note += "; names are Assimp's: GUIDs, types and storeys are read where web-ifc is installed";
+  }
   answer_.note(note);
 }
 

@@ -143,7 +143,7 @@ void print(const std::vector<Row>& rows) {
   }
 }
 
-void compare(std::uint64_t count, int passes) {
+void compare(std::uint64_t count, int passes, std::span<char* const> names) {
   const Building building = make_building(count, 7);
   const std::vector<FloatMesh> a = float_parts(building.structure);
   const std::vector<FloatMesh> b = float_parts(building.services);
@@ -161,6 +161,13 @@ void compare(std::uint64_t count, int passes) {
   for (const ClashPeerMaker& maker : makers) {
     rows.push_back({maker.name, nullptr, maker});
   }
+  std::erase_if(rows, [&](const Row& row) {
+    return !names.empty() && std::find(names.begin(), names.end(), row.name) == names.end();
+  });
+  if (rows.empty()) {
+    std::puts("no such library");
+    return;
+  }
   for (int pass = 0; pass < passes; ++pass) {
     for (std::size_t k = 0; k < rows.size(); ++k) {
       run(rows[(k + static_cast<std::size_t>(pass)) % rows.size()], building, a, b);
@@ -174,15 +181,16 @@ void compare(std::uint64_t count, int passes) {
 
 int main(int argc, char** argv) {
   std::uint64_t numbers[] = {10000, 5};
-  for (int k = 1; k < argc; ++k) {
+  for (int k = 1; k < std::min(argc, 3); ++k) {
     const std::string_view text = argv[k];
     const char* const end = text.data() + text.size();
-    if (k > 2 || std::from_chars(text.data(), end, numbers[k - 1]).ptr != end ||
-        numbers[k - 1] < 1) {
-      std::fputs("usage: clash_bench [PARTS [PASSES]]\n", stderr);
+    if (std::from_chars(text.data(), end, numbers[k - 1]).ptr != end || numbers[k - 1] < 1) {
+      std::fputs("usage: clash_bench [PARTS [PASSES [LIBRARY...]]]\n", stderr);
       return 2;
     }
   }
-  soms::bench::compare(numbers[0], static_cast<int>(numbers[1]));
+  const std::span<char* const> words(argv, static_cast<std::size_t>(argc));
+  soms::bench::compare(numbers[0], static_cast<int>(numbers[1]),
+                       words.subspan(std::min<std::size_t>(words.size(), 3)));
   return 0;
 }

@@ -38,6 +38,7 @@ set(SOMS_SOURCES
   detail/gltf_scene.cpp
   detail/import.cpp
   detail/import_child.cpp
+  detail/import_program.cpp
   detail/json_document.cpp
   detail/json_numbers.cpp
   detail/left_out.cpp

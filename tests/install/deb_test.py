@@ -49,7 +49,7 @@ soms render town.ply -o town.png --size 320x200
 def make(build, folder):
     """The packages by name."""
     if (build / "bin/soms-import").exists():
-        WANTED["soms-import"] = ["/usr/libexec/soms/soms-import"]
+        WANTED["soms-import"] = ["/usr/libexec/soms/soms-import", "/usr/libexec/soms/soms-import-ifc.mjs"]
     if list((build / "python/soms").glob("_soms.*.so")):
         WANTED["python3-soms"] = ["/usr/lib/python3/dist-packages/soms/_soms.*.so",
                                   "/usr/lib/python3/dist-packages/soms/__init__.py",

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace soms::detail {
@@ -36,6 +37,8 @@ constexpr std::string_view kMagic = "soms-import 1\n";
 ///   v  3 doubles                 a vertex
 ///   f  count, vertices (u32)     a face of vertices so far, from 0
 ///   b  length, name (u32)        a part begins; parts nest
+///   d  id, type, count (u32), as many names and values: what the file states about the part that
+///      was opened last, each text as its length (u32) and its bytes
 ///   e                            it ends
 ///   n  length, text (u32)        a note
 ///   u  1 double                  meters a unit
@@ -57,6 +60,10 @@ class ImportReader {
   void read_face();
   void read_unit();
   void read_axis();
+
+  std::string_view take_text() { return take(take_number()); }
+
+  void describe();
   Mesh finish();
 
   Source& source_;
@@ -142,6 +149,31 @@ void ImportReader::read_axis() {
   up_ = std::array{UpAxis::x, UpAxis::y, UpAxis::z}[axis];
 }
 
+void ImportReader::describe() {
+  if (open_parts_ == 0) {
+    fail("a part is described that has not begun");
+  }
+  const std::string_view id = take_text();
+  const std::string_view type = take_text();
+  const auto count = take_number();
+  // A name and a value have four bytes of length each.
+  if (count > (answer_.size() - at_) / (2 * sizeof(std::uint32_t))) {
+    fail("it is cut off");
+  }
+  const std::uint64_t room = std::uint64_t{count} * sizeof(Attribute);
+  if (!source_.budget.take(room)) {
+    source_.fail_memory(room);
+  }
+  std::vector<Attribute> attributes;
+  attributes.reserve(count);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::string_view name = take_text();
+    attributes.push_back({std::string(name), std::string(take_text())});
+  }
+  source_.budget.give_back(room);
+  builder_.describe_part(id, type, std::move(attributes));
+}
+
 Mesh ImportReader::finish() {
   if (open_parts_ > 0 || at_ != answer_.size()) {
     fail("it ends inside a part, or continues after its end");
@@ -169,8 +201,11 @@ Mesh ImportReader::read() {
         read_face();
         break;
       case 'b':
-        builder_.open_part(take(take_number()));
+        builder_.open_part(take_text());
         ++open_parts_;
+        break;
+      case 'd':
+        describe();
         break;
       case 'e':
         if (open_parts_ == 0) {
@@ -180,7 +215,7 @@ Mesh ImportReader::read() {
         --open_parts_;
         break;
       case 'n':
-        builder_.note(printable(take(take_number())));
+        builder_.note(printable(take_text()));
         break;
       case 'u':
         read_unit();

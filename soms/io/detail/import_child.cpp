@@ -1,8 +1,8 @@
 #include "soms/io/detail/import_child.h"
 
 #include "soms/io/detail/file.h"
+#include "soms/io/detail/import_program.h"
 
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <poll.h>
@@ -17,13 +17,12 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace soms::detail {
@@ -32,8 +31,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Address space of the program and its libraries before it has read anything.
-constexpr std::uint64_t kProgramMemory = std::uint64_t{256} << 20;
 constexpr double kMostSeconds = 1e9;
 /// Exit status of soms-import that says that memory was too little.
 constexpr int kNoMemory = 4;
@@ -44,43 +41,6 @@ constexpr int kRefused = 1;
 std::string in_words(std::string_view text) {
   const std::size_t last = text.find_last_not_of(" \t\r\n.;!");
   return printable(text.substr(0, last == std::string_view::npos ? 0 : last + 1));
-}
-
-bool runs(const std::filesystem::path& program) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(program, ignored) && access(program.c_str(), X_OK) == 0;
-}
-
-/// Where this program and the library with this code lie, as far as that is known.
-std::vector<std::filesystem::path> folders() {
-  std::error_code unknown;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
-  Dl_info library{};
-  const bool found = dladdr(reinterpret_cast<const void*>(&run_import), &library) != 0 &&
-                     library.dli_fname != nullptr;
-  return import_folders(program, found ? library.dli_fname : "");
-}
-
-std::filesystem::path find_program(const Source& source, std::string_view extension) {
-  const char* const named = std::getenv("SOMS_IMPORT");
-  if (named != nullptr && *named != '\0') {
-    if (!runs(named)) {
-      source.fail(ErrorKind::unsupported,
-                  "SOMS_IMPORT does not name a program: " + std::string(named),
-                  "set it to the path of soms-import, or unset it");
-    }
-    return named;
-  }
-  for (const std::filesystem::path& folder : folders()) {
-    if (runs(folder / "soms-import")) {
-      return folder / "soms-import";
-    }
-  }
-  source.fail(ErrorKind::unsupported,
-              "format " + in_quotes(extension) +
-                  " is read by the program soms-import, which is not installed",
-              "build soms where Assimp is found (Debian: libassimp-dev), set SOMS_IMPORT to the "
-              "path of the program, or convert the model");
 }
 
 [[noreturn]] void fail_system(const Source& source, const std::string& what, int code) {
@@ -159,7 +119,7 @@ class Child {
 };
 
 /// Starts the program with the model as its input; its output goes to `out`.
-pid_t start(const Source& source, const std::filesystem::path& program, std::string_view extension,
+pid_t start(const Source& source, const ImportProgram& program, std::string_view extension,
             int model, int out) {
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
@@ -177,25 +137,30 @@ pid_t start(const Source& source, const std::filesystem::path& program, std::str
   posix_spawnattr_setpgroup(&attributes, 0);
   posix_spawnattr_setflags(&attributes,
                            POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
-  std::string name = program.string();
-  std::string format(extension);
-  const std::array<char*, 3> arguments = {name.data(), format.data(), nullptr};
+  std::vector<std::string> words = {program.path.string()};
+  words.insert(words.end(), program.arguments.begin(), program.arguments.end());
+  words.emplace_back(extension);
+  std::vector<char*> arguments;
+  for (std::string& word : words) {
+    arguments.push_back(word.data());
+  }
+  arguments.push_back(nullptr);
   pid_t process = -1;
   const int fault =
-      posix_spawn(&process, program.c_str(), &files, &attributes, arguments.data(), environ);
+      posix_spawn(&process, program.path.c_str(), &files, &attributes, arguments.data(), environ);
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   if (fault != 0) {
-    fail_system(source, program.string() + " cannot be started", fault);
+    fail_system(source, program.path.string() + " cannot be started", fault);
   }
   return process;
 }
 
 class ImportRun {
  public:
-  ImportRun(Source& source, const std::filesystem::path& program, std::string_view extension)
+  ImportRun(Source& source, ImportProgram program, std::string_view extension)
       : source_(source),
-        program_(program),
+        program_(std::move(program)),
         extension_(extension),
         seconds_(source.import_seconds > 0 ? std::min(source.import_seconds, kMostSeconds) : 0) {}
 
@@ -208,7 +173,7 @@ class ImportRun {
   [[noreturn]] void fail_status(int status) const;
 
   Source& source_;
-  std::filesystem::path program_;
+  ImportProgram program_;
   std::string_view extension_;
   double seconds_;  ///< that it may take: no NaN, and few enough to be counted
   Clock::time_point deadline_;
@@ -231,7 +196,7 @@ void ImportRun::wait_a_little(Clock::duration time) const {
   check_stop(source_.parallel);
   if (Clock::now() >= deadline_) {
     source_.fail(ErrorKind::timed_out,
-                 fmt::format("soms-import did not end within {:g} s", seconds_),
+                 fmt::format("{} did not end within {:g} s", program_.name, seconds_),
                  "convert the model, or allow more time (import_seconds)");
   }
   std::this_thread::sleep_for(time);
@@ -258,7 +223,7 @@ void ImportRun::collect(int pipe) {
       }
       answer_.append(some.data(), size);
     } else if (errno != EINTR) {
-      fail_system(source_, "cannot read the answer of soms-import", errno);
+      fail_system(source_, "cannot read the answer of " + program_.name, errno);
     }
   }
 }
@@ -268,22 +233,23 @@ void ImportRun::fail_status(int status) const {
   if (WIFSIGNALED(status)) {
     // What a library does that gets no memory cannot be distinguished from a fault of another kind.
     source_.fail(ErrorKind::bad_file,
-                 fmt::format("soms-import crashed (signal {}, memory limit {} MiB)",
+                 fmt::format("{} crashed (signal {}, memory limit {} MiB)", program_.name,
                              WTERMSIG(status), memory_ >> 20),
                  remedy + ", or give it more memory (max_memory)");
   }
   if (WEXITSTATUS(status) == kNoMemory) {
     source_.fail(ErrorKind::out_of_memory,
-                 fmt::format("soms-import exceeds its memory limit of {} MiB", memory_ >> 20),
+                 fmt::format("{} exceeds its memory limit of {} MiB", program_.name, memory_ >> 20),
                  "raise the limit (max_memory) if the file can be trusted");
   }
   if (WEXITSTATUS(status) == kRefused && !answer_.empty()) {
-    source_.fail(ErrorKind::bad_file,
-                 fmt::format("soms-import cannot read it as {}: {}", extension_, in_words(answer_)),
-                 remedy);
+    source_.fail(
+        ErrorKind::bad_file,
+        fmt::format("{} cannot read it as {}: {}", program_.name, extension_, in_words(answer_)),
+        remedy);
   }
   source_.fail(ErrorKind::bad_file,
-               fmt::format("soms-import ended with status {}", WEXITSTATUS(status)), remedy);
+               fmt::format("{} ended with status {}", program_.name, WEXITSTATUS(status)), remedy);
 }
 
 std::string ImportRun::answer() {
@@ -301,10 +267,10 @@ std::string ImportRun::answer() {
   const std::chrono::duration<double> seconds(seconds_);
   deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(seconds);
   const std::uint64_t left = source_.budget.left();
-  memory_ =
-      kProgramMemory + std::min(left, std::numeric_limits<std::uint64_t>::max() - kProgramMemory);
+  memory_ = program_.own_memory +
+            std::min(left, std::numeric_limits<std::uint64_t>::max() - program_.own_memory);
   Child child(start(source_, program_, extension_, model.get(), out->get()));
-  child.limit(RLIMIT_AS, memory_);
+  child.limit(program_.reserves_addresses ? RLIMIT_DATA : RLIMIT_AS, memory_);
   child.limit(RLIMIT_CPU, static_cast<std::uint64_t>(seconds_) + 1);
   child.limit(RLIMIT_CORE, 0);
   child.limit(RLIMIT_FSIZE, 0);
@@ -332,26 +298,8 @@ std::string printable(std::string_view text) {
   return result;
 }
 
-std::vector<std::filesystem::path> import_folders(const std::filesystem::path& program,
-                                                  const std::filesystem::path& library) {
-  std::vector<std::filesystem::path> all;
-  if (program.is_absolute()) {
-    const std::filesystem::path beside = program.parent_path();
-    all = {beside, beside.parent_path() / "libexec/soms"};
-  }
-  if (library.is_absolute()) {
-    std::filesystem::path folder = library.parent_path();
-    // From lib, or from lib/<architecture>.
-    if (folder.parent_path().filename() == "lib") {
-      folder = folder.parent_path();
-    }
-    all.push_back(folder.parent_path() / "libexec/soms");
-  }
-  return all;
-}
-
 std::string run_import(Source& source, std::string_view extension) {
-  return ImportRun(source, find_program(source, extension), extension).answer();
+  return ImportRun(source, find_import_program(source, extension), extension).answer();
 }
 
 }  // namespace soms::detail

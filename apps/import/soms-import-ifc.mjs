@@ -1,0 +1,257 @@
+// soms-import-ifc.mjs FOLDER .ifc: reads an IFC model from standard input by the npm package web-ifc
+// that lies in FOLDER, and writes it to standard output as soms-import does (docs/formats.md). Exit status 1: it cannot be read,
+// and standard output says why; 4: too little memory.
+import { readFileSync, writeSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+
+const BUFFER = 1 << 20;
+
+/** The records of an answer, written in large pieces. */
+class Answer {
+  constructor() {
+    this.bytes = Buffer.alloc(BUFFER);
+    this.used = 0;
+    this.vertices = 0;
+    this.put(Buffer.from('soms-import 1\n'));
+  }
+
+  flush() {
+    for (let at = 0; at < this.used;) {
+      try {
+        at += writeSync(1, this.bytes, at, this.used - at);
+      } catch (error) {
+        if (error.code !== 'EAGAIN') {
+          throw error;
+        }
+      }
+    }
+    this.used = 0;
+  }
+
+  room(size) {
+    if (this.used + size > this.bytes.length) {
+      this.flush();
+    }
+    if (size > this.bytes.length) {
+      this.bytes = Buffer.alloc(size);
+    }
+  }
+
+  put(bytes) {
+    this.room(bytes.length);
+    bytes.copy(this.bytes, this.used);
+    this.used += bytes.length;
+  }
+
+  letter(kind) {
+    this.room(1);
+    this.used = this.bytes.writeUInt8(kind.charCodeAt(0), this.used);
+  }
+
+  number(value) {
+    this.room(4);
+    this.used = this.bytes.writeUInt32LE(value, this.used);
+  }
+
+  double(value) {
+    this.room(8);
+    this.used = this.bytes.writeDoubleLE(value, this.used);
+  }
+
+  words(text) {
+    const bytes = Buffer.from(text, 'utf8');
+    this.number(bytes.length);
+    this.put(bytes);
+  }
+
+  text(kind, text) {
+    this.letter(kind);
+    this.words(text);
+  }
+
+  describe(id, type, attributes) {
+    this.letter('d');
+    this.words(id);
+    this.words(type);
+    this.number(attributes.length);
+    attributes.flat().forEach((text) => this.words(text));
+  }
+
+  end() {
+    this.letter('.');
+    this.flush();
+  }
+}
+
+/** A value of a line as text; nothing for what is unset. */
+function plain(value) {
+  const held = value?.value ?? value;
+  return held === null || held === undefined || typeof held === 'object' ? '' : String(held);
+}
+
+/** For each element, what it is directly part of or contained in. */
+function holders(api, model, package_) {
+  const held = new Map();
+  const read = (type, holder, elements) => {
+    const lines = api.GetLineIDsWithType(model, type);
+    for (let k = 0; k < lines.size(); ++k) {
+      const line = api.GetLine(model, lines.get(k));
+      for (const element of line[elements] ?? []) {
+        if (element?.value !== undefined && line[holder]?.value !== undefined) {
+          held.set(element.value, line[holder].value);
+        }
+      }
+    }
+  };
+  read(package_.IFCRELAGGREGATES, 'RelatingObject', 'RelatedObjects');
+  read(package_.IFCRELCONTAINEDINSPATIALSTRUCTURE, 'RelatingStructure', 'RelatedElements');
+  return held;
+}
+
+/** The storey that an element is on, or what else of the spatial structure holds it; 0 if nothing does. */
+function storeyOf(api, model, held, element) {
+  const seen = new Set();
+  let last = 0;
+  for (let at = held.get(element); at !== undefined && !seen.has(at); at = held.get(at)) {
+    seen.add(at);
+    const type = api.GetNameFromTypeCode(api.GetLineType(model, at));
+    if (type === 'IfcBuildingStorey') {
+      return at;
+    }
+    if (last === 0 && (type === 'IfcSpace' || type === 'IfcBuilding' || type === 'IfcSite')) {
+      last = at;
+    }
+  }
+  return last;
+}
+
+/** A note of the elements that state a shape and gave no triangles; '' if there are none. */
+function lost(api, model, package_, found) {
+  const lines = api.GetLineIDsWithType(model, package_.IFCELEMENT, true);
+  let count = 0;
+  let first = '';
+  for (let k = 0; k < lines.size(); ++k) {
+    const id = lines.get(k);
+    const type = api.GetNameFromTypeCode(api.GetLineType(model, id));
+    const line = found.has(id) || type.startsWith('IfcOpening') ? null : api.GetLine(model, id);
+    if (line?.Representation) {
+      first ||= `${type} '${plain(line.Name)}' (${plain(line.GlobalId)})`;
+      ++count;
+    }
+  }
+  return count === 0 ? '' : `elements with a shape of which web-ifc makes no triangles, not read: ${count}, the first ${first}`;
+}
+
+function openPart(api, model, answer, element) {
+  const line = api.GetLine(model, element);
+  answer.text('b', plain(line.Name));
+  const attributes = ['ObjectType', 'Tag', 'Description', 'LongName', 'PredefinedType']
+    .map((name) => [name, plain(line[name])]).filter(([, value]) => value !== '');
+  answer.describe(plain(line.GlobalId), api.GetNameFromTypeCode(api.GetLineType(model, element)), attributes);
+}
+
+/** The vertices and triangles of one placed geometry. web-ifc turns y up; here z is up again, as in the file. */
+function readGeometry(api, model, { geometryExpressID, flatTransformation: m }) {
+  const geometry = api.GetGeometry(model, geometryExpressID);
+  const points = api.GetVertexArray(geometry.GetVertexData(), geometry.GetVertexDataSize());
+  const corners = api.GetIndexArray(geometry.GetIndexData(), geometry.GetIndexDataSize()).slice();
+  geometry.delete();
+  const vertices = new Float64Array(3 * Math.floor(points.length / 6)); // of six numbers, three are a normal
+  for (let k = 0; 3 * k < vertices.length; ++k) {
+    const [x, y, z] = [points[6 * k], points[6 * k + 1], points[6 * k + 2]];
+    vertices[3 * k] = m[0] * x + m[4] * y + m[8] * z + m[12];
+    vertices[3 * k + 1] = -(m[2] * x + m[6] * y + m[10] * z + m[14]);
+    vertices[3 * k + 2] = m[1] * x + m[5] * y + m[9] * z + m[13];
+  }
+  return { vertices, corners };
+}
+
+function writeGeometry(answer, { vertices, corners }) {
+  const first = answer.vertices;
+  for (let k = 0; k < vertices.length; k += 3) {
+    answer.letter('v');
+    answer.double(vertices[k]);
+    answer.double(vertices[k + 1]);
+    answer.double(vertices[k + 2]);
+  }
+  for (let k = 0; k + 2 < corners.length; k += 3) {
+    answer.letter('f');
+    answer.number(3);
+    answer.number(first + corners[k]);
+    answer.number(first + corners[k + 1]);
+    answer.number(first + corners[k + 2]);
+  }
+  answer.vertices += vertices.length / 3;
+}
+
+async function main() {
+  const folder = process.argv[2];
+  const bytes = readFileSync(0);
+  if (!bytes.subarray(0, 1024).includes('ISO-10303-21')) {
+    throw new Error('it does not begin as an IFC file does (ISO-10303-21)');
+  }
+  if (!bytes.subarray(-1024).includes('END-ISO-10303-21')) {
+    throw new Error('it is cut off: END-ISO-10303-21 is missing');
+  }
+  const load = createRequire(join(folder, 'package.json'));
+  const package_ = load('./web-ifc-api-node.js');
+  const { version } = load('./package.json');
+  console.log = () => {}; // standard output is for the answer
+  const api = new package_.IfcAPI();
+  await api.Init();
+  api.SetLogLevel(package_.LogLevel.LOG_LEVEL_OFF);
+  const model = api.OpenModel(bytes, { COORDINATE_TO_ORIGIN: false });
+  const schema = model < 0 ? '' : api.GetModelSchema(model);
+  if (!schema) {
+    throw new Error('it is no IFC file, or of a schema that web-ifc does not know');
+  }
+  const held = holders(api, model, package_);
+  const storeys = new Map();
+  const found = new Set();
+  api.StreamAllMeshes(model, (mesh) => {
+    const geometries = []; // what web-ifc hands out here is gone after this call
+    for (let k = 0; k < mesh.geometries.size(); ++k) {
+      geometries.push(readGeometry(api, model, mesh.geometries.get(k)));
+    }
+    found.add(mesh.expressID);
+    const storey = storeyOf(api, model, held, mesh.expressID);
+    if (!storeys.has(storey)) {
+      storeys.set(storey, []);
+    }
+    storeys.get(storey).push([mesh.expressID, geometries]);
+  });
+  const answer = new Answer();
+  answer.text('n', `read by web-ifc ${version} (${schema}): coordinates are floats in the frame of each element, lengths became meters, its rotation from z up to y up was undone`);
+  const left = lost(api, model, package_, found);
+  if (left !== '') {
+    answer.text('n', left);
+  }
+  answer.letter('u');
+  answer.double(1);
+  answer.letter('a');
+  answer.letter('z');
+  for (const [storey, elements] of [...storeys].sort(([a], [b]) => a - b)) {
+    if (storey !== 0) {
+      openPart(api, model, answer, storey);
+    }
+    for (const [element, geometries] of elements) {
+      openPart(api, model, answer, element);
+      geometries.forEach((geometry) => writeGeometry(answer, geometry));
+      answer.letter('e');
+    }
+    if (storey !== 0) {
+      answer.letter('e');
+    }
+  }
+  answer.end();
+}
+
+function refuse(error) {
+  const why = String(error?.message ?? error);
+  const memory = /out of memory|allocation failed|Array buffer|enlarge memory|Aborted\(OOM/i.test(why);
+  writeSync(1, memory ? '' : why || 'web-ifc cannot read it');
+  process.exit(memory ? 4 : 1);
+}
+
+main().catch(refuse);
